@@ -1,0 +1,59 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/image/Volume.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// A named place for the probe: where its face's centre is and how it looks. Patient LPS.
+struct StartPose {
+  std::string name;
+  Vec3 position_mm;  ///< centre of the probe face
+  Vec3 axial;        ///< into the body, unit
+  Vec3 lateral;      ///< toward the probe's marker, unit, at right angles to axial
+};
+
+/// A structure the procedure is about, e.g. the right internal jugular vein at the puncture level.
+struct Target {
+  std::string name;
+  std::uint8_t label = 0;
+  Vec3 position_mm;
+};
+
+/// case.json. Every field but the version may be missing: defaults are used and said.
+struct CaseManifest {
+  static constexpr int kSchemaVersion = 1;
+  int schemaVersion = kSchemaVersion;
+  std::string title = "Untitled case";
+  std::string description;
+  std::string difficulty;  ///< "easy", "moderate", "hard" or empty
+  std::vector<Target> targets;
+  std::vector<StartPose> startPoses;
+  std::string source;  ///< how the case came to be, without anything that identifies a patient
+};
+
+/// A patient: CT and labels on one grid, and what is known about them. Owns its volumes.
+struct PatientCase {
+  CaseManifest manifest;
+  CtVolume ct;
+  LabelMap labels;
+};
+
+struct CaseReadResult {
+  PatientCase patient;
+  std::vector<std::string> notes;  ///< what was missing and which default was used, one sentence each
+};
+
+/// Reads `ct.nrrd`, `labels.seg.nrrd` (or labels.nrrd) and `case.json` of a folder. Fails on a missing or unreadable
+/// volume, grids that differ, more than one component, or a newer schema.
+Result<CaseReadResult> readCase(const std::filesystem::path& folder);
+
+/// Writes the three files so that 3D Slicer and ITK-SNAP open them as they are, with ITK-SNAP's label description
+/// beside them. Nothing of an existing case is touched before everything is on the disk.
+Result<void> writeCase(const PatientCase& patient, const std::filesystem::path& folder);
+
+}  // namespace insonate

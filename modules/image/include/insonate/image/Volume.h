@@ -1,0 +1,33 @@
+#pragma once
+
+#include <insonate/image/VolumeGeometry.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace insonate {
+
+/// Voxels on a grid in patient space; i (first index) is fastest in memory. Owns its voxels.
+template <class T>
+struct Volume {
+  VolumeGeometry geometry;
+  std::vector<T> voxels;
+
+  Volume() = default;
+  explicit Volume(const VolumeGeometry& g, T fill = T{}) : geometry(g), voxels(g.voxelCount(), fill) {}
+
+  T& at(int i, int j, int k) { return voxels[geometry.offset(i, j, k)]; }
+  const T& at(int i, int j, int k) const { return voxels[geometry.offset(i, j, k)]; }
+};
+
+/// Hounsfield units.
+using CtVolume = Volume<std::int16_t>;
+/// Structure numbers of insonate/tissue/Labels.h; 0 is outside the patient.
+using LabelMap = Volume<std::uint8_t>;
+
+/// Trilinear interpolation at a continuous index (voxel centres at integers); nearest edge voxel outside.
+double sampleLinear(const CtVolume& volume, Vec3 index);
+/// Value of the nearest voxel; `outside` beyond half a voxel off the grid.
+std::uint8_t sampleNearest(const LabelMap& labels, Vec3 index, std::uint8_t outside = 0);
+
+}  // namespace insonate

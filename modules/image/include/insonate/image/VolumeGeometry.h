@@ -1,0 +1,37 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/core/Transform.h>
+
+#include <array>
+#include <cstddef>
+
+namespace insonate {
+
+/// Where a grid of voxels lies in patient space (LPS, millimetres, as in DICOM).
+struct VolumeGeometry {
+  std::array<int, 3> size{1, 1, 1};  ///< voxels along i, j, k; each at least 1
+  Vec3 spacing_mm{1, 1, 1};          ///< distance of voxel centres; each above 0
+  Vec3 origin_mm{};                  ///< patient position of the centre of voxel (0, 0, 0)
+  Mat3 direction;                    ///< columns: patient directions of i, j, k; orthonormal (either handedness)
+
+  bool operator==(const VolumeGeometry&) const = default;
+
+  std::size_t voxelCount() const { return std::size_t(size[0]) * size[1] * size[2]; }
+  std::size_t offset(int i, int j, int k) const { return (std::size_t(k) * size[1] + j) * size[0] + i; }
+  bool contains(int i, int j, int k) const {
+    return i >= 0 && j >= 0 && k >= 0 && i < size[0] && j < size[1] && k < size[2];
+  }
+  /// Continuous voxel index (centres at integers) to patient LPS mm.
+  Transform patientFromIndex() const;
+  Transform indexFromPatient() const;
+  Vec3 centre_mm() const;
+};
+
+/// Same grid within tolerances a file format may lose: origin and far corner agree within a tenth of a voxel.
+bool sameGrid(const VolumeGeometry& a, const VolumeGeometry& b);
+
+/// Fails with a sentence when sizes, spacings or directions cannot describe a grid.
+Result<void> validate(const VolumeGeometry& geometry);
+
+}  // namespace insonate

@@ -1,0 +1,56 @@
+#include <insonate/image/VolumeGeometry.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace insonate {
+
+Transform VolumeGeometry::patientFromIndex() const {
+  Transform t{direction, origin_mm};
+  for (int a = 0; a < 3; ++a) t.linear.column[a] = direction.column[a] * spacing_mm[a];
+  return t;
+}
+
+Transform VolumeGeometry::indexFromPatient() const {
+  return inverted(patientFromIndex());
+}
+
+Vec3 VolumeGeometry::centre_mm() const {
+  return patientFromIndex() * (Vec3{size[0] - 1.0, size[1] - 1.0, size[2] - 1.0} * 0.5);
+}
+
+bool sameGrid(const VolumeGeometry& a, const VolumeGeometry& b) {
+  if (a.size != b.size) return false;
+  const double tolerance_mm = 0.1 * std::min({a.spacing_mm.x, a.spacing_mm.y, a.spacing_mm.z});
+  const Transform ta = a.patientFromIndex(), tb = b.patientFromIndex();
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 index{corner & 1 ? a.size[0] - 1.0 : 0.0, corner & 2 ? a.size[1] - 1.0 : 0.0,
+                     corner & 4 ? a.size[2] - 1.0 : 0.0};
+    if (norm(ta * index - tb * index) > tolerance_mm) return false;
+  }
+  return true;
+}
+
+Result<void> validate(const VolumeGeometry& g) {
+  constexpr double kMaxVoxels = 4e9;
+  double voxels = 1;
+  for (int a = 0; a < 3; ++a) {
+    if (g.size[a] < 1) return fail("The grid has " + std::to_string(g.size[a]) + " voxels along one axis.");
+    if (!(g.spacing_mm[a] > 0) || !std::isfinite(g.spacing_mm[a]))
+      return fail("The voxel spacing is " + std::to_string(g.spacing_mm[a]) +
+                  " mm along one axis; it must be above 0.");
+    voxels *= g.size[a];
+  }
+  if (voxels > kMaxVoxels) return fail("The grid has more voxels than this program can hold.");
+  if (!isFinite(g.origin_mm)) return fail("The position of the first voxel is not a number.");
+  for (int a = 0; a < 3; ++a)
+    for (int b = a; b < 3; ++b) {
+      const double expected = a == b ? 1 : 0;
+      if (!(std::abs(dot(g.direction.column[a], g.direction.column[b]) - expected) < 1e-3))
+        return fail("The axes of the grid are not at right angles; resample it to an orthogonal grid first.");
+    }
+  return {};
+}
+
+}  // namespace insonate

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace insonate {
+
+/// Structure numbers of a label map. The even numbers 0, 2, 4, 6, 8, 10, 12, 14 are those of the thesis's Table I and
+/// never change; the odd ones were added.
+enum Label : std::uint8_t {
+  kBackground = 0,
+  kSkin = 1,
+  kArtery = 2,
+  kFat = 3,
+  kAirway = 4,  ///< air inside the patient: airway and lung
+  kNerve = 5,
+  kVein = 6,
+  kLymphNode = 7,
+  kThyroid = 8,
+  kOesophagus = 9,
+  kSternocleidomastoid = 10,
+  kMuscle = 11,
+  kBone = 12,
+  kCartilage = 13,
+  kSoftTissue = 14,  ///< everything else
+  kGland = 15,       ///< salivary gland
+};
+
+inline constexpr int kLabelCount = 16;
+
+/// What other programs need to know about a label: 3D Slicer's colour and SNOMED CT code.
+struct LabelInfo {
+  Label label;
+  std::string_view name;
+  std::array<std::uint8_t, 3> colour;
+  std::string_view snomedCode;
+  std::string_view snomedMeaning;
+};
+
+const std::array<LabelInfo, kLabelCount>& labelTable();
+std::optional<Label> labelFromName(std::string_view name);
+
+}  // namespace insonate

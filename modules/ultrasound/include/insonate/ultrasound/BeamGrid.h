@@ -1,0 +1,44 @@
+#pragma once
+
+#include <insonate/core/Vec3.h>
+#include <insonate/ultrasound/ImagingSettings.h>
+
+namespace insonate {
+
+/// Where the samples of a frame lie, in the probe frame (mm). Sample k of scanline l is at
+/// origin(l) + direction(l) * range_mm(k); k and l may be fractional.
+class BeamGrid {
+ public:
+  BeamGrid(const Probe& probe, const ImagingSettings& settings);
+
+  int scanlines() const { return scanlines_; }
+  int samples() const { return samples_; }
+  double step_mm() const { return step_mm_; }
+  double range_mm(double sample) const { return (sample + 0.5) * step_mm_; }
+  double sampleAt(double range_mm) const { return range_mm / step_mm_ - 0.5; }
+
+  Vec3 origin(double scanline) const;
+  Vec3 direction(double scanline) const;
+  /// Distance between neighbouring scanlines at a range.
+  double scanlineSpacing_mm(double range_mm) const;
+
+  /// Scanline and sample (fractional) of a point of the imaging plane (y = 0) and whether it is inside the field of
+  /// view: the rectangle or the fan between r1 and r2, edges half a scanline outside the first and last scanline.
+  struct Location {
+    double scanline, sample;
+    bool inside;
+  };
+  Location locate(double lateral_mm, double axial_mm) const;
+
+  /// Bounding box of the field of view in the imaging plane.
+  double minLateral_mm() const, maxLateral_mm() const, minAxial_mm() const, maxAxial_mm() const;
+
+ private:
+  ProbeShape shape_;
+  int scanlines_, samples_;
+  double step_mm_, depth_mm_;
+  double pitch_;      // linear: mm, else radians
+  double radius_mm_;  // r1; 0 for linear
+};
+
+}  // namespace insonate

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <insonate/ultrasound/BeamGrid.h>
+#include <insonate/ultrasound/Frames.h>
+
+#include <memory>
+
+namespace insonate {
+
+/// From a linear envelope to the displayed picture: looks averaged > clutter > TGC and gain > logarithm > smoothing
+/// along interfaces > persistence > grey map > scan conversion. Everything is allocated by the constructor; process()
+/// allocates nothing. Not for concurrent use of one object. Uses the calling thread's TBB arena.
+class Display {
+ public:
+  Display(const Probe& probe, const ImagingSettings& settings);
+  ~Display();
+  Display(Display&&) noexcept;
+  Display& operator=(Display&&) noexcept;
+
+  /// The frame must have the settings' scanlines and samples. Persistence mixes with the previous call's picture.
+  void process(const EnvelopeFrame& envelope, BModeImage& image);
+  /// Forgets the previous picture.
+  void reset();
+
+  struct Stages_ms {
+    double compound = 0, compress = 0, smooth = 0, scanConvert = 0;
+  };
+  const Stages_ms& stages() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// 1 inside the field of view, 0 outside, for the picture that Display makes with these settings.
+std::vector<std::uint8_t> fieldOfViewMask(const Probe& probe, const ImagingSettings& settings);
+
+/// Built-in time-gain compensation before the operator's sliders, in dB per cm and MHz of depth (there and back).
+inline constexpr double kTgc_dBpcmMHz = 0.94;
+
+}  // namespace insonate

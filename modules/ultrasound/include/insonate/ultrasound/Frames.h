@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace insonate {
+
+/// Linear echo amplitude on the beam grid, before compounding, gain, compression and scan conversion. 1 is the RMS
+/// amplitude of fully developed speckle in a 0 dB tissue without attenuation. Scanlines are fastest in memory.
+struct EnvelopeFrame {
+  int scanlines = 0, samples = 0, looks = 0;
+  std::vector<float> amplitude;  ///< [look][sample][scanline]
+
+  void resize(int newScanlines, int newSamples, int newLooks) {
+    scanlines = newScanlines, samples = newSamples, looks = newLooks;
+    amplitude.resize(std::size_t(scanlines) * samples * looks);
+  }
+  float* look(int l) { return amplitude.data() + std::size_t(l) * scanlines * samples; }
+  const float* look(int l) const { return amplitude.data() + std::size_t(l) * scanlines * samples; }
+};
+
+/// The displayed picture: 8-bit grey, rows from the face down, black outside the field of view.
+struct BModeImage {
+  int width = 0, height = 0;
+  double pixel_mm = 0;             ///< square pixels
+  double left_mm = 0, top_mm = 0;  ///< lateral and axial position of the centre of pixel (0, 0)
+  std::vector<std::uint8_t> grey;  ///< [row][column]
+};
+
+}  // namespace insonate

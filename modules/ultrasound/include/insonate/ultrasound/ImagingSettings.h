@@ -1,0 +1,63 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/ultrasound/Probe.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <array>
+#include <filesystem>
+#include <string>
+
+namespace insonate {
+
+enum class Look {
+  Coherent,  ///< scatterers fixed in the tissue, point-spread function, several looks (default)
+  Thesis,    ///< the thesis's four layers: reflection, absorption, radial blur, Perlin speckle
+};
+
+enum class GreyMap { Linear, Soft };
+
+/// Each physical effect can be left out, to see what it does.
+struct Effects {
+  bool reflection = true;
+  bool attenuation = true;    ///< absorption along the beam, there and back
+  bool transmission = true;   ///< loss (1 - R^2) at each boundary, there and back: shadow
+  bool speckle = true;        ///< off: uniform scattering of the same mean power
+  bool layers = true;         ///< walls, fascia and other connective layers at boundaries
+  bool texture = true;        ///< septa, lobules, and modulation by the CT
+  bool beam = true;           ///< the point-spread function
+  bool reverberation = true;  ///< behind air
+  bool edgeShadow = true;     ///< refraction at the sides of vessels
+  bool clutter = true;        ///< haze in lumens (display path)
+};
+
+/// What the operator and the renderer may set. Defaults suit the linear probe on a neck; see settingsFor().
+struct ImagingSettings {
+  double depth_mm = 40;
+  double frequency_MHz = 7.5;
+  double focus_mm = 20;
+  double gain_dB = 0;              ///< -40..40
+  std::array<double, 8> tgc_dB{};  ///< sliders from face to depth, -20..20, on top of the built-in compensation
+  double dynamicRange_dB = 60;     ///< 20..120
+  double persistence = 0;          ///< share of the previous picture, 0..0.95
+  GreyMap greyMap = GreyMap::Soft;
+  bool smoothing = true;          ///< along interfaces, after the logarithm
+  int looks = 3;                  ///< compounded, 1..3
+  int scanlines = 256;            ///< 16..1024
+  int samples = 1000;             ///< per scanline, 64..4096
+  int elevationPlanes = 3;        ///< odd, 1..9
+  int width = 820, height = 616;  ///< of the picture, 64..4096
+  bool conformingContact = true;  ///< skin follows the face, as under gel and light pressure
+  Look look = Look::Coherent;
+  Effects effects;
+};
+
+/// The defaults with the probe's own depth, frequency and focus.
+ImagingSettings settingsFor(const Probe& probe);
+/// Overrides the given fields; unknown names, wrong types and values out of range are refused by name.
+Result<ImagingSettings> settingsFromJson(const nlohmann::json& overrides, ImagingSettings base);
+Result<ImagingSettings> loadSettings(const std::filesystem::path& file, ImagingSettings base);
+Result<void> validate(const ImagingSettings& settings, const Probe& probe);
+
+}  // namespace insonate

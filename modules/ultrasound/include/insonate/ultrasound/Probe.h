@@ -1,0 +1,40 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace insonate {
+
+enum class ProbeShape { Linear, Curvilinear, Phased };
+
+/// A transducer. Its frame: origin at the centre of the face, +x lateral (toward the marker), +z axial (into the body),
+/// +y elevation. Widths are full widths at half maximum (FWHM) of the amplitude point-spread function.
+struct Probe {
+  std::string name;
+  ProbeShape shape = ProbeShape::Linear;
+  double width_mm = 38;      ///< linear: length of the array
+  double fovAngle_deg = 60;  ///< curvilinear, phased: full angle alpha of the fan
+  double faceRadius_mm = 0;  ///< curvilinear, phased: r1, from the virtual apex to the face
+  double minFrequency_MHz = 5, maxFrequency_MHz = 13, defaultFrequency_MHz = 7.5;
+  double minDepth_mm = 20, maxDepth_mm = 120, defaultDepth_mm = 40;
+  double defaultFocus_mm = 20;
+  double axialFwhm_wavelengths = 1.27;  ///< pulse length; wavelength at 1540 m/s
+  double lateralFNumber = 3.0;          ///< FWHM at the focus in wavelengths, where the aperture allows
+  double maxAperture_mm = 30;           ///< limits the F-number: FWHM >= wavelength * focus / maxAperture
+  double lateralDivergenceNear = 0.020, lateralDivergenceFar = 0.028;  ///< FWHM growth per mm off the focus
+  double elevationFocus_mm = 20;
+  double elevationFwhm_wavelengths = 5.4;  ///< slice thickness at the elevation focus
+  double elevationDivergence = 0.085;      ///< slice thickness growth per mm off the elevation focus
+};
+
+/// The presets of resources/probes, in a fixed order (linear, curvilinear, phased).
+std::vector<std::string> probePresetNames();
+/// A preset's name, or a path to a probe file of the same form.
+Result<Probe> loadProbe(std::string_view nameOrPath);
+Result<void> validate(const Probe& probe);
+
+}  // namespace insonate
