@@ -1,0 +1,42 @@
+#pragma once
+
+#include <insonate/core/Progress.h>
+#include <insonate/core/Transform.h>
+#include <insonate/image/Volume.h>
+#include <insonate/tissue/AcousticTable.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// A box in patient LPS millimetres.
+struct Region {
+  Vec3 low_mm, high_mm;
+};
+
+/// What the engines see of a patient: smooth signed distances to every structure around a region, CT deviations from
+/// each structure's mean, and the acoustic table. Immutable once made, so any number of threads may read it.
+/// The values at a point do not depend on the region, so neighbouring regions give the same picture.
+class AcousticScene {
+ public:
+  /// Copies what it needs; `ct` and `labels` must share one grid. Fails on grids that differ or a region that does not
+  /// touch the volume; warnings() tells of unknown labels.
+  static Result<std::shared_ptr<const AcousticScene>> make(const CtVolume& ct, const LabelMap& labels,
+                                                           const AcousticTable& table, const Region& region,
+                                                           const Progress& progress = {});
+  ~AcousticScene();
+
+  const std::vector<std::string>& warnings() const;
+
+  struct Impl;  ///< for the engines
+  const Impl& impl() const { return *impl_; }
+
+ private:
+  explicit AcousticScene(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace insonate

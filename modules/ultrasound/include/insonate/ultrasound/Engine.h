@@ -1,0 +1,44 @@
+#pragma once
+
+#include <insonate/core/Transform.h>
+#include <insonate/ultrasound/AcousticScene.h>
+#include <insonate/ultrasound/BeamGrid.h>
+#include <insonate/ultrasound/Frames.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace insonate {
+
+/// Scene and pose to envelope. Not for concurrent use of one object.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  virtual std::string_view name() const = 0;
+
+  /// Allocates for these settings, which must be valid (see validate()).
+  virtual void prepare(const Probe& probe, const ImagingSettings& settings) = 0;
+
+  /// Renders one frame; allocates nothing once `envelope` has its size. `patientFromProbe` is rigid. Same inputs, same
+  /// frame, whatever the number of threads. Uses the calling thread's TBB arena.
+  virtual void render(const AcousticScene& scene, const Transform& patientFromProbe, EnvelopeFrame& envelope) = 0;
+
+  struct Stage {
+    std::string_view name;
+    double ms = 0;  ///< summed over threads
+  };
+  /// Of the last frame.
+  virtual const std::vector<Stage>& stages() const = 0;
+};
+
+std::vector<std::string> engineNames();
+/// `reference` (scalar, double, to be read) or `cpu` (SIMD, threads).
+Result<std::unique_ptr<Engine>> makeEngine(std::string_view name);
+
+/// Region that a frame at this pose needs of the scene.
+Region regionOf(const Probe& probe, const ImagingSettings& settings, const Transform& patientFromProbe);
+
+}  // namespace insonate

@@ -1,0 +1,168 @@
+#include "JsonFields.h"
+
+#include <insonate/ultrasound/ImagingSettings.h>
+
+namespace insonate {
+namespace {
+
+using Settings = ImagingSettings;
+using Json = nlohmann::json;
+
+struct NumberField {
+  std::string_view name;
+  double Settings::*member;
+  double low, high;
+};
+struct CountField {
+  std::string_view name;
+  int Settings::*member;
+  int low, high;
+};
+struct SwitchField {
+  std::string_view name;
+  bool Settings::*member;
+};
+struct EffectField {
+  std::string_view name;
+  bool Effects::*member;
+};
+
+constexpr NumberField kNumbers[] = {
+    {"depth_mm", &Settings::depth_mm, 5, 400},
+    {"frequency_MHz", &Settings::frequency_MHz, 0.5, 50},
+    {"focus_mm", &Settings::focus_mm, 1, 400},
+    {"gain_dB", &Settings::gain_dB, -40, 40},
+    {"dynamicRange_dB", &Settings::dynamicRange_dB, 20, 120},
+    {"persistence", &Settings::persistence, 0, 0.95},
+};
+constexpr CountField kCounts[] = {
+    {"looks", &Settings::looks, 1, 3},         {"scanlines", &Settings::scanlines, 16, 1024},
+    {"samples", &Settings::samples, 64, 4096}, {"elevationPlanes", &Settings::elevationPlanes, 1, 9},
+    {"width", &Settings::width, 64, 4096},     {"height", &Settings::height, 64, 4096},
+};
+constexpr SwitchField kSwitches[] = {
+    {"smoothing", &Settings::smoothing},
+    {"conformingContact", &Settings::conformingContact},
+};
+constexpr EffectField kEffects[] = {
+    {"reflection", &Effects::reflection},
+    {"attenuation", &Effects::attenuation},
+    {"transmission", &Effects::transmission},
+    {"speckle", &Effects::speckle},
+    {"layers", &Effects::layers},
+    {"texture", &Effects::texture},
+    {"beam", &Effects::beam},
+    {"reverberation", &Effects::reverberation},
+    {"edgeShadow", &Effects::edgeShadow},
+    {"clutter", &Effects::clutter},
+};
+constexpr double kSlider_dB = 20;
+const std::vector<std::string_view> kGreyMaps{"linear", "soft"};
+const std::vector<std::string_view> kLooks{"coherent", "thesis"};
+const std::string kWhere = "settings";
+
+/// The value of `result` into `target`, or its error.
+template <class To, class From>
+Result<void> assign(To& target, const Result<From>& result) {
+  if (!result) return tl::unexpected(result.error());
+  target = static_cast<To>(*result);
+  return {};
+}
+
+template <class Fields>
+void appendNames(const Fields& table, std::vector<std::string_view>& names) {
+  for (const auto& field : table) names.push_back(field.name);
+}
+
+Result<void> readSliders(const Json& value, std::array<double, 8>& tgc_dB) {
+  if (!value.is_array() || value.size() != tgc_dB.size())
+    return fail(kWhere + ": tgc_dB must be a list of 8 numbers, from the face to the depth.");
+  for (std::size_t i = 0; i < tgc_dB.size(); ++i)
+    if (auto ok = assign(tgc_dB[i], fields::readNumber(value[i], "tgc_dB[" + std::to_string(i) + "]", kWhere)); !ok)
+      return ok;
+  return {};
+}
+
+Result<void> readEffects(const Json& value, Effects& effects) {
+  std::vector<std::string_view> known;
+  appendNames(kEffects, known);
+  if (auto ok = fields::checkKeys(value, known, kWhere + ": effects"); !ok) return ok;
+  for (const auto& field : kEffects) {
+    const auto found = value.find(field.name);
+    if (found == value.end()) continue;
+    if (auto ok = assign(effects.*field.member, fields::readSwitch(*found, field.name, kWhere + ": effects")); !ok)
+      return ok;
+  }
+  return {};
+}
+
+/// One field; the key is known.
+Result<void> readField(std::string_view key, const Json& value, Settings& settings) {
+  for (const auto& field : kNumbers)
+    if (field.name == key) return assign(settings.*field.member, fields::readNumber(value, key, kWhere));
+  for (const auto& field : kCounts)
+    if (field.name == key) return assign(settings.*field.member, fields::readInteger(value, key, kWhere));
+  for (const auto& field : kSwitches)
+    if (field.name == key) return assign(settings.*field.member, fields::readSwitch(value, key, kWhere));
+  if (key == "greyMap") return assign(settings.greyMap, fields::readChoice(value, kGreyMaps, key, kWhere));
+  if (key == "look") return assign(settings.look, fields::readChoice(value, kLooks, key, kWhere));
+  if (key == "effects") return readEffects(value, settings.effects);
+  return readSliders(value, settings.tgc_dB);
+}
+
+/// What can be said without knowing the probe.
+Result<void> checkRanges(const Settings& settings) {
+  for (const auto& field : kNumbers)
+    if (auto ok = fields::checkRange(settings.*field.member, field.low, field.high, field.name, kWhere); !ok) return ok;
+  for (const auto& field : kCounts)
+    if (auto ok = fields::checkRange(settings.*field.member, field.low, field.high, field.name, kWhere); !ok) return ok;
+  for (std::size_t i = 0; i < settings.tgc_dB.size(); ++i) {
+    const std::string name = "tgc_dB[" + std::to_string(i) + "]";
+    if (auto ok = fields::checkRange(settings.tgc_dB[i], -kSlider_dB, kSlider_dB, name, kWhere); !ok) return ok;
+  }
+  if (settings.elevationPlanes % 2 == 0)
+    return fail(kWhere + ": elevationPlanes is " + std::to_string(settings.elevationPlanes) +
+                "; it must be odd, so that one plane is the imaging plane.");
+  return {};
+}
+
+}  // namespace
+
+ImagingSettings settingsFor(const Probe& probe) {
+  ImagingSettings settings;
+  settings.depth_mm = probe.defaultDepth_mm;
+  settings.frequency_MHz = probe.defaultFrequency_MHz;
+  settings.focus_mm = probe.defaultFocus_mm;
+  return settings;
+}
+
+Result<ImagingSettings> settingsFromJson(const nlohmann::json& overrides, ImagingSettings base) {
+  std::vector<std::string_view> known{"tgc_dB", "greyMap", "look", "effects"};
+  appendNames(kNumbers, known);
+  appendNames(kCounts, known);
+  appendNames(kSwitches, known);
+  if (auto ok = fields::checkKeys(overrides, known, kWhere); !ok) return tl::unexpected(ok.error());
+  for (const auto& [key, value] : overrides.items())
+    if (auto ok = readField(key, value, base); !ok) return tl::unexpected(ok.error());
+  if (auto ok = checkRanges(base); !ok) return tl::unexpected(ok.error());
+  return base;
+}
+
+Result<ImagingSettings> loadSettings(const std::filesystem::path& file, ImagingSettings base) {
+  const auto json = fields::parseFile(file);
+  if (!json) return tl::unexpected(json.error());
+  auto settings = settingsFromJson(*json, base);
+  if (!settings) return fail(file.string() + ": " + settings.error().message);
+  return settings;
+}
+
+Result<void> validate(const ImagingSettings& settings, const Probe& probe) {
+  if (auto ok = checkRanges(settings); !ok) return ok;
+  const std::string where = kWhere + " for the " + probe.name + " probe";
+  if (auto ok = fields::checkRange(settings.depth_mm, probe.minDepth_mm, probe.maxDepth_mm, "depth_mm", where); !ok)
+    return ok;
+  return fields::checkRange(settings.frequency_MHz, probe.minFrequency_MHz, probe.maxFrequency_MHz, "frequency_MHz",
+                            where);
+}
+
+}  // namespace insonate

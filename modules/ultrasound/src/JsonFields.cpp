@@ -1,0 +1,125 @@
+#include "JsonFields.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <numeric>
+#include <sstream>
+
+namespace insonate::fields {
+namespace {
+
+/// Levenshtein distance, ignoring case.
+int editDistance(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    int diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const int replaced = diagonal + (lower(a[i]) != lower(b[j]));
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string typed(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+std::string wrongType(std::string_view name, const nlohmann::json& value, std::string_view wanted,
+                      const std::string& where) {
+  std::string shown = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  if (shown.size() > 40) shown = shown.substr(0, 40) + "...";
+  return where + ": " + std::string(name) + " must be " + std::string(wanted) + ", not " + shown + ".";
+}
+
+}  // namespace
+
+Result<nlohmann::json> parseFile(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) return fail(file.string() + " is a folder; a JSON file is needed.");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return fail(file.string() + " cannot be opened; check the path and the permissions.");
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  return parseText(text, file.string());
+}
+
+Result<nlohmann::json> parseText(std::string_view text, const std::string& where) {
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::exception& exception) {
+    return fail(where + " is not valid JSON: " + exception.what());
+  }
+}
+
+Result<void> checkKeys(const nlohmann::json& object, const std::vector<std::string_view>& known,
+                       const std::string& where) {
+  if (!object.is_object()) return fail(where + ": a JSON object { ... } is needed.");
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    const std::string_view near = nearest(key, known);
+    return fail(where + ": unknown field '" + key + "'" +
+                (near.empty() ? "; known are " + joined(known) : "; did you mean '" + std::string(near) + "'?") +
+                (near.empty() ? "." : ""));
+  }
+  return {};
+}
+
+Result<double> readNumber(const nlohmann::json& value, std::string_view name, const std::string& where) {
+  if (!value.is_number()) return fail(wrongType(name, value, "a number", where));
+  return value.get<double>();
+}
+
+Result<int> readInteger(const nlohmann::json& value, std::string_view name, const std::string& where) {
+  const double number = value.is_number() ? value.get<double>() : std::nan("");
+  if (!(std::abs(number) <= 1e9) || number != std::floor(number))
+    return fail(wrongType(name, value, "a whole number", where));
+  return static_cast<int>(number);
+}
+
+Result<bool> readSwitch(const nlohmann::json& value, std::string_view name, const std::string& where) {
+  if (!value.is_boolean()) return fail(wrongType(name, value, "true or false", where));
+  return value.get<bool>();
+}
+
+Result<int> readChoice(const nlohmann::json& value, const std::vector<std::string_view>& choices, std::string_view name,
+                       const std::string& where) {
+  const auto found =
+      value.is_string() ? std::find(choices.begin(), choices.end(), value.get<std::string>()) : choices.end();
+  if (found == choices.end()) return fail(wrongType(name, value, "one of " + joined(choices), where));
+  return static_cast<int>(found - choices.begin());
+}
+
+Result<void> checkRange(double value, double low, double high, std::string_view name, const std::string& where) {
+  if (value >= low && value <= high) return {};
+  return fail(where + ": " + std::string(name) + " is " + typed(value) + "; allowed is " + typed(low) + " to " +
+              typed(high) + ".");
+}
+
+std::string_view nearest(std::string_view word, const std::vector<std::string_view>& known) {
+  std::string_view best;
+  int bestDistance = 1 + static_cast<int>(std::min<std::size_t>(word.size(), 40)) / 2;
+  for (const std::string_view candidate : known) {
+    // A name given without its unit is the commonest slip.
+    const bool prefix = !word.empty() && candidate.size() > word.size() && candidate[word.size()] == '_' &&
+                        editDistance(word, candidate.substr(0, word.size())) == 0;
+    const int distance = prefix ? 0 : editDistance(word, candidate);
+    if (distance < bestDistance) best = candidate, bestDistance = distance;
+  }
+  return best;
+}
+
+std::string joined(const std::vector<std::string_view>& words) {
+  std::string text;
+  for (const std::string_view word : words) text += (text.empty() ? "" : ", ") + std::string(word);
+  return text;
+}
+
+}  // namespace insonate::fields
