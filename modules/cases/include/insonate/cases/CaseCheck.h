@@ -1,0 +1,31 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/core/Progress.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace insonate {
+
+enum class Severity { kError, kWarning, kInfo };
+
+/// "error", "warning" or "info".
+std::string_view nameOf(Severity severity);
+
+/// One reason why a case is fit or unfit for training.
+struct Finding {
+  Severity severity;
+  std::string code;  ///< stable, for scripts, e.g. "no_vein"
+  std::string text;  ///< a sentence: what, where, what to do
+};
+
+/// Looks for everything that would make training on this case fail or mislead. Volumes must be on one grid.
+/// Fails only when cancelled.
+Result<std::vector<Finding>> checkCase(const PatientCase& patient, const Progress& progress = {});
+
+/// True without errors; warnings do not count.
+bool isFit(const std::vector<Finding>& findings);
+
+}  // namespace insonate

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <insonate/core/Progress.h>
+#include <insonate/core/Result.h>
+#include <insonate/image/Volume.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// One importable picture stack, without anything that identifies the patient except `uid`, which never enters a case.
+struct SeriesInfo {
+  std::string uid;       ///< names the series for importSeries: DICOM Series Instance UID, with "#2" when one UID holds
+                         ///< several stacks; the file's name for NRRD, NIfTI and MetaImage
+  std::string modality;  ///< as in DICOM ("CT", "MR", ...); empty when the file does not say
+  VolumeGeometry geometry;  ///< the orthogonal grid that an import produces, patient LPS mm
+  std::vector<std::string> warnings;
+  std::string refusal;  ///< why it cannot be imported; empty when it can
+};
+
+/// A file that is in no series, and why.
+struct SetAside {
+  std::filesystem::path file;
+  std::string reason;
+};
+
+struct SeriesListing {
+  std::vector<SeriesInfo> series;
+  std::vector<SetAside> setAside;
+};
+
+/// What an import yields. `ct` is int16 HU with padding and everything below -1024 set to -1024.
+struct ImportedCt {
+  CtVolume ct;
+  SeriesInfo series;   ///< its warnings say everything that was changed on the way
+  std::string source;  ///< for CaseManifest::source; holds a one-way hash of the UID, no names, dates or file names
+};
+
+/// Lists what a folder (searched with its subfolders) or a single file holds, from the headers only.
+/// Fails when the input does not exist, cannot be read, or holds no series at all.
+Result<SeriesListing> listSeries(const std::filesystem::path& input, const Progress& progress = {});
+
+/// Reads one series as HU. DICOM slices are placed by their own position and orientation only: gantry tilt, uneven
+/// spacing and small gaps are resampled onto an orthogonal grid and said so; large gaps are refused.
+/// `uid` may be empty when there is exactly one importable series; otherwise fails with the list.
+/// Blocking; `progress` is called on the calling thread.
+Result<ImportedCt> importSeries(const std::filesystem::path& input, const std::string& uid = {},
+                                const Progress& progress = {});
+
+/// The list as lines of text, e.g. for the error of an ambiguous import.
+std::string describe(const SeriesListing& listing);
+
+}  // namespace insonate

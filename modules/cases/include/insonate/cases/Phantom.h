@@ -1,0 +1,35 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/core/Progress.h>
+#include <insonate/core/Result.h>
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace insonate {
+
+/// One of the built-in necks.
+struct PhantomVariant {
+  std::string_view name;        ///< what a user types, e.g. "small-vein"
+  std::string_view title;       ///< one line for a list
+  std::string_view difficulty;  ///< "easy", "moderate" or "hard"
+  std::string_view description;
+};
+
+/// All variants, easiest first; the first is the default.
+std::span<const PhantomVariant> phantomVariants();
+
+/// What the built-in neck is synthesised with.
+struct PhantomOptions {
+  std::uint32_t seed = 1;  ///< same variant and options: same bytes, on any number of threads
+  bool contrast = false;   ///< iodine in the vessels of the CT
+};
+
+/// Builds a neck from hyoid to manubrium: labels from an analytic model, CT synthesised from them, targets in both
+/// internal jugular veins at the level of the cricoid, start poses over them. Uses all cores.
+/// Fails on an unknown variant (the sentence lists the known ones) and when cancelled.
+Result<PatientCase> makePhantom(std::string_view variant, const PhantomOptions& options, const Progress& progress = {});
+
+}  // namespace insonate
