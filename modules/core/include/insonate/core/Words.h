@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace insonate {
+
+/// The known word most like `word`, for "did you mean"; empty when none resembles it. A name without its unit
+/// ("depth" for "depth_mm") counts as the most alike.
+std::string_view nearestWord(std::string_view word, const std::vector<std::string_view>& known);
+
+/// "a, b, c"
+std::string joinedWords(const std::vector<std::string_view>& words);
+
+}  // namespace insonate
