@@ -17,6 +17,11 @@ endif()
 # Engines must agree to the last bits, and GCC would contract a*b+c on its own.
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Werror -ffp-contract=off)
 
+# GCC 12 warns about "(" + std::string (its bug 105329).
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  add_compile_options(-Wno-restrict)
+endif()
+
 if(INSONATE_SANITIZE)
   add_compile_options(-fsanitize=${INSONATE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${INSONATE_SANITIZE})

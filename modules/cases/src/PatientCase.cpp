@@ -1,0 +1,134 @@
+#include "files/Hounsfield.h"
+#include "files/ItkSnapLabels.h"
+#include "files/ManifestJson.h"
+#include "files/NrrdWriter.h"
+#include "files/SlicerSegmentation.h"
+
+#include <insonate/cases/LabelFile.h>
+#include <insonate/cases/PatientCase.h>
+#include <insonate/core/AtomicFile.h>
+#include <insonate/tissue/Labels.h>
+
+#include <array>
+#include <fstream>
+#include <iterator>
+
+namespace insonate {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kCtFile = "ct.nrrd";
+constexpr const char* kLabelFile = "labels.seg.nrrd";
+constexpr const char* kPlainLabelFile = "labels.nrrd";
+constexpr const char* kManifestFile = "case.json";
+constexpr const char* kSnapFile = "labels.label.txt";
+
+std::string text(const std::array<int, 3>& size) {
+  return std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" + std::to_string(size[2]);
+}
+std::string text(Vec3 v) {
+  return "(" + exactDecimal(v.x) + ", " + exactDecimal(v.y) + ", " + exactDecimal(v.z) + ")";
+}
+
+std::string differenceOf(const VolumeGeometry& ct, const VolumeGeometry& labels) {
+  if (ct.size != labels.size) return "the CT has " + text(ct.size) + " voxels, the label map " + text(labels.size);
+  if (norm(ct.spacing_mm - labels.spacing_mm) > 1e-4)
+    return "the CT has a spacing of " + text(ct.spacing_mm) + " mm, the label map " + text(labels.spacing_mm);
+  for (int a = 0; a < 3; ++a)
+    if (norm(ct.direction.column[a] - labels.direction.column[a]) > 1e-4)
+      return "axis " + std::to_string(a + 1) + " of the CT points along " + text(ct.direction.column[a]) +
+             ", that of the label map along " + text(labels.direction.column[a]);
+  return "the CT starts at " + text(ct.origin_mm) + " mm, the label map at " + text(labels.origin_mm);
+}
+
+Result<CtVolume> readCt(const fs::path& file, std::vector<std::string>& notes) {
+  const auto raw = readVolumeFile(file);
+  if (!raw) return tl::unexpected(raw.error());
+  const auto geometry = orthogonalGeometry(*raw);
+  if (!geometry) return fail(file.string() + ": " + geometry.error().message);
+  if (!raw->oriented)
+    notes.push_back(std::string(kCtFile) +
+                    " does not say how it lies in the patient; its axes are taken as left, posterior, superior.");
+  auto ct = toHounsfield(*raw, *geometry, notes);
+  if (!ct) return fail(file.string() + ": " + ct.error().message);
+  return ct;
+}
+
+Result<LabelMap> readLabels(const fs::path& folder, std::vector<std::string>& notes) {
+  std::error_code error;
+  const bool segmentation = fs::exists(folder / kLabelFile, error), plain = fs::exists(folder / kPlainLabelFile, error);
+  if (!segmentation && !plain)
+    return fail("The case " + folder.string() + " has no labels: " + kLabelFile + " or " + kPlainLabelFile +
+                " is missing. Label the CT, e.g. in 3D Slicer, or import it with --auto-label.");
+  if (segmentation && plain)
+    notes.push_back(std::string("There are two label maps; ") + kLabelFile + " is used, " + kPlainLabelFile +
+                    " is ignored.");
+  if (!segmentation) notes.push_back(std::string("There is no ") + kLabelFile + "; " + kPlainLabelFile + " is used.");
+  auto read = readLabelMap(folder / (segmentation ? kLabelFile : kPlainLabelFile));
+  if (!read) return tl::unexpected(read.error());
+  notes.insert(notes.end(), read->notes.begin(), read->notes.end());
+  return std::move(read->labels);
+}
+
+Result<CaseManifest> readManifest(const fs::path& file, std::vector<std::string>& notes) {
+  std::error_code error;
+  if (!fs::exists(file, error)) {
+    notes.push_back(
+        "There is no case.json: the case has no title, target or start pose; the pose \"auto\" is the "
+        "front of the skin.");
+    return CaseManifest{};
+  }
+  std::ifstream in(file, std::ios::binary);
+  const std::string content{std::istreambuf_iterator<char>(in), {}};
+  if (!in && !in.eof()) return fail("Could not read " + file.string() + ".");
+  auto manifest = manifestFromJson(content, notes);
+  if (!manifest) return fail(file.parent_path().string() + ": " + manifest.error().message);
+  return manifest;
+}
+
+Result<void> writeFiles(const PatientCase& patient, const fs::path& folder) {
+  const auto& ct = patient.ct;
+  const auto& labels = patient.labels;
+  if (auto ok = writeNrrd(folder / kCtFile, ct.geometry, "short", std::as_bytes(std::span(ct.voxels))); !ok) return ok;
+  if (auto ok = writeNrrd(folder / kLabelFile, labels.geometry, "unsigned char",
+                          std::as_bytes(std::span(labels.voxels)), slicerFields(labels));
+      !ok)
+    return ok;
+  if (auto ok = writeAtomically(folder / kSnapFile, itkSnapLabelText(labels)); !ok) return ok;
+  return writeAtomically(folder / kManifestFile, manifestToJson(patient.manifest));
+}
+
+}  // namespace
+
+Result<CaseReadResult> readCase(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+    return fail("There is no case folder " + folder.string() + ". Make one with import or phantom.");
+  if (!fs::exists(folder / kCtFile, error))
+    return fail("The case " + folder.string() + " has no " + kCtFile +
+                ". Is this a case? A DICOM folder becomes one with import.");
+  CaseReadResult result;
+  auto ct = readCt(folder / kCtFile, result.notes);
+  if (!ct) return tl::unexpected(ct.error());
+  auto labels = readLabels(folder, result.notes);
+  if (!labels) return tl::unexpected(labels.error());
+  if (!sameGrid(ct->geometry, labels->geometry))
+    return fail("The CT and the labels of " + folder.string() + " are on different grids: " +
+                differenceOf(ct->geometry, labels->geometry) + ". Resample the label map to the CT.");
+  labels->geometry = ct->geometry;
+  auto manifest = readManifest(folder / kManifestFile, result.notes);
+  if (!manifest) return tl::unexpected(manifest.error());
+  result.patient = {std::move(*manifest), std::move(*ct), std::move(*labels)};
+  return result;
+}
+
+Result<void> writeCase(const PatientCase& patient, const fs::path& folder) {
+  for (const VolumeGeometry& g : {patient.ct.geometry, patient.labels.geometry})
+    if (auto ok = validate(g); !ok) return ok;
+  if (!sameGrid(patient.ct.geometry, patient.labels.geometry))
+    return fail("The CT and the labels are on different grids: " +
+                differenceOf(patient.ct.geometry, patient.labels.geometry) + ". Nothing was written.");
+  return writeFolderAtomically(folder, [&](const fs::path& beside) { return writeFiles(patient, beside); });
+}
+
+}  // namespace insonate

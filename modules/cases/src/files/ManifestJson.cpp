@@ -1,0 +1,160 @@
+#include "ManifestJson.h"
+
+#include "LabelNames.h"
+
+#include <insonate/tissue/Labels.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace insonate {
+namespace {
+
+using nlohmann::json;
+
+json toJson(Vec3 v) {
+  return {v.x, v.y, v.z};
+}
+
+json toJson(const Target& target) {
+  json label = target.label;
+  if (target.label < kLabelCount) label = labelTable()[target.label].name;
+  return {{"name", target.name}, {"label", label}, {"position_mm", toJson(target.position_mm)}};
+}
+
+json toJson(const StartPose& pose) {
+  return {{"name", pose.name},
+          {"position_mm", toJson(pose.position_mm)},
+          {"axial", toJson(pose.axial)},
+          {"lateral", toJson(pose.lateral)}};
+}
+
+/// Thrown within this file only: where in the document, and what is expected there.
+struct Wrong {
+  std::string where, expected;
+};
+
+std::string textAt(const json& object, const char* key, const std::string& where) {
+  if (!object.contains(key)) return {};
+  if (!object[key].is_string()) throw Wrong{where + key, "text"};
+  return object[key];
+}
+
+Vec3 vectorAt(const json& object, const char* key, const std::string& where) {
+  const Wrong wrong{where + key, "three numbers"};
+  if (!object.contains(key) || !object[key].is_array() || object[key].size() != 3) throw wrong;
+  Vec3 v;
+  for (int a = 0; a < 3; ++a) {
+    if (!object[key][a].is_number()) throw wrong;
+    v[a] = object[key][a];
+  }
+  if (!isFinite(v)) throw wrong;
+  return v;
+}
+
+Target targetFrom(const json& object, const std::string& where) {
+  Target target{textAt(object, "name", where), 0, vectorAt(object, "position_mm", where)};
+  const Wrong wrong{where + "label", "the name or number (1 to 255) of a label"};
+  if (!object.contains("label")) throw wrong;
+  const json& label = object["label"];
+  if (label.is_string()) {
+    const auto known = labelFromAnyName(label.get<std::string>());
+    if (!known) throw wrong;
+    target.label = *known;
+  } else if (label.is_number_integer() && label >= 1 && label <= 255) {
+    target.label = label;
+  } else {
+    throw wrong;
+  }
+  return target;
+}
+
+StartPose poseFrom(const json& object, const std::string& where, std::vector<std::string>& notes) {
+  StartPose pose{textAt(object, "name", where), vectorAt(object, "position_mm", where),
+                 vectorAt(object, "axial", where), vectorAt(object, "lateral", where)};
+  if (norm(pose.axial) < 1e-6) throw Wrong{where + "axial", "a direction"};
+  const Vec3 axial = normalized(pose.axial);
+  const Vec3 across = pose.lateral - dot(pose.lateral, axial) * axial;
+  if (norm(across) < 1e-3 * norm(pose.lateral) || norm(across) < 1e-6)
+    throw Wrong{where + "lateral", "a direction that is not along axial"};
+  const Vec3 lateral = normalized(across);
+  if (norm(axial - pose.axial) > 1e-3 || norm(lateral - pose.lateral) > 1e-3)
+    notes.push_back("The start pose \"" + pose.name +
+                    "\" had directions that were not of length 1 or not at right angles; they were straightened.");
+  pose.axial = axial;
+  pose.lateral = lateral;
+  return pose;
+}
+
+template <class Read>
+void forEach(const json& document, const char* key, const Read& read) {
+  if (!document.contains(key)) return;
+  if (!document[key].is_array()) throw Wrong{key, "a list"};
+  for (std::size_t n = 0; n < document[key].size(); ++n) {
+    const std::string where = std::string(key) + "[" + std::to_string(n) + "].";
+    if (!document[key][n].is_object()) throw Wrong{where, "an object"};
+    read(document[key][n], where);
+  }
+}
+
+CaseManifest manifestFrom(const json& document, std::vector<std::string>& notes) {
+  if (!document.is_object()) throw Wrong{"the document", "an object"};
+  if (!document.contains("schema_version") || !document["schema_version"].is_number_integer())
+    throw Wrong{"schema_version", "a whole number"};
+  CaseManifest m;
+  m.schemaVersion = document["schema_version"];
+  if (m.schemaVersion < 1) throw Wrong{"schema_version", "1 or above"};
+  if (document.contains("title")) m.title = textAt(document, "title", "");
+  m.description = textAt(document, "description", "");
+  m.difficulty = textAt(document, "difficulty", "");
+  m.source = textAt(document, "source", "");
+  constexpr std::array<std::string_view, 4> kDifficulties{"", "easy", "moderate", "hard"};
+  if (std::ranges::find(kDifficulties, m.difficulty) == kDifficulties.end())
+    throw Wrong{"difficulty", "\"easy\", \"moderate\" or \"hard\""};
+  forEach(document, "targets", [&](const json& o, const std::string& w) { m.targets.push_back(targetFrom(o, w)); });
+  forEach(document, "start_poses",
+          [&](const json& o, const std::string& w) { m.startPoses.push_back(poseFrom(o, w, notes)); });
+  constexpr std::array<std::string_view, 7> kFields{"schema_version", "title",   "description", "difficulty",
+                                                    "source",         "targets", "start_poses"};
+  for (const auto& [key, value] : document.items())
+    if (std::ranges::find(kFields, key) == kFields.end())
+      notes.push_back("case.json has a field \"" + key + "\" that is not known here; it was ignored.");
+  return m;
+}
+
+}  // namespace
+
+std::string manifestToJson(const CaseManifest& m) {
+  json targets = json::array(), poses = json::array();
+  for (const Target& t : m.targets) targets.push_back(toJson(t));
+  for (const StartPose& p : m.startPoses) poses.push_back(toJson(p));
+  const json document{{"schema_version", CaseManifest::kSchemaVersion},
+                      {"title", m.title},
+                      {"description", m.description},
+                      {"difficulty", m.difficulty},
+                      {"source", m.source},
+                      {"targets", targets},
+                      {"start_poses", poses}};
+  // Text from anywhere may not be UTF-8; writing must not throw for it.
+  return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+Result<CaseManifest> manifestFromJson(const std::string& text, std::vector<std::string>& notes) {
+  try {
+    const json document = json::parse(text);
+    if (document.is_object() && document.contains("schema_version") && document["schema_version"].is_number_integer() &&
+        document["schema_version"] > CaseManifest::kSchemaVersion)
+      return fail("case.json has schema version " + document["schema_version"].dump() + ", this program knows up to " +
+                  std::to_string(CaseManifest::kSchemaVersion) + ". Use a newer version of the program.");
+    return manifestFrom(document, notes);
+  } catch (const Wrong& wrong) {
+    return fail("case.json: " + wrong.where + " must be " + wrong.expected + ".");
+  } catch (const json::exception& e) {
+    return fail(std::string("case.json is not valid JSON: ") + e.what() + ".");
+  }
+}
+
+}  // namespace insonate

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/image/VolumeGeometry.h>
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace insonate {
+
+/// Writes a gzip-compressed 3-D NRRD in left-posterior-superior space. `type` is NRRD's name of the element type,
+/// `fields` become "key:=value" lines in this order. Not atomic: give a path that may be thrown away.
+/// ITK's writer is not used because it hides a full disk and sorts and escapes custom fields.
+Result<void> writeNrrd(const std::filesystem::path& file, const VolumeGeometry& geometry, const std::string& type,
+                       std::span<const std::byte> voxels,
+                       const std::vector<std::pair<std::string, std::string>>& fields = {});
+
+/// Shortest decimal that reads back to the same double, whatever the locale.
+std::string exactDecimal(double value);
+
+}  // namespace insonate

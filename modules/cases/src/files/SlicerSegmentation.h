@@ -1,0 +1,23 @@
+#pragma once
+
+#include "VolumeFile.h"
+
+#include <insonate/cases/LabelFile.h>
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace insonate {
+
+/// The header fields that make an NRRD a 3D Slicer segmentation: one segment for each label that occurs.
+std::vector<std::pair<std::string, std::string>> slicerFields(const LabelMap& labels);
+
+/// True when the header names segments.
+bool isSlicerSegmentation(const std::map<std::string, std::string>& metadata);
+
+/// Flattens the layers of a segmentation into one map in this program's numbers; says what it mapped.
+Result<LabelReadResult> fromSlicerSegmentation(const RawVolume& raw, const VolumeGeometry& geometry);
+
+}  // namespace insonate

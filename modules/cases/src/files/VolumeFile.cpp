@@ -1,0 +1,187 @@
+#include "VolumeFile.h"
+
+#include <itkMetaDataObject.h>
+#include <itkMetaImageIO.h>
+#include <itkNiftiImageIO.h>
+#include <itkNrrdImageIO.h>
+
+#include <algorithm>
+#include <cctype>
+#include <new>
+
+namespace insonate {
+namespace fs = std::filesystem;
+namespace {
+
+using Io = itk::ImageIOBase;
+
+std::string lowerName(const fs::path& file) {
+  std::string name = file.filename().string();
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return name;
+}
+
+bool endsWith(const std::string& name, std::initializer_list<const char*> endings) {
+  return std::ranges::any_of(endings, [&](const char* e) { return name.ends_with(e); });
+}
+
+bool isNrrd(const std::string& name) {
+  return endsWith(name, {".nrrd", ".nhdr"});
+}
+bool isNifti(const std::string& name) {
+  return endsWith(name, {".nii", ".nii.gz"});
+}
+bool isMeta(const std::string& name) {
+  return endsWith(name, {".mha", ".mhd"});
+}
+
+Io::Pointer makeIo(const fs::path& file) {
+  const std::string name = lowerName(file);
+  if (isNrrd(name)) return itk::NrrdImageIO::New().GetPointer();
+  if (isNifti(name)) return itk::NiftiImageIO::New().GetPointer();
+  return itk::MetaImageIO::New().GetPointer();
+}
+
+std::string oneLine(std::string text) {
+  std::ranges::replace(text, '\n', ' ');
+  if (text.size() > 200) text = text.substr(0, 200) + "...";
+  return text;
+}
+
+Result<RawVolume> headerOf(const Io& io, const fs::path& file) {
+  RawVolume raw;
+  const unsigned dimensions = io.GetNumberOfDimensions();
+  for (unsigned a = 3; a < dimensions; ++a)
+    if (io.GetDimensions(a) > 1)
+      return fail(file.string() + " has " + std::to_string(dimensions) +
+                  " dimensions, e.g. time; export one three-dimensional volume of it.");
+  const unsigned axes = std::min(dimensions, 3U);
+  for (unsigned a = 0; a < axes; ++a) {
+    if (io.GetDimensions(a) < 1 || io.GetDimensions(a) > 100000)
+      return fail(file.string() + " says it has " + std::to_string(io.GetDimensions(a)) + " voxels along one axis.");
+    raw.size[a] = static_cast<int>(io.GetDimensions(a));
+    const auto axis = io.GetDirection(a);
+    Vec3 direction;
+    for (unsigned c = 0; c < axes; ++c) direction[static_cast<int>(c)] = axis[c];
+    raw.patientFromIndex.linear.column[a] = direction * io.GetSpacing(a);
+    raw.patientFromIndex.offset[static_cast<int>(a)] = io.GetOrigin(a);
+  }
+  raw.components = static_cast<int>(io.GetNumberOfComponents());
+  raw.eightBit = io.GetComponentSize() == 1;
+  for (const std::string& key : io.GetMetaDataDictionary().GetKeys()) {
+    std::string value;
+    if (itk::ExposeMetaData(io.GetMetaDataDictionary(), key, value)) raw.metadata[key] = value;
+  }
+  if (isNrrd(lowerName(file))) raw.oriented = raw.metadata.contains("NRRD_space");
+  return raw;
+}
+
+template <class T>
+void copyAs(const std::vector<char>& bytes, std::vector<float>& values) {
+  const T* source = reinterpret_cast<const T*>(bytes.data());
+  std::transform(source, source + values.size(), values.begin(), [](T v) { return static_cast<float>(v); });
+}
+
+bool convert(Io::IOComponentEnum type, const std::vector<char>& bytes, std::vector<float>& values) {
+  switch (type) {
+    case Io::IOComponentEnum::CHAR:
+      copyAs<signed char>(bytes, values);
+      return true;
+    case Io::IOComponentEnum::UCHAR:
+      copyAs<unsigned char>(bytes, values);
+      return true;
+    case Io::IOComponentEnum::SHORT:
+      copyAs<short>(bytes, values);
+      return true;
+    case Io::IOComponentEnum::USHORT:
+      copyAs<unsigned short>(bytes, values);
+      return true;
+    case Io::IOComponentEnum::INT:
+      copyAs<int>(bytes, values);
+      return true;
+    case Io::IOComponentEnum::UINT:
+      copyAs<unsigned>(bytes, values);
+      return true;
+    case Io::IOComponentEnum::LONG:
+      copyAs<long>(bytes, values);
+      return true;
+    case Io::IOComponentEnum::ULONG:
+      copyAs<unsigned long>(bytes, values);
+      return true;
+    case Io::IOComponentEnum::LONGLONG:
+      copyAs<long long>(bytes, values);
+      return true;
+    case Io::IOComponentEnum::ULONGLONG:
+      copyAs<unsigned long long>(bytes, values);
+      return true;
+    case Io::IOComponentEnum::FLOAT:
+      copyAs<float>(bytes, values);
+      return true;
+    case Io::IOComponentEnum::DOUBLE:
+      copyAs<double>(bytes, values);
+      return true;
+    default:
+      return false;
+  }
+}
+
+Result<void> readValues(Io& io, const fs::path& file, RawVolume& raw) {
+  constexpr double kMaxValues = 4e9;
+  const double count = double(raw.size[0]) * raw.size[1] * raw.size[2] * raw.components;
+  if (count > kMaxValues) return fail(file.string() + " says it holds more voxels than this program can.");
+  itk::ImageIORegion region(io.GetNumberOfDimensions());
+  for (unsigned a = 0; a < io.GetNumberOfDimensions(); ++a) region.SetSize(a, io.GetDimensions(a));
+  io.SetIORegion(region);
+  std::vector<char> bytes(static_cast<std::size_t>(count) * io.GetComponentSize());
+  io.Read(bytes.data());
+  raw.values.resize(static_cast<std::size_t>(count));
+  // Read() may change the component type, e.g. where NIfTI's own slope and intercept were applied.
+  if (!convert(io.GetComponentType(), bytes, raw.values))
+    return fail(file.string() + " holds numbers of a kind that is not supported.");
+  return {};
+}
+
+}  // namespace
+
+bool isVolumeFile(const fs::path& file) {
+  const std::string name = lowerName(file);
+  return isNrrd(name) || isNifti(name) || isMeta(name);
+}
+
+Result<RawVolume> readVolumeFile(const fs::path& file, ReadPart part) {
+  std::error_code error;
+  if (!fs::exists(file, error)) return fail("There is no file " + file.string() + ".");
+  if (!isVolumeFile(file))
+    return fail(file.string() + " is not a volume this program reads (NRRD, NIfTI or MetaImage, by its name).");
+  const std::string whatToDo = ". It may be damaged or cut off; copy or export it again.";
+  try {
+    const Io::Pointer io = makeIo(file);
+    io->SetFileName(file.string());
+    io->ReadImageInformation();
+    auto raw = headerOf(*io, file);
+    if (!raw || part == ReadPart::kHeader) return raw;
+    if (auto ok = readValues(*io, file, *raw); !ok) return tl::unexpected(ok.error());
+    return raw;
+  } catch (const itk::ExceptionObject& e) {
+    return fail("Could not read " + file.string() + ": " + oneLine(e.GetDescription()) + whatToDo);
+  } catch (const std::bad_alloc&) {
+    return fail("Could not read " + file.string() + ": it needs more memory than there is.");
+  } catch (const std::exception& e) {
+    return fail("Could not read " + file.string() + ": " + oneLine(e.what()) + whatToDo);
+  }
+}
+
+Result<VolumeGeometry> orthogonalGeometry(const RawVolume& raw) {
+  VolumeGeometry g;
+  g.size = raw.size;
+  g.origin_mm = raw.patientFromIndex.offset;
+  for (int a = 0; a < 3; ++a) {
+    const Vec3 step = raw.patientFromIndex.linear.column[a];
+    g.spacing_mm[a] = norm(step);
+    if (g.spacing_mm[a] > 0) g.direction.column[a] = step / g.spacing_mm[a];
+  }
+  if (auto ok = validate(g); !ok) return tl::unexpected(ok.error());
+  return g;
+}
+
+}  // namespace insonate

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/core/Transform.h>
+#include <insonate/image/Volume.h>
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// A picture file as it is: any component type, any affine grid.
+struct RawVolume {
+  std::array<int, 3> size{1, 1, 1};
+  Transform patientFromIndex;  ///< LPS mm; columns need not be at right angles
+  int components = 1;
+  bool eightBit = false;
+  bool oriented = true;                         ///< false when the file says nothing about patient directions
+  std::map<std::string, std::string> metadata;  ///< key/value pairs of an NRRD header
+  std::vector<float> values;  ///< component fastest, then i, j, k; empty when only the header was read
+};
+
+/// By the file name: NRRD, NIfTI or MetaImage.
+bool isVolumeFile(const std::filesystem::path& file);
+
+enum class ReadPart { kHeader, kAll };
+
+/// Reads through ITK, which converts every format's frame to LPS. Fails with a sentence on unreadable, truncated or
+/// 4-D files.
+Result<RawVolume> readVolumeFile(const std::filesystem::path& file, ReadPart part = ReadPart::kAll);
+
+/// The grid of a file whose axes are at right angles; fails otherwise.
+Result<VolumeGeometry> orthogonalGeometry(const RawVolume& raw);
+
+}  // namespace insonate
