@@ -1,0 +1,83 @@
+"""Every rule must notice a tree that breaks it, name the place, and leave a good tree alone."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import rules
+
+GOOD = {
+    "CMakeLists.txt": "",
+    "modules/core/README.md": "core",
+    "modules/core/include/insonate/core/A.h": "#pragma once\n#include <vector>\n",
+    "modules/ultrasound/README.md": "ultrasound",
+    "modules/ultrasound/include/insonate/ultrasound/B.h":
+        "#pragma once\n#include <insonate/core/A.h>\n#include <nlohmann/json_fwd.hpp>\n"
+        "void f(const nlohmann::json& settings);\n",
+    "modules/ultrasound/src/B.cpp": 
+        "#include <insonate/embedded/probes.h>\n#include <opencv2/core.hpp>\n#include <nlohmann/json.hpp>\n",
+    "modules/cases/README.md": "cases",
+    "modules/cases/src/C.cpp": "#include <insonate/tissue/Labels.h>\n#include <itkImage.h>\n",
+    "tests/unit/core/ATest.cpp": "",
+    "tests/unit/ultrasound/BTest.cpp": "",
+    "tests/unit/cases/CTest.cpp": "",
+}
+
+# rule, file, its text, what the sentence must say
+BAD = [
+    ("check_floors", "modules/core/src/X.cpp", "#include <insonate/image/Volume.h>\n", "above it"),
+    ("check_floors", "modules/ultrasound/src/X.cpp", "\n# include \"insonate/segmentation/AutoLabel.h\"\n", "X.cpp:2"),
+    ("check_floors", "modules/tissue/src/X.cpp", "#include <insonate/image/Volume.h>\n", "own floor"),
+    ("check_floors", "modules/mystery/src/X.cpp", "", "no floor"),
+    ("check_floors", "modules/cases/src/X.cpp", "#include <insonate/mystery/X.h>\n", "without a floor"),
+    ("check_private_headers", "app/insonate-cli/X.cpp", '#include "../../modules/core/src/P.h"\n', "public headers"),
+    ("check_public_headers", "modules/cases/include/insonate/cases/X.h", "#include <itkImage.h>\n", "ITK"),
+    ("check_public_headers", "modules/cases/include/insonate/cases/X.h", "#include <gdcmReader.h>\n", "GDCM"),
+    ("check_public_headers", "modules/core/include/insonate/core/X.h", "#include <opencv2/core.hpp>\n", "OpenCV"),
+    ("check_public_headers", "modules/core/include/insonate/core/X.h", "#include <nlohmann/json.hpp>\n", "json_fwd"),
+    ("check_public_headers", "modules/core/include/insonate/core/X.h", "#include <hidapi/hidapi.h>\n", "hidapi"),
+    ("check_public_headers", "modules/core/include/insonate/core/X.h", "#include <insonate/embedded/x.h>\n", "by the build"),
+    ("check_public_headers", "modules/core/include/insonate/core/X.h", "#include <QtSql/QSqlQuery>\n", "SQL"),
+    ("check_public_headers", "modules/core/include/insonate/core/X.h", "void f(cv::Mat picture);\n", "library's type"),
+    ("check_toolkits", "modules/ultrasound/src/X.cpp", "#include <QWidget>\n", "without Qt"),
+    ("check_toolkits", "modules/curriculum/src/X.cpp", "#include <QtWidgets/QLabel>\n", "without Qt"),
+    ("check_toolkits", "modules/surface/src/X.cpp", "#include <vtkRenderWindow.h>\n", "ui/views"),
+    ("check_toolkits", "modules/surface/src/X.cpp", "#include <vtkPolyDataMapper.h>\n", "ui/views"),
+    ("check_toolkits", "modules/ultrasound/src/X.cpp", "#include <vtkImageData.h>\n", "surface"),
+    ("check_sql", "app/insonate-cli/X.cpp", "#include <sqlite3.h>\n", "curriculum"),
+    ("check_sql", "modules/simulator/src/X.cpp", 'run("SELECT name FROM learner");\n', "SQL statement"),
+    ("check_top_level", "utils/X.cpp", "", "not a room"),
+    ("check_modules_complete", "modules/image/src/X.cpp", "", "no README"),
+    ("check_modules_complete", "modules/image/src/X.cpp", "", "no tests"),
+    ("check_length", "modules/core/src/X.cpp", "\n" * (rules.MAX_LINES + 1), "401 lines"),
+    ("check_finished", "modules/core/src/X.cpp", "// TO" + "DO: later\n", "unfinished"),
+    ("check_pragma_once", "modules/core/src/X.h", "int x;\n", "pragma once"),
+]
+
+
+def build(root, files):
+    for name, text in files.items():
+        file = Path(root) / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+
+
+class Rules(unittest.TestCase):
+    def test_a_good_tree_passes(self):
+        with tempfile.TemporaryDirectory() as root:
+            build(root, GOOD)
+            self.assertEqual(rules.violations(root), [])
+
+    def test_each_bad_file_is_found_by_its_rule(self):
+        for rule, name, text, says in BAD:
+            with self.subTest(rule=rule, file=name, text=text), tempfile.TemporaryDirectory() as root:
+                build(root, {**GOOD, name: text})
+                found = list(getattr(rules, rule)(Path(root)))
+                self.assertTrue(any(says in sentence for sentence in found), found)
+
+    def test_every_rule_is_tried(self):
+        self.assertEqual({rule.__name__ for rule in rules.RULES}, {rule for rule, *_ in BAD})
+
+
+if __name__ == "__main__":
+    unittest.main()

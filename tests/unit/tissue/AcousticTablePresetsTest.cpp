@@ -1,0 +1,131 @@
+#include <insonate/tissue/AcousticTable.h>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <set>
+
+namespace insonate {
+namespace {
+
+using nlohmann::json;
+
+json presetFile(const std::string& name) {
+  std::ifstream stream(std::string(INSONATE_SOURCE_DIR "/resources/tissues/") + name + ".json");
+  return json::parse(stream);
+}
+
+AcousticTable preset(const std::string& name) {
+  auto table = loadAcousticTable(name);
+  EXPECT_TRUE(table) << table.error().message;
+  return table.value_or(AcousticTable{});
+}
+
+/// Calls `visit` with every number of a preset and where it is.
+template <class Visit>
+void visitNumbers(const json& node, const std::string& where, const Visit& visit) {
+  if (node.is_number()) return visit(node, where);
+  if (node.is_object() && node.contains("value")) return visit(node, where);
+  if (!node.is_structured()) return;
+  for (const auto& [key, child] : node.items()) visitNumbers(child, where + "/" + key, visit);
+}
+
+TEST(AcousticTablePresets, NeckComesFirst) {
+  EXPECT_THAT(acousticPresetNames(), testing::ElementsAre("neck", "thesis"));
+}
+
+class EveryPreset : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Presets, EveryPreset, testing::ValuesIn(acousticPresetNames()),
+                         [](const auto& preset) { return preset.param; });
+
+TEST_P(EveryPreset, SaysValueRangeAndSourceOfEveryNumber) {
+  const json file = presetFile(GetParam());
+  std::set<std::string> used;
+  int numbers = 0;
+  visitNumbers(file.at("tissues"), "", [&](const json& number, const std::string& where) {
+    ++numbers;
+    ASSERT_TRUE(number.is_object()) << where << " is a plain number";
+    ASSERT_TRUE(number.contains("range")) << where;
+    EXPECT_LE(number["range"][0].get<double>(), number["value"].get<double>()) << where;
+    EXPECT_GE(number["range"][1].get<double>(), number["value"].get<double>()) << where;
+    const std::string source = number.at("source").get<std::string>();
+    const std::string citation = source.substr(0, source.find(':'));
+    EXPECT_TRUE(file.at("sources").contains(citation)) << where << " cites '" << citation << "'";
+    used.insert(citation);
+  });
+  EXPECT_GT(numbers, 10);
+  for (const auto& [name, citation] : file.at("sources").items())
+    EXPECT_TRUE(used.contains(name)) << "nothing cites " << name;
+}
+
+TEST_P(EveryPreset, ListsEachLabelAtMostOnceByItsName) {
+  std::set<std::string> labels;
+  const json file = presetFile(GetParam());
+  for (const json& tissue : file.at("tissues")) {
+    const auto name = tissue.at("label").get<std::string>();
+    EXPECT_TRUE(labelFromName(name)) << name;
+    EXPECT_TRUE(labels.insert(name).second) << name;
+  }
+}
+
+TEST_P(EveryPreset, KeepsThePhysicalOrderOfTissues) {
+  const AcousticTable table = preset(GetParam());
+  const auto impedance = [&](Label label) { return table.of(label).impedance_MRayl; };
+  EXPECT_LT(impedance(kAirway), 0.001);
+  EXPECT_LT(impedance(kFat), impedance(kSoftTissue));
+  EXPECT_LT(impedance(kSoftTissue), impedance(kMuscle));
+  EXPECT_LT(impedance(kMuscle), impedance(kCartilage));
+  EXPECT_LT(impedance(kCartilage), impedance(kBone));
+  EXPECT_EQ(impedance(kArtery), impedance(kVein));
+  const auto attenuation = [&](Label label) { return table.of(label).attenuation_dBpcmMHz; };
+  for (const Label label : {kSkin, kFat, kMuscle, kThyroid, kSoftTissue, kGland})
+    EXPECT_LT(attenuation(kVein), attenuation(label)) << int{label};
+  const auto echo = [&](Label label) { return table.of(label).echogenicity_dB; };
+  EXPECT_LT(echo(kVein), echo(kMuscle));
+  EXPECT_LT(echo(kMuscle), echo(kThyroid));
+}
+
+TEST_P(EveryPreset, MarksVesselsAndGas) {
+  const AcousticTable table = preset(GetParam());
+  for (const LabelInfo& info : labelTable()) {
+    EXPECT_EQ(table.of(info.label).vessel, info.label == kArtery || info.label == kVein) << info.name;
+    EXPECT_EQ(table.of(info.label).gas, info.label == kAirway || info.label == kBackground) << info.name;
+  }
+}
+
+TEST(AcousticTablePresets, BloodAirAndBoneDoNotFollowTheCt) {
+  const AcousticTable table = preset("neck");
+  for (const Label label : {kBackground, kAirway, kArtery, kVein, kBone}) {
+    EXPECT_EQ(table.of(label).ctImpedancePer100HU, 0) << int{label};
+    EXPECT_EQ(table.of(label).ctEchogenicity_dBper100HU, 0) << int{label};
+  }
+  EXPECT_GT(table.of(kMuscle).ctEchogenicity_dBper100HU, 0);
+}
+
+TEST(AcousticTablePresets, ArteryHasIntimaMediaAndAdventitia) {
+  const auto& layers = preset("neck").of(kArtery).layers;
+  ASSERT_EQ(layers.size(), 3u);
+  EXPECT_LE(layers[0].to_mm, layers[1].from_mm);
+  EXPECT_LE(layers[1].to_mm, layers[2].from_mm);
+  EXPECT_LT(layers[1].echo_dB, layers[0].echo_dB) << "the media is the dark line between two bright ones";
+  EXPECT_LT(layers[1].echo_dB, layers[2].echo_dB);
+}
+
+TEST(AcousticTablePresets, ThesisIsNeckWithoutLayersAndTexture) {
+  const AcousticTable neck = preset("neck"), thesis = preset("thesis");
+  for (const LabelInfo& info : labelTable()) {
+    EXPECT_TRUE(thesis.of(info.label).layers.empty()) << info.name;
+    EXPECT_EQ(thesis.of(info.label).texture, Texture::None) << info.name;
+    EXPECT_EQ(thesis.of(info.label).impedance_MRayl, neck.of(info.label).impedance_MRayl) << info.name;
+    EXPECT_EQ(thesis.of(info.label).attenuation_dBpcmMHz, neck.of(info.label).attenuation_dBpcmMHz) << info.name;
+  }
+}
+
+TEST(AcousticTablePresets, UnknownLabelsReadAsSoftTissue) {
+  const AcousticTable table = preset("neck");
+  EXPECT_EQ(&table.of(200), &table.of(kSoftTissue));
+}
+
+}  // namespace
+}  // namespace insonate
