@@ -17,6 +17,12 @@ struct Region {
   Vec3 low_mm, high_mm;
 };
 
+/// A wire or bead of a resolution phantom: echoes from one point with the given amplitude (envelope peak in focus).
+struct PointTarget {
+  Vec3 position_mm;  ///< patient LPS
+  double amplitude = 1;
+};
+
 /// What the engines see of a patient: smooth signed distances to every structure around a region, CT deviations from
 /// each structure's mean, and the acoustic table. Immutable once made, so any number of threads may read it.
 /// The values at a point do not depend on the region, so neighbouring regions give the same picture.
@@ -26,7 +32,8 @@ class AcousticScene {
   /// touch the volume; warnings() tells of unknown labels.
   static Result<std::shared_ptr<const AcousticScene>> make(const CtVolume& ct, const LabelMap& labels,
                                                            const AcousticTable& table, const Region& region,
-                                                           const Progress& progress = {});
+                                                           const Progress& progress = {},
+                                                           std::vector<PointTarget> points = {});
   ~AcousticScene();
 
   const std::vector<std::string>& warnings() const;

@@ -1,0 +1,38 @@
+#include "model/FramePlan.h"
+#include "reference/ReferenceEngine.h"
+
+#include <insonate/ultrasound/Engine.h>
+
+#include <algorithm>
+
+namespace insonate {
+
+std::vector<std::string> engineNames() {
+  return {"reference"};
+}
+
+Result<std::unique_ptr<Engine>> makeEngine(std::string_view name) {
+  if (name == "reference") return makeReferenceEngine();
+  return fail("There is no engine \"" + std::string(name) + "\"; choose reference or cpu.");
+}
+
+Region regionOf(const Probe& probe, const ImagingSettings& settings, const Transform& patientFromProbe) {
+  const FramePlan plan(probe, settings);
+  Region region{{1e30, 1e30, 1e30}, {-1e30, -1e30, -1e30}};
+  const double thickness_mm = 3 * *std::max_element(plan.elevationSd_mm.begin(), plan.elevationSd_mm.end());
+  const double lateral[] = {plan.grid.minLateral_mm(), plan.grid.maxLateral_mm()};
+  const double axial[] = {plan.grid.minAxial_mm() - acoustics::kContactReach_mm,
+                          plan.grid.maxAxial_mm() + acoustics::kContactReach_mm};
+  for (const double x : lateral)
+    for (const double y : {-thickness_mm, thickness_mm})
+      for (const double z : axial) {
+        const Vec3 p = patientFromProbe * Vec3{x, y, z};
+        for (int a = 0; a < 3; ++a) {
+          region.low_mm[a] = std::min(region.low_mm[a], p[a]);
+          region.high_mm[a] = std::max(region.high_mm[a], p[a]);
+        }
+      }
+  return region;
+}
+
+}  // namespace insonate

@@ -1,0 +1,38 @@
+#include "model/Contact.h"
+
+#include "scene/FieldSampling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace insonate {
+
+double tissueRange_mm(double range_mm, double gap_mm) {
+  return range_mm + gap_mm * std::exp(-range_mm / acoustics::kContactDepth_mm);
+}
+
+Contact contactOf(const TissueField& field, Vec3 origin_mm, Vec3 direction) {
+  if (field.backgroundChannel < 0) return {};
+  constexpr double kStep_mm = 0.5;
+  // Distance from the outside: negative outside, positive in the body.
+  const auto depth = [&](double r_mm) {
+    return sampleDistance(field, field.backgroundChannel, field.nodeFromPatient * (origin_mm + direction * r_mm));
+  };
+  const double atFace = depth(0);
+  const double outward = atFace < 0 ? 1 : -1;
+  double previous = atFace;
+  for (double r = kStep_mm; r <= acoustics::kContactReach_mm; r += kStep_mm) {
+    const double here = depth(outward * r);
+    if ((here < 0) != (atFace < 0)) {
+      const double gap = outward * (r - kStep_mm * here / (here - previous));
+      const double far =
+          (gap - acoustics::kPoorContact_mm) / (acoustics::kContactReach_mm - acoustics::kPoorContact_mm);
+      const double lost = std::clamp(far, 0.0, 1.0);
+      return {gap, 1 - lost * lost * (3 - 2 * lost)};
+    }
+    previous = here;
+  }
+  return {0, atFace < 0 ? 0.0 : 1.0};
+}
+
+}  // namespace insonate

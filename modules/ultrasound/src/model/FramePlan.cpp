@@ -1,0 +1,133 @@
+#include "model/FramePlan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace insonate {
+namespace {
+
+constexpr double kPlaneSpacing_sd = 1.2;
+constexpr double kCellDepth_mm = 0.4, kCellWidth_mm = 0.4;
+constexpr int kMaxKernelRadius = 32;
+
+/// Half of a sampled Gaussian of unit sum, cut at 3 SD.
+std::vector<double> halfKernel(double sd_samples) {
+  const int radius = std::min(static_cast<int>(std::ceil(3 * sd_samples)), kMaxKernelRadius);
+  std::vector<double> half(radius + 1);
+  double sum = 0;
+  for (int o = 0; o <= radius; ++o) {
+    half[o] = o == 0 ? 1 : std::exp(-0.5 * o * o / (sd_samples * sd_samples));
+    sum += o == 0 ? half[o] : 2 * half[o];
+  }
+  for (double& w : half) w /= sum;
+  return half;
+}
+
+/// Variance that a kernel leaves of unit-variance noise with the lattice's correlation.
+double remainingVariance(const std::vector<double>& half, double step_pitches) {
+  const int radius = static_cast<int>(half.size()) - 1;
+  double variance = 0;
+  for (int i = -radius; i <= radius; ++i)
+    for (int j = -radius; j <= radius; ++j)
+      variance += half[std::abs(i)] * half[std::abs(j)] * latticeCorrelation((i - j) * step_pitches);
+  return variance;
+}
+
+}  // namespace
+
+double latticeCorrelation(double lag) {
+  // Cubic B-spline: what linear interpolation between independent nodes gives on average.
+  const double t = std::abs(lag);
+  if (t >= 2) return 0;
+  const double b = t < 1 ? 2.0 / 3 - t * t + t * t * t / 2 : (2 - t) * (2 - t) * (2 - t) / 6;
+  return b * 1.5;
+}
+
+ImpulseWeights impulseAt(double fraction) {
+  // Quadratic B-spline centred on the nearer gate.
+  const bool later = fraction > 0.5;
+  const double t = later ? fraction - 1 : fraction;  // -0.5..0.5
+  const double before = 0.5 * (0.5 - t) * (0.5 - t), after = 0.5 * (0.5 + t) * (0.5 + t), middle = 1 - before - after;
+  return later ? ImpulseWeights{{0, before, middle, after}} : ImpulseWeights{{before, middle, after, 0}};
+}
+
+FramePlan::FramePlan(const Probe& p, const ImagingSettings& s) : probe(p), settings(s), grid(p, s) {
+  const double wavelength_mm = acoustics::kSoundSpeed_mmPerUs / s.frequency_MHz;
+  const double axialFwhm_mm = p.axialFwhm_wavelengths * wavelength_mm;
+  lines = grid.scanlines();
+  stride = std::max(1, static_cast<int>(axialFwhm_mm / 3 / grid.step_mm()));
+  gates = (grid.samples() + stride - 1) / stride;
+  gate_mm = stride * grid.step_mm();
+  cellGates = std::clamp(static_cast<int>(kCellDepth_mm / gate_mm), 1, 4);
+  cellLines = grid.scanlineSpacing_mm(s.depth_mm) * 2 <= kCellWidth_mm ? 2 : 1;
+  nodeRows = (gates + cellGates - 1) / cellGates + 1;
+  nodeColumns = (lines - 1 + cellLines - 1) / cellLines + 1;
+  latticePitch_mm = 0.58 * axialFwhm_mm;
+  latticeElevationPitch_mm = 3 * latticePitch_mm;
+  planeElevation();
+  planeBeam();
+}
+
+double FramePlan::lateralFwhm_mm(double range_mm) const {
+  const double wavelength_mm = acoustics::kSoundSpeed_mmPerUs / settings.frequency_MHz;
+  const double atFocus = wavelength_mm * std::max(probe.lateralFNumber, settings.focus_mm / probe.maxAperture_mm);
+  const double off = range_mm - settings.focus_mm;
+  return std::hypot(atFocus, off * (off < 0 ? probe.lateralDivergenceNear : probe.lateralDivergenceFar));
+}
+
+double FramePlan::elevationFwhm_mm(double range_mm) const {
+  const double wavelength_mm = acoustics::kSoundSpeed_mmPerUs / settings.frequency_MHz;
+  return std::hypot(wavelength_mm * probe.elevationFwhm_wavelengths,
+                    probe.elevationDivergence * (range_mm - probe.elevationFocus_mm));
+}
+
+void FramePlan::planeElevation() {
+  const int planes = settings.elevationPlanes;
+  double sum = 0;
+  for (int p = 0; p < planes; ++p) {
+    planeOffset_sd.push_back((p - (planes - 1) / 2) * kPlaneSpacing_sd * (planes > 3 ? 3.0 / planes * 1.4 : 1.0));
+    scatterWeight.push_back(std::exp(-0.5 * planeOffset_sd[p] * planeOffset_sd[p]));
+    sum += scatterWeight[p];
+  }
+  for (const double w : scatterWeight) boundaryWeight.push_back(w / sum);
+  for (int g = 0; g < gates; ++g) elevationSd_mm.push_back(elevationFwhm_mm(range_mm(g)) / acoustics::kFwhmPerSd);
+}
+
+void FramePlan::planeBeam() {
+  using acoustics::kFwhmPerSd;
+  const double wavelength_mm = acoustics::kSoundSpeed_mmPerUs / settings.frequency_MHz;
+  const double axialSd_mm = probe.axialFwhm_wavelengths * wavelength_mm / kFwhmPerSd;
+  // The lattice's own grain counts toward the point-spread function.
+  const double latticeVariance_mm2 = latticePitch_mm * latticePitch_mm / 6;
+  const auto kernelSd = [&](double total_mm) {
+    return std::sqrt(std::max(total_mm * total_mm - latticeVariance_mm2, 0.04 * total_mm * total_mm));
+  };
+  axialKernel = settings.effects.beam ? halfKernel(kernelSd(axialSd_mm) / gate_mm) : std::vector<double>{1};
+  const double axialVariance = remainingVariance(axialKernel, gate_mm / latticePitch_mm);
+
+  std::vector<std::vector<double>> lateral(gates);
+  for (int g = 0; g < gates; ++g) {
+    const double sd_lines = kernelSd(lateralFwhm_mm(range_mm(g)) / kFwhmPerSd) / grid.scanlineSpacing_mm(range_mm(g));
+    lateral[g] = settings.effects.beam ? halfKernel(std::max(sd_lines, 1e-3)) : std::vector<double>{1};
+    lateralRadius.push_back(static_cast<int>(lateral[g].size()) - 1);
+    maxLateralRadius = std::max(maxLateralRadius, lateralRadius[g]);
+  }
+  lateralKernel.assign(std::size_t(gates) * (maxLateralRadius + 1), 0);
+  for (int g = 0; g < gates; ++g) {
+    std::copy(lateral[g].begin(), lateral[g].end(), lateralKernel.begin() + std::ptrdiff_t(g) * (maxLateralRadius + 1));
+    const double lateralVariance =
+        remainingVariance(lateral[g], grid.scanlineSpacing_mm(range_mm(g)) / latticePitch_mm);
+    double elevationVariance = 0;
+    for (std::size_t p = 0; p < scatterWeight.size(); ++p)
+      for (std::size_t q = 0; q < scatterWeight.size(); ++q)
+        elevationVariance +=
+            scatterWeight[p] * scatterWeight[q] *
+            latticeCorrelation((planeOffset_sd[p] - planeOffset_sd[q]) * elevationSd_mm[g] / latticeElevationPitch_mm);
+    scatterScale.push_back(1 / std::sqrt(axialVariance * lateralVariance * elevationVariance));
+  }
+  // Peak of the B-spline impulse after the axial kernel.
+  const double next = axialKernel.size() > 1 ? axialKernel[1] : 0;
+  boundaryScale = 1 / (0.75 * axialKernel[0] + 0.25 * next);
+}
+
+}  // namespace insonate

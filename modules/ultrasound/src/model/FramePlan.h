@@ -1,0 +1,85 @@
+#pragma once
+
+#include <insonate/ultrasound/BeamGrid.h>
+
+#include <vector>
+
+namespace insonate {
+
+/// Constants of the acoustic model that are not a tissue's or a probe's.
+namespace acoustics {
+inline constexpr double kSoundSpeed_mmPerUs = 1.54;
+inline constexpr double kFwhmPerSd = 2.3548200450309493;
+/// Envelope of a perfect plane reflector (R = 1) square to the beam, over unit speckle.
+inline constexpr double kReflectorGain_dB = 58;
+/// Tissue is drawn to the face over this depth, as far as the skin follows it.
+inline constexpr double kContactDepth_mm = 15;
+inline constexpr double kContactReach_mm = 12;  ///< farther from the skin the probe hears nothing
+inline constexpr double kPoorContact_mm = 6;    ///< gaps beyond this lose contact gradually
+/// Refraction at the sides of vessels takes sound out of the beam where it grazes them.
+inline constexpr double kEdgeLoss_dBpcmMHz = 2.5;
+inline constexpr double kEdgeCosine = 0.45;
+inline constexpr double kEdgeReach_mm = 0.5;
+/// Behind gas: the tissue above, mirrored, and echoes between probe and gas.
+inline constexpr double kMirrorShare = 0.07;
+inline constexpr double kMirrorDecay_mm = 4;
+inline constexpr double kRingPeriod_mm = 1.55;
+inline constexpr double kRingDecay_mm = 2;
+inline constexpr double kRingShare = 0.1;
+inline constexpr int kMaxLooks = 3;
+}  // namespace acoustics
+
+/// Everything about a frame that follows from probe and settings alone, computed once.
+///
+/// Echoes are summed on "gates": every `stride`-th sample of a scanline, close enough for the pulse (at most a third of
+/// its FWHM). Structures are looked up on a coarser lattice of nodes and interpolated within cells of cellGates x
+/// cellLines gates.
+struct FramePlan {
+  FramePlan(const Probe& probe, const ImagingSettings& settings);
+
+  Probe probe;
+  ImagingSettings settings;
+  BeamGrid grid;
+  int lines = 0;
+  int stride = 1;      ///< samples per gate
+  int gates = 0;       ///< per scanline
+  double gate_mm = 0;  ///< distance of gates
+  int cellGates = 1, cellLines = 1;
+  int nodeRows = 0, nodeColumns = 0;
+
+  /// Elevation planes in units of the beam's elevation SD; weights of scattering (of unit power) and of boundaries (of
+  /// unit sum).
+  std::vector<double> planeOffset_sd, scatterWeight, boundaryWeight;
+  std::vector<double> elevationSd_mm;  ///< [gate]
+
+  double latticePitch_mm = 0;           ///< of the scatterers, across the elevation direction
+  double latticeElevationPitch_mm = 0;  ///< along it
+  std::vector<double> scatterScale;     ///< [gate] so that the envelope of a 0 dB tissue has RMS 1 after the beam
+  double boundaryScale = 1;             ///< so that a plane reflector peaks at its reflection
+
+  /// Point-spread function: kernels of unit sum, half of them (centre first).
+  std::vector<double> axialKernel;
+  std::vector<int> lateralRadius;  ///< [gate]
+  int maxLateralRadius = 0;
+  std::vector<double> lateralKernel;  ///< [gate][maxLateralRadius + 1]
+
+  double range_mm(double gate) const { return (gate + 0.5) * gate_mm; }
+  double lateralFwhm_mm(double range_mm) const;
+  double elevationFwhm_mm(double range_mm) const;
+
+ private:
+  void planeElevation();
+  void planeBeam();
+};
+
+/// Weights of a unit impulse at position `fraction` (0..1) after gate k, on gates k - 1, k, k + 1, k + 2: a quadratic
+/// B-spline, whose width does not depend on the fraction, so that sloping boundaries do not shimmer.
+struct ImpulseWeights {
+  double weight[4];
+};
+ImpulseWeights impulseAt(double fraction);
+
+/// Correlation of the scatterer lattice at a lag in pitches.
+double latticeCorrelation(double lag);
+
+}  // namespace insonate

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <insonate/core/Transform.h>
+
+#include <array>
+#include <cstdint>
+
+namespace insonate {
+
+/// Scatterers sit on a lattice that is fixed in the patient and needs no memory: a node's amplitude is a hash of its
+/// index. The lattice is longer along one axis; of thirteen fixed orientations the one whose long axis is nearest to
+/// the beam's elevation is used, so that speckle keeps its elevation correlation however the probe is held, and stays
+/// the same while the probe slides and turns by less than about 25 degrees.
+struct ScattererLattice {
+  std::uint32_t seed = 0;
+  Mat3 latticeFromPatient;  ///< lattice index (not rounded) of a patient point
+
+  ScattererLattice() = default;
+  ScattererLattice(Vec3 elevation, double pitch_mm, double elevationPitch_mm);
+};
+
+/// Complex amplitudes of up to three independent looks from one hash: 5 bits each, uniform, total power 1.
+inline constexpr double kScattererUnit = 0.07658395810674835;  // 1 / (sqrt(2) * SD of 0..31)
+inline constexpr double kScattererMean = 15.5;
+
+/// Amplitudes of all looks at a patient point: {re, im} per look, unit variance in all. Interpolates between the four
+/// corners of the tetrahedron that holds the point (Kuhn's division of the cell) and divides by the root of the summed
+/// squared weights, so that the variance is the same everywhere.
+std::array<double, 6> scattererAmplitudes(const ScattererLattice& lattice, Vec3 patient_mm);
+
+}  // namespace insonate

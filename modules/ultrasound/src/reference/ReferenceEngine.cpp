@@ -1,0 +1,236 @@
+#include "reference/ReferenceEngine.h"
+
+#include "model/Contact.h"
+#include "model/FramePlan.h"
+#include "model/Scatterers.h"
+#include "reference/TissueLookup.h"
+#include "scene/SceneData.h"
+
+#include <chrono>
+#include <cmath>
+#include <complex>
+#include <optional>
+
+namespace insonate {
+namespace {
+
+using Complex = std::complex<double>;
+
+double fromDecibel(double dB) {
+  return std::pow(10.0, dB / 20);
+}
+
+/// [look][gate][line]
+class EchoField {
+ public:
+  EchoField(int looks, int gates, int lines)
+      : gates_(gates), lines_(lines), values_(std::size_t(looks) * gates * lines) {}
+  Complex& at(int look, int gate, int line) { return values_[(std::size_t(look) * gates_ + gate) * lines_ + line]; }
+  const Complex& at(int look, int gate, int line) const {
+    return values_[(std::size_t(look) * gates_ + gate) * lines_ + line];
+  }
+
+ private:
+  int gates_, lines_;
+  std::vector<Complex> values_;
+};
+
+/// What one scanline of one elevation plane sends back, before the beam's point-spread function.
+class LineTracer {
+ public:
+  LineTracer(const FramePlan& plan, const AcousticScene::Impl& scene, const TissueLookup& lookup,
+             const ScattererLattice& lattice, EchoField& echo)
+      : plan_(plan), scene_(scene), lookup_(lookup), lattice_(lattice), echo_(echo) {}
+
+  void trace(int plane, int line) {
+    const Effects& effects = plan_.settings.effects;
+    const double f_MHz = plan_.settings.frequency_MHz;
+    double amplitude = lookup_.contact(line).strength;  // there and back, before this gate
+    std::optional<TissueSample> previous;
+    for (int gate = 0; gate < plan_.gates; ++gate) {
+      const TissueSample here = lookup_.at(plane, gate, line);
+      if (!here.inside) return;  // nothing is known beyond the volume
+      if (previous && previous->label != here.label)
+        amplitude *= boundary(plane, gate, line, *previous, here, amplitude);
+
+      const AcousticTissue& tissue = scene_.table.of(here.label);
+      double loss_dB = 2 * tissue.attenuation_dBpcmMHz * std::pow(f_MHz, tissue.attenuationExponent);
+      if (here.grazesVessel && effects.edgeShadow) loss_dB += 2 * acoustics::kEdgeLoss_dBpcmMHz * f_MHz;
+      if (!effects.attenuation || here.outside) loss_dB = 0;
+      loss_dB *= plan_.gate_mm / 10;
+      if (effects.scattering && !here.outside) scatter(plane, gate, line, here, amplitude * fromDecibel(-loss_dB / 2));
+      amplitude *= fromDecibel(-loss_dB);
+      previous = here;
+    }
+  }
+
+ private:
+  /// Echo of the boundary between two gates; returns the share of amplitude that passes, there and back.
+  double boundary(int plane, int gate, int line, const TissueSample& above, const TissueSample& below,
+                  double amplitude) {
+    if (above.outside) return 1;  // gel
+    const double z1 = above.impedance_MRayl, z2 = below.impedance_MRayl;
+    const double reflection = (z2 - z1) / (z2 + z1);
+    if (plan_.settings.effects.reflection) {
+      const double echo = amplitude * std::abs(reflection) *
+                          fromDecibel(acoustics::kReflectorGain_dB + below.roughness_dB) *
+                          specularLobe(scene_.table.of(above.label), scene_.table.of(below.label), below.cosine);
+      const double fraction =
+          above.cell == below.cell || above.pair == below.pair ? above.s_mm / (above.s_mm - below.s_mm) : 0.5;
+      const ImpulseWeights w = impulseAt(fraction);
+      for (int o = 0; o < 4; ++o)
+        for (int look = 0; look < plan_.settings.looks; ++look)
+          if (const int g = gate - 2 + o; g >= 0 && g < plan_.gates)
+            echo_.at(look, g, line) += w.weight[o] * echo * plan_.boundaryScale * plan_.boundaryWeight[plane];
+    }
+    return plan_.settings.effects.transmission ? 1 - reflection * reflection : 1;
+  }
+
+  void scatter(int plane, int gate, int line, const TissueSample& here, double amplitude) {
+    const double level = amplitude * fromDecibel(here.echo_dB) * plan_.scatterScale[gate] * plan_.scatterWeight[plane];
+    if (!plan_.settings.effects.speckle) {
+      // Uniform scattering of the same power after the beam: without phases there is nothing to average out.
+      const double uniform =
+          level / plan_.scatterScale[gate] * plan_.boundaryWeight[plane] / plan_.scatterWeight[plane];
+      for (int look = 0; look < plan_.settings.looks; ++look) echo_.at(look, gate, line) += uniform;
+      return;
+    }
+    const auto n = scattererAmplitudes(lattice_, here.patient_mm);
+    for (int look = 0; look < plan_.settings.looks; ++look)
+      echo_.at(look, gate, line) += level * Complex(n[2 * look], n[2 * look + 1]);
+  }
+
+  const FramePlan& plan_;
+  const AcousticScene::Impl& scene_;
+  const TissueLookup& lookup_;
+  const ScattererLattice& lattice_;
+  EchoField& echo_;
+};
+
+/// Behind gas nothing comes back but the tissue above, mirrored, and rings between the gas and the probe.
+void reverberate(const FramePlan& plan, int line, int gasGate, EchoField& echo) {
+  using namespace acoustics;
+  const double ring_gates = kRingPeriod_mm / plan.gate_mm;
+  for (int look = 0; look < plan.settings.looks; ++look) {
+    std::vector<Complex> above(gasGate + 1);
+    for (int g = 0; g <= gasGate; ++g) above[g] = echo.at(look, g, line);
+    const auto surface = [&](int o) { return gasGate - o >= 0 ? above[gasGate - o] : Complex{}; };
+    for (int g = gasGate + 2; g < plan.gates; ++g) {
+      const int beyond = g - gasGate;
+      const double depth_mm = beyond * plan.gate_mm;
+      if (beyond <= gasGate)
+        echo.at(look, g, line) += kMirrorShare * std::exp(-depth_mm / kMirrorDecay_mm) * above[gasGate - beyond];
+      // Each ring repeats the surface's own echo.
+      const int ring = static_cast<int>(std::lround(beyond / ring_gates));
+      const int off = static_cast<int>(std::lround(ring * ring_gates)) - beyond;
+      if (ring > 0 && off >= -1 && off <= 1)
+        echo.at(look, g, line) += kRingShare * std::exp(-depth_mm / kRingDecay_mm) * surface(off + 1);
+    }
+  }
+}
+
+void addPoints(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
+               EchoField& echo) {
+  const Transform probeFromPatient = inverted(patientFromProbe);
+  for (const PointTarget& point : scene.points) {
+    const Vec3 p = probeFromPatient * point.position_mm;
+    const auto at = plan.grid.locate(p.x, p.z);
+    const double gate = (at.sample + 0.5) / plan.stride - 0.5;
+    const int g0 = static_cast<int>(std::floor(gate)), l0 = static_cast<int>(std::floor(at.scanline));
+    if (!at.inside || g0 < 0 || g0 >= plan.gates) continue;
+    const double elevation = p.y / plan.elevationSd_mm[g0];
+    const double lateralPeak = plan.lateralKernel[std::size_t(g0) * (plan.maxLateralRadius + 1)];
+    const double echoAmplitude =
+        point.amplitude * std::exp(-0.5 * elevation * elevation) * plan.boundaryScale / lateralPeak;
+    const ImpulseWeights axial = impulseAt(gate - g0), lateral = impulseAt(at.scanline - l0);
+    for (int o = 0; o < 4; ++o)
+      for (int q = 0; q < 4; ++q) {
+        const int g = g0 - 1 + o, l = l0 - 1 + q;
+        if (g < 0 || g >= plan.gates || l < 0 || l >= plan.lines) continue;
+        for (int look = 0; look < plan.settings.looks; ++look)
+          echo.at(look, g, l) += echoAmplitude * axial.weight[o] * lateral.weight[q];
+      }
+  }
+}
+
+EchoField convolveAxially(const FramePlan& plan, const EchoField& in) {
+  EchoField out(plan.settings.looks, plan.gates, plan.lines);
+  const int radius = static_cast<int>(plan.axialKernel.size()) - 1;
+  for (int look = 0; look < plan.settings.looks; ++look)
+    for (int g = 0; g < plan.gates; ++g)
+      for (int o = std::max(-radius, -g); o <= std::min(radius, plan.gates - 1 - g); ++o)
+        for (int l = 0; l < plan.lines; ++l)
+          out.at(look, g, l) += plan.axialKernel[std::abs(o)] * in.at(look, g + o, l);
+  return out;
+}
+
+EchoField convolveLaterally(const FramePlan& plan, const EchoField& in) {
+  EchoField out(plan.settings.looks, plan.gates, plan.lines);
+  for (int look = 0; look < plan.settings.looks; ++look)
+    for (int g = 0; g < plan.gates; ++g) {
+      const int radius = plan.lateralRadius[g];
+      const double* kernel = plan.lateralKernel.data() + std::size_t(g) * (plan.maxLateralRadius + 1);
+      for (int l = 0; l < plan.lines; ++l)
+        for (int o = std::max(-radius, -l); o <= std::min(radius, plan.lines - 1 - l); ++o)
+          out.at(look, g, l) += kernel[std::abs(o)] * in.at(look, g, l + o);
+    }
+  return out;
+}
+
+/// Magnitude on every sample: the gates are far closer than the pulse is long, so a cubic through four of them is exact
+/// enough.
+void envelopeOf(const FramePlan& plan, const EchoField& echo, EnvelopeFrame& envelope) {
+  envelope.resize(plan.lines, plan.grid.samples(), plan.settings.looks);
+  for (int look = 0; look < plan.settings.looks; ++look)
+    for (int m = 0; m < plan.grid.samples(); ++m) {
+      const double gate = (m + 0.5) / plan.stride - 0.5;
+      const int g0 = static_cast<int>(std::floor(gate));
+      const CubicWeights w = cubicAt(gate - g0);
+      for (int l = 0; l < plan.lines; ++l) {
+        Complex sum;
+        for (int o = 0; o < 4; ++o) sum += w.weight[o] * echo.at(look, std::clamp(g0 - 1 + o, 0, plan.gates - 1), l);
+        envelope.look(look)[std::size_t(m) * plan.lines + l] = static_cast<float>(std::abs(sum));
+      }
+    }
+}
+
+class ReferenceEngine final : public Engine {
+ public:
+  std::string_view name() const override { return "reference"; }
+
+  void prepare(const Probe& probe, const ImagingSettings& settings) override { plan_.emplace(probe, settings); }
+
+  void render(const AcousticScene& sceneHandle, const Transform& patientFromProbe, EnvelopeFrame& envelope) override {
+    const auto start = std::chrono::steady_clock::now();
+    const FramePlan& plan = *plan_;
+    const AcousticScene::Impl& scene = sceneHandle.impl();
+    const TissueLookup lookup(plan, scene, patientFromProbe);
+    const ScattererLattice lattice(patientFromProbe.linear.column[1], plan.latticePitch_mm,
+                                   plan.latticeElevationPitch_mm);
+    EchoField echo(plan.settings.looks, plan.gates, plan.lines);
+    LineTracer tracer(plan, scene, lookup, lattice, echo);
+    for (int line = 0; line < plan.lines; ++line) {
+      for (int plane = 0; plane < plan.settings.elevationPlanes; ++plane) tracer.trace(plane, line);
+      if (const int gas = lookup.firstGasGate(line); gas > 0 && plan.settings.effects.reverberation)
+        reverberate(plan, line, gas, echo);
+    }
+    addPoints(plan, scene, patientFromProbe, echo);
+    envelopeOf(plan, convolveLaterally(plan, convolveAxially(plan, echo)), envelope);
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+    stages_ = {{"frame", time.count()}};
+  }
+
+  const std::vector<Stage>& stages() const override { return stages_; }
+
+ private:
+  std::optional<FramePlan> plan_;
+  std::vector<Stage> stages_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> makeReferenceEngine() {
+  return std::make_unique<ReferenceEngine>();
+}
+
+}  // namespace insonate

@@ -1,0 +1,206 @@
+#include "reference/TissueLookup.h"
+
+#include "scene/FieldSampling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace insonate {
+namespace {
+
+constexpr double kSteepest = 0.3;  // gradients of smoothed distances below this are ridges between structures
+
+double mix(double a, double b, double t) {
+  return a + (b - a) * t;
+}
+
+}  // namespace
+
+double specularLobe(const AcousticTissue& above, const AcousticTissue& below, double cosine) {
+  const double n = (above.specularExponent + below.specularExponent) / 2;
+  const double diffuse = (above.specularDiffuse + below.specularDiffuse) / 2;
+  return (1 - diffuse) * std::pow(cosine, n) + diffuse * cosine;
+}
+
+CubicWeights cubicAt(double t) {
+  return {{t * (-0.5 + t * (1 - 0.5 * t)), 1 + t * t * (-2.5 + 1.5 * t), t * (0.5 + t * (2 - 1.5 * t)),
+           t * t * (-0.5 + 0.5 * t)}};
+}
+
+TissueLookup::TissueLookup(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe)
+    : plan_(plan), scene_(scene), patientFromProbe_(patientFromProbe) {
+  for (int column = 0; column < plan.nodeColumns; ++column) {
+    const double line = column * plan.cellLines;
+    contacts_.push_back(contactOf(scene.field, patientFromProbe * plan.grid.origin(line),
+                                  patientFromProbe.linear * plan.grid.direction(line)));
+  }
+  for (int plane = 0; plane < plan.settings.elevationPlanes; ++plane)
+    for (int row = 0; row < plan.nodeRows; ++row)
+      for (int column = 0; column < plan.nodeColumns; ++column) nodes_.push_back(nodeAt(plane, row, column));
+}
+
+Contact TissueLookup::contact(int line) const {
+  const int column = std::min(line / plan_.cellLines, plan_.nodeColumns - 2);
+  const double t = double(line - column * plan_.cellLines) / plan_.cellLines;
+  const Contact &a = contacts_[column], &b = contacts_[column + 1];
+  return {plan_.settings.conformingContact ? mix(a.gap_mm, b.gap_mm, t) : 0, mix(a.strength, b.strength, t)};
+}
+
+Vec3 TissueLookup::patientPoint(int plane, double gate, double line, double gap_mm) const {
+  const double range_mm = plan_.range_mm(gate);
+  const int g = std::clamp(static_cast<int>(gate), 0, plan_.gates - 1);
+  const double elevation_mm = plan_.planeOffset_sd[plane] * plan_.elevationSd_mm[g];
+  const Vec3 probe = plan_.grid.origin(line) + plan_.grid.direction(line) * tissueRange_mm(range_mm, gap_mm) +
+                     Vec3{0, elevation_mm, 0};
+  return patientFromProbe_ * probe;
+}
+
+const TissueLookup::Node& TissueLookup::node(int plane, int row, int column) const {
+  return nodes_[(std::size_t(plane) * plan_.nodeRows + row) * plan_.nodeColumns + column];
+}
+
+TissueLookup::Node TissueLookup::nodeAt(int plane, int row, int column) const {
+  const double gap = plan_.settings.conformingContact ? contacts_[column].gap_mm : 0;
+  const Vec3 patient = patientPoint(plane, row * plan_.cellGates, column * plan_.cellLines, gap);
+  const TissueField& field = scene_.field;
+  const FieldCell at = cellAt(field, field.nodeFromPatient * patient);
+  Node n;
+  n.inside = at.inside;
+  for (int corner = 0; corner < 8; ++corner) {
+    for (int c = 0; c < field.channels; ++c)
+      n.distance_mm[c] +=
+          at.weight[corner] * field.distance[at.offset[corner] * TissueField::kStride + c] / TissueField::kUnitsPerMm;
+    n.ctDeviation += at.weight[corner] * field.ctDeviation[at.offset[corner]];
+  }
+  const TextureTile& patches = patchTile();
+  n.patch = patches.at(static_cast<int>(std::floor(patient.x / patches.voxel_mm.x)),
+                       static_cast<int>(std::floor(patient.y / patches.voxel_mm.y)),
+                       static_cast<int>(std::floor(patient.z / patches.voxel_mm.z))) /
+            32.0;
+  return n;
+}
+
+TissueLookup::Cell TissueLookup::cellOf(int plane, int row, int column) const {
+  const Node* corner[4] = {&node(plane, row, column), &node(plane, row, column + 1), &node(plane, row + 1, column),
+                           &node(plane, row + 1, column + 1)};
+  Cell cell;
+  double nearest = 1e30, second = 1e30;
+  for (int c = 0; c < scene_.field.channels; ++c) {
+    double sum = 0;
+    for (const Node* n : corner) sum += n->distance_mm[c];
+    if (sum < nearest) {
+      second = nearest, cell.b = cell.a;
+      nearest = sum, cell.a = c;
+    } else if (sum < second) {
+      second = sum, cell.b = c;
+    }
+  }
+  if (scene_.field.channels == 1) cell.b = cell.a;
+  for (int q = 0; q < 4; ++q) {
+    cell.s[q] = cell.a == cell.b ? TissueField::kReach_mm
+                                 : (corner[q]->distance_mm[cell.b] - corner[q]->distance_mm[cell.a]) / 2;
+    cell.ctDeviation += corner[q]->ctDeviation / 4;
+    cell.patch += corner[q]->patch / 4;
+    cell.inside = cell.inside && corner[q]->inside;
+  }
+  const double range_mm = plan_.range_mm((row + 0.5) * plan_.cellGates);
+  const double axial = (cell.s[2] - cell.s[0] + cell.s[3] - cell.s[1]) / 2 / (plan_.cellGates * plan_.gate_mm);
+  const double lateral =
+      (cell.s[1] - cell.s[0] + cell.s[3] - cell.s[2]) / 2 / (plan_.cellLines * plan_.grid.scanlineSpacing_mm(range_mm));
+  const double elevation = elevationSlope(plane, row, column, cell);
+  const double gradient = std::sqrt(axial * axial + lateral * lateral + elevation * elevation);
+  cell.cosine = std::min(1.0, std::abs(axial) / std::max(gradient, kSteepest));
+  return cell;
+}
+
+/// Change of s across the slice, from the neighbouring planes. A single plane has none: there the gradient of a
+/// distance is taken to be 1.
+double TissueLookup::elevationSlope(int plane, int row, int column, const Cell& cell) const {
+  const int last = plan_.settings.elevationPlanes - 1;
+  if (last == 0) {
+    const double axial = (cell.s[2] - cell.s[0] + cell.s[3] - cell.s[1]) / 2 / (plan_.cellGates * plan_.gate_mm);
+    return std::sqrt(std::max(0.0, 1 - axial * axial));
+  }
+  const int low = std::max(plane - 1, 0), high = std::min(plane + 1, last);
+  const int gate = std::min(row * plan_.cellGates, plan_.gates - 1);
+  const double distance_mm = (plan_.planeOffset_sd[high] - plan_.planeOffset_sd[low]) * plan_.elevationSd_mm[gate];
+  const auto s = [&](int p) {
+    const Node& n = node(p, row, column);
+    return (n.distance_mm[cell.b] - n.distance_mm[cell.a]) / 2;
+  };
+  return (s(high) - s(low)) / distance_mm;
+}
+
+TissueSample TissueLookup::at(int plane, int gate, int line) const {
+  const int row = gate / plan_.cellGates, column = std::min(line / plan_.cellLines, plan_.nodeColumns - 2);
+  const Cell cell = cellOf(plane, row, column);
+  const double down = double(gate - row * plan_.cellGates) / plan_.cellGates;
+  const double across = double(line - column * plan_.cellLines) / plan_.cellLines;
+
+  TissueSample sample;
+  sample.patient_mm = patientPoint(plane, gate, line, contact(line).gap_mm);
+  sample.inside = cell.inside;
+  sample.s_mm = mix(mix(cell.s[0], cell.s[1], across), mix(cell.s[2], cell.s[3], across), down);
+  const int channel = sample.s_mm >= 0 ? cell.a : cell.b;
+  sample.label = scene_.field.label[channel];
+  sample.outside = sample.label == kBackground && plan_.range_mm(gate) < acoustics::kContactReach_mm;
+  sample.cell = row;
+  sample.pair = cell.a * TissueField::kStride + cell.b;
+  sample.cosine = cell.cosine;
+
+  const AcousticTissue& tissue = scene_.table.of(sample.label);
+  sample.impedance_MRayl =
+      tissue.impedance_MRayl *
+      (1 + (plan_.settings.effects.texture ? tissue.ctImpedancePer100HU * cell.ctDeviation / 100 : 0));
+  sample.roughness_dB = plan_.settings.effects.texture ? tissue.roughness_dB * cell.patch : 0;
+  const bool vessel =
+      scene_.table.of(scene_.field.label[cell.a]).vessel || scene_.table.of(scene_.field.label[cell.b]).vessel;
+  sample.grazesVessel =
+      vessel && std::abs(sample.s_mm) < acoustics::kEdgeReach_mm && cell.cosine < acoustics::kEdgeCosine;
+  sample.echo_dB = echo_dB(sample, cell, patientFromProbe_.linear * plan_.grid.direction(line));
+  return sample;
+}
+
+double TissueLookup::echo_dB(const TissueSample& sample, const Cell& cell, Vec3 beam) const {
+  const Effects& effects = plan_.settings.effects;
+  const AcousticTissue& tissue = scene_.table.of(sample.label);
+  double level = tissue.echogenicity_dB;
+  if (effects.texture) {
+    level += tissue.ctEchogenicity_dBper100HU * cell.ctDeviation / 100;
+    const TextureFrame& frame = scene_.textureFrames[sample.label][sample.patient_mm.x < scene_.midline_mm ? 0 : 1];
+    const TextureTile& tile = textureTile(tissue.texture);
+    const Vec3 t = frame.tileFromPatient * sample.patient_mm;
+    double value = tile.at(static_cast<int>(std::floor(t.x)), static_cast<int>(std::floor(t.y)),
+                           static_cast<int>(std::floor(t.z))) /
+                   127.0;
+    // Sheets shine where square to the beam.
+    const double facing = dot(beam, frame.thinAxis);
+    if (value > 0) value *= 0.2 + 0.8 * facing * facing;
+    level += tissue.textureStrength_dB * value;
+  }
+  const int entry =
+      static_cast<int>(std::floor(sample.s_mm / BoundaryProfiles::kStep_mm)) + BoundaryProfiles::kEntries / 2;
+  if (!effects.layers || entry < 0 || entry >= BoundaryProfiles::kEntries) return level;
+  const std::uint32_t e = scene_.profiles.entries()[scene_.profiles.first(cell.a, cell.b) + entry];
+  const auto byte = [&](int n) { return (e >> (8 * n) & 255U) / 255.0; };
+  const double presence = std::clamp(0.5 + 0.9 * cell.patch, 0.0, 1.0);
+  const double occupancy = byte(0) * (1 - byte(3) * (1 - presence));
+  const double facing_dB = 20 * std::log10(0.12 + 0.88 * cell.cosine * cell.cosine);
+  const double layer_dB = (e >> 8 & 255U) / 4.0 - 32 + byte(2) * facing_dB;
+  return level + occupancy * (layer_dB - level);
+}
+
+int TissueLookup::firstGasGate(int line) const {
+  const int central = plan_.settings.elevationPlanes / 2;
+  bool tissueAbove = false;
+  for (int gate = 0; gate < plan_.gates; ++gate) {
+    const TissueSample sample = at(central, gate, line);
+    if (!sample.inside) return -1;
+    const bool gas = scene_.table.of(sample.label).gas && !sample.outside;
+    if (gas && tissueAbove) return gate;
+    tissueAbove = tissueAbove || !gas;
+  }
+  return -1;
+}
+
+}  // namespace insonate

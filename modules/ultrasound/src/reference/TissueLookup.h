@@ -1,0 +1,76 @@
+#pragma once
+
+#include "model/Contact.h"
+#include "model/FramePlan.h"
+#include "scene/SceneData.h"
+
+#include <vector>
+
+namespace insonate {
+
+/// What lies at one gate of one scanline in one elevation plane.
+struct TissueSample {
+  Vec3 patient_mm;       ///< where the gate is in undeformed tissue
+  bool inside = true;    ///< within the volume
+  bool outside = false;  ///< before the skin: gel
+  std::uint8_t label = 0;
+  int cell = 0;       ///< number of the cell along this scanline
+  int pair = 0;       ///< the two structures of the cell
+  double s_mm = 0;    ///< signed distance to the boundary between them
+  double cosine = 1;  ///< of the beam's incidence on it
+  double impedance_MRayl = 0;
+  double echo_dB = 0;  ///< scattering over unit speckle
+  double roughness_dB = 0;
+  bool grazesVessel = false;
+};
+
+/// Structures along every scanline: signed distances are looked up at the nodes of a lattice in beam coordinates and
+/// interpolated in its cells; a cell knows its two nearest structures.
+class TissueLookup {
+ public:
+  TissueLookup(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe);
+
+  TissueSample at(int plane, int gate, int line) const;
+  /// Interpolated between the columns of the lattice.
+  Contact contact(int line) const;
+  /// First gate that lies in gas behind tissue, in the central plane; -1 if none.
+  int firstGasGate(int line) const;
+
+ private:
+  struct Node {
+    std::array<double, TissueField::kStride> distance_mm{};
+    double ctDeviation = 0;
+    double patch = 0;  ///< unit SD
+    bool inside = true;
+  };
+  struct Cell {
+    int a = 0, b = 0;
+    double s[4]{};  ///< mm at the corners: row, then column
+    double cosine = 1, ctDeviation = 0, patch = 0;
+    bool inside = true;
+  };
+
+  Vec3 patientPoint(int plane, double gate, double line, double gap_mm) const;
+  Node nodeAt(int plane, int row, int column) const;
+  const Node& node(int plane, int row, int column) const;
+  Cell cellOf(int plane, int row, int column) const;
+  double elevationSlope(int plane, int row, int column, const Cell& cell) const;
+  double echo_dB(const TissueSample& sample, const Cell& cell, Vec3 beam) const;
+
+  const FramePlan& plan_;
+  const AcousticScene::Impl& scene_;
+  Transform patientFromProbe_;
+  std::vector<Contact> contacts_;  ///< [column]
+  std::vector<Node> nodes_;
+};
+
+/// Amplitude of a boundary's echo against the cosine of incidence: cos^n, plus a diffuse share.
+double specularLobe(const AcousticTissue& above, const AcousticTissue& below, double cosine);
+
+/// Catmull-Rom weights of gates k - 1 .. k + 2 at a fraction after gate k.
+struct CubicWeights {
+  double weight[4];
+};
+CubicWeights cubicAt(double fraction);
+
+}  // namespace insonate

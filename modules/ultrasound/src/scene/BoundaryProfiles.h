@@ -1,0 +1,38 @@
+#pragma once
+
+#include <insonate/tissue/AcousticTable.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace insonate {
+
+/// The connective layers at the boundary of every pair of structures, as a function of the signed distance s from the
+/// boundary (positive on the first structure's side), tabulated so that every engine reads the same numbers.
+class BoundaryProfiles {
+ public:
+  static constexpr int kEntries = 256;
+  static constexpr double kStep_mm = 0.025;
+  static constexpr double kReach_mm = kEntries / 2 * kStep_mm;
+
+  /// One entry, packed for a single gather: occupancy (0..255: 0..1), echo (0..255: -32..+31.75 dB), anisotropy and
+  /// patchiness (0..255: 0..1), from the lowest byte up.
+  static std::uint32_t pack(double occupancy, double echo_dB, double anisotropy, double patchiness);
+
+  BoundaryProfiles() = default;
+  BoundaryProfiles(const AcousticTable& table, std::span<const std::uint8_t> channelLabels);
+
+  /// Index of the first entry for an ordered pair of channels.
+  int first(int channelA, int channelB) const { return (channelA * channels_ + channelB) * kEntries; }
+  const std::vector<std::uint32_t>& entries() const { return entries_; }
+
+ private:
+  int channels_ = 0;
+  std::vector<std::uint32_t> entries_;
+};
+
+/// No boundary is to be seen between tissues of equal impedance, attenuation and scattering, whatever their labels.
+bool acousticallyEqual(const AcousticTissue& a, const AcousticTissue& b);
+
+}  // namespace insonate

@@ -1,0 +1,132 @@
+#include "scene/DistanceTransform.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace insonate {
+namespace {
+
+constexpr float kReach = static_cast<float>(TissueField::kReach_mm);
+constexpr float kFar2 = kReach * kReach;
+
+struct Lattice {
+  std::array<int, 3> size;
+  std::array<std::size_t, 3> step;
+  Vec3 spacing_mm;
+};
+
+/// Runs `row(begin)` for every lattice line of the x direction.
+template <class Row>
+void forRows(const Lattice& g, const Row& row) {
+  tbb::parallel_for(0, g.size[2], [&](int k) {
+    for (int j = 0; j < g.size[1]; ++j) row(j, k, k * g.step[2] + j * g.step[1]);
+  });
+}
+
+/// Squared distance along x to the nearest node of the structure.
+void distanceAlongX(const Lattice& g, const std::vector<std::uint8_t>& nodeLabel, std::uint8_t label,
+                    std::vector<float>& d2) {
+  const auto h = static_cast<float>(g.spacing_mm.x);
+  forRows(g, [&](int, int, std::size_t row) {
+    float run = kReach;
+    for (int i = 0; i < g.size[0]; ++i) {
+      run = nodeLabel[row + i] == label ? 0 : std::min(run + h, kReach);
+      d2[row + i] = run;
+    }
+    run = kReach;
+    for (int i = g.size[0] - 1; i >= 0; --i) {
+      run = nodeLabel[row + i] == label ? 0 : std::min(run + h, kReach);
+      d2[row + i] = std::min(d2[row + i], run) * std::min(d2[row + i], run);
+    }
+  });
+}
+
+/// Lower envelope of parabolas along one further axis, by brute force within the reach: the window is a few nodes wide
+/// and the inner loop runs along x.
+void distanceAlong(const Lattice& g, int axis, const std::vector<float>& in, std::vector<float>& out) {
+  const double h = g.spacing_mm[axis];
+  const int window = static_cast<int>(kReach / h);
+  forRows(g, [&](int j, int k, std::size_t row) {
+    std::copy_n(in.begin() + row, g.size[0], out.begin() + row);
+    const int here = axis == 1 ? j : k;
+    for (int o = std::max(-window, -here); o <= std::min(window, g.size[axis] - 1 - here); ++o) {
+      if (o == 0) continue;
+      const auto add = static_cast<float>(o * h * o * h);
+      const float* other = in.data() + row + static_cast<std::ptrdiff_t>(o) * static_cast<std::ptrdiff_t>(g.step[axis]);
+      float* mine = out.data() + row;
+      for (int i = 0; i < g.size[0]; ++i) mine[i] = std::min(mine[i], other[i] + add);
+    }
+  });
+}
+
+std::vector<float> gaussian(double sd_nodes) {
+  const int radius = static_cast<int>(std::ceil(3 * sd_nodes));
+  std::vector<float> weight;
+  double sum = 0;
+  for (int o = -radius; o <= radius; ++o) sum += std::exp(-0.5 * o * o / (sd_nodes * sd_nodes));
+  for (int o = -radius; o <= radius; ++o)
+    weight.push_back(static_cast<float>(std::exp(-0.5 * o * o / (sd_nodes * sd_nodes)) / sum));
+  return weight;
+}
+
+/// Gaussian along one axis; the edge node continues outside.
+void smoothAlong(const Lattice& g, int axis, double sd_mm, std::vector<float>& values, std::vector<float>& scratch) {
+  const std::vector<float> weight = gaussian(sd_mm / g.spacing_mm[axis]);
+  const int radius = static_cast<int>(weight.size() / 2);
+  forRows(g, [&](int j, int k, std::size_t row) {
+    float* out = scratch.data() + row;
+    std::fill_n(out, g.size[0], 0.0F);
+    for (int o = -radius; o <= radius; ++o) {
+      const float w = weight[o + radius];
+      if (axis == 0) {
+        for (int i = 0; i < g.size[0]; ++i) out[i] += w * values[row + std::clamp(i + o, 0, g.size[0] - 1)];
+        continue;
+      }
+      const int here = axis == 1 ? j : k;
+      const int there = std::clamp(here + o, 0, g.size[axis] - 1);
+      const float* in = values.data() + row + std::ptrdiff_t(there - here) * std::ptrdiff_t(g.step[axis]);
+      for (int i = 0; i < g.size[0]; ++i) out[i] += w * in[i];
+    }
+  });
+  values.swap(scratch);
+}
+
+}  // namespace
+
+bool signedDistances(const std::vector<std::uint8_t>& nodeLabel, Vec3 nodeSpacing_mm, Vec3 smoothing_mm,
+                     TissueField& field, const Progress& progress) {
+  const Lattice g{
+      field.size, {1, std::size_t(field.size[0]), std::size_t(field.size[0]) * field.size[1]}, nodeSpacing_mm};
+  const std::size_t nodes = nodeLabel.size();
+  // Distances run between node centres; the boundary lies half a node before.
+  const auto half = static_cast<float>((nodeSpacing_mm.x + nodeSpacing_mm.y + nodeSpacing_mm.z) / 6);
+  const auto unit = static_cast<float>(TissueField::kUnitsPerMm);
+
+  field.distance.assign(nodes * TissueField::kStride, static_cast<std::int16_t>(kReach * unit));
+  std::vector<float> a(nodes), b(nodes), inside2(nodes, kFar2);
+  std::vector<std::vector<float>> outside(field.channels);
+  for (int c = 0; c < field.channels; ++c) {
+    if (!report(progress, "Measuring distances to structures", double(c) / field.channels)) return false;
+    distanceAlongX(g, nodeLabel, field.label[c], a);
+    distanceAlong(g, 1, a, b);
+    distanceAlong(g, 2, b, a);
+    for (std::size_t n = 0; n < nodes; ++n)
+      if (nodeLabel[n] != field.label[c]) inside2[n] = std::min(inside2[n], a[n]);
+    outside[c] = a;
+  }
+  for (int c = 0; c < field.channels; ++c) {
+    std::vector<float>& d = outside[c];
+    for (std::size_t n = 0; n < nodes; ++n)
+      d[n] = nodeLabel[n] == field.label[c] ? half - std::sqrt(inside2[n]) : std::sqrt(d[n]) - half;
+    for (int axis = 0; axis < 3; ++axis) smoothAlong(g, axis, smoothing_mm[axis], d, a);
+    for (std::size_t n = 0; n < nodes; ++n)
+      field.distance[n * TissueField::kStride + c] = static_cast<std::int16_t>(std::lround(d[n] * unit));
+    d = {};
+  }
+  return report(progress, "Measuring distances to structures", 1);
+}
+
+}  // namespace insonate

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "scene/TissueField.h"
+
+#include <insonate/core/Progress.h>
+
+namespace insonate {
+
+/// Fills field.distance from the label of each node: Euclidean distance to each structure within the reach, negative
+/// inside, then smoothed by a Gaussian of the given SD along each axis. False when cancelled.
+bool signedDistances(const std::vector<std::uint8_t>& nodeLabel, Vec3 nodeSpacing_mm, Vec3 smoothing_mm,
+                     TissueField& field, const Progress& progress);
+
+}  // namespace insonate

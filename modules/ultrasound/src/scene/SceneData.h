@@ -1,0 +1,28 @@
+#pragma once
+
+#include "scene/BoundaryProfiles.h"
+#include "scene/TextureTiles.h"
+#include "scene/TissueField.h"
+
+#include <insonate/ultrasound/AcousticScene.h>
+
+namespace insonate {
+
+/// Which way a texture lies in the patient: rows are the tile's u (fibre), v and w (thin) axes, in tile voxels per mm.
+struct TextureFrame {
+  Mat3 tileFromPatient;  ///< columns of the linear map
+  Vec3 thinAxis;         ///< unit, patient LPS
+};
+
+struct AcousticScene::Impl {
+  AcousticTable table;
+  TissueField field;
+  BoundaryProfiles profiles;
+  std::vector<PointTarget> points;
+  std::vector<std::string> warnings;
+  double midline_mm = 0;  ///< x of the patient's midline; textures mirror across it
+  /// [label][0 right, 1 left]
+  std::array<std::array<TextureFrame, 2>, kLabelCount> textureFrames;
+};
+
+}  // namespace insonate

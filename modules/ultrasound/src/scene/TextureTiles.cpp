@@ -1,0 +1,214 @@
+#include "scene/TextureTiles.h"
+
+#include <insonate/core/Hash.h>
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace insonate {
+namespace {
+
+std::size_t count(const std::array<int, 3>& size) {
+  return std::size_t(size[0]) * size[1] * size[2];
+}
+
+/// Roughly normal noise, independent from node to node.
+std::vector<float> whiteNoise(const std::array<int, 3>& size, std::uint32_t seed) {
+  std::vector<float> noise(count(size));
+  for (std::size_t n = 0; n < noise.size(); ++n) {
+    const std::uint32_t h = hashNode(static_cast<std::int32_t>(n), 0, 0, seed);
+    noise[n] = static_cast<float>((h & 255) + (h >> 8 & 255) + (h >> 16 & 255) + (h >> 24)) - 510.0F;
+  }
+  return noise;
+}
+
+/// Periodic Gaussian smoothing along one axis.
+void smoothAxis(std::vector<float>& values, const std::array<int, 3>& size, int axis, double sd) {
+  const int radius = std::min(static_cast<int>(std::ceil(3 * sd)), size[axis] / 2);
+  std::vector<float> weight(2 * radius + 1);
+  for (int o = -radius; o <= radius; ++o) weight[o + radius] = static_cast<float>(std::exp(-0.5 * o * o / (sd * sd)));
+  const std::size_t step = axis == 0 ? 1 : axis == 1 ? size[0] : std::size_t(size[0]) * size[1];
+  const int otherA = axis == 0 ? 1 : 0, otherB = axis == 2 ? 1 : 2;
+  const std::array<std::size_t, 3> steps{1, std::size_t(size[0]), std::size_t(size[0]) * size[1]};
+  tbb::parallel_for(0, size[otherB], [&](int b) {
+    std::vector<float> line(size[axis]);
+    for (int a = 0; a < size[otherA]; ++a) {
+      float* first = values.data() + a * steps[otherA] + b * steps[otherB];
+      for (int i = 0; i < size[axis]; ++i) line[i] = first[i * step];
+      for (int i = 0; i < size[axis]; ++i) {
+        float sum = 0;
+        for (int o = -radius; o <= radius; ++o) sum += weight[o + radius] * line[(i + o + size[axis]) % size[axis]];
+        first[i * step] = sum;
+      }
+    }
+  });
+}
+
+void normalise(std::vector<float>& values) {
+  double sum = 0, sum2 = 0;
+  for (const float v : values) sum += v, sum2 += double(v) * v;
+  const double n = static_cast<double>(values.size());
+  const double mean = sum / n, sd = std::sqrt(sum2 / n - mean * mean);
+  for (float& v : values) v = static_cast<float>((v - mean) / sd);
+}
+
+/// Gaussian field of unit variance with the given SDs of its smoothing kernel.
+std::vector<float> gaussianField(const std::array<int, 3>& size, Vec3 voxel_mm, Vec3 sd_mm, std::uint32_t seed) {
+  std::vector<float> field = whiteNoise(size, seed);
+  for (int axis = 0; axis < 3; ++axis)
+    if (sd_mm[axis] > 0) smoothAxis(field, size, axis, sd_mm[axis] / voxel_mm[axis]);
+  normalise(field);
+  return field;
+}
+
+float smoothstep(float low, float high, float x) {
+  const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
+  return t * t * (3 - 2 * t);
+}
+
+std::int8_t toByte(float value) {
+  return static_cast<std::int8_t>(std::lround(std::clamp(value, -1.0F, 1.0F) * 127));
+}
+
+TextureTile emptyTile(std::array<int, 3> size, Vec3 voxel_mm) {
+  return {size, voxel_mm, std::vector<std::int8_t>(count(size))};
+}
+
+/// Perimysium: short bright sheets along the fibres that do not line up. A Gaussian field, long along the fibre and
+/// thin across, of which only the peaks are kept; a slow shear keeps neighbours from lining up.
+TextureTile makeSepta() {
+  TextureTile tile = emptyTile({64, 64, 256}, {1.0, 0.4, 0.07});
+  const std::vector<float> sheets = gaussianField(tile.size, tile.voxel_mm, {3.5, 1.1, 0.09}, 0x5e97a001U);
+  const std::vector<float> slow = gaussianField(tile.size, tile.voxel_mm, {6, 3.5, 1.6}, 0x5e97a002U);
+  for (int w = 0; w < tile.size[2]; ++w)
+    for (int v = 0; v < tile.size[1]; ++v)
+      for (int u = 0; u < tile.size[0]; ++u) {
+        const std::size_t n = (std::size_t(w) * tile.size[1] + v) * tile.size[0] + u;
+        const int shift = static_cast<int>(std::lround(slow[n] * 0.5 / tile.voxel_mm.z));
+        const int sheared = (w + shift + 4 * tile.size[2]) % tile.size[2];
+        const float g = sheets[(std::size_t(sheared) * tile.size[1] + v) * tile.size[0] + u];
+        tile.value[n] = toByte(smoothstep(1.25F, 2.3F, g + 0.45F * slow[n]) + 0.07F * slow[n]);
+      }
+  return tile;
+}
+
+struct Cells {
+  std::array<int, 3> counts;
+  Vec3 cell_mm;
+  std::uint32_t seed;
+
+  Vec3 point(int i, int j, int k) const {
+    const auto wrap = [](int a, int n) { return (a % n + n) % n; };
+    const int x = wrap(i, counts[0]), y = wrap(j, counts[1]), z = wrap(k, counts[2]);
+    const auto jitter = [&](std::uint32_t which) { return 0.15 + 0.7 * unitInterval(hashNode(x, y, z, seed + which)); };
+    return {(i + jitter(0)) * cell_mm.x, (j + jitter(1)) * cell_mm.y, (k + jitter(2)) * cell_mm.z};
+  }
+  double tone(int i, int j, int k) const {
+    const auto wrap = [](int a, int n) { return (a % n + n) % n; };
+    return unitInterval(hashNode(wrap(i, counts[0]), wrap(j, counts[1]), wrap(k, counts[2]), seed + 3)) - 0.5;
+  }
+};
+
+struct Nearest {
+  double first = 1e30, second = 1e30;
+  Vec3 firstPoint, secondPoint;
+  double tone = 0;
+};
+
+/// The two nearest cell centres, in units of cells.
+Nearest nearestCells(const Cells& cells, Vec3 p_mm) {
+  Nearest best;
+  const int ci = static_cast<int>(std::floor(p_mm.x / cells.cell_mm.x));
+  const int cj = static_cast<int>(std::floor(p_mm.y / cells.cell_mm.y));
+  const int ck = static_cast<int>(std::floor(p_mm.z / cells.cell_mm.z));
+  for (int k = ck - 1; k <= ck + 1; ++k)
+    for (int j = cj - 1; j <= cj + 1; ++j)
+      for (int i = ci - 1; i <= ci + 1; ++i) {
+        const Vec3 c = cells.point(i, j, k);
+        const Vec3 d{(c.x - p_mm.x) / cells.cell_mm.x, (c.y - p_mm.y) / cells.cell_mm.y,
+                     (c.z - p_mm.z) / cells.cell_mm.z};
+        const double r = norm(d);
+        if (r < best.first) {
+          best.second = best.first, best.secondPoint = best.firstPoint;
+          best.first = r, best.firstPoint = c, best.tone = cells.tone(i, j, k);
+        } else if (r < best.second) {
+          best.second = r, best.secondPoint = c;
+        }
+      }
+  return best;
+}
+
+/// Fat lobules: cells with thin bright walls, brightest where the wall lies across the beam (normal along w).
+TextureTile makeLobules() {
+  TextureTile tile = emptyTile({64, 64, 128}, {0.75, 0.75, 0.13125});
+  const Cells cells{{7, 8, 7}, {48.0 / 7, 6.0, 16.8 / 7}, 0x10b01e00U};
+  const std::vector<float> slow = gaussianField(tile.size, tile.voxel_mm, {4, 4, 0.8}, 0x10b01e10U);
+  tbb::parallel_for(0, tile.size[2], [&](int w) {
+    for (int v = 0; v < tile.size[1]; ++v)
+      for (int u = 0; u < tile.size[0]; ++u) {
+        const std::size_t n = (std::size_t(w) * tile.size[1] + v) * tile.size[0] + u;
+        const Vec3 p{u * tile.voxel_mm.x, v * tile.voxel_mm.y, w * tile.voxel_mm.z + 0.35 * slow[n]};
+        const Nearest near = nearestCells(cells, p);
+        const Vec3 across = near.secondPoint - near.firstPoint;
+        const double facing = std::abs(across.z) / std::max(norm(across), 1e-6);
+        const float wall = 1 - smoothstep(0.02F, 0.17F, static_cast<float>(near.second - near.first));
+        const auto square = static_cast<float>(0.15 + 0.85 * facing * facing);
+        tile.value[n] = toByte(wall * square * (0.75F + 0.25F * slow[n]) + 0.25F * static_cast<float>(near.tone));
+      }
+  });
+  return tile;
+}
+
+/// Loose connective tissue: patchy, wavy sheets.
+TextureTile makeSheets() {
+  TextureTile tile = emptyTile({64, 64, 256}, {0.6, 0.6, 0.08});
+  const std::vector<float> wave = gaussianField(tile.size, tile.voxel_mm, {4, 4, 1.2}, 0x54ee7001U);
+  const std::vector<float> patch = gaussianField(tile.size, tile.voxel_mm, {2.5, 2.5, 0.5}, 0x54ee7002U);
+  const std::vector<float> thin = gaussianField(tile.size, tile.voxel_mm, {2.2, 2.2, 0.1}, 0x54ee7003U);
+  for (int w = 0; w < tile.size[2]; ++w)
+    for (int v = 0; v < tile.size[1]; ++v)
+      for (int u = 0; u < tile.size[0]; ++u) {
+        const std::size_t n = (std::size_t(w) * tile.size[1] + v) * tile.size[0] + u;
+        const int shift = static_cast<int>(std::lround(wave[n] * 0.7 / tile.voxel_mm.z));
+        const int warped = (w + shift + 4 * tile.size[2]) % tile.size[2];
+        const float sheet = smoothstep(0.7F, 2.2F, thin[(std::size_t(warped) * tile.size[1] + v) * tile.size[0] + u]);
+        tile.value[n] = toByte(0.9F * sheet * smoothstep(-1.0F, 1.0F, patch[n]) + 0.22F * patch[n] + 0.12F * wave[n]);
+      }
+  return tile;
+}
+
+/// Even parenchyma with slow, faint variation.
+TextureTile makeFine() {
+  TextureTile tile = emptyTile({64, 64, 64}, {0.4, 0.4, 0.4});
+  const std::vector<float> coarse = gaussianField(tile.size, tile.voxel_mm, {1.5, 1.5, 1.5}, 0xf14e0001U);
+  const std::vector<float> fine = gaussianField(tile.size, tile.voxel_mm, {0.5, 0.5, 0.4}, 0xf14e0002U);
+  for (std::size_t n = 0; n < tile.value.size(); ++n) tile.value[n] = toByte(0.25F * coarse[n] + 0.3F * fine[n]);
+  return tile;
+}
+
+TextureTile makePatches() {
+  TextureTile tile = emptyTile({64, 64, 64}, {0.5, 0.5, 0.5});
+  const std::vector<float> coarse = gaussianField(tile.size, tile.voxel_mm, {2.2, 2.2, 2.2}, 0x9a7c0001U);
+  const std::vector<float> fine = gaussianField(tile.size, tile.voxel_mm, {0.8, 0.8, 0.8}, 0x9a7c0002U);
+  for (std::size_t n = 0; n < tile.value.size(); ++n)
+    tile.value[n] = toByte((0.75F * coarse[n] + 0.66F * fine[n]) * (32.0F / 127.0F));
+  return tile;
+}
+
+}  // namespace
+
+const TextureTile& textureTile(Texture kind) {
+  static const std::array<TextureTile, kTextureKinds> tiles{emptyTile({1, 1, 1}, {1, 1, 1}), makeSepta(), makeLobules(),
+                                                            makeSheets(), makeFine()};
+  return tiles[static_cast<std::size_t>(kind)];
+}
+
+const TextureTile& patchTile() {
+  static const TextureTile tile = makePatches();
+  return tile;
+}
+
+}  // namespace insonate

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <insonate/core/Vec3.h>
+#include <insonate/tissue/AcousticTable.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace insonate {
+
+/// A periodic block of tissue structure that a CT does not resolve. Axes u (along fibres), v, w (thin, across sheets).
+/// Values are -127..127 for -1..1, to be multiplied with a tissue's texture strength in dB. Sizes are powers of two, so
+/// that a position wraps by a mask.
+struct TextureTile {
+  std::array<int, 3> size{};
+  Vec3 voxel_mm;
+  std::vector<std::int8_t> value;  ///< [w][v][u]
+
+  std::int8_t at(int u, int v, int w) const {
+    return value[(std::size_t(w & (size[2] - 1)) * size[1] + (v & (size[1] - 1))) * size[0] + (u & (size[0] - 1))];
+  }
+};
+
+inline constexpr int kTextureKinds = 5;
+
+/// Made once a process, always the same. Texture::None has one zero voxel.
+const TextureTile& textureTile(Texture kind);
+
+/// Smooth noise of unit SD (32 counts), for what comes and goes along boundaries.
+const TextureTile& patchTile();
+
+}  // namespace insonate

@@ -1,0 +1,153 @@
+#include "scene/TissueField.h"
+
+#include "scene/DistanceTransform.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace insonate {
+namespace {
+
+constexpr double kFinestSpacing_mm = 0.7;  // coarser grids are subdivided down to this
+
+struct Box {
+  std::array<int, 3> low, high;  // voxels, inclusive
+};
+
+/// Voxels of the label map that the region needs, with room for the reach of the distances and their smoothing.
+Result<Box> voxelBox(const VolumeGeometry& grid, const Region& region) {
+  constexpr double kMargin_mm = TissueField::kReach_mm + 3;
+  const Transform indexFromPatient = grid.indexFromPatient();
+  Vec3 low{1e30, 1e30, 1e30}, high{-1e30, -1e30, -1e30};
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p{corner & 1 ? region.high_mm.x : region.low_mm.x, corner & 2 ? region.high_mm.y : region.low_mm.y,
+                 corner & 4 ? region.high_mm.z : region.low_mm.z};
+    const Vec3 index = indexFromPatient * p;
+    for (int a = 0; a < 3; ++a) low[a] = std::min(low[a], index[a]), high[a] = std::max(high[a], index[a]);
+  }
+  Box box;
+  for (int a = 0; a < 3; ++a) {
+    const double margin = kMargin_mm / grid.spacing_mm[a];
+    if (!(high[a] > -1) || !(low[a] < grid.size[a]))
+      return fail("The imaging plane lies outside the CT; move the probe onto the patient.");
+    box.low[a] = std::max(0, static_cast<int>(std::floor(low[a] - margin)));
+    box.high[a] = std::min(grid.size[a] - 1, static_cast<int>(std::ceil(high[a] + margin)));
+  }
+  return box;
+}
+
+std::array<int, 3> subdivisions(const VolumeGeometry& grid) {
+  const double finest = std::min({grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z});
+  const double target = finest / std::ceil(finest / kFinestSpacing_mm);
+  std::array<int, 3> n;
+  for (int a = 0; a < 3; ++a) n[a] = std::max(1, static_cast<int>(std::lround(grid.spacing_mm[a] / target)));
+  return n;
+}
+
+/// Source voxel and weight of the next one, for each node along one axis.
+struct AxisMap {
+  std::vector<int> low, high;
+  std::vector<float> weight;
+};
+
+AxisMap axisMap(int first, int nodes, int subdivision, int last) {
+  AxisMap map;
+  for (int n = 0; n < nodes; ++n) {
+    const int voxel = first + n / subdivision;
+    map.low.push_back(voxel);
+    map.high.push_back(std::min(voxel + 1, last));
+    map.weight.push_back(static_cast<float>(n % subdivision) / static_cast<float>(subdivision));
+  }
+  return map;
+}
+
+template <class Visit>
+void visitCorners(const std::array<AxisMap, 3>& maps, int i, int j, int k, const Visit& visit) {
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto pick = [&](int axis, int n) {
+      const AxisMap& m = maps[axis];
+      return (corner >> axis) & 1 ? std::pair{m.high[n], m.weight[n]} : std::pair{m.low[n], 1 - m.weight[n]};
+    };
+    const auto [x, wx] = pick(0, i);
+    const auto [y, wy] = pick(1, j);
+    const auto [z, wz] = pick(2, k);
+    const float w = wx * wy * wz;
+    if (w > 0) visit(x, y, z, w);
+  }
+}
+
+}  // namespace
+
+std::array<double, kLabelCount> meanHuByLabel(const CtVolume& ct, const LabelMap& labels) {
+  std::array<double, kLabelCount> sum{};
+  std::array<std::size_t, kLabelCount> count{};
+  for (std::size_t v = 0; v < labels.voxels.size(); ++v) {
+    const int label = knownLabel(labels.voxels[v]);
+    sum[label] += ct.voxels[v];
+    ++count[label];
+  }
+  for (int l = 0; l < kLabelCount; ++l) sum[l] = count[l] ? sum[l] / static_cast<double>(count[l]) : 0;
+  return sum;
+}
+
+Result<TissueField> makeTissueField(const CtVolume& ct, const LabelMap& labels, const Region& region,
+                                    const Progress& progress) {
+  const VolumeGeometry& grid = labels.geometry;
+  const auto box = voxelBox(grid, region);
+  if (!box) return tl::unexpected(box.error());
+  const auto parts = subdivisions(grid);
+
+  TissueField field;
+  std::array<AxisMap, 3> maps;
+  Vec3 nodeSpacing_mm;
+  Transform nodeFromIndex;
+  for (int a = 0; a < 3; ++a) {
+    field.size[a] = (box->high[a] - box->low[a]) * parts[a] + 1;
+    maps[a] = axisMap(box->low[a], field.size[a], parts[a], box->high[a]);
+    nodeSpacing_mm[a] = grid.spacing_mm[a] / parts[a];
+    nodeFromIndex.linear.column[a] = nodeFromIndex.linear.column[a] * parts[a];
+    nodeFromIndex.offset[a] = -double(box->low[a]) * parts[a];
+  }
+  field.nodeFromPatient = nodeFromIndex * grid.indexFromPatient();
+  const std::size_t nodes = field.offset(0, 0, field.size[2]);
+
+  // Most likely label of each node; between slices of unlike spacing this is a linear blend of their outlines.
+  std::vector<std::uint8_t> nodeLabel(nodes);
+  field.ctDeviation.resize(nodes);
+  const auto mean = meanHuByLabel(ct, labels);
+  tbb::parallel_for(0, field.size[2], [&](int k) {
+    for (int j = 0; j < field.size[1]; ++j)
+      for (int i = 0; i < field.size[0]; ++i) {
+        std::array<float, kLabelCount> weight{};
+        float deviation = 0;
+        visitCorners(maps, i, j, k, [&](int x, int y, int z, float w) {
+          const std::size_t v = grid.offset(x, y, z);
+          const int label = knownLabel(labels.voxels[v]);
+          weight[label] += w;
+          deviation += w * static_cast<float>(std::clamp(ct.voxels[v] - mean[label], -300.0, 300.0));
+        });
+        const std::size_t n = field.offset(i, j, k);
+        nodeLabel[n] = static_cast<std::uint8_t>(std::max_element(weight.begin(), weight.end()) - weight.begin());
+        field.ctDeviation[n] = static_cast<std::int16_t>(std::lround(deviation));
+      }
+  });
+
+  std::array<bool, kLabelCount> present{};
+  for (const std::uint8_t label : nodeLabel) present[label] = true;
+  for (int l = 0; l < kLabelCount; ++l)
+    if (present[l]) {
+      if (l == kBackground) field.backgroundChannel = field.channels;
+      field.label[field.channels++] = static_cast<std::uint8_t>(l);
+    }
+
+  Vec3 smoothing_mm;
+  for (int a = 0; a < 3; ++a) smoothing_mm[a] = std::min(0.25 + 0.6 * grid.spacing_mm[a], 1.6);
+  if (!signedDistances(nodeLabel, nodeSpacing_mm, smoothing_mm, field, progress)) return fail(std::string(kCancelled));
+  return field;
+}
+
+}  // namespace insonate

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <insonate/core/Progress.h>
+#include <insonate/core/Transform.h>
+#include <insonate/image/Volume.h>
+#include <insonate/tissue/Labels.h>
+#include <insonate/ultrasound/AcousticScene.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace insonate {
+
+/// Smooth signed distances to every structure on a fine, nearly isotropic lattice that contains the voxel centres of
+/// the label map, so that boundaries show no voxel stairs and need no normals. One channel a structure present,
+/// channels of a node side by side in memory, so that one trilinear look-up fetches all of them.
+struct TissueField {
+  static constexpr int kStride = 16;          ///< channels a node has room for
+  static constexpr double kUnitsPerMm = 256;  ///< of the stored distances
+  static constexpr double kReach_mm = 6;      ///< distances are cut off here
+
+  std::array<int, 3> size{};                  ///< nodes
+  Transform nodeFromPatient;                  ///< continuous node index of a patient point
+  int channels = 0;                           ///< structures present
+  std::array<std::uint8_t, kStride> label{};  ///< of each channel
+  int backgroundChannel = -1;                 ///< channel of label 0, or -1
+  std::vector<std::int16_t> distance;         ///< [node][kStride], negative inside, 1/256 mm
+  std::vector<std::int16_t> ctDeviation;      ///< [node], HU above the structure's mean
+
+  std::size_t offset(int i, int j, int k) const { return (std::size_t(k) * size[1] + j) * size[0] + i; }
+};
+
+/// Mean HU of each label over the whole case.
+std::array<double, kLabelCount> meanHuByLabel(const CtVolume& ct, const LabelMap& labels);
+
+/// Unknown labels count as soft tissue. Empty when the region misses the volume.
+Result<TissueField> makeTissueField(const CtVolume& ct, const LabelMap& labels, const Region& region,
+                                    const Progress& progress);
+
+}  // namespace insonate
