@@ -58,7 +58,7 @@ Result<AcousticTable> readTable(const json& file) {
   if (auto ok = checkRemarks(file); !ok) return tl::unexpected(ok.error());
   auto table = baseOf(file);
   if (!table) return table;
-  if (file.contains("name")) table->name = file["name"].get<std::string>();
+  table->name = file.value("name", "");
   const bool complete = !file.contains("base");
   const json tissues = file.value("tissues", json::array());
   if (!tissues.is_array()) return fail("\"tissues\" must be a list [ ... ].");

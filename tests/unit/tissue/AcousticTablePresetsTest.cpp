@@ -37,11 +37,11 @@ TEST(AcousticTablePresets, NeckComesFirst) {
 
 class EveryPreset : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Presets, EveryPreset, testing::ValuesIn(acousticPresetNames()),
-                         [](const auto& preset) { return preset.param; });
+                         [](const auto& test) { return test.param; });
 
 TEST_P(EveryPreset, SaysValueRangeAndSourceOfEveryNumber) {
   const json file = presetFile(GetParam());
-  std::set<std::string> used;
+  std::string allSources;
   int numbers = 0;
   visitNumbers(file.at("tissues"), "", [&](const json& number, const std::string& where) {
     ++numbers;
@@ -52,11 +52,10 @@ TEST_P(EveryPreset, SaysValueRangeAndSourceOfEveryNumber) {
     const std::string source = number.at("source").get<std::string>();
     const std::string citation = source.substr(0, source.find(':'));
     EXPECT_TRUE(file.at("sources").contains(citation)) << where << " cites '" << citation << "'";
-    used.insert(citation);
+    allSources += source + '\n';
   });
   EXPECT_GT(numbers, 10);
-  for (const auto& [name, citation] : file.at("sources").items())
-    EXPECT_TRUE(used.contains(name)) << "nothing cites " << name;
+  for (const auto& [name, citation] : file.at("sources").items()) EXPECT_THAT(allSources, testing::HasSubstr(name));
 }
 
 TEST_P(EveryPreset, ListsEachLabelAtMostOnceByItsName) {
@@ -104,7 +103,7 @@ TEST(AcousticTablePresets, BloodAirAndBoneDoNotFollowTheCt) {
 }
 
 TEST(AcousticTablePresets, ArteryHasIntimaMediaAndAdventitia) {
-  const auto& layers = preset("neck").of(kArtery).layers;
+  const auto layers = preset("neck").of(kArtery).layers;
   ASSERT_EQ(layers.size(), 3u);
   EXPECT_LE(layers[0].to_mm, layers[1].from_mm);
   EXPECT_LE(layers[1].to_mm, layers[2].from_mm);
