@@ -79,25 +79,44 @@ void smoothAlong(const Lattice& g, int axis, double sd_mm, std::vector<float>& v
   forRows(g, [&](int j, int k, std::size_t row) {
     float* out = scratch.data() + row;
     std::fill_n(out, g.size[0], 0.0F);
+    thread_local std::vector<float> padded;
+    if (axis == 0) {
+      padded.resize(g.size[0] + 2 * radius);
+      for (int i = 0; i < g.size[0] + 2 * radius; ++i)
+        padded[i] = values[row + std::clamp(i - radius, 0, g.size[0] - 1)];
+    }
     for (int o = -radius; o <= radius; ++o) {
-      const float w = weight[o + radius];
-      if (axis == 0) {
-        for (int i = 0; i < g.size[0]; ++i) out[i] += w * values[row + std::clamp(i + o, 0, g.size[0] - 1)];
-        continue;
-      }
       const int here = axis == 1 ? j : k;
-      const int there = std::clamp(here + o, 0, g.size[axis] - 1);
-      const float* in = values.data() + row + std::ptrdiff_t(there - here) * std::ptrdiff_t(g.step[axis]);
+      const int there = axis == 0 ? 0 : std::clamp(here + o, 0, g.size[axis] - 1) - here;
+      const float* in = axis == 0 ? padded.data() + o + radius
+                                  : values.data() + row + std::ptrdiff_t(there) * std::ptrdiff_t(g.step[axis]);
+      const float w = weight[o + radius];
       for (int i = 0; i < g.size[0]; ++i) out[i] += w * in[i];
     }
   });
   values.swap(scratch);
 }
 
+/// The smoothest outline that stays within half a voxel of the label map's: what a voxel does not resolve may be
+/// rounded, what it does may not. (Constrained elastic surface nets, S. F. Gibson 1998, on distances.)
+void roundStairs(const Lattice& g, Vec3 sd_mm, float freedom_mm, std::vector<float>& d, std::vector<float>& scratch) {
+  constexpr int kRounds = 4;
+  const std::vector<float> original = d;
+  for (int round = 0; round < kRounds; ++round) {
+    for (int axis = 0; axis < 3; ++axis) smoothAlong(g, axis, sd_mm[axis], d, scratch);
+    forRows(g, [&](int, int, std::size_t row) {
+      for (std::size_t n = row; n < row + g.size[0]; ++n)
+        d[n] = std::clamp(d[n], original[n] - freedom_mm, original[n] + freedom_mm);
+    });
+  }
+  // The clamp leaves creases of its own.
+  for (int axis = 0; axis < 3; ++axis) smoothAlong(g, axis, 0.6 * sd_mm[axis], d, scratch);
+}
+
 }  // namespace
 
 bool signedDistances(const std::vector<std::uint8_t>& nodeLabel, Vec3 nodeSpacing_mm, Vec3 smoothing_mm,
-                     TissueField& field, const Progress& progress) {
+                     float freedom_mm, TissueField& field, const Progress& progress) {
   const Lattice g{
       field.size, {1, std::size_t(field.size[0]), std::size_t(field.size[0]) * field.size[1]}, nodeSpacing_mm};
   const std::size_t nodes = nodeLabel.size();
@@ -121,7 +140,7 @@ bool signedDistances(const std::vector<std::uint8_t>& nodeLabel, Vec3 nodeSpacin
     std::vector<float>& d = outside[c];
     for (std::size_t n = 0; n < nodes; ++n)
       d[n] = nodeLabel[n] == field.label[c] ? half - std::sqrt(inside2[n]) : std::sqrt(d[n]) - half;
-    for (int axis = 0; axis < 3; ++axis) smoothAlong(g, axis, smoothing_mm[axis], d, a);
+    roundStairs(g, smoothing_mm, freedom_mm, d, a);
     for (std::size_t n = 0; n < nodes; ++n)
       field.distance[n * TissueField::kStride + c] = static_cast<std::int16_t>(std::lround(d[n] * unit));
     d = {};

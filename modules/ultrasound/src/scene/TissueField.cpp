@@ -145,8 +145,11 @@ Result<TissueField> makeTissueField(const CtVolume& ct, const LabelMap& labels, 
     }
 
   Vec3 smoothing_mm;
-  for (int a = 0; a < 3; ++a) smoothing_mm[a] = std::min(0.25 + 0.6 * grid.spacing_mm[a], 1.6);
-  if (!signedDistances(nodeLabel, nodeSpacing_mm, smoothing_mm, field, progress)) return fail(std::string(kCancelled));
+  for (int a = 0; a < 3; ++a) smoothing_mm[a] = std::min(1.2 * grid.spacing_mm[a], 2.0);
+  const Vec3 sp = grid.spacing_mm;
+  const double middle_mm = std::max(std::min(sp.x, sp.y), std::min(std::max(sp.x, sp.y), sp.z));
+  if (!signedDistances(nodeLabel, nodeSpacing_mm, smoothing_mm, static_cast<float>(0.5 * middle_mm), field, progress))
+    return fail(std::string(kCancelled));
   return field;
 }
 
