@@ -1,0 +1,69 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/core/Progress.h>
+#include <insonate/tissue/AcousticTable.h>
+#include <insonate/ultrasound/AcousticScene.h>
+#include <insonate/ultrasound/Display.h>
+#include <insonate/ultrasound/Engine.h>
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// Everything but patient and pose that decides what a picture looks like.
+struct ImagingSetup {
+  Probe probe;
+  ImagingSettings settings;
+  AcousticTable tissues;
+  std::string engine = "cpu";  ///< one of engineNames()
+};
+
+/// One picture with what led to it.
+struct ImagingFrame {
+  struct Stage {
+    std::string name;
+    double ms = 0;  ///< the engine's are summed over threads
+  };
+  EnvelopeFrame envelope;
+  BModeImage image;
+  std::vector<Stage> stages;
+  double frame_ms = 0;  ///< from pose to picture, on the clock
+};
+
+/// From scene and pose to picture: the engine and the display of one setup. Not for concurrent use of one object; uses
+/// the calling thread's TBB arena.
+class Imager {
+ public:
+  /// Fails on an unknown engine and on a probe or settings out of range.
+  static Result<Imager> make(const ImagingSetup& setup);
+
+  /// Allocates nothing once `frame` has been used before. `patientFromProbe` is rigid (see ProbePose.h).
+  void render(const AcousticScene& scene, const Transform& patientFromProbe, ImagingFrame& frame);
+
+ private:
+  Imager(std::unique_ptr<Engine> engine, Display display) : engine_(std::move(engine)), display_(std::move(display)) {}
+  std::unique_ptr<Engine> engine_;
+  Display display_;
+};
+
+/// Consecutive poses that share one scene.
+struct SceneRun {
+  Region region;
+  std::size_t first = 0, count = 0;
+};
+
+/// Splits a path so that no scene has to cover much more than its frames need.
+std::vector<SceneRun> sceneRuns(const ImagingSetup& setup, std::span<const Transform> path);
+
+/// The part of the patient that a region needs. Fails on a region that misses the patient's volume.
+Result<std::shared_ptr<const AcousticScene>> makeScene(const PatientCase& patient, const ImagingSetup& setup,
+                                                       const Region& region, const Progress& progress = {});
+
+/// Fails, naming the pose, where a frame would miss the patient's volume altogether.
+Result<void> checkReach(const PatientCase& patient, const ImagingSetup& setup, std::span<const Transform> path);
+
+}  // namespace insonate

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/core/Transform.h>
+
+#include <string_view>
+#include <vector>
+
+namespace insonate {
+
+/// patientFromProbe of a face centred at `position_mm` (patient LPS): z along `axial`, x along the part of `lateral` at
+/// right angles to it, y = axial x lateral (elevation). Directions of any length. Fails on values that are not finite,
+/// zero directions, and directions within 1 degree of parallel.
+Result<Transform> patientFromProbe(Vec3 position_mm, Vec3 axial, Vec3 lateral);
+
+/// The inverse of patientFromProbe, for showing and storing a pose.
+StartPose poseOf(const Transform& patientFromProbe);
+
+/// Where a probe is to be put, once or along a path.
+struct PosePath {
+  std::vector<Transform> patientFromProbe;  ///< at least one
+  bool isPath = false;                      ///< given as a list, even one of a single pose
+};
+
+/// What a user types: "auto" (see autoStartPose), the name of one of the case's start poses, inline JSON, or a JSON
+/// file. JSON is {"position_mm": [x, y, z], "axial": [x, y, z], "lateral": [x, y, z]} in patient LPS, a list of such
+/// objects, or {"poses": [...]}. Fails with a sentence that names the pose and the field.
+Result<PosePath> readPoses(std::string_view text, const PatientCase& patient);
+
+}  // namespace insonate

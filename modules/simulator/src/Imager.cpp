@@ -1,0 +1,122 @@
+#include <insonate/simulator/Imager.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace insonate {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+Region united(const Region& a, const Region& b) {
+  Region sum = a;
+  for (int axis = 0; axis < 3; ++axis) {
+    sum.low_mm[axis] = std::min(a.low_mm[axis], b.low_mm[axis]);
+    sum.high_mm[axis] = std::max(a.high_mm[axis], b.high_mm[axis]);
+  }
+  return sum;
+}
+
+double volumeOf(const Region& region) {
+  const Vec3 edge = region.high_mm - region.low_mm;
+  return edge.x * edge.y * edge.z;
+}
+
+/// Of the volume's outermost voxels, half a voxel around their centres included.
+Region boundsOf(const VolumeGeometry& geometry) {
+  const Transform patientFromIndex = geometry.patientFromIndex();
+  Region bounds{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec3 index;
+    for (int axis = 0; axis < 3; ++axis) index[axis] = corner >> axis & 1 ? geometry.size[axis] - 0.5 : -0.5;
+    const Vec3 point_mm = patientFromIndex * index;
+    bounds = united(bounds, {point_mm, point_mm});
+  }
+  return bounds;
+}
+
+std::string rounded(Vec3 v) {
+  const auto one = [](double x) { return std::abs(x) < 1e9 ? std::to_string(std::lround(x)) : std::string("huge"); };
+  return std::string("(") + one(v.x) + ", " + one(v.y) + ", " + one(v.z) + ")";
+}
+
+}  // namespace
+
+Result<Imager> Imager::make(const ImagingSetup& setup) {
+  if (auto ok = validate(setup.probe); !ok) return tl::unexpected(ok.error());
+  if (auto ok = validate(setup.settings, setup.probe); !ok) return tl::unexpected(ok.error());
+  auto engine = makeEngine(setup.engine);
+  if (!engine) return tl::unexpected(engine.error());
+  (*engine)->prepare(setup.probe, setup.settings);
+  return Imager(std::move(*engine), Display(setup.probe, setup.settings));
+}
+
+void Imager::render(const AcousticScene& scene, const Transform& patientFromProbe, ImagingFrame& frame) {
+  const auto start = Clock::now();
+  engine_->render(scene, patientFromProbe, frame.envelope);
+  display_.process(frame.envelope, frame.image);
+  frame.frame_ms = millisecondsSince(start);
+
+  const Display::Stages_ms& display = display_.stages();
+  const auto& engine = engine_->stages();
+  frame.stages.resize(engine.size() + 4);
+  auto stage = frame.stages.begin();
+  const auto put = [&stage](std::string_view name, double ms) {
+    stage->name = name;
+    stage++->ms = ms;
+  };
+  for (const Engine::Stage& of : engine) put(of.name, of.ms);
+  put("compound", display.compound);
+  put("compress", display.compress);
+  put("smooth", display.smooth);
+  put("scan_convert", display.scanConvert);
+}
+
+std::vector<SceneRun> sceneRuns(const ImagingSetup& setup, std::span<const Transform> path) {
+  std::vector<SceneRun> runs;
+  double largest_mm3 = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const Region needed = regionOf(setup.probe, setup.settings, path[i]);
+    if (!runs.empty()) {
+      SceneRun& run = runs.back();
+      const Region both = united(run.region, needed);
+      largest_mm3 = std::max(largest_mm3, volumeOf(needed));
+      if (volumeOf(both) <= 2 * largest_mm3) {
+        run.region = both;
+        ++run.count;
+        continue;
+      }
+    }
+    largest_mm3 = volumeOf(needed);
+    runs.push_back({needed, i, 1});
+  }
+  return runs;
+}
+
+Result<std::shared_ptr<const AcousticScene>> makeScene(const PatientCase& patient, const ImagingSetup& setup,
+                                                       const Region& region, const Progress& progress) {
+  return AcousticScene::make(patient.ct, patient.labels, setup.tissues, region, progress);
+}
+
+Result<void> checkReach(const PatientCase& patient, const ImagingSetup& setup, std::span<const Transform> path) {
+  const Region bounds_mm = boundsOf(patient.labels.geometry);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const Region needed_mm = regionOf(setup.probe, setup.settings, path[i]);
+    bool meets = true;
+    for (int axis = 0; axis < 3; ++axis)
+      meets =
+          meets && needed_mm.low_mm[axis] < bounds_mm.high_mm[axis] && needed_mm.high_mm[axis] > bounds_mm.low_mm[axis];
+    if (!meets)
+      return fail("Pose " + std::to_string(i) + " at " + rounded(path[i].offset) +
+                  " mm sees nothing of the case, whose volume reaches from " + rounded(bounds_mm.low_mm) + " to " +
+                  rounded(bounds_mm.high_mm) + " mm (patient LPS); move it there, or use auto.");
+  }
+  return {};
+}
+
+}  // namespace insonate
