@@ -1,0 +1,20 @@
+#pragma once
+
+#include "SeriesGroups.h"
+
+#include <insonate/core/Progress.h>
+#include <insonate/core/Result.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// Decodes every slice of a series, in its order, to HU: slope and intercept of each slice, padding and everything
+/// below -1024 to -1024. Fails on pixels that are missing, cut off or of a kind a CT does not have; notes what it
+/// changed.
+Result<std::vector<std::int16_t>> readSlices(const DicomSeries& series, std::vector<std::string>& notes,
+                                             const Progress& progress);
+
+}  // namespace insonate

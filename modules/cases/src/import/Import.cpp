@@ -1,0 +1,143 @@
+#include "../files/Hounsfield.h"
+#include "DerivedUid.h"
+#include "DicomPixels.h"
+#include "InputScan.h"
+
+#include <insonate/cases/Import.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+
+namespace insonate {
+namespace fs = std::filesystem;
+namespace {
+
+std::string sizeText(const VolumeGeometry& g) {
+  std::array<char, 120> text;
+  std::snprintf(text.data(), text.size(), "%dx%dx%d voxels of %.4gx%.4gx%.4g mm", g.size[0], g.size[1], g.size[2],
+                g.spacing_mm.x, g.spacing_mm.y, g.spacing_mm.z);
+  return text.data();
+}
+
+SeriesListing listingOf(const InputScan& scan) {
+  SeriesListing listing;
+  for (const FoundSeries& found : scan.series) listing.series.push_back(found.info);
+  listing.setAside = scan.setAside;
+  return listing;
+}
+
+Result<const FoundSeries*> choose(const InputScan& scan, const fs::path& input, const std::string& uid) {
+  const std::string list = "\n" + describe(listingOf(scan));
+  if (!uid.empty()) {
+    const auto found = std::ranges::find_if(scan.series, [&](const FoundSeries& f) { return f.info.uid == uid; });
+    if (found == scan.series.end()) return fail(input.string() + " holds no series " + uid + ". It holds:" + list);
+    return &*found;
+  }
+  std::vector<const FoundSeries*> importable;
+  for (const FoundSeries& found : scan.series)
+    if (found.info.refusal.empty()) importable.push_back(&found);
+  if (importable.size() == 1) return importable.front();
+  if (importable.size() > 1)
+    return fail(input.string() + " holds " + std::to_string(importable.size()) +
+                " series; name the one to import. It holds:" + list);
+  if (scan.series.size() == 1) return &scan.series.front();
+  return fail(input.string() + " holds nothing that can be imported." + (list.size() > 1 ? list : ""));
+}
+
+CtVolume assemble(const StackPlan& plan, const SliceStack& stack, std::vector<std::int16_t> slices) {
+  if (plan.resample) return resampleStack(plan, stack, slices);
+  CtVolume ct;
+  ct.geometry = plan.grid;
+  ct.voxels = std::move(slices);
+  return ct;
+}
+
+Result<CtVolume> read(const DicomSeries& series, std::vector<std::string>& notes, const Progress& progress) {
+  auto slices = readSlices(series, notes, progress);
+  if (!slices) return tl::unexpected(slices.error());
+  return assemble(series.plan, series.stack, std::move(*slices));
+}
+
+Result<CtVolume> read(const VolumeSeries& series, const SeriesInfo& info, std::vector<std::string>& notes) {
+  const auto raw = readVolumeFile(series.file);
+  if (!raw) return tl::unexpected(raw.error());
+  if (!series.stack) return toHounsfield(*raw, info.geometry, notes);
+  VolumeGeometry asStored;
+  asStored.size = raw->size;
+  auto stored = toHounsfield(*raw, asStored, notes);
+  if (!stored) return stored;
+  const std::size_t sliceSize = static_cast<std::size_t>(raw->size[0]) * raw->size[1];
+  std::vector<std::int16_t> ordered;
+  ordered.reserve(stored->voxels.size());
+  for (const int n : series.plan.order) {
+    const auto slice = stored->voxels.begin() + static_cast<std::ptrdiff_t>(n * sliceSize);
+    ordered.insert(ordered.end(), slice, slice + static_cast<std::ptrdiff_t>(sliceSize));
+  }
+  return assemble(series.plan, *series.stack, std::move(ordered));
+}
+
+/// Slices lost at an end of the stack leave no gap; only the damaged files tell.
+void warnOfDamagedFiles(const InputScan& scan, std::vector<std::string>& warnings) {
+  const auto damaged =
+      std::ranges::count_if(scan.setAside, [](const SetAside& s) { return s.reason.starts_with("DICOM that is"); });
+  if (damaged > 0)
+    warnings.push_back(std::to_string(damaged) +
+                       " DICOM files could not be read; slices at the ends of the volume may be missing.");
+}
+
+}  // namespace
+
+std::string describe(const SeriesListing& listing) {
+  std::string text;
+  for (const SeriesInfo& s : listing.series) {
+    text += "  " + s.uid + "  " + (s.modality.empty() ? "-" : s.modality) + "  " + sizeText(s.geometry) + "\n";
+    for (const std::string& warning : s.warnings) text += "    note: " + warning + "\n";
+    if (!s.refusal.empty()) text += "    cannot be imported: " + s.refusal + "\n";
+  }
+  std::map<std::string, std::pair<int, std::string>> reasons;
+  for (const SetAside& s : listing.setAside) {
+    auto& [count, example] = reasons[s.reason];
+    if (count++ == 0) example = s.file.filename().string();
+  }
+  for (const auto& [reason, files] : reasons)
+    text += "  set aside: " +
+            (files.first == 1 ? files.second : std::to_string(files.first) + " files, e.g. " + files.second) + ": " +
+            reason + "\n";
+  if (!text.empty()) text.pop_back();
+  return text;
+}
+
+Result<SeriesListing> listSeries(const fs::path& input, const Progress& progress) {
+  const auto scan = scanInput(input, progress);
+  if (!scan) return tl::unexpected(scan.error());
+  const SeriesListing listing = listingOf(*scan);
+  if (listing.series.empty()) return fail(input.string() + " holds no picture series.\n" + describe(listing));
+  report(progress, "Looking at files", 1);
+  return listing;
+}
+
+Result<ImportedCt> importSeries(const fs::path& input, const std::string& uid, const Progress& progress) {
+  const auto scan = scanInput(input, progress);
+  if (!scan) return tl::unexpected(scan.error());
+  const auto chosen = choose(*scan, input, uid);
+  if (!chosen) return tl::unexpected(chosen.error());
+  const FoundSeries& found = **chosen;
+  if (!found.info.refusal.empty())
+    return fail("The series " + found.info.uid + " cannot be imported: " + found.info.refusal);
+  ImportedCt imported{{}, found.info, {}};
+  auto& warnings = imported.series.warnings;
+  const DicomSeries* dicom = std::get_if<DicomSeries>(&found.data);
+  if (dicom) warnOfDamagedFiles(*scan, warnings);
+  auto ct = dicom ? read(*dicom, warnings, progress) : read(std::get<VolumeSeries>(found.data), found.info, warnings);
+  if (!ct) return tl::unexpected(ct.error());
+  imported.ct = std::move(*ct);
+  imported.source = dicom ? "Imported from a DICOM CT series of " + std::to_string(dicom->slices.size()) +
+                                " slices; its UID was replaced by " + derivedUid(dicom->uid) + "."
+                          : "Imported from a volume file.";
+  report(progress, "Reading slices", 1);
+  return imported;
+}
+
+}  // namespace insonate

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "../files/VolumeFile.h"
+#include "SeriesGroups.h"
+
+#include <insonate/cases/Import.h>
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace insonate {
+
+/// A volume file as a series; `stack` is set where its slices must be resampled to an orthogonal grid.
+struct VolumeSeries {
+  std::filesystem::path file;
+  std::optional<SliceStack> stack;
+  StackPlan plan;
+};
+
+/// A listed series and what is needed to read it.
+struct FoundSeries {
+  SeriesInfo info;
+  std::variant<DicomSeries, VolumeSeries> data;
+};
+
+struct InputScan {
+  std::vector<FoundSeries> series;
+  std::vector<SetAside> setAside;
+};
+
+/// Reads the headers of a folder with its subfolders, or of one file. Fails on a missing or unreadable input.
+Result<InputScan> scanInput(const std::filesystem::path& input, const Progress& progress);
+
+}  // namespace insonate

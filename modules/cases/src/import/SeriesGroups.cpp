@@ -1,0 +1,222 @@
+#include "SeriesGroups.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace insonate {
+namespace {
+
+using Slices = std::vector<DicomSlice>;
+
+/// Rounding noise stays below this; gantry positions of one scan that differ by more are separate stacks.
+constexpr double kSameOrientation = 0.0087;  // half a degree, as a chord of the unit circle
+
+bool placed(const DicomSlice& s) {
+  return s.position_mm && s.orientation && s.pixelSpacing_mm;
+}
+
+bool sameKind(const DicomSlice& a, const DicomSlice& b) {
+  if (a.modality != b.modality || a.studyUid != b.studyUid || a.frameOfReferenceUid != b.frameOfReferenceUid)
+    return false;
+  if (a.columns != b.columns || a.rows != b.rows || placed(a) != placed(b)) return false;
+  if (!placed(a)) return true;
+  for (int axis = 0; axis < 2; ++axis) {
+    if (std::abs((*a.pixelSpacing_mm)[axis] - (*b.pixelSpacing_mm)[axis]) > 1e-3 * (*a.pixelSpacing_mm)[axis])
+      return false;
+    if (norm((*a.orientation)[axis] - (*b.orientation)[axis]) > kSameOrientation) return false;
+  }
+  return true;
+}
+
+std::vector<Slices> splitByKind(const Slices& slices) {
+  std::vector<Slices> parts;
+  for (const DicomSlice& s : slices) {
+    const auto home = std::ranges::find_if(parts, [&](const Slices& part) { return sameKind(part.front(), s); });
+    if (home == parts.end())
+      parts.push_back({s});
+    else
+      home->push_back(s);
+  }
+  return parts;
+}
+
+SliceStack stackOf(const Slices& slices) {
+  const DicomSlice& first = slices.front();
+  SliceStack stack;
+  stack.columns = first.columns;
+  stack.rows = first.rows;
+  stack.spacing_mm = {(*first.pixelSpacing_mm)[1], (*first.pixelSpacing_mm)[0]};
+  stack.thickness_mm = first.thickness_mm.value_or(0);
+  Vec3 i, j;
+  for (const DicomSlice& s : slices) {
+    i = i + (*s.orientation)[0];
+    j = j + (*s.orientation)[1];
+    stack.positions_mm.push_back(*s.position_mm);
+  }
+  stack.direction = {normalized(i), normalized(j)};
+  return stack;
+}
+
+/// Groups of slices at one place, in the order of the first of each.
+std::vector<Slices> byPlace(const Slices& slices) {
+  if (slices.empty()) return {};
+  const Vec3 normal = cross((*slices[0].orientation)[0], (*slices[0].orientation)[1]);
+  Slices sorted = slices;
+  std::ranges::stable_sort(sorted, {}, [&](const DicomSlice& s) { return dot(*s.position_mm, normal); });
+  std::vector<Slices> places;
+  for (const DicomSlice& s : sorted) {
+    const bool same =
+        !places.empty() && std::abs(dot(*s.position_mm - *places.back().front().position_mm, normal)) < kSamePlace_mm;
+    if (!same) places.emplace_back();
+    places.back().push_back(s);
+  }
+  return places;
+}
+
+bool hasDuplicates(const Slices& slices) {
+  return byPlace(slices).size() != slices.size();
+}
+
+Slices withoutCopies(const Slices& slices, std::vector<std::string>& warnings) {
+  std::set<std::string> seen;
+  Slices unique;
+  for (const DicomSlice& s : slices)
+    if (s.sopUid.empty() || seen.insert(s.sopUid).second) unique.push_back(s);
+  const std::size_t copies = slices.size() - unique.size();
+  if (copies > 0)
+    warnings.push_back(std::to_string(copies) + (copies == 1 ? " slice is" : " slices are") +
+                       " there twice (same SOP Instance UID); the copies were ignored.");
+  return unique;
+}
+
+/// By acquisition where that explains duplicates or uneven spacing; empty when it does not.
+std::vector<Slices> splitByAcquisition(const Slices& slices) {
+  std::map<int, Slices> byNumber;
+  for (const DicomSlice& s : slices) byNumber[s.acquisition.value_or(0)].push_back(s);
+  std::vector<Slices> parts;
+  for (auto& [number, part] : byNumber) {
+    if (part.size() < 2 || hasDuplicates(part) || !isRegular(stackOf(part))) return {};
+    parts.push_back(std::move(part));
+  }
+  return parts.size() > 1 ? parts : std::vector<Slices>{};
+}
+
+/// Phases of one scan under one UID: every place is there equally often; the n-th by instance number is phase n.
+std::vector<Slices> splitByPhase(const Slices& slices) {
+  std::vector<Slices> places = byPlace(slices);
+  const std::size_t phases = places.front().size();
+  std::vector<Slices> parts(phases);
+  for (Slices& place : places) {
+    if (place.size() != phases) return {};
+    std::ranges::stable_sort(place, {}, [](const DicomSlice& s) { return s.instance.value_or(0); });
+    for (std::size_t p = 0; p < phases; ++p) parts[p].push_back(place[p]);
+  }
+  return parts;
+}
+
+struct Part {
+  Slices slices;
+  std::vector<std::string> warnings;
+  std::string refusal;
+};
+
+std::vector<Part> partsOf(const Slices& kind) {
+  if (!placed(kind.front())) return {{kind, {}, {}}};
+  std::vector<std::string> warnings;
+  const Slices slices = withoutCopies(kind, warnings);
+  const bool duplicates = hasDuplicates(slices);
+  if (!duplicates && isRegular(stackOf(slices))) return {{slices, warnings, {}}};
+  std::vector<Slices> split = splitByAcquisition(slices);
+  if (split.empty() && duplicates) split = splitByPhase(slices);
+  if (split.empty() && duplicates) {
+    const std::size_t places = byPlace(slices).size();
+    return {{slices, warnings,
+             std::to_string(slices.size() - places) +
+                 " slices are at the place of another one and nothing tells them apart. Export one series only."}};
+  }
+  if (split.empty()) return {{slices, warnings, {}}};
+  std::vector<Part> parts;
+  for (Slices& s : split) parts.push_back({std::move(s), warnings, {}});
+  return parts;
+}
+
+std::string whyNot(const DicomSlice& s) {
+  if (s.modality != "CT")
+    return "It is " + (s.modality.empty() ? std::string("of unknown modality") : s.modality) +
+           ", not CT; its values are not Hounsfield units.";
+  if (s.columns < 1 || s.rows < 1) return "Its slices say no size (Rows, Columns).";
+  if (!s.pixelSpacing_mm)
+    return "Its slices have no Pixel Spacing, so nothing in them can be measured. Export the original series.";
+  if (!((*s.pixelSpacing_mm)[0] > 0 && (*s.pixelSpacing_mm)[1] > 0)) return "Its Pixel Spacing is not above 0.";
+  if (!s.position_mm || !s.orientation)
+    return "Its slices do not say where they lie (Image Position and Orientation). Export the original series.";
+  const auto& [i, j] = *s.orientation;
+  if (!(std::abs(norm(i) - 1) < 0.01 && std::abs(norm(j) - 1) < 0.01))
+    return "The Image Orientation of its slices is no pair of unit vectors.";
+  return {};
+}
+
+void addWarnings(DicomSeries& series) {
+  const DicomSlice& first = series.slices.front();
+  const double spacing_mm = series.plan.grid.spacing_mm.z;
+  if (series.slices.size() > 1 && first.thickness_mm && *first.thickness_mm > 0) {
+    const double ratio = *first.thickness_mm / spacing_mm;
+    if (ratio < 0.67)
+      series.warnings.push_back("The slices are much thinner than their distance: structures between them are unseen.");
+    else if (ratio > 2.1)
+      series.warnings.push_back(
+          "The slices are much thicker than their distance: fine detail along the stack is blurred.");
+  }
+  if (std::ranges::any_of(series.slices, [](const DicomSlice& s) { return !s.slope || !s.intercept; }))
+    series.warnings.push_back("Slices lack Rescale Slope or Intercept; 1 and 0 are used. Air should be near -1000 HU.");
+  if (std::ranges::any_of(series.slices, &DicomSlice::burnedInText))
+    series.warnings.push_back("The pictures may have text burned in; check that it names nobody.");
+}
+
+DicomSeries finish(Part part, std::string uid) {
+  DicomSeries series{std::move(uid), part.slices.front().modality, {}, {}, {}, std::move(part.warnings), {}};
+  for (const DicomSlice& s : part.slices)
+    if (series.refusal.empty()) series.refusal = whyNot(s);
+  if (series.refusal.empty()) series.refusal = part.refusal;
+  if (series.refusal.empty()) {
+    series.stack = stackOf(part.slices);
+    series.plan = planStack(series.stack);
+    series.refusal = series.plan.refusal;
+    series.warnings.insert(series.warnings.end(), series.plan.warnings.begin(), series.plan.warnings.end());
+  }
+  if (!series.refusal.empty()) {
+    const DicomSlice& first = part.slices.front();
+    series.plan.grid.size = {std::max(first.columns, 1), std::max(first.rows, 1), static_cast<int>(part.slices.size())};
+    series.slices = std::move(part.slices);
+    return series;
+  }
+  for (int n : series.plan.order) series.slices.push_back(part.slices[n]);
+  addWarnings(series);
+  return series;
+}
+
+}  // namespace
+
+std::vector<DicomSeries> groupSlices(const std::vector<DicomSlice>& slices) {
+  std::map<std::string, Slices> byUid;
+  for (const DicomSlice& s : slices) byUid[s.seriesUid].push_back(s);
+  std::vector<DicomSeries> series;
+  for (const auto& [uid, all] : byUid) {
+    std::vector<Part> parts;
+    for (const Slices& kind : splitByKind(all))
+      for (Part& part : partsOf(kind)) parts.push_back(std::move(part));
+    std::ranges::stable_sort(parts, std::greater{}, [](const Part& p) { return p.slices.size(); });
+    const std::string name = uid.empty() ? "unnamed" : uid;
+    for (std::size_t n = 0; n < parts.size(); ++n) {
+      if (parts.size() > 1)
+        parts[n].warnings.push_back("One Series Instance UID holds " + std::to_string(parts.size()) +
+                                    " different stacks; this is number " + std::to_string(n + 1) + ".");
+      series.push_back(finish(std::move(parts[n]), n == 0 ? name : name + "#" + std::to_string(n + 1)));
+    }
+  }
+  return series;
+}
+
+}  // namespace insonate

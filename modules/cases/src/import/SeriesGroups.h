@@ -1,0 +1,26 @@
+#pragma once
+
+#include "DicomSlice.h"
+#include "StackPlan.h"
+
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// Slices that make one volume, in the order of the plan where there is one.
+struct DicomSeries {
+  std::string uid;  ///< Series Instance UID, with "#2" when one UID holds several stacks
+  std::string modality;
+  std::vector<DicomSlice> slices;
+  SliceStack stack;
+  StackPlan plan;
+  std::vector<std::string> warnings;  ///< the plan's included
+  std::string refusal;
+};
+
+/// Sorts slices into series. Series Instance UID alone is not trusted: slices of one UID that differ in study, frame of
+/// reference, size, pixel spacing or orientation, or that fill the same places twice, are told apart.
+std::vector<DicomSeries> groupSlices(const std::vector<DicomSlice>& slices);
+
+}  // namespace insonate
