@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
 
   Outcome outcome;
+  addPhantomCommand(app, outcome);
 
   try {
     app.parse(argc, argv);

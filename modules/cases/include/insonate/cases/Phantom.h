@@ -1,5 +1,6 @@
 #pragma once
 
+#include <insonate/cases/CtSynthesis.h>
 #include <insonate/cases/PatientCase.h>
 #include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
@@ -21,15 +22,11 @@ struct PhantomVariant {
 /// All variants, easiest first; the first is the default.
 std::span<const PhantomVariant> phantomVariants();
 
-/// What the built-in neck is synthesised with.
-struct PhantomOptions {
-  std::uint32_t seed = 1;  ///< same variant and options: same bytes, on any number of threads
-  bool contrast = false;   ///< iodine in the vessels of the CT
-};
-
 /// Builds a neck from hyoid to manubrium: labels from an analytic model, CT synthesised from them, targets in both
 /// internal jugular veins at the level of the cricoid, start poses over them. Uses all cores.
+/// Same variant, seed and contrast: same bytes, on any number of threads.
 /// Fails on an unknown variant (the sentence lists the known ones) and when cancelled.
-Result<PatientCase> makePhantom(std::string_view variant, const PhantomOptions& options, const Progress& progress = {});
+Result<PatientCase> makePhantom(std::string_view variant, std::uint32_t seed, const Progress& progress = {},
+                                CtContrast contrast = CtContrast::kNative);
 
 }  // namespace insonate

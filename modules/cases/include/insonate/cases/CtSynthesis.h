@@ -1,0 +1,27 @@
+#pragma once
+
+#include <insonate/core/Progress.h>
+#include <insonate/core/Result.h>
+#include <insonate/image/Volume.h>
+
+#include <cstdint>
+
+namespace insonate {
+
+/// Iodine in the vessels: none, or an arterial phase with early venous return.
+enum class CtContrast { kNative, kArterial };
+
+struct CtSynthesisOptions {
+  std::uint32_t seed = 1;
+  CtContrast contrast = CtContrast::kNative;
+  double noise_HU = 10;             ///< standard deviation of the scanner's noise; 0 to 200
+  double resolution_FWHM_mm = 0.9;  ///< full width at half maximum of the scanner's blur; 0 to 5
+};
+
+/// A CT (HU, int16) that a label map of insonate/tissue/Labels.h could have come from: mean HU and smooth texture per
+/// label, compact bone around trabecular, partial volume by a Gaussian blur, noise with a little correlation.
+/// Works on any grid. Same labels and options: same bytes, on any number of threads. Uses all cores.
+/// Fails on options outside their range, a grid that is none, and when cancelled.
+Result<CtVolume> synthesiseCt(const LabelMap& labels, const CtSynthesisOptions& options, const Progress& progress = {});
+
+}  // namespace insonate

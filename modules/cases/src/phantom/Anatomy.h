@@ -1,0 +1,55 @@
+#pragma once
+
+#include "Shapes.h"
+
+#include <string_view>
+#include <vector>
+
+namespace insonate::phantom {
+
+/// What distinguishes one neck from another. Lengths mm; arrays are {right, left}.
+struct NeckParameters {
+  double fat_mm = 4.2;
+  double veinWidth[2] = {1.0, 0.82};  ///< scale of the jugular vein's width
+  double veinHeight[2] = {1.0, 0.9};  ///< and of its height
+  double veinMedial_mm[2] = {0, 0};   ///< jugular vein pushed over the carotid
+  double veinForward_mm[2] = {0, 0};
+  double carotidScale = 1;
+  double bifurcation_z_mm = 31;   ///< above the cricoid
+  double headTurn_deg = 0;        ///< face toward the patient's left, at the top of the model
+  double sternomastoidScale = 1;  ///< thickness
+  double thyroidScale = 1;
+  double nodeScale = 1;
+};
+
+/// How a structure meets its neighbours. Organs claim space in the order of the list; muscles share what is left and
+/// are parted by fascia.
+enum class Kind { kOrgan, kArtery, kVein, kMuscle };
+
+struct Structure {
+  Label label = kSoftTissue;
+  Kind kind = Kind::kOrgan;
+  double sheath_mm = 0;  ///< soft tissue kept free around it
+  Shape shape;
+};
+
+/// The neck's structures, in order of precedence.
+std::vector<Structure> makeAnatomy(const NeckParameters& parameters, std::uint32_t seed);
+
+/// Centre of the internal jugular vein at a level; lateral, posterior (mm), half width, half height, turn (degrees).
+std::array<double, 5> jugularVeinAt(const NeckParameters& parameters, Side side, double z_mm);
+
+/// Front of the vertebral bodies, model y at level z.
+double vertebralFront_mm(double z_mm);
+/// Centre of the airway (larynx, then trachea), model y at level z.
+double airwayCentre_mm(double z_mm);
+
+// The regions that makeAnatomy is composed of; each appends its structures.
+void addSpine(std::vector<Structure>& into, std::uint32_t seed);
+void addGirdle(std::vector<Structure>& into, std::uint32_t seed);
+void addAirway(std::vector<Structure>& into, std::uint32_t seed);
+void addVessels(std::vector<Structure>& into, const NeckParameters& parameters, std::uint32_t seed);
+void addNervesAndGlands(std::vector<Structure>& into, const NeckParameters& parameters, std::uint32_t seed);
+void addMuscles(std::vector<Structure>& into, const NeckParameters& parameters, std::uint32_t seed);
+
+}  // namespace insonate::phantom

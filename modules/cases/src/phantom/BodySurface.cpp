@@ -1,0 +1,88 @@
+#include "BodySurface.h"
+
+#include "Curve.h"
+#include "Noise.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace insonate::phantom {
+namespace {
+
+constexpr int kTableSize = 1440;
+constexpr double kFullTurn = 2 * std::numbers::pi;
+
+/// Radius of the investing fascia (mm) every 22.5 degrees from front to back, by level. The front at +48 mm leaves
+/// under the chin, the sides below -20 mm run out into the shoulders.
+const Curve<9>& outline() {
+  static const Curve<9> kOutline{
+      {-64, {{56, 60, 74, 104, 140, 138, 112, 90, 80}}},      {-50, {{52, 57, 66, 92, 124, 126, 106, 86, 76}}},
+      {-40, {{49, 53, 59, 75, 100, 108, 96, 80, 72}}},        {-30, {{48, 51, 54.5, 62, 80, 91, 85, 74, 67}}},
+      {-20, {{47.5, 50.5, 51.5, 56, 66, 76, 75, 68, 63}}},    {-8, {{48, 51.2, 51.3, 54.6, 58.5, 65, 67, 63, 60}}},
+      {5, {{49, 51.6, 51.5, 54, 56.5, 60, 62.5, 60, 57.5}}},  {20, {{51, 51, 51.5, 52.5, 54.5, 58, 60, 58, 56}}},
+      {32, {{55, 54, 53.5, 53, 54.5, 58, 59.5, 57.5, 55.5}}}, {50, {{76, 70, 60, 55.5, 55.5, 58.5, 60, 58, 56}}}};
+  return kOutline;
+}
+
+double radiusAt(const std::array<double, 9>& radii, double angle) {
+  const double a = std::abs(angle) / (std::numbers::pi / 8);
+  const int k = std::min(static_cast<int>(a), 7);
+  const double t = a - k;
+  // The profile is even about front and back, so the neighbours beyond the ends are mirror images.
+  const auto at = [&](int n) { return radii[n < 0 ? -n : n > 8 ? 16 - n : n]; };
+  const double p0 = at(k - 1), p1 = at(k), p2 = at(k + 1), p3 = at(k + 2);
+  return p1 + 0.5 * t * (p2 - p0 + t * (2 * p0 - 5 * p1 + 4 * p2 - p3 + t * (3 * (p1 - p2) + p3 - p0)));
+}
+
+}  // namespace
+
+double BodySurface::layers_mm(double angle, double z_mm) const {
+  const Vec3 onSurface{50 * std::sin(angle) / 24, 50 * std::cos(angle) / 24, z_mm / 30};
+  const double uneven = 1 + 0.28 * smoothNoise(onSurface, options_.seed ^ 0x51a7U);
+  const double back = 0.5 * (1 - std::cos(angle));                            // thicker over the nape
+  const double chin = std::max(0.0, (z_mm - 15) / 35) * std::cos(angle / 2);  // and under the chin
+  const double fat = options_.fat_mm * uneven * (1 + 0.25 * back + 0.5 * chin);
+  return fat + kSkin_mm * (1 + 0.12 * smoothNoise(onSurface * 1.7, options_.seed ^ 0x77U));
+}
+
+BodySurface::Slice BodySurface::slice(double z_mm) const {
+  constexpr double kStep_mm = 0.5;
+  const auto here = outline()(z_mm), above = outline()(z_mm + kStep_mm), below = outline()(z_mm - kStep_mm);
+  Slice s;
+  s.radius_mm_.resize(kTableSize);
+  s.slant_.resize(kTableSize);
+  s.layers_mm_.resize(kTableSize);
+  for (int n = 0; n < kTableSize; ++n) {
+    const double angle = n * kFullTurn / kTableSize - std::numbers::pi, da = 0.01;
+    const double r = radiusAt(here, angle);
+    const double byAngle = (radiusAt(here, angle + da) - radiusAt(here, angle - da)) / (2 * da * r);
+    const double byLevel = (radiusAt(above, angle) - radiusAt(below, angle)) / (2 * kStep_mm);
+    s.radius_mm_[n] = r;
+    s.slant_[n] = 1 / std::sqrt(1 + byAngle * byAngle + byLevel * byLevel);
+    s.layers_mm_[n] = layers_mm(angle, z_mm);
+  }
+  return s;
+}
+
+double BodySurface::Slice::lookUp(const std::vector<double>& table, double angle) const {
+  const double a = (angle + std::numbers::pi) * (kTableSize / kFullTurn);
+  const int n = static_cast<int>(std::floor(a));
+  const double t = a - n;
+  const auto at = [&](int m) { return table[((m % kTableSize) + kTableSize) % kTableSize]; };
+  return at(n) * (1 - t) + at(n + 1) * t;
+}
+
+Site BodySurface::Slice::site(Vec3 p_mm) const {
+  Site s;
+  s.p_mm = p_mm;
+  const double front = kAxisY_mm - p_mm.y;
+  s.angle = std::atan2(-p_mm.x, front);
+  // First-order distance to the implicit surface radius(angle, z) = r.
+  const double inside = lookUp(radius_mm_, s.angle) - std::hypot(p_mm.x, front);
+  s.belowFascia_mm = inside * lookUp(slant_, s.angle);
+  s.belowSkin_mm = s.belowFascia_mm + lookUp(layers_mm_, s.angle);
+  return s;
+}
+
+}  // namespace insonate::phantom

@@ -1,0 +1,85 @@
+#include "NeckModel.h"
+
+#include "Noise.h"
+#include "SliceLabels.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <numbers>
+#include <string>
+
+namespace insonate::phantom {
+namespace {
+
+constexpr double kWarp_mm = 1.1;  ///< amplitude of the large-scale irregularity
+constexpr double kWarpCell_mm = 23;
+constexpr double kSpineY_mm = 45;  ///< the head turns about a vertical axis through the spine
+
+/// Horizontal displacement that keeps left and right from being mirror images.
+Vec3 warp_mm(Vec3 p, std::uint32_t seed) {
+  const Vec3 cell = p / kWarpCell_mm;
+  return {kWarp_mm * smoothNoise(cell, seed ^ 0x1234567U), kWarp_mm * smoothNoise(cell, seed ^ 0x89abcdeU), 0};
+}
+
+Vec3 rotated(Vec3 p, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle), y = p.y - kSpineY_mm;
+  return {c * p.x - s * y, s * p.x + c * y + kSpineY_mm, p.z};
+}
+
+}  // namespace
+
+NeckModel::NeckModel(const NeckParameters& parameters, std::uint32_t seed)
+    : parameters_(parameters),
+      seed_(hash32(seed + 0x6e65636bU)),
+      surface_({parameters.fat_mm, hash32(seed + 11)}),
+      structures_(makeAnatomy(parameters, hash32(seed + 12))) {}
+
+double NeckModel::twist(double z_mm) const {
+  // The cervical spine shares the turn; the shoulders stay.
+  const double t = std::clamp((z_mm + 48) / 100, 0.0, 1.0);
+  return parameters_.headTurn_deg * std::numbers::pi / 180 * t * t * (3 - 2 * t);
+}
+
+Vec3 NeckModel::modelFromPatient(Vec3 p) const {
+  const Vec3 turned = rotated(p, -twist(p.z));
+  return turned + warp_mm(turned, seed_);
+}
+
+Vec3 NeckModel::patientFromModel(Vec3 model_mm) const {
+  // The warp is gentle (slope below 0.15), so a few fixed-point steps invert it.
+  Vec3 turned = model_mm;
+  for (int n = 0; n < 12; ++n) turned = model_mm - warp_mm(turned, seed_);
+  return rotated(turned, twist(turned.z));
+}
+
+double NeckModel::belowSkin_mm(Vec3 patient_mm) const {
+  return surface_.slice(patient_mm.z).site(modelFromPatient(patient_mm)).belowSkin_mm;
+}
+
+Vec3 NeckModel::jugularCentre_mm(Side side, double z_mm) const {
+  const auto vein = jugularVeinAt(parameters_, side, z_mm);
+  return patientFromModel({patientX(side, vein[0]), vein[1], z_mm});
+}
+
+Result<LabelMap> NeckModel::rasterise(const VolumeGeometry& g, const Progress& progress) const {
+  LabelMap labels(g);
+  std::mutex reporting;
+  std::atomic<bool> cancelled{false};
+  std::atomic<int> done{0};
+  tbb::parallel_for(0, g.size[2], [&](int k) {
+    if (cancelled) return;
+    const double z = g.origin_mm.z + k * g.spacing_mm.z;
+    SliceLabels slice(structures_, surface_.slice(z), {z, seed_, g.origin_mm, g.spacing_mm, g.size[0], g.size[1]});
+    slice.place([&](Vec3 p) { return modelFromPatient(p); });
+    slice.paint(&labels.at(0, 0, k));
+    const std::lock_guard lock(reporting);
+    if (!report(progress, "Building the neck", double(++done) / g.size[2])) cancelled = true;
+  });
+  if (cancelled) return fail(std::string(kCancelled));
+  return labels;
+}
+
+}  // namespace insonate::phantom

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "Anatomy.h"
+#include "BodySurface.h"
+
+#include <insonate/core/Progress.h>
+#include <insonate/core/Result.h>
+#include <insonate/image/Volume.h>
+
+namespace insonate::phantom {
+
+/// A whole neck as functions of patient position; voxels are only samples of it. Immutable.
+class NeckModel {
+ public:
+  NeckModel(const NeckParameters& parameters, std::uint32_t seed);
+
+  /// Labels at the voxel centres of a grid whose axes are those of the patient. Same bytes on any number of threads.
+  Result<LabelMap> rasterise(const VolumeGeometry& geometry, const Progress& progress) const;
+
+  /// Distance inside the skin surface at a patient position (negative outside), mm, to first order.
+  double belowSkin_mm(Vec3 patient_mm) const;
+  /// Centre of an internal jugular vein at a level, patient mm.
+  Vec3 jugularCentre_mm(Side side, double z_mm) const;
+
+ private:
+  Vec3 modelFromPatient(Vec3 patient_mm) const;
+  Vec3 patientFromModel(Vec3 model_mm) const;
+  /// Turn of the head at a level, radians.
+  double twist(double z_mm) const;
+
+  NeckParameters parameters_;
+  std::uint32_t seed_;
+  BodySurface surface_;
+  std::vector<Structure> structures_;
+};
+
+}  // namespace insonate::phantom

@@ -1,0 +1,69 @@
+#include "NeckModel.h"
+#include "Poses.h"
+#include "Variants.h"
+
+#include <insonate/cases/Phantom.h>
+
+#include <algorithm>
+#include <array>
+
+namespace insonate {
+namespace {
+
+using namespace phantom;
+
+VolumeGeometry phantomGrid() {
+  VolumeGeometry g;
+  g.size = {304, 284, 148};
+  g.spacing_mm = {0.5, 0.5, 0.75};
+  g.origin_mm = {-75.75, -36, -61.5};
+  return g;
+}
+
+/// A progress that fills only part of the bar.
+Progress partOf(const Progress& progress, double from, double to) {
+  if (!progress) return {};
+  return [&progress, from, to](std::string_view doing, double t) { return progress(doing, from + (to - from) * t); };
+}
+
+}  // namespace
+
+std::span<const PhantomVariant> phantomVariants() {
+  static const std::vector<PhantomVariant> kAbout = [] {
+    std::vector<PhantomVariant> about;
+    for (const VariantModel& v : variantModels()) about.push_back(v.about);
+    return about;
+  }();
+  return kAbout;
+}
+
+Result<PatientCase> makePhantom(std::string_view variant, std::uint32_t seed, const Progress& progress,
+                                CtContrast contrast) {
+  const auto models = variantModels();
+  const auto model = std::find_if(models.begin(), models.end(), [&](const auto& v) { return v.about.name == variant; });
+  if (model == models.end()) {
+    std::string known;
+    for (const VariantModel& v : models) known += (known.empty() ? "" : ", ") + std::string(v.about.name);
+    return fail("There is no built-in neck called '" + std::string(variant) + "'. Choose one of: " + known + ".");
+  }
+
+  const NeckModel neck(model->parameters, seed);
+  auto labels = neck.rasterise(phantomGrid(), partOf(progress, 0, 0.6));
+  if (!labels) return tl::unexpected(labels.error());
+  auto ct = synthesiseCt(*labels, {.seed = seed, .contrast = contrast}, partOf(progress, 0.6, 1));
+  if (!ct) return tl::unexpected(ct.error());
+
+  PatientCase patient;
+  patient.manifest.title = model->about.title;
+  patient.manifest.description = model->about.description;
+  patient.manifest.difficulty = model->about.difficulty;
+  patient.manifest.source = "Built-in parametric neck, variant " + std::string(variant) + ", seed " +
+                            std::to_string(seed) + (contrast == CtContrast::kArterial ? ", contrast" : "");
+  patient.manifest.targets = jugularTargets(neck);
+  patient.manifest.startPoses = jugularStartPoses(neck);
+  patient.ct = std::move(*ct);
+  patient.labels = std::move(*labels);
+  return patient;
+}
+
+}  // namespace insonate

@@ -1,0 +1,73 @@
+#include "Poses.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace insonate::phantom {
+namespace {
+
+constexpr double kTargetLevel_mm = 0;  ///< lower border of the cricoid
+
+/// Where a ray from inside the body leaves the skin: distance along it, by bisection.
+double toSkin_mm(const NeckModel& neck, Vec3 from_mm, Vec3 direction) {
+  double inside = 0, outside = 80;
+  for (int n = 0; n < 40; ++n) {
+    const double middle = 0.5 * (inside + outside);
+    (neck.belowSkin_mm(from_mm + direction * middle) > 0 ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+/// Outward direction, in the plane of the level, in which the skin is near, leaning to the front where a probe is held.
+Vec3 towardProbe(const NeckModel& neck, Vec3 vein_mm, Side side) {
+  constexpr double kUsual_deg = 32, kSoftness_deg = 32;
+  Vec3 best;
+  double lowest = 1e9;
+  for (int degrees = 5; degrees <= 75; ++degrees) {
+    const double a = degrees * std::numbers::pi / 180, off = (degrees - kUsual_deg) / kSoftness_deg;
+    const Vec3 direction{patientX(side, std::sin(a)), -std::cos(a), 0};
+    const double cost = toSkin_mm(neck, vein_mm, direction) * (1 + off * off);
+    if (cost < lowest) lowest = cost, best = direction;
+  }
+  return best;
+}
+
+Vec3 inwardNormal(const NeckModel& neck, Vec3 at_mm) {
+  constexpr double kStep_mm = 2;  // wide enough to average the skin's own irregularity under the probe
+  Vec3 gradient;
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 step;
+    step[axis] = kStep_mm;
+    gradient[axis] = neck.belowSkin_mm(at_mm + step) - neck.belowSkin_mm(at_mm - step);
+  }
+  return normalized(gradient);
+}
+
+Vec3 orthogonalTo(Vec3 axial, Vec3 direction) {
+  return normalized(direction - axial * dot(axial, direction));
+}
+
+}  // namespace
+
+std::vector<Target> jugularTargets(const NeckModel& neck) {
+  return {{"right internal jugular vein", kVein, neck.jugularCentre_mm(Side::kRight, kTargetLevel_mm)},
+          {"left internal jugular vein", kVein, neck.jugularCentre_mm(Side::kLeft, kTargetLevel_mm)}};
+}
+
+std::vector<StartPose> jugularStartPoses(const NeckModel& neck) {
+  std::vector<StartPose> poses;
+  for (const Side side : {Side::kRight, Side::kLeft}) {
+    const Vec3 vein = neck.jugularCentre_mm(side, kTargetLevel_mm);
+    const Vec3 outward = towardProbe(neck, vein, side);
+    const Vec3 skin = vein + outward * toSkin_mm(neck, vein, outward);
+    const Vec3 axial = inwardNormal(neck, skin);
+    const Vec3 towardFeet =
+        neck.jugularCentre_mm(side, kTargetLevel_mm - 10) - neck.jugularCentre_mm(side, kTargetLevel_mm + 10);
+    const std::string neckSide = side == Side::kRight ? "right neck" : "left neck";
+    poses.push_back({neckSide + ", transverse", skin, axial, orthogonalTo(axial, {1, 0, 0})});
+    poses.push_back({neckSide + ", longitudinal", skin, axial, orthogonalTo(axial, towardFeet)});
+  }
+  return poses;
+}
+
+}  // namespace insonate::phantom

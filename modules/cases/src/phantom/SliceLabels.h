@@ -1,0 +1,62 @@
+#pragma once
+
+#include "Anatomy.h"
+#include "BodySurface.h"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace insonate::phantom {
+
+/// One level of a grid whose axes are the patient's.
+struct SliceGrid {
+  double z_mm;
+  std::uint32_t seed;
+  Vec3 origin_mm, spacing_mm;
+  int width, height;
+};
+
+/// Decides the label of every voxel of one level: layers of the skin, organs in order of precedence, muscles parted
+/// by fascia, fat and connective tissue in what is left. Used by one thread.
+class SliceLabels {
+ public:
+  SliceLabels(std::span<const Structure> structures, BodySurface::Slice body, SliceGrid grid);
+
+  /// Where each voxel is in the model.
+  void place(const std::function<Vec3(Vec3)>& modelFromPatient);
+  /// Writes width * height labels.
+  void paint(std::uint8_t* labels);
+
+ private:
+  struct Voxel {
+    Site site;
+    std::uint8_t organ = 0;                                 ///< 0: none yet
+    bool arterial = false, venous = false, walled = false;  ///< within the sheath of an artery, vein, other organ
+    std::uint8_t muscle = 0;
+    double muscle_mm = 1e9, nextMuscle_mm = 1e9;  ///< distances to the two nearest muscles
+  };
+
+  /// Voxels of a square block, and the box of their model positions: most shapes are far from most blocks.
+  struct Tile {
+    int firstI, lastI, firstJ, lastJ;
+    Box2 bounds_mm;
+  };
+
+  void makeTiles();
+  void addOrgan(const Structure& structure, const Section& section);
+  void addMuscle(const Structure& structure, const Section& section);
+  template <class Visit>
+  void within(const Section& section, Visit visit);
+  std::uint8_t label(const Voxel& voxel) const;
+  std::uint8_t superficial(const Voxel& voxel, double layers_mm) const;
+  std::uint8_t filling(const Voxel& voxel) const;
+
+  std::span<const Structure> structures_;
+  BodySurface::Slice body_;
+  SliceGrid grid_;
+  std::vector<Voxel> voxels_;
+  std::vector<Tile> tiles_;
+};
+
+}  // namespace insonate::phantom

@@ -1,0 +1,161 @@
+#include "Anatomy.h"
+
+#include <cmath>
+
+namespace insonate::phantom {
+namespace {
+
+int index(Side side) {
+  return side == Side::kRight ? 0 : 1;
+}
+
+/// Common carotid up to its bifurcation, then internal and external; one smooth trunk and two branches.
+void addCarotid(std::vector<Structure>& into, const NeckParameters& n, Side side, std::uint32_t seed) {
+  const double s = n.carotidScale, b = n.bifurcation_z_mm;
+  const Curve<2> course{{-66, {14, 27}},     {-52, {16.5, 25.5}}, {-40, {19.5, 24.5}}, {-28, {22, 24.5}},
+                        {-14, {22.2, 24.6}}, {0, {21.2, 25}},     {12, {22.2, 24.5}},  {24, {25, 23.5}},
+                        {36, {27, 22.5}},    {54, {28, 25}}};
+  const auto on = [&](double z, double dx, double dy, double r) {
+    const auto [x, y] = course(z);
+    return Tube::Knot{{x + dx, y + dy, z}, r * s};
+  };
+  std::vector<Tube::Knot> trunk;
+  for (double z = -66; z < b - 8; z += 8) trunk.push_back(on(z, 0, 0, 3.25));
+  trunk.push_back(on(b - 5, 0, 0, 3.6));
+  trunk.push_back(on(b, 0, 0, 4.0));
+  const Shape common = tube(side, {trunk, 1, 0.12}, seed);
+  const Shape internal = tube(side,
+                              {{on(b - 3, 0.4, 0.6, 3.6), on(b + 4, 1.6, 2.2, 3.1), on(b + 11, 2.4, 3.6, 2.5),
+                                on(b + 22, 2, 4, 2.4), on(b + 50, 2, 5, 2.4)},
+                               1,
+                               0.1},
+                              seed + 1);
+  const Shape external = tube(side,
+                              {{on(b - 3, -0.4, -0.6, 2.8), on(b + 4, -1.6, -2.6, 2.3), on(b + 12, -1.6, -5, 2.1),
+                                on(b + 24, 0.5, -7, 2), on(b + 50, 2, -8, 1.9)},
+                               1,
+                               0.1},
+                              seed + 2);
+  const Shape superiorThyroid =
+      tube(side, {{on(b + 5, -2, -4, 1.1), {{22, 15, b - 4}, 1.0}, {{20.5, 12.5, 14}, 1.0}, {{17, 9.5, 2}, 0.9}}, 1, 0},
+           seed + 3);
+  into.push_back({kArtery, Kind::kArtery, 1.1, join({common, internal, external, superiorThyroid})});
+}
+
+void addSubclavianArtery(std::vector<Structure>& into, Side side, std::uint32_t seed) {
+  const double medial = side == Side::kRight ? 12 : 18, low = side == Side::kRight ? 0 : 3;
+  std::vector<Shape> arteries{
+      tube(side,
+           {{{{medial, 28 + low, -68}, 5},
+             {{medial + 3, 28 + low, -56}, 4.4},
+             {{22, 29, -45}, 4.1},
+             {{32, 32, -37 - low}, 4},
+             {{46, 33.5, -38 - low}, 4},
+             {{60, 32, -46 - low}, 3.9},
+             {{82, 29, -56 - low}, 3.8}},
+            1,
+            0.15},
+           seed),
+      // Vertebral artery: free below C6, then through the transverse foramina.
+      tube(side,
+           {{{{23, 29, -43}, 1.7},
+             {{20, 34, -30}, 1.7},
+             {{17.5, 41, -18}, 1.7},
+             {{17, vertebralFront_mm(-6) + 11.5, -6}, 1.7},
+             {{17, vertebralFront_mm(12) + 11.5, 12}, 1.7},
+             {{17, vertebralFront_mm(30) + 11.5, 30}, 1.7},
+             {{17, vertebralFront_mm(56) + 11.5, 56}, 1.7}},
+            1,
+            0},
+           seed + 1),
+      // Thyrocervical trunk, inferior thyroid and transverse cervical arteries.
+      tube(side,
+           {{{{29, 31, -39}, 1.6},
+             {{29, 28.5, -28}, 1.4},
+             {{27.5, 31.5, -12}, 1.2},
+             {{24, 31.5, -5}, 1.1},
+             {{18.5, 26, -9}, 1}},
+            1,
+            0},
+           seed + 2),
+      tube(side, {{{{29, 28.5, -29}, 1.2}, {{38, 22.5, -27}, 1.1}, {{50, 27, -25}, 1.1}, {{62, 40, -22}, 1}}, 1, 0},
+           seed + 3)};
+  into.push_back({kArtery, Kind::kArtery, 0.9, join(std::move(arteries))});
+}
+
+Shape jugular(const NeckParameters& n, Side side, std::uint32_t seed) {
+  std::vector<Curve<5>::Knot> knots;
+  for (double z = -54; z <= 56; z += 5) knots.push_back({z, jugularVeinAt(n, side, z)});
+  return column(side, {Curve<5>(std::move(knots)), 2, 0.45}, seed);
+}
+
+void addVeins(std::vector<Structure>& into, const NeckParameters& n, Side side, std::uint32_t seed) {
+  const double toMidline = side == Side::kRight ? -14 : 4;  // the left brachiocephalic vein crosses
+  const double scale = 0.5 * (n.veinWidth[index(side)] + 1);
+  std::vector<Shape> central{
+      jugular(n, side, seed),
+      tube(side,
+           {{{{28, 15, -48}, 4.6 * scale},
+             {{25, 14, -54}, 5.6 * scale},
+             {{-toMidline < 0 ? 12.0 : 14.0, 13, -63}, 6.2},
+             {{side == Side::kRight ? 13.0 : 2.0, 14, -72}, 6.6}},
+            1,
+            0.3},
+           seed + 1),
+      tube(
+          side,
+          {{{{25, 14, -53}, 5}, {{38, 16, -52}, 4.8}, {{52, 19, -51}, 4.8}, {{66, 23, -55}, 4.8}, {{84, 26, -60}, 4.8}},
+           1,
+           0.3},
+          seed + 2)};
+  into.push_back({kVein, Kind::kVein, 0.9, join(std::move(central))});
+  // Superficial veins run in the fat just outside the investing fascia.
+  into.push_back({kVein, Kind::kVein, 0.3,
+                  sheet(side,
+                        {{{-38, {62, 2, 2.0, 1.4}},
+                          {-28, {63, -1.3, 2.0, 1.3}},
+                          {-5, {66, -1.5, 2.1, 1.3}},
+                          {20, {70, -1.5, 1.9, 1.2}},
+                          {54, {80, -1.4, 1.6, 1.1}}},
+                         3,
+                         0.2},
+                        seed + 3)});
+  into.push_back({kVein, Kind::kVein, 0.3,
+                  sheet(side,
+                        {{{-50, {7, -1.3, 1.4, 1.0}},
+                          {0, {side == Side::kRight ? 9.0 : 11.0, -1.4, 1.3, 0.9}},
+                          {36, {14, -1.6, 1.1, 0.8}}},
+                         3,
+                         0.2},
+                        seed + 4)});
+}
+
+}  // namespace
+
+std::array<double, 5> jugularVeinAt(const NeckParameters& n, Side side, double z_mm) {
+  // Centre lateral and posterior, half width, half height, turn. Positions and sizes are those of supine adults: the
+  // vein comes forward and widens toward its lower bulb.
+  static const Curve<5> kCourse{
+      {-54, {27, 15, 7.4, 6.2, 0}},     {-40, {31, 16, 8.0, 6.6, 10}}, {-28, {33, 16.6, 7.6, 6.1, 15}},
+      {-14, {33.5, 18, 7.1, 5.6, 18}},  {0, {33, 19.4, 6.9, 5.3, 18}}, {12, {34, 21.6, 6.6, 5.2, 15}},
+      {24, {35.5, 25.5, 6.2, 5.1, 10}}, {40, {37.5, 29, 5.6, 4.9, 0}}, {56, {37.5, 31, 5.2, 4.7, 0}}};
+  auto v = kCourse(z_mm);
+  const int s = index(side);
+  // A shifted vein returns to its place at both ends of the neck.
+  const double weight = std::exp(-std::pow((z_mm + 2) / 30, 4));
+  v[0] -= n.veinMedial_mm[s] * weight;
+  v[1] -= n.veinForward_mm[s] * weight;
+  v[2] *= n.veinWidth[s];
+  v[3] *= n.veinHeight[s];
+  return v;
+}
+
+void addVessels(std::vector<Structure>& into, const NeckParameters& n, std::uint32_t seed) {
+  for (const Side side : {Side::kRight, Side::kLeft}) {
+    addCarotid(into, n, side, seed += 10);
+    addSubclavianArtery(into, side, seed += 10);
+  }
+  for (const Side side : {Side::kRight, Side::kLeft}) addVeins(into, n, side, seed += 10);
+}
+
+}  // namespace insonate::phantom
