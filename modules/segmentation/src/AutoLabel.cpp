@@ -1,0 +1,102 @@
+#include "Body.h"
+#include "Bone.h"
+
+#include <insonate/segmentation/AutoLabel.h>
+#include <insonate/tissue/Labels.h>
+
+namespace insonate {
+namespace segmentation {
+namespace {
+
+constexpr int kFatBelow_HU = -30;        // half-way between fat (-100) and muscle (50)
+constexpr int kPaddingBelow_HU = -1500;  // no scanner measures this: outside its field of view
+constexpr double kSkin_mm = 2;
+constexpr double kStrand_mm = 1.6;  // tissue thinner than twice this is no muscle
+constexpr double kPasses = 60;      // of Work::slices below, for the progress
+
+template <class Function>
+void eachVoxel(const VolumeGeometry& g, Work& work, const Function& function) {
+  const std::size_t slice = std::size_t(g.size[0]) * g.size[1];
+  work.slices(g.size[2], [&](int k) {
+    for (std::size_t v = k * slice; v < (k + 1) * slice; ++v) function(v);
+  });
+}
+
+void labelBone(LabelMap& labels, const CtVolume& ct, Work& work) {
+  const Mask bone = findBone(ct, labels, work);
+  eachVoxel(ct.geometry, work, [&](std::size_t v) {
+    if (bone.voxels[v]) labels.voxels[v] = kBone;
+  });
+}
+
+/// Fat, muscle and the strands between, of what is still soft tissue. The voxels that line an airway mix air and
+/// tissue, which looks like fat; they stay soft tissue.
+void labelFatAndMuscle(LabelMap& labels, const CtVolume& ct, Work& work) {
+  Mask lining(ct.geometry);
+  eachVoxel(ct.geometry, work, [&](std::size_t v) { lining.voxels[v] = labels.voxels[v] == kAirway; });
+  dilateToNeighbours(lining, work);
+
+  Mask fat(ct.geometry);
+  eachVoxel(ct.geometry, work, [&](std::size_t v) { fat.voxels[v] = ct.voxels[v] < kFatBelow_HU; });
+  majorityInSlice(fat, work);
+  eachVoxel(ct.geometry, work, [&](std::size_t v) {
+    if (labels.voxels[v] == kSoftTissue && fat.voxels[v] && !lining.voxels[v]) labels.voxels[v] = kFat;
+  });
+
+  Mask& firm = fat;
+  eachVoxel(ct.geometry, work, [&](std::size_t v) {
+    firm.voxels[v] = labels.voxels[v] == kBone || (labels.voxels[v] == kSoftTissue && !lining.voxels[v]);
+  });
+  open(firm, kStrand_mm, work);
+  eachVoxel(ct.geometry, work, [&](std::size_t v) {
+    if (labels.voxels[v] == kSoftTissue && firm.voxels[v] && !lining.voxels[v]) labels.voxels[v] = kMuscle;
+  });
+}
+
+/// Padding is no air that touches the patient, so there is no skin at it.
+void labelSkin(LabelMap& labels, const CtVolume& ct, Work& work) {
+  Mask shell(ct.geometry), neighbours(ct.geometry);
+  eachVoxel(ct.geometry, work, [&](std::size_t v) {
+    shell.voxels[v] = labels.voxels[v] == kBackground && ct.voxels[v] > kPaddingBelow_HU;
+    neighbours.voxels[v] = shell.voxels[v];
+  });
+  dilate(shell, kSkin_mm, work);
+  dilateToNeighbours(neighbours, work);
+  eachVoxel(ct.geometry, work, [&](std::size_t v) {
+    const std::uint8_t label = labels.voxels[v];
+    if (label != kBackground && label != kAirway && (shell.voxels[v] || neighbours.voxels[v])) labels.voxels[v] = kSkin;
+  });
+}
+
+}  // namespace
+}  // namespace segmentation
+
+Result<LabelMap> autoLabel(const CtVolume& ct, const Progress& progress) {
+  using namespace segmentation;
+  if (auto ok = validate(ct.geometry); !ok) return tl::unexpected(ok.error());
+  if (ct.voxels.size() != ct.geometry.voxelCount())
+    return fail("The CT holds " + std::to_string(ct.voxels.size()) + " voxels where its grid has " +
+                std::to_string(ct.geometry.voxelCount()) + ".");
+  try {
+    Work work(progress, kPasses);
+    work.start("Finding the body");
+    std::optional<LabelMap> labels = findBody(ct, work);
+    if (!labels)
+      return fail(
+          "No body was found in this CT: nothing in it is denser than air and thicker than a couch. Check that its "
+          "values are Hounsfield units.");
+    work.start("Finding bone");
+    labelBone(*labels, ct, work);
+    work.start("Finding fat and muscle");
+    labelFatAndMuscle(*labels, ct, work);
+    work.start("Finding skin");
+    labelSkin(*labels, ct, work);
+    return std::move(*labels);
+  } catch (const Cancelled&) {
+    return fail(std::string(kCancelled));
+  } catch (const std::bad_alloc&) {
+    return fail("There is not enough memory to label this CT. Close other programs or crop it.");
+  }
+}
+
+}  // namespace insonate

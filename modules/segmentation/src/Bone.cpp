@@ -1,0 +1,88 @@
+#include "Bone.h"
+
+#include "Components.h"
+
+#include <insonate/tissue/Labels.h>
+
+namespace insonate::segmentation {
+namespace {
+
+constexpr int kDense_HU = 350;     // cores from which bone is grown
+constexpr int kBoneEdge_HU = 180;  // grown down to here: thin cortex of thick slices, trabeculae
+constexpr double kGrow_mm = 4;     // and only this far, so that an opacified vessel that touches is not followed
+constexpr int kCortex_HU = 600;    // opacified blood stays below, cortex does not
+constexpr double kCortexShare = 0.01;
+constexpr double kSmallest_mm3 = 60;
+constexpr double kClose_mm = 3;
+// Marrow is what bone surrounds in a slice when it is small, or unlike the spinal cord and brain (20-45 HU).
+constexpr double kMarrow_mm2 = 120, kLargestMarrow_mm2 = 3000;
+constexpr double kTrabecular_HU = 75, kFattyMarrow_HU = -10;
+
+Mask above(const CtVolume& ct, const LabelMap& body, int threshold_HU, Work& work) {
+  Mask mask(ct.geometry);
+  const std::size_t slice = std::size_t(ct.geometry.size[0]) * ct.geometry.size[1];
+  work.slices(ct.geometry.size[2], [&](int k) {
+    for (std::size_t v = k * slice; v < (k + 1) * slice; ++v)
+      mask.voxels[v] = static_cast<std::uint8_t>(body.voxels[v] == kSoftTissue && ct.voxels[v] > threshold_HU);
+  });
+  return mask;
+}
+
+void removeVesselsAndSpecks(Mask& dense, const CtVolume& ct, Work& work) {
+  const Components pieces(dense, Components::Reach::Volume, work);
+  const auto sizes = pieces.sizes();
+  std::vector<std::size_t> cortex(pieces.count(), 0);
+  for (const auto& run : pieces.runs())
+    for (int i = run.begin; i < run.end; ++i) cortex[run.component] += ct.at(i, run.j, run.k) > kCortex_HU;
+  const auto& s = ct.geometry.spacing_mm;
+  std::vector<bool> removed(pieces.count());
+  for (std::size_t p = 0; p < removed.size(); ++p) {
+    const auto size = static_cast<double>(sizes[p]);
+    removed[p] = size * s.x * s.y * s.z < kSmallest_mm3 || static_cast<double>(cortex[p]) < kCortexShare * size;
+  }
+  pieces.paint(removed, 0, dense);
+}
+
+void fillMarrow(Mask& bone, const CtVolume& ct, const LabelMap& body, Work& work) {
+  const auto& g = ct.geometry;
+  Mask rest = bone;
+  for (std::uint8_t& v : rest.voxels) v ^= 1;
+  const Components holes(rest, Components::Reach::Slice, work);
+  std::vector<bool> open(holes.count(), false);
+  std::vector<double> sum_HU(holes.count(), 0);
+  for (const auto& run : holes.runs()) {
+    if (run.begin == 0 || run.end == g.size[0] || run.j == 0 || run.j + 1 == g.size[1]) open[run.component] = true;
+    for (int i = run.begin; i < run.end; ++i) {
+      sum_HU[run.component] += ct.at(i, run.j, run.k);
+      if (body.at(i, run.j, run.k) != kSoftTissue) open[run.component] = true;
+    }
+  }
+  const auto sizes = holes.sizes();
+  std::vector<bool> marrow(holes.count());
+  for (std::size_t h = 0; h < marrow.size(); ++h) {
+    const double mean_HU = sum_HU[h] / static_cast<double>(sizes[h]);
+    const double area_mm2 = static_cast<double>(sizes[h]) * g.spacing_mm.x * g.spacing_mm.y;
+    marrow[h] = !open[h] && area_mm2 < kLargestMarrow_mm2 &&
+                (area_mm2 < kMarrow_mm2 || mean_HU > kTrabecular_HU || mean_HU < kFattyMarrow_HU);
+  }
+  holes.paint(marrow, 1, bone);
+}
+
+}  // namespace
+
+Mask findBone(const CtVolume& ct, const LabelMap& body, Work& work) {
+  Mask bone = above(ct, body, kDense_HU, work);
+  removeVesselsAndSpecks(bone, ct, work);
+  dilate(bone, kGrow_mm, work);
+  {
+    const Mask edge = above(ct, body, kBoneEdge_HU, work);
+    for (std::size_t v = 0; v < bone.voxels.size(); ++v) bone.voxels[v] &= edge.voxels[v];
+  }
+  close(bone, kClose_mm, work);
+  fillMarrow(bone, ct, body, work);
+  for (std::size_t v = 0; v < bone.voxels.size(); ++v)
+    bone.voxels[v] &= static_cast<std::uint8_t>(body.voxels[v] == kSoftTissue);
+  return bone;
+}
+
+}  // namespace insonate::segmentation

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <insonate/core/Progress.h>
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace insonate::segmentation {
+
+struct Cancelled {};
+
+/// Runs slices in parallel and asks between batches whether to go on. Throws Cancelled, which stays in this module.
+class Work {
+ public:
+  Work(const Progress& progress, double expectedPasses) : progress_(progress), expectedPasses_(expectedPasses) {}
+
+  void start(std::string_view doing) { doing_ = doing; }
+
+  /// One pass over `count` slices: body(k) for each, in any order.
+  template <class Body>
+  void slices(int count, const Body& body) {
+    // Large enough to keep all cores busy, small enough that a batch of large slices takes far less than a second.
+    constexpr int kBatch = 32;
+    for (int begin = 0; begin < count; begin += kBatch) {
+      const int end = std::min(count, begin + kBatch);
+      tbb::parallel_for(begin, end, body);
+      checkpoint(double(end) / count);
+    }
+    passes_ += 1;
+  }
+
+  void checkpoint(double shareOfPass = 0) const {
+    const double fraction = std::min((passes_ + shareOfPass) / expectedPasses_, 0.99);
+    if (!report(progress_, doing_, fraction)) throw Cancelled{};
+  }
+
+ private:
+  const Progress& progress_;
+  double expectedPasses_;
+  double passes_ = 0;
+  std::string_view doing_;
+};
+
+}  // namespace insonate::segmentation
