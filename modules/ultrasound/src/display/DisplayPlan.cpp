@@ -1,0 +1,99 @@
+#include "DisplayPlan.h"
+
+#include "PointSpread.h"
+
+#include <insonate/ultrasound/Display.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace insonate::display {
+namespace {
+
+/// Weights of unit sum for taps at 0, +-spacing, +-2 spacing, ... of a Gaussian.
+template <std::size_t N>
+void gaussianTaps(double sd, double spacing, float (&weight)[N]) {
+  double value[N], sum = 0;
+  for (std::size_t t = 0; t < N; ++t) {
+    value[t] = std::exp(-0.5 * std::pow(double(t) * spacing / sd, 2));
+    sum += t == 0 ? value[t] : 2 * value[t];
+  }
+  for (std::size_t t = 0; t < N; ++t) weight[t] = static_cast<float>(value[t] / sum);
+}
+
+int strideFor(double length, double spacing, int most) {
+  return static_cast<int>(std::clamp(std::round(length / spacing), 1.0, double(most)));
+}
+
+/// The 8 sliders sit in the middles of 8 equal depths; between them the gain runs smoothly, without overshoot.
+double slider_dB(const std::array<double, 8>& tgc_dB, double depthShare) {
+  const double place = std::clamp(depthShare * 8 - 0.5, 0.0, 7.0);
+  const int i = std::min(static_cast<int>(place), 6);
+  const double mix = 0.5 - 0.5 * std::cos(std::numbers::pi * (place - i));
+  return tgc_dB[i] + mix * (tgc_dB[i + 1] - tgc_dB[i]);
+}
+
+Block makeBlock(const Probe& probe, const ImagingSettings& settings, const BeamGrid& grid, int first, int count,
+                double block_mm) {
+  Block block;
+  block.first = first, block.count = count;
+  const double range_mm = grid.range_mm(first + 0.5 * (count - 1));
+  const double spacing_mm = grid.scanlineSpacing_mm(range_mm);
+  const double axial_mm = axialFwhm_mm(probe, settings), lateral_mm = lateralFwhm_mm(probe, settings, range_mm);
+
+  block.edgeStride = strideFor(0.5 * lateral_mm, spacing_mm, 12);
+  block.edgeLateral = static_cast<float>(lateral_mm / (2 * block.edgeStride * spacing_mm));
+  block.edgeAxial = static_cast<float>(axial_mm / (2 * block_mm));
+  block.plainStride = strideFor(kPlainLateralSd * lateral_mm, spacing_mm, 12);
+  gaussianTaps(kPlainLateralSd * lateral_mm, block.plainStride * spacing_mm, block.plainWeight);
+  block.alongStride = strideFor(kAlongSd * lateral_mm, spacing_mm, 10);
+  gaussianTaps(kAlongSd * lateral_mm, block.alongStride * spacing_mm, block.alongWeight);
+  block.rowsPerSlope = static_cast<float>(axial_mm / lateral_mm * block.alongStride * spacing_mm / grid.step_mm());
+  const double variance_mm2 = kHazeSpread_mm * kHazeSpread_mm * block_mm / kHazeTail_mm;
+  block.hazeSpread = static_cast<float>(std::min(variance_mm2 / (2 * spacing_mm * spacing_mm), 0.3));
+  return block;
+}
+
+}  // namespace
+
+GreyCurve greyCurve(GreyMap map) {
+  // Soft: a slight S through (0.34, 0.235), (0.5, 0.4) and (1, 1).
+  return map == GreyMap::Linear ? GreyCurve{1, 0, 0} : GreyCurve{0.387F, 1.039F, -0.426F};
+}
+
+DisplayPlan::DisplayPlan(const Probe& probe, const ImagingSettings& settings)
+    : scanlines(settings.scanlines), samples(settings.samples) {
+  const BeamGrid grid(probe, settings);
+  const double axial_mm = axialFwhm_mm(probe, settings);
+  blockRows = strideFor(0.9 * axial_mm, grid.step_mm(), 64);
+  const double block_mm = blockRows * grid.step_mm();
+  for (int first = 0; first < samples; first += blockRows)
+    blocks.push_back(makeBlock(probe, settings, grid, first, std::min(blockRows, samples - first), block_mm));
+  hazeDecay = static_cast<float>(std::exp(-block_mm / kHazeTail_mm));
+  hazeGrainDecay = static_cast<float>(std::exp(-block_mm / kHazeGrain_mm));
+
+  for (int k = 0; k < samples; ++k) {
+    const double depth_cm = grid.range_mm(k) / 10;
+    const double builtIn_dB = std::min(kTgc_dBpcmMHz * settings.frequency_MHz * depth_cm, kMaxTgc_dB);
+    rowGain.push_back(static_cast<float>(std::pow(10, builtIn_dB / 20)));
+    rowOffset_dB.push_back(
+        static_cast<float>(settings.gain_dB + slider_dB(settings.tgc_dB, grid.range_mm(k) / settings.depth_mm)));
+  }
+  axialStride = strideFor(kPlainAxialSd * axial_mm, grid.step_mm(), 64);
+  gaussianTaps(kPlainAxialSd * axial_mm, axialStride * grid.step_mm(), axialWeight);
+
+  black_dB = static_cast<float>(kWhite_dB - settings.dynamicRange_dB);
+  perLevel = static_cast<float>(1 / settings.dynamicRange_dB);
+  low_dB = static_cast<float>(black_dB - kHeadroom_dB);
+  high_dB = static_cast<float>(kWhite_dB + kHeadroom_dB);
+}
+
+DisplayPlan::Between DisplayPlan::between(int row) const {
+  const float place = (static_cast<float>(row) + 0.5F) / static_cast<float>(blockRows) - 0.5F;
+  const int last = static_cast<int>(blocks.size()) - 1;
+  const int before = std::min(static_cast<int>(std::max(place, 0.0F)), last);
+  return {before, std::min(before + 1, last), std::clamp(place - static_cast<float>(before), 0.0F, 1.0F)};
+}
+
+}  // namespace insonate::display

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <insonate/ultrasound/BeamGrid.h>
+
+#include <vector>
+
+/// Constants of the display path. They are set so that simulated speckle meets the numbers measured on real pictures of
+/// the neck: SD 11.5 grey levels at a mean near 60, skewness +0.28, grain 0.36 x 0.75 mm with a 7.5 MHz linear probe.
+namespace insonate::display {
+
+inline constexpr double kWhite_dB = 39.5;     ///< over unit speckle, at gain 0
+inline constexpr double kMaxTgc_dB = 120;     ///< of the built-in compensation; more would only amplify nothing
+inline constexpr double kHeadroom_dB = 15;    ///< levels kept below black and above white until smoothing is done
+inline constexpr double kMaxAmplitude = 1e9;  ///< louder, and infinite, echoes count as this
+
+/// Haze: side lobes and reverberation leak a share of the echoes above into quiet regions.
+inline constexpr double kHazeShare_dB = -21;
+inline constexpr double kHazeTail_mm = 2.2;
+inline constexpr double kHazeSpread_mm = 1.0;    ///< lateral SD gained over one tail
+inline constexpr double kHazeSmoothShare = 0.6;  ///< the rest is modulated by the local speckle
+inline constexpr double kHazeGrain_mm = 0.7;     ///< tail of the local mean that speckle is compared with
+inline constexpr double kHazeCeiling_dB = 12;    ///< echoes above this leak no more than this
+
+/// Smoothing of plain speckle, and along interfaces; widths in units of the point-spread function's FWHM.
+inline constexpr double kPlainAxialSd = 0.29, kPlainLateralSd = 0.205;
+inline constexpr double kAlongSd = 0.55;
+/// Edge strength (difference of the structure tensor's eigenvalues, (dB per FWHM)^2) from which smoothing turns from
+/// plain to along the interface, and where it has turned.
+inline constexpr float kEdgeFrom = 8, kEdgeTo = 40;
+/// Steepest interface that is followed, in units of FWHM axial per FWHM lateral.
+inline constexpr float kMaxSlope = 2.5F;
+/// Contrast of speckle against its surroundings: d + d (kContrast + kContrastBend d), d within +-kContrastReach_dB.
+inline constexpr float kContrast = 0.35F, kContrastBend = 0.035F, kContrastReach_dB = 6;
+
+/// Grey share of a level share t: t (a + t (b + t c)).
+struct GreyCurve {
+  float a, b, c;
+};
+GreyCurve greyCurve(GreyMap map);
+
+/// What changes slowly with depth is kept per block of rows about as thick as the pulse.
+struct Block {
+  int first = 0, count = 0;              ///< rows
+  int edgeStride = 1;                    ///< scanlines, half a point-spread function
+  float edgeLateral = 1, edgeAxial = 1;  ///< differences to dB per FWHM
+  int plainStride = 1;                   ///< scanlines between the 5 taps
+  float plainWeight[3] = {};             ///< centre, next, outermost
+  int alongStride = 1;                   ///< scanlines between the 7 taps
+  float alongWeight[4] = {};
+  float rowsPerSlope = 0;  ///< rows per along-tap for an interface of slope 1 (FWHM per FWHM)
+  float hazeSpread = 0;    ///< share of each neighbouring scanline, per block
+};
+
+/// Everything that follows from probe and settings alone.
+struct DisplayPlan {
+  DisplayPlan(const Probe& probe, const ImagingSettings& settings);
+
+  int scanlines, samples;
+  int blockRows;
+  std::vector<Block> blocks;
+  std::vector<float> rowGain;       ///< built-in compensation, linear
+  std::vector<float> rowOffset_dB;  ///< gain and sliders
+  int axialStride;                  ///< rows between the 5 taps of plain smoothing
+  float axialWeight[3];
+  float hazeDecay, hazeGrainDecay;  ///< per block
+  float low_dB, high_dB;            ///< levels kept
+  float black_dB, perLevel;         ///< level share = (dB - black_dB) * perLevel
+
+  /// Blocks whose centres lie around a row, and the share of the second.
+  struct Between {
+    int before, after;
+    float mix;
+  };
+  Between between(int row) const;
+};
+
+}  // namespace insonate::display

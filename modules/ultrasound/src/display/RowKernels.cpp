@@ -1,0 +1,350 @@
+#include "display/RowKernels.h"
+
+#include <cmath>
+#include <cstring>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "display/RowKernels.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h, which includes this file once per instruction set.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace insonate::display {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F = hn::CappedTag<float, 16>;
+using I = hn::RebindToSigned<F>;
+using U = hn::RebindToUnsigned<F>;
+
+/// Calls body(i) for each vector of a row that may be read and written up to its padded length.
+template <class Body>
+HWY_INLINE void overPadded(int columns, const Body& body) {
+  const int lanes = static_cast<int>(hn::Lanes(F()));
+  for (int i = 0; i < columns; i += lanes) body(i);
+}
+
+/// The same for a row without padding of at least 16 columns: the last vector overlaps the one before.
+template <class Body>
+HWY_INLINE void overExact(int columns, const Body& body) {
+  const int lanes = static_cast<int>(hn::Lanes(F()));
+  int i = 0;
+  for (; i + lanes <= columns; i += lanes) body(i);
+  if (i < columns) body(columns - lanes);
+}
+
+template <class V>
+HWY_INLINE V mix(V a, V b, V share) {
+  return hn::Add(a, hn::Mul(share, hn::Sub(b, a)));
+}
+
+constexpr float kMaxAmplitude = 1e9F;
+
+void compoundRow(const CompoundRow& t) {
+  const F d;
+  const auto zero = hn::Zero(d), most = hn::Set(d, kMaxAmplitude);
+  const auto gain = hn::Set(d, t.gain / static_cast<float>(t.looks));
+  overExact(t.columns, [&](int i) {
+    auto sum = zero;
+    for (int l = 0; l < t.looks; ++l) {
+      const auto a = hn::LoadU(d, t.look[l] + i);
+      sum = hn::Add(sum, hn::IfThenElseZero(hn::Gt(a, zero), hn::Min(a, most)));
+    }
+    const auto mean = hn::Mul(sum, gain);
+    hn::StoreU(hn::Mul(mean, mean), d, t.power + i);
+  });
+  const auto ceiling = hn::Set(d, t.ceiling);
+  overPadded(t.columns, [&](int i) {
+    hn::Store(hn::Add(hn::Load(d, t.sum + i), hn::Min(hn::Load(d, t.power + i), ceiling)), d, t.sum + i);
+  });
+}
+
+void hazeRow(const HazeRow& t) {
+  const F d;
+  const auto side = hn::Set(d, t.spread), middle = hn::Set(d, 1 - 2 * t.spread);
+  const auto tailDecay = hn::Set(d, t.tailDecay), grainDecay = hn::Set(d, t.grainDecay);
+  const auto smooth = hn::Set(d, t.share * t.smoothShare), rough = hn::Set(d, t.share * (1 - t.smoothShare));
+  const auto tiny = hn::Set(d, 1e-20F), most = hn::Set(d, 4.0F);
+  const auto carried = [&](const float* above, int i) {
+    const auto sides = hn::Add(hn::LoadU(d, above + i - 1), hn::LoadU(d, above + i + 1));
+    return hn::Add(hn::Mul(middle, hn::Load(d, above + i)), hn::Mul(side, sides));
+  };
+  overPadded(t.columns, [&](int i) {
+    const auto power = hn::Load(d, t.power + i);
+    const auto tail = mix(power, carried(t.tailAbove, i), tailDecay);
+    const auto grain = mix(power, carried(t.grainAbove, i), grainDecay);
+    hn::Store(tail, d, t.tail + i);
+    hn::Store(grain, d, t.grain + i);
+    const auto speckle = hn::Min(hn::Div(power, hn::Max(grain, tiny)), most);
+    hn::Store(hn::Mul(tail, hn::Add(smooth, hn::Mul(rough, speckle))), d, t.haze + i);
+  });
+}
+
+/// 10 log10, within 1e-5 dB, of normal positive numbers.
+template <class V>
+HWY_INLINE V decibels(F d, V power) {
+  // power = 2^e m with m in [sqrt(1/2), sqrt(2)); ln m = 2 atanh((m - 1) / (m + 1)).
+  const I di;
+  const auto bits = hn::BitCast(di, power);
+  const auto e = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(di, 0x3F3504F3)));
+  const auto m = hn::BitCast(d, hn::Sub(bits, hn::ShiftLeft<23>(e)));
+  const auto one = hn::Set(d, 1.0F);
+  const auto s = hn::Div(hn::Sub(m, one), hn::Add(m, one));
+  const auto s2 = hn::Mul(s, s);
+  constexpr float k = 8.685889638F;  // 20 / ln 10
+  auto sum = hn::Set(d, k / 5);
+  sum = hn::Add(hn::Mul(sum, s2), hn::Set(d, k / 3));
+  sum = hn::Add(hn::Mul(sum, s2), hn::Set(d, k));
+  return hn::Add(hn::Mul(hn::ConvertTo(d, e), hn::Set(d, 3.010299957F)), hn::Mul(s, sum));
+}
+
+void compressRow(const CompressRow& t) {
+  const F d;
+  const auto share = hn::Set(d, t.mix), offset = hn::Set(d, t.offset_dB);
+  const auto low = hn::Set(d, t.low_dB), high = hn::Set(d, t.high_dB), tiny = hn::Set(d, 1e-20F);
+  overPadded(t.columns, [&](int i) {
+    const auto haze = mix(hn::Load(d, t.hazeBefore + i), hn::Load(d, t.hazeAfter + i), share);
+    const auto power = hn::Max(hn::Add(hn::Load(d, t.power + i), haze), tiny);
+    const auto level = hn::Min(hn::Max(hn::Add(decibels(d, power), offset), low), high);
+    hn::Store(level, d, t.level_dB + i);
+    hn::Store(hn::Add(hn::Load(d, t.sum + i), level), d, t.sum + i);
+  });
+}
+
+void scaleRow(float* row, float factor, int columns) {
+  const F d;
+  const auto f = hn::Set(d, factor);
+  overPadded(columns, [&](int i) { hn::Store(hn::Mul(hn::Load(d, row + i), f), d, row + i); });
+}
+
+void meanRow(const float* above, const float* here, const float* below, int stride, int columns, float* mean) {
+  const F d;
+  const auto centre = hn::Set(d, 3.0F / 36), next = hn::Set(d, 2.0F / 36), outer = hn::Set(d, 1.0F / 36);
+  const auto two = hn::Set(d, 2.0F);
+  overPadded(columns, [&](int i) {
+    const auto tap = [&](int o) {
+      const auto sides = hn::Add(hn::LoadU(d, above + i + o), hn::LoadU(d, below + i + o));
+      return hn::Add(hn::Mul(two, hn::LoadU(d, here + i + o)), sides);
+    };
+    auto sum = hn::Mul(centre, tap(0));
+    sum = hn::Add(sum, hn::Mul(next, hn::Add(tap(-stride), tap(stride))));
+    sum = hn::Add(sum, hn::Mul(outer, hn::Add(tap(-2 * stride), tap(2 * stride))));
+    hn::Store(sum, d, mean + i);
+  });
+}
+
+void tensorRow(const TensorRow& t) {
+  const F d;
+  const auto lateral = hn::Set(d, t.lateral), axial = hn::Set(d, t.axial);
+  overPadded(t.columns, [&](int i) {
+    const auto gx = hn::Mul(lateral, hn::Sub(hn::LoadU(d, t.here + i + t.stride), hn::LoadU(d, t.here + i - t.stride)));
+    const auto gz = hn::Mul(axial, hn::Sub(hn::Load(d, t.below + i), hn::Load(d, t.above + i)));
+    hn::Store(hn::Mul(gx, gx), d, t.xx + i);
+    hn::Store(hn::Mul(gx, gz), d, t.xz + i);
+    hn::Store(hn::Mul(gz, gz), d, t.zz + i);
+  });
+}
+
+void orientRow(const OrientRow& t) {
+  const F d;
+  const auto quarter = hn::Set(d, 0.25F), half = hn::Set(d, 0.5F), one = hn::Set(d, 1.0F), zero = hn::Zero(d);
+  const auto averaged = [&](const float* const* rows, int i) {
+    const auto column = [&](int o) {
+      const auto sides = hn::Add(hn::LoadU(d, rows[0] + i + o), hn::LoadU(d, rows[2] + i + o));
+      return hn::Add(hn::Mul(half, hn::LoadU(d, rows[1] + i + o)), hn::Mul(quarter, sides));
+    };
+    return hn::Add(hn::Mul(half, column(0)), hn::Mul(quarter, hn::Add(column(-t.stride), column(t.stride))));
+  };
+  const auto from = hn::Set(d, t.from), perEdge = hn::Set(d, 1 / (t.to - t.from));
+  const auto maxSlope = hn::Set(d, t.maxSlope), tiny = hn::Set(d, 1e-6F);
+  overPadded(t.columns, [&](int i) {
+    const auto xx = averaged(t.xx, i), xz = averaged(t.xz, i), zz = averaged(t.zz, i);
+    const auto difference = hn::Sub(zz, xx), twice = hn::Add(xz, xz);
+    const auto anisotropy = hn::Sqrt(hn::Add(hn::Mul(difference, difference), hn::Mul(twice, twice)));
+    // The interface runs across the eigenvector (xz, l1 - xx) of the larger eigenvalue l1.
+    const auto alongScan = hn::Max(hn::Mul(half, hn::Add(difference, anisotropy)), tiny);
+    const auto slope = hn::Neg(hn::Div(xz, alongScan));
+    const auto limited = hn::Min(hn::Max(slope, hn::Neg(maxSlope)), maxSlope);
+    // Beyond the steepest slope there is nothing to follow.
+    const auto followed = hn::Div(hn::Abs(limited), hn::Max(hn::Abs(slope), tiny));
+    const auto strength = hn::Min(hn::Max(hn::Mul(hn::Sub(anisotropy, from), perEdge), zero), one);
+    const auto steep = hn::Gt(hn::Abs(slope), maxSlope);
+    hn::Store(hn::IfThenElse(steep, hn::Mul(strength, followed), strength), d, t.edge + i);
+    hn::Store(limited, d, t.slope + i);
+  });
+}
+
+/// Interface slopes are followed in steps of 8 scanlines, whatever the instruction set.
+using Cell = hn::CappedTag<float, 8>;
+constexpr int kCell = 8;
+
+/// Row `row` + o of the levels for the taps -3..3, where o follows the cell's slope.
+HWY_INLINE void alongRows(const SmoothRow& t, int cell, const float* (&rows)[7]) {
+  const float perTap = t.slope[cell + kCell / 2] * t.rowsPerSlope;
+  for (int tap = -3; tap <= 3; ++tap) {
+    const int wanted = t.row + static_cast<int>(std::lrint(perTap * static_cast<float>(tap)));
+    const int r = wanted < 0 ? 0 : wanted >= t.rows ? t.rows - 1 : wanted;
+    rows[tap + 3] = t.origin + static_cast<std::ptrdiff_t>(r) * t.rowStride + tap * t.alongStride;
+  }
+}
+
+void smoothRow(const SmoothRow& t) {
+  const Cell d;
+  constexpr int kWidest = 1024 + 2 * 32;
+  HWY_ALIGN float thinned[kWidest];
+  float* const axial = thinned + t.margin;
+  const auto a0 = hn::Set(d, t.axialWeight[0]), a1 = hn::Set(d, t.axialWeight[1]), a2 = hn::Set(d, t.axialWeight[2]);
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  for (int i = -t.margin; i < t.columns + t.margin; i += lanes) {
+    auto sum = hn::Mul(a0, hn::LoadU(d, t.axial[2] + i));
+    sum = hn::Add(sum, hn::Mul(a1, hn::Add(hn::LoadU(d, t.axial[1] + i), hn::LoadU(d, t.axial[3] + i))));
+    sum = hn::Add(sum, hn::Mul(a2, hn::Add(hn::LoadU(d, t.axial[0] + i), hn::LoadU(d, t.axial[4] + i))));
+    hn::StoreU(sum, d, axial + i);
+  }
+
+  const auto p0 = hn::Set(d, t.plainWeight[0]), p1 = hn::Set(d, t.plainWeight[1]), p2 = hn::Set(d, t.plainWeight[2]);
+  const auto b0 = hn::Set(d, t.alongWeight[0]), b1 = hn::Set(d, t.alongWeight[1]), b2 = hn::Set(d, t.alongWeight[2]);
+  const auto b3 = hn::Set(d, t.alongWeight[3]), share = hn::Set(d, t.mix), one = hn::Set(d, 1.0F);
+  const auto contrast = hn::Set(d, t.contrast), bend = hn::Set(d, t.contrastBend);
+  const auto reach = hn::Set(d, t.contrastReach);
+  for (int cell = 0; cell < t.columns; cell += kCell) {
+    const float* r[7];
+    alongRows(t, cell, r);
+    for (int i = cell; i < cell + kCell; i += lanes) {
+      const auto pair = [&](const float* left, const float* right) {
+        return hn::Add(hn::LoadU(d, left + i), hn::LoadU(d, right + i));
+      };
+      auto plain = hn::Mul(p0, hn::LoadU(d, axial + i));
+      plain = hn::Add(plain, hn::Mul(p1, pair(axial - t.plainStride, axial + t.plainStride)));
+      plain = hn::Add(plain, hn::Mul(p2, pair(axial - 2 * t.plainStride, axial + 2 * t.plainStride)));
+      auto along = hn::Mul(b0, hn::LoadU(d, r[3] + i));
+      along = hn::Add(along, hn::Mul(b1, pair(r[2], r[4])));
+      along = hn::Add(along, hn::Mul(b2, pair(r[1], r[5])));
+      along = hn::Add(along, hn::Mul(b3, pair(r[0], r[6])));
+      const auto edge = mix(hn::LoadU(d, t.edgeBefore + i), hn::LoadU(d, t.edgeAfter + i), share);
+      const auto mean = mix(hn::LoadU(d, t.meanBefore + i), hn::LoadU(d, t.meanAfter + i), share);
+      const auto level = mix(plain, along, edge);
+      const auto apart = hn::Min(hn::Max(hn::Sub(level, mean), hn::Neg(reach)), reach);
+      const auto more = hn::Mul(apart, hn::Add(contrast, hn::Mul(bend, apart)));
+      hn::StoreU(hn::Add(level, hn::Mul(hn::Sub(one, edge), more)), d, t.out + i);
+    }
+  }
+}
+
+void greyRow(const GreyRow& t) {
+  const F d;
+  const hn::Rebind<std::uint8_t, F> d8;
+  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0F);
+  const auto share = hn::Set(d, t.persistence), black = hn::Set(d, t.black_dB), perLevel = hn::Set(d, t.perLevel);
+  const auto a = hn::Set(d, t.a), b = hn::Set(d, t.b), c = hn::Set(d, t.c);
+  const auto white = hn::Set(d, 255.0F), round = hn::Set(d, 0.5F);
+  overPadded(t.columns, [&](int i) {
+    auto level = hn::LoadU(d, t.level_dB + i);
+    if (t.previous) {
+      level = mix(level, hn::LoadU(d, t.previous + i), share);
+      hn::StoreU(level, d, t.previous + i);
+    }
+    const auto x = hn::Min(hn::Max(hn::Mul(hn::Sub(level, black), perLevel), zero), one);
+    const auto y = hn::Mul(x, hn::Add(a, hn::Mul(x, hn::Add(b, hn::Mul(x, c)))));
+    const auto grey = hn::ConvertTo(I(), hn::Add(hn::Mul(y, white), round));
+    hn::StoreU(hn::DemoteTo(d8, grey), d8, t.grey + i);
+  });
+}
+
+void packRow(const std::uint8_t* here, const std::uint8_t* below, int columns, std::uint32_t* packed) {
+  const U d;
+  const hn::Rebind<std::uint8_t, U> d8;
+  overPadded(columns, [&](int i) {
+    const auto byte = [&](const std::uint8_t* from) { return hn::PromoteTo(d, hn::LoadU(d8, from + i)); };
+    const auto upper = hn::Or(byte(here), hn::ShiftLeft<8>(byte(here + 1)));
+    const auto lower = hn::Or(hn::ShiftLeft<16>(byte(below)), hn::ShiftLeft<24>(byte(below + 1)));
+    hn::StoreU(hn::Or(upper, lower), d, packed + i);
+  });
+}
+
+void scanRow(const std::uint32_t* packed, const std::int32_t* index, const std::uint16_t* weight, int count,
+             std::uint8_t* grey) {
+  const U d;
+  const I di;
+  const hn::Rebind<std::uint16_t, U> half;
+  const hn::Rebind<std::uint8_t, U> d8;
+  const auto low = hn::Set(d, 0x00FF00FFU), byte = hn::Set(d, 0xFFU);
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  for (int i = 0; i < count; i += lanes) {
+    const auto four = hn::GatherIndex(d, packed, hn::LoadU(di, index + i));
+    const auto weights = hn::PromoteTo(d, hn::LoadU(half, weight + i));
+    // Upper and lower row in the halves of each lane; 256 left + (right - left) x stays below 2^16 in both.
+    const auto left = hn::And(four, low), right = hn::And(hn::ShiftRight<8>(four), low);
+    const auto rows = hn::Add(hn::ShiftLeft<8>(left), hn::Mul(hn::Sub(right, left), hn::And(weights, byte)));
+    const auto upper = hn::BitCast(di, hn::And(rows, hn::Set(d, 0xFFFFU)));
+    const auto lower = hn::BitCast(di, hn::ShiftRight<16>(rows));
+    const auto down = hn::BitCast(di, hn::ShiftRight<8>(weights));
+    const auto sum = hn::Add(hn::ShiftLeft<8>(upper), hn::Mul(hn::Sub(lower, upper), down));
+    const auto value = hn::DemoteTo(d8, hn::ShiftRight<16>(hn::Add(sum, hn::Set(di, 1 << 15))));
+    if (i + lanes <= count) {
+      hn::StoreU(value, d8, grey + i);
+    } else {
+      std::uint8_t rest[16];
+      hn::StoreU(value, d8, rest);
+      std::memcpy(grey + i, rest, static_cast<std::size_t>(count - i));
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace insonate::display
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace insonate::display {
+
+HWY_EXPORT(compoundRow);
+HWY_EXPORT(hazeRow);
+HWY_EXPORT(compressRow);
+HWY_EXPORT(scaleRow);
+HWY_EXPORT(meanRow);
+HWY_EXPORT(tensorRow);
+HWY_EXPORT(orientRow);
+HWY_EXPORT(smoothRow);
+HWY_EXPORT(greyRow);
+HWY_EXPORT(packRow);
+HWY_EXPORT(scanRow);
+
+void compoundRow(const CompoundRow& task) {
+  HWY_DYNAMIC_DISPATCH(compoundRow)(task);
+}
+void hazeRow(const HazeRow& task) {
+  HWY_DYNAMIC_DISPATCH(hazeRow)(task);
+}
+void compressRow(const CompressRow& task) {
+  HWY_DYNAMIC_DISPATCH(compressRow)(task);
+}
+void scaleRow(float* row, float factor, int columns) {
+  HWY_DYNAMIC_DISPATCH(scaleRow)(row, factor, columns);
+}
+void meanRow(const float* above, const float* here, const float* below, int stride, int columns, float* mean) {
+  HWY_DYNAMIC_DISPATCH(meanRow)(above, here, below, stride, columns, mean);
+}
+void tensorRow(const TensorRow& task) {
+  HWY_DYNAMIC_DISPATCH(tensorRow)(task);
+}
+void orientRow(const OrientRow& task) {
+  HWY_DYNAMIC_DISPATCH(orientRow)(task);
+}
+void smoothRow(const SmoothRow& task) {
+  HWY_DYNAMIC_DISPATCH(smoothRow)(task);
+}
+void greyRow(const GreyRow& task) {
+  HWY_DYNAMIC_DISPATCH(greyRow)(task);
+}
+void packRow(const std::uint8_t* here, const std::uint8_t* below, int columns, std::uint32_t* packed) {
+  HWY_DYNAMIC_DISPATCH(packRow)(here, below, columns, packed);
+}
+void scanRow(const std::uint32_t* packed, const std::int32_t* index, const std::uint16_t* weight, int count,
+             std::uint8_t* grey) {
+  HWY_DYNAMIC_DISPATCH(scanRow)(packed, index, weight, count, grey);
+}
+
+}  // namespace insonate::display
+#endif

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstdint>
+
+/// The display's inner loops: one row of scanlines each, with the widest instructions that the processor has. They use
+/// no fused multiply-add, so that every processor gives the same picture.
+namespace insonate::display {
+
+/// Mean of the looks with unusable amplitudes as 0, times gain, squared.
+struct CompoundRow {
+  const float* look[3] = {};
+  int looks;
+  int columns;
+  float gain;
+  float ceiling;  ///< of what goes into the sum
+  float* power;
+  float* sum;  ///< += min(power, ceiling) over a padded row
+};
+void compoundRow(const CompoundRow& task);
+
+/// One block of the haze: both tails carried down from the block above, and what they leave here.
+struct HazeRow {
+  const float* power;       ///< mean of the block
+  const float* tailAbove;   ///< with margins
+  const float* grainAbove;  ///< with margins
+  float spread;             ///< to each neighbour
+  float tailDecay, grainDecay;
+  float share, smoothShare;
+  int columns;
+  float *tail, *grain, *haze;
+};
+void hazeRow(const HazeRow& task);
+
+/// Level in dB of power plus haze.
+struct CompressRow {
+  const float *power, *hazeBefore, *hazeAfter;
+  float mix;
+  float offset_dB, low_dB, high_dB;
+  int columns;
+  float* level_dB;
+  float* sum;  ///< += level
+};
+void compressRow(const CompressRow& task);
+
+void scaleRow(float* row, float factor, int columns);
+
+/// Local mean: (1 2 1) over blocks, (1 2 3 2 1) over strided scanlines.
+void meanRow(const float* above, const float* here, const float* below, int stride, int columns, float* mean);
+
+/// Products of the differences across (x) and along (z) the scanlines.
+struct TensorRow {
+  const float *above, *here, *below;
+  int stride;
+  float lateral, axial;
+  int columns;
+  float *xx, *xz, *zz;
+};
+void tensorRow(const TensorRow& task);
+
+/// Edge strength 0..1 and slope of the interface from the tensor averaged over neighbours.
+struct OrientRow {
+  const float *xx[3], *xz[3], *zz[3];  ///< block above, here, below
+  int stride;
+  float from, to, maxSlope;
+  int columns;
+  float *edge, *slope;
+};
+void orientRow(const OrientRow& task);
+
+/// Smooths one row of levels: plain where nothing is, along the interface where there is one.
+struct SmoothRow {
+  const float* axial[5] = {};  ///< rows of the axial taps, with margins
+  float axialWeight[3] = {};
+  int plainStride = 1;
+  float plainWeight[3] = {};
+  const float* origin;  ///< row 0 of the levels
+  int rowStride, rows, row;
+  int alongStride = 1;
+  float alongWeight[4] = {};
+  const float* slope;  ///< rows per along-tap and unit of slope are in `rowsPerSlope`
+  float rowsPerSlope;
+  const float *edgeBefore, *edgeAfter, *meanBefore, *meanAfter;
+  float mix;
+  float contrast, contrastBend, contrastReach;
+  int margin, columns;
+  float* out;
+};
+void smoothRow(const SmoothRow& task);
+
+/// Levels to grey, after mixing with the previous picture where `previous` is given (it receives the mixture).
+struct GreyRow {
+  const float* level_dB;
+  float* previous;
+  float persistence;
+  float black_dB, perLevel;
+  float a, b, c;
+  int columns;
+  std::uint8_t* grey;
+};
+void greyRow(const GreyRow& task);
+
+/// Packs each sample with its right, lower and lower right neighbour, lowest byte first.
+void packRow(const std::uint8_t* here, const std::uint8_t* below, int columns, std::uint32_t* packed);
+
+/// Bilinear interpolation between the four neighbours in packed[index]; weights are x and z in 1/256, low byte x.
+/// Writes `count` pixels; index and weight are readable up to the next multiple of 16.
+void scanRow(const std::uint32_t* packed, const std::int32_t* index, const std::uint16_t* weight, int count,
+             std::uint8_t* grey);
+
+}  // namespace insonate::display

@@ -1,0 +1,93 @@
+#include "ScanConverter.h"
+
+#include "PictureLayout.h"
+#include "Plane.h"
+#include "RowKernels.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace insonate::display {
+namespace {
+
+constexpr int kRowsPerTask = 32;
+constexpr std::size_t kTableRun = Plane::kVector;  ///< tables of each run are filled up to whole vectors
+
+/// Lower neighbour and the share of the upper one in 1/256, for a place among `count` samples.
+std::pair<int, int> neighbour(double place, int count) {
+  const double held = std::clamp(place, 0.0, double(count - 1));
+  const int lower = std::min(static_cast<int>(held), count - 2);
+  return {lower, std::min(static_cast<int>(std::lround((held - lower) * 256)), 255)};
+}
+
+}  // namespace
+
+ScanConverter::ScanConverter(const Probe& probe, const ImagingSettings& settings)
+    : samples_(settings.samples),
+      columns_(Plane::padded(settings.scanlines)),
+      rowStride_(columns_ + Plane::kVector),
+      scanlines_(settings.scanlines),
+      grey_(std::size_t(samples_) * rowStride_),
+      packed_(std::size_t(samples_ - 1) * columns_) {
+  const BeamGrid grid(probe, settings);
+  layout_ = pictureLayout(grid, settings);
+  for (int row = 0; row < layout_.height; ++row) addRow(grid, row);
+  firstRun_.push_back(runs_.size());
+}
+
+void ScanConverter::addRow(const BeamGrid& grid, int row) {
+  firstRun_.push_back(runs_.size());
+  const double axial_mm = layout_.top_mm + row * layout_.pixel_mm;
+  bool wasInside = false;
+  for (int column = 0; column < layout_.width; ++column) {
+    const auto at = grid.locate(layout_.left_mm + column * layout_.pixel_mm, axial_mm);
+    if (at.inside) {
+      if (!wasInside) {
+        index_.resize((index_.size() + kTableRun - 1) / kTableRun * kTableRun);
+        weight_.resize(index_.size());
+        runs_.push_back({column, 0, index_.size()});
+      }
+      ++runs_.back().count;
+      addPixel(at);
+    }
+    wasInside = at.inside;
+  }
+  index_.resize((index_.size() + kTableRun - 1) / kTableRun * kTableRun);
+  weight_.resize(index_.size());
+}
+
+void ScanConverter::addPixel(const BeamGrid::Location& at) {
+  const auto [line, x] = neighbour(at.scanline, scanlines_);
+  const auto [sample, z] = neighbour(at.sample, samples_);
+  index_.push_back(sample * columns_ + line);
+  weight_.push_back(static_cast<std::uint16_t>(z << 8 | x));
+}
+
+void ScanConverter::convertRow(int row, std::uint8_t* out) const {
+  std::memset(out, 0, static_cast<std::size_t>(layout_.width));
+  for (std::size_t r = firstRun_[row]; r < firstRun_[row + 1]; ++r) {
+    const Run& run = runs_[r];
+    scanRow(packed_.data(), index_.data() + run.table, weight_.data() + run.table, run.count, out + run.column);
+  }
+}
+
+void ScanConverter::convert(BModeImage& image) {
+  image.width = layout_.width, image.height = layout_.height;
+  image.pixel_mm = layout_.pixel_mm, image.left_mm = layout_.left_mm, image.top_mm = layout_.top_mm;
+  image.grey.resize(std::size_t(image.width) * image.height);
+  using Rows = tbb::blocked_range<int>;
+  tbb::parallel_for(Rows(0, samples_ - 1, kRowsPerTask), [this](const Rows& rows) {
+    for (int k = rows.begin(); k < rows.end(); ++k)
+      packRow(greyRow(k), greyRow(k + 1), columns_, packed_.data() + std::size_t(k) * columns_);
+  });
+  tbb::parallel_for(Rows(0, image.height, kRowsPerTask), [&](const Rows& rows) {
+    for (int row = rows.begin(); row < rows.end(); ++row)
+      convertRow(row, image.grey.data() + std::size_t(row) * image.width);
+  });
+}
+
+}  // namespace insonate::display
