@@ -1,0 +1,224 @@
+#include "Commands.h"
+#include "RenderOutputs.h"
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/simulator/EffectLayers.h>
+#include <insonate/simulator/Imager.h>
+#include <insonate/simulator/ProbePose.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <set>
+
+namespace insonate::cli {
+namespace {
+
+struct RenderOptions {
+  std::string caseFolder, probe = "linear", pose = "auto", engine = "cpu", tissues, settings, look;
+  OutputTargets targets;
+  bool json = false;
+};
+
+/// What the options name, read and checked.
+struct RenderJob {
+  PatientCase patient;
+  ImagingSetup setup;
+  PosePath path;
+  std::vector<std::string> warnings;
+};
+
+Result<ImagingSetup> readSetup(const RenderOptions& options) {
+  ImagingSetup setup;
+  setup.engine = options.engine;
+  auto probe = loadProbe(options.probe);
+  if (!probe) return tl::unexpected(probe.error());
+  setup.probe = *probe;
+  setup.settings = settingsFor(setup.probe);
+  if (!options.settings.empty()) {
+    auto settings = loadSettings(options.settings, setup.settings);
+    if (!settings) return tl::unexpected(settings.error());
+    setup.settings = *settings;
+  }
+  if (!options.look.empty()) setup.settings.look = options.look == "thesis" ? Look::Thesis : Look::Coherent;
+  const bool thesis = setup.settings.look == Look::Thesis;
+  auto tissues = loadAcousticTable(!options.tissues.empty() ? options.tissues : thesis ? "thesis" : "neck");
+  if (!tissues) return tl::unexpected(tissues.error());
+  setup.tissues = std::move(*tissues);
+  return setup;
+}
+
+Result<RenderJob> readJob(const RenderOptions& options) {
+  auto setup = readSetup(options);
+  if (!setup) return tl::unexpected(setup.error());
+  auto read = readCase(options.caseFolder);
+  if (!read) return tl::unexpected(read.error());
+  auto path = readPoses(options.pose, read->patient);
+  if (!path) return tl::unexpected(path.error());
+  RenderJob job{std::move(read->patient), std::move(*setup), std::move(*path), std::move(read->notes)};
+  if (auto ok = checkReach(job.patient, job.setup, job.path.patientFromProbe); !ok) return tl::unexpected(ok.error());
+  if (auto ok = checkTargets(options.targets); !ok) return tl::unexpected(ok.error());
+  return job;
+}
+
+nlohmann::json jsonOf(Vec3 v) {
+  return {v.x, v.y, v.z};
+}
+
+nlohmann::json jsonOf(const Transform& patientFromProbe) {
+  const StartPose pose = poseOf(patientFromProbe);
+  return {{"position_mm", jsonOf(pose.position_mm)}, {"axial", jsonOf(pose.axial)}, {"lateral", jsonOf(pose.lateral)}};
+}
+
+nlohmann::json stagesOf(const ImagingFrame& frame) {
+  nlohmann::json stages = nlohmann::json::object();
+  for (const ImagingFrame::Stage& stage : frame.stages) stages[stage.name] = stage.ms;
+  return stages;
+}
+
+bool isBlack(const BModeImage& image) {
+  return std::all_of(image.grey.begin(), image.grey.end(), [](std::uint8_t grey) { return grey == 0; });
+}
+
+/// Renders a path and writes what was asked for; collects the JSON objects of the pictures.
+class PathRenderer {
+ public:
+  PathRenderer(const RenderJob& job, const OutputTargets& targets) : job_(job), targets_(targets) {
+    for (const std::string& warning : job.warnings) warn(warning);
+  }
+
+  Result<void> run() {
+    auto imager = Imager::make(job_.setup);
+    if (!imager) return tl::unexpected(imager.error());
+    for (const SceneRun& run : sceneRuns(job_.setup, job_.path.patientFromProbe)) {
+      const auto scene = makeScene(job_.patient, job_.setup, run.region, terminalProgress());
+      if (!scene) return tl::unexpected(scene.error());
+      for (const std::string& warning : (*scene)->warnings()) warn(warning);
+      for (std::size_t i = run.first; i < run.first + run.count; ++i)
+        if (auto ok = renderOne(*imager, **scene, i); !ok) return ok;
+    }
+    return {};
+  }
+
+  /// Times are those of the middle frame when there are several.
+  nlohmann::json report() const {
+    const ImagingSettings& settings = job_.setup.settings;
+    std::vector<nlohmann::json> byTime = images_;
+    const auto middle = byTime.begin() + static_cast<std::ptrdiff_t>(byTime.size() / 2);
+    std::nth_element(byTime.begin(), middle, byTime.end(),
+                     [](const auto& a, const auto& b) { return a["frame_ms"] < b["frame_ms"]; });
+    nlohmann::json object = images_.front();
+    object.update({{"frame_ms", (*middle)["frame_ms"]}, {"stages_ms", (*middle)["stages_ms"]}});
+    object.update({{"engine", job_.setup.engine},
+                   {"look", settings.look == Look::Thesis ? "thesis" : "coherent"},
+                   {"probe", job_.setup.probe.name},
+                   {"tissues", job_.setup.tissues.name},
+                   {"scanlines", settings.scanlines},
+                   {"samples", settings.samples},
+                   {"width", settings.width},
+                   {"height", settings.height},
+                   {"mm_per_pixel", frame_.image.pixel_mm},
+                   {"force_N", nullptr},
+                   {"indent_mm", nullptr},
+                   {"lumens", nlohmann::json::array()},
+                   {"warnings", warnings_}});
+    if (job_.path.isPath) object["images"] = images_;
+    return object;
+  }
+
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<nlohmann::json>& images() const { return images_; }
+
+ private:
+  void warn(const std::string& warning) {
+    if (warned_.insert(warning).second) warnings_.push_back(warning);
+  }
+
+  Result<void> renderOne(Imager& imager, const AcousticScene& scene, std::size_t index) {
+    const Transform& pose = job_.path.patientFromProbe[index];
+    const OutputTargets targets = job_.path.isPath ? targets_.numbered(index) : targets_;
+    nlohmann::json image{{"out", targets.picture}, {"pose", jsonOf(pose)}};
+    if (!targets.layers.empty()) {
+      auto files = writeLayers(scene, pose, targets);
+      if (!files) return tl::unexpected(files.error());
+      image["layers"] = *files;
+    }
+    imager.render(scene, pose, frame_);
+    if (isBlack(frame_.image))
+      warn("The picture" + (job_.path.isPath ? " of pose " + std::to_string(index) : std::string()) +
+           " is black: the probe touches no tissue; move it onto the skin.");
+    image["frame_ms"] = frame_.frame_ms;
+    image["stages_ms"] = stagesOf(frame_);
+    if (!targets.envelope.empty()) {
+      image["envelope"] = targets.envelope;
+      if (auto ok = writeEnvelope(frame_.envelope, job_.setup.probe, job_.setup.settings, targets.envelope); !ok)
+        return ok;
+    }
+    images_.push_back(std::move(image));
+    return writePng(frame_.image, targets.picture);
+  }
+
+  Result<nlohmann::json> writeLayers(const AcousticScene& scene, const Transform& pose, const OutputTargets& targets) {
+    std::map<std::string, BModeImage> pictures;
+    nlohmann::json files;
+    for (const EffectLayer& layer : effectLayers(job_.setup.settings)) {
+      ImagingSetup setup = job_.setup;
+      setup.settings = layer.settings;
+      auto imager = Imager::make(setup);
+      if (!imager) return tl::unexpected(imager.error());
+      ImagingFrame frame;
+      imager->render(scene, pose, frame);
+      const std::string name = layer.name + targets.suffix + ".png";
+      files[layer.name] = targets.layers + "/" + name;
+      pictures[name] = std::move(frame.image);
+    }
+    if (auto ok = writePictures(pictures, targets.layers); !ok) return tl::unexpected(ok.error());
+    return files;
+  }
+
+  const RenderJob& job_;
+  const OutputTargets& targets_;
+  ImagingFrame frame_;
+  std::vector<nlohmann::json> images_;
+  std::vector<std::string> warnings_;
+  std::set<std::string> warned_;
+};
+
+void render(const RenderOptions& options, Outcome& outcome) {
+  const auto job = readJob(options);
+  if (!job) return refuse(outcome, job.error());
+  PathRenderer renderer(*job, options.targets);
+  if (auto ok = renderer.run(); !ok) return refuse(outcome, ok.error());
+  for (const std::string& warning : renderer.warnings()) std::cerr << "insonate-cli: " << warning << '\n';
+  if (options.json) return printJson(renderer.report());
+  for (const nlohmann::json& image : renderer.images()) std::cout << image["out"].get<std::string>() << '\n';
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app, Outcome& outcome) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = app.add_subcommand("render", "One ultrasound picture of a case, or many along a path of poses");
+  command->add_option("CASE", options->caseFolder, "Case folder")->required();
+  command->add_option("--probe", options->probe, "linear, curvilinear, phased, or a probe file")->capture_default_str();
+  command
+      ->add_option("--pose", options->pose,
+                   "auto, a start pose of the case, a JSON file, or inline JSON with position_mm, axial and lateral "
+                   "(patient LPS); a list of poses is a path")
+      ->capture_default_str();
+  command->add_option("--out", options->targets.picture, "PNG to write; along a path F.png becomes F_0000.png, ...")
+      ->required();
+  command->add_option("--engine", options->engine, "reference or cpu")->capture_default_str();
+  command->add_option("--tissues", options->tissues, "Tissue preset or file; by default neck, for look thesis thesis");
+  command->add_option("--settings", options->settings, "JSON file of imaging settings to override");
+  command->add_option("--look", options->look, "coherent or thesis")->check(CLI::IsMember({"coherent", "thesis"}));
+  command->add_option("--layers", options->targets.layers, "Folder for one picture per effect alone");
+  command->add_option("--envelope", options->targets.envelope, "NRRD to write: linear echo amplitude of one look");
+  command->add_flag("--json", options->json, "Print a JSON object with times and warnings");
+  command->callback([options, &outcome] { render(*options, outcome); });
+}
+
+}  // namespace insonate::cli

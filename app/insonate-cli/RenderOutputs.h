@@ -1,0 +1,25 @@
+#pragma once
+
+#include <insonate/simulator/PictureFiles.h>
+
+#include <map>
+#include <string>
+
+namespace insonate::cli {
+
+/// Where a picture and what belongs to it go; empty: not wanted.
+struct OutputTargets {
+  std::string picture, envelope, layers;
+  std::string suffix;  ///< of the layers' file names
+
+  /// F.png becomes F_0007.png.
+  OutputTargets numbered(std::size_t index) const;
+};
+
+/// Refuses, before any work, endings that mislead and folders that are missing or cannot be written.
+Result<void> checkTargets(const OutputTargets& targets);
+
+/// All of them or none; the folder is created when missing.
+Result<void> writePictures(const std::map<std::string, BModeImage>& pictures, const std::filesystem::path& folder);
+
+}  // namespace insonate::cli
