@@ -1,3 +1,4 @@
+#include "cpu/CpuEngine.h"
 #include "model/FramePlan.h"
 #include "reference/ReferenceEngine.h"
 
@@ -8,11 +9,12 @@
 namespace insonate {
 
 std::vector<std::string> engineNames() {
-  return {"reference"};
+  return {"reference", "cpu"};
 }
 
 Result<std::unique_ptr<Engine>> makeEngine(std::string_view name) {
   if (name == "reference") return makeReferenceEngine();
+  if (name == "cpu") return makeCpuEngine();
   return fail("There is no engine \"" + std::string(name) + "\"; choose reference or cpu.");
 }
 

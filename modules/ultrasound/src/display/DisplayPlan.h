@@ -22,7 +22,7 @@ inline constexpr double kHazeGrain_mm = 0.7;     ///< tail of the local mean tha
 inline constexpr double kHazeCeiling_dB = 12;    ///< echoes above this leak no more than this
 
 /// Smoothing of plain speckle, and along interfaces; widths in units of the point-spread function's FWHM.
-inline constexpr double kPlainAxialSd = 0.29, kPlainLateralSd = 0.205;
+inline constexpr double kPlainAxialSd = 0.40, kPlainLateralSd = 0.24;
 inline constexpr double kAlongSd = 0.55;
 /// Edge strength (difference of the structure tensor's eigenvalues, (dB per FWHM)^2) from which smoothing turns from
 /// plain to along the interface, and where it has turned.
@@ -30,7 +30,7 @@ inline constexpr float kEdgeFrom = 8, kEdgeTo = 40;
 /// Steepest interface that is followed, in units of FWHM axial per FWHM lateral.
 inline constexpr float kMaxSlope = 2.5F;
 /// Contrast of speckle against its surroundings: d + d (kContrast + kContrastBend d), d within +-kContrastReach_dB.
-inline constexpr float kContrast = 0.35F, kContrastBend = 0.035F, kContrastReach_dB = 6;
+inline constexpr float kContrast = 0.9F, kContrastBend = 0.10F, kContrastReach_dB = 6;
 
 /// Grey share of a level share t: t (a + t (b + t c)).
 struct GreyCurve {

@@ -1,6 +1,5 @@
 #include "display/RowKernels.h"
 
-#include <cmath>
 #include <cstring>
 
 #undef HWY_TARGET_INCLUDE
@@ -179,13 +178,20 @@ void orientRow(const OrientRow& t) {
 using Cell = hn::CappedTag<float, 8>;
 constexpr int kCell = 8;
 
-/// Row `row` + o of the levels for the taps -3..3, where o follows the cell's slope.
+/// The levels under the taps -3..3, each in the row where an interface with the cell's slope runs.
 HWY_INLINE void alongRows(const SmoothRow& t, int cell, const float* (&rows)[7]) {
   const float perTap = t.slope[cell + kCell / 2] * t.rowsPerSlope;
-  for (int tap = -3; tap <= 3; ++tap) {
-    const int wanted = t.row + static_cast<int>(std::lrint(perTap * static_cast<float>(tap)));
+  const float half = perTap < 0 ? -0.5F : 0.5F;
+  const auto under = [&](int tap, int offset) {
+    const int wanted = t.row + offset;
     const int r = wanted < 0 ? 0 : wanted >= t.rows ? t.rows - 1 : wanted;
-    rows[tap + 3] = t.origin + static_cast<std::ptrdiff_t>(r) * t.rowStride + tap * t.alongStride;
+    return t.origin + static_cast<std::ptrdiff_t>(r) * t.rowStride + tap * t.alongStride;
+  };
+  rows[3] = under(0, 0);
+  for (int tap = 1; tap <= 3; ++tap) {
+    const int offset = static_cast<int>(perTap * static_cast<float>(tap) + half);
+    rows[3 - tap] = under(-tap, -offset);
+    rows[3 + tap] = under(tap, offset);
   }
 }
 

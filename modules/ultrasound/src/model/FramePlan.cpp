@@ -51,6 +51,11 @@ ImpulseWeights impulseAt(double fraction) {
   return later ? ImpulseWeights{{0, before, middle, after}} : ImpulseWeights{{before, middle, after, 0}};
 }
 
+CubicWeights cubicAt(double t) {
+  return {{t * (-0.5 + t * (1 - 0.5 * t)), 1 + t * t * (-2.5 + 1.5 * t), t * (0.5 + t * (2 - 1.5 * t)),
+           t * t * (-0.5 + 0.5 * t)}};
+}
+
 FramePlan::FramePlan(const Probe& p, const ImagingSettings& s) : probe(p), settings(s), grid(p, s) {
   const double wavelength_mm = acoustics::kSoundSpeed_mmPerUs / s.frequency_MHz;
   const double axialFwhm_mm = p.axialFwhm_wavelengths * wavelength_mm;
@@ -61,7 +66,7 @@ FramePlan::FramePlan(const Probe& p, const ImagingSettings& s) : probe(p), setti
   cellGates = std::clamp(static_cast<int>(kCellDepth_mm / gate_mm), 1, 4);
   cellLines = grid.scanlineSpacing_mm(s.depth_mm) * 2 <= kCellWidth_mm ? 2 : 1;
   nodeRows = (gates + cellGates - 1) / cellGates + 1;
-  nodeColumns = (lines - 1 + cellLines - 1) / cellLines + 1;
+  nodeColumns = (lines + cellLines - 1) / cellLines + 1;
   latticePitch_mm = 0.58 * axialFwhm_mm;
   latticeElevationPitch_mm = 3 * latticePitch_mm;
   planeElevation();

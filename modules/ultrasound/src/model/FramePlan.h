@@ -79,6 +79,13 @@ struct ImpulseWeights {
 };
 ImpulseWeights impulseAt(double fraction);
 
+/// Catmull-Rom weights of gates k - 1 .. k + 2 at a fraction after gate k: the gates are far closer than the pulse is
+/// long, so that the samples between them follow from four.
+struct CubicWeights {
+  double weight[4];
+};
+CubicWeights cubicAt(double fraction);
+
 /// Correlation of the scatterer lattice at a lag in pitches.
 double latticeCorrelation(double lag);
 

@@ -1,7 +1,10 @@
 #include "reference/ReferenceEngine.h"
 
+#include "model/Boundary.h"
 #include "model/Contact.h"
 #include "model/FramePlan.h"
+#include "model/PointEchoes.h"
+#include "model/Reverberation.h"
 #include "model/Scatterers.h"
 #include "reference/TissueLookup.h"
 #include "scene/SceneData.h"
@@ -107,49 +110,13 @@ class LineTracer {
   EchoField& echo_;
 };
 
-/// Behind gas nothing comes back but the tissue above, mirrored, and rings between the gas and the probe.
-void reverberate(const FramePlan& plan, int line, int gasGate, EchoField& echo) {
-  using namespace acoustics;
-  const double ring_gates = kRingPeriod_mm / plan.gate_mm;
-  for (int look = 0; look < plan.settings.looks; ++look) {
+void reverberate(const Reverberation& behindGas, int looks, int line, int gasGate, int gates, EchoField& echo) {
+  for (int look = 0; look < looks; ++look) {
     std::vector<Complex> above(gasGate + 1);
     for (int g = 0; g <= gasGate; ++g) above[g] = echo.at(look, g, line);
-    const auto surface = [&](int o) { return gasGate - o >= 0 ? above[gasGate - o] : Complex{}; };
-    for (int g = gasGate + 2; g < plan.gates; ++g) {
-      const int beyond = g - gasGate;
-      const double depth_mm = beyond * plan.gate_mm;
-      if (beyond <= gasGate)
-        echo.at(look, g, line) += kMirrorShare * std::exp(-depth_mm / kMirrorDecay_mm) * above[gasGate - beyond];
-      // Each ring repeats the surface's own echo.
-      const int ring = static_cast<int>(std::lround(beyond / ring_gates));
-      const int off = static_cast<int>(std::lround(ring * ring_gates)) - beyond;
-      if (ring > 0 && off >= -1 && off <= 1)
-        echo.at(look, g, line) += kRingShare * std::exp(-depth_mm / kRingDecay_mm) * surface(off + 1);
-    }
-  }
-}
-
-void addPoints(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
-               EchoField& echo) {
-  const Transform probeFromPatient = inverted(patientFromProbe);
-  for (const PointTarget& point : scene.points) {
-    const Vec3 p = probeFromPatient * point.position_mm;
-    const auto at = plan.grid.locate(p.x, p.z);
-    const double gate = (at.sample + 0.5) / plan.stride - 0.5;
-    const int g0 = static_cast<int>(std::floor(gate)), l0 = static_cast<int>(std::floor(at.scanline));
-    if (!at.inside || g0 < 0 || g0 >= plan.gates) continue;
-    const double elevation = p.y / plan.elevationSd_mm[g0];
-    const double lateralPeak = plan.lateralKernel[std::size_t(g0) * (plan.maxLateralRadius + 1)];
-    const double echoAmplitude =
-        point.amplitude * std::exp(-0.5 * elevation * elevation) * plan.boundaryScale / lateralPeak;
-    const ImpulseWeights axial = impulseAt(gate - g0), lateral = impulseAt(at.scanline - l0);
-    for (int o = 0; o < 4; ++o)
-      for (int q = 0; q < 4; ++q) {
-        const int g = g0 - 1 + o, l = l0 - 1 + q;
-        if (g < 0 || g >= plan.gates || l < 0 || l >= plan.lines) continue;
-        for (int look = 0; look < plan.settings.looks; ++look)
-          echo.at(look, g, l) += echoAmplitude * axial.weight[o] * lateral.weight[q];
-      }
+    for (int g = gasGate + Reverberation::kFirstGate; g < gates; ++g)
+      for (const Reverberation::Repeat& r : behindGas.at(g - gasGate))
+        if (r.gatesAbove <= gasGate) echo.at(look, g, line) += double(r.share) * above[gasGate - r.gatesAbove];
   }
 }
 
@@ -177,8 +144,7 @@ EchoField convolveLaterally(const FramePlan& plan, const EchoField& in) {
   return out;
 }
 
-/// Magnitude on every sample: the gates are far closer than the pulse is long, so a cubic through four of them is exact
-/// enough.
+/// Magnitude on every sample.
 void envelopeOf(const FramePlan& plan, const EchoField& echo, EnvelopeFrame& envelope) {
   envelope.resize(plan.lines, plan.grid.samples(), plan.settings.looks);
   for (int look = 0; look < plan.settings.looks; ++look)
@@ -208,13 +174,15 @@ class ReferenceEngine final : public Engine {
     const ScattererLattice lattice(patientFromProbe.linear.column[1], plan.latticePitch_mm,
                                    plan.latticeElevationPitch_mm);
     EchoField echo(plan.settings.looks, plan.gates, plan.lines);
+    const Reverberation behindGas(plan);
     LineTracer tracer(plan, scene, lookup, lattice, echo);
     for (int line = 0; line < plan.lines; ++line) {
       for (int plane = 0; plane < plan.settings.elevationPlanes; ++plane) tracer.trace(plane, line);
       if (const int gas = lookup.firstGasGate(line); gas > 0 && plan.settings.effects.reverberation)
-        reverberate(plan, line, gas, echo);
+        reverberate(behindGas, plan.settings.looks, line, gas, plan.gates, echo);
     }
-    addPoints(plan, scene, patientFromProbe, echo);
+    for (const PointEcho& point : pointEchoes(plan, scene.points, patientFromProbe))
+      for (int look = 0; look < plan.settings.looks; ++look) echo.at(look, point.gate, point.line) += point.amplitude;
     envelopeOf(plan, convolveLaterally(plan, convolveAxially(plan, echo)), envelope);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     stages_ = {{"frame", time.count()}};

@@ -16,17 +16,6 @@ double mix(double a, double b, double t) {
 
 }  // namespace
 
-double specularLobe(const AcousticTissue& above, const AcousticTissue& below, double cosine) {
-  const double n = (above.specularExponent + below.specularExponent) / 2;
-  const double diffuse = (above.specularDiffuse + below.specularDiffuse) / 2;
-  return (1 - diffuse) * std::pow(cosine, n) + diffuse * cosine;
-}
-
-CubicWeights cubicAt(double t) {
-  return {{t * (-0.5 + t * (1 - 0.5 * t)), 1 + t * t * (-2.5 + 1.5 * t), t * (0.5 + t * (2 - 1.5 * t)),
-           t * t * (-0.5 + 0.5 * t)}};
-}
-
 TissueLookup::TissueLookup(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe)
     : plan_(plan), scene_(scene), patientFromProbe_(patientFromProbe) {
   for (int column = 0; column < plan.nodeColumns; ++column) {
@@ -40,7 +29,7 @@ TissueLookup::TissueLookup(const FramePlan& plan, const AcousticScene::Impl& sce
 }
 
 Contact TissueLookup::contact(int line) const {
-  const int column = std::min(line / plan_.cellLines, plan_.nodeColumns - 2);
+  const int column = line / plan_.cellLines;
   const double t = double(line - column * plan_.cellLines) / plan_.cellLines;
   const Contact &a = contacts_[column], &b = contacts_[column + 1];
   return {plan_.settings.conformingContact ? mix(a.gap_mm, b.gap_mm, t) : 0, mix(a.strength, b.strength, t)};
@@ -132,7 +121,7 @@ double TissueLookup::elevationSlope(int plane, int row, int column, const Cell& 
 }
 
 TissueSample TissueLookup::at(int plane, int gate, int line) const {
-  const int row = gate / plan_.cellGates, column = std::min(line / plan_.cellLines, plan_.nodeColumns - 2);
+  const int row = gate / plan_.cellGates, column = line / plan_.cellLines;
   const Cell cell = cellOf(plane, row, column);
   const double down = double(gate - row * plan_.cellGates) / plan_.cellGates;
   const double across = double(line - column * plan_.cellLines) / plan_.cellLines;

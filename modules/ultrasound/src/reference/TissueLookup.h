@@ -64,13 +64,4 @@ class TissueLookup {
   std::vector<Node> nodes_;
 };
 
-/// Amplitude of a boundary's echo against the cosine of incidence: cos^n, plus a diffuse share.
-double specularLobe(const AcousticTissue& above, const AcousticTissue& below, double cosine);
-
-/// Catmull-Rom weights of gates k - 1 .. k + 2 at a fraction after gate k.
-struct CubicWeights {
-  double weight[4];
-};
-CubicWeights cubicAt(double fraction);
-
 }  // namespace insonate

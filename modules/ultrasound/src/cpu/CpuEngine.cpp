@@ -1,0 +1,250 @@
+#include "cpu/CpuEngine.h"
+
+#include "cpu/BeamKernel.h"
+#include "cpu/TraceInput.h"
+#include "model/PointEchoes.h"
+#include "model/Reverberation.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+namespace insonate {
+namespace {
+
+using namespace cpu;
+
+constexpr int kSampleChunk = 64;
+
+int roundedUp(int n, int multiple) {
+  return (n + multiple - 1) / multiple * multiple;
+}
+
+/// What one thread writes to.
+struct Workspace {
+  TraceBuffers trace;
+  LateralBuffers lateral;
+  std::vector<float> above;  ///< one scanline's echoes above gas
+  TraceTimes_ms times;
+  double axial_ms = 0, lateral_ms = 0;
+};
+
+class StopWatch {
+ public:
+  double ms() const { return std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+class CpuEngine final : public Engine {
+ public:
+  std::string_view name() const override { return "cpu"; }
+  void prepare(const Probe& probe, const ImagingSettings& settings) override;
+  void render(const AcousticScene& scene, const Transform& patientFromProbe, EnvelopeFrame& envelope) override;
+  const std::vector<Stage>& stages() const override { return stages_; }
+
+ private:
+  void setChannels(const AcousticScene::Impl& scene);
+  void setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe);
+  void setScanlines(const Transform& patientFromProbe);
+  void traceLines(int firstLine, const std::vector<PointEcho>& points);
+  void reverberate(Workspace& work) const;
+
+  std::optional<FramePlan> plan_;
+  std::optional<Reverberation> behindGas_;
+  BeamTables tables_;
+  TraceInput input_;
+  EchoPlane echo_;
+  std::vector<std::unique_ptr<Workspace>> workspaces_;  ///< by thread of the arena
+  std::vector<Contact> contacts_;
+  std::vector<Stage> stages_;
+};
+
+void CpuEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
+  const FramePlan& plan = plan_.emplace(probe, settings);
+  behindGas_.emplace(plan);
+  tables_ = BeamTables(plan);
+  const int components = 2 * settings.looks;
+  const int paddedLines = roundedUp(plan.lines, kBlockLines);
+
+  echo_.margin = roundedUp(plan.maxLateralRadius, 16);
+  echo_.width = paddedLines + 2 * echo_.margin;
+  const std::size_t echoSize = std::size_t(components) * plan.gates * echo_.width;
+  echo_.values = hwy::AllocateAligned<float>(echoSize);
+  std::fill_n(echo_.values.get(), echoSize, 0.0F);
+
+  workspaces_.clear();
+  for (int t = 0; t < tbb::info::default_concurrency() + 1; ++t) {
+    auto work = std::make_unique<Workspace>();
+    work->trace.echo = hwy::AllocateAligned<float>(std::size_t(components) * plan.gates * kBlockLines);
+    work->lateral.ring = hwy::AllocateAligned<float>(std::size_t(components) * 4 * echo_.width);
+    work->above.resize(plan.gates);
+    workspaces_.push_back(std::move(work));
+  }
+
+  input_ = {};
+  input_.plan = &plan;
+  input_.lines.resize(paddedLines);
+  input_.columns.resize(plan.nodeColumns);
+  input_.lineGap_mm.resize(paddedLines);
+  input_.lineLevel_dB.resize(paddedLines);
+  input_.columnGap_mm.resize(plan.nodeColumns);
+  contacts_.resize(plan.nodeColumns);
+  const auto decayAt = [&](double gate) {
+    return static_cast<float>(std::exp(-plan.range_mm(gate) / acoustics::kContactDepth_mm));
+  };
+  for (int row = 0; row < plan.nodeRows; ++row) input_.contactDecay.push_back(decayAt(row * plan.cellGates));
+  for (int gate = 0; gate < plan.gates; ++gate) input_.contactDecay.push_back(decayAt(gate));
+  for (int p = 0; p < settings.elevationPlanes; ++p)
+    for (int g = 0; g < plan.gates; ++g) {
+      input_.elevation_mm.push_back(static_cast<float>(plan.planeOffset_sd[p] * plan.elevationSd_mm[g]));
+      const double scale =
+          settings.effects.speckle ? plan.scatterScale[g] * plan.scatterWeight[p] : plan.boundaryWeight[p];
+      input_.scatterScale.push_back(static_cast<float>(20 * std::log10(scale)));
+    }
+  const double perGate = plan.gate_mm / 10;
+  input_.edgeLoss_dB = static_cast<float>(2 * acoustics::kEdgeLoss_dBpcmMHz * settings.frequency_MHz * perGate);
+  stages_ = {{"contact"}, {"structures"}, {"echoes"}, {"axial beam"}, {"lateral beam"}};
+}
+
+void CpuEngine::setChannels(const AcousticScene::Impl& scene) {
+  const FramePlan& plan = *plan_;
+  ChannelConstants& k = input_.channels;
+  k = {};
+  for (int c = 0; c < scene.field.channels; ++c) {
+    const AcousticTissue& tissue = scene.table.of(scene.field.label[c]);
+    k.tissue[c] = &tissue;
+    k.tile[c] = &textureTile(tissue.texture);
+    k.loss_dB[c] =
+        static_cast<float>(2 * tissue.attenuation_dBpcmMHz *
+                           std::pow(plan.settings.frequency_MHz, tissue.attenuationExponent) * plan.gate_mm / 10);
+    k.echo_dB[c] = static_cast<float>(tissue.echogenicity_dB);
+    k.ctEcho_dBperHU[c] = static_cast<float>(tissue.ctEchogenicity_dBper100HU / 100);
+    k.impedance[c] = static_cast<float>(tissue.impedance_MRayl);
+    k.ctImpedancePerHU[c] = static_cast<float>(tissue.ctImpedancePer100HU / 100);
+    k.anyCt |= tissue.ctEchogenicity_dBper100HU != 0 || tissue.ctImpedancePer100HU != 0;
+  }
+}
+
+void CpuEngine::setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe) {
+  const FramePlan& plan = *plan_;
+  tbb::parallel_for(0, plan.nodeColumns, [&](int column) {
+    const double line = column * plan.cellLines;
+    const Vec3 origin = patientFromProbe * plan.grid.origin(line);
+    const Vec3 direction = patientFromProbe.linear * plan.grid.direction(line);
+    contacts_[column] = contactOf(scene.field, origin, direction);
+    RayArrays& a = input_.columns;
+    a.x[column] = static_cast<float>(origin.x), a.dx[column] = static_cast<float>(direction.x);
+    a.y[column] = static_cast<float>(origin.y), a.dy[column] = static_cast<float>(direction.y);
+    a.z[column] = static_cast<float>(origin.z), a.dz[column] = static_cast<float>(direction.z);
+    input_.columnGap_mm[column] = plan.settings.conformingContact ? static_cast<float>(contacts_[column].gap_mm) : 0.0F;
+  });
+  setScanlines(patientFromProbe);
+  input_.scene = &scene;
+  input_.elevationAxis = patientFromProbe.linear.column[1];
+  const ScattererLattice lattice(input_.elevationAxis, plan.latticePitch_mm, plan.latticeElevationPitch_mm);
+  input_.latticeFromPatient = lattice.latticeFromPatient;
+  input_.latticeSeed = lattice.seed;
+}
+
+void CpuEngine::setScanlines(const Transform& patientFromProbe) {
+  const FramePlan& plan = *plan_;
+  for (std::size_t l = 0; l < input_.lines.x.size(); ++l) {
+    const int line = std::min(static_cast<int>(l), plan.lines - 1);
+    const Vec3 origin = patientFromProbe * plan.grid.origin(line);
+    const Vec3 direction = patientFromProbe.linear * plan.grid.direction(line);
+    RayArrays& a = input_.lines;
+    a.x[l] = static_cast<float>(origin.x), a.dx[l] = static_cast<float>(direction.x);
+    a.y[l] = static_cast<float>(origin.y), a.dy[l] = static_cast<float>(direction.y);
+    a.z[l] = static_cast<float>(origin.z), a.dz[l] = static_cast<float>(direction.z);
+    const int column = line / plan.cellLines;
+    const double t = double(line - column * plan.cellLines) / plan.cellLines;
+    const Contact &left = contacts_[column], &right = contacts_[column + 1];
+    const double gap_mm = left.gap_mm + t * (right.gap_mm - left.gap_mm);
+    const double strength = left.strength + t * (right.strength - left.strength);
+    input_.lineGap_mm[l] = plan.settings.conformingContact ? static_cast<float>(gap_mm) : 0.0F;
+    input_.lineLevel_dB[l] = static_cast<float>(20 * std::log10(std::max(strength, 1e-9)));
+  }
+}
+
+void CpuEngine::reverberate(Workspace& work) const {
+  const FramePlan& plan = *plan_;
+  for (int l = 0; l < kBlockLines; ++l) {
+    const int gas = work.trace.gasGate[l];
+    if (gas <= 0) continue;
+    for (int c = 0; c < 2 * plan.settings.looks; ++c) {
+      float* echo = work.trace.echo.get() + std::size_t(c) * plan.gates * kBlockLines + l;
+      for (int g = 0; g <= gas; ++g) work.above[g] = echo[std::size_t(g) * kBlockLines];
+      for (int g = gas + Reverberation::kFirstGate; g < plan.gates; ++g)
+        for (const Reverberation::Repeat& r : behindGas_->at(g - gas))
+          if (r.gatesAbove <= gas) echo[std::size_t(g) * kBlockLines] += r.share * work.above[gas - r.gatesAbove];
+    }
+  }
+}
+
+void CpuEngine::traceLines(int firstLine, const std::vector<PointEcho>& points) {
+  const FramePlan& plan = *plan_;
+  Workspace& work = *workspaces_[tbb::this_task_arena::current_thread_index()];
+  traceBlock(input_, firstLine, work.trace, work.times);
+  const StopWatch watch;
+  reverberate(work);
+  for (const PointEcho& point : points)
+    if (point.line >= firstLine && point.line < firstLine + kBlockLines)
+      for (int look = 0; look < plan.settings.looks; ++look)
+        work.trace.echo[(std::size_t(2) * look * plan.gates + point.gate) * kBlockLines + point.line - firstLine] +=
+            point.amplitude;
+  // Beyond the last scanline the block holds copies of it; the lateral kernel must find zeros there.
+  for (std::size_t row = 0; row < std::size_t(2) * plan.settings.looks * plan.gates; ++row)
+    for (int l = std::max(0, plan.lines - firstLine); l < kBlockLines; ++l) work.trace.echo[row * kBlockLines + l] = 0;
+  convolveAxially(plan, tables_, work.trace.echo.get(), firstLine, echo_);
+  work.axial_ms += watch.ms();
+}
+
+void CpuEngine::render(const AcousticScene& sceneHandle, const Transform& patientFromProbe, EnvelopeFrame& envelope) {
+  const FramePlan& plan = *plan_;
+  const AcousticScene::Impl& scene = sceneHandle.impl();
+  envelope.resize(plan.lines, plan.grid.samples(), plan.settings.looks);
+  for (auto& work : workspaces_) work->times = {}, work->axial_ms = work->lateral_ms = 0;
+
+  const StopWatch watch;
+  setChannels(scene);
+  setGeometry(scene, patientFromProbe);
+  const std::vector<PointEcho> points =
+      scene.points.empty() ? std::vector<PointEcho>{} : pointEchoes(plan, scene.points, patientFromProbe);
+  stages_[0].ms = watch.ms();
+
+  const int blocks = (plan.lines + kBlockLines - 1) / kBlockLines;
+  tbb::parallel_for(0, blocks, [&](int block) { traceLines(block * kBlockLines, points); });
+  const int chunks = (plan.grid.samples() + kSampleChunk - 1) / kSampleChunk;
+  tbb::parallel_for(0, chunks, [&](int chunk) {
+    const StopWatch chunkWatch;
+    Workspace& work = *workspaces_[tbb::this_task_arena::current_thread_index()];
+    convolveLaterally(plan, tables_, echo_, chunk * kSampleChunk,
+                      std::min((chunk + 1) * kSampleChunk, plan.grid.samples()), work.lateral,
+                      envelope.amplitude.data());
+    work.lateral_ms += chunkWatch.ms();
+  });
+
+  for (int s = 1; s < 5; ++s) stages_[s].ms = 0;
+  for (const auto& work : workspaces_) {
+    stages_[1].ms += work->times.nodes;
+    stages_[2].ms += work->times.gates;
+    stages_[3].ms += work->axial_ms;
+    stages_[4].ms += work->lateral_ms;
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Engine> makeCpuEngine() {
+  return std::make_unique<CpuEngine>();
+}
+
+}  // namespace insonate

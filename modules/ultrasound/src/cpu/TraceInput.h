@@ -1,0 +1,107 @@
+#pragma once
+
+#include "model/Contact.h"
+#include "model/FramePlan.h"
+#include "model/Scatterers.h"
+#include "scene/SceneData.h"
+
+#include <hwy/aligned_allocator.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace insonate::cpu {
+
+/// Scanlines are traced in blocks of this many, one task a block; a multiple of every vector length up to 16 lanes.
+inline constexpr int kBlockLines = 32;
+inline constexpr int kMaxColumns = kBlockLines + 16;  ///< node columns of a block, with room for a vector's tail
+inline constexpr int kMaxPlanes = 9;
+
+template <class T>
+using AlignedArray = hwy::AlignedFreeUniquePtr<T[]>;
+
+/// Acoustic constants by channel of the tissue field, floats for the kernels.
+struct ChannelConstants {
+  alignas(64) float loss_dB[TissueField::kStride]{};  ///< per gate, there and back
+  alignas(64) float echo_dB[TissueField::kStride]{};
+  alignas(64) float ctEcho_dBperHU[TissueField::kStride]{};
+  alignas(64) float impedance[TissueField::kStride]{};
+  alignas(64) float ctImpedancePerHU[TissueField::kStride]{};
+  const AcousticTissue* tissue[TissueField::kStride]{};
+  const TextureTile* tile[TissueField::kStride]{};
+  bool anyCt = false;
+};
+
+/// Patient-frame geometry of scanlines (or node columns), one array a coordinate.
+struct RayArrays {
+  std::vector<float> x, y, z, dx, dy, dz;
+  void resize(std::size_t n) {
+    for (auto* a : {&x, &y, &z, &dx, &dy, &dz}) a->resize(n);
+  }
+};
+
+/// All that the trace of one frame reads; filled by the engine, shared by its tasks.
+struct TraceInput {
+  const FramePlan* plan = nullptr;
+  const AcousticScene::Impl* scene = nullptr;
+  ChannelConstants channels;
+  RayArrays lines, columns;                     ///< lines padded to whole blocks
+  std::vector<float> lineGap_mm, lineLevel_dB;  ///< contact; level is 20 log10 of its strength
+  std::vector<float> columnGap_mm;
+  std::vector<float> contactDecay;  ///< [gate or node row's gate]
+  std::vector<float> elevation_mm;  ///< [plane][gate]
+  std::vector<float> scatterScale;  ///< [plane][gate], dB
+  Vec3 elevationAxis;
+  Mat3 latticeFromPatient;
+  std::uint32_t latticeSeed = 0;
+  float edgeLoss_dB = 0;  ///< per gate
+};
+
+inline constexpr std::int32_t kNoGasYet = -1, kNoGasEver = -2;
+
+/// Per-thread scratch of the trace, and its result for one block.
+struct TraceBuffers {
+  /// Distances at one row of nodes, [channel][column], by plane and parity of the row.
+  struct NodeRow {
+    alignas(64) float distance[TissueField::kStride][kMaxColumns];
+    alignas(64) float ct[kMaxColumns];
+    alignas(64) float patch[kMaxColumns];
+    alignas(64) float inside[kMaxColumns];  ///< 1 or 0
+  };
+  /// One row of cells, spread to scanlines.
+  struct CellRow {
+    alignas(64) float sTop[kBlockLines], sBottom[kBlockLines];
+    alignas(64) float cosine[kBlockLines], facing_dB[kBlockLines], patch[kBlockLines];
+    alignas(64) float echoA[kBlockLines], echoB[kBlockLines], lossA[kBlockLines], lossB[kBlockLines];
+    alignas(64) float impedanceA[kBlockLines], impedanceB[kBlockLines];
+    alignas(64) float edgeLoss[kBlockLines], inside[kBlockLines];
+    alignas(64) std::int32_t channelA[kBlockLines], channelB[kBlockLines], profile[kBlockLines];
+    std::uint32_t channelsPresent = 0;  ///< bit per channel that any cell of the row names
+    bool nearBoundary = false;          ///< some cell is within reach of a boundary's layers or edge
+  };
+  /// Where each scanline stands on its way down.
+  struct LineState {
+    alignas(64) float level_dB[kBlockLines];
+    alignas(64) float s[kBlockLines];
+    alignas(64) float impedance[kBlockLines];
+    alignas(64) std::int32_t channel[kBlockLines];  ///< -1 before the first gate
+    alignas(64) std::int32_t pair[kBlockLines];
+  };
+
+  NodeRow nodes[kMaxPlanes][2];
+  CellRow cells[kMaxPlanes];
+  LineState state[kMaxPlanes];
+  std::int32_t gasGate[kBlockLines];  ///< first gate in gas behind tissue
+  std::int32_t tissueSeen[kBlockLines];
+  AlignedArray<float> echo;  ///< [component][gate][kBlockLines], component = 2 * look + (0 re, 1 im)
+};
+
+struct TraceTimes_ms {
+  double nodes = 0, gates = 0;
+};
+
+/// Echoes of the scanlines firstLine .. firstLine + kBlockLines - 1 on all gates, before the beam.
+void traceBlock(const TraceInput& input, int firstLine, TraceBuffers& buffers, TraceTimes_ms& times);
+
+}  // namespace insonate::cpu

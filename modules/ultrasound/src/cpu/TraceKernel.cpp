@@ -1,0 +1,59 @@
+// Compiled once for every instruction set (see foreach_target.h); traceBlock() picks one at run time.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "cpu/TraceKernel.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target:
+#include "cpu/Cells-inl.h"
+#include "cpu/Gates-inl.h"
+#include "cpu/Nodes-inl.h"
+#include "cpu/TraceInput.h"
+
+#include <hwy/highway.h>
+
+#include <chrono>
+
+HWY_BEFORE_NAMESPACE();
+namespace insonate::cpu::HWY_NAMESPACE {
+
+template <int kLooks>
+void traceLooks(const TraceInput& in, int firstLine, TraceBuffers& b, TraceTimes_ms& times) {
+  const FramePlan& plan = *in.plan;
+  const int planes = plan.settings.elevationPlanes;
+  using Clock = std::chrono::steady_clock;
+  startLines(in, firstLine, b);
+  for (int p = 0; p < planes; ++p) computeNodeRow(in, firstLine, p, 0, b.nodes[p][0]);
+  for (int row = 0; row + 1 < plan.nodeRows; ++row) {
+    const auto start = Clock::now();
+    for (int p = 0; p < planes; ++p) computeNodeRow(in, firstLine, p, row + 1, b.nodes[p][(row + 1) & 1]);
+    const std::uint32_t active = activeChannels(in, row, b);
+    for (int p = 0; p < planes; ++p) computeCellRow(in, p, row, active, b);
+    const auto middle = Clock::now();
+    const int end = std::min(plan.gates, (row + 1) * plan.cellGates);
+    for (int gate = row * plan.cellGates; gate < end; ++gate) traceGate<kLooks>(in, firstLine, row, gate, b);
+    times.nodes += std::chrono::duration<double, std::milli>(middle - start).count();
+    times.gates += std::chrono::duration<double, std::milli>(Clock::now() - middle).count();
+  }
+}
+
+void traceBlockTarget(const TraceInput& in, int firstLine, TraceBuffers& b, TraceTimes_ms& times) {
+  switch (in.plan->settings.looks) {
+    case 1:
+      return traceLooks<1>(in, firstLine, b, times);
+    case 2:
+      return traceLooks<2>(in, firstLine, b, times);
+    default:
+      return traceLooks<3>(in, firstLine, b, times);
+  }
+}
+
+}  // namespace insonate::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace insonate::cpu {
+HWY_EXPORT(traceBlockTarget);
+void traceBlock(const TraceInput& input, int firstLine, TraceBuffers& buffers, TraceTimes_ms& times) {
+  HWY_DYNAMIC_DISPATCH(traceBlockTarget)(input, firstLine, buffers, times);
+}
+}  // namespace insonate::cpu
+#endif
