@@ -10,6 +10,9 @@ int main(int argc, char** argv) {
 
   Outcome outcome;
   addPhantomCommand(app, outcome);
+  addRenderCommand(app, outcome);
+  addImportCommand(app, outcome);
+  addCheckCommand(app, outcome);
 
   try {
     app.parse(argc, argv);

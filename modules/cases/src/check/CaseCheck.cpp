@@ -1,0 +1,47 @@
+#include "Checks.h"
+
+#include <insonate/tissue/Labels.h>
+
+#include <algorithm>
+
+namespace insonate {
+
+std::string_view nameOf(Severity severity) {
+  switch (severity) {
+    case Severity::kError:
+      return "error";
+    case Severity::kWarning:
+      return "warning";
+    case Severity::kInfo:
+      break;
+  }
+  return "info";
+}
+
+bool isFit(const std::vector<Finding>& findings) {
+  return std::ranges::none_of(findings, [](const Finding& f) { return f.severity == Severity::kError; });
+}
+
+Result<std::vector<Finding>> checkCase(const PatientCase& patient, const Progress& progress) {
+  using namespace check;
+  Findings findings;
+  const auto cancelled = [&](double fraction) { return !report(progress, "Checking the case", fraction); };
+  const auto stop = [] { return fail(std::string(kCancelled)); };
+
+  if (cancelled(0)) return stop();
+  const LabelStatistics statistics = statisticsOf(patient);
+  checkGrid(patient, statistics, findings);
+  checkLabels(patient, statistics, findings);
+  if (cancelled(0.3)) return stop();
+  if (statistics.labelled() > 0) checkBody(patient, findings);
+  if (cancelled(0.7)) return stop();
+  for (const std::uint8_t vessel : {kVein, kArtery})
+    if (statistics.has(vessel)) checkVessel(patient, vessel, findings);
+  if (cancelled(0.9)) return stop();
+  checkPlaces(patient, findings);
+  if (cancelled(1)) return stop();
+  std::ranges::stable_sort(findings, {}, &Finding::severity);
+  return findings;
+}
+
+}  // namespace insonate

@@ -1,0 +1,76 @@
+#include "Checks.h"
+
+#include <insonate/cases/StartPose.h>
+#include <insonate/tissue/Labels.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace insonate::check {
+namespace {
+
+bool inVolume(const VolumeGeometry& g, Vec3 p_mm) {
+  const Vec3 index = g.indexFromPatient() * p_mm;
+  for (int a = 0; a < 3; ++a)
+    if (!(index[a] >= -0.5 && index[a] <= g.size[a] - 0.5)) return false;
+  return true;
+}
+
+void checkTarget(const PatientCase& patient, const Target& target, Findings& findings) {
+  const VolumeGeometry& g = patient.labels.geometry;
+  const std::string what = "The target \"" + target.name + "\" at " + placeText(target.position_mm);
+  if (!inVolume(g, target.position_mm)) {
+    findings.push_back({Severity::kError, "target_outside", what + " lies outside the volume. Correct case.json."});
+    return;
+  }
+  const int label = sampleNearest(patient.labels, g.indexFromPatient() * target.position_mm);
+  if (label != target.label)
+    findings.push_back({Severity::kError, "target_label",
+                        what + " should be in " + labelName(target.label) + ", but the label there is " +
+                            labelName(label) + ". Correct its position or the label map."});
+}
+
+void checkPose(const PatientCase& patient, const StartPose& pose, bool labelled, Findings& findings) {
+  const VolumeGeometry& g = patient.labels.geometry;
+  const std::string what = "The start pose \"" + pose.name + "\" at " + placeText(pose.position_mm);
+  if (!inVolume(g, pose.position_mm)) {
+    findings.push_back({Severity::kError, "pose_outside", what + " lies outside the volume. Correct case.json."});
+    return;
+  }
+  if (!labelled) return;
+  constexpr double kIn_mm = 3, kOut_mm = 5;
+  const auto labelAt = [&](double depth_mm) {
+    return sampleNearest(patient.labels, g.indexFromPatient() * (pose.position_mm + depth_mm * pose.axial));
+  };
+  if (labelAt(kIn_mm) == kBackground || labelAt(-kOut_mm) != kBackground)
+    findings.push_back({Severity::kWarning, "pose_off_skin",
+                        what + " is not on the skin looking into the body; the picture may start empty."});
+}
+
+}  // namespace
+
+std::string placeText(Vec3 p) {
+  std::array<char, 96> text;
+  std::snprintf(text.data(), text.size(), "(%.1f, %.1f, %.1f) mm", p.x, p.y, p.z);
+  return text.data();
+}
+
+void checkPlaces(const PatientCase& patient, Findings& findings) {
+  const CaseManifest& m = patient.manifest;
+  const bool labelled = std::ranges::any_of(patient.labels.voxels, [](std::uint8_t v) { return v != 0; });
+  if (m.targets.empty())
+    findings.push_back({Severity::kWarning, "no_target",
+                        "case.json names no target, so a session cannot tell what is to be punctured. Add one."});
+  for (const Target& target : m.targets) checkTarget(patient, target, findings);
+  for (const StartPose& pose : m.startPoses) checkPose(patient, pose, labelled, findings);
+  if (!m.startPoses.empty()) return;
+  if (const auto proposed = proposeStartPose(patient))
+    findings.push_back({Severity::kInfo, "no_start_pose",
+                        "case.json has no start pose; \"auto\" will be " + proposed->name + " at " +
+                            placeText(proposed->position_mm) + "."});
+  else
+    findings.push_back(
+        {Severity::kWarning, "no_start_pose", "case.json has no start pose. " + proposed.error().message});
+}
+
+}  // namespace insonate::check

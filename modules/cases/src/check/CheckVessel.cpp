@@ -1,0 +1,73 @@
+#include "Checks.h"
+#include "Flood.h"
+
+#include <insonate/tissue/Labels.h>
+
+namespace insonate::check {
+namespace {
+
+/// Share of a label's voxels that belong to a 2x2 block of it across the vessel's main direction.
+double solidShare(const LabelMap& labels, std::uint8_t label) {
+  const VolumeGeometry& g = labels.geometry;
+  const int along = headFootAxis(g), u = (along + 1) % 3, v = (along + 2) % 3;
+  std::vector<std::uint8_t> solid(labels.voxels.size(), 0);
+  std::size_t total = 0, inBlocks = 0;
+  std::array<int, 3> p;
+  for (p[2] = 0; p[2] < g.size[2]; ++p[2])
+    for (p[1] = 0; p[1] < g.size[1]; ++p[1])
+      for (p[0] = 0; p[0] < g.size[0]; ++p[0]) {
+        if (labels.at(p[0], p[1], p[2]) != label) continue;
+        ++total;
+        std::array<std::size_t, 4> block{};
+        bool whole = true;
+        for (int corner = 0; corner < 4 && whole; ++corner) {
+          std::array<int, 3> q = p;
+          q[u] += corner & 1;
+          q[v] += corner >> 1;
+          whole = g.contains(q[0], q[1], q[2]) && labels.at(q[0], q[1], q[2]) == label;
+          if (whole) block[corner] = g.offset(q[0], q[1], q[2]);
+        }
+        if (!whole) continue;
+        for (std::size_t n : block) {
+          inBlocks += !solid[n];
+          solid[n] = 1;
+        }
+      }
+  return total ? static_cast<double>(inBlocks) / static_cast<double>(total) : 1;
+}
+
+/// One part ends shortly before the other begins, nearly in line with it.
+bool isGap(const Part& lower, const Part& upper) {
+  constexpr double kLongest_mm = 20;
+  return upper.low > lower.high && norm(upper.lowEnd_mm - lower.highEnd_mm) < kLongest_mm;
+}
+
+}  // namespace
+
+void checkVessel(const PatientCase& patient, std::uint8_t label, Findings& findings) {
+  constexpr double kCrumb_mm3 = 30;  // less than 5 mm of a vessel 3 mm wide
+  const std::string name = labelName(label);
+  const int axis = headFootAxis(patient.labels.geometry);
+  std::vector<Part> parts = partsOf(patient.labels, label, axis);
+  const std::size_t all = parts.size();
+  std::erase_if(parts, [&](const Part& p) {
+    return static_cast<double>(p.voxels) * voxelVolume_mm3(patient.labels.geometry) < kCrumb_mm3;
+  });
+  for (const Part& lower : parts)
+    for (const Part& upper : parts)
+      if (isGap(lower, upper))
+        findings.push_back({Severity::kWarning, name + "_broken",
+                            "The " + name + " ends at " + placeText(lower.highEnd_mm) + " and goes on at " +
+                                placeText(upper.lowEnd_mm) + ". Join the pieces, or it will end in the picture."});
+  if (all > parts.size())
+    findings.push_back({Severity::kWarning, name + "_fragments",
+                        "The " + name + " has " + std::to_string(all - parts.size()) +
+                            " crumbs apart from the vessels. Erase them, or they will be punctured by mistake."});
+  const double solid = solidShare(patient.labels, label);
+  if (solid < 0.5)
+    findings.push_back({Severity::kWarning, name + "_thin",
+                        "Most of the " + name +
+                            " is only one voxel thin; it has no lumen to show or to hit. Label it on a finer grid."});
+}
+
+}  // namespace insonate::check

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <insonate/image/Volume.h>
+
+#include <vector>
+
+namespace insonate::check {
+
+/// 1 for each voxel of `label` that a path of face neighbours of that label joins to a side of the volume, where the
+/// sides are the four faces that `endAxis` does not cross.
+std::vector<std::uint8_t> floodFromSides(const LabelMap& labels, std::uint8_t label, int endAxis);
+
+/// Voxels of a label that hang together by faces, edges or corners.
+struct Part {
+  std::size_t voxels = 0;
+  int low = 0, high = 0;       ///< first and last index along the axis that was asked for
+  Vec3 lowEnd_mm, highEnd_mm;  ///< patient centres of the voxels at these two indices
+};
+
+/// All parts of a label, largest first.
+std::vector<Part> partsOf(const LabelMap& labels, std::uint8_t label, int axis);
+
+}  // namespace insonate::check
