@@ -1,4 +1,5 @@
 #include "DicomElements.h"
+#include "DicomLayout.h"
 #include "DicomSlice.h"
 
 #include <gdcmReader.h>
@@ -106,10 +107,12 @@ bool namedLikeDicom(const fs::path& file) {
 }
 
 DicomScan scan(const fs::path& file) {
+  const DicomLayout layout = layoutOf(file);
+  if (layout == DicomLayout::kNotDicom)
+    return {{}, namedLikeDicom(file) ? "named like DICOM, but it is none" : "neither DICOM nor a volume"};
+  if (layout == DicomLayout::kCutInHeader) return {{}, "DICOM that is cut off or damaged in its header"};
   gdcm::Reader reader;
   reader.SetFileName(file.c_str());
-  if (!reader.CanRead())
-    return {{}, namedLikeDicom(file) ? "named like DICOM, but it is none" : "neither DICOM nor a volume"};
   std::set<Tag> skip;
   if (!reader.ReadUpToTag(kPixelData, skip)) return {{}, "DICOM that is cut off or damaged in its header"};
   const DataSet& data = reader.GetFile().GetDataSet();
@@ -117,7 +120,9 @@ DicomScan scan(const fs::path& file) {
   std::string sopClass = textOf(data, Tag(0x0008, 0x0016));
   if (sopClass.empty()) sopClass = textOf(reader.GetFile().GetHeader(), Tag(0x0002, 0x0002));
   if (auto reason = notASlice(sopClass, modality, data); !reason.empty()) return {{}, reason};
-  return {slicesOf(file, modality, data), {}};
+  DicomScan result{slicesOf(file, modality, data), {}};
+  for (DicomSlice& slice : result.slices) slice.cutOff = layout == DicomLayout::kCutInPixels;
+  return result;
 }
 
 }  // namespace

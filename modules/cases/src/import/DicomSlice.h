@@ -24,6 +24,7 @@ struct DicomSlice {
   std::optional<double> slope, intercept;
   std::optional<std::array<int, 2>> padding;  ///< stored values from..to that mean "no picture here"
   bool burnedInText = false;
+  bool cutOff = false;  ///< its pixels are incomplete
 };
 
 /// The slices of a file, or why it has none.

@@ -83,8 +83,8 @@ void warnOfDamagedFiles(const InputScan& scan, std::vector<std::string>& warning
   const auto damaged =
       std::ranges::count_if(scan.setAside, [](const SetAside& s) { return s.reason.starts_with("DICOM that is"); });
   if (damaged > 0)
-    warnings.push_back(std::to_string(damaged) +
-                       " DICOM files could not be read; slices at the ends of the volume may be missing.");
+    warnings.push_back(std::to_string(damaged) + (damaged == 1 ? " DICOM file" : " DICOM files") +
+                       " could not be read; slices at the ends of the volume may be missing.");
 }
 
 }  // namespace

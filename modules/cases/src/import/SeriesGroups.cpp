@@ -152,6 +152,8 @@ std::string whyNot(const DicomSlice& s) {
   if (!((*s.pixelSpacing_mm)[0] > 0 && (*s.pixelSpacing_mm)[1] > 0)) return "Its Pixel Spacing is not above 0.";
   if (!s.position_mm || !s.orientation)
     return "Its slices do not say where they lie (Image Position and Orientation). Export the original series.";
+  if (s.cutOff)
+    return "The slice " + s.file.filename().string() + " is cut off: it ends before its picture does. Copy it again.";
   const auto& [i, j] = *s.orientation;
   if (!(std::abs(norm(i) - 1) < 0.01 && std::abs(norm(j) - 1) < 0.01))
     return "The Image Orientation of its slices is no pair of unit vectors.";
