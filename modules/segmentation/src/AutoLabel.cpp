@@ -14,17 +14,9 @@ constexpr double kSkin_mm = 2;
 constexpr double kStrand_mm = 1.6;  // tissue thinner than twice this is no muscle
 constexpr double kPasses = 60;      // of Work::slices below, for the progress
 
-template <class Function>
-void eachVoxel(const VolumeGeometry& g, Work& work, const Function& function) {
-  const std::size_t slice = std::size_t(g.size[0]) * g.size[1];
-  work.slices(g.size[2], [&](int k) {
-    for (std::size_t v = k * slice; v < (k + 1) * slice; ++v) function(v);
-  });
-}
-
 void labelBone(LabelMap& labels, const CtVolume& ct, Work& work) {
   const Mask bone = findBone(ct, labels, work);
-  eachVoxel(ct.geometry, work, [&](std::size_t v) {
+  work.voxels(ct.geometry, [&](std::size_t v) {
     if (bone.voxels[v]) labels.voxels[v] = kBone;
   });
 }
@@ -33,22 +25,22 @@ void labelBone(LabelMap& labels, const CtVolume& ct, Work& work) {
 /// tissue, which looks like fat; they stay soft tissue.
 void labelFatAndMuscle(LabelMap& labels, const CtVolume& ct, Work& work) {
   Mask lining(ct.geometry);
-  eachVoxel(ct.geometry, work, [&](std::size_t v) { lining.voxels[v] = labels.voxels[v] == kAirway; });
+  work.voxels(ct.geometry, [&](std::size_t v) { lining.voxels[v] = labels.voxels[v] == kAirway; });
   dilateToNeighbours(lining, work);
 
   Mask fat(ct.geometry);
-  eachVoxel(ct.geometry, work, [&](std::size_t v) { fat.voxels[v] = ct.voxels[v] < kFatBelow_HU; });
+  work.voxels(ct.geometry, [&](std::size_t v) { fat.voxels[v] = ct.voxels[v] < kFatBelow_HU; });
   majorityInSlice(fat, work);
-  eachVoxel(ct.geometry, work, [&](std::size_t v) {
+  work.voxels(ct.geometry, [&](std::size_t v) {
     if (labels.voxels[v] == kSoftTissue && fat.voxels[v] && !lining.voxels[v]) labels.voxels[v] = kFat;
   });
 
   Mask& firm = fat;
-  eachVoxel(ct.geometry, work, [&](std::size_t v) {
+  work.voxels(ct.geometry, [&](std::size_t v) {
     firm.voxels[v] = labels.voxels[v] == kBone || (labels.voxels[v] == kSoftTissue && !lining.voxels[v]);
   });
   open(firm, kStrand_mm, work);
-  eachVoxel(ct.geometry, work, [&](std::size_t v) {
+  work.voxels(ct.geometry, [&](std::size_t v) {
     if (labels.voxels[v] == kSoftTissue && firm.voxels[v] && !lining.voxels[v]) labels.voxels[v] = kMuscle;
   });
 }
@@ -56,13 +48,13 @@ void labelFatAndMuscle(LabelMap& labels, const CtVolume& ct, Work& work) {
 /// Padding is no air that touches the patient, so there is no skin at it.
 void labelSkin(LabelMap& labels, const CtVolume& ct, Work& work) {
   Mask shell(ct.geometry), neighbours(ct.geometry);
-  eachVoxel(ct.geometry, work, [&](std::size_t v) {
+  work.voxels(ct.geometry, [&](std::size_t v) {
     shell.voxels[v] = labels.voxels[v] == kBackground && ct.voxels[v] > kPaddingBelow_HU;
     neighbours.voxels[v] = shell.voxels[v];
   });
   dilate(shell, kSkin_mm, work);
   dilateToNeighbours(neighbours, work);
-  eachVoxel(ct.geometry, work, [&](std::size_t v) {
+  work.voxels(ct.geometry, [&](std::size_t v) {
     const std::uint8_t label = labels.voxels[v];
     if (label != kBackground && label != kAirway && (shell.voxels[v] || neighbours.voxels[v])) labels.voxels[v] = kSkin;
   });

@@ -18,8 +18,9 @@ constexpr double kGiveBack_mm = 8;
 constexpr double kSeal_mm = 5;
 // Outside air is close to -1000 HU; lung that a cropped scan cuts is not.
 constexpr double kOutsideAir_HU = -900;
-// A skin fold is open to the outside along its length, an airway at its mouth only: mm2 of opening for each mm3.
-constexpr double kFoldOpening_per_mm = 0.02;
+// A skin fold is open to the outside along its length, an airway at its mouth only: opening for each mm3 of its volume
+// and for each mm2 of its surface.
+constexpr double kFoldOpening_per_mm = 0.02, kFoldOpening = 0.04;
 // Smaller pockets are streaks of dental metal or cells of bone.
 constexpr double kSmallestAirway_mm3 = 100;
 
@@ -47,23 +48,35 @@ std::vector<bool> touchingSide(const Components& components, const VolumeGeometr
   return touching;
 }
 
-/// Means with padding (-1024, -3024, ...) counted as air.
-std::vector<double> meanHounsfield(const Components& components, const CtVolume& ct) {
-  std::vector<double> sum(components.count(), 0);
+/// Means of the air in each; matter in it (a couch, another arm) is left out, padding (-1024, -3024, ...) is air.
+std::vector<double> meanOfAir_HU(const Components& components, const CtVolume& ct) {
+  std::vector<double> sum(components.count(), 0), voxels(components.count(), 0);
   for (const auto& run : components.runs())
-    for (int i = run.begin; i < run.end; ++i) sum[run.component] += std::max<int>(ct.at(i, run.j, run.k), -1000);
-  const auto sizes = components.sizes();
-  for (std::size_t c = 0; c < sum.size(); ++c) sum[c] /= static_cast<double>(sizes[c]);
+    for (int i = run.begin; i < run.end; ++i) {
+      const int hu = ct.at(i, run.j, run.k);
+      if (hu > kMatter_HU) continue;
+      sum[run.component] += std::max(hu, -1000);
+      voxels[run.component] += 1;
+    }
+  for (std::size_t c = 0; c < sum.size(); ++c) sum[c] /= std::max(voxels[c], 1.0);
   return sum;
 }
 
 /// In place: mask &= (HU > kMatter_HU).
 void keepMatter(Mask& mask, const CtVolume& ct, Work& work) {
-  const std::size_t slice = std::size_t(ct.geometry.size[0]) * ct.geometry.size[1];
-  work.slices(ct.geometry.size[2], [&](int k) {
-    for (std::size_t v = k * slice; v < (k + 1) * slice; ++v)
-      mask.voxels[v] &= static_cast<std::uint8_t>(ct.voxels[v] > kMatter_HU);
-  });
+  work.voxels(ct.geometry,
+              [&](std::size_t v) { mask.voxels[v] &= static_cast<std::uint8_t>(ct.voxels[v] > kMatter_HU); });
+}
+
+/// False when there is no piece at all.
+bool keepLargest(Mask& mask, Work& work) {
+  const Components pieces(mask, Components::Reach::Volume, work);
+  if (pieces.count() == 0) return false;
+  const auto sizes = pieces.sizes();
+  std::vector<bool> others(pieces.count(), true);
+  others[std::max_element(sizes.begin(), sizes.end()) - sizes.begin()] = false;
+  pieces.paint(others, 0, mask);
+  return true;
 }
 
 /// The largest thick piece of matter, with its thin parts; empty when there is none.
@@ -71,33 +84,38 @@ std::optional<Mask> largestBody(const CtVolume& ct, Work& work) {
   Mask body(ct.geometry, 1);
   keepMatter(body, ct, work);
   open(body, kThinMatter_mm, work);
-  const Components pieces(body, Components::Reach::Volume, work);
-  if (pieces.count() == 0) return std::nullopt;
-  const auto sizes = pieces.sizes();
-  std::vector<bool> others(pieces.count(), true);
-  others[std::max_element(sizes.begin(), sizes.end()) - sizes.begin()] = false;
-  pieces.paint(others, 0, body);
+  if (!keepLargest(body, work)) return std::nullopt;
   dilate(body, kGiveBack_mm, work);
   keepMatter(body, ct, work);
+  keepLargest(body, work);  // the reach crosses narrow air to an arm or the couch
   return body;
 }
 
-/// Opening area (mm2) of each component toward the outside.
-std::vector<double> openingToOutside(const Components& components, const Mask& outside) {
-  const auto& g = outside.geometry;
-  const double iFace = g.spacing_mm.y * g.spacing_mm.z, jFace = g.spacing_mm.x * g.spacing_mm.z,
-               kFace = g.spacing_mm.x * g.spacing_mm.y;
-  const auto is = [&](int i, int j, int k) { return g.contains(i, j, k) && outside.at(i, j, k); };
-  std::vector<double> area(components.count(), 0);
+struct Surface_mm2 {
+  double all = 0, toOutside = 0;
+};
+
+/// Surface of each component of `air`, and the part of it that is an opening to the outside.
+std::vector<Surface_mm2> surfaces(const Components& components, const Mask& air, const Mask& outside) {
+  const auto& g = air.geometry;
+  const auto& s = g.spacing_mm;
+  std::vector<Surface_mm2> surfaces(components.count());
   for (const auto& run : components.runs()) {
-    double& a = area[run.component];
-    a += iFace * (is(run.begin - 1, run.j, run.k) + is(run.end, run.j, run.k));
+    const auto face = [&](int i, int j, int k, double area_mm2) {
+      if (!g.contains(i, j, k) || air.at(i, j, k)) return;
+      surfaces[run.component].all += area_mm2;
+      if (outside.at(i, j, k)) surfaces[run.component].toOutside += area_mm2;
+    };
+    face(run.begin - 1, run.j, run.k, s.y * s.z);
+    face(run.end, run.j, run.k, s.y * s.z);
     for (int i = run.begin; i < run.end; ++i) {
-      a += jFace * (is(i, run.j - 1, run.k) + is(i, run.j + 1, run.k));
-      a += kFace * (is(i, run.j, run.k - 1) + is(i, run.j, run.k + 1));
+      for (const int step : {-1, 1}) {
+        face(i, run.j + step, run.k, s.x * s.z);
+        face(i, run.j, run.k + step, s.x * s.y);
+      }
     }
   }
-  return area;
+  return surfaces;
 }
 
 struct Air {
@@ -111,7 +129,7 @@ Air openAir(const CtVolume& ct, const Mask& air, Work& work) {
   erode(wide, kSeal_mm, work);
   const Components pieces(wide, Components::Reach::Volume, work);
   std::vector<bool> isOutside = touchingSide(pieces, ct.geometry);
-  const auto mean_HU = meanHounsfield(pieces, ct);
+  const auto mean_HU = meanOfAir_HU(pieces, ct);
   for (std::size_t c = 0; c < isOutside.size(); ++c) isOutside[c] = isOutside[c] && mean_HU[c] < kOutsideAir_HU;
   Mask outside(ct.geometry);
   pieces.paint(isOutside, 1, outside);
@@ -137,7 +155,7 @@ std::optional<LabelMap> findBody(const CtVolume& ct, Work& work) {
 
   const Components pockets(air, Components::Reach::Volume, work);
   const auto atSide = touchingSide(pockets, ct.geometry);
-  const auto opening_mm2 = openingToOutside(pockets, open.outside);
+  const auto surface = surfaces(pockets, air, open.outside);
   const auto sizes = pockets.sizes();
   std::vector<bool> hasWidth(pockets.count(), false);
   for (const auto& run : pockets.runs())
@@ -148,7 +166,9 @@ std::optional<LabelMap> findBody(const CtVolume& ct, Work& work) {
   std::vector<bool> isFold(pockets.count()), isAirway(pockets.count());
   for (std::size_t p = 0; p < pockets.count(); ++p) {
     const double volume_mm3 = static_cast<double>(sizes[p]) * s.x * s.y * s.z;
-    isFold[p] = opening_mm2[p] > kFoldOpening_per_mm * volume_mm3 || (atSide[p] && !hasWidth[p]);
+    const bool opensWidely =
+        surface[p].toOutside > kFoldOpening_per_mm * volume_mm3 && surface[p].toOutside > kFoldOpening * surface[p].all;
+    isFold[p] = opensWidely || (atSide[p] && !hasWidth[p]);
     isAirway[p] = !isFold[p] && volume_mm3 >= kSmallestAirway_mm3;
   }
   pockets.paint(isFold, kBackground, labels);

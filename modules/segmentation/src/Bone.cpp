@@ -1,5 +1,6 @@
 #include "Bone.h"
 
+#include "Blood.h"
 #include "Components.h"
 
 #include <insonate/tissue/Labels.h>
@@ -7,28 +8,20 @@
 namespace insonate::segmentation {
 namespace {
 
-constexpr int kDense_HU = 350;     // cores from which bone is grown
-constexpr int kBoneEdge_HU = 180;  // grown down to here: thin cortex of thick slices, trabeculae
-constexpr double kGrow_mm = 4;     // and only this far, so that an opacified vessel that touches is not followed
-constexpr int kCortex_HU = 600;    // opacified blood stays below, cortex does not
+// Cores from which bone is grown; higher where a contrast agent brightens blood.
+constexpr int kDense_HU = 250, kDenseWithContrast_HU = 350;
+constexpr int kBoneEdge_HU = 160;  // grown down to here: thin cortex of thick slices, trabeculae
+constexpr double kGrow_mm = 4;     // and only this far, so that a vessel that touches is not followed
+// With contrast, a piece without cortex is a vessel too thin for findBrightBlood.
+constexpr int kCortex_HU = 600;
 constexpr double kCortexShare = 0.01;
 constexpr double kSmallest_mm3 = 60;
 constexpr double kClose_mm = 3;
 // Marrow is what bone surrounds in a slice when it is small, or unlike the spinal cord and brain (20-45 HU).
-constexpr double kMarrow_mm2 = 120, kLargestMarrow_mm2 = 3000;
-constexpr double kTrabecular_HU = 75, kFattyMarrow_HU = -10;
+constexpr double kMarrow_mm2 = 60, kLargestMarrow_mm2 = 3000;
+constexpr double kTrabecular_HU = 55, kFattyMarrow_HU = 10;
 
-Mask above(const CtVolume& ct, const LabelMap& body, int threshold_HU, Work& work) {
-  Mask mask(ct.geometry);
-  const std::size_t slice = std::size_t(ct.geometry.size[0]) * ct.geometry.size[1];
-  work.slices(ct.geometry.size[2], [&](int k) {
-    for (std::size_t v = k * slice; v < (k + 1) * slice; ++v)
-      mask.voxels[v] = static_cast<std::uint8_t>(body.voxels[v] == kSoftTissue && ct.voxels[v] > threshold_HU);
-  });
-  return mask;
-}
-
-void removeVesselsAndSpecks(Mask& dense, const CtVolume& ct, Work& work) {
+void removeVesselsAndSpecks(Mask& dense, const CtVolume& ct, bool contrast, Work& work) {
   const Components pieces(dense, Components::Reach::Volume, work);
   const auto sizes = pieces.sizes();
   std::vector<std::size_t> cortex(pieces.count(), 0);
@@ -38,7 +31,8 @@ void removeVesselsAndSpecks(Mask& dense, const CtVolume& ct, Work& work) {
   std::vector<bool> removed(pieces.count());
   for (std::size_t p = 0; p < removed.size(); ++p) {
     const auto size = static_cast<double>(sizes[p]);
-    removed[p] = size * s.x * s.y * s.z < kSmallest_mm3 || static_cast<double>(cortex[p]) < kCortexShare * size;
+    removed[p] =
+        size * s.x * s.y * s.z < kSmallest_mm3 || (contrast && static_cast<double>(cortex[p]) < kCortexShare * size);
   }
   pieces.paint(removed, 0, dense);
 }
@@ -71,17 +65,21 @@ void fillMarrow(Mask& bone, const CtVolume& ct, const LabelMap& body, Work& work
 }  // namespace
 
 Mask findBone(const CtVolume& ct, const LabelMap& body, Work& work) {
-  Mask bone = above(ct, body, kDense_HU, work);
-  removeVesselsAndSpecks(bone, ct, work);
+  const BrightBlood blood = findBrightBlood(ct, body, work);
+  const auto above = [&](std::size_t v, int threshold_HU) {
+    return body.voxels[v] == kSoftTissue && !blood.mask.voxels[v] && ct.voxels[v] > threshold_HU;
+  };
+  Mask bone(ct.geometry);
+  const int dense_HU = blood.present ? kDenseWithContrast_HU : kDense_HU;
+  work.voxels(ct.geometry, [&](std::size_t v) { bone.voxels[v] = above(v, dense_HU); });
+  removeVesselsAndSpecks(bone, ct, blood.present, work);
   dilate(bone, kGrow_mm, work);
-  {
-    const Mask edge = above(ct, body, kBoneEdge_HU, work);
-    for (std::size_t v = 0; v < bone.voxels.size(); ++v) bone.voxels[v] &= edge.voxels[v];
-  }
+  work.voxels(ct.geometry, [&](std::size_t v) { bone.voxels[v] &= std::uint8_t(above(v, kBoneEdge_HU)); });
   close(bone, kClose_mm, work);
   fillMarrow(bone, ct, body, work);
-  for (std::size_t v = 0; v < bone.voxels.size(); ++v)
-    bone.voxels[v] &= static_cast<std::uint8_t>(body.voxels[v] == kSoftTissue);
+  work.voxels(ct.geometry, [&](std::size_t v) {
+    bone.voxels[v] &= std::uint8_t(body.voxels[v] == kSoftTissue && !blood.mask.voxels[v]);
+  });
   return bone;
 }
 

@@ -26,14 +26,14 @@ std::vector<Chord> ball(const Vec3& spacing_mm, double radius_mm) {
   return chords;
 }
 
-/// Voxels along the row to the nearest set voxel, at most kFar.
+/// Voxels along the row to the nearest set voxel, at most kFar. False, and nothing written, when none is set.
 bool distancesAlongRow(const std::uint8_t* set, std::uint8_t* distance, int n) {
+  if (std::find(set, set + n, 1) == set + n) return false;
   int d = kFar;
   for (int i = 0; i < n; ++i) {
     d = set[i] ? 0 : std::min(d + 1, kFar);
     distance[i] = static_cast<std::uint8_t>(d);
   }
-  if (distance[n - 1] == kFar && d == kFar && std::find(set, set + n, 1) == set + n) return false;
   d = kFar;
   for (int i = n - 1; i >= 0; --i) {
     d = std::min<int>(d + 1, distance[i]);
@@ -64,11 +64,7 @@ void dilateWith(Mask& mask, const std::vector<Chord>& chords, Work& work) {
 }
 
 void complement(Mask& mask, Work& work) {
-  const std::size_t slice = std::size_t(mask.geometry.size[0]) * mask.geometry.size[1];
-  work.slices(mask.geometry.size[2], [&](int k) {
-    std::uint8_t* voxel = mask.voxels.data() + k * slice;
-    for (std::size_t v = 0; v < slice; ++v) voxel[v] ^= 1;
-  });
+  work.voxels(mask.geometry, [&](std::size_t v) { mask.voxels[v] ^= 1; });
 }
 
 }  // namespace

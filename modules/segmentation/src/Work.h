@@ -1,6 +1,7 @@
 #pragma once
 
 #include <insonate/core/Progress.h>
+#include <insonate/image/VolumeGeometry.h>
 
 #include <tbb/parallel_for.h>
 
@@ -29,6 +30,15 @@ class Work {
       checkpoint(double(end) / count);
     }
     passes_ += 1;
+  }
+
+  /// One pass over the voxels of a grid: function(v) for each, in any order.
+  template <class Function>
+  void voxels(const VolumeGeometry& g, const Function& function) {
+    const std::size_t slice = std::size_t(g.size[0]) * g.size[1];
+    slices(g.size[2], [&](int k) {
+      for (std::size_t v = k * slice; v < (k + 1) * slice; ++v) function(v);
+    });
   }
 
   void checkpoint(double shareOfPass = 0) const {

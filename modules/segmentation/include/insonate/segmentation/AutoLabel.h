@@ -17,7 +17,7 @@ namespace insonate {
 /// Contrast-filled vessels are not bone unless they are as dense as cortex; they become muscle.
 ///
 /// Distances are in millimetres on any grid: anisotropic, oblique, either handedness. The ends of the scan across the
-/// patient's head-foot axis, the edge of the picture and padding are cuts, not skin. Memory: four bytes a voxel besides
+/// patient's head-foot axis, the edge of the picture and padding are cuts, not skin. Memory: five bytes a voxel besides
 /// the CT. Uses the calling thread's TBB arena; may be called on several volumes at once. The same volume gives the
 /// same labels on any number of threads.
 ///
