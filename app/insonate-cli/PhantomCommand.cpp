@@ -1,5 +1,7 @@
 #include "Commands.h"
 
+#include <insonate/cases/CaseFromLabels.h>
+#include <insonate/cases/DicomWriter.h>
 #include <insonate/cases/Phantom.h>
 
 #include <nlohmann/json.hpp>
@@ -13,7 +15,7 @@ namespace insonate::cli {
 namespace {
 
 struct PhantomArguments {
-  std::string folder;
+  std::string folder, dicomFolder, labelFile, mapFile;
   std::string variant{phantomVariants().front().name};
   std::uint32_t seed = 1;
   bool contrast = false, list = false, json = false;
@@ -31,12 +33,30 @@ void listVariants(bool json) {
   if (json) printJson({{"variants", rows}});
 }
 
+Result<PatientCase> makePatient(const PhantomArguments& a, std::vector<std::string>& notes) {
+  const CtContrast contrast = a.contrast ? CtContrast::kArterial : CtContrast::kNative;
+  if (a.labelFile.empty()) return makePhantom(a.variant, a.seed, terminalProgress(), contrast);
+  auto made = caseFromLabels(a.labelFile, a.mapFile, {.seed = a.seed, .contrast = contrast}, terminalProgress());
+  if (!made) return tl::unexpected(made.error());
+  notes = std::move(made->notes);
+  return std::move(made->patient);
+}
+
 Result<void> makeCase(const PhantomArguments& a) {
-  auto patient =
-      makePhantom(a.variant, a.seed, terminalProgress(), a.contrast ? CtContrast::kArterial : CtContrast::kNative);
+  std::vector<std::string> notes;
+  const auto patient = makePatient(a, notes);
   if (!patient) return tl::unexpected(patient.error());
+  for (const std::string& note : notes) std::cerr << "insonate-cli: " << note << '\n';
+  if (!a.dicomFolder.empty()) {
+    const DicomSeriesIdentity identity{.seed = patient->manifest.source, .description = "Synthetic neck CT"};
+    if (auto written = writeDicomSeries(patient->ct, a.dicomFolder, identity); !written) return written;
+  }
   if (auto written = writeCase(*patient, a.folder); !written) return written;
-  if (a.json) printJson({{"case", a.folder}, {"title", patient->manifest.title}, {"source", patient->manifest.source}});
+  if (!a.json) return {};
+  nlohmann::json object{
+      {"case", a.folder}, {"title", patient->manifest.title}, {"source", patient->manifest.source}, {"notes", notes}};
+  if (!a.dicomFolder.empty()) object["dicom"] = a.dicomFolder;
+  printJson(object);
   return {};
 }
 
@@ -49,6 +69,12 @@ void addPhantomCommand(CLI::App& app, Outcome& outcome) {
   command->add_option("--variant", a->variant, "Which neck; see --list")->capture_default_str();
   command->add_option("--seed", a->seed, "Another neck of the same kind")->capture_default_str();
   command->add_flag("--contrast", a->contrast, "Iodine in the vessels of the CT");
+  command->add_option("--dicom", a->dicomFolder, "Also write the CT as a DICOM series, into a new or empty folder");
+  auto* labels = command->add_option("--from-labels", a->labelFile, "A label map to make the case of, instead");
+  auto* map = command->add_option("--map", a->mapFile, "What its numbers mean and what to complete (JSON)");
+  labels->needs(map);
+  map->needs(labels);
+  labels->excludes("--variant");
   auto* list = command->add_flag("--list", a->list, "List the variants and stop");
   command->add_flag("--json", a->json, "Print one JSON object");
   command->callback([a, folder, list, &outcome] {

@@ -15,11 +15,11 @@ struct NeckParameters {
   double veinMedial_mm[2] = {0, 0};   ///< jugular vein pushed over the carotid
   double veinForward_mm[2] = {0, 0};
   double carotidScale = 1;
+  double carotidLateral_mm = 0;
   double bifurcation_z_mm = 31;   ///< above the cricoid
   double headTurn_deg = 0;        ///< face toward the patient's left, at the top of the model
   double sternomastoidScale = 1;  ///< thickness
   double thyroidScale = 1;
-  double nodeScale = 1;
 };
 
 /// How a structure meets its neighbours. Organs claim space in the order of the list; muscles share what is left and

@@ -9,24 +9,22 @@ void addSternocleidomastoid(std::vector<Structure>& into, const NeckParameters& 
     return Curve<4>::Knot{z, {angle, halfThickness * t + below, halfWidth, halfThickness * t}};
   };
   const Shape belly = sheet(side,
-                            {{at(-14, 43, 11, 3.6), at(-5, 48, 14, 4.6), at(6, 53, 14.5, 5.1), at(20, 59, 14, 5.6),
+                            {{at(-16, 44, 9, 3), at(-5, 48, 14, 4.6), at(6, 53, 14.5, 5.1), at(20, 59, 14, 5.6),
                               at(38, 68, 13, 6), at(58, 80, 12, 6)},
                              5,
                              0.6},
                             seed);
   // Two heads, with a gap above the clavicle.
   const Shape sternal = sheet(side,
-                              {{at(-60, 9, 3, 2.2), at(-46, 11.5, 4.4, 3), at(-34, 17, 5.6, 3.8), at(-20, 27, 7.6, 4.4),
-                                at(-6, 37, 9, 4.4), at(6, 44, 7, 4.4)},
+                              {{at(-60, 9, 3.2, 2.2), at(-46, 11.5, 4.6, 2.6), at(-34, 18, 6, 3), at(-20, 28, 8, 3.8),
+                                at(-6, 39, 10, 4.4), at(6, 46, 8, 4.4)},
                                6,
                                0.5},
                               seed + 1);
-  const Shape clavicular =
-      sheet(side,
-            {{at(-44, 47, 11, 2.4), at(-34, 47, 10, 2.9), at(-20, 50, 9, 3.4), at(-6, 53, 8.6, 4), at(8, 58, 7, 4.2)},
-             6,
-             0.5},
-            seed + 2);
+  const Shape clavicular = sheet(
+      side,
+      {{at(-44, 50, 11, 2.3), at(-34, 51, 10, 2.7), at(-20, 54, 9, 3.2), at(-6, 56, 9, 4), at(8, 60, 7, 4.2)}, 6, 0.5},
+      seed + 2);
   into.push_back({kSternocleidomastoid, Kind::kMuscle, 0, join({belly, sternal, clavicular})});
 }
 
@@ -34,20 +32,22 @@ void addInfrahyoid(std::vector<Structure>& into, Side side, std::uint32_t seed) 
   const auto add = [&](Shape shape) { into.push_back({kMuscle, Kind::kMuscle, 0, std::move(shape)}); };
   // Sternohyoid, sternothyroid, thyrohyoid, omohyoid.
   add(sheet(side,
-            {{{-60, {13, 4.6, 7, 1.8}},
-              {-40, {12, 4, 8, 2}},
-              {-15, {10.5, 3, 8.6, 2.1}},
-              {5, {10, 2.6, 8, 2}},
-              {20, {11, 2.5, 7, 1.9}},
+            {{{-62, {13, 9.5, 8, 2}},
+              {-40, {12, 8, 8.4, 2.1}},
+              {-28, {11.5, 5.6, 8.6, 2.2}},
+              {-15, {10.5, 3.4, 8.6, 2.1}},
+              {5, {10, 2.8, 8, 2}},
+              {20, {11, 2.6, 7, 1.9}},
               {34, {8, 4, 6, 1.9}}},
              3,
              0.35},
             seed++));
   add(sheet(side,
-            {{{-60, {12, 9, 8, 1.6}},
-              {-40, {14, 8.5, 9.5, 1.8}},
-              {-15, {17, 7.4, 10.5, 1.9}},
-              {0, {20, 7, 8.5, 1.8}},
+            {{{-62, {12, 14, 8, 1.7}},
+              {-40, {14, 12.5, 10, 1.9}},
+              {-28, {16, 9.8, 10.5, 1.9}},
+              {-15, {17, 7.8, 10.5, 1.9}},
+              {0, {20, 7.2, 8.5, 1.8}},
               {12, {21, 6.4, 6, 1.4}}},
              3,
              0.35},
@@ -151,7 +151,10 @@ void addNape(std::vector<Structure>& into, Side side, std::uint32_t seed) {
   paraspinal(12, 50, 10.5, 7.5, -12);
   paraspinal(24.5, 34.5, 7, 7.5, -20);
   paraspinal(31, 41, 6, 7, -30);
-  add(column(side, {{{-80, {68, 74, 16, 15, 0}}, {-36, {70, 70, 10, 10, 0}}}, 10, 0.8}, seed++));  // supraspinatus
+  // Supraspinatus; serratus anterior; iliocostal and longissimus of the chest.
+  add(column(side, {{{-80, {68, 82, 18, 13, 0}}, {-34, {68, 76, 10, 9, 0}}}, 10, 0.8}, seed++));
+  add(column(side, {{{-80, {78, 50, 8, 16, 0}}, {-38, {73, 46, 6, 10, 0}}}, 8, 0.8}, seed++));
+  add(column(side, {{{-80, {36, 86, 10, 9, 10}}, {-26, {34, 72, 6, 6, 10}}}, 8, 0.8}, seed++));
 }
 
 void addFloorOfMouthAndChest(std::vector<Structure>& into, Side side, std::uint32_t seed) {

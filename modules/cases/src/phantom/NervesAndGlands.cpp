@@ -45,7 +45,7 @@ void addNerves(std::vector<Structure>& into, Side side, std::uint32_t seed) {
 }
 
 /// Nodes along the jugular chain, in the posterior triangle and under the chin: oval, long axis upright.
-void addNodes(std::vector<Structure>& into, const NeckParameters& n, Side side, std::uint32_t seed) {
+void addNodes(std::vector<Structure>& into, Side side, std::uint32_t seed) {
   struct Node {
     double lateral, y, z, halfX, halfY, halfZ, turn;
   };
@@ -55,7 +55,7 @@ void addNodes(std::vector<Structure>& into, const NeckParameters& n, Side side, 
       {47, 29, -16, 2.2, 1.6, 3, 40},    {30, 13, 33, 3.2, 2.2, 5, 30},  {12, 12, -38, 2.0, 1.6, 3, 0}};
   std::vector<Shape> nodes;
   for (const Node& d : kNodes) {
-    const double s = n.nodeScale * (0.8 + 0.4 * unitInterval(hash32(seed))), h = d.halfZ * s;
+    const double s = (0.8 + 0.4 * unitInterval(hash32(seed))), h = d.halfZ * s;
     const double dx = 2 * unitInterval(hash32(seed + 77)) - 1;
     const std::array<double, 5> v{d.lateral + dx, d.y, d.halfX * s, d.halfY * s, d.turn};
     nodes.push_back(column(side, {{{d.z - h, v}, {d.z + h, v}}, h, 0.35}, seed++));
@@ -70,7 +70,7 @@ void addNervesAndGlands(std::vector<Structure>& into, const NeckParameters& n, s
   const double s = n.thyroidScale;
   for (const Side side : {Side::kRight, Side::kLeft}) {
     addNerves(into, side, seed += 20);
-    addNodes(into, n, side, seed += 20);
+    addNodes(into, side, seed += 20);
     const double k = s * (side == Side::kRight ? 1.05 : 0.96);
     thyroid.push_back(column(side,
                              {{{-39, {14, 23, 4 * k, 5 * k, 0}},

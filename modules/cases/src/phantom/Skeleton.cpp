@@ -62,7 +62,7 @@ void addSpine(std::vector<Structure>& into, std::uint32_t seed) {
   const auto disc = [](Vec3 p) { return (withinVertebra(p.z) - kDiscShare) * kVertebra_mm; };
   const auto body = [](Vec3 p) { return -(withinVertebra(p.z) - kDiscShare) * kVertebra_mm; };
   into.push_back(
-      {kCartilage, Kind::kOrgan, 0.6, clip(column(Side::kRight, {following(0, 8.6, 13, 8.8), 3, 0.4}, seed++), disc)});
+      {kCartilage, Kind::kOrgan, 0, clip(column(Side::kRight, {following(0, 8.6, 13, 8.8), 3, 0.4}, seed++), disc)});
   std::vector<Shape> bones{clip(column(Side::kRight, {following(0, 8.5, 12.8, 8.3), 3, 0.5}, seed++), body)};
   for (const Side side : {Side::kRight, Side::kLeft})
     // Articular pillars, parted by the facet joints.
@@ -111,11 +111,15 @@ void addGirdle(std::vector<Structure>& into, std::uint32_t seed) {
                          {{{-80, {0, -6, 26, 6, 0}}, {-64, {0, -5, 24, 5.5, 0}}, {-52, {0, -2, 17, 4.5, 0}}}, 5, 0.6},
                          seed++));
   into.push_back({kBone, Kind::kOrgan, 0.6, join(std::move(bones))});
-  for (const Side side : {Side::kRight, Side::kLeft})
-    into.push_back(
-        {kAirway, Kind::kOrgan, 1.0,
-         column(side, {{{-110, {36, 52, 26, 24, 0}}, {-64, {34, 46, 21, 18, 0}}, {-38, {31, 41, 13, 12, 0}}}, 30, 0.4},
-                seed++)});
+  for (const Side side : {Side::kRight, Side::kLeft}) {
+    const double top = side == Side::kRight ? -36 : -38;
+    const Column lung{{{-110, {42, 54, 30, 30, 0}}, {-64, {38, 48, 25, 26, 0}}, {top, {32, 43, 16, 16, 0}}}, 26, 0.4};
+    into.push_back({kAirway, Kind::kOrgan, 1.0, column(side, lung, seed)});
+    // Intercostal muscles close the chest wall between the ribs.
+    into.push_back({kMuscle, Kind::kOrgan, 0, clip(shell(column(side, lung, seed++), 1.2, 3), [side](Vec3 p) {
+                      return std::max(22 - patientX(side, p.x), p.z + 42);
+                    })});
+  }
 }
 
 }  // namespace insonate::phantom

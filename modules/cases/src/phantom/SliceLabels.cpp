@@ -122,7 +122,7 @@ std::uint8_t SliceLabels::filling(const Voxel& v) const {
   const double lateral = std::clamp((std::abs(s.p_mm.x) - 18) / 20, 0.0, 1.0);
   const double pads =
       smoothNoise(s.p_mm / 6.5, grid_.seed ^ 0xfa7U) + 0.5 * smoothNoise(s.p_mm / 2.7, grid_.seed ^ 0xfa8U);
-  return pads > 0.25 - 0.75 * lateral ? kFat : kSoftTissue;
+  return pads > 0.12 - 0.5 * lateral ? kFat : kSoftTissue;
 }
 
 std::uint8_t SliceLabels::label(const Voxel& v) const {

@@ -30,8 +30,8 @@ std::span<const VariantModel> variantModels() {
                 n.veinMedial_mm[0] = 1.5;
               }),
       variant({"low-bifurcation", "Low carotid bifurcation", "moderate",
-               "The carotid divides just above the cricoid, so that two arteries lie beside the vein."},
-              [](NeckParameters& n) { n.bifurcation_z_mm = 10; }),
+               "The carotid divides below the cricoid, so that two arteries lie beside the vein."},
+              [](NeckParameters& n) { n.bifurcation_z_mm = -8; }),
       variant({"small-vein", "Small jugular vein", "moderate",
                "The right jugular vein has less than half of its usual area; the left one is the larger."},
               [](NeckParameters& n) {
@@ -44,8 +44,9 @@ std::span<const VariantModel> variantModels() {
                "The head is turned 40 degrees to the left: muscle and right vein slide over the carotid."},
               [](NeckParameters& n) {
                 n.headTurn_deg = 40;
-                n.veinMedial_mm[0] = 4.5;
-                n.veinForward_mm[0] = 1.8;
+                n.veinMedial_mm[0] = 3.5;
+                n.veinForward_mm[0] = 0.8;
+                n.carotidLateral_mm = 1.5;
               }),
       variant({"deep-in-fat", "Vein deep in fat", "hard",
                "Thick subcutaneous fat: the vein begins more than 20 mm below the skin."},
@@ -65,10 +66,11 @@ std::span<const VariantModel> variantModels() {
                "Both jugular veins lie in front of the carotid: a needle that passes through meets the artery."},
               [](NeckParameters& n) {
                 for (int s : {0, 1}) {
-                  n.veinMedial_mm[s] = 9.5;
-                  n.veinForward_mm[s] = 4.6;
+                  n.veinMedial_mm[s] = 4.5;
+                  n.veinForward_mm[s] = 2.2;
                   n.veinHeight[s] = 0.86;
                 }
+                n.carotidLateral_mm = 3.2;
               })};
   return kVariants;
 }

@@ -9,15 +9,20 @@ int index(Side side) {
   return side == Side::kRight ? 0 : 1;
 }
 
+/// Shifted vessels return to their place at both ends of the neck.
+double middleOfNeck(double z_mm) {
+  return std::exp(-std::pow((z_mm + 2) / 30, 4));
+}
+
 /// Common carotid up to its bifurcation, then internal and external; one smooth trunk and two branches.
 void addCarotid(std::vector<Structure>& into, const NeckParameters& n, Side side, std::uint32_t seed) {
   const double s = n.carotidScale, b = n.bifurcation_z_mm;
   const Curve<2> course{{-66, {14, 27}},     {-52, {16.5, 25.5}}, {-40, {19.5, 24.5}}, {-28, {22, 24.5}},
-                        {-14, {22.2, 24.6}}, {0, {21.2, 25}},     {12, {22.2, 24.5}},  {24, {25, 23.5}},
+                        {-14, {21.8, 24.6}}, {0, {20.4, 25.2}},   {12, {21.4, 24.7}},  {24, {25, 23.5}},
                         {36, {27, 22.5}},    {54, {28, 25}}};
   const auto on = [&](double z, double dx, double dy, double r) {
     const auto [x, y] = course(z);
-    return Tube::Knot{{x + dx, y + dy, z}, r * s};
+    return Tube::Knot{{x + dx + n.carotidLateral_mm * middleOfNeck(z), y + dy, z}, r * s};
   };
   std::vector<Tube::Knot> trunk;
   for (double z = -66; z < b - 8; z += 8) trunk.push_back(on(z, 0, 0, 3.25));
@@ -36,9 +41,10 @@ void addCarotid(std::vector<Structure>& into, const NeckParameters& n, Side side
                                1,
                                0.1},
                               seed + 2);
-  const Shape superiorThyroid =
-      tube(side, {{on(b + 5, -2, -4, 1.1), {{22, 15, b - 4}, 1.0}, {{20.5, 12.5, 14}, 1.0}, {{17, 9.5, 2}, 0.9}}, 1, 0},
-           seed + 3);
+  const Shape superiorThyroid = tube(
+      side,
+      {{on(b + 5, -2, -4, 1.1), {{22, 15, b - 4}, 1.0}, {{20.5, 12.5, b - 17}, 1.0}, {{17, 9.5, b - 29}, 0.9}}, 1, 0},
+      seed + 3);
   into.push_back({kArtery, Kind::kArtery, 1.1, join({common, internal, external, superiorThyroid})});
 }
 
@@ -136,13 +142,12 @@ std::array<double, 5> jugularVeinAt(const NeckParameters& n, Side side, double z
   // Centre lateral and posterior, half width, half height, turn. Positions and sizes are those of supine adults: the
   // vein comes forward and widens toward its lower bulb.
   static const Curve<5> kCourse{
-      {-54, {27, 15, 7.4, 6.2, 0}},     {-40, {31, 16, 8.0, 6.6, 10}}, {-28, {33, 16.6, 7.6, 6.1, 15}},
-      {-14, {33.5, 18, 7.1, 5.6, 18}},  {0, {33, 19.4, 6.9, 5.3, 18}}, {12, {34, 21.6, 6.6, 5.2, 15}},
-      {24, {35.5, 25.5, 6.2, 5.1, 10}}, {40, {37.5, 29, 5.6, 4.9, 0}}, {56, {37.5, 31, 5.2, 4.7, 0}}};
+      {-54, {27, 15, 7.4, 6.2, 0}},      {-40, {31, 16, 8.0, 6.6, 15}},  {-28, {33, 16.6, 7.6, 6.1, 26}},
+      {-14, {34.2, 17.6, 7.1, 5.6, 34}}, {0, {34, 18.8, 6.9, 5.3, 36}},  {12, {34.6, 21.2, 6.6, 5.2, 32}},
+      {24, {35.5, 25, 6.2, 5.1, 22}},    {40, {37.5, 29, 5.6, 4.9, 10}}, {56, {37.5, 31, 5.2, 4.7, 0}}};
   auto v = kCourse(z_mm);
   const int s = index(side);
-  // A shifted vein returns to its place at both ends of the neck.
-  const double weight = std::exp(-std::pow((z_mm + 2) / 30, 4));
+  const double weight = middleOfNeck(z_mm);
   v[0] -= n.veinMedial_mm[s] * weight;
   v[1] -= n.veinForward_mm[s] * weight;
   v[2] *= n.veinWidth[s];

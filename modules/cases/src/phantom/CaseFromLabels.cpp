@@ -1,0 +1,145 @@
+#include "CompleteAnatomy.h"
+#include "LabelPlan.h"
+
+#include <insonate/cases/CaseFromLabels.h>
+#include <insonate/cases/LabelFile.h>
+#include <insonate/cases/StartPose.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace insonate {
+namespace {
+
+using Numbers = Volume<std::int32_t>;
+
+/// The part of a volume whose voxel centres lie in a box of patient space.
+Result<Numbers> cropped(const Numbers& whole, const std::pair<Vec3, Vec3>& box_mm) {
+  const Transform indexFromPatient = whole.geometry.indexFromPatient();
+  Vec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p{corner & 1 ? box_mm.first.x : box_mm.second.x, corner & 2 ? box_mm.first.y : box_mm.second.y,
+                 corner & 4 ? box_mm.first.z : box_mm.second.z};
+    const Vec3 index = indexFromPatient * p;
+    for (int a = 0; a < 3; ++a) low[a] = std::min(low[a], index[a]), high[a] = std::max(high[a], index[a]);
+  }
+  std::array<int, 3> first{}, size{};
+  for (int a = 0; a < 3; ++a) {
+    const double from = std::max(0.0, std::ceil(low[a])),
+                 to = std::min(whole.geometry.size[a] - 1.0, std::floor(high[a]));
+    if (to < from) return fail("The crop box lies outside the label map.");
+    first[a] = static_cast<int>(from);
+    size[a] = static_cast<int>(to - from) + 1;
+  }
+  VolumeGeometry g = whole.geometry;
+  g.origin_mm = g.patientFromIndex() * Vec3{double(first[0]), double(first[1]), double(first[2])};
+  g.size = size;
+  Numbers part(g);
+  for (int k = 0; k < size[2]; ++k)
+    for (int j = 0; j < size[1]; ++j)
+      std::copy_n(&whole.at(first[0], first[1] + j, first[2] + k), size[0], &part.at(0, j, k));
+  return part;
+}
+
+Result<LabelMap> translated(const Numbers& numbers, const LabelPlan& plan) {
+  LabelMap labels(numbers.geometry);
+  std::map<std::int32_t, std::uint8_t> known(plan.labels.begin(), plan.labels.end());
+  known.emplace(0, kBackground);
+  for (std::size_t n = 0; n < numbers.voxels.size(); ++n) {
+    const auto found = known.find(numbers.voxels[n]);
+    if (found != known.end()) {
+      labels.voxels[n] = found->second;
+    } else if (plan.others) {
+      labels.voxels[n] = *plan.others;
+    } else {
+      return fail("The label file holds the number " + std::to_string(numbers.voxels[n]) +
+                  ", which \"labels\" does not list; list it or give \"others\".");
+    }
+  }
+  return labels;
+}
+
+/// Centre of a number's voxels in the slice nearest to a level; empty where there are none.
+std::optional<Vec3> centreOf(const Numbers& numbers, const TargetPlan& target) {
+  const VolumeGeometry& g = numbers.geometry;
+  const Transform patientFromIndex = g.patientFromIndex();
+  const double k0 = (target.z_mm - g.origin_mm.z) / (patientFromIndex.linear.column[2].z);
+  const int k = static_cast<int>(std::lround(k0));
+  if (k < 0 || k >= g.size[2]) return std::nullopt;
+  Vec3 sum;
+  double count = 0;
+  for (int j = 0; j < g.size[1]; ++j)
+    for (int i = 0; i < g.size[0]; ++i)
+      if (numbers.at(i, j, k) == target.number) sum = sum + Vec3{double(i), double(j), double(k)}, ++count;
+  if (count == 0) return std::nullopt;
+  return patientFromIndex * (sum / count);
+}
+
+/// A transverse pose over each target, and the same turned along the body with the feet to the marker's side.
+void addStartPoses(PatientCase& patient, std::vector<std::string>& notes) {
+  const std::vector<Target> targets = patient.manifest.targets;
+  for (const Target& target : targets) {
+    patient.manifest.targets = {target};
+    const auto pose = proposeStartPose(patient);
+    if (!pose) {
+      notes.push_back("No start pose over the " + target.name + ": " + pose.error().message);
+      continue;
+    }
+    const Vec3 feet{0, 0, -1};
+    StartPose transverse = *pose, longitudinal = *pose;
+    transverse.name = target.name + ", transverse";
+    longitudinal.name = target.name + ", longitudinal";
+    longitudinal.lateral = normalized(feet - pose->axial * dot(feet, pose->axial));
+    patient.manifest.startPoses.push_back(transverse);
+    patient.manifest.startPoses.push_back(longitudinal);
+  }
+  patient.manifest.targets = targets;
+}
+
+}  // namespace
+
+Result<CaseFromLabelsResult> caseFromLabels(const std::filesystem::path& labelFile,
+                                            const std::filesystem::path& mapFile, const CtSynthesisOptions& ct,
+                                            const Progress& progress) {
+  auto plan = readLabelPlan(mapFile);
+  if (!plan) return tl::unexpected(plan.error());
+  auto numbers = readLabelValues(labelFile);
+  if (!numbers) return tl::unexpected(numbers.error());
+  if (plan->crop_mm) {
+    auto part = cropped(*numbers, *plan->crop_mm);
+    if (!part) return tl::unexpected(part.error());
+    numbers = std::move(part);
+  }
+  auto labels = translated(*numbers, *plan);
+  if (!labels) return tl::unexpected(labels.error());
+
+  CaseFromLabelsResult result;
+  PatientCase& patient = result.patient;
+  for (const TargetPlan& target : plan->targets) {
+    const auto centre = centreOf(*numbers, target);
+    const std::uint8_t label = plan->labels.count(target.number) ? plan->labels.at(target.number) : kBackground;
+    if (centre)
+      patient.manifest.targets.push_back({target.name, label, *centre});
+    else
+      result.notes.push_back("The target '" + target.name + "' was left out: number " + std::to_string(target.number) +
+                             " is not in the slice at " + std::to_string(target.z_mm) + " mm.");
+  }
+  if (!report(progress, "Completing the anatomy", 0)) return fail(std::string(kCancelled));
+  if (plan->complete) fillMarrow(*labels);
+  for (const TubePlan& tube : plan->tubes) drawTube(*labels, tube);
+  if (plan->complete) {
+    plan->complete->seed = ct.seed;
+    if (auto done = completeAnatomy(*labels, *plan->complete); !done) return tl::unexpected(done.error());
+  }
+  auto volume = synthesiseCt(*labels, ct, progress);
+  if (!volume) return tl::unexpected(volume.error());
+  patient.ct = std::move(*volume);
+  patient.labels = std::move(*labels);
+  if (!plan->title.empty()) patient.manifest.title = plan->title;
+  patient.manifest.source = "CT synthesised from a label map, seed " + std::to_string(ct.seed);
+  addStartPoses(patient, result.notes);
+  return result;
+}
+
+}  // namespace insonate

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/core/Vec3.h>
+#include <insonate/tissue/Labels.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// The body to build around structures; lengths mm.
+struct CompletionPlan {
+  double skin_mm = 1.8;  ///< 0.5 to 5
+  double fat_mm = 5;     ///< mean, 0 to 60
+  double margin_mm = 2;  ///< between the outermost structures and the fat, 0 to 30
+  std::uint32_t seed = 1;
+};
+
+struct TubePlan {
+  struct Knot {
+    Vec3 p_mm;
+    double radius_mm;
+  };
+  std::vector<Knot> knots;  ///< at least two
+  Label label = kAirway;
+  Label wall = kCartilage;
+  double wall_mm = 0;
+};
+
+struct TargetPlan {
+  std::string name;
+  std::int32_t number = 0;
+  double z_mm = 0;
+};
+
+/// A map file, read and checked; see CaseFromLabels.h.
+struct LabelPlan {
+  std::map<std::int32_t, Label> labels;
+  std::optional<Label> others;
+  std::string title;
+  std::optional<std::pair<Vec3, Vec3>> crop_mm;
+  std::vector<TubePlan> tubes;
+  std::optional<CompletionPlan> complete;
+  std::vector<TargetPlan> targets;
+};
+
+Result<LabelPlan> readLabelPlan(const std::filesystem::path& file);
+
+}  // namespace insonate
