@@ -151,9 +151,9 @@ HWY_INLINE GateVec textureOf(const TextureTile& tile, const TextureFrame& frame,
     return hn::And(hn::ConvertTo(di, hn::Floor(at)), hn::Set(di, size - 1));
   };
   const auto voxel =
-      hn::Add(hn::Mul(hn::Add(hn::Mul(index(t.z, tile.size[2]), hn::Set(di, tile.size[1])), index(t.y, tile.size[1])),
-                      hn::Set(di, tile.size[0])),
-              index(t.x, tile.size[0]));
+      hn::Add(hn::Mul(hn::Add(hn::Mul(index(t.y, tile.size[1]), hn::Set(di, tile.size[0])), index(t.x, tile.size[0])),
+                      hn::Set(di, tile.size[2])),
+              index(t.z, tile.size[2]));
   // Four voxels a word: fetch the word, move the voxel to the top, bring it down with its sign.
   const auto word =
       hn::GatherIndex(di, reinterpret_cast<const std::int32_t*>(tile.value.data()), hn::ShiftRight<2>(voxel));

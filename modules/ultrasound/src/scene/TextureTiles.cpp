@@ -25,26 +25,30 @@ std::vector<float> whiteNoise(const std::array<int, 3>& size, std::uint32_t seed
   return noise;
 }
 
-/// Periodic Gaussian smoothing along one axis.
+/// Periodic Gaussian smoothing along one axis; whole rows along x at a time, so that it vectorises.
 void smoothAxis(std::vector<float>& values, const std::array<int, 3>& size, int axis, double sd) {
   const int radius = std::min(static_cast<int>(std::ceil(3 * sd)), size[axis] / 2);
   std::vector<float> weight(2 * radius + 1);
   for (int o = -radius; o <= radius; ++o) weight[o + radius] = static_cast<float>(std::exp(-0.5 * o * o / (sd * sd)));
-  const std::size_t step = axis == 0 ? 1 : axis == 1 ? size[0] : std::size_t(size[0]) * size[1];
-  const int otherA = axis == 0 ? 1 : 0, otherB = axis == 2 ? 1 : 2;
-  const std::array<std::size_t, 3> steps{1, std::size_t(size[0]), std::size_t(size[0]) * size[1]};
-  tbb::parallel_for(0, size[otherB], [&](int b) {
-    std::vector<float> line(size[axis]);
-    for (int a = 0; a < size[otherA]; ++a) {
-      float* first = values.data() + a * steps[otherA] + b * steps[otherB];
-      for (int i = 0; i < size[axis]; ++i) line[i] = first[i * step];
-      for (int i = 0; i < size[axis]; ++i) {
-        float sum = 0;
-        for (int o = -radius; o <= radius; ++o) sum += weight[o + radius] * line[(i + o + size[axis]) % size[axis]];
-        first[i * step] = sum;
+  std::vector<float> out(values.size(), 0);
+  const auto row = [&](int y, int z) { return (std::size_t(z) * size[1] + y) * size[0]; };
+  tbb::parallel_for(0, size[2], [&](int z) {
+    std::vector<float> wrapped(size[0] + 2 * radius);
+    for (int y = 0; y < size[1]; ++y) {
+      if (axis == 0)
+        for (int x = 0; x < size[0] + 2 * radius; ++x)
+          wrapped[x] = values[row(y, z) + (x - radius + size[0]) % size[0]];
+      float* sum = out.data() + row(y, z);
+      for (int o = -radius; o <= radius; ++o) {
+        const auto there = [&](int at) { return (at + o + size[axis]) % size[axis]; };
+        const float* in = axis == 0   ? wrapped.data() + o + radius
+                          : axis == 1 ? values.data() + row(there(y), z)
+                                      : values.data() + row(y, there(z));
+        for (int x = 0; x < size[0]; ++x) sum[x] += weight[o + radius] * in[x];
       }
     }
   });
+  values.swap(out);
 }
 
 void normalise(std::vector<float>& values) {
@@ -73,6 +77,18 @@ std::int8_t toByte(float value) {
   return static_cast<std::int8_t>(std::lround(std::clamp(value, -1.0F, 1.0F) * 127));
 }
 
+/// The fields above have u fastest; a tile has w fastest.
+TextureTile transposed(TextureTile tile) {
+  const std::vector<std::int8_t> planes = std::move(tile.value);
+  tile.value.resize(planes.size());
+  std::size_t n = 0;
+  for (int v = 0; v < tile.size[1]; ++v)
+    for (int u = 0; u < tile.size[0]; ++u)
+      for (int w = 0; w < tile.size[2]; ++w)
+        tile.value[n++] = planes[(std::size_t(w) * tile.size[1] + v) * tile.size[0] + u];
+  return tile;
+}
+
 TextureTile emptyTile(std::array<int, 3> size, Vec3 voxel_mm) {
   return {size, voxel_mm, std::vector<std::int8_t>(count(size))};
 }
@@ -92,7 +108,7 @@ TextureTile makeSepta() {
         const float g = sheets[(std::size_t(sheared) * tile.size[1] + v) * tile.size[0] + u];
         tile.value[n] = toByte(smoothstep(1.25F, 2.3F, g + 0.45F * slow[n]) + 0.07F * slow[n]);
       }
-  return tile;
+  return transposed(std::move(tile));
 }
 
 struct Cells {
@@ -159,7 +175,7 @@ TextureTile makeLobules() {
         tile.value[n] = toByte(wall * square * (0.75F + 0.25F * slow[n]) + 0.25F * static_cast<float>(near.tone));
       }
   });
-  return tile;
+  return transposed(std::move(tile));
 }
 
 /// Loose connective tissue: patchy, wavy sheets.
@@ -177,7 +193,7 @@ TextureTile makeSheets() {
         const float sheet = smoothstep(0.7F, 2.2F, thin[(std::size_t(warped) * tile.size[1] + v) * tile.size[0] + u]);
         tile.value[n] = toByte(0.9F * sheet * smoothstep(-1.0F, 1.0F, patch[n]) + 0.22F * patch[n] + 0.12F * wave[n]);
       }
-  return tile;
+  return transposed(std::move(tile));
 }
 
 /// Even parenchyma with slow, faint variation.
@@ -186,7 +202,7 @@ TextureTile makeFine() {
   const std::vector<float> coarse = gaussianField(tile.size, tile.voxel_mm, {1.5, 1.5, 1.5}, 0xf14e0001U);
   const std::vector<float> fine = gaussianField(tile.size, tile.voxel_mm, {0.5, 0.5, 0.4}, 0xf14e0002U);
   for (std::size_t n = 0; n < tile.value.size(); ++n) tile.value[n] = toByte(0.25F * coarse[n] + 0.3F * fine[n]);
-  return tile;
+  return transposed(std::move(tile));
 }
 
 TextureTile makePatches() {
@@ -195,7 +211,7 @@ TextureTile makePatches() {
   const std::vector<float> fine = gaussianField(tile.size, tile.voxel_mm, {0.8, 0.8, 0.8}, 0x9a7c0002U);
   for (std::size_t n = 0; n < tile.value.size(); ++n)
     tile.value[n] = toByte((0.75F * coarse[n] + 0.66F * fine[n]) * (32.0F / 127.0F));
-  return tile;
+  return transposed(std::move(tile));
 }
 
 }  // namespace

@@ -15,10 +15,10 @@ namespace insonate {
 struct TextureTile {
   std::array<int, 3> size{};
   Vec3 voxel_mm;
-  std::vector<std::int8_t> value;  ///< [w][v][u]
+  std::vector<std::int8_t> value;  ///< [v][u][w]: beams run along w more often than not
 
   std::int8_t at(int u, int v, int w) const {
-    return value[(std::size_t(w & (size[2] - 1)) * size[1] + (v & (size[1] - 1))) * size[0] + (u & (size[0] - 1))];
+    return value[(std::size_t(v & (size[1] - 1)) * size[0] + (u & (size[0] - 1))) * size[2] + (w & (size[2] - 1))];
   }
 };
 
