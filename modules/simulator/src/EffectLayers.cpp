@@ -38,7 +38,7 @@ constexpr Named kCoherent[]{
     {"layers", with({&E::scattering, &E::layers})},
     {"texture", with({&E::scattering, &E::texture})},
     {"reverberation", with({&E::scattering, &E::reflection, &E::transmission, &E::reverberation})},
-    {"edge_shadow", with({&E::scattering, &E::edgeShadow})},
+    {"edge_shadow", with({&E::scattering, &E::attenuation, &E::edgeShadow})},
     {"clutter", with({&E::scattering, &E::clutter})},
 };
 

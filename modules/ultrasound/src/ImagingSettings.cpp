@@ -45,6 +45,7 @@ constexpr SwitchField kSwitches[] = {
     {"conformingContact", &Settings::conformingContact},
 };
 constexpr EffectField kEffects[] = {
+    {"scattering", &Effects::scattering},
     {"reflection", &Effects::reflection},
     {"attenuation", &Effects::attenuation},
     {"transmission", &Effects::transmission},

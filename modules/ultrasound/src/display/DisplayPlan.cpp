@@ -75,7 +75,9 @@ DisplayPlan::DisplayPlan(const Probe& probe, const ImagingSettings& settings)
 
   for (int k = 0; k < samples; ++k) {
     const double depth_cm = grid.range_mm(k) / 10;
-    const double builtIn_dB = std::min(kTgc_dBpcmMHz * settings.frequency_MHz * depth_cm, kMaxTgc_dB);
+    // Without attenuation there is nothing to make up for.
+    const double builtIn_dB =
+        settings.effects.attenuation ? std::min(kTgc_dBpcmMHz * settings.frequency_MHz * depth_cm, kMaxTgc_dB) : 0;
     rowGain.push_back(static_cast<float>(std::pow(10, builtIn_dB / 20)));
     rowOffset_dB.push_back(
         static_cast<float>(settings.gain_dB + slider_dB(settings.tgc_dB, grid.range_mm(k) / settings.depth_mm)));

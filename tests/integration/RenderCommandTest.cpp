@@ -1,0 +1,220 @@
+#include "CommandLine.h"
+#include "support/SmallCase.h"
+#include "support/TestData.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <set>
+
+namespace insonate {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::shellWord;
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string bytesOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// A small case, small settings and an empty folder for outputs.
+class RenderCommand : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    shared_.emplace();
+    const auto written = writeCase(test::smallCase(), *shared_ / "case");
+    ASSERT_TRUE(written) << written.error().message;
+    std::ofstream(*shared_ / "small.json")
+        << R"({"scanlines": 32, "samples": 128, "elevationPlanes": 1, "looks": 1, "width": 96, "height": 80,
+               "depth_mm": 30})";
+  }
+  static void TearDownTestSuite() { shared_.reset(); }
+
+  test::CommandResult render(const std::string& arguments, const std::string& prefix = "") const {
+    return test::runCommand("render " + shellWord(*shared_ / "case") + " --engine reference --settings " +
+                                shellWord(*shared_ / "small.json") + " " + arguments,
+                            (*shared_ / "stderr.txt").string(), prefix);
+  }
+  std::string out(const std::string& name) const { return (folder_ / name).string(); }
+  std::set<std::string> files() const {
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_.path()))
+      if (entry.is_regular_file()) names.insert(fs::relative(entry.path(), folder_.path()).string());
+    return names;
+  }
+  /// The command must fail with status 1, one sentence with `words`, and nothing written.
+  void expectRefusal(const std::string& arguments, const std::string& words) const {
+    const auto result = render(arguments);
+    EXPECT_EQ(result.status, 1) << arguments << '\n' << result.errors;
+    EXPECT_THAT(result.errors, HasSubstr(words)) << arguments;
+    EXPECT_EQ(result.output, "") << arguments;
+    EXPECT_TRUE(files().empty()) << arguments;
+  }
+
+  static std::optional<test::TemporaryFolder> shared_;
+  test::TemporaryFolder folder_;
+};
+std::optional<test::TemporaryFolder> RenderCommand::shared_;
+
+std::string poseAt(double x_mm) {
+  return R"({"position_mm": [)" + std::to_string(x_mm) + R"(, 0, 0], "axial": [0, 1, 0], "lateral": [1, 0, 0]})";
+}
+
+TEST_F(RenderCommand, WritesAPictureAndTellsAboutIt) {
+  const auto result = render("--probe linear --pose auto --json --out " + shellWord(out("f.png")));
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(bytesOf(out("f.png")), testing::StartsWith("\x89PNG"));
+  const json report = json::parse(result.output);
+  EXPECT_EQ(report["engine"], "reference");
+  EXPECT_EQ(report["look"], "coherent");
+  EXPECT_EQ(report["scanlines"], 32);
+  EXPECT_EQ(report["samples"], 128);
+  EXPECT_EQ(report["width"], 96);
+  EXPECT_EQ(report["height"], 80);
+  EXPECT_GT(report["frame_ms"], 0);
+  EXPECT_FALSE(report["stages_ms"].empty());
+  EXPECT_TRUE(report["force_N"].is_null());
+  EXPECT_TRUE(report["indent_mm"].is_null());
+  EXPECT_EQ(report["lumens"], json::array());
+  EXPECT_TRUE(report["warnings"].is_array());
+  EXPECT_EQ(report["out"], out("f.png"));
+  EXPECT_GT(report["mm_per_pixel"], 0);
+  EXPECT_TRUE(report.contains("version"));
+  EXPECT_EQ(report["pose"]["position_mm"], json({0.0, 0.0, 0.0}));
+}
+
+TEST_F(RenderCommand, SamePoseGivesTheSameBytesHoweverItIsSaid) {
+  ASSERT_EQ(render("--pose auto --out " + shellWord(out("a.png"))).status, 0);
+  ASSERT_EQ(render("--pose 'over the vein' --out " + shellWord(out("b.png"))).status, 0);
+  ASSERT_EQ(render("--pose " + shellWord(poseAt(0)) + " --out " + shellWord(out("c.png"))).status, 0);
+  std::ofstream(out("pose.json")) << poseAt(0);
+  ASSERT_EQ(render("--pose " + shellWord(out("pose.json")) + " --out " + shellWord(out("d.png"))).status, 0);
+  for (const char* other : {"b.png", "c.png", "d.png"}) EXPECT_EQ(bytesOf(out("a.png")), bytesOf(out(other))) << other;
+}
+
+TEST_F(RenderCommand, APathBecomesNumberedPictures) {
+  const std::string path = "[" + poseAt(0) + "," + poseAt(2) + "," + poseAt(4) + "]";
+  const auto result = render("--json --pose " + shellWord(path) + " --out " + shellWord(out("f.png")));
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(files(), testing::ElementsAre("f_0000.png", "f_0001.png", "f_0002.png"));
+  EXPECT_NE(bytesOf(out("f_0000.png")), bytesOf(out("f_0001.png")));
+  EXPECT_EQ(json::parse(result.output)["images"].size(), 3u);
+
+  ASSERT_EQ(render("--pose " + shellWord(poseAt(2)) + " --out " + shellWord(out("alone.png"))).status, 0);
+  EXPECT_EQ(bytesOf(out("f_0001.png")), bytesOf(out("alone.png"))) << "a path must not change its pictures";
+}
+
+TEST_F(RenderCommand, EnvelopeAndLayersComeBesideThePicture) {
+  const auto result = render("--json --out " + shellWord(out("f.png")) + " --envelope " + shellWord(out("e.nrrd")) +
+                             " --layers " + shellWord(out("layers")));
+  ASSERT_EQ(result.status, 0) << result.errors;
+  const std::string nrrd = bytesOf(out("e.nrrd"));
+  EXPECT_THAT(nrrd, AllOf(testing::StartsWith("NRRD"), HasSubstr("sizes: 128 32")));
+  EXPECT_EQ(nrrd.size() - nrrd.find("\n\n") - 2, 128u * 32 * sizeof(float));
+  const json layers = json::parse(result.output)["layers"];
+  EXPECT_GE(layers.size(), 10u);
+  for (const auto& [name, file] : layers.items()) EXPECT_TRUE(fs::exists(file.get<std::string>())) << name;
+  EXPECT_EQ(files().size(), layers.size() + 2);
+}
+
+TEST_F(RenderCommand, ThesisLookDiffersAndHasItsLayers) {
+  ASSERT_EQ(render("--out " + shellWord(out("coherent.png"))).status, 0);
+  const auto result =
+      render("--json --look thesis --out " + shellWord(out("thesis.png")) + " --layers " + shellWord(out("layers")));
+  ASSERT_EQ(result.status, 0) << result.errors;
+  const json report = json::parse(result.output);
+  EXPECT_EQ(report["look"], "thesis");
+  EXPECT_EQ(report["tissues"], "thesis");
+  EXPECT_EQ(report["layers"].size(), 4u);
+  EXPECT_NE(bytesOf(out("coherent.png")), bytesOf(out("thesis.png")));
+}
+
+TEST_F(RenderCommand, TissuesChangeThePicture) {
+  std::ofstream(*shared_ / "loud.json") << R"({"base": "neck", "tissues": [{"label": "vein", "echogenicity_dB": 10}]})";
+  ASSERT_EQ(render("--out " + shellWord(out("a.png"))).status, 0);
+  ASSERT_EQ(render("--tissues " + shellWord(*shared_ / "loud.json") + " --out " + shellWord(out("b.png"))).status, 0);
+  EXPECT_NE(bytesOf(out("a.png")), bytesOf(out("b.png")));
+}
+
+TEST_F(RenderCommand, AProbeInTheAirGivesABlackPictureAndAWarning) {
+  const std::string pose = R"({"position_mm": [0, -3, 0], "axial": [0, -1, 0], "lateral": [1, 0, 0]})";
+  const auto result = render("--json --pose " + shellWord(pose) + " --out " + shellWord(out("f.png")));
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(json::parse(result.output)["warnings"].dump(), HasSubstr("black"));
+}
+
+TEST_F(RenderCommand, BadInputIsRefusedWithASentenceAndLeavesNothing) {
+  const std::string picture = " --out " + shellWord(out("f.png"));
+  expectRefusal(
+      "--pose " + shellWord(R"({"position_mm": [NaN, 0, 0], "axial": [0,1,0], "lateral": [1,0,0]})") + picture, "JSON");
+  expectRefusal("--pose " + shellWord(R"({"position_mm": [0, 0, 0], "axial": [0,1,0], "lateral": [0,1,0]})") + picture,
+                "parallel");
+  expectRefusal("--pose " + shellWord(poseAt(5000)) + picture, "sees nothing");
+  expectRefusal("--pose " + shellWord("[" + poseAt(0) + "," + poseAt(5000) + "]") + picture, "Pose 1");
+  expectRefusal("--pose nowhere" + picture, "nowhere");
+  expectRefusal("--probe trapezoid" + picture, "trapezoid");
+  expectRefusal("--tissues nek" + picture, "neck");
+  expectRefusal("--out " + shellWord(out("f.jpg")), ".png");
+  expectRefusal("--out " + shellWord(out("none/f.png")), "does not exist");
+  expectRefusal("--envelope " + shellWord(out("none/e.nrrd")) + picture, "does not exist");
+  expectRefusal("--layers " + shellWord(out("none/layers")) + picture, "does not exist");
+  expectRefusal("--out " + shellWord(out("")), ".png");
+}
+
+TEST_F(RenderCommand, AbsurdSettingsAreRefusedByName) {
+  for (const auto& [settings, word] : {std::pair{R"({"scanlines": -3})", "scanlines"},
+                                       {R"({"samples": 1e9})", "samples"},
+                                       {R"({"depth_mm": 0})", "depth_mm"},
+                                       {R"({"dept_mm": 40})", "depth_mm"},
+                                       {R"({"frequency_MHz": 400})", "frequency_MHz"},
+                                       {"[]", "settings"},
+                                       {"{", "JSON"}}) {
+    std::ofstream(*shared_ / "settings.json") << settings;
+    const auto result =
+        test::runCommand("render " + shellWord(*shared_ / "case") + " --settings " +
+                             shellWord(*shared_ / "settings.json") + " --out " + shellWord(out("f.png")),
+                         (*shared_ / "stderr.txt").string());
+    EXPECT_EQ(result.status, 1) << settings;
+    EXPECT_THAT(result.errors, HasSubstr(word)) << settings;
+    EXPECT_TRUE(files().empty());
+  }
+}
+
+TEST_F(RenderCommand, AMissingCaseSettingsOrEngineIsRefused) {
+  const std::string right = shellWord((*shared_ / "case").string()), picture = " --out " + shellWord(out("f.png"));
+  for (const auto& [arguments, word] : {std::pair{shellWord(out("nocase")), "nocase"},
+                                        {right + " --settings " + shellWord(out("none.json")), "none.json"},
+                                        {right + " --engine warp", "warp"}}) {
+    const auto result = test::runCommand("render " + arguments + picture, (*shared_ / "stderr.txt").string());
+    EXPECT_EQ(result.status, 1) << arguments;
+    EXPECT_THAT(result.errors, HasSubstr(word));
+    EXPECT_TRUE(files().empty());
+  }
+}
+
+TEST_F(RenderCommand, WrongUsageHasStatusTwo) {
+  EXPECT_EQ(render("").status, 2);
+  EXPECT_EQ(render("--look pretty --out " + shellWord(out("f.png"))).status, 2);
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(RenderCommand, AFullDiskKeepsTheOldPicture) {
+  std::ofstream(out("f.png")) << "old";
+  // A limit of one block on file sizes fails like a full disk, in the middle of writing.
+  const auto result = render("--envelope " + shellWord(out("e.nrrd")) + " --out " + shellWord(out("f.png")),
+                             "trap '' XFSZ; ulimit -f 1; ");
+  EXPECT_EQ(result.status, 1) << result.errors;
+  EXPECT_FALSE(result.errors.empty());
+  EXPECT_THAT(files(), testing::ElementsAre("f.png"));
+  EXPECT_EQ(bytesOf(out("f.png")), "old");
+}
+
+}  // namespace
+}  // namespace insonate
