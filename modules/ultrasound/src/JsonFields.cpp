@@ -1,31 +1,15 @@
 #include "JsonFields.h"
 
+#include <insonate/core/Words.h>
+
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <numeric>
 #include <sstream>
 
 namespace insonate::fields {
 namespace {
-
-/// Levenshtein distance, ignoring case.
-int editDistance(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-  std::vector<int> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    int diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const int replaced = diagonal + (lower(a[i]) != lower(b[j]));
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
 
 std::string typed(double value) {
   std::ostringstream text;
@@ -64,9 +48,9 @@ Result<void> checkKeys(const nlohmann::json& object, const std::vector<std::stri
   if (!object.is_object()) return fail(where + ": a JSON object { ... } is needed.");
   for (const auto& [key, value] : object.items()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    const std::string_view near = nearest(key, known);
+    const std::string_view near = nearestWord(key, known);
     return fail(where + ": unknown field '" + key + "'" +
-                (near.empty() ? "; known are " + joined(known) : "; did you mean '" + std::string(near) + "'?") +
+                (near.empty() ? "; known are " + joinedWords(known) : "; did you mean '" + std::string(near) + "'?") +
                 (near.empty() ? "." : ""));
   }
   return {};
@@ -93,7 +77,7 @@ Result<int> readChoice(const nlohmann::json& value, const std::vector<std::strin
                        const std::string& where) {
   const auto found =
       value.is_string() ? std::find(choices.begin(), choices.end(), value.get<std::string>()) : choices.end();
-  if (found == choices.end()) return fail(wrongType(name, value, "one of " + joined(choices), where));
+  if (found == choices.end()) return fail(wrongType(name, value, "one of " + joinedWords(choices), where));
   return static_cast<int>(found - choices.begin());
 }
 
@@ -101,25 +85,6 @@ Result<void> checkRange(double value, double low, double high, std::string_view 
   if (value >= low && value <= high) return {};
   return fail(where + ": " + std::string(name) + " is " + typed(value) + "; allowed is " + typed(low) + " to " +
               typed(high) + ".");
-}
-
-std::string_view nearest(std::string_view word, const std::vector<std::string_view>& known) {
-  std::string_view best;
-  int bestDistance = 1 + static_cast<int>(std::min<std::size_t>(word.size(), 40)) / 2;
-  for (const std::string_view candidate : known) {
-    // A name given without its unit is the commonest slip.
-    const bool prefix = !word.empty() && candidate.size() > word.size() && candidate[word.size()] == '_' &&
-                        editDistance(word, candidate.substr(0, word.size())) == 0;
-    const int distance = prefix ? 0 : editDistance(word, candidate);
-    if (distance < bestDistance) best = candidate, bestDistance = distance;
-  }
-  return best;
-}
-
-std::string joined(const std::vector<std::string_view>& words) {
-  std::string text;
-  for (const std::string_view word : words) text += (text.empty() ? "" : ", ") + std::string(word);
-  return text;
 }
 
 }  // namespace insonate::fields

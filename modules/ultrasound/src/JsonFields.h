@@ -29,8 +29,4 @@ Result<int> readChoice(const nlohmann::json& value, const std::vector<std::strin
 /// Refuses NaN and values outside low..high.
 Result<void> checkRange(double value, double low, double high, std::string_view name, const std::string& where);
 
-/// The known word most like `word`, or an empty string when none resembles it.
-std::string_view nearest(std::string_view word, const std::vector<std::string_view>& known);
-std::string joined(const std::vector<std::string_view>& words);
-
 }  // namespace insonate::fields

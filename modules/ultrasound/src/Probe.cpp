@@ -1,5 +1,6 @@
 #include "JsonFields.h"
 
+#include <insonate/core/Words.h>
 #include <insonate/embedded/probes.h>
 #include <insonate/ultrasound/Probe.h>
 
@@ -101,7 +102,7 @@ Result<Probe> loadProbe(std::string_view nameOrPath) {
   std::error_code error;
   if (nameOrPath.empty() || !std::filesystem::exists(path, error))
     return fail("there is no probe preset and no file named '" + std::string(nameOrPath) + "'; presets are " +
-                fields::joined(presets) + ".");
+                joinedWords(presets) + ".");
   const auto json = fields::parseFile(path);
   if (!json) return tl::unexpected(json.error());
   return probeFromJson(*json, path.string());

@@ -1,0 +1,34 @@
+#include <insonate/core/Words.h>
+
+#include <gtest/gtest.h>
+
+namespace insonate {
+namespace {
+
+const std::vector<std::string_view> kKnown{"depth_mm", "focus_mm", "gain_dB", "look"};
+
+TEST(NearestWord, ForgivesTyposAndCase) {
+  EXPECT_EQ(nearestWord("dept_mm", kKnown), "depth_mm");
+  EXPECT_EQ(nearestWord("GAIN_db", kKnown), "gain_dB");
+  EXPECT_EQ(nearestWord("lok", kKnown), "look");
+}
+
+TEST(NearestWord, ForgivesAMissingUnit) {
+  EXPECT_EQ(nearestWord("depth", kKnown), "depth_mm");
+  EXPECT_EQ(nearestWord("gain", kKnown), "gain_dB");
+}
+
+TEST(NearestWord, IsEmptyWhereNothingResembles) {
+  EXPECT_EQ(nearestWord("temperature", kKnown), "");
+  EXPECT_EQ(nearestWord("", kKnown), "");
+  EXPECT_EQ(nearestWord("depth", {}), "");
+}
+
+TEST(JoinedWords, PutsCommasBetween) {
+  EXPECT_EQ(joinedWords({}), "");
+  EXPECT_EQ(joinedWords({"a"}), "a");
+  EXPECT_EQ(joinedWords({"a", "b", "c"}), "a, b, c");
+}
+
+}  // namespace
+}  // namespace insonate
