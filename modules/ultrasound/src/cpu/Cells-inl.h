@@ -155,10 +155,10 @@ HWY_INLINE void computeCellRow(const TraceInput& in, int plane, int row, std::ui
     const auto s0 = corner(top, c), s1 = corner(top, c + 1), s2 = corner(bottom, c), s3 = corner(bottom, c + 1);
     const auto axial = hn::Mul(hn::Add(hn::Sub(s2, s0), hn::Sub(s3, s1)), perAxial);
     const auto lateral = hn::Mul(hn::Add(hn::Sub(s1, s0), hn::Sub(s3, s2)), perLateral);
-    const auto axial2 = hn::Mul(axial, axial);
+    const auto inPlane2 = hn::MulAdd(axial, axial, hn::Mul(lateral, lateral));
     const auto elevation = lastPlane > 0 ? hn::Mul(hn::Sub(corner(after, c), corner(before, c)), perElevation)
-                                         : hn::Sqrt(hn::Max(hn::Sub(one, axial2), hn::Zero(d)));
-    const auto gradient = hn::Sqrt(hn::Add(axial2, hn::Add(hn::Mul(lateral, lateral), hn::Mul(elevation, elevation))));
+                                         : hn::Sqrt(hn::Max(hn::Sub(one, inPlane2), hn::Zero(d)));
+    const auto gradient = hn::Sqrt(hn::MulAdd(elevation, elevation, inPlane2));
     const auto cosine = hn::Min(one, hn::Div(hn::Abs(axial), hn::Max(gradient, hn::Set(d, 0.3F))));
     // 20 log10(0.12 + 0.88 cos^2)
     const auto facing = hn::Mul(hn::Log2(d, hn::MulAdd(hn::Set(d, 0.88F), hn::Mul(cosine, cosine), hn::Set(d, 0.12F))),
@@ -199,7 +199,8 @@ HWY_INLINE void computeCellRow(const TraceInput& in, int plane, int row, std::ui
   for (int l = 0; l < kBlockLines; ++l) {
     const int a = cells.channelA[l], bb = cells.channelB[l];
     present |= 1U << a | 1U << bb;
-    const bool vessel = in.channels.tissue[a]->vessel || in.channels.tissue[bb]->vessel;
+    const AcousticTissue &first = *in.channels.tissue[a], &second = *in.channels.tissue[bb];
+    const bool vessel = (first.vessel || second.vessel) && !acousticallyEqual(first, second);
     cells.edgeLoss[l] = vessel && cells.cosine[l] < static_cast<float>(acoustics::kEdgeCosine) ? in.edgeLoss_dB : 0.0F;
   }
   cells.channelsPresent = present;

@@ -105,9 +105,8 @@ void CpuEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
   for (int p = 0; p < settings.elevationPlanes; ++p)
     for (int g = 0; g < plan.gates; ++g) {
       input_.elevation_mm.push_back(static_cast<float>(plan.planeOffset_sd[p] * plan.elevationSd_mm[g]));
-      const double scale =
-          settings.effects.speckle ? plan.scatterScale[g] * plan.scatterWeight[p] : plan.boundaryWeight[p];
-      input_.scatterScale.push_back(static_cast<float>(20 * std::log10(scale)));
+      input_.scatterScale.push_back(
+          settings.effects.speckle ? static_cast<float>(plan.scatterScale[g] * plan.scatterWeight[p]) : 0.0F);
     }
   const double perGate = plan.gate_mm / 10;
   input_.edgeLoss_dB = static_cast<float>(2 * acoustics::kEdgeLoss_dBpcmMHz * settings.frequency_MHz * perGate);

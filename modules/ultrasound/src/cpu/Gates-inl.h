@@ -141,9 +141,8 @@ HWY_INLINE void addScatterers(const TraceInput& in, const Point& patient, GateVe
   }
 }
 
-/// Texture of one structure, -1..1 times its strength, where the beam meets its sheets.
-HWY_INLINE GateVec textureOf(const TextureTile& tile, const TextureFrame& frame, float strength_dB,
-                             const Point& patient, GateVec facing) {
+/// Texture of one structure, -1..1, bright parts as far as the beam meets them squarely.
+HWY_INLINE GateVec textureOf(const TextureTile& tile, const TextureFrame& frame, const Point& patient, GateVec facing) {
   const GateTag d;
   const GateIntTag di;
   const Point t = rotated(frame.tileFromPatient, patient);
@@ -159,14 +158,19 @@ HWY_INLINE GateVec textureOf(const TextureTile& tile, const TextureFrame& frame,
       hn::GatherIndex(di, reinterpret_cast<const std::int32_t*>(tile.value.data()), hn::ShiftRight<2>(voxel));
   const auto up = hn::ShiftLeft<3>(hn::Sub(hn::Set(di, 3), hn::And(voxel, hn::Set(di, 3))));
   const auto byte = hn::ShiftRight<24>(hn::Shl(word, up));
-  const auto value = hn::Mul(hn::ConvertTo(d, byte), hn::Set(d, strength_dB / 127));
+  const auto value = hn::Mul(hn::ConvertTo(d, byte), hn::Set(d, 1.0F / 127));
   const auto lit = hn::Mul(value, hn::MulAdd(hn::Set(d, 0.8F), hn::Mul(facing, facing), hn::Set(d, 0.2F)));
   return hn::IfThenElse(hn::Gt(value, hn::Zero(d)), lit, value);
 }
 
+/// Scattering level and how much of it comes from sheets, which echo as one.
+struct Scattering {
+  GateVec echo_dB, sheet;
+};
+
 /// Adds the texture of each structure that the cells of this row name, where a lane lies in it.
-HWY_INLINE GateVec withTexture(const TraceInput& in, std::uint32_t present, GateInt channel, const Point& patient,
-                               const Point& beam, GateVec level) {
+HWY_INLINE void addTexture(const TraceInput& in, std::uint32_t present, GateInt channel, const Point& patient,
+                           const Point& beam, Scattering& here) {
   const GateTag d;
   const GateIntTag di;
   const auto right = hn::Lt(patient.x, hn::Set(d, static_cast<float>(in.scene->midline_mm)));
@@ -176,29 +180,28 @@ HWY_INLINE GateVec withTexture(const TraceInput& in, std::uint32_t present, Gate
     if (tissue.texture == Texture::None) continue;
     const auto mine = hn::RebindMask(d, hn::Eq(channel, hn::Set(di, ch)));
     for (int side = 0; side < 2; ++side) {
-      const auto here = side == 0 ? hn::And(mine, right) : hn::AndNot(right, mine);
-      if (hn::AllFalse(d, here)) continue;
+      const auto lanes = side == 0 ? hn::And(mine, right) : hn::AndNot(right, mine);
+      if (hn::AllFalse(d, lanes)) continue;
       const TextureFrame& frame = in.scene->textureFrames[in.scene->field.label[ch]][side];
       const auto facing = hn::MulAdd(beam.x, hn::Set(d, static_cast<float>(frame.thinAxis.x)),
                                      hn::MulAdd(beam.y, hn::Set(d, static_cast<float>(frame.thinAxis.y)),
                                                 hn::Mul(beam.z, hn::Set(d, static_cast<float>(frame.thinAxis.z)))));
-      const auto texture =
-          textureOf(*in.channels.tile[ch], frame, static_cast<float>(tissue.textureStrength_dB), patient, facing);
-      level = hn::Add(level, hn::IfThenElseZero(here, texture));
+      const auto value = hn::IfThenElseZero(lanes, textureOf(*in.channels.tile[ch], frame, patient, facing));
+      here.echo_dB = hn::MulAdd(value, hn::Set(d, static_cast<float>(tissue.textureStrength_dB)), here.echo_dB);
+      if (hasSheets(tissue.texture)) here.sheet = hn::Max(here.sheet, value);
     }
   }
-  return level;
 }
 
 /// Connective layers at the boundary take over from the tissue.
-HWY_INLINE GateVec withLayers(const TraceInput& in, const TraceBuffers::CellRow& cells, int l, GateVec s,
-                              GateVec level) {
+HWY_INLINE void addLayers(const TraceInput& in, const TraceBuffers::CellRow& cells, int l, GateVec s,
+                          Scattering& here) {
   const GateTag d;
   const GateIntTag di;
   const auto scaled = hn::Floor(hn::Mul(s, hn::Set(d, static_cast<float>(1 / BoundaryProfiles::kStep_mm))));
   const auto entry = hn::Add(hn::ConvertTo(di, scaled), hn::Set(di, BoundaryProfiles::kEntries / 2));
   const auto inReach = hn::And(hn::Gt(entry, hn::Set(di, -1)), hn::Lt(entry, hn::Set(di, BoundaryProfiles::kEntries)));
-  if (hn::AllFalse(di, inReach)) return level;
+  if (hn::AllFalse(di, inReach)) return;
   const auto index = hn::Add(hn::Load(di, cells.profile + l), hn::IfThenElseZero(inReach, entry));
   const auto packed =
       hn::GatherIndex(di, reinterpret_cast<const std::int32_t*>(in.scene->profiles.entries().data()), index);
@@ -214,8 +217,9 @@ HWY_INLINE GateVec withLayers(const TraceInput& in, const TraceBuffers::CellRow&
       hn::Min(one, hn::Max(hn::Zero(d), hn::MulAdd(hn::Set(d, 0.9F), hn::Load(d, cells.patch + l), hn::Set(d, 0.5F))));
   const auto covered = hn::Mul(occupancy, hn::NegMulAdd(patchiness, hn::Sub(one, presence), one));
   const auto layer = hn::MulAdd(anisotropy, hn::Load(d, cells.facing_dB + l), echo);
-  const auto mixed = hn::MulAdd(covered, hn::Sub(layer, level), level);
-  return hn::IfThenElse(hn::RebindMask(d, inReach), mixed, level);
+  const auto coverHere = hn::IfThenElseZero(hn::RebindMask(d, inReach), covered);
+  here.echo_dB = hn::MulAdd(coverHere, hn::Sub(layer, here.echo_dB), here.echo_dB);
+  here.sheet = hn::MulAdd(coverHere, hn::Sub(anisotropy, here.sheet), here.sheet);
 }
 
 /// Echo and loss of the boundary that one scanline crosses between the last gate and this one. Rare, so scalar.
@@ -331,15 +335,15 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
       const auto at = [&](GateVec v, double axis) { return hn::MulAdd(hn::Set(d, static_cast<float>(axis)), e, v); };
       const Point patient{at(onPlane.x, in.elevationAxis.x), at(onPlane.y, in.elevationAxis.y),
                           at(onPlane.z, in.elevationAxis.z)};
-      if (effects.texture) echo = withTexture(in, cells.channelsPresent, channel, patient, beam, echo);
-      if (effects.layers && cells.nearBoundary) echo = withLayers(in, cells, l, s, echo);
+      Scattering here{echo, hn::Zero(d)};
+      if (effects.texture) addTexture(in, cells.channelsPresent, channel, patient, beam, here);
+      if (effects.layers && cells.nearBoundary) addLayers(in, cells, l, s, here);
+      const auto amplitude = amplitudeOf(hn::Add(level, here.echo_dB));
+      const auto plane = hn::Set(d, static_cast<float>(plan.boundaryWeight[p]));
+      const auto inPhase = hn::Mul(hn::Mul(amplitude, plane), effects.speckle ? here.sheet : hn::Set(d, 1.0F));
+      for (int look = 0; look < kLooks; ++look) sum[2 * look] = hn::Add(sum[2 * look], inPhase);
       const auto scale = hn::Set(d, in.scatterScale[std::size_t(p) * plan.gates + gate]);
-      const auto amplitude = amplitudeOf(hn::Add(hn::Add(level, echo), scale));
-      if (effects.speckle) {
-        addScatterers<kLooks>(in, patient, amplitude, sum);
-      } else {
-        for (int look = 0; look < kLooks; ++look) sum[2 * look] = hn::Add(sum[2 * look], amplitude);
-      }
+      if (effects.speckle) addScatterers<kLooks>(in, patient, hn::Mul(amplitude, scale), sum);
     }
     for (int c = 0; c < 2 * kLooks; ++c) {
       float* out = b.echo.get() + (std::size_t(c) * plan.gates + gate) * kBlockLines + l;

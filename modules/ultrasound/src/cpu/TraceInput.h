@@ -51,7 +51,7 @@ struct TraceInput {
   std::vector<float> columnGap_mm;
   std::vector<float> contactDecay;  ///< [gate or node row's gate]
   std::vector<float> elevation_mm;  ///< [plane][gate]
-  std::vector<float> scatterScale;  ///< [plane][gate], dB
+  std::vector<float> scatterScale;  ///< [plane][gate]
   Vec3 elevationAxis;
   Mat3 latticeFromPatient;
   std::uint32_t latticeSeed = 0;

@@ -14,4 +14,14 @@ inline double specularLobe(const AcousticTissue& above, const AcousticTissue& be
   return (1 - diffuse) * std::pow(cosine, n) + diffuse * cosine;
 }
 
+/// Share of a sheet's echo that comes back where the beam meets it with this cosine.
+inline double sheetFacing(double cosine) {
+  return 0.2 + 0.8 * cosine * cosine;
+}
+
+/// Textures whose bright parts are sheets, which echo as one, rather than denser scatterers.
+inline bool hasSheets(Texture texture) {
+  return texture == Texture::Septa || texture == Texture::Lobules || texture == Texture::Sheets;
+}
+
 }  // namespace insonate

@@ -1,5 +1,7 @@
 #include "model/FramePlan.h"
 
+#include "model/Scatterers.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,25 +25,16 @@ std::vector<double> halfKernel(double sd_samples) {
   return half;
 }
 
-/// Variance that a kernel leaves of unit-variance noise with the lattice's correlation.
-double remainingVariance(const std::vector<double>& half, double step_pitches) {
+/// Sum over i of kernel[i] * kernel[i + lag], for the lags 0, 1, ... at which it is not zero.
+std::vector<double> autocorrelation(const std::vector<double>& half) {
   const int radius = static_cast<int>(half.size()) - 1;
-  double variance = 0;
-  for (int i = -radius; i <= radius; ++i)
-    for (int j = -radius; j <= radius; ++j)
-      variance += half[std::abs(i)] * half[std::abs(j)] * latticeCorrelation((i - j) * step_pitches);
-  return variance;
+  std::vector<double> sums(2 * radius + 1);
+  for (int lag = 0; lag <= 2 * radius; ++lag)
+    for (int i = -radius; i + lag <= radius; ++i) sums[lag] += half[std::abs(i)] * half[std::abs(i + lag)];
+  return sums;
 }
 
 }  // namespace
-
-double latticeCorrelation(double lag) {
-  // Cubic B-spline: what linear interpolation between independent nodes gives on average.
-  const double t = std::abs(lag);
-  if (t >= 2) return 0;
-  const double b = t < 1 ? 2.0 / 3 - t * t + t * t * t / 2 : (2 - t) * (2 - t) * (2 - t) / 6;
-  return b * 1.5;
-}
 
 ImpulseWeights impulseAt(double fraction) {
   // Quadratic B-spline centred on the nearer gate.
@@ -98,6 +91,26 @@ void FramePlan::planeElevation() {
   for (int g = 0; g < gates; ++g) elevationSd_mm.push_back(elevationFwhm_mm(range_mm(g)) / acoustics::kFwhmPerSd);
 }
 
+double FramePlan::speckleVariance(int gate, const std::vector<double>& axialLags,
+                                  const std::vector<double>& lateralLags) const {
+  const double lineStep_pitches = grid.scanlineSpacing_mm(range_mm(gate)) / latticePitch_mm;
+  const double gateStep_pitches = gate_mm / latticePitch_mm;
+  const std::vector<double>& w = scatterWeight;
+  double variance = 0;
+  for (std::size_t d = 0; d < w.size(); ++d) {
+    double planes = 0;
+    for (std::size_t p = 0; p + d < w.size(); ++p) planes += (d ? 2 : 1) * w[p] * w[p + d];
+    const double elevation_pitches =
+        (planeOffset_sd[d] - planeOffset_sd[0]) * elevationSd_mm[gate] / latticeElevationPitch_mm;
+    if (elevation_pitches > kLatticeReach_pitches) break;
+    for (std::size_t n = 0; n < lateralLags.size() && n * lineStep_pitches < kLatticeReach_pitches; ++n)
+      for (std::size_t m = 0; m < axialLags.size() && m * gateStep_pitches < kLatticeReach_pitches; ++m)
+        variance += planes * (n ? 2 : 1) * lateralLags[n] * (m ? 2 : 1) * axialLags[m] *
+                    latticeCorrelation(std::hypot(n * lineStep_pitches, m * gateStep_pitches), elevation_pitches);
+  }
+  return variance;
+}
+
 void FramePlan::planeBeam() {
   using acoustics::kFwhmPerSd;
   const double wavelength_mm = acoustics::kSoundSpeed_mmPerUs / settings.frequency_MHz;
@@ -108,7 +121,7 @@ void FramePlan::planeBeam() {
     return std::sqrt(std::max(total_mm * total_mm - latticeVariance_mm2, 0.04 * total_mm * total_mm));
   };
   axialKernel = settings.effects.beam ? halfKernel(kernelSd(axialSd_mm) / gate_mm) : std::vector<double>{1};
-  const double axialVariance = remainingVariance(axialKernel, gate_mm / latticePitch_mm);
+  const std::vector<double> axialLags = autocorrelation(axialKernel);
 
   std::vector<std::vector<double>> lateral(gates);
   for (int g = 0; g < gates; ++g) {
@@ -120,15 +133,7 @@ void FramePlan::planeBeam() {
   lateralKernel.assign(std::size_t(gates) * (maxLateralRadius + 1), 0);
   for (int g = 0; g < gates; ++g) {
     std::copy(lateral[g].begin(), lateral[g].end(), lateralKernel.begin() + std::ptrdiff_t(g) * (maxLateralRadius + 1));
-    const double lateralVariance =
-        remainingVariance(lateral[g], grid.scanlineSpacing_mm(range_mm(g)) / latticePitch_mm);
-    double elevationVariance = 0;
-    for (std::size_t p = 0; p < scatterWeight.size(); ++p)
-      for (std::size_t q = 0; q < scatterWeight.size(); ++q)
-        elevationVariance +=
-            scatterWeight[p] * scatterWeight[q] *
-            latticeCorrelation((planeOffset_sd[p] - planeOffset_sd[q]) * elevationSd_mm[g] / latticeElevationPitch_mm);
-    scatterScale.push_back(1 / std::sqrt(axialVariance * lateralVariance * elevationVariance));
+    scatterScale.push_back(1 / std::sqrt(speckleVariance(g, axialLags, autocorrelation(lateral[g]))));
   }
   // Peak of the B-spline impulse after the axial kernel.
   const double next = axialKernel.size() > 1 ? axialKernel[1] : 0;

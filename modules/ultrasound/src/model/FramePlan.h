@@ -70,6 +70,8 @@ struct FramePlan {
  private:
   void planeElevation();
   void planeBeam();
+  /// Of unit scattering after the beam, at a gate; from the autocorrelations of its kernels.
+  double speckleVariance(int gate, const std::vector<double>& axialLags, const std::vector<double>& lateralLags) const;
 };
 
 /// Weights of a unit impulse at position `fraction` (0..1) after gate k, on gates k - 1, k, k + 1, k + 2: a quadratic
@@ -85,8 +87,5 @@ struct CubicWeights {
   double weight[4];
 };
 CubicWeights cubicAt(double fraction);
-
-/// Correlation of the scatterer lattice at a lag in pitches.
-double latticeCorrelation(double lag);
 
 }  // namespace insonate

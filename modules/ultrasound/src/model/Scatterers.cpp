@@ -3,6 +3,7 @@
 #include <insonate/core/Hash.h>
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace insonate {
@@ -19,6 +20,64 @@ std::vector<Vec3> orientations() {
       }
   return axes;
 }
+
+/// The corners of the tetrahedron that holds a lattice point, and their weights, of unit power.
+struct Tetrahedron {
+  std::array<std::array<int, 3>, 4> node;
+  std::array<double, 4> weight;
+};
+
+Tetrahedron tetrahedronAt(Vec3 p) {
+  const std::array<int, 3> low{static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y)),
+                               static_cast<int>(std::floor(p.z))};
+  const std::array<double, 3> f{p.x - low[0], p.y - low[1], p.z - low[2]};
+  // The path from the low to the high corner of the cell, longest fraction first.
+  const bool xy = f[0] >= f[1], yz = f[1] >= f[2], xz = f[0] >= f[2];
+  const std::array<int, 3> rank{(xy ? 0 : 1) + (xz ? 0 : 1), (xy ? 1 : 0) + (yz ? 0 : 1), (xz ? 1 : 0) + (yz ? 1 : 0)};
+  std::array<double, 3> sorted{};
+  for (int a = 0; a < 3; ++a) sorted[rank[a]] = f[a];
+  Tetrahedron t{{}, {1 - sorted[0], sorted[0] - sorted[1], sorted[1] - sorted[2], sorted[2]}};
+  double power = 0;
+  for (const double w : t.weight) power += w * w;
+  for (int corner = 0; corner < 4; ++corner) {
+    t.weight[corner] /= std::sqrt(power);
+    for (int a = 0; a < 3; ++a) t.node[corner][a] = low[a] + (rank[a] < corner ? 1 : 0);
+  }
+  return t;
+}
+
+double sharedWeight(const Tetrahedron& a, const Tetrahedron& b) {
+  double sum = 0;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      if (a.node[i] == b.node[j]) sum += a.weight[i] * b.weight[j];
+  return sum;
+}
+
+/// Correlation on a grid of lags, by sampling phases and directions with a low-discrepancy sequence.
+struct CorrelationTable {
+  static constexpr double kStep = 0.1;
+  static constexpr int kSize = 31;
+  static constexpr int kSamples = 400;
+  std::array<std::array<double, kSize>, kSize> value{};  ///< [elevation][across]
+
+  CorrelationTable() {
+    for (int n = 0; n < kSamples; ++n) {
+      // Roots of x^5 = x + 1 give the steps of an additive recurrence in four dimensions (M. Roberts, 2018).
+      constexpr double kRoot = 1.1673039782614187;
+      std::array<double, 4> u;
+      double step = 1;
+      for (double& v : u) step /= kRoot, v = std::fmod(0.5 + step * n, 1.0);
+      const Vec3 p{u[0], u[1], u[2]};
+      const Tetrahedron here = tetrahedronAt(p);
+      const double angle = 2 * std::numbers::pi * u[3], c = std::cos(angle), s = std::sin(angle);
+      for (int e = 0; e < kSize; ++e)
+        for (int a = 0; a < kSize; ++a)
+          value[e][a] +=
+              sharedWeight(here, tetrahedronAt(p + Vec3{c * a * kStep, s * a * kStep, e * kStep})) / kSamples;
+    }
+  }
+};
 
 }  // namespace
 
@@ -38,27 +97,23 @@ ScattererLattice::ScattererLattice(Vec3 elevation, double pitch_mm, double eleva
 }
 
 std::array<double, 6> scattererAmplitudes(const ScattererLattice& lattice, Vec3 patient_mm) {
-  const Vec3 p = lattice.latticeFromPatient * patient_mm;
-  const std::array<int, 3> node{static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y)),
-                                static_cast<int>(std::floor(p.z))};
-  const std::array<double, 3> f{p.x - node[0], p.y - node[1], p.z - node[2]};
-  // The path from the low to the high corner of the cell, longest fraction first.
-  const bool xy = f[0] >= f[1], yz = f[1] >= f[2], xz = f[0] >= f[2];
-  const std::array<int, 3> rank{(xy ? 0 : 1) + (xz ? 0 : 1), (xy ? 1 : 0) + (yz ? 0 : 1), (xz ? 1 : 0) + (yz ? 1 : 0)};
-  std::array<double, 3> sorted{};
-  for (int a = 0; a < 3; ++a) sorted[rank[a]] = f[a];
-  const std::array<double, 4> weight{1 - sorted[0], sorted[0] - sorted[1], sorted[1] - sorted[2], sorted[2]};
-
+  const Tetrahedron t = tetrahedronAt(lattice.latticeFromPatient * patient_mm);
   std::array<double, 6> sum{};
-  double power = 0;
   for (int corner = 0; corner < 4; ++corner) {
-    const auto step = [&](int axis) { return node[axis] + (rank[axis] < corner ? 1 : 0); };
-    const std::uint32_t h = hashNode(step(0), step(1), step(2), lattice.seed);
-    for (int c = 0; c < 6; ++c) sum[c] += weight[corner] * ((h >> (5 * c) & 31U) - kScattererMean);
-    power += weight[corner] * weight[corner];
+    const auto& [i, j, k] = t.node[corner];
+    const std::uint32_t h = hashNode(i, j, k, lattice.seed);
+    for (int c = 0; c < 6; ++c) sum[c] += t.weight[corner] * kScattererUnit * ((h >> (5 * c) & 31U) - kScattererMean);
   }
-  for (double& v : sum) v *= kScattererUnit / std::sqrt(power);
   return sum;
+}
+
+double latticeCorrelation(double across_pitches, double elevation_pitches) {
+  static const CorrelationTable table;
+  const double a = across_pitches / CorrelationTable::kStep, e = elevation_pitches / CorrelationTable::kStep;
+  const int a0 = static_cast<int>(a), e0 = static_cast<int>(e);
+  if (a0 + 1 >= CorrelationTable::kSize || e0 + 1 >= CorrelationTable::kSize) return 0;
+  const auto along = [&](const auto& row) { return row[a0] + (a - a0) * (row[a0 + 1] - row[a0]); };
+  return along(table.value[e0]) + (e - e0) * (along(table.value[e0 + 1]) - along(table.value[e0]));
 }
 
 }  // namespace insonate

@@ -28,4 +28,9 @@ inline constexpr double kScattererMean = 15.5;
 /// squared weights, so that the variance is the same everywhere.
 std::array<double, 6> scattererAmplitudes(const ScattererLattice& lattice, Vec3 patient_mm);
 
+/// Correlation of the amplitudes at two points so many pitches apart across and along the elevation, averaged over
+/// where in the lattice they lie and in which direction across. Zero from the reach on.
+double latticeCorrelation(double across_pitches, double elevation_pitches);
+inline constexpr double kLatticeReach_pitches = 2.9;
+
 }  // namespace insonate

@@ -90,17 +90,15 @@ class LineTracer {
   }
 
   void scatter(int plane, int gate, int line, const TissueSample& here, double amplitude) {
-    const double level = amplitude * fromDecibel(here.echo_dB) * plan_.scatterScale[gate] * plan_.scatterWeight[plane];
-    if (!plan_.settings.effects.speckle) {
-      // Uniform scattering of the same power after the beam: without phases there is nothing to average out.
-      const double uniform =
-          level / plan_.scatterScale[gate] * plan_.boundaryWeight[plane] / plan_.scatterWeight[plane];
-      for (int look = 0; look < plan_.settings.looks; ++look) echo_.at(look, gate, line) += uniform;
-      return;
-    }
+    const double echo = amplitude * fromDecibel(here.echo_dB);
+    // Echoes in phase add up to the same level after the beam, whatever its width.
+    const double inPhase = plan_.settings.effects.speckle ? here.sheet : 1;
+    const double loose = echo * plan_.scatterScale[gate] * plan_.scatterWeight[plane];
     const auto n = scattererAmplitudes(lattice_, here.patient_mm);
-    for (int look = 0; look < plan_.settings.looks; ++look)
-      echo_.at(look, gate, line) += level * Complex(n[2 * look], n[2 * look + 1]);
+    for (int look = 0; look < plan_.settings.looks; ++look) {
+      echo_.at(look, gate, line) += echo * inPhase * plan_.boundaryWeight[plane];
+      if (plan_.settings.effects.speckle) echo_.at(look, gate, line) += loose * Complex(n[2 * look], n[2 * look + 1]);
+    }
   }
 
   const FramePlan& plan_;

@@ -1,5 +1,6 @@
 #include "reference/TissueLookup.h"
 
+#include "model/Boundary.h"
 #include "scene/FieldSampling.h"
 
 #include <algorithm>
@@ -96,20 +97,17 @@ TissueLookup::Cell TissueLookup::cellOf(int plane, int row, int column) const {
   const double axial = (cell.s[2] - cell.s[0] + cell.s[3] - cell.s[1]) / 2 / (plan_.cellGates * plan_.gate_mm);
   const double lateral =
       (cell.s[1] - cell.s[0] + cell.s[3] - cell.s[2]) / 2 / (plan_.cellLines * plan_.grid.scanlineSpacing_mm(range_mm));
-  const double elevation = elevationSlope(plane, row, column, cell);
-  const double gradient = std::sqrt(axial * axial + lateral * lateral + elevation * elevation);
+  const double inPlane = std::hypot(axial, lateral);
+  const double gradient = std::hypot(inPlane, elevationSlope(plane, row, column, cell, inPlane));
   cell.cosine = std::min(1.0, std::abs(axial) / std::max(gradient, kSteepest));
   return cell;
 }
 
 /// Change of s across the slice, from the neighbouring planes. A single plane has none: there the gradient of a
-/// distance is taken to be 1.
-double TissueLookup::elevationSlope(int plane, int row, int column, const Cell& cell) const {
+/// distance is taken to be 1, and what its change in the plane leaves of that lies across.
+double TissueLookup::elevationSlope(int plane, int row, int column, const Cell& cell, double inPlane) const {
   const int last = plan_.settings.elevationPlanes - 1;
-  if (last == 0) {
-    const double axial = (cell.s[2] - cell.s[0] + cell.s[3] - cell.s[1]) / 2 / (plan_.cellGates * plan_.gate_mm);
-    return std::sqrt(std::max(0.0, 1 - axial * axial));
-  }
+  if (last == 0) return std::sqrt(std::max(0.0, 1 - inPlane * inPlane));
   const int low = std::max(plane - 1, 0), high = std::min(plane + 1, last);
   const int gate = std::min(row * plan_.cellGates, plan_.gates - 1);
   const double distance_mm = (plan_.planeOffset_sd[high] - plan_.planeOffset_sd[low]) * plan_.elevationSd_mm[gate];
@@ -142,41 +140,44 @@ TissueSample TissueLookup::at(int plane, int gate, int line) const {
       tissue.impedance_MRayl *
       (1 + (plan_.settings.effects.texture ? tissue.ctImpedancePer100HU * cell.ctDeviation / 100 : 0));
   sample.roughness_dB = plan_.settings.effects.texture ? tissue.roughness_dB * cell.patch : 0;
-  const bool vessel =
-      scene_.table.of(scene_.field.label[cell.a]).vessel || scene_.table.of(scene_.field.label[cell.b]).vessel;
+  const AcousticTissue &a = scene_.table.of(scene_.field.label[cell.a]),
+                       &b = scene_.table.of(scene_.field.label[cell.b]);
+  const bool vessel = (a.vessel || b.vessel) && !acousticallyEqual(a, b);
   sample.grazesVessel =
       vessel && std::abs(sample.s_mm) < acoustics::kEdgeReach_mm && cell.cosine < acoustics::kEdgeCosine;
-  sample.echo_dB = echo_dB(sample, cell, patientFromProbe_.linear * plan_.grid.direction(line));
+  sample.echo_dB = tissue.echogenicity_dB;
+  if (plan_.settings.effects.texture) addTexture(sample, cell, patientFromProbe_.linear * plan_.grid.direction(line));
+  if (plan_.settings.effects.layers) addLayers(sample, cell);
   return sample;
 }
 
-double TissueLookup::echo_dB(const TissueSample& sample, const Cell& cell, Vec3 beam) const {
-  const Effects& effects = plan_.settings.effects;
+void TissueLookup::addTexture(TissueSample& sample, const Cell& cell, Vec3 beam) const {
   const AcousticTissue& tissue = scene_.table.of(sample.label);
-  double level = tissue.echogenicity_dB;
-  if (effects.texture) {
-    level += tissue.ctEchogenicity_dBper100HU * cell.ctDeviation / 100;
-    const TextureFrame& frame = scene_.textureFrames[sample.label][sample.patient_mm.x < scene_.midline_mm ? 0 : 1];
-    const TextureTile& tile = textureTile(tissue.texture);
-    const Vec3 t = frame.tileFromPatient * sample.patient_mm;
-    double value = tile.at(static_cast<int>(std::floor(t.x)), static_cast<int>(std::floor(t.y)),
-                           static_cast<int>(std::floor(t.z))) /
-                   127.0;
-    // Sheets shine where square to the beam.
-    const double facing = dot(beam, frame.thinAxis);
-    if (value > 0) value *= 0.2 + 0.8 * facing * facing;
-    level += tissue.textureStrength_dB * value;
+  const TextureFrame& frame = scene_.textureFrames[sample.label][sample.patient_mm.x < scene_.midline_mm ? 0 : 1];
+  const TextureTile& tile = textureTile(tissue.texture);
+  const Vec3 t = frame.tileFromPatient * sample.patient_mm;
+  double value =
+      tile.at(static_cast<int>(std::floor(t.x)), static_cast<int>(std::floor(t.y)), static_cast<int>(std::floor(t.z))) /
+      127.0;
+  if (value > 0) {
+    value *= sheetFacing(dot(beam, frame.thinAxis));
+    if (hasSheets(tissue.texture)) sample.sheet = value;
   }
+  sample.echo_dB += tissue.ctEchogenicity_dBper100HU * cell.ctDeviation / 100 + tissue.textureStrength_dB * value;
+}
+
+void TissueLookup::addLayers(TissueSample& sample, const Cell& cell) const {
   const int entry =
       static_cast<int>(std::floor(sample.s_mm / BoundaryProfiles::kStep_mm)) + BoundaryProfiles::kEntries / 2;
-  if (!effects.layers || entry < 0 || entry >= BoundaryProfiles::kEntries) return level;
+  if (entry < 0 || entry >= BoundaryProfiles::kEntries) return;
   const std::uint32_t e = scene_.profiles.entries()[scene_.profiles.first(cell.a, cell.b) + entry];
   const auto byte = [&](int n) { return (e >> (8 * n) & 255U) / 255.0; };
   const double presence = std::clamp(0.5 + 0.9 * cell.patch, 0.0, 1.0);
   const double occupancy = byte(0) * (1 - byte(3) * (1 - presence));
   const double facing_dB = 20 * std::log10(0.12 + 0.88 * cell.cosine * cell.cosine);
   const double layer_dB = (e >> 8 & 255U) / 4.0 - 32 + byte(2) * facing_dB;
-  return level + occupancy * (layer_dB - level);
+  sample.echo_dB += occupancy * (layer_dB - sample.echo_dB);
+  sample.sheet += occupancy * (byte(2) - sample.sheet);
 }
 
 int TissueLookup::firstGasGate(int line) const {

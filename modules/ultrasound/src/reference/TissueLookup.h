@@ -20,6 +20,7 @@ struct TissueSample {
   double cosine = 1;  ///< of the beam's incidence on it
   double impedance_MRayl = 0;
   double echo_dB = 0;  ///< scattering over unit speckle
+  double sheet = 0;    ///< 0 loose scatterers .. 1 a sheet, which echoes as one
   double roughness_dB = 0;
   bool grazesVessel = false;
 };
@@ -54,8 +55,9 @@ class TissueLookup {
   Node nodeAt(int plane, int row, int column) const;
   const Node& node(int plane, int row, int column) const;
   Cell cellOf(int plane, int row, int column) const;
-  double elevationSlope(int plane, int row, int column, const Cell& cell) const;
-  double echo_dB(const TissueSample& sample, const Cell& cell, Vec3 beam) const;
+  double elevationSlope(int plane, int row, int column, const Cell& cell, double inPlane) const;
+  void addTexture(TissueSample& sample, const Cell& cell, Vec3 beam) const;
+  void addLayers(TissueSample& sample, const Cell& cell) const;
 
   const FramePlan& plan_;
   const AcousticScene::Impl& scene_;
