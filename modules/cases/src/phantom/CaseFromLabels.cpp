@@ -127,7 +127,7 @@ Result<CaseFromLabelsResult> caseFromLabels(const std::filesystem::path& labelFi
   }
   if (!report(progress, "Completing the anatomy", 0)) return fail(std::string(kCancelled));
   if (plan->complete) fillMarrow(*labels);
-  for (const TubePlan& tube : plan->tubes) drawTube(*labels, tube);
+  drawTubes(*labels, plan->tubes);
   if (plan->complete) {
     plan->complete->seed = ct.seed;
     if (auto done = completeAnatomy(*labels, *plan->complete); !done) return tl::unexpected(done.error());

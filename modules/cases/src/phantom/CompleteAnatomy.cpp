@@ -44,8 +44,13 @@ Volume<float> structureShare(const LabelMap& labels) {
 /// What lies between the structures of the deep neck: bundles of muscle, wider upright than across, with connective
 /// tissue and some fat between them.
 std::uint8_t betweenStructures(Vec3 p_mm, std::uint32_t seed) {
-  const Vec3 bundle{p_mm.x / 15, p_mm.y / 12, p_mm.z / 45};
-  const double a = phantom::smoothNoise(bundle, seed ^ 0xb0dU), b = phantom::smoothNoise(bundle * 1.1, seed ^ 0xb1dU);
+  // Warped and turned out of the noise's own lattice, whose straight edges would show.
+  const Vec3 cell = p_mm / 16;
+  const double dx = 7 * phantom::smoothNoise(cell, seed ^ 0xb3dU), dy = 7 * phantom::smoothNoise(cell, seed ^ 0xb4dU);
+  const double u = 0.8 * p_mm.x + 0.6 * p_mm.y + dx, v = 0.8 * p_mm.y - 0.6 * p_mm.x + dy;
+  const Vec3 bundle{u / 21, v / 15, (p_mm.z + 0.3 * dx) / 55};
+  const double a = phantom::smoothNoise(bundle, seed ^ 0xb0dU);
+  const double b = phantom::smoothNoise(Vec3{v / 24, u / 18, p_mm.z / 60}, seed ^ 0xb1dU);
   // Boundaries of bundles: where either field changes sign.
   const double boundary = std::min(std::abs(a), std::abs(b));
   if (boundary < 0.07) return kSoftTissue;
@@ -85,7 +90,7 @@ void fillMarrow(LabelMap& labels) {
   });
 }
 
-void drawTube(LabelMap& labels, const TubePlan& tube) {
+void drawTubes(LabelMap& labels, const std::vector<TubePlan>& tubes) {
   const Transform patientFromIndex = labels.geometry.patientFromIndex();
   const auto& size = labels.geometry.size;
   tbb::parallel_for(0, size[2], [&](int k) {
@@ -93,11 +98,14 @@ void drawTube(LabelMap& labels, const TubePlan& tube) {
       for (int i = 0; i < size[0]; ++i) {
         std::uint8_t& voxel = labels.at(i, j, k);
         if (voxel) continue;
-        const double d = tubeDistance_mm(tube, patientAt(patientFromIndex, i, j, k));
-        if (d < 0)
-          voxel = tube.label;
-        else if (d < tube.wall_mm)
-          voxel = tube.wall;
+        // All insides before any wall, so that tubes open into each other.
+        std::uint8_t inside = kBackground, wall = kBackground;
+        for (const TubePlan& tube : tubes) {
+          const double d = tubeDistance_mm(tube, patientAt(patientFromIndex, i, j, k));
+          if (d < 0 && !inside) inside = tube.label;
+          if (d < tube.wall_mm && !wall) wall = tube.wall;
+        }
+        voxel = inside ? inside : wall;
       }
   });
 }

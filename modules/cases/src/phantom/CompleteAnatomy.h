@@ -10,8 +10,8 @@ namespace insonate {
 /// up to 120 mm2. The spinal canal is larger and stays.
 void fillMarrow(LabelMap& labels);
 
-/// Draws a tube and its wall into voxels that are unlabelled.
-void drawTube(LabelMap& labels, const TubePlan& tube);
+/// Draws tubes and their walls into voxels that are unlabelled.
+void drawTubes(LabelMap& labels, const std::vector<TubePlan>& tubes);
 
 /// Builds a body around the structures: skin, subcutaneous fat, and between the structures muscle parted by connective
 /// tissue and fat. Labelled voxels stay as they are. Fails when there is no structure, or slices are not axial.

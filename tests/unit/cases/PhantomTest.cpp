@@ -1,0 +1,258 @@
+#include <insonate/cases/Phantom.h>
+#include <insonate/tissue/Labels.h>
+
+#include <gmock/gmock.h>
+#include <oneapi/tbb/global_control.h>
+#include <support/TestData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace insonate {
+namespace {
+
+/// A variant is made once for all tests of this program.
+const PatientCase& phantom(const std::string& variant) {
+  static std::map<std::string, PatientCase> made;
+  const auto found = made.find(variant);
+  if (found != made.end()) return found->second;
+  auto patient = makePhantom(variant, 1);
+  EXPECT_TRUE(patient) << patient.error().message;
+  return made[variant] = std::move(*patient);
+}
+
+struct Blob {
+  double area_mm2 = 0;
+  Vec3 centre_mm;
+};
+
+std::uint8_t labelAt(const PatientCase& p, Vec3 patient_mm) {
+  return sampleNearest(p.labels, p.labels.geometry.indexFromPatient() * patient_mm);
+}
+
+/// The connected region of a label in the slice of a seed point, which must carry that label.
+Blob sliceRegion(const LabelMap& labels, Vec3 seed_mm) {
+  const VolumeGeometry& g = labels.geometry;
+  const Vec3 index = g.indexFromPatient() * seed_mm;
+  const int i0 = std::lround(index.x), j0 = std::lround(index.y), k = std::lround(index.z);
+  const std::uint8_t label = labels.at(i0, j0, k);
+  std::vector<char> seen(std::size_t(g.size[0]) * g.size[1]);
+  std::vector<std::array<int, 2>> open{{i0, j0}};
+  seen[std::size_t(j0) * g.size[0] + i0] = 1;
+  Vec3 sum;
+  std::size_t n = 0;
+  for (; n < open.size(); ++n) {
+    const auto [i, j] = open[n];
+    sum = sum + Vec3{double(i), double(j), double(k)};
+    for (const auto& [a, b] : {std::array{i + 1, j}, {i - 1, j}, {i, j + 1}, {i, j - 1}})
+      if (g.contains(a, b, k) && labels.at(a, b, k) == label && !seen[std::size_t(b) * g.size[0] + a]) {
+        seen[std::size_t(b) * g.size[0] + a] = 1;
+        open.push_back({a, b});
+      }
+  }
+  return {double(n) * g.spacing_mm.x * g.spacing_mm.y, g.patientFromIndex() * (sum / double(n))};
+}
+
+/// Common carotid beside a target: the nearest arterial voxel in its slice.
+Vec3 nearestArtery(const LabelMap& labels, Vec3 from_mm) {
+  const VolumeGeometry& g = labels.geometry;
+  const int k = std::lround((g.indexFromPatient() * from_mm).z);
+  Vec3 best;
+  double nearest = 1e9;
+  for (int j = 0; j < g.size[1]; ++j)
+    for (int i = 0; i < g.size[0]; ++i)
+      if (labels.at(i, j, k) == kArtery) {
+        const Vec3 p = g.patientFromIndex() * Vec3{double(i), double(j), double(k)};
+        if (norm(p - from_mm) < nearest) nearest = norm(p - from_mm), best = p;
+      }
+  return best;
+}
+
+/// Distance along the probe's axis from its face to the first voxel of the vein; infinite when it misses.
+double veinDepth_mm(const PatientCase& p, const StartPose& pose) {
+  for (double d = 0; d < 60; d += 0.1)
+    if (labelAt(p, pose.position_mm + pose.axial * d) == kVein && d > 6) return d;
+  return INFINITY;
+}
+
+std::vector<std::size_t> counts(const LabelMap& labels) {
+  std::vector<std::size_t> n(256);
+  for (const std::uint8_t v : labels.voxels) ++n[v];
+  return n;
+}
+
+void expectEveryTissue(const PatientCase& p) {
+  const auto n = counts(p.labels);
+  for (int label = 0; label < kLabelCount; ++label) EXPECT_GT(n[label], 300u) << "label " << labelTable()[label].name;
+  EXPECT_EQ(std::accumulate(n.begin() + kLabelCount, n.end(), std::size_t{0}), 0u);
+}
+
+void expectOneGrid(const PatientCase& p) {
+  EXPECT_TRUE(sameGrid(p.ct.geometry, p.labels.geometry));
+  EXPECT_TRUE(validate(p.ct.geometry));
+}
+
+void expectTargetsInVeins(const PatientCase& p) {
+  ASSERT_EQ(p.manifest.targets.size(), 2u);
+  for (const Target& t : p.manifest.targets) {
+    EXPECT_EQ(labelAt(p, t.position_mm), kVein) << t.name;
+    EXPECT_EQ(t.label, kVein);
+  }
+  EXPECT_LT(p.manifest.targets[0].position_mm.x, 0) << "patient right is -x";
+}
+
+void expectPosesOnSkin(const PatientCase& p) {
+  ASSERT_EQ(p.manifest.startPoses.size(), 4u);
+  for (const StartPose& pose : p.manifest.startPoses) {
+    SCOPED_TRACE(pose.name);
+    EXPECT_NEAR(norm(pose.axial), 1, 1e-9);
+    EXPECT_NEAR(norm(pose.lateral), 1, 1e-9);
+    EXPECT_NEAR(dot(pose.axial, pose.lateral), 0, 1e-9);
+    EXPECT_EQ(labelAt(p, pose.position_mm + pose.axial * 0.75), kSkin);
+    EXPECT_EQ(labelAt(p, pose.position_mm - pose.axial * 0.75), kBackground);
+    const bool right = pose.name.starts_with("right");
+    const Vec3 toVein = p.manifest.targets[right ? 0 : 1].position_mm - pose.position_mm;
+    EXPECT_LT(norm(toVein - pose.axial * dot(toVein, pose.axial)), 9) << "vein beside the middle of the picture, mm";
+    if (pose.name.ends_with("transverse"))
+      EXPECT_GT(pose.lateral.x, 0.5) << "patient left";
+    else
+      EXPECT_LT(pose.lateral.z, -0.85) << "toward the feet";
+  }
+}
+
+void expectWholeVeins(const PatientCase& p) {
+  const LabelMap& labels = p.labels;
+  const VolumeGeometry& g = labels.geometry;
+  for (const Target& t : p.manifest.targets) {
+    // Follows the region from slice to slice.
+    for (const int step : {1, -1}) {
+      const int k0 = std::lround((g.indexFromPatient() * t.position_mm).z);
+      Vec3 at = t.position_mm;
+      for (int k = k0; k >= 0 && k < g.size[2]; k += step) {
+        at.z = g.origin_mm.z + k * g.spacing_mm.z;
+        ASSERT_EQ(sampleNearest(labels, g.indexFromPatient() * at), kVein) << t.name << " at " << at.z << " mm";
+        at = sliceRegion(labels, at).centre_mm;
+        if (at.z < -42) break;  // below, it joins the subclavian vein and the region is not convex
+      }
+    }
+  }
+}
+
+void expectNoHoles(const PatientCase& p) {
+  const LabelMap& labels = p.labels;
+  const VolumeGeometry& g = labels.geometry;
+  for (int k = 0; k < g.size[2]; k += 3)
+    for (int j = 0; j < g.size[1]; ++j) {
+      int first = -1, last = -1;
+      for (int i = 0; i < g.size[0]; ++i)
+        if (labels.at(i, j, k)) {
+          if (first < 0) first = i;
+          last = i;
+        }
+      // Only near the shoulders may a row leave the body and enter it again.
+      if (first < 0 || j * g.spacing_mm.y < 30) continue;
+      for (int i = first; i <= last; ++i) ASSERT_NE(labels.at(i, j, k), kBackground) << i << ' ' << j << ' ' << k;
+    }
+}
+
+/// One test a variant: making one takes seconds, and every test is a program run of its own.
+class PhantomVariantTest : public testing::TestWithParam<std::string> {};
+
+TEST_P(PhantomVariantTest, IsAWholeNeck) {
+  const PatientCase& p = phantom(GetParam());
+  expectOneGrid(p);
+  expectEveryTissue(p);
+  expectTargetsInVeins(p);
+  expectPosesOnSkin(p);
+  expectWholeVeins(p);
+  expectNoHoles(p);
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> all;
+  for (const PhantomVariant& v : phantomVariants()) all.emplace_back(v.name);
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PhantomVariantTest, testing::ValuesIn(names()), [](const auto& p) {
+  std::string name = p.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+TEST(Phantom, HasGradedVariants) {
+  EXPECT_GE(phantomVariants().size(), 6u);
+  EXPECT_EQ(phantomVariants().front().name, "textbook");
+  for (const PhantomVariant& v : phantomVariants())
+    EXPECT_THAT(v.difficulty, testing::AnyOf("easy", "moderate", "hard")) << v.name;
+}
+
+TEST(Phantom, TextbookHasTheDimensionsOfASupineAdult) {
+  const PatientCase& p = phantom("textbook");
+  const Target& right = p.manifest.targets[0];
+  const Blob vein = sliceRegion(p.labels, right.position_mm);
+  EXPECT_NEAR(vein.area_mm2, 112, 20);
+  const Blob artery = sliceRegion(p.labels, nearestArtery(p.labels, right.position_mm));
+  EXPECT_NEAR(2 * std::sqrt(artery.area_mm2 / M_PI), 6.6, 0.6);
+  EXPECT_GT(artery.centre_mm.x, vein.centre_mm.x + 6) << "carotid medial to the right vein";
+  const double depth_mm = veinDepth_mm(p, p.manifest.startPoses[0]);
+  EXPECT_GT(depth_mm, 10);
+  EXPECT_LT(depth_mm, 20);
+  EXPECT_LT(sliceRegion(p.labels, p.manifest.targets[1].position_mm).area_mm2, vein.area_mm2) << "left is smaller";
+}
+
+TEST(Phantom, VariantsDifferInWhatTheyPromise) {
+  const auto area = [](const char* variant) {
+    const PatientCase& p = phantom(variant);
+    return sliceRegion(p.labels, p.manifest.targets[0].position_mm).area_mm2;
+  };
+  EXPECT_LT(area("small-vein"), 0.55 * area("textbook"));
+  EXPECT_LT(area("collapsed-vein"), 0.5 * area("textbook"));
+  EXPECT_GT(veinDepth_mm(phantom("deep-in-fat"), phantom("deep-in-fat").manifest.startPoses[0]), 20);
+
+  // Seen along the probe, the artery lies behind the vein.
+  const auto besideArtery_mm = [](const char* variant) {
+    const PatientCase& p = phantom(variant);
+    const Vec3 vein = p.manifest.targets[0].position_mm;
+    const Vec3 artery = sliceRegion(p.labels, nearestArtery(p.labels, vein)).centre_mm;
+    return std::abs(dot(artery - vein, p.manifest.startPoses[0].lateral));
+  };
+  EXPECT_LT(besideArtery_mm("vein-over-artery"), 3);
+  EXPECT_GT(besideArtery_mm("textbook"), besideArtery_mm("vein-over-artery") + 3);
+  EXPECT_LT(besideArtery_mm("head-turned"), besideArtery_mm("textbook"));
+}
+
+TEST(Phantom, SameSeedGivesSameBytesOnAnyNumberOfThreads) {
+  const PatientCase& parallel = phantom("textbook");
+  oneapi::tbb::global_control one(oneapi::tbb::global_control::max_allowed_parallelism, 1);
+  const auto serial = makePhantom("textbook", 1);
+  ASSERT_TRUE(serial);
+  EXPECT_TRUE(serial->labels.voxels == parallel.labels.voxels);
+  EXPECT_TRUE(serial->ct.voxels == parallel.ct.voxels);
+}
+
+TEST(Phantom, AnotherSeedIsAnotherNeck) {
+  const auto other = makePhantom("textbook", 2);
+  ASSERT_TRUE(other);
+  EXPECT_FALSE(other->labels.voxels == phantom("textbook").labels.voxels);
+  EXPECT_EQ(
+      sampleNearest(other->labels, other->labels.geometry.indexFromPatient() * other->manifest.targets[0].position_mm),
+      kVein);
+}
+
+TEST(Phantom, UnknownVariantIsRefusedWithTheList) {
+  const auto none = makePhantom("no-such-neck", 1);
+  ASSERT_FALSE(none);
+  EXPECT_THAT(none.error().message, testing::HasSubstr("vein-over-artery"));
+}
+
+TEST(Phantom, CanBeCancelled) {
+  const auto cancelled = makePhantom("textbook", 1, [](std::string_view, double) { return false; });
+  ASSERT_FALSE(cancelled);
+  EXPECT_EQ(cancelled.error().message, kCancelled);
+}
+
+}  // namespace
+}  // namespace insonate
