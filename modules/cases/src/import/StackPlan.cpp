@@ -32,8 +32,26 @@ struct Frame {
   std::vector<int> order;
   std::vector<Vec3> place_mm;  ///< relative to the first slice in order
   std::vector<double> step_mm;
-  double median_mm = 0, smallest_mm = 0, largest_mm = 0, mean_mm = 0;
+  double median_mm = 0, smallest_mm = 0, largest_mm = 0;
+  double mean_mm = 0, unevenness_mm = 0;  ///< of the even ladder nearest to the slices
 };
+
+/// Least-squares line through the positions along the stack: mean_mm is its slope.
+void fitLadder(Frame& f) {
+  const double middle = (static_cast<double>(f.place_mm.size()) - 1) / 2;
+  double meanPlace = 0, covariance = 0, variance = 0;
+  for (Vec3 p : f.place_mm) meanPlace += p.z / static_cast<double>(f.place_mm.size());
+  for (std::size_t n = 0; n < f.place_mm.size(); ++n) {
+    const double step = static_cast<double>(n) - middle;
+    covariance += step * (f.place_mm[n].z - meanPlace);
+    variance += step * step;
+  }
+  f.mean_mm = covariance / variance;
+  for (std::size_t n = 0; n < f.place_mm.size(); ++n) {
+    const double ladder_mm = meanPlace + (static_cast<double>(n) - middle) * f.mean_mm;
+    f.unevenness_mm = std::max(f.unevenness_mm, std::abs(f.place_mm[n].z - ladder_mm));
+  }
+}
 
 Frame frameOf(const SliceStack& stack) {
   Frame f;
@@ -53,15 +71,13 @@ Frame frameOf(const SliceStack& stack) {
   f.smallest_mm = sorted.front();
   f.largest_mm = sorted.back();
   f.median_mm = sorted[(sorted.size() - 1) / 2];
-  f.mean_mm = f.place_mm.back().z / static_cast<double>(f.step_mm.size());
+  fitLadder(f);
   return f;
 }
 
-/// Every slice within a tenth of the spacing of its place on an even ladder.
+/// Scanners that print positions to a tenth of a millimetre are even; a twentieth of the spacing cannot be seen.
 bool isEven(const Frame& f) {
-  for (std::size_t n = 0; n < f.place_mm.size(); ++n)
-    if (std::abs(f.place_mm[n].z - static_cast<double>(n) * f.mean_mm) > 0.1 * f.mean_mm) return false;
-  return true;
+  return f.unevenness_mm <= std::max(0.06, 0.05 * f.mean_mm);
 }
 
 Spread spreadOf(const Frame& f, int axis) {

@@ -14,7 +14,7 @@ struct DicomSeriesIdentity {
   std::string seed;  ///< e.g. the phantom's variant and random seed
   std::string patientName = "PHANTOM^NECK";
   std::string patientId = "PHANTOM";
-  std::string description;  ///< Series Description, at most 64 characters of ASCII
+  std::string description = {};  ///< Series Description, at most 64 characters of ASCII
 };
 
 /// Writes one file a slice (Part 10, CT Image Storage, explicit VR little endian, HU stored as they are) into a folder

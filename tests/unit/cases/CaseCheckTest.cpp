@@ -1,0 +1,156 @@
+#include "CaseSamples.h"
+
+#include <insonate/cases/CaseCheck.h>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+namespace insonate {
+namespace {
+
+std::vector<Finding> findingsOf(const PatientCase& patient) {
+  auto findings = checkCase(patient);
+  EXPECT_TRUE(findings);
+  return *findings;
+}
+
+bool has(const std::vector<Finding>& findings, const std::string& code, Severity severity) {
+  return std::ranges::any_of(findings, [&](const Finding& f) { return f.code == code && f.severity == severity; });
+}
+
+std::string codes(const std::vector<Finding>& findings) {
+  std::string text;
+  for (const Finding& f : findings) text += std::string(nameOf(f.severity)) + " " + f.code + ": " + f.text + "\n";
+  return text;
+}
+
+void relabel(PatientCase& patient, Label from, Label to) {
+  std::ranges::replace(patient.labels.voxels, std::uint8_t{from}, std::uint8_t{to});
+}
+
+TEST(CaseCheck, GoodCaseHasNoFindings) {
+  const auto findings = findingsOf(test::cylinderNeck());
+  EXPECT_TRUE(isFit(findings));
+  EXPECT_EQ(codes(findings), "");
+}
+
+/// One thing wrong with a good case, and what must be found.
+struct Defect {
+  const char* code;
+  Severity severity;
+  std::function<void(PatientCase&)> apply;
+};
+
+class CaseDefect : public testing::TestWithParam<Defect> {};
+
+TEST_P(CaseDefect, IsFound) {
+  PatientCase patient = test::cylinderNeck();
+  GetParam().apply(patient);
+  const auto findings = findingsOf(patient);
+  EXPECT_TRUE(has(findings, GetParam().code, GetParam().severity)) << codes(findings);
+  EXPECT_EQ(isFit(findings), GetParam().severity != Severity::kError) << codes(findings);
+}
+
+void fillVein(PatientCase& p, int fromK, int toK, std::uint8_t with) {
+  for (int k = fromK; k < toK; ++k)
+    for (int j = 0; j < 121; ++j)
+      for (int i = 0; i < 121; ++i)
+        if (p.labels.at(i, j, k) == kVein) p.labels.at(i, j, k) = with;
+}
+
+const Defect kDefects[] = {
+    {"labels_empty", Severity::kError, [](PatientCase& p) { p.labels = LabelMap(p.ct.geometry); }},
+    {"no_vein", Severity::kError, [](PatientCase& p) { relabel(p, kVein, kMuscle); }},
+    {"no_artery", Severity::kError, [](PatientCase& p) { relabel(p, kArtery, kMuscle); }},
+    {"no_skin", Severity::kError, [](PatientCase& p) { relabel(p, kSkin, kMuscle); }},
+    {"no_bone", Severity::kWarning, [](PatientCase& p) { relabel(p, kBone, kSoftTissue); }},
+    {"unknown_label", Severity::kError, [](PatientCase& p) { p.labels.at(60, 60, 30) = 77; }},
+    {"hu_implausible", Severity::kError,
+     [](PatientCase& p) {
+       for (std::size_t v = 0; v < p.ct.voxels.size(); ++v)
+         if (p.labels.voxels[v] == kBone) p.ct.voxels[v] = -1000;
+     }},
+    {"labels_in_air", Severity::kWarning,
+     [](PatientCase& p) {
+       for (int k = 0; k < 61; ++k)
+         for (int j = 0; j < 5; ++j)
+           for (int i = 0; i < 20; ++i) p.labels.at(i, j, k) = kMuscle;
+     }},
+    {"ct_flat", Severity::kError, [](PatientCase& p) { std::ranges::fill(p.ct.voxels, std::int16_t{40}); }},
+    {"skin_open", Severity::kWarning,
+     [](PatientCase& p) {
+       for (int k = 20; k < 40; ++k)
+         for (int i = 40; i < 80; ++i)
+           for (int j = 0; j < 30; ++j)
+             if (p.labels.at(i, j, k) == kSkin) p.labels.at(i, j, k) = kMuscle;
+     }},
+    {"background_inside", Severity::kWarning, [](PatientCase& p) { relabel(p, kAirway, kBackground); }},
+    {"vein_broken", Severity::kWarning, [](PatientCase& p) { fillVein(p, 10, 14, kMuscle); }},
+    {"vein_fragments", Severity::kWarning, [](PatientCase& p) { p.labels.at(80, 80, 30) = kVein; }},
+    {"vein_thin", Severity::kWarning,
+     [](PatientCase& p) {
+       fillVein(p, 0, 61, kMuscle);
+       for (int k = 0; k < 61; ++k) p.labels.at(30, 38, k) = kVein;
+     }},
+    {"no_target", Severity::kWarning, [](PatientCase& p) { p.manifest.targets.clear(); }},
+    {"target_label", Severity::kError,
+     [](PatientCase& p) {
+       p.manifest.targets[0].position_mm = {0, 0, 0};
+     }},
+    {"target_outside", Severity::kError,
+     [](PatientCase& p) {
+       p.manifest.targets[0].position_mm = {0, 0, 500};
+     }},
+    {"no_start_pose", Severity::kInfo, [](PatientCase& p) { p.manifest.startPoses.clear(); }},
+    {"pose_off_skin", Severity::kWarning,
+     [](PatientCase& p) {
+       p.manifest.startPoses[0].position_mm = {0, -10, 0};
+     }},
+    {"pose_outside", Severity::kError,
+     [](PatientCase& p) {
+       p.manifest.startPoses[0].position_mm = {0, -90, 0};
+     }},
+    {"spacing_coarse", Severity::kWarning,
+     [](PatientCase& p) { p.ct.geometry.spacing_mm.z = p.labels.geometry.spacing_mm.z = 4.25; }},
+    {"spacing_coarse", Severity::kError,
+     [](PatientCase& p) { p.ct.geometry.spacing_mm.z = p.labels.geometry.spacing_mm.z = 15; }},
+};
+
+INSTANTIATE_TEST_SUITE_P(Each, CaseDefect, testing::ValuesIn(kDefects), [](const auto& defect) {
+  return std::string(defect.param.code) + "_" + std::string(nameOf(defect.param.severity));
+});
+
+TEST(CaseCheck, OneSliceIsTooThin) {
+  PatientCase patient;
+  patient.ct = CtVolume(test::grid({64, 64, 1}), 40);
+  patient.labels = LabelMap(patient.ct.geometry, kMuscle);
+  const auto findings = findingsOf(patient);
+  EXPECT_TRUE(has(findings, "volume_thin", Severity::kError)) << codes(findings);
+}
+
+TEST(CaseCheck, SmallVolumeIsTooSmall) {
+  PatientCase patient;
+  patient.ct = CtVolume(test::grid({64, 64, 10}), 40);
+  patient.labels = LabelMap(patient.ct.geometry, kMuscle);
+  const auto findings = findingsOf(patient);
+  EXPECT_TRUE(has(findings, "volume_small", Severity::kError)) << codes(findings);
+  EXPECT_TRUE(has(findings, "cut_at_side", Severity::kInfo)) << codes(findings);
+}
+
+TEST(CaseCheck, TwoVesselsSideBySideAreNotBroken) {
+  PatientCase patient = test::cylinderNeck();
+  for (int k = 0; k < 61; ++k)
+    for (int j = 60; j < 70; ++j)
+      for (int i = 90; i < 100; ++i) patient.labels.at(i, j, k) = kVein;
+  EXPECT_FALSE(has(findingsOf(patient), "vein_broken", Severity::kWarning));
+}
+
+TEST(CaseCheck, CancelsWhenAsked) {
+  const auto findings = checkCase(test::cylinderNeck(), [](std::string_view, double) { return false; });
+  ASSERT_FALSE(findings);
+  EXPECT_EQ(findings.error().message, kCancelled);
+}
+
+}  // namespace
+}  // namespace insonate

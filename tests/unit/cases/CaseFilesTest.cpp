@@ -1,0 +1,127 @@
+#include "CaseSamples.h"
+#include "support/TestData.h"
+
+#include <insonate/cases/PatientCase.h>
+
+#include <gmock/gmock.h>
+
+namespace insonate {
+namespace {
+
+using testing::HasSubstr;
+
+struct Grid {
+  const char* name;
+  VolumeGeometry geometry;
+};
+
+std::vector<Grid> grids() {
+  VolumeGeometry oblique = test::grid({7, 5, 9}, {0.7, 0.7, 1.3}, {-12.3, 45.6, -789.1});
+  oblique.direction = test::obliqueDirection();
+  VolumeGeometry leftHanded = oblique;
+  leftHanded.direction.column[2] = -leftHanded.direction.column[2];
+  VolumeGeometry mirrored = test::grid({6, 4, 5}, {0.9765625, 0.9765625, 1.4}, {124, 124, -159.6});
+  mirrored.direction.column[0] = {-1, 0, 0};
+  mirrored.direction.column[1] = {0, -1, 0};
+  return {{"oblique", oblique},
+          {"leftHanded", leftHanded},
+          {"mirrored", mirrored},
+          {"anisotropic", test::grid({8, 6, 4}, {1, 1, 5})},
+          {"oneSlice", test::grid({6, 5, 1}, {1, 1, 3})}};
+}
+
+class CaseRoundTrip : public testing::TestWithParam<Grid> {};
+
+TEST_P(CaseRoundTrip, KeepsVoxelsGridAndManifest) {
+  test::TemporaryFolder folder;
+  PatientCase patient = test::noiseCase(GetParam().geometry);
+  patient.manifest.title = "Ä \"quoted\" title";
+  patient.manifest.difficulty = "hard";
+  patient.manifest.targets = {{"vein", kVein, {1.5, -2.25, 1e-3}}};
+  patient.manifest.startPoses = {{"start", {0, 1, 2}, {0, 0.6, 0.8}, {1, 0, 0}}};
+  const auto written = writeCase(patient, folder / "case");
+  ASSERT_TRUE(written) << written.error().message;
+  const auto read = readCase(folder / "case");
+  ASSERT_TRUE(read) << read.error().message;
+
+  EXPECT_THAT(read->notes, testing::IsEmpty());
+  EXPECT_EQ(read->patient.ct.voxels, patient.ct.voxels);
+  EXPECT_EQ(read->patient.labels.voxels, patient.labels.voxels);
+  const VolumeGeometry &a = patient.ct.geometry, &b = read->patient.ct.geometry;
+  EXPECT_EQ(a.size, b.size);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(a.spacing_mm[axis], b.spacing_mm[axis], 1e-12);
+    EXPECT_NEAR(a.origin_mm[axis], b.origin_mm[axis], 1e-12);
+    EXPECT_LT(norm(a.direction.column[axis] - b.direction.column[axis]), 1e-12);
+  }
+  const CaseManifest& m = read->patient.manifest;
+  EXPECT_EQ(m.title, patient.manifest.title);
+  EXPECT_EQ(m.difficulty, "hard");
+  ASSERT_EQ(m.targets.size(), 1U);
+  EXPECT_EQ(m.targets[0].label, kVein);
+  EXPECT_EQ(m.targets[0].position_mm, patient.manifest.targets[0].position_mm);
+  ASSERT_EQ(m.startPoses.size(), 1U);
+  EXPECT_LT(norm(m.startPoses[0].axial - Vec3{0, 0.6, 0.8}), 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Grids, CaseRoundTrip, testing::ValuesIn(grids()),
+                         [](const auto& chosen) { return chosen.param.name; });
+
+TEST(CaseFiles, OpenInSlicerAndItkSnap) {
+  test::TemporaryFolder folder;
+  PatientCase patient = test::noiseCase(test::grid({4, 5, 6}));
+  for (auto& label : patient.labels.voxels) label = label == kVein ? kVein : kBackground;
+  ASSERT_TRUE(writeCase(patient, folder / "case"));
+  const std::string header = test::contentOf(folder / "case/labels.seg.nrrd").substr(0, 4000);
+  EXPECT_THAT(header, testing::StartsWith("NRRD0005\n"));
+  for (const char* line : {"\ntype: unsigned char\n", "\nspace: left-posterior-superior\n", "\nencoding: gzip\n",
+                           "\nSegment0_Name:=vein\n", "\nSegment0_LabelValue:=6\n", "\nSegment0_Layer:=0\n",
+                           "\nSegment0_Extent:=0 3 0 4 0 5\n", "\nSegment0_Color:=0 0.592", "~SCT^29092000^Vein~",
+                           "\nSegmentation_MasterRepresentation:=Binary labelmap\n"})
+    EXPECT_THAT(header, HasSubstr(line));
+  EXPECT_THAT(header, testing::Not(HasSubstr("Segment1_"))) << "only what occurs";
+  EXPECT_THAT(test::contentOf(folder / "case/ct.nrrd").substr(0, 100), HasSubstr("type: short"));
+
+  std::ifstream snap(folder / "case/labels.label.txt");
+  std::string first, second;
+  std::getline(snap, first);
+  std::getline(snap, second);
+  EXPECT_EQ(second, "# ITK-SnAP Label Description File");
+}
+
+TEST(CaseFiles, SameCaseSameBytes) {
+  test::TemporaryFolder folder;
+  const PatientCase patient = test::noiseCase(test::grid({20, 10, 6}));
+  ASSERT_TRUE(writeCase(patient, folder / "a"));
+  ASSERT_TRUE(writeCase(patient, folder / "b"));
+  for (const char* file : {"ct.nrrd", "labels.seg.nrrd", "case.json", "labels.label.txt"})
+    EXPECT_EQ(test::contentOf(folder / "a" / file), test::contentOf(folder / "b" / file)) << file;
+}
+
+TEST(CaseFiles, WithoutManifestDefaultsAreUsedAndSaid) {
+  test::TemporaryFolder folder;
+  ASSERT_TRUE(writeCase(test::noiseCase(test::grid({4, 4, 4})), folder / "case"));
+  std::filesystem::remove(folder / "case/case.json");
+  const auto read = readCase(folder / "case");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->patient.manifest.title, "Untitled case");
+  EXPECT_THAT(read->notes, testing::ElementsAre(HasSubstr("no case.json")));
+}
+
+TEST(CaseFiles, FailedWriteLeavesTheOldCase) {
+  test::TemporaryFolder folder;
+  const PatientCase patient = test::noiseCase(test::grid({4, 4, 4}));
+  ASSERT_TRUE(writeCase(patient, folder / "case"));
+  const std::string before = test::contentOf(folder / "case/ct.nrrd");
+  PatientCase mismatched = patient;
+  mismatched.labels = LabelMap(test::grid({4, 4, 5}));
+  const auto written = writeCase(mismatched, folder / "case");
+  ASSERT_FALSE(written);
+  EXPECT_THAT(written.error().message, HasSubstr("4x4x5"));
+  EXPECT_EQ(test::contentOf(folder / "case/ct.nrrd"), before);
+  EXPECT_FALSE(writeCase(patient, folder / "missing/parent/case"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "missing"));
+}
+
+}  // namespace
+}  // namespace insonate

@@ -1,0 +1,137 @@
+#include "import/SeriesGroups.h"
+
+#include <gmock/gmock.h>
+
+namespace insonate {
+namespace {
+
+using testing::HasSubstr;
+
+DicomSlice slice(const std::string& uid, double z_mm) {
+  DicomSlice s;
+  s.file = "slice";
+  s.studyUid = "1.2";
+  s.seriesUid = uid;
+  s.sopUid = uid + "." + std::to_string(z_mm);
+  s.modality = "CT";
+  s.columns = 16;
+  s.rows = 12;
+  s.position_mm = Vec3{0, 0, z_mm};
+  s.orientation = {Vec3{1, 0, 0}, Vec3{0, 1, 0}};
+  s.pixelSpacing_mm = {0.8, 0.5};
+  s.slope = 1;
+  s.intercept = -1024;
+  return s;
+}
+
+std::vector<DicomSlice> stackOf(const std::string& uid, int count, double step_mm = 2) {
+  std::vector<DicomSlice> slices;
+  for (int n = 0; n < count; ++n) {
+    slices.push_back(slice(uid, n * step_mm));
+    slices.back().instance = n + 1;
+  }
+  return slices;
+}
+
+std::vector<DicomSlice> operator+(std::vector<DicomSlice> a, const std::vector<DicomSlice>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+TEST(SeriesGroups, PixelSpacingIsRowsThenColumns) {
+  const auto series = groupSlices(stackOf("1", 3));
+  ASSERT_EQ(series.size(), 1U);
+  EXPECT_EQ(series[0].plan.grid.spacing_mm, (Vec3{0.5, 0.8, 2}));
+  EXPECT_EQ(series[0].plan.grid.size, (std::array{16, 12, 3}));
+}
+
+TEST(SeriesGroups, OneUidWithTwoOrientationsIsTwoStacks) {
+  auto coronal = stackOf("1", 3);
+  for (DicomSlice& s : coronal) {
+    s.sopUid += "c";
+    s.orientation = {Vec3{1, 0, 0}, Vec3{0, 0, -1}};
+    s.position_mm = Vec3{0, s.position_mm->z, 0};
+  }
+  const auto series = groupSlices(stackOf("1", 5) + coronal);
+  ASSERT_EQ(series.size(), 2U);
+  EXPECT_EQ(series[0].uid, "1");
+  EXPECT_EQ(series[0].slices.size(), 5U);
+  EXPECT_EQ(series[1].uid, "1#2");
+  EXPECT_EQ(series[1].slices.size(), 3U);
+  EXPECT_THAT(series[0].warnings, testing::Contains(HasSubstr("2 different stacks")));
+}
+
+TEST(SeriesGroups, OrientationNoiseIsOneStack) {
+  auto slices = stackOf("1", 8);
+  for (std::size_t n = 0; n < slices.size(); ++n) (*slices[n].orientation)[0].y = n % 2 ? 1e-4 : -1e-4;
+  EXPECT_EQ(groupSlices(slices).size(), 1U);
+}
+
+TEST(SeriesGroups, StudiesUnderOneUidAreKeptApart) {
+  auto other = stackOf("1", 4);
+  for (DicomSlice& s : other) s.studyUid = "9", s.sopUid += "x", s.position_mm->z += 1;
+  const auto series = groupSlices(stackOf("1", 6) + other);
+  ASSERT_EQ(series.size(), 2U);
+  EXPECT_EQ(series[0].slices.size(), 6U);
+  EXPECT_EQ(series[1].slices.size(), 4U);
+}
+
+TEST(SeriesGroups, CopiesAreDroppedAndSaid) {
+  const auto slices = stackOf("1", 5);
+  const auto series = groupSlices(slices + slices);
+  ASSERT_EQ(series.size(), 1U);
+  EXPECT_EQ(series[0].slices.size(), 5U);
+  EXPECT_THAT(series[0].warnings, testing::Contains(HasSubstr("5 slices are there twice")));
+}
+
+TEST(SeriesGroups, PhasesUnderOneUidAreSplit) {
+  auto second = stackOf("1", 5);
+  for (DicomSlice& s : second) s.sopUid += "b", s.instance = *s.instance + 5;
+  const auto series = groupSlices(stackOf("1", 5) + second);
+  ASSERT_EQ(series.size(), 2U);
+  for (const DicomSeries& s : series) {
+    EXPECT_EQ(s.refusal, "");
+    EXPECT_EQ(s.slices.size(), 5U);
+  }
+  EXPECT_EQ(*series[0].slices[0].instance, 1);
+  EXPECT_EQ(*series[1].slices[0].instance, 6);
+}
+
+TEST(SeriesGroups, AcquisitionsOfDifferentSpacingAreSplit) {
+  auto coarse = stackOf("1", 5, 5);
+  for (DicomSlice& s : coarse) s.sopUid += "b", s.acquisition = 2, s.position_mm->z += 50;
+  auto fine = stackOf("1", 10, 1);
+  for (DicomSlice& s : fine) s.acquisition = 1;
+  const auto series = groupSlices(fine + coarse);
+  ASSERT_EQ(series.size(), 2U);
+  EXPECT_DOUBLE_EQ(series[0].plan.grid.spacing_mm.z, 1);
+  EXPECT_DOUBLE_EQ(series[1].plan.grid.spacing_mm.z, 5);
+}
+
+TEST(SeriesGroups, UnexplainedDuplicateIsRefused) {
+  auto slices = stackOf("1", 5);
+  slices.push_back(slices[2]);
+  slices.back().sopUid = "other";
+  const auto series = groupSlices(slices);
+  ASSERT_EQ(series.size(), 1U);
+  EXPECT_THAT(series[0].refusal, HasSubstr("1 slices are at the place of another"));
+}
+
+TEST(SeriesGroups, IncompleteHeadersAreRefusedWithTheReason) {
+  const auto refusalOf = [](auto change) {
+    auto slices = stackOf("1", 3);
+    for (DicomSlice& s : slices) change(s);
+    return groupSlices(slices).at(0).refusal;
+  };
+  EXPECT_THAT(refusalOf([](DicomSlice& s) { s.pixelSpacing_mm.reset(); }), HasSubstr("Pixel Spacing"));
+  EXPECT_THAT(refusalOf([](DicomSlice& s) { s.pixelSpacing_mm = {0.0, 1.0}; }), HasSubstr("not above 0"));
+  EXPECT_THAT(refusalOf([](DicomSlice& s) { s.position_mm.reset(); }), HasSubstr("Image Position"));
+  EXPECT_THAT(refusalOf([](DicomSlice& s) { s.orientation.reset(); }), HasSubstr("Orientation"));
+  EXPECT_THAT(refusalOf([](DicomSlice& s) { (*s.orientation)[0] = {}; }), HasSubstr("unit vectors"));
+  EXPECT_THAT(refusalOf([](DicomSlice& s) { s.modality = "MR"; }), HasSubstr("MR, not CT"));
+  EXPECT_THAT(refusalOf([](DicomSlice& s) { s.cutOff = true; }), HasSubstr("cut off"));
+  EXPECT_THAT(refusalOf([](DicomSlice& s) { s.rows = 0; }), HasSubstr("no size"));
+}
+
+}  // namespace
+}  // namespace insonate

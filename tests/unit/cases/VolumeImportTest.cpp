@@ -1,0 +1,135 @@
+#include "CaseSamples.h"
+#include "support/TestData.h"
+
+#include <insonate/cases/Import.h>
+
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cstring>
+
+namespace insonate {
+namespace {
+
+using testing::HasSubstr;
+
+const VolumeGeometry kGrid = test::grid({5, 4, 3}, {0.5, 0.75, 2}, {-10, 20, 30});
+
+template <class T>
+void put(std::string& bytes, std::size_t offset, T value) {
+  std::memcpy(bytes.data() + offset, &value, sizeof value);
+}
+
+/// The smallest NIfTI-1: int16, with an sform in NIfTI's own right-anterior-superior frame.
+std::string nifti(const CtVolume& ct, std::array<std::array<float, 4>, 3> sform, float slope, float intercept) {
+  std::string header(352, '\0');
+  put<std::int32_t>(header, 0, 348);
+  const auto& size = ct.geometry.size;
+  const std::int16_t dim[8] = {3, std::int16_t(size[0]), std::int16_t(size[1]), std::int16_t(size[2]), 1, 1, 1, 1};
+  std::memcpy(header.data() + 40, dim, sizeof dim);
+  put<std::int16_t>(header, 70, 4);   // DT_INT16
+  put<std::int16_t>(header, 72, 16);  // bits
+  const Vec3 spacing = ct.geometry.spacing_mm;
+  const float pixdim[4] = {1, float(spacing.x), float(spacing.y), float(spacing.z)};
+  std::memcpy(header.data() + 76, pixdim, sizeof pixdim);
+  put<float>(header, 108, 352);
+  put<float>(header, 112, slope);
+  put<float>(header, 116, intercept);
+  put<char>(header, 123, 2);          // millimetres
+  put<std::int16_t>(header, 254, 1);  // sform: scanner
+  for (int row = 0; row < 3; ++row) std::memcpy(header.data() + 280 + 16 * row, sform[row].data(), 16);
+  std::memcpy(header.data() + 344, "n+1", 4);
+  return header + test::bytesOf(ct.voxels);
+}
+
+TEST(VolumeImport, NiftiIsTurnedToLps) {
+  test::TemporaryFolder folder;
+  const CtVolume ct = test::noiseCt(kGrid);
+  // LPS (x, y, z) is (-x, -y, z) in RAS.
+  test::writeText(folder / "a.nii", nifti(ct, {{{-0.5F, 0, 0, 10}, {0, -0.75F, 0, -20}, {0, 0, 2, 30}}}, 1, 0));
+  const auto imported = importSeries(folder / "a.nii");
+  ASSERT_TRUE(imported) << imported.error().message;
+  EXPECT_TRUE(sameGrid(imported->ct.geometry, kGrid));
+  EXPECT_EQ(imported->ct.voxels, ct.voxels);
+  EXPECT_THAT(imported->source, testing::Not(HasSubstr("a.nii"))) << "file names may name patients";
+}
+
+TEST(VolumeImport, NiftiSlopeAndIntercept) {
+  test::TemporaryFolder folder;
+  test::writeText(folder / "a.nii",
+                  nifti(CtVolume(kGrid, 100), {{{-0.5F, 0, 0, 10}, {0, -0.75F, 0, -20}, {0, 0, 2, 30}}}, 2, -1000));
+  const auto imported = importSeries(folder / "a.nii");
+  ASSERT_TRUE(imported) << imported.error().message;
+  EXPECT_EQ(imported->ct.at(1, 1, 1), -800);
+}
+
+std::string metaImage(const CtVolume& ct, const std::string& matrix, const std::string& type = "MET_SHORT") {
+  return "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = False\n"
+         "TransformMatrix = " +
+         matrix +
+         "\nOffset = -10 20 30\nElementSpacing = 0.5 0.75 2\nDimSize = 5 4 3\n"
+         "ElementType = " +
+         type + "\nElementDataFile = LOCAL\n" + test::bytesOf(ct.voxels);
+}
+
+TEST(VolumeImport, MetaImageKeepsItsDirections) {
+  test::TemporaryFolder folder;
+  const CtVolume ct = test::noiseCt(kGrid);
+  test::writeText(folder / "a.mha", metaImage(ct, "-1 0 0 0 -1 0 0 0 1"));
+  const auto imported = importSeries(folder / "a.mha");
+  ASSERT_TRUE(imported) << imported.error().message;
+  EXPECT_EQ(imported->ct.voxels, ct.voxels);
+  EXPECT_EQ(imported->ct.geometry.direction.column[0], (Vec3{-1, 0, 0}));
+  EXPECT_EQ(imported->ct.geometry.spacing_mm, kGrid.spacing_mm);
+  EXPECT_EQ(imported->ct.geometry.origin_mm, kGrid.origin_mm);
+}
+
+TEST(VolumeImport, MasksArePointedOut) {
+  test::TemporaryFolder folder;
+  test::writeText(folder / "mask.mha", metaImage(CtVolume(kGrid), "1 0 0 0 1 0 0 0 1", "MET_UCHAR"));
+  const auto listing = listSeries(folder.path());
+  ASSERT_TRUE(listing);
+  EXPECT_THAT(listing->series.at(0).refusal, HasSubstr("8 bits"));
+  EXPECT_THAT(importSeries(folder.path()).error().message, HasSubstr("8 bits"));
+}
+
+TEST(VolumeImport, ShearedNrrdIsStraightened) {
+  test::TemporaryFolder folder;
+  VolumeGeometry g = test::grid({30, 30, 8});
+  CtVolume ct(g);
+  // HU as a linear function of place, on a grid whose slices step sideways by 0.4 mm.
+  for (int k = 0; k < 8; ++k)
+    for (int j = 0; j < 30; ++j)
+      for (int i = 0; i < 30; ++i) ct.at(i, j, k) = static_cast<std::int16_t>(10 * i + 20 * (j + 0.4 * k) - 30 * k);
+  test::writeRawNrrd(folder / "a.nrrd",
+                     "type: short\ndimension: 3\nsizes: 30 30 8\nspace: left-posterior-superior\n"
+                     "space directions: (1,0,0) (0,1,0) (0,0.4,1)\nspace origin: (0,0,0)\n",
+                     test::bytesOf(ct.voxels));
+  const auto imported = importSeries(folder / "a.nrrd");
+  ASSERT_TRUE(imported) << imported.error().message;
+  EXPECT_THAT(imported->series.warnings, testing::Contains(HasSubstr("tilted by 21.8 degrees")));
+  EXPECT_TRUE(validate(imported->ct.geometry));
+  for (int k = 0; k < 8; ++k) EXPECT_NEAR(imported->ct.at(7, 12, k), 10 * 7 + 20 * 12 - 30 * k, 1.01);
+}
+
+TEST(VolumeImport, SkewedRowsAreRefused) {
+  test::TemporaryFolder folder;
+  test::writeRawNrrd(folder / "a.nrrd",
+                     "type: short\ndimension: 3\nsizes: 4 4 4\nspace: left-posterior-superior\n"
+                     "space directions: (1,0,0) (0.5,1,0) (0,0,1)\nspace origin: (0,0,0)\n",
+                     test::bytesOf(std::vector<short>(64)));
+  EXPECT_THAT(importSeries(folder / "a.nrrd").error().message, HasSubstr("right angles"));
+}
+
+TEST(VolumeImport, DamagedFilesGetASentence) {
+  test::TemporaryFolder folder;
+  for (const char* name : {"a.nrrd", "a.nii", "a.nii.gz", "a.mha"}) {
+    test::writeText(folder / name, "this is no picture");
+    const auto imported = importSeries(folder / name);
+    ASSERT_FALSE(imported) << name;
+    EXPECT_THAT(imported.error().message, HasSubstr(name));
+  }
+}
+
+}  // namespace
+}  // namespace insonate
