@@ -10,7 +10,8 @@
 namespace insonate::phantom {
 namespace {
 
-constexpr int kTableSize = 1440;
+constexpr int kTableSize = 720;
+constexpr double kStep_mm = 0.5;  ///< for the slope from level to level
 constexpr double kFullTurn = 2 * std::numbers::pi;
 
 /// Radius of the investing fascia (mm) every 22.5 degrees from front to back, by level. The front at +48 mm leaves
@@ -46,31 +47,39 @@ double BodySurface::layers_mm(double angle, double z_mm) const {
   return fat + kSkin_mm * (1 + 0.12 * smoothNoise(onSurface * 1.7, options_.seed ^ 0x77U));
 }
 
+BodySurface::Level BodySurface::level(double z_mm) const {
+  return {z_mm, outline()(z_mm), outline()(z_mm + kStep_mm), outline()(z_mm - kStep_mm)};
+}
+
+BodySurface::Ray BodySurface::ray(const Level& level, double angle) const {
+  constexpr double kTurn = 0.01;
+  const double r = radiusAt(level.here, angle);
+  const double byAngle = (radiusAt(level.here, angle + kTurn) - radiusAt(level.here, angle - kTurn)) / (2 * kTurn * r);
+  const double byLevel = (radiusAt(level.above, angle) - radiusAt(level.below, angle)) / (2 * kStep_mm);
+  return {r, 1 / std::sqrt(1 + byAngle * byAngle + byLevel * byLevel), layers_mm(angle, level.z_mm)};
+}
+
+double BodySurface::belowSkin_mm(Vec3 p_mm) const {
+  const double front = kAxisY_mm - p_mm.y;
+  const Ray r = ray(level(p_mm.z), std::atan2(-p_mm.x, front));
+  return (r.radius_mm - std::hypot(p_mm.x, front)) * r.slant + r.layers_mm;
+}
+
 BodySurface::Slice BodySurface::slice(double z_mm) const {
-  constexpr double kStep_mm = 0.5;
-  const auto here = outline()(z_mm), above = outline()(z_mm + kStep_mm), below = outline()(z_mm - kStep_mm);
   Slice s;
-  s.radius_mm_.resize(kTableSize);
-  s.slant_.resize(kTableSize);
-  s.layers_mm_.resize(kTableSize);
-  for (int n = 0; n < kTableSize; ++n) {
-    const double angle = n * kFullTurn / kTableSize - std::numbers::pi, da = 0.01;
-    const double r = radiusAt(here, angle);
-    const double byAngle = (radiusAt(here, angle + da) - radiusAt(here, angle - da)) / (2 * da * r);
-    const double byLevel = (radiusAt(above, angle) - radiusAt(below, angle)) / (2 * kStep_mm);
-    s.radius_mm_[n] = r;
-    s.slant_[n] = 1 / std::sqrt(1 + byAngle * byAngle + byLevel * byLevel);
-    s.layers_mm_[n] = layers_mm(angle, z_mm);
-  }
+  const Level here = level(z_mm);
+  for (int n = 0; n < kTableSize; ++n) s.rays_.push_back(ray(here, n * kFullTurn / kTableSize - std::numbers::pi));
   return s;
 }
 
-double BodySurface::Slice::lookUp(const std::vector<double>& table, double angle) const {
+BodySurface::Ray BodySurface::Slice::at(double angle) const {
   const double a = (angle + std::numbers::pi) * (kTableSize / kFullTurn);
   const int n = static_cast<int>(std::floor(a));
   const double t = a - n;
-  const auto at = [&](int m) { return table[((m % kTableSize) + kTableSize) % kTableSize]; };
-  return at(n) * (1 - t) + at(n + 1) * t;
+  const Ray& low = rays_[((n % kTableSize) + kTableSize) % kTableSize];
+  const Ray& high = rays_[(((n + 1) % kTableSize) + kTableSize) % kTableSize];
+  return {low.radius_mm + (high.radius_mm - low.radius_mm) * t, low.slant + (high.slant - low.slant) * t,
+          low.layers_mm + (high.layers_mm - low.layers_mm) * t};
 }
 
 Site BodySurface::Slice::site(Vec3 p_mm) const {
@@ -78,10 +87,10 @@ Site BodySurface::Slice::site(Vec3 p_mm) const {
   s.p_mm = p_mm;
   const double front = kAxisY_mm - p_mm.y;
   s.angle = std::atan2(-p_mm.x, front);
+  const Ray r = at(s.angle);
   // First-order distance to the implicit surface radius(angle, z) = r.
-  const double inside = lookUp(radius_mm_, s.angle) - std::hypot(p_mm.x, front);
-  s.belowFascia_mm = inside * lookUp(slant_, s.angle);
-  s.belowSkin_mm = s.belowFascia_mm + lookUp(layers_mm_, s.angle);
+  s.belowFascia_mm = (r.radius_mm - std::sqrt(p_mm.x * p_mm.x + front * front)) * r.slant;
+  s.belowSkin_mm = s.belowFascia_mm + r.layers_mm;
   return s;
 }
 

@@ -2,6 +2,7 @@
 
 #include <insonate/core/Vec3.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -25,18 +26,26 @@ class BodySurface {
  public:
   explicit BodySurface(const LayerOptions& options) : options_(options) {}
 
+  /// The surface in one direction: radius of the fascia, cosine of the surface's slant, layers above the fascia.
+  struct Ray {
+    double radius_mm, slant, layers_mm;
+  };
+
   /// The outline of one level as a table over the angle: makes many sites of one slice cheap.
   class Slice {
    public:
     Site site(Vec3 p_mm) const;
-    double fasciaRadius_mm(double angle) const { return lookUp(radius_mm_, angle); }
+    double fasciaRadius_mm(double angle) const { return at(angle).radius_mm; }
 
    private:
     friend class BodySurface;
-    double lookUp(const std::vector<double>& table, double angle) const;
-    std::vector<double> radius_mm_, slant_, layers_mm_;
+    Ray at(double angle) const;
+    std::vector<Ray> rays_;
   };
   Slice slice(double z_mm) const;
+
+  /// Distance of one point inside the skin surface (negative outside), mm.
+  double belowSkin_mm(Vec3 p_mm) const;
 
   /// Fat and skin above the fascia, mm; varies smoothly over the surface.
   double layers_mm(double angle, double z_mm) const;
@@ -45,6 +54,13 @@ class BodySurface {
   static constexpr double kSkin_mm = 1.8;
 
  private:
+  struct Level {
+    double z_mm;
+    std::array<double, 9> here, above, below;
+  };
+  Level level(double z_mm) const;
+  Ray ray(const Level& level, double angle) const;
+
   LayerOptions options_;
 };
 

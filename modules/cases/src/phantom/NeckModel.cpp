@@ -56,7 +56,7 @@ Vec3 NeckModel::patientFromModel(Vec3 model_mm) const {
 }
 
 double NeckModel::belowSkin_mm(Vec3 patient_mm) const {
-  return surface_.slice(patient_mm.z).site(modelFromPatient(patient_mm)).belowSkin_mm;
+  return surface_.belowSkin_mm(modelFromPatient(patient_mm));
 }
 
 Vec3 NeckModel::jugularCentre_mm(Side side, double z_mm) const {

@@ -47,6 +47,10 @@ void enclose(Box2& box, const Box2& other) {
          std::max(box.maxY, other.maxY)};
 }
 
+bool holds(const Box2& box, Vec3 p_mm) {
+  return p_mm.x >= box.minX && p_mm.x <= box.maxX && p_mm.y >= box.minY && p_mm.y <= box.maxY;
+}
+
 }  // namespace
 
 Shape column(Side side, Column c, std::uint32_t seed) {
@@ -149,17 +153,18 @@ Shape tube(Side side, Tube t, std::uint32_t seed) {
 
 Shape join(std::vector<Shape> shapes) {
   return [shapes = std::move(shapes)](const BodySurface::Slice& body, double z_mm) -> std::optional<Section> {
-    std::vector<std::function<double(const Site&)>> parts;
+    std::vector<Section> parts;
     Box2 box{1e9, -1e9, 1e9, -1e9};
     for (const Shape& shape : shapes)
       if (auto section = shape(body, z_mm)) {
         enclose(box, section->bounds_mm);
-        parts.push_back(std::move(section->distance_mm));
+        parts.push_back(std::move(*section));
       }
     if (parts.empty()) return std::nullopt;
     return Section{box, [parts = std::move(parts)](const Site& s) {
                      double nearest = 1e9;
-                     for (const auto& part : parts) nearest = std::min(nearest, part(s));
+                     for (const Section& part : parts)
+                       if (holds(part.bounds_mm, s.p_mm)) nearest = std::min(nearest, part.distance_mm(s));
                      return nearest;
                    }};
   };
