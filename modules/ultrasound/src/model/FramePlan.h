@@ -17,9 +17,9 @@ inline constexpr double kContactDepth_mm = 15;
 inline constexpr double kContactReach_mm = 12;  ///< farther from the skin the probe hears nothing
 inline constexpr double kPoorContact_mm = 6;    ///< gaps beyond this lose contact gradually
 /// Refraction at the sides of vessels takes sound out of the beam where it grazes them.
-inline constexpr double kEdgeLoss_dBpcmMHz = 2.5;
-inline constexpr double kEdgeCosine = 0.45;
-inline constexpr double kEdgeReach_mm = 0.5;
+inline constexpr double kEdgeLoss_dBpcmMHz = 1.1;
+inline constexpr double kEdgeCosine = 0.35;
+inline constexpr double kEdgeReach_mm = 0.35;
 /// Behind gas: the tissue above, mirrored, and echoes between probe and gas.
 inline constexpr double kMirrorShare = 0.07;
 inline constexpr double kMirrorDecay_mm = 4;

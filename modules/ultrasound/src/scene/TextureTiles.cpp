@@ -97,16 +97,16 @@ TextureTile emptyTile(std::array<int, 3> size, Vec3 voxel_mm) {
 /// thin across, of which only the peaks are kept; a slow shear keeps neighbours from lining up.
 TextureTile makeSepta() {
   TextureTile tile = emptyTile({64, 64, 256}, {1.0, 0.4, 0.07});
-  const std::vector<float> sheets = gaussianField(tile.size, tile.voxel_mm, {3.5, 1.1, 0.09}, 0x5e97a001U);
+  const std::vector<float> sheets = gaussianField(tile.size, tile.voxel_mm, {4.5, 1.8, 0.10}, 0x5e97a001U);
   const std::vector<float> slow = gaussianField(tile.size, tile.voxel_mm, {6, 3.5, 1.6}, 0x5e97a002U);
   for (int w = 0; w < tile.size[2]; ++w)
     for (int v = 0; v < tile.size[1]; ++v)
       for (int u = 0; u < tile.size[0]; ++u) {
         const std::size_t n = (std::size_t(w) * tile.size[1] + v) * tile.size[0] + u;
-        const int shift = static_cast<int>(std::lround(slow[n] * 0.5 / tile.voxel_mm.z));
+        const int shift = static_cast<int>(std::lround(slow[n] * 0.9 / tile.voxel_mm.z));
         const int sheared = (w + shift + 4 * tile.size[2]) % tile.size[2];
         const float g = sheets[(std::size_t(sheared) * tile.size[1] + v) * tile.size[0] + u];
-        tile.value[n] = toByte(smoothstep(1.25F, 2.3F, g + 0.45F * slow[n]) + 0.07F * slow[n]);
+        tile.value[n] = toByte(smoothstep(1.35F, 2.4F, g + 0.4F * slow[n]) + 0.07F * slow[n]);
       }
   return transposed(std::move(tile));
 }
