@@ -14,6 +14,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace insonate {
 
@@ -35,7 +36,8 @@ struct Display::Impl {
 
   void process(const EnvelopeFrame& envelope);
   void addHaze();
-  void compoundBlock(const EnvelopeFrame& envelope, int block);
+  void compoundBlock(const EnvelopeFrame& envelope, int looks, int block);
+  bool fits(const EnvelopeFrame& envelope) const;
   void compressBlock(int block);
   void finishRow(int row);
   template <class Body>
@@ -76,17 +78,23 @@ void Display::Impl::overBlocks(const Body& body) const {
   });
 }
 
-void Display::Impl::compoundBlock(const EnvelopeFrame& envelope, int b) {
+bool Display::Impl::fits(const EnvelopeFrame& envelope) const {
+  return envelope.scanlines == plan.scanlines && envelope.samples == plan.samples && envelope.looks >= 1 &&
+         envelope.looks <= 3 &&
+         envelope.amplitude.size() == std::size_t(plan.scanlines) * plan.samples * envelope.looks;
+}
+
+void Display::Impl::compoundBlock(const EnvelopeFrame& envelope, int looks, int b) {
   const Block& block = plan.blocks[b];
   std::fill_n(blockPower.row(b), Plane::padded(plan.scanlines), 0.0F);
   for (int k = block.first; k < block.first + block.count; ++k) {
-    CompoundRow task{.looks = envelope.looks,
+    CompoundRow task{.looks = looks,
                      .columns = plan.scanlines,
                      .gain = plan.rowGain[k],
                      .ceiling = static_cast<float>(powerOf(kHazeCeiling_dB)),
                      .power = power.row(k),
                      .sum = blockPower.row(b)};
-    for (int l = 0; l < envelope.looks; ++l) task.look[l] = envelope.look(l) + std::size_t(k) * plan.scanlines;
+    for (int l = 0; l < looks; ++l) task.look[l] = envelope.look(l) + std::size_t(k) * plan.scanlines;
     compoundRow(task);
   }
   scaleRow(blockPower.row(b), 1 / static_cast<float>(block.count), plan.scanlines);
@@ -160,7 +168,8 @@ void Display::Impl::process(const EnvelopeFrame& envelope) {
     const auto now = Clock::now();
     return std::chrono::duration<double, std::milli>(now - std::exchange(last, now)).count();
   };
-  overBlocks([&](int b) { compoundBlock(envelope, b); });
+  const int looks = fits(envelope) ? envelope.looks : 0;
+  overBlocks([&](int b) { compoundBlock(envelope, looks, b); });
   if (settings.effects.clutter) {
     blockPower.extendRow(0);
     addHaze();

@@ -29,6 +29,7 @@ InterfaceSmoothing::InterfaceSmoothing(const DisplayPlan& plan)
       xx_(mean_.rows(), columns_),
       xz_(mean_.rows(), columns_),
       zz_(mean_.rows(), columns_),
+      structure_(mean_.rows(), columns_),
       edge_(mean_.rows(), columns_),
       slope_(mean_.rows(), columns_) {}
 
@@ -59,16 +60,20 @@ void InterfaceSmoothing::findGradients(int b) {
 }
 
 void InterfaceSmoothing::findInterface(int b) {
-  orientRow({.xx = {xx_.row(b - 1), xx_.row(b), xx_.row(b + 1)},
-             .xz = {xz_.row(b - 1), xz_.row(b), xz_.row(b + 1)},
-             .zz = {zz_.row(b - 1), zz_.row(b), zz_.row(b + 1)},
-             .stride = blocks_[b].edgeStride,
-             .from = kEdgeFrom,
-             .to = kEdgeTo,
-             .maxSlope = kMaxSlope,
-             .columns = columns_,
-             .edge = edge_.row(b),
-             .slope = slope_.row(b)});
+  OrientRow task{.stride = blocks_[b].edgeStride,
+                 .from = kEdgeFrom,
+                 .to = kEdgeTo,
+                 .maxSlope = kMaxSlope,
+                 .columns = columns_,
+                 .structure = structure_.row(b),
+                 .edge = edge_.row(b),
+                 .slope = slope_.row(b)};
+  for (int o = 0; o < 5; ++o) {
+    task.xx[o] = xx_.row(b + o - 2);
+    task.xz[o] = xz_.row(b + o - 2);
+    task.zz[o] = zz_.row(b + o - 2);
+  }
+  orientRow(task);
 }
 
 void InterfaceSmoothing::smooth(const DisplayPlan& plan, const Plane& levels, int row, float* out) const {
@@ -80,6 +85,8 @@ void InterfaceSmoothing::smooth(const DisplayPlan& plan, const Plane& levels, in
                  .row = row,
                  .slope = slope_.row(row / plan.blockRows),
                  .rowsPerSlope = block.rowsPerSlope,
+                 .structureBefore = structure_.row(before),
+                 .structureAfter = structure_.row(after),
                  .edgeBefore = edge_.row(before),
                  .edgeAfter = edge_.row(after),
                  .meanBefore = mean_.row(before),

@@ -26,7 +26,7 @@ class InterfaceSmoothing {
 
   std::vector<Block> blocks_;
   int columns_;
-  Plane mean_, xx_, xz_, zz_, edge_, slope_;
+  Plane mean_, xx_, xz_, zz_, structure_, edge_, slope_;
 };
 
 }  // namespace insonate::display

@@ -17,11 +17,12 @@ using F = hn::CappedTag<float, 16>;
 using I = hn::RebindToSigned<F>;
 using U = hn::RebindToUnsigned<F>;
 
-/// Calls body(i) for each vector of a row that may be read and written up to its padded length.
+/// Calls body(i) for each vector of a row that may be read and written up to a multiple of 16 columns. All of them are
+/// computed, whatever the width of the vectors.
 template <class Body>
 HWY_INLINE void overPadded(int columns, const Body& body) {
-  const int lanes = static_cast<int>(hn::Lanes(F()));
-  for (int i = 0; i < columns; i += lanes) body(i);
+  const int lanes = static_cast<int>(hn::Lanes(F())), padded = (columns + 15) / 16 * 16;
+  for (int i = 0; i < padded; i += lanes) body(i);
 }
 
 /// The same for a row without padding of at least 16 columns: the last vector overlaps the one before.
@@ -38,12 +39,12 @@ HWY_INLINE V mix(V a, V b, V share) {
   return hn::Add(a, hn::Mul(share, hn::Sub(b, a)));
 }
 
-constexpr float kMaxAmplitude = 1e9F;
+constexpr float kMaxAmplitude = 1e9F;  // louder, and infinite, echoes count as this
 
 void compoundRow(const CompoundRow& t) {
   const F d;
   const auto zero = hn::Zero(d), most = hn::Set(d, kMaxAmplitude);
-  const auto gain = hn::Set(d, t.gain / static_cast<float>(t.looks));
+  const auto gain = hn::Set(d, t.looks > 0 ? t.gain / static_cast<float>(t.looks) : 0.0F);
   overExact(t.columns, [&](int i) {
     auto sum = zero;
     for (int l = 0; l < t.looks; ++l) {
@@ -145,13 +146,33 @@ void tensorRow(const TensorRow& t) {
   });
 }
 
+/// Interface slopes are followed in steps of 8 scanlines, whatever the instruction set.
+using Cell = hn::CappedTag<float, 8>;
+constexpr int kCell = 8;
+
+/// One slope for each cell, the mean over its interfaces; those that run elsewhere are not followed.
+HWY_INLINE void settleSlopes(float* edge, float* slope, int columns) {
+  for (int cell = 0; cell < columns; cell += kCell) {
+    float sum = 0, weight = 1e-6F;
+    for (int i = cell; i < cell + kCell; ++i) sum += edge[i] * slope[i], weight += edge[i];
+    const float common = sum / weight;
+    for (int i = cell; i < cell + kCell; ++i) {
+      const float apart = slope[i] > common ? slope[i] - common : common - slope[i];
+      edge[i] = apart < 1 ? edge[i] * (1 - apart) : 0;
+      slope[i] = common;
+    }
+  }
+}
+
 void orientRow(const OrientRow& t) {
   const F d;
-  const auto quarter = hn::Set(d, 0.25F), half = hn::Set(d, 0.5F), one = hn::Set(d, 1.0F), zero = hn::Zero(d);
+  const auto eighth = hn::Set(d, 0.125F), quarter = hn::Set(d, 0.25F), half = hn::Set(d, 0.5F), one = hn::Set(d, 1.0F),
+             zero = hn::Zero(d);
   const auto averaged = [&](const float* const* rows, int i) {
     const auto column = [&](int o) {
-      const auto sides = hn::Add(hn::LoadU(d, rows[0] + i + o), hn::LoadU(d, rows[2] + i + o));
-      return hn::Add(hn::Mul(half, hn::LoadU(d, rows[1] + i + o)), hn::Mul(quarter, sides));
+      const auto load = [&](int r) { return hn::LoadU(d, rows[r] + i + o); };
+      const auto inner = hn::Add(load(2), hn::Add(load(1), load(3)));
+      return hn::Add(hn::Mul(quarter, inner), hn::Mul(eighth, hn::Add(load(0), load(4))));
     };
     return hn::Add(hn::Mul(half, column(0)), hn::Mul(quarter, hn::Add(column(-t.stride), column(t.stride))));
   };
@@ -165,22 +186,20 @@ void orientRow(const OrientRow& t) {
     const auto alongScan = hn::Max(hn::Mul(half, hn::Add(difference, anisotropy)), tiny);
     const auto slope = hn::Neg(hn::Div(xz, alongScan));
     const auto limited = hn::Min(hn::Max(slope, hn::Neg(maxSlope)), maxSlope);
-    // Beyond the steepest slope there is nothing to follow.
-    const auto followed = hn::Div(hn::Abs(limited), hn::Max(hn::Abs(slope), tiny));
-    const auto strength = hn::Min(hn::Max(hn::Mul(hn::Sub(anisotropy, from), perEdge), zero), one);
-    const auto steep = hn::Gt(hn::Abs(slope), maxSlope);
-    hn::Store(hn::IfThenElse(steep, hn::Mul(strength, followed), strength), d, t.edge + i);
+    // From half the steepest slope on there is less and less to follow.
+    const auto steepness = hn::Mul(hn::Abs(limited), hn::Set(d, 2 / t.maxSlope));
+    const auto followed = hn::Min(hn::Max(hn::Sub(hn::Add(one, one), steepness), zero), one);
+    const auto ramp = [&](auto v) { return hn::Min(hn::Max(hn::Mul(hn::Sub(v, from), perEdge), zero), one); };
+    hn::Store(ramp(hn::Add(xx, zz)), d, t.structure + i);
+    hn::Store(hn::Mul(ramp(anisotropy), followed), d, t.edge + i);
     hn::Store(limited, d, t.slope + i);
   });
+  settleSlopes(t.edge, t.slope, t.columns);
 }
-
-/// Interface slopes are followed in steps of 8 scanlines, whatever the instruction set.
-using Cell = hn::CappedTag<float, 8>;
-constexpr int kCell = 8;
 
 /// The levels under the taps -3..3, each in the row where an interface with the cell's slope runs.
 HWY_INLINE void alongRows(const SmoothRow& t, int cell, const float* (&rows)[7]) {
-  const float perTap = t.slope[cell + kCell / 2] * t.rowsPerSlope;
+  const float perTap = t.slope[cell] * t.rowsPerSlope;
   const float half = perTap < 0 ? -0.5F : 0.5F;
   const auto under = [&](int tap, int offset) {
     const int wanted = t.row + offset;
@@ -228,12 +247,15 @@ void smoothRow(const SmoothRow& t) {
       along = hn::Add(along, hn::Mul(b1, pair(r[2], r[4])));
       along = hn::Add(along, hn::Mul(b2, pair(r[1], r[5])));
       along = hn::Add(along, hn::Mul(b3, pair(r[0], r[6])));
-      const auto edge = mix(hn::LoadU(d, t.edgeBefore + i), hn::LoadU(d, t.edgeAfter + i), share);
-      const auto mean = mix(hn::LoadU(d, t.meanBefore + i), hn::LoadU(d, t.meanAfter + i), share);
-      const auto level = mix(plain, along, edge);
+      const auto between = [&](const float* before, const float* after) {
+        return mix(hn::LoadU(d, before + i), hn::LoadU(d, after + i), share);
+      };
+      const auto structure = between(t.structureBefore, t.structureAfter);
+      const auto edge = between(t.edgeBefore, t.edgeAfter), mean = between(t.meanBefore, t.meanAfter);
+      const auto level = mix(mix(plain, hn::LoadU(d, axial + i), structure), along, edge);
       const auto apart = hn::Min(hn::Max(hn::Sub(level, mean), hn::Neg(reach)), reach);
       const auto more = hn::Mul(apart, hn::Add(contrast, hn::Mul(bend, apart)));
-      hn::StoreU(hn::Add(level, hn::Mul(hn::Sub(one, edge), more)), d, t.out + i);
+      hn::StoreU(hn::Add(level, hn::Mul(hn::Sub(one, structure), more)), d, t.out + i);
     }
   }
 }

@@ -57,17 +57,20 @@ struct TensorRow {
 };
 void tensorRow(const TensorRow& task);
 
-/// Edge strength 0..1 and slope of the interface from the tensor averaged over neighbours.
+/// From the tensor averaged over neighbours: how much structure there is (0..1), how much of it is an interface that
+/// can be followed (0..1, less than the former), and that interface's slope, one for
+/// each 8 scanlines.
 struct OrientRow {
-  const float *xx[3], *xz[3], *zz[3];  ///< block above, here, below
+  const float *xx[5] = {}, *xz[5] = {}, *zz[5] = {};  ///< two blocks above to two below
   int stride;
   float from, to, maxSlope;
   int columns;
-  float *edge, *slope;
+  float *structure, *edge, *slope;
 };
 void orientRow(const OrientRow& task);
 
-/// Smooths one row of levels: plain where nothing is, along the interface where there is one.
+/// Smooths one row of levels: in all directions where there is only speckle, along the interface where there is one,
+/// and along the scanline where there is structure too steep to follow.
 struct SmoothRow {
   const float* axial[5] = {};  ///< rows of the axial taps, with margins
   float axialWeight[3] = {};
@@ -79,7 +82,7 @@ struct SmoothRow {
   float alongWeight[4] = {};
   const float* slope;  ///< rows per along-tap and unit of slope are in `rowsPerSlope`
   float rowsPerSlope;
-  const float *edgeBefore, *edgeAfter, *meanBefore, *meanAfter;
+  const float *structureBefore, *structureAfter, *edgeBefore, *edgeAfter, *meanBefore, *meanAfter;
   float mix;
   float contrast, contrastBend, contrastReach;
   int margin, columns;

@@ -9,7 +9,8 @@ namespace insonate {
 
 /// From a linear envelope to the displayed picture: looks averaged > clutter > TGC and gain > logarithm > smoothing
 /// along interfaces > persistence > grey map > scan conversion. Everything is allocated by the constructor; process()
-/// allocates nothing. Not for concurrent use of one object. Uses the calling thread's TBB arena.
+/// allocates nothing once the image has its size. The settings must be valid for the probe (see validate()). Not for
+/// concurrent use of one object. Uses the calling thread's TBB arena.
 class Display {
  public:
   Display(const Probe& probe, const ImagingSettings& settings);
@@ -17,7 +18,9 @@ class Display {
   Display(Display&&) noexcept;
   Display& operator=(Display&&) noexcept;
 
-  /// The frame must have the settings' scanlines and samples. Persistence mixes with the previous call's picture.
+  /// The frame must have the settings' scanlines and samples and 1 to 3 looks; any other gives a black picture.
+  /// Amplitudes that are NaN or negative count as 0, infinite ones as white. Persistence mixes with the previous call's
+  /// picture.
   void process(const EnvelopeFrame& envelope, BModeImage& image);
   /// Forgets the previous picture.
   void reset();
@@ -35,7 +38,8 @@ class Display {
 /// 1 inside the field of view, 0 outside, for the picture that Display makes with these settings.
 std::vector<std::uint8_t> fieldOfViewMask(const Probe& probe, const ImagingSettings& settings);
 
-/// Built-in time-gain compensation before the operator's sliders, in dB per cm and MHz of depth (there and back).
-inline constexpr double kTgc_dBpcmMHz = 0.94;
+/// Built-in time-gain compensation before the operator's sliders, in dB per cm and MHz of depth (there and back);
+/// none where the settings leave attenuation out.
+inline constexpr double kTgc_dBpcmMHz = 0.82;
 
 }  // namespace insonate

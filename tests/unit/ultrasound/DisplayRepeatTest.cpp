@@ -1,0 +1,112 @@
+#include "DisplaySupport.h"
+#include "SpeckleFrame.h"
+
+#include <gmock/gmock.h>
+#include <hwy/targets.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+std::atomic<long> allocations{0};
+
+void* counted(std::size_t bytes) {
+  ++allocations;
+  if (void* memory = std::malloc(bytes ? bytes : 1)) return memory;
+  throw std::bad_alloc();
+}
+}  // namespace
+
+void* operator new(std::size_t bytes) {
+  return counted(bytes);
+}
+void* operator new[](std::size_t bytes) {
+  return counted(bytes);
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace insonate {
+namespace {
+
+class DisplayRepeat : public testing::TestWithParam<const char*> {
+ protected:
+  Probe probe = *loadProbe(GetParam());
+  ImagingSettings settings = [this] {
+    ImagingSettings s = settingsFor(probe);
+    s.persistence = 0.4;
+    s.scanlines = 203;  // no whole number of vectors
+    s.samples = 601;
+    return s;
+  }();
+  EnvelopeFrame frame = test::speckleFrame(203, 601, 3, 6, 4, 9);
+
+  /// The second picture, so that persistence takes part.
+  BModeImage second() const {
+    Display live(probe, settings);
+    BModeImage image;
+    live.process(frame, image);
+    live.process(frame, image);
+    return image;
+  }
+};
+
+TEST_P(DisplayRepeat, NothingIsAllocatedPerPicture) {
+  Display live(probe, settings);
+  BModeImage image;
+  live.process(frame, image);
+  const long before = allocations;
+  for (int i = 0; i < 3; ++i) live.process(frame, image);
+  EXPECT_EQ(allocations - before, 0);
+}
+
+TEST_P(DisplayRepeat, PictureDoesNotDependOnThreads) {
+  BModeImage one, four;
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, 4);
+  tbb::task_arena(1).execute([&] { one = second(); });
+  tbb::task_arena(4).execute([&] { four = second(); });
+  EXPECT_EQ(one.grey, four.grey);
+}
+
+TEST_P(DisplayRepeat, PictureDoesNotDependOnTheInstructionSet) {
+  const BModeImage best = second();
+  for (std::int64_t rest = hwy::SupportedTargets(); rest != 0; rest &= rest - 1) {
+    const std::int64_t target = rest & -rest;
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(target);
+    const BModeImage image = second();
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    int worst = 0;
+    for (std::size_t i = 0; i < best.grey.size(); ++i) worst = std::max(worst, std::abs(image.grey[i] - best.grey[i]));
+    EXPECT_LE(worst, 1) << hwy::TargetName(target);
+  }
+}
+
+TEST_P(DisplayRepeat, StagesAreTimed) {
+  Display live(probe, settings);
+  BModeImage image;
+  live.process(frame, image);
+  for (const double ms :
+       {live.stages().compound, live.stages().compress, live.stages().smooth, live.stages().scanConvert})
+    EXPECT_GT(ms, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Probes, DisplayRepeat, testing::Values("linear", "curvilinear", "phased"),
+                         [](const auto& parameter) { return std::string(parameter.param); });
+
+}  // namespace
+}  // namespace insonate

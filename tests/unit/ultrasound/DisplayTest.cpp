@@ -1,0 +1,223 @@
+#include "DisplaySupport.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace insonate {
+namespace {
+
+using test::bareSettings;
+using test::display;
+using test::frameOf;
+using test::greyAt;
+using test::uniformFrame;
+using testing::Each;
+using testing::Eq;
+
+constexpr double kGreyPerDb = 255.0 / 60;
+
+class DisplayTest : public testing::Test {
+ protected:
+  Probe probe = *loadProbe("linear");
+  ImagingSettings settings = bareSettings(probe);
+
+  int greyOfLevel(double level_dB) {
+    return greyAt(display(probe, settings, uniformFrame(probe, settings, level_dB)), 0, 20);
+  }
+};
+
+TEST_F(DisplayTest, TenTimesTheAmplitudeIsTwentyDecibels) {
+  EXPECT_NEAR(greyOfLevel(10) - greyOfLevel(-10), 20 * kGreyPerDb, 1);
+}
+
+TEST_F(DisplayTest, WhiteIsWhereItShouldBe) {
+  EXPECT_NEAR(greyOfLevel(0), (60 - 39.5) * kGreyPerDb, 0.6);
+  EXPECT_EQ(greyOfLevel(39.6), 255);
+  EXPECT_EQ(greyOfLevel(45), 255);
+  EXPECT_EQ(greyOfLevel(-20.5), 0);
+  for (double level = -20; level < 39; level += 2.9) EXPECT_NEAR(greyOfLevel(level), (level + 20.5) * kGreyPerDb, 0.6);
+}
+
+TEST_F(DisplayTest, DynamicRangeKeepsWhite) {
+  settings.dynamicRange_dB = 80;
+  EXPECT_NEAR(greyOfLevel(0), (80 - 39.5) * 255 / 80, 0.6);
+  EXPECT_EQ(greyOfLevel(39.6), 255);
+}
+
+TEST_F(DisplayTest, GainAddsDecibels) {
+  const int before = greyOfLevel(0);
+  settings.gain_dB = 6;
+  EXPECT_NEAR(greyOfLevel(0) - before, 6 * kGreyPerDb, 1);
+  settings.gain_dB = -6;
+  EXPECT_NEAR(greyOfLevel(0) - before, -6 * kGreyPerDb, 1);
+}
+
+TEST_F(DisplayTest, SlidersActAtTheirDepthAndSmoothlyBetween) {
+  const EnvelopeFrame frame = uniformFrame(probe, settings, 0);
+  const BModeImage flat = display(probe, settings, frame);
+  settings.tgc_dB[3] = 10;
+  const BModeImage lifted = display(probe, settings, frame);
+  const auto change = [&](double depth_mm) { return greyAt(lifted, 0, depth_mm) - greyAt(flat, 0, depth_mm); };
+  EXPECT_NEAR(change(3.5 * 5), 10 * kGreyPerDb, 1);
+  EXPECT_NEAR(change(3 * 5), 5 * kGreyPerDb, 1.5) << "half way between two sliders";
+  for (const int other : {0, 1, 2, 4, 5, 6, 7}) EXPECT_EQ(change((other + 0.5) * 5), 0) << other;
+  for (double depth_mm = 0.1; depth_mm < 39.8; depth_mm += 0.1)
+    EXPECT_LE(std::abs(change(depth_mm + 0.1) - change(depth_mm)), 3);
+}
+
+TEST_F(DisplayTest, BuiltInCompensationLevelsTypicalTissue) {
+  settings.effects.attenuation = true;
+  const double slope_dBpmm = kTgc_dBpcmMHz * settings.frequency_MHz / 10;
+  const BModeImage image =
+      display(probe, settings, frameOf(probe, settings, [=](double, double z) { return -slope_dBpmm * z; }));
+  for (const double depth_mm : {1.0, 10.0, 25.0, 39.0}) EXPECT_NEAR(greyAt(image, 0, depth_mm), 87, 1);
+}
+
+TEST_F(DisplayTest, LooksAreAveragedAsMagnitudes) {
+  settings.looks = 3;
+  EnvelopeFrame frame = uniformFrame(probe, settings, 0);
+  std::fill_n(frame.look(1), 256 * 1000, 2.0F);
+  std::fill_n(frame.look(2), 256 * 1000, 6.0F);
+  EXPECT_NEAR(greyAt(display(probe, settings, frame), 0, 20), (20 * std::log10(3) + 20.5) * kGreyPerDb, 0.6);
+}
+
+TEST_F(DisplayTest, PersistenceMixesWithThePreviousPicture) {
+  settings.persistence = 0.75;
+  Display live(probe, settings);
+  BModeImage image;
+  const auto show = [&](double level_dB) {
+    live.process(uniformFrame(probe, settings, level_dB), image);
+    return greyAt(image, 0, 20);
+  };
+  const int bright = show(20);
+  EXPECT_NEAR(bright, 40.5 * kGreyPerDb, 0.6) << "nothing to mix with yet";
+  EXPECT_NEAR(show(0), (20.5 + 0.75 * 20) * kGreyPerDb, 0.6);
+  EXPECT_NEAR(show(0), (20.5 + 0.75 * 0.75 * 20) * kGreyPerDb, 0.6);
+  live.reset();
+  EXPECT_NEAR(show(0), 20.5 * kGreyPerDb, 0.6);
+}
+
+TEST_F(DisplayTest, SoftGreyMapDarkensMidTonesAndRises) {
+  settings.greyMap = GreyMap::Soft;
+  int last = -1;
+  for (double level = -25; level <= 41; level += 3) {
+    const int grey = greyOfLevel(level);
+    EXPECT_GE(grey, last);
+    last = grey;
+  }
+  EXPECT_EQ(last, 255);
+  EXPECT_LT(greyOfLevel(0), 75);
+}
+
+TEST_F(DisplayTest, HazeLiftsALumenNearItsWallMost) {
+  const auto lumen = [](double x, double z) { return std::hypot(x, z - 20) < 5 ? -60.0 : 0.0; };
+  const EnvelopeFrame frame = frameOf(probe, settings, lumen);
+  EXPECT_EQ(greyAt(display(probe, settings, frame), 0, 20), 0);
+  settings.effects.clutter = true;
+  const BModeImage hazy = display(probe, settings, frame);
+  const int near = greyAt(hazy, 0, 15.8), far = greyAt(hazy, 0, 24);
+  EXPECT_GT(near, far);
+  EXPECT_GT(near, 5);
+  EXPECT_LT(near, 50);
+  EXPECT_NEAR(greyAt(hazy, 12, 20), 87, 2) << "haze is small beside tissue";
+}
+
+TEST_F(DisplayTest, SilenceIsBlack) {
+  for (const bool everything : {false, true}) {
+    const ImagingSettings chosen = everything ? settingsFor(probe) : settings;
+    EnvelopeFrame frame;
+    frame.resize(chosen.scanlines, chosen.samples, chosen.looks);
+    EXPECT_THAT(display(probe, chosen, frame).grey, Each(Eq(0)));
+  }
+}
+
+TEST_F(DisplayTest, UnusableAmplitudesAreBlackOrWhite) {
+  settings.effects.clutter = true;
+  const auto greyFor = [&](float amplitude) {
+    EnvelopeFrame frame = uniformFrame(probe, settings, 0);
+    std::fill(frame.amplitude.begin(), frame.amplitude.end(), amplitude);
+    return greyAt(display(probe, settings, frame), 0, 20);
+  };
+  const float infinity = std::numeric_limits<float>::infinity();
+  for (const bool smoothing : {false, true}) {
+    settings.smoothing = smoothing;
+    EXPECT_EQ(greyFor(std::numeric_limits<float>::quiet_NaN()), 0);
+    EXPECT_EQ(greyFor(-1), 0);
+    EXPECT_EQ(greyFor(-infinity), 0);
+    EXPECT_EQ(greyFor(std::numeric_limits<float>::denorm_min()), 0);
+    EXPECT_EQ(greyFor(infinity), 255);
+    EXPECT_EQ(greyFor(std::numeric_limits<float>::max()), 255);
+  }
+}
+
+TEST_F(DisplayTest, OneBadSampleStaysLocal) {
+  settings = settingsFor(probe);
+  settings.effects.attenuation = false;
+  settings.persistence = 0.5;
+  EnvelopeFrame frame = uniformFrame(probe, settings, 0);
+  const BModeImage clean = display(probe, settings, frame);
+  frame.look(0)[500 * 256 + 128] = std::numeric_limits<float>::quiet_NaN();
+  frame.look(1)[600 * 256 + 40] = std::numeric_limits<float>::infinity();
+  const BModeImage dirty = display(probe, settings, frame);
+  for (const double depth_mm : {5.0, 15.0, 35.0})
+    for (const double lateral_mm : {-15.0, 8.0, 16.0})
+      EXPECT_NEAR(greyAt(dirty, lateral_mm, depth_mm), greyAt(clean, lateral_mm, depth_mm), 2);
+}
+
+TEST_F(DisplayTest, FrameOfAnotherSizeIsBlack) {
+  EnvelopeFrame frame = uniformFrame(probe, settings, 30);
+  frame.looks = 2;
+  EXPECT_THAT(display(probe, settings, frame).grey, Each(Eq(0)));
+  frame.resize(100, 1000, 1);
+  EXPECT_THAT(display(probe, settings, frame).grey, Each(Eq(0)));
+  EXPECT_THAT(display(probe, settings, EnvelopeFrame{}).grey, Each(Eq(0)));
+}
+
+TEST_F(DisplayTest, ExtremeSizesWork) {
+  for (const char* name : {"linear", "curvilinear", "phased"})
+    for (const auto& [lines, samples, size] : {std::tuple{16, 64, 64}, {17, 65, 129}, {1024, 4096, 300}}) {
+      const Probe any = *loadProbe(name);
+      settings = settingsFor(any);
+      settings.scanlines = lines, settings.samples = samples, settings.width = size, settings.height = size;
+      settings.effects.attenuation = false;
+      settings.looks = 1;
+      ASSERT_TRUE(validate(settings, any));
+      const BModeImage image = display(any, settings, uniformFrame(any, settings, 0));
+      const auto inside = fieldOfViewMask(any, settings);
+      for (std::size_t i = 0; i < inside.size(); ++i) {
+        if (!inside[i]) continue;
+        ASSERT_NEAR(image.grey[i], 60, 4) << name << " " << lines << " at " << i;
+      }
+    }
+}
+
+/// A bright spot must appear where it is, whatever the shape of the scan.
+TEST_F(DisplayTest, PointsLandWhereTheyAre) {
+  struct Place {
+    const char* probe;
+    double lateral_mm, axial_mm, radius_mm;
+  };
+  for (const auto& [name, x0, z0, radius] :
+       {Place{"linear", 7.3, 12.4, 1.5}, Place{"linear", -15.1, 33.3, 1.5}, Place{"curvilinear", -20.2, 60.7, 4},
+        Place{"curvilinear", 31.4, 40.1, 4}, Place{"phased", 30.3, 70.9, 5}, Place{"phased", -50.7, 90.2, 6}}) {
+    const Probe any = *loadProbe(name);
+    settings = bareSettings(any);
+    const auto spot = [&](double x, double z) { return 39 - 59 * std::pow(std::hypot(x - x0, z - z0) / radius, 2); };
+    const BModeImage image = display(any, settings, frameOf(any, settings, spot));
+    double sum = 0, x = 0, z = 0;
+    for (int row = 0; row < image.height; ++row)
+      for (int column = 0; column < image.width; ++column) {
+        const double grey = image.grey[std::size_t(row) * image.width + column];
+        sum += grey;
+        x += grey * (image.left_mm + column * image.pixel_mm), z += grey * (image.top_mm + row * image.pixel_mm);
+      }
+    ASSERT_GT(sum, 0);
+    EXPECT_NEAR(x / sum, x0, 0.1) << name;
+    EXPECT_NEAR(z / sum, z0, 0.1) << name;
+  }
+}
+
+}  // namespace
+}  // namespace insonate

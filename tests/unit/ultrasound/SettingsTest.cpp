@@ -1,0 +1,112 @@
+#include "support/TestData.h"
+
+#include <insonate/ultrasound/ImagingSettings.h>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+namespace insonate {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+std::string refusal(const json& overrides) {
+  const auto settings = settingsFromJson(overrides, {});
+  return settings ? "accepted" : settings.error().message;
+}
+
+TEST(Settings, DefaultsOfEveryProbeAreValid) {
+  for (const auto& name : probePresetNames()) {
+    const Probe probe = *loadProbe(name);
+    const ImagingSettings settings = settingsFor(probe);
+    EXPECT_EQ(settings.depth_mm, probe.defaultDepth_mm);
+    EXPECT_EQ(settings.frequency_MHz, probe.defaultFrequency_MHz);
+    const auto ok = validate(settings, probe);
+    EXPECT_TRUE(ok) << ok.error().message;
+  }
+}
+
+TEST(Settings, OverridesTouchOnlyWhatTheyName) {
+  ImagingSettings base;
+  base.focus_mm = 33;
+  const auto settings = settingsFromJson(json{{"depth_mm", 55},
+                                              {"looks", 1},
+                                              {"smoothing", false},
+                                              {"greyMap", "linear"},
+                                              {"look", "thesis"},
+                                              {"tgc_dB", {1, 2, 3, 4, 5, 6, 7, 8}},
+                                              {"effects", {{"layers", false}}}},
+                                         base);
+  ASSERT_TRUE(settings) << settings.error().message;
+  EXPECT_EQ(settings->depth_mm, 55);
+  EXPECT_EQ(settings->focus_mm, 33);
+  EXPECT_EQ(settings->looks, 1);
+  EXPECT_FALSE(settings->smoothing);
+  EXPECT_EQ(settings->greyMap, GreyMap::Linear);
+  EXPECT_EQ(settings->look, Look::Thesis);
+  EXPECT_EQ(settings->tgc_dB[7], 8);
+  EXPECT_FALSE(settings->effects.layers);
+  EXPECT_TRUE(settings->effects.speckle);
+}
+
+TEST(Settings, UnknownFieldsAreRefusedWithTheNearestKnown) {
+  EXPECT_THAT(refusal({{"dept_mm", 40}}), HasSubstr("unknown field 'dept_mm'; did you mean 'depth_mm'?"));
+  EXPECT_THAT(refusal({{"frequency", 5}}), HasSubstr("'frequency_MHz'"));
+  EXPECT_THAT(refusal({{"effects", {{"spekle", false}}}}), HasSubstr("'speckle'"));
+  EXPECT_THAT(refusal({{"qqqqqq", 1}}), HasSubstr("known are"));
+}
+
+TEST(Settings, WrongTypesAreRefusedByName) {
+  EXPECT_THAT(refusal({{"depth_mm", "deep"}}), HasSubstr("depth_mm must be a number, not \"deep\""));
+  EXPECT_THAT(refusal({{"looks", 2.5}}), HasSubstr("looks must be a whole number, not 2.5"));
+  EXPECT_THAT(refusal({{"smoothing", 1}}), HasSubstr("smoothing must be true or false"));
+  EXPECT_THAT(refusal({{"greyMap", "pink"}}), HasSubstr("greyMap must be one of linear, soft"));
+  EXPECT_THAT(refusal({{"tgc_dB", {1, 2}}}), HasSubstr("list of 8"));
+  EXPECT_THAT(refusal({{"effects", true}}), HasSubstr("object"));
+  EXPECT_THAT(refusal(json::array()), HasSubstr("object"));
+  EXPECT_THAT(refusal({{"depth_mm", nullptr}}), HasSubstr("depth_mm must be a number"));
+}
+
+TEST(Settings, ValuesOutOfRangeAreRefusedByName) {
+  EXPECT_THAT(refusal({{"gain_dB", 41}}), HasSubstr("gain_dB is 41; allowed is -40 to 40"));
+  EXPECT_THAT(refusal({{"persistence", 1}}), HasSubstr("persistence is 1; allowed is 0 to 0.95"));
+  EXPECT_THAT(refusal({{"scanlines", 1000000}}), HasSubstr("scanlines is 1e+06; allowed is 16 to 1024"));
+  EXPECT_THAT(refusal({{"looks", 1e30}}), HasSubstr("looks must be a whole number"));
+  EXPECT_THAT(refusal({{"elevationPlanes", 4}}), HasSubstr("must be odd"));
+  EXPECT_THAT(refusal({{"tgc_dB", {0, 0, 0, 21, 0, 0, 0, 0}}}), HasSubstr("tgc_dB[3] is 21"));
+  EXPECT_THAT(refusal({{"depth_mm", std::nan("")}}), HasSubstr("depth_mm is nan"));
+  EXPECT_THAT(refusal({{"gain_dB", std::numeric_limits<double>::infinity()}}), HasSubstr("gain_dB is inf"));
+}
+
+TEST(Settings, TheProbeLimitsDepthAndFrequency) {
+  const Probe probe = *loadProbe("linear");
+  ImagingSettings settings = settingsFor(probe);
+  settings.frequency_MHz = 2;
+  EXPECT_THAT(validate(settings, probe).error().message,
+              HasSubstr("settings for the linear probe: frequency_MHz is 2; allowed is 5 to 13"));
+  settings = settingsFor(probe);
+  settings.depth_mm = 200;
+  EXPECT_THAT(validate(settings, probe).error().message, HasSubstr("depth_mm is 200; allowed is 20 to 120"));
+}
+
+TEST(Settings, FileErrorsNameTheFile) {
+  const test::TemporaryFolder folder;
+  const auto file = folder / "settings.json";
+  EXPECT_THAT(loadSettings(file, {}).error().message, HasSubstr("cannot be opened"));
+  std::ofstream(file) << "{\"depth_mm\": }";
+  EXPECT_THAT(loadSettings(file, {}).error().message, HasSubstr("settings.json is not valid JSON"));
+  std::ofstream(file) << "{\"depth_mm\": 1e999}";
+  EXPECT_FALSE(loadSettings(file, {}));
+  std::ofstream(file) << "{\"depth_mm\": 1}";
+  EXPECT_THAT(loadSettings(file, {}).error().message, HasSubstr("settings.json: settings: depth_mm is 1"));
+  std::ofstream(file) << "{\"depth_mm\": 50}";
+  EXPECT_EQ(loadSettings(file, {})->depth_mm, 50);
+}
+
+}  // namespace
+}  // namespace insonate
