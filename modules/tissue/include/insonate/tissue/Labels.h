@@ -31,7 +31,9 @@ enum Label : std::uint8_t {
 inline constexpr int kLabelCount = 16;
 
 /// Labels that are not known read as soft tissue.
-constexpr Label knownLabel(std::uint8_t value) { return value < kLabelCount ? static_cast<Label>(value) : kSoftTissue; }
+constexpr Label knownLabel(std::uint8_t value) {
+  return value < kLabelCount ? static_cast<Label>(value) : kSoftTissue;
+}
 
 /// What other programs need to know about a label: 3D Slicer's colour and SNOMED CT code.
 struct LabelInfo {
