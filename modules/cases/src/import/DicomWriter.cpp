@@ -71,6 +71,7 @@ void putSeries(gdcm::DataSet& data, const DicomSeriesIdentity& identity, const S
   put(data, Tag(0x0008, 0x0060), VR::CS, "CT");
   put(data, Tag(0x0020, 0x000e), VR::UI, uids.series);
   put(data, Tag(0x0020, 0x0011), VR::IS, "1");
+  put(data, Tag(0x0020, 0x0060), VR::CS, "");
   put(data, Tag(0x0018, 0x5100), VR::CS, "HFS");
   if (!identity.description.empty()) put(data, Tag(0x0008, 0x103e), VR::LO, identity.description.substr(0, 64));
   put(data, Tag(0x0020, 0x0052), VR::UI, uids.frameOfReference);
