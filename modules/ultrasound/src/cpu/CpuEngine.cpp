@@ -51,6 +51,7 @@ class CpuEngine final : public Engine {
   const std::vector<Stage>& stages() const override { return stages_; }
 
  private:
+  void provideWorkspaces(int threads);
   void setChannels(const AcousticScene::Impl& scene);
   void setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe);
   void setScanlines(const Transform& patientFromProbe);
@@ -81,13 +82,7 @@ void CpuEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
   std::fill_n(echo_.values.get(), echoSize, 0.0F);
 
   workspaces_.clear();
-  for (int t = 0; t < tbb::info::default_concurrency() + 1; ++t) {
-    auto work = std::make_unique<Workspace>();
-    work->trace.echo = hwy::AllocateAligned<float>(std::size_t(components) * plan.gates * kBlockLines);
-    work->lateral.ring = hwy::AllocateAligned<float>(std::size_t(components) * 4 * echo_.width);
-    work->above.resize(plan.gates);
-    workspaces_.push_back(std::move(work));
-  }
+  provideWorkspaces(tbb::info::default_concurrency() + 1);
 
   input_ = {};
   input_.plan = &plan;
@@ -111,6 +106,18 @@ void CpuEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
   const double perGate = plan.gate_mm / 10;
   input_.edgeLoss_dB = static_cast<float>(2 * acoustics::kEdgeLoss_dBpcmMHz * settings.frequency_MHz * perGate);
   stages_ = {{"contact"}, {"structures"}, {"echoes"}, {"axial beam"}, {"lateral beam"}};
+}
+
+/// One for each thread of the arena; an arena larger than any before adds its own, once.
+void CpuEngine::provideWorkspaces(int threads) {
+  const std::size_t components = 2 * std::size_t(plan_->settings.looks);
+  while (static_cast<int>(workspaces_.size()) < threads) {
+    auto work = std::make_unique<Workspace>();
+    work->trace.echo = hwy::AllocateAligned<float>(components * plan_->gates * kBlockLines);
+    work->lateral.ring = hwy::AllocateAligned<float>(components * 4 * echo_.width);
+    work->above.resize(plan_->gates);
+    workspaces_.push_back(std::move(work));
+  }
 }
 
 void CpuEngine::setChannels(const AcousticScene::Impl& scene) {
@@ -210,6 +217,7 @@ void CpuEngine::render(const AcousticScene& sceneHandle, const Transform& patien
   const FramePlan& plan = *plan_;
   const AcousticScene::Impl& scene = sceneHandle.impl();
   envelope.resize(plan.lines, plan.grid.samples(), plan.settings.looks);
+  provideWorkspaces(tbb::this_task_arena::max_concurrency());
   for (auto& work : workspaces_) work->times = {}, work->axial_ms = work->lateral_ms = 0;
 
   const StopWatch watch;

@@ -48,19 +48,23 @@ std::array<int, 3> subdivisions(const VolumeGeometry& grid) {
   return n;
 }
 
-/// Source voxel and weight of the next one, for each node along one axis.
+/// Source voxel and weight of the next one, for each node along one axis. Nodes are the centres of the parts that each
+/// voxel is cut into: they reach to the faces of the outermost voxels, and none lies midway between two, where either
+/// label would be as likely.
 struct AxisMap {
   std::vector<int> low, high;
   std::vector<float> weight;
 };
 
-AxisMap axisMap(int first, int nodes, int subdivision, int last) {
+AxisMap axisMap(int first, int nodes, int parts, int last) {
   AxisMap map;
   for (int n = 0; n < nodes; ++n) {
-    const int voxel = first + n / subdivision;
-    map.low.push_back(voxel);
-    map.high.push_back(std::min(voxel + 1, last));
-    map.weight.push_back(static_cast<float>(n % subdivision) / static_cast<float>(subdivision));
+    const int voxel = first + n / parts;
+    const double off = (n % parts + 0.5) / parts - 0.5;  // of the voxel's centre
+    const int low = off < 0 ? voxel - 1 : voxel;
+    map.low.push_back(std::max(low, 0));
+    map.high.push_back(std::min(low + 1, last));
+    map.weight.push_back(static_cast<float>(off < 0 ? off + 1 : off));
   }
   return map;
 }
@@ -106,11 +110,11 @@ Result<TissueField> makeTissueField(const CtVolume& ct, const LabelMap& labels, 
   Vec3 nodeSpacing_mm;
   Transform nodeFromIndex;
   for (int a = 0; a < 3; ++a) {
-    field.size[a] = (box->high[a] - box->low[a]) * parts[a] + 1;
-    maps[a] = axisMap(box->low[a], field.size[a], parts[a], box->high[a]);
+    field.size[a] = (box->high[a] - box->low[a] + 1) * parts[a];
+    maps[a] = axisMap(box->low[a], field.size[a], parts[a], grid.size[a] - 1);
     nodeSpacing_mm[a] = grid.spacing_mm[a] / parts[a];
     nodeFromIndex.linear.column[a] = nodeFromIndex.linear.column[a] * parts[a];
-    nodeFromIndex.offset[a] = -double(box->low[a]) * parts[a];
+    nodeFromIndex.offset[a] = (0.5 - box->low[a]) * parts[a] - 0.5;
   }
   field.nodeFromPatient = nodeFromIndex * grid.indexFromPatient();
   const std::size_t nodes = field.offset(0, 0, field.size[2]);

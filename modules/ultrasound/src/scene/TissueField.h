@@ -12,8 +12,8 @@
 
 namespace insonate {
 
-/// Smooth signed distances to every structure on a fine, nearly isotropic lattice that contains the voxel centres of
-/// the label map, so that boundaries show no voxel stairs and need no normals. One channel a structure present,
+/// Smooth signed distances to every structure on a fine, nearly isotropic lattice that cuts the voxels of the label map
+/// into equal parts, so that boundaries show no voxel stairs and need no normals. One channel a structure present,
 /// channels of a node side by side in memory, so that one trilinear look-up fetches all of them.
 struct TissueField {
   static constexpr int kStride = 16;          ///< channels a node has room for
