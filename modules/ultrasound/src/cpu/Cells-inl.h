@@ -20,27 +20,29 @@ using CellIntTag = hn::Rebind<std::int32_t, CellTag>;
 using FloatVec = hn::Vec<CellTag>;
 using IntVec = hn::Vec<CellIntTag>;
 
-/// Channels that can be among the two nearest anywhere in this row: those within reach, and the first of those beyond,
-/// which are all equally far.
-HWY_INLINE std::uint32_t activeChannels(const TraceInput& in, int row, const TraceBuffers& b) {
-  const FramePlan& plan = *in.plan;
-  const int columns = kBlockLines / plan.cellLines + 1;
-  std::uint32_t active = 0;
-  int beyond = -1;
-  for (int ch = 0; ch < in.scene->field.channels; ++ch) {
-    bool near = false;
-    for (int p = 0; p < plan.settings.elevationPlanes && !near; ++p)
-      for (int parity = 0; parity < 2 && !near; ++parity) {
-        const float* d = b.nodes[p][parity].distance[ch];
-        float least = d[0];
-        for (int c = 1; c < columns; ++c) least = std::min(least, d[c]);
-        near = least < static_cast<float>(TissueField::kReach_mm);
-      }
-    if (near) active |= 1U << ch;
-    if (!near && beyond < 0) beyond = ch;
+/// Channels that can be among the two nearest anywhere in a row of cells: two channels are nowhere farther than the
+/// second least of all channels' greatest distances, so what is nowhere nearer than that is out. Of those out of reach,
+/// which are all equally far, the first stands for all.
+HWY_INLINE std::uint32_t activeChannels(int channels, const TraceBuffers::NodeRow& top,
+                                        const TraceBuffers::NodeRow& bottom) {
+  float first = 1e30F, second = 1e30F;
+  for (int ch = 0; ch < channels; ++ch) {
+    const float most = std::max(top.most[ch], bottom.most[ch]);
+    if (most < first)
+      second = first, first = most;
+    else if (most < second)
+      second = most;
   }
-  (void)row;
-  return beyond >= 0 ? active | 1U << beyond : active;
+  std::uint32_t active = 0;
+  bool beyond = false;
+  for (int ch = 0; ch < channels; ++ch) {
+    const float least = std::min(top.least[ch], bottom.least[ch]);
+    const bool outOfReach = least >= static_cast<float>(TissueField::kReach_mm);
+    if (least > second || (outOfReach && beyond)) continue;
+    beyond = beyond || outOfReach;
+    active |= 1U << ch;
+  }
+  return active;
 }
 
 /// Spreads one value per cell to one per scanline.
@@ -82,19 +84,6 @@ class Spread {
   IntVec lowLanes_, highLanes_;
 };
 
-/// Distances of each lane's own channel, picked from rows of all channels.
-HWY_INLINE FloatVec pick(std::uint32_t active, IntVec channel, const TraceBuffers::NodeRow& row, int at) {
-  const CellTag d;
-  const CellIntTag di;
-  auto out = hn::Zero(d);
-  for (std::uint32_t left = active; left; left &= left - 1) {
-    const int ch = __builtin_ctz(left);
-    const auto mine = hn::RebindMask(d, hn::Eq(channel, hn::Set(di, ch)));
-    out = hn::IfThenElse(mine, hn::LoadU(d, row.distance[ch] + at), out);
-  }
-  return out;
-}
-
 struct NearestPair {
   IntVec a, b;
 };
@@ -121,18 +110,84 @@ HWY_INLINE NearestPair nearestPair(std::uint32_t active, const TraceBuffers::Nod
   return {a, b};
 }
 
-HWY_INLINE void computeCellRow(const TraceInput& in, int plane, int row, std::uint32_t active, TraceBuffers& b) {
+/// s = (dB - dA) / 2 at the corners of a cell, and at its first corner in the planes beside.
+struct CellDistances {
+  FloatVec corner[4], before, after;
+};
+
+HWY_INLINE CellDistances distancesOf(std::uint32_t active, const NearestPair& pair, const TraceBuffers::NodeRow& top,
+                                     const TraceBuffers::NodeRow& bottom, const TraceBuffers::NodeRow& before,
+                                     const TraceBuffers::NodeRow& after, int c) {
+  const CellTag d;
+  const CellIntTag di;
+  const auto half = hn::Set(d, 0.5F);
+  const auto zero = hn::Zero(d);
+  CellDistances s{{zero, zero, zero, zero}, zero, zero};
+  for (std::uint32_t left = active; left; left &= left - 1) {
+    const int ch = __builtin_ctz(left);
+    const auto lanes = hn::Set(di, ch);
+    // +1/2 where the channel is the second nearest, -1/2 where it is the nearest.
+    const auto sign = hn::Sub(hn::IfThenElseZero(hn::RebindMask(d, hn::Eq(pair.b, lanes)), half),
+                              hn::IfThenElseZero(hn::RebindMask(d, hn::Eq(pair.a, lanes)), half));
+    const auto add = [&](FloatVec& sum, const TraceBuffers::NodeRow& row, int at) {
+      sum = hn::MulAdd(sign, hn::LoadU(d, row.distance[ch] + at), sum);
+    };
+    add(s.corner[0], top, c), add(s.corner[1], top, c + 1), add(s.corner[2], bottom, c),
+        add(s.corner[3], bottom, c + 1);
+    add(s.before, before, c), add(s.after, after, c);
+  }
+  return s;
+}
+
+/// Acoustic constants of each lane's two structures.
+struct PairConstants {
+  FloatVec echo[2], loss[2], impedance[2];
+};
+
+HWY_INLINE PairConstants constantsOf(const TraceInput& in, std::uint32_t active, const NearestPair& pair, FloatVec ct) {
+  const CellTag d;
+  const CellIntTag di;
+  PairConstants k;
+  for (int side = 0; side < 2; ++side) k.echo[side] = k.loss[side] = k.impedance[side] = hn::Zero(d);
+  for (std::uint32_t left = active; left; left &= left - 1) {
+    const int ch = __builtin_ctz(left);
+    const ChannelConstants& channel = in.channels[ch];
+    const auto echo = hn::MulAdd(hn::Set(d, channel.ctEcho_dBperHU), ct, hn::Set(d, channel.echo_dB));
+    const auto loss = hn::Set(d, channel.loss_dB);
+    const auto impedance =
+        hn::MulAdd(hn::Set(d, channel.impedance * channel.ctImpedancePerHU), ct, hn::Set(d, channel.impedance));
+    for (int side = 0; side < 2; ++side) {
+      const auto mine = hn::RebindMask(d, hn::Eq(side == 0 ? pair.a : pair.b, hn::Set(di, ch)));
+      k.echo[side] = hn::IfThenElse(mine, echo, k.echo[side]);
+      k.loss[side] = hn::IfThenElse(mine, loss, k.loss[side]);
+      k.impedance[side] = hn::IfThenElse(mine, impedance, k.impedance[side]);
+    }
+  }
+  return k;
+}
+
+HWY_INLINE std::uint32_t channelBits(IntVec a, IntVec b) {
+  const CellIntTag di;
+  const auto one = hn::Set(di, 1);
+  alignas(64) std::int32_t bits[16];
+  hn::Store(hn::Or(hn::Shl(one, a), hn::Shl(one, b)), di, bits);
+  std::uint32_t all = 0;
+  for (std::size_t i = 0; i < hn::Lanes(di); ++i) all |= static_cast<std::uint32_t>(bits[i]);
+  return all;
+}
+
+HWY_INLINE void computeCellRow(const TraceInput& in, int plane, int row, TraceBuffers& b) {
   const CellTag d;
   const CellIntTag di;
   const FramePlan& plan = *in.plan;
-  const Effects& effects = plan.settings.effects;
   const int lastPlane = plan.settings.elevationPlanes - 1;
   const int lowPlane = std::max(plane - 1, 0), highPlane = std::min(plane + 1, lastPlane);
   const auto &top = b.nodes[plane][row & 1], &bottom = b.nodes[plane][(row + 1) & 1];
   const auto &before = b.nodes[lowPlane][row & 1], &after = b.nodes[highPlane][row & 1];
   TraceBuffers::CellRow& cells = b.cells[plane];
   const Spread spread(plan.cellLines);
-  const bool onePair = in.scene->field.channels == 1;
+  const int channels = in.scene->field.channels;
+  const std::uint32_t active = activeChannels(channels, top, bottom);
 
   const double range_mm = plan.range_mm((row + 0.5) * plan.cellGates);
   const auto perAxial = hn::Set(d, static_cast<float>(0.5 / (plan.cellGates * plan.gate_mm)));
@@ -142,21 +197,21 @@ HWY_INLINE void computeCellRow(const TraceInput& in, int plane, int row, std::ui
   const float elevationStep_mm = in.elevation_mm[highPlane * std::size_t(plan.gates) + gate] -
                                  in.elevation_mm[lowPlane * std::size_t(plan.gates) + gate];
   const auto perElevation = hn::Set(d, lastPlane > 0 ? 1 / elevationStep_mm : 0.0F);
-  const auto half = hn::Set(d, 0.5F), one = hn::Set(d, 1.0F), quarter = hn::Set(d, 0.25F);
+  const auto one = hn::Set(d, 1.0F), quarter = hn::Set(d, 0.25F);
+  const auto edgeCosine = hn::Set(d, static_cast<float>(acoustics::kEdgeCosine));
   std::uint32_t present = 0;
   auto nearest = hn::Set(d, 1e30F);
 
   for (int c = 0; c < kBlockLines / plan.cellLines; c += static_cast<int>(hn::Lanes(d))) {
     const NearestPair pair = nearestPair(active, top, bottom, c);
-    const auto corner = [&](const TraceBuffers::NodeRow& r, int at) {
-      if (onePair) return hn::Set(d, static_cast<float>(TissueField::kReach_mm));
-      return hn::Mul(hn::Sub(pick(active, pair.b, r, at), pick(active, pair.a, r, at)), half);
-    };
-    const auto s0 = corner(top, c), s1 = corner(top, c + 1), s2 = corner(bottom, c), s3 = corner(bottom, c + 1);
-    const auto axial = hn::Mul(hn::Add(hn::Sub(s2, s0), hn::Sub(s3, s1)), perAxial);
-    const auto lateral = hn::Mul(hn::Add(hn::Sub(s1, s0), hn::Sub(s3, s2)), perLateral);
+    CellDistances s = distancesOf(active, pair, top, bottom, before, after, c);
+    if (channels == 1)
+      for (FloatVec& v : s.corner) v = hn::Set(d, static_cast<float>(TissueField::kReach_mm));
+    const auto axial = hn::Mul(hn::Add(hn::Sub(s.corner[2], s.corner[0]), hn::Sub(s.corner[3], s.corner[1])), perAxial);
+    const auto lateral =
+        hn::Mul(hn::Add(hn::Sub(s.corner[1], s.corner[0]), hn::Sub(s.corner[3], s.corner[2])), perLateral);
     const auto inPlane2 = hn::MulAdd(axial, axial, hn::Mul(lateral, lateral));
-    const auto elevation = lastPlane > 0 ? hn::Mul(hn::Sub(corner(after, c), corner(before, c)), perElevation)
+    const auto elevation = lastPlane > 0 ? hn::Mul(hn::Sub(s.after, s.before), perElevation)
                                          : hn::Sqrt(hn::Max(hn::Sub(one, inPlane2), hn::Zero(d)));
     const auto gradient = hn::Sqrt(hn::MulAdd(elevation, elevation, inPlane2));
     const auto cosine = hn::Min(one, hn::Div(hn::Abs(axial), hn::Max(gradient, hn::Set(d, 0.3F))));
@@ -168,40 +223,27 @@ HWY_INLINE void computeCellRow(const TraceInput& in, int plane, int row, std::ui
                              hn::Add(hn::LoadU(d, u + c), hn::LoadU(d, u + c + 1))),
                      quarter);
     };
-    const auto ct = effects.texture ? average(top.ct, bottom.ct) : hn::Zero(d);
-    const ChannelConstants& k = in.channels;
-    const auto withCt = [&](const float* base, const float* perHu, IntVec channel) {
-      return hn::MulAdd(hn::GatherIndex(d, perHu, channel), ct, hn::GatherIndex(d, base, channel));
-    };
-    const auto impedance = [&](IntVec channel) {
-      const auto z = hn::GatherIndex(d, k.impedance, channel);
-      return hn::MulAdd(hn::Mul(z, hn::GatherIndex(d, k.ctImpedancePerHU, channel)), ct, z);
-    };
-    spread.storeMixed(s0, s1, cells.sTop, c);
-    spread.storeMixed(s2, s3, cells.sBottom, c);
+    const auto ct = plan.settings.effects.texture && in.anyCt ? average(top.ct, bottom.ct) : hn::Zero(d);
+    const PairConstants k = constantsOf(in, active, pair, ct);
+    const auto pairIndex = hn::Add(hn::ShiftLeft<4>(pair.a), pair.b);
+    static_assert(TissueField::kStride == 16);
+    const auto edge = hn::IfThenElseZero(hn::Lt(cosine, edgeCosine), hn::GatherIndex(d, in.edgeLoss_dB, pairIndex));
+    const auto profile =
+        hn::Mul(hn::Add(hn::Mul(pair.a, hn::Set(di, channels)), pair.b), hn::Set(di, BoundaryProfiles::kEntries));
+    spread.storeMixed(s.corner[0], s.corner[1], cells.sTop, c);
+    spread.storeMixed(s.corner[2], s.corner[3], cells.sBottom, c);
     spread.store(cosine, cells.cosine, c);
     spread.store(facing, cells.facing_dB, c);
     spread.store(average(top.patch, bottom.patch), cells.patch, c);
-    spread.store(withCt(k.echo_dB, k.ctEcho_dBperHU, pair.a), cells.echoA, c);
-    spread.store(withCt(k.echo_dB, k.ctEcho_dBperHU, pair.b), cells.echoB, c);
-    spread.store(hn::GatherIndex(d, k.loss_dB, pair.a), cells.lossA, c);
-    spread.store(hn::GatherIndex(d, k.loss_dB, pair.b), cells.lossB, c);
-    spread.store(impedance(pair.a), cells.impedanceA, c);
-    spread.store(impedance(pair.b), cells.impedanceB, c);
+    spread.store(k.echo[0], cells.echoA, c), spread.store(k.echo[1], cells.echoB, c);
+    spread.store(k.loss[0], cells.lossA, c), spread.store(k.loss[1], cells.lossB, c);
+    spread.store(k.impedance[0], cells.impedanceA, c), spread.store(k.impedance[1], cells.impedanceB, c);
+    spread.store(edge, cells.edgeLoss, c);
     spread.store(average(top.inside, bottom.inside), cells.inside, c);
-    spread.store(pair.a, cells.channelA, c);
-    spread.store(pair.b, cells.channelB, c);
-    const auto profile = hn::Mul(hn::Add(hn::Mul(pair.a, hn::Set(di, in.scene->field.channels)), pair.b),
-                                 hn::Set(di, BoundaryProfiles::kEntries));
+    spread.store(pair.a, cells.channelA, c), spread.store(pair.b, cells.channelB, c);
     spread.store(profile, cells.profile, c);
-    nearest = hn::Min(nearest, hn::Min(hn::Min(hn::Abs(s0), hn::Abs(s1)), hn::Min(hn::Abs(s2), hn::Abs(s3))));
-  }
-  for (int l = 0; l < kBlockLines; ++l) {
-    const int a = cells.channelA[l], bb = cells.channelB[l];
-    present |= 1U << a | 1U << bb;
-    const AcousticTissue &first = *in.channels.tissue[a], &second = *in.channels.tissue[bb];
-    const bool vessel = (first.vessel || second.vessel) && !acousticallyEqual(first, second);
-    cells.edgeLoss[l] = vessel && cells.cosine[l] < static_cast<float>(acoustics::kEdgeCosine) ? in.edgeLoss_dB : 0.0F;
+    present |= channelBits(pair.a, pair.b);
+    for (const FloatVec& v : s.corner) nearest = hn::Min(nearest, hn::Abs(v));
   }
   cells.channelsPresent = present;
   // A cell is less than a millimetre: no sample of it is nearer to the boundary than its nearest corner by more.

@@ -2,8 +2,10 @@
 
 #include "cpu/BeamKernel.h"
 #include "cpu/TraceInput.h"
+#include "model/Boundary.h"
 #include "model/PointEchoes.h"
 #include "model/Reverberation.h"
+#include "thesis/ThesisCpu.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/info.h>
@@ -34,6 +36,12 @@ struct Workspace {
   double axial_ms = 0, lateral_ms = 0;
 };
 
+void setRay(RayArrays& rays, std::size_t at, Vec3 origin, Vec3 direction) {
+  rays.x[at] = static_cast<float>(origin.x), rays.dx[at] = static_cast<float>(direction.x);
+  rays.y[at] = static_cast<float>(origin.y), rays.dy[at] = static_cast<float>(direction.y);
+  rays.z[at] = static_cast<float>(origin.z), rays.dz[at] = static_cast<float>(direction.z);
+}
+
 class StopWatch {
  public:
   double ms() const { return std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
@@ -48,16 +56,17 @@ class CpuEngine final : public Engine {
   std::string_view name() const override { return "cpu"; }
   void prepare(const Probe& probe, const ImagingSettings& settings) override;
   void render(const AcousticScene& scene, const Transform& patientFromProbe, EnvelopeFrame& envelope) override;
-  const std::vector<Stage>& stages() const override { return stages_; }
+  const std::vector<Stage>& stages() const override { return thesis_ ? thesis_->stages() : stages_; }
 
  private:
   void provideWorkspaces(int threads);
   void setChannels(const AcousticScene::Impl& scene);
   void setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe);
-  void setScanlines(const Transform& patientFromProbe);
+  void setScanlines(const Transform& patientFromProbe, const ScattererLattice& lattice);
   void traceLines(int firstLine, const std::vector<PointEcho>& points);
   void reverberate(Workspace& work) const;
 
+  std::unique_ptr<thesis::ThesisCpu> thesis_;  ///< where the settings ask for its look; the rest is then idle
   std::optional<FramePlan> plan_;
   std::optional<Reverberation> behindGas_;
   BeamTables tables_;
@@ -69,6 +78,8 @@ class CpuEngine final : public Engine {
 };
 
 void CpuEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
+  thesis_ = settings.look == Look::Thesis ? std::make_unique<thesis::ThesisCpu>(probe, settings) : nullptr;
+  if (thesis_) return;
   const FramePlan& plan = plan_.emplace(probe, settings);
   behindGas_.emplace(plan);
   tables_ = BeamTables(plan);
@@ -87,10 +98,13 @@ void CpuEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
   input_ = {};
   input_.plan = &plan;
   input_.lines.resize(paddedLines);
-  input_.columns.resize(plan.nodeColumns);
+  input_.latticeLines.resize(paddedLines);
+  // Vectors may run past the last column.
+  const int paddedColumns = paddedLines / plan.cellLines + kMaxColumns;
+  input_.columns.resize(paddedColumns);
   input_.lineGap_mm.resize(paddedLines);
   input_.lineLevel_dB.resize(paddedLines);
-  input_.columnGap_mm.resize(plan.nodeColumns);
+  input_.columnGap_mm.resize(paddedColumns);
   contacts_.resize(plan.nodeColumns);
   const auto decayAt = [&](double gate) {
     return static_cast<float>(std::exp(-plan.range_mm(gate) / acoustics::kContactDepth_mm));
@@ -103,8 +117,6 @@ void CpuEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
       input_.scatterScale.push_back(
           settings.effects.speckle ? static_cast<float>(plan.scatterScale[g] * plan.scatterWeight[p]) : 0.0F);
     }
-  const double perGate = plan.gate_mm / 10;
-  input_.edgeLoss_dB = static_cast<float>(2 * acoustics::kEdgeLoss_dBpcmMHz * settings.frequency_MHz * perGate);
   stages_ = {{"contact"}, {"structures"}, {"echoes"}, {"axial beam"}, {"lateral beam"}};
 }
 
@@ -122,54 +134,78 @@ void CpuEngine::provideWorkspaces(int threads) {
 
 void CpuEngine::setChannels(const AcousticScene::Impl& scene) {
   const FramePlan& plan = *plan_;
-  ChannelConstants& k = input_.channels;
-  k = {};
+  const double f_MHz = plan.settings.frequency_MHz, perGate_cm = plan.gate_mm / 10;
+  input_.gasChannels = 0;
+  input_.anyCt = false;
   for (int c = 0; c < scene.field.channels; ++c) {
     const AcousticTissue& tissue = scene.table.of(scene.field.label[c]);
-    k.tissue[c] = &tissue;
-    k.tile[c] = &textureTile(tissue.texture);
-    k.loss_dB[c] =
-        static_cast<float>(2 * tissue.attenuation_dBpcmMHz *
-                           std::pow(plan.settings.frequency_MHz, tissue.attenuationExponent) * plan.gate_mm / 10);
-    k.echo_dB[c] = static_cast<float>(tissue.echogenicity_dB);
-    k.ctEcho_dBperHU[c] = static_cast<float>(tissue.ctEchogenicity_dBper100HU / 100);
-    k.impedance[c] = static_cast<float>(tissue.impedance_MRayl);
-    k.ctImpedancePerHU[c] = static_cast<float>(tissue.ctImpedancePer100HU / 100);
-    k.anyCt |= tissue.ctEchogenicity_dBper100HU != 0 || tissue.ctImpedancePer100HU != 0;
+    ChannelConstants& k = input_.channels[c];
+    k.tissue = &tissue;
+    k.tile = &textureTile(tissue.texture);
+    k.textured = tissue.texture != Texture::None;
+    k.sheets = hasSheets(tissue.texture);
+    k.gas = tissue.gas;
+    k.loss_dB =
+        static_cast<float>(2 * tissue.attenuation_dBpcmMHz * std::pow(f_MHz, tissue.attenuationExponent) * perGate_cm);
+    k.echo_dB = static_cast<float>(tissue.echogenicity_dB);
+    k.ctEcho_dBperHU = static_cast<float>(tissue.ctEchogenicity_dBper100HU / 100);
+    k.impedance = static_cast<float>(tissue.impedance_MRayl);
+    k.ctImpedancePerHU = static_cast<float>(tissue.ctImpedancePer100HU / 100);
+    k.textureStrength_dB = static_cast<float>(tissue.textureStrength_dB);
+    for (int side = 0; side < 2; ++side) {
+      const TextureFrame& frame = scene.textureFrames[scene.field.label[c]][side];
+      k.side[side] = {FloatMatrix(frame.tileFromPatient), static_cast<float>(frame.thinAxis.x),
+                      static_cast<float>(frame.thinAxis.y), static_cast<float>(frame.thinAxis.z)};
+    }
+    if (tissue.gas) input_.gasChannels |= 1U << c;
+    input_.anyCt |= tissue.ctEchogenicity_dBper100HU != 0 || tissue.ctImpedancePer100HU != 0;
   }
+  const double edgeLoss_dB = 2 * acoustics::kEdgeLoss_dBpcmMHz * f_MHz * perGate_cm;
+  for (int a = 0; a < scene.field.channels; ++a)
+    for (int b = 0; b < scene.field.channels; ++b) {
+      const AcousticTissue &first = *input_.channels[a].tissue, &second = *input_.channels[b].tissue;
+      const bool grazes = (first.vessel || second.vessel) && !acousticallyEqual(first, second);
+      input_.edgeLoss_dB[a * TissueField::kStride + b] = grazes ? static_cast<float>(edgeLoss_dB) : 0.0F;
+    }
 }
 
 void CpuEngine::setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe) {
   const FramePlan& plan = *plan_;
   tbb::parallel_for(0, plan.nodeColumns, [&](int column) {
     const double line = column * plan.cellLines;
-    const Vec3 origin = patientFromProbe * plan.grid.origin(line);
-    const Vec3 direction = patientFromProbe.linear * plan.grid.direction(line);
-    contacts_[column] = contactOf(scene.field, origin, direction);
-    RayArrays& a = input_.columns;
-    a.x[column] = static_cast<float>(origin.x), a.dx[column] = static_cast<float>(direction.x);
-    a.y[column] = static_cast<float>(origin.y), a.dy[column] = static_cast<float>(direction.y);
-    a.z[column] = static_cast<float>(origin.z), a.dz[column] = static_cast<float>(direction.z);
-    input_.columnGap_mm[column] = plan.settings.conformingContact ? static_cast<float>(contacts_[column].gap_mm) : 0.0F;
+    contacts_[column] = contactOf(scene.field, patientFromProbe * plan.grid.origin(line),
+                                  patientFromProbe.linear * plan.grid.direction(line));
   });
-  setScanlines(patientFromProbe);
+  for (std::size_t c = 0; c < input_.columnGap_mm.size(); ++c) {
+    const int column = std::min(static_cast<int>(c), plan.nodeColumns - 1);
+    const double line = column * plan.cellLines;
+    setRay(input_.columns, c, patientFromProbe * plan.grid.origin(line),
+           patientFromProbe.linear * plan.grid.direction(line));
+    input_.columnGap_mm[c] = plan.settings.conformingContact ? static_cast<float>(contacts_[column].gap_mm) : 0.0F;
+  }
+  const auto f = [](double v) { return static_cast<float>(v); };
+  const Vec3 elevation = patientFromProbe.linear.column[1];
+  const ScattererLattice lattice(elevation, plan.latticePitch_mm, plan.latticeElevationPitch_mm);
+  const Vec3 latticeElevation = lattice.latticeFromPatient * elevation;
   input_.scene = &scene;
-  input_.elevationAxis = patientFromProbe.linear.column[1];
-  const ScattererLattice lattice(input_.elevationAxis, plan.latticePitch_mm, plan.latticeElevationPitch_mm);
-  input_.latticeFromPatient = lattice.latticeFromPatient;
+  input_.elevationX = f(elevation.x), input_.elevationY = f(elevation.y), input_.elevationZ = f(elevation.z);
+  input_.latticeElevationX = f(latticeElevation.x), input_.latticeElevationY = f(latticeElevation.y),
+  input_.latticeElevationZ = f(latticeElevation.z);
   input_.latticeSeed = lattice.seed;
+  const Transform& node = scene.field.nodeFromPatient;
+  input_.nodeFromPatient = FloatMatrix(node.linear);
+  input_.nodeOffsetX = f(node.offset.x), input_.nodeOffsetY = f(node.offset.y), input_.nodeOffsetZ = f(node.offset.z);
+  setScanlines(patientFromProbe, lattice);
 }
 
-void CpuEngine::setScanlines(const Transform& patientFromProbe) {
+void CpuEngine::setScanlines(const Transform& patientFromProbe, const ScattererLattice& lattice) {
   const FramePlan& plan = *plan_;
   for (std::size_t l = 0; l < input_.lines.x.size(); ++l) {
     const int line = std::min(static_cast<int>(l), plan.lines - 1);
     const Vec3 origin = patientFromProbe * plan.grid.origin(line);
     const Vec3 direction = patientFromProbe.linear * plan.grid.direction(line);
-    RayArrays& a = input_.lines;
-    a.x[l] = static_cast<float>(origin.x), a.dx[l] = static_cast<float>(direction.x);
-    a.y[l] = static_cast<float>(origin.y), a.dy[l] = static_cast<float>(direction.y);
-    a.z[l] = static_cast<float>(origin.z), a.dz[l] = static_cast<float>(direction.z);
+    setRay(input_.lines, l, origin, direction);
+    setRay(input_.latticeLines, l, lattice.latticeFromPatient * origin, lattice.latticeFromPatient * direction);
     const int column = line / plan.cellLines;
     const double t = double(line - column * plan.cellLines) / plan.cellLines;
     const Contact &left = contacts_[column], &right = contacts_[column + 1];
@@ -214,6 +250,7 @@ void CpuEngine::traceLines(int firstLine, const std::vector<PointEcho>& points) 
 }
 
 void CpuEngine::render(const AcousticScene& sceneHandle, const Transform& patientFromProbe, EnvelopeFrame& envelope) {
+  if (thesis_) return thesis_->render(sceneHandle.impl(), patientFromProbe, envelope);
   const FramePlan& plan = *plan_;
   const AcousticScene::Impl& scene = sceneHandle.impl();
   envelope.resize(plan.lines, plan.grid.samples(), plan.settings.looks);

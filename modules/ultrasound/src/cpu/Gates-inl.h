@@ -73,23 +73,34 @@ struct Point {
   GateVec x, y, z;
 };
 
-HWY_INLINE Point rotated(const Mat3& m, const Point& p) {
+HWY_INLINE Point rotated(const FloatMatrix& m, const Point& p) {
   const GateTag d;
-  const auto row = [&](double Vec3::*a) {
-    const auto c0 = hn::Set(d, static_cast<float>(m.column[0].*a)), c1 = hn::Set(d, static_cast<float>(m.column[1].*a)),
-               c2 = hn::Set(d, static_cast<float>(m.column[2].*a));
-    return hn::MulAdd(c0, p.x, hn::MulAdd(c1, p.y, hn::Mul(c2, p.z)));
+  const auto row = [&](float x, float y, float z) {
+    return hn::MulAdd(hn::Set(d, x), p.x, hn::MulAdd(hn::Set(d, y), p.y, hn::Mul(hn::Set(d, z), p.z)));
   };
-  return {row(&Vec3::x), row(&Vec3::y), row(&Vec3::z)};
+  return {row(m.xx, m.xy, m.xz), row(m.yx, m.yy, m.yz), row(m.zx, m.zy, m.zz)};
 }
 
-/// See scattererAmplitudes(): adds amplitude times {re, im} of each look to `sum`.
+/// Points on the scanlines from a block's l-th on, at these ranges, in the frame of the arrays.
+HWY_INLINE Point pointsOn(const RayArrays& rays, int line, GateVec range) {
+  const GateTag d;
+  const auto along = [&](const std::vector<float>& origin, const std::vector<float>& direction) {
+    return hn::MulAdd(hn::LoadU(d, direction.data() + line), range, hn::LoadU(d, origin.data() + line));
+  };
+  return {along(rays.x, rays.dx), along(rays.y, rays.dy), along(rays.z, rays.dz)};
+}
+
+HWY_INLINE Point shifted(const Point& p, float x, float y, float z, float by) {
+  const GateTag d;
+  return {hn::Add(p.x, hn::Set(d, x * by)), hn::Add(p.y, hn::Set(d, y * by)), hn::Add(p.z, hn::Set(d, z * by))};
+}
+
+/// See scattererAmplitudes(): adds amplitude times {re, im} of each look to `sum`; p in the scatterers' lattice.
 template <int kLooks>
-HWY_INLINE void addScatterers(const TraceInput& in, const Point& patient, GateVec amplitude, GateVec* sum) {
+HWY_INLINE void addScatterers(std::uint32_t latticeSeed, const Point& p, GateVec amplitude, GateVec* sum) {
   const GateTag d;
   const GateIntTag di;
   const GateUintTag du;
-  const Point p = rotated(in.latticeFromPatient, patient);
   const auto wx = hn::Floor(p.x), wy = hn::Floor(p.y), wz = hn::Floor(p.z);
   const auto fx = hn::Sub(p.x, wx), fy = hn::Sub(p.y, wy), fz = hn::Sub(p.z, wz);
   const auto key = [&](GateVec whole, std::uint32_t factor) {
@@ -98,7 +109,7 @@ HWY_INLINE void addScatterers(const TraceInput& in, const Point& patient, GateVe
   constexpr std::uint32_t kX = 0x8da6b343U, kY = 0xd8163841U, kZ = 0xcb1ab31fU;  // of hashNode()
   const auto x0 = key(wx, kX), y0 = key(wy, kY), z0 = hn::Xor(key(wz, kZ), hn::Zero(du));
   const auto x1 = hn::Add(x0, hn::Set(du, kX)), y1 = hn::Add(y0, hn::Set(du, kY)), z1 = hn::Add(z0, hn::Set(du, kZ));
-  const auto seed = hn::Set(du, in.latticeSeed);
+  const auto seed = hn::Set(du, latticeSeed);
 
   const auto xy = hn::Ge(fx, fy), yz = hn::Ge(fy, fz), xz = hn::Ge(fx, fz);
   const auto firstX = hn::And(xy, xz), firstY = hn::AndNot(xy, yz);
@@ -142,10 +153,11 @@ HWY_INLINE void addScatterers(const TraceInput& in, const Point& patient, GateVe
 }
 
 /// Texture of one structure, -1..1, bright parts as far as the beam meets them squarely.
-HWY_INLINE GateVec textureOf(const TextureTile& tile, const TextureFrame& frame, const Point& patient, GateVec facing) {
+HWY_INLINE GateVec textureOf(const TextureTile& tile, const FloatMatrix& tileFromPatient, const Point& patient,
+                             GateVec facing) {
   const GateTag d;
   const GateIntTag di;
-  const Point t = rotated(frame.tileFromPatient, patient);
+  const Point t = rotated(tileFromPatient, patient);
   const auto index = [&](GateVec at, int size) {
     return hn::And(hn::ConvertTo(di, hn::Floor(at)), hn::Set(di, size - 1));
   };
@@ -176,19 +188,20 @@ HWY_INLINE void addTexture(const TraceInput& in, std::uint32_t present, GateInt 
   const auto right = hn::Lt(patient.x, hn::Set(d, static_cast<float>(in.scene->midline_mm)));
   for (std::uint32_t left = present; left; left &= left - 1) {
     const int ch = __builtin_ctz(left);
-    const AcousticTissue& tissue = *in.channels.tissue[ch];
-    if (tissue.texture == Texture::None) continue;
+    const ChannelConstants& structure = in.channels[ch];
+    if (!structure.textured) continue;
     const auto mine = hn::RebindMask(d, hn::Eq(channel, hn::Set(di, ch)));
+    if (hn::AllFalse(d, mine)) continue;
     for (int side = 0; side < 2; ++side) {
       const auto lanes = side == 0 ? hn::And(mine, right) : hn::AndNot(right, mine);
       if (hn::AllFalse(d, lanes)) continue;
-      const TextureFrame& frame = in.scene->textureFrames[in.scene->field.label[ch]][side];
-      const auto facing = hn::MulAdd(beam.x, hn::Set(d, static_cast<float>(frame.thinAxis.x)),
-                                     hn::MulAdd(beam.y, hn::Set(d, static_cast<float>(frame.thinAxis.y)),
-                                                hn::Mul(beam.z, hn::Set(d, static_cast<float>(frame.thinAxis.z)))));
-      const auto value = hn::IfThenElseZero(lanes, textureOf(*in.channels.tile[ch], frame, patient, facing));
-      here.echo_dB = hn::MulAdd(value, hn::Set(d, static_cast<float>(tissue.textureStrength_dB)), here.echo_dB);
-      if (hasSheets(tissue.texture)) here.sheet = hn::Max(here.sheet, value);
+      const ChannelConstants::Side& frame = structure.side[side];
+      const auto facing =
+          hn::MulAdd(beam.x, hn::Set(d, frame.thinX),
+                     hn::MulAdd(beam.y, hn::Set(d, frame.thinY), hn::Mul(beam.z, hn::Set(d, frame.thinZ))));
+      const auto value = hn::IfThenElseZero(lanes, textureOf(*structure.tile, frame.tileFromPatient, patient, facing));
+      here.echo_dB = hn::MulAdd(value, hn::Set(d, structure.textureStrength_dB), here.echo_dB);
+      if (structure.sheets) here.sheet = hn::Max(here.sheet, value);
     }
   }
 }
@@ -232,7 +245,7 @@ HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, 
   if (above == in.scene->field.backgroundChannel && plan.range_mm(gate - 1) < acoustics::kContactReach_mm)
     return;  // gel
   const float reflection = (impedance - state.impedance[l]) / (impedance + state.impedance[l]);
-  const AcousticTissue &first = *in.channels.tissue[above], &second = *in.channels.tissue[channel];
+  const AcousticTissue &first = *in.channels[above].tissue, &second = *in.channels[channel].tissue;
   if (plan.settings.effects.reflection && state.level_dB[l] > kSilent_dB && reflection != 0) {
     const double roughness_dB = plan.settings.effects.texture ? second.roughness_dB * cells.patch[l] : 0;
     const double echo = std::pow(10.0, (state.level_dB[l] + acoustics::kReflectorGain_dB + roughness_dB) / 20) *
@@ -258,7 +271,7 @@ HWY_INLINE void findGas(const TraceInput& in, int gate, bool gelPossible, TraceB
     if (b.gasGate[l] != kNoGasYet) continue;
     const int channel = b.state[central].channel[l];
     const bool gel = gelPossible && channel == in.scene->field.backgroundChannel;
-    if (!in.channels.tissue[channel]->gas || gel)
+    if (!in.channels[channel].gas || gel)
       b.tissueSeen[l] = 1;
     else if (b.tissueSeen[l])
       b.gasGate[l] = gate;
@@ -285,9 +298,7 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
     const auto r = hn::MulAdd(hn::LoadU(d, in.lineGap_mm.data() + line), decay, range);
     const Point beam{hn::LoadU(d, in.lines.dx.data() + line), hn::LoadU(d, in.lines.dy.data() + line),
                      hn::LoadU(d, in.lines.dz.data() + line)};
-    const Point onPlane{hn::MulAdd(beam.x, r, hn::LoadU(d, in.lines.x.data() + line)),
-                        hn::MulAdd(beam.y, r, hn::LoadU(d, in.lines.y.data() + line)),
-                        hn::MulAdd(beam.z, r, hn::LoadU(d, in.lines.z.data() + line))};
+    const Point onPlane = pointsOn(in.lines, line, r), onLattice = pointsOn(in.latticeLines, line, r);
     for (int p = 0; p < planes; ++p) {
       const TraceBuffers::CellRow& cells = b.cells[p];
       TraceBuffers::LineState& state = b.state[p];
@@ -331,19 +342,21 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
       if (gelPossible) level = hn::IfThenElse(gel, hn::Set(d, kLostLevel_dB), level);
       if (!effects.scattering || hn::AllTrue(d, hn::Lt(level, hn::Set(d, kSilent_dB)))) continue;
 
-      const auto e = hn::Set(d, in.elevation_mm[std::size_t(p) * plan.gates + gate]);
-      const auto at = [&](GateVec v, double axis) { return hn::MulAdd(hn::Set(d, static_cast<float>(axis)), e, v); };
-      const Point patient{at(onPlane.x, in.elevationAxis.x), at(onPlane.y, in.elevationAxis.y),
-                          at(onPlane.z, in.elevationAxis.z)};
+      const float e = in.elevation_mm[std::size_t(p) * plan.gates + gate];
       Scattering here{echo, hn::Zero(d)};
-      if (effects.texture) addTexture(in, cells.channelsPresent, channel, patient, beam, here);
+      if (effects.texture)
+        addTexture(in, cells.channelsPresent, channel, shifted(onPlane, in.elevationX, in.elevationY, in.elevationZ, e),
+                   beam, here);
       if (effects.layers && cells.nearBoundary) addLayers(in, cells, l, s, here);
       const auto amplitude = amplitudeOf(hn::Add(level, here.echo_dB));
       const auto plane = hn::Set(d, static_cast<float>(plan.boundaryWeight[p]));
       const auto inPhase = hn::Mul(hn::Mul(amplitude, plane), effects.speckle ? here.sheet : hn::Set(d, 1.0F));
       for (int look = 0; look < kLooks; ++look) sum[2 * look] = hn::Add(sum[2 * look], inPhase);
       const auto scale = hn::Set(d, in.scatterScale[std::size_t(p) * plan.gates + gate]);
-      if (effects.speckle) addScatterers<kLooks>(in, patient, hn::Mul(amplitude, scale), sum);
+      if (effects.speckle)
+        addScatterers<kLooks>(in.latticeSeed,
+                              shifted(onLattice, in.latticeElevationX, in.latticeElevationY, in.latticeElevationZ, e),
+                              hn::Mul(amplitude, scale), sum);
     }
     for (int c = 0; c < 2 * kLooks; ++c) {
       float* out = b.echo.get() + (std::size_t(c) * plan.gates + gate) * kBlockLines + l;

@@ -21,16 +21,33 @@ inline constexpr int kMaxPlanes = 9;
 template <class T>
 using AlignedArray = hwy::AlignedFreeUniquePtr<T[]>;
 
-/// Acoustic constants by channel of the tissue field, floats for the kernels.
+/// A linear map as floats, rows by rows.
+struct FloatMatrix {
+  float xx = 0, xy = 0, xz = 0, yx = 0, yy = 0, yz = 0, zx = 0, zy = 0, zz = 0;
+
+  FloatMatrix() = default;
+  explicit FloatMatrix(const Mat3& m) {
+    const auto& c = m.column;
+    const auto f = [](double v) { return static_cast<float>(v); };
+    xx = f(c[0].x), xy = f(c[1].x), xz = f(c[2].x);
+    yx = f(c[0].y), yy = f(c[1].y), yz = f(c[2].y);
+    zx = f(c[0].z), zy = f(c[1].z), zz = f(c[2].z);
+  }
+};
+
+/// Acoustic constants of one channel of the tissue field, floats for the kernels.
 struct ChannelConstants {
-  alignas(64) float loss_dB[TissueField::kStride]{};  ///< per gate, there and back
-  alignas(64) float echo_dB[TissueField::kStride]{};
-  alignas(64) float ctEcho_dBperHU[TissueField::kStride]{};
-  alignas(64) float impedance[TissueField::kStride]{};
-  alignas(64) float ctImpedancePerHU[TissueField::kStride]{};
-  const AcousticTissue* tissue[TissueField::kStride]{};
-  const TextureTile* tile[TissueField::kStride]{};
-  bool anyCt = false;
+  float loss_dB = 0;  ///< per gate, there and back
+  float echo_dB = 0, ctEcho_dBperHU = 0;
+  float impedance = 0, ctImpedancePerHU = 0;
+  float textureStrength_dB = 0;
+  bool textured = false, sheets = false, gas = false;
+  const AcousticTissue* tissue = nullptr;
+  const TextureTile* tile = nullptr;
+  struct Side {
+    FloatMatrix tileFromPatient;
+    float thinX = 0, thinY = 0, thinZ = 0;
+  } side[2];  ///< right, left of the midline
 };
 
 /// Patient-frame geometry of scanlines (or node columns), one array a coordinate.
@@ -45,17 +62,22 @@ struct RayArrays {
 struct TraceInput {
   const FramePlan* plan = nullptr;
   const AcousticScene::Impl* scene = nullptr;
-  ChannelConstants channels;
+  ChannelConstants channels[TissueField::kStride];
+  float edgeLoss_dB[TissueField::kStride * TissueField::kStride]{};  ///< per gate, by pair of channels
+  std::uint32_t gasChannels = 0;                                     ///< a bit each
+  bool anyCt = false;
   RayArrays lines, columns;                     ///< lines padded to whole blocks
   std::vector<float> lineGap_mm, lineLevel_dB;  ///< contact; level is 20 log10 of its strength
   std::vector<float> columnGap_mm;
-  std::vector<float> contactDecay;  ///< [gate or node row's gate]
-  std::vector<float> elevation_mm;  ///< [plane][gate]
-  std::vector<float> scatterScale;  ///< [plane][gate]
-  Vec3 elevationAxis;
-  Mat3 latticeFromPatient;
+  std::vector<float> contactDecay;                       ///< [gate or node row's gate]
+  std::vector<float> elevation_mm;                       ///< [plane][gate]
+  std::vector<float> scatterScale;                       ///< [plane][gate]
+  RayArrays latticeLines;                                ///< the scanlines in the scatterers' lattice
+  float elevationX = 0, elevationY = 0, elevationZ = 0;  ///< unit, patient
+  float latticeElevationX = 0, latticeElevationY = 0, latticeElevationZ = 0;
   std::uint32_t latticeSeed = 0;
-  float edgeLoss_dB = 0;  ///< per gate
+  FloatMatrix nodeFromPatient;
+  float nodeOffsetX = 0, nodeOffsetY = 0, nodeOffsetZ = 0;
 };
 
 inline constexpr std::int32_t kNoGasYet = -1, kNoGasEver = -2;
@@ -67,7 +89,8 @@ struct TraceBuffers {
     alignas(64) float distance[TissueField::kStride][kMaxColumns];
     alignas(64) float ct[kMaxColumns];
     alignas(64) float patch[kMaxColumns];
-    alignas(64) float inside[kMaxColumns];  ///< 1 or 0
+    alignas(64) float inside[kMaxColumns];                          ///< 1 or 0
+    float least[TissueField::kStride], most[TissueField::kStride];  ///< of each channel's distances
   };
   /// One row of cells, spread to scanlines.
   struct CellRow {

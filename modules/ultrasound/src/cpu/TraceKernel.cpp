@@ -25,8 +25,7 @@ void traceLooks(const TraceInput& in, int firstLine, TraceBuffers& b, TraceTimes
   for (int row = 0; row + 1 < plan.nodeRows; ++row) {
     const auto start = Clock::now();
     for (int p = 0; p < planes; ++p) computeNodeRow(in, firstLine, p, row + 1, b.nodes[p][(row + 1) & 1]);
-    const std::uint32_t active = activeChannels(in, row, b);
-    for (int p = 0; p < planes; ++p) computeCellRow(in, p, row, active, b);
+    for (int p = 0; p < planes; ++p) computeCellRow(in, p, row, b);
     const auto middle = Clock::now();
     const int end = std::min(plan.gates, (row + 1) * plan.cellGates);
     for (int gate = row * plan.cellGates; gate < end; ++gate) traceGate<kLooks>(in, firstLine, row, gate, b);
