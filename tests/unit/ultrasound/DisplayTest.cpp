@@ -1,6 +1,6 @@
 #include "DisplaySupport.h"
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
@@ -13,10 +13,12 @@ using test::display;
 using test::frameOf;
 using test::greyAt;
 using test::uniformFrame;
-using testing::Each;
-using testing::Eq;
 
 constexpr double kGreyPerDb = 255.0 / 60;
+
+int brightest(const BModeImage& image) {
+  return *std::max_element(image.grey.begin(), image.grey.end());
+}
 
 class DisplayTest : public testing::Test {
  protected:
@@ -129,7 +131,7 @@ TEST_F(DisplayTest, SilenceIsBlack) {
     const ImagingSettings chosen = everything ? settingsFor(probe) : settings;
     EnvelopeFrame frame;
     frame.resize(chosen.scanlines, chosen.samples, chosen.looks);
-    EXPECT_THAT(display(probe, chosen, frame).grey, Each(Eq(0)));
+    EXPECT_EQ(brightest(display(probe, chosen, frame)), 0);
   }
 }
 
@@ -169,10 +171,10 @@ TEST_F(DisplayTest, OneBadSampleStaysLocal) {
 TEST_F(DisplayTest, FrameOfAnotherSizeIsBlack) {
   EnvelopeFrame frame = uniformFrame(probe, settings, 30);
   frame.looks = 2;
-  EXPECT_THAT(display(probe, settings, frame).grey, Each(Eq(0)));
+  EXPECT_EQ(brightest(display(probe, settings, frame)), 0);
   frame.resize(100, 1000, 1);
-  EXPECT_THAT(display(probe, settings, frame).grey, Each(Eq(0)));
-  EXPECT_THAT(display(probe, settings, EnvelopeFrame{}).grey, Each(Eq(0)));
+  EXPECT_EQ(brightest(display(probe, settings, frame)), 0);
+  EXPECT_EQ(brightest(display(probe, settings, EnvelopeFrame{})), 0);
 }
 
 TEST_F(DisplayTest, ExtremeSizesWork) {

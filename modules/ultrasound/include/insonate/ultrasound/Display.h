@@ -39,7 +39,7 @@ class Display {
 std::vector<std::uint8_t> fieldOfViewMask(const Probe& probe, const ImagingSettings& settings);
 
 /// Built-in time-gain compensation before the operator's sliders, in dB per cm and MHz of depth (there and back);
-/// none where the settings leave attenuation out.
+/// none where the settings leave attenuation out, and at most 120 dB.
 inline constexpr double kTgc_dBpcmMHz = 0.82;
 
 }  // namespace insonate
