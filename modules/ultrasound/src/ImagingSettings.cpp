@@ -34,6 +34,7 @@ constexpr NumberField kNumbers[] = {
     {"gain_dB", &Settings::gain_dB, -40, 40},
     {"dynamicRange_dB", &Settings::dynamicRange_dB, 20, 120},
     {"persistence", &Settings::persistence, 0, 0.95},
+    {"time_s", &Settings::time_s, 0, 1e6},
 };
 constexpr CountField kCounts[] = {
     {"looks", &Settings::looks, 1, 3},         {"scanlines", &Settings::scanlines, 16, 1024},

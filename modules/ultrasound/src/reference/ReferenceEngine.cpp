@@ -8,6 +8,7 @@
 #include "model/Scatterers.h"
 #include "reference/TissueLookup.h"
 #include "scene/SceneData.h"
+#include "thesis/ThesisReference.h"
 
 #include <chrono>
 #include <cmath>
@@ -166,8 +167,19 @@ class ReferenceEngine final : public Engine {
 
   void render(const AcousticScene& sceneHandle, const Transform& patientFromProbe, EnvelopeFrame& envelope) override {
     const auto start = std::chrono::steady_clock::now();
+    if (plan_->settings.look == Look::Thesis)
+      thesis::renderReference(*plan_, sceneHandle.impl(), patientFromProbe, envelope);
+    else
+      renderCoherent(sceneHandle.impl(), patientFromProbe, envelope);
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+    stages_ = {{"frame", time.count()}};
+  }
+
+  const std::vector<Stage>& stages() const override { return stages_; }
+
+ private:
+  void renderCoherent(const AcousticScene::Impl& scene, const Transform& patientFromProbe, EnvelopeFrame& envelope) {
     const FramePlan& plan = *plan_;
-    const AcousticScene::Impl& scene = sceneHandle.impl();
     const TissueLookup lookup(plan, scene, patientFromProbe);
     const ScattererLattice lattice(patientFromProbe.linear.column[1], plan.latticePitch_mm,
                                    plan.latticeElevationPitch_mm);
@@ -182,13 +194,8 @@ class ReferenceEngine final : public Engine {
     for (const PointEcho& point : pointEchoes(plan, scene.points, patientFromProbe))
       for (int look = 0; look < plan.settings.looks; ++look) echo.at(look, point.gate, point.line) += point.amplitude;
     envelopeOf(plan, convolveLaterally(plan, convolveAxially(plan, echo)), envelope);
-    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-    stages_ = {{"frame", time.count()}};
   }
 
-  const std::vector<Stage>& stages() const override { return stages_; }
-
- private:
   std::optional<FramePlan> plan_;
   std::vector<Stage> stages_;
 };

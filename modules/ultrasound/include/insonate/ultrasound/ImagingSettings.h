@@ -51,6 +51,7 @@ struct ImagingSettings {
   int width = 820, height = 616;  ///< of the picture, 64..4096
   bool conformingContact = true;  ///< skin follows the face, as under gel and light pressure
   Look look = Look::Coherent;
+  double time_s = 0;  ///< seeds the speckle of the thesis look, to the millisecond, and nothing else; 0..1e6
   Effects effects;
 };
 

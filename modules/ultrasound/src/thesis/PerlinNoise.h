@@ -1,0 +1,101 @@
+#pragma once
+
+#include <insonate/core/Hash.h>
+#include <insonate/core/Transform.h>
+
+#include <cmath>
+#include <cstdint>
+
+/// Speckle of the thesis (equation 9): usnoise2d(x, y, p, r, t), Perlin's gradient noise over the texture coordinates
+/// of the picture, seeded by position and orientation of the probe and by the time. The lattice is made of integer
+/// hashes alone, so that every engine, and a shader, sees the same one.
+namespace insonate::thesis {
+
+inline constexpr int kNoiseOctaves = 2;          ///< each twice as fine and half as strong as the one before
+inline constexpr double kSeedPosition_mm = 0.1;  ///< smaller changes of the pose leave the seed alone
+inline constexpr double kSeedDirection = 0.01;   ///< of a unit axis
+inline constexpr double kSeedTime_s = 0.001;
+
+/// Perlin's quintic step from 0 to 1 ("Improving noise", 2002) and its slope.
+constexpr double fade(double t) {
+  return t * t * t * (10 + t * (-15 + 6 * t));
+}
+constexpr double fadeSlope(double t) {
+  return 30 * t * t * (1 - t) * (1 - t);
+}
+
+struct NoiseGradient {
+  double x, y;  ///< each uniform in -1..1
+};
+
+constexpr NoiseGradient gradientAt(std::int32_t column, std::int32_t row, std::uint32_t seed) {
+  const std::uint32_t h = hashNode(column, row, 0, seed);
+  return {(h & 0xffffU) / 32767.5 - 1, (h >> 16) / 32767.5 - 1};
+}
+
+constexpr std::uint32_t octaveSeed(std::uint32_t seed, int octave) {
+  return hash32(seed + 0x9e3779b9U * static_cast<std::uint32_t>(octave + 1));
+}
+
+/// How many lattice cells the first octave lays over the picture.
+struct NoiseCells {
+  double across = 1, down = 1;
+};
+
+/// Variance of one octave, over all gradients and places in a cell: 8/3 of the integral of w^2 times that of w^2 x^2
+/// over a cell, w = 1 - fade(x).
+constexpr double octaveVariance() {
+  constexpr int kSteps = 1000;
+  double even = 0, arm = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double x = (i + 0.5) / kSteps, w = 1 - fade(x);
+    even += w * w / kSteps;
+    arm += w * w * x * x / kSteps;
+  }
+  return 8.0 / 3 * even * arm;
+}
+
+/// Of all octaves, squared amplitudes 1, 1/4, ...
+constexpr double noiseVariance() {
+  double sum = 0, power = octaveVariance();
+  for (int o = 0; o < kNoiseOctaves; ++o, power /= 4) sum += power;
+  return sum;
+}
+
+/// One octave: the four vertices' gradients, interpolated along x and then along y.
+inline double perlin(double x, double y, std::uint32_t seed) {
+  const double i = std::floor(x), j = std::floor(y), dx = x - i, dy = y - j;
+  const auto column = static_cast<std::int32_t>(i), row = static_cast<std::int32_t>(j);
+  const auto vertex = [&](int c, int r) {
+    const NoiseGradient g = gradientAt(column + c, row + r, seed);
+    return g.x * (dx - c) + g.y * (dy - r);
+  };
+  const double above = vertex(0, 0) + fade(dx) * (vertex(1, 0) - vertex(0, 0));
+  const double below = vertex(0, 1) + fade(dx) * (vertex(1, 1) - vertex(0, 1));
+  return above + fade(dy) * (below - above);
+}
+
+/// Texture coordinates x, y from 0 to 1; zero mean, unit variance.
+inline double usnoise2d(double x, double y, const NoiseCells& cells, std::uint32_t seed) {
+  double sum = 0, scale = 1;
+  for (int o = 0; o < kNoiseOctaves; ++o, scale *= 2)
+    sum += perlin(x * cells.across * scale, y * cells.down * scale, octaveSeed(seed, o)) / scale;
+  return sum / std::sqrt(noiseVariance());
+}
+
+/// The p, r, t of equation 9.
+inline std::uint32_t noiseSeed(const Transform& patientFromProbe, double time_s) {
+  std::uint32_t seed = 0x75736e32U;
+  const auto mixIn = [&seed](double value, double step) {
+    seed = hash32(seed * 0x9e3779b1U + static_cast<std::uint32_t>(std::llround(value / step)));
+  };
+  for (int a = 0; a < 3; ++a) {
+    mixIn(patientFromProbe.offset[a], kSeedPosition_mm);
+    mixIn(patientFromProbe.linear.column[0][a], kSeedDirection);
+    mixIn(patientFromProbe.linear.column[2][a], kSeedDirection);
+  }
+  mixIn(time_s, kSeedTime_s);
+  return seed;
+}
+
+}  // namespace insonate::thesis

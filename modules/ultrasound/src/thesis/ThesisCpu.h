@@ -1,0 +1,43 @@
+#pragma once
+
+#include "thesis/ThesisKernel.h"
+
+#include <insonate/ultrasound/Engine.h>
+
+#include <memory>
+#include <vector>
+
+namespace insonate::thesis {
+
+/// The thesis look (see ThesisModel.h) with SIMD across scanlines and threads across blocks of them. Everything is
+/// allocated by the constructor.
+class ThesisCpu {
+ public:
+  ThesisCpu(const Probe& probe, const ImagingSettings& settings);
+  ThesisCpu(const ThesisCpu&) = delete;
+  ThesisCpu& operator=(const ThesisCpu&) = delete;
+
+  void render(const AcousticScene::Impl& scene, const Transform& patientFromProbe, EnvelopeFrame& envelope);
+  const std::vector<Engine::Stage>& stages() const { return stages_; }
+
+ private:
+  /// What one thread writes to.
+  struct Workspace {
+    KernelBuffers buffers;
+    AlignedFloats ring;
+    KernelTimes_ms times;
+  };
+  void setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe);
+  Workspace& workspace();
+
+  FramePlan plan_;
+  ThesisPlan thesis_;
+  KernelInput input_;
+  EchoRows echo_;
+  std::vector<float> lateralKernel_;
+  std::vector<Contact> contacts_;                       ///< [column]
+  std::vector<std::unique_ptr<Workspace>> workspaces_;  ///< by thread of the arena
+  std::vector<Engine::Stage> stages_;
+};
+
+}  // namespace insonate::thesis

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "model/FramePlan.h"
+
+#include <insonate/ultrasound/AcousticScene.h>
+#include <insonate/ultrasound/Frames.h>
+
+namespace insonate::thesis {
+
+/// One frame of the thesis look (see ThesisModel.h) in its plainest form, of one look.
+void renderReference(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
+                     EnvelopeFrame& envelope);
+
+}  // namespace insonate::thesis
