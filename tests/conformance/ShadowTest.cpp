@@ -1,0 +1,97 @@
+#include "conformance/Measure.h"
+#include "conformance/Rig.h"
+
+#include <cmath>
+
+namespace insonate::test {
+namespace {
+
+class Shadow : public EngineTest {};
+INSONATE_FOR_ALL_ENGINES(Shadow);
+
+/// A round bar across the slice: its shadow lies between the rays that touch it.
+struct Bar {
+  const char* probe;
+  double depth_mm;  ///< of the frame
+  double lateral_mm, axial_mm, radius_mm, voxel_mm;
+
+  bool holds(Vec3 p) const { return std::hypot(p.x - lateral_mm, p.z - axial_mm) < radius_mm; }
+};
+const std::vector<Bar> kBars{
+    {"linear", 40, -1.3, 14, 6, 0.5}, {"curvilinear", 60, -3, 24, 8, 0.5}, {"phased", 60, -3, 24, 8, 0.5}};
+
+/// Scanlines between which straight rays meet the bar.
+std::pair<double, double> geometricEdges(const Probe& probe, const BeamGrid& grid, const Bar& bar) {
+  if (probe.shape == ProbeShape::Linear)
+    return {grid.locate(bar.lateral_mm - bar.radius_mm, bar.axial_mm).scanline,
+            grid.locate(bar.lateral_mm + bar.radius_mm, bar.axial_mm).scanline};
+  const double fromApex_mm = bar.axial_mm + probe.faceRadius_mm;
+  const double middle = std::atan2(bar.lateral_mm, fromApex_mm);
+  const double half = std::asin(bar.radius_mm / std::hypot(bar.lateral_mm, fromApex_mm));
+  const auto scanlineAt = [&](double angle) {
+    return grid.locate(10 * std::sin(angle), 10 * std::cos(angle) - probe.faceRadius_mm).scanline;
+  };
+  return {scanlineAt(middle - half), scanlineAt(middle + half)};
+}
+
+struct Edges {
+  double first, last, deepest;  ///< scanlines; share of the level beside that is left behind
+};
+
+/// Half-amplitude places of the envelope averaged over depth, well behind the object.
+Edges measuredEdges(const EnvelopeFrame& frame, double middle) {
+  const Window below{int(0.75 * frame.samples), int(0.95 * frame.samples), 0, frame.scanlines};
+  const auto profile = lineMeans(frame, below);
+  const int inShadow = int(std::lround(middle));
+  EXPECT_NEAR(profile[24], 1, 0.01) << "beside";
+  const double half = (1 + profile[inShadow]) / 2;
+  return {crossing(profile, half, inShadow, 0), crossing(profile, half, inShadow, frame.scanlines - 1),
+          profile[inShadow]};
+}
+
+TEST_P(Shadow, EdgesLieOnStraightRaysForEveryProbe) {
+  for (const Bar& bar : kBars)
+    for (const bool gas : {false, true}) {
+      const Probe probe = probeNamed(bar.probe);
+      ImagingSettings settings = uniformSettings(probe, 256, 300, 3);
+      settings.depth_mm = bar.depth_mm;
+      settings.effects.transmission = true;
+      AcousticTable table = plainTable();
+      table.tissues[kBone].impedance_MRayl = gas ? 0.0004 : 60;
+      table.tissues[kBone].echogenicity_dB = -60;
+      const auto scene =
+          sceneAround(probe, settings, bar.voxel_mm, table, [&](Vec3 p) { return bar.holds(p) ? kBone : kSoftTissue; });
+      const auto [first, last] = geometricEdges(probe, BeamGrid(probe, settings), bar);
+      const Edges edges = measuredEdges(render(probe, settings, scene), (first + last) / 2);
+      const double z = table.tissues[kBone].impedance_MRayl, r = (z - 1.6) / (z + 1.6);
+      const std::string what = std::string(bar.probe) + (gas ? "_gas" : "_bone");
+      EXPECT_NEAR(edges.deepest, std::pow(1 - r * r, 2), 0.02) << what;
+      EXPECT_NEAR(edges.first, first, 1) << what;
+      EXPECT_NEAR(edges.last, last, 1) << what;
+      record(what + "_first_edge_off_scanlines", edges.first - first);
+      record(what + "_last_edge_off_scanlines", edges.last - last);
+    }
+}
+
+TEST_P(Shadow, AttenuatingBlockCastsAShadowOfItsOwnEdges) {
+  const Probe probe = probeNamed("linear");
+  ImagingSettings settings = uniformSettings(probe, 256, 300, 3);
+  settings.effects.attenuation = true;
+  AcousticTable table = plainTable();
+  table.tissues[kCartilage].attenuation_dBpcmMHz = 3;
+  // Sides along the beam, on voxel faces.
+  const auto scene = sceneAround(probe, settings, 0.5, table, [](Vec3 p) {
+    return p.z > 8 && p.z < 20 && p.x > -6.5 && p.x < 4.5 ? kCartilage : kSoftTissue;
+  });
+  const BeamGrid grid(probe, settings);
+  const double first = grid.locate(-6.5, 10).scanline, last = grid.locate(4.5, 10).scanline;
+  const Edges edges = measuredEdges(render(probe, settings, scene), (first + last) / 2);
+  EXPECT_NEAR(edges.deepest / std::pow(10, -2 * 3 * settings.frequency_MHz * 1.2 / 20), 1, 0.1);
+  EXPECT_NEAR(edges.first, first, 1);
+  EXPECT_NEAR(edges.last, last, 1);
+  record("first_edge_off_scanlines", edges.first - first);
+  record("last_edge_off_scanlines", edges.last - last);
+}
+
+}  // namespace
+}  // namespace insonate::test
