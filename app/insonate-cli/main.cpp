@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   addRenderCommand(app, outcome);
   addImportCommand(app, outcome);
   addCheckCommand(app, outcome);
+  addBenchCommand(app, outcome);
 
   try {
     app.parse(argc, argv);

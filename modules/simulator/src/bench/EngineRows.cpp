@@ -1,0 +1,149 @@
+#include "bench/EngineRows.h"
+
+#include "bench/FrameErrors.h"
+#include "bench/FrameTimer.h"
+
+#include <insonate/simulator/PictureMeasures.h>
+#include <insonate/ultrasound/FrameWork.h>
+
+#include <tbb/info.h>
+
+#include <algorithm>
+
+namespace insonate::bench {
+namespace {
+
+constexpr std::string_view kReference = "reference";
+
+Result<Imager> makeImager(ImagingSetup setup, const ImagingSettings& settings, std::string_view engine) {
+  setup.settings = settings;
+  setup.engine = engine;
+  return Imager::make(setup);
+}
+
+ImagingSettings withoutSpeckle(ImagingSettings settings) {
+  settings.effects.speckle = false;
+  settings.looks = 1;  // looks differ in their speckle only
+  return settings;
+}
+
+std::vector<ImagingSettings> sweep(const UltrasoundBenchPlan& plan) {
+  const ImagingSettings& own = plan.setup.settings;
+  std::vector<ImagingSettings> all{own};
+  const auto vary = [&](const std::vector<int>& values, int ImagingSettings::*field) {
+    for (const int value : values) {
+      ImagingSettings changed = own;
+      changed.*field = value;
+      if (changed.*field != own.*field) all.push_back(changed);
+    }
+  };
+  vary(plan.scanlines, &ImagingSettings::scanlines);
+  vary(plan.samples, &ImagingSettings::samples);
+  vary(plan.elevationPlanes, &ImagingSettings::elevationPlanes);
+  return all;
+}
+
+/// The number of samples that brings the distance of gates down to the least the model uses.
+int samplesWithFinestGates(const Probe& probe, ImagingSettings settings) {
+  int best = settings.samples;
+  double least_mm = gateDistance_mm(probe, settings);
+  for (const int candidate : {250, 375, 500, 625, 750, 875, 900, 1000, 1250, 1500, 1750, 1800, 2000}) {
+    settings.samples = candidate;
+    if (const double gate_mm = gateDistance_mm(probe, settings); gate_mm < least_mm)
+      least_mm = gate_mm, best = candidate;
+  }
+  return best;
+}
+
+UltrasoundBenchRow rowOf(const ImagingSettings& s, std::string_view engine, int threads) {
+  UltrasoundBenchRow row;
+  row.engine = engine, row.threads = threads;
+  row.look = s.look == Look::Thesis ? "thesis" : "coherent";
+  row.scanlines = s.scanlines, row.samples = s.samples, row.elevationPlanes = s.elevationPlanes;
+  row.width = s.width, row.height = s.height;
+  return row;
+}
+
+}  // namespace
+
+EngineRows::EngineRows(const UltrasoundBenchPlan& plan, const AcousticScene& scene, std::span<const Transform> path)
+    : plan_(&plan),
+      scene_(&scene),
+      path_(path.begin(), path.end()),
+      settings_(sweep(plan)),
+      denseSettings_(withoutSpeckle(plan.setup.settings)) {
+  denseSettings_.scanlines = plan.denseScanlines;
+  denseSettings_.elevationPlanes = plan.densePlanes;
+  denseSettings_.samples = samplesWithFinestGates(plan.setup.probe, denseSettings_);
+}
+
+Result<EngineRows> EngineRows::make(const UltrasoundBenchPlan& plan, const AcousticScene& scene,
+                                    std::span<const Transform> path) {
+  EngineRows rows(plan, scene, path);
+  if (auto ok = rows.renderDense(); !ok) return tl::unexpected(ok.error());
+  return rows;
+}
+
+Result<void> EngineRows::renderDense() {
+  auto imager = makeImager(plan_->setup, denseSettings_, kReference);
+  if (!imager) return tl::unexpected(imager.error());
+  imager->render(*scene_, path_.front(), dense_);
+  return {};
+}
+
+Result<void> EngineRows::addDiscretisation(const ImagingSettings& settings, UltrasoundBenchRow& row) const {
+  const ImagingSettings quiet = withoutSpeckle(settings);
+  auto imager = makeImager(plan_->setup, quiet, row.engine);
+  if (!imager) return tl::unexpected(imager.error());
+  ImagingFrame frame;
+  imager->render(*scene_, path_.front(), frame);
+  const Probe& probe = plan_->setup.probe;
+  EnvelopeError error;
+  error.add(frame.envelope, resampled(dense_.envelope, BeamGrid(probe, denseSettings_), BeamGrid(probe, quiet)));
+  row.discretisationError_percent = error.percent();
+  row.discretisationSsim = structuralSimilarity(frame.image, dense_.image);
+  return {};
+}
+
+Result<void> EngineRows::measure(const ImagingSettings& settings, std::vector<UltrasoundBenchRow>& rows) const {
+  auto truthImager = makeImager(plan_->setup, settings, kReference);
+  if (!truthImager) return tl::unexpected(truthImager.error());
+  const std::size_t poses = std::clamp<std::size_t>(plan_->poses, 1, path_.size());
+  const auto poseAt = [&](std::size_t i) -> const Transform& { return path_[i * (path_.size() - 1) / poses]; };
+  std::vector<ImagingFrame> truths(poses);
+  UltrasoundBenchRow reference = rowOf(settings, kReference, 1);
+  const Patience once{.warmUp = 0, .least = static_cast<int>(poses), .most = static_cast<int>(poses), .seconds = 0};
+  reference.times = timeFrames(once, [&](int i) { truthImager->render(*scene_, poseAt(i), truths[i]); });
+  for (const ImagingFrame::Stage& stage : truths[0].stages)
+    reference.stages.push_back({stage.name, stage.ms, stage.ms});
+  if (auto ok = addDiscretisation(settings, reference); !ok) return ok;
+
+  for (const std::string& engine : engineNames()) {
+    if (engine == kReference) continue;
+    auto imager = makeImager(plan_->setup, settings, engine);
+    if (!imager) return tl::unexpected(imager.error());
+    UltrasoundBenchRow row = rowOf(settings, engine, 1);
+    EnvelopeError error;
+    ImagingFrame frame;
+    row.ssim = 0;
+    for (std::size_t i = 0; i < poses; ++i) {
+      imager->render(*scene_, poseAt(i), frame);
+      error.add(frame.envelope, truths[i].envelope);
+      row.ssim += structuralSimilarity(frame.image, truths[i].image) / double(poses);
+    }
+    row.envelopeError_percent = error.percent();
+    if (auto ok = addDiscretisation(settings, row); !ok) return ok;
+    std::vector<int> threads{1};
+    if (const int all = tbb::info::default_concurrency(); all > 1) threads.push_back(all);
+    for (const int n : threads) {
+      row.threads = n;
+      TimedFrames timed = timeImager(*imager, *scene_, path_, n, {.seconds = plan_->secondsPerRow});
+      row.times = timed.times, row.stages = std::move(timed.stages);
+      rows.push_back(row);
+    }
+  }
+  rows.push_back(std::move(reference));
+  return {};
+}
+
+}  // namespace insonate::bench

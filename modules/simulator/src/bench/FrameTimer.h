@@ -1,0 +1,29 @@
+#pragma once
+
+#include <insonate/simulator/Imager.h>
+#include <insonate/simulator/UltrasoundBench.h>
+
+#include <functional>
+#include <span>
+
+namespace insonate::bench {
+
+/// How long a row may take: at least `least` frames, then more until `seconds` or `most` are reached.
+struct Patience {
+  int warmUp = 2, least = 5, most = 60;
+  double seconds = 0.5;
+};
+
+/// Milliseconds of repeated calls; `frame` gets the number of the call.
+FrameTimes timeFrames(const Patience& patience, const std::function<void(int frame)>& frame);
+
+/// Whole frames, engine and display, of a probe that moves along `path` and back, on an arena of `threads`. Stages get
+/// the median and the least of their times.
+struct TimedFrames {
+  FrameTimes times;
+  std::vector<StageTime> stages;
+};
+TimedFrames timeImager(Imager& imager, const AcousticScene& scene, std::span<const Transform> path, int threads,
+                       const Patience& patience);
+
+}  // namespace insonate::bench

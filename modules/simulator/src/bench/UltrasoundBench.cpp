@@ -1,0 +1,223 @@
+#include "bench/EngineRows.h"
+#include "bench/FrameTimer.h"
+#include "bench/MachineLimits.h"
+#include "bench/PlainLoop.h"
+#include "bench/Realism.h"
+
+#include <insonate/cases/Phantom.h>
+#include <insonate/cases/StartPose.h>
+#include <insonate/simulator/ProbePose.h>
+#include <insonate/simulator/UltrasoundBench.h>
+#include <insonate/ultrasound/FrameWork.h>
+
+#include <hwy/targets.h>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+
+namespace insonate {
+namespace {
+
+using namespace bench;
+
+constexpr std::uint32_t kPhantomSeed = 1;
+constexpr std::string_view kW1Engine = "cpu";
+
+/// A hand's small movements: 0.3 mm across the slice, 0.15 mm sideways and a fifth of a degree each frame.
+std::vector<Transform> movingProbe(const Transform& start) {
+  constexpr int kPoses = 16;
+  std::vector<Transform> path;
+  for (int i = 0; i < kPoses; ++i) {
+    const double angle = 0.2 * i * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+    const Transform step{{{Vec3{c, s, 0}, Vec3{-s, c, 0}, Vec3{0, 0, 1}}}, {0.15 * i, 0.3 * i, 0}};
+    path.push_back(start * step);
+  }
+  return path;
+}
+
+std::string processorName() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name") && line.find(": ") != std::string::npos) return line.substr(line.find(": ") + 2);
+  return "unknown";
+}
+
+Machine describeMachine(double seconds) {
+  Machine machine;
+  machine.processor = processorName();
+  machine.vectors = hwy::TargetName(hwy::SupportedTargets() & -hwy::SupportedTargets());
+  machine.cores = tbb::info::default_concurrency();
+  for (const int threads : {1, machine.cores}) {
+    if (!machine.limits.empty() && threads == 1) break;
+    const MachineLimits l = measureMachine(threads, seconds / 2);
+    machine.limits.push_back({threads, l.multiplyAdd_GFLOPs, l.cache_GBps, l.memory_GBps});
+  }
+  return machine;
+}
+
+/// Stages of W1 against the limits of as many threads.
+std::vector<StageLimits> stageLimits(const UltrasoundBench& bench, const std::vector<StageWork>& work) {
+  std::vector<StageLimits> all;
+  const UltrasoundBenchRow& w1 = bench.rows.front();
+  for (const UltrasoundBenchRow& row : bench.rows) {
+    const bool same = row.engine == kW1Engine && row.scanlines == w1.scanlines && row.samples == w1.samples &&
+                      row.elevationPlanes == w1.elevationPlanes;
+    if (!same) continue;
+    const auto limits = std::find_if(bench.machine.limits.begin(), bench.machine.limits.end(),
+                                     [&](const Machine::Limits& l) { return l.threads == row.threads; });
+    for (const StageTime& stage : row.stages) {
+      StageLimits s{.stage = stage.name, .threads = row.threads, .time = stage};
+      const auto known =
+          std::find_if(work.begin(), work.end(), [&](const StageWork& w) { return w.name == stage.name; });
+      if (known != work.end() && stage.min_ms > 0 && limits != bench.machine.limits.end()) {
+        // The engine's times are sums over threads, so that rates hold for one of them.
+        const bool summed = known - work.begin() < 4;
+        const double share = summed ? limits->threads : 1;
+        s.operations = known->operations, s.bytes = known->bytes;
+        s.giga_operationsPerSecond = known->operations / stage.min_ms / 1e6 * share;
+        s.gigabytesPerSecond = known->bytes / stage.min_ms / 1e6 * share;
+        s.percentOfArithmetic = 100 * s.giga_operationsPerSecond / limits->multiplyAdd_GFLOPs;
+        s.percentOfMemory = 100 * s.gigabytesPerSecond / limits->memory_GBps;
+      }
+      all.push_back(s);
+    }
+  }
+  return all;
+}
+
+FrameTimes timePlainLoop(const UltrasoundBenchPlan& plan, const std::vector<Transform>& path) {
+  PlainLoop loop(plan.patient, plan.setup);
+  BModeImage image;
+  const Patience patience{.least = 3, .seconds = plan.secondsPerRow};
+  return timeFrames(patience, [&](int i) { loop.render(path[i % path.size()], image); });
+}
+
+/// Start poses over the first target: those named like the first one up to the comma.
+std::vector<StartPose> viewsOf(const PatientCase& patient, bool every) {
+  std::vector<StartPose> views;
+  const auto place = [](const StartPose& pose) { return pose.name.substr(0, pose.name.find(',')); };
+  for (const StartPose& pose : patient.manifest.startPoses)
+    if (views.empty() || (every && place(pose) == place(views.front()))) views.push_back(pose);
+  return views;
+}
+
+Result<void> addRealism(const UltrasoundBenchPlan& plan, const ImagingSetup& setup, const PatientCase& patient,
+                        const std::string& variant, std::size_t firstView, std::vector<RealismRow>& rows) {
+  const std::vector<StartPose> views = viewsOf(patient, plan.everyView);
+  for (std::size_t v = firstView; v < views.size(); ++v) {
+    const auto pose = patientFromProbe(views[v].position_mm, views[v].axial, views[v].lateral);
+    if (!pose) return tl::unexpected(pose.error());
+    const auto scene = makeScene(patient, setup, regionOf(setup.probe, setup.settings, *pose));
+    if (!scene) return tl::unexpected(scene.error());
+    for (RealismRow& row : measureRealism(**scene, setup, *pose, variant, views[v].name))
+      rows.push_back(std::move(row));
+  }
+  return {};
+}
+
+std::vector<std::string> notesOf(const Machine& machine) {
+  return {
+      "median_ms, p95_ms and min_ms are wall-clock times of whole frames, engine and display, with a moving probe; "
+      "other "
+      "programs on the machine lengthen them. cpu_ms is the processor time of the whole program for one frame.",
+      "envelope_error_percent and ssim compare with the reference engine at the same settings, at two poses. "
+      "discretisation_error_percent and discretisation_ssim compare with a dense frame of the reference engine, "
+      "speckle "
+      "left out: more elevation planes hold other scatterers, so that speckle itself cannot converge.",
+      "The plain loop is a scalar loop of the same workload without boundaries, layers, textures, looks and display "
+      "filters, compiled with the same options.",
+      "Stage times of the engine are sums over threads, those of the display are wall-clock. Operations and bytes are "
+      "estimates of what the model asks for, by formula; peaks are measured here with " +
+          machine.vectors + " vectors. Integer work and work that is no multiply-add cannot reach the arithmetic peak.",
+      "Reported elsewhere for this workload on other machines, one core: 28 ms for a well-known simulator without "
+      "speckle "
+      "statistics, beam width or slice thickness; 21 ms for a plain scalar loop; 8 ms (3.8 ms on two cores) for an "
+      "optimised study.",
+  };
+}
+
+}  // namespace
+
+Result<UltrasoundBenchPlan> ultrasoundBenchPlan(bool quick, const Progress& progress) {
+  UltrasoundBenchPlan plan;
+  plan.variant = phantomVariants().front().name;
+  auto patient = makePhantom(plan.variant, kPhantomSeed, progress);
+  if (!patient) return tl::unexpected(patient.error());
+  plan.patient = std::move(*patient);
+  auto probe = loadProbe("linear");
+  if (!probe) return tl::unexpected(probe.error());
+  auto tissues = loadAcousticTable("neck");
+  if (!tissues) return tl::unexpected(tissues.error());
+  plan.setup = {*probe, settingsFor(*probe), std::move(*tissues), std::string(kW1Engine)};
+  const auto pose = autoStartPose(plan.patient);
+  if (!pose) return tl::unexpected(pose.error());
+  const auto start = patientFromProbe(pose->position_mm, pose->axial, pose->lateral);
+  if (!start) return tl::unexpected(start.error());
+  plan.start = *start;
+  if (quick) {
+    plan.scanlines = {128}, plan.samples = {500}, plan.elevationPlanes = {1, 5};
+    plan.poses = 1, plan.denseScanlines = 512, plan.densePlanes = 7;
+    plan.secondsPerRow = 0.2, plan.secondsForLimits = 0.3;
+    plan.everyView = false;
+    return plan;
+  }
+  plan.scanlines = {64, 128, 256, 384, 512};
+  plan.samples = {250, 500, 1000, 2000};
+  plan.elevationPlanes = {1, 3, 5, 7, 9};
+  for (const char* variant : {"small-vein", "head-turned", "deep-in-fat", "vein-over-artery"})
+    plan.realismVariants.emplace_back(variant);
+  return plan;
+}
+
+Result<UltrasoundBench> runUltrasoundBench(const UltrasoundBenchPlan& plan, const Progress& progress) {
+  ImagingSetup setup = plan.setup;
+  setup.engine = kW1Engine;
+  setup.tissues = withMarks(setup.tissues);
+  if (auto imager = Imager::make(setup); !imager) return tl::unexpected(imager.error());
+  const std::vector<Transform> path = movingProbe(plan.start);
+  if (auto ok = checkReach(plan.patient, setup, path); !ok) return tl::unexpected(ok.error());
+  Region region = regionOf(setup.probe, setup.settings, path.front());
+  for (const SceneRun& run : sceneRuns(setup, path))
+    for (int axis = 0; axis < 3; ++axis) {
+      region.low_mm[axis] = std::min(region.low_mm[axis], run.region.low_mm[axis]);
+      region.high_mm[axis] = std::max(region.high_mm[axis], run.region.high_mm[axis]);
+    }
+  const auto scene = makeScene(plan.patient, setup, region, progress);
+  if (!scene) return tl::unexpected(scene.error());
+
+  UltrasoundBench bench;
+  bench.machine = describeMachine(plan.secondsForLimits);
+  UltrasoundBenchPlan marked = plan;
+  marked.setup = setup;
+  const auto rows = EngineRows::make(marked, **scene, path);
+  if (!rows) return tl::unexpected(rows.error());
+  const double steps = double(rows->settings().size() + plan.realismVariants.size() + 1);
+  double done = 0;
+  for (const ImagingSettings& settings : rows->settings()) {
+    if (!report(progress, "measuring engines", done++ / steps)) return fail(std::string(kCancelled));
+    if (auto ok = rows->measure(settings, bench.rows); !ok) return tl::unexpected(ok.error());
+  }
+  bench.plainLoop = timePlainLoop(marked, path);
+  bench.stages = stageLimits(bench, frameWork(setup.probe, setup.settings, **scene));
+
+  if (!report(progress, "measuring pictures", done++ / steps)) return fail(std::string(kCancelled));
+  const std::vector<StartPose> views = viewsOf(plan.patient, false);
+  bench.realism =
+      measureRealism(**scene, setup, plan.start, plan.variant, views.empty() ? "start" : views.front().name);
+  if (auto ok = addRealism(plan, setup, plan.patient, plan.variant, 1, bench.realism); !ok)
+    return tl::unexpected(ok.error());
+  for (const std::string& variant : plan.realismVariants) {
+    if (!report(progress, "measuring pictures", done++ / steps)) return fail(std::string(kCancelled));
+    const auto patient = makePhantom(variant, kPhantomSeed);
+    if (!patient) return tl::unexpected(patient.error());
+    if (auto ok = addRealism(plan, setup, *patient, variant, 0, bench.realism); !ok) return tl::unexpected(ok.error());
+  }
+  bench.notes = notesOf(bench.machine);
+  report(progress, "measuring pictures", 1);
+  return bench;
+}
+
+}  // namespace insonate
