@@ -150,17 +150,31 @@ void tensorRow(const TensorRow& t) {
 using Cell = hn::CappedTag<float, 8>;
 constexpr int kCell = 8;
 
+/// Of 8 values, in an order that does not depend on the instruction set.
+HWY_INLINE float cellSum(const float* v) {
+  return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]));
+}
+
 /// One slope for each cell, the mean over its interfaces; those that run elsewhere are not followed.
 HWY_INLINE void settleSlopes(float* edge, float* slope, int columns) {
+  const Cell d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const auto one = hn::Set(d, 1.0F), zero = hn::Zero(d);
+  HWY_ALIGN float weighted[kCell];
   for (int cell = 0; cell < columns; cell += kCell) {
-    float sum = 0, weight = 1e-6F;
-    for (int i = cell; i < cell + kCell; ++i) sum += edge[i] * slope[i], weight += edge[i];
-    const float common = sum / weight;
-    for (int i = cell; i < cell + kCell; ++i) {
-      const float apart = slope[i] > common ? slope[i] - common : common - slope[i];
-      edge[i] = apart < 1 ? edge[i] * (1 - apart) : 0;
-      slope[i] = common;
+    const float weight = cellSum(edge + cell);
+    if (weight == 0) {
+      slope[cell] = 0;
+      continue;
     }
+    for (int i = 0; i < kCell; i += lanes)
+      hn::Store(hn::Mul(hn::Load(d, edge + cell + i), hn::Load(d, slope + cell + i)), d, weighted + i);
+    const float common = cellSum(weighted) / weight;
+    for (int i = cell; i < cell + kCell; i += lanes) {
+      const auto apart = hn::Abs(hn::Sub(hn::Load(d, slope + i), hn::Set(d, common)));
+      hn::Store(hn::Mul(hn::Load(d, edge + i), hn::Max(hn::Sub(one, apart), zero)), d, edge + i);
+    }
+    slope[cell] = common;
   }
 }
 
@@ -230,33 +244,36 @@ void smoothRow(const SmoothRow& t) {
 
   const auto p0 = hn::Set(d, t.plainWeight[0]), p1 = hn::Set(d, t.plainWeight[1]), p2 = hn::Set(d, t.plainWeight[2]);
   const auto b0 = hn::Set(d, t.alongWeight[0]), b1 = hn::Set(d, t.alongWeight[1]), b2 = hn::Set(d, t.alongWeight[2]);
-  const auto b3 = hn::Set(d, t.alongWeight[3]), share = hn::Set(d, t.mix), one = hn::Set(d, 1.0F);
+  const auto b3 = hn::Set(d, t.alongWeight[3]), share = hn::Set(d, t.mix), one = hn::Set(d, 1.0F), zero = hn::Zero(d);
   const auto contrast = hn::Set(d, t.contrast), bend = hn::Set(d, t.contrastBend);
   const auto reach = hn::Set(d, t.contrastReach);
-  for (int cell = 0; cell < t.columns; cell += kCell) {
+  const auto along = [&](int i) {
     const float* r[7];
-    alongRows(t, cell, r);
-    for (int i = cell; i < cell + kCell; i += lanes) {
-      const auto pair = [&](const float* left, const float* right) {
-        return hn::Add(hn::LoadU(d, left + i), hn::LoadU(d, right + i));
-      };
-      auto plain = hn::Mul(p0, hn::LoadU(d, axial + i));
-      plain = hn::Add(plain, hn::Mul(p1, pair(axial - t.plainStride, axial + t.plainStride)));
-      plain = hn::Add(plain, hn::Mul(p2, pair(axial - 2 * t.plainStride, axial + 2 * t.plainStride)));
-      auto along = hn::Mul(b0, hn::LoadU(d, r[3] + i));
-      along = hn::Add(along, hn::Mul(b1, pair(r[2], r[4])));
-      along = hn::Add(along, hn::Mul(b2, pair(r[1], r[5])));
-      along = hn::Add(along, hn::Mul(b3, pair(r[0], r[6])));
-      const auto between = [&](const float* before, const float* after) {
-        return mix(hn::LoadU(d, before + i), hn::LoadU(d, after + i), share);
-      };
-      const auto structure = between(t.structureBefore, t.structureAfter);
-      const auto edge = between(t.edgeBefore, t.edgeAfter), mean = between(t.meanBefore, t.meanAfter);
-      const auto level = mix(mix(plain, hn::LoadU(d, axial + i), structure), along, edge);
-      const auto apart = hn::Min(hn::Max(hn::Sub(level, mean), hn::Neg(reach)), reach);
-      const auto more = hn::Mul(apart, hn::Add(contrast, hn::Mul(bend, apart)));
-      hn::StoreU(hn::Add(level, hn::Mul(hn::Sub(one, structure), more)), d, t.out + i);
-    }
+    alongRows(t, i / kCell * kCell, r);
+    const auto pair = [&](int tap) { return hn::Add(hn::LoadU(d, r[3 - tap] + i), hn::LoadU(d, r[3 + tap] + i)); };
+    auto sum = hn::Mul(b0, hn::LoadU(d, r[3] + i));
+    sum = hn::Add(sum, hn::Mul(b1, pair(1)));
+    sum = hn::Add(sum, hn::Mul(b2, pair(2)));
+    return hn::Add(sum, hn::Mul(b3, pair(3)));
+  };
+  for (int i = 0; i < t.columns; i += lanes) {
+    const auto between = [&](const float* before, const float* after) {
+      return mix(hn::LoadU(d, before + i), hn::LoadU(d, after + i), share);
+    };
+    const auto pair = [&](int apart) {
+      return hn::Add(hn::LoadU(d, axial + i - apart), hn::LoadU(d, axial + i + apart));
+    };
+    const auto steep = hn::LoadU(d, axial + i);
+    auto level = hn::Mul(p0, steep);
+    level = hn::Add(level, hn::Mul(p1, pair(t.plainStride)));
+    level = hn::Add(level, hn::Mul(p2, pair(2 * t.plainStride)));
+    const auto structure = between(t.structureBefore, t.structureAfter);
+    const auto edge = between(t.edgeBefore, t.edgeAfter), mean = between(t.meanBefore, t.meanAfter);
+    level = mix(level, steep, structure);
+    if (!hn::AllTrue(d, hn::Eq(edge, zero))) level = mix(level, along(i), edge);
+    const auto apart = hn::Min(hn::Max(hn::Sub(level, mean), hn::Neg(reach)), reach);
+    const auto more = hn::Mul(apart, hn::Add(contrast, hn::Mul(bend, apart)));
+    hn::StoreU(hn::Add(level, hn::Mul(hn::Sub(one, structure), more)), d, t.out + i);
   }
 }
 

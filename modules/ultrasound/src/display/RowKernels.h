@@ -58,8 +58,8 @@ struct TensorRow {
 void tensorRow(const TensorRow& task);
 
 /// From the tensor averaged over neighbours: how much structure there is (0..1), how much of it is an interface that
-/// can be followed (0..1, less than the former), and that interface's slope, one for
-/// each 8 scanlines.
+/// can be followed (0..1, less than the former), and that interface's slope, in the
+/// first of each 8 scanlines.
 struct OrientRow {
   const float *xx[5] = {}, *xz[5] = {}, *zz[5] = {};  ///< two blocks above to two below
   int stride;
