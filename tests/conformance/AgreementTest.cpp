@@ -135,6 +135,19 @@ TEST_P(Agreement, WithoutEachEffect) {
   }
 }
 
+TEST_P(Agreement, InTheLookOfTheThesis) {
+  const LabelPhantom phantom = limb();
+  const AcousticTable table = *loadAcousticTable("thesis");
+  const ScenePtr scene = sceneOf(phantom, table, kWhole);
+  for (const char* name : {"linear", "curvilinear", "phased"}) {
+    const Probe probe = probeNamed(name);
+    ImagingSettings settings = settingsFor(probe);
+    settings.look = Look::Thesis;
+    settings.scanlines = 77, settings.samples = 333, settings.depth_mm = 50;
+    expectAgreement(probe, settings, *scene, onSkin() * turned({1, 2, 3}, 15), name);
+  }
+}
+
 TEST_P(Agreement, InHardCases) {
   const LabelPhantom phantom = limb();
   const AcousticTable table = *loadAcousticTable("neck");
