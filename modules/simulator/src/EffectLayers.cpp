@@ -43,9 +43,9 @@ constexpr Named kCoherent[]{
 };
 
 constexpr Named kThesis[]{
-    {"reflection", with({&E::reflection})},
+    {"reflection", with({&E::reflection, &E::texture})},
     {"absorption", with({&E::scattering, &E::attenuation, &E::transmission})},
-    {"blur", with({&E::reflection, &E::beam})},
+    {"blur", with({&E::reflection, &E::texture, &E::beam})},
     {"speckle", with({&E::scattering, &E::speckle})},
 };
 

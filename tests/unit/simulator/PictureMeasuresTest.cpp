@@ -49,9 +49,13 @@ TEST(PictureMeasures, SharesAndPercentilesOfARamp) {
   const BModeImage ramp = paint(256, 80, 0.1, [](int column, int) { return column; });
   const GreyShares g = greyShares(ramp, {0, 0, 256, 80});
   EXPECT_NEAR(g.mean, 127.5, 1e-9);
-  EXPECT_NEAR(g.p25, 64, 1), EXPECT_NEAR(g.p50, 128, 1), EXPECT_NEAR(g.p99, 253, 1);
-  EXPECT_NEAR(g.black, 6.0 / 256, 1e-9), EXPECT_NEAR(g.blackUpper60, 6.0 / 256, 1e-9);
-  EXPECT_NEAR(g.bright, 56.0 / 256, 1e-9), EXPECT_NEAR(g.saturated, 6.0 / 256, 1e-9);
+  EXPECT_NEAR(g.p25, 64, 1);
+  EXPECT_NEAR(g.p50, 128, 1);
+  EXPECT_NEAR(g.p99, 253, 1);
+  EXPECT_NEAR(g.black, 6.0 / 256, 1e-9);
+  EXPECT_NEAR(g.blackUpper60, 6.0 / 256, 1e-9);
+  EXPECT_NEAR(g.bright, 56.0 / 256, 1e-9);
+  EXPECT_NEAR(g.saturated, 6.0 / 256, 1e-9);
   EXPECT_NEAR(g.deepOverShallow, 1, 1e-9);
 }
 

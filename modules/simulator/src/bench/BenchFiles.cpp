@@ -2,10 +2,12 @@
 #include "bench/BenchTables.h"
 
 #include <insonate/core/AtomicFile.h>
+#include <insonate/simulator/PictureFiles.h>
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 
 namespace insonate {
@@ -13,6 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string fixed(double value, int digits) {
+  if (!std::isfinite(value)) return "";
   char text[40];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
   return text;
@@ -39,26 +42,27 @@ std::string machineText(const UltrasoundBench& bench) {
 }
 
 std::string rowsText(const UltrasoundBench& bench) {
-  std::string text =
-      header({"engine", "threads", "scanlines", "samples", "planes", "median ms", "p95 ms", "min ms", "CPU ms",
-              "plain loop / this", "envelope error %", "SSIM", "discretisation error %", "discretisation SSIM"});
+  std::string text = header({"engine", "look", "threads", "scanlines", "samples", "planes", "gate mm", "median ms",
+                             "p95 ms", "min ms", "CPU ms", "plain loop / this", "the same, CPU", "envelope error %",
+                             "SSIM", "discretisation error %", "discretisation SSIM"});
   for (const UltrasoundBenchRow& r : bench.rows)
-    text += line({r.engine, std::to_string(r.threads), std::to_string(r.scanlines), std::to_string(r.samples),
-                  std::to_string(r.elevationPlanes), fixed(r.times.median_ms, 2), fixed(r.times.p95_ms, 2),
-                  fixed(r.times.min_ms, 2), fixed(r.times.cpu_ms, 2),
-                  fixed(bench.plainLoop.median_ms / r.times.median_ms, 2), fixed(r.envelopeError_percent, 3),
+    text += line({r.engine, r.look, std::to_string(r.threads), std::to_string(r.scanlines), std::to_string(r.samples),
+                  std::to_string(r.elevationPlanes), fixed(r.gate_mm, 3), fixed(r.times.median_ms, 2),
+                  fixed(r.times.p95_ms, 2), fixed(r.times.min_ms, 2), fixed(r.times.cpu_ms, 2),
+                  fixed(bench.plainLoop.median_ms / r.times.median_ms, 2),
+                  fixed(bench.plainLoop.cpu_ms / r.times.cpu_ms, 2), fixed(r.envelopeError_percent, 3),
                   fixed(r.ssim, 4), fixed(r.discretisationError_percent, 2), fixed(r.discretisationSsim, 4)});
   return text;
 }
 
 std::string stagesText(const UltrasoundBench& bench) {
-  std::string text = header(
-      {"stage", "threads", "median ms", "least ms", "Gop/s", "GB/s", "% of arithmetic peak", "% of memory bandwidth"});
+  std::string text = header({"stage", "threads", "median ms", "least ms", "Gop/s", "GB/s", "% of arithmetic peak",
+                             "% of cache bandwidth", "% of memory bandwidth"});
   for (const StageLimits& s : bench.stages) {
     const auto known = [&](double value) { return s.operations > 0 ? fixed(value, 1) : std::string(); };
     text += line({s.stage, std::to_string(s.threads), fixed(s.time.median_ms, 3), fixed(s.time.min_ms, 3),
                   known(s.giga_operationsPerSecond), known(s.gigabytesPerSecond), known(s.percentOfArithmetic),
-                  known(s.percentOfMemory)});
+                  known(s.percentOfCache), known(s.percentOfMemory)});
   }
   return text;
 }
@@ -85,7 +89,9 @@ std::string indexPage(const UltrasoundBench& results) {
                      fixed(results.plainLoop.median_ms, 1) + " ms (least " + fixed(results.plainLoop.min_ms, 1) +
                      ", processor " + fixed(results.plainLoop.cpu_ms, 1) + ").\n\n" + rowsText(results) + "\n";
   for (const auto& [name, svg] : plotsOf(results)) text += "![" + name + "](" + name + ")\n";
-  text += "\n## Stages of W1\n\n" + stagesText(results) + "\n## Realism\n\n" + realismText(results) + "\n## Notes\n\n";
+  text += "\n## Stages of W1\n\n" + stagesText(results) + "\n## Realism\n\n" + realismText(results) + "\n";
+  for (const BenchPicture& picture : results.pictures) text += "![" + picture.name + "](" + picture.name + ".png)\n";
+  text += "\n## Notes\n\n";
   for (const std::string& note : results.notes) text += "- " + note + "\n";
   return text;
 }
@@ -122,6 +128,8 @@ Result<void> writeUltrasoundBench(const UltrasoundBench& results, const fs::path
   return writeFolderAtomically(folder, [&](const fs::path& beside) -> Result<void> {
     for (const auto& [name, text] : files)
       if (auto ok = writeAtomically(beside / name, text); !ok) return ok;
+    for (const BenchPicture& picture : results.pictures)
+      if (auto ok = writePng(picture.image, beside / (picture.name + ".png")); !ok) return ok;
     return {};
   });
 }

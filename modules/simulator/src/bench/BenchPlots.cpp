@@ -31,7 +31,7 @@ std::vector<const Row*> rowsOf(const UltrasoundBench& bench, const Sweep& sweep,
     const bool varied = std::all_of(std::begin(kSweeps), std::end(kSweeps), [&](const Sweep& other) {
       return other.size == sweep.size || row.*other.size == w1.*other.size;
     });
-    if (varied && row.engine == engine && row.threads == threads) rows.push_back(&row);
+    if (varied && row.look == w1.look && row.engine == engine && row.threads == threads) rows.push_back(&row);
   }
   std::sort(rows.begin(), rows.end(), [&](const Row* a, const Row* b) { return a->*sweep.size < b->*sweep.size; });
   return rows;
@@ -83,7 +83,7 @@ std::string timeAgainstAgreement(const UltrasoundBench& bench) {
     if (kind.first == "reference") continue;
     PlotSeries series{.name = nameOf(kind), .points = {}, .joined = false, .dashed = false};
     for (const Row& row : bench.rows)
-      if (row.engine == kind.first && row.threads == kind.second)
+      if (row.engine == kind.first && row.threads == kind.second && row.look == bench.rows.front().look)
         series.points.push_back({row.times.median_ms, row.envelopeError_percent, ""});
     chart.series.push_back(std::move(series));
   }
@@ -108,7 +108,7 @@ std::string timeAgainstSize(const UltrasoundBench& bench, const Sweep& sweep) {
 
 std::string stageBars(const UltrasoundBench& bench) {
   StackedBars chart{.title = "Stages of workload W1",
-                    .subtitle = "median times; those of the engine are summed over threads",
+                    .subtitle = "least times of each stage; those of the engine are summed over threads",
                     .valueTitle = "ms",
                     .bars = {},
                     .parts = {}};
@@ -123,7 +123,7 @@ std::string stageBars(const UltrasoundBench& bench) {
   for (StackedBars::Part& part : chart.parts)
     for (const int n : threads)
       for (const StageLimits& stage : bench.stages)
-        if (stage.stage == part.name && stage.threads == n) part.values.push_back(stage.time.median_ms);
+        if (stage.stage == part.name && stage.threads == n) part.values.push_back(stage.time.min_ms);
   return svgOf(chart);
 }
 

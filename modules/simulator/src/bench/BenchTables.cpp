@@ -34,6 +34,7 @@ json jsonOf(const UltrasoundBenchRow& row) {
               {"width", row.width},
               {"height", row.height},
               {"look", row.look},
+              {"gate_mm", rounded(row.gate_mm)},
               {"envelope_error_percent", rounded(row.envelopeError_percent)},
               {"ssim", rounded(row.ssim)},
               {"discretisation_error_percent", rounded(row.discretisationError_percent)},
@@ -52,14 +53,19 @@ json jsonOf(const StageLimits& s) {
   object["gigaoperations_per_s"] = known(s.giga_operationsPerSecond);
   object["gigabytes_per_s"] = known(s.gigabytesPerSecond);
   object["percent_of_arithmetic_peak"] = known(s.percentOfArithmetic);
+  object["percent_of_cache_bandwidth"] = known(s.percentOfCache);
   object["percent_of_memory_bandwidth"] = known(s.percentOfMemory);
   return object;
 }
 
 json jsonOf(const RealismRow& r) {
-  return {{"variant", r.variant},      {"view", r.view},    {"measure", r.measure},    {"patch", r.patch},
-          {"value", rounded(r.value)}, {"real_low", r.low}, {"real_median", r.median}, {"real_high", r.high},
-          {"in_range", r.inRange}};
+  const PictureBox& b = r.box;
+  const json box = b.width > 0 ? json{b.column, b.row, b.width, b.height} : json();
+  return {{"variant", r.variant}, {"view", r.view},
+          {"measure", r.measure}, {"patch", r.patch},
+          {"box", box},           {"value", rounded(r.value)},
+          {"real_low", r.low},    {"real_median", r.median},
+          {"real_high", r.high},  {"in_range", r.inRange}};
 }
 
 json jsonOf(const Machine& machine) {
@@ -82,6 +88,11 @@ json arrayOf(const Rows& rows) {
 std::string cellOf(const json& value) {
   if (value.is_null()) return "";
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  if (value.is_array()) {
+    std::string text;
+    for (const json& item : value) text += (text.empty() ? "" : " ") + item.dump();
+    return text;
+  }
   if (!value.is_string()) return value.dump();
   std::string text = value.get<std::string>();
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
@@ -122,6 +133,7 @@ std::string rowsCsv(const UltrasoundBench& results) {
                                    "width",
                                    "height",
                                    "look",
+                                   "gate_mm",
                                    "frames",
                                    "median_ms",
                                    "p95_ms",
@@ -135,14 +147,14 @@ std::string rowsCsv(const UltrasoundBench& results) {
 }
 
 std::string stagesCsv(const UltrasoundBench& results) {
-  return csvOf(arrayOf(results.stages),
-               {"stage", "threads", "median_ms", "min_ms", "operations", "bytes", "gigaoperations_per_s",
-                "gigabytes_per_s", "percent_of_arithmetic_peak", "percent_of_memory_bandwidth"});
+  return csvOf(arrayOf(results.stages), {"stage", "threads", "median_ms", "min_ms", "operations", "bytes",
+                                         "gigaoperations_per_s", "gigabytes_per_s", "percent_of_arithmetic_peak",
+                                         "percent_of_cache_bandwidth", "percent_of_memory_bandwidth"});
 }
 
 std::string realismCsv(const UltrasoundBench& results) {
-  return csvOf(arrayOf(results.realism),
-               {"variant", "view", "measure", "patch", "value", "real_low", "real_median", "real_high", "in_range"});
+  return csvOf(arrayOf(results.realism), {"variant", "view", "measure", "patch", "box", "value", "real_low",
+                                          "real_median", "real_high", "in_range"});
 }
 
 }  // namespace bench

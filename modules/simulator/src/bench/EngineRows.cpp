@@ -9,6 +9,7 @@
 #include <tbb/info.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace insonate::bench {
 namespace {
@@ -40,6 +41,10 @@ std::vector<ImagingSettings> sweep(const UltrasoundBenchPlan& plan) {
   vary(plan.scanlines, &ImagingSettings::scanlines);
   vary(plan.samples, &ImagingSettings::samples);
   vary(plan.elevationPlanes, &ImagingSettings::elevationPlanes);
+  if (plan.thesisLook && own.look != Look::Thesis) {
+    all.push_back(own);
+    all.back().look = Look::Thesis;
+  }
   return all;
 }
 
@@ -55,12 +60,13 @@ int samplesWithFinestGates(const Probe& probe, ImagingSettings settings) {
   return best;
 }
 
-UltrasoundBenchRow rowOf(const ImagingSettings& s, std::string_view engine, int threads) {
+UltrasoundBenchRow rowOf(const Probe& probe, const ImagingSettings& s, std::string_view engine, int threads) {
   UltrasoundBenchRow row;
   row.engine = engine, row.threads = threads;
   row.look = s.look == Look::Thesis ? "thesis" : "coherent";
   row.scanlines = s.scanlines, row.samples = s.samples, row.elevationPlanes = s.elevationPlanes;
   row.width = s.width, row.height = s.height;
+  row.gate_mm = gateDistance_mm(probe, s);
   return row;
 }
 
@@ -92,6 +98,10 @@ Result<void> EngineRows::renderDense() {
 }
 
 Result<void> EngineRows::addDiscretisation(const ImagingSettings& settings, UltrasoundBenchRow& row) const {
+  if (settings.look == Look::Thesis) {
+    row.discretisationError_percent = row.discretisationSsim = NAN;
+    return {};
+  }
   const ImagingSettings quiet = withoutSpeckle(settings);
   auto imager = makeImager(plan_->setup, quiet, row.engine);
   if (!imager) return tl::unexpected(imager.error());
@@ -111,7 +121,7 @@ Result<void> EngineRows::measure(const ImagingSettings& settings, std::vector<Ul
   const std::size_t poses = std::clamp<std::size_t>(plan_->poses, 1, path_.size());
   const auto poseAt = [&](std::size_t i) -> const Transform& { return path_[i * (path_.size() - 1) / poses]; };
   std::vector<ImagingFrame> truths(poses);
-  UltrasoundBenchRow reference = rowOf(settings, kReference, 1);
+  UltrasoundBenchRow reference = rowOf(plan_->setup.probe, settings, kReference, 1);
   const Patience once{.warmUp = 0, .least = static_cast<int>(poses), .most = static_cast<int>(poses), .seconds = 0};
   reference.times = timeFrames(once, [&](int i) { truthImager->render(*scene_, poseAt(i), truths[i]); });
   for (const ImagingFrame::Stage& stage : truths[0].stages)
@@ -122,7 +132,7 @@ Result<void> EngineRows::measure(const ImagingSettings& settings, std::vector<Ul
     if (engine == kReference) continue;
     auto imager = makeImager(plan_->setup, settings, engine);
     if (!imager) return tl::unexpected(imager.error());
-    UltrasoundBenchRow row = rowOf(settings, engine, 1);
+    UltrasoundBenchRow row = rowOf(plan_->setup.probe, settings, engine, 1);
     EnvelopeError error;
     ImagingFrame frame;
     row.ssim = 0;

@@ -22,6 +22,19 @@ double medianOf(std::vector<double> values) {
   return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
+/// Letters and digits, joined by single hyphens.
+std::string fileName(const std::string& text) {
+  std::string name;
+  for (const char c : text) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (plain)
+      name += c;
+    else if (!name.empty() && name.back() != '-')
+      name += '-';
+  }
+  return name;
+}
+
 /// Measures of one picture on patches that follow from its labels.
 class PictureScore {
  public:
@@ -43,11 +56,11 @@ class PictureScore {
 
   int pixels(double mm) const { return static_cast<int>(std::lround(mm / labels_.pixel_mm())); }
 
-  void add(std::string_view measure, double value, const std::string& patch) {
+  void add(std::string_view measure, double value, const std::string& patch, const PictureBox& box = {}) {
     const auto range = std::find_if(std::begin(kRealismRanges), std::end(kRealismRanges),
                                     [&](const RealismRange& r) { return r.measure == measure; });
     if (!std::isfinite(value) || range == std::end(kRealismRanges)) return;
-    rows_.push_back({variant_, view_, std::string(measure), patch, value, range->low, range->median, range->high,
+    rows_.push_back({variant_, view_, std::string(measure), patch, box, value, range->low, range->median, range->high,
                      value >= range->low && value <= range->high});
   }
 
@@ -61,41 +74,43 @@ class PictureScore {
   }
 
   void measureGrey() {
-    const GreyShares g = greyShares(image_, labels_.fieldOfView());
+    const PictureBox box = labels_.fieldOfView();
+    const GreyShares g = greyShares(image_, box);
     const std::string patch = "field of view";
-    add("grey p25", g.p25, patch);
-    add("grey p50", g.p50, patch);
-    add("grey p75", g.p75, patch);
-    add("grey p95", g.p95, patch);
-    add("grey p99", g.p99, patch);
-    add("grey mean", g.mean, patch);
-    add("black share", g.black, patch);
-    add("black share, upper 60 %", g.blackUpper60, patch);
-    add("bright share", g.bright, patch);
-    add("saturated share", g.saturated, patch);
-    add("deep over shallow", g.deepOverShallow, patch);
+    add("grey p25", g.p25, patch, box);
+    add("grey p50", g.p50, patch, box);
+    add("grey p75", g.p75, patch, box);
+    add("grey p95", g.p95, patch, box);
+    add("grey p99", g.p99, patch, box);
+    add("grey mean", g.mean, patch, box);
+    add("black share", g.black, patch, box);
+    add("black share, upper 60 %", g.blackUpper60, patch, box);
+    add("bright share", g.bright, patch, box);
+    add("saturated share", g.saturated, patch, box);
+    add("deep over shallow", g.deepOverShallow, patch, box);
   }
 
   void measureEvenPatch() {
+    // The only tissues without structure of their own that are large enough.
     std::string patch = "thyroid";
     PictureBox box = patchIn({kThyroid}, 0.8, 8, 6);
-    if (box.width == 0) patch = "soft tissue", box = patchIn({kSoftTissue}, 1.2, 8, 6);
+    if (box.width == 0) patch = "gland", box = patchIn({kGland}, 0.8, 8, 6);
     if (box.width == 0) return;
     const Grain grain = grainOf(image_, box);
     if (patch == "thyroid") thyroidMean_ = grain.mean;
-    add("grain axial FWHM, mm", grain.axial_mm, patch);
-    add("grain lateral FWHM, mm", grain.lateral_mm, patch);
-    add("even patch SD", grain.sd, patch);
-    add("even patch SD over mean", grain.sd / std::max(grain.mean, 1.0), patch);
-    add("even patch skewness", grain.skewness, patch);
+    add("grain axial FWHM, mm", grain.axial_mm, patch, box);
+    add("grain lateral FWHM, mm", grain.lateral_mm, patch, box);
+    add("even patch SD", grain.sd, patch, box);
+    add("even patch SD over mean", grain.sd / std::max(grain.mean, 1.0), patch, box);
+    add("even patch skewness", grain.skewness, patch, box);
   }
 
   void measureMuscle() {
     const PictureBox box = patchIn({kSternocleidomastoid}, 1.0, 12, 5);
     if (box.width == 0) return;
     const Grain grain = grainOf(image_, box);
-    add("muscle mean", grain.mean, "sternocleidomastoid");
-    add("muscle SD over mean", grain.sd / std::max(grain.mean, 1.0), "sternocleidomastoid");
+    add("muscle mean", grain.mean, "sternocleidomastoid", box);
+    add("muscle SD over mean", grain.sd / std::max(grain.mean, 1.0), "sternocleidomastoid", box);
   }
 
   void measureLumens() {
@@ -152,9 +167,9 @@ class PictureScore {
     const double above = meanGrey(image_, {bone.column, bone.row - pixels(3.5), bone.width, pixels(2)});
     const double shadow =
         meanGrey(image_, {bone.column, shadowTop, bone.width, std::min(pixels(4), bottom - shadowTop)});
-    add("bone or pleura line grey", line, "bone");
-    add("line over tissue above", line / std::max(above, 1.0), "bone");
-    add("shadow over tissue above", shadow / std::max(above, 1.0), "bone");
+    add("bone or pleura line grey", line, "bone", bone);
+    add("line over tissue above", line / std::max(above, 1.0), "bone", bone);
+    add("shadow over tissue above", shadow / std::max(above, 1.0), "bone", bone);
   }
 
   void measureAirShadow() {
@@ -169,7 +184,7 @@ class PictureScore {
       }
     const PictureBox box = largestBox(eroded(airway, pixels(0.4)), pixels(8), pixels(8));
     if (std::min(box.width, box.height) < pixels(1.5)) return;
-    add("air shadow over thyroid", meanGrey(image_, box) / thyroidMean_, "airway");
+    add("air shadow over thyroid", meanGrey(image_, box) / thyroidMean_, "airway", box);
   }
 
   const BModeImage& image_;
@@ -181,16 +196,17 @@ class PictureScore {
 
 }  // namespace
 
-std::vector<RealismRow> measureRealism(const AcousticScene& scene, const ImagingSetup& setup,
-                                       const Transform& patientFromProbe, const std::string& variant,
-                                       const std::string& view) {
+void measureRealism(const AcousticScene& scene, const ImagingSetup& setup, const Transform& patientFromProbe,
+                    const std::string& variant, const std::string& view, UltrasoundBench& bench) {
   auto imager = Imager::make(setup);
-  if (!imager) return {};
+  if (!imager) return;
   ImagingFrame frame;
   imager->render(scene, patientFromProbe, frame);
   const LabelPicture labels(scene, setup, patientFromProbe);
-  if (labels.fieldOfView().width == 0) return {};
-  return PictureScore(frame.image, labels, variant, view).rows();
+  if (labels.fieldOfView().width == 0) return;
+  for (RealismRow& row : PictureScore(frame.image, labels, variant, view).rows())
+    bench.realism.push_back(std::move(row));
+  bench.pictures.push_back({fileName(variant + " " + view), std::move(frame.image)});
 }
 
 }  // namespace insonate::bench

@@ -8,10 +8,9 @@ namespace insonate::bench {
 /// a frame of scattering alone then tells which label each sample shows, after contact and smooth boundaries.
 AcousticTable withMarks(AcousticTable table);
 
-/// Measures one displayed picture with patches found from the labels. The scene must be of the setup's tissues, and
-/// those marked.
-std::vector<RealismRow> measureRealism(const AcousticScene& scene, const ImagingSetup& setup,
-                                       const Transform& patientFromProbe, const std::string& variant,
-                                       const std::string& view);
+/// Adds the measures of one displayed picture, on patches found from the labels, and the picture. The scene must be of
+/// the setup's tissues, and those marked.
+void measureRealism(const AcousticScene& scene, const ImagingSetup& setup, const Transform& patientFromProbe,
+                    const std::string& variant, const std::string& view, UltrasoundBench& bench);
 
 }  // namespace insonate::bench

@@ -19,6 +19,8 @@ constexpr double kLeft = 84, kRight = 630, kTop = 74, kBottom = 452;  // of the 
 constexpr std::string_view kColours[]{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
                                       "#56b4e9", "#7a5c00", "#444444", "#8a2be2"};
 
+using Pixel = std::pair<double, double>;
+
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -62,7 +64,7 @@ class Canvas {
   void mark(double x, double y, std::string_view colour) {
     out_ << "<circle cx=\"" << x << "\" cy=\"" << y << "\" r=\"4\" fill=\"" << colour << "\" stroke=\"#fff\"/>\n";
   }
-  void path(const std::vector<std::pair<double, double>>& points, std::string_view colour, bool dashed) {
+  void path(const std::vector<Pixel>& points, std::string_view colour, bool dashed) {
     out_ << "<polyline fill=\"none\" stroke=\"" << colour << "\" stroke-width=\"2\""
          << (dashed ? " stroke-dasharray=\"6 4\"" : "") << " points=\"";
     for (const auto& [x, y] : points) out_ << x << ',' << y << ' ';
@@ -92,8 +94,10 @@ void drawTicksLeft(Canvas& canvas, const SvgAxis& axis) {
   }
 }
 
-void drawSeries(Canvas& canvas, const PlotSeries& series, const SvgAxis& x, const SvgAxis& y, std::string_view colour) {
-  std::vector<std::pair<double, double>> at;
+/// Labels that would lie on those in `taken` are left out.
+void drawSeries(Canvas& canvas, const PlotSeries& series, const SvgAxis& x, const SvgAxis& y, std::string_view colour,
+                std::vector<Pixel>& taken) {
+  std::vector<Pixel> at;
   std::vector<std::string_view> labels;
   for (const PlotPoint& point : series.points) {
     if (!x.shows(point.x) || !y.shows(point.y)) continue;
@@ -103,6 +107,11 @@ void drawSeries(Canvas& canvas, const PlotSeries& series, const SvgAxis& x, cons
   if (series.joined && at.size() > 1) canvas.path(at, colour, series.dashed);
   for (std::size_t i = 0; i < at.size(); ++i) {
     canvas.mark(at[i].first, at[i].second, colour);
+    const bool free = std::none_of(taken.begin(), taken.end(), [&](const auto& other) {
+      return std::abs(other.first - at[i].first) < 26 && std::abs(other.second - at[i].second) < 12;
+    });
+    if (!free || labels[i].empty()) continue;
+    taken.push_back(at[i]);
     canvas.text(at[i].first + 6, at[i].second - 6, labels[i], kSmall);
   }
 }
@@ -134,8 +143,9 @@ std::string svgOf(const LineChart& chart) {
     canvas.line(kLeft, y.pixel(level.y), kRight, y.pixel(level.y), "stroke=\"#b00020\" stroke-dasharray=\"3 3\"");
     canvas.text(kRight + 8, y.pixel(level.y) + 4, level.name, "font-size=\"11\" fill=\"#b00020\"");
   }
+  std::vector<Pixel> taken;  // by labels
   for (std::size_t s = 0; s < chart.series.size(); ++s) {
-    drawSeries(canvas, chart.series[s], x, y, colourOf(s));
+    drawSeries(canvas, chart.series[s], x, y, colourOf(s), taken);
     const double row = kTop + 12 + 22 * double(s);
     canvas.mark(kRight + 24, row - 4, colourOf(s));
     canvas.text(kRight + 36, row, chart.series[s].name);

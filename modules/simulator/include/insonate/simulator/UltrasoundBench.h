@@ -2,6 +2,7 @@
 
 #include <insonate/core/Progress.h>
 #include <insonate/simulator/Imager.h>
+#include <insonate/simulator/PictureMeasures.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -19,6 +20,7 @@ struct UltrasoundBenchPlan {
   Transform start;      ///< patientFromProbe
 
   std::vector<int> scanlines, samples, elevationPlanes;  ///< each varied around the setup's own
+  bool thesisLook = true;                                ///< one more set of rows with the look "thesis"
   int poses = 2;                                         ///< at which the engines are compared
   int denseScanlines = 1024, densePlanes = 9;            ///< of the frame that rows are measured against
   double secondsPerRow = 0.5;
@@ -48,6 +50,7 @@ struct UltrasoundBenchRow {
   std::string engine, look;
   int threads = 1;
   int scanlines = 0, samples = 0, elevationPlanes = 0, width = 0, height = 0;
+  double gate_mm = 0;  ///< distance at which echoes are summed along a scanline; follows from the samples
   FrameTimes times;
   std::vector<StageTime> stages;
   /// Against the reference engine with the same settings: RMS difference of the linear envelope over its RMS, and mean
@@ -55,6 +58,7 @@ struct UltrasoundBenchRow {
   double envelopeError_percent = 0, ssim = 1;
   /// Against a dense frame of the reference engine, speckle left out on both sides, resampled to the row's beams. How
   /// well the row's grid resolves the model. Speckle must be left out: more planes hold other scatterers.
+  /// NaN for the look "thesis", whose pixels are filtered and have no beam to resolve.
   double discretisationError_percent = 0, discretisationSsim = 1;
 };
 
@@ -65,7 +69,7 @@ struct StageLimits {
   StageTime time;
   double operations = 0, bytes = 0;  ///< of the model, by formula (ultrasound/FrameWork.h); 0 where not known
   double giga_operationsPerSecond = 0, gigabytesPerSecond = 0;
-  double percentOfArithmetic = 0, percentOfMemory = 0;
+  double percentOfArithmetic = 0, percentOfCache = 0, percentOfMemory = 0;
 };
 
 struct Machine {
@@ -81,9 +85,16 @@ struct Machine {
 /// One measure of one picture beside what 15 real neck pictures gave.
 struct RealismRow {
   std::string variant, view, measure, patch;
+  PictureBox box;  ///< where the patch lies; empty where several were used
   double value = 0;
   double low = 0, median = 0, high = 0;
   bool inRange = false;
+};
+
+/// A picture that realism was measured on.
+struct BenchPicture {
+  std::string name;  ///< of its file, without extension
+  BModeImage image;
 };
 
 struct UltrasoundBench {
@@ -92,6 +103,7 @@ struct UltrasoundBench {
   FrameTimes plainLoop;                  ///< a plain scalar loop of W1 without layers, one thread
   std::vector<StageLimits> stages;
   std::vector<RealismRow> realism;
+  std::vector<BenchPicture> pictures;
   std::vector<std::string> notes;
 };
 
@@ -105,7 +117,8 @@ nlohmann::json toJson(const UltrasoundBench& bench);
 /// Refuses, before any work, a folder that cannot be made or written.
 Result<void> checkBenchFolder(const std::filesystem::path& folder);
 
-/// ultrasound.json, ultrasound.csv, stages.csv, realism.csv, plots as SVG and index.md; all of them or none.
+/// ultrasound.json, ultrasound.csv, stages.csv, realism.csv, plots as SVG, pictures as PNG and index.md; all of them or
+/// none.
 Result<void> writeUltrasoundBench(const UltrasoundBench& bench, const std::filesystem::path& folder);
 
 }  // namespace insonate
