@@ -1,5 +1,6 @@
 #include "model/FramePlan.h"
 
+#include "PointSpread.h"
 #include "model/Scatterers.h"
 
 #include <algorithm>
@@ -50,33 +51,19 @@ CubicWeights cubicAt(double t) {
 }
 
 FramePlan::FramePlan(const Probe& p, const ImagingSettings& s) : probe(p), settings(s), grid(p, s) {
-  const double wavelength_mm = acoustics::kSoundSpeed_mmPerUs / s.frequency_MHz;
-  const double axialFwhm_mm = p.axialFwhm_wavelengths * wavelength_mm;
+  const double pulse_mm = axialFwhm_mm(p, s);
   lines = grid.scanlines();
-  stride = std::max(1, static_cast<int>(axialFwhm_mm / 3 / grid.step_mm()));
+  stride = std::max(1, static_cast<int>(pulse_mm / 3 / grid.step_mm()));
   gates = (grid.samples() + stride - 1) / stride;
   gate_mm = stride * grid.step_mm();
   cellGates = std::clamp(static_cast<int>(kCellDepth_mm / gate_mm), 1, 4);
   cellLines = grid.scanlineSpacing_mm(s.depth_mm) * 2 <= kCellWidth_mm ? 2 : 1;
   nodeRows = (gates + cellGates - 1) / cellGates + 1;
   nodeColumns = (lines + cellLines - 1) / cellLines + 1;
-  latticePitch_mm = 0.58 * axialFwhm_mm;
+  latticePitch_mm = 0.58 * pulse_mm;
   latticeElevationPitch_mm = 3 * latticePitch_mm;
   planeElevation();
   planeBeam();
-}
-
-double FramePlan::lateralFwhm_mm(double range_mm) const {
-  const double wavelength_mm = acoustics::kSoundSpeed_mmPerUs / settings.frequency_MHz;
-  const double atFocus = wavelength_mm * std::max(probe.lateralFNumber, settings.focus_mm / probe.maxAperture_mm);
-  const double off = range_mm - settings.focus_mm;
-  return std::hypot(atFocus, off * (off < 0 ? probe.lateralDivergenceNear : probe.lateralDivergenceFar));
-}
-
-double FramePlan::elevationFwhm_mm(double range_mm) const {
-  const double wavelength_mm = acoustics::kSoundSpeed_mmPerUs / settings.frequency_MHz;
-  return std::hypot(wavelength_mm * probe.elevationFwhm_wavelengths,
-                    probe.elevationDivergence * (range_mm - probe.elevationFocus_mm));
 }
 
 void FramePlan::planeElevation() {
@@ -88,7 +75,8 @@ void FramePlan::planeElevation() {
     sum += scatterWeight[p];
   }
   for (const double w : scatterWeight) boundaryWeight.push_back(w / sum);
-  for (int g = 0; g < gates; ++g) elevationSd_mm.push_back(elevationFwhm_mm(range_mm(g)) / acoustics::kFwhmPerSd);
+  for (int g = 0; g < gates; ++g)
+    elevationSd_mm.push_back(elevationFwhm_mm(probe, settings, range_mm(g)) / acoustics::kFwhmPerSd);
 }
 
 double FramePlan::speckleVariance(int gate, const std::vector<double>& axialLags,
@@ -113,8 +101,7 @@ double FramePlan::speckleVariance(int gate, const std::vector<double>& axialLags
 
 void FramePlan::planeBeam() {
   using acoustics::kFwhmPerSd;
-  const double wavelength_mm = acoustics::kSoundSpeed_mmPerUs / settings.frequency_MHz;
-  const double axialSd_mm = probe.axialFwhm_wavelengths * wavelength_mm / kFwhmPerSd;
+  const double axialSd_mm = axialFwhm_mm(probe, settings) / kFwhmPerSd;
   // The lattice's own grain counts toward the point-spread function.
   const double latticeVariance_mm2 = latticePitch_mm * latticePitch_mm / 6;
   const auto kernelSd = [&](double total_mm) {
@@ -125,7 +112,8 @@ void FramePlan::planeBeam() {
 
   std::vector<std::vector<double>> lateral(gates);
   for (int g = 0; g < gates; ++g) {
-    const double sd_lines = kernelSd(lateralFwhm_mm(range_mm(g)) / kFwhmPerSd) / grid.scanlineSpacing_mm(range_mm(g));
+    const double sd_lines =
+        kernelSd(lateralFwhm_mm(probe, settings, range_mm(g)) / kFwhmPerSd) / grid.scanlineSpacing_mm(range_mm(g));
     lateral[g] = settings.effects.beam ? halfKernel(std::max(sd_lines, 1e-3)) : std::vector<double>{1};
     lateralRadius.push_back(static_cast<int>(lateral[g].size()) - 1);
     maxLateralRadius = std::max(maxLateralRadius, lateralRadius[g]);

@@ -8,7 +8,6 @@ namespace insonate {
 
 /// Constants of the acoustic model that are not a tissue's or a probe's.
 namespace acoustics {
-inline constexpr double kSoundSpeed_mmPerUs = 1.54;
 inline constexpr double kFwhmPerSd = 2.3548200450309493;
 /// Envelope of a perfect plane reflector (R = 1) square to the beam, over unit speckle.
 inline constexpr double kReflectorGain_dB = 58;
@@ -64,8 +63,6 @@ struct FramePlan {
   std::vector<double> lateralKernel;  ///< [gate][maxLateralRadius + 1]
 
   double range_mm(double gate) const { return (gate + 0.5) * gate_mm; }
-  double lateralFwhm_mm(double range_mm) const;
-  double elevationFwhm_mm(double range_mm) const;
 
  private:
   void planeElevation();

@@ -1,4 +1,4 @@
-// Medium and boundaries at one row of lattice nodes, in SIMD across the columns; the formulas are those of
+// Medium and boundaries at one map row, in SIMD across the columns; the formulas are those of
 // ThesisModel.cpp.
 #if defined(INSONATE_THESIS_MAP_ROW_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef INSONATE_THESIS_MAP_ROW_INL_H_
@@ -106,17 +106,21 @@ HWY_INLINE Vec clampedToUnit(Vec t) {
   return hn::Min(hn::Max(t, hn::Zero(d)), hn::Set(d, 1.0F));
 }
 
-/// Three rows of nodes: above, here and below.
+/// Rows of nodes that a map row lies on or between: its value is the mean of two, its slope the difference of two.
 struct NodeRows {
-  const KernelBuffers::NodeRow *above, *here, *below;
+  const KernelBuffers::NodeRow *here, *next, *above, *below;
   float perMm;  ///< of the difference between above and below
 
+  HWY_INLINE static Vec mean(const float* a, const float* b) {
+    const Tag d;
+    return hn::Mul(hn::Set(d, 0.5F), hn::Add(hn::Load(d, a), hn::Load(d, b)));
+  }
   HWY_INLINE Vec slope(const float* aboveValue, const float* belowValue) const {
     const Tag d;
     return hn::Mul(hn::Sub(hn::Load(d, belowValue), hn::Load(d, aboveValue)), hn::Set(d, perMm));
   }
   HWY_INLINE Vec distance(int channel, int column) const {
-    return hn::Load(Tag(), here->distance_mm[channel] + column);
+    return mean(here->distance_mm[channel] + column, next->distance_mm[channel] + column);
   }
   HWY_INLINE Vec distanceSlope(int channel, int column) const {
     return slope(above->distance_mm[channel] + column, below->distance_mm[channel] + column);
@@ -175,7 +179,7 @@ HWY_INLINE MediumLanes mediumAt(const KernelInput& in, const NodeRows& rows, int
     add(loss, w, a.loss_dBpmm), add(echo, w, a.echo_dB), add(echoPerHU, w, a.echo_dBperHU);
   }
   const auto scale = hn::Div(hn::Set(d, 1.0F), weight);
-  const auto ct = hn::Load(d, rows.here->ct_HU + column);
+  const auto ct = NodeRows::mean(rows.here->ct_HU + column, rows.next->ct_HU + column);
   const auto ctSlope = rows.slope(rows.above->ct_HU + column, rows.below->ct_HU + column);
   const auto slopeOf = [&](Vec value, Vec slope) {
     return hn::Mul(hn::NegMulAdd(hn::Mul(value, scale), weightSlope, slope), scale);
@@ -199,7 +203,7 @@ HWY_INLINE void mapRow(const KernelInput& in, const NodeRows& rows, double range
                                 : fadeOf(clampedToUnit(hn::MulAdd(
                                       rows.distance(gel, column),
                                       hn::Set(d, static_cast<float>(1 / in.thesis->interface_mm)), hn::Set(d, 0.5F))));
-    const auto beyond = hn::Load(d, rows.here->beyond + column);
+    const auto beyond = NodeRows::mean(rows.here->beyond + column, rows.next->beyond + column);
     const auto seen = hn::Mul(tissue, hn::Sub(one, beyond));
     const auto artanh =
         hn::Mul(hn::Abs(m.lnImpedanceSlope), hn::Set(d, static_cast<float>(in.thesis->steepness_mm / 2)));

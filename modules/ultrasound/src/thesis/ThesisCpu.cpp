@@ -34,10 +34,7 @@ ThesisCpu::ThesisCpu(const Probe& probe, const ImagingSettings& settings)
   echo_.margin = roundedUp(plan_.maxLateralRadius, 16);
   echo_.width = paddedLines + 2 * echo_.margin;
   echo_.values = hwy::AllocateAligned<float>(std::size_t(plan_.gates) * echo_.width);
-  for (int t = 0; t < tbb::info::default_concurrency() + 1; ++t) {
-    workspaces_.push_back(std::make_unique<Workspace>());
-    workspaces_.back()->ring = hwy::AllocateAligned<float>(std::size_t(2) * echo_.width);
-  }
+  provideWorkspaces(tbb::info::default_concurrency() + 1);
   input_.plan = &plan_;
   input_.thesis = &thesis_;
   input_.columns.resize(plan_.nodeColumns);
@@ -50,6 +47,14 @@ ThesisCpu::ThesisCpu(const Probe& probe, const ImagingSettings& settings)
     for (int row = 0; row < plan_.nodeRows; ++row)
       input_.elevation_mm.push_back(
           static_cast<float>(offset_sd * plan_.elevationSd_mm[std::min(row * plan_.cellGates, plan_.gates - 1)]));
+}
+
+/// One for each thread of the arena; an arena larger than any before adds its own, once.
+void ThesisCpu::provideWorkspaces(int threads) {
+  while (static_cast<int>(workspaces_.size()) < threads) {
+    workspaces_.push_back(std::make_unique<Workspace>());
+    workspaces_.back()->ring = hwy::AllocateAligned<float>(std::size_t(2) * echo_.width);
+  }
 }
 
 ThesisCpu::Workspace& ThesisCpu::workspace() {
@@ -76,6 +81,7 @@ void ThesisCpu::setGeometry(const AcousticScene::Impl& scene, const Transform& p
 
 void ThesisCpu::render(const AcousticScene::Impl& scene, const Transform& patientFromProbe, EnvelopeFrame& envelope) {
   envelope.resize(plan_.lines, plan_.grid.samples(), 1);
+  provideWorkspaces(tbb::this_task_arena::max_concurrency());
   for (auto& work : workspaces_) work->times = {};
   const auto start = Clock::now();
   input_.scene = &scene;

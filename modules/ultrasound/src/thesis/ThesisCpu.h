@@ -10,7 +10,7 @@
 namespace insonate::thesis {
 
 /// The thesis look (see ThesisModel.h) with SIMD across scanlines and threads across blocks of them. Everything is
-/// allocated by the constructor.
+/// allocated by the constructor, but for scratch of threads that a larger arena brings.
 class ThesisCpu {
  public:
   ThesisCpu(const Probe& probe, const ImagingSettings& settings);
@@ -28,6 +28,7 @@ class ThesisCpu {
     KernelTimes_ms times;
   };
   void setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe);
+  void provideWorkspaces(int threads);
   Workspace& workspace();
 
   FramePlan plan_;

@@ -72,12 +72,14 @@ HWY_INLINE Vec speckleAt(const KernelBuffers& b, const NoiseAt& at, int l) {
   return hn::Mul(hn::Max(factor, hn::Zero(d)), hn::Set(d, 1 / rms));
 }
 
-void traceGate(const KernelInput& in, int firstLine, int row, int gate, KernelBuffers& b, float* echo) {
+void traceGate(const KernelInput& in, int firstLine, int gate, KernelBuffers& b, float* echo) {
   const Tag d;
   const FramePlan& plan = *in.plan;
   const bool speckles = plan.settings.effects.speckle && plan.settings.effects.scattering;
   const NoiseAt noise = speckles ? prepareNoise(in, firstLine, gate, b) : NoiseAt{};
-  const auto down = hn::Set(d, static_cast<float>(gate - row * plan.cellGates) / static_cast<float>(plan.cellGates));
+  const int row = 2 * gate / plan.cellGates;
+  const auto down =
+      hn::Set(d, 2 * static_cast<float>(gate) / static_cast<float>(plan.cellGates) - static_cast<float>(row));
   const auto gate_mm = hn::Set(d, static_cast<float>(plan.gate_mm));
   const auto tailShare = hn::Set(d, gate == 0 ? 0.0F : static_cast<float>(in.thesis->tailShare));
   for (int l = 0; l < kBlockLines; l += static_cast<int>(hn::Lanes(d))) {
@@ -115,6 +117,20 @@ void extend(const FramePlan& plan, const EchoRows& echo, int firstLine) {
   }
 }
 
+/// Samples the row of nodes that the map row needs first: an even one needs the nodes behind it.
+void makeMapRow(const KernelInput& in, int firstLine, int plane, int row, KernelBuffers& b) {
+  const int last = in.plan->nodeRows - 1;
+  const bool onNodes = row % 2 == 0;
+  const int here = row / 2, next = onNodes ? here : here + 1;
+  const int above = onNodes ? std::max(here - 1, 0) : here, below = onNodes ? std::min(here + 1, last) : next;
+  if (onNodes && here < last) sampleRow(in, firstLine, plane, here + 1, b.nodes[plane][(here + 1) % 3]);
+  const auto node = [&](int r) { return &b.nodes[plane][r % 3]; };
+  const NodeRows rows{node(here), node(next), node(above), node(below),
+                      static_cast<float>(1 / ((below - above) * in.thesis->row_mm))};
+  mapRow(in, rows, in.plan->range_mm(0) + row * in.thesis->mapRow_mm(), b.columns);
+  spreadRow(*in.plan, b.columns, b.lines[plane][row & 1]);
+}
+
 void traceBlockTarget(const KernelInput& in, int firstLine, KernelBuffers& b, const EchoRows& echo,
                       KernelTimes_ms& times) {
   using Clock = std::chrono::steady_clock;
@@ -123,25 +139,17 @@ void traceBlockTarget(const KernelInput& in, int firstLine, KernelBuffers& b, co
   for (int p = 0; p < planes; ++p) std::copy_n(in.lineLevel_dB.data() + firstLine, kBlockLines, b.level_dB[p]);
   std::fill_n(b.noiseCell, kNoiseOctaves, -1);
   std::fill_n(b.tail, kBlockLines, 0.0F);
-  const auto mapAt = [&](int plane, int row) {
-    const int above = std::max(row - 1, 0), below = std::min(row + 1, plan.nodeRows - 1);
-    if (row + 1 < plan.nodeRows) sampleRow(in, firstLine, plane, row + 1, b.nodes[plane][(row + 1) % 3]);
-    const NodeRows rows{&b.nodes[plane][above % 3], &b.nodes[plane][row % 3], &b.nodes[plane][below % 3],
-                        static_cast<float>(1 / ((below - above) * in.thesis->row_mm))};
-    mapRow(in, rows, plan.range_mm(row * plan.cellGates), b.columns);
-    spreadRow(plan, b.columns, b.lines[plane][row & 1]);
-  };
   for (int p = 0; p < planes; ++p) {
     sampleRow(in, firstLine, p, 0, b.nodes[p][0]);
-    mapAt(p, 0);
+    makeMapRow(in, firstLine, p, 0, b);
   }
-  for (int row = 0; row + 1 < plan.nodeRows; ++row) {
+  int gate = 0;
+  for (int row = 1; row < in.thesis->mapRows; ++row) {
     const auto start = Clock::now();
-    for (int p = 0; p < planes; ++p) mapAt(p, row + 1);
+    for (int p = 0; p < planes; ++p) makeMapRow(in, firstLine, p, row, b);
     const auto middle = Clock::now();
-    const int end = std::min(plan.gates, (row + 1) * plan.cellGates);
-    for (int gate = row * plan.cellGates; gate < end; ++gate)
-      traceGate(in, firstLine, row, gate, b, echo.row(gate) + echo.margin + firstLine);
+    for (; gate < plan.gates && 2 * gate < row * plan.cellGates; ++gate)
+      traceGate(in, firstLine, gate, b, echo.row(gate) + echo.margin + firstLine);
     times.map += std::chrono::duration<double, std::milli>(middle - start).count();
     times.trace += std::chrono::duration<double, std::milli>(Clock::now() - middle).count();
   }

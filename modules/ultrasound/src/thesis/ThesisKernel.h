@@ -44,7 +44,7 @@ struct KernelBuffers {
     alignas(64) float ct_HU[kMaxColumns];
     alignas(64) float beyond[kMaxColumns];
   };
-  /// Medium and boundaries at one row of nodes, at columns and spread to scanlines.
+  /// Medium and boundaries at one map row, at columns and spread to scanlines.
   struct MapRow {
     alignas(64) float reflection[kMaxColumns], loss_dBpmm[kMaxColumns], echo[kMaxColumns];
   };

@@ -1,5 +1,6 @@
 #include "thesis/ThesisModel.h"
 
+#include "PointSpread.h"
 #include "scene/FieldSampling.h"
 
 #include <algorithm>
@@ -81,17 +82,17 @@ double slopeOf(const Blend& blend, const Blend& weight) {
 }  // namespace
 
 ThesisPlan::ThesisPlan(const FramePlan& plan)
-    : row_mm(plan.cellGates * plan.gate_mm),
-      interface_mm(std::max(kInterface_mm, 3 * row_mm)),
+    : mapRows(2 * plan.nodeRows - 1),
+      row_mm(plan.cellGates * plan.gate_mm),
+      interface_mm(std::max(kInterface_mm, 4 * mapRow_mm())),
       steepness_mm(interface_mm / kGreatestSlope),
       lossLength_mm(interface_mm * kLossShare) {
-  const double axialFwhm_mm =
-      plan.probe.axialFwhm_wavelengths * acoustics::kSoundSpeed_mmPerUs / plan.settings.frequency_MHz;
+  const double pulse_mm = axialFwhm_mm(plan.probe, plan.settings);
   const double focus_mm = std::min(plan.settings.focus_mm, plan.settings.depth_mm);
   const double width_mm = plan.lines * plan.grid.scanlineSpacing_mm(focus_mm);
-  noise = {width_mm / (kNoiseCellLateral * plan.lateralFwhm_mm(focus_mm)),
-           plan.settings.depth_mm / (kNoiseCellAxial * axialFwhm_mm)};
-  tailShare = plan.settings.effects.beam ? std::exp(-plan.gate_mm / (kTail * axialFwhm_mm)) : 0;
+  noise = {width_mm / (kNoiseCellLateral * lateralFwhm_mm(plan.probe, plan.settings, focus_mm)),
+           plan.settings.depth_mm / (kNoiseCellAxial * pulse_mm)};
+  tailShare = plan.settings.effects.beam ? std::exp(-plan.gate_mm / (kTail * pulse_mm)) : 0;
 }
 
 std::array<ChannelAcoustics, TissueField::kStride> channelAcoustics(const ImagingSettings& settings,

@@ -8,8 +8,8 @@
 
 /// The look of the thesis: four layers over the CT and its labels, sampled in the imaging plane.
 ///
-/// On the frame plan's lattice of nodes the labels give impedance, attenuation and echogenicity, blended across
-/// boundaries, and the CT modulates them within each structure. Down each scanline
+/// On the frame plan's lattice of nodes, and midway between its rows, the labels give impedance, attenuation and
+/// echogenicity, blended across boundaries, and the CT modulates them within each structure. Down each scanline
 ///   echo = amplitude * (echogenicity * speckle + gain * reflection),
 /// where the amplitude is what absorption and reflection have left, there and back (equations 7 and 8). Elevation
 /// planes are averaged, then the radial blur follows. All amplitudes; the thesis writes intensities, their squares.
@@ -18,12 +18,12 @@ namespace insonate::thesis {
 /// Echo of a perfect plane reflector square to the beam, over unit speckle.
 inline constexpr double kReflectorGain_dB = 50;
 /// Structures blend into each other over this distance: what CT and labels resolve.
-inline constexpr double kInterface_mm = 1.2;
+inline constexpr double kInterface_mm = 0.8;
 /// Beyond the volume nothing is heard.
 inline constexpr double kBeyondLoss_dBpmm = 1000;
 inline constexpr double kSpeckleContrast = 0.55;  ///< SD over mean of the speckle's amplitude
 /// Cells of the noise, in units of the point-spread function's FWHM.
-inline constexpr double kNoiseCellAxial = 2.0, kNoiseCellLateral = 1.8;
+inline constexpr double kNoiseCellAxial = 2.2, kNoiseCellLateral = 2.4;
 /// Exponential tail of the radial blur, in units of the pulse's FWHM.
 inline constexpr double kTail = 0.8;
 
@@ -31,12 +31,15 @@ inline constexpr double kTail = 0.8;
 struct ThesisPlan {
   explicit ThesisPlan(const FramePlan& plan);
 
+  int mapRows;           ///< twice as close as the node rows: distances vary slowly, their interfaces do not
   double row_mm;         ///< between node rows
-  double interface_mm;   ///< kInterface_mm, where the rows are close enough to sample it
+  double interface_mm;   ///< kInterface_mm, where the map rows are close enough to sample it
   double steepness_mm;   ///< interface_mm over the greatest slope of fade(): change per mm to change of an interface
   double lossLength_mm;  ///< over which a plane interface's loss is spread, so that its integral is right
   double tailShare;      ///< of the radial blur that passes from gate to gate
   NoiseCells noise;
+
+  double mapRow_mm() const { return row_mm / 2; }
 };
 
 /// Acoustic constants of one channel of the tissue field, with the effects that are switched off left out.

@@ -14,12 +14,20 @@ double mix(double a, double b, double t) {
   return a + (b - a) * t;
 }
 
-/// Medium and boundaries of all elevation planes on the lattice of nodes, and the contact of each scanline.
+SceneSample combined(const SceneSample& a, double wa, const SceneSample& b, double wb, int channels) {
+  SceneSample sum;
+  for (int c = 0; c < channels; ++c) sum.distance_mm[c] = wa * a.distance_mm[c] + wb * b.distance_mm[c];
+  sum.ctDeviation_HU = wa * a.ctDeviation_HU + wb * b.ctDeviation_HU;
+  sum.beyond = wa * a.beyond + wb * b.beyond;
+  return sum;
+}
+
+/// Medium and boundaries of all elevation planes on the map rows, and the contact of each scanline.
 class SceneMap {
  public:
   SceneMap(const FramePlan& plan, const ThesisPlan& thesis, const AcousticScene::Impl& scene,
            const Transform& patientFromProbe)
-      : plan_(plan) {
+      : plan_(plan), mapRows_(thesis.mapRows) {
     for (int column = 0; column < plan.nodeColumns; ++column) {
       const double line = column * plan.cellLines;
       contacts_.push_back(contactOf(scene.field, patientFromProbe * plan.grid.origin(line),
@@ -40,13 +48,13 @@ class SceneMap {
   }
 
   MapSample at(int plane, int gate, int line) const {
-    const int row = gate / plan_.cellGates, column = line / plan_.cellLines;
-    const MapSample* m = map_.data() + (std::size_t(plane) * plan_.nodeRows + row) * plan_.nodeColumns + column;
-    const double down = double(gate - row * plan_.cellGates) / plan_.cellGates;
+    const double place = 2.0 * gate / plan_.cellGates;
+    const int row = static_cast<int>(place), column = line / plan_.cellLines;
+    const MapSample* m = map_.data() + (std::size_t(plane) * mapRows_ + row) * plan_.nodeColumns + column;
     const auto bilinear = [&](double MapSample::*value) {
       const MapSample* below = m + plan_.nodeColumns;
       return mix(mix(m[0].*value, m[1].*value, across(line)), mix(below[0].*value, below[1].*value, across(line)),
-                 down);
+                 place - row);
     };
     return {bilinear(&MapSample::reflection), bilinear(&MapSample::loss_dBpmm), bilinear(&MapSample::echo)};
   }
@@ -65,23 +73,27 @@ class SceneMap {
 
   void addPlane(const ThesisPlan& thesis, const AcousticScene::Impl& scene, const std::vector<SceneSample>& nodes) {
     const auto channels = channelAcoustics(plan_.settings, scene);
-    for (int row = 0; row < plan_.nodeRows; ++row)
+    const int last = plan_.nodeRows - 1;
+    for (int row = 0; row < mapRows_; ++row) {
+      // On a row of nodes the slope is that of the rows before and after, midway between two it is theirs.
+      const bool onNodes = row % 2 == 0;
+      const int here = row / 2, next = onNodes ? here : here + 1;
+      const int above = onNodes ? std::max(here - 1, 0) : here, below = onNodes ? std::min(here + 1, last) : next;
       for (int column = 0; column < plan_.nodeColumns; ++column) {
-        const int above = std::max(row - 1, 0), below = std::min(row + 1, plan_.nodeRows - 1);
         const auto node = [&](int r) -> const SceneSample& {
           return nodes[std::size_t(r) * plan_.nodeColumns + column];
         };
+        const SceneSample value = combined(node(here), 0.5, node(next), 0.5, scene.field.channels);
         const double perMm = 1 / ((below - above) * thesis.row_mm);
-        SceneSample slope;
-        for (int c = 0; c < scene.field.channels; ++c)
-          slope.distance_mm[c] = (node(below).distance_mm[c] - node(above).distance_mm[c]) * perMm;
-        slope.ctDeviation_HU = (node(below).ctDeviation_HU - node(above).ctDeviation_HU) * perMm;
-        map_.push_back(
-            mapAt(node(row), slope, plan_.range_mm(row * plan_.cellGates), thesis, plan_.settings, scene, channels));
+        const SceneSample slope = combined(node(below), perMm, node(above), -perMm, scene.field.channels);
+        const double range_mm = plan_.range_mm(0) + row * thesis.mapRow_mm();
+        map_.push_back(mapAt(value, slope, range_mm, thesis, plan_.settings, scene, channels));
       }
+    }
   }
 
   const FramePlan& plan_;
+  int mapRows_;
   std::vector<Contact> contacts_;  ///< [column]
   std::vector<MapSample> map_;     ///< [plane][row][column]
 };
