@@ -10,7 +10,7 @@ struct MachineLimits {
   double memory_GBps = 0;         ///< the same on arrays far larger than any cache (STREAM triad)
 };
 
-/// `seconds` is shared by the three kernels. Threads are those of an arena of its own.
+/// `seconds` is shared by the three kernels.
 MachineLimits measureMachine(int threads, double seconds);
 
 }  // namespace insonate::bench

@@ -20,7 +20,7 @@ enum class GreyMap { Linear, Soft };
 
 /// Each physical effect can be left out, to see what it does.
 struct Effects {
-  bool scattering = true;     ///< off: nothing but boundaries
+  bool scattering = true;  ///< off: nothing but boundaries
   bool reflection = true;
   bool attenuation = true;    ///< absorption along the beam, there and back
   bool transmission = true;   ///< loss (1 - R^2) at each boundary, there and back: shadow
