@@ -79,8 +79,7 @@ void checkBody(const PatientCase& patient, Findings& findings) {
   const double enclosed_ml = static_cast<double>(enclosed) * voxelVolume_mm3(labels.geometry) / 1000;
   if (enclosed > 0)
     findings.push_back({enclosed_ml > 1 ? Severity::kWarning : Severity::kInfo, "background_inside",
-                        std::to_string(enclosed) + " background voxels (" +
-                            std::to_string(static_cast<long>(enclosed_ml + 0.5)) +
+                        std::to_string(enclosed) + " background voxels (" + std::to_string(std::lround(enclosed_ml)) +
                             " ml) are enclosed by the body; they will look like air. Label them, e.g. soft tissue."});
 
   std::string cut;

@@ -153,7 +153,8 @@ Result<RawVolume> readVolumeFile(const fs::path& file, ReadPart part) {
   if (!fs::exists(file, error)) return fail("There is no file " + file.string() + ".");
   if (!isVolumeFile(file))
     return fail(file.string() + " is not a volume this program reads (NRRD, NIfTI or MetaImage, by its name).");
-  const std::string whatToDo = ". It may be damaged or cut off; copy or export it again.";
+  const std::string sentence =
+      "Could not read " + file.string() + ": it may be damaged or cut off; copy or export it again. The reader says: ";
   try {
     const Io::Pointer io = makeIo(file);
     io->SetFileName(file.string());
@@ -163,11 +164,11 @@ Result<RawVolume> readVolumeFile(const fs::path& file, ReadPart part) {
     if (auto ok = readValues(*io, file, *raw); !ok) return tl::unexpected(ok.error());
     return raw;
   } catch (const itk::ExceptionObject& e) {
-    return fail("Could not read " + file.string() + ": " + oneLine(e.GetDescription()) + whatToDo);
+    return fail(sentence + oneLine(e.GetDescription()));
   } catch (const std::bad_alloc&) {
     return fail("Could not read " + file.string() + ": it needs more memory than there is.");
   } catch (const std::exception& e) {
-    return fail("Could not read " + file.string() + ": " + oneLine(e.what()) + whatToDo);
+    return fail(sentence + oneLine(e.what()));
   }
 }
 

@@ -122,6 +122,7 @@ std::vector<PixelMask> parts(const PixelMask& mask, int leastPixels) {
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<PixelMask> sorted;
+  sorted.reserve(found.size());
   for (auto& [count, part] : found) sorted.push_back(std::move(part));
   return sorted;
 }

@@ -11,9 +11,9 @@ namespace {
 constexpr double kSoundSpeed_mmPerUs = 1.54, kFwhmPerSd = 2.3548;
 constexpr double kWhite_dB = 39.5;
 
-std::uint8_t nearestLabel(const LabelMap& labels, Vec3 index) {
-  const auto i = static_cast<int>(index.x + 0.5), j = static_cast<int>(index.y + 0.5),
-             k = static_cast<int>(index.z + 0.5);
+/// `corner` counts voxels from the outer corner of the first.
+std::uint8_t labelAt(const LabelMap& labels, Vec3 corner) {
+  const auto i = static_cast<int>(corner.x), j = static_cast<int>(corner.y), k = static_cast<int>(corner.z);
   return labels.geometry.contains(i, j, k) ? knownLabel(labels.at(i, j, k)) : kBackground;
 }
 
@@ -80,14 +80,15 @@ void PlainLoop::scatter(const Transform& patientFromProbe) {
   const double planeStep_mm =
       1.2 * setup_.probe.elevationFwhm_wavelengths * kSoundSpeed_mmPerUs / s.frequency_MHz / kFwhmPerSd;
   for (int plane = 0; plane < s.elevationPlanes; ++plane) {
-    const double offset = plane - (s.elevationPlanes - 1) / 2;
+    const double offset = plane - (s.elevationPlanes - 1) / 2.0;
     const auto weight = static_cast<float>(std::exp(-0.72 * offset * offset));
     for (int line = 0; line < s.scanlines; ++line) {
-      const Vec3 origin = indexFromProbe * (grid_.origin(line) + Vec3{0, offset * planeStep_mm, 0});
+      const Vec3 origin =
+          indexFromProbe * (grid_.origin(line) + Vec3{0, offset * planeStep_mm, 0}) + Vec3{0.5, 0.5, 0.5};
       const Vec3 direction = indexFromProbe.linear * grid_.direction(line);
       float level = weight;
       for (int k = 0; k < s.samples; ++k) {
-        const std::uint8_t label = nearestLabel(patient_.labels, origin + direction * grid_.range_mm(k));
+        const std::uint8_t label = labelAt(patient_.labels, origin + direction * grid_.range_mm(k));
         level *= loss_[label];
         const std::uint32_t h = hash32(static_cast<std::uint32_t>(k + s.samples * (line + s.scanlines * plane)));
         const std::size_t i = std::size_t(k) * s.scanlines + line;
@@ -140,7 +141,7 @@ void PlainLoop::convert(BModeImage& image) const {
     const float* p = level_.data() + pixel.level;
     const float* q = p + s.scanlines;
     const float upper = (1 - pixel.x) * p[0] + pixel.x * p[1], lower = (1 - pixel.x) * q[0] + pixel.x * q[1];
-    image.grey[pixel.at] = static_cast<std::uint8_t>((1 - pixel.z) * upper + pixel.z * lower + 0.5F);
+    image.grey[pixel.at] = static_cast<std::uint8_t>((1 - pixel.z) * upper + pixel.z * lower);
   }
 }
 

@@ -122,6 +122,7 @@ class PictureScore {
       }
     const auto addMedian = [&](std::string_view measure, double Lumen::*field) {
       std::vector<double> values;
+      values.reserve(lumens.size());
       for (const Lumen& lumen : lumens) values.push_back(lumen.*field);
       add(measure, medianOf(values), std::to_string(lumens.size()) + (lumens.size() == 1 ? " vessel" : " vessels"));
     };

@@ -141,7 +141,7 @@ std::string svgOf(const LineChart& chart) {
   for (const PlotLevel& level : chart.levels) {
     if (!y.shows(level.y)) continue;
     canvas.line(kLeft, y.pixel(level.y), kRight, y.pixel(level.y), "stroke=\"#b00020\" stroke-dasharray=\"3 3\"");
-    canvas.text(kRight + 8, y.pixel(level.y) + 4, level.name, "font-size=\"11\" fill=\"#b00020\"");
+    canvas.text(kRight - 6, y.pixel(level.y) - 5, level.name, "text-anchor=\"end\" font-size=\"11\" fill=\"#b00020\"");
   }
   std::vector<Pixel> taken;  // by labels
   for (std::size_t s = 0; s < chart.series.size(); ++s) {
