@@ -3,6 +3,7 @@
 
 #include <insonate/tissue/Labels.h>
 
+#include <cmath>
 #include <cstdio>
 #include <set>
 
