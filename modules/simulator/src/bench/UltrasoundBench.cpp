@@ -118,25 +118,26 @@ Result<void> addRealism(const UltrasoundBenchPlan& plan, const ImagingSetup& set
   return {};
 }
 
-std::vector<std::string> notesOf(const Machine& machine) {
-  return {
-      "median_ms, p95_ms and min_ms are wall-clock times of whole frames, engine and display, with a moving probe; "
-      "other programs on the machine lengthen them. cpu_ms is the processor time of the whole program for one frame.",
-      "envelope_error_percent and ssim compare with the reference engine at the same settings and poses. "
-      "discretisation_error_percent and discretisation_ssim compare with a dense frame of the reference engine, "
-      "speckle left out: more elevation planes hold other scatterers, so that speckle itself cannot converge. gate_mm "
-      "is the distance at which echoes are summed; more samples bring it down only to a third of the pulse.",
-      "The plain loop is a scalar loop of the same workload without boundaries, layers, textures, looks and display "
-      "filters, compiled with the same options.",
-      "Stage times of the engine are sums over threads, those of the display are wall-clock. Operations and bytes are "
-      "estimates of what the model asks for, by formula. A frame's data fit the caches, so that more than 100 % of the "
-      "memory's bandwidth is no mistake. Peaks are measured here with " +
-          machine.vectors + " vectors. Integer work and work that is no multiply-add cannot reach the arithmetic peak.",
-      "Reported elsewhere for this workload on other machines, one core: 28 ms for a well-known simulator without "
-      "speckle statistics, beam width or slice thickness; 21 ms for a plain scalar loop; 8 ms for an optimised study, "
-      "3.8 ms on two cores.",
-  };
-}
+constexpr const char* kAboutTimes =
+    "median_ms, p95_ms and min_ms are wall-clock times of whole frames, engine and display, with a moving probe; other "
+    "programs on the machine lengthen them. cpu_ms is the processor time of the whole program for one frame.";
+constexpr const char* kAboutErrors =
+    "envelope_error_percent and ssim compare with the reference engine at the same settings and poses. "
+    "discretisation_error_percent and discretisation_ssim compare with a dense frame of the reference engine, speckle "
+    "left out: more elevation planes hold other scatterers, so that speckle itself cannot converge. gate_mm is the "
+    "distance at which echoes are summed; more samples bring it down only to a third of the pulse.";
+constexpr const char* kAboutPlainLoop =
+    "The plain loop is a scalar loop of the same workload without boundaries, layers, textures, looks and display "
+    "filters, compiled with the same options.";
+constexpr const char* kAboutStages =
+    "Stage times of the engine are sums over threads, those of the display are wall-clock. Operations and bytes are "
+    "estimates of what the model asks for, by formula. A frame's data fit the caches, so that more than 100 % of the "
+    "memory's bandwidth is no mistake. Integer work and work that is no multiply-add cannot reach the arithmetic peak.";
+constexpr const char* kAboutOthers =
+    "Reported elsewhere for this workload on other machines, one core: 28 ms for a well-known simulator without "
+    "speckle "
+    "statistics, beam width or slice thickness; 21 ms for a plain scalar loop; 8 ms for an optimised study, 3.8 ms on "
+    "two cores.";
 
 }  // namespace
 
@@ -212,7 +213,7 @@ Result<UltrasoundBench> runUltrasoundBench(const UltrasoundBenchPlan& plan, cons
     if (!patient) return tl::unexpected(patient.error());
     if (auto ok = addRealism(plan, setup, *patient, variant, 0, bench); !ok) return tl::unexpected(ok.error());
   }
-  bench.notes = notesOf(bench.machine);
+  bench.notes = {kAboutTimes, kAboutErrors, kAboutPlainLoop, kAboutStages, kAboutOthers};
   report(progress, "measuring pictures", 1);
   return bench;
 }
