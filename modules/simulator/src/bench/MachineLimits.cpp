@@ -104,6 +104,7 @@ MachineLimits measureMachine(int threads, double seconds) {
 
   constexpr int kPasses = 200;
   std::vector<TriadArrays> own;
+  own.reserve(threads);
   for (int t = 0; t < threads; ++t) own.emplace_back(kCacheFloats);
   const double cached = bestRate(threads, seconds / 3, [&](int t) {
     for (int pass = 0; pass < kPasses; ++pass)
