@@ -40,8 +40,7 @@ TEST_P(Speckle, IsFullyDevelopedForEveryProbeAndSlice) {
       const Probe probe = probeNamed(name);
       ImagingSettings settings = speckleSettings(probe, kLines, kSamples, planes);
       settings.looks = 3, settings.depth_mm = std::min(90.0, settings.depth_mm);
-      // A slice that lies on the scatterers' lattice plane by plane is no fair sample of it.
-      const Transform pose = moved({0, 0.13, 0});
+      const Transform pose;
       const EnvelopeFrame frame = render(probe, settings, evenScene(probe, settings, plainTable(), pose), pose);
       const std::string which = std::string(name) + "_planes_" + std::to_string(planes);
       for (int look = 0; look < 3; ++look) {

@@ -12,6 +12,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -63,12 +64,15 @@ class CpuEngine final : public Engine {
   void setChannels(const AcousticScene::Impl& scene);
   void setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe);
   void setScanlines(const Transform& patientFromProbe, const ScattererLattice& lattice);
+  void setTextureRays(const TextureFrame& frame, const Transform& patientFromProbe, const TextureTile& tile,
+                      TextureRays& rays) const;
   void traceLines(int firstLine, const std::vector<PointEcho>& points);
   void reverberate(Workspace& work) const;
 
   std::unique_ptr<thesis::ThesisCpu> thesis_;  ///< where the settings ask for its look; the rest is then idle
   std::optional<FramePlan> plan_;
   std::optional<Reverberation> behindGas_;
+  std::vector<Vec3> origins_, directions_;  ///< of the scanlines, in the probe's frame
   BeamTables tables_;
   TraceInput input_;
   EchoPlane echo_;
@@ -82,6 +86,11 @@ void CpuEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
   if (thesis_) return;
   const FramePlan& plan = plan_.emplace(probe, settings);
   behindGas_.emplace(plan);
+  origins_.clear(), directions_.clear();
+  for (int line = 0; line < plan.lines; ++line) {
+    origins_.push_back(plan.grid.origin(line));
+    directions_.push_back(plan.grid.direction(line));
+  }
   tables_ = BeamTables(plan);
   const int components = 2 * settings.looks;
   const int paddedLines = roundedUp(plan.lines, kBlockLines);
@@ -135,16 +144,14 @@ void CpuEngine::provideWorkspaces(int threads) {
 void CpuEngine::setChannels(const AcousticScene::Impl& scene) {
   const FramePlan& plan = *plan_;
   const double f_MHz = plan.settings.frequency_MHz, perGate_cm = plan.gate_mm / 10;
-  input_.gasChannels = 0;
+  input_.gasChannels = input_.texturedChannels = 0;
   input_.anyCt = false;
   for (int c = 0; c < scene.field.channels; ++c) {
     const AcousticTissue& tissue = scene.table.of(scene.field.label[c]);
     ChannelConstants& k = input_.channels[c];
     k.tissue = &tissue;
     k.tile = &textureTile(tissue.texture);
-    k.textured = tissue.texture != Texture::None;
     k.sheets = hasSheets(tissue.texture);
-    k.gas = tissue.gas;
     k.loss_dB =
         static_cast<float>(2 * tissue.attenuation_dBpcmMHz * std::pow(f_MHz, tissue.attenuationExponent) * perGate_cm);
     k.echo_dB = static_cast<float>(tissue.echogenicity_dB);
@@ -152,11 +159,7 @@ void CpuEngine::setChannels(const AcousticScene::Impl& scene) {
     k.impedance = static_cast<float>(tissue.impedance_MRayl);
     k.ctImpedancePerHU = static_cast<float>(tissue.ctImpedancePer100HU / 100);
     k.textureStrength_dB = static_cast<float>(tissue.textureStrength_dB);
-    for (int side = 0; side < 2; ++side) {
-      const TextureFrame& frame = scene.textureFrames[scene.field.label[c]][side];
-      k.side[side] = {FloatMatrix(frame.tileFromPatient), static_cast<float>(frame.thinAxis.x),
-                      static_cast<float>(frame.thinAxis.y), static_cast<float>(frame.thinAxis.z)};
-    }
+    if (tissue.texture != Texture::None) input_.texturedChannels |= 1U << c;
     if (tissue.gas) input_.gasChannels |= 1U << c;
     input_.anyCt |= tissue.ctEchogenicity_dBper100HU != 0 || tissue.ctImpedancePer100HU != 0;
   }
@@ -196,14 +199,19 @@ void CpuEngine::setGeometry(const AcousticScene::Impl& scene, const Transform& p
   input_.nodeFromPatient = FloatMatrix(node.linear);
   input_.nodeOffsetX = f(node.offset.x), input_.nodeOffsetY = f(node.offset.y), input_.nodeOffsetZ = f(node.offset.z);
   setScanlines(patientFromProbe, lattice);
+  for (int c = 0; c < scene.field.channels; ++c)
+    if (input_.texturedChannels >> c & 1U)
+      for (int side = 0; side < 2; ++side)
+        setTextureRays(scene.textureFrames[scene.field.label[c]][side], patientFromProbe, *input_.channels[c].tile,
+                       input_.textureRays[c][side]);
 }
 
 void CpuEngine::setScanlines(const Transform& patientFromProbe, const ScattererLattice& lattice) {
   const FramePlan& plan = *plan_;
   for (std::size_t l = 0; l < input_.lines.x.size(); ++l) {
     const int line = std::min(static_cast<int>(l), plan.lines - 1);
-    const Vec3 origin = patientFromProbe * plan.grid.origin(line);
-    const Vec3 direction = patientFromProbe.linear * plan.grid.direction(line);
+    const Vec3 origin = patientFromProbe * origins_[line];
+    const Vec3 direction = patientFromProbe.linear * directions_[line];
     setRay(input_.lines, l, origin, direction);
     setRay(input_.latticeLines, l, lattice.latticeFromPatient * origin, lattice.latticeFromPatient * direction);
     const int column = line / plan.cellLines;
@@ -213,6 +221,27 @@ void CpuEngine::setScanlines(const Transform& patientFromProbe, const ScattererL
     const double strength = left.strength + t * (right.strength - left.strength);
     input_.lineGap_mm[l] = plan.settings.conformingContact ? static_cast<float>(gap_mm) : 0.0F;
     input_.lineLevel_dB[l] = static_cast<float>(20 * std::log10(std::max(strength, 1e-9)));
+  }
+}
+
+void CpuEngine::setTextureRays(const TextureFrame& frame, const Transform& patientFromProbe, const TextureTile& tile,
+                               TextureRays& rays) const {
+  const Transform tileFromProbe{frame.tileFromPatient * patientFromProbe.linear,
+                                frame.tileFromPatient * patientFromProbe.offset};
+  const Vec3 thinAxis = transposed(patientFromProbe.linear) * frame.thinAxis;
+  const Vec3 elevation = tileFromProbe.linear.column[1];
+  constexpr double kHalf = 0.5 - TextureTile::kRounding_voxels;
+  rays.elevationX = static_cast<float>(elevation.x), rays.elevationY = static_cast<float>(elevation.y),
+  rays.elevationZ = static_cast<float>(elevation.z);
+  rays.bitsOfU = std::countr_zero(static_cast<unsigned>(tile.size[0]));
+  rays.bitsOfW = std::countr_zero(static_cast<unsigned>(tile.size[2]));
+  rays.line.resize(input_.lines.x.size());
+  rays.facing.resize(input_.lines.x.size());
+  for (std::size_t l = 0; l < rays.facing.size(); ++l) {
+    const int line = std::min(static_cast<int>(l), plan_->lines - 1);
+    const Vec3 direction = directions_[line];
+    setRay(rays.line, l, tileFromProbe * origins_[line] - Vec3{kHalf, kHalf, kHalf}, tileFromProbe.linear * direction);
+    rays.facing[l] = static_cast<float>(sheetFacing(dot(direction, thinAxis)));
   }
 }
 

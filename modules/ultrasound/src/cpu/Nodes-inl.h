@@ -6,6 +6,7 @@
 #define INSONATE_CPU_NODES_INL_H_
 #endif
 
+#include "cpu/Lanes-inl.h"
 #include "cpu/TraceInput.h"
 
 #include <hwy/highway.h>
@@ -17,116 +18,195 @@ HWY_BEFORE_NAMESPACE();
 namespace insonate::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Where the nodes of a row lie: the low corner of their cell of the field, and how far into it.
+/// Where the nodes of a row lie in the field: the low corner of their cell, and the weights of its eight corners.
 struct NodePlaces {
-  alignas(64) std::int32_t corner[3][kMaxColumns];
-  alignas(64) float fraction[3][kMaxColumns];
-  alignas(64) std::int32_t patch[kMaxColumns];  ///< voxel of the patch tile
+  alignas(64) std::int32_t corner[kMaxColumns];
+  alignas(64) float weight[8][kMaxColumns];
 };
 
-HWY_INLINE void placeNodes(const TraceInput& in, int firstColumn, int columns, float range, float decay,
-                           float elevation, NodePlaces& places, TraceBuffers::NodeRow& row) {
-  const hn::CappedTag<float, 16> d;
-  const hn::Rebind<std::int32_t, decltype(d)> di;
-  const FloatMatrix& m = in.nodeFromPatient;
+/// From the low corner of a cell of the field to each corner, in nodes; none along an axis of one node.
+struct CornerSteps {
+  std::int32_t step[8];
+  explicit CornerSteps(const TissueField& field) {
+    const std::int32_t x = field.size[0] > 1 ? 1 : 0, y = field.size[1] > 1 ? field.size[0] : 0,
+                       z = field.size[2] > 1 ? field.size[0] * field.size[1] : 0;
+    for (int k = 0; k < 8; ++k) step[k] = (k & 1 ? x : 0) + (k & 2 ? y : 0) + (k & 4 ? z : 0);
+  }
+};
+
+/// Clamps a continuous index to the field: the low node, and how far beyond it. Zeroes `inside` off the field.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, D>> lowNode(D d, V index, int size, V& fraction, V& inside) {
+  const hn::Rebind<std::int32_t, D> di;
+  const auto last = hn::Set(d, static_cast<float>(size - 1)), half = hn::Set(d, 0.5F);
+  const auto within = hn::And(hn::Ge(index, hn::Neg(half)), hn::Le(index, hn::Add(last, half)));
+  inside = hn::IfThenElseZero(within, inside);
+  const auto clamped = hn::Max(hn::Zero(d), hn::Min(index, last));
+  const auto low = hn::Min(hn::ConvertTo(di, clamped), hn::Set(di, std::max(size - 2, 0)));
+  fraction = hn::Sub(clamped, hn::ConvertTo(d, low));
+  return low;
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V patchAt(D d, V x, V y, V z) {
+  const hn::Rebind<std::int32_t, D> di;
   const TextureTile& tile = patchTile();
-  const auto e = hn::Set(d, elevation), toVoxel = hn::Set(d, static_cast<float>(1 / tile.voxel_mm.x));
-  for (int c = 0; c < columns; c += static_cast<int>(hn::Lanes(d))) {
-    const std::size_t at = firstColumn + c;
-    const auto r = hn::MulAdd(hn::LoadU(d, in.columnGap_mm.data() + at), hn::Set(d, decay), hn::Set(d, range));
-    const auto along = [&](const std::vector<float>& origin, const std::vector<float>& direction, float axis) {
-      return hn::MulAdd(hn::Set(d, axis), e,
-                        hn::MulAdd(hn::LoadU(d, direction.data() + at), r, hn::LoadU(d, origin.data() + at)));
-    };
-    const auto x = along(in.columns.x, in.columns.dx, in.elevationX),
-               y = along(in.columns.y, in.columns.dy, in.elevationY),
-               z = along(in.columns.z, in.columns.dz, in.elevationZ);
-    const auto node = [&](float mx, float my, float mz, float offset) {
-      return hn::MulAdd(hn::Set(d, mx), x,
-                        hn::MulAdd(hn::Set(d, my), y, hn::MulAdd(hn::Set(d, mz), z, hn::Set(d, offset))));
-    };
-    const decltype(x) index[3] = {node(m.xx, m.xy, m.xz, in.nodeOffsetX), node(m.yx, m.yy, m.yz, in.nodeOffsetY),
-                                  node(m.zx, m.zy, m.zz, in.nodeOffsetZ)};
-    auto inside = hn::Set(d, 1.0F);
-    for (int a = 0; a < 3; ++a) {
-      const int size = in.scene->field.size[a];
-      const auto last = hn::Set(d, static_cast<float>(size - 1));
-      const auto half = hn::Set(d, 0.5F);
-      const auto within = hn::And(hn::Ge(index[a], hn::Neg(half)), hn::Le(index[a], hn::Add(last, half)));
-      inside = hn::IfThenElseZero(within, inside);
-      const auto clamped = hn::Max(hn::Zero(d), hn::Min(index[a], last));
-      const auto low = hn::Min(hn::ConvertTo(di, clamped), hn::Set(di, std::max(size - 2, 0)));
-      hn::Store(low, di, places.corner[a] + c);
-      hn::Store(hn::Sub(clamped, hn::ConvertTo(d, low)), d, places.fraction[a] + c);
-    }
-    hn::Store(inside, d, row.inside + c);
-    const auto voxel = [&](decltype(x) p, int size) {
-      return hn::And(hn::ConvertTo(di, hn::Floor(hn::Mul(p, toVoxel))), hn::Set(di, size - 1));
-    };
-    const auto vu = hn::Add(hn::Mul(voxel(y, tile.size[1]), hn::Set(di, tile.size[0])), voxel(x, tile.size[0]));
-    hn::Store(hn::Add(hn::Mul(vu, hn::Set(di, tile.size[2])), voxel(z, tile.size[2])), di, places.patch + c);
-  }
+  const auto toVoxel = hn::Set(d, static_cast<float>(1 / tile.voxel_mm.x));
+  const auto voxel = [&](V p, int size) {
+    const auto at = hn::MulAdd(p, toVoxel, hn::Set(d, static_cast<float>(TextureTile::kRounding_voxels)));
+    return hn::And(hn::ConvertTo(di, hn::Floor(at)), hn::Set(di, size - 1));
+  };
+  const auto vu = hn::Add(hn::Mul(voxel(y, tile.size[1]), hn::Set(di, tile.size[0])), voxel(x, tile.size[0]));
+  const auto at = hn::Add(hn::Mul(vu, hn::Set(di, tile.size[2])), voxel(z, tile.size[2]));
+  return hn::Mul(hn::ConvertTo(d, tileBytes(tile, at)), hn::Set(d, 1.0F / 32));
 }
 
-HWY_INLINE void lookUpNode(const TraceInput& in, const NodePlaces& places, int column, TraceBuffers::NodeRow& row) {
+/// HU above the structures' means.
+template <class D, class VI>
+HWY_INLINE hn::Vec<D> ctAt(D d, const TissueField& field, const CornerSteps& steps, VI corner,
+                           const hn::Vec<D>* weight) {
+  const hn::Rebind<std::int32_t, D> di;
+  auto ct = hn::Zero(d);
+  for (int k = 0; k < 8; ++k) {
+    // Two bytes at an even offset: fetch four, and bring the lower two up and down again with their sign.
+    const auto offset = hn::ShiftLeft<1>(hn::Add(corner, hn::Set(di, steps.step[k])));
+    const auto word = hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(field.ctDeviation.data()), offset);
+    ct = hn::MulAdd(weight[k], hn::ConvertTo(d, hn::ShiftRight<16>(hn::ShiftLeft<16>(word))), ct);
+  }
+  return ct;
+}
+
+/// A row of nodes: which columns of the frame, how deep, how far off the central plane.
+struct NodeRowPlace {
+  int firstColumn;
+  float range_mm, contactDecay, elevation_mm;
+};
+
+/// As many nodes as the tag has lanes, from the block's column c on.
+template <class D>
+HWY_INLINE void placeNodes(D d, const TraceInput& in, const CornerSteps& steps, const NodeRowPlace& at, int c,
+                           NodePlaces& places, TraceBuffers::NodeRow& row) {
+  using V = hn::Vec<D>;
+  const hn::Rebind<std::int32_t, D> di;
+  const FloatMatrix& m = in.nodeFromPatient;
   const TissueField& field = in.scene->field;
-  const float fx = places.fraction[0][column], fy = places.fraction[1][column], fz = places.fraction[2][column];
-  const std::size_t base = field.offset(places.corner[0][column], places.corner[1][column], places.corner[2][column]);
-  const std::size_t sx = field.size[0] > 1 ? 1 : 0, sy = field.size[1] > 1 ? field.size[0] : 0,
-                    sz = field.size[2] > 1 ? std::size_t(field.size[0]) * field.size[1] : 0;
-  const std::size_t offset[8] = {base,      base + sx,      base + sy,      base + sx + sy,
-                                 base + sz, base + sx + sz, base + sy + sz, base + sx + sy + sz};
-  const float y0 = (1 - fy) * (1 - fz), y1 = fy * (1 - fz), y2 = (1 - fy) * fz, y3 = fy * fz;
-  const float weight[8] = {(1 - fx) * y0, fx * y0, (1 - fx) * y1, fx * y1,
-                           (1 - fx) * y2, fx * y2, (1 - fx) * y3, fx * y3};
-  const hn::CappedTag<float, 8> d;
-  const hn::Rebind<std::int32_t, decltype(d)> di;
-  const hn::Rebind<std::int16_t, decltype(d)> d16;
-  alignas(64) float sum[TissueField::kStride];
-  for (int first = 0; first < field.channels; first += static_cast<int>(hn::Lanes(d))) {
-    auto acc = hn::Zero(d);
-    for (int k = 0; k < 8; ++k) {
-      const auto raw = hn::LoadU(d16, field.distance.data() + offset[k] * TissueField::kStride + first);
-      acc = hn::MulAdd(hn::ConvertTo(d, hn::PromoteTo(di, raw)), hn::Set(d, weight[k]), acc);
-    }
-    hn::Store(hn::Mul(acc, hn::Set(d, static_cast<float>(1 / TissueField::kUnitsPerMm))), d, sum + first);
+  const int column = at.firstColumn + c;
+  const auto e = hn::Set(d, at.elevation_mm), one = hn::Set(d, 1.0F);
+  const auto r =
+      hn::MulAdd(hn::LoadU(d, in.columnGap_mm.data() + column), hn::Set(d, at.contactDecay), hn::Set(d, at.range_mm));
+  const auto along = [&](const std::vector<float>& origin, const std::vector<float>& direction, float axis) {
+    return hn::MulAdd(hn::Set(d, axis), e,
+                      hn::MulAdd(hn::LoadU(d, direction.data() + column), r, hn::LoadU(d, origin.data() + column)));
+  };
+  const auto x = along(in.columns.x, in.columns.dx, in.elevationX),
+             y = along(in.columns.y, in.columns.dy, in.elevationY),
+             z = along(in.columns.z, in.columns.dz, in.elevationZ);
+  const auto node = [&](float mx, float my, float mz, float offset) {
+    return hn::MulAdd(hn::Set(d, mx), x,
+                      hn::MulAdd(hn::Set(d, my), y, hn::MulAdd(hn::Set(d, mz), z, hn::Set(d, offset))));
+  };
+  auto inside = one, fx = one, fy = one, fz = one;
+  const auto i = lowNode(d, node(m.xx, m.xy, m.xz, in.nodeOffsetX), field.size[0], fx, inside);
+  const auto j = lowNode(d, node(m.yx, m.yy, m.yz, in.nodeOffsetY), field.size[1], fy, inside);
+  const auto k = lowNode(d, node(m.zx, m.zy, m.zz, in.nodeOffsetZ), field.size[2], fz, inside);
+  const auto kj = hn::Add(hn::Mul(k, hn::Set(di, field.size[1])), j);
+  const auto corner = hn::Add(hn::Mul(kj, hn::Set(di, field.size[0])), i);
+  const auto gx = hn::Sub(one, fx), gy = hn::Sub(one, fy), gz = hn::Sub(one, fz);
+  const V yz[4] = {hn::Mul(gy, gz), hn::Mul(fy, gz), hn::Mul(gy, fz), hn::Mul(fy, fz)};
+  V weight[8];
+  for (int n = 0; n < 8; ++n) {
+    weight[n] = hn::Mul(n & 1 ? fx : gx, yz[n / 2]);
+    hn::Store(weight[n], d, places.weight[n] + c);
   }
-  for (int ch = 0; ch < field.channels; ++ch) row.distance[ch][column] = sum[ch];
-  float ct = 0;
-  if (in.anyCt)
-    for (int k = 0; k < 8; ++k) ct += weight[k] * static_cast<float>(field.ctDeviation[offset[k]]);
-  row.ct[column] = ct;
-  row.patch[column] = static_cast<float>(patchTile().value[places.patch[column]]) * (1.0F / 32);
+  hn::Store(corner, di, places.corner + c);
+  hn::Store(inside, d, row.inside + c);
+  hn::Store(patchAt(d, x, y, z), d, row.patch + c);
+  hn::Store(in.anyCt ? ctAt(d, field, steps, corner, weight) : hn::Zero(d), d, row.ct + c);
 }
 
-/// Least and most distance of each channel in the row; columns past the end repeat the last.
-HWY_INLINE void findExtremes(int channels, int columns, TraceBuffers::NodeRow& row) {
-  const hn::CappedTag<float, 16> d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  for (int ch = 0; ch < channels; ++ch) {
-    float* at = row.distance[ch];
-    for (int c = columns; c % lanes; ++c) at[c] = at[columns - 1];
-    auto low = hn::Load(d, at), high = low;
-    for (int c = lanes; c < columns; c += lanes) {
-      low = hn::Min(low, hn::Load(d, at + c));
-      high = hn::Max(high, hn::Load(d, at + c));
+using NodeTag = hn::CappedTag<float, 16>;
+
+/// Distances of all channels at one node to `out`, [channel], in the field's units.
+HWY_INLINE void lookUpNode(const TissueField& field, const CornerSteps& steps, const NodePlaces& places, int column,
+                           float* HWY_RESTRICT out) {
+  const NodeTag d;
+  const hn::Rebind<std::int32_t, NodeTag> di;
+  const hn::Rebind<std::int16_t, NodeTag> d16;
+  const TissueField::Distances* base = field.distance.data() + places.corner[column];
+  for (int first = 0; first < field.channels; first += static_cast<int>(hn::Lanes(d))) {
+    const auto weighted = [&](int k, auto sum) {
+      const auto raw = hn::LoadU(d16, base[steps.step[k]].to + first);
+      return hn::MulAdd(hn::ConvertTo(d, hn::PromoteTo(di, raw)), hn::Set(d, places.weight[k][column]), sum);
+    };
+    // Two chains, so that one multiplication does not wait for the last.
+    auto low = weighted(0, hn::Zero(d)), high = weighted(4, hn::Zero(d));
+    for (int k = 1; k < 4; ++k) low = weighted(k, low), high = weighted(k + 4, high);
+    hn::Store(hn::Mul(hn::Add(low, high), hn::Set(d, static_cast<float>(1 / TissueField::kUnitsPerMm))), d,
+              out + first);
+  }
+}
+
+/// Four nodes' distances, [node][channel], to the rows of the channels from `column` on.
+HWY_INLINE void storeFourNodes(const float (*nodes)[TissueField::kStride], int channels, int column,
+                               TraceBuffers::NodeRow& row) {
+#if HWY_TARGET == HWY_SCALAR
+  for (int ch = 0; ch < channels; ++ch)
+    for (int n = 0; n < 4; ++n) row.distance[ch][column + n] = nodes[n][ch];
+#else
+  const hn::Full128<float> d;
+  for (int ch = 0; ch < channels; ch += 4) {
+    const auto a = hn::Load(d, nodes[0] + ch), b = hn::Load(d, nodes[1] + ch), c = hn::Load(d, nodes[2] + ch),
+               e = hn::Load(d, nodes[3] + ch);
+    const auto ac02 = hn::InterleaveLower(d, a, c), be02 = hn::InterleaveLower(d, b, e);
+    const auto ac13 = hn::InterleaveUpper(d, a, c), be13 = hn::InterleaveUpper(d, b, e);
+    hn::Store(hn::InterleaveLower(d, ac02, be02), d, row.distance[ch] + column);
+    hn::Store(hn::InterleaveUpper(d, ac02, be02), d, row.distance[ch + 1] + column);
+    hn::Store(hn::InterleaveLower(d, ac13, be13), d, row.distance[ch + 2] + column);
+    hn::Store(hn::InterleaveUpper(d, ac13, be13), d, row.distance[ch + 3] + column);
+  }
+#endif
+}
+
+/// All nodes of a row, four at a time, and the extremes of each channel. Past the last column the last is repeated.
+HWY_INLINE void lookUpNodes(const TissueField& field, const CornerSteps& steps, const NodePlaces& places, int columns,
+                            TraceBuffers::NodeRow& row) {
+  const NodeTag d;
+  const int channels = field.channels, lanes = static_cast<int>(hn::Lanes(d));
+  alignas(64) float nodes[4][TissueField::kStride];
+  for (int ch = 0; ch < channels; ch += lanes) {
+    hn::Store(hn::Set(d, 1e30F), d, row.least + ch);
+    hn::Store(hn::Set(d, -1e30F), d, row.most + ch);
+  }
+  for (int c = 0; c < columns; c += 4) {
+    for (int n = 0; n < 4; ++n) lookUpNode(field, steps, places, std::min(c + n, columns - 1), nodes[n]);
+    for (int ch = 0; ch < channels; ch += lanes) {
+      const auto n0 = hn::Load(d, nodes[0] + ch), n1 = hn::Load(d, nodes[1] + ch), n2 = hn::Load(d, nodes[2] + ch),
+                 n3 = hn::Load(d, nodes[3] + ch);
+      hn::Store(hn::Min(hn::Min(hn::Min(n0, n1), hn::Min(n2, n3)), hn::Load(d, row.least + ch)), d, row.least + ch);
+      hn::Store(hn::Max(hn::Max(hn::Max(n0, n1), hn::Max(n2, n3)), hn::Load(d, row.most + ch)), d, row.most + ch);
     }
-    row.least[ch] = hn::GetLane(hn::MinOfLanes(d, low));
-    row.most[ch] = hn::GetLane(hn::MaxOfLanes(d, high));
+    storeFourNodes(nodes, channels, c, row);
   }
 }
 
 HWY_INLINE void computeNodeRow(const TraceInput& in, int firstLine, int plane, int nodeRow,
                                TraceBuffers::NodeRow& row) {
   const FramePlan& plan = *in.plan;
+  const TissueField& field = in.scene->field;
   const int gate = nodeRow * plan.cellGates;
   const float elevation = in.elevation_mm[std::size_t(plane) * plan.gates + std::min(gate, plan.gates - 1)];
   const int columns = kBlockLines / plan.cellLines + 1;
+  const CornerSteps steps(field);
+  const NodeRowPlace at{firstLine / plan.cellLines, static_cast<float>(plan.range_mm(gate)), in.contactDecay[nodeRow],
+                        elevation};
   NodePlaces places;
-  placeNodes(in, firstLine / plan.cellLines, columns, static_cast<float>(plan.range_mm(gate)), in.contactDecay[nodeRow],
-             elevation, places, row);
-  for (int c = 0; c < columns; ++c) lookUpNode(in, places, c, row);
-  findExtremes(in.scene->field.channels, columns, row);
+  const NodeTag wide;
+  const hn::CappedTag<float, 4> narrow;  // a block has one column more than a multiple of any vector
+  const int lanes = static_cast<int>(hn::Lanes(wide));
+  int c = 0;
+  for (; c + lanes <= columns; c += lanes) placeNodes(wide, in, steps, at, c, places, row);
+  for (; c < columns; c += static_cast<int>(hn::Lanes(narrow))) placeNodes(narrow, in, steps, at, c, places, row);
+  lookUpNodes(field, steps, places, columns, row);
 }
 
 }  // namespace insonate::cpu::HWY_NAMESPACE

@@ -41,13 +41,9 @@ struct ChannelConstants {
   float echo_dB = 0, ctEcho_dBperHU = 0;
   float impedance = 0, ctImpedancePerHU = 0;
   float textureStrength_dB = 0;
-  bool textured = false, sheets = false, gas = false;
+  bool sheets = false;
   const AcousticTissue* tissue = nullptr;
   const TextureTile* tile = nullptr;
-  struct Side {
-    FloatMatrix tileFromPatient;
-    float thinX = 0, thinY = 0, thinZ = 0;
-  } side[2];  ///< right, left of the midline
 };
 
 /// Patient-frame geometry of scanlines (or node columns), one array a coordinate.
@@ -58,13 +54,22 @@ struct RayArrays {
   }
 };
 
+/// The scanlines in a texture tile, in voxels; half a voxel less than where they are, so that the nearest whole number
+/// is the voxel.
+struct TextureRays {
+  RayArrays line;
+  float elevationX = 0, elevationY = 0, elevationZ = 0;  ///< voxels per mm across the slice
+  std::vector<float> facing;                             ///< share of a sheet's echo that comes back, see sheetFacing()
+  int bitsOfU = 0, bitsOfW = 0;                          ///< the tile's size along u and w is 1 << bits
+};
+
 /// All that the trace of one frame reads; filled by the engine, shared by its tasks.
 struct TraceInput {
   const FramePlan* plan = nullptr;
   const AcousticScene::Impl* scene = nullptr;
   ChannelConstants channels[TissueField::kStride];
   float edgeLoss_dB[TissueField::kStride * TissueField::kStride]{};  ///< per gate, by pair of channels
-  std::uint32_t gasChannels = 0;                                     ///< a bit each
+  std::uint32_t gasChannels = 0, texturedChannels = 0;               ///< a bit each
   bool anyCt = false;
   RayArrays lines, columns;                     ///< lines padded to whole blocks
   std::vector<float> lineGap_mm, lineLevel_dB;  ///< contact; level is 20 log10 of its strength
@@ -73,6 +78,7 @@ struct TraceInput {
   std::vector<float> elevation_mm;                       ///< [plane][gate]
   std::vector<float> scatterScale;                       ///< [plane][gate]
   RayArrays latticeLines;                                ///< the scanlines in the scatterers' lattice
+  TextureRays textureRays[TissueField::kStride][2];      ///< of textured channels, right and left of the midline
   float elevationX = 0, elevationY = 0, elevationZ = 0;  ///< unit, patient
   float latticeElevationX = 0, latticeElevationY = 0, latticeElevationZ = 0;
   std::uint32_t latticeSeed = 0;
@@ -89,8 +95,8 @@ struct TraceBuffers {
     alignas(64) float distance[TissueField::kStride][kMaxColumns];
     alignas(64) float ct[kMaxColumns];
     alignas(64) float patch[kMaxColumns];
-    alignas(64) float inside[kMaxColumns];                          ///< 1 or 0
-    float least[TissueField::kStride], most[TissueField::kStride];  ///< of each channel's distances
+    alignas(64) float inside[kMaxColumns];                                      ///< 1 or 0
+    alignas(64) float least[TissueField::kStride], most[TissueField::kStride];  ///< of each channel's distances
   };
   /// One row of cells, spread to scanlines.
   struct CellRow {
@@ -115,8 +121,8 @@ struct TraceBuffers {
   NodeRow nodes[kMaxPlanes][2];
   CellRow cells[kMaxPlanes];
   LineState state[kMaxPlanes];
-  std::int32_t gasGate[kBlockLines];  ///< first gate in gas behind tissue
-  std::int32_t tissueSeen[kBlockLines];
+  alignas(64) std::int32_t gasGate[kBlockLines];  ///< first gate in gas behind tissue
+  alignas(64) std::int32_t tissueSeen[kBlockLines];
   AlignedArray<float> echo;  ///< [component][gate][kBlockLines], component = 2 * look + (0 re, 1 im)
 };
 

@@ -8,9 +8,10 @@ namespace insonate {
 
 /// Amplitude of a boundary's echo against the cosine of incidence: cos^n, plus a diffuse share that falls as cos. With
 /// n = 1 and no diffuse share this is the thesis's equation 6 (an intensity, cos^2).
-inline double specularLobe(const AcousticTissue& above, const AcousticTissue& below, double cosine) {
-  const double n = (above.specularExponent + below.specularExponent) / 2;
-  const double diffuse = (above.specularDiffuse + below.specularDiffuse) / 2;
+template <class Real>
+Real specularLobe(const AcousticTissue& above, const AcousticTissue& below, Real cosine) {
+  const auto n = static_cast<Real>((above.specularExponent + below.specularExponent) / 2);
+  const auto diffuse = static_cast<Real>((above.specularDiffuse + below.specularDiffuse) / 2);
   return (1 - diffuse) * std::pow(cosine, n) + diffuse * cosine;
 }
 

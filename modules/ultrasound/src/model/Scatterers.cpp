@@ -9,14 +9,18 @@
 namespace insonate {
 namespace {
 
-/// Faces, edges and corners of a cube, one of each opposite pair.
+/// Faces, edges and corners of a cube, one of each opposite pair. The cube stands askew in the patient, or a slice
+/// across the neck would lie along one plane of the lattice and have that plane's speckle level.
 std::vector<Vec3> orientations() {
+  const Vec3 axis = normalized({1, 2, 3});
+  const double angle = 0.2, c = std::cos(angle), s = std::sin(angle);
   std::vector<Vec3> axes;
   for (int x = 0; x <= 1; ++x)
     for (int y = -1; y <= 1; ++y)
       for (int z = -1; z <= 1; ++z) {
         if (x == 0 && (y < 0 || (y == 0 && z <= 0))) continue;
-        axes.push_back(normalized({double(x), double(y), double(z)}));
+        const Vec3 v = normalized({double(x), double(y), double(z)});
+        axes.push_back(v * c + cross(axis, v) * s + axis * (dot(axis, v) * (1 - c)));  // Rodrigues' rotation
       }
   return axes;
 }
@@ -102,7 +106,8 @@ std::array<double, 6> scattererAmplitudes(const ScattererLattice& lattice, Vec3 
   for (int corner = 0; corner < 4; ++corner) {
     const auto& [i, j, k] = t.node[corner];
     const std::uint32_t h = hashNode(i, j, k, lattice.seed);
-    for (int c = 0; c < 6; ++c) sum[c] += t.weight[corner] * kScattererUnit * ((h >> (5 * c) & 31U) - kScattererMean);
+    for (int c = 0; c < 6; ++c)
+      sum[c] += t.weight[corner] * kScattererUnit * ((h >> kScattererShift[c] & 31U) - kScattererMean);
   }
   return sum;
 }

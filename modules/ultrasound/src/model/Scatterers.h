@@ -19,7 +19,9 @@ struct ScattererLattice {
   ScattererLattice(Vec3 elevation, double pitch_mm, double elevationPitch_mm);
 };
 
-/// Complex amplitudes of up to three independent looks from one hash: 5 bits each, uniform, total power 1.
+/// Complex amplitudes of up to three independent looks from one hash: 5 bits each, uniform, total power 1; re and im of
+/// each look in turn, three fields in each half of the hash.
+inline constexpr int kScattererShift[6] = {0, 5, 10, 16, 21, 26};
 inline constexpr double kScattererUnit = 0.07658395810674835;  // 1 / (sqrt(2) * SD of 0..31)
 inline constexpr double kScattererMean = 15.5;
 

@@ -58,15 +58,11 @@ TissueLookup::Node TissueLookup::nodeAt(int plane, int row, int column) const {
   n.inside = at.inside;
   for (int corner = 0; corner < 8; ++corner) {
     for (int c = 0; c < field.channels; ++c)
-      n.distance_mm[c] +=
-          at.weight[corner] * field.distance[at.offset[corner] * TissueField::kStride + c] / TissueField::kUnitsPerMm;
+      n.distance_mm[c] += at.weight[corner] * field.distance[at.offset[corner]].to[c] / TissueField::kUnitsPerMm;
     n.ctDeviation += at.weight[corner] * field.ctDeviation[at.offset[corner]];
   }
   const TextureTile& patches = patchTile();
-  n.patch = patches.at(static_cast<int>(std::floor(patient.x / patches.voxel_mm.x)),
-                       static_cast<int>(std::floor(patient.y / patches.voxel_mm.y)),
-                       static_cast<int>(std::floor(patient.z / patches.voxel_mm.z))) /
-            32.0;
+  n.patch = patches.at(patient / patches.voxel_mm.x) / 32.0;
   return n;
 }
 
@@ -155,10 +151,7 @@ void TissueLookup::addTexture(TissueSample& sample, const Cell& cell, Vec3 beam)
   const AcousticTissue& tissue = scene_.table.of(sample.label);
   const TextureFrame& frame = scene_.textureFrames[sample.label][sample.patient_mm.x < scene_.midline_mm ? 0 : 1];
   const TextureTile& tile = textureTile(tissue.texture);
-  const Vec3 t = frame.tileFromPatient * sample.patient_mm;
-  double value =
-      tile.at(static_cast<int>(std::floor(t.x)), static_cast<int>(std::floor(t.y)), static_cast<int>(std::floor(t.z))) /
-      127.0;
+  double value = tile.at(frame.tileFromPatient * sample.patient_mm) / 127.0;
   if (value > 0) {
     value *= sheetFacing(dot(beam, frame.thinAxis));
     if (hasSheets(tissue.texture)) sample.sheet = value;

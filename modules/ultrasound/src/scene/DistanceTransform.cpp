@@ -126,26 +126,31 @@ void keepThinStructures(const Lattice& g, const std::vector<std::uint8_t>& nodeL
                         float half_mm, TissueField& field) {
   std::array<int, 256> channelOf{};
   for (int c = 0; c < field.channels; ++c) channelOf[field.label[c]] = c;
-  const auto own = [&](std::size_t n) { return field.distance[n * TissueField::kStride + channelOf[nodeLabel[n]]]; };
+  const auto own = [&](std::size_t n) { return field.distance[n].to[channelOf[nodeLabel[n]]]; };
+  // Of a thin sheet that smoothing left outside of itself and of its neighbours alike, the nearest is seen.
+  const auto nearest = [&](std::size_t n) {
+    const std::int16_t* d = field.distance[n].to;
+    return own(n) == *std::min_element(d, d + field.channels);
+  };
   const auto survives = [&](int i, int j, int k, std::size_t n) {
     for (int z = std::max(k - 1, 0); z <= std::min(k + 1, g.size[2] - 1); ++z)
       for (int y = std::max(j - 1, 0); y <= std::min(j + 1, g.size[1] - 1); ++y)
         for (int x = std::max(i - 1, 0); x <= std::min(i + 1, g.size[0] - 1); ++x) {
           const std::size_t m = z * g.step[2] + y * g.step[1] + x;
-          if (nodeLabel[m] == nodeLabel[n] && own(m) < 0) return true;
+          if (nodeLabel[m] == nodeLabel[n] && nearest(m)) return true;
         }
     return false;
   };
   std::vector<std::vector<std::size_t>> lost(g.size[2]);  // by slice, so that all are found before any is changed
   forRows(g, [&](int j, int k, std::size_t row) {
     for (int i = 0; i < g.size[0]; ++i)
-      if (own(row + i) >= 0 && !survives(i, j, k, row + i)) lost[k].push_back(row + i);
+      if (!nearest(row + i) && !survives(i, j, k, row + i)) lost[k].push_back(row + i);
   });
   for (const auto& slice : lost)
     for (const std::size_t n : slice) {
       const auto depth = static_cast<std::int16_t>(
           std::lround((std::sqrt(inside2[n]) - half_mm) * static_cast<float>(TissueField::kUnitsPerMm)));
-      std::int16_t* d = field.distance.data() + n * TissueField::kStride;
+      std::int16_t* d = field.distance[n].to;
       for (int c = 0; c < field.channels; ++c) d[c] = std::max(d[c], depth);
       d[channelOf[nodeLabel[n]]] = static_cast<std::int16_t>(-depth);
     }
@@ -162,7 +167,9 @@ bool signedDistances(const std::vector<std::uint8_t>& nodeLabel, Vec3 nodeSpacin
   const auto half = static_cast<float>((nodeSpacing_mm.x + nodeSpacing_mm.y + nodeSpacing_mm.z) / 6);
   const auto unit = static_cast<float>(TissueField::kUnitsPerMm);
 
-  field.distance.assign(nodes * TissueField::kStride, static_cast<std::int16_t>(kReach * unit));
+  TissueField::Distances far;
+  std::ranges::fill(far.to, static_cast<std::int16_t>(kReach * unit));
+  field.distance.assign(nodes, far);
   std::vector<float> a(nodes), b(nodes), inside2(nodes, kFar2);
   std::vector<std::vector<float>> outside(field.channels);
   for (int c = 0; c < field.channels; ++c) {
@@ -180,7 +187,7 @@ bool signedDistances(const std::vector<std::uint8_t>& nodeLabel, Vec3 nodeSpacin
       d[n] = nodeLabel[n] == field.label[c] ? half - std::sqrt(inside2[n]) : std::sqrt(d[n]) - half;
     roundStairs(g, smoothing_mm, freedom_mm, d, a);
     for (std::size_t n = 0; n < nodes; ++n)
-      field.distance[n * TissueField::kStride + c] = static_cast<std::int16_t>(std::lround(d[n] * unit));
+      field.distance[n].to[c] = static_cast<std::int16_t>(std::lround(d[n] * unit));
     d = {};
   }
   keepThinStructures(g, nodeLabel, inside2, half, field);

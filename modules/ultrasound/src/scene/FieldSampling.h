@@ -38,7 +38,7 @@ inline FieldCell cellAt(const TissueField& field, Vec3 node) {
 inline double sampleDistance(const TissueField& field, int channel, Vec3 node) {
   const FieldCell cell = cellAt(field, node);
   double d = 0;
-  for (int c = 0; c < 8; ++c) d += cell.weight[c] * field.distance[cell.offset[c] * TissueField::kStride + channel];
+  for (int c = 0; c < 8; ++c) d += cell.weight[c] * field.distance[cell.offset[c]].to[channel];
   return d / TissueField::kUnitsPerMm;
 }
 

@@ -80,7 +80,7 @@ std::int8_t toByte(float value) {
 /// The fields above have u fastest; a tile has w fastest.
 TextureTile transposed(TextureTile tile) {
   const std::vector<std::int8_t> planes = std::move(tile.value);
-  tile.value.resize(planes.size());
+  tile.value.resize(planes.size() + TextureTile::kPadding);
   std::size_t n = 0;
   for (int v = 0; v < tile.size[1]; ++v)
     for (int u = 0; u < tile.size[0]; ++u)

@@ -4,6 +4,7 @@
 #include <insonate/tissue/AcousticTable.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -13,13 +14,22 @@ namespace insonate {
 /// Values are -127..127 for -1..1, to be multiplied with a tissue's texture strength in dB. Sizes are powers of two, so
 /// that a position wraps by a mask.
 struct TextureTile {
+  static constexpr int kPadding = 3;  ///< voxels beyond the last, so that any can be fetched as a word
+
   std::array<int, 3> size{};
   Vec3 voxel_mm;
-  std::vector<std::int8_t> value;  ///< [v][u][w]: beams run along w more often than not
+  std::vector<std::int8_t> value;  ///< [v][u][w] and padding: beams run along w more often than not
 
   std::int8_t at(int u, int v, int w) const {
     return value[(std::size_t(v & (size[1] - 1)) * size[0] + (u & (size[0] - 1))) * size[2] + (w & (size[2] - 1))];
   }
+  /// Of a point in voxels. A plane between voxels, such as one through the patient's origin, belongs to those beyond it
+  /// for every engine, however it rounds.
+  std::int8_t at(Vec3 voxels) const {
+    const auto index = [](double x) { return static_cast<int>(std::floor(x + kRounding_voxels)); };
+    return at(index(voxels.x), index(voxels.y), index(voxels.z));
+  }
+  static constexpr double kRounding_voxels = 1e-3;
 };
 
 inline constexpr int kTextureKinds = 5;

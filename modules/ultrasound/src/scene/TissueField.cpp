@@ -121,7 +121,7 @@ Result<TissueField> makeTissueField(const CtVolume& ct, const LabelMap& labels, 
 
   // Most likely label of each node; between slices of unlike spacing this is a linear blend of their outlines.
   std::vector<std::uint8_t> nodeLabel(nodes);
-  field.ctDeviation.resize(nodes);
+  field.ctDeviation.resize(nodes + TissueField::kPadding);
   const auto mean = meanHuByLabel(ct, labels);
   tbb::parallel_for(0, field.size[2], [&](int k) {
     for (int j = 0; j < field.size[1]; ++j)

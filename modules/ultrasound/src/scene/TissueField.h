@@ -19,14 +19,19 @@ struct TissueField {
   static constexpr int kStride = 16;          ///< channels a node has room for
   static constexpr double kUnitsPerMm = 256;  ///< of the stored distances
   static constexpr double kReach_mm = 6;      ///< distances are cut off here
+  static constexpr int kPadding = 1;          ///< CT deviations beyond the last, so that any can be fetched as a word
 
   std::array<int, 3> size{};                  ///< nodes
   Transform nodeFromPatient;                  ///< continuous node index of a patient point
   int channels = 0;                           ///< structures present
   std::array<std::uint8_t, kStride> label{};  ///< of each channel
   int backgroundChannel = -1;                 ///< channel of label 0, or -1
-  std::vector<std::int16_t> distance;         ///< [node][kStride], negative inside, 1/256 mm
-  std::vector<std::int16_t> ctDeviation;      ///< [node], HU above the structure's mean
+  /// To each channel's structure, negative inside, 1/256 mm. Aligned, so that no node straddles two cache lines.
+  struct alignas(2 * kStride) Distances {
+    std::int16_t to[kStride];
+  };
+  std::vector<Distances> distance;        ///< [node]
+  std::vector<std::int16_t> ctDeviation;  ///< [node] and padding, HU above the structure's mean
 
   std::size_t offset(int i, int j, int k) const { return (std::size_t(k) * size[1] + j) * size[0] + i; }
 };

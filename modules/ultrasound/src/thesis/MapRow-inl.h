@@ -64,7 +64,7 @@ HWY_INLINE void sampleNode(const TissueField& field, Vec3 patient_mm, int column
   for (int first = 0; first < field.channels; first += static_cast<int>(hn::Lanes(d))) {
     auto total = hn::Zero(d);
     for (int k = 0; k < 8; ++k) {
-      const auto raw = hn::LoadU(d16, field.distance.data() + at.offset[k] * TissueField::kStride + first);
+      const auto raw = hn::LoadU(d16, field.distance[at.offset[k]].to + first);
       total = hn::MulAdd(hn::ConvertTo(d, hn::PromoteTo(di, raw)), hn::Set(d, at.weight[k]), total);
     }
     hn::Store(hn::Mul(total, hn::Set(d, static_cast<float>(1 / TissueField::kUnitsPerMm))), d, sum + first);

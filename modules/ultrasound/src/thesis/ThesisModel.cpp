@@ -127,8 +127,7 @@ SceneSample sampleScene(const TissueField& field, Vec3 patient_mm) {
   sample.beyond = beyondLattice(field, node);
   for (int corner = 0; corner < 8; ++corner) {
     for (int c = 0; c < field.channels; ++c)
-      sample.distance_mm[c] +=
-          at.weight[corner] * field.distance[at.offset[corner] * TissueField::kStride + c] / TissueField::kUnitsPerMm;
+      sample.distance_mm[c] += at.weight[corner] * field.distance[at.offset[corner]].to[c] / TissueField::kUnitsPerMm;
     sample.ctDeviation_HU += at.weight[corner] * field.ctDeviation[at.offset[corner]];
   }
   return sample;

@@ -1,0 +1,94 @@
+// Structure that a CT does not resolve: septa, lobules and sheets within tissues, layers at their boundaries.
+#if defined(INSONATE_CPU_TEXTURE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef INSONATE_CPU_TEXTURE_INL_H_
+#undef INSONATE_CPU_TEXTURE_INL_H_
+#else
+#define INSONATE_CPU_TEXTURE_INL_H_
+#endif
+
+#include "cpu/Lanes-inl.h"
+#include "cpu/TraceInput.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace insonate::cpu::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Scattering level and how much of it comes from sheets, which echo as one.
+struct Scattering {
+  GateVec echo_dB, sheet;
+};
+
+/// Texture of one structure on one side, -127..127, bright parts as far as the beam meets them squarely. `line` is the
+/// vector's first scanline.
+HWY_INLINE GateVec textureOf(const TextureTile& tile, const TextureRays& rays, int line, GateVec range,
+                             float elevation_mm) {
+  const GateTag d;
+  const GateIntTag di;
+  const auto index = [&](const std::vector<float>& origin, const std::vector<float>& direction, float across,
+                         int size) {
+    const auto onPlane = hn::MulAdd(hn::LoadU(d, direction.data() + line), range, hn::LoadU(d, origin.data() + line));
+    return hn::And(wholeBits(hn::Add(onPlane, hn::Set(d, across * elevation_mm))), hn::Set(di, size - 1));
+  };
+  const auto u = index(rays.line.x, rays.line.dx, rays.elevationX, tile.size[0]),
+             v = index(rays.line.y, rays.line.dy, rays.elevationY, tile.size[1]),
+             w = index(rays.line.z, rays.line.dz, rays.elevationZ, tile.size[2]);
+  const auto vu = hn::Or(hn::ShiftLeftSame(v, rays.bitsOfU), u);
+  const auto value = hn::ConvertTo(d, tileBytes(tile, hn::Or(hn::ShiftLeftSame(vu, rays.bitsOfW), w)));
+  const auto facing = hn::LoadU(d, rays.facing.data() + line);
+  return hn::IfThenElse(hn::Gt(value, hn::Zero(d)), hn::Mul(value, facing), value);
+}
+
+/// Adds the texture of each structure that the cells of this row name, where a lane lies in it. `right` are the lanes
+/// right of the patient's midline.
+HWY_INLINE void addTexture(const TraceInput& in, std::uint32_t present, GateInt channel, hn::Mask<GateTag> right,
+                           int line, GateVec range, float elevation_mm, Scattering& here) {
+  const GateTag d;
+  const GateIntTag di;
+  for (std::uint32_t left = present & in.texturedChannels; left; left &= left - 1) {
+    const int ch = __builtin_ctz(left);
+    const auto mine = hn::RebindMask(d, hn::Eq(channel, hn::Set(di, ch)));
+    if (hn::AllFalse(d, mine)) continue;
+    const ChannelConstants& structure = in.channels[ch];
+    for (int side = 0; side < 2; ++side) {
+      const auto lanes = side == 0 ? hn::And(mine, right) : hn::AndNot(right, mine);
+      if (hn::AllFalse(d, lanes)) continue;
+      const auto value =
+          hn::IfThenElseZero(lanes, textureOf(*structure.tile, in.textureRays[ch][side], line, range, elevation_mm));
+      here.echo_dB = hn::MulAdd(value, hn::Set(d, structure.textureStrength_dB / 127), here.echo_dB);
+      if (structure.sheets) here.sheet = hn::Max(here.sheet, hn::Mul(value, hn::Set(d, 1.0F / 127)));
+    }
+  }
+}
+
+/// Connective layers at the boundary take over from the tissue.
+HWY_INLINE void addLayers(const TraceInput& in, const TraceBuffers::CellRow& cells, int l, GateVec s,
+                          Scattering& here) {
+  const GateTag d;
+  const GateIntTag di;
+  const auto scaled = hn::Floor(hn::Mul(s, hn::Set(d, static_cast<float>(1 / BoundaryProfiles::kStep_mm))));
+  const auto entry = hn::Add(hn::ConvertTo(di, scaled), hn::Set(di, BoundaryProfiles::kEntries / 2));
+  const auto inReach = hn::And(hn::Gt(entry, hn::Set(di, -1)), hn::Lt(entry, hn::Set(di, BoundaryProfiles::kEntries)));
+  if (hn::AllFalse(di, inReach)) return;
+  const auto index = hn::Add(hn::Load(di, cells.profile + l), hn::IfThenElseZero(inReach, entry));
+  const auto packed =
+      hn::GatherIndex(di, reinterpret_cast<const std::int32_t*>(in.scene->profiles.entries().data()), index);
+  const auto byteMask = hn::Set(di, 255);
+  const auto unit = hn::Set(d, 1.0F / 255);
+  const auto toFloat = [&](GateInt v) { return hn::ConvertTo(d, hn::And(v, byteMask)); };
+  const auto occupancy = hn::Mul(toFloat(packed), unit);
+  const auto echo = hn::MulAdd(toFloat(hn::ShiftRight<8>(packed)), hn::Set(d, 0.25F), hn::Set(d, -32.0F));
+  const auto anisotropy = hn::Mul(toFloat(hn::ShiftRight<16>(packed)), unit);
+  const auto patchiness = hn::Mul(toFloat(hn::ShiftRight<24>(packed)), unit);
+  const auto one = hn::Set(d, 1.0F);
+  const auto presence =
+      hn::Min(one, hn::Max(hn::Zero(d), hn::MulAdd(hn::Set(d, 0.9F), hn::Load(d, cells.patch + l), hn::Set(d, 0.5F))));
+  const auto covered = hn::Mul(occupancy, hn::NegMulAdd(patchiness, hn::Sub(one, presence), one));
+  const auto layer = hn::MulAdd(anisotropy, hn::Load(d, cells.facing_dB + l), echo);
+  const auto coverHere = hn::IfThenElseZero(hn::RebindMask(d, inReach), covered);
+  here.echo_dB = hn::MulAdd(coverHere, hn::Sub(layer, here.echo_dB), here.echo_dB);
+  here.sheet = hn::MulAdd(coverHere, hn::Sub(anisotropy, here.sheet), here.sheet);
+}
+
+}  // namespace insonate::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
