@@ -1,4 +1,5 @@
 #include <insonate/simulator/Imager.h>
+#include <insonate/ultrasound/FrameWork.h>
 
 #include <algorithm>
 #include <chrono>
@@ -100,7 +101,8 @@ std::vector<SceneRun> sceneRuns(const ImagingSetup& setup, std::span<const Trans
 
 Result<std::shared_ptr<const AcousticScene>> makeScene(const PatientCase& patient, const ImagingSetup& setup,
                                                        const Region& region, const Progress& progress) {
-  return AcousticScene::make(patient.ct, patient.labels, setup.tissues, region, progress);
+  return AcousticScene::make(patient.ct, patient.labels, setup.tissues, region, progress, {},
+                             sceneDetail_mm(setup.probe, setup.settings));
 }
 
 Result<void> checkReach(const PatientCase& patient, const ImagingSetup& setup, std::span<const Transform> path) {

@@ -1,3 +1,4 @@
+#include "PointSpread.h"
 #include "model/FramePlan.h"
 #include "scene/SceneData.h"
 
@@ -54,6 +55,12 @@ StageWork lateralBeam(const FramePlan& plan) {
 }
 
 }  // namespace
+
+double sceneDetail_mm(const Probe& probe, const ImagingSettings& settings) {
+  constexpr double kCoarse_mm = 1.2;
+  const bool fineBeam = lateralFwhm_mm(probe, settings, settings.focus_mm) < kCoarse_mm;
+  return fineBeam ? AcousticScene::kFinestDetail_mm : kCoarse_mm;
+}
 
 double gateDistance_mm(const Probe& probe, const ImagingSettings& settings) {
   return FramePlan(probe, settings).gate_mm;

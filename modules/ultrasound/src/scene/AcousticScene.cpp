@@ -59,10 +59,10 @@ const std::vector<std::string>& AcousticScene::warnings() const {
 Result<std::shared_ptr<const AcousticScene>> AcousticScene::make(const CtVolume& ct, const LabelMap& labels,
                                                                  const AcousticTable& table, const Region& region,
                                                                  const Progress& progress,
-                                                                 std::vector<PointTarget> points) {
+                                                                 std::vector<PointTarget> points, double detail_mm) {
   if (!sameGrid(ct.geometry, labels.geometry))
     return fail("The CT and the label map lie on different grids; resample one to the other.");
-  auto field = makeTissueField(ct, labels, region, progress);
+  auto field = makeTissueField(ct, labels, region, detail_mm, progress);
   if (!field) return tl::unexpected(field.error());
 
   auto impl = std::make_unique<Impl>();

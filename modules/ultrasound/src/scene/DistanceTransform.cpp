@@ -1,5 +1,7 @@
 #include "scene/DistanceTransform.h"
 
+#include "scene/RowFilters.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -44,30 +46,31 @@ void distanceAlongX(const Lattice& g, const std::vector<std::uint8_t>& nodeLabel
   });
 }
 
-/// Lower envelope of parabolas along one further axis, by brute force within the reach: the window is a few nodes wide
-/// and the inner loop runs along x.
+/// Lower envelope of parabolas along one further axis, by brute force within the reach: the window is a few nodes wide,
+/// and vectors run along x.
 void distanceAlong(const Lattice& g, int axis, const std::vector<float>& in, std::vector<float>& out) {
   const double h = g.spacing_mm[axis];
   const int window = static_cast<int>(kReach / h);
   forRows(g, [&](int j, int k, std::size_t row) {
-    std::copy_n(in.begin() + row, g.size[0], out.begin() + row);
     const int here = axis == 1 ? j : k;
+    thread_local std::vector<const float*> rows;
+    thread_local std::vector<float> add;
+    rows.clear(), add.clear();
     for (int o = std::max(-window, -here); o <= std::min(window, g.size[axis] - 1 - here); ++o) {
-      if (o == 0) continue;
-      const auto add = static_cast<float>(o * h * o * h);
-      const float* other = in.data() + row + static_cast<std::ptrdiff_t>(o) * static_cast<std::ptrdiff_t>(g.step[axis]);
-      float* mine = out.data() + row;
-      for (int i = 0; i < g.size[0]; ++i) mine[i] = std::min(mine[i], other[i] + add);
+      rows.push_back(in.data() + row + std::ptrdiff_t(o) * std::ptrdiff_t(g.step[axis]));
+      add.push_back(static_cast<float>(o * h * o * h));
     }
+    leastOfRows(rows, add, {out.data() + row, std::size_t(g.size[0])});
   });
 }
 
+/// Half of a Gaussian of unit sum, centre first.
 std::vector<float> gaussian(double sd_nodes) {
   const int radius = static_cast<int>(std::ceil(3 * sd_nodes));
   std::vector<float> weight;
   double sum = 0;
   for (int o = -radius; o <= radius; ++o) sum += std::exp(-0.5 * o * o / (sd_nodes * sd_nodes));
-  for (int o = -radius; o <= radius; ++o)
+  for (int o = 0; o <= radius; ++o)
     weight.push_back(static_cast<float>(std::exp(-0.5 * o * o / (sd_nodes * sd_nodes)) / sum));
   return weight;
 }
@@ -75,24 +78,24 @@ std::vector<float> gaussian(double sd_nodes) {
 /// Gaussian along one axis; the edge node continues outside.
 void smoothAlong(const Lattice& g, int axis, double sd_mm, std::vector<float>& values, std::vector<float>& scratch) {
   const std::vector<float> weight = gaussian(sd_mm / g.spacing_mm[axis]);
-  const int radius = static_cast<int>(weight.size() / 2);
+  const int radius = static_cast<int>(weight.size()) - 1;
   forRows(g, [&](int j, int k, std::size_t row) {
-    float* out = scratch.data() + row;
-    std::fill_n(out, g.size[0], 0.0F);
     thread_local std::vector<float> padded;
+    thread_local std::vector<const float*> rows;
+    rows.clear();
     if (axis == 0) {
       padded.resize(g.size[0] + 2 * radius);
       for (int i = 0; i < g.size[0] + 2 * radius; ++i)
         padded[i] = values[row + std::clamp(i - radius, 0, g.size[0] - 1)];
-    }
-    for (int o = -radius; o <= radius; ++o) {
+      for (int o = 0; o <= 2 * radius; ++o) rows.push_back(padded.data() + o);
+    } else {
       const int here = axis == 1 ? j : k;
-      const int there = axis == 0 ? 0 : std::clamp(here + o, 0, g.size[axis] - 1) - here;
-      const float* in = axis == 0 ? padded.data() + o + radius
-                                  : values.data() + row + std::ptrdiff_t(there) * std::ptrdiff_t(g.step[axis]);
-      const float w = weight[o + radius];
-      for (int i = 0; i < g.size[0]; ++i) out[i] += w * in[i];
+      for (int o = -radius; o <= radius; ++o) {
+        const int there = std::clamp(here + o, 0, g.size[axis] - 1) - here;
+        rows.push_back(values.data() + row + std::ptrdiff_t(there) * std::ptrdiff_t(g.step[axis]));
+      }
     }
+    weighRows(rows, weight, {scratch.data() + row, std::size_t(g.size[0])});
   });
   values.swap(scratch);
 }

@@ -12,8 +12,6 @@
 namespace insonate {
 namespace {
 
-constexpr double kFinestSpacing_mm = 0.7;  // coarser grids are subdivided down to this
-
 struct Box {
   std::array<int, 3> low, high;  // voxels, inclusive
 };
@@ -40,9 +38,9 @@ Result<Box> voxelBox(const VolumeGeometry& grid, const Region& region) {
   return box;
 }
 
-std::array<int, 3> subdivisions(const VolumeGeometry& grid) {
+std::array<int, 3> subdivisions(const VolumeGeometry& grid, double detail_mm) {
   const double finest = std::min({grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z});
-  const double target = finest / std::ceil(finest / kFinestSpacing_mm);
+  const double target = finest / std::ceil(finest / detail_mm);
   std::array<int, 3> n;
   for (int a = 0; a < 3; ++a) n[a] = std::max(1, static_cast<int>(std::lround(grid.spacing_mm[a] / target)));
   return n;
@@ -99,11 +97,11 @@ std::array<double, kLabelCount> meanHuByLabel(const CtVolume& ct, const LabelMap
 }
 
 Result<TissueField> makeTissueField(const CtVolume& ct, const LabelMap& labels, const Region& region,
-                                    const Progress& progress) {
+                                    double detail_mm, const Progress& progress) {
   const VolumeGeometry& grid = labels.geometry;
   const auto box = voxelBox(grid, region);
   if (!box) return tl::unexpected(box.error());
-  const auto parts = subdivisions(grid);
+  const auto parts = subdivisions(grid, detail_mm);
 
   TissueField field;
   std::array<AxisMap, 3> maps;

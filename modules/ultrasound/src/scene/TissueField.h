@@ -39,8 +39,8 @@ struct TissueField {
 /// Mean HU of each label over the whole case.
 std::array<double, kLabelCount> meanHuByLabel(const CtVolume& ct, const LabelMap& labels);
 
-/// Unknown labels count as soft tissue. Empty when the region misses the volume.
-Result<TissueField> makeTissueField(const CtVolume& ct, const LabelMap& labels, const Region& region,
+/// Unknown labels count as soft tissue. Nodes are at most detail_mm apart. Fails where the region misses the volume.
+Result<TissueField> makeTissueField(const CtVolume& ct, const LabelMap& labels, const Region& region, double detail_mm,
                                     const Progress& progress);
 
 }  // namespace insonate

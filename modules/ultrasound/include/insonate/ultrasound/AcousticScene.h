@@ -28,12 +28,16 @@ struct PointTarget {
 /// The values at a point do not depend on the region, so neighbouring regions give the same picture.
 class AcousticScene {
  public:
+  static constexpr double kFinestDetail_mm = 0.7;
+
   /// Copies what it needs; `ct` and `labels` must share one grid. Fails on grids that differ or a region that does not
-  /// touch the volume; warnings() tells of unknown labels.
+  /// touch the volume; warnings() tells of unknown labels. Label maps coarser than `detail_mm` are subdivided (see
+  /// sceneDetail_mm() for what a probe can make use of).
   static Result<std::shared_ptr<const AcousticScene>> make(const CtVolume& ct, const LabelMap& labels,
                                                            const AcousticTable& table, const Region& region,
                                                            const Progress& progress = {},
-                                                           std::vector<PointTarget> points = {});
+                                                           std::vector<PointTarget> points = {},
+                                                           double detail_mm = kFinestDetail_mm);
   ~AcousticScene();
 
   const std::vector<std::string>& warnings() const;

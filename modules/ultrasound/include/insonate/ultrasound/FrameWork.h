@@ -12,6 +12,9 @@ namespace insonate {
 /// pulse.
 double gateDistance_mm(const Probe& probe, const ImagingSettings& settings);
 
+/// The detail_mm of a scene that this probe can make use of: 1.2 where its beam is no narrower than that, else 0.7.
+double sceneDetail_mm(const Probe& probe, const ImagingSettings& settings);
+
 /// What the model asks of one stage of a frame, by formula from the sizes of its grids: an estimate to hold measured
 /// times against, not a count of instructions.
 struct StageWork {

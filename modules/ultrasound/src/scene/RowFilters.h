@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+
+namespace insonate {
+
+/// out[i] = weight[0] in[0][i] + sum over o > 0 of weight[o] (in[-o][i] + in[+o][i]), for i in 0 .. out.size().
+/// `rows` holds the 2 R + 1 rows in[-R] .. in[R], weight R + 1 values; `out` may not overlap them.
+void weighRows(std::span<const float* const> rows, std::span<const float> weight, std::span<float> out);
+
+/// out[i] = min over the rows of row[i] + add[row].
+void leastOfRows(std::span<const float* const> rows, std::span<const float> add, std::span<float> out);
+
+}  // namespace insonate
