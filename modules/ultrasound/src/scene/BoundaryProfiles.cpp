@@ -6,15 +6,17 @@
 namespace insonate {
 namespace {
 
-constexpr double kSoftEdge_mm = 0.05;
+/// Layers fade toward their borders: where patchiness or angle leaves little of one, it is thinner as well as darker.
+constexpr double kFade = 0.45, kLeastFade_mm = 0.05, kMostFade_mm = 0.3;
 
 struct Level {
   double occupancy = 0, echo_dB = 0, anisotropy = 0, patchiness = 0;
 };
 
 double occupancyOf(const BoundaryLayer& layer, double t_mm) {
-  const double in = (t_mm - layer.from_mm) / kSoftEdge_mm + 0.5;
-  const double out = (layer.to_mm - t_mm) / kSoftEdge_mm + 0.5;
+  const double fade_mm = std::clamp(kFade * (layer.to_mm - layer.from_mm), kLeastFade_mm, kMostFade_mm);
+  const double in = (t_mm - layer.from_mm) / fade_mm + 0.5;
+  const double out = (layer.to_mm - t_mm) / fade_mm + 0.5;
   return std::clamp(std::min(in, out), 0.0, 1.0);
 }
 

@@ -93,20 +93,24 @@ TextureTile emptyTile(std::array<int, 3> size, Vec3 voxel_mm) {
   return {size, voxel_mm, std::vector<std::int8_t>(count(size))};
 }
 
-/// Perimysium: short bright sheets along the fibres that do not line up. A Gaussian field, long along the fibre and
-/// thin across, of which only the peaks are kept; a slow shear keeps neighbours from lining up.
+/// Perimysium: bright sheets along the fibres, a few long ones among many short ones, none in line with another.
+/// Gaussian fields, long along the fibre and thin across, of which only the peaks are kept; a slow shear turns them
+/// unlike ways.
 TextureTile makeSepta() {
   TextureTile tile = emptyTile({64, 64, 256}, {1.0, 0.4, 0.07});
-  const std::vector<float> sheets = gaussianField(tile.size, tile.voxel_mm, {4.5, 1.8, 0.10}, 0x5e97a001U);
-  const std::vector<float> slow = gaussianField(tile.size, tile.voxel_mm, {6, 3.5, 1.6}, 0x5e97a002U);
+  const std::vector<float> longSheets = gaussianField(tile.size, tile.voxel_mm, {4.5, 1.6, 0.09}, 0x5e97a001U);
+  const std::vector<float> shortSheets = gaussianField(tile.size, tile.voxel_mm, {2.2, 0.6, 0.07}, 0x5e97a003U);
+  const std::vector<float> slow = gaussianField(tile.size, tile.voxel_mm, {6, 3, 1.4}, 0x5e97a002U);
   for (int w = 0; w < tile.size[2]; ++w)
     for (int v = 0; v < tile.size[1]; ++v)
       for (int u = 0; u < tile.size[0]; ++u) {
         const std::size_t n = (std::size_t(w) * tile.size[1] + v) * tile.size[0] + u;
-        const int shift = static_cast<int>(std::lround(slow[n] * 0.9 / tile.voxel_mm.z));
+        const int shift = static_cast<int>(std::lround(slow[n] * 1.1 / tile.voxel_mm.z));
         const int sheared = (w + shift + 4 * tile.size[2]) % tile.size[2];
-        const float g = sheets[(std::size_t(sheared) * tile.size[1] + v) * tile.size[0] + u];
-        tile.value[n] = toByte(smoothstep(1.35F, 2.4F, g + 0.4F * slow[n]) + 0.07F * slow[n]);
+        const std::size_t m = (std::size_t(sheared) * tile.size[1] + v) * tile.size[0] + u;
+        const float sheet = std::max(smoothstep(1.4F, 2.5F, longSheets[m] + 0.4F * slow[n]),
+                                     0.8F * smoothstep(1.5F, 2.8F, shortSheets[m]));
+        tile.value[n] = toByte(sheet + 0.08F * slow[n]);
       }
   return transposed(std::move(tile));
 }
@@ -157,22 +161,27 @@ Nearest nearestCells(const Cells& cells, Vec3 p_mm) {
   return best;
 }
 
-/// Fat lobules: cells with thin bright walls, brightest where the wall lies across the beam (normal along w).
+/// Fat lobules: bent cells of unlike tone. Their thin walls are brightest where they lie across the beam (normal along
+/// w), and come and go.
 TextureTile makeLobules() {
   TextureTile tile = emptyTile({64, 64, 128}, {0.75, 0.75, 0.13125});
-  const Cells cells{{7, 8, 7}, {48.0 / 7, 6.0, 16.8 / 7}, 0x10b01e00U};
-  const std::vector<float> slow = gaussianField(tile.size, tile.voxel_mm, {4, 4, 0.8}, 0x10b01e10U);
+  const Cells cells{{9, 10, 6}, {48.0 / 9, 4.8, 16.8 / 6}, 0x10b01e00U};
+  const std::vector<float> bendU = gaussianField(tile.size, tile.voxel_mm, {2.5, 2.5, 1.6}, 0x10b01e10U);
+  const std::vector<float> bendW = gaussianField(tile.size, tile.voxel_mm, {2.5, 2.5, 2.0}, 0x10b01e11U);
+  const std::vector<float> patch = gaussianField(tile.size, tile.voxel_mm, {1.8, 1.8, 0.8}, 0x10b01e12U);
   tbb::parallel_for(0, tile.size[2], [&](int w) {
     for (int v = 0; v < tile.size[1]; ++v)
       for (int u = 0; u < tile.size[0]; ++u) {
         const std::size_t n = (std::size_t(w) * tile.size[1] + v) * tile.size[0] + u;
-        const Vec3 p{u * tile.voxel_mm.x, v * tile.voxel_mm.y, w * tile.voxel_mm.z + 0.35 * slow[n]};
+        const Vec3 p{u * tile.voxel_mm.x + 0.9 * bendU[n], v * tile.voxel_mm.y - 0.9 * bendU[n],
+                     w * tile.voxel_mm.z + bendW[n]};
         const Nearest near = nearestCells(cells, p);
         const Vec3 across = near.secondPoint - near.firstPoint;
         const double facing = std::abs(across.z) / std::max(norm(across), 1e-6);
         const float wall = 1 - smoothstep(0.02F, 0.17F, static_cast<float>(near.second - near.first));
-        const auto square = static_cast<float>(0.15 + 0.85 * facing * facing);
-        tile.value[n] = toByte(wall * square * (0.75F + 0.25F * slow[n]) + 0.25F * static_cast<float>(near.tone));
+        const auto square = static_cast<float>(0.35 + 0.65 * facing * facing);
+        const float seen = 0.4F + 0.6F * smoothstep(-1.0F, 1.0F, patch[n]);
+        tile.value[n] = toByte(wall * square * seen + 0.25F * static_cast<float>(near.tone));
       }
   });
   return transposed(std::move(tile));
@@ -191,7 +200,7 @@ TextureTile makeSheets() {
         const int shift = static_cast<int>(std::lround(wave[n] * 0.7 / tile.voxel_mm.z));
         const int warped = (w + shift + 4 * tile.size[2]) % tile.size[2];
         const float sheet = smoothstep(0.7F, 2.2F, thin[(std::size_t(warped) * tile.size[1] + v) * tile.size[0] + u]);
-        tile.value[n] = toByte(0.9F * sheet * smoothstep(-1.0F, 1.0F, patch[n]) + 0.22F * patch[n] + 0.12F * wave[n]);
+        tile.value[n] = toByte(0.9F * sheet * smoothstep(-1.0F, 1.0F, patch[n]) + 0.36F * patch[n] + 0.12F * wave[n]);
       }
   return transposed(std::move(tile));
 }
@@ -207,10 +216,10 @@ TextureTile makeFine() {
 
 TextureTile makePatches() {
   TextureTile tile = emptyTile({64, 64, 64}, {0.5, 0.5, 0.5});
-  const std::vector<float> coarse = gaussianField(tile.size, tile.voxel_mm, {2.2, 2.2, 2.2}, 0x9a7c0001U);
+  const std::vector<float> coarse = gaussianField(tile.size, tile.voxel_mm, {3.0, 3.0, 3.0}, 0x9a7c0001U);
   const std::vector<float> fine = gaussianField(tile.size, tile.voxel_mm, {0.8, 0.8, 0.8}, 0x9a7c0002U);
   for (std::size_t n = 0; n < tile.value.size(); ++n)
-    tile.value[n] = toByte((0.75F * coarse[n] + 0.66F * fine[n]) * (32.0F / 127.0F));
+    tile.value[n] = toByte((0.86F * coarse[n] + 0.5F * fine[n]) * (32.0F / 127.0F));
   return transposed(std::move(tile));
 }
 
