@@ -119,6 +119,8 @@ Result<void> completeAnatomy(LabelMap& labels, const CompletionPlan& plan) {
   const BodyHull hull(labels, plan.skin_mm + plan.fat_mm + plan.margin_mm);
   const Volume<float> share = structureShare(labels);
   const Transform patientFromIndex = g.patientFromIndex();
+  // A sheet of a single voxel would break into steps wherever it runs aslant.
+  const double fascia_mm = std::max(0.8, 1.6 * std::max(g.spacing_mm.x, g.spacing_mm.y));
   tbb::parallel_for(0, g.size[2], [&](int k) {
     for (int j = 0; j < g.size[1]; ++j)
       for (int i = 0; i < g.size[0]; ++i) {
@@ -133,7 +135,7 @@ Result<void> completeAnatomy(LabelMap& labels, const CompletionPlan& plan) {
           voxel = kSkin;
         else if (depth < plan.skin_mm + fat)
           voxel = kFat;
-        else if (depth < plan.skin_mm + fat + 0.8 || share.at(i, j, k) > 0.04f)
+        else if (depth < plan.skin_mm + fat + fascia_mm || share.at(i, j, k) > 0.04f)
           voxel = kSoftTissue;
         else
           voxel = betweenStructures(p, plan.seed);

@@ -8,7 +8,13 @@
 namespace insonate::phantom {
 namespace {
 
-constexpr double kFascia_mm = 1.3;  ///< between two muscles, both sheaths and what lies between
+constexpr double kFascia_mm = 1.2;  ///< between two muscles, both sheaths and what lies between
+constexpr double kSheath_mm = 0.5;  ///< about a muscle, beside fat
+
+/// Connective tissue is thick in one place and hardly there in the next, so that its two faces are never parallel.
+double uneven(Vec3 p_mm, double cell_mm, double amount, std::uint32_t seed) {
+  return 1 + amount / kSmoothNoiseSd * smoothNoise(p_mm / cell_mm, seed);
+}
 
 }  // namespace
 
@@ -106,18 +112,18 @@ std::uint8_t SliceLabels::superficial(const Voxel& v, double layers_mm) const {
   const double side = std::abs(s.angle), fat = layers_mm - skin;
   const double fromMidline = 0.12 + 0.006 * std::max(0.0, s.p_mm.z);
   if (side > fromMidline && side < 1.75 && s.p_mm.z < 46) {
-    const double height = -s.belowFascia_mm - (0.22 + 0.08 * smoothNoise(s.p_mm / 14, grid_.seed ^ 0x97U)) * fat;
+    const double height = -s.belowFascia_mm - 0.24 * fat - 0.6 * smoothNoise(s.p_mm / 11, grid_.seed ^ 0x97U);
     const double thin = std::min({1.0, (side - fromMidline) / 0.1, (1.75 - side) / 0.25});
-    if (std::abs(height) < 0.62 * thin) return kMuscle;
+    if (std::abs(height) < 0.55 * thin * uneven(s.p_mm, 7, 0.35, grid_.seed ^ 0x98U)) return kMuscle;
   }
-  // Fibrous septa between the lobules of fat.
-  if (s.belowFascia_mm > -0.45) return kSoftTissue;
+  if (s.belowFascia_mm > -0.4 * uneven(s.p_mm, 8, 0.5, grid_.seed ^ 0x5f1U)) return kSoftTissue;
   return kFat;
 }
 
 std::uint8_t SliceLabels::filling(const Voxel& v) const {
   const Site& s = v.site;
-  if (v.muscle_mm < 0.55 || s.belowFascia_mm < 0.6) return kSoftTissue;
+  const double sheath = kSheath_mm * uneven(s.p_mm, 6, 0.5, grid_.seed ^ 0x5ea7U);
+  if (v.muscle_mm < sheath || s.belowFascia_mm < 0.6 * uneven(s.p_mm, 9, 0.5, grid_.seed ^ 0x5f2U)) return kSoftTissue;
   // Fat pads in connective tissue; more fat to the side and back than about the airway.
   const double lateral = std::clamp((std::abs(s.p_mm.x) - 18) / 20, 0.0, 1.0);
   const double pads =
@@ -132,7 +138,7 @@ std::uint8_t SliceLabels::label(const Voxel& v) const {
   if (v.organ) return v.organ;
   if (v.arterial || v.venous || v.walled) return kSoftTissue;
   if (v.muscle_mm < 0) {
-    const double gap = kFascia_mm * (1 + 0.35 * smoothNoise(s.p_mm / 5, grid_.seed ^ 0xfa5U));
+    const double gap = kFascia_mm * uneven(s.p_mm, 5, 0.3, grid_.seed ^ 0xfa5U);
     return v.nextMuscle_mm - v.muscle_mm < gap ? std::uint8_t(kSoftTissue) : v.muscle;
   }
   return filling(v);
