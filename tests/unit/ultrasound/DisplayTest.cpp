@@ -77,6 +77,34 @@ TEST_F(DisplayTest, BuiltInCompensationLevelsTypicalTissue) {
   for (const double depth_mm : {1.0, 10.0, 25.0, 39.0}) EXPECT_NEAR(greyAt(image, 0, depth_mm), 87, 1);
 }
 
+TEST_F(DisplayTest, EndsOfTheArrayAreDarkerBelowTheSkin) {
+  settings.effects.attenuation = true;
+  const double slope_dBpmm = kTgc_dBpcmMHz * settings.frequency_MHz / 10;
+  const EnvelopeFrame level = frameOf(probe, settings, [=](double, double z) { return -slope_dBpmm * z; });
+  const BModeImage image = display(probe, settings, level);
+  EXPECT_NEAR(greyAt(image, 18.8, 20) - greyAt(image, 0, 20), -4.2 * kGreyPerDb, 0.6 * kGreyPerDb);
+  EXPECT_NEAR(greyAt(image, -18.8, 20), greyAt(image, 18.8, 20), 1);
+  EXPECT_NEAR(greyAt(image, 18.8, 3), greyAt(image, 0, 3), 1);
+  EXPECT_NEAR(greyAt(image, 13, 20), greyAt(image, 0, 20), 1);
+}
+
+TEST_F(DisplayTest, BrightPlacesNearTheSkinLeaveStreaks) {
+  settings.effects.attenuation = true;
+  const double slope_dBpmm = kTgc_dBpcmMHz * settings.frequency_MHz / 10;
+  const auto streak = [&](double bright_mm) {
+    const BModeImage image = display(probe, settings, frameOf(probe, settings, [=](double x, double z) {
+                                       const bool bright = std::abs(x) < 1 && std::abs(z - bright_mm) < 1;
+                                       return (bright ? 7 : 0) - slope_dBpmm * z;
+                                     }));
+    return (greyAt(image, 0, 30) - greyAt(image, 10, 30)) / kGreyPerDb;
+  };
+  EXPECT_LT(streak(4), -0.5);
+  EXPECT_GT(streak(4), -2.1);
+  EXPECT_NEAR(streak(15), 0, 0.3) << "too deep";
+  settings.effects.attenuation = false;
+  EXPECT_NEAR(streak(4), 0, 0.3) << "nothing is lost without attenuation";
+}
+
 TEST_F(DisplayTest, LooksAreAveragedAsMagnitudes) {
   settings.looks = 3;
   EnvelopeFrame frame = uniformFrame(probe, settings, 0);

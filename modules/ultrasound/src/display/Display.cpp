@@ -36,6 +36,7 @@ struct Display::Impl {
 
   void process(const EnvelopeFrame& envelope);
   void addHaze();
+  void findShade();
   void compoundBlock(const EnvelopeFrame& envelope, int looks, int block);
   bool fits(const EnvelopeFrame& envelope) const;
   void compressBlock(int block);
@@ -47,6 +48,7 @@ struct Display::Impl {
   DisplayPlan plan;
   Plane power, levels;
   Plane blockPower, blockLevels, tail, grain, haze;
+  Plane shade;  ///< one row: dB of each scanline
   std::optional<InterfaceSmoothing> smoothing;
   std::optional<Plane> previous;  ///< levels of the last picture, with persistence
   bool hasPrevious = false;
@@ -65,6 +67,7 @@ Display::Impl::Impl(const Probe& probe, const ImagingSettings& imaging)
       tail(blockPower.rows(), plan.scanlines),
       grain(blockPower.rows(), plan.scanlines),
       haze(blockPower.rows(), plan.scanlines),
+      shade(1, plan.scanlines),
       curve(greyCurve(imaging.greyMap)),
       scan(probe, imaging) {
   if (imaging.smoothing) smoothing.emplace(plan);
@@ -119,6 +122,28 @@ void Display::Impl::addHaze() {
   }
 }
 
+/// Streaks below bright places near the skin: how far the top of each scanline stands out from its neighbourhood.
+void Display::Impl::findShade() {
+  float* const out = shade.row(0);
+  std::copy(plan.edgeShade_dB.begin(), plan.edgeShade_dB.end(), out);
+  const int lines = plan.scanlines;
+  std::array<float, 1025> before{};  // running sum, for means over any stretch of scanlines
+  for (int l = 0; l < lines; ++l) {
+    float sum = 0;
+    for (int b = plan.shadeFirst; b < plan.shadeEnd; ++b) sum += blockPower.row(b)[l];
+    before[l + 1] = before[l] + sum;
+  }
+  const auto mean = [&](int l, int reach) {
+    const int first = std::max(l - reach, 0), end = std::min(l + reach + 1, lines);
+    return std::max((before[end] - before[first]) / static_cast<float>(end - first), 1e-6F);
+  };
+  constexpr auto kReach = static_cast<float>(kStreakReach_dB);
+  for (int l = 0; l < lines; ++l) {
+    const float above_dB = 10 * std::log10(mean(l, plan.streakNarrow) / mean(l, plan.streakWide));
+    out[l] -= static_cast<float>(kStreakShare) * std::clamp(above_dB, -kReach, kReach);
+  }
+}
+
 void Display::Impl::compressBlock(int b) {
   const Block& block = plan.blocks[b];
   std::fill_n(blockLevels.row(b), Plane::padded(plan.scanlines), 0.0F);
@@ -131,6 +156,8 @@ void Display::Impl::compressBlock(int b) {
                  .offset_dB = plan.rowOffset_dB[k],
                  .low_dB = plan.low_dB,
                  .high_dB = plan.high_dB,
+                 .shade_dB = shade.row(0),
+                 .shadeShare = plan.shadeShare[k],
                  .columns = plan.scanlines,
                  .level_dB = levels.row(k),
                  .sum = blockLevels.row(b)});
@@ -174,6 +201,7 @@ void Display::Impl::process(const EnvelopeFrame& envelope) {
     blockPower.extendRow(0);
     addHaze();
   }
+  if (settings.effects.attenuation) findShade();
   stages.compound = lap_ms();
   overBlocks([&](int b) { compressBlock(b); });
   stages.compress = lap_ms();

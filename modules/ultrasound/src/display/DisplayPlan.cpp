@@ -1,5 +1,6 @@
 #include "DisplayPlan.h"
 
+#include "Plane.h"
 #include "PointSpread.h"
 
 #include <insonate/ultrasound/Display.h>
@@ -85,10 +86,34 @@ DisplayPlan::DisplayPlan(const Probe& probe, const ImagingSettings& settings)
   axialStride = strideFor(kPlainAxialSd * axial_mm, grid.step_mm(), 64);
   gaussianTaps(kPlainAxialSd * axial_mm, axialStride * grid.step_mm(), axialWeight);
 
+  planShade(probe, settings, grid);
   black_dB = static_cast<float>(kWhite_dB - settings.dynamicRange_dB);
   perLevel = static_cast<float>(1 / settings.dynamicRange_dB);
   low_dB = static_cast<float>(black_dB - kHeadroom_dB);
   high_dB = static_cast<float>(kWhite_dB + kHeadroom_dB);
+}
+
+void DisplayPlan::planShade(const Probe& probe, const ImagingSettings& settings, const BeamGrid& grid) {
+  const double spacing_mm = grid.scanlineSpacing_mm(0.5 * (kShadeFrom_mm + kShadeTo_mm));
+  const auto within = [&](double mm) { return std::clamp(static_cast<int>(mm / spacing_mm), 1, scanlines / 2); };
+  streakNarrow = within(kStreakNarrow_mm), streakWide = within(kStreakWide_mm);
+  const double block_mm = blockRows * grid.step_mm();
+  const auto blockAt = [&](double mm) {
+    return std::min(static_cast<int>(mm / block_mm), static_cast<int>(blocks.size()));
+  };
+  shadeFirst = blockAt(kShadeFrom_mm), shadeEnd = blockAt(kShadeTo_mm);
+  edgeShade_dB.assign(Plane::padded(scanlines), 0);
+  // All scanlines of a phased array use all of it.
+  if (probe.shape != ProbeShape::Phased)
+    for (int l = 0; l < scanlines; ++l) {
+      const double fromEnd_mm = std::min(l, scanlines - 1 - l) * spacing_mm;
+      const double near = std::max(1 - fromEnd_mm / kEdgeWidth_mm, 0.0);
+      edgeShade_dB[l] = static_cast<float>(-kEdgeLoss_dB * near * near);
+    }
+  for (int k = 0; k < samples; ++k) {
+    const double t = std::clamp((grid.range_mm(k) - kShadeTo_mm) / (kShadeFull_mm - kShadeTo_mm), 0.0, 1.0);
+    shadeShare.push_back(settings.effects.attenuation ? static_cast<float>(t * t * (3 - 2 * t)) : 0.0F);
+  }
 }
 
 DisplayPlan::Between DisplayPlan::between(int row) const {

@@ -13,12 +13,20 @@ inline constexpr double kMaxTgc_dB = 120;   ///< of the built-in compensation; m
 inline constexpr double kHeadroom_dB = 15;  ///< levels kept below black and above white until smoothing is done
 
 /// Haze: side lobes and reverberation leak a share of the echoes above into quiet regions.
-inline constexpr double kHazeShare_dB = -11;
+inline constexpr double kHazeShare_dB = -10.2;
 inline constexpr double kHazeTail_mm = 2.2;
 inline constexpr double kHazeSpread_mm = 1.0;    ///< lateral SD gained over one tail
 inline constexpr double kHazeSmoothShare = 0.6;  ///< the rest is modulated by the local speckle
 inline constexpr double kHazeGrain_mm = 0.7;     ///< tail of the local mean that speckle is compared with
 inline constexpr double kHazeCeiling_dB = 8;     ///< echoes above this leak no more than this
+
+/// What the top of a scanline sends back does not reach the tissue below: bright places near the skin leave streaks.
+/// And the outermost scanlines have half an aperture, the other half lying beyond the array's end.
+inline constexpr double kShadeFrom_mm = 1.5, kShadeTo_mm = 7;  ///< where the bright places are looked for
+inline constexpr double kShadeFull_mm = 12;                    ///< from where on the streaks have their full strength
+inline constexpr double kStreakNarrow_mm = 0.8, kStreakWide_mm = 5;  ///< half widths compared: what stands out counts
+inline constexpr double kStreakShare = 0.5, kStreakReach_dB = 4;  ///< dB lost per dB above the neighbourhood, at most
+inline constexpr double kEdgeLoss_dB = 4.5, kEdgeWidth_mm = 5;      ///< at the ends of the array, and how far in
 
 /// Smoothing of plain speckle, and along interfaces; widths in units of the point-spread function's FWHM.
 inline constexpr double kPlainAxialSd = 0.44, kPlainLateralSd = 0.27;
@@ -61,9 +69,15 @@ struct DisplayPlan {
   std::vector<float> rowOffset_dB;  ///< gain and sliders
   int axialStride;                  ///< rows between the 5 taps of plain smoothing
   float axialWeight[3];
-  float hazeDecay, hazeGrainDecay;  ///< per block
-  float low_dB, high_dB;            ///< levels kept
-  float black_dB, perLevel;         ///< level share = (dB - black_dB) * perLevel
+  float hazeDecay, hazeGrainDecay;   ///< per block
+  std::vector<float> edgeShade_dB;   ///< [scanline]
+  std::vector<float> shadeShare;     ///< [row] of the shade of scanlines
+  int shadeFirst = 0, shadeEnd = 0;  ///< blocks that cast streaks
+  int streakNarrow, streakWide;      ///< scanlines each side
+  float low_dB, high_dB;             ///< levels kept
+  float black_dB, perLevel;          ///< level share = (dB - black_dB) * perLevel
+
+  void planShade(const Probe& probe, const ImagingSettings& settings, const BeamGrid& grid);
 
   /// Blocks whose centres lie around a row, and the share of the second.
   struct Between {

@@ -103,10 +103,12 @@ void compressRow(const CompressRow& t) {
   const F d;
   const auto share = hn::Set(d, t.mix), offset = hn::Set(d, t.offset_dB);
   const auto low = hn::Set(d, t.low_dB), high = hn::Set(d, t.high_dB), tiny = hn::Set(d, 1e-20F);
+  const auto shaded = hn::Set(d, t.shadeShare);
   overPadded(t.columns, [&](int i) {
     const auto haze = mix(hn::Load(d, t.hazeBefore + i), hn::Load(d, t.hazeAfter + i), share);
     const auto power = hn::Max(hn::Add(hn::Load(d, t.power + i), haze), tiny);
-    const auto level = hn::Min(hn::Max(hn::Add(decibels(d, power), offset), low), high);
+    const auto lineOffset = hn::Add(offset, hn::Mul(shaded, hn::Load(d, t.shade_dB + i)));
+    const auto level = hn::Min(hn::Max(hn::Add(decibels(d, power), lineOffset), low), high);
     hn::Store(level, d, t.level_dB + i);
     hn::Store(hn::Add(hn::Load(d, t.sum + i), level), d, t.sum + i);
   });

@@ -31,11 +31,13 @@ struct HazeRow {
 };
 void hazeRow(const HazeRow& task);
 
-/// Level in dB of power plus haze.
+/// Level in dB of power plus haze, offset and shade.
 struct CompressRow {
   const float *power, *hazeBefore, *hazeAfter;
   float mix;
   float offset_dB, low_dB, high_dB;
+  const float* shade_dB;  ///< of each scanline
+  float shadeShare;       ///< of it that this row has
   int columns;
   float* level_dB;
   float* sum;  ///< += level
