@@ -26,7 +26,7 @@ inline constexpr double kShadeFrom_mm = 1.5, kShadeTo_mm = 7;  ///< where the br
 inline constexpr double kShadeFull_mm = 12;                    ///< from where on the streaks have their full strength
 inline constexpr double kStreakNarrow_mm = 0.8, kStreakWide_mm = 5;  ///< half widths compared: what stands out counts
 inline constexpr double kStreakShare = 0.5, kStreakReach_dB = 4;  ///< dB lost per dB above the neighbourhood, at most
-inline constexpr double kEdgeLoss_dB = 4.5, kEdgeWidth_mm = 5;      ///< at the ends of the array, and how far in
+inline constexpr double kEdgeLoss_dB = 4.5, kEdgeWidth_mm = 5;    ///< at the ends of the array, and how far in
 
 /// Smoothing of plain speckle, and along interfaces; widths in units of the point-spread function's FWHM.
 inline constexpr double kPlainAxialSd = 0.44, kPlainLateralSd = 0.27;
