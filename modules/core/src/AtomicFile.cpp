@@ -3,7 +3,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cstdio>
 #include <fstream>
 
 namespace insonate {
@@ -28,13 +30,42 @@ bool flushToDisk(const fs::path& file) {
   return ok;
 }
 
+/// The user knows the target, not the path beside it that writers were given.
+std::string naming(const fs::path& target, const fs::path& beside, std::string sentence) {
+  const std::string from = beside.string(), to = target.string();
+  for (std::size_t at = sentence.find(from); at != std::string::npos; at = sentence.find(from, at + to.size()))
+    sentence.replace(at, from.size(), to);
+  return sentence;
+}
+
 template <class Write>
 Result<void> guarded(const fs::path& beside, const fs::path& target, const Write& write) {
   try {
-    return write(beside);
+    Result<void> written = write(beside);
+    if (!written) return fail(naming(target, beside, written.error().message));
+    return written;
   } catch (const std::exception& e) {
-    return fail("Could not write " + target.string() + ": " + e.what());
+    return fail("Could not write " + target.string() + ": " + naming(target, beside, e.what()));
   }
+}
+
+/// Removes what was begun, however the function is left.
+class Leftover {
+ public:
+  explicit Leftover(fs::path path) : path_(std::move(path)) {}
+  ~Leftover() {
+    std::error_code error;
+    fs::remove_all(path_, error);
+  }
+  Leftover(const Leftover&) = delete;
+  Leftover& operator=(const Leftover&) = delete;
+
+ private:
+  fs::path path_;
+};
+
+tl::unexpected<Error> couldNotWrite(const fs::path& target, const std::error_code& error) {
+  return fail("Could not write " + target.string() + ": " + error.message() + ".");
 }
 
 Result<void> parentExists(const fs::path& target) {
@@ -73,31 +104,107 @@ Result<void> writeAtomically(const fs::path& target, std::string_view bytes) {
   });
 }
 
-Result<void> writeFolderAtomically(const fs::path& target, const std::function<Result<void>(const fs::path&)>& write) {
+Result<void> checkFolderTarget(const fs::path& target) {
+  if (target.empty()) return fail("The name of the folder to write is empty.");
   const fs::path folder = target.has_filename() ? target : target.parent_path();
-  if (auto ok = parentExists(folder); !ok) return ok;
-  const fs::path beside = besideOf(folder);
   std::error_code error;
-  fs::create_directory(beside, error);
-  if (error) return fail("Could not write " + folder.string() + ": " + error.message() + ".");
-  Result<void> written = guarded(beside, folder, write);
-  for (const auto& file : fs::recursive_directory_iterator(beside, error)) {
-    if (written && file.is_regular_file() && !flushToDisk(file.path()))
-      written = fail("Could not write " + folder.string() + " to the disk.");
-  }
-  if (written) {
-    if (!fs::exists(folder, error)) {
-      fs::rename(beside, folder, error);
-    } else {
-      for (const auto& file : fs::directory_iterator(beside)) {
-        fs::rename(file.path(), folder / file.path().filename(), error);
-        if (error) break;
-      }
+  if (fs::is_symlink(folder, error) && !fs::exists(folder, error))
+    return fail(folder.string() + " is a link to nothing; name another folder or remove the link.");
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error))
+    return fail(folder.string() + " is a file; a folder is needed.");
+  if (auto ok = parentExists(folder); !ok) return fail(ok.error().message + " Create it first.");
+  const fs::path parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
+  for (const fs::path& place : {parent, folder})
+    if (fs::exists(place, error) && ::access(place.c_str(), W_OK | X_OK) != 0)
+      return fail("Could not write " + folder.string() + ": the folder " + place.string() +
+                  " cannot be written; choose another.");
+  return {};
+}
+
+namespace {
+
+bool sharesNames(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(a, error))
+    if (fs::exists(b / entry.path().filename(), error)) return true;
+  return false;
+}
+
+/// Files of `folder` that are neither replaced nor superseded, as hard links: the same files, under a second name.
+std::error_code carryOver(const fs::path& folder, const fs::path& beside,
+                          const std::vector<std::string_view>& superseded) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const fs::path name = entry.path().filename();
+    if (fs::exists(beside / name, error) || std::ranges::find(superseded, name.string()) != superseded.end()) continue;
+    const auto options = fs::copy_options::recursive | fs::copy_options::copy_symlinks;
+    fs::copy(entry.path(), beside / name, options | fs::copy_options::create_hard_links, error);
+    if (error) {  // a file system without hard links
+      fs::remove_all(beside / name, error);
+      fs::copy(entry.path(), beside / name, options, error);
     }
-    if (error) written = fail("Could not write " + folder.string() + ": " + error.message() + ".");
+    if (error) return error;
   }
-  fs::remove_all(beside, error);
-  return written;
+  return error;
+}
+
+/// Afterwards the old folder is at `beside`.
+std::error_code swapFolders(const fs::path& beside, const fs::path& folder) {
+  if (::renameat2(AT_FDCWD, beside.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) return {};
+  std::error_code error;
+  const fs::path old = besideOf(folder);
+  fs::rename(folder, old, error);
+  if (error) return error;
+  fs::rename(beside, folder, error);
+  std::error_code ignored;
+  fs::rename(old, error ? folder : beside, ignored);
+  return error;
+}
+
+std::error_code moveInto(const fs::path& beside, const fs::path& folder) {
+  std::error_code error;
+  for (const auto& file : fs::directory_iterator(beside)) {
+    fs::rename(file.path(), folder / file.path().filename(), error);
+    if (error) break;
+  }
+  return error;
+}
+
+std::error_code putInPlace(const fs::path& beside, const fs::path& folder,
+                           const std::vector<std::string_view>& superseded) {
+  std::error_code error;
+  if (!fs::exists(folder, error)) {
+    fs::rename(beside, folder, error);
+    return error;
+  }
+  const bool isCurrent = fs::equivalent(folder, ".", error);
+  if (isCurrent || !sharesNames(beside, folder)) return moveInto(beside, folder);
+  const auto permissions = fs::status(folder, error).permissions();
+  if (error = carryOver(folder, beside, superseded); error) return error;
+  fs::permissions(beside, permissions, error);
+  return swapFolders(beside, folder);
+}
+
+}  // namespace
+
+Result<void> writeFolderAtomically(const fs::path& target, const std::function<Result<void>(const fs::path&)>& write,
+                                   const std::vector<std::string_view>& superseded) {
+  std::error_code error;
+  if (auto ok = checkFolderTarget(target); !ok) return ok;
+  const fs::path named = target.has_filename() ? target : target.parent_path();
+  // A link keeps pointing to the folder that is written.
+  const fs::path folder = fs::exists(named, error) ? fs::canonical(named, error) : named;
+  if (error) return couldNotWrite(named, error);
+  const fs::path beside = besideOf(folder);
+  fs::create_directory(beside, error);
+  if (error) return couldNotWrite(named, error);
+  const Leftover leftover(beside);
+  if (auto written = guarded(beside, named, write); !written) return written;
+  for (const auto& file : fs::recursive_directory_iterator(beside, error))
+    if (file.is_regular_file() && !flushToDisk(file.path()))
+      return fail("Could not write " + named.string() + " to the disk.");
+  if (error = putInPlace(beside, folder, superseded); error) return couldNotWrite(named, error);
+  return {};
 }
 
 }  // namespace insonate

@@ -43,4 +43,18 @@ std::string joinedWords(const std::vector<std::string_view>& words) {
   return text;
 }
 
+std::string quotedWords(const std::vector<std::string_view>& words) {
+  std::string text;
+  for (const std::string_view word : words) text += (text.empty() ? "'" : ", '") + std::string(word) + "'";
+  return text;
+}
+
+std::string jsonTrouble(std::string_view what) {
+  if (what.starts_with("[json.exception"))
+    if (const std::size_t tag = what.find("] "); tag != what.npos) what.remove_prefix(tag + 2);
+  constexpr std::string_view kPlace = "parse error at ";
+  if (what.starts_with(kPlace)) what.remove_prefix(kPlace.size());
+  return std::string(what);
+}
+
 }  // namespace insonate

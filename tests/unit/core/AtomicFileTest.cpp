@@ -2,10 +2,15 @@
 
 #include <insonate/core/AtomicFile.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
 #include <fstream>
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 namespace insonate {
 namespace {
@@ -150,6 +155,97 @@ TEST(AtomicFolder, AFailureLeavesNoNewFolder) {
   EXPECT_FALSE(
       writeFolderAtomically(folder / "case", [](const fs::path&) -> Result<void> { return fail("No luck."); }));
   EXPECT_TRUE(names(folder.path()).empty());
+}
+
+TEST(AtomicFolder, ReplacedFilesAndOldOnesAreNeverBothThere) {
+  const test::TemporaryFolder folder;
+  const fs::path target = folder / "case";
+  fs::create_directories(target / "sub");
+  for (const char* name : {"ct.nrrd", "case.json", "stale.nrrd", "sub/notes.txt"})
+    std::ofstream(target / name) << "old";
+  ASSERT_TRUE(writeFolderAtomically(target,
+                                    [](const fs::path& beside) {
+                                      return put(beside / "ct.nrrd", "new").and_then([&] {
+                                        return put(beside / "case.json", "new");
+                                      });
+                                    },
+                                    {"stale.nrrd"}));
+  EXPECT_EQ(names(target), (std::set<std::string>{"case.json", "ct.nrrd", "sub"}));
+  EXPECT_EQ(contents(target / "case.json"), "new");
+  EXPECT_EQ(contents(target / "sub" / "notes.txt"), "old");
+  EXPECT_EQ(names(folder.path()), std::set<std::string>{"case"});
+}
+
+/// A reader that looks all the time while a folder is replaced sees two files of one generation only.
+TEST(AtomicFolder, AReaderNeverSeesAMix) {
+  const test::TemporaryFolder folder;
+  const fs::path target = folder / "case";
+  const auto write = [&](const std::string& text) {
+    return writeFolderAtomically(target, [&](const fs::path& beside) {
+      return put(beside / "a", text).and_then([&] { return put(beside / "b", text); });
+    });
+  };
+  ASSERT_TRUE(write("0"));
+  std::atomic<bool> done{false};
+  int mixed = 0;
+  std::thread reader([&] {
+    while (!done) {
+      // One folder, opened once: what a kill at this moment would leave.
+      const int at = ::open(target.c_str(), O_DIRECTORY | O_RDONLY | O_CLOEXEC);
+      if (at < 0) continue;
+      const auto of = [&](const char* name) {
+        char c = 0;
+        const int file = ::openat(at, name, O_RDONLY | O_CLOEXEC);
+        if (file < 0) return c;
+        if (::read(file, &c, 1) != 1) c = 0;
+        ::close(file);
+        return c;
+      };
+      const char a = of("a"), b = of("b");
+      if (a && b && a != b) ++mixed;
+      ::close(at);
+    }
+  });
+  for (int n = 1; n < 60; ++n) ASSERT_TRUE(write(std::to_string(n % 10)));
+  done = true;
+  reader.join();
+  EXPECT_EQ(mixed, 0);
+}
+
+TEST(AtomicFolder, ALinkToAFolderStaysALink) {
+  const test::TemporaryFolder folder;
+  fs::create_directory(folder / "real");
+  std::ofstream(folder / "real" / "a") << "old";
+  fs::create_directory_symlink(folder / "real", folder / "link");
+  ASSERT_TRUE(writeFolderAtomically(folder / "link", [](const fs::path& beside) { return put(beside / "a", "new"); }));
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(contents(folder / "real" / "a"), "new");
+}
+
+TEST(AtomicFolder, ErrorsNameTheTarget) {
+  const test::TemporaryFolder folder;
+  const auto failed = writeFolderAtomically(folder / "case", [](const fs::path& beside) -> Result<void> {
+    return fail("Could not write " + (beside / "ct.nrrd").string() + ": the disk is full.");
+  });
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(failed.error().message,
+            "Could not write " + (folder / "case" / "ct.nrrd").string() + ": the disk is full.");
+}
+
+TEST(FolderTarget, IsRefusedBeforeTheWork) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "file") << "text";
+  fs::create_symlink(folder / "nothing", folder / "link");
+  const auto refusal = [](const fs::path& target) {
+    const auto ok = checkFolderTarget(target);
+    return ok ? std::string() : ok.error().message;
+  };
+  EXPECT_EQ(refusal(folder / "new"), "");
+  EXPECT_EQ(refusal(folder.path()), "");
+  EXPECT_NE(refusal("").find("empty"), std::string::npos);
+  EXPECT_NE(refusal(folder / "file").find("is a file"), std::string::npos);
+  EXPECT_NE(refusal(folder / "link").find("link to nothing"), std::string::npos);
+  EXPECT_NE(refusal(folder / "none" / "case").find("does not exist"), std::string::npos);
 }
 
 }  // namespace

@@ -30,5 +30,18 @@ TEST(JoinedWords, PutsCommasBetween) {
   EXPECT_EQ(joinedWords({"a", "b", "c"}), "a, b, c");
 }
 
+TEST(QuotedWords, KeepsNamesWithCommasApart) {
+  EXPECT_EQ(quotedWords({}), "");
+  EXPECT_EQ(quotedWords({"auto", "vein, transverse"}), "'auto', 'vein, transverse'");
+}
+
+TEST(JsonTrouble, SaysThePlaceWithoutTheLibrary) {
+  EXPECT_EQ(jsonTrouble("[json.exception.parse_error.101] parse error at line 1, column 2: unexpected end of input"),
+            "line 1, column 2: unexpected end of input");
+  EXPECT_EQ(jsonTrouble("[json.exception.type_error.302] type must be number, but is string"),
+            "type must be number, but is string");
+  EXPECT_EQ(jsonTrouble("anything else"), "anything else");
+}
+
 }  // namespace
 }  // namespace insonate

@@ -5,20 +5,31 @@
 #include <filesystem>
 #include <functional>
 #include <string_view>
+#include <vector>
 
 namespace insonate {
 
 /// Calls `write` with a path beside `target` (same extension), then moves that file over `target`. On any failure,
-/// exceptions of `write` included, the target is as it was and nothing is left beside it.
+/// exceptions of `write` included, the target is as it was and nothing is left beside it. Errors of `write` that name
+/// the path beside are made to name the target.
 Result<void> writeAtomically(const std::filesystem::path& target,
                              const std::function<Result<void>(const std::filesystem::path& beside)>& write);
 
 /// The same for a text or byte string.
 Result<void> writeAtomically(const std::filesystem::path& target, std::string_view bytes);
 
-/// The same for a folder: `write` fills a fresh folder beside `target`. Files of that folder then replace files of the
-/// same name in `target`, which is created when missing; its other files stay.
+/// Refuses, before any work, a target folder that could not be written later: empty name, a file or a link to nothing
+/// in its place, a missing parent, missing rights.
+Result<void> checkFolderTarget(const std::filesystem::path& target);
+
+/// The same for a folder: `write` fills a fresh folder beside `target`, which is created when missing; its other files
+/// stay. Where files of the same name are replaced, the two folders change places in one step, the old folder's other
+/// files being carried over beforehand: whoever looks, even after a kill, finds all files old or all new. `superseded`
+/// names files of the old folder that must not survive beside the new ones. Only where the file system cannot swap
+/// folders are there two steps, between which the target is missing and both states lie beside it; and where `target`
+/// is the current folder, which must keep its identity, files are moved one by one.
 Result<void> writeFolderAtomically(const std::filesystem::path& target,
-                                   const std::function<Result<void>(const std::filesystem::path& beside)>& write);
+                                   const std::function<Result<void>(const std::filesystem::path& beside)>& write,
+                                   const std::vector<std::string_view>& superseded = {});
 
 }  // namespace insonate
