@@ -86,22 +86,28 @@ Result<CaseManifest> readManifest(const fs::path& file, std::vector<std::string>
   return manifest;
 }
 
-Result<void> writeFiles(const PatientCase& patient, const fs::path& folder) {
+Result<void> writeFiles(const PatientCase& patient, const fs::path& folder, const Progress& progress) {
   const auto& ct = patient.ct;
   const auto& labels = patient.labels;
-  if (auto ok = writeNrrd(folder / kCtFile, ct.geometry, "short", std::as_bytes(std::span(ct.voxels))); !ok) return ok;
+  if (auto ok = writeNrrd(folder / kCtFile, ct.geometry, "short", std::as_bytes(std::span(ct.voxels)), {}, progress);
+      !ok)
+    return ok;
   if (auto ok = writeNrrd(folder / kLabelFile, labels.geometry, "unsigned char",
-                          std::as_bytes(std::span(labels.voxels)), slicerFields(labels));
+                          std::as_bytes(std::span(labels.voxels)), slicerFields(labels), progress);
       !ok)
     return ok;
   if (auto ok = writeAtomically(folder / kSnapFile, itkSnapLabelText(labels)); !ok) return ok;
-  return writeAtomically(folder / kManifestFile, manifestToJson(patient.manifest));
+  if (auto ok = writeAtomically(folder / kManifestFile, manifestToJson(patient.manifest)); !ok) return ok;
+  if (!report(progress, "Writing the case", 1)) return fail(std::string(kCancelled));
+  return {};
 }
 
 }  // namespace
 
 Result<CaseReadResult> readCase(const fs::path& folder) {
   std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error))
+    return fail(folder.string() + " is a file; name the folder of a case. A CT becomes one with import.");
   if (!fs::is_directory(folder, error))
     return fail("There is no case folder " + folder.string() + ". Make one with import or phantom.");
   if (!fs::exists(folder / kCtFile, error))
@@ -122,13 +128,37 @@ Result<CaseReadResult> readCase(const fs::path& folder) {
   return result;
 }
 
-Result<void> writeCase(const PatientCase& patient, const fs::path& folder) {
+Result<void> checkCaseTarget(const fs::path& folder, bool replace) {
+  if (auto ok = checkFolderTarget(folder); !ok) return ok;
+  std::error_code error;
+  for (const char* name : {kCtFile, kLabelFile, kManifestFile}) {
+    if (!fs::exists(folder / name, error)) continue;
+    if (!replace)
+      return fail(folder.string() + " already holds a case. Name another folder, or add --replace to write over it.");
+    if (fs::equivalent(folder, ".", error))
+      return fail(folder.string() + " is the current folder, which cannot be replaced as a whole. Go one folder up.");
+  }
+  return {};
+}
+
+bool isCaseFile(const fs::path& folder, const fs::path& file) {
+  for (const char* name : {kCtFile, kLabelFile, kPlainLabelFile, kManifestFile, kSnapFile}) {
+    std::error_code error;
+    if (fs::equivalent(folder / name, file, error)) return true;
+    if (file.filename() == name && fs::equivalent(folder, file.has_parent_path() ? file.parent_path() : ".", error))
+      return true;
+  }
+  return false;
+}
+
+Result<void> writeCase(const PatientCase& patient, const fs::path& folder, const Progress& progress) {
   for (const VolumeGeometry& g : {patient.ct.geometry, patient.labels.geometry})
     if (auto ok = validate(g); !ok) return ok;
   if (!sameGrid(patient.ct.geometry, patient.labels.geometry))
     return fail("The CT and the labels are on different grids: " +
                 differenceOf(patient.ct.geometry, patient.labels.geometry) + ". Nothing was written.");
-  return writeFolderAtomically(folder, [&](const fs::path& beside) { return writeFiles(patient, beside); });
+  return writeFolderAtomically(folder, [&](const fs::path& beside) { return writeFiles(patient, beside, progress); },
+                               {kPlainLabelFile});
 }
 
 }  // namespace insonate

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 namespace insonate {
@@ -50,6 +51,21 @@ Result<void> validate(const VolumeGeometry& g) {
       if (!(std::abs(dot(g.direction.column[a], g.direction.column[b]) - expected) < 1e-3))
         return fail("The axes of the grid are not at right angles; resample it to an orthogonal grid first.");
     }
+  return {};
+}
+
+Result<void> checkVoxelSize(Vec3 spacing_mm) {
+  constexpr double kSmallest_mm = 0.05, kLargest_mm = 25;
+  for (int a = 0; a < 3; ++a) {
+    const double size_mm = spacing_mm[a];
+    if (size_mm >= kSmallest_mm && size_mm <= kLargest_mm) continue;
+    std::array<char, 32> text;
+    std::snprintf(text.data(), text.size(), "%.4g mm", size_mm);
+    return fail("Voxels are " + std::string(text.data()) + " apart along axis " + std::to_string(a + 1) +
+                (size_mm < kSmallest_mm ? "; no CT is that fine. Values in metres?"
+                                        : "; no CT is that coarse. Values in micrometres?") +
+                " Correct the spacing in the file.");
+  }
   return {};
 }
 

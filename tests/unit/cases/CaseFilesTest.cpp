@@ -123,5 +123,61 @@ TEST(CaseFiles, FailedWriteLeavesTheOldCase) {
   EXPECT_FALSE(std::filesystem::exists(folder / "missing"));
 }
 
+TEST(CaseFiles, AnExistingCaseIsKeptUnlessItMayBeReplaced) {
+  test::TemporaryFolder folder;
+  const auto refusal = [](const std::filesystem::path& target, bool replace) {
+    const auto ok = checkCaseTarget(target, replace);
+    return ok ? std::string() : ok.error().message;
+  };
+  EXPECT_EQ(refusal(folder / "new", false), "");
+  std::filesystem::create_directory(folder / "case");
+  EXPECT_EQ(refusal(folder / "case", false), "") << "an empty folder";
+  for (const char* file : {"ct.nrrd", "labels.seg.nrrd", "case.json"}) {
+    test::writeText(folder / "case" / file, "mine");
+    EXPECT_THAT(refusal(folder / "case", false), HasSubstr("already holds a case")) << file;
+    EXPECT_EQ(refusal(folder / "case", true), "");
+    std::filesystem::remove(folder / "case" / file);
+  }
+}
+
+TEST(CaseFiles, ReplacingLeavesNothingOfTheOldCase) {
+  test::TemporaryFolder folder;
+  ASSERT_TRUE(writeCase(test::noiseCase(test::grid({4, 4, 4})), folder / "case"));
+  test::writeText(folder / "case/labels.nrrd", "of the old case");
+  test::writeText(folder / "case/remarks.txt", "mine");
+  ASSERT_TRUE(writeCase(test::noiseCase(test::grid({5, 4, 4})), folder / "case"));
+  const auto read = readCase(folder / "case");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_THAT(read->notes, testing::IsEmpty());
+  EXPECT_EQ(read->patient.ct.geometry.size[0], 5);
+  EXPECT_EQ(test::contentOf(folder / "case/remarks.txt"), "mine");
+}
+
+TEST(CaseFiles, CancelledWritingLeavesNothing) {
+  test::TemporaryFolder folder;
+  const PatientCase patient = test::noiseCase(test::grid({4, 4, 4}));
+  int calls = 0;
+  ASSERT_TRUE(writeCase(patient, folder / "case", [&](std::string_view, double) { return ++calls, true; }));
+  EXPECT_GE(calls, 3);
+  for (int stop = 1; stop <= calls; ++stop) {
+    int heard = 0;
+    const auto written = writeCase(patient, folder / "other", [&](std::string_view, double) { return ++heard < stop; });
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().message, kCancelled);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1) << "the first case only";
+  }
+}
+
+TEST(CaseFiles, KnowsItsOwnFiles) {
+  test::TemporaryFolder folder;
+  ASSERT_TRUE(writeCase(test::noiseCase(test::grid({4, 4, 4})), folder / "case"));
+  std::filesystem::create_symlink(folder / "case/ct.nrrd", folder / "link.nrrd");
+  EXPECT_TRUE(isCaseFile(folder / "case", folder / "case/../case/ct.nrrd"));
+  EXPECT_TRUE(isCaseFile(folder / "case/", folder / "link.nrrd"));
+  EXPECT_TRUE(isCaseFile(folder / "case", folder / "case/labels.nrrd")) << "not there, but would be taken for labels";
+  EXPECT_FALSE(isCaseFile(folder / "case", folder / "case/echo.nrrd"));
+  EXPECT_FALSE(isCaseFile(folder / "case", folder / "ct.nrrd"));
+}
+
 }  // namespace
 }  // namespace insonate

@@ -101,6 +101,25 @@ TEST_F(HardCase, GridsThatDifferAreRefusedWithTheDifference) {
   EXPECT_TRUE(readCase(path)) << "the same grid, written in another space";
 }
 
+TEST_F(HardCase, VoxelsThatNoScannerMakesAreRefused) {
+  test::writeRawNrrd(path / "ct.nrrd",
+                     "type: short\ndimension: 3\nsizes: 4 4 4\nspace: left-posterior-superior\n"
+                     "space directions: (0.001,0,0) (0,0.001,0) (0,0,0.001)\nspace origin: (0,0,0)\n",
+                     test::bytesOf(std::vector<short>(64)));
+  EXPECT_THAT(errorOf(), AllOf(HasSubstr("0.001 mm"), HasSubstr("metres?")));
+}
+
+TEST_F(HardCase, AFileIsNoCase) {
+  const auto read = readCase(path / "ct.nrrd");
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().message, HasSubstr("is a file"));
+}
+
+TEST_F(HardCase, ReadersSpeakWithoutTheirClassNames) {
+  test::writeText(path / "ct.nrrd", "NRRD0005\nrubbish");
+  EXPECT_THAT(errorOf(), AllOf(HasSubstr("ct.nrrd"), testing::Not(HasSubstr("itk::")), testing::Not(HasSubstr("0x"))));
+}
+
 TEST_F(HardCase, MissingPartsAreNamed) {
   std::filesystem::remove(path / "labels.seg.nrrd");
   EXPECT_THAT(errorOf(), HasSubstr("labels.seg.nrrd"));
@@ -115,9 +134,9 @@ TEST_F(HardCase, ManifestIsValidated) {
     test::writeText(path / "case.json", json);
     return errorOf();
   };
-  EXPECT_THAT(errorWith("{"), HasSubstr("not valid JSON"));
+  EXPECT_THAT(errorWith("{"), AllOf(HasSubstr("not valid JSON: line 1, column 2: "), testing::Not(HasSubstr("["))));
   EXPECT_THAT(errorWith("[]"), HasSubstr("object"));
-  EXPECT_THAT(errorWith("{}"), HasSubstr("schema_version"));
+  EXPECT_THAT(errorWith("{}"), HasSubstr("has no \"schema_version\"; add \"schema_version\": 1"));
   EXPECT_THAT(errorWith(R"({"schema_version": 99})"), HasSubstr("newer"));
   EXPECT_THAT(errorWith(R"({"schema_version": 1, "title": 3})"), HasSubstr("title must be text"));
   EXPECT_THAT(errorWith(R"({"schema_version": 1, "targets": [{"label": "vein", "position_mm": [1, 2]}]})"),

@@ -6,6 +6,7 @@
 #include <insonate/cases/Import.h>
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -86,6 +87,58 @@ TEST_F(DicomImport, SameSeedSameBytesOtherSeedOtherUids) {
   EXPECT_EQ(a, test::contentOf(folder / "again" / name));
   EXPECT_NE(a, test::contentOf(folder / "other" / name));
   EXPECT_EQ(a.substr(128, 4), "DICM");
+}
+
+/// Lets files be out of reach also for the administrator, whom no permission stops.
+class AsNobody {
+ public:
+  AsNobody() {
+    if (::geteuid() == 0) changed_ = ::seteuid(65534) == 0;
+  }
+  ~AsNobody() {
+    if (changed_ && ::seteuid(0) != 0) ADD_FAILURE() << "not administrator again";
+  }
+  AsNobody(const AsNobody&) = delete;
+  AsNobody& operator=(const AsNobody&) = delete;
+
+ private:
+  bool changed_ = false;
+};
+
+TEST_F(DicomImport, ASliceThatCannotBeOpenedIsNotLeftOutSilently) {
+  write(test::noiseCt(test::grid({4, 4, 6})));
+  for (const fs::path& place : {folder.path(), series}) fs::permissions(place, fs::perms(0755));
+  for (const fs::path& file : files()) fs::permissions(file, fs::perms(0644));
+  fs::permissions(files()[5], fs::perms::none);
+  const AsNobody nobody;
+  EXPECT_THAT(refusal(), testing::AllOf(HasSubstr("slice00006.dcm"), HasSubstr("Permission denied")));
+  const auto listing = listSeries(series);
+  ASSERT_TRUE(listing) << listing.error().message;
+  ASSERT_EQ(listing->setAside.size(), 1U);
+  EXPECT_THAT(listing->setAside[0].reason, testing::AllOf(HasSubstr("cannot be read"), HasSubstr("Permission denied")));
+  EXPECT_THAT(listing->series.at(0).warnings, testing::Contains(HasSubstr("slices may be missing")));
+  const auto chosen = importSeries(series, listing->series[0].uid);
+  ASSERT_TRUE(chosen) << chosen.error().message;
+  EXPECT_EQ(chosen->ct.geometry.size[2], 5);
+  EXPECT_THAT(chosen->series.warnings, testing::Contains(HasSubstr("slices may be missing")));
+  EXPECT_THAT(importSeries(files()[5]).error().message, HasSubstr("Permission denied"));
+}
+
+TEST_F(DicomImport, ALinkToNothingMayBeASlice) {
+  write(test::noiseCt(test::grid({4, 4, 3})));
+  fs::create_symlink(folder / "gone.dcm", series / "slice00004.dcm");
+  EXPECT_THAT(refusal(), testing::AllOf(HasSubstr("slice00004.dcm"), HasSubstr("cannot be read")));
+}
+
+TEST_F(DicomImport, PixelsThatNoScannerMakesAreRefused) {
+  write(test::noiseCt(test::grid({4, 4, 3})));
+  for (const fs::path& file : files())
+    test::editDicom(file, [](DataSet& data) { test::setText(data, Tag(0x0028, 0x0030), VR::DS, "0.001\\0.001"); });
+  EXPECT_THAT(refusal(), testing::AllOf(HasSubstr("0.001 mm"), HasSubstr("metres?")));
+  const auto listing = listSeries(series);
+  ASSERT_TRUE(listing);
+  EXPECT_FALSE(listing->series.at(0).geometryKnown);
+  EXPECT_THAT(describe(*listing), testing::Not(HasSubstr("1x1x1 mm")));
 }
 
 TEST_F(DicomImport, WriterRefusesAFullFolder) {

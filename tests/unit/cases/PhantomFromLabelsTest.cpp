@@ -111,6 +111,22 @@ TEST_F(CaseFromLabelsTest, SaysWhatIsWrongWithTheMap) {
   EXPECT_FALSE(caseFromLabels(folder_ / "labels.nrrd", folder_ / "missing.json", {}));
 }
 
+TEST_F(CaseFromLabelsTest, AMapOfAnotherFileIsRefused) {
+  for (const char* map :
+       {R"({"labels": {"70": "vein"}, "others": "soft tissue"})", R"({"labels": {}, "others": "soft tissue"})",
+        R"({"labels": {"7": "vein"}, "others": "soft tissue"})"}) {
+    const auto made = make(map);
+    ASSERT_FALSE(made) << map;
+    EXPECT_THAT(made.error().message, testing::HasSubstr("map of another file")) << map;
+  }
+  EXPECT_TRUE(make(R"({"labels": {"9": "bone"}, "others": "soft tissue"})")) << "four fifths of the voxels are bone";
+  const auto aFolder = caseFromLabels(folder_ / "labels.nrrd", folder_.path(), {});
+  ASSERT_FALSE(aFolder);
+  EXPECT_THAT(aFolder.error().message, testing::HasSubstr("is a folder"));
+  EXPECT_THAT(make("{").error().message,
+              testing::AllOf(testing::HasSubstr("line 1, column 2"), testing::Not(testing::HasSubstr("exception"))));
+}
+
 TEST_F(CaseFromLabelsTest, NotesATargetThatIsNotThere) {
   const auto made = make(R"({"labels": {"7": "vein", "9": "bone"},
       "targets": [{"name": "nothing", "number": 8, "z_mm": 20}]})");

@@ -1,12 +1,10 @@
 #include "CaseSamples.h"
+#include "VolumeFiles.h"
 #include "support/TestData.h"
 
 #include <insonate/cases/Import.h>
 
 #include <gmock/gmock.h>
-
-#include <array>
-#include <cstring>
 
 namespace insonate {
 namespace {
@@ -15,38 +13,11 @@ using testing::HasSubstr;
 
 const VolumeGeometry kGrid = test::grid({5, 4, 3}, {0.5, 0.75, 2}, {-10, 20, 30});
 
-template <class T>
-void put(std::string& bytes, std::size_t offset, T value) {
-  std::memcpy(bytes.data() + offset, &value, sizeof value);
-}
-
-/// The smallest NIfTI-1: int16, with an sform in NIfTI's own right-anterior-superior frame.
-std::string nifti(const CtVolume& ct, std::array<std::array<float, 4>, 3> sform, float slope, float intercept) {
-  std::string header(352, '\0');
-  put<std::int32_t>(header, 0, 348);
-  const auto& size = ct.geometry.size;
-  const std::int16_t dim[8] = {3, std::int16_t(size[0]), std::int16_t(size[1]), std::int16_t(size[2]), 1, 1, 1, 1};
-  std::memcpy(header.data() + 40, dim, sizeof dim);
-  put<std::int16_t>(header, 70, 4);   // DT_INT16
-  put<std::int16_t>(header, 72, 16);  // bits
-  const Vec3 spacing = ct.geometry.spacing_mm;
-  const float pixdim[4] = {1, float(spacing.x), float(spacing.y), float(spacing.z)};
-  std::memcpy(header.data() + 76, pixdim, sizeof pixdim);
-  put<float>(header, 108, 352);
-  put<float>(header, 112, slope);
-  put<float>(header, 116, intercept);
-  put<char>(header, 123, 2);          // millimetres
-  put<std::int16_t>(header, 254, 1);  // sform: scanner
-  for (int row = 0; row < 3; ++row) std::memcpy(header.data() + 280 + 16 * row, sform[row].data(), 16);
-  std::memcpy(header.data() + 344, "n+1", 4);
-  return header + test::bytesOf(ct.voxels);
-}
-
 TEST(VolumeImport, NiftiIsTurnedToLps) {
   test::TemporaryFolder folder;
   const CtVolume ct = test::noiseCt(kGrid);
   // LPS (x, y, z) is (-x, -y, z) in RAS.
-  test::writeText(folder / "a.nii", nifti(ct, {{{-0.5F, 0, 0, 10}, {0, -0.75F, 0, -20}, {0, 0, 2, 30}}}, 1, 0));
+  test::writeText(folder / "a.nii", test::niftiOf(ct, test::kRas, 1, 0));
   const auto imported = importSeries(folder / "a.nii");
   ASSERT_TRUE(imported) << imported.error().message;
   EXPECT_TRUE(sameGrid(imported->ct.geometry, kGrid));
@@ -56,26 +27,16 @@ TEST(VolumeImport, NiftiIsTurnedToLps) {
 
 TEST(VolumeImport, NiftiSlopeAndIntercept) {
   test::TemporaryFolder folder;
-  test::writeText(folder / "a.nii",
-                  nifti(CtVolume(kGrid, 100), {{{-0.5F, 0, 0, 10}, {0, -0.75F, 0, -20}, {0, 0, 2, 30}}}, 2, -1000));
+  test::writeText(folder / "a.nii", test::niftiOf(CtVolume(kGrid, 100), test::kRas, 2, -1000));
   const auto imported = importSeries(folder / "a.nii");
   ASSERT_TRUE(imported) << imported.error().message;
   EXPECT_EQ(imported->ct.at(1, 1, 1), -800);
 }
 
-std::string metaImage(const CtVolume& ct, const std::string& matrix, const std::string& type = "MET_SHORT") {
-  return "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = False\n"
-         "TransformMatrix = " +
-         matrix +
-         "\nOffset = -10 20 30\nElementSpacing = 0.5 0.75 2\nDimSize = 5 4 3\n"
-         "ElementType = " +
-         type + "\nElementDataFile = LOCAL\n" + test::bytesOf(ct.voxels);
-}
-
 TEST(VolumeImport, MetaImageKeepsItsDirections) {
   test::TemporaryFolder folder;
   const CtVolume ct = test::noiseCt(kGrid);
-  test::writeText(folder / "a.mha", metaImage(ct, "-1 0 0 0 -1 0 0 0 1"));
+  test::writeText(folder / "a.mha", test::metaImage(ct, "-1 0 0 0 -1 0 0 0 1"));
   const auto imported = importSeries(folder / "a.mha");
   ASSERT_TRUE(imported) << imported.error().message;
   EXPECT_EQ(imported->ct.voxels, ct.voxels);
@@ -86,7 +47,7 @@ TEST(VolumeImport, MetaImageKeepsItsDirections) {
 
 TEST(VolumeImport, MasksArePointedOut) {
   test::TemporaryFolder folder;
-  test::writeText(folder / "mask.mha", metaImage(CtVolume(kGrid), "1 0 0 0 1 0 0 0 1", "MET_UCHAR"));
+  test::writeText(folder / "mask.mha", test::metaImage(CtVolume(kGrid), "1 0 0 0 1 0 0 0 1", "MET_UCHAR"));
   const auto listing = listSeries(folder.path());
   ASSERT_TRUE(listing);
   EXPECT_THAT(listing->series.at(0).refusal, HasSubstr("8 bits"));

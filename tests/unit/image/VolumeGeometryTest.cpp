@@ -103,5 +103,16 @@ TEST(ValidateGeometry, RefusesWhatIsNoGrid) {
   refused([](VolumeGeometry& g) { g.size = {100000, 100000, 100000}; }, "more voxels");
 }
 
+TEST(CheckVoxelSize, RefusesWhatNoScannerMakesAndNamesIt) {
+  EXPECT_TRUE(checkVoxelSize({0.05, 1, 25}));
+  const auto metres = checkVoxelSize({1, 0.0015, 1});
+  ASSERT_FALSE(metres);
+  EXPECT_NE(metres.error().message.find("0.0015 mm"), std::string::npos) << metres.error().message;
+  EXPECT_NE(metres.error().message.find("axis 2"), std::string::npos);
+  EXPECT_NE(metres.error().message.find("metres?"), std::string::npos);
+  EXPECT_FALSE(checkVoxelSize({1, 1, 500}));
+  EXPECT_FALSE(checkVoxelSize({std::numeric_limits<double>::quiet_NaN(), 1, 1}));
+}
+
 }  // namespace
 }  // namespace insonate

@@ -2,6 +2,7 @@
 
 #include "LabelNames.h"
 
+#include <insonate/core/Words.h>
 #include <insonate/tissue/Labels.h>
 
 #include <nlohmann/json.hpp>
@@ -36,6 +37,7 @@ json toJson(const StartPose& pose) {
 struct Wrong {
   std::string where, expected;
 };
+struct Missing {};
 
 std::string textAt(const json& object, const char* key, const std::string& where) {
   if (!object.contains(key)) return {};
@@ -102,8 +104,8 @@ void forEach(const json& document, const char* key, const Read& read) {
 
 CaseManifest manifestFrom(const json& document, std::vector<std::string>& notes) {
   if (!document.is_object()) throw Wrong{"the document", "an object"};
-  if (!document.contains("schema_version") || !document["schema_version"].is_number_integer())
-    throw Wrong{"schema_version", "a whole number"};
+  if (!document.contains("schema_version")) throw Missing{};
+  if (!document["schema_version"].is_number_integer()) throw Wrong{"schema_version", "a whole number"};
   CaseManifest m;
   m.schemaVersion = document["schema_version"];
   if (m.schemaVersion < 1) throw Wrong{"schema_version", "1 or above"};
@@ -152,8 +154,11 @@ Result<CaseManifest> manifestFromJson(const std::string& text, std::vector<std::
     return manifestFrom(document, notes);
   } catch (const Wrong& wrong) {
     return fail("case.json: " + wrong.where + " must be " + wrong.expected + ".");
+  } catch (const Missing&) {
+    return fail("case.json has no \"schema_version\"; add \"schema_version\": " +
+                std::to_string(CaseManifest::kSchemaVersion) + " to it.");
   } catch (const json::exception& e) {
-    return fail(std::string("case.json is not valid JSON: ") + e.what() + ".");
+    return fail("case.json is not valid JSON: " + jsonTrouble(e.what()) + ".");
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
 #include <insonate/image/VolumeGeometry.h>
 
@@ -16,7 +17,8 @@ namespace insonate {
 /// ITK's writer is not used because it hides a full disk and sorts and escapes custom fields.
 Result<void> writeNrrd(const std::filesystem::path& file, const VolumeGeometry& geometry, const std::string& type,
                        std::span<const std::byte> voxels,
-                       const std::vector<std::pair<std::string, std::string>>& fields = {});
+                       const std::vector<std::pair<std::string, std::string>>& fields = {},
+                       const Progress& progress = {});
 
 /// Shortest decimal that reads back to the same double, whatever the locale.
 std::string exactDecimal(double value);

@@ -1,5 +1,7 @@
 #include "VolumeFile.h"
 
+#include "WholeFile.h"
+
 #include <itkMetaDataObject.h>
 #include <itkMetaImageIO.h>
 #include <itkNiftiImageIO.h>
@@ -42,7 +44,10 @@ Io::Pointer makeIo(const fs::path& file) {
   return itk::MetaImageIO::New().GetPointer();
 }
 
+/// A reader's words without its class names and addresses.
 std::string oneLine(std::string text) {
+  if (const std::size_t name = text.find("itk::ERROR"); name != std::string::npos)
+    if (const std::size_t end = text.find("): ", name); end != std::string::npos) text.erase(name, end + 3 - name);
   std::ranges::replace(text, '\n', ' ');
   if (text.size() > 200) text = text.substr(0, 200) + "...";
   return text;
@@ -73,6 +78,8 @@ Result<RawVolume> headerOf(const Io& io, const fs::path& file) {
     if (itk::ExposeMetaData(io.GetMetaDataDictionary(), key, value)) raw.metadata[key] = value;
   }
   if (isNrrd(lowerName(file))) raw.oriented = raw.metadata.contains("NRRD_space");
+  if (isNifti(lowerName(file)))
+    if (const auto nifti = readNiftiHeader(file)) raw.oriented = nifti->oriented;
   return raw;
 }
 
@@ -125,6 +132,16 @@ bool convert(Io::IOComponentEnum type, const std::vector<char>& bytes, std::vect
   }
 }
 
+/// NRRD's reader notices by itself that voxels are missing; those of the other formats take them for zeros.
+Result<void> checkWhole(const Io& io, const fs::path& file) {
+  const std::string name = lowerName(file);
+  if (isMeta(name)) return checkWholeMetaImage(file, static_cast<double>(io.GetImageSizeInBytes()));
+  if (!isNifti(name)) return {};
+  const auto header = readNiftiHeader(file);
+  if (!header) return fail("Could not read " + file.string() + ": it is no NIfTI file. Copy or export it again.");
+  return checkWholeNifti(file, *header);
+}
+
 Result<void> readValues(Io& io, const fs::path& file, RawVolume& raw) {
   constexpr double kMaxValues = 4e9;
   const double count = double(raw.size[0]) * raw.size[1] * raw.size[2] * raw.components;
@@ -161,6 +178,8 @@ Result<RawVolume> readVolumeFile(const fs::path& file, ReadPart part) {
     io->ReadImageInformation();
     auto raw = headerOf(*io, file);
     if (!raw || part == ReadPart::kHeader) return raw;
+    if (auto ok = checkVoxelSize(spacingOf(*raw)); !ok) return fail(file.string() + ": " + ok.error().message);
+    if (auto ok = checkWhole(*io, file); !ok) return tl::unexpected(ok.error());
     if (auto ok = readValues(*io, file, *raw); !ok) return tl::unexpected(ok.error());
     return raw;
   } catch (const itk::ExceptionObject& e) {
@@ -172,15 +191,18 @@ Result<RawVolume> readVolumeFile(const fs::path& file, ReadPart part) {
   }
 }
 
+Vec3 spacingOf(const RawVolume& raw) {
+  const auto& step = raw.patientFromIndex.linear.column;
+  return {norm(step[0]), norm(step[1]), norm(step[2])};
+}
+
 Result<VolumeGeometry> orthogonalGeometry(const RawVolume& raw) {
   VolumeGeometry g;
   g.size = raw.size;
   g.origin_mm = raw.patientFromIndex.offset;
-  for (int a = 0; a < 3; ++a) {
-    const Vec3 step = raw.patientFromIndex.linear.column[a];
-    g.spacing_mm[a] = norm(step);
-    if (g.spacing_mm[a] > 0) g.direction.column[a] = step / g.spacing_mm[a];
-  }
+  g.spacing_mm = spacingOf(raw);
+  for (int a = 0; a < 3; ++a)
+    if (g.spacing_mm[a] > 0) g.direction.column[a] = raw.patientFromIndex.linear.column[a] / g.spacing_mm[a];
   if (auto ok = validate(g); !ok) return tl::unexpected(ok.error());
   return g;
 }

@@ -28,9 +28,12 @@ bool isVolumeFile(const std::filesystem::path& file);
 
 enum class ReadPart { kHeader, kAll };
 
-/// Reads through ITK, which converts every format's frame to LPS. Fails with a sentence on unreadable, truncated or
-/// 4-D files.
+/// Reads through ITK, which converts every format's frame to LPS. Fails with a sentence on unreadable or 4-D files and,
+/// where voxels are read, on truncated ones and voxels of a size that no scanner has, before decoding them.
 Result<RawVolume> readVolumeFile(const std::filesystem::path& file, ReadPart part = ReadPart::kAll);
+
+/// Distance of neighbouring voxels along i, j, k.
+Vec3 spacingOf(const RawVolume& raw);
 
 /// The grid of a file whose axes are at right angles; fails otherwise.
 Result<VolumeGeometry> orthogonalGeometry(const RawVolume& raw);

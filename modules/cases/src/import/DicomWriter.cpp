@@ -134,15 +134,18 @@ Result<void> checkTarget(const CtVolume& ct, const fs::path& folder) {
   if (auto ok = validate(ct.geometry); !ok) return ok;
   if (ct.geometry.size[0] > 65535 || ct.geometry.size[1] > 65535)
     return fail("A DICOM slice holds at most 65535 rows and columns.");
-  std::error_code error;
-  if (!fs::exists(folder, error)) return {};
-  if (!fs::is_directory(folder, error)) return fail(folder.string() + " is a file; name a folder for the series.");
-  if (!fs::is_empty(folder, error) || error)
-    return fail("The folder " + folder.string() + " is not empty; slices of two series would mix. Name another one.");
-  return {};
+  return checkDicomTarget(folder);
 }
 
 }  // namespace
+
+Result<void> checkDicomTarget(const fs::path& folder) {
+  if (auto ok = checkFolderTarget(folder); !ok) return ok;
+  std::error_code error;
+  if (fs::exists(folder, error) && (!fs::is_empty(folder, error) || error))
+    return fail("The folder " + folder.string() + " is not empty; slices of two series would mix. Name another one.");
+  return {};
+}
 
 Result<void> writeDicomSeries(const CtVolume& ct, const fs::path& folder, const DicomSeriesIdentity& identity,
                               const Progress& progress) {

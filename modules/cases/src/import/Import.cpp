@@ -14,8 +14,12 @@ namespace insonate {
 namespace fs = std::filesystem;
 namespace {
 
-std::string sizeText(const VolumeGeometry& g) {
+std::string sizeText(const VolumeGeometry& g, bool known) {
   std::array<char, 120> text;
+  if (!known) {
+    std::snprintf(text.data(), text.size(), "%dx%dx%d voxels", g.size[0], g.size[1], g.size[2]);
+    return text.data();
+  }
   std::snprintf(text.data(), text.size(), "%dx%dx%d voxels of %.4gx%.4gx%.4g mm", g.size[0], g.size[1], g.size[2],
                 g.spacing_mm.x, g.spacing_mm.y, g.spacing_mm.z);
   return text.data();
@@ -78,6 +82,24 @@ Result<CtVolume> read(const VolumeSeries& series, const SeriesInfo& info, std::v
   return assemble(series.plan, *series.stack, std::move(ordered));
 }
 
+/// A label map that was stored in 16 bits passes for a CT by its header.
+Result<void> checkIsNoLabelMap(const CtVolume& ct) {
+  constexpr std::size_t kFewVoxels = 1000, kMostLabels = 256;
+  if (ct.voxels.size() < kFewVoxels) return {};
+  std::vector<bool> seen(1 << 16);
+  std::size_t different = 0;
+  for (const std::int16_t hu : ct.voxels) {
+    if (hu < 0) return {};
+    if (seen[hu]) continue;
+    seen[hu] = true;
+    if (++different > kMostLabels) return {};
+  }
+  return fail(
+      "it holds only " + std::to_string(different) +
+      " different values, none below 0: it is a label map or a picture, not a CT in Hounsfield units. Import the "
+      "CT it was drawn on.");
+}
+
 /// Slices lost at an end of the stack leave no gap; only the damaged files tell.
 void warnOfDamagedFiles(const InputScan& scan, std::vector<std::string>& warnings) {
   const auto damaged =
@@ -92,7 +114,8 @@ void warnOfDamagedFiles(const InputScan& scan, std::vector<std::string>& warning
 std::string describe(const SeriesListing& listing) {
   std::string text;
   for (const SeriesInfo& s : listing.series) {
-    text += "  " + s.uid + "  " + (s.modality.empty() ? "-" : s.modality) + "  " + sizeText(s.geometry) + "\n";
+    text += "  " + s.uid + "  " + (s.modality.empty() ? "-" : s.modality) + "  " +
+            sizeText(s.geometry, s.geometryKnown) + "\n";
     for (const std::string& warning : s.warnings) text += "    note: " + warning + "\n";
     if (!s.refusal.empty()) text += "    cannot be imported: " + s.refusal + "\n";
   }
@@ -128,10 +151,16 @@ Result<ImportedCt> importSeries(const fs::path& input, const std::string& uid, c
     return fail("The series " + found.info.uid + " cannot be imported: " + found.info.refusal);
   ImportedCt imported{{}, found.info, {}};
   auto& warnings = imported.series.warnings;
+  if (uid.empty() && !scan->unreadable.empty())
+    return fail(unreadableText(scan->unreadable) +
+                ". It may be a slice of the series. Make it readable, or choose the series " + found.info.uid +
+                " to import it without.");
   const DicomSeries* dicom = std::get_if<DicomSeries>(&found.data);
   if (dicom) warnOfDamagedFiles(*scan, warnings);
   auto ct = dicom ? read(*dicom, warnings, progress) : read(std::get<VolumeSeries>(found.data), found.info, warnings);
   if (!ct) return tl::unexpected(ct.error());
+  if (auto ok = dicom ? Result<void>{} : checkIsNoLabelMap(*ct); !ok)
+    return fail("The file " + found.info.uid + " cannot be imported: " + ok.error().message);
   imported.ct = std::move(*ct);
   imported.source = dicom ? "Imported from a DICOM CT series of " + std::to_string(dicom->slices.size()) +
                                 " slices; its UID was replaced by " + derivedUid(dicom->uid) + "."

@@ -2,17 +2,40 @@
 
 #include "../files/SlicerSegmentation.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 
 namespace insonate {
 namespace fs = std::filesystem;
 namespace {
 
-Result<std::vector<fs::path>> filesOf(const fs::path& input) {
+/// Why the system does not let a file or folder be opened; empty when it does.
+std::string whyClosed(const fs::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0) return std::strerror(errno);
+  ::close(file);
+  return {};
+}
+
+void addUnreadable(const fs::path& path, const std::string& why, InputScan& scan) {
+  scan.unreadable.push_back({path, "cannot be read (" + why + "); slices may be missing"});
+  scan.setAside.push_back(scan.unreadable.back());
+}
+
+/// Files below a folder that can be opened; those that cannot are noted.
+Result<std::vector<fs::path>> filesOf(const fs::path& input, InputScan& scan) {
   std::error_code error;
   const fs::file_status status = fs::status(input, error);
   if (!fs::exists(status)) return fail("There is no file or folder " + input.string() + ".");
-  if (fs::is_regular_file(status)) return std::vector{input};
+  if (fs::is_regular_file(status)) {
+    if (const std::string why = whyClosed(input); !why.empty())
+      return fail("Could not read " + input.string() + ": " + why + ".");
+    return std::vector{input};
+  }
   if (!fs::is_directory(status)) return fail(input.string() + " is neither a file nor a folder.");
   std::vector<fs::path> files;
   fs::recursive_directory_iterator entry(input, fs::directory_options::skip_permission_denied, error);
@@ -20,9 +43,16 @@ Result<std::vector<fs::path>> filesOf(const fs::path& input) {
   for (; entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     if (error) return fail("Could not look into " + input.string() + ": " + error.message() + ".");
     std::error_code ignored;
-    if (entry->is_regular_file(ignored)) files.push_back(entry->path());
+    const bool file = entry->is_regular_file(ignored);
+    const bool lost = entry->is_symlink(ignored) && !entry->exists(ignored);
+    if (!file && !lost && !entry->is_directory(ignored)) continue;
+    if (const std::string why = whyClosed(entry->path()); !why.empty())
+      addUnreadable(entry->path(), why, scan);
+    else if (file)
+      files.push_back(entry->path());
   }
-  if (files.empty()) return fail("The folder " + input.string() + " holds no files. Name the folder with the slices.");
+  if (files.empty() && scan.unreadable.empty())
+    return fail("The folder " + input.string() + " holds no files. Name the folder with the slices.");
   std::ranges::sort(files);
   return files;
 }
@@ -50,6 +80,7 @@ void planVolume(const RawVolume& raw, FoundSeries& found, VolumeSeries& volume) 
         "The file does not say how it lies in the patient; its axes are taken as left, posterior, superior.");
   if (raw.size[2] == 1) info.warnings.push_back("There is only one slice.");
   info.refusal = whyNoCt(raw);
+  if (auto ok = checkVoxelSize(spacingOf(raw)); !ok && info.refusal.empty()) info.refusal = ok.error().message;
   if (const auto geometry = orthogonalGeometry(raw)) {
     info.geometry = *geometry;
     return;
@@ -58,6 +89,7 @@ void planVolume(const RawVolume& raw, FoundSeries& found, VolumeSeries& volume) 
   const Mat3& step = raw.patientFromIndex.linear;
   for (int a = 0; a < 3; ++a)
     if (!(norm(step.column[a]) > 0)) info.refusal = "Its voxels have no size along one axis.";
+  info.geometryKnown = info.refusal.empty();
   if (!info.refusal.empty()) return;
   volume.stack = stackOf(raw);
   volume.plan = planStack(*volume.stack);
@@ -82,7 +114,10 @@ void addVolume(const fs::path& file, const fs::path& input, InputScan& scan) {
 
 void addDicom(const std::vector<DicomSlice>& slices, InputScan& scan) {
   for (DicomSeries& series : groupSlices(slices)) {
-    FoundSeries found{{series.uid, series.modality, series.plan.grid, series.warnings, series.refusal}, {}};
+    const bool known = series.refusal.empty() || !series.plan.order.empty();
+    FoundSeries found{{series.uid, series.modality, series.plan.grid, known, series.warnings, series.refusal}, {}};
+    if (!scan.unreadable.empty())
+      found.info.warnings.push_back(unreadableText(scan.unreadable) + "; slices may be missing.");
     found.data = std::move(series);
     scan.series.push_back(std::move(found));
   }
@@ -90,10 +125,18 @@ void addDicom(const std::vector<DicomSlice>& slices, InputScan& scan) {
 
 }  // namespace
 
+std::string unreadableText(const std::vector<SetAside>& unreadable) {
+  const SetAside& first = unreadable.front();
+  const std::size_t others = unreadable.size() - 1;
+  std::string text = first.file.string() + " " + first.reason.substr(0, first.reason.rfind(';'));
+  if (others > 0) text += others == 1 ? ", and so is another" : ", and so are " + std::to_string(others) + " more";
+  return text;
+}
+
 Result<InputScan> scanInput(const fs::path& input, const Progress& progress) {
-  const auto files = filesOf(input);
-  if (!files) return tl::unexpected(files.error());
   InputScan scan;
+  const auto files = filesOf(input, scan);
+  if (!files) return tl::unexpected(files.error());
   std::vector<DicomSlice> slices;
   for (std::size_t n = 0; n < files->size(); ++n) {
     if (!report(progress, "Looking at files", static_cast<double>(n) / static_cast<double>(files->size())))

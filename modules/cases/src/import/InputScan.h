@@ -27,7 +27,11 @@ struct FoundSeries {
 struct InputScan {
   std::vector<FoundSeries> series;
   std::vector<SetAside> setAside;
+  std::vector<SetAside> unreadable;  ///< of these, the files and folders that could not be opened
 };
+
+/// "FILE cannot be read (why), and so are 2 more"; the list is not empty.
+std::string unreadableText(const std::vector<SetAside>& unreadable);
 
 /// Reads the headers of a folder with its subfolders, or of one file. Fails on a missing or unreadable input.
 Result<InputScan> scanInput(const std::filesystem::path& input, const Progress& progress);

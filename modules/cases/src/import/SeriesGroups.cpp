@@ -186,10 +186,13 @@ DicomSeries finish(Part part, std::string uid) {
     series.stack = stackOf(part.slices);
     series.plan = planStack(series.stack);
     series.refusal = series.plan.refusal;
+    if (auto ok = checkVoxelSize(series.plan.grid.spacing_mm); !ok && series.refusal.empty())
+      series.refusal = ok.error().message;
     series.warnings.insert(series.warnings.end(), series.plan.warnings.begin(), series.plan.warnings.end());
   }
   if (!series.refusal.empty()) {
     const DicomSlice& first = part.slices.front();
+    series.plan = {};  // nothing in it can be trusted but the size
     series.plan.grid.size = {std::max(first.columns, 1), std::max(first.rows, 1), static_cast<int>(part.slices.size())};
     series.slices = std::move(part.slices);
     return series;

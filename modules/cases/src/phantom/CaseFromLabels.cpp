@@ -60,6 +60,28 @@ Result<LabelMap> translated(const Numbers& numbers, const LabelPlan& plan) {
   return labels;
 }
 
+/// A map that belongs to another file would make a patient of nothing but filling.
+Result<void> checkMapFits(const Numbers& numbers, const LabelPlan& plan) {
+  std::size_t labelled = 0, listed = 0, mapped = 0;
+  for (const std::int32_t number : numbers.voxels) {
+    if (number == 0) continue;
+    ++labelled;
+    const auto found = plan.labels.find(number);
+    if (found == plan.labels.end()) continue;
+    ++listed;
+    mapped += found->second != kBackground;
+  }
+  if (labelled == 0) return fail("The label file holds nothing but 0 here: there is no structure in it.");
+  if (mapped == 0)
+    return fail(
+        "\"labels\" finds no structure in the label file: none of its numbers is there, or only as background. "
+        "Is it the map of another file?");
+  if (2 * listed < labelled)
+    return fail("\"labels\" lists the numbers of only " + std::to_string(100 * listed / labelled) +
+                " % of the labelled voxels; is it the map of another file? List at least half.");
+  return {};
+}
+
 /// Centre of a number's voxels in the slice nearest to a level; empty where there are none.
 std::optional<Vec3> centreOf(const Numbers& numbers, const TargetPlan& target) {
   const VolumeGeometry& g = numbers.geometry;
@@ -113,6 +135,7 @@ Result<CaseFromLabelsResult> caseFromLabels(const std::filesystem::path& labelFi
   }
   auto labels = translated(*numbers, *plan);
   if (!labels) return tl::unexpected(labels.error());
+  if (auto ok = checkMapFits(*numbers, *plan); !ok) return tl::unexpected(ok.error());
 
   CaseFromLabelsResult result;
   PatientCase& patient = result.patient;

@@ -1,5 +1,7 @@
 #include "LabelPlan.h"
 
+#include <insonate/core/Words.h>
+
 #include <nlohmann/json.hpp>
 
 #include <charconv>
@@ -132,11 +134,14 @@ LabelPlan plan(const Json& json) {
 
 Result<LabelPlan> readLabelPlan(const std::filesystem::path& file) {
   std::ifstream stream(file);
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error))
+    return fail("The label map description '" + file.string() + "' is a folder; name a JSON file.");
   if (!stream) return fail("The label map description '" + file.string() + "' cannot be read.");
   try {
     return plan(Json::parse(stream));
   } catch (const Json::exception& e) {
-    return fail("The label map description '" + file.string() + "' is not valid JSON: " + e.what());
+    return fail("The label map description '" + file.string() + "' is not valid JSON: " + jsonTrouble(e.what()) + ".");
   } catch (const BadEntry& e) {
     return fail("The label map description '" + file.string() + "': " + e.what());
   }

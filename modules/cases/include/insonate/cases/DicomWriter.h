@@ -17,6 +17,10 @@ struct DicomSeriesIdentity {
   std::string description = {};  ///< Series Description, at most 64 characters of ASCII
 };
 
+/// Refuses, before any work, a folder that a series could not be written to (see checkFolderTarget) or that is not
+/// empty.
+Result<void> checkDicomTarget(const std::filesystem::path& folder);
+
 /// Writes one file a slice (Part 10, CT Image Storage, explicit VR little endian, HU stored as they are) into a folder
 /// that is created, or exists and is empty. importSeries reads back the same HU (from -1024 up) and the same places;
 /// a left-handed grid comes back with its slices in the opposite order, which is right-handed. Positions keep the 16

@@ -15,7 +15,8 @@ struct SeriesInfo {
   std::string uid;       ///< names the series for importSeries: DICOM Series Instance UID, with "#2" when one UID holds
                          ///< several stacks; the file's name for NRRD, NIfTI and MetaImage
   std::string modality;  ///< as in DICOM ("CT", "MR", ...); empty when the file does not say
-  VolumeGeometry geometry;  ///< the orthogonal grid that an import produces, patient LPS mm
+  VolumeGeometry geometry;    ///< the orthogonal grid that an import produces, patient LPS mm
+  bool geometryKnown = true;  ///< false for a refused series that does not say; only the size is meaningful then
   std::vector<std::string> warnings;
   std::string refusal;  ///< why it cannot be imported; empty when it can
 };
@@ -44,7 +45,9 @@ Result<SeriesListing> listSeries(const std::filesystem::path& input, const Progr
 
 /// Reads one series as HU. DICOM slices are placed by their own position and orientation only: gantry tilt, uneven
 /// spacing and small gaps are resampled onto an orthogonal grid and said so; large gaps are refused.
-/// `uid` may be empty when there is exactly one importable series; otherwise fails with the list.
+/// `uid` may be empty when there is exactly one importable series; otherwise fails with the list. Files that cannot be
+/// opened may be slices of it: without `uid` they are an error, with it a warning. A volume file that holds but a few
+/// different numbers, none below 0, is a label map and refused.
 /// Blocking; `progress` is called on the calling thread.
 Result<ImportedCt> importSeries(const std::filesystem::path& input, const std::string& uid = {},
                                 const Progress& progress = {});

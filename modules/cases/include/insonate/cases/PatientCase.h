@@ -1,5 +1,6 @@
 #pragma once
 
+#include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
 #include <insonate/image/Volume.h>
 
@@ -52,8 +53,16 @@ struct CaseReadResult {
 /// volume, grids that differ, more than one component, or a newer schema.
 Result<CaseReadResult> readCase(const std::filesystem::path& folder);
 
+/// Refuses, before any work, a folder that a case could not be written to (see checkFolderTarget), and one that holds a
+/// case already unless `replace`.
+Result<void> checkCaseTarget(const std::filesystem::path& folder, bool replace);
+
+/// True for a path of one of the files that make the case in `folder`, whether it exists yet or not, links included.
+bool isCaseFile(const std::filesystem::path& folder, const std::filesystem::path& file);
+
 /// Writes the three files so that 3D Slicer and ITK-SNAP open them as they are, with ITK-SNAP's label description
-/// beside them. Nothing of an existing case is touched before everything is on the disk.
-Result<void> writeCase(const PatientCase& patient, const std::filesystem::path& folder);
+/// beside them. A case that is there is replaced as a whole, in one step (see writeFolderAtomically), with other files
+/// kept; until then, and on failure or cancellation, it is untouched.
+Result<void> writeCase(const PatientCase& patient, const std::filesystem::path& folder, const Progress& progress = {});
 
 }  // namespace insonate

@@ -34,4 +34,8 @@ bool sameGrid(const VolumeGeometry& a, const VolumeGeometry& b);
 /// Fails with a sentence when sizes, spacings or directions cannot describe a grid.
 Result<void> validate(const VolumeGeometry& geometry);
 
+/// Fails where voxels are smaller than 0.05 mm or larger than 25 mm along an axis: no CT of a patient is like that, but
+/// files in metres or micrometres are.
+Result<void> checkVoxelSize(Vec3 spacing_mm);
+
 }  // namespace insonate

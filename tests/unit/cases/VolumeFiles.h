@@ -1,0 +1,59 @@
+#pragma once
+
+#include "CaseSamples.h"
+
+#include <array>
+#include <cstring>
+#include <string>
+
+namespace insonate::test {
+
+/// An sform for voxels of 0.5 x 0.75 x 2 mm at LPS (-10, 20, 30): LPS (x, y, z) is (-x, -y, z) in NIfTI's frame.
+inline constexpr std::array<std::array<float, 4>, 3> kRas{{{-0.5F, 0, 0, 10}, {0, -0.75F, 0, -20}, {0, 0, 2, 30}}};
+
+template <class T>
+void putAt(std::string& bytes, std::size_t offset, T value) {
+  std::memcpy(bytes.data() + offset, &value, sizeof value);
+}
+
+/// The smallest NIfTI-1: int16, with an sform in NIfTI's own right-anterior-superior frame.
+inline std::string niftiOf(const CtVolume& ct, std::array<std::array<float, 4>, 3> sform, float slope,
+                           float intercept) {
+  std::string header(352, '\0');
+  putAt<std::int32_t>(header, 0, 348);
+  const auto& size = ct.geometry.size;
+  const std::int16_t dim[8] = {3, std::int16_t(size[0]), std::int16_t(size[1]), std::int16_t(size[2]), 1, 1, 1, 1};
+  std::memcpy(header.data() + 40, dim, sizeof dim);
+  putAt<std::int16_t>(header, 70, 4);   // DT_INT16
+  putAt<std::int16_t>(header, 72, 16);  // bits
+  const Vec3 spacing = ct.geometry.spacing_mm;
+  const float pixdim[4] = {1, float(spacing.x), float(spacing.y), float(spacing.z)};
+  std::memcpy(header.data() + 76, pixdim, sizeof pixdim);
+  putAt<float>(header, 108, 352);
+  putAt<float>(header, 112, slope);
+  putAt<float>(header, 116, intercept);
+  putAt<char>(header, 123, 2);          // millimetres
+  putAt<std::int16_t>(header, 254, 1);  // sform: scanner
+  for (int row = 0; row < 3; ++row) std::memcpy(header.data() + 280 + 16 * row, sform[row].data(), 16);
+  std::memcpy(header.data() + 344, "n+1", 4);
+  return header + bytesOf(ct.voxels);
+}
+
+/// A MetaImage's header but for its last line, ElementDataFile.
+inline std::string metaHeader(const VolumeGeometry& g, const std::string& matrix, const std::string& type = "MET_SHORT",
+                              const std::string& compression = "CompressedData = False\n") {
+  std::string text = "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n" +
+                     compression + "TransformMatrix = " + matrix + "\nOffset =";
+  for (int a = 0; a < 3; ++a) text += " " + std::to_string(g.origin_mm[a]);
+  text += "\nElementSpacing =";
+  for (int a = 0; a < 3; ++a) text += " " + std::to_string(g.spacing_mm[a]);
+  text += "\nDimSize =";
+  for (int n : g.size) text += " " + std::to_string(n);
+  return text + "\nElementType = " + type + "\n";
+}
+
+inline std::string metaImage(const CtVolume& ct, const std::string& matrix, const std::string& type = "MET_SHORT") {
+  return metaHeader(ct.geometry, matrix, type) + "ElementDataFile = LOCAL\n" + bytesOf(ct.voxels);
+}
+
+}  // namespace insonate::test
