@@ -1,3 +1,5 @@
+#include "NeckLevel.h"
+
 #include <insonate/cases/StartPose.h>
 
 #include <algorithm>
@@ -10,35 +12,6 @@ namespace insonate {
 namespace {
 
 constexpr double kStep_mm = 0.2;
-constexpr int kBodyHu = -300;  // between air and fat
-
-/// Answers whether a patient position lies in the body.
-class Body {
- public:
-  explicit Body(const PatientCase& patient)
-      : patient_(patient),
-        indexFromPatient_(patient.ct.geometry.indexFromPatient()),
-        labelled_(std::ranges::any_of(patient.labels.voxels, [](std::uint8_t v) { return v != 0; })) {}
-
-  bool contains(Vec3 p_mm) const {
-    const Vec3 index = indexFromPatient_ * p_mm;
-    if (labelled_) return sampleNearest(patient_.labels, index) != 0;
-    return inGrid(p_mm) && sampleLinear(patient_.ct, index) > kBodyHu;
-  }
-  bool inGrid(Vec3 p_mm) const {
-    const Vec3 index = indexFromPatient_ * p_mm;
-    for (int a = 0; a < 3; ++a)
-      if (!(index[a] >= -0.5 && index[a] <= patient_.ct.geometry.size[a] - 0.5)) return false;
-    return true;
-  }
-  /// Air this wide is outside the patient. Without labels the windpipe looks like outside, and is up to 25 mm wide.
-  double outsideWidth_mm() const { return labelled_ ? 5 : 30; }
-
- private:
-  const PatientCase& patient_;
-  Transform indexFromPatient_;
-  bool labelled_;
-};
 
 /// Length of a grid's diagonal: no ray is longer.
 double diagonal_mm(const VolumeGeometry& g) {
@@ -47,7 +20,7 @@ double diagonal_mm(const VolumeGeometry& g) {
 
 /// Distance from a place in the body to the last of it along a ray, just before air that is wide enough. Nothing when
 /// the ray leaves the volume inside the body: there is no skin there.
-std::optional<double> depthOfSkin_mm(const Body& body, Vec3 from_mm, Vec3 outward, double longest_mm) {
+std::optional<double> depthOfSkin_mm(const PatientBody& body, Vec3 from_mm, Vec3 outward, double longest_mm) {
   std::optional<double> lastInside;
   for (double s = 0; s < longest_mm; s += kStep_mm) {
     const Vec3 p = from_mm + s * outward;
@@ -66,7 +39,7 @@ StartPose poseAt(std::string name, Vec3 position_mm, Vec3 axial) {
 }
 
 /// The nearest skin is where the line to the target meets it squarely.
-std::optional<StartPose> overTarget(const Body& body, const Target& target, double longest_mm) {
+std::optional<StartPose> overTarget(const PatientBody& body, const Target& target, double longest_mm) {
   std::optional<StartPose> best;
   double nearest_mm = longest_mm;
   for (int degrees = -60; degrees <= 60; degrees += 2) {
@@ -81,22 +54,49 @@ std::optional<StartPose> overTarget(const Body& body, const Target& target, doub
   return best;
 }
 
-/// From the front, at the middle of the volume: the first place that is followed by 10 mm of body, which a blanket or
-/// a tube is not.
-std::optional<StartPose> onFront(const Body& body, const VolumeGeometry& g) {
-  const double reach_mm = diagonal_mm(g) / 2;
+/// The first place from the front that is followed by 10 mm of body, which a blanket
+/// or a tube is not.
+std::optional<Vec3> frontOfSkin(const PatientBody& body, Vec3 centre_mm, double x_mm, double z_mm, double reach_mm) {
   constexpr int kThick = static_cast<int>(10 / kStep_mm);
-  for (double aside_mm : {0.0, 20.0, -20.0, 40.0, -40.0, 60.0, -60.0}) {
-    const Vec3 middle = g.centre_mm() + Vec3{aside_mm, 0, 0};
-    int thick = 0;
-    for (double s = -reach_mm; s < reach_mm; s += kStep_mm) {
-      thick = body.contains(middle + Vec3{0, s, 0}) ? thick + 1 : 0;
-      if (thick == kThick) {
-        const Vec3 surface = middle + Vec3{0, s - (kThick - 1) * kStep_mm, 0};
-        if (!body.inGrid(surface - Vec3{0, 2 * kStep_mm, 0})) break;  // the volume's edge, not skin
-        return poseAt("front", surface, {0, 1, 0});
+  int thick = 0;
+  for (double s = -reach_mm; s < reach_mm; s += kStep_mm) {
+    thick = body.contains({x_mm, centre_mm.y + s, z_mm}) ? thick + 1 : 0;
+    if (thick < kThick) continue;
+    const Vec3 surface{x_mm, centre_mm.y + s - (kThick - 1) * kStep_mm, z_mm};
+    // At the volume's edge the body is cut: that is no skin.
+    return body.inGrid(surface - Vec3{0, 2 * kStep_mm, 0}) ? std::optional(surface) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// Toward the body's share of a small ball. Along the body it is followed up to 20 degrees, so that the picture stays
+/// a transverse one.
+Vec3 inwardNormal(const PatientBody& body, Vec3 surface_mm) {
+  constexpr int kCells = 4;
+  constexpr double kCell_mm = 2, kTan20 = 0.364;
+  Vec3 sum;
+  for (int k = -kCells; k <= kCells; ++k)
+    for (int j = -kCells; j <= kCells; ++j)
+      for (int i = -kCells; i <= kCells; ++i) {
+        const Vec3 offset_mm = kCell_mm * Vec3{double(i), double(j), double(k)};
+        if (norm(offset_mm) <= kCells * kCell_mm && body.contains(surface_mm + offset_mm)) sum = sum + offset_mm;
       }
-    }
+  const double across = std::hypot(sum.x, sum.y);
+  if (!(sum.y > 0.3 * across)) return {0, 1, 0};
+  return normalized({sum.x, sum.y, std::clamp(sum.z, -kTan20 * across, kTan20 * across)});
+}
+
+/// Beside the midline on the patient's right, where the vessels of the neck are.
+std::optional<StartPose> onFront(const PatientBody& body, const VolumeGeometry& g) {
+  const auto [level, isNeck] = neckOrMiddle(bodyLevels(body, g));
+  const Vec3 centre_mm = g.centre_mm();
+  const double middle_mm = level.area_mm2 > 0 ? level.middle_mm : centre_mm.x;
+  for (const double aside_mm : {-25.0, -15.0, 0.0, 15.0, 25.0, -40.0, 40.0, -60.0, 60.0}) {
+    const auto skin = frontOfSkin(body, centre_mm, middle_mm + aside_mm, level.z_mm, diagonal_mm(g));
+    if (!skin) continue;
+    return poseAt(std::string(isNeck ? "front of the neck" : "front at the middle of the scan") +
+                      ", z = " + std::to_string(std::lround(level.z_mm)) + " mm",
+                  *skin, inwardNormal(body, *skin));
   }
   return std::nullopt;
 }
@@ -106,7 +106,7 @@ std::optional<StartPose> onFront(const Body& body, const VolumeGeometry& g) {
 Result<StartPose> proposeStartPose(const PatientCase& patient) {
   if (patient.labels.geometry.size != patient.ct.geometry.size)
     return fail("The CT and the labels are on different grids; there is no telling where the skin is.");
-  const Body body(patient);
+  const PatientBody body(patient);
   if (!patient.manifest.targets.empty()) {
     const Target& target = patient.manifest.targets.front();
     if (auto pose = overTarget(body, target, diagonal_mm(patient.ct.geometry))) return *pose;

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+
+#include <algorithm>
+
+namespace insonate {
+
+/// Answers whether a patient position lies in the body: every labelled voxel, or, where nothing is labelled, what is
+/// denser than air. Refers to the patient, which must outlive it.
+class PatientBody {
+ public:
+  explicit PatientBody(const PatientCase& patient)
+      : patient_(patient),
+        indexFromPatient_(patient.ct.geometry.indexFromPatient()),
+        labelled_(std::ranges::any_of(patient.labels.voxels, [](std::uint8_t v) { return v != 0; })) {}
+
+  bool contains(Vec3 p_mm) const {
+    const Vec3 index = indexFromPatient_ * p_mm;
+    if (labelled_) return sampleNearest(patient_.labels, index) != 0;
+    constexpr int kBody_HU = -300;  // between air and fat
+    return inGrid(p_mm) && sampleLinear(patient_.ct, index) > kBody_HU;
+  }
+  bool inGrid(Vec3 p_mm) const {
+    const Vec3 index = indexFromPatient_ * p_mm;
+    for (int a = 0; a < 3; ++a)
+      if (!(index[a] >= -0.5 && index[a] <= patient_.ct.geometry.size[a] - 0.5)) return false;
+    return true;
+  }
+  /// Air this wide is outside the patient. Without labels the windpipe looks like outside, and is up to 25 mm wide.
+  double outsideWidth_mm() const { return labelled_ ? 5 : 30; }
+
+ private:
+  const PatientCase& patient_;
+  Transform indexFromPatient_;
+  bool labelled_;
+};
+
+}  // namespace insonate
