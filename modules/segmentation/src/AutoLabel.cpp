@@ -4,6 +4,9 @@
 #include <insonate/segmentation/AutoLabel.h>
 #include <insonate/tissue/Labels.h>
 
+#include <algorithm>
+#include <array>
+
 namespace insonate {
 namespace segmentation {
 namespace {
@@ -60,6 +63,27 @@ void labelSkin(LabelMap& labels, const CtVolume& ct, Work& work) {
   });
 }
 
+/// Without air there is no telling where the patient ends; a label map or a CT in other units has none.
+Result<void> checkHasAir(const CtVolume& ct) {
+  constexpr int kAirBelow_HU = -300;
+  if (std::ranges::any_of(ct.voxels, [](std::int16_t hu) { return hu < kAirBelow_HU; })) return {};
+  return fail(
+      "There is no air in this CT (nothing below -300 HU), so its skin cannot be found: it is probably a label map, "
+      "not "
+      "in Hounsfield units, or cut out of the middle of a body.");
+}
+
+Result<void> checkIsMixed(const LabelMap& labels) {
+  constexpr double kNearlyAll = 0.998;
+  std::array<std::size_t, 256> count{};
+  for (const std::uint8_t label : labels.voxels) ++count[label];
+  const auto most = std::ranges::max_element(count);
+  if (static_cast<double>(*most) < kNearlyAll * static_cast<double>(labels.voxels.size())) return {};
+  return fail("Nearly everything in this CT would be labelled " +
+              std::string(labelTable()[static_cast<std::size_t>(most - count.begin())].name) +
+              ": it is probably a label map or not in Hounsfield units.");
+}
+
 }  // namespace
 }  // namespace segmentation
 
@@ -69,6 +93,7 @@ Result<LabelMap> autoLabel(const CtVolume& ct, const Progress& progress) {
   if (ct.voxels.size() != ct.geometry.voxelCount())
     return fail("The CT holds " + std::to_string(ct.voxels.size()) + " voxels where its grid has " +
                 std::to_string(ct.geometry.voxelCount()) + ".");
+  if (auto ok = checkHasAir(ct); !ok) return tl::unexpected(ok.error());
   try {
     Work work(progress, kPasses);
     work.start("Finding the body");
@@ -83,6 +108,7 @@ Result<LabelMap> autoLabel(const CtVolume& ct, const Progress& progress) {
     labelFatAndMuscle(*labels, ct, work);
     work.start("Finding skin");
     labelSkin(*labels, ct, work);
+    if (auto ok = checkIsMixed(*labels); !ok) return tl::unexpected(ok.error());
     return std::move(*labels);
   } catch (const Cancelled&) {
     return fail(std::string(kCancelled));

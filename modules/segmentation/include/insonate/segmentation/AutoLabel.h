@@ -22,7 +22,7 @@ namespace insonate {
 /// same labels on any number of threads.
 ///
 /// Fails with kCancelled when the listener asks for it, with a sentence for a CT whose geometry is invalid or that
-/// contains no body (nothing above -400 HU that is thicker than a couch).
+/// contains no body (nothing above -400 HU that is thicker than a couch), no air, or nearly nothing but one structure.
 Result<LabelMap> autoLabel(const CtVolume& ct, const Progress& progress);
 
 }  // namespace insonate
