@@ -40,6 +40,7 @@ void addBenchCommand(CLI::App& app, Outcome& outcome) {
   command->add_flag("--quick", options->quick, "Fewer settings and pictures");
   command->add_flag("--json", options->json, "Print the tables as one JSON object");
   command->callback([options, &outcome] {
+    outcome.json = options->json;
     if (auto ok = benchUltrasound(*options); !ok) refuse(outcome, ok.error());
   });
 }

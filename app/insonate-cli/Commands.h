@@ -10,9 +10,11 @@
 
 namespace insonate::cli {
 
-/// Exit status of the program: 0 done, 1 refused with a clear reason, 2 wrong usage (ARCHITECTURE.md).
+/// Exit status of the program: 0 done, 1 refused with a clear reason, 2 wrong usage, 130 or 143 cancelled by Ctrl-C or
+/// SIGTERM.
 struct Outcome {
   int status = 0;
+  bool json = false;  ///< the command was asked for JSON, which it gives also when it refuses
 };
 
 /// A command prints its JSON object when --json was given; messages go to standard error.
@@ -22,11 +24,17 @@ void addCheckCommand(CLI::App& app, Outcome& outcome);
 void addRenderCommand(CLI::App& app, Outcome& outcome);
 void addBenchCommand(CLI::App& app, Outcome& outcome);
 
-/// Prints the error's sentence to standard error and sets status 1.
+/// Prints the error's sentence to standard error, sets the status, and prints {"error": ...} with `fields` where JSON
+/// was asked for.
+void refuse(Outcome& outcome, const Error& error, const nlohmann::json& fields);
 void refuse(Outcome& outcome, const Error& error);
-/// Prints one JSON object, with the program's version added, to standard output.
+/// Prints one JSON object, with the program's version added, to standard output. Names need not be UTF-8.
 void printJson(nlohmann::json object);
-/// A progress line on standard error when that is a terminal, nothing otherwise.
+/// What can be done with a case that was just written, to standard error.
+void tellNext(const std::string& caseFolder);
+/// Refuses an empty name as wrong usage.
+CLI::Validator notEmpty();
+/// Asks for cancellation after Ctrl-C; a progress line on standard error when that is a terminal.
 Progress terminalProgress();
 
 }  // namespace insonate::cli

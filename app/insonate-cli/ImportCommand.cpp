@@ -18,7 +18,7 @@ using nlohmann::json;
 
 struct ImportArguments {
   std::string input, folder, series;
-  bool list = false, autoLabel = false, asJson = false;
+  bool list = false, autoLabel = false, replace = false, asJson = false;
 };
 
 json toJson(Vec3 v) {
@@ -28,13 +28,14 @@ json toJson(Vec3 v) {
 /// `direction` lists the patient directions of i, j and k.
 json toJson(const SeriesInfo& s) {
   const VolumeGeometry& g = s.geometry;
-  json directions = json::array();
-  for (Vec3 axis : g.direction.column) directions.push_back(toJson(axis));
+  json directions = s.geometryKnown ? json::array() : json(nullptr);
+  if (s.geometryKnown)
+    for (Vec3 axis : g.direction.column) directions.push_back(toJson(axis));
   return {{"uid", s.uid},
           {"modality", s.modality.empty() ? json(nullptr) : json(s.modality)},
           {"size", g.size},
-          {"spacing_mm", toJson(g.spacing_mm)},
-          {"origin_mm", toJson(g.origin_mm)},
+          {"spacing_mm", s.geometryKnown ? toJson(g.spacing_mm) : json(nullptr)},
+          {"origin_mm", s.geometryKnown ? toJson(g.origin_mm) : json(nullptr)},
           {"direction", directions},
           {"warnings", s.warnings},
           {"refusal", s.refusal.empty() ? json(nullptr) : json(s.refusal)}};
@@ -57,16 +58,23 @@ Result<void> list(const ImportArguments& a) {
   return {};
 }
 
-/// Scripts get the list as JSON also where an import is refused for being ambiguous.
-Result<ImportedCt> importOrList(const ImportArguments& a) {
-  auto imported = importSeries(a.input, a.series, terminalProgress());
-  if (!imported && a.asJson && imported.error().message != kCancelled)
-    if (const auto listing = listSeries(a.input)) printJson(toJson(*listing));
-  return imported;
+/// Scripts get the list also where an import is refused for being ambiguous; empty when there is none.
+json fieldsOfRefusal(const ImportArguments& a, const Error& error) {
+  if (a.list || !a.asJson || error.message == kCancelled) return json::object();
+  const auto listing = listSeries(a.input);
+  return listing ? toJson(*listing) : json::object();
+}
+
+/// The pose is not stored: what an author puts into case.json is better, and until then `auto` finds the same one.
+void tellPose(const PatientCase& patient) {
+  if (const auto pose = proposeStartPose(patient))
+    std::cerr << "note: The pose \"auto\" is the " << pose->name
+              << ", found automatically; case.json may name others.\n";
 }
 
 Result<void> importCase(const ImportArguments& a) {
-  auto imported = importOrList(a);
+  if (auto ok = checkCaseTarget(a.folder, a.replace); !ok) return ok;
+  auto imported = importSeries(a.input, a.series, terminalProgress());
   if (!imported) return tl::unexpected(imported.error());
   for (const std::string& warning : imported->series.warnings) std::cerr << "note: " << warning << '\n';
 
@@ -79,12 +87,13 @@ Result<void> importCase(const ImportArguments& a) {
     if (!labels) return tl::unexpected(labels.error());
     patient.labels = std::move(*labels);
     patient.manifest.source += " Labelled automatically from Hounsfield units.";
-    if (auto pose = proposeStartPose(patient)) patient.manifest.startPoses.push_back(*pose);
   } else {
     patient.labels = LabelMap(patient.ct.geometry);
     std::cerr << "note: Nothing is labelled yet; --auto-label would label what Hounsfield units tell.\n";
   }
-  if (auto written = writeCase(patient, a.folder); !written) return written;
+  if (auto written = writeCase(patient, a.folder, terminalProgress()); !written) return written;
+  tellPose(patient);
+  tellNext(a.folder);
   if (a.asJson) printJson({{"series", json::array({toJson(imported->series)})}, {"case", a.folder}});
   return {};
 }
@@ -94,16 +103,22 @@ Result<void> importCase(const ImportArguments& a) {
 void addImportCommand(CLI::App& app, Outcome& outcome) {
   auto* command = app.add_subcommand("import", "Make a case from a CT: DICOM, NRRD, NIfTI or MetaImage");
   auto a = std::make_shared<ImportArguments>();
-  command->add_option("INPUT", a->input, "A folder, searched with its subfolders, or a file")->required();
-  auto* folder = command->add_option("CASE", a->folder, "Folder to write the case to");
+  command->add_option("INPUT", a->input, "A folder, searched with its subfolders, or a file")
+      ->required()
+      ->check(notEmpty());
+  auto* folder = command->add_option("CASE", a->folder, "Folder to write the case to")->check(notEmpty());
   auto* listOnly = command->add_flag("--list", a->list, "List the series in INPUT and stop");
+  folder->excludes(listOnly);
   command->add_option("--series", a->series, "UID of the series to import, as listed")->excludes(listOnly);
   command->add_flag("--auto-label", a->autoLabel, "Label air, fat, muscle, bone and skin from Hounsfield units")
       ->excludes(listOnly);
+  command->add_flag("--replace", a->replace, "Write over a case that CASE holds already")->excludes(listOnly);
   command->add_flag("--json", a->asJson, "Print one JSON object");
   command->callback([a, folder, &outcome] {
+    outcome.json = a->asJson;
     if (!a->list && !*folder) throw CLI::RequiredError("CASE (or --list)");
-    if (auto done = a->list ? list(*a) : importCase(*a); !done) refuse(outcome, done.error());
+    if (auto done = a->list ? list(*a) : importCase(*a); !done)
+      refuse(outcome, done.error(), fieldsOfRefusal(*a, done.error()));
   });
 }
 

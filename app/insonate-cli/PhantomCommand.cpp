@@ -14,11 +14,13 @@
 namespace insonate::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct PhantomArguments {
   std::string folder, dicomFolder, labelFile, mapFile;
   std::string variant{phantomVariants().front().name};
   std::uint32_t seed = 1;
-  bool contrast = false, list = false, json = false;
+  bool contrast = false, list = false, replace = false, json = false;
 };
 
 void listVariants(bool json) {
@@ -42,16 +44,38 @@ Result<PatientCase> makePatient(const PhantomArguments& a, std::vector<std::stri
   return std::move(made->patient);
 }
 
+Result<void> checkTargets(const PhantomArguments& a) {
+  if (auto ok = checkCaseTarget(a.folder, a.replace); !ok || a.dicomFolder.empty()) return ok;
+  if (fs::weakly_canonical(a.folder) == fs::weakly_canonical(a.dicomFolder))
+    return fail("CASE and --dicom name the same folder; name two.");
+  return checkDicomTarget(a.dicomFolder);
+}
+
+/// The series and the case, or neither.
+Result<void> write(const PatientCase& patient, const PhantomArguments& a) {
+  if (a.dicomFolder.empty()) return writeCase(patient, a.folder, terminalProgress());
+  const bool wasThere = fs::exists(a.dicomFolder);
+  const DicomSeriesIdentity identity{.seed = patient.manifest.source, .description = "Synthetic neck CT"};
+  if (auto ok = writeDicomSeries(patient.ct, a.dicomFolder, identity, terminalProgress()); !ok) return ok;
+  auto written = writeCase(patient, a.folder, terminalProgress());
+  if (written) return written;
+  std::error_code error;
+  if (!wasThere) {
+    fs::remove_all(a.dicomFolder, error);
+  } else {
+    for (const auto& slice : fs::directory_iterator(a.dicomFolder, error)) fs::remove(slice, error);
+  }
+  return written;
+}
+
 Result<void> makeCase(const PhantomArguments& a) {
+  if (auto ok = checkTargets(a); !ok) return ok;
   std::vector<std::string> notes;
   const auto patient = makePatient(a, notes);
   if (!patient) return tl::unexpected(patient.error());
   for (const std::string& note : notes) std::cerr << "insonate-cli: " << note << '\n';
-  if (!a.dicomFolder.empty()) {
-    const DicomSeriesIdentity identity{.seed = patient->manifest.source, .description = "Synthetic neck CT"};
-    if (auto written = writeDicomSeries(patient->ct, a.dicomFolder, identity); !written) return written;
-  }
-  if (auto written = writeCase(*patient, a.folder); !written) return written;
+  if (auto written = write(*patient, a); !written) return written;
+  tellNext(a.folder);
   if (!a.json) return {};
   nlohmann::json object{
       {"case", a.folder}, {"title", patient->manifest.title}, {"source", patient->manifest.source}, {"notes", notes}};
@@ -65,19 +89,25 @@ Result<void> makeCase(const PhantomArguments& a) {
 void addPhantomCommand(CLI::App& app, Outcome& outcome) {
   auto* command = app.add_subcommand("phantom", "Make a case from the built-in neck");
   auto a = std::make_shared<PhantomArguments>();
-  auto* folder = command->add_option("CASE", a->folder, "Folder to write the case to");
+  auto* folder = command->add_option("CASE", a->folder, "Folder to write the case to")->check(notEmpty());
   command->add_option("--variant", a->variant, "Which neck; see --list")->capture_default_str();
   command->add_option("--seed", a->seed, "Another neck of the same kind")->capture_default_str();
   command->add_flag("--contrast", a->contrast, "Iodine in the vessels of the CT");
-  command->add_option("--dicom", a->dicomFolder, "Also write the CT as a DICOM series, into a new or empty folder");
-  auto* labels = command->add_option("--from-labels", a->labelFile, "A label map to make the case of, instead");
-  auto* map = command->add_option("--map", a->mapFile, "What its numbers mean and what to complete (JSON)");
+  command->add_option("--dicom", a->dicomFolder, "Also write the CT as a DICOM series, into a new or empty folder")
+      ->check(notEmpty());
+  command->add_flag("--replace", a->replace, "Write over a case that CASE holds already");
+  auto* labels =
+      command->add_option("--from-labels", a->labelFile, "A label map to make the case of, instead")->check(notEmpty());
+  auto* map =
+      command->add_option("--map", a->mapFile, "What its numbers mean and what to complete (JSON)")->check(notEmpty());
   labels->needs(map);
   map->needs(labels);
   labels->excludes("--variant");
   auto* list = command->add_flag("--list", a->list, "List the variants and stop");
+  folder->excludes(list);
   command->add_flag("--json", a->json, "Print one JSON object");
   command->callback([a, folder, list, &outcome] {
+    outcome.json = a->json;
     if (*list) return listVariants(a->json);
     if (!*folder) throw CLI::RequiredError("CASE");
     if (auto made = makeCase(*a); !made) refuse(outcome, made.error());

@@ -1,9 +1,11 @@
 #include "Commands.h"
+#include "Interrupt.h"
 #include "RenderOutputs.h"
 
 #include <insonate/cases/PatientCase.h>
 #include <insonate/simulator/EffectLayers.h>
 #include <insonate/simulator/Imager.h>
+#include <insonate/simulator/PoseChecks.h>
 #include <insonate/simulator/ProbePose.h>
 
 #include <nlohmann/json.hpp>
@@ -52,6 +54,7 @@ Result<ImagingSetup> readSetup(const RenderOptions& options) {
 }
 
 Result<RenderJob> readJob(const RenderOptions& options) {
+  if (auto ok = checkTargets(options.targets, options.caseFolder); !ok) return tl::unexpected(ok.error());
   auto setup = readSetup(options);
   if (!setup) return tl::unexpected(setup.error());
   auto read = readCase(options.caseFolder);
@@ -60,7 +63,9 @@ Result<RenderJob> readJob(const RenderOptions& options) {
   if (!path) return tl::unexpected(path.error());
   RenderJob job{std::move(read->patient), std::move(*setup), std::move(*path), std::move(read->notes)};
   if (auto ok = checkReach(job.patient, job.setup, job.path.patientFromProbe); !ok) return tl::unexpected(ok.error());
-  if (auto ok = checkTargets(options.targets); !ok) return tl::unexpected(ok.error());
+  job.warnings.insert(job.warnings.end(), job.path.warnings.begin(), job.path.warnings.end());
+  for (std::string& warning : poseWarnings(job.patient, job.setup, job.path.patientFromProbe))
+    job.warnings.push_back(std::move(warning));
   return job;
 }
 
@@ -95,10 +100,11 @@ class PathRenderer {
     if (!imager) return tl::unexpected(imager.error());
     for (const SceneRun& run : sceneRuns(job_.setup, job_.path.patientFromProbe)) {
       const auto scene = makeScene(job_.patient, job_.setup, run.region, terminalProgress());
-      if (!scene) return tl::unexpected(scene.error());
+      if (!scene) return tl::unexpected(scene.error().message == kCancelled ? cancelled() : scene.error());
       for (const std::string& warning : (*scene)->warnings()) warn(warning);
       for (std::size_t i = run.first; i < run.first + run.count; ++i)
-        if (auto ok = renderOne(*imager, **scene, i); !ok) return ok;
+        if (auto ok = renderOne(*imager, **scene, i); !ok)
+          return ok.error().message == kCancelled ? tl::unexpected(cancelled()) : ok;
     }
     return {};
   }
@@ -137,7 +143,15 @@ class PathRenderer {
     if (warned_.insert(warning).second) warnings_.push_back(warning);
   }
 
+  /// Pictures of a path that are done stay.
+  Error cancelled() const {
+    if (images_.empty()) return {std::string(kCancelled)};
+    return {"Cancelled: the first " + std::to_string(images_.size()) + " of " +
+            std::to_string(job_.path.patientFromProbe.size()) + " pictures were written."};
+  }
+
   Result<void> renderOne(Imager& imager, const AcousticScene& scene, std::size_t index) {
+    if (interruptSignal() != 0) return fail(std::string(kCancelled));
     const Transform& pose = job_.path.patientFromProbe[index];
     const OutputTargets targets = job_.path.isPath ? targets_.numbered(index) : targets_;
     nlohmann::json image{{"out", targets.picture}, {"pose", jsonOf(pose)}};
@@ -165,6 +179,7 @@ class PathRenderer {
     std::map<std::string, BModeImage> pictures;
     nlohmann::json files;
     for (const EffectLayer& layer : effectLayers(job_.setup.settings)) {
+      if (interruptSignal() != 0) return fail(std::string(kCancelled));
       ImagingSetup setup = job_.setup;
       setup.settings = layer.settings;
       auto imager = Imager::make(setup);
@@ -188,6 +203,7 @@ class PathRenderer {
 };
 
 void render(const RenderOptions& options, Outcome& outcome) {
+  outcome.json = options.json;
   const auto job = readJob(options);
   if (!job) return refuse(outcome, job.error());
   PathRenderer renderer(*job, options.targets);
@@ -202,7 +218,7 @@ void render(const RenderOptions& options, Outcome& outcome) {
 void addRenderCommand(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "One ultrasound picture of a case, or many along a path of poses");
-  command->add_option("CASE", options->caseFolder, "Case folder")->required();
+  command->add_option("CASE", options->caseFolder, "Case folder")->required()->check(notEmpty());
   command->add_option("--probe", options->probe, "linear, curvilinear, phased, or a probe file")->capture_default_str();
   command
       ->add_option("--pose", options->pose,
@@ -210,7 +226,8 @@ void addRenderCommand(CLI::App& app, Outcome& outcome) {
                    "(patient LPS); a list of poses is a path")
       ->capture_default_str();
   command->add_option("--out", options->targets.picture, "PNG to write; along a path F.png becomes F_0000.png, ...")
-      ->required();
+      ->required()
+      ->check(notEmpty());
   command->add_option("--engine", options->engine, "reference or cpu")->capture_default_str();
   command->add_option("--tissues", options->tissues, "Tissue preset or file; by default neck, for look thesis thesis");
   command->add_option("--settings", options->settings, "JSON file of imaging settings to override");

@@ -1,5 +1,6 @@
 #include "RenderOutputs.h"
 
+#include <insonate/cases/PatientCase.h>
 #include <insonate/core/AtomicFile.h>
 
 #include <unistd.h>
@@ -44,16 +45,13 @@ OutputTargets OutputTargets::numbered(std::size_t index) const {
   return {withSuffix(picture, number), withSuffix(envelope, number), layers, number};
 }
 
-Result<void> checkTargets(const OutputTargets& targets) {
+Result<void> checkTargets(const OutputTargets& targets, const fs::path& caseFolder) {
   if (auto ok = checkFile(targets.picture, ".png", "--out"); !ok) return ok;
   if (auto ok = checkFile(targets.envelope, ".nrrd", "--envelope"); !ok) return ok;
-  if (targets.layers.empty()) return {};
-  fs::path folder(targets.layers);
-  if (!folder.has_filename()) folder = folder.parent_path();
-  std::error_code error;
-  if (fs::exists(folder, error) && !fs::is_directory(folder, error))
-    return fail("--layers " + folder.string() + " is a file; a folder is needed.");
-  return fs::exists(folder, error) ? checkFolderOf(folder / "layer.png") : checkFolderOf(folder);
+  for (const std::string& file : {targets.picture, targets.envelope})
+    if (!file.empty() && isCaseFile(caseFolder, file))
+      return fail(file + " is a file of the case itself; name another, or the case would be lost.");
+  return targets.layers.empty() ? Result<void>{} : checkFolderTarget(targets.layers);
 }
 
 Result<void> writePictures(const std::map<std::string, BModeImage>& pictures, const fs::path& folder) {

@@ -17,9 +17,10 @@ struct OutputTargets {
 };
 
 /// Refuses, before any work, endings that mislead and folders that are missing or cannot be written.
-Result<void> checkTargets(const OutputTargets& targets);
+/// Refuses also to write over a file of the case.
+Result<void> checkTargets(const OutputTargets& targets, const std::filesystem::path& caseFolder);
 
-/// All of them or none; the folder is created when missing.
+/// All of them or none, also when cancelled; the folder is created when missing.
 Result<void> writePictures(const std::map<std::string, BModeImage>& pictures, const std::filesystem::path& folder);
 
 }  // namespace insonate::cli

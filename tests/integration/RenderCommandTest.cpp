@@ -168,6 +168,23 @@ TEST_F(RenderCommand, BadInputIsRefusedWithASentenceAndLeavesNothing) {
   expectRefusal("--out " + shellWord(out("")), ".png");
 }
 
+TEST_F(RenderCommand, TheCaseItselfIsNeverWrittenOver) {
+  const std::string picture = " --out " + shellWord(out("f.png"));
+  const fs::path ct = *shared_ / "case" / "ct.nrrd";
+  const std::string before = bytesOf(ct);
+  expectRefusal("--envelope " + shellWord(ct) + picture, "file of the case itself");
+  expectRefusal("--envelope " + shellWord((*shared_ / "case/../case/labels.seg.nrrd").string()) + picture,
+                "file of the case itself");
+  EXPECT_EQ(bytesOf(ct), before);
+}
+
+TEST_F(RenderCommand, PosesThatMisleadAreSaid) {
+  const auto result = render("--json --pose " + shellWord(poseAt(20)) + " --out " + shellWord(out("f.png")));
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(json::parse(result.output)["warnings"].dump(), HasSubstr("outside the scan"));
+  EXPECT_THAT(result.errors, HasSubstr("outside the scan"));
+}
+
 TEST_F(RenderCommand, AbsurdSettingsAreRefusedByName) {
   for (const auto& [settings, word] : {std::pair{R"({"scanlines": -3})", "scanlines"},
                                        {R"({"samples": 1e9})", "samples"},

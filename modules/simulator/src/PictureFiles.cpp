@@ -19,7 +19,7 @@ struct FileCloser {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// Owns libpng's state. Its errors become exceptions, which writeAtomically turns into sentences.
+/// Owns libpng's state. Its errors become exceptions.
 class PngWriter {
  public:
   PngWriter() {
@@ -80,10 +80,15 @@ std::string nrrdHeader(const EnvelopeFrame& envelope, const Probe& probe, const 
 Result<void> writePng(const BModeImage& image, const std::filesystem::path& target) {
   return writeAtomically(target, [&](const std::filesystem::path& beside) -> Result<void> {
     const std::string trouble =
-        "Could not write " + target.string() + ": the disk is full or the folder cannot be written.";
+        "Could not write " + target.string() +
+        ": the disk is full or the folder cannot be written. Free space or choose another folder.";
     const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(beside.c_str(), "wb"));
     if (!file) return fail(trouble);
-    PngWriter().write(image, file.get());
+    try {
+      PngWriter().write(image, file.get());
+    } catch (const std::runtime_error&) {  // its own words are "Write Error"
+      return fail(trouble);
+    }
     if (std::fflush(file.get()) != 0) return fail(trouble);
     return {};
   });

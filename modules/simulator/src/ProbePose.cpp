@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
@@ -28,7 +29,17 @@ Result<Vec3> readVector(const json& pose, const char* name, const std::string& w
   return Vec3{(*found)[0].get<double>(), (*found)[1].get<double>(), (*found)[2].get<double>()};
 }
 
-Result<Transform> readPose(const json& pose, const std::string& where) {
+/// Said from a degree on: less is rounding.
+std::string straightened(const Transform& patientFromProbe, Vec3 lateral, const std::string& where) {
+  constexpr double kRadiansToDegrees = 57.29577951308232;
+  const Vec3 x = patientFromProbe.linear.column[0], z = patientFromProbe.linear.column[2];
+  const double angle_deg = kRadiansToDegrees * std::abs(std::atan2(dot(lateral, z), dot(lateral, x)));
+  if (angle_deg <= 1) return {};
+  return where + ": lateral was turned by " + std::to_string(std::lround(angle_deg)) +
+         " degrees, to be at right angles to axial.";
+}
+
+Result<Transform> readPose(const json& pose, const std::string& where, std::vector<std::string>& warnings) {
   if (!pose.is_object()) return fail(where + " must be a JSON object { ... }, not " + shown(pose) + ".");
   const std::vector<std::string_view> known{"name", "position_mm", "axial", "lateral"};
   for (const auto& [key, value] : pose.items()) {
@@ -46,14 +57,16 @@ Result<Transform> readPose(const json& pose, const std::string& where) {
   if (!lateral) return tl::unexpected(lateral.error());
   auto transform = patientFromProbe(*position_mm, *axial, *lateral);
   if (!transform) return fail(where + ": " + transform.error().message);
+  if (std::string warning = straightened(*transform, *lateral, where); !warning.empty())
+    warnings.push_back(std::move(warning));
   return transform;
 }
 
 Result<PosePath> readPath(const json& list, const std::string& where) {
   if (!list.is_array() || list.empty()) return fail(where + ": a list of at least one pose is needed.");
-  PosePath path{{}, true};
+  PosePath path{{}, true, {}};
   for (const json& item : list) {
-    auto pose = readPose(item, where + ", pose " + std::to_string(path.patientFromProbe.size()));
+    auto pose = readPose(item, where + ", pose " + std::to_string(path.patientFromProbe.size()), path.warnings);
     if (!pose) return tl::unexpected(pose.error());
     path.patientFromProbe.push_back(*pose);
   }
@@ -65,29 +78,31 @@ Result<PosePath> parsePoses(std::string_view text, const std::string& where) {
   try {
     parsed = json::parse(text);
   } catch (const json::exception& error) {
-    return fail(where + " is not valid JSON: " + error.what());
+    return fail(where + " is not valid JSON: " + jsonTrouble(error.what()) + ".");
   }
   if (parsed.is_array()) return readPath(parsed, where);
   if (parsed.is_object() && parsed.contains("poses")) {
     if (parsed.size() > 1) return fail(where + ": no other field may stand beside \"poses\".");
     return readPath(parsed["poses"], where);
   }
-  const auto pose = readPose(parsed, where);
+  PosePath path;
+  const auto pose = readPose(parsed, where, path.warnings);
   if (!pose) return tl::unexpected(pose.error());
-  return PosePath{{*pose}, false};
+  path.patientFromProbe = {*pose};
+  return path;
 }
 
 Result<PosePath> single(const Result<StartPose>& pose) {
   if (!pose) return tl::unexpected(pose.error());
   auto transform = patientFromProbe(pose->position_mm, pose->axial, pose->lateral);
   if (!transform) return fail("Start pose '" + pose->name + "' of the case: " + transform.error().message);
-  return PosePath{{*transform}, false};
+  return PosePath{{*transform}, false, {}};
 }
 
 std::string neitherNameNorFile(std::string_view text, const PatientCase& patient) {
   std::vector<std::string_view> names{"auto"};
   for (const StartPose& pose : patient.manifest.startPoses) names.push_back(pose.name);
-  return "'" + std::string(text) + "' is no pose: it is neither a readable JSON file nor one of " + joinedWords(names) +
+  return "'" + std::string(text) + "' is no pose: it is neither a readable JSON file nor one of " + quotedWords(names) +
          ", nor does it begin with { or [.";
 }
 
@@ -114,7 +129,14 @@ StartPose poseOf(const Transform& patientFromProbe) {
 }
 
 Result<PosePath> readPoses(std::string_view text, const PatientCase& patient) {
-  if (text == "auto") return single(autoStartPose(patient));
+  if (text == "auto") {
+    const auto pose = autoStartPose(patient);
+    auto path = single(pose);
+    if (path && patient.manifest.startPoses.empty())
+      path->warnings.push_back("The pose was found automatically: " + pose->name +
+                               ". Give --pose, or a start pose in case.json, to choose another.");
+    return path;
+  }
   for (const StartPose& pose : patient.manifest.startPoses)
     if (pose.name == text) return single(pose);
   if (const auto first = text.find_first_not_of(" \t\r\n");

@@ -73,7 +73,7 @@ constexpr const char* kPose = R"({"position_mm": [1, 2, 3], "axial": [0, 1, 0], 
 PosePath read(const std::string& text, const PatientCase& patient = test::smallCase()) {
   auto path = readPoses(text, patient);
   EXPECT_TRUE(path) << path.error().message;
-  return path.value_or(PosePath{{Transform{}}, false});
+  return path.value_or(PosePath{{Transform{}}, false, {}});
 }
 
 std::string refusalOf(const std::string& text) {
@@ -139,9 +139,27 @@ TEST(ReadPoses, RefusalsNamePoseAndField) {
 }
 
 TEST(ReadPoses, AWordThatIsNothingIsRefusedWithTheKnownNames) {
-  EXPECT_THAT(refusalOf("over the artery"), AllOf(HasSubstr("auto"), HasSubstr("over the vein")));
+  EXPECT_THAT(refusalOf("over the artery"), AllOf(HasSubstr("'auto'"), HasSubstr("'over the vein'")));
   EXPECT_FALSE(refusalOf("").empty());
   EXPECT_FALSE(refusalOf("/").empty());
+}
+
+TEST(ReadPoses, SaysWhatWasStraightenedAndFoundAutomatically) {
+  EXPECT_THAT(read(kPose).warnings, testing::IsEmpty());
+  EXPECT_THAT(read(R"({"position_mm": [1, 2, 3], "axial": [0, 1, 0], "lateral": [1, 0.01, 0]})").warnings,
+              testing::IsEmpty());
+  EXPECT_THAT(read(R"([{"position_mm": [1, 2, 3], "axial": [0, 1, 0], "lateral": [1, 1, 0]}])").warnings,
+              testing::ElementsAre(AllOf(HasSubstr("pose 0"), HasSubstr("45 degrees"))));
+  EXPECT_THAT(read("auto").warnings, testing::IsEmpty()) << "the case's own start pose";
+  PatientCase patient = test::smallCase();
+  patient.manifest.startPoses.clear();
+  patient.manifest.targets.clear();
+  EXPECT_THAT(read("auto", patient).warnings,
+              testing::ElementsAre(AllOf(HasSubstr("found automatically"), HasSubstr("z = "))));
+}
+
+TEST(ReadPoses, ParseErrorsSayWhereWithoutTheLibrary) {
+  EXPECT_THAT(refusalOf("{"), AllOf(HasSubstr("line 1, column 2"), testing::Not(HasSubstr("exception"))));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <insonate/cases/PatientCase.h>
 #include <insonate/core/Transform.h>
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,7 @@ StartPose poseOf(const Transform& patientFromProbe);
 struct PosePath {
   std::vector<Transform> patientFromProbe;  ///< at least one
   bool isPath = false;                      ///< given as a list, even one of a single pose
+  std::vector<std::string> warnings;        ///< what was straightened or found automatically, one sentence each
 };
 
 /// What a user types: "auto" (see autoStartPose), the name of one of the case's start poses, inline JSON, or a JSON
