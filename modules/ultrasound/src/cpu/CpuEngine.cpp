@@ -32,7 +32,8 @@ int roundedUp(int n, int multiple) {
 struct Workspace {
   TraceBuffers trace;
   LateralBuffers lateral;
-  std::vector<float> above;  ///< one scanline's echoes above gas
+  std::vector<float> above;     ///< one scanline's echoes above gas
+  std::vector<float> strength;  ///< of its rings
   TraceTimes_ms times;
   double axial_ms = 0, lateral_ms = 0;
 };
@@ -67,7 +68,8 @@ class CpuEngine final : public Engine {
   void setTextureRays(const TextureFrame& frame, const Transform& patientFromProbe, const TextureTile& tile,
                       TextureRays& rays) const;
   void traceLines(int firstLine, const std::vector<PointEcho>& points);
-  void reverberate(Workspace& work) const;
+  Vec3 surfaceOfGas(int line, int gate) const;
+  void reverberate(int firstLine, Workspace& work) const;
 
   std::unique_ptr<thesis::ThesisCpu> thesis_;  ///< where the settings ask for its look; the rest is then idle
   std::optional<FramePlan> plan_;
@@ -137,6 +139,7 @@ void CpuEngine::provideWorkspaces(int threads) {
     work->trace.echo = hwy::AllocateAligned<float>(components * plan_->gates * kBlockLines);
     work->lateral.ring = hwy::AllocateAligned<float>(components * 4 * echo_.width);
     work->above.resize(plan_->gates);
+    work->strength.resize(behindGas_->rings());
     workspaces_.push_back(std::move(work));
   }
 }
@@ -245,17 +248,29 @@ void CpuEngine::setTextureRays(const TextureFrame& frame, const Transform& patie
   }
 }
 
-void CpuEngine::reverberate(Workspace& work) const {
+Vec3 CpuEngine::surfaceOfGas(int line, int gate) const {
+  const auto rest_mm = static_cast<float>(plan_->range_mm(gate));
+  const float range_mm = rest_mm + input_.lineGap_mm[line] * input_.contactDecay[plan_->nodeRows + gate];
+  const auto at = [&](const std::vector<float>& origin, const std::vector<float>& direction) {
+    return double(origin[line] + direction[line] * range_mm);
+  };
+  return {at(input_.lines.x, input_.lines.dx), at(input_.lines.y, input_.lines.dy),
+          at(input_.lines.z, input_.lines.dz)};
+}
+
+void CpuEngine::reverberate(int firstLine, Workspace& work) const {
   const FramePlan& plan = *plan_;
   for (int l = 0; l < kBlockLines; ++l) {
     const int gas = work.trace.gasGate[l];
     if (gas <= 0) continue;
+    behindGas_->strengthsAt(surfaceOfGas(firstLine + l, gas), work.strength);
     for (int c = 0; c < 2 * plan.settings.looks; ++c) {
       float* echo = work.trace.echo.get() + std::size_t(c) * plan.gates * kBlockLines + l;
       for (int g = 0; g <= gas; ++g) work.above[g] = echo[std::size_t(g) * kBlockLines];
       for (int g = gas + Reverberation::kFirstGate; g < plan.gates; ++g)
         for (const Reverberation::Repeat& r : behindGas_->at(g - gas))
-          if (r.gatesAbove <= gas) echo[std::size_t(g) * kBlockLines] += r.share * work.above[gas - r.gatesAbove];
+          if (r.gatesAbove <= gas)
+            echo[std::size_t(g) * kBlockLines] += r.share * work.strength[r.ring] * work.above[gas - r.gatesAbove];
     }
   }
 }
@@ -265,7 +280,7 @@ void CpuEngine::traceLines(int firstLine, const std::vector<PointEcho>& points) 
   Workspace& work = *workspaces_[tbb::this_task_arena::current_thread_index()];
   traceBlock(input_, firstLine, work.trace, work.times);
   const StopWatch watch;
-  reverberate(work);
+  reverberate(firstLine, work);
   for (const PointEcho& point : points)
     if (point.line >= firstLine && point.line < firstLine + kBlockLines)
       for (int look = 0; look < plan.settings.looks; ++look)

@@ -62,9 +62,8 @@ HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, 
   const float reflection = (impedance - state.impedance[l]) / (impedance + state.impedance[l]);
   const AcousticTissue &first = *in.channels[above].tissue, &second = *in.channels[channel].tissue;
   if (plan.settings.effects.reflection && state.level_dB[l] > kSilent_dB && reflection != 0) {
-    const float roughness_dB =
-        plan.settings.effects.texture ? static_cast<float>(second.roughness_dB) * cells.patch[l] : 0;
-    const float gain_dB = state.level_dB[l] + static_cast<float>(acoustics::kReflectorGain_dB) + roughness_dB;
+    const double roughness_dB = plan.settings.effects.texture ? roughnessGain_dB(second, cells.patch[l]) : 0;
+    const float gain_dB = state.level_dB[l] + static_cast<float>(acoustics::kReflectorGain_dB + roughness_dB);
     const float echo = std::exp2(gain_dB * kOctavesPerDecibel) * std::abs(reflection) *
                        specularLobe(first, second, cells.cosine[l]) *
                        static_cast<float>(plan.boundaryScale * plan.boundaryWeight[plane]);

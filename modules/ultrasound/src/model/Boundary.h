@@ -15,6 +15,13 @@ Real specularLobe(const AcousticTissue& above, const AcousticTissue& below, Real
   return (1 - diffuse) * std::pow(cosine, n) + diffuse * cosine;
 }
 
+/// What a boundary's echo gains where `patch`, of unit SD, is what comes and goes along it. An outline breaks off more
+/// easily than it brightens.
+inline double roughnessGain_dB(const AcousticTissue& below, double patch) {
+  constexpr double kBreaks = 2.5;
+  return below.roughness_dB * (patch < 0 ? kBreaks * patch : patch);
+}
+
 /// Share of a sheet's echo that comes back where the beam meets it with this cosine.
 inline double sheetFacing(double cosine) {
   return 0.2 + 0.8 * cosine * cosine;

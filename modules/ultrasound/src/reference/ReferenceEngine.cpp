@@ -109,13 +109,17 @@ class LineTracer {
   EchoField& echo_;
 };
 
-void reverberate(const Reverberation& behindGas, int looks, int line, int gasGate, int gates, EchoField& echo) {
+void reverberate(const Reverberation& behindGas, Vec3 surface_mm, int looks, int line, int gasGate, int gates,
+                 EchoField& echo) {
+  std::vector<float> strength(behindGas.rings());
+  behindGas.strengthsAt(surface_mm, strength);
   for (int look = 0; look < looks; ++look) {
     std::vector<Complex> above(gasGate + 1);
     for (int g = 0; g <= gasGate; ++g) above[g] = echo.at(look, g, line);
     for (int g = gasGate + Reverberation::kFirstGate; g < gates; ++g)
       for (const Reverberation::Repeat& r : behindGas.at(g - gasGate))
-        if (r.gatesAbove <= gasGate) echo.at(look, g, line) += double(r.share) * above[gasGate - r.gatesAbove];
+        if (r.gatesAbove <= gasGate)
+          echo.at(look, g, line) += double(r.share) * strength[r.ring] * above[gasGate - r.gatesAbove];
   }
 }
 
@@ -189,7 +193,8 @@ class ReferenceEngine final : public Engine {
     for (int line = 0; line < plan.lines; ++line) {
       for (int plane = 0; plane < plan.settings.elevationPlanes; ++plane) tracer.trace(plane, line);
       if (const int gas = lookup.firstGasGate(line); gas > 0 && plan.settings.effects.reverberation)
-        reverberate(behindGas, plan.settings.looks, line, gas, plan.gates, echo);
+        reverberate(behindGas, lookup.at(plan.settings.elevationPlanes / 2, gas, line).patient_mm, plan.settings.looks,
+                    line, gas, plan.gates, echo);
     }
     for (const PointEcho& point : pointEchoes(plan, scene.points, patientFromProbe))
       for (int look = 0; look < plan.settings.looks; ++look) echo.at(look, point.gate, point.line) += point.amplitude;

@@ -135,7 +135,7 @@ TissueSample TissueLookup::at(int plane, int gate, int line) const {
   sample.impedance_MRayl =
       tissue.impedance_MRayl *
       (1 + (plan_.settings.effects.texture ? tissue.ctImpedancePer100HU * cell.ctDeviation / 100 : 0));
-  sample.roughness_dB = plan_.settings.effects.texture ? tissue.roughness_dB * cell.patch : 0;
+  sample.roughness_dB = plan_.settings.effects.texture ? roughnessGain_dB(tissue, cell.patch) : 0;
   const AcousticTissue &a = scene_.table.of(scene_.field.label[cell.a]),
                        &b = scene_.table.of(scene_.field.label[cell.b]);
   const bool vessel = (a.vessel || b.vessel) && !acousticallyEqual(a, b);
