@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace insonate {
+
+/// Hands the latest value from any thread to any thread: a value that has not been taken is replaced by the next. No
+/// lock and no allocation: a thread waits only while more than 30 others are in the middle of post() or take(). A
+/// triple buffer for any number of writers.
+template <class T>
+class Mailbox {
+ public:
+  void post(const T& value) {
+    const int slot = claim();
+    slots_[slot] = value;
+    if (const int replaced = latest_.exchange(slot, std::memory_order_acq_rel); replaced >= 0) release(replaced);
+  }
+
+  /// The latest value, once.
+  std::optional<T> take() {
+    const int slot = latest_.exchange(kNone, std::memory_order_acq_rel);
+    if (slot < 0) return std::nullopt;
+    std::optional<T> value(std::move(slots_[slot]));
+    release(slot);
+    return value;
+  }
+
+ private:
+  static constexpr int kNone = -1;
+
+  int claim() {
+    std::uint32_t free = free_.load(std::memory_order_acquire);
+    for (;;) {
+      if (free == 0) {
+        std::this_thread::yield();
+        free = free_.load(std::memory_order_acquire);
+      } else if (free_.compare_exchange_weak(free, free & (free - 1), std::memory_order_acq_rel)) {
+        return std::countr_zero(free);
+      }
+    }
+  }
+  void release(int slot) { free_.fetch_or(1U << slot, std::memory_order_acq_rel); }
+
+  std::array<T, 32> slots_{};
+  std::atomic<std::uint32_t> free_{~0U};  ///< one bit a slot
+  std::atomic<int> latest_{kNone};
+};
+
+}  // namespace insonate

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <insonate/simulator/Imager.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// One picture of a live probe. Never changes once handed out, and may be kept: its memory is used again when the last
+/// holder lets go, even after LiveImaging itself has gone.
+struct LiveFrame {
+  BModeImage image;
+  EnvelopeFrame envelope;                                    ///< empty unless LiveOptions::keepEnvelopes
+  Transform patientFromProbe;                                ///< where the probe was
+  std::shared_ptr<const ImagingSetup> setup;                 ///< probe, settings, tissues, engine; never null
+  std::shared_ptr<const std::vector<std::string>> warnings;  ///< about the case, e.g. unknown labels; never null
+  std::vector<ImagingFrame::Stage> stages;                   ///< empty where the probe is outside the patient
+  double frame_ms = 0;                                       ///< from pose to picture, on the clock
+  std::uint64_t number = 0;                                  ///< 1 for the first; no gaps
+  double time_s = 0;                                         ///< since LiveImaging was made
+};
+
+enum class LiveState {
+  Starting,  ///< the first scene is being built; there is no picture yet
+  Imaging,
+  WaitingForScene,  ///< the probe left the scene; the last picture stays until the next scene is built
+  Frozen,
+  Outside,  ///< the probe looks past the patient's volume: pictures are black
+  Failed,   ///< see message; the last picture stays, and another setup or pose is tried
+};
+
+struct LiveStatus {
+  LiveState state = LiveState::Starting;
+  bool buildingScene = false;
+  int scenesBuilt = 0;
+  double sceneBuild_ms = 0;  ///< of the last scene, on the clock; 0 before the first
+  std::string message;       ///< a sentence, where something failed
+};
+
+struct LiveOptions {
+  int threads = 0;                    ///< for pictures; 0: every core but one, which is left to the window
+  double sceneMargin_mm = 15;         ///< room to move in a scene, each way
+  double sceneReserve_mm = 9;         ///< the next scene is begun where less room than this is left
+  std::size_t cineBytes = 256 << 20;  ///< memory for frames of the past; the latest frame is kept in any case
+  bool keepEnvelopes = false;         ///< LiveFrame::envelope too, about six times the memory
+};
+
+/// A probe over a patient, imaged as it moves: owns a thread that makes a picture whenever pose or setup have changed,
+/// or persistence has not settled, and a worker that builds the next scene before the probe leaves the present one. A
+/// probe that is held still costs nothing. A frame allocates nothing once the cine memory is full.
+///
+/// Every member may be called from any thread. The destructor waits for the frame in work; a scene that is being built
+/// is cancelled.
+class LiveImaging {
+ public:
+  /// Fails on a case without volumes or on differing grids, a setup that is out of range, and a pose that is not rigid.
+  static Result<std::unique_ptr<LiveImaging>> make(std::shared_ptr<const PatientCase> patient,
+                                                   const ImagingSetup& setup, const Transform& patientFromProbe,
+                                                   const LiveOptions& options = {});
+  ~LiveImaging();
+  LiveImaging(const LiveImaging&) = delete;
+  LiveImaging& operator=(const LiveImaging&) = delete;
+
+  /// The latest pose counts; poses in between are left out. Never blocks. A pose that is not finite and rigid is
+  /// ignored.
+  void setPose(const Transform& patientFromProbe);
+
+  /// Probe, settings, tissues and engine at once. What is out of range is refused, and the old setup goes on; it goes
+  /// on, too, until a scene for the new one is there. Of several setups in a row, only the last may be seen.
+  Result<void> setSetup(const ImagingSetup& setup);
+
+  /// Once this returns, latest() and cine() stay as they are. Poses and setups are kept for later.
+  void setFrozen(bool frozen);
+
+  /// Null until the first picture is there.
+  std::shared_ptr<const LiveFrame> latest() const;
+
+  /// The frames of this long before the latest, oldest first, as far as cineBytes reaches. Empty before the first.
+  std::vector<std::shared_ptr<const LiveFrame>> cine(double seconds) const;
+
+  /// Called on the simulation thread after every new frame and every change of state; keep it short. When onFrame
+  /// returns, the function given before is not called any more. The function must not call onFrame, and must not
+  /// destroy this object.
+  void onFrame(std::function<void()> listener);
+
+  /// Pictures of the last second; 0 for a probe held still.
+  double imagesPerSecond() const;
+  LiveStatus status() const;
+
+ private:
+  class Impl;
+  explicit LiveImaging(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace insonate

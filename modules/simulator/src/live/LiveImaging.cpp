@@ -1,0 +1,126 @@
+#include "RigidPose.h"
+#include "live/LiveLoop.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace insonate {
+namespace {
+
+Result<void> checkCase(const PatientCase* patient) {
+  if (!patient || patient->ct.voxels.empty() || patient->labels.voxels.empty())
+    return fail("There is no case to image; open one first.");
+  if (!sameGrid(patient->ct.geometry, patient->labels.geometry) ||
+      patient->ct.voxels.size() != patient->labels.voxels.size())
+    return fail("The CT and the label map lie on different grids; resample one to the other.");
+  return {};
+}
+
+/// What Imager::make refuses, without the work of making one.
+Result<void> checkSetup(const ImagingSetup& setup) {
+  if (auto ok = validate(setup.probe); !ok) return ok;
+  if (auto ok = validate(setup.settings, setup.probe); !ok) return ok;
+  if (auto engine = makeEngine(setup.engine); !engine) return tl::unexpected(engine.error());
+  return {};
+}
+
+}  // namespace
+
+void LiveImaging::Impl::setPose(const Transform& patientFromProbe) {
+  if (!isRigid(patientFromProbe)) return;
+  poses_.post(patientFromProbe);
+  wake();
+}
+
+void LiveImaging::Impl::setSetup(std::shared_ptr<const ImagingSetup> setup) {
+  setups_.post(setup);
+  wake();
+}
+
+void LiveImaging::Impl::setFrozen(bool frozen) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (std::exchange(frozen_, frozen) == frozen) return;
+  }
+  wake();
+}
+
+std::shared_ptr<const LiveFrame> LiveImaging::Impl::latest() const {
+  const std::lock_guard lock(mutex_);
+  return cine_.latest();
+}
+
+std::vector<std::shared_ptr<const LiveFrame>> LiveImaging::Impl::cine(double seconds) const {
+  const std::lock_guard lock(mutex_);
+  return cine_.last(seconds);
+}
+
+void LiveImaging::Impl::onFrame(std::function<void()> listener) {
+  const std::lock_guard lock(listenerMutex_);
+  listener_ = std::move(listener);
+}
+
+double LiveImaging::Impl::imagesPerSecond() const {
+  const double since_s = now_s() - 1;
+  const std::lock_guard lock(mutex_);
+  return static_cast<double>(std::ranges::count_if(times_s_, [&](double t_s) { return t_s > since_s; }));
+}
+
+LiveStatus LiveImaging::Impl::status() const {
+  const std::lock_guard lock(mutex_);
+  LiveStatus status = status_;
+  if (frozen_) status.state = LiveState::Frozen;
+  return status;
+}
+
+LiveImaging::LiveImaging(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+LiveImaging::~LiveImaging() = default;
+
+Result<std::unique_ptr<LiveImaging>> LiveImaging::make(std::shared_ptr<const PatientCase> patient,
+                                                       const ImagingSetup& setup, const Transform& patientFromProbe,
+                                                       const LiveOptions& options) {
+  if (auto ok = checkCase(patient.get()); !ok) return tl::unexpected(ok.error());
+  if (!isRigid(patientFromProbe))
+    return fail("The probe's pose is not a rotation and a place; take one from patientFromProbe() or a start pose.");
+  auto imager = Imager::make(setup);
+  if (!imager) return tl::unexpected(imager.error());
+  auto shared = std::make_shared<const ImagingSetup>(setup);
+  return std::unique_ptr<LiveImaging>(new LiveImaging(
+      std::make_unique<Impl>(std::move(patient), std::move(shared), std::move(*imager), patientFromProbe, options)));
+}
+
+void LiveImaging::setPose(const Transform& patientFromProbe) {
+  impl_->setPose(patientFromProbe);
+}
+
+Result<void> LiveImaging::setSetup(const ImagingSetup& setup) {
+  if (auto ok = checkSetup(setup); !ok) return ok;
+  impl_->setSetup(std::make_shared<const ImagingSetup>(setup));
+  return {};
+}
+
+void LiveImaging::setFrozen(bool frozen) {
+  impl_->setFrozen(frozen);
+}
+
+std::shared_ptr<const LiveFrame> LiveImaging::latest() const {
+  return impl_->latest();
+}
+
+std::vector<std::shared_ptr<const LiveFrame>> LiveImaging::cine(double seconds) const {
+  return impl_->cine(seconds);
+}
+
+void LiveImaging::onFrame(std::function<void()> listener) {
+  impl_->onFrame(std::move(listener));
+}
+
+double LiveImaging::imagesPerSecond() const {
+  return impl_->imagesPerSecond();
+}
+
+LiveStatus LiveImaging::status() const {
+  return impl_->status();
+}
+
+}  // namespace insonate

@@ -1,0 +1,229 @@
+#include "live/LiveLoop.h"
+
+#include <insonate/ultrasound/Display.h>
+
+#include <tbb/info.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+namespace insonate {
+namespace {
+
+/// Until what is left of any earlier picture is below half a grey level.
+int framesToSettle(double persistence) {
+  return persistence > 0 ? static_cast<int>(std::ceil(std::log(0.5 / 255) / std::log(persistence))) : 0;
+}
+
+LiveOptions completed(LiveOptions options) {
+  if (options.threads <= 0) options.threads = std::max(1, tbb::info::default_concurrency() - 1);
+  options.sceneMargin_mm = std::clamp(options.sceneMargin_mm, 2.0, 100.0);
+  // A scene must not call for the next one as soon as it is built.
+  options.sceneReserve_mm = std::clamp(options.sceneReserve_mm, 0.0, 0.8 * options.sceneMargin_mm);
+  return options;
+}
+
+}  // namespace
+
+LiveImaging::Impl::Source::Source(std::shared_ptr<const ImagingSetup> of, Imager its, const VolumeGeometry& volume)
+    : setup(std::move(of)),
+      imager(std::move(its)),
+      need(*setup, volume),
+      framesToSettle(insonate::framesToSettle(setup->settings.persistence)) {}
+
+LiveImaging::Impl::Impl(std::shared_ptr<const PatientCase> patient, std::shared_ptr<const ImagingSetup> setup,
+                        Imager imager, const Transform& patientFromProbe, const LiveOptions& options)
+    : patient_(std::move(patient)),
+      options_(completed(options)),
+      cine_(options.cineBytes),
+      active_(std::move(setup), std::move(imager), patient_->labels.geometry),
+      pose_(patientFromProbe),
+      builder_(patient_, options_.threads, [this] { wake(); }),
+      thread_([this] {
+        tbb::task_arena arena(options_.threads);
+        arena.execute([this] { run(); });
+      }) {}
+
+LiveImaging::Impl::~Impl() {
+  stopping_ = true;
+  builder_.cancel();
+  wake();
+  thread_.join();
+}
+
+void LiveImaging::Impl::wake() {
+  ++woken_;
+  woken_.notify_one();
+}
+
+void LiveImaging::Impl::run() {
+  while (!stopping_) {
+    const std::uint32_t woken = woken_;
+    bool more = false;
+    try {
+      takeInputs();
+      takeScene();
+      activateNext();
+      followProbe();
+      more = makePicture();
+    } catch (const std::exception& error) {
+      next_.reset();
+      setState(LiveState::Failed, "The picture could not be made (" + std::string(error.what()) + ").");
+    }
+    if (!more) woken_.wait(woken);
+  }
+}
+
+void LiveImaging::Impl::takeInputs() {
+  if (const auto pose = poses_.take()) {
+    jobFailed_ = jobFailed_ && *pose == pose_;
+    pose_ = *pose;
+  }
+  if (auto setup = setups_.take()) {
+    jobFailed_ = false;
+    auto imager = Imager::make(**setup);
+    if (imager)
+      next_.emplace(std::move(*setup), std::move(*imager), patient_->labels.geometry);
+    else
+      setState(LiveState::Failed, imager.error().message);
+  }
+}
+
+bool LiveImaging::Impl::suits(const live::SceneJob& job, const Source& source) {
+  if (!job.setup || job.detail_mm != source.need.detail_mm()) return false;
+  return job.setup == source.setup || live::sameTissues(job.setup->tissues, source.setup->tissues);
+}
+
+void LiveImaging::Impl::takeScene() {
+  auto built = builder_.take();
+  if (!built) return;
+  job_.reset();
+  if (!built->scene) {
+    jobFailed_ = true;
+    setState(LiveState::Failed, std::move(built->error));
+    return;
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    ++status_.scenesBuilt;
+    status_.sceneBuild_ms = built->build_ms;
+    status_.buildingScene = false;
+  }
+  // A scene that suits neither was overtaken by another setup while it was handed over.
+  if (!suits(built->job, next_ ? *next_ : active_)) return;
+  if (next_) {
+    active_ = std::move(*std::exchange(next_, std::nullopt));
+    drawn_ = false;
+  }
+  scene_ = std::move(*built);
+}
+
+/// A setup is taken over together with its scene, so that no picture mixes two.
+void LiveImaging::Impl::activateNext() {
+  if (!next_) return;
+  const bool outside = next_->need.misses(pose_);
+  const bool ready = suits(scene_.job, *next_) && live::covers(scene_.job.region_mm, next_->need.at(pose_));
+  if (!outside && !ready) return;
+  if (!suits(scene_.job, *next_)) scene_ = {};
+  active_ = std::move(*std::exchange(next_, std::nullopt));
+  drawn_ = false;
+}
+
+void LiveImaging::Impl::followProbe() {
+  const Source& source = next_ ? *next_ : active_;
+  if (jobFailed_ || source.need.misses(pose_)) return;
+  if (suits(scene_.job, source) && live::covers(scene_.job.region_mm, source.need.at(pose_, options_.sceneReserve_mm)))
+    return;
+  // A scene in work that the probe has left already would come too late.
+  if (job_ && suits(*job_, source) && live::covers(job_->region_mm, source.need.at(pose_))) return;
+  job_ = live::SceneJob{source.setup, source.need.at(pose_, options_.sceneMargin_mm), source.need.detail_mm()};
+  builder_.begin(*job_);
+  const std::lock_guard lock(mutex_);
+  status_.buildingScene = true;
+}
+
+bool LiveImaging::Impl::isFrozen() const {
+  const std::lock_guard lock(mutex_);
+  return frozen_;
+}
+
+/// True where the next picture is due at once.
+bool LiveImaging::Impl::makePicture() {
+  const bool frozen = isFrozen();
+  if (std::exchange(frozenSeen_, frozen) != frozen) notify();
+  if (frozen) return false;
+  const bool outside = active_.need.misses(pose_);
+  const bool moved = !drawn_ || !(pose_ == drawnPose_);
+  if (!outside && !(scene_.scene && live::covers(scene_.job.region_mm, active_.need.at(pose_)))) {
+    if (!jobFailed_) setState(number_ ? LiveState::WaitingForScene : LiveState::Starting);
+    return false;
+  }
+  const LiveState state = outside ? LiveState::Outside : LiveState::Imaging;
+  if (!moved && (settleLeft_ == 0 || outside)) {
+    if (!jobFailed_) setState(state);
+    return false;
+  }
+  if (outside)
+    blackPicture();
+  else
+    active_.imager.render(*scene_.scene, pose_, scratch_);
+  if (!publish()) return false;
+  settleLeft_ = moved ? active_.framesToSettle : settleLeft_ - 1;
+  drawn_ = true;
+  drawnPose_ = pose_;
+  if (!jobFailed_) setState(state);
+  notify();
+  return settleLeft_ > 0;
+}
+
+void LiveImaging::Impl::blackPicture() {
+  if (active_.black.grey.empty()) Display(active_.setup->probe, active_.setup->settings).process({}, active_.black);
+  scratch_.image = active_.black;
+  scratch_.envelope.resize(0, 0, 0);
+  scratch_.stages.clear();
+  scratch_.frame_ms = 0;
+}
+
+/// False where the picture came too late, because it has been frozen.
+bool LiveImaging::Impl::publish() {
+  static const auto kNoWarnings = std::make_shared<const std::vector<std::string>>();
+  std::shared_ptr<LiveFrame> frame = pool_->acquire();
+  // The frame's former buffers take the next picture.
+  std::swap(frame->image, scratch_.image);
+  std::swap(frame->stages, scratch_.stages);
+  if (options_.keepEnvelopes) std::swap(frame->envelope, scratch_.envelope);
+  frame->patientFromProbe = pose_;
+  frame->setup = active_.setup;
+  frame->warnings = scene_.warnings ? scene_.warnings : kNoWarnings;
+  frame->frame_ms = scratch_.frame_ms;
+  frame->number = number_ + 1;
+  frame->time_s = now_s();
+
+  const std::lock_guard lock(mutex_);
+  if (frozen_) return false;
+  times_s_[number_ % times_s_.size()] = frame->time_s;
+  ++number_;
+  cine_.push(std::move(frame));
+  return true;
+}
+
+void LiveImaging::Impl::setState(LiveState state, std::string message) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (status_.state == state && status_.message == message) return;
+    status_.state = state;
+    status_.message = std::move(message);
+    if (state == LiveState::Failed) status_.buildingScene = false;
+  }
+  notify();
+}
+
+void LiveImaging::Impl::notify() {
+  const std::lock_guard lock(listenerMutex_);
+  if (listener_) listener_();
+}
+
+}  // namespace insonate

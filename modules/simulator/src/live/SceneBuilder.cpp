@@ -1,0 +1,89 @@
+#include "live/SceneBuilder.h"
+
+#include <tbb/task_arena.h>
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+namespace insonate::live {
+
+SceneBuilder::SceneBuilder(std::shared_ptr<const PatientCase> patient, int threads, std::function<void()> whenDone)
+    : patient_(std::move(patient)), threads_(threads), whenDone_(std::move(whenDone)), thread_([this] { work(); }) {}
+
+SceneBuilder::~SceneBuilder() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+    ++ticket_;
+  }
+  changed_.notify_one();
+  thread_.join();
+}
+
+void SceneBuilder::begin(SceneJob job) {
+  {
+    const std::lock_guard lock(mutex_);
+    ++ticket_;
+    next_ = std::move(job);
+    done_.reset();
+  }
+  changed_.notify_one();
+}
+
+void SceneBuilder::cancel() {
+  const std::lock_guard lock(mutex_);
+  ++ticket_;
+  next_.reset();
+  done_.reset();
+}
+
+std::optional<BuiltScene> SceneBuilder::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(done_, std::nullopt);
+}
+
+void SceneBuilder::work() {
+  // Pictures come first: while one is in work, its arena gets the processors.
+  tbb::task_arena arena(threads_, 1, tbb::task_arena::priority::low);
+  for (;;) {
+    SceneJob job;
+    std::uint64_t ticket = 0;
+    {
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, [this] { return stopping_ || next_; });
+      if (stopping_) return;
+      job = *std::exchange(next_, std::nullopt);
+      ticket = ticket_;
+    }
+    BuiltScene built = arena.execute([&] { return build(job, ticket); });
+    {
+      const std::lock_guard lock(mutex_);
+      if (ticket_ != ticket) continue;
+      done_ = std::move(built);
+    }
+    whenDone_();
+  }
+}
+
+BuiltScene SceneBuilder::build(const SceneJob& job, std::uint64_t ticket) const {
+  BuiltScene built{.job = job, .scene = {}, .warnings = {}, .error = {}};
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    auto scene =
+        makeScene(*patient_, *job.setup, job.region_mm, [&](std::string_view, double) { return ticket_ == ticket; });
+    if (scene) {
+      built.scene = std::move(*scene);
+      built.warnings = std::make_shared<const std::vector<std::string>>(built.scene->warnings());
+    } else {
+      built.error = scene.error().message;
+    }
+  } catch (const std::exception& error) {
+    built.error = "There is not enough room for the scene around the probe (" + std::string(error.what()) +
+                  "); close other programs, or choose less depth.";
+  }
+  built.build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return built;
+}
+
+}  // namespace insonate::live

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <insonate/simulator/Imager.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace insonate::live {
+
+struct SceneJob {
+  std::shared_ptr<const ImagingSetup> setup;
+  Region region_mm;
+  double detail_mm = 0;
+};
+
+struct BuiltScene {
+  SceneJob job;
+  std::shared_ptr<const AcousticScene> scene;                ///< null where it failed
+  std::shared_ptr<const std::vector<std::string>> warnings;  ///< null where it failed
+  std::string error;
+  double build_ms = 0;
+};
+
+/// Builds scenes on a thread of its own, one at a time.
+class SceneBuilder {
+ public:
+  /// `whenDone` is called on the worker each time that take() has something.
+  SceneBuilder(std::shared_ptr<const PatientCase> patient, int threads, std::function<void()> whenDone);
+  /// Cancels and waits.
+  ~SceneBuilder();
+
+  /// Cancels what is being built: its result never comes.
+  void begin(SceneJob job);
+  void cancel();
+  std::optional<BuiltScene> take();
+
+ private:
+  void work();
+  BuiltScene build(const SceneJob& job, std::uint64_t ticket) const;
+
+  std::shared_ptr<const PatientCase> patient_;
+  int threads_;
+  std::function<void()> whenDone_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::atomic<std::uint64_t> ticket_{0};  ///< of the job that is wanted; another one cancels
+  bool stopping_ = false;
+  std::optional<SceneJob> next_;
+  std::optional<BuiltScene> done_;
+  std::thread thread_;  ///< last: it uses the others
+};
+
+}  // namespace insonate::live

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <insonate/simulator/Imager.h>
+
+namespace insonate::live {
+
+/// What a setup's frames need of a scene, worked out once, so that asking costs nothing at each pose.
+class SceneNeed {
+ public:
+  SceneNeed(const ImagingSetup& setup, const VolumeGeometry& volume);
+
+  /// What a frame at this pose needs, with room each way, cut to the patient's volume and a millimetre: a scene reaches
+  /// no further.
+  Region at(const Transform& patientFromProbe, double room_mm = 0) const;
+  /// True where a frame at this pose would see nothing of the volume.
+  bool misses(const Transform& patientFromProbe) const;
+  double detail_mm() const { return detail_mm_; }
+
+ private:
+  Region whole(const Transform& patientFromProbe) const;
+
+  Region probe_mm_;   ///< in the probe frame
+  Region volume_mm_;  ///< in the patient frame
+  Transform indexFromPatient_;
+  std::array<int, 3> size_;
+  double detail_mm_;
+};
+
+bool covers(const Region& outer, const Region& inner);
+
+/// Equal in everything that a scene is made from.
+bool sameTissues(const AcousticTable& a, const AcousticTable& b);
+
+}  // namespace insonate::live
