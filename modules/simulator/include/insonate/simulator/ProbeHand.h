@@ -1,0 +1,76 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/core/Transform.h>
+#include <insonate/image/Volume.h>
+
+#include <memory>
+#include <string_view>
+
+namespace insonate {
+
+/// Where and how a ProbeHand holds the probe: all there is to save, compare and restore. Patient LPS.
+struct ProbeHandState {
+  Vec3 skin_mm;         ///< where the middle of the face touches the skin, or would
+  Vec3 inward;          ///< into the body, square to the skin, unit
+  Vec3 lateral;         ///< toward the probe's marker, along the skin, unit
+  double tilt_deg = 0;  ///< fan, about lateral: above 0, the beam turns against elevation (y)
+  double rock_deg = 0;  ///< in the image plane: above 0, the beam turns toward the marker
+  double press_mm = 0;  ///< along the probe's axis: above 0 into the skin, below 0 off it
+  bool operator==(const ProbeHandState&) const = default;
+};
+
+/// How a move went. Nothing is allocated for it.
+struct HandMove {
+  std::string_view stopped;  ///< why it was not done to its end, a sentence; empty where it was
+  bool done() const { return stopped.empty(); }
+};
+
+class SkinSurface;
+
+/// A probe held on the skin without a device: it follows the skin, square to it but for the user's own tilt and rock. A
+/// move stops where the skin or the patient's volume ends, and says why. No move allocates, and none takes longer than
+/// a fraction of a millisecond. Copies share the skin. Not for concurrent use of one object.
+class ProbeHand {
+ public:
+  static constexpr double kMostAngle_deg = 60;  ///< of tilt and of rock, either way
+  static constexpr double kMostPress_mm = 20;
+  static constexpr double kLift_mm = 20;  ///< off the skin: nothing is heard from there
+
+  /// The skin is where labels other than background begin, seen from the outside. `patientFromProbe` is taken over as
+  /// by setPose(). Takes some tenths of a second for a large volume. Fails where the label map has no body or no
+  /// outside, or its size does not match its voxels, and for a pose that is not rigid.
+  static Result<ProbeHand> make(const LabelMap& labels, const Transform& patientFromProbe);
+
+  /// Over the skin, along the probe's own directions there; any length.
+  HandMove slide(double lateral_mm, double elevation_mm);
+  /// About the probe's axis, from lateral toward elevation.
+  HandMove rotate(double degrees);
+  HandMove tilt(double degrees);
+  HandMove rock(double degrees);
+  /// Further in, or less. A lifted probe is put on the skin first.
+  HandMove press(double mm);
+  /// Off the skin, along the axis. The other moves then work above the skin; press() and moveTo() put it back.
+  void lift();
+  /// To the skin point nearest to a point in or around the patient; angles stay.
+  HandMove moveTo(Vec3 patient_mm);
+  /// Takes over any pose: pose() gives it back exactly, where it is within the limits and the probe's axis meets the
+  /// skin within 60 mm. Else it is the nearest that is, and the move says so. Poses that are not rigid are refused and
+  /// change nothing.
+  HandMove setPose(const Transform& patientFromProbe);
+
+  /// patientFromProbe, as engines take it.
+  Transform pose() const;
+
+  const ProbeHandState& state() const { return state_; }
+  /// Of this patient; a state from elsewhere is a probe in the air. A state that is not finite changes nothing.
+  void restore(const ProbeHandState& state);
+
+ private:
+  ProbeHand(std::shared_ptr<const SkinSurface> skin) : skin_(std::move(skin)) {}
+
+  std::shared_ptr<const SkinSurface> skin_;
+  ProbeHandState state_;
+};
+
+}  // namespace insonate

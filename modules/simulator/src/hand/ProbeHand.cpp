@@ -1,0 +1,183 @@
+#include "RigidPose.h"
+#include "hand/SkinSurface.h"
+
+#include <insonate/simulator/ProbeHand.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace insonate {
+namespace {
+
+constexpr double kStep_mm = 1;        // of a slide
+constexpr double kStepReach_mm = 8;   // how far the skin may rise or fall within a step
+constexpr double kPoseReach_mm = 60;  // from a pose that is taken over to the skin
+constexpr double kRotationStep_deg = 2;
+constexpr double kDegree = std::numbers::pi / 180;
+
+constexpr HandMove kDone{};
+constexpr HandMove kNoNumber{"The move is not a finite number."};
+constexpr HandMove kVolumeEnds{"The scan ends here; move the probe back, or another way."};
+constexpr HandMove kSkinEnds{"The skin falls away here; move the probe another way, or point to where it is to go."};
+constexpr HandMove kMostTilt{"The probe is tilted or rocked as far as it goes, 60 degrees from square to the skin."};
+constexpr HandMove kMostPressed{"The probe is pressed in as far as it goes, 20 mm."};
+constexpr HandMove kLeastPressed{"The probe only rests on the skin; lift it to take it off."};
+constexpr HandMove kNotRigid{"The pose is not a rotation and a place."};
+constexpr HandMove kAwayFromSkin{"The pose does not look at the skin; the probe is on the nearest skin instead."};
+constexpr HandMove kPoseLimited{"The pose is beyond what a hand holds; the probe is as near to it as can be."};
+
+Mat3 aboutX(double degrees) {
+  const double c = std::cos(degrees * kDegree), s = std::sin(degrees * kDegree);
+  return {{Vec3{1, 0, 0}, Vec3{0, c, s}, Vec3{0, -s, c}}};
+}
+Mat3 aboutY(double degrees) {
+  const double c = std::cos(degrees * kDegree), s = std::sin(degrees * kDegree);
+  return {{Vec3{c, 0, -s}, Vec3{0, 1, 0}, Vec3{s, 0, c}}};
+}
+Mat3 aboutZ(double degrees) {
+  const double c = std::cos(degrees * kDegree), s = std::sin(degrees * kDegree);
+  return {{Vec3{c, s, 0}, Vec3{-s, c, 0}, Vec3{0, 0, 1}}};
+}
+
+/// The probe square to the skin: lateral, elevation, axial.
+Mat3 squareTo(const ProbeHandState& state) {
+  return {{state.lateral, cross(state.inward, state.lateral), state.inward}};
+}
+
+Mat3 heldAs(const ProbeHandState& state) {
+  return squareTo(state) * aboutX(state.tilt_deg) * aboutY(state.rock_deg);
+}
+
+/// Turns the probe with the skin, by the least rotation: a path there and back leaves its marker where it was.
+void turnTo(Vec3 inward, ProbeHandState& state) {
+  const Vec3 axis = cross(state.inward, inward);
+  const double cosine = dot(state.inward, inward);
+  Vec3 lateral = state.lateral;
+  if (cosine > -0.999) lateral = lateral * cosine + cross(axis, lateral) + axis * (dot(axis, lateral) / (1 + cosine));
+  state.inward = inward;
+  state.lateral = normalized(lateral - inward * dot(lateral, inward));
+}
+
+/// Tilt, rock and lateral such that the probe is held as `patientFromProbe`: its rotation, seen from the skin, is
+/// Z(heading) X(tilt) Y(rock).
+void takeRotation(const Mat3& patientFromProbe, ProbeHandState& state) {
+  const auto& [x, y, z] = patientFromProbe.column;
+  state.tilt_deg = std::asin(std::clamp(dot(state.inward, y), -1.0, 1.0)) / kDegree;
+  state.rock_deg = std::atan2(-dot(state.inward, x), dot(state.inward, z)) / kDegree;
+  const Vec3 lateral = patientFromProbe * (transposed(aboutX(state.tilt_deg) * aboutY(state.rock_deg)) * Vec3{1, 0, 0});
+  state.lateral = normalized(lateral - state.inward * dot(lateral, state.inward));
+}
+
+bool withinAngles(const ProbeHandState& state) {
+  constexpr double kMost = ProbeHand::kMostAngle_deg + 1e-9;
+  return std::abs(state.tilt_deg) <= kMost && std::abs(state.rock_deg) <= kMost;
+}
+
+HandMove turned(double& angle_deg, double by_deg) {
+  if (!std::isfinite(by_deg)) return kNoNumber;
+  const double wanted = angle_deg + by_deg;
+  angle_deg = std::clamp(wanted, -ProbeHand::kMostAngle_deg, ProbeHand::kMostAngle_deg);
+  return wanted == angle_deg ? kDone : kMostTilt;
+}
+
+}  // namespace
+
+Result<ProbeHand> ProbeHand::make(const LabelMap& labels, const Transform& patientFromProbe) {
+  auto skin = SkinSurface::make(labels);
+  if (!skin) return tl::unexpected(skin.error());
+  if (!isRigid(patientFromProbe)) return fail(std::string(kNotRigid.stopped));
+  ProbeHand hand(std::make_shared<const SkinSurface>(std::move(*skin)));
+  hand.setPose(patientFromProbe);
+  return hand;
+}
+
+HandMove ProbeHand::slide(double lateral_mm, double elevation_mm) {
+  const double length_mm = std::hypot(lateral_mm, elevation_mm);
+  if (!(length_mm < 1e4)) return kNoNumber;
+  const int steps = static_cast<int>(std::ceil(length_mm / kStep_mm));
+  for (int step = 0; step < steps; ++step) {
+    const auto& [lateral, elevation, inward] = squareTo(state_).column;
+    const Vec3 ahead = state_.skin_mm + (lateral * lateral_mm + elevation * elevation_mm) / steps;
+    const auto skin = skin_->along(ahead, -inward, kStepReach_mm);
+    if (!skin) return kSkinEnds;
+    if (!skin_->inVolume(*skin)) return kVolumeEnds;
+    state_.skin_mm = *skin;
+    turnTo(-skin_->normal(*skin, -inward), state_);
+  }
+  return kDone;
+}
+
+HandMove ProbeHand::rotate(double degrees) {
+  if (!(std::abs(degrees) < 1e6)) return kNoNumber;
+  degrees = std::remainder(degrees, 360);
+  const int steps = static_cast<int>(std::ceil(std::abs(degrees) / kRotationStep_deg));
+  const Mat3 before = heldAs(state_);
+  for (int step = 1; step <= steps; ++step) {
+    ProbeHandState next = state_;
+    takeRotation(before * aboutZ(degrees * step / steps), next);
+    if (!withinAngles(next)) return kMostTilt;
+    state_ = next;
+  }
+  return kDone;
+}
+
+HandMove ProbeHand::tilt(double degrees) {
+  return turned(state_.tilt_deg, degrees);
+}
+
+HandMove ProbeHand::rock(double degrees) {
+  return turned(state_.rock_deg, degrees);
+}
+
+HandMove ProbeHand::press(double mm) {
+  if (!std::isfinite(mm)) return kNoNumber;
+  const double wanted_mm = std::max(state_.press_mm, 0.0) + mm;
+  state_.press_mm = std::clamp(wanted_mm, 0.0, kMostPress_mm);
+  if (wanted_mm == state_.press_mm) return kDone;
+  return wanted_mm < 0 ? kLeastPressed : kMostPressed;
+}
+
+void ProbeHand::lift() {
+  state_.press_mm = std::min(state_.press_mm, -kLift_mm);
+}
+
+HandMove ProbeHand::moveTo(Vec3 patient_mm) {
+  if (!isFinite(patient_mm)) return kNoNumber;
+  state_.skin_mm = skin_->nearest(patient_mm);
+  turnTo(-skin_->normal(state_.skin_mm, -state_.inward), state_);
+  state_.press_mm = std::max(state_.press_mm, 0.0);
+  return kDone;
+}
+
+HandMove ProbeHand::setPose(const Transform& patientFromProbe) {
+  if (!isRigid(patientFromProbe)) return kNotRigid;
+  const Vec3 axial = normalized(patientFromProbe.linear.column[2]);
+  auto skin = skin_->along(patientFromProbe.offset, -axial, kPoseReach_mm);
+  const bool found = skin && skin_->inVolume(*skin);
+  ProbeHandState next;
+  next.skin_mm = found ? *skin : skin_->nearest(patientFromProbe.offset);
+  next.inward = -skin_->normal(next.skin_mm, -axial);
+  takeRotation(patientFromProbe.linear, next);
+  if (found) next.press_mm = dot(patientFromProbe.offset - next.skin_mm, axial);
+
+  const bool fits = withinAngles(next) && next.press_mm <= kMostPress_mm;
+  next.tilt_deg = std::clamp(next.tilt_deg, -kMostAngle_deg, kMostAngle_deg);
+  next.rock_deg = std::clamp(next.rock_deg, -kMostAngle_deg, kMostAngle_deg);
+  next.press_mm = std::min(next.press_mm, kMostPress_mm);
+  state_ = next;
+  if (!found) return kAwayFromSkin;
+  return fits ? kDone : kPoseLimited;
+}
+
+Transform ProbeHand::pose() const {
+  const Mat3 rotation = heldAs(state_);
+  return {rotation, state_.skin_mm + rotation.column[2] * state_.press_mm};
+}
+
+void ProbeHand::restore(const ProbeHandState& state) {
+  const bool finite = std::isfinite(state.tilt_deg) && std::isfinite(state.rock_deg) && std::isfinite(state.press_mm);
+  if (finite && isRigid({squareTo(state), state.skin_mm})) state_ = state;
+}
+
+}  // namespace insonate
