@@ -1,0 +1,67 @@
+#pragma once
+
+#include <QFrame>
+#include <QPointer>
+#include <memory>
+#include <vector>
+
+class QTimer;
+
+namespace insonate::views {
+class View;
+}
+
+namespace insonate::ui {
+
+/// Asks for the OpenGL that VTK needs and for sharp pictures on dense displays. Call it once, before QApplication.
+void prepareGraphics();
+
+/// Shows one view in the window: hands it mouse, wheel and keys, tells it its size in device pixels, and renders it
+/// when it wants to be rendered, at most once for each pass of the event loop and 60 times a second. A thin frame tells
+/// who has the keyboard.
+///
+/// A double click or M lets the view fill its room, again or Escape gives the others back. The room is the nearest
+/// parent with markViewRoom(), else the widget's parent.
+class ViewWidget : public QFrame {
+  Q_OBJECT
+
+ public:
+  /// `name` is what a screen reader says. The view may be shared with who feeds it; it lives as long as the widget.
+  ViewWidget(std::shared_ptr<views::View> view, const QString& name, QWidget* parent = nullptr);
+  ~ViewWidget() override;
+
+  views::View& view() { return *view_; }
+
+  void setMaximised(bool maximised);
+  bool isMaximised() const { return maximised_; }
+  /// For views where a double click has another meaning.
+  void setMaximiseOnDoubleClick(bool on) { maximiseOnDoubleClick_ = on; }
+
+  /// Renderings so far.
+  int renderings() const { return renderings_; }
+
+ Q_SIGNALS:
+  void maximisedChanged(bool maximised);
+  void rendered();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  class Canvas;
+  void want();
+  void renderNow();
+
+  std::shared_ptr<views::View> view_;
+  Canvas* canvas_;
+  QTimer* timer_;
+  std::vector<QPointer<QWidget>> hidden_;
+  bool maximised_ = false, maximiseOnDoubleClick_ = true;
+  int renderings_ = 0;
+  double lastRender_ms_ = 0;
+};
+
+/// Names the widget within which a view is maximised.
+void markViewRoom(QWidget* room);
+
+}  // namespace insonate::ui

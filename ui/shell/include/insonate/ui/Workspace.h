@@ -1,0 +1,60 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+
+#include <QString>
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+class QSettings;
+
+namespace insonate::ui {
+
+/// One line of the list under `?`.
+struct Shortcut {
+  QString keys;  ///< as printed on the keyboard, e.g. "Shift + arrows"
+  QString does;  ///< e.g. "tilt and rock the probe"
+};
+
+/// One of the window's rooms: Prepare, Train or Review. Made once and kept; the window shows one at a time, and what is
+/// hidden should cost no time (showEvent, hideEvent). For the window's thread only.
+class Workspace : public QWidget {
+  Q_OBJECT
+
+ public:
+  using QWidget::QWidget;
+
+  /// The case to work on, from now on; null when none is open. The case never changes while it is shared.
+  virtual void setCase(std::shared_ptr<const PatientCase> patient) = 0;
+
+  /// What just happened, or the next thing to do: left in the status bar.
+  virtual QString statusText() const { return {}; }
+  /// Engine and rate, e.g. "cpu engine   62 images/s": right in the status bar. Empty where nothing is computed.
+  virtual QString engineText() const { return {}; }
+
+  /// False until everything is on screen that belongs there, e.g. the first live image.
+  virtual bool isReady() const { return true; }
+
+  /// The help page about this workspace: a file's name in resources/help without ".md".
+  virtual QString helpPage() const { return {}; }
+  /// Keys that work here, besides those of the window.
+  virtual std::vector<Shortcut> shortcuts() const { return {}; }
+
+  /// Splitters and the like; the window opens the group before and closes it after.
+  virtual void saveLayout(QSettings&) const {}
+  virtual void restoreLayout(QSettings&) {}
+
+  /// The window closes: threads end within a second. Nothing is called afterwards but the destructor.
+  virtual void stop() {}
+
+ Q_SIGNALS:
+  void statusChanged();  ///< statusText() or engineText() have a new value
+  void readyChanged();
+  /// A sentence that says what happened, and one that says what to do; details are folded away. Shown in the window.
+  void failed(const QString& what, const QString& advice, const QString& details);
+  /// Another case came of this one, e.g. edited labels: the window gives it to every workspace.
+  void caseMade(std::shared_ptr<const insonate::PatientCase> patient);
+};
+
+}  // namespace insonate::ui

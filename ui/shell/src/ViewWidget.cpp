@@ -1,0 +1,124 @@
+#include "Canvas.h"
+
+#include <insonate/ui/ViewWidget.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QKeyEvent>
+#include <QSplitterHandle>
+#include <QStyle>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace insonate::ui {
+namespace {
+
+constexpr char kRoom[] = "insonateViewRoom";
+constexpr double kFrame_ms = 16;
+/// Of the time that a slow rendering took, left to everything else before the next.
+constexpr double kShareForOthers = 0.3;
+
+QWidget* roomOf(QWidget* view) {
+  for (QWidget* parent = view->parentWidget(); parent; parent = parent->parentWidget())
+    if (parent->property(kRoom).toBool()) return parent;
+  return view->parentWidget() ? view->parentWidget() : view;
+}
+
+}  // namespace
+
+void prepareGraphics() {
+  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+}
+
+void markViewRoom(QWidget* room) {
+  room->setProperty(kRoom, true);
+}
+
+ViewWidget::ViewWidget(std::shared_ptr<views::View> view, const QString& name, QWidget* parent)
+    : QFrame(parent), view_(std::move(view)), canvas_(new Canvas(*view_, this)), timer_(new QTimer(this)) {
+  setObjectName(QStringLiteral("viewFrame"));
+  setAccessibleName(name);
+  canvas_->setAccessibleName(name);
+  setFocusProxy(canvas_);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(1, 1, 1, 1);
+  box->addWidget(canvas_);
+
+  timer_->setSingleShot(true);
+  connect(timer_, &QTimer::timeout, this, &ViewWidget::renderNow);
+  canvas_->onFocus = [this](bool focused) {
+    setProperty("focused", focused);
+    style()->unpolish(this), style()->polish(this);
+  };
+  canvas_->onDoubleClick = [this] {
+    if (maximiseOnDoubleClick_) setMaximised(!maximised_);
+    return maximiseOnDoubleClick_;
+  };
+  view_->setRenderWanted([this] { want(); });
+  view_->attach(canvas_->renderWindow());
+}
+
+ViewWidget::~ViewWidget() {
+  view_->setRenderWanted({});
+  canvas_->onFocus = nullptr;
+  // The view's textures and buffers belong to the canvas's context.
+  canvas_->makeCurrent();
+  view_->detach();
+  canvas_->doneCurrent();
+}
+
+void ViewWidget::want() {
+  if (timer_->isActive()) return;
+  timer_->start(int(std::max(kFrame_ms - lastRender_ms_, lastRender_ms_ * kShareForOthers)));
+}
+
+void ViewWidget::renderNow() {
+  // A canvas that was never shown has no context; showing it renders it.
+  if (!canvas_->isVisible() || !canvas_->isValid()) return;
+  QElapsedTimer clock;
+  clock.start();
+  view_->render();
+  lastRender_ms_ = double(clock.nsecsElapsed()) / 1e6;
+  ++renderings_;
+  Q_EMIT rendered();
+}
+
+void ViewWidget::setMaximised(bool maximised) {
+  if (maximised == maximised_) return;
+  maximised_ = maximised;
+  if (maximised) {
+    QWidget* room = roomOf(this);
+    for (QWidget* inner = this; inner != room; inner = inner->parentWidget()) {
+      for (QWidget* other : inner->parentWidget()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        // A splitter hides its handles itself.
+        if (other == inner || other->isHidden() || other->isWindow() || qobject_cast<QSplitterHandle*>(other)) continue;
+        other->hide();
+        hidden_.emplace_back(other);
+      }
+    }
+  } else {
+    for (const QPointer<QWidget>& other : hidden_)
+      if (other) other->show();
+    hidden_.clear();
+  }
+  setFocus();
+  Q_EMIT maximisedChanged(maximised);
+}
+
+void ViewWidget::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_M && !event->modifiers())
+    setMaximised(!maximised_);
+  else if (event->key() == Qt::Key_Escape && maximised_)
+    setMaximised(false);
+  else
+    QFrame::keyPressEvent(event);
+}
+
+}  // namespace insonate::ui
