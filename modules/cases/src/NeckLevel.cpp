@@ -6,7 +6,8 @@
 namespace insonate {
 namespace {
 
-constexpr double kCell_mm = 3, kLevel_mm = 3;
+constexpr double kCell_mm = 3, kLevel_mm = 3, kAside_mm = 25;
+constexpr double kNowhere_mm = 1e6;
 
 struct Box {
   Vec3 low_mm, high_mm;
@@ -41,7 +42,7 @@ class Slice {
   }
 
   BodyLevel largest(double z_mm) {
-    BodyLevel best{z_mm, 0, 0};
+    BodyLevel best{z_mm, 0, 0, kNowhere_mm};
     for (int j = 0; j < rows_; ++j)
       for (int i = 0; i < columns_; ++i) {
         if (!inside_[cell(i, j)]) continue;
@@ -71,13 +72,52 @@ class Slice {
         open.push_back({u, v});
       }
     }
-    return {z_mm, cells * kCell_mm * kCell_mm, sum_mm / cells};
+    return {z_mm, cells * kCell_mm * kCell_mm, sum_mm / cells, kNowhere_mm};
   }
 
   const Box& box_;
   int columns_, rows_;
   std::vector<std::uint8_t> inside_;
 };
+
+/// Half of the levels have their middle to either side: arms that hang on at some levels do not count.
+double midlineOf(const std::vector<BodyLevel>& levels) {
+  std::vector<double> middles_mm;
+  for (const BodyLevel& level : levels)
+    if (level.area_mm2 > 0) middles_mm.push_back(level.middle_mm);
+  if (middles_mm.empty()) return 0;
+  std::ranges::nth_element(middles_mm, middles_mm.begin() + static_cast<std::ptrdiff_t>(middles_mm.size() / 2));
+  return middles_mm[middles_mm.size() / 2];
+}
+
+/// The first of four cells of body in a row: a blanket is thinner.
+double frontOf(const PatientBody& body, const Box& box, double x_mm, double z_mm) {
+  constexpr int kThick = 4;
+  int thick = 0;
+  for (double y_mm = box.low_mm.y; y_mm <= box.high_mm.y; y_mm += kCell_mm) {
+    thick = body.contains({x_mm, y_mm, z_mm}) ? thick + 1 : 0;
+    if (thick == kThick) return y_mm - (kThick - 1) * kCell_mm;
+  }
+  return kNowhere_mm;
+}
+
+/// How far the front lies behind the foremost one below and the foremost one above.
+double hollow_mm(const std::vector<BodyLevel>& levels, int n) {
+  const auto before = [](const BodyLevel& a, const BodyLevel& b) { return a.front_mm < b.front_mm; };
+  const auto here = levels.begin() + n;
+  const double below_mm = std::min_element(levels.begin(), here + 1, before)->front_mm;
+  const double above_mm = std::min_element(here, levels.end(), before)->front_mm;
+  return here->front_mm == kNowhere_mm ? 0 : here->front_mm - std::max(below_mm, above_mm);
+}
+
+/// A head's cross-section is 150 to 300 cm2, that of a trunk twice as much.
+bool hasHeadAbove(const std::vector<BodyLevel>& levels, int n) {
+  constexpr double kReach_mm = 60, kLeast_mm2 = 10000, kMost_mm2 = 35000;
+  double largest_mm2 = 0;
+  for (const BodyLevel& level : levels)
+    if (level.z_mm > levels[n].z_mm + kReach_mm) largest_mm2 = std::max(largest_mm2, level.area_mm2);
+  return largest_mm2 > kLeast_mm2 && largest_mm2 < kMost_mm2;
+}
 
 }  // namespace
 
@@ -90,24 +130,36 @@ std::vector<BodyLevel> bodyLevels(const PatientBody& body, const VolumeGeometry&
     const double z_mm = box.low_mm.z + (n + 0.5) * height_mm / count;
     levels.push_back(Slice(body, box, z_mm).largest(z_mm));
   }
+  const double midline_mm = midlineOf(levels);
+  for (BodyLevel& level : levels) {
+    level.middle_mm = midline_mm;
+    level.front_mm = frontOf(body, box, midline_mm - kAside_mm, level.z_mm);
+  }
   return levels;
 }
 
 ChosenLevel neckOrMiddle(const std::vector<BodyLevel>& levels) {
-  constexpr double kNarrower = 0.75;
+  // A thick neck has four fifths of the head's cross-section, but a fraction of the shoulders'; a waist has no
+  // shoulders.
+  constexpr double kOfHead = 0.88, kOfShoulders = 0.6, kHollow_mm = 15;
   const int count = static_cast<int>(levels.size());
-  std::vector<double> below(levels.size()), above(levels.size());
-  for (int n = 1; n < count; ++n) below[n] = std::max(below[n - 1], levels[n - 1].area_mm2);
-  for (int n = count - 2; n >= 0; --n) above[n] = std::max(above[n + 1], levels[n + 1].area_mm2);
-  ChosenLevel chosen{levels[count / 2], false};
-  double narrowest = kNarrower;
+  ChosenLevel narrow{levels[count / 2], false}, hollow = narrow;
+  double narrowest = kOfHead, deepest_mm = kHollow_mm;
+  const auto area = [](const BodyLevel& a, const BodyLevel& b) { return a.area_mm2 < b.area_mm2; };
   for (int n = count / 10; n < count - count / 10; ++n) {
-    const double wider_mm2 = std::min(below[n], above[n]);
-    if (levels[n].area_mm2 <= 0 || levels[n].area_mm2 >= narrowest * wider_mm2) continue;
-    narrowest = levels[n].area_mm2 / wider_mm2;
-    chosen = {levels[n], true};
+    const auto here = levels.begin() + n;
+    const double below_mm2 = std::max_element(levels.begin(), here + 1, area)->area_mm2;
+    const double above_mm2 = std::max_element(here, levels.end(), area)->area_mm2;
+    if (here->area_mm2 > 0 && here->area_mm2 < narrowest * above_mm2 && here->area_mm2 < kOfShoulders * below_mm2) {
+      narrowest = here->area_mm2 / above_mm2;
+      narrow = {*here, true};
+    }
+    if (const double depth_mm = hollow_mm(levels, n); depth_mm > deepest_mm && hasHeadAbove(levels, n)) {
+      deepest_mm = depth_mm;
+      hollow = {*here, true};
+    }
   }
-  return chosen;
+  return hollow.isNeck ? hollow : narrow;
 }
 
 }  // namespace insonate

@@ -10,7 +10,8 @@ namespace insonate {
 struct BodyLevel {
   double z_mm = 0;       ///< patient LPS
   double area_mm2 = 0;   ///< 0 where there is no body
-  double middle_mm = 0;  ///< x of the piece's centroid
+  double middle_mm = 0;  ///< x of the patient's midline, the same at all levels
+  double front_mm = 0;  ///< y of the front of the skin, 25 mm right of the patient's midline; large where there is none
 };
 
 /// Levels through the whole volume, feet to head, a few millimetres apart.
@@ -21,8 +22,10 @@ struct ChosenLevel {
   bool isNeck = false;
 };
 
-/// Of the central 80 % of the levels the one that is narrowest between wider ones, which is the neck between head and
-/// shoulders, if it is narrower than both by a quarter; else the middle level.
+/// The neck, of the central 80 % of the levels: the hollow of the front between chest and chin, where a head and no
+/// trunk is above it. Without such a hollow the level that is narrowest compared with the head above it, if it is also
+/// much narrower than the shoulders below. Without a neck the middle level. The hollow comes first because with the
+/// arms raised and the chin down the shoulders reach up to the jaw, whose level is the narrowest.
 ChosenLevel neckOrMiddle(const std::vector<BodyLevel>& levels);
 
 }  // namespace insonate

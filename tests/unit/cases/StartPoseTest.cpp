@@ -73,6 +73,37 @@ TEST(StartPose, WithoutTargetOnTheNeckAndNotOnTheNose) {
   }
 }
 
+TEST(StartPose, WithTheChinDownUnderTheChin) {
+  PatientCase patient = standingMan();
+  for (int k = 0; k < 100; ++k)
+    for (int j = 0; j < 100; ++j)
+      for (int i = 0; i < 140; ++i) {
+        const double x = -210 + 3 * i, y = -150 + 3 * j, z = -150 + 3 * k;
+        const bool chin = std::abs(x) < 50 && y > -95 && y < 0 && z > -45 && z < 0;
+        const bool raisedShoulders = std::hypot(x / 190, (y - 40) / 60) < 1 && z < -30;
+        if (chin || raisedShoulders) patient.labels.at(i, j, k) = kMuscle;
+      }
+  const auto pose = proposeStartPose(patient);
+  ASSERT_TRUE(pose) << pose.error().message;
+  EXPECT_THAT(pose->name, HasSubstr("neck"));
+  EXPECT_LT(pose->position_mm.z, -44);
+  EXPECT_GT(pose->position_mm.z, -74);
+}
+
+TEST(StartPose, AWaistIsNoNeck) {
+  PatientCase patient = standingMan();
+  for (int k = 0; k < 100; ++k)
+    for (int j = 0; j < 100; ++j)
+      for (int i = 0; i < 140; ++i) {
+        const double x = -210 + 3 * i, y = -150 + 3 * j, z = -150 + 3 * k;
+        const double width_mm = 150 + 30 * std::abs(z) / 150;
+        patient.labels.at(i, j, k) = std::hypot(x / width_mm, y / (width_mm - 50)) < 1 ? kMuscle : kBackground;
+      }
+  const auto pose = proposeStartPose(patient);
+  ASSERT_TRUE(pose) << pose.error().message;
+  EXPECT_THAT(pose->name, HasSubstr("middle"));
+}
+
 TEST(StartPose, WithoutANeckInTheMiddle) {
   PatientCase patient = standingMan();
   for (int k = 0; k < 100; ++k)  // shoulders all the way up
