@@ -1,0 +1,153 @@
+#include <insonate/ui/TaskBar.h>
+#include <insonate/ui/Theme.h>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTimer>
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace insonate::ui {
+namespace {
+
+constexpr int kLook_ms = 30;
+constexpr int kFine = 1000;  // of the progress bar
+
+/// Counts the threads at work, so that the end of the program can wait for them.
+struct Threads {
+  std::mutex mutex;
+  std::condition_variable changed;
+  int running = 0;
+};
+
+Threads& threads() {
+  static Threads all;
+  return all;
+}
+
+}  // namespace
+
+struct TaskBar::Job {
+  std::atomic<bool> cancelled = false;
+  std::mutex mutex;
+  // Guarded by the mutex.
+  std::string doing;
+  double fraction = 0;
+  Deliver deliver;  ///< once the work is done
+};
+
+bool waitForJobs(std::chrono::milliseconds longest) {
+  Threads& all = threads();
+  std::unique_lock lock(all.mutex);
+  return all.changed.wait_for(lock, longest, [&all] { return all.running == 0; });
+}
+
+TaskBar::TaskBar(QWidget* parent)
+    : QFrame(parent),
+      title_(new QLabel),
+      doing_(new QLabel),
+      progress_(new QProgressBar),
+      cancel_(new QPushButton(tr("Cancel"))),
+      timer_(new QTimer(this)) {
+  setObjectName(QStringLiteral("taskBar"));
+  setRole(title_, "heading");
+  setRole(doing_, "quiet");
+  doing_->setMinimumWidth(240);
+  progress_->setRange(0, kFine);
+  progress_->setTextVisible(false);
+  progress_->setAccessibleName(tr("Progress"));
+  cancel_->setToolTip(tr("Stop this within a second (Esc)"));
+
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(kLargeGap, kGap, kLargeGap, kGap);
+  row->setSpacing(kLargeGap);
+  row->addWidget(title_);
+  row->addWidget(doing_);
+  row->addWidget(progress_, 1);
+  row->addWidget(cancel_);
+  timer_->setInterval(kLook_ms);
+  connect(timer_, &QTimer::timeout, this, &TaskBar::look);
+  connect(cancel_, &QPushButton::clicked, this, &TaskBar::cancel);
+  hide();
+}
+
+TaskBar::~TaskBar() {
+  if (job_) job_->cancelled = true;
+}
+
+void TaskBar::start(const QString& title, std::function<Deliver(const Progress&)> work, Deliver cancelled) {
+  cancel();
+  auto job = std::make_shared<Job>();
+  {
+    const std::lock_guard lock(threads().mutex);
+    ++threads().running;
+  }
+  std::thread([job, work = std::move(work)]() mutable {
+    const Progress progress = [job](std::string_view doing, double fraction) {
+      const std::lock_guard lock(job->mutex);
+      job->doing = doing;
+      job->fraction = fraction;
+      return !job->cancelled.load();
+    };
+    Deliver deliver = work(progress);
+    {
+      const std::lock_guard lock(job->mutex);
+      if (!job->cancelled) job->deliver = std::move(deliver);
+    }
+    // What the job holds goes before the end of the program may go on.
+    deliver = nullptr;
+    work = nullptr;
+    job.reset();
+    const std::lock_guard lock(threads().mutex);
+    --threads().running;
+    threads().changed.notify_all();
+  }).detach();
+
+  job_ = std::move(job);
+  cancelled_ = std::move(cancelled);
+  title_->setText(title);
+  doing_->clear();
+  progress_->setValue(0);
+  timer_->start();
+  show();
+  Q_EMIT runningChanged(true);
+}
+
+void TaskBar::look() {
+  Deliver deliver;
+  {
+    const std::lock_guard lock(job_->mutex);
+    doing_->setText(QString::fromStdString(job_->doing));
+    progress_->setValue(int(job_->fraction * kFine));
+    deliver = std::move(job_->deliver);
+  }
+  if (!deliver) return;
+  end();
+  deliver();
+}
+
+void TaskBar::cancel() {
+  if (!job_) return;
+  {
+    const std::lock_guard lock(job_->mutex);
+    job_->cancelled = true;
+    job_->deliver = nullptr;
+  }
+  const Deliver cancelled = std::move(cancelled_);
+  end();
+  cancelled();
+}
+
+void TaskBar::end() {
+  timer_->stop();
+  job_.reset();
+  cancelled_ = nullptr;
+  hide();
+  Q_EMIT runningChanged(false);
+}
+
+}  // namespace insonate::ui

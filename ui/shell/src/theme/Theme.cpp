@@ -1,0 +1,72 @@
+#include <insonate/embedded/stylesheets.h>
+#include <insonate/ui/Theme.h>
+
+#include <QApplication>
+#include <QFont>
+#include <QPalette>
+#include <QStyleFactory>
+#include <QVariant>
+#include <QWidget>
+#include <utility>
+
+namespace insonate::ui {
+namespace {
+
+namespace theme = views::theme;
+
+QPalette palette() {
+  QPalette p;
+  p.setColor(QPalette::Window, colour(theme::kGround));
+  p.setColor(QPalette::WindowText, colour(theme::kText));
+  p.setColor(QPalette::Base, colour(theme::kPanel));
+  p.setColor(QPalette::AlternateBase, colour(theme::kRaised));
+  p.setColor(QPalette::Text, colour(theme::kText));
+  p.setColor(QPalette::PlaceholderText, colour(theme::kQuiet));
+  p.setColor(QPalette::Button, colour(theme::kRaised));
+  p.setColor(QPalette::ButtonText, colour(theme::kText));
+  p.setColor(QPalette::BrightText, colour(theme::kDanger));
+  p.setColor(QPalette::Highlight, colour(theme::kAccent));
+  p.setColor(QPalette::HighlightedText, colour(theme::kGround));
+  p.setColor(QPalette::Link, colour(theme::kAccent));
+  p.setColor(QPalette::LinkVisited, colour(theme::kAccent));
+  p.setColor(QPalette::ToolTipBase, colour(theme::kRaised));
+  p.setColor(QPalette::ToolTipText, colour(theme::kText));
+  for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+    p.setColor(QPalette::Disabled, role, colour(theme::kQuiet));
+  return p;
+}
+
+/// The style sheet names colours by "@name".
+QString styleSheet() {
+  QString sheet;
+  for (const auto& file : embedded::stylesheets::files())
+    sheet += QString::fromUtf8(file.text.data(), int(file.text.size()));
+  constexpr std::pair<const char*, views::Colour> kNames[] = {
+      {"@ground", theme::kGround}, {"@panel", theme::kPanel},     {"@raised", theme::kRaised}, {"@line", theme::kLine},
+      {"@text", theme::kText},     {"@quiet", theme::kQuiet},     {"@accent", theme::kAccent}, {"@good", theme::kGood},
+      {"@danger", theme::kDanger}, {"@caution", theme::kCaution}, {"@black", theme::kBlack}};
+  for (const auto& [name, value] : kNames) sheet.replace(QLatin1String(name), colour(value).name());
+  return sheet;
+}
+
+}  // namespace
+
+QColor colour(views::Colour c) {
+  return {c.red, c.green, c.blue};
+}
+
+void setRole(QWidget* widget, const char* role) {
+  widget->setProperty("role", QLatin1String(role));
+}
+
+void applyTheme(QApplication& application) {
+  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setPalette(palette());
+  QFont font = QApplication::font();
+  font.setPointSizeF(10);
+  font.setStyleHint(QFont::SansSerif);
+  QApplication::setFont(font);
+  application.setStyleSheet(styleSheet());
+}
+
+}  // namespace insonate::ui
