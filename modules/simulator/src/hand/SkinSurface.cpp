@@ -10,10 +10,8 @@ namespace insonate {
 namespace {
 
 constexpr double kNode_mm = 2;
-constexpr double kSmoothing_mm = 1.4;    // SD, besides the mean over a node
-constexpr double kFootprintSd_mm = 5;    // of the weights that normals are averaged with
-constexpr double kFootprintStep_mm = 4;  // between the places that are averaged
-constexpr int kFootprintReach = 2;       // places each way
+constexpr double kSmoothing_mm = 1.4;  // SD, besides the mean over a node
+constexpr double kFootprint_mm = 6;    // SD, on top of that, of what normals are taken from
 
 /// Eight nodes round a place, edge nodes continuing outside.
 struct Cell {
@@ -54,7 +52,9 @@ Result<SkinSurface> SkinSurface::make(const LabelMap& labels) {
   skin.nodeFromPatient_ = inverted(skin.patientFromNode_);
   skin.average(labels);
   skin.fillPockets();
-  skin.smooth();
+  skin.smooth(kSmoothing_mm, skin.body_);
+  skin.footprint_ = skin.body_;
+  skin.smooth(kFootprint_mm, skin.footprint_);
   skin.collect();
   if (skin.skin_.empty())
     return fail("There is no skin in the label map: it is all background or all body. Label the body first.");
@@ -115,11 +115,11 @@ void SkinSurface::fillPockets() {
     if (seen[n] != kOutside && body_[n] < 0.5F) body_[n] = 1;
 }
 
-void SkinSurface::smooth() {
-  std::vector<float> scratch(body_.size());
+void SkinSurface::smooth(double sd_mm, std::vector<float>& share) const {
+  std::vector<float> scratch(share.size());
   const std::array<std::size_t, 3> step{1, std::size_t(size_[0]), std::size_t(size_[0]) * size_[1]};
   for (int axis = 0; axis < 3; ++axis) {
-    const double sd = kSmoothing_mm / spacing_mm_[axis];
+    const double sd = sd_mm / spacing_mm_[axis];
     const int radius = static_cast<int>(std::ceil(3 * sd));
     std::vector<float> weight;
     float sum = 0;
@@ -133,12 +133,12 @@ void SkinSurface::smooth() {
           float mean = 0;
           for (int o = -radius; o <= radius; ++o) {
             const int there = std::clamp(at[axis] + o, 0, size_[axis] - 1) - at[axis];
-            mean += weight[o + radius] * body_[n + std::ptrdiff_t(there) * std::ptrdiff_t(step[axis])];
+            mean += weight[o + radius] * share[n + std::ptrdiff_t(there) * std::ptrdiff_t(step[axis])];
           }
           scratch[n] = mean / sum;
         }
     });
-    body_.swap(scratch);
+    share.swap(scratch);
   }
 }
 
@@ -163,53 +163,33 @@ void SkinSurface::collect() {
       }
 }
 
-double SkinSurface::body(Vec3 patient_mm) const {
-  const Cell cell = cellAt(size_, nodeFromPatient_ * patient_mm);
+double SkinSurface::sample(const std::vector<float>& share, Vec3 node) const {
+  const Cell cell = cellAt(size_, node);
   double sum = 0;
   for (int c = 0; c < 8; ++c) {
     double weight = 1;
     for (int a = 0; a < 3; ++a) weight *= c >> a & 1 ? cell.f[a] : 1 - cell.f[a];
-    sum += weight * body_[offset(c & 1 ? cell.high[0] : cell.low[0], c & 2 ? cell.high[1] : cell.low[1],
+    sum += weight * share[offset(c & 1 ? cell.high[0] : cell.low[0], c & 2 ? cell.high[1] : cell.low[1],
                                  c & 4 ? cell.high[2] : cell.low[2])];
   }
   return sum;
 }
 
-/// How the share of body falls, per mm, along the lattice's axes.
-Vec3 SkinSurface::outwardSlope(Vec3 node) const {
-  const Cell cell = cellAt(size_, node);
-  double v[8];
-  for (int c = 0; c < 8; ++c)
-    v[c] = body_[offset(c & 1 ? cell.high[0] : cell.low[0], c & 2 ? cell.high[1] : cell.low[1],
-                        c & 4 ? cell.high[2] : cell.low[2])];
-  const auto mix = [](double a, double b, double f) { return a + (b - a) * f; };
-  const auto [x, y, z] = cell.f;
-  Vec3 slope{mix(mix(v[0] - v[1], v[2] - v[3], y), mix(v[4] - v[5], v[6] - v[7], y), z),
-             mix(mix(v[0] - v[2], v[1] - v[3], x), mix(v[4] - v[6], v[5] - v[7], x), z),
-             mix(mix(v[0] - v[4], v[1] - v[5], x), mix(v[2] - v[6], v[3] - v[7], x), y)};
-  // Beyond the volume, its outermost voxels go on.
-  for (int a = 0; a < 3; ++a) slope[a] = node[a] < 0 || node[a] > size_[a] - 1 ? 0 : slope[a] / spacing_mm_[a];
-  return slope;
+double SkinSurface::body(Vec3 patient_mm) const {
+  return sample(body_, nodeFromPatient_ * patient_mm);
 }
 
 Vec3 SkinSurface::normal(Vec3 patient_mm, Vec3 before) const {
-  const Vec3 centre = nodeFromPatient_ * patient_mm;
-  Vec3 sum;
-  double all = 0;
-  for (int k = -kFootprintReach; k <= kFootprintReach; ++k)
-    for (int j = -kFootprintReach; j <= kFootprintReach; ++j)
-      for (int i = -kFootprintReach; i <= kFootprintReach; ++i) {
-        const Vec3 off_mm = Vec3{double(i), double(j), double(k)} * kFootprintStep_mm;
-        const double weight = std::exp(-0.5 * dot(off_mm, off_mm) / (kFootprintSd_mm * kFootprintSd_mm));
-        const Vec3 node{off_mm.x / spacing_mm_.x, off_mm.y / spacing_mm_.y, off_mm.z / spacing_mm_.z};
-        sum = sum + outwardSlope(centre + node) * weight;
-        all += weight;
-      }
-  // Along the lattice's axes, which are at right angles: to patient directions.
+  const Vec3 node = nodeFromPatient_ * patient_mm;
   Vec3 outward;
-  for (int a = 0; a < 3; ++a) outward = outward + patientFromNode_.linear.column[a] * (sum[a] / spacing_mm_[a]);
-  outward = outward / all;
-  // A flat skin gives 1 / (sqrt(2 pi) 5.4 mm) here.
+  for (int a = 0; a < 3; ++a) {
+    Vec3 step;  // one node either way, so that the normal turns steadily from cell to cell
+    step[a] = 1;
+    const double slope_permm =
+        (sample(footprint_, node - step) - sample(footprint_, node + step)) / (2 * spacing_mm_[a]);
+    outward = outward + patientFromNode_.linear.column[a] * (slope_permm / spacing_mm_[a]);
+  }
+  // A flat skin gives 0.06 here.
   constexpr double kWeak_permm = 0.015;
   const double strength = norm(outward);
   if (strength < kWeak_permm) outward = outward + before * (kWeak_permm - strength);

@@ -37,9 +37,9 @@ class SkinSurface {
   SkinSurface() = default;
   void average(const LabelMap& labels);
   void fillPockets();
-  void smooth();
+  void smooth(double sd_mm, std::vector<float>& share) const;
   void collect();
-  Vec3 outwardSlope(Vec3 node) const;
+  double sample(const std::vector<float>& share, Vec3 node) const;
   std::size_t offset(int i, int j, int k) const { return (std::size_t(k) * size_[1] + j) * size_[0] + i; }
 
   std::array<int, 3> size_{};    ///< nodes
@@ -48,6 +48,7 @@ class SkinSurface {
   Vec3 spacing_mm_;              ///< of nodes
   Transform nodeFromPatient_, patientFromNode_;
   std::vector<float> body_;                 ///< [node]
+  std::vector<float> footprint_;            ///< [node] the same over about the footprint of a probe, for normals
   std::vector<std::array<float, 3>> skin_;  ///< patient positions near the skin, mm
 };
 

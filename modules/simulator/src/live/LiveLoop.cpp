@@ -20,9 +20,10 @@ int framesToSettle(double persistence) {
 
 LiveOptions completed(LiveOptions options) {
   if (options.threads <= 0) options.threads = std::max(1, tbb::info::default_concurrency() - 1);
-  options.sceneMargin_mm = std::clamp(options.sceneMargin_mm, 2.0, 100.0);
+  options.sceneMargin_mm = std::clamp(options.sceneMargin_mm, 2 * live::SceneNeed::kSeam_mm, 100.0);
   // A scene must not call for the next one as soon as it is built.
-  options.sceneReserve_mm = std::clamp(options.sceneReserve_mm, 0.0, 0.8 * options.sceneMargin_mm);
+  options.sceneReserve_mm =
+      std::clamp(options.sceneReserve_mm, live::SceneNeed::kSeam_mm, 0.8 * options.sceneMargin_mm);
   return options;
 }
 

@@ -1,0 +1,410 @@
+#include <insonate/simulator/LiveImaging.h>
+#include <insonate/simulator/ProbePose.h>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+#include <set>
+#include <thread>
+
+namespace insonate {
+namespace {
+
+using testing::HasSubstr;
+using namespace std::chrono_literals;
+using Frame = std::shared_ptr<const LiveFrame>;
+
+ImagingSetup smallSetup() {
+  ImagingSetup setup{*loadProbe("linear"), {}, *loadAcousticTable("neck"), "cpu"};
+  setup.settings = settingsFor(setup.probe);
+  setup.settings.depth_mm = 25;
+  setup.settings.scanlines = 48;
+  setup.settings.samples = 200;
+  setup.settings.elevationPlanes = 1;
+  setup.settings.looks = 1;
+  setup.settings.width = 128;
+  setup.settings.height = 96;
+  return setup;
+}
+
+Transform poseAt(double x_mm, double z_mm = 0) {
+  return *patientFromProbe({x_mm, 0, z_mm}, {0, 1, 0}, {1, 0, 0});
+}
+
+/// A slab of tissue 200 mm wide with a vein every 20 mm: several scenes side by side.
+std::shared_ptr<const PatientCase> wideCase() {
+  VolumeGeometry grid;
+  grid.size = {201, 46, 40};
+  grid.origin_mm = {-100, -10, -20};
+  auto patient = std::make_shared<PatientCase>(PatientCase{{}, CtVolume(grid, -1000), LabelMap(grid)});
+  for (int k = 0; k < grid.size[2]; ++k)
+    for (int j = 10; j < grid.size[1]; ++j)
+      for (int i = 0; i < grid.size[0]; ++i) {
+        const double x = i - 100, depth = j - 10;
+        const bool vein = std::hypot(std::remainder(x, 20), depth - 12) < 5;
+        patient->labels.at(i, j, k) = depth < 2 ? kSkin : vein ? kVein : kSoftTissue;
+        patient->ct.at(i, j, k) = static_cast<std::int16_t>(vein ? 45 : 30 + (i * 7 + j * 3 + k) % 11);
+      }
+  return patient;
+}
+
+BModeImage freshPicture(const PatientCase& patient, const ImagingSetup& setup, const Transform& pose) {
+  auto imager = Imager::make(setup);
+  Region region = regionOf(setup.probe, setup.settings, pose);
+  const Vec3 room_mm{6, 6, 6};  // what lies at the very edge of a scene may be off by a little
+  region = {region.low_mm - room_mm, region.high_mm + room_mm};
+  auto scene = makeScene(patient, setup, region);
+  EXPECT_TRUE(imager && scene);
+  ImagingFrame frame;
+  imager->render(**scene, pose, frame);
+  return frame.image;
+}
+
+int greatestDifference(const BModeImage& a, const BModeImage& b) {
+  if (a.grey.size() != b.grey.size()) return 256;
+  int most = 0;
+  for (std::size_t i = 0; i < a.grey.size(); ++i) most = std::max(most, std::abs(int(a.grey[i]) - int(b.grey[i])));
+  return most;
+}
+
+/// LiveImaging with a way to wait for what it says.
+class Live {
+ public:
+  explicit Live(const Transform& pose = poseAt(0), const ImagingSetup& setup = smallSetup(), LiveOptions options = {},
+                std::shared_ptr<const PatientCase> patient = wideCase()) {
+    options.threads = 2;
+    auto made = LiveImaging::make(std::move(patient), setup, pose, options);
+    EXPECT_TRUE(made) << made.error().message;
+    imaging_ = std::move(*made);
+    imaging_->onFrame([this] {
+      const std::lock_guard lock(mutex_);
+      ++calls_;
+      changed_.notify_all();
+    });
+    const std::lock_guard lock(mutex_);
+    changed_.notify_all();
+  }
+  ~Live() { imaging_->onFrame({}); }
+
+  LiveImaging* operator->() { return imaging_.get(); }
+  int calls() {
+    const std::lock_guard lock(mutex_);
+    return calls_;
+  }
+
+  template <class Condition>
+  bool until(const Condition& condition, std::chrono::milliseconds patience = 60s) {
+    const auto end = std::chrono::steady_clock::now() + patience;
+    std::unique_lock lock(mutex_);
+    while (!condition()) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      changed_.wait_for(lock, 5ms);
+    }
+    return true;
+  }
+  /// The picture of a pose.
+  Frame frameAt(const Transform& pose) {
+    imaging_->setPose(pose);
+    Frame frame;
+    EXPECT_TRUE(until([&] { return (frame = imaging_->latest()) && frame->patientFromProbe == pose; }));
+    return frame;
+  }
+  /// Nothing more is under way.
+  void settle() {
+    until([&] { return imaging_->latest() && !imaging_->status().buildingScene; });
+    std::this_thread::sleep_for(50ms);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  int calls_ = 0;
+  std::unique_ptr<LiveImaging> imaging_;
+};
+
+TEST(LiveImaging, FirstFrameArrivesWithAllThatLedToIt) {
+  Live live(poseAt(3));
+  Frame frame;
+  ASSERT_TRUE(live.until([&] { return (frame = live->latest()) != nullptr; }));
+  EXPECT_EQ(frame->number, 1u);
+  EXPECT_EQ(frame->patientFromProbe, poseAt(3));
+  EXPECT_EQ(frame->image.width, 128);
+  EXPECT_EQ(frame->setup->probe.name, smallSetup().probe.name);
+  EXPECT_EQ(frame->setup->settings.depth_mm, 25);
+  EXPECT_FALSE(frame->stages.empty());
+  EXPECT_GT(frame->frame_ms, 0);
+  EXPECT_GT(frame->time_s, 0);
+  EXPECT_TRUE(frame->warnings->empty());
+  EXPECT_TRUE(frame->envelope.amplitude.empty());
+  ASSERT_TRUE(live.until([&] { return live->status().state == LiveState::Imaging; }));
+  EXPECT_EQ(live->status().scenesBuilt, 1);
+  EXPECT_GT(live->status().sceneBuild_ms, 0);
+}
+
+TEST(LiveImaging, LatestPoseWins) {
+  Live live;
+  ASSERT_TRUE(live.frameAt(poseAt(0)));
+  std::vector<std::thread> hands;
+  for (int hand = 0; hand < 3; ++hand)
+    hands.emplace_back([&] {
+      for (int i = 0; i < 300; ++i) live->setPose(poseAt(0.01 * i));
+    });
+  for (std::thread& hand : hands) hand.join();
+  const Frame last = live.frameAt(poseAt(5));
+  ASSERT_TRUE(last);
+  EXPECT_LT(last->number, 800u) << "poses in between are left out";
+  live.settle();
+  EXPECT_EQ(live->latest(), last);
+}
+
+TEST(LiveImaging, AStillProbeMakesNoPictures) {
+  Live live;
+  ASSERT_TRUE(live.frameAt(poseAt(0)));
+  live.settle();
+  const Frame frame = live->latest();
+  const int calls = live.calls();
+  for (int i = 0; i < 5; ++i) live->setPose(poseAt(0));
+  std::this_thread::sleep_for(100ms);
+  EXPECT_EQ(live->latest(), frame);
+  EXPECT_EQ(live.calls(), calls);
+}
+
+TEST(LiveImaging, PersistenceSettlesAndThenRests) {
+  ImagingSetup setup = smallSetup();
+  setup.settings.persistence = 0.5;
+  Live live(poseAt(0), setup);
+  ASSERT_TRUE(live.frameAt(poseAt(0)));
+  ASSERT_TRUE(live.frameAt(poseAt(8)));
+  const auto picturesThere = [&] {
+    return std::ranges::count_if(live->cine(1e9),
+                                 [](const Frame& frame) { return frame->patientFromProbe == poseAt(8); });
+  };
+  ASSERT_TRUE(live.until([&] { return picturesThere() >= 10; }));
+  std::this_thread::sleep_for(100ms);
+  EXPECT_EQ(picturesThere(), 10) << "0.5^9 of 255 grey levels is the first below a half";
+  const Frame settled = live->latest();
+  setup.settings.persistence = 0;
+  EXPECT_LE(greatestDifference(settled->image, freshPicture(*wideCase(), setup, poseAt(8))), 1);
+}
+
+TEST(LiveImaging, PicturesDoNotDependOnTheSceneTheyAreMadeFrom) {
+  LiveOptions options;
+  options.sceneMargin_mm = 10, options.sceneReserve_mm = 6;
+  Live live(poseAt(-70), smallSetup(), options);
+  const auto patient = wideCase();
+  for (double x_mm = -70; x_mm <= 70; x_mm += 14) {
+    const Frame frame = live.frameAt(poseAt(x_mm));
+    ASSERT_TRUE(frame);
+    EXPECT_LE(greatestDifference(frame->image, freshPicture(*patient, smallSetup(), poseAt(x_mm))), 1) << x_mm;
+  }
+  EXPECT_GE(live->status().scenesBuilt, 4);
+}
+
+TEST(LiveImaging, TheNextSceneIsThereBeforeTheProbeLeaves) {
+  Live live;
+  ASSERT_TRUE(live.frameAt(poseAt(0)));
+  ASSERT_TRUE(live.frameAt(poseAt(8)));  // less than 9 mm left of 15
+  ASSERT_TRUE(live.until([&] { return live->status().scenesBuilt == 2; }));
+  live.settle();
+  EXPECT_EQ(live->status().state, LiveState::Imaging);
+  ASSERT_TRUE(live.frameAt(poseAt(20)));  // beyond the first
+}
+
+TEST(LiveImaging, FreezingKeepsTheFrame) {
+  Live live;
+  ASSERT_TRUE(live.frameAt(poseAt(0)));
+  std::atomic<bool> stop{false};
+  std::thread hand([&] {
+    for (int i = 0; !stop; ++i) live->setPose(poseAt(0.001 * i));
+  });
+  live->setFrozen(true);
+  const Frame frozen = live->latest();
+  std::this_thread::sleep_for(50ms);
+  EXPECT_EQ(live->latest(), frozen);
+  EXPECT_EQ(live->status().state, LiveState::Frozen);
+  stop = true;
+  hand.join();
+  live->setPose(poseAt(4));
+  std::this_thread::sleep_for(20ms);
+  EXPECT_EQ(live->latest(), frozen);
+  live->setFrozen(false);
+  EXPECT_TRUE(live.until([&] { return live->latest()->patientFromProbe == poseAt(4); }));
+  EXPECT_EQ(live->latest()->number, frozen->number + 1);
+}
+
+TEST(LiveImaging, CineIsBoundedAndItsFramesOutliveEverything) {
+  std::vector<Frame> cine;
+  {
+    LiveOptions options;
+    options.cineBytes = 10 * (128 * 96 + 4096);
+    Live live(poseAt(0), smallSetup(), options);
+    ASSERT_TRUE(live.frameAt(poseAt(0)));
+    EXPECT_EQ(live->cine(1e9).size(), 1u);
+    for (int i = 1; i <= 40; ++i) ASSERT_TRUE(live.frameAt(poseAt(0.1 * i)));
+    cine = live->cine(1e9);
+    EXPECT_GE(cine.size(), 5u);
+    EXPECT_LE(cine.size(), 12u);
+    EXPECT_EQ(cine.back(), live->latest());
+    EXPECT_EQ(live->cine(0).size(), 1u);
+    for (std::size_t i = 1; i < cine.size(); ++i) {
+      EXPECT_EQ(cine[i]->number, cine[i - 1]->number + 1);
+      EXPECT_GT(cine[i]->time_s, cine[i - 1]->time_s);
+    }
+    // What somebody holds is not painted over.
+    const std::vector<std::uint8_t> before = cine.front()->image.grey;
+    for (int i = 1; i <= 30; ++i) ASSERT_TRUE(live.frameAt(poseAt(-0.1 * i)));
+    EXPECT_EQ(cine.front()->image.grey, before);
+  }
+  const auto patient = wideCase();
+  const Frame& kept = cine.back();
+  EXPECT_LE(greatestDifference(kept->image, freshPicture(*patient, smallSetup(), kept->patientFromProbe)), 1);
+}
+
+TEST(LiveImaging, FramesAreUsedAgain) {
+  LiveOptions options;
+  options.cineBytes = 1;
+  Live live(poseAt(0), smallSetup(), options);
+  std::set<const std::uint8_t*> buffers;
+  for (int i = 0; i < 60; ++i) {
+    const Frame frame = live.frameAt(poseAt(0.05 * i));
+    ASSERT_TRUE(frame);
+    buffers.insert(frame->image.grey.data());
+  }
+  EXPECT_LE(buffers.size(), 6u);
+}
+
+TEST(LiveImaging, EnvelopesComeWhereAskedFor) {
+  LiveOptions options;
+  options.keepEnvelopes = true;
+  Live live(poseAt(0), smallSetup(), options);
+  for (const double x_mm : {0.0, 1.0, 2.0, 3.0}) {
+    const Frame frame = live.frameAt(poseAt(x_mm));
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->envelope.amplitude.size(), 48u * 200u);
+  }
+}
+
+TEST(LiveImaging, ABadSetupIsRefusedAndTheOldGoesOn) {
+  Live live;
+  ASSERT_TRUE(live.frameAt(poseAt(0)));
+  ImagingSetup bad = smallSetup();
+  bad.settings.gain_dB = 1000;
+  const auto refused = live->setSetup(bad);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("gain_dB"));
+  bad = smallSetup();
+  bad.engine = "magic";
+  EXPECT_FALSE(live->setSetup(bad));
+  EXPECT_EQ(live.frameAt(poseAt(1))->setup->settings.gain_dB, 0);
+}
+
+TEST(LiveImaging, SetupsAreTakenOverWithTheirScene) {
+  Live live;
+  ASSERT_TRUE(live.frameAt(poseAt(0)));
+  ImagingSetup setup = smallSetup();
+  const auto patient = wideCase();
+  const auto taken = [&] {
+    Frame frame;
+    EXPECT_TRUE(live->setSetup(setup));
+    EXPECT_TRUE(live.until([&] {
+      frame = live->latest();
+      return frame->setup->settings.gain_dB == setup.settings.gain_dB &&
+             frame->setup->settings.depth_mm == setup.settings.depth_mm &&
+             frame->setup->tissues.tissues[kVein].echogenicity_dB == setup.tissues.tissues[kVein].echogenicity_dB &&
+             frame->setup->probe.name == setup.probe.name && frame->setup->engine == setup.engine;
+    }));
+    EXPECT_LE(greatestDifference(frame->image, freshPicture(*patient, setup, poseAt(0))), 1);
+  };
+  setup.settings.gain_dB = 6;
+  taken();
+  EXPECT_EQ(live->status().scenesBuilt, 1) << "gain needs no scene";
+  setup.tissues.tissues[kVein].echogenicity_dB += 30;
+  taken();
+  EXPECT_EQ(live->status().scenesBuilt, 2);
+  setup.settings.depth_mm = 60;
+  taken();
+  setup.engine = "reference";
+  taken();
+  setup.probe = *loadProbe("curvilinear");
+  setup.settings = smallSetup().settings;
+  setup.settings.depth_mm = 80, setup.settings.frequency_MHz = setup.probe.defaultFrequency_MHz;
+  setup.settings.focus_mm = setup.probe.defaultFocus_mm, setup.engine = "cpu";
+  taken();
+}
+
+TEST(LiveImaging, OutsideThePatientIsBlackAndComesBack) {
+  Live live;
+  ASSERT_TRUE(live.frameAt(poseAt(0)));
+  const Frame outside = live.frameAt(poseAt(1000));
+  ASSERT_TRUE(outside);
+  EXPECT_EQ(std::ranges::count(outside->image.grey, 0), 128 * 96);
+  ASSERT_TRUE(live.until([&] { return live->status().state == LiveState::Outside; }));
+  const Frame back = live.frameAt(poseAt(2));
+  ASSERT_TRUE(back);
+  EXPECT_LE(greatestDifference(back->image, freshPicture(*wideCase(), smallSetup(), poseAt(2))), 1);
+  ASSERT_TRUE(live.until([&] { return live->status().state == LiveState::Imaging; }));
+}
+
+TEST(LiveImaging, StartsOutside) {
+  Live live(poseAt(1000));
+  ASSERT_TRUE(live.until([&] { return live->latest() != nullptr; }));
+  EXPECT_EQ(std::ranges::count(live->latest()->image.grey, 0), 128 * 96);
+}
+
+TEST(LiveImaging, PosesThatAreNoneAreIgnored) {
+  Live live;
+  ASSERT_TRUE(live.frameAt(poseAt(0)));
+  Transform sick = poseAt(1);
+  sick.offset.y = NAN;
+  live->setPose(sick);
+  sick = poseAt(1);
+  sick.linear.column[0] = sick.linear.column[0] * 3;
+  live->setPose(sick);
+  EXPECT_TRUE(live.frameAt(poseAt(2)));
+}
+
+TEST(LiveImaging, GoesAtAnyMoment) {
+  const auto patient = wideCase();
+  for (int i = 0; i < 20; ++i) {
+    auto live = LiveImaging::make(patient, smallSetup(), poseAt(0));
+    ASSERT_TRUE(live);
+    std::this_thread::sleep_for(std::chrono::microseconds(700 * i));
+    (*live)->setPose(poseAt(40 * (i % 3)));
+    if (i % 2) std::this_thread::sleep_for(std::chrono::microseconds(300 * i));
+  }
+}
+
+TEST(LiveImaging, CountsPicturesOfTheLastSecond) {
+  Live live;
+  ASSERT_TRUE(live.frameAt(poseAt(0)));
+  for (int i = 1; i <= 20; ++i) live.frameAt(poseAt(0.1 * i));
+  EXPECT_GE(live->imagesPerSecond(), 1);
+  std::this_thread::sleep_for(1100ms);
+  EXPECT_EQ(live->imagesPerSecond(), 0);
+}
+
+TEST(LiveImaging, RefusesWhatItCannotImage) {
+  const auto refusal = [](std::shared_ptr<const PatientCase> patient, const ImagingSetup& setup,
+                          const Transform& pose) {
+    const auto live = LiveImaging::make(std::move(patient), setup, pose);
+    return live ? std::string() : live.error().message;
+  };
+  EXPECT_THAT(refusal(nullptr, smallSetup(), poseAt(0)), HasSubstr("no case"));
+  auto torn = std::make_shared<PatientCase>(*wideCase());
+  torn->labels.geometry.origin_mm.x += 10;
+  EXPECT_THAT(refusal(torn, smallSetup(), poseAt(0)), HasSubstr("grids"));
+  ImagingSetup bad = smallSetup();
+  bad.settings.depth_mm = -1;
+  EXPECT_THAT(refusal(wideCase(), bad, poseAt(0)), HasSubstr("depth_mm"));
+  Transform sick = poseAt(0);
+  sick.linear.column[2] = {};
+  EXPECT_THAT(refusal(wideCase(), smallSetup(), sick), HasSubstr("pose"));
+}
+
+}  // namespace
+}  // namespace insonate
