@@ -91,7 +91,7 @@ Result<AcousticTable> parseAcousticTable(std::string_view text) {
   try {
     file = json::parse(text);
   } catch (const json::exception& error) {
-    return fail(std::string("This is not valid JSON: ") + error.what());
+    return fail("This is not valid JSON: " + jsonTrouble(error.what()) + ".");
   }
   return readTable(file);
 }
