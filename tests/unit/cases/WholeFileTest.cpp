@@ -11,7 +11,9 @@ namespace insonate {
 namespace {
 
 using testing::AllOf;
+using testing::AnyOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::internal::CaptureStderr;
 using testing::internal::GetCapturedStderr;
 
@@ -80,6 +82,18 @@ TEST_F(WholeFile, ANiftiThatPromisesMoreThanAnyMachineHolds) {
   for (const int n : {42, 44, 46}) absurd[n] = '\xff', absurd[n + 1] = '\x7f';
   test::writeText(folder / "a.nii", absurd);
   EXPECT_THAT(importSeries(folder / "a.nii").error().message, HasSubstr("a.nii"));
+}
+
+TEST_F(WholeFile, OfADamagedNrrdTheInnermostReasonIsTold) {
+  const std::string header =
+      "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 20 15 12\nencoding: gzip\n"
+      "endian: little\nspace directions: (0.5,0,0) (0,0.75,0) (0,0,2)\nspace origin: (-10,20,30)\n\n";
+  const std::string data = gzip(voxels);
+  test::writeText(folder / "a.nrrd", header + data.substr(0, data.size() / 2));
+  const auto cut = importSeries(folder / "a.nrrd");
+  ASSERT_FALSE(cut);
+  EXPECT_THAT(cut.error().message, AllOf(HasSubstr("a.nrrd"), HasSubstr("expected"), HasSubstr("bytes")));
+  EXPECT_THAT(cut.error().message, Not(AnyOf(HasSubstr("0x"), HasSubstr("[nrrd]"), HasSubstr("ERROR"))));
 }
 
 TEST_F(WholeFile, MetaImageInOneFile) {

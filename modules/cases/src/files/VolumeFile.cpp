@@ -44,11 +44,13 @@ Io::Pointer makeIo(const fs::path& file) {
   return itk::MetaImageIO::New().GetPointer();
 }
 
-/// A reader's words without its class names and addresses.
-std::string oneLine(std::string text) {
-  if (const std::size_t name = text.find("itk::ERROR"); name != std::string::npos)
-    if (const std::size_t end = text.find("): ", name); end != std::string::npos) text.erase(name, end + 3 - name);
+/// The innermost reason of a reader that stacks them, without its class names and addresses.
+std::string innermost(std::string text) {
   std::ranges::replace(text, '\n', ' ');
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  const std::size_t teem = text.rfind("[nrrd] ");
+  const std::size_t from = text.find(": ", teem == std::string::npos ? text.rfind("0x") : teem);
+  if (from != std::string::npos) text.erase(0, from + 2);
   if (text.size() > 200) text = text.substr(0, 200) + "...";
   return text;
 }
@@ -183,11 +185,11 @@ Result<RawVolume> readVolumeFile(const fs::path& file, ReadPart part) {
     if (auto ok = readValues(*io, file, *raw); !ok) return tl::unexpected(ok.error());
     return raw;
   } catch (const itk::ExceptionObject& e) {
-    return fail(sentence + oneLine(e.GetDescription()));
+    return fail(sentence + innermost(e.GetDescription()));
   } catch (const std::bad_alloc&) {
     return fail("Could not read " + file.string() + ": it needs more memory than there is.");
   } catch (const std::exception& e) {
-    return fail(sentence + oneLine(e.what()));
+    return fail(sentence + innermost(e.what()));
   }
 }
 
