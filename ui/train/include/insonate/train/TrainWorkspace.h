@@ -1,0 +1,45 @@
+#pragma once
+
+#include <insonate/ui/Workspace.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace insonate::train {
+
+/// The room where a probe is moved over a patient and the ultrasound picture follows. Controls on the left, the picture
+/// in the middle, the patient in 3D and as CT on the right. The hand is the mouse and the keyboard; shortcuts() lists
+/// what they do. Computing happens on threads that end within a second; the window never waits for a picture.
+class TrainWorkspace : public ui::Workspace {
+  Q_OBJECT
+
+ public:
+  explicit TrainWorkspace(QWidget* parent = nullptr);
+  ~TrainWorkspace() override;
+
+  void setCase(std::shared_ptr<const PatientCase> patient) override;
+  QString statusText() const override;
+  QString engineText() const override;
+  /// From the first live picture on.
+  bool isReady() const override;
+  QString helpPage() const override { return QStringLiteral("train"); }
+  std::vector<ui::Shortcut> shortcuts() const override;
+  void saveLayout(QSettings& settings) const override;
+  void restoreLayout(QSettings& settings) override;
+  void stop() override;
+
+  /// The picture on display as PNG with its scale; says in the status whether it was written.
+  bool savePicture(const std::filesystem::path& file);
+  /// The last seconds as numbered PNGs in a folder, which is made; goes on in the background.
+  void saveClip(const std::filesystem::path& folder);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace insonate::train

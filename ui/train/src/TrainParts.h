@@ -1,0 +1,73 @@
+#pragma once
+
+#include "TrainSession.h"
+#include "files/PictureExport.h"
+
+#include <insonate/train/TrainWorkspace.h>
+#include <insonate/views/UltrasoundView.h>
+
+#include <QString>
+#include <QTimer>
+#include <memory>
+
+class QKeyEvent;
+class QLabel;
+class QSplitter;
+
+namespace insonate::ui {
+class ViewWidget;
+}
+
+namespace insonate::train {
+
+struct KeyRow;
+class CineBar;
+class ControlsPanel;
+class ImageInput;
+class PatientViews;
+
+/// What the workspace is made of, and how the parts act on each other.
+class TrainWorkspace::Parts : public QObject {
+ public:
+  explicit Parts(TrainWorkspace& workspace);
+  ~Parts() override;
+
+  TrainSession session;
+  QSplitter* columns = nullptr;
+  ControlsPanel* panel = nullptr;
+  PatientViews* patient = nullptr;
+  QString engineText;
+  bool ready = false;
+
+  bool key(const QKeyEvent& event, bool act);
+  /// For canvases: keys of the table, and the keyboard follows the mouse to the picture.
+  bool canvasEvent(QObject* canvas, QEvent* event);
+  bool savePicture(const std::filesystem::path& file);
+  void saveClip(const std::filesystem::path& folder);
+
+ private:
+  QWidget* buildCentre();
+  void connectParts();
+  void act(const KeyRow& row, bool wide, bool repeated);
+  void chooseCalliper(int kind);
+  void showCallipers();
+  void showPicture();
+  void showCase();
+  void showRate();
+  void takeKeyboard(QObject* canvas);
+  void askPicture();
+  void askClip();
+
+  TrainWorkspace& workspace_;
+  std::shared_ptr<views::UltrasoundView> image_;
+  ui::ViewWidget* imageWidget_ = nullptr;
+  QLabel* empty_ = nullptr;
+  ImageInput* input_ = nullptr;
+  CineBar* cine_ = nullptr;
+  std::shared_ptr<const ImagingSetup> shape_;  ///< of the picture as laid out
+  std::unique_ptr<ClipWriter> clip_;
+  QString lastFolder_;
+  QTimer rate_;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,223 @@
+#include "TrainSession.h"
+
+#include <insonate/simulator/EffectLayers.h>
+#include <insonate/simulator/ProbePose.h>
+#include <insonate/tissue/AcousticTable.h>
+
+#include <algorithm>
+
+namespace insonate::train {
+
+ImagingSettings fitted(ImagingSettings settings, const Probe& probe) {
+  settings.depth_mm = std::clamp(settings.depth_mm, probe.minDepth_mm, probe.maxDepth_mm);
+  settings.frequency_MHz = std::clamp(settings.frequency_MHz, probe.minFrequency_MHz, probe.maxFrequency_MHz);
+  settings.focus_mm = std::clamp(settings.focus_mm, 1.0, settings.depth_mm);
+  settings.gain_dB = std::clamp(settings.gain_dB, -40.0, 40.0);
+  settings.dynamicRange_dB = std::clamp(settings.dynamicRange_dB, 20.0, 120.0);
+  settings.persistence = std::clamp(settings.persistence, 0.0, 0.95);
+  for (double& value : settings.tgc_dB) value = std::clamp(value, -20.0, 20.0);
+  return settings;
+}
+
+TrainSession::TrainSession(QObject* parent) : QObject(parent), feed_([this] { news(); }) {
+  // Both come with the program.
+  probe_ = loadProbe("linear").value_or(Probe{});
+  tissues_ = loadAcousticTable(acousticPresetNames().front()).value_or(AcousticTable{});
+  settings_ = settingsFor(probe_);
+}
+
+TrainSession::~TrainSession() {
+  stop();
+}
+
+void TrainSession::stop() {
+  worker_ = nullptr;
+  feed_.set(nullptr);
+}
+
+void TrainSession::setCase(std::shared_ptr<const PatientCase> patient) {
+  stop();
+  patient_ = std::move(patient);
+  control_.setHand(std::nullopt);
+  start_ = {};
+  shown_ = nullptr;
+  cine_.clear();
+  cineIndex_ = 0;
+  failure_.clear();
+  const bool wasFrozen = std::exchange(frozen_, false);
+  say(patient_ ? tr("Building the first scene.") : QString());
+  Q_EMIT caseChanged();
+  if (wasFrozen) Q_EMIT frozenChanged();
+  if (!patient_) return;
+  CaseWork work;
+  work.start = [this](StartPose pose) {
+    start_ = std::move(pose);
+    startLive();
+  };
+  work.hand = [this](ProbeHand hand) {
+    control_.setHand(std::move(hand));
+    Q_EMIT handMoved();
+  };
+  work.surface = [this](std::uint8_t label, std::shared_ptr<const Mesh> mesh) { Q_EMIT surfaceMade(label, mesh); };
+  work.failed = [this](const QString& text) {
+    say(text);
+    Q_EMIT failed(text);
+  };
+  worker_ = std::make_unique<CaseWorker>(patient_, std::move(work));
+}
+
+ImagingSetup TrainSession::setup() const {
+  ImagingSetup all{probe_, settings_, tissues_, "cpu"};
+  if (effect_ != kWholeModel)
+    for (const EffectLayer& layer : effectLayers(settings_))
+      if (layer.name == effect_) all.settings = layer.settings;
+  return all;
+}
+
+void TrainSession::startLive() {
+  const auto pose = patientFromProbe(start_.position_mm, start_.axial, start_.lateral);
+  if (!pose) return say(QString::fromStdString(pose.error().message));
+  auto live = LiveImaging::make(patient_, setup(), *pose);
+  if (!live) {
+    const QString text = QString::fromStdString(live.error().message);
+    say(text);
+    Q_EMIT failed(text);
+    return;
+  }
+  feed_.set(std::move(*live));
+}
+
+void TrainSession::news() {
+  if (!feed_.live()) return;
+  const LiveStatus now = feed_.live()->status();
+  if (now.message != failure_) {
+    failure_ = now.message;
+    if (!failure_.empty()) say(QString::fromStdString(failure_));
+  }
+  if (!frozen_) show(feed_.live()->latest());
+}
+
+void TrainSession::show(std::shared_ptr<const LiveFrame> frame) {
+  if (!frame || frame == shown_) return;
+  const bool first = !shown_;
+  shown_ = std::move(frame);
+  if (first) say(tr("Drag on the image to slide the probe. Keys: ?"));
+  Q_EMIT pictureShown();
+}
+
+bool TrainSession::setProbe(const std::string& name) {
+  auto probe = loadProbe(name);
+  if (!probe) return false;
+  const ImagingSettings own = settingsFor(*probe);
+  probe_ = std::move(*probe);
+  settings_.depth_mm = own.depth_mm;
+  settings_.frequency_MHz = own.frequency_MHz;
+  settings_.focus_mm = own.focus_mm;
+  sendSetup();
+  return true;
+}
+
+void TrainSession::setSettings(ImagingSettings settings) {
+  settings_ = fitted(settings, probe_);
+  sendSetup();
+}
+
+void TrainSession::setEffect(const std::string& name) {
+  effect_ = name;
+  sendSetup();
+}
+
+void TrainSession::sendSetup() {
+  if (feed_.live())
+    if (auto ok = feed_.live()->setSetup(setup()); !ok) say(QString::fromStdString(ok.error().message));
+  Q_EMIT setupChanged();
+}
+
+ProbeHandState TrainSession::handState() const {
+  return control_.hand() ? control_.hand()->state() : ProbeHandState{};
+}
+
+Transform TrainSession::pose() const {
+  return control_.hand() ? control_.hand()->pose() : Transform{};
+}
+
+bool TrainSession::mayMove() {
+  if (!frozen_) return true;
+  say(tr("The picture is frozen. Space goes on."));
+  return false;
+}
+
+void TrainSession::moved(HandMove result) {
+  if (!result.done()) say(QString::fromUtf8(result.stopped.data(), int(result.stopped.size())));
+  if (!control_.ready()) return;
+  if (feed_.live()) feed_.live()->setPose(pose());
+  Q_EMIT handMoved();
+}
+
+void TrainSession::move(HandAxis axis, double amount) {
+  if (mayMove()) moved(control_.move(axis, amount));
+}
+
+void TrainSession::slide(double lateral_mm, double elevation_mm) {
+  if (mayMove()) moved(control_.slide(lateral_mm, elevation_mm));
+}
+
+void TrainSession::typed(HandAxis axis, double value) {
+  control_.begin();
+  if (mayMove()) moved(control_.set(axis, value));
+  if (frozen_) Q_EMIT handMoved();  // The number goes back to what it was.
+}
+
+void TrainSession::moveTo(Vec3 patient_mm) {
+  if (mayMove()) moved(control_.moveTo(patient_mm));
+}
+
+void TrainSession::goTo(const StartPose& pose) {
+  control_.begin();
+  if (mayMove()) moved(control_.setPose(pose));
+}
+
+void TrainSession::home() {
+  if (patient_ && control_.ready()) goTo(start_);
+}
+
+void TrainSession::undo() {
+  if (!mayMove()) return;
+  if (control_.undo())
+    moved({});
+  else
+    say(tr("There is no move to take back."));
+}
+
+void TrainSession::setFrozen(bool frozen) {
+  if (frozen == frozen_ || !feed_.live() || !shown_) return;
+  feed_.live()->setFrozen(frozen);
+  frozen_ = frozen;
+  cine_ = frozen ? feed_.live()->cine(kCine_s) : decltype(cine_){};
+  cineIndex_ = std::max(0, int(cine_.size()) - 1);
+  Q_EMIT frozenChanged();
+  say(frozen ? tr("Frozen. Comma and period step through the last seconds.") : tr("Live."));
+  show(frozen && !cine_.empty() ? cine_.back() : feed_.live()->latest());
+}
+
+void TrainSession::showCine(int index) {
+  if (!frozen_ || cine_.empty()) return;
+  cineIndex_ = std::clamp(index, 0, int(cine_.size()) - 1);
+  show(cine_[cineIndex_]);
+}
+
+LiveStatus TrainSession::status() const {
+  return feed_.live() ? feed_.live()->status() : LiveStatus{};
+}
+
+double TrainSession::imagesPerSecond() const {
+  return feed_.live() ? feed_.live()->imagesPerSecond() : 0;
+}
+
+void TrainSession::say(const QString& sentence) {
+  if (sentence == message_) return;
+  message_ = sentence;
+  Q_EMIT messageChanged();
+}
+
+}  // namespace insonate::train

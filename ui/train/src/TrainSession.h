@@ -1,0 +1,121 @@
+#pragma once
+
+#include "hand/ProbeControl.h"
+#include "live/CaseWorker.h"
+#include "live/LiveFeed.h"
+
+#include <insonate/simulator/LiveImaging.h>
+#include <insonate/surface/Mesh.h>
+
+#include <QObject>
+#include <QString>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace insonate::train {
+
+/// What happens between the controls and the views: a patient, the probe in the hand, its live pictures, and the last
+/// seconds of them. Knows no widget.
+class TrainSession : public QObject {
+  Q_OBJECT
+
+ public:
+  static constexpr double kCine_s = 12;
+  /// Every effect together, in effect().
+  static constexpr const char* kWholeModel = "";
+
+  explicit TrainSession(QObject* parent = nullptr);
+  ~TrainSession() override;
+
+  /// Stops everything that belongs to the case before. Null for none.
+  void setCase(std::shared_ptr<const PatientCase> patient);
+  const std::shared_ptr<const PatientCase>& patient() const { return patient_; }
+  /// Ends the threads; within a second.
+  void stop();
+
+  // Probe and settings
+  const Probe& probe() const { return probe_; }
+  const ImagingSettings& settings() const { return settings_; }
+  /// A preset; depth, frequency and focus become the probe's own, the rest stays. False for an unknown name.
+  bool setProbe(const std::string& name);
+  /// What the probe cannot do is brought to the nearest that it can.
+  void setSettings(ImagingSettings settings);
+  /// Shows one effect of EffectLayers.h by itself.
+  void setEffect(const std::string& name);
+  const std::string& effect() const { return effect_; }
+
+  // The hand. Moves are refused while the picture is frozen.
+  bool handReady() const { return control_.ready(); }
+  HandNumbers numbers() const { return control_.numbers(); }
+  ProbeHandState handState() const;
+  Transform pose() const;
+  /// The moves up to the next call are undone together.
+  void beginGesture() { control_.begin(); }
+  void move(HandAxis axis, double mmOrDegrees);
+  void slide(double lateral_mm, double elevation_mm);
+  void typed(HandAxis axis, double value);
+  void moveTo(Vec3 patient_mm);
+  void goTo(const StartPose& pose);
+  void home();
+  void undo();
+  /// Where home() goes; known before the first picture.
+  const StartPose& start() const { return start_; }
+
+  // Pictures
+  bool isFrozen() const { return frozen_; }
+  void setFrozen(bool frozen);
+  /// The picture on display: live, or one of the past; null before the first.
+  const std::shared_ptr<const LiveFrame>& shown() const { return shown_; }
+  /// While frozen: the last seconds, oldest first.
+  const std::vector<std::shared_ptr<const LiveFrame>>& cine() const { return cine_; }
+  int cineIndex() const { return cineIndex_; }
+  void showCine(int index);
+
+  LiveStatus status() const;
+  double imagesPerSecond() const;
+  /// What just happened, a sentence; or the next thing to do.
+  QString message() const { return message_; }
+  void say(const QString& sentence);
+
+ Q_SIGNALS:
+  void caseChanged();
+  void pictureShown();
+  void handMoved();  ///< also when it is there for the first time
+  void setupChanged();
+  void frozenChanged();
+  void messageChanged();
+  void surfaceMade(int label, std::shared_ptr<const insonate::Mesh> mesh);
+  void failed(const QString& what);
+
+ private:
+  void startLive();
+  void news();
+  void show(std::shared_ptr<const LiveFrame> frame);
+  void sendSetup();
+  void moved(HandMove result);
+  bool mayMove();
+  ImagingSetup setup() const;
+
+  std::shared_ptr<const PatientCase> patient_;
+  Probe probe_;
+  ImagingSettings settings_;
+  AcousticTable tissues_;
+  std::string effect_ = kWholeModel;
+  ProbeControl control_;
+  StartPose start_;
+  bool frozen_ = false;
+  std::shared_ptr<const LiveFrame> shown_;
+  std::vector<std::shared_ptr<const LiveFrame>> cine_;
+  int cineIndex_ = 0;
+  QString message_;
+  std::string failure_;  ///< of the live probe, as last said
+  LiveFeed feed_;
+  std::unique_ptr<CaseWorker> worker_;
+};
+
+/// Within what validate() accepts for this probe.
+ImagingSettings fitted(ImagingSettings settings, const Probe& probe);
+
+}  // namespace insonate::train

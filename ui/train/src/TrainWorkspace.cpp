@@ -1,0 +1,84 @@
+#include "TrainParts.h"
+#include "hand/KeyTable.h"
+#include "panel/ControlsPanel.h"
+#include "scene/PatientViews.h"
+
+#include <insonate/train/TrainWorkspace.h>
+
+#include <QKeyEvent>
+#include <QSettings>
+#include <QSplitter>
+#include <algorithm>
+
+namespace insonate::train {
+
+TrainWorkspace::TrainWorkspace(QWidget* parent) : ui::Workspace(parent), parts_(std::make_unique<Parts>(*this)) {
+  setObjectName("train");
+}
+
+TrainWorkspace::~TrainWorkspace() {
+  parts_->session.stop();
+  // The widgets refer to the session: they go first.
+  delete parts_->columns;
+}
+
+void TrainWorkspace::setCase(std::shared_ptr<const PatientCase> patient) {
+  parts_->session.setCase(std::move(patient));
+}
+
+QString TrainWorkspace::statusText() const {
+  return parts_->session.message();
+}
+
+QString TrainWorkspace::engineText() const {
+  return parts_->engineText;
+}
+
+bool TrainWorkspace::isReady() const {
+  return parts_->ready;
+}
+
+std::vector<ui::Shortcut> TrainWorkspace::shortcuts() const {
+  std::vector<ui::Shortcut> all;
+  for (const KeyRow& row : keyTable())
+    if (*row.keys) all.push_back({tr(row.keys), tr(row.meaning)});
+  for (const MouseRow& row : mouseTable()) all.push_back({tr(row.gesture), tr(row.meaning)});
+  return all;
+}
+
+void TrainWorkspace::saveLayout(QSettings& settings) const {
+  settings.setValue("columns", parts_->columns->saveState());
+  settings.setValue("patientViews", parts_->patient->splitter().saveState());
+  settings.setValue("slice", int(parts_->patient->mpr().kind()));
+  parts_->panel->save(settings);
+}
+
+void TrainWorkspace::restoreLayout(QSettings& settings) {
+  parts_->columns->restoreState(settings.value("columns").toByteArray());
+  parts_->patient->splitter().restoreState(settings.value("patientViews").toByteArray());
+  const int slice = settings.value("slice", int(views::SliceKind::Oblique)).toInt();
+  parts_->patient->setSliceKind(views::SliceKind(std::clamp(slice, 0, int(views::SliceKind::Oblique))));
+  parts_->panel->restore(settings);
+}
+
+void TrainWorkspace::stop() {
+  parts_->session.stop();
+}
+
+bool TrainWorkspace::savePicture(const std::filesystem::path& file) {
+  return parts_->savePicture(file);
+}
+
+void TrainWorkspace::saveClip(const std::filesystem::path& folder) {
+  parts_->saveClip(folder);
+}
+
+bool TrainWorkspace::eventFilter(QObject* watched, QEvent* event) {
+  return parts_->canvasEvent(watched, event) || ui::Workspace::eventFilter(watched, event);
+}
+
+void TrainWorkspace::keyPressEvent(QKeyEvent* event) {
+  if (!parts_->key(*event, true)) ui::Workspace::keyPressEvent(event);
+}
+
+}  // namespace insonate::train

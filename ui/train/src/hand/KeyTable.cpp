@@ -1,0 +1,82 @@
+#include "KeyTable.h"
+
+#include <QKeyEvent>
+
+namespace insonate::train {
+namespace {
+
+using enum HandAxis;
+
+constexpr KeyRow move(int key, HandAxis axis, double step, double wide, const char* keys, const char* meaning) {
+  return {key, false, Command::Move, axis, step, wide, 0, keys, meaning};
+}
+constexpr KeyRow plain(int key, Command command, const char* keys, const char* meaning, bool control = false) {
+  return {key, control, command, {}, 0, 0, 0, keys, meaning};
+}
+constexpr KeyRow recall(int place, const char* keys, const char* meaning) {
+  return {Qt::Key_1 + place, false, Command::Recall, {}, 0, 0, place, keys, meaning};
+}
+
+constexpr KeyRow kKeys[] = {
+    move(Qt::Key_Left, Lateral, -1, -5, "Arrows", "slide the probe 1 mm (Shift 5 mm)"),
+    move(Qt::Key_Right, Lateral, 1, 5, "", ""),
+    move(Qt::Key_Up, Elevation, -1, -5, "", ""),
+    move(Qt::Key_Down, Elevation, 1, 5, "", ""),
+    move(Qt::Key_Q, Rotation, -2, -10, "Q, E", "rotate 2 degrees (Shift 10)"),
+    move(Qt::Key_E, Rotation, 2, 10, "", ""),
+    move(Qt::Key_W, Tilt, 1, 5, "W, S", "tilt 1 degree (Shift 5)"),
+    move(Qt::Key_S, Tilt, -1, -5, "", ""),
+    move(Qt::Key_A, Rock, -1, -5, "A, D", "rock 1 degree (Shift 5)"),
+    move(Qt::Key_D, Rock, 1, 5, "", ""),
+    // On many keyboards plus needs shift: no wide steps here.
+    move(Qt::Key_Plus, Press, 0.5, 0.5, "+, -", "press 0.5 mm more, or less"),
+    move(Qt::Key_Equal, Press, 0.5, 0.5, "", ""),
+    move(Qt::Key_Minus, Press, -0.5, -0.5, "", ""),
+    plain(Qt::Key_Space, Command::Freeze, "Space, F", "freeze, or go on"),
+    plain(Qt::Key_F, Command::Freeze, "", ""),
+    plain(Qt::Key_Comma, Command::EarlierPicture, "Comma, Period", "one picture back or on, while frozen"),
+    plain(Qt::Key_Period, Command::LaterPicture, "", ""),
+    plain(Qt::Key_Home, Command::Home, "Home", "back to the start position"),
+    recall(0, "1 to 9", "recall a position of the list"),
+    recall(1, "", ""),
+    recall(2, "", ""),
+    recall(3, "", ""),
+    recall(4, "", ""),
+    recall(5, "", ""),
+    recall(6, "", ""),
+    recall(7, "", ""),
+    recall(8, "", ""),
+    plain(Qt::Key_Z, Command::Undo, "Ctrl+Z", "take back the last move", true),
+    plain(Qt::Key_L, Command::MeasureDistance, "L, O, V", "measure a distance, an ellipse, an angle"),
+    plain(Qt::Key_O, Command::MeasureEllipse, "", ""),
+    plain(Qt::Key_V, Command::MeasureAngle, "", ""),
+    plain(Qt::Key_Delete, Command::ClearMeasures, "Delete", "remove the measurements"),
+    plain(Qt::Key_S, Command::SavePicture, "Ctrl+S", "save the picture", true),
+};
+
+constexpr MouseRow kMouse[] = {
+    {"Left drag on the image", "slide the probe"},
+    {"Right drag on the image", "rotate; with Shift tilt and rock"},
+    {"Wheel on the image", "press; with Ctrl change the depth"},
+    {"Left drag on the skin (3D)", "put the probe there"},
+};
+
+}  // namespace
+
+std::span<const KeyRow> keyTable() {
+  return kKeys;
+}
+
+std::span<const MouseRow> mouseTable() {
+  return kMouse;
+}
+
+const KeyRow* rowFor(const QKeyEvent& event) {
+  if (event.modifiers() & (Qt::AltModifier | Qt::MetaModifier)) return nullptr;
+  const bool control = event.modifiers() & Qt::ControlModifier;
+  for (const KeyRow& row : kKeys)
+    if (row.key == event.key() && row.control == control) return &row;
+  return nullptr;
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "ProbeControl.h"
+
+#include <QString>
+#include <span>
+
+class QKeyEvent;
+
+namespace insonate::train {
+
+/// What a key does in this workspace.
+enum class Command {
+  Move,
+  Freeze,
+  Home,
+  Recall,
+  Undo,
+  EarlierPicture,
+  LaterPicture,
+  SavePicture,
+  MeasureDistance,
+  MeasureEllipse,
+  MeasureAngle,
+  ClearMeasures,
+};
+
+/// One row of the only table of keys: it decides what a key does, and lists it for the user.
+struct KeyRow {
+  int key = 0;           ///< Qt::Key
+  bool control = false;  ///< with the control key
+  Command command;
+  HandAxis axis{};            ///< of a move
+  double step = 0, wide = 0;  ///< mm or degrees; wide with shift
+  int place = 0;              ///< of a recall, from 0
+  const char* keys;           ///< as the user knows it; empty on rows that share the line above
+  const char* meaning;
+};
+
+std::span<const KeyRow> keyTable();
+
+/// Null for a key that means nothing here.
+const KeyRow* rowFor(const QKeyEvent& event);
+
+/// What the mouse does, for the same list.
+struct MouseRow {
+  const char* gesture;
+  const char* meaning;
+};
+std::span<const MouseRow> mouseTable();
+
+inline constexpr double kWheelPress_mm = 0.5, kWheelDepth_mm = 5;
+inline constexpr double kDrag_degPerPx = 0.25;
+
+}  // namespace insonate::train

@@ -1,0 +1,112 @@
+#include "ProbeControl.h"
+
+#include <insonate/simulator/ProbePose.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace insonate::train {
+namespace {
+
+constexpr std::string_view kNoHand = "The patient's skin is not known yet.";
+
+/// From -180 up to 180.
+double turned_deg(double degrees) {
+  return std::remainder(degrees, 360);
+}
+
+}  // namespace
+
+HandNumbers numbersOf(const ProbeHandState& state) {
+  // Across the body: at right angles to its long axis, along the skin. Continuous all round the neck.
+  const Vec3 head{0, 0, 1};
+  Vec3 across = cross(state.inward, head);
+  if (norm(across) < 1e-3) across = Vec3{1, 0, 0} - state.inward * state.inward.x;
+  across = normalized(across);
+  const double rotation = std::atan2(dot(state.lateral, cross(state.inward, across)), dot(state.lateral, across));
+  return {state.skin_mm, rotation * 180 / std::numbers::pi, state.tilt_deg, state.rock_deg, state.press_mm};
+}
+
+double HandNumbers::of(HandAxis axis) const {
+  switch (axis) {
+    case HandAxis::Rotation:
+      return rotation_deg;
+    case HandAxis::Tilt:
+      return tilt_deg;
+    case HandAxis::Rock:
+      return rock_deg;
+    case HandAxis::Press:
+      return press_mm;
+    default:
+      return 0;
+  }
+}
+
+void ProbeControl::setHand(std::optional<ProbeHand> hand) {
+  hand_ = std::move(hand);
+  past_.clear();
+  gestureOpen_ = false;
+}
+
+template <class Move>
+HandMove ProbeControl::done(const Move& move) {
+  if (!hand_) return {kNoHand};
+  const ProbeHandState before = hand_->state();
+  const HandMove result = move(*hand_);
+  if (hand_->state() == before) return result;
+  if (!gestureOpen_) {
+    if (past_.size() == kMostUndo) past_.erase(past_.begin());
+    past_.push_back(before);
+    gestureOpen_ = true;
+  }
+  return result;
+}
+
+HandMove ProbeControl::move(HandAxis axis, double amount) {
+  return done([&](ProbeHand& hand) {
+    switch (axis) {
+      case HandAxis::Lateral:
+        return hand.slide(amount, 0);
+      case HandAxis::Elevation:
+        return hand.slide(0, amount);
+      case HandAxis::Rotation:
+        return hand.rotate(amount);
+      case HandAxis::Tilt:
+        return hand.tilt(amount);
+      case HandAxis::Rock:
+        return hand.rock(amount);
+      case HandAxis::Press:
+        return hand.press(amount);
+    }
+    return HandMove{};
+  });
+}
+
+HandMove ProbeControl::slide(double lateral_mm, double elevation_mm) {
+  return done([&](ProbeHand& hand) { return hand.slide(lateral_mm, elevation_mm); });
+}
+
+HandMove ProbeControl::set(HandAxis axis, double value) {
+  const double change = value - numbers().of(axis);
+  return move(axis, axis == HandAxis::Rotation ? turned_deg(change) : change);
+}
+
+HandMove ProbeControl::moveTo(Vec3 patient_mm) {
+  return done([&](ProbeHand& hand) { return hand.moveTo(patient_mm); });
+}
+
+HandMove ProbeControl::setPose(const StartPose& pose) {
+  const auto transform = patientFromProbe(pose.position_mm, pose.axial, pose.lateral);
+  if (!transform) return {"This position is not a pose of a probe."};
+  return done([&](ProbeHand& hand) { return hand.setPose(*transform); });
+}
+
+bool ProbeControl::undo() {
+  if (!hand_ || past_.empty()) return false;
+  hand_->restore(past_.back());
+  past_.pop_back();
+  gestureOpen_ = false;
+  return true;
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/simulator/ProbeHand.h>
+
+#include <optional>
+#include <vector>
+
+namespace insonate::train {
+
+/// What a hand can do to the probe in one direction.
+enum class HandAxis { Lateral, Elevation, Rotation, Tilt, Rock, Press };
+
+/// Where the probe is, in the numbers that a user reads and types.
+struct HandNumbers {
+  Vec3 skin_mm;             ///< patient LPS
+  double rotation_deg = 0;  ///< 0: across the body, marker toward the patient's left; -180..180
+  double tilt_deg = 0, rock_deg = 0, press_mm = 0;
+  double of(HandAxis axis) const;  ///< of the four that are turned or pressed; 0 for the others
+};
+
+HandNumbers numbersOf(const ProbeHandState& state);
+
+/// The probe in the user's hand, with a memory: a gesture (a key held down, a drag, a turn of the wheel) is undone as a
+/// whole. Without a hand nothing moves. For one thread.
+class ProbeControl {
+ public:
+  static constexpr std::size_t kMostUndo = 200;
+
+  /// Forgets what could be undone.
+  void setHand(std::optional<ProbeHand> hand);
+  bool ready() const { return hand_.has_value(); }
+
+  /// The moves that follow, up to the next begin(), are undone together.
+  void begin() { gestureOpen_ = false; }
+  HandMove move(HandAxis axis, double mmOrDegrees);
+  HandMove slide(double lateral_mm, double elevation_mm);
+  /// To a typed number; slides have none.
+  HandMove set(HandAxis axis, double mmOrDegrees);
+  HandMove moveTo(Vec3 patient_mm);
+  HandMove setPose(const StartPose& pose);
+  /// False where there is nothing to take back.
+  bool undo();
+
+  const ProbeHand* hand() const { return hand_ ? &*hand_ : nullptr; }
+  HandNumbers numbers() const { return hand_ ? numbersOf(hand_->state()) : HandNumbers{}; }
+
+ private:
+  template <class Move>
+  HandMove done(const Move& move);
+
+  std::optional<ProbeHand> hand_;
+  std::vector<ProbeHandState> past_;
+  bool gestureOpen_ = false;
+};
+
+}  // namespace insonate::train

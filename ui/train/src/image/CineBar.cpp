@@ -1,0 +1,96 @@
+#include "CineBar.h"
+
+#include "../TrainSession.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+
+namespace insonate::train {
+namespace {
+
+struct Measure {
+  const char* name;
+  const char* says;
+};
+constexpr Measure kMeasures[] = {
+    {"Distance", "Two points (L)"}, {"Ellipse", "One axis, then the width (O)"}, {"Angle", "Arm, corner, arm (V)"}};
+
+}  // namespace
+
+CineBar::CineBar(TrainSession& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      slider_(new QSlider(Qt::Horizontal, this)),
+      time_(new QLabel(this)),
+      save_(new QToolButton(this)) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 4, 8, 4);
+  row->setSpacing(8);
+  slider_->setObjectName("cine");
+  slider_->setAccessibleName(tr("Picture of the last seconds"));
+  slider_->setFocusPolicy(Qt::TabFocus);
+  time_->setMinimumWidth(time_->fontMetrics().horizontalAdvance("-00.00 s"));
+  time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  row->addWidget(slider_, 1);
+  row->addWidget(time_);
+  for (int i = 0; i < 3; ++i) {
+    measures_[i] = new QToolButton(this);
+    measures_[i]->setText(tr(kMeasures[i].name));
+    measures_[i]->setToolTip(tr(kMeasures[i].says));
+    measures_[i]->setCheckable(true);
+    measures_[i]->setFocusPolicy(Qt::TabFocus);
+    row->addWidget(measures_[i]);
+    connect(measures_[i], &QToolButton::clicked, this, [this, i](bool on) { Q_EMIT calliperChosen(on ? i : -1); });
+  }
+  auto* clear = new QToolButton(this);
+  clear->setText(tr("Clear"));
+  clear->setToolTip(tr("Remove the measurements (Delete)"));
+  clear->setFocusPolicy(Qt::TabFocus);
+  row->addWidget(clear);
+  auto* menu = new QMenu(save_);
+  menu->addAction(tr("Picture..."), this, &CineBar::savePicture);
+  menu->addAction(tr("Clip of the last seconds..."), this, &CineBar::saveClip);
+  save_->setText(tr("Save"));
+  save_->setMenu(menu);
+  save_->setPopupMode(QToolButton::InstantPopup);
+  save_->setFocusPolicy(Qt::TabFocus);
+  row->addWidget(save_);
+
+  connect(clear, &QToolButton::clicked, this, &CineBar::clearCallipers);
+  connect(slider_, &QSlider::valueChanged, &session_, &TrainSession::showCine);
+  connect(&session_, &TrainSession::frozenChanged, this, &CineBar::refresh);
+  connect(&session_, &TrainSession::caseChanged, this, &CineBar::refresh);
+  connect(&session_, &TrainSession::pictureShown, this, &CineBar::refreshTime);
+  refresh();
+}
+
+void CineBar::setCalliper(int kind) {
+  for (int i = 0; i < 3; ++i) measures_[i]->setChecked(i == kind);
+}
+
+void CineBar::refresh() {
+  const bool frozen = session_.isFrozen();
+  const QSignalBlocker quiet(slider_);
+  slider_->setEnabled(frozen);
+  slider_->setRange(0, frozen ? std::max(0, int(session_.cine().size()) - 1) : 0);
+  slider_->setValue(session_.cineIndex());
+  refreshTime();
+}
+
+void CineBar::refreshTime() {
+  save_->setEnabled(session_.shown() != nullptr);
+  if (!session_.isFrozen() || session_.cine().empty()) {
+    time_->setText(session_.shown() ? tr("live") : QString());
+    return;
+  }
+  const QSignalBlocker quiet(slider_);
+  slider_->setValue(session_.cineIndex());
+  const double ago_s = session_.cine().back()->time_s - session_.shown()->time_s;
+  time_->setText(tr("-%1 s").arg(ago_s, 0, 'f', 2));
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QSlider;
+class QToolButton;
+
+namespace insonate::train {
+
+class TrainSession;
+
+/// Under the picture: the last seconds of a frozen one, and what can be done with the picture on display. Keeps its
+/// size whatever it shows.
+class CineBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CineBar(TrainSession& session, QWidget* parent = nullptr);
+
+  /// Which calliper is chosen (views::CalliperKind), -1 for none.
+  void setCalliper(int kind);
+
+ Q_SIGNALS:
+  void calliperChosen(int kind);
+  void clearCallipers();
+  void savePicture();
+  void saveClip();
+
+ private:
+  void refresh();
+  void refreshTime();
+
+  TrainSession& session_;
+  QSlider* slider_;
+  QLabel* time_;
+  QToolButton* measures_[3];
+  QToolButton* save_;
+};
+
+}  // namespace insonate::train

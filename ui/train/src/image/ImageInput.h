@@ -1,0 +1,49 @@
+#pragma once
+
+#include "CalliperTool.h"
+
+#include <insonate/views/UltrasoundView.h>
+
+#include <QObject>
+#include <QPoint>
+#include <QWidget>
+#include <functional>
+
+class QMouseEvent;
+class QWheelEvent;
+
+namespace insonate::train {
+
+class TrainSession;
+
+/// Mouse on the ultrasound picture: the mouse is the probe. With a calliper chosen, left clicks measure instead.
+class ImageInput : public QObject {
+ public:
+  ImageInput(TrainSession& session, views::UltrasoundView& view, QWidget& canvas, QObject* parent);
+
+  CalliperTool& callipers() { return callipers_; }
+  /// Called when callipers changed by the mouse.
+  void setMeasured(std::function<void()> listener) { measured_ = std::move(listener); }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  bool pressed(const QMouseEvent& event);
+  bool moved(const QMouseEvent& event);
+  bool released(const QMouseEvent& event);
+  bool wheel(const QWheelEvent& event);
+  bool measuring(const QMouseEvent& event) const;
+  views::PicturePoint pictureAt(const QMouseEvent& event) const;
+
+  TrainSession& session_;
+  views::UltrasoundView& view_;
+  QWidget& canvas_;
+  CalliperTool callipers_;
+  std::function<void()> measured_;
+  Qt::MouseButton held_ = Qt::NoButton;
+  QPointF last_;
+  qint64 lastWheel_ms_ = -100000;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,34 @@
+#include "LiveFeed.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+
+namespace insonate::train {
+
+LiveFeed::LiveFeed(std::function<void()> news, QObject* parent) : QObject(parent), news_(std::move(news)) {}
+
+LiveFeed::~LiveFeed() {
+  set(nullptr);
+}
+
+void LiveFeed::set(std::unique_ptr<LiveImaging> live) {
+  // After this, nobody posts any more; what was posted is dropped before the next probe begins.
+  if (live_) live_->onFrame({});
+  live_ = nullptr;
+  QCoreApplication::removePostedEvents(this, QEvent::User);
+  posted_ = false;
+  live_ = std::move(live);
+  if (!live_) return;
+  live_->onFrame([this] {
+    if (!posted_.exchange(true)) QCoreApplication::postEvent(this, new QEvent(QEvent::User));
+  });
+}
+
+bool LiveFeed::event(QEvent* event) {
+  if (event->type() != QEvent::User) return QObject::event(event);
+  posted_ = false;
+  news_();
+  return true;
+}
+
+}  // namespace insonate::train

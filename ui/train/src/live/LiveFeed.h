@@ -1,0 +1,34 @@
+#pragma once
+
+#include <insonate/simulator/LiveImaging.h>
+
+#include <QObject>
+#include <atomic>
+#include <functional>
+#include <memory>
+
+namespace insonate::train {
+
+/// Brings a live probe's pictures to the window's thread: however many pictures come, one message waits at most, and
+/// the simulation never waits for the window.
+class LiveFeed : public QObject {
+ public:
+  /// `news` is called on the window's thread after new pictures and changes of state.
+  explicit LiveFeed(std::function<void()> news, QObject* parent = nullptr);
+  ~LiveFeed() override;
+
+  /// Replaces the probe, also by none. Messages of the old one are dropped.
+  void set(std::unique_ptr<LiveImaging> live);
+  LiveImaging* live() { return live_.get(); }
+  const LiveImaging* live() const { return live_.get(); }
+
+ protected:
+  bool event(QEvent* event) override;
+
+ private:
+  std::function<void()> news_;
+  std::atomic<bool> posted_{false};
+  std::unique_ptr<LiveImaging> live_;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+class QComboBox;
+class QPushButton;
+class QSettings;
+class QVBoxLayout;
+
+namespace insonate {
+struct ImagingSettings;
+}
+namespace insonate::ui {
+class ValueSlider;
+}
+
+namespace insonate::train {
+
+class Positions;
+class ProbeNumbers;
+class TgcSliders;
+class TrainSession;
+
+/// The narrow panel: where the probe is, and how the picture is made, the most used first; freeze at its foot.
+class ControlsPanel : public QWidget {
+ public:
+  explicit ControlsPanel(TrainSession& session, QWidget* parent = nullptr);
+
+  Positions& positions() { return *positions_; }
+  void save(QSettings& settings) const;
+  void restore(QSettings& settings);
+
+ private:
+  struct Slider {
+    double ImagingSettings::*field = nullptr;
+    ui::ValueSlider* widget = nullptr;
+  };
+  QWidget* buildPlace();
+  QWidget* buildPicture();
+  QWidget* buildFreeze();
+  void addSliders(QVBoxLayout& box, std::size_t first, std::size_t last);
+  QWidget* labelled(const QString& name, QWidget* widget);
+  void refresh();
+  void refreshFreeze();
+  void change(double ImagingSettings::*field, double value);
+
+  TrainSession& session_;
+  Positions* positions_ = nullptr;
+  ProbeNumbers* numbers_ = nullptr;
+  QComboBox* probe_ = nullptr;
+  std::vector<Slider> sliders_;
+  TgcSliders* tgc_ = nullptr;
+  QComboBox* look_ = nullptr;
+  QComboBox* effect_ = nullptr;
+  QPushButton* freeze_ = nullptr;
+  bool refreshing_ = false;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,151 @@
+#include "PatientViews.h"
+
+#include "../TrainSession.h"
+#include "SceneInput.h"
+
+#include <insonate/tissue/Labels.h>
+#include <insonate/ui/ViewWidget.h>
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace insonate::train {
+namespace {
+
+/// Renderings of both views together may take this share of the window's time; the rest is the picture's.
+constexpr double kShare = 0.25;
+constexpr int kSoonest_ms = 33, kLatest_ms = 500;
+
+struct Kind {
+  views::SliceKind kind;
+  const char* name;
+  const char* says;
+};
+constexpr Kind kKinds[] = {
+    {views::SliceKind::Oblique, "Probe", "CT in the probe's plane, as the picture shows it"},
+    {views::SliceKind::Axial, "Axial", "seen from the feet"},
+    {views::SliceKind::Coronal, "Coronal", "seen from the front"},
+    {views::SliceKind::Sagittal, "Sagittal", "the front on the left"},
+};
+
+}  // namespace
+
+PatientViews::PatientViews(TrainSession& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      scene_(std::make_shared<views::SceneView>()),
+      mpr_(std::make_shared<views::MprView>(views::SliceKind::Oblique)) {
+  sceneWidget_ = new ui::ViewWidget(scene_, tr("Patient and probe in three dimensions"), this);
+  sceneWidget_->setObjectName(QStringLiteral("sceneView"));
+  mprWidget_ = new ui::ViewWidget(mpr_, tr("CT slice"), this);
+  splitter_ = new QSplitter(Qt::Vertical, this);
+  splitter_->setObjectName(QStringLiteral("patientSplitter"));
+  splitter_->addWidget(sceneWidget_);
+  splitter_->addWidget(buildMpr());
+  splitter_->setSizes({500, 500});
+  splitter_->setChildrenCollapsible(false);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->addWidget(splitter_);
+  new SceneInput(session_, *scene_, *sceneWidget_->focusProxy(), this);
+
+  timer_.setSingleShot(true);
+  connect(&timer_, &QTimer::timeout, this, [this] { follow(); });
+  connect(&session_, &TrainSession::caseChanged, this, [this] { showCase(); });
+  connect(&session_, &TrainSession::surfaceMade, this,
+          [this](int label, const std::shared_ptr<const Mesh>& mesh) { showSurface(label, *mesh); });
+  connect(&session_, &TrainSession::pictureShown, this, [this] { want(); });
+  connect(&session_, &TrainSession::handMoved, this, [this] { want(); });
+}
+
+PatientViews::~PatientViews() = default;
+
+QWidget* PatientViews::buildMpr() {
+  auto* pane = new QWidget(this);
+  auto* box = new QVBoxLayout(pane);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(0);
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(8, 4, 8, 4);
+  row->setSpacing(4);
+  kinds_ = new QButtonGroup(this);
+  for (const Kind& kind : kKinds) {
+    auto* button = new QToolButton(pane);
+    button->setText(tr(kind.name));
+    button->setToolTip(tr(kind.says));
+    button->setAccessibleName(tr("%1 slice").arg(tr(kind.name)));
+    button->setCheckable(true);
+    button->setChecked(kind.kind == views::SliceKind::Oblique);
+    button->setFocusPolicy(Qt::TabFocus);
+    kinds_->addButton(button, int(kind.kind));
+    row->addWidget(button);
+  }
+  row->addStretch();
+  connect(kinds_, &QButtonGroup::idClicked, this, [this](int id) { setSliceKind(views::SliceKind(id)); });
+  box->addLayout(row);
+  box->addWidget(mprWidget_, 1);
+  return pane;
+}
+
+void PatientViews::setSliceKind(views::SliceKind kind) {
+  if (auto* button = kinds_->button(int(kind))) button->setChecked(true);
+  mpr_->setKind(kind);
+  mpr_->setCrosshairVisible(kind != views::SliceKind::Oblique);
+  want();
+}
+
+void PatientViews::showCase() {
+  timer_.stop();
+  followed_ = nullptr;
+  shape_ = nullptr;
+  case_ = session_.patient() ? std::make_shared<views::VtkCase>(session_.patient()) : nullptr;
+  for (const LabelInfo& info : labelTable()) scene_->setSurface(info.label, {});
+  scene_->setCase(case_);
+  scene_->setProbe(std::nullopt);
+  scene_->setImage({});
+  mpr_->setCase(case_);
+  mpr_->setFan(std::nullopt);
+  mpr_->setLabelOpacity(0);
+  mpr_->setCrosshairVisible(mpr_->kind() != views::SliceKind::Oblique);
+}
+
+void PatientViews::showSurface(int label, const Mesh& mesh) {
+  scene_->setSurface(std::uint8_t(label), {mesh.points_mm, mesh.normals, mesh.triangles});
+  if (label == kSkin) scene_->setSkinOpacity(0.3);
+}
+
+void PatientViews::want() {
+  if (timer_.isActive()) return;
+  const double cost_ms =
+      1000 * (scene_->renderer()->GetLastRenderTimeInSeconds() + mpr_->renderer()->GetLastRenderTimeInSeconds());
+  const int gap_ms = std::clamp(int(cost_ms / kShare), kSoonest_ms, kLatest_ms);
+  const int since_ms =
+      sinceFollowed_.isValid() ? int(std::min<qint64>(sinceFollowed_.elapsed(), kLatest_ms)) : kLatest_ms;
+  timer_.start(std::max(0, gap_ms - since_ms));
+}
+
+void PatientViews::follow() {
+  sinceFollowed_.start();
+  const auto& frame = session_.shown();
+  if (!frame) return;
+  if (frame->setup != shape_) {
+    shape_ = frame->setup;
+    scene_->setProbe(shape_->probe, shape_->settings);
+    mpr_->setFan(shape_->probe, shape_->settings);
+  }
+  // The picture of a moving probe is a moment old; the probe itself is where the hand has it.
+  const bool live = !session_.isFrozen() && session_.handReady();
+  const Transform pose = live ? session_.pose() : frame->patientFromProbe;
+  scene_->setProbePose(pose);
+  mpr_->setProbePose(pose);
+  if (mpr_->kind() != views::SliceKind::Oblique)
+    mpr_->setCrosshair(pose * Vec3{0, 0, frame->setup->settings.depth_mm / 2});
+  if (frame != followed_) scene_->setImage(frame->image);
+  followed_ = frame;
+}
+
+}  // namespace insonate::train

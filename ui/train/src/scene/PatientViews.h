@@ -1,0 +1,60 @@
+#pragma once
+
+#include <insonate/simulator/LiveImaging.h>
+#include <insonate/surface/Mesh.h>
+#include <insonate/views/MprView.h>
+#include <insonate/views/SceneView.h>
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+
+class QButtonGroup;
+class QSplitter;
+
+namespace insonate::ui {
+class ViewWidget;
+}
+
+namespace insonate::train {
+
+class TrainSession;
+
+/// The patient beside the picture: in 3D with probe and image plane, and as CT slices. Both follow the probe as often
+/// as they can without slowing the ultrasound picture.
+class PatientViews : public QWidget {
+ public:
+  explicit PatientViews(TrainSession& session, QWidget* parent = nullptr);
+  ~PatientViews() override;
+
+  views::SceneView& scene() { return *scene_; }
+  views::MprView& mpr() { return *mpr_; }
+  ui::ViewWidget& sceneWidget() { return *sceneWidget_; }
+  ui::ViewWidget& mprWidget() { return *mprWidget_; }
+  QSplitter& splitter() { return *splitter_; }
+
+  void setSliceKind(views::SliceKind kind);
+
+ private:
+  QWidget* buildMpr();
+  void showCase();
+  void showSurface(int label, const Mesh& mesh);
+  void want();
+  void follow();
+
+  TrainSession& session_;
+  std::shared_ptr<views::SceneView> scene_;
+  std::shared_ptr<views::MprView> mpr_;
+  std::shared_ptr<views::VtkCase> case_;
+  ui::ViewWidget* sceneWidget_ = nullptr;
+  ui::ViewWidget* mprWidget_ = nullptr;
+  QSplitter* splitter_ = nullptr;
+  QButtonGroup* kinds_ = nullptr;
+  std::shared_ptr<const LiveFrame> followed_;
+  std::shared_ptr<const ImagingSetup> shape_;  ///< of the probe as drawn
+  QTimer timer_;
+  QElapsedTimer sinceFollowed_;
+};
+
+}  // namespace insonate::train

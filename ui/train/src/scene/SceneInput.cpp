@@ -1,0 +1,81 @@
+#include "SceneInput.h"
+
+#include "../TrainSession.h"
+#include "../hand/KeyTable.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+
+namespace insonate::train {
+
+SceneInput::SceneInput(TrainSession& session, views::SceneView& view, QWidget& canvas, QObject* parent)
+    : QObject(parent), session_(session), view_(view), canvas_(canvas) {
+  canvas.installEventFilter(this);
+}
+
+bool SceneInput::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != &canvas_) return false;
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+      return pressed(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseMove:
+      return moved(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseButtonRelease:
+      return released(*static_cast<QMouseEvent*>(event));
+    default:
+      return false;
+  }
+}
+
+views::Pointer SceneInput::pointer(const QMouseEvent& event) const {
+  const double ratio = canvas_.devicePixelRatioF();
+  // The middle button is the view's left one: it turns the camera wherever it is pressed.
+  return {{(event.localPos().x() + 0.5) * ratio, (event.localPos().y() + 0.5) * ratio},
+          views::Button::Left,
+          event.modifiers().testFlag(Qt::ShiftModifier),
+          event.modifiers().testFlag(Qt::ControlModifier)};
+}
+
+bool SceneInput::pressed(const QMouseEvent& event) {
+  if (drag_ != Drag::None) return true;
+  canvas_.setFocus(Qt::MouseFocusReason);
+  from_ = last_ = event.localPos();
+  begun_ = false;
+  const bool left = event.button() == Qt::LeftButton, right = event.button() == Qt::RightButton;
+  if ((left || right) && session_.handReady() && view_.pick(pointer(event).at)) {
+    drag_ = left ? Drag::Slide : Drag::Rotate;
+    session_.beginGesture();
+    return true;
+  }
+  if (right) return false;
+  drag_ = Drag::Camera;
+  view_.pressed(pointer(event));
+  return true;
+}
+
+bool SceneInput::moved(const QMouseEvent& event) {
+  if (drag_ == Drag::None) return false;
+  if (drag_ == Drag::Camera) {
+    view_.moved(pointer(event));
+    return true;
+  }
+  begun_ = begun_ || (event.localPos() - from_).manhattanLength() >= QApplication::startDragDistance();
+  if (!begun_) return true;
+  const QPointF by = event.localPos() - last_;
+  last_ = event.localPos();
+  if (drag_ == Drag::Rotate) {
+    session_.move(HandAxis::Rotation, by.x() * kDrag_degPerPx);
+  } else if (const auto picked = view_.pick(pointer(event).at)) {
+    session_.moveTo(picked->position_mm);
+  }
+  return true;
+}
+
+bool SceneInput::released(const QMouseEvent& event) {
+  if (drag_ == Drag::None) return false;
+  if (drag_ == Drag::Camera) view_.released(pointer(event));
+  drag_ = Drag::None;
+  return true;
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <insonate/views/SceneView.h>
+
+#include <QObject>
+#include <QPoint>
+#include <QWidget>
+
+class QMouseEvent;
+
+namespace insonate::train {
+
+class TrainSession;
+
+/// Mouse in 3D: on the skin it has the probe, beside the body and with the middle button the camera.
+class SceneInput : public QObject {
+ public:
+  SceneInput(TrainSession& session, views::SceneView& view, QWidget& canvas, QObject* parent);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  enum class Drag { None, Slide, Rotate, Camera };
+  bool pressed(const QMouseEvent& event);
+  bool moved(const QMouseEvent& event);
+  bool released(const QMouseEvent& event);
+  views::Pointer pointer(const QMouseEvent& event) const;
+
+  TrainSession& session_;
+  views::SceneView& view_;
+  QWidget& canvas_;
+  Drag drag_ = Drag::None;
+  bool begun_ = false;  ///< far enough to be no click
+  QPointF from_, last_;
+};
+
+}  // namespace insonate::train
