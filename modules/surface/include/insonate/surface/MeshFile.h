@@ -1,0 +1,16 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/surface/Mesh.h>
+
+#include <filesystem>
+
+namespace insonate {
+
+/// Writes binary STL, binary PLY (with normals) or OBJ (with normals), by the extension `.stl`, `.ply` or `.obj`.
+/// Coordinates are patient LPS in millimetres and the file says so ("SPACE=LPS"), which 3D Slicer reads. On any failure
+/// what was there is untouched. Fails on another extension, a mesh without triangles, point numbers out of range, and
+/// where the file cannot be written.
+Result<void> writeMesh(const std::filesystem::path& file, const Mesh& mesh);
+
+}  // namespace insonate
