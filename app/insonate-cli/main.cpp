@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
   addImportCommand(app, outcome);
   addCheckCommand(app, outcome);
   addBenchCommand(app, outcome);
+  addSurfacesCommand(app, outcome);
 
   if (const std::string unknown = unknownCommand(app, argc, argv); !unknown.empty()) {
     std::cerr << "insonate-cli: " << unknown << '\n';
