@@ -1,0 +1,65 @@
+#pragma once
+
+#include <insonate/cases/Import.h>
+#include <insonate/cases/PatientCase.h>
+
+#include <QObject>
+#include <QPointer>
+#include <QString>
+#include <QStringList>
+#include <memory>
+
+namespace insonate::ui {
+
+class SeriesDialog;
+class TaskBar;
+
+/// A case that came into the window.
+struct LoadedCase {
+  std::shared_ptr<const PatientCase> patient;
+  QString folder;     ///< where it is kept; empty for one that was imported and not saved yet
+  QStringList notes;  ///< what was missing or changed on the way, one sentence each
+  bool builtIn = false;
+};
+
+/// Brings cases into the window without holding it: from a case folder, from DICOM, NRRD, NIfTI or MetaImage (asking
+/// which series, where there is a choice), or the built-in neck. One at a time: what comes later cancels what came
+/// before. Each open ends in exactly one of loaded(), failed() and cancelled().
+class CaseLoader : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `dialogParent` is the window; the task bar belongs to it.
+  CaseLoader(TaskBar& tasks, QWidget* dialogParent);
+  ~CaseLoader() override;
+
+  /// A folder or a file, of whatever kind.
+  void open(const QString& path);
+  /// The built-in neck. It is made once and kept in the user's cache, so that the next start is quick.
+  void openTextbook();
+  /// Writes a case to a folder; ends in saved(), failed() or cancelled().
+  void save(std::shared_ptr<const PatientCase> patient, const QString& folder);
+
+ Q_SIGNALS:
+  void loaded(const insonate::ui::LoadedCase& loaded);
+  void saved(const QString& folder);
+  void failed(const QString& what, const QString& advice, const QString& details);
+  void cancelled();
+
+ private:
+  void readFolder(const QString& folder);
+  void list(const QString& path);
+  void choose(const QString& path, std::shared_ptr<const SeriesListing> listing);
+  void import(const QString& path, const QString& uid, bool label, std::shared_ptr<ImportedCt> read);
+  void refuse(const Error& error, const QString& advice);
+
+  TaskBar& tasks_;
+  QWidget* dialogParent_;
+  QPointer<SeriesDialog> dialog_;
+};
+
+/// The folder of the case that a path means: the folder itself or, for one of its files, the folder it lies in. Empty
+/// when there is no case.
+QString caseFolderOf(const QString& path);
+
+}  // namespace insonate::ui

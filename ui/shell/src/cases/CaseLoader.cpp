@@ -1,0 +1,187 @@
+#include "SeriesDialog.h"
+#include "TextbookCase.h"
+
+#include <insonate/segmentation/AutoLabel.h>
+#include <insonate/ui/CaseLoader.h>
+#include <insonate/ui/TaskBar.h>
+
+#include <QDir>
+#include <QFileInfo>
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace insonate::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool holdsCase(const QDir& folder) {
+  return folder.exists(QStringLiteral("case.json")) ||
+         (folder.exists(QStringLiteral("ct.nrrd")) &&
+          (folder.exists(QStringLiteral("labels.seg.nrrd")) || folder.exists(QStringLiteral("labels.nrrd"))));
+}
+
+QStringList qt(const std::vector<std::string>& sentences) {
+  QStringList list;
+  for (const std::string& sentence : sentences) list << QString::fromStdString(sentence);
+  return list;
+}
+
+/// Part `index` of `count`, for progress that runs once.
+Progress part(const Progress& whole, int index, int count) {
+  return [whole, index, count](std::string_view doing, double fraction) {
+    return report(whole, doing, (index + fraction) / count);
+  };
+}
+
+Result<LoadedCase> importCase(const fs::path& input, const std::string& uid, bool label,
+                              const std::shared_ptr<ImportedCt>& read, const Progress& progress) {
+  const int parts = label ? 2 : 1;
+  Result<ImportedCt> imported = read ? Result<ImportedCt>(*read) : importSeries(input, uid, part(progress, 0, parts));
+  if (!imported) return tl::unexpected(imported.error());
+  LoadedCase result;
+  result.notes = qt(imported->series.warnings);
+  auto patient = std::make_shared<PatientCase>();
+  patient->manifest.title = "Imported CT";
+  patient->manifest.source = imported->source;
+  patient->ct = std::move(imported->ct);
+  patient->labels = LabelMap(patient->ct.geometry);
+  if (label) {
+    auto labels = autoLabel(patient->ct, part(progress, 1, parts));
+    if (!labels && labels.error().message == kCancelled) return tl::unexpected(labels.error());
+    if (labels) {
+      patient->labels = std::move(*labels);
+      patient->manifest.source += " Labelled automatically from Hounsfield units.";
+    } else {
+      result.notes
+          << CaseLoader::tr("Nothing could be labelled: %1").arg(QString::fromStdString(labels.error().message));
+    }
+  }
+  result.patient = std::move(patient);
+  return result;
+}
+
+}  // namespace
+
+QString caseFolderOf(const QString& path) {
+  const QFileInfo info(path);
+  if (info.isDir()) return holdsCase(QDir(path)) ? QDir(path).absolutePath() : QString();
+  const QDir folder = info.absoluteDir();
+  const bool inside = info.exists() && isCaseFile(folder.path().toStdString(), path.toStdString());
+  return inside && holdsCase(folder) ? folder.absolutePath() : QString();
+}
+
+CaseLoader::CaseLoader(TaskBar& tasks, QWidget* dialogParent)
+    : QObject(dialogParent), tasks_(tasks), dialogParent_(dialogParent) {}
+
+CaseLoader::~CaseLoader() = default;
+
+void CaseLoader::refuse(const Error& error, const QString& advice) {
+  if (error.message == kCancelled)
+    Q_EMIT cancelled();
+  else
+    Q_EMIT failed(QString::fromStdString(error.message), advice, {});
+}
+
+void CaseLoader::open(const QString& path) {
+  if (dialog_) dialog_->reject();
+  if (!QFileInfo::exists(path)) {
+    return Q_EMIT failed(tr("There is no file or folder '%1'.").arg(path),
+                         tr("Check the name, or choose it with Open."), {});
+  }
+  const QString folder = caseFolderOf(path);
+  if (folder.isEmpty())
+    list(path);
+  else
+    readFolder(folder);
+}
+
+void CaseLoader::readFolder(const QString& folder) {
+  tasks_.run<LoadedCase>(
+      tr("Opening %1").arg(QFileInfo(folder).fileName()),
+      [folder](const Progress& progress) -> Result<LoadedCase> {
+        report(progress, "reading CT and labels", 0);
+        auto read = readCase(folder.toStdString());
+        if (!read) return tl::unexpected(read.error());
+        return LoadedCase{std::make_shared<PatientCase>(std::move(read->patient)), folder, qt(read->notes)};
+      },
+      [this](Result<LoadedCase> read) {
+        if (!read) return refuse(read.error(), tr("The case was not opened; what was open stays open."));
+        Q_EMIT loaded(*read);
+      });
+}
+
+void CaseLoader::list(const QString& path) {
+  using Listing = std::shared_ptr<const SeriesListing>;
+  tasks_.run<Listing>(
+      tr("Looking into %1").arg(QFileInfo(path).fileName()),
+      [path](const Progress& progress) -> Result<Listing> {
+        auto listing = listSeries(path.toStdString(), progress);
+        if (!listing) return tl::unexpected(listing.error());
+        return std::make_shared<const SeriesListing>(std::move(*listing));
+      },
+      [this, path](Result<Listing> listing) {
+        if (!listing)
+          return refuse(listing.error(),
+                        tr("A case folder, a folder of DICOM files, NRRD, NIfTI and MetaImage open here."));
+        choose(path, *listing);
+      });
+}
+
+void CaseLoader::choose(const QString& path, std::shared_ptr<const SeriesListing> listing) {
+  dialog_ = new SeriesDialog(path, std::move(listing), dialogParent_);
+  dialog_->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog_, &SeriesDialog::accepted, this,
+          [this, path] { import(path, dialog_->chosenUid(), dialog_->labelsWanted(), dialog_->readAlready()); });
+  connect(dialog_, &SeriesDialog::rejected, this, &CaseLoader::cancelled);
+  dialog_->open();
+}
+
+void CaseLoader::import(const QString& path, const QString& uid, bool label, std::shared_ptr<ImportedCt> read) {
+  tasks_.run<LoadedCase>(
+      tr("Importing %1").arg(QFileInfo(path).fileName()),
+      [path, uid, label, read](const Progress& progress) {
+        return importCase(path.toStdString(), uid.toStdString(), label, read, progress);
+      },
+      [this](Result<LoadedCase> imported) {
+        if (!imported) return refuse(imported.error(), tr("Nothing was imported; what was open stays open."));
+        Q_EMIT loaded(*imported);
+      });
+}
+
+void CaseLoader::openTextbook() {
+  if (dialog_) dialog_->reject();
+  const QString folder = textbookFolder();
+  tasks_.run<LoadedCase>(
+      tr("Opening the built-in neck"),
+      [folder](const Progress& progress) -> Result<LoadedCase> {
+        auto made = textbookCase(folder, progress);
+        if (!made) return tl::unexpected(made.error());
+        LoadedCase result;
+        result.patient = std::make_shared<PatientCase>(std::move(*made));
+        result.builtIn = true;
+        return result;
+      },
+      [this](Result<LoadedCase> made) {
+        if (!made) return refuse(made.error(), tr("Open a case of your own instead."));
+        Q_EMIT loaded(*made);
+      });
+}
+
+void CaseLoader::save(std::shared_ptr<const PatientCase> patient, const QString& folder) {
+  tasks_.run<bool>(
+      tr("Saving to %1").arg(QFileInfo(folder).fileName()),
+      [patient = std::move(patient), folder](const Progress& progress) -> Result<bool> {
+        if (auto ok = checkCaseTarget(folder.toStdString(), true); !ok) return tl::unexpected(ok.error());
+        if (auto written = writeCase(*patient, folder.toStdString(), progress); !written)
+          return tl::unexpected(written.error());
+        return true;
+      },
+      [this, folder](Result<bool> written) {
+        if (!written) return refuse(written.error(), tr("The case is still open; save it to another place."));
+        Q_EMIT saved(folder);
+      });
+}
+
+}  // namespace insonate::ui

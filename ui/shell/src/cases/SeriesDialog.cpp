@@ -1,0 +1,179 @@
+#include "SeriesDialog.h"
+
+#include "SlicePreview.h"
+
+#include <insonate/ui/TaskBar.h>
+#include <insonate/ui/Theme.h>
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+
+namespace insonate::ui {
+namespace {
+
+constexpr int kPicture_px = 260;
+
+QString sizeOf(const VolumeGeometry& grid) {
+  return QStringLiteral("%1 x %2 x %3").arg(grid.size[0]).arg(grid.size[1]).arg(grid.size[2]);
+}
+
+QString spacingOf(const SeriesInfo& series) {
+  if (!series.geometryKnown) return SeriesDialog::tr("not told");
+  const Vec3 s = series.geometry.spacing_mm;
+  return QStringLiteral("%1 x %2 x %3").arg(s.x, 0, 'f', 2).arg(s.y, 0, 'f', 2).arg(s.z, 0, 'f', 2);
+}
+
+QString stateOf(const SeriesInfo& series) {
+  if (!series.refusal.empty()) return SeriesDialog::tr("cannot be imported");
+  if (series.warnings.empty()) return SeriesDialog::tr("fine");
+  return SeriesDialog::tr("%n warning(s)", nullptr, int(series.warnings.size()));
+}
+
+QString notesOf(const SeriesInfo& series) {
+  QStringList lines;
+  if (!series.refusal.empty()) lines << QString::fromStdString(series.refusal);
+  for (const std::string& warning : series.warnings) lines << QString::fromStdString(warning);
+  return lines.isEmpty() ? SeriesDialog::tr("Nothing has to be changed to import this series.")
+                         : lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace
+
+SeriesDialog::SeriesDialog(const QString& path, std::shared_ptr<const SeriesListing> listing, QWidget* parent)
+    : QDialog(parent),
+      path_(path),
+      listing_(std::move(listing)),
+      table_(new QTableWidget(int(listing_->series.size()), 4)),
+      notes_(new QLabel),
+      picture_(new QLabel),
+      label_(new QCheckBox(tr("Label air, fat, muscle, bone and skin automatically"))),
+      import_(new QPushButton(tr("Import"))),
+      tasks_(new TaskBar) {
+  setWindowTitle(tr("Import"));
+  fill();
+  arrange();
+  connect(table_, &QTableWidget::itemSelectionChanged, this, &SeriesDialog::showChosen);
+  connect(table_, &QTableWidget::itemDoubleClicked, import_, &QPushButton::click);
+  connect(import_, &QPushButton::clicked, this, &QDialog::accept);
+  int first = 0;
+  while (first + 1 < table_->rowCount() && !listing_->series[std::size_t(first)].refusal.empty()) ++first;
+  table_->selectRow(first);
+}
+
+void SeriesDialog::fill() {
+  table_->setHorizontalHeaderLabels({tr("Modality"), tr("Voxels"), tr("Spacing, mm"), tr("Notes")});
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    const SeriesInfo& series = listing_->series[std::size_t(row)];
+    const QString modality = series.modality.empty() ? tr("not told") : QString::fromStdString(series.modality);
+    const QStringList cells{modality, sizeOf(series.geometry), spacingOf(series), stateOf(series)};
+    for (int column = 0; column < cells.size(); ++column) {
+      auto* item = new QTableWidgetItem(cells[column]);
+      item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+      if (!series.refusal.empty()) item->setForeground(colour(views::theme::kQuiet));
+      table_->setItem(row, column, item);
+    }
+  }
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setShowGrid(false);
+  table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setStretchLastSection(true);
+  table_->setTabKeyNavigation(false);
+  table_->setAccessibleName(tr("Series"));
+}
+
+void SeriesDialog::arrange() {
+  auto* title = new QLabel(tr("Series in %1").arg(QFileInfo(path_).fileName()));
+  setRole(title, "title");
+  auto* aside =
+      new QLabel(tr("%n file(s) belong to no series and are left out.", nullptr, int(listing_->setAside.size())));
+  setRole(aside, "quiet");
+  aside->setVisible(!listing_->setAside.empty());
+  QStringList reasons;
+  for (const SetAside& file : listing_->setAside)
+    if (reasons.size() < 12) reasons << QString::fromStdString(file.file.filename().string() + ": " + file.reason);
+  aside->setToolTip(reasons.join(QLatin1Char('\n')));
+  notes_->setWordWrap(true);
+  notes_->setAlignment(Qt::AlignTop);
+  notes_->setTextFormat(Qt::PlainText);
+  setRole(notes_, "quiet");
+  picture_->setFixedSize(kPicture_px, kPicture_px);
+  picture_->setAlignment(Qt::AlignCenter);
+  picture_->setAutoFillBackground(true);
+  QPalette black = picture_->palette();
+  black.setColor(QPalette::Window, Qt::black);
+  picture_->setPalette(black);
+  picture_->setAccessibleName(tr("Middle slice of the chosen series"));
+  label_->setChecked(true);
+  label_->setToolTip(tr("From Hounsfield units; vessels, glands and nerves need an author"));
+  setRole(import_, "primary");
+  import_->setDefault(true);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+  buttons->addButton(import_, QDialogButtonBox::ActionRole);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(kLargeGap, kLargeGap, kLargeGap, kLargeGap);
+  grid->setSpacing(kGap);
+  grid->addWidget(title, 0, 0, 1, 2);
+  grid->addWidget(table_, 1, 0);
+  grid->addWidget(picture_, 1, 1, Qt::AlignTop);
+  grid->addWidget(notes_, 2, 0, 1, 2);
+  grid->addWidget(aside, 3, 0, 1, 2);
+  grid->addWidget(tasks_, 4, 0, 1, 2);
+  grid->addWidget(label_, 5, 0);
+  grid->addWidget(buttons, 5, 1);
+  grid->setRowStretch(1, 1);
+  resize(840, 480);
+}
+
+int SeriesDialog::chosenRow() const {
+  return table_->currentRow() >= 0 ? table_->currentRow() : 0;
+}
+
+QString SeriesDialog::chosenUid() const {
+  return QString::fromStdString(listing_->series[std::size_t(chosenRow())].uid);
+}
+
+bool SeriesDialog::labelsWanted() const {
+  return label_->isChecked();
+}
+
+void SeriesDialog::showChosen() {
+  const SeriesInfo& series = listing_->series[std::size_t(chosenRow())];
+  read_.reset();
+  notes_->setText(notesOf(series));
+  import_->setEnabled(series.refusal.empty());
+  picture_->setPixmap({});
+  if (series.refusal.empty())
+    preview();
+  else
+    tasks_->cancel();
+}
+
+void SeriesDialog::preview() {
+  using Read = std::shared_ptr<ImportedCt>;
+  picture_->setText(tr("reading ..."));
+  tasks_->run<Read>(
+      tr("Preview"),
+      [path = path_.toStdString(), uid = chosenUid().toStdString()](const Progress& progress) -> Result<Read> {
+        auto imported = importSeries(path, uid, progress);
+        if (!imported) return tl::unexpected(imported.error());
+        return std::make_shared<ImportedCt>(std::move(*imported));
+      },
+      [this](Result<Read> read) {
+        if (!read) return picture_->setText(read.error().message == kCancelled ? tr("no preview") : tr("no picture"));
+        read_ = *read;
+        picture_->setPixmap(slicePreview(read_->ct, kPicture_px));
+      });
+}
+
+}  // namespace insonate::ui

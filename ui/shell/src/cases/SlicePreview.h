@@ -1,0 +1,13 @@
+#pragma once
+
+#include <insonate/image/Volume.h>
+
+#include <QPixmap>
+
+namespace insonate::ui {
+
+/// The middle slice across k in a soft tissue window, not larger than `side` pixels, with the patient's left on the
+/// right where i or j run that way.
+QPixmap slicePreview(const CtVolume& ct, int side);
+
+}  // namespace insonate::ui
