@@ -1,0 +1,38 @@
+#pragma once
+
+#include <insonate/ui/Workspace.h>
+
+#include <QStringList>
+
+class QAction;
+class QVBoxLayout;
+
+namespace insonate::ui {
+
+/// A workspace that has nothing to show: says so, what will be here, and what to do now.
+class EmptyWorkspace : public Workspace {
+  Q_OBJECT
+
+ public:
+  struct Words {
+    QString icon, title;
+    QStringList paragraphs;
+    QString status;
+    QString helpPage;
+  };
+  explicit EmptyWorkspace(const Words& words, QWidget* parent = nullptr);
+
+  /// A button below the words, the first one being the usual choice. The action belongs to the caller.
+  void offer(QAction* action);
+
+  void setCase(std::shared_ptr<const PatientCase>) override {}
+  QString statusText() const override { return words_.status; }
+  QString helpPage() const override { return words_.helpPage; }
+
+ private:
+  Words words_;
+  QVBoxLayout* column_;
+  bool offered_ = false;
+};
+
+}  // namespace insonate::ui

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <insonate/ui/CaseLoader.h>
+#include <insonate/ui/Workspace.h>
+
+#include <QMainWindow>
+#include <memory>
+#include <vector>
+
+class QAction;
+class QMenu;
+class QStackedWidget;
+
+namespace insonate::ui {
+
+class ErrorPanel;
+class HeaderBar;
+class HelpWindow;
+class StatusStrip;
+class TaskBar;
+
+/// The frame around the workspaces: which one is shown, which case is open, what is being done and what went wrong.
+/// Remembers its place, the workspace and recent cases in the user's settings (QSettings of the application). Takes a
+/// case folder, a DICOM folder or a volume file that is dropped on it.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  MainWindow();
+  ~MainWindow() override;
+
+  /// `id` is what settings and the command line call it. The window owns the workspace. Add all before showing.
+  void addWorkspace(const QString& id, const QString& title, const QString& iconName, Workspace* workspace);
+  /// False where there is no such workspace.
+  bool showWorkspace(const QString& id);
+  Workspace* currentWorkspace() const;
+  QString currentId() const;
+
+  /// As it was when the window closed last.
+  void restoreLayout();
+
+  /// A case folder, a DICOM folder or a volume file.
+  void open(const QString& path) { loader_->open(path); }
+  void openTextbook() { loader_->openTextbook(); }
+  const LoadedCase& current() const { return case_; }
+
+  /// A case is open, nothing is being done, and the workspace shows all of it.
+  bool isReady() const;
+
+  QAction* openAction() const { return open_; }
+  QAction* importAction() const { return import_; }
+  QAction* textbookAction() const { return textbook_; }
+  TaskBar& tasks() { return *tasks_; }
+  ErrorPanel& errors() { return *errors_; }
+  QString statusText() const;
+  QString caseTitle() const;
+
+ Q_SIGNALS:
+  void readyChanged();
+  void caseFailed(const QString& what);  ///< an open ended without a case; already said in the window
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dragLeaveEvent(QDragLeaveEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  struct Room {
+    QString id, title;
+    Workspace* workspace;
+  };
+  void makeActions();
+  void arrange();
+  void connectAll();
+  void fillRecent();
+  void switchTo(int index);
+  void take(const LoadedCase& loaded);
+  void takeMade(std::shared_ptr<const PatientCase> patient);
+  void handOut();
+  void fail(const QString& what, const QString& advice, const QString& details);
+  void updateStatus();
+  void chooseCase();
+  void chooseImport();
+  void chooseTarget();
+  void showHelp(bool keys);
+
+  std::vector<Room> rooms_;
+  LoadedCase case_;
+  QMenu *menu_, *recent_;
+  QAction *open_ = nullptr, *import_ = nullptr, *textbook_ = nullptr, *save_ = nullptr;
+  HeaderBar* header_;
+  TaskBar* tasks_;
+  ErrorPanel* errors_;
+  QStackedWidget* stack_;
+  StatusStrip* status_;
+  CaseLoader* loader_;
+  HelpWindow* help_ = nullptr;
+};
+
+}  // namespace insonate::ui

@@ -1,0 +1,70 @@
+#include "HeaderBar.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+
+namespace insonate::ui {
+
+HeaderBar::HeaderBar(QMenu* caseMenu, QWidget* parent)
+    : QFrame(parent), tabs_(new QButtonGroup(this)), tabRow_(new QHBoxLayout), case_(new QLabel) {
+  setRole(this, "header");
+  auto* product = new QLabel(QStringLiteral("Insonate"));
+  setRole(product, "product");
+  setRole(case_, "quiet");
+  case_->setTextFormat(Qt::PlainText);
+  auto* menu = new QToolButton;
+  menu->setText(tr("Case"));
+  menu->setIcon(icon(QStringLiteral("folder")));
+  menu->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  menu->setPopupMode(QToolButton::InstantPopup);
+  menu->setMenu(caseMenu);
+  menu->setFocusPolicy(Qt::StrongFocus);
+  menu->setToolTip(tr("Open, import and save cases (Alt+C)"));
+  menu->setShortcut(QKeySequence(tr("Alt+C")));
+
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(kLargeGap, 0, kGap, 0);
+  row->setSpacing(kLargeGap);
+  tabRow_->setSpacing(0);
+  row->addWidget(product);
+  row->addSpacing(kGap);
+  row->addLayout(tabRow_);
+  row->addStretch(1);
+  row->addWidget(case_);
+  row->addWidget(menu);
+  connect(tabs_, &QButtonGroup::idClicked, this, &HeaderBar::tabChosen);
+}
+
+void HeaderBar::addTab(const QString& title, const QString& iconName, const QString& keys) {
+  auto* tab = new QToolButton;
+  setRole(tab, "tab");
+  tab->setText(title);
+  tab->setIcon(icon(iconName));
+  tab->setIconSize({20, 20});
+  tab->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  tab->setCheckable(true);
+  tab->setFocusPolicy(Qt::StrongFocus);
+  tab->setToolTip(QStringLiteral("%1 (%2)").arg(title, keys));
+  tabs_->addButton(tab, tabs_->buttons().size());
+  tabRow_->addWidget(tab);
+}
+
+void HeaderBar::setTab(int index) {
+  if (QAbstractButton* tab = tabs_->button(index)) tab->setChecked(true);
+}
+
+void HeaderBar::setCaseTitle(const QString& title, const QString& hint) {
+  case_->setText(title.isEmpty() ? tr("no case") : title);
+  case_->setToolTip(hint);
+}
+
+QString HeaderBar::caseTitle() const {
+  return case_->text();
+}
+
+}  // namespace insonate::ui

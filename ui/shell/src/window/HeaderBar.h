@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QFrame>
+
+class QButtonGroup;
+class QHBoxLayout;
+class QLabel;
+class QMenu;
+
+namespace insonate::ui {
+
+/// The line on top: the product's name, the workspaces, the case, and its menu.
+class HeaderBar : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit HeaderBar(QMenu* caseMenu, QWidget* parent = nullptr);
+
+  void addTab(const QString& title, const QString& iconName, const QString& keys);
+  void setTab(int index);
+  /// `hint` is the tooltip.
+  void setCaseTitle(const QString& title, const QString& hint);
+  QString caseTitle() const;
+
+ Q_SIGNALS:
+  void tabChosen(int index);
+
+ private:
+  QButtonGroup* tabs_;
+  QHBoxLayout* tabRow_;
+  QLabel* case_;
+};
+
+}  // namespace insonate::ui

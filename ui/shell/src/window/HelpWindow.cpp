@@ -1,0 +1,89 @@
+#include "HelpWindow.h"
+
+#include <insonate/embedded/help.h>
+#include <insonate/ui/Theme.h>
+
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QTextBrowser>
+
+namespace insonate::ui {
+namespace {
+
+constexpr int kList_px = 200;
+
+QString textOf(const embedded::help::File& file) {
+  return QString::fromUtf8(file.text.data(), int(file.text.size()));
+}
+
+/// The first line, without its "# ".
+QString titleOf(const embedded::help::File& file) {
+  return textOf(file).section(QLatin1Char('\n'), 0, 0).mid(2);
+}
+
+}  // namespace
+
+HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), list_(new QListWidget), page_(new QTextBrowser) {
+  setWindowTitle(tr("Insonate: help"));
+  list_->setFixedWidth(kList_px);
+  list_->setAccessibleName(tr("Help pages"));
+  for (const auto& file : embedded::help::files()) list_->addItem(titleOf(file));
+  list_->addItem(tr("Keys"));
+  page_->setOpenExternalLinks(true);
+  page_->setAccessibleName(tr("Help page"));
+  page_->document()->setDefaultStyleSheet(
+      QStringLiteral("th { text-align: left; color: %1 } td { padding-right: 24px; padding-bottom: 6px }")
+          .arg(colour(views::theme::kQuiet).name()));
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(kGap, kGap, kGap, kGap);
+  row->setSpacing(kGap);
+  row->addWidget(list_);
+  row->addWidget(page_, 1);
+  connect(list_, &QListWidget::currentRowChanged, this, &HelpWindow::showRow);
+  resize(880, 620);
+}
+
+void HelpWindow::setShortcuts(const std::vector<ShortcutGroup>& groups) {
+  keys_ = QStringLiteral("<h1>%1</h1>").arg(tr("Keys"));
+  for (const ShortcutGroup& group : groups) {
+    if (group.shortcuts.empty()) continue;
+    keys_ += QStringLiteral("<h3>%1</h3><table>").arg(group.place.toHtmlEscaped());
+    for (const Shortcut& one : group.shortcuts)
+      keys_ += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>")
+                   .arg(one.keys.toHtmlEscaped(), one.does.toHtmlEscaped());
+    keys_ += QStringLiteral("</table>");
+  }
+}
+
+void HelpWindow::showRow(int row) {
+  const auto files = embedded::help::files();
+  if (row >= 0 && row < int(files.size()))
+    page_->setMarkdown(textOf(files[std::size_t(row)]));
+  else
+    page_->setHtml(keys_);
+}
+
+void HelpWindow::showPage(const QString& name) {
+  int row = 0, shown = 0;
+  for (const auto& file : embedded::help::files()) {
+    if (name == QLatin1String(file.name.data(), int(file.name.size()))) shown = row;
+    ++row;
+  }
+  list_->setCurrentRow(shown);
+  showRow(shown);
+  show();
+  raise();
+}
+
+void HelpWindow::showKeys() {
+  list_->setCurrentRow(list_->count() - 1);
+  showRow(list_->count() - 1);
+  show();
+  raise();
+}
+
+QString HelpWindow::shownText() const {
+  return page_->toPlainText();
+}
+
+}  // namespace insonate::ui

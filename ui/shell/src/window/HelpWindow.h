@@ -1,0 +1,40 @@
+#pragma once
+
+#include <insonate/ui/Workspace.h>
+
+#include <QDialog>
+#include <vector>
+
+class QListWidget;
+class QTextBrowser;
+
+namespace insonate::ui {
+
+/// Keys that work in one place.
+struct ShortcutGroup {
+  QString place;
+  std::vector<Shortcut> shortcuts;
+};
+
+/// The pages of resources/help and the list of keys, beside the work: it does not stop anything.
+class HelpWindow : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit HelpWindow(QWidget* parent);
+
+  void setShortcuts(const std::vector<ShortcutGroup>& groups);
+  /// A page by its file's name; the first where there is none of that name.
+  void showPage(const QString& name);
+  void showKeys();
+  QString shownText() const;
+
+ private:
+  void showRow(int row);
+
+  QListWidget* list_;
+  QTextBrowser* page_;
+  QString keys_;
+};
+
+}  // namespace insonate::ui

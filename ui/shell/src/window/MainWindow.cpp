@@ -1,0 +1,186 @@
+#include "HeaderBar.h"
+#include "StatusStrip.h"
+
+#include <insonate/ui/ErrorPanel.h>
+#include <insonate/ui/MainWindow.h>
+#include <insonate/ui/TaskBar.h>
+#include <insonate/ui/Theme.h>
+
+#include <QCloseEvent>
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QScreen>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+namespace insonate::ui {
+namespace {
+
+const QString kGeometry = QStringLiteral("window/geometry");
+const QString kWorkspace = QStringLiteral("window/workspace");
+
+}  // namespace
+
+MainWindow::MainWindow()
+    : menu_(new QMenu(this)),
+      recent_(new QMenu(tr("Recent"), this)),
+      header_(new HeaderBar(menu_)),
+      tasks_(new TaskBar),
+      errors_(new ErrorPanel),
+      stack_(new QStackedWidget),
+      status_(new StatusStrip),
+      loader_(new CaseLoader(*tasks_, this)) {
+  setWindowTitle(QStringLiteral("Insonate"));
+  setAcceptDrops(true);
+  makeActions();
+  arrange();
+  connectAll();
+  header_->setCaseTitle({}, {});
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::arrange() {
+  auto* centre = new QWidget;
+  auto* column = new QVBoxLayout(centre);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(header_);
+  column->addWidget(tasks_);
+  column->addWidget(errors_);
+  column->addWidget(stack_, 1);
+  column->addWidget(status_);
+  setCentralWidget(centre);
+  setMinimumSize(960, 600);
+  const QSize screen = QGuiApplication::primaryScreen() ? QGuiApplication::primaryScreen()->availableSize() : QSize();
+  resize(QSize(1600, 1000).boundedTo(screen * 0.9).expandedTo(minimumSize()));
+}
+
+void MainWindow::connectAll() {
+  connect(header_, &HeaderBar::tabChosen, this, &MainWindow::switchTo);
+  connect(status_, &StatusStrip::helpWanted, this, [this] { showHelp(false); });
+  connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
+  connect(loader_, &CaseLoader::loaded, this, &MainWindow::take);
+  connect(loader_, &CaseLoader::failed, this,
+          [this](const QString& what, const QString& advice, const QString& details) {
+            fail(what, advice, details);
+            Q_EMIT caseFailed(what);
+          });
+  connect(loader_, &CaseLoader::cancelled, this, [this] { status_->say(tr("Cancelled; nothing was changed.")); });
+  connect(loader_, &CaseLoader::saved, this, [this](const QString& folder) {
+    case_.folder = folder;
+    status_->say(tr("Saved to %1.").arg(folder));
+    handOut();
+  });
+  connect(tasks_, &TaskBar::runningChanged, this, [this](bool running) {
+    if (running) errors_->dismiss();
+    save_->setEnabled(!running && case_.patient);
+    Q_EMIT readyChanged();
+  });
+}
+
+void MainWindow::addWorkspace(const QString& id, const QString& title, const QString& iconName, Workspace* workspace) {
+  const int index = int(rooms_.size());
+  const QString keys = QStringLiteral("Ctrl+%1").arg(index + 1);
+  rooms_.push_back({id, title, workspace});
+  stack_->addWidget(workspace);
+  header_->addTab(title, iconName, keys);
+  auto* choose = new QAction(title, this);
+  choose->setShortcut(QKeySequence(keys));
+  connect(choose, &QAction::triggered, this, [this, index] { switchTo(index); });
+  addAction(choose);
+  connect(workspace, &Workspace::statusChanged, this, &MainWindow::updateStatus);
+  connect(workspace, &Workspace::readyChanged, this, &MainWindow::readyChanged);
+  connect(workspace, &Workspace::failed, this, &MainWindow::fail);
+  connect(workspace, &Workspace::caseMade, this, &MainWindow::takeMade);
+  if (index == 0) header_->setTab(0);
+}
+
+void MainWindow::switchTo(int index) {
+  header_->setTab(index);
+  stack_->setCurrentIndex(index);
+  currentWorkspace()->setFocus();
+  updateStatus();
+  Q_EMIT readyChanged();
+}
+
+bool MainWindow::showWorkspace(const QString& id) {
+  for (std::size_t i = 0; i < rooms_.size(); ++i) {
+    if (rooms_[i].id != id) continue;
+    switchTo(int(i));
+    return true;
+  }
+  return false;
+}
+
+Workspace* MainWindow::currentWorkspace() const {
+  return rooms_.empty() ? nullptr : rooms_[std::size_t(stack_->currentIndex())].workspace;
+}
+
+QString MainWindow::currentId() const {
+  return rooms_.empty() ? QString() : rooms_[std::size_t(stack_->currentIndex())].id;
+}
+
+void MainWindow::updateStatus() {
+  const Workspace* workspace = currentWorkspace();
+  if (!workspace) return;
+  status_->setStanding(workspace->statusText());
+  status_->setEngine(workspace->engineText());
+}
+
+bool MainWindow::isReady() const {
+  return case_.patient && !tasks_->isRunning() && currentWorkspace() && currentWorkspace()->isReady();
+}
+
+void MainWindow::fail(const QString& what, const QString& advice, const QString& details) {
+  errors_->showError(what, advice, details);
+}
+
+QString MainWindow::statusText() const {
+  return status_->text();
+}
+
+QString MainWindow::caseTitle() const {
+  return header_->caseTitle();
+}
+
+void MainWindow::restoreLayout() {
+  QSettings settings;
+  restoreGeometry(settings.value(kGeometry).toByteArray());
+  for (const Room& room : rooms_) {
+    settings.beginGroup(room.id);
+    room.workspace->restoreLayout(settings);
+    settings.endGroup();
+  }
+  showWorkspace(settings.value(kWorkspace).toString());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  QSettings settings;
+  settings.setValue(kGeometry, saveGeometry());
+  settings.setValue(kWorkspace, currentId());
+  for (const Room& room : rooms_) {
+    settings.beginGroup(room.id);
+    room.workspace->saveLayout(settings);
+    settings.endGroup();
+  }
+  // The window goes at once; what is still at work is told to stop and waited for out of sight.
+  hide();
+  tasks_->cancel();
+  for (const Room& room : rooms_) room.workspace->stop();
+  event->accept();
+  QMainWindow::closeEvent(event);
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && tasks_->isRunning())
+    tasks_->cancel();
+  else if (event->key() == Qt::Key_Escape && errors_->isVisible())
+    errors_->dismiss();
+  else
+    QMainWindow::keyPressEvent(event);
+}
+
+}  // namespace insonate::ui

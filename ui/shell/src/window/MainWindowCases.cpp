@@ -1,0 +1,188 @@
+// The part of the window that brings cases in and out.
+#include "HeaderBar.h"
+#include "HelpWindow.h"
+#include "RecentCases.h"
+#include "StatusStrip.h"
+
+#include <insonate/ui/MainWindow.h>
+#include <insonate/ui/TaskBar.h>
+#include <insonate/ui/Theme.h>
+
+#include <QAction>
+#include <QDir>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMimeData>
+#include <QSettings>
+
+namespace insonate::ui {
+namespace {
+
+const QString kLastFolder = QStringLiteral("lastFolder");
+
+/// The first local file or folder that is carried; empty when there is none.
+QString carriedPath(const QMimeData* data) {
+  for (const QUrl& url : data->urls())
+    if (url.isLocalFile()) return url.toLocalFile();
+  return {};
+}
+
+QString startFolder() {
+  return QSettings().value(kLastFolder, QDir::homePath()).toString();
+}
+
+void keepStartFolder(const QString& chosen) {
+  QSettings().setValue(kLastFolder, QFileInfo(chosen).absolutePath());
+}
+
+}  // namespace
+
+void MainWindow::makeActions() {
+  const auto make = [this](const char* iconName, const QString& text, const QString& tip, const QKeySequence& keys) {
+    auto* action = new QAction(icon(QLatin1String(iconName)), text, this);
+    action->setShortcut(keys);
+    action->setToolTip(keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keys.toString()));
+    addAction(action);
+    return action;
+  };
+  open_ = make("folder", tr("Open case ..."), tr("A case folder, or a folder of DICOM files"), QKeySequence::Open);
+  import_ = make("import", tr("Import file ..."), tr("A DICOM, NRRD, NIfTI or MetaImage file"), tr("Ctrl+I"));
+  textbook_ = make("neck", tr("Built-in neck"), tr("The textbook neck that comes with Insonate"), tr("Ctrl+T"));
+  save_ = make("save", tr("Save case as ..."), tr("Write the case to a folder"), QKeySequence::Save);
+  save_->setEnabled(false);
+  auto* quit = make("close", tr("Quit"), tr("Close the window"), QKeySequence::Quit);
+  auto* page = make("help", tr("Help"), tr("About what is shown"), QKeySequence(Qt::Key_F1));
+  auto* keys = make("help", tr("Keys"), tr("All keys"), QKeySequence(Qt::Key_Question));
+  keys->setShortcuts({QKeySequence(Qt::Key_Question), QKeySequence(QStringLiteral("Shift+?"))});
+  auto* full = make("", tr("Full screen"), tr("Full screen and back"), QKeySequence(Qt::Key_F11));
+  for (QAction* action : {open_, import_, textbook_}) menu_->addAction(action);
+  menu_->addMenu(recent_);
+  menu_->addSeparator();
+  menu_->addAction(save_);
+  menu_->addSeparator();
+  for (QAction* action : {full, page, keys, quit}) menu_->addAction(action);
+  menu_->setToolTipsVisible(true);
+  recent_->setToolTipsVisible(true);
+
+  connect(open_, &QAction::triggered, this, &MainWindow::chooseCase);
+  connect(import_, &QAction::triggered, this, &MainWindow::chooseImport);
+  connect(textbook_, &QAction::triggered, this, &MainWindow::openTextbook);
+  connect(save_, &QAction::triggered, this, &MainWindow::chooseTarget);
+  connect(quit, &QAction::triggered, this, &QWidget::close);
+  connect(full, &QAction::triggered, this, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+  connect(page, &QAction::triggered, this, [this] { showHelp(false); });
+  connect(keys, &QAction::triggered, this, [this] { showHelp(true); });
+}
+
+void MainWindow::fillRecent() {
+  recent_->clear();
+  const std::vector<RecentCase> cases = recentCases();
+  for (const RecentCase& one : cases) {
+    QString title = one.title;
+    QAction* action = recent_->addAction(title.replace(QLatin1Char('&'), QLatin1String("&&")));
+    action->setToolTip(one.folder);
+    connect(action, &QAction::triggered, this, [this, folder = one.folder] { open(folder); });
+  }
+  if (cases.empty()) {
+    recent_->addAction(tr("Cases that you open are listed here"))->setEnabled(false);
+    return;
+  }
+  recent_->addSeparator();
+  connect(recent_->addAction(tr("Forget these")), &QAction::triggered, this, [] { forgetRecentCases(); });
+}
+
+void MainWindow::chooseCase() {
+  const QString folder =
+      QFileDialog::getExistingDirectory(this, tr("Open a case folder, or a folder of DICOM files"), startFolder());
+  if (folder.isEmpty()) return;
+  keepStartFolder(folder);
+  open(folder);
+}
+
+void MainWindow::chooseImport() {
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Import a DICOM, NRRD, NIfTI or MetaImage file"), startFolder(),
+                                   tr("Volumes (*.dcm *.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd);;All files (*)"));
+  if (file.isEmpty()) return;
+  keepStartFolder(file);
+  open(file);
+}
+
+void MainWindow::chooseTarget() {
+  const QString folder = QFileDialog::getSaveFileName(this, tr("Save the case to a new folder"), startFolder(), {},
+                                                      nullptr, QFileDialog::ShowDirsOnly);
+  if (folder.isEmpty()) return;
+  keepStartFolder(folder);
+  loader_->save(case_.patient, folder);
+}
+
+void MainWindow::take(const LoadedCase& loaded) {
+  case_ = loaded;
+  const QString title = QString::fromStdString(case_.patient->manifest.title);
+  if (!case_.folder.isEmpty()) rememberCase({case_.folder, title});
+  handOut();
+  if (!case_.notes.isEmpty())
+    status_->say(case_.notes.join(QLatin1Char(' ')));
+  else
+    status_->say(tr("Opened %1.").arg(title));
+}
+
+void MainWindow::takeMade(std::shared_ptr<const PatientCase> patient) {
+  case_.patient = std::move(patient);
+  case_.folder.clear();
+  case_.builtIn = false;
+  handOut();
+}
+
+void MainWindow::handOut() {
+  const CaseManifest& manifest = case_.patient->manifest;
+  QString title = QString::fromStdString(manifest.title), hint = QString::fromStdString(manifest.description);
+  if (case_.folder.isEmpty() && !case_.builtIn) title += tr(" (not saved)");
+  if (!case_.folder.isEmpty()) hint += (hint.isEmpty() ? QString() : QStringLiteral("\n")) + case_.folder;
+  header_->setCaseTitle(title, hint);
+  setWindowTitle(QStringLiteral("%1 - Insonate").arg(title));
+  save_->setEnabled(true);
+  for (const Room& room : rooms_) room.workspace->setCase(case_.patient);
+  updateStatus();
+  Q_EMIT readyChanged();
+}
+
+void MainWindow::showHelp(bool keys) {
+  if (!help_) help_ = new HelpWindow(this);
+  std::vector<ShortcutGroup> groups{{tr("Everywhere"), {}}};
+  for (const QAction* action : actions())
+    if (!action->shortcut().isEmpty())
+      groups[0].shortcuts.push_back({action->shortcut().toString(QKeySequence::NativeText), action->text()});
+  groups[0].shortcuts.push_back({tr("Alt+C"), tr("the menu of cases")});
+  groups[0].shortcuts.push_back({tr("Esc"), tr("cancel what is being done, close a message")});
+  groups.push_back({tr("In every view"), {{tr("M, double click"), tr("fill the room with this view, and back")}}});
+  for (const Room& room : rooms_) groups.push_back({room.title, room.workspace->shortcuts()});
+  help_->setShortcuts(groups);
+  if (keys)
+    help_->showKeys();
+  else
+    help_->showPage(currentWorkspace()->helpPage());
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const QString path = carriedPath(event->mimeData());
+  if (path.isEmpty()) return;
+  event->acceptProposedAction();
+  status_->setStanding(tr("Drop to open %1.").arg(QFileInfo(path).fileName()));
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
+  updateStatus();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QString path = carriedPath(event->mimeData());
+  updateStatus();
+  if (path.isEmpty()) return;
+  event->acceptProposedAction();
+  open(path);
+}
+
+}  // namespace insonate::ui

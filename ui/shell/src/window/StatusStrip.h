@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QFrame>
+
+class QLabel;
+class QTimer;
+class QToolButton;
+
+namespace insonate::ui {
+
+/// The line at the bottom: what just happened or the next thing to do, the engine and its rate, help.
+class StatusStrip : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit StatusStrip(QWidget* parent = nullptr);
+
+  /// What to do next, while nothing has just happened.
+  void setStanding(const QString& text);
+  /// What just happened; the standing text comes back after a while.
+  void say(const QString& text);
+  void setEngine(const QString& text);
+
+  QString text() const;
+
+ Q_SIGNALS:
+  void helpWanted();
+
+ private:
+  void write(const QString& text);
+
+  QString standing_;
+  QLabel *text_, *engine_;
+  QTimer* timer_;
+};
+
+}  // namespace insonate::ui
