@@ -21,6 +21,9 @@ using Frame = std::shared_ptr<const LiveFrame>;
 
 ImagingSetup smallSetup() {
   ImagingSetup setup{*loadProbe("linear"), {}, *loadAcousticTable("neck"), "cpu"};
+  setup.probe.name = "coarse linear";
+  setup.probe.lateralFNumber =
+      8;  // a beam so wide that 1 mm voxels need not be divided: scenes in an eighth of the time
   setup.settings = settingsFor(setup.probe);
   setup.settings.depth_mm = 25;
   setup.settings.scanlines = 48;
@@ -98,7 +101,7 @@ class Live {
   }
 
   template <class Condition>
-  bool until(const Condition& condition, std::chrono::milliseconds patience = 60s) {
+  bool until(const Condition& condition, std::chrono::milliseconds patience = 300s) {
     const auto end = std::chrono::steady_clock::now() + patience;
     std::unique_lock lock(mutex_);
     while (!condition()) {
@@ -116,8 +119,11 @@ class Live {
   }
   /// Nothing more is under way.
   void settle() {
-    until([&] { return imaging_->latest() && !imaging_->status().buildingScene; });
-    std::this_thread::sleep_for(50ms);
+    const auto resting = [&] { return imaging_->latest() && !imaging_->status().buildingScene; };
+    do {
+      ASSERT_TRUE(until(resting));
+      std::this_thread::sleep_for(50ms);
+    } while (!resting());
   }
 
  private:
@@ -142,8 +148,10 @@ TEST(LiveImaging, FirstFrameArrivesWithAllThatLedToIt) {
   EXPECT_TRUE(frame->warnings->empty());
   EXPECT_TRUE(frame->envelope.amplitude.empty());
   ASSERT_TRUE(live.until([&] { return live->status().state == LiveState::Imaging; }));
-  EXPECT_EQ(live->status().scenesBuilt, 1);
+  EXPECT_GE(live->status().scenesBuilt, 1);
   EXPECT_GT(live->status().sceneBuild_ms, 0);
+  live.settle();
+  EXPECT_EQ(live->status().scenesBuilt, 2) << "a small one for the first picture, then one with room to move";
 }
 
 TEST(LiveImaging, LatestPoseWins) {
@@ -208,8 +216,10 @@ TEST(LiveImaging, PicturesDoNotDependOnTheSceneTheyAreMadeFrom) {
 TEST(LiveImaging, TheNextSceneIsThereBeforeTheProbeLeaves) {
   Live live;
   ASSERT_TRUE(live.frameAt(poseAt(0)));
+  live.settle();
+  const int scenes = live->status().scenesBuilt;
   ASSERT_TRUE(live.frameAt(poseAt(8)));  // less than 9 mm left of 15
-  ASSERT_TRUE(live.until([&] { return live->status().scenesBuilt == 2; }));
+  ASSERT_TRUE(live.until([&] { return live->status().scenesBuilt == scenes + 1; }));
   live.settle();
   EXPECT_EQ(live->status().state, LiveState::Imaging);
   ASSERT_TRUE(live.frameAt(poseAt(20)));  // beyond the first
@@ -320,15 +330,19 @@ TEST(LiveImaging, SetupsAreTakenOverWithTheirScene) {
     }));
     EXPECT_LE(greatestDifference(frame->image, freshPicture(*patient, setup, poseAt(0))), 1);
   };
+  live.settle();
+  const int scenes = live->status().scenesBuilt;
   setup.settings.gain_dB = 6;
   taken();
-  EXPECT_EQ(live->status().scenesBuilt, 1) << "gain needs no scene";
+  EXPECT_EQ(live->status().scenesBuilt, scenes) << "gain needs no scene";
   setup.tissues.tissues[kVein].echogenicity_dB += 30;
   taken();
-  EXPECT_EQ(live->status().scenesBuilt, 2);
+  EXPECT_GT(live->status().scenesBuilt, scenes);
   setup.settings.depth_mm = 60;
   taken();
   setup.engine = "reference";
+  taken();
+  setup.probe = *loadProbe("linear");
   taken();
   setup.probe = *loadProbe("curvilinear");
   setup.settings = smallSetup().settings;

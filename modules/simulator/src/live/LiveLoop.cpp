@@ -18,6 +18,8 @@ int framesToSettle(double persistence) {
   return persistence > 0 ? static_cast<int>(std::ceil(std::log(0.5 / 255) / std::log(persistence))) : 0;
 }
 
+constexpr double kSmallScene_mm = 7;
+
 LiveOptions completed(LiveOptions options) {
   if (options.threads <= 0) options.threads = std::max(1, tbb::info::default_concurrency() - 1);
   options.sceneMargin_mm = std::clamp(options.sceneMargin_mm, 2 * live::SceneNeed::kSeam_mm, 100.0);
@@ -126,11 +128,14 @@ void LiveImaging::Impl::takeScene() {
 void LiveImaging::Impl::activateNext() {
   if (!next_) return;
   const bool outside = next_->need.misses(pose_);
-  const bool ready = suits(scene_.job, *next_) && live::covers(scene_.job.region_mm, next_->need.at(pose_));
-  if (!outside && !ready) return;
+  if (!outside && !isCovered(*next_)) return;
   if (!suits(scene_.job, *next_)) scene_ = {};
   active_ = std::move(*std::exchange(next_, std::nullopt));
   drawn_ = false;
+}
+
+bool LiveImaging::Impl::isCovered(const Source& source) const {
+  return suits(scene_.job, source) && live::covers(scene_.job.region_mm, source.need.at(pose_));
 }
 
 void LiveImaging::Impl::followProbe() {
@@ -140,7 +145,13 @@ void LiveImaging::Impl::followProbe() {
     return;
   // A scene in work that the probe has left already would come too late.
   if (job_ && suits(*job_, source) && live::covers(job_->region_mm, source.need.at(pose_))) return;
-  job_ = live::SceneJob{source.setup, source.need.at(pose_, options_.sceneMargin_mm), source.need.detail_mm()};
+  // Where nothing is to be seen before the scene is there, a small one comes first. Not for a probe that has just moved
+  // on: it would leave a small one, too.
+  const bool wasLeft = job_ && suits(*job_, source);
+  const bool farAway = !drawn_ || norm(pose_.offset - drawnPose_.offset) > options_.sceneMargin_mm;
+  const bool small = !wasLeft && (!suits(scene_.job, source) || farAway) && !isCovered(source);
+  const double room_mm = small ? std::min(kSmallScene_mm, options_.sceneMargin_mm) : options_.sceneMargin_mm;
+  job_ = live::SceneJob{source.setup, source.need.at(pose_, room_mm), source.need.detail_mm()};
   builder_.begin(*job_);
   const std::lock_guard lock(mutex_);
   status_.buildingScene = true;
@@ -158,7 +169,7 @@ bool LiveImaging::Impl::makePicture() {
   if (frozen) return false;
   const bool outside = active_.need.misses(pose_);
   const bool moved = !drawn_ || !(pose_ == drawnPose_);
-  if (!outside && !(scene_.scene && live::covers(scene_.job.region_mm, active_.need.at(pose_)))) {
+  if (!outside && !isCovered(active_)) {
     if (!jobFailed_) setState(number_ ? LiveState::WaitingForScene : LiveState::Starting);
     return false;
   }

@@ -53,6 +53,7 @@ class LiveImaging::Impl {
   bool publish();
   void setState(LiveState state, std::string message = {});
   void notify();
+  bool isCovered(const Source& source) const;
   static bool suits(const live::SceneJob& job, const Source& source);
   double now_s() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
 
