@@ -79,6 +79,7 @@ Result<Mesh> surfaceOf(const LabelMap& labels, const LabelSet& structure, const 
   const std::string doing = "Surface of " + name;
   if (!report(progress, doing, 0)) return fail(std::string(kCancelled));
   const auto box = boxOf(labels, structure);
+  if (!report(progress, doing, 0.05)) return fail(std::string(kCancelled));
   if (!box) return fail("No voxel is labelled " + name + ", so it has no surface.");
   auto extracted = extract(labels, structure, *box, options.detail_mm, progress, doing);
   if (!extracted) return tl::unexpected(extracted.error());

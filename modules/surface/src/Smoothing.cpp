@@ -14,11 +14,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace insonate {
 namespace {
 
-constexpr int kFewestPasses = 10, kMostPasses = 60;
+constexpr int kFewestPasses = 10, kMostPasses = 40;
 /// A part that would keep less of its volume is smoothed less.
 constexpr double kVolumeKept = 0.8;
 
@@ -89,7 +90,8 @@ Result<void> smoothMesh(Mesh& mesh, double wavelength_mm, const Transform& index
   filter->BoundarySmoothingOff();
   filter->FeatureEdgeSmoothingOff();
   filter->NonManifoldSmoothingOn();
-  if (auto ok = runFilter(*filter, progress, doing, from, to); !ok) return ok;
+  const double filtered = from + 0.8 * (to - from);
+  if (auto ok = runFilter(*filter, progress, doing, from, filtered); !ok) return ok;
 
   std::vector<float> smoothed(mesh.points_mm.size());
   vtkPoints& points = *filter->GetOutput()->GetPoints();
@@ -99,8 +101,10 @@ Result<void> smoothMesh(Mesh& mesh, double wavelength_mm, const Transform& index
     for (int a = 0; a < 3; ++a) smoothed[3 * p + a] = static_cast<float>(patient[a]);
   }
   holdNear(mesh.points_mm, smoothed, indexFromPatient.linear);
+  if (!report(progress, doing, (filtered + to) / 2)) return fail(std::string(kCancelled));
   keepSmallParts(mesh, smoothed, kVolumeKept);
   mesh.points_mm = std::move(smoothed);
+  if (!report(progress, doing, to)) return fail(std::string(kCancelled));
   return {};
 }
 

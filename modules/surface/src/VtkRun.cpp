@@ -1,6 +1,5 @@
 #include "VtkRun.h"
 
-#include <vtkAlgorithm.h>
 #include <vtkCommand.h>
 #include <vtkExecutive.h>
 #include <vtkNew.h>

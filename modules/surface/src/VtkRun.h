@@ -3,7 +3,7 @@
 #include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
 
-class vtkAlgorithm;
+#include <vtkAlgorithm.h>
 
 namespace insonate {
 

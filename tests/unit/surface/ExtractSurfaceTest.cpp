@@ -93,6 +93,16 @@ TEST(ExtractSurface, SeparatePartsStaySeparate) {
   EXPECT_NEAR(volume_mm3(mesh) / (ballVolume_mm3(8) + ballVolume_mm3(6)), 1, 0.02);
 }
 
+TEST(ExtractSurface, VoxelsThatMeetAtAnEdgeOrCornerStaySeparate) {
+  LabelMap labels = emptyMap(8, 8, 8);
+  labels.at(2, 2, 2) = kNerve;
+  labels.at(3, 3, 2) = kNerve;
+  labels.at(4, 4, 3) = kNerve;
+  const Mesh mesh = surfaceOf(labels, kNerve, kPlain);
+  EXPECT_TRUE(isClosed(mesh));
+  EXPECT_EQ(eulerCharacteristic(mesh), 6);
+}
+
 TEST(ExtractSurface, ACavityIsNotPartOfTheVolume) {
   LabelMap labels = emptyMap(50, 50, 50);
   addBall(labels, kBone, {25, 25, 25}, 20);
