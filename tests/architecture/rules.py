@@ -9,7 +9,8 @@ FLOORS = {
     "cases": 2,
     "segmentation": 3, "surface": 3, "deformation": 3, "ultrasound": 3, "haptics": 3, "procedure": 3, "curriculum": 3,
     "simulator": 4,
-    "ui": 5,
+    # The rooms of ui stand on views and on the shell, whose headers are insonate/ui/.
+    "views": 5, "ui": 5.1, "prepare": 5.2, "train": 5.2, "review": 5.2,
     "app": 6,
 }
 # Made by the build from resources/: below every floor, and private.
@@ -49,6 +50,8 @@ def place(root, file):
     parts = file.relative_to(root).parts
     if parts[0] == "modules" and len(parts) > 2:
         return parts[1], parts[2] == "include"
+    if parts[0] == "ui" and len(parts) > 2:
+        return {"shell": "ui"}.get(parts[1], parts[1]), False
     return (parts[0], False) if parts[0] in ("ui", "app") else (None, False)
 
 
@@ -124,6 +127,10 @@ def check_toolkits(root):
                 yield f"{where}: includes {header}; modules do without Qt, but for Qt Core and Qt Sql in curriculum"
             if HID.match(header) and module != "haptics":
                 yield f"{where}: includes {header}; hidapi belongs in haptics"
+    for file in sources(root, "ui/views"):
+        for number, header in includes(file):
+            if QT.match(header) or header.startswith("QVTK"):
+                yield f"{file.relative_to(root)}:{number}: includes {header}; views know VTK only, Qt belongs in the rooms above"
 
 
 def check_sql(root):

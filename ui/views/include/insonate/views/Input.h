@@ -1,0 +1,21 @@
+#pragma once
+
+namespace insonate::views {
+
+/// A place in a view, in device pixels from its top left corner; the first pixel's centre is (0.5, 0.5).
+struct DisplayPoint {
+  double x = 0, y = 0;
+};
+
+enum class Button { None, Left, Middle, Right };
+
+/// What a mouse or pen does. A toolkit translates its own events into these, so that views need no toolkit.
+struct Pointer {
+  DisplayPoint at;
+  Button button = Button::None;  ///< the one pressed, released or held
+  bool shift = false, control = false;
+};
+
+enum class Key { Up, Down, Left, Right, PageUp, PageDown, A, D, G, R };
+
+}  // namespace insonate::views

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+namespace insonate::views {
+
+/// sRGB, 0..255.
+struct Colour {
+  std::uint8_t red = 0, green = 0, blue = 0;
+  constexpr bool operator==(const Colour&) const = default;
+};
+
+/// The window's colours.
+namespace theme {
+inline constexpr Colour kGround{0x14, 0x17, 0x1a};
+inline constexpr Colour kPanel{0x1b, 0x1f, 0x24};
+inline constexpr Colour kRaised{0x24, 0x2a, 0x31};
+inline constexpr Colour kLine{0x32, 0x3a, 0x43};
+inline constexpr Colour kText{0xd9, 0xdf, 0xe5};
+inline constexpr Colour kQuiet{0x8d, 0x98, 0xa3};
+inline constexpr Colour kAccent{0x4a, 0xa3, 0xd8};
+inline constexpr Colour kGood{0x4c, 0xaf, 0x7d};
+inline constexpr Colour kCaution{0xe0, 0xa3, 0x3a};
+inline constexpr Colour kDanger{0xe0, 0x5a, 0x52};
+inline constexpr Colour kBlack{0, 0, 0};
+}  // namespace theme
+
+}  // namespace insonate::views

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <insonate/ultrasound/Frames.h>
+#include <insonate/views/Calliper.h>
+#include <insonate/views/View.h>
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace insonate::views {
+
+/// The part of the imaging plane to show, probe frame mm; low < high.
+struct PictureBounds {
+  double minLateral_mm = -20, maxLateral_mm = 20, minAxial_mm = 0, maxAxial_mm = 40;
+};
+
+/// The live picture, as large as fits with square pixels, black around; a depth scale beside it, focus, grey bar, the
+/// probe's marker, callipers. Axial 0 of the scale is the middle of the probe's face.
+class UltrasoundView final : public View {
+ public:
+  UltrasoundView();
+  ~UltrasoundView() override;
+
+  /// Copies the grey values. While the picture keeps its size, nothing is allocated or built. An image without pixels
+  /// empties the view.
+  void setImage(const BModeImage& image);
+  /// Shows only this part, e.g. the field of view without the black beside it; none for the whole image.
+  void setBounds(std::optional<PictureBounds> bounds);
+  /// The marker's side (+lateral) is on the right, as the image has it; mirrored, on the left.
+  void setMirrored(bool mirrored);
+
+  void setFocus(std::optional<double> focus_mm);
+  void setFrozen(bool frozen);
+  void setScaleVisible(bool visible);
+  void setGreyBarVisible(bool visible);
+  /// Slider values in dB from face to depth, -20..20, drawn as a curve beside the picture; empty for none.
+  void setTgc(std::span<const double> tgc_dB);
+  /// Drawn with their values, numbered in this order.
+  void setCallipers(std::vector<Calliper> callipers);
+
+  /// Display pixels to the picture's mm and back, also outside the picture.
+  PicturePoint pictureFromDisplay(DisplayPoint at) const;
+  DisplayPoint displayFromPicture(PicturePoint point) const;
+  /// Whether a display point is within what is shown of the picture.
+  bool onPicture(DisplayPoint at) const;
+  double px_per_mm() const;
+
+ protected:
+  void layout() override;
+
+ private:
+  struct Drawing;
+  struct Placement {
+    double px_per_mm = 10, left_px = 0, top_px = 0, right_px = 0, bottom_px = 0;
+  };
+  PictureBounds bounds() const;
+  Placement placement() const;
+  void placePicture(const PictureBounds& shown);
+
+  BModeImage shape_;  ///< size and place of the picture; its pixels go straight to the texture
+  std::optional<PictureBounds> bounds_;
+  std::optional<double> focus_mm_;
+  std::vector<double> tgc_dB_;
+  std::vector<Calliper> callipers_;
+  bool mirrored_ = false, frozen_ = false, scaleVisible_ = true, greyBarVisible_ = true;
+  std::unique_ptr<Drawing> drawing_;
+};
+
+}  // namespace insonate::views

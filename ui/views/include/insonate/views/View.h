@@ -1,0 +1,74 @@
+#pragma once
+
+#include <insonate/views/Input.h>
+
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <functional>
+
+class vtkRenderWindow;
+
+namespace insonate::views {
+
+/// What all views share: a renderer in a window that the caller provides. One view to a window. For the window's thread
+/// only. Setters are cheap: what follows from them is computed when the window renders next.
+class View {
+ public:
+  View();
+  virtual ~View();
+  View(const View&) = delete;
+  View& operator=(const View&) = delete;
+
+  /// Adds the view's renderers to the window; a view is in one window at most.
+  void attach(vtkRenderWindow* window);
+  void detach();
+
+  /// The window's size in device pixels, and device pixels to a logical one (text and margins grow by it). Call it
+  /// when the window has that size.
+  void resize(int width_px, int height_px, double scale = 1);
+  int width_px() const { return width_px_; }
+  int height_px() const { return height_px_; }
+
+  /// Renders the window now. Nothing happens without one.
+  void render();
+
+  /// Called when the view wants to be rendered again; called often, so collect before rendering.
+  void setRenderWanted(std::function<void()> listener) { renderWanted_ = std::move(listener); }
+
+  /// Input; true when the view made use of it.
+  virtual bool pressed(const Pointer&) { return false; }
+  virtual bool moved(const Pointer&) { return false; }
+  virtual bool released(const Pointer&) { return false; }
+  /// Positive notches are away from the user; fractions come from touch pads.
+  virtual bool wheel(const Pointer&, double /*notches*/) { return false; }
+  virtual bool key(Key) { return false; }
+
+  vtkRenderer* renderer() { return renderer_; }
+
+ protected:
+  /// Brings what is drawn up to date. Called at the start of a rendering after changed() or resize().
+  virtual void layout() = 0;
+  /// True when something shared with other views has changed since the last layout.
+  virtual bool outOfDate() const { return false; }
+  virtual void attached(vtkRenderWindow&) {}
+  virtual void detached(vtkRenderWindow&) {}
+  void changed();
+  /// For changes that need no layout.
+  void wantRender() const;
+  double scale() const { return scale_; }
+  vtkRenderWindow* window();
+
+ private:
+  void rendererStarts();
+
+  vtkNew<vtkRenderer> renderer_;
+  vtkSmartPointer<vtkRenderWindow> window_;
+  std::function<void()> renderWanted_;
+  int width_px_ = 1, height_px_ = 1;
+  double scale_ = 1;
+  bool stale_ = true;
+};
+
+}  // namespace insonate::views

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+
+#include <vtkSmartPointer.h>
+
+#include <cstdint>
+#include <memory>
+
+class vtkImageData;
+class vtkMatrix4x4;
+
+namespace insonate::views {
+
+/// A patient's volumes as VTK sees them, made once and shared among views. Wraps the patient's own voxels: no copy is
+/// made, and the patient lives as long as this does. For the window's thread.
+class VtkCase {
+ public:
+  explicit VtkCase(std::shared_ptr<const PatientCase> patient);
+  ~VtkCase();
+
+  const PatientCase& patient() const { return *patient_; }
+  /// Hounsfield units; origin, spacing and direction of the patient's grid (LPS mm), oblique and left-handed ones too.
+  vtkImageData* ct() const;
+
+  /// What is drawn as labels: the patient's own, or a map that is being edited instead of them (same grid; null for the
+  /// patient's own again). Not to be written to while a view renders.
+  const LabelMap& labels() const { return edited_ ? *edited_ : patient_->labels; }
+  void setEditedLabels(std::shared_ptr<const LabelMap> labels);
+  /// Say so after each change of voxels; then render the views.
+  void labelsChanged() { ++labelRevision_; }
+  std::uint64_t labelRevision() const { return labelRevision_; }
+
+ private:
+  std::shared_ptr<const PatientCase> patient_;
+  std::shared_ptr<const LabelMap> edited_;
+  vtkSmartPointer<vtkImageData> ct_;
+  std::uint64_t labelRevision_ = 1;
+};
+
+/// Row by row, for VTK.
+vtkSmartPointer<vtkMatrix4x4> vtkMatrix(const Transform& transform);
+
+}  // namespace insonate::views

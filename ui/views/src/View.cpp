@@ -1,0 +1,65 @@
+#include <insonate/views/Theme.h>
+#include <insonate/views/View.h>
+
+#include <vtkCommand.h>
+#include <vtkRenderWindow.h>
+
+#include <algorithm>
+
+namespace insonate::views {
+
+View::View() {
+  renderer_->SetBackground(0, 0, 0);
+  renderer_->AddObserver(vtkCommand::StartEvent, this, &View::rendererStarts);
+}
+
+View::~View() {
+  if (window_) window_->RemoveRenderer(renderer_);
+}
+
+void View::attach(vtkRenderWindow* window) {
+  detach();
+  window_ = window;
+  if (!window_) return;
+  window_->AddRenderer(renderer_);
+  attached(*window_);
+  changed();
+}
+
+void View::detach() {
+  if (!window_) return;
+  detached(*window_);
+  window_->RemoveRenderer(renderer_);
+  window_ = nullptr;
+}
+
+void View::resize(int width_px, int height_px, double scale) {
+  width_px_ = std::max(1, width_px), height_px_ = std::max(1, height_px);
+  scale_ = std::clamp(scale, 0.5, 8.0);
+  changed();
+}
+
+vtkRenderWindow* View::window() {
+  return window_;
+}
+
+void View::render() {
+  if (window_) window_->Render();
+}
+
+void View::changed() {
+  stale_ = true;
+  wantRender();
+}
+
+void View::wantRender() const {
+  if (renderWanted_) renderWanted_();
+}
+
+void View::rendererStarts() {
+  if (!stale_ && !outOfDate()) return;
+  stale_ = false;
+  layout();
+}
+
+}  // namespace insonate::views

@@ -1,0 +1,52 @@
+#include <insonate/views/VtkCase.h>
+
+#include <vtkImageData.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPointData.h>
+#include <vtkShortArray.h>
+
+namespace insonate::views {
+namespace {
+
+vtkSmartPointer<vtkImageData> wrapped(const CtVolume& ct) {
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  const VolumeGeometry& grid = ct.geometry;
+  image->SetDimensions(grid.size[0], grid.size[1], grid.size[2]);
+  image->SetSpacing(grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z);
+  image->SetOrigin(grid.origin_mm.x, grid.origin_mm.y, grid.origin_mm.z);
+  const auto& axis = grid.direction.column;
+  const double rows[9] = {axis[0].x, axis[1].x, axis[2].x, axis[0].y, axis[1].y,
+                          axis[2].y, axis[0].z, axis[1].z, axis[2].z};
+  image->SetDirectionMatrix(rows);
+  auto voxels = vtkSmartPointer<vtkShortArray>::New();
+  // VTK has no arrays of constants; nothing here writes to this one.
+  voxels->SetArray(const_cast<std::int16_t*>(ct.voxels.data()), static_cast<vtkIdType>(ct.voxels.size()), 1);
+  image->GetPointData()->SetScalars(voxels);
+  return image;
+}
+
+}  // namespace
+
+VtkCase::VtkCase(std::shared_ptr<const PatientCase> patient)
+    : patient_(std::move(patient)), ct_(wrapped(patient_->ct)) {}
+VtkCase::~VtkCase() = default;
+
+vtkImageData* VtkCase::ct() const {
+  return ct_;
+}
+
+void VtkCase::setEditedLabels(std::shared_ptr<const LabelMap> labels) {
+  edited_ = std::move(labels);
+  labelsChanged();
+}
+
+vtkSmartPointer<vtkMatrix4x4> vtkMatrix(const Transform& transform) {
+  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) matrix->SetElement(row, column, transform.linear.column[column][row]);
+    matrix->SetElement(row, 3, transform.offset[row]);
+  }
+  return matrix;
+}
+
+}  // namespace insonate::views

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "../overlay/Lines.h"
+#include "../overlay/PictureQuad.h"
+#include "../overlay/Texts.h"
+#include "../ultrasound/FanOutline.h"
+#include "SliceSampler.h"
+
+#include <insonate/views/MprView.h>
+
+namespace insonate::views {
+
+/// What lies over a slice.
+struct MprOverlay {
+  SliceKind kind = SliceKind::Axial;
+  std::optional<Vec3> crosshair_mm;
+  std::vector<Vec3> fan_mm;  ///< outline, once round
+  std::string slice;         ///< "axial 42 / 120"
+  WindowLevel windowLevel;
+};
+
+void drawMprOverlay(const MprOverlay& overlay, const SlicePlane& plane, double scale, Lines& lines, Texts& texts);
+
+/// A round length of at most `longest_mm`: 1, 2 or 5 times a power of ten.
+double roundLength_mm(double longest_mm);
+
+struct MprView::Drawing {
+  explicit Drawing(vtkRenderer& renderer) : quad(renderer, 3, false), lines(renderer), texts(renderer) {}
+
+  PictureQuad quad;
+  Lines lines;
+  Texts texts;
+  SliceSampler sampler;
+  std::vector<PlanePoint> fan;
+  SlicePlane sampled;               ///< what the quad shows
+  std::uint64_t sampledLabels = 0;  ///< revision of the labels it shows
+  bool paintStale = true;           ///< colours, window or case have changed since
+};
+
+}  // namespace insonate::views

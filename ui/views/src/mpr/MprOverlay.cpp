@@ -1,0 +1,81 @@
+#include "MprDrawing.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace insonate::views {
+namespace {
+
+constexpr Stroke kHalo{theme::kBlack, 3, 0.45};
+
+void drawLetters(const SlicePlane& plane, double scale, Texts& texts) {
+  const double margin = 10 * scale, w = plane.width_px, h = plane.height_px;
+  TextStyle style{14 * scale, theme::kText, true, Across::Centre, Along::Top};
+  texts.put({w / 2, margin}, orientationLetters(plane.axes.up), style);
+  style.along = Along::Bottom;
+  texts.put({w / 2, h - margin}, orientationLetters(-plane.axes.up), style);
+  style.along = Along::Centre, style.across = Across::Left;
+  texts.put({margin, h / 2}, orientationLetters(-plane.axes.right), style);
+  style.across = Across::Right;
+  texts.put({w - margin, h / 2}, orientationLetters(plane.axes.right), style);
+}
+
+void drawScaleBar(const SlicePlane& plane, double scale, Lines& lines, Texts& texts) {
+  const double length_mm = roundLength_mm(0.22 * plane.width_px * plane.mm_per_px);
+  const double right = plane.width_px - 12 * scale, left = right - length_mm / plane.mm_per_px;
+  const double y = plane.height_px - 14 * scale, tick = 4 * scale;
+  const DisplayPoint bar[4] = {{left, y - tick}, {left, y}, {right, y}, {right, y - tick}};
+  lines.polyline(bar, {theme::kBlack, 3.5 * scale, 0.5});
+  lines.polyline(bar, {theme::kText, 1.5 * scale, 1});
+  char words[32];
+  std::snprintf(words, sizeof words, "%g mm", length_mm);
+  texts.put({(left + right) / 2, y - 7 * scale}, words,
+            {12 * scale, theme::kText, false, Across::Centre, Along::Bottom});
+}
+
+/// Open at the middle, so that what it points at stays in sight.
+void drawCrosshair(Vec3 position_mm, const SlicePlane& plane, double scale, Lines& lines) {
+  const DisplayPoint at = plane.displayFromPatient(position_mm);
+  const double gap = 9 * scale, w = plane.width_px, h = plane.height_px;
+  const DisplayPoint arms[4][2] = {{{0, at.y}, {at.x - gap, at.y}},
+                                   {{at.x + gap, at.y}, {w, at.y}},
+                                   {{at.x, 0}, {at.x, at.y - gap}},
+                                   {{at.x, at.y + gap}, {at.x, h}}};
+  for (const auto& arm : arms) {
+    if (arm[0].x > arm[1].x || arm[0].y > arm[1].y) continue;
+    lines.segment(arm[0], arm[1], {theme::kBlack, 3 * scale, 0.35});
+    lines.segment(arm[0], arm[1], {theme::kAccent, 1 * scale, 0.85});
+  }
+}
+
+}  // namespace
+
+double roundLength_mm(double longest_mm) {
+  const double power = std::pow(10, std::floor(std::log10(longest_mm)));
+  for (const double step : {5.0, 2.0})
+    if (step * power <= longest_mm) return step * power;
+  return power;
+}
+
+void drawMprOverlay(const MprOverlay& overlay, const SlicePlane& plane, double scale, Lines& lines, Texts& texts) {
+  lines.begin(plane.height_px);
+  texts.begin(plane.height_px);
+  if (!overlay.fan_mm.empty()) {
+    std::vector<DisplayPoint> fan;
+    for (const Vec3 point_mm : overlay.fan_mm) fan.push_back(plane.displayFromPatient(point_mm));
+    lines.polyline(fan, {kHalo.colour, kHalo.width_px * scale, kHalo.opacity}, true);
+    lines.polyline(fan, {theme::kAccent, 1.5 * scale, 0.9}, true);
+  }
+  if (overlay.crosshair_mm) drawCrosshair(*overlay.crosshair_mm, plane, scale, lines);
+  drawLetters(plane, scale, texts);
+  drawScaleBar(plane, scale, lines, texts);
+  const double margin = 10 * scale;
+  texts.put({margin, margin}, overlay.slice, {12 * scale, theme::kQuiet, false, Across::Left, Along::Top});
+  char words[64];
+  std::snprintf(words, sizeof words, "W %.0f  L %.0f", overlay.windowLevel.window_HU, overlay.windowLevel.level_HU);
+  texts.put({margin, plane.height_px - margin}, words, {12 * scale, theme::kQuiet, false, Across::Left, Along::Bottom});
+  lines.end();
+  texts.end();
+}
+
+}  // namespace insonate::views

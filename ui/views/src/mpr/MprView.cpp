@@ -1,0 +1,219 @@
+#include "MprDrawing.h"
+
+#include <insonate/tissue/Labels.h>
+#include <insonate/ultrasound/BeamGrid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace insonate::views {
+namespace {
+
+/// Smallest and largest value of a direction over a grid's outer faces.
+struct Extent {
+  double low = 0, high = 0;
+};
+Extent extentAlong(const VolumeGeometry& grid, Vec3 direction) {
+  const double middle = dot(grid.centre_mm(), direction);
+  double half = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    half += 0.5 * grid.size[axis] * grid.spacing_mm[axis] * std::abs(dot(grid.direction.column[axis], direction));
+  return {middle - half, middle + half};
+}
+
+std::string sliceWords(SliceKind kind, const VolumeGeometry& grid, const SlicePlane& plane) {
+  if (kind == SliceKind::Oblique) return "probe plane";
+  const char* name = kind == SliceKind::Axial ? "axial" : kind == SliceKind::Coronal ? "coronal" : "sagittal";
+  const Extent extent = extentAlong(grid, plane.axes.normal);
+  const double step_mm = sliceStep_mm(grid, plane.axes.normal);
+  const int count = std::max(1, static_cast<int>(std::lround((extent.high - extent.low) / step_mm)));
+  const int number = static_cast<int>(std::floor((dot(plane.centre_mm, plane.axes.normal) - extent.low) / step_mm)) + 1;
+  char words[64];
+  std::snprintf(words, sizeof words, "%s  %d / %d", name, std::clamp(number, 1, count), count);
+  return words;
+}
+
+bool samePlane(const SlicePlane& a, const SlicePlane& b) {
+  return a.axes.right == b.axes.right && a.axes.up == b.axes.up && a.centre_mm == b.centre_mm &&
+         a.mm_per_px == b.mm_per_px && a.width_px == b.width_px && a.height_px == b.height_px;
+}
+
+}  // namespace
+
+MprView::MprView(SliceKind kind) : kind_(kind), drawing_(std::make_unique<Drawing>(*renderer())) {
+  for (const LabelInfo& info : labelTable()) {
+    colours_[info.label] = {info.colour[0], info.colour[1], info.colour[2]};
+    visible_[info.label] = info.label != kBackground;
+  }
+}
+
+MprView::~MprView() = default;
+
+void MprView::setCase(std::shared_ptr<const VtkCase> patient) {
+  patient_ = std::move(patient);
+  if (patient_) crosshair_mm_ = patient_->patient().ct.geometry.centre_mm();
+  drawing_->paintStale = true;
+  fit();
+}
+
+void MprView::setKind(SliceKind kind) {
+  kind_ = kind;
+  fit();
+}
+
+void MprView::setProbePose(const Transform& patientFromProbe) {
+  patientFromProbe_ = patientFromProbe;
+  if (kind_ == SliceKind::Oblique) changed();
+}
+
+void MprView::setFan(std::optional<Probe> probe, const ImagingSettings& settings) {
+  fanProbe_ = std::move(probe);
+  fanSettings_ = settings;
+  drawing_->fan = fanProbe_ ? fieldOfViewOutline(*fanProbe_, fanSettings_) : std::vector<PlanePoint>{};
+  changed();
+}
+
+void MprView::setCrosshair(Vec3 position_mm) {
+  if (position_mm == crosshair_mm_ || !isFinite(position_mm)) return;
+  crosshair_mm_ = position_mm;
+  changed();
+}
+
+void MprView::setCrosshairVisible(bool visible) {
+  crosshairVisible_ = visible;
+  changed();
+}
+
+void MprView::setWindowLevel(WindowLevel value) {
+  value.window_HU = std::clamp(value.window_HU, 1.0, 10000.0);
+  value.level_HU = std::clamp(value.level_HU, -5000.0, 10000.0);
+  windowLevel_ = value;
+  drawing_->paintStale = true;
+  changed();
+}
+
+void MprView::setLabelColour(std::uint8_t label, Colour colour) {
+  colours_[label] = colour;
+  drawing_->paintStale = true;
+  changed();
+}
+
+void MprView::setLabelVisible(std::uint8_t label, bool visible) {
+  visible_[label] = visible;
+  drawing_->paintStale = true;
+  changed();
+}
+
+void MprView::setLabelsVisible(bool visible) {
+  labelsVisible_ = visible;
+  drawing_->paintStale = true;
+  changed();
+}
+
+void MprView::setLabelOpacity(double opacity) {
+  labelOpacity_ = std::clamp(opacity, 0.0, 1.0);
+  drawing_->paintStale = true;
+  changed();
+}
+
+void MprView::fitTo(SlicePlane& plane) const {
+  const double margin_px = 8 * scale();
+  const double room_x = std::max(16.0, width_px() - 2 * margin_px),
+               room_y = std::max(16.0, height_px() - 2 * margin_px);
+  if (overFan()) {
+    const BeamGrid grid(*fanProbe_, fanSettings_);
+    const double wide_mm = grid.maxLateral_mm() - grid.minLateral_mm(),
+                 deep_mm = grid.maxAxial_mm() - grid.minAxial_mm();
+    plane.centre_mm = patientFromProbe_ * Vec3{0, 0, 0.5 * (grid.minAxial_mm() + grid.maxAxial_mm())};
+    // Some of what surrounds the field of view shows where in the patient it is.
+    plane.mm_per_px = 1.35 * std::max(wide_mm / room_x, deep_mm / room_y);
+    return;
+  }
+  const VolumeGeometry& volume = patient_->patient().ct.geometry;
+  const Extent across = extentAlong(volume, plane.axes.right), along = extentAlong(volume, plane.axes.up);
+  plane.centre_mm = volume.centre_mm();
+  plane.mm_per_px = std::max((across.high - across.low) / room_x, (along.high - along.low) / room_y);
+}
+
+SlicePlane MprView::plane() const {
+  SlicePlane plane{sliceAxes(kind_, patientFromProbe_), middle_mm_, mm_per_px_, width_px(), height_px()};
+  if (fitted_ && (patient_ || overFan())) fitTo(plane);
+  const Vec3 through_mm = kind_ == SliceKind::Oblique ? patientFromProbe_.offset : crosshair_mm_;
+  plane.centre_mm = plane.centre_mm + plane.axes.normal * dot(through_mm - plane.centre_mm, plane.axes.normal);
+  return plane;
+}
+
+void MprView::stopFitting() {
+  const SlicePlane now = plane();
+  middle_mm_ = now.centre_mm, mm_per_px_ = now.mm_per_px;
+  fitted_ = false;
+}
+
+void MprView::fit() {
+  fitted_ = true;
+  changed();
+}
+
+void MprView::zoom(double factor) {
+  stopFitting();
+  mm_per_px_ = std::clamp(mm_per_px_ / factor, 0.005, 10.0);
+  changed();
+}
+
+void MprView::stepSlices(int slices) {
+  if (!patient_ || kind_ == SliceKind::Oblique) return;
+  const VolumeGeometry& volume = patient_->patient().ct.geometry;
+  const Vec3 normal = plane().axes.normal;
+  const double step_mm = sliceStep_mm(volume, normal);
+  const Extent extent = extentAlong(volume, normal);
+  const int count = std::max(1, static_cast<int>(std::lround((extent.high - extent.low) / step_mm)));
+  const double here_mm = dot(crosshair_mm_, normal);
+  const int index = static_cast<int>(std::floor((here_mm - extent.low) / step_mm)) + slices;
+  const double there_mm = extent.low + (std::clamp(index, 0, count - 1) + 0.5) * step_mm;
+  moveCrosshair(crosshair_mm_ + normal * (there_mm - here_mm));
+}
+
+void MprView::paintLabels() {
+  drawing_->sampler.setWindowLevel(windowLevel_);
+  for (int label = 0; label < 256; ++label) {
+    const bool shown = labelsVisible_ && visible_[label];
+    const double fill = shown ? labelOpacity_ : 0;
+    drawing_->sampler.setPaint(static_cast<std::uint8_t>(label), {colours_[label], fill, std::min(1.0, 2 * fill)});
+  }
+}
+
+bool MprView::outOfDate() const {
+  return patient_ && drawing_->sampledLabels != patient_->labelRevision();
+}
+
+void MprView::layout() {
+  drawing_->quad.show(patient_ != nullptr);
+  if (!patient_) {
+    drawing_->lines.begin(height_px()), drawing_->lines.end();
+    drawing_->texts.begin(height_px()), drawing_->texts.end();
+    return;
+  }
+  const SlicePlane now = plane();
+  if (drawing_->paintStale || drawing_->sampledLabels != patient_->labelRevision() ||
+      !samePlane(now, drawing_->sampled)) {
+    if (drawing_->paintStale) paintLabels();
+    const auto rgb = drawing_->quad.picture(now.width_px, now.height_px);
+    drawing_->sampler.sample(patient_->patient().ct, patient_->labels(), now, rgb);
+    drawing_->quad.pictureChanged();
+    drawing_->quad.place({0, 0}, {double(now.width_px), double(now.height_px)}, now.height_px, {});
+    drawing_->sampled = now, drawing_->sampledLabels = patient_->labelRevision(), drawing_->paintStale = false;
+  }
+  MprOverlay overlay;
+  overlay.kind = kind_, overlay.windowLevel = windowLevel_;
+  overlay.slice = sliceWords(kind_, patient_->patient().ct.geometry, now);
+  // Where the slice does not pass through the crosshair, it would point at another place.
+  const bool near = std::abs(now.distance_mm(crosshair_mm_)) < 1;
+  if (crosshairVisible_ && near) overlay.crosshair_mm = crosshair_mm_;
+  if (overFan())
+    for (const PlanePoint& point : drawing_->fan)
+      overlay.fan_mm.push_back(patientFromProbe_ * Vec3{point.lateral_mm, 0, point.axial_mm});
+  drawMprOverlay(overlay, now, scale(), drawing_->lines, drawing_->texts);
+}
+
+}  // namespace insonate::views

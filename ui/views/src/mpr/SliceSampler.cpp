@@ -1,0 +1,107 @@
+#include "SliceSampler.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace insonate::views {
+namespace {
+
+constexpr int kLowestHu = -32768;
+
+/// The cell of a continuous index within [-0.5, size - 0.5), clamped to voxel centres.
+struct Cell {
+  int low, high;
+  float share;
+  Cell(double index, int size) {
+    const double inside = std::clamp(index, 0.0, size - 1.0);
+    low = static_cast<int>(inside);
+    high = std::min(low + 1, size - 1);
+    share = static_cast<float>(inside - low);
+  }
+};
+
+float between(float a, float b, float share) {
+  return a + (b - a) * share;
+}
+
+float trilinear(const CtVolume& ct, const Cell& i, const Cell& j, const Cell& k) {
+  const auto& grid = ct.geometry;
+  const std::int16_t* rows[4] = {
+      ct.voxels.data() + grid.offset(0, j.low, k.low), ct.voxels.data() + grid.offset(0, j.high, k.low),
+      ct.voxels.data() + grid.offset(0, j.low, k.high), ct.voxels.data() + grid.offset(0, j.high, k.high)};
+  float along[4];
+  for (int r = 0; r < 4; ++r) along[r] = between(rows[r][i.low], rows[r][i.high], i.share);
+  return between(between(along[0], along[1], j.share), between(along[2], along[3], j.share), k.share);
+}
+
+void blend(std::uint8_t* rgb, Colour colour, double opacity) {
+  const int weight = static_cast<int>(std::lround(256 * opacity));
+  const int over[3] = {colour.red, colour.green, colour.blue};
+  for (int c = 0; c < 3; ++c) rgb[c] = static_cast<std::uint8_t>((rgb[c] * (256 - weight) + over[c] * weight) >> 8);
+}
+
+}  // namespace
+
+void SliceSampler::setWindowLevel(const WindowLevel& value) {
+  if (value == windowLevel_) return;
+  windowLevel_ = value;
+  greyOfHu_.resize(65536);
+  for (int hu = kLowestHu; hu < -kLowestHu; ++hu) greyOfHu_[hu - kLowestHu] = value.grey(hu);
+}
+
+void SliceSampler::sampleRow(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane, int row,
+                             std::uint8_t* rgb) {
+  const VolumeGeometry& grid = ct.geometry;
+  const Transform indexFromPatient = grid.indexFromPatient();
+  const Vec3 first = indexFromPatient * plane.patientFromDisplay({0.5, row + 0.5});
+  const Vec3 step = indexFromPatient.linear * (plane.axes.right * plane.mm_per_px);
+  std::uint8_t* label = rowLabels_.data() + std::size_t(row) * plane.width_px;
+  for (int column = 0; column < plane.width_px; ++column, rgb += 3) {
+    const Vec3 index = first + step * column;
+    bool inside = true;
+    for (int axis = 0; axis < 3; ++axis) inside &= index[axis] >= -0.5 && index[axis] < grid.size[axis] - 0.5;
+    if (!inside) {
+      rgb[0] = rgb[1] = rgb[2] = 0;
+      label[column] = 0;
+      continue;
+    }
+    const Cell i(index.x, grid.size[0]), j(index.y, grid.size[1]), k(index.z, grid.size[2]);
+    const auto hu = static_cast<int>(std::floor(trilinear(ct, i, j, k) + 0.5F));
+    rgb[0] = rgb[1] = rgb[2] = greyOfHu_[hu - kLowestHu];
+    label[column] =
+        labels.at(static_cast<int>(index.x + 0.5), static_cast<int>(index.y + 0.5), static_cast<int>(index.z + 0.5));
+  }
+}
+
+void SliceSampler::paintRow(const SlicePlane& plane, int row, std::uint8_t* rgb) const {
+  const std::uint8_t* label = rowLabels_.data() + std::size_t(row) * plane.width_px;
+  const std::uint8_t* below = row + 1 < plane.height_px ? label + plane.width_px : label;
+  for (int column = 0; column < plane.width_px; ++column, rgb += 3) {
+    const std::uint8_t own = label[column];
+    const LabelPaint& paint = paint_[own];
+    if (paint.fill <= 0 && paint.outline <= 0) continue;
+    // Looking one way only makes the line one pixel wide.
+    const bool edge = label[std::min(plane.width_px - 1, column + 1)] != own || below[column] != own;
+    blend(rgb, paint.colour, edge ? std::max(paint.fill, paint.outline) : paint.fill);
+  }
+}
+
+void SliceSampler::sample(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane,
+                          std::span<std::uint8_t> rgb) {
+  const std::size_t stride = std::size_t(plane.width_px) * 3;
+  rowLabels_.resize(std::size_t(plane.width_px) * plane.height_px);
+  const tbb::blocked_range<int> rows(0, plane.height_px, 16);
+  tbb::parallel_for(rows, [&](const auto& range) {
+    for (int row = range.begin(); row < range.end(); ++row)
+      sampleRow(ct, labels, plane, row, rgb.data() + row * stride);
+  });
+  // Outlines look at the rows above and below.
+  tbb::parallel_for(rows, [&](const auto& range) {
+    for (int row = range.begin(); row < range.end(); ++row) paintRow(plane, row, rgb.data() + row * stride);
+  });
+}
+
+}  // namespace insonate::views

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <insonate/image/Volume.h>
+#include <insonate/views/SlicePlane.h>
+#include <insonate/views/Theme.h>
+#include <insonate/views/WindowLevel.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace insonate::views {
+
+/// How each label is laid over the CT. Opacity 0 leaves it out.
+struct LabelPaint {
+  Colour colour;
+  double fill = 0, outline = 0;  ///< opacities, 0..1
+};
+
+/// CT and labels on a plane: trilinear CT in patient space, whatever the grid's spacing and direction, and the nearest
+/// voxel's label, outlined where labels meet. Black outside the grid. Keeps its work space between calls.
+class SliceSampler {
+ public:
+  void setWindowLevel(const WindowLevel& value);
+  void setPaint(std::uint8_t label, const LabelPaint& paint) { paint_[label] = paint; }
+
+  /// Fills width * height * 3 bytes, top row first. Uses TBB.
+  void sample(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane, std::span<std::uint8_t> rgb);
+
+ private:
+  void sampleRow(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane, int row, std::uint8_t* rgb);
+  void paintRow(const SlicePlane& plane, int row, std::uint8_t* rgb) const;
+
+  std::array<LabelPaint, 256> paint_{};
+  std::vector<std::uint8_t> greyOfHu_;  ///< of every int16
+  std::vector<std::uint8_t> rowLabels_;
+  WindowLevel windowLevel_{0, 0};
+};
+
+}  // namespace insonate::views

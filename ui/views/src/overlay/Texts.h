@@ -1,0 +1,48 @@
+#pragma once
+
+#include <insonate/views/Input.h>
+#include <insonate/views/Theme.h>
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+class vtkRenderer;
+class vtkTextActor;
+
+namespace insonate::views {
+
+enum class Across { Left, Centre, Right };
+enum class Along { Top, Centre, Bottom };
+
+struct TextStyle {
+  double size_px = 13;
+  Colour colour = theme::kText;
+  bool bold = false;
+  Across across = Across::Left;  ///< which part of the text stands at the point
+  Along along = Along::Top;
+};
+
+/// Words over a view. Actors are kept from one layout to the next, so that unchanged words cost nothing.
+class Texts {
+ public:
+  explicit Texts(vtkRenderer& renderer) : renderer_(renderer) {}
+
+  void begin(int height_px);
+  void put(DisplayPoint at, const std::string& words, const TextStyle& style);
+  /// Hides what was not put since begin().
+  void end();
+
+ private:
+  struct Item {
+    vtkSmartPointer<vtkTextActor> actor;
+    std::string words;
+  };
+  vtkRenderer& renderer_;
+  std::vector<Item> items_;
+  std::size_t used_ = 0;
+  int height_px_ = 1;
+};
+
+}  // namespace insonate::views

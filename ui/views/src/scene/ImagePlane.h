@@ -1,0 +1,46 @@
+#pragma once
+
+#include <insonate/ultrasound/Frames.h>
+#include <insonate/ultrasound/ImagingSettings.h>
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+class vtkImageData;
+class vtkMatrix4x4;
+class vtkPolyData;
+class vtkRenderer;
+class vtkTexture;
+class vtkUnsignedCharArray;
+
+namespace insonate::views {
+
+/// The ultrasound picture where it belongs in the patient: a sheet with the exact outline of the field of view, so that
+/// nothing of the picture's black surround is drawn.
+class ImagePlane {
+ public:
+  explicit ImagePlane(vtkRenderer& renderer);
+  ~ImagePlane();
+
+  void setFieldOfView(const Probe& probe, const ImagingSettings& settings);
+  /// Allocates only when the picture's size changes.
+  void setImage(const BModeImage& image);
+  void setPose(vtkMatrix4x4* patientFromProbe);
+  void setVisible(bool visible);
+
+ private:
+  void placeTexture();
+
+  vtkRenderer& renderer_;
+  vtkNew<vtkActor> sheet_, rim_;
+  vtkNew<vtkPolyData> sheetData_, rimData_;
+  vtkNew<vtkImageData> image_;
+  vtkNew<vtkUnsignedCharArray> bytes_;
+  vtkNew<vtkTexture> texture_;
+  BModeImage shape_;  ///< size and place; no pixels
+};
+
+}  // namespace insonate::views

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <insonate/views/SceneView.h>
+
+class vtkCamera;
+
+namespace insonate::views {
+
+/// Places the camera so that a box (VTK order: x low, x high, ...) fills a view of this shape, seen from one side.
+void lookAt(vtkCamera& camera, Viewpoint from, const double box[6], double widthOverHeight);
+
+/// Puts the camera where the eye is, looking square at the screen's plane. `across_mm` is how far to the right of the
+/// middle between the eyes this one is.
+void standBeforeScreen(vtkCamera& camera, const HeadCoupling& coupling, double across_mm);
+
+/// Then, with the camera's clipping range set: the screen is a window that the eye looks through. (VTK's own off-axis
+/// projection forgets the camera's place, and with it lights and clipping range.)
+void lookThroughScreen(vtkCamera& camera, const HeadCoupling& coupling, double across_mm);
+
+void useStereo(vtkRenderWindow& window, Stereo stereo);
+
+}  // namespace insonate::views

@@ -1,0 +1,209 @@
+#include "SceneDrawing.h"
+#include "ScenePick.h"
+
+#include <vtkMatrix4x4.h>
+#include <vtkRenderWindow.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace insonate::views {
+namespace {
+
+/// What there is of the patient: surfaces, or the CT's box. False for nothing.
+bool patientBox(const std::map<std::uint8_t, Structure>& structures, const VtkCase* patient, double box[6]) {
+  bool any = false;
+  const auto include = [&](Vec3 point) {
+    for (int axis = 0; axis < 3; ++axis) {
+      box[2 * axis] = any ? std::min(box[2 * axis], point[axis]) : point[axis];
+      box[2 * axis + 1] = any ? std::max(box[2 * axis + 1], point[axis]) : point[axis];
+    }
+    any = true;
+  };
+  for (const auto& [label, structure] : structures) {
+    const double* own = const_cast<Structure&>(structure).actor()->GetBounds();
+    if (!own) continue;
+    include({own[0], own[2], own[4]});
+    include({own[1], own[3], own[5]});
+  }
+  if (any || !patient) return any;
+  const VolumeGeometry& grid = patient->patient().ct.geometry;
+  const Transform patientFromIndex = grid.patientFromIndex();
+  for (int corner = 0; corner < 8; ++corner)
+    include(patientFromIndex * Vec3{corner & 1 ? grid.size[0] - 0.5 : -0.5, corner & 2 ? grid.size[1] - 0.5 : -0.5,
+                                    corner & 4 ? grid.size[2] - 0.5 : -0.5});
+  return any;
+}
+
+/// Mesa's rasterisers, which have no graphics card behind them.
+bool drawnByProcessor(vtkRenderWindow& window) {
+  const char* words = window.ReportCapabilities();
+  const std::string_view report = words ? words : "";
+  return report.find("llvmpipe") != report.npos || report.find("softpipe") != report.npos ||
+         report.find("swrast") != report.npos;
+}
+
+}  // namespace
+
+void SceneView::look(Viewpoint from) {
+  drawing_->viewpoint = from;
+  drawing_->framed = false;
+  changed();
+}
+
+void SceneView::frame() {
+  double box[6];
+  if (drawing_->framed || !patientBox(drawing_->structures, drawing_->patient.get(), box)) return;
+  lookAt(*drawing_->usual, drawing_->viewpoint, box, double(width_px()) / height_px());
+  drawing_->framed = true;
+}
+
+void SceneView::orbit(double across_deg, double up_deg) {
+  frame();
+  vtkCamera& camera = *drawing_->usual;
+  camera.Azimuth(-across_deg);
+  camera.Elevation(up_deg);
+  camera.OrthogonalizeViewUp();
+  changed();
+}
+
+void SceneView::pan(double across_px, double down_px) {
+  frame();
+  vtkCamera& camera = *drawing_->usual;
+  const double* forward = camera.GetDirectionOfProjection();
+  const double* upward = camera.GetViewUp();
+  const Vec3 into{forward[0], forward[1], forward[2]}, up{upward[0], upward[1], upward[2]};
+  const double mm_per_px = 2 * camera.GetDistance() * std::tan(camera.GetViewAngle() * 3.14159265 / 360) / height_px();
+  const Vec3 shift = (up * down_px - normalized(cross(into, up)) * across_px) * mm_per_px;
+  const double *at = camera.GetPosition(), *focus = camera.GetFocalPoint();
+  camera.SetFocalPoint(focus[0] + shift.x, focus[1] + shift.y, focus[2] + shift.z);
+  camera.SetPosition(at[0] + shift.x, at[1] + shift.y, at[2] + shift.z);
+  changed();
+}
+
+void SceneView::zoom(double factor) {
+  frame();
+  drawing_->usual->Dolly(std::clamp(factor, 0.1, 10.0));
+  changed();
+}
+
+void SceneView::setStereo(Stereo stereo) {
+  drawing_->stereo = stereo;
+  if (window()) useStereo(*window(), stereo);
+  changed();
+}
+
+void SceneView::setHeadCoupling(std::optional<HeadCoupling> coupling) {
+  drawing_->coupling = std::move(coupling);
+  changed();
+}
+
+void SceneView::aim() {
+  frame();
+  if (drawing_->coupling) {
+    vtkCamera& camera = *drawing_->coupled;
+    const double half_mm = drawing_->stereo == Stereo::Off ? 0 : drawing_->coupling->eyeSeparation_mm / 2;
+    const double across_mm = camera.GetLeftEye() ? -half_mm : half_mm;
+    standBeforeScreen(camera, *drawing_->coupling, across_mm);
+    renderer()->SetActiveCamera(&camera);
+    renderer()->ResetCameraClippingRange();
+    lookThroughScreen(camera, *drawing_->coupling, across_mm);
+  } else {
+    renderer()->SetActiveCamera(drawing_->usual);
+    renderer()->ResetCameraClippingRange();
+  }
+}
+
+bool SceneView::outOfDate() const {
+  // Each eye is rendered by itself, from its own place.
+  return drawing_->coupling && drawing_->stereo != Stereo::Off;
+}
+
+void SceneView::layout() {
+  if (drawing_->ct.shown() && !drawing_->software) {
+    drawing_->software = drawnByProcessor(*window());
+    drawing_->ct.setSoftware(*drawing_->software);
+  }
+  aim();
+  drawing_->cube.place(width_px(), height_px(), 84 * scale());
+  drawing_->cube.follow(*renderer()->GetActiveCamera());
+  int translucent = 0;
+  for (const auto& [label, structure] : drawing_->structures) translucent += structure.translucent();
+  // One translucent surface, drawn from its near side, needs no sorting.
+  renderer()->SetUseDepthPeeling(translucent > 1 && !drawing_->moving);
+  renderer()->SetMaximumNumberOfPeels(4);
+}
+
+DisplayPoint SceneView::displayFromPatient(Vec3 point_mm) {
+  aim();
+  const double at[4] = {point_mm.x, point_mm.y, point_mm.z, 1};
+  double seen[4];
+  renderer()
+      ->GetActiveCamera()
+      ->GetCompositeProjectionTransformMatrix(double(width_px()) / height_px(), -1, 1)
+      ->MultiplyPoint(at, seen);
+  return {(seen[0] / seen[3] + 1) / 2 * width_px(), (1 - seen[1] / seen[3]) / 2 * height_px()};
+}
+
+std::optional<ScenePick> SceneView::pick(DisplayPoint at) {
+  if (!drawing_->patient) return std::nullopt;
+  aim();
+  vtkNew<vtkMatrix4x4> patientFromSeen;
+  vtkMatrix4x4::Invert(
+      renderer()->GetActiveCamera()->GetCompositeProjectionTransformMatrix(double(width_px()) / height_px(), -1, 1),
+      patientFromSeen);
+  const auto along = [&](double depth) {
+    const double seen[4] = {2 * at.x / width_px() - 1, 1 - 2 * at.y / height_px(), depth, 1};
+    double point[4];
+    patientFromSeen->MultiplyPoint(seen, point);
+    return Vec3{point[0], point[1], point[2]} / point[3];
+  };
+  std::array<bool, 256> visible{};
+  for (int label = 1; label < 256; ++label)
+    visible[label] = drawing_->looks[label].visible && drawing_->looks[label].opacity > 0;
+  return firstVisible(drawing_->patient->labels(), along(-1), along(1), visible, drawing_->clipping);
+}
+
+bool SceneView::pressed(const Pointer& pointer) {
+  if (pointer.button == Button::None) return false;
+  drawing_->held = pointer.button;
+  drawing_->last = pointer.at;
+  setMoving(true);
+  return true;
+}
+
+bool SceneView::moved(const Pointer& pointer) {
+  if (drawing_->held == Button::None) return false;
+  const double across = pointer.at.x - drawing_->last.x, down = pointer.at.y - drawing_->last.y;
+  drawing_->last = pointer.at;
+  if (drawing_->held == Button::Right) {
+    zoom(std::exp(-down / (200 * scale())));
+  } else if (drawing_->held == Button::Middle || pointer.shift) {
+    pan(across, down);
+  } else {
+    // The view's height turns half round.
+    orbit(180 * across / height_px(), 180 * down / height_px());
+  }
+  return true;
+}
+
+bool SceneView::released(const Pointer&) {
+  if (drawing_->held == Button::None) return false;
+  drawing_->held = Button::None;
+  setMoving(false);
+  return true;
+}
+
+bool SceneView::wheel(const Pointer&, double notches) {
+  zoom(std::pow(1.12, notches));
+  return true;
+}
+
+bool SceneView::key(Key key) {
+  if (key != Key::R) return false;
+  look(Viewpoint::Anterior);
+  return true;
+}
+
+}  // namespace insonate::views

@@ -1,0 +1,168 @@
+#include "Structure.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkFloatArray.h>
+#include <vtkPlane.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkProperty.h>
+#include <vtkQuadricClustering.h>
+#include <vtkShaderProperty.h>
+#include <vtkTypeInt32Array.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace insonate::views {
+namespace {
+
+/// Above this a coarser surface is worth its memory.
+constexpr vtkIdType kLargeTriangles = 20000;
+/// What the coarser one should have at most.
+constexpr double kCoarseTriangles = 20000;
+
+vtkSmartPointer<vtkFloatArray> triples(std::span<const float> values) {
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size() / 3));
+  std::memcpy(array->GetPointer(0), values.data(), values.size() / 3 * 3 * sizeof(float));
+  return array;
+}
+
+vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* data) {
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(data);
+  normals->SplittingOff();
+  normals->ConsistencyOff();
+  normals->Update();
+  return normals->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> polyData(const Surface& surface) {
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetData(triples(surface.points_mm));
+  const auto count = static_cast<vtkIdType>(surface.triangles.size() / 3);
+  vtkNew<vtkTypeInt32Array> offsets, corners;
+  offsets->SetNumberOfValues(count + 1);
+  for (vtkIdType k = 0; k <= count; ++k) offsets->SetValue(k, static_cast<vtkTypeInt32>(3 * k));
+  corners->SetNumberOfValues(3 * count);
+  std::memcpy(corners->GetPointer(0), surface.triangles.data(), std::size_t(3 * count) * sizeof(std::uint32_t));
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, corners);
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  if (surface.normals.size() != surface.points_mm.size()) return withNormals(data);
+  data->GetPointData()->SetNormals(triples(surface.normals));
+  return data;
+}
+
+/// Clear where one looks straight through and denser toward the outline, as glass: the shape stays readable while what
+/// lies inside is not veiled.
+void showAsGlass(vtkActor& actor, bool glass) {
+  vtkShaderProperty& shader = *actor.GetShaderProperty();
+  shader.ClearAllFragmentShaderReplacements();
+  if (!glass) return;
+  shader.AddFragmentShaderReplacement("//VTK::Light::Impl", true,
+                                      "//VTK::Light::Impl\n"
+                                      "  float slant = 1.0 - abs(normalVCVSOutput.z);\n"
+                                      "  fragOutput0.a = min(1.0, opacity * (0.25 + 2.0 * slant * slant));\n"
+                                      "  fragOutput0.rgb = mix(fragOutput0.rgb, 1.3 * diffuseColor, 0.6 * slant);\n",
+                                      false);
+}
+
+double area_mm2(vtkPolyData* data) {
+  double sum = 0;
+  const auto cells = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
+    const vtkIdType* corners = nullptr;
+    vtkIdType count = 0;
+    cells->GetCurrentCell(count, corners);
+    double a[3], b[3], c[3];
+    data->GetPoint(corners[0], a), data->GetPoint(corners[1], b), data->GetPoint(corners[2], c);
+    sum += norm(cross({b[0] - a[0], b[1] - a[1], b[2] - a[2]}, {c[0] - a[0], c[1] - a[1], c[2] - a[2]})) / 2;
+  }
+  return sum;
+}
+
+vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine) {
+  const double triangles = static_cast<double>(fine->GetNumberOfPolys());
+  // Bins in edges of the fine triangles: few for small structures, whose thin parts would fall apart.
+  const double edge_mm = std::sqrt(2.31 * area_mm2(fine) / triangles);
+  const double bin_mm = edge_mm * std::clamp(std::sqrt(triangles / kCoarseTriangles), 1.5, 8.0);
+  const double* box = fine->GetBounds();
+  int divisions[3];
+  for (int axis = 0; axis < 3; ++axis)
+    divisions[axis] = std::clamp(static_cast<int>((box[2 * axis + 1] - box[2 * axis]) / bin_mm), 2, 1000);
+  vtkNew<vtkPolyData> shape;
+  shape->SetPoints(fine->GetPoints());
+  shape->SetPolys(fine->GetPolys());
+  vtkNew<vtkQuadricClustering> bins;
+  bins->SetInputData(shape);
+  bins->SetNumberOfDivisions(divisions);
+  bins->AutoAdjustNumberOfDivisionsOff();
+  bins->UseInternalTrianglesOff();
+  bins->Update();
+  return withNormals(bins->GetOutput());
+}
+
+}  // namespace
+
+Structure::Structure() {
+  mapper_->ScalarVisibilityOff();
+  actor_->SetMapper(mapper_);
+  vtkProperty& look = *actor_->GetProperty();
+  look.SetInterpolationToPhong();
+  look.SetAmbient(0.12);
+  look.SetDiffuse(0.85);
+  look.SetSpecular(0.12);
+  look.SetSpecularPower(25);
+}
+
+void Structure::setSurface(const Surface& surface, const Surface& coarse) {
+  fine_ = polyData(surface);
+  coarse_ = nullptr;
+  if (!coarse.triangles.empty()) {
+    coarse_ = polyData(coarse);
+  } else if (fine_->GetNumberOfPolys() > kLargeTriangles) {
+    coarse_ = coarser(fine_);
+  }
+  mapper_->SetInputData(fine_);
+}
+
+void Structure::setColour(Colour colour) {
+  actor_->GetProperty()->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+}
+
+void Structure::setOpacity(double opacity) {
+  opacity_ = std::clamp(opacity, 0.0, 1.0);
+  actor_->GetProperty()->SetOpacity(opacity_);
+  // Of a translucent surface the near side alone is drawn: that needs no sorting, and its far side would only cloud
+  // what is inside.
+  actor_->GetProperty()->SetBackfaceCulling(opacity_ < 1);
+  showAsGlass(*actor_, opacity_ < 1);
+  actor_->SetVisibility(visible());
+}
+
+void Structure::setVisible(bool shown) {
+  visible_ = shown;
+  actor_->SetVisibility(visible());
+}
+
+void Structure::setCoarse(bool coarse) {
+  mapper_->SetInputData(coarse && coarse_ ? coarse_ : fine_);
+}
+
+void Structure::setClipping(const std::optional<ClippingPlane>& plane) {
+  mapper_->RemoveAllClippingPlanes();
+  if (!plane) return;
+  vtkNew<vtkPlane> keep;
+  keep->SetOrigin(plane->point_mm.x, plane->point_mm.y, plane->point_mm.z);
+  keep->SetNormal(plane->normal.x, plane->normal.y, plane->normal.z);
+  mapper_->AddClippingPlane(keep);
+}
+
+}  // namespace insonate::views

@@ -1,0 +1,60 @@
+#include <insonate/views/Calliper.h>
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace insonate::views {
+namespace {
+
+PicturePoint operator-(PicturePoint a, PicturePoint b) {
+  return {a.lateral_mm - b.lateral_mm, a.axial_mm - b.axial_mm};
+}
+double length(PicturePoint a) {
+  return std::hypot(a.lateral_mm, a.axial_mm);
+}
+double crossed(PicturePoint a, PicturePoint b) {
+  return a.lateral_mm * b.axial_mm - a.axial_mm * b.lateral_mm;
+}
+
+}  // namespace
+
+CalliperValues measure(const Calliper& calliper) {
+  const auto& p = calliper.points;
+  CalliperValues values;
+  if (calliper.kind == CalliperKind::Angle) {
+    const PicturePoint a = p[0] - p[1], b = p[2] - p[1];
+    const double along = a.lateral_mm * b.lateral_mm + a.axial_mm * b.axial_mm;
+    if (length(a) > 0 && length(b) > 0)
+      values.angle_deg = std::abs(std::atan2(crossed(a, b), along)) * 180 / std::numbers::pi;
+    return values;
+  }
+  values.length_mm = length(p[1] - p[0]);
+  if (calliper.kind == CalliperKind::Distance || values.length_mm == 0) return values;
+  values.width_mm = 2 * std::abs(crossed(p[1] - p[0], p[2] - p[0])) / values.length_mm;
+  const double a = values.length_mm / 2, b = values.width_mm / 2;
+  const double h = (a - b) * (a - b) / ((a + b) * (a + b));
+  values.area_mm2 = std::numbers::pi * a * b;
+  values.circumference_mm = std::numbers::pi * (a + b) * (1 + 3 * h / (10 + std::sqrt(4 - 3 * h)));
+  return values;
+}
+
+std::string words(const Calliper& calliper) {
+  const CalliperValues values = measure(calliper);
+  char text[96];
+  switch (calliper.kind) {
+    case CalliperKind::Distance:
+      std::snprintf(text, sizeof text, "%.1f mm", values.length_mm);
+      break;
+    case CalliperKind::Ellipse:
+      std::snprintf(text, sizeof text, "%.1f \u00d7 %.1f mm, %.0f mm\u00b2", values.length_mm, values.width_mm,
+                    values.area_mm2);
+      break;
+    case CalliperKind::Angle:
+      std::snprintf(text, sizeof text, "%.0f\u00b0", values.angle_deg);
+      break;
+  }
+  return text;
+}
+
+}  // namespace insonate::views

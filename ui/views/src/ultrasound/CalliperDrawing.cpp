@@ -1,0 +1,85 @@
+#include "CalliperDrawing.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace insonate::views {
+namespace {
+
+class Pen {
+ public:
+  Pen(Lines& lines, double scale) : lines_(lines), scale_(scale) {}
+
+  /// The mark of sonographers: a cross whose middle is the place.
+  void cross(DisplayPoint at) {
+    const double arm = 6 * scale_;
+    line({at.x - arm, at.y}, {at.x + arm, at.y}, 1.5);
+    line({at.x, at.y - arm}, {at.x, at.y + arm}, 1.5);
+  }
+
+  void dotted(DisplayPoint from, DisplayPoint to) {
+    const double length = std::hypot(to.x - from.x, to.y - from.y), pitch = 6 * scale_;
+    const int count = static_cast<int>(length / pitch);
+    for (int k = 1; k < count; ++k) {
+      const double share = double(k) / count;
+      lines_.disc({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)}, 1 * scale_, theme::kText, 0.9);
+    }
+  }
+
+  void line(DisplayPoint from, DisplayPoint to, double width) {
+    lines_.segment(from, to, {theme::kBlack, (width + 2) * scale_, 0.5});
+    lines_.segment(from, to, {theme::kText, width * scale_, 1});
+  }
+
+ private:
+  Lines& lines_;
+  double scale_;
+};
+
+std::vector<DisplayPoint> ellipseOnDisplay(const Calliper& calliper, const UltrasoundView& view) {
+  constexpr int kSides = 72;
+  const auto& p = calliper.points;
+  const CalliperValues values = measure(calliper);
+  const double along = std::atan2(p[1].axial_mm - p[0].axial_mm, p[1].lateral_mm - p[0].lateral_mm);
+  const double c = std::cos(along), s = std::sin(along);
+  std::vector<DisplayPoint> ring;
+  for (int k = 0; k < kSides; ++k) {
+    const double turn = 2 * std::numbers::pi * k / kSides;
+    const double a = values.length_mm / 2 * std::cos(turn), b = values.width_mm / 2 * std::sin(turn);
+    ring.push_back(view.displayFromPicture({(p[0].lateral_mm + p[1].lateral_mm) / 2 + a * c - b * s,
+                                            (p[0].axial_mm + p[1].axial_mm) / 2 + a * s + b * c}));
+  }
+  return ring;
+}
+
+}  // namespace
+
+void drawCalliper(const Calliper& calliper, int number, const UltrasoundView& view, double scale, Lines& lines,
+                  Texts& texts) {
+  Pen pen(lines, scale);
+  DisplayPoint at[3];
+  for (int k = 0; k < 3; ++k) at[k] = view.displayFromPicture(calliper.points[k]);
+  switch (calliper.kind) {
+    case CalliperKind::Distance:
+      pen.dotted(at[0], at[1]);
+      break;
+    case CalliperKind::Ellipse: {
+      const std::vector<DisplayPoint> ring = ellipseOnDisplay(calliper, view);
+      lines.polyline(ring, {theme::kBlack, 3 * scale, 0.5}, true);
+      lines.polyline(ring, {theme::kText, 1.25 * scale, 0.95}, true);
+      break;
+    }
+    case CalliperKind::Angle:
+      pen.line(at[0], at[1], 1.25);
+      pen.line(at[1], at[2], 1.25);
+      break;
+  }
+  const int marks = calliper.kind == CalliperKind::Angle ? 3 : 2;
+  for (int k = 0; k < marks; ++k) pen.cross(at[k]);
+  // The value stands in the list below; the number says which is which.
+  const DisplayPoint& last = at[marks - 1];
+  texts.put({last.x + 9 * scale, last.y - 2 * scale}, std::to_string(number),
+            {12 * scale, theme::kText, true, Across::Left, Along::Bottom});
+}
+
+}  // namespace insonate::views

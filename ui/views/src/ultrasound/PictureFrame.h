@@ -1,0 +1,29 @@
+#pragma once
+
+#include "../overlay/Lines.h"
+#include "../overlay/Texts.h"
+
+#include <optional>
+#include <vector>
+
+namespace insonate::views {
+
+/// What stands around the ultrasound picture.
+struct PictureFrame {
+  double left_px = 0, top_px = 0, right_px = 0, bottom_px = 0;  ///< of the picture
+  double px_per_mm = 10;
+  double minAxial_mm = 0, maxAxial_mm = 40;
+  std::optional<double> focus_mm{};
+  std::vector<double> tgc_dB{};
+  bool scale = true, greyBar = true, frozen = false, markerRight = true;
+};
+
+/// Room that the frame needs beside the picture, in logical pixels.
+inline constexpr double kFrameLeft = 52, kFrameRight = 44, kFrameTop = 26, kFrameBottom = 14;
+
+void drawPictureFrame(const PictureFrame& frame, double scale, int width_px, Lines& lines, Texts& texts);
+
+/// Distance of the scale's numbers: the smallest of 1, 2, 5, 10, 20, 50 mm that leaves `room_px` between them.
+double tickStep_mm(double px_per_mm, double room_px);
+
+}  // namespace insonate::views

@@ -1,0 +1,166 @@
+#include "../overlay/PictureQuad.h"
+#include "CalliperDrawing.h"
+#include "PictureFrame.h"
+
+#include <insonate/views/UltrasoundView.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace insonate::views {
+
+struct UltrasoundView::Drawing {
+  explicit Drawing(vtkRenderer& renderer) : quad(renderer, 1, true), lines(renderer), texts(renderer) {}
+
+  PictureQuad quad;
+  Lines lines;
+  Texts texts;
+};
+
+UltrasoundView::UltrasoundView() : drawing_(std::make_unique<Drawing>(*renderer())) {}
+UltrasoundView::~UltrasoundView() = default;
+
+void UltrasoundView::setImage(const BModeImage& image) {
+  const std::size_t count = std::size_t(std::max(0, image.width)) * std::max(0, image.height);
+  const bool moved = image.width != shape_.width || image.height != shape_.height ||
+                     image.pixel_mm != shape_.pixel_mm || image.left_mm != shape_.left_mm ||
+                     image.top_mm != shape_.top_mm;
+  shape_.width = image.width, shape_.height = image.height, shape_.pixel_mm = image.pixel_mm;
+  shape_.left_mm = image.left_mm, shape_.top_mm = image.top_mm;
+  if (count == 0 || image.grey.size() != count || !(image.pixel_mm > 0)) shape_ = {};
+  if (shape_.width > 0) {
+    std::memcpy(drawing_->quad.picture(image.width, image.height).data(), image.grey.data(), count);
+    drawing_->quad.pictureChanged();
+  }
+  // A live picture changes grey values only; what is drawn around it stays.
+  if (moved) {
+    changed();
+  } else {
+    wantRender();
+  }
+}
+
+void UltrasoundView::setBounds(std::optional<PictureBounds> bounds) {
+  bounds_ = bounds;
+  changed();
+}
+void UltrasoundView::setMirrored(bool mirrored) {
+  mirrored_ = mirrored;
+  changed();
+}
+void UltrasoundView::setFocus(std::optional<double> focus_mm) {
+  focus_mm_ = focus_mm;
+  changed();
+}
+void UltrasoundView::setFrozen(bool frozen) {
+  frozen_ = frozen;
+  changed();
+}
+void UltrasoundView::setScaleVisible(bool visible) {
+  scaleVisible_ = visible;
+  changed();
+}
+void UltrasoundView::setGreyBarVisible(bool visible) {
+  greyBarVisible_ = visible;
+  changed();
+}
+void UltrasoundView::setTgc(std::span<const double> tgc_dB) {
+  tgc_dB_.assign(tgc_dB.begin(), tgc_dB.end());
+  changed();
+}
+void UltrasoundView::setCallipers(std::vector<Calliper> callipers) {
+  callipers_ = std::move(callipers);
+  changed();
+}
+
+PictureBounds UltrasoundView::bounds() const {
+  if (bounds_) return *bounds_;
+  if (shape_.width == 0) return {};
+  const double left = shape_.left_mm - shape_.pixel_mm / 2, top = shape_.top_mm - shape_.pixel_mm / 2;
+  return {left, left + shape_.width * shape_.pixel_mm, top, top + shape_.height * shape_.pixel_mm};
+}
+
+UltrasoundView::Placement UltrasoundView::placement() const {
+  const double left = kFrameLeft * scale(), right = kFrameRight * scale();
+  const double top = kFrameTop * scale(), bottom = kFrameBottom * scale();
+  const PictureBounds shown = bounds();
+  const double wide_mm = std::max(1e-3, shown.maxLateral_mm - shown.minLateral_mm);
+  const double deep_mm = std::max(1e-3, shown.maxAxial_mm - shown.minAxial_mm);
+  const double room_x = std::max(8.0, width_px() - left - right), room_y = std::max(8.0, height_px() - top - bottom);
+  Placement place;
+  place.px_per_mm = std::min(room_x / wide_mm, room_y / deep_mm);
+  place.left_px = std::round(left + 0.5 * (room_x - wide_mm * place.px_per_mm));
+  place.top_px = std::round(top + 0.5 * (room_y - deep_mm * place.px_per_mm));
+  place.right_px = place.left_px + wide_mm * place.px_per_mm;
+  place.bottom_px = place.top_px + deep_mm * place.px_per_mm;
+  return place;
+}
+
+double UltrasoundView::px_per_mm() const {
+  return placement().px_per_mm;
+}
+
+PicturePoint UltrasoundView::pictureFromDisplay(DisplayPoint at) const {
+  const Placement place = placement();
+  const PictureBounds shown = bounds();
+  const double across_mm = (at.x - place.left_px) / place.px_per_mm;
+  return {mirrored_ ? shown.maxLateral_mm - across_mm : shown.minLateral_mm + across_mm,
+          shown.minAxial_mm + (at.y - place.top_px) / place.px_per_mm};
+}
+
+DisplayPoint UltrasoundView::displayFromPicture(PicturePoint point) const {
+  const Placement place = placement();
+  const PictureBounds shown = bounds();
+  const double across_mm = mirrored_ ? shown.maxLateral_mm - point.lateral_mm : point.lateral_mm - shown.minLateral_mm;
+  return {place.left_px + across_mm * place.px_per_mm,
+          place.top_px + (point.axial_mm - shown.minAxial_mm) * place.px_per_mm};
+}
+
+bool UltrasoundView::onPicture(DisplayPoint at) const {
+  const Placement place = placement();
+  return at.x >= place.left_px && at.x < place.right_px && at.y >= place.top_px && at.y < place.bottom_px;
+}
+
+void UltrasoundView::placePicture(const PictureBounds& shown) {
+  const double left_mm = shape_.left_mm - shape_.pixel_mm / 2, top_mm = shape_.top_mm - shape_.pixel_mm / 2;
+  const double width_mm = shape_.width * shape_.pixel_mm, height_mm = shape_.height * shape_.pixel_mm;
+  const double left = std::max(shown.minLateral_mm, left_mm), right = std::min(shown.maxLateral_mm, left_mm + width_mm);
+  const double top = std::max(shown.minAxial_mm, top_mm), bottom = std::min(shown.maxAxial_mm, top_mm + height_mm);
+  drawing_->quad.show(right > left && bottom > top);
+  PictureQuad::Part part{(left - left_mm) / width_mm, (top - top_mm) / height_mm, (right - left_mm) / width_mm,
+                         (bottom - top_mm) / height_mm};
+  if (mirrored_) std::swap(part.left, part.right);
+  drawing_->quad.place(displayFromPicture({mirrored_ ? right : left, top}),
+                       displayFromPicture({mirrored_ ? left : right, bottom}), height_px(), part);
+}
+
+void UltrasoundView::layout() {
+  const Placement place = placement();
+  const PictureBounds shown = bounds();
+  Lines& lines = drawing_->lines;
+  Texts& texts = drawing_->texts;
+  lines.begin(height_px());
+  texts.begin(height_px());
+  drawing_->quad.show(false);
+  if (shape_.width > 0) {
+    placePicture(shown);
+    PictureFrame frame{place.left_px, place.top_px, place.right_px, place.bottom_px, place.px_per_mm};
+    frame.minAxial_mm = shown.minAxial_mm, frame.maxAxial_mm = shown.maxAxial_mm;
+    frame.focus_mm = focus_mm_, frame.tgc_dB = tgc_dB_;
+    frame.scale = scaleVisible_, frame.greyBar = greyBarVisible_, frame.frozen = frozen_,
+    frame.markerRight = !mirrored_;
+    drawPictureFrame(frame, scale(), width_px(), lines, texts);
+    const double line = 17 * scale();
+    double y = place.bottom_px - 8 * scale() - line * (double(callipers_.size()) - 1);
+    for (std::size_t k = 0; k < callipers_.size(); ++k, y += line) {
+      drawCalliper(callipers_[k], int(k) + 1, *this, scale(), lines, texts);
+      texts.put({place.left_px + 8 * scale(), y}, std::to_string(k + 1) + "  " + words(callipers_[k]),
+                {13 * scale(), theme::kText, false, Across::Left, Along::Bottom});
+    }
+  }
+  lines.end();
+  texts.end();
+}
+
+}  // namespace insonate::views
