@@ -15,10 +15,10 @@ HeaderBar::HeaderBar(QMenu* caseMenu, QWidget* parent)
   setRole(this, "header");
   auto* product = new QLabel(QStringLiteral("Insonate"));
   setRole(product, "product");
-  setRole(case_, "quiet");
   case_->setTextFormat(Qt::PlainText);
   auto* menu = new QToolButton;
-  menu->setText(tr("Case"));
+  menu->setText(tr(" Case"));
+  menu->setAccessibleName(tr("Case menu"));
   menu->setIcon(icon(QStringLiteral("folder")));
   menu->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   menu->setPopupMode(QToolButton::InstantPopup);
@@ -43,7 +43,8 @@ HeaderBar::HeaderBar(QMenu* caseMenu, QWidget* parent)
 void HeaderBar::addTab(const QString& title, const QString& iconName, const QString& keys) {
   auto* tab = new QToolButton;
   setRole(tab, "tab");
-  tab->setText(title);
+  tab->setText(QLatin1Char(' ') + title);
+  tab->setAccessibleName(title);
   tab->setIcon(icon(iconName));
   tab->setIconSize({20, 20});
   tab->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

@@ -24,7 +24,8 @@ StatusStrip::StatusStrip(QWidget* parent)
   engine_->setToolTip(tr("What computes the ultrasound, and how many pictures it made in the last second"));
   auto* help = new QToolButton;
   help->setIcon(icon(QStringLiteral("help")));
-  help->setText(tr("Help"));
+  help->setText(tr(" Help"));
+  help->setAccessibleName(tr("Help"));
   help->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   help->setFocusPolicy(Qt::StrongFocus);
   help->setToolTip(tr("Help for what is shown (F1), all keys (?)"));

@@ -1,0 +1,41 @@
+#include "Screenshot.h"
+
+#include <insonate/ui/MainWindow.h>
+
+#include <QPixmap>
+
+namespace insonate::app {
+namespace {
+
+constexpr int kPatience_ms = 180'000;
+/// Views render a moment after their data has come.
+constexpr int kSettle_ms = 600;
+
+}  // namespace
+
+Screenshot::Screenshot(ui::MainWindow& window, const QString& file, std::function<void(const QString&)> done)
+    : window_(window), file_(file), done_(std::move(done)) {
+  patience_.setSingleShot(true);
+  settling_.setSingleShot(true);
+  connect(&patience_, &QTimer::timeout, this, [this] { done_(tr("The window did not show the case in time.")); });
+  connect(&settling_, &QTimer::timeout, this, &Screenshot::take);
+  connect(&window_, &ui::MainWindow::readyChanged, this, &Screenshot::look);
+  patience_.start(kPatience_ms);
+  look();
+}
+
+void Screenshot::look() {
+  if (!window_.isReady())
+    settling_.stop();
+  else if (!settling_.isActive())
+    settling_.start(kSettle_ms);
+}
+
+void Screenshot::take() {
+  patience_.stop();
+  const bool written = window_.grab().save(file_, "PNG");
+  done_(written ? QString()
+                : tr("The screenshot could not be written to '%1'; choose a folder that exists.").arg(file_));
+}
+
+}  // namespace insonate::app

@@ -1,0 +1,126 @@
+#include "Arguments.h"
+#include "Screenshot.h"
+
+#include <insonate/ui/EmptyWorkspace.h>
+#include <insonate/ui/MainWindow.h>
+#include <insonate/ui/TaskBar.h>
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/ViewWidget.h>
+
+#include <QApplication>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+namespace {
+
+using namespace insonate;
+
+/// Qt ends the program where there is no display, with words for programmers.
+void tell(QtMsgType type, const QMessageLogContext&, const QString& message) {
+  if (type == QtFatalMsg) {
+    std::fputs(
+        "insonate: There is no display to open a window on. Start it on a desktop, or use insonate-cli without one.\n",
+        stderr);
+    std::_Exit(1);
+  }
+  if (type == QtCriticalMsg) std::fprintf(stderr, "insonate: %s\n", qPrintable(message));
+}
+
+void addWorkspaces(ui::MainWindow& window) {
+  auto* prepare = new ui::EmptyWorkspace(
+      {QStringLiteral("prepare"),
+       QObject::tr("Prepare a case"),
+       {QObject::tr("Drop a case folder, a folder of DICOM files, or an NRRD, NIfTI or MetaImage file here."),
+        QObject::tr(
+            "An imported CT is labelled by its Hounsfield units and can be saved as a case. Editing labels in this "
+            "window does not exist yet: use 3D Slicer or ITK-SNAP, which open the case's files as they are.")},
+       QObject::tr("Drop a case or a CT on the window."),
+       QStringLiteral("prepare")});
+  prepare->offer(window.openAction());
+  prepare->offer(window.importAction());
+  prepare->offer(window.textbookAction());
+  window.addWorkspace(QStringLiteral("prepare"), QObject::tr("Prepare"), QStringLiteral("prepare"), prepare);
+
+  window.addWorkspace(QStringLiteral("train"), QObject::tr("Train"), QStringLiteral("train"),
+                      new ui::EmptyWorkspace({QStringLiteral("train"), QObject::tr("Train"), {}, {}, {}}));
+
+  window.addWorkspace(QStringLiteral("review"), QObject::tr("Review"), QStringLiteral("review"),
+                      new ui::EmptyWorkspace(
+                          {QStringLiteral("review"),
+                           QObject::tr("Nothing to review yet"),
+                           {QObject::tr("Here you will read what trainees did: attempts, what went wrong in each, "
+                                        "learning curves, and a replay beside the ultrasound."),
+                            QObject::tr("Attempts are not recorded yet. Until then, practise under Train (Ctrl+2).")},
+                           QObject::tr("Attempts are not recorded yet; practise under Train."),
+                           QStringLiteral("review")}));
+}
+
+int run(QApplication& application, const app::Arguments& arguments) {
+  // A screenshot neither depends on the user's layout nor changes it.
+  std::unique_ptr<QTemporaryDir> ownSettings;
+  if (!arguments.screenshot.empty()) {
+    ownSettings = std::make_unique<QTemporaryDir>();
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, ownSettings->path());
+  }
+  int status = 0;
+  ui::MainWindow window;
+  addWorkspaces(window);
+  window.showWorkspace(QStringLiteral("train"));
+  window.restoreLayout();
+  if (!arguments.workspace.empty()) window.showWorkspace(QString::fromStdString(arguments.workspace));
+
+  const auto leave = [&status, &window](const QString& trouble) {
+    if (!trouble.isEmpty()) {
+      std::fprintf(stderr, "insonate: %s\n", qPrintable(trouble));
+      status = 1;
+    }
+    window.close();
+  };
+  // The case that was asked for on the command line, or nothing; later ones are the window's own affair.
+  const auto first = QObject::connect(&window, &ui::MainWindow::caseFailed, &window, leave);
+  QObject::connect(&window, &ui::MainWindow::readyChanged, &window, [&window, first] {
+    if (window.current().patient) QObject::disconnect(first);
+  });
+  std::unique_ptr<app::Screenshot> screenshot;
+  if (!arguments.screenshot.empty()) {
+    window.resize(QSize(arguments.width_px, arguments.height_px) / window.devicePixelRatioF());
+    screenshot =
+        std::make_unique<app::Screenshot>(window, QString::fromStdString(arguments.screenshot.string()), leave);
+  }
+  window.show();
+  if (arguments.caseFolder.empty())
+    window.openTextbook();
+  else
+    window.open(QString::fromStdString(arguments.caseFolder));
+  application.exec();
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto arguments = app::parseArguments(argc, argv);
+  if (const int* status = std::get_if<int>(&arguments)) return *status;
+  const app::Arguments& a = std::get<app::Arguments>(arguments);
+  std::error_code ignored;
+  if (!a.caseFolder.empty() && !std::filesystem::exists(a.caseFolder, ignored)) {
+    std::fprintf(stderr, "insonate: There is no case '%s'; check the name.\n", a.caseFolder.c_str());
+    return 1;
+  }
+  qInstallMessageHandler(tell);
+  ui::prepareGraphics();
+  QApplication application(argc, argv);
+  QCoreApplication::setOrganizationName(QStringLiteral("Insonate"));
+  QCoreApplication::setApplicationName(QStringLiteral("insonate"));
+  QCoreApplication::setApplicationVersion(QStringLiteral(INSONATE_VERSION));
+  ui::applyTheme(application);
+  const int status = run(application, a);
+  // Files are written beside their target and moved, so that a job that is cut off leaves nothing half done.
+  if (!ui::waitForJobs(std::chrono::seconds(5))) std::_Exit(status);
+  return status;
+}

@@ -1,0 +1,141 @@
+#include "Waiting.h"
+
+#include <insonate/cases/DicomWriter.h>
+#include <insonate/ui/CaseLoader.h>
+#include <insonate/ui/TaskBar.h>
+
+#include <gtest/gtest.h>
+#include <support/SmallCase.h>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QDialog>
+#include <QDir>
+#include <QFile>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QWidget>
+#include <QtTest/QTest>
+#include <optional>
+
+namespace {
+
+using namespace insonate;
+using test::waitUntil;
+
+class CaseLoader : public testing::Test {
+ protected:
+  CaseLoader() : tasks(&window), loader(tasks, &window) {
+    QObject::connect(&loader, &ui::CaseLoader::loaded, [this](const ui::LoadedCase& one) { loaded = one; });
+    QObject::connect(&loader, &ui::CaseLoader::failed, [this](const QString& what) { failed = what; });
+    QObject::connect(&loader, &ui::CaseLoader::cancelled, [this] { ++cancelled; });
+    QObject::connect(&loader, &ui::CaseLoader::saved, [this](const QString& folder) { saved = folder; });
+    window.show();
+  }
+  bool ended() const { return loaded || !failed.isEmpty() || cancelled > 0 || !saved.isEmpty(); }
+  QDialog* dialog() {
+    EXPECT_TRUE(waitUntil([this] { return window.findChild<QDialog*>() || ended(); }));
+    return window.findChild<QDialog*>();
+  }
+  QPushButton* button(QDialog* in, const QString& text) {
+    for (auto* one : in->findChildren<QPushButton*>())
+      if (one->text().remove('&') == text && !one->parentWidget()->inherits("insonate::ui::TaskBar")) return one;
+    return nullptr;
+  }
+  QString writtenDicom(const QString& name) {
+    const QString folder = home.filePath(name);
+    EXPECT_TRUE(writeDicomSeries(test::smallCase().ct, folder.toStdString(), {.seed = name.toStdString()}));
+    return folder;
+  }
+
+  QTemporaryDir home;
+  QWidget window;
+  ui::TaskBar tasks;
+  ui::CaseLoader loader;
+  std::optional<ui::LoadedCase> loaded;
+  QString failed, saved;
+  int cancelled = 0;
+};
+
+TEST_F(CaseLoader, OpensACaseFolderAndAnyOfItsFiles) {
+  const QString folder = test::writtenSmallCase(home, "block");
+  loader.open(folder);
+  ASSERT_TRUE(waitUntil([this] { return ended(); }));
+  ASSERT_TRUE(loaded) << failed.toStdString();
+  EXPECT_EQ(loaded->patient->manifest.title, "Small block");
+  EXPECT_EQ(loaded->folder, QDir(folder).absolutePath());
+  loaded.reset();
+  loader.open(folder + "/labels.seg.nrrd");
+  ASSERT_TRUE(waitUntil([this] { return ended(); }));
+  EXPECT_TRUE(loaded);
+}
+
+TEST_F(CaseLoader, SaysWhyAFolderIsNoCase) {
+  loader.open(home.filePath("nothing"));
+  EXPECT_TRUE(failed.contains("There is no file or folder")) << failed.toStdString();
+  failed.clear();
+  QDir(home.path()).mkdir("empty");
+  loader.open(home.filePath("empty"));
+  ASSERT_TRUE(waitUntil([this] { return ended(); }));
+  EXPECT_FALSE(failed.isEmpty());
+  EXPECT_FALSE(loaded);
+}
+
+TEST_F(CaseLoader, SaysWhatIsWrongWithABrokenCase) {
+  const QString folder = test::writtenSmallCase(home, "broken");
+  ASSERT_TRUE(QFile::resize(folder + "/ct.nrrd", 700));
+  loader.open(folder);
+  ASSERT_TRUE(waitUntil([this] { return ended(); }));
+  EXPECT_TRUE(failed.contains("ct.nrrd")) << failed.toStdString();
+}
+
+TEST_F(CaseLoader, ImportsTheChosenSeries) {
+  loader.open(writtenDicom("dicom"));
+  QDialog* choice = dialog();
+  ASSERT_TRUE(choice) << failed.toStdString();
+  auto* table = choice->findChild<QTableWidget*>();
+  ASSERT_EQ(table->rowCount(), 1);
+  EXPECT_EQ(table->item(0, 0)->text(), "CT");
+  EXPECT_EQ(table->item(0, 1)->text(), "49 x 41 x 17");
+  EXPECT_EQ(table->item(0, 2)->text(), "1.00 x 1.00 x 1.00");
+  choice->findChild<QCheckBox*>()->setChecked(false);
+  QTest::mouseClick(button(choice, "Import"), Qt::LeftButton);
+  ASSERT_TRUE(waitUntil([this] { return ended(); }));
+  ASSERT_TRUE(loaded) << failed.toStdString();
+  EXPECT_EQ(loaded->patient->ct.geometry.size, (std::array{49, 41, 17}));
+  EXPECT_TRUE(loaded->folder.isEmpty()) << "not saved yet";
+
+  loader.save(loaded->patient, home.filePath("kept"));
+  ASSERT_TRUE(waitUntil([this] { return !saved.isEmpty() || !failed.isEmpty(); }));
+  EXPECT_EQ(ui::caseFolderOf(home.filePath("kept")), home.filePath("kept")) << failed.toStdString();
+}
+
+TEST_F(CaseLoader, TheChoiceMayBeRefused) {
+  loader.open(writtenDicom("dicom"));
+  QDialog* choice = dialog();
+  ASSERT_TRUE(choice);
+  QTest::keyClick(choice, Qt::Key_Escape);
+  EXPECT_EQ(cancelled, 1);
+  EXPECT_FALSE(loaded);
+}
+
+TEST_F(CaseLoader, TheLaterOfTwoOpensCounts) {
+  const QString first = test::writtenSmallCase(home, "first"), second = test::writtenSmallCase(home, "second");
+  loader.open(first);
+  loader.open(second);
+  ASSERT_TRUE(waitUntil([this] { return loaded.has_value(); }));
+  EXPECT_EQ(cancelled, 1);
+  EXPECT_EQ(loaded->folder, QDir(second).absolutePath());
+}
+
+TEST_F(CaseLoader, CancelsTheBuiltInNeckWithinASecond) {
+  loader.openTextbook();
+  QTest::qWait(200);
+  ASSERT_TRUE(tasks.isRunning());
+  tasks.cancel();
+  EXPECT_EQ(cancelled, 1);
+  EXPECT_TRUE(ui::waitForJobs(std::chrono::milliseconds(1000)));
+}
+
+}  // namespace

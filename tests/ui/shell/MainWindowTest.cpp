@@ -1,0 +1,207 @@
+#include "Waiting.h"
+
+#include <insonate/ui/EmptyWorkspace.h>
+#include <insonate/ui/ErrorPanel.h>
+#include <insonate/ui/MainWindow.h>
+#include <insonate/ui/TaskBar.h>
+#include <insonate/ui/Workspace.h>
+
+#include <gtest/gtest.h>
+
+#include <QDialog>
+#include <QDropEvent>
+#include <QMenu>
+#include <QMimeData>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTextBrowser>
+#include <QToolButton>
+#include <QtTest/QTest>
+#include <memory>
+
+namespace {
+
+using namespace insonate;
+using test::waitUntil;
+
+class FakeWorkspace final : public ui::Workspace {
+ public:
+  void setCase(std::shared_ptr<const PatientCase> patient) override {
+    shown = std::move(patient);
+    Q_EMIT readyChanged();
+  }
+  QString statusText() const override { return shown ? "Move the probe." : "Open a case."; }
+  QString engineText() const override { return "cpu engine   62 images/s"; }
+  std::vector<ui::Shortcut> shortcuts() const override { return {{"Space", "freeze the picture"}}; }
+  void stop() override { stopped = true; }
+  void saveLayout(QSettings& settings) const override { settings.setValue("probe", probe); }
+  void restoreLayout(QSettings& settings) override { probe = settings.value("probe", probe).toString(); }
+
+  std::shared_ptr<const PatientCase> shown;
+  QString probe = "linear";
+  bool stopped = false;
+};
+
+struct Window {
+  Window() {
+    window.addWorkspace("prepare", "Prepare", "prepare", new ui::EmptyWorkspace({"prepare", "Prepare", {}, {}, {}}));
+    window.addWorkspace("train", "Train", "train", train);
+    window.addWorkspace("review", "Review", "review", new ui::EmptyWorkspace({"review", "Nothing yet", {}, {}, {}}));
+    window.restoreLayout();
+    window.show();
+    window.activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
+  }
+  FakeWorkspace* train = new FakeWorkspace;
+  ui::MainWindow window;
+};
+
+class MainWindow : public testing::Test {
+ protected:
+  void SetUp() override { QSettings().clear(); }
+
+  void drop(ui::MainWindow& window, const QString& path) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    QDragEnterEvent enter({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&window, &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent event({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&window, &event);
+  }
+
+  QTemporaryDir home;
+};
+
+TEST_F(MainWindow, ChangesWorkspacesByKeyboard) {
+  Window w;
+  EXPECT_EQ(w.window.currentId(), "prepare");
+  QTest::keyClick(&w.window, Qt::Key_2, Qt::ControlModifier);
+  EXPECT_EQ(w.window.currentId(), "train");
+  EXPECT_EQ(w.window.statusText(), "Open a case.");
+  QTest::keyClick(&w.window, Qt::Key_3, Qt::ControlModifier);
+  EXPECT_EQ(w.window.currentId(), "review");
+  EXPECT_FALSE(w.window.showWorkspace("kitchen"));
+}
+
+TEST_F(MainWindow, TabReachesEverythingAndArrowsTheNextWorkspace) {
+  Window w;
+  QStringList reached;
+  QTest::keyClick(&w.window, Qt::Key_Tab);
+  for (int i = 0; i < 10 && w.window.focusWidget(); ++i) {
+    reached << w.window.focusWidget()->accessibleName();
+    QTest::keyClick(w.window.focusWidget(), Qt::Key_Tab);
+  }
+  for (const char* name : {"Prepare", "Case menu", "Help"})
+    EXPECT_TRUE(reached.contains(name)) << name << " in " << reached.join(", ").toStdString();
+  QWidget* tab = nullptr;
+  for (auto* button : w.window.findChildren<QToolButton*>())
+    if (button->accessibleName() == "Prepare") tab = button;
+  ASSERT_TRUE(tab);
+  tab->setFocus();
+  QTest::keyClick(tab, Qt::Key_Right);
+  EXPECT_EQ(w.window.currentId(), "train");
+}
+
+TEST_F(MainWindow, OpensADroppedCaseAndGivesItToWorkspaces) {
+  Window w;
+  w.window.showWorkspace("train");
+  EXPECT_FALSE(w.window.isReady());
+  drop(w.window, test::writtenSmallCase(home, "block"));
+  ASSERT_TRUE(waitUntil([&] { return w.window.isReady(); }));
+  EXPECT_EQ(w.train->shown->manifest.title, "Small block");
+  EXPECT_EQ(w.window.caseTitle(), "Small block");
+  EXPECT_EQ(w.window.statusText(), "Opened Small block.");
+}
+
+TEST_F(MainWindow, SaysWhyADroppedFolderDoesNotOpenAndKeepsTheCase) {
+  Window w;
+  w.window.open(test::writtenSmallCase(home, "block"));
+  ASSERT_TRUE(waitUntil([&] { return w.window.current().patient != nullptr; }));
+  QDir(home.path()).mkdir("empty");
+  drop(w.window, home.filePath("empty"));
+  ASSERT_TRUE(waitUntil([&] { return w.window.errors().isVisible(); }));
+  EXPECT_TRUE(w.window.errors().message().contains("empty")) << w.window.errors().message().toStdString();
+  EXPECT_EQ(w.window.caseTitle(), "Small block");
+  QTest::keyClick(&w.window, Qt::Key_Escape);
+  EXPECT_FALSE(w.window.errors().isVisible());
+}
+
+TEST_F(MainWindow, EscapeCancelsWhatIsBeingDone) {
+  Window w;
+  w.window.openTextbook();
+  EXPECT_TRUE(w.window.tasks().isVisible());
+  QTest::qWait(100);
+  QTest::keyClick(&w.window, Qt::Key_Escape);
+  EXPECT_FALSE(w.window.tasks().isRunning());
+  EXPECT_EQ(w.window.statusText(), "Cancelled; nothing was changed.");
+  EXPECT_TRUE(ui::waitForJobs(std::chrono::milliseconds(1000)));
+}
+
+TEST_F(MainWindow, RemembersWorkspaceLayoutAndRecentCases) {
+  {
+    Window w;
+    w.window.showWorkspace("review");
+    w.train->probe = "phased";
+    w.window.open(test::writtenSmallCase(home, "block"));
+    ASSERT_TRUE(waitUntil([&] { return w.window.current().patient != nullptr; }));
+    w.window.resize(1100, 700);
+    w.window.close();
+  }
+  Window w;
+  EXPECT_EQ(w.window.currentId(), "review");
+  EXPECT_EQ(w.train->probe, "phased");
+  EXPECT_EQ(w.window.size(), QSize(1100, 700));
+  QMenu* recent = nullptr;
+  for (auto* menu : w.window.findChildren<QMenu*>())
+    if (menu->title() == "Recent") recent = menu;
+  ASSERT_TRUE(recent);
+  Q_EMIT recent->aboutToShow();
+  ASSERT_FALSE(recent->actions().isEmpty());
+  EXPECT_EQ(recent->actions().first()->text(), "Small block");
+  recent->actions().first()->trigger();
+  EXPECT_TRUE(waitUntil([&] { return w.train->shown != nullptr; }));
+}
+
+TEST_F(MainWindow, ListsAllKeysUnderTheQuestionMark) {
+  Window w;
+  QTest::keyClick(&w.window, Qt::Key_Question);
+  auto* page = w.window.findChild<QTextBrowser*>();
+  ASSERT_TRUE(page);
+  const QString text = page->toPlainText();
+  for (const char* said : {"Ctrl+2", "Space", "freeze the picture", "Esc", "F1"})
+    EXPECT_TRUE(text.contains(said)) << said;
+  QTest::keyClick(&w.window, Qt::Key_F1);
+  EXPECT_TRUE(page->toPlainText().contains("Getting started"));
+}
+
+TEST_F(MainWindow, ClosesWhileACaseIsBeingMade) {
+  auto w = std::make_unique<Window>();
+  w->window.openTextbook();
+  QTest::qWait(50);
+  EXPECT_TRUE(w->window.close());
+  EXPECT_TRUE(w->train->stopped);
+  EXPECT_FALSE(w->window.isVisible());
+  w.reset();
+  EXPECT_TRUE(ui::waitForJobs(std::chrono::milliseconds(1000)));
+}
+
+TEST_F(MainWindow, GoesWhileACaseIsBeingRead) {
+  auto w = std::make_unique<Window>();
+  w->window.open(test::writtenSmallCase(home, "block"));
+  w.reset();
+  EXPECT_TRUE(ui::waitForJobs(std::chrono::milliseconds(5000)));
+}
+
+TEST_F(MainWindow, ShowsWhatAWorkspaceSays) {
+  Window w;
+  w.window.showWorkspace("train");
+  Q_EMIT w.train->failed("The scene does not fit into memory.", "Choose a smaller depth.", "4 GiB");
+  EXPECT_EQ(w.window.errors().message(), "The scene does not fit into memory. Choose a smaller depth.");
+  auto made = std::make_shared<PatientCase>();
+  made->manifest.title = "Edited";
+  Q_EMIT w.train->caseMade(made);
+  EXPECT_EQ(w.window.caseTitle(), "Edited (not saved)");
+}
+
+}  // namespace

@@ -1,0 +1,84 @@
+#include "Waiting.h"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QImage>
+#include <QProcess>
+#include <QTemporaryDir>
+
+namespace {
+
+using namespace insonate;
+
+struct Outcome {
+  int status = -1;
+  QString errors;
+};
+
+/// The program itself, on this process's screen and with its settings.
+Outcome run(const QStringList& arguments, const QString& display = qEnvironmentVariable("DISPLAY")) {
+  QProcess program;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert("DISPLAY", display);
+  program.setProcessEnvironment(environment);
+  program.start(INSONATE_PROGRAM, arguments);
+  if (!program.waitForFinished(120'000)) program.kill();
+  if (program.exitStatus() != QProcess::NormalExit) return {};
+  return {program.exitCode(), QString::fromUtf8(program.readAllStandardError())};
+}
+
+class Program : public testing::Test {
+ protected:
+  QTemporaryDir home;
+};
+
+TEST_F(Program, TakesAScreenshotOfTheWindowWithACase) {
+  const QString file = home.filePath("window.png");
+  for (const char* workspace : {"prepare", "train", "review"}) {
+    const Outcome outcome = run(
+        {test::writtenSmallCase(home, "block"), "--workspace", workspace, "--screenshot", file, "--size", "1366x768"});
+    ASSERT_EQ(outcome.status, 0) << workspace << ": " << outcome.errors.toStdString();
+    const QImage picture(file);
+    EXPECT_EQ(picture.size(), QSize(1366, 768));
+    EXPECT_EQ(picture.pixelColor(2, 2), QColor(0x1b, 0x1f, 0x24)) << "the header";
+    QFile::remove(file);
+  }
+}
+
+TEST_F(Program, RefusesWrongUsageWithTwo) {
+  EXPECT_EQ(run({"--workspace", "kitchen"}).status, 2);
+  EXPECT_EQ(run({"--size", "800x600"}).status, 2);
+  EXPECT_EQ(run({"--screenshot", "x.png", "--size", "800"}).status, 2);
+  EXPECT_EQ(run({"--colour", "pink"}).status, 2);
+  EXPECT_EQ(run({"--help"}).status, 0);
+}
+
+TEST_F(Program, SaysWhyACaseCannotBeRead) {
+  Outcome outcome = run({home.filePath("nothing")});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_TRUE(outcome.errors.contains("There is no case")) << outcome.errors.toStdString();
+
+  const QString broken = test::writtenSmallCase(home, "broken");
+  ASSERT_TRUE(QFile::resize(broken + "/ct.nrrd", 700));
+  outcome = run({broken});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_TRUE(outcome.errors.contains("ct.nrrd")) << outcome.errors.toStdString();
+}
+
+TEST_F(Program, SaysThatThereIsNoDisplay) {
+  for (const char* display : {"", ":9871"}) {
+    const Outcome outcome = run({}, display);
+    EXPECT_EQ(outcome.status, 1) << display;
+    EXPECT_TRUE(outcome.errors.contains("There is no display")) << outcome.errors.toStdString();
+  }
+}
+
+TEST_F(Program, SaysThatAScreenshotCannotBeWritten) {
+  const Outcome outcome = run({test::writtenSmallCase(home, "block"), "--workspace", "review", "--screenshot",
+                               home.filePath("no/such/folder/x.png")});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_TRUE(outcome.errors.contains("could not be written")) << outcome.errors.toStdString();
+}
+
+}  // namespace

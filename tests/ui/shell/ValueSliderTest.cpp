@@ -1,0 +1,109 @@
+#include <insonate/ui/ValueSlider.h>
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QWheelEvent>
+#include <QtTest/QTest>
+#include <cmath>
+
+namespace {
+
+class ValueSlider : public testing::Test {
+ protected:
+  ValueSlider() : slider("Depth", "mm", {20, 90, 40, 5, 1}, "How deep the picture reaches") {
+    slider.resize(240, 48);
+    slider.show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&slider));
+  }
+
+  QLineEdit* number() { return slider.findChild<QLineEdit*>(); }
+  QSlider* track() { return slider.findChild<QSlider*>(); }
+
+  void type(const QString& text) {
+    number()->setFocus();
+    number()->selectAll();
+    QTest::keyClicks(number(), text);
+    QTest::keyClick(number(), Qt::Key_Return);
+  }
+  void wheel(int eighths) {
+    QWheelEvent event(QPointF(10, 5), track()->mapToGlobal(QPoint(10, 5)), {}, {0, eighths}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(track(), &event);
+  }
+
+  insonate::ui::ValueSlider slider;
+};
+
+TEST_F(ValueSlider, ShowsNameValueAndUnit) {
+  EXPECT_EQ(slider.value(), 40);
+  EXPECT_EQ(number()->text(), "40.0 mm");
+  EXPECT_EQ(slider.findChild<QLabel*>()->text(), "Depth");
+  EXPECT_EQ(number()->accessibleName(), "Depth in mm");
+  EXPECT_TRUE(slider.toolTip().contains("20.0 mm to 90.0 mm"));
+}
+
+TEST_F(ValueSlider, TakesTypedNumbers) {
+  QSignalSpy changes(&slider, &insonate::ui::ValueSlider::valueChanged);
+  type("52.5");
+  EXPECT_EQ(slider.value(), 52.5);
+  type("33,25 mm");
+  EXPECT_NEAR(slider.value(), 33.3, 0.051);
+  ASSERT_EQ(changes.count(), 2);
+  EXPECT_EQ(changes[0][0].toDouble(), 52.5);
+}
+
+TEST_F(ValueSlider, KeepsTypedNumbersWithinTheRangeAndForgetsNonsense) {
+  type("500");
+  EXPECT_EQ(slider.value(), 90);
+  type("-3");
+  EXPECT_EQ(slider.value(), 20);
+  type("deep");
+  EXPECT_EQ(slider.value(), 20);
+  EXPECT_EQ(number()->text(), "20.0 mm");
+  slider.setValue(std::nan(""));
+  EXPECT_EQ(slider.value(), 20);
+}
+
+TEST_F(ValueSlider, StepsByWheelAndArrows) {
+  wheel(120);
+  EXPECT_EQ(slider.value(), 45);
+  wheel(-240);
+  EXPECT_EQ(slider.value(), 35);
+  wheel(60);
+  EXPECT_EQ(slider.value(), 35) << "half a notch of a touch pad";
+  wheel(60);
+  EXPECT_EQ(slider.value(), 40);
+  QTest::keyClick(track(), Qt::Key_Right);
+  QTest::keyClick(track(), Qt::Key_Up);
+  EXPECT_EQ(slider.value(), 50);
+  QTest::keyClick(track(), Qt::Key_Left);
+  EXPECT_EQ(slider.value(), 45);
+  QTest::keyClick(number(), Qt::Key_Down);
+  EXPECT_EQ(slider.value(), 40);
+}
+
+TEST_F(ValueSlider, DoubleClickOnTrackOrNameGivesTheUsualValueBack) {
+  slider.setValue(77);
+  QTest::mouseDClick(track(), Qt::LeftButton, {}, {5, 5});
+  EXPECT_EQ(slider.value(), 40);
+  slider.setValue(77);
+  QTest::mouseDClick(slider.findChild<QLabel*>(), Qt::LeftButton);
+  EXPECT_EQ(slider.value(), 40);
+}
+
+TEST_F(ValueSlider, ComesToWhereTheTrackIsPressed) {
+  QTest::mouseClick(track(), Qt::LeftButton, {}, {track()->width() - 3, track()->height() / 2});
+  EXPECT_EQ(slider.value(), 90);
+}
+
+TEST_F(ValueSlider, NewRangesKeepTheValueInside) {
+  slider.setRange({50, 60, 55, 1, 0});
+  EXPECT_EQ(slider.value(), 50);
+  EXPECT_EQ(number()->text(), "50 mm");
+}
+
+}  // namespace

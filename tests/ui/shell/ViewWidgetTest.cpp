@@ -1,0 +1,143 @@
+#include "Waiting.h"
+
+#include <insonate/ui/ViewWidget.h>
+#include <insonate/views/View.h>
+
+#include <gtest/gtest.h>
+#include <vtkRenderWindow.h>
+
+#include <QGridLayout>
+#include <QOpenGLWidget>
+#include <QSplitter>
+#include <QWheelEvent>
+#include <QtTest/QTest>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace {
+
+using namespace insonate;
+using test::waitUntil;
+
+/// Remembers what it was told and paints itself green.
+class FakeView final : public views::View {
+ public:
+  bool pressed(const views::Pointer& p) override { return pointers.push_back(p), true; }
+  bool moved(const views::Pointer& p) override { return last = p, true; }
+  bool released(const views::Pointer& p) override { return pointers.push_back(p), true; }
+  bool wheel(const views::Pointer&, double notches) override { return turned += notches, true; }
+  bool key(views::Key key) override { return keys.push_back(key), key == views::Key::G; }
+  void want() { changed(); }
+
+  std::vector<views::Pointer> pointers;
+  views::Pointer last;
+  std::vector<views::Key> keys;
+  double turned = 0;
+  int layouts = 0;
+
+ protected:
+  void layout() override {
+    ++layouts;
+    renderer()->SetBackground(0, 1, 0);
+  }
+};
+
+class ViewWidget : public testing::Test {
+ protected:
+  ViewWidget() {
+    auto* grid = new QGridLayout(&room);
+    view = std::make_shared<FakeView>();
+    widget = new ui::ViewWidget(view, "Axial");
+    neighbour = new ui::ViewWidget(std::make_shared<FakeView>(), "Coronal");
+    grid->addWidget(widget, 0, 0);
+    grid->addWidget(neighbour, 0, 1);
+    room.resize(600, 300);
+    room.show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&room));
+    EXPECT_TRUE(waitUntil([this] { return view->layouts > 0; }));
+  }
+  QOpenGLWidget* canvas(QWidget* of) { return of->findChild<QOpenGLWidget*>(); }
+
+  QWidget room;
+  std::shared_ptr<FakeView> view;
+  ui::ViewWidget *widget, *neighbour;
+};
+
+TEST_F(ViewWidget, ShowsWhatTheViewDraws) {
+  const QImage seen = room.grab().toImage();
+  EXPECT_EQ(seen.pixelColor(widget->geometry().center()), QColor(0, 255, 0));
+}
+
+TEST_F(ViewWidget, TellsTheSizeInDevicePixels) {
+  const double ratio = widget->devicePixelRatioF();
+  EXPECT_EQ(view->width_px(), int(std::lround(canvas(widget)->width() * ratio)));
+  EXPECT_EQ(view->height_px(), int(std::lround(canvas(widget)->height() * ratio)));
+}
+
+TEST_F(ViewWidget, HandsOnMouseWheelAndKeys) {
+  const double ratio = widget->devicePixelRatioF();
+  QTest::mousePress(canvas(widget), Qt::RightButton, Qt::ShiftModifier, {10, 20});
+  QTest::mouseRelease(canvas(widget), Qt::RightButton, Qt::ShiftModifier, {12, 20});
+  ASSERT_EQ(view->pointers.size(), 2U);
+  EXPECT_EQ(view->pointers[0].button, views::Button::Right);
+  EXPECT_TRUE(view->pointers[0].shift);
+  EXPECT_FALSE(view->pointers[0].control);
+  EXPECT_NEAR(view->pointers[0].at.x, 10.5 * ratio, 1e-9);
+  EXPECT_NEAR(view->pointers[1].at.x, 12.5 * ratio, 1e-9);
+  QWheelEvent wheel({5, 5}, {5, 5}, {}, {0, -60}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(canvas(widget), &wheel);
+  EXPECT_EQ(view->turned, -0.5);
+  QTest::keyClick(canvas(widget), Qt::Key_G);
+  QTest::keyClick(canvas(widget), Qt::Key_PageDown);
+  QTest::keyClick(canvas(widget), Qt::Key_G, Qt::ControlModifier);
+  EXPECT_EQ(view->keys, (std::vector{views::Key::G, views::Key::PageDown}));
+}
+
+TEST_F(ViewWidget, CollectsWishesToBeRendered) {
+  QTest::qWait(100);
+  const int before = widget->renderings();
+  for (int i = 0; i < 1000; ++i) view->want();
+  ASSERT_TRUE(waitUntil([&] { return widget->renderings() > before; }));
+  EXPECT_EQ(widget->renderings(), before + 1);
+}
+
+TEST_F(ViewWidget, DoubleClickFillsTheRoomAndGivesItBack) {
+  QTest::mouseDClick(canvas(widget), Qt::LeftButton, {}, {50, 50});
+  EXPECT_TRUE(widget->isMaximised());
+  EXPECT_FALSE(neighbour->isVisible());
+  QTest::keyClick(canvas(widget), Qt::Key_Escape);
+  EXPECT_FALSE(widget->isMaximised());
+  EXPECT_TRUE(neighbour->isVisible());
+  QTest::keyClick(canvas(widget), Qt::Key_M);
+  EXPECT_FALSE(neighbour->isVisible());
+}
+
+TEST_F(ViewWidget, FillsTheMarkedRoomThroughSplitters) {
+  QSplitter outer;
+  ui::markViewRoom(&outer);
+  auto* inner = new QSplitter(Qt::Vertical);
+  outer.addWidget(inner);
+  outer.addWidget(neighbour);
+  auto* below = new QWidget;
+  inner->addWidget(widget);
+  inner->addWidget(below);
+  outer.resize(600, 300);
+  outer.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&outer));
+  widget->setMaximised(true);
+  EXPECT_FALSE(neighbour->isVisible());
+  EXPECT_FALSE(below->isVisible());
+  widget->setMaximised(false);
+  EXPECT_TRUE(neighbour->isVisible());
+  EXPECT_TRUE(below->isVisible());
+}
+
+TEST_F(ViewWidget, TheViewOutlivesItsWidget) {
+  delete widget;
+  view->want();
+  view->render();
+  QTest::qWait(50);
+}
+
+}  // namespace

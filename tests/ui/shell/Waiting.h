@@ -1,0 +1,16 @@
+#pragma once
+
+#include <QString>
+#include <functional>
+
+class QTemporaryDir;
+
+namespace insonate::test {
+
+/// Lets the window live until the condition holds; false when it does not within the time.
+bool waitUntil(const std::function<bool()>& condition, int longest_ms = 20'000);
+
+/// Writes tests/support/SmallCase.h to a folder of that name in `home`; the folder's path.
+QString writtenSmallCase(const QTemporaryDir& home, const QString& name);
+
+}  // namespace insonate::test
