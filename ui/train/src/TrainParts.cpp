@@ -22,6 +22,8 @@
 #include <QSplitter>
 #include <QStackedLayout>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <span>
 
 namespace insonate::train {
 namespace {
@@ -30,7 +32,8 @@ constexpr int kRate_ms = 250;  // often enough to be true, seldom enough to be r
 
 }  // namespace
 
-TrainWorkspace::Parts::Parts(TrainWorkspace& workspace) : workspace_(workspace) {
+TrainWorkspace::Parts::Parts(TrainWorkspace& workspace)
+    : session(*new TrainSession(&workspace)), workspace_(workspace) {
   columns = new QSplitter(Qt::Horizontal, &workspace);
   columns->setObjectName("trainColumns");
   columns->setChildrenCollapsible(false);
@@ -132,7 +135,9 @@ void TrainWorkspace::Parts::showPicture() {
     image_->setBounds(
         views::PictureBounds{grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()});
     image_->setFocus(shape_->settings.focus_mm);
-    image_->setTgc(shape_->settings.tgc_dB);
+    const auto& tgc_dB = shape_->settings.tgc_dB;
+    const bool flat = std::ranges::all_of(tgc_dB, [](double dB) { return dB == 0; });
+    image_->setTgc(flat ? std::span<const double>() : std::span<const double>(tgc_dB));
   }
   if (ready) return;
   ready = true;

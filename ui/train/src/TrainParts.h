@@ -32,7 +32,7 @@ class TrainWorkspace::Parts : public QObject {
   explicit Parts(TrainWorkspace& workspace);
   ~Parts() override;
 
-  TrainSession session;
+  TrainSession& session;  ///< a child of the workspace, gone after its widgets
   QSplitter* columns = nullptr;
   ControlsPanel* panel = nullptr;
   PatientViews* patient = nullptr;

@@ -5,9 +5,9 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QToolButton>
 
 namespace insonate::train {
 namespace {
@@ -26,7 +26,7 @@ CineBar::CineBar(TrainSession& session, QWidget* parent)
       session_(session),
       slider_(new QSlider(Qt::Horizontal, this)),
       time_(new QLabel(this)),
-      save_(new QToolButton(this)) {
+      save_(new QPushButton(tr("Save"), this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 4, 8, 4);
   row->setSpacing(8);
@@ -38,29 +38,25 @@ CineBar::CineBar(TrainSession& session, QWidget* parent)
   row->addWidget(slider_, 1);
   row->addWidget(time_);
   for (int i = 0; i < 3; ++i) {
-    measures_[i] = new QToolButton(this);
-    measures_[i]->setText(tr(kMeasures[i].name));
+    measures_[i] = new QPushButton(tr(kMeasures[i].name), this);
     measures_[i]->setToolTip(tr(kMeasures[i].says));
     measures_[i]->setCheckable(true);
     measures_[i]->setFocusPolicy(Qt::TabFocus);
     row->addWidget(measures_[i]);
-    connect(measures_[i], &QToolButton::clicked, this, [this, i](bool on) { Q_EMIT calliperChosen(on ? i : -1); });
+    connect(measures_[i], &QPushButton::clicked, this, [this, i](bool on) { Q_EMIT calliperChosen(on ? i : -1); });
   }
-  auto* clear = new QToolButton(this);
-  clear->setText(tr("Clear"));
+  auto* clear = new QPushButton(tr("Clear"), this);
   clear->setToolTip(tr("Remove the measurements (Delete)"));
   clear->setFocusPolicy(Qt::TabFocus);
   row->addWidget(clear);
   auto* menu = new QMenu(save_);
   menu->addAction(tr("Picture..."), this, &CineBar::savePicture);
   menu->addAction(tr("Clip of the last seconds..."), this, &CineBar::saveClip);
-  save_->setText(tr("Save"));
   save_->setMenu(menu);
-  save_->setPopupMode(QToolButton::InstantPopup);
   save_->setFocusPolicy(Qt::TabFocus);
   row->addWidget(save_);
 
-  connect(clear, &QToolButton::clicked, this, &CineBar::clearCallipers);
+  connect(clear, &QPushButton::clicked, this, &CineBar::clearCallipers);
   connect(slider_, &QSlider::valueChanged, &session_, &TrainSession::showCine);
   connect(&session_, &TrainSession::frozenChanged, this, &CineBar::refresh);
   connect(&session_, &TrainSession::caseChanged, this, &CineBar::refresh);

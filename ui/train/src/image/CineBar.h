@@ -3,8 +3,8 @@
 #include <QWidget>
 
 class QLabel;
+class QPushButton;
 class QSlider;
-class QToolButton;
 
 namespace insonate::train {
 
@@ -34,8 +34,8 @@ class CineBar : public QWidget {
   TrainSession& session_;
   QSlider* slider_;
   QLabel* time_;
-  QToolButton* measures_[3];
-  QToolButton* save_;
+  QPushButton* measures_[3];
+  QPushButton* save_;
 };
 
 }  // namespace insonate::train

@@ -56,7 +56,6 @@ void CaseWorker::run() {
   else
     deliver([this, text = QString::fromStdString(hand.error().message)] { work_.failed(text); });
   surfaces();
-  if (!cancelled()) deliver([this] { work_.done(); });
 }
 
 void CaseWorker::surfaces() {

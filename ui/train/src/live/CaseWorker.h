@@ -22,7 +22,6 @@ struct CaseWork {
   std::function<void(ProbeHand)> hand;
   std::function<void(std::uint8_t label, std::shared_ptr<const Mesh>)> surface;  ///< kSkin is the whole body's outside
   std::function<void(QString)> failed;  ///< a sentence; what comes after it in the order may still come
-  std::function<void()> done;
 };
 
 /// Computes on a thread of its own. The destructor cancels, drops what was not delivered yet, and takes no longer than

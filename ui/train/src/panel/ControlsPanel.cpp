@@ -144,6 +144,7 @@ QWidget* ControlsPanel::labelled(const QString& name, QWidget* widget) {
   box->setSpacing(8);
   auto* label = new QLabel(name, row);
   ui::setRole(label, "quiet");
+  label->setMinimumWidth(label->fontMetrics().horizontalAdvance(tr("persist")));
   widget->setAccessibleName(name);
   box->addWidget(label);
   box->addWidget(widget, 1);

@@ -1,5 +1,7 @@
 #include "TgcSliders.h"
 
+#include <insonate/ui/Theme.h>
+
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -51,7 +53,7 @@ void TgcSliders::change(int row, double dB) {
 void TgcSliders::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QColor line = palette().color(QPalette::Mid), accent = palette().color(QPalette::Highlight);
+  const QColor line = ui::colour(views::theme::kLine), accent = ui::colour(views::theme::kAccent);
   QPainterPath curve;
   for (int i = 0; i < int(tgc_dB_.size()); ++i) {
     const double y = (i + 0.5) * kRow_px;

@@ -4,6 +4,7 @@
 #include "SceneInput.h"
 
 #include <insonate/tissue/Labels.h>
+#include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
 
 #include <QButtonGroup>
@@ -19,6 +20,7 @@ namespace {
 /// Renderings of both views together may take this share of the window's time; the rest is the picture's.
 constexpr double kShare = 0.25;
 constexpr int kSoonest_ms = 33, kLatest_ms = 500;
+constexpr double kAcross_deg = 25, kUp_deg = 30, kRoomForProbe = 0.8;
 
 struct Kind {
   views::SliceKind kind;
@@ -70,8 +72,8 @@ QWidget* PatientViews::buildMpr() {
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(0);
   auto* row = new QHBoxLayout;
-  row->setContentsMargins(8, 4, 8, 4);
-  row->setSpacing(4);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
   kinds_ = new QButtonGroup(this);
   for (const Kind& kind : kKinds) {
     auto* button = new QToolButton(pane);
@@ -79,6 +81,7 @@ QWidget* PatientViews::buildMpr() {
     button->setToolTip(tr(kind.says));
     button->setAccessibleName(tr("%1 slice").arg(tr(kind.name)));
     button->setCheckable(true);
+    ui::setRole(button, "tab");
     button->setChecked(kind.kind == views::SliceKind::Oblique);
     button->setFocusPolicy(Qt::TabFocus);
     kinds_->addButton(button, int(kind.kind));
@@ -101,6 +104,7 @@ void PatientViews::setSliceKind(views::SliceKind kind) {
 void PatientViews::showCase() {
   timer_.stop();
   followed_ = nullptr;
+  cameraDue_ = false;
   shape_ = nullptr;
   case_ = session_.patient() ? std::make_shared<views::VtkCase>(session_.patient()) : nullptr;
   for (const LabelInfo& info : labelTable()) scene_->setSurface(info.label, {});
@@ -115,7 +119,19 @@ void PatientViews::showCase() {
 
 void PatientViews::showSurface(int label, const Mesh& mesh) {
   scene_->setSurface(std::uint8_t(label), {mesh.points_mm, mesh.normals, mesh.triangles});
-  if (label == kSkin) scene_->setSkinOpacity(0.3);
+  if (label != kSkin) return;
+  cameraDue_ = true;
+  want();
+}
+
+void PatientViews::placeCamera() {
+  // From the probe's side and above, so that its plane is seen, with room for the probe.
+  const double side =
+      session_.shown()->patientFromProbe.offset.x < session_.patient()->ct.geometry.centre_mm().x ? 1 : -1;
+  scene_->look(views::Viewpoint::Anterior);
+  scene_->orbit(side * kAcross_deg, kUp_deg);
+  scene_->zoom(kRoomForProbe);
+  cameraDue_ = false;
 }
 
 void PatientViews::want() {
@@ -145,6 +161,7 @@ void PatientViews::follow() {
   if (mpr_->kind() != views::SliceKind::Oblique)
     mpr_->setCrosshair(pose * Vec3{0, 0, frame->setup->settings.depth_mm / 2});
   if (frame != followed_) scene_->setImage(frame->image);
+  if (cameraDue_ && sceneWidget_->isVisible()) placeCamera();
   followed_ = frame;
 }
 

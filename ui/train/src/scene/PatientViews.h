@@ -40,6 +40,7 @@ class PatientViews : public QWidget {
   QWidget* buildMpr();
   void showCase();
   void showSurface(int label, const Mesh& mesh);
+  void placeCamera();
   void want();
   void follow();
 
@@ -53,6 +54,7 @@ class PatientViews : public QWidget {
   QButtonGroup* kinds_ = nullptr;
   std::shared_ptr<const LiveFrame> followed_;
   std::shared_ptr<const ImagingSetup> shape_;  ///< of the probe as drawn
+  bool cameraDue_ = false;                     ///< a new patient is there, and not looked at yet
   QTimer timer_;
   QElapsedTimer sinceFollowed_;
 };

@@ -1,0 +1,86 @@
+#include "hand/ProbeControl.h"
+
+#include <insonate/simulator/ProbePose.h>
+
+#include <gtest/gtest.h>
+#include <support/SmallCase.h>
+
+#include <cmath>
+
+namespace insonate::train {
+namespace {
+
+ProbeControl controlOverSmallCase() {
+  static const PatientCase patient = test::smallCase();
+  ProbeControl control;
+  auto hand = ProbeHand::make(patient.labels, *patientFromProbe({0, 0, 0}, {0, 1, 0}, {1, 0, 0}));
+  EXPECT_TRUE(hand) << hand.error().message;
+  control.setHand(std::move(*hand));
+  return control;
+}
+
+TEST(ProbeControl, NothingMovesWithoutAHand) {
+  ProbeControl control;
+  EXPECT_FALSE(control.ready());
+  EXPECT_FALSE(control.move(HandAxis::Tilt, 5).done());
+  EXPECT_FALSE(control.undo());
+}
+
+TEST(ProbeControl, RotationIsZeroAcrossTheBody) {
+  // On the front of the body, the marker to the patient's left; a quarter turn from lateral toward elevation, which is
+  // toward the feet there.
+  ProbeHandState state{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}};
+  EXPECT_NEAR(numbersOf(state).rotation_deg, 0, 1e-9);
+  state.lateral = {0, 0, -1};
+  EXPECT_NEAR(numbersOf(state).rotation_deg, 90, 1e-9);
+  // On the patient's right side, across is toward the front.
+  state = {{0, 0, 0}, {1, 0, 0}, {0, -1, 0}};
+  EXPECT_NEAR(numbersOf(state).rotation_deg, 0, 1e-9);
+  // On top of the head there is no across: the patient's left stands in.
+  state = {{0, 0, 0}, {0, 0, -1}, {1, 0, 0}};
+  EXPECT_NEAR(numbersOf(state).rotation_deg, 0, 1e-9);
+}
+
+TEST(ProbeControl, TypedNumbersAreReached) {
+  ProbeControl control = controlOverSmallCase();
+  for (const HandAxis axis : {HandAxis::Rotation, HandAxis::Tilt, HandAxis::Rock}) {
+    EXPECT_TRUE(control.set(axis, 20).done());
+    EXPECT_NEAR(control.numbers().of(axis), 20, 1e-6);
+    control.begin();
+  }
+  EXPECT_TRUE(control.set(HandAxis::Press, 3).done());
+  EXPECT_NEAR(control.numbers().press_mm, 3, 1e-6);
+}
+
+TEST(ProbeControl, RotationTakesTheShortWay) {
+  ProbeControl control = controlOverSmallCase();
+  control.set(HandAxis::Rotation, 170);
+  control.set(HandAxis::Rotation, -170);
+  EXPECT_NEAR(control.numbers().rotation_deg, -170, 1e-6);
+}
+
+TEST(ProbeControl, AGestureIsUndoneAsAWhole) {
+  ProbeControl control = controlOverSmallCase();
+  const ProbeHandState start = control.hand()->state();
+  control.begin();
+  control.slide(2, 0);
+  control.slide(2, 1);
+  const ProbeHandState between = control.hand()->state();
+  control.begin();
+  control.move(HandAxis::Tilt, 10);
+  EXPECT_TRUE(control.undo());
+  EXPECT_EQ(control.hand()->state(), between);
+  EXPECT_TRUE(control.undo());
+  EXPECT_EQ(control.hand()->state(), start);
+  EXPECT_FALSE(control.undo());
+}
+
+TEST(ProbeControl, AMoveThatDidNothingIsNotRemembered) {
+  ProbeControl control = controlOverSmallCase();
+  control.begin();
+  control.slide(0, 0);
+  EXPECT_FALSE(control.undo());
+}
+
+}  // namespace
+}  // namespace insonate::train

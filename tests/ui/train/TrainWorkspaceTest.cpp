@@ -1,0 +1,351 @@
+#include "TrainSession.h"
+
+#include <insonate/simulator/ProbePose.h>
+#include <insonate/train/TrainWorkspace.h>
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/ValueSlider.h>
+#include <insonate/ui/ViewWidget.h>
+
+#include <gtest/gtest.h>
+#include <support/SmallCase.h>
+#include <support/TestData.h>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QImage>
+#include <QListWidget>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QSettings>
+#include <QSlider>
+#include <QTest>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+namespace insonate::train {
+namespace {
+
+constexpr int kPatience_ms = 60000;
+
+/// One application for all; it goes while there is still a screen.
+class TrainWindow : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    static int argc = 1;
+    static char name[] = "train_test";
+    static char* argv[] = {name, nullptr};
+    ui::prepareGraphics();
+    application_ = new QApplication(argc, argv);
+    ui::applyTheme(*application_);
+  }
+  static void TearDownTestSuite() {
+    delete application_;
+    application_ = nullptr;
+  }
+
+  void SetUp() override {
+    workspace_ = std::make_unique<TrainWorkspace>();
+    workspace_->resize(1100, 700);
+    workspace_->show();
+    session_ = workspace_->findChild<TrainSession*>();
+    ASSERT_TRUE(session_);
+    canvas_ = workspace_->findChild<ui::ViewWidget*>("ultrasoundView")->focusProxy();
+  }
+
+  static std::shared_ptr<const PatientCase> patient() {
+    static const auto made = std::make_shared<const PatientCase>(test::smallCase());
+    return made;
+  }
+
+  /// Small pictures of few scanlines, so that they come quickly.
+  void openCase() {
+    ImagingSettings quick = session_->settings();
+    quick.scanlines = 48, quick.samples = 200, quick.elevationPlanes = 1, quick.looks = 1;
+    quick.width = 128, quick.height = 96;
+    session_->setSettings(quick);
+    workspace_->setCase(patient());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return workspace_->isReady() && session_->handReady(); }, kPatience_ms))
+        << workspace_->statusText().toStdString();
+  }
+
+  void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) { QTest::keyClick(canvas_, key, modifiers); }
+
+  /// QTest moves the screen's pointer instead, which is not there when two windows share the screen.
+  void drag(Qt::MouseButton button, QPoint from, QPoint to) {
+    const auto send = [&](QEvent::Type type, QPoint at, Qt::MouseButton what, Qt::MouseButtons held) {
+      QMouseEvent event(type, at, canvas_->mapToGlobal(at), what, held, Qt::NoModifier);
+      QApplication::sendEvent(canvas_, &event);
+    };
+    send(QEvent::MouseButtonPress, from, button, button);
+    send(QEvent::MouseMove, to, Qt::NoButton, button);
+    send(QEvent::MouseButtonRelease, to, button, Qt::NoButton);
+  }
+
+  /// Waits until the picture on display is of the pose and settings as they are now.
+  void settle() {
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+          return session_->shown()->patientFromProbe == session_->pose() &&
+                 session_->shown()->setup->settings.depth_mm == session_->settings().depth_mm;
+        },
+        kPatience_ms));
+  }
+
+  template <class T>
+  T* child(const char* name) {
+    T* found = workspace_->findChild<T*>(name);
+    EXPECT_TRUE(found) << name;
+    return found;
+  }
+
+  inline static QApplication* application_ = nullptr;
+  std::unique_ptr<TrainWorkspace> workspace_;
+  TrainSession* session_ = nullptr;
+  QWidget* canvas_ = nullptr;
+};
+
+TEST_F(TrainWindow, FirstPictureArrives) {
+  EXPECT_FALSE(workspace_->isReady());
+  openCase();
+  ASSERT_TRUE(session_->shown());
+  EXPECT_EQ(session_->shown()->image.width, 128);
+  EXPECT_GT(std::ranges::max(session_->shown()->image.grey), 40) << "something is seen";
+  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->engineText().contains("images/s"); }, kPatience_ms));
+}
+
+TEST_F(TrainWindow, EachSliderChangesItsSetting) {
+  const auto set = [&](const char* name, double value) { child<ui::ValueSlider>(name)->setValue(value); };
+  set("depth", 60), set("gain", 7), set("frequency", 9), set("focus", 31), set("dynamicRange", 75);
+  set("persistence", 0.4);
+  const ImagingSettings& settings = session_->settings();
+  EXPECT_EQ(settings.depth_mm, 60);
+  EXPECT_EQ(settings.gain_dB, 7);
+  EXPECT_EQ(settings.frequency_MHz, 9);
+  EXPECT_EQ(settings.focus_mm, 31);
+  EXPECT_EQ(settings.dynamicRange_dB, 75);
+  EXPECT_EQ(settings.persistence, 0.4);
+
+  auto* tgc = child<QWidget>("tgc");
+  QTest::mouseClick(tgc, Qt::LeftButton, {}, {tgc->width() - 1, tgc->height() - 1});
+  EXPECT_EQ(settings.tgc_dB[7], 20);
+  EXPECT_EQ(settings.tgc_dB[0], 0);
+}
+
+TEST_F(TrainWindow, SettingsReachThePicture) {
+  openCase();
+  child<ui::ValueSlider>("depth")->setValue(30);
+  settle();
+  EXPECT_EQ(session_->shown()->setup->settings.depth_mm, 30);
+}
+
+TEST_F(TrainWindow, FocusStaysWithinTheDepth) {
+  child<ui::ValueSlider>("depth")->setValue(60);
+  child<ui::ValueSlider>("focus")->setValue(55);
+  child<ui::ValueSlider>("depth")->setValue(25);
+  EXPECT_EQ(session_->settings().focus_mm, 25);
+  EXPECT_EQ(child<ui::ValueSlider>("focus")->value(), 25);
+}
+
+TEST_F(TrainWindow, ProbeBringsItsDepthAndKeepsTheGain) {
+  child<ui::ValueSlider>("gain")->setValue(5);
+  ASSERT_TRUE(session_->setProbe("curvilinear"));
+  EXPECT_EQ(session_->settings().depth_mm, 120);
+  EXPECT_EQ(session_->settings().gain_dB, 5);
+  EXPECT_EQ(child<ui::ValueSlider>("depth")->range().most, 300);
+  EXPECT_EQ(child<QComboBox>("probe")->currentText(), "curvilinear");
+  EXPECT_FALSE(session_->setProbe("no such probe"));
+}
+
+TEST_F(TrainWindow, KeysMoveTheProbe) {
+  openCase();
+  const Vec3 start = session_->numbers().skin_mm;
+  key(Qt::Key_Right);
+  EXPECT_NEAR(session_->numbers().skin_mm.x - start.x, 1, 0.1);
+  key(Qt::Key_Left, Qt::ShiftModifier);
+  EXPECT_NEAR(session_->numbers().skin_mm.x - start.x, -4, 0.2);
+  key(Qt::Key_W);
+  EXPECT_NEAR(session_->numbers().tilt_deg, 1, 1e-6);
+  key(Qt::Key_D, Qt::ShiftModifier);
+  EXPECT_NEAR(session_->numbers().rock_deg, 5, 1e-6);
+  key(Qt::Key_E);
+  EXPECT_NEAR(session_->numbers().rotation_deg, 2, 0.5);
+  const double press_mm = session_->numbers().press_mm;
+  key(Qt::Key_Plus);
+  EXPECT_NEAR(session_->numbers().press_mm, press_mm + 0.5, 1e-6);
+  settle();
+  EXPECT_EQ(session_->shown()->patientFromProbe, session_->pose());
+}
+
+TEST_F(TrainWindow, UndoAndHomeRestoreThePose) {
+  openCase();
+  const ProbeHandState start = session_->handState();
+  key(Qt::Key_Right);
+  key(Qt::Key_W);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(session_->handState(), start);
+  key(Qt::Key_Right, Qt::ShiftModifier);
+  key(Qt::Key_Home);
+  EXPECT_LT(norm(session_->pose().offset - session_->start().position_mm), 1e-6);
+}
+
+TEST_F(TrainWindow, MouseOnThePictureMovesTheProbe) {
+  openCase();
+  const QPoint middle = canvas_->rect().center();
+  const ProbeHandState start = session_->handState();
+  drag(Qt::LeftButton, middle, middle + QPoint(40, 0));
+  EXPECT_GT(session_->handState().skin_mm.x, start.skin_mm.x + 0.5);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(session_->handState(), start) << "a drag is undone as a whole";
+  drag(Qt::RightButton, middle, middle + QPoint(40, 0));
+  EXPECT_NEAR(session_->numbers().rotation_deg, 10, 1);
+}
+
+TEST_F(TrainWindow, PositionsAreSavedAndRecalled) {
+  openCase();
+  auto* list = child<QListWidget>("positions");
+  EXPECT_EQ(list->count(), 1);
+  key(Qt::Key_Right, Qt::ShiftModifier);
+  key(Qt::Key_W);
+  const Transform saved = session_->pose();
+  child<QPushButton>("savePosition")->click();
+  EXPECT_EQ(list->count(), 2);
+  key(Qt::Key_1);
+  EXPECT_LT(norm(session_->pose().offset - session_->start().position_mm), 1e-6);
+  key(Qt::Key_2);
+  EXPECT_LT(norm(session_->pose().offset - saved.offset), 1e-6);
+
+  test::TemporaryFolder folder;
+  const QString file = QString::fromStdString((folder / "layout.ini").string());
+  {
+    QSettings settings(file, QSettings::IniFormat);
+    workspace_->saveLayout(settings);
+  }
+  TrainWorkspace other;
+  QSettings settings(file, QSettings::IniFormat);
+  other.restoreLayout(settings);
+  other.setCase(patient());
+  EXPECT_EQ(other.findChild<QListWidget*>("positions")->count(), 2);
+}
+
+TEST_F(TrainWindow, SettingsAreRemembered) {
+  ASSERT_TRUE(session_->setProbe("phased"));
+  child<ui::ValueSlider>("gain")->setValue(9);
+  test::TemporaryFolder folder;
+  QSettings settings(QString::fromStdString((folder / "layout.ini").string()), QSettings::IniFormat);
+  workspace_->saveLayout(settings);
+  TrainWorkspace other;
+  other.restoreLayout(settings);
+  const auto* session = other.findChild<TrainSession*>();
+  EXPECT_EQ(session->probe().name, "phased");
+  EXPECT_EQ(session->settings().gain_dB, 9);
+}
+
+TEST_F(TrainWindow, FreezeHoldsThePicture) {
+  openCase();
+  key(Qt::Key_Right);
+  settle();
+  key(Qt::Key_Space);
+  ASSERT_TRUE(session_->isFrozen());
+  EXPECT_TRUE(child<QPushButton>("freeze")->isChecked());
+  const auto held = session_->shown();
+  const ProbeHandState state = session_->handState();
+  key(Qt::Key_Right);
+  child<ui::ValueSlider>("gain")->setValue(12);
+  QTest::qWait(300);
+  EXPECT_EQ(session_->shown(), held);
+  EXPECT_EQ(session_->handState(), state) << "the probe is held, too";
+  key(Qt::Key_F);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return session_->shown() != held; }, kPatience_ms));
+  EXPECT_EQ(session_->shown()->setup->settings.gain_dB, 12);
+}
+
+TEST_F(TrainWindow, CineStepsThroughTheLastPictures) {
+  openCase();
+  for (int i = 0; i < 3; ++i) {
+    key(Qt::Key_Right);
+    settle();
+  }
+  key(Qt::Key_Space);
+  ASSERT_GE(session_->cine().size(), 3u);
+  const int last = session_->cineIndex();
+  EXPECT_EQ(last, int(session_->cine().size()) - 1);
+  key(Qt::Key_Comma);
+  EXPECT_EQ(session_->cineIndex(), last - 1);
+  EXPECT_EQ(session_->shown(), session_->cine()[last - 1]);
+  EXPECT_EQ(child<QSlider>("cine")->value(), last - 1);
+  key(Qt::Key_Period);
+  key(Qt::Key_Period);
+  EXPECT_EQ(session_->cineIndex(), last) << "the end is the end";
+  child<QSlider>("cine")->setValue(0);
+  EXPECT_EQ(session_->shown(), session_->cine().front());
+}
+
+TEST_F(TrainWindow, PictureAndClipAreWritten) {
+  test::TemporaryFolder folder;
+  EXPECT_FALSE(workspace_->savePicture(folder / "none.png")) << "before the first picture";
+  openCase();
+  EXPECT_TRUE(workspace_->savePicture(folder / "picture.png"));
+  const QImage picture(QString::fromStdString((folder / "picture.png").string()));
+  EXPECT_EQ(picture.width(), 128);
+  EXPECT_NEAR(1000.0 / picture.dotsPerMeterX(), session_->shown()->image.pixel_mm, 1e-3);
+  EXPECT_FALSE(workspace_->savePicture(folder / "no" / "such" / "folder.png"));
+
+  workspace_->saveClip(folder / "clip");
+  const auto first = folder / "clip" / "picture-0001.png";
+  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().contains("saved"); }, kPatience_ms));
+  EXPECT_TRUE(std::filesystem::exists(first));
+}
+
+TEST_F(TrainWindow, OneEffectCanBeSeenAlone) {
+  openCase();
+  auto* effects = child<QComboBox>("effect");
+  ASSERT_GT(effects->count(), 3);
+  session_->setEffect(effects->itemData(1).toString().toStdString());
+  const auto whole = session_->shown();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return session_->shown() != whole; }, kPatience_ms));
+  session_->setEffect(TrainSession::kWholeModel);
+  EXPECT_EQ(effects->currentIndex(), 0);
+}
+
+TEST_F(TrainWindow, AnotherCaseReplacesEverything) {
+  openCase();
+  key(Qt::Key_Right);
+  key(Qt::Key_Space);
+  workspace_->setCase(nullptr);
+  EXPECT_FALSE(workspace_->isReady());
+  EXPECT_FALSE(session_->isFrozen());
+  EXPECT_FALSE(session_->shown());
+  EXPECT_EQ(child<QListWidget>("positions")->count(), 0);
+  key(Qt::Key_Right);
+  key(Qt::Key_Home);
+  workspace_->setCase(patient());
+  workspace_->setCase(patient());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->isReady(); }, kPatience_ms));
+}
+
+TEST_F(TrainWindow, GoesAtAnyMoment) {
+  // While nothing is there, at once after a case came, and while the first scene is being built.
+  for (const int wait_ms : {0, 1, 30, 120}) {
+    auto workspace = std::make_unique<TrainWorkspace>();
+    workspace->show();
+    workspace->setCase(patient());
+    if (wait_ms > 0) QTest::qWait(wait_ms);
+  }
+  auto stopped = std::make_unique<TrainWorkspace>();
+  stopped->setCase(patient());
+  stopped->stop();
+}
+
+TEST_F(TrainWindow, ACaseWithoutABodySaysSo) {
+  auto empty = std::make_shared<PatientCase>(*patient());
+  std::ranges::fill(empty->labels.voxels, kBackground);
+  workspace_->setCase(empty);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().contains('.'); }, kPatience_ms));
+  QTest::qWait(200);
+  EXPECT_FALSE(session_->handReady());
+}
+
+}  // namespace
+}  // namespace insonate::train
