@@ -71,7 +71,9 @@ void ImagePlane::setFieldOfView(const Probe& probe, const ImagingSettings& setti
   sheetData_->SetPolys(cells);
   rimData_->SetPoints(rim);
   rimData_->SetLines(lines);
-  placeTexture();
+  // The picture there is belongs to another field of view.
+  shape_ = {};
+  setVisible(visible_);
 }
 
 void ImagePlane::placeTexture() {
@@ -79,12 +81,8 @@ void ImagePlane::placeTexture() {
   coordinates->SetNumberOfComponents(2);
   for (vtkIdType k = 0; k < sheetData_->GetNumberOfPoints(); ++k) {
     const double* point = sheetData_->GetPoint(k);
-    if (shape_.width == 0) {
-      coordinates->InsertNextTuple2(0, 0);
-    } else {
-      coordinates->InsertNextTuple2(((point[0] - shape_.left_mm) / shape_.pixel_mm + 0.5) / shape_.width,
-                                    ((point[2] - shape_.top_mm) / shape_.pixel_mm + 0.5) / shape_.height);
-    }
+    coordinates->InsertNextTuple2(((point[0] - shape_.left_mm) / shape_.pixel_mm + 0.5) / shape_.width,
+                                  ((point[2] - shape_.top_mm) / shape_.pixel_mm + 0.5) / shape_.height);
   }
   sheetData_->GetPointData()->SetTCoords(coordinates);
 }
@@ -105,6 +103,7 @@ void ImagePlane::setImage(const BModeImage& image) {
   std::memcpy(bytes_->GetPointer(0), image.grey.data(), count);
   bytes_->Modified();
   image_->Modified();
+  setVisible(visible_);
 }
 
 void ImagePlane::setPose(vtkMatrix4x4* patientFromProbe) {
@@ -113,7 +112,8 @@ void ImagePlane::setPose(vtkMatrix4x4* patientFromProbe) {
 }
 
 void ImagePlane::setVisible(bool visible) {
-  sheet_->SetVisibility(visible);
+  visible_ = visible;
+  sheet_->SetVisibility(visible && shape_.width > 0);
   rim_->SetVisibility(visible);
 }
 

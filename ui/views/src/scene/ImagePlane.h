@@ -25,6 +25,7 @@ class ImagePlane {
   explicit ImagePlane(vtkRenderer& renderer);
   ~ImagePlane();
 
+  /// Shows the outline alone until the next setImage.
   void setFieldOfView(const Probe& probe, const ImagingSettings& settings);
   /// Allocates only when the picture's size changes.
   void setImage(const BModeImage& image);
@@ -40,7 +41,8 @@ class ImagePlane {
   vtkNew<vtkImageData> image_;
   vtkNew<vtkUnsignedCharArray> bytes_;
   vtkNew<vtkTexture> texture_;
-  BModeImage shape_;  ///< size and place; no pixels
+  BModeImage shape_;  ///< size and place, no pixels; empty before the first picture
+  bool visible_ = true;
 };
 
 }  // namespace insonate::views

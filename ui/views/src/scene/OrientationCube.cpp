@@ -27,7 +27,7 @@ OrientationCube::OrientationCube() {
   cube->SetZPlusFaceText("S");
   cube->SetZMinusFaceText("I");
   // Upright for a patient whose head is up.
-  cube->SetXFaceTextRotation(90);
+  cube->SetXFaceTextRotation(0);
   cube->SetYFaceTextRotation(0);
   cube->SetZFaceTextRotation(-90);
   cube->SetFaceTextScale(0.62);

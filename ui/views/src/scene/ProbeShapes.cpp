@@ -50,7 +50,7 @@ class Loft {
     data->SetPolys(cells_);
     vtkNew<vtkPolyDataNormals> normals;
     normals->SetInputData(data);
-    normals->SetFeatureAngle(38);
+    normals->SetFeatureAngle(60);
     normals->ConsistencyOn();
     normals->AutoOrientNormalsOn();
     normals->Update();

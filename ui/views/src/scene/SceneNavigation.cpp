@@ -95,6 +95,8 @@ void SceneView::setStereo(Stereo stereo) {
 }
 
 void SceneView::setHeadCoupling(std::optional<HeadCoupling> coupling) {
+  // An eye in or behind the screen sees nothing through it.
+  if (coupling && !(coupling->eye_mm.z >= 1 && coupling->width_mm > 0 && coupling->height_mm > 0)) coupling.reset();
   drawing_->coupling = std::move(coupling);
   changed();
 }

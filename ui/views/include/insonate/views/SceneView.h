@@ -96,7 +96,7 @@ class SceneView final : public View {
   void setMoving(bool moving);
 
   void setStereo(Stereo stereo);
-  /// None for the usual camera, which is kept meanwhile.
+  /// None, or an eye nearer than 1 mm to the screen, for the usual camera, which is kept meanwhile.
   void setHeadCoupling(std::optional<HeadCoupling> coupling);
 
   /// The first visible labelled voxel of the case under a display point; nothing is rendered for it.
