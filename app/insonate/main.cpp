@@ -1,6 +1,7 @@
 #include "Arguments.h"
 #include "Screenshot.h"
 
+#include <insonate/train/TrainWorkspace.h>
 #include <insonate/ui/EmptyWorkspace.h>
 #include <insonate/ui/MainWindow.h>
 #include <insonate/ui/TaskBar.h>
@@ -47,7 +48,7 @@ void addWorkspaces(ui::MainWindow& window) {
   window.addWorkspace(QStringLiteral("prepare"), QObject::tr("Prepare"), QStringLiteral("prepare"), prepare);
 
   window.addWorkspace(QStringLiteral("train"), QObject::tr("Train"), QStringLiteral("train"),
-                      new ui::EmptyWorkspace({QStringLiteral("train"), QObject::tr("Train"), {}, {}, {}}));
+                      new train::TrainWorkspace);
 
   window.addWorkspace(QStringLiteral("review"), QObject::tr("Review"), QStringLiteral("review"),
                       new ui::EmptyWorkspace(
