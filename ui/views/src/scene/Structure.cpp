@@ -14,15 +14,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <unordered_map>
 
 namespace insonate::views {
 namespace {
 
 /// Above this a coarser surface is worth its memory.
-constexpr vtkIdType kLargeTriangles = 20000;
+constexpr vtkIdType kLargeTriangles = 12000;
 /// What the coarser one should have at most.
-constexpr double kCoarseTriangles = 20000;
+constexpr double kCoarseTriangles = 10000;
 
 vtkSmartPointer<vtkFloatArray> triples(std::span<const float> values) {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
@@ -88,6 +90,32 @@ double area_mm2(vtkPolyData* data) {
   return sum;
 }
 
+/// Gives the coarse points the mean normal of the fine ones in their bin: folded triangles leave none of their own.
+void takeNormals(vtkPolyData& fine, vtkPolyData& coarse, const double box[6], const int divisions[3]) {
+  const auto binOf = [&](const double point[3]) {
+    std::int64_t bin = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double share = (point[axis] - box[2 * axis]) / std::max(1e-9, box[2 * axis + 1] - box[2 * axis]);
+      bin = bin * divisions[axis] + std::clamp(static_cast<int>(share * divisions[axis]), 0, divisions[axis] - 1);
+    }
+    return bin;
+  };
+  std::unordered_map<std::int64_t, Vec3> sums;
+  vtkDataArray& from = *fine.GetPointData()->GetNormals();
+  for (vtkIdType k = 0; k < fine.GetNumberOfPoints(); ++k) {
+    const double* normal = from.GetTuple3(k);
+    Vec3& sum = sums[binOf(fine.GetPoint(k))];
+    sum = sum + Vec3{normal[0], normal[1], normal[2]};
+  }
+  vtkDataArray& to = *coarse.GetPointData()->GetNormals();
+  for (vtkIdType k = 0; k < coarse.GetNumberOfPoints(); ++k) {
+    const auto found = sums.find(binOf(coarse.GetPoint(k)));
+    if (found == sums.end() || norm(found->second) < 0.1) continue;
+    const Vec3 normal = normalized(found->second);
+    to.SetTuple3(k, normal.x, normal.y, normal.z);
+  }
+}
+
 vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine) {
   const double triangles = static_cast<double>(fine->GetNumberOfPolys());
   // Bins in edges of the fine triangles: few for small structures, whose thin parts would fall apart.
@@ -106,7 +134,9 @@ vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine) {
   bins->AutoAdjustNumberOfDivisionsOff();
   bins->UseInternalTrianglesOff();
   bins->Update();
-  return withNormals(bins->GetOutput());
+  vtkSmartPointer<vtkPolyData> coarse = withNormals(bins->GetOutput());
+  takeNormals(*fine, *coarse, box, divisions);
+  return coarse;
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ class SceneView final : public View {
   void setCase(std::shared_ptr<const VtkCase> patient);
 
   /// Copies the surface of a label; an empty one removes it. Colour and opacity stay what they are set to (at first the
-  /// label table's, opaque but for the skin). `coarse` is drawn while things move; without one, surfaces over 20 000
+  /// label table's, opaque but for the skin). `coarse` is drawn while things move; without one, surfaces over 12 000
   /// triangles get one made, which is quick and rough.
   void setSurface(std::uint8_t label, const Surface& surface, const Surface& coarse = {});
   void setColour(std::uint8_t label, Colour colour);
