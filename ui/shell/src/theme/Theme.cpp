@@ -9,6 +9,11 @@
 #include <QWidget>
 #include <utility>
 
+// A static library's resources are linked only when they are asked for, and that only outside a namespace.
+static void useResources() {
+  Q_INIT_RESOURCE(theme);
+}
+
 namespace insonate::ui {
 namespace {
 
@@ -60,6 +65,7 @@ void setRole(QWidget* widget, const char* role) {
 }
 
 void applyTheme(QApplication& application) {
+  useResources();
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   QApplication::setPalette(palette());
   QFont font = QApplication::font();
