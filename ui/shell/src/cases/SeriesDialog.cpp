@@ -9,6 +9,7 @@
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -129,9 +130,12 @@ void SeriesDialog::arrange() {
   grid->addWidget(notes_, 2, 0, 1, 2);
   grid->addWidget(aside, 3, 0, 1, 2);
   grid->addWidget(tasks_, 4, 0, 1, 2);
-  grid->addWidget(label_, 5, 0);
-  grid->addWidget(buttons, 5, 1);
+  auto* last = new QHBoxLayout;
+  last->addWidget(label_, 1);
+  last->addWidget(buttons);
+  grid->addLayout(last, 5, 0, 1, 2);
   grid->setRowStretch(1, 1);
+  grid->setColumnStretch(0, 1);
   resize(840, 480);
 }
 

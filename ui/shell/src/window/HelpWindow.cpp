@@ -26,6 +26,7 @@ QString titleOf(const embedded::help::File& file) {
 HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), list_(new QListWidget), page_(new QTextBrowser) {
   setWindowTitle(tr("Insonate: help"));
   list_->setFixedWidth(kList_px);
+  list_->setSpacing(3);
   list_->setAccessibleName(tr("Help pages"));
   for (const auto& file : embedded::help::files()) list_->addItem(titleOf(file));
   list_->addItem(tr("Keys"));

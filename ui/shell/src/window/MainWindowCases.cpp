@@ -50,7 +50,7 @@ void MainWindow::makeActions() {
   open_ = make("folder", tr("Open case ..."), tr("A case folder, or a folder of DICOM files"), QKeySequence::Open);
   import_ = make("import", tr("Import file ..."), tr("A DICOM, NRRD, NIfTI or MetaImage file"), tr("Ctrl+I"));
   textbook_ = make("neck", tr("Built-in neck"), tr("The textbook neck that comes with Insonate"), tr("Ctrl+T"));
-  save_ = make("save", tr("Save case as ..."), tr("Write the case to a folder"), QKeySequence::Save);
+  save_ = make("save", tr("Save case as ..."), tr("Write the case to a folder"), tr("Ctrl+Shift+S"));
   save_->setEnabled(false);
   auto* quit = make("close", tr("Quit"), tr("Close the window"), QKeySequence::Quit);
   auto* page = make("help", tr("Help"), tr("About what is shown"), QKeySequence(Qt::Key_F1));
