@@ -14,7 +14,7 @@
 namespace insonate::train {
 namespace {
 
-constexpr int kRowsShown = 6;
+constexpr int kRowsShown = 4;
 
 QVariantList numbers(const StartPose& pose) {
   QVariantList all;

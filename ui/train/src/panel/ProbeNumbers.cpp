@@ -11,6 +11,8 @@
 namespace insonate::train {
 namespace {
 
+constexpr int kBoxMargin_px = 14;
+
 struct Row {
   HandAxis axis;
   const char* name;
@@ -47,6 +49,7 @@ ProbeNumbers::ProbeNumbers(QWidget* parent) : QWidget(parent), place_(new QLabel
     box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setAlignment(Qt::AlignRight);
     box->setKeyboardTracking(false);
+    box->setMinimumWidth(box->fontMetrics().horizontalAdvance("-180.0°") + kBoxMargin_px);
     fields_[i] = {row.axis, box};
     auto* name = new QLabel(QLatin1String(row.name), this);
     ui::setRole(name, "quiet");

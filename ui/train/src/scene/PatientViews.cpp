@@ -19,8 +19,10 @@ namespace {
 
 /// Renderings of both views together may take this share of the window's time; the rest is the picture's.
 constexpr double kShare = 0.25;
-constexpr int kSoonest_ms = 33, kLatest_ms = 500;
-constexpr double kAcross_deg = 25, kUp_deg = 30, kRoomForProbe = 0.8;
+constexpr int kSoonest_ms = 33, kLatest_ms = 800;
+/// After this long without a move, 3D is drawn in full detail.
+constexpr int kRest_ms = 400;
+constexpr double kAcross_deg = 10, kUp_deg = 42, kRoomForProbe = 0.8;
 
 struct Kind {
   views::SliceKind kind;
@@ -57,6 +59,9 @@ PatientViews::PatientViews(TrainSession& session, QWidget* parent)
 
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, [this] { follow(); });
+  rest_.setSingleShot(true);
+  rest_.setInterval(kRest_ms);
+  connect(&rest_, &QTimer::timeout, this, [this] { scene_->setMoving(false); });
   connect(&session_, &TrainSession::caseChanged, this, [this] { showCase(); });
   connect(&session_, &TrainSession::surfaceMade, this,
           [this](int label, const std::shared_ptr<const Mesh>& mesh) { showSurface(label, *mesh); });
@@ -103,6 +108,8 @@ void PatientViews::setSliceKind(views::SliceKind kind) {
 
 void PatientViews::showCase() {
   timer_.stop();
+  rest_.stop();
+  scene_->setMoving(false);
   followed_ = nullptr;
   cameraDue_ = false;
   shape_ = nullptr;
@@ -156,6 +163,11 @@ void PatientViews::follow() {
   // The picture of a moving probe is a moment old; the probe itself is where the hand has it.
   const bool live = !session_.isFrozen() && session_.handReady();
   const Transform pose = live ? session_.pose() : frame->patientFromProbe;
+  if (pose != pose_) {
+    scene_->setMoving(true);
+    rest_.start();
+  }
+  pose_ = pose;
   scene_->setProbePose(pose);
   mpr_->setProbePose(pose);
   if (mpr_->kind() != views::SliceKind::Oblique)

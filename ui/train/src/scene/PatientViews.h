@@ -55,7 +55,8 @@ class PatientViews : public QWidget {
   std::shared_ptr<const LiveFrame> followed_;
   std::shared_ptr<const ImagingSetup> shape_;  ///< of the probe as drawn
   bool cameraDue_ = false;                     ///< a new patient is there, and not looked at yet
-  QTimer timer_;
+  Transform pose_;
+  QTimer timer_, rest_;
   QElapsedTimer sinceFollowed_;
 };
 
