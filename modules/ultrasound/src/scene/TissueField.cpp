@@ -96,8 +96,8 @@ std::array<double, kLabelCount> meanHuByLabel(const CtVolume& ct, const LabelMap
   return sum;
 }
 
-Result<TissueField> makeTissueField(const CtVolume& ct, const LabelMap& labels, const Region& region,
-                                    double detail_mm, const Progress& progress) {
+Result<TissueField> makeTissueField(const CtVolume& ct, const LabelMap& labels, const Region& region, double detail_mm,
+                                    const Progress& progress) {
   const VolumeGeometry& grid = labels.geometry;
   const auto box = voxelBox(grid, region);
   if (!box) return tl::unexpected(box.error());
