@@ -17,9 +17,10 @@
 namespace insonate::train {
 namespace {
 
-/// Renderings of both views together may take this share of the window's time; the rest is the picture's.
-constexpr double kShare = 0.25;
-constexpr int kSoonest_ms = 33, kLatest_ms = 800;
+/// Renderings of both views together may take this share of the time; the rest is the picture's. Each also makes Qt put
+/// the whole window together again, which a processor without a graphics card feels.
+constexpr double kShare = 0.2;
+constexpr int kSoonest_ms = 50, kLatest_ms = 800;
 /// After this long without a move, 3D is drawn in full detail.
 constexpr int kRest_ms = 400;
 constexpr double kAcross_deg = 10, kUp_deg = 42, kRoomForProbe = 0.8;
