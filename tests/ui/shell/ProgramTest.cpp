@@ -46,6 +46,16 @@ TEST_F(Program, TakesAScreenshotOfTheWindowWithACase) {
   }
 }
 
+TEST_F(Program, TheSizeOfAScreenshotIsInDevicePixels) {
+  qputenv("QT_SCALE_FACTOR", "2");
+  const QString file = home.filePath("window.png");
+  const Outcome outcome = run(
+      {test::writtenSmallCase(home, "block"), "--workspace", "review", "--screenshot", file, "--size", "2400x1400"});
+  qunsetenv("QT_SCALE_FACTOR");
+  ASSERT_EQ(outcome.status, 0) << outcome.errors.toStdString();
+  EXPECT_EQ(QImage(file).size(), QSize(2400, 1400));
+}
+
 TEST_F(Program, RefusesWrongUsageWithTwo) {
   EXPECT_EQ(run({"--workspace", "kitchen"}).status, 2);
   EXPECT_EQ(run({"--size", "800x600"}).status, 2);

@@ -62,6 +62,8 @@ ViewWidget::Canvas::Canvas(views::View& view, QWidget* parent) : QVTKOpenGLNativ
   window->SetMultiSamples(0);
   setRenderWindow(window);
   window->SetInteractor(nullptr);
+  // Views scale their text themselves; VTK's widget would do it once more.
+  setEnableHiDPI(false);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setMinimumSize(64, 64);
