@@ -176,7 +176,7 @@ bool signedDistances(const std::vector<std::uint8_t>& nodeLabel, Vec3 nodeSpacin
   std::vector<float> a(nodes), b(nodes), inside2(nodes, kFar2);
   std::vector<std::vector<float>> outside(field.channels);
   for (int c = 0; c < field.channels; ++c) {
-    if (!report(progress, "Measuring distances to structures", double(c) / field.channels)) return false;
+    if (!report(progress, "Measuring distances to structures", 0.3 * c / field.channels)) return false;
     distanceAlongX(g, nodeLabel, field.label[c], a);
     distanceAlong(g, 1, a, b);
     distanceAlong(g, 2, b, a);
@@ -185,6 +185,7 @@ bool signedDistances(const std::vector<std::uint8_t>& nodeLabel, Vec3 nodeSpacin
     outside[c] = a;
   }
   for (int c = 0; c < field.channels; ++c) {
+    if (!report(progress, "Measuring distances to structures", 0.3 + 0.7 * c / field.channels)) return false;
     std::vector<float>& d = outside[c];
     for (std::size_t n = 0; n < nodes; ++n)
       d[n] = nodeLabel[n] == field.label[c] ? half - std::sqrt(inside2[n]) : std::sqrt(d[n]) - half;

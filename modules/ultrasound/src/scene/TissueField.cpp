@@ -16,10 +16,39 @@ struct Box {
   std::array<int, 3> low, high;  // voxels, inclusive
 };
 
-/// Voxels of the label map that the region needs, with room for the reach of the distances and their smoothing.
-Result<Box> voxelBox(const VolumeGeometry& grid, const Region& region) {
-  constexpr double kMargin_mm = TissueField::kReach_mm + 3;
+/// How the lattice cuts one axis of the label map: each voxel into parts, or several voxels into one node. One of the
+/// two is 1.
+struct AxisCut {
+  int parts = 1, merged = 1;
+  double nodesPerVoxel() const { return double(parts) / merged; }
+};
+using Cuts = std::array<AxisCut, 3>;
+
+/// Nodes at most detail_mm apart. Finer voxels are merged for wide beams only, which could not tell.
+Cuts cutsOf(const VolumeGeometry& grid, double detail_mm) {
+  const double finest = std::min({grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z});
+  const double target = finest / std::ceil(finest / detail_mm);
+  Cuts cuts;
+  for (int a = 0; a < 3; ++a) {
+    cuts[a].parts = std::max(1, static_cast<int>(std::lround(grid.spacing_mm[a] / target)));
+    if (detail_mm > AcousticScene::kFinestDetail_mm && cuts[a].parts == 1)
+      cuts[a].merged = std::max(1, static_cast<int>(detail_mm / grid.spacing_mm[a]));
+  }
+  return cuts;
+}
+
+/// SD of the smoothing of outlines.
+Vec3 smoothingOf(const VolumeGeometry& grid, const Cuts& cuts) {
+  Vec3 sd_mm;
+  for (int a = 0; a < 3; ++a) sd_mm[a] = std::min(1.2 * grid.spacing_mm[a] * cuts[a].merged, 2.0);
+  return sd_mm;
+}
+
+/// Voxels of the label map that the region needs, with room for the reach of the distances and their smoothing; whole
+/// nodes, so that nodes lie at the same places for every region.
+Result<Box> voxelBox(const VolumeGeometry& grid, const Cuts& cuts, const Region& region) {
   const Transform indexFromPatient = grid.indexFromPatient();
+  const Vec3 sd_mm = smoothingOf(grid, cuts);
   Vec3 low{1e30, 1e30, 1e30}, high{-1e30, -1e30, -1e30};
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 p{corner & 1 ? region.high_mm.x : region.low_mm.x, corner & 2 ? region.high_mm.y : region.low_mm.y,
@@ -29,40 +58,32 @@ Result<Box> voxelBox(const VolumeGeometry& grid, const Region& region) {
   }
   Box box;
   for (int a = 0; a < 3; ++a) {
-    const double margin = kMargin_mm / grid.spacing_mm[a];
+    const double margin = (TissueField::kReach_mm + std::max(3.0, 5 * sd_mm[a])) / grid.spacing_mm[a];
     if (!(high[a] > -1) || !(low[a] < grid.size[a]))
       return fail("The imaging plane lies outside the CT; move the probe onto the patient.");
-    box.low[a] = std::max(0, static_cast<int>(std::floor(low[a] - margin)));
+    const int merged = cuts[a].merged;
+    box.low[a] = std::max(0, static_cast<int>(std::floor(low[a] - margin))) / merged * merged;
     box.high[a] = std::min(grid.size[a] - 1, static_cast<int>(std::ceil(high[a] + margin)));
   }
   return box;
 }
 
-std::array<int, 3> subdivisions(const VolumeGeometry& grid, double detail_mm) {
-  const double finest = std::min({grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z});
-  const double target = finest / std::ceil(finest / detail_mm);
-  std::array<int, 3> n;
-  for (int a = 0; a < 3; ++a) n[a] = std::max(1, static_cast<int>(std::lround(grid.spacing_mm[a] / target)));
-  return n;
-}
-
 /// Source voxel and weight of the next one, for each node along one axis. Nodes are the centres of the parts that each
-/// voxel is cut into: they reach to the faces of the outermost voxels, and none lies midway between two, where either
-/// label would be as likely.
+/// voxel is cut into, so that none lies midway between two, where either label would be as likely; or of the voxels
+/// merged into one.
 struct AxisMap {
   std::vector<int> low, high;
   std::vector<float> weight;
 };
 
-AxisMap axisMap(int first, int nodes, int parts, int last) {
+AxisMap axisMap(int first, int nodes, const AxisCut& cut, int last) {
   AxisMap map;
   for (int n = 0; n < nodes; ++n) {
-    const int voxel = first + n / parts;
-    const double off = (n % parts + 0.5) / parts - 0.5;  // of the voxel's centre
-    const int low = off < 0 ? voxel - 1 : voxel;
-    map.low.push_back(std::max(low, 0));
-    map.high.push_back(std::min(low + 1, last));
-    map.weight.push_back(static_cast<float>(off < 0 ? off + 1 : off));
+    const double at = first + (n + 0.5) / cut.nodesPerVoxel() - 0.5;
+    const int low = static_cast<int>(std::floor(at));
+    map.low.push_back(std::clamp(low, 0, last));
+    map.high.push_back(std::clamp(low + 1, 0, last));
+    map.weight.push_back(static_cast<float>(at - low));
   }
   return map;
 }
@@ -99,20 +120,22 @@ std::array<double, kLabelCount> meanHuByLabel(const CtVolume& ct, const LabelMap
 Result<TissueField> makeTissueField(const CtVolume& ct, const LabelMap& labels, const Region& region, double detail_mm,
                                     const Progress& progress) {
   const VolumeGeometry& grid = labels.geometry;
-  const auto box = voxelBox(grid, region);
+  const Cuts cuts = cutsOf(grid, detail_mm);
+  const auto box = voxelBox(grid, cuts, region);
   if (!box) return tl::unexpected(box.error());
-  const auto parts = subdivisions(grid, detail_mm);
 
   TissueField field;
   std::array<AxisMap, 3> maps;
   Vec3 nodeSpacing_mm;
   Transform nodeFromIndex;
   for (int a = 0; a < 3; ++a) {
-    field.size[a] = (box->high[a] - box->low[a] + 1) * parts[a];
-    maps[a] = axisMap(box->low[a], field.size[a], parts[a], grid.size[a] - 1);
-    nodeSpacing_mm[a] = grid.spacing_mm[a] / parts[a];
-    nodeFromIndex.linear.column[a] = nodeFromIndex.linear.column[a] * parts[a];
-    nodeFromIndex.offset[a] = (0.5 - box->low[a]) * parts[a] - 0.5;
+    const AxisCut& cut = cuts[a];
+    const int voxels = box->high[a] - box->low[a] + 1;
+    field.size[a] = (voxels + cut.merged - 1) / cut.merged * cut.parts;
+    maps[a] = axisMap(box->low[a], field.size[a], cut, grid.size[a] - 1);
+    nodeSpacing_mm[a] = grid.spacing_mm[a] / cut.nodesPerVoxel();
+    nodeFromIndex.linear.column[a] = nodeFromIndex.linear.column[a] * cut.nodesPerVoxel();
+    nodeFromIndex.offset[a] = (0.5 - box->low[a]) * cut.nodesPerVoxel() - 0.5;
   }
   field.nodeFromPatient = nodeFromIndex * grid.indexFromPatient();
   const std::size_t nodes = field.offset(0, 0, field.size[2]);
@@ -146,11 +169,11 @@ Result<TissueField> makeTissueField(const CtVolume& ct, const LabelMap& labels, 
       field.label[field.channels++] = static_cast<std::uint8_t>(l);
     }
 
-  Vec3 smoothing_mm;
-  for (int a = 0; a < 3; ++a) smoothing_mm[a] = std::min(1.2 * grid.spacing_mm[a], 2.0);
-  const Vec3 sp = grid.spacing_mm;
+  Vec3 sp;
+  for (int a = 0; a < 3; ++a) sp[a] = grid.spacing_mm[a] * cuts[a].merged;
   const double middle_mm = std::max(std::min(sp.x, sp.y), std::min(std::max(sp.x, sp.y), sp.z));
-  if (!signedDistances(nodeLabel, nodeSpacing_mm, smoothing_mm, static_cast<float>(0.5 * middle_mm), field, progress))
+  if (!signedDistances(nodeLabel, nodeSpacing_mm, smoothingOf(grid, cuts), static_cast<float>(0.5 * middle_mm), field,
+                       progress))
     return fail(std::string(kCancelled));
   return field;
 }
