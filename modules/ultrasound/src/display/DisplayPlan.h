@@ -13,7 +13,7 @@ inline constexpr double kMaxTgc_dB = 120;   ///< of the built-in compensation; m
 inline constexpr double kHeadroom_dB = 15;  ///< levels kept below black and above white until smoothing is done
 
 /// Haze: side lobes and reverberation leak a share of the echoes above into quiet regions.
-inline constexpr double kHazeShare_dB = -10.2;
+inline constexpr double kHazeShare_dB = -8.6;
 inline constexpr double kHazeTail_mm = 2.2;
 inline constexpr double kHazeSpread_mm = 1.0;    ///< lateral SD gained over one tail
 inline constexpr double kHazeSmoothShare = 0.6;  ///< the rest is modulated by the local speckle

@@ -40,6 +40,6 @@ std::vector<std::uint8_t> fieldOfViewMask(const Probe& probe, const ImagingSetti
 
 /// Built-in time-gain compensation before the operator's sliders, in dB per cm and MHz of depth (there and back);
 /// none where the settings leave attenuation out, and at most 120 dB.
-inline constexpr double kTgc_dBpcmMHz = 0.76;
+inline constexpr double kTgc_dBpcmMHz = 0.73;
 
 }  // namespace insonate
