@@ -16,15 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using test::bytesOf;
 using test::shellWord;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
-
-std::string bytesOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// phantom, import and check, run as a user would.
 class CaseCommands : public testing::Test {

@@ -15,14 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using test::bytesOf;
 using test::shellWord;
 using testing::AllOf;
 using testing::HasSubstr;
-
-std::string bytesOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// A small case, small settings and an empty folder for outputs.
 class RenderCommand : public testing::Test {

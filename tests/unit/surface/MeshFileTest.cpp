@@ -14,13 +14,9 @@ namespace insonate::test {
 namespace {
 
 namespace fs = std::filesystem;
+using test::bytesOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-std::string bytesOf(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 template <class T>
 T numberAt(const std::string& bytes, std::size_t offset) {

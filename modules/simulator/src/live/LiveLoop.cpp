@@ -97,7 +97,7 @@ void LiveImaging::Impl::takeInputs() {
 
 bool LiveImaging::Impl::suits(const live::SceneJob& job, const Source& source) {
   if (!job.setup || job.detail_mm != source.need.detail_mm()) return false;
-  return job.setup == source.setup || live::sameTissues(job.setup->tissues, source.setup->tissues);
+  return job.setup == source.setup || job.setup->tissues.tissues == source.setup->tissues.tissues;
 }
 
 void LiveImaging::Impl::takeScene() {

@@ -71,30 +71,4 @@ bool covers(const Region& outer, const Region& inner) {
   return true;
 }
 
-namespace {
-
-// Written with structured bindings, so that a new member does not compile until it is compared here.
-bool sameLayer(const BoundaryLayer& a, const BoundaryLayer& b) {
-  const auto& [from, to, echo, anisotropy, patchiness] = a;
-  return from == b.from_mm && to == b.to_mm && echo == b.echo_dB && anisotropy == b.anisotropy &&
-         patchiness == b.patchiness;
-}
-
-bool sameTissue(const AcousticTissue& a, const AcousticTissue& b) {
-  const auto& [impedance, attenuation, exponent, echogenicity, ctImpedance, ctEchogenicity, specular, diffuse,
-               roughness, texture, strength, vessel, gas, layers] = a;
-  return impedance == b.impedance_MRayl && attenuation == b.attenuation_dBpcmMHz && exponent == b.attenuationExponent &&
-         echogenicity == b.echogenicity_dB && ctImpedance == b.ctImpedancePer100HU &&
-         ctEchogenicity == b.ctEchogenicity_dBper100HU && specular == b.specularExponent &&
-         diffuse == b.specularDiffuse && roughness == b.roughness_dB && texture == b.texture &&
-         strength == b.textureStrength_dB && vessel == b.vessel && gas == b.gas &&
-         std::equal(layers.begin(), layers.end(), b.layers.begin(), b.layers.end(), sameLayer);
-}
-
-}  // namespace
-
-bool sameTissues(const AcousticTable& a, const AcousticTable& b) {
-  return std::equal(a.tissues.begin(), a.tissues.end(), b.tissues.begin(), sameTissue);
-}
-
 }  // namespace insonate::live

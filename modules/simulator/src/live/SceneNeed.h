@@ -31,7 +31,4 @@ class SceneNeed {
 
 bool covers(const Region& outer, const Region& inner);
 
-/// Equal in everything that a scene is made from.
-bool sameTissues(const AcousticTable& a, const AcousticTable& b);
-
 }  // namespace insonate::live

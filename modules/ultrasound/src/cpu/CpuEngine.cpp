@@ -110,6 +110,8 @@ void CpuEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
   input_.plan = &plan;
   input_.lines.resize(paddedLines);
   input_.latticeLines.resize(paddedLines);
+  for (auto& sides : input_.textureRays)
+    for (TextureRays& rays : sides) rays.line.resize(paddedLines), rays.facing.resize(paddedLines);
   // Vectors may run past the last column.
   const int paddedColumns = paddedLines / plan.cellLines + kMaxColumns;
   input_.columns.resize(paddedColumns);
@@ -162,7 +164,7 @@ void CpuEngine::setChannels(const AcousticScene::Impl& scene) {
     k.impedance = static_cast<float>(tissue.impedance_MRayl);
     k.ctImpedancePerHU = static_cast<float>(tissue.ctImpedancePer100HU / 100);
     k.textureStrength_dB = static_cast<float>(tissue.textureStrength_dB);
-    if (tissue.texture != Texture::None) input_.texturedChannels |= 1U << c;
+    if (tissue.texture != Texture::None && plan.settings.effects.texture) input_.texturedChannels |= 1U << c;
     if (tissue.gas) input_.gasChannels |= 1U << c;
     input_.anyCt |= tissue.ctEchogenicity_dBper100HU != 0 || tissue.ctImpedancePer100HU != 0;
   }
@@ -238,8 +240,6 @@ void CpuEngine::setTextureRays(const TextureFrame& frame, const Transform& patie
   rays.elevationZ = static_cast<float>(elevation.z);
   rays.bitsOfU = std::countr_zero(static_cast<unsigned>(tile.size[0]));
   rays.bitsOfW = std::countr_zero(static_cast<unsigned>(tile.size[2]));
-  rays.line.resize(input_.lines.x.size());
-  rays.facing.resize(input_.lines.x.size());
   for (std::size_t l = 0; l < rays.facing.size(); ++l) {
     const int line = std::min(static_cast<int>(l), plan_->lines - 1);
     const Vec3 direction = directions_[line];

@@ -21,7 +21,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 inline constexpr float kSilent_dB = -150;  ///< nothing below this can be seen
 inline constexpr float kLostLevel_dB = -1e9F;
-inline constexpr float kOctavesPerDecibel = 0.16609640474F;  ///< of an amplitude: log2(10) / 20
 
 HWY_INLINE void startLines(const TraceInput& in, int firstLine, TraceBuffers& b) {
   const FramePlan& plan = *in.plan;

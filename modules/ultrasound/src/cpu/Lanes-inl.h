@@ -38,11 +38,13 @@ HWY_INLINE GateInt wholeBits(GateVec x) {
   return hn::BitCast(GateIntTag(), hn::Add(x, hn::Set(d, kToWhole)));
 }
 
+inline constexpr float kOctavesPerDecibel = 0.16609640474F;  ///< of an amplitude: log2(10) / 20
+
 /// 10^(dB / 20) down to 10^-36: 2^x, of the fraction by its Taylor polynomial (relative error below 3e-6 on -0.5..0.5).
 HWY_INLINE GateVec amplitudeOf(GateVec level_dB) {
   const GateTag d;
   const GateIntTag di;
-  const auto x = hn::Max(hn::Mul(level_dB, hn::Set(d, 0.16609640474F)), hn::Set(d, -120.0F));
+  const auto x = hn::Max(hn::Mul(level_dB, hn::Set(d, kOctavesPerDecibel)), hn::Set(d, -120.0F));
   const auto whole = hn::Add(x, hn::Set(d, kToWhole));
   const auto f = hn::Sub(x, hn::Sub(whole, hn::Set(d, kToWhole)));
   auto y = hn::Set(d, 1.3333558e-3F);

@@ -1,11 +1,12 @@
 #include "CtVolumeActor.h"
 
+#include "Clipping.h"
+
 #include <vtkColorTransferFunction.h>
 #include <vtkGPUVolumeRayCastMapper.h>
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPiecewiseFunction.h>
-#include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkRenderer.h>
 #include <vtkVolume.h>
@@ -98,12 +99,7 @@ void CtVolumeActor::setSampling() {
 }
 
 void CtVolumeActor::setClipping(const std::optional<ClippingPlane>& plane) {
-  mapper_->RemoveAllClippingPlanes();
-  if (!plane) return;
-  vtkNew<vtkPlane> keep;
-  keep->SetOrigin(plane->point_mm.x, plane->point_mm.y, plane->point_mm.z);
-  keep->SetNormal(plane->normal.x, plane->normal.y, plane->normal.z);
-  mapper_->AddClippingPlane(keep);
+  clip(*mapper_, plane);
 }
 
 }  // namespace insonate::views

@@ -1,9 +1,10 @@
 #include "Structure.h"
 
+#include "Clipping.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkFloatArray.h>
-#include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyDataNormals.h>
@@ -187,12 +188,7 @@ void Structure::setCoarse(bool coarse) {
 }
 
 void Structure::setClipping(const std::optional<ClippingPlane>& plane) {
-  mapper_->RemoveAllClippingPlanes();
-  if (!plane) return;
-  vtkNew<vtkPlane> keep;
-  keep->SetOrigin(plane->point_mm.x, plane->point_mm.y, plane->point_mm.z);
-  keep->SetNormal(plane->normal.x, plane->normal.y, plane->normal.z);
-  mapper_->AddClippingPlane(keep);
+  clip(*mapper_, plane);
 }
 
 }  // namespace insonate::views

@@ -18,6 +18,7 @@ struct BoundaryLayer {
   double echo_dB = 0;             ///< scattering relative to unit speckle, where square to the beam
   double anisotropy = 1;          ///< 0: seen from every side, 1: amplitude falls as 0.12 + 0.88 cos^2(incidence)
   double patchiness = 0;          ///< 0: even, 1: comes and goes along the boundary
+  bool operator==(const BoundaryLayer&) const = default;
 };
 
 inline constexpr int kMaxBoundaryLayers = 8;
@@ -34,12 +35,13 @@ struct AcousticTissue {
   double ctEchogenicity_dBper100HU = 0;  ///< the same for scattering
   double specularExponent = 12;          ///< n of cos^n(incidence), amplitude
   double specularDiffuse = 0.15;         ///< share that falls only as cos(incidence), 0..1
-  double roughness_dB = 0;               ///< SD of the specular echo along the boundary
+  double roughness_dB = 0;               ///< of the specular echo, per SD of what comes and goes along it
   Texture texture = Texture::None;
   double textureStrength_dB = 0;
   bool vessel = false;  ///< casts edge shadows
   bool gas = false;     ///< casts dirty shadows: reverberation
   std::vector<BoundaryLayer> layers;
+  bool operator==(const AcousticTissue&) const = default;
 };
 
 /// Acoustic properties by label. Labels that the table does not know read as soft tissue.
