@@ -63,6 +63,14 @@ double lobeAt(double tilt_deg, double exponent, double diffuse) {
   return (1 - diffuse) * std::pow(cosine, exponent) + diffuse * cosine;
 }
 
+/// FWHM of the beam across the scanlines, as the probe states it (see PointTargets, which measures it).
+double lateralFwhm_mm(const Probe& probe, const ImagingSettings& settings, double range_mm) {
+  const double wavelength_mm = 1.54 / settings.frequency_MHz;
+  const double off_mm = range_mm - settings.focus_mm;
+  return std::hypot(wavelength_mm * std::max(probe.lateralFNumber, settings.focus_mm / probe.maxAperture_mm),
+                    off_mm * (off_mm < 0 ? probe.lateralDivergenceNear : probe.lateralDivergenceFar));
+}
+
 struct Tilt {
   const char* name;
   Vec3 axis;  ///< of the probe frame
@@ -97,6 +105,36 @@ TEST_P(Reflection, FallsWithTheProbesTiltAsTheLobe) {
           record("peak_over_theory_" + which, meanPeak(frame) / (reflectionOf(1.6, 1.7) * kGain * lobe));
         }
     }
+}
+
+/// A beam of width w meets a slope over w tan(theta) of depth. Its echo, as wide as the pulse where the boundary lies
+/// square, spreads to the root of the summed squares and its peak falls by as much: as with a real array.
+TEST_P(Reflection, SpreadsOverASlopeByTheWidthOfTheBeam) {
+  const Probe probe = probeNamed("linear");
+  ImagingSettings settings = silentSettings(probe, 256, 1000, 3);
+  settings.effects.reflection = true;
+  AcousticTable table = twoTissues(1.6, 1.7);
+  for (AcousticTissue& t : table.tissues) t.specularExponent = 4, t.specularDiffuse = 0;
+  const double step_mm = settings.depth_mm / settings.samples;
+  const int line = settings.scanlines / 2;
+  Region region = regionAround(probe, settings);
+  const Vec3 room{12, 12, 12};
+  const auto scene = sceneOf(
+      paint(gridOver({-35, -21, -31.8}, {35, 21, 67.6}, 1.4), [](Vec3 p) { return p.z < 20 ? kSoftTissue : kMuscle; }),
+      table, {region.low_mm - room, region.high_mm + room});
+  const auto peakAt = [&](double tilt_deg) {
+    return peakOf(scanline(render(probe, settings, scene, turned({0, 1, 0}, tilt_deg, {0, 0, 20})), line));
+  };
+  const Peak square = peakAt(0);
+  for (const double tilt_deg : {10.0, 20.0, 30.0, 45.0}) {
+    const Peak peak = peakAt(tilt_deg);
+    const double slope_mm = std::tan(tilt_deg * std::numbers::pi / 180) * lateralFwhm_mm(probe, settings, 20);
+    const double spread = std::hypot(square.fwhm * step_mm, slope_mm) / (square.fwhm * step_mm);
+    const double overTheory = peak.value / square.value * spread / lobeAt(tilt_deg, 4, 0);
+    EXPECT_NEAR(overTheory, 1, 0.1) << "tilt " << tilt_deg;
+    record("peak_over_theory_" + std::to_string(int(tilt_deg)), overTheory);
+    record("width_over_theory_" + std::to_string(int(tilt_deg)), peak.fwhm / square.fwhm / spread);
+  }
 }
 
 TEST_P(Reflection, FallsWithTheBoundarysTiltAsTheLobe) {
