@@ -6,6 +6,7 @@
 #include <support/SmallCase.h>
 
 #include <cmath>
+#include <vector>
 
 namespace insonate::train {
 namespace {
@@ -23,7 +24,6 @@ TEST(ProbeControl, NothingMovesWithoutAHand) {
   ProbeControl control;
   EXPECT_FALSE(control.ready());
   EXPECT_FALSE(control.move(HandAxis::Tilt, 5).done());
-  EXPECT_FALSE(control.undo());
 }
 
 TEST(ProbeControl, RotationIsZeroAcrossTheBody) {
@@ -59,8 +59,10 @@ TEST(ProbeControl, RotationTakesTheShortWay) {
   EXPECT_NEAR(control.numbers().rotation_deg, -170, 1e-6);
 }
 
-TEST(ProbeControl, AGestureIsUndoneAsAWhole) {
+TEST(ProbeControl, AGestureIsToldOnce) {
   ProbeControl control = controlOverSmallCase();
+  std::vector<ProbeHandState> told;
+  control.setGestureBegan([&](const ProbeHandState& before) { told.push_back(before); });
   const ProbeHandState start = control.hand()->state();
   control.begin();
   control.slide(2, 0);
@@ -68,18 +70,19 @@ TEST(ProbeControl, AGestureIsUndoneAsAWhole) {
   const ProbeHandState between = control.hand()->state();
   control.begin();
   control.move(HandAxis::Tilt, 10);
-  EXPECT_TRUE(control.undo());
-  EXPECT_EQ(control.hand()->state(), between);
-  EXPECT_TRUE(control.undo());
+  EXPECT_EQ(told, (std::vector{start, between}));
+  control.restore(start);
   EXPECT_EQ(control.hand()->state(), start);
-  EXPECT_FALSE(control.undo());
+  EXPECT_EQ(told.size(), 2u) << "to put it back is no gesture";
 }
 
-TEST(ProbeControl, AMoveThatDidNothingIsNotRemembered) {
+TEST(ProbeControl, AMoveThatDidNothingIsNotTold) {
   ProbeControl control = controlOverSmallCase();
+  bool told = false;
+  control.setGestureBegan([&](const ProbeHandState&) { told = true; });
   control.begin();
   control.slide(0, 0);
-  EXPECT_FALSE(control.undo());
+  EXPECT_FALSE(told);
 }
 
 }  // namespace

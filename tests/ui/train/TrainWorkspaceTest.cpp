@@ -190,6 +190,42 @@ TEST_F(TrainWindow, UndoAndHomeRestoreThePose) {
   EXPECT_LT(norm(session_->pose().offset - session_->start().position_mm), 1e-6);
 }
 
+TEST_F(TrainWindow, UndoAndRedoGoThroughMovesAndSettingsInOrder) {
+  openCase();
+  const ProbeHandState start = session_->handState();
+  const double depth_mm = session_->settings().depth_mm;
+  key(Qt::Key_Right, Qt::ShiftModifier);
+  const ProbeHandState moved = session_->handState();
+  child<ui::ValueSlider>("depth")->setValue(30);
+  key(Qt::Key_Z);
+  EXPECT_EQ(session_->settings().depth_mm, depth_mm);
+  EXPECT_EQ(child<ui::ValueSlider>("depth")->value(), depth_mm);
+  EXPECT_EQ(workspace_->statusText(), "Taken back: setting of the picture.");
+  EXPECT_EQ(session_->handState(), moved);
+  key(Qt::Key_Z);
+  EXPECT_EQ(session_->handState(), start);
+  key(Qt::Key_Y);
+  key(Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_EQ(session_->handState(), moved);
+  EXPECT_EQ(session_->settings().depth_mm, 30);
+  settle();
+  ASSERT_TRUE(session_->setProbe("phased"));
+  key(Qt::Key_Z);
+  EXPECT_EQ(session_->probe().name, "linear");
+  EXPECT_EQ(session_->settings().depth_mm, 30);
+}
+
+TEST_F(TrainWindow, AFrozenProbeIsNotMovedByUndo) {
+  openCase();
+  key(Qt::Key_Right);
+  const ProbeHandState moved = session_->handState();
+  settle();
+  key(Qt::Key_Space);
+  key(Qt::Key_Z);
+  EXPECT_EQ(session_->handState(), moved);
+  EXPECT_TRUE(workspace_->statusText().contains("frozen"));
+}
+
 TEST_F(TrainWindow, MouseOnThePictureMovesTheProbe) {
   openCase();
   const QPoint middle = canvas_->rect().center();

@@ -198,6 +198,8 @@ void TrainWorkspace::Parts::act(const KeyRow& row, bool wide, bool repeated) {
       return panel->positions().recall(row.place);
     case Command::Undo:
       return session.undo();
+    case Command::Redo:
+      return session.redo();
     case Command::EarlierPicture:
       return session.showCine(session.cineIndex() - 1);
     case Command::LaterPicture:

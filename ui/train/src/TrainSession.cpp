@@ -5,8 +5,33 @@
 #include <insonate/tissue/AcousticTable.h>
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 namespace insonate::train {
+
+namespace {
+
+auto fields(const Probe& p) {
+  return std::tie(p.name, p.shape, p.width_mm, p.fovAngle_deg, p.faceRadius_mm, p.minFrequency_MHz, p.maxFrequency_MHz,
+                  p.minDepth_mm, p.maxDepth_mm, p.axialFwhm_wavelengths, p.lateralFNumber, p.maxAperture_mm,
+                  p.lateralDivergenceNear, p.lateralDivergenceFar, p.elevationFocus_mm, p.elevationFwhm_wavelengths,
+                  p.elevationDivergence);
+}
+
+/// What a user can change.
+auto fields(const ImagingSettings& s) {
+  return std::tie(s.depth_mm, s.frequency_MHz, s.focus_mm, s.gain_dB, s.tgc_dB, s.dynamicRange_dB, s.persistence,
+                  s.greyMap, s.smoothing, s.looks, s.scanlines, s.samples, s.elevationPlanes, s.width, s.height,
+                  s.conformingContact, s.look);
+}
+
+template <class T>
+bool same(const T& a, const T& b) {
+  return fields(a) == fields(b);
+}
+
+}  // namespace
 
 ImagingSettings fitted(ImagingSettings settings, const Probe& probe) {
   settings.depth_mm = std::clamp(settings.depth_mm, probe.minDepth_mm, probe.maxDepth_mm);
@@ -24,6 +49,8 @@ TrainSession::TrainSession(QObject* parent) : QObject(parent), feed_([this] { ne
   probe_ = loadProbe("linear").value_or(Probe{});
   tissues_ = loadAcousticTable(acousticPresetNames().front()).value_or(AcousticTable{});
   settings_ = settingsFor(probe_);
+  chosen_ = {probe_, settings_, effect_};
+  control_.setGestureBegan([this](const ProbeHandState& before) { rememberMove(before); });
 }
 
 TrainSession::~TrainSession() {
@@ -39,6 +66,7 @@ void TrainSession::setCase(std::shared_ptr<const PatientCase> patient) {
   stop();
   patient_ = std::move(patient);
   control_.setHand(std::nullopt);
+  history_.clear();
   start_ = {};
   shown_ = nullptr;
   cine_.clear();
@@ -128,6 +156,7 @@ void TrainSession::setEffect(const std::string& name) {
 }
 
 void TrainSession::sendSetup() {
+  rememberSetup();
   if (feed_.live())
     if (auto ok = feed_.live()->setSetup(setup()); !ok) say(QString::fromStdString(ok.error().message));
   Q_EMIT setupChanged();
@@ -182,11 +211,43 @@ void TrainSession::home() {
 }
 
 void TrainSession::undo() {
-  if (!mayMove()) return;
-  if (control_.undo())
+  tookBack(history_.undo(), tr("Taken back: %1."), tr("There is nothing to take back."));
+}
+
+void TrainSession::redo() {
+  tookBack(history_.redo(), tr("Done again: %1."), tr("There is nothing to do again."));
+}
+
+void TrainSession::tookBack(History::Outcome outcome, const QString& done, const QString& nothing) {
+  if (outcome == History::Outcome::Done) say(done.arg(QString::fromStdString(history_.lastWords())));
+  if (outcome == History::Outcome::Nothing) say(nothing);
+}
+
+void TrainSession::rememberMove(const ProbeHandState& before) {
+  history_.add(tr("move of the probe").toStdString(), [this, other = before]() mutable {
+    if (!mayMove()) return false;
+    const ProbeHandState now = handState();
+    control_.restore(std::exchange(other, now));
     moved({});
-  else
-    say(tr("There is no move to take back."));
+    return true;
+  });
+}
+
+void TrainSession::rememberSetup() {
+  const Chosen before = std::exchange(chosen_, Chosen{probe_, settings_, effect_});
+  const bool sameProbe = same(before.probe, probe_);
+  if (!patient_ || (sameProbe && before.effect == effect_ && same(before.settings, settings_))) return;
+  const QString what = sameProbe ? tr("setting of the picture") : tr("change of the probe");
+  const auto exchange = [this, other = before]() mutable {
+    const Chosen now = chosen_;
+    // Set here, too, so that nothing new is remembered.
+    chosen_ = other;
+    probe_ = other.probe, settings_ = other.settings, effect_ = other.effect;
+    other = now;
+    sendSetup();
+    return true;
+  };
+  history_.add(what.toStdString(), exchange, sameProbe ? "settings" : "");
 }
 
 void TrainSession::setFrozen(bool frozen) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hand/History.h"
 #include "hand/ProbeControl.h"
 #include "live/CaseWorker.h"
 #include "live/LiveFeed.h"
@@ -59,7 +60,10 @@ class TrainSession : public QObject {
   void moveTo(Vec3 patient_mm);
   void goTo(const StartPose& pose);
   void home();
+  /// Moves, settings, and whatever else was added to history().
   void undo();
+  void redo();
+  History& history() { return history_; }
   /// Where home() goes; known before the first picture.
   const StartPose& start() const { return start_; }
 
@@ -97,6 +101,9 @@ class TrainSession : public QObject {
   void moved(HandMove result);
   bool mayMove();
   ImagingSetup setup() const;
+  void rememberMove(const ProbeHandState& before);
+  void rememberSetup();
+  void tookBack(History::Outcome outcome, const QString& done, const QString& nothing);
 
   std::shared_ptr<const PatientCase> patient_;
   Probe probe_;
@@ -104,6 +111,13 @@ class TrainSession : public QObject {
   AcousticTable tissues_;
   std::string effect_ = kWholeModel;
   ProbeControl control_;
+  History history_;
+  struct Chosen {
+    Probe probe;
+    ImagingSettings settings;
+    std::string effect;
+  };
+  Chosen chosen_;  ///< as last sent
   StartPose start_;
   bool frozen_ = false;
   std::shared_ptr<const LiveFrame> shown_;

@@ -16,6 +16,7 @@ enum class Command {
   Home,
   Recall,
   Undo,
+  Redo,
   EarlierPicture,
   LaterPicture,
   SavePicture,

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace insonate::train {
 namespace {
@@ -44,7 +45,6 @@ double HandNumbers::of(HandAxis axis) const {
 
 void ProbeControl::setHand(std::optional<ProbeHand> hand) {
   hand_ = std::move(hand);
-  past_.clear();
   gestureOpen_ = false;
 }
 
@@ -54,11 +54,7 @@ HandMove ProbeControl::done(const Move& move) {
   const ProbeHandState before = hand_->state();
   const HandMove result = move(*hand_);
   if (hand_->state() == before) return result;
-  if (!gestureOpen_) {
-    if (past_.size() == kMostUndo) past_.erase(past_.begin());
-    past_.push_back(before);
-    gestureOpen_ = true;
-  }
+  if (!std::exchange(gestureOpen_, true) && gestureBegan_) gestureBegan_(before);
   return result;
 }
 
@@ -101,12 +97,9 @@ HandMove ProbeControl::setPose(const StartPose& pose) {
   return done([&](ProbeHand& hand) { return hand.setPose(*transform); });
 }
 
-bool ProbeControl::undo() {
-  if (!hand_ || past_.empty()) return false;
-  hand_->restore(past_.back());
-  past_.pop_back();
+void ProbeControl::restore(const ProbeHandState& state) {
+  if (hand_) hand_->restore(state);
   gestureOpen_ = false;
-  return true;
 }
 
 }  // namespace insonate::train

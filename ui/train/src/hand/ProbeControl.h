@@ -3,8 +3,8 @@
 #include <insonate/cases/PatientCase.h>
 #include <insonate/simulator/ProbeHand.h>
 
+#include <functional>
 #include <optional>
-#include <vector>
 
 namespace insonate::train {
 
@@ -21,26 +21,27 @@ struct HandNumbers {
 
 HandNumbers numbersOf(const ProbeHandState& state);
 
-/// The probe in the user's hand, with a memory: a gesture (a key held down, a drag, a turn of the wheel) is undone as a
-/// whole. Without a hand nothing moves. For one thread.
+/// The probe in the user's hand. A gesture (a key held down, a drag, a turn of the wheel) is one move, to be undone as
+/// a whole. Without a hand nothing moves. For one thread.
 class ProbeControl {
  public:
-  static constexpr std::size_t kMostUndo = 200;
-
-  /// Forgets what could be undone.
   void setHand(std::optional<ProbeHand> hand);
   bool ready() const { return hand_.has_value(); }
 
-  /// The moves that follow, up to the next begin(), are undone together.
+  /// The moves that follow, up to the next begin(), are one gesture.
   void begin() { gestureOpen_ = false; }
+  /// Called once in a gesture, when it has moved the probe, with where it was before.
+  void setGestureBegan(std::function<void(const ProbeHandState& before)> listener) {
+    gestureBegan_ = std::move(listener);
+  }
   HandMove move(HandAxis axis, double mmOrDegrees);
   HandMove slide(double lateral_mm, double elevation_mm);
   /// To a typed number; slides have none.
   HandMove set(HandAxis axis, double mmOrDegrees);
   HandMove moveTo(Vec3 patient_mm);
   HandMove setPose(const StartPose& pose);
-  /// False where there is nothing to take back.
-  bool undo();
+  /// No gesture: puts the probe where it was.
+  void restore(const ProbeHandState& state);
 
   const ProbeHand* hand() const { return hand_ ? &*hand_ : nullptr; }
   HandNumbers numbers() const { return hand_ ? numbersOf(hand_->state()) : HandNumbers{}; }
@@ -50,7 +51,7 @@ class ProbeControl {
   HandMove done(const Move& move);
 
   std::optional<ProbeHand> hand_;
-  std::vector<ProbeHandState> past_;
+  std::function<void(const ProbeHandState&)> gestureBegan_;
   bool gestureOpen_ = false;
 };
 

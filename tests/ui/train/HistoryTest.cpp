@@ -1,0 +1,89 @@
+#include "hand/History.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+namespace insonate::train {
+namespace {
+
+/// A number that is changed, with its history.
+struct Changed {
+  History history;
+  int value = 0;
+  bool mayChange = true;
+
+  void set(int next, const std::string& key = {}) {
+    history.add(
+        "number " + std::to_string(next),
+        [this, other = std::exchange(value, next)]() mutable {
+          if (!mayChange) return false;
+          std::swap(value, other);
+          return true;
+        },
+        key);
+  }
+};
+
+TEST(History, TakesBackAndDoesAgainInOrder) {
+  Changed number;
+  number.set(1), number.set(2), number.set(3);
+  EXPECT_EQ(number.history.undo(), History::Outcome::Done);
+  EXPECT_EQ(number.history.lastWords(), "number 3");
+  number.history.undo();
+  EXPECT_EQ(number.value, 1);
+  number.history.redo();
+  EXPECT_EQ(number.value, 2);
+  EXPECT_EQ(number.history.lastWords(), "number 2");
+  number.history.undo(), number.history.undo();
+  EXPECT_EQ(number.value, 0);
+  EXPECT_EQ(number.history.undo(), History::Outcome::Nothing);
+}
+
+TEST(History, SomethingNewEndsWhatCouldBeDoneAgain) {
+  Changed number;
+  number.set(1), number.set(2);
+  number.history.undo();
+  number.set(7);
+  EXPECT_EQ(number.history.redo(), History::Outcome::Nothing);
+  number.history.undo();
+  EXPECT_EQ(number.value, 1);
+}
+
+TEST(History, StepsOfOneKeyAreOne) {
+  Changed number;
+  number.set(1, "slider"), number.set(2, "slider"), number.set(3, "slider");
+  number.set(4, "other");
+  number.history.close();
+  number.set(5, "other");
+  number.history.undo();
+  EXPECT_EQ(number.value, 4);
+  number.history.undo();
+  EXPECT_EQ(number.value, 3);
+  number.history.undo();
+  EXPECT_EQ(number.value, 0);
+  number.set(1, "slider");
+  number.history.undo();
+  EXPECT_EQ(number.value, 0) << "a step after undo does not join the one before";
+}
+
+TEST(History, WhatIsRefusedStays) {
+  Changed number;
+  number.set(1);
+  number.mayChange = false;
+  EXPECT_EQ(number.history.undo(), History::Outcome::Refused);
+  number.mayChange = true;
+  EXPECT_EQ(number.history.undo(), History::Outcome::Done);
+  EXPECT_EQ(number.value, 0);
+}
+
+TEST(History, ForgetsTheOldestOfManySteps) {
+  Changed number;
+  for (int i = 1; i <= int(History::kMost) + 5; ++i) number.set(i);
+  while (number.history.undo() == History::Outcome::Done) {
+  }
+  EXPECT_EQ(number.value, 5);
+}
+
+}  // namespace
+}  // namespace insonate::train

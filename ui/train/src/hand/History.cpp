@@ -1,0 +1,34 @@
+#include "History.h"
+
+#include <utility>
+
+namespace insonate::train {
+
+void History::add(std::string what, Exchange exchange, std::string key) {
+  const auto now = std::chrono::steady_clock::now();
+  const bool joins = open_ && !key.empty() && !past_.empty() && past_.back().key == key && now - lastAdded_ < kOneStep;
+  lastAdded_ = now;
+  future_.clear();
+  if (joins) return;  // What was there before the first of them is remembered already.
+  if (past_.size() == kMost) past_.erase(past_.begin());
+  past_.push_back({std::move(what), std::move(key), std::move(exchange)});
+  open_ = true;
+}
+
+void History::clear() {
+  past_.clear();
+  future_.clear();
+  open_ = false;
+}
+
+History::Outcome History::go(std::vector<Step>& from, std::vector<Step>& to) {
+  if (from.empty()) return Outcome::Nothing;
+  open_ = false;
+  if (!from.back().exchange()) return Outcome::Refused;
+  lastWords_ = from.back().what;
+  to.push_back(std::move(from.back()));
+  from.pop_back();
+  return Outcome::Done;
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace insonate::train {
+
+/// What a user did and can take back, of whatever kind, in one order. A step exchanges what is there with what was
+/// there before, so that the same step takes back and does again. For one thread.
+class History {
+ public:
+  static constexpr std::size_t kMost = 200;
+  /// Steps with one key that follow each other within this time are one, e.g. those of a slider that is dragged.
+  static constexpr std::chrono::milliseconds kOneStep{1000};
+
+  /// False where it cannot be done now; nothing has changed then.
+  using Exchange = std::function<bool()>;
+
+  /// `what` completes "Taken back: ". What was taken back before cannot be done again any more.
+  void add(std::string what, Exchange exchange, std::string key = {});
+  /// The next step does not join the last one.
+  void close() { open_ = false; }
+  void clear();
+
+  enum class Outcome { Done, Nothing, Refused };
+  Outcome undo() { return go(past_, future_); }
+  Outcome redo() { return go(future_, past_); }
+  /// Of the step that undo() or redo() did last.
+  const std::string& lastWords() const { return lastWords_; }
+
+ private:
+  struct Step {
+    std::string what, key;
+    Exchange exchange;
+  };
+  Outcome go(std::vector<Step>& from, std::vector<Step>& to);
+
+  std::vector<Step> past_, future_;
+  std::string lastWords_;
+  bool open_ = false;  ///< the last step may still be joined
+  std::chrono::steady_clock::time_point lastAdded_;
+};
+
+}  // namespace insonate::train
