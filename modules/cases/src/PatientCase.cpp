@@ -54,7 +54,7 @@ Result<CtVolume> readCt(const fs::path& file, std::vector<std::string>& notes) {
   return ct;
 }
 
-Result<LabelMap> readLabels(const fs::path& folder, std::vector<std::string>& notes) {
+Result<LabelReadResult> readLabels(const fs::path& folder, std::vector<std::string>& notes) {
   std::error_code error;
   const bool segmentation = fs::exists(folder / kLabelFile, error), plain = fs::exists(folder / kPlainLabelFile, error);
   if (!segmentation && !plain)
@@ -67,7 +67,7 @@ Result<LabelMap> readLabels(const fs::path& folder, std::vector<std::string>& no
   auto read = readLabelMap(folder / (segmentation ? kLabelFile : kPlainLabelFile));
   if (!read) return tl::unexpected(read.error());
   notes.insert(notes.end(), read->notes.begin(), read->notes.end());
-  return std::move(read->labels);
+  return read;
 }
 
 Result<CaseManifest> readManifest(const fs::path& file, std::vector<std::string>& notes) {
@@ -93,16 +93,23 @@ Result<void> writeFiles(const PatientCase& patient, const fs::path& folder, cons
       !ok)
     return ok;
   if (auto ok = writeNrrd(folder / kLabelFile, labels.geometry, "unsigned char",
-                          std::as_bytes(std::span(labels.voxels)), slicerFields(labels), progress);
+                          std::as_bytes(std::span(labels.voxels)), slicerFields(labels, patient.colours), progress);
       !ok)
     return ok;
-  if (auto ok = writeAtomically(folder / kSnapFile, itkSnapLabelText(labels)); !ok) return ok;
+  if (auto ok = writeAtomically(folder / kSnapFile, itkSnapLabelText(labels, patient.colours)); !ok) return ok;
   if (auto ok = writeAtomically(folder / kManifestFile, manifestToJson(patient.manifest)); !ok) return ok;
   if (!report(progress, "Writing the case", 1)) return fail(std::string(kCancelled));
   return {};
 }
 
 }  // namespace
+
+LabelColour colourOf(const LabelColours& colours, std::uint8_t label) {
+  constexpr LabelColour kUnknown{128, 128, 128};
+  const auto found = colours.find(label);
+  if (found != colours.end()) return found->second;
+  return label < kLabelCount ? labelTable()[label].colour : kUnknown;
+}
 
 Result<CaseReadResult> readCase(const fs::path& folder) {
   std::error_code error;
@@ -118,13 +125,14 @@ Result<CaseReadResult> readCase(const fs::path& folder) {
   if (!ct) return tl::unexpected(ct.error());
   auto labels = readLabels(folder, result.notes);
   if (!labels) return tl::unexpected(labels.error());
-  if (!sameGrid(ct->geometry, labels->geometry))
+  LabelMap& map = labels->labels;
+  if (!sameGrid(ct->geometry, map.geometry))
     return fail("The CT and the labels of " + folder.string() + " are on different grids: " +
-                differenceOf(ct->geometry, labels->geometry) + ". Resample the label map to the CT.");
-  labels->geometry = ct->geometry;
+                differenceOf(ct->geometry, map.geometry) + ". Resample the label map to the CT.");
+  map.geometry = ct->geometry;
   auto manifest = readManifest(folder / kManifestFile, result.notes);
   if (!manifest) return tl::unexpected(manifest.error());
-  result.patient = {std::move(*manifest), std::move(*ct), std::move(*labels)};
+  result.patient = {std::move(*manifest), std::move(*ct), std::move(map), std::move(labels->colours)};
   return result;
 }
 

@@ -121,6 +121,21 @@ INSTANTIATE_TEST_SUITE_P(Each, CaseDefect, testing::ValuesIn(kDefects), [](const
   return std::string(defect.param.code) + "_" + std::string(nameOf(defect.param.severity));
 });
 
+TEST(CaseCheck, FindingsSayWhereTheyAre) {
+  PatientCase patient = test::cylinderNeck();
+  patient.manifest.targets = {{"vein", kBone, {1, 2, 3}}};
+  patient.labels.at(60, 30, 20) = kBackground;
+  patient.labels.at(61, 31, 21) = 99;
+  const auto placeOf = [all = findingsOf(patient)](const std::string& code) {
+    for (const Finding& finding : all)
+      if (finding.code == code) return finding.place_mm.value_or(Vec3{1e9, 0, 0});
+    return Vec3{2e9, 0, 0};
+  };
+  EXPECT_EQ(placeOf("target_label"), (Vec3{1, 2, 3}));
+  EXPECT_EQ(placeOf("background_inside"), (Vec3{0, -30, -10}));
+  EXPECT_EQ(placeOf("unknown_label"), (Vec3{1, -29, -9}));
+}
+
 TEST(CaseCheck, OneSliceIsTooThin) {
   PatientCase patient;
   patient.ct = CtVolume(test::grid({64, 64, 1}), 40);

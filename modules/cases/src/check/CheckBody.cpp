@@ -75,13 +75,17 @@ void checkBody(const PatientCase& patient, Findings& findings) {
                             " of the body's surface is not skin: a probe or needle there meets bare tissue. Close the "
                             "skin."});
 
-  std::size_t enclosed = 0;
-  for (std::size_t v = 0; v < outside.size(); ++v) enclosed += labels.voxels[v] == kBackground && !outside[v];
+  std::size_t enclosed = 0, last = 0;
+  for (std::size_t v = 0; v < outside.size(); ++v) {
+    if (labels.voxels[v] != kBackground || outside[v]) continue;
+    ++enclosed, last = v;
+  }
   const double enclosed_ml = static_cast<double>(enclosed) * voxelVolume_mm3(labels.geometry) / 1000;
   if (enclosed > 0)
     findings.push_back({enclosed_ml > 1 ? Severity::kWarning : Severity::kInfo, "background_inside",
                         std::to_string(enclosed) + " background voxels (" + std::to_string(std::lround(enclosed_ml)) +
-                            " ml) are enclosed by the body; they will look like air. Label them, e.g. soft tissue."});
+                            " ml) are enclosed by the body; they will look like air. Label them, e.g. soft tissue.",
+                        placeOf(labels.geometry, last)});
 
   std::string cut;
   for (int label : labelsOnSides(labels, endAxis)) cut += (cut.empty() ? "" : ", ") + labelName(label);

@@ -128,13 +128,18 @@ double voxelVolume_mm3(const VolumeGeometry& g) {
 
 void checkLabels(const PatientCase& patient, const LabelStatistics& s, Findings& findings) {
   checkPresence(s, findings);
+  const auto firstOf = [&](int label) {
+    const auto at = std::ranges::find(patient.labels.voxels, static_cast<std::uint8_t>(label));
+    return placeOf(patient.labels.geometry, static_cast<std::size_t>(at - patient.labels.voxels.begin()));
+  };
   std::size_t inAir = 0;
   for (int label = 1; label < 256; ++label) {
     if (label >= kLabelCount && s.has(label))
       findings.push_back({Severity::kError, "unknown_label",
                           std::to_string(s.voxels[label]) + " voxels have the label " + std::to_string(label) +
                               ", which means nothing here (0 to " + std::to_string(kLabelCount - 1) +
-                              " do). Renumber or erase them."});
+                              " do). Renumber or erase them.",
+                          firstOf(label)});
     checkHu(s, label, findings);
     if (label != kAirway && label != kSkin && label != kOesophagus) inAir += s.inAir[label];
   }

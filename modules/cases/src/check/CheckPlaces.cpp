@@ -20,21 +20,24 @@ void checkTarget(const PatientCase& patient, const Target& target, Findings& fin
   const VolumeGeometry& g = patient.labels.geometry;
   const std::string what = "The target \"" + target.name + "\" at " + placeText(target.position_mm);
   if (!inVolume(g, target.position_mm)) {
-    findings.push_back({Severity::kError, "target_outside", what + " lies outside the volume. Correct case.json."});
+    findings.push_back({Severity::kError, "target_outside", what + " lies outside the volume. Correct case.json.",
+                        target.position_mm});
     return;
   }
   const int label = sampleNearest(patient.labels, g.indexFromPatient() * target.position_mm);
   if (label != target.label)
     findings.push_back({Severity::kError, "target_label",
                         what + " should be in " + labelName(target.label) + ", but the label there is " +
-                            labelName(label) + ". Correct its position or the label map."});
+                            labelName(label) + ". Correct its position or the label map.",
+                        target.position_mm});
 }
 
 void checkPose(const PatientCase& patient, const StartPose& pose, bool labelled, Findings& findings) {
   const VolumeGeometry& g = patient.labels.geometry;
   const std::string what = "The start pose \"" + pose.name + "\" at " + placeText(pose.position_mm);
   if (!inVolume(g, pose.position_mm)) {
-    findings.push_back({Severity::kError, "pose_outside", what + " lies outside the volume. Correct case.json."});
+    findings.push_back(
+        {Severity::kError, "pose_outside", what + " lies outside the volume. Correct case.json.", pose.position_mm});
     return;
   }
   if (!labelled) return;
@@ -44,7 +47,8 @@ void checkPose(const PatientCase& patient, const StartPose& pose, bool labelled,
   };
   if (labelAt(kIn_mm) == kBackground || labelAt(-kOut_mm) != kBackground)
     findings.push_back({Severity::kWarning, "pose_off_skin",
-                        what + " is not on the skin looking into the body; the picture may start empty."});
+                        what + " is not on the skin looking into the body; the picture may start empty.",
+                        pose.position_mm});
 }
 
 }  // namespace
@@ -53,6 +57,12 @@ std::string placeText(Vec3 p) {
   std::array<char, 96> text;
   std::snprintf(text.data(), text.size(), "(%.1f, %.1f, %.1f) mm", p.x, p.y, p.z);
   return text.data();
+}
+
+Vec3 placeOf(const VolumeGeometry& g, std::size_t offset) {
+  const std::size_t row = offset / std::size_t(g.size[0]);
+  return g.patientFromIndex() * Vec3{double(offset % std::size_t(g.size[0])), double(row % std::size_t(g.size[1])),
+                                     double(row / std::size_t(g.size[1]))};
 }
 
 void checkPlaces(const PatientCase& patient, Findings& findings) {
@@ -67,7 +77,8 @@ void checkPlaces(const PatientCase& patient, Findings& findings) {
   if (const auto proposed = proposeStartPose(patient))
     findings.push_back({Severity::kInfo, "no_start_pose",
                         "case.json has no start pose; \"auto\" will be " + proposed->name + " at " +
-                            placeText(proposed->position_mm) + "."});
+                            placeText(proposed->position_mm) + ".",
+                        proposed->position_mm});
   else
     findings.push_back(
         {Severity::kWarning, "no_start_pose", "case.json has no start pose. " + proposed.error().message});

@@ -3,6 +3,8 @@
 
 #include <insonate/tissue/Labels.h>
 
+#include <algorithm>
+
 namespace insonate::check {
 namespace {
 
@@ -49,20 +51,26 @@ void checkVessel(const PatientCase& patient, std::uint8_t label, Findings& findi
   const std::string name = labelName(label);
   const int axis = headFootAxis(patient.labels.geometry);
   std::vector<Part> parts = partsOf(patient.labels, label, axis);
-  const std::size_t all = parts.size();
-  std::erase_if(parts, [&](const Part& p) {
+  const auto isCrumb = [&](const Part& p) {
     return static_cast<double>(p.voxels) * voxelVolume_mm3(patient.labels.geometry) < kCrumb_mm3;
-  });
+  };
+  // Parts come largest first.
+  const auto crumb = std::ranges::find_if(parts, isCrumb);
+  const std::size_t crumbs = static_cast<std::size_t>(parts.end() - crumb);
+  const Vec3 firstCrumb_mm = crumbs > 0 ? crumb->lowEnd_mm : Vec3{};
+  parts.erase(crumb, parts.end());
   for (const Part& lower : parts)
     for (const Part& upper : parts)
       if (isGap(lower, upper))
         findings.push_back({Severity::kWarning, name + "_broken",
                             "The " + name + " ends at " + placeText(lower.highEnd_mm) + " and goes on at " +
-                                placeText(upper.lowEnd_mm) + ". Join the pieces, or it will end in the picture."});
-  if (all > parts.size())
+                                placeText(upper.lowEnd_mm) + ". Join the pieces, or it will end in the picture.",
+                            lower.highEnd_mm});
+  if (crumbs > 0)
     findings.push_back({Severity::kWarning, name + "_fragments",
-                        "The " + name + " has " + std::to_string(all - parts.size()) +
-                            " crumbs apart from the vessels. Erase them, or they will be punctured by mistake."});
+                        "The " + name + " has " + std::to_string(crumbs) +
+                            " crumbs apart from the vessels. Erase them, or they will be punctured by mistake.",
+                        firstCrumb_mm});
   const double solid = solidShare(patient.labels, label);
   if (solid < 0.5)
     findings.push_back({Severity::kWarning, name + "_thin",

@@ -27,6 +27,8 @@ LabelStatistics statisticsOf(const PatientCase& patient);
 std::string labelName(int label);
 /// "(1.0, -2.0, 3.0) mm"
 std::string placeText(Vec3 patient_mm);
+/// Patient LPS of the voxel with this offset.
+Vec3 placeOf(const VolumeGeometry& geometry, std::size_t offset);
 double voxelVolume_mm3(const VolumeGeometry& geometry);
 /// The grid axis nearest to head-foot; the volume's ends along it are cuts through the body.
 int headFootAxis(const VolumeGeometry& geometry);

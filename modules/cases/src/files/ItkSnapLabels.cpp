@@ -17,7 +17,7 @@ std::string line(int label, const std::array<std::uint8_t, 3>& colour, int visib
 
 }  // namespace
 
-std::string itkSnapLabelText(const LabelMap& labels) {
+std::string itkSnapLabelText(const LabelMap& labels, const LabelColours& colours) {
   std::array<bool, 256> used{};
   for (const std::uint8_t v : labels.voxels) used[v] = true;
   const std::string rule = "################################################\n";
@@ -36,9 +36,10 @@ std::string itkSnapLabelText(const LabelMap& labels) {
                      "#  LABEL:   Label description \n" +
                      rule + line(0, {0, 0, 0}, 0, "Clear Label");
   for (const LabelInfo& info : labelTable())
-    if (info.label != kBackground) text += line(info.label, info.colour, 1, std::string(info.name));
+    if (info.label != kBackground) text += line(info.label, colourOf(colours, info.label), 1, std::string(info.name));
   for (int label = kLabelCount; label < 256; ++label)
-    if (used[label]) text += line(label, {128, 128, 128}, 1, "label " + std::to_string(label));
+    if (used[label])
+      text += line(label, colourOf(colours, static_cast<std::uint8_t>(label)), 1, "label " + std::to_string(label));
   return text;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <insonate/image/Volume.h>
+#include <insonate/cases/PatientCase.h>
 
 #include <string>
 
 namespace insonate {
 
 /// ITK-SNAP's label description file: every known label, and unknown ones that occur in the map.
-std::string itkSnapLabelText(const LabelMap& labels);
+std::string itkSnapLabelText(const LabelMap& labels, const LabelColours& colours);
 
 }  // namespace insonate

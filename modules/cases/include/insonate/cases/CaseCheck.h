@@ -3,6 +3,7 @@
 #include <insonate/cases/PatientCase.h>
 #include <insonate/core/Progress.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,8 +18,9 @@ std::string_view nameOf(Severity severity);
 /// One reason why a case is fit or unfit for training.
 struct Finding {
   Severity severity;
-  std::string code;  ///< stable, for scripts, e.g. "no_vein"
-  std::string text;  ///< a sentence: what, where, what to do
+  std::string code;                ///< stable, for scripts, e.g. "no_vein"
+  std::string text;                ///< a sentence: what, where, what to do
+  std::optional<Vec3> place_mm{};  ///< patient LPS, where it has one place; may lie outside the volume
 };
 
 /// Looks for everything that would make training on this case fail or mislead. Volumes must be on one grid.

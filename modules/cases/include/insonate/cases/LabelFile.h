@@ -1,5 +1,6 @@
 #pragma once
 
+#include <insonate/cases/PatientCase.h>
 #include <insonate/core/Result.h>
 #include <insonate/image/Volume.h>
 
@@ -13,6 +14,7 @@ namespace insonate {
 struct LabelReadResult {
   LabelMap labels;
   std::vector<std::string> notes;  ///< what was mapped, flattened or ignored, one sentence each
+  LabelColours colours{};          ///< of a 3D Slicer segmentation's known segments, where not the label table's
 };
 
 /// Reads a label map file (NRRD, NIfTI, MetaImage; 3-D, whole numbers) with its own numbers, whatever they mean.

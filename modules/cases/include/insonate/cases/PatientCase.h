@@ -4,7 +4,10 @@
 #include <insonate/core/Result.h>
 #include <insonate/image/Volume.h>
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -37,12 +40,20 @@ struct CaseManifest {
   std::string source;  ///< how the case came to be, without anything that identifies a patient
 };
 
+using LabelColour = std::array<std::uint8_t, 3>;  ///< sRGB
+/// By label.
+using LabelColours = std::map<std::uint8_t, LabelColour>;
+
 /// A patient: CT and labels on one grid, and what is known about them. Owns its volumes.
 struct PatientCase {
   CaseManifest manifest;
   CtVolume ct;
   LabelMap labels;
+  LabelColours colours{};  ///< the author's, where they differ from the label table's; kept in labels.seg.nrrd
 };
+
+/// The author's colour of a label, else the label table's; grey for labels that the table does not know.
+LabelColour colourOf(const LabelColours& colours, std::uint8_t label);
 
 struct CaseReadResult {
   PatientCase patient;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/core/Progress.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace insonate {
+
+/// What a case holds, in numbers.
+struct CaseStatistics {
+  static constexpr int kLowest_HU = -1024, kHighest_HU = 3071;
+  int least_HU = 0, most_HU = 0;  ///< of the CT, whatever they are
+  /// Voxels of each Hounsfield unit from lowest to highest; the ends take the rest.
+  std::vector<std::uint64_t> histogram = std::vector<std::uint64_t>(kHighest_HU - kLowest_HU + 1);
+  std::array<std::uint64_t, 256> voxels{};  ///< of each label
+  double voxel_mm3 = 0;
+
+  double volume_ml(std::uint8_t label) const { return static_cast<double>(voxels[label]) * voxel_mm3 / 1000; }
+};
+
+/// Goes once over CT and labels, which must be on one grid. Fails on a case without voxels, and when cancelled.
+Result<CaseStatistics> caseStatistics(const PatientCase& patient, const Progress& progress = {});
+
+}  // namespace insonate
