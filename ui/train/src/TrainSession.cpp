@@ -3,6 +3,7 @@
 #include <insonate/simulator/EffectLayers.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/AcousticTable.h>
+#include <insonate/tissue/Labels.h>
 
 #include <algorithm>
 #include <tuple>
@@ -11,6 +12,10 @@
 namespace insonate::train {
 
 namespace {
+
+/// Few enough triangles that 3D follows the probe without a graphics card.
+const std::vector<ui::SurfaceWish> kSurfaces = {{kVein, {4, 1}}, {kArtery, {4, 1}}, {kSkin, {8, 3}},
+                                                {kBone, {5, 2}}, {kAirway, {5, 2}}, {kThyroid, {5, 1.5}}};
 
 auto fields(const Probe& p) {
   return std::tie(p.name, p.shape, p.width_mm, p.fovAngle_deg, p.faceRadius_mm, p.minFrequency_MHz, p.maxFrequency_MHz,
@@ -77,7 +82,7 @@ void TrainSession::setCase(std::shared_ptr<const PatientCase> patient) {
   Q_EMIT caseChanged();
   if (wasFrozen) Q_EMIT frozenChanged();
   if (!patient_) return;
-  CaseWork work;
+  ui::CaseWork work;
   work.start = [this](StartPose pose) {
     start_ = std::move(pose);
     startLive();
@@ -91,7 +96,7 @@ void TrainSession::setCase(std::shared_ptr<const PatientCase> patient) {
     say(text);
     Q_EMIT failed(text);
   };
-  worker_ = std::make_unique<CaseWorker>(patient_, std::move(work));
+  worker_ = std::make_unique<ui::CaseWorker>(patient_, std::move(work), kSurfaces);
 }
 
 ImagingSetup TrainSession::setup() const {

@@ -2,11 +2,11 @@
 
 #include "hand/History.h"
 #include "hand/ProbeControl.h"
-#include "live/CaseWorker.h"
-#include "live/LiveFeed.h"
 
 #include <insonate/simulator/LiveImaging.h>
 #include <insonate/surface/Mesh.h>
+#include <insonate/ui/CaseWorker.h>
+#include <insonate/ui/LiveFeed.h>
 
 #include <QObject>
 #include <QString>
@@ -125,8 +125,8 @@ class TrainSession : public QObject {
   int cineIndex_ = 0;
   QString message_;
   std::string failure_;  ///< of the live probe, as last said
-  LiveFeed feed_;
-  std::unique_ptr<CaseWorker> worker_;
+  ui::LiveFeed feed_;
+  std::unique_ptr<ui::CaseWorker> worker_;
 };
 
 /// Within what validate() accepts for this probe.

@@ -1,9 +1,9 @@
-#include "LiveFeed.h"
+#include <insonate/ui/LiveFeed.h>
 
 #include <QCoreApplication>
 #include <QEvent>
 
-namespace insonate::train {
+namespace insonate::ui {
 
 LiveFeed::LiveFeed(std::function<void()> news, QObject* parent) : QObject(parent), news_(std::move(news)) {}
 
@@ -31,4 +31,4 @@ bool LiveFeed::event(QEvent* event) {
   return true;
 }
 
-}  // namespace insonate::train
+}  // namespace insonate::ui

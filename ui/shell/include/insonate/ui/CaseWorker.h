@@ -1,46 +1,64 @@
 #pragma once
 
 #include <insonate/cases/PatientCase.h>
-#include <insonate/core/Progress.h>
 #include <insonate/simulator/ProbeHand.h>
-#include <insonate/surface/Mesh.h>
+#include <insonate/surface/ExtractSurface.h>
 
 #include <QObject>
 #include <QString>
 #include <atomic>
+#include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <thread>
+#include <vector>
 
-namespace insonate::train {
+namespace insonate::ui {
 
 /// What a case needs before a hand can move over it and 3D can show it, in the order in which it comes. All are called
-/// on the window's thread.
+/// on the window's thread; what is left empty is not computed.
 struct CaseWork {
   std::function<void(StartPose)> start;  ///< where the probe begins
   std::function<void(ProbeHand)> hand;
   std::function<void(std::uint8_t label, std::shared_ptr<const Mesh>)> surface;  ///< kSkin is the whole body's outside
+  std::function<void()> surfacesDone;   ///< all that were wanted so far have come
   std::function<void(QString)> failed;  ///< a sentence; what comes after it in the order may still come
+};
+
+/// A surface that is wanted. Structures that the patient does not have are left out.
+struct SurfaceWish {
+  std::uint8_t label = 0;
+  SurfaceOptions options;
 };
 
 /// Computes on a thread of its own. The destructor cancels, drops what was not delivered yet, and takes no longer than
 /// the step in work (a fraction of a second).
 class CaseWorker : public QObject {
  public:
-  CaseWorker(std::shared_ptr<const PatientCase> patient, CaseWork work);
+  CaseWorker(std::shared_ptr<const PatientCase> patient, CaseWork work, std::vector<SurfaceWish> wishes);
   ~CaseWorker() override;
+
+  /// Further surfaces, after those that were wanted before.
+  void want(const std::vector<SurfaceWish>& wishes);
 
  private:
   void run();
-  void surfaces();
+  void placeProbe();
+  void makeSurfaces();
+  void makeSurface(const SurfaceWish& wish);
   void deliver(std::function<void()> call);
   bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
 
   std::shared_ptr<const PatientCase> patient_;
   CaseWork work_;
   std::atomic<bool> cancelled_{false};
+  std::mutex mutex_;
+  std::condition_variable wanted_;
+  std::deque<SurfaceWish> wishes_;  ///< guarded by the mutex
   std::thread thread_;
 };
 
-}  // namespace insonate::train
+}  // namespace insonate::ui

@@ -7,7 +7,7 @@
 #include <functional>
 #include <memory>
 
-namespace insonate::train {
+namespace insonate::ui {
 
 /// Brings a live probe's pictures to the window's thread: however many pictures come, one message waits at most, and
 /// the simulation never waits for the window.
@@ -31,4 +31,4 @@ class LiveFeed : public QObject {
   std::unique_ptr<LiveImaging> live_;
 };
 
-}  // namespace insonate::train
+}  // namespace insonate::ui
