@@ -106,7 +106,7 @@ TEST(SceneView, ClippingTakesAwayWhatIsBehindThePlane) {
   SceneView view;
   marked(view);
   Screen screen(view, 400, 400);
-  view.setClipping(ClippingPlane{{0, 0, 20}, {0, 0, -1}});
+  view.setClipping({ClippingKind::Axial, 20, true});
   const Picture picture = screen.picture();
   EXPECT_LT(redAt(picture, view.displayFromPatient({30, -46, 30})), 20);
 }
@@ -200,7 +200,7 @@ TEST(SceneView, Golden) {
   EXPECT_TRUE(test::looksLikeGolden(screen.picture(), "views/scene-moving", {32, 0.03}));
   view.setMoving(false);
   view.look(Viewpoint::Anterior);
-  view.setCtLook(CtLook::Bone);
+  view.setCtVisible(true);
   for (const Label label : {kSkin, kBone, kAirway, kSternocleidomastoid}) view.setVisible(label, false);
   EXPECT_TRUE(test::looksLikeGolden(screen.picture(), "views/scene-ct", {32, 0.03}));
 }

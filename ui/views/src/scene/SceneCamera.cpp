@@ -67,9 +67,9 @@ Vec3 eyeOf(const HeadCoupling& coupling, double across_mm) {
 
 void standBeforeScreen(vtkCamera& camera, const HeadCoupling& coupling, double across_mm) {
   const Vec3 eye_mm = eyeOf(coupling, across_mm);
-  set(&vtkCamera::SetPosition, camera, coupling.patientFromScreen * eye_mm);
-  set(&vtkCamera::SetFocalPoint, camera, coupling.patientFromScreen * Vec3{eye_mm.x, eye_mm.y, 0});
-  set(&vtkCamera::SetViewUp, camera, coupling.patientFromScreen.linear.column[1]);
+  set(&vtkCamera::SetPosition, camera, *coupling.patientFromScreen * eye_mm);
+  set(&vtkCamera::SetFocalPoint, camera, *coupling.patientFromScreen * Vec3{eye_mm.x, eye_mm.y, 0});
+  set(&vtkCamera::SetViewUp, camera, coupling.patientFromScreen->linear.column[1]);
 }
 
 void lookThroughScreen(vtkCamera& camera, const HeadCoupling& coupling, double across_mm) {
@@ -115,6 +115,12 @@ void useStereo(vtkRenderWindow& window, Stereo stereo) {
       break;
     case Stereo::Checkerboard:
       window.SetStereoTypeToCheckerboard();
+      break;
+    case Stereo::LeftEye:
+      window.SetStereoTypeToLeft();
+      break;
+    case Stereo::RightEye:
+      window.SetStereoTypeToRight();
       break;
     case Stereo::QuadBuffer:
       window.SetStereoTypeToCrystalEyes();

@@ -33,11 +33,15 @@ struct SceneView::Drawing {
   OrientationCube cube;
 
   std::shared_ptr<const VtkCase> patient;
-  CtLook ctLook = CtLook::Off;
-  std::optional<ClippingPlane> clipping;
+  TransferFunction transfer = transferPresets().front().function;
+  bool ctVisible = false;
+  Clipping clipping;
+  std::optional<ClippingPlane> cut;  ///< where the clipping lies now
   std::optional<HeadCoupling> coupling;
   vtkNew<vtkCamera> usual, coupled;
   Stereo stereo = Stereo::Off;
+  Transform patientFromProbe;
+  std::function<void()> structuresChanged;
   std::optional<bool> software;  ///< known once the CT was drawn
   Viewpoint viewpoint = Viewpoint::Anterior;
   bool hasProbe = false, probeVisible = true, planeVisible = true, moving = false;

@@ -1,3 +1,4 @@
+#include "PatientBox.h"
 #include "SceneDrawing.h"
 #include "ScenePick.h"
 
@@ -10,31 +11,6 @@
 
 namespace insonate::views {
 namespace {
-
-/// What there is of the patient: surfaces, or the CT's box. False for nothing.
-bool patientBox(const std::map<std::uint8_t, Structure>& structures, const VtkCase* patient, double box[6]) {
-  bool any = false;
-  const auto include = [&](Vec3 point) {
-    for (int axis = 0; axis < 3; ++axis) {
-      box[2 * axis] = any ? std::min(box[2 * axis], point[axis]) : point[axis];
-      box[2 * axis + 1] = any ? std::max(box[2 * axis + 1], point[axis]) : point[axis];
-    }
-    any = true;
-  };
-  for (const auto& [label, structure] : structures) {
-    const double* own = const_cast<Structure&>(structure).actor()->GetBounds();
-    if (!own) continue;
-    include({own[0], own[2], own[4]});
-    include({own[1], own[3], own[5]});
-  }
-  if (any || !patient) return any;
-  const VolumeGeometry& grid = patient->patient().ct.geometry;
-  const Transform patientFromIndex = grid.patientFromIndex();
-  for (int corner = 0; corner < 8; ++corner)
-    include(patientFromIndex * Vec3{corner & 1 ? grid.size[0] - 0.5 : -0.5, corner & 2 ? grid.size[1] - 0.5 : -0.5,
-                                    corner & 4 ? grid.size[2] - 0.5 : -0.5});
-  return any;
-}
 
 /// Mesa's rasterisers, which have no graphics card behind them.
 bool drawnByProcessor(vtkRenderWindow& window) {
@@ -88,35 +64,6 @@ void SceneView::zoom(double factor) {
   changed();
 }
 
-void SceneView::setStereo(Stereo stereo) {
-  drawing_->stereo = stereo;
-  if (window()) useStereo(*window(), stereo);
-  changed();
-}
-
-void SceneView::setHeadCoupling(std::optional<HeadCoupling> coupling) {
-  // An eye in or behind the screen sees nothing through it.
-  if (coupling && !(coupling->eye_mm.z >= 1 && coupling->width_mm > 0 && coupling->height_mm > 0)) coupling.reset();
-  drawing_->coupling = std::move(coupling);
-  changed();
-}
-
-void SceneView::aim() {
-  frame();
-  if (drawing_->coupling) {
-    vtkCamera& camera = *drawing_->coupled;
-    const double half_mm = drawing_->stereo == Stereo::Off ? 0 : drawing_->coupling->eyeSeparation_mm / 2;
-    const double across_mm = camera.GetLeftEye() ? -half_mm : half_mm;
-    standBeforeScreen(camera, *drawing_->coupling, across_mm);
-    renderer()->SetActiveCamera(&camera);
-    renderer()->ResetCameraClippingRange();
-    lookThroughScreen(camera, *drawing_->coupling, across_mm);
-  } else {
-    renderer()->SetActiveCamera(drawing_->usual);
-    renderer()->ResetCameraClippingRange();
-  }
-}
-
 bool SceneView::outOfDate() const {
   // Each eye is rendered by itself, from its own place.
   return drawing_->coupling && drawing_->stereo != Stereo::Off;
@@ -166,7 +113,7 @@ std::optional<ScenePick> SceneView::pick(DisplayPoint at) {
   std::array<bool, 256> visible{};
   for (int label = 1; label < 256; ++label)
     visible[label] = drawing_->looks[label].visible && drawing_->looks[label].opacity > 0;
-  return firstVisible(drawing_->patient->labels(), along(-1), along(1), visible, drawing_->clipping);
+  return firstVisible(drawing_->patient->labels(), along(-1), along(1), visible, drawing_->cut);
 }
 
 bool SceneView::pressed(const Pointer& pointer) {

@@ -1,6 +1,7 @@
 #include "SceneDrawing.h"
 
 #include <insonate/tissue/Labels.h>
+#include <insonate/views/LabelColours.h>
 
 #include <vtkLight.h>
 #include <vtkMatrix4x4.h>
@@ -32,8 +33,8 @@ SceneView::SceneView() : drawing_(std::make_unique<Drawing>(*renderer())) {
   renderer()->UseFXAAOn();
   addLights(*renderer());
   for (const LabelInfo& info : labelTable())
-    drawing_->looks[info.label].colour = {info.colour[0], info.colour[1], info.colour[2]};
-  drawing_->looks[kSkin].opacity = 0.35;
+    drawing_->looks[info.label] = {labelColour(info.label, ColourScheme::Usual), usualOpacity(info.label)};
+  drawing_->ct.setTransferFunction(drawing_->transfer);
   drawing_->probe.setVisible(false);
   drawing_->plane.setVisible(false);
 }
@@ -53,9 +54,9 @@ void SceneView::detached(vtkRenderWindow& window) {
 
 void SceneView::setCase(std::shared_ptr<const VtkCase> patient) {
   drawing_->patient = std::move(patient);
-  drawing_->ct.set(drawing_->patient.get(), drawing_->ctLook);
+  drawing_->ct.setCase(drawing_->patient.get());
   drawing_->framed = false;
-  changed();
+  clip();
 }
 
 void SceneView::setSurface(std::uint8_t label, const Surface& surface, const Surface& coarse) {
@@ -75,52 +76,88 @@ void SceneView::setSurface(std::uint8_t label, const Surface& surface, const Sur
     structure.setColour(look.colour);
     structure.setOpacity(look.opacity);
     structure.setVisible(look.visible);
-    structure.setClipping(drawing_->clipping);
+    structure.setClipping(drawing_->cut);
     structure.setCoarse(drawing_->moving);
   }
-  changed();
+  if (!drawing_->patient) clip();
+  structuresChanged();
 }
 
 void SceneView::setColour(std::uint8_t label, Colour colour) {
   drawing_->looks[label].colour = colour;
   if (auto found = drawing_->structures.find(label); found != drawing_->structures.end())
     found->second.setColour(colour);
-  changed();
+  structuresChanged();
 }
 
 void SceneView::setOpacity(std::uint8_t label, double opacity) {
   drawing_->looks[label].opacity = opacity;
   if (auto found = drawing_->structures.find(label); found != drawing_->structures.end())
     found->second.setOpacity(opacity);
-  changed();
+  structuresChanged();
 }
 
 void SceneView::setVisible(std::uint8_t label, bool visible) {
   drawing_->looks[label].visible = visible;
   if (auto found = drawing_->structures.find(label); found != drawing_->structures.end())
     found->second.setVisible(visible);
-  changed();
+  structuresChanged();
 }
 
 void SceneView::setSkinOpacity(double opacity) {
   setOpacity(kSkin, opacity);
 }
 
-void SceneView::setCtLook(CtLook look) {
-  drawing_->ctLook = look;
-  drawing_->ct.set(drawing_->patient.get(), look);
+std::vector<std::uint8_t> SceneView::structures() const {
+  std::vector<std::uint8_t> labels;
+  for (const auto& [label, structure] : drawing_->structures) labels.push_back(label);
+  return labels;
+}
+
+Colour SceneView::colour(std::uint8_t label) const {
+  return drawing_->looks[label].colour;
+}
+
+double SceneView::opacity(std::uint8_t label) const {
+  return drawing_->looks[label].opacity;
+}
+
+bool SceneView::isVisible(std::uint8_t label) const {
+  return drawing_->looks[label].visible;
+}
+
+void SceneView::setStructuresChanged(std::function<void()> listener) {
+  drawing_->structuresChanged = std::move(listener);
+}
+
+void SceneView::structuresChanged() {
+  changed();
+  if (drawing_->structuresChanged) drawing_->structuresChanged();
+}
+
+void SceneView::setCtVisible(bool visible) {
+  drawing_->ctVisible = visible;
+  drawing_->ct.setVisible(visible);
   changed();
 }
 
-void SceneView::setClipping(std::optional<ClippingPlane> plane) {
-  drawing_->clipping = plane;
-  for (auto& [label, structure] : drawing_->structures) structure.setClipping(plane);
-  drawing_->ct.setClipping(plane);
+bool SceneView::isCtVisible() const {
+  return drawing_->ctVisible;
+}
+
+void SceneView::setTransferFunction(const TransferFunction& function) {
+  drawing_->transfer = tidied(function);
+  drawing_->ct.setTransferFunction(drawing_->transfer);
   changed();
+}
+
+const TransferFunction& SceneView::transferFunction() const {
+  return drawing_->transfer;
 }
 
 void SceneView::setProbe(std::optional<Probe> probe, const ImagingSettings& settings) {
   drawing_->hasProbe = probe.has_value();
+  if (drawing_->clipping.kind == ClippingKind::ImagePlane) clip();
   if (probe) {
     drawing_->probe.setProbe(*probe);
     drawing_->plane.setFieldOfView(*probe, settings);
@@ -133,6 +170,8 @@ void SceneView::setProbePose(const Transform& patientFromProbe) {
   const auto matrix = vtkMatrix(patientFromProbe);
   drawing_->probe.setPose(matrix);
   drawing_->plane.setPose(matrix);
+  drawing_->patientFromProbe = patientFromProbe;
+  if (drawing_->clipping.kind == ClippingKind::ImagePlane) clip();
   changed();
 }
 
@@ -164,6 +203,10 @@ void SceneView::setMoving(bool moving) {
   for (auto& [label, structure] : drawing_->structures) structure.setCoarse(moving);
   drawing_->ct.setCoarse(moving);
   changed();
+}
+
+bool SceneView::isMoving() const {
+  return drawing_->moving;
 }
 
 }  // namespace insonate::views

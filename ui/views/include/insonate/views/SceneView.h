@@ -2,7 +2,9 @@
 
 #include <insonate/ultrasound/Frames.h>
 #include <insonate/ultrasound/ImagingSettings.h>
+#include <insonate/views/SceneOptions.h>
 #include <insonate/views/Theme.h>
+#include <insonate/views/TransferFunction.h>
 #include <insonate/views/View.h>
 #include <insonate/views/VtkCase.h>
 
@@ -10,42 +12,9 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <span>
+#include <vector>
 
 namespace insonate::views {
-
-/// A closed surface in patient LPS mm: x, y, z of each point; unit normals pointing outward, or none; three point
-/// numbers a triangle.
-struct Surface {
-  std::span<const float> points_mm, normals;
-  std::span<const std::uint32_t> triangles;
-};
-
-/// Which side of the patient the camera sees.
-enum class Viewpoint { Anterior, Posterior, Left, Right, Superior, Inferior };
-
-enum class CtLook { Off, Bone, SoftTissue };
-
-enum class Stereo { Off, Anaglyph, SideBySide, Interlaced, Checkerboard, QuadBuffer };
-
-/// Keeps the side that the normal points to. Patient LPS mm.
-struct ClippingPlane {
-  Vec3 point_mm, normal{0, 0, 1};
-};
-
-/// A physical screen standing in the patient's space, and the eye before it. Screen frame: millimetres, origin at the
-/// middle of the screen, x right, y up, z toward the viewer. Rigid, or scaled to show the patient larger or smaller.
-struct HeadCoupling {
-  Transform patientFromScreen;
-  double width_mm = 520, height_mm = 325;
-  Vec3 eye_mm{0, 0, 600};       ///< between the eyes, screen frame; z above 0
-  double eyeSeparation_mm = 0;  ///< along the screen's x; used in stereo
-};
-
-struct ScenePick {
-  Vec3 position_mm;  ///< patient LPS
-  std::uint8_t label = 0;
-};
 
 /// Patient, probe and image plane in three dimensions; the world is patient LPS mm. Left drag turns, middle drag (or
 /// left with shift) pans, right drag and wheel come nearer, r looks from the front again.
@@ -65,9 +34,27 @@ class SceneView final : public View {
   void setOpacity(std::uint8_t label, double opacity);
   void setVisible(std::uint8_t label, bool visible);
   void setSkinOpacity(double opacity);
+  /// Labels that have a surface, rising.
+  std::vector<std::uint8_t> structures() const;
+  Colour colour(std::uint8_t label) const;
+  double opacity(std::uint8_t label) const;
+  bool isVisible(std::uint8_t label) const;
+  /// Called after surfaces came or went, and after colour, opacity or visibility of one changed.
+  void setStructuresChanged(std::function<void()> listener);
 
-  void setCtLook(CtLook look);
-  void setClipping(std::optional<ClippingPlane> plane);
+  /// The CT itself, ray cast; nothing without a case. At first not visible, and bone.
+  void setCtVisible(bool visible);
+  bool isCtVisible() const;
+  /// What is not tidied() is tidied.
+  void setTransferFunction(const TransferFunction& function);
+  const TransferFunction& transferFunction() const;
+
+  void setClipping(const Clipping& clipping);
+  const Clipping& clipping() const;
+  /// Where that lies now; none for nothing clipped, as along an image plane while there is no probe.
+  std::optional<ClippingPlane> clippingPlane() const;
+  /// How far from the middle a plane of this kind still meets the CT (or without one the surfaces), in mm.
+  double clippingReach_mm(const Clipping& clipping) const;
 
   /// Shape of transducer and image plane. None hides both.
   void setProbe(std::optional<Probe> probe, const ImagingSettings& settings = {});
@@ -94,10 +81,18 @@ class SceneView final : public View {
 
   /// While the scene moves it is drawn coarser; dragging in the view does this by itself.
   void setMoving(bool moving);
+  bool isMoving() const;
 
   void setStereo(Stereo stereo);
-  /// None, or an eye nearer than 1 mm to the screen, for the usual camera, which is kept meanwhile.
+  Stereo stereo() const;
+  /// Whether the window can show it; without a window, all but QuadBuffer.
+  bool supports(Stereo stereo);
+  /// None, or an eye nearer than 1 mm to the screen, for the usual camera, which is kept meanwhile. Cheap enough to be
+  /// called for every message of a head tracker.
   void setHeadCoupling(std::optional<HeadCoupling> coupling);
+  const std::optional<HeadCoupling>& headCoupling() const;
+  /// Patient LPS mm, toward the viewer: what a plane square to the view has as its normal.
+  Vec3 towardViewer() const;
 
   /// The first visible labelled voxel of the case under a display point; nothing is rendered for it.
   std::optional<ScenePick> pick(DisplayPoint at);
@@ -119,6 +114,8 @@ class SceneView final : public View {
   struct Drawing;
   void frame();
   void aim();
+  void clip();
+  void structuresChanged();
 
   std::unique_ptr<Drawing> drawing_;
 };

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <insonate/views/Theme.h>
+
+#include <cstdint>
+
+namespace insonate::views {
+
+enum class ColourScheme {
+  Usual,            ///< the label table's: those of other programs
+  ColourBlindSafe,  ///< apart for eyes without red or green cones, too
+};
+
+/// A label that is not known has soft tissue's colour.
+Colour labelColour(std::uint8_t label, ColourScheme scheme);
+
+/// How opaque a structure's surface is at first, 0..1: one looks through the skin.
+double usualOpacity(std::uint8_t label);
+
+}  // namespace insonate::views
