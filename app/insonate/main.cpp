@@ -80,7 +80,7 @@ int run(QApplication& application, const app::Arguments& arguments) {
       std::fprintf(stderr, "insonate: %s\n", qPrintable(trouble));
       status = 1;
     }
-    window.close();
+    window.closeAtOnce();
   };
   // The case that was asked for on the command line, or nothing; later ones are the window's own affair.
   const auto first = QObject::connect(&window, &ui::MainWindow::caseFailed, &window, leave);

@@ -147,7 +147,8 @@ void CaseLoader::import(const QString& path, const QString& uid, bool label, std
       [this](Result<LoadedCase> imported) {
         if (!imported) return refuse(imported.error(), tr("Nothing was imported; what was open stays open."));
         Q_EMIT loaded(*imported);
-      });
+      },
+      TaskBar::WhenClosed::Ask);
 }
 
 void CaseLoader::openTextbook() {

@@ -142,6 +142,10 @@ void TaskBar::cancel() {
   cancelled();
 }
 
+QString TaskBar::title() const {
+  return title_->text();
+}
+
 void TaskBar::end() {
   timer_->stop();
   job_.reset();

@@ -29,11 +29,11 @@ QPalette palette() {
   p.setColor(QPalette::PlaceholderText, colour(theme::kQuiet));
   p.setColor(QPalette::Button, colour(theme::kRaised));
   p.setColor(QPalette::ButtonText, colour(theme::kText));
-  p.setColor(QPalette::BrightText, colour(theme::kDanger));
+  p.setColor(QPalette::BrightText, colour(theme::kText));
   p.setColor(QPalette::Highlight, colour(theme::kAccent));
-  p.setColor(QPalette::HighlightedText, colour(theme::kGround));
-  p.setColor(QPalette::Link, colour(theme::kAccent));
-  p.setColor(QPalette::LinkVisited, colour(theme::kAccent));
+  p.setColor(QPalette::HighlightedText, colour(theme::kBlack));
+  p.setColor(QPalette::Link, colour(theme::kLink));
+  p.setColor(QPalette::LinkVisited, colour(theme::kLink));
   p.setColor(QPalette::ToolTipBase, colour(theme::kRaised));
   p.setColor(QPalette::ToolTipText, colour(theme::kText));
   for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
@@ -47,8 +47,9 @@ QString styleSheet() {
   for (const auto& file : embedded::stylesheets::files())
     sheet += QString::fromUtf8(file.text.data(), int(file.text.size()));
   constexpr std::pair<const char*, views::Colour> kNames[] = {
-      {"@ground", theme::kGround}, {"@panel", theme::kPanel},     {"@raised", theme::kRaised}, {"@line", theme::kLine},
-      {"@text", theme::kText},     {"@quiet", theme::kQuiet},     {"@accent", theme::kAccent}, {"@good", theme::kGood},
+      {"@ground", theme::kGround}, {"@panel", theme::kPanel},     {"@raised", theme::kRaised},
+      {"@line", theme::kLine},     {"@text", theme::kText},       {"@quiet", theme::kQuiet},
+      {"@accent", theme::kAccent}, {"@link", theme::kLink},       {"@good", theme::kGood},
       {"@danger", theme::kDanger}, {"@caution", theme::kCaution}, {"@black", theme::kBlack}};
   for (const auto& [name, value] : kNames) sheet.replace(QLatin1String(name), colour(value).name());
   return sheet;

@@ -9,23 +9,31 @@
 #include <QToolButton>
 
 namespace insonate::ui {
+namespace {
 
-HeaderBar::HeaderBar(QMenu* caseMenu, QWidget* parent)
+QToolButton* menuButton(QMenu* menu, const char* iconName, const QString& text, const QString& name, const QString& tip,
+                        const QKeySequence& keys) {
+  auto* button = new QToolButton;
+  button->setText(QLatin1Char(' ') + text);
+  button->setAccessibleName(name);
+  button->setIcon(icon(QLatin1String(iconName)));
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  button->setPopupMode(QToolButton::InstantPopup);
+  button->setMenu(menu);
+  button->setFocusPolicy(Qt::StrongFocus);
+  button->setToolTip(QStringLiteral("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
+  button->setShortcut(keys);
+  return button;
+}
+
+}  // namespace
+
+HeaderBar::HeaderBar(QMenu* viewMenu, QMenu* caseMenu, QWidget* parent)
     : QFrame(parent), tabs_(new QButtonGroup(this)), tabRow_(new QHBoxLayout), case_(new QLabel) {
   setRole(this, "header");
   auto* product = new QLabel(QStringLiteral("Insonate"));
   setRole(product, "product");
   case_->setTextFormat(Qt::PlainText);
-  auto* menu = new QToolButton;
-  menu->setText(tr(" Case"));
-  menu->setAccessibleName(tr("Case menu"));
-  menu->setIcon(icon(QStringLiteral("folder")));
-  menu->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  menu->setPopupMode(QToolButton::InstantPopup);
-  menu->setMenu(caseMenu);
-  menu->setFocusPolicy(Qt::StrongFocus);
-  menu->setToolTip(tr("Open, import and save cases (Alt+C)"));
-  menu->setShortcut(QKeySequence(tr("Alt+C")));
 
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(kLargeGap, 0, kGap, 0);
@@ -36,7 +44,10 @@ HeaderBar::HeaderBar(QMenu* caseMenu, QWidget* parent)
   row->addLayout(tabRow_);
   row->addStretch(1);
   row->addWidget(case_);
-  row->addWidget(menu);
+  row->addWidget(menuButton(viewMenu, "view", tr("View"), tr("View menu"), tr("What is shown, and where"),
+                            QKeySequence(QStringLiteral("Alt+V"))));
+  row->addWidget(menuButton(caseMenu, "folder", tr("Case"), tr("Case menu"), tr("Open, import and save cases"),
+                            QKeySequence(QStringLiteral("Alt+C"))));
   connect(tabs_, &QButtonGroup::idClicked, this, &HeaderBar::tabChosen);
 }
 

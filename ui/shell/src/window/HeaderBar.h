@@ -14,7 +14,7 @@ class HeaderBar : public QFrame {
   Q_OBJECT
 
  public:
-  explicit HeaderBar(QMenu* caseMenu, QWidget* parent = nullptr);
+  explicit HeaderBar(QMenu* viewMenu, QMenu* caseMenu, QWidget* parent = nullptr);
 
   void addTab(const QString& title, const QString& iconName, const QString& keys);
   void setTab(int index);

@@ -26,7 +26,8 @@ const QString kWorkspace = QStringLiteral("window/workspace");
 MainWindow::MainWindow()
     : menu_(new QMenu(this)),
       recent_(new QMenu(tr("Recent"), this)),
-      header_(new HeaderBar(menu_)),
+      view_(new QMenu(this)),
+      header_(new HeaderBar(view_, menu_)),
       tasks_(new TaskBar),
       errors_(new ErrorPanel),
       stack_(new QStackedWidget),
@@ -62,6 +63,7 @@ void MainWindow::connectAll() {
   connect(header_, &HeaderBar::tabChosen, this, &MainWindow::switchTo);
   connect(status_, &StatusStrip::helpWanted, this, [this] { showHelp(false); });
   connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
+  connect(view_, &QMenu::aboutToShow, this, &MainWindow::fillView);
   connect(loader_, &CaseLoader::loaded, this, &MainWindow::take);
   connect(loader_, &CaseLoader::failed, this,
           [this](const QString& what, const QString& advice, const QString& details) {
@@ -85,6 +87,9 @@ void MainWindow::addWorkspace(const QString& id, const QString& title, const QSt
   const int index = int(rooms_.size());
   const QString keys = QStringLiteral("Ctrl+%1").arg(index + 1);
   rooms_.push_back({id, title, workspace});
+  workspace->setTasks(*tasks_);
+  connect(workspace, &Workspace::written, this,
+          [this](const QString& sentence, const QString& folder) { status_->say(sentence, folder); });
   stack_->addWidget(workspace);
   header_->addTab(title, iconName, keys);
   auto* choose = new QAction(title, this);
@@ -166,6 +171,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     room.workspace->saveLayout(settings);
     settings.endGroup();
   }
+  if (asksAboutWork()) return event->ignore();
   // The window goes at once; what is still at work is told to stop and waited for out of sight.
   hide();
   tasks_->cancel();

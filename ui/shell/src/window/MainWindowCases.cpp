@@ -155,7 +155,7 @@ void MainWindow::showHelp(bool keys) {
   for (const QAction* action : actions())
     if (!action->shortcut().isEmpty())
       groups[0].shortcuts.push_back({action->shortcut().toString(QKeySequence::NativeText), action->text()});
-  groups[0].shortcuts.push_back({tr("Alt+C"), tr("the menu of cases")});
+  groups[0].shortcuts.push_back({tr("Alt+C, Alt+V"), tr("the menus of cases and of what is shown")});
   groups[0].shortcuts.push_back({tr("Esc"), tr("cancel what is being done, close a message")});
   groups.push_back({tr("In every view"), {{tr("M, double click"), tr("fill the room with this view, and back")}}});
   for (const Room& room : rooms_) groups.push_back({room.title, room.workspace->shortcuts()});

@@ -2,15 +2,19 @@
 
 #include <insonate/ui/Theme.h>
 
+#include <QDesktopServices>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QTimer>
 #include <QToolButton>
+#include <QUrl>
 
 namespace insonate::ui {
 namespace {
 
 constexpr int kSaid_ms = 8000;
+/// Time enough to go there.
+constexpr int kLink_ms = 30000;
 
 }  // namespace
 
@@ -18,7 +22,6 @@ StatusStrip::StatusStrip(QWidget* parent)
     : QFrame(parent), text_(new QLabel), engine_(new QLabel), timer_(new QTimer(this)) {
   setRole(this, "footer");
   setRole(engine_, "quiet");
-  text_->setTextFormat(Qt::PlainText);
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   engine_->setTextFormat(Qt::PlainText);
   engine_->setToolTip(tr("What computes the ultrasound, and how many pictures it made in the last second"));
@@ -37,6 +40,8 @@ StatusStrip::StatusStrip(QWidget* parent)
   row->addWidget(engine_);
   row->addWidget(help);
   timer_->setSingleShot(true);
+  connect(text_, &QLabel::linkActivated, this,
+          [](const QString& folder) { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
   connect(timer_, &QTimer::timeout, this, [this] { write(standing_); });
   connect(help, &QToolButton::clicked, this, &StatusStrip::helpWanted);
 }
@@ -46,9 +51,9 @@ void StatusStrip::setStanding(const QString& text) {
   if (!timer_->isActive()) write(text);
 }
 
-void StatusStrip::say(const QString& text) {
-  write(text);
-  timer_->start(kSaid_ms);
+void StatusStrip::say(const QString& text, const QString& folder) {
+  write(text, folder);
+  timer_->start(folder.isEmpty() ? kSaid_ms : kLink_ms);
 }
 
 void StatusStrip::setEngine(const QString& text) {
@@ -56,12 +61,19 @@ void StatusStrip::setEngine(const QString& text) {
 }
 
 QString StatusStrip::text() const {
-  return text_->text();
+  return written_;
 }
 
-void StatusStrip::write(const QString& text) {
-  text_->setText(text);
-  text_->setToolTip(text);
+void StatusStrip::write(const QString& text, const QString& folder) {
+  written_ = text;
+  const bool link = !folder.isEmpty();
+  text_->setTextFormat(link ? Qt::RichText : Qt::PlainText);
+  text_->setTextInteractionFlags(link ? Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard
+                                      : Qt::NoTextInteraction);
+  text_->setText(link ? QStringLiteral("%1 &nbsp;<a href=\"%2\">%3</a>")
+                            .arg(text.toHtmlEscaped(), folder.toHtmlEscaped(), tr("Open folder"))
+                      : text);
+  text_->setToolTip(link ? QStringLiteral("%1\n%2").arg(text, folder) : text);
 }
 
 }  // namespace insonate::ui

@@ -17,8 +17,8 @@ class StatusStrip : public QFrame {
 
   /// What to do next, while nothing has just happened.
   void setStanding(const QString& text);
-  /// What just happened; the standing text comes back after a while.
-  void say(const QString& text);
+  /// What just happened; the standing text comes back after a while. With a folder, a link opens it.
+  void say(const QString& text, const QString& folder = {});
   void setEngine(const QString& text);
 
   QString text() const;
@@ -27,9 +27,9 @@ class StatusStrip : public QFrame {
   void helpWanted();
 
  private:
-  void write(const QString& text);
+  void write(const QString& text, const QString& folder = {});
 
-  QString standing_;
+  QString standing_, written_;
   QLabel *text_, *engine_;
   QTimer* timer_;
 };

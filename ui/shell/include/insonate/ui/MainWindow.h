@@ -54,6 +54,8 @@ class MainWindow : public QMainWindow {
   ErrorPanel& errors() { return *errors_; }
   QString statusText() const;
   QString caseTitle() const;
+  /// Without the question about work that would be stopped.
+  void closeAtOnce();
 
  Q_SIGNALS:
   void readyChanged();
@@ -75,6 +77,8 @@ class MainWindow : public QMainWindow {
   void arrange();
   void connectAll();
   void fillRecent();
+  void fillView();
+  bool asksAboutWork();
   void switchTo(int index);
   void take(const LoadedCase& loaded);
   void takeMade(std::shared_ptr<const PatientCase> patient);
@@ -90,6 +94,8 @@ class MainWindow : public QMainWindow {
   LoadedCase case_;
   QMenu *menu_, *recent_;
   QAction *open_ = nullptr, *import_ = nullptr, *textbook_ = nullptr, *save_ = nullptr;
+  QMenu* view_;
+  bool sure_ = false;  ///< close, whatever is being done
   HeaderBar* header_;
   TaskBar* tasks_;
   ErrorPanel* errors_;

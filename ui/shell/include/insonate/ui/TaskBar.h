@@ -33,10 +33,17 @@ class TaskBar : public QFrame {
   /// Cancels without calling `done`, and does not wait.
   ~TaskBar() override;
 
+  /// What closing the window in the middle of a job means for the user.
+  enum class WhenClosed {
+    Stop,  ///< nothing is lost
+    Ask,   ///< something that was wanted does not come about
+  };
+
   /// `work` runs on the other thread and must not touch widgets; `done` is called on the window's thread, later. A job
   /// that is running is cancelled first. Exceptions of the work become errors.
   template <class T>
-  void run(const QString& title, std::function<Result<T>(const Progress&)> work, std::function<void(Result<T>)> done) {
+  void run(const QString& title, std::function<Result<T>(const Progress&)> work, std::function<void(Result<T>)> done,
+           WhenClosed whenClosed = WhenClosed::Stop) {
     auto shared = std::make_shared<std::function<void(Result<T>)>>(std::move(done));
     start(
         title,
@@ -45,9 +52,14 @@ class TaskBar : public QFrame {
           return [result, shared] { (*shared)(std::move(*result)); };
         },
         [shared] { (*shared)(fail(std::string(kCancelled))); });
+    whenClosed_ = whenClosed;
   }
 
   bool isRunning() const { return job_ != nullptr; }
+  /// Whether closing the window now would stop something that the user waits for.
+  bool asksWhenClosed() const { return job_ && whenClosed_ == WhenClosed::Ask; }
+  /// Of the job that is running: "Importing neck-ct".
+  QString title() const;
   void cancel();
 
  Q_SIGNALS:
@@ -73,6 +85,7 @@ class TaskBar : public QFrame {
 
   std::shared_ptr<Job> job_;
   Deliver cancelled_;
+  WhenClosed whenClosed_ = WhenClosed::Stop;
   QLabel *title_, *doing_;
   QProgressBar* progress_;
   QPushButton* cancel_;

@@ -11,6 +11,8 @@ class QSettings;
 
 namespace insonate::ui {
 
+class TaskBar;
+
 /// One line of the list under `?`.
 struct Shortcut {
   QString keys;  ///< as printed on the keyboard, e.g. "Shift + arrows"
@@ -18,7 +20,8 @@ struct Shortcut {
 };
 
 /// One of the window's rooms: Prepare, Train or Review. Made once and kept; the window shows one at a time, and what is
-/// hidden should cost no time (showEvent, hideEvent). For the window's thread only.
+/// hidden should cost no time (showEvent, hideEvent). Its actions() are listed in the window's View menu while it is
+/// shown. For the window's thread only.
 class Workspace : public QWidget {
   Q_OBJECT
 
@@ -45,6 +48,11 @@ class Workspace : public QWidget {
   virtual void saveLayout(QSettings&) const {}
   virtual void restoreLayout(QSettings&) {}
 
+  /// Where long work is done, with its progress and a Cancel: the window's, or one of its own without a window. One job
+  /// at a time, also between workspaces: look at isRunning() before.
+  TaskBar& tasks();
+  void setTasks(TaskBar& tasks) { tasks_ = &tasks; }
+
   /// The window closes: threads end within a second. Nothing is called afterwards but the destructor.
   virtual void stop() {}
 
@@ -53,8 +61,13 @@ class Workspace : public QWidget {
   void readyChanged();
   /// A sentence that says what happened, and one that says what to do; details are folded away. Shown in the window.
   void failed(const QString& what, const QString& advice, const QString& details);
+  /// Something was written: a sentence, and the folder it lies in, which the status bar offers to open.
+  void written(const QString& sentence, const QString& folder);
   /// Another case came of this one, e.g. edited labels: the window gives it to every workspace.
   void caseMade(std::shared_ptr<const insonate::PatientCase> patient);
+
+ private:
+  TaskBar* tasks_ = nullptr;
 };
 
 }  // namespace insonate::ui

@@ -17,8 +17,11 @@ inline constexpr Colour kPanel{0x1b, 0x1f, 0x24};
 inline constexpr Colour kRaised{0x24, 0x2a, 0x31};
 inline constexpr Colour kLine{0x32, 0x3a, 0x43};
 inline constexpr Colour kText{0xd9, 0xdf, 0xe5};
-inline constexpr Colour kQuiet{0x8d, 0x98, 0xa3};
+/// Still 7:1 on everything that text stands on.
+inline constexpr Colour kQuiet{0xb0, 0xba, 0xc3};
 inline constexpr Colour kAccent{0x4a, 0xa3, 0xd8};
+/// The accent where it is text.
+inline constexpr Colour kLink{0x86, 0xc8, 0xf0};
 inline constexpr Colour kGood{0x4c, 0xaf, 0x7d};
 inline constexpr Colour kCaution{0xe0, 0xa3, 0x3a};
 inline constexpr Colour kDanger{0xe0, 0x5a, 0x52};

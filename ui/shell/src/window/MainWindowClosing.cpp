@@ -1,0 +1,37 @@
+// The part of the window that closes it, and what is shown in it.
+#include "ClosingQuestion.h"
+
+#include <insonate/ui/MainWindow.h>
+#include <insonate/ui/TaskBar.h>
+
+#include <QMenu>
+
+namespace insonate::ui {
+
+bool MainWindow::asksAboutWork() {
+  if (sure_ || !tasks_->asksWhenClosed()) return false;
+  if (auto* asked = findChild<ClosingQuestion*>()) {
+    asked->raise();
+    return true;
+  }
+  auto* question = new ClosingQuestion(tasks_->title(), this);
+  connect(question, &ClosingQuestion::closeChosen, this, &MainWindow::closeAtOnce);
+  // Once it is done there is nothing to ask.
+  connect(tasks_, &TaskBar::runningChanged, question, &QDialog::reject);
+  question->open();
+  return true;
+}
+
+void MainWindow::closeAtOnce() {
+  sure_ = true;
+  close();
+}
+
+void MainWindow::fillView() {
+  view_->clear();
+  view_->setToolTipsVisible(true);
+  view_->addActions(currentWorkspace()->actions());
+  if (view_->isEmpty()) view_->addAction(tr("Nothing to choose here"))->setEnabled(false);
+}
+
+}  // namespace insonate::ui
