@@ -25,4 +25,6 @@ endif()
 if(INSONATE_SANITIZE)
   add_compile_options(-fsanitize=${INSONATE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${INSONATE_SANITIZE})
+  # One vector length besides the baseline: kernels for every processor take the sanitizers minutes each.
+  add_compile_definitions("HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4|HWY_AVX3|HWY_AVX3_DL)")
 endif()

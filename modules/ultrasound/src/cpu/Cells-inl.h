@@ -197,6 +197,9 @@ HWY_INLINE void computeCellRow(const TraceInput& in, int plane, int row, TraceBu
   const float elevationStep_mm = in.elevation_mm[highPlane * std::size_t(plan.gates) + gate] -
                                  in.elevation_mm[lowPlane * std::size_t(plan.gates) + gate];
   const auto perElevation = hn::Set(d, lastPlane > 0 ? 1 / elevationStep_mm : 0.0F);
+  const auto lateralSpread = hn::Set(d, static_cast<float>(plan.grid.scanlineSpacing_mm(range_mm) / plan.gate_mm));
+  const auto elevationSpread =
+      hn::Set(d, static_cast<float>(plan.planeSpacing_sd * plan.elevationSd_mm[gate] / plan.gate_mm));
   const auto one = hn::Set(d, 1.0F), quarter = hn::Set(d, 0.25F);
   const auto edgeCosine = hn::Set(d, static_cast<float>(acoustics::kEdgeCosine));
   std::uint32_t present = 0;
@@ -215,6 +218,9 @@ HWY_INLINE void computeCellRow(const TraceInput& in, int plane, int row, TraceBu
                                          : hn::Sqrt(hn::Max(hn::Sub(one, inPlane2), hn::Zero(d)));
     const auto gradient = hn::Sqrt(hn::MulAdd(elevation, elevation, inPlane2));
     const auto cosine = hn::Min(one, hn::Div(hn::Abs(axial), hn::Max(gradient, hn::Set(d, 0.3F))));
+    const auto aside = hn::Mul(lateral, lateralSpread), across = hn::Mul(elevation, elevationSpread);
+    const auto spread_gates = hn::Div(hn::Sqrt(hn::MulAdd(aside, aside, hn::Mul(across, across))),
+                                      hn::Max(hn::Abs(axial), hn::Set(d, 1e-3F)));
     // 20 log10(0.12 + 0.88 cos^2)
     const auto facing = hn::Mul(hn::Log2(d, hn::MulAdd(hn::Set(d, 0.88F), hn::Mul(cosine, cosine), hn::Set(d, 0.12F))),
                                 hn::Set(d, 6.0205999F));
@@ -233,6 +239,7 @@ HWY_INLINE void computeCellRow(const TraceInput& in, int plane, int row, TraceBu
     spread.storeMixed(s.corner[0], s.corner[1], cells.sTop, c);
     spread.storeMixed(s.corner[2], s.corner[3], cells.sBottom, c);
     spread.store(cosine, cells.cosine, c);
+    spread.store(spread_gates, cells.spread, c);
     spread.store(facing, cells.facing_dB, c);
     spread.store(average(top.patch, bottom.patch), cells.patch, c);
     spread.store(k.echo[0], cells.echoA, c), spread.store(k.echo[1], cells.echoB, c);

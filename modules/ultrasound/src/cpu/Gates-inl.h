@@ -11,6 +11,7 @@
 #include "cpu/Texture-inl.h"
 #include "cpu/TraceInput.h"
 #include "model/Boundary.h"
+#include "model/Impulse.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,11 +68,11 @@ HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, 
                        specularLobe(first, second, cells.cosine[l]) *
                        static_cast<float>(plan.boundaryScale * plan.boundaryWeight[plane]);
     const bool samePair = state.pair[l] == cells.profile[l];
-    const ImpulseWeights w = impulseAt(samePair ? state.s[l] / (state.s[l] - s) : 0.5);
-    for (int o = 0; o < 4; ++o)
-      if (const int g = gate - 2 + o; g >= 0 && g < plan.gates)
+    const Impulse impulse(gate - 1 + (samePair ? state.s[l] / (state.s[l] - s) : 0.5), cells.spread[l]);
+    for (int o = 0; o < impulse.count; ++o)
+      if (const int g = impulse.first + o; g >= 0 && g < plan.gates)
         for (int look = 0; look < plan.settings.looks; ++look)
-          b.echo[(std::size_t(2) * look * plan.gates + g) * kBlockLines + l] += static_cast<float>(w.weight[o] * echo);
+          b.echo[(std::size_t(2) * look * plan.gates + g) * kBlockLines + l] += impulse.weight[o] * echo;
   }
   if (plan.settings.effects.transmission)
     state.level_dB[l] += std::log2(std::max(1 - reflection * reflection, 1e-12F)) / kOctavesPerDecibel;

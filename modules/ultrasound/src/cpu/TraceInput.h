@@ -102,6 +102,7 @@ struct TraceBuffers {
   struct CellRow {
     alignas(64) float sTop[kBlockLines], sBottom[kBlockLines];
     alignas(64) float cosine[kBlockLines], facing_dB[kBlockLines], patch[kBlockLines];
+    alignas(64) float spread[kBlockLines];  ///< of a boundary's echo, gates
     alignas(64) float echoA[kBlockLines], echoB[kBlockLines], lossA[kBlockLines], lossB[kBlockLines];
     alignas(64) float impedanceA[kBlockLines], impedanceB[kBlockLines];
     alignas(64) float edgeLoss[kBlockLines], inside[kBlockLines];

@@ -37,14 +37,6 @@ std::vector<double> autocorrelation(const std::vector<double>& half) {
 
 }  // namespace
 
-ImpulseWeights impulseAt(double fraction) {
-  // Quadratic B-spline centred on the nearer gate.
-  const bool later = fraction > 0.5;
-  const double t = later ? fraction - 1 : fraction;  // -0.5..0.5
-  const double before = 0.5 * (0.5 - t) * (0.5 - t), after = 0.5 * (0.5 + t) * (0.5 + t), middle = 1 - before - after;
-  return later ? ImpulseWeights{{0, before, middle, after}} : ImpulseWeights{{before, middle, after, 0}};
-}
-
 CubicWeights cubicAt(double t) {
   return {{t * (-0.5 + t * (1 - 0.5 * t)), 1 + t * t * (-2.5 + 1.5 * t), t * (0.5 + t * (2 - 1.5 * t)),
            t * t * (-0.5 + 0.5 * t)}};
@@ -75,6 +67,7 @@ void FramePlan::planeElevation() {
     sum += scatterWeight[p];
   }
   for (const double w : scatterWeight) boundaryWeight.push_back(w / sum);
+  if (planes > 1) planeSpacing_sd = planeOffset_sd[1] - planeOffset_sd[0];
   for (int g = 0; g < gates; ++g)
     elevationSd_mm.push_back(elevationFwhm_mm(probe, settings, range_mm(g)) / acoustics::kFwhmPerSd);
 }

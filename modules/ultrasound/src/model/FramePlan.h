@@ -50,6 +50,8 @@ struct FramePlan {
   /// unit sum).
   std::vector<double> planeOffset_sd, scatterWeight, boundaryWeight;
   std::vector<double> elevationSd_mm;  ///< [gate]
+  /// Distance of neighbouring planes in units of the SD; a single plane has no thickness: 0.
+  double planeSpacing_sd = 0;
 
   double latticePitch_mm = 0;           ///< of the scatterers, across the elevation direction
   double latticeElevationPitch_mm = 0;  ///< along it
@@ -70,13 +72,6 @@ struct FramePlan {
   /// Of unit scattering after the beam, at a gate; from the autocorrelations of its kernels.
   double speckleVariance(int gate, const std::vector<double>& axialLags, const std::vector<double>& lateralLags) const;
 };
-
-/// Weights of a unit impulse at position `fraction` (0..1) after gate k, on gates k - 1, k, k + 1, k + 2: a quadratic
-/// B-spline, whose width does not depend on the fraction, so that sloping boundaries do not shimmer.
-struct ImpulseWeights {
-  double weight[4];
-};
-ImpulseWeights impulseAt(double fraction);
 
 /// Catmull-Rom weights of gates k - 1 .. k + 2 at a fraction after gate k: the gates are far closer than the pulse is
 /// long, so that the samples between them follow from four.

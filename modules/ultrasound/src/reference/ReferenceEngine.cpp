@@ -3,6 +3,7 @@
 #include "model/Boundary.h"
 #include "model/Contact.h"
 #include "model/FramePlan.h"
+#include "model/Impulse.h"
 #include "model/PointEchoes.h"
 #include "model/Reverberation.h"
 #include "model/Scatterers.h"
@@ -81,11 +82,11 @@ class LineTracer {
                           specularLobe(scene_.table.of(above.label), scene_.table.of(below.label), below.cosine);
       const double fraction =
           above.cell == below.cell || above.pair == below.pair ? above.s_mm / (above.s_mm - below.s_mm) : 0.5;
-      const ImpulseWeights w = impulseAt(fraction);
-      for (int o = 0; o < 4; ++o)
+      const Impulse impulse(gate - 1 + fraction, below.spread_mm / plan_.gate_mm);
+      for (int o = 0; o < impulse.count; ++o)
         for (int look = 0; look < plan_.settings.looks; ++look)
-          if (const int g = gate - 2 + o; g >= 0 && g < plan_.gates)
-            echo_.at(look, g, line) += w.weight[o] * echo * plan_.boundaryScale * plan_.boundaryWeight[plane];
+          if (const int g = impulse.first + o; g >= 0 && g < plan_.gates)
+            echo_.at(look, g, line) += impulse.weight[o] * echo * plan_.boundaryScale * plan_.boundaryWeight[plane];
     }
     return plan_.settings.effects.transmission ? 1 - reflection * reflection : 1;
   }

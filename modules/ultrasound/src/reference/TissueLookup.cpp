@@ -10,6 +10,7 @@ namespace insonate {
 namespace {
 
 constexpr double kSteepest = 0.3;  // gradients of smoothed distances below this are ridges between structures
+constexpr double kLeastSlope = 1e-3;
 
 double mix(double a, double b, double t) {
   return a + (b - a) * t;
@@ -94,8 +95,13 @@ TissueLookup::Cell TissueLookup::cellOf(int plane, int row, int column) const {
   const double lateral =
       (cell.s[1] - cell.s[0] + cell.s[3] - cell.s[2]) / 2 / (plan_.cellLines * plan_.grid.scanlineSpacing_mm(range_mm));
   const double inPlane = std::hypot(axial, lateral);
-  const double gradient = std::hypot(inPlane, elevationSlope(plane, row, column, cell, inPlane));
+  const double elevation = elevationSlope(plane, row, column, cell, inPlane);
+  const double gradient = std::hypot(inPlane, elevation);
   cell.cosine = std::min(1.0, std::abs(axial) / std::max(gradient, kSteepest));
+  const int gate = std::min(row * plan_.cellGates, plan_.gates - 1);
+  cell.spread_mm = std::hypot(lateral * plan_.grid.scanlineSpacing_mm(range_mm),
+                              elevation * plan_.planeSpacing_sd * plan_.elevationSd_mm[gate]) /
+                   std::max(std::abs(axial), kLeastSlope);
   return cell;
 }
 
@@ -130,6 +136,7 @@ TissueSample TissueLookup::at(int plane, int gate, int line) const {
   sample.cell = row;
   sample.pair = cell.a * TissueField::kStride + cell.b;
   sample.cosine = cell.cosine;
+  sample.spread_mm = cell.spread_mm;
 
   const AcousticTissue& tissue = scene_.table.of(sample.label);
   sample.impedance_MRayl =

@@ -14,10 +14,11 @@ struct TissueSample {
   bool inside = true;    ///< within the volume
   bool outside = false;  ///< before the skin: gel
   std::uint8_t label = 0;
-  int cell = 0;       ///< number of the cell along this scanline
-  int pair = 0;       ///< the two structures of the cell
-  double s_mm = 0;    ///< signed distance to the boundary between them
-  double cosine = 1;  ///< of the beam's incidence on it
+  int cell = 0;          ///< number of the cell along this scanline
+  int pair = 0;          ///< the two structures of the cell
+  double s_mm = 0;       ///< signed distance to the boundary between them
+  double cosine = 1;     ///< of the beam's incidence on it
+  double spread_mm = 0;  ///< over which it slopes between neighbouring scanlines and planes
   double impedance_MRayl = 0;
   double echo_dB = 0;  ///< scattering over unit speckle
   double sheet = 0;    ///< 0 loose scatterers .. 1 a sheet, which echoes as one
@@ -47,7 +48,7 @@ class TissueLookup {
   struct Cell {
     int a = 0, b = 0;
     double s[4]{};  ///< mm at the corners: row, then column
-    double cosine = 1, ctDeviation = 0, patch = 0;
+    double cosine = 1, spread_mm = 0, ctDeviation = 0, patch = 0;
     bool inside = true;
   };
 

@@ -1,0 +1,24 @@
+#pragma once
+
+namespace insonate {
+
+/// A boundary's echo in numbers of gates, laid down so that it does not depend on where between gates it lies.
+///
+/// What a scanline of an elevation plane crosses at one range stands for all that lies within half a line's and half a
+/// plane's distance to its sides. Where the boundary slopes, that spreads the echo over a box of
+/// width = hypot(lateral slope * line distance, elevation slope * plane distance); without it, a slope would be a comb
+/// of lines, one a plane. The box is convolved with a quadratic B-spline, so that slopes do not shimmer.
+struct Impulse {
+  static constexpr double kWidest_gates = 12;
+  static constexpr int kMost = 17;
+
+  int first = 0;  ///< gate of the first weight
+  int count = 0;
+  float weight[kMost];  ///< of unit sum
+
+  /// @param gate   where it is centred, fractional
+  /// @param width  of the box, gates
+  Impulse(double gate, double width);
+};
+
+}  // namespace insonate
