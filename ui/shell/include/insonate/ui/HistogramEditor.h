@@ -1,0 +1,87 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/views/HuHistogram.h>
+#include <insonate/views/TransferFunction.h>
+#include <insonate/views/WindowLevel.h>
+
+#include <QFutureWatcher>
+#include <QWidget>
+#include <atomic>
+#include <memory>
+#include <optional>
+
+class QAction;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QSpinBox;
+class QToolButton;
+class QUndoStack;
+
+namespace insonate::ui {
+
+class HistogramPlot;
+
+/// How a CT is looked through, edited on its histogram: nodes of Hounsfield unit, opacity and colour. They are dragged,
+/// added by double click, removed by Delete or right click; Tab goes from node to node, arrows move one, and the
+/// numbers of the chosen one take typing. Presets, undo, redo and reset. For the window's thread.
+class HistogramEditor : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit HistogramEditor(QWidget* parent = nullptr);
+  ~HistogramEditor() override;
+
+  /// Its histogram is counted on another thread and appears when it is there. Null for none.
+  void setCase(std::shared_ptr<const PatientCase> patient);
+  /// The 8-bit display window, drawn as a band; none for no band.
+  void setWindowLevel(std::optional<views::WindowLevel> window);
+
+  const views::TransferFunction& function() const;
+  /// What is not tidied() is tidied. Forgets what could be undone. Tells functionChanged() when it differs.
+  void setFunction(const views::TransferFunction& function);
+  /// By its name in views::transferPresets(), as one step that can be undone; unknown names are ignored.
+  void choosePreset(const QString& name);
+  /// Back to the preset that was chosen last.
+  void reset();
+
+  /// The chosen node's number, or -1.
+  int selected() const;
+  void select(int node);
+
+  QUndoStack& undoStack() { return *undo_; }
+
+ Q_SIGNALS:
+  /// After each change, also within a drag.
+  void functionChanged(const insonate::views::TransferFunction& function);
+  /// True while a node is dragged.
+  void movingChanged(bool moving);
+
+ private:
+  class Change;
+  QWidget* buildTop();
+  QWidget* buildNumbers();
+  void push(const views::TransferFunction& function, int gesture, const QString& what);
+  void apply(const views::TransferFunction& function);
+  void typed(int field);
+  void chooseColour();
+  void refresh();
+
+  HistogramPlot* plot_;
+  QUndoStack* undo_;
+  QComboBox* preset_ = nullptr;
+  QLabel* which_ = nullptr;
+  QSpinBox* hu_ = nullptr;
+  QDoubleSpinBox* opacity_ = nullptr;
+  QToolButton* colour_ = nullptr;
+  QToolButton* remove_ = nullptr;
+  QToolButton* add_ = nullptr;
+  int presetIndex_ = 0;
+  bool refreshing_ = false;
+  std::shared_ptr<const PatientCase> patient_;
+  std::shared_ptr<std::atomic<bool>> stop_;
+  QFutureWatcher<views::HuHistogram> counting_;
+};
+
+}  // namespace insonate::ui

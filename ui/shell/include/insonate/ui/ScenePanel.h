@@ -1,0 +1,77 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/views/LabelColours.h>
+#include <insonate/views/SceneView.h>
+
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+
+class QCheckBox;
+class QSettings;
+
+namespace insonate::ui {
+
+class ClippingControls;
+class EyeControls;
+class HistogramEditor;
+class StructureList;
+class ValueSlider;
+
+/// What a three-dimensional view shows and how: skin transparency, structures, the CT with its transfer function, a
+/// clipping plane, stereo and the head-coupled view. Whatever is changed is drawn coarser until the hand rests. It is
+/// narrow and long: put it into a QScrollArea. For the window's thread.
+///
+/// The scene tells the panel of surfaces and looks (SceneView::setStructuresChanged is the panel's from now on), so a
+/// scene has one panel, and what others change shows in it.
+class ScenePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ScenePanel(std::shared_ptr<views::SceneView> scene, QWidget* parent = nullptr);
+  ~ScenePanel() override;
+
+  /// Whose histogram is shown; the scene itself gets its case from whoever owns it. Null for none.
+  void setCase(std::shared_ptr<const PatientCase> patient);
+
+  HistogramEditor& histogram() { return *histogram_; }
+
+  views::ColourScheme colourScheme() const { return scheme_; }
+  /// Gives all structures the scheme's colours.
+  void setColourScheme(views::ColourScheme scheme);
+  /// All shown, with the colours of the scheme and the usual opacities.
+  void showUsual();
+
+  /// All but the clipping plane, which belongs to one patient.
+  void save(QSettings& settings) const;
+  void restore(QSettings& settings);
+
+ Q_SIGNALS:
+  /// A structure has another colour in the scene: slices may want it, too.
+  void coloursChanged();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QWidget* buildStructures();
+  QWidget* buildCt();
+  void refresh();
+  /// Coarser from now on until nothing has changed for a moment.
+  void live();
+
+  std::shared_ptr<views::SceneView> scene_;
+  ValueSlider* skin_ = nullptr;
+  StructureList* structures_ = nullptr;
+  QCheckBox* safeColours_ = nullptr;
+  QCheckBox* ct_ = nullptr;
+  HistogramEditor* histogram_ = nullptr;
+  ClippingControls* clipping_ = nullptr;
+  EyeControls* eyes_ = nullptr;
+  views::ColourScheme scheme_ = views::ColourScheme::Usual;
+  bool refreshing_ = false, refreshDue_ = false;
+  QTimer rest_;
+};
+
+}  // namespace insonate::ui

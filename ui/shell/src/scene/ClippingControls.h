@@ -1,0 +1,41 @@
+#pragma once
+
+#include <insonate/views/SceneView.h>
+
+#include <QWidget>
+#include <memory>
+
+class QCheckBox;
+class QComboBox;
+class QToolButton;
+
+namespace insonate::ui {
+
+class ValueSlider;
+
+/// Where a scene is cut open.
+class ClippingControls : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ClippingControls(std::shared_ptr<views::SceneView> scene, QWidget* parent = nullptr);
+
+  /// Takes over what the scene has.
+  void refresh();
+
+ Q_SIGNALS:
+  void changed();  ///< by the user
+
+ private:
+  void apply();
+  void takeView();
+
+  std::shared_ptr<views::SceneView> scene_;
+  QComboBox* kind_;
+  ValueSlider *offset_, *turn_, *tilt_;
+  QCheckBox* flipped_;
+  QToolButton* asSeen_;
+  bool refreshing_ = false;
+};
+
+}  // namespace insonate::ui

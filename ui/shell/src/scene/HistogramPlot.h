@@ -1,0 +1,80 @@
+#pragma once
+
+#include <insonate/views/HuHistogram.h>
+#include <insonate/views/TransferFunction.h>
+#include <insonate/views/WindowLevel.h>
+
+#include <QWidget>
+#include <optional>
+
+namespace insonate::ui {
+
+/// The picture of a histogram with the transfer function over it, and the hand on its nodes. It changes nothing itself:
+/// it asks, by edited(), and shows what it is given.
+class HistogramPlot : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit HistogramPlot(QWidget* parent = nullptr);
+
+  void setHistogram(const views::HuHistogram& histogram);
+  void setFunction(const views::TransferFunction& function);
+  void setWindowLevel(std::optional<views::WindowLevel> window);
+
+  const views::TransferFunction& function() const { return function_; }
+  int selected() const { return selected_; }
+  void select(int node);
+  /// In the middle of the wider side of the chosen node.
+  void addBeside();
+  void removeSelected();
+
+  /// Where a node is drawn, and what a place means.
+  QPointF placeOf(double hu, double opacity) const;
+  double huAt(double x) const;
+  double opacityAt(double y) const;
+
+  QSize sizeHint() const override { return {280, 170}; }
+  QSize minimumSizeHint() const override { return {200, 130}; }
+
+ Q_SIGNALS:
+  /// Wanted: this function. Those of one gesture (not 0) are one step.
+  void edited(const insonate::views::TransferFunction& wanted, int gesture, const QString& what);
+  void selectionChanged(int node);
+  void movingChanged(bool moving);
+  void colourWanted();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
+  void focusInEvent(QFocusEvent* event) override;
+
+ private:
+  QRectF field() const;
+  int nodeAt(QPointF place) const;
+  void add(double hu, double opacity);
+  void remove(int node);
+  void moveSelected(double hu, double opacity, int gesture);
+  void fitRange();
+  void paintHistogram(QPainter& painter, const QRectF& area) const;
+  void paintWindow(QPainter& painter, const QRectF& area) const;
+  void paintAxes(QPainter& painter, const QRectF& area) const;
+  void paintFunction(QPainter& painter, const QRectF& area) const;
+
+  views::HuHistogram histogram_;
+  views::TransferFunction function_;
+  std::optional<views::WindowLevel> window_;
+  double least_HU_ = -1024, most_HU_ = 1500;
+  int selected_ = -1;
+  bool dragging_ = false;
+  int gesture_ = 0;    ///< of the present drag or run of keys
+  int lastArrow_ = 0;  ///< an arrow that was the last thing done goes on with its gesture
+  QPointF grip_;       ///< from the node's middle to the mouse
+};
+
+}  // namespace insonate::ui

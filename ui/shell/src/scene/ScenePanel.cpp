@@ -1,0 +1,226 @@
+#include "ClippingControls.h"
+#include "EyeControls.h"
+#include "StructureList.h"
+
+#include <insonate/tissue/Labels.h>
+#include <insonate/ui/HistogramEditor.h>
+#include <insonate/ui/ScenePanel.h>
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/ValueSlider.h>
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSettings>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace insonate::ui {
+namespace {
+
+constexpr int kRest_ms = 350;
+
+QVBoxLayout* column(QWidget* widget) {
+  auto* box = new QVBoxLayout(widget);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(kSmallGap);
+  return box;
+}
+
+QLabel* heading(const QString& text) {
+  auto* label = new QLabel(text);
+  setRole(label, "heading");
+  return label;
+}
+
+}  // namespace
+
+ScenePanel::ScenePanel(std::shared_ptr<views::SceneView> scene, QWidget* parent)
+    : QWidget(parent), scene_(std::move(scene)) {
+  setObjectName(QStringLiteral("scenePanel"));
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(12, kGap, 12, kGap);
+  box->setSpacing(12);
+  skin_ = new ValueSlider(tr("skin transparency"), tr("%"), {0, 100, 65, 5, 0}, tr("How far one looks into the body"));
+  skin_->setObjectName(QStringLiteral("skinTransparency"));
+  box->addWidget(skin_);
+  box->addWidget(buildStructures());
+  box->addWidget(buildCt());
+  clipping_ = new ClippingControls(scene_);
+  box->addWidget(heading(tr("Clipping plane")));
+  box->addWidget(clipping_);
+  eyes_ = new EyeControls(scene_);
+  box->addWidget(heading(tr("Eyes")));
+  box->addWidget(eyes_);
+  box->addStretch();
+
+  rest_.setSingleShot(true);
+  rest_.setInterval(kRest_ms);
+  connect(&rest_, &QTimer::timeout, this, [this] { scene_->setMoving(false); });
+  connect(skin_, &ValueSlider::valueChanged, this, [this](double percent) {
+    if (refreshing_) return;
+    scene_->setSkinOpacity(1 - percent / 100);
+    live();
+  });
+  connect(structures_, &StructureList::changed, this, &ScenePanel::live);
+  connect(structures_, &StructureList::colourChanged, this, &ScenePanel::coloursChanged);
+  connect(clipping_, &ClippingControls::changed, this, &ScenePanel::live);
+  connect(eyes_, &EyeControls::changed, this, &ScenePanel::live);
+  scene_->setStructuresChanged([this] {
+    // Loading a case is many changes.
+    if (refreshDue_) return;
+    refreshDue_ = true;
+    QTimer::singleShot(0, this, &ScenePanel::refresh);
+  });
+  refresh();
+}
+
+ScenePanel::~ScenePanel() {
+  scene_->setStructuresChanged({});
+}
+
+QWidget* ScenePanel::buildStructures() {
+  auto* part = new QWidget;
+  auto* box = column(part);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(0);
+  row->addWidget(heading(tr("Structures")), 1);
+  const auto add = [&](const char* object, const QString& text, const QString& tip, auto act) {
+    auto* button = new QToolButton;
+    button->setObjectName(QLatin1String(object));
+    button->setText(text);
+    button->setToolTip(tip);
+    connect(button, &QToolButton::clicked, this, act);
+    row->addWidget(button);
+  };
+  const auto showAll = [this](bool visible) {
+    for (const std::uint8_t label : scene_->structures()) scene_->setVisible(label, visible);
+    live();
+  };
+  add("structuresAll", tr("all"), tr("Show all structures"), [showAll] { showAll(true); });
+  add("structuresNone", tr("none"), tr("Hide all structures"), [showAll] { showAll(false); });
+  add("structuresUsual", tr("usual"), tr("All shown, with their usual colours and opacities"), [this] { showUsual(); });
+  box->addLayout(row);
+  structures_ = new StructureList(scene_);
+  box->addWidget(structures_);
+  safeColours_ = new QCheckBox(tr("colour-blind safe colours"));
+  safeColours_->setObjectName(QStringLiteral("safeColours"));
+  safeColours_->setToolTip(tr("Colours that stay apart for eyes without red or green cones"));
+  connect(safeColours_, &QCheckBox::clicked, this, [this](bool safe) {
+    setColourScheme(safe ? views::ColourScheme::ColourBlindSafe : views::ColourScheme::Usual);
+  });
+  box->addWidget(safeColours_);
+  return part;
+}
+
+QWidget* ScenePanel::buildCt() {
+  auto* part = new QWidget;
+  auto* box = column(part);
+  ct_ = new QCheckBox(tr("CT volume"));
+  ct_->setObjectName(QStringLiteral("ctVolume"));
+  ct_->setToolTip(tr("Draws the CT itself, as its transfer function says"));
+  histogram_ = new HistogramEditor;
+  histogram_->setFunction(scene_->transferFunction());
+  box->addWidget(ct_);
+  box->addWidget(histogram_);
+  connect(ct_, &QCheckBox::clicked, this, [this](bool visible) {
+    scene_->setCtVisible(visible);
+    histogram_->setVisible(visible);
+    live();
+  });
+  connect(histogram_, &HistogramEditor::functionChanged, this, [this](const views::TransferFunction& function) {
+    scene_->setTransferFunction(function);
+    live();
+  });
+  return part;
+}
+
+void ScenePanel::setCase(std::shared_ptr<const PatientCase> patient) {
+  histogram_->setCase(std::move(patient));
+  scene_->setClipping({});
+  clipping_->refresh();
+  refresh();
+}
+
+void ScenePanel::refresh() {
+  refreshDue_ = false;
+  refreshing_ = true;
+  const auto labels = scene_->structures();
+  skin_->setValue(100 * (1 - scene_->opacity(kSkin)));
+  skin_->setEnabled(std::find(labels.begin(), labels.end(), kSkin) != labels.end() && scene_->isVisible(kSkin));
+  structures_->refresh();
+  safeColours_->setChecked(scheme_ == views::ColourScheme::ColourBlindSafe);
+  ct_->setChecked(scene_->isCtVisible());
+  histogram_->setVisible(scene_->isCtVisible());
+  refreshing_ = false;
+}
+
+void ScenePanel::live() {
+  scene_->setMoving(true);
+  rest_.start();
+}
+
+void ScenePanel::setColourScheme(views::ColourScheme scheme) {
+  scheme_ = scheme;
+  for (const LabelInfo& info : labelTable()) scene_->setColour(info.label, views::labelColour(info.label, scheme));
+  safeColours_->setChecked(scheme == views::ColourScheme::ColourBlindSafe);
+  Q_EMIT coloursChanged();
+}
+
+void ScenePanel::showUsual() {
+  for (const LabelInfo& info : labelTable()) {
+    scene_->setVisible(info.label, true);
+    scene_->setOpacity(info.label, views::usualOpacity(info.label));
+  }
+  setColourScheme(scheme_);
+  live();
+}
+
+void ScenePanel::showEvent(QShowEvent* event) {
+  // The scene may be in its window only now.
+  eyes_->refresh();
+  clipping_->refresh();
+  QWidget::showEvent(event);
+}
+
+void ScenePanel::save(QSettings& settings) const {
+  QStringList looks;
+  for (const LabelInfo& info : labelTable()) {
+    const views::Colour colour = scene_->colour(info.label);
+    looks << QStringLiteral("%1 %2 %3")
+                 .arg(int(scene_->isVisible(info.label)))
+                 .arg(scene_->opacity(info.label))
+                 .arg(ui::colour(colour).name());
+  }
+  settings.setValue(QStringLiteral("structures"), looks);
+  settings.setValue(QStringLiteral("safeColours"), scheme_ == views::ColourScheme::ColourBlindSafe);
+  settings.setValue(QStringLiteral("ctVolume"), scene_->isCtVisible());
+  settings.setValue(QStringLiteral("transferFunction"),
+                    QString::fromStdString(views::writeTransferFunction(scene_->transferFunction())));
+  eyes_->save(settings);
+}
+
+void ScenePanel::restore(QSettings& settings) {
+  scheme_ = settings.value(QStringLiteral("safeColours")).toBool() ? views::ColourScheme::ColourBlindSafe
+                                                                   : views::ColourScheme::Usual;
+  const QStringList looks = settings.value(QStringLiteral("structures")).toStringList();
+  for (int label = 0; label < std::min(looks.size(), kLabelCount); ++label) {
+    const QStringList parts = looks[label].split(QLatin1Char(' '));
+    const QColor colour(parts.size() == 3 ? parts[2] : QString());
+    if (!colour.isValid()) continue;
+    scene_->setVisible(std::uint8_t(label), parts[0] != QLatin1String("0"));
+    scene_->setOpacity(std::uint8_t(label), std::clamp(parts[1].toDouble(), 0.0, 1.0));
+    scene_->setColour(std::uint8_t(label),
+                      {std::uint8_t(colour.red()), std::uint8_t(colour.green()), std::uint8_t(colour.blue())});
+  }
+  const auto function =
+      views::readTransferFunction(settings.value(QStringLiteral("transferFunction")).toString().toStdString());
+  if (function && !function->nodes.empty()) histogram_->setFunction(*function);
+  scene_->setCtVisible(settings.value(QStringLiteral("ctVolume"), false).toBool());
+  eyes_->restore(settings);
+  refresh();
+  Q_EMIT coloursChanged();
+}
+
+}  // namespace insonate::ui

@@ -1,0 +1,125 @@
+#include "StructureList.h"
+
+#include <insonate/tissue/Labels.h>
+#include <insonate/ui/Theme.h>
+
+#include <QColorDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPixmap>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <cmath>
+
+namespace insonate::ui {
+namespace {
+
+constexpr int kSwatch_px = 14;
+
+QString nameOf(std::uint8_t label) {
+  const std::string_view name = labelTable()[knownLabel(label)].name;
+  return label < kLabelCount ? StructureList::tr(std::string(name).c_str()) : StructureList::tr("label %1").arg(label);
+}
+
+}  // namespace
+
+StructureList::StructureList(std::shared_ptr<views::SceneView> scene, QWidget* parent)
+    : QWidget(parent), scene_(std::move(scene)), box_(new QVBoxLayout(this)), empty_(new QLabel) {
+  setObjectName(QStringLiteral("structureList"));
+  box_->setContentsMargins(0, 0, 0, 0);
+  box_->setSpacing(0);
+  empty_->setText(tr("The surfaces of a case appear here."));
+  empty_->setWordWrap(true);
+  setRole(empty_, "quiet");
+  box_->addWidget(empty_);
+}
+
+void StructureList::refresh() {
+  const auto labels = scene_->structures();
+  const bool same = std::equal(labels.begin(), labels.end(), rows_.begin(), rows_.end(),
+                               [](std::uint8_t label, const Row& row) { return label == row.label; });
+  if (!same) rebuild(labels);
+  refreshing_ = true;
+  for (const Row& row : rows_) {
+    const bool visible = scene_->isVisible(row.label);
+    row.eye->setChecked(visible);
+    row.eye->setIcon(icon(visible ? QStringLiteral("eye") : QStringLiteral("eye-off"),
+                          visible ? views::theme::kText : views::theme::kQuiet));
+    QPixmap swatch(kSwatch_px, kSwatch_px);
+    swatch.fill(colour(scene_->colour(row.label)));
+    row.colour->setIcon(swatch);
+    row.opacity->setValue(int(std::lround(scene_->opacity(row.label) * 100)));
+    row.opacity->setEnabled(visible);
+  }
+  refreshing_ = false;
+}
+
+void StructureList::rebuild(const std::vector<std::uint8_t>& labels) {
+  for (const Row& row : rows_) {
+    row.widget->hide();
+    row.widget->deleteLater();
+  }
+  rows_.clear();
+  for (const std::uint8_t label : labels) {
+    rows_.push_back(makeRow(label));
+    box_->addWidget(rows_.back().widget);
+  }
+  empty_->setVisible(rows_.empty());
+}
+
+StructureList::Row StructureList::makeRow(std::uint8_t label) {
+  const QString name = nameOf(label);
+  auto* widget = new QWidget(this);
+  Row row{label, widget, new QToolButton(widget), new QToolButton(widget), new QSpinBox(widget)};
+  auto* box = new QHBoxLayout(widget);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(2);
+  row.eye->setCheckable(true);
+  row.eye->setObjectName(QStringLiteral("eye%1").arg(label));
+  row.eye->setAccessibleName(tr("Show %1").arg(name));
+  row.eye->setToolTip(tr("Show or hide %1").arg(name));
+  row.colour->setObjectName(QStringLiteral("colour%1").arg(label));
+  row.colour->setAccessibleName(tr("Colour of %1").arg(name));
+  row.colour->setToolTip(tr("Colour of %1").arg(name));
+  row.opacity->setObjectName(QStringLiteral("opacity%1").arg(label));
+  row.opacity->setRange(0, 100);
+  row.opacity->setSingleStep(5);
+  row.opacity->setSuffix(tr(" %"));
+  row.opacity->setAlignment(Qt::AlignRight);
+  row.opacity->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  row.opacity->setFixedWidth(64);
+  // The wheel is for scrolling the list until a number was chosen.
+  row.opacity->setFocusPolicy(Qt::StrongFocus);
+  row.opacity->setAccessibleName(tr("Opacity of %1 in %").arg(name));
+  row.opacity->setToolTip(tr("Opacity of %1, 0 to 100 %; arrows step").arg(name));
+  connect(row.eye, &QToolButton::clicked, this, [this, label](bool visible) {
+    scene_->setVisible(label, visible);
+    Q_EMIT changed();
+  });
+  connect(row.colour, &QToolButton::clicked, this, [this, label] { chooseColour(label); });
+  connect(row.opacity, qOverload<int>(&QSpinBox::valueChanged), this, [this, label](int percent) {
+    if (refreshing_) return;
+    scene_->setOpacity(label, percent / 100.0);
+    Q_EMIT changed();
+  });
+  box->addWidget(row.eye);
+  box->addWidget(row.colour);
+  box->addWidget(new QLabel(name, widget), 1);
+  box->addWidget(row.opacity);
+  return row;
+}
+
+void StructureList::chooseColour(std::uint8_t label) {
+  auto* dialog = new QColorDialog(colour(scene_->colour(label)), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Colour of %1").arg(nameOf(label)));
+  connect(dialog, &QColorDialog::colorSelected, this, [this, label](const QColor& chosen) {
+    scene_->setColour(label, {std::uint8_t(chosen.red()), std::uint8_t(chosen.green()), std::uint8_t(chosen.blue())});
+    Q_EMIT changed();
+    Q_EMIT colourChanged();
+  });
+  dialog->open();
+}
+
+}  // namespace insonate::ui

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <insonate/views/SceneView.h>
+
+#include <QWidget>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+class QLabel;
+class QSpinBox;
+class QToolButton;
+class QVBoxLayout;
+
+namespace insonate::ui {
+
+/// One row for each surface of a scene: eye, colour, name, opacity.
+class StructureList : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StructureList(std::shared_ptr<views::SceneView> scene, QWidget* parent = nullptr);
+
+  /// Takes over what the scene has.
+  void refresh();
+
+ Q_SIGNALS:
+  void changed();        ///< by the user
+  void colourChanged();  ///< by the user
+
+ private:
+  struct Row {
+    std::uint8_t label;
+    QWidget* widget;
+    QToolButton *eye, *colour;
+    QSpinBox* opacity;
+  };
+  void rebuild(const std::vector<std::uint8_t>& labels);
+  Row makeRow(std::uint8_t label);
+  void chooseColour(std::uint8_t label);
+
+  std::shared_ptr<views::SceneView> scene_;
+  QVBoxLayout* box_;
+  QLabel* empty_;
+  std::vector<Row> rows_;
+  bool refreshing_ = false;
+};
+
+}  // namespace insonate::ui
