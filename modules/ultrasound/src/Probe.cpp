@@ -1,22 +1,19 @@
 #include "JsonFields.h"
 
+#include <insonate/core/AtomicFile.h>
 #include <insonate/core/Words.h>
 #include <insonate/embedded/probes.h>
 #include <insonate/ultrasound/Probe.h>
+
+#include <nlohmann/json.hpp>
 
 #include <array>
 
 namespace insonate {
 namespace {
 
-enum class Use { Always, Linear, Fan };
-
-struct Field {
-  std::string_view name;
-  double Probe::*member;
-  double low, high;
-  Use use = Use::Always;
-};
+using Field = ProbeField;
+using Use = ProbeField::Use;
 
 constexpr std::array kFields{
     Field{"width_mm", &Probe::width_mm, 5, 200, Use::Linear},
@@ -40,10 +37,6 @@ constexpr std::array kFields{
 };
 
 const std::vector<std::string_view> kShapes{"linear", "curvilinear", "phased"};
-
-bool applies(const Field& field, ProbeShape shape) {
-  return field.use == Use::Always || (field.use == Use::Linear) == (shape == ProbeShape::Linear);
-}
 
 Result<void> checkOrder(double low, double middle, double high, std::string_view quantity, const std::string& where) {
   if (low <= middle && middle <= high) return {};
@@ -83,6 +76,14 @@ Result<Probe> probeFromJson(const nlohmann::json& json, const std::string& sourc
 
 }  // namespace
 
+std::span<const ProbeField> probeFields() {
+  return kFields;
+}
+
+bool applies(const ProbeField& field, ProbeShape shape) {
+  return field.use == Use::Always || (field.use == Use::Linear) == (shape == ProbeShape::Linear);
+}
+
 std::vector<std::string> probePresetNames() {
   std::vector<std::string> names;
   for (const auto& file : embedded::probes::files()) names.emplace_back(file.name);
@@ -106,6 +107,14 @@ Result<Probe> loadProbe(std::string_view nameOrPath) {
   const auto json = fields::parseFile(path);
   if (!json) return tl::unexpected(json.error());
   return probeFromJson(*json, path.string());
+}
+
+Result<void> saveProbe(const Probe& probe, const std::filesystem::path& file) {
+  if (auto ok = validate(probe); !ok) return ok;
+  nlohmann::ordered_json json{{"name", probe.name}, {"shape", kShapes[std::size_t(probe.shape)]}};
+  for (const Field& field : kFields)
+    if (applies(field, probe.shape)) json[std::string(field.name)] = probe.*field.member;
+  return writeAtomically(file, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 Result<void> validate(const Probe& probe) {

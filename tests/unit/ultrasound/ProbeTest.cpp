@@ -99,5 +99,27 @@ TEST(Probe, NumbersThatAreNoneAreRefused) {
   }
 }
 
+TEST(SaveProbe, ReadsBackAsItWas) {
+  const test::TemporaryFolder folder;
+  for (const std::string& name : probePresetNames()) {
+    Probe probe = loadProbe(name).value();
+    probe.name = "Ward 3, \"old\"", probe.maxAperture_mm = 17.25;
+    const auto file = folder / (name + ".json");
+    ASSERT_TRUE(saveProbe(probe, file));
+    const auto read = loadProbe(file.string());
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->name, probe.name);
+    EXPECT_EQ(read->shape, probe.shape);
+    for (const ProbeField& field : probeFields()) {
+      if (!applies(field, probe.shape)) continue;
+      EXPECT_EQ((*read).*field.member, probe.*field.member) << field.name;
+    }
+  }
+  Probe wrong = loadProbe("linear").value();
+  wrong.width_mm = 1;
+  EXPECT_FALSE(saveProbe(wrong, folder / "wrong.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "wrong.json"));
+}
+
 }  // namespace
 }  // namespace insonate

@@ -3,6 +3,7 @@
 #include <insonate/core/Result.h>
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,10 +32,25 @@ struct Probe {
   double elevationDivergence = 0.085;      ///< slice thickness growth per mm off the elevation focus
 };
 
+/// One number of a probe: its name, with its unit, as in probe files, and the least and most that validate() accepts.
+struct ProbeField {
+  enum class Use { Always, Linear, Fan };
+  std::string_view name;
+  double Probe::*member;
+  double low, high;
+  Use use = Use::Always;
+};
+/// All numbers, in the order of probe files.
+std::span<const ProbeField> probeFields();
+/// Whether a probe of this shape has the number.
+bool applies(const ProbeField& field, ProbeShape shape);
+
 /// The presets of resources/probes, in a fixed order (linear, curvilinear, phased).
 std::vector<std::string> probePresetNames();
 /// A preset's name, or a path to a probe file of the same form.
 Result<Probe> loadProbe(std::string_view nameOrPath);
 Result<void> validate(const Probe& probe);
+/// Writes a probe file that loadProbe() reads, atomically. Fails on a probe out of range and where it cannot write.
+Result<void> saveProbe(const Probe& probe, const std::filesystem::path& file);
 
 }  // namespace insonate

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "FovModel.h"
+#include "Plate.h"
+
+namespace insonate::fit {
+
+/// What the picture says along one edge of a model, as shares of its length within the picture.
+struct EdgeEvidence {
+  double visible = 0;  ///< of the edge's whole length
+  double seen = 0;     ///< light inside, ground outside
+  double against = 0;  ///< light outside
+};
+
+struct Evidence {
+  std::array<EdgeEvidence, kEdges> edges;
+  double outline = 0;    ///< seen less against, of the whole visible outline; -1..1
+  double agreement = 0;  ///< seen over seen and against
+  double cover = 0;      ///< how well the model's area is the body's; dark inside counts little
+  double filled = 0;     ///< share of the model's visible area that is body
+  double gaps = 0;       ///< share of the body in the model with ground close by: of letters, all
+  double score() const { return 0.5 * outline + 0.5 * cover; }
+};
+
+/// Of the outline alone: how much more of it is seen than speaks against it, -1..1. Quick.
+double outlineFor(const FovModel& model, const Plate& plate, double tolerance_px);
+/// `tolerance_px` to either side of the outline are not looked at.
+Evidence evidenceFor(const FovModel& model, const Plate& plate, double tolerance_px);
+
+/// Moves the model's edges onto the steps from light to ground that lie within some pixels of them: robust least
+/// squares, in rounds of narrowing reach. What the picture does not show stays where it was.
+FovModel refined(const FovModel& model, const Plate& plate, double reach_px);
+
+}  // namespace insonate::fit

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <insonate/ultrasound/FovFit.h>
+
+#include <array>
+#include <vector>
+
+namespace insonate::fit {
+
+enum Edge { kLeft, kRight, kFace, kDeep, kEdges };
+
+/// A fan or rectangle that looks down, in the pixels of the picture that is searched. `turn` is the angle of its axis
+/// from straight down, positive toward the right; `half` is half the fan's angle (radians) or half the rectangle's
+/// width.
+struct FovModel {
+  bool fan = true;
+  double x = 0, y = 0, turn = 0, half = 0.5, inner = 0, outer = 100;
+
+  /// Signed distances of a point beyond each edge; all are negative inside.
+  std::array<double, kEdges> beyond(PixelPoint p) const;
+  /// Across -1..1, down 0..1.
+  PixelPoint at(double across, double down) const;
+  double area() const;
+};
+
+/// beyond() for many points of one model.
+class Beyond {
+ public:
+  explicit Beyond(const FovModel& model);
+  std::array<double, kEdges> operator()(PixelPoint p) const;
+  bool inside(PixelPoint p) const;
+
+ private:
+  const FovModel& model_;
+  double cosTurn_, sinTurn_, cosHalf_, sinHalf_;
+};
+
+struct EdgeSample {
+  PixelPoint at, outward;  ///< outward is a unit vector
+  Edge edge = kLeft;
+};
+
+/// Points of the outline about `step_px` apart; none on a face that is a point.
+std::vector<EdgeSample> edgeSamples(const FovModel& model, double step_px);
+
+/// Parameters as a vector and back: x, y, turn, half, outer, and inner for fans.
+int parameters(const FovModel& model);
+double& parameter(FovModel& model, int index);
+
+}  // namespace insonate::fit
