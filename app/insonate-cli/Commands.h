@@ -24,6 +24,7 @@ void addCheckCommand(CLI::App& app, Outcome& outcome);
 void addRenderCommand(CLI::App& app, Outcome& outcome);
 void addBenchCommand(CLI::App& app, Outcome& outcome);
 void addSurfacesCommand(CLI::App& app, Outcome& outcome);
+void addFitCommand(CLI::App& app, Outcome& outcome);
 
 /// Prints the error's sentence to standard error, sets the status, and prints {"error": ...} with `fields` where JSON
 /// was asked for.

@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
   addCheckCommand(app, outcome);
   addBenchCommand(app, outcome);
   addSurfacesCommand(app, outcome);
+  addFitCommand(app, outcome);
 
   if (const std::string unknown = unknownCommand(app, argc, argv); !unknown.empty()) {
     std::cerr << "insonate-cli: " << unknown << '\n';

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <insonate/ultrasound/BeamGrid.h>
+#include <insonate/ultrasound/FovFit.h>
 #include <insonate/ultrasound/Frames.h>
 
 #include <filesystem>
@@ -10,6 +11,14 @@ namespace insonate {
 
 /// 8-bit grey PNG with its scale (pHYs). Written atomically; fails with a sentence.
 Result<void> writePng(const BModeImage& image, const std::filesystem::path& file);
+
+/// The greys of a PNG or JPEG file, known by its first bytes; transparent parts are black. Fails with a sentence on any
+/// other file, a broken one, and one of over 16384 pixels each way.
+Result<GreyPicture> readPicture(const std::filesystem::path& file);
+
+/// A picture with a fit drawn over it in colour: the outline, and the marks of the depth scale. Written atomically as
+/// PNG; fails with a sentence.
+Result<void> writeFitPicture(const GreyPicture& picture, const FovFit& fit, const std::filesystem::path& file);
 
 /// One look of a frame as NRRD: float32, samples fastest, then scanlines; linear amplitude before compounding, gain,
 /// compression and scan conversion. Spacing is in mm along a scanline, and in mm (linear) or degrees (fan) across.

@@ -1,0 +1,103 @@
+#include <insonate/simulator/PictureFiles.h>
+
+#include <jpeglib.h>
+#include <png.h>
+
+#include <csetjmp>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+
+namespace insonate {
+namespace {
+
+constexpr unsigned kMostSide = 16384;
+constexpr std::size_t kMostBytes = 256 << 20;
+
+Error broken(const std::string& name) {
+  return {name + " is damaged, or of a kind of picture that cannot be read. Save it again as PNG."};
+}
+
+Error tooLarge(const std::string& name) {
+  return {name + " has more than 16384 pixels each way; make it smaller."};
+}
+
+Result<GreyPicture> readPng(const std::string& bytes, const std::string& name) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) return tl::unexpected(broken(name));
+  if (png.width > kMostSide || png.height > kMostSide) {
+    png_image_free(&png);
+    return tl::unexpected(tooLarge(name));
+  }
+  png.format = PNG_FORMAT_GRAY;
+  GreyPicture picture{int(png.width), int(png.height), {}};
+  picture.grey.resize(PNG_IMAGE_SIZE(png));
+  const png_color black{0, 0, 0};
+  if (png_image_finish_read(&png, &black, picture.grey.data(), 0, nullptr) == 0) return tl::unexpected(broken(name));
+  return picture;
+}
+
+struct JpegFailure : jpeg_error_mgr {
+  std::jmp_buf back;
+};
+
+enum class JpegEnd { Done, Broken, TooLarge };
+
+/// Nothing with a destructor lives here: libjpeg's errors jump out of it.
+JpegEnd decodeJpeg(const std::string& bytes, GreyPicture& picture) {
+  jpeg_decompress_struct jpeg{};
+  JpegFailure failure{};
+  jpeg.err = jpeg_std_error(&failure);
+  failure.error_exit = [](j_common_ptr common) { std::longjmp(static_cast<JpegFailure*>(common->err)->back, 1); };
+  failure.emit_message = [](j_common_ptr, int) {};
+  if (setjmp(failure.back) != 0) {
+    jpeg_destroy_decompress(&jpeg);
+    return JpegEnd::Broken;
+  }
+  jpeg_create_decompress(&jpeg);
+  jpeg_mem_src(&jpeg, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+  jpeg_read_header(&jpeg, TRUE);
+  if (jpeg.image_width > kMostSide || jpeg.image_height > kMostSide) {
+    jpeg_destroy_decompress(&jpeg);
+    return JpegEnd::TooLarge;
+  }
+  jpeg.out_color_space = JCS_GRAYSCALE;
+  jpeg_start_decompress(&jpeg);
+  picture.width = int(jpeg.output_width), picture.height = int(jpeg.output_height);
+  picture.grey.resize(std::size_t(picture.width) * picture.height);
+  while (jpeg.output_scanline < jpeg.output_height) {
+    JSAMPROW row = picture.grey.data() + std::size_t(jpeg.output_scanline) * jpeg.output_width;
+    jpeg_read_scanlines(&jpeg, &row, 1);
+  }
+  jpeg_finish_decompress(&jpeg);
+  jpeg_destroy_decompress(&jpeg);
+  return JpegEnd::Done;
+}
+
+}  // namespace
+
+Result<GreyPicture> readPicture(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return fail("There is no picture file named " + name + ".");
+  const auto size = std::filesystem::file_size(file, error);
+  if (error || size > kMostBytes) return fail(name + " is larger than 256 MB; that is no picture of a machine.");
+  std::ifstream stream(file, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream.good() && !stream.eof()) return fail("Could not read " + name + ": check that you may read it.");
+  if (bytes.starts_with("\x89PNG")) return readPng(bytes, name);
+  if (!bytes.starts_with("\xff\xd8")) return fail(name + " is neither PNG nor JPEG; save the picture as one of them.");
+  GreyPicture picture;
+  switch (decodeJpeg(bytes, picture)) {
+    case JpegEnd::Done:
+      return picture;
+    case JpegEnd::TooLarge:
+      return tl::unexpected(tooLarge(name));
+    case JpegEnd::Broken:
+      break;
+  }
+  return tl::unexpected(broken(name));
+}
+
+}  // namespace insonate
