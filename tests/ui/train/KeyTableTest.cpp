@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace insonate::train {
@@ -15,8 +16,8 @@ QKeyEvent pressed(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
 }
 
 TEST(KeyTable, EachKeyHasOneMeaning) {
-  std::set<std::pair<int, bool>> seen;
-  for (const KeyRow& row : keyTable()) EXPECT_TRUE(seen.emplace(row.key, row.control).second) << row.key;
+  std::set<std::tuple<int, bool, bool>> seen;
+  for (const KeyRow& row : keyTable()) EXPECT_TRUE(seen.emplace(row.key, row.control, row.alt).second) << row.key;
 }
 
 TEST(KeyTable, OppositeKeysUndoEachOther) {

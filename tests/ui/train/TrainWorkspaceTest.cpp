@@ -1,109 +1,7 @@
-#include "TrainSession.h"
-
-#include <insonate/simulator/ProbePose.h>
-#include <insonate/train/TrainWorkspace.h>
-#include <insonate/ui/Theme.h>
-#include <insonate/ui/ValueSlider.h>
-#include <insonate/ui/ViewWidget.h>
-
-#include <gtest/gtest.h>
-#include <support/SmallCase.h>
-#include <support/TestData.h>
-
-#include <QApplication>
-#include <QComboBox>
-#include <QImage>
-#include <QListWidget>
-#include <QMouseEvent>
-#include <QPushButton>
-#include <QSettings>
-#include <QSlider>
-#include <QTest>
-#include <algorithm>
-#include <filesystem>
-#include <memory>
+#include "TrainWindow.h"
 
 namespace insonate::train {
 namespace {
-
-constexpr int kPatience_ms = 60000;
-
-/// One application for all; it goes while there is still a screen.
-class TrainWindow : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    static int argc = 1;
-    static char name[] = "train_test";
-    static char* argv[] = {name, nullptr};
-    ui::prepareGraphics();
-    application_ = new QApplication(argc, argv);
-    ui::applyTheme(*application_);
-  }
-  static void TearDownTestSuite() {
-    delete application_;
-    application_ = nullptr;
-  }
-
-  void SetUp() override {
-    workspace_ = std::make_unique<TrainWorkspace>();
-    workspace_->resize(1100, 700);
-    workspace_->show();
-    session_ = workspace_->findChild<TrainSession*>();
-    ASSERT_TRUE(session_);
-    canvas_ = workspace_->findChild<ui::ViewWidget*>("ultrasoundView")->focusProxy();
-  }
-
-  static std::shared_ptr<const PatientCase> patient() {
-    static const auto made = std::make_shared<const PatientCase>(test::smallCase());
-    return made;
-  }
-
-  /// Small pictures of few scanlines, so that they come quickly.
-  void openCase() {
-    ImagingSettings quick = session_->settings();
-    quick.scanlines = 48, quick.samples = 200, quick.elevationPlanes = 1, quick.looks = 1;
-    quick.width = 128, quick.height = 96;
-    session_->setSettings(quick);
-    workspace_->setCase(patient());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return workspace_->isReady() && session_->handReady(); }, kPatience_ms))
-        << workspace_->statusText().toStdString();
-  }
-
-  void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) { QTest::keyClick(canvas_, key, modifiers); }
-
-  /// QTest moves the screen's pointer instead, which is not there when two windows share the screen.
-  void drag(Qt::MouseButton button, QPoint from, QPoint to) {
-    const auto send = [&](QEvent::Type type, QPoint at, Qt::MouseButton what, Qt::MouseButtons held) {
-      QMouseEvent event(type, at, canvas_->mapToGlobal(at), what, held, Qt::NoModifier);
-      QApplication::sendEvent(canvas_, &event);
-    };
-    send(QEvent::MouseButtonPress, from, button, button);
-    send(QEvent::MouseMove, to, Qt::NoButton, button);
-    send(QEvent::MouseButtonRelease, to, button, Qt::NoButton);
-  }
-
-  /// Waits until the picture on display is of the pose and settings as they are now.
-  void settle() {
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] {
-          return session_->shown()->patientFromProbe == session_->pose() &&
-                 session_->shown()->setup->settings.depth_mm == session_->settings().depth_mm;
-        },
-        kPatience_ms));
-  }
-
-  template <class T>
-  T* child(const char* name) {
-    T* found = workspace_->findChild<T*>(name);
-    EXPECT_TRUE(found) << name;
-    return found;
-  }
-
-  inline static QApplication* application_ = nullptr;
-  std::unique_ptr<TrainWorkspace> workspace_;
-  TrainSession* session_ = nullptr;
-  QWidget* canvas_ = nullptr;
-};
 
 TEST_F(TrainWindow, FirstPictureArrives) {
   EXPECT_FALSE(workspace_->isReady());
@@ -111,7 +9,14 @@ TEST_F(TrainWindow, FirstPictureArrives) {
   ASSERT_TRUE(session_->shown());
   EXPECT_EQ(session_->shown()->image.width, 128);
   EXPECT_GT(std::ranges::max(session_->shown()->image.grey), 40) << "something is seen";
-  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->engineText().contains("images/s"); }, kPatience_ms));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->engineText().contains("at rest"); }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        key(Qt::Key_Right);
+        key(Qt::Key_Left);
+        return workspace_->engineText().contains("images/s");
+      },
+      kPatience_ms));
 }
 
 TEST_F(TrainWindow, EachSliderChangesItsSetting) {
@@ -320,18 +225,33 @@ TEST_F(TrainWindow, CineStepsThroughTheLastPictures) {
 
 TEST_F(TrainWindow, PictureAndClipAreWritten) {
   test::TemporaryFolder folder;
-  EXPECT_FALSE(workspace_->savePicture(folder / "none.png")) << "before the first picture";
+  QString written, place, failed;
+  QObject::connect(workspace_.get(), &ui::Workspace::written,
+                   [&](const QString& what, const QString& where) { written = what, place = where; });
+  QObject::connect(workspace_.get(), &ui::Workspace::failed, [&](const QString& what) { failed = what; });
+  workspace_->savePicture(folder / "none.png");
+  EXPECT_EQ(workspace_->statusText(), "There is no picture yet.");
   openCase();
-  EXPECT_TRUE(workspace_->savePicture(folder / "picture.png"));
+  workspace_->savePicture(folder / "picture.png");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !written.isEmpty(); }, kPatience_ms));
+  EXPECT_EQ(written, "Picture saved as picture.png.");
+  EXPECT_EQ(place, QString::fromStdString(folder.path().string()));
   const QImage picture(QString::fromStdString((folder / "picture.png").string()));
   EXPECT_EQ(picture.width(), 128);
   EXPECT_NEAR(1000.0 / picture.dotsPerMeterX(), session_->shown()->image.pixel_mm, 1e-3);
-  EXPECT_FALSE(workspace_->savePicture(folder / "no" / "such" / "folder.png"));
+  workspace_->savePicture(folder / "no" / "such" / "folder.png");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, kPatience_ms));
+  EXPECT_TRUE(failed.contains("does not exist")) << failed.toStdString();
 
   workspace_->saveClip(folder / "clip");
-  const auto first = folder / "clip" / "picture-0001.png";
-  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().contains("saved"); }, kPatience_ms));
-  EXPECT_TRUE(std::filesystem::exists(first));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return written.startsWith("Clip"); }, kPatience_ms));
+  EXPECT_EQ(place, QString::fromStdString((folder / "clip").string()));
+  EXPECT_TRUE(std::filesystem::exists(folder / "clip" / "picture-0001.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "clip.part"));
+  failed.clear();
+  workspace_->saveClip(folder / "clip");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, kPatience_ms));
+  EXPECT_TRUE(failed.contains("already")) << "what is there is not written over";
 }
 
 TEST_F(TrainWindow, OneEffectCanBeSeenAlone) {

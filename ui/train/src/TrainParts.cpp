@@ -2,19 +2,22 @@
 
 #include "hand/KeyTable.h"
 #include "image/CineBar.h"
+#include "image/CtBeside.h"
+#include "image/EqualColumns.h"
 #include "image/ImageInput.h"
+#include "image/LinkedPointer.h"
+#include "image/SliceMeasure.h"
 #include "panel/ControlsPanel.h"
+#include "panel/EffectWords.h"
 #include "panel/Positions.h"
 #include "scene/PatientViews.h"
 
-#include <insonate/simulator/PictureFiles.h>
 #include <insonate/ui/ViewWidget.h>
 #include <insonate/ultrasound/BeamGrid.h>
 
 #include <QAbstractSpinBox>
+#include <QAction>
 #include <QApplication>
-#include <QDir>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -28,6 +31,7 @@
 namespace insonate::train {
 namespace {
 
+constexpr double kAtRest = 2;  // images/s
 constexpr int kRate_ms = 250;  // often enough to be true, seldom enough to be read
 
 }  // namespace
@@ -50,12 +54,20 @@ TrainWorkspace::Parts::Parts(TrainWorkspace& workspace)
   box->setContentsMargins(0, 0, 0, 0);
   box->addWidget(columns);
   ui::markViewRoom(columns);
-  input_ = new ImageInput(session, *image_, *imageWidget_->focusProxy(), this);
+  QWidget &picture = *imageWidget_->focusProxy(), &slice = *patient->mprWidget().focusProxy();
+  QWidget& beside = *beside_->widget().focusProxy();
+  // Filters see events in the reverse of this order.
+  measureSlice_ = new SliceMeasure(patient->mpr(), slice, this);
+  measureBeside_ = new SliceMeasure(beside_->view(), beside, this);
+  input_ = new ImageInput(session, *image_, picture, this);
+  auto* pointer = new LinkedPointer(session, *image_, picture, this);
+  pointer->addSlice(patient->mpr(), slice);
+  pointer->addSlice(beside_->view(), beside);
+  buildActions();
   connectParts();
 }
 
 TrainWorkspace::Parts::~Parts() {
-  clip_ = nullptr;
   session.stop();
 }
 
@@ -74,13 +86,51 @@ QWidget* TrainWorkspace::Parts::buildCentre() {
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(0);
   box->addWidget(empty_, 1);
-  box->addWidget(imageWidget_, 1);
+  beside_ = new CtBeside(session, centre);
+  pictures_ = new EqualColumns(centre);
+  pictures_->add(imageWidget_);
+  pictures_->add(&beside_->widget());
+  box->addWidget(pictures_, 1);
   box->addWidget(cine_);
   return centre;
 }
 
+void TrainWorkspace::Parts::buildActions() {
+  const auto make = [this](const QString& text, const QString& tip) {
+    auto* action = new QAction(text, this);
+    action->setCheckable(true);
+    action->setToolTip(tip);
+    workspace_.addAction(action);
+    return action;
+  };
+  // The key is in the table; it is only told here.
+  besideAction_ = make(tr("CT beside the picture\tC"), tr("The same plane of the CT at the same scale"));
+  leftHanded_ = make(tr("Left-handed layout"), tr("Controls on the right, patient on the left"));
+  connect(besideAction_, &QAction::toggled, this, [this](bool on) { setCtBeside(on); });
+  connect(leftHanded_, &QAction::toggled, this, [this](bool on) { setLeftHanded(on); });
+}
+
+void TrainWorkspace::Parts::setLeftHanded(bool on) {
+  leftHanded_->setChecked(on);
+  QWidget *first = on ? static_cast<QWidget*>(patient) : panel, *last = on ? static_cast<QWidget*>(panel) : patient;
+  if (columns->widget(0) == first) return;
+  QList<int> sizes = columns->sizes();
+  std::reverse(sizes.begin(), sizes.end());
+  columns->insertWidget(0, first);
+  columns->addWidget(last);
+  for (int i = 0; i < columns->count(); ++i)
+    columns->setStretchFactor(i, columns->widget(i) == panel ? 0 : columns->widget(i) == patient ? 1 : 3);
+  columns->setSizes(sizes);
+}
+
+void TrainWorkspace::Parts::setCtBeside(bool on) {
+  besideAction_->setChecked(on);
+  beside_->setShown(on);
+  cine_->setCtBeside(on);
+}
+
 void TrainWorkspace::Parts::connectParts() {
-  for (ui::ViewWidget* view : {imageWidget_, &patient->sceneWidget(), &patient->mprWidget()})
+  for (ui::ViewWidget* view : {imageWidget_, &beside_->widget(), &patient->sceneWidget(), &patient->mprWidget()})
     view->focusProxy()->installEventFilter(&workspace_);
   connect(&session, &TrainSession::caseChanged, this, [this] { showCase(); });
   connect(&session, &TrainSession::pictureShown, this, [this] { showPicture(); });
@@ -98,10 +148,9 @@ void TrainWorkspace::Parts::connectParts() {
   });
   input_->setMeasured([this] { showCallipers(); });
   connect(cine_, &CineBar::calliperChosen, this, [this](int kind) { chooseCalliper(kind); });
-  connect(cine_, &CineBar::clearCallipers, this, [this] {
-    input_->callipers().clear();
-    showCallipers();
-  });
+  connect(cine_, &CineBar::clearCallipers, this, [this] { clearCallipers(); });
+  connect(cine_, &CineBar::ctBesideChosen, this, [this](bool on) { setCtBeside(on); });
+  connect(&session, &TrainSession::setupChanged, this, [this] { showNotice(); });
   connect(cine_, &CineBar::savePicture, this, [this] { askPicture(); });
   connect(cine_, &CineBar::saveClip, this, [this] { askClip(); });
   connect(&rate_, &QTimer::timeout, this, [this] { showRate(); });
@@ -113,9 +162,10 @@ void TrainWorkspace::Parts::showCase() {
   image_->setImage({});
   image_->setFrozen(false);
   input_->callipers().clear();
+  for (SliceMeasure* slice : {measureSlice_, measureBeside_}) slice->setCallipers({});
   showCallipers();
   empty_->setVisible(!session.patient());
-  imageWidget_->setVisible(session.patient() != nullptr);
+  pictures_->setVisible(session.patient() != nullptr);
   empty_->setText(tr("No case is open.\n\nOpen one from the library, or make one in Prepare."));
   if (session.patient())
     rate_.start(kRate_ms);
@@ -153,6 +203,9 @@ void TrainWorkspace::Parts::showRate() {
     text += tr("   building the scene");
   else if (status.state == LiveState::Outside)
     text += tr("   outside the patient");
+  else if (session.shown() && session.imagesPerSecond() < kAtRest)
+    // A probe at rest needs no pictures; that is no slow engine.
+    text += tr("   at rest   %1 ms").arg(session.shown()->frame_ms, 4, 'f', 1);
   else if (session.shown())
     text += tr("   %1 images/s   %2 ms")
                 .arg(session.imagesPerSecond(), 3, 'f', 0)
@@ -169,12 +222,45 @@ void TrainWorkspace::Parts::showCallipers() {
 void TrainWorkspace::Parts::chooseCalliper(int kind) {
   const auto chosen = input_->callipers().kind();
   const bool off = kind < 0 || (chosen && int(*chosen) == kind);
-  input_->callipers().setKind(off ? std::nullopt : std::optional(views::CalliperKind(kind)));
+  const auto next = off ? std::nullopt : std::optional(views::CalliperKind(kind));
+  input_->callipers().setKind(next);
+  for (SliceMeasure* slice : {measureSlice_, measureBeside_}) slice->setKind(next);
   cine_->setCalliper(off ? -1 : kind);
-  imageWidget_->focusProxy()->setCursor(off ? Qt::ArrowCursor : Qt::CrossCursor);
+  for (ui::ViewWidget* view : {imageWidget_, &beside_->widget(), &patient->mprWidget()})
+    view->focusProxy()->setCursor(off ? Qt::ArrowCursor : Qt::CrossCursor);
   showCallipers();
   session.say(off ? tr("Drag on the image to slide the probe. Keys: ?")
-                  : tr("Click on the image from point to point, or drag."));
+                  : tr("Click on image or CT from point to point, or drag."));
+}
+
+void TrainWorkspace::Parts::clearCallipers() {
+  struct Measures {
+    std::vector<views::Calliper> picture;
+    std::vector<views::SliceCalliper> slice, beside;
+  };
+  const auto exchange = [this, other = Measures{}]() mutable {
+    Measures now{input_->callipers().done(), measureSlice_->callipers(), measureBeside_->callipers()};
+    input_->callipers().setDone(std::move(other.picture));
+    measureSlice_->setCallipers(std::move(other.slice));
+    measureBeside_->setCallipers(std::move(other.beside));
+    other = std::move(now);
+    showCallipers();
+    return true;
+  };
+  const bool any = !input_->callipers().done().empty() || !measureSlice_->callipers().empty() ||
+                   !measureBeside_->callipers().empty();
+  History::Exchange clear = exchange;
+  clear();
+  if (any) session.history().add(tr("removal of the measurements").toStdString(), std::move(clear));
+}
+
+void TrainWorkspace::Parts::showNotice() {
+  const std::string& effect = session.effect();
+  image_->setNotice(effect == TrainSession::kWholeModel
+                        ? std::string()
+                        : tr("ONE EFFECT ALONE: %1").arg(effectWords(effect)).toStdString());
+  if (effect != TrainSession::kWholeModel)
+    session.say(tr("This is not the usual picture but one effect of it; 0 shows the whole again."));
 }
 
 bool TrainWorkspace::Parts::key(const QKeyEvent& event, bool doIt) {
@@ -213,8 +299,15 @@ void TrainWorkspace::Parts::act(const KeyRow& row, bool wide, bool repeated) {
     case Command::MeasureAngle:
       return chooseCalliper(int(views::CalliperKind::Angle));
     case Command::ClearMeasures:
-      input_->callipers().clear();
-      return showCallipers();
+      return clearCallipers();
+    case Command::NextEffect:
+      return session.stepEffect(wide ? -1 : 1);
+    case Command::WholePicture:
+      return session.setEffect(TrainSession::kWholeModel);
+    case Command::CtBeside:
+      return setCtBeside(!isCtBeside());
+    case Command::SliceWindow:
+      return patient->setSliceWindow(row.place);
   }
 }
 
@@ -226,61 +319,46 @@ void TrainWorkspace::Parts::takeKeyboard(QObject* canvas) {
     imageWidget_->setFocus(Qt::MouseFocusReason);
 }
 
+bool TrainWorkspace::Parts::sliceKey(const QObject* canvas, const QKeyEvent& event) const {
+  if (canvas != patient->mprWidget().focusProxy() || event.modifiers() & (Qt::ControlModifier | Qt::AltModifier))
+    return false;
+  switch (event.key()) {
+    case Qt::Key_A:
+    case Qt::Key_D:
+    case Qt::Key_G:
+    case Qt::Key_R:
+      return true;
+    // The probe's plane has no neighbours: there the arrows are the probe's.
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_PageUp:
+    case Qt::Key_PageDown:
+      return patient->mpr().kind() != views::SliceKind::Oblique;
+    default:
+      return false;
+  }
+}
+
 bool TrainWorkspace::Parts::canvasEvent(QObject* canvas, QEvent* event) {
   switch (event->type()) {
     case QEvent::Enter:
       takeKeyboard(canvas);
       return false;
     case QEvent::ShortcutOverride:
+      if (sliceKey(canvas, *static_cast<QKeyEvent*>(event))) {
+        event->accept();
+        return true;
+      }
       if (!key(*static_cast<QKeyEvent*>(event), false)) return false;
       event->accept();
       return true;
     case QEvent::KeyPress:
-      return key(*static_cast<QKeyEvent*>(event), true);
+      return !sliceKey(canvas, *static_cast<QKeyEvent*>(event)) && key(*static_cast<QKeyEvent*>(event), true);
     default:
       return false;
   }
-}
-
-bool TrainWorkspace::Parts::savePicture(const std::filesystem::path& file) {
-  if (!session.shown()) {
-    session.say(tr("There is no picture yet."));
-    return false;
-  }
-  const auto written = writePng(session.shown()->image, file);
-  session.say(written ? tr("Picture saved as %1.").arg(QString::fromStdString(file.filename().string()))
-                      : QString::fromStdString(written.error().message));
-  return written.has_value();
-}
-
-void TrainWorkspace::Parts::saveClip(const std::filesystem::path& folder) {
-  session.setFrozen(true);
-  if (session.cine().empty()) return session.say(tr("There is no picture yet."));
-  clip_ = std::make_unique<ClipWriter>(
-      session.cine(), folder, [this](double share) { session.say(tr("Saving the clip, %1 %.").arg(int(share * 100))); },
-      [this](const Result<int>& result) {
-        session.say(result ? tr("%1 pictures saved.").arg(*result) : QString::fromStdString(result.error().message));
-      });
-}
-
-void TrainWorkspace::Parts::askPicture() {
-  if (!session.shown()) return session.say(tr("There is no picture yet."));
-  session.setFrozen(true);  // The picture that the user saw, whatever the dialog takes.
-  const QString name = exportName(QString::fromStdString(session.patient()->manifest.title)) + ".png";
-  const QString file = QFileDialog::getSaveFileName(&workspace_, tr("Save the picture"),
-                                                    QDir(lastFolder_).filePath(name), tr("PNG picture (*.png)"));
-  if (file.isEmpty()) return;
-  lastFolder_ = QFileInfo(file).path();
-  savePicture(file.toStdString());
-}
-
-void TrainWorkspace::Parts::askClip() {
-  session.setFrozen(true);
-  const QString folder = QFileDialog::getExistingDirectory(&workspace_, tr("Save the clip into"), lastFolder_);
-  if (folder.isEmpty() || !session.patient()) return;
-  lastFolder_ = folder;
-  const QString name = exportName(QString::fromStdString(session.patient()->manifest.title));
-  saveClip(QDir(folder).filePath(name).toStdString());
 }
 
 }  // namespace insonate::train

@@ -6,9 +6,11 @@
 #include <insonate/train/TrainWorkspace.h>
 #include <insonate/views/UltrasoundView.h>
 
+#include <QAction>
 #include <QString>
 #include <QTimer>
 #include <memory>
+#include <vector>
 
 class QKeyEvent;
 class QLabel;
@@ -23,8 +25,11 @@ namespace insonate::train {
 struct KeyRow;
 class CineBar;
 class ControlsPanel;
+class CtBeside;
+class EqualColumns;
 class ImageInput;
 class PatientViews;
+class SliceMeasure;
 
 /// What the workspace is made of, and how the parts act on each other.
 class TrainWorkspace::Parts : public QObject {
@@ -37,17 +42,28 @@ class TrainWorkspace::Parts : public QObject {
   ControlsPanel* panel = nullptr;
   PatientViews* patient = nullptr;
   QString engineText;
+  QString exportFolder;  ///< where pictures went last
   bool ready = false;
+
+  bool isLeftHanded() const { return leftHanded_->isChecked(); }
+  /// Controls on the right, patient on the left.
+  void setLeftHanded(bool on);
+  bool isCtBeside() const { return besideAction_->isChecked(); }
+  void setCtBeside(bool on);
 
   bool key(const QKeyEvent& event, bool act);
   /// For canvases: keys of the table, and the keyboard follows the mouse to the picture.
   bool canvasEvent(QObject* canvas, QEvent* event);
-  bool savePicture(const std::filesystem::path& file);
+  void savePicture(const std::filesystem::path& file);
   void saveClip(const std::filesystem::path& folder);
 
  private:
   QWidget* buildCentre();
+  void buildActions();
   void connectParts();
+  bool sliceKey(const QObject* canvas, const QKeyEvent& event) const;
+  void clearCallipers();
+  void showNotice();
   void act(const KeyRow& row, bool wide, bool repeated);
   void chooseCalliper(int kind);
   void showCallipers();
@@ -61,12 +77,15 @@ class TrainWorkspace::Parts : public QObject {
   TrainWorkspace& workspace_;
   std::shared_ptr<views::UltrasoundView> image_;
   ui::ViewWidget* imageWidget_ = nullptr;
+  EqualColumns* pictures_ = nullptr;
   QLabel* empty_ = nullptr;
   ImageInput* input_ = nullptr;
   CineBar* cine_ = nullptr;
+  CtBeside* beside_ = nullptr;
+  SliceMeasure *measureSlice_ = nullptr, *measureBeside_ = nullptr;
+  QAction *leftHanded_ = nullptr, *besideAction_ = nullptr;
   std::shared_ptr<const ImagingSetup> shape_;  ///< of the picture as laid out
-  std::unique_ptr<ClipWriter> clip_;
-  QString lastFolder_;
+  std::vector<std::unique_ptr<PictureWriter>> writers_;
   QTimer rate_;
 };
 

@@ -160,6 +160,14 @@ void TrainSession::setEffect(const std::string& name) {
   sendSetup();
 }
 
+void TrainSession::stepEffect(int by) {
+  std::vector<std::string> names{kWholeModel};
+  for (const EffectLayer& layer : effectLayers(settings_)) names.push_back(layer.name);
+  const int count = int(names.size());
+  const int now = int(std::ranges::find(names, effect_) - names.begin()) % count;
+  setEffect(names[std::size_t(((now + by) % count + count) % count)]);
+}
+
 void TrainSession::sendSetup() {
   rememberSetup();
   if (feed_.live())
@@ -204,6 +212,18 @@ void TrainSession::typed(HandAxis axis, double value) {
 
 void TrainSession::moveTo(Vec3 patient_mm) {
   if (mayMove()) moved(control_.moveTo(patient_mm));
+}
+
+void TrainSession::placed(Vec3 patient_mm) {
+  constexpr double kOnSkin_mm = 0.5;
+  control_.begin();
+  if (mayMove()) {
+    moved(control_.moveTo(patient_mm));
+    const double off_mm = norm(numbers().skin_mm - patient_mm);
+    if (control_.ready() && off_mm > kOnSkin_mm)
+      say(tr("That place is not on the skin; the probe is at the nearest skin, %1 mm away.").arg(off_mm, 0, 'f', 1));
+  }
+  Q_EMIT handMoved();  // Numbers that could not be reached go back.
 }
 
 void TrainSession::goTo(const StartPose& pose) {

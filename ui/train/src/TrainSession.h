@@ -46,6 +46,8 @@ class TrainSession : public QObject {
   /// Shows one effect of EffectLayers.h by itself.
   void setEffect(const std::string& name);
   const std::string& effect() const { return effect_; }
+  /// The next in the order of effectLayers(), the whole model between the last and the first.
+  void stepEffect(int by);
 
   // The hand. Moves are refused while the picture is frozen.
   bool handReady() const { return control_.ready(); }
@@ -58,6 +60,8 @@ class TrainSession : public QObject {
   void slide(double lateral_mm, double elevation_mm);
   void typed(HandAxis axis, double value);
   void moveTo(Vec3 patient_mm);
+  /// To the skin nearest to a typed place; says how far that is.
+  void placed(Vec3 patient_mm);
   void goTo(const StartPose& pose);
   void home();
   /// Moves, settings, and whatever else was added to history().

@@ -47,6 +47,10 @@ std::vector<ui::Shortcut> TrainWorkspace::shortcuts() const {
 }
 
 void TrainWorkspace::saveLayout(QSettings& settings) const {
+  settings.setValue("leftHanded", parts_->isLeftHanded());
+  settings.setValue("ctBeside", parts_->isCtBeside());
+  settings.setValue("exportFolder", parts_->exportFolder);
+  settings.setValue("labelOpacity", parts_->patient->mpr().labelOpacity());
   settings.setValue("columns", parts_->columns->saveState());
   settings.setValue("patientViews", parts_->patient->splitter().saveState());
   settings.setValue("slice", int(parts_->patient->mpr().kind()));
@@ -54,6 +58,11 @@ void TrainWorkspace::saveLayout(QSettings& settings) const {
 }
 
 void TrainWorkspace::restoreLayout(QSettings& settings) {
+  // First the order, then the widths.
+  parts_->setLeftHanded(settings.value("leftHanded", false).toBool());
+  parts_->setCtBeside(settings.value("ctBeside", false).toBool());
+  parts_->exportFolder = settings.value("exportFolder").toString();
+  parts_->patient->mpr().setLabelOpacity(settings.value("labelOpacity", 0).toDouble());
   parts_->columns->restoreState(settings.value("columns").toByteArray());
   parts_->patient->splitter().restoreState(settings.value("patientViews").toByteArray());
   const int slice = settings.value("slice", int(views::SliceKind::Oblique)).toInt();
@@ -65,8 +74,8 @@ void TrainWorkspace::stop() {
   parts_->session.stop();
 }
 
-bool TrainWorkspace::savePicture(const std::filesystem::path& file) {
-  return parts_->savePicture(file);
+void TrainWorkspace::savePicture(const std::filesystem::path& file) {
+  parts_->savePicture(file);
 }
 
 void TrainWorkspace::saveClip(const std::filesystem::path& folder) {

@@ -1,11 +1,32 @@
 #include "PictureExport.h"
 
-#include <insonate/core/Progress.h>
 #include <insonate/simulator/PictureFiles.h>
 
 #include <QDateTime>
+#include <utility>
 
 namespace insonate::train {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that goes with its contents, unless it is kept under another name.
+class FolderInWork {
+ public:
+  explicit FolderInWork(fs::path path) : path_(std::move(path)) {}
+  ~FolderInWork() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  FolderInWork(const FolderInWork&) = delete;
+  FolderInWork& operator=(const FolderInWork&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
 
 QString exportName(const QString& caseTitle) {
   QString name;
@@ -14,35 +35,39 @@ QString exportName(const QString& caseTitle) {
   return name + QDateTime::currentDateTime().toString("-yyyyMMdd-HHmmss");
 }
 
-ClipWriter::ClipWriter(Frames frames, std::filesystem::path folder, std::function<void(double)> progress,
-                       std::function<void(Result<int>)> ended)
-    : frames_(std::move(frames)), folder_(std::move(folder)), progress_(std::move(progress)) {
-  thread_ = std::thread([this, ended = std::move(ended)] {
-    const Result<int> result = write();
+PictureWriter::PictureWriter(std::shared_ptr<const LiveFrame> frame, fs::path file,
+                             std::function<void(Result<void>)> ended) {
+  thread_ = std::thread([this, frame = std::move(frame), file = std::move(file), ended = std::move(ended)] {
+    const Result<void> result = writePng(frame->image, file);
     QMetaObject::invokeMethod(
         this, [ended, result] { ended(result); }, Qt::QueuedConnection);
   });
 }
 
-ClipWriter::~ClipWriter() {
-  cancelled_ = true;
+PictureWriter::~PictureWriter() {
   thread_.join();
 }
 
-Result<int> ClipWriter::write() {
+Result<int> writeClip(const std::vector<std::shared_ptr<const LiveFrame>>& frames, const fs::path& folder,
+                      const Progress& progress) {
   std::error_code error;
-  std::filesystem::create_directories(folder_, error);
-  if (error) return fail("The folder " + folder_.string() + " cannot be made: " + error.message() + ".");
+  if (fs::exists(folder, error))
+    return fail("There is already something named " + folder.string() + "; choose another name.");
+  const FolderInWork beside(folder.string() + ".part");
+  fs::remove_all(beside.path(), error);
+  fs::create_directories(beside.path(), error);
+  if (error)
+    return fail("The folder " + folder.string() + " cannot be made: " + error.message() + ". Choose another place.");
   int written = 0;
-  for (const auto& frame : frames_) {
-    if (cancelled_) return fail(std::string(kCancelled));
+  for (const auto& frame : frames) {
+    if (!report(progress, "writing pictures", double(written) / double(frames.size())))
+      return fail(std::string(kCancelled));
     const QString name = QStringLiteral("picture-%1.png").arg(written + 1, 4, 10, QChar('0'));
-    if (auto ok = writePng(frame->image, folder_ / name.toStdString()); !ok) return tl::unexpected(ok.error());
+    if (auto ok = writePng(frame->image, beside.path() / name.toStdString()); !ok) return tl::unexpected(ok.error());
     ++written;
-    const double share = double(written) / double(frames_.size());
-    QMetaObject::invokeMethod(
-        this, [this, share] { progress_(share); }, Qt::QueuedConnection);
   }
+  fs::rename(beside.path(), folder, error);
+  if (error) return fail("The clip cannot be written to " + folder.string() + ": " + error.message() + ".");
   return written;
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
+#include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
 #include <insonate/simulator/LiveImaging.h>
 
 #include <QObject>
 #include <QString>
-#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -17,25 +17,21 @@ namespace insonate::train {
 /// A file name for what is on display: case, date and time; without extension, fit for every file system.
 QString exportName(const QString& caseTitle);
 
-/// Writes pictures as picture-0001.png, picture-0002.png, ... into a folder, which it makes, on a thread of its own.
-/// `ended` is called on the window's thread, with an error or the number of pictures. The destructor cancels.
-class ClipWriter : public QObject {
+/// Writes one picture as PNG on a thread of its own. `ended` is called on the window's thread, unless the writer has
+/// gone before; its destructor waits for the file, which is there as a whole or not at all.
+class PictureWriter : public QObject {
  public:
-  using Frames = std::vector<std::shared_ptr<const LiveFrame>>;
-  ClipWriter(Frames frames, std::filesystem::path folder, std::function<void(double share)> progress,
-             std::function<void(Result<int>)> ended);
-  ~ClipWriter() override;
-
-  void cancel() { cancelled_ = true; }
+  PictureWriter(std::shared_ptr<const LiveFrame> frame, std::filesystem::path file,
+                std::function<void(Result<void>)> ended);
+  ~PictureWriter() override;
 
  private:
-  Result<int> write();
-
-  Frames frames_;
-  std::filesystem::path folder_;
-  std::function<void(double)> progress_;
-  std::atomic<bool> cancelled_{false};
   std::thread thread_;
 };
+
+/// Writes pictures as picture-0001.png, picture-0002.png, ... into a new folder and returns how many. The folder is
+/// there when all of them are; cancelled or failed, nothing is left. Refuses a folder that exists.
+Result<int> writeClip(const std::vector<std::shared_ptr<const LiveFrame>>& frames, const std::filesystem::path& folder,
+                      const Progress& progress);
 
 }  // namespace insonate::train

@@ -17,6 +17,10 @@ constexpr KeyRow recall(int place, const char* keys, const char* meaning) {
   return {Qt::Key_1 + place, false, Command::Recall, {}, 0, 0, place, keys, meaning};
 }
 
+constexpr KeyRow window(int place, const char* keys, const char* meaning) {
+  return {Qt::Key_1 + place, false, Command::SliceWindow, {}, 0, 0, place, keys, meaning, true};
+}
+
 constexpr KeyRow kKeys[] = {
     move(Qt::Key_Left, Lateral, -1, -5, "Arrows", "slide the probe 1 mm (Shift 5 mm)"),
     move(Qt::Key_Right, Lateral, 1, 5, "", ""),
@@ -54,6 +58,15 @@ constexpr KeyRow kKeys[] = {
     plain(Qt::Key_O, Command::MeasureEllipse, "", ""),
     plain(Qt::Key_V, Command::MeasureAngle, "", ""),
     plain(Qt::Key_Delete, Command::ClearMeasures, "Delete", "remove the measurements"),
+    plain(Qt::Key_N, Command::NextEffect, "N, Shift+N",
+          "one effect of the picture by itself: the next, the one before"),
+    plain(Qt::Key_0, Command::WholePicture, "0", "the whole picture again"),
+    plain(Qt::Key_C, Command::CtBeside, "C", "the CT of the same plane beside the picture, and back"),
+    window(0, "Alt+1 to Alt+5", "window of the CT: soft tissue, bone, lung, abdomen, brain"),
+    window(1, "", ""),
+    window(2, "", ""),
+    window(3, "", ""),
+    window(4, "", ""),
     plain(Qt::Key_S, Command::SavePicture, "Ctrl+S", "save the picture", true),
 };
 
@@ -62,6 +75,12 @@ constexpr MouseRow kMouse[] = {
     {"Right drag on the image", "rotate; with Shift tilt and rock"},
     {"Wheel on the image", "press; with Ctrl change the depth"},
     {"Left drag on the skin (3D)", "put the probe there"},
+    {"Pointing at image or CT", "marks the same place in the other"},
+    {"Wheel on the CT slice", "other slices; probe plane and with Ctrl: zoom"},
+    {"Right drag on the CT slice", "window and level"},
+    {"Left, middle drag on the CT slice", "crosshair; shift the slice"},
+    {"Arrows, Page keys in the CT slice", "other slices"},
+    {"G, A, D, R in the CT slice", "structures on and off, fainter, stronger; fit again"},
 };
 
 }  // namespace
@@ -75,10 +94,11 @@ std::span<const MouseRow> mouseTable() {
 }
 
 const KeyRow* rowFor(const QKeyEvent& event) {
-  if (event.modifiers() & (Qt::AltModifier | Qt::MetaModifier)) return nullptr;
+  if (event.modifiers() & Qt::MetaModifier) return nullptr;
+  const bool alt = event.modifiers() & Qt::AltModifier;
   const bool control = event.modifiers() & Qt::ControlModifier;
   for (const KeyRow& row : kKeys)
-    if (row.key == event.key() && row.control == control) return &row;
+    if (row.key == event.key() && row.control == control && row.alt == alt) return &row;
   return nullptr;
 }
 

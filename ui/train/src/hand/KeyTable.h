@@ -24,6 +24,10 @@ enum class Command {
   MeasureEllipse,
   MeasureAngle,
   ClearMeasures,
+  NextEffect,
+  WholePicture,
+  CtBeside,
+  SliceWindow,
 };
 
 /// One row of the only table of keys: it decides what a key does, and lists it for the user.
@@ -33,9 +37,10 @@ struct KeyRow {
   Command command;
   HandAxis axis{};            ///< of a move
   double step = 0, wide = 0;  ///< mm or degrees; wide with shift
-  int place = 0;              ///< of a recall, from 0
+  int place = 0;              ///< of a recall or a window preset, from 0
   const char* keys;           ///< as the user knows it; empty on rows that share the line above
   const char* meaning;
+  bool alt = false;  ///< with the alt key
 };
 
 std::span<const KeyRow> keyTable();

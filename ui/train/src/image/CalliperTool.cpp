@@ -1,6 +1,7 @@
 #include "CalliperTool.h"
 
 #include <cmath>
+#include <utility>
 
 namespace insonate::train {
 namespace {
@@ -49,7 +50,11 @@ void CalliperTool::fix() {
 }
 
 void CalliperTool::clear() {
-  done_.clear();
+  setDone({});
+}
+
+void CalliperTool::setDone(std::vector<views::Calliper> callipers) {
+  done_ = std::move(callipers);
   fixed_ = 0;
 }
 

@@ -21,6 +21,9 @@ class CalliperTool {
 
   /// The complete ones, and last the one being placed.
   std::vector<views::Calliper> callipers() const;
+  const std::vector<views::Calliper>& done() const { return done_; }
+  /// Instead of all there are; one that is being placed is dropped.
+  void setDone(std::vector<views::Calliper> callipers);
   bool placing() const { return fixed_ > 0; }
 
  private:

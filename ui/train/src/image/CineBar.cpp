@@ -26,12 +26,14 @@ CineBar::CineBar(TrainSession& session, QWidget* parent)
       session_(session),
       slider_(new QSlider(Qt::Horizontal, this)),
       time_(new QLabel(this)),
+      beside_(new QPushButton(tr("CT"), this)),
       save_(new QPushButton(tr("Save"), this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 4, 8, 4);
   row->setSpacing(8);
   slider_->setObjectName("cine");
   slider_->setAccessibleName(tr("Picture of the last seconds"));
+  slider_->setToolTip(tr("The last seconds of a frozen picture (comma and period step)"));
   slider_->setFocusPolicy(Qt::TabFocus);
   time_->setMinimumWidth(time_->fontMetrics().horizontalAdvance("-00.00 s"));
   time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -49,9 +51,17 @@ CineBar::CineBar(TrainSession& session, QWidget* parent)
   clear->setToolTip(tr("Remove the measurements (Delete)"));
   clear->setFocusPolicy(Qt::TabFocus);
   row->addWidget(clear);
+  beside_->setObjectName("ctBesideButton");
+  beside_->setAccessibleName(tr("CT beside the picture"));
+  beside_->setToolTip(tr("The CT of the same plane at the same scale, beside the picture (C)"));
+  beside_->setCheckable(true);
+  beside_->setFocusPolicy(Qt::TabFocus);
+  row->addWidget(beside_);
+  connect(beside_, &QPushButton::clicked, this, &CineBar::ctBesideChosen);
+  save_->setToolTip(tr("Save the picture (Ctrl+S), or the last seconds"));
   auto* menu = new QMenu(save_);
-  menu->addAction(tr("Picture..."), this, &CineBar::savePicture);
-  menu->addAction(tr("Clip of the last seconds..."), this, &CineBar::saveClip);
+  menu->addAction(tr("Picture ..."), this, &CineBar::savePicture);
+  menu->addAction(tr("Clip of the last seconds ..."), this, &CineBar::saveClip);
   save_->setMenu(menu);
   save_->setFocusPolicy(Qt::TabFocus);
   row->addWidget(save_);
@@ -66,6 +76,10 @@ CineBar::CineBar(TrainSession& session, QWidget* parent)
 
 void CineBar::setCalliper(int kind) {
   for (int i = 0; i < 3; ++i) measures_[i]->setChecked(i == kind);
+}
+
+void CineBar::setCtBeside(bool shown) {
+  beside_->setChecked(shown);
 }
 
 void CineBar::refresh() {

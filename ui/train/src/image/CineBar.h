@@ -20,10 +20,12 @@ class CineBar : public QWidget {
 
   /// Which calliper is chosen (views::CalliperKind), -1 for none.
   void setCalliper(int kind);
+  void setCtBeside(bool shown);
 
  Q_SIGNALS:
   void calliperChosen(int kind);
   void clearCallipers();
+  void ctBesideChosen(bool shown);
   void savePicture();
   void saveClip();
 
@@ -35,7 +37,7 @@ class CineBar : public QWidget {
   QSlider* slider_;
   QLabel* time_;
   QPushButton* measures_[3];
-  QPushButton* save_;
+  QPushButton *beside_, *save_;
 };
 
 }  // namespace insonate::train

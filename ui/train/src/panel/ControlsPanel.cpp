@@ -1,6 +1,7 @@
 #include "ControlsPanel.h"
 
 #include "../TrainSession.h"
+#include "EffectWords.h"
 #include "Positions.h"
 #include "ProbeNumbers.h"
 #include "TgcSliders.h"
@@ -117,6 +118,8 @@ QWidget* ControlsPanel::buildPlace() {
   positions_ = new Positions(session_, place);
   numbers_ = new ProbeNumbers(place);
   numbers_->setTyped([this](HandAxis axis, double value) { session_.typed(axis, value); });
+  numbers_->setPlaced([this](Vec3 patient_mm) { session_.placed(patient_mm); });
+  numbers_->setRefused([this](const QString& sentence) { session_.say(sentence); });
   box->addWidget(heading(tr("Position")));
   box->addWidget(positions_);
   box->addSpacing(4);
@@ -176,7 +179,7 @@ QWidget* ControlsPanel::buildPicture() {
   box->addWidget(labelled(tr("look"), look_));
   effect_ = new QComboBox;
   effect_->setObjectName("effect");
-  effect_->setToolTip(tr("One effect of the model by itself"));
+  effect_->setToolTip(tr("The whole picture, or one effect of the model by itself (N, Shift+N; 0 for the whole)"));
   box->addWidget(labelled(tr("show"), effect_));
   for (QComboBox* combo : {probe_, look_, effect_}) {
     combo->setFocusPolicy(Qt::TabFocus);
@@ -228,9 +231,9 @@ void ControlsPanel::refresh() {
   tgc_->setValues(settings.tgc_dB);
   look_->setCurrentIndex(look_->findData(int(settings.look)));
   effect_->clear();
-  effect_->addItem(tr("everything"), QString());
+  effect_->addItem(tr("the whole picture"), QString());
   for (const EffectLayer& layer : effectLayers(settings))
-    effect_->addItem(tr("only %1").arg(spaced(layer.name)), QString::fromStdString(layer.name));
+    effect_->addItem(tr("only %1").arg(effectWords(layer.name)), QString::fromStdString(layer.name));
   effect_->setCurrentIndex(std::max(0, effect_->findData(QString::fromStdString(session_.effect()))));
   refreshing_ = false;
 }

@@ -5,16 +5,21 @@
 #include <insonate/simulator/ProbePose.h>
 
 #include <QCryptographicHash>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QSettings>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
 namespace insonate::train {
 namespace {
 
 constexpr int kRowsShown = 4;
+constexpr int kMenu_px = 36;
 
 QVariantList numbers(const StartPose& pose) {
   QVariantList all;
@@ -39,10 +44,13 @@ Positions::Positions(TrainSession& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
       list_(new QListWidget(this)),
-      saveButton_(new QPushButton(tr("Save position"), this)) {
+      saveButton_(new QPushButton(tr("Save position"), this)),
+      menuButton_(new QPushButton(this)) {
   list_->setObjectName("positions");
   list_->setAccessibleName(tr("Positions of the probe"));
-  list_->setToolTip(tr("Click, or press 1 to 9. Delete removes one of your own."));
+  list_->setToolTip(
+      tr("Click, or press 1 to 9, to go there. Your own: F2 renames, Alt+Up and Alt+Down move, Delete removes."));
+  list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setTextElideMode(Qt::ElideRight);
   list_->setFocusPolicy(Qt::TabFocus);
@@ -53,7 +61,19 @@ Positions::Positions(TrainSession& session, QWidget* parent)
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(4);
   box->addWidget(list_);
-  box->addWidget(saveButton_);
+  saveButton_->setToolTip(tr("Remember where the probe is, as one more position of the list"));
+  menuButton_->setObjectName("positionMenu");
+  menuButton_->setAccessibleName(tr("Change the chosen position"));
+  menuButton_->setToolTip(tr("Rename, move or remove the chosen position"));
+  menuButton_->setFocusPolicy(Qt::TabFocus);
+  menuButton_->setFixedWidth(kMenu_px);
+  menuButton_->setMenu(buildMenu());
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  row->addWidget(saveButton_, 1);
+  row->addWidget(menuButton_);
+  box->addLayout(row);
+  connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) { nameEdited(item); });
   connect(list_, &QListWidget::itemClicked, this, [this] { recall(list_->currentRow()); });
   connect(list_, &QListWidget::itemActivated, this, [this] { recall(list_->currentRow()); });
   connect(saveButton_, &QPushButton::clicked, this, [this] { saveCurrent(); });
@@ -62,6 +82,25 @@ Positions::Positions(TrainSession& session, QWidget* parent)
     if (!saveButton_->isEnabled()) refresh();
   });
   refresh();
+}
+
+QMenu* Positions::buildMenu() {
+  auto* menu = new QMenu(this);
+  const auto add = [this, menu](const QString& text, auto act) {
+    connect(menu->addAction(text), &QAction::triggered, this, [this, act] {
+      if (list_->currentRow() >= 0)
+        act(list_->currentRow());
+      else
+        session_.say(tr("Choose a position of the list first."));
+    });
+  };
+  add(tr("Rename\tF2"), [this](int place) {
+    if (ownAt(place)) list_->editItem(list_->item(place));
+  });
+  add(tr("Move up\tAlt+Up"), [this](int place) { shift(place, -1); });
+  add(tr("Move down\tAlt+Down"), [this](int place) { shift(place, 1); });
+  add(tr("Remove\tDelete"), [this](int place) { remove(place); });
+  return menu;
 }
 
 QString Positions::caseKey() const {
@@ -94,15 +133,19 @@ int Positions::count() const {
 }
 
 void Positions::refresh() {
+  refreshing_ = true;
   const int current = list_->currentRow();
+  const int first = int(ofCase().size());
   list_->clear();
   const auto poses = all();
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const QString name = poses[i].name.empty() ? tr("start") : QString::fromStdString(poses[i].name);
     auto* item = new QListWidgetItem(QStringLiteral("%1  %2").arg(i + 1).arg(name), list_);
     item->setToolTip(name);
+    if (int(i) >= first) item->setFlags(item->flags() | Qt::ItemIsEditable);
   }
   list_->setCurrentRow(current < list_->count() ? current : -1);
+  refreshing_ = false;
   saveButton_->setEnabled(session_.handReady());
   const int row_px = list_->count() ? list_->sizeHintForRow(0) : fontMetrics().height() + 4;
   list_->setFixedHeight(kRowsShown * row_px + 2 * list_->frameWidth());
@@ -115,33 +158,97 @@ void Positions::recall(int place) {
   session_.goTo(poses[place]);
 }
 
+void Positions::change(Own next, const QString& what, int current) {
+  const QString key = caseKey();
+  const auto exchange = [this, key, other = std::move(next)]() mutable {
+    std::swap(own_[key], other);
+    refresh();
+    return true;
+  };
+  History::Exchange now = exchange;
+  now();
+  session_.history().add(what.toStdString(), std::move(now));
+  if (current < list_->count()) list_->setCurrentRow(current);
+}
+
 void Positions::saveCurrent() {
   if (!session_.handReady()) return;
   StartPose pose = poseOf(session_.pose());
-  auto& own = own_[caseKey()];
+  Own own = own_.value(caseKey());
   pose.name = tr("position %1").arg(own.size() + 1).toStdString();
   own.push_back(pose);
-  refresh();
-  list_->setCurrentRow(list_->count() - 1);
-  session_.say(tr("Position saved as %1.").arg(list_->count()));
+  change(std::move(own), tr("saving of a position"), list_->count());
+  session_.say(tr("Position saved as %1; F2 in the list names it.").arg(list_->count()));
+}
+
+std::optional<std::size_t> Positions::ownAt(int place) {
+  const int first = int(ofCase().size());
+  if (place < 0 || place >= list_->count()) return std::nullopt;
+  if (place >= first) return std::size_t(place - first);
+  session_.say(tr("Positions of the case stay as they are; your own can be changed."));
+  return std::nullopt;
 }
 
 void Positions::remove(int place) {
-  const int first = int(ofCase().size());
-  auto& own = own_[caseKey()];
-  if (place < first) return session_.say(tr("Positions of the case stay; your own can be removed."));
-  if (place - first >= int(own.size())) return;
-  own.erase(own.begin() + (place - first));
-  refresh();
+  const auto index = ownAt(place);
+  if (!index) return;
+  Own own = own_.value(caseKey());
+  own.erase(own.begin() + long(*index));
+  change(std::move(own), tr("removal of a position"), std::max(0, std::min(place, list_->count() - 2)));
+  session_.say(tr("Position removed; Ctrl+Z brings it back."));
+}
+
+void Positions::rename(int place, const QString& name) {
+  const auto index = ownAt(place);
+  if (!index || name.trimmed().isEmpty()) return;
+  Own own = own_.value(caseKey());
+  own[*index].name = name.trimmed().toStdString();
+  change(std::move(own), tr("renaming of a position"), place);
+}
+
+void Positions::shift(int place, int by) {
+  const auto index = ownAt(place);
+  if (!index) return;
+  Own own = own_.value(caseKey());
+  const long target = long(*index) + by;
+  if (target < 0 || target >= long(own.size())) return;
+  std::swap(own[*index], own[std::size_t(target)]);
+  change(std::move(own), tr("order of the positions"), place + by);
+}
+
+void Positions::nameEdited(QListWidgetItem* item) {
+  if (refreshing_) return;
+  const int place = list_->row(item);
+  // The number before the name is not part of it; who edits may have left it there.
+  QString name = item->text().trimmed();
+  const QString number = QString::number(place + 1) + QStringLiteral("  ");
+  if (name.startsWith(number)) name = name.mid(number.size());
+  // Not from within the list's own signal.
+  QMetaObject::invokeMethod(
+      this,
+      [this, place, name] {
+        if (name.trimmed().isEmpty())
+          refresh();
+        else
+          rename(place, name);
+      },
+      Qt::QueuedConnection);
 }
 
 bool Positions::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == list_ && event->type() == QEvent::KeyPress &&
-      static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete && list_->currentRow() >= 0) {
+  if (watched != list_ || event->type() != QEvent::KeyPress || list_->currentRow() < 0)
+    return QWidget::eventFilter(watched, event);
+  const auto& press = *static_cast<QKeyEvent*>(event);
+  const bool up = press.key() == Qt::Key_Up, down = press.key() == Qt::Key_Down;
+  if (press.key() == Qt::Key_Delete)
     remove(list_->currentRow());
+  else if ((up || down) && press.modifiers() & Qt::AltModifier)
+    shift(list_->currentRow(), up ? -1 : 1);
+  else if (press.key() == Qt::Key_F2 && !ownAt(list_->currentRow()))
     return true;
-  }
-  return QWidget::eventFilter(watched, event);
+  else
+    return QWidget::eventFilter(watched, event);
+  return true;
 }
 
 void Positions::save(QSettings& settings) const {

@@ -5,9 +5,12 @@
 #include <QMap>
 #include <QString>
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 class QListWidget;
+class QListWidgetItem;
+class QMenu;
 class QPushButton;
 class QSettings;
 
@@ -25,8 +28,10 @@ class Positions : public QWidget {
   void recall(int place);
   /// Where the probe is now, as one of the user's own.
   void saveCurrent();
-  /// One of the user's own; the case's stay.
+  /// Of the user's own only; those of the case stay as they are.
   void remove(int place);
+  void rename(int place, const QString& name);
+  void shift(int place, int by);
 
   void save(QSettings& settings) const;
   void restore(QSettings& settings);
@@ -35,6 +40,12 @@ class Positions : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  using Own = std::vector<StartPose>;
+  QMenu* buildMenu();
+  void nameEdited(QListWidgetItem* item);
+  /// The user's own position of this row; nothing, and a sentence, for one of the case.
+  std::optional<std::size_t> ownAt(int place);
+  void change(Own next, const QString& what, int current);
   void refresh();
   QString caseKey() const;
   std::vector<StartPose> ofCase() const;
@@ -43,6 +54,8 @@ class Positions : public QWidget {
   TrainSession& session_;
   QListWidget* list_;
   QPushButton* saveButton_;
+  QPushButton* menuButton_;
+  bool refreshing_ = false;
   QMap<QString, std::vector<StartPose>> own_;
 };
 

@@ -2,14 +2,14 @@
 
 #include "../hand/ProbeControl.h"
 
+#include <QString>
 #include <QWidget>
 #include <array>
 #include <functional>
 
-class QDoubleSpinBox;
-class QLabel;
-
 namespace insonate::train {
+
+class NumberField;
 
 /// Where the probe is, in numbers that can be typed over: rotation, tilt, rock, pressure; and the place on the skin.
 class ProbeNumbers : public QWidget {
@@ -19,15 +19,25 @@ class ProbeNumbers : public QWidget {
   void show(const HandNumbers& numbers);
   /// Called for numbers that a user types or steps.
   void setTyped(std::function<void(HandAxis axis, double value)> listener) { typed_ = std::move(listener); }
+  /// Called for a place that a user types; patient LPS.
+  void setPlaced(std::function<void(Vec3 patient_mm)> listener) { placed_ = std::move(listener); }
+  /// Called with a sentence for what cannot be taken.
+  void setRefused(std::function<void(const QString& sentence)> listener) { refused_ = std::move(listener); }
 
  private:
   struct Field {
     HandAxis axis;
-    QDoubleSpinBox* box;
+    NumberField* box;
   };
+  void addAngles();
+  void addPlace();
+
   std::array<Field, 4> fields_{};
-  QLabel* place_;
+  std::array<NumberField*, 3> place_{};
+  Vec3 skin_mm_;
   std::function<void(HandAxis, double)> typed_;
+  std::function<void(Vec3)> placed_;
+  std::function<void(const QString&)> refused_;
 };
 
 }  // namespace insonate::train

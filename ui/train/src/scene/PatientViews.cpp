@@ -2,6 +2,7 @@
 
 #include "../TrainSession.h"
 #include "SceneInput.h"
+#include "SliceMenu.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/Theme.h>
@@ -44,6 +45,7 @@ PatientViews::PatientViews(TrainSession& session, QWidget* parent)
       session_(session),
       scene_(std::make_shared<views::SceneView>()),
       mpr_(std::make_shared<views::MprView>(views::SliceKind::Oblique)) {
+  mpr_->setLabelOpacity(0);
   sceneWidget_ = new ui::ViewWidget(scene_, tr("Patient and probe in three dimensions"), this);
   sceneWidget_->setObjectName(QStringLiteral("sceneView"));
   mprWidget_ = new ui::ViewWidget(mpr_, tr("CT slice"), this);
@@ -87,13 +89,23 @@ QWidget* PatientViews::buildMpr() {
     button->setToolTip(tr(kind.says));
     button->setAccessibleName(tr("%1 slice").arg(tr(kind.name)));
     button->setCheckable(true);
-    ui::setRole(button, "tab");
+    ui::setRole(button, "narrowTab");
     button->setChecked(kind.kind == views::SliceKind::Oblique);
     button->setFocusPolicy(Qt::TabFocus);
     kinds_->addButton(button, int(kind.kind));
     row->addWidget(button);
   }
   row->addStretch();
+  sliceMenu_ = new SliceMenu(*mpr_, pane);
+  auto* how = new QToolButton(pane);
+  how->setObjectName(QStringLiteral("sliceMenu"));
+  how->setIcon(ui::icon(QStringLiteral("view")));
+  how->setAccessibleName(tr("How the CT slice is shown"));
+  how->setToolTip(tr("How the CT slice is shown: window and level in HU, structures in %"));
+  how->setPopupMode(QToolButton::InstantPopup);
+  how->setMenu(sliceMenu_);
+  how->setFocusPolicy(Qt::TabFocus);
+  row->addWidget(how);
   connect(kinds_, &QButtonGroup::idClicked, this, [this](int id) { setSliceKind(views::SliceKind(id)); });
   box->addLayout(row);
   box->addWidget(mprWidget_, 1);
@@ -104,7 +116,26 @@ void PatientViews::setSliceKind(views::SliceKind kind) {
   if (auto* button = kinds_->button(int(kind))) button->setChecked(true);
   mpr_->setKind(kind);
   mpr_->setCrosshairVisible(kind != views::SliceKind::Oblique);
+  slicedAt_.reset();
+  sliceToProbe();
   want();
+}
+
+Transform PatientViews::poseNow() const {
+  // The picture of a moving probe is a moment old; the probe itself is where the hand has it.
+  const bool live = !session_.isFrozen() && session_.handReady();
+  return live ? session_.pose() : session_.shown()->patientFromProbe;
+}
+
+void PatientViews::sliceToProbe() {
+  const auto& frame = session_.shown();
+  if (!frame || mpr_->kind() == views::SliceKind::Oblique || slicedAt_ == poseNow()) return;
+  slicedAt_ = poseNow();
+  mpr_->setCrosshair(*slicedAt_ * Vec3{0, 0, frame->setup->settings.depth_mm / 2});
+}
+
+void PatientViews::setSliceWindow(int preset) {
+  sliceMenu_->choose(preset);
 }
 
 void PatientViews::showCase() {
@@ -112,6 +143,7 @@ void PatientViews::showCase() {
   rest_.stop();
   scene_->setMoving(false);
   followed_ = nullptr;
+  slicedAt_.reset();
   cameraDue_ = false;
   shape_ = nullptr;
   case_ = session_.patient() ? std::make_shared<views::VtkCase>(session_.patient()) : nullptr;
@@ -121,7 +153,6 @@ void PatientViews::showCase() {
   scene_->setImage({});
   mpr_->setCase(case_);
   mpr_->setFan(std::nullopt);
-  mpr_->setLabelOpacity(0);
   mpr_->setCrosshairVisible(mpr_->kind() != views::SliceKind::Oblique);
 }
 
@@ -161,9 +192,7 @@ void PatientViews::follow() {
     scene_->setProbe(shape_->probe, shape_->settings);
     mpr_->setFan(shape_->probe, shape_->settings);
   }
-  // The picture of a moving probe is a moment old; the probe itself is where the hand has it.
-  const bool live = !session_.isFrozen() && session_.handReady();
-  const Transform pose = live ? session_.pose() : frame->patientFromProbe;
+  const Transform pose = poseNow();
   if (pose != pose_) {
     scene_->setMoving(true);
     rest_.start();
@@ -171,8 +200,8 @@ void PatientViews::follow() {
   pose_ = pose;
   scene_->setProbePose(pose);
   mpr_->setProbePose(pose);
-  if (mpr_->kind() != views::SliceKind::Oblique)
-    mpr_->setCrosshair(pose * Vec3{0, 0, frame->setup->settings.depth_mm / 2});
+  // Slices follow the probe when it moves; in between, they are the user's.
+  sliceToProbe();
   if (frame != followed_) scene_->setImage(frame->image);
   if (cameraDue_ && sceneWidget_->isVisible()) placeCamera();
   followed_ = frame;

@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <memory>
+#include <optional>
 
 class QButtonGroup;
 class QSplitter;
@@ -19,6 +20,7 @@ class ViewWidget;
 
 namespace insonate::train {
 
+class SliceMenu;
 class TrainSession;
 
 /// The patient beside the picture: in 3D with probe and image plane, and as CT slices. Both follow the probe as often
@@ -35,12 +37,16 @@ class PatientViews : public QWidget {
   QSplitter& splitter() { return *splitter_; }
 
   void setSliceKind(views::SliceKind kind);
+  /// One of views::windowLevelPresets().
+  void setSliceWindow(int preset);
 
  private:
   QWidget* buildMpr();
   void showCase();
   void showSurface(int label, const Mesh& mesh);
   void placeCamera();
+  void sliceToProbe();
+  Transform poseNow() const;
   void want();
   void follow();
 
@@ -52,10 +58,12 @@ class PatientViews : public QWidget {
   ui::ViewWidget* mprWidget_ = nullptr;
   QSplitter* splitter_ = nullptr;
   QButtonGroup* kinds_ = nullptr;
+  SliceMenu* sliceMenu_ = nullptr;
   std::shared_ptr<const LiveFrame> followed_;
   std::shared_ptr<const ImagingSetup> shape_;  ///< of the probe as drawn
   bool cameraDue_ = false;                     ///< a new patient is there, and not looked at yet
   Transform pose_;
+  std::optional<Transform> slicedAt_;  ///< where the probe was when the slice was put there
   QTimer timer_, rest_;
   QElapsedTimer sinceFollowed_;
 };

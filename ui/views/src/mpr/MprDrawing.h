@@ -4,6 +4,7 @@
 #include "../overlay/PictureQuad.h"
 #include "../overlay/Texts.h"
 #include "../ultrasound/FanOutline.h"
+#include "FanMask.h"
 #include "SliceSampler.h"
 
 #include <insonate/views/MprView.h>
@@ -14,8 +15,10 @@ namespace insonate::views {
 struct MprOverlay {
   SliceKind kind = SliceKind::Axial;
   std::optional<Vec3> crosshair_mm;
-  std::vector<Vec3> fan_mm;  ///< outline, once round
-  std::string slice;         ///< "axial 42 / 120"
+  std::optional<Vec3> pointer_mm;
+  std::vector<DisplayPoint> fan;                    ///< outline, once round
+  std::string slice;                                ///< "axial 42 / 120"
+  std::vector<std::pair<int, Calliper>> callipers;  ///< number, and as it lies in the plane
   WindowLevel windowLevel;
 };
 
@@ -31,6 +34,7 @@ struct MprView::Drawing {
   Lines lines;
   Texts texts;
   SliceSampler sampler;
+  FanMask mask;
   std::vector<PlanePoint> fan;
   SlicePlane sampled;               ///< what the quad shows
   std::uint64_t sampledLabels = 0;  ///< revision of the labels it shows

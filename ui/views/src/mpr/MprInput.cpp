@@ -26,6 +26,8 @@ bool MprView::moved(const Pointer& pointer) {
   const bool points = held_ == Button::Left || (held_ == Button::None && pointer.shift);
   if (points) {
     moveCrosshair(patientFromDisplay(pointer.at));
+  } else if (held_ == Button::Middle && asPicture()) {
+    return true;
   } else if (held_ == Button::Middle) {
     stopFitting();
     const SliceAxes axes = plane().axes;
@@ -50,6 +52,7 @@ bool MprView::released(const Pointer&) {
 
 bool MprView::wheel(const Pointer& pointer, double notches) {
   if (!patient_) return false;
+  if (asPicture()) return true;
   if (pointer.control || kind_ == SliceKind::Oblique) {
     // What is under the pointer stays there.
     const Vec3 before_mm = patientFromDisplay(pointer.at);

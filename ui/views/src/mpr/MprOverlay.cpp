@@ -1,3 +1,5 @@
+#include "../overlay/PointerMark.h"
+#include "../ultrasound/CalliperDrawing.h"
 #include "MprDrawing.h"
 
 #include <cmath>
@@ -48,6 +50,20 @@ void drawCrosshair(Vec3 position_mm, const SlicePlane& plane, double scale, Line
   }
 }
 
+void drawCallipers(const MprOverlay& overlay, const SlicePlane& plane, double scale, Lines& lines, Texts& texts) {
+  const auto toDisplay = [&plane](PicturePoint point) {
+    return plane.displayFromPatient(fromSlice(point, plane.axes, plane.centre_mm));
+  };
+  const double margin = 10 * scale, line = 17 * scale;
+  double y = plane.height_px - margin - line * double(overlay.callipers.size());
+  for (const auto& [number, calliper] : overlay.callipers) {
+    drawCalliper(calliper, number, toDisplay, scale, lines, texts);
+    texts.put({margin, y}, std::to_string(number) + "  " + words(calliper),
+              {13 * scale, theme::kText, false, Across::Left, Along::Bottom});
+    y += line;
+  }
+}
+
 }  // namespace
 
 double roundLength_mm(double longest_mm) {
@@ -60,20 +76,21 @@ double roundLength_mm(double longest_mm) {
 void drawMprOverlay(const MprOverlay& overlay, const SlicePlane& plane, double scale, Lines& lines, Texts& texts) {
   lines.begin(plane.height_px);
   texts.begin(plane.height_px);
-  if (!overlay.fan_mm.empty()) {
-    std::vector<DisplayPoint> fan;
-    for (const Vec3 point_mm : overlay.fan_mm) fan.push_back(plane.displayFromPatient(point_mm));
-    lines.polyline(fan, {kHalo.colour, kHalo.width_px * scale, kHalo.opacity}, true);
-    lines.polyline(fan, {theme::kAccent, 1.5 * scale, 0.9}, true);
+  if (!overlay.fan.empty()) {
+    lines.polyline(overlay.fan, {kHalo.colour, kHalo.width_px * scale, kHalo.opacity}, true);
+    lines.polyline(overlay.fan, {theme::kAccent, 1.5 * scale, 0.9}, true);
   }
   if (overlay.crosshair_mm) drawCrosshair(*overlay.crosshair_mm, plane, scale, lines);
+  if (overlay.pointer_mm) drawPointerMark(plane.displayFromPatient(*overlay.pointer_mm), scale, lines);
+  drawCallipers(overlay, plane, scale, lines, texts);
   drawLetters(plane, scale, texts);
   drawScaleBar(plane, scale, lines, texts);
   const double margin = 10 * scale;
   texts.put({margin, margin}, overlay.slice, {12 * scale, theme::kQuiet, false, Across::Left, Along::Top});
-  char words[64];
-  std::snprintf(words, sizeof words, "W %.0f  L %.0f", overlay.windowLevel.window_HU, overlay.windowLevel.level_HU);
-  texts.put({margin, plane.height_px - margin}, words, {12 * scale, theme::kQuiet, false, Across::Left, Along::Bottom});
+  char window[64];
+  std::snprintf(window, sizeof window, "W %.0f  L %.0f", overlay.windowLevel.window_HU, overlay.windowLevel.level_HU);
+  texts.put({margin, plane.height_px - margin}, window,
+            {12 * scale, theme::kQuiet, false, Across::Left, Along::Bottom});
   lines.end();
   texts.end();
 }

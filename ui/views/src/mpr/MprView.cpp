@@ -10,6 +10,10 @@
 namespace insonate::views {
 namespace {
 
+constexpr double kOutlineAlone = 0.9;
+/// A slice passes through what is nearer than this.
+constexpr double kNear_mm = 1;
+
 /// Smallest and largest value of a direction over a grid's outer faces.
 struct Extent {
   double low = 0, high = 0;
@@ -71,6 +75,24 @@ void MprView::setFan(std::optional<Probe> probe, const ImagingSettings& settings
   fanProbe_ = std::move(probe);
   fanSettings_ = settings;
   drawing_->fan = fanProbe_ ? fieldOfViewOutline(*fanProbe_, fanSettings_) : std::vector<PlanePoint>{};
+  if (picture_) drawing_->paintStale = true;  // The mask is another one.
+  changed();
+}
+
+void MprView::setPicture(std::optional<PictureBounds> bounds) {
+  picture_ = bounds;
+  drawing_->paintStale = true;
+  changed();
+}
+
+void MprView::setPointer(std::optional<Vec3> position_mm) {
+  if (position_mm == pointer_mm_) return;
+  pointer_mm_ = position_mm;
+  changed();
+}
+
+void MprView::setCallipers(std::vector<SliceCalliper> callipers) {
+  callipers_ = std::move(callipers);
   changed();
 }
 
@@ -111,6 +133,12 @@ void MprView::setLabelsVisible(bool visible) {
   changed();
 }
 
+void MprView::setLabelOutlines(bool only) {
+  outlinesOnly_ = only;
+  drawing_->paintStale = true;
+  changed();
+}
+
 void MprView::setLabelOpacity(double opacity) {
   labelOpacity_ = std::clamp(opacity, 0.0, 1.0);
   drawing_->paintStale = true;
@@ -121,6 +149,14 @@ void MprView::fitTo(SlicePlane& plane) const {
   const double margin_px = 8 * scale();
   const double room_x = std::max(16.0, width_px() - 2 * margin_px),
                room_y = std::max(16.0, height_px() - 2 * margin_px);
+  if (asPicture()) {
+    const PicturePlacement place = placementOf(*picture_, width_px(), height_px(), scale());
+    plane.mm_per_px = 1 / place.px_per_mm;
+    plane.centre_mm =
+        patientFromProbe_ * Vec3{picture_->minLateral_mm + (0.5 * width_px() - place.left_px) * plane.mm_per_px, 0,
+                                 picture_->minAxial_mm + (0.5 * height_px() - place.top_px) * plane.mm_per_px};
+    return;
+  }
   if (overFan()) {
     const BeamGrid grid(*fanProbe_, fanSettings_);
     const double wide_mm = grid.maxLateral_mm() - grid.minLateral_mm(),
@@ -138,7 +174,7 @@ void MprView::fitTo(SlicePlane& plane) const {
 
 SlicePlane MprView::plane() const {
   SlicePlane plane{sliceAxes(kind_, patientFromProbe_), middle_mm_, mm_per_px_, width_px(), height_px()};
-  if (fitted_ && (patient_ || overFan())) fitTo(plane);
+  if ((fitted_ || asPicture()) && (patient_ || overFan())) fitTo(plane);
   const Vec3 through_mm = kind_ == SliceKind::Oblique ? patientFromProbe_.offset : crosshair_mm_;
   plane.centre_mm = plane.centre_mm + plane.axes.normal * dot(through_mm - plane.centre_mm, plane.axes.normal);
   return plane;
@@ -178,13 +214,35 @@ void MprView::paintLabels() {
   drawing_->sampler.setWindowLevel(windowLevel_);
   for (int label = 0; label < 256; ++label) {
     const bool shown = labelsVisible_ && visible_[label];
-    const double fill = shown ? labelOpacity_ : 0;
-    drawing_->sampler.setPaint(static_cast<std::uint8_t>(label), {colours_[label], fill, std::min(1.0, 2 * fill)});
+    const double fill = shown && !outlinesOnly_ ? labelOpacity_ : 0;
+    const double outline = shown && outlinesOnly_ ? kOutlineAlone : std::min(1.0, 2 * fill);
+    drawing_->sampler.setPaint(static_cast<std::uint8_t>(label), {colours_[label], fill, outline});
   }
 }
 
 bool MprView::outOfDate() const {
   return patient_ && drawing_->sampledLabels != patient_->labelRevision();
+}
+
+bool MprView::passesThrough(Vec3 point_mm, const SlicePlane& plane) const {
+  return std::abs(plane.distance_mm(point_mm)) < kNear_mm;
+}
+
+std::vector<DisplayPoint> MprView::fanOn(const SlicePlane& plane) const {
+  std::vector<DisplayPoint> fan;
+  if (overFan())
+    for (const PlanePoint& point : drawing_->fan)
+      fan.push_back(plane.displayFromPatient(patientFromProbe_ * Vec3{point.lateral_mm, 0, point.axial_mm}));
+  return fan;
+}
+
+void MprView::sample(const SlicePlane& plane) {
+  const auto rgb = drawing_->quad.picture(plane.width_px, plane.height_px);
+  drawing_->sampler.sample(patient_->patient().ct, patient_->labels(), plane, rgb);
+  if (asPicture()) drawing_->mask.apply(fanOn(plane), plane.width_px, plane.height_px, rgb);
+  drawing_->quad.pictureChanged();
+  drawing_->quad.place({0, 0}, {double(plane.width_px), double(plane.height_px)}, plane.height_px, {});
+  drawing_->sampled = plane, drawing_->sampledLabels = patient_->labelRevision(), drawing_->paintStale = false;
 }
 
 void MprView::layout() {
@@ -198,21 +256,18 @@ void MprView::layout() {
   if (drawing_->paintStale || drawing_->sampledLabels != patient_->labelRevision() ||
       !samePlane(now, drawing_->sampled)) {
     if (drawing_->paintStale) paintLabels();
-    const auto rgb = drawing_->quad.picture(now.width_px, now.height_px);
-    drawing_->sampler.sample(patient_->patient().ct, patient_->labels(), now, rgb);
-    drawing_->quad.pictureChanged();
-    drawing_->quad.place({0, 0}, {double(now.width_px), double(now.height_px)}, now.height_px, {});
-    drawing_->sampled = now, drawing_->sampledLabels = patient_->labelRevision(), drawing_->paintStale = false;
+    sample(now);
   }
   MprOverlay overlay;
   overlay.kind = kind_, overlay.windowLevel = windowLevel_;
-  overlay.slice = sliceWords(kind_, patient_->patient().ct.geometry, now);
+  overlay.slice = asPicture() ? "CT" : sliceWords(kind_, patient_->patient().ct.geometry, now);
   // Where the slice does not pass through the crosshair, it would point at another place.
-  const bool near = std::abs(now.distance_mm(crosshair_mm_)) < 1;
-  if (crosshairVisible_ && near) overlay.crosshair_mm = crosshair_mm_;
-  if (overFan())
-    for (const PlanePoint& point : drawing_->fan)
-      overlay.fan_mm.push_back(patientFromProbe_ * Vec3{point.lateral_mm, 0, point.axial_mm});
+  if (crosshairVisible_ && passesThrough(crosshair_mm_, now)) overlay.crosshair_mm = crosshair_mm_;
+  if (pointer_mm_ && passesThrough(*pointer_mm_, now)) overlay.pointer_mm = pointer_mm_;
+  for (std::size_t k = 0; k < callipers_.size(); ++k)
+    if (std::ranges::all_of(callipers_[k].points_mm, [&](Vec3 point_mm) { return passesThrough(point_mm, now); }))
+      overlay.callipers.emplace_back(int(k) + 1, onSlice(callipers_[k], now.axes));
+  overlay.fan = fanOn(now);
   drawMprOverlay(overlay, now, scale(), drawing_->lines, drawing_->texts);
 }
 

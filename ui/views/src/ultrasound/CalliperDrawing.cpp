@@ -36,7 +36,7 @@ class Pen {
   double scale_;
 };
 
-std::vector<DisplayPoint> ellipseOnDisplay(const Calliper& calliper, const UltrasoundView& view) {
+std::vector<DisplayPoint> ellipseOnDisplay(const Calliper& calliper, const ToDisplay& toDisplay) {
   constexpr int kSides = 72;
   const auto& p = calliper.points;
   const CalliperValues values = measure(calliper);
@@ -46,25 +46,25 @@ std::vector<DisplayPoint> ellipseOnDisplay(const Calliper& calliper, const Ultra
   for (int k = 0; k < kSides; ++k) {
     const double turn = 2 * std::numbers::pi * k / kSides;
     const double a = values.length_mm / 2 * std::cos(turn), b = values.width_mm / 2 * std::sin(turn);
-    ring.push_back(view.displayFromPicture({(p[0].lateral_mm + p[1].lateral_mm) / 2 + a * c - b * s,
-                                            (p[0].axial_mm + p[1].axial_mm) / 2 + a * s + b * c}));
+    ring.push_back(toDisplay({(p[0].lateral_mm + p[1].lateral_mm) / 2 + a * c - b * s,
+                              (p[0].axial_mm + p[1].axial_mm) / 2 + a * s + b * c}));
   }
   return ring;
 }
 
 }  // namespace
 
-void drawCalliper(const Calliper& calliper, int number, const UltrasoundView& view, double scale, Lines& lines,
+void drawCalliper(const Calliper& calliper, int number, const ToDisplay& toDisplay, double scale, Lines& lines,
                   Texts& texts) {
   Pen pen(lines, scale);
   DisplayPoint at[3];
-  for (int k = 0; k < 3; ++k) at[k] = view.displayFromPicture(calliper.points[k]);
+  for (int k = 0; k < 3; ++k) at[k] = toDisplay(calliper.points[k]);
   switch (calliper.kind) {
     case CalliperKind::Distance:
       pen.dotted(at[0], at[1]);
       break;
     case CalliperKind::Ellipse: {
-      const std::vector<DisplayPoint> ring = ellipseOnDisplay(calliper, view);
+      const std::vector<DisplayPoint> ring = ellipseOnDisplay(calliper, toDisplay);
       lines.polyline(ring, {theme::kBlack, 3 * scale, 0.5}, true);
       lines.polyline(ring, {theme::kText, 1.25 * scale, 0.95}, true);
       break;

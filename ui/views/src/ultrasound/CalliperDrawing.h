@@ -3,12 +3,17 @@
 #include "../overlay/Lines.h"
 #include "../overlay/Texts.h"
 
-#include <insonate/views/UltrasoundView.h>
+#include <insonate/views/Calliper.h>
+
+#include <functional>
 
 namespace insonate::views {
 
-/// One calliper with its number and value.
-void drawCalliper(const Calliper& calliper, int number, const UltrasoundView& view, double scale, Lines& lines,
+/// Of a view that shows the calliper's plane.
+using ToDisplay = std::function<DisplayPoint(PicturePoint)>;
+
+/// One calliper with its number.
+void drawCalliper(const Calliper& calliper, int number, const ToDisplay& toDisplay, double scale, Lines& lines,
                   Texts& texts);
 
 }  // namespace insonate::views

@@ -71,8 +71,10 @@ void drawPictureFrame(const PictureFrame& frame, double scale, int width_px, Lin
   if (!frame.tgc_dB.empty()) drawTgc(frame, scale, lines);
   const double dotX = frame.markerRight ? frame.right_px - 5 * scale : frame.left_px + 5 * scale;
   lines.disc({dotX, frame.top_px - 12 * scale}, 5 * scale, theme::kAccent);
-  if (frame.frozen)
-    texts.put({width_px / 2.0, 4 * scale}, "FROZEN", {14 * scale, theme::kCaution, true, Across::Centre, Along::Top});
+  std::string words = frame.frozen ? "FROZEN" : "";
+  if (!frame.notice.empty()) words += (words.empty() ? "" : "  \u00b7  ") + frame.notice;
+  if (!words.empty())
+    texts.put({width_px / 2.0, 4 * scale}, words, {14 * scale, theme::kCaution, true, Across::Centre, Along::Top});
 }
 
 }  // namespace insonate::views

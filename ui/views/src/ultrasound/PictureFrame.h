@@ -4,6 +4,7 @@
 #include "../overlay/Texts.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace insonate::views {
@@ -16,6 +17,7 @@ struct PictureFrame {
   std::optional<double> focus_mm{};
   std::vector<double> tgc_dB{};
   bool scale = true, greyBar = true, frozen = false, markerRight = true;
+  std::string notice{};
 };
 
 /// Room that the frame needs beside the picture, in logical pixels.

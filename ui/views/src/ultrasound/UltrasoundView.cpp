@@ -1,4 +1,5 @@
 #include "../overlay/PictureQuad.h"
+#include "../overlay/PointerMark.h"
 #include "CalliperDrawing.h"
 #include "PictureFrame.h"
 
@@ -69,6 +70,14 @@ void UltrasoundView::setTgc(std::span<const double> tgc_dB) {
   tgc_dB_.assign(tgc_dB.begin(), tgc_dB.end());
   changed();
 }
+void UltrasoundView::setPointer(std::optional<PicturePoint> point) {
+  pointer_ = point;
+  changed();
+}
+void UltrasoundView::setNotice(const std::string& words) {
+  notice_ = words;
+  changed();
+}
 void UltrasoundView::setCallipers(std::vector<Calliper> callipers) {
   callipers_ = std::move(callipers);
   changed();
@@ -81,20 +90,8 @@ PictureBounds UltrasoundView::bounds() const {
   return {left, left + shape_.width * shape_.pixel_mm, top, top + shape_.height * shape_.pixel_mm};
 }
 
-UltrasoundView::Placement UltrasoundView::placement() const {
-  const double left = kFrameLeft * scale(), right = kFrameRight * scale();
-  const double top = kFrameTop * scale(), bottom = kFrameBottom * scale();
-  const PictureBounds shown = bounds();
-  const double wide_mm = std::max(1e-3, shown.maxLateral_mm - shown.minLateral_mm);
-  const double deep_mm = std::max(1e-3, shown.maxAxial_mm - shown.minAxial_mm);
-  const double room_x = std::max(8.0, width_px() - left - right), room_y = std::max(8.0, height_px() - top - bottom);
-  Placement place;
-  place.px_per_mm = std::min(room_x / wide_mm, room_y / deep_mm);
-  place.left_px = std::round(left + 0.5 * (room_x - wide_mm * place.px_per_mm));
-  place.top_px = std::round(top + 0.5 * (room_y - deep_mm * place.px_per_mm));
-  place.right_px = place.left_px + wide_mm * place.px_per_mm;
-  place.bottom_px = place.top_px + deep_mm * place.px_per_mm;
-  return place;
+PicturePlacement UltrasoundView::placement() const {
+  return placementOf(bounds(), width_px(), height_px(), scale());
 }
 
 double UltrasoundView::px_per_mm() const {
@@ -102,7 +99,7 @@ double UltrasoundView::px_per_mm() const {
 }
 
 PicturePoint UltrasoundView::pictureFromDisplay(DisplayPoint at) const {
-  const Placement place = placement();
+  const PicturePlacement place = placement();
   const PictureBounds shown = bounds();
   const double across_mm = (at.x - place.left_px) / place.px_per_mm;
   return {mirrored_ ? shown.maxLateral_mm - across_mm : shown.minLateral_mm + across_mm,
@@ -110,7 +107,7 @@ PicturePoint UltrasoundView::pictureFromDisplay(DisplayPoint at) const {
 }
 
 DisplayPoint UltrasoundView::displayFromPicture(PicturePoint point) const {
-  const Placement place = placement();
+  const PicturePlacement place = placement();
   const PictureBounds shown = bounds();
   const double across_mm = mirrored_ ? shown.maxLateral_mm - point.lateral_mm : point.lateral_mm - shown.minLateral_mm;
   return {place.left_px + across_mm * place.px_per_mm,
@@ -118,7 +115,7 @@ DisplayPoint UltrasoundView::displayFromPicture(PicturePoint point) const {
 }
 
 bool UltrasoundView::onPicture(DisplayPoint at) const {
-  const Placement place = placement();
+  const PicturePlacement place = placement();
   return at.x >= place.left_px && at.x < place.right_px && at.y >= place.top_px && at.y < place.bottom_px;
 }
 
@@ -136,7 +133,7 @@ void UltrasoundView::placePicture(const PictureBounds& shown) {
 }
 
 void UltrasoundView::layout() {
-  const Placement place = placement();
+  const PicturePlacement place = placement();
   const PictureBounds shown = bounds();
   Lines& lines = drawing_->lines;
   Texts& texts = drawing_->texts;
@@ -149,12 +146,14 @@ void UltrasoundView::layout() {
     frame.minAxial_mm = shown.minAxial_mm, frame.maxAxial_mm = shown.maxAxial_mm;
     frame.focus_mm = focus_mm_, frame.tgc_dB = tgc_dB_;
     frame.scale = scaleVisible_, frame.greyBar = greyBarVisible_, frame.frozen = frozen_,
-    frame.markerRight = !mirrored_;
+    frame.markerRight = !mirrored_, frame.notice = notice_;
     drawPictureFrame(frame, scale(), width_px(), lines, texts);
+    if (pointer_) drawPointerMark(displayFromPicture(*pointer_), scale(), lines);
+    const auto toDisplay = [this](PicturePoint point) { return displayFromPicture(point); };
     const double line = 17 * scale();
     double y = place.bottom_px - 8 * scale() - line * (double(callipers_.size()) - 1);
     for (std::size_t k = 0; k < callipers_.size(); ++k, y += line) {
-      drawCalliper(callipers_[k], int(k) + 1, *this, scale(), lines, texts);
+      drawCalliper(callipers_[k], int(k) + 1, toDisplay, scale(), lines, texts);
       texts.put({place.left_px + 8 * scale(), y}, std::to_string(k + 1) + "  " + words(callipers_[k]),
                 {13 * scale(), theme::kText, false, Across::Left, Along::Bottom});
     }

@@ -28,9 +28,9 @@ class TrainWorkspace : public ui::Workspace {
   void restoreLayout(QSettings& settings) override;
   void stop() override;
 
-  /// The picture on display as PNG with its scale; says in the status whether it was written.
-  bool savePicture(const std::filesystem::path& file);
-  /// The last seconds as numbered PNGs in a folder, which is made; goes on in the background.
+  /// The picture on display as PNG with its scale. Goes on in the background; written() or failed() tell the end.
+  void savePicture(const std::filesystem::path& file);
+  /// The last seconds as numbered PNGs in a new folder, as one of tasks(); written() or failed() tell the end.
   void saveClip(const std::filesystem::path& folder);
 
  protected:

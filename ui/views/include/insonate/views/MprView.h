@@ -1,6 +1,8 @@
 #pragma once
 
 #include <insonate/ultrasound/ImagingSettings.h>
+#include <insonate/views/PictureBounds.h>
+#include <insonate/views/SliceCalliper.h>
 #include <insonate/views/SlicePlane.h>
 #include <insonate/views/Theme.h>
 #include <insonate/views/View.h>
@@ -12,6 +14,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace insonate::views {
 
@@ -33,6 +36,14 @@ class MprView final : public View {
   /// The field of view to outline on an oblique view; none for no outline.
   void setFan(std::optional<Probe> probe, const ImagingSettings& settings = {});
 
+  /// On an oblique view: lies as these bounds lie in an UltrasoundView of the same size, and shows nothing outside the
+  /// field of view; does not zoom or pan. None for a slice of its own.
+  void setPicture(std::optional<PictureBounds> bounds);
+  /// Marks the place that is pointed at in another view, where the slice passes through it; none for no mark.
+  void setPointer(std::optional<Vec3> position_mm);
+  /// Drawn with their values where the slice passes through them, numbered in this order.
+  void setCallipers(std::vector<SliceCalliper> callipers);
+
   /// Where the crosshair is, patient LPS mm; the slice shown is the one through it (oblique: the probe's plane).
   void setCrosshair(Vec3 position_mm);
   Vec3 crosshair_mm() const { return crosshair_mm_; }
@@ -47,6 +58,8 @@ class MprView final : public View {
   void setLabelColour(std::uint8_t label, Colour colour);
   void setLabelVisible(std::uint8_t label, bool visible);
   void setLabelsVisible(bool visible);
+  /// Only their outlines, whatever the opacity.
+  void setLabelOutlines(bool only);
   /// Of the fill, 0..1; outlines are stronger.
   void setLabelOpacity(double opacity);
   double labelOpacity() const { return labelOpacity_; }
@@ -79,12 +92,19 @@ class MprView final : public View {
   void stopFitting();
   void paintLabels();
   bool overFan() const { return kind_ == SliceKind::Oblique && fanProbe_; }
+  bool asPicture() const { return overFan() && picture_; }
+  bool passesThrough(Vec3 point_mm, const SlicePlane& plane) const;
+  std::vector<DisplayPoint> fanOn(const SlicePlane& plane) const;
+  void sample(const SlicePlane& plane);
 
   SliceKind kind_;
   std::shared_ptr<const VtkCase> patient_;
   Transform patientFromProbe_;
   std::optional<Probe> fanProbe_;
   ImagingSettings fanSettings_;
+  std::optional<PictureBounds> picture_;
+  std::optional<Vec3> pointer_mm_;
+  std::vector<SliceCalliper> callipers_;
   Vec3 crosshair_mm_;
   bool crosshairVisible_ = true;
   std::function<void(Vec3)> crosshairMoved_;
@@ -92,7 +112,7 @@ class MprView final : public View {
   std::function<void(WindowLevel)> windowLevelChanged_;
   std::array<Colour, 256> colours_{};
   std::array<bool, 256> visible_{};
-  bool labelsVisible_ = true;
+  bool labelsVisible_ = true, outlinesOnly_ = false;
   double labelOpacity_ = 0.25;
   Vec3 middle_mm_;  ///< once zoomed or panned: the patient point at the middle, but for its place along the normal
   double mm_per_px_ = 0.5;

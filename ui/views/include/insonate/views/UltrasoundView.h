@@ -2,19 +2,16 @@
 
 #include <insonate/ultrasound/Frames.h>
 #include <insonate/views/Calliper.h>
+#include <insonate/views/PictureBounds.h>
 #include <insonate/views/View.h>
 
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace insonate::views {
-
-/// The part of the imaging plane to show, probe frame mm; low < high.
-struct PictureBounds {
-  double minLateral_mm = -20, maxLateral_mm = 20, minAxial_mm = 0, maxAxial_mm = 40;
-};
 
 /// The live picture, as large as fits with square pixels, black around; a depth scale beside it, focus, grey bar, the
 /// probe's marker, callipers. Axial 0 of the scale is the middle of the probe's face.
@@ -37,6 +34,10 @@ class UltrasoundView final : public View {
   void setGreyBarVisible(bool visible);
   /// Slider values in dB from face to depth, -20..20, drawn as a curve beside the picture; empty for none.
   void setTgc(std::span<const double> tgc_dB);
+  /// Marks the place that is pointed at in another view; none for no mark.
+  void setPointer(std::optional<PicturePoint> point);
+  /// Words over the picture that say why it is not the usual one; empty for none.
+  void setNotice(const std::string& words);
   /// Drawn with their values, numbered in this order.
   void setCallipers(std::vector<Calliper> callipers);
 
@@ -52,11 +53,8 @@ class UltrasoundView final : public View {
 
  private:
   struct Drawing;
-  struct Placement {
-    double px_per_mm = 10, left_px = 0, top_px = 0, right_px = 0, bottom_px = 0;
-  };
   PictureBounds bounds() const;
-  Placement placement() const;
+  PicturePlacement placement() const;
   void placePicture(const PictureBounds& shown);
 
   BModeImage shape_;  ///< size and place of the picture; its pixels go straight to the texture
@@ -64,6 +62,8 @@ class UltrasoundView final : public View {
   std::optional<double> focus_mm_;
   std::vector<double> tgc_dB_;
   std::vector<Calliper> callipers_;
+  std::optional<PicturePoint> pointer_;
+  std::string notice_;
   bool mirrored_ = false, frozen_ = false, scaleVisible_ = true, greyBarVisible_ = true;
   std::unique_ptr<Drawing> drawing_;
 };

@@ -1,0 +1,67 @@
+#include "TrainWindow.h"
+#include "panel/NumberField.h"
+
+#include <QLineEdit>
+
+namespace insonate::train {
+namespace {
+
+/// Typed numbers of the probe, in the window.
+class ProbeNumbersTyped : public TrainWindow {
+ protected:
+  void type(const char* field, const QString& text, Qt::Key end = Qt::Key_Return) {
+    QLineEdit* line = child<NumberField>(field);
+    line->selectAll();
+    QTest::keyClicks(line, text);
+    QTest::keyClick(line, end);
+  }
+  QString text(const char* field) { return child<NumberField>(field)->text(); }
+};
+
+TEST_F(ProbeNumbersTyped, EnterApplies) {
+  openCase();
+  type("tilt", "12.5");
+  EXPECT_NEAR(session_->numbers().tilt_deg, 12.5, 1e-6);
+  EXPECT_EQ(text("tilt").toStdString(), "12.5°");
+  type("rock", "-3,5 °");
+  EXPECT_NEAR(session_->numbers().rock_deg, -3.5, 1e-6) << "with a comma and the unit";
+  type("x", "6");
+  EXPECT_NEAR(session_->numbers().skin_mm.x, 6, 0.2);
+  EXPECT_NEAR(session_->numbers().tilt_deg, 12.5, 1e-6) << "angles stay";
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_NEAR(session_->numbers().skin_mm.x, 0, 0.2);
+}
+
+TEST_F(ProbeNumbersTyped, WhatIsWrongIsSaidAndChangesNothing) {
+  openCase();
+  const ProbeHandState start = session_->handState();
+  type("tilt", "steep");
+  EXPECT_TRUE(workspace_->statusText().contains("tilt takes a number from -60.0° to 60.0°"))
+      << workspace_->statusText().toStdString();
+  type("tilt", "75");
+  EXPECT_TRUE(workspace_->statusText().contains("can be from -60.0° to 60.0°; 75 is not"))
+      << workspace_->statusText().toStdString();
+  EXPECT_EQ(text("tilt").toStdString(), "0.0°");
+  EXPECT_EQ(session_->handState(), start);
+  type("tilt", "30", Qt::Key_Escape);
+  EXPECT_EQ(session_->handState(), start);
+}
+
+TEST_F(ProbeNumbersTyped, APlaceInTheAirGoesToTheNearestSkinAndSaysSo) {
+  openCase();
+  type("y", "-6");
+  EXPECT_NEAR(session_->numbers().skin_mm.y, 0, 1);
+  EXPECT_TRUE(workspace_->statusText().contains("nearest skin")) << workspace_->statusText().toStdString();
+}
+
+TEST_F(ProbeNumbersTyped, ArrowsStep) {
+  openCase();
+  QTest::keyClick(child<NumberField>("tilt"), Qt::Key_Up);
+  EXPECT_NEAR(session_->numbers().tilt_deg, 1, 1e-6);
+  const double press_mm = session_->numbers().press_mm;
+  QTest::keyClick(child<NumberField>("press"), Qt::Key_Up);
+  EXPECT_NEAR(session_->numbers().press_mm, press_mm + 0.5, 1e-6);
+}
+
+}  // namespace
+}  // namespace insonate::train

@@ -1,0 +1,240 @@
+#include "TrainWindow.h"
+
+#include <insonate/views/MprView.h>
+#include <insonate/views/UltrasoundView.h>
+
+#include <QAction>
+#include <QSplitter>
+
+namespace insonate::train {
+namespace {
+
+/// What stands beside the picture, and where.
+class TrainLayout : public TrainWindow {
+ protected:
+  ui::ViewWidget* beside() { return child<ui::ViewWidget>("ctBeside"); }
+  ui::ViewWidget* picture() { return child<ui::ViewWidget>("ultrasoundView"); }
+  views::MprView& slice(ui::ViewWidget* widget) { return static_cast<views::MprView&>(widget->view()); }
+  views::UltrasoundView& ultrasound() { return static_cast<views::UltrasoundView&>(picture()->view()); }
+  QPoint logical(views::DisplayPoint at) { return {int(at.x / ratio()), int(at.y / ratio())}; }
+  double ratio() { return canvas_->devicePixelRatioF(); }
+
+  void point(QWidget* canvas, QPoint at) {
+    QMouseEvent move(QEvent::MouseMove, at, canvas->mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(canvas, &move);
+  }
+  QAction* action(const QString& begin) {
+    for (QAction* one : workspace_->actions())
+      if (one->text().startsWith(begin)) return one;
+    ADD_FAILURE() << begin.toStdString();
+    return nullptr;
+  }
+  ui::ViewWidget* mpr() {
+    for (auto* one : workspace_->findChildren<ui::ViewWidget*>())
+      if (one->accessibleName() == "CT slice") return one;
+    return nullptr;
+  }
+};
+
+TEST_F(TrainLayout, TheCtStandsBesideThePictureAtTheSameScale) {
+  openCase();
+  EXPECT_FALSE(beside()->isVisible());
+  key(Qt::Key_C);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return beside()->isVisible() && beside()->width() == picture()->width(); }));
+  EXPECT_TRUE(child<QPushButton>("ctBesideButton")->isChecked());
+  EXPECT_TRUE(action("CT beside")->isChecked());
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return std::abs(1 / slice(beside()).plane().mm_per_px - ultrasound().px_per_mm()) < 1e-6; }));
+  const auto same = [&] {
+    const Vec3 place = session_->shown()->patientFromProbe * Vec3{5, 0, 15};
+    const views::DisplayPoint here = slice(beside()).displayFromPatient(place);
+    const views::DisplayPoint there = ultrasound().displayFromPicture({5, 15});
+    return std::hypot(here.x - there.x, here.y - there.y) < 1e-3;
+  };
+  EXPECT_TRUE(same());
+  key(Qt::Key_Right, Qt::ShiftModifier);
+  key(Qt::Key_E, Qt::ShiftModifier);
+  settle();
+  EXPECT_TRUE(QTest::qWaitFor(same, 5000)) << "it follows the probe";
+  child<QPushButton>("ctBesideButton")->click();
+  EXPECT_FALSE(beside()->isVisible());
+}
+
+TEST_F(TrainLayout, PointingInOneMarksTheOther) {
+  openCase();
+  key(Qt::Key_C);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return std::abs(1 / slice(beside()).plane().mm_per_px - ultrasound().px_per_mm()) < 1e-6; }));
+  const QPoint at = logical(ultrasound().displayFromPicture({4, 12}));
+  const auto blueBeside = [&](ui::ViewWidget* view) {
+    const QImage image = view->grab().toImage();
+    const QPoint there = view->focusProxy()->mapTo(view, at);
+    int blue = 0;
+    for (int x = -14; x <= 14; ++x) {
+      const QColor c = image.pixelColor(there.x() + x, there.y());
+      blue += c.blue() > c.red() + 60;
+    }
+    return blue;
+  };
+  point(canvas_, at);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return blueBeside(beside()) > 8; }, 5000));
+  EXPECT_LT(blueBeside(picture()), 3) << "not where the pointer itself is";
+  point(beside()->focusProxy(), at);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return blueBeside(picture()) > 8; }, 5000));
+  QEvent leave(QEvent::Leave);
+  QApplication::sendEvent(beside()->focusProxy(), &leave);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return blueBeside(picture()) < 3; }, 5000));
+}
+
+TEST_F(TrainLayout, MirrorsForTheLeftHandAndRemembers) {
+  auto* columns = child<QSplitter>("trainColumns");
+  const auto x = [&](const QString& name) {
+    return workspace_->findChild<QWidget*>(name)->mapTo(workspace_.get(), QPoint()).x();
+  };
+  EXPECT_LT(x("trainPanel"), x("sceneView"));
+  const int panel_px = columns->sizes().first();
+  action("Left-handed")->trigger();
+  QTest::qWait(50);
+  EXPECT_GT(x("trainPanel"), x("ultrasoundView"));
+  EXPECT_LT(x("sceneView"), x("ultrasoundView"));
+  EXPECT_NEAR(columns->sizes().last(), panel_px, 4) << "widths go with their columns";
+  test::TemporaryFolder folder;
+  QSettings settings(QString::fromStdString((folder / "layout.ini").string()), QSettings::IniFormat);
+  workspace_->saveLayout(settings);
+  TrainWorkspace other;
+  other.resize(1100, 700);
+  other.restoreLayout(settings);
+  auto* same = other.findChild<QSplitter*>("trainColumns");
+  EXPECT_EQ(same->widget(2)->objectName(), "trainPanel");
+  action("Left-handed")->trigger();
+  EXPECT_EQ(columns->widget(0)->objectName(), "trainPanel");
+}
+
+TEST_F(TrainLayout, EffectsAloneAreGoneThroughByKeysAndSaidToBeSo) {
+  openCase();
+  auto* effects = child<QComboBox>("effect");
+  EXPECT_EQ(effects->currentText(), "the whole picture");
+  key(Qt::Key_N);
+  EXPECT_EQ(effects->currentIndex(), 1);
+  EXPECT_TRUE(workspace_->statusText().contains("not the usual picture")) << workspace_->statusText().toStdString();
+  key(Qt::Key_N, Qt::ShiftModifier);
+  key(Qt::Key_N, Qt::ShiftModifier);
+  EXPECT_EQ(effects->currentIndex(), effects->count() - 1);
+  for (int i = 1; i < effects->count(); ++i) EXPECT_FALSE(effects->itemText(i).contains('_')) << i;
+  key(Qt::Key_0);
+  EXPECT_EQ(effects->currentIndex(), 0);
+}
+
+TEST_F(TrainLayout, KeysInTheSliceAreTheSlices) {
+  openCase();
+  QWidget* canvas = mpr()->focusProxy();
+  views::MprView& view = slice(mpr());
+  const ProbeHandState start = session_->handState();
+  QTest::keyClick(canvas, Qt::Key_D);
+  EXPECT_NEAR(view.labelOpacity(), 0.05, 1e-9);
+  EXPECT_EQ(session_->handState(), start) << "and not the probe's";
+  for (auto* button : workspace_->findChildren<QAbstractButton*>())
+    if (button->accessibleName() == "Axial slice") button->click();
+  ASSERT_EQ(view.kind(), views::SliceKind::Axial);
+  QTest::qWait(300);
+  const double z_mm = view.crosshair_mm().z;
+  QTest::keyClick(canvas, Qt::Key_Up);
+  EXPECT_NEAR(view.crosshair_mm().z, z_mm + 1, 0.6);
+  EXPECT_EQ(session_->handState(), start);
+  const double there_mm = view.crosshair_mm().z;
+  QTest::qWait(300);
+  EXPECT_EQ(view.crosshair_mm().z, there_mm) << "a probe at rest leaves the slice to the user";
+  key(Qt::Key_2, Qt::AltModifier);
+  EXPECT_EQ(view.windowLevel(), (views::WindowLevel{1000, 400}));
+  key(Qt::Key_1, Qt::AltModifier);
+  EXPECT_EQ(view.windowLevel(), (views::WindowLevel{350, 50}));
+}
+
+TEST_F(TrainLayout, TheSliceIsMeasuredAndMeasuresComeBack) {
+  openCase();
+  QWidget* canvas = mpr()->focusProxy();
+  // The middle of the slice is deep in the tissue once it has followed the probe.
+  ASSERT_TRUE(QTest::qWaitFor([&] { return slice(mpr()).plane().axes.up.y < -0.9; }, kPatience_ms));
+  key(Qt::Key_L);
+  const QPoint from = canvas->rect().center(), to = from + QPoint(60, 0);
+  const auto send = [&](QEvent::Type type, QPoint at, Qt::MouseButton what, Qt::MouseButtons held) {
+    QMouseEvent event(type, at, canvas->mapToGlobal(at), what, held, Qt::NoModifier);
+    QApplication::sendEvent(canvas, &event);
+  };
+  const Vec3 crosshair = slice(mpr()).crosshair_mm();
+  const auto whites = [&] {
+    const QImage image = mpr()->grab().toImage();
+    const QPoint at = canvas->mapTo(mpr(), from);
+    int white = 0;
+    for (int y = -4; y <= 4; ++y) white += image.pixelColor(at.x(), at.y() + y).lightness() > 150;
+    return white;
+  };
+  const int before = whites();
+  send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+  send(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton);
+  send(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+  EXPECT_EQ(slice(mpr()).crosshair_mm(), crosshair) << "a measuring drag does not move the crosshair";
+  EXPECT_TRUE(QTest::qWaitFor([&] { return whites() >= before + 4; }, 5000));
+  key(Qt::Key_Delete);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return whites() <= before; }, 5000));
+  key(Qt::Key_Z);
+  EXPECT_EQ(workspace_->statusText(), "Taken back: removal of the measurements.");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return whites() >= before + 4; }, 5000));
+}
+
+/// The list of positions, by keyboard.
+class PositionList : public TrainWindow {
+ protected:
+  QStringList names() {
+    QStringList all;
+    auto* list = child<QListWidget>("positions");
+    for (int i = 0; i < list->count(); ++i) all << list->item(i)->text().section("  ", 1);
+    return all;
+  }
+};
+
+TEST_F(PositionList, OwnOnesAreNamedMovedAndRemovedByKeyboardAndComeBack) {
+  openCase();
+  auto* list = child<QListWidget>("positions");
+  for (int i = 0; i < 3; ++i) {
+    key(Qt::Key_Right);
+    child<QPushButton>("savePosition")->click();
+  }
+  EXPECT_EQ(names(), (QStringList{"over the vein", "position 1", "position 2", "position 3"}));
+  list->setFocus();
+  list->setCurrentRow(2);
+  QTest::keyClick(list, Qt::Key_F2);
+  auto* editor = list->findChild<QLineEdit*>();
+  ASSERT_TRUE(editor);
+  editor->selectAll();
+  QTest::keyClicks(editor, "behind the muscle");
+  QTest::keyClick(editor, Qt::Key_Return);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return names()[2] == "behind the muscle"; }, 2000))
+      << names().join(", ").toStdString();
+  QTest::keyClick(list, Qt::Key_Up, Qt::AltModifier);
+  EXPECT_EQ(names(), (QStringList{"over the vein", "behind the muscle", "position 1", "position 3"}));
+  EXPECT_EQ(list->currentRow(), 1);
+  QTest::keyClick(list, Qt::Key_Up, Qt::AltModifier);
+  EXPECT_EQ(names()[0], "over the vein") << "the case's stay in front";
+  QTest::keyClick(list, Qt::Key_Delete);
+  EXPECT_EQ(names(), (QStringList{"over the vein", "position 1", "position 3"}));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(names()[1], "behind the muscle");
+  key(Qt::Key_Z, Qt::ControlModifier);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(names(), (QStringList{"over the vein", "position 1", "position 2", "position 3"}));
+}
+
+TEST_F(PositionList, ThoseOfTheCaseStay) {
+  openCase();
+  auto* list = child<QListWidget>("positions");
+  list->setCurrentRow(0);
+  QTest::keyClick(list, Qt::Key_Delete);
+  EXPECT_EQ(list->count(), 1);
+  EXPECT_TRUE(workspace_->statusText().contains("stay as they are"));
+  QTest::keyClick(list, Qt::Key_F2);
+  EXPECT_FALSE(list->findChild<QLineEdit*>());
+}
+
+}  // namespace
+}  // namespace insonate::train

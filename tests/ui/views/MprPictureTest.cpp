@@ -1,0 +1,172 @@
+#include "Neck.h"
+#include "ui/support/Screen.h"
+
+#include <insonate/simulator/ProbePose.h>
+#include <insonate/ultrasound/BeamGrid.h>
+#include <insonate/views/MprView.h>
+#include <insonate/views/UltrasoundView.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace insonate::views {
+namespace {
+
+using test::Picture;
+using test::Screen;
+
+PictureBounds boundsOf(const Probe& probe, const ImagingSettings& settings) {
+  const BeamGrid grid(probe, settings);
+  return {grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()};
+}
+
+/// The CT of a case beside a picture of this probe, on a display of the same size.
+struct Beside {
+  Beside(std::shared_ptr<const VtkCase> patient, const Probe& probe, const Transform& patientFromProbe) {
+    const ImagingSettings settings = settingsFor(probe);
+    picture.setBounds(boundsOf(probe, settings));
+    slice.setCase(std::move(patient));
+    slice.setCrosshairVisible(false);
+    slice.setProbePose(patientFromProbe);
+    slice.setFan(probe, settings);
+    slice.setPicture(boundsOf(probe, settings));
+    picture.resize(500, 420);
+  }
+  UltrasoundView picture;
+  MprView slice{SliceKind::Oblique};
+};
+
+Transform tilted() {
+  return *patientFromProbe({1, -20, 2}, {0.2, 0.95, 0.1}, {0.9, -0.15, 0.4});
+}
+
+std::shared_ptr<const VtkCase> grey(int hu) {
+  VolumeGeometry grid;
+  grid.size = {121, 121, 121};
+  grid.origin_mm = {-60, -60, -60};
+  auto patient = std::make_shared<PatientCase>();
+  patient->ct = CtVolume(grid, static_cast<std::int16_t>(hu));
+  patient->labels = LabelMap(grid);
+  return std::make_shared<VtkCase>(patient);
+}
+
+TEST(MprPicture, LiesWhereTheUltrasoundPictureLies) {
+  for (const char* name : {"linear", "curvilinear", "phased"}) {
+    Beside both(grey(40), *loadProbe(name), tilted());
+    both.slice.resize(500, 420);
+    for (const PicturePoint point : {PicturePoint{0, 0}, {8, 20}, {-11, 33}}) {
+      const DisplayPoint there = both.picture.displayFromPicture(point);
+      const DisplayPoint here = both.slice.displayFromPatient(tilted() * Vec3{point.lateral_mm, 0, point.axial_mm});
+      EXPECT_NEAR(here.x, there.x, 1e-6) << name;
+      EXPECT_NEAR(here.y, there.y, 1e-6) << name;
+    }
+    EXPECT_NEAR(1 / both.slice.plane().mm_per_px, both.picture.px_per_mm(), 1e-9);
+  }
+}
+
+TEST(MprPicture, ShowsNothingOutsideTheFieldOfView) {
+  // A curvilinear fan: beside its apex and below its arc there is tissue that the probe does not see.
+  const Probe probe = *loadProbe("curvilinear");
+  Beside both(grey(300), probe, *patientFromProbe({0, -40, 0}, {0, 1, 0}, {1, 0, 0}));
+  both.slice.setWindowLevel({350, 50});
+  Screen screen(both.slice, 500, 420);
+  const Picture picture = screen.picture();
+  const auto greyAt = [&](double degrees, double radius_mm) {
+    const double turn = degrees * std::numbers::pi / 180;
+    const DisplayPoint at =
+        both.picture.displayFromPicture({radius_mm * std::sin(turn), radius_mm * std::cos(turn) - probe.faceRadius_mm});
+    return int(picture.at(int(at.x), int(at.y))[0]);
+  };
+  const double half_deg = probe.fovAngle_deg / 2, r1 = probe.faceRadius_mm, r2 = r1 + probe.defaultDepth_mm;
+  for (const double share : {-0.9, -0.4, 0.35, 0.9}) {
+    EXPECT_GT(greyAt(share * half_deg, r1 + 4), 200) << share;
+    EXPECT_LT(greyAt(share * half_deg, r1 - 4), 60) << share;
+    EXPECT_LT(greyAt(share * half_deg, r2 + 4), 60) << share;
+  }
+  EXPECT_LT(greyAt(half_deg + 5, r1 + 30), 60);
+  EXPECT_LT(greyAt(-half_deg - 5, r1 + 30), 60);
+}
+
+TEST(MprPicture, DoesNotZoomOrPan) {
+  Beside both(grey(40), *loadProbe("linear"), tilted());
+  both.slice.resize(500, 420);
+  const SlicePlane before = both.slice.plane();
+  both.slice.wheel({{250, 200}, Button::None, false, true}, 3);
+  both.slice.pressed({{250, 200}, Button::Middle});
+  both.slice.moved({{300, 260}, Button::Middle});
+  both.slice.released({{300, 260}, Button::Middle});
+  EXPECT_EQ(both.slice.plane().mm_per_px, before.mm_per_px);
+  EXPECT_EQ(both.slice.plane().centre_mm, before.centre_mm);
+}
+
+TEST(MprPicture, MarksWhatIsPointedAtElsewhere) {
+  Beside both(grey(-1000), *loadProbe("linear"), tilted());
+  Screen screen(both.slice, 500, 420);
+  const Vec3 place = tilted() * Vec3{6, 0, 17};
+  const DisplayPoint at = both.slice.displayFromPatient(place);
+  const auto blueBeside = [&] { return int(screen.picture().at(int(at.x) + 8, int(at.y))[2]); };
+  EXPECT_LT(blueBeside(), 40);
+  both.slice.setPointer(place);
+  EXPECT_GT(blueBeside(), 150);
+  EXPECT_LT(screen.picture().at(int(at.x), int(at.y))[2], 40) << "the place itself stays in sight";
+  both.slice.setPointer(tilted() * Vec3{6, 5, 17});
+  EXPECT_LT(blueBeside(), 40) << "not in this plane";
+}
+
+TEST(MprPicture, ThePictureMarksItToo) {
+  UltrasoundView view;
+  view.setImage(test::neck().image);
+  Screen screen(view, 500, 420);
+  screen.picture();
+  view.setPointer(PicturePoint{2, 11});
+  const DisplayPoint at = view.displayFromPicture({2, 11});
+  const std::uint8_t* beside = screen.picture().at(int(at.x) + 8, int(at.y));
+  EXPECT_GT(beside[2], beside[0] + 60) << "blue";
+}
+
+TEST(MprPicture, Golden) {
+  const auto& neck = test::neck();
+  MprView view(SliceKind::Oblique);
+  view.setCase(neck.shown);
+  view.setCrosshairVisible(false);
+  view.setLabelOutlines(true);
+  view.setProbePose(neck.patientFromProbe);
+  view.setFan(neck.setup.probe, neck.setup.settings);
+  view.setPicture(boundsOf(neck.setup.probe, neck.setup.settings));
+  view.setPointer(neck.patientFromProbe * Vec3{4, 0, 18});
+  Screen screen(view, 480, 440);
+  EXPECT_TRUE(test::looksLikeGolden(screen.picture(), "views/mpr-picture"));
+}
+
+TEST(SliceCalliper, MeasuresInTheSliceWhateverItsDirection) {
+  const Vec3 a{1, 2, 3};
+  for (const SliceKind kind : {SliceKind::Axial, SliceKind::Coronal, SliceKind::Sagittal, SliceKind::Oblique}) {
+    const SliceAxes axes = sliceAxes(kind, tilted());
+    const Vec3 b = a + axes.right * 6, c = b + axes.up * 8;
+    const SliceCalliper distance{CalliperKind::Distance, {a, c, c}}, angle{CalliperKind::Angle, {a, b, c}},
+        ellipse{CalliperKind::Ellipse, {a, b, c}};
+    EXPECT_NEAR(measure(onSlice(distance, axes)).length_mm, 10, 1e-9);
+    EXPECT_NEAR(measure(onSlice(angle, axes)).angle_deg, 90, 1e-9);
+    EXPECT_NEAR(measure(onSlice(ellipse, axes)).width_mm, 16, 1e-9);
+    EXPECT_LT(norm(fromSlice(onSlice(c, axes), axes, a) - c), 1e-9);
+  }
+}
+
+TEST(SliceCalliper, IsSeenOnItsSliceOnly) {
+  MprView view(SliceKind::Axial);
+  view.setCase(grey(-1000));
+  view.setCrosshairVisible(false);
+  view.setCrosshair({0, 0, 0});
+  view.setCallipers({{CalliperKind::Angle, {Vec3{-20, 0, 0}, {0, 0, 0}, {0, 20, 0}}}});
+  Screen screen(view, 400, 400);
+  const DisplayPoint on = view.displayFromPatient({-10, 0, 0});
+  const auto brightness = [&] { return int(screen.picture().at(int(on.x), int(on.y))[1]); };
+  EXPECT_GT(brightness(), 120);
+  view.setCrosshair({0, 0, 5});
+  EXPECT_LT(brightness(), 40);
+}
+
+}  // namespace
+}  // namespace insonate::views

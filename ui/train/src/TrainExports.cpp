@@ -1,0 +1,69 @@
+// The part of the workspace that writes pictures and clips.
+#include "TrainParts.h"
+
+#include <insonate/ui/TaskBar.h>
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+
+namespace insonate::train {
+
+void TrainWorkspace::Parts::savePicture(const std::filesystem::path& file) {
+  if (!session.shown()) return session.say(tr("There is no picture yet."));
+  // Those before have long ended, or are waited for.
+  constexpr std::size_t kAtOnce = 4;
+  if (writers_.size() >= kAtOnce) writers_.erase(writers_.begin());
+  const QFileInfo info(QString::fromStdString(file.string()));
+  writers_.push_back(std::make_unique<PictureWriter>(session.shown(), file, [this, info](const Result<void>& result) {
+    if (result)
+      Q_EMIT workspace_.written(tr("Picture saved as %1.").arg(info.fileName()), info.absolutePath());
+    else
+      Q_EMIT workspace_.failed(QString::fromStdString(result.error().message), tr("The picture is still shown."), {});
+  }));
+}
+
+void TrainWorkspace::Parts::saveClip(const std::filesystem::path& folder) {
+  session.setFrozen(true);
+  if (session.cine().empty()) return session.say(tr("There is no picture yet."));
+  ui::TaskBar& tasks = workspace_.tasks();
+  if (tasks.isRunning()) return session.say(tr("Wait until the other job is done, or cancel it."));
+  tasks.run<int>(
+      tr("Saving the clip"),
+      [frames = session.cine(), folder](const Progress& progress) { return writeClip(frames, folder, progress); },
+      [this, folder](Result<int> result) {
+        if (result)
+          Q_EMIT workspace_.written(tr("Clip of %1 pictures saved.").arg(*result),
+                                    QString::fromStdString(folder.string()));
+        else if (result.error().message == kCancelled)
+          session.say(tr("The clip was not saved."));
+        else
+          Q_EMIT workspace_.failed(QString::fromStdString(result.error().message), tr("The pictures are still here."),
+                                   {});
+      },
+      ui::TaskBar::WhenClosed::Ask);
+}
+
+void TrainWorkspace::Parts::askPicture() {
+  if (!session.shown()) return session.say(tr("There is no picture yet."));
+  session.setFrozen(true);  // The picture that the user saw, whatever the dialog takes.
+  const QString name = exportName(QString::fromStdString(session.patient()->manifest.title)) + ".png";
+  QString file = QFileDialog::getSaveFileName(&workspace_, tr("Save the picture"), QDir(exportFolder).filePath(name),
+                                              tr("PNG picture (*.png)"));
+  if (file.isEmpty()) return;
+  if (QFileInfo(file).suffix().isEmpty()) file += ".png";
+  exportFolder = QFileInfo(file).path();
+  savePicture(file.toStdString());
+}
+
+void TrainWorkspace::Parts::askClip() {
+  session.setFrozen(true);
+  const QString folder =
+      QFileDialog::getExistingDirectory(&workspace_, tr("Save the clip into a new folder in"), exportFolder);
+  if (folder.isEmpty() || !session.patient()) return;
+  exportFolder = folder;
+  const QString name = exportName(QString::fromStdString(session.patient()->manifest.title));
+  saveClip(QDir(folder).filePath(name).toStdString());
+}
+
+}  // namespace insonate::train

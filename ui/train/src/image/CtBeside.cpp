@@ -1,0 +1,75 @@
+#include "CtBeside.h"
+
+#include "../TrainSession.h"
+
+#include <insonate/tissue/Labels.h>
+#include <insonate/ui/ViewWidget.h>
+#include <insonate/ultrasound/BeamGrid.h>
+
+#include <algorithm>
+
+namespace insonate::train {
+namespace {
+
+/// Of the window's time; the rest is the picture's.
+constexpr double kShare = 0.25;
+constexpr int kSoonest_ms = 33, kLatest_ms = 400;
+
+}  // namespace
+
+CtBeside::CtBeside(TrainSession& session, QWidget* parent)
+    : QObject(parent),
+      session_(session),
+      view_(std::make_shared<views::MprView>(views::SliceKind::Oblique)),
+      widget_(new ui::ViewWidget(view_, tr("CT in the plane of the picture"), parent)) {
+  widget_->setObjectName(QStringLiteral("ctBeside"));
+  widget_->setMaximiseOnDoubleClick(false);
+  widget_->hide();
+  view_->setCrosshairVisible(false);
+  view_->setLabelOutlines(true);
+  // What fills the space between structures has no outline worth looking at.
+  for (const std::uint8_t label : {kSkin, kFat, kSoftTissue}) view_->setLabelVisible(label, false);
+  timer_.setSingleShot(true);
+  connect(&timer_, &QTimer::timeout, this, [this] { follow(); });
+  connect(&session_, &TrainSession::caseChanged, this, [this] { showCase(); });
+  connect(&session_, &TrainSession::pictureShown, this, [this] { want(); });
+}
+
+void CtBeside::setShown(bool shown) {
+  shown_ = shown;
+  showCase();
+}
+
+void CtBeside::showCase() {
+  timer_.stop();
+  shape_ = nullptr;
+  const bool there = shown_ && session_.patient();
+  view_->setCase(there ? std::make_shared<views::VtkCase>(session_.patient()) : nullptr);
+  view_->setPicture(std::nullopt);
+  widget_->setVisible(there);
+  if (there) follow();
+}
+
+void CtBeside::want() {
+  if (!shown_ || timer_.isActive()) return;
+  const double cost_ms = 1000 * view_->renderer()->GetLastRenderTimeInSeconds();
+  const int gap_ms = std::clamp(int(cost_ms / kShare), kSoonest_ms, kLatest_ms);
+  const int since_ms =
+      sinceFollowed_.isValid() ? int(std::min<qint64>(sinceFollowed_.elapsed(), kLatest_ms)) : kLatest_ms;
+  timer_.start(std::max(0, gap_ms - since_ms));
+}
+
+void CtBeside::follow() {
+  sinceFollowed_.start();
+  const auto& frame = session_.shown();
+  if (!frame) return;
+  view_->setProbePose(frame->patientFromProbe);
+  if (frame->setup == shape_) return;
+  shape_ = frame->setup;
+  const BeamGrid grid(shape_->probe, shape_->settings);
+  view_->setFan(shape_->probe, shape_->settings);
+  view_->setPicture(
+      views::PictureBounds{grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()});
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <insonate/simulator/LiveImaging.h>
+#include <insonate/views/MprView.h>
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <memory>
+
+namespace insonate::ui {
+class ViewWidget;
+}
+class QWidget;
+
+namespace insonate::train {
+
+class TrainSession;
+
+/// The CT beside the ultrasound picture: the same plane at the same scale, cut to the field of view, with the outlines
+/// of the structures. Follows the picture that is shown as often as it can without slowing it.
+class CtBeside : public QObject {
+ public:
+  CtBeside(TrainSession& session, QWidget* parent);
+
+  ui::ViewWidget& widget() { return *widget_; }
+  views::MprView& view() { return *view_; }
+  void setShown(bool shown);
+  bool isShown() const { return shown_; }
+
+ private:
+  void showCase();
+  void want();
+  void follow();
+
+  TrainSession& session_;
+  std::shared_ptr<views::MprView> view_;
+  ui::ViewWidget* widget_;
+  std::shared_ptr<const ImagingSetup> shape_;
+  bool shown_ = false;
+  QTimer timer_;
+  QElapsedTimer sinceFollowed_;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,61 @@
+#include "LinkedPointer.h"
+
+#include <QMouseEvent>
+#include <cmath>
+
+namespace insonate::train {
+namespace {
+
+/// The picture shows what is nearer to its plane than this.
+constexpr double kNear_mm = 1;
+
+}  // namespace
+
+LinkedPointer::LinkedPointer(TrainSession& session, views::UltrasoundView& picture, QWidget& canvas, QObject* parent)
+    : QObject(parent), session_(session), picture_(picture), canvas_(canvas) {
+  canvas.installEventFilter(this);
+  connect(&session_, &TrainSession::caseChanged, this, [this] { mark(nullptr, std::nullopt); });
+}
+
+void LinkedPointer::addSlice(views::MprView& slice, QWidget& canvas) {
+  slices_.push_back({&slice, &canvas});
+  canvas.installEventFilter(this);
+}
+
+bool LinkedPointer::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Leave) mark(watched, std::nullopt);
+  if (event->type() == QEvent::MouseMove) {
+    const auto& move = *static_cast<QMouseEvent*>(event);
+    const double ratio = canvas_.devicePixelRatioF();
+    // A hand that drags looks at what it drags.
+    const bool points = move.buttons() == Qt::NoButton;
+    mark(watched, points ? placeAt(watched, {(move.localPos().x() + 0.5) * ratio, (move.localPos().y() + 0.5) * ratio})
+                         : std::nullopt);
+  }
+  return false;
+}
+
+std::optional<Vec3> LinkedPointer::placeAt(QObject* canvas, views::DisplayPoint at) const {
+  if (!session_.shown()) return std::nullopt;
+  if (canvas == &canvas_) {
+    if (!picture_.onPicture(at)) return std::nullopt;
+    const views::PicturePoint point = picture_.pictureFromDisplay(at);
+    return session_.shown()->patientFromProbe * Vec3{point.lateral_mm, 0, point.axial_mm};
+  }
+  for (const Slice& slice : slices_)
+    if (canvas == slice.canvas) return slice.view->patientFromDisplay(at);
+  return std::nullopt;
+}
+
+void LinkedPointer::mark(QObject* from, std::optional<Vec3> patient_mm) {
+  for (const Slice& slice : slices_) slice.view->setPointer(slice.canvas == from ? std::nullopt : patient_mm);
+  std::optional<views::PicturePoint> inPicture;
+  if (patient_mm && from != &canvas_ && session_.shown()) {
+    const Vec3 place = inverted(session_.shown()->patientFromProbe) * *patient_mm;
+    const views::PicturePoint point{place.x, place.z};
+    if (std::abs(place.y) < kNear_mm && picture_.onPicture(picture_.displayFromPicture(point))) inPicture = point;
+  }
+  picture_.setPointer(inPicture);
+}
+
+}  // namespace insonate::train

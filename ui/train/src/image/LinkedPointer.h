@@ -1,0 +1,40 @@
+#pragma once
+
+#include "../TrainSession.h"
+
+#include <insonate/views/MprView.h>
+#include <insonate/views/UltrasoundView.h>
+
+#include <QObject>
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace insonate::train {
+
+/// Who points into the picture or into a slice of the CT sees the same place marked in the others.
+class LinkedPointer : public QObject {
+ public:
+  LinkedPointer(TrainSession& session, views::UltrasoundView& picture, QWidget& canvas, QObject* parent);
+  /// The slice must outlive this.
+  void addSlice(views::MprView& slice, QWidget& canvas);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  struct Slice {
+    views::MprView* view;
+    QWidget* canvas;
+  };
+  std::optional<Vec3> placeAt(QObject* canvas, views::DisplayPoint at) const;
+  void mark(QObject* from, std::optional<Vec3> patient_mm);
+
+  TrainSession& session_;
+  views::UltrasoundView& picture_;
+  QWidget& canvas_;
+  std::vector<Slice> slices_;
+};
+
+}  // namespace insonate::train

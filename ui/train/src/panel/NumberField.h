@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QLineEdit>
+#include <QString>
+#include <functional>
+
+namespace insonate::train {
+
+/// One number with a unit that is typed, or stepped by arrows and, once it has the keyboard, by the wheel. Enter
+/// applies it; what is no number or out of range is refused with a sentence, and the number goes back to what it was.
+class NumberField : public QLineEdit {
+ public:
+  struct Range {
+    double low, high, step;
+    int decimals = 1;
+  };
+  /// `unit` as printed after the number, with its space where there is one.
+  NumberField(const QString& name, const QString& unit, const Range& range, QWidget* parent = nullptr);
+
+  /// Not while a user types in it. Calls nobody.
+  void show(double value);
+  double value() const { return value_; }
+  void setTyped(std::function<void(double value)> listener) { typed_ = std::move(listener); }
+  void setRefused(std::function<void(const QString& sentence)> listener) { refused_ = std::move(listener); }
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
+ private:
+  QString words(double value) const;
+  void apply();
+  void step(double steps);
+  void write();
+
+  QString name_, unit_;
+  Range range_;
+  double value_ = 0, wheelRest_ = 0;
+  std::function<void(double)> typed_;
+  std::function<void(const QString&)> refused_;
+};
+
+}  // namespace insonate::train

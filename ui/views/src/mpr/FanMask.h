@@ -1,0 +1,21 @@
+#pragma once
+
+#include <insonate/views/Input.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace insonate::views {
+
+/// Makes everything outside an outline black. Keeps its work space between calls.
+class FanMask {
+ public:
+  /// `outline` is closed, in display pixels; `rgb` has width * height * 3 bytes, top row first.
+  void apply(std::span<const DisplayPoint> outline, int width_px, int height_px, std::span<std::uint8_t> rgb);
+
+ private:
+  std::vector<double> crossings_;
+};
+
+}  // namespace insonate::views
