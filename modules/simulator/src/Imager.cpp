@@ -99,10 +99,20 @@ std::vector<SceneRun> sceneRuns(const ImagingSetup& setup, std::span<const Trans
   return runs;
 }
 
+Result<std::shared_ptr<const SceneSource>> makeSceneSource(const PatientCase& patient) {
+  return SceneSource::make(patient.ct, patient.labels);
+}
+
 Result<std::shared_ptr<const AcousticScene>> makeScene(const PatientCase& patient, const ImagingSetup& setup,
                                                        const Region& region, const Progress& progress) {
-  return AcousticScene::make(patient.ct, patient.labels, setup.tissues, region, progress, {},
-                             sceneDetail_mm(setup.probe, setup.settings));
+  const auto source = makeSceneSource(patient);
+  if (!source) return tl::unexpected(source.error());
+  return makeScene(**source, setup, region, progress);
+}
+
+Result<std::shared_ptr<const AcousticScene>> makeScene(const SceneSource& source, const ImagingSetup& setup,
+                                                       const Region& region, const Progress& progress) {
+  return AcousticScene::make(source, setup.tissues, region, progress, {}, sceneDetail_mm(setup.probe, setup.settings));
 }
 
 Result<void> checkReach(const PatientCase& patient, const ImagingSetup& setup, std::span<const Transform> path) {

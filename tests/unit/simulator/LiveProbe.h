@@ -55,10 +55,7 @@ inline std::shared_ptr<const PatientCase> wideCase() {
 
 inline BModeImage freshPicture(const PatientCase& patient, const ImagingSetup& setup, const Transform& pose) {
   auto imager = Imager::make(setup);
-  Region region = regionOf(setup.probe, setup.settings, pose);
-  const Vec3 room_mm{6, 6, 6};  // what lies at the very edge of a scene may be off by a little
-  region = {region.low_mm - room_mm, region.high_mm + room_mm};
-  auto scene = makeScene(patient, setup, region);
+  auto scene = makeScene(patient, setup, regionOf(setup.probe, setup.settings, pose));
   EXPECT_TRUE(imager && scene);
   ImagingFrame frame;
   imager->render(**scene, pose, frame);

@@ -18,14 +18,15 @@ int framesToSettle(double persistence) {
   return persistence > 0 ? static_cast<int>(std::ceil(std::log(0.5 / 255) / std::log(persistence))) : 0;
 }
 
-constexpr double kSmallScene_mm = 7;
+constexpr double kSmallScene_mm = 4;
+/// How far round the probe distances are computed ahead of need.
+constexpr double kAhead_mm = 45;
 
 LiveOptions completed(LiveOptions options) {
   if (options.threads <= 0) options.threads = std::max(1, tbb::info::default_concurrency() - 1);
-  options.sceneMargin_mm = std::clamp(options.sceneMargin_mm, 2 * live::SceneNeed::kSeam_mm, 100.0);
+  options.sceneMargin_mm = std::clamp(options.sceneMargin_mm, 2.0, 100.0);
   // A scene must not call for the next one as soon as it is built.
-  options.sceneReserve_mm =
-      std::clamp(options.sceneReserve_mm, live::SceneNeed::kSeam_mm, 0.8 * options.sceneMargin_mm);
+  options.sceneReserve_mm = std::clamp(options.sceneReserve_mm, 0.0, 0.8 * options.sceneMargin_mm);
   return options;
 }
 
@@ -44,7 +45,7 @@ LiveImaging::Impl::Impl(std::shared_ptr<const PatientCase> patient, std::shared_
       cine_(options.cineBytes),
       active_(std::move(setup), std::move(imager), patient_->labels.geometry),
       pose_(patientFromProbe),
-      builder_(patient_, options_.threads, [this] { wake(); }),
+      builder_(patient_, options_.threads, options_.workAhead, [this] { wake(); }),
       thread_([this] {
         tbb::task_arena arena(options_.threads);
         arena.execute([this] { run(); });
@@ -122,6 +123,7 @@ void LiveImaging::Impl::takeScene() {
     drawn_ = false;
   }
   scene_ = std::move(*built);
+  builder_.expect(active_.need.at(pose_, kAhead_mm), active_.need.detail_mm());
 }
 
 /// A setup is taken over together with its scene, so that no picture mixes two.

@@ -8,8 +8,13 @@
 
 namespace insonate::live {
 
-SceneBuilder::SceneBuilder(std::shared_ptr<const PatientCase> patient, int threads, std::function<void()> whenDone)
-    : patient_(std::move(patient)), threads_(threads), whenDone_(std::move(whenDone)), thread_([this] { work(); }) {}
+SceneBuilder::SceneBuilder(std::shared_ptr<const PatientCase> patient, int threads, bool workAhead,
+                           std::function<void()> whenDone)
+    : patient_(std::move(patient)),
+      threads_(threads),
+      workAhead_(workAhead),
+      whenDone_(std::move(whenDone)),
+      thread_([this] { work(); }) {}
 
 SceneBuilder::~SceneBuilder() {
   {
@@ -38,6 +43,11 @@ void SceneBuilder::cancel() {
   done_.reset();
 }
 
+void SceneBuilder::expect(const Region& region_mm, double detail_mm) {
+  const std::lock_guard lock(mutex_);
+  if (ahead_) ahead_->want(region_mm, detail_mm);
+}
+
 std::optional<BuiltScene> SceneBuilder::take() {
   const std::lock_guard lock(mutex_);
   return std::exchange(done_, std::nullopt);
@@ -56,7 +66,10 @@ void SceneBuilder::work() {
       job = *std::exchange(next_, std::nullopt);
       ticket = ticket_;
     }
-    BuiltScene built = arena.execute([&] { return build(job, ticket); });
+    BuiltScene built = arena.execute([&] {
+      findSource();
+      return build(job, ticket);
+    });
     {
       const std::lock_guard lock(mutex_);
       if (ticket_ != ticket) continue;
@@ -66,12 +79,29 @@ void SceneBuilder::work() {
   }
 }
 
+/// What scenes share is found with the first of them, so that nobody else waits for it.
+void SceneBuilder::findSource() {
+  if (source_) return;
+  auto source = makeSceneSource(*patient_);
+  if (!source) {
+    sourceError_ = source.error().message;
+    return;
+  }
+  source_ = std::move(*source);
+  const std::lock_guard lock(mutex_);
+  if (workAhead_ && !stopping_) ahead_ = std::make_unique<ScenesAhead>(source_);
+}
+
 BuiltScene SceneBuilder::build(const SceneJob& job, std::uint64_t ticket) const {
   BuiltScene built{.job = job, .scene = {}, .warnings = {}, .error = {}};
   const auto start = std::chrono::steady_clock::now();
   try {
+    if (!source_) {
+      built.error = sourceError_;
+      return built;
+    }
     auto scene =
-        makeScene(*patient_, *job.setup, job.region_mm, [&](std::string_view, double) { return ticket_ == ticket; });
+        makeScene(*source_, *job.setup, job.region_mm, [&](std::string_view, double) { return ticket_ == ticket; });
     if (scene) {
       built.scene = std::move(*scene);
       built.warnings = std::make_shared<const std::vector<std::string>>(built.scene->warnings());

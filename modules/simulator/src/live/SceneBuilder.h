@@ -1,5 +1,7 @@
 #pragma once
 
+#include "live/ScenesAhead.h"
+
 #include <insonate/simulator/Imager.h>
 
 #include <atomic>
@@ -33,21 +35,26 @@ struct BuiltScene {
 class SceneBuilder {
  public:
   /// `whenDone` is called on the worker each time that take() has something.
-  SceneBuilder(std::shared_ptr<const PatientCase> patient, int threads, std::function<void()> whenDone);
+  SceneBuilder(std::shared_ptr<const PatientCase> patient, int threads, bool workAhead, std::function<void()> whenDone);
   /// Cancels and waits.
   ~SceneBuilder();
 
   /// Cancels what is being built: its result never comes.
   void begin(SceneJob job);
   void cancel();
+  /// Scenes to come will lie here. Computed in idle time, after the first scene.
+  void expect(const Region& region_mm, double detail_mm);
   std::optional<BuiltScene> take();
 
  private:
   void work();
   BuiltScene build(const SceneJob& job, std::uint64_t ticket) const;
 
+  void findSource();
+
   std::shared_ptr<const PatientCase> patient_;
   int threads_;
+  bool workAhead_;
   std::function<void()> whenDone_;
   std::mutex mutex_;
   std::condition_variable changed_;
@@ -55,6 +62,9 @@ class SceneBuilder {
   bool stopping_ = false;
   std::optional<SceneJob> next_;
   std::optional<BuiltScene> done_;
+  std::unique_ptr<ScenesAhead> ahead_;
+  std::shared_ptr<const SceneSource> source_;  ///< only the worker touches it
+  std::string sourceError_;
   std::thread thread_;  ///< last: it uses the others
 };
 

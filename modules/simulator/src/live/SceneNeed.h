@@ -9,12 +9,9 @@ class SceneNeed {
  public:
   SceneNeed(const ImagingSetup& setup, const VolumeGeometry& volume);
 
-  /// Structures within this of a scene's edge may be off by a little, which would show as a seam between scenes.
-  static constexpr double kSeam_mm = 4;
-
   /// What a frame at this pose needs, with room each way, cut to the patient's volume and a millimetre: a scene reaches
   /// no further.
-  Region at(const Transform& patientFromProbe, double room_mm = kSeam_mm) const;
+  Region at(const Transform& patientFromProbe, double room_mm = 0) const;
   /// True where a frame at this pose would see nothing of the volume.
   bool misses(const Transform& patientFromProbe) const;
   double detail_mm() const { return detail_mm_; }

@@ -1,41 +1,14 @@
-#include "scene/FibreAxis.h"
 #include "scene/SceneData.h"
+#include "scene/SceneSourceData.h"
 
 #include <insonate/ultrasound/AcousticScene.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <span>
 
 namespace insonate {
 namespace {
-
-std::vector<std::string> unknownLabelWarnings(const LabelMap& labels) {
-  std::array<bool, 256> seen{};
-  for (const std::uint8_t label : labels.voxels) seen[label] = true;
-  std::vector<std::string> warnings;
-  for (int label = kLabelCount; label < 256; ++label)
-    if (seen[label])
-      warnings.push_back("Label " + std::to_string(label) + " is not known; it is shown as soft tissue.");
-  return warnings;
-}
-
-/// Airway, spine and larynx lie in the middle; without them, the middle of the volume has to do.
-double midlineOf(const LabelMap& labels) {
-  const Transform patientFromIndex = labels.geometry.patientFromIndex();
-  double sum = 0;
-  std::size_t count = 0;
-  const auto& size = labels.geometry.size;
-  for (int k = 0; k < size[2]; k += 2)
-    for (int j = 0; j < size[1]; j += 2)
-      for (int i = 0; i < size[0]; i += 2) {
-        const int label = labels.at(i, j, k);
-        if (label != kAirway && label != kCartilage && label != kBone) continue;
-        sum += (patientFromIndex * Vec3{double(i), double(j), double(k)}).x;
-        ++count;
-      }
-  return count ? sum / static_cast<double>(count) : labels.geometry.centre_mm().x;
-}
 
 /// Rows u, v, w scaled to tile voxels; w is the thin axis, as far as it can be across the fibre.
 TextureFrame frameOf(const TextureTile& tile, Vec3 fibre, Vec3 thinHint) {
@@ -60,25 +33,32 @@ Result<std::shared_ptr<const AcousticScene>> AcousticScene::make(const CtVolume&
                                                                  const AcousticTable& table, const Region& region,
                                                                  const Progress& progress,
                                                                  std::vector<PointTarget> points, double detail_mm) {
-  if (!sameGrid(ct.geometry, labels.geometry))
-    return fail("The CT and the label map lie on different grids; resample one to the other.");
-  auto field = makeTissueField(ct, labels, region, detail_mm, progress);
+  const auto source = SceneSource::make(ct, labels);
+  if (!source) return tl::unexpected(source.error());
+  return make(**source, table, region, progress, std::move(points), detail_mm);
+}
+
+Result<std::shared_ptr<const AcousticScene>> AcousticScene::make(const SceneSource& source, const AcousticTable& table,
+                                                                 const Region& region, const Progress& progress,
+                                                                 std::vector<PointTarget> points, double detail_mm) {
+  auto field = makeTissueField(source.impl().tilesOf(detail_mm), region, progress);
   if (!field) return tl::unexpected(field.error());
 
+  const CaseFacts& facts = source.impl().facts;
   auto impl = std::make_unique<Impl>();
   impl->table = table;
   impl->points = std::move(points);
   impl->field = std::move(*field);
   impl->profiles =
       BoundaryProfiles(table, std::span(impl->field.label.data(), static_cast<std::size_t>(impl->field.channels)));
-  impl->warnings = unknownLabelWarnings(labels);
-  impl->midline_mm = midlineOf(labels);
+  impl->warnings = facts.warnings;
+  impl->midline_mm = facts.midline_mm;
   for (int side = 0; side < 2; ++side) {
     // Sheets of the neck lie along its outside: their normal points forward and outward (patient right is -x).
     const Vec3 outward = normalized({side == 0 ? -0.55 : 0.55, -0.83, 0.05});
-    const Vec3 scmFibre = fibreAxis(labels, kSternocleidomastoid, impl->midline_mm, side == 0);
     for (int l = 0; l < kLabelCount; ++l) {
-      const Vec3 fibre = l == kSternocleidomastoid ? scmFibre : normalized({side == 0 ? 0.12 : -0.12, 0.08, 1.0});
+      const Vec3 fibre =
+          l == kSternocleidomastoid ? facts.muscleFibre[side] : normalized({side == 0 ? 0.12 : -0.12, 0.08, 1.0});
       impl->textureFrames[l][side] =
           frameOf(textureTile(table.of(static_cast<std::uint8_t>(l)).texture), fibre, outward);
     }

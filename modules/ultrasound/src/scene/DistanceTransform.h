@@ -1,15 +1,70 @@
 #pragma once
 
-#include "scene/TissueField.h"
+#include "scene/NodeLattice.h"
+#include "scene/OutlineSmoothing.h"
 
-#include <insonate/core/Progress.h>
+#include <cstdint>
+#include <vector>
 
 namespace insonate {
 
-/// Fills field.distance from the label of each node: Euclidean distance to each structure within the reach, negative
-/// inside, smoothed by Gaussians of the given SD along each axis without moving an outline by more than `freedom_mm`.
-/// False when cancelled.
-bool signedDistances(const std::vector<std::uint8_t>& nodeLabel, Vec3 nodeSpacing_mm, Vec3 smoothing_mm,
-                     float freedom_mm, TissueField& field, const Progress& progress);
+/// The label of each node of a box.
+struct NodeLabels {
+  NodeBox box;
+  std::vector<std::uint8_t> label;
+};
+
+/// Signed distances to the structures of a block of nodes, negative inside, with rounded outlines. Structures are
+/// computed side by side in the calling thread's arena.
+class DistanceTransform {
+ public:
+  struct Result {
+    std::vector<std::uint8_t> labels;    ///< of the structures within reach
+    std::vector<std::int16_t> distance;  ///< [structure][node of the block], in units of TissueField
+  };
+
+  /// `nodes` holds all labels within the block's smoothed and reach margins, as far as the lattice goes. What is
+  /// computed depends on nothing else.
+  DistanceTransform(const NodeLattice& lattice, const NodeLabels& nodes, const NodeBox& block, Stopped stopped);
+
+  /// Of those candidates (a bit a label) that are within reach. Of no use when stopped.
+  Result distances(std::uint32_t candidates);
+
+ private:
+  struct Structure {
+    std::uint8_t label;
+    std::vector<float> outside2;         ///< squared distance to it; 0 on its own nodes
+    std::vector<std::int16_t> distance;  ///< signed, rounded
+  };
+  /// Buffers of one thread.
+  struct Scratch {
+    std::vector<float> rows, planes, run, signed_mm, part_mm, add;
+    std::vector<std::uint8_t> rowNear, planeNear;  ///< rows that hold anything within reach
+    std::vector<const float*> window;
+    OutlineSmoothing smoothing;
+  };
+  bool measure(std::uint8_t label, Scratch& scratch, std::vector<float>& outside2) const;
+  void alongX(std::uint8_t label, Scratch& scratch) const;
+  void alongY(Scratch& scratch) const;
+  void alongZ(Scratch& scratch, std::vector<float>& outside2) const;
+  void markDecisive();
+  NodeBox decisivePart(const Structure& structure) const;
+  void round(Structure& structure, Scratch& scratch) const;
+  void keepThinStructures();
+  Result blockOf() const;
+
+  bool stopped() const { return stopped_ && stopped_(); }
+
+  const NodeLattice& lattice_;
+  const NodeLabels& nodes_;
+  const NodeBox block_, smoothed_, read_;  ///< where distances are wanted and computed, and where labels are read
+  const NodeBox seen_;                     ///< the block and its neighbours
+  const float half_mm_;                    ///< between a node and the boundary beyond it
+  const std::vector<float> far_;           ///< a row out of reach
+  const Stopped stopped_;
+  std::vector<Structure> structures_;
+  std::vector<float> inside2_;    ///< squared distance to the next structure but one's own, [smoothed_]
+  std::vector<float> decisive2_;  ///< squared distance within which a structure is one of the two nearest, [seen_]
+};
 
 }  // namespace insonate

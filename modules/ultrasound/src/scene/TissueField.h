@@ -1,9 +1,10 @@
 #pragma once
 
+#include "scene/Uninitialised.h"
+
 #include <insonate/core/Progress.h>
+#include <insonate/core/Result.h>
 #include <insonate/core/Transform.h>
-#include <insonate/image/Volume.h>
-#include <insonate/tissue/Labels.h>
 #include <insonate/ultrasound/AcousticScene.h>
 
 #include <array>
@@ -11,6 +12,8 @@
 #include <vector>
 
 namespace insonate {
+
+class TissueTiles;
 
 /// Smooth signed distances to every structure on a fine, nearly isotropic lattice that cuts the voxels of the label map
 /// into equal parts, so that boundaries show no voxel stairs and need no normals. One channel a structure present,
@@ -30,17 +33,13 @@ struct TissueField {
   struct alignas(2 * kStride) Distances {
     std::int16_t to[kStride];
   };
-  std::vector<Distances> distance;        ///< [node]
-  std::vector<std::int16_t> ctDeviation;  ///< [node] and padding, HU above the structure's mean
+  UninitialisedVector<Distances> distance;        ///< [node]
+  UninitialisedVector<std::int16_t> ctDeviation;  ///< [node] and padding, HU above the structure's mean
 
   std::size_t offset(int i, int j, int k) const { return (std::size_t(k) * size[1] + j) * size[0] + i; }
 };
 
-/// Mean HU of each label over the whole case.
-std::array<double, kLabelCount> meanHuByLabel(const CtVolume& ct, const LabelMap& labels);
-
-/// Unknown labels count as soft tissue. Nodes are at most detail_mm apart. Fails where the region misses the volume.
-Result<TissueField> makeTissueField(const CtVolume& ct, const LabelMap& labels, const Region& region, double detail_mm,
-                                    const Progress& progress);
+/// A region's part of the patient. Fails where the region misses the volume, and when cancelled.
+Result<TissueField> makeTissueField(TissueTiles& tiles, const Region& region, const Progress& progress);
 
 }  // namespace insonate

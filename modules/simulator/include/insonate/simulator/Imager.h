@@ -59,8 +59,13 @@ struct SceneRun {
 /// Splits a path so that no scene has to cover much more than its frames need.
 std::vector<SceneRun> sceneRuns(const ImagingSetup& setup, std::span<const Transform> path);
 
+/// Of a case that has more than one scene: what they share is computed once. It must not outlive the case.
+Result<std::shared_ptr<const SceneSource>> makeSceneSource(const PatientCase& patient);
+
 /// The part of the patient that a region needs. Fails on a region that misses the patient's volume.
 Result<std::shared_ptr<const AcousticScene>> makeScene(const PatientCase& patient, const ImagingSetup& setup,
+                                                       const Region& region, const Progress& progress = {});
+Result<std::shared_ptr<const AcousticScene>> makeScene(const SceneSource& source, const ImagingSetup& setup,
                                                        const Region& region, const Progress& progress = {});
 
 /// Fails, naming the pose, where a frame would miss the patient's volume altogether.

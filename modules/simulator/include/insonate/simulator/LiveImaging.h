@@ -43,9 +43,10 @@ struct LiveStatus {
 
 struct LiveOptions {
   int threads = 0;                    ///< for pictures; 0: every core but one, which is left to the window
-  double sceneMargin_mm = 15;         ///< room to move in a scene, each way; 8..100
+  double sceneMargin_mm = 15;         ///< room to move in a scene, each way; 2..100
   double sceneReserve_mm = 9;         ///< the next scene is begun where less room than this is left
   std::size_t cineBytes = 256 << 20;  ///< memory for frames of the past; the latest frame is kept in any case
+  bool workAhead = true;              ///< compute what scenes to come are made of, as far as processors are idle
   bool keepEnvelopes = false;         ///< LiveFrame::envelope too, about six times the memory
 };
 

@@ -4,6 +4,8 @@
 #include <insonate/core/Transform.h>
 #include <insonate/image/Volume.h>
 #include <insonate/tissue/AcousticTable.h>
+#include <insonate/ultrasound/Region.h>
+#include <insonate/ultrasound/SceneSource.h>
 
 #include <array>
 #include <memory>
@@ -11,11 +13,6 @@
 #include <vector>
 
 namespace insonate {
-
-/// A box in patient LPS millimetres.
-struct Region {
-  Vec3 low_mm, high_mm;
-};
 
 /// A wire or bead of a resolution phantom: echoes from one point with the given amplitude (envelope peak in focus).
 struct PointTarget {
@@ -36,6 +33,11 @@ class AcousticScene {
   static Result<std::shared_ptr<const AcousticScene>> make(const CtVolume& ct, const LabelMap& labels,
                                                            const AcousticTable& table, const Region& region,
                                                            const Progress& progress = {},
+                                                           std::vector<PointTarget> points = {},
+                                                           double detail_mm = kFinestDetail_mm);
+  /// The same of a case that has more than one scene: what they share is computed once.
+  static Result<std::shared_ptr<const AcousticScene>> make(const SceneSource& source, const AcousticTable& table,
+                                                           const Region& region, const Progress& progress = {},
                                                            std::vector<PointTarget> points = {},
                                                            double detail_mm = kFinestDetail_mm);
   ~AcousticScene();

@@ -1,0 +1,63 @@
+#include "live/ScenesAhead.h"
+
+#include <sys/resource.h>
+#include <tbb/task_arena.h>
+#include <unistd.h>
+
+#include <new>
+
+namespace insonate::live {
+namespace {
+
+/// Behind pictures and window, but not so far that it could not end when told to.
+constexpr int kNice = 10;
+
+}  // namespace
+
+ScenesAhead::ScenesAhead(std::shared_ptr<const SceneSource> source)
+    : source_(std::move(source)), thread_([this] { work(); }) {}
+
+ScenesAhead::~ScenesAhead() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  changed_.notify_one();
+  thread_.join();
+}
+
+void ScenesAhead::want(const Region& region_mm, double detail_mm) {
+  {
+    const std::lock_guard lock(mutex_);
+    wanted_ = Wanted{region_mm, detail_mm};
+    ++asked_;
+  }
+  changed_.notify_one();
+}
+
+void ScenesAhead::work() {
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
+  tbb::task_arena arena(1);  // this thread alone: workers would have the priority of pictures
+  for (;;) {
+    Wanted wanted;
+    std::uint64_t asked = 0;
+    {
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, [this] { return stopping_ || wanted_; });
+      if (stopping_) return;
+      wanted = *wanted_;
+      asked = asked_;
+    }
+    bool more = false;
+    try {
+      more = arena.execute(
+          [&] { return source_->makeAhead(wanted.region_mm, wanted.detail_mm, [this] { return stopping_.load(); }); });
+    } catch (const std::bad_alloc&) {
+      // Scenes are then computed when they are needed.
+    }
+    const std::lock_guard lock(mutex_);
+    if (!more && asked == asked_) wanted_.reset();
+  }
+}
+
+}  // namespace insonate::live

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/image/Volume.h>
+#include <insonate/ultrasound/Region.h>
+
+#include <functional>
+#include <memory>
+
+namespace insonate {
+
+/// What all scenes of one patient have in common: facts about the whole case, found once, and the distances that scenes
+/// are likely to need, computed ahead and kept while there is room (384 MB for each fineness). A scene is then put
+/// together rather than computed, and is the same. Any number of threads may use one.
+class SceneSource {
+ public:
+  /// `ct` and `labels` must outlive the source and stay as they are. Fails where they lie on different grids.
+  static Result<std::shared_ptr<const SceneSource>> make(const CtVolume& ct, const LabelMap& labels);
+  ~SceneSource();
+
+  /// Computes one more part of a region, the one nearest to its centre, for scenes to come. Takes about a second of one
+  /// processor; `stopped` is asked now and then, and ends it. False where nothing is missing, or no room is left.
+  bool makeAhead(const Region& region, double detail_mm, const std::function<bool()>& stopped = {}) const;
+
+  struct Impl;  ///< for scenes
+  Impl& impl() const { return *impl_; }
+
+ private:
+  explicit SceneSource(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace insonate

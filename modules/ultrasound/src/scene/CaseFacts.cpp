@@ -1,0 +1,97 @@
+#include "scene/CaseFacts.h"
+
+#include "scene/FibreAxis.h"
+
+#include <tbb/parallel_for.h>
+
+namespace insonate {
+namespace {
+
+/// Sums over a slab of the case, added up in the slabs' order, so that threads change nothing.
+struct Sums {
+  std::array<std::int64_t, kLabelCount> hu{}, count{};
+  std::array<bool, 256> seen{};
+  std::array<std::int64_t, 3> middleIndex{};
+  std::int64_t middleCount = 0;
+
+  void add(const Sums& other) {
+    for (int l = 0; l < kLabelCount; ++l) hu[l] += other.hu[l], count[l] += other.count[l];
+    for (int l = 0; l < 256; ++l) seen[l] = seen[l] || other.seen[l];
+    for (int a = 0; a < 3; ++a) middleIndex[a] += other.middleIndex[a];
+    middleCount += other.middleCount;
+  }
+};
+
+/// Airway, spine and larynx lie in the middle.
+bool isMiddle(int label) {
+  return label == kAirway || label == kCartilage || label == kBone;
+}
+
+void addRow(const CtVolume& ct, const LabelMap& labels, int j, int k, Sums& sums, std::uint32_t* blocks) {
+  const std::size_t row = labels.geometry.offset(0, j, k);
+  const std::uint8_t* label = labels.voxels.data() + row;
+  const std::int16_t* hu = ct.voxels.data() + row;
+  const int size = labels.geometry.size[0];
+  for (int i = 0; i < size;) {
+    // Runs of one label are long.
+    const int first = i;
+    std::int64_t sum = 0;
+    for (const std::uint8_t here = label[i]; i < size && label[i] == here; ++i) sum += hu[i];
+    const int known = knownLabel(label[first]);
+    sums.seen[label[first]] = true;
+    sums.hu[known] += sum;
+    sums.count[known] += i - first;
+    for (int b = first / CaseFacts::kBlock; b <= (i - 1) / CaseFacts::kBlock; ++b) blocks[b] |= 1U << known;
+    if (!isMiddle(label[first]) || j % 2 || k % 2) continue;
+    for (int x = first + first % 2; x < i; x += 2) {
+      sums.middleIndex[0] += x, sums.middleIndex[1] += j, sums.middleIndex[2] += k;
+      ++sums.middleCount;
+    }
+  }
+}
+
+}  // namespace
+
+CaseFacts::CaseFacts(const CtVolume& ct, const LabelMap& labels) {
+  const auto& size = labels.geometry.size;
+  blocks_ = cubesOf({{}, size}, kBlock).size;
+  labelsOfBlock_.resize(std::size_t(blocks_[0]) * blocks_[1] * blocks_[2]);
+  std::vector<Sums> slabs(blocks_[2]);
+  tbb::parallel_for(0, blocks_[2], [&](int slab) {
+    for (int k = slab * kBlock; k < std::min((slab + 1) * kBlock, size[2]); ++k)
+      for (int j = 0; j < size[1]; ++j)
+        addRow(ct, labels, j, k, slabs[slab],
+               labelsOfBlock_.data() + (std::size_t(slab) * blocks_[1] + j / kBlock) * blocks_[0]);
+  });
+  Sums all;
+  for (const Sums& slab : slabs) all.add(slab);
+
+  for (int l = 0; l < kLabelCount; ++l)
+    mean_HU[l] = all.count[l] ? static_cast<double>(all.hu[l]) / static_cast<double>(all.count[l]) : 0;
+  for (int label = kLabelCount; label < 256; ++label)
+    if (all.seen[label])
+      warnings.push_back("Label " + std::to_string(label) + " is not known; it is shown as soft tissue.");
+  // Without anything in the middle, that of the volume has to do.
+  midline_mm = labels.geometry.centre_mm().x;
+  if (const auto count = static_cast<double>(all.middleCount); count > 0) {
+    const Vec3 mean{static_cast<double>(all.middleIndex[0]) / count, static_cast<double>(all.middleIndex[1]) / count,
+                    static_cast<double>(all.middleIndex[2]) / count};
+    midline_mm = (labels.geometry.patientFromIndex() * mean).x;
+  }
+  const bool hasMuscle = all.count[kSternocleidomastoid] > 0;
+  tbb::parallel_for(0, 2, [&](int side) {
+    muscleFibre[side] = hasMuscle ? fibreAxis(labels, kSternocleidomastoid, midline_mm, side == 0) : Vec3{0, 0, 1};
+  });
+}
+
+std::uint32_t CaseFacts::labelsNear(const NodeBox& voxels) const {
+  const NodeBox touched = cubesOf(voxels, kBlock);
+  std::uint32_t found = 0;
+  for (int k = touched.low[2]; k < touched.high(2); ++k)
+    for (int j = touched.low[1]; j < touched.high(1); ++j)
+      for (int i = touched.low[0]; i < touched.high(0); ++i)
+        found |= labelsOfBlock_[(std::size_t(k) * blocks_[1] + j) * blocks_[0] + i];
+  return found;
+}
+
+}  // namespace insonate

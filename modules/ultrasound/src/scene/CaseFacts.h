@@ -1,0 +1,36 @@
+#pragma once
+
+#include "scene/NodeLattice.h"
+
+#include <insonate/image/Volume.h>
+#include <insonate/tissue/Labels.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+using LabelMeans = std::array<double, kLabelCount>;
+
+/// What scenes need to know of the whole case, found once.
+struct CaseFacts {
+  static constexpr int kBlock = 8;  ///< edge of a block, voxels
+
+  CaseFacts(const CtVolume& ct, const LabelMap& labels);
+
+  /// A bit for each label in the blocks that a box of voxels touches; unknown labels count as soft tissue.
+  std::uint32_t labelsNear(const NodeBox& voxels) const;
+
+  LabelMeans mean_HU{};               ///< of each label; 0 where there is none
+  double midline_mm = 0;              ///< patient x; textures mirror across it
+  std::array<Vec3, 2> muscleFibre;    ///< of the sternocleidomastoid, right and left; unit, patient LPS
+  std::vector<std::string> warnings;  ///< about unknown labels
+
+ private:
+  std::array<int, 3> blocks_{};
+  std::vector<std::uint32_t> labelsOfBlock_;
+};
+
+}  // namespace insonate

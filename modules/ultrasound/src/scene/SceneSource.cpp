@@ -1,0 +1,27 @@
+#include "scene/SceneSourceData.h"
+
+namespace insonate {
+
+TissueTiles& SceneSource::Impl::tilesOf(double detail_mm) {
+  const std::lock_guard lock(mutex_);
+  auto& tiles = tiles_[detail_mm];
+  if (!tiles) tiles = std::make_unique<TissueTiles>(ct, labels, facts, detail_mm);
+  return *tiles;
+}
+
+SceneSource::SceneSource(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+SceneSource::~SceneSource() = default;
+
+Result<std::shared_ptr<const SceneSource>> SceneSource::make(const CtVolume& ct, const LabelMap& labels) {
+  if (!sameGrid(ct.geometry, labels.geometry))
+    return fail("The CT and the label map lie on different grids; resample one to the other.");
+  return std::shared_ptr<const SceneSource>(new SceneSource(std::make_unique<Impl>(ct, labels)));
+}
+
+bool SceneSource::makeAhead(const Region& region, double detail_mm, const std::function<bool()>& stopped) const {
+  TissueTiles& tiles = impl_->tilesOf(detail_mm);
+  const NodeBox box = tiles.lattice().boxOf(region);
+  return box.count() > 0 && tiles.makeAhead(box, stopped);
+}
+
+}  // namespace insonate

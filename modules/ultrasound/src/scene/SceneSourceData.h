@@ -1,0 +1,28 @@
+#pragma once
+
+#include "scene/CaseFacts.h"
+#include "scene/TissueTiles.h"
+
+#include <insonate/ultrasound/SceneSource.h>
+
+#include <map>
+#include <memory>
+#include <mutex>
+
+namespace insonate {
+
+struct SceneSource::Impl {
+  Impl(const CtVolume& itsCt, const LabelMap& itsLabels) : ct(itsCt), labels(itsLabels), facts(ct, labels) {}
+
+  TissueTiles& tilesOf(double detail_mm);
+
+  const CtVolume& ct;
+  const LabelMap& labels;
+  const CaseFacts facts;
+
+ private:
+  std::mutex mutex_;
+  std::map<double, std::unique_ptr<TissueTiles>> tiles_;  ///< by detail
+};
+
+}  // namespace insonate
