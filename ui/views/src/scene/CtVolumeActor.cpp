@@ -89,7 +89,7 @@ void CtVolumeActor::setSampling() {
   const double* spacing = image->GetSpacing();
   const double finest_mm = std::min({spacing[0], spacing[1], spacing[2]});
   mapper_->SetSampleDistance(static_cast<float>(finest_mm * (coarse_ ? 3 : software_ ? 1.5 : 0.7)));
-  mapper_->SetImageSampleDistance(coarse_ ? (software_ ? 6.F : 2.F) : software_ ? 2.F : 1.F);
+  mapper_->SetImageSampleDistance(coarse_ ? (software_ ? 3.F : 2.F) : software_ ? 2.F : 1.F);
 }
 
 void CtVolumeActor::setClipping(const std::optional<ClippingPlane>& plane) {

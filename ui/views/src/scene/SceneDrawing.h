@@ -2,6 +2,7 @@
 
 #include "CtVolumeActor.h"
 #include "ImagePlane.h"
+#include "MovingDetail.h"
 #include "NeedleModel.h"
 #include "OrientationCube.h"
 #include "ProbeModel.h"
@@ -31,6 +32,8 @@ struct SceneView::Drawing {
   ProbeModel probe;
   NeedleModel needle;
   OrientationCube cube;
+  MovingDetail detail;
+  unsigned long startObserver = 0;
 
   std::shared_ptr<const VtkCase> patient;
   TransferFunction transfer = transferPresets().front().function;

@@ -3,6 +3,7 @@
 #include <insonate/tissue/Labels.h>
 #include <insonate/views/LabelColours.h>
 
+#include <vtkCommand.h>
 #include <vtkLight.h>
 #include <vtkMatrix4x4.h>
 #include <vtkRenderWindow.h>
@@ -32,6 +33,7 @@ SceneView::SceneView() : drawing_(std::make_unique<Drawing>(*renderer())) {
   renderer()->GradientBackgroundOn();
   renderer()->UseFXAAOn();
   addLights(*renderer());
+  renderer()->AddObserver(vtkCommand::EndEvent, this, &SceneView::pictureEnds);
   for (const LabelInfo& info : labelTable())
     drawing_->looks[info.label] = {labelColour(info.label, ColourScheme::Usual), usualOpacity(info.label)};
   drawing_->ct.setTransferFunction(drawing_->transfer);
@@ -45,11 +47,23 @@ SceneView::~SceneView() {
 
 void SceneView::attached(vtkRenderWindow& window) {
   drawing_->cube.attach(window);
+  // The renderer's own start would be too late for its viewport.
+  drawing_->startObserver = window.AddObserver(vtkCommand::StartEvent, this, &SceneView::pictureStarts);
   useStereo(window, drawing_->stereo);
 }
 
 void SceneView::detached(vtkRenderWindow& window) {
   drawing_->cube.detach(window);
+  window.RemoveObserver(drawing_->startObserver);
+  drawing_->detail.release(window);
+}
+
+void SceneView::pictureStarts() {
+  drawing_->detail.starts(*renderer(), drawing_->moving);
+}
+
+void SceneView::pictureEnds() {
+  drawing_->detail.ends(*renderer());
 }
 
 void SceneView::setCase(std::shared_ptr<const VtkCase> patient) {

@@ -79,7 +79,8 @@ class SceneView final : public View {
   void pan(double across_px, double down_px);
   void zoom(double factor);
 
-  /// While the scene moves it is drawn coarser; dragging in the view does this by itself.
+  /// While the scene moves it is drawn coarser, as far as it needs to be quick; dragging in the view does this by
+  /// itself.
   void setMoving(bool moving);
   bool isMoving() const;
 
@@ -116,6 +117,8 @@ class SceneView final : public View {
   void aim();
   void clip();
   void structuresChanged();
+  void pictureStarts();
+  void pictureEnds();
 
   std::unique_ptr<Drawing> drawing_;
 };

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vtkNew.h>
+
+#include <chrono>
+
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkRenderWindow;
+
+namespace insonate::views {
+
+/// Keeps a moving scene quick: it is drawn into a corner of its window and enlarged from there, in steps that follow
+/// from how long the last pictures took. What is left out are pixels, which is what a processor without a graphics card
+/// pays for. Pictures of a scene at rest are not touched.
+class MovingDetail {
+ public:
+  explicit MovingDetail(int step = 0);
+  ~MovingDetail();
+
+  /// At the start of a window's picture, and at the end of the renderer's.
+  void starts(vtkRenderer& renderer, bool moving);
+  void ends(vtkRenderer& renderer);
+  void release(vtkRenderWindow& window);
+
+  /// Window pixels to a drawn one, along a side.
+  double shrink() const;
+
+  /// The step to draw with next, when a picture drawn with this one took so long.
+  static int nextStep(int step, double took_ms);
+  static constexpr int kSteps = 8;
+  static double shrinkOf(int step);
+
+ private:
+  void enlarge(vtkOpenGLRenderWindow& window, int across, int up);
+
+  vtkNew<vtkOpenGLFramebufferObject> corner_;
+  std::chrono::steady_clock::time_point start_;
+  int step_;
+  bool moving_ = false;
+};
+
+}  // namespace insonate::views
