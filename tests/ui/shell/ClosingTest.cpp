@@ -1,14 +1,25 @@
 #include "Waiting.h"
 
+#include <insonate/cases/DicomWriter.h>
+#include <insonate/cases/PatientCase.h>
 #include <insonate/train/TrainWorkspace.h>
+#include <insonate/ui/CaseLoader.h>
 #include <insonate/ui/MainWindow.h>
 #include <insonate/ui/TaskBar.h>
 
 #include <gtest/gtest.h>
+#include <support/SmallCase.h>
 
+#include <QAbstractButton>
+#include <QDialog>
+#include <QDir>
+#include <QImage>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QtTest/QTest>
+#include <atomic>
 #include <memory>
+#include <thread>
 
 namespace {
 
@@ -44,5 +55,130 @@ TEST_P(Closing, GoesWithoutBeingClosed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(After, Closing, testing::Values(0, 20, 60, 150, 400, 1000, 2500));
+
+/// A window in which something is being done.
+class ClosingAtWork : public testing::Test {
+ protected:
+  void SetUp() override {
+    window = std::make_unique<ui::MainWindow>();
+    train = new train::TrainWorkspace;
+    window->addWorkspace("train", "Train", "train", train);
+    window->showWorkspace("train");
+    window->show();
+  }
+  void TearDown() override {
+    window.reset();
+    EXPECT_TRUE(ui::waitForJobs(std::chrono::milliseconds(5000)));
+  }
+
+  /// Works until it is cancelled or let go.
+  void work(ui::TaskBar::WhenClosed whenClosed) {
+    window->tasks().run<bool>(
+        "Importing a CT",
+        [this](const Progress& progress) -> Result<bool> {
+          while (!letGo)
+            if (!report(progress, "reading", 0.5)) return fail(std::string(kCancelled));
+          return true;
+        },
+        [](const Result<bool>&) {}, whenClosed);
+  }
+  QDialog* question() { return window->findChild<QDialog*>(); }
+  void press(const QString& text) {
+    for (auto* button : question()->findChildren<QPushButton*>())
+      if (button->text() == text) return button->click();
+    FAIL() << "no button " << text.toStdString();
+  }
+  void openCase() {
+    window->open(test::writtenSmallCase(home, "block"));
+    ASSERT_TRUE(test::waitUntil([&] { return window->isReady(); }, 60000)) << window->statusText().toStdString();
+  }
+
+  QTemporaryDir home;
+  std::unique_ptr<ui::MainWindow> window;
+  train::TrainWorkspace* train = nullptr;
+  std::atomic<bool> letGo = false;
+};
+
+TEST_F(ClosingAtWork, AsksBeforeWorkIsLost) {
+  work(ui::TaskBar::WhenClosed::Ask);
+  EXPECT_FALSE(window->close());
+  ASSERT_TRUE(question());
+  EXPECT_TRUE(window->isVisible());
+  EXPECT_FALSE(window->close()) << "asked once";
+  EXPECT_EQ(window->findChildren<QDialog*>().size(), 1);
+  press("Keep working");
+  EXPECT_TRUE(window->tasks().isRunning());
+  EXPECT_TRUE(test::waitUntil([&] { return !question(); }));
+  EXPECT_FALSE(window->close());
+  press("Stop and close");
+  EXPECT_FALSE(window->isVisible());
+}
+
+TEST_F(ClosingAtWork, TheQuestionGoesWithTheWork) {
+  work(ui::TaskBar::WhenClosed::Ask);
+  EXPECT_FALSE(window->close());
+  letGo = true;
+  EXPECT_TRUE(test::waitUntil([&] { return !question(); }));
+  EXPECT_TRUE(window->isVisible());
+  EXPECT_TRUE(window->close());
+}
+
+TEST_F(ClosingAtWork, DoesNotAskWhereNothingIsLost) {
+  work(ui::TaskBar::WhenClosed::Stop);
+  EXPECT_TRUE(window->close());
+}
+
+TEST_F(ClosingAtWork, AClipIsWrittenAsAWholeOrNotAtAll) {
+  openCase();
+  for (const int wait_ms : {0, 3, 30, 3000}) {
+    const QString folder = home.filePath(QString("clip-%1").arg(wait_ms));
+    train->saveClip(folder.toStdString());
+    EXPECT_TRUE(window->tasks().asksWhenClosed());
+    if (wait_ms > 0) QTest::qWait(wait_ms);
+    window->tasks().cancel();
+    EXPECT_TRUE(ui::waitForJobs(std::chrono::milliseconds(1000)));
+    EXPECT_FALSE(QDir(folder + ".part").exists());
+    EXPECT_TRUE(!QDir(folder).exists() || !QDir(folder).entryList({"*.png"}).isEmpty());
+    EXPECT_TRUE(wait_ms < 3000 || QDir(folder).exists());
+  }
+  train->saveClip(home.filePath("last").toStdString());
+  train->savePicture(home.filePath("last.png").toStdString());
+  window->closeAtOnce();
+  EXPECT_FALSE(window->isVisible());
+  window.reset();
+  EXPECT_TRUE(ui::waitForJobs(std::chrono::milliseconds(5000)));
+  EXPECT_FALSE(QDir(home.filePath("last.part")).exists());
+  EXPECT_FALSE(QImage(home.filePath("last.png")).isNull()) << "a picture that was begun is whole";
+}
+
+TEST_F(ClosingAtWork, ACaseIsSavedAsAWholeOrNotAtAll) {
+  const QString folder = home.filePath("block");
+  for (const int wait_ms : {0, 1, 5, 20, 200}) {
+    const QString target = home.filePath(QString("saved-%1").arg(wait_ms));
+    ui::TaskBar tasks;
+    ui::CaseLoader loader(tasks, &tasks);
+    loader.save(std::make_shared<PatientCase>(test::smallCase()), target);
+    if (wait_ms > 0) QTest::qWait(wait_ms);
+    tasks.cancel();
+    EXPECT_TRUE(ui::waitForJobs(std::chrono::milliseconds(5000)));
+    EXPECT_TRUE(!QDir(target).exists() || readCase(target.toStdString())) << wait_ms;
+  }
+}
+
+TEST_F(ClosingAtWork, AnImportIsLeftAtAnyMoment) {
+  const QString folder = home.filePath("dicom");
+  ASSERT_TRUE(writeDicomSeries(test::smallCase().ct, folder.toStdString(), {.seed = "closing"}));
+  for (const int wait_ms : {0, 5, 30, 120}) {
+    auto other = std::make_unique<ui::MainWindow>();
+    other->addWorkspace("train", "Train", "train", new train::TrainWorkspace);
+    other->show();
+    other->open(folder);
+    if (wait_ms > 20 && test::waitUntil([&] { return other->findChild<QDialog*>() != nullptr; }))
+      other->findChild<QDialog*>()->accept();
+    if (wait_ms > 0) QTest::qWait(wait_ms);
+    other->closeAtOnce();
+    EXPECT_FALSE(other->isVisible());
+  }
+}
 
 }  // namespace

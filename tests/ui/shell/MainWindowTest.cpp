@@ -8,8 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QDialog>
 #include <QDropEvent>
+#include <QLabel>
 #include <QMenu>
 #include <QMimeData>
 #include <QSettings>
@@ -191,6 +193,36 @@ TEST_F(MainWindow, GoesWhileACaseIsBeingRead) {
   w->window.open(test::writtenSmallCase(home, "block"));
   w.reset();
   EXPECT_TRUE(ui::waitForJobs(std::chrono::milliseconds(5000)));
+}
+
+TEST_F(MainWindow, OffersToOpenTheFolderOfWhatWasWritten) {
+  Window w;
+  w.window.showWorkspace("train");
+  Q_EMIT w.train->written("Picture saved as a<b>.png.", home.path());
+  EXPECT_EQ(w.window.statusText(), "Picture saved as a<b>.png.");
+  QLabel* link = nullptr;
+  for (auto* label : w.window.findChildren<QLabel*>())
+    if (label->text().contains("Open folder")) link = label;
+  ASSERT_TRUE(link);
+  EXPECT_TRUE(link->focusPolicy() & Qt::TabFocus) << "the link is reached by keyboard";
+  EXPECT_TRUE(link->text().contains("a&lt;b&gt;"));
+  EXPECT_TRUE(link->toolTip().contains(home.path()));
+}
+
+TEST_F(MainWindow, ListsWhatAWorkspaceShowsUnderView) {
+  Window w;
+  auto* action = new QAction("Grid", w.train);
+  w.train->addAction(action);
+  QMenu* view = nullptr;
+  for (auto* button : w.window.findChildren<QToolButton*>())
+    if (button->accessibleName() == "View menu") view = button->menu();
+  ASSERT_TRUE(view);
+  w.window.showWorkspace("train");
+  Q_EMIT view->aboutToShow();
+  EXPECT_TRUE(view->actions().contains(action));
+  w.window.showWorkspace("review");
+  Q_EMIT view->aboutToShow();
+  EXPECT_FALSE(view->actions().contains(action));
 }
 
 TEST_F(MainWindow, ShowsWhatAWorkspaceSays) {

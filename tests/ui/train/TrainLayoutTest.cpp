@@ -123,6 +123,7 @@ TEST_F(TrainLayout, EffectsAloneAreGoneThroughByKeysAndSaidToBeSo) {
   for (int i = 1; i < effects->count(); ++i) EXPECT_FALSE(effects->itemText(i).contains('_')) << i;
   key(Qt::Key_0);
   EXPECT_EQ(effects->currentIndex(), 0);
+  EXPECT_EQ(workspace_->statusText(), "The whole picture again.");
 }
 
 TEST_F(TrainLayout, KeysInTheSliceAreTheSlices) {

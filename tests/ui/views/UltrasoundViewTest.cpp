@@ -116,6 +116,38 @@ TEST(UltrasoundView, BlackAroundThePictureAndNothingWithoutOne) {
   EXPECT_EQ(std::accumulate(empty.rgb.begin(), empty.rgb.end(), 0), 0);
 }
 
+TEST(UltrasoundView, ANoticeIsReadWholeHoweverNarrowTheView) {
+  UltrasoundView view;
+  view.setImage(dot(400, 300, 200, 150));
+  view.setFrozen(true);
+  view.setNotice("ONLY shadows behind boundaries");
+  for (const int width : {240, 900}) {
+    Screen screen(view, width, 400);
+    const Picture picture = screen.picture();
+    int yellow = 0, cut = 0;
+    for (int y = 0; y < 26; ++y)
+      for (int x = 0; x < width; ++x) {
+        const std::uint8_t* at = picture.at(x, y);
+        const bool letter = at[0] > 120 && at[2] < at[0] / 2;
+        yellow += letter;
+        cut += letter && (x < 3 || x >= width - 3);
+      }
+    EXPECT_GT(yellow, 60) << width;
+    EXPECT_EQ(cut, 0) << width;
+  }
+}
+
+TEST(UltrasoundView, WithoutAPictureItSaysWhatToWaitFor) {
+  UltrasoundView view;
+  view.setNotice("Building the first picture ...");
+  Screen screen(view, 400, 200);
+  const Picture picture = screen.picture();
+  int lit = 0;
+  for (int y = 85; y < 115; ++y)
+    for (int x = 60; x < 340; ++x) lit += picture.at(x, y)[1] > 90;
+  EXPECT_GT(lit, 200);
+}
+
 TEST(UltrasoundView, Golden) {
   UltrasoundView view;
   view.setImage(test::neck().image);

@@ -166,7 +166,10 @@ void TrainWorkspace::Parts::showCase() {
   showCallipers();
   empty_->setVisible(!session.patient());
   pictures_->setVisible(session.patient() != nullptr);
-  empty_->setText(tr("No case is open.\n\nOpen one from the library, or make one in Prepare."));
+  empty_->setText(
+      tr("No case is open.\n\nDrop a case, a folder of DICOM files or a CT file on the window,\n"
+         "or choose Case > Open case (Ctrl+O), or Case > Built-in neck (Ctrl+T)."));
+  showNotice();
   if (session.patient())
     rate_.start(kRate_ms);
   else
@@ -191,6 +194,7 @@ void TrainWorkspace::Parts::showPicture() {
   }
   if (ready) return;
   ready = true;
+  showNotice();
   Q_EMIT workspace_.readyChanged();
 }
 
@@ -256,11 +260,13 @@ void TrainWorkspace::Parts::clearCallipers() {
 
 void TrainWorkspace::Parts::showNotice() {
   const std::string& effect = session.effect();
-  image_->setNotice(effect == TrainSession::kWholeModel
-                        ? std::string()
-                        : tr("ONE EFFECT ALONE: %1").arg(effectWords(effect)).toStdString());
-  if (effect != TrainSession::kWholeModel)
-    session.say(tr("This is not the usual picture but one effect of it; 0 shows the whole again."));
+  const bool alone = effect != TrainSession::kWholeModel;
+  QString words = alone ? tr("ONLY %1").arg(effectWords(effect)) : QString();
+  if (!session.shown()) words = tr("Building the first picture ...");
+  image_->setNotice(words.toStdString());
+  if (std::exchange(effectAlone_, alone) == alone && !alone) return;
+  session.say(alone ? tr("This is not the usual picture but one effect of it; 0 shows the whole again.")
+                    : tr("The whole picture again."));
 }
 
 bool TrainWorkspace::Parts::key(const QKeyEvent& event, bool doIt) {

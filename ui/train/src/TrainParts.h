@@ -86,6 +86,7 @@ class TrainWorkspace::Parts : public QObject {
   QAction *leftHanded_ = nullptr, *besideAction_ = nullptr;
   std::shared_ptr<const ImagingSetup> shape_;  ///< of the picture as laid out
   std::vector<std::unique_ptr<PictureWriter>> writers_;
+  bool effectAlone_ = false;
   QTimer rate_;
 };
 

@@ -60,8 +60,11 @@ SeriesDialog::SeriesDialog(const QString& path, std::shared_ptr<const SeriesList
   fill();
   arrange();
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SeriesDialog::showChosen);
-  connect(table_, &QTableWidget::itemDoubleClicked, import_, &QPushButton::click);
-  connect(import_, &QPushButton::clicked, this, &QDialog::accept);
+  connect(table_, &QTableWidget::itemActivated, import_, &QPushButton::click);
+  connect(import_, &QPushButton::clicked, this, [this] {
+    // Enter in the table comes here by two ways.
+    if (result() != Accepted) accept();
+  });
   int first = 0;
   while (first + 1 < table_->rowCount() && !listing_->series[std::size_t(first)].refusal.empty()) ++first;
   table_->selectRow(first);

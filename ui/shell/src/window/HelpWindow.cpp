@@ -50,7 +50,7 @@ void HelpWindow::setShortcuts(const std::vector<ShortcutGroup>& groups) {
     if (group.shortcuts.empty()) continue;
     keys_ += QStringLiteral("<h3>%1</h3><table>").arg(group.place.toHtmlEscaped());
     for (const Shortcut& one : group.shortcuts)
-      keys_ += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>")
+      keys_ += QStringLiteral("<tr><td width=\"240\"><b>%1</b></td><td>%2</td></tr>")
                    .arg(one.keys.toHtmlEscaped(), one.does.toHtmlEscaped());
     keys_ += QStringLiteral("</table>");
   }

@@ -2,22 +2,29 @@
 
 #include "../TrainSession.h"
 
+#include <insonate/ui/Theme.h>
+
+#include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStyle>
 
 namespace insonate::train {
 namespace {
+
+constexpr int kSlider_px = 96;
 
 struct Measure {
   const char* name;
   const char* says;
 };
-constexpr Measure kMeasures[] = {
-    {"Distance", "Two points (L)"}, {"Ellipse", "One axis, then the width (O)"}, {"Angle", "Arm, corner, arm (V)"}};
+constexpr Measure kMeasures[] = {{"Distance\tL", "Two points, in mm"},
+                                 {"Ellipse\tO", "One axis, then the width, in mm and mm²"},
+                                 {"Angle\tV", "Arm, corner, arm, in degrees"}};
 
 }  // namespace
 
@@ -26,7 +33,8 @@ CineBar::CineBar(TrainSession& session, QWidget* parent)
       session_(session),
       slider_(new QSlider(Qt::Horizontal, this)),
       time_(new QLabel(this)),
-      beside_(new QPushButton(tr("CT"), this)),
+      measure_(new QPushButton(tr("Measure"), this)),
+      beside_(new QPushButton(tr("CT beside"), this)),
       save_(new QPushButton(tr("Save"), this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 4, 8, 4);
@@ -35,22 +43,16 @@ CineBar::CineBar(TrainSession& session, QWidget* parent)
   slider_->setAccessibleName(tr("Picture of the last seconds"));
   slider_->setToolTip(tr("The last seconds of a frozen picture (comma and period step)"));
   slider_->setFocusPolicy(Qt::TabFocus);
+  slider_->setMinimumWidth(kSlider_px);
   time_->setMinimumWidth(time_->fontMetrics().horizontalAdvance("-00.00 s"));
   time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row->addWidget(slider_, 1);
   row->addWidget(time_);
-  for (int i = 0; i < 3; ++i) {
-    measures_[i] = new QPushButton(tr(kMeasures[i].name), this);
-    measures_[i]->setToolTip(tr(kMeasures[i].says));
-    measures_[i]->setCheckable(true);
-    measures_[i]->setFocusPolicy(Qt::TabFocus);
-    row->addWidget(measures_[i]);
-    connect(measures_[i], &QPushButton::clicked, this, [this, i](bool on) { Q_EMIT calliperChosen(on ? i : -1); });
-  }
-  auto* clear = new QPushButton(tr("Clear"), this);
-  clear->setToolTip(tr("Remove the measurements (Delete)"));
-  clear->setFocusPolicy(Qt::TabFocus);
-  row->addWidget(clear);
+  measure_->setObjectName("measure");
+  measure_->setToolTip(tr("Measure on the picture or the CT, in mm and degrees"));
+  measure_->setFocusPolicy(Qt::TabFocus);
+  measure_->setMenu(buildMeasures());
+  row->addWidget(measure_);
   beside_->setObjectName("ctBesideButton");
   beside_->setAccessibleName(tr("CT beside the picture"));
   beside_->setToolTip(tr("The CT of the same plane at the same scale, beside the picture (C)"));
@@ -66,7 +68,6 @@ CineBar::CineBar(TrainSession& session, QWidget* parent)
   save_->setFocusPolicy(Qt::TabFocus);
   row->addWidget(save_);
 
-  connect(clear, &QPushButton::clicked, this, &CineBar::clearCallipers);
   connect(slider_, &QSlider::valueChanged, &session_, &TrainSession::showCine);
   connect(&session_, &TrainSession::frozenChanged, this, &CineBar::refresh);
   connect(&session_, &TrainSession::caseChanged, this, &CineBar::refresh);
@@ -74,8 +75,27 @@ CineBar::CineBar(TrainSession& session, QWidget* parent)
   refresh();
 }
 
+QMenu* CineBar::buildMeasures() {
+  auto* menu = new QMenu(measure_);
+  menu->setToolTipsVisible(true);
+  for (int i = 0; i < 3; ++i) {
+    measures_[i] = menu->addAction(tr(kMeasures[i].name));
+    measures_[i]->setToolTip(tr(kMeasures[i].says));
+    measures_[i]->setCheckable(true);
+    connect(measures_[i], &QAction::triggered, this, [this, i](bool on) { Q_EMIT calliperChosen(on ? i : -1); });
+  }
+  menu->addSeparator();
+  auto* clear = menu->addAction(tr("Remove all\tDelete"));
+  connect(clear, &QAction::triggered, this, &CineBar::clearCallipers);
+  return menu;
+}
+
 void CineBar::setCalliper(int kind) {
   for (int i = 0; i < 3; ++i) measures_[i]->setChecked(i == kind);
+  measure_->setText(kind < 0 ? tr("Measure") : tr(kMeasures[kind].name).section('\t', 0, 0));
+  ui::setRole(measure_, kind < 0 ? "" : "on");
+  measure_->style()->unpolish(measure_);
+  measure_->style()->polish(measure_);
 }
 
 void CineBar::setCtBeside(bool shown) {

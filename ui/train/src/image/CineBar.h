@@ -2,7 +2,9 @@
 
 #include <QWidget>
 
+class QAction;
 class QLabel;
+class QMenu;
 class QPushButton;
 class QSlider;
 
@@ -30,14 +32,15 @@ class CineBar : public QWidget {
   void saveClip();
 
  private:
+  QMenu* buildMeasures();
   void refresh();
   void refreshTime();
 
   TrainSession& session_;
   QSlider* slider_;
   QLabel* time_;
-  QPushButton* measures_[3];
-  QPushButton *beside_, *save_;
+  QAction* measures_[3];
+  QPushButton *measure_, *beside_, *save_;
 };
 
 }  // namespace insonate::train

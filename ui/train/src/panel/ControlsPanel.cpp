@@ -161,6 +161,7 @@ QWidget* ControlsPanel::buildPicture() {
   probe_ = new QComboBox;
   probe_->setObjectName("probe");
   for (const std::string& name : probePresetNames()) probe_->addItem(spaced(name), QString::fromStdString(name));
+  probe_->setToolTip(tr("The transducer; depth, frequency and focus become its own"));
   box->addWidget(labelled(tr("probe"), probe_));
   addSliders(*box, 0, kBeforeTgc);
   tgc_ = new TgcSliders;
@@ -176,6 +177,8 @@ QWidget* ControlsPanel::buildPicture() {
   look_->setObjectName("look");
   look_->addItem(tr("coherent"), int(Look::Coherent));
   look_->addItem(tr("thesis"), int(Look::Thesis));
+  look_->setToolTip(
+      tr("Coherent: speckle that belongs to the tissue. Thesis: reflection, absorption, blur and noise in layers"));
   box->addWidget(labelled(tr("look"), look_));
   effect_ = new QComboBox;
   effect_->setObjectName("effect");

@@ -151,7 +151,9 @@ void PatientViews::showCase() {
   scene_->setCase(case_);
   scene_->setProbe(std::nullopt);
   scene_->setImage({});
-  mpr_->setCase(case_);
+  // The slice waits for the probe: before, it has no plane to show.
+  mpr_->setCase(nullptr);
+  sliceShown_ = false;
   mpr_->setFan(std::nullopt);
   mpr_->setCrosshairVisible(mpr_->kind() != views::SliceKind::Oblique);
 }
@@ -186,7 +188,13 @@ void PatientViews::want() {
 void PatientViews::follow() {
   sinceFollowed_.start();
   const auto& frame = session_.shown();
-  if (!frame) return;
+  if (!frame && !session_.handReady()) return;
+  if (!std::exchange(sliceShown_, true)) mpr_->setCase(case_);
+  if (!frame) {
+    mpr_->setFan(session_.probe(), session_.settings());
+    mpr_->setProbePose(session_.pose());
+    return;
+  }
   if (frame->setup != shape_) {
     shape_ = frame->setup;
     scene_->setProbe(shape_->probe, shape_->settings);

@@ -62,6 +62,7 @@ class PatientViews : public QWidget {
   std::shared_ptr<const LiveFrame> followed_;
   std::shared_ptr<const ImagingSetup> shape_;  ///< of the probe as drawn
   bool cameraDue_ = false;                     ///< a new patient is there, and not looked at yet
+  bool sliceShown_ = false;                    ///< the slice has the case
   Transform pose_;
   std::optional<Transform> slicedAt_;  ///< where the probe was when the slice was put there
   QTimer timer_, rest_;

@@ -73,8 +73,11 @@ void drawPictureFrame(const PictureFrame& frame, double scale, int width_px, Lin
   lines.disc({dotX, frame.top_px - 12 * scale}, 5 * scale, theme::kAccent);
   std::string words = frame.frozen ? "FROZEN" : "";
   if (!frame.notice.empty()) words += (words.empty() ? "" : "  \u00b7  ") + frame.notice;
-  if (!words.empty())
-    texts.put({width_px / 2.0, 4 * scale}, words, {14 * scale, theme::kCaution, true, Across::Centre, Along::Top});
+  if (words.empty()) return;
+  // Smaller rather than cut off where the view is narrow.
+  constexpr double kUsual_px = 14, kWidestLetter = 0.66;
+  const double size_px = std::min(kUsual_px * scale, width_px / (kWidestLetter * double(words.size())));
+  texts.put({width_px / 2.0, 4 * scale}, words, {size_px, theme::kCaution, true, Across::Centre, Along::Top});
 }
 
 }  // namespace insonate::views

@@ -158,6 +158,9 @@ void UltrasoundView::layout() {
                 {13 * scale(), theme::kText, false, Across::Left, Along::Bottom});
     }
   }
+  if (shape_.width == 0 && !notice_.empty())
+    texts.put({width_px() / 2.0, height_px() / 2.0}, notice_,
+              {15 * scale(), theme::kQuiet, false, Across::Centre, Along::Centre});
   lines.end();
   texts.end();
 }

@@ -36,7 +36,7 @@ class UltrasoundView final : public View {
   void setTgc(std::span<const double> tgc_dB);
   /// Marks the place that is pointed at in another view; none for no mark.
   void setPointer(std::optional<PicturePoint> point);
-  /// Words over the picture that say why it is not the usual one; empty for none.
+  /// Words over the picture that say why it is not the usual one, or in its place what to wait for; empty for none.
   void setNotice(const std::string& words);
   /// Drawn with their values, numbered in this order.
   void setCallipers(std::vector<Calliper> callipers);

@@ -1,0 +1,149 @@
+#include "Waiting.h"
+
+#include <insonate/cases/DicomWriter.h>
+#include <insonate/train/TrainWorkspace.h>
+#include <insonate/ui/EmptyWorkspace.h>
+#include <insonate/ui/ErrorPanel.h>
+#include <insonate/ui/MainWindow.h>
+#include <insonate/ui/ViewWidget.h>
+
+#include <gtest/gtest.h>
+#include <support/SmallCase.h>
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAccessible>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QLineEdit>
+#include <QScrollBar>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTextBrowser>
+#include <QtTest/QTest>
+#include <memory>
+
+namespace {
+
+using namespace insonate;
+using test::waitUntil;
+
+/// What a user can act on with mouse or keyboard, without the inner parts of Qt's own widgets.
+bool isInteractive(const QWidget* widget) {
+  if (qobject_cast<const QScrollBar*>(widget)) return false;
+  const QByteArray name = widget->objectName().toLatin1();
+  if (name.startsWith("qt_") || widget->inherits("QTableCornerButton") || widget->inherits("QHeaderView")) return false;
+  for (const QWidget* outer = widget->parentWidget(); outer; outer = outer->parentWidget())
+    if (qobject_cast<const QComboBox*>(outer)) return false;
+  if (qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QAbstractSlider*>(widget) ||
+      qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QComboBox*>(widget) ||
+      qobject_cast<const QAbstractItemView*>(widget))
+    return true;
+  return widget->focusPolicy() & Qt::TabFocus && !widget->focusProxy() && !widget->isWindow();
+}
+
+QString nameOf(QWidget* widget) {
+  QAccessibleInterface* said = QAccessible::queryAccessibleInterface(widget);
+  return said ? said->text(QAccessible::Name) : QString();
+}
+
+/// Of the widget, or of the control that it is a part of.
+bool hasToolTip(const QWidget* widget) {
+  for (const QWidget* at = widget; at && !at->isWindow(); at = at->parentWidget())
+    if (!at->toolTip().isEmpty()) return true;
+  return false;
+}
+
+std::string what(const QWidget* widget) {
+  return std::string(widget->metaObject()->className()) + " '" + widget->objectName().toStdString() + "' in " +
+         (widget->parentWidget() ? widget->parentWidget()->metaObject()->className() : "nothing");
+}
+
+int expectNames(QWidget* root, bool toolTips) {
+  int seen = 0;
+  for (QWidget* widget : root->findChildren<QWidget*>()) {
+    if (!isInteractive(widget)) continue;
+    ++seen;
+    EXPECT_FALSE(nameOf(widget).trimmed().isEmpty()) << what(widget) << " has no name for a screen reader";
+    const bool view = widget->parentWidget() && qobject_cast<ui::ViewWidget*>(widget->parentWidget());
+    const bool text = qobject_cast<QTextBrowser*>(widget) || qobject_cast<QAbstractItemView*>(widget);
+    EXPECT_TRUE(!toolTips || view || text || hasToolTip(widget)) << what(widget) << " has no tooltip";
+  }
+  return seen;
+}
+
+class Accessibility : public testing::Test {
+ protected:
+  void SetUp() override {
+    window.addWorkspace("prepare", "Prepare", "prepare", new ui::EmptyWorkspace({"prepare", "Prepare", {}, {}, {}}));
+    window.addWorkspace("train", "Train", "train", train);
+    window.showWorkspace("train");
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    // Nobody manages windows here.
+    QApplication::setActiveWindow(&window);
+  }
+
+  QTemporaryDir home;
+  ui::MainWindow window;
+  train::TrainWorkspace* train = new train::TrainWorkspace;
+};
+
+TEST_F(Accessibility, EverythingInTheWindowHasANameAndATooltip) {
+  EXPECT_GT(expectNames(&window, true), 35);
+}
+
+TEST_F(Accessibility, EverythingInTheWindowIsReachedByKeyboard) {
+  for (QWidget* widget : window.findChildren<QWidget*>()) {
+    if (!isInteractive(widget)) continue;
+    // Who takes the keyboard only by its proxy is reached through that.
+    EXPECT_TRUE(widget->focusPolicy() & Qt::TabFocus) << what(widget) << " cannot be reached by Tab";
+  }
+}
+
+TEST_F(Accessibility, WhatHasTheKeyboardIsSeen) {
+  int changed = 0, seen = 0;
+  for (auto* button : window.findChildren<QAbstractButton*>()) {
+    if (!button->isVisible() || !button->isEnabled() || !(button->focusPolicy() & Qt::TabFocus)) continue;
+    window.setFocus();
+    const QImage without = button->grab().toImage();
+    button->setFocus(Qt::TabFocusReason);
+    if (!button->hasFocus()) continue;
+    ++seen;
+    changed += button->grab().toImage() != without;
+  }
+  EXPECT_GT(seen, 5);
+  EXPECT_EQ(changed, seen);
+}
+
+TEST_F(Accessibility, TheImportDialogHasNames) {
+  const QString folder = home.filePath("dicom");
+  ASSERT_TRUE(writeDicomSeries(test::smallCase().ct, folder.toStdString(), {.seed = "names"}));
+  window.open(folder);
+  QDialog* dialog = nullptr;
+  ASSERT_TRUE(waitUntil([&] {
+    dialog = window.findChild<QDialog*>();
+    return dialog && dialog->isVisible();
+  }));
+  EXPECT_GT(expectNames(dialog, false), 3);
+  // Enter in the table is Import, and imports once.
+  auto* table = dialog->findChild<QTableWidget*>();
+  ASSERT_TRUE(
+      waitUntil([&] { return !dialog->findChildren<QAbstractButton*>().isEmpty() && table->currentRow() == 0; }));
+  QTest::keyClick(table, Qt::Key_Return);
+  EXPECT_TRUE(waitUntil([&] { return window.current().patient != nullptr; }));
+}
+
+TEST_F(Accessibility, HelpAndErrorsHaveNames) {
+  QTest::keyClick(&window, Qt::Key_F1);
+  auto* help = window.findChild<QDialog*>();
+  ASSERT_TRUE(help);
+  EXPECT_GE(expectNames(help, false), 2);
+  window.errors().showError("Something is wrong.", "Do this.", "and that\nis why");
+  expectNames(&window.errors(), true);
+}
+
+}  // namespace
