@@ -11,6 +11,7 @@
 #include <QAction>
 #include <QDialog>
 #include <QDropEvent>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
@@ -36,12 +37,19 @@ class FakeWorkspace final : public ui::Workspace {
   QString engineText() const override { return "cpu engine   62 images/s"; }
   std::vector<ui::Shortcut> shortcuts() const override { return {{"Space", "freeze the picture"}}; }
   void stop() override { stopped = true; }
+  void keyPressEvent(QKeyEvent* event) override {
+    if (event->key() == Qt::Key_Space)
+      ++spaces;
+    else
+      ui::Workspace::keyPressEvent(event);
+  }
   void saveLayout(QSettings& settings) const override { settings.setValue("probe", probe); }
   void restoreLayout(QSettings& settings) override { probe = settings.value("probe", probe).toString(); }
 
   std::shared_ptr<const PatientCase> shown;
   QString probe = "linear";
   bool stopped = false;
+  int spaces = 0;
 };
 
 struct Window {
@@ -193,6 +201,20 @@ TEST_F(MainWindow, GoesWhileACaseIsBeingRead) {
   w->window.open(test::writtenSmallCase(home, "block"));
   w.reset();
   EXPECT_TRUE(ui::waitForJobs(std::chrono::milliseconds(5000)));
+}
+
+TEST_F(MainWindow, KeysReachTheWorkspaceWhereverTheKeyboardIs) {
+  Window w;
+  w.window.showWorkspace("train");
+  w.window.setFocus();
+  QTest::keyClick(&w.window, Qt::Key_Space);
+  EXPECT_EQ(w.train->spaces, 1);
+  w.train->setFocusPolicy(Qt::StrongFocus);
+  w.train->setFocus();
+  QTest::keyClick(w.train, Qt::Key_Space);
+  EXPECT_EQ(w.train->spaces, 2) << "once";
+  QTest::keyClick(w.train, Qt::Key_X);
+  QTest::keyClick(&w.window, Qt::Key_X);
 }
 
 TEST_F(MainWindow, OffersToOpenTheFolderOfWhatWasWritten) {

@@ -185,7 +185,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     tasks_->cancel();
   else if (event->key() == Qt::Key_Escape && errors_->isVisible())
     errors_->dismiss();
-  else
+  else if (!passKey(*event))
     QMainWindow::keyPressEvent(event);
 }
 

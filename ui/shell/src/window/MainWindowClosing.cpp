@@ -1,9 +1,11 @@
-// The part of the window that closes it, and what is shown in it.
+// The part of the window that closes it, and what it hands on to the workspace.
 #include "ClosingQuestion.h"
 
 #include <insonate/ui/MainWindow.h>
 #include <insonate/ui/TaskBar.h>
 
+#include <QCoreApplication>
+#include <QKeyEvent>
 #include <QMenu>
 
 namespace insonate::ui {
@@ -25,6 +27,16 @@ bool MainWindow::asksAboutWork() {
 void MainWindow::closeAtOnce() {
   sure_ = true;
   close();
+}
+
+bool MainWindow::passKey(QKeyEvent& event) {
+  // Space freezes, wherever a click left the keyboard. What the workspace does not know comes back to the window.
+  Workspace* workspace = currentWorkspace();
+  if (passing_ || !workspace || workspace->isAncestorOf(focusWidget()) || focusWidget() == workspace) return false;
+  passing_ = true;
+  QCoreApplication::sendEvent(workspace, &event);
+  passing_ = false;
+  return event.isAccepted();
 }
 
 void MainWindow::fillView() {

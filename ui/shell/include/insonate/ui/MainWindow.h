@@ -79,6 +79,7 @@ class MainWindow : public QMainWindow {
   void fillRecent();
   void fillView();
   bool asksAboutWork();
+  bool passKey(QKeyEvent& event);
   void switchTo(int index);
   void take(const LoadedCase& loaded);
   void takeMade(std::shared_ptr<const PatientCase> patient);
@@ -95,7 +96,8 @@ class MainWindow : public QMainWindow {
   QMenu *menu_, *recent_;
   QAction *open_ = nullptr, *import_ = nullptr, *textbook_ = nullptr, *save_ = nullptr;
   QMenu* view_;
-  bool sure_ = false;  ///< close, whatever is being done
+  bool sure_ = false;     ///< close, whatever is being done
+  bool passing_ = false;  ///< a key goes to the workspace
   HeaderBar* header_;
   TaskBar* tasks_;
   ErrorPanel* errors_;
