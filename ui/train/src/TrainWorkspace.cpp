@@ -4,6 +4,7 @@
 #include "scene/PatientViews.h"
 
 #include <insonate/train/TrainWorkspace.h>
+#include <insonate/ui/ScenePanel.h>
 
 #include <QKeyEvent>
 #include <QSettings>
@@ -54,6 +55,9 @@ void TrainWorkspace::saveLayout(QSettings& settings) const {
   settings.setValue("columns", parts_->columns->saveState());
   settings.setValue("patientViews", parts_->patient->splitter().saveState());
   settings.setValue("slice", int(parts_->patient->mpr().kind()));
+  settings.beginGroup("scene");
+  parts_->patient->scenePanel().save(settings);
+  settings.endGroup();
   parts_->panel->save(settings);
 }
 
@@ -67,6 +71,9 @@ void TrainWorkspace::restoreLayout(QSettings& settings) {
   parts_->patient->splitter().restoreState(settings.value("patientViews").toByteArray());
   const int slice = settings.value("slice", int(views::SliceKind::Oblique)).toInt();
   parts_->patient->setSliceKind(views::SliceKind(std::clamp(slice, 0, int(views::SliceKind::Oblique))));
+  settings.beginGroup("scene");
+  parts_->patient->scenePanel().restore(settings);
+  settings.endGroup();
   parts_->panel->restore(settings);
 }
 

@@ -6,6 +6,7 @@
 #include <QFocusEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QTimerEvent>
 #include <QWheelEvent>
 #include <cmath>
 #include <optional>
@@ -13,6 +14,8 @@
 namespace insonate::ui {
 namespace {
 
+/// After this long without a wheel, a view is drawn exactly again.
+constexpr int kRest_ms = 300;
 constexpr double kDegreesOfANotch = 120;  // in eighths, as Qt counts
 
 views::Button viewButton(Qt::MouseButton button) {
@@ -131,12 +134,19 @@ void ViewWidget::Canvas::wheelEvent(QWheelEvent* event) {
                           event->modifiers().testFlag(Qt::ShiftModifier),
                           event->modifiers().testFlag(Qt::ControlModifier)};
   event->setAccepted(notches != 0 && view_.wheel(at, notches));
+  rest_.start(kRest_ms, this);
+}
+
+void ViewWidget::Canvas::timerEvent(QTimerEvent* event) {
+  if (event->timerId() != rest_.timerId()) return QVTKOpenGLNativeWidget::timerEvent(event);
+  rest_.stop();
+  view_.rested();
 }
 
 void ViewWidget::Canvas::keyPressEvent(QKeyEvent* event) {
   const auto key = viewKey(event->key());
   const bool plain = !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
-  if (key && plain && view_.key(*key)) return;
+  if (key && plain && view_.key(*key)) return rest_.start(kRest_ms, this);
   event->ignore();
 }
 

@@ -6,6 +6,7 @@
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkRenderWindow.h>
 
+#include <QBasicTimer>
 #include <functional>
 
 namespace insonate::ui {
@@ -26,6 +27,7 @@ class ViewWidget::Canvas final : public QVTKOpenGLNativeWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+  void timerEvent(QTimerEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
@@ -36,6 +38,7 @@ class ViewWidget::Canvas final : public QVTKOpenGLNativeWidget {
 
   views::View& view_;
   Qt::MouseButton held_ = Qt::NoButton;
+  QBasicTimer rest_;
 };
 
 }  // namespace insonate::ui

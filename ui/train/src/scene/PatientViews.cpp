@@ -5,11 +5,13 @@
 #include "SliceMenu.h"
 
 #include <insonate/tissue/Labels.h>
+#include <insonate/ui/ScenePanel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -24,6 +26,8 @@ constexpr double kShare = 0.2;
 constexpr int kSoonest_ms = 50, kLatest_ms = 800;
 /// After this long without a move, 3D is drawn in full detail.
 constexpr int kRest_ms = 400;
+/// The tab beside those of the slices.
+constexpr int kScenePanel = 100;
 constexpr double kAcross_deg = 10, kUp_deg = 42, kRoomForProbe = 0.8;
 
 struct Kind {
@@ -83,19 +87,25 @@ QWidget* PatientViews::buildMpr() {
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
   kinds_ = new QButtonGroup(this);
-  for (const Kind& kind : kKinds) {
+  const auto addTab = [&](int id, const QString& text, const QString& name, const QString& tip) {
     auto* button = new QToolButton(pane);
-    button->setText(tr(kind.name));
-    button->setToolTip(tr(kind.says));
-    button->setAccessibleName(tr("%1 slice").arg(tr(kind.name)));
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setAccessibleName(name);
     button->setCheckable(true);
     ui::setRole(button, "narrowTab");
-    button->setChecked(kind.kind == views::SliceKind::Oblique);
     button->setFocusPolicy(Qt::TabFocus);
-    kinds_->addButton(button, int(kind.kind));
+    kinds_->addButton(button, id);
     row->addWidget(button);
-  }
+    return button;
+  };
+  for (const Kind& kind : kKinds)
+    addTab(int(kind.kind), tr(kind.name), tr("%1 slice").arg(tr(kind.name)), tr(kind.says));
+  kinds_->button(int(views::SliceKind::Oblique))->setChecked(true);
   row->addStretch();
+  addTab(kScenePanel, tr("3D"), tr("What the 3D view shows"),
+         tr("What the 3D view above shows: skin, structures, CT volume, clipping plane, stereo"))
+      ->setObjectName(QStringLiteral("sceneTab"));
   sliceMenu_ = new SliceMenu(*mpr_, pane);
   auto* how = new QToolButton(pane);
   how->setObjectName(QStringLiteral("sliceMenu"));
@@ -106,14 +116,37 @@ QWidget* PatientViews::buildMpr() {
   how->setMenu(sliceMenu_);
   how->setFocusPolicy(Qt::TabFocus);
   row->addWidget(how);
-  connect(kinds_, &QButtonGroup::idClicked, this, [this](int id) { setSliceKind(views::SliceKind(id)); });
+  connect(kinds_, &QButtonGroup::idClicked, this,
+          [this](int id) { id == kScenePanel ? showScenePanel(true) : setSliceKind(views::SliceKind(id)); });
   box->addLayout(row);
   box->addWidget(mprWidget_, 1);
+  box->addWidget(buildScenePanel(pane), 1);
   return pane;
+}
+
+QWidget* PatientViews::buildScenePanel(QWidget* parent) {
+  scenePanel_ = new ui::ScenePanel(scene_);
+  connect(scenePanel_, &ui::ScenePanel::coloursChanged, this, [this] {
+    for (const LabelInfo& info : labelTable()) mpr_->setLabelColour(info.label, scene_->colour(info.label));
+  });
+  sceneScroll_ = new QScrollArea(parent);
+  sceneScroll_->setWidget(scenePanel_);
+  sceneScroll_->setWidgetResizable(true);
+  sceneScroll_->setFrameShape(QFrame::NoFrame);
+  sceneScroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  sceneScroll_->setFocusPolicy(Qt::NoFocus);
+  sceneScroll_->hide();
+  return sceneScroll_;
+}
+
+void PatientViews::showScenePanel(bool shown) {
+  sceneScroll_->setVisible(shown);
+  mprWidget_->setVisible(!shown);
 }
 
 void PatientViews::setSliceKind(views::SliceKind kind) {
   if (auto* button = kinds_->button(int(kind))) button->setChecked(true);
+  showScenePanel(false);
   mpr_->setKind(kind);
   mpr_->setCrosshairVisible(kind != views::SliceKind::Oblique);
   slicedAt_.reset();
@@ -149,6 +182,7 @@ void PatientViews::showCase() {
   case_ = session_.patient() ? std::make_shared<views::VtkCase>(session_.patient()) : nullptr;
   for (const LabelInfo& info : labelTable()) scene_->setSurface(info.label, {});
   scene_->setCase(case_);
+  scenePanel_->setCase(session_.patient());
   scene_->setProbe(std::nullopt);
   scene_->setImage({});
   // The slice waits for the probe: before, it has no plane to show.

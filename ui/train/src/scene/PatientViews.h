@@ -12,11 +12,13 @@
 #include <optional>
 
 class QButtonGroup;
+class QScrollArea;
 class QSplitter;
 
 namespace insonate::ui {
+class ScenePanel;
 class ViewWidget;
-}
+}  // namespace insonate::ui
 
 namespace insonate::train {
 
@@ -35,6 +37,7 @@ class PatientViews : public QWidget {
   ui::ViewWidget& sceneWidget() { return *sceneWidget_; }
   ui::ViewWidget& mprWidget() { return *mprWidget_; }
   QSplitter& splitter() { return *splitter_; }
+  ui::ScenePanel& scenePanel() { return *scenePanel_; }
 
   void setSliceKind(views::SliceKind kind);
   /// One of views::windowLevelPresets().
@@ -42,6 +45,9 @@ class PatientViews : public QWidget {
 
  private:
   QWidget* buildMpr();
+  QWidget* buildScenePanel(QWidget* parent);
+  /// In the place of the slice.
+  void showScenePanel(bool shown);
   void showCase();
   void showSurface(int label, const Mesh& mesh);
   void placeCamera();
@@ -59,6 +65,8 @@ class PatientViews : public QWidget {
   QSplitter* splitter_ = nullptr;
   QButtonGroup* kinds_ = nullptr;
   SliceMenu* sliceMenu_ = nullptr;
+  ui::ScenePanel* scenePanel_ = nullptr;
+  QScrollArea* sceneScroll_ = nullptr;
   std::shared_ptr<const LiveFrame> followed_;
   std::shared_ptr<const ImagingSetup> shape_;  ///< of the probe as drawn
   bool cameraDue_ = false;                     ///< a new patient is there, and not looked at yet

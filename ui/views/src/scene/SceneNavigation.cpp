@@ -147,8 +147,13 @@ bool SceneView::released(const Pointer&) {
 }
 
 bool SceneView::wheel(const Pointer&, double notches) {
+  setMoving(true);
   zoom(std::pow(1.12, notches));
   return true;
+}
+
+void SceneView::rested() {
+  if (drawing_->held == Button::None) setMoving(false);
 }
 
 bool SceneView::key(Key key) {

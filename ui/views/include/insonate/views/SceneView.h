@@ -104,6 +104,7 @@ class SceneView final : public View {
   bool released(const Pointer& pointer) override;
   bool wheel(const Pointer& pointer, double notches) override;
   bool key(Key key) override;
+  void rested() override;
 
  protected:
   void layout() override;

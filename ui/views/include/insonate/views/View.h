@@ -44,6 +44,8 @@ class View {
   /// Positive notches are away from the user; fractions come from touch pads.
   virtual bool wheel(const Pointer&, double /*notches*/) { return false; }
   virtual bool key(Key) { return false; }
+  /// For a moment there was no wheel and no key: what was drawn coarser for them may be exact again.
+  virtual void rested() {}
 
   vtkRenderer* renderer() { return renderer_; }
 

@@ -1,0 +1,79 @@
+#include "TrainWindow.h"
+
+#include <insonate/tissue/Labels.h>
+#include <insonate/ui/ScenePanel.h>
+#include <insonate/views/SceneView.h>
+
+#include <QCheckBox>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QWheelEvent>
+
+namespace insonate::train {
+namespace {
+
+/// What 3D shows, and the panel that says so.
+class TrainScene : public TrainWindow {
+ protected:
+  ui::ViewWidget* sceneWidget() { return child<ui::ViewWidget>("sceneView"); }
+  views::SceneView& scene() { return static_cast<views::SceneView&>(sceneWidget()->view()); }
+  ui::ScenePanel* panel() { return child<ui::ScenePanel>("scenePanel"); }
+  ui::ViewWidget* slice() {
+    for (auto* one : workspace_->findChildren<ui::ViewWidget*>())
+      if (one->accessibleName() == "CT slice") return one;
+    return nullptr;
+  }
+};
+
+TEST_F(TrainScene, ThePanelStandsInThePlaceOfTheSlice) {
+  openCase();
+  EXPECT_FALSE(panel()->isVisible());
+  EXPECT_TRUE(slice()->isVisible());
+  child<QToolButton>("sceneTab")->click();
+  EXPECT_TRUE(panel()->isVisible());
+  EXPECT_FALSE(slice()->isVisible());
+  EXPECT_TRUE(sceneWidget()->isVisible()) << "what is changed is seen";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return panel()->findChild<QToolButton*>("eye6") != nullptr; }, kPatience_ms));
+  panel()->findChild<QToolButton*>("eye6")->click();
+  EXPECT_FALSE(scene().isVisible(kVein));
+  for (auto* tab : workspace_->findChildren<QToolButton*>())
+    if (tab->text() == "Axial") tab->click();
+  EXPECT_FALSE(panel()->isVisible());
+  EXPECT_TRUE(slice()->isVisible());
+}
+
+TEST_F(TrainScene, ClippingAlongTheImagePlaneGoesWithTheProbe) {
+  openCase();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !scene().structures().empty(); }, kPatience_ms));
+  scene().setClipping({views::ClippingKind::ImagePlane});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return scene().clippingPlane().has_value(); }, kPatience_ms));
+  const Vec3 before = scene().clippingPlane()->point_mm;
+  key(Qt::Key_Right, Qt::ShiftModifier);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return norm(scene().clippingPlane()->point_mm - before) > 0.5; }, kPatience_ms));
+}
+
+TEST_F(TrainScene, TheWheelDrawsCoarserUntilItRests) {
+  openCase();
+  QWidget* canvas = sceneWidget()->focusProxy();
+  QWheelEvent event({20, 20}, canvas->mapToGlobal(QPoint(20, 20)), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                    Qt::NoScrollPhase, false);
+  QApplication::sendEvent(canvas, &event);
+  EXPECT_TRUE(scene().isMoving());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !scene().isMoving(); }, kPatience_ms));
+}
+
+TEST_F(TrainScene, LooksAreRememberedAndTheSliceHasTheirColours) {
+  panel()->setColourScheme(views::ColourScheme::ColourBlindSafe);
+  scene().setVisible(kBone, false);
+  const QTemporaryDir folder;
+  QSettings settings(folder.filePath("layout.ini"), QSettings::IniFormat);
+  workspace_->saveLayout(settings);
+  TrainWorkspace other;
+  other.restoreLayout(settings);
+  auto& again = static_cast<views::SceneView&>(other.findChild<ui::ViewWidget*>("sceneView")->view());
+  EXPECT_FALSE(again.isVisible(kBone));
+  EXPECT_EQ(again.colour(kVein), views::labelColour(kVein, views::ColourScheme::ColourBlindSafe));
+}
+
+}  // namespace
+}  // namespace insonate::train
