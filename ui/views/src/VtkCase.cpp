@@ -8,6 +8,12 @@
 namespace insonate::views {
 namespace {
 
+void point(vtkShortArray& voxels, const CtVolume& ct) {
+  // VTK has no arrays of constants; nothing here writes to this one.
+  voxels.SetArray(const_cast<std::int16_t*>(ct.voxels.data()), static_cast<vtkIdType>(ct.voxels.size()), 1);
+  voxels.Modified();
+}
+
 vtkSmartPointer<vtkImageData> wrapped(const CtVolume& ct) {
   auto image = vtkSmartPointer<vtkImageData>::New();
   const VolumeGeometry& grid = ct.geometry;
@@ -19,8 +25,7 @@ vtkSmartPointer<vtkImageData> wrapped(const CtVolume& ct) {
                           axis[2].y, axis[0].z, axis[1].z, axis[2].z};
   image->SetDirectionMatrix(rows);
   auto voxels = vtkSmartPointer<vtkShortArray>::New();
-  // VTK has no arrays of constants; nothing here writes to this one.
-  voxels->SetArray(const_cast<std::int16_t*>(ct.voxels.data()), static_cast<vtkIdType>(ct.voxels.size()), 1);
+  point(*voxels, ct);
   image->GetPointData()->SetScalars(voxels);
   return image;
 }
@@ -30,6 +35,16 @@ vtkSmartPointer<vtkImageData> wrapped(const CtVolume& ct) {
 VtkCase::VtkCase(std::shared_ptr<const PatientCase> patient)
     : patient_(std::move(patient)), ct_(wrapped(patient_->ct)) {}
 VtkCase::~VtkCase() = default;
+
+bool VtkCase::setPatient(std::shared_ptr<const PatientCase> patient) {
+  if (patient->ct.geometry != patient_->ct.geometry || patient->ct.voxels.size() != patient_->ct.voxels.size())
+    return false;
+  // The same array, as others hold it, too.
+  point(*vtkShortArray::SafeDownCast(ct_->GetPointData()->GetScalars()), patient->ct);
+  patient_ = std::move(patient);
+  labelsChanged();
+  return true;
+}
 
 vtkImageData* VtkCase::ct() const {
   return ct_;

@@ -170,19 +170,26 @@ void CaseLoader::openTextbook() {
       });
 }
 
-void CaseLoader::save(std::shared_ptr<const PatientCase> patient, const QString& folder) {
-  tasks_.run<bool>(
+void CaseLoader::save(std::shared_ptr<const PatientCase> patient, const QString& folder, std::vector<CaseEdit> edits) {
+  using Written = std::shared_ptr<const PatientCase>;
+  tasks_.run<Written>(
       tr("Saving to %1").arg(QFileInfo(folder).fileName()),
-      [patient = std::move(patient), folder](const Progress& progress) -> Result<bool> {
+      [patient = std::move(patient), folder, edits = std::move(edits)](const Progress& progress) -> Result<Written> {
         if (auto ok = checkCaseTarget(folder.toStdString(), true); !ok) return tl::unexpected(ok.error());
-        if (auto written = writeCase(*patient, folder.toStdString(), progress); !written)
-          return tl::unexpected(written.error());
-        return true;
+        Written written = patient;
+        if (!edits.empty()) {
+          auto copy = std::make_shared<PatientCase>(*patient);
+          for (const CaseEdit& edit : edits) edit(*copy);
+          written = std::move(copy);
+        }
+        if (auto ok = writeCase(*written, folder.toStdString(), progress); !ok) return tl::unexpected(ok.error());
+        return written;
       },
-      [this, folder](Result<bool> written) {
+      [this, folder](Result<Written> written) {
         if (!written) return refuse(written.error(), tr("The case is still open; save it to another place."));
-        Q_EMIT saved(folder);
-      });
+        Q_EMIT saved(folder, *written);
+      },
+      TaskBar::WhenClosed::Ask);
 }
 
 }  // namespace insonate::ui

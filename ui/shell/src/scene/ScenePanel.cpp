@@ -36,8 +36,8 @@ QLabel* heading(const QString& text) {
 
 }  // namespace
 
-ScenePanel::ScenePanel(std::shared_ptr<views::SceneView> scene, QWidget* parent)
-    : QWidget(parent), scene_(std::move(scene)) {
+ScenePanel::ScenePanel(std::shared_ptr<views::SceneView> scene, QWidget* parent, Structures structures)
+    : QWidget(parent), scene_(std::move(scene)), structuresHere_(structures == Structures::Here) {
   setObjectName(QStringLiteral("scenePanel"));
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(12, kGap, 12, kGap);
@@ -45,7 +45,9 @@ ScenePanel::ScenePanel(std::shared_ptr<views::SceneView> scene, QWidget* parent)
   skin_ = new ValueSlider(tr("skin transparency"), tr("%"), {0, 100, 65, 5, 0}, tr("How far one looks into the body"));
   skin_->setObjectName(QStringLiteral("skinTransparency"));
   box->addWidget(skin_);
-  box->addWidget(buildStructures());
+  QWidget* list = buildStructures();
+  box->addWidget(list);
+  for (QWidget* part : {static_cast<QWidget*>(skin_), list}) part->setVisible(structuresHere_);
   box->addWidget(buildCt());
   clipping_ = new ClippingControls(scene_);
   box->addWidget(heading(tr("Clipping plane")));
@@ -193,7 +195,7 @@ void ScenePanel::save(QSettings& settings) const {
                  .arg(scene_->opacity(info.label))
                  .arg(ui::colour(colour).name());
   }
-  settings.setValue(QStringLiteral("structures"), looks);
+  if (structuresHere_) settings.setValue(QStringLiteral("structures"), looks);
   settings.setValue(QStringLiteral("safeColours"), scheme_ == views::ColourScheme::ColourBlindSafe);
   settings.setValue(QStringLiteral("ctVolume"), scene_->isCtVisible());
   settings.setValue(QStringLiteral("transferFunction"),
@@ -204,7 +206,8 @@ void ScenePanel::save(QSettings& settings) const {
 void ScenePanel::restore(QSettings& settings) {
   scheme_ = settings.value(QStringLiteral("safeColours")).toBool() ? views::ColourScheme::ColourBlindSafe
                                                                    : views::ColourScheme::Usual;
-  const QStringList looks = settings.value(QStringLiteral("structures")).toStringList();
+  const QStringList looks =
+      structuresHere_ ? settings.value(QStringLiteral("structures")).toStringList() : QStringList();
   for (int label = 0; label < std::min(looks.size(), kLabelCount); ++label) {
     const QStringList parts = looks[label].split(QLatin1Char(' '));
     const QColor colour(parts.size() == 3 ? parts[2] : QString());

@@ -41,7 +41,10 @@ MainWindow::MainWindow()
   header_->setCaseTitle({}, {});
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  // Hiding is news to a workspace, which comes when there is no window any more to be told.
+  for (const Room& room : rooms_) room.workspace->disconnect(this);
+}
 
 void MainWindow::arrange() {
   auto* centre = new QWidget;
@@ -67,18 +70,19 @@ void MainWindow::connectAll() {
   connect(loader_, &CaseLoader::loaded, this, &MainWindow::take);
   connect(loader_, &CaseLoader::failed, this,
           [this](const QString& what, const QString& advice, const QString& details) {
+            afterSaving_ = {};
             fail(what, advice, details);
             Q_EMIT caseFailed(what);
           });
-  connect(loader_, &CaseLoader::cancelled, this, [this] { status_->say(tr("Cancelled; nothing was changed.")); });
-  connect(loader_, &CaseLoader::saved, this, [this](const QString& folder) {
-    case_.folder = folder;
-    status_->say(tr("Saved to %1.").arg(folder));
-    handOut();
+  connect(loader_, &CaseLoader::cancelled, this, [this] {
+    afterSaving_ = {};
+    status_->say(tr("Cancelled; nothing was changed."));
   });
+  connect(loader_, &CaseLoader::saved, this, &MainWindow::showSaved);
   connect(tasks_, &TaskBar::runningChanged, this, [this](bool running) {
     if (running) errors_->dismiss();
-    save_->setEnabled(!running && case_.patient);
+    saveAs_->setEnabled(!running && case_.patient);
+    showTitle();
     Q_EMIT readyChanged();
   });
 }
@@ -100,6 +104,8 @@ void MainWindow::addWorkspace(const QString& id, const QString& title, const QSt
   connect(workspace, &Workspace::readyChanged, this, &MainWindow::readyChanged);
   connect(workspace, &Workspace::failed, this, &MainWindow::fail);
   connect(workspace, &Workspace::caseMade, this, &MainWindow::takeMade);
+  connect(workspace, &Workspace::editsChanged, this, &MainWindow::showTitle);
+  connect(workspace, &Workspace::saveWanted, this, &MainWindow::saveCase);
   if (index == 0) header_->setTab(0);
 }
 
@@ -163,6 +169,13 @@ void MainWindow::restoreLayout() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!leaving_ && !unsavedEdits().empty()) {
+    event->ignore();
+    return whenNothingIsLost([this] {
+      leaving_ = true;
+      close();
+    });
+  }
   QSettings settings;
   settings.setValue(kGeometry, saveGeometry());
   settings.setValue(kWorkspace, currentId());

@@ -50,8 +50,10 @@ void MainWindow::makeActions() {
   open_ = make("folder", tr("Open case ..."), tr("A case folder, or a folder of DICOM files"), QKeySequence::Open);
   import_ = make("import", tr("Import file ..."), tr("A DICOM, NRRD, NIfTI or MetaImage file"), tr("Ctrl+I"));
   textbook_ = make("neck", tr("Built-in neck"), tr("The textbook neck that comes with Insonate"), tr("Ctrl+T"));
-  save_ = make("save", tr("Save case as ..."), tr("Write the case to a folder"), tr("Ctrl+Shift+S"));
-  save_->setEnabled(false);
+  reload_ = make("reload", tr("Reload"), tr("Read the case from its folder again"), QKeySequence(Qt::Key_F5));
+  save_ = make("save", tr("Save case"), tr("Write the changes to the case's folder"), {});
+  saveAs_ = make("save", tr("Save case as ..."), tr("Write the case to a folder"), tr("Ctrl+Shift+S"));
+  for (QAction* action : {reload_, save_, saveAs_}) action->setEnabled(false);
   auto* quit = make("close", tr("Quit"), tr("Close the window"), QKeySequence::Quit);
   auto* page = make("help", tr("Help"), tr("About what is shown"), QKeySequence(Qt::Key_F1));
   auto* keys = make("help", tr("Keys"), tr("All keys"), QKeySequence(Qt::Key_Question));
@@ -59,8 +61,10 @@ void MainWindow::makeActions() {
   auto* full = make("", tr("Full screen"), tr("Full screen and back"), QKeySequence(Qt::Key_F11));
   for (QAction* action : {open_, import_, textbook_}) menu_->addAction(action);
   menu_->addMenu(recent_);
+  menu_->addAction(reload_);
   menu_->addSeparator();
   menu_->addAction(save_);
+  menu_->addAction(saveAs_);
   menu_->addSeparator();
   for (QAction* action : {full, page, keys, quit}) menu_->addAction(action);
   menu_->setToolTipsVisible(true);
@@ -69,7 +73,9 @@ void MainWindow::makeActions() {
   connect(open_, &QAction::triggered, this, &MainWindow::chooseCase);
   connect(import_, &QAction::triggered, this, &MainWindow::chooseImport);
   connect(textbook_, &QAction::triggered, this, &MainWindow::openTextbook);
-  connect(save_, &QAction::triggered, this, &MainWindow::chooseTarget);
+  connect(reload_, &QAction::triggered, this, &MainWindow::reload);
+  connect(save_, &QAction::triggered, this, &MainWindow::saveCase);
+  connect(saveAs_, &QAction::triggered, this, &MainWindow::chooseTarget);
   connect(quit, &QAction::triggered, this, &QWidget::close);
   connect(full, &QAction::triggered, this, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
   connect(page, &QAction::triggered, this, [this] { showHelp(false); });
@@ -113,9 +119,12 @@ void MainWindow::chooseImport() {
 void MainWindow::chooseTarget() {
   const QString folder = QFileDialog::getSaveFileName(this, tr("Save the case to a new folder"), startFolder(), {},
                                                       nullptr, QFileDialog::ShowDirsOnly);
-  if (folder.isEmpty()) return;
+  if (folder.isEmpty()) {
+    afterSaving_ = {};
+    return;
+  }
   keepStartFolder(folder);
-  loader_->save(case_.patient, folder);
+  saveTo(folder);
 }
 
 void MainWindow::take(const LoadedCase& loaded) {
@@ -137,14 +146,12 @@ void MainWindow::takeMade(std::shared_ptr<const PatientCase> patient) {
 }
 
 void MainWindow::handOut() {
-  const CaseManifest& manifest = case_.patient->manifest;
-  QString title = QString::fromStdString(manifest.title), hint = QString::fromStdString(manifest.description);
-  if (case_.folder.isEmpty() && !case_.builtIn) title += tr(" (not saved)");
-  if (!case_.folder.isEmpty()) hint += (hint.isEmpty() ? QString() : QStringLiteral("\n")) + case_.folder;
-  header_->setCaseTitle(title, hint);
-  setWindowTitle(QStringLiteral("%1 - Insonate").arg(title));
-  save_->setEnabled(true);
-  for (const Room& room : rooms_) room.workspace->setCase(case_.patient);
+  showTitle();
+  for (const Room& room : rooms_) {
+    room.workspace->setOrigin({case_.folder, case_.notes, case_.builtIn});
+    room.workspace->setCase(case_.patient);
+  }
+  showTitle();
   updateStatus();
   Q_EMIT readyChanged();
 }

@@ -2,12 +2,14 @@
 
 #include <insonate/cases/Import.h>
 #include <insonate/cases/PatientCase.h>
+#include <insonate/ui/Workspace.h>
 
 #include <QObject>
 #include <QPointer>
 #include <QString>
 #include <QStringList>
 #include <memory>
+#include <vector>
 
 namespace insonate::ui {
 
@@ -37,12 +39,13 @@ class CaseLoader : public QObject {
   void open(const QString& path);
   /// The built-in neck. It is made once and kept in the user's cache, so that the next start is quick.
   void openTextbook();
-  /// Writes a case to a folder; ends in saved(), failed() or cancelled().
-  void save(std::shared_ptr<const PatientCase> patient, const QString& folder);
+  /// Writes a case to a folder, a copy with these edits where there are any; ends in saved(), failed() or cancelled().
+  void save(std::shared_ptr<const PatientCase> patient, const QString& folder, std::vector<CaseEdit> edits = {});
 
  Q_SIGNALS:
   void loaded(const insonate::ui::LoadedCase& loaded);
-  void saved(const QString& folder);
+  /// `patient` is what was written: the same object as was given where there were no edits.
+  void saved(const QString& folder, const std::shared_ptr<const insonate::PatientCase>& patient);
   void failed(const QString& what, const QString& advice, const QString& details);
   void cancelled();
 

@@ -4,6 +4,7 @@
 #include <insonate/ui/Workspace.h>
 
 #include <QMainWindow>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -39,9 +40,13 @@ class MainWindow : public QMainWindow {
   /// As it was when the window closed last.
   void restoreLayout();
 
-  /// A case folder, a DICOM folder or a volume file.
-  void open(const QString& path) { loader_->open(path); }
-  void openTextbook() { loader_->openTextbook(); }
+  /// A case folder, a DICOM folder or a volume file. Asks first where edits would be lost; so do the others.
+  void open(const QString& path);
+  void openTextbook();
+  /// Rereads the case from its folder; nothing for one that is not on disk.
+  void reload();
+  /// Writes the case with all edits where it is kept; asks for a place where it is not kept anywhere.
+  void saveCase();
   const LoadedCase& current() const { return case_; }
 
   /// A case is open, nothing is being done, and the workspace shows all of it.
@@ -50,6 +55,7 @@ class MainWindow : public QMainWindow {
   QAction* openAction() const { return open_; }
   QAction* importAction() const { return import_; }
   QAction* textbookAction() const { return textbook_; }
+  QAction* reloadAction() const { return reload_; }
   TaskBar& tasks() { return *tasks_; }
   ErrorPanel& errors() { return *errors_; }
   QString statusText() const;
@@ -84,6 +90,11 @@ class MainWindow : public QMainWindow {
   void take(const LoadedCase& loaded);
   void takeMade(std::shared_ptr<const PatientCase> patient);
   void handOut();
+  void showTitle();
+  void showSaved(const QString& folder, const std::shared_ptr<const PatientCase>& patient);
+  std::vector<CaseEdit> unsavedEdits() const;
+  void whenNothingIsLost(std::function<void()> go);
+  void saveTo(const QString& folder);
   void fail(const QString& what, const QString& advice, const QString& details);
   void updateStatus();
   void chooseCase();
@@ -94,7 +105,8 @@ class MainWindow : public QMainWindow {
   std::vector<Room> rooms_;
   LoadedCase case_;
   QMenu *menu_, *recent_;
-  QAction *open_ = nullptr, *import_ = nullptr, *textbook_ = nullptr, *save_ = nullptr;
+  QAction *open_ = nullptr, *import_ = nullptr, *textbook_ = nullptr, *reload_ = nullptr, *save_ = nullptr,
+          *saveAs_ = nullptr;
   QMenu* view_;
   bool sure_ = false;     ///< close, whatever is being done
   bool passing_ = false;  ///< a key goes to the workspace
@@ -105,6 +117,8 @@ class MainWindow : public QMainWindow {
   StatusStrip* status_;
   CaseLoader* loader_;
   HelpWindow* help_ = nullptr;
+  std::function<void()> afterSaving_;  ///< what waits for the save that was asked for
+  bool leaving_ = false;               ///< edits are to be lost with the window
 };
 
 }  // namespace insonate::ui

@@ -29,7 +29,13 @@ class ScenePanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ScenePanel(std::shared_ptr<views::SceneView> scene, QWidget* parent = nullptr);
+  /// Where structures are shown and hidden, coloured and made transparent, the skin included.
+  enum class Structures {
+    Here,
+    Elsewhere,  ///< by whoever owns the scene; the panel leaves their looks alone
+  };
+  explicit ScenePanel(std::shared_ptr<views::SceneView> scene, QWidget* parent = nullptr,
+                      Structures structures = Structures::Here);
   ~ScenePanel() override;
 
   /// Whose histogram is shown; the scene itself gets its case from whoever owns it. Null for none.
@@ -70,7 +76,7 @@ class ScenePanel : public QWidget {
   ClippingControls* clipping_ = nullptr;
   EyeControls* eyes_ = nullptr;
   views::ColourScheme scheme_ = views::ColourScheme::Usual;
-  bool refreshing_ = false, refreshDue_ = false;
+  bool structuresHere_ = true, refreshing_ = false, refreshDue_ = false;
   QTimer rest_;
 };
 

@@ -3,7 +3,9 @@
 #include <insonate/cases/PatientCase.h>
 
 #include <QString>
+#include <QStringList>
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -19,6 +21,16 @@ struct Shortcut {
   QString does;  ///< e.g. "tilt and rock the probe"
 };
 
+/// Where a case came from.
+struct CaseOrigin {
+  QString folder;     ///< where it is kept; empty for one that is not on disk
+  QStringList notes;  ///< what was missing or changed on the way, one sentence each
+  bool builtIn = false;
+};
+
+/// Changes a copy of a case, on another thread.
+using CaseEdit = std::function<void(PatientCase&)>;
+
 /// One of the window's rooms: Prepare, Train or Review. Made once and kept; the window shows one at a time, and what is
 /// hidden should cost no time (showEvent, hideEvent). Its actions() are listed in the window's View menu while it is
 /// shown. For the window's thread only.
@@ -30,6 +42,14 @@ class Workspace : public QWidget {
 
   /// The case to work on, from now on; null when none is open. The case never changes while it is shared.
   virtual void setCase(std::shared_ptr<const PatientCase> patient) = 0;
+
+  /// Told before setCase(), and when the case was saved elsewhere.
+  virtual void setOrigin(const CaseOrigin&) {}
+
+  /// What was changed here and is not on disk yet; null without changes. The window asks before it would be lost.
+  virtual CaseEdit unsavedEdit() const { return {}; }
+  /// The case was written, with every workspace's edit: it is `patient` from now on.
+  virtual void caseSaved(std::shared_ptr<const PatientCase> patient) { setCase(std::move(patient)); }
 
   /// What just happened, or the next thing to do: left in the status bar.
   virtual QString statusText() const { return {}; }
@@ -59,6 +79,8 @@ class Workspace : public QWidget {
  Q_SIGNALS:
   void statusChanged();  ///< statusText() or engineText() have a new value
   void readyChanged();
+  void editsChanged();  ///< unsavedEdit() began or ceased to be null
+  void saveWanted();    ///< the case is to be written where it is kept
   /// A sentence that says what happened, and one that says what to do; details are folded away. Shown in the window.
   void failed(const QString& what, const QString& advice, const QString& details);
   /// Something was written: a sentence, and the folder it lies in, which the status bar offers to open.
