@@ -1,6 +1,7 @@
 #include "Arguments.h"
 #include "Screenshot.h"
 
+#include <insonate/prepare/PrepareWorkspace.h>
 #include <insonate/train/TrainWorkspace.h>
 #include <insonate/ui/EmptyWorkspace.h>
 #include <insonate/ui/MainWindow.h>
@@ -33,18 +34,11 @@ void tell(QtMsgType type, const QMessageLogContext&, const QString& message) {
 }
 
 void addWorkspaces(ui::MainWindow& window) {
-  auto* prepare = new ui::EmptyWorkspace(
-      {QStringLiteral("prepare"),
-       QObject::tr("Prepare a case"),
-       {QObject::tr("Drop a case folder, a folder of DICOM files, or an NRRD, NIfTI or MetaImage file here."),
-        QObject::tr(
-            "An imported CT is labelled by its Hounsfield units and can be saved as a case. Editing labels in this "
-            "window does not exist yet: use 3D Slicer or ITK-SNAP, which open the case's files as they are.")},
-       QObject::tr("Drop a case or a CT on the window."),
-       QStringLiteral("prepare")});
+  auto* prepare = new prepare::PrepareWorkspace(window.tasks());
   prepare->offer(window.openAction());
   prepare->offer(window.importAction());
   prepare->offer(window.textbookAction());
+  prepare->setCaseActions(window.openAction(), window.importAction(), window.reloadAction());
   window.addWorkspace(QStringLiteral("prepare"), QObject::tr("Prepare"), QStringLiteral("prepare"), prepare);
 
   window.addWorkspace(QStringLiteral("train"), QObject::tr("Train"), QStringLiteral("train"),

@@ -1,0 +1,114 @@
+#include "measure/CaseMeasuring.h"
+
+#include <insonate/tissue/Labels.h>
+#include <insonate/ui/TaskBar.h>
+
+#include <gtest/gtest.h>
+#include <support/SmallCase.h>
+
+#include <QtTest/QTest>
+#include <algorithm>
+#include <thread>
+
+namespace insonate::prepare {
+namespace {
+
+using State = CaseMeasuring::State;
+constexpr int kPatience_ms = 20000;
+
+std::shared_ptr<const PatientCase> patient() {
+  return std::make_shared<const PatientCase>(test::smallCase());
+}
+
+/// Runs until it is told to stop.
+void occupy(ui::TaskBar& tasks) {
+  tasks.run<bool>(
+      "something else",
+      [](const Progress& progress) -> Result<bool> {
+        while (progress("waiting", 0)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        return true;
+      },
+      [](const Result<bool>&) {});
+}
+
+struct Bench {
+  ui::TaskBar tasks;
+  CaseMeasuring measuring{tasks, nullptr};
+  bool reaches(State state) {
+    return QTest::qWaitFor([&] { return measuring.state() == state; }, kPatience_ms);
+  }
+};
+
+TEST(Measuring, CountsAndChecks) {
+  Bench b;
+  b.measuring.setAllowed(true);
+  EXPECT_EQ(b.measuring.state(), State::Idle);
+  const auto block = patient();
+  b.measuring.setCase(block);
+  ASSERT_TRUE(b.reaches(State::Done));
+  EXPECT_EQ(b.measuring.measures()->statistics.voxels[kVein],
+            std::size_t(std::ranges::count(block->labels.voxels, kVein)));
+  EXPECT_EQ(b.measuring.measures()->findings.size(), checkCase(*block)->size());
+  b.measuring.setCase(nullptr);
+  EXPECT_EQ(b.measuring.state(), State::Idle);
+  EXPECT_FALSE(b.measuring.measures());
+}
+
+TEST(Measuring, WaitsUntilItIsAllowed) {
+  Bench b;
+  b.measuring.setCase(patient());
+  QTest::qWait(50);
+  EXPECT_EQ(b.measuring.state(), State::Waiting);
+  b.measuring.setAllowed(true);
+  EXPECT_TRUE(b.reaches(State::Done));
+}
+
+TEST(Measuring, TakesItsTurnAfterOtherWork) {
+  Bench b;
+  b.measuring.setAllowed(true);
+  occupy(b.tasks);
+  b.measuring.setCase(patient());
+  QTest::qWait(50);
+  EXPECT_EQ(b.measuring.state(), State::Waiting) << "what runs is not interrupted";
+  b.tasks.cancel();
+  EXPECT_TRUE(b.reaches(State::Done));
+}
+
+TEST(Measuring, BeginsAgainAfterWorkThatTookItsPlace) {
+  Bench b;
+  b.measuring.setAllowed(true);
+  b.measuring.setCase(patient());
+  ASSERT_TRUE(b.reaches(State::Running));
+  occupy(b.tasks);
+  QTest::qWait(50);
+  EXPECT_EQ(b.measuring.state(), State::Waiting);
+  b.tasks.cancel();
+  EXPECT_TRUE(b.reaches(State::Done));
+}
+
+TEST(Measuring, TheUsersCancelEndsItUntilAsked) {
+  Bench b;
+  b.measuring.setAllowed(true);
+  b.measuring.setCase(patient());
+  ASSERT_TRUE(b.reaches(State::Running));
+  b.tasks.cancel();
+  ASSERT_TRUE(b.reaches(State::Stopped));
+  EXPECT_FALSE(b.measuring.trouble().isEmpty());
+  QTest::qWait(50);
+  EXPECT_EQ(b.measuring.state(), State::Stopped);
+  b.measuring.start();
+  EXPECT_TRUE(b.reaches(State::Done));
+}
+
+TEST(Measuring, GoesWhileItRuns) {
+  ui::TaskBar tasks;
+  auto measuring = std::make_unique<CaseMeasuring>(tasks, nullptr);
+  measuring->setAllowed(true);
+  measuring->setCase(patient());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return measuring->state() == State::Running; }, kPatience_ms));
+  measuring.reset();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !tasks.isRunning(); }, kPatience_ms));
+}
+
+}  // namespace
+}  // namespace insonate::prepare

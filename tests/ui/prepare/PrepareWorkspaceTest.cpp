@@ -1,0 +1,196 @@
+#include "PrepareWindow.h"
+
+namespace insonate::prepare {
+namespace {
+
+TEST_F(PrepareWindow, WithoutACaseItSaysWhatToDo) {
+  QAction open("Open case ...", nullptr);
+  workspace_->offer(&open);
+  bool asked = false;
+  QObject::connect(&open, &QAction::triggered, [&] { asked = true; });
+  auto* button = child<QWidget>("prepareEmpty")->findChild<QPushButton*>();
+  ASSERT_TRUE(button);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return button->isVisible(); }));
+  button->click();
+  EXPECT_TRUE(asked);
+  EXPECT_FALSE(workspace_->isReady());
+  EXPECT_FALSE(child<QTableView>("structures")->isVisible());
+  openCase();
+  EXPECT_FALSE(button->isVisible());
+  EXPECT_TRUE(table()->isVisible());
+  workspace_->setCase(nullptr);
+  EXPECT_TRUE(button->isVisible());
+}
+
+TEST_F(PrepareWindow, FactsAndVolumesAreShown) {
+  workspace_->setOrigin({"/cases/block", {"The gantry was tilted by 5 degrees and is straight now."}, false});
+  openCase();
+  EXPECT_EQ(child<QLabel>("caseSize")->text(), "49 x 41 x 17");
+  EXPECT_EQ(child<QLabel>("caseRange")->text(), "-1000 to 900 HU");
+  EXPECT_EQ(child<QLabel>("caseFolder")->text(), "block");
+  EXPECT_TRUE(child<QLabel>("caseNotes")->text().contains("gantry"));
+  ASSERT_EQ(table()->model()->rowCount(), 4);
+  const double ml = double(std::ranges::count(patient()->labels.voxels, kVein)) / 1000;
+  const auto index = table()->model()->index(rowOf(kVein), kVolume);
+  EXPECT_NEAR(index.data().toString().toDouble(), ml, 0.01);
+  EXPECT_EQ(table()->model()->index(rowOf(kVein), kName).data().toString(), "vein");
+}
+
+TEST_F(PrepareWindow, OneCrosshairForAllSlices) {
+  openCase();
+  session_->setCrosshair({3, 10, -2});
+  EXPECT_EQ(axial().crosshair_mm(), (Vec3{3, 10, -2}));
+  EXPECT_TRUE(workspace_->statusText().contains("vein")) << workspace_->statusText().toStdString();
+  key(Qt::Key_Up);
+  EXPECT_NEAR(session_->crosshair_mm().z, -1, 1e-6);
+  QTest::keyClick(canvas("Coronal slice"), Qt::Key_Up);
+  EXPECT_NEAR(session_->crosshair_mm().y, 11, 1e-6);
+  EXPECT_EQ(axial().crosshair_mm(), session_->crosshair_mm());
+  session_->setCrosshair({1000, 0, 0});
+  EXPECT_NEAR(session_->crosshair_mm().x, 24.5, 1e-6) << "within the volume";
+}
+
+TEST_F(PrepareWindow, WindowAndLevelByPresetNumberAndDrag) {
+  openCase();
+  auto* preset = child<QComboBox>("windowPreset");
+  EXPECT_EQ(preset->count(), 6);
+  preset->setCurrentIndex(1);
+  Q_EMIT preset->activated(1);
+  EXPECT_EQ(session_->windowLevel(), (views::WindowLevel{1000, 400}));
+  EXPECT_EQ(axial().windowLevel(), (views::WindowLevel{1000, 400}));
+  EXPECT_EQ(child<ui::ValueSlider>("window")->value(), 1000);
+  child<ui::ValueSlider>("level")->setValue(300);
+  EXPECT_EQ(axial().windowLevel(), (views::WindowLevel{1000, 300}));
+  EXPECT_EQ(preset->currentIndex(), 5) << "the user's own";
+  QWidget* slice = canvas("Axial slice");
+  const QPoint from = slice->rect().center(), to = from + QPoint(30, 0);
+  const auto send = [&](QEvent::Type type, QPoint at, Qt::MouseButton what, Qt::MouseButtons held) {
+    QMouseEvent event(type, at, slice->mapToGlobal(at), what, held, Qt::NoModifier);
+    QApplication::sendEvent(slice, &event);
+  };
+  send(QEvent::MouseButtonPress, from, Qt::RightButton, Qt::RightButton);
+  send(QEvent::MouseMove, to, Qt::NoButton, Qt::RightButton);
+  send(QEvent::MouseButtonRelease, to, Qt::RightButton, Qt::NoButton);
+  EXPECT_GT(session_->windowLevel().window_HU, 1000);
+  EXPECT_EQ(child<ui::ValueSlider>("window")->value(), std::round(session_->windowLevel().window_HU));
+}
+
+TEST_F(PrepareWindow, LabelKeysWorkInEverySlice) {
+  openCase();
+  key(Qt::Key_D);
+  EXPECT_NEAR(session_->labelOpacity(), 0.3, 1e-9);
+  EXPECT_NEAR(axial().labelOpacity(), 0.3, 1e-9);
+  QTest::keyClick(canvas("Sagittal slice"), Qt::Key_A);
+  QTest::keyClick(canvas("Scene"), Qt::Key_A);
+  EXPECT_NEAR(axial().labelOpacity(), 0.2, 1e-9);
+  key(Qt::Key_G);
+  EXPECT_FALSE(session_->labelsShown());
+  EXPECT_FALSE(child<QCheckBox>("labelsShown")->isChecked());
+  child<QCheckBox>("labelsShown")->click();
+  EXPECT_TRUE(session_->labelsShown());
+  child<ui::ValueSlider>("labelOpacity")->setValue(80);
+  EXPECT_NEAR(axial().labelOpacity(), 0.8, 1e-9);
+  key(Qt::Key_W);
+  EXPECT_EQ(session_->selected(), session_->structures()[1]);
+  QTest::keyClick(table(), Qt::Key_Q);
+  EXPECT_EQ(session_->selected(), session_->structures()[0]) << "also where the table has the keyboard";
+}
+
+TEST_F(PrepareWindow, AFindingBringsTheCrosshairToItsPlace) {
+  auto wrong = std::make_shared<PatientCase>(*patient());
+  wrong->manifest.targets = {{"vein", kVein, {10, 20, 3}}};
+  openCase(wrong);
+  auto* button = child<QPushButton>("place-target_label");
+  button->click();
+  EXPECT_EQ(session_->crosshair_mm(), (Vec3{10, 20, 3}));
+  child<QPushButton>("toFindings")->click();
+  auto* fold = child<QToolButton>("section-check");
+  EXPECT_TRUE(fold->isChecked());
+  fold->click();
+  EXPECT_FALSE(button->isVisible());
+}
+
+TEST_F(PrepareWindow, TheUltrasoundFollowsTheCrosshair) {
+  openCase();
+  const auto first = session_->live().shown();
+  ASSERT_TRUE(first);
+  EXPECT_GT(std::ranges::max(first->image.grey), 40) << "something is seen";
+  session_->setCrosshair({12, 15, 0});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session_->live().isSettled(); }, kPatience_ms));
+  const Vec3 probe_mm = session_->live().shown()->patientFromProbe.offset;
+  EXPECT_NEAR(probe_mm.x, 12, 1.5);
+  EXPECT_NEAR(probe_mm.y, 0, 1.5) << "on the skin";
+  const auto number = session_->live().shown()->number;
+  QTest::qWait(300);
+  EXPECT_EQ(session_->live().shown()->number, number) << "held still, it costs nothing";
+  key(Qt::Key_Home);
+  EXPECT_EQ(session_->crosshair_mm(), (Vec3{0, 0, 0}));
+}
+
+TEST_F(PrepareWindow, HiddenItMakesNoPictures) {
+  openCase();
+  workspace_->hide();
+  const auto last = session_->live().shown();
+  session_->setCrosshair({5, 15, 0});
+  QTest::qWait(300);
+  EXPECT_EQ(session_->live().shown(), last);
+  workspace_->show();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return session_->live().shown() != last; }, kPatience_ms));
+}
+
+TEST_F(PrepareWindow, AViewFillsTheMiddleAndComesBack) {
+  openCase();
+  auto* coronal = child<ui::ViewWidget>("Coronal slice");
+  QTest::mouseDClick(coronal->focusProxy(), Qt::LeftButton);
+  EXPECT_TRUE(coronal->isMaximised());
+  EXPECT_FALSE(child<ui::ViewWidget>("Scene")->isVisible());
+  EXPECT_TRUE(table()->isVisible()) << "controls stay";
+  QTest::keyClick(coronal->focusProxy(), Qt::Key_Escape);
+  EXPECT_TRUE(child<ui::ViewWidget>("Scene")->isVisible());
+}
+
+TEST_F(PrepareWindow, EveryControlHasANameAndATip) {
+  openCase();
+  for (auto* widget : workspace_->findChildren<QWidget*>()) {
+    const bool control = qobject_cast<QAbstractButton*>(widget) || qobject_cast<QComboBox*>(widget) ||
+                         qobject_cast<QLineEdit*>(widget) || qobject_cast<QTableView*>(widget);
+    if (!control || !widget->isVisible() || widget->objectName().startsWith("qt_")) continue;
+    auto* button = qobject_cast<QAbstractButton*>(widget);
+    EXPECT_TRUE(!widget->accessibleName().isEmpty() || (button && !button->text().isEmpty()))
+        << widget->metaObject()->className() << " " << widget->objectName().toStdString();
+    const bool tip =
+        !widget->toolTip().isEmpty() || (widget->parentWidget() && !widget->parentWidget()->toolTip().isEmpty());
+    EXPECT_TRUE(tip || qobject_cast<QTableView*>(widget) ||
+                widget->metaObject()->className() == std::string("QTableCornerButton"))
+        << widget->metaObject()->className() << " " << widget->objectName().toStdString() << " "
+        << (button ? button->text().toStdString() : "");
+  }
+}
+
+TEST_F(PrepareWindow, ACaseWithoutABodySaysSo) {
+  auto empty = std::make_shared<PatientCase>(*patient());
+  std::ranges::fill(empty->labels.voxels, kBackground);
+  openCase(empty);
+  EXPECT_EQ(table()->model()->rowCount(), 0);
+  EXPECT_FALSE(child<QLabel>("ultrasoundState")->text().isEmpty());
+  EXPECT_FALSE(child<QPushButton>("showOnly")->isEnabled());
+  key(Qt::Key_W), key(Qt::Key_H), key(Qt::Key_Home);
+  QTest::keyClick(table(), Qt::Key_Return);
+}
+
+TEST_F(PrepareWindow, GoesAtAnyMoment) {
+  for (const int wait_ms : {0, 1, 20, 60, 150}) {
+    ui::TaskBar tasks;
+    auto workspace = std::make_unique<PrepareWorkspace>(tasks);
+    workspace->show();
+    workspace->setCase(patient());
+    if (wait_ms > 0) QTest::qWait(wait_ms);
+    if (wait_ms == 20) workspace->setCase(patient());
+    workspace->stop();
+    workspace.reset();
+    QTest::qWait(20);
+  }
+}
+
+}  // namespace
+}  // namespace insonate::prepare

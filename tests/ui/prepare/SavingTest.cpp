@@ -1,0 +1,169 @@
+#include "PrepareSession.h"
+
+#include <insonate/prepare/PrepareWorkspace.h>
+#include <insonate/tissue/Labels.h>
+#include <insonate/ui/ErrorPanel.h>
+#include <insonate/ui/MainWindow.h>
+#include <insonate/ui/TaskBar.h>
+
+#include <gtest/gtest.h>
+#include <support/SmallCase.h>
+#include <support/TestData.h>
+#include <unistd.h>
+
+#include <QAction>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QtTest/QTest>
+#include <filesystem>
+#include <fstream>
+
+namespace insonate::prepare {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr int kPatience_ms = 60000;
+constexpr views::Colour kChosen{12, 34, 56};
+
+class Saving : public testing::Test {
+ protected:
+  void SetUp() override {
+    case_ = home_ / "block";
+    ASSERT_TRUE(writeCase(test::smallCase(), case_));
+    workspace_ = new PrepareWorkspace(window_.tasks());
+    window_.addWorkspace("prepare", "Prepare", "prepare", workspace_);
+    workspace_->setCaseActions(window_.openAction(), window_.importAction(), window_.reloadAction());
+    window_.show();
+    window_.showWorkspace("prepare");
+    window_.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
+    session_ = workspace_->findChild<PrepareSession*>();
+    window_.open(QString::fromStdString(case_.string()));
+    ASSERT_TRUE(until([this] { return window_.isReady(); }));
+  }
+  void TearDown() override { EXPECT_TRUE(ui::waitForJobs(std::chrono::milliseconds(5000))); }
+
+  static bool until(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, kPatience_ms); }
+  bool edited() const { return workspace_->unsavedEdit() != nullptr; }
+  views::Colour colourOnDisk() {
+    const auto read = readCase(case_);
+    EXPECT_TRUE(read) << (read ? "" : read.error().message);
+    return read ? viewColour(colourOf(read->patient.colours, kVein)) : views::Colour{};
+  }
+  QMessageBox* question() { return window_.findChild<QMessageBox*>("unsavedQuestion"); }
+  void answer(QMessageBox::StandardButton button) {
+    ASSERT_TRUE(question());
+    QTest::mouseClick(question()->button(button), Qt::LeftButton);
+  }
+  QAction* saveAction() { return workspace_->findChild<QAction*>("saveCase"); }
+
+  test::TemporaryFolder home_;
+  fs::path case_;
+  ui::MainWindow window_;
+  PrepareWorkspace* workspace_ = nullptr;
+  PrepareSession* session_ = nullptr;
+};
+
+TEST_F(Saving, WritesColoursAndTitleToTheCasesFolder) {
+  EXPECT_FALSE(saveAction()->isEnabled());
+  session_->setColour(kVein, kChosen);
+  session_->setTitle("Renamed");
+  EXPECT_TRUE(window_.caseTitle().contains("changed"));
+  session_->setCrosshair({4, 9, 2});
+  ASSERT_TRUE(saveAction()->isEnabled());
+  QTest::keyClick(workspace_, Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(until([this] { return !edited(); }));
+  EXPECT_EQ(colourOnDisk(), kChosen);
+  EXPECT_EQ(readCase(case_)->patient.manifest.title, "Renamed");
+  EXPECT_EQ(window_.caseTitle(), "Renamed");
+  EXPECT_EQ(window_.current().patient->colours.size(), 1U) << "other workspaces have them, too";
+  EXPECT_EQ(session_->crosshair_mm(), (Vec3{4, 9, 2})) << "saving moves nothing";
+  EXPECT_TRUE(session_->undoStack().canUndo());
+  session_->undoStack().undo(), session_->undoStack().undo();
+  EXPECT_TRUE(edited()) << "taken back after saving is a change again";
+}
+
+TEST_F(Saving, ClosesAtOnceWithoutChangesAndAsksWithThem) {
+  session_->setVisible(kVein, false);
+  session_->setColour(kVein, kChosen);
+  EXPECT_FALSE(window_.close());
+  EXPECT_TRUE(window_.isVisible());
+  answer(QMessageBox::Cancel);
+  QTest::qWait(50);
+  EXPECT_TRUE(window_.isVisible());
+  EXPECT_TRUE(edited());
+
+  window_.close();
+  answer(QMessageBox::Save);
+  ASSERT_TRUE(until([this] { return !window_.isVisible(); }));
+  EXPECT_EQ(colourOnDisk(), kChosen);
+}
+
+TEST_F(Saving, NothingAskedWithoutChanges) {
+  session_->setVisible(kVein, false);
+  EXPECT_TRUE(window_.close());
+  EXPECT_FALSE(question());
+}
+
+TEST_F(Saving, DiscardLeavesTheFolderAlone) {
+  session_->setColour(kVein, kChosen);
+  window_.close();
+  answer(QMessageBox::Discard);
+  ASSERT_TRUE(until([this] { return !window_.isVisible(); }));
+  EXPECT_NE(colourOnDisk(), kChosen);
+}
+
+TEST_F(Saving, ReloadRereadsTheFolder) {
+  PatientCase relabelled = test::smallCase();
+  std::ranges::replace(relabelled.labels.voxels, std::uint8_t{kVein}, std::uint8_t{kArtery});
+  ASSERT_TRUE(writeCase(relabelled, case_));
+  QTest::keyClick(&window_, Qt::Key_F5);
+  ASSERT_TRUE(until([this] {
+    return session_->patient()->labels.voxels[0] == 0 && window_.isReady() && session_->structures().size() == 4 &&
+           session_->structures()[1] == kArtery;
+  }));
+
+  session_->setColour(kArtery, kChosen);
+  window_.reloadAction()->trigger();
+  answer(QMessageBox::Discard);
+  ASSERT_TRUE(until([this] { return window_.isReady() && !edited(); }));
+  EXPECT_NE(session_->look(kArtery).colour, kChosen);
+}
+
+TEST_F(Saving, AFolderThatCannotBeWrittenGivesASentenceAndKeepsTheChanges) {
+  session_->setColour(kVein, kChosen);
+  fs::remove_all(case_);
+  std::ofstream(case_) << "in the way";
+  saveAction()->trigger();
+  ASSERT_TRUE(until([this] { return window_.errors().isVisible(); }));
+  EXPECT_TRUE(window_.errors().message().endsWith('.')) << window_.errors().message().toStdString();
+  EXPECT_TRUE(edited());
+  EXPECT_TRUE(saveAction()->isEnabled());
+}
+
+TEST_F(Saving, AReadOnlyFolderGivesASentence) {
+  if (geteuid() == 0) GTEST_SKIP() << "the superuser may write everywhere";
+  fs::permissions(home_.path(), fs::perms::owner_read | fs::perms::owner_exec);
+  session_->setColour(kVein, kChosen);
+  saveAction()->trigger();
+  EXPECT_TRUE(until([this] { return window_.errors().isVisible(); }));
+  EXPECT_TRUE(edited());
+  fs::permissions(home_.path(), fs::perms::owner_all);
+}
+
+TEST_F(Saving, ClosingWhileItComputesNeitherHangsNorBreaksTheCase) {
+  for (const int wait_ms : {0, 5, 30, 100, 400}) {
+    ui::MainWindow window;
+    auto* workspace = new PrepareWorkspace(window.tasks());
+    window.addWorkspace("prepare", "Prepare", "prepare", workspace);
+    window.show();
+    window.open(QString::fromStdString(case_.string()));
+    QTest::qWait(wait_ms);
+    window.close();
+    EXPECT_FALSE(window.isVisible());
+  }
+  EXPECT_TRUE(readCase(case_));
+}
+
+}  // namespace
+}  // namespace insonate::prepare

@@ -1,0 +1,136 @@
+#include "PrepareWindow.h"
+
+namespace insonate::prepare {
+namespace {
+
+TEST_F(PrepareWindow, TheEyeHidesInThreeDimensionsAndOnSlices) {
+  openCase();
+  EXPECT_TRUE(scene().isVisible(kVein));
+  clickCell(kVein, kEye);
+  EXPECT_FALSE(scene().isVisible(kVein));
+  EXPECT_FALSE(session_->look(kVein).visible);
+  EXPECT_EQ(session_->selected(), kVein);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(scene().isVisible(kVein));
+  key(Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_FALSE(scene().isVisible(kVein));
+  QTest::keyClick(table(), Qt::Key_Space);
+  EXPECT_TRUE(session_->look(kVein).visible);
+  key(Qt::Key_H);
+  EXPECT_FALSE(session_->look(kVein).visible);
+  EXPECT_FALSE(workspace_->unsavedEdit()) << "what is seen is not the case's";
+}
+
+TEST_F(PrepareWindow, OnlyThisAndShowAllAreOneStepEach) {
+  openCase();
+  session_->select(kBone);
+  child<QPushButton>("showOnly")->click();
+  EXPECT_TRUE(session_->look(kBone).visible);
+  EXPECT_FALSE(session_->look(kVein).visible);
+  EXPECT_FALSE(session_->look(kSkin).visible);
+  child<QPushButton>("showAll")->click();
+  EXPECT_TRUE(session_->look(kVein).visible);
+  child<QAction>("undo")->trigger();
+  child<QAction>("undo")->trigger();
+  EXPECT_TRUE(session_->look(kSkin).visible);
+  EXPECT_FALSE(session_->undoStack().canUndo());
+}
+
+TEST_F(PrepareWindow, AColourIsChosenInADialogAndBelongsToTheCase) {
+  openCase();
+  bool told = false;
+  QObject::connect(workspace_.get(), &ui::Workspace::editsChanged, [&] { told = true; });
+  clickCell(kVein, kColour);
+  auto* dialog = child<QColorDialog>("structureColour");
+  dialog->setCurrentColor(QColor(10, 200, 30));
+  dialog->accept();
+  EXPECT_EQ(session_->look(kVein).colour, (views::Colour{10, 200, 30}));
+  EXPECT_EQ(scene().colour(kVein), (views::Colour{10, 200, 30}));
+  EXPECT_TRUE(told);
+  const ui::CaseEdit edit = workspace_->unsavedEdit();
+  ASSERT_TRUE(edit);
+  PatientCase copy = *patient();
+  edit(copy);
+  EXPECT_EQ(copy.colours, (LabelColours{{kVein, {10, 200, 30}}}));
+  child<QAction>("undo")->trigger();
+  EXPECT_FALSE(workspace_->unsavedEdit()) << "taken back is as never done";
+  EXPECT_EQ(scene().colour(kVein), views::Colour({0, 151, 206}));
+}
+
+TEST_F(PrepareWindow, ACaseBringsItsColours) {
+  auto own = std::make_shared<PatientCase>(*patient());
+  own->colours = {{kVein, {1, 2, 3}}};
+  openCase(own);
+  EXPECT_EQ(scene().colour(kVein), (views::Colour{1, 2, 3}));
+  EXPECT_FALSE(workspace_->unsavedEdit());
+  session_->setColour(kVein, {0, 151, 206});
+  PatientCase copy = *own;
+  workspace_->unsavedEdit()(copy);
+  EXPECT_TRUE(copy.colours.empty()) << "the label table's need no place in the case";
+}
+
+TEST_F(PrepareWindow, OpacityOfADragIsOneStep) {
+  openCase();
+  session_->select(kBone);
+  auto* slider = child<ui::ValueSlider>("structureOpacity");
+  EXPECT_EQ(slider->value(), 100);
+  for (const double percent : {90.0, 60.0, 40.0}) slider->setValue(percent);
+  EXPECT_DOUBLE_EQ(scene().opacity(kBone), 0.4);
+  EXPECT_EQ(session_->undoStack().count(), 1);
+  child<QAction>("undo")->trigger();
+  EXPECT_EQ(slider->value(), 100);
+  session_->select(kVein);
+  EXPECT_EQ(slider->value(), 100);
+}
+
+TEST_F(PrepareWindow, ASurfaceIsMadeWhenItBeginsToBeSeen) {
+  openCase();
+  const auto has = [&](std::uint8_t label) {
+    const auto all = scene().structures();
+    return std::ranges::find(all, label) != all.end();
+  };
+  EXPECT_TRUE(has(kVein));
+  EXPECT_FALSE(has(kSoftTissue)) << "it fills the body and would hide everything";
+  session_->setOpacity(kSoftTissue, 0.3);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return has(kSoftTissue); }, kPatience_ms));
+}
+
+TEST_F(PrepareWindow, TheTitleCanBeChangedAndTakenBack) {
+  openCase();
+  auto* title = child<QLineEdit>("caseTitle");
+  title->setText("  Another   name ");
+  Q_EMIT title->editingFinished();
+  EXPECT_EQ(session_->title(), "Another name");
+  PatientCase copy = *patient();
+  workspace_->unsavedEdit()(copy);
+  EXPECT_EQ(copy.manifest.title, "Another name");
+  title->setText("");
+  Q_EMIT title->editingFinished();
+  EXPECT_EQ(title->text(), "Another name") << "a case has a title";
+  child<QAction>("undo")->trigger();
+  EXPECT_EQ(title->text(), "Small block");
+  EXPECT_FALSE(workspace_->unsavedEdit());
+}
+
+TEST_F(PrepareWindow, RemembersHowOneLooks) {
+  openCase();
+  session_->setVisible(kBone, false);
+  session_->setOpacity(kVein, 0.5);
+  session_->setWindowLevel({1500, -600});
+  child<QToolButton>("section-slices")->click();
+  test::TemporaryFolder folder;
+  QSettings settings(QString::fromStdString((folder / "layout.ini").string()), QSettings::IniFormat);
+  workspace_->saveLayout(settings);
+  ui::TaskBar tasks;
+  PrepareWorkspace other(tasks);
+  other.restoreLayout(settings);
+  other.setCase(patient());
+  auto* session = other.findChild<PrepareSession*>();
+  EXPECT_FALSE(session->look(kBone).visible);
+  EXPECT_DOUBLE_EQ(session->look(kVein).opacity, 0.5);
+  EXPECT_EQ(session->windowLevel(), (views::WindowLevel{1500, -600}));
+  EXPECT_FALSE(other.findChild<QToolButton*>("section-slices")->isChecked());
+}
+
+}  // namespace
+}  // namespace insonate::prepare

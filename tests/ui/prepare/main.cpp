@@ -1,0 +1,44 @@
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/ViewWidget.h>
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QTemporaryDir>
+#include <memory>
+
+namespace {
+
+/// Comes after the screen, which registers itself before main(), and goes before it. Settings and cache are a folder of
+/// this process.
+class Application : public testing::Environment {
+ public:
+  void SetUp() override {
+    if (testing::Test::IsSkipped()) return;  // There is no screen.
+    ASSERT_TRUE(home_.isValid());
+    qputenv("XDG_CONFIG_HOME", (home_.path() + QStringLiteral("/config")).toUtf8());
+    qputenv("XDG_CACHE_HOME", (home_.path() + QStringLiteral("/cache")).toUtf8());
+    qputenv("QT_QPA_PLATFORM", "xcb");
+    insonate::ui::prepareGraphics();
+    application_ = std::make_unique<QApplication>(count_, arguments_);
+    QCoreApplication::setOrganizationName(QStringLiteral("Insonate"));
+    QCoreApplication::setApplicationName(QStringLiteral("prepare_test"));
+    insonate::ui::applyTheme(*application_);
+  }
+  void TearDown() override { application_.reset(); }
+
+ private:
+  QTemporaryDir home_;
+  char name_[13] = "prepare_test";
+  char* arguments_[2] = {name_, nullptr};
+  int count_ = 1;
+  std::unique_ptr<QApplication> application_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  testing::AddGlobalTestEnvironment(new Application);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,40 @@
+#include "KeyTable.h"
+
+#include <QKeyEvent>
+
+namespace insonate::prepare {
+namespace {
+
+constexpr KeyRow kKeys[] = {
+    {Qt::Key_Q, Command::PreviousStructure, "Q, W", "previous and next structure of the table"},
+    {Qt::Key_W, Command::NextStructure},
+    {Qt::Key_H, Command::ToggleStructure, "H", "hide or show the selected structure (Space in the table)"},
+    {0, {}, "Enter in the table", "colour of the selected structure"},
+    {Qt::Key_A, Command::LabelsFainter, "A, D", "labels on the slices fainter, stronger"},
+    {Qt::Key_D, Command::LabelsStronger},
+    {Qt::Key_G, Command::ToggleLabels, "G", "hide or show all labels on the slices"},
+    {Qt::Key_Home, Command::Start, "Home", "crosshair and probe to where the case begins"},
+    {0, {}, "Ctrl+Z, Ctrl+Y", "take back a change, do it again"},
+    {0, {}, "Ctrl+S", "save the case"},
+    {0, {}, "Arrows, wheel, Page up and down", "go through the slices"},
+    {0, {}, "R", "fit the slice into its view; 3D from the front"},
+    {0, {}, "Left drag on a slice", "crosshair (with Shift without a button)"},
+    {0, {}, "Right drag on a slice", "window (across) and level (along)"},
+    {0, {}, "Ctrl + wheel, middle drag", "zoom, pan"},
+    {0, {}, "Click on a structure in 3D", "crosshair there"},
+};
+
+}  // namespace
+
+std::span<const KeyRow> keyTable() {
+  return kKeys;
+}
+
+const KeyRow* rowFor(const QKeyEvent& event) {
+  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return nullptr;
+  for (const KeyRow& row : kKeys)
+    if (row.key != 0 && row.key == event.key()) return &row;
+  return nullptr;
+}
+
+}  // namespace insonate::prepare

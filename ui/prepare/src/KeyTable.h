@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+
+class QKeyEvent;
+
+namespace insonate::prepare {
+
+/// What a key does in this workspace.
+enum class Command {
+  LabelsFainter,
+  LabelsStronger,
+  ToggleLabels,
+  PreviousStructure,
+  NextStructure,
+  ToggleStructure,
+  Start
+};
+
+/// One row of the only table of keys: it decides what a key does, and lists it for the user. Rows without a key are
+/// listed only: the views or the window's actions do them.
+struct KeyRow {
+  int key = 0;  ///< Qt::Key; 0 for none
+  Command command{};
+  const char* keys = "";  ///< as the user knows it; empty on rows that share the line above
+  const char* meaning = "";
+};
+
+std::span<const KeyRow> keyTable();
+/// Null for a key that means nothing here.
+const KeyRow* rowFor(const QKeyEvent& event);
+
+}  // namespace insonate::prepare

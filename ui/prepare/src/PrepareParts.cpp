@@ -1,0 +1,290 @@
+#include "PrepareParts.h"
+
+#include "KeyTable.h"
+#include "live/UltrasoundPane.h"
+#include "panel/CaseFacts.h"
+#include "panel/FindingsList.h"
+#include "panel/PathPanel.h"
+#include "panel/Section.h"
+#include "panel/SliceControls.h"
+#include "views/CaseViews.h"
+
+#include <insonate/ui/EmptyWorkspace.h>
+#include <insonate/ui/HistogramEditor.h>
+#include <insonate/ui/ScenePanel.h>
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/ViewWidget.h>
+
+#include <QAction>
+#include <QKeyEvent>
+#include <QScrollArea>
+#include <QSettings>
+#include <QSplitter>
+#include <QStackedLayout>
+#include <QVBoxLayout>
+#include <cmath>
+
+namespace insonate::prepare {
+namespace {
+
+constexpr double kOpacityStep = 0.05;
+constexpr int kLeft_px = 284, kRight_px = 312, kUltrasound_px = 250;
+
+}  // namespace
+
+PrepareWorkspace::Parts::Parts(PrepareWorkspace& workspace, ui::TaskBar& tasks)
+    : session(*new PrepareSession(tasks, &workspace)), workspace_(workspace) {
+  pages_ = new QStackedLayout(&workspace);
+  pages_->setContentsMargins(0, 0, 0, 0);
+  buildEmpty();
+  columns = new QSplitter(Qt::Horizontal, &workspace);
+  columns->setObjectName(QStringLiteral("prepareColumns"));
+  columns->setChildrenCollapsible(false);
+  path = new PathPanel(session);
+  path->setMinimumWidth(kLeft_px);
+  views = new CaseViews(session);
+  columns->addWidget(path);
+  columns->addWidget(views);
+  columns->addWidget(buildRight());
+  columns->setStretchFactor(0, 0);
+  columns->setStretchFactor(1, 1);
+  columns->setStretchFactor(2, 0);
+  columns->setSizes({kLeft_px, 1000, kRight_px});
+  pages_->addWidget(empty);
+  pages_->addWidget(columns);
+  makeActions();
+  connectParts();
+}
+
+PrepareWorkspace::Parts::~Parts() = default;
+
+void PrepareWorkspace::Parts::buildEmpty() {
+  empty = new ui::EmptyWorkspace(
+      {QStringLiteral("prepare"),
+       tr("Prepare a case"),
+       {tr("Drop a case folder, a folder of DICOM files, or an NRRD, NIfTI or MetaImage file here."),
+        tr("An imported CT is labelled by its Hounsfield units and can be saved as a case. Here you look at it, choose "
+           "colours, and see what stands against training on it.")},
+       {},
+       {}});
+  empty->setObjectName(QStringLiteral("prepareEmpty"));
+}
+
+QWidget* PrepareWorkspace::Parts::buildRight() {
+  auto* inner = new QWidget;
+  auto* box = new QVBoxLayout(inner);
+  box->setContentsMargins(12, ui::kGap, 12, ui::kGap);
+  box->setSpacing(ui::kGap);
+  scene_ = new ui::ScenePanel(views->sharedScene(), nullptr, ui::ScenePanel::Structures::Elsewhere);
+  // Its margins are those of a column by itself.
+  scene_->layout()->setContentsMargins(0, 0, 0, 0);
+  check_ = new Section(QStringLiteral("check"), tr("Check"), new FindingsList(session));
+  sections = {new Section(QStringLiteral("case"), tr("Case"), new CaseFacts(session)),
+              new Section(QStringLiteral("slices"), tr("Slices"), new SliceControls(session)), check_,
+              new Section(QStringLiteral("scene"), tr("3D"), scene_)};
+  sections.back()->setOpen(false);
+  for (Section* section : sections) box->addWidget(section);
+  box->addStretch(1);
+  scroll_ = new QScrollArea;
+  scroll_->setWidget(inner);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  ultrasound_ = new UltrasoundPane(session);
+  auto* foot = new QWidget;
+  auto* footBox = new QVBoxLayout(foot);
+  footBox->setContentsMargins(12, ui::kGap, 12, ui::kGap);
+  footBox->addWidget(ultrasound_);
+  auto* right = new QSplitter(Qt::Vertical);
+  right->setObjectName(QStringLiteral("prepareRight"));
+  right->setChildrenCollapsible(false);
+  right->addWidget(scroll_);
+  right->addWidget(foot);
+  right->setStretchFactor(0, 1);
+  right->setStretchFactor(1, 0);
+  right->setSizes({1000, kUltrasound_px});
+  right->setMinimumWidth(kRight_px);
+  return right;
+}
+
+void PrepareWorkspace::Parts::makeActions() {
+  const auto add = [this](QAction* action, const char* icon, const QList<QKeySequence>& keys, const char* name) {
+    action->setObjectName(QLatin1String(name));
+    action->setIcon(ui::icon(QLatin1String(icon)));
+    action->setShortcuts(keys);
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    workspace_.addAction(action);
+    return action;
+  };
+  QUndoStack& stack = session.undoStack();
+  QAction* undo =
+      add(stack.createUndoAction(&workspace_, tr("Take back")), "undo", {QKeySequence(QStringLiteral("Ctrl+Z"))}, "undo");
+  QAction* redo = add(stack.createRedoAction(&workspace_, tr("Do again")), "redo",
+                      {QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))}, "redo");
+  save_ = add(new QAction(tr("Save case"), &workspace_), "save", {QKeySequence::Save}, "saveCase");
+  connect(save_, &QAction::triggered, this, [this] { Q_EMIT workspace_.saveWanted(); });
+  connect(&stack, &QUndoStack::undoTextChanged, undo, [undo](const QString& what) {
+    undo->setToolTip(what.isEmpty() ? tr("Nothing to take back (Ctrl+Z)") : tr("Take back: %1 (Ctrl+Z)").arg(what));
+  });
+  connect(&stack, &QUndoStack::redoTextChanged, redo, [redo](const QString& what) {
+    redo->setToolTip(what.isEmpty() ? tr("Nothing to do again (Ctrl+Y)") : tr("Do again: %1 (Ctrl+Y)").arg(what));
+  });
+  path->setEditActions(undo, redo, save_);
+  refreshSave();
+}
+
+void PrepareWorkspace::Parts::connectParts() {
+  for (ui::ViewWidget* view : views->widgets()) view->focusProxy()->installEventFilter(&workspace_);
+  ultrasound_->widget().focusProxy()->installEventFilter(&workspace_);
+  connect(&session, &PrepareSession::caseChanged, this, [this] {
+    pages_->setCurrentWidget(session.patient() ? static_cast<QWidget*>(columns) : empty);
+    scene_->setCase(session.patient());
+    refreshSave();
+    refreshReady();
+  });
+  connect(&session, &PrepareSession::slicesChanged, this,
+          [this] { scene_->histogram().setWindowLevel(session.windowLevel()); });
+  connect(&session, &PrepareSession::editsChanged, this, [this] {
+    refreshSave();
+    Q_EMIT workspace_.editsChanged();
+  });
+  connect(&session, &PrepareSession::originChanged, this, [this] { refreshSave(); });
+  connect(&session, &PrepareSession::messageChanged, this, [this] { Q_EMIT workspace_.statusChanged(); });
+  connect(&session.measuring(), &CaseMeasuring::changed, this, [this] {
+    const auto& measures = session.measuring().measures();
+    check_->setRemark(measures ? findingCount(measures->findings) : QString());
+    refreshReady();
+  });
+  connect(&session.live(), &LivePatient::stateChanged, this, [this] {
+    refreshReady();
+    Q_EMIT workspace_.statusChanged();
+  });
+  connect(path, &PathPanel::checkChosen, this, [this] { showFindings(); });
+}
+
+void PrepareWorkspace::Parts::refreshSave() {
+  const bool changed = session.unsavedEdit() != nullptr, nowhere = session.origin().folder.isEmpty();
+  save_->setEnabled(session.patient() && (changed || nowhere));
+  save_->setToolTip(!session.patient() ? QString()
+                    : nowhere          ? tr("Choose a folder and write the case to it (Ctrl+S)")
+                    : changed          ? tr("Write title and colours to the case's folder (Ctrl+S)")
+                                       : tr("Everything is saved"));
+}
+
+void PrepareWorkspace::Parts::refreshReady() {
+  using State = CaseMeasuring::State;
+  const State state = session.measuring().state();
+  const bool now = session.patient() && (state == State::Done || state == State::Stopped) && session.live().isSettled();
+  if (now == std::exchange(ready, now)) return;
+  Q_EMIT workspace_.readyChanged();
+}
+
+void PrepareWorkspace::Parts::showFindings() {
+  check_->setOpen(true);
+  // Its height is known after the next layout only.
+  QMetaObject::invokeMethod(
+      this, [this] { scroll_->ensureWidgetVisible(check_, 0, 0); }, Qt::QueuedConnection);
+}
+
+QString PrepareWorkspace::Parts::engineText() const {
+  if (!session.patient() || !session.live().shown()) return {};
+  return tr("cpu engine   %1 ms").arg(session.live().shown()->frame_ms, 4, 'f', 1);
+}
+
+bool PrepareWorkspace::Parts::key(const QKeyEvent& event, bool doIt) {
+  const KeyRow* row = rowFor(event);
+  if (!row || !session.patient()) return false;
+  if (doIt) act(int(row->command));
+  return true;
+}
+
+void PrepareWorkspace::Parts::act(int command) {
+  const std::uint8_t label = session.selected();
+  switch (Command(command)) {
+    case Command::LabelsFainter:
+      return session.setLabelOpacity(session.labelOpacity() - kOpacityStep);
+    case Command::LabelsStronger:
+      return session.setLabelOpacity(session.labelOpacity() + kOpacityStep);
+    case Command::ToggleLabels:
+      return session.setLabelsShown(!session.labelsShown());
+    case Command::PreviousStructure:
+      return session.selectNext(-1);
+    case Command::NextStructure:
+      return session.selectNext(1);
+    case Command::ToggleStructure:
+      return session.setVisible(label, !session.look(label).visible);
+    case Command::Start:
+      return session.goToStart();
+  }
+}
+
+bool PrepareWorkspace::Parts::canvasEvent(QEvent* event) {
+  switch (event->type()) {
+    case QEvent::ShortcutOverride:
+      if (!key(*static_cast<QKeyEvent*>(event), false)) return false;
+      event->accept();
+      return true;
+    case QEvent::KeyPress:
+      return key(*static_cast<QKeyEvent*>(event), true);
+    default:
+      return false;
+  }
+}
+
+void PrepareWorkspace::Parts::saveLayout(QSettings& settings) const {
+  settings.setValue(QStringLiteral("columns"), columns->saveState());
+  settings.setValue(QStringLiteral("right"), static_cast<QSplitter*>(columns->widget(2))->saveState());
+  settings.setValue(QStringLiteral("views"), views->saveState());
+  for (const Section* section : sections)
+    settings.setValue(QStringLiteral("open-") + section->key(), section->isOpen());
+  settings.setValue(QStringLiteral("window"), session.windowLevel().window_HU);
+  settings.setValue(QStringLiteral("level"), session.windowLevel().level_HU);
+  settings.setValue(QStringLiteral("labelOpacity"), session.labelOpacity());
+  settings.setValue(QStringLiteral("labelsShown"), session.labelsShown());
+  settings.beginGroup(QStringLiteral("scene"));
+  scene_->save(settings);
+  settings.endGroup();
+  settings.beginWriteArray(QStringLiteral("structures"));
+  int index = 0;
+  for (const auto& [label, habit] : session.habits()) {
+    settings.setArrayIndex(index++);
+    settings.setValue(QStringLiteral("label"), int(label));
+    settings.setValue(QStringLiteral("opacity"), habit.opacity);
+    settings.setValue(QStringLiteral("visible"), habit.visible);
+  }
+  settings.endArray();
+}
+
+void PrepareWorkspace::Parts::restoreLayout(QSettings& settings) {
+  columns->restoreState(settings.value(QStringLiteral("columns")).toByteArray());
+  static_cast<QSplitter*>(columns->widget(2))->restoreState(settings.value(QStringLiteral("right")).toByteArray());
+  views->restoreState(settings.value(QStringLiteral("views")).toByteArray());
+  for (Section* section : sections)
+    section->setOpen(settings.value(QStringLiteral("open-") + section->key(), section->isOpen()).toBool());
+  const auto number = [&settings](const char* key, double otherwise) {
+    const double value = settings.value(QLatin1String(key), otherwise).toDouble();
+    return std::isfinite(value) ? value : otherwise;
+  };
+  const views::WindowLevel usual;
+  session.setWindowLevel({std::clamp(number("window", usual.window_HU), 1.0, 10000.0),
+                          std::clamp(number("level", usual.level_HU), -5000.0, 10000.0)});
+  session.setLabelOpacity(number("labelOpacity", session.labelOpacity()));
+  session.setLabelsShown(settings.value(QStringLiteral("labelsShown"), true).toBool());
+  settings.beginGroup(QStringLiteral("scene"));
+  scene_->restore(settings);
+  settings.endGroup();
+  std::map<std::uint8_t, PrepareSession::Habit> habits;
+  const int count = settings.beginReadArray(QStringLiteral("structures"));
+  for (int i = 0; i < count; ++i) {
+    settings.setArrayIndex(i);
+    const int label = settings.value(QStringLiteral("label")).toInt();
+    if (label < 1 || label > 255) continue;
+    habits[std::uint8_t(label)] = {std::clamp(number("opacity", 1), 0.0, 1.0),
+                                   settings.value(QStringLiteral("visible"), true).toBool()};
+  }
+  settings.endArray();
+  session.setHabits(std::move(habits));
+}
+
+}  // namespace insonate::prepare

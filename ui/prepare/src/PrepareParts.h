@@ -1,0 +1,67 @@
+#pragma once
+
+#include "PrepareSession.h"
+
+#include <insonate/prepare/PrepareWorkspace.h>
+
+#include <vector>
+
+class QAction;
+class QKeyEvent;
+class QScrollArea;
+class QSplitter;
+class QStackedLayout;
+
+namespace insonate::ui {
+class EmptyWorkspace;
+class ScenePanel;
+}
+
+namespace insonate::prepare {
+
+class CaseViews;
+class PathPanel;
+class Section;
+class UltrasoundPane;
+
+/// What the workspace is made of, and how the parts act on each other.
+class PrepareWorkspace::Parts : public QObject {
+ public:
+  Parts(PrepareWorkspace& workspace, ui::TaskBar& tasks);
+  ~Parts() override;
+
+  PrepareSession& session;  ///< a child of the workspace, gone after its widgets
+  ui::EmptyWorkspace* empty = nullptr;
+  QSplitter* columns = nullptr;
+  PathPanel* path = nullptr;
+  CaseViews* views = nullptr;
+  std::vector<Section*> sections;
+  bool ready = false;
+
+  bool key(const QKeyEvent& event, bool act);
+  /// For canvases: keys of the table come before the view's own.
+  bool canvasEvent(QEvent* event);
+  void saveLayout(QSettings& settings) const;
+  void restoreLayout(QSettings& settings);
+  QString engineText() const;
+
+ private:
+  void buildEmpty();
+  QWidget* buildRight();
+  void makeActions();
+  void connectParts();
+  void act(int command);
+  void refreshSave();
+  void refreshReady();
+  void showFindings();
+
+  PrepareWorkspace& workspace_;
+  QStackedLayout* pages_ = nullptr;
+  QScrollArea* scroll_ = nullptr;
+  Section* check_ = nullptr;
+  ui::ScenePanel* scene_ = nullptr;
+  UltrasoundPane* ultrasound_ = nullptr;
+  QAction* save_ = nullptr;
+};
+
+}  // namespace insonate::prepare

@@ -1,0 +1,271 @@
+#include "PrepareSession.h"
+
+#include "edit/Edits.h"
+
+#include <insonate/tissue/Labels.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace insonate::prepare {
+namespace {
+
+/// Few enough triangles that 3D turns without a graphics card: fine for what is small, coarse for what fills the body.
+SurfaceOptions surfaceOptions(std::uint8_t label) {
+  switch (label) {
+    case kSkin:
+      return {8, 3};
+    case kFat:
+    case kSoftTissue:
+      return {6, 3};
+    case kBone:
+    case kAirway:
+    case kMuscle:
+    case kSternocleidomastoid:
+      return {5, 2};
+    case kThyroid:
+    case kGland:
+    case kOesophagus:
+    case kCartilage:
+      return {5, 1.5};
+    default:
+      return {4, 1};
+  }
+}
+
+/// What one looks for first comes first.
+constexpr std::uint8_t kOrder[] = {kVein, kArtery, kSkin, kBone, kAirway, kThyroid, kCartilage, kSternocleidomastoid};
+
+}  // namespace
+
+PrepareSession::PrepareSession(ui::TaskBar& tasks, QObject* parent)
+    : QObject(parent), looks_(usualLooks({})), measuring_(tasks, this), live_(this) {
+  connect(&measuring_, &CaseMeasuring::changed, this, [this] { takeMeasures(); });
+  connect(&live_, &LivePatient::started, this, [this] {
+    // Where the case begins is where one wants to look first.
+    const auto& start = *live_.start();
+    crosshair_mm_ = start.position_mm;
+    Q_EMIT crosshairMoved();
+    Q_EMIT messageChanged();
+  });
+}
+
+void PrepareSession::setOrigin(const ui::CaseOrigin& origin) {
+  origin_ = origin;
+  Q_EMIT originChanged();
+}
+
+void PrepareSession::setCase(std::shared_ptr<const PatientCase> patient) {
+  live_.stop();
+  undo_.clear();
+  patient_ = std::move(patient);
+  structures_.clear();
+  surfaceWanted_ = {};
+  selected_ = 0;
+  message_.clear();
+  looks_ = usualLooks(patient_ ? patient_->colours : LabelColours{});
+  for (const auto& [label, habit] : habits_)
+    looks_[label].opacity = habit.opacity, looks_[label].visible = habit.visible;
+  title_ = patient_ ? QString::fromStdString(patient_->manifest.title) : QString();
+  crosshair_mm_ = patient_ ? patient_->ct.geometry.centre_mm() : Vec3{};
+  Q_EMIT caseChanged();
+  live_.setPatient(patient_, missingSurfaces());
+  measuring_.setCase(patient_);
+  tellEdits();
+  Q_EMIT messageChanged();
+}
+
+void PrepareSession::replaceCase(std::shared_ptr<const PatientCase> patient) {
+  patient_ = std::move(patient);
+  live_.replacePatient(patient_);
+  tellEdits();
+}
+
+void PrepareSession::setAwake(bool awake) {
+  measuring_.setAllowed(awake);
+  live_.setAwake(awake);
+}
+
+void PrepareSession::stop() {
+  measuring_.setAllowed(false);
+  live_.stop();
+}
+
+std::vector<ui::SurfaceWish> PrepareSession::missingSurfaces() {
+  std::vector<ui::SurfaceWish> wishes;
+  const auto wish = [&](std::uint8_t label) {
+    if (!looks_[label].visible || looks_[label].opacity <= 0 || std::exchange(surfaceWanted_[label], true)) return;
+    wishes.push_back({label, surfaceOptions(label)});
+  };
+  for (const std::uint8_t label : kOrder) wish(label);
+  for (int label = 1; label < 256; ++label) wish(std::uint8_t(label));
+  return wishes;
+}
+
+void PrepareSession::takeMeasures() {
+  const auto& measures = measuring_.measures();
+  std::vector<std::uint8_t> found;
+  for (int label = 1; measures && label < 256; ++label)
+    if (measures->statistics.voxels[std::size_t(label)] > 0) found.push_back(std::uint8_t(label));
+  if (found == structures_) return;
+  structures_ = std::move(found);
+  if (!structures_.empty() && selected_ == 0) selected_ = structures_.front();
+  Q_EMIT structuresChanged();
+  Q_EMIT selectedChanged();
+}
+
+void PrepareSession::select(std::uint8_t label) {
+  if (label == selected_) return;
+  selected_ = label;
+  Q_EMIT selectedChanged();
+}
+
+void PrepareSession::selectNext(int step) {
+  if (structures_.empty()) return;
+  const auto here = std::ranges::find(structures_, selected_);
+  const int last = int(structures_.size()) - 1;
+  const int index = here == structures_.end() ? 0 : int(here - structures_.begin()) + step;
+  select(structures_[std::size_t(std::clamp(index, 0, last))]);
+}
+
+void PrepareSession::push(std::uint8_t label, const StructureLook& look, const QString& what) {
+  if (!patient_ || look == looks_[label]) return;
+  undo_.push(new LookEdit(*this, label, look, what));
+}
+
+void PrepareSession::setColour(std::uint8_t label, views::Colour colour) {
+  StructureLook look = looks_[label];
+  look.colour = colour;
+  push(label, look, tr("colour of %1").arg(structureName(label)));
+}
+
+void PrepareSession::setOpacity(std::uint8_t label, double opacity) {
+  StructureLook look = looks_[label];
+  look.opacity = std::clamp(opacity, 0.0, 1.0);
+  push(label, look, tr("opacity of %1").arg(structureName(label)));
+}
+
+void PrepareSession::setVisible(std::uint8_t label, bool visible) {
+  StructureLook look = looks_[label];
+  look.visible = visible;
+  push(label, look, (visible ? tr("show %1") : tr("hide %1")).arg(structureName(label)));
+}
+
+void PrepareSession::showOnly(std::uint8_t label) {
+  auto all = std::make_unique<QUndoCommand>(tr("show only %1").arg(structureName(label)));
+  for (const std::uint8_t one : structures_) {
+    StructureLook look = looks_[one];
+    look.visible = one == label;
+    if (look != looks_[one]) new LookEdit(*this, one, look, {}, all.get());
+  }
+  if (all->childCount() > 0) undo_.push(all.release());
+}
+
+void PrepareSession::showAll() {
+  auto all = std::make_unique<QUndoCommand>(tr("show all"));
+  for (const std::uint8_t one : structures_) {
+    StructureLook look = looks_[one];
+    look.visible = true;
+    if (look != looks_[one]) new LookEdit(*this, one, look, {}, all.get());
+  }
+  if (all->childCount() > 0) undo_.push(all.release());
+}
+
+void PrepareSession::applyLook(std::uint8_t label, const StructureLook& look) {
+  looks_[label] = look;
+  habits_[label] = {look.opacity, look.visible};
+  for (const ui::SurfaceWish& wish : missingSurfaces()) live_.wantSurface(wish);
+  Q_EMIT lookChanged(label);
+  tellEdits();
+}
+
+void PrepareSession::setTitle(const QString& title) {
+  const QString tidy = title.simplified();
+  if (!patient_ || tidy == title_ || tidy.isEmpty()) return Q_EMIT titleChanged();  // What was typed goes back.
+  undo_.push(new TitleEdit(*this, tidy));
+}
+
+void PrepareSession::applyTitle(const QString& title) {
+  title_ = title;
+  Q_EMIT titleChanged();
+  tellEdits();
+}
+
+ui::CaseEdit PrepareSession::unsavedEdit() const {
+  if (!patient_) return {};
+  const std::string title = title_.toStdString();
+  if (title == patient_->manifest.title && !coloursDiffer(looks_, structures_, patient_->colours)) return {};
+  return [title, looks = looks_, structures = structures_](PatientCase& copy) {
+    copy.manifest.title = title;
+    putColours(looks, structures, copy.colours);
+  };
+}
+
+void PrepareSession::tellEdits() {
+  const bool has = unsavedEdit() != nullptr;
+  if (has != std::exchange(hadEdits_, has)) Q_EMIT editsChanged();
+}
+
+void PrepareSession::setCrosshair(Vec3 patient_mm) {
+  if (!patient_ || !isFinite(patient_mm)) return;
+  const VolumeGeometry& grid = patient_->ct.geometry;
+  Vec3 index = grid.indexFromPatient() * patient_mm;
+  for (int axis = 0; axis < 3; ++axis) index[axis] = std::clamp(index[axis], -0.5, grid.size[axis] - 0.5);
+  const Vec3 kept_mm = grid.patientFromIndex() * index;
+  if (kept_mm == crosshair_mm_) return;
+  crosshair_mm_ = kept_mm;
+  live_.follow(crosshair_mm_);
+  message_.clear();
+  Q_EMIT crosshairMoved();
+  Q_EMIT messageChanged();
+}
+
+void PrepareSession::goToStart() {
+  if (!live_.start()) return;
+  setCrosshair(live_.start()->position_mm);
+  live_.goToStart();
+}
+
+void PrepareSession::setWindowLevel(views::WindowLevel value) {
+  if (value == windowLevel_) return;
+  windowLevel_ = value;
+  Q_EMIT slicesChanged();
+}
+
+void PrepareSession::setLabelOpacity(double opacity) {
+  opacity = std::clamp(opacity, 0.0, 1.0);
+  if (opacity == labelOpacity_) return;
+  labelOpacity_ = opacity;
+  Q_EMIT slicesChanged();
+}
+
+void PrepareSession::setLabelsShown(bool shown) {
+  if (shown == labelsShown_) return;
+  labelsShown_ = shown;
+  Q_EMIT slicesChanged();
+}
+
+QString PrepareSession::placeText() const {
+  const VolumeGeometry& grid = patient_->ct.geometry;
+  const Vec3 index = grid.indexFromPatient() * crosshair_mm_;
+  const std::uint8_t label = sampleNearest(patient_->labels, index);
+  return tr("(%1, %2, %3) mm   %4 HU   %5")
+      .arg(crosshair_mm_.x, 0, 'f', 1)
+      .arg(crosshair_mm_.y, 0, 'f', 1)
+      .arg(crosshair_mm_.z, 0, 'f', 1)
+      .arg(std::lround(sampleLinear(patient_->ct, index)))
+      .arg(label == kBackground ? tr("outside the patient") : structureName(label));
+}
+
+QString PrepareSession::message() const {
+  if (!message_.isEmpty()) return message_;
+  return patient_ ? placeText() : tr("Drop a case or a CT on the window.");
+}
+
+void PrepareSession::say(const QString& sentence) {
+  message_ = sentence;
+  Q_EMIT messageChanged();
+}
+
+}  // namespace insonate::prepare

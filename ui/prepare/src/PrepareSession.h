@@ -1,0 +1,127 @@
+#pragma once
+
+#include "edit/Structures.h"
+#include "live/LivePatient.h"
+#include "measure/CaseMeasuring.h"
+
+#include <insonate/ui/Workspace.h>
+#include <insonate/views/WindowLevel.h>
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <memory>
+#include <vector>
+
+namespace insonate::prepare {
+
+/// What happens between the controls and the views: a case, how its structures are drawn, what was changed, and where
+/// one looks. Knows no widget but the bar of long jobs.
+class PrepareSession : public QObject {
+  Q_OBJECT
+
+ public:
+  PrepareSession(ui::TaskBar& tasks, QObject* parent);
+
+  void setOrigin(const ui::CaseOrigin& origin);
+  const ui::CaseOrigin& origin() const { return origin_; }
+  /// Null for none. Forgets edits.
+  void setCase(std::shared_ptr<const PatientCase> patient);
+  /// The same case with what was changed in it.
+  void replaceCase(std::shared_ptr<const PatientCase> patient);
+  const std::shared_ptr<const PatientCase>& patient() const { return patient_; }
+  /// While asleep, nothing is begun and no picture is made.
+  void setAwake(bool awake);
+  void stop();
+
+  CaseMeasuring& measuring() { return measuring_; }
+  LivePatient& live() { return live_; }
+
+  /// Those that occur, in the table's order; none before they are counted.
+  const std::vector<std::uint8_t>& structures() const { return structures_; }
+  const StructureLook& look(std::uint8_t label) const { return looks_[label]; }
+  std::uint8_t selected() const { return selected_; }
+  void select(std::uint8_t label);
+  /// The next or previous structure of the table.
+  void selectNext(int step);
+
+  // Edits; each can be undone.
+  QUndoStack& undoStack() { return undo_; }
+  void setColour(std::uint8_t label, views::Colour colour);
+  /// Of one drag, the last counts.
+  void setOpacity(std::uint8_t label, double opacity);
+  void setVisible(std::uint8_t label, bool visible);
+  void showOnly(std::uint8_t label);
+  void showAll();
+  const QString& title() const { return title_; }
+  void setTitle(const QString& title);
+  /// What of these belongs to the case and is not in it; null without.
+  ui::CaseEdit unsavedEdit() const;
+
+  // Where and how one looks
+  Vec3 crosshair_mm() const { return crosshair_mm_; }
+  /// Kept within the volume.
+  void setCrosshair(Vec3 patient_mm);
+  /// To where the case begins.
+  void goToStart();
+  const views::WindowLevel& windowLevel() const { return windowLevel_; }
+  void setWindowLevel(views::WindowLevel value);
+  double labelOpacity() const { return labelOpacity_; }
+  void setLabelOpacity(double opacity);
+  bool labelsShown() const { return labelsShown_; }
+  void setLabelsShown(bool shown);
+
+  /// What the user chose for structures in other cases; taken over by the next case.
+  struct Habit {
+    double opacity = 1;
+    bool visible = true;
+  };
+  const std::map<std::uint8_t, Habit>& habits() const { return habits_; }
+  void setHabits(std::map<std::uint8_t, Habit> habits) { habits_ = std::move(habits); }
+
+  /// A sentence; where the crosshair is, where nothing has happened.
+  QString message() const;
+  void say(const QString& sentence);
+
+ Q_SIGNALS:
+  void caseChanged();
+  void originChanged();
+  void structuresChanged();
+  void lookChanged(int label);
+  void selectedChanged();
+  void titleChanged();
+  void editsChanged();
+  void crosshairMoved();
+  void slicesChanged();  ///< window, level, opacity or visibility of labels
+  void messageChanged();
+
+ private:
+  friend class LookEdit;
+  friend class TitleEdit;
+  void applyLook(std::uint8_t label, const StructureLook& look);
+  void applyTitle(const QString& title);
+  void push(std::uint8_t label, const StructureLook& look, const QString& what);
+  void takeMeasures();
+  std::vector<ui::SurfaceWish> missingSurfaces();
+  void tellEdits();
+  QString placeText() const;
+
+  ui::CaseOrigin origin_;
+  std::shared_ptr<const PatientCase> patient_;
+  std::vector<std::uint8_t> structures_;
+  StructureLooks looks_;
+  std::map<std::uint8_t, Habit> habits_;
+  std::array<bool, 256> surfaceWanted_{};
+  std::uint8_t selected_ = 0;
+  QString title_;
+  Vec3 crosshair_mm_;
+  views::WindowLevel windowLevel_;
+  double labelOpacity_ = 0.25;
+  bool labelsShown_ = true, hadEdits_ = false;
+  QString message_;
+  QUndoStack undo_;
+  CaseMeasuring measuring_;
+  LivePatient live_;
+};
+
+}  // namespace insonate::prepare

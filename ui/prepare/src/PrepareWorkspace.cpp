@@ -1,0 +1,100 @@
+#include "KeyTable.h"
+#include "PrepareParts.h"
+#include "panel/PathPanel.h"
+#include "views/CaseViews.h"
+
+#include <insonate/prepare/PrepareWorkspace.h>
+#include <insonate/ui/EmptyWorkspace.h>
+
+#include <QKeyEvent>
+#include <QSplitter>
+
+namespace insonate::prepare {
+
+PrepareWorkspace::PrepareWorkspace(ui::TaskBar& tasks, QWidget* parent)
+    : ui::Workspace(parent), parts_(std::make_unique<Parts>(*this, tasks)) {
+  setObjectName(QStringLiteral("prepare"));
+}
+
+PrepareWorkspace::~PrepareWorkspace() {
+  parts_->session.stop();
+  // The widgets refer to the session: they go first.
+  delete parts_->columns;
+  delete parts_->empty;
+}
+
+void PrepareWorkspace::offer(QAction* action) {
+  parts_->empty->offer(action);
+}
+
+void PrepareWorkspace::setCaseActions(QAction* open, QAction* import, QAction* reload) {
+  parts_->path->setCaseActions(open, import, reload);
+}
+
+void PrepareWorkspace::setOrigin(const ui::CaseOrigin& origin) {
+  parts_->session.setOrigin(origin);
+}
+
+void PrepareWorkspace::setCase(std::shared_ptr<const PatientCase> patient) {
+  parts_->session.setCase(std::move(patient));
+}
+
+ui::CaseEdit PrepareWorkspace::unsavedEdit() const {
+  return parts_->session.unsavedEdit();
+}
+
+void PrepareWorkspace::caseSaved(std::shared_ptr<const PatientCase> patient) {
+  parts_->session.replaceCase(std::move(patient));
+  parts_->views->replaceCase();
+}
+
+QString PrepareWorkspace::statusText() const {
+  return parts_->session.message();
+}
+
+QString PrepareWorkspace::engineText() const {
+  return parts_->engineText();
+}
+
+bool PrepareWorkspace::isReady() const {
+  return parts_->ready;
+}
+
+std::vector<ui::Shortcut> PrepareWorkspace::shortcuts() const {
+  std::vector<ui::Shortcut> all;
+  for (const KeyRow& row : keyTable())
+    if (*row.keys) all.push_back({tr(row.keys), tr(row.meaning)});
+  return all;
+}
+
+void PrepareWorkspace::saveLayout(QSettings& settings) const {
+  parts_->saveLayout(settings);
+}
+
+void PrepareWorkspace::restoreLayout(QSettings& settings) {
+  parts_->restoreLayout(settings);
+}
+
+void PrepareWorkspace::stop() {
+  parts_->session.stop();
+}
+
+bool PrepareWorkspace::eventFilter(QObject* watched, QEvent* event) {
+  return parts_->canvasEvent(event) || ui::Workspace::eventFilter(watched, event);
+}
+
+void PrepareWorkspace::keyPressEvent(QKeyEvent* event) {
+  if (!parts_->key(*event, true)) ui::Workspace::keyPressEvent(event);
+}
+
+void PrepareWorkspace::showEvent(QShowEvent* event) {
+  ui::Workspace::showEvent(event);
+  parts_->session.setAwake(true);
+}
+
+void PrepareWorkspace::hideEvent(QHideEvent* event) {
+  ui::Workspace::hideEvent(event);
+  parts_->session.setAwake(false);
+}
+
+}  // namespace insonate::prepare

@@ -1,0 +1,54 @@
+#include "Structures.h"
+
+#include <insonate/tissue/Labels.h>
+
+#include <algorithm>
+
+namespace insonate::prepare {
+
+double usualOpacity(std::uint8_t label) {
+  constexpr double kSkinOpacity = 0.25;
+  switch (label) {
+    case kSkin:
+      return kSkinOpacity;
+    case kFat:
+    case kMuscle:
+    case kSoftTissue:
+      return 0;
+    default:
+      return 1;
+  }
+}
+
+StructureLooks usualLooks(const LabelColours& colours) {
+  StructureLooks looks;
+  for (int label = 0; label < 256; ++label) {
+    const auto value = std::uint8_t(label);
+    looks[value] = {viewColour(colourOf(colours, value)), usualOpacity(value), true};
+  }
+  return looks;
+}
+
+bool coloursDiffer(const StructureLooks& looks, const std::vector<std::uint8_t>& structures,
+                   const LabelColours& colours) {
+  return std::ranges::any_of(
+      structures, [&](std::uint8_t label) { return labelColour(looks[label].colour) != colourOf(colours, label); });
+}
+
+void putColours(const StructureLooks& looks, const std::vector<std::uint8_t>& structures, LabelColours& colours) {
+  for (const std::uint8_t label : structures) {
+    const LabelColour colour = labelColour(looks[label].colour);
+    if (colour == colourOf({}, label))
+      colours.erase(label);
+    else
+      colours[label] = colour;
+  }
+}
+
+QString structureName(std::uint8_t label) {
+  if (label >= kLabelCount) return QStringLiteral("label %1").arg(int(label));
+  const std::string_view name = labelTable()[label].name;
+  return QString::fromUtf8(name.data(), int(name.size()));
+}
+
+}  // namespace insonate::prepare

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/views/Theme.h>
+
+#include <QString>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace insonate::prepare {
+
+/// How a structure is drawn.
+struct StructureLook {
+  views::Colour colour;
+  double opacity = 1;   ///< of its surface in 3D, 0..1
+  bool visible = true;  ///< in 3D and over the slices
+  bool operator==(const StructureLook&) const = default;
+};
+
+/// By label.
+using StructureLooks = std::array<StructureLook, 256>;
+
+/// The case's colours; opacity so that one looks through the skin and whatever fills the patient.
+StructureLooks usualLooks(const LabelColours& colours);
+double usualOpacity(std::uint8_t label);
+
+/// True where a structure's colour is not the case's.
+bool coloursDiffer(const StructureLooks& looks, const std::vector<std::uint8_t>& structures,
+                   const LabelColours& colours);
+/// Puts the structures' colours into a case's, which keeps those that differ from the label table's.
+void putColours(const StructureLooks& looks, const std::vector<std::uint8_t>& structures, LabelColours& colours);
+
+/// "vein"; "label 37" for one that means nothing here.
+QString structureName(std::uint8_t label);
+
+inline views::Colour viewColour(const LabelColour& c) {
+  return {c[0], c[1], c[2]};
+}
+inline LabelColour labelColour(views::Colour c) {
+  return {c.red, c.green, c.blue};
+}
+
+}  // namespace insonate::prepare

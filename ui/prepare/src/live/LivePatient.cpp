@@ -1,0 +1,172 @@
+#include "LivePatient.h"
+
+#include <insonate/simulator/ProbePose.h>
+#include <insonate/tissue/AcousticTable.h>
+
+namespace insonate::prepare {
+namespace {
+
+/// Of the small picture: as many scanlines as it has columns to show them.
+constexpr int kScanlines = 160, kSamples = 500, kWidth = 410, kHeight = 308;
+/// The latest picture is enough.
+constexpr std::size_t kCineBytes = std::size_t{4} << 20;
+
+ImagingSetup smallSetup() {
+  // All come with the program.
+  ImagingSetup setup;
+  setup.probe = loadProbe("linear").value_or(Probe{});
+  setup.settings = settingsFor(setup.probe);
+  setup.settings.scanlines = kScanlines, setup.settings.samples = kSamples;
+  setup.settings.width = kWidth, setup.settings.height = kHeight;
+  setup.tissues = loadAcousticTable(acousticPresetNames().front()).value_or(AcousticTable{});
+  return setup;
+}
+
+}  // namespace
+
+LivePatient::LivePatient(QObject* parent) : QObject(parent), setup_(smallSetup()), feed_([this] { news(); }) {}
+
+LivePatient::~LivePatient() {
+  stop();
+}
+
+void LivePatient::stop() {
+  worker_ = nullptr;
+  feed_.set(nullptr);
+}
+
+void LivePatient::setPatient(std::shared_ptr<const PatientCase> patient, std::vector<ui::SurfaceWish> wishes) {
+  stop();
+  patient_ = std::move(patient);
+  start_.reset(), hand_.reset(), wanted_mm_.reset();
+  shown_ = nullptr;
+  status_ = {};
+  trouble_.clear();
+  surfacesDone_ = true;
+  if (patient_) makeWorker(std::move(wishes), true);
+  Q_EMIT stateChanged();
+}
+
+void LivePatient::makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand) {
+  ui::CaseWork work;
+  if (withHand) {
+    work.start = [this](StartPose pose) {
+      start_ = std::move(pose);
+      startLive();
+      Q_EMIT started();
+      Q_EMIT poseChanged();
+    };
+    work.hand = [this](ProbeHand hand) {
+      hand_ = std::move(hand);
+      // It stands on the skin, which the start may miss by a little.
+      moved();
+      if (wanted_mm_) follow(*wanted_mm_);
+    };
+  }
+  work.surface = [this](std::uint8_t label, std::shared_ptr<const Mesh> mesh) { Q_EMIT surfaceMade(label, mesh); };
+  work.surfacesDone = [this] {
+    surfacesDone_ = true;
+    Q_EMIT stateChanged();
+  };
+  work.failed = [this](const QString& text) {
+    trouble_ = text;
+    Q_EMIT stateChanged();
+  };
+  surfacesDone_ = false;
+  worker_ = std::make_unique<ui::CaseWorker>(patient_, std::move(work), std::move(wishes));
+}
+
+void LivePatient::replacePatient(std::shared_ptr<const PatientCase> patient) {
+  patient_ = std::move(patient);
+  // A worker in the middle of something keeps the old voxels until it is done.
+  if (surfacesDone_ && worker_) makeWorker({}, false);
+  if (feed_.live()) startLive();
+}
+
+void LivePatient::wantSurface(const ui::SurfaceWish& wish) {
+  if (!worker_) return;
+  surfacesDone_ = false;
+  worker_->want({wish});
+}
+
+void LivePatient::setAwake(bool awake) {
+  if (awake == awake_) return;
+  awake_ = awake;
+  if (!awake)
+    feed_.set(nullptr);
+  else
+    startLive();
+  Q_EMIT stateChanged();
+}
+
+std::optional<Transform> LivePatient::pose() const {
+  if (hand_) return hand_->pose();
+  if (!start_) return std::nullopt;
+  const auto pose = patientFromProbe(start_->position_mm, start_->axial, start_->lateral);
+  return pose ? std::optional(*pose) : std::nullopt;
+}
+
+void LivePatient::startLive() {
+  const auto where = pose();
+  if (!awake_ || !patient_ || !where) return;
+  LiveOptions options;
+  options.cineBytes = kCineBytes;
+  auto live = LiveImaging::make(patient_, setup_, *where, options);
+  if (!live) {
+    trouble_ = QString::fromStdString(live.error().message);
+    feed_.set(nullptr);
+  } else {
+    feed_.set(std::move(*live));
+  }
+  Q_EMIT stateChanged();
+}
+
+void LivePatient::news() {
+  if (!feed_.live()) return;
+  status_ = feed_.live()->status();
+  auto frame = feed_.live()->latest();
+  if (frame && frame != shown_) {
+    shown_ = std::move(frame);
+    Q_EMIT pictureShown();
+  }
+  Q_EMIT stateChanged();
+}
+
+void LivePatient::follow(Vec3 patient_mm) {
+  wanted_mm_ = patient_mm;
+  if (!hand_) return;
+  // Where it stops, it stands as near as it can.
+  hand_->moveTo(patient_mm);
+  moved();
+}
+
+void LivePatient::goToStart() {
+  wanted_mm_.reset();
+  if (!hand_ || !start_) return;
+  if (const auto pose = patientFromProbe(start_->position_mm, start_->axial, start_->lateral)) hand_->setPose(*pose);
+  moved();
+}
+
+void LivePatient::moved() {
+  if (feed_.live()) feed_.live()->setPose(hand_->pose());
+  Q_EMIT poseChanged();
+}
+
+bool LivePatient::isSettled() const {
+  if (!patient_) return true;
+  if (!surfacesDone_) return false;
+  if (!trouble_.isEmpty() || status_.state == LiveState::Failed) return true;
+  return shown_ && pose() && shown_->patientFromProbe == *pose();
+}
+
+QString LivePatient::state() const {
+  if (!patient_) return {};
+  if (!trouble_.isEmpty()) return trouble_;
+  if (status_.state == LiveState::Failed) return QString::fromStdString(status_.message);
+  if (status_.state == LiveState::Outside) return tr("The probe is outside the scan.");
+  if (status_.state == LiveState::Starting || status_.state == LiveState::WaitingForScene)
+    return tr("Building the scene ...");
+  return {};
+}
+
+}  // namespace insonate::prepare

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <insonate/simulator/LiveImaging.h>
+#include <insonate/simulator/ProbeHand.h>
+#include <insonate/ui/CaseWorker.h>
+#include <insonate/ui/LiveFeed.h>
+
+#include <QObject>
+#include <QString>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace insonate::prepare {
+
+/// What is computed of a patient beside the window: surfaces for 3D, and the ultrasound that the labels give, of a
+/// probe that stands on the skin nearest to where the author looks. Pictures are made only while it is awake, and only
+/// when the probe has moved.
+class LivePatient : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit LivePatient(QObject* parent);
+  ~LivePatient() override;
+
+  /// Null for none. `wishes` are the surfaces to begin with.
+  void setPatient(std::shared_ptr<const PatientCase> patient, std::vector<ui::SurfaceWish> wishes);
+  /// The same voxels in other memory: nothing is made anew but the live probe.
+  void replacePatient(std::shared_ptr<const PatientCase> patient);
+  void wantSurface(const ui::SurfaceWish& wish);
+  /// Asleep, there is no probe and no scene; what was made stays.
+  void setAwake(bool awake);
+  /// Ends the threads.
+  void stop();
+
+  /// The probe goes to the skin nearest to a patient point.
+  void follow(Vec3 patient_mm);
+  /// The probe goes where the case begins.
+  void goToStart();
+  /// Where the case begins, once known.
+  const std::optional<StartPose>& start() const { return start_; }
+  /// patientFromProbe; none before it is known.
+  std::optional<Transform> pose() const;
+
+  const ImagingSetup& setup() const { return setup_; }
+  /// Null before the first picture.
+  const std::shared_ptr<const LiveFrame>& shown() const { return shown_; }
+  /// Nothing is on its way: surfaces that were wanted have come, and the picture is of where the probe is, or says why
+  /// there is none.
+  bool isSettled() const;
+  /// Why there is no picture, or that one is on its way; empty otherwise.
+  QString state() const;
+
+ Q_SIGNALS:
+  void started();  ///< start() is known
+  void poseChanged();
+  void pictureShown();
+  void stateChanged();
+  void surfaceMade(int label, std::shared_ptr<const insonate::Mesh> mesh);
+
+ private:
+  void makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand);
+  void startLive();
+  void news();
+  void moved();
+
+  std::shared_ptr<const PatientCase> patient_;
+  ImagingSetup setup_;
+  std::optional<StartPose> start_;
+  std::optional<ProbeHand> hand_;
+  std::optional<Vec3> wanted_mm_;  ///< where to go when there is a hand
+  std::shared_ptr<const LiveFrame> shown_;
+  LiveStatus status_;
+  QString trouble_;
+  bool awake_ = false, surfacesDone_ = true;
+  ui::LiveFeed feed_;
+  std::unique_ptr<ui::CaseWorker> worker_;
+};
+
+}  // namespace insonate::prepare

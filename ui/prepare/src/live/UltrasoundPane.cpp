@@ -1,0 +1,80 @@
+#include "UltrasoundPane.h"
+
+#include "../PrepareSession.h"
+
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/ViewWidget.h>
+#include <insonate/ultrasound/BeamGrid.h>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace insonate::prepare {
+namespace {
+
+constexpr int kLeastHeight_px = 150;
+
+}  // namespace
+
+UltrasoundPane::UltrasoundPane(PrepareSession& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      view_(std::make_shared<views::UltrasoundView>()),
+      widget_(new ui::ViewWidget(view_, tr("Ultrasound of this label map"), this)),
+      state_(new QLabel),
+      start_(new QPushButton(tr("Start"))) {
+  // The column is too small a room to fill, and the picture has no more to show when larger.
+  widget_->setMaximiseOnDoubleClick(false);
+  widget_->setObjectName(QStringLiteral("labelUltrasound"));
+  widget_->setMinimumHeight(kLeastHeight_px);
+  view_->setGreyBarVisible(false);
+  auto* title = new QLabel(tr("Ultrasound of these labels"));
+  ui::setRole(title, "heading");
+  title->setToolTip(tr("The probe stands on the skin nearest to the crosshair"));
+  start_->setObjectName(QStringLiteral("toStart"));
+  start_->setToolTip(tr("Crosshair and probe to where the case begins (Home)"));
+  ui::setRole(state_, "quiet");
+  state_->setObjectName(QStringLiteral("ultrasoundState"));
+  state_->setWordWrap(true);
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(title, 1);
+  row->addWidget(start_);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kSmallGap);
+  box->addLayout(row);
+  box->addWidget(widget_, 1);
+  box->addWidget(state_);
+  connect(start_, &QPushButton::clicked, this, [this] { session_.goToStart(); });
+  connect(&session_, &PrepareSession::caseChanged, this, [this] {
+    shape_ = nullptr;
+    view_->setImage({});
+    showState();
+  });
+  connect(&session_.live(), &LivePatient::pictureShown, this, [this] { showPicture(); });
+  connect(&session_.live(), &LivePatient::stateChanged, this, [this] { showState(); });
+  showState();
+}
+
+void UltrasoundPane::showPicture() {
+  const LiveFrame& frame = *session_.live().shown();
+  view_->setImage(frame.image);
+  if (frame.setup == shape_) return;
+  shape_ = frame.setup;
+  const BeamGrid grid(frame.setup->probe, frame.setup->settings);
+  view_->setBounds(
+      views::PictureBounds{grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()});
+  view_->setFocus(frame.setup->settings.focus_mm);
+}
+
+void UltrasoundPane::showState() {
+  const QString state = session_.live().state();
+  state_->setText(state);
+  // One line is always kept, so that the picture does not jump.
+  start_->setEnabled(session_.live().start().has_value());
+}
+
+}  // namespace insonate::prepare

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <insonate/views/UltrasoundView.h>
+
+#include <QWidget>
+#include <memory>
+
+class QLabel;
+class QPushButton;
+
+namespace insonate::ui {
+class ViewWidget;
+}
+
+namespace insonate::prepare {
+
+class PrepareSession;
+
+/// The small ultrasound picture that the labels give, always in sight.
+class UltrasoundPane : public QWidget {
+ public:
+  explicit UltrasoundPane(PrepareSession& session, QWidget* parent = nullptr);
+
+  ui::ViewWidget& widget() { return *widget_; }
+
+ private:
+  void showPicture();
+  void showState();
+
+  PrepareSession& session_;
+  std::shared_ptr<views::UltrasoundView> view_;
+  std::shared_ptr<const void> shape_;  ///< setup of the picture as laid out
+  ui::ViewWidget* widget_;
+  QLabel* state_;
+  QPushButton* start_;
+};
+
+}  // namespace insonate::prepare

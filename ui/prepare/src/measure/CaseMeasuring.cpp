@@ -1,0 +1,95 @@
+#include "CaseMeasuring.h"
+
+#include <insonate/ui/TaskBar.h>
+
+#include <QPointer>
+#include <QTimer>
+
+namespace insonate::prepare {
+namespace {
+
+using Measured = std::shared_ptr<const CaseMeasures>;
+
+/// Counting takes this share of the time; the rest is the check's.
+constexpr double kCounting = 0.2;
+
+Result<Measured> measure(const PatientCase& patient, const Progress& progress) {
+  const auto part = [&progress](double from, double to) -> Progress {
+    return [&progress, from, to](std::string_view doing, double share) {
+      return report(progress, doing, from + share * (to - from));
+    };
+  };
+  auto statistics = caseStatistics(patient, part(0, kCounting));
+  if (!statistics) return tl::unexpected(statistics.error());
+  auto findings = checkCase(patient, part(kCounting, 1));
+  if (!findings) return tl::unexpected(findings.error());
+  return std::make_shared<const CaseMeasures>(CaseMeasures{std::move(*statistics), std::move(*findings)});
+}
+
+}  // namespace
+
+CaseMeasuring::CaseMeasuring(ui::TaskBar& tasks, QObject* parent) : QObject(parent), tasks_(tasks) {
+  connect(&tasks_, &ui::TaskBar::runningChanged, this, [this](bool running) {
+    if (!running && state_ == State::Waiting) QTimer::singleShot(0, this, [this] { tryToRun(); });
+  });
+}
+
+CaseMeasuring::~CaseMeasuring() = default;
+
+void CaseMeasuring::setCase(std::shared_ptr<const PatientCase> patient) {
+  ++number_;
+  if (state_ == State::Running) tasks_.cancel();
+  patient_ = std::move(patient);
+  measures_ = nullptr;
+  trouble_.clear();
+  enter(patient_ ? State::Waiting : State::Idle);
+  // The window may be in the middle of the job that brought the case.
+  QTimer::singleShot(0, this, [this] { tryToRun(); });
+}
+
+void CaseMeasuring::setAllowed(bool allowed) {
+  allowed_ = allowed;
+  tryToRun();
+}
+
+void CaseMeasuring::start() {
+  if (!patient_ || state_ == State::Running) return;
+  enter(State::Waiting);
+  tryToRun();
+}
+
+void CaseMeasuring::tryToRun() {
+  if (state_ != State::Waiting || !allowed_ || tasks_.isRunning()) return;
+  enter(State::Running);
+  tasks_.run<Measured>(
+      tr("Checking the case"), [patient = patient_](const Progress& progress) { return measure(*patient, progress); },
+      [self = QPointer(this), number = ++number_](Result<Measured> result) {
+        if (self) self->ended(number, std::move(result));
+      });
+}
+
+void CaseMeasuring::ended(int number, Result<Measured> result) {
+  if (number != number_) return;
+  if (result) {
+    measures_ = std::move(*result);
+    return enter(State::Done);
+  }
+  if (result.error().message != kCancelled) {
+    trouble_ = QString::fromStdString(result.error().message);
+    return enter(State::Stopped);
+  }
+  // Either the user stopped it, or another job takes its place in a moment.
+  enter(State::Waiting);
+  QTimer::singleShot(0, this, [this, number] {
+    if (number != number_ || state_ != State::Waiting || tasks_.isRunning()) return;
+    trouble_ = tr("The check was stopped.");
+    enter(State::Stopped);
+  });
+}
+
+void CaseMeasuring::enter(State state) {
+  state_ = state;
+  Q_EMIT changed();
+}
+
+}  // namespace insonate::prepare

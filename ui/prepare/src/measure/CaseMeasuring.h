@@ -1,0 +1,64 @@
+#pragma once
+
+#include <insonate/cases/CaseCheck.h>
+#include <insonate/cases/CaseStatistics.h>
+#include <insonate/cases/PatientCase.h>
+
+#include <QObject>
+#include <memory>
+#include <vector>
+
+namespace insonate::ui {
+class TaskBar;
+}
+
+namespace insonate::prepare {
+
+/// What was found out about a case.
+struct CaseMeasures {
+  CaseStatistics statistics;
+  std::vector<Finding> findings;
+};
+
+/// Measures and checks a case as a long job of the window, while it is allowed to. Another job of the window takes its
+/// turn, and this one begins again after it; the user's Cancel ends it until start().
+class CaseMeasuring : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class State { Idle, Waiting, Running, Done, Stopped };
+
+  CaseMeasuring(ui::TaskBar& tasks, QObject* parent);
+  ~CaseMeasuring() override;
+
+  /// Forgets what was measured; null for no case.
+  void setCase(std::shared_ptr<const PatientCase> patient);
+  /// While not allowed, nothing begins; what runs goes on.
+  void setAllowed(bool allowed);
+  /// Begins, or begins again after a cancel.
+  void start();
+
+  State state() const { return state_; }
+  /// Null before it is done.
+  const std::shared_ptr<const CaseMeasures>& measures() const { return measures_; }
+  /// Why there is nothing, a sentence.
+  const QString& trouble() const { return trouble_; }
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  void tryToRun();
+  void ended(int number, Result<std::shared_ptr<const CaseMeasures>> result);
+  void enter(State state);
+
+  ui::TaskBar& tasks_;
+  std::shared_ptr<const PatientCase> patient_;
+  std::shared_ptr<const CaseMeasures> measures_;
+  QString trouble_;
+  State state_ = State::Idle;
+  bool allowed_ = false;
+  int number_ = 0;  ///< of the job whose end counts
+};
+
+}  // namespace insonate::prepare

@@ -1,0 +1,114 @@
+#include "CaseFacts.h"
+
+#include "../PrepareSession.h"
+
+#include <insonate/ui/Theme.h>
+#include <insonate/views/SlicePlane.h>
+
+#include <QDir>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+
+namespace insonate::prepare {
+namespace {
+
+QString number(double value, int decimals) {
+  QString text = QString::number(value, 'f', decimals);
+  while (text.contains('.') && (text.endsWith('0') || text.endsWith('.'))) text.chop(1);
+  return text;
+}
+
+/// Where the three axes of the grid point in the patient.
+QString axesOf(const VolumeGeometry& grid) {
+  QStringList letters;
+  for (const Vec3& axis : grid.direction.column) letters << QString::fromStdString(views::orientationLetters(axis));
+  return letters.join(QStringLiteral(", "));
+}
+
+/// Identifiers may break after each part.
+QString breakable(QString text) {
+  const QChar kBreakHere(0x200b);
+  return text.replace(QLatin1Char('.'), QStringLiteral(".") + kBreakHere);
+}
+
+}  // namespace
+
+CaseFacts::CaseFacts(PrepareSession& session, QWidget* parent)
+    : QWidget(parent), session_(session), title_(new QLineEdit) {
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setHorizontalSpacing(ui::kGap);
+  form->setVerticalSpacing(ui::kSmallGap);
+  form->setRowWrapPolicy(QFormLayout::DontWrapRows);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  title_->setObjectName(QStringLiteral("caseTitle"));
+  title_->setAccessibleName(tr("Title of the case"));
+  title_->setToolTip(tr("Title of the case; saved with it"));
+  title_->setMaxLength(120);
+  form->addRow(title_);
+  size_ = addFact(*form, tr("voxels"));
+  size_->setObjectName(QStringLiteral("caseSize"));
+  spacing_ = addFact(*form, tr("spacing"));
+  orientation_ = addFact(*form, tr("axes to"));
+  orientation_->setToolTip(tr("Where the grid's axes point: L left, R right, P back, A front, S head, I feet"));
+  range_ = addFact(*form, tr("range"));
+  range_->setObjectName(QStringLiteral("caseRange"));
+  place_ = addFact(*form, tr("folder"));
+  place_->setObjectName(QStringLiteral("caseFolder"));
+  source_ = addFact(*form, tr("source"));
+  notes_ = addFact(*form, tr("import"));
+  notes_->setObjectName(QStringLiteral("caseNotes"));
+  connect(title_, &QLineEdit::editingFinished, this, [this] { session_.setTitle(title_->text()); });
+  connect(&session_, &PrepareSession::titleChanged, this, [this] { title_->setText(session_.title()); });
+  connect(&session_, &PrepareSession::caseChanged, this, [this] { showCase(); });
+  connect(&session_, &PrepareSession::originChanged, this, [this] { showOrigin(); });
+  connect(&session_.measuring(), &CaseMeasuring::changed, this, [this] { showMeasures(); });
+  showCase();
+}
+
+QLabel* CaseFacts::addFact(QFormLayout& form, const QString& name) {
+  auto* label = new QLabel(name);
+  ui::setRole(label, "quiet");
+  label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  auto* fact = new QLabel;
+  fact->setWordWrap(true);
+  // Its longest word must not widen the column.
+  fact->setMinimumWidth(1);
+  fact->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  fact->setAccessibleName(name);
+  form.addRow(label, fact);
+  return fact;
+}
+
+void CaseFacts::showCase() {
+  const auto& patient = session_.patient();
+  title_->setText(session_.title());
+  if (!patient) return;
+  const VolumeGeometry& grid = patient->ct.geometry;
+  size_->setText(QStringLiteral("%1 x %2 x %3").arg(grid.size[0]).arg(grid.size[1]).arg(grid.size[2]));
+  spacing_->setText(tr("%1 x %2 x %3 mm")
+                        .arg(number(grid.spacing_mm.x, 3), number(grid.spacing_mm.y, 3), number(grid.spacing_mm.z, 3)));
+  orientation_->setText(axesOf(grid));
+  const QString source = QString::fromStdString(patient->manifest.source);
+  source_->setText(source.isEmpty() ? tr("not said") : breakable(source));
+  showOrigin();
+  showMeasures();
+}
+
+void CaseFacts::showOrigin() {
+  const ui::CaseOrigin& origin = session_.origin();
+  place_->setText(origin.builtIn            ? tr("comes with Insonate")
+                  : origin.folder.isEmpty() ? tr("not saved yet")
+                                            : QDir(origin.folder).dirName());
+  place_->setToolTip(origin.folder);
+  notes_->setText(origin.notes.isEmpty() ? tr("nothing was changed") : origin.notes.join(QLatin1Char('\n')));
+}
+
+void CaseFacts::showMeasures() {
+  const auto& measures = session_.measuring().measures();
+  range_->setText(measures ? tr("%1 to %2 HU").arg(measures->statistics.least_HU).arg(measures->statistics.most_HU)
+                           : tr("..."));
+}
+
+}  // namespace insonate::prepare

@@ -1,0 +1,120 @@
+#include "FindingsList.h"
+
+#include "../PrepareSession.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace insonate::prepare {
+namespace {
+
+namespace theme = views::theme;
+
+struct Sign {
+  const char* icon;
+  views::Colour colour;
+  QString word;
+};
+
+Sign signOf(Severity severity) {
+  switch (severity) {
+    case Severity::kError:
+      return {"close", theme::kDanger, FindingsList::tr("Error")};
+    case Severity::kWarning:
+      return {"warning", theme::kCaution, FindingsList::tr("Doubt")};
+    case Severity::kInfo:
+      break;
+  }
+  return {"help", theme::kQuiet, FindingsList::tr("Note")};
+}
+
+}  // namespace
+
+QString findingCount(const std::vector<Finding>& findings) {
+  const auto count = [&](Severity s) { return int(std::ranges::count(findings, s, &Finding::severity)); };
+  const int errors = count(Severity::kError), doubts = count(Severity::kWarning);
+  QStringList words;
+  if (errors > 0) words << (errors == 1 ? FindingsList::tr("1 error") : FindingsList::tr("%1 errors").arg(errors));
+  if (doubts > 0) words << (doubts == 1 ? FindingsList::tr("1 doubt") : FindingsList::tr("%1 doubts").arg(doubts));
+  return words.isEmpty() ? FindingsList::tr("fit for training") : words.join(QStringLiteral(", "));
+}
+
+FindingsList::FindingsList(PrepareSession& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      state_(new QLabel),
+      again_(new QPushButton(tr("Check"))),
+      box_(new QVBoxLayout(this)) {
+  setObjectName(QStringLiteral("findings"));
+  state_->setWordWrap(true);
+  ui::setRole(state_, "quiet");
+  again_->setObjectName(QStringLiteral("checkAgain"));
+  again_->setToolTip(tr("Measure the structures and check the case"));
+  box_->setContentsMargins(0, 0, 0, 0);
+  box_->setSpacing(ui::kGap);
+  box_->addWidget(state_);
+  box_->addWidget(again_, 0, Qt::AlignLeft);
+  connect(again_, &QPushButton::clicked, this, [this] { session_.measuring().start(); });
+  connect(&session_.measuring(), &CaseMeasuring::changed, this, [this] { refresh(); });
+  refresh();
+}
+
+QWidget* FindingsList::row(const Finding& finding) {
+  const Sign sign = signOf(finding.severity);
+  auto* row = new QWidget;
+  auto* mark = new QLabel;
+  mark->setPixmap(ui::icon(QLatin1String(sign.icon), sign.colour).pixmap(16, 16));
+  mark->setToolTip(sign.word);
+  mark->setAlignment(Qt::AlignTop);
+  auto* text =
+      new QLabel(QStringLiteral("<b>%1.</b> %2").arg(sign.word, QString::fromStdString(finding.text).toHtmlEscaped()));
+  text->setTextFormat(Qt::RichText);
+  text->setWordWrap(true);
+  auto* words = new QVBoxLayout;
+  words->setSpacing(ui::kSmallGap);
+  words->addWidget(text);
+  if (finding.place_mm) {
+    auto* go = new QPushButton(tr("Show the place"));
+    go->setObjectName(QStringLiteral("place-") + QString::fromStdString(finding.code));
+    go->setToolTip(tr("Bring the crosshair there"));
+    go->setAccessibleDescription(QString::fromStdString(finding.text));
+    connect(go, &QPushButton::clicked, this, [this, place_mm = *finding.place_mm] { session_.setCrosshair(place_mm); });
+    words->addWidget(go, 0, Qt::AlignLeft);
+  }
+  auto* box = new QHBoxLayout(row);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kGap);
+  box->addWidget(mark, 0, Qt::AlignTop);
+  box->addLayout(words, 1);
+  return row;
+}
+
+void FindingsList::refresh() {
+  // A button of the list may be what called this.
+  if (list_) list_->deleteLater();
+  list_ = nullptr;
+  const CaseMeasuring& measuring = session_.measuring();
+  using State = CaseMeasuring::State;
+  again_->setVisible(measuring.state() == State::Stopped);
+  const auto& measures = measuring.measures();
+  if (!measures) {
+    state_->setVisible(true);
+    state_->setText(measuring.state() == State::Stopped ? measuring.trouble() : tr("Checking ..."));
+    return;
+  }
+  state_->setVisible(measures->findings.empty());
+  state_->setText(tr("Nothing stands against training on this case."));
+  list_ = new QWidget;
+  auto* rows = new QVBoxLayout(list_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(ui::kGap);
+  for (const Finding& finding : measures->findings) rows->addWidget(row(finding));
+  box_->addWidget(list_);
+}
+
+}  // namespace insonate::prepare

@@ -1,0 +1,114 @@
+#include "PathPanel.h"
+
+#include "../PrepareSession.h"
+#include "../table/StructureTable.h"
+#include "FindingsList.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace insonate::prepare {
+
+PathPanel::PathPanel(PrepareSession& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      caseRow_(new QHBoxLayout),
+      editRow_(new QHBoxLayout),
+      table_(new StructureTable(session)),
+      check_(new QPushButton(tr("Findings"))) {
+  for (QHBoxLayout* row : {caseRow_, editRow_}) {
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(ui::kSmallGap);
+  }
+  auto* elsewhere = new QLabel(
+      tr("Labelling is done in 3D Slicer or ITK-SNAP for now: save the labels there, then reload the case here (F5)."));
+  elsewhere->setWordWrap(true);
+  ui::setRole(elsewhere, "quiet");
+  check_->setToolTip(tr("Go to what the check found"));
+  check_->setObjectName(QStringLiteral("toFindings"));
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(12, ui::kGap, 12, ui::kGap);
+  box->setSpacing(ui::kGap);
+  box->addWidget(step(tr("1  Import"), importMark_));
+  box->addLayout(caseRow_);
+  box->addSpacing(ui::kSmallGap);
+  box->addWidget(step(tr("2  Label"), labelMark_));
+  box->addWidget(table_, 1);
+  box->addWidget(elsewhere);
+  box->addSpacing(ui::kSmallGap);
+  box->addWidget(step(tr("3  Check"), checkMark_));
+  box->addWidget(check_);
+  box->addSpacing(ui::kGap);
+  box->addLayout(editRow_);
+  connect(check_, &QPushButton::clicked, this, &PathPanel::checkChosen);
+  connect(&session_, &PrepareSession::originChanged, this, [this] { refresh(); });
+  connect(&session_, &PrepareSession::caseChanged, this, [this] { refresh(); });
+  connect(&session_.measuring(), &CaseMeasuring::changed, this, [this] { refresh(); });
+  refresh();
+}
+
+QWidget* PathPanel::step(const QString& title, QLabel*& mark) {
+  auto* row = new QWidget;
+  auto* heading = new QLabel(title);
+  ui::setRole(heading, "heading");
+  mark = new QLabel;
+  ui::setRole(mark, "quiet");
+  auto* box = new QHBoxLayout(row);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->addWidget(heading, 1);
+  box->addWidget(mark);
+  return row;
+}
+
+QToolButton* PathPanel::button(QAction* action, bool withText) {
+  auto* button = new QToolButton;
+  button->setDefaultAction(action);
+  button->setToolButtonStyle(withText ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+  button->setIconSize({20, 20});
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setAccessibleName(action->text());
+  return button;
+}
+
+void PathPanel::setCaseActions(QAction* open, QAction* import, QAction* reload) {
+  // Texts of the menu are long; the tooltips say the rest.
+  const std::pair<QAction*, QString> all[] = {{open, tr("Open")}, {import, tr("Import")}, {reload, tr("Reload")}};
+  for (const auto& [action, word] : all) {
+    QToolButton* made = button(action, true);
+    made->setText(word);
+    made->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    connect(action, &QAction::changed, made, [made, text = word] { made->setText(text); });
+    caseRow_->addWidget(made);
+  }
+  caseRow_->addStretch(1);
+}
+
+void PathPanel::setEditActions(QAction* undo, QAction* redo, QAction* save) {
+  editRow_->addWidget(button(undo, false));
+  editRow_->addWidget(button(redo, false));
+  editRow_->addStretch(1);
+  editRow_->addWidget(button(save, true));
+}
+
+void PathPanel::refresh() {
+  const ui::CaseOrigin& origin = session_.origin();
+  importMark_->setText(origin.builtIn ? tr("built in") : origin.folder.isEmpty() ? tr("not saved") : tr("done"));
+  const auto& measures = session_.measuring().measures();
+  if (!measures) {
+    const bool stopped = session_.measuring().state() == CaseMeasuring::State::Stopped;
+    labelMark_->setText(stopped ? tr("not measured") : tr("measuring ..."));
+    checkMark_->setText(stopped ? tr("not checked") : tr("checking ..."));
+    return;
+  }
+  const int count = int(session_.structures().size());
+  labelMark_->setText(count == 0 ? tr("nothing yet") : count == 1 ? tr("1 structure") : tr("%1 structures").arg(count));
+  checkMark_->setText(findingCount(measures->findings));
+}
+
+}  // namespace insonate::prepare

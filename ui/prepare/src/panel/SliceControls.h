@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+
+namespace insonate::ui {
+class ValueSlider;
+}
+
+namespace insonate::prepare {
+
+class PrepareSession;
+
+/// How the slices are shown: window and level of the CT, and the labels over it.
+class SliceControls : public QWidget {
+ public:
+  explicit SliceControls(PrepareSession& session, QWidget* parent = nullptr);
+
+ private:
+  void refresh();
+
+  PrepareSession& session_;
+  QComboBox* preset_;
+  ui::ValueSlider *window_, *level_, *opacity_;
+  QCheckBox* labels_;
+  bool showing_ = false;
+};
+
+}  // namespace insonate::prepare

@@ -1,0 +1,122 @@
+#include "StructureModel.h"
+
+#include "../PrepareSession.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QPainter>
+#include <QPixmap>
+
+namespace insonate::prepare {
+namespace {
+
+constexpr int kSwatch_px = 16, kSharp = 3;
+
+QPixmap swatch(views::Colour colour) {
+  QPixmap pixmap(kSwatch_px * kSharp, kSwatch_px * kSharp);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(ui::colour(views::theme::kQuiet), kSharp));
+  painter.setBrush(ui::colour(colour));
+  painter.drawRoundedRect(QRectF(pixmap.rect()).adjusted(2, 2, -2, -2), 3 * kSharp, 3 * kSharp);
+  painter.end();
+  pixmap.setDevicePixelRatio(kSharp);
+  return pixmap;
+}
+
+}  // namespace
+
+StructureModel::StructureModel(PrepareSession& session, QObject* parent)
+    : QAbstractTableModel(parent),
+      session_(session),
+      shown_(ui::icon(QStringLiteral("eye"))),
+      hidden_(ui::icon(QStringLiteral("eye-off"), views::theme::kQuiet)) {
+  connect(&session_, &PrepareSession::structuresChanged, this, [this] {
+    beginResetModel();
+    endResetModel();
+  });
+  connect(&session_, &PrepareSession::lookChanged, this, [this](int label) {
+    const int row = rowOf(std::uint8_t(label));
+    if (row >= 0) Q_EMIT dataChanged(index(row, 0), index(row, kColumns - 1));
+  });
+}
+
+int StructureModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : int(session_.structures().size());
+}
+
+int StructureModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : int(kColumns);
+}
+
+std::uint8_t StructureModel::labelAt(int row) const {
+  const auto& all = session_.structures();
+  return row >= 0 && row < int(all.size()) ? all[std::size_t(row)] : std::uint8_t{0};
+}
+
+int StructureModel::rowOf(std::uint8_t label) const {
+  const auto& all = session_.structures();
+  const auto found = std::ranges::find(all, label);
+  return found == all.end() ? -1 : int(found - all.begin());
+}
+
+QString StructureModel::volume(std::uint8_t label) const {
+  const auto& measures = session_.measuring().measures();
+  if (!measures) return {};
+  const double ml = measures->statistics.volume_ml(label);
+  return QString::number(ml, 'f', ml < 10 ? 2 : ml < 100 ? 1 : 0);
+}
+
+QVariant StructureModel::tip(Column column, std::uint8_t label) const {
+  const QString name = structureName(label);
+  switch (column) {
+    case kEye:
+      return session_.look(label).visible ? tr("Hide %1 in 3D and on the slices (Space)").arg(name)
+                                          : tr("Show %1 in 3D and on the slices (Space)").arg(name);
+    case kColour:
+      return tr("Colour of %1 (Enter); saved with the case").arg(name);
+    case kVolume:
+      return tr("Volume of %1 in millilitres").arg(name);
+    default:
+      return tr("%1, label %2").arg(name).arg(int(label));
+  }
+}
+
+QVariant StructureModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const auto column = Column(index.column());
+  const std::uint8_t label = labelAt(index.row());
+  const StructureLook& look = session_.look(label);
+  switch (role) {
+    case Qt::DisplayRole:
+      return column == kName ? structureName(label) : column == kVolume ? volume(label) : QVariant();
+    case Qt::DecorationRole:
+      if (column == kEye) return look.visible ? shown_ : hidden_;
+      return column == kColour ? QVariant(swatch(look.colour)) : QVariant();
+    case Qt::TextAlignmentRole:
+      return column == kVolume ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
+    case Qt::ForegroundRole:
+      return look.visible ? QVariant() : QVariant(ui::colour(views::theme::kQuiet));
+    case Qt::ToolTipRole:
+      return tip(column, label);
+    case Qt::AccessibleTextRole:
+      if (column == kEye)
+        return look.visible ? tr("%1 is shown").arg(structureName(label))
+                            : tr("%1 is hidden").arg(structureName(label));
+      if (column == kColour) return tr("colour %1").arg(ui::colour(look.colour).name());
+      return data(index, Qt::DisplayRole);
+    default:
+      return {};
+  }
+}
+
+QVariant StructureModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole)
+    return section == kVolume ? int(Qt::AlignRight | Qt::AlignVCenter) : int(Qt::AlignLeft | Qt::AlignVCenter);
+  if (role != Qt::DisplayRole) return {};
+  return section == kName ? tr("structure") : section == kVolume ? tr("ml") : QString();
+}
+
+}  // namespace insonate::prepare

@@ -1,0 +1,151 @@
+#include "StructureTable.h"
+
+#include "../PrepareSession.h"
+#include "StructureModel.h"
+
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/ValueSlider.h>
+
+#include <QColorDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QPushButton>
+#include <QTableView>
+#include <QVBoxLayout>
+
+namespace insonate::prepare {
+namespace {
+
+constexpr int kRow_px = 26, kIconColumn_px = 28, kVolumeColumn_px = 52;
+constexpr double kPercent = 100;
+
+}  // namespace
+
+StructureTable::StructureTable(PrepareSession& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      model_(new StructureModel(session, this)),
+      table_(new QTableView),
+      opacity_(new ui::ValueSlider(tr("opacity in 3D"), QStringLiteral("%"), {0, kPercent, kPercent, 5, 0},
+                                   tr("how much the selected structure hides what is behind it"))) {
+  buildTable();
+  opacity_->setObjectName(QStringLiteral("structureOpacity"));
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kGap);
+  box->addWidget(table_, 1);
+  box->addWidget(opacity_);
+  box->addWidget(buildButtons());
+  connect(opacity_, &ui::ValueSlider::valueChanged, this, [this](double percent) {
+    if (!showing_) session_.setOpacity(session_.selected(), percent / kPercent);
+  });
+  connect(&session_, &PrepareSession::structuresChanged, this, [this] { showSelected(); });
+  connect(&session_, &PrepareSession::selectedChanged, this, [this] { showSelected(); });
+  connect(&session_, &PrepareSession::lookChanged, this, [this](int label) {
+    if (label == session_.selected()) showSelected();
+  });
+  showSelected();
+}
+
+void StructureTable::buildTable() {
+  table_->setObjectName(QStringLiteral("structures"));
+  table_->setAccessibleName(tr("Structures of the label map"));
+  table_->setModel(model_);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setShowGrid(false);
+  table_->setTabKeyNavigation(false);
+  table_->setMinimumHeight(4 * kRow_px);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(kRow_px);
+  table_->verticalHeader()->setMinimumSectionSize(kRow_px);
+  QHeaderView* header = table_->horizontalHeader();
+  header->setHighlightSections(false);
+  header->setMinimumSectionSize(kIconColumn_px);
+  header->setSectionResizeMode(QHeaderView::Fixed);
+  header->setSectionResizeMode(StructureModel::kName, QHeaderView::Stretch);
+  header->resizeSection(StructureModel::kEye, kIconColumn_px);
+  header->resizeSection(StructureModel::kColour, kIconColumn_px);
+  header->resizeSection(StructureModel::kVolume, kVolumeColumn_px);
+  table_->installEventFilter(this);
+  connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) { clicked(index); });
+  connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& index) {
+    if (!showing_ && index.isValid()) session_.select(model_->labelAt(index.row()));
+  });
+}
+
+QWidget* StructureTable::buildButtons() {
+  auto* row = new QWidget;
+  auto* box = new QHBoxLayout(row);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kGap);
+  only_ = new QPushButton(tr("Only this"));
+  only_->setObjectName(QStringLiteral("showOnly"));
+  only_->setToolTip(tr("Hide every structure but the selected one"));
+  all_ = new QPushButton(tr("Show all"));
+  all_->setObjectName(QStringLiteral("showAll"));
+  all_->setToolTip(tr("Show every structure"));
+  connect(only_, &QPushButton::clicked, this, [this] { session_.showOnly(session_.selected()); });
+  connect(all_, &QPushButton::clicked, this, [this] { session_.showAll(); });
+  box->addWidget(only_, 1);
+  box->addWidget(all_, 1);
+  return row;
+}
+
+void StructureTable::clicked(const QModelIndex& index) {
+  const std::uint8_t label = model_->labelAt(index.row());
+  session_.select(label);
+  if (index.column() == StructureModel::kEye) session_.setVisible(label, !session_.look(label).visible);
+  if (index.column() == StructureModel::kColour) chooseColour();
+}
+
+void StructureTable::chooseColour() {
+  const std::uint8_t label = session_.selected();
+  if (model_->rowOf(label) < 0) return;
+  auto* dialog = new QColorDialog(ui::colour(session_.look(label).colour), this);
+  dialog->setObjectName(QStringLiteral("structureColour"));
+  dialog->setWindowTitle(tr("Colour of %1").arg(structureName(label)));
+  dialog->setOption(QColorDialog::DontUseNativeDialog);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QColorDialog::colorSelected, this, [this, label](const QColor& c) {
+    session_.setColour(label, {std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())});
+  });
+  // A colour of this case is not one of the next.
+  connect(&session_, &PrepareSession::caseChanged, dialog, &QDialog::reject);
+  dialog->open();
+}
+
+void StructureTable::showSelected() {
+  showing_ = true;
+  const std::uint8_t label = session_.selected();
+  const int row = model_->rowOf(label);
+  if (row >= 0) table_->setCurrentIndex(model_->index(row, StructureModel::kName));
+  for (QWidget* one : {static_cast<QWidget*>(opacity_), static_cast<QWidget*>(only_), static_cast<QWidget*>(all_)})
+    one->setEnabled(row >= 0);
+  if (row >= 0) {
+    opacity_->setRange({0, kPercent, kPercent * usualOpacity(label), 5, 0});
+    opacity_->setValue(kPercent * session_.look(label).opacity);
+  }
+  showing_ = false;
+}
+
+bool StructureTable::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != table_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  const std::uint8_t label = session_.selected();
+  if (key == Qt::Key_Space) {
+    session_.setVisible(label, !session_.look(label).visible);
+    return true;
+  }
+  if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+    chooseColour();
+    return true;
+  }
+  // The table would search names by letters, which are keys of the room.
+  const bool letter = key >= Qt::Key_A && key <= Qt::Key_Z;
+  if (letter) event->ignore();
+  return letter;
+}
+
+}  // namespace insonate::prepare

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QWidget>
+
+class QPushButton;
+class QTableView;
+
+namespace insonate::ui {
+class ValueSlider;
+}
+
+namespace insonate::prepare {
+
+class PrepareSession;
+class StructureModel;
+
+/// The table of structures with what can be done to one of them. Space shows or hides, Enter chooses a colour.
+class StructureTable : public QWidget {
+ public:
+  explicit StructureTable(PrepareSession& session, QWidget* parent = nullptr);
+
+  /// Asks for a colour of the selected structure.
+  void chooseColour();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void buildTable();
+  QWidget* buildButtons();
+  void clicked(const QModelIndex& index);
+  void showSelected();
+
+  PrepareSession& session_;
+  StructureModel* model_;
+  QTableView* table_;
+  ui::ValueSlider* opacity_;
+  QPushButton *only_ = nullptr, *all_ = nullptr;
+  bool showing_ = false;
+};
+
+}  // namespace insonate::prepare

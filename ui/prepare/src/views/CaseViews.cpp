@@ -1,0 +1,207 @@
+#include "CaseViews.h"
+
+#include "../PrepareSession.h"
+
+#include <insonate/tissue/Labels.h>
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/ViewWidget.h>
+
+#include <QApplication>
+#include <QDataStream>
+#include <QMouseEvent>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+namespace insonate::prepare {
+namespace {
+
+/// 3D follows the probe this often at most, and is drawn in full detail when it has rested.
+constexpr int kFollow_ms = 120, kRest_ms = 400;
+constexpr double kAcross_deg = 15, kUp_deg = 25;
+
+struct Slice {
+  views::SliceKind kind;
+  const char* name;
+};
+constexpr std::array<Slice, CaseViews::kSlices> kKinds{
+    {{views::SliceKind::Axial, QT_TRANSLATE_NOOP("insonate::prepare::CaseViews", "Axial slice")},
+     {views::SliceKind::Coronal, QT_TRANSLATE_NOOP("insonate::prepare::CaseViews", "Coronal slice")},
+     {views::SliceKind::Sagittal, QT_TRANSLATE_NOOP("insonate::prepare::CaseViews", "Sagittal slice")}}};
+
+}  // namespace
+
+CaseViews::CaseViews(PrepareSession& session, QWidget* parent)
+    : QWidget(parent), session_(session), scene_(std::make_shared<views::SceneView>()) {
+  setObjectName(QStringLiteral("caseViews"));
+  arrange();
+  connectSlices();
+  widgets_[kSlices]->focusProxy()->installEventFilter(this);
+  follow_.setSingleShot(true);
+  connect(&follow_, &QTimer::timeout, this, [this] { followProbe(); });
+  rest_.setSingleShot(true);
+  rest_.setInterval(kRest_ms);
+  connect(&rest_, &QTimer::timeout, this, [this] { scene_->setMoving(false); });
+  connect(&session_, &PrepareSession::caseChanged, this, [this] { showCase(); });
+  connect(&session_, &PrepareSession::lookChanged, this, [this](int label) { showLook(label); });
+  connect(&session_, &PrepareSession::slicesChanged, this, [this] { showSlices(); });
+  connect(&session_, &PrepareSession::crosshairMoved, this, [this] { showCrosshair(); });
+  const LivePatient& live = session_.live();
+  connect(&live, &LivePatient::surfaceMade, this,
+          [this](int label, const std::shared_ptr<const Mesh>& mesh) { showSurface(label, *mesh); });
+  const auto want = [this] {
+    if (!follow_.isActive()) follow_.start(kFollow_ms);
+  };
+  connect(&live, &LivePatient::poseChanged, this, want);
+  connect(&live, &LivePatient::pictureShown, this, want);
+  showCase();
+}
+
+CaseViews::~CaseViews() = default;
+
+void CaseViews::arrange() {
+  ui::markViewRoom(this);
+  rows_ = new QSplitter(Qt::Vertical, this);
+  for (QSplitter*& row : columns_) row = new QSplitter(Qt::Horizontal);
+  for (std::size_t i = 0; i < widgets_.size(); ++i) {
+    if (i < kKinds.size()) {
+      slices_[i] = std::make_shared<views::MprView>(kKinds[i].kind);
+      widgets_[i] = new ui::ViewWidget(slices_[i], tr(kKinds[i].name));
+      widgets_[i]->setObjectName(QLatin1String(kKinds[i].name));
+    } else {
+      widgets_[i] = new ui::ViewWidget(scene_, tr("Patient in three dimensions"));
+      widgets_[i]->setObjectName(QStringLiteral("Scene"));
+    }
+    columns_[i / 2]->addWidget(widgets_[i]);
+  }
+  for (QSplitter* row : columns_) {
+    row->setSizes({1000, 1000});
+    row->setChildrenCollapsible(false);
+    row->setHandleWidth(ui::kSmallGap);
+    rows_->addWidget(row);
+    // Both rows keep one column line.
+    connect(row, &QSplitter::splitterMoved, this, [this, row] {
+      QSplitter* other = row == columns_[0] ? columns_[1] : columns_[0];
+      other->setSizes(row->sizes());
+    });
+  }
+  rows_->setSizes({1000, 1000});
+  rows_->setChildrenCollapsible(false);
+  rows_->setHandleWidth(ui::kSmallGap);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->addWidget(rows_);
+}
+
+void CaseViews::connectSlices() {
+  for (const auto& slice : slices_) {
+    slice->setCrosshairMoved([this](Vec3 position_mm) { session_.setCrosshair(position_mm); });
+    slice->setWindowLevelChanged([this](views::WindowLevel value) { session_.setWindowLevel(value); });
+  }
+}
+
+void CaseViews::showCase() {
+  case_ = session_.patient() ? std::make_shared<views::VtkCase>(session_.patient()) : nullptr;
+  cameraPlaced_ = false;
+  for (int label = 1; label < 256; ++label) scene_->setSurface(std::uint8_t(label), {});
+  scene_->setCase(case_);
+  scene_->setProbe(std::nullopt);
+  scene_->setImage({});
+  for (const auto& slice : slices_) slice->setCase(case_);
+  for (int label = 1; label < 256; ++label) showLook(label);
+  showSlices();
+  showCrosshair();
+}
+
+void CaseViews::replaceCase() {
+  if (case_) case_->setPatient(session_.patient());
+}
+
+void CaseViews::showLook(int label) {
+  const auto value = std::uint8_t(label);
+  const StructureLook& look = session_.look(value);
+  scene_->setColour(value, look.colour);
+  scene_->setOpacity(value, look.opacity);
+  scene_->setVisible(value, look.visible && look.opacity > 0);
+  for (const auto& slice : slices_) {
+    slice->setLabelColour(value, look.colour);
+    slice->setLabelVisible(value, look.visible);
+  }
+}
+
+void CaseViews::showSlices() {
+  for (const auto& slice : slices_) {
+    if (slice->windowLevel() != session_.windowLevel()) slice->setWindowLevel(session_.windowLevel());
+    slice->setLabelOpacity(session_.labelOpacity());
+    slice->setLabelsVisible(session_.labelsShown());
+  }
+}
+
+void CaseViews::showCrosshair() {
+  for (const auto& slice : slices_) slice->setCrosshair(session_.crosshair_mm());
+}
+
+void CaseViews::showSurface(int label, const Mesh& mesh) {
+  scene_->setSurface(std::uint8_t(label), {mesh.points_mm, mesh.normals, mesh.triangles});
+  if (label == kSkin || !cameraPlaced_) placeCamera();
+}
+
+void CaseViews::placeCamera() {
+  scene_->look(views::Viewpoint::Anterior);
+  // From the side where the probe is.
+  const auto pose = session_.live().pose();
+  const bool right = pose && pose->offset.x < session_.patient()->ct.geometry.centre_mm().x;
+  scene_->orbit(right ? kAcross_deg : -kAcross_deg, kUp_deg);
+  cameraPlaced_ = true;
+}
+
+void CaseViews::followProbe() {
+  const LivePatient& live = session_.live();
+  const auto pose = live.pose();
+  if (!session_.patient() || !pose) return;
+  scene_->setMoving(true);
+  rest_.start();
+  scene_->setProbe(live.setup().probe, live.setup().settings);
+  scene_->setProbePose(*pose);
+  if (live.shown()) scene_->setImage(live.shown()->image);
+}
+
+void CaseViews::pickAt(QPoint at) {
+  const double ratio = widgets_[kSlices]->devicePixelRatioF();
+  if (const auto picked = scene_->pick({(at.x() + 0.5) * ratio, (at.y() + 0.5) * ratio}))
+    session_.setCrosshair(picked->position_mm);
+}
+
+bool CaseViews::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonRelease ||
+      event->type() == QEvent::MouseButtonDblClick) {
+    const auto& mouse = *static_cast<QMouseEvent*>(event);
+    if (mouse.button() != Qt::LeftButton) return false;
+    if (event->type() == QEvent::MouseButtonPress) {
+      pressed_ = mouse.pos();
+      click_ = true;
+    } else if (event->type() == QEvent::MouseButtonDblClick) {
+      click_ = false;
+    } else if (std::exchange(click_, false) &&
+               (mouse.pos() - pressed_).manhattanLength() < QApplication::startDragDistance()) {
+      pickAt(mouse.pos());
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+QByteArray CaseViews::saveState() const {
+  QByteArray state;
+  QDataStream stream(&state, QIODevice::WriteOnly);
+  stream << rows_->saveState() << columns_[0]->saveState();
+  return state;
+}
+
+void CaseViews::restoreState(const QByteArray& state) {
+  QDataStream stream(state);
+  QByteArray rows, columns;
+  stream >> rows >> columns;
+  rows_->restoreState(rows);
+  for (QSplitter* row : columns_) row->restoreState(columns);
+}
+
+}  // namespace insonate::prepare

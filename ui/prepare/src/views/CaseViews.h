@@ -1,0 +1,69 @@
+#pragma once
+
+#include <insonate/surface/Mesh.h>
+#include <insonate/views/MprView.h>
+#include <insonate/views/SceneView.h>
+
+#include <QPoint>
+#include <QTimer>
+#include <QWidget>
+#include <array>
+#include <memory>
+
+class QSplitter;
+
+namespace insonate::ui {
+class ViewWidget;
+}
+
+namespace insonate::prepare {
+
+class PrepareSession;
+
+/// The patient four times: axial, coronal and sagittal slices with one crosshair, and 3D with the probe. A click on a
+/// structure in 3D puts the crosshair there.
+class CaseViews : public QWidget {
+ public:
+  static constexpr int kSlices = 3;
+
+  explicit CaseViews(PrepareSession& session, QWidget* parent = nullptr);
+  ~CaseViews() override;
+
+  const std::shared_ptr<views::SceneView>& sharedScene() { return scene_; }
+  views::MprView& slice(int index) { return *slices_[std::size_t(index)]; }
+  /// The slices first, 3D last.
+  const std::array<ui::ViewWidget*, kSlices + 1>& widgets() const { return widgets_; }
+  /// The same voxels in other memory.
+  void replaceCase();
+
+  QByteArray saveState() const;
+  void restoreState(const QByteArray& state);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void arrange();
+  void connectSlices();
+  void showCase();
+  void showLook(int label);
+  void showSlices();
+  void showCrosshair();
+  void showSurface(int label, const Mesh& mesh);
+  void followProbe();
+  void placeCamera();
+  void pickAt(QPoint at);
+
+  PrepareSession& session_;
+  std::shared_ptr<views::VtkCase> case_;
+  std::array<std::shared_ptr<views::MprView>, kSlices> slices_;
+  std::shared_ptr<views::SceneView> scene_;
+  std::array<ui::ViewWidget*, kSlices + 1> widgets_{};
+  QSplitter* rows_ = nullptr;
+  std::array<QSplitter*, 2> columns_{};
+  QTimer follow_, rest_;
+  QPoint pressed_;
+  bool click_ = false, cameraPlaced_ = false;
+};
+
+}  // namespace insonate::prepare
