@@ -111,6 +111,19 @@ TEST_F(CaseLoader, ImportsTheChosenSeries) {
   EXPECT_EQ(ui::caseFolderOf(home.filePath("kept")), home.filePath("kept")) << failed.toStdString();
 }
 
+TEST_F(CaseLoader, ProposesTheCtWithMostSlices) {
+  const QString folder = writtenDicom("mixed");
+  VolumeGeometry fewer = test::smallCase().ct.geometry;
+  fewer.size[2] = 5;
+  ASSERT_TRUE(writeDicomSeries(CtVolume(fewer, 0), (folder + "/fewer").toStdString(), {.seed = "fewer"}));
+  loader.open(folder);
+  QDialog* choice = dialog();
+  ASSERT_TRUE(choice) << failed.toStdString();
+  auto* table = choice->findChild<QTableWidget*>();
+  ASSERT_EQ(table->rowCount(), 2);
+  EXPECT_EQ(table->item(table->currentRow(), 1)->text(), "49 x 41 x 17");
+}
+
 TEST_F(CaseLoader, TheChoiceMayBeRefused) {
   loader.open(writtenDicom("dicom"));
   QDialog* choice = dialog();

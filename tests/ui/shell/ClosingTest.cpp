@@ -114,6 +114,19 @@ TEST_F(ClosingAtWork, AsksBeforeWorkIsLost) {
   EXPECT_FALSE(window->isVisible());
 }
 
+TEST_F(ClosingAtWork, AsksBeforeAnUnsavedCaseIsLost) {
+  auto made = std::make_shared<PatientCase>(test::smallCase());
+  Q_EMIT train->caseMade(made);
+  EXPECT_FALSE(window->close());
+  ASSERT_TRUE(question());
+  press("Keep working");
+  EXPECT_TRUE(test::waitUntil([&] { return !question(); }));
+  EXPECT_TRUE(window->isVisible());
+  EXPECT_FALSE(window->close());
+  press("Close without saving");
+  EXPECT_FALSE(window->isVisible());
+}
+
 TEST_F(ClosingAtWork, TheQuestionGoesWithTheWork) {
   work(ui::TaskBar::WhenClosed::Ask);
   EXPECT_FALSE(window->close());

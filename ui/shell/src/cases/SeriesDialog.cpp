@@ -14,6 +14,8 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
+#include <algorithm>
+#include <utility>
 
 namespace insonate::ui {
 namespace {
@@ -33,7 +35,8 @@ QString spacingOf(const SeriesInfo& series) {
 QString stateOf(const SeriesInfo& series) {
   if (!series.refusal.empty()) return SeriesDialog::tr("cannot be imported");
   if (series.warnings.empty()) return SeriesDialog::tr("fine");
-  return SeriesDialog::tr("%n warning(s)", nullptr, int(series.warnings.size()));
+  const auto count = series.warnings.size();
+  return count == 1 ? SeriesDialog::tr("1 warning") : SeriesDialog::tr("%1 warnings").arg(count);
 }
 
 QString notesOf(const SeriesInfo& series) {
@@ -65,9 +68,7 @@ SeriesDialog::SeriesDialog(const QString& path, std::shared_ptr<const SeriesList
     // Enter in the table comes here by two ways.
     if (result() != Accepted) accept();
   });
-  int first = 0;
-  while (first + 1 < table_->rowCount() && !listing_->series[std::size_t(first)].refusal.empty()) ++first;
-  table_->selectRow(first);
+  table_->selectRow(likeliestRow());
 }
 
 void SeriesDialog::fill() {
@@ -97,8 +98,9 @@ void SeriesDialog::fill() {
 void SeriesDialog::arrange() {
   auto* title = new QLabel(tr("Series in %1").arg(QFileInfo(path_).fileName()));
   setRole(title, "title");
-  auto* aside =
-      new QLabel(tr("%n file(s) belong to no series and are left out.", nullptr, int(listing_->setAside.size())));
+  auto* aside = new QLabel(listing_->setAside.size() == 1
+                               ? tr("1 file belongs to no series and is left out.")
+                               : tr("%1 files belong to no series and are left out.").arg(listing_->setAside.size()));
   setRole(aside, "quiet");
   aside->setVisible(!listing_->setAside.empty());
   QStringList reasons;
@@ -142,6 +144,26 @@ void SeriesDialog::arrange() {
   resize(840, 480);
 }
 
+int SeriesDialog::likeliestRow() const {
+  const auto& all = listing_->series;
+  const auto worth = [](const SeriesInfo& series) {
+    // A CT before anything else that can be read; of several, the one with most slices.
+    const int kind = !series.refusal.empty() ? 0 : series.modality == "CT" ? 2 : 1;
+    return std::pair(kind, series.geometry.size[2]);
+  };
+  const auto best = std::max_element(all.begin(), all.end(),
+                                     [&](const SeriesInfo& a, const SeriesInfo& b) { return worth(a) < worth(b); });
+  return int(best - all.begin());
+}
+
+void SeriesDialog::noPicture(const Error& error) {
+  if (error.message == kCancelled) return picture_->setText(tr("no preview"));
+  // What cannot be read for the picture cannot be imported either.
+  picture_->setText(tr("no picture"));
+  notes_->setText(QString::fromStdString(error.message));
+  import_->setEnabled(false);
+}
+
 int SeriesDialog::chosenRow() const {
   return table_->currentRow() >= 0 ? table_->currentRow() : 0;
 }
@@ -177,7 +199,7 @@ void SeriesDialog::preview() {
         return std::make_shared<ImportedCt>(std::move(*imported));
       },
       [this](Result<Read> read) {
-        if (!read) return picture_->setText(read.error().message == kCancelled ? tr("no preview") : tr("no picture"));
+        if (!read) return noPicture(read.error());
         read_ = *read;
         picture_->setPixmap(slicePreview(read_->ct, kPicture_px));
       });

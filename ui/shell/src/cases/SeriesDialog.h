@@ -32,7 +32,9 @@ class SeriesDialog : public QDialog {
   void arrange();
   void showChosen();
   void preview();
+  int likeliestRow() const;
   int chosenRow() const;
+  void noPicture(const Error& error);
 
   QString path_;
   std::shared_ptr<const SeriesListing> listing_;

@@ -14,32 +14,39 @@ constexpr int kText_px = 420;
 
 }  // namespace
 
-ClosingQuestion::ClosingQuestion(const QString& job, QWidget* parent) : QDialog(parent) {
+ClosingQuestion::ClosingQuestion(const QString& job, const QString& unsaved, QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("Close Insonate"));
   setAttribute(Qt::WA_DeleteOnClose);
-  auto* title = new QLabel(tr("Something is still being done"));
+  const bool working = !job.isEmpty();
+  auto* title = new QLabel(working ? tr("Something is still being done") : tr("The case is not saved"));
   setRole(title, "title");
-  auto* text = new QLabel(tr("%1: closing stops it, and leaves nothing half done behind.").arg(job));
+  QStringList sentences;
+  if (working) sentences << tr("%1: closing stops it, and leaves nothing half done behind.").arg(job);
+  if (!unsaved.isEmpty()) sentences << tr("\"%1\" is not on disk yet; closing loses it.").arg(unsaved);
+  auto* text = new QLabel(sentences.join(QLatin1Char('\n')));
   text->setTextFormat(Qt::PlainText);
   text->setWordWrap(true);
   text->setMinimumWidth(kText_px);
 
-  auto* leave = new QPushButton(tr("Stop and close"));
-  leave->setToolTip(tr("Close the window now"));
-  auto* stay = new QPushButton(tr("Keep working"));
-  stay->setToolTip(tr("Back to the window (Esc)"));
-  setRole(stay, "primary");
-  stay->setDefault(true);
-  connect(stay, &QPushButton::clicked, this, &QDialog::reject);
-  connect(leave, &QPushButton::clicked, this, [this] {
-    accept();
-    Q_EMIT closeChosen();
-  });
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(kGap);
   buttons->addStretch();
-  buttons->addWidget(leave);
-  buttons->addWidget(stay);
+  const auto add = [this, buttons](const QString& words, const QString& tip) {
+    auto* button = new QPushButton(words);
+    button->setToolTip(tip);
+    connect(button, &QPushButton::clicked, this, &QDialog::accept);
+    buttons->addWidget(button);
+    return button;
+  };
+  auto* leave = add(working ? tr("Stop and close") : tr("Close without saving"), tr("Close the window now"));
+  connect(leave, &QPushButton::clicked, this, &ClosingQuestion::closeChosen);
+  auto* usual = add(tr("Keep working"), tr("Back to the window (Esc)"));
+  if (!working) {
+    usual = add(tr("Save case as ..."), tr("Write the case to a folder, then close"));
+    connect(usual, &QPushButton::clicked, this, &ClosingQuestion::saveChosen);
+  }
+  setRole(usual, "primary");
+  usual->setDefault(true);
 
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(kLargeGap, kLargeGap, kLargeGap, kLargeGap);
@@ -47,7 +54,7 @@ ClosingQuestion::ClosingQuestion(const QString& job, QWidget* parent) : QDialog(
   column->addWidget(title);
   column->addWidget(text);
   column->addLayout(buttons);
-  stay->setFocus();
+  usual->setFocus();
 }
 
 }  // namespace insonate::ui

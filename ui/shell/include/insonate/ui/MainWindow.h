@@ -85,6 +85,7 @@ class MainWindow : public QMainWindow {
   void fillRecent();
   void fillView();
   bool asksAboutWork();
+  void saveAndClose();
   bool passKey(QKeyEvent& event);
   void switchTo(int index);
   void take(const LoadedCase& loaded);
