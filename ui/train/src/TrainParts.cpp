@@ -10,6 +10,9 @@
 #include "panel/ControlsPanel.h"
 #include "panel/EffectWords.h"
 #include "panel/Positions.h"
+#include "probe/FovHandles.h"
+#include "probe/ProbeEditor.h"
+#include "probe/ProbeLibrary.h"
 #include "scene/PatientViews.h"
 
 #include <insonate/ui/ViewWidget.h>
@@ -24,6 +27,7 @@
 #include <QLineEdit>
 #include <QSplitter>
 #include <QStackedLayout>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <span>
@@ -41,8 +45,14 @@ TrainWorkspace::Parts::Parts(TrainWorkspace& workspace)
   columns = new QSplitter(Qt::Horizontal, &workspace);
   columns->setObjectName("trainColumns");
   columns->setChildrenCollapsible(false);
-  panel = new ControlsPanel(session, columns);
-  columns->addWidget(panel);
+  library_ = new ProbeLibrary({}, this);
+  left_ = new QStackedWidget(columns);
+  left_->setObjectName("trainPanel");
+  panel = new ControlsPanel(session, *library_);
+  editor_ = new ProbeEditor(session, *library_);
+  left_->addWidget(panel);
+  left_->addWidget(editor_);
+  columns->addWidget(left_);
   columns->addWidget(buildCentre());
   patient = new PatientViews(session, columns);
   columns->addWidget(patient);
@@ -65,6 +75,7 @@ TrainWorkspace::Parts::Parts(TrainWorkspace& workspace)
   pointer->addSlice(beside_->view(), beside);
   buildActions();
   connectParts();
+  connectProbe();
 }
 
 TrainWorkspace::Parts::~Parts() {
@@ -112,14 +123,14 @@ void TrainWorkspace::Parts::buildActions() {
 
 void TrainWorkspace::Parts::setLeftHanded(bool on) {
   leftHanded_->setChecked(on);
-  QWidget *first = on ? static_cast<QWidget*>(patient) : panel, *last = on ? static_cast<QWidget*>(panel) : patient;
+  QWidget *first = on ? static_cast<QWidget*>(patient) : left_, *last = on ? static_cast<QWidget*>(left_) : patient;
   if (columns->widget(0) == first) return;
   QList<int> sizes = columns->sizes();
   std::reverse(sizes.begin(), sizes.end());
   columns->insertWidget(0, first);
   columns->addWidget(last);
   for (int i = 0; i < columns->count(); ++i)
-    columns->setStretchFactor(i, columns->widget(i) == panel ? 0 : columns->widget(i) == patient ? 1 : 3);
+    columns->setStretchFactor(i, columns->widget(i) == left_ ? 0 : columns->widget(i) == patient ? 1 : 3);
   columns->setSizes(sizes);
 }
 
@@ -182,11 +193,12 @@ void TrainWorkspace::Parts::showCase() {
 void TrainWorkspace::Parts::showPicture() {
   const LiveFrame& frame = *session.shown();
   image_->setImage(frame.image);
-  if (frame.setup != shape_) {
+  if (frame.setup != shape_ && !(fov_ && fov_->isHeld())) {
     shape_ = frame.setup;
     const BeamGrid grid(shape_->probe, shape_->settings);
-    image_->setBounds(
-        views::PictureBounds{grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()});
+    const views::PictureBounds fieldOfView{grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(),
+                                           grid.maxAxial_mm()};
+    image_->setBounds(fov_ ? fov_->roomFor(fieldOfView) : fieldOfView);
     image_->setFocus(shape_->settings.focus_mm);
     const auto& tgc_dB = shape_->settings.tgc_dB;
     const bool flat = std::ranges::all_of(tgc_dB, [](double dB) { return dB == 0; });

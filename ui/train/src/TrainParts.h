@@ -15,6 +15,7 @@
 class QKeyEvent;
 class QLabel;
 class QSplitter;
+class QStackedWidget;
 
 namespace insonate::ui {
 class ViewWidget;
@@ -27,8 +28,11 @@ class CineBar;
 class ControlsPanel;
 class CtBeside;
 class EqualColumns;
+class FovHandles;
 class ImageInput;
 class PatientViews;
+class ProbeEditor;
+class ProbeLibrary;
 class SliceMeasure;
 
 /// What the workspace is made of, and how the parts act on each other.
@@ -71,6 +75,9 @@ class TrainWorkspace::Parts : public QObject {
   void showCase();
   void showRate();
   void takeKeyboard(QObject* canvas);
+  void connectProbe();
+  void editProbe(bool on);
+  void fitToPicture();
   void askPicture();
   void askClip();
 
@@ -81,6 +88,10 @@ class TrainWorkspace::Parts : public QObject {
   QLabel* empty_ = nullptr;
   ImageInput* input_ = nullptr;
   CineBar* cine_ = nullptr;
+  ProbeLibrary* library_ = nullptr;
+  QStackedWidget* left_ = nullptr;  ///< the controls, or the probe's editor
+  ProbeEditor* editor_ = nullptr;
+  FovHandles* fov_ = nullptr;
   CtBeside* beside_ = nullptr;
   SliceMeasure *measureSlice_ = nullptr, *measureBeside_ = nullptr;
   QAction *leftHanded_ = nullptr, *besideAction_ = nullptr;

@@ -19,9 +19,9 @@ const std::vector<ui::SurfaceWish> kSurfaces = {{kVein, {4, 1}}, {kArtery, {4, 1
 
 auto fields(const Probe& p) {
   return std::tie(p.name, p.shape, p.width_mm, p.fovAngle_deg, p.faceRadius_mm, p.minFrequency_MHz, p.maxFrequency_MHz,
-                  p.minDepth_mm, p.maxDepth_mm, p.axialFwhm_wavelengths, p.lateralFNumber, p.maxAperture_mm,
-                  p.lateralDivergenceNear, p.lateralDivergenceFar, p.elevationFocus_mm, p.elevationFwhm_wavelengths,
-                  p.elevationDivergence);
+                  p.minDepth_mm, p.maxDepth_mm, p.defaultFrequency_MHz, p.defaultDepth_mm, p.defaultFocus_mm,
+                  p.axialFwhm_wavelengths, p.lateralFNumber, p.maxAperture_mm, p.lateralDivergenceNear,
+                  p.lateralDivergenceFar, p.elevationFocus_mm, p.elevationFwhm_wavelengths, p.elevationDivergence);
 }
 
 /// What a user can change.
@@ -150,6 +150,19 @@ bool TrainSession::setProbe(const std::string& name) {
   return true;
 }
 
+Result<void> TrainSession::useProbe(const Probe& probe, const std::string& what) {
+  if (auto ok = validate(probe); !ok) return ok;
+  if (probe.defaultDepth_mm != probe_.defaultDepth_mm) settings_.depth_mm = probe.defaultDepth_mm;
+  if (probe.defaultFrequency_MHz != probe_.defaultFrequency_MHz) settings_.frequency_MHz = probe.defaultFrequency_MHz;
+  if (probe.defaultFocus_mm != probe_.defaultFocus_mm) settings_.focus_mm = probe.defaultFocus_mm;
+  probe_ = probe;
+  settings_ = fitted(settings_, probe_);
+  editKind_ = "probe " + what;
+  sendSetup();
+  editKind_.clear();
+  return {};
+}
+
 void TrainSession::setSettings(ImagingSettings settings) {
   settings_ = fitted(settings, probe_);
   sendSetup();
@@ -272,7 +285,7 @@ void TrainSession::rememberSetup() {
     sendSetup();
     return true;
   };
-  history_.add(what.toStdString(), exchange, sameProbe ? "settings" : "");
+  history_.add(what.toStdString(), exchange, sameProbe ? "settings" : editKind_);
 }
 
 void TrainSession::setFrozen(bool frozen) {

@@ -41,6 +41,10 @@ class TrainSession : public QObject {
   const ImagingSettings& settings() const { return settings_; }
   /// A preset; depth, frequency and focus become the probe's own, the rest stays. False for an unknown name.
   bool setProbe(const std::string& name);
+  /// A probe as it is being edited. Changes of one kind (`what`) in a row are taken back together. Where the probe
+  /// begins with another depth, frequency or focus than before, the picture has them, too. Refuses a probe out of
+  /// range.
+  Result<void> useProbe(const Probe& probe, const std::string& what);
   /// What the probe cannot do is brought to the nearest that it can.
   void setSettings(ImagingSettings settings);
   /// Shows one effect of EffectLayers.h by itself.
@@ -121,7 +125,8 @@ class TrainSession : public QObject {
     ImagingSettings settings;
     std::string effect;
   };
-  Chosen chosen_;  ///< as last sent
+  Chosen chosen_;         ///< as last sent
+  std::string editKind_;  ///< of the probe, for history_; empty outside useProbe()
   StartPose start_;
   bool frozen_ = false;
   std::shared_ptr<const LiveFrame> shown_;

@@ -75,6 +75,7 @@ constexpr MouseRow kMouse[] = {
     {"Right drag on the image", "rotate; with Shift tilt and rock"},
     {"Wheel on the image", "press; with Ctrl change the depth"},
     {"Left drag on the skin (3D)", "put the probe there"},
+    {"G, Ctrl + arrows", "next handle of the field of view, and move it (Edit probe; Shift: 5)"},
     {"Pointing at image or CT", "marks the same place in the other"},
     {"Wheel on the CT slice", "other slices; probe plane and with Ctrl: zoom"},
     {"Right drag on the CT slice", "window and level"},

@@ -1,6 +1,7 @@
 #include "ControlsPanel.h"
 
 #include "../TrainSession.h"
+#include "../probe/ProbeChooser.h"
 #include "EffectWords.h"
 #include "Positions.h"
 #include "ProbeNumbers.h"
@@ -72,15 +73,11 @@ QVBoxLayout* column(QWidget* widget) {
   return box;
 }
 
-QString spaced(const std::string& name) {
-  QString text = QString::fromStdString(name);
-  return text.replace('-', ' ').replace('_', ' ');
-}
-
 }  // namespace
 
-ControlsPanel::ControlsPanel(TrainSession& session, QWidget* parent) : QWidget(parent), session_(session) {
-  setObjectName("trainPanel");
+ControlsPanel::ControlsPanel(TrainSession& session, ProbeLibrary& library, QWidget* parent)
+    : QWidget(parent), session_(session), library_(library) {
+  setObjectName("trainControls");
   auto* inner = new QWidget;
   auto* box = new QVBoxLayout(inner);
   box->setContentsMargins(12, 8, 12, 8);
@@ -158,10 +155,7 @@ QWidget* ControlsPanel::buildPicture() {
   auto* picture = new QWidget;
   auto* box = column(picture);
   box->addWidget(heading(tr("Picture")));
-  probe_ = new QComboBox;
-  probe_->setObjectName("probe");
-  for (const std::string& name : probePresetNames()) probe_->addItem(spaced(name), QString::fromStdString(name));
-  probe_->setToolTip(tr("The transducer; depth, frequency and focus become its own"));
+  probe_ = new ProbeChooser(session_, library_);
   box->addWidget(labelled(tr("probe"), probe_));
   addSliders(*box, 0, kBeforeTgc);
   tgc_ = new TgcSliders;
@@ -184,12 +178,10 @@ QWidget* ControlsPanel::buildPicture() {
   effect_->setObjectName("effect");
   effect_->setToolTip(tr("The whole picture, or one effect of the model by itself (N, Shift+N; 0 for the whole)"));
   box->addWidget(labelled(tr("show"), effect_));
-  for (QComboBox* combo : {probe_, look_, effect_}) {
+  for (QComboBox* combo : {look_, effect_}) {
     combo->setFocusPolicy(Qt::TabFocus);
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   }
-  connect(probe_, qOverload<int>(&QComboBox::activated), this,
-          [this] { session_.setProbe(probe_->currentData().toString().toStdString()); });
   connect(look_, qOverload<int>(&QComboBox::activated), this, [this] {
     Settings settings = session_.settings();
     settings.look = Look(look_->currentData().toInt());
@@ -226,7 +218,6 @@ void ControlsPanel::change(double Settings::*field, double value) {
 void ControlsPanel::refresh() {
   refreshing_ = true;
   const Settings& settings = session_.settings();
-  probe_->setCurrentIndex(probe_->findData(QString::fromStdString(session_.probe().name)));
   for (const Slider& slider : sliders_) {
     slider.widget->setRange(rangeOf(slider.field, session_.probe(), settings));
     slider.widget->setValue(settings.*slider.field);
@@ -248,7 +239,7 @@ void ControlsPanel::refreshFreeze() {
 }
 
 void ControlsPanel::save(QSettings& settings) const {
-  settings.setValue("probe", QString::fromStdString(session_.probe().name));
+  settings.setValue("probe", probe_->key().isEmpty() ? QString::fromStdString(session_.probe().name) : probe_->key());
   for (const SliderRow& row : kSliders) settings.setValue(row.object, session_.settings().*row.field);
   QVariantList tgc;
   for (double value : session_.settings().tgc_dB) tgc << value;

@@ -18,6 +18,8 @@ class ValueSlider;
 namespace insonate::train {
 
 class Positions;
+class ProbeChooser;
+class ProbeLibrary;
 class ProbeNumbers;
 class TgcSliders;
 class TrainSession;
@@ -25,9 +27,10 @@ class TrainSession;
 /// The narrow panel: where the probe is, and how the picture is made, the most used first; freeze at its foot.
 class ControlsPanel : public QWidget {
  public:
-  explicit ControlsPanel(TrainSession& session, QWidget* parent = nullptr);
+  ControlsPanel(TrainSession& session, ProbeLibrary& library, QWidget* parent = nullptr);
 
   Positions& positions() { return *positions_; }
+  ProbeChooser& probes() { return *probe_; }
   void save(QSettings& settings) const;
   void restore(QSettings& settings);
 
@@ -46,9 +49,10 @@ class ControlsPanel : public QWidget {
   void change(double ImagingSettings::*field, double value);
 
   TrainSession& session_;
+  ProbeLibrary& library_;
   Positions* positions_ = nullptr;
   ProbeNumbers* numbers_ = nullptr;
-  QComboBox* probe_ = nullptr;
+  ProbeChooser* probe_ = nullptr;
   std::vector<Slider> sliders_;
   TgcSliders* tgc_ = nullptr;
   QComboBox* look_ = nullptr;

@@ -83,6 +83,28 @@ void UltrasoundView::setCallipers(std::vector<Calliper> callipers) {
   changed();
 }
 
+void UltrasoundView::setGuide(PictureGuide guide) {
+  guide_ = std::move(guide);
+  changed();
+}
+
+void UltrasoundView::drawGuide() {
+  std::vector<DisplayPoint> outline;
+  for (const PicturePoint& point : guide_.outline) outline.push_back(displayFromPicture(point));
+  if (outline.size() > 1) drawing_->lines.polyline(outline, {theme::kAccent, 1.5 * scale(), 0.9}, true);
+  for (std::size_t k = 0; k < guide_.handles.size(); ++k) {
+    const DisplayPoint at = displayFromPicture(guide_.handles[k]);
+    const bool chosen = int(k) == guide_.chosen;
+    drawing_->lines.disc(at, (chosen ? 7 : 6) * scale(), chosen ? theme::kText : theme::kAccent);
+    drawing_->lines.circle(at, (chosen ? 7 : 6) * scale(), {theme::kBlack, 1.5 * scale(), 1});
+    if (k >= guide_.words.size() || guide_.words[k].empty()) continue;
+    // Words that would end outside stand on the other side.
+    const bool before = at.x > width_px() - 120 * scale();
+    drawing_->texts.put({at.x + (before ? -12 : 12) * scale(), at.y - 8 * scale()}, guide_.words[k],
+                        {13 * scale(), theme::kText, false, before ? Across::Right : Across::Left, Along::Bottom});
+  }
+}
+
 PictureBounds UltrasoundView::bounds() const {
   if (bounds_) return *bounds_;
   if (shape_.width == 0) return {};
@@ -150,6 +172,7 @@ void UltrasoundView::layout() {
     drawPictureFrame(frame, scale(), width_px(), lines, texts);
     if (pointer_) drawPointerMark(displayFromPicture(*pointer_), scale(), lines);
     const auto toDisplay = [this](PicturePoint point) { return displayFromPicture(point); };
+    drawGuide();
     const double line = 17 * scale();
     double y = place.bottom_px - 8 * scale() - line * (double(callipers_.size()) - 1);
     for (std::size_t k = 0; k < callipers_.size(); ++k, y += line) {

@@ -13,6 +13,14 @@
 
 namespace insonate::views {
 
+/// Lines and handles over the picture, for something that is being edited.
+struct PictureGuide {
+  std::vector<PicturePoint> outline;  ///< closed
+  std::vector<PicturePoint> handles;
+  std::vector<std::string> words;  ///< beside the handles; may be fewer
+  int chosen = -1;                 ///< the handle that is held or has the keyboard
+};
+
 /// The live picture, as large as fits with square pixels, black around; a depth scale beside it, focus, grey bar, the
 /// probe's marker, callipers. Axial 0 of the scale is the middle of the probe's face.
 class UltrasoundView final : public View {
@@ -41,6 +49,9 @@ class UltrasoundView final : public View {
   /// Drawn with their values, numbered in this order.
   void setCallipers(std::vector<Calliper> callipers);
 
+  /// Drawn over the picture, in the accent colour; an empty guide for none.
+  void setGuide(PictureGuide guide);
+
   /// Display pixels to the picture's mm and back, also outside the picture.
   PicturePoint pictureFromDisplay(DisplayPoint at) const;
   DisplayPoint displayFromPicture(PicturePoint point) const;
@@ -56,12 +67,14 @@ class UltrasoundView final : public View {
   PictureBounds bounds() const;
   PicturePlacement placement() const;
   void placePicture(const PictureBounds& shown);
+  void drawGuide();
 
   BModeImage shape_;  ///< size and place of the picture; its pixels go straight to the texture
   std::optional<PictureBounds> bounds_;
   std::optional<double> focus_mm_;
   std::vector<double> tgc_dB_;
   std::vector<Calliper> callipers_;
+  PictureGuide guide_;
   std::optional<PicturePoint> pointer_;
   std::string notice_;
   bool mirrored_ = false, frozen_ = false, scaleVisible_ = true, greyBarVisible_ = true;

@@ -1,0 +1,364 @@
+#include "TrainSession.h"
+#include "probe/FitCanvas.h"
+#include "probe/FitDialog.h"
+#include "probe/FovHandles.h"
+#include "probe/ProbeEditor.h"
+#include "probe/ProbeLibrary.h"
+
+#include <insonate/train/TrainWorkspace.h>
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/ValueSlider.h>
+#include <insonate/ui/ViewWidget.h>
+
+#include <gtest/gtest.h>
+#include <support/FovCapture.h>
+#include <support/SmallCase.h>
+#include <support/TestData.h>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTest>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <numbers>
+
+namespace insonate::train {
+namespace {
+
+constexpr int kPatience_ms = 60000;
+
+/// One application for all; it goes while there is still a screen. The user's folders are a temporary one.
+class ProbeEditing : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    static int argc = 1;
+    static char name[] = "train_test";
+    static char* argv[] = {name, nullptr};
+    home_ = std::make_unique<test::TemporaryFolder>();
+    qputenv("XDG_DATA_HOME", QByteArray::fromStdString(home_->path().string()));
+    ui::prepareGraphics();
+    application_ = new QApplication(argc, argv);
+    ui::applyTheme(*application_);
+  }
+  static void TearDownTestSuite() {
+    delete application_;
+    application_ = nullptr;
+    home_ = nullptr;
+  }
+
+  void SetUp() override {
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/probes";
+    std::filesystem::remove_all(folder.toStdString());
+    workspace_ = std::make_unique<TrainWorkspace>();
+    workspace_->resize(1100, 700);
+    workspace_->show();
+    session_ = workspace_->findChild<TrainSession*>();
+    editor_ = workspace_->findChild<ProbeEditor*>();
+    handles_ = workspace_->findChild<FovHandles*>();
+    ASSERT_TRUE(session_ && editor_ && handles_);
+    canvas_ = workspace_->findChild<ui::ViewWidget*>("ultrasoundView")->focusProxy();
+  }
+
+  /// Small pictures of few scanlines, so that they come quickly.
+  void openCase() {
+    ImagingSettings quick = session_->settings();
+    quick.scanlines = 48, quick.samples = 200, quick.elevationPlanes = 1, quick.looks = 1;
+    quick.width = 128, quick.height = 96;
+    session_->setSettings(quick);
+    workspace_->setCase(std::make_shared<const PatientCase>(test::smallCase()));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return workspace_->isReady() && session_->handReady(); }, kPatience_ms));
+  }
+  void edit() {
+    child<QPushButton>("editProbe")->click();
+    EXPECT_TRUE(editor_->isVisible());
+    EXPECT_TRUE(handles_->isActive());
+  }
+  void settle() {
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+          const Probe& shown = session_->shown()->setup->probe;
+          return shown.fovAngle_deg == session_->probe().fovAngle_deg && shown.shape == session_->probe().shape &&
+                 session_->shown()->setup->settings.depth_mm == session_->settings().depth_mm;
+        },
+        kPatience_ms));
+    QTest::qWait(50);
+  }
+
+  static void send(QWidget& widget, QEvent::Type type, QPointF at, bool held) {
+    QMouseEvent event(type, at, widget.mapToGlobal(at.toPoint()),
+                      type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, held ? Qt::LeftButton : Qt::NoButton,
+                      Qt::NoModifier);
+    QApplication::sendEvent(&widget, &event);
+  }
+  static void drag(QWidget& widget, QPointF from, QPointF to) {
+    send(widget, QEvent::MouseButtonPress, from, true);
+    send(widget, QEvent::MouseMove, (from + to) / 2, true);
+    send(widget, QEvent::MouseMove, to, true);
+    send(widget, QEvent::MouseButtonRelease, to, false);
+  }
+  QPointF place(FovHandles::Handle handle) const {
+    const views::DisplayPoint at = handles_->displayOf(handle);
+    return QPointF(at.x, at.y) / canvas_->devicePixelRatioF();
+  }
+
+  template <class T>
+  T* child(const char* name) {
+    T* found = workspace_->findChild<T*>(name);
+    EXPECT_TRUE(found) << name;
+    return found;
+  }
+  void rename(const char* name) {
+    auto* line = child<QLineEdit>("probeName");
+    line->setText(name);
+    Q_EMIT line->editingFinished();
+  }
+
+  inline static QApplication* application_ = nullptr;
+  inline static std::unique_ptr<test::TemporaryFolder> home_;
+  std::unique_ptr<TrainWorkspace> workspace_;
+  TrainSession* session_ = nullptr;
+  ProbeEditor* editor_ = nullptr;
+  FovHandles* handles_ = nullptr;
+  QWidget* canvas_ = nullptr;
+};
+
+TEST_F(ProbeEditing, EverySliderOfTheShapeReachesThePicture) {
+  edit();
+  for (const ProbeShape shape : {ProbeShape::Linear, ProbeShape::Curvilinear, ProbeShape::Phased}) {
+    auto* shapes = child<QComboBox>("probeShape");
+    shapes->setCurrentIndex(int(shape));
+    Q_EMIT shapes->activated(int(shape));
+    EXPECT_EQ(session_->probe().shape, shape);
+    for (const ProbeField& field : probeFields()) {
+      auto* slider = child<ui::ValueSlider>(std::string(field.name).c_str());
+      ASSERT_TRUE(slider) << field.name;
+      EXPECT_EQ(!slider->isHidden(), applies(field, shape)) << field.name;
+      EXPECT_FALSE(slider->toolTip().isEmpty());
+      if (!applies(field, shape)) continue;
+      const double before = session_->probe().*field.member;
+      slider->setValue(before * 0.98 + slider->range().step);
+      EXPECT_EQ(editor_->draft().*field.member, slider->value()) << field.name;
+      if (editor_->problem().isEmpty()) {
+        EXPECT_EQ(session_->probe().*field.member, slider->value()) << field.name;
+      }
+      slider->setValue(before);
+    }
+  }
+}
+
+TEST_F(ProbeEditing, WhatIsOutOfOrderIsSaidBesideTheControl) {
+  edit();
+  const double used = session_->probe().minDepth_mm;
+  child<ui::ValueSlider>("minDepth_mm")->setValue(100);
+  EXPECT_TRUE(editor_->problem().contains("depth")) << editor_->problem().toStdString();
+  EXPECT_EQ(session_->probe().minDepth_mm, used) << "the picture goes on with the last valid probe";
+  EXPECT_FALSE(child<QPushButton>("saveProbe")->isEnabled());
+  child<ui::ValueSlider>("minDepth_mm")->setValue(10);
+  EXPECT_TRUE(editor_->problem().isEmpty());
+  EXPECT_EQ(session_->probe().minDepth_mm, 10);
+}
+
+TEST_F(ProbeEditing, DraggingHandlesChangesTheFieldOfView) {
+  openCase();
+  ASSERT_TRUE(session_->setProbe("curvilinear"));
+  edit();
+  settle();
+  const double alpha = session_->probe().fovAngle_deg;
+  QPointF from = place(FovHandles::Handle::RightSide);
+  drag(*canvas_, from, from + QPointF(-40, 0));
+  EXPECT_LT(session_->probe().fovAngle_deg, alpha - 3);
+  EXPECT_EQ(child<ui::ValueSlider>("fovAngle_deg")->value(), session_->probe().fovAngle_deg);
+  settle();
+  EXPECT_EQ(session_->shown()->setup->probe.fovAngle_deg, session_->probe().fovAngle_deg) << "live";
+
+  const double r1 = session_->probe().faceRadius_mm;
+  from = place(FovHandles::Handle::Face);
+  drag(*canvas_, from, from + QPointF(25, 0));
+  EXPECT_GT(session_->probe().faceRadius_mm, r1 + 2);
+  settle();
+  const double depth = session_->settings().depth_mm;
+  from = place(FovHandles::Handle::Depth);
+  drag(*canvas_, from, from + QPointF(0, -60));
+  EXPECT_LT(session_->settings().depth_mm, depth - 5);
+  EXPECT_EQ(session_->probe().defaultDepth_mm, session_->settings().depth_mm);
+
+  session_->undo();
+  EXPECT_EQ(session_->settings().depth_mm, depth) << "a drag is taken back as a whole";
+  session_->undo();
+  EXPECT_EQ(session_->probe().faceRadius_mm, r1);
+  session_->redo();
+  EXPECT_GT(session_->probe().faceRadius_mm, r1 + 2);
+}
+
+TEST_F(ProbeEditing, HandlesMoveByKeys) {
+  openCase();
+  edit();
+  const double width = session_->probe().width_mm;
+  QTest::keyClick(canvas_, Qt::Key_Right, Qt::ControlModifier);
+  EXPECT_EQ(session_->probe().width_mm, width) << "none is chosen";
+  QTest::keyClick(canvas_, Qt::Key_G);
+  QTest::keyClick(canvas_, Qt::Key_Right, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_NEAR(session_->probe().width_mm, width + 5, 1e-9);
+  QTest::keyClick(canvas_, Qt::Key_G);
+  QTest::keyClick(canvas_, Qt::Key_G);
+  const double depth = session_->settings().depth_mm;
+  QTest::keyClick(canvas_, Qt::Key_Up, Qt::ControlModifier);
+  EXPECT_NEAR(session_->settings().depth_mm, depth - 1, 1e-9) << "a straight face has no handle";
+  child<QPushButton>("probeDone")->click();
+  EXPECT_FALSE(handles_->isActive());
+  EXPECT_FALSE(editor_->isVisible());
+}
+
+TEST_F(ProbeEditing, PresetsAreSavedRenamedDeletedAndRemembered) {
+  edit();
+  EXPECT_FALSE(child<QPushButton>("saveProbe")->isEnabled()) << "built-in probes stay as they are";
+  rename("Ward 3");
+  child<ui::ValueSlider>("width_mm")->setValue(44);
+  child<QPushButton>("saveProbe")->click();
+  auto* list = child<QComboBox>("probe");
+  EXPECT_EQ(list->currentText(), "Ward 3");
+  EXPECT_EQ(list->count(), 4);
+  child<ui::ValueSlider>("width_mm")->setValue(50);
+  EXPECT_EQ(list->currentText(), "Ward 3, edited");
+  child<QPushButton>("resetProbe")->click();
+  EXPECT_EQ(session_->probe().width_mm, 44);
+  EXPECT_EQ(list->currentText(), "Ward 3");
+
+  const test::TemporaryFolder folder;
+  QSettings settings(QString::fromStdString((folder / "layout.ini").string()), QSettings::IniFormat);
+  workspace_->saveLayout(settings);
+  TrainWorkspace other;
+  other.restoreLayout(settings);
+  EXPECT_EQ(other.findChild<TrainSession*>()->probe().name, "Ward 3");
+  EXPECT_EQ(other.findChild<TrainSession*>()->probe().width_mm, 44);
+
+  rename("Ward 4");
+  child<QPushButton>("renameProbe")->click();
+  EXPECT_EQ(list->count(), 4);
+  EXPECT_EQ(list->currentText(), "Ward 4");
+  child<QPushButton>("deleteProbe")->click();
+  EXPECT_EQ(list->count(), 4) << "three built-in, and the one in use";
+  EXPECT_EQ(list->currentText(), "Ward 4, edited");
+  session_->setProbe("linear");
+  EXPECT_EQ(list->count(), 3);
+}
+
+TEST_F(ProbeEditing, FoldersAndFilesOfNoUse) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "broken.json") << "{ no probe";
+  ProbeLibrary library(QString::fromStdString(folder.path().string()));
+  EXPECT_TRUE(library.entries().empty());
+  Probe probe = loadProbe("phased").value();
+  EXPECT_FALSE(library.save(probe)) << "a built-in name";
+  probe.name = "Ä/b:c";
+  ASSERT_TRUE(library.save(probe));
+  ASSERT_EQ(library.entries().size(), 1u);
+  EXPECT_FALSE(library.rename("Ä/b:c", "linear"));
+  EXPECT_FALSE(library.remove("no such"));
+  std::ofstream(folder / "file") << "in the way";
+  ProbeLibrary nowhere(QString::fromStdString((folder / "file/probes").string()));
+  const auto refused = nowhere.save(probe);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("could not be made"), std::string::npos);
+}
+
+/// A capture of a machine as a picture.
+QImage captured(double mark_px) {
+  test::FovCapture capture;
+  capture.shape.shape = ProbeShape::Curvilinear;
+  capture.shape.origin = {480, -20}, capture.shape.alpha_deg = 60, capture.shape.r1_px = 160, capture.shape.r2_px = 680;
+  capture.text = true, capture.mark_px = mark_px;
+  const GreyPicture picture = test::paint(capture);
+  return QImage(picture.grey.data(), picture.width, picture.height, picture.width, QImage::Format_Grayscale8).copy();
+}
+
+TEST_F(ProbeEditing, APictureBecomesTheProbe) {
+  const test::TemporaryFolder folder;
+  const QString file = QString::fromStdString((folder / "capture.png").string());
+  ASSERT_TRUE(captured(40).save(file));
+  openCase();
+  edit();
+  child<QPushButton>("fitToPicture")->click();
+  auto* dialog = workspace_->findChild<FitDialog*>();
+  ASSERT_TRUE(dialog);
+  EXPECT_FALSE(dialog->findChild<QPushButton*>("fitTake")->isEnabled());
+  dialog->open(file);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog->isWorking(); }, kPatience_ms));
+  auto* fit = dialog->findChild<FitCanvas*>();
+  ASSERT_TRUE(fit->shape()) << dialog->message().toStdString();
+  EXPECT_NEAR(fit->shape()->alpha_deg, 60, 1);
+  EXPECT_NEAR(dialog->findChild<ui::ValueSlider*>("fitDepth")->value(), 130, 2.6);
+
+  const QPointF from = fit->placeOf(FitCanvas::Handle::RightCorner);
+  drag(*fit, from, from + QPointF(30, -20));
+  EXPECT_GT(fit->shape()->alpha_deg, 62) << "corners can be corrected";
+  dialog->findChild<ui::ValueSlider*>("fitDepth")->setValue(100);
+  dialog->findChild<QPushButton*>("fitTake")->click();
+  EXPECT_EQ(session_->probe().shape, ProbeShape::Curvilinear);
+  EXPECT_GT(session_->probe().fovAngle_deg, 62);
+  EXPECT_NEAR(session_->settings().depth_mm, 100, 0.1);
+  EXPECT_NEAR(editor_->draft().faceRadius_mm, session_->probe().faceRadius_mm, 0.06);
+  EXPECT_TRUE(editor_->problem().isEmpty());
+  EXPECT_TRUE(child<QPushButton>("saveProbe")->isEnabled());
+}
+
+TEST_F(ProbeEditing, PastedDroppedBadAndCancelled) {
+  const Probe before = session_->probe();
+  FitDialog dialog(before);
+  dialog.show();
+  QApplication::clipboard()->setText("no picture");
+  dialog.paste();
+  EXPECT_TRUE(dialog.message().contains("clipboard"));
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "notes.txt") << "no picture";
+  dialog.open(QString::fromStdString((folder / "notes.txt").string()));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.isWorking(); }, kPatience_ms));
+  EXPECT_TRUE(dialog.message().contains("no picture that can be read")) << dialog.message().toStdString();
+
+  QImage black(640, 480, QImage::Format_RGB32);
+  black.fill(Qt::black);
+  QApplication::clipboard()->setImage(black);
+  dialog.paste();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.isWorking(); }, kPatience_ms));
+  EXPECT_TRUE(dialog.message().contains("No field of view was found"));
+  EXPECT_TRUE(dialog.findChild<FitCanvas*>()->shape()) << "to be placed by hand";
+
+  QApplication::clipboard()->setImage(captured(0));
+  dialog.paste();
+  EXPECT_TRUE(dialog.isWorking()) << "the window goes on";
+  dialog.reject();
+  EXPECT_EQ(dialog.probe().name, before.name);
+  EXPECT_EQ(dialog.probe().width_mm, before.width_mm);
+}
+
+TEST(FitHandles, SidesMoveAloneAndTheRestFollows) {
+  FovShape fan;
+  fan.shape = ProbeShape::Curvilinear, fan.origin = {100, 50}, fan.alpha_deg = 60, fan.r1_px = 40, fan.r2_px = 200;
+  const PixelPoint left = pointIn(fan, -1, 0.5);
+  FovShape moved = draggedTo(fan, FitCanvas::Handle::Right, {100 + 120 * std::sin(0.7), 50 + 120 * std::cos(0.7)}, {});
+  EXPECT_NEAR(moved.alpha_deg, 30 + 0.7 * 180 / std::numbers::pi, 1e-9);
+  EXPECT_NEAR(pointIn(moved, -1, 0.5).x, left.x, 1e-9);
+  EXPECT_NEAR(pointIn(moved, -1, 0.5).y, left.y, 1e-9);
+  moved = draggedTo(fan, FitCanvas::Handle::End, {100, 300}, {});
+  EXPECT_NEAR(moved.r2_px, 250, 1e-9);
+  FovShape box;
+  box.origin = {100, 20}, box.width_px = 80, box.depth_px = 120;
+  moved = draggedTo(box, FitCanvas::Handle::Left, {40, 60}, {});
+  EXPECT_NEAR(moved.width_px, 100, 1e-9);
+  EXPECT_NEAR(pointIn(moved, 1, 0).x, 140, 1e-9) << "the other side stays";
+  moved = draggedTo(box, FitCanvas::Handle::Face, {100, 50}, {});
+  EXPECT_NEAR(moved.depth_px, 90, 1e-9);
+  EXPECT_NEAR(pointIn(moved, 0, 1).y, 140, 1e-9) << "the end stays";
+  moved = draggedTo(box, FitCanvas::Handle::Whole, {105, 47}, {100, 50});
+  EXPECT_NEAR(moved.origin.x, 105, 1e-9);
+}
+
+}  // namespace
+}  // namespace insonate::train

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <insonate/ultrasound/FovFit.h>
+
+#include <QDialog>
+#include <QImage>
+#include <functional>
+#include <memory>
+#include <optional>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace insonate::ui {
+class TaskBar;
+class ValueSlider;
+}  // namespace insonate::ui
+
+namespace insonate::train {
+
+class FitCanvas;
+
+/// From a photograph or screen capture of a machine to a probe: a file, a drop or the clipboard is fitted on a thread
+/// of its own, shown with the fit over it, corrected by hand. The picture is kept no longer than the dialog.
+class FitDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// `base` gives what a picture does not show.
+  explicit FitDialog(const Probe& base, QWidget* parent = nullptr);
+  ~FitDialog() override;
+
+  /// Loads and fits; errors are shown in the dialog.
+  void open(const QString& file);
+  void paste();
+  bool isWorking() const;
+  QString message() const;
+
+  /// After Take over.
+  const Probe& probe() const { return probe_; }
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  struct Loaded;
+  QWidget* buildSide();
+  void load(const QString& title, std::function<Result<QImage>()> read);
+  void fitted(Result<std::shared_ptr<Loaded>> result);
+  void placeByHand();
+  void showShape();
+  void chooseShape(int shape);
+  void depthTyped(double depth_mm);
+  void marksTyped(double mm);
+  void takeOver();
+  void say(const QString& sentence, bool trouble);
+
+  Probe base_, probe_;
+  QImage picture_;
+  std::optional<DepthRuler> ruler_;
+  FitCanvas* canvas_;
+  ui::TaskBar* tasks_;
+  QComboBox* shape_ = nullptr;
+  ui::ValueSlider *depth_ = nullptr, *marks_ = nullptr, *rotation_ = nullptr;
+  QLabel *message_ = nullptr, *values_ = nullptr;
+  QPushButton* take_ = nullptr;
+  double mmPerPx_ = 1;
+  double typedDepth_mm_ = 0;  ///< decides the scale where it is above 0; else the picture's marks do
+  bool refreshing_ = false;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <insonate/views/UltrasoundView.h>
+
+#include <QObject>
+#include <QWidget>
+#include <optional>
+
+class QKeyEvent;
+class QMouseEvent;
+
+namespace insonate::train {
+
+class TrainSession;
+
+/// Handles on the live picture that change the probe's field of view: its angle (or width), the face's radius, the
+/// depth. Dragged with the mouse; with the keyboard, G goes from handle to handle and Ctrl with the arrows moves it.
+class FovHandles : public QObject {
+  Q_OBJECT
+
+ public:
+  FovHandles(TrainSession& session, views::UltrasoundView& view, QWidget& canvas, QObject* parent);
+
+  void setActive(bool active);
+  bool isActive() const { return active_; }
+  /// While a handle is held, the picture must keep its scale.
+  bool isHeld() const { return held_; }
+  /// Part of the imaging plane to show, with room to drag outward.
+  views::PictureBounds roomFor(const views::PictureBounds& fieldOfView) const;
+
+  enum class Handle { None = -1, RightSide, LeftSide, Face, Depth };
+  /// Where a handle is, in display pixels of the view.
+  views::DisplayPoint displayOf(Handle handle) const;
+
+ Q_SIGNALS:
+  void released();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  Handle nearest(const QMouseEvent& event) const;
+  views::DisplayPoint pointOf(const QMouseEvent& event) const;
+  views::PicturePoint placeOf(Handle handle) const;
+  bool key(const QKeyEvent& event, bool act);
+  void drag(views::PicturePoint to);
+  void step(double amount);
+  void refresh();
+
+  TrainSession& session_;
+  views::UltrasoundView& view_;
+  QWidget& canvas_;
+  bool active_ = false, held_ = false;
+  Handle chosen_ = Handle::None;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QPushButton;
+
+namespace insonate::train {
+
+class ProbeLibrary;
+class TrainSession;
+
+/// The probe in use, from those that come with the program and the user's own, and the way to edit it.
+class ProbeChooser : public QWidget {
+  Q_OBJECT
+
+ public:
+  ProbeChooser(TrainSession& session, ProbeLibrary& library, QWidget* parent = nullptr);
+
+  QComboBox& list() { return *list_; }
+  /// What loadProbe() takes, to be remembered.
+  QString key() const;
+
+ Q_SIGNALS:
+  void editWanted();
+
+ private:
+  void fill();
+  void showCurrent();
+
+  TrainSession& session_;
+  ProbeLibrary& library_;
+  QComboBox* list_;
+  QPushButton* edit_;
+};
+
+}  // namespace insonate::train

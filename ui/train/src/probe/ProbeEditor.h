@@ -1,0 +1,82 @@
+#pragma once
+
+#include <insonate/ultrasound/Probe.h>
+
+#include <QWidget>
+#include <string>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QVBoxLayout;
+
+namespace insonate::ui {
+class ValueSlider;
+}  // namespace insonate::ui
+
+namespace insonate::train {
+
+class ProbeLibrary;
+class TrainSession;
+
+/// Every number of a probe, with the live picture as its preview: what is valid is used at once, what is not is said
+/// beside the control. Undo is the session's.
+class ProbeEditor : public QWidget {
+  Q_OBJECT
+
+ public:
+  ProbeEditor(TrainSession& session, ProbeLibrary& library, QWidget* parent = nullptr);
+
+  /// The probe as edited, valid or not.
+  const Probe& draft() const { return draft_; }
+  /// Takes a whole probe over, e.g. from a picture; the picture's depth becomes the probe's own.
+  void take(const Probe& probe);
+  /// What is wrong with the draft, a sentence; empty where it is in use.
+  QString problem() const;
+
+  bool save();
+  bool rename();
+  bool remove();
+  /// The built-in probe of the draft's shape, or the saved one of its name.
+  void reset();
+
+ Q_SIGNALS:
+  void done();
+  void fitWanted();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  struct Row {
+    const ProbeField* field;
+    ui::ValueSlider* slider;
+  };
+  void buildHead(QVBoxLayout& box);
+  void buildNumbers(QVBoxLayout& box);
+  QWidget* buildFoot();
+  void changed(const ProbeField& field, double value);
+  void changeShape(int shape);
+  void changeName();
+  void use(const std::string& what, QWidget* beside);
+  void show(const Probe& probe);
+  void showButtons();
+  void complain(const QString& sentence, QWidget* beside);
+  bool report(const Result<void>& result, const QString& done);
+
+  TrainSession& session_;
+  ProbeLibrary& library_;
+  Probe draft_;
+  std::string savedName_;  ///< of the user's probe that is being edited; empty for none
+  QLineEdit* name_ = nullptr;
+  QComboBox* shape_ = nullptr;
+  std::vector<Row> rows_;
+  QVBoxLayout* numbers_ = nullptr;
+  QLabel *problem_ = nullptr, *hint_ = nullptr;
+  QPushButton *save_ = nullptr, *rename_ = nullptr, *remove_ = nullptr, *reset_ = nullptr;
+  bool refreshing_ = false;
+};
+
+}  // namespace insonate::train
