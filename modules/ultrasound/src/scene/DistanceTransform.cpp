@@ -245,7 +245,7 @@ DistanceTransform::Result DistanceTransform::distances(std::uint32_t candidates)
 
 /// Structures that do not come within reach of the block's own nodes are left out.
 DistanceTransform::Result DistanceTransform::blockOf() const {
-  const std::int16_t far = unitsOf(kReach - half_mm_);
+  const std::int16_t far = lattice_.farUnits();
   Result result;
   for (const Structure& structure : structures_) {
     const std::size_t before = result.distance.size();

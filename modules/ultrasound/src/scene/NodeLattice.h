@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -54,6 +55,8 @@ struct NodeLattice {
   /// Voxels that decide on a box of nodes.
   NodeBox voxelsOf(const NodeBox& nodes) const;
   AxisNode at(int axis, int node) const;
+  /// What is stored as the distance to a structure out of reach.
+  std::int16_t farUnits() const;
 
   std::array<AxisCut, 3> cuts;
   std::array<int, 3> voxels, size;

@@ -7,7 +7,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace insonate {
 namespace {
@@ -61,10 +60,8 @@ Result<TissueField> makeTissueField(TissueTiles& tiles, const Region& region, co
   field.ctDeviation.resize(box.count() + TissueField::kPadding);
   std::fill(field.ctDeviation.end() - TissueField::kPadding, field.ctDeviation.end(), std::int16_t{0});
 
-  const Vec3 spacing_mm = lattice.spacing_mm;
-  const double far_mm = TissueField::kReach_mm - (spacing_mm.x + spacing_mm.y + spacing_mm.z) / 6;
   TissueField::Distances far;
-  std::ranges::fill(far.to, static_cast<std::int16_t>(std::lround(far_mm * TissueField::kUnitsPerMm)));
+  std::ranges::fill(far.to, lattice.farUnits());
   tbb::parallel_for(std::size_t{0}, covering->size(),
                     [&](std::size_t t) { copyTile(*(*covering)[t], box, far, field); });
   return field;

@@ -33,6 +33,35 @@ std::vector<NodeBox> partsOf(const NodeBox& box) {
   return parts;
 }
 
+/// A part of a tile, with the structures that are within reach of it.
+TissueTiles::TilePtr cutOut(const TissueTile& tile, const NodeBox& box, std::int16_t far) {
+  auto part = std::make_shared<TissueTile>();
+  part->box = box;
+  const auto forRows = [&](const auto& row) {
+    for (int k = box.low[2]; k < box.high(2); ++k)
+      for (int j = box.low[1]; j < box.high(1); ++j) row(tile.box.offset(box.low[0], j, k));
+  };
+  for (std::size_t s = 0; s < tile.labels.size(); ++s) {
+    const std::int16_t* distance = tile.distance.data() + s * tile.box.count();
+    bool near = false;
+    forRows([&](std::size_t n) {
+      near = near || std::any_of(distance + n, distance + n + box.size[0], [far](std::int16_t d) { return d != far; });
+    });
+    if (!near) continue;
+    part->labels.push_back(tile.labels[s]);
+    part->distance.reserve(part->labels.size() * box.count());
+    forRows(
+        [&](std::size_t n) { part->distance.insert(part->distance.end(), distance + n, distance + n + box.size[0]); });
+  }
+  part->ctDeviation.reserve(box.count());
+  forRows([&](std::size_t n) {
+    const auto row = tile.ctDeviation.begin() + std::ptrdiff_t(n);
+    part->ctDeviation.insert(part->ctDeviation.end(), row, row + box.size[0]);
+  });
+  part->distance.shrink_to_fit();
+  return part;
+}
+
 }  // namespace
 
 TissueTiles::TissueTiles(const CtVolume& ct, const LabelMap& labels, const CaseFacts& facts, double detail_mm)
@@ -92,19 +121,31 @@ std::vector<TissueTiles::TilePtr> TissueTiles::kept(const NodeBox& box) {
     const auto found = kept_.find(key);
     if (found == kept_.end()) return {};
     found->second.lastUse = use_;
-    tiles.push_back(found->second.tile);
+    for (const TilePtr& cube : found->second.cubes)
+      if (overlap(cube->box, box).count() > 0) tiles.push_back(cube);
   }
   return tiles;
 }
 
 /// Those that were not asked for in the longest time make room.
-void TissueTiles::keep(std::uint64_t key, TilePtr tile) {
+void TissueTiles::keep(std::uint64_t key, const TissueTile& tile) {
+  constexpr int kCube = 16;
+  Kept kept{{}, 0, 0};
+  const NodeBox cubes = cubesOf(tile.box, kCube);
+  for (int k = cubes.low[2]; k < cubes.high(2); ++k)
+    for (int j = cubes.low[1]; j < cubes.high(1); ++j)
+      for (int i = cubes.low[0]; i < cubes.high(0); ++i) {
+        const NodeBox cube{{i * kCube, j * kCube, k * kCube}, {kCube, kCube, kCube}};
+        kept.cubes.push_back(cutOut(tile, overlap(cube, tile.box), lattice_.farUnits()));
+        kept.bytes += kept.cubes.back()->bytes();
+      }
   const std::lock_guard lock(mutex_);
-  bytes_ += tile->bytes();
-  kept_.insert_or_assign(key, Kept{std::move(tile), use_ + 1});
+  kept.lastUse = use_ + 1;
+  const auto [at, added] = kept_.try_emplace(key, std::move(kept));
+  if (added) bytes_ += at->second.bytes;
   while (bytes_ > kMostBytes && kept_.size() > 1) {
     const auto oldest = std::ranges::min_element(kept_, {}, [](const auto& one) { return one.second.lastUse; });
-    bytes_ -= oldest->second.tile->bytes();
+    bytes_ -= oldest->second.bytes;
     kept_.erase(oldest);
   }
 }
@@ -133,8 +174,8 @@ bool TissueTiles::makeAhead(const NodeBox& box, const Stopped& stopped) {
     for (const std::uint64_t key : keysOf(box)) {
       if (const auto found = kept_.find(key); found != kept_.end()) {
         found->second.lastUse = use_;
-        wantedBytes += found->second.tile->bytes();
-        greatest = std::max(greatest, found->second.tile->bytes());
+        wantedBytes += found->second.bytes;
+        greatest = std::max(greatest, found->second.bytes);
         continue;
       }
       const NodeBox tile = boxOf(key);
@@ -147,9 +188,9 @@ bool TissueTiles::makeAhead(const NodeBox& box, const Stopped& stopped) {
     }
   }
   if (!nearest || wantedBytes + greatest > kMostBytes) return false;
-  TilePtr tile = make(boxOf(*nearest), stopped);
+  const TilePtr tile = make(boxOf(*nearest), stopped);
   if (stopped && stopped()) return false;
-  keep(*nearest, std::move(tile));
+  keep(*nearest, *tile);
   return true;
 }
 

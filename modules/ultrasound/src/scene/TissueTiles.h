@@ -46,15 +46,17 @@ class TissueTiles {
   bool makeAhead(const NodeBox& box, const Stopped& stopped);
 
  private:
+  /// A tile in small cubes: in each of them, only few structures are within reach.
   struct Kept {
-    TilePtr tile;
+    std::vector<TilePtr> cubes;
+    std::size_t bytes;
     std::uint64_t lastUse;
   };
   std::vector<std::uint64_t> keysOf(const NodeBox& box) const;
   NodeBox boxOf(std::uint64_t key) const;
   std::vector<TilePtr> kept(const NodeBox& box);
   TilePtr make(const NodeBox& box, const Stopped& stopped) const;
-  void keep(std::uint64_t key, TilePtr tile);
+  void keep(std::uint64_t key, const TissueTile& tile);
 
   const CtVolume& ct_;
   const LabelMap& labels_;
