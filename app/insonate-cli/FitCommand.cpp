@@ -5,10 +5,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <vector>
 
 namespace insonate::cli {
 namespace {
@@ -16,6 +18,7 @@ namespace {
 struct FitOptions {
   std::string picture, out, overlay, base, name;
   double depth_mm = 0, mmPerMark = 0;
+  std::vector<double> points;  ///< x, y, x, y in pixels, and the mm between the two
   bool json = false;
 };
 
@@ -35,6 +38,10 @@ void findScale(const FitOptions& options, FitReport& report) {
   if (options.depth_mm > 0) {
     report.mm_per_px = options.depth_mm / depthOf_px(report.fit.shape);
     report.scale = "the given depth";
+  } else if (options.points.size() == 5) {
+    const auto& p = options.points;
+    report.mm_per_px = p[4] / std::hypot(p[2] - p[0], p[3] - p[1]);
+    report.scale = "two points";
   } else if (const auto& ruler = report.fit.ruler) {
     const double mm = options.mmPerMark > 0 ? options.mmPerMark : ruler->mmPerMark;
     report.mm_per_px = mm / ruler->spacing_px;
@@ -99,6 +106,8 @@ void print(const FitReport& report, const FitOptions& options) {
 }
 
 Result<FitReport> fitPicture(const FitOptions& options) {
+  if (const auto& p = options.points; p.size() == 5 && (p[4] <= 0 || (p[0] == p[2] && p[1] == p[3])))
+    return fail("--points needs two different points and a distance above 0.");
   const auto picture = readPicture(options.picture);
   if (!picture) return tl::unexpected(picture.error());
   auto fit = fitFov(*picture);
@@ -133,6 +142,10 @@ void addFitCommand(CLI::App& app, Outcome& outcome) {
       ->check(notEmpty());
   command->add_option("--depth-mm", options->depth_mm, "Depth on display, from the middle of the face to the far end")
       ->check(CLI::Range(1.0, 400.0));
+  command->add_option("--points", options->points, "Two points of the picture and the mm between them: X Y X Y MM")
+      ->expected(5)
+      ->excludes("--depth-mm")
+      ->check(CLI::NonNegativeNumber);
   command->add_option("--mm-per-mark", options->mmPerMark, "Distance of the depth scale's marks; by default likely")
       ->check(CLI::Range(0.1, 100.0));
   command->add_option("--base", options->base, "Probe that gives what a picture does not show; by default the shape's");

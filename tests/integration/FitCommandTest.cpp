@@ -83,6 +83,15 @@ TEST_F(FitCommand, ATypedDepthIsTheScale) {
   EXPECT_EQ(probe->maxAperture_mm, loadProbe("phased")->maxAperture_mm);
 }
 
+TEST_F(FitCommand, TwoPointsAreTheScale) {
+  const std::string picture = written(sector(), "capture.png");
+  const auto result = fit(picture + " --json --points 480 140 480 540 100");
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_NEAR(json::parse(result.output)["mm_per_px"], 0.25, 1e-9);
+  EXPECT_THAT(fit(picture + " --points 5 5 5 5 100").errors, HasSubstr("two different points"));
+  EXPECT_EQ(fit(picture + " --points 5 5 6").status, 2);
+}
+
 TEST_F(FitCommand, RefusesWithASentence) {
   EXPECT_THAT(fit(shellWord(path("none.png"))).errors, HasSubstr("There is no picture file"));
   std::ofstream(path("text.png")) << "no picture";
