@@ -18,7 +18,6 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QPushButton>
-#include <QStyle>
 #include <QVBoxLayout>
 #include <cmath>
 
@@ -121,10 +120,15 @@ QWidget* FitDialog::buildSide() {
   values_ = new QLabel;
   values_->setObjectName("fitValues");
   values_->setTextFormat(Qt::PlainText);
-  message_ = new QLabel;
-  message_->setObjectName("fitMessage");
-  message_->setWordWrap(true);
-  message_->setTextFormat(Qt::PlainText);
+  trouble_ = new QLabel;
+  notes_ = new QLabel;
+  ui::setRole(trouble_, "problem");
+  ui::setRole(notes_, "quiet");
+  for (QLabel* label : {trouble_, notes_}) {
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+  }
+  trouble_->hide();
   take_ = button(tr("Take over"), "fitTake", tr("Use this geometry for the probe that is being edited"));
   ui::setRole(take_, "primary");
   auto* cancel = button(tr("Cancel"), "fitCancel", tr("Leave the probe as it is (Escape)"));
@@ -132,7 +136,7 @@ QWidget* FitDialog::buildSide() {
   foot->addWidget(cancel);
   foot->addWidget(take_);
   box->addLayout(sources);
-  for (QWidget* widget : std::initializer_list<QWidget*>{shape_, rotation_, depth_, marks_, values_, message_})
+  for (QWidget* widget : std::initializer_list<QWidget*>{shape_, rotation_, depth_, marks_, values_, trouble_, notes_})
     box->addWidget(widget);
   box->addStretch();
   box->addLayout(foot);
@@ -162,14 +166,13 @@ bool FitDialog::isWorking() const {
 }
 
 QString FitDialog::message() const {
-  return message_->text();
+  return trouble_->isHidden() ? notes_->text() : trouble_->text();
 }
 
 void FitDialog::say(const QString& sentence, bool trouble) {
-  message_->setText(sentence);
-  ui::setRole(message_, trouble ? "problem" : "quiet");
-  style()->unpolish(message_);
-  style()->polish(message_);
+  (trouble ? trouble_ : notes_)->setText(sentence);
+  trouble_->setVisible(trouble);
+  notes_->setVisible(!trouble);
 }
 
 void FitDialog::open(const QString& file) {

@@ -65,7 +65,7 @@ class FitDialog : public QDialog {
   ui::TaskBar* tasks_;
   QComboBox* shape_ = nullptr;
   ui::ValueSlider *depth_ = nullptr, *marks_ = nullptr, *rotation_ = nullptr;
-  QLabel *message_ = nullptr, *values_ = nullptr;
+  QLabel *trouble_ = nullptr, *notes_ = nullptr, *values_ = nullptr;
   QPushButton* take_ = nullptr;
   double mmPerPx_ = 1;
   double typedDepth_mm_ = 0;  ///< decides the scale where it is above 0; else the picture's marks do

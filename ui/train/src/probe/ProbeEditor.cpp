@@ -45,11 +45,11 @@ constexpr Presentation kNumbers[] = {
      2},
     {"lateralFNumber", "", "F-number", "", "width of the focus in wavelengths: lateral resolution", 0.1, 1},
     {"maxAperture_mm", "", "aperture", "mm", "largest active part of the array", 1, 0},
-    {"lateralDivergenceNear", "", "opening near", "mm/mm", "the beam's growth before the focus", 0.005, 3},
-    {"lateralDivergenceFar", "", "opening far", "mm/mm", "the beam's growth behind the focus", 0.005, 3},
+    {"lateralDivergenceNear", "", "opening near", "", "the beam's growth before the focus, mm per mm", 0.005, 3},
+    {"lateralDivergenceFar", "", "opening far", "", "the beam's growth behind the focus, mm per mm", 0.005, 3},
     {"elevationFocus_mm", "Slice", "slice focus", "mm", "where the slice is thinnest", 1, 0},
     {"elevationFwhm_wavelengths", "", "thickness", "\u03bb", "of the slice at its focus, in wavelengths", 0.1, 1},
-    {"elevationDivergence", "", "opening", "mm/mm", "the slice's growth off its focus", 0.005, 3},
+    {"elevationDivergence", "", "opening", "", "the slice's growth off its focus, mm per mm", 0.005, 3},
 };
 
 const ProbeField& fieldNamed(std::string_view name) {
