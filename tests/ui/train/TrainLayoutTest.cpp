@@ -147,6 +147,7 @@ TEST_F(TrainLayout, KeysInTheSliceAreTheSlices) {
   EXPECT_EQ(view.crosshair_mm().z, there_mm) << "a probe at rest leaves the slice to the user";
   key(Qt::Key_2, Qt::AltModifier);
   EXPECT_EQ(view.windowLevel(), (views::WindowLevel{1000, 400}));
+  EXPECT_EQ(slice(beside()).windowLevel(), view.windowLevel()) << "and beside the picture";
   key(Qt::Key_1, Qt::AltModifier);
   EXPECT_EQ(view.windowLevel(), (views::WindowLevel{350, 50}));
 }

@@ -158,6 +158,7 @@ void TrainWorkspace::Parts::connectParts() {
     }
   });
   input_->setMeasured([this] { showCallipers(); });
+  patient->setWindowChanged([this](views::WindowLevel window) { beside_->view().setWindowLevel(window); });
   connect(cine_, &CineBar::calliperChosen, this, [this](int kind) { chooseCalliper(kind); });
   connect(cine_, &CineBar::clearCallipers, this, [this] { clearCallipers(); });
   connect(cine_, &CineBar::ctBesideChosen, this, [this](bool on) { setCtBeside(on); });
@@ -229,45 +230,6 @@ void TrainWorkspace::Parts::showRate() {
   if (text == engineText) return;
   engineText = text;
   Q_EMIT workspace_.statusChanged();
-}
-
-void TrainWorkspace::Parts::showCallipers() {
-  image_->setCallipers(input_->callipers().callipers());
-}
-
-void TrainWorkspace::Parts::chooseCalliper(int kind) {
-  const auto chosen = input_->callipers().kind();
-  const bool off = kind < 0 || (chosen && int(*chosen) == kind);
-  const auto next = off ? std::nullopt : std::optional(views::CalliperKind(kind));
-  input_->callipers().setKind(next);
-  for (SliceMeasure* slice : {measureSlice_, measureBeside_}) slice->setKind(next);
-  cine_->setCalliper(off ? -1 : kind);
-  for (ui::ViewWidget* view : {imageWidget_, &beside_->widget(), &patient->mprWidget()})
-    view->focusProxy()->setCursor(off ? Qt::ArrowCursor : Qt::CrossCursor);
-  showCallipers();
-  session.say(off ? tr("Drag on the image to slide the probe. Keys: ?")
-                  : tr("Click on image or CT from point to point, or drag."));
-}
-
-void TrainWorkspace::Parts::clearCallipers() {
-  struct Measures {
-    std::vector<views::Calliper> picture;
-    std::vector<views::SliceCalliper> slice, beside;
-  };
-  const auto exchange = [this, other = Measures{}]() mutable {
-    Measures now{input_->callipers().done(), measureSlice_->callipers(), measureBeside_->callipers()};
-    input_->callipers().setDone(std::move(other.picture));
-    measureSlice_->setCallipers(std::move(other.slice));
-    measureBeside_->setCallipers(std::move(other.beside));
-    other = std::move(now);
-    showCallipers();
-    return true;
-  };
-  const bool any = !input_->callipers().done().empty() || !measureSlice_->callipers().empty() ||
-                   !measureBeside_->callipers().empty();
-  History::Exchange clear = exchange;
-  clear();
-  if (any) session.history().add(tr("removal of the measurements").toStdString(), std::move(clear));
 }
 
 void TrainWorkspace::Parts::showNotice() {

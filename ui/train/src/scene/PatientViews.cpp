@@ -167,6 +167,11 @@ void PatientViews::sliceToProbe() {
   mpr_->setCrosshair(*slicedAt_ * Vec3{0, 0, frame->setup->settings.depth_mm / 2});
 }
 
+void PatientViews::setWindowChanged(const std::function<void(views::WindowLevel)>& listener) {
+  mpr_->setWindowLevelChanged(listener);
+  sliceMenu_->setChosen(listener);
+}
+
 void PatientViews::setSliceWindow(int preset) {
   sliceMenu_->choose(preset);
 }

@@ -8,6 +8,7 @@
 #include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -42,6 +43,8 @@ class PatientViews : public QWidget {
   void setSliceKind(views::SliceKind kind);
   /// One of views::windowLevelPresets().
   void setSliceWindow(int preset);
+  /// Called when the user changed window or level of the slice.
+  void setWindowChanged(const std::function<void(views::WindowLevel)>& listener);
 
  private:
   QWidget* buildMpr();

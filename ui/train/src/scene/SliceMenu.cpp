@@ -58,7 +58,9 @@ void SliceMenu::addStructures() {
 
 void SliceMenu::choose(int preset) {
   const auto presets = views::windowLevelPresets();
-  if (preset >= 0 && preset < int(presets.size())) slice_.setWindowLevel(presets[std::size_t(preset)].value);
+  if (preset < 0 || preset >= int(presets.size())) return;
+  slice_.setWindowLevel(presets[std::size_t(preset)].value);
+  if (chosen_) chosen_(slice_.windowLevel());
 }
 
 void SliceMenu::refresh() {

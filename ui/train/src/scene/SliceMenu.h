@@ -3,6 +3,7 @@
 #include <insonate/views/MprView.h>
 
 #include <QMenu>
+#include <functional>
 
 class QActionGroup;
 
@@ -19,6 +20,8 @@ class SliceMenu : public QMenu {
 
   /// One of views::windowLevelPresets().
   void choose(int preset);
+  /// Called when a preset was chosen.
+  void setChosen(std::function<void(views::WindowLevel)> listener) { chosen_ = std::move(listener); }
 
  private:
   void addStructures();
@@ -27,6 +30,7 @@ class SliceMenu : public QMenu {
   views::MprView& slice_;
   QActionGroup* presets_;
   ui::ValueSlider* opacity_ = nullptr;
+  std::function<void(views::WindowLevel)> chosen_;
 };
 
 }  // namespace insonate::train
