@@ -79,6 +79,8 @@ TEST_F(PrepareWindow, OpacityOfADragIsOneStep) {
   EXPECT_EQ(session_->undoStack().count(), 1);
   child<QAction>("undo")->trigger();
   EXPECT_EQ(slider->value(), 100);
+  child<QAction>("redo")->trigger();
+  EXPECT_EQ(slider->value(), 40) << "the end of the drag";
   session_->select(kVein);
   EXPECT_EQ(slider->value(), 100);
 }

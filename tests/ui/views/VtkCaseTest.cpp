@@ -3,7 +3,9 @@
 #include <insonate/views/VtkCase.h>
 
 #include <gtest/gtest.h>
+#include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkPointData.h>
 
 #include <cmath>
 
@@ -17,6 +19,23 @@ TEST(VtkCase, WrapsThePatientsVoxelsWithoutCopying) {
   const VtkCase shown(patient);
   EXPECT_EQ(shown.ct()->GetScalarPointer(), patient->ct.voxels.data());
   EXPECT_EQ(shown.ct()->GetScalarComponentAsDouble(2, 1, 1, 0), 1000);
+}
+
+TEST(VtkCase, TakesACopyOfTheSamePatientInPlace) {
+  VolumeGeometry grid;
+  grid.size = {4, 3, 2};
+  VtkCase shown(test::oneVoxel(grid, 2, 1, 1));
+  auto* const array = shown.ct()->GetPointData()->GetScalars();
+  const auto revision = shown.labelRevision();
+  const auto copy = test::oneVoxel(grid, 2, 1, 1);
+  ASSERT_TRUE(shown.setPatient(copy));
+  EXPECT_EQ(shown.ct()->GetScalarPointer(), copy->ct.voxels.data());
+  EXPECT_EQ(shown.ct()->GetPointData()->GetScalars(), array) << "others hold it, too";
+  EXPECT_EQ(&shown.patient(), copy.get());
+  EXPECT_NE(shown.labelRevision(), revision);
+  grid.size = {4, 3, 3};
+  EXPECT_FALSE(shown.setPatient(test::oneVoxel(grid, 2, 1, 1)));
+  EXPECT_EQ(&shown.patient(), copy.get());
 }
 
 TEST(VtkCase, PlacesVoxelsOfObliqueAndLeftHandedGrids) {

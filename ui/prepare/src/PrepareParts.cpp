@@ -18,6 +18,7 @@
 #include <QAction>
 #include <QKeyEvent>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QSplitter>
 #include <QStackedLayout>
@@ -118,8 +119,8 @@ void PrepareWorkspace::Parts::makeActions() {
     return action;
   };
   QUndoStack& stack = session.undoStack();
-  QAction* undo =
-      add(stack.createUndoAction(&workspace_, tr("Take back")), "undo", {QKeySequence(QStringLiteral("Ctrl+Z"))}, "undo");
+  QAction* undo = add(stack.createUndoAction(&workspace_, tr("Take back")), "undo",
+                      {QKeySequence(QStringLiteral("Ctrl+Z"))}, "undo");
   QAction* redo = add(stack.createRedoAction(&workspace_, tr("Do again")), "redo",
                       {QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))}, "redo");
   save_ = add(new QAction(tr("Save case"), &workspace_), "save", {QKeySequence::Save}, "saveCase");
@@ -160,6 +161,7 @@ void PrepareWorkspace::Parts::connectParts() {
     refreshReady();
     Q_EMIT workspace_.statusChanged();
   });
+  views->setRested([this] { refreshReady(); });
   connect(path, &PathPanel::checkChosen, this, [this] { showFindings(); });
 }
 
@@ -175,7 +177,8 @@ void PrepareWorkspace::Parts::refreshSave() {
 void PrepareWorkspace::Parts::refreshReady() {
   using State = CaseMeasuring::State;
   const State state = session.measuring().state();
-  const bool now = session.patient() && (state == State::Done || state == State::Stopped) && session.live().isSettled();
+  const bool now = session.patient() && (state == State::Done || state == State::Stopped) &&
+                   session.live().isSettled() && views->isAtRest();
   if (now == std::exchange(ready, now)) return;
   Q_EMIT workspace_.readyChanged();
 }
@@ -184,7 +187,7 @@ void PrepareWorkspace::Parts::showFindings() {
   check_->setOpen(true);
   // Its height is known after the next layout only.
   QMetaObject::invokeMethod(
-      this, [this] { scroll_->ensureWidgetVisible(check_, 0, 0); }, Qt::QueuedConnection);
+      this, [this] { scroll_->verticalScrollBar()->setValue(check_->y()); }, Qt::QueuedConnection);
 }
 
 QString PrepareWorkspace::Parts::engineText() const {

@@ -26,10 +26,18 @@ QString axesOf(const VolumeGeometry& grid) {
   return letters.join(QStringLiteral(", "));
 }
 
-/// Identifiers may break after each part.
-QString breakable(QString text) {
+/// Identifiers, which have no spaces, may break within.
+QString breakable(const QString& text) {
+  constexpr int kLongest = 16;
   const QChar kBreakHere(0x200b);
-  return text.replace(QLatin1Char('.'), QStringLiteral(".") + kBreakHere);
+  QString result;
+  int run = 0;
+  for (const QChar& letter : text) {
+    run = letter.isSpace() ? 0 : run + 1;
+    result += letter;
+    if (run > 0 && run % kLongest == 0) result += kBreakHere;
+  }
+  return result;
 }
 
 }  // namespace

@@ -40,7 +40,10 @@ CaseViews::CaseViews(PrepareSession& session, QWidget* parent)
   connect(&follow_, &QTimer::timeout, this, [this] { followProbe(); });
   rest_.setSingleShot(true);
   rest_.setInterval(kRest_ms);
-  connect(&rest_, &QTimer::timeout, this, [this] { scene_->setMoving(false); });
+  connect(&rest_, &QTimer::timeout, this, [this] {
+    scene_->setMoving(false);
+    if (rested_) rested_();
+  });
   connect(&session_, &PrepareSession::caseChanged, this, [this] { showCase(); });
   connect(&session_, &PrepareSession::lookChanged, this, [this](int label) { showLook(label); });
   connect(&session_, &PrepareSession::slicesChanged, this, [this] { showSlices(); });
@@ -158,7 +161,8 @@ void CaseViews::followProbe() {
   const LivePatient& live = session_.live();
   const auto pose = live.pose();
   if (!session_.patient() || !pose) return;
-  scene_->setMoving(true);
+  if (*pose != pose_) scene_->setMoving(true);
+  pose_ = *pose;
   rest_.start();
   scene_->setProbe(live.setup().probe, live.setup().settings);
   scene_->setProbePose(*pose);

@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <array>
+#include <functional>
 #include <memory>
 
 class QSplitter;
@@ -33,6 +34,9 @@ class CaseViews : public QWidget {
   views::MprView& slice(int index) { return *slices_[std::size_t(index)]; }
   /// The slices first, 3D last.
   const std::array<ui::ViewWidget*, kSlices + 1>& widgets() const { return widgets_; }
+  /// 3D shows what there is, in full detail.
+  bool isAtRest() const { return !follow_.isActive() && !rest_.isActive(); }
+  void setRested(std::function<void()> listener) { rested_ = std::move(listener); }
   /// The same voxels in other memory.
   void replaceCase();
 
@@ -62,6 +66,8 @@ class CaseViews : public QWidget {
   QSplitter* rows_ = nullptr;
   std::array<QSplitter*, 2> columns_{};
   QTimer follow_, rest_;
+  std::function<void()> rested_;
+  Transform pose_;
   QPoint pressed_;
   bool click_ = false, cameraPlaced_ = false;
 };
