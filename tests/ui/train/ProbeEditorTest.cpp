@@ -177,6 +177,12 @@ TEST_F(ProbeEditing, DraggingHandlesChangesTheFieldOfView) {
   EXPECT_EQ(child<ui::ValueSlider>("fovAngle_deg")->value(), session_->probe().fovAngle_deg);
   settle();
   EXPECT_EQ(session_->shown()->setup->probe.fovAngle_deg, session_->probe().fovAngle_deg) << "live";
+  const double narrower = session_->probe().fovAngle_deg;
+  from = place(FovHandles::Handle::LeftSide);
+  drag(*canvas_, from, from + QPointF(-20, 0));
+  EXPECT_GT(session_->probe().fovAngle_deg, narrower + 1) << "outward on the other side";
+  EXPECT_LT(session_->probe().fovAngle_deg, alpha + 10);
+  settle();
 
   const double r1 = session_->probe().faceRadius_mm;
   from = place(FovHandles::Handle::Face);
