@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <QAction>
+#include <QDialog>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QtTest/QTest>
@@ -103,6 +104,21 @@ TEST_F(Saving, NothingAskedWithoutChanges) {
   session_->setVisible(kVein, false);
   EXPECT_TRUE(window_.close());
   EXPECT_FALSE(question());
+}
+
+TEST_F(Saving, ACaseThatIsNowhereIsAskedAboutOnce) {
+  Q_EMIT workspace_->caseMade(std::make_shared<const PatientCase>(test::smallCase()));
+  ASSERT_TRUE(until([this] { return window_.isReady(); }));
+  EXPECT_TRUE(saveAction()->isEnabled());
+  session_->setColour(kVein, kChosen);
+  EXPECT_FALSE(window_.close());
+  EXPECT_FALSE(question());
+  auto* asked = window_.findChild<QDialog*>();
+  ASSERT_TRUE(asked);
+  const auto buttons = asked->findChildren<QPushButton*>();
+  ASSERT_FALSE(buttons.empty());
+  QTest::mouseClick(buttons.front(), Qt::LeftButton);
+  EXPECT_TRUE(until([this] { return !window_.isVisible(); }));
 }
 
 TEST_F(Saving, DiscardLeavesTheFolderAlone) {

@@ -169,7 +169,9 @@ void MainWindow::restoreLayout() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!leaving_ && !unsavedEdits().empty()) {
+  // A case that is nowhere on disk is asked about as a whole.
+  const bool nowhere = case_.folder.isEmpty() && !case_.builtIn;
+  if (!leaving_ && !nowhere && !unsavedEdits().empty()) {
     event->ignore();
     return whenNothingIsLost([this] {
       leaving_ = true;
