@@ -7,7 +7,6 @@
 #include <vtkRenderWindow.h>
 
 #include <QGridLayout>
-#include <QOpenGLWidget>
 #include <QSplitter>
 #include <QWheelEvent>
 #include <QtTest/QTest>
@@ -57,7 +56,7 @@ class ViewWidget : public testing::Test {
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&room));
     EXPECT_TRUE(waitUntil([this] { return view->layouts > 0; }));
   }
-  QOpenGLWidget* canvas(QWidget* of) { return of->findChild<QOpenGLWidget*>(); }
+  QWidget* canvas(QWidget* of) { return of->focusProxy(); }
 
   QWidget room;
   std::shared_ptr<FakeView> view;

@@ -1,11 +1,9 @@
 #include "Canvas.h"
 
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
-
 #include <QFocusEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QTimerEvent>
 #include <QWheelEvent>
 #include <cmath>
@@ -60,39 +58,58 @@ std::optional<views::Key> viewKey(int key) {
 
 }  // namespace
 
-ViewWidget::Canvas::Canvas(views::View& view, QWidget* parent) : QVTKOpenGLNativeWidget(parent), view_(view) {
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
-  window->SetMultiSamples(0);
-  setRenderWindow(window);
-  window->SetInteractor(nullptr);
-  // Views scale their text themselves; VTK's widget would do it once more.
-  setEnableHiDPI(false);
+ViewWidget::Canvas::Canvas(views::View& view, QWidget* parent) : QWidget(parent), view_(view) {
+  window_->SetOffScreenRendering(true);
+  window_->SetShowWindow(false);
+  window_->SetMultiSamples(0);
+  setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setMinimumSize(64, 64);
 }
 
-bool ViewWidget::Canvas::event(QEvent* event) {
-  switch (event->type()) {
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonRelease:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::MouseMove:
-    case QEvent::Wheel:
-    case QEvent::KeyPress:
-    case QEvent::KeyRelease:
-    case QEvent::Enter:
-    case QEvent::Leave:
-      return QOpenGLWidget::event(event);
-    default:
-      return QVTKOpenGLNativeWidget::event(event);
+ViewWidget::Canvas::~Canvas() = default;
+
+QSize ViewWidget::Canvas::deviceSize() const {
+  const double ratio = devicePixelRatioF();
+  return {int(std::lround(width() * ratio)), int(std::lround(height() * ratio))};
+}
+
+void ViewWidget::Canvas::render() {
+  const QSize size = deviceSize();
+  if (size != picture_.size()) {
+    window_->SetSize(size.width(), size.height());
+    view_.resize(size.width(), size.height(), devicePixelRatioF());
+    picture_ = QImage(size, QImage::Format_RGB32);
+  }
+  picture_.setDevicePixelRatio(devicePixelRatioF());
+  view_.render();
+  takePixels();
+  update();
+}
+
+/// OpenGL counts rows from below and has red first in memory.
+void ViewWidget::Canvas::takePixels() {
+  const int width = picture_.width(), height = picture_.height();
+  window_->GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels_);
+  for (int y = 0; y < height; ++y) {
+    const unsigned char* from = pixels_->GetPointer(vtkIdType(4) * width * (height - 1 - y));
+    auto* to = reinterpret_cast<QRgb*>(picture_.scanLine(y));
+    for (int x = 0; x < width; ++x, from += 4) to[x] = qRgb(from[0], from[1], from[2]);
   }
 }
 
-void ViewWidget::Canvas::resizeGL(int width, int height) {
-  QVTKOpenGLNativeWidget::resizeGL(width, height);
-  const double ratio = devicePixelRatioF();
-  view_.resize(int(std::lround(this->width() * ratio)), int(std::lround(this->height() * ratio)), ratio);
+void ViewWidget::Canvas::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  if (picture_.isNull())
+    painter.fillRect(rect(), Qt::black);
+  else
+    painter.drawImage(rect().topLeft(), picture_);
+  if (picture_.size() != deviceSize() && onStale) onStale();
+}
+
+void ViewWidget::Canvas::resizeEvent(QResizeEvent*) {
+  if (onStale) onStale();
 }
 
 views::DisplayPoint ViewWidget::Canvas::devicePoint(QPointF at) const {
@@ -151,12 +168,12 @@ void ViewWidget::Canvas::keyPressEvent(QKeyEvent* event) {
 }
 
 void ViewWidget::Canvas::focusInEvent(QFocusEvent* event) {
-  QVTKOpenGLNativeWidget::focusInEvent(event);
+  QWidget::focusInEvent(event);
   if (onFocus) onFocus(true);
 }
 
 void ViewWidget::Canvas::focusOutEvent(QFocusEvent* event) {
-  QVTKOpenGLNativeWidget::focusOutEvent(event);
+  QWidget::focusOutEvent(event);
   if (onFocus) onFocus(false);
 }
 

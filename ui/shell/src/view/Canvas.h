@@ -3,25 +3,36 @@
 #include <insonate/ui/ViewWidget.h>
 #include <insonate/views/View.h>
 
-#include <QVTKOpenGLNativeWidget.h>
+#include <vtkNew.h>
 #include <vtkRenderWindow.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <QBasicTimer>
+#include <QImage>
+#include <QWidget>
 #include <functional>
 
 namespace insonate::ui {
 
-/// The OpenGL part of a ViewWidget: VTK's widget without VTK's interactor, which would answer the mouse in its own way.
-class ViewWidget::Canvas final : public QVTKOpenGLNativeWidget {
+/// The picture of a ViewWidget. The view is drawn out of sight and its pixels are painted like those of any other
+/// widget: with an OpenGL widget anywhere in a window, Qt puts the whole window together by OpenGL for each change of
+/// any part of it, which takes longer than drawing where there is no graphics card.
+class ViewWidget::Canvas final : public QWidget {
  public:
   Canvas(views::View& view, QWidget* parent);
+  ~Canvas() override;
+
+  vtkRenderWindow& renderWindow() { return *window_; }
+  /// Draws the view and shows it.
+  void render();
 
   std::function<void(bool focused)> onFocus;
   std::function<bool()> onDoubleClick;  ///< true when that was the click's meaning
+  std::function<void()> onStale;        ///< what is shown is not of the widget's size
 
  protected:
-  bool event(QEvent* event) override;
-  void resizeGL(int width, int height) override;
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -36,7 +47,13 @@ class ViewWidget::Canvas final : public QVTKOpenGLNativeWidget {
   views::DisplayPoint devicePoint(QPointF at) const;
   views::Pointer pointer(const QMouseEvent& event, Qt::MouseButton button) const;
 
+  QSize deviceSize() const;
+  void takePixels();
+
   views::View& view_;
+  vtkNew<vtkRenderWindow> window_;
+  vtkNew<vtkUnsignedCharArray> pixels_;  ///< as OpenGL gives them
+  QImage picture_;                       ///< in device pixels; null before the first
   Qt::MouseButton held_ = Qt::NoButton;
   QBasicTimer rest_;
 };

@@ -7,7 +7,6 @@
 #include <QKeyEvent>
 #include <QSplitterHandle>
 #include <QStyle>
-#include <QSurfaceFormat>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -33,9 +32,6 @@ void prepareGraphics() {
   QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   // Lines stay sharp with whole factors; text has its exact size all the same, through the screen's resolution.
   QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::Round);
-  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
-  format.setSamples(0);
-  QSurfaceFormat::setDefaultFormat(format);
 }
 
 void markViewRoom(QWidget* room) {
@@ -62,17 +58,16 @@ ViewWidget::ViewWidget(std::shared_ptr<views::View> view, const QString& name, Q
     if (maximiseOnDoubleClick_) setMaximised(!maximised_);
     return maximiseOnDoubleClick_;
   };
+  canvas_->onStale = [this] { want(); };
   view_->setRenderWanted([this] { want(); });
-  view_->attach(canvas_->renderWindow());
+  view_->attach(&canvas_->renderWindow());
 }
 
 ViewWidget::~ViewWidget() {
   view_->setRenderWanted({});
   canvas_->onFocus = nullptr;
-  // The view's textures and buffers belong to the canvas's context.
-  canvas_->makeCurrent();
+  canvas_->onStale = nullptr;
   view_->detach();
-  canvas_->doneCurrent();
 }
 
 void ViewWidget::want() {
@@ -81,11 +76,11 @@ void ViewWidget::want() {
 }
 
 void ViewWidget::renderNow() {
-  // A canvas that was never shown has no context; showing it renders it.
-  if (!canvas_->isVisible() || !canvas_->isValid()) return;
+  // Showing a canvas that has no picture of its size renders it.
+  if (!canvas_->isVisible()) return;
   QElapsedTimer clock;
   clock.start();
-  view_->render();
+  canvas_->render();
   lastRender_ms_ = double(clock.nsecsElapsed()) / 1e6;
   ++renderings_;
   Q_EMIT rendered();
