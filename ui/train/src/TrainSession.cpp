@@ -94,9 +94,16 @@ void TrainSession::setCase(std::shared_ptr<const PatientCase> patient) {
   work.surface = [this](std::uint8_t label, std::shared_ptr<const Mesh> mesh) { Q_EMIT surfaceMade(label, mesh); };
   work.failed = [this](const QString& text) {
     say(text);
+    wantSurfaces();
     Q_EMIT failed(text);
   };
-  worker_ = std::make_unique<ui::CaseWorker>(patient_, std::move(work), kSurfaces);
+  worker_ = std::make_unique<ui::CaseWorker>(patient_, std::move(work), std::vector<ui::SurfaceWish>{});
+  surfacesWanted_ = false;
+}
+
+/// The picture comes first; where there is none, nothing is to be waited for.
+void TrainSession::wantSurfaces() {
+  if (worker_ && !std::exchange(surfacesWanted_, true)) worker_->want(kSurfaces);
 }
 
 ImagingSetup TrainSession::setup() const {
@@ -114,6 +121,7 @@ void TrainSession::startLive() {
   if (!live) {
     const QString text = QString::fromStdString(live.error().message);
     say(text);
+    wantSurfaces();
     Q_EMIT failed(text);
     return;
   }
@@ -136,6 +144,7 @@ void TrainSession::show(std::shared_ptr<const LiveFrame> frame) {
   shown_ = std::move(frame);
   if (first) say(tr("Drag on the image to slide the probe. Keys: ?"));
   Q_EMIT pictureShown();
+  if (first) wantSurfaces();
 }
 
 bool TrainSession::setProbe(const std::string& name) {

@@ -103,6 +103,7 @@ class TrainSession : public QObject {
 
  private:
   void startLive();
+  void wantSurfaces();
   void news();
   void show(std::shared_ptr<const LiveFrame> frame);
   void sendSetup();
@@ -135,6 +136,7 @@ class TrainSession : public QObject {
   QString message_;
   std::string failure_;  ///< of the live probe, as last said
   ui::LiveFeed feed_;
+  bool surfacesWanted_ = false;
   std::unique_ptr<ui::CaseWorker> worker_;
 };
 
