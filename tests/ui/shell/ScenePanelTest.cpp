@@ -18,6 +18,7 @@
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QToolButton>
+#include <QWheelEvent>
 #include <QtTest/QTest>
 
 namespace insonate::ui {
@@ -123,6 +124,21 @@ TEST_F(ScenePanel, StructuresAreListedHiddenColouredAndMadeTranslucent) {
   EXPECT_EQ(scene->colour(kArtery), views::labelColour(kArtery, views::ColourScheme::Usual));
 }
 
+TEST_F(ScenePanel, ScrollingPastANumberDoesNotChangeIt) {
+  auto* opacity = child<QSpinBox>("opacity12");
+  const auto wheel = [&] {
+    QWheelEvent event({5, 5}, opacity->mapToGlobal(QPoint(5, 5)), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(opacity, &event);
+  };
+  child<QToolButton>("eye6")->setFocus();
+  wheel();
+  EXPECT_EQ(scene->opacity(kBone), 1);
+  opacity->setFocus();
+  wheel();
+  EXPECT_LT(scene->opacity(kBone), 1);
+}
+
 TEST_F(ScenePanel, RowsFollowTheSurfaces) {
   addSurface(*scene, kThyroid);
   EXPECT_TRUE(QTest::qWaitFor([&] { return panel->findChild<QToolButton*>("eye8") != nullptr; }, 5000));
@@ -144,6 +160,7 @@ TEST_F(ScenePanel, TheCtIsShownAndItsLookEdited) {
   child<QCheckBox>("ctVolume")->click();
   EXPECT_TRUE(scene->isCtVisible());
   EXPECT_TRUE(panel->histogram().isVisible());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !panel->histogram().visibleRegion().isEmpty(); }, 5000));
   panel->histogram().choosePreset("lung");
   EXPECT_EQ(scene->transferFunction(), views::transferPresets()[4].function);
   EXPECT_TRUE(scene->isMoving());

@@ -1,5 +1,7 @@
 #include "EyeControls.h"
 
+#include "QuietWheel.h"
+
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 
@@ -56,6 +58,7 @@ EyeControls::EyeControls(std::shared_ptr<views::SceneView> scene, QWidget* paren
   stereo_->setToolTip(tr("Gives each eye a picture of its own"));
   stereo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   stereo_->setMinimumContentsLength(8);
+  new QuietWheel(stereo_);
   row->addWidget(name);
   row->addWidget(stereo_, 1);
   box->addLayout(row);

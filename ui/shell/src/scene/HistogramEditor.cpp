@@ -1,4 +1,5 @@
 #include "HistogramPlot.h"
+#include "QuietWheel.h"
 
 #include <insonate/ui/HistogramEditor.h>
 #include <insonate/ui/Theme.h>
@@ -104,6 +105,7 @@ QWidget* HistogramEditor::buildTop() {
   preset_->setMinimumContentsLength(6);
   connect(preset_, qOverload<int>(&QComboBox::activated), this,
           [this](int index) { choosePreset(preset_->itemText(index)); });
+  new QuietWheel(preset_);
   box->addWidget(preset_, 1);
 
   const auto undoable = [&](QAction* action, const char* iconName, QKeySequence::StandardKey keys) {
@@ -149,6 +151,7 @@ QWidget* HistogramEditor::buildNumbers() {
   for (QAbstractSpinBox* number : {static_cast<QAbstractSpinBox*>(hu_), static_cast<QAbstractSpinBox*>(opacity_)}) {
     number->setButtonSymbols(QAbstractSpinBox::NoButtons);
     number->setFixedWidth(kNumber_px);
+    new QuietWheel(number);
     number->setKeyboardTracking(false);
   }
   colour_ = button(QStringLiteral("eye"), tr("Node's colour"), tr("The colour of such tissue"));

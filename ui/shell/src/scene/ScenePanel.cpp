@@ -11,6 +11,7 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QSettings>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -130,6 +131,7 @@ QWidget* ScenePanel::buildCt() {
     scene_->setCtVisible(visible);
     histogram_->setVisible(visible);
     live();
+    if (visible) QTimer::singleShot(0, this, &ScenePanel::scrollToHistogram);
   });
   connect(histogram_, &HistogramEditor::functionChanged, this, [this](const views::TransferFunction& function) {
     scene_->setTransferFunction(function);
@@ -156,6 +158,11 @@ void ScenePanel::refresh() {
   ct_->setChecked(scene_->isCtVisible());
   histogram_->setVisible(scene_->isCtVisible());
   refreshing_ = false;
+}
+
+void ScenePanel::scrollToHistogram() {
+  for (QWidget* parent = parentWidget(); parent; parent = parent->parentWidget())
+    if (auto* scroll = qobject_cast<QScrollArea*>(parent)) return scroll->ensureWidgetVisible(histogram_, 0, kGap);
 }
 
 void ScenePanel::live() {

@@ -1,5 +1,7 @@
 #include "StructureList.h"
 
+#include "QuietWheel.h"
+
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/Theme.h>
 
@@ -89,8 +91,7 @@ StructureList::Row StructureList::makeRow(std::uint8_t label) {
   row.opacity->setAlignment(Qt::AlignRight);
   row.opacity->setButtonSymbols(QAbstractSpinBox::NoButtons);
   row.opacity->setFixedWidth(64);
-  // The wheel is for scrolling the list until a number was chosen.
-  row.opacity->setFocusPolicy(Qt::StrongFocus);
+  new QuietWheel(row.opacity);
   row.opacity->setAccessibleName(tr("Opacity of %1 in %").arg(name));
   row.opacity->setToolTip(tr("Opacity of %1, 0 to 100 %; arrows step").arg(name));
   connect(row.eye, &QToolButton::clicked, this, [this, label](bool visible) {

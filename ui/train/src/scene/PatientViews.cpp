@@ -5,6 +5,7 @@
 #include "SliceMenu.h"
 
 #include <insonate/tissue/Labels.h>
+#include <insonate/ui/HistogramEditor.h>
 #include <insonate/ui/ScenePanel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
@@ -107,7 +108,7 @@ QWidget* PatientViews::buildMpr() {
          tr("What the 3D view above shows: skin, structures, CT volume, clipping plane, stereo"))
       ->setObjectName(QStringLiteral("sceneTab"));
   sliceMenu_ = new SliceMenu(*mpr_, pane);
-  auto* how = new QToolButton(pane);
+  auto* how = howSliced_ = new QToolButton(pane);
   how->setObjectName(QStringLiteral("sliceMenu"));
   how->setIcon(ui::icon(QStringLiteral("view")));
   how->setAccessibleName(tr("How the CT slice is shown"));
@@ -142,6 +143,8 @@ QWidget* PatientViews::buildScenePanel(QWidget* parent) {
 void PatientViews::showScenePanel(bool shown) {
   sceneScroll_->setVisible(shown);
   mprWidget_->setVisible(!shown);
+  howSliced_->setVisible(!shown);
+  scenePanel_->histogram().setWindowLevel(mpr_->windowLevel());
 }
 
 void PatientViews::setSliceKind(views::SliceKind kind) {

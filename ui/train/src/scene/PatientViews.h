@@ -15,6 +15,7 @@
 class QButtonGroup;
 class QScrollArea;
 class QSplitter;
+class QToolButton;
 
 namespace insonate::ui {
 class ScenePanel;
@@ -68,6 +69,7 @@ class PatientViews : public QWidget {
   QSplitter* splitter_ = nullptr;
   QButtonGroup* kinds_ = nullptr;
   SliceMenu* sliceMenu_ = nullptr;
+  QToolButton* howSliced_ = nullptr;
   ui::ScenePanel* scenePanel_ = nullptr;
   QScrollArea* sceneScroll_ = nullptr;
   std::shared_ptr<const LiveFrame> followed_;

@@ -13,8 +13,15 @@
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace insonate::views {
+namespace {
+
+/// What a processor casts for a picture at rest while the window waits.
+constexpr double kStillRays = 70'000;
+
+}  // namespace
 
 CtVolumeActor::CtVolumeActor(vtkRenderer& renderer)
     : renderer_(renderer), mapper_(vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New()) {
@@ -83,13 +90,20 @@ void CtVolumeActor::setSoftware(bool software) {
   setSampling();
 }
 
+void CtVolumeActor::setPixels(double pixels) {
+  if (pixels == pixels_) return;
+  pixels_ = pixels;
+  setSampling();
+}
+
 void CtVolumeActor::setSampling() {
   vtkImageData* image = vtkImageData::SafeDownCast(mapper_->GetDataSetInput());
   if (!image) return;
   const double* spacing = image->GetSpacing();
   const double finest_mm = std::min({spacing[0], spacing[1], spacing[2]});
   mapper_->SetSampleDistance(static_cast<float>(finest_mm * (coarse_ ? 3 : software_ ? 1.5 : 0.7)));
-  mapper_->SetImageSampleDistance(coarse_ ? (software_ ? 3.F : 2.F) : software_ ? 2.F : 1.F);
+  const double still = software_ ? std::clamp(std::sqrt(pixels_ / kStillRays), 2.0, 4.0) : 1;
+  mapper_->SetImageSampleDistance(coarse_ ? (software_ ? 3.F : 2.F) : static_cast<float>(still));
 }
 
 void CtVolumeActor::setClipping(const std::optional<ClippingPlane>& plane) {

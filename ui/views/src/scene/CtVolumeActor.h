@@ -24,6 +24,8 @@ class CtVolumeActor {
   /// Fewer rays and samples: while the scene moves, and always somewhat fewer where the processor draws.
   void setCoarse(bool coarse);
   void setSoftware(bool software);
+  /// Of the view.
+  void setPixels(double pixels);
   void setClipping(const std::optional<ClippingPlane>& plane);
   bool shown() const { return shown_; }
 
@@ -37,6 +39,7 @@ class CtVolumeActor {
   vtkNew<vtkColorTransferFunction> colour_;
   vtkSmartPointer<vtkGPUVolumeRayCastMapper> mapper_;
   bool hasCase_ = false, visible_ = false, shown_ = false, coarse_ = false, software_ = false;
+  double pixels_ = 1;
 };
 
 }  // namespace insonate::views

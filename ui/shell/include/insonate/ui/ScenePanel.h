@@ -64,6 +64,7 @@ class ScenePanel : public QWidget {
   QWidget* buildStructures();
   QWidget* buildCt();
   void refresh();
+  void scrollToHistogram();
   /// Coarser from now on until nothing has changed for a moment.
   void live();
 
