@@ -42,12 +42,22 @@ std::variant<Arguments, int> parseArguments(int argc, char** argv) {
           },
           "Size of the screenshot, e.g. 1600x1000")
       ->needs(shot);
+  std::string benchmark;
+  auto* bench =
+      parser.add_option("--benchmark", benchmark,
+                        "Measure the window's speed, write window.json and window.csv to this folder, and leave");
+  parser.add_flag("--quick", a.quick, "With --benchmark: only to see that it works")->needs(bench);
+  auto* image = parser.add_flag("--until-image", a.untilImage,
+                                "Print the milliseconds from the start to the first live picture, and leave");
+  bench->excludes(shot)->excludes(image);
+  image->excludes(shot);
   try {
     parser.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     return parser.exit(e) == 0 ? 0 : 2;
   }
   a.screenshot = screenshot;
+  a.benchmark = benchmark;
   return a;
 }
 

@@ -10,6 +10,9 @@ struct Arguments {
   std::string caseFolder;            ///< or a DICOM folder or a file; empty for the built-in neck
   std::string workspace;             ///< empty for the one shown last
   std::filesystem::path screenshot;  ///< empty: no screenshot
+  std::filesystem::path benchmark;   ///< folder for a table of speeds; empty: none
+  bool quick = false;                ///< moments of benchmark instead of seconds
+  bool untilImage = false;           ///< leave with the first live picture
   int width_px = 1600, height_px = 1000;
 };
 

@@ -25,7 +25,7 @@ Screenshot::Screenshot(ui::MainWindow& window, const QString& file, std::functio
 }
 
 void Screenshot::look() {
-  if (!window_.isReady())
+  if (!window_.isComplete())
     settling_.stop();
   else if (!settling_.isActive())
     settling_.start(kSettle_ms);

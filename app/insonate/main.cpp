@@ -1,4 +1,6 @@
 #include "Arguments.h"
+#include "Benchmark.h"
+#include "FirstImage.h"
 #include "Screenshot.h"
 
 #include <insonate/prepare/PrepareWorkspace.h>
@@ -56,9 +58,10 @@ void addWorkspaces(ui::MainWindow& window) {
 }
 
 int run(QApplication& application, const app::Arguments& arguments) {
-  // A screenshot neither depends on the user's layout nor changes it.
+  // Screenshots and measurements neither depend on the user's layout nor change it.
   std::unique_ptr<QTemporaryDir> ownSettings;
-  if (!arguments.screenshot.empty()) {
+  const bool measures = !arguments.benchmark.empty() || arguments.untilImage;
+  if (!arguments.screenshot.empty() || measures) {
     ownSettings = std::make_unique<QTemporaryDir>();
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, ownSettings->path());
   }
@@ -87,7 +90,18 @@ int run(QApplication& application, const app::Arguments& arguments) {
     screenshot =
         std::make_unique<app::Screenshot>(window, QString::fromStdString(arguments.screenshot.string()), leave);
   }
+  std::unique_ptr<app::FirstImage> firstImage;
+  if (arguments.untilImage)
+    firstImage = std::make_unique<app::FirstImage>(window, [leave] {
+      std::printf("%.0f\n", app::sinceStart_ms());
+      leave({});
+    });
   window.show();
+  std::unique_ptr<app::Benchmark> benchmark;
+  if (!arguments.benchmark.empty())
+    benchmark = std::make_unique<app::Benchmark>(
+        window, *window.findChild<train::TrainWorkspace*>(),
+        app::BenchmarkPlan{arguments.benchmark, arguments.caseFolder, arguments.quick}, leave);
   if (arguments.caseFolder.empty())
     window.openTextbook();
   else

@@ -4,8 +4,12 @@
 
 #include <QFile>
 #include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <cmath>
 
 namespace {
 
@@ -56,11 +60,37 @@ TEST_F(Program, TheSizeOfAScreenshotIsInDevicePixels) {
   EXPECT_EQ(QImage(file).size(), QSize(2400, 1400));
 }
 
+TEST_F(Program, MeasuresItsSpeed) {
+  const QString folder = home.filePath("speed");
+  const Outcome outcome = run({test::writtenSmallCase(home, "block"), "--benchmark", folder, "--quick"});
+  ASSERT_EQ(outcome.status, 0) << outcome.errors.toStdString();
+  QFile file(folder + "/window.json");
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QJsonObject table = QJsonDocument::fromJson(file.readAll()).object();
+  EXPECT_FALSE(table["graphics"].toString().isEmpty());
+  QStringList names;
+  for (const QJsonValue& row : table["rows"].toArray()) {
+    names << row["name"].toString();
+    EXPECT_TRUE(std::isfinite(row["value"].toDouble(NAN))) << names.back().toStdString();
+  }
+  for (const char* name :
+       {"logical_cores", "load_average_at_start", "start_to_first_image_cold", "start_to_first_image_warm",
+        "start_to_first_image_case", "open_case", "live_3d_idle_images_per_second", "live_3d_idle_latency_median",
+        "live_3d_idle_latency_p95", "live_3d_follows_images_per_second", "live_3d_follows_latency_median",
+        "live_3d_follows_latency_p95", "orbit_frames_per_second", "orbit_median", "orbit_p95"})
+    EXPECT_EQ(names.count(name), 1) << name;
+  QFile csv(folder + "/window.csv");
+  ASSERT_TRUE(csv.open(QIODevice::ReadOnly));
+  EXPECT_EQ(csv.readAll().count('\n'), names.size() + 1);
+}
+
 TEST_F(Program, RefusesWrongUsageWithTwo) {
   EXPECT_EQ(run({"--workspace", "kitchen"}).status, 2);
   EXPECT_EQ(run({"--size", "800x600"}).status, 2);
   EXPECT_EQ(run({"--screenshot", "x.png", "--size", "800"}).status, 2);
   EXPECT_EQ(run({"--colour", "pink"}).status, 2);
+  EXPECT_EQ(run({"--quick"}).status, 2);
+  EXPECT_EQ(run({"--benchmark", home.path(), "--until-image"}).status, 2);
   EXPECT_EQ(run({"--help"}).status, 0);
 }
 

@@ -7,6 +7,7 @@
 #include "image/ImageInput.h"
 #include "image/LinkedPointer.h"
 #include "image/SliceMeasure.h"
+#include "measure/LiveMeasure.h"
 #include "panel/ControlsPanel.h"
 #include "panel/EffectWords.h"
 #include "panel/Positions.h"
@@ -79,6 +80,7 @@ TrainWorkspace::Parts::Parts(TrainWorkspace& workspace)
 }
 
 TrainWorkspace::Parts::~Parts() {
+  measure_ = nullptr;
   session.stop();
 }
 
@@ -145,6 +147,7 @@ void TrainWorkspace::Parts::connectParts() {
     view->focusProxy()->installEventFilter(&workspace_);
   connect(&session, &TrainSession::caseChanged, this, [this] { showCase(); });
   connect(&session, &TrainSession::pictureShown, this, [this] { showPicture(); });
+  connect(&session, &TrainSession::surfacesDone, this, [this] { Q_EMIT workspace_.readyChanged(); });
   connect(&session, &TrainSession::messageChanged, this, [this] { Q_EMIT workspace_.statusChanged(); });
   connect(&session, &TrainSession::failed, this, [this](const QString& what) {
     Q_EMIT workspace_.failed(what, tr("Check the case in Prepare, or open another one."), {});

@@ -30,6 +30,7 @@ class CtBeside;
 class EqualColumns;
 class FovHandles;
 class ImageInput;
+class LiveMeasure;
 class PatientViews;
 class ProbeEditor;
 class ProbeLibrary;
@@ -60,6 +61,8 @@ class TrainWorkspace::Parts : public QObject {
   bool canvasEvent(QObject* canvas, QEvent* event);
   void savePicture(const std::filesystem::path& file);
   void saveClip(const std::filesystem::path& folder);
+  void measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done);
+  OrbitRates measureOrbit(int steps);
 
  private:
   QWidget* buildCentre();
@@ -98,6 +101,7 @@ class TrainWorkspace::Parts : public QObject {
   std::shared_ptr<const ImagingSetup> shape_;  ///< of the picture as laid out
   std::vector<std::unique_ptr<PictureWriter>> writers_;
   bool effectAlone_ = false;
+  std::unique_ptr<LiveMeasure> measure_;
   QTimer rate_;
 };
 

@@ -4,7 +4,9 @@
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/AcousticTable.h>
 #include <insonate/tissue/Labels.h>
+#include <insonate/ultrasound/Textures.h>
 
+#include <QThreadPool>
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -50,6 +52,7 @@ ImagingSettings fitted(ImagingSettings settings, const Probe& probe) {
 }
 
 TrainSession::TrainSession(QObject* parent) : QObject(parent), feed_([this] { news(); }) {
+  QThreadPool::globalInstance()->start([] { prepareTextures(); });
   // Both come with the program.
   probe_ = loadProbe("linear").value_or(Probe{});
   tissues_ = loadAcousticTable(acousticPresetNames().front()).value_or(AcousticTable{});
@@ -92,13 +95,17 @@ void TrainSession::setCase(std::shared_ptr<const PatientCase> patient) {
     Q_EMIT handMoved();
   };
   work.surface = [this](std::uint8_t label, std::shared_ptr<const Mesh> mesh) { Q_EMIT surfaceMade(label, mesh); };
+  work.surfacesDone = [this] {
+    surfacesThere_ = surfacesWanted_;
+    if (surfacesThere_) Q_EMIT surfacesDone();
+  };
   work.failed = [this](const QString& text) {
     say(text);
     wantSurfaces();
     Q_EMIT failed(text);
   };
   worker_ = std::make_unique<ui::CaseWorker>(patient_, std::move(work), std::vector<ui::SurfaceWish>{});
-  surfacesWanted_ = false;
+  surfacesWanted_ = surfacesThere_ = false;
 }
 
 /// The picture comes first; where there is none, nothing is to be waited for.

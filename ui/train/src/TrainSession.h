@@ -85,6 +85,8 @@ class TrainSession : public QObject {
   int cineIndex() const { return cineIndex_; }
   void showCine(int index);
 
+  /// All surfaces that are shown have been made.
+  bool surfacesThere() const { return surfacesThere_; }
   LiveStatus status() const;
   double imagesPerSecond() const;
   /// What just happened, a sentence; or the next thing to do.
@@ -99,6 +101,7 @@ class TrainSession : public QObject {
   void frozenChanged();
   void messageChanged();
   void surfaceMade(int label, std::shared_ptr<const insonate::Mesh> mesh);
+  void surfacesDone();
   void failed(const QString& what);
 
  private:
@@ -136,7 +139,7 @@ class TrainSession : public QObject {
   QString message_;
   std::string failure_;  ///< of the live probe, as last said
   ui::LiveFeed feed_;
-  bool surfacesWanted_ = false;
+  bool surfacesWanted_ = false, surfacesThere_ = false;
   std::unique_ptr<ui::CaseWorker> worker_;
 };
 

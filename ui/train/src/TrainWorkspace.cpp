@@ -35,6 +35,10 @@ QString TrainWorkspace::engineText() const {
   return parts_->engineText;
 }
 
+bool TrainWorkspace::isComplete() const {
+  return parts_->ready && parts_->session.surfacesThere();
+}
+
 bool TrainWorkspace::isReady() const {
   return parts_->ready;
 }
@@ -87,6 +91,14 @@ void TrainWorkspace::savePicture(const std::filesystem::path& file) {
 
 void TrainWorkspace::saveClip(const std::filesystem::path& folder) {
   parts_->saveClip(folder);
+}
+
+void TrainWorkspace::measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done) {
+  parts_->measureLive(seconds, viewsFollow, std::move(done));
+}
+
+OrbitRates TrainWorkspace::measureOrbit(int steps) {
+  return parts_->measureOrbit(steps);
 }
 
 bool TrainWorkspace::eventFilter(QObject* watched, QEvent* event) {

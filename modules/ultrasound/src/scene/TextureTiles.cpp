@@ -1,6 +1,7 @@
 #include "scene/TextureTiles.h"
 
 #include <insonate/core/Hash.h>
+#include <insonate/ultrasound/Textures.h>
 
 #include <tbb/parallel_for.h>
 
@@ -229,6 +230,11 @@ const TextureTile& textureTile(Texture kind) {
   static const std::array<TextureTile, kTextureKinds> tiles{emptyTile({1, 1, 1}, {1, 1, 1}), makeSepta(), makeLobules(),
                                                             makeSheets(), makeFine()};
   return tiles[static_cast<std::size_t>(kind)];
+}
+
+void prepareTextures() {
+  textureTile(Texture::None);
+  patchTile();
 }
 
 const TextureTile& patchTile() {

@@ -160,7 +160,7 @@ void CaseLoader::openTextbook() {
         auto made = textbookCase(folder, progress);
         if (!made) return tl::unexpected(made.error());
         LoadedCase result;
-        result.patient = std::make_shared<PatientCase>(std::move(*made));
+        result.patient = std::move(*made);
         result.builtIn = true;
         return result;
       },

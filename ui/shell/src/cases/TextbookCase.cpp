@@ -7,6 +7,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
+#include <QThreadPool>
 #include <filesystem>
 #include <system_error>
 
@@ -14,20 +15,19 @@ namespace insonate::ui {
 namespace {
 
 constexpr std::uint32_t kSeed = 1;
-constexpr double kShareOfMaking = 0.75;
 const QString kPrefix = QStringLiteral("textbook-");
-
-/// A part of longer work.
-Progress part(const Progress& whole, double from, double to) {
-  return [whole, from, to](std::string_view doing, double fraction) {
-    return report(whole, doing, from + (to - from) * fraction);
-  };
-}
 
 void forgetOthers(const QString& kept) {
   QDir cache = QFileInfo(kept).dir();
   for (const QString& name : cache.entryList({kPrefix + QLatin1Char('*')}, QDir::Dirs))
     if (cache.filePath(name) != kept) QDir(cache.filePath(name)).removeRecursively();
+}
+
+/// Given up when the program ends: nothing half written is left.
+void keep(const PatientCase& patient, const QString& folder) {
+  QDir().mkpath(QFileInfo(folder).path());
+  const auto goOn = [](std::string_view, double) { return !QCoreApplication::closingDown(); };
+  if (writeCase(patient, folder.toStdString(), goOn)) forgetOthers(folder);
 }
 
 }  // namespace
@@ -39,18 +39,18 @@ QString textbookFolder() {
   return QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)).filePath(kPrefix + version);
 }
 
-Result<PatientCase> textbookCase(const QString& folder, const Progress& progress) {
+Result<std::shared_ptr<const PatientCase>> textbookCase(const QString& folder, const Progress& progress) {
   const std::filesystem::path place(folder.toStdString());
   std::error_code ignored;
   if (std::filesystem::exists(place / "case.json", ignored)) {
     if (!report(progress, "reading", 0)) return fail(std::string(kCancelled));
-    if (auto kept = readCase(place)) return std::move(kept->patient);
+    if (auto kept = readCase(place)) return std::make_shared<const PatientCase>(std::move(kept->patient));
   }
-  auto made = makePhantom(phantomVariants().front().name, kSeed, part(progress, 0, kShareOfMaking));
-  if (!made) return made;
-  QDir().mkpath(QFileInfo(folder).path());
-  if (writeCase(*made, place, part(progress, kShareOfMaking, 1))) forgetOthers(folder);
-  return made;
+  auto made = makePhantom(phantomVariants().front().name, kSeed, progress);
+  if (!made) return tl::unexpected(made.error());
+  auto patient = std::make_shared<const PatientCase>(std::move(*made));
+  QThreadPool::globalInstance()->start([patient, folder] { keep(*patient, folder); });
+  return patient;
 }
 
 }  // namespace insonate::ui

@@ -155,7 +155,7 @@ void ViewWidget::Canvas::wheelEvent(QWheelEvent* event) {
 }
 
 void ViewWidget::Canvas::timerEvent(QTimerEvent* event) {
-  if (event->timerId() != rest_.timerId()) return QVTKOpenGLNativeWidget::timerEvent(event);
+  if (event->timerId() != rest_.timerId()) return QWidget::timerEvent(event);
   rest_.stop();
   view_.rested();
 }

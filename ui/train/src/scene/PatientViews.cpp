@@ -217,8 +217,16 @@ void PatientViews::placeCamera() {
   cameraDue_ = false;
 }
 
+void PatientViews::setFollowing(bool following) {
+  following_ = following;
+  if (following)
+    want();
+  else
+    timer_.stop();
+}
+
 void PatientViews::want() {
-  if (timer_.isActive()) return;
+  if (!following_ || timer_.isActive()) return;
   const double cost_ms =
       1000 * (scene_->renderer()->GetLastRenderTimeInSeconds() + mpr_->renderer()->GetLastRenderTimeInSeconds());
   const int gap_ms = std::clamp(int(cost_ms / kShare), kSoonest_ms, kLatest_ms);

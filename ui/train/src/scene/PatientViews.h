@@ -46,6 +46,8 @@ class PatientViews : public QWidget {
   void setSliceWindow(int preset);
   /// Called when the user changed window or level of the slice.
   void setWindowChanged(const std::function<void(views::WindowLevel)>& listener);
+  /// Whether they follow the probe.
+  void setFollowing(bool following);
 
  private:
   QWidget* buildMpr();
@@ -76,6 +78,7 @@ class PatientViews : public QWidget {
   std::shared_ptr<const ImagingSetup> shape_;  ///< of the probe as drawn
   bool cameraDue_ = false;                     ///< a new patient is there, and not looked at yet
   bool sliceShown_ = false;                    ///< the slice has the case
+  bool following_ = true;
   Transform pose_;
   std::optional<Transform> slicedAt_;  ///< where the probe was when the slice was put there
   QTimer timer_, rest_;

@@ -51,6 +51,8 @@ class MainWindow : public QMainWindow {
 
   /// A case is open, nothing is being done, and the workspace shows all of it.
   bool isReady() const;
+  /// Nothing more will come by itself.
+  bool isComplete() const { return isReady() && currentWorkspace()->isComplete(); }
 
   QAction* openAction() const { return open_; }
   QAction* importAction() const { return import_; }

@@ -58,6 +58,8 @@ class Workspace : public QWidget {
 
   /// False until everything is on screen that belongs there, e.g. the first live image.
   virtual bool isReady() const { return true; }
+  /// Nothing more will come by itself, e.g. surfaces after the first image. readyChanged() tells of it, too.
+  virtual bool isComplete() const { return isReady(); }
 
   /// The help page about this workspace: a file's name in resources/help without ".md".
   virtual QString helpPage() const { return {}; }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <insonate/train/LiveRates.h>
 #include <insonate/ui/Workspace.h>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 namespace insonate::train {
@@ -22,6 +24,8 @@ class TrainWorkspace : public ui::Workspace {
   QString engineText() const override;
   /// From the first live picture on.
   bool isReady() const override;
+  /// Once all surfaces are there.
+  bool isComplete() const override;
   QString helpPage() const override { return QStringLiteral("train"); }
   std::vector<ui::Shortcut> shortcuts() const override;
   void saveLayout(QSettings& settings) const override;
@@ -32,6 +36,12 @@ class TrainWorkspace : public ui::Workspace {
   void savePicture(const std::filesystem::path& file);
   /// The last seconds as numbered PNGs in a new folder, as one of tasks(); written() or failed() tell the end.
   void saveClip(const std::filesystem::path& folder);
+
+  /// Moves the linear probe with its own settings for a while and times the pictures on the screen, while 3D and CT
+  /// follow or stand still. To be called when there is a picture; `done` comes later, unless the workspace goes first.
+  void measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done);
+  /// Turns the patient in 3D, which takes its time.
+  OrbitRates measureOrbit(int steps);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "FirstImage.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace insonate::train {
+class TrainWorkspace;
+}
+namespace insonate::ui {
+class MainWindow;
+}
+
+namespace insonate::app {
+
+struct BenchmarkPlan {
+  std::filesystem::path folder;  ///< gets window.json and window.csv
+  std::string caseFolder;        ///< empty for the built-in neck
+  bool quick = false;            ///< moments instead of seconds: shows that it works, measures nothing
+};
+
+/// Measures the real window: how long it takes to the first picture, how many live pictures it shows, how fast 3D
+/// turns. Writes and prints a table.
+class Benchmark : public QObject {
+ public:
+  /// The window is to be shown with Train in it, and opens its case after this. `done` gets an empty string, or a
+  /// sentence when there is no table.
+  Benchmark(ui::MainWindow& window, train::TrainWorkspace& train, BenchmarkPlan plan,
+            std::function<void(const QString& trouble)> done);
+
+ private:
+  struct Row {
+    QString name, unit;
+    double value;
+  };
+  void timeStarts();
+  double startOnce(const QString& cache, bool withCase);
+  void opened();
+  void measureLive(bool follows);
+  void measureOrbit();
+  void add(const QString& name, double value, const QString& unit) { rows_.push_back({name, unit, value}); }
+  void write();
+
+  ui::MainWindow& window_;
+  train::TrainWorkspace& train_;
+  const BenchmarkPlan plan_;
+  std::function<void(const QString&)> done_;
+  QElapsedTimer opening_;
+  std::unique_ptr<FirstImage> first_;
+  std::vector<Row> rows_;
+  QString graphics_, trouble_;
+};
+
+}  // namespace insonate::app

@@ -1,0 +1,89 @@
+#include "LiveMeasure.h"
+
+#include "../TrainSession.h"
+
+#include <insonate/ui/ViewWidget.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <numbers>
+
+namespace insonate::train {
+namespace {
+
+constexpr int kHand_ms = 8;  // a mouse reports about as often
+constexpr double kReach_mm = 20, kTurn_deg = 15, kPeriod_s = 3;
+
+double processorTime_ms(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
+}
+
+double quantile(std::vector<double>& values, double share) {
+  if (values.empty()) return 0;
+  const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1) + 0.5);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+}  // namespace
+
+LiveMeasure::LiveMeasure(TrainSession& session, ui::ViewWidget& image, double seconds,
+                         std::function<void(LiveRates)> done)
+    : session_(session), seconds_(seconds), done_(std::move(done)) {
+  session_.setProbe("linear");
+  session_.setSettings(settingsFor(session_.probe()));
+  connect(&session_, &TrainSession::pictureShown, this, [this] { arrived(); });
+  connect(&image, &ui::ViewWidget::rendered, this, [this] { drawn(); });
+  connect(&hand_, &QTimer::timeout, this, [this] { move(); });
+  clock_.start();
+  cpu_ms_ = processorTime_ms(CLOCK_PROCESS_CPUTIME_ID);
+  window_ms_ = processorTime_ms(CLOCK_THREAD_CPUTIME_ID);
+  hand_.setTimerType(Qt::PreciseTimer);
+  hand_.start(kHand_ms);
+}
+
+/// Back and forth along a sine: 42 mm/s at most.
+void LiveMeasure::move() {
+  const double now_s = double(clock_.elapsed()) / 1e3;
+  if (now_s >= seconds_) return finish();
+  const auto at = [](double t_s) { return std::sin(2 * std::numbers::pi * t_s / kPeriod_s); };
+  const double part = at(now_s) - at(moved_s_);
+  moved_s_ = now_s;
+  session_.slide(kReach_mm * part, 0);
+  session_.move(HandAxis::Rotation, kTurn_deg * part);
+  sent_.emplace_back(session_.pose(), double(clock_.nsecsElapsed()) / 1e6);
+}
+
+void LiveMeasure::arrived() {
+  const auto& frame = session_.shown();
+  const auto of = std::ranges::find(sent_, frame->patientFromProbe, &std::pair<Transform, double>::first);
+  if (of == sent_.end()) return;
+  shown_ms_ = of->second;
+  sent_.erase(sent_.begin(), of);
+}
+
+void LiveMeasure::drawn() {
+  if (!shown_ms_) return;
+  latency_ms_.push_back(double(clock_.nsecsElapsed()) / 1e6 - *shown_ms_);
+  shown_ms_.reset();
+}
+
+void LiveMeasure::finish() {
+  hand_.stop();
+  LiveRates rates;
+  rates.seconds = double(clock_.nsecsElapsed()) / 1e9;
+  rates.images = int(latency_ms_.size());
+  rates.imagesPerSecond = rates.images / rates.seconds;
+  const int images = std::max(1, rates.images);
+  rates.cpu_ms = (processorTime_ms(CLOCK_PROCESS_CPUTIME_ID) - cpu_ms_) / images;
+  rates.window_ms = (processorTime_ms(CLOCK_THREAD_CPUTIME_ID) - window_ms_) / images;
+  rates.median_ms = quantile(latency_ms_, 0.5);
+  rates.p95_ms = quantile(latency_ms_, 0.95);
+  disconnect();
+  if (const auto done = std::exchange(done_, nullptr)) done(rates);
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <insonate/core/Transform.h>
+#include <insonate/train/LiveRates.h>
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace insonate::ui {
+class ViewWidget;
+}
+
+namespace insonate::train {
+
+class TrainSession;
+
+/// Slides and turns the probe as a hand does, and times the pictures that come of it.
+class LiveMeasure : public QObject {
+ public:
+  /// `done` is called once, on the window's thread.
+  LiveMeasure(TrainSession& session, ui::ViewWidget& image, double seconds, std::function<void(LiveRates)> done);
+
+ private:
+  void move();
+  void arrived();
+  void drawn();
+  void finish();
+
+  TrainSession& session_;
+  const double seconds_;
+  std::function<void(LiveRates)> done_;
+  QTimer hand_;
+  QElapsedTimer clock_;
+  double moved_s_ = 0, cpu_ms_ = 0, window_ms_ = 0;
+  std::deque<std::pair<Transform, double>> sent_;  ///< poses and when, ms
+  std::optional<double> shown_ms_;                 ///< when the pose of the picture on display was sent
+  std::vector<double> latency_ms_;
+};
+
+}  // namespace insonate::train
