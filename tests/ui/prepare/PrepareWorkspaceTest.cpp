@@ -149,6 +149,17 @@ TEST_F(PrepareWindow, AViewFillsTheMiddleAndComesBack) {
   EXPECT_TRUE(child<ui::ViewWidget>("Scene")->isVisible());
 }
 
+TEST_F(PrepareWindow, NothingIsWiderThanItsColumn) {
+  workspace_->resize(1366, 700);
+  openCase();
+  child<QCheckBox>("ctVolume")->click();
+  for (auto* heading : workspace_->findChildren<QToolButton*>())
+    if (heading->objectName().startsWith("section-") && !heading->isChecked()) heading->click();
+  QTest::qWait(300);
+  for (auto* scroll : workspace_->findChildren<QScrollArea*>())
+    EXPECT_LE(scroll->widget()->minimumSizeHint().width(), scroll->viewport()->width());
+}
+
 TEST_F(PrepareWindow, EveryControlHasANameAndATip) {
   openCase();
   for (auto* widget : workspace_->findChildren<QWidget*>()) {

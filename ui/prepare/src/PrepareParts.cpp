@@ -29,7 +29,7 @@ namespace insonate::prepare {
 namespace {
 
 constexpr double kOpacityStep = 0.05;
-constexpr int kLeft_px = 284, kRight_px = 312, kUltrasound_px = 250;
+constexpr int kLeft_px = 284, kRight_px = 362, kUltrasound_px = 250;
 
 }  // namespace
 
