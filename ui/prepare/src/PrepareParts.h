@@ -15,7 +15,7 @@ class QStackedLayout;
 namespace insonate::ui {
 class EmptyWorkspace;
 class ScenePanel;
-}
+}  // namespace insonate::ui
 
 namespace insonate::prepare {
 
