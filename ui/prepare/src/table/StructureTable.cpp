@@ -17,7 +17,7 @@
 namespace insonate::prepare {
 namespace {
 
-constexpr int kRow_px = 26, kIconColumn_px = 28, kVolumeColumn_px = 52;
+constexpr int kRow_px = 26, kIconColumn_px = 28, kVolumeColumn_px = 60;
 constexpr double kPercent = 100;
 
 }  // namespace
