@@ -50,6 +50,39 @@ HWY_INLINE Point shifted(const Point& p, float x, float y, float z, float by) {
   return {hn::Add(p.x, hn::Set(d, x * by)), hn::Add(p.y, hn::Set(d, y * by)), hn::Add(p.z, hn::Set(d, z * by))};
 }
 
+/// Integral of the quadratic B-spline from the left.
+HWY_INLINE GateVec splineBefore(GateVec x) {
+  const GateTag d;
+  const auto a = hn::Min(hn::Abs(x), hn::Set(d, 1.5F)), left = hn::Sub(hn::Set(d, 1.5F), a);
+  const auto inner =
+      hn::MulAdd(a, hn::NegMulAdd(hn::Mul(a, a), hn::Set(d, 1.0F / 3), hn::Set(d, 0.75F)), hn::Set(d, 0.5F));
+  const auto outer = hn::NegMulAdd(hn::Mul(left, hn::Mul(left, left)), hn::Set(d, 1.0F / 6), hn::Set(d, 1.0F));
+  const auto right = hn::IfThenElse(hn::Lt(a, hn::Set(d, 0.5F)), inner, outer);
+  return hn::IfThenElse(hn::Lt(x, hn::Zero(d)), hn::Sub(hn::Set(d, 1.0F), right), right);
+}
+
+/// The same as Impulse, by vectors.
+struct ImpulseRow {
+  int first, count;
+  alignas(64) float weight[32];
+
+  HWY_INLINE ImpulseRow(int gate, float fraction, float width) {
+    const GateTag d;
+    width =
+        std::clamp(width, static_cast<float>(Impulse::kNarrowest_gates), static_cast<float>(Impulse::kWidest_gates));
+    const float reach = width / 2 + 1.5F;
+    const int before = static_cast<int>(std::ceil(fraction - reach));
+    first = gate + before;
+    count = static_cast<int>(std::floor(fraction + reach)) - before + 1;
+    const auto half = hn::Set(d, width / 2), share = hn::Set(d, 1 / width);
+    for (int k = 0; k < count; k += static_cast<int>(hn::Lanes(d))) {
+      const auto off = hn::Add(hn::Iota(d, static_cast<float>(k)), hn::Set(d, static_cast<float>(before) - fraction));
+      const auto covered = hn::Sub(splineBefore(hn::Add(off, half)), splineBefore(hn::Sub(off, half)));
+      hn::Store(hn::Mul(covered, share), d, weight + k);
+    }
+  }
+};
+
 /// Echo and loss of the boundary that one scanline crosses between the last gate and this one. Rare, so scalar.
 HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, int channel, float s, float impedance,
                               TraceBuffers& b) {
@@ -68,7 +101,7 @@ HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, 
                        specularLobe(first, second, cells.cosine[l]) *
                        static_cast<float>(plan.boundaryScale * plan.boundaryWeight[plane]);
     const bool samePair = state.pair[l] == cells.profile[l];
-    const Impulse impulse(gate - 1 + (samePair ? state.s[l] / (state.s[l] - s) : 0.5), cells.spread[l]);
+    const ImpulseRow impulse(gate - 1, samePair ? state.s[l] / (state.s[l] - s) : 0.5F, cells.spread[l]);
     for (int o = 0; o < impulse.count; ++o)
       if (const int g = impulse.first + o; g >= 0 && g < plan.gates)
         for (int look = 0; look < plan.settings.looks; ++look)

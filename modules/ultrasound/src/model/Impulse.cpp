@@ -15,8 +15,6 @@ double splineBefore(double x) {
   return 0.5 + x * (0.75 - x * x / 3);
 }
 
-constexpr double kNarrowest_gates = 1e-3;  // below it the quotient is the spline itself
-
 }  // namespace
 
 Impulse::Impulse(double gate, double width) {

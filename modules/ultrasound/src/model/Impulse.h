@@ -9,7 +9,7 @@ namespace insonate {
 /// width = hypot(lateral slope * line distance, elevation slope * plane distance); without it, a slope would be a comb
 /// of lines, one a plane. The box is convolved with a quadratic B-spline, so that slopes do not shimmer.
 struct Impulse {
-  static constexpr double kWidest_gates = 12;
+  static constexpr double kNarrowest_gates = 0.01, kWidest_gates = 12;  ///< narrower is the spline itself
   static constexpr int kMost = 17;
 
   int first = 0;  ///< gate of the first weight
