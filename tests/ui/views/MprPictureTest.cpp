@@ -122,7 +122,8 @@ TEST(MprPicture, ThePictureMarksItToo) {
   screen.picture();
   view.setPointer(PicturePoint{2, 11});
   const DisplayPoint at = view.displayFromPicture({2, 11});
-  const std::uint8_t* beside = screen.picture().at(int(at.x) + 8, int(at.y));
+  const auto marked = screen.picture();
+  const std::uint8_t* beside = marked.at(int(at.x) + 8, int(at.y));
   EXPECT_GT(beside[2], beside[0] + 60) << "blue";
 }
 

@@ -32,6 +32,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace insonate::train {
 namespace {
@@ -71,9 +72,9 @@ TrainWorkspace::Parts::Parts(TrainWorkspace& workspace)
   measureSlice_ = new SliceMeasure(patient->mpr(), slice, this);
   measureBeside_ = new SliceMeasure(beside_->view(), beside, this);
   input_ = new ImageInput(session, *image_, picture, this);
-  auto* pointer = new LinkedPointer(session, *image_, picture, this);
-  pointer->addSlice(patient->mpr(), slice);
-  pointer->addSlice(beside_->view(), beside);
+  pointer_ = new LinkedPointer(session, *image_, picture, this);
+  pointer_->addSlice(patient->mpr(), slice);
+  pointer_->addSlice(beside_->view(), beside);
   buildActions();
   connectParts();
   connectProbe();
@@ -82,6 +83,14 @@ TrainWorkspace::Parts::Parts(TrainWorkspace& workspace)
 TrainWorkspace::Parts::~Parts() {
   measure_ = nullptr;
   session.stop();
+}
+
+void TrainWorkspace::Parts::letGoOfCanvases() {
+  delete std::exchange(pointer_, nullptr);
+  delete std::exchange(measureSlice_, nullptr);
+  delete std::exchange(measureBeside_, nullptr);
+  delete std::exchange(input_, nullptr);
+  delete std::exchange(fov_, nullptr);
 }
 
 QWidget* TrainWorkspace::Parts::buildCentre() {

@@ -30,6 +30,7 @@ class CtBeside;
 class EqualColumns;
 class FovHandles;
 class ImageInput;
+class LinkedPointer;
 class LiveMeasure;
 class PatientViews;
 class ProbeEditor;
@@ -41,6 +42,8 @@ class TrainWorkspace::Parts : public QObject {
  public:
   explicit Parts(TrainWorkspace& workspace);
   ~Parts() override;
+  /// Nothing listens to canvases any more: a canvas that goes is left by the mouse, when other views may be gone.
+  void letGoOfCanvases();
 
   TrainSession& session;  ///< a child of the workspace, gone after its widgets
   QSplitter* columns = nullptr;
@@ -97,6 +100,7 @@ class TrainWorkspace::Parts : public QObject {
   FovHandles* fov_ = nullptr;
   CtBeside* beside_ = nullptr;
   SliceMeasure *measureSlice_ = nullptr, *measureBeside_ = nullptr;
+  LinkedPointer* pointer_ = nullptr;
   QAction *leftHanded_ = nullptr, *besideAction_ = nullptr;
   std::shared_ptr<const ImagingSetup> shape_;  ///< of the picture as laid out
   std::vector<std::unique_ptr<PictureWriter>> writers_;

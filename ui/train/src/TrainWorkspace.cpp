@@ -19,6 +19,7 @@ TrainWorkspace::TrainWorkspace(QWidget* parent) : ui::Workspace(parent), parts_(
 
 TrainWorkspace::~TrainWorkspace() {
   parts_->session.stop();
+  parts_->letGoOfCanvases();
   // The widgets refer to the session: they go first.
   delete parts_->columns;
 }

@@ -68,6 +68,7 @@ ViewWidget::~ViewWidget() {
   canvas_->onFocus = nullptr;
   canvas_->onStale = nullptr;
   view_->detach();
+  delete canvas_;  // which is left by the mouse as it goes, and its view is asked then
 }
 
 void ViewWidget::want() {

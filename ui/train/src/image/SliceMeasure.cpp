@@ -46,21 +46,22 @@ void SliceMeasure::take() {
 
 bool SliceMeasure::eventFilter(QObject* watched, QEvent* event) {
   if (watched != &canvas_ || !tool_.kind()) return false;
-  const auto& mouse = *static_cast<QMouseEvent*>(event);
+  const auto* const mouse = dynamic_cast<QMouseEvent*>(event);
+  if (!mouse) return false;
   switch (event->type()) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick:
-      if (mouse.button() != Qt::LeftButton) return false;
+      if (mouse->button() != Qt::LeftButton) return false;
       canvas_.setFocus(Qt::MouseFocusReason);
-      tool_.pressed(pointAt(mouse));
+      tool_.pressed(pointAt(*mouse));
       break;
     case QEvent::MouseMove:
       if (!tool_.placing()) return false;
-      tool_.moved(pointAt(mouse));
+      tool_.moved(pointAt(*mouse));
       break;
     case QEvent::MouseButtonRelease:
-      if (mouse.button() != Qt::LeftButton) return false;
-      tool_.released(pointAt(mouse));
+      if (mouse->button() != Qt::LeftButton) return false;
+      tool_.released(pointAt(*mouse));
       break;
     default:
       return false;
