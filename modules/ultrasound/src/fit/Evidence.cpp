@@ -15,7 +15,7 @@ bool within(const Plate& plate, PixelPoint p) {
 }
 
 float at(const Plate& plate, PixelPoint p) {
-  return plate.smooth(int(p.y + 0.5), int(p.x + 0.5));
+  return plate.smooth(int(std::lround(p.y)), int(std::lround(p.x)));
 }
 
 PixelPoint along(const EdgeSample& sample, double by) {
