@@ -36,7 +36,7 @@ bool SceneView::supports(Stereo stereo) {
 void SceneView::setHeadCoupling(std::optional<HeadCoupling> coupling) {
   // An eye in or behind the screen sees nothing through it.
   if (coupling && !(coupling->eye_mm.z >= 1 && coupling->width_mm > 0 && coupling->height_mm >= 0)) coupling.reset();
-  drawing_->coupling = std::move(coupling);
+  drawing_->coupling = coupling;
   changed();
 }
 
