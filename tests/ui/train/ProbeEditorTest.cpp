@@ -295,7 +295,7 @@ TEST_F(ProbeEditing, APictureBecomesTheProbe) {
   auto* dialog = workspace_->findChild<FitDialog*>();
   ASSERT_TRUE(dialog);
   EXPECT_FALSE(dialog->findChild<QPushButton*>("fitTake")->isEnabled());
-  dialog->open(file);
+  dialog->openPicture(file);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog->isWorking(); }, kPatience_ms));
   auto* fit = dialog->findChild<FitCanvas*>();
   ASSERT_TRUE(fit->shape()) << dialog->message().toStdString();
@@ -324,7 +324,7 @@ TEST_F(ProbeEditing, PastedDroppedBadAndCancelled) {
   EXPECT_TRUE(dialog.message().contains("clipboard"));
   const test::TemporaryFolder folder;
   std::ofstream(folder / "notes.txt") << "no picture";
-  dialog.open(QString::fromStdString((folder / "notes.txt").string()));
+  dialog.openPicture(QString::fromStdString((folder / "notes.txt").string()));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.isWorking(); }, kPatience_ms));
   EXPECT_TRUE(dialog.message().contains("no picture that can be read")) << dialog.message().toStdString();
 

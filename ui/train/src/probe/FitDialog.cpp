@@ -143,7 +143,7 @@ QWidget* FitDialog::buildSide() {
   connect(open, &QPushButton::clicked, this, [this] {
     const QString file = QFileDialog::getOpenFileName(this, tr("Picture of a machine"), {},
                                                       tr("Pictures (*.png *.jpg *.jpeg *.bmp);;All files (*)"));
-    if (!file.isEmpty()) this->open(file);
+    if (!file.isEmpty()) openPicture(file);
   });
   connect(pasteButton, &QPushButton::clicked, this, &FitDialog::paste);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
@@ -175,7 +175,7 @@ void FitDialog::say(const QString& sentence, bool trouble) {
   notes_->setVisible(!trouble);
 }
 
-void FitDialog::open(const QString& file) {
+void FitDialog::openPicture(const QString& file) {
   load(tr("Fitting"), [file] { return readImage(file); });
 }
 
@@ -185,7 +185,7 @@ void FitDialog::paste() {
     const QImage image = qvariant_cast<QImage>(held->imageData());
     if (!image.isNull()) return load(tr("Fitting"), [image]() -> Result<QImage> { return image; });
   }
-  if (const QString file = held ? imageFileIn(*held) : QString(); !file.isEmpty()) return open(file);
+  if (const QString file = held ? imageFileIn(*held) : QString(); !file.isEmpty()) return openPicture(file);
   say(tr("The clipboard holds no picture. Copy one, then paste again."), true);
 }
 
@@ -324,7 +324,7 @@ void FitDialog::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void FitDialog::dropEvent(QDropEvent* event) {
-  if (const QString file = imageFileIn(*event->mimeData()); !file.isEmpty()) return open(file);
+  if (const QString file = imageFileIn(*event->mimeData()); !file.isEmpty()) return openPicture(file);
   const QImage image = qvariant_cast<QImage>(event->mimeData()->imageData());
   if (!image.isNull()) load(tr("Fitting"), [image]() -> Result<QImage> { return image; });
 }

@@ -32,7 +32,7 @@ class FitDialog : public QDialog {
   ~FitDialog() override;
 
   /// Loads and fits; errors are shown in the dialog.
-  void open(const QString& file);
+  void openPicture(const QString& file);
   void paste();
   bool isWorking() const;
   QString message() const;
