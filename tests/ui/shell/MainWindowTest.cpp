@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QApplication>
 #include <QDialog>
 #include <QDropEvent>
 #include <QKeyEvent>
@@ -59,8 +60,8 @@ struct Window {
     window.addWorkspace("review", "Review", "review", new ui::EmptyWorkspace({"review", "Nothing yet", {}, {}, {}}));
     window.restoreLayout();
     window.show();
-    window.activateWindow();
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
+    QApplication::setActiveWindow(&window);  // without a window manager, activation may come later or never
   }
   FakeWorkspace* train = new FakeWorkspace;
   ui::MainWindow window;

@@ -23,7 +23,7 @@ double processorTime_ms(clockid_t clock) {
 
 double quantile(std::vector<double>& values, double share) {
   if (values.empty()) return 0;
-  const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1) + 0.5);
+  const auto at = values.begin() + std::lround(share * double(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
