@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <QAction>
+#include <QApplication>
 #include <QDialog>
 #include <QMessageBox>
 #include <QPushButton>
@@ -36,8 +37,8 @@ class Saving : public testing::Test {
     workspace_->setCaseActions(window_.openAction(), window_.importAction(), window_.reloadAction());
     window_.show();
     window_.showWorkspace("prepare");
-    window_.activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
+    QApplication::setActiveWindow(&window_);  // without a window manager, activation may come later or never
     session_ = workspace_->findChild<PrepareSession*>();
     window_.open(QString::fromStdString(case_.string()));
     ASSERT_TRUE(until([this] { return window_.isReady(); }));

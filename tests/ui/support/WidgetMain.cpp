@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <memory>
 
@@ -23,14 +22,14 @@ class Application : public testing::Environment {
     insonate::ui::prepareGraphics();
     application_ = std::make_unique<QApplication>(count_, arguments_);
     QCoreApplication::setOrganizationName(QStringLiteral("Insonate"));
-    QCoreApplication::setApplicationName(QStringLiteral("shell_test"));
+    QCoreApplication::setApplicationName(QStringLiteral("widget_test"));
     insonate::ui::applyTheme(*application_);
   }
   void TearDown() override { application_.reset(); }
 
  private:
   QTemporaryDir home_;
-  char name_[11] = "shell_test";
+  char name_[12] = "widget_test";
   char* arguments_[2] = {name_, nullptr};
   int count_ = 1;
   std::unique_ptr<QApplication> application_;
