@@ -4,6 +4,7 @@
 #include <insonate/cases/PatientCase.h>
 #include <insonate/train/TrainWorkspace.h>
 #include <insonate/ui/CaseLoader.h>
+#include <insonate/ui/EmptyWorkspace.h>
 #include <insonate/ui/MainWindow.h>
 #include <insonate/ui/TaskBar.h>
 
@@ -11,6 +12,8 @@
 #include <support/SmallCase.h>
 
 #include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
 #include <QDialog>
 #include <QDir>
 #include <QImage>
@@ -18,6 +21,7 @@
 #include <QTemporaryDir>
 #include <QtTest/QTest>
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <thread>
 
@@ -111,7 +115,7 @@ TEST_F(ClosingAtWork, AsksBeforeWorkIsLost) {
   EXPECT_TRUE(test::waitUntil([&] { return !question(); }));
   EXPECT_FALSE(window->close());
   press("Stop and close");
-  EXPECT_FALSE(window->isVisible());
+  EXPECT_TRUE(test::waitUntil([&] { return !window->isVisible(); }));
 }
 
 TEST_F(ClosingAtWork, AsksBeforeAnUnsavedCaseIsLost) {
@@ -124,7 +128,67 @@ TEST_F(ClosingAtWork, AsksBeforeAnUnsavedCaseIsLost) {
   EXPECT_TRUE(window->isVisible());
   EXPECT_FALSE(window->close());
   press("Close without saving");
-  EXPECT_FALSE(window->isVisible());
+  EXPECT_TRUE(test::waitUntil([&] { return !window->isVisible(); }));
+}
+
+TEST_F(ClosingAtWork, AnotherCaseTakesAnUnsavedOnesPlaceOnlyWhenToldTo) {
+  const auto made = std::make_shared<const PatientCase>(test::smallCase());
+  const QString other = test::writtenSmallCase(home, "block");
+  Q_EMIT train->caseMade(made);
+  for (const auto& another :
+       {std::function<void()>([&] { window->open(other); }), std::function<void()>([&] { window->openTextbook(); })}) {
+    another();
+    ASSERT_TRUE(question());
+    EXPECT_FALSE(window->tasks().isRunning());
+    press("Keep working");
+    EXPECT_TRUE(test::waitUntil([&] { return !question(); }));
+  }
+  EXPECT_EQ(window->current().patient, made);
+  window->open(other);
+  press("Go on without saving");
+  EXPECT_TRUE(test::waitUntil([&] { return window->current().folder == other; }, 60000));
+  window->open(other);
+  EXPECT_FALSE(question()) << "this one is on disk";
+}
+
+TEST_F(ClosingAtWork, AnUnsavedCaseIsSavedBeforeAnotherTakesItsPlace) {
+  PatientCase imported = test::smallCase();
+  imported.manifest.title = "Imported";
+  const QString other = test::writtenSmallCase(home, "block"), target = home.filePath("kept");
+  Q_EMIT train->caseMade(std::make_shared<const PatientCase>(imported));
+  window->open(other);
+  ASSERT_TRUE(question());
+  test::answerSaveDialog(*window, target);
+  press("Save case as ...");
+  EXPECT_TRUE(test::waitUntil([&] { return window->current().folder == other; }, 60000));
+  const auto kept = readCase(target.toStdString());
+  ASSERT_TRUE(kept) << kept.error().message;
+  EXPECT_EQ(kept->patient.manifest.title, "Imported");
+}
+
+TEST_F(ClosingAtWork, AnotherCaseStopsAnImportOnlyWhenToldTo) {
+  work(ui::TaskBar::WhenClosed::Ask);
+  const QString other = test::writtenSmallCase(home, "block");
+  window->open(other);
+  ASSERT_TRUE(question());
+  EXPECT_EQ(window->tasks().title(), "Importing a CT");
+  press("Stop and go on");
+  EXPECT_TRUE(test::waitUntil([&] { return window->current().folder == other; }, 60000));
+}
+
+TEST_F(ClosingAtWork, ControlSSavesInEveryWorkspace) {
+  window->addWorkspace("review", "Review", "review", new ui::EmptyWorkspace({"review", "Nothing yet", {}, {}, {}}));
+  QApplication::setActiveWindow(window.get());
+  for (const char* room : {"train", "review"}) {
+    Q_EMIT train->caseMade(std::make_shared<const PatientCase>(test::smallCase()));
+    window->showWorkspace(room);
+    const QString target = home.filePath(room);
+    test::answerSaveDialog(*window, target);
+    ASSERT_TRUE(test::waitUntil([&] { return window->saveAction()->isEnabled(); }));
+    QTest::keyClick(window->focusWidget() ? window->focusWidget() : window.get(), Qt::Key_S, Qt::ControlModifier);
+    EXPECT_TRUE(test::waitUntil([&] { return window->current().folder == target; }, 60000)) << room;
+    EXPECT_FALSE(window->saveAction()->isEnabled()) << "nothing to save";
+  }
 }
 
 TEST_F(ClosingAtWork, TheQuestionGoesWithTheWork) {

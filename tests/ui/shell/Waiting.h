@@ -4,6 +4,7 @@
 #include <functional>
 
 class QTemporaryDir;
+class QWidget;
 
 namespace insonate::test {
 
@@ -12,5 +13,8 @@ bool waitUntil(const std::function<bool()>& condition, int longest_ms = 20'000);
 
 /// Writes tests/support/SmallCase.h to a folder of that name in `home`; the folder's path.
 QString writtenSmallCase(const QTemporaryDir& home, const QString& name);
+
+/// Types this name into the next dialog of `window` that asks where to save, and accepts it.
+void answerSaveDialog(QWidget& window, const QString& name);
 
 }  // namespace insonate::test

@@ -15,7 +15,6 @@ constexpr KeyRow kKeys[] = {
     {Qt::Key_G, Command::ToggleLabels, "G", "hide or show all labels on the slices"},
     {Qt::Key_Home, Command::Start, "Home", "crosshair and probe to where the case begins"},
     {0, {}, "Ctrl+Z, Ctrl+Y", "take back a change, do it again"},
-    {0, {}, "Ctrl+S", "save the case"},
     {0, {}, "Arrows, wheel, Page up and down", "go through the slices"},
     {0, {}, "R", "fit the slice into its view; 3D from the front"},
     {0, {}, "Left drag on a slice", "crosshair (with Shift without a button)"},

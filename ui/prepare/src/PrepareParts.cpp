@@ -123,7 +123,7 @@ void PrepareWorkspace::Parts::makeActions() {
                       {QKeySequence(QStringLiteral("Ctrl+Z"))}, "undo");
   QAction* redo = add(stack.createRedoAction(&workspace_, tr("Do again")), "redo",
                       {QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))}, "redo");
-  save_ = add(new QAction(tr("Save case"), &workspace_), "save", {QKeySequence::Save}, "saveCase");
+  save_ = add(new QAction(tr("Save case"), &workspace_), "save", {}, "saveCase");  // Ctrl+S is the window's
   connect(save_, &QAction::triggered, this, [this] { Q_EMIT workspace_.saveWanted(); });
   connect(&stack, &QUndoStack::undoTextChanged, undo, [undo](const QString& what) {
     undo->setToolTip(what.isEmpty() ? tr("Nothing to take back (Ctrl+Z)") : tr("Take back: %1 (Ctrl+Z)").arg(what));

@@ -1,4 +1,5 @@
 #include "HeaderBar.h"
+#include "LossQuestion.h"
 #include "StatusStrip.h"
 
 #include <insonate/ui/ErrorPanel.h>
@@ -169,14 +170,9 @@ void MainWindow::restoreLayout() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  // A case that is nowhere on disk is asked about as a whole.
-  const bool nowhere = case_.folder.isEmpty() && !case_.builtIn;
-  if (!leaving_ && !nowhere && !unsavedEdits().empty()) {
+  if (!sure_ && loss()) {
     event->ignore();
-    return whenNothingIsLost([this] {
-      leaving_ = true;
-      close();
-    });
+    return whenNothingIsLost(LostBy::Closing, [this] { closeAtOnce(); });
   }
   QSettings settings;
   settings.setValue(kGeometry, saveGeometry());
@@ -186,7 +182,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     room.workspace->saveLayout(settings);
     settings.endGroup();
   }
-  if (asksAboutWork()) return event->ignore();
   // The window goes at once; what is still at work is told to stop and waited for out of sight.
   hide();
   tasks_->cancel();

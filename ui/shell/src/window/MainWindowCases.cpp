@@ -37,6 +37,14 @@ void keepStartFolder(const QString& chosen) {
   QSettings().setValue(kLastFolder, QFileInfo(chosen).absolutePath());
 }
 
+/// A name that every file system takes.
+QString folderNameFor(const std::string& title) {
+  QString name;
+  for (const QChar c : QString::fromStdString(title).simplified())
+    if (c.isLetterOrNumber() || c == QLatin1Char(' ')) name += c;
+  return name.isEmpty() ? MainWindow::tr("Case") : name.left(60);
+}
+
 }  // namespace
 
 void MainWindow::makeActions() {
@@ -51,7 +59,7 @@ void MainWindow::makeActions() {
   import_ = make("import", tr("Import file ..."), tr("A DICOM, NRRD, NIfTI or MetaImage file"), tr("Ctrl+I"));
   textbook_ = make("neck", tr("Built-in neck"), tr("The textbook neck that comes with Insonate"), tr("Ctrl+T"));
   reload_ = make("reload", tr("Reload"), tr("Read the case from its folder again"), QKeySequence(Qt::Key_F5));
-  save_ = make("save", tr("Save case"), tr("Write the changes to the case's folder"), {});
+  save_ = make("save", tr("Save case"), tr("Write the changes to the case's folder"), QKeySequence::Save);
   saveAs_ = make("save", tr("Save case as ..."), tr("Write the case to a folder"), tr("Ctrl+Shift+S"));
   for (QAction* action : {reload_, save_, saveAs_}) action->setEnabled(false);
   auto* quit = make("close", tr("Quit"), tr("Close the window"), QKeySequence::Quit);
@@ -117,12 +125,16 @@ void MainWindow::chooseImport() {
 }
 
 void MainWindow::chooseTarget() {
-  const QString folder = QFileDialog::getSaveFileName(this, tr("Save the case to a new folder"), startFolder(), {},
-                                                      nullptr, QFileDialog::ShowDirsOnly);
-  if (folder.isEmpty()) {
+  QFileDialog dialog(this, tr("Save the case to a new folder"), startFolder());
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setOption(QFileDialog::ShowDirsOnly);
+  dialog.setLabelText(QFileDialog::FileName, tr("New folder:"));
+  dialog.selectFile(folderNameFor(case_.patient->manifest.title));
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) {
     afterSaving_ = {};
     return;
   }
+  const QString folder = dialog.selectedFiles().first();
   keepStartFolder(folder);
   saveTo(folder);
 }

@@ -1,5 +1,6 @@
 // The part of the window that keeps edits: saving, and asking before they would be lost.
 #include "HeaderBar.h"
+#include "LossQuestion.h"
 #include "RecentCases.h"
 #include "StatusStrip.h"
 
@@ -7,22 +8,25 @@
 #include <insonate/ui/TaskBar.h>
 
 #include <QAction>
-#include <QMessageBox>
 #include <QTimer>
 #include <utility>
 
 namespace insonate::ui {
 
 void MainWindow::open(const QString& path) {
-  whenNothingIsLost([this, path] { loader_->open(path); });
+  whenNothingIsLost(LostBy::Opening, [this, path] { loader_->open(path); });
 }
 
 void MainWindow::openTextbook() {
-  whenNothingIsLost([this] { loader_->openTextbook(); });
+  whenNothingIsLost(LostBy::Opening, [this] { loader_->openTextbook(); });
 }
 
 void MainWindow::reload() {
   if (!case_.folder.isEmpty()) open(case_.folder);
+}
+
+bool MainWindow::isNowhere() const {
+  return case_.patient && case_.folder.isEmpty() && !case_.builtIn;
 }
 
 std::vector<CaseEdit> MainWindow::unsavedEdits() const {
@@ -55,26 +59,30 @@ void MainWindow::showSaved(const QString& folder, const std::shared_ptr<const Pa
   }
   showTitle();
   status_->say(tr("Saved to %1.").arg(folder));
-  if (const auto go = std::exchange(afterSaving_, {})) go();
+  if (const auto go = std::exchange(afterSaving_, {})) QTimer::singleShot(0, this, go);
 }
 
-void MainWindow::whenNothingIsLost(std::function<void()> go) {
-  if (unsavedEdits().empty()) return go();
-  if (findChild<QMessageBox*>(QStringLiteral("unsavedQuestion"))) return;
-  auto* question = new QMessageBox(
-      QMessageBox::NoIcon, tr("Unsaved changes"),
-      tr("%1 has changes that are not saved.").arg(QString::fromStdString(case_.patient->manifest.title)),
-      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
-  question->setObjectName(QStringLiteral("unsavedQuestion"));
-  question->setInformativeText(tr("Without saving, they are lost."));
-  question->setAttribute(Qt::WA_DeleteOnClose);
-  connect(question, &QMessageBox::finished, this, [this, go = std::move(go)](int answer) {
-    // Once the question is gone: it must not go with the window in the middle of its own end.
-    if (answer == QMessageBox::Discard) return QTimer::singleShot(0, this, go);
-    if (answer != QMessageBox::Save) return;
+Loss MainWindow::loss() const {
+  Loss loss;
+  if (tasks_->asksWhenClosed()) loss.job = tasks_->title();
+  loss.nowhere = isNowhere();
+  if (loss.nowhere || !unsavedEdits().empty()) loss.title = QString::fromStdString(case_.patient->manifest.title);
+  return loss;
+}
+
+void MainWindow::whenNothingIsLost(LostBy by, std::function<void()> go) {
+  const Loss lost = loss();
+  if (!lost) return go();
+  if (auto* asked = findChild<LossQuestion*>()) return asked->raise();
+  auto* question = new LossQuestion(lost, by, this);
+  // Once the question is gone: it must not go with the window in the middle of its own end.
+  connect(question, &LossQuestion::goOnChosen, this, [this, go] { QTimer::singleShot(0, this, go); });
+  connect(question, &LossQuestion::saveChosen, this, [this, go] {
     afterSaving_ = go;
     saveCase();
   });
+  // What it asks about has changed.
+  connect(tasks_, &TaskBar::runningChanged, question, &QDialog::reject);
   question->open();
 }
 
@@ -85,7 +93,7 @@ void MainWindow::showTitle() {
   if (!case_.patient) return;
   const CaseManifest& manifest = case_.patient->manifest;
   QString title = QString::fromStdString(manifest.title), hint = QString::fromStdString(manifest.description);
-  if (case_.folder.isEmpty() && !case_.builtIn)
+  if (isNowhere())
     title += tr(" (not saved)");
   else if (changed)
     title += tr(" (changed)");

@@ -67,7 +67,7 @@ constexpr KeyRow kKeys[] = {
     window(2, "", ""),
     window(3, "", ""),
     window(4, "", ""),
-    plain(Qt::Key_S, Command::SavePicture, "Ctrl+S", "save the picture", true),
+    plain(Qt::Key_P, Command::SavePicture, "Ctrl+P", "save the picture", true),
 };
 
 constexpr MouseRow kMouse[] = {

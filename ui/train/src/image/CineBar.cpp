@@ -60,7 +60,7 @@ CineBar::CineBar(TrainSession& session, QWidget* parent)
   beside_->setFocusPolicy(Qt::TabFocus);
   row->addWidget(beside_);
   connect(beside_, &QPushButton::clicked, this, &CineBar::ctBesideChosen);
-  save_->setToolTip(tr("Save the picture (Ctrl+S), or the last seconds"));
+  save_->setToolTip(tr("Save the picture (Ctrl+P), or the last seconds"));
   auto* menu = new QMenu(save_);
   menu->addAction(tr("Picture ..."), this, &CineBar::savePicture);
   menu->addAction(tr("Clip of the last seconds ..."), this, &CineBar::saveClip);

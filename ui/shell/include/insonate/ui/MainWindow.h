@@ -19,6 +19,8 @@ class HeaderBar;
 class HelpWindow;
 class StatusStrip;
 class TaskBar;
+struct Loss;
+enum class LostBy;
 
 /// The frame around the workspaces: which one is shown, which case is open, what is being done and what went wrong.
 /// Remembers its place, the workspace and recent cases in the user's settings (QSettings of the application). Takes a
@@ -40,7 +42,8 @@ class MainWindow : public QMainWindow {
   /// As it was when the window closed last.
   void restoreLayout();
 
-  /// A case folder, a DICOM folder or a volume file. Asks first where edits would be lost; so do the others.
+  /// A case folder, a DICOM folder or a volume file. Asks first where a case that is not saved, edits or work would be
+  /// lost; so do the others.
   void open(const QString& path);
   void openTextbook();
   /// Rereads the case from its folder; nothing for one that is not on disk.
@@ -58,11 +61,12 @@ class MainWindow : public QMainWindow {
   QAction* importAction() const { return import_; }
   QAction* textbookAction() const { return textbook_; }
   QAction* reloadAction() const { return reload_; }
+  QAction* saveAction() const { return save_; }
   TaskBar& tasks() { return *tasks_; }
   ErrorPanel& errors() { return *errors_; }
   QString statusText() const;
   QString caseTitle() const;
-  /// Without the question about work that would be stopped.
+  /// Without the question about what would be lost.
   void closeAtOnce();
 
  Q_SIGNALS:
@@ -86,8 +90,6 @@ class MainWindow : public QMainWindow {
   void connectAll();
   void fillRecent();
   void fillView();
-  bool asksAboutWork();
-  void saveAndClose();
   bool passKey(QKeyEvent& event);
   void switchTo(int index);
   void take(const LoadedCase& loaded);
@@ -96,7 +98,9 @@ class MainWindow : public QMainWindow {
   void showTitle();
   void showSaved(const QString& folder, const std::shared_ptr<const PatientCase>& patient);
   std::vector<CaseEdit> unsavedEdits() const;
-  void whenNothingIsLost(std::function<void()> go);
+  bool isNowhere() const;
+  Loss loss() const;
+  void whenNothingIsLost(LostBy by, std::function<void()> go);
   void saveTo(const QString& folder);
   void fail(const QString& what, const QString& advice, const QString& details);
   void updateStatus();
@@ -111,7 +115,7 @@ class MainWindow : public QMainWindow {
   QAction *open_ = nullptr, *import_ = nullptr, *textbook_ = nullptr, *reload_ = nullptr, *save_ = nullptr,
           *saveAs_ = nullptr;
   QMenu* view_;
-  bool sure_ = false;     ///< close, whatever is being done
+  bool sure_ = false;     ///< close, whatever is lost
   bool passing_ = false;  ///< a key goes to the workspace
   HeaderBar* header_;
   TaskBar* tasks_;
@@ -121,7 +125,6 @@ class MainWindow : public QMainWindow {
   CaseLoader* loader_;
   HelpWindow* help_ = nullptr;
   std::function<void()> afterSaving_;  ///< what waits for the save that was asked for
-  bool leaving_ = false;               ///< edits are to be lost with the window
 };
 
 }  // namespace insonate::ui

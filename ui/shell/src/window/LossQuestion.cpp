@@ -1,0 +1,76 @@
+#include "LossQuestion.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace insonate::ui {
+namespace {
+
+constexpr int kText_px = 420;
+
+QString headingOf(const Loss& loss) {
+  if (!loss.job.isEmpty()) return LossQuestion::tr("Something is still being done");
+  return loss.nowhere ? LossQuestion::tr("The case is not saved") : LossQuestion::tr("Changes are not saved");
+}
+
+QString sentencesOf(const Loss& loss) {
+  QStringList sentences;
+  if (!loss.job.isEmpty())
+    sentences << LossQuestion::tr("%1: going on stops it, and leaves nothing half done behind.").arg(loss.job);
+  if (!loss.title.isEmpty() && loss.nowhere)
+    sentences << LossQuestion::tr("\"%1\" is not on disk yet. Without saving, it is lost.").arg(loss.title);
+  else if (!loss.title.isEmpty())
+    sentences << LossQuestion::tr("\"%1\" has changes. Without saving, they are lost.").arg(loss.title);
+  return sentences.join(QLatin1Char('\n'));
+}
+
+}  // namespace
+
+LossQuestion::LossQuestion(const Loss& loss, LostBy by, QWidget* parent) : QDialog(parent) {
+  const bool closing = by == LostBy::Closing, working = !loss.job.isEmpty();
+  setWindowTitle(closing ? tr("Close Insonate") : tr("Open another case"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  auto* title = new QLabel(headingOf(loss));
+  setRole(title, "title");
+  auto* text = new QLabel(sentencesOf(loss));
+  text->setTextFormat(Qt::PlainText);
+  text->setWordWrap(true);
+  text->setMinimumWidth(kText_px);
+
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(kGap);
+  buttons->addStretch();
+  const auto add = [this, buttons](const char* name, const QString& words, const QString& tip) {
+    auto* button = new QPushButton(words);
+    button->setObjectName(QLatin1String(name));
+    button->setToolTip(tip);
+    connect(button, &QPushButton::clicked, this, &QDialog::accept);
+    buttons->addWidget(button);
+    return button;
+  };
+  auto* go = closing ? add("goOn", working ? tr("Stop and close") : tr("Close without saving"), tr("Close the window"))
+                     : add("goOn", working ? tr("Stop and go on") : tr("Go on without saving"), tr("Lose it"));
+  connect(go, &QPushButton::clicked, this, &LossQuestion::goOnChosen);
+  auto* usual = add("keep", tr("Keep working"), tr("Back to the window (Esc)"));
+  if (!working) {
+    usual = loss.nowhere ? add("save", tr("Save case as ..."), tr("Write the case to a folder, then go on"))
+                         : add("save", tr("Save case"), tr("Write the changes to the case's folder, then go on"));
+    connect(usual, &QPushButton::clicked, this, &LossQuestion::saveChosen);
+  }
+  setRole(usual, "primary");
+  usual->setDefault(true);
+
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(kLargeGap, kLargeGap, kLargeGap, kLargeGap);
+  column->setSpacing(kLargeGap);
+  column->addWidget(title);
+  column->addWidget(text);
+  column->addLayout(buttons);
+  usual->setFocus();
+}
+
+}  // namespace insonate::ui
