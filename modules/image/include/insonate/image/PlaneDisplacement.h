@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+namespace insonate {
+
+/// How the tissue in the probe's plane has moved, seen backwards: for a point of the picture, the way to where its
+/// tissue lay in the undeformed patient. On a regular lattice in the probe frame (x lateral, z axial), mm. Bilinear
+/// between its points, that of the nearest one beyond; one-to-one, so that no tissue shows twice. Where there is no
+/// tissue, that of the nearest tissue. It holds across the slice, too: neighbouring elevation planes move with the
+/// central one.
+struct PlaneDisplacement {
+  double left_mm = 0, top_mm = 0;  ///< x and z of the first point
+  double step_mm = 1;              ///< between points, both ways; above 0
+  int columns = 0, rows = 0;       ///< none of either: nothing has moved
+
+  struct Shift {
+    float x_mm = 0, z_mm = 0;  ///< rest point minus seen point
+  };
+  std::vector<Shift> restFromSeen;  ///< [row][column]
+
+  bool empty() const { return columns == 0 || rows == 0; }
+};
+
+}  // namespace insonate

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/tissue/Labels.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace insonate {
+
+/// What a structure does when it is pressed.
+enum class Mechanics {
+  Solid,  ///< elastic
+  Rigid,  ///< does not move (bone)
+  Lumen,  ///< blood under pressure, free to leave the plane; the wall lies outside the label
+  Gas,    ///< offers nothing (airway, lung, outside the patient)
+};
+
+struct MechanicalTissue {
+  Mechanics kind = Mechanics::Solid;
+  double young_kPa = 10;       ///< of solids, above 0; infinity is rigid
+  double poisson = 0.49;       ///< 0..0.499
+  double wall_mm = 0;          ///< lumens: thickness of the wall, outside the label
+  double wallYoung_kPa = 0;    ///< of the wall
+  double sheath_mm = 0;        ///< lumens: loose tissue outside the wall
+  double sheathYoung_kPa = 0;  ///< of the loose tissue
+  double pressure_kPa = 0;     ///< lumens: of the blood when the CT was taken, above the air's
+  bool operator==(const MechanicalTissue&) const = default;
+};
+
+/// Mechanical properties by label. Labels that the table does not know read as soft tissue.
+struct MechanicalTable {
+  std::string name;
+  std::array<MechanicalTissue, kLabelCount> tissues;
+
+  const MechanicalTissue& of(std::uint8_t label) const {
+    return tissues[label < kLabelCount ? int{label} : int{kSoftTissue}];
+  }
+};
+
+/// `measured` (the default), first, and `thesis` (its Table I).
+std::vector<std::string> mechanicalPresetNames();
+
+/// A preset's name or a JSON file of the same form, as for loadAcousticTable(). Fails with a sentence that names
+/// tissue, field, value and allowed range; see resources/mechanics/README.md for the form and the ranges.
+Result<MechanicalTable> loadMechanicalTable(std::string_view nameOrPath);
+Result<MechanicalTable> parseMechanicalTable(std::string_view json);
+
+}  // namespace insonate
