@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace insonate {
+
+/// Probe frame, in the plane of the picture: x lateral, z axial, mm.
+struct PlanePoint {
+  float x_mm = 0, z_mm = 0;
+};
+
+/// Undeformed tissue at a point.
+struct PlaneTissue {
+  static constexpr float kFar_mm = 6;  ///< distances are cut off here
+
+  std::uint8_t label = 0;  ///< of insonate/tissue/Labels.h; 0 outside the body
+  float artery_mm = kFar_mm, vein_mm = kFar_mm,
+        bone_mm = kFar_mm;   ///< to the structure, negative inside it
+  float skin_mm = -kFar_mm;  ///< to the skin, negative inside the body
+};
+
+/// The patient's tissue in the plane of the picture, undeformed: what a model
+/// asks for. The plane belongs to a pose of the probe, whose face may lie
+/// inside the tissue: that is how deep it presses.
+class TissuePlane {
+ public:
+  virtual ~TissuePlane() = default;
+  /// For any points, as many as there are; `tissue` is as long as `at`. Called
+  /// on one thread at a time.
+  virtual void sample(std::span<const PlanePoint> at, std::span<PlaneTissue> tissue) const = 0;
+};
+
+}  // namespace insonate
