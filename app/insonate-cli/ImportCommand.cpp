@@ -81,6 +81,7 @@ Result<void> importCase(const ImportArguments& a) {
   PatientCase patient;
   patient.manifest.title = "Imported CT";
   patient.manifest.source = imported->source;
+  patient.manifest.importNotes = imported->series.warnings;
   patient.ct = std::move(imported->ct);
   if (a.autoLabel) {
     auto labels = autoLabel(patient.ct, terminalProgress());

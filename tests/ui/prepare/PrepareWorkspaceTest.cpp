@@ -36,6 +36,14 @@ TEST_F(PrepareWindow, FactsAndVolumesAreShown) {
   EXPECT_EQ(table()->model()->index(rowOf(kVein), kName).data().toString(), "vein");
 }
 
+TEST_F(PrepareWindow, WhatTheImportSaidStaysWithTheCase) {
+  PatientCase imported = *patient();
+  imported.manifest.importNotes = {"The slices were tilted.", "Padding was named."};
+  workspace_->setOrigin({{}, {"The slices were tilted."}, false});
+  workspace_->setCase(std::make_shared<const PatientCase>(imported));
+  EXPECT_EQ(child<QLabel>("caseNotes")->text(), "The slices were tilted.\nPadding was named.") << "each once";
+}
+
 TEST_F(PrepareWindow, OneCrosshairForAllSlices) {
   openCase();
   session_->setCrosshair({3, 10, -2});

@@ -111,6 +111,26 @@ TEST_F(CaseLoader, ImportsTheChosenSeries) {
   EXPECT_EQ(ui::caseFolderOf(home.filePath("kept")), home.filePath("kept")) << failed.toStdString();
 }
 
+TEST_F(CaseLoader, KeepsWhatTheImportSaidInTheCase) {
+  const QString folder = writtenDicom("dicom");
+  const QStringList slices = QDir(folder).entryList(QDir::Files, QDir::Name);
+  ASSERT_TRUE(QFile::remove(QDir(folder).filePath(slices[8])));
+  loader.open(folder);
+  QDialog* choice = dialog();
+  ASSERT_TRUE(choice) << failed.toStdString();
+  QTest::mouseClick(button(choice, "Import"), Qt::LeftButton);
+  ASSERT_TRUE(waitUntil([this] { return ended(); }));
+  ASSERT_TRUE(loaded) << failed.toStdString();
+  ASSERT_FALSE(loaded->notes.isEmpty());
+  loader.save(loaded->patient, home.filePath("kept"));
+  ASSERT_TRUE(waitUntil([this] { return !saved.isEmpty() || !failed.isEmpty(); }));
+  const auto kept = readCase(saved.toStdString());
+  ASSERT_TRUE(kept) << kept.error().message;
+  QStringList notes;
+  for (const std::string& note : kept->patient.manifest.importNotes) notes << QString::fromStdString(note);
+  EXPECT_EQ(notes, loaded->notes);
+}
+
 TEST_F(CaseLoader, ProposesTheCtWithMostSlices) {
   const QString folder = writtenDicom("mixed");
   VolumeGeometry fewer = test::smallCase().ct.geometry;

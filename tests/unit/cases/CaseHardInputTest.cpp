@@ -139,6 +139,8 @@ TEST_F(HardCase, ManifestIsValidated) {
   EXPECT_THAT(errorWith("{}"), HasSubstr("has no \"schema_version\"; add \"schema_version\": 1"));
   EXPECT_THAT(errorWith(R"({"schema_version": 99})"), HasSubstr("newer"));
   EXPECT_THAT(errorWith(R"({"schema_version": 1, "title": 3})"), HasSubstr("title must be text"));
+  EXPECT_THAT(errorWith(R"({"schema_version": 1, "import_notes": [1]})"), HasSubstr("a list of texts"));
+  EXPECT_THAT(errorWith(R"({"schema_version": 1, "import_notes": "one"})"), HasSubstr("a list of texts"));
   EXPECT_THAT(errorWith(R"({"schema_version": 1, "targets": [{"label": "vein", "position_mm": [1, 2]}]})"),
               HasSubstr("targets[0].position_mm"));
   EXPECT_THAT(errorWith(R"({"schema_version": 1, "targets": [{"label": "spleen", "position_mm": [1, 2, 3]}]})"),

@@ -91,6 +91,18 @@ StartPose poseFrom(const json& object, const std::string& where, std::vector<std
   return pose;
 }
 
+std::vector<std::string> textsAt(const json& object, const char* key) {
+  std::vector<std::string> texts;
+  if (!object.contains(key)) return texts;
+  const Wrong wrong{key, "a list of texts"};
+  if (!object[key].is_array()) throw wrong;
+  for (const json& text : object[key]) {
+    if (!text.is_string()) throw wrong;
+    texts.push_back(text);
+  }
+  return texts;
+}
+
 template <class Read>
 void forEach(const json& document, const char* key, const Read& read) {
   if (!document.contains(key)) return;
@@ -113,14 +125,15 @@ CaseManifest manifestFrom(const json& document, std::vector<std::string>& notes)
   m.description = textAt(document, "description", "");
   m.difficulty = textAt(document, "difficulty", "");
   m.source = textAt(document, "source", "");
+  m.importNotes = textsAt(document, "import_notes");
   constexpr std::array<std::string_view, 4> kDifficulties{"", "easy", "moderate", "hard"};
   if (std::ranges::find(kDifficulties, m.difficulty) == kDifficulties.end())
     throw Wrong{"difficulty", "\"easy\", \"moderate\" or \"hard\""};
   forEach(document, "targets", [&](const json& o, const std::string& w) { m.targets.push_back(targetFrom(o, w)); });
   forEach(document, "start_poses",
           [&](const json& o, const std::string& w) { m.startPoses.push_back(poseFrom(o, w, notes)); });
-  constexpr std::array<std::string_view, 7> kFields{"schema_version", "title",   "description", "difficulty",
-                                                    "source",         "targets", "start_poses"};
+  constexpr std::array<std::string_view, 8> kFields{"schema_version", "title",        "description", "difficulty",
+                                                    "source",         "import_notes", "targets",     "start_poses"};
   for (const auto& [key, value] : document.items())
     if (std::ranges::find(kFields, key) == kFields.end())
       notes.push_back("case.json has a field \"" + key + "\" that is not known here; it was ignored.");
@@ -138,6 +151,7 @@ std::string manifestToJson(const CaseManifest& m) {
                       {"description", m.description},
                       {"difficulty", m.difficulty},
                       {"source", m.source},
+                      {"import_notes", m.importNotes},
                       {"targets", targets},
                       {"start_poses", poses}};
   // Text from anywhere may not be UTF-8; writing must not throw for it.

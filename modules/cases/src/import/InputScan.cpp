@@ -117,7 +117,9 @@ void addDicom(const std::vector<DicomSlice>& slices, InputScan& scan) {
     const bool known = series.refusal.empty() || !series.plan.order.empty();
     FoundSeries found{{series.uid, series.modality, series.plan.grid, known, series.warnings, series.refusal}, {}};
     if (!scan.unreadable.empty())
-      found.info.warnings.push_back(unreadableText(scan.unreadable) + "; slices may be missing.");
+      found.info.warnings.push_back(std::to_string(scan.unreadable.size()) +
+                                    (scan.unreadable.size() == 1 ? " file or folder" : " files or folders") +
+                                    " could not be opened; slices may be missing.");
     found.data = std::move(series);
     scan.series.push_back(std::move(found));
   }

@@ -110,7 +110,11 @@ void CaseFacts::showOrigin() {
                   : origin.folder.isEmpty() ? tr("not saved yet")
                                             : QDir(origin.folder).dirName());
   place_->setToolTip(origin.folder);
-  notes_->setText(origin.notes.isEmpty() ? tr("nothing was changed") : origin.notes.join(QLatin1Char('\n')));
+  QStringList notes = origin.notes;
+  if (session_.patient())
+    for (const std::string& note : session_.patient()->manifest.importNotes) notes << QString::fromStdString(note);
+  notes.removeDuplicates();
+  notes_->setText(notes.isEmpty() ? tr("nothing was changed") : notes.join(QLatin1Char('\n')));
 }
 
 void CaseFacts::showMeasures() {

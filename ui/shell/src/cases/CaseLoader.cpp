@@ -41,10 +41,10 @@ Result<LoadedCase> importCase(const fs::path& input, const std::string& uid, boo
   Result<ImportedCt> imported = read ? Result<ImportedCt>(*read) : importSeries(input, uid, part(progress, 0, parts));
   if (!imported) return tl::unexpected(imported.error());
   LoadedCase result;
-  result.notes = qt(imported->series.warnings);
   auto patient = std::make_shared<PatientCase>();
   patient->manifest.title = "Imported CT";
   patient->manifest.source = imported->source;
+  patient->manifest.importNotes = imported->series.warnings;
   patient->ct = std::move(imported->ct);
   patient->labels = LabelMap(patient->ct.geometry);
   if (label) {
@@ -54,10 +54,10 @@ Result<LoadedCase> importCase(const fs::path& input, const std::string& uid, boo
       patient->labels = std::move(*labels);
       patient->manifest.source += " Labelled automatically from Hounsfield units.";
     } else {
-      result.notes
-          << CaseLoader::tr("Nothing could be labelled: %1").arg(QString::fromStdString(labels.error().message));
+      patient->manifest.importNotes.push_back("Nothing could be labelled: " + labels.error().message);
     }
   }
+  result.notes = qt(patient->manifest.importNotes);
   result.patient = std::move(patient);
   return result;
 }

@@ -17,8 +17,8 @@ struct SeriesInfo {
   std::string modality;  ///< as in DICOM ("CT", "MR", ...); empty when the file does not say
   VolumeGeometry geometry;    ///< the orthogonal grid that an import produces, patient LPS mm
   bool geometryKnown = true;  ///< false for a refused series that does not say; only the size is meaningful then
-  std::vector<std::string> warnings;
-  std::string refusal;  ///< why it cannot be imported; empty when it can
+  std::vector<std::string> warnings;  ///< a sentence each, without names of files
+  std::string refusal;                ///< why it cannot be imported; empty when it can
 };
 
 /// A file that is in no series, and why.
@@ -35,7 +35,7 @@ struct SeriesListing {
 /// What an import yields. `ct` is int16 HU with padding and everything below -1024 set to -1024.
 struct ImportedCt {
   CtVolume ct;
-  SeriesInfo series;   ///< its warnings say everything that was changed on the way
+  SeriesInfo series;   ///< its warnings say everything that was changed on the way: for CaseManifest::importNotes
   std::string source;  ///< for CaseManifest::source; holds a one-way hash of the UID, no names, dates or file names
 };
 

@@ -37,7 +37,8 @@ struct CaseManifest {
   std::string difficulty;  ///< "easy", "moderate", "hard" or empty
   std::vector<Target> targets;
   std::vector<StartPose> startPoses;
-  std::string source;  ///< how the case came to be, without anything that identifies a patient
+  std::string source;                    ///< how the case came to be, without anything that identifies a patient
+  std::vector<std::string> importNotes;  ///< what was changed or doubtful on the way from the CT, one sentence each
 };
 
 using LabelColour = std::array<std::uint8_t, 3>;  ///< sRGB
