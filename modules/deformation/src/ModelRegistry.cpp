@@ -1,3 +1,5 @@
+#include "column/ColumnModel.h"
+
 #include <insonate/core/Words.h>
 #include <insonate/deformation/DeformationModel.h>
 
@@ -13,7 +15,9 @@ struct KnownModel {
 
 /// The default first.
 const std::vector<KnownModel>& knownModels() {
-  static const std::vector<KnownModel> models{};
+  static const std::vector<KnownModel> models{
+      {"column", makeColumnModel},
+  };
   return models;
 }
 

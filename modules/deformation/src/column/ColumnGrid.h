@@ -1,0 +1,68 @@
+#pragma once
+
+#include "LabelSprings.h"
+
+#include <insonate/deformation/DeformationModel.h>
+
+#include <vector>
+
+namespace insonate::column {
+
+/// What a column is made of, from the skin down.
+struct TissueColumn {
+  bool met = false;       ///< there is skin in it
+  bool skinFound = true;  ///< false: tissue up to the upper end of the grid
+  double skin_mm = 0;     ///< z
+  int first = 0;          ///< row of the first spring
+  LengthByLabel length_mm{};
+};
+
+/// The plane in columns of springs, one of them through the middle of the face; the last row ends where nothing moves.
+/// Keeps its memory from question to question.
+class ColumnGrid {
+ public:
+  /// How far above the face skin is looked for.
+  static constexpr double kReach_mm = 30;
+  /// The profile's standard deviations to either side that the columns cover.
+  static constexpr double kCovered = 3.5;
+  static constexpr int kMaxSprings = 400000;
+
+  /// The standard deviation of a normal profile that takes as much room as a flat face: width / sqrt(2 pi).
+  static double profileSd_mm(double faceWidth_mm);
+
+  void layOut(double faceWidth_mm, const DeformationSettings& settings);
+
+  /// Samples and measures the column in the middle, which alone tells whether the face touches.
+  void sampleMiddle(const TissuePlane& plane);
+  void sampleAll(const TissuePlane& plane);
+
+  int columns() const { return columnCount; }
+  int rows() const { return rowCount; }
+  int middle() const { return columnCount / 2; }
+  double step_mm() const { return step; }
+  double bottom_mm() const { return bottom; }
+  double x_mm(int column) const { return (column - middle()) * step; }
+  /// Upper end of a row.
+  double z_mm(int row) const { return bottom - (rowCount - row) * step; }
+  double profile(int column) const { return weights[column]; }
+
+  const TissueColumn& column(int column) const { return measured[column]; }
+  std::uint8_t label(int column, int row) const { return tissue[at(column, row)].label; }
+  /// Of a spring; the first of a column is cut by the skin.
+  double length_mm(int column, int row) const {
+    return row == measured[column].first ? z_mm(row + 1) - measured[column].skin_mm : step;
+  }
+
+ private:
+  std::size_t at(int column, int row) const { return std::size_t(column) * rowCount + row; }
+  TissueColumn measure(int column) const;
+
+  int columnCount = 0, rowCount = 0;
+  double step = 0, bottom = 0, width = 0;
+  std::vector<PlanePoint> points;  ///< [column][row], centres
+  std::vector<PlaneTissue> tissue;
+  std::vector<TissueColumn> measured;
+  std::vector<double> weights;
+};
+
+}  // namespace insonate::column
