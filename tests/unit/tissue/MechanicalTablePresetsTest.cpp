@@ -1,0 +1,120 @@
+#include <insonate/tissue/MechanicalTable.h>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <set>
+
+namespace insonate {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+json presetFile(const std::string& name) {
+  std::ifstream stream(std::string(INSONATE_SOURCE_DIR "/resources/mechanics/") + name + ".json");
+  return json::parse(stream);
+}
+
+MechanicalTable preset(const std::string& name) {
+  auto table = loadMechanicalTable(name);
+  EXPECT_TRUE(table) << table.error().message;
+  return table.value_or(MechanicalTable{});
+}
+
+double numberOf(const json& value) {
+  return value == "infinity" ? kInfinity : value.get<double>();
+}
+
+TEST(MechanicalTablePresets, MeasuredComesFirst) {
+  EXPECT_THAT(mechanicalPresetNames(), testing::ElementsAre("measured", "thesis"));
+}
+
+class EveryMechanicalPreset : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Presets, EveryMechanicalPreset, testing::ValuesIn(mechanicalPresetNames()),
+                         [](const auto& test) { return test.param; });
+
+TEST_P(EveryMechanicalPreset, SaysValueRangeAndSourceOfEveryNumber) {
+  const json file = presetFile(GetParam());
+  std::string allSources;
+  int numbers = 0;
+  for (const json& tissue : file.at("tissues"))
+    for (const auto& [key, number] : tissue.items()) {
+      if (key == "label" || key == "kind") continue;
+      const std::string where = tissue.at("label").get<std::string>() + "/" + key;
+      ++numbers;
+      ASSERT_TRUE(number.is_object()) << where << " is plain";
+      ASSERT_TRUE(number.contains("range")) << where;
+      EXPECT_LE(numberOf(number["range"][0]), numberOf(number["value"])) << where;
+      EXPECT_GE(numberOf(number["range"][1]), numberOf(number["value"])) << where;
+      const std::string source = number.at("source").get<std::string>();
+      const std::string citation = source.substr(0, source.find(':'));
+      EXPECT_TRUE(file.at("sources").contains(citation)) << where << " cites '" << citation << "'";
+      allSources += source + '\n';
+    }
+  EXPECT_GT(numbers, 25);
+  for (const auto& [name, citation] : file.at("sources").items()) EXPECT_THAT(allSources, testing::HasSubstr(name));
+}
+
+TEST_P(EveryMechanicalPreset, ListsEachLabelOnceByItsName) {
+  std::set<std::string> labels;
+  const json file = presetFile(GetParam());
+  for (const json& tissue : file.at("tissues")) {
+    const auto name = tissue.at("label").get<std::string>();
+    EXPECT_TRUE(labelFromName(name)) << name;
+    EXPECT_TRUE(labels.insert(name).second) << name;
+  }
+  EXPECT_EQ(labels.size(), std::size_t{kLabelCount});
+}
+
+TEST(MechanicalTablePresets, ThesisIsTableOne) {
+  const MechanicalTable thesis = preset("thesis");
+  const double young_kPa[kLabelCount] = {kInfinity, 80, 200, 80, 1000, 80, 23, 80, 800, 80, 100, 80, 14000, 80, 80, 80};
+  for (int label = 0; label < kLabelCount; ++label) {
+    const MechanicalTissue& tissue = thesis.tissues[label];
+    EXPECT_EQ(tissue.kind, Mechanics::Solid) << label;
+    EXPECT_EQ(tissue.young_kPa, young_kPa[label]) << label;
+    EXPECT_EQ(tissue.poisson, 0.49) << label;
+  }
+  EXPECT_EQ(thesis.name, "thesis");
+}
+
+TEST(MechanicalTablePresets, MeasuredHasBoneRigidVesselsHollowAndAirEmpty) {
+  const MechanicalTable measured = preset("measured");
+  for (const LabelInfo& info : labelTable()) {
+    const Mechanics expected = info.label == kBone                                  ? Mechanics::Rigid
+                               : info.label == kArtery || info.label == kVein       ? Mechanics::Lumen
+                               : info.label == kBackground || info.label == kAirway ? Mechanics::Gas
+                                                                                    : Mechanics::Solid;
+    EXPECT_EQ(measured.of(info.label).kind, expected) << info.name;
+  }
+}
+
+TEST(MechanicalTablePresets, MeasuredKeepsThePhysicalOrder) {
+  const MechanicalTable measured = preset("measured");
+  const auto young = [&](Label label) { return measured.of(label).young_kPa; };
+  EXPECT_LT(young(kFat), young(kSoftTissue));
+  EXPECT_NEAR(young(kThyroid), 11, 3);
+  EXPECT_NEAR(young(kSoftTissue), 10, 3);
+  EXPECT_LT(young(kMuscle), young(kSternocleidomastoid));
+  EXPECT_LT(young(kSternocleidomastoid), young(kSkin));
+  EXPECT_LT(young(kSkin), young(kCartilage) / 10);
+  const MechanicalTissue &artery = measured.of(kArtery), &vein = measured.of(kVein);
+  EXPECT_LT(vein.wall_mm, artery.wall_mm);
+  EXPECT_LT(vein.wallYoung_kPa, artery.wallYoung_kPa);
+  EXPECT_LT(vein.sheathYoung_kPa, young(kSoftTissue));
+  EXPECT_NEAR(artery.pressure_kPa / 0.133322, 93, 0.5);
+  EXPECT_NEAR(vein.pressure_kPa / 0.133322, 4, 0.05);
+}
+
+TEST(MechanicalTablePresets, UnknownLabelsReadAsSoftTissue) {
+  const MechanicalTable table = preset("measured");
+  EXPECT_EQ(&table.of(200), &table.of(kSoftTissue));
+}
+
+}  // namespace
+}  // namespace insonate
