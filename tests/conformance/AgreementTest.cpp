@@ -20,9 +20,9 @@ std::vector<std::string> otherEngines() {
 class Agreement : public EngineTest {
  protected:
   void expectAgreement(const Probe& probe, const ImagingSettings& settings, const AcousticScene& scene,
-                       const Transform& pose, const std::string& what) {
-    const EnvelopeFrame truth = renderWith("reference", probe, settings, scene, pose);
-    const EnvelopeFrame frame = renderWith(GetParam(), probe, settings, scene, pose);
+                       const Transform& pose, const std::string& what, const PlaneDisplacement& displacement = {}) {
+    const EnvelopeFrame truth = renderWith("reference", probe, settings, scene, pose, displacement);
+    const EnvelopeFrame frame = renderWith(GetParam(), probe, settings, scene, pose, displacement);
     ASSERT_EQ(frame.amplitude.size(), truth.amplitude.size()) << what;
     const double error = relativeError(frame, truth);
     EXPECT_LT(error, 0.005) << what;
@@ -145,6 +145,34 @@ TEST_P(Agreement, InTheLookOfTheThesis) {
     settings.look = Look::Thesis;
     settings.scanlines = 77, settings.samples = 333, settings.depth_mm = 50;
     expectAgreement(probe, settings, *scene, onSkin() * turned({1, 2, 3}, 15), name);
+  }
+}
+
+/// Pressed, pushed aside and turned, with kinks at the lattice's points.
+PlaneDisplacement squeezed(const Probe& probe, const ImagingSettings& settings) {
+  return displacementOver(probe, settings, 0.9, [](double x, double z) {
+    const auto swirl = swirlAt(x, z, 2, 16, 25, 9);
+    const double into = std::exp(-std::max(z, 0.0) / 18);
+    return shiftBy(swirl.x_mm - 0.06 * x * into, swirl.z_mm - 4 * into);
+  });
+}
+
+TEST_P(Agreement, OfDisplacedTissue) {
+  const LabelPhantom phantom = limb();
+  for (const Look look : {Look::Coherent, Look::Thesis}) {
+    const AcousticTable table = *loadAcousticTable(look == Look::Thesis ? "thesis" : "neck");
+    const ScenePtr scene = sceneOf(phantom, table, kWhole, {{{4, -34, 0.3}, 50}});
+    for (const char* name : {"linear", "curvilinear", "phased"})
+      for (const int planes : {1, 3}) {
+        const Probe probe = probeNamed(name);
+        ImagingSettings settings = settingsFor(probe);
+        settings.look = look;
+        settings.scanlines = 131, settings.samples = 400, settings.elevationPlanes = planes;
+        settings.depth_mm = 50;
+        for (const double pressed_mm : {4.0, 1.0})
+          expectAgreement(probe, settings, *scene, onSkin(pressed_mm) * turned({1, 2, 3}, 12),
+                          std::string(name) + " " + std::to_string(planes) + " planes", squeezed(probe, settings));
+      }
   }
 }
 

@@ -84,12 +84,13 @@ ScenePtr evenScene(const Probe& probe, const ImagingSettings& settings, const Ac
 }
 
 EnvelopeFrame renderWith(const std::string& engineName, const Probe& probe, const ImagingSettings& settings,
-                         const AcousticScene& scene, const Transform& patientFromProbe) {
+                         const AcousticScene& scene, const Transform& patientFromProbe,
+                         const PlaneDisplacement& displacement) {
   if (auto ok = validate(settings, probe); !ok) throw std::runtime_error(ok.error().message);
   const auto engine = valueOf(makeEngine(engineName));
   EnvelopeFrame frame;
   engine->prepare(probe, settings);
-  engine->render(scene, patientFromProbe, frame);
+  engine->render(scene, patientFromProbe, displacement, frame);
   return frame;
 }
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -45,7 +46,34 @@ ScenePtr evenScene(const Probe& probe, const ImagingSettings& settings, const Ac
                    const Transform& patientFromProbe = {}, double margin_mm = 1);
 
 EnvelopeFrame renderWith(const std::string& engine, const Probe& probe, const ImagingSettings& settings,
-                         const AcousticScene& scene, const Transform& patientFromProbe = {});
+                         const AcousticScene& scene, const Transform& patientFromProbe = {},
+                         const PlaneDisplacement& displacement = {});
+
+/// A displacement over all that a frame sees, and 3 mm more: `shiftAt(x_mm, z_mm)` is the way to the rest point.
+template <class ShiftAt>
+PlaneDisplacement displacementOver(const Probe& probe, const ImagingSettings& settings, double step_mm,
+                                   const ShiftAt& shiftAt) {
+  const BeamGrid grid(probe, settings);
+  PlaneDisplacement d;
+  d.left_mm = grid.minLateral_mm() - 3, d.top_mm = grid.minAxial_mm() - 3, d.step_mm = step_mm;
+  d.columns = static_cast<int>((grid.maxLateral_mm() + 3 - d.left_mm) / step_mm) + 2;
+  d.rows = static_cast<int>((grid.maxAxial_mm() + 3 - d.top_mm) / step_mm) + 2;
+  for (int k = 0; k < d.rows; ++k)
+    for (int i = 0; i < d.columns; ++i)
+      d.restFromSeen.push_back(shiftAt(d.left_mm + i * step_mm, d.top_mm + k * step_mm));
+  return d;
+}
+inline PlaneDisplacement::Shift shiftBy(double x_mm, double z_mm) {
+  return {static_cast<float>(x_mm), static_cast<float>(z_mm)};
+}
+/// Turned about a point of the plane, fading out over `reach_mm`.
+inline PlaneDisplacement::Shift swirlAt(double x_mm, double z_mm, double aboutX_mm, double aboutZ_mm, double angle_deg,
+                                        double reach_mm) {
+  const double x = x_mm - aboutX_mm, z = z_mm - aboutZ_mm;
+  const double angle = angle_deg / 57.29577951308232 * std::exp(-(x * x + z * z) / (reach_mm * reach_mm));
+  const double c = std::cos(angle), s = std::sin(angle);
+  return shiftBy(c * x - s * z - x, s * x + c * z - z);
+}
 
 /// A turn about an axis through a point of the probe frame, right-handed.
 Transform turned(Vec3 axis, double angle_deg, Vec3 about_mm = {});
@@ -55,8 +83,8 @@ Transform moved(Vec3 by_mm);
 class EngineTest : public testing::TestWithParam<std::string> {
  protected:
   EnvelopeFrame render(const Probe& probe, const ImagingSettings& settings, const ScenePtr& scene,
-                       const Transform& patientFromProbe = {}) const {
-    return renderWith(GetParam(), probe, settings, *scene, patientFromProbe);
+                       const Transform& patientFromProbe = {}, const PlaneDisplacement& displacement = {}) const {
+    return renderWith(GetParam(), probe, settings, *scene, patientFromProbe, displacement);
   }
   /// Into the test report, so that figures can be read and compared.
   static void record(const std::string& what, double value);

@@ -18,13 +18,14 @@ Result<std::unique_ptr<Engine>> makeEngine(std::string_view name) {
   return fail("There is no engine \"" + std::string(name) + "\"; choose reference or cpu.");
 }
 
-Region regionOf(const Probe& probe, const ImagingSettings& settings, const Transform& patientFromProbe) {
+Region regionOf(const Probe& probe, const ImagingSettings& settings, const Transform& patientFromProbe,
+                double largestShift_mm) {
   const FramePlan plan(probe, settings);
   Region region{{1e30, 1e30, 1e30}, {-1e30, -1e30, -1e30}};
   const double thickness_mm = 3 * *std::max_element(plan.elevationSd_mm.begin(), plan.elevationSd_mm.end());
-  const double lateral[] = {plan.grid.minLateral_mm(), plan.grid.maxLateral_mm()};
-  const double axial[] = {plan.grid.minAxial_mm() - acoustics::kContactReach_mm,
-                          plan.grid.maxAxial_mm() + acoustics::kContactReach_mm};
+  const double beyond_mm = acoustics::kContactReach_mm + largestShift_mm;
+  const double lateral[] = {plan.grid.minLateral_mm() - largestShift_mm, plan.grid.maxLateral_mm() + largestShift_mm};
+  const double axial[] = {plan.grid.minAxial_mm() - beyond_mm, plan.grid.maxAxial_mm() + beyond_mm};
   for (const double x : lateral)
     for (const double y : {-thickness_mm, thickness_mm})
       for (const double z : axial) {

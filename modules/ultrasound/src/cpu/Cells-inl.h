@@ -6,6 +6,7 @@
 #define INSONATE_CPU_CELLS_INL_H_
 #endif
 
+#include "cpu/Shifts-inl.h"
 #include "cpu/TraceInput.h"
 
 #include <hwy/contrib/math/math-inl.h>
@@ -176,7 +177,7 @@ HWY_INLINE std::uint32_t channelBits(IntVec a, IntVec b) {
   return all;
 }
 
-HWY_INLINE void computeCellRow(const TraceInput& in, int plane, int row, TraceBuffers& b) {
+HWY_INLINE void computeCellRow(const TraceInput& in, int firstLine, int plane, int row, TraceBuffers& b) {
   const CellTag d;
   const CellIntTag di;
   const FramePlan& plan = *in.plan;
@@ -214,8 +215,11 @@ HWY_INLINE void computeCellRow(const TraceInput& in, int plane, int row, TraceBu
     const auto lateral =
         hn::Mul(hn::Add(hn::Sub(s.corner[1], s.corner[0]), hn::Sub(s.corner[3], s.corner[2])), perLateral);
     const auto inPlane2 = hn::MulAdd(axial, axial, hn::Mul(lateral, lateral));
+    const auto atRest2 = lastPlane == 0 && in.displacement
+                             ? squaredSlopeAtRest(in, b, firstLine, row, c, axial, lateral, perAxial, perLateral)
+                             : inPlane2;
     const auto elevation = lastPlane > 0 ? hn::Mul(hn::Sub(s.after, s.before), perElevation)
-                                         : hn::Sqrt(hn::Max(hn::Sub(one, inPlane2), hn::Zero(d)));
+                                         : hn::Sqrt(hn::Max(hn::Sub(one, atRest2), hn::Zero(d)));
     const auto gradient = hn::Sqrt(hn::MulAdd(elevation, elevation, inPlane2));
     const auto cosine = hn::Min(one, hn::Div(hn::Abs(axial), hn::Max(gradient, hn::Set(d, 0.3F))));
     const auto aside = hn::Mul(lateral, lateralSpread), across = hn::Mul(elevation, elevationSpread);

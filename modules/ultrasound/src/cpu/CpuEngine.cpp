@@ -3,6 +3,7 @@
 #include "cpu/BeamKernel.h"
 #include "cpu/TraceInput.h"
 #include "model/Boundary.h"
+#include "model/PlaneShift.h"
 #include "model/PointEchoes.h"
 #include "model/Reverberation.h"
 #include "thesis/ThesisCpu.h"
@@ -57,18 +58,21 @@ class CpuEngine final : public Engine {
  public:
   std::string_view name() const override { return "cpu"; }
   void prepare(const Probe& probe, const ImagingSettings& settings) override;
-  void render(const AcousticScene& scene, const Transform& patientFromProbe, EnvelopeFrame& envelope) override;
+  void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
+              EnvelopeFrame& envelope) override;
   const std::vector<Stage>& stages() const override { return thesis_ ? thesis_->stages() : stages_; }
 
  private:
   void provideWorkspaces(int threads);
   void setChannels(const AcousticScene::Impl& scene);
-  void setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe);
+  void setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
+                   const PlaneDisplacement& displacement);
   void setScanlines(const Transform& patientFromProbe, const ScattererLattice& lattice);
   void setTextureRays(const TextureFrame& frame, const Transform& patientFromProbe, const TextureTile& tile,
                       TextureRays& rays) const;
   void traceLines(int firstLine, const std::vector<PointEcho>& points);
   Vec3 surfaceOfGas(int line, int gate) const;
+  Vec3 shiftOf(int line, int gate) const;
   void reverberate(int firstLine, Workspace& work) const;
 
   std::unique_ptr<thesis::ThesisCpu> thesis_;  ///< where the settings ask for its look; the rest is then idle
@@ -115,6 +119,11 @@ void CpuEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
   // Vectors may run past the last column.
   const int paddedColumns = paddedLines / plan.cellLines + kMaxColumns;
   input_.columns.resize(paddedColumns);
+  input_.probeColumns.resize(paddedColumns);
+  for (int c = 0; c < paddedColumns; ++c) {
+    const double line = std::min(c, plan.nodeColumns - 1) * plan.cellLines;
+    setRay(input_.probeColumns, c, plan.grid.origin(line), plan.grid.direction(line));
+  }
   input_.lineGap_mm.resize(paddedLines);
   input_.lineLevel_dB.resize(paddedLines);
   input_.columnGap_mm.resize(paddedColumns);
@@ -177,12 +186,13 @@ void CpuEngine::setChannels(const AcousticScene::Impl& scene) {
     }
 }
 
-void CpuEngine::setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe) {
+void CpuEngine::setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
+                            const PlaneDisplacement& displacement) {
   const FramePlan& plan = *plan_;
   tbb::parallel_for(0, plan.nodeColumns, [&](int column) {
     const double line = column * plan.cellLines;
-    contacts_[column] = contactOf(scene.field, patientFromProbe * plan.grid.origin(line),
-                                  patientFromProbe.linear * plan.grid.direction(line));
+    contacts_[column] =
+        contactOf(scene.field, patientFromProbe, displacement, plan.grid.origin(line), plan.grid.direction(line));
   });
   for (std::size_t c = 0; c < input_.columnGap_mm.size(); ++c) {
     const int column = std::min(static_cast<int>(c), plan.nodeColumns - 1);
@@ -196,6 +206,9 @@ void CpuEngine::setGeometry(const AcousticScene::Impl& scene, const Transform& p
   const ScattererLattice lattice(elevation, plan.latticePitch_mm, plan.latticeElevationPitch_mm);
   const Vec3 latticeElevation = lattice.latticeFromPatient * elevation;
   input_.scene = &scene;
+  input_.displacement = displacement.empty() ? nullptr : &displacement;
+  input_.patientAxes = PlaneAxes(patientFromProbe.linear);
+  input_.latticeAxes = PlaneAxes(lattice.latticeFromPatient * patientFromProbe.linear);
   input_.elevationX = f(elevation.x), input_.elevationY = f(elevation.y), input_.elevationZ = f(elevation.z);
   input_.latticeElevationX = f(latticeElevation.x), input_.latticeElevationY = f(latticeElevation.y),
   input_.latticeElevationZ = f(latticeElevation.z);
@@ -236,6 +249,7 @@ void CpuEngine::setTextureRays(const TextureFrame& frame, const Transform& patie
   const Vec3 thinAxis = transposed(patientFromProbe.linear) * frame.thinAxis;
   const Vec3 elevation = tileFromProbe.linear.column[1];
   constexpr double kHalf = 0.5 - TextureTile::kRounding_voxels;
+  rays.axes = PlaneAxes(tileFromProbe.linear);
   rays.elevationX = static_cast<float>(elevation.x), rays.elevationY = static_cast<float>(elevation.y),
   rays.elevationZ = static_cast<float>(elevation.z);
   rays.bitsOfU = std::countr_zero(static_cast<unsigned>(tile.size[0]));
@@ -254,8 +268,28 @@ Vec3 CpuEngine::surfaceOfGas(int line, int gate) const {
   const auto at = [&](const std::vector<float>& origin, const std::vector<float>& direction) {
     return double(origin[line] + direction[line] * range_mm);
   };
-  return {at(input_.lines.x, input_.lines.dx), at(input_.lines.y, input_.lines.dy),
-          at(input_.lines.z, input_.lines.dz)};
+  const Vec3 seen{at(input_.lines.x, input_.lines.dx), at(input_.lines.y, input_.lines.dy),
+                  at(input_.lines.z, input_.lines.dz)};
+  return input_.displacement ? seen + shiftOf(line, gate) : seen;
+}
+
+/// From where tissue is seen to where it lay, in the patient; between the nodes of its cell, as the kernels have it.
+Vec3 CpuEngine::shiftOf(int line, int gate) const {
+  const FramePlan& plan = *plan_;
+  const int row = gate / plan.cellGates, column = line / plan.cellLines;
+  const auto node = [&](int r, int c) {
+    const double decay = input_.contactDecay[r], range_mm = plan.range_mm(r * plan.cellGates);
+    const Vec3 seen = plan.grid.origin(c * plan.cellLines) +
+                      plan.grid.direction(c * plan.cellLines) * (range_mm + input_.columnGap_mm[c] * decay);
+    return shiftAt(*input_.displacement, seen.x, seen.z);
+  };
+  const double down = double(gate - row * plan.cellGates) / plan.cellGates;
+  const double across = double(line - column * plan.cellLines) / plan.cellLines;
+  const auto along = [&](int r) { return node(r, column) * (1 - across) + node(r, column + 1) * across; };
+  const Vec3 shift = along(row) * (1 - down) + along(row + 1) * down;
+  const auto &lateral = input_.patientAxes.lateral, &axial = input_.patientAxes.axial;
+  return {lateral.x * shift.x + axial.x * shift.z, lateral.y * shift.x + axial.y * shift.z,
+          lateral.z * shift.x + axial.z * shift.z};
 }
 
 void CpuEngine::reverberate(int firstLine, Workspace& work) const {
@@ -293,8 +327,9 @@ void CpuEngine::traceLines(int firstLine, const std::vector<PointEcho>& points) 
   work.axial_ms += watch.ms();
 }
 
-void CpuEngine::render(const AcousticScene& sceneHandle, const Transform& patientFromProbe, EnvelopeFrame& envelope) {
-  if (thesis_) return thesis_->render(sceneHandle.impl(), patientFromProbe, envelope);
+void CpuEngine::render(const AcousticScene& sceneHandle, const Transform& patientFromProbe,
+                       const PlaneDisplacement& displacement, EnvelopeFrame& envelope) {
+  if (thesis_) return thesis_->render(sceneHandle.impl(), patientFromProbe, displacement, envelope);
   const FramePlan& plan = *plan_;
   const AcousticScene::Impl& scene = sceneHandle.impl();
   envelope.resize(plan.lines, plan.grid.samples(), plan.settings.looks);
@@ -303,9 +338,9 @@ void CpuEngine::render(const AcousticScene& sceneHandle, const Transform& patien
 
   const StopWatch watch;
   setChannels(scene);
-  setGeometry(scene, patientFromProbe);
+  setGeometry(scene, patientFromProbe, displacement);
   const std::vector<PointEcho> points =
-      scene.points.empty() ? std::vector<PointEcho>{} : pointEchoes(plan, scene.points, patientFromProbe);
+      scene.points.empty() ? std::vector<PointEcho>{} : pointEchoes(plan, scene.points, patientFromProbe, displacement);
   stages_[0].ms = watch.ms();
 
   const int blocks = (plan.lines + kBlockLines - 1) / kBlockLines;

@@ -8,6 +8,7 @@
 
 #include "cpu/Lanes-inl.h"
 #include "cpu/Scatterers-inl.h"
+#include "cpu/Shifts-inl.h"
 #include "cpu/Texture-inl.h"
 #include "cpu/TraceInput.h"
 #include "model/Boundary.h"
@@ -154,8 +155,17 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
     auto offset = hn::Zero(d);
     const int line = firstLine + l;
     const auto r = hn::MulAdd(hn::LoadU(d, in.lineGap_mm.data() + line), decay, range);
-    const auto x = hn::MulAdd(hn::LoadU(d, in.lines.dx.data() + line), r, hn::LoadU(d, in.lines.x.data() + line));
-    const Point onLattice = pointsOn(in.latticeLines, line, r);
+    auto x = hn::MulAdd(hn::LoadU(d, in.lines.dx.data() + line), r, hn::LoadU(d, in.lines.x.data() + line));
+    Point onLattice = pointsOn(in.latticeLines, line, r);
+    PlaneShifts<GateVec> shift{hn::Zero(d), hn::Zero(d)};
+    if (in.displacement) {
+      shift = gateShifts(b, row, l, down);
+      x = carried(d, x, shift, in.patientAxes.lateral.x, in.patientAxes.axial.x);
+      const auto &lateral = in.latticeAxes.lateral, &axial = in.latticeAxes.axial;
+      onLattice = {carried(d, onLattice.x, shift, lateral.x, axial.x),
+                   carried(d, onLattice.y, shift, lateral.y, axial.y),
+                   carried(d, onLattice.z, shift, lateral.z, axial.z)};
+    }
     for (int p = 0; p < planes; ++p) {
       const TraceBuffers::CellRow& cells = b.cells[p];
       TraceBuffers::LineState& state = b.state[p];
@@ -203,7 +213,7 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
       Scattering here{echo, hn::Zero(d)};
       if (effects.texture) {
         const auto right = hn::Lt(x, hn::Set(d, static_cast<float>(in.scene->midline_mm) - in.elevationX * e));
-        addTexture(in, cells.channelsPresent, channel, right, line, r, e, here);
+        addTexture(in, cells.channelsPresent, channel, right, line, r, in.displacement ? &shift : nullptr, e, here);
       }
       if (effects.layers && cells.nearBoundary) addLayers(in, cells, l, s, here);
       const auto amplitude = amplitudeOf(hn::Add(level, here.echo_dB));

@@ -7,6 +7,7 @@
 #endif
 
 #include "cpu/Lanes-inl.h"
+#include "cpu/Shifts-inl.h"
 #include "cpu/TraceInput.h"
 
 #include <hwy/highway.h>
@@ -85,7 +86,7 @@ struct NodeRowPlace {
 /// As many nodes as the tag has lanes, from the block's column c on.
 template <class D>
 HWY_INLINE void placeNodes(D d, const TraceInput& in, const CornerSteps& steps, const NodeRowPlace& at, int c,
-                           NodePlaces& places, TraceBuffers::NodeRow& row) {
+                           const TraceBuffers::ShiftRow& shifts, NodePlaces& places, TraceBuffers::NodeRow& row) {
   using V = hn::Vec<D>;
   const hn::Rebind<std::int32_t, D> di;
   const FloatMatrix& m = in.nodeFromPatient;
@@ -98,17 +99,30 @@ HWY_INLINE void placeNodes(D d, const TraceInput& in, const CornerSteps& steps, 
     return hn::MulAdd(hn::Set(d, axis), e,
                       hn::MulAdd(hn::LoadU(d, direction.data() + column), r, hn::LoadU(d, origin.data() + column)));
   };
-  const auto x = along(in.columns.x, in.columns.dx, in.elevationX),
-             y = along(in.columns.y, in.columns.dy, in.elevationY),
-             z = along(in.columns.z, in.columns.dz, in.elevationZ);
+  auto x = along(in.columns.x, in.columns.dx, in.elevationX), y = along(in.columns.y, in.columns.dy, in.elevationY),
+       z = along(in.columns.z, in.columns.dz, in.elevationZ);
   const auto node = [&](float mx, float my, float mz, float offset) {
     return hn::MulAdd(hn::Set(d, mx), x,
                       hn::MulAdd(hn::Set(d, my), y, hn::MulAdd(hn::Set(d, mz), z, hn::Set(d, offset))));
   };
-  auto inside = one, fx = one, fy = one, fz = one;
-  const auto i = lowNode(d, node(m.xx, m.xy, m.xz, in.nodeOffsetX), field.size[0], fx, inside);
-  const auto j = lowNode(d, node(m.yx, m.yy, m.yz, in.nodeOffsetY), field.size[1], fy, inside);
-  const auto k = lowNode(d, node(m.zx, m.zy, m.zz, in.nodeOffsetZ), field.size[2], fz, inside);
+  auto fx = one, fy = one, fz = one;
+  hn::Vec<decltype(di)> i, j, k;
+  const auto place = [&] {
+    auto inside = one;
+    i = lowNode(d, node(m.xx, m.xy, m.xz, in.nodeOffsetX), field.size[0], fx, inside);
+    j = lowNode(d, node(m.yx, m.yy, m.yz, in.nodeOffsetY), field.size[1], fy, inside);
+    k = lowNode(d, node(m.zx, m.zy, m.zz, in.nodeOffsetZ), field.size[2], fz, inside);
+    return inside;
+  };
+  auto inside = place();
+  if (in.displacement) {
+    const PlaneShifts<V> by{hn::LoadU(d, shifts.columnX + c), hn::LoadU(d, shifts.columnZ + c)};
+    const PlaneAxes& axes = in.patientAxes;
+    x = carried(d, x, by, axes.lateral.x, axes.axial.x);
+    y = carried(d, y, by, axes.lateral.y, axes.axial.y);
+    z = carried(d, z, by, axes.lateral.z, axes.axial.z);
+    inside = hn::Max(inside, place());  // tissue from beyond the scene reads as its outermost
+  }
   const auto kj = hn::Add(hn::Mul(k, hn::Set(di, field.size[1])), j);
   const auto corner = hn::Add(hn::Mul(kj, hn::Set(di, field.size[0])), i);
   const auto gx = hn::Sub(one, fx), gy = hn::Sub(one, fy), gz = hn::Sub(one, fz);
@@ -190,7 +204,7 @@ HWY_INLINE void lookUpNodes(const TissueField& field, const CornerSteps& steps, 
 }
 
 HWY_INLINE void computeNodeRow(const TraceInput& in, int firstLine, int plane, int nodeRow,
-                               TraceBuffers::NodeRow& row) {
+                               const TraceBuffers::ShiftRow& shifts, TraceBuffers::NodeRow& row) {
   const FramePlan& plan = *in.plan;
   const TissueField& field = in.scene->field;
   const int gate = nodeRow * plan.cellGates;
@@ -204,8 +218,9 @@ HWY_INLINE void computeNodeRow(const TraceInput& in, int firstLine, int plane, i
   const hn::CappedTag<float, 4> narrow;  // a block has one column more than a multiple of any vector
   const int lanes = static_cast<int>(hn::Lanes(wide));
   int c = 0;
-  for (; c + lanes <= columns; c += lanes) placeNodes(wide, in, steps, at, c, places, row);
-  for (; c < columns; c += static_cast<int>(hn::Lanes(narrow))) placeNodes(narrow, in, steps, at, c, places, row);
+  for (; c + lanes <= columns; c += lanes) placeNodes(wide, in, steps, at, c, shifts, places, row);
+  for (; c < columns; c += static_cast<int>(hn::Lanes(narrow)))
+    placeNodes(narrow, in, steps, at, c, shifts, places, row);
   lookUpNodes(field, steps, places, columns, row);
 }
 

@@ -7,6 +7,7 @@
 #endif
 
 #include "cpu/Lanes-inl.h"
+#include "cpu/Shifts-inl.h"
 #include "cpu/TraceInput.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -19,19 +20,21 @@ struct Scattering {
 };
 
 /// Texture of one structure on one side, -127..127, bright parts as far as the beam meets them squarely. `line` is the
-/// vector's first scanline.
+/// vector's first scanline; `shift`, where not null, leads to where the tissue lay.
 HWY_INLINE GateVec textureOf(const TextureTile& tile, const TextureRays& rays, int line, GateVec range,
-                             float elevation_mm) {
+                             const PlaneShifts<GateVec>* shift, float elevation_mm) {
   const GateTag d;
   const GateIntTag di;
-  const auto index = [&](const std::vector<float>& origin, const std::vector<float>& direction, float across,
-                         int size) {
-    const auto onPlane = hn::MulAdd(hn::LoadU(d, direction.data() + line), range, hn::LoadU(d, origin.data() + line));
+  const auto index = [&](const std::vector<float>& origin, const std::vector<float>& direction, float lateral,
+                         float axial, float across, int size) {
+    auto onPlane = hn::MulAdd(hn::LoadU(d, direction.data() + line), range, hn::LoadU(d, origin.data() + line));
+    if (shift) onPlane = carried(d, onPlane, *shift, lateral, axial);
     return hn::And(wholeBits(hn::Add(onPlane, hn::Set(d, across * elevation_mm))), hn::Set(di, size - 1));
   };
-  const auto u = index(rays.line.x, rays.line.dx, rays.elevationX, tile.size[0]),
-             v = index(rays.line.y, rays.line.dy, rays.elevationY, tile.size[1]),
-             w = index(rays.line.z, rays.line.dz, rays.elevationZ, tile.size[2]);
+  const auto &lateral = rays.axes.lateral, &axial = rays.axes.axial;
+  const auto u = index(rays.line.x, rays.line.dx, lateral.x, axial.x, rays.elevationX, tile.size[0]),
+             v = index(rays.line.y, rays.line.dy, lateral.y, axial.y, rays.elevationY, tile.size[1]),
+             w = index(rays.line.z, rays.line.dz, lateral.z, axial.z, rays.elevationZ, tile.size[2]);
   const auto vu = hn::Or(hn::ShiftLeftSame(v, rays.bitsOfU), u);
   const auto value = hn::ConvertTo(d, tileBytes(tile, hn::Or(hn::ShiftLeftSame(vu, rays.bitsOfW), w)));
   const auto facing = hn::LoadU(d, rays.facing.data() + line);
@@ -41,7 +44,8 @@ HWY_INLINE GateVec textureOf(const TextureTile& tile, const TextureRays& rays, i
 /// Adds the texture of each structure that the cells of this row name, where a lane lies in it. `right` are the lanes
 /// right of the patient's midline.
 HWY_INLINE void addTexture(const TraceInput& in, std::uint32_t present, GateInt channel, hn::Mask<GateTag> right,
-                           int line, GateVec range, float elevation_mm, Scattering& here) {
+                           int line, GateVec range, const PlaneShifts<GateVec>* shift, float elevation_mm,
+                           Scattering& here) {
   const GateTag d;
   const GateIntTag di;
   for (std::uint32_t left = present & in.texturedChannels; left; left &= left - 1) {
@@ -52,8 +56,8 @@ HWY_INLINE void addTexture(const TraceInput& in, std::uint32_t present, GateInt 
     for (int side = 0; side < 2; ++side) {
       const auto lanes = side == 0 ? hn::And(mine, right) : hn::AndNot(right, mine);
       if (hn::AllFalse(d, lanes)) continue;
-      const auto value =
-          hn::IfThenElseZero(lanes, textureOf(*structure.tile, in.textureRays[ch][side], line, range, elevation_mm));
+      const auto value = hn::IfThenElseZero(
+          lanes, textureOf(*structure.tile, in.textureRays[ch][side], line, range, shift, elevation_mm));
       here.echo_dB = hn::MulAdd(value, hn::Set(d, structure.textureStrength_dB / 127), here.echo_dB);
       if (structure.sheets) here.sheet = hn::Max(here.sheet, hn::Mul(value, hn::Set(d, 1.0F / 127)));
     }

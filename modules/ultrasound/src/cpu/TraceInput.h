@@ -5,6 +5,8 @@
 #include "model/Scatterers.h"
 #include "scene/SceneData.h"
 
+#include <insonate/image/PlaneDisplacement.h>
+
 #include <hwy/aligned_allocator.h>
 
 #include <array>
@@ -35,6 +37,19 @@ struct FloatMatrix {
   }
 };
 
+/// Where the probe's lateral and axial axes point in another frame, per mm: what a shift in its plane becomes there.
+struct PlaneAxes {
+  struct {
+    float x = 0, y = 0, z = 0;
+  } lateral, axial;
+
+  PlaneAxes() = default;
+  explicit PlaneAxes(const Mat3& targetFromProbe) {
+    const FloatMatrix m(targetFromProbe);
+    lateral = {m.xx, m.yx, m.zx}, axial = {m.xz, m.yz, m.zz};
+  }
+};
+
 /// Acoustic constants of one channel of the tissue field, floats for the kernels.
 struct ChannelConstants {
   float loss_dB = 0;  ///< per gate, there and back
@@ -58,6 +73,7 @@ struct RayArrays {
 /// is the voxel.
 struct TextureRays {
   RayArrays line;
+  PlaneAxes axes;                                        ///< voxels per mm in the plane
   float elevationX = 0, elevationY = 0, elevationZ = 0;  ///< voxels per mm across the slice
   std::vector<float> facing;                             ///< share of a sheet's echo that comes back, see sheetFacing()
   int bitsOfU = 0, bitsOfW = 0;                          ///< the tile's size along u and w is 1 << bits
@@ -71,7 +87,10 @@ struct TraceInput {
   float edgeLoss_dB[TissueField::kStride * TissueField::kStride]{};  ///< per gate, by pair of channels
   std::uint32_t gasChannels = 0, texturedChannels = 0;               ///< a bit each
   bool anyCt = false;
-  RayArrays lines, columns;                     ///< lines padded to whole blocks
+  const PlaneDisplacement* displacement = nullptr;  ///< null where nothing has moved
+  RayArrays lines, columns;                         ///< lines padded to whole blocks
+  RayArrays probeColumns;                           ///< in the probe frame
+  PlaneAxes patientAxes, latticeAxes;
   std::vector<float> lineGap_mm, lineLevel_dB;  ///< contact; level is 20 log10 of its strength
   std::vector<float> columnGap_mm;
   std::vector<float> contactDecay;                       ///< [gate or node row's gate]
@@ -98,6 +117,11 @@ struct TraceBuffers {
     alignas(64) float inside[kMaxColumns];                                      ///< 1 or 0
     alignas(64) float least[TissueField::kStride], most[TissueField::kStride];  ///< of each channel's distances
   };
+  /// Way from where tissue is seen to where it lay at rest, at one row of nodes, in the probe's plane, mm: at its
+  /// columns and spread to scanlines. By parity of the row; unused where nothing has moved.
+  struct ShiftRow {
+    alignas(64) float columnX[kMaxColumns], columnZ[kMaxColumns], lineX[kBlockLines], lineZ[kBlockLines];
+  };
   /// One row of cells, spread to scanlines.
   struct CellRow {
     alignas(64) float sTop[kBlockLines], sBottom[kBlockLines];
@@ -119,6 +143,7 @@ struct TraceBuffers {
     alignas(64) std::int32_t pair[kBlockLines];
   };
 
+  ShiftRow shift[2];
   NodeRow nodes[kMaxPlanes][2];
   CellRow cells[kMaxPlanes];
   LineState state[kMaxPlanes];

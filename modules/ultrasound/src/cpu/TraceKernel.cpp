@@ -6,6 +6,7 @@
 #include "cpu/Cells-inl.h"
 #include "cpu/Gates-inl.h"
 #include "cpu/Nodes-inl.h"
+#include "cpu/Shifts-inl.h"
 #include "cpu/TraceInput.h"
 
 #include <hwy/highway.h>
@@ -21,11 +22,16 @@ void traceLooks(const TraceInput& in, int firstLine, TraceBuffers& b, TraceTimes
   const int planes = plan.settings.elevationPlanes;
   using Clock = std::chrono::steady_clock;
   startLines(in, firstLine, b);
-  for (int p = 0; p < planes; ++p) computeNodeRow(in, firstLine, p, 0, b.nodes[p][0]);
+  const auto makeNodes = [&](int row) {
+    TraceBuffers::ShiftRow& shifts = b.shift[row & 1];
+    if (in.displacement) computeShiftRow(in, firstLine, row, shifts);
+    for (int p = 0; p < planes; ++p) computeNodeRow(in, firstLine, p, row, shifts, b.nodes[p][row & 1]);
+  };
+  makeNodes(0);
   for (int row = 0; row + 1 < plan.nodeRows; ++row) {
     const auto start = Clock::now();
-    for (int p = 0; p < planes; ++p) computeNodeRow(in, firstLine, p, row + 1, b.nodes[p][(row + 1) & 1]);
-    for (int p = 0; p < planes; ++p) computeCellRow(in, p, row, b);
+    makeNodes(row + 1);
+    for (int p = 0; p < planes; ++p) computeCellRow(in, firstLine, p, row, b);
     const auto middle = Clock::now();
     const int end = std::min(plan.gates, (row + 1) * plan.cellGates);
     for (int gate = row * plan.cellGates; gate < end; ++gate) traceGate<kLooks>(in, firstLine, row, gate, b);

@@ -1,5 +1,6 @@
 #include "model/Contact.h"
 
+#include "model/PlaneShift.h"
 #include "scene/FieldSampling.h"
 
 #include <algorithm>
@@ -11,12 +12,19 @@ double tissueRange_mm(double range_mm, double gap_mm) {
   return range_mm + gap_mm * std::exp(-range_mm / acoustics::kContactDepth_mm);
 }
 
-Contact contactOf(const TissueField& field, Vec3 origin_mm, Vec3 direction) {
+Contact contactOf(const TissueField& field, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
+                  Vec3 origin_mm, Vec3 direction) {
   if (field.backgroundChannel < 0) return {};
   constexpr double kStep_mm = 0.5;
+  const Vec3 patientOrigin_mm = patientFromProbe * origin_mm, patientDirection = patientFromProbe.linear * direction;
   // Distance from the outside: negative outside, positive in the body.
   const auto depth = [&](double r_mm) {
-    return sampleDistance(field, field.backgroundChannel, field.nodeFromPatient * (origin_mm + direction * r_mm));
+    Vec3 rest = patientOrigin_mm + patientDirection * r_mm;
+    if (!displacement.empty()) {
+      const Vec3 seen = origin_mm + direction * r_mm;
+      rest = rest + patientFromProbe.linear * shiftAt(displacement, seen.x, seen.z);
+    }
+    return sampleDistance(field, field.backgroundChannel, field.nodeFromPatient * rest);
   };
   const double atFace = depth(0);
   const double outward = atFace < 0 ? 1 : -1;

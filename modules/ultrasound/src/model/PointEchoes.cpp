@@ -1,5 +1,7 @@
 #include "model/PointEchoes.h"
 
+#include "model/PlaneShift.h"
+
 #include <array>
 #include <cmath>
 
@@ -49,14 +51,14 @@ double peakOf(const double* half, int radius, double sd) {
 }  // namespace
 
 std::vector<PointEcho> pointEchoes(const FramePlan& plan, const std::vector<PointTarget>& points,
-                                   const Transform& patientFromProbe) {
+                                   const Transform& patientFromProbe, const PlaneDisplacement& displacement) {
   std::vector<PointEcho> echoes;
   const Transform probeFromPatient = inverted(patientFromProbe);
   const double grain_mm = plan.latticePitch_mm / std::sqrt(6);
   const double axialGrain = grain_mm / plan.gate_mm;
   const double axialPeak = peakOf(plan.axialKernel.data(), static_cast<int>(plan.axialKernel.size()) - 1, axialGrain);
   for (const PointTarget& point : points) {
-    const Vec3 p = probeFromPatient * point.position_mm;
+    const Vec3 p = seenFromRest(displacement, probeFromPatient * point.position_mm);
     const auto at = plan.grid.locate(p.x, p.z);
     const double gate = (at.sample + 0.5) / plan.stride - 0.5;
     if (!at.inside || gate <= -1 || gate >= plan.gates) continue;

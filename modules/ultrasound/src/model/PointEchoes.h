@@ -2,6 +2,7 @@
 
 #include "model/FramePlan.h"
 
+#include <insonate/image/PlaneDisplacement.h>
 #include <insonate/ultrasound/AcousticScene.h>
 
 #include <vector>
@@ -14,7 +15,8 @@ struct PointEcho {
   float amplitude;
 };
 
+/// Points move with the tissue that they lie in.
 std::vector<PointEcho> pointEchoes(const FramePlan& plan, const std::vector<PointTarget>& points,
-                                   const Transform& patientFromProbe);
+                                   const Transform& patientFromProbe, const PlaneDisplacement& displacement);
 
 }  // namespace insonate

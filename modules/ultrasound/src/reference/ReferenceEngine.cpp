@@ -170,12 +170,13 @@ class ReferenceEngine final : public Engine {
 
   void prepare(const Probe& probe, const ImagingSettings& settings) override { plan_.emplace(probe, settings); }
 
-  void render(const AcousticScene& sceneHandle, const Transform& patientFromProbe, EnvelopeFrame& envelope) override {
+  void render(const AcousticScene& sceneHandle, const Transform& patientFromProbe,
+              const PlaneDisplacement& displacement, EnvelopeFrame& envelope) override {
     const auto start = std::chrono::steady_clock::now();
     if (plan_->settings.look == Look::Thesis)
-      thesis::renderReference(*plan_, sceneHandle.impl(), patientFromProbe, envelope);
+      thesis::renderReference(*plan_, sceneHandle.impl(), patientFromProbe, displacement, envelope);
     else
-      renderCoherent(sceneHandle.impl(), patientFromProbe, envelope);
+      renderCoherent(sceneHandle.impl(), patientFromProbe, displacement, envelope);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     stages_ = {{"frame", time.count()}};
   }
@@ -183,9 +184,10 @@ class ReferenceEngine final : public Engine {
   const std::vector<Stage>& stages() const override { return stages_; }
 
  private:
-  void renderCoherent(const AcousticScene::Impl& scene, const Transform& patientFromProbe, EnvelopeFrame& envelope) {
+  void renderCoherent(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
+                      const PlaneDisplacement& displacement, EnvelopeFrame& envelope) {
     const FramePlan& plan = *plan_;
-    const TissueLookup lookup(plan, scene, patientFromProbe);
+    const TissueLookup lookup(plan, scene, patientFromProbe, displacement);
     const ScattererLattice lattice(patientFromProbe.linear.column[1], plan.latticePitch_mm,
                                    plan.latticeElevationPitch_mm);
     EchoField echo(plan.settings.looks, plan.gates, plan.lines);
@@ -197,7 +199,7 @@ class ReferenceEngine final : public Engine {
         reverberate(behindGas, lookup.at(plan.settings.elevationPlanes / 2, gas, line).patient_mm, plan.settings.looks,
                     line, gas, plan.gates, echo);
     }
-    for (const PointEcho& point : pointEchoes(plan, scene.points, patientFromProbe))
+    for (const PointEcho& point : pointEchoes(plan, scene.points, patientFromProbe, displacement))
       for (int look = 0; look < plan.settings.looks; ++look) echo.at(look, point.gate, point.line) += point.amplitude;
     envelopeOf(plan, convolveLaterally(plan, convolveAxially(plan, echo)), envelope);
   }

@@ -1,6 +1,7 @@
 #include "reference/TissueLookup.h"
 
 #include "model/Boundary.h"
+#include "model/PlaneShift.h"
 #include "scene/FieldSampling.h"
 
 #include <algorithm>
@@ -18,13 +19,17 @@ double mix(double a, double b, double t) {
 
 }  // namespace
 
-TissueLookup::TissueLookup(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe)
-    : plan_(plan), scene_(scene), patientFromProbe_(patientFromProbe) {
+TissueLookup::TissueLookup(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
+                           const PlaneDisplacement& displacement)
+    : plan_(plan), scene_(scene), patientFromProbe_(patientFromProbe), displacement_(displacement) {
   for (int column = 0; column < plan.nodeColumns; ++column) {
     const double line = column * plan.cellLines;
-    contacts_.push_back(contactOf(scene.field, patientFromProbe * plan.grid.origin(line),
-                                  patientFromProbe.linear * plan.grid.direction(line)));
+    contacts_.push_back(
+        contactOf(scene.field, patientFromProbe, displacement, plan.grid.origin(line), plan.grid.direction(line)));
   }
+  if (!displacement.empty())
+    for (int row = 0; row < plan.nodeRows; ++row)
+      for (int column = 0; column < plan.nodeColumns; ++column) shifts_.push_back(nodeShift(row, column));
   for (int plane = 0; plane < plan.settings.elevationPlanes; ++plane)
     for (int row = 0; row < plan.nodeRows; ++row)
       for (int column = 0; column < plan.nodeColumns; ++column) nodes_.push_back(nodeAt(plane, row, column));
@@ -37,13 +42,31 @@ Contact TissueLookup::contact(int line) const {
   return {plan_.settings.conformingContact ? mix(a.gap_mm, b.gap_mm, t) : 0, mix(a.strength, b.strength, t)};
 }
 
-Vec3 TissueLookup::patientPoint(int plane, double gate, double line, double gap_mm) const {
+/// In the probe frame.
+Vec3 TissueLookup::seenPoint(int plane, double gate, double line, double gap_mm) const {
   const double range_mm = plan_.range_mm(gate);
   const int g = std::clamp(static_cast<int>(gate), 0, plan_.gates - 1);
   const double elevation_mm = plan_.planeOffset_sd[plane] * plan_.elevationSd_mm[g];
-  const Vec3 probe = plan_.grid.origin(line) + plan_.grid.direction(line) * tissueRange_mm(range_mm, gap_mm) +
-                     Vec3{0, elevation_mm, 0};
-  return patientFromProbe_ * probe;
+  return plan_.grid.origin(line) + plan_.grid.direction(line) * tissueRange_mm(range_mm, gap_mm) +
+         Vec3{0, elevation_mm, 0};
+}
+
+Vec3 TissueLookup::nodeShift(int row, int column) const {
+  const double gap_mm = plan_.settings.conformingContact ? contacts_[column].gap_mm : 0;
+  const Vec3 seen = seenPoint(0, row * plan_.cellGates, column * plan_.cellLines, gap_mm);
+  return shiftAt(displacement_, seen.x, seen.z);
+}
+
+/// Between the nodes of its cell.
+Vec3 TissueLookup::gateShift(int gate, int line) const {
+  if (shifts_.empty()) return {};
+  const int row = gate / plan_.cellGates, column = line / plan_.cellLines;
+  const double down = double(gate - row * plan_.cellGates) / plan_.cellGates;
+  const double across = double(line - column * plan_.cellLines) / plan_.cellLines;
+  const Vec3* top = shifts_.data() + std::size_t(row) * plan_.nodeColumns + column;
+  const Vec3* bottom = top + plan_.nodeColumns;
+  const auto along = [&](const Vec3* left) { return left[0] + across * (left[1] - left[0]); };
+  return along(top) + down * (along(bottom) - along(top));
 }
 
 const TissueLookup::Node& TissueLookup::node(int plane, int row, int column) const {
@@ -52,11 +75,15 @@ const TissueLookup::Node& TissueLookup::node(int plane, int row, int column) con
 
 TissueLookup::Node TissueLookup::nodeAt(int plane, int row, int column) const {
   const double gap = plan_.settings.conformingContact ? contacts_[column].gap_mm : 0;
-  const Vec3 patient = patientPoint(plane, row * plan_.cellGates, column * plan_.cellLines, gap);
+  const Vec3 seen = seenPoint(plane, row * plan_.cellGates, column * plan_.cellLines, gap);
+  const Vec3 shift = shifts_.empty() ? Vec3{} : shifts_[std::size_t(row) * plan_.nodeColumns + column];
+  const Vec3 patient = patientFromProbe_ * (seen + shift);
   const TissueField& field = scene_.field;
   const FieldCell at = cellAt(field, field.nodeFromPatient * patient);
   Node n;
-  n.inside = at.inside;
+  // Tissue from beyond the scene reads as its outermost.
+  n.inside =
+      at.inside || (!shifts_.empty() && cellAt(field, field.nodeFromPatient * (patientFromProbe_ * seen)).inside);
   for (int corner = 0; corner < 8; ++corner) {
     for (int c = 0; c < field.channels; ++c)
       n.distance_mm[c] += at.weight[corner] * field.distance[at.offset[corner]].to[c] / TissueField::kUnitsPerMm;
@@ -94,9 +121,8 @@ TissueLookup::Cell TissueLookup::cellOf(int plane, int row, int column) const {
   const double axial = (cell.s[2] - cell.s[0] + cell.s[3] - cell.s[1]) / 2 / (plan_.cellGates * plan_.gate_mm);
   const double lateral =
       (cell.s[1] - cell.s[0] + cell.s[3] - cell.s[2]) / 2 / (plan_.cellLines * plan_.grid.scanlineSpacing_mm(range_mm));
-  const double inPlane = std::hypot(axial, lateral);
-  const double elevation = elevationSlope(plane, row, column, cell, inPlane);
-  const double gradient = std::hypot(inPlane, elevation);
+  const double elevation = elevationSlope(plane, row, column, cell, axial, lateral);
+  const double gradient = std::hypot(std::hypot(axial, lateral), elevation);
   cell.cosine = std::min(1.0, std::abs(axial) / std::max(gradient, kSteepest));
   const int gate = std::min(row * plan_.cellGates, plan_.gates - 1);
   cell.spread_mm = std::hypot(lateral * plan_.grid.scanlineSpacing_mm(range_mm),
@@ -105,11 +131,31 @@ TissueLookup::Cell TissueLookup::cellOf(int plane, int row, int column) const {
   return cell;
 }
 
+/// Slope in the plane of a distance at rest, from its slopes in displaced tissue: those are the transposed derivative
+/// of the rest point, in beam coordinates, times that of the distance.
+double TissueLookup::inPlaneSlopeAtRest(int row, int column, double axial, double lateral) const {
+  if (shifts_.empty()) return std::hypot(axial, lateral);
+  const Vec3* top = shifts_.data() + std::size_t(row) * plan_.nodeColumns + column;
+  const Vec3* bottom = top + plan_.nodeColumns;
+  const double range_mm = plan_.range_mm((row + 0.5) * plan_.cellGates);
+  const Vec3 byAxial = (bottom[0] - top[0] + bottom[1] - top[1]) / (2 * plan_.cellGates * plan_.gate_mm);
+  const Vec3 byLateral =
+      (top[1] - top[0] + bottom[1] - bottom[0]) / (2 * plan_.cellLines * plan_.grid.scanlineSpacing_mm(range_mm));
+  const Vec3 beam = plan_.grid.direction(column * plan_.cellLines), side{beam.z, 0, -beam.x};
+  const double aa = 1 + dot(beam, byAxial), la = dot(side, byAxial), al = dot(beam, byLateral),
+               ll = 1 + dot(side, byLateral);
+  return std::hypot(ll * axial - la * lateral, aa * lateral - al * axial) / std::max(aa * ll - la * al, kLeastVolume);
+}
+
 /// Change of s across the slice, from the neighbouring planes. A single plane has none: there the gradient of a
-/// distance is taken to be 1, and what its change in the plane leaves of that lies across.
-double TissueLookup::elevationSlope(int plane, int row, int column, const Cell& cell, double inPlane) const {
+/// distance at rest is taken to be 1, and what its change in the plane leaves of that lies across.
+double TissueLookup::elevationSlope(int plane, int row, int column, const Cell& cell, double axial,
+                                    double lateral) const {
   const int last = plan_.settings.elevationPlanes - 1;
-  if (last == 0) return std::sqrt(std::max(0.0, 1 - inPlane * inPlane));
+  if (last == 0) {
+    const double inPlane = inPlaneSlopeAtRest(row, column, axial, lateral);
+    return std::sqrt(std::max(0.0, 1 - inPlane * inPlane));
+  }
   const int low = std::max(plane - 1, 0), high = std::min(plane + 1, last);
   const int gate = std::min(row * plan_.cellGates, plan_.gates - 1);
   const double distance_mm = (plan_.planeOffset_sd[high] - plan_.planeOffset_sd[low]) * plan_.elevationSd_mm[gate];
@@ -127,7 +173,7 @@ TissueSample TissueLookup::at(int plane, int gate, int line) const {
   const double across = double(line - column * plan_.cellLines) / plan_.cellLines;
 
   TissueSample sample;
-  sample.patient_mm = patientPoint(plane, gate, line, contact(line).gap_mm);
+  sample.patient_mm = patientFromProbe_ * (seenPoint(plane, gate, line, contact(line).gap_mm) + gateShift(gate, line));
   sample.inside = cell.inside;
   sample.s_mm = mix(mix(cell.s[0], cell.s[1], across), mix(cell.s[2], cell.s[3], across), down);
   const int channel = sample.s_mm >= 0 ? cell.a : cell.b;

@@ -30,7 +30,8 @@ struct TissueSample {
 /// interpolated in its cells; a cell knows its two nearest structures.
 class TissueLookup {
  public:
-  TissueLookup(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe);
+  TissueLookup(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
+               const PlaneDisplacement& displacement);
 
   TissueSample at(int plane, int gate, int line) const;
   /// Interpolated between the columns of the lattice.
@@ -52,18 +53,23 @@ class TissueLookup {
     bool inside = true;
   };
 
-  Vec3 patientPoint(int plane, double gate, double line, double gap_mm) const;
+  Vec3 seenPoint(int plane, double gate, double line, double gap_mm) const;
+  Vec3 nodeShift(int row, int column) const;
+  Vec3 gateShift(int gate, int line) const;
   Node nodeAt(int plane, int row, int column) const;
   const Node& node(int plane, int row, int column) const;
   Cell cellOf(int plane, int row, int column) const;
-  double elevationSlope(int plane, int row, int column, const Cell& cell, double inPlane) const;
+  double elevationSlope(int plane, int row, int column, const Cell& cell, double axial, double lateral) const;
+  double inPlaneSlopeAtRest(int row, int column, double axial, double lateral) const;
   void addTexture(TissueSample& sample, const Cell& cell, Vec3 beam) const;
   void addLayers(TissueSample& sample, const Cell& cell) const;
 
   const FramePlan& plan_;
   const AcousticScene::Impl& scene_;
   Transform patientFromProbe_;
+  const PlaneDisplacement& displacement_;
   std::vector<Contact> contacts_;  ///< [column]
+  std::vector<Vec3> shifts_;       ///< [row][column], probe frame: rest minus seen; none where nothing has moved
   std::vector<Node> nodes_;
 };
 

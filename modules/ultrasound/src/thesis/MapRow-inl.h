@@ -7,6 +7,7 @@
 #define INSONATE_THESIS_MAP_ROW_INL_H_
 #endif
 
+#include "model/PlaneShift.h"
 #include "thesis/ThesisKernel.h"
 
 #include <hwy/contrib/math/math-inl.h>
@@ -54,8 +55,11 @@ HWY_INLINE FieldCorners cornersAt(const TissueField& field, Vec3 node) {
   return c;
 }
 
-HWY_INLINE void sampleNode(const TissueField& field, Vec3 patient_mm, int column, KernelBuffers::NodeRow& row) {
-  const Vec3 node = field.nodeFromPatient * patient_mm;
+/// `shift_mm` is the way from where the tissue is seen to where it lay; from beyond the scene it reads as its
+/// outermost.
+HWY_INLINE void sampleNode(const TissueField& field, Vec3 seen_mm, Vec3 shift_mm, int column,
+                           KernelBuffers::NodeRow& row) {
+  const Vec3 node = field.nodeFromPatient * (seen_mm + shift_mm);
   const FieldCorners at = cornersAt(field, node);
   const hn::CappedTag<float, 8> d;
   const hn::Rebind<std::int32_t, decltype(d)> di;
@@ -73,7 +77,8 @@ HWY_INLINE void sampleNode(const TissueField& field, Vec3 patient_mm, int column
   float ct = 0;
   for (int k = 0; k < 8; ++k) ct += at.weight[k] * static_cast<float>(field.ctDeviation[at.offset[k]]);
   row.ct_HU[column] = ct;
-  row.beyond[column] = static_cast<float>(beyondLattice(field, node));
+  row.beyond[column] =
+      static_cast<float>(std::min(beyondLattice(field, node), beyondLattice(field, field.nodeFromPatient * seen_mm)));
 }
 
 HWY_INLINE void sampleRow(const KernelInput& in, int firstLine, int plane, int nodeRow, KernelBuffers::NodeRow& row) {
@@ -85,7 +90,13 @@ HWY_INLINE void sampleRow(const KernelInput& in, int firstLine, int plane, int n
     const int column = std::min(firstColumn + c, plan.nodeColumns - 1);
     const double r = range_mm + in.columnGap_mm[column] * in.contactDecay[nodeRow];
     const Ray& ray = in.columns[column];
-    sampleNode(in.scene->field, ray.origin_mm + ray.direction * r + elevation, c, row);
+    Vec3 shift;
+    if (in.displacement) {
+      const Ray& inProbe = in.probeColumns[column];
+      const Vec3 seen = inProbe.origin_mm + inProbe.direction * r;
+      shift = in.patientFromProbe * shiftAt(*in.displacement, seen.x, seen.z);
+    }
+    sampleNode(in.scene->field, ray.origin_mm + ray.direction * r + elevation, shift, c, row);
   }
 }
 

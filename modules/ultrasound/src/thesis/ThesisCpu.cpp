@@ -38,6 +38,7 @@ ThesisCpu::ThesisCpu(const Probe& probe, const ImagingSettings& settings)
   input_.plan = &plan_;
   input_.thesis = &thesis_;
   input_.columns.resize(plan_.nodeColumns);
+  input_.probeColumns.resize(plan_.nodeColumns);
   input_.columnGap_mm.resize(plan_.nodeColumns);
   input_.lineLevel_dB.resize(paddedLines);
   for (int row = 0; row < plan_.nodeRows; ++row)
@@ -61,12 +62,14 @@ ThesisCpu::Workspace& ThesisCpu::workspace() {
   return *workspaces_[tbb::this_task_arena::current_thread_index()];
 }
 
-void ThesisCpu::setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe) {
+void ThesisCpu::setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
+                            const PlaneDisplacement& displacement) {
   tbb::parallel_for(0, plan_.nodeColumns, [&](int column) {
     const double line = column * plan_.cellLines;
-    const Ray ray{patientFromProbe * plan_.grid.origin(line), patientFromProbe.linear * plan_.grid.direction(line)};
-    input_.columns[column] = ray;
-    contacts_[column] = contactOf(scene.field, ray.origin_mm, ray.direction);
+    const Ray ray{plan_.grid.origin(line), plan_.grid.direction(line)};
+    input_.probeColumns[column] = ray;
+    input_.columns[column] = {patientFromProbe * ray.origin_mm, patientFromProbe.linear * ray.direction};
+    contacts_[column] = contactOf(scene.field, patientFromProbe, displacement, ray.origin_mm, ray.direction);
     input_.columnGap_mm[column] =
         plan_.settings.conformingContact ? static_cast<float>(contacts_[column].gap_mm) : 0.0F;
   });
@@ -79,7 +82,8 @@ void ThesisCpu::setGeometry(const AcousticScene::Impl& scene, const Transform& p
   }
 }
 
-void ThesisCpu::render(const AcousticScene::Impl& scene, const Transform& patientFromProbe, EnvelopeFrame& envelope) {
+void ThesisCpu::render(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
+                       const PlaneDisplacement& displacement, EnvelopeFrame& envelope) {
   envelope.resize(plan_.lines, plan_.grid.samples(), 1);
   provideWorkspaces(tbb::this_task_arena::max_concurrency());
   for (auto& work : workspaces_) work->times = {};
@@ -88,7 +92,9 @@ void ThesisCpu::render(const AcousticScene::Impl& scene, const Transform& patien
   input_.channels = channelAcoustics(plan_.settings, scene);
   input_.elevationAxis = patientFromProbe.linear.column[1];
   input_.noiseSeed = noiseSeed(patientFromProbe, plan_.settings.time_s);
-  setGeometry(scene, patientFromProbe);
+  input_.displacement = displacement.empty() ? nullptr : &displacement;
+  input_.patientFromProbe = patientFromProbe.linear;
+  setGeometry(scene, patientFromProbe, displacement);
   stages_[0].ms = millisecondsSince(start);
 
   const int blocks = (plan_.lines + kBlockLines - 1) / kBlockLines;

@@ -17,7 +17,8 @@ class ThesisCpu {
   ThesisCpu(const ThesisCpu&) = delete;
   ThesisCpu& operator=(const ThesisCpu&) = delete;
 
-  void render(const AcousticScene::Impl& scene, const Transform& patientFromProbe, EnvelopeFrame& envelope);
+  void render(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
+              const PlaneDisplacement& displacement, EnvelopeFrame& envelope);
   const std::vector<Engine::Stage>& stages() const { return stages_; }
 
  private:
@@ -27,7 +28,8 @@ class ThesisCpu {
     AlignedFloats ring;
     KernelTimes_ms times;
   };
-  void setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe);
+  void setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
+                   const PlaneDisplacement& displacement);
   void provideWorkspaces(int threads);
   Workspace& workspace();
 

@@ -16,7 +16,7 @@ inline constexpr int kMaxPlanes = 9;
 
 using AlignedFloats = hwy::AlignedFreeUniquePtr<float[]>;
 
-/// A scanline in the patient.
+/// A scanline.
 struct Ray {
   Vec3 origin_mm, direction;
 };
@@ -27,7 +27,9 @@ struct KernelInput {
   const ThesisPlan* thesis = nullptr;
   const AcousticScene::Impl* scene = nullptr;
   std::array<ChannelAcoustics, TissueField::kStride> channels;
-  std::vector<Ray> columns;
+  std::vector<Ray> columns, probeColumns;           ///< in the patient, in the probe frame
+  const PlaneDisplacement* displacement = nullptr;  ///< null where nothing has moved
+  Mat3 patientFromProbe;                            ///< turns shifts
   std::vector<float> columnGap_mm;
   std::vector<float> lineLevel_dB;  ///< contact; padded to whole blocks
   std::vector<float> contactDecay;  ///< [node row]

@@ -1,6 +1,7 @@
 #include "thesis/ThesisReference.h"
 
 #include "model/Contact.h"
+#include "model/PlaneShift.h"
 #include "thesis/ThesisModel.h"
 
 #include <algorithm>
@@ -22,22 +23,31 @@ SceneSample combined(const SceneSample& a, double wa, const SceneSample& b, doub
   return sum;
 }
 
+/// Tissue from beyond the scene reads as its outermost.
+SceneSample sampleDisplaced(const TissueField& field, const Transform& patientFromProbe, Vec3 seen, Vec3 shift) {
+  SceneSample sample = sampleScene(field, patientFromProbe * (seen + shift));
+  sample.beyond = std::min(sample.beyond, beyondLattice(field, field.nodeFromPatient * (patientFromProbe * seen)));
+  return sample;
+}
+
 /// Medium and boundaries of all elevation planes on the map rows, and the contact of each scanline.
 class SceneMap {
  public:
   SceneMap(const FramePlan& plan, const ThesisPlan& thesis, const AcousticScene::Impl& scene,
-           const Transform& patientFromProbe)
+           const Transform& patientFromProbe, const PlaneDisplacement& displacement)
       : plan_(plan), mapRows_(thesis.mapRows) {
     for (int column = 0; column < plan.nodeColumns; ++column) {
       const double line = column * plan.cellLines;
-      contacts_.push_back(contactOf(scene.field, patientFromProbe * plan.grid.origin(line),
-                                    patientFromProbe.linear * plan.grid.direction(line)));
+      contacts_.push_back(
+          contactOf(scene.field, patientFromProbe, displacement, plan.grid.origin(line), plan.grid.direction(line)));
     }
     for (int plane = 0; plane < plan.settings.elevationPlanes; ++plane) {
       std::vector<SceneSample> nodes;
       for (int row = 0; row < plan.nodeRows; ++row)
-        for (int column = 0; column < plan.nodeColumns; ++column)
-          nodes.push_back(sampleScene(scene.field, patientFromProbe * nodeAt(plane, row, column)));
+        for (int column = 0; column < plan.nodeColumns; ++column) {
+          const Vec3 seen = nodeAt(plane, row, column);
+          nodes.push_back(sampleDisplaced(scene.field, patientFromProbe, seen, shiftAt(displacement, seen.x, seen.z)));
+        }
       addPlane(thesis, scene, nodes);
     }
   }
@@ -147,9 +157,9 @@ EchoMap blurred(const FramePlan& plan, const ThesisPlan& thesis, EchoMap echo) {
 }  // namespace
 
 void renderReference(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
-                     EnvelopeFrame& envelope) {
+                     const PlaneDisplacement& displacement, EnvelopeFrame& envelope) {
   const ThesisPlan thesis(plan);
-  const SceneMap map(plan, thesis, scene, patientFromProbe);
+  const SceneMap map(plan, thesis, scene, patientFromProbe, displacement);
   const std::uint32_t seed = noiseSeed(patientFromProbe, plan.settings.time_s);
   EchoMap echo(plan);
   for (int line = 0; line < plan.lines; ++line) traceLine(plan, thesis, map, seed, line, echo);

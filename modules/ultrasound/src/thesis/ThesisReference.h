@@ -2,6 +2,7 @@
 
 #include "model/FramePlan.h"
 
+#include <insonate/image/PlaneDisplacement.h>
 #include <insonate/ultrasound/AcousticScene.h>
 #include <insonate/ultrasound/Frames.h>
 
@@ -9,6 +10,6 @@ namespace insonate::thesis {
 
 /// One frame of the thesis look (see ThesisModel.h) in its plainest form, of one look.
 void renderReference(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
-                     EnvelopeFrame& envelope);
+                     const PlaneDisplacement& displacement, EnvelopeFrame& envelope);
 
 }  // namespace insonate::thesis

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <insonate/core/Transform.h>
+#include <insonate/image/PlaneDisplacement.h>
 #include <insonate/ultrasound/AcousticScene.h>
 #include <insonate/ultrasound/BeamGrid.h>
 #include <insonate/ultrasound/Frames.h>
@@ -24,7 +25,16 @@ class Engine {
 
   /// Renders one frame; allocates nothing once `envelope` has its size. `patientFromProbe` is rigid. Same inputs, same
   /// frame, whatever the number of threads. Uses the calling thread's TBB arena.
-  virtual void render(const AcousticScene& scene, const Transform& patientFromProbe, EnvelopeFrame& envelope) = 0;
+  ///
+  /// The frame shows the tissue displaced: structures, CT, textures, scatterers and point targets move with it, the
+  /// skin is looked for where it has gone. An empty displacement costs nothing. It must be whole (columns times rows
+  /// shifts), finite and without folds; tissue that it brings from beyond the scene reads as the outermost within.
+  virtual void render(const AcousticScene& scene, const Transform& patientFromProbe,
+                      const PlaneDisplacement& displacement, EnvelopeFrame& envelope) = 0;
+  /// Of undisturbed tissue.
+  void render(const AcousticScene& scene, const Transform& patientFromProbe, EnvelopeFrame& envelope) {
+    render(scene, patientFromProbe, {}, envelope);
+  }
 
   struct Stage {
     std::string_view name;
@@ -38,7 +48,8 @@ std::vector<std::string> engineNames();
 /// `reference` (scalar, double, to be read) or `cpu` (SIMD, threads).
 Result<std::unique_ptr<Engine>> makeEngine(std::string_view name);
 
-/// Region that a frame at this pose needs of the scene.
-Region regionOf(const Probe& probe, const ImagingSettings& settings, const Transform& patientFromProbe);
+/// Region that a frame at this pose needs of the scene, where tissue has moved by up to `largestShift_mm` (0 or above).
+Region regionOf(const Probe& probe, const ImagingSettings& settings, const Transform& patientFromProbe,
+                double largestShift_mm = 0);
 
 }  // namespace insonate
