@@ -1,39 +1,7 @@
+#include "Allocations.h"
 #include "ColumnRig.h"
 
 #include <gmock/gmock.h>
-
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
-namespace {
-std::atomic<long> allocations{0};
-
-void* counted(std::size_t bytes) {
-  ++allocations;
-  if (void* memory = std::malloc(bytes ? bytes : 1)) return memory;
-  throw std::bad_alloc();
-}
-}  // namespace
-
-void* operator new(std::size_t bytes) {
-  return counted(bytes);
-}
-void* operator new[](std::size_t bytes) {
-  return counted(bytes);
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace insonate::test {
 namespace {
@@ -84,7 +52,7 @@ TEST_F(ColumnRepeat, ALaterQuestionAllocatesNothing) {
   input.plane = &plane;
   input.face = face;
   model->solve(input, answer);
-  const long before = allocations;
+  const long before = allocations();
   plane.press_mm = 7.7;
   model->solve(input, answer);
   input.force_N = 3;
@@ -92,7 +60,7 @@ TEST_F(ColumnRepeat, ALaterQuestionAllocatesNothing) {
   plane.press_mm = -50;
   input.force_N = 0;
   model->solve(input, answer);
-  EXPECT_EQ(allocations - before, 0);
+  EXPECT_EQ(allocations() - before, 0);
 }
 
 }  // namespace

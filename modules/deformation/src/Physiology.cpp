@@ -1,0 +1,108 @@
+#include <insonate/deformation/Physiology.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+namespace insonate {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kKilopascalPermmHg = kPascalPermmHg / 1000;
+constexpr double kBlood_kgPerm3 = 1060, kGravity_mPers2 = 9.81;
+
+/// Share of a breath that goes in: one part to one and a half.
+constexpr double kBreathingIn = 0.4;
+
+/// Of what blood stands over a place `length_mm` along the body, head end lowered by the tilt.
+double hydrostatic_mmHg(double length_mm, double tilt_deg) {
+  return kBlood_kgPerm3 * kGravity_mPers2 * length_mm / 1000 * std::sin(tilt_deg * pi / 180) / kPascalPermmHg;
+}
+
+double phaseOf(double time_s, double rate_perMin) {
+  const double turns = std::isfinite(time_s) ? time_s * rate_perMin / 60 : 0;
+  return turns - std::floor(turns);
+}
+
+/// Pulse of the carotid pressure from 0 (diastolic) to 1 (systolic) and of mean 1/3, so that mean pressure is diastolic
+/// and a third of the pulse: a quick rise, an exponential fall, the dicrotic wave after the valve has closed.
+double pulse(double phase) {
+  constexpr double kRise = 0.15, kFall = 2.7640727;  // the second makes the mean 1/3
+  constexpr double kDicrotic = 0.42, kDicroticHalf = 0.08, kDicroticHeight = 0.1;
+  if (phase < kRise) return (1 - std::cos(pi * phase / kRise)) / 2;
+  const double end = std::exp(-kFall);
+  const double fall = (std::exp(-kFall * (phase - kRise) / (1 - kRise)) - end) / (1 - end);
+  const double away = std::abs(phase - kDicrotic) / kDicroticHalf;
+  return fall + (away < 1 ? kDicroticHeight * (1 + std::cos(pi * away)) / 2 : 0);
+}
+
+/// From 1/2 (breathed out) to -1/2 (breathed in) and back, of mean 0.
+double breath(double phase) {
+  const double half = phase < kBreathingIn ? phase / kBreathingIn : 1 + (phase - kBreathingIn) / (1 - kBreathingIn);
+  return std::cos(pi * half) / 2;
+}
+
+double artery_mmHg(const Physiology& p, double pulseNow) {
+  return p.diastolic_mmHg + (p.systolic_mmHg - p.diastolic_mmHg) * pulseNow +
+         hydrostatic_mmHg(p.neckAboveHeart_mm, p.tilt_deg);
+}
+
+double vein_mmHg(const Physiology& p, double breathNow) {
+  const double flowing_mmHg = p.centralVenous_mmHg + p.breathingSwing_mmHg * breathNow +
+                              hydrostatic_mmHg(p.neckAboveHeart_mm + p.indifferenceFromHeart_mm, p.tilt_deg);
+  return std::max(flowing_mmHg, 0.0);
+}
+
+Result<void> checkRange(double value, double low, double high, const char* field) {
+  if (value >= low && value <= high) return {};
+  std::ostringstream text;
+  text << "Physiology: " << field << " is " << value << "; allowed is " << low << " to " << high << ".";
+  return fail(text.str());
+}
+
+Result<void> checkRate(double value, double low, double high, const char* field) {
+  if (value == 0) return {};
+  auto ok = checkRange(value, low, high, field);
+  if (!ok) ok.error().message.insert(ok.error().message.size() - 1, ", or 0 for none");
+  return ok;
+}
+
+}  // namespace
+
+Result<void> checkPhysiology(const Physiology& p) {
+  return checkRange(p.centralVenous_mmHg, -5, 30, "centralVenous_mmHg")
+      .and_then([&] { return checkRange(p.systolic_mmHg, 40, 260, "systolic_mmHg"); })
+      .and_then([&] { return checkRange(p.diastolic_mmHg, 20, 180, "diastolic_mmHg"); })
+      .and_then([&]() -> Result<void> {
+        if (p.systolic_mmHg > p.diastolic_mmHg) return {};
+        std::ostringstream text;
+        text << "Physiology: systolic_mmHg is " << p.systolic_mmHg << ", which must be above diastolic_mmHg, "
+             << p.diastolic_mmHg << ".";
+        return fail(text.str());
+      })
+      .and_then([&] { return checkRate(p.heartRate_perMin, 20, 250, "heartRate_perMin"); })
+      .and_then([&] { return checkRate(p.breathing_perMin, 2, 60, "breathing_perMin"); })
+      .and_then([&] { return checkRange(p.breathingSwing_mmHg, -20, 20, "breathingSwing_mmHg"); })
+      .and_then([&] { return checkRange(p.tilt_deg, -45, 45, "tilt_deg"); })
+      .and_then([&] { return checkRange(p.neckAboveHeart_mm, 50, 300, "neckAboveHeart_mm"); })
+      .and_then([&] { return checkRange(p.indifferenceFromHeart_mm, 0, 200, "indifferenceFromHeart_mm"); });
+}
+
+BloodPressure bloodPressureAt(const Physiology& p, double time_s) {
+  const double pulseNow = p.heartRate_perMin > 0 ? pulse(phaseOf(time_s, p.heartRate_perMin)) : 1.0 / 3;
+  const double breathNow = p.breathing_perMin > 0 ? breath(phaseOf(time_s, p.breathing_perMin)) : 0;
+  return {artery_mmHg(p, pulseNow) * kKilopascalPermmHg, vein_mmHg(p, breathNow) * kKilopascalPermmHg};
+}
+
+BloodPressure meanBloodPressure(const Physiology& p) {
+  // Where the vein collapses during a part of the breath, its mean is no longer that of the flowing vein.
+  constexpr int kSteps = 1000;
+  double vein = 0;
+  for (int i = 0; i < kSteps; ++i)
+    vein += vein_mmHg(p, p.breathing_perMin > 0 ? breath((i + 0.5) / kSteps) : 0) / kSteps;
+  return {artery_mmHg(p, 1.0 / 3) * kKilopascalPermmHg, vein * kKilopascalPermmHg};
+}
+
+}  // namespace insonate
