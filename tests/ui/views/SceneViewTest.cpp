@@ -202,6 +202,7 @@ TEST(SceneView, Golden) {
   view.look(Viewpoint::Anterior);
   view.setCtVisible(true);
   for (const Label label : {kSkin, kBone, kAirway, kSternocleidomastoid}) view.setVisible(label, false);
+  ASSERT_TRUE(view.renderExactly());
   EXPECT_TRUE(test::looksLikeGolden(screen.picture(), "views/scene-ct", {32, 0.03}));
 }
 

@@ -8,6 +8,7 @@
 #include "image/LinkedPointer.h"
 #include "image/SliceMeasure.h"
 #include "measure/LiveMeasure.h"
+#include "measure/SceneMeasure.h"
 #include "panel/ControlsPanel.h"
 #include "panel/EffectWords.h"
 #include "panel/Positions.h"
@@ -82,6 +83,7 @@ TrainWorkspace::Parts::Parts(TrainWorkspace& workspace)
 
 TrainWorkspace::Parts::~Parts() {
   measure_ = nullptr;
+  volumeMeasure_ = nullptr;
   session.stop();
 }
 

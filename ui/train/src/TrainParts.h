@@ -32,6 +32,7 @@ class FovHandles;
 class ImageInput;
 class LinkedPointer;
 class LiveMeasure;
+class SceneMeasure;
 class PatientViews;
 class ProbeEditor;
 class ProbeLibrary;
@@ -66,6 +67,7 @@ class TrainWorkspace::Parts : public QObject {
   void saveClip(const std::filesystem::path& folder);
   void measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done);
   OrbitRates measureOrbit(int steps);
+  void measureVolume(double seconds, std::function<void(VolumeRates)> done);
 
  private:
   QWidget* buildCentre();
@@ -106,6 +108,7 @@ class TrainWorkspace::Parts : public QObject {
   std::vector<std::unique_ptr<PictureWriter>> writers_;
   bool effectAlone_ = false;
   std::unique_ptr<LiveMeasure> measure_;
+  std::unique_ptr<SceneMeasure> volumeMeasure_;
   QTimer rate_;
 };
 

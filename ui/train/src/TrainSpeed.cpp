@@ -1,6 +1,7 @@
 // The part of the workspace that measures how fast it is.
 #include "TrainParts.h"
 #include "measure/LiveMeasure.h"
+#include "measure/SceneMeasure.h"
 #include "scene/PatientViews.h"
 
 #include <insonate/views/SceneTiming.h>
@@ -27,6 +28,10 @@ OrbitRates TrainWorkspace::Parts::measureOrbit(int steps) {
       if (line.startsWith(QLatin1String("OpenGL renderer string:")))
         rates.graphics = line.section(QLatin1Char(':'), 1).trimmed();
   return rates;
+}
+
+void TrainWorkspace::Parts::measureVolume(double seconds, std::function<void(VolumeRates)> done) {
+  volumeMeasure_ = std::make_unique<SceneMeasure>(session, patient->sceneWidget(), seconds, std::move(done));
 }
 
 }  // namespace insonate::train

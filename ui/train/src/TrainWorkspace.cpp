@@ -102,6 +102,10 @@ OrbitRates TrainWorkspace::measureOrbit(int steps) {
   return parts_->measureOrbit(steps);
 }
 
+void TrainWorkspace::measureVolume(double seconds, std::function<void(VolumeRates)> done) {
+  parts_->measureVolume(seconds, std::move(done));
+}
+
 bool TrainWorkspace::eventFilter(QObject* watched, QEvent* event) {
   return parts_->canvasEvent(watched, event) || ui::Workspace::eventFilter(watched, event);
 }

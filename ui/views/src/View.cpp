@@ -56,6 +56,16 @@ void View::wantRender() const {
   if (renderWanted_) renderWanted_();
 }
 
+void View::setWake(std::function<void()> listener) {
+  const std::lock_guard lock(waking_);
+  wake_ = std::move(listener);
+}
+
+void View::wake() {
+  const std::lock_guard lock(waking_);
+  if (wake_) wake_();
+}
+
 void View::rendererStarts() {
   if (!stale_ && !outOfDate()) return;
   stale_ = false;

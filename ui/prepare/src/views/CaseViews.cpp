@@ -16,7 +16,7 @@ namespace insonate::prepare {
 namespace {
 
 /// 3D follows the probe this often at most, and is drawn in full detail when it has rested.
-constexpr int kFollow_ms = 120, kRest_ms = 400;
+constexpr int kFollow_ms = 80, kRest_ms = 400;
 constexpr double kAcross_deg = 15, kUp_deg = 25;
 
 struct Slice {

@@ -60,11 +60,13 @@ ViewWidget::ViewWidget(std::shared_ptr<views::View> view, const QString& name, Q
   };
   canvas_->onStale = [this] { want(); };
   view_->setRenderWanted([this] { want(); });
+  view_->setWake([this] { QMetaObject::invokeMethod(this, [this] { want(); }, Qt::QueuedConnection); });
   view_->attach(&canvas_->renderWindow());
 }
 
 ViewWidget::~ViewWidget() {
   view_->setRenderWanted({});
+  view_->setWake({});
   canvas_->onFocus = nullptr;
   canvas_->onStale = nullptr;
   view_->detach();

@@ -24,7 +24,8 @@ namespace {
 /// Renderings of both views together may take this share of the time; the rest is the picture's. Each also makes Qt put
 /// the whole window together again, which a processor without a graphics card feels.
 constexpr double kShare = 0.2;
-constexpr int kSoonest_ms = 50, kLatest_ms = 800;
+/// But the CT cast in 3D would follow a few times a second only, and who shows it wants to see it move.
+constexpr int kSoonest_ms = 50, kLatest_ms = 800, kLatestWithCt_ms = 85;
 /// After this long without a move, 3D is drawn in full detail.
 constexpr int kRest_ms = 400;
 /// The tab beside those of the slices.
@@ -229,9 +230,10 @@ void PatientViews::want() {
   if (!following_ || timer_.isActive()) return;
   const double cost_ms =
       1000 * (scene_->renderer()->GetLastRenderTimeInSeconds() + mpr_->renderer()->GetLastRenderTimeInSeconds());
-  const int gap_ms = std::clamp(int(cost_ms / kShare), kSoonest_ms, kLatest_ms);
+  const int latest_ms = scene_->isCtVisible() ? kLatestWithCt_ms : kLatest_ms;
+  const int gap_ms = std::clamp(int(cost_ms / kShare), kSoonest_ms, latest_ms);
   const int since_ms =
-      sinceFollowed_.isValid() ? int(std::min<qint64>(sinceFollowed_.elapsed(), kLatest_ms)) : kLatest_ms;
+      sinceFollowed_.isValid() ? int(std::min<qint64>(sinceFollowed_.elapsed(), latest_ms)) : latest_ms;
   timer_.start(std::max(0, gap_ms - since_ms));
 }
 

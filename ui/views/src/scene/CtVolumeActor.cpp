@@ -13,16 +13,8 @@
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace insonate::views {
-namespace {
-
-/// What a processor casts for a picture at rest while the window waits.
-constexpr double kStillRays = 70'000;
-
-}  // namespace
-
 CtVolumeActor::CtVolumeActor(vtkRenderer& renderer)
     : renderer_(renderer), mapper_(vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New()) {
   volume_->SetMapper(mapper_);
@@ -41,11 +33,12 @@ CtVolumeActor::CtVolumeActor(vtkRenderer& renderer)
 }
 
 CtVolumeActor::~CtVolumeActor() {
-  if (shown_) renderer_.RemoveVolume(volume_);
+  if (drawn_) renderer_.RemoveViewProp(drawn_);
 }
 
-void CtVolumeActor::setCase(const VtkCase* patient) {
+void CtVolumeActor::setCase(const std::shared_ptr<const VtkCase>& patient) {
   hasCase_ = patient != nullptr;
+  cast_->setCase(patient);
   if (patient) {
     // The mapper is given the grid's own frame and placed by a matrix: its support of directions varies.
     const VolumeGeometry& grid = patient->patient().ct.geometry;
@@ -66,12 +59,16 @@ void CtVolumeActor::setVisible(bool visible) {
 }
 
 void CtVolumeActor::show() {
-  const bool show = hasCase_ && visible_;
-  if (show != shown_) show ? renderer_.AddVolume(volume_) : renderer_.RemoveVolume(volume_);
-  shown_ = show;
+  shown_ = hasCase_ && visible_;
+  vtkProp* wanted = !shown_ ? nullptr : software_ ? static_cast<vtkProp*>(cast_) : volume_;
+  if (wanted == drawn_) return;
+  if (drawn_) renderer_.RemoveViewProp(drawn_);
+  if (wanted) renderer_.AddViewProp(wanted);
+  drawn_ = wanted;
 }
 
 void CtVolumeActor::setTransferFunction(const TransferFunction& function) {
+  cast_->setTransferFunction(function);
   opacity_->RemoveAllPoints();
   colour_->RemoveAllPoints();
   for (const TransferNode& node : function.nodes) {
@@ -82,18 +79,13 @@ void CtVolumeActor::setTransferFunction(const TransferFunction& function) {
 
 void CtVolumeActor::setCoarse(bool coarse) {
   coarse_ = coarse;
+  cast_->setMoving(coarse);
   setSampling();
 }
 
 void CtVolumeActor::setSoftware(bool software) {
   software_ = software;
-  setSampling();
-}
-
-void CtVolumeActor::setPixels(double pixels) {
-  if (pixels == pixels_) return;
-  pixels_ = pixels;
-  setSampling();
+  show();
 }
 
 void CtVolumeActor::setSampling() {
@@ -101,13 +93,13 @@ void CtVolumeActor::setSampling() {
   if (!image) return;
   const double* spacing = image->GetSpacing();
   const double finest_mm = std::min({spacing[0], spacing[1], spacing[2]});
-  mapper_->SetSampleDistance(static_cast<float>(finest_mm * (coarse_ ? 3 : software_ ? 1.5 : 0.7)));
-  const double still = software_ ? std::clamp(std::sqrt(pixels_ / kStillRays), 2.0, 4.0) : 1;
-  mapper_->SetImageSampleDistance(coarse_ ? (software_ ? 3.F : 2.F) : static_cast<float>(still));
+  mapper_->SetSampleDistance(static_cast<float>(finest_mm * (coarse_ ? 3 : 0.7)));
+  mapper_->SetImageSampleDistance(coarse_ ? 2.F : 1.F);
 }
 
 void CtVolumeActor::setClipping(const std::optional<ClippingPlane>& plane) {
   clip(*mapper_, plane);
+  cast_->setClipping(plane);
 }
 
 }  // namespace insonate::views

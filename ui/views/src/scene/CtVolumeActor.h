@@ -1,5 +1,7 @@
 #pragma once
 
+#include "../cast/CastProp.h"
+
 #include <insonate/views/SceneView.h>
 
 #include <vtkNew.h>
@@ -12,20 +14,26 @@ class vtkVolume;
 
 namespace insonate::views {
 
-/// The CT itself, ray cast. Costs nothing while it is not visible.
+/// The CT itself, ray cast: by the graphics card, or where there is none by a CastProp. Costs nothing while it is not
+/// visible.
 class CtVolumeActor {
  public:
   explicit CtVolumeActor(vtkRenderer& renderer);
   ~CtVolumeActor();
 
-  void setCase(const VtkCase* patient);
+  void setCase(const std::shared_ptr<const VtkCase>& patient);
   void setVisible(bool visible);
   void setTransferFunction(const TransferFunction& function);
-  /// Fewer rays and samples: while the scene moves, and always somewhat fewer where the processor draws.
+  /// Fewer rays and samples: while the scene moves.
   void setCoarse(bool coarse);
+  /// Whether there is no graphics card.
   void setSoftware(bool software);
-  /// Of the view.
-  void setPixels(double pixels);
+  /// Called on other threads when a better picture can be drawn.
+  void setNews(std::function<void()> news) { cast_->setNews(std::move(news)); }
+  /// Nothing is missing of what was drawn last.
+  bool exact() const { return !shown_ || !software_ || cast_->exact(); }
+  /// Drawing it again would show more.
+  bool hasNews() const { return shown_ && software_ && cast_->hasNews(); }
   void setClipping(const std::optional<ClippingPlane>& plane);
   bool shown() const { return shown_; }
 
@@ -38,8 +46,9 @@ class CtVolumeActor {
   vtkNew<vtkPiecewiseFunction> opacity_;
   vtkNew<vtkColorTransferFunction> colour_;
   vtkSmartPointer<vtkGPUVolumeRayCastMapper> mapper_;
+  vtkNew<CastProp> cast_;
+  vtkProp* drawn_ = nullptr;  ///< which of them the renderer has
   bool hasCase_ = false, visible_ = false, shown_ = false, coarse_ = false, software_ = false;
-  double pixels_ = 1;
 };
 
 }  // namespace insonate::views

@@ -74,7 +74,6 @@ void SceneView::layout() {
     drawing_->software = drawnByProcessor(*window());
     drawing_->ct.setSoftware(*drawing_->software);
   }
-  drawing_->ct.setPixels(double(width_px()) * height_px());
   aim();
   drawing_->cube.place(width_px(), height_px(), 84 * scale());
   drawing_->cube.follow(*renderer()->GetActiveCamera());

@@ -1,4 +1,5 @@
 #include "SceneDrawing.h"
+#include "SceneLights.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/views/LabelColours.h>
@@ -8,14 +9,15 @@
 #include <vtkMatrix4x4.h>
 #include <vtkRenderWindow.h>
 
+#include <chrono>
+#include <thread>
+
 namespace insonate::views {
 namespace {
 
-/// A key above the camera and a soft fill from below, moving with it.
 void addLights(vtkRenderer& renderer) {
   renderer.AutomaticLightCreationOff();
-  const struct { double x, y, z, intensity; } lights[] = {{-0.35, 0.6, 1, 0.85}, {0.5, -0.35, 0.6, 0.28}};
-  for (const auto& light : lights) {
+  for (const SceneLight& light : kSceneLights) {
     vtkNew<vtkLight> lamp;
     lamp->SetLightTypeToCameraLight();
     lamp->SetPosition(light.x, light.y, light.z);
@@ -37,6 +39,7 @@ SceneView::SceneView() : drawing_(std::make_unique<Drawing>(*renderer())) {
   for (const LabelInfo& info : labelTable())
     drawing_->looks[info.label] = {labelColour(info.label, ColourScheme::Usual), usualOpacity(info.label)};
   drawing_->ct.setTransferFunction(drawing_->transfer);
+  drawing_->ct.setNews([this] { wake(); });
   drawing_->probe.setVisible(false);
   drawing_->plane.setVisible(false);
 }
@@ -68,7 +71,7 @@ void SceneView::pictureEnds() {
 
 void SceneView::setCase(std::shared_ptr<const VtkCase> patient) {
   drawing_->patient = std::move(patient);
-  drawing_->ct.setCase(drawing_->patient.get());
+  drawing_->ct.setCase(drawing_->patient);
   drawing_->framed = false;
   clip();
 }
@@ -221,6 +224,24 @@ void SceneView::setMoving(bool moving) {
 
 bool SceneView::isMoving() const {
   return drawing_->moving;
+}
+
+bool SceneView::isExact() const {
+  return !drawing_->moving && drawing_->ct.exact();
+}
+
+bool SceneView::renderExactly(double patience_s) {
+  const bool wasMoving = isMoving();
+  const auto start = std::chrono::steady_clock::now();
+  setMoving(false);
+  render();
+  while (!isExact() && std::chrono::steady_clock::now() - start < std::chrono::duration<double>(patience_s)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (drawing_->ct.hasNews()) render();
+  }
+  const bool exact = isExact();
+  setMoving(wasMoving);
+  return exact;
 }
 
 }  // namespace insonate::views

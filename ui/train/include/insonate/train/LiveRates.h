@@ -20,4 +20,12 @@ struct OrbitRates {
   QString graphics;  ///< what draws it, in OpenGL's words
 };
 
+/// How fast 3D moves with the CT cast in it, and what that costs the window's own thread.
+struct VolumeRates {
+  double orbitPerSecond = 0, zoomPerSecond = 0, followPerSecond = 0;  ///< pictures; the last while the probe moves
+  double exact_ms = 0;  ///< from the last of a movement to the picture that lacks nothing; 600 ms at least
+  /// The longest that the thread did not come to its events.
+  double movingHold_ms = 0, restHold_ms = 0;
+};
+
 }  // namespace insonate::train

@@ -42,6 +42,9 @@ class TrainWorkspace : public ui::Workspace {
   void measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done);
   /// Turns the patient in 3D, which takes its time.
   OrbitRates measureOrbit(int steps);
+  /// Shows the CT in 3D and moves there and with the probe, `seconds` each; `done` comes later, unless the workspace
+  /// goes first.
+  void measureVolume(double seconds, std::function<void(VolumeRates)> done);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

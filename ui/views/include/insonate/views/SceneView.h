@@ -83,6 +83,12 @@ class SceneView final : public View {
   /// itself.
   void setMoving(bool moving);
   bool isMoving() const;
+  /// What was rendered last lacks nothing. Without a graphics card, a CT at rest is drawn with few rays first; all of
+  /// them are cast in the background, and setWake()'s listener is told when they are there to be rendered.
+  bool isExact() const;
+  /// Renders at rest until the picture is exact, or so long; for pictures that are kept, not for the live window. False
+  /// where it is not exact then.
+  bool renderExactly(double patience_s = 60);
 
   void setStereo(Stereo stereo);
   Stereo stereo() const;

@@ -7,6 +7,7 @@
 #include <vtkSmartPointer.h>
 
 #include <functional>
+#include <mutex>
 
 class vtkRenderWindow;
 
@@ -36,6 +37,9 @@ class View {
 
   /// Called when the view wants to be rendered again; called often, so collect before rendering.
   void setRenderWanted(std::function<void()> listener) { renderWanted_ = std::move(listener); }
+  /// Called on other threads when they have made something that is to be rendered: pass it on to the window's thread.
+  /// After this returns, the listener before is not called any more.
+  void setWake(std::function<void()> listener);
 
   /// Input; true when the view made use of it.
   virtual bool pressed(const Pointer&) { return false; }
@@ -61,6 +65,8 @@ class View {
   void wantRender() const;
   double scale() const { return scale_; }
   vtkRenderWindow* window();
+  /// From any thread.
+  void wake();
 
  private:
   void rendererStarts();
@@ -68,6 +74,8 @@ class View {
   vtkNew<vtkRenderer> renderer_;
   vtkSmartPointer<vtkRenderWindow> window_;
   std::function<void()> renderWanted_;
+  std::mutex waking_;
+  std::function<void()> wake_;  ///< guarded by the mutex
   int width_px_ = 1, height_px_ = 1;
   double scale_ = 1;
   bool stale_ = true;

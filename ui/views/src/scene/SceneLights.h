@@ -1,0 +1,13 @@
+#pragma once
+
+namespace insonate::views {
+
+/// Where a lamp stands, from what the camera looks at: right, up, toward the viewer.
+struct SceneLight {
+  double x, y, z, intensity;
+};
+
+/// A key above the camera and a soft fill from below, moving with it.
+inline constexpr SceneLight kSceneLights[] = {{-0.35, 0.6, 1, 0.85}, {0.5, -0.35, 0.6, 0.28}};
+
+}  // namespace insonate::views
