@@ -1,3 +1,4 @@
+#include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
 
@@ -5,12 +6,13 @@
 
 #include <QApplication>
 #include <QTemporaryDir>
+#include <chrono>
 #include <memory>
 
 namespace {
 
-/// Comes after the screen, which registers itself before main(), and goes before it. Settings and cache are a folder of
-/// this process.
+/// Comes after the screen, which registers itself before main(), and goes before it. Settings, cache and the user's data
+/// are a folder of this process.
 class Application : public testing::Environment {
  public:
   void SetUp() override {
@@ -18,6 +20,7 @@ class Application : public testing::Environment {
     ASSERT_TRUE(home_.isValid());
     qputenv("XDG_CONFIG_HOME", (home_.path() + QStringLiteral("/config")).toUtf8());
     qputenv("XDG_CACHE_HOME", (home_.path() + QStringLiteral("/cache")).toUtf8());
+    qputenv("XDG_DATA_HOME", (home_.path() + QStringLiteral("/data")).toUtf8());
     qputenv("QT_QPA_PLATFORM", "xcb");
     insonate::ui::prepareGraphics();
     application_ = std::make_unique<QApplication>(count_, arguments_);
@@ -25,7 +28,11 @@ class Application : public testing::Environment {
     QCoreApplication::setApplicationName(QStringLiteral("widget_test"));
     insonate::ui::applyTheme(*application_);
   }
-  void TearDown() override { application_.reset(); }
+  void TearDown() override {
+    // As at the end of the program: nothing goes on while the process goes.
+    EXPECT_TRUE(insonate::ui::waitForJobs(std::chrono::seconds(20)));
+    application_.reset();
+  }
 
  private:
   QTemporaryDir home_;

@@ -1,3 +1,5 @@
+#include "../live/JobThreads.h"
+
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
 
@@ -7,27 +9,13 @@
 #include <QPushButton>
 #include <QTimer>
 #include <atomic>
-#include <condition_variable>
 #include <mutex>
-#include <thread>
 
 namespace insonate::ui {
 namespace {
 
 constexpr int kLook_ms = 30;
 constexpr int kFine = 1000;  // of the progress bar
-
-/// Counts the threads at work, so that the end of the program can wait for them.
-struct Threads {
-  std::mutex mutex;
-  std::condition_variable changed;
-  int running = 0;
-};
-
-Threads& threads() {
-  static Threads all;
-  return all;
-}
 
 }  // namespace
 
@@ -39,12 +27,6 @@ struct TaskBar::Job {
   double fraction = 0;
   Deliver deliver;  ///< once the work is done
 };
-
-bool waitForJobs(std::chrono::milliseconds longest) {
-  Threads& all = threads();
-  std::unique_lock lock(all.mutex);
-  return all.changed.wait_for(lock, longest, [&all] { return all.running == 0; });
-}
 
 TaskBar::TaskBar(QWidget* parent)
     : QFrame(parent),
@@ -82,11 +64,7 @@ TaskBar::~TaskBar() {
 void TaskBar::start(const QString& title, std::function<Deliver(const Progress&)> work, Deliver cancelled) {
   cancel();
   auto job = std::make_shared<Job>();
-  {
-    const std::lock_guard lock(threads().mutex);
-    ++threads().running;
-  }
-  std::thread([job, work = std::move(work)]() mutable {
+  runUnseen([job, work = std::move(work)] {
     const Progress progress = [job](std::string_view doing, double fraction) {
       const std::lock_guard lock(job->mutex);
       job->doing = doing;
@@ -94,18 +72,9 @@ void TaskBar::start(const QString& title, std::function<Deliver(const Progress&)
       return !job->cancelled.load();
     };
     Deliver deliver = work(progress);
-    {
-      const std::lock_guard lock(job->mutex);
-      if (!job->cancelled) job->deliver = std::move(deliver);
-    }
-    // What the job holds goes before the end of the program may go on.
-    deliver = nullptr;
-    work = nullptr;
-    job.reset();
-    const std::lock_guard lock(threads().mutex);
-    --threads().running;
-    threads().changed.notify_all();
-  }).detach();
+    const std::lock_guard lock(job->mutex);
+    if (!job->cancelled) job->deliver = std::move(deliver);
+  });
 
   job_ = std::move(job);
   cancelled_ = std::move(cancelled);

@@ -1,89 +1,136 @@
+#include "JobThreads.h"
+
 #include <insonate/cases/StartPose.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/CaseWorker.h>
 
 #include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
 #include <utility>
 
 namespace insonate::ui {
 
+/// What the thread does, which may outlive the worker: it reaches it only while it is not left.
+class CaseWorker::Job {
+ public:
+  /// What is computed; known here so that nothing else of the worker is needed.
+  struct Wanted {
+    bool start, hand, surface, surfacesDone, failed;
+  };
+
+  Job(CaseWorker& worker, std::shared_ptr<const PatientCase> patient, Wanted wanted, std::vector<SurfaceWish> wishes)
+      : worker_(&worker), patient_(std::move(patient)), wanted_(wanted), wishes_(wishes.begin(), wishes.end()) {}
+
+  void want(const std::vector<SurfaceWish>& wishes) {
+    {
+      const std::lock_guard lock(mutex_);
+      wishes_.insert(wishes_.end(), wishes.begin(), wishes.end());
+    }
+    changed_.notify_all();
+  }
+  void leave() {
+    {
+      const std::lock_guard lock(mutex_);
+      left_ = true;
+    }
+    changed_.notify_all();
+  }
+  void run() {
+    if (wanted_.start || wanted_.hand) placeProbe();
+    makeSurfaces();
+  }
+
+ private:
+  using Call = std::function<void(CaseWork&)>;
+
+  bool left() const { return left_.load(std::memory_order_relaxed); }
+  void deliver(Call call) {
+    const std::lock_guard lock(mutex_);
+    post(std::move(call));
+  }
+  void post(Call call);  ///< with the mutex held
+  void placeProbe();
+  void makeSurfaces();
+  void makeSurface(const SurfaceWish& wish);
+
+  CaseWorker* worker_;  ///< there until it is left, which the mutex guards
+  std::shared_ptr<const PatientCase> patient_;
+  Wanted wanted_;
+  std::atomic<bool> left_{false};
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<SurfaceWish> wishes_;  ///< guarded by the mutex
+};
+
 CaseWorker::CaseWorker(std::shared_ptr<const PatientCase> patient, CaseWork work, std::vector<SurfaceWish> wishes)
-    : patient_(std::move(patient)),
-      work_(std::move(work)),
-      wishes_(wishes.begin(), wishes.end()),
-      thread_([this] { run(); }) {}
+    : work_(std::move(work)),
+      job_(std::make_shared<Job>(*this, std::move(patient),
+                                 Job::Wanted{work_.start != nullptr, work_.hand != nullptr, work_.surface != nullptr,
+                                             work_.surfacesDone != nullptr, work_.failed != nullptr},
+                                 std::move(wishes))),
+      thread_([job = job_] { job->run(); }) {}
 
 CaseWorker::~CaseWorker() {
-  {
-    const std::lock_guard lock(mutex_);
-    cancelled_ = true;
-  }
-  wanted_.notify_all();
-  thread_.join();
+  job_->leave();
+  runUnseen([thread = std::make_shared<std::thread>(std::move(thread_))] { thread->join(); });
 }
 
 void CaseWorker::want(const std::vector<SurfaceWish>& wishes) {
-  {
-    const std::lock_guard lock(mutex_);
-    wishes_.insert(wishes_.end(), wishes.begin(), wishes.end());
-  }
-  wanted_.notify_all();
+  job_->want(wishes);
 }
 
-void CaseWorker::deliver(std::function<void()> call) {
-  // Queued to this object: gone with it, if it goes first.
-  QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
+void CaseWorker::Job::post(Call call) {
+  if (left_) return;
+  // Queued to the worker: gone with it, if it goes first.
+  QMetaObject::invokeMethod(
+      worker_, [worker = worker_, call = std::move(call)] { call(worker->work_); }, Qt::QueuedConnection);
 }
 
-void CaseWorker::run() {
-  if (work_.start || work_.hand) placeProbe();
-  makeSurfaces();
-}
-
-void CaseWorker::placeProbe() {
+void CaseWorker::Job::placeProbe() {
   const auto failed = [this](const Error& error) {
-    deliver([this, text = QString::fromStdString(error.message)] {
-      if (work_.failed) work_.failed(text);
-    });
+    if (wanted_.failed) deliver([text = QString::fromStdString(error.message)](CaseWork& work) { work.failed(text); });
   };
   const auto start = autoStartPose(*patient_);
   if (!start) return failed(start.error());
-  if (work_.start) deliver([this, pose = *start] { work_.start(pose); });
+  if (wanted_.start) deliver([pose = *start](CaseWork& work) { work.start(pose); });
   const auto pose = patientFromProbe(start->position_mm, start->axial, start->lateral);
   if (!pose) return failed(pose.error());
-  if (cancelled() || !work_.hand) return;
+  if (left() || !wanted_.hand) return;
   auto hand = ProbeHand::make(patient_->labels, *pose);
   if (!hand) return failed(hand.error());
-  if (!cancelled()) deliver([this, made = std::move(*hand)] { work_.hand(made); });
+  deliver([made = std::move(*hand)](CaseWork& work) { work.hand(made); });
 }
 
-void CaseWorker::makeSurfaces() {
+void CaseWorker::Job::makeSurfaces() {
   const auto present = structuresIn(patient_->labels);
   std::unique_lock lock(mutex_);
-  while (!cancelled()) {
+  while (!left()) {
     if (wishes_.empty()) {
-      if (work_.surfacesDone) deliver([this] { work_.surfacesDone(); });
-      wanted_.wait(lock, [this] { return cancelled() || !wishes_.empty(); });
+      if (wanted_.surfacesDone) post([](CaseWork& work) { work.surfacesDone(); });
+      changed_.wait(lock, [this] { return left() || !wishes_.empty(); });
       continue;
     }
     const SurfaceWish wish = wishes_.front();
     wishes_.pop_front();
     lock.unlock();
     const bool there = wish.label == kSkin ? !present.empty() : std::ranges::find(present, wish.label) != present.end();
-    if (there && work_.surface) makeSurface(wish);
+    if (there && wanted_.surface) makeSurface(wish);
     lock.lock();
   }
 }
 
-void CaseWorker::makeSurface(const SurfaceWish& wish) {
-  const Progress asked = [this](std::string_view, double) { return !cancelled(); };
+void CaseWorker::Job::makeSurface(const SurfaceWish& wish) {
+  const Progress asked = [this](std::string_view, double) { return !left(); };
   auto mesh = wish.label == kSkin ? extractBody(patient_->labels, wish.options, asked)
                                   : extractSurface(patient_->labels, wish.label, wish.options, asked);
   // A structure that has no surface is not shown; nothing else depends on it.
-  if (!mesh || cancelled()) return;
-  deliver([this, label = wish.label, made = std::make_shared<const Mesh>(std::move(*mesh))] {
-    work_.surface(label, made);
+  if (!mesh) return;
+  deliver([label = wish.label, made = std::make_shared<const Mesh>(std::move(*mesh))](CaseWork& work) {
+    work.surface(label, made);
   });
 }
 

@@ -1,3 +1,5 @@
+#include "JobThreads.h"
+
 #include <insonate/ui/LiveFeed.h>
 
 #include <QCoreApplication>
@@ -13,8 +15,11 @@ LiveFeed::~LiveFeed() {
 
 void LiveFeed::set(std::unique_ptr<LiveImaging> live) {
   // After this, nobody posts any more; what was posted is dropped before the next probe begins.
-  if (live_) live_->onFrame({});
-  live_ = nullptr;
+  if (live_) {
+    live_->onFrame({});
+    // Its threads end within a fraction of a second, which is too long for the window.
+    runUnseen([old = std::shared_ptr<LiveImaging>(std::move(live_))] {});
+  }
   QCoreApplication::removePostedEvents(this, QEvent::User);
   posted_ = false;
   live_ = std::move(live);

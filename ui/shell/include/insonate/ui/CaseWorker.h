@@ -6,13 +6,9 @@
 
 #include <QObject>
 #include <QString>
-#include <atomic>
-#include <condition_variable>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -34,8 +30,8 @@ struct SurfaceWish {
   SurfaceOptions options;
 };
 
-/// Computes on a thread of its own. The destructor cancels, drops what was not delivered yet, and takes no longer than
-/// the step in work (a fraction of a second).
+/// Computes on a thread of its own. The destructor asks it to stop and drops what was not delivered yet, without
+/// waiting: the step in work ends by itself, out of sight (see waitForJobs).
 class CaseWorker : public QObject {
  public:
   CaseWorker(std::shared_ptr<const PatientCase> patient, CaseWork work, std::vector<SurfaceWish> wishes);
@@ -45,19 +41,10 @@ class CaseWorker : public QObject {
   void want(const std::vector<SurfaceWish>& wishes);
 
  private:
-  void run();
-  void placeProbe();
-  void makeSurfaces();
-  void makeSurface(const SurfaceWish& wish);
-  void deliver(std::function<void()> call);
-  bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+  class Job;
 
-  std::shared_ptr<const PatientCase> patient_;
   CaseWork work_;
-  std::atomic<bool> cancelled_{false};
-  std::mutex mutex_;
-  std::condition_variable wanted_;
-  std::deque<SurfaceWish> wishes_;  ///< guarded by the mutex
+  std::shared_ptr<Job> job_;
   std::thread thread_;
 };
 

@@ -92,8 +92,8 @@ class TaskBar : public QFrame {
   QTimer* timer_;
 };
 
-/// Waits for the threads of all jobs, cancelled ones included; false when some are still at work after `longest`. Jobs
-/// do not outlive main() when it is called at its end.
+/// Waits for the threads of all jobs, cancelled ones included, and for what cases and probes that were replaced still
+/// do; false when some are still at work after `longest`. Nothing outlives main() when it is called at its end.
 bool waitForJobs(std::chrono::milliseconds longest);
 
 }  // namespace insonate::ui

@@ -1,0 +1,89 @@
+#include "Waiting.h"
+
+#include <insonate/simulator/ProbePose.h>
+#include <insonate/tissue/AcousticTable.h>
+#include <insonate/ui/CaseWorker.h>
+#include <insonate/ui/LiveFeed.h>
+#include <insonate/ui/TaskBar.h>
+
+#include <gtest/gtest.h>
+#include <support/SmallCase.h>
+
+#include <chrono>
+#include <memory>
+
+namespace {
+
+using namespace insonate;
+using std::chrono::milliseconds;
+
+/// Whose skin takes a while to find.
+std::shared_ptr<const PatientCase> largeCase() {
+  VolumeGeometry grid;
+  grid.size = {256, 256, 128};
+  auto patient = std::make_shared<PatientCase>(PatientCase{{}, CtVolume(grid, 0), LabelMap(grid)});
+  for (std::size_t n = 0; n < patient->labels.voxels.size(); ++n) patient->labels.voxels[n] = kBone;
+  patient->manifest.startPoses = {{"start", {128, 0, 64}, {0, 1, 0}, {1, 0, 0}}};
+  return patient;
+}
+
+TEST(CaseWorker, DeliversInOrderOnTheWindowsThread) {
+  std::string order;
+  ui::CaseWork work;
+  work.start = [&](const StartPose&) { order += "start "; };
+  work.hand = [&](const ProbeHand&) { order += "hand "; };
+  work.surface = [&](std::uint8_t label, const auto&) { order += std::to_string(label) + " "; };
+  work.surfacesDone = [&] { order += "done"; };
+  ui::CaseWorker worker(std::make_shared<PatientCase>(test::smallCase()), work, {{kVein, {}}, {kThyroid, {}}});
+  ASSERT_TRUE(test::waitUntil([&] { return order.ends_with("done"); })) << order;
+  EXPECT_EQ(order, "start hand " + std::to_string(kVein) + " done");
+  worker.want({{kBone, {}}});
+  EXPECT_TRUE(test::waitUntil([&] { return order.ends_with(std::to_string(kBone) + " done"); })) << order;
+}
+
+TEST(CaseWorker, GoesWithoutWaitingForItsStepAndNothingComesLater) {
+  ASSERT_TRUE(ui::waitForJobs(milliseconds(5000)));
+  bool begun = false;
+  int came = 0;
+  auto patient = largeCase();
+  const std::weak_ptr<const PatientCase> held = patient;
+  ui::CaseWork work;
+  work.start = [&](const StartPose&) { begun = true; };
+  work.hand = [&](const ProbeHand&) { ++came; };
+  work.failed = [&](const QString&) { ++came; };
+  work.surface = [&](std::uint8_t, const auto&) { ++came; };
+  auto worker = std::make_unique<ui::CaseWorker>(std::move(patient), work,
+                                                 std::vector<ui::SurfaceWish>{{kBone, {}}, {kSkin, {}}});
+  ASSERT_TRUE(test::waitUntil([&] { return begun; }));
+  worker.reset();
+  EXPECT_FALSE(ui::waitForJobs(milliseconds(0))) << "the window waited";
+  EXPECT_TRUE(ui::waitForJobs(milliseconds(20000)));
+  EXPECT_TRUE(held.expired());
+  test::waitUntil([] { return false; }, 20);
+  EXPECT_EQ(came, 0);
+}
+
+TEST(CaseWorker, AReplacedProbeEndsByItself) {
+  auto patient = std::make_shared<const PatientCase>(test::smallCase());
+  const std::weak_ptr<const PatientCase> held = patient;
+  ImagingSetup setup;
+  setup.probe = loadProbe("linear").value();
+  setup.settings = settingsFor(setup.probe);
+  setup.tissues = loadAcousticTable(acousticPresetNames().front()).value();
+  const StartPose start = patient->manifest.startPoses.front();
+  const auto pose = patientFromProbe(start.position_mm, start.axial, start.lateral).value();
+  int news = 0;
+  ui::LiveFeed feed([&] { ++news; });
+  for (int times = 0; times < 3; ++times) feed.set(LiveImaging::make(patient, setup, pose).value());
+  EXPECT_TRUE(test::waitUntil([&] { return feed.live()->latest() != nullptr && news > 0; }, 60000));
+  feed.set(nullptr);
+  EXPECT_FALSE(ui::waitForJobs(milliseconds(0))) << "the window waited";
+  patient.reset();
+  news = 0;
+  EXPECT_TRUE(ui::waitForJobs(milliseconds(5000)));
+  EXPECT_TRUE(held.expired());
+  test::waitUntil([] { return false; }, 20);
+  EXPECT_EQ(news, 0);
+}
+
+}  // namespace
