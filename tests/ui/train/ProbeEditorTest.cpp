@@ -6,7 +6,6 @@
 #include "probe/ProbeLibrary.h"
 
 #include <insonate/train/TrainWorkspace.h>
-#include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 #include <insonate/ui/ViewWidget.h>
 
@@ -34,25 +33,8 @@ namespace {
 
 constexpr int kPatience_ms = 60000;
 
-/// One application for all; it goes while there is still a screen. The user's folders are a temporary one.
 class ProbeEditing : public testing::Test {
  protected:
-  static void SetUpTestSuite() {
-    static int argc = 1;
-    static char name[] = "train_test";
-    static char* argv[] = {name, nullptr};
-    home_ = std::make_unique<test::TemporaryFolder>();
-    qputenv("XDG_DATA_HOME", QByteArray::fromStdString(home_->path().string()));
-    ui::prepareGraphics();
-    application_ = new QApplication(argc, argv);
-    ui::applyTheme(*application_);
-  }
-  static void TearDownTestSuite() {
-    delete application_;
-    application_ = nullptr;
-    home_ = nullptr;
-  }
-
   void SetUp() override {
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/probes";
     std::filesystem::remove_all(folder.toStdString());
@@ -120,8 +102,6 @@ class ProbeEditing : public testing::Test {
     Q_EMIT line->editingFinished();
   }
 
-  inline static QApplication* application_ = nullptr;
-  inline static std::unique_ptr<test::TemporaryFolder> home_;
   std::unique_ptr<TrainWorkspace> workspace_;
   TrainSession* session_ = nullptr;
   ProbeEditor* editor_ = nullptr;

@@ -4,7 +4,6 @@
 
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/train/TrainWorkspace.h>
-#include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 #include <insonate/ui/ViewWidget.h>
 
@@ -30,22 +29,8 @@ namespace insonate::train {
 
 inline constexpr int kPatience_ms = 60000;
 
-/// One application for all; it goes while there is still a screen.
 class TrainWindow : public testing::Test {
  protected:
-  static void SetUpTestSuite() {
-    static int argc = 1;
-    static char name[] = "train_test";
-    static char* argv[] = {name, nullptr};
-    ui::prepareGraphics();
-    application_ = new QApplication(argc, argv);
-    ui::applyTheme(*application_);
-  }
-  static void TearDownTestSuite() {
-    delete application_;
-    application_ = nullptr;
-  }
-
   void SetUp() override {
     workspace_ = std::make_unique<TrainWorkspace>();
     workspace_->resize(1100, 700);
@@ -101,7 +86,6 @@ class TrainWindow : public testing::Test {
     return found;
   }
 
-  inline static QApplication* application_ = nullptr;
   std::unique_ptr<TrainWorkspace> workspace_;
   TrainSession* session_ = nullptr;
   QWidget* canvas_ = nullptr;
