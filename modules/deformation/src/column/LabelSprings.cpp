@@ -13,10 +13,9 @@ double complianceOf(const MechanicalTissue& tissue, int label) {
     case Mechanics::Lumen:
       return 1 / (label == kArtery ? kArteryLumen_kPa : kVeinLumen_kPa);
     case Mechanics::Rigid:
-      return 0;
     // Air in the body is held open by what surrounds it; a spring of no stiffness would take all the pressing.
     case Mechanics::Gas:
-      return 0;
+      break;
   }
   return 0;
 }
