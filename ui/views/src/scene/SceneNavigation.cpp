@@ -2,6 +2,8 @@
 #include "SceneDrawing.h"
 #include "ScenePick.h"
 
+#include <insonate/tissue/Labels.h>
+
 #include <vtkMatrix4x4.h>
 #include <vtkRenderWindow.h>
 
@@ -11,6 +13,10 @@
 
 namespace insonate::views {
 namespace {
+
+/// What lies in the body is seen before the body where both are cut.
+constexpr double kInnerLift_mm = 0.1;
+constexpr double kWall_px = 2;
 
 /// Mesa's rasterisers, which have no graphics card behind them.
 bool drawnByProcessor(vtkRenderWindow& window) {
@@ -78,7 +84,12 @@ void SceneView::layout() {
   drawing_->cube.place(width_px(), height_px(), 84 * scale());
   drawing_->cube.follow(*renderer()->GetActiveCamera());
   int translucent = 0;
-  for (const auto& [label, structure] : drawing_->structures) translucent += structure.translucent();
+  for (auto& [label, structure] : drawing_->structures) {
+    translucent += structure.translucent();
+    // The skin's surface is the whole body's: it lies around all others.
+    structure.close(label == kSkin ? 0 : kInnerLift_mm);
+    structure.face().setWall(kWall_px * scale());
+  }
   // One translucent surface, drawn from its near side, needs no sorting.
   renderer()->SetUseDepthPeeling(translucent > 1 && !drawing_->moving);
   renderer()->SetMaximumNumberOfPeels(4);

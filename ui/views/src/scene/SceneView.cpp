@@ -80,12 +80,12 @@ void SceneView::setSurface(std::uint8_t label, const Surface& surface, const Sur
   auto found = drawing_->structures.find(label);
   if (surface.triangles.empty()) {
     if (found == drawing_->structures.end()) return;
-    renderer()->RemoveActor(found->second.actor());
+    found->second.remove(*renderer());
     drawing_->structures.erase(found);
   } else {
     if (found == drawing_->structures.end()) {
       found = drawing_->structures.try_emplace(label).first;
-      renderer()->AddActor(found->second.actor());
+      found->second.add(*renderer());
     }
     const LabelLook& look = drawing_->looks[label];
     Structure& structure = found->second;

@@ -162,10 +162,31 @@ void Structure::setSurface(const Surface& surface, const Surface& coarse) {
     coarse_ = coarser(fine_);
   }
   mapper_->SetInputData(fine_);
+  points_mm_.assign(surface.points_mm.begin(), surface.points_mm.end());
+  triangles_.assign(surface.triangles.begin(), surface.triangles.end());
+  open_ = true;
+}
+
+void Structure::add(vtkRenderer& renderer) {
+  renderer.AddActor(actor_);
+  face_.add(renderer);
+}
+
+void Structure::remove(vtkRenderer& renderer) {
+  renderer.RemoveActor(actor_);
+  face_.remove(renderer);
+}
+
+void Structure::close(double lift_mm) {
+  if (!open_ || (plane_ && !visible())) return;
+  open_ = false;
+  if (!plane_) return face_.clear();
+  face_.cut({points_mm_, {}, triangles_}, *plane_, lift_mm);
 }
 
 void Structure::setColour(Colour colour) {
   actor_->GetProperty()->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+  face_.setColour(colour);
 }
 
 void Structure::setOpacity(double opacity) {
@@ -175,12 +196,15 @@ void Structure::setOpacity(double opacity) {
   // what is inside.
   actor_->GetProperty()->SetBackfaceCulling(opacity_ < 1);
   showAsGlass(*actor_, opacity_ < 1);
-  actor_->SetVisibility(visible());
+  // One looks into what is translucent: there the wall alone is drawn.
+  face_.setFilled(opacity_ == 1);
+  setVisible(visible_);
 }
 
 void Structure::setVisible(bool shown) {
   visible_ = shown;
   actor_->SetVisibility(visible());
+  face_.setVisible(visible());
 }
 
 void Structure::setCoarse(bool coarse) {
@@ -189,6 +213,11 @@ void Structure::setCoarse(bool coarse) {
 
 void Structure::setClipping(const std::optional<ClippingPlane>& plane) {
   clip(*mapper_, plane);
+  const auto same = [](const ClippingPlane& a, const ClippingPlane& b) {
+    return a.point_mm == b.point_mm && a.normal == b.normal;
+  };
+  open_ = open_ || plane.has_value() != plane_.has_value() || (plane && !same(*plane, *plane_));
+  plane_ = plane;
 }
 
 }  // namespace insonate::views

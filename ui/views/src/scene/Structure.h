@@ -1,5 +1,7 @@
 #pragma once
 
+#include "CutFace.h"
+
 #include <insonate/views/SceneView.h>
 
 #include <vtkActor.h>
@@ -20,8 +22,13 @@ class Structure {
   void setVisible(bool visible);
   void setCoarse(bool coarse);
   void setClipping(const std::optional<ClippingPlane>& plane);
+  /// Brings the face where the plane cuts it up to date; nothing when it is. `lift_mm` as CutFace has it.
+  void close(double lift_mm);
 
+  void add(vtkRenderer& renderer);
+  void remove(vtkRenderer& renderer);
   vtkActor* actor() { return actor_; }
+  CutFace& face() { return face_; }
   bool visible() const { return visible_ && opacity_ > 0; }
   bool translucent() const { return visible() && opacity_ < 1; }
 
@@ -29,6 +36,12 @@ class Structure {
   vtkNew<vtkActor> actor_;
   vtkNew<vtkPolyDataMapper> mapper_;
   vtkSmartPointer<vtkPolyData> fine_, coarse_;
+  /// The fine one, as a plane cuts it: coarse ones need not be closed.
+  std::vector<float> points_mm_;
+  std::vector<std::uint32_t> triangles_;
+  CutFace face_;
+  std::optional<ClippingPlane> plane_;
+  bool open_ = false;  ///< the face is not that of the plane
   double opacity_ = 1;
   bool visible_ = true;
 };

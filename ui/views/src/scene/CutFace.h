@@ -1,0 +1,42 @@
+#pragma once
+
+#include "PlaneCut.h"
+
+#include <insonate/views/Theme.h>
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkRenderer.h>
+
+namespace insonate::views {
+
+/// What one sees of a structure where it is cut open: its inside in its colour, and its wall as a line around it.
+class CutFace {
+ public:
+  CutFace();
+
+  void add(vtkRenderer& renderer);
+  void remove(vtkRenderer& renderer);
+  void setColour(Colour colour);
+  /// Whether the inside is filled; the wall is always drawn.
+  void setFilled(bool filled);
+  void setVisible(bool visible);
+  /// `lift_mm` toward what is cut away, so that of two that lie in each other the inner one is seen.
+  void cut(const Surface& surface, const ClippingPlane& plane, double lift_mm);
+  void clear();
+  /// Line width, in device pixels.
+  void setWall(double width_px);
+
+ private:
+  void show();
+
+  PlaneCut cut_;
+  vtkNew<vtkPolyData> inside_, wall_;
+  vtkNew<vtkPolyDataMapper> insideMapper_, wallMapper_;
+  vtkNew<vtkActor> insideActor_, wallActor_;
+  bool filled_ = true, visible_ = true, there_ = false;
+};
+
+}  // namespace insonate::views
