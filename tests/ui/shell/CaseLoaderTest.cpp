@@ -99,6 +99,7 @@ TEST_F(CaseLoader, ImportsTheChosenSeries) {
   EXPECT_EQ(table->item(0, 0)->text(), "CT");
   EXPECT_EQ(table->item(0, 1)->text(), "49 x 41 x 17");
   EXPECT_EQ(table->item(0, 2)->text(), "1.00 x 1.00 x 1.00");
+  EXPECT_TRUE(table->item(0, 3)->text().startsWith("... ")) << "which of several";
   choice->findChild<QCheckBox*>()->setChecked(false);
   QTest::mouseClick(button(choice, "Import"), Qt::LeftButton);
   ASSERT_TRUE(waitUntil([this] { return ended(); }));

@@ -200,6 +200,23 @@ TEST_F(ClosingAtWork, TheQuestionGoesWithTheWork) {
   EXPECT_TRUE(window->close());
 }
 
+TEST_F(ClosingAtWork, AsksAboutWhatTheWorkMade) {
+  window->tasks().run<bool>(
+      "Importing a CT",
+      [this](const Progress& progress) -> Result<bool> {
+        while (!letGo) report(progress, "reading", 0.5);
+        return true;
+      },
+      [this](const Result<bool>&) { Q_EMIT train->caseMade(std::make_shared<PatientCase>(test::smallCase())); },
+      ui::TaskBar::WhenClosed::Ask);
+  EXPECT_FALSE(window->close());
+  EXPECT_TRUE(question()->findChild<QPushButton*>("keep"));
+  letGo = true;
+  ASSERT_TRUE(test::waitUntil([&] { return question() && question()->findChild<QPushButton*>("save"); }));
+  press("Close without saving");
+  EXPECT_TRUE(test::waitUntil([&] { return !window->isVisible(); }));
+}
+
 TEST_F(ClosingAtWork, DoesNotAskWhereNothingIsLost) {
   work(ui::TaskBar::WhenClosed::Stop);
   EXPECT_TRUE(window->close());

@@ -7,6 +7,7 @@
 #include <vtkRenderWindow.h>
 
 #include <QGridLayout>
+#include <QImage>
 #include <QSplitter>
 #include <QWheelEvent>
 #include <QtTest/QTest>
@@ -62,6 +63,19 @@ class ViewWidget : public testing::Test {
   std::shared_ptr<FakeView> view;
   ui::ViewWidget *widget, *neighbour;
 };
+
+TEST_F(ViewWidget, ShowsNothingOfWhatWasThereBefore) {
+  const auto green = [this](QPoint at) { return widget->grab().toImage().pixelColor(at).green() > 200; };
+  const auto black = [this](QPoint at) { return widget->grab().toImage().pixelColor(at) == QColor(Qt::black); };
+  const QPoint middle = widget->rect().center();
+  ASSERT_TRUE(waitUntil([&] { return green(middle); }));
+  widget->forget();
+  EXPECT_TRUE(black(middle)) << "at once, before it is drawn again";
+  EXPECT_TRUE(waitUntil([&] { return green(middle); }));
+  room.layout()->setEnabled(false);
+  widget->resize(widget->size() + QSize(80, 40));
+  EXPECT_TRUE(black(widget->rect().bottomRight() - QPoint(20, 10))) << "where no picture is yet";
+}
 
 TEST_F(ViewWidget, ShowsWhatTheViewDraws) {
   const QImage seen = room.grab().toImage();

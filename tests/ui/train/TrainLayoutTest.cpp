@@ -5,6 +5,7 @@
 
 #include <QAction>
 #include <QSplitter>
+#include <QWheelEvent>
 
 namespace insonate::train {
 namespace {
@@ -124,6 +125,40 @@ TEST_F(TrainLayout, EffectsAloneAreGoneThroughByKeysAndSaidToBeSo) {
   key(Qt::Key_0);
   EXPECT_EQ(effects->currentIndex(), 0);
   EXPECT_EQ(workspace_->statusText(), "The whole picture again.");
+}
+
+TEST_F(TrainLayout, FullSizeBringsBackNothingThatWasSwitchedOff) {
+  openCase();
+  for (const Qt::Key pressed : {Qt::Key_C, Qt::Key_M, Qt::Key_C}) key(pressed);
+  EXPECT_FALSE(beside()->isVisible());
+  EXPECT_FALSE(picture()->isMaximised());
+  EXPECT_TRUE(child<QWidget>("sceneView")->isVisible());
+  key(Qt::Key_M);
+  key(Qt::Key_M);
+  EXPECT_FALSE(beside()->isVisible());
+}
+
+TEST_F(TrainLayout, ScrollingPastAChoiceDoesNotChangeIt) {
+  openCase();
+  for (const char* name : {"effect", "look"}) {
+    auto* choice = child<QComboBox>(name);
+    const int before = choice->currentIndex();
+    QWheelEvent down({5, 5}, choice->mapToGlobal(QPoint(5, 5)), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                     Qt::NoScrollPhase, false);
+    QApplication::sendEvent(choice, &down);
+    EXPECT_EQ(choice->currentIndex(), before) << name;
+  }
+}
+
+TEST_F(TrainLayout, EscapeMeasuresNoMore) {
+  openCase();
+  key(Qt::Key_L);
+  EXPECT_EQ(canvas_->cursor().shape(), Qt::CrossCursor);
+  key(Qt::Key_Escape);
+  EXPECT_EQ(canvas_->cursor().shape(), Qt::ArrowCursor);
+  key(Qt::Key_M);
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(picture()->isMaximised()) << "without measuring, Escape means what it did";
 }
 
 TEST_F(TrainLayout, KeysInTheSliceAreTheSlices) {

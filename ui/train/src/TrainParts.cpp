@@ -149,6 +149,9 @@ void TrainWorkspace::Parts::setLeftHanded(bool on) {
 
 void TrainWorkspace::Parts::setCtBeside(bool on) {
   besideAction_->setChecked(on);
+  // Leaving full size would bring back what was there before.
+  for (ui::ViewWidget* view : {imageWidget_, &beside_->widget(), &patient->sceneWidget(), &patient->mprWidget()})
+    view->setMaximised(false);
   beside_->setShown(on);
   cine_->setCtBeside(on);
 }
@@ -187,6 +190,7 @@ void TrainWorkspace::Parts::showCase() {
   shape_ = nullptr;
   image_->setImage({});
   image_->setFrozen(false);
+  for (ui::ViewWidget* view : {imageWidget_, &beside_->widget()}) view->forget();
   input_->callipers().clear();
   for (SliceMeasure* slice : {measureSlice_, measureBeside_}) slice->setCallipers({});
   showCallipers();
@@ -259,7 +263,10 @@ void TrainWorkspace::Parts::showNotice() {
 
 bool TrainWorkspace::Parts::key(const QKeyEvent& event, bool doIt) {
   const KeyRow* row = rowFor(event);
-  if (!row || !session.patient()) return false;
+  // A probe can be edited without a patient.
+  const bool always = row && (row->command == Command::Undo || row->command == Command::Redo);
+  if (!row || (!session.patient() && !always)) return false;
+  if (row->command == Command::StopMeasuring && !input_->callipers().kind()) return false;
   if (doIt) act(*row, event.modifiers() & Qt::ShiftModifier, event.isAutoRepeat());
   return true;
 }
@@ -292,6 +299,8 @@ void TrainWorkspace::Parts::act(const KeyRow& row, bool wide, bool repeated) {
       return chooseCalliper(int(views::CalliperKind::Ellipse));
     case Command::MeasureAngle:
       return chooseCalliper(int(views::CalliperKind::Angle));
+    case Command::StopMeasuring:
+      return chooseCalliper(-1);
     case Command::ClearMeasures:
       return clearCallipers();
     case Command::NextEffect:

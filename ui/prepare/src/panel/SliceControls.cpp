@@ -2,6 +2,7 @@
 
 #include "../PrepareSession.h"
 
+#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 
@@ -34,6 +35,7 @@ SliceControls::SliceControls(PrepareSession& session, QWidget* parent)
       opacity_(new ui::ValueSlider(tr("label opacity"), QStringLiteral("%"), {0, kPercent, 25, 5, 0},
                                    tr("how strongly labels colour the slices (A, D)"))),
       labels_(new QCheckBox(tr("labels on slices"))) {
+  new ui::QuietWheel(preset_);
   preset_->setObjectName(QStringLiteral("windowPreset"));
   preset_->setAccessibleName(tr("Window and level of the CT"));
   preset_->setToolTip(tr("Window and level that radiologists know, in Hounsfield units"));

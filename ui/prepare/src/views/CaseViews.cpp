@@ -113,6 +113,7 @@ void CaseViews::showCase() {
   for (int label = 1; label < 256; ++label) showLook(label);
   showSlices();
   showCrosshair();
+  for (ui::ViewWidget* view : widgets()) view->forget();
 }
 
 void CaseViews::replaceCase() {

@@ -7,6 +7,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QImageReader>
 #include <algorithm>
 #include <filesystem>
 #include <utility>
@@ -122,9 +123,13 @@ void CaseLoader::list(const QString& path) {
         return std::make_shared<const SeriesListing>(std::move(*listing));
       },
       [this, path](Result<Listing> listing) {
-        if (!listing)
+        if (!listing) {
+          const bool picture = !QImageReader::imageFormat(path).isEmpty();
           return refuse(listing.error(),
-                        tr("A case folder, a folder of DICOM files, NRRD, NIfTI and MetaImage open here."));
+                        picture ? tr("This is a picture. For the probe of a machine's picture: Train, Edit beside the "
+                                     "probe, Fit to a picture.")
+                                : tr("A case folder, a folder of DICOM files, NRRD, NIfTI and MetaImage open here."));
+        }
         choose(path, *listing);
       });
 }

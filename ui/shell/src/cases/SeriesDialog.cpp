@@ -32,6 +32,14 @@ QString spacingOf(const SeriesInfo& series) {
   return QStringLiteral("%1 x %2 x %3").arg(s.x, 0, 'f', 2).arg(s.y, 0, 'f', 2).arg(s.z, 0, 'f', 2);
 }
 
+/// The name of a file; of a DICOM series the end of its number, which tells it from the others.
+QString nameOf(const SeriesInfo& series) {
+  constexpr int kLongest = 28, kEnd = 8;
+  const QString uid = QString::fromStdString(series.uid);
+  if (!series.modality.empty()) return uid.size() > kEnd ? QStringLiteral("... ") + uid.right(kEnd) : uid;
+  return uid.size() > kLongest ? QStringLiteral("... ") + uid.right(kLongest) : uid;
+}
+
 QString stateOf(const SeriesInfo& series) {
   if (!series.refusal.empty()) return SeriesDialog::tr("cannot be imported");
   if (series.warnings.empty()) return SeriesDialog::tr("fine");
@@ -53,7 +61,7 @@ SeriesDialog::SeriesDialog(const QString& path, std::shared_ptr<const SeriesList
     : QDialog(parent),
       path_(path),
       listing_(std::move(listing)),
-      table_(new QTableWidget(int(listing_->series.size()), 4)),
+      table_(new QTableWidget(int(listing_->series.size()), 5)),
       notes_(new QLabel),
       picture_(new QLabel),
       label_(new QCheckBox(tr("Label air, fat, muscle, bone and skin automatically"))),
@@ -72,13 +80,14 @@ SeriesDialog::SeriesDialog(const QString& path, std::shared_ptr<const SeriesList
 }
 
 void SeriesDialog::fill() {
-  table_->setHorizontalHeaderLabels({tr("Modality"), tr("Voxels"), tr("Spacing, mm"), tr("Notes")});
+  table_->setHorizontalHeaderLabels({tr("Modality"), tr("Voxels"), tr("Spacing, mm"), tr("Series"), tr("Notes")});
   for (int row = 0; row < table_->rowCount(); ++row) {
     const SeriesInfo& series = listing_->series[std::size_t(row)];
     const QString modality = series.modality.empty() ? tr("not told") : QString::fromStdString(series.modality);
-    const QStringList cells{modality, sizeOf(series.geometry), spacingOf(series), stateOf(series)};
+    const QStringList cells{modality, sizeOf(series.geometry), spacingOf(series), nameOf(series), stateOf(series)};
     for (int column = 0; column < cells.size(); ++column) {
       auto* item = new QTableWidgetItem(cells[column]);
+      item->setToolTip(QString::fromStdString(series.uid));
       item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
       if (!series.refusal.empty()) item->setForeground(colour(views::theme::kQuiet));
       table_->setItem(row, column, item);
@@ -201,6 +210,9 @@ void SeriesDialog::preview() {
       [this](Result<Read> read) {
         if (!read) return noPicture(read.error());
         read_ = *read;
+        // Only now it is known what the voxels say.
+        notes_->setText(notesOf(read_->series));
+        table_->item(chosenRow(), table_->columnCount() - 1)->setText(stateOf(read_->series));
         picture_->setPixmap(slicePreview(read_->ct, kPicture_px));
       });
 }

@@ -1,7 +1,6 @@
 #include "EyeControls.h"
 
-#include "QuietWheel.h"
-
+#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 

@@ -1,7 +1,7 @@
 #include "HistogramPlot.h"
-#include "QuietWheel.h"
 
 #include <insonate/ui/HistogramEditor.h>
+#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 
 #include <QAction>

@@ -1,8 +1,7 @@
 #include "StructureList.h"
 
-#include "QuietWheel.h"
-
 #include <insonate/tissue/Labels.h>
+#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 
 #include <QColorDialog>

@@ -88,6 +88,11 @@ void ViewWidget::Canvas::render() {
   update();
 }
 
+void ViewWidget::Canvas::forget() {
+  picture_ = QImage();
+  update();
+}
+
 /// OpenGL counts rows from below and has red first in memory.
 void ViewWidget::Canvas::takePixels() {
   const int width = picture_.width(), height = picture_.height();
@@ -101,10 +106,9 @@ void ViewWidget::Canvas::takePixels() {
 
 void ViewWidget::Canvas::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  if (picture_.isNull())
-    painter.fillRect(rect(), Qt::black);
-  else
-    painter.drawImage(rect().topLeft(), picture_);
+  // What a picture of another size leaves free would show whatever was there before.
+  if (picture_.size() != deviceSize()) painter.fillRect(rect(), Qt::black);
+  if (!picture_.isNull()) painter.drawImage(rect().topLeft(), picture_);
   if (picture_.size() != deviceSize() && onStale) onStale();
 }
 

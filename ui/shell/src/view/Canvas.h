@@ -25,6 +25,8 @@ class ViewWidget::Canvas final : public QWidget {
   vtkRenderWindow& renderWindow() { return *window_; }
   /// Draws the view and shows it.
   void render();
+  /// Black until it is drawn again.
+  void forget();
 
   std::function<void(bool focused)> onFocus;
   std::function<bool()> onDoubleClick;  ///< true when that was the click's meaning

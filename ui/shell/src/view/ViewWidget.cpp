@@ -60,7 +60,10 @@ ViewWidget::ViewWidget(std::shared_ptr<views::View> view, const QString& name, Q
   };
   canvas_->onStale = [this] { want(); };
   view_->setRenderWanted([this] { want(); });
-  view_->setWake([this] { QMetaObject::invokeMethod(this, [this] { want(); }, Qt::QueuedConnection); });
+  view_->setWake([this] {
+    QMetaObject::invokeMethod(
+        this, [this] { want(); }, Qt::QueuedConnection);
+  });
   view_->attach(&canvas_->renderWindow());
 }
 
@@ -87,6 +90,11 @@ void ViewWidget::renderNow() {
   lastRender_ms_ = double(clock.nsecsElapsed()) / 1e6;
   ++renderings_;
   Q_EMIT rendered();
+}
+
+void ViewWidget::forget() {
+  canvas_->forget();
+  want();
 }
 
 void ViewWidget::setMaximised(bool maximised) {

@@ -82,7 +82,6 @@ void MainWindow::connectAll() {
   connect(loader_, &CaseLoader::saved, this, &MainWindow::showSaved);
   connect(tasks_, &TaskBar::runningChanged, this, [this](bool running) {
     if (running) errors_->dismiss();
-    saveAs_->setEnabled(!running && case_.patient);
     showTitle();
     Q_EMIT readyChanged();
   });

@@ -81,14 +81,21 @@ void MainWindow::whenNothingIsLost(LostBy by, std::function<void()> go) {
     afterSaving_ = go;
     saveCase();
   });
-  // What it asks about has changed.
-  connect(tasks_, &TaskBar::runningChanged, question, &QDialog::reject);
+  // What it asks about has changed: asked again where something else would be lost now, e.g. what was imported.
+  connect(tasks_, &TaskBar::runningChanged, question, [this, question, by, go] {
+    if (!question->isVisible()) return;
+    question->reject();
+    QTimer::singleShot(0, this, [this, by, go] {
+      if (loss()) whenNothingIsLost(by, go);
+    });
+  });
   question->open();
 }
 
 void MainWindow::showTitle() {
   const bool changed = !unsavedEdits().empty();
   save_->setEnabled(case_.patient && !tasks_->isRunning() && (changed || case_.folder.isEmpty()));
+  saveAs_->setEnabled(case_.patient && !tasks_->isRunning());
   reload_->setEnabled(!case_.folder.isEmpty());
   if (!case_.patient) return;
   const CaseManifest& manifest = case_.patient->manifest;

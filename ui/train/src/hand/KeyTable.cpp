@@ -57,6 +57,7 @@ constexpr KeyRow kKeys[] = {
     plain(Qt::Key_L, Command::MeasureDistance, "L, O, V", "measure a distance, an ellipse, an angle"),
     plain(Qt::Key_O, Command::MeasureEllipse, "", ""),
     plain(Qt::Key_V, Command::MeasureAngle, "", ""),
+    plain(Qt::Key_Escape, Command::StopMeasuring, "Esc", "measure no more"),
     plain(Qt::Key_Delete, Command::ClearMeasures, "Delete", "remove the measurements"),
     plain(Qt::Key_N, Command::NextEffect, "N, Shift+N",
           "one effect of the picture by itself: the next, the one before"),

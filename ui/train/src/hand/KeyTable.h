@@ -23,6 +23,7 @@ enum class Command {
   MeasureDistance,
   MeasureEllipse,
   MeasureAngle,
+  StopMeasuring,
   ClearMeasures,
   NextEffect,
   WholePicture,

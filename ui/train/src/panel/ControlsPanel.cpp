@@ -8,6 +8,7 @@
 #include "TgcSliders.h"
 
 #include <insonate/simulator/EffectLayers.h>
+#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 
@@ -179,6 +180,7 @@ QWidget* ControlsPanel::buildPicture() {
   effect_->setToolTip(tr("The whole picture, or one effect of the model by itself (N, Shift+N; 0 for the whole)"));
   box->addWidget(labelled(tr("show"), effect_));
   for (QComboBox* combo : {look_, effect_}) {
+    new ui::QuietWheel(combo);
     combo->setFocusPolicy(Qt::TabFocus);
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   }

@@ -3,6 +3,8 @@
 #include "../TrainSession.h"
 #include "ProbeLibrary.h"
 
+#include <insonate/ui/QuietWheel.h>
+
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -25,6 +27,7 @@ ProbeChooser::ProbeChooser(TrainSession& session, ProbeLibrary& library, QWidget
     : QWidget(parent), session_(session), library_(library), list_(new QComboBox), edit_(new QPushButton(tr("Edit"))) {
   list_->setObjectName("probe");
   list_->setFocusPolicy(Qt::TabFocus);
+  new ui::QuietWheel(list_);
   list_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   list_->setAccessibleName(tr("probe"));
   list_->setToolTip(tr("The transducer, built in or your own; depth, frequency and focus become its own"));

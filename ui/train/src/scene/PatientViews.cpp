@@ -199,6 +199,7 @@ void PatientViews::showCase() {
   sliceShown_ = false;
   mpr_->setFan(std::nullopt);
   mpr_->setCrosshairVisible(mpr_->kind() != views::SliceKind::Oblique);
+  for (ui::ViewWidget* view : {sceneWidget_, mprWidget_}) view->forget();
 }
 
 void PatientViews::showSurface(int label, const Mesh& mesh) {

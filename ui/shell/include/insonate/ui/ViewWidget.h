@@ -32,6 +32,9 @@ class ViewWidget : public QFrame {
 
   views::View& view() { return *view_; }
 
+  /// What it shows is no longer true, e.g. of another patient: black until it is drawn again, which it is soon.
+  void forget();
+
   void setMaximised(bool maximised);
   bool isMaximised() const { return maximised_; }
   /// For views where a double click has another meaning.
