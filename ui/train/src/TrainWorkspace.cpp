@@ -80,6 +80,8 @@ void TrainWorkspace::restoreLayout(QSettings& settings) {
   parts_->patient->scenePanel().restore(settings);
   settings.endGroup();
   parts_->panel->restore(settings);
+  // How it was left is not to be taken back.
+  parts_->session.history().clear();
 }
 
 void TrainWorkspace::stop() {

@@ -137,6 +137,15 @@ void FitCanvas::setMarks(std::vector<PixelPoint> marks) {
   marks_ = std::move(marks);
   update();
 }
+void FitCanvas::setLine(const std::optional<Line>& line) {
+  line_ = line;
+  update();
+}
+void FitCanvas::setDrawing(bool drawing) {
+  drawing_ = drawing;
+  begun_ = false;
+  setCursor(drawing ? Qt::CrossCursor : Qt::ArrowCursor);
+}
 void FitCanvas::setInvitation(const QString& text) {
   invitation_ = text;
   update();
@@ -172,6 +181,7 @@ void FitCanvas::paintEvent(QPaintEvent*) {
   painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
   const QPointF corner = widgetFrom({-0.5, -0.5});
   painter.drawImage(QRectF(corner, QSizeF(picture_.width() * scale(), picture_.height() * scale())), picture_);
+  paintLine(painter);
   if (!shape_) return;
   QPainterPath outline;
   for (const PixelPoint& p : outlineOf(*shape_)) {
@@ -198,6 +208,26 @@ void FitCanvas::paintEvent(QPaintEvent*) {
   }
 }
 
+void FitCanvas::paintLine(QPainter& painter) const {
+  if (!line_) return;
+  const QPointF from = widgetFrom((*line_)[0]), to = widgetFrom((*line_)[1]);
+  for (const auto& pen : {QPen(QColor(0, 0, 0, 160), 4), QPen(ui::colour(views::theme::kCaution), 1.5)}) {
+    painter.setPen(pen);
+    painter.drawLine(from, to);
+    for (const QPointF& end : {from, to}) {
+      painter.drawLine(end - QPointF(6, 0), end + QPointF(6, 0));
+      painter.drawLine(end - QPointF(0, 6), end + QPointF(0, 6));
+    }
+  }
+}
+
+void FitCanvas::endLine(QPointF at) {
+  (*line_)[1] = pictureFrom(at);
+  setDrawing(false);
+  update();
+  Q_EMIT lineDrawn();
+}
+
 FitCanvas::Handle FitCanvas::nearest(QPointF at) const {
   if (!shape_) return Handle::None;
   Handle best = Handle::None;
@@ -221,6 +251,14 @@ void FitCanvas::drag(Handle handle, PixelPoint to, PixelPoint from) {
 
 void FitCanvas::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
+  if (drawing_) {
+    if (begun_) return endLine(event->localPos());
+    pressedAt_ = event->localPos();
+    const PixelPoint from = pictureFrom(pressedAt_);
+    line_ = Line{from, from};
+    begun_ = true;
+    return update();
+  }
   chosen_ = nearest(event->localPos());
   held_ = chosen_ != Handle::None;
   last_ = pictureFrom(event->localPos());
@@ -228,6 +266,10 @@ void FitCanvas::mousePressEvent(QMouseEvent* event) {
 }
 
 void FitCanvas::mouseMoveEvent(QMouseEvent* event) {
+  if (drawing_) {
+    if (begun_) (*line_)[1] = pictureFrom(event->localPos());
+    return update();
+  }
   if (!held_) {
     const Handle handle = nearest(event->localPos());
     setCursor(handle == Handle::None    ? Qt::ArrowCursor
@@ -240,7 +282,10 @@ void FitCanvas::mouseMoveEvent(QMouseEvent* event) {
   last_ = to;
 }
 
-void FitCanvas::mouseReleaseEvent(QMouseEvent*) {
+void FitCanvas::mouseReleaseEvent(QMouseEvent* event) {
+  constexpr double kDragged_px = 6;
+  const QPointF by = event->localPos() - pressedAt_;
+  if (drawing_ && begun_ && std::hypot(by.x(), by.y()) > kDragged_px) return endLine(event->localPos());
   held_ = false;
 }
 

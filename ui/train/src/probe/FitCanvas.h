@@ -4,6 +4,7 @@
 
 #include <QImage>
 #include <QWidget>
+#include <array>
 #include <optional>
 
 namespace insonate::train {
@@ -20,6 +21,15 @@ class FitCanvas : public QWidget {
   void setShape(const std::optional<FovShape>& shape);
   const std::optional<FovShape>& shape() const { return shape_; }
   void setMarks(std::vector<PixelPoint> marks);
+  /// The next press begins a line between two points of the picture, which decides the scale; the next one, or the end
+  /// of the drag, ends it.
+  void setDrawing(bool drawing);
+  bool isDrawing() const { return drawing_; }
+  using Line = std::array<PixelPoint, 2>;
+  void setLine(const std::optional<Line>& line);
+  const std::optional<Line>& line() const { return line_; }
+  /// In the widget's pixels.
+  QPointF placeOf(PixelPoint p) const { return widgetFrom(p); }
   /// What to do next, shown while there is no picture.
   void setInvitation(const QString& text);
 
@@ -31,6 +41,7 @@ class FitCanvas : public QWidget {
 
  Q_SIGNALS:
   void shapeChanged();  ///< by hand
+  void lineDrawn();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -44,6 +55,8 @@ class FitCanvas : public QWidget {
   QPointF widgetFrom(PixelPoint p) const;
   PixelPoint pictureFrom(QPointF p) const;
   Handle nearest(QPointF at) const;
+  void paintLine(QPainter& painter) const;
+  void endLine(QPointF at);
   void drag(Handle handle, PixelPoint to, PixelPoint from);
 
   QImage picture_;
@@ -51,7 +64,9 @@ class FitCanvas : public QWidget {
   std::vector<PixelPoint> marks_;
   QString invitation_;
   Handle chosen_ = Handle::None;
-  bool held_ = false;
+  bool held_ = false, drawing_ = false, begun_ = false;
+  QPointF pressedAt_;
+  std::optional<Line> line_;
   PixelPoint last_;
 };
 

@@ -117,6 +117,11 @@ QWidget* FitDialog::buildSide() {
   marks_ = new ui::ValueSlider(tr("marks are apart"), QStringLiteral("mm"), {0.5, 50, 10, 0.5, 1},
                                tr("distance of two marks of the picture's depth scale"));
   marks_->setObjectName("fitMarks");
+  draw_ = button(tr("Scale by two marks..."), "fitDraw",
+                 tr("Click two marks of the picture's ruler, then type how many mm they are apart"));
+  line_ = new ui::ValueSlider(tr("the two are apart"), QStringLiteral("mm"), {0.5, 400, 10, 0.5, 1},
+                              tr("distance of the two points that were clicked"));
+  line_->setObjectName("fitLine");
   values_ = new QLabel;
   values_->setObjectName("fitValues");
   values_->setTextFormat(Qt::PlainText);
@@ -136,7 +141,8 @@ QWidget* FitDialog::buildSide() {
   foot->addWidget(cancel);
   foot->addWidget(take_);
   box->addLayout(sources);
-  for (QWidget* widget : std::initializer_list<QWidget*>{shape_, rotation_, depth_, marks_, values_, trouble_, notes_})
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{shape_, rotation_, depth_, marks_, draw_, line_, values_, trouble_, notes_})
     box->addWidget(widget);
   box->addStretch();
   box->addLayout(foot);
@@ -151,6 +157,9 @@ QWidget* FitDialog::buildSide() {
   connect(shape_, qOverload<int>(&QComboBox::activated), this, &FitDialog::chooseShape);
   connect(depth_, &ui::ValueSlider::valueChanged, this, &FitDialog::depthTyped);
   connect(marks_, &ui::ValueSlider::valueChanged, this, &FitDialog::marksTyped);
+  connect(draw_, &QPushButton::clicked, this, &FitDialog::drawLine);
+  connect(canvas_, &FitCanvas::lineDrawn, this, &FitDialog::lineDrawn);
+  connect(line_, &ui::ValueSlider::valueChanged, this, &FitDialog::lineTyped);
   connect(rotation_, &ui::ValueSlider::valueChanged, this, [this](double turned) {
     if (refreshing_ || !canvas_->shape()) return;
     FovShape shape = *canvas_->shape();
@@ -214,6 +223,8 @@ void FitDialog::fitted(Result<std::shared_ptr<Loaded>> result) {
   picture_ = loaded.picture;
   canvas_->setPicture(picture_);
   canvas_->setMarks({});
+  canvas_->setLine(std::nullopt);
+  canvas_->setDrawing(false);
   ruler_ = std::nullopt;
   typedDepth_mm_ = depth_->value();
   if (!loaded.fit) {
@@ -257,6 +268,8 @@ void FitDialog::showShape() {
   for (QWidget* widget : std::initializer_list<QWidget*>{shape_, rotation_, depth_})
     widget->setEnabled(shape.has_value());
   marks_->setVisible(ruler_.has_value());
+  draw_->setEnabled(shape.has_value());
+  line_->setVisible(line_px() > 0);
   take_->setEnabled(shape.has_value());
   QString text;
   if (shape) {
@@ -265,6 +278,7 @@ void FitDialog::showShape() {
     shape_->setCurrentIndex(int(shape->shape));
     rotation_->setValue(shape->rotation_deg);
     if (ruler_) marks_->setValue(mmPerPx_ * ruler_->spacing_px);
+    if (line_px() > 0) line_->setValue(mmPerPx_ * line_px());
     depth_->setValue(depthOf_px(*shape) * mmPerPx_);
     const auto length = [&](double px) { return tr("%1 mm").arg(px * mmPerPx_, 0, 'f', 1); };
     text = shape->shape == ProbeShape::Linear ? tr("width %1").arg(length(shape->width_px))
@@ -301,6 +315,39 @@ void FitDialog::marksTyped(double mm) {
   if (refreshing_ || !ruler_) return;
   typedDepth_mm_ = 0;
   mmPerPx_ = mm / ruler_->spacing_px;
+  showShape();
+}
+
+double FitDialog::line_px() const {
+  constexpr double kLeast_px = 3;
+  if (!canvas_->line() || canvas_->isDrawing()) return 0;
+  const auto& [from, to] = *canvas_->line();
+  const double px = std::hypot(to.x - from.x, to.y - from.y);
+  return px > kLeast_px ? px : 0;
+}
+
+void FitDialog::drawLine() {
+  canvas_->setLine(std::nullopt);
+  canvas_->setDrawing(true);
+  canvas_->setFocus();
+  showShape();
+  say(tr("Click two marks of the picture's ruler."), false);
+}
+
+void FitDialog::lineDrawn() {
+  showShape();
+  if (line_px() <= 0) {
+    canvas_->setLine(std::nullopt);
+    return say(tr("The two points are the same; click two marks that are apart."), true);
+  }
+  say(tr("Type how many millimetres the two marks are apart."), false);
+  line_->setFocus();
+}
+
+void FitDialog::lineTyped(double mm) {
+  if (refreshing_ || line_px() <= 0) return;
+  typedDepth_mm_ = 0;
+  mmPerPx_ = mm / line_px();
   showShape();
 }
 

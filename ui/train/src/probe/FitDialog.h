@@ -55,6 +55,10 @@ class FitDialog : public QDialog {
   void chooseShape(int shape);
   void depthTyped(double depth_mm);
   void marksTyped(double mm);
+  void drawLine();
+  void lineDrawn();
+  void lineTyped(double mm);
+  double line_px() const;  ///< 0 without one
   void takeOver();
   void say(const QString& sentence, bool trouble);
 
@@ -64,11 +68,11 @@ class FitDialog : public QDialog {
   FitCanvas* canvas_;
   ui::TaskBar* tasks_;
   QComboBox* shape_ = nullptr;
-  ui::ValueSlider *depth_ = nullptr, *marks_ = nullptr, *rotation_ = nullptr;
+  ui::ValueSlider *depth_ = nullptr, *marks_ = nullptr, *rotation_ = nullptr, *line_ = nullptr;
   QLabel *trouble_ = nullptr, *notes_ = nullptr, *values_ = nullptr;
-  QPushButton* take_ = nullptr;
+  QPushButton *take_ = nullptr, *draw_ = nullptr;
   double mmPerPx_ = 1;
-  double typedDepth_mm_ = 0;  ///< decides the scale where it is above 0; else the picture's marks do
+  double typedDepth_mm_ = 0;  ///< decides the scale where it is above 0; else the picture does
   bool refreshing_ = false;
 };
 
