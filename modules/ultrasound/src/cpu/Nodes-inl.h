@@ -48,6 +48,25 @@ HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, D>> lowNode(D d, V index, int size, 
   return low;
 }
 
+/// Cells by their low nodes and how far beyond them a point is: stores their corners from `c` on and returns them, with
+/// the corners' weights in `weight`.
+template <class D, class VI, class V = hn::Vec<D>>
+HWY_INLINE VI storeCells(D d, const TissueField& field, VI i, VI j, VI k, V fx, V fy, V fz, int c, NodePlaces& places,
+                         V* weight) {
+  const hn::Rebind<std::int32_t, D> di;
+  const auto kj = hn::Add(hn::Mul(k, hn::Set(di, field.size[1])), j);
+  const auto corner = hn::Add(hn::Mul(kj, hn::Set(di, field.size[0])), i);
+  const auto one = hn::Set(d, 1.0F);
+  const auto gx = hn::Sub(one, fx), gy = hn::Sub(one, fy), gz = hn::Sub(one, fz);
+  const V yz[4] = {hn::Mul(gy, gz), hn::Mul(fy, gz), hn::Mul(gy, fz), hn::Mul(fy, fz)};
+  for (int n = 0; n < 8; ++n) {
+    weight[n] = hn::Mul(n & 1 ? fx : gx, yz[n / 2]);
+    hn::Store(weight[n], d, places.weight[n] + c);
+  }
+  hn::Store(corner, di, places.corner + c);
+  return corner;
+}
+
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V patchAt(D d, V x, V y, V z) {
   const hn::Rebind<std::int32_t, D> di;
@@ -123,16 +142,8 @@ HWY_INLINE void placeNodes(D d, const TraceInput& in, const CornerSteps& steps, 
     z = carried(d, z, by, axes.lateral.z, axes.axial.z);
     inside = hn::Max(inside, place());  // tissue from beyond the scene reads as its outermost
   }
-  const auto kj = hn::Add(hn::Mul(k, hn::Set(di, field.size[1])), j);
-  const auto corner = hn::Add(hn::Mul(kj, hn::Set(di, field.size[0])), i);
-  const auto gx = hn::Sub(one, fx), gy = hn::Sub(one, fy), gz = hn::Sub(one, fz);
-  const V yz[4] = {hn::Mul(gy, gz), hn::Mul(fy, gz), hn::Mul(gy, fz), hn::Mul(fy, fz)};
   V weight[8];
-  for (int n = 0; n < 8; ++n) {
-    weight[n] = hn::Mul(n & 1 ? fx : gx, yz[n / 2]);
-    hn::Store(weight[n], d, places.weight[n] + c);
-  }
-  hn::Store(corner, di, places.corner + c);
+  const auto corner = storeCells(d, field, i, j, k, fx, fy, fz, c, places, weight);
   hn::Store(inside, d, row.inside + c);
   hn::Store(patchAt(d, x, y, z), d, row.patch + c);
   hn::Store(in.anyCt ? ctAt(d, field, steps, corner, weight) : hn::Zero(d), d, row.ct + c);

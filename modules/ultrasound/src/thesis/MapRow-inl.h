@@ -55,11 +55,8 @@ HWY_INLINE FieldCorners cornersAt(const TissueField& field, Vec3 node) {
   return c;
 }
 
-/// `shift_mm` is the way from where the tissue is seen to where it lay; from beyond the scene it reads as its
-/// outermost.
-HWY_INLINE void sampleNode(const TissueField& field, Vec3 seen_mm, Vec3 shift_mm, int column,
-                           KernelBuffers::NodeRow& row) {
-  const Vec3 node = field.nodeFromPatient * (seen_mm + shift_mm);
+HWY_INLINE void sampleNode(const TissueField& field, Vec3 patient_mm, int column, KernelBuffers::NodeRow& row) {
+  const Vec3 node = field.nodeFromPatient * patient_mm;
   const FieldCorners at = cornersAt(field, node);
   const hn::CappedTag<float, 8> d;
   const hn::Rebind<std::int32_t, decltype(d)> di;
@@ -77,12 +74,27 @@ HWY_INLINE void sampleNode(const TissueField& field, Vec3 seen_mm, Vec3 shift_mm
   float ct = 0;
   for (int k = 0; k < 8; ++k) ct += at.weight[k] * static_cast<float>(field.ctDeviation[at.offset[k]]);
   row.ct_HU[column] = ct;
-  row.beyond[column] =
-      static_cast<float>(std::min(beyondLattice(field, node), beyondLattice(field, field.nodeFromPatient * seen_mm)));
+  row.beyond[column] = static_cast<float>(beyondLattice(field, node));
 }
 
-HWY_INLINE void sampleRow(const KernelInput& in, int firstLine, int plane, int nodeRow, KernelBuffers::NodeRow& row) {
+/// Where tissue seen at a row of nodes lay, minus where it is seen, patient mm: the same for all planes.
+HWY_INLINE void shiftRow(const KernelInput& in, int firstLine, int nodeRow, Vec3* shifts) {
   const FramePlan& plan = *in.plan;
+  const double range_mm = plan.range_mm(nodeRow * plan.cellGates);
+  for (int c = 0; c < columnsOf(plan); ++c) {
+    const int column = std::min(firstLine / plan.cellLines + c, plan.nodeColumns - 1);
+    const Ray& ray = in.probeColumns[column];
+    const Vec3 seen = ray.origin_mm + ray.direction * (range_mm + in.columnGap_mm[column] * in.contactDecay[nodeRow]);
+    shifts[c] = in.patientFromProbe * shiftAt(*in.displacement, seen.x, seen.z);
+  }
+}
+
+HWY_INLINE void sampleRow(const KernelInput& in, int firstLine, int plane, int nodeRow, KernelBuffers& b) {
+  const FramePlan& plan = *in.plan;
+  const TissueField& field = in.scene->field;
+  KernelBuffers::NodeRow& row = b.nodes[plane][nodeRow % 3];
+  Vec3* shifts = b.shifts[nodeRow % 3];
+  if (in.displacement && plane == 0) shiftRow(in, firstLine, nodeRow, shifts);
   const double range_mm = plan.range_mm(nodeRow * plan.cellGates);
   const Vec3 elevation = in.elevationAxis * in.elevation_mm[std::size_t(plane) * plan.nodeRows + nodeRow];
   const int firstColumn = firstLine / plan.cellLines;
@@ -90,13 +102,10 @@ HWY_INLINE void sampleRow(const KernelInput& in, int firstLine, int plane, int n
     const int column = std::min(firstColumn + c, plan.nodeColumns - 1);
     const double r = range_mm + in.columnGap_mm[column] * in.contactDecay[nodeRow];
     const Ray& ray = in.columns[column];
-    Vec3 shift;
-    if (in.displacement) {
-      const Ray& inProbe = in.probeColumns[column];
-      const Vec3 seen = inProbe.origin_mm + inProbe.direction * r;
-      shift = in.patientFromProbe * shiftAt(*in.displacement, seen.x, seen.z);
-    }
-    sampleNode(in.scene->field, ray.origin_mm + ray.direction * r + elevation, shift, c, row);
+    const Vec3 seen = ray.origin_mm + ray.direction * r + elevation;
+    sampleNode(field, in.displacement ? seen + shifts[c] : seen, c, row);
+    if (in.displacement && row.beyond[c] > 0)  // tissue from beyond the scene reads as its outermost
+      row.beyond[c] = std::min(row.beyond[c], static_cast<float>(beyondLattice(field, field.nodeFromPatient * seen)));
   }
 }
 

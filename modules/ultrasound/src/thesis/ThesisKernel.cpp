@@ -123,7 +123,7 @@ void makeMapRow(const KernelInput& in, int firstLine, int plane, int row, Kernel
   const bool onNodes = row % 2 == 0;
   const int here = row / 2, next = onNodes ? here : here + 1;
   const int above = onNodes ? std::max(here - 1, 0) : here, below = onNodes ? std::min(here + 1, last) : next;
-  if (onNodes && here < last) sampleRow(in, firstLine, plane, here + 1, b.nodes[plane][(here + 1) % 3]);
+  if (onNodes && here < last) sampleRow(in, firstLine, plane, here + 1, b);
   const auto node = [&](int r) { return &b.nodes[plane][r % 3]; };
   const NodeRows rows{node(here), node(next), node(above), node(below),
                       static_cast<float>(1 / ((below - above) * in.thesis->row_mm))};
@@ -140,7 +140,7 @@ void traceBlockTarget(const KernelInput& in, int firstLine, KernelBuffers& b, co
   std::fill_n(b.noiseCell, kNoiseOctaves, -1);
   std::fill_n(b.tail, kBlockLines, 0.0F);
   for (int p = 0; p < planes; ++p) {
-    sampleRow(in, firstLine, p, 0, b.nodes[p][0]);
+    sampleRow(in, firstLine, p, 0, b);
     makeMapRow(in, firstLine, p, 0, b);
   }
   int gate = 0;

@@ -56,6 +56,7 @@ struct KernelBuffers {
     alignas(64) float constant[kBlockLines], perCell[kBlockLines];
   };
   NodeRow nodes[kMaxPlanes][3];  ///< ring over rows
+  Vec3 shifts[3][kMaxColumns];   ///< the same ring
   MapRow columns;
   MapRow lines[kMaxPlanes][2];  ///< by parity of the row
   alignas(64) float level_dB[kMaxPlanes][kBlockLines];
