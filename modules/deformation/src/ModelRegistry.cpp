@@ -1,4 +1,5 @@
 #include "column/ColumnModel.h"
+#include "elastic/ElasticModel.h"
 
 #include <insonate/core/Words.h>
 #include <insonate/deformation/DeformationModel.h>
@@ -16,6 +17,7 @@ struct KnownModel {
 /// The default first.
 const std::vector<KnownModel>& knownModels() {
   static const std::vector<KnownModel> models{
+      {"elastic", makeElasticModel},
       {"column", makeColumnModel},
   };
   return models;
@@ -31,6 +33,7 @@ Result<void> checkRange(double value, double low, double high, const char* field
 Result<void> checkSettings(const DeformationSettings& settings) {
   if (auto ok = checkRange(settings.mesh_mm, 0.1, 4, "mesh_mm"); !ok) return ok;
   if (auto ok = checkRange(settings.depth_mm, 10, 200, "depth_mm"); !ok) return ok;
+  if (auto ok = checkRange(settings.mostIterations, 1, 1000, "mostIterations"); !ok) return ok;
   return checkRange(settings.tolerance_mm, 0, 1, "tolerance_mm");
 }
 

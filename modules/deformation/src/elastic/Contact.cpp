@@ -1,0 +1,87 @@
+#include "elastic/Contact.h"
+
+#include <algorithm>
+
+namespace insonate::elastic {
+
+void Contact::prepare(const Nodes& rest, int columns) {
+  columns_ = columns;
+  length_.assign(columns, 0.0f);
+  restZ_.assign(rest.z.begin(), rest.z.begin() + columns);
+  for (int i = 0; i + 1 < columns; ++i) {
+    const float half = (rest.x[i + 1] - rest.x[i]) / 2;
+    length_[i] += half;
+    length_[i + 1] += half;
+  }
+}
+
+void Contact::meet(const Face& face, const Nodes& at, float shift_mm, bool back) {
+  constexpr float kNear_mm = 1.5f;
+  profile_.resize(columns_);
+  touching_.assign(columns_, 0);
+  for (int i = 0; i < columns_; ++i) {
+    profile_[i] = face.at(at.x[i]);
+    const float gap = at.z[i] - profile_[i].z_mm - shift_mm, moved = at.z[i] - restZ_[i];
+    touching_[i] = back && gap < kNear_mm && moved > gap;
+  }
+}
+
+void Contact::settle() {
+  std::fill(touching_.begin(), touching_.end(), 0);
+}
+
+void Contact::add(float shift_mm, bool sticking, const Nodes& rest, const Nodes& at, GridMatrix& matrix,
+                  std::vector<float>& force) const {
+  for (int i = 0; i < columns_; ++i) {
+    const Face::Point p = profile_[i];
+    const float depth = p.z_mm + shift_mm - at.z[i];
+    if (!touches(i, depth)) continue;
+    const float k = kStiffness_kPa_mm * length_[i];
+    force[2 * i + 1] += k * depth;
+    matrix.value[2][i] += k;
+    if (sticking) {
+      force[2 * i] -= k * (at.x[i] - rest.x[i]);
+      matrix.value[0][i] += k;
+    }
+  }
+}
+
+float Contact::pressing(float shift_mm, const Nodes& at) const {
+  double sum = 0;
+  for (int i = 0; i < columns_; ++i) {
+    const Face::Point p = profile_[i];
+    const float depth = p.z_mm + shift_mm - at.z[i];
+    if (touches(i, depth)) sum += double(kStiffness_kPa_mm) * length_[i] * depth;
+  }
+  return static_cast<float>(sum);
+}
+
+void Contact::pushByShift(float shift_mm, const Nodes& at, std::vector<float>& force) const {
+  for (int i = 0; i < columns_; ++i) {
+    const Face::Point p = profile_[i];
+    if (!touches(i, p.z_mm + shift_mm - at.z[i])) continue;
+    const float k = kStiffness_kPa_mm * length_[i];
+    force[2 * i + 1] += k;
+  }
+}
+
+float Contact::sum(const std::vector<float>& force) const {
+  double sum = 0;
+  for (int i = 0; i < columns_; ++i) sum += force[2 * i + 1];
+  return static_cast<float>(sum);
+}
+
+float Contact::product(const std::vector<float>& a, const std::vector<float>& b) const {
+  double sum = 0;
+  for (int i = 0; i < columns_; ++i) sum += double(a[2 * i + 1]) * b[2 * i + 1];
+  return static_cast<float>(sum);
+}
+
+float Contact::gap(float shift_mm, const Nodes& at) const {
+  float gap = 1000;
+  for (int i = 0; i < columns_; ++i)
+    if (profile_[i].under) gap = std::min(gap, at.z[i] - profile_[i].z_mm - shift_mm);
+  return gap;
+}
+
+}  // namespace insonate::elastic

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "elastic/Elements.h"
+#include "elastic/Face.h"
+
+#include <vector>
+
+namespace insonate::elastic {
+
+/// The face pushes the mesh's top nodes: a stiff one-sided spring along z, by the length that a node stands for.
+class Contact {
+ public:
+  static constexpr float kStiffness_kPa_mm = 1500;
+
+  void prepare(const Nodes& rest, int columns);
+  /// Takes the face's profile at the nodes' present x; it is kept while they slide along. Nodes that were touching
+  /// before the face moved `back` count as touching in the first round, else the skin would spring back between two
+  /// pictures.
+  void meet(const Face& face, const Nodes& at, float shift_mm, bool back);
+  /// The next round: what has come off is let go.
+  void settle();
+
+  /// Adds spring and push to the top row; the face is `shift_mm` further in. With `sticking`, nodes that touch keep
+  /// the x that they have in `rest`.
+  void add(float shift_mm, bool sticking, const Nodes& rest, const Nodes& at, GridMatrix& matrix,
+           std::vector<float>& force) const;
+
+  /// kPa mm: on the face along z, a millimetre of footprint; negative z is back at the face.
+  float pressing(float shift_mm, const Nodes& at) const;
+
+  /// Derivative of add()'s push by the shift, as a right-hand side.
+  void pushByShift(float shift_mm, const Nodes& at, std::vector<float>& force) const;
+  /// Of the top row's z entries.
+  float sum(const std::vector<float>& force) const;
+  float product(const std::vector<float>& a, const std::vector<float>& b) const;
+  /// How far the face is from touching.
+  float gap(float shift_mm, const Nodes& at) const;
+
+ private:
+  int columns_ = 0;
+  std::vector<float> length_, restZ_;
+  std::vector<Face::Point> profile_;
+  std::vector<char> touching_;
+  bool touches(int column, float depth_mm) const {
+    return profile_[column].under && (depth_mm > 0 || touching_[column]);
+  }
+};
+
+}  // namespace insonate::elastic

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "elastic/GridMatrix.h"
+#include "elastic/GridOrder.h"
+
+#include <vector>
+
+namespace insonate::elastic {
+
+struct FrontWork {
+  const GridOrder& order;
+  const GridMatrix& matrix;
+  float* panels;
+  std::vector<std::vector<float>>* updates;  ///< two: [side][depth]
+};
+
+/// Assembles and eliminates one front whose children are done. The factor's rows are those of the upper triangle.
+/// Returns how many pivots were not positive.
+int eliminateFront(const FrontWork& work, int front);
+
+/// Solves with the transposed factor, then with the factor; `x` is in the order of elimination, `border` a buffer.
+void substitute(const GridOrder& order, const float* panels, float* x, float* border);
+
+}  // namespace insonate::elastic

@@ -1,0 +1,89 @@
+#include "elastic/InverseMap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace insonate::elastic {
+namespace {
+
+constexpr float kNone = std::numeric_limits<float>::max();
+
+struct Corner {
+  float x, z;            // now
+  float shiftX, shiftZ;  // rest minus now
+};
+
+/// Shifts over a triangle, linear: the lattice points inside it.
+void fillTriangle(const Corner& a, const Corner& b, const Corner& c, PlaneDisplacement& out) {
+  const float det = (b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x);
+  if (det < 1e-9f) return;
+  const float step = static_cast<float>(out.step_mm);
+  const float left = static_cast<float>(out.left_mm), top = static_cast<float>(out.top_mm);
+  constexpr float kSlack = 1e-4f;
+  const int firstRow = std::max(0, static_cast<int>(std::ceil((std::min({a.z, b.z, c.z}) - top) / step - kSlack)));
+  const int lastRow =
+      std::min(out.rows - 1, static_cast<int>(std::floor((std::max({a.z, b.z, c.z}) - top) / step + kSlack)));
+  const int firstColumn = std::max(0, static_cast<int>(std::ceil((std::min({a.x, b.x, c.x}) - left) / step - kSlack)));
+  const int lastColumn =
+      std::min(out.columns - 1, static_cast<int>(std::floor((std::max({a.x, b.x, c.x}) - left) / step + kSlack)));
+  for (int r = firstRow; r <= lastRow; ++r)
+    for (int k = firstColumn; k <= lastColumn; ++k) {
+      const float x = left + k * step - a.x, z = top + r * step - a.z;
+      const float u = (x * (c.z - a.z) - z * (c.x - a.x)) / det, v = (z * (b.x - a.x) - x * (b.z - a.z)) / det;
+      if (u < -kSlack || v < -kSlack || u + v > 1 + kSlack) continue;
+      out.restFromSeen[std::size_t(r) * out.columns + k] = {
+          a.shiftX + u * (b.shiftX - a.shiftX) + v * (c.shiftX - a.shiftX),
+          a.shiftZ + u * (b.shiftZ - a.shiftZ) + v * (c.shiftZ - a.shiftZ)};
+    }
+}
+
+/// Points that no cell covers, above the skin and beyond the mesh, take the shift of the nearest below, else above.
+void fillRest(PlaneDisplacement& out) {
+  for (int k = 0; k < out.columns; ++k) {
+    PlaneDisplacement::Shift last{};
+    for (int pass = 0; pass < 2; ++pass)
+      for (int i = 0; i < out.rows; ++i) {
+        auto& here = out.restFromSeen[std::size_t(pass == 0 ? out.rows - 1 - i : i) * out.columns + k];
+        if (here.x_mm != kNone)
+          last = here;
+        else if (i > 0)
+          here = last;
+      }
+    if (auto& bottom = out.restFromSeen[std::size_t(out.rows - 1) * out.columns + k]; bottom.x_mm == kNone)
+      bottom = last;
+  }
+}
+
+}  // namespace
+
+void invertMesh(const Mesh& mesh, const Nodes& now, const InverseMapExtent& extent, PlaneDisplacement& out) {
+  out.step_mm = extent.step_mm;
+  out.left_mm = -extent.half_mm;
+  out.top_mm = extent.top_mm;
+  out.columns = static_cast<int>(std::lround(2 * extent.half_mm / extent.step_mm)) + 1;
+  out.rows = static_cast<int>(std::lround((extent.bottom_mm - extent.top_mm) / extent.step_mm)) + 1;
+  out.restFromSeen.assign(std::size_t(out.columns) * out.rows, {kNone, 0});
+  const Nodes& rest = mesh.rest();
+  const int nx = mesh.columns();
+  const auto corner = [&](std::size_t n) {
+    return Corner{now.x[n], now.z[n], rest.x[n] - now.x[n], rest.z[n] - now.z[n]};
+  };
+  for (int j = 0; j + 1 < mesh.rows(); ++j)
+    for (int i = 0; i + 1 < nx; ++i) {
+      const std::size_t n = std::size_t(j) * nx + i;
+      const Corner a = corner(n), b = corner(n + 1), c = corner(n + 1 + nx), d = corner(n + nx);
+      // The diagonal from which both triangles are the right way round.
+      if ((b.x - a.x) * (c.z - a.z) > (b.z - a.z) * (c.x - a.x) &&
+          (c.x - a.x) * (d.z - a.z) > (c.z - a.z) * (d.x - a.x)) {
+        fillTriangle(a, b, c, out);
+        fillTriangle(a, c, d, out);
+      } else {
+        fillTriangle(a, b, d, out);
+        fillTriangle(b, c, d, out);
+      }
+    }
+  fillRest(out);
+}
+
+}  // namespace insonate::elastic

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "elastic/Mesh.h"
+
+#include <insonate/image/PlaneDisplacement.h>
+
+namespace insonate::elastic {
+
+/// A mesh that has moved, seen backwards: a lattice of `step_mm` over the part of the plane within `half_mm` of the
+/// axis and from `top_mm` to `bottom_mm`. Cells that do not turn over make it one-to-one.
+struct InverseMapExtent {
+  float half_mm = 30, top_mm = -5, bottom_mm = 50, step_mm = 0.5f;
+};
+void invertMesh(const Mesh& mesh, const Nodes& now, const InverseMapExtent& extent, PlaneDisplacement& displacement);
+
+}  // namespace insonate::elastic

@@ -1,0 +1,139 @@
+#include "elastic/Materials.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace insonate::elastic {
+namespace {
+
+constexpr float kBloodMu_kPa = 0.1f;  // what fills a lumen besides pressure: enough to keep its cells in order
+constexpr float kGasMu_kPa = 0.02f;
+constexpr float kStiffest_kPa = 2000;  // beyond, it makes no difference to what is round it
+
+struct Moduli {
+  float mu = 0, bulk = 0;
+};
+
+Moduli moduliOf(double young_kPa, double poisson) {
+  const double e = std::min(young_kPa, double(kStiffest_kPa));
+  const double mu = e / (2 * (1 + poisson));
+  return {float(mu), float(mu + e * poisson / ((1 + poisson) * (1 - 2 * poisson)))};
+}
+
+Moduli moduliOf(const MechanicalTissue& tissue) {
+  switch (tissue.kind) {
+    case Mechanics::Lumen:
+      return {kBloodMu_kPa, 0};
+    case Mechanics::Gas:
+      return {kGasMu_kPa, 2 * kGasMu_kPa};
+    default:
+      return moduliOf(tissue.young_kPa, tissue.poisson);
+  }
+}
+
+bool isRigid(const MechanicalTissue& tissue) {
+  return tissue.kind == Mechanics::Rigid || (tissue.kind == Mechanics::Solid && std::isinf(tissue.young_kPa));
+}
+
+/// Share of a cell that is nearer than `reach` to a structure, from the distances at its corners.
+float shareWithin(const std::array<float, 4>& corner, float reach, float size) {
+  float share = 0;
+  for (const float r : {0.25f, 0.75f})
+    for (const float s : {0.25f, 0.75f}) {
+      const float distance =
+          (1 - s) * ((1 - r) * corner[0] + r * corner[1]) + s * ((1 - r) * corner[3] + r * corner[2]);
+      share += std::clamp(0.5f + (reach - distance) / (0.5f * size), 0.0f, 1.0f) / 4;
+    }
+  return share;
+}
+
+/// The layers of a vessel, as moduli.
+struct Vessel {
+  bool lumen = false;
+  float wall_mm = 0, reach_mm = 0;  ///< thickness of the wall, and of wall and loose tissue
+  Moduli inside, wall, sheath;
+
+  explicit Vessel(const MechanicalTissue& t)
+      : lumen(t.kind == Mechanics::Lumen),
+        wall_mm(lumen ? float(t.wall_mm) : 0),
+        reach_mm(lumen ? float(t.wall_mm + t.sheath_mm) : 0),
+        inside(moduliOf(t)),
+        wall(moduliOf(t.wallYoung_kPa, 0.49)),
+        sheath(moduliOf(t.sheathYoung_kPa, 0.49)) {}
+};
+
+struct Mixture {
+  Moduli sum;
+  float left = 1;  ///< share that is not spoken for
+
+  void add(const Moduli& m, float share) {
+    share = std::clamp(share, 0.0f, left);
+    sum.mu += share * m.mu;
+    sum.bulk += share * m.bulk;
+    left -= share;
+  }
+};
+
+}  // namespace
+
+void Materials::fill(const Mesh& mesh, const MechanicalTable& tissues) {
+  const int nx = mesh.columns(), nz = mesh.rows();
+  const std::size_t size = std::size_t(nx) * nz + GridMatrix::kPadding;
+  for (auto* v : {&mu, &bulk, &artery, &vein, &arteryBlood, &veinBlood}) v->assign(size, 0.0f);
+  fixed.assign(std::size_t(nx) * nz, 0);
+  std::array<Moduli, kLabelCount> solid;
+  std::array<bool, kLabelCount> rigid;
+  for (int l = 0; l < kLabelCount; ++l) {
+    rigid[l] = l != kBackground && isRigid(tissues.tissues[l]);
+    solid[l] = l == kBackground ? Moduli{kGasMu_kPa, 2 * kGasMu_kPa} : moduliOf(tissues.tissues[l]);
+  }
+  const Vessel vessels[2] = {Vessel(tissues.of(kArtery)), Vessel(tissues.of(kVein))};
+  constexpr float PlaneTissue::*kDistance[2] = {&PlaneTissue::artery_mm, &PlaneTissue::vein_mm};
+  const bool boneRigid = isRigid(tissues.of(kBone));
+  const auto& tissue = mesh.tissue();
+  const Nodes& rest = mesh.rest();
+
+  for (int j = 0; j < nz; ++j)
+    for (int i = 0; i < nx; ++i) {
+      const std::size_t n = std::size_t(j) * nx + i;
+      fixed[n] = j == nz - 1 || i == 0 || i == nx - 1 || rigid[knownLabel(tissue[n].label)] ||
+                 (boneRigid && tissue[n].bone_mm <= 0);
+    }
+  for (int j = 0; j + 1 < nz; ++j)
+    for (int i = 0; i + 1 < nx; ++i) {
+      const std::size_t n = std::size_t(j) * nx + i;
+      const std::size_t corner[4] = {n, n + 1, n + 1 + nx, n + nx};
+      const float cell = 0.5f * (rest.x[n + 1] - rest.x[n] + rest.z[n + nx] - rest.z[n]);
+      Mixture mixture;
+      for (int v = 0; v < 2; ++v) {
+        std::array<float, 4> distance;
+        for (int c = 0; c < 4; ++c) distance[c] = tissue[corner[c]].*kDistance[v];
+        const auto [least, most] = std::minmax_element(distance.begin(), distance.end());
+        const float reach = vessels[v].reach_mm;
+        if (*least > reach + cell) continue;
+        const float across = std::max(*most - *least, 0.2f * cell);
+        const float inside = shareWithin(distance, 0, across);
+        (v == 0 ? artery : vein)[n] = inside;
+        if (vessels[v].lumen) (v == 0 ? arteryBlood : veinBlood)[n] = inside, anyBlood |= inside > 0;
+        mixture.add(vessels[v].inside, inside);
+        if (reach <= 0) continue;
+        const float wall = shareWithin(distance, vessels[v].wall_mm, across);
+        mixture.add(vessels[v].wall, wall - inside);
+        mixture.add(vessels[v].sheath, shareWithin(distance, reach, across) - wall);
+      }
+      Moduli rest4;
+      int found = 0;
+      for (const std::size_t c : corner) {
+        const Label label = knownLabel(tissue[c].label);
+        if (label == kArtery || label == kVein) continue;
+        rest4.mu += solid[label].mu, rest4.bulk += solid[label].bulk, ++found;
+      }
+      if (found == 0) rest4 = solid[kSoftTissue], found = 1;
+      mixture.add({rest4.mu / found, rest4.bulk / found}, 1);
+      mu[n] = mixture.sum.mu;
+      bulk[n] = mixture.sum.bulk;
+    }
+}
+
+}  // namespace insonate::elastic

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "elastic/Mesh.h"
+
+namespace insonate::elastic {
+
+/// What each cell of a mesh is made of: shares of lumen, wall, loose tissue and of what its corners are.
+struct Materials {
+  std::vector<float> mu, bulk;                ///< kPa
+  std::vector<float> artery, vein;            ///< shares of a cell's area, whatever they are made of, 0..1
+  std::vector<float> arteryBlood, veinBlood;  ///< the same where they are lumens, else 0
+  std::vector<char> fixed;                    ///< [node]: does not move
+  bool anyBlood = false;
+
+  void fill(const Mesh& mesh, const MechanicalTable& tissues);
+};
+
+}  // namespace insonate::elastic

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "elastic/Elements.h"
+
+#include <insonate/deformation/DeformationModel.h>
+
+#include <vector>
+
+namespace insonate::elastic {
+
+/// Grid lines of a mesh: columns along x, rows by depth below the skin. Fine under the face and down to below the
+/// vessels, growing beyond.
+struct MeshLines {
+  std::vector<float> x_mm, depth_mm;
+  float fineHalf_mm = 0, fineDepth_mm = 0;  ///< how far it is fine
+};
+
+/// A mesh of four-node cells that follows the skin: its top row lies on it. Nodes next to the outline of a vessel or a
+/// bone are moved onto it.
+class Mesh {
+ public:
+  static constexpr float kBeyond_mm = 60;    ///< tissue that is meshed beyond the face, each way
+  static constexpr float kMostSkin_mm = 25;  ///< skin further than this off the face is not looked for
+
+  /// Allocates only where the number of columns or rows changes.
+  void build(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings);
+
+  int columns() const { return static_cast<int>(lines_.x_mm.size()); }
+  int rows() const { return static_cast<int>(lines_.depth_mm.size()); }
+  const MeshLines& lines() const { return lines_; }
+  const Nodes& rest() const { return rest_; }
+  const std::vector<PlaneTissue>& tissue() const { return tissue_; }  ///< at each node
+  const std::vector<float>& skin_mm() const { return skin_; }         ///< z of the top of each column
+
+  /// Continuous column and row of a point, kept within the mesh; as if no node had been moved onto an outline.
+  struct Place {
+    float column = 0, row = 0;
+  };
+  Place placeOf(float x_mm, float z_mm) const;
+
+ private:
+  void chooseLines(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings);
+  void findSkin(const TissuePlane& plane);
+  void snap();
+
+  MeshLines lines_;
+  Nodes rest_;
+  std::vector<PlaneTissue> tissue_;
+  std::vector<float> skin_;
+  std::vector<PlanePoint> points_;
+  struct Snapped {
+    std::size_t node;
+    float PlaneTissue::*outline;
+  };
+  std::vector<Snapped> snapped_;
+};
+
+}  // namespace insonate::elastic

@@ -1,0 +1,180 @@
+#include "elastic/Solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace insonate::elastic {
+namespace {
+
+constexpr float kHeld = 1e8f;
+constexpr float kShut_kPa = 20;  // of cells in a lumen that is closed
+constexpr float kLongestStep_mm = 4;
+constexpr int kCautiousRounds = 3;  // after a tangent that was not positive definite
+
+}  // namespace
+
+void Solver::prepare(const Mesh& mesh, const Materials& materials, const MechanicalTable& tissues) {
+  const int nx = mesh.columns(), nz = mesh.rows();
+  if (elements_.columns != nx || elements_.rows != nz) {
+    elements_.resize(nx, nz);
+    matrix_.resize(nx, nz);
+    factor_.prepare(nx, nz);
+    at_.resize(std::size_t(nx) * nz);
+    for (auto* v : {&force_, &dead_, &step_, &byShift_, &response_})
+      v->assign(2 * std::size_t(nx) * nz + 2 * GridMatrix::kPadding, 0.0f);
+    cellPressure_.assign(elements_.base.size(), 0.0f);
+    restBase_.assign(elements_.base.size(), 0.0f);
+  }
+  materials_ = &materials;
+  rest_ = mesh.rest();
+  restPressure_ = {tissues.of(kArtery).pressure_kPa, tissues.of(kVein).pressure_kPa};
+  contact_.prepare(rest_, nx);
+  struts_.prepare(mesh, materials);
+  elements_.mu = materials.mu;
+  shapeElements(rest_, elements_);
+  for (std::size_t n = 0; n < elements_.count(); ++n) {
+    elements_.bulk[n] = materials.bulk[n];
+    elements_.base[n] = -materials.mu[n];
+    const float blood = std::max(materials.arteryBlood[n], materials.veinBlood[n]);
+    elements_.shut[n] = kShut_kPa * blood;
+    elements_.guarded[n] = materials.mu[n] > 0 && blood < 0.3f ? 1.0f : 0.0f;
+  }
+  std::fill(dead_.begin(), dead_.end(), 0.0f);
+  start();
+  if (materials.anyBlood) prestress();
+  restBase_ = elements_.base;
+}
+
+/// Stress with which the rest geometry carries the blood's pressure: that of a linear solve, as an initial stress in
+/// each cell (second Piola-Kirchhoff), which balances by itself; what the cells' means leave over is a dead load.
+void Solver::prestress() {
+  const auto a = static_cast<float>(restPressure_.artery_kPa), v = static_cast<float>(restPressure_.vein_kPa);
+  std::fill(force_.begin(), force_.end(), 0.0f);
+  for (auto& array : matrix_.value) std::fill(array.begin(), array.end(), 0.0f);
+  std::vector<float>& base = elements_.base;
+  for (std::size_t n = 0; n < elements_.count(); ++n) {
+    elements_.carried[n] = base[n];
+    base[n] -= a * materials_->arteryBlood[n] + v * materials_->veinBlood[n];
+  }
+  assemble(elements_, at_, false, matrix_, force_);
+  hold();
+  factor_.factor(matrix_);
+  step_ = force_;
+  factor_.solve(step_);
+  const int nx = elements_.columns;
+  for (std::size_t n = 0; n < elements_.count(); ++n) {
+    const float area = elements_.area[n];
+    if (area <= 0) continue;
+    const std::size_t corner[4] = {n, n + 1, n + 1 + nx, n + nx};
+    const float d1x = rest_.x[corner[2]] - rest_.x[corner[0]], d1z = rest_.z[corner[2]] - rest_.z[corner[0]];
+    const float d2x = rest_.x[corner[3]] - rest_.x[corner[1]], d2z = rest_.z[corner[3]] - rest_.z[corner[1]];
+    const float half = 0.5f / area;
+    const float gx[4] = {-d2z * half, d1z * half, d2z * half, -d1z * half};
+    const float gz[4] = {d2x * half, -d1x * half, -d2x * half, d1x * half};
+    float xx = 0, xz = 0, zx = 0, zz = 0;
+    for (int c = 0; c < 4; ++c) {
+      const float ux = step_[2 * corner[c]], uz = step_[2 * corner[c] + 1];
+      xx += ux * gx[c], xz += ux * gz[c], zx += uz * gx[c], zz += uz * gz[c];
+    }
+    const float mu = materials_->mu[n], bulk = materials_->bulk[n];
+    const float sxx = 2 * mu * xx, szz = 2 * mu * zz, sxz = mu * (xz + zx);
+    base[n] += (bulk - mu) * (xx + zz);
+    int k = 0;
+    for (int p = 0; p < 4; ++p)
+      for (int q = p; q < 4; ++q, ++k)
+        elements_.m[k][n] += area * (sxx * gx[p] * gx[q] + szz * gz[p] * gz[q] + sxz * (gx[p] * gz[q] + gz[p] * gx[q]));
+  }
+  std::fill(dead_.begin(), dead_.end(), 0.0f);
+  std::fill(force_.begin(), force_.end(), 0.0f);
+  assemble(elements_, at_, false, matrix_, force_);
+  for (std::size_t k = 0; k < dead_.size(); ++k) dead_[k] = -force_[k];
+  elements_.carried = base;
+}
+
+void Solver::setPressure(const BloodPressure& pressure) {
+  const auto a = static_cast<float>(pressure.artery_kPa - restPressure_.artery_kPa);
+  const auto v = static_cast<float>(pressure.vein_kPa - restPressure_.vein_kPa);
+  atRestPressure_ = !materials_->anyBlood || (a == 0 && v == 0);
+  for (std::size_t n = 0; n < elements_.count(); ++n) {
+    const float now = restBase_[n] - a * materials_->arteryBlood[n] - v * materials_->veinBlood[n];
+    elements_.carried[n] += now - elements_.base[n];
+    elements_.base[n] = now;
+  }
+}
+
+void Solver::start() {
+  at_ = rest_;
+  elements_.carried = elements_.base;
+}
+
+void Solver::carry() {
+  for (std::size_t n = 0; n < materials_->fixed.size(); ++n)
+    if (materials_->fixed[n]) at_.x[n] = rest_.x[n], at_.z[n] = rest_.z[n];
+  for (std::size_t n = 0; n < elements_.count(); ++n) elements_.carried[n] = elements_.base[n] + cellPressure_[n];
+}
+
+void Solver::hold() {
+  for (std::size_t n = 0; n < materials_->fixed.size(); ++n)
+    if (materials_->fixed[n]) {
+      matrix_.value[0][n] += kHeld;
+      matrix_.value[2][n] += kHeld;
+      force_[2 * n] = force_[2 * n + 1] = 0;
+    }
+}
+
+void Solver::system(bool cautious) {
+  for (auto& array : matrix_.value) std::fill(array.begin(), array.end(), 0.0f);
+  force_ = dead_;
+  assemble(elements_, at_, cautious, matrix_, force_);
+  struts_.add(at_, matrix_, force_);
+}
+
+/// The change of shift after which the face presses as it should, with the step that goes with it.
+float Solver::followForce(float wanted_kPa_mm, float shift_mm) {
+  std::fill(byShift_.begin(), byShift_.end(), 0.0f);
+  contact_.pushByShift(shift_mm, at_, byShift_);
+  const float stiffness = contact_.sum(byShift_);
+  if (stiffness <= 0) return contact_.gap(shift_mm, at_) + 0.02f;
+  response_ = byShift_;
+  factor_.solve(response_);
+  const float now = contact_.pressing(shift_mm, at_) - contact_.product(byShift_, step_);
+  const float slope = stiffness - contact_.product(byShift_, response_);
+  const float change = std::clamp((wanted_kPa_mm - now) / std::max(slope, 1e-3f * stiffness), -2.0f, 2.0f);
+  for (std::size_t k = 0; k < step_.size(); ++k) step_[k] += change * response_[k];
+  return change;
+}
+
+Solver::Outcome Solver::solve(const Face& face, Load load, int mostIterations, float tolerance_mm) {
+  Outcome out;
+  out.shift_mm = load.shift_mm;
+  contact_.meet(face, at_, load.shift_mm, true);
+  for (; out.iterations < mostIterations && !out.converged; ++out.iterations) {
+    system(cautious_ > 0);
+    contact_.add(out.shift_mm, load.sticking, rest_, at_, matrix_, force_);
+    hold();
+    if (!factor_.factor(matrix_)) {
+      cautious_ = kCautiousRounds;
+      continue;
+    }
+    step_ = force_;
+    factor_.solve(step_);
+    const float shiftChange = load.force_kPa_mm > 0 ? followForce(load.force_kPa_mm, out.shift_mm) : 0;
+    float longest = std::abs(shiftChange);
+    for (std::size_t k = 0; k < 2 * std::size_t(elements_.columns) * elements_.rows; ++k)
+      longest = std::max(longest, std::abs(step_[k]));
+    if (!std::isfinite(longest)) return out;
+    float share = std::min(1.0f, kLongestStep_mm / std::max(longest, 1e-9f));
+    share = std::min(share, allowedShare(elements_, at_, step_));
+    advance(elements_, at_, step_, share);
+    contact_.settle();
+    out.shift_mm += share * shiftChange;
+    out.converged = share == 1 && out.iterations > 0 && longest < tolerance_mm && cautious_ == 0;
+    cautious_ = std::max(cautious_ - 1, 0);
+  }
+  out.finite = true;
+  out.force_kPa_mm = contact_.pressing(out.shift_mm, at_);
+  for (std::size_t n = 0; n < elements_.count(); ++n) cellPressure_[n] = elements_.carried[n] - elements_.base[n];
+  return out;
+}
+
+}  // namespace insonate::elastic

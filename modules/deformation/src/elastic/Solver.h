@@ -1,0 +1,62 @@
+#pragma once
+
+#include "elastic/Contact.h"
+#include "elastic/GridFactor.h"
+#include "elastic/Materials.h"
+#include "elastic/Mesh.h"
+#include "elastic/Struts.h"
+
+namespace insonate::elastic {
+
+/// Equilibrium of a mesh under a face and blood pressure by mixed Newton steps, each with a fresh factor.
+class Solver {
+ public:
+  /// New rest geometry: stiffness, and the prestress that makes it an equilibrium under the tissues' own pressures.
+  void prepare(const Mesh& mesh, const Materials& materials, const MechanicalTable& tissues);
+
+  void setPressure(const BloodPressure& pressure);
+
+  /// From rest.
+  void start();
+  /// From given positions and pressures of cells above base.
+  Nodes& at() { return at_; }
+  const Nodes& at() const { return at_; }
+  std::vector<float>& cellPressure() { return cellPressure_; }
+  /// Takes cellPressure() over.
+  void carry();
+
+  struct Load {
+    float shift_mm = 0;
+    float force_kPa_mm = 0;  ///< above 0: the shift is found
+    bool sticking = false;
+  };
+  struct Outcome {
+    int iterations = 0;
+    bool converged = false, finite = false;
+    float shift_mm = 0, force_kPa_mm = 0;
+  };
+  Outcome solve(const Face& face, Load load, int mostIterations, float tolerance_mm);
+
+  bool atRestPressure() const { return atRestPressure_; }
+  const Elements& elements() const { return elements_; }
+
+ private:
+  void prestress();
+  void system(bool cautious);
+  void hold();
+  float followForce(float wanted_kPa_mm, float shift_mm);
+
+  Elements elements_;
+  Contact contact_;
+  Struts struts_;
+  GridMatrix matrix_;
+  GridFactor factor_;
+  Nodes rest_, at_;
+  std::vector<float> force_, dead_, step_, byShift_, response_, cellPressure_, restBase_;
+  const Materials* materials_ = nullptr;
+  BloodPressure restPressure_;
+  bool atRestPressure_ = true;
+  int cautious_ = 0;  ///< rounds to come with a cautious tangent
+};
+
+}  // namespace insonate::elastic
