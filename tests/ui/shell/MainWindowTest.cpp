@@ -1,5 +1,6 @@
 #include "Waiting.h"
 
+#include <insonate/cases/DicomWriter.h>
 #include <insonate/ui/EmptyWorkspace.h>
 #include <insonate/ui/ErrorPanel.h>
 #include <insonate/ui/MainWindow.h>
@@ -7,11 +8,14 @@
 #include <insonate/ui/Workspace.h>
 
 #include <gtest/gtest.h>
+#include <support/SmallCase.h>
 
 #include <QAction>
 #include <QApplication>
 #include <QDialog>
 #include <QDropEvent>
+#include <QFile>
+#include <QImage>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
@@ -135,6 +139,68 @@ TEST_F(MainWindow, SaysWhyADroppedFolderDoesNotOpenAndKeepsTheCase) {
   EXPECT_TRUE(w.window.errors().message().contains("empty")) << w.window.errors().message().toStdString();
   EXPECT_EQ(w.window.caseTitle(), "Small block");
   QTest::keyClick(&w.window, Qt::Key_Escape);
+  EXPECT_FALSE(w.window.errors().isVisible());
+}
+
+TEST_F(MainWindow, AboutSaysWhatItIsAndIsNot) {
+  Window w;
+  for (QAction* action : w.window.actions())
+    if (action->text() == "About Insonate") action->trigger();
+  auto* dialog = w.window.findChild<QDialog*>();
+  ASSERT_TRUE(dialog);
+  const QString text = dialog->findChild<QTextBrowser*>()->toPlainText();
+  for (const char* said : {"not a medical device", "Apache License 2.0", "Qt 5", "LGPL 3", "VTK", "ITK", "OpenCV"})
+    EXPECT_TRUE(text.contains(said)) << said;
+  QTest::keyClick(dialog, Qt::Key_Escape);
+  EXPECT_TRUE(waitUntil([&] { return !w.window.findChild<QDialog*>(); }));
+}
+
+TEST_F(MainWindow, TakesADroppedDicomFolder) {
+  Window w;
+  const QString folder = home.filePath("dicom");
+  ASSERT_TRUE(writeDicomSeries(test::smallCase().ct, folder.toStdString(), {.seed = "dropped"}));
+  drop(w.window, folder);
+  ASSERT_TRUE(waitUntil([&] { return w.window.findChild<QDialog*>() != nullptr; }));
+  w.window.findChild<QDialog*>()->accept();
+  EXPECT_TRUE(waitUntil([&] { return w.window.current().patient != nullptr; }));
+  EXPECT_EQ(w.window.caseTitle(), "Imported CT (not saved)");
+}
+
+TEST_F(MainWindow, SaysWhatToDoWithADroppedPictureOrNonsense) {
+  Window w;
+  w.window.open(test::writtenSmallCase(home, "block"));
+  ASSERT_TRUE(waitUntil([&] { return w.window.current().patient != nullptr; }));
+  QImage picture(80, 80, QImage::Format_RGB32);
+  picture.fill(Qt::gray);
+  ASSERT_TRUE(picture.save(home.filePath("capture.png")));
+  QFile notes(home.filePath("notes.txt"));
+  ASSERT_TRUE(notes.open(QFile::WriteOnly) && notes.write("no CT") > 0);
+  notes.close();
+  for (const char* name : {"capture.png", "notes.txt"}) {
+    drop(w.window, home.filePath(name));
+    ASSERT_TRUE(waitUntil([&] { return w.window.errors().isVisible(); })) << name;
+    EXPECT_TRUE(w.window.errors().message().contains(name)) << w.window.errors().message().toStdString();
+    QStringList said;
+    for (const auto* label : w.window.errors().findChildren<QLabel*>()) said << label->text();
+    EXPECT_EQ(said.join(' ').contains("Fit to a picture"), QString(name).endsWith("png"))
+        << said.join(' ').toStdString();
+    QTest::keyClick(&w.window, Qt::Key_Escape);
+  }
+}
+
+TEST_F(MainWindow, TakesNothingButFiles) {
+  Window w;
+  QMimeData words, far;
+  words.setText("no file");
+  far.setUrls({QUrl("https://example.org/case")});
+  for (QMimeData* data : {&words, &far}) {
+    QDragEnterEvent enter({300, 300}, Qt::CopyAction, data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&w.window, &enter);
+    EXPECT_FALSE(enter.isAccepted());
+    QDropEvent event({300, 300}, Qt::CopyAction, data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&w.window, &event);
+  }
+  EXPECT_FALSE(w.window.tasks().isRunning());
   EXPECT_FALSE(w.window.errors().isVisible());
 }
 

@@ -150,7 +150,7 @@ void SeriesDialog::arrange() {
   grid->addLayout(last, 5, 0, 1, 2);
   grid->setRowStretch(1, 1);
   grid->setColumnStretch(0, 1);
-  resize(840, 480);
+  resize(980, 480);
 }
 
 int SeriesDialog::likeliestRow() const {

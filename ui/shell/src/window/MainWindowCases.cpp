@@ -1,4 +1,5 @@
 // The part of the window that brings cases in and out.
+#include "AboutDialog.h"
 #include "HeaderBar.h"
 #include "HelpWindow.h"
 #include "RecentCases.h"
@@ -20,7 +21,7 @@
 namespace insonate::ui {
 namespace {
 
-const QString kLastFolder = QStringLiteral("lastFolder");
+const QString kLastFolder = QStringLiteral("lastFolder"), kLastTarget = QStringLiteral("lastTarget");
 
 /// The first local file or folder that is carried; empty when there is none.
 QString carriedPath(const QMimeData* data) {
@@ -74,7 +75,8 @@ void MainWindow::makeActions() {
   menu_->addAction(save_);
   menu_->addAction(saveAs_);
   menu_->addSeparator();
-  for (QAction* action : {full, page, keys, quit}) menu_->addAction(action);
+  auto* about = make("help", tr("About Insonate"), tr("Version, licences, and what it is not"), {});
+  for (QAction* action : {full, page, keys, about, quit}) menu_->addAction(action);
   menu_->setToolTipsVisible(true);
   recent_->setToolTipsVisible(true);
 
@@ -87,6 +89,7 @@ void MainWindow::makeActions() {
   connect(quit, &QAction::triggered, this, &QWidget::close);
   connect(full, &QAction::triggered, this, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
   connect(page, &QAction::triggered, this, [this] { showHelp(false); });
+  connect(about, &QAction::triggered, this, [this] { (new AboutDialog(this))->open(); });
   connect(keys, &QAction::triggered, this, [this] { showHelp(true); });
 }
 
@@ -125,7 +128,8 @@ void MainWindow::chooseImport() {
 }
 
 void MainWindow::chooseTarget() {
-  QFileDialog dialog(this, tr("Save the case to a new folder"), startFolder());
+  QFileDialog dialog(this, tr("Save the case to a new folder"),
+                     QSettings().value(kLastTarget, QDir::homePath()).toString());
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setOption(QFileDialog::ShowDirsOnly);
   dialog.setLabelText(QFileDialog::FileName, tr("New folder:"));
@@ -135,7 +139,7 @@ void MainWindow::chooseTarget() {
     return;
   }
   const QString folder = dialog.selectedFiles().first();
-  keepStartFolder(folder);
+  QSettings().setValue(kLastTarget, QFileInfo(folder).absolutePath());
   saveTo(folder);
 }
 
