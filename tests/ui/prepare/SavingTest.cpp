@@ -106,6 +106,23 @@ TEST_F(Saving, NothingAskedWithoutChanges) {
   EXPECT_FALSE(question());
 }
 
+TEST_F(Saving, WhatIsHiddenOrTranslucentIsWrittenToo) {
+  session_->setVisible(kBone, false);
+  session_->setOpacity(kVein, 0.35);
+  ASSERT_TRUE(saveAction()->isEnabled());
+  QTest::keyClick(workspace_, Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(until([this] { return !workspace_->quietEdit(); }));
+  EXPECT_FALSE(saveAction()->isEnabled());
+  const auto shown = readCase(case_)->patient.manifest.shown;
+  EXPECT_FALSE(shown.at(kBone).visible);
+  EXPECT_NEAR(shown.at(kVein).opacity, 0.35, 1e-9);
+  EXPECT_TRUE(shown.at(kVein).visible);
+  session_->setVisible(kBone, true);
+  session_->setCase(std::make_shared<const PatientCase>(readCase(case_)->patient));
+  EXPECT_FALSE(session_->look(kBone).visible) << "a case looks as it was saved, whatever was looked at since";
+  EXPECT_FALSE(workspace_->quietEdit());
+}
+
 TEST_F(Saving, ACaseThatIsNowhereIsAskedAboutOnce) {
   Q_EMIT workspace_->caseMade(std::make_shared<const PatientCase>(test::smallCase()));
   ASSERT_TRUE(until([this] { return window_.isReady(); }));

@@ -225,6 +225,44 @@ TEST_F(ScenePanel, TheEyeIsEntered) {
   EXPECT_FALSE(scene->headCoupling());
 }
 
+TEST_F(ScenePanel, StructuresLookAsTheCasesAuthorChose) {
+  constexpr views::Colour kAuthors{10, 220, 40}, kOwn{1, 2, 3};
+  scene->setColour(kBone, kOwn);
+  scene->setOpacity(kVein, 0.7);
+  PatientCase authored = test::smallCase();
+  authored.colours = {{kVein, {10, 220, 40}}};
+  authored.manifest.shown = {{kVein, {0.4, true}}, {kArtery, {1, false}}};
+  QSignalSpy coloured(panel, &ui::ScenePanel::coloursChanged);
+  panel->setCase(std::make_shared<const PatientCase>(authored));
+  EXPECT_EQ(scene->colour(kVein), kAuthors);
+  EXPECT_NEAR(scene->opacity(kVein), 0.4, 1e-9);
+  EXPECT_FALSE(scene->isVisible(kArtery));
+  EXPECT_EQ(scene->colour(kBone), kOwn) << "what the author has no wish for is the user's";
+  EXPECT_EQ(coloured.count(), 1) << "slices have the colours, too";
+
+  scene->setVisible(kArtery, true);
+  child<QToolButton>("structuresUsual")->click();
+  EXPECT_FALSE(scene->isVisible(kArtery)) << "as the author chose";
+  EXPECT_EQ(scene->colour(kVein), kAuthors);
+  child<QCheckBox>("safeColours")->click();
+  EXPECT_EQ(scene->colour(kVein), views::labelColour(kVein, views::ColourScheme::ColourBlindSafe));
+  child<QCheckBox>("safeColours")->click();
+  EXPECT_EQ(scene->colour(kVein), kAuthors);
+
+  const QTemporaryDir folder;
+  QSettings settings(folder.filePath("layout.ini"), QSettings::IniFormat);
+  panel->save(settings);
+  panel->setCase(patient);
+  EXPECT_EQ(scene->colour(kVein), views::labelColour(kVein, views::ColourScheme::Usual));
+  EXPECT_NEAR(scene->opacity(kVein), 0.7, 1e-9) << "the user's own again";
+  EXPECT_TRUE(scene->isVisible(kArtery));
+  auto other = std::make_shared<SceneView>();
+  ui::ScenePanel again(other);
+  again.restore(settings);
+  EXPECT_NEAR(other->opacity(kVein), 0.7, 1e-9) << "a case's looks are not remembered for others";
+  EXPECT_TRUE(other->isVisible(kArtery));
+}
+
 TEST_F(ScenePanel, IsRememberedButForTheClippingPlane) {
   child<QToolButton>("eye6")->click();
   scene->setOpacity(kBone, 0.25);

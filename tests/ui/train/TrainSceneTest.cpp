@@ -62,6 +62,22 @@ TEST_F(TrainScene, TheWheelDrawsCoarserUntilItRests) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return !scene().isMoving(); }, kPatience_ms));
 }
 
+TEST_F(TrainScene, StructuresLookAsTheirAuthorChose) {
+  PatientCase authored = test::smallCase();
+  authored.colours = {{kVein, {10, 220, 40}}};
+  authored.manifest.shown = {{kVein, {0.4, true}}, {kBone, {1, false}}, {kSoftTissue, {0.5, true}}};
+  workspace_->setCase(std::make_shared<const PatientCase>(authored));
+  EXPECT_EQ(scene().colour(kVein), (views::Colour{10, 220, 40}));
+  EXPECT_NEAR(scene().opacity(kVein), 0.4, 1e-9);
+  EXPECT_FALSE(scene().isVisible(kBone));
+  const auto made = [&] { return scene().structures(); };
+  EXPECT_TRUE(QTest::qWaitFor([&] { return std::ranges::count(made(), kSoftTissue) == 1; }, kPatience_ms))
+      << "what the author shows has its surface";
+  workspace_->setCase(patient());
+  EXPECT_EQ(scene().colour(kVein), views::labelColour(kVein, views::ColourScheme::Usual));
+  EXPECT_TRUE(scene().isVisible(kBone));
+}
+
 TEST_F(TrainScene, LooksAreRememberedAndTheSliceHasTheirColours) {
   panel()->setColourScheme(views::ColourScheme::ColourBlindSafe);
   scene().setVisible(kBone, false);

@@ -37,6 +37,7 @@ TEST_P(CaseRoundTrip, KeepsVoxelsGridAndManifest) {
   PatientCase patient = test::noiseCase(GetParam().geometry);
   patient.manifest.title = "Ä \"quoted\" title";
   patient.manifest.difficulty = "hard";
+  patient.manifest.shown = {{kVein, {0.4, true}}, {kBone, {1, false}}};
   patient.manifest.importNotes = {"The slices were tilted.", "Padding was named."};
   patient.manifest.targets = {{"vein", kVein, {1.5, -2.25, 1e-3}}};
   patient.manifest.startPoses = {{"start", {0, 1, 2}, {0, 0.6, 0.8}, {1, 0, 0}}};
@@ -58,6 +59,7 @@ TEST_P(CaseRoundTrip, KeepsVoxelsGridAndManifest) {
   const CaseManifest& m = read->patient.manifest;
   EXPECT_EQ(m.title, patient.manifest.title);
   EXPECT_EQ(m.difficulty, "hard");
+  EXPECT_EQ(m.shown, patient.manifest.shown);
   EXPECT_EQ(m.importNotes, patient.manifest.importNotes);
   ASSERT_EQ(m.targets.size(), 1U);
   EXPECT_EQ(m.targets[0].label, kVein);

@@ -139,6 +139,11 @@ TEST_F(HardCase, ManifestIsValidated) {
   EXPECT_THAT(errorWith("{}"), HasSubstr("has no \"schema_version\"; add \"schema_version\": 1"));
   EXPECT_THAT(errorWith(R"({"schema_version": 99})"), HasSubstr("newer"));
   EXPECT_THAT(errorWith(R"({"schema_version": 1, "title": 3})"), HasSubstr("title must be text"));
+  EXPECT_THAT(errorWith(R"({"schema_version": 1, "structures": [{"label": "vein", "opacity": 2}]})"),
+              HasSubstr("structures[0].opacity must be a number from 0 to 1"));
+  EXPECT_THAT(errorWith(R"({"schema_version": 1, "structures": [{"label": "vein", "visible": 1}]})"),
+              HasSubstr("structures[0].visible must be true or false"));
+  EXPECT_THAT(errorWith(R"({"schema_version": 1, "structures": [{"opacity": 1}]})"), HasSubstr("structures[0].label"));
   EXPECT_THAT(errorWith(R"({"schema_version": 1, "import_notes": [1]})"), HasSubstr("a list of texts"));
   EXPECT_THAT(errorWith(R"({"schema_version": 1, "import_notes": "one"})"), HasSubstr("a list of texts"));
   EXPECT_THAT(errorWith(R"({"schema_version": 1, "targets": [{"label": "vein", "position_mm": [1, 2]}]})"),

@@ -166,11 +166,11 @@ void PrepareWorkspace::Parts::connectParts() {
 }
 
 void PrepareWorkspace::Parts::refreshSave() {
-  const bool changed = session.unsavedEdit() != nullptr, nowhere = session.origin().folder.isEmpty();
+  const bool changed = session.unsavedEdit() || session.quietEdit(), nowhere = session.origin().folder.isEmpty();
   save_->setEnabled(session.patient() && (changed || nowhere));
   save_->setToolTip(!session.patient() ? QString()
                     : nowhere          ? tr("Choose a folder and write the case to it (Ctrl+S)")
-                    : changed          ? tr("Write title and colours to the case's folder (Ctrl+S)")
+                    : changed          ? tr("Write title and looks of structures to the case's folder (Ctrl+S)")
                                        : tr("Everything is saved"));
 }
 

@@ -67,6 +67,8 @@ void PrepareSession::setCase(std::shared_ptr<const PatientCase> patient) {
   looks_ = usualLooks(patient_ ? patient_->colours : LabelColours{});
   for (const auto& [label, habit] : habits_)
     looks_[label].opacity = habit.opacity, looks_[label].visible = habit.visible;
+  if (patient_) takeShown(patient_->manifest.shown, looks_);
+  kept_ = looks_;
   title_ = patient_ ? QString::fromStdString(patient_->manifest.title) : QString();
   crosshair_mm_ = patient_ ? patient_->ct.geometry.centre_mm() : Vec3{};
   Q_EMIT caseChanged();
@@ -79,6 +81,7 @@ void PrepareSession::setCase(std::shared_ptr<const PatientCase> patient) {
 void PrepareSession::replaceCase(std::shared_ptr<const PatientCase> patient) {
   patient_ = std::move(patient);
   live_.replacePatient(patient_);
+  takeShown(patient_->manifest.shown, kept_);
   tellEdits();
 }
 
@@ -202,8 +205,15 @@ ui::CaseEdit PrepareSession::unsavedEdit() const {
   };
 }
 
+ui::CaseEdit PrepareSession::quietEdit() const {
+  if (!patient_ || !shownDiffers(looks_, kept_, structures_)) return {};
+  return [looks = looks_, structures = structures_](PatientCase& copy) {
+    putShown(looks, structures, copy.manifest.shown);
+  };
+}
+
 void PrepareSession::tellEdits() {
-  const bool has = unsavedEdit() != nullptr;
+  const std::array<bool, 2> has{unsavedEdit() != nullptr, quietEdit() != nullptr};
   if (has != std::exchange(hadEdits_, has)) Q_EMIT editsChanged();
 }
 

@@ -57,6 +57,8 @@ class PrepareSession : public QObject {
   void setTitle(const QString& title);
   /// What of these belongs to the case and is not in it; null without.
   ui::CaseEdit unsavedEdit() const;
+  /// What was made visible, hidden or translucent here and is not in the case; null without.
+  ui::CaseEdit quietEdit() const;
 
   // Where and how one looks
   Vec3 crosshair_mm() const { return crosshair_mm_; }
@@ -109,7 +111,7 @@ class PrepareSession : public QObject {
   ui::CaseOrigin origin_;
   std::shared_ptr<const PatientCase> patient_;
   std::vector<std::uint8_t> structures_;
-  StructureLooks looks_;
+  StructureLooks looks_, kept_;  ///< now, and when the case was opened or saved
   std::map<std::uint8_t, Habit> habits_;
   std::array<bool, 256> surfaceWanted_{};
   std::uint8_t selected_ = 0;
@@ -117,7 +119,8 @@ class PrepareSession : public QObject {
   Vec3 crosshair_mm_;
   views::WindowLevel windowLevel_;
   double labelOpacity_ = 0.25;
-  bool labelsShown_ = true, hadEdits_ = false;
+  bool labelsShown_ = true;
+  std::array<bool, 2> hadEdits_{};  ///< unsaved, quiet
   QString message_;
   QUndoStack undo_;
   CaseMeasuring measuring_;

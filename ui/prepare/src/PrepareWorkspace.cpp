@@ -43,6 +43,10 @@ ui::CaseEdit PrepareWorkspace::unsavedEdit() const {
   return parts_->session.unsavedEdit();
 }
 
+ui::CaseEdit PrepareWorkspace::quietEdit() const {
+  return parts_->session.quietEdit();
+}
+
 void PrepareWorkspace::caseSaved(std::shared_ptr<const PatientCase> patient) {
   parts_->session.replaceCase(std::move(patient));
   parts_->views->replaceCase();

@@ -110,7 +110,12 @@ void TrainSession::setCase(std::shared_ptr<const PatientCase> patient) {
 
 /// The picture comes first; where there is none, nothing is to be waited for.
 void TrainSession::wantSurfaces() {
-  if (worker_ && !std::exchange(surfacesWanted_, true)) worker_->want(kSurfaces);
+  if (!worker_ || std::exchange(surfacesWanted_, true)) return;
+  std::vector<ui::SurfaceWish> wishes = kSurfaces;
+  for (const auto& [label, shown] : patient_->manifest.shown)
+    if (shown.visible && shown.opacity > 0 && std::ranges::find(wishes, label, &ui::SurfaceWish::label) == wishes.end())
+      wishes.push_back({label, {5, 2}});
+  worker_->want(wishes);
 }
 
 ImagingSetup TrainSession::setup() const {

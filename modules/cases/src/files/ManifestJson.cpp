@@ -20,10 +20,19 @@ json toJson(Vec3 v) {
   return {v.x, v.y, v.z};
 }
 
+json labelToJson(std::uint8_t label) {
+  return label < kLabelCount ? json(labelTable()[label].name) : json(label);
+}
+
 json toJson(const Target& target) {
-  json label = target.label;
-  if (target.label < kLabelCount) label = labelTable()[target.label].name;
-  return {{"name", target.name}, {"label", label}, {"position_mm", toJson(target.position_mm)}};
+  return {{"name", target.name}, {"label", labelToJson(target.label)}, {"position_mm", toJson(target.position_mm)}};
+}
+
+json toJson(const std::map<std::uint8_t, StructureShown>& shown) {
+  json list = json::array();
+  for (const auto& [label, how] : shown)
+    list.push_back({{"label", labelToJson(label)}, {"opacity", how.opacity}, {"visible", how.visible}});
+  return list;
 }
 
 json toJson(const StartPose& pose) {
@@ -57,21 +66,35 @@ Vec3 vectorAt(const json& object, const char* key, const std::string& where) {
   return v;
 }
 
-Target targetFrom(const json& object, const std::string& where) {
-  Target target{textAt(object, "name", where), 0, vectorAt(object, "position_mm", where)};
+std::uint8_t labelAt(const json& object, const std::string& where) {
   const Wrong wrong{where + "label", "the name or number (1 to 255) of a label"};
   if (!object.contains("label")) throw wrong;
   const json& label = object["label"];
   if (label.is_string()) {
     const auto known = labelFromAnyName(label.get<std::string>());
     if (!known) throw wrong;
-    target.label = *known;
-  } else if (label.is_number_integer() && label >= 1 && label <= 255) {
-    target.label = label;
-  } else {
-    throw wrong;
+    return *known;
   }
-  return target;
+  if (!label.is_number_integer() || label < 1 || label > 255) throw wrong;
+  return label;
+}
+
+Target targetFrom(const json& object, const std::string& where) {
+  return {textAt(object, "name", where), labelAt(object, where), vectorAt(object, "position_mm", where)};
+}
+
+StructureShown shownFrom(const json& object, const std::string& where) {
+  StructureShown shown;
+  if (object.contains("opacity")) {
+    const json& opacity = object["opacity"];
+    if (!opacity.is_number() || !(opacity >= 0 && opacity <= 1)) throw Wrong{where + "opacity", "a number from 0 to 1"};
+    shown.opacity = opacity;
+  }
+  if (object.contains("visible")) {
+    if (!object["visible"].is_boolean()) throw Wrong{where + "visible", "true or false"};
+    shown.visible = object["visible"];
+  }
+  return shown;
 }
 
 StartPose poseFrom(const json& object, const std::string& where, std::vector<std::string>& notes) {
@@ -132,8 +155,10 @@ CaseManifest manifestFrom(const json& document, std::vector<std::string>& notes)
   forEach(document, "targets", [&](const json& o, const std::string& w) { m.targets.push_back(targetFrom(o, w)); });
   forEach(document, "start_poses",
           [&](const json& o, const std::string& w) { m.startPoses.push_back(poseFrom(o, w, notes)); });
-  constexpr std::array<std::string_view, 8> kFields{"schema_version", "title",        "description", "difficulty",
-                                                    "source",         "import_notes", "targets",     "start_poses"};
+  forEach(document, "structures",
+          [&](const json& o, const std::string& w) { m.shown[labelAt(o, w)] = shownFrom(o, w); });
+  constexpr std::array<std::string_view, 9> kFields{"schema_version", "title",   "description", "difficulty", "source",
+                                                    "import_notes",   "targets", "start_poses", "structures"};
   for (const auto& [key, value] : document.items())
     if (std::ranges::find(kFields, key) == kFields.end())
       notes.push_back("case.json has a field \"" + key + "\" that is not known here; it was ignored.");
@@ -153,7 +178,8 @@ std::string manifestToJson(const CaseManifest& m) {
                       {"source", m.source},
                       {"import_notes", m.importNotes},
                       {"targets", targets},
-                      {"start_poses", poses}};
+                      {"start_poses", poses},
+                      {"structures", toJson(m.shown)}};
   // Text from anywhere may not be UTF-8; writing must not throw for it.
   return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }

@@ -45,6 +45,20 @@ void putColours(const StructureLooks& looks, const std::vector<std::uint8_t>& st
   }
 }
 
+void takeShown(const ShownStructures& shown, StructureLooks& looks) {
+  for (const auto& [label, how] : shown) looks[label].opacity = how.opacity, looks[label].visible = how.visible;
+}
+
+bool shownDiffers(const StructureLooks& a, const StructureLooks& b, const std::vector<std::uint8_t>& structures) {
+  return std::ranges::any_of(structures, [&](std::uint8_t label) {
+    return a[label].opacity != b[label].opacity || a[label].visible != b[label].visible;
+  });
+}
+
+void putShown(const StructureLooks& looks, const std::vector<std::uint8_t>& structures, ShownStructures& shown) {
+  for (const std::uint8_t label : structures) shown[label] = {looks[label].opacity, looks[label].visible};
+}
+
 QString structureName(std::uint8_t label) {
   if (label >= kLabelCount) return QStringLiteral("label %1").arg(int(label));
   const std::string_view name = labelTable()[label].name;

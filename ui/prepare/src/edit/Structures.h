@@ -6,6 +6,7 @@
 #include <QString>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace insonate::prepare {
@@ -30,6 +31,13 @@ bool coloursDiffer(const StructureLooks& looks, const std::vector<std::uint8_t>&
                    const LabelColours& colours);
 /// Puts the structures' colours into a case's, which keeps those that differ from the label table's.
 void putColours(const StructureLooks& looks, const std::vector<std::uint8_t>& structures, LabelColours& colours);
+
+using ShownStructures = std::map<std::uint8_t, StructureShown>;
+void takeShown(const ShownStructures& shown, StructureLooks& looks);
+/// True where one of the structures has another opacity or visibility.
+bool shownDiffers(const StructureLooks& a, const StructureLooks& b, const std::vector<std::uint8_t>& structures);
+/// Puts the structures' opacity and visibility into a case's.
+void putShown(const StructureLooks& looks, const std::vector<std::uint8_t>& structures, ShownStructures& shown);
 
 /// "vein"; "label 37" for one that means nothing here.
 QString structureName(std::uint8_t label);

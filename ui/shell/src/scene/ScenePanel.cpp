@@ -103,7 +103,8 @@ QWidget* ScenePanel::buildStructures() {
   };
   add("structuresAll", tr("all"), tr("Show all structures"), [showAll] { showAll(true); });
   add("structuresNone", tr("none"), tr("Hide all structures"), [showAll] { showAll(false); });
-  add("structuresUsual", tr("usual"), tr("All shown, with their usual colours and opacities"), [this] { showUsual(); });
+  add("structuresUsual", tr("usual"),
+      tr("As the case's author chose; else all shown, with usual colours and opacities"), [this] { showUsual(); });
   box->addLayout(row);
   structures_ = new StructureList(scene_);
   box->addWidget(structures_);
@@ -140,7 +141,44 @@ QWidget* ScenePanel::buildCt() {
   return part;
 }
 
+ScenePanel::Look ScenePanel::look(std::uint8_t label) const {
+  return {scene_->colour(label), scene_->opacity(label), scene_->isVisible(label)};
+}
+
+void ScenePanel::setLook(std::uint8_t label, const Look& look) {
+  scene_->setColour(label, look.colour);
+  scene_->setOpacity(label, look.opacity);
+  scene_->setVisible(label, look.visible);
+}
+
+views::Colour ScenePanel::caseColour(std::uint8_t label) const {
+  const bool chosen = patient_ && patient_->colours.contains(label);
+  if (!structuresHere_ || !chosen || scheme_ != views::ColourScheme::Usual) return views::labelColour(label, scheme_);
+  const LabelColour colour = colourOf(patient_->colours, label);
+  return {colour[0], colour[1], colour[2]};
+}
+
+/// What the case before had chosen goes, and what this one has comes.
+void ScenePanel::takeLooks() {
+  for (const auto& [label, own] : own_) setLook(label, own);
+  own_.clear();
+  if (patient_) {
+    for (const auto& [label, colour] : patient_->colours) {
+      own_.try_emplace(label, look(label));
+      if (scheme_ == views::ColourScheme::Usual) scene_->setColour(label, caseColour(label));
+    }
+    for (const auto& [label, shown] : patient_->manifest.shown) {
+      own_.try_emplace(label, look(label));
+      scene_->setOpacity(label, shown.opacity);
+      scene_->setVisible(label, shown.visible);
+    }
+  }
+  Q_EMIT coloursChanged();
+}
+
 void ScenePanel::setCase(std::shared_ptr<const PatientCase> patient) {
+  patient_ = patient;
+  if (structuresHere_) takeLooks();
   histogram_->setCase(std::move(patient));
   scene_->setClipping({});
   clipping_->refresh();
@@ -172,7 +210,9 @@ void ScenePanel::live() {
 
 void ScenePanel::setColourScheme(views::ColourScheme scheme) {
   scheme_ = scheme;
-  for (const LabelInfo& info : labelTable()) scene_->setColour(info.label, views::labelColour(info.label, scheme));
+  for (const LabelInfo& info : labelTable()) scene_->setColour(info.label, caseColour(info.label));
+  // What the user has chosen now is the user's after this case, too.
+  for (auto& [label, own] : own_) own.colour = views::labelColour(label, scheme);
   safeColours_->setChecked(scheme == views::ColourScheme::ColourBlindSafe);
   Q_EMIT coloursChanged();
 }
@@ -181,6 +221,12 @@ void ScenePanel::showUsual() {
   for (const LabelInfo& info : labelTable()) {
     scene_->setVisible(info.label, true);
     scene_->setOpacity(info.label, views::usualOpacity(info.label));
+  }
+  if (patient_ && structuresHere_) {
+    for (const auto& [label, shown] : patient_->manifest.shown) {
+      scene_->setVisible(label, shown.visible);
+      scene_->setOpacity(label, shown.opacity);
+    }
   }
   setColourScheme(scheme_);
   live();
@@ -196,11 +242,9 @@ void ScenePanel::showEvent(QShowEvent* event) {
 void ScenePanel::save(QSettings& settings) const {
   QStringList looks;
   for (const LabelInfo& info : labelTable()) {
-    const views::Colour colour = scene_->colour(info.label);
-    looks << QStringLiteral("%1 %2 %3")
-                 .arg(int(scene_->isVisible(info.label)))
-                 .arg(scene_->opacity(info.label))
-                 .arg(ui::colour(colour).name());
+    const auto own = own_.find(info.label);
+    const Look kept = own == own_.end() ? look(info.label) : own->second;
+    looks << QStringLiteral("%1 %2 %3").arg(int(kept.visible)).arg(kept.opacity).arg(ui::colour(kept.colour).name());
   }
   if (structuresHere_) settings.setValue(QStringLiteral("structures"), looks);
   settings.setValue(QStringLiteral("safeColours"), scheme_ == views::ColourScheme::ColourBlindSafe);

@@ -36,6 +36,13 @@ std::vector<CaseEdit> MainWindow::unsavedEdits() const {
   return edits;
 }
 
+std::vector<CaseEdit> MainWindow::quietEdits() const {
+  std::vector<CaseEdit> edits;
+  for (const Room& room : rooms_)
+    if (CaseEdit edit = room.workspace->quietEdit()) edits.push_back(std::move(edit));
+  return edits;
+}
+
 void MainWindow::saveCase() {
   if (!case_.patient) return;
   if (case_.folder.isEmpty())
@@ -45,7 +52,9 @@ void MainWindow::saveCase() {
 }
 
 void MainWindow::saveTo(const QString& folder) {
-  loader_->save(case_.patient, folder, unsavedEdits());
+  std::vector<CaseEdit> edits = unsavedEdits();
+  for (CaseEdit& edit : quietEdits()) edits.push_back(std::move(edit));
+  loader_->save(case_.patient, folder, std::move(edits));
 }
 
 void MainWindow::showSaved(const QString& folder, const std::shared_ptr<const PatientCase>& patient) {
@@ -94,7 +103,8 @@ void MainWindow::whenNothingIsLost(LostBy by, std::function<void()> go) {
 
 void MainWindow::showTitle() {
   const bool changed = !unsavedEdits().empty();
-  save_->setEnabled(case_.patient && !tasks_->isRunning() && (changed || case_.folder.isEmpty()));
+  const bool toWrite = changed || case_.folder.isEmpty() || !quietEdits().empty();
+  save_->setEnabled(case_.patient && !tasks_->isRunning() && toWrite);
   saveAs_->setEnabled(case_.patient && !tasks_->isRunning());
   reload_->setEnabled(!case_.folder.isEmpty());
   if (!case_.patient) return;

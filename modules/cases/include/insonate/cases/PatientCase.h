@@ -28,6 +28,13 @@ struct Target {
   Vec3 position_mm;
 };
 
+/// How a structure's surface is shown in three dimensions.
+struct StructureShown {
+  double opacity = 1;  ///< 0..1
+  bool visible = true;
+  bool operator==(const StructureShown&) const = default;
+};
+
 /// case.json. Every field but the version may be missing: defaults are used and said.
 struct CaseManifest {
   static constexpr int kSchemaVersion = 1;
@@ -37,6 +44,7 @@ struct CaseManifest {
   std::string difficulty;  ///< "easy", "moderate", "hard" or empty
   std::vector<Target> targets;
   std::vector<StartPose> startPoses;
+  std::map<std::uint8_t, StructureShown> shown;  ///< by label, where the author chose it
   std::string source;                    ///< how the case came to be, without anything that identifies a patient
   std::vector<std::string> importNotes;  ///< what was changed or doubtful on the way from the CT, one sentence each
 };

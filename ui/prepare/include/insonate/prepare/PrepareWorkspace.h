@@ -32,6 +32,7 @@ class PrepareWorkspace : public ui::Workspace {
   void setOrigin(const ui::CaseOrigin& origin) override;
   void setCase(std::shared_ptr<const PatientCase> patient) override;
   ui::CaseEdit unsavedEdit() const override;
+  ui::CaseEdit quietEdit() const override;
   void caseSaved(std::shared_ptr<const PatientCase> patient) override;
   QString statusText() const override;
   QString engineText() const override;

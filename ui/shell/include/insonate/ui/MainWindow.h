@@ -98,6 +98,7 @@ class MainWindow : public QMainWindow {
   void showTitle();
   void showSaved(const QString& folder, const std::shared_ptr<const PatientCase>& patient);
   std::vector<CaseEdit> unsavedEdits() const;
+  std::vector<CaseEdit> quietEdits() const;
   bool isNowhere() const;
   Loss loss() const;
   void whenNothingIsLost(LostBy by, std::function<void()> go);

@@ -6,6 +6,7 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <map>
 #include <memory>
 
 class QCheckBox;
@@ -38,15 +39,17 @@ class ScenePanel : public QWidget {
                       Structures structures = Structures::Here);
   ~ScenePanel() override;
 
-  /// Whose histogram is shown; the scene itself gets its case from whoever owns it. Null for none.
+  /// Whose histogram is shown; the scene itself gets its case from whoever owns it. Null for none. Structures that are
+  /// changed here look as the case's author chose, until the next case; what the user chose for others stays. Safe
+  /// colours are not given up for an author's.
   void setCase(std::shared_ptr<const PatientCase> patient);
 
   HistogramEditor& histogram() { return *histogram_; }
 
   views::ColourScheme colourScheme() const { return scheme_; }
-  /// Gives all structures the scheme's colours.
+  /// Gives all structures the scheme's colours, or with the usual scheme those of the case.
   void setColourScheme(views::ColourScheme scheme);
-  /// All shown, with the colours of the scheme and the usual opacities.
+  /// As the case's author chose, else all shown, with the colours of the scheme and the usual opacities.
   void showUsual();
 
   /// All but the clipping plane, which belongs to one patient.
@@ -67,6 +70,15 @@ class ScenePanel : public QWidget {
   void scrollToHistogram();
   /// Coarser from now on until nothing has changed for a moment.
   void live();
+  struct Look {
+    views::Colour colour;
+    double opacity = 1;
+    bool visible = true;
+  };
+  Look look(std::uint8_t label) const;
+  void setLook(std::uint8_t label, const Look& look);
+  views::Colour caseColour(std::uint8_t label) const;
+  void takeLooks();
 
   std::shared_ptr<views::SceneView> scene_;
   ValueSlider* skin_ = nullptr;
@@ -76,6 +88,8 @@ class ScenePanel : public QWidget {
   HistogramEditor* histogram_ = nullptr;
   ClippingControls* clipping_ = nullptr;
   EyeControls* eyes_ = nullptr;
+  std::shared_ptr<const PatientCase> patient_;
+  std::map<std::uint8_t, Look> own_;  ///< the user's, of structures that look as the case says
   views::ColourScheme scheme_ = views::ColourScheme::Usual;
   bool structuresHere_ = true, refreshing_ = false, refreshDue_ = false;
   QTimer rest_;

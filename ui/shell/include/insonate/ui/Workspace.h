@@ -48,6 +48,8 @@ class Workspace : public QWidget {
 
   /// What was changed here and is not on disk yet; null without changes. The window asks before it would be lost.
   virtual CaseEdit unsavedEdit() const { return {}; }
+  /// What is written along with the case, but is not worth a question, as what is shown and hidden; null without.
+  virtual CaseEdit quietEdit() const { return {}; }
   /// The case was written, with every workspace's edit: it is `patient` from now on.
   virtual void caseSaved(std::shared_ptr<const PatientCase> patient) { setCase(std::move(patient)); }
 
@@ -81,7 +83,7 @@ class Workspace : public QWidget {
  Q_SIGNALS:
   void statusChanged();  ///< statusText() or engineText() have a new value
   void readyChanged();
-  void editsChanged();  ///< unsavedEdit() began or ceased to be null
+  void editsChanged();  ///< unsavedEdit() or quietEdit() began or ceased to be null
   void saveWanted();    ///< the case is to be written where it is kept
   /// A sentence that says what happened, and one that says what to do; details are folded away. Shown in the window.
   void failed(const QString& what, const QString& advice, const QString& details);
