@@ -3,7 +3,7 @@
 #include "hand/KeyTable.h"
 #include "image/CineBar.h"
 #include "image/CtBeside.h"
-#include "image/EqualColumns.h"
+#include "image/EqualPanes.h"
 #include "image/ImageInput.h"
 #include "image/LinkedPointer.h"
 #include "image/SliceMeasure.h"
@@ -111,7 +111,7 @@ QWidget* TrainWorkspace::Parts::buildCentre() {
   box->setSpacing(0);
   box->addWidget(empty_, 1);
   beside_ = new CtBeside(session, centre);
-  pictures_ = new EqualColumns(centre);
+  pictures_ = new EqualPanes(centre);
   pictures_->add(imageWidget_);
   pictures_->add(&beside_->widget());
   box->addWidget(pictures_, 1);

@@ -27,7 +27,7 @@ struct KeyRow;
 class CineBar;
 class ControlsPanel;
 class CtBeside;
-class EqualColumns;
+class EqualPanes;
 class FovHandles;
 class ImageInput;
 class LinkedPointer;
@@ -92,7 +92,7 @@ class TrainWorkspace::Parts : public QObject {
   TrainWorkspace& workspace_;
   std::shared_ptr<views::UltrasoundView> image_;
   ui::ViewWidget* imageWidget_ = nullptr;
-  EqualColumns* pictures_ = nullptr;
+  EqualPanes* pictures_ = nullptr;
   QLabel* empty_ = nullptr;
   ImageInput* input_ = nullptr;
   CineBar* cine_ = nullptr;

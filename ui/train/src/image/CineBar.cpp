@@ -120,7 +120,7 @@ void CineBar::refreshTime() {
   const QSignalBlocker quiet(slider_);
   slider_->setValue(session_.cineIndex());
   const double ago_s = session_.cine().back()->time_s - session_.shown()->time_s;
-  time_->setText(tr("-%1 s").arg(ago_s, 0, 'f', 2));
+  time_->setText(ago_s < 0.005 ? tr("now") : tr("-%1 s").arg(ago_s, 0, 'f', 2));
 }
 
 }  // namespace insonate::train
