@@ -16,20 +16,21 @@ INSONATE_FOR_ALL_ENGINES(Displaced);
 
 constexpr int kLines = 128, kSamples = 500;
 
-/// Layers, a vessel and bone under a level skin at z = 0.
+/// Layers, a vessel, bone and gas under a level skin at z = 0.
 LabelPhantom layers() {
   return paint(
-      gridOver({-36, -14, -21}, {36, 14, 70}, {0.9, 0.9, 0.7}),
+      gridOver({-63, -14, -35}, {63, 14, 70}, {0.9, 0.9, 0.7}),
       [](Vec3 p) {
         if (p.z < 0) return kBackground;
         if (p.z < 2.1) return kSkin;
         if (p.z < 7) return kFat;
+        if (p.x > 12 && p.z > 11.2) return kAirway;
         if (std::hypot(p.x + 6, p.z - 16 + 0.1 * p.y) < 5) return kVein;
         return std::hypot(p.x - 9, p.z - 22) < 4 ? kBone : kMuscle;
       },
       [](Vec3 p) { return std::lround(30 * std::sin(0.8 * p.x) * std::cos(0.9 * p.z) + 20 * std::sin(0.7 * p.y)); });
 }
-const Region kAll{{-36, -14, -21}, {36, 14, 70}};
+const Region kAll{{-63, -14, -35}, {63, 14, 70}};
 
 ImagingSettings fullSettings(const Probe& probe, Look look) {
   ImagingSettings settings = settingsFor(probe);
@@ -61,7 +62,7 @@ TEST_P(Displaced, TheSameShiftEverywhereIsAMovedProbe) {
       const Transform pose = turned({0, 1, 0}, 5), there = pose * moved({0.73, 0, -1.31});
       const EnvelopeFrame seen = render(probe, settings, scene, pose, shift);
       const double error = relativeError(seen, render(probe, settings, scene, there));
-      EXPECT_LT(error, 0.002) << name;
+      EXPECT_LT(error, 2e-4) << name;
       EXPECT_GT(relativeError(seen, render(probe, settings, scene, pose)), 0.1) << name;
       record(std::string(name) + (look == Look::Thesis ? "_thesis" : "") + "_relative_error", error);
     }

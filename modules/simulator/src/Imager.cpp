@@ -57,9 +57,10 @@ Result<Imager> Imager::make(const ImagingSetup& setup) {
   return Imager(std::move(*engine), Display(setup.probe, setup.settings));
 }
 
-void Imager::render(const AcousticScene& scene, const Transform& patientFromProbe, ImagingFrame& frame) {
+void Imager::render(const AcousticScene& scene, const Transform& patientFromProbe,
+                    const PlaneDisplacement& displacement, ImagingFrame& frame) {
   const auto start = Clock::now();
-  engine_->render(scene, patientFromProbe, frame.envelope);
+  engine_->render(scene, patientFromProbe, displacement, frame.envelope);
   display_.process(frame.envelope, frame.image);
   frame.frame_ms = millisecondsSince(start);
 

@@ -16,12 +16,19 @@ class EngineRows {
   /// Settings to be measured, the plan's own first.
   const std::vector<ImagingSettings>& settings() const { return settings_; }
   /// Appends the rows of one of them: every engine, on one thread and, where it uses them, on all.
-  Result<void> measure(const ImagingSettings& settings, std::vector<UltrasoundBenchRow>& rows) const;
+  Result<void> measure(const ImagingSettings& settings, std::vector<UltrasoundBenchRow>& rows) const {
+    return measure(settings, {}, rows);
+  }
+  /// The same for the plan's own settings and tissue under pressure.
+  Result<void> measureDisplaced(std::vector<UltrasoundBenchRow>& rows) const;
 
  private:
   EngineRows(const UltrasoundBenchPlan& plan, const AcousticScene& scene, std::span<const Transform> path);
+  Result<void> measure(const ImagingSettings& settings, const PlaneDisplacement& displacement,
+                       std::vector<UltrasoundBenchRow>& rows) const;
   Result<void> renderDense();
-  Result<void> addDiscretisation(const ImagingSettings& settings, UltrasoundBenchRow& row) const;
+  Result<void> addDiscretisation(const ImagingSettings& settings, const PlaneDisplacement& displacement,
+                                 UltrasoundBenchRow& row) const;
 
   const UltrasoundBenchPlan* plan_;
   const AcousticScene* scene_;

@@ -43,8 +43,8 @@ FrameTimes timeFrames(const Patience& patience, const std::function<void(int fra
           quantile(cpu_ms, 0.5)};
 }
 
-TimedFrames timeImager(Imager& imager, const AcousticScene& scene, std::span<const Transform> path, int threads,
-                       const Patience& patience) {
+TimedFrames timeImager(Imager& imager, const AcousticScene& scene, std::span<const Transform> path,
+                       const PlaneDisplacement& displacement, int threads, const Patience& patience) {
   tbb::task_arena arena(threads);
   TimedFrames result;
   ImagingFrame frame;
@@ -53,7 +53,7 @@ TimedFrames timeImager(Imager& imager, const AcousticScene& scene, std::span<con
   arena.execute([&] {
     result.times = timeFrames(patience, [&](int i) {
       const int at = i % period;
-      imager.render(scene, path[std::min(at, period - at)], frame);
+      imager.render(scene, path[std::min(at, period - at)], displacement, frame);
       stages.resize(frame.stages.size());
       if (i < patience.warmUp) return;
       for (std::size_t s = 0; s < stages.size(); ++s) stages[s].push_back(frame.stages[s].ms);

@@ -17,13 +17,13 @@ struct Patience {
 /// Milliseconds of repeated calls; `frame` gets the number of the call.
 FrameTimes timeFrames(const Patience& patience, const std::function<void(int frame)>& frame);
 
-/// Whole frames, engine and display, of a probe that moves along `path` and back, on an arena of `threads`. Stages get
-/// the median and the least of their times.
+/// Whole frames, engine and display, of a probe that moves along `path` and back, over tissue displaced in its plane,
+/// on an arena of `threads`. Stages get the median and the least of their times.
 struct TimedFrames {
   FrameTimes times;
   std::vector<StageTime> stages;
 };
-TimedFrames timeImager(Imager& imager, const AcousticScene& scene, std::span<const Transform> path, int threads,
-                       const Patience& patience);
+TimedFrames timeImager(Imager& imager, const AcousticScene& scene, std::span<const Transform> path,
+                       const PlaneDisplacement& displacement, int threads, const Patience& patience);
 
 }  // namespace insonate::bench

@@ -42,7 +42,12 @@ class Imager {
   static Result<Imager> make(const ImagingSetup& setup);
 
   /// Allocates nothing once `frame` has been used before. `patientFromProbe` is rigid (see ProbePose.h).
-  void render(const AcousticScene& scene, const Transform& patientFromProbe, ImagingFrame& frame);
+  void render(const AcousticScene& scene, const Transform& patientFromProbe, ImagingFrame& frame) {
+    render(scene, patientFromProbe, {}, frame);
+  }
+  /// Of displaced tissue; see Engine.h.
+  void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
+              ImagingFrame& frame);
 
  private:
   Imager(std::unique_ptr<Engine> engine, Display display) : engine_(std::move(engine)), display_(std::move(display)) {}
