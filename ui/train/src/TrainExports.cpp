@@ -1,5 +1,6 @@
 // The part of the workspace that writes pictures and clips.
 #include "TrainParts.h"
+#include "image/ImageInput.h"
 
 #include <insonate/ui/TaskBar.h>
 
@@ -46,14 +47,18 @@ void TrainWorkspace::Parts::saveClip(const std::filesystem::path& folder) {
 
 void TrainWorkspace::Parts::askPicture() {
   if (!session.shown()) return session.say(tr("There is no picture yet."));
+  const bool wasFrozen = session.isFrozen();
   session.setFrozen(true);  // The picture that the user saw, whatever the dialog takes.
   const QString name = exportName(QString::fromStdString(session.patient()->manifest.title)) + ".png";
   QString file = QFileDialog::getSaveFileName(&workspace_, tr("Save the picture"), QDir(exportFolder).filePath(name),
                                               tr("PNG picture (*.png)"));
-  if (file.isEmpty()) return;
-  if (QFileInfo(file).suffix().isEmpty()) file += ".png";
-  exportFolder = QFileInfo(file).path();
-  savePicture(file.toStdString());
+  if (!file.isEmpty()) {
+    if (QFileInfo(file).suffix().isEmpty()) file += ".png";
+    exportFolder = QFileInfo(file).path();
+    savePicture(file.toStdString());
+  }
+  // What was measured goes with the picture it lies on.
+  if (!wasFrozen && input_->callipers().done().empty()) session.setFrozen(false);
 }
 
 void TrainWorkspace::Parts::askClip() {

@@ -16,7 +16,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSettings>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -77,7 +76,7 @@ QVBoxLayout* column(QWidget* widget) {
 }  // namespace
 
 ControlsPanel::ControlsPanel(TrainSession& session, ProbeLibrary& library, QWidget* parent)
-    : QWidget(parent), session_(session), library_(library) {
+    : ScrollingColumn(parent), session_(session), library_(library) {
   setObjectName("trainControls");
   auto* inner = new QWidget;
   auto* box = new QVBoxLayout(inner);
@@ -86,17 +85,7 @@ ControlsPanel::ControlsPanel(TrainSession& session, ProbeLibrary& library, QWidg
   box->addWidget(buildPlace());
   box->addWidget(buildPicture());
   box->addStretch();
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidget(inner);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
-  outer->setSpacing(0);
-  outer->addWidget(scroll, 1);
-  outer->addWidget(buildFreeze());
+  setParts(inner, buildFreeze());
   setMinimumWidth(inner->minimumSizeHint().width() + 16);
 
   connect(&session_, &TrainSession::setupChanged, this, [this] { refresh(); });

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <QWidget>
+#include "ScrollingColumn.h"
+
 #include <vector>
 
 class QComboBox;
@@ -25,7 +26,7 @@ class TgcSliders;
 class TrainSession;
 
 /// The narrow panel: where the probe is, and how the picture is made, the most used first; freeze at its foot.
-class ControlsPanel : public QWidget {
+class ControlsPanel : public ScrollingColumn {
  public:
   ControlsPanel(TrainSession& session, ProbeLibrary& library, QWidget* parent = nullptr);
 

@@ -217,7 +217,9 @@ void FitDialog::load(const QString& title, std::function<Result<QImage>()> read)
 void FitDialog::fitted(Result<std::shared_ptr<Loaded>> result) {
   if (!result) {
     const bool stopped = result.error().message == kCancelled;
-    return say(stopped ? tr("Stopped.") : QString::fromStdString(result.error().message), !stopped);
+    QString sentence = stopped ? tr("Stopped.") : QString::fromStdString(result.error().message);
+    if (!picture_.isNull()) sentence += QLatin1Char('\n') + tr("What is shown is still the picture before.");
+    return say(sentence, !stopped);
   }
   Loaded& loaded = **result;
   picture_ = loaded.picture;

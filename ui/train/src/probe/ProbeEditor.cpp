@@ -13,7 +13,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -71,7 +70,7 @@ QPushButton* button(const QString& text, const char* object, const QString& tip)
 }  // namespace
 
 ProbeEditor::ProbeEditor(TrainSession& session, ProbeLibrary& library, QWidget* parent)
-    : QWidget(parent), session_(session), library_(library), draft_(session.probe()) {
+    : ScrollingColumn(parent), session_(session), library_(library), draft_(session.probe()) {
   setObjectName("probeEditor");
   auto* inner = new QWidget;
   auto* box = new QVBoxLayout(inner);
@@ -80,17 +79,7 @@ ProbeEditor::ProbeEditor(TrainSession& session, ProbeLibrary& library, QWidget* 
   buildHead(*box);
   buildNumbers(*box);
   box->addStretch();
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidget(inner);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
-  outer->setSpacing(0);
-  outer->addWidget(scroll, 1);
-  outer->addWidget(buildFoot());
+  setParts(inner, buildFoot());
   connect(&session_, &TrainSession::setupChanged, this, [this] {
     if (!refreshing_) show(session_.probe());
   });

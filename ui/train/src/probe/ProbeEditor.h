@@ -1,8 +1,9 @@
 #pragma once
 
+#include "../panel/ScrollingColumn.h"
+
 #include <insonate/ultrasound/Probe.h>
 
-#include <QWidget>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ class TrainSession;
 
 /// Every number of a probe, with the live picture as its preview: what is valid is used at once, what is not is said
 /// beside the control. Undo is the session's.
-class ProbeEditor : public QWidget {
+class ProbeEditor : public ScrollingColumn {
   Q_OBJECT
 
  public:
