@@ -1,4 +1,5 @@
 #include "TrainWindow.h"
+#include "scene/FourSlices.h"
 
 #include <insonate/views/MprView.h>
 #include <insonate/views/UltrasoundView.h>
@@ -53,6 +54,11 @@ TEST_F(TrainLayout, TheCtStandsBesideThePictureAtTheSameScale) {
     return std::hypot(here.x - there.x, here.y - there.y) < 1e-3;
   };
   EXPECT_TRUE(same());
+  EXPECT_GT(beside()->y(), picture()->y()) << "below it, where that makes both larger";
+  workspace_->resize(1800, 700);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return beside()->x() > picture()->x(); }, 5000));
+  EXPECT_EQ(beside()->size(), picture()->size());
+  EXPECT_TRUE(QTest::qWaitFor(same, 5000));
   key(Qt::Key_Right, Qt::ShiftModifier);
   key(Qt::Key_E, Qt::ShiftModifier);
   settle();
@@ -125,6 +131,41 @@ TEST_F(TrainLayout, EffectsAloneAreGoneThroughByKeysAndSaidToBeSo) {
   key(Qt::Key_0);
   EXPECT_EQ(effects->currentIndex(), 0);
   EXPECT_EQ(workspace_->statusText(), "The whole picture again.");
+}
+
+TEST_F(TrainLayout, AllSlicesAtOnceHaveOneCrosshair) {
+  openCase();
+  auto* all = child<FourSlices>("fourSlices");
+  const QList<int> widths = child<QSplitter>("trainColumns")->sizes();
+  key(Qt::Key_X);
+  ASSERT_TRUE(all->isVisible());
+  EXPECT_NEAR(all->width(), picture()->width(), 24) << "as much room as the picture";
+  const auto middle = [&] { return session_->pose() * Vec3{0, 0, session_->settings().depth_mm / 2}; };
+  const auto crosshairAt = [&](Vec3 place) {
+    for (std::size_t n = 0; n < FourSlices::kCount; ++n)
+      if (norm(all->slice(n).crosshair_mm() - place) > 1e-6) return false;
+    return true;
+  };
+  EXPECT_TRUE(QTest::qWaitFor([&] { return crosshairAt(middle()); }, kPatience_ms)) << "where the probe looks";
+  key(Qt::Key_Right, Qt::ShiftModifier);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return crosshairAt(middle()); }, kPatience_ms)) << "and goes with it";
+  const Vec3 before = all->slice(1).crosshair_mm();
+  QTest::keyClick(all->widget(1).focusProxy(), Qt::Key_Up);
+  EXPECT_NEAR(std::abs(all->slice(1).crosshair_mm().z - before.z), 1, 1e-6) << "the slice's own key";
+  EXPECT_TRUE(crosshairAt(all->slice(1).crosshair_mm())) << "all go with the one that is moved";
+  key(Qt::Key_2, Qt::AltModifier);
+  for (std::size_t n = 0; n < FourSlices::kCount; ++n)
+    EXPECT_EQ(all->slice(n).windowLevel(), views::windowLevelPresets()[1].value) << n;
+
+  test::TemporaryFolder folder;
+  QSettings settings(QString::fromStdString((folder / "layout.ini").string()), QSettings::IniFormat);
+  workspace_->saveLayout(settings);
+  TrainWorkspace other;
+  other.restoreLayout(settings);
+  EXPECT_FALSE(other.findChild<QWidget*>("fourSlices")->isHidden());
+  key(Qt::Key_X);
+  EXPECT_FALSE(all->isVisible());
+  EXPECT_EQ(child<QSplitter>("trainColumns")->sizes(), widths) << "and back";
 }
 
 TEST_F(TrainLayout, FullSizeBringsBackNothingThatWasSwitchedOff) {

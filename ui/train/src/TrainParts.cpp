@@ -15,6 +15,7 @@
 #include "probe/FovHandles.h"
 #include "probe/ProbeEditor.h"
 #include "probe/ProbeLibrary.h"
+#include "scene/FourSlices.h"
 #include "scene/PatientViews.h"
 
 #include <insonate/ui/ViewWidget.h>
@@ -76,6 +77,11 @@ TrainWorkspace::Parts::Parts(TrainWorkspace& workspace)
   pointer_ = new LinkedPointer(session, *image_, picture, this);
   pointer_->addSlice(patient->mpr(), slice);
   pointer_->addSlice(beside_->view(), beside);
+  FourSlices& four = patient->allSlices();
+  for (std::size_t n = 0; n < FourSlices::kCount; ++n) {
+    pointer_->addSlice(four.slice(n), *four.widget(n).focusProxy());
+    four.widget(n).focusProxy()->installEventFilter(&workspace);
+  }
   buildActions();
   connectParts();
   connectProbe();
@@ -147,6 +153,18 @@ void TrainWorkspace::Parts::setLeftHanded(bool on) {
   columns->setSizes(sizes);
 }
 
+void TrainWorkspace::Parts::giveRoom(bool more) {
+  QList<int> widths = columns->sizes();
+  if (more) {
+    widthsBefore_ = widths;
+    const int aside = columns->indexOf(patient), shared = widths[1] + widths[aside];
+    widths[1] = shared / 2, widths[aside] = shared - shared / 2;
+    columns->setSizes(widths);
+  } else if (widthsBefore_.size() == widths.size()) {
+    columns->setSizes(widthsBefore_);
+  }
+}
+
 void TrainWorkspace::Parts::setCtBeside(bool on) {
   besideAction_->setChecked(on);
   // Leaving full size would bring back what was there before.
@@ -176,6 +194,7 @@ void TrainWorkspace::Parts::connectParts() {
   });
   input_->setMeasured([this] { showCallipers(); });
   patient->setWindowChanged([this](views::WindowLevel window) { beside_->view().setWindowLevel(window); });
+  patient->setRoomWanted([this](bool more) { giveRoom(more); });
   connect(cine_, &CineBar::calliperChosen, this, [this](int kind) { chooseCalliper(kind); });
   connect(cine_, &CineBar::clearCallipers, this, [this] { clearCallipers(); });
   connect(cine_, &CineBar::ctBesideChosen, this, [this](bool on) { setCtBeside(on); });
@@ -309,6 +328,8 @@ void TrainWorkspace::Parts::act(const KeyRow& row, bool wide, bool repeated) {
       return session.setEffect(TrainSession::kWholeModel);
     case Command::CtBeside:
       return setCtBeside(!isCtBeside());
+    case Command::AllSlices:
+      return patient->setAllSlices(!patient->showsAllSlices());
     case Command::SliceWindow:
       return patient->setSliceWindow(row.place);
   }
@@ -323,8 +344,8 @@ void TrainWorkspace::Parts::takeKeyboard(QObject* canvas) {
 }
 
 bool TrainWorkspace::Parts::sliceKey(const QObject* canvas, const QKeyEvent& event) const {
-  if (canvas != patient->mprWidget().focusProxy() || event.modifiers() & (Qt::ControlModifier | Qt::AltModifier))
-    return false;
+  const views::MprView* slice = patient->sliceOf(canvas);
+  if (!slice || event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) return false;
   switch (event.key()) {
     case Qt::Key_A:
     case Qt::Key_D:
@@ -338,7 +359,7 @@ bool TrainWorkspace::Parts::sliceKey(const QObject* canvas, const QKeyEvent& eve
     case Qt::Key_Right:
     case Qt::Key_PageUp:
     case Qt::Key_PageDown:
-      return patient->mpr().kind() != views::SliceKind::Oblique;
+      return slice->kind() != views::SliceKind::Oblique;
     default:
       return false;
   }

@@ -59,6 +59,8 @@ class TrainWorkspace::Parts : public QObject {
   void setLeftHanded(bool on);
   bool isCtBeside() const { return besideAction_->isChecked(); }
   void setCtBeside(bool on);
+  /// To the patient's column, of the picture's; or back.
+  void giveRoom(bool more);
 
   bool key(const QKeyEvent& event, bool act);
   /// For canvases: keys of the table, and the keyboard follows the mouse to the picture.
@@ -106,6 +108,7 @@ class TrainWorkspace::Parts : public QObject {
   QAction *leftHanded_ = nullptr, *besideAction_ = nullptr;
   std::shared_ptr<const ImagingSetup> shape_;  ///< of the picture as laid out
   std::vector<std::unique_ptr<PictureWriter>> writers_;
+  QList<int> widthsBefore_;  ///< of the columns, before the patient's had more room
   bool effectAlone_ = false;
   std::unique_ptr<LiveMeasure> measure_;
   std::unique_ptr<SceneMeasure> volumeMeasure_;

@@ -57,9 +57,14 @@ void TrainWorkspace::saveLayout(QSettings& settings) const {
   settings.setValue("ctBeside", parts_->isCtBeside());
   settings.setValue("exportFolder", parts_->exportFolder);
   settings.setValue("labelOpacity", parts_->patient->mpr().labelOpacity());
+  const bool allSlices = parts_->patient->showsAllSlices();
+  // Four slices take their room again when they are back.
+  parts_->patient->setAllSlices(false);
   settings.setValue("columns", parts_->columns->saveState());
   settings.setValue("patientViews", parts_->patient->splitter().saveState());
+  parts_->patient->setAllSlices(allSlices);
   settings.setValue("slice", int(parts_->patient->mpr().kind()));
+  settings.setValue("allSlices", allSlices);
   settings.beginGroup("scene");
   parts_->patient->scenePanel().save(settings);
   settings.endGroup();
@@ -76,6 +81,7 @@ void TrainWorkspace::restoreLayout(QSettings& settings) {
   parts_->patient->splitter().restoreState(settings.value("patientViews").toByteArray());
   const int slice = settings.value("slice", int(views::SliceKind::Oblique)).toInt();
   parts_->patient->setSliceKind(views::SliceKind(std::clamp(slice, 0, int(views::SliceKind::Oblique))));
+  if (settings.value("allSlices", false).toBool()) parts_->patient->setAllSlices(true);
   settings.beginGroup("scene");
   parts_->patient->scenePanel().restore(settings);
   settings.endGroup();

@@ -63,6 +63,7 @@ constexpr KeyRow kKeys[] = {
           "one effect of the picture by itself: the next, the one before"),
     plain(Qt::Key_0, Command::WholePicture, "0", "the whole picture again"),
     plain(Qt::Key_C, Command::CtBeside, "C", "the CT of the same plane beside the picture, and back"),
+    plain(Qt::Key_X, Command::AllSlices, "X", "probe plane, axial, coronal and sagittal CT at once, and back"),
     window(0, "Alt+1 to Alt+5", "window of the CT: soft tissue, bone, lung, abdomen, brain"),
     window(1, "", ""),
     window(2, "", ""),

@@ -28,6 +28,7 @@ enum class Command {
   NextEffect,
   WholePicture,
   CtBeside,
+  AllSlices,
   SliceWindow,
 };
 

@@ -1,6 +1,7 @@
 #include "PatientViews.h"
 
 #include "../TrainSession.h"
+#include "FourSlices.h"
 #include "SceneInput.h"
 #include "SliceMenu.h"
 
@@ -28,8 +29,9 @@ constexpr double kShare = 0.2;
 constexpr int kSoonest_ms = 50, kLatest_ms = 800, kLatestWithCt_ms = 85;
 /// After this long without a move, 3D is drawn in full detail.
 constexpr int kRest_ms = 400;
-/// The tab beside those of the slices.
-constexpr int kScenePanel = 100;
+constexpr int kSceneShare = 35;  // of the height, beside four slices, in percent
+/// The tabs beside those of the slices.
+constexpr int kScenePanel = 100, kAllSlices = 101;
 constexpr double kAcross_deg = 10, kUp_deg = 42, kRoomForProbe = 0.8;
 
 struct Kind {
@@ -104,6 +106,8 @@ QWidget* PatientViews::buildMpr() {
   for (const Kind& kind : kKinds)
     addTab(int(kind.kind), tr(kind.name), tr("%1 slice").arg(tr(kind.name)), tr(kind.says));
   kinds_->button(int(views::SliceKind::Oblique))->setChecked(true);
+  addTab(kAllSlices, tr("All"), tr("All slices"), tr("The four of them at once, with one crosshair (X)"))
+      ->setObjectName(QStringLiteral("allSlicesTab"));
   row->addStretch();
   addTab(kScenePanel, tr("3D"), tr("What the 3D view shows"),
          tr("What the 3D view above shows: skin, structures, CT volume, clipping plane, stereo"))
@@ -118,10 +122,15 @@ QWidget* PatientViews::buildMpr() {
   how->setMenu(sliceMenu_);
   how->setFocusPolicy(Qt::TabFocus);
   row->addWidget(how);
-  connect(kinds_, &QButtonGroup::idClicked, this,
-          [this](int id) { id == kScenePanel ? showScenePanel(true) : setSliceKind(views::SliceKind(id)); });
+  connect(kinds_, &QButtonGroup::idClicked, this, [this](int id) {
+    if (id == kScenePanel) return showBelow(sceneScroll_);
+    id == kAllSlices ? setAllSlices(true) : setSliceKind(views::SliceKind(id));
+  });
   box->addLayout(row);
   box->addWidget(mprWidget_, 1);
+  four_ = new FourSlices(pane);
+  four_->hide();
+  box->addWidget(four_, 1);
   box->addWidget(buildScenePanel(pane), 1);
   return pane;
 }
@@ -129,7 +138,10 @@ QWidget* PatientViews::buildMpr() {
 QWidget* PatientViews::buildScenePanel(QWidget* parent) {
   scenePanel_ = new ui::ScenePanel(scene_);
   connect(scenePanel_, &ui::ScenePanel::coloursChanged, this, [this] {
-    for (const LabelInfo& info : labelTable()) mpr_->setLabelColour(info.label, scene_->colour(info.label));
+    for (const LabelInfo& info : labelTable()) {
+      mpr_->setLabelColour(info.label, scene_->colour(info.label));
+      four_->setLabelColour(info.label, scene_->colour(info.label));
+    }
   });
   sceneScroll_ = new QScrollArea(parent);
   sceneScroll_->setWidget(scenePanel_);
@@ -141,16 +153,49 @@ QWidget* PatientViews::buildScenePanel(QWidget* parent) {
   return sceneScroll_;
 }
 
-void PatientViews::showScenePanel(bool shown) {
-  sceneScroll_->setVisible(shown);
-  mprWidget_->setVisible(!shown);
-  howSliced_->setVisible(!shown);
+void PatientViews::showBelow(QWidget* shown) {
+  if ((shown == four_) != showsAllSlices()) giveRoom(shown == four_);
+  for (QWidget* one :
+       {static_cast<QWidget*>(mprWidget_), static_cast<QWidget*>(four_), static_cast<QWidget*>(sceneScroll_)})
+    one->setVisible(one == shown);
+  howSliced_->setVisible(shown == mprWidget_);
   scenePanel_->histogram().setWindowLevel(mpr_->windowLevel());
+}
+
+/// To four slices the larger part of the column's height, and as much width as the picture has.
+void PatientViews::giveRoom(bool more) {
+  if (more) {
+    splitBefore_ = splitter_->saveState();
+    splitter_->setSizes({kSceneShare, 100 - kSceneShare});
+  } else if (!splitBefore_.isEmpty()) {
+    splitter_->restoreState(splitBefore_);
+  }
+  if (roomWanted_) roomWanted_(more);
+}
+
+bool PatientViews::showsAllSlices() const {
+  return !four_->isHidden();
+}
+
+void PatientViews::setAllSlices(bool on) {
+  if (!on) return setSliceKind(mpr_->kind());
+  kinds_->button(kAllSlices)->setChecked(true);
+  four_->setWindowLevel(mpr_->windowLevel());
+  four_->setLabelOpacity(mpr_->labelOpacity());
+  showBelow(four_);
+  want();
+}
+
+views::MprView* PatientViews::sliceOf(const QObject* canvas) {
+  if (canvas == mprWidget_->focusProxy()) return mpr_.get();
+  for (std::size_t n = 0; n < FourSlices::kCount; ++n)
+    if (canvas == four_->widget(n).focusProxy()) return &four_->slice(n);
+  return nullptr;
 }
 
 void PatientViews::setSliceKind(views::SliceKind kind) {
   if (auto* button = kinds_->button(int(kind))) button->setChecked(true);
-  showScenePanel(false);
+  showBelow(mprWidget_);
   mpr_->setKind(kind);
   mpr_->setCrosshairVisible(kind != views::SliceKind::Oblique);
   slicedAt_.reset();
@@ -172,8 +217,14 @@ void PatientViews::sliceToProbe() {
 }
 
 void PatientViews::setWindowChanged(const std::function<void(views::WindowLevel)>& listener) {
-  mpr_->setWindowLevelChanged(listener);
-  sliceMenu_->setChosen(listener);
+  const auto all = [this, listener](views::WindowLevel value) {
+    mpr_->setWindowLevel(value);
+    four_->setWindowLevel(value);
+    listener(value);
+  };
+  mpr_->setWindowLevelChanged(all);
+  four_->setWindowChanged(all);
+  sliceMenu_->setChosen(all);
 }
 
 void PatientViews::setSliceWindow(int preset) {
@@ -196,6 +247,7 @@ void PatientViews::showCase() {
   scene_->setImage({});
   // The slice waits for the probe: before, it has no plane to show.
   mpr_->setCase(nullptr);
+  four_->setCase(nullptr);
   sliceShown_ = false;
   mpr_->setFan(std::nullopt);
   mpr_->setCrosshairVisible(mpr_->kind() != views::SliceKind::Oblique);
@@ -230,7 +282,8 @@ void PatientViews::setFollowing(bool following) {
 void PatientViews::want() {
   if (!following_ || timer_.isActive()) return;
   const double cost_ms =
-      1000 * (scene_->renderer()->GetLastRenderTimeInSeconds() + mpr_->renderer()->GetLastRenderTimeInSeconds());
+      1000 * (scene_->renderer()->GetLastRenderTimeInSeconds() +
+              (showsAllSlices() ? four_->renderTime_s() : mpr_->renderer()->GetLastRenderTimeInSeconds()));
   const int latest_ms = scene_->isCtVisible() ? kLatestWithCt_ms : kLatest_ms;
   const int gap_ms = std::clamp(int(cost_ms / kShare), kSoonest_ms, latest_ms);
   const int since_ms =
@@ -242,7 +295,10 @@ void PatientViews::follow() {
   sinceFollowed_.start();
   const auto& frame = session_.shown();
   if (!frame && !session_.handReady()) return;
-  if (!std::exchange(sliceShown_, true)) mpr_->setCase(case_);
+  if (!std::exchange(sliceShown_, true)) {
+    mpr_->setCase(case_);
+    four_->setCase(case_);
+  }
   if (!frame) {
     mpr_->setFan(session_.probe(), session_.settings());
     mpr_->setProbePose(session_.pose());
@@ -263,6 +319,7 @@ void PatientViews::follow() {
   mpr_->setProbePose(pose);
   // Slices follow the probe when it moves; in between, they are the user's.
   sliceToProbe();
+  if (showsAllSlices()) four_->follow(frame->setup, pose);
   if (frame != followed_) scene_->setImage(frame->image);
   if (cameraDue_ && sceneWidget_->isVisible()) placeCamera();
   followed_ = frame;

@@ -5,6 +5,7 @@
 #include <insonate/views/MprView.h>
 #include <insonate/views/SceneView.h>
 
+#include <QByteArray>
 #include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
@@ -24,6 +25,7 @@ class ViewWidget;
 
 namespace insonate::train {
 
+class FourSlices;
 class SliceMenu;
 class TrainSession;
 
@@ -42,6 +44,14 @@ class PatientViews : public QWidget {
   ui::ScenePanel& scenePanel() { return *scenePanel_; }
 
   void setSliceKind(views::SliceKind kind);
+  /// The probe's plane, axial, coronal and sagittal at once, with one crosshair.
+  void setAllSlices(bool on);
+  bool showsAllSlices() const;
+  /// Called when four slices begin to need more room than one, and when they cease to.
+  void setRoomWanted(std::function<void(bool more)> listener) { roomWanted_ = std::move(listener); }
+  FourSlices& allSlices() { return *four_; }
+  /// Null for a canvas that shows none.
+  views::MprView* sliceOf(const QObject* canvas);
   /// One of views::windowLevelPresets().
   void setSliceWindow(int preset);
   /// Called when the user changed window or level of the slice.
@@ -52,8 +62,9 @@ class PatientViews : public QWidget {
  private:
   QWidget* buildMpr();
   QWidget* buildScenePanel(QWidget* parent);
-  /// In the place of the slice.
-  void showScenePanel(bool shown);
+  /// Slice, all slices, or what 3D shows.
+  void showBelow(QWidget* shown);
+  void giveRoom(bool more);
   void showCase();
   void showSurface(int label, const Mesh& mesh);
   void placeCamera();
@@ -72,6 +83,9 @@ class PatientViews : public QWidget {
   QButtonGroup* kinds_ = nullptr;
   SliceMenu* sliceMenu_ = nullptr;
   QToolButton* howSliced_ = nullptr;
+  FourSlices* four_ = nullptr;
+  std::function<void(bool)> roomWanted_;
+  QByteArray splitBefore_;  ///< of 3D and the slice, before there were four
   ui::ScenePanel* scenePanel_ = nullptr;
   QScrollArea* sceneScroll_ = nullptr;
   std::shared_ptr<const LiveFrame> followed_;

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <insonate/views/MprView.h>
+
+#include <QWidget>
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace insonate {
+struct ImagingSetup;
+}
+namespace insonate::ui {
+class ViewWidget;
+}
+
+namespace insonate::train {
+
+/// The CT in the probe's plane and along the body, all at once, with one crosshair.
+class FourSlices : public QWidget {
+ public:
+  explicit FourSlices(QWidget* parent = nullptr);
+  ~FourSlices() override;
+
+  /// As it is shown from now on; the crosshair goes to the probe with the next follow().
+  void setCase(const std::shared_ptr<views::VtkCase>& patient);
+  /// The probe's plane is the probe's; when the probe has moved, the crosshair goes to the middle of its picture.
+  void follow(const std::shared_ptr<const ImagingSetup>& setup, const Transform& patientFromProbe);
+  void setWindowLevel(views::WindowLevel value);
+  /// Called when the user changed window or level of one of them.
+  void setWindowChanged(const std::function<void(views::WindowLevel)>& listener);
+  void setLabelOpacity(double opacity);
+  void setLabelColour(std::uint8_t label, views::Colour colour);
+  /// Of the last renderings together.
+  double renderTime_s() const;
+
+  static constexpr std::size_t kCount = 4;
+  views::MprView& slice(std::size_t n) { return *slices_[n]; }
+  ui::ViewWidget& widget(std::size_t n) { return *widgets_[n]; }
+
+ private:
+  void setCrosshair(Vec3 position_mm);
+
+  std::array<std::shared_ptr<views::MprView>, kCount> slices_;
+  std::array<ui::ViewWidget*, kCount> widgets_{};
+  std::shared_ptr<const ImagingSetup> shape_;  ///< of the probe as outlined
+  std::optional<Transform> pose_;
+};
+
+}  // namespace insonate::train
