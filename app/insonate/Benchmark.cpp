@@ -104,8 +104,12 @@ void Benchmark::measureVolume() {
     add(QStringLiteral("volume_zoom_frames_per_second"), rates.zoomPerSecond, QStringLiteral("1/s"));
     add(QStringLiteral("volume_probe_frames_per_second"), rates.followPerSecond, QStringLiteral("1/s"));
     add(QStringLiteral("volume_exact_after"), rates.exact_ms, QStringLiteral("ms"));
-    add(QStringLiteral("volume_longest_hold_moving"), rates.movingHold_ms, QStringLiteral("ms"));
-    add(QStringLiteral("volume_longest_hold_at_rest"), rates.restHold_ms, QStringLiteral("ms"));
+    for (const auto& [name, holds] :
+         {std::pair{"volume_hold_moving_%1", rates.moving}, {"volume_hold_at_rest_%1", rates.rest}}) {
+      add(QString::fromLatin1(name).arg(QStringLiteral("median")), holds.median_ms, QStringLiteral("ms"));
+      add(QString::fromLatin1(name).arg(QStringLiteral("least")), holds.least_ms, QStringLiteral("ms"));
+      add(QString::fromLatin1(name).arg(QStringLiteral("longest")), holds.longest_ms, QStringLiteral("ms"));
+    }
     // Not from within what is being measured.
     QTimer::singleShot(0, this, [this] { write(); });
   });

@@ -73,11 +73,31 @@ TEST_F(Program, MeasuresItsSpeed) {
     names << row["name"].toString();
     EXPECT_TRUE(std::isfinite(row["value"].toDouble(NAN))) << names.back().toStdString();
   }
-  for (const char* name :
-       {"logical_cores", "load_average_at_start", "start_to_first_image_cold", "start_to_first_image_warm",
-        "start_to_first_image_case", "open_case", "live_3d_idle_images_per_second", "live_3d_idle_latency_median",
-        "live_3d_idle_latency_p95", "live_3d_follows_images_per_second", "live_3d_follows_latency_median",
-        "live_3d_follows_latency_p95", "orbit_frames_per_second", "orbit_median", "orbit_p95"})
+  for (const char* name : {"logical_cores",
+                           "load_average_at_start",
+                           "start_to_first_image_cold",
+                           "start_to_first_image_warm",
+                           "start_to_first_image_case",
+                           "open_case",
+                           "live_3d_idle_images_per_second",
+                           "live_3d_idle_latency_median",
+                           "live_3d_idle_latency_p95",
+                           "live_3d_follows_images_per_second",
+                           "live_3d_follows_latency_median",
+                           "live_3d_follows_latency_p95",
+                           "orbit_frames_per_second",
+                           "orbit_median",
+                           "orbit_p95",
+                           "volume_orbit_frames_per_second",
+                           "volume_zoom_frames_per_second",
+                           "volume_probe_frames_per_second",
+                           "volume_exact_after",
+                           "volume_hold_moving_median",
+                           "volume_hold_moving_least",
+                           "volume_hold_moving_longest",
+                           "volume_hold_at_rest_median",
+                           "volume_hold_at_rest_least",
+                           "volume_hold_at_rest_longest"})
     EXPECT_EQ(names.count(name), 1) << name;
   QFile csv(folder + "/window.csv");
   ASSERT_TRUE(csv.open(QIODevice::ReadOnly));

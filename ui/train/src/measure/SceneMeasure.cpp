@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace insonate::train {
 namespace {
@@ -66,9 +67,11 @@ void SceneMeasure::tick() {
   const double hold_ms = double(sinceBeat_.nsecsElapsed()) / 1e6 - kBeat_ms;
   sinceBeat_.start();
   if (part_ != Part::Warm) {
-    double& longest_ms = rests() ? rates_.restHold_ms : rates_.movingHold_ms;
-    longest_ms = std::max(longest_ms, hold_ms);
+    VolumeRates::Holds& holds = rests() ? rates_.rest : rates_.moving;
+    holds.longest_ms = std::max(holds.longest_ms, hold_ms);
+    if (widget_.renderings() != beatRenderings_) (rests() ? restHolds_ms_ : movingHolds_ms_).push_back(hold_ms);
   }
+  beatRenderings_ = widget_.renderings();
   const double part_s = double(sincePart_.nsecsElapsed()) / 1e9;
   const bool there = part_s > kLeastRest_s && scene_.isExact();
   if (rests() ? there || part_s > kPatience_s : part_s >= seconds_)
@@ -104,6 +107,11 @@ void SceneMeasure::finish() {
   part_ = Part::End;
   beat_.stop();
   scene_.setCtVisible(ctWasVisible_);
+  for (const auto& [holds, values] : {std::pair{&rates_.moving, &movingHolds_ms_}, {&rates_.rest, &restHolds_ms_}}) {
+    if (values->empty()) continue;
+    std::ranges::sort(*values);
+    holds->least_ms = values->front(), holds->median_ms = (*values)[values->size() / 2];
+  }
   if (const auto done = std::exchange(done_, nullptr)) done(rates_);
 }
 

@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QTimer>
 #include <functional>
+#include <vector>
 
 namespace insonate::ui {
 class ViewWidget;
@@ -46,7 +47,9 @@ class SceneMeasure : public QObject {
   QTimer beat_;
   QElapsedTimer sinceBeat_, sincePart_;
   double moved_s_ = 0;
-  int renderings_ = 0;  ///< at the part's begin
+  int renderings_ = 0;                                 ///< at the part's begin
+  int beatRenderings_ = 0;                             ///< at the last beat
+  std::vector<double> movingHolds_ms_, restHolds_ms_;  ///< with a picture
 };
 
 }  // namespace insonate::train

@@ -26,7 +26,7 @@ namespace {
 /// the whole window together again, which a processor without a graphics card feels.
 constexpr double kShare = 0.2;
 /// But the CT cast in 3D would follow a few times a second only, and who shows it wants to see it move.
-constexpr int kSoonest_ms = 50, kLatest_ms = 800, kLatestWithCt_ms = 85;
+constexpr int kSoonest_ms = 50, kLatest_ms = 800, kLatestWithCt_ms = 70;
 /// After this long without a move, 3D is drawn in full detail.
 constexpr int kRest_ms = 400;
 constexpr int kSceneShare = 35;  // of the height, beside four slices, in percent

@@ -24,8 +24,12 @@ struct OrbitRates {
 struct VolumeRates {
   double orbitPerSecond = 0, zoomPerSecond = 0, followPerSecond = 0;  ///< pictures; the last while the probe moves
   double exact_ms = 0;  ///< from the last of a movement to the picture that lacks nothing; 600 ms at least
-  /// The longest that the thread did not come to its events.
-  double movingHold_ms = 0, restHold_ms = 0;
+  /// For how long the thread did not come to its events: as a rule with a picture, at best, and at worst. On a machine
+  /// that others use, the best one is what the program is answerable for.
+  struct Holds {
+    double median_ms = 0, least_ms = 0, longest_ms = 0;
+  };
+  Holds moving, rest;
 };
 
 }  // namespace insonate::train
