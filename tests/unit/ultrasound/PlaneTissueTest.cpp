@@ -74,7 +74,7 @@ std::vector<PlanePoint> gridOfPoints(double step_mm) {
 TEST_F(PlaneTissueOf, AKnownBodyHasItsLabelsAndDistances) {
   const Transform pose = tilted();
   const std::vector<PlanePoint> points = gridOfPoints(0.37);
-  PlaneTissue tissue;
+  PlaneSamples tissue;
   samplePlane(*sceneOf(phantom), pose, points, tissue);
   ASSERT_EQ(tissue.label.size(), points.size());
   int seen[kLabelCount]{};
@@ -96,7 +96,7 @@ TEST_F(PlaneTissueOf, AKnownBodyHasItsLabelsAndDistances) {
 
 TEST_F(PlaneTissueOf, LabelsAreThoseOfTheLabelMap) {
   const std::vector<PlanePoint> points = gridOfPoints(0.7);
-  PlaneTissue tissue;
+  PlaneSamples tissue;
   samplePlane(*sceneOf(phantom), {}, points, tissue);
   const VolumeGeometry& grid = phantom.labels.geometry;
   int same = 0;
@@ -111,7 +111,7 @@ TEST_F(PlaneTissueOf, LabelsAreThoseOfTheLabelMap) {
 TEST_F(PlaneTissueOf, BatchesOfAnySizeAgree) {
   const auto scene = sceneOf(phantom);
   const std::vector<PlanePoint> points = gridOfPoints(1.7);
-  PlaneTissue all, some;
+  PlaneSamples all, some;
   samplePlane(*scene, tilted(), points, all);
   for (const std::size_t count : {1, 7, 31, 32, 33, 100})
     for (std::size_t first = 0; first + count <= points.size(); first += 171) {
@@ -128,7 +128,7 @@ TEST_F(PlaneTissueOf, BatchesOfAnySizeAgree) {
 }
 
 TEST_F(PlaneTissueOf, PointsOutsideReadAsTheOutermostWithin) {
-  PlaneTissue tissue;
+  PlaneSamples tissue;
   const std::vector<PlanePoint> points{{0, -500}, {0, -6.9F}, {500, 15}, {27.9F, 15}, {1e6F, 1e6F}};
   samplePlane(*sceneOf(phantom), {}, points, tissue);
   EXPECT_EQ(tissue.label[0], kBackground);
@@ -139,7 +139,7 @@ TEST_F(PlaneTissueOf, PointsOutsideReadAsTheOutermostWithin) {
 }
 
 TEST_F(PlaneTissueOf, WhatTheSceneHasNotIsOutOfReach) {
-  PlaneTissue tissue;
+  PlaneSamples tissue;
   const std::vector<PlanePoint> points{{0, 10}, {3, 20}};
   samplePlane(*sceneOf(paint(phantom.labels.geometry, [](Vec3) { return kMuscle; })), {}, points, tissue);
   for (int n = 0; n < 2; ++n) {

@@ -43,7 +43,7 @@ void placePoints(const TissueField& field, const FloatMatrix& m, Vec3 offset, st
 }
 
 void samplePlaneTarget(const TissueField& field, const Transform& patientFromProbe, std::span<const PlanePoint> points,
-                       PlaneTissue& tissue) {
+                       PlaneSamples& tissue) {
   const Transform nodeFromProbe = field.nodeFromPatient * patientFromProbe;
   const FloatMatrix matrix(nodeFromProbe.linear);
   const CornerSteps steps(field);
@@ -84,7 +84,7 @@ HWY_EXPORT(samplePlaneTarget);
 static_assert(kPlaneReach_mm == TissueField::kReach_mm);
 
 void samplePlane(const AcousticScene& scene, const Transform& patientFromProbe, std::span<const PlanePoint> points,
-                 PlaneTissue& tissue) {
+                 PlaneSamples& tissue) {
   tissue.label.resize(points.size());
   for (auto* distances : {&tissue.toArtery_mm, &tissue.toVein_mm, &tissue.toBone_mm, &tissue.toSkin_mm})
     distances->resize(points.size());

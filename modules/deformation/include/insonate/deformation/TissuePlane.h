@@ -1,14 +1,11 @@
 #pragma once
 
+#include <insonate/image/PlanePoint.h>
+
 #include <cstdint>
 #include <span>
 
 namespace insonate {
-
-/// Probe frame, in the plane of the picture: x lateral, z axial, mm.
-struct PlanePoint {
-  float x_mm = 0, z_mm = 0;
-};
 
 /// Undeformed tissue at a point.
 struct PlaneTissue {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <insonate/core/Transform.h>
+#include <insonate/image/PlanePoint.h>
 #include <insonate/ultrasound/AcousticScene.h>
 
 #include <cstdint>
@@ -9,17 +10,12 @@
 
 namespace insonate {
 
-/// A point of the probe's plane, in the probe frame: x lateral, z axial.
-struct PlanePoint {
-  float x_mm = 0, z_mm = 0;
-};
-
 /// Signed distances are cut off here, either way; what is out of reach may read as up to half a voxel less.
 inline constexpr float kPlaneReach_mm = 6;
 
 /// What undisturbed tissue lies at points of a plane, one entry a point. Signed distances are those that pictures are
 /// made of, negative inside the structure; to one that the scene has not, kPlaneReach_mm.
-struct PlaneTissue {
+struct PlaneSamples {
   std::vector<std::uint8_t> label;  ///< of the structure that the point lies in: the nearest by signed distance
   std::vector<float> toArtery_mm, toVein_mm, toBone_mm;
   std::vector<float> toSkin_mm;  ///< to the body's outline, negative inside the body
@@ -28,6 +24,6 @@ struct PlaneTissue {
 /// Points outside the scene read as the outermost points within it. Allocates nothing once `tissue` has held as many
 /// points. Any number of threads may ask one scene at a time.
 void samplePlane(const AcousticScene& scene, const Transform& patientFromProbe, std::span<const PlanePoint> points,
-                 PlaneTissue& tissue);
+                 PlaneSamples& tissue);
 
 }  // namespace insonate
