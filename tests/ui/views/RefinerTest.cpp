@@ -97,7 +97,9 @@ TEST(SceneVolume, AtRestAQuickPictureComesFirstAndTheExactOneByItself) {
   ASSERT_TRUE(wait(1));
   const test::Picture quick = screen.picture();
   EXPECT_FALSE(view.isExact());
+  const auto begin = std::chrono::steady_clock::now();
   ASSERT_TRUE(wait(2));
+  const auto took = std::chrono::steady_clock::now() - begin;
   const test::Picture exact = screen.picture();
   EXPECT_TRUE(view.isExact());
   EXPECT_NE(quick.rgb, exact.rgb);
@@ -110,7 +112,7 @@ TEST(SceneVolume, AtRestAQuickPictureComesFirstAndTheExactOneByItself) {
   view.setMoving(true);
   view.render();
   EXPECT_FALSE(view.isExact());
-  std::this_thread::sleep_for(50ms);
+  std::this_thread::sleep_for(2 * took + 200ms);
   EXPECT_EQ(woken, 2) << "while it moves nothing is refined";
   view.setMoving(false);
   EXPECT_TRUE(view.renderExactly());
