@@ -1,5 +1,6 @@
 #include "column/ColumnModel.h"
 #include "elastic/ElasticModel.h"
+#include "reference/ReferenceModel.h"
 
 #include <insonate/core/Words.h>
 #include <insonate/deformation/DeformationModel.h>
@@ -19,6 +20,7 @@ const std::vector<KnownModel>& knownModels() {
   static const std::vector<KnownModel> models{
       {"elastic", makeElasticModel},
       {"column", makeColumnModel},
+      {"reference", makeReferenceModel},
   };
   return models;
 }

@@ -1,0 +1,79 @@
+#include "NeckScene.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace insonate::test {
+namespace {
+
+/// The elastic model's kernels against the reference's plain loops: the same problem on the same mesh.
+class ReferenceAgreement : public testing::Test {
+ protected:
+  ReferenceAgreement() { input.pressure = {table.of(kArtery).pressure_kPa, table.of(kVein).pressure_kPa}; }
+
+  void compare(double mesh_mm) {
+    const auto fast = makeDeformationModel("elastic", table, {.mesh_mm = mesh_mm, .tolerance_mm = 5e-4}).value();
+    const auto slow = makeDeformationModel("reference", table, {.mesh_mm = 2 * mesh_mm}).value();
+    input.plane = &plane;
+    input.patientFromProbe = plane.patientFromProbe();
+    // Again and again, until the face's profile is met where the skin has moved to.
+    for (int k = 0; k < 8; ++k) fast->solve(input, elastic);
+    slow->solve(input, reference);
+    EXPECT_TRUE(elastic.converged);
+    EXPECT_TRUE(reference.converged);
+    ASSERT_EQ(elastic.mesh.size(), reference.mesh.size());
+    const auto lumen = [&](const MeshNode& node) {
+      const PlaneTissue t = plane.of(node.restX_mm + plane.slide_mm, node.restZ_mm + plane.press_mm);
+      return std::min(t.artery_mm, t.vein_mm) < -1e-3f;
+    };
+    // In the void, the cells that fill it hardly resist: where their nodes are does not matter.
+    const NodeDifference difference =
+        nodeDifference(elastic, reference, [&](const MeshNode& node) { return !lumen(node); });
+    RecordProperty("most_mm", std::to_string(difference.most_mm));
+    EXPECT_LT(difference.most_mm, 0.02);
+    EXPECT_NEAR(elastic.force_N, reference.force_N, 0.003 * reference.force_N + 1e-4);
+    for (const LumenArea& lumenNow : reference.lumens)
+      EXPECT_NEAR(areaRatio(elastic, lumenNow.label), areaRatio(reference, lumenNow.label), 0.003);
+  }
+
+  AnalyticPlane plane = neckScene();
+  MechanicalTable table = loadMechanicalTable("measured").value();
+  DeformationInput input;
+  Deformation elastic, reference;
+};
+
+TEST_F(ReferenceAgreement, PressedFlat) {
+  for (const double press_mm : {1.0, 4.0}) {
+    plane.press_mm = press_mm;
+    compare(0.5);
+  }
+}
+
+TEST_F(ReferenceAgreement, ClosedVein) {
+  plane.press_mm = 8;
+  compare(1);
+}
+
+TEST_F(ReferenceAgreement, BloodPressure) {
+  input.pressure.vein_kPa += 0.5;
+  input.pressure.artery_kPa -= 4;
+  compare(0.5);
+}
+
+TEST_F(ReferenceAgreement, RoundFaceOnARoundNeckByForce) {
+  plane.skinRadius_mm = 60;
+  input.face.radius_mm = 60;
+  input.face.sticking = true;
+  input.force_N = 2;
+  compare(1);
+}
+
+TEST_F(ReferenceAgreement, TableOfTheThesis) {
+  table = loadMechanicalTable("thesis").value();
+  plane.press_mm = 2;
+  compare(1);
+}
+
+}  // namespace
+}  // namespace insonate::test
