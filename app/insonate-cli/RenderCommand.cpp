@@ -1,8 +1,10 @@
 #include "Commands.h"
 #include "Interrupt.h"
+#include "Presser.h"
 #include "RenderOutputs.h"
 
 #include <insonate/cases/PatientCase.h>
+#include <insonate/simulator/DisplacementFile.h>
 #include <insonate/simulator/EffectLayers.h>
 #include <insonate/simulator/Imager.h>
 #include <insonate/simulator/PoseChecks.h>
@@ -22,6 +24,7 @@ namespace {
 struct RenderOptions {
   std::string caseFolder, probe = "linear", pose = "auto", engine = "cpu", tissues, settings, look;
   OutputTargets targets;
+  PressOptions press;
   bool json = false;
 };
 
@@ -30,6 +33,7 @@ struct RenderJob {
   PatientCase patient;
   ImagingSetup setup;
   PosePath path;
+  PressPlan press;
   std::vector<std::string> warnings;
 };
 
@@ -57,12 +61,19 @@ Result<RenderJob> readJob(const RenderOptions& options) {
   if (auto ok = checkTargets(options.targets, options.caseFolder); !ok) return tl::unexpected(ok.error());
   auto setup = readSetup(options);
   if (!setup) return tl::unexpected(setup.error());
+  auto press = readPress(options.press, !options.targets.displacement.empty());
+  if (!press) return tl::unexpected(press.error());
+  setup->mechanics = press->mechanics;
   auto read = readCase(options.caseFolder);
   if (!read) return tl::unexpected(read.error());
   auto path = readPoses(options.pose, read->patient);
   if (!path) return tl::unexpected(path.error());
-  RenderJob job{std::move(read->patient), std::move(*setup), std::move(*path), std::move(read->notes)};
+  RenderJob job{std::move(read->patient), std::move(*setup), std::move(*path), std::move(*press),
+                std::move(read->notes)};
   if (auto ok = checkReach(job.patient, job.setup, job.path.patientFromProbe); !ok) return tl::unexpected(ok.error());
+  auto onSkin = Presser::onSkin(job.press, job.patient.labels, job.setup, job.path.patientFromProbe);
+  if (!onSkin) return tl::unexpected(onSkin.error());
+  job.path.patientFromProbe = std::move(*onSkin);
   job.warnings.insert(job.warnings.end(), job.path.warnings.begin(), job.path.warnings.end());
   for (std::string& warning : poseWarnings(job.patient, job.setup, job.path.patientFromProbe))
     job.warnings.push_back(std::move(warning));
@@ -98,12 +109,14 @@ class PathRenderer {
   Result<void> run() {
     auto imager = Imager::make(job_.setup);
     if (!imager) return tl::unexpected(imager.error());
-    for (const SceneRun& run : sceneRuns(job_.setup, job_.path.patientFromProbe)) {
+    auto presser = Presser::make(job_.setup, job_.press);
+    if (!presser) return tl::unexpected(presser.error());
+    for (const SceneRun& run : sceneRuns(job_.setup, job_.path.patientFromProbe, Presser::reach_mm(job_.press))) {
       const auto scene = makeScene(job_.patient, job_.setup, run.region, terminalProgress());
       if (!scene) return tl::unexpected(scene.error().message == kCancelled ? cancelled() : scene.error());
       for (const std::string& warning : (*scene)->warnings()) warn(warning);
       for (std::size_t i = run.first; i < run.first + run.count; ++i)
-        if (auto ok = renderOne(*imager, **scene, i); !ok)
+        if (auto ok = renderOne(*imager, *presser, **scene, i); !ok)
           return ok.error().message == kCancelled ? tl::unexpected(cancelled()) : ok;
     }
     return {};
@@ -127,9 +140,6 @@ class PathRenderer {
                    {"width", settings.width},
                    {"height", settings.height},
                    {"mm_per_pixel", frame_.image.pixel_mm},
-                   {"force_N", nullptr},
-                   {"indent_mm", nullptr},
-                   {"lumens", nlohmann::json::array()},
                    {"warnings", warnings_}});
     if (job_.path.isPath) object["images"] = images_;
     return object;
@@ -150,17 +160,21 @@ class PathRenderer {
             std::to_string(job_.path.patientFromProbe.size()) + " pictures were written."};
   }
 
-  Result<void> renderOne(Imager& imager, const AcousticScene& scene, std::size_t index) {
+  Result<void> renderOne(Imager& imager, Presser& presser, const AcousticScene& scene, std::size_t index) {
     if (interruptSignal() != 0) return fail(std::string(kCancelled));
-    const Transform& pose = job_.path.patientFromProbe[index];
+    if (auto ok = presser.press(scene, job_.path.patientFromProbe[index]); !ok) return ok;
+    const std::string which = job_.path.isPath ? "At pose " + std::to_string(index) + ' ' : "At this pose ";
+    for (const std::string& warning : presser.warnings()) warn(which + warning);
+    const Transform& pose = presser.pose();
     const OutputTargets targets = job_.path.isPath ? targets_.numbered(index) : targets_;
-    nlohmann::json image{{"out", targets.picture}, {"pose", jsonOf(pose)}};
+    nlohmann::json image = presser.report();
+    image.update({{"out", targets.picture}, {"pose", jsonOf(pose)}});
     if (!targets.layers.empty()) {
-      auto files = writeLayers(scene, pose, targets);
+      auto files = writeLayers(scene, presser, targets);
       if (!files) return tl::unexpected(files.error());
       image["layers"] = *files;
     }
-    imager.render(scene, pose, frame_);
+    imager.render(scene, pose, presser.displacement(), frame_);
     if (isBlack(frame_.image))
       warn("The picture" + (job_.path.isPath ? " of pose " + std::to_string(index) : std::string()) +
            " is black: the probe touches no tissue; move it onto the skin.");
@@ -171,11 +185,15 @@ class PathRenderer {
       if (auto ok = writeEnvelope(frame_.envelope, job_.setup.probe, job_.setup.settings, targets.envelope); !ok)
         return ok;
     }
+    if (!targets.displacement.empty()) {
+      image["displacement"] = targets.displacement;
+      if (auto ok = writeDisplacement(presser.field(), pose, targets.displacement); !ok) return ok;
+    }
     images_.push_back(std::move(image));
     return writePng(frame_.image, targets.picture);
   }
 
-  Result<nlohmann::json> writeLayers(const AcousticScene& scene, const Transform& pose, const OutputTargets& targets) {
+  Result<nlohmann::json> writeLayers(const AcousticScene& scene, const Presser& presser, const OutputTargets& targets) {
     std::map<std::string, BModeImage> pictures;
     nlohmann::json files;
     for (const EffectLayer& layer : effectLayers(job_.setup.settings)) {
@@ -185,7 +203,7 @@ class PathRenderer {
       auto imager = Imager::make(setup);
       if (!imager) return tl::unexpected(imager.error());
       ImagingFrame frame;
-      imager->render(scene, pose, frame);
+      imager->render(scene, presser.pose(), presser.displacement(), frame);
       const std::string name = layer.name + targets.suffix + ".png";
       files[layer.name] = targets.layers + "/" + name;
       pictures[name] = std::move(frame.image);
@@ -234,6 +252,9 @@ void addRenderCommand(CLI::App& app, Outcome& outcome) {
   command->add_option("--look", options->look, "coherent or thesis")->check(CLI::IsMember({"coherent", "thesis"}));
   command->add_option("--layers", options->targets.layers, "Folder for one picture per effect alone");
   command->add_option("--envelope", options->targets.envelope, "NRRD to write: linear echo amplitude of one look");
+  command->add_option("--displacement", options->targets.displacement,
+                      "NRRD to write: vectors from where tissue is seen to where it lay at rest, mm, patient LPS");
+  options->press.addTo(*command);
   command->add_flag("--json", options->json, "Print a JSON object with times and warnings");
   command->callback([options, &outcome] { render(*options, outcome); });
 }

@@ -9,7 +9,7 @@ namespace insonate::cli {
 
 /// Where a picture and what belongs to it go; empty: not wanted.
 struct OutputTargets {
-  std::string picture, envelope, layers;
+  std::string picture, envelope, displacement, layers;
   std::string suffix;  ///< of the layers' file names
 
   /// F.png becomes F_0007.png.

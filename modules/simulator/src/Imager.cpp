@@ -79,11 +79,29 @@ void Imager::render(const AcousticScene& scene, const Transform& patientFromProb
   put("scan_convert", display.scanConvert);
 }
 
-std::vector<SceneRun> sceneRuns(const ImagingSetup& setup, std::span<const Transform> path) {
+Region sceneRegion(const ImagingSetup& setup, const Transform& patientFromProbe, double further_mm) {
+  Region box = regionOf(setup.probe, setup.settings, Transform{});
+  if (setup.mechanics.model != kNoDeformation) {
+    const PressWindow window = pressWindow(setup.probe, setup.settings, setup.mechanics);
+    box = united(box,
+                 {{-window.half_mm, box.low_mm.y, window.top_mm}, {window.half_mm, box.high_mm.y, window.bottom_mm}});
+  }
+  box.high_mm.z += further_mm;
+  Region region{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec3 point_mm;
+    for (int axis = 0; axis < 3; ++axis) point_mm[axis] = corner >> axis & 1 ? box.high_mm[axis] : box.low_mm[axis];
+    point_mm = patientFromProbe * point_mm;
+    region = united(region, {point_mm, point_mm});
+  }
+  return region;
+}
+
+std::vector<SceneRun> sceneRuns(const ImagingSetup& setup, std::span<const Transform> path, double further_mm) {
   std::vector<SceneRun> runs;
   double largest_mm3 = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    const Region needed = regionOf(setup.probe, setup.settings, path[i]);
+    const Region needed = sceneRegion(setup, path[i], further_mm);
     if (!runs.empty()) {
       SceneRun& run = runs.back();
       const Region both = united(run.region, needed);

@@ -39,7 +39,7 @@ Region boundsOf(const VolumeGeometry& volume) {
 }  // namespace
 
 SceneNeed::SceneNeed(const ImagingSetup& setup, const VolumeGeometry& volume)
-    : probe_mm_(regionOf(setup.probe, setup.settings, Transform{})),
+    : probe_mm_(sceneRegion(setup, Transform{})),
       volume_mm_(grown(boundsOf(volume), 1)),
       indexFromPatient_(volume.indexFromPatient()),
       size_(volume.size),

@@ -2,6 +2,7 @@
 
 #include <insonate/cases/PatientCase.h>
 #include <insonate/core/Progress.h>
+#include <insonate/simulator/TissueMechanics.h>
 #include <insonate/tissue/AcousticTable.h>
 #include <insonate/ultrasound/AcousticScene.h>
 #include <insonate/ultrasound/Display.h>
@@ -19,7 +20,8 @@ struct ImagingSetup {
   Probe probe;
   ImagingSettings settings;
   AcousticTable tissues;
-  std::string engine = "cpu";  ///< one of engineNames()
+  std::string engine = "cpu";      ///< one of engineNames()
+  TissueMechanics mechanics = {};  ///< for what presses: an Imager is handed the displacement
 };
 
 /// One picture with what led to it.
@@ -61,8 +63,12 @@ struct SceneRun {
   std::size_t first = 0, count = 0;
 };
 
+/// What a scene must cover for a frame at this pose, displaced tissue and what decides its displacement included.
+/// `further_mm`: and for poses that lie deeper along the axis by up to as much.
+Region sceneRegion(const ImagingSetup& setup, const Transform& patientFromProbe, double further_mm = 0);
+
 /// Splits a path so that no scene has to cover much more than its frames need.
-std::vector<SceneRun> sceneRuns(const ImagingSetup& setup, std::span<const Transform> path);
+std::vector<SceneRun> sceneRuns(const ImagingSetup& setup, std::span<const Transform> path, double further_mm = 0);
 
 /// Of a case that has more than one scene: what they share is computed once. It must not outlive the case.
 Result<std::shared_ptr<const SceneSource>> makeSceneSource(const PatientCase& patient);

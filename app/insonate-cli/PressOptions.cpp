@@ -1,0 +1,95 @@
+#include "PressOptions.h"
+
+#include <cstdio>
+#include <sstream>
+
+namespace insonate::cli {
+namespace {
+
+constexpr double kMostForce_N = 50, kMostIndent_mm = 20;
+
+Result<void> checkOption(const char* option, const std::optional<double>& value, double low, double high,
+                         const char* unit) {
+  if (!value || (*value >= low && *value <= high)) return {};
+  std::ostringstream text;
+  text << option << " is " << *value << "; allowed is " << low << " to " << high << ' ' << unit << '.';
+  return fail(text.str());
+}
+
+/// "120/80".
+Result<void> readPressure(const std::string& text, Physiology& physiology) {
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%lf/%lf%c", &physiology.systolic_mmHg, &physiology.diastolic_mmHg, &rest) != 2)
+    return fail("--pressure " + text + " is not systolic over diastolic, in mmHg, such as 120/80.");
+  return {};
+}
+
+Result<Physiology> readPhysiology(const PressOptions& options) {
+  Physiology physiology;
+  if (!options.pressure.empty() && options.map_mmHg)
+    return fail("--map and --pressure both say the arterial pressure; give one.");
+  if (!options.pressure.empty())
+    if (auto ok = readPressure(options.pressure, physiology); !ok) return tl::unexpected(ok.error());
+  if (options.map_mmHg) {
+    const double pulse_mmHg = physiology.systolic_mmHg - physiology.diastolic_mmHg;
+    physiology.diastolic_mmHg = *options.map_mmHg - pulse_mmHg / 3;
+    physiology.systolic_mmHg = physiology.diastolic_mmHg + pulse_mmHg;
+  }
+  physiology.centralVenous_mmHg = options.cvp_mmHg.value_or(physiology.centralVenous_mmHg);
+  physiology.tilt_deg = options.trendelenburg_deg.value_or(physiology.tilt_deg);
+  if (auto ok = checkPhysiology(physiology); !ok) return tl::unexpected(ok.error());
+  return physiology;
+}
+
+bool saysPhysiology(const PressOptions& o) {
+  return o.cvp_mmHg || o.trendelenburg_deg || o.map_mmHg || o.time_s || !o.pressure.empty();
+}
+
+}  // namespace
+
+void PressOptions::addTo(CLI::App& command) {
+  auto* force = command.add_option("--force", force_N, "Press until the tissue presses back with this, N");
+  command.add_option("--indent", indent_mm, "Press this deep from where the face first touches, mm")->excludes(force);
+  command.add_option("--deformation", deformation,
+                     "none, column, elastic or reference; by default elastic where something presses or is asked about "
+                     "it, else none");
+  command.add_option("--mechanics", mechanics, "Mechanical preset or file; by default measured");
+  command.add_option("--footprint", footprint_mm, "Of the probe's housing across the slice, mm; by default 10");
+  command.add_flag("--sticking", sticking, "Tissue does not slide along the face");
+  command.add_option("--cvp", cvp_mmHg, "Central venous pressure, mmHg; by default 4");
+  command.add_option("--trendelenburg", trendelenburg_deg, "Tilt of the table, degrees; above 0 head down");
+  command.add_option("--map", map_mmHg, "Mean arterial pressure, mmHg");
+  command.add_option("--pressure", pressure, "Arterial pressure, systolic over diastolic, mmHg; by default 120/80");
+  command.add_option("--time", time_s, "Moment of heartbeat and breath, s; without it pressures are at their means");
+}
+
+Result<PressPlan> readPress(const PressOptions& options, bool displacementWanted) {
+  if (auto ok = checkOption("--force", options.force_N, 0, kMostForce_N, "N"); !ok) return tl::unexpected(ok.error());
+  if (auto ok = checkOption("--indent", options.indent_mm, 0, kMostIndent_mm, "mm"); !ok)
+    return tl::unexpected(ok.error());
+  if (auto ok = checkOption("--time", options.time_s, 0, 1e6, "s"); !ok) return tl::unexpected(ok.error());
+  auto physiology = readPhysiology(options);
+  if (!physiology) return tl::unexpected(physiology.error());
+
+  PressPlan plan;
+  plan.physiology = *physiology;
+  plan.force_N = options.force_N, plan.indent_mm = options.indent_mm, plan.time_s = options.time_s;
+  const bool wanted = plan.moves() || displacementWanted || saysPhysiology(options) || !options.mechanics.empty() ||
+                      options.sticking || options.footprint_mm;
+  plan.mechanics.model = !options.deformation.empty() ? options.deformation
+                         : wanted                     ? TissueMechanics{}.model
+                                                      : std::string(kNoDeformation);
+  if (plan.force_N && plan.mechanics.model == kNoDeformation)
+    return fail("--force needs tissue that gives way; leave --deformation none out, or say --indent.");
+  if (!options.mechanics.empty()) {
+    auto tissues = loadMechanicalTable(options.mechanics);
+    if (!tissues) return tl::unexpected(tissues.error());
+    plan.mechanics.tissues = std::move(*tissues);
+  }
+  plan.mechanics.footprint_mm = options.footprint_mm.value_or(plan.mechanics.footprint_mm);
+  plan.mechanics.sticking = options.sticking;
+  if (auto ok = validate(plan.mechanics); !ok) return tl::unexpected(ok.error());
+  return plan;
+}
+
+}  // namespace insonate::cli

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <insonate/deformation/DeformationModel.h>
+#include <insonate/ultrasound/ImagingSettings.h>
+
+#include <string>
+#include <string_view>
+
+namespace insonate {
+
+/// Tissue that does not give way: a face inside it shows what lies there at rest.
+inline constexpr std::string_view kNoDeformation = "none";
+
+/// The preset `measured`.
+const MechanicalTable& measuredMechanics();
+
+/// How the tissue under the probe gives way. What the blood is under is not part of it: that is the patient's state of
+/// the moment (Physiology.h).
+struct TissueMechanics {
+  std::string model = "elastic";  ///< kNoDeformation, or one of deformationModelNames()
+  MechanicalTable tissues = measuredMechanics();
+  double footprint_mm = 10;  ///< of the housing across the slice, over which a force is spread; 1..100
+  bool sticking = false;     ///< tissue under the face does not slide along it
+  DeformationSettings settings;
+};
+bool operator==(const TissueMechanics& a, const TissueMechanics& b);
+
+/// Fails with a sentence on an unknown model and on values out of range.
+Result<void> validate(const TissueMechanics& mechanics);
+
+/// What of a probe touches the skin, in its plane. Linear: the array's width, flat. Curvilinear: the arc of the array,
+/// of radius r1 and as long as the fan is wide at the face. Phased: flat and as wide as its aperture: its fan begins in
+/// a point, the housing does not.
+ProbeFace faceOf(const Probe& probe, const TissueMechanics& mechanics);
+
+/// The part of the plane, in the probe frame, whose tissue decides how it gives way: beyond, the outermost goes on.
+struct PressWindow {
+  double half_mm = 0;  ///< either side of the axis
+  double top_mm = 0, bottom_mm = 0;
+  bool operator==(const PressWindow&) const = default;
+};
+PressWindow pressWindow(const Probe& probe, const ImagingSettings& settings, const TissueMechanics& mechanics);
+
+}  // namespace insonate

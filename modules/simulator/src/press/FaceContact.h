@@ -1,0 +1,34 @@
+#pragma once
+
+#include <insonate/deformation/DeformationModel.h>
+
+#include <optional>
+#include <vector>
+
+namespace insonate::press {
+
+/// How far a face may be moved along its axis: until it first touches the skin, and until nothing is left to give way
+/// between it and bone. z in the frame of the plane.
+struct FaceTravel {
+  double touch_mm = 0;    ///< below 0: it has been pressed in by that much
+  double deepest_mm = 0;  ///< infinite where no bone lies below
+};
+
+/// Follows the plane from the face to skin and bone.
+class FaceContact {
+ public:
+  explicit FaceContact(const ProbeFace& face);
+
+  /// Empty where no skin lies before or behind the face, within some centimetres. Allocates nothing the second time.
+  std::optional<FaceTravel> find(const TissuePlane& plane);
+
+ private:
+  struct Column {
+    float x_mm, face_mm;  ///< and where the face is
+  };
+  std::vector<Column> columns_;
+  std::vector<PlanePoint> points_;
+  std::vector<PlaneTissue> tissue_;
+};
+
+}  // namespace insonate::press

@@ -1,0 +1,228 @@
+#include "press/FaceContact.h"
+#include "press/ScenePlane.h"
+
+#include <insonate/simulator/PressedTissue.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace insonate {
+namespace {
+
+using press::FaceContact;
+using press::FaceTravel;
+using press::ScenePlane;
+
+constexpr double kOff_mm = 0.1;      // as far from touching as can be told
+constexpr double kRounding = 0.005;  // of a table's pressures, of their value
+
+double snapped(double pressure_kPa, const MechanicalTissue& vessel) {
+  return std::abs(pressure_kPa - vessel.pressure_kPa) < kRounding * vessel.pressure_kPa ? vessel.pressure_kPa
+                                                                                        : pressure_kPa;
+}
+
+/// Keeps the memory of what was there.
+void clear(Deformation& answer) {
+  answer.displacement.columns = answer.displacement.rows = 0;
+  answer.displacement.restFromSeen.clear();
+  answer.force_N = answer.faceShift_mm = 0;
+  answer.lumens.clear();
+  answer.iterations = answer.meshColumns = answer.meshRows = 0;
+  answer.converged = true;
+  answer.moved = false;
+  answer.mesh.clear();
+  answer.pressure_kPa.clear();
+}
+
+Transform movedIn(const Transform& patientFromProbe, double z_mm) {
+  Transform moved = patientFromProbe;
+  moved.offset = patientFromProbe * Vec3{0, 0, z_mm};
+  return moved;
+}
+
+/// The body of a label map, without distances: inside or outside.
+class LabelPlane final : public TissuePlane {
+ public:
+  LabelPlane(const LabelMap& labels, const Transform& patientFromProbe)
+      : labels_(labels), indexFromProbe_(labels.geometry.indexFromPatient() * patientFromProbe) {}
+
+  void sample(std::span<const PlanePoint> at, std::span<PlaneTissue> tissue) const override {
+    for (std::size_t n = 0; n < at.size(); ++n) {
+      tissue[n] = {};
+      tissue[n].label = sampleNearest(labels_, indexFromProbe_ * Vec3{at[n].x_mm, 0, at[n].z_mm});
+      tissue[n].skin_mm = tissue[n].label == kBackground ? 1.0F : -1.0F;
+    }
+  }
+
+ private:
+  const LabelMap& labels_;
+  Transform indexFromProbe_;
+};
+
+}  // namespace
+
+Result<Transform> poseOnSkin(const LabelMap& labels, const ProbeFace& face, const Transform& patientFromProbe) {
+  const auto travel = FaceContact(face).find(LabelPlane(labels, patientFromProbe));
+  if (!travel)
+    return fail(
+        "The probe's face meets no skin within 20 mm behind or 40 mm before it; move the pose onto the skin, or use "
+        "auto.");
+  return movedIn(patientFromProbe, travel->touch_mm);
+}
+
+BloodPressure bloodPressure(const Physiology& physiology, const MechanicalTable& tissues,
+                            std::optional<double> time_s) {
+  const BloodPressure now = time_s ? bloodPressureAt(physiology, *time_s) : meanBloodPressure(physiology);
+  return {snapped(now.artery_kPa, tissues.of(kArtery)), snapped(now.vein_kPa, tissues.of(kVein))};
+}
+
+class PressedTissue::Impl {
+ public:
+  Impl(const ProbeFace& face, const PressWindow& window, const MechanicalTable& tissues,
+       std::unique_ptr<DeformationModel> model)
+      : plane_(window),
+        contact_(face),
+        model_(std::move(model)),
+        rest_{tissues.of(kArtery).pressure_kPa, tissues.of(kVein).pressure_kPa} {
+    input_.plane = &plane_;
+    input_.face = face;
+  }
+
+  std::optional<FaceTravel> travel(const AcousticScene& scene, const Transform& pose) {
+    plane_.look(scene, pose);
+    return contact_.find(plane_);
+  }
+
+  void hold(const AcousticScene& scene, const Transform& pose, const BloodPressure& pressure) {
+    const auto travel = this->travel(scene, pose);
+    pose_ = pose;
+    stopped_ = false;
+    indentation_mm_ = travel ? -travel->touch_mm : std::numeric_limits<double>::quiet_NaN();
+    const bool touches = travel && travel->touch_mm < 0;
+    const bool atRest = pressure.artery_kPa == rest_.artery_kPa && pressure.vein_kPa == rest_.vein_kPa;
+    if (!model_ || (!touches && atRest)) {
+      clear(answer_);
+      if (model_) model_->reset();
+      return;
+    }
+    solve(pose, pressure, 0);
+  }
+
+  void push(const AcousticScene& scene, const Transform& pose, const BloodPressure& pressure, double force_N) {
+    const auto travel = this->travel(scene, pose);
+    if (!model_ || !travel) return hold(scene, pose, pressure);
+    if (!(force_N > 0)) return leave(scene, pose, pressure, *travel);
+    // From where the face touches: what a model takes for its surroundings then does not depend on where it was.
+    const Transform touching = movedIn(pose, travel->touch_mm);
+    const double deepest_mm = travel->deepest_mm - travel->touch_mm;
+    plane_.look(scene, touching);
+    solve(touching, pressure, force_N);
+    if (answer_.faceShift_mm > deepest_mm) {
+      hold(scene, movedIn(touching, deepest_mm), pressure);
+      indentation_mm_ = deepest_mm;
+      stopped_ = true;
+      return;
+    }
+    stopped_ = false;
+    indentation_mm_ = answer_.faceShift_mm;
+    pose_ = movedIn(touching, answer_.faceShift_mm);
+    seeFrom(answer_.faceShift_mm);
+  }
+
+  /// As if the face were off the skin.
+  void leave(const AcousticScene& scene, const Transform& pose, const BloodPressure& pressure,
+             const FaceTravel& travel) {
+    const double back_mm = std::min(travel.touch_mm - kOff_mm, 0.0);
+    hold(scene, movedIn(pose, back_mm), pressure);
+    seeFrom(-back_mm);
+    pose_ = pose;
+    indentation_mm_ = 0;
+  }
+
+  const Deformation& deformation() const { return answer_; }
+  const Transform& pose() const { return pose_; }
+  double indentation_mm() const { return indentation_mm_; }
+  bool stoppedByBone() const { return stopped_; }
+
+ private:
+  void solve(const Transform& pose, const BloodPressure& pressure, double force_N) {
+    input_.pressure = pressure;
+    input_.patientFromProbe = pose;
+    input_.force_N = force_N;
+    model_->solve(input_, answer_);
+    if (!answer_.moved) answer_.displacement.columns = answer_.displacement.rows = 0;
+  }
+
+  /// From a frame that lies deeper by `z_mm`. Shifts are differences of places, and stay.
+  void seeFrom(double z_mm) {
+    answer_.displacement.top_mm -= z_mm;
+    const auto z = static_cast<float>(z_mm);
+    for (MeshNode& node : answer_.mesh) node.restZ_mm -= z, node.z_mm -= z;
+  }
+
+  ScenePlane plane_;
+  FaceContact contact_;
+  std::unique_ptr<DeformationModel> model_;
+  BloodPressure rest_;
+  DeformationInput input_;
+  Deformation answer_;
+  Transform pose_;
+  double indentation_mm_ = std::numeric_limits<double>::quiet_NaN();
+  bool stopped_ = false;
+};
+
+PressedTissue::PressedTissue(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+PressedTissue::PressedTissue(PressedTissue&&) noexcept = default;
+PressedTissue& PressedTissue::operator=(PressedTissue&&) noexcept = default;
+PressedTissue::~PressedTissue() = default;
+
+Result<PressedTissue> PressedTissue::make(const Probe& probe, const ImagingSettings& settings,
+                                          const TissueMechanics& mechanics, int mostIterations) {
+  if (auto ok = validate(mechanics); !ok) return tl::unexpected(ok.error());
+  std::unique_ptr<DeformationModel> model;
+  if (mechanics.model != kNoDeformation) {
+    DeformationSettings own = mechanics.settings;
+    if (mostIterations > 0) own.mostIterations = mostIterations;
+    auto made = makeDeformationModel(mechanics.model, mechanics.tissues, own);
+    if (!made) return tl::unexpected(made.error());
+    model = std::move(*made);
+  }
+  return PressedTissue(std::make_unique<Impl>(faceOf(probe, mechanics), pressWindow(probe, settings, mechanics),
+                                              mechanics.tissues, std::move(model)));
+}
+
+std::optional<PressedTissue::Travel> PressedTissue::travel(const AcousticScene& scene,
+                                                           const Transform& patientFromProbe) {
+  const auto found = impl_->travel(scene, patientFromProbe);
+  if (!found) return {};
+  return Travel{found->touch_mm, found->deepest_mm};
+}
+
+void PressedTissue::hold(const AcousticScene& scene, const Transform& patientFromProbe, const BloodPressure& pressure) {
+  impl_->hold(scene, patientFromProbe, pressure);
+}
+
+void PressedTissue::push(const AcousticScene& scene, const Transform& patientFromProbe, const BloodPressure& pressure,
+                         double force_N) {
+  impl_->push(scene, patientFromProbe, pressure, force_N);
+}
+
+const Deformation& PressedTissue::deformation() const {
+  return impl_->deformation();
+}
+
+const Transform& PressedTissue::pose() const {
+  return impl_->pose();
+}
+
+double PressedTissue::indentation_mm() const {
+  return impl_->indentation_mm();
+}
+
+bool PressedTissue::stoppedByBone() const {
+  return impl_->stoppedByBone();
+}
+
+}  // namespace insonate

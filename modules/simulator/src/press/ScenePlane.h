@@ -1,0 +1,30 @@
+#pragma once
+
+#include <insonate/deformation/TissuePlane.h>
+#include <insonate/simulator/TissueMechanics.h>
+#include <insonate/ultrasound/PlaneTissue.h>
+
+#include <vector>
+
+namespace insonate::press {
+
+/// The plane of a pose in a scene, for models. Points beyond the window read as the outermost within it, so that an
+/// answer does not depend on how far the scene happens to reach.
+class ScenePlane final : public TissuePlane {
+ public:
+  explicit ScenePlane(const PressWindow& window) : window_(window) {}
+
+  /// The scene must cover the window and outlive what is asked.
+  void look(const AcousticScene& scene, const Transform& patientFromProbe);
+
+  void sample(std::span<const PlanePoint> at, std::span<PlaneTissue> tissue) const override;
+
+ private:
+  PressWindow window_;
+  const AcousticScene* scene_ = nullptr;
+  Transform patientFromProbe_;
+  mutable std::vector<PlanePoint> points_;
+  mutable PlaneSamples samples_;
+};
+
+}  // namespace insonate::press

@@ -1,0 +1,70 @@
+#include <insonate/simulator/TissueMechanics.h>
+#include <insonate/ultrasound/BeamGrid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+namespace insonate {
+namespace {
+
+/// A probe is pressed no deeper than ProbeHand lets it; the rest is room for rounding.
+constexpr double kAbove_mm = 22;
+/// Beside the face tissue is pushed away; further out it hardly moves.
+constexpr double kBeside_mm = 8;
+/// Bone and vessels below a shallow picture act on what it shows.
+constexpr double kLeastDepth_mm = 40;
+
+}  // namespace
+
+const MechanicalTable& measuredMechanics() {
+  static const MechanicalTable table = loadMechanicalTable("measured").value();
+  return table;
+}
+
+bool operator==(const TissueMechanics& a, const TissueMechanics& b) {
+  return a.model == b.model && a.tissues.tissues == b.tissues.tissues && a.footprint_mm == b.footprint_mm &&
+         a.sticking == b.sticking && a.settings.mesh_mm == b.settings.mesh_mm &&
+         a.settings.depth_mm == b.settings.depth_mm && a.settings.mostIterations == b.settings.mostIterations &&
+         a.settings.tolerance_mm == b.settings.tolerance_mm;
+}
+
+Result<void> validate(const TissueMechanics& mechanics) {
+  if (!(mechanics.footprint_mm >= 1 && mechanics.footprint_mm <= 100)) {
+    std::ostringstream text;
+    text << "Deformation: footprint_mm is " << mechanics.footprint_mm << "; allowed is 1 to 100.";
+    return fail(text.str());
+  }
+  if (mechanics.model == kNoDeformation) return {};
+  auto model = makeDeformationModel(mechanics.model, mechanics.tissues, mechanics.settings);
+  if (!model) return tl::unexpected(model.error());
+  return {};
+}
+
+ProbeFace faceOf(const Probe& probe, const TissueMechanics& mechanics) {
+  ProbeFace face;
+  face.footprint_mm = mechanics.footprint_mm;
+  face.sticking = mechanics.sticking;
+  switch (probe.shape) {
+    case ProbeShape::Linear:
+      face.width_mm = probe.width_mm;
+      break;
+    case ProbeShape::Curvilinear:
+      face.radius_mm = probe.faceRadius_mm;
+      face.width_mm = 2 * probe.faceRadius_mm * std::sin(std::min(probe.fovAngle_deg, 170.0) * std::numbers::pi / 360);
+      break;
+    case ProbeShape::Phased:
+      face.width_mm = probe.maxAperture_mm;
+      break;
+  }
+  face.width_mm = std::max(face.width_mm, 1.0);
+  return face;
+}
+
+PressWindow pressWindow(const Probe& probe, const ImagingSettings& settings, const TissueMechanics& mechanics) {
+  const BeamGrid grid(probe, settings);
+  return {faceOf(probe, mechanics).width_mm / 2 + kBeside_mm, -kAbove_mm, std::max(grid.maxAxial_mm(), kLeastDepth_mm)};
+}
+
+}  // namespace insonate
