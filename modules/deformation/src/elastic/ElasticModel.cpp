@@ -1,7 +1,7 @@
 #include "elastic/ElasticModel.h"
 
+#include "elastic/CarryOver.h"
 #include "elastic/InverseMap.h"
-#include "elastic/Solver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,21 +13,9 @@ using namespace elastic;
 
 constexpr float kTolerance_mm = 0.01f;
 
-/// Where a point of one pose's plane lies in another's; what is off the plane is left out.
-struct PlaneMove {
-  float xx = 1, xz = 0, zx = 0, zz = 1, x = 0, z = 0;
-
-  PlaneMove() = default;
-  explicit PlaneMove(const Transform& to_from_from)
-      : xx(float(to_from_from.linear.column[0].x)),
-        xz(float(to_from_from.linear.column[2].x)),
-        zx(float(to_from_from.linear.column[0].z)),
-        zz(float(to_from_from.linear.column[2].z)),
-        x(float(to_from_from.offset.x)),
-        z(float(to_from_from.offset.z)) {}
-  PlanePoint turn(float px, float pz) const { return {xx * px + xz * pz, zx * px + zz * pz}; }
-  PlanePoint turnBack(float px, float pz) const { return {xx * px + zx * pz, xz * px + zz * pz}; }
-};
+/// How far the probe may go before the vessels' prestress is worked out anew; a turn counts at this arm's end.
+constexpr double kStressLasts_mm = 2;
+constexpr double kArm_mm = 20;
 
 class ElasticModel final : public DeformationModel {
  public:
@@ -74,52 +62,30 @@ class ElasticModel final : public DeformationModel {
     face_ = input.face;
     if (same) return solved_;
     const bool carry = solved_ && input.patientFromProbe && last_;
-    PlaneMove move;
-    if (carry) move = PlaneMove(inverted(*last_) * *input.patientFromProbe);
-    if (carry) {
-      before_ = mesh_;
-      atBefore_ = solver_.at();
-      pressureBefore_ = solver_.cellPressure();
-    }
+    if (carry) before_.keep(mesh_, solver_);
     mesh_.build(*input.plane, input.face, settings_);
     materials_.fill(mesh_, tissues_);
-    solver_.prepare(mesh_, materials_, tissues_);
+    const bool lasts = carry && stressLasts(*input.patientFromProbe);
+    solver_.prepare(mesh_, materials_, tissues_, lasts ? &carriedStress_ : nullptr);
+    if (!lasts && input.patientFromProbe) {
+      stressed_.keep(mesh_, solver_);
+      stressFound_ = *input.patientFromProbe;
+    }
+    if (carry) before_.giveSolution(mesh_, inverted(*last_) * *input.patientFromProbe, solver_);
     last_ = input.patientFromProbe;
     known_ = true;
-    if (carry) carryOver(move);
     return carry;
   }
 
-  void carryOver(const PlaneMove& beforeFromNow) {
-    const int nx = mesh_.columns(), nz = mesh_.rows(), was = before_.columns();
-    const Nodes &rest = mesh_.rest(), &restBefore = before_.rest();
-    Nodes& at = solver_.at();
-    std::vector<float>& pressure = solver_.cellPressure();
-    const auto shiftX = [&](std::size_t n) { return atBefore_.x[n] - restBefore.x[n]; };
-    const auto shiftZ = [&](std::size_t n) { return atBefore_.z[n] - restBefore.z[n]; };
-    for (int j = 0; j < nz; ++j)
-      for (int i = 0; i < nx; ++i) {
-        const std::size_t n = std::size_t(j) * nx + i;
-        const PlanePoint p = beforeFromNow.turn(rest.x[n], rest.z[n]);
-        const Mesh::Place place = before_.placeOf(p.x_mm + beforeFromNow.x, p.z_mm + beforeFromNow.z);
-        const int c = std::min(static_cast<int>(place.column), was - 2);
-        const int r = std::min(static_cast<int>(place.row), before_.rows() - 2);
-        const float u = place.column - c, v = place.row - r;
-        const std::size_t o = std::size_t(r) * was + c;
-        const auto blend = [&](const auto& f) {
-          return (1 - v) * ((1 - u) * f(o) + u * f(o + 1)) + v * ((1 - u) * f(o + was) + u * f(o + was + 1));
-        };
-        const PlanePoint shift = beforeFromNow.turnBack(blend(shiftX), blend(shiftZ));
-        at.x[n] = rest.x[n] + shift.x_mm;
-        at.z[n] = rest.z[n] + shift.z_mm;
-        // A cell takes the pressure of the one in which its corner, moved half a cell in, lay.
-        if (i + 1 < nx && j + 1 < nz) {
-          const int cc = std::min(static_cast<int>(place.column + 0.5f), was - 2);
-          const int rr = std::min(static_cast<int>(place.row + 0.5f), before_.rows() - 2);
-          pressure[n] = pressureBefore_[std::size_t(rr) * was + cc];
-        }
-      }
-    solver_.carry();
+  /// Takes the vessels' prestress over from where it was last found, if that is near; else it is found anew.
+  bool stressLasts(const Transform& patientFromProbe) {
+    const Transform foundFromNow = inverted(stressFound_) * patientFromProbe;
+    const Vec3 turned = foundFromNow.linear * Vec3{kArm_mm, 0, 0} - Vec3{kArm_mm, 0, 0};
+    if (stressed_.fits(mesh_) && norm(foundFromNow.offset) + norm(turned) < kStressLasts_mm) {
+      stressed_.giveStress(mesh_, foundFromNow, carriedStress_);
+      return true;
+    }
+    return false;
   }
 
   bool touchesAtRest(const Face& face) {
@@ -174,11 +140,12 @@ class ElasticModel final : public DeformationModel {
 
   MechanicalTable tissues_;
   DeformationSettings settings_;
-  Mesh mesh_, before_;
+  Mesh mesh_;
+  CarryOver before_, stressed_;
+  Prestress carriedStress_;
+  Transform stressFound_;
   Materials materials_;
   Solver solver_;
-  Nodes atBefore_;
-  std::vector<float> pressureBefore_;
   std::optional<Transform> last_;
   const TissuePlane* plane_ = nullptr;
   ProbeFace face_;

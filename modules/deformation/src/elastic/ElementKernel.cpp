@@ -96,7 +96,6 @@ HWY_INLINE void addTo(std::vector<float>& array, std::size_t n, V value) {
   hn::StoreU(hn::Add(hn::LoadU(d, array.data() + n), value), d, array.data() + n);
 }
 
-constexpr float kDamped = 1.3f;  // of m, in a cautious tangent
 constexpr int kM[4][4] = {{0, 1, 2, 3}, {1, 4, 5, 6}, {2, 5, 7, 8}, {3, 6, 8, 9}};
 /// 2 d2A / dx_a dz_b; that by dz_a dx_b is its negative.
 constexpr float kTwist[4][4] = {{0, 1, 0, -1}, {-1, 0, 1, 0}, {0, -1, 0, 1}, {1, 0, -1, 0}};
@@ -108,7 +107,7 @@ struct Place {
 constexpr Place kPlaces[] = {{0, 1, GridMatrix::East},  {3, 2, GridMatrix::East},      {0, 3, GridMatrix::South},
                              {1, 2, GridMatrix::South}, {0, 2, GridMatrix::SouthEast}, {1, 3, GridMatrix::SouthWest}};
 
-void assembleTarget(const Elements& e, const Nodes& at, bool cautious, GridMatrix& matrix, std::vector<float>& force) {
+void assembleTarget(const Elements& e, const Nodes& at, float caution, GridMatrix& matrix, std::vector<float>& force) {
   const Tag d;
   const std::size_t lanes = hn::Lanes(d);
   const std::size_t step[4] = {0, 1, std::size_t(e.columns) + 1, std::size_t(e.columns)};
@@ -120,10 +119,10 @@ void assembleTarget(const Elements& e, const Nodes& at, bool cautious, GridMatri
     const V kappa = hn::Mul(p.slope, inverseArea(area));
     V m[10];
     for (int k = 0; k < 10; ++k) m[k] = hn::LoadU(d, e.m[k].data() + n);
-    const V most = cautious ? hn::LoadU(d, e.mu.data() + n) : hn::Set(d, 1e30f);
+    const V most = caution > 0 ? hn::LoadU(d, e.mu.data() + n) : hn::Set(d, 1e30f);
     const V twist =
         hn::Mul(hn::Set(d, 0.5f), hn::Max(hn::Min(hn::LoadU(d, e.carried.data() + n), most), hn::Neg(most)));
-    const V damped = hn::Set(d, cautious ? kDamped : 1.0f);
+    const V damped = hn::Set(d, 1 + caution);
     for (int a = 0; a < 4; ++a) {
       V fx = hn::Mul(p.value, g.x[a]), fz = hn::Mul(p.value, g.z[a]);
       for (int b = 0; b < 4; ++b) {
@@ -249,8 +248,8 @@ void shapeElements(const Nodes& rest, Elements& elements) {
   HWY_DYNAMIC_DISPATCH(shapeTarget)(rest, elements);
 }
 
-void assemble(const Elements& elements, const Nodes& at, bool cautious, GridMatrix& matrix, std::vector<float>& force) {
-  HWY_DYNAMIC_DISPATCH(assembleTarget)(elements, at, cautious, matrix, force);
+void assemble(const Elements& elements, const Nodes& at, float caution, GridMatrix& matrix, std::vector<float>& force) {
+  HWY_DYNAMIC_DISPATCH(assembleTarget)(elements, at, caution, matrix, force);
 }
 
 float allowedShare(const Elements& elements, const Nodes& at, const std::vector<float>& step) {

@@ -44,9 +44,9 @@ struct Elements {
 void shapeElements(const Nodes& rest, Elements& elements);
 
 /// Adds every cell's tangent to `matrix` and the negative gradient of the energy to `force` ([2 * node + axis]). With
-/// `cautious`, pressures count up to mu in the tangent: cells are then positive semidefinite, and steps need no small
-/// start, but close to the solution they go to and fro.
-void assemble(const Elements& elements, const Nodes& at, bool cautious, GridMatrix& matrix, std::vector<float>& force);
+/// `caution` above 0, pressures count up to mu in the tangent and m counts 1 + caution times: cells are then positive
+/// semidefinite, and steps need no small start, but close to the solution they go to and fro.
+void assemble(const Elements& elements, const Nodes& at, float caution, GridMatrix& matrix, std::vector<float>& force);
 
 /// The share of `step` ([2 * node + axis]) that can be gone until a cell has lost 60 % of its area; at most 1.
 float allowedShare(const Elements& elements, const Nodes& at, const std::vector<float>& step);

@@ -15,43 +15,50 @@ namespace insonate::elastic::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<float, 16>;
 
-/// target[i][j] -= sum over r of a[r][i] * b[r][j] for a tile of kRows x (2 vectors).
-template <int kRows>
+/// target[i][j] -= sum over r of a[r][i] * b[r][j] for a tile of kRows x kVectors vectors.
+template <int kRows, int kVectors>
 HWY_INLINE void subtractTile(const float* HWY_RESTRICT a, const float* HWY_RESTRICT b, int stride, int depth,
-                             float* HWY_RESTRICT target, int targetStride) {
+                             float* HWY_RESTRICT target) {
   const Tag d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   using V = hn::Vec<Tag>;
-  V low[kRows], high[kRows];
-  for (int i = 0; i < kRows; ++i) low[i] = high[i] = hn::Zero(d);
+  V sum[kRows][kVectors];
+  for (auto& row : sum)
+    for (V& v : row) v = hn::Zero(d);
   for (int r = 0; r < depth; ++r) {
-    const V b0 = hn::LoadU(d, b), b1 = hn::LoadU(d, b + lanes);
+    V bv[kVectors];
+    for (int v = 0; v < kVectors; ++v) bv[v] = hn::LoadU(d, b + v * lanes);
     for (int i = 0; i < kRows; ++i) {
       const V s = hn::Set(d, a[i]);
-      low[i] = hn::MulAdd(s, b0, low[i]);
-      high[i] = hn::MulAdd(s, b1, high[i]);
+      for (int v = 0; v < kVectors; ++v) sum[i][v] = hn::MulAdd(s, bv[v], sum[i][v]);
     }
     a += stride;
     b += stride;
   }
-  for (int i = 0; i < kRows; ++i) {
-    float* t = target + i * targetStride;
-    hn::StoreU(hn::Sub(hn::LoadU(d, t), low[i]), d, t);
-    hn::StoreU(hn::Sub(hn::LoadU(d, t + lanes), high[i]), d, t + lanes);
-  }
+  for (int i = 0; i < kRows; ++i)
+    for (int v = 0; v < kVectors; ++v) {
+      float* t = target + i * stride + v * lanes;
+      hn::StoreU(hn::Sub(hn::LoadU(d, t), sum[i][v]), d, t);
+    }
 }
 
-/// The upper triangle of target -= panel^T panel, `size` rows and columns. Writes below the diagonal and up to two
-/// vectors beyond the last column.
-void subtractSquare(const float* panel, int stride, int depth, float* target, int targetStride, int size) {
-  const int width = 2 * static_cast<int>(hn::Lanes(Tag()));
-  int i = 0;
-  for (; i + 8 <= size; i += 8)
-    for (int j = i; j < size; j += width)
-      subtractTile<8>(panel + i, panel + j, stride, depth, target + i * targetStride + j, targetStride);
-  for (; i + 2 <= size; i += 2)
-    for (int j = i; j < size; j += width)
-      subtractTile<2>(panel + i, panel + j, stride, depth, target + i * targetStride + j, targetStride);
+/// The same for columns `begin` to `end`; writes less than a vector beyond.
+template <int kRows>
+HWY_INLINE void subtractRows(const float* a, const float* b, int stride, int depth, float* target, int begin, int end) {
+  const int lanes = static_cast<int>(hn::Lanes(Tag()));
+  int j = begin;
+  for (; j + lanes < end; j += 2 * lanes) subtractTile<kRows, 2>(a, b + j, stride, depth, target + j);
+  if (j < end) subtractTile<kRows, 1>(a, b + j, stride, depth, target + j);
+}
+
+/// target[i][j] -= sum over r of panel[r][i] * panel[r][j] for rows `first` to `last` (even in number) and columns from
+/// the diagonal to `end`. Writes below the diagonal, too.
+void subtractSquare(const float* panel, int stride, int depth, float* target, int first, int last, int end) {
+  int i = first;
+  for (; i + 8 <= last; i += 8)
+    subtractRows<8>(panel + i, panel, stride, depth, target + std::size_t(i) * stride, i, end);
+  for (; i + 2 <= last; i += 2)
+    subtractRows<2>(panel + i, panel, stride, depth, target + std::size_t(i) * stride, i, end);
 }
 
 /// row -= factor * other, from `begin`.
@@ -68,7 +75,10 @@ HWY_INLINE void addRow(float* HWY_RESTRICT to, const float* HWY_RESTRICT from, i
   const int lanes = static_cast<int>(hn::Lanes(d));
   int j = 0;
   for (; j + lanes <= count; j += lanes) hn::StoreU(hn::Add(hn::LoadU(d, to + j), hn::LoadU(d, from + j)), d, to + j);
-  for (; j < count; ++j) to[j] += from[j];
+  if (j == count) return;
+  const auto rest = hn::FirstN(d, count - j);
+  const auto sum = hn::Add(hn::MaskedLoad(rest, d, to + j), hn::MaskedLoad(rest, d, from + j));
+  hn::BlendedStore(sum, rest, d, to + j);
 }
 
 void addChild(const FrontWork& work, const GridOrder::Front& parent, const GridOrder::Front& child, float* panel,
@@ -83,6 +93,7 @@ void addChild(const FrontWork& work, const GridOrder::Front& parent, const GridO
       const float* source = from + std::size_t(runs[a].from + r) * child.stride;
       addRow(to + row, source + runs[a].from + r, runs[a].count - r);
       for (int b = a + 1; b < child.runs; ++b) addRow(to + runs[b].to, source + runs[b].from, runs[b].count);
+      to[parent.own + parent.border] += source[child.border];
     }
 }
 
@@ -108,7 +119,7 @@ void addEntries(const FrontWork& work, const GridOrder::Front& front, float* pan
 }
 
 int factorPanel(float* panel, int own, int size, int stride) {
-  constexpr int kBlock = 16;
+  constexpr int kBlock = 8;
   int notPositive = 0;
   for (int begin = 0; begin < own; begin += kBlock) {
     const int end = std::min(begin + kBlock, own);
@@ -129,17 +140,7 @@ int factorPanel(float* panel, int own, int size, int stride) {
         hn::StoreU(hn::Mul(hn::LoadU(d, row + j), f), d, row + j);
       row[r] = inverse;  // of the diagonal: what substitution needs
     }
-    if (end == own) break;
-    // The rest of the panel's own rows; the border's columns come along.
-    const int width = 2 * static_cast<int>(hn::Lanes(Tag()));
-    const float* block = panel + std::size_t(begin) * stride;
-    int i = end;
-    for (; i + 8 <= own; i += 8)
-      for (int j = i; j < size; j += width)
-        subtractTile<8>(block + i, block + j, stride, end - begin, panel + std::size_t(i) * stride + j, stride);
-    for (; i + 2 <= own; i += 2)
-      for (int j = i; j < size; j += width)
-        subtractTile<2>(block + i, block + j, stride, end - begin, panel + std::size_t(i) * stride + j, stride);
+    subtractSquare(panel + std::size_t(begin) * stride, stride, end - begin, panel, end, own, size);
   }
   return notPositive;
 }
@@ -148,21 +149,23 @@ int eliminateTarget(const FrontWork& work, int index) {
   const GridOrder::Front& front = work.order.fronts()[index];
   float* panel = work.panels + front.panel;
   float* update = work.updates[front.side][front.depth].data();
+  const int size = front.own + front.border;
   std::fill_n(panel, std::size_t(front.own) * front.stride, 0.0f);
-  std::fill_n(update, std::size_t(front.border) * front.stride, 0.0f);
+  for (int r = 0; r < front.border; ++r)
+    std::fill(update + std::size_t(r) * front.stride + r, update + std::size_t(r) * front.stride + front.border + 1,
+              0.0f);
   addEntries(work, front, panel);
+  for (int r = 0; r < front.own; ++r) panel[std::size_t(r) * front.stride + size] = work.right[front.first + r];
   for (const int child : front.child)
     if (child >= 0) addChild(work, front, work.order.fronts()[child], panel, update);
-  const int notPositive = factorPanel(panel, front.own, front.own + front.border, front.stride);
-  subtractSquare(panel + front.own, front.stride, front.own, update, front.stride, front.border);
+  const int notPositive = factorPanel(panel, front.own, size + 1, front.stride);
+  for (int r = 0; r < front.own; ++r) work.right[front.first + r] = panel[std::size_t(r) * front.stride + size];
+  subtractSquare(panel + front.own, front.stride, front.own, update, 0, front.border, front.border + 1);
   return notPositive;
 }
 
-void substituteTarget(const GridOrder& order, const float* panels, float* x, float* border) {
-  const Tag d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const auto& fronts = order.fronts();
-  for (const GridOrder::Front& front : fronts) {
+void forwardTarget(const GridOrder& order, const float* panels, float* x, float* border) {
+  for (const GridOrder::Front& front : order.fronts()) {
     const int* places = order.borderUnknowns().data() + front.firstBorder;
     const int size = front.own + front.border;
     std::copy_n(x + front.first, front.own, border);
@@ -175,12 +178,18 @@ void substituteTarget(const GridOrder& order, const float* panels, float* x, flo
     }
     for (int b = 0; b < front.border; ++b) x[places[b]] = border[front.own + b];
   }
+}
+
+void backwardTarget(const GridOrder& order, const float* panels, float* x, float* border) {
+  const Tag d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const auto& fronts = order.fronts();
   for (auto front = fronts.rbegin(); front != fronts.rend(); ++front) {
     const int* places = order.borderUnknowns().data() + front->firstBorder;
     const int size = front->own + front->border;
     std::copy_n(x + front->first, front->own, border);
     for (int b = 0; b < front->border; ++b) border[front->own + b] = x[places[b]];
-    std::fill_n(border + size, 32, 0.0f);
+    std::fill_n(border + size, lanes, 0.0f);
     for (int r = front->own - 1; r >= 0; --r) {
       const float* row = panels + front->panel + std::size_t(r) * front->stride;
       auto sum = hn::Zero(d);
@@ -197,14 +206,19 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace insonate::elastic {
 HWY_EXPORT(eliminateTarget);
-HWY_EXPORT(substituteTarget);
+HWY_EXPORT(forwardTarget);
+HWY_EXPORT(backwardTarget);
 
 int eliminateFront(const FrontWork& work, int front) {
   return HWY_DYNAMIC_DISPATCH(eliminateTarget)(work, front);
 }
 
-void substitute(const GridOrder& order, const float* panels, float* x, float* border) {
-  HWY_DYNAMIC_DISPATCH(substituteTarget)(order, panels, x, border);
+void substituteForward(const GridOrder& order, const float* panels, float* x, float* border) {
+  HWY_DYNAMIC_DISPATCH(forwardTarget)(order, panels, x, border);
+}
+
+void substituteBackward(const GridOrder& order, const float* panels, float* x, float* border) {
+  HWY_DYNAMIC_DISPATCH(backwardTarget)(order, panels, x, border);
 }
 
 }  // namespace insonate::elastic

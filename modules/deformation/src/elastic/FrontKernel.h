@@ -11,6 +11,7 @@ struct FrontWork {
   const GridOrder& order;
   const GridMatrix& matrix;
   float* panels;
+  float* right;  ///< right-hand side, in the order of elimination: substituted forward on the way
   std::vector<std::vector<float>>* updates;  ///< two: [side][depth]
 };
 
@@ -18,7 +19,9 @@ struct FrontWork {
 /// Returns how many pivots were not positive.
 int eliminateFront(const FrontWork& work, int front);
 
-/// Solves with the transposed factor, then with the factor; `x` is in the order of elimination, `border` a buffer.
-void substitute(const GridOrder& order, const float* panels, float* x, float* border);
+/// With the transposed factor; `x` is in the order of elimination, `border` a buffer.
+void substituteForward(const GridOrder& order, const float* panels, float* x, float* border);
+/// With the factor.
+void substituteBackward(const GridOrder& order, const float* panels, float* x, float* border);
 
 }  // namespace insonate::elastic

@@ -22,20 +22,34 @@ void GridFactor::prepare(int columns, int rows) {
   ordered_.assign(order_.unknowns() + GridMatrix::kPadding, 0.0f);
 }
 
-bool GridFactor::factor(const GridMatrix& matrix) {
-  const FrontWork work{order_, matrix, panels_.data(), updates_};
+bool GridFactor::factor(const GridMatrix& matrix, std::vector<float>& x) {
+  order(x);
+  const FrontWork work{order_, matrix, panels_.data(), ordered_.data(), updates_};
   int notPositive = 0;
   for (int f = 0; f < static_cast<int>(order_.fronts().size()); ++f) notPositive += eliminateFront(work, f);
-  return notPositive == 0;
+  if (notPositive > 0) return false;
+  substituteBackward(order_, panels_.data(), ordered_.data(), border_.data());
+  restore(x);
+  return true;
 }
 
 void GridFactor::solve(std::vector<float>& x) {
+  order(x);
+  substituteForward(order_, panels_.data(), ordered_.data(), border_.data());
+  substituteBackward(order_, panels_.data(), ordered_.data(), border_.data());
+  restore(x);
+}
+
+void GridFactor::order(const std::vector<float>& x) {
   const std::vector<int>& place = order_.placeOfNode();
   for (std::size_t n = 0; n < place.size(); ++n) {
     ordered_[place[n]] = x[2 * n];
     ordered_[place[n] + 1] = x[2 * n + 1];
   }
-  substitute(order_, panels_.data(), ordered_.data(), border_.data());
+}
+
+void GridFactor::restore(std::vector<float>& x) const {
+  const std::vector<int>& place = order_.placeOfNode();
   for (std::size_t n = 0; n < place.size(); ++n) {
     x[2 * n] = ordered_[place[n]];
     x[2 * n + 1] = ordered_[place[n] + 1];

@@ -13,16 +13,19 @@ class GridFactor {
  public:
   void prepare(int columns, int rows);
 
-  /// False where the matrix was not positive definite; pivots that were not are taken out, so that the unknowns behind
-  /// them stay as they are.
-  bool factor(const GridMatrix& matrix);
+  /// False where the matrix is not positive definite: there is no solution then.
+  /// Solves for `x` ([2 * node + axis], in place) on the way.
+  bool factor(const GridMatrix& matrix, std::vector<float>& x);
 
-  /// [2 * node + axis], in place.
+  /// Solves for another right-hand side.
   void solve(std::vector<float>& x);
 
   std::size_t factorBytes() const { return panels_.size() * sizeof(float); }
 
  private:
+  void order(const std::vector<float>& x);
+  void restore(std::vector<float>& x) const;
+
   GridOrder order_;
   std::vector<float> panels_;
   std::vector<std::vector<float>> updates_[2];  ///< [side][depth]

@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kLeafNodes = 12;
 constexpr int kStrideUnit = 16;
+constexpr int kSlack = 16;  // the right-hand side, and what whole vectors write beyond
 
 /// Odd multiples of the unit: rows then spread over all sets of a cache.
 int roundedUp(int n) {
@@ -75,11 +76,11 @@ void GridOrder::close(int f, Rectangle r, const std::vector<int>& ownNodes) {
       }
   std::sort(border_.begin() + front.firstBorder, border_.end());
   front.border = static_cast<int>(border_.size()) - front.firstBorder;
-  front.stride = roundedUp(front.own + front.border + kStrideUnit);
+  front.stride = roundedUp(front.own + front.border + kSlack);
   front.panel = factorSize_;
   factorSize_ += std::size_t(front.own) * front.stride;
   if (static_cast<int>(updateSize_.size()) <= front.depth) updateSize_.resize(front.depth + 1);
-  updateSize_[front.depth] = std::max(updateSize_[front.depth], std::size_t(front.border + kStrideUnit) * front.stride);
+  updateSize_[front.depth] = std::max(updateSize_[front.depth], std::size_t(front.border) * front.stride + kSlack);
 
   front.firstEntry = static_cast<int>(entries_.size());
   using M = GridMatrix;

@@ -7,20 +7,24 @@
 namespace insonate::elastic {
 namespace {
 
-constexpr float kGrowth = 1.35f;
-constexpr float kLargest_mm = 8;
-constexpr float kQuantum_mm = 5;  // of what is fine, so that the mesh keeps its size while the probe moves
-constexpr float kReserve_mm = 6;  // more than needed that is kept
+constexpr float kQuantum_mm = 2;  // of what is fine, so that the mesh keeps its size while the probe moves
+constexpr float kReserve_mm = 4;  // more than needed that is kept
 constexpr float kSteepest = 2;    // of the skin against the face
 constexpr float kReach = 0.45f;   // of a cell: nodes nearer to an outline are moved onto it
 
+/// How cells grow beyond what is fine.
+struct Growth {
+  float factor, largest_mm;
+};
+constexpr Growth kAside{1.4f, 12}, kDown{1.25f, 3};
+
 /// Distances from 0: `fine_mm` in cells of h, then growing to `end_mm`.
-std::vector<float> gradedLine(float fine_mm, float h_mm, float end_mm) {
+std::vector<float> gradedLine(float fine_mm, float h_mm, float end_mm, const Growth& growth) {
   const int cells = std::max(1, static_cast<int>(std::lround(fine_mm / h_mm)));
   std::vector<float> line;
   for (int i = 0; i <= cells; ++i) line.push_back(fine_mm * i / cells);
   for (float h = h_mm; line.back() < end_mm;) {
-    h = std::min(h * kGrowth, std::max(kLargest_mm, h_mm));
+    h = std::min(h * growth.factor, std::max(growth.largest_mm, h_mm));
     if (end_mm - line.back() < 1.5f * h) {
       line.push_back(end_mm);
       break;
@@ -39,12 +43,12 @@ float quantised(float needed, float present) {
 }  // namespace
 
 void Mesh::chooseLines(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings) {
-  constexpr int kAcross = 21, kDown = 21;
+  constexpr int kColumns = 21, kRows = 21;
   constexpr float kStep_mm = 2;
-  std::array<PlanePoint, kAcross * kDown> at;
-  std::array<PlaneTissue, kAcross * kDown> found;
-  for (int j = 0; j < kDown; ++j)
-    for (int i = 0; i < kAcross; ++i) at[j * kAcross + i] = {(i - kAcross / 2) * kStep_mm, j * kStep_mm};
+  std::array<PlanePoint, kColumns * kRows> at;
+  std::array<PlaneTissue, kColumns * kRows> found;
+  for (int j = 0; j < kRows; ++j)
+    for (int i = 0; i < kColumns; ++i) at[j * kColumns + i] = {(i - kColumns / 2) * kStep_mm, j * kStep_mm};
   plane.sample(at, found);
   float half = static_cast<float>(face.width_mm) / 2 + 4, deepest = 10;
   for (std::size_t k = 0; k < at.size(); ++k)
@@ -58,8 +62,8 @@ void Mesh::chooseLines(const TissuePlane& plane, const ProbeFace& face, const De
   if (half == lines_.fineHalf_mm && deepest == lines_.fineDepth_mm && lines_.depth_mm.back() == depth) return;
   lines_.fineHalf_mm = half;
   lines_.fineDepth_mm = deepest;
-  lines_.depth_mm = gradedLine(deepest, h, depth);
-  const std::vector<float> right = gradedLine(half, h, half + kBeyond_mm);
+  lines_.depth_mm = gradedLine(deepest, h, depth, kDown);
+  const std::vector<float> right = gradedLine(half, h, half + kBeyond_mm, kAside);
   lines_.x_mm.clear();
   for (std::size_t i = right.size() - 1; i > 0; --i) lines_.x_mm.push_back(-right[i]);
   lines_.x_mm.insert(lines_.x_mm.end(), right.begin(), right.end());

@@ -19,7 +19,7 @@ struct MeshLines {
 /// bone are moved onto it.
 class Mesh {
  public:
-  static constexpr float kBeyond_mm = 60;    ///< tissue that is meshed beyond the face, each way
+  static constexpr float kBeyond_mm = 70;    ///< tissue that is meshed beyond the face, each way
   static constexpr float kMostSkin_mm = 25;  ///< skin further than this off the face is not looked for
 
   /// Allocates only where the number of columns or rows changes.

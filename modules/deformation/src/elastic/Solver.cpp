@@ -9,11 +9,28 @@ namespace {
 constexpr float kHeld = 1e8f;
 constexpr float kShut_kPa = 20;  // of cells in a lumen that is closed
 constexpr float kLongestStep_mm = 4;
+constexpr float kCaution = 0.3f;
 constexpr int kCautiousRounds = 3;  // after a tangent that was not positive definite
+
+/// Derivatives of the shape functions by the rest position, in the middle of a cell.
+struct CellGradient {
+  std::size_t corner[4];
+  float x[4], z[4];
+
+  CellGradient(const Nodes& rest, std::size_t n, int columns, float area)
+      : corner{n, n + 1, n + 1 + columns, n + columns} {
+    const float half = 0.5f / area;
+    const float d1x = rest.x[corner[2]] - rest.x[corner[0]], d1z = rest.z[corner[2]] - rest.z[corner[0]];
+    const float d2x = rest.x[corner[3]] - rest.x[corner[1]], d2z = rest.z[corner[3]] - rest.z[corner[1]];
+    x[0] = -d2z * half, x[1] = d1z * half, x[2] = -x[0], x[3] = -x[1];
+    z[0] = d2x * half, z[1] = -d1x * half, z[2] = -z[0], z[3] = -z[1];
+  }
+};
 
 }  // namespace
 
-void Solver::prepare(const Mesh& mesh, const Materials& materials, const MechanicalTable& tissues) {
+void Solver::prepare(const Mesh& mesh, const Materials& materials, const MechanicalTable& tissues,
+                     const Prestress* known) {
   const int nx = mesh.columns(), nz = mesh.rows();
   if (elements_.columns != nx || elements_.rows != nz) {
     elements_.resize(nx, nz);
@@ -24,6 +41,7 @@ void Solver::prepare(const Mesh& mesh, const Materials& materials, const Mechani
       v->assign(2 * std::size_t(nx) * nz + 2 * GridMatrix::kPadding, 0.0f);
     cellPressure_.assign(elements_.base.size(), 0.0f);
     restBase_.assign(elements_.base.size(), 0.0f);
+    prestress_.resize(elements_.base.size());
   }
   materials_ = &materials;
   rest_ = mesh.rest();
@@ -41,54 +59,67 @@ void Solver::prepare(const Mesh& mesh, const Materials& materials, const Mechani
   }
   std::fill(dead_.begin(), dead_.end(), 0.0f);
   start();
-  if (materials.anyBlood) prestress();
+  if (materials.anyBlood) {
+    if (known)
+      prestress_ = *known;
+    else
+      findPrestress();
+    applyPrestress();
+  }
   restBase_ = elements_.base;
 }
 
-/// Stress with which the rest geometry carries the blood's pressure: that of a linear solve, as an initial stress in
-/// each cell (second Piola-Kirchhoff), which balances by itself; what the cells' means leave over is a dead load.
-void Solver::prestress() {
+/// Stress with which the rest geometry carries the blood's pressure, from a linear solve.
+void Solver::findPrestress() {
   const auto a = static_cast<float>(restPressure_.artery_kPa), v = static_cast<float>(restPressure_.vein_kPa);
-  std::fill(force_.begin(), force_.end(), 0.0f);
-  for (auto& array : matrix_.value) std::fill(array.begin(), array.end(), 0.0f);
   std::vector<float>& base = elements_.base;
-  for (std::size_t n = 0; n < elements_.count(); ++n) {
-    elements_.carried[n] = base[n];
+  elements_.carried = base;
+  for (std::size_t n = 0; n < elements_.count(); ++n)
     base[n] -= a * materials_->arteryBlood[n] + v * materials_->veinBlood[n];
-  }
-  assemble(elements_, at_, false, matrix_, force_);
+  system(0);
   hold();
-  factor_.factor(matrix_);
   step_ = force_;
-  factor_.solve(step_);
+  if (!factor_.factor(matrix_, step_)) std::fill(step_.begin(), step_.end(), 0.0f);
+  base = elements_.carried;
+  const int nx = elements_.columns;
+  for (std::size_t n = 0; n < elements_.count(); ++n) {
+    if (elements_.area[n] <= 0) continue;
+    const CellGradient g(rest_, n, nx, elements_.area[n]);
+    float xx = 0, xz = 0, zx = 0, zz = 0;
+    for (int c = 0; c < 4; ++c) {
+      const float ux = step_[2 * g.corner[c]], uz = step_[2 * g.corner[c] + 1];
+      xx += ux * g.x[c], xz += ux * g.z[c], zx += uz * g.x[c], zz += uz * g.z[c];
+    }
+    const float mu = materials_->mu[n];
+    prestress_.xx[n] = 2 * mu * xx;
+    prestress_.zz[n] = 2 * mu * zz;
+    prestress_.xz[n] = mu * (xz + zx);
+    prestress_.volume[n] = (materials_->bulk[n] - mu) * (xx + zz);
+  }
+}
+
+/// As an initial stress of each cell (second Piola-Kirchhoff). It balances the blood's pressure but for what the means
+/// over cells leave over, which is a dead load.
+void Solver::applyPrestress() {
+  const auto a = static_cast<float>(restPressure_.artery_kPa), v = static_cast<float>(restPressure_.vein_kPa);
   const int nx = elements_.columns;
   for (std::size_t n = 0; n < elements_.count(); ++n) {
     const float area = elements_.area[n];
     if (area <= 0) continue;
-    const std::size_t corner[4] = {n, n + 1, n + 1 + nx, n + nx};
-    const float d1x = rest_.x[corner[2]] - rest_.x[corner[0]], d1z = rest_.z[corner[2]] - rest_.z[corner[0]];
-    const float d2x = rest_.x[corner[3]] - rest_.x[corner[1]], d2z = rest_.z[corner[3]] - rest_.z[corner[1]];
-    const float half = 0.5f / area;
-    const float gx[4] = {-d2z * half, d1z * half, d2z * half, -d1z * half};
-    const float gz[4] = {d2x * half, -d1x * half, -d2x * half, d1x * half};
-    float xx = 0, xz = 0, zx = 0, zz = 0;
-    for (int c = 0; c < 4; ++c) {
-      const float ux = step_[2 * corner[c]], uz = step_[2 * corner[c] + 1];
-      xx += ux * gx[c], xz += ux * gz[c], zx += uz * gx[c], zz += uz * gz[c];
-    }
-    const float mu = materials_->mu[n], bulk = materials_->bulk[n];
-    const float sxx = 2 * mu * xx, szz = 2 * mu * zz, sxz = mu * (xz + zx);
-    base[n] += (bulk - mu) * (xx + zz);
+    elements_.base[n] += prestress_.volume[n] - a * materials_->arteryBlood[n] - v * materials_->veinBlood[n];
+    const float most = std::max({std::abs(prestress_.xx[n]), std::abs(prestress_.zz[n]), std::abs(prestress_.xz[n])});
+    const float share = std::min(1.0f, 0.8f * materials_->mu[n] / std::max(most, 1e-6f));
+    const float xx = share * area * prestress_.xx[n], zz = share * area * prestress_.zz[n],
+                xz = share * area * prestress_.xz[n];
+    const CellGradient g(rest_, n, nx, area);
     int k = 0;
     for (int p = 0; p < 4; ++p)
       for (int q = p; q < 4; ++q, ++k)
-        elements_.m[k][n] += area * (sxx * gx[p] * gx[q] + szz * gz[p] * gz[q] + sxz * (gx[p] * gz[q] + gz[p] * gx[q]));
+        elements_.m[k][n] += xx * g.x[p] * g.x[q] + zz * g.z[p] * g.z[q] + xz * (g.x[p] * g.z[q] + g.z[p] * g.x[q]);
   }
   std::fill(dead_.begin(), dead_.end(), 0.0f);
-  std::fill(force_.begin(), force_.end(), 0.0f);
-  assemble(elements_, at_, false, matrix_, force_);
+  system(0);
   for (std::size_t k = 0; k < dead_.size(); ++k) dead_[k] = -force_[k];
-  elements_.carried = base;
 }
 
 void Solver::setPressure(const BloodPressure& pressure) {
@@ -122,10 +153,10 @@ void Solver::hold() {
     }
 }
 
-void Solver::system(bool cautious) {
+void Solver::system(float caution) {
   for (auto& array : matrix_.value) std::fill(array.begin(), array.end(), 0.0f);
   force_ = dead_;
-  assemble(elements_, at_, cautious, matrix_, force_);
+  assemble(elements_, at_, caution, matrix_, force_);
   struts_.add(at_, matrix_, force_);
 }
 
@@ -149,15 +180,15 @@ Solver::Outcome Solver::solve(const Face& face, Load load, int mostIterations, f
   out.shift_mm = load.shift_mm;
   contact_.meet(face, at_, load.shift_mm, true);
   for (; out.iterations < mostIterations && !out.converged; ++out.iterations) {
-    system(cautious_ > 0);
+    system(caution_);
     contact_.add(out.shift_mm, load.sticking, rest_, at_, matrix_, force_);
     hold();
-    if (!factor_.factor(matrix_)) {
-      cautious_ = kCautiousRounds;
+    step_ = force_;
+    if (!factor_.factor(matrix_, step_)) {
+      caution_ = std::max(kCaution, 3 * caution_);
+      cautiousRounds_ = kCautiousRounds;
       continue;
     }
-    step_ = force_;
-    factor_.solve(step_);
     const float shiftChange = load.force_kPa_mm > 0 ? followForce(load.force_kPa_mm, out.shift_mm) : 0;
     float longest = std::abs(shiftChange);
     for (std::size_t k = 0; k < 2 * std::size_t(elements_.columns) * elements_.rows; ++k)
@@ -168,10 +199,12 @@ Solver::Outcome Solver::solve(const Face& face, Load load, int mostIterations, f
     advance(elements_, at_, step_, share);
     contact_.settle();
     out.shift_mm += share * shiftChange;
-    out.converged = share == 1 && out.iterations > 0 && longest < tolerance_mm && cautious_ == 0;
-    cautious_ = std::max(cautious_ - 1, 0);
+    out.converged = share == 1 && out.iterations > 0 && longest < tolerance_mm && caution_ == 0;
+    cautiousRounds_ = std::max(cautiousRounds_ - 1, 0);
+    if (cautiousRounds_ == 0) caution_ = 0;
   }
   out.finite = true;
+  contact_.settle();
   out.force_kPa_mm = contact_.pressing(out.shift_mm, at_);
   for (std::size_t n = 0; n < elements_.count(); ++n) cellPressure_[n] = elements_.carried[n] - elements_.base[n];
   return out;

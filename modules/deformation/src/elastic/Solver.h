@@ -8,11 +8,22 @@
 
 namespace insonate::elastic {
 
+/// Stress of each cell in the rest geometry, kPa: deviatoric (with its share of the trace), and what stands before dA.
+struct Prestress {
+  std::vector<float> xx, zz, xz, volume;
+  void resize(std::size_t cells) {
+    for (auto* v : {&xx, &zz, &xz, &volume}) v->assign(cells, 0.0f);
+  }
+};
+
 /// Equilibrium of a mesh under a face and blood pressure by mixed Newton steps, each with a fresh factor.
 class Solver {
  public:
   /// New rest geometry: stiffness, and the prestress that makes it an equilibrium under the tissues' own pressures.
-  void prepare(const Mesh& mesh, const Materials& materials, const MechanicalTable& tissues);
+  /// With a `known` prestress, a dead load makes up for what it lacks.
+  void prepare(const Mesh& mesh, const Materials& materials, const MechanicalTable& tissues,
+               const Prestress* known = nullptr);
+  const Prestress& prestress() const { return prestress_; }
 
   void setPressure(const BloodPressure& pressure);
 
@@ -22,6 +33,7 @@ class Solver {
   Nodes& at() { return at_; }
   const Nodes& at() const { return at_; }
   std::vector<float>& cellPressure() { return cellPressure_; }
+  const std::vector<float>& cellPressure() const { return cellPressure_; }
   /// Takes cellPressure() over.
   void carry();
 
@@ -41,8 +53,9 @@ class Solver {
   const Elements& elements() const { return elements_; }
 
  private:
-  void prestress();
-  void system(bool cautious);
+  void findPrestress();
+  void applyPrestress();
+  void system(float caution);
   void hold();
   float followForce(float wanted_kPa_mm, float shift_mm);
 
@@ -52,11 +65,13 @@ class Solver {
   GridMatrix matrix_;
   GridFactor factor_;
   Nodes rest_, at_;
+  Prestress prestress_;
   std::vector<float> force_, dead_, step_, byShift_, response_, cellPressure_, restBase_;
   const Materials* materials_ = nullptr;
   BloodPressure restPressure_;
   bool atRestPressure_ = true;
-  int cautious_ = 0;  ///< rounds to come with a cautious tangent
+  float caution_ = 0;  ///< of the next tangents, see assemble()
+  int cautiousRounds_ = 0;
 };
 
 }  // namespace insonate::elastic

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "elastic/Solver.h"
+
+#include <insonate/core/Transform.h>
+
+#include <vector>
+
+namespace insonate::elastic {
+
+/// A solution that goes on where the probe has moved: each node asks where its tissue was in an earlier mesh. What has
+/// left the plane counts as if it were in it.
+class CarryOver {
+ public:
+  /// Mesh and solution as they are now.
+  void keep(const Mesh& mesh, const Solver& solver);
+
+  bool fits(const Mesh& mesh) const { return mesh.columns() == mesh_.columns() && mesh.rows() == mesh_.rows(); }
+  /// For a mesh of the same size.
+  void giveStress(const Mesh& mesh, const Transform& keptFromNow, Prestress& prestress) const;
+  void giveSolution(const Mesh& mesh, const Transform& keptFromNow, Solver& solver) const;
+
+ private:
+  Mesh::Place placeOf(const Mesh& mesh, std::size_t node, const Transform& keptFromNow) const;
+  /// The cell that the middle of a cell was in, where `place` is that of its first corner.
+  std::size_t cellOf(const Mesh::Place& place) const;
+
+  Mesh mesh_;
+  Nodes at_;
+  std::vector<float> pressure_;
+  Prestress prestress_;
+};
+
+}  // namespace insonate::elastic
