@@ -1,4 +1,4 @@
-#include "NeckScene.h"
+#include "support/NeckScene.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@ struct Load {
   BloodPressure blood;
   const elastic::Face* face = nullptr;  ///< none: nothing presses
   double shift_mm = 0;                  ///< of the face along z
-  /// Where nodes meet the face's profile: their x here, while they move on. Follows them from solve to solve, as
-  /// nodes that slide over the face's edge within one would touch and come off by turns.
+  /// Where nodes meet the face's profile: at their x here, while they move on. Nodes that followed it within one solve
+  /// would touch the face's edge and come off it by turns. Empty: where they are when a solve begins.
   Vector meeting = Vector();
   bool sticking = false;
 };

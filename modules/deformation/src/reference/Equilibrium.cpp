@@ -102,6 +102,17 @@ double Equilibrium::allowedShare(const Vector& step) const {
   return share;
 }
 
+double Equilibrium::missedBy(const Load& load) const {
+  double missed = 0;
+  for (int column = 0; column < body_.columns; ++column) {
+    if (touchOf(body_, state.at, load, column).depth_mm <= 0) continue;
+    const auto met = load.face->at(static_cast<float>(load.meeting[2 * column]));
+    const auto now = load.face->at(static_cast<float>(state.at[2 * column]));
+    missed = std::max<double>(missed, now.under ? std::abs(now.z_mm - met.z_mm) : elastic::Face::kEndRadius_mm);
+  }
+  return missed;
+}
+
 void Equilibrium::advance(const Load& load, const Vector& step) {
   for (std::size_t n = 0; n < body_.cells.size(); ++n) {
     const Cell& cell = body_.cells[n];
@@ -116,7 +127,7 @@ void Equilibrium::advance(const Load& load, const Vector& step) {
 
 Equilibrium::Outcome Equilibrium::solve(Load& load, double force_kPa_mm, double tolerance_mm, int mostIterations) {
   Outcome out;
-  load.meeting = state.at;
+  if (load.meeting.size() == 0) load.meeting = state.at;
   if (force_kPa_mm > 0) load.shift_mm = state.shift_mm;
   int cautious = 0;
   for (; out.iterations < mostIterations && !out.converged; ++out.iterations) {
@@ -135,10 +146,7 @@ Equilibrium::Outcome Equilibrium::solve(Load& load, double force_kPa_mm, double 
     out.converged = share == 1 && longest < tolerance_mm && cautious == 0;
     cautious = std::max(cautious - 1, 0);
   }
-  out.slid_mm = 0;
-  for (int column = 0; column < body_.columns; ++column)
-    if (touchOf(body_, state.at, load, column).depth_mm > 0)
-      out.slid_mm = std::max(out.slid_mm, std::abs(state.at[2 * column] - load.meeting[2 * column]));
+  if (load.face) out.missed_mm = missedBy(load);
   state.shift_mm = load.shift_mm;
   return out;
 }

@@ -24,7 +24,7 @@ class Equilibrium {
   struct Outcome {
     bool converged = false;  ///< the last whole step moved nothing by more than the tolerance
     int iterations = 0;
-    double slid_mm = 0;  ///< the furthest that a touching node has moved along the face
+    double missed_mm = 0;  ///< of the face's height where touching nodes have moved to, and where they met it
   };
   /// At load.shift_mm; or, with force_kPa_mm above 0, at the shift at which the face presses so. Leaves in `load` where
   /// nodes have met the face, and its shift.
@@ -41,6 +41,7 @@ class Equilibrium {
   Vector solveWith(const Vector& right) const;
   double followForce(const Load& load, double wanted_kPa_mm, Vector& step) const;
   double allowedShare(const Vector& step) const;
+  double missedBy(const Load& load) const;
   void advance(const Load& load, const Vector& step);
 
   const Body& body_;

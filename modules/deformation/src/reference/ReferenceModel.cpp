@@ -13,8 +13,8 @@ using namespace reference;
 
 constexpr double kTolerance_mm = 1e-4, kRough_mm = 0.02;
 constexpr double kPressStep_mm = 1, kForceStep_N = 0.5;
-constexpr int kMostRounds = 20;              // of meeting the face where the skin has slid to
-constexpr double kMostSlid_mm = 1e-3;        // in the last of them
+constexpr int kMostRounds = 40;
+constexpr double kMostMissed_mm = 5e-3;      // by which a node lies off the face in the end
 constexpr double kSmallestPart = 1.0 / 256;  // of a load, below which going on is given up
 
 class ReferenceModel final : public DeformationModel {
@@ -75,12 +75,11 @@ class ReferenceModel final : public DeformationModel {
                  Deformation& answer) {
     const double force_kPa_mm = std::max(input.force_N, 0.0) * 1000 / input.face.footprint_mm;
     const double steps = input.force_N > 0 ? input.force_N / kForceStep_N : deepest_mm_ / kPressStep_mm;
-    double slid_mm = 0;
-    const auto solve = [&](double part, double tolerance_mm) {
-      Load load = partOf(part, input, face);
+    double missed_mm = 0;
+    const auto solve = [&](Load load, double part, double tolerance_mm) {
       const auto out = equilibrium.solve(load, part * force_kPa_mm, tolerance_mm, settings_.mostIterations);
       answer.iterations += out.iterations;
-      slid_mm = out.slid_mm;
+      missed_mm = out.missed_mm;
       if (!out.converged || !equilibrium.inOrder()) return false;
       reached_ = load;
       return true;
@@ -89,7 +88,7 @@ class ReferenceModel final : public DeformationModel {
     while (done < 1 && step >= kSmallestPart) {
       const Equilibrium::State before = equilibrium.state;
       const double part = done + step > 1 - 1e-9 ? 1 : done + step;
-      if (solve(part, kRough_mm)) {
+      if (solve(partOf(part, input, face), part, kRough_mm)) {
         done = part;
       } else {
         equilibrium.state = before;
@@ -98,12 +97,17 @@ class ReferenceModel final : public DeformationModel {
     }
     const double tolerance_mm = settings_.tolerance_mm > 0 ? settings_.tolerance_mm : kTolerance_mm;
     answer.converged = done == 1;
-    for (int round = 0; round < kMostRounds && answer.converged && (round == 0 || slid_mm > tolerance_mm); ++round) {
+    // Then until nodes lie on the face where they have slid to; half the way each time, as its edge is steep.
+    Vector meeting = equilibrium.state.at;
+    for (int round = 0; round < kMostRounds && answer.converged && (round == 0 || missed_mm > tolerance_mm); ++round) {
       const Equilibrium::State before = equilibrium.state;
-      answer.converged = solve(1, tolerance_mm);
+      meeting = (meeting + equilibrium.state.at) / 2;
+      Load load = partOf(1, input, face);
+      load.meeting = meeting;
+      answer.converged = solve(load, 1, tolerance_mm);
       if (!answer.converged) equilibrium.state = before;
     }
-    answer.converged = answer.converged && slid_mm <= kMostSlid_mm;
+    answer.converged = answer.converged && missed_mm <= kMostMissed_mm;
   }
 
   void describe(const DeformationInput& input, const elastic::Mesh& mesh, const Body& body,
