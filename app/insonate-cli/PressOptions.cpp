@@ -6,6 +6,7 @@
 namespace insonate::cli {
 namespace {
 
+constexpr int kPatience = 300;  // a vein that closes takes its time
 constexpr double kMostForce_N = 50, kMostIndent_mm = 20;
 
 Result<void> checkOption(const char* option, const std::optional<double>& value, double low, double high,
@@ -88,6 +89,7 @@ Result<PressPlan> readPress(const PressOptions& options, bool displacementWanted
   }
   plan.mechanics.footprint_mm = options.footprint_mm.value_or(plan.mechanics.footprint_mm);
   plan.mechanics.sticking = options.sticking;
+  plan.mechanics.settings.mostIterations = kPatience;
   if (auto ok = validate(plan.mechanics); !ok) return tl::unexpected(ok.error());
   return plan;
 }

@@ -4,7 +4,8 @@ namespace insonate::live {
 
 std::size_t bytesOf(const LiveFrame& frame) {
   return sizeof(LiveFrame) + frame.image.grey.capacity() + frame.envelope.amplitude.capacity() * sizeof(float) +
-         frame.stages.capacity() * sizeof(ImagingFrame::Stage);
+         frame.stages.capacity() * sizeof(ImagingFrame::Stage) + frame.press.mesh.nodes.capacity() * sizeof(MeshNode) +
+         frame.press.mesh.pressure_kPa.capacity() * sizeof(float);
 }
 
 Cine::Cine(std::size_t mostBytes) : mostBytes_(mostBytes), ring_(kMostFrames) {}

@@ -21,7 +21,7 @@ Result<void> checkSetup(const ImagingSetup& setup) {
   if (auto ok = validate(setup.probe); !ok) return ok;
   if (auto ok = validate(setup.settings, setup.probe); !ok) return ok;
   if (auto engine = makeEngine(setup.engine); !engine) return tl::unexpected(engine.error());
-  return {};
+  return validate(setup.mechanics);
 }
 
 }  // namespace
@@ -82,11 +82,14 @@ Result<std::unique_ptr<LiveImaging>> LiveImaging::make(std::shared_ptr<const Pat
   if (auto ok = checkCase(patient.get()); !ok) return tl::unexpected(ok.error());
   if (!isRigid(patientFromProbe))
     return fail("The probe's pose is not a rotation and a place; take one from patientFromProbe() or a start pose.");
+  if (auto ok = checkPhysiology(options.physiology); !ok) return tl::unexpected(ok.error());
   auto imager = Imager::make(setup);
   if (!imager) return tl::unexpected(imager.error());
+  auto tissue = PressedTissue::make(setup.probe, setup.settings, setup.mechanics, Impl::kIterations);
+  if (!tissue) return tl::unexpected(tissue.error());
   auto shared = std::make_shared<const ImagingSetup>(setup);
-  return std::unique_ptr<LiveImaging>(new LiveImaging(
-      std::make_unique<Impl>(std::move(patient), std::move(shared), std::move(*imager), patientFromProbe, options)));
+  return std::unique_ptr<LiveImaging>(new LiveImaging(std::make_unique<Impl>(
+      std::move(patient), std::move(shared), std::move(*imager), std::move(*tissue), patientFromProbe, options)));
 }
 
 void LiveImaging::setPose(const Transform& patientFromProbe) {
@@ -97,6 +100,20 @@ Result<void> LiveImaging::setSetup(const ImagingSetup& setup) {
   if (auto ok = checkSetup(setup); !ok) return ok;
   impl_->setSetup(std::make_shared<const ImagingSetup>(setup));
   return {};
+}
+
+Result<void> LiveImaging::setPhysiology(const Physiology& physiology) {
+  if (auto ok = checkPhysiology(physiology); !ok) return ok;
+  impl_->setPhysiology(physiology);
+  return {};
+}
+
+void LiveImaging::setPulsating(bool pulsating) {
+  impl_->setPulsating(pulsating);
+}
+
+void LiveImaging::setKeepMesh(bool keep) {
+  impl_->setKeepMesh(keep);
 }
 
 void LiveImaging::setFrozen(bool frozen) {

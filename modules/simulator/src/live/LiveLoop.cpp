@@ -32,19 +32,24 @@ LiveOptions completed(LiveOptions options) {
 
 }  // namespace
 
-LiveImaging::Impl::Source::Source(std::shared_ptr<const ImagingSetup> of, Imager its, const VolumeGeometry& volume)
+LiveImaging::Impl::Source::Source(std::shared_ptr<const ImagingSetup> of, Imager its, PressedTissue pressed,
+                                  const VolumeGeometry& volume)
     : setup(std::move(of)),
       imager(std::move(its)),
+      tissue(std::move(pressed)),
       need(*setup, volume),
       framesToSettle(insonate::framesToSettle(setup->settings.persistence)) {}
 
 LiveImaging::Impl::Impl(std::shared_ptr<const PatientCase> patient, std::shared_ptr<const ImagingSetup> setup,
-                        Imager imager, const Transform& patientFromProbe, const LiveOptions& options)
+                        Imager imager, PressedTissue tissue, const Transform& patientFromProbe,
+                        const LiveOptions& options)
     : patient_(std::move(patient)),
       options_(completed(options)),
+      pulsating_(options.pulsating),
       cine_(options.cineBytes),
-      active_(std::move(setup), std::move(imager), patient_->labels.geometry),
+      active_(std::move(setup), std::move(imager), std::move(tissue), patient_->labels.geometry),
       pose_(patientFromProbe),
+      physiology_(options.physiology),
       builder_(patient_, options_.threads, options_.workAhead, [this] { wake(); }),
       thread_([this] {
         tbb::task_arena arena(options_.threads);
@@ -59,25 +64,37 @@ LiveImaging::Impl::~Impl() {
 }
 
 void LiveImaging::Impl::wake() {
-  ++woken_;
-  woken_.notify_one();
+  {
+    const std::lock_guard lock(wakeMutex_);
+    woken_ = true;
+  }
+  waking_.notify_one();
+}
+
+void LiveImaging::Impl::waitFor(double seconds) {
+  std::unique_lock lock(wakeMutex_);
+  const auto woken = [this] { return woken_; };
+  if (seconds < kNever_s)
+    waking_.wait_for(lock, std::chrono::duration<double>(seconds), woken);
+  else
+    waking_.wait(lock, woken);
+  woken_ = false;
 }
 
 void LiveImaging::Impl::run() {
   while (!stopping_) {
-    const std::uint32_t woken = woken_;
-    bool more = false;
+    double due_s = kNever_s;
     try {
       takeInputs();
       takeScene();
       activateNext();
       followProbe();
-      more = makePicture();
+      due_s = makePicture();
     } catch (const std::exception& error) {
       next_.reset();
       setState(LiveState::Failed, "The picture could not be made (" + std::string(error.what()) + ").");
     }
-    if (!more) woken_.wait(woken);
+    waitFor(due_s);
   }
 }
 
@@ -89,11 +106,13 @@ void LiveImaging::Impl::takeInputs() {
   if (auto setup = setups_.take()) {
     jobFailed_ = false;
     auto imager = Imager::make(**setup);
-    if (imager)
-      next_.emplace(std::move(*setup), std::move(*imager), patient_->labels.geometry);
+    auto tissue = PressedTissue::make((*setup)->probe, (*setup)->settings, (*setup)->mechanics, kIterations);
+    if (imager && tissue)
+      next_.emplace(std::move(*setup), std::move(*imager), std::move(*tissue), patient_->labels.geometry);
     else
-      setState(LiveState::Failed, imager.error().message);
+      setState(LiveState::Failed, imager ? tissue.error().message : imager.error().message);
   }
+  takePhysiology();
 }
 
 bool LiveImaging::Impl::suits(const live::SceneJob& job, const Source& source) {
@@ -118,10 +137,7 @@ void LiveImaging::Impl::takeScene() {
   }
   // A scene that suits neither was overtaken by another setup while it was handed over.
   if (!suits(built->job, next_ ? *next_ : active_)) return;
-  if (next_) {
-    active_ = std::move(*std::exchange(next_, std::nullopt));
-    drawn_ = false;
-  }
+  if (next_) activate(std::move(*std::exchange(next_, std::nullopt)));
   scene_ = std::move(*built);
   builder_.expect(active_.need.at(pose_, kAhead_mm), active_.need.detail_mm());
 }
@@ -132,8 +148,7 @@ void LiveImaging::Impl::activateNext() {
   const bool outside = next_->need.misses(pose_);
   if (!outside && !isCovered(*next_)) return;
   if (!suits(scene_.job, *next_)) scene_ = {};
-  active_ = std::move(*std::exchange(next_, std::nullopt));
-  drawn_ = false;
+  activate(std::move(*std::exchange(next_, std::nullopt)));
 }
 
 bool LiveImaging::Impl::isCovered(const Source& source) const {
@@ -164,33 +179,43 @@ bool LiveImaging::Impl::isFrozen() const {
   return frozen_;
 }
 
-/// True where the next picture is due at once.
-bool LiveImaging::Impl::makePicture() {
+double LiveImaging::Impl::makePicture() {
   const bool frozen = isFrozen();
   if (std::exchange(frozenSeen_, frozen) != frozen) notify();
-  if (frozen) return false;
+  if (frozen) return kNever_s;
   const bool outside = active_.need.misses(pose_);
-  const bool moved = !drawn_ || !(pose_ == drawnPose_);
+  const bool moved = !drawn_ || !(pose_ == drawnPose_) || (bloodChanged_ && !outside);
   if (!outside && !isCovered(active_)) {
     if (!jobFailed_) setState(number_ ? LiveState::WaitingForScene : LiveState::Starting);
-    return false;
+    return kNever_s;
   }
   const LiveState state = outside ? LiveState::Outside : LiveState::Imaging;
-  if (!moved && (settleLeft_ == 0 || outside)) {
+  const bool changes = moved || (!outside && (goesOn() || untilPulse_s() <= 0));
+  if (!changes && (settleLeft_ == 0 || outside)) {
     if (!jobFailed_) setState(state);
-    return false;
+    return outside ? kNever_s : untilPulse_s();
   }
+  begun_s_ = now_s();
   if (outside)
     blackPicture();
   else
-    active_.imager.render(*scene_.scene, pose_, scratch_);
-  if (!publish()) return false;
-  settleLeft_ = moved ? active_.framesToSettle : settleLeft_ - 1;
+    renderPicture();
+  if (!publish()) return kNever_s;
+  settleLeft_ = changes ? active_.framesToSettle : settleLeft_ - 1;
+  tissueLeft_ = moved ? kMostOfOneSolve : tissueLeft_ - 1;
   drawn_ = true;
   drawnPose_ = pose_;
+  bloodChanged_ = false;
   if (!jobFailed_) setState(state);
   notify();
-  return settleLeft_ > 0;
+  if (outside) return settleLeft_ > 0 ? 0 : kNever_s;
+  return settleLeft_ > 0 || goesOn() ? 0 : untilPulse_s();
+}
+
+void LiveImaging::Impl::renderPicture() {
+  press();
+  active_.imager.render(*scene_.scene, pose_, active_.tissue.deformation().displacement, scratch_);
+  scratch_.frame_ms += press_.solve_ms;
 }
 
 void LiveImaging::Impl::blackPicture() {
@@ -199,6 +224,8 @@ void LiveImaging::Impl::blackPicture() {
   scratch_.envelope.resize(0, 0, 0);
   scratch_.stages.clear();
   scratch_.frame_ms = 0;
+  active_.tissue.release();
+  press_ = {};
 }
 
 /// False where the picture came too late, because it has been frozen.
@@ -210,6 +237,7 @@ bool LiveImaging::Impl::publish() {
   std::swap(frame->stages, scratch_.stages);
   if (options_.keepEnvelopes) std::swap(frame->envelope, scratch_.envelope);
   frame->patientFromProbe = pose_;
+  tellPress(frame->press);
   frame->setup = active_.setup;
   frame->warnings = scene_.warnings ? scene_.warnings : kNoWarnings;
   frame->frame_ms = scratch_.frame_ms;

@@ -6,21 +6,28 @@
 #include "live/SceneNeed.h"
 
 #include <insonate/core/Mailbox.h>
+#include <insonate/simulator/PressedTissue.h>
 
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
 
 namespace insonate {
 
 /// What LiveImaging is: what crosses between threads first, then what only the simulation thread touches.
 class LiveImaging::Impl {
  public:
+  static constexpr int kIterations = 4;  ///< of the tissue's model, for one picture
+
   Impl(std::shared_ptr<const PatientCase> patient, std::shared_ptr<const ImagingSetup> setup, Imager imager,
-       const Transform& patientFromProbe, const LiveOptions& options);
+       PressedTissue tissue, const Transform& patientFromProbe, const LiveOptions& options);
   ~Impl();
 
   void setPose(const Transform& patientFromProbe);
   void setSetup(std::shared_ptr<const ImagingSetup> setup);
+  void setPhysiology(const Physiology& physiology);
+  void setPulsating(bool pulsating);
+  void setKeepMesh(bool keep);
   void setFrozen(bool frozen);
   std::shared_ptr<const LiveFrame> latest() const;
   std::vector<std::shared_ptr<const LiveFrame>> cine(double seconds) const;
@@ -33,23 +40,37 @@ class LiveImaging::Impl {
 
   /// A setup with what has been made for it.
   struct Source {
-    Source(std::shared_ptr<const ImagingSetup> setup, Imager imager, const VolumeGeometry& volume);
+    Source(std::shared_ptr<const ImagingSetup> setup, Imager imager, PressedTissue tissue,
+           const VolumeGeometry& volume);
     std::shared_ptr<const ImagingSetup> setup;
     Imager imager;
+    PressedTissue tissue;
     live::SceneNeed need;
     int framesToSettle;  ///< pictures of a still probe until persistence no longer shows
     BModeImage black;    ///< made when first needed
   };
 
+  static constexpr double kNever_s = HUGE_VAL;
+  static constexpr int kMostOfOneSolve = 30;  ///< pictures; what has not settled by then will not
+
   void wake();
+  void waitFor(double seconds);
   void run();
   void takeInputs();
   void takeScene();
   void activateNext();
   void followProbe();
+  void activate(Source source);
   bool isFrozen() const;
-  bool makePicture();
+  /// Seconds until the next picture is due; infinite where something has to change first.
+  double makePicture();
+  void renderPicture();
   void blackPicture();
+  void takePhysiology();
+  void press();
+  bool goesOn() const { return !press_.settled && tissueLeft_ > 0; }
+  double untilPulse_s() const;
+  void tellPress(LivePress& press) const;
   bool publish();
   void setState(LiveState state, std::string message = {});
   void notify();
@@ -63,7 +84,11 @@ class LiveImaging::Impl {
 
   Mailbox<Transform> poses_;
   Mailbox<std::shared_ptr<const ImagingSetup>> setups_;
-  std::atomic<std::uint32_t> woken_{0};
+  Mailbox<Physiology> physiologies_;
+  std::atomic<bool> pulsating_, keepMesh_{false};
+  std::mutex wakeMutex_;
+  std::condition_variable waking_;
+  bool woken_ = false;  ///< guarded by wakeMutex_
   std::atomic<bool> stopping_{false};
 
   mutable std::mutex mutex_;  ///< of the following
@@ -87,6 +112,12 @@ class LiveImaging::Impl {
   bool drawn_ = false;  ///< active_ has made a picture at drawnPose_
   bool frozenSeen_ = false;
   int settleLeft_ = 0;
+  Physiology physiology_;
+  bool pulsatingSeen_ = false;  ///< the last picture's
+  bool bloodChanged_ = false;   ///< since the last picture
+  int tissueLeft_ = 0;          ///< pictures that may still go on with the same solve
+  double begun_s_ = -HUGE_VAL;  ///< the last picture
+  LivePress press_;
   std::uint64_t number_ = 0;
   ImagingFrame scratch_;
 

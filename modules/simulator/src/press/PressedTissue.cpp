@@ -74,7 +74,8 @@ Result<Transform> poseOnSkin(const LabelMap& labels, const ProbeFace& face, cons
 
 BloodPressure bloodPressure(const Physiology& physiology, const MechanicalTable& tissues,
                             std::optional<double> time_s) {
-  const BloodPressure now = time_s ? bloodPressureAt(physiology, *time_s) : meanBloodPressure(physiology);
+  if (time_s) return bloodPressureAt(physiology, *time_s);
+  const BloodPressure now = meanBloodPressure(physiology);
   return {snapped(now.artery_kPa, tissues.of(kArtery)), snapped(now.vein_kPa, tissues.of(kVein))};
 }
 
@@ -102,12 +103,15 @@ class PressedTissue::Impl {
     indentation_mm_ = travel ? -travel->touch_mm : std::numeric_limits<double>::quiet_NaN();
     const bool touches = travel && travel->touch_mm < 0;
     const bool atRest = pressure.artery_kPa == rest_.artery_kPa && pressure.vein_kPa == rest_.vein_kPa;
-    if (!model_ || (!touches && atRest)) {
-      clear(answer_);
-      if (model_) model_->reset();
-      return;
-    }
-    solve(pose, pressure, 0);
+    if (model_ && (touches || !atRest))
+      solve(pose, pressure, 0);
+    else
+      forget();
+  }
+
+  void forget() {
+    clear(answer_);
+    if (model_) model_->reset();
   }
 
   void push(const AcousticScene& scene, const Transform& pose, const BloodPressure& pressure, double force_N) {
@@ -207,6 +211,10 @@ void PressedTissue::hold(const AcousticScene& scene, const Transform& patientFro
 void PressedTissue::push(const AcousticScene& scene, const Transform& patientFromProbe, const BloodPressure& pressure,
                          double force_N) {
   impl_->push(scene, patientFromProbe, pressure, force_N);
+}
+
+void PressedTissue::release() {
+  impl_->forget();
 }
 
 const Deformation& PressedTissue::deformation() const {

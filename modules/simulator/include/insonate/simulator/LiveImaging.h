@@ -1,5 +1,6 @@
 #pragma once
 
+#include <insonate/deformation/Physiology.h>
 #include <insonate/simulator/Imager.h>
 
 #include <cstdint>
@@ -10,12 +11,31 @@
 
 namespace insonate {
 
+/// A model's mesh, rest and now, in the probe frame of its picture.
+struct TissueMesh {
+  int columns = 0, rows = 0;        ///< of nodes
+  std::vector<MeshNode> nodes;      ///< [row][column]
+  std::vector<float> pressure_kPa;  ///< of its cells, (columns-1) x (rows-1); above 0 where squeezed
+};
+
+/// What the tissue does under the probe. All of it at rest where the setup's model is kNoDeformation.
+struct LivePress {
+  double force_N = 0;             ///< with which the tissue presses back
+  double indentation_mm = 0;      ///< of the face from where it first touches; below 0: off the skin. NaN: no skin near
+  std::vector<LumenArea> lumens;  ///< in the plane; empty where nothing presses and blood is as in the CT
+  BloodPressure pressure;
+  bool settled = true;  ///< false: the model is still on its way, and the next picture goes on
+  double solve_ms = 0;  ///< part of frame_ms
+  TissueMesh mesh;      ///< empty unless setKeepMesh()
+};
+
 /// One picture of a live probe. Never changes once handed out, and may be kept: its memory is used again when the last
 /// holder lets go, even after LiveImaging itself has gone.
 struct LiveFrame {
   BModeImage image;
-  EnvelopeFrame envelope;                                    ///< empty unless LiveOptions::keepEnvelopes
-  Transform patientFromProbe;                                ///< where the probe was
+  EnvelopeFrame envelope;      ///< empty unless LiveOptions::keepEnvelopes
+  Transform patientFromProbe;  ///< where the probe was
+  LivePress press;
   std::shared_ptr<const ImagingSetup> setup;                 ///< probe, settings, tissues, engine; never null
   std::shared_ptr<const std::vector<std::string>> warnings;  ///< about the case, e.g. unknown labels; never null
   std::vector<ImagingFrame::Stage> stages;                   ///< empty where the probe is outside the patient
@@ -48,11 +68,14 @@ struct LiveOptions {
   std::size_t cineBytes = 256 << 20;  ///< memory for frames of the past; the latest frame is kept in any case
   bool workAhead = true;              ///< compute what scenes to come are made of, as far as processors are idle
   bool keepEnvelopes = false;         ///< LiveFrame::envelope too, about six times the memory
+  Physiology physiology = {};         ///< see setPhysiology()
+  bool pulsating = false;             ///< see setPulsating()
 };
 
-/// A probe over a patient, imaged as it moves: owns a thread that makes a picture whenever pose or setup have changed,
-/// or persistence has not settled, and a worker that builds the next scene before the probe leaves the present one. A
-/// probe that is held still costs nothing. A frame allocates nothing once the cine memory is full.
+/// A probe over a patient, imaged as it moves. A pose whose face lies inside the skin presses: tissue gives way as the
+/// setup's mechanics say, computed before each picture. Owns a thread that makes a picture whenever pose or setup have
+/// changed, or persistence or tissue have not settled, and a worker that builds the next scene before the probe leaves
+/// the present one. A probe that is held still costs nothing. A frame allocates nothing once the cine memory is full.
 ///
 /// Every member may be called from any thread. The destructor waits for the frame in work; a scene that is being built
 /// is cancelled.
@@ -73,6 +96,16 @@ class LiveImaging {
   /// Probe, settings, tissues and engine at once. What is out of range is refused, and the old setup goes on; it goes
   /// on, too, until a scene for the new one is there. Of several setups in a row, only the last may be seen.
   Result<void> setSetup(const ImagingSetup& setup);
+
+  /// What the patient's blood is under, from the next picture on. Refused, with a sentence, where out of range.
+  Result<void> setPhysiology(const Physiology& physiology);
+
+  /// Whether heart and breath move the vessels: pictures are then made 30 times a second where a vessel is in the
+  /// plane. Otherwise blood is at its mean pressure.
+  void setPulsating(bool pulsating);
+
+  /// Whether the frames to come carry the model's mesh (LivePress::mesh), some hundred kilobytes each.
+  void setKeepMesh(bool keep);
 
   /// Once this returns, latest() and cine() stay as they are. Poses and setups are kept for later.
   void setFrozen(bool frozen);

@@ -10,8 +10,8 @@
 
 namespace insonate {
 
-/// Blood pressure of a patient at a time, or its mean without one. Within half a percent of the pressure that the table
-/// says the CT was taken under, it is exactly that, so that a patient at rest is at rest.
+/// Blood pressure of a patient at a time; without one, its mean, and where that is within half a percent of the
+/// pressure that the table says the CT was taken under, exactly that: so that a patient at rest is at rest.
 BloodPressure bloodPressure(const Physiology& physiology, const MechanicalTable& tissues,
                             std::optional<double> time_s = {});
 
@@ -48,6 +48,9 @@ class PressedTissue {
   /// the pose stays. As hold() where no skin is near.
   void push(const AcousticScene& scene, const Transform& patientFromProbe, const BloodPressure& pressure,
             double force_N);
+
+  /// Off the patient: nothing is pressed, and what was solved is forgotten.
+  void release();
 
   /// The last answer, in the frame of pose().
   const Deformation& deformation() const;

@@ -1,0 +1,76 @@
+#include "live/LiveLoop.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace insonate {
+namespace {
+
+constexpr double kPulse_s = 1.0 / 30;
+
+bool samePress(const ImagingSetup& a, const ImagingSetup& b) {
+  const ProbeFace faceA = faceOf(a.probe, a.mechanics), faceB = faceOf(b.probe, b.mechanics);
+  return a.mechanics == b.mechanics && faceA.width_mm == faceB.width_mm && faceA.radius_mm == faceB.radius_mm &&
+         pressWindow(a.probe, a.settings, a.mechanics) == pressWindow(b.probe, b.settings, b.mechanics);
+}
+
+}  // namespace
+
+void LiveImaging::Impl::setPhysiology(const Physiology& physiology) {
+  physiologies_.post(physiology);
+  wake();
+}
+
+void LiveImaging::Impl::setPulsating(bool pulsating) {
+  if (pulsating_.exchange(pulsating) != pulsating) wake();
+}
+
+void LiveImaging::Impl::setKeepMesh(bool keep) {
+  keepMesh_ = keep;
+}
+
+void LiveImaging::Impl::takePhysiology() {
+  if (const auto physiology = physiologies_.take()) {
+    physiology_ = *physiology;
+    bloodChanged_ = true;
+  }
+  const bool pulsating = pulsating_;
+  if (std::exchange(pulsatingSeen_, pulsating) != pulsating) bloodChanged_ = true;
+}
+
+/// Tissue goes on from where it was, where the new setup presses as the old one did.
+void LiveImaging::Impl::activate(Source source) {
+  if (samePress(*active_.setup, *source.setup)) std::swap(source.tissue, active_.tissue);
+  active_ = std::move(source);
+  drawn_ = false;
+}
+
+void LiveImaging::Impl::press() {
+  const double start_s = now_s();
+  const auto time_s = pulsatingSeen_ ? std::optional(start_s) : std::nullopt;
+  press_.pressure = bloodPressure(physiology_, active_.setup->mechanics.tissues, time_s);
+  active_.tissue.hold(*scene_.scene, pose_, press_.pressure);
+  const Deformation& answer = active_.tissue.deformation();
+  press_.force_N = answer.force_N;
+  press_.indentation_mm = active_.tissue.indentation_mm();
+  press_.lumens = answer.lumens;
+  press_.settled = answer.converged;
+  press_.solve_ms = 1000 * (now_s() - start_s);
+}
+
+double LiveImaging::Impl::untilPulse_s() const {
+  if (!pulsatingSeen_ || press_.lumens.empty()) return kNever_s;
+  return std::max(0.0, begun_s_ + kPulse_s - now_s());
+}
+
+void LiveImaging::Impl::tellPress(LivePress& press) const {
+  press = press_;
+  if (!keepMesh_) return;
+  const Deformation& answer = active_.tissue.deformation();
+  press.mesh.columns = answer.meshColumns;
+  press.mesh.rows = answer.meshRows;
+  press.mesh.nodes = answer.mesh;
+  press.mesh.pressure_kPa = answer.pressure_kPa;
+}
+
+}  // namespace insonate
