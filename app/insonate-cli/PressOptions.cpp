@@ -6,7 +6,7 @@
 namespace insonate::cli {
 namespace {
 
-constexpr int kPatience = 300;  // a vein that closes takes its time
+constexpr int kPatience = 200;  // a vein that closes takes its time
 constexpr double kMostForce_N = 50, kMostIndent_mm = 20;
 
 Result<void> checkOption(const char* option, const std::optional<double>& value, double low, double high,

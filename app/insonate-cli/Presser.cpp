@@ -27,7 +27,7 @@ std::string nameOf(std::uint8_t label) {
 }  // namespace
 
 Result<Presser> Presser::make(const ImagingSetup& setup, PressPlan plan) {
-  auto tissue = PressedTissue::make(setup.probe, setup.settings, plan.mechanics);
+  auto tissue = PressedTissue::make(setup.probe, setup.settings, plan.mechanics, 0, true);
   if (!tissue) return tl::unexpected(tissue.error());
   return Presser(std::move(*tissue), setup, std::move(plan));
 }
@@ -101,9 +101,10 @@ std::vector<std::string> Presser::warnings() const {
   std::vector<std::string> warnings;
   const Deformation& answer = tissue_.deformation();
   const std::string force = number(answer.force_N, "N");
-  if (tissue_.stoppedByBone())
-    warnings.push_back("bone stops the probe before it presses with " + number(*plan_.force_N, "N") +
-                       "; the picture is that of " + number(tissue_.indentation_mm(), "mm") + " and " + force + ".");
+  if (tissue_.stopped())
+    warnings.push_back("the probe stops at " + number(tissue_.indentation_mm(), "mm") + " and " + force +
+                       ", before it presses with " + number(*plan_.force_N, "N") +
+                       ": bone is in the way, or tissue that cannot be squeezed any further.");
   else if (!answer.converged && plan_.force_N)
     warnings.push_back("the tissue did not come to rest under " + number(*plan_.force_N, "N") +
                        "; the picture is that of " + force + ".");

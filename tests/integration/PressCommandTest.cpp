@@ -106,7 +106,8 @@ TEST_F(PressCommand, NoForceShowsWhatIsShownWithout) {
   const json none = report("--force 0"), model = report("--indent 0");
   EXPECT_EQ(none["force_N"], 0);
   EXPECT_EQ(none["indent_mm"], 0);
-  EXPECT_EQ(model["force_N"], 0);
+  EXPECT_NEAR(model["force_N"], 0, 0.03);
+  EXPECT_NEAR(veinArea(none), 69, 2) << "told at rest, too";
   EXPECT_NE(picture("--force 0.5"), without);
 }
 
@@ -157,7 +158,7 @@ TEST_F(PressCommand, BoneIsNotPressedThrough) {
   expectRefusal("--pose '{\"position_mm\": [0, 0, 0], \"axial\": [0, -1, 0], \"lateral\": [1, 0, 0]}' --indent 20",
                 "meets no skin");
   const json pressed = report("--force 50");
-  EXPECT_THAT(pressed["warnings"].dump(), testing::AnyOf(HasSubstr("bone stops"), HasSubstr("come to rest")));
+  EXPECT_THAT(pressed["warnings"].dump(), HasSubstr("the probe stops at"));
   EXPECT_LT(pressed["pose"]["position_mm"][1], 25.5);
 }
 

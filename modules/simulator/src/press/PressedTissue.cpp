@@ -15,12 +15,19 @@ using press::FaceContact;
 using press::FaceTravel;
 using press::ScenePlane;
 
-constexpr double kOff_mm = 0.1;      // as far from touching as can be told
+constexpr double kOff_mm = 0.1;       // as far from touching as can be told
+constexpr double kForceError = 0.01;  // of the force that is asked for
+constexpr double kDeepest_mm = 20, kSearchStep_mm = 2;
+constexpr int kSearches = 6;
 constexpr double kRounding = 0.005;  // of a table's pressures, of their value
 
 double snapped(double pressure_kPa, const MechanicalTissue& vessel) {
   return std::abs(pressure_kPa - vessel.pressure_kPa) < kRounding * vessel.pressure_kPa ? vessel.pressure_kPa
                                                                                         : pressure_kPa;
+}
+
+bool near(double force_N, double wanted_N) {
+  return std::abs(force_N - wanted_N) <= kForceError * wanted_N;
 }
 
 /// Keeps the memory of what was there.
@@ -82,8 +89,9 @@ BloodPressure bloodPressure(const Physiology& physiology, const MechanicalTable&
 class PressedTissue::Impl {
  public:
   Impl(const ProbeFace& face, const PressWindow& window, const MechanicalTable& tissues,
-       std::unique_ptr<DeformationModel> model)
-      : plane_(window),
+       std::unique_ptr<DeformationModel> model, bool tellsRest)
+      : tellsRest_(tellsRest),
+        plane_(window),
         contact_(face),
         model_(std::move(model)),
         rest_{tissues.of(kArtery).pressure_kPa, tissues.of(kVein).pressure_kPa} {
@@ -102,8 +110,7 @@ class PressedTissue::Impl {
     stopped_ = false;
     indentation_mm_ = travel ? -travel->touch_mm : std::numeric_limits<double>::quiet_NaN();
     const bool touches = travel && travel->touch_mm < 0;
-    const bool atRest = pressure.artery_kPa == rest_.artery_kPa && pressure.vein_kPa == rest_.vein_kPa;
-    if (model_ && (touches || !atRest))
+    if (model_ && (touches || !atRest(pressure) || tellsRest_))
       solve(pose, pressure, 0);
     else
       forget();
@@ -123,16 +130,40 @@ class PressedTissue::Impl {
     const double deepest_mm = travel->deepest_mm - travel->touch_mm;
     plane_.look(scene, touching);
     solve(touching, pressure, force_N);
-    if (answer_.faceShift_mm > deepest_mm) {
-      hold(scene, movedIn(touching, deepest_mm), pressure);
-      indentation_mm_ = deepest_mm;
-      stopped_ = true;
-      return;
-    }
     stopped_ = false;
+    if (!near(answer_.force_N, force_N) || answer_.faceShift_mm > deepest_mm)
+      return search(scene, touching, pressure, force_N, deepest_mm);
     indentation_mm_ = answer_.faceShift_mm;
     pose_ = movedIn(touching, answer_.faceShift_mm);
     seeFrom(answer_.faceShift_mm);
+  }
+
+  /// Where a model does not find the way itself: further in until the force is reached, then between.
+  void search(const AcousticScene& scene, const Transform& touching, const BloodPressure& pressure, double force_N,
+              double deepest_mm) {
+    const double most_mm = std::min(deepest_mm, kDeepest_mm);
+    const auto forceAt = [&](double indentation_mm) {
+      hold(scene, movedIn(touching, indentation_mm), pressure);
+      return answer_.converged ? answer_.force_N : HUGE_VAL;
+    };
+    model_->reset();
+    double low_mm = 0, low_N = 0, high_mm = 0, high_N = 0;
+    while (high_N < force_N && high_mm < most_mm) {
+      low_mm = high_mm, low_N = high_N;
+      high_mm = std::min(high_mm + kSearchStep_mm, most_mm);
+      high_N = forceAt(high_mm);
+    }
+    double at_N = high_N;
+    for (int i = 0; i < kSearches && high_N > force_N && !near(at_N, force_N); ++i) {
+      const double share = std::isfinite(high_N) ? std::clamp((force_N - low_N) / (high_N - low_N), 0.1, 0.9) : 0.5;
+      const double at_mm = low_mm + (high_mm - low_mm) * share;
+      at_N = forceAt(at_mm);
+      (at_N < force_N ? low_mm : high_mm) = at_mm;
+      (at_N < force_N ? low_N : high_N) = at_N;
+    }
+    const bool found = near(at_N, force_N);
+    if (!found && high_N > force_N) forceAt(low_mm);
+    stopped_ = !found;
   }
 
   /// As if the face were off the skin.
@@ -141,6 +172,7 @@ class PressedTissue::Impl {
     const double back_mm = std::min(travel.touch_mm - kOff_mm, 0.0);
     hold(scene, movedIn(pose, back_mm), pressure);
     seeFrom(-back_mm);
+    if (atRest(pressure)) relax();
     pose_ = pose;
     indentation_mm_ = 0;
   }
@@ -148,7 +180,7 @@ class PressedTissue::Impl {
   const Deformation& deformation() const { return answer_; }
   const Transform& pose() const { return pose_; }
   double indentation_mm() const { return indentation_mm_; }
-  bool stoppedByBone() const { return stopped_; }
+  bool stopped() const { return stopped_; }
 
  private:
   void solve(const Transform& pose, const BloodPressure& pressure, double force_N) {
@@ -159,6 +191,18 @@ class PressedTissue::Impl {
     if (!answer_.moved) answer_.displacement.columns = answer_.displacement.rows = 0;
   }
 
+  bool atRest(const BloodPressure& pressure) const {
+    return pressure.artery_kPa == rest_.artery_kPa && pressure.vein_kPa == rest_.vein_kPa;
+  }
+
+  /// A model's mesh may touch where a face that is off the skin does not.
+  void relax() {
+    std::vector<LumenArea> lumens = std::move(answer_.lumens);
+    clear(answer_);
+    for (LumenArea& lumen : lumens) lumen.area_mm2 = lumen.rest_mm2;
+    answer_.lumens = std::move(lumens);
+  }
+
   /// From a frame that lies deeper by `z_mm`. Shifts are differences of places, and stay.
   void seeFrom(double z_mm) {
     answer_.displacement.top_mm -= z_mm;
@@ -166,6 +210,7 @@ class PressedTissue::Impl {
     for (MeshNode& node : answer_.mesh) node.restZ_mm -= z, node.z_mm -= z;
   }
 
+  const bool tellsRest_;
   ScenePlane plane_;
   FaceContact contact_;
   std::unique_ptr<DeformationModel> model_;
@@ -183,7 +228,7 @@ PressedTissue& PressedTissue::operator=(PressedTissue&&) noexcept = default;
 PressedTissue::~PressedTissue() = default;
 
 Result<PressedTissue> PressedTissue::make(const Probe& probe, const ImagingSettings& settings,
-                                          const TissueMechanics& mechanics, int mostIterations) {
+                                          const TissueMechanics& mechanics, int mostIterations, bool lumensAtRest) {
   if (auto ok = validate(mechanics); !ok) return tl::unexpected(ok.error());
   std::unique_ptr<DeformationModel> model;
   if (mechanics.model != kNoDeformation) {
@@ -194,7 +239,7 @@ Result<PressedTissue> PressedTissue::make(const Probe& probe, const ImagingSetti
     model = std::move(*made);
   }
   return PressedTissue(std::make_unique<Impl>(faceOf(probe, mechanics), pressWindow(probe, settings, mechanics),
-                                              mechanics.tissues, std::move(model)));
+                                              mechanics.tissues, std::move(model), lumensAtRest));
 }
 
 std::optional<PressedTissue::Travel> PressedTissue::travel(const AcousticScene& scene,
@@ -229,8 +274,8 @@ double PressedTissue::indentation_mm() const {
   return impl_->indentation_mm();
 }
 
-bool PressedTissue::stoppedByBone() const {
-  return impl_->stoppedByBone();
+bool PressedTissue::stopped() const {
+  return impl_->stopped();
 }
 
 }  // namespace insonate

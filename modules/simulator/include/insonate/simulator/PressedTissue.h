@@ -23,9 +23,11 @@ Result<Transform> poseOnSkin(const LabelMap& labels, const ProbeFace& face, cons
 /// inside the undeformed tissue presses: that is its indentation. Not for concurrent use of one object.
 class PressedTissue {
  public:
-  /// Fails as validate() does. `mostIterations` of one answer; 0: those of the mechanics' settings.
+  /// Fails as validate() does. `mostIterations` of one answer; 0: those of the mechanics' settings. `lumensAtRest`:
+  /// the model is asked about vessels even where nothing moves.
   static Result<PressedTissue> make(const Probe& probe, const ImagingSettings& settings,
-                                    const TissueMechanics& mechanics, int mostIterations = 0);
+                                    const TissueMechanics& mechanics, int mostIterations = 0,
+                                    bool lumensAtRest = false);
   PressedTissue(PressedTissue&&) noexcept;
   PressedTissue& operator=(PressedTissue&&) noexcept;
   ~PressedTissue();
@@ -58,8 +60,9 @@ class PressedTissue {
   /// How far the face is in from where it first touches; below 0: how far off the skin. Not a number where no skin is
   /// near.
   double indentation_mm() const;
-  /// push(): bone stopped the face before the force was reached.
-  bool stoppedByBone() const;
+  /// push(): the face was stopped before the force was reached, by bone, by 20 mm of indentation, or where the model
+  /// finds no equilibrium any more.
+  bool stopped() const;
 
  private:
   class Impl;
