@@ -9,6 +9,7 @@ namespace {
 constexpr float kHeld = 1e8f;
 constexpr float kShut_kPa = 20;  // of cells in a lumen that is closed
 constexpr float kLongestStep_mm = 4;
+constexpr float kFarthest_mm = 100;  // that tissue can have moved
 constexpr float kCaution = 0.3f;
 constexpr int kCautiousRounds = 3;  // after a tangent that was not positive definite
 
@@ -136,6 +137,8 @@ void Solver::setPressure(const BloodPressure& pressure) {
 void Solver::start() {
   at_ = rest_;
   elements_.carried = elements_.base;
+  caution_ = 0;
+  cautiousRounds_ = 0;
 }
 
 void Solver::carry() {
@@ -175,6 +178,14 @@ float Solver::followForce(float wanted_kPa_mm, float shift_mm) {
   return change;
 }
 
+/// Also false where a position is no number, which comparisons of steps let pass.
+bool Solver::inReach() const {
+  const auto far = [](float now, float rest) { return !(std::abs(now - rest) < kFarthest_mm); };
+  for (std::size_t n = 0; n < materials_->fixed.size(); ++n)
+    if (far(at_.x[n], rest_.x[n]) || far(at_.z[n], rest_.z[n])) return false;
+  return true;
+}
+
 Solver::Outcome Solver::solve(const Face& face, Load load, int mostIterations, float tolerance_mm) {
   Outcome out;
   out.shift_mm = load.shift_mm;
@@ -203,7 +214,12 @@ Solver::Outcome Solver::solve(const Face& face, Load load, int mostIterations, f
     cautiousRounds_ = std::max(cautiousRounds_ - 1, 0);
     if (cautiousRounds_ == 0) caution_ = 0;
   }
-  out.finite = true;
+  out.finite = inReach();
+  if (!out.finite) {
+    out.converged = false;
+    out.shift_mm = 0;
+    return out;
+  }
   contact_.settle();
   out.force_kPa_mm = contact_.pressing(out.shift_mm, at_);
   for (std::size_t n = 0; n < elements_.count(); ++n) cellPressure_[n] = elements_.carried[n] - elements_.base[n];

@@ -57,6 +57,7 @@ class Solver {
   void applyPrestress();
   void system(float caution);
   void hold();
+  bool inReach() const;
   float followForce(float wanted_kPa_mm, float shift_mm);
 
   Elements elements_;
