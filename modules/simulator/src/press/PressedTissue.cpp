@@ -26,6 +26,15 @@ double snapped(double pressure_kPa, const MechanicalTissue& vessel) {
                                                                                         : pressure_kPa;
 }
 
+/// Engines look places up as an answer says; what is no place would be looked up anywhere.
+bool isSane(const Deformation& answer) {
+  constexpr float kFarthest_mm = 100;
+  const auto sane = [](const PlaneDisplacement::Shift& shift) {
+    return std::abs(shift.x_mm) < kFarthest_mm && std::abs(shift.z_mm) < kFarthest_mm;
+  };
+  return std::isfinite(answer.force_N) && std::ranges::all_of(answer.displacement.restFromSeen, sane);
+}
+
 bool near(double force_N, double wanted_N) {
   return std::abs(force_N - wanted_N) <= kForceError * wanted_N;
 }
@@ -188,6 +197,14 @@ class PressedTissue::Impl {
     input_.patientFromProbe = pose;
     input_.force_N = force_N;
     model_->solve(input_, answer_);
+    if (!isSane(answer_)) {
+      forget();
+      model_->solve(input_, answer_);
+    }
+    if (!isSane(answer_)) {
+      forget();
+      answer_.converged = false;
+    }
     if (!answer_.moved) answer_.displacement.columns = answer_.displacement.rows = 0;
   }
 
