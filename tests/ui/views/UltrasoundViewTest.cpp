@@ -43,6 +43,21 @@ TEST(UltrasoundView, PictureAndDisplayAreInverse) {
   EXPECT_FALSE(view.onPicture(view.displayFromPicture({25, 10})));
 }
 
+TEST(UltrasoundView, TheMarkerStandsAtThePictureAlsoWithRoomAroundIt) {
+  UltrasoundView view;
+  const BModeImage image = dot(400, 300, 0, 0);
+  view.setImage(image);
+  view.setBounds(PictureBounds{-30, 30, 0, 40});
+  Screen screen(view, 900, 700);
+  for (const bool mirrored : {false, true}) {
+    view.setMirrored(mirrored);
+    const Picture picture = screen.picture();
+    const DisplayPoint corner = view.displayFromPicture({20, 0});
+    const auto at = picture.at(int(corner.x) + (mirrored ? 5 : -5), int(corner.y) - 12);
+    EXPECT_GT(at[2], at[0] + 60) << mirrored;
+  }
+}
+
 TEST(UltrasoundView, AnEchoAppearsWhereItsMillimetresSay) {
   UltrasoundView view;
   const BModeImage image = dot(400, 300, 290, 71);

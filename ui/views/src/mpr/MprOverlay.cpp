@@ -86,11 +86,18 @@ void drawMprOverlay(const MprOverlay& overlay, const SlicePlane& plane, double s
   drawLetters(plane, scale, texts);
   drawScaleBar(plane, scale, lines, texts);
   const double margin = 10 * scale;
-  texts.put({margin, margin}, overlay.slice, {12 * scale, theme::kQuiet, false, Across::Left, Along::Top});
+  // The letters in the middle say more than what would run into them.
+  const auto fits = [&](const std::string& words) {
+    constexpr double kWidestLetter_px = 7.2, kMiddle_px = 20;
+    return margin + kWidestLetter_px * scale * double(words.size()) < plane.width_px / 2.0 - kMiddle_px * scale;
+  };
+  if (fits(overlay.slice))
+    texts.put({margin, margin}, overlay.slice, {12 * scale, theme::kQuiet, false, Across::Left, Along::Top});
   char window[64];
   std::snprintf(window, sizeof window, "W %.0f  L %.0f", overlay.windowLevel.window_HU, overlay.windowLevel.level_HU);
-  texts.put({margin, plane.height_px - margin}, window,
-            {12 * scale, theme::kQuiet, false, Across::Left, Along::Bottom});
+  if (fits(window))
+    texts.put({margin, plane.height_px - margin}, window,
+              {12 * scale, theme::kQuiet, false, Across::Left, Along::Bottom});
   lines.end();
   texts.end();
 }

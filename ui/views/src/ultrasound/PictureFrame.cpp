@@ -69,8 +69,8 @@ void drawPictureFrame(const PictureFrame& frame, double scale, int width_px, Lin
   if (frame.scale) drawDepthScale(frame, scale, lines, texts);
   if (frame.greyBar) drawGreyBar(frame, scale, lines);
   if (!frame.tgc_dB.empty()) drawTgc(frame, scale, lines);
-  const double dotX = frame.markerRight ? frame.right_px - 5 * scale : frame.left_px + 5 * scale;
-  lines.disc({dotX, frame.top_px - 12 * scale}, 5 * scale, theme::kAccent);
+  const double dotX = frame.marker_px.x + (frame.markerRight ? -5 : 5) * scale;
+  lines.disc({dotX, frame.marker_px.y - 12 * scale}, 5 * scale, theme::kAccent);
   std::string words = frame.frozen ? "FROZEN" : "";
   if (!frame.notice.empty()) words += (words.empty() ? "" : "  \u00b7  ") + frame.notice;
   if (words.empty()) return;

@@ -16,7 +16,9 @@ struct PictureFrame {
   double minAxial_mm = 0, maxAxial_mm = 40;
   std::optional<double> focus_mm{};
   std::vector<double> tgc_dB{};
-  bool scale = true, greyBar = true, frozen = false, markerRight = true;
+  bool scale = true, greyBar = true, frozen = false;
+  DisplayPoint marker_px{};  ///< the picture's upper corner on the side of the probe's marker
+  bool markerRight = true;   ///< that is its right one
   std::string notice{};
 };
 

@@ -169,6 +169,10 @@ void UltrasoundView::layout() {
     frame.focus_mm = focus_mm_, frame.tgc_dB = tgc_dB_;
     frame.scale = scaleVisible_, frame.greyBar = greyBarVisible_, frame.frozen = frozen_,
     frame.markerRight = !mirrored_, frame.notice = notice_;
+    // There may be room around the picture itself.
+    const double side_mm = shape_.left_mm + (shape_.width - 0.5) * shape_.pixel_mm;
+    frame.marker_px = displayFromPicture(
+        {std::min(side_mm, shown.maxLateral_mm), std::max(shape_.top_mm - shape_.pixel_mm / 2, shown.minAxial_mm)});
     drawPictureFrame(frame, scale(), width_px(), lines, texts);
     if (pointer_) drawPointerMark(displayFromPicture(*pointer_), scale(), lines);
     const auto toDisplay = [this](PicturePoint point) { return displayFromPicture(point); };
