@@ -196,6 +196,7 @@ TEST_F(HistogramEditor, PresetsResetAndTheirUndo) {
   editor->select(0);
   QTest::keyClick(plot, Qt::Key_Right);
   EXPECT_EQ(presets->currentIndex(), -1) << "an own look has no preset's name";
+  EXPECT_EQ(presets->placeholderText(), "changed");
   child<QToolButton>("transferReset")->click();
   EXPECT_EQ(editor->function(), views::transferPresets()[4].function);
   child<QToolButton>("undo")->click();

@@ -263,6 +263,33 @@ TEST_F(ScenePanel, StructuresLookAsTheCasesAuthorChose) {
   EXPECT_TRUE(other->isVisible(kArtery));
 }
 
+TEST_F(ScenePanel, AnotherPatientHasSkinAgainAndNoCt) {
+  child<QToolButton>("eye1")->click();
+  child<QCheckBox>("ctVolume")->click();
+  child<QToolButton>("eye6")->click();
+  ASSERT_FALSE(scene->isVisible(kSkin) || scene->isVisible(kVein));
+  panel->setCase(std::make_shared<const PatientCase>(test::smallCase()));
+  EXPECT_FALSE(scene->isVisible(kSkin)) << "saved, it is still the same patient";
+  EXPECT_TRUE(scene->isCtVisible());
+  PatientCase other = test::smallCase();
+  other.manifest.source = "another patient";
+  panel->setCase(nullptr);
+  panel->setCase(std::make_shared<const PatientCase>(other));
+  EXPECT_TRUE(scene->isVisible(kSkin));
+  EXPECT_FALSE(scene->isCtVisible());
+  EXPECT_FALSE(scene->isVisible(kVein)) << "that stays as the user has it";
+}
+
+TEST_F(ScenePanel, SkinHasOneControlAndAnEyeOfNothingSaysSo) {
+  auto* eye = child<QToolButton>("eye6");
+  EXPECT_TRUE(eye->toolTip().startsWith("Show or hide"));
+  scene->setOpacity(kVein, 0);
+  QTest::qWait(20);
+  EXPECT_TRUE(eye->toolTip().startsWith("Nothing of")) << eye->toolTip().toStdString();
+  EXPECT_TRUE(child<QSpinBox>("opacity6")->isVisible());
+  EXPECT_FALSE(child<QSpinBox>("opacity1")->isVisible()) << "the slider above is for that";
+}
+
 TEST_F(ScenePanel, IsRememberedButForTheClippingPlane) {
   child<QToolButton>("eye6")->click();
   scene->setOpacity(kBone, 0.25);

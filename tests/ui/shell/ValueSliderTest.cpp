@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <QtTest/QTest>
 #include <cmath>
@@ -59,10 +60,12 @@ TEST_F(ValueSlider, TakesTypedNumbers) {
 TEST_F(ValueSlider, KeepsTypedNumbersWithinTheRangeAndForgetsNonsense) {
   type("500");
   EXPECT_EQ(slider.value(), 90);
+  EXPECT_EQ(QToolTip::text(), "Depth can be from 20.0 mm to 90.0 mm; 500 is not.");
   type("-3");
   EXPECT_EQ(slider.value(), 20);
   type("deep");
   EXPECT_EQ(slider.value(), 20);
+  EXPECT_EQ(QToolTip::text(), "Depth takes a number from 20.0 mm to 90.0 mm; \"deep\" is none.");
   EXPECT_EQ(number()->text(), "20.0 mm");
   slider.setValue(std::nan(""));
   EXPECT_EQ(slider.value(), 20);

@@ -31,6 +31,7 @@ StructureModel::StructureModel(PrepareSession& session, QObject* parent)
     : QAbstractTableModel(parent),
       session_(session),
       shown_(ui::icon(QStringLiteral("eye"))),
+      unseen_(ui::icon(QStringLiteral("eye"), views::theme::kQuiet)),
       hidden_(ui::icon(QStringLiteral("eye-off"), views::theme::kQuiet)) {
   connect(&session_, &PrepareSession::structuresChanged, this, [this] {
     beginResetModel();
@@ -72,6 +73,8 @@ QVariant StructureModel::tip(Column column, std::uint8_t label) const {
   const QString name = structureName(label);
   switch (column) {
     case kEye:
+      if (session_.look(label).visible && session_.look(label).opacity <= 0)
+        return tr("Nothing of %1 is seen in 3D: its opacity is 0 %. Space hides it on the slices, too").arg(name);
       return session_.look(label).visible ? tr("Hide %1 in 3D and on the slices (Space)").arg(name)
                                           : tr("Show %1 in 3D and on the slices (Space)").arg(name);
     case kColour:
@@ -92,7 +95,7 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
       return column == kName ? structureName(label) : column == kVolume ? volume(label) : QVariant();
     case Qt::DecorationRole:
-      if (column == kEye) return look.visible ? shown_ : hidden_;
+      if (column == kEye) return !look.visible ? hidden_ : look.opacity > 0 ? shown_ : unseen_;
       return column == kColour ? QVariant(swatch(look.colour)) : QVariant();
     case Qt::TextAlignmentRole:
       return column == kVolume ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();

@@ -27,7 +27,7 @@ class StructureModel : public QAbstractTableModel {
   QString volume(std::uint8_t label) const;
 
   PrepareSession& session_;
-  QIcon shown_, hidden_;
+  QIcon shown_, unseen_, hidden_;  ///< unseen: shown, but of no opacity
 };
 
 }  // namespace insonate::prepare

@@ -9,6 +9,7 @@
 #include <QMouseEvent>
 #include <QSlider>
 #include <QStyle>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -151,6 +152,13 @@ void ValueSlider::typed() {
   if (!unit_.isEmpty()) written.remove(unit_);
   bool isNumber = false;
   const double value = written.trimmed().replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&isNumber);
+  isNumber = isNumber && std::isfinite(value);
+  if (!isNumber || value < range_.least || value > range_.most) {
+    const QString sentence =
+        isNumber ? tr("%1 can be from %2 to %3; %4 is not.") : tr("%1 takes a number from %2 to %3; \"%4\" is none.");
+    QToolTip::showText(number_->mapToGlobal({0, number_->height()}),
+                       sentence.arg(name_, text(range_.least), text(range_.most), number_->text().trimmed()), number_);
+  }
   if (isNumber)
     setValue(value);
   else

@@ -99,10 +99,11 @@ QWidget* HistogramEditor::buildTop() {
   preset_ = new QComboBox;
   preset_->setObjectName(QStringLiteral("transferPreset"));
   preset_->setAccessibleName(tr("Preset of the CT's look"));
-  preset_->setToolTip(tr("Looks to begin with; drag the nodes to make it your own"));
+  preset_->setToolTip(tr("Looks to begin with; drag the points to make it your own"));
   for (const auto& preset : views::transferPresets()) preset_->addItem(nameOf(preset));
   preset_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   preset_->setMinimumContentsLength(6);
+  preset_->setPlaceholderText(tr("changed"));  // no preset's any more
   connect(preset_, qOverload<int>(&QComboBox::activated), this,
           [this](int index) { choosePreset(preset_->itemText(index)); });
   new QuietWheel(preset_);
@@ -139,14 +140,14 @@ QWidget* HistogramEditor::buildNumbers() {
   hu_->setRange(int(Function::kLeast_HU), int(Function::kMost_HU));
   hu_->setSuffix(tr(" HU"));
   hu_->setSingleStep(10);
-  hu_->setAccessibleName(tr("Node's Hounsfield units"));
-  hu_->setToolTip(tr("Where the node is, in Hounsfield units: air −1000, water 0, bone above 200"));
+  hu_->setAccessibleName(tr("Point's Hounsfield units"));
+  hu_->setToolTip(tr("Where the point is, in Hounsfield units: air −1000, water 0, bone above 200"));
   opacity_ = new QDoubleSpinBox;
   opacity_->setObjectName(QStringLiteral("nodeOpacity"));
   opacity_->setRange(0, 100);
   opacity_->setDecimals(1);
   opacity_->setSuffix(tr(" %"));
-  opacity_->setAccessibleName(tr("Node's opacity in %"));
+  opacity_->setAccessibleName(tr("Point's opacity in %"));
   opacity_->setToolTip(tr("How much one millimetre of such tissue hides of what is behind it, in %"));
   for (QAbstractSpinBox* number : {static_cast<QAbstractSpinBox*>(hu_), static_cast<QAbstractSpinBox*>(opacity_)}) {
     number->setButtonSymbols(QAbstractSpinBox::NoButtons);
@@ -154,11 +155,11 @@ QWidget* HistogramEditor::buildNumbers() {
     new QuietWheel(number);
     number->setKeyboardTracking(false);
   }
-  colour_ = button(QStringLiteral("eye"), tr("Node's colour"), tr("The colour of such tissue"));
+  colour_ = button(QStringLiteral("eye"), tr("Point's colour"), tr("The colour of such tissue"));
   colour_->setObjectName(QStringLiteral("nodeColour"));
-  add_ = button({}, QStringLiteral("+"), tr("A new node beside this one (Insert, or double click)"));
-  add_->setAccessibleName(tr("Add a node"));
-  remove_ = button(QStringLiteral("close"), tr("Remove the node"), tr("Remove this node (Delete, or right click)"));
+  add_ = button({}, QStringLiteral("+"), tr("A new point beside this one (Insert, or double click)"));
+  add_->setAccessibleName(tr("Add a point"));
+  remove_ = button(QStringLiteral("close"), tr("Remove the point"), tr("Remove this point (Delete, or right click)"));
   connect(hu_, qOverload<int>(&QSpinBox::valueChanged), this, [this] { typed(kHu); });
   connect(opacity_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] { typed(kOpacity); });
   connect(colour_, &QToolButton::clicked, this, &HistogramEditor::chooseColour);
@@ -270,7 +271,7 @@ void HistogramEditor::refresh() {
   preset_->setCurrentIndex(same == presets.end() ? -1 : int(same - presets.begin()));
   const auto& nodes = function().nodes;
   const bool any = selected() >= 0;
-  which_->setText(any ? tr("%1 of %2").arg(selected() + 1).arg(nodes.size()) : tr("no node"));
+  which_->setText(any ? tr("%1 of %2").arg(selected() + 1).arg(nodes.size()) : tr("no point"));
   for (QWidget* part : {static_cast<QWidget*>(hu_), static_cast<QWidget*>(opacity_), static_cast<QWidget*>(colour_)})
     part->setEnabled(any);
   remove_->setEnabled(any && nodes.size() > 1);

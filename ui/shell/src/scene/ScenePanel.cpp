@@ -29,6 +29,11 @@ QVBoxLayout* column(QWidget* widget) {
   return box;
 }
 
+/// A case that was saved, or edited, is still the same patient.
+bool samePatient(const PatientCase& a, const PatientCase& b) {
+  return a.ct.geometry == b.ct.geometry && a.manifest.source == b.manifest.source;
+}
+
 QLabel* heading(const QString& text) {
   auto* label = new QLabel(text);
   setRole(label, "heading");
@@ -176,8 +181,16 @@ void ScenePanel::takeLooks() {
   Q_EMIT coloursChanged();
 }
 
+/// What was hidden to look into one patient is not missing in the next.
+void ScenePanel::showAnother() {
+  scene_->setCtVisible(false);
+  if (structuresHere_) scene_->setVisible(kSkin, true);
+}
+
 void ScenePanel::setCase(std::shared_ptr<const PatientCase> patient) {
+  if (patient && (!last_ || !samePatient(*last_, *patient))) showAnother();
   patient_ = patient;
+  if (patient_) last_ = patient_;
   if (structuresHere_) takeLooks();
   histogram_->setCase(std::move(patient));
   scene_->setClipping({});

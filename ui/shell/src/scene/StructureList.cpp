@@ -45,8 +45,11 @@ void StructureList::refresh() {
   for (const Row& row : rows_) {
     const bool visible = scene_->isVisible(row.label);
     row.eye->setChecked(visible);
+    const bool seen = visible && scene_->opacity(row.label) > 0;
     row.eye->setIcon(icon(visible ? QStringLiteral("eye") : QStringLiteral("eye-off"),
-                          visible ? views::theme::kText : views::theme::kQuiet));
+                          seen ? views::theme::kText : views::theme::kQuiet));
+    row.eye->setToolTip(visible && !seen ? tr("Nothing of %1 is seen: its opacity is 0 %").arg(nameOf(row.label))
+                                         : tr("Show or hide %1").arg(nameOf(row.label)));
     QPixmap swatch(kSwatch_px, kSwatch_px);
     swatch.fill(colour(scene_->colour(row.label)));
     row.colour->setIcon(swatch);
@@ -79,7 +82,6 @@ StructureList::Row StructureList::makeRow(std::uint8_t label) {
   row.eye->setCheckable(true);
   row.eye->setObjectName(QStringLiteral("eye%1").arg(label));
   row.eye->setAccessibleName(tr("Show %1").arg(name));
-  row.eye->setToolTip(tr("Show or hide %1").arg(name));
   row.colour->setObjectName(QStringLiteral("colour%1").arg(label));
   row.colour->setAccessibleName(tr("Colour of %1").arg(name));
   row.colour->setToolTip(tr("Colour of %1").arg(name));
@@ -107,6 +109,8 @@ StructureList::Row StructureList::makeRow(std::uint8_t label) {
   box->addWidget(row.colour);
   box->addWidget(new QLabel(name, widget), 1);
   box->addWidget(row.opacity);
+  // The panel has a slider of its own for how far one looks through the skin.
+  if (label == kSkin) row.opacity->hide();
   return row;
 }
 

@@ -40,7 +40,8 @@ class ScenePanel : public QWidget {
   ~ScenePanel() override;
 
   /// Whose histogram is shown; the scene itself gets its case from whoever owns it. Null for none. Structures that are
-  /// changed here look as the case's author chose, until the next case; what the user chose for others stays. Safe
+  /// changed here look as the case's author chose, until the next case; what the user chose for others stays, but
+  /// another patient is begun with skin and without the CT volume. Safe
   /// colours are not given up for an author's.
   void setCase(std::shared_ptr<const PatientCase> patient);
 
@@ -79,6 +80,7 @@ class ScenePanel : public QWidget {
   void setLook(std::uint8_t label, const Look& look);
   views::Colour caseColour(std::uint8_t label) const;
   void takeLooks();
+  void showAnother();
 
   std::shared_ptr<views::SceneView> scene_;
   ValueSlider* skin_ = nullptr;
@@ -89,7 +91,8 @@ class ScenePanel : public QWidget {
   ClippingControls* clipping_ = nullptr;
   EyeControls* eyes_ = nullptr;
   std::shared_ptr<const PatientCase> patient_;
-  std::map<std::uint8_t, Look> own_;  ///< the user's, of structures that look as the case says
+  std::shared_ptr<const PatientCase> last_;  ///< the same, or the one before there was none
+  std::map<std::uint8_t, Look> own_;         ///< the user's, of structures that look as the case says
   views::ColourScheme scheme_ = views::ColourScheme::Usual;
   bool structuresHere_ = true, refreshing_ = false, refreshDue_ = false;
   QTimer rest_;
