@@ -14,10 +14,10 @@
 #include <QApplication>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 
 namespace {
@@ -79,8 +79,12 @@ int run(QApplication& application, const app::Arguments& arguments) {
     }
     window.closeAtOnce();
   };
-  // The case that was asked for on the command line, or nothing; later ones are the window's own affair.
-  const auto first = QObject::connect(&window, &ui::MainWindow::caseFailed, &window, leave);
+  // Who looks at the window reads there what went wrong, and can open something else; a script reads it here.
+  const bool forScript = !arguments.screenshot.empty() || measures;
+  const auto first =
+      QObject::connect(&window, &ui::MainWindow::caseFailed, &window, [leave, forScript](const QString& what) {
+        forScript ? leave(what) : void(std::fprintf(stderr, "insonate: %s\n", qPrintable(what)));
+      });
   QObject::connect(&window, &ui::MainWindow::readyChanged, &window, [&window, first] {
     if (window.current().patient) QObject::disconnect(first);
   });
@@ -102,10 +106,10 @@ int run(QApplication& application, const app::Arguments& arguments) {
     benchmark = std::make_unique<app::Benchmark>(
         window, *window.findChild<train::TrainWorkspace*>(),
         app::BenchmarkPlan{arguments.benchmark, arguments.caseFolder, arguments.quick}, leave);
-  if (arguments.caseFolder.empty())
-    window.openTextbook();
-  else
-    window.open(QString::fromStdString(arguments.caseFolder));
+  // From within the event loop, which a failure may end.
+  QTimer::singleShot(0, &window, [&window, folder = QString::fromStdString(arguments.caseFolder)] {
+    folder.isEmpty() ? window.openTextbook() : window.open(folder);
+  });
   application.exec();
   return status;
 }
@@ -115,12 +119,6 @@ int run(QApplication& application, const app::Arguments& arguments) {
 int main(int argc, char** argv) {
   const auto arguments = app::parseArguments(argc, argv);
   if (const int* status = std::get_if<int>(&arguments)) return *status;
-  const app::Arguments& a = std::get<app::Arguments>(arguments);
-  std::error_code ignored;
-  if (!a.caseFolder.empty() && !std::filesystem::exists(a.caseFolder, ignored)) {
-    std::fprintf(stderr, "insonate: There is no case '%s'; check the name.\n", a.caseFolder.c_str());
-    return 1;
-  }
   qInstallMessageHandler(tell);
   ui::prepareGraphics();
   QApplication application(argc, argv);
@@ -128,7 +126,7 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationName(QStringLiteral("insonate"));
   QCoreApplication::setApplicationVersion(QStringLiteral(INSONATE_VERSION));
   ui::applyTheme(application);
-  const int status = run(application, a);
+  const int status = run(application, std::get<app::Arguments>(arguments));
   // Files are written beside their target and moved, so that a job that is cut off leaves nothing half done.
   if (!ui::waitForJobs(std::chrono::seconds(5))) std::_Exit(status);
   return status;

@@ -38,8 +38,9 @@ class FakeWorkspace final : public ui::Workspace {
     shown = std::move(patient);
     Q_EMIT readyChanged();
   }
+  void setOpening(const QString& what) override { opening = what; }
   QString statusText() const override { return shown ? "Move the probe." : "Open a case."; }
-  QString engineText() const override { return "cpu engine   62 images/s"; }
+  QString engineText() const override { return "processor   62 images/s"; }
   std::vector<ui::Shortcut> shortcuts() const override { return {{"Space", "freeze the picture"}}; }
   void stop() override { stopped = true; }
   void keyPressEvent(QKeyEvent* event) override {
@@ -52,7 +53,7 @@ class FakeWorkspace final : public ui::Workspace {
   void restoreLayout(QSettings& settings) override { probe = settings.value("probe", probe).toString(); }
 
   std::shared_ptr<const PatientCase> shown;
-  QString probe = "linear";
+  QString probe = "linear", opening;
   bool stopped = false;
   int spaces = 0;
 };
@@ -127,6 +128,33 @@ TEST_F(MainWindow, OpensADroppedCaseAndGivesItToWorkspaces) {
   EXPECT_EQ(w.train->shown->manifest.title, "Small block");
   EXPECT_EQ(w.window.caseTitle(), "Small block");
   EXPECT_EQ(w.window.statusText(), "Opened Small block.");
+}
+
+TEST_F(MainWindow, SaysTheSameEverywhereWhileTheFirstCaseIsBeingOpened) {
+  Window w;
+  EXPECT_EQ(w.window.caseTitle(), "no case");
+  w.window.open(test::writtenSmallCase(home, "block"));
+  EXPECT_EQ(w.window.caseTitle(), "Opening block ...");
+  EXPECT_EQ(w.window.windowTitle(), "Opening block ... - Insonate");
+  EXPECT_EQ(w.train->opening, "Opening block");
+  w.window.tasks().cancel();
+  EXPECT_EQ(w.window.caseTitle(), "no case");
+  EXPECT_EQ(w.window.windowTitle(), "Insonate");
+  EXPECT_EQ(w.train->opening, "");
+  w.window.open(home.filePath("block"));
+  ASSERT_TRUE(waitUntil([&] { return w.train->shown != nullptr; }));
+  EXPECT_EQ(w.window.windowTitle(), "Small block - Insonate");
+  EXPECT_EQ(w.train->opening, "");
+  w.window.openTextbook();
+  EXPECT_EQ(w.window.caseTitle(), "Small block") << "which is what is on the screen";
+  w.window.tasks().cancel();
+}
+
+TEST_F(MainWindow, SaysThatThereIsNothingUnderAPath) {
+  Window w;
+  w.window.open(home.filePath("nothing"));
+  EXPECT_TRUE(w.window.errors().isVisible());
+  EXPECT_TRUE(w.window.errors().message().contains("There is no file or folder"));
 }
 
 TEST_F(MainWindow, SaysWhyADroppedFolderDoesNotOpenAndKeepsTheCase) {

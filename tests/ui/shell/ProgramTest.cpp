@@ -114,16 +114,30 @@ TEST_F(Program, RefusesWrongUsageWithTwo) {
   EXPECT_EQ(run({"--help"}).status, 0);
 }
 
-TEST_F(Program, SaysWhyACaseCannotBeRead) {
-  Outcome outcome = run({home.filePath("nothing")});
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_TRUE(outcome.errors.contains("There is no case")) << outcome.errors.toStdString();
-
-  const QString broken = test::writtenSmallCase(home, "broken");
+TEST_F(Program, SaysWhyACaseCannotBeReadAndLeavesWhereNobodyLooks) {
+  const QString broken = test::writtenSmallCase(home, "broken"), picture = home.filePath("window.png");
   ASSERT_TRUE(QFile::resize(broken + "/ct.nrrd", 700));
-  outcome = run({broken});
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_TRUE(outcome.errors.contains("ct.nrrd")) << outcome.errors.toStdString();
+  const QList<QStringList> ways{{"--screenshot", picture}, {"--until-image"}};
+  for (const QStringList& way : ways) {
+    Outcome outcome = run(QStringList{home.filePath("nothing")} + way);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(outcome.errors.contains("There is no file or folder")) << outcome.errors.toStdString();
+    outcome = run(QStringList{broken} + way);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(outcome.errors.contains("ct.nrrd")) << outcome.errors.toStdString();
+  }
+  EXPECT_FALSE(QFile::exists(picture));
+}
+
+TEST_F(Program, OpensItsWindowForACaseThatIsNotThere) {
+  QProcess program;
+  program.start(INSONATE_PROGRAM, {home.filePath("nothing")});
+  QByteArray errors;
+  ASSERT_TRUE(test::waitUntil([&] { return (errors += program.readAllStandardError()).contains("There is no file"); }))
+      << errors.toStdString();
+  EXPECT_FALSE(program.waitForFinished(1000)) << "the window stays, with the reason in it";
+  program.kill();
+  program.waitForFinished();
 }
 
 TEST_F(Program, SaysThatThereIsNoDisplay) {

@@ -31,6 +31,10 @@ void PrepareWorkspace::setCaseActions(QAction* open, QAction* import, QAction* r
   parts_->path->setCaseActions(open, import, reload);
 }
 
+void PrepareWorkspace::setOpening(const QString& what) {
+  parts_->empty->showOpening(what);
+}
+
 void PrepareWorkspace::setOrigin(const ui::CaseOrigin& origin) {
   parts_->session.setOrigin(origin);
 }

@@ -14,14 +14,13 @@ constexpr int kColumn_px = 520;
 }  // namespace
 
 EmptyWorkspace::EmptyWorkspace(const Words& words, QWidget* parent)
-    : Workspace(parent), words_(words), column_(new QVBoxLayout) {
+    : Workspace(parent), words_(words), column_(new QVBoxLayout), title_(new QLabel(words.title)) {
   auto* sign = new QLabel;
   sign->setPixmap(icon(words.icon, views::theme::kQuiet).pixmap(40, 40));
-  auto* title = new QLabel(words.title);
-  setRole(title, "title");
+  setRole(title_, "title");
   column_->setSpacing(kLargeGap);
   column_->addWidget(sign);
-  column_->addWidget(title);
+  column_->addWidget(title_);
   for (const QString& paragraph : words.paragraphs) {
     auto* text = new QLabel(paragraph);
     text->setWordWrap(true);
@@ -36,6 +35,10 @@ EmptyWorkspace::EmptyWorkspace(const Words& words, QWidget* parent)
   row->addStretch(1);
   middle->addLayout(row);
   middle->addStretch(3);
+}
+
+void EmptyWorkspace::showOpening(const QString& what) {
+  title_->setText(what.isEmpty() ? words_.title : tr("%1 ...").arg(what));
 }
 
 void EmptyWorkspace::offer(QAction* action) {

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
+#include <algorithm>
 
 namespace insonate::ui {
 namespace {
@@ -42,8 +43,10 @@ HeaderBar::HeaderBar(QMenu* viewMenu, QMenu* caseMenu, QWidget* parent)
   row->addWidget(product);
   row->addSpacing(kGap);
   row->addLayout(tabRow_);
-  row->addStretch(1);
-  row->addWidget(case_);
+  // Shortened rather than widening the window.
+  case_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  case_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  row->addWidget(case_, 1);
   row->addWidget(menuButton(viewMenu, "view", tr("View"), tr("View menu"), tr("What is shown, and where"),
                             QKeySequence(QStringLiteral("Alt+V"))));
   row->addWidget(menuButton(caseMenu, "folder", tr("Case"), tr("Case menu"), tr("Open, import and save cases"),
@@ -71,12 +74,25 @@ void HeaderBar::setTab(int index) {
 }
 
 void HeaderBar::setCaseTitle(const QString& title, const QString& hint) {
-  case_->setText(title.isEmpty() ? tr("no case") : title);
-  case_->setToolTip(hint);
+  title_ = title.isEmpty() ? tr("no case") : title;
+  case_->setToolTip(hint.isEmpty() ? title_ : title_ + QLatin1Char('\n') + hint);
+  case_->setAccessibleName(title_);
+  elide();
 }
 
 QString HeaderBar::caseTitle() const {
-  return case_->text();
+  return title_;
+}
+
+void HeaderBar::elide() {
+  case_->setText(case_->fontMetrics().elidedText(title_, Qt::ElideMiddle, std::max(0, case_->width())));
+}
+
+void HeaderBar::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  // Its own width comes with the next layout.
+  layout()->activate();
+  elide();
 }
 
 }  // namespace insonate::ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QFrame>
+#include <QString>
 
 class QButtonGroup;
 class QHBoxLayout;
@@ -25,10 +26,16 @@ class HeaderBar : public QFrame {
  Q_SIGNALS:
   void tabChosen(int index);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void elide();
+
   QButtonGroup* tabs_;
   QHBoxLayout* tabRow_;
   QLabel* case_;
+  QString title_;
 };
 
 }  // namespace insonate::ui

@@ -20,6 +20,8 @@ namespace insonate::ui {
 namespace {
 
 const QString kGeometry = QStringLiteral("window/geometry");
+/// A screen of 1366 x 768 at a scale of 1.5, less its bars.
+constexpr QSize kLeast{880, 460};
 const QString kWorkspace = QStringLiteral("window/workspace");
 
 }  // namespace
@@ -58,7 +60,7 @@ void MainWindow::arrange() {
   column->addWidget(stack_, 1);
   column->addWidget(status_);
   setCentralWidget(centre);
-  setMinimumSize(960, 600);
+  setMinimumSize(kLeast);
   const QSize screen = QGuiApplication::primaryScreen() ? QGuiApplication::primaryScreen()->availableSize() : QSize();
   resize(QSize(1600, 1000).boundedTo(screen * 0.9).expandedTo(minimumSize()));
 }
@@ -83,6 +85,7 @@ void MainWindow::connectAll() {
   connect(tasks_, &TaskBar::runningChanged, this, [this](bool running) {
     if (running) errors_->dismiss();
     showTitle();
+    showOpening();
     Q_EMIT readyChanged();
   });
 }

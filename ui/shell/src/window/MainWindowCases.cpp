@@ -161,8 +161,17 @@ void MainWindow::takeMade(std::shared_ptr<const PatientCase> patient) {
   handOut();
 }
 
+/// Without a case, what runs brings one.
+void MainWindow::showOpening() {
+  if (case_.patient) return;
+  const QString what = tasks_->isRunning() ? tasks_->title() : QString();
+  const QString title = what.isEmpty() ? QString() : what + QStringLiteral(" ...");
+  header_->setCaseTitle(title, {});
+  setWindowTitle(title.isEmpty() ? QStringLiteral("Insonate") : QStringLiteral("%1 - Insonate").arg(title));
+  for (const Room& room : rooms_) room.workspace->setOpening(what);
+}
+
 void MainWindow::handOut() {
-  showTitle();
   for (const Room& room : rooms_) {
     room.workspace->setOrigin({case_.folder, case_.notes, case_.builtIn});
     room.workspace->setCase(case_.patient);
@@ -180,7 +189,7 @@ void MainWindow::showHelp(bool keys) {
       groups[0].shortcuts.push_back({action->shortcut().toString(QKeySequence::NativeText), action->text()});
   groups[0].shortcuts.push_back({tr("Alt+C, Alt+V"), tr("the menus of cases and of what is shown")});
   groups[0].shortcuts.push_back({tr("Esc"), tr("cancel what is being done, close a message")});
-  groups.push_back({tr("In every view"), {{tr("M, double click"), tr("fill the room with this view, and back")}}});
+  groups.push_back({tr("In every view"), {{tr("M, double click"), tr("show this view alone, and back")}}});
   for (const Room& room : rooms_) groups.push_back({room.title, room.workspace->shortcuts()});
   help_->setShortcuts(groups);
   if (keys)

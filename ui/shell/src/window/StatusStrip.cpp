@@ -24,7 +24,8 @@ StatusStrip::StatusStrip(QWidget* parent)
   setRole(engine_, "quiet");
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   engine_->setTextFormat(Qt::PlainText);
-  engine_->setToolTip(tr("What computes the ultrasound, and how many pictures it made in the last second"));
+  engine_->setToolTip(
+      tr("What computes the ultrasound, how many pictures it made in the last second, and how long one took"));
   auto* help = new QToolButton;
   help->setIcon(icon(QStringLiteral("help")));
   help->setText(tr(" Help"));

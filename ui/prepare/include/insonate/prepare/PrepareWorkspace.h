@@ -29,6 +29,7 @@ class PrepareWorkspace : public ui::Workspace {
   /// Offered beside an open case.
   void setCaseActions(QAction* open, QAction* import, QAction* reload);
 
+  void setOpening(const QString& what) override;
   void setOrigin(const ui::CaseOrigin& origin) override;
   void setCase(std::shared_ptr<const PatientCase> patient) override;
   ui::CaseEdit unsavedEdit() const override;

@@ -5,6 +5,7 @@
 #include <QStringList>
 
 class QAction;
+class QLabel;
 class QVBoxLayout;
 
 namespace insonate::ui {
@@ -25,6 +26,9 @@ class EmptyWorkspace : public Workspace {
   /// A button below the words, the first one being the usual choice. The action belongs to the caller.
   void offer(QAction* action);
 
+  /// What is being opened, in place of the title; empty for the title again.
+  void showOpening(const QString& what);
+
   void setCase(std::shared_ptr<const PatientCase>) override {}
   QString statusText() const override { return words_.status; }
   QString helpPage() const override { return words_.helpPage; }
@@ -32,6 +36,7 @@ class EmptyWorkspace : public Workspace {
  private:
   Words words_;
   QVBoxLayout* column_;
+  QLabel* title_;
   bool offered_ = false;
 };
 

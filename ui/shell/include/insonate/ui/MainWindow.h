@@ -96,6 +96,7 @@ class MainWindow : public QMainWindow {
   void takeMade(std::shared_ptr<const PatientCase> patient);
   void handOut();
   void showTitle();
+  void showOpening();
   void showSaved(const QString& folder, const std::shared_ptr<const PatientCase>& patient);
   std::vector<CaseEdit> unsavedEdits() const;
   std::vector<CaseEdit> quietEdits() const;

@@ -43,6 +43,9 @@ class Workspace : public QWidget {
   /// The case to work on, from now on; null when none is open. The case never changes while it is shared.
   virtual void setCase(std::shared_ptr<const PatientCase> patient) = 0;
 
+  /// While no case is open: what is being opened, e.g. "Opening the built-in neck"; empty for nothing.
+  virtual void setOpening(const QString& /*what*/) {}
+
   /// Told before setCase(), and when the case was saved elsewhere.
   virtual void setOrigin(const CaseOrigin&) {}
 
@@ -55,7 +58,7 @@ class Workspace : public QWidget {
 
   /// What just happened, or the next thing to do: left in the status bar.
   virtual QString statusText() const { return {}; }
-  /// Engine and rate, e.g. "cpu engine   62 images/s": right in the status bar. Empty where nothing is computed.
+  /// Engine and rate, e.g. "processor   62 images/s": right in the status bar. Empty where nothing is computed.
   virtual QString engineText() const { return {}; }
 
   /// False until everything is on screen that belongs there, e.g. the first live image.
