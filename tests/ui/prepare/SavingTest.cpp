@@ -134,6 +134,34 @@ TEST_F(Saving, ACaseThatIsNowhereIsAskedAboutOnce) {
   EXPECT_TRUE(until([this] { return !window_.isVisible(); }));
 }
 
+TEST_F(Saving, WhereTheProbeIsBecomesTheStartOfACaseThatHasNone) {
+  auto* keep = workspace_->findChild<QPushButton*>("keepStart");
+  ASSERT_TRUE(keep);
+  EXPECT_FALSE(keep->isVisible()) << "this case has one";
+  PatientCase without = test::smallCase();
+  without.manifest.startPoses.clear();
+  ASSERT_TRUE(writeCase(without, case_));
+  QTest::keyClick(&window_, Qt::Key_F5);
+  ASSERT_TRUE(until([&] { return window_.isReady() && keep->isVisible(); }));
+  session_->setCrosshair({8, 3, 2});
+  ASSERT_TRUE(until([this] { return window_.isReady(); }));
+  keep->click();
+  EXPECT_FALSE(keep->isVisible());
+  EXPECT_TRUE(edited());
+  session_->undoStack().undo();
+  EXPECT_TRUE(keep->isVisible());
+  EXPECT_FALSE(edited());
+  EXPECT_TRUE(session_->live().start()) << "found by itself, as before";
+  session_->undoStack().redo();
+  saveAction()->trigger();
+  ASSERT_TRUE(until([this] { return !edited() && !window_.tasks().isRunning(); }));
+  const auto read = readCase(case_);
+  ASSERT_TRUE(read);
+  ASSERT_EQ(read->patient.manifest.startPoses.size(), 1u);
+  EXPECT_NEAR(read->patient.manifest.startPoses[0].position_mm.x, 8, 1);
+  EXPECT_FALSE(keep->isVisible());
+}
+
 TEST_F(Saving, DiscardLeavesTheFolderAlone) {
   session_->setColour(kVein, kChosen);
   window_.close();

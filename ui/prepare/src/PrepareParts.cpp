@@ -192,7 +192,7 @@ void PrepareWorkspace::Parts::showFindings() {
 
 QString PrepareWorkspace::Parts::engineText() const {
   if (!session.patient() || !session.live().shown()) return {};
-  return tr("cpu engine   %1 ms").arg(session.live().shown()->frame_ms, 4, 'f', 1);
+  return tr("processor   %1 ms").arg(session.live().shown()->frame_ms, 4, 'f', 1);
 }
 
 bool PrepareWorkspace::Parts::key(const QKeyEvent& event, bool doIt) {

@@ -2,6 +2,7 @@
 
 #include "edit/Edits.h"
 
+#include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/Labels.h>
 
 #include <algorithm>
@@ -45,6 +46,7 @@ PrepareSession::PrepareSession(ui::TaskBar& tasks, QObject* parent)
   connect(&live_, &LivePatient::started, this, [this] {
     // Where the case begins is where one wants to look first.
     const auto& start = *live_.start();
+    found_ = start;
     crosshair_mm_ = start.position_mm;
     Q_EMIT crosshairMoved();
     Q_EMIT messageChanged();
@@ -66,9 +68,11 @@ void PrepareSession::setCase(std::shared_ptr<const PatientCase> patient) {
   message_.clear();
   looks_ = usualLooks(patient_ ? patient_->colours : LabelColours{});
   for (const auto& [label, habit] : habits_)
-    looks_[label].opacity = habit.opacity, looks_[label].visible = habit.visible;
+    // Without skin, another patient would look broken.
+    looks_[label].opacity = habit.opacity, looks_[label].visible = habit.visible || label == kSkin;
   if (patient_) takeShown(patient_->manifest.shown, looks_);
   kept_ = looks_;
+  start_.reset(), found_.reset();
   title_ = patient_ ? QString::fromStdString(patient_->manifest.title) : QString();
   crosshair_mm_ = patient_ ? patient_->ct.geometry.centre_mm() : Vec3{};
   Q_EMIT caseChanged();
@@ -82,6 +86,7 @@ void PrepareSession::replaceCase(std::shared_ptr<const PatientCase> patient) {
   patient_ = std::move(patient);
   live_.replacePatient(patient_);
   takeShown(patient_->manifest.shown, kept_);
+  Q_EMIT startChanged();
   tellEdits();
 }
 
@@ -195,11 +200,32 @@ void PrepareSession::applyTitle(const QString& title) {
   tellEdits();
 }
 
+bool PrepareSession::lacksStart() const {
+  return patient_ && patient_->manifest.startPoses.empty() && !start_ && live_.pose();
+}
+
+void PrepareSession::keepStart() {
+  if (!lacksStart()) return;
+  StartPose start = poseOf(*live_.pose());
+  start.name = tr("start").toStdString();
+  undo_.push(new StartEdit(*this, start));
+  say(tr("The case begins here; Ctrl+S saves it."));
+}
+
+void PrepareSession::applyStart(const std::optional<StartPose>& start) {
+  start_ = start;
+  live_.setStart(start ? start : found_);
+  Q_EMIT startChanged();
+  tellEdits();
+}
+
 ui::CaseEdit PrepareSession::unsavedEdit() const {
   if (!patient_) return {};
   const std::string title = title_.toStdString();
-  if (title == patient_->manifest.title && !coloursDiffer(looks_, structures_, patient_->colours)) return {};
-  return [title, looks = looks_, structures = structures_](PatientCase& copy) {
+  const bool begins = start_ && patient_->manifest.startPoses.empty();
+  if (title == patient_->manifest.title && !begins && !coloursDiffer(looks_, structures_, patient_->colours)) return {};
+  return [title, looks = looks_, structures = structures_, start = start_](PatientCase& copy) {
+    if (start && copy.manifest.startPoses.empty()) copy.manifest.startPoses.push_back(*start);
     copy.manifest.title = title;
     putColours(looks, structures, copy.colours);
   };

@@ -11,6 +11,7 @@
 #include <QString>
 #include <QUndoStack>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace insonate::prepare {
@@ -55,6 +56,10 @@ class PrepareSession : public QObject {
   void showAll();
   const QString& title() const { return title_; }
   void setTitle(const QString& title);
+  /// Where the probe is becomes the case's start pose, if it has none; saved with the case.
+  void keepStart();
+  /// The case has no start pose, none is kept, and the probe stands somewhere.
+  bool lacksStart() const;
   /// What of these belongs to the case and is not in it; null without.
   ui::CaseEdit unsavedEdit() const;
   /// What was made visible, hidden or translucent here and is not in the case; null without.
@@ -92,6 +97,7 @@ class PrepareSession : public QObject {
   void lookChanged(int label);
   void selectedChanged();
   void titleChanged();
+  void startChanged();
   void editsChanged();
   void crosshairMoved();
   void slicesChanged();  ///< window, level, opacity or visibility of labels
@@ -100,6 +106,8 @@ class PrepareSession : public QObject {
  private:
   friend class LookEdit;
   friend class TitleEdit;
+  friend class StartEdit;
+  void applyStart(const std::optional<StartPose>& start);
   void applyLook(std::uint8_t label, const StructureLook& look);
   void applyTitle(const QString& title);
   void push(std::uint8_t label, const StructureLook& look, const QString& what);
@@ -116,6 +124,7 @@ class PrepareSession : public QObject {
   std::array<bool, 256> surfaceWanted_{};
   std::uint8_t selected_ = 0;
   QString title_;
+  std::optional<StartPose> start_, found_;  ///< kept here; of the case, or found by itself
   Vec3 crosshair_mm_;
   views::WindowLevel windowLevel_;
   double labelOpacity_ = 0.25;

@@ -2,6 +2,8 @@
 
 #include "../PrepareSession.h"
 
+#include <utility>
+
 namespace insonate::prepare {
 namespace {
 
@@ -41,6 +43,17 @@ void TitleEdit::undo() {
 
 void TitleEdit::redo() {
   session_.applyTitle(after_);
+}
+
+StartEdit::StartEdit(PrepareSession& session, StartPose after)
+    : QUndoCommand(PrepareSession::tr("start of the case")), session_(session), after_(std::move(after)) {}
+
+void StartEdit::undo() {
+  session_.applyStart(std::nullopt);
+}
+
+void StartEdit::redo() {
+  session_.applyStart(after_);
 }
 
 }  // namespace insonate::prepare

@@ -2,6 +2,8 @@
 
 #include "Structures.h"
 
+#include <insonate/cases/PatientCase.h>
+
 #include <QString>
 #include <QUndoCommand>
 #include <chrono>
@@ -37,6 +39,18 @@ class TitleEdit : public QUndoCommand {
  private:
   PrepareSession& session_;
   QString before_, after_;
+};
+
+/// Where the case begins.
+class StartEdit : public QUndoCommand {
+ public:
+  StartEdit(PrepareSession& session, StartPose after);
+  void undo() override;
+  void redo() override;
+
+ private:
+  PrepareSession& session_;
+  StartPose after_;
 };
 
 }  // namespace insonate::prepare

@@ -62,6 +62,12 @@ void LivePatient::makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand)
       moved();
       if (wanted_mm_) follow(*wanted_mm_);
     };
+    work.unplaced = [this](ProbeHand hand, const QString&) {
+      hand_ = std::move(hand);
+      startLive();
+      Q_EMIT poseChanged();
+      if (wanted_mm_) follow(*wanted_mm_);
+    };
   }
   work.surface = [this](std::uint8_t label, std::shared_ptr<const Mesh> mesh) { Q_EMIT surfaceMade(label, mesh); };
   work.surfacesDone = [this] {
@@ -138,6 +144,11 @@ void LivePatient::follow(Vec3 patient_mm) {
   // Where it stops, it stands as near as it can.
   hand_->moveTo(patient_mm);
   moved();
+}
+
+void LivePatient::setStart(std::optional<StartPose> start) {
+  start_ = std::move(start);
+  Q_EMIT stateChanged();
 }
 
 void LivePatient::goToStart() {

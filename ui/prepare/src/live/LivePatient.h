@@ -37,6 +37,7 @@ class LivePatient : public QObject {
   void follow(Vec3 patient_mm);
   /// The probe goes where the case begins.
   void goToStart();
+  void setStart(std::optional<StartPose> start);
   /// Where the case begins, once known.
   const std::optional<StartPose>& start() const { return start_; }
   /// patientFromProbe; none before it is known.

@@ -24,7 +24,8 @@ UltrasoundPane::UltrasoundPane(PrepareSession& session, QWidget* parent)
       view_(std::make_shared<views::UltrasoundView>()),
       widget_(new ui::ViewWidget(view_, tr("Ultrasound of this label map"), this)),
       state_(new QLabel),
-      start_(new QPushButton(tr("Start"))) {
+      start_(new QPushButton(tr("Start"))),
+      keep_(new QPushButton(tr("Begin here"))) {
   // The column is too small a room to fill, and the picture has no more to show when larger.
   widget_->setMaximiseOnDoubleClick(false);
   widget_->setObjectName(QStringLiteral("labelUltrasound"));
@@ -41,6 +42,9 @@ UltrasoundPane::UltrasoundPane(PrepareSession& session, QWidget* parent)
   auto* row = new QHBoxLayout;
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(title, 1);
+  keep_->setObjectName(QStringLiteral("keepStart"));
+  keep_->setToolTip(tr("The case has no start pose: where the probe is now becomes it; saved with the case"));
+  row->addWidget(keep_);
   row->addWidget(start_);
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
@@ -49,6 +53,8 @@ UltrasoundPane::UltrasoundPane(PrepareSession& session, QWidget* parent)
   box->addWidget(widget_, 1);
   box->addWidget(state_);
   connect(start_, &QPushButton::clicked, this, [this] { session_.goToStart(); });
+  connect(keep_, &QPushButton::clicked, this, [this] { session_.keepStart(); });
+  connect(&session_, &PrepareSession::startChanged, this, [this] { showState(); });
   connect(&session_, &PrepareSession::caseChanged, this, [this] {
     shape_ = nullptr;
     view_->setImage({});
@@ -74,6 +80,7 @@ void UltrasoundPane::showState() {
   const QString state = session_.live().state();
   state_->setText(state);
   // One line is always kept, so that the picture does not jump.
+  keep_->setVisible(session_.lacksStart());
   start_->setEnabled(session_.live().start().has_value());
 }
 

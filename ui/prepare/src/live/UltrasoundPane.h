@@ -32,7 +32,7 @@ class UltrasoundPane : public QWidget {
   std::shared_ptr<const void> shape_;  ///< setup of the picture as laid out
   ui::ViewWidget* widget_;
   QLabel* state_;
-  QPushButton* start_;
+  QPushButton *start_, *keep_;
 };
 
 }  // namespace insonate::prepare

@@ -19,7 +19,7 @@ class CaseWorker::Job {
  public:
   /// What is computed; known here so that nothing else of the worker is needed.
   struct Wanted {
-    bool start, hand, surface, surfacesDone, failed;
+    bool start, hand, unplaced, structures, surface, surfacesDone, failed;
   };
 
   Job(CaseWorker& worker, std::shared_ptr<const PatientCase> patient, Wanted wanted, std::vector<SurfaceWish> wishes)
@@ -54,6 +54,7 @@ class CaseWorker::Job {
   }
   void post(Call call);  ///< with the mutex held
   void placeProbe();
+  bool offerSkin(const Error& why);
   void makeSurfaces();
   void makeSurface(const SurfaceWish& wish);
 
@@ -69,7 +70,8 @@ class CaseWorker::Job {
 CaseWorker::CaseWorker(std::shared_ptr<const PatientCase> patient, CaseWork work, std::vector<SurfaceWish> wishes)
     : work_(std::move(work)),
       job_(std::make_shared<Job>(*this, std::move(patient),
-                                 Job::Wanted{work_.start != nullptr, work_.hand != nullptr, work_.surface != nullptr,
+                                 Job::Wanted{work_.start != nullptr, work_.hand != nullptr, work_.unplaced != nullptr,
+                                             work_.structures != nullptr, work_.surface != nullptr,
                                              work_.surfacesDone != nullptr, work_.failed != nullptr},
                                  std::move(wishes))),
       thread_([job = job_] { job->run(); }) {}
@@ -95,7 +97,10 @@ void CaseWorker::Job::placeProbe() {
     if (wanted_.failed) deliver([text = QString::fromStdString(error.message)](CaseWork& work) { work.failed(text); });
   };
   const auto start = autoStartPose(*patient_);
-  if (!start) return failed(start.error());
+  if (!start) {
+    if (!offerSkin(start.error())) failed(start.error());
+    return;
+  }
   if (wanted_.start) deliver([pose = *start](CaseWork& work) { work.start(pose); });
   const auto pose = patientFromProbe(start->position_mm, start->axial, start->lateral);
   if (!pose) return failed(pose.error());
@@ -105,8 +110,28 @@ void CaseWorker::Job::placeProbe() {
   deliver([made = std::move(*hand)](CaseWork& work) { work.hand(made); });
 }
 
+/// From before the patient, the nearest skin is that of the front, wherever the scan cuts it.
+bool CaseWorker::Job::offerSkin(const Error& why) {
+  if (!wanted_.unplaced) return false;
+  const VolumeGeometry& grid = patient_->labels.geometry;
+  const Vec3 centre_mm = grid.centre_mm();
+  const auto pose = patientFromProbe(centre_mm, {0, 1, 0}, {1, 0, 0});
+  auto hand = pose ? ProbeHand::make(patient_->labels, *pose) : Result<ProbeHand>(tl::unexpected(pose.error()));
+  if (!hand) return false;
+  const double ahead_mm = 0.5 * grid.size[1] * grid.spacing_mm.y;
+  hand->moveTo(centre_mm - Vec3{0, ahead_mm, 0});
+  deliver([made = std::move(*hand), text = QString::fromStdString(why.message)](CaseWork& work) {
+    work.unplaced(made, text);
+  });
+  return true;
+}
+
 void CaseWorker::Job::makeSurfaces() {
   const auto present = structuresIn(patient_->labels);
+  if (wanted_.structures)
+    deliver([labels = std::vector<std::uint8_t>(present.begin(), present.end())](CaseWork& work) {
+      work.structures(labels);
+    });
   std::unique_lock lock(mutex_);
   while (!left()) {
     if (wishes_.empty()) {

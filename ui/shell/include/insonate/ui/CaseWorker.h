@@ -19,6 +19,10 @@ namespace insonate::ui {
 struct CaseWork {
   std::function<void(StartPose)> start;  ///< where the probe begins
   std::function<void(ProbeHand)> hand;
+  /// In place of both, where the case has no start pose and none is found: a hand on the skin that is nearest to the
+  /// front, and why. Where this is left empty, or there is no skin, failed() is called.
+  std::function<void(ProbeHand, QString)> unplaced;
+  std::function<void(std::vector<std::uint8_t>)> structures;                     ///< the labels that occur
   std::function<void(std::uint8_t label, std::shared_ptr<const Mesh>)> surface;  ///< kSkin is the whole body's outside
   std::function<void()> surfacesDone;   ///< all that were wanted so far have come
   std::function<void(QString)> failed;  ///< a sentence; what comes after it in the order may still come
