@@ -17,12 +17,14 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTest>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -254,7 +256,7 @@ TEST_F(ProbeEditing, FoldersAndFilesOfNoUse) {
   EXPECT_NE(refused.error().message.find("could not be made"), std::string::npos);
 }
 
-/// A capture of a machine as a picture.
+/// A capture of a machine.
 QImage captured(double mark_px) {
   test::FovCapture capture;
   capture.shape.shape = ProbeShape::Curvilinear;
@@ -270,6 +272,9 @@ TEST_F(ProbeEditing, APictureBecomesTheProbe) {
   ASSERT_TRUE(captured(40).save(file));
   openCase();
   edit();
+  auto* name = child<QLineEdit>("probeName");
+  name->selectAll();
+  QTest::keyClicks(name, "Ward 9");
   child<QPushButton>("fitToPicture")->click();
   auto* dialog = workspace_->findChild<FitDialog*>();
   ASSERT_TRUE(dialog);
@@ -287,6 +292,7 @@ TEST_F(ProbeEditing, APictureBecomesTheProbe) {
   dialog->findChild<ui::ValueSlider*>("fitDepth")->setValue(100);
   dialog->findChild<QPushButton*>("fitTake")->click();
   EXPECT_EQ(session_->probe().shape, ProbeShape::Curvilinear);
+  EXPECT_EQ(name->text(), "Ward 9") << "typed without Enter";
   EXPECT_GT(session_->probe().fovAngle_deg, 62);
   EXPECT_NEAR(session_->settings().depth_mm, 100, 0.1);
   EXPECT_NEAR(editor_->draft().faceRadius_mm, session_->probe().faceRadius_mm, 0.06);
@@ -369,6 +375,12 @@ TEST_F(ProbeEditing, PastedDroppedBadAndCancelled) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.isWorking(); }, kPatience_ms));
   EXPECT_TRUE(dialog.message().contains("No field of view was found"));
   EXPECT_TRUE(dialog.findChild<FitCanvas*>()->shape()) << "to be placed by hand";
+  dialog.openPicture(QString::fromStdString((folder / "notes.txt").string()));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.isWorking(); }, kPatience_ms));
+  EXPECT_TRUE(dialog.message().contains("no picture that can be read"));
+  EXPECT_TRUE(std::ranges::any_of(dialog.findChildren<QLabel*>(), [](const QLabel* label) {
+    return label->isVisible() && label->text().startsWith("No field of view was found");
+  })) << "what is said of the picture before, which is still shown";
 
   QApplication::clipboard()->setImage(captured(0));
   dialog.paste();

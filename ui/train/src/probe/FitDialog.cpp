@@ -219,7 +219,11 @@ void FitDialog::fitted(Result<std::shared_ptr<Loaded>> result) {
     const bool stopped = result.error().message == kCancelled;
     QString sentence = stopped ? tr("Stopped.") : QString::fromStdString(result.error().message);
     if (!picture_.isNull()) sentence += QLatin1Char('\n') + tr("What is shown is still the picture before.");
-    return say(sentence, !stopped);
+    say(sentence, !stopped);
+    // So are its doubts.
+    if (picture_.isNull()) return;
+    notes_->setText(stopped ? sentence + QLatin1Char('\n') + doubts_ : doubts_);
+    return notes_->show();
   }
   Loaded& loaded = **result;
   picture_ = loaded.picture;
@@ -231,7 +235,8 @@ void FitDialog::fitted(Result<std::shared_ptr<Loaded>> result) {
   typedDepth_mm_ = depth_->value();
   if (!loaded.fit) {
     placeByHand();
-    return say(QString::fromStdString(loaded.fit.error().message), true);
+    doubts_ = QString::fromStdString(loaded.fit.error().message);
+    return say(doubts_, true);
   }
   FovFit& fit = *loaded.fit;
   canvas_->setShape(fit.shape);
@@ -246,7 +251,8 @@ void FitDialog::fitted(Result<std::shared_ptr<Loaded>> result) {
   }
   if (!fit.ruler) doubts << tr("The depth is taken as %1 mm until you type it.").arg(typedDepth_mm_, 0, 'f', 0);
   if (fit.confidence < 0.5) doubts.prepend(tr("The fit is uncertain: correct it by its handles."));
-  say(doubts.join(QLatin1Char('\n')), fit.confidence < 0.5);
+  doubts_ = doubts.join(QLatin1Char('\n'));
+  say(doubts_, fit.confidence < 0.5);
   showShape();
 }
 

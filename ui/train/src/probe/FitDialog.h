@@ -64,6 +64,7 @@ class FitDialog : public QDialog {
 
   Probe base_, probe_;
   QImage picture_;
+  QString doubts_;  ///< about the fit of this picture
   std::optional<DepthRuler> ruler_;
   FitCanvas* canvas_;
   ui::TaskBar* tasks_;

@@ -121,7 +121,11 @@ void ProbeEditor::buildHead(QVBoxLayout& box) {
   box.addWidget(fit);
   connect(name_, &QLineEdit::editingFinished, this, &ProbeEditor::changeName);
   connect(shape_, qOverload<int>(&QComboBox::activated), this, &ProbeEditor::changeShape);
-  connect(fit, &QPushButton::clicked, this, &ProbeEditor::fitWanted);
+  // A click leaves the keyboard in the name: what was typed there counts.
+  connect(fit, &QPushButton::clicked, this, [this] {
+    changeName();
+    Q_EMIT fitWanted();
+  });
 }
 
 void ProbeEditor::buildNumbers(QVBoxLayout& box) {
@@ -274,6 +278,7 @@ bool ProbeEditor::report(const Result<void>& result, const QString& said) {
 }
 
 bool ProbeEditor::save() {
+  changeName();
   const bool saved = report(library_.save(draft_), tr("Probe saved; it is in the list."));
   if (saved) savedName_ = draft_.name;
   showButtons();
