@@ -5,7 +5,9 @@
 #include <insonate/views/UltrasoundView.h>
 
 #include <QAction>
+#include <QLabel>
 #include <QSplitter>
+#include <QToolButton>
 #include <QWheelEvent>
 
 namespace insonate::train {
@@ -91,6 +93,69 @@ TEST_F(TrainLayout, PointingInOneMarksTheOther) {
   QEvent leave(QEvent::Leave);
   QApplication::sendEvent(beside()->focusProxy(), &leave);
   EXPECT_TRUE(QTest::qWaitFor([&] { return blueBeside(picture()) < 3; }, 5000));
+}
+
+TEST_F(TrainLayout, SaysWhatIsBeingOpenedAndNotThatNothingIsOpen) {
+  auto* empty = child<QLabel>("emptyState");
+  EXPECT_TRUE(empty->text().startsWith("No case is open."));
+  workspace_->setOpening("Opening block");
+  EXPECT_EQ(empty->text(), "Opening block ...");
+  workspace_->setOpening({});
+  EXPECT_TRUE(empty->text().startsWith("No case is open."));
+}
+
+TEST_F(TrainLayout, TheColumnsKeepTheirWidthWhicheverTabIsChosen) {
+  for (const int width : {1400, 1024}) {
+    workspace_->resize(width, 700);
+    QTest::qWait(50);
+    const QList<int> widths = child<QSplitter>("trainColumns")->sizes();
+    child<QToolButton>("sceneTab")->click();
+    QTest::qWait(50);
+    EXPECT_EQ(child<QSplitter>("trainColumns")->sizes(), widths) << width;
+    for (auto* button : workspace_->findChildren<QAbstractButton*>())
+      if (button->accessibleName() == "Probe slice") button->click();
+    QTest::qWait(50);
+    EXPECT_EQ(child<QSplitter>("trainColumns")->sizes(), widths) << width;
+  }
+}
+
+TEST_F(TrainLayout, NoWordIsCutWhereTheWindowIsNarrow) {
+  for (const int width : {1500, 1024, 910}) {
+    workspace_->resize(width, 480);
+    QTest::qWait(50);
+    for (auto* button : workspace_->findChildren<QAbstractButton*>()) {
+      if (!button->isVisible() || button->text().isEmpty()) continue;
+      EXPECT_GE(button->width(), button->fontMetrics().horizontalAdvance(button->text()) + 4)
+          << button->text().toStdString() << " at " << width;
+    }
+  }
+}
+
+TEST_F(TrainLayout, FourSlicesAreMeasuredAndShownLikeOne) {
+  openCase();
+  auto* all = child<FourSlices>("fourSlices");
+  key(Qt::Key_X);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return norm(all->slice(1).crosshair_mm()) > 1; }, kPatience_ms));
+  EXPECT_TRUE(child<QToolButton>("sliceMenu")->isVisible());
+  child<ui::ValueSlider>("labelOpacity")->setValue(40);
+  for (std::size_t n = 0; n < FourSlices::kCount; ++n) EXPECT_NEAR(all->slice(n).labelOpacity(), 0.4, 1e-9) << n;
+
+  key(Qt::Key_L);
+  QWidget* canvas = all->widget(1).focusProxy();
+  EXPECT_EQ(canvas->cursor().shape(), Qt::CrossCursor);
+  const Vec3 crosshair = all->slice(1).crosshair_mm();
+  const QPoint from = canvas->rect().center(), to = from + QPoint(30, 0);
+  const auto send = [&](QEvent::Type type, QPoint at, Qt::MouseButton what, Qt::MouseButtons held) {
+    QMouseEvent event(type, at, canvas->mapToGlobal(at), what, held, Qt::NoModifier);
+    QApplication::sendEvent(canvas, &event);
+  };
+  send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+  send(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton);
+  send(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+  EXPECT_EQ(all->slice(1).crosshair_mm(), crosshair) << "a measuring drag does not move the crosshair";
+  key(Qt::Key_Delete);
+  key(Qt::Key_Z);
+  EXPECT_EQ(workspace_->statusText(), "Taken back: removal of the measurements.");
 }
 
 TEST_F(TrainLayout, MirrorsForTheLeftHandAndRemembers) {
@@ -278,7 +343,7 @@ TEST_F(PositionList, OwnOnesAreNamedMovedAndRemovedByKeyboardAndComeBack) {
     key(Qt::Key_Right);
     child<QPushButton>("savePosition")->click();
   }
-  EXPECT_EQ(names(), (QStringList{"over the vein", "position 1", "position 2", "position 3"}));
+  EXPECT_EQ(names(), (QStringList{"over the vein", "my position 1", "my position 2", "my position 3"}));
   list->setFocus();
   list->setCurrentRow(2);
   QTest::keyClick(list, Qt::Key_F2);
@@ -290,17 +355,17 @@ TEST_F(PositionList, OwnOnesAreNamedMovedAndRemovedByKeyboardAndComeBack) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return names()[2] == "behind the muscle"; }, 2000))
       << names().join(", ").toStdString();
   QTest::keyClick(list, Qt::Key_Up, Qt::AltModifier);
-  EXPECT_EQ(names(), (QStringList{"over the vein", "behind the muscle", "position 1", "position 3"}));
+  EXPECT_EQ(names(), (QStringList{"over the vein", "behind the muscle", "my position 1", "my position 3"}));
   EXPECT_EQ(list->currentRow(), 1);
   QTest::keyClick(list, Qt::Key_Up, Qt::AltModifier);
   EXPECT_EQ(names()[0], "over the vein") << "the case's stay in front";
   QTest::keyClick(list, Qt::Key_Delete);
-  EXPECT_EQ(names(), (QStringList{"over the vein", "position 1", "position 3"}));
+  EXPECT_EQ(names(), (QStringList{"over the vein", "my position 1", "my position 3"}));
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(names()[1], "behind the muscle");
   key(Qt::Key_Z, Qt::ControlModifier);
   key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(names(), (QStringList{"over the vein", "position 1", "position 2", "position 3"}));
+  EXPECT_EQ(names(), (QStringList{"over the vein", "my position 1", "my position 2", "my position 3"}));
 }
 
 TEST_F(PositionList, ThoseOfTheCaseStay) {

@@ -37,7 +37,7 @@ TEST_F(TrainScene, ThePanelStandsInThePlaceOfTheSlice) {
   panel()->findChild<QToolButton*>("eye6")->click();
   EXPECT_FALSE(scene().isVisible(kVein));
   for (auto* tab : workspace_->findChildren<QToolButton*>())
-    if (tab->text() == "Axial") tab->click();
+    if (tab->accessibleName() == "Axial slice") tab->click();
   EXPECT_FALSE(panel()->isVisible());
   EXPECT_TRUE(slice()->isVisible());
 }

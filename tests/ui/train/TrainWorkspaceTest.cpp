@@ -1,4 +1,9 @@
 #include "TrainWindow.h"
+#include "files/ScaledPicture.h"
+
+#include <insonate/tissue/Labels.h>
+
+#include <QLabel>
 
 namespace insonate::train {
 namespace {
@@ -9,7 +14,7 @@ TEST_F(TrainWindow, FirstPictureArrives) {
   ASSERT_TRUE(session_->shown());
   EXPECT_EQ(session_->shown()->image.width, 128);
   EXPECT_GT(std::ranges::max(session_->shown()->image.grey), 40) << "something is seen";
-  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->engineText().contains("at rest"); }, kPatience_ms));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->engineText().contains("up to date"); }, kPatience_ms));
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
         key(Qt::Key_Right);
@@ -237,7 +242,14 @@ TEST_F(TrainWindow, PictureAndClipAreWritten) {
   EXPECT_EQ(written, "Picture saved as picture.png.");
   EXPECT_EQ(place, QString::fromStdString(folder.path().string()));
   const QImage picture(QString::fromStdString((folder / "picture.png").string()));
-  EXPECT_EQ(picture.width(), 128);
+  const BModeImage& image = session_->shown()->image;
+  const QPoint origin = pictureOrigin(image);
+  ASSERT_GE(picture.width(), origin.x() + image.width);
+  for (const QPoint at : {QPoint(3, 5), QPoint(100, 40), QPoint(127, 95)})
+    EXPECT_EQ(qGray(picture.pixel(origin + at)), image.grey[std::size_t(at.y()) * image.width + at.x()]);
+  int ticks = 0;
+  for (int y = origin.y() - 2; y < picture.height(); ++y) ticks += qGray(picture.pixel(origin.x() - 6, y)) > 60;
+  EXPECT_GE(ticks, int(session_->settings().depth_mm / 10)) << "a mark every centimetre at least";
   EXPECT_NEAR(1000.0 / picture.dotsPerMeterX(), session_->shown()->image.pixel_mm, 1e-3);
   workspace_->savePicture(folder / "no" / "such" / "folder.png");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, kPatience_ms));
@@ -263,6 +275,67 @@ TEST_F(TrainWindow, OneEffectCanBeSeenAlone) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return session_->shown() != whole; }, kPatience_ms));
   session_->setEffect(TrainSession::kWholeModel);
   EXPECT_EQ(effects->currentIndex(), 0);
+}
+
+/// A case that the scan cuts in front of its target, so that no start is found by itself.
+std::shared_ptr<const PatientCase> cutCase() {
+  PatientCase patient = test::smallCase();
+  patient.manifest.startPoses.clear();
+  patient.manifest.targets.clear();
+  for (auto& label : patient.labels.voxels)
+    if (label == kVein) label = kSoftTissue;
+  const auto& size = patient.labels.geometry.size;
+  for (int k = 0; k < size[2]; ++k)
+    for (int j = 0; j < size[1]; ++j)
+      for (int i = 0; i < size[0]; ++i) {
+        // Skin on the patient's left only; the front is beyond the scan.
+        const bool body = i < 30;
+        patient.labels.at(i, j, k) = !body ? kBackground : i >= 28 ? kSkin : kSoftTissue;
+        patient.ct.at(i, j, k) = body ? 30 : -1000;
+      }
+  return std::make_shared<const PatientCase>(std::move(patient));
+}
+
+TEST_F(TrainWindow, AProbeWithoutAStartIsPlacedByTheUser) {
+  QStringList failures;
+  QObject::connect(workspace_.get(), &ui::Workspace::failed, [&](const QString& what) { failures << what; });
+  workspace_->setCase(cutCase());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session_->isUnplaced(); }, kPatience_ms));
+  EXPECT_TRUE(failures.isEmpty()) << failures.join(' ').toStdString();
+  EXPECT_TRUE(child<QWidget>("placeOffer")->isVisible());
+  EXPECT_FALSE(child<QWidget>("ultrasoundView")->isVisible());
+  EXPECT_TRUE(workspace_->isReady()) << "nothing comes by itself";
+  child<QPushButton>("placeOnSkin")->click();
+  EXPECT_FALSE(child<QWidget>("placeOffer")->isVisible());
+  EXPECT_TRUE(session_->handReady());
+  EXPECT_NEAR(session_->handState().skin_mm.x, 5.5, 1.5);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session_->shown() && workspace_->isReady(); }, kPatience_ms));
+  workspace_->setCase(patient());
+  EXPECT_FALSE(child<QWidget>("placeOffer")->isVisible());
+  EXPECT_FALSE(session_->isUnplaced());
+}
+
+TEST_F(TrainWindow, SaysThatACaseHasNoVessels) {
+  openCase();
+  auto* note = child<QLabel>("vesselNote");
+  EXPECT_FALSE(note->isVisible());
+  workspace_->setCase(cutCase());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return note->isVisible(); }, kPatience_ms));
+  workspace_->setCase(patient());
+  EXPECT_FALSE(note->isVisible());
+}
+
+TEST_F(TrainWindow, WhatHappenedIsSaidForSomeSeconds) {
+  openCase();
+  child<QPushButton>("savePosition")->click();
+  EXPECT_TRUE(workspace_->statusText().startsWith("Position saved"));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().startsWith("Drag on the image"); },
+                              TrainSession::kSaid_ms + 3000));
+  key(Qt::Key_Space);
+  key(Qt::Key_Right);
+  EXPECT_TRUE(workspace_->statusText().contains("live again")) << workspace_->statusText().toStdString();
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return workspace_->statusText().startsWith("Frozen."); }, TrainSession::kSaid_ms + 3000));
 }
 
 TEST_F(TrainWindow, AnotherCaseReplacesEverything) {

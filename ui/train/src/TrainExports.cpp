@@ -34,7 +34,7 @@ void TrainWorkspace::Parts::saveClip(const std::filesystem::path& folder) {
       [frames = session.cine(), folder](const Progress& progress) { return writeClip(frames, folder, progress); },
       [this, folder](Result<int> result) {
         if (result)
-          Q_EMIT workspace_.written(tr("Clip of %1 pictures saved.").arg(*result),
+          Q_EMIT workspace_.written(tr("Clip saved as a folder of %1 PNG pictures.").arg(*result),
                                     QString::fromStdString(folder.string()));
         else if (result.error().message == kCancelled)
           session.say(tr("The clip was not saved."));
@@ -63,8 +63,8 @@ void TrainWorkspace::Parts::askPicture() {
 
 void TrainWorkspace::Parts::askClip() {
   session.setFrozen(true);
-  const QString folder =
-      QFileDialog::getExistingDirectory(&workspace_, tr("Save the clip into a new folder in"), exportFolder);
+  const QString folder = QFileDialog::getExistingDirectory(
+      &workspace_, tr("Save the clip: a new folder of numbered PNG pictures, made in"), exportFolder);
   if (folder.isEmpty() || !session.patient()) return;
   exportFolder = folder;
   const QString name = exportName(QString::fromStdString(session.patient()->manifest.title));

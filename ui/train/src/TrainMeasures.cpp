@@ -4,9 +4,12 @@
 #include "image/CtBeside.h"
 #include "image/ImageInput.h"
 #include "image/SliceMeasure.h"
+#include "scene/FourSlices.h"
 #include "scene/PatientViews.h"
 
 #include <insonate/ui/ViewWidget.h>
+
+#include <algorithm>
 
 namespace insonate::train {
 
@@ -19,31 +22,34 @@ void TrainWorkspace::Parts::chooseCalliper(int kind) {
   const bool off = kind < 0 || (chosen && int(*chosen) == kind);
   const auto next = off ? std::nullopt : std::optional(views::CalliperKind(kind));
   input_->callipers().setKind(next);
-  for (SliceMeasure* slice : {measureSlice_, measureBeside_}) slice->setKind(next);
+  for (SliceMeasure* slice : measureSlices_) slice->setKind(next);
   cine_->setCalliper(off ? -1 : kind);
-  for (ui::ViewWidget* view : {imageWidget_, &beside_->widget(), &patient->mprWidget()})
-    view->focusProxy()->setCursor(off ? Qt::ArrowCursor : Qt::CrossCursor);
+  std::vector<ui::ViewWidget*> views{imageWidget_, &beside_->widget(), &patient->mprWidget()};
+  for (std::size_t n = 0; n < FourSlices::kCount; ++n) views.push_back(&patient->allSlices().widget(n));
+  for (ui::ViewWidget* view : views) view->focusProxy()->setCursor(off ? Qt::ArrowCursor : Qt::CrossCursor);
   showCallipers();
-  session.say(off ? tr("Drag on the image to slide the probe. Keys: ?")
-                  : tr("Click on image or CT from point to point, or drag."));
+  session.setHint(off ? QString() : tr("Click on image or CT from point to point, or drag. Esc ends measuring."));
 }
 
 void TrainWorkspace::Parts::clearCallipers() {
   struct Measures {
     std::vector<views::Calliper> picture;
-    std::vector<views::SliceCalliper> slice, beside;
+    std::vector<std::vector<views::SliceCalliper>> slices;
   };
   const auto exchange = [this, other = Measures{}]() mutable {
-    Measures now{input_->callipers().done(), measureSlice_->callipers(), measureBeside_->callipers()};
+    other.slices.resize(measureSlices_.size());
+    Measures now{input_->callipers().done(), {}};
     input_->callipers().setDone(std::move(other.picture));
-    measureSlice_->setCallipers(std::move(other.slice));
-    measureBeside_->setCallipers(std::move(other.beside));
+    for (std::size_t n = 0; n < measureSlices_.size(); ++n) {
+      now.slices.push_back(measureSlices_[n]->callipers());
+      measureSlices_[n]->setCallipers(std::move(other.slices[n]));
+    }
     other = std::move(now);
     showCallipers();
     return true;
   };
-  const bool any = !input_->callipers().done().empty() || !measureSlice_->callipers().empty() ||
-                   !measureBeside_->callipers().empty();
+  const bool any = !input_->callipers().done().empty() ||
+                   std::ranges::any_of(measureSlices_, [](const auto* slice) { return !slice->callipers().empty(); });
   History::Exchange clear = exchange;
   clear();
   if (any) session.history().add(tr("removal of the measurements").toStdString(), std::move(clear));

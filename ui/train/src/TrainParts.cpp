@@ -71,13 +71,14 @@ TrainWorkspace::Parts::Parts(TrainWorkspace& workspace)
   QWidget &picture = *imageWidget_->focusProxy(), &slice = *patient->mprWidget().focusProxy();
   QWidget& beside = *beside_->widget().focusProxy();
   // Filters see events in the reverse of this order.
-  measureSlice_ = new SliceMeasure(patient->mpr(), slice, this);
-  measureBeside_ = new SliceMeasure(beside_->view(), beside, this);
+  FourSlices& four = patient->allSlices();
+  measureSlices_ = {new SliceMeasure(patient->mpr(), slice, this), new SliceMeasure(beside_->view(), beside, this)};
+  for (std::size_t n = 0; n < FourSlices::kCount; ++n)
+    measureSlices_.push_back(new SliceMeasure(four.slice(n), *four.widget(n).focusProxy(), this));
   input_ = new ImageInput(session, *image_, picture, this);
   pointer_ = new LinkedPointer(session, *image_, picture, this);
   pointer_->addSlice(patient->mpr(), slice);
   pointer_->addSlice(beside_->view(), beside);
-  FourSlices& four = patient->allSlices();
   for (std::size_t n = 0; n < FourSlices::kCount; ++n) {
     pointer_->addSlice(four.slice(n), *four.widget(n).focusProxy());
     four.widget(n).focusProxy()->installEventFilter(&workspace);
@@ -95,8 +96,7 @@ TrainWorkspace::Parts::~Parts() {
 
 void TrainWorkspace::Parts::letGoOfCanvases() {
   delete std::exchange(pointer_, nullptr);
-  delete std::exchange(measureSlice_, nullptr);
-  delete std::exchange(measureBeside_, nullptr);
+  for (SliceMeasure* slice : std::exchange(measureSlices_, {})) delete slice;
   delete std::exchange(input_, nullptr);
   delete std::exchange(fov_, nullptr);
 }
@@ -121,6 +121,9 @@ QWidget* TrainWorkspace::Parts::buildCentre() {
   pictures_->add(imageWidget_);
   pictures_->add(&beside_->widget());
   box->addWidget(pictures_, 1);
+  offer_ = buildOffer();
+  box->addWidget(offer_, 1);
+  box->addWidget(vesselNote_);
   box->addWidget(cine_);
   return centre;
 }
@@ -140,45 +143,13 @@ void TrainWorkspace::Parts::buildActions() {
   connect(leftHanded_, &QAction::toggled, this, [this](bool on) { setLeftHanded(on); });
 }
 
-void TrainWorkspace::Parts::setLeftHanded(bool on) {
-  leftHanded_->setChecked(on);
-  QWidget *first = on ? static_cast<QWidget*>(patient) : left_, *last = on ? static_cast<QWidget*>(left_) : patient;
-  if (columns->widget(0) == first) return;
-  QList<int> sizes = columns->sizes();
-  std::reverse(sizes.begin(), sizes.end());
-  columns->insertWidget(0, first);
-  columns->addWidget(last);
-  for (int i = 0; i < columns->count(); ++i)
-    columns->setStretchFactor(i, columns->widget(i) == left_ ? 0 : columns->widget(i) == patient ? 1 : 3);
-  columns->setSizes(sizes);
-}
-
-void TrainWorkspace::Parts::giveRoom(bool more) {
-  QList<int> widths = columns->sizes();
-  if (more) {
-    widthsBefore_ = widths;
-    const int aside = columns->indexOf(patient), shared = widths[1] + widths[aside];
-    widths[1] = shared / 2, widths[aside] = shared - shared / 2;
-    columns->setSizes(widths);
-  } else if (widthsBefore_.size() == widths.size()) {
-    columns->setSizes(widthsBefore_);
-  }
-}
-
-void TrainWorkspace::Parts::setCtBeside(bool on) {
-  besideAction_->setChecked(on);
-  // Leaving full size would bring back what was there before.
-  for (ui::ViewWidget* view : {imageWidget_, &beside_->widget(), &patient->sceneWidget(), &patient->mprWidget()})
-    view->setMaximised(false);
-  beside_->setShown(on);
-  cine_->setCtBeside(on);
-}
-
 void TrainWorkspace::Parts::connectParts() {
   for (ui::ViewWidget* view : {imageWidget_, &beside_->widget(), &patient->sceneWidget(), &patient->mprWidget()})
     view->focusProxy()->installEventFilter(&workspace_);
   connect(&session, &TrainSession::caseChanged, this, [this] { showCase(); });
   connect(&session, &TrainSession::pictureShown, this, [this] { showPicture(); });
+  connect(&session, &TrainSession::structuresKnown, this, [this] { showVesselNote(); });
+  connect(&session, &TrainSession::placingChanged, this, [this] { showOffer(); });
   connect(&session, &TrainSession::surfacesDone, this, [this] { Q_EMIT workspace_.readyChanged(); });
   connect(&session, &TrainSession::messageChanged, this, [this] { Q_EMIT workspace_.statusChanged(); });
   connect(&session, &TrainSession::failed, this, [this](const QString& what) {
@@ -211,13 +182,12 @@ void TrainWorkspace::Parts::showCase() {
   image_->setFrozen(false);
   for (ui::ViewWidget* view : {imageWidget_, &beside_->widget()}) view->forget();
   input_->callipers().clear();
-  for (SliceMeasure* slice : {measureSlice_, measureBeside_}) slice->setCallipers({});
+  for (SliceMeasure* slice : measureSlices_) slice->setCallipers({});
   showCallipers();
   empty_->setVisible(!session.patient());
-  pictures_->setVisible(session.patient() != nullptr);
-  empty_->setText(
-      tr("No case is open.\n\nDrop a case, a folder of DICOM files or a CT file on the window,\n"
-         "or choose Case > Open case (Ctrl+O), or Case > Built-in neck (Ctrl+T)."));
+  showOffer();
+  showVesselNote();
+  showOpening({});
   showNotice();
   if (session.patient())
     rate_.start(kRate_ms);
@@ -249,7 +219,7 @@ void TrainWorkspace::Parts::showPicture() {
 }
 
 void TrainWorkspace::Parts::showRate() {
-  QString text = tr("cpu engine");
+  QString text = tr("processor");
   const LiveStatus status = session.status();
   if (session.isFrozen())
     text += tr("   frozen");
@@ -259,7 +229,7 @@ void TrainWorkspace::Parts::showRate() {
     text += tr("   outside the patient");
   else if (session.shown() && session.imagesPerSecond() < kAtRest)
     // A probe at rest needs no pictures; that is no slow engine.
-    text += tr("   at rest   %1 ms").arg(session.shown()->frame_ms, 4, 'f', 1);
+    text += tr("   picture is up to date   %1 ms").arg(session.shown()->frame_ms, 4, 'f', 1);
   else if (session.shown())
     text += tr("   %1 images/s   %2 ms")
                 .arg(session.imagesPerSecond(), 3, 'f', 0)

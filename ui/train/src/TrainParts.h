@@ -57,11 +57,15 @@ class TrainWorkspace::Parts : public QObject {
   bool isLeftHanded() const { return leftHanded_->isChecked(); }
   /// Controls on the right, patient on the left.
   void setLeftHanded(bool on);
+  /// Shorter words, where the window is narrow.
+  void setCompact(bool compact);
   bool isCtBeside() const { return besideAction_->isChecked(); }
   void setCtBeside(bool on);
   /// To the patient's column, of the picture's; or back.
   void giveRoom(bool more);
 
+  /// While no case is open; empty for nothing that is being opened.
+  void showOpening(const QString& what);
   bool key(const QKeyEvent& event, bool act);
   /// For canvases: keys of the table, and the keyboard follows the mouse to the picture.
   bool canvasEvent(QObject* canvas, QEvent* event);
@@ -73,6 +77,9 @@ class TrainWorkspace::Parts : public QObject {
 
  private:
   QWidget* buildCentre();
+  QWidget* buildOffer();
+  void showOffer();
+  void showVesselNote();
   void buildActions();
   void connectParts();
   bool sliceKey(const QObject* canvas, const QKeyEvent& event) const;
@@ -96,6 +103,8 @@ class TrainWorkspace::Parts : public QObject {
   ui::ViewWidget* imageWidget_ = nullptr;
   EqualPanes* pictures_ = nullptr;
   QLabel* empty_ = nullptr;
+  QWidget* offer_ = nullptr;  ///< to place the probe
+  QLabel* vesselNote_ = nullptr;
   ImageInput* input_ = nullptr;
   CineBar* cine_ = nullptr;
   ProbeLibrary* library_ = nullptr;
@@ -103,7 +112,7 @@ class TrainWorkspace::Parts : public QObject {
   ProbeEditor* editor_ = nullptr;
   FovHandles* fov_ = nullptr;
   CtBeside* beside_ = nullptr;
-  SliceMeasure *measureSlice_ = nullptr, *measureBeside_ = nullptr;
+  std::vector<SliceMeasure*> measureSlices_;  ///< one for each slice of the CT, wherever it stands
   LinkedPointer* pointer_ = nullptr;
   QAction *leftHanded_ = nullptr, *besideAction_ = nullptr;
   std::shared_ptr<const ImagingSetup> shape_;  ///< of the picture as laid out

@@ -37,8 +37,7 @@ void TrainWorkspace::Parts::editProbe(bool on) {
   fov_->setActive(on);
   shape_ = nullptr;
   if (session.shown()) showPicture();
-  session.say(on ? tr("Drag the handles on the image, or G and Ctrl with arrows.")
-                 : tr("Drag on the image to slide the probe. Keys: ?"));
+  session.setHint(on ? tr("Drag the handles on the image, or G and Ctrl with arrows.") : QString());
 }
 
 void TrainWorkspace::Parts::fitToPicture() {

@@ -58,6 +58,12 @@ TrainSession::TrainSession(QObject* parent) : QObject(parent), feed_([this] { ne
   tissues_ = loadAcousticTable(acousticPresetNames().front()).value_or(AcousticTable{});
   settings_ = settingsFor(probe_);
   chosen_ = {probe_, settings_, effect_};
+  said_.setSingleShot(true);
+  said_.setInterval(kSaid_ms);
+  connect(&said_, &QTimer::timeout, this, [this] {
+    message_ = standing();
+    Q_EMIT messageChanged();
+  });
   control_.setGestureBegan([this](const ProbeHandState& before) { rememberMove(before); });
 }
 
@@ -76,6 +82,8 @@ void TrainSession::setCase(std::shared_ptr<const PatientCase> patient) {
   control_.setHand(std::nullopt);
   history_.clear();
   start_ = {};
+  unplaced_.reset();
+  lacksVessels_ = false;
   shown_ = nullptr;
   cine_.clear();
   cineIndex_ = 0;
@@ -84,7 +92,10 @@ void TrainSession::setCase(std::shared_ptr<const PatientCase> patient) {
   say(patient_ ? tr("Building the first scene.") : QString());
   Q_EMIT caseChanged();
   if (wasFrozen) Q_EMIT frozenChanged();
-  if (!patient_) return;
+  if (patient_) startWorker();
+}
+
+void TrainSession::startWorker() {
   ui::CaseWork work;
   work.start = [this](StartPose pose) {
     start_ = std::move(pose);
@@ -94,12 +105,23 @@ void TrainSession::setCase(std::shared_ptr<const PatientCase> patient) {
     control_.setHand(std::move(hand));
     Q_EMIT handMoved();
   };
+  work.unplaced = [this](ProbeHand hand, const QString& why) {
+    unplaced_ = std::move(hand);
+    say(why);
+    wantSurfaces();
+    Q_EMIT placingChanged();
+  };
+  work.structures = [this](const std::vector<std::uint8_t>& labels) {
+    lacksVessels_ = std::ranges::none_of(labels, [](std::uint8_t one) { return one == kVein || one == kArtery; });
+    Q_EMIT structuresKnown();
+  };
   work.surface = [this](std::uint8_t label, std::shared_ptr<const Mesh> mesh) { Q_EMIT surfaceMade(label, mesh); };
   work.surfacesDone = [this] {
     surfacesThere_ = surfacesWanted_;
     if (surfacesThere_) Q_EMIT surfacesDone();
   };
   work.failed = [this](const QString& text) {
+    failure_ = text.toStdString();
     say(text);
     wantSurfaces();
     Q_EMIT failed(text);
@@ -138,6 +160,16 @@ void TrainSession::startLive() {
     return;
   }
   feed_.set(std::move(*live));
+}
+
+void TrainSession::placeOnSkin() {
+  if (!unplaced_) return;
+  control_.setHand(std::exchange(unplaced_, std::nullopt));
+  start_ = poseOf(pose());
+  startLive();
+  Q_EMIT placingChanged();
+  Q_EMIT handMoved();
+  say(tr("The probe is on the skin in front. Drag on the skin in 3D to put it elsewhere."));
 }
 
 void TrainSession::news() {
@@ -219,7 +251,7 @@ Transform TrainSession::pose() const {
 
 bool TrainSession::mayMove() {
   if (!frozen_) return true;
-  say(tr("The picture is frozen. Space goes on."));
+  say(tr("The picture is frozen. Space makes it live again."));
   return false;
 }
 
@@ -334,7 +366,22 @@ double TrainSession::imagesPerSecond() const {
   return feed_.live() ? feed_.live()->imagesPerSecond() : 0;
 }
 
+QString TrainSession::standing() const {
+  if (!patient_) return {};
+  if (!failure_.empty()) return QString::fromStdString(failure_);
+  if (unplaced_) return tr("Place the probe: press the button, or click on the skin in 3D.");
+  if (!shown_) return tr("Building the first scene.");
+  if (frozen_) return tr("Frozen. Comma and period step through the last seconds.");
+  return hint_.isEmpty() ? tr("Drag on the image to slide the probe. Keys: ?") : hint_;
+}
+
+void TrainSession::setHint(const QString& hint) {
+  hint_ = hint;
+  say(standing());
+}
+
 void TrainSession::say(const QString& sentence) {
+  said_.start();
   if (sentence == message_) return;
   message_ = sentence;
   Q_EMIT messageChanged();

@@ -10,8 +10,10 @@
 
 #include <QObject>
 #include <QString>
+#include <QTimer>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,6 +77,13 @@ class TrainSession : public QObject {
   /// Where home() goes; known before the first picture.
   const StartPose& start() const { return start_; }
 
+  /// The case has no start pose and none was found: the probe waits for placeOnSkin().
+  bool isUnplaced() const { return unplaced_.has_value(); }
+  /// To the skin nearest to the front; moves go on from there.
+  void placeOnSkin();
+  /// The labels of the case have been looked through, and no vein or artery is among them.
+  bool lacksVessels() const { return lacksVessels_; }
+
   // Pictures
   bool isFrozen() const { return frozen_; }
   void setFrozen(bool frozen);
@@ -91,7 +100,11 @@ class TrainSession : public QObject {
   double imagesPerSecond() const;
   /// What just happened, a sentence; or the next thing to do.
   QString message() const { return message_; }
+  /// What just happened, for some seconds.
   void say(const QString& sentence);
+  /// The next thing to do while nothing has happened; empty for the usual.
+  void setHint(const QString& hint);
+  static constexpr int kSaid_ms = 7000;
 
  Q_SIGNALS:
   void caseChanged();
@@ -99,6 +112,8 @@ class TrainSession : public QObject {
   void handMoved();  ///< also when it is there for the first time
   void setupChanged();
   void frozenChanged();
+  void placingChanged();   ///< isUnplaced()
+  void structuresKnown();  ///< lacksVessels()
   void messageChanged();
   void surfaceMade(int label, std::shared_ptr<const insonate::Mesh> mesh);
   void surfacesDone();
@@ -106,6 +121,8 @@ class TrainSession : public QObject {
 
  private:
   void startLive();
+  void startWorker();
+  QString standing() const;
   void wantSurfaces();
   void news();
   void show(std::shared_ptr<const LiveFrame> frame);
@@ -136,7 +153,10 @@ class TrainSession : public QObject {
   std::shared_ptr<const LiveFrame> shown_;
   std::vector<std::shared_ptr<const LiveFrame>> cine_;
   int cineIndex_ = 0;
-  QString message_;
+  std::optional<ProbeHand> unplaced_;
+  bool lacksVessels_ = false;
+  QString message_, hint_;
+  QTimer said_;
   std::string failure_;  ///< of the live probe, as last said
   ui::LiveFeed feed_;
   bool surfacesWanted_ = false, surfacesThere_ = false;

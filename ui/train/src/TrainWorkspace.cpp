@@ -12,6 +12,12 @@
 #include <algorithm>
 
 namespace insonate::train {
+namespace {
+
+/// All words of the three columns have room from here on.
+constexpr int kRoomy_px = 1260;
+
+}  // namespace
 
 TrainWorkspace::TrainWorkspace(QWidget* parent) : ui::Workspace(parent), parts_(std::make_unique<Parts>(*this)) {
   setObjectName("train");
@@ -22,6 +28,10 @@ TrainWorkspace::~TrainWorkspace() {
   parts_->letGoOfCanvases();
   // The widgets refer to the session: they go first.
   delete parts_->columns;
+}
+
+void TrainWorkspace::setOpening(const QString& what) {
+  parts_->showOpening(what);
 }
 
 void TrainWorkspace::setCase(std::shared_ptr<const PatientCase> patient) {
@@ -116,6 +126,11 @@ void TrainWorkspace::measureVolume(double seconds, std::function<void(VolumeRate
 
 bool TrainWorkspace::eventFilter(QObject* watched, QEvent* event) {
   return parts_->canvasEvent(watched, event) || ui::Workspace::eventFilter(watched, event);
+}
+
+void TrainWorkspace::resizeEvent(QResizeEvent* event) {
+  parts_->setCompact(width() < kRoomy_px);
+  ui::Workspace::resizeEvent(event);
 }
 
 void TrainWorkspace::keyPressEvent(QKeyEvent* event) {

@@ -1,6 +1,8 @@
 #include "PictureExport.h"
 
-#include <insonate/simulator/PictureFiles.h>
+#include "ScaledPicture.h"
+
+#include <insonate/core/AtomicFile.h>
 
 #include <QDateTime>
 #include <utility>
@@ -26,6 +28,14 @@ class FolderInWork {
   fs::path path_;
 };
 
+Result<void> write(const BModeImage& image, const fs::path& file) {
+  return writeAtomically(file, [&image, &file](const fs::path& beside) -> Result<void> {
+    if (scaledPicture(image).save(QString::fromStdString(beside.string()), "PNG")) return {};
+    return fail("Could not write " + file.string() +
+                ": the disk is full or the folder cannot be written. Free space or choose another folder.");
+  });
+}
+
 }  // namespace
 
 QString exportName(const QString& caseTitle) {
@@ -38,7 +48,7 @@ QString exportName(const QString& caseTitle) {
 PictureWriter::PictureWriter(std::shared_ptr<const LiveFrame> frame, fs::path file,
                              std::function<void(Result<void>)> ended) {
   thread_ = std::thread([this, frame = std::move(frame), file = std::move(file), ended = std::move(ended)] {
-    const Result<void> result = writePng(frame->image, file);
+    const Result<void> result = write(frame->image, file);
     QMetaObject::invokeMethod(
         this, [ended, result] { ended(result); }, Qt::QueuedConnection);
   });
@@ -63,7 +73,7 @@ Result<int> writeClip(const std::vector<std::shared_ptr<const LiveFrame>>& frame
     if (!report(progress, "writing pictures", double(written) / double(frames.size())))
       return fail(std::string(kCancelled));
     const QString name = QStringLiteral("picture-%1.png").arg(written + 1, 4, 10, QChar('0'));
-    if (auto ok = writePng(frame->image, beside.path() / name.toStdString()); !ok) return tl::unexpected(ok.error());
+    if (auto ok = write(frame->image, beside.path() / name.toStdString()); !ok) return tl::unexpected(ok.error());
     ++written;
   }
   fs::rename(beside.path(), folder, error);

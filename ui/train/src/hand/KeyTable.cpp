@@ -36,7 +36,7 @@ constexpr KeyRow kKeys[] = {
     move(Qt::Key_Plus, Press, 0.5, 0.5, "+, -", "press 0.5 mm more, or less"),
     move(Qt::Key_Equal, Press, 0.5, 0.5, "", ""),
     move(Qt::Key_Minus, Press, -0.5, -0.5, "", ""),
-    plain(Qt::Key_Space, Command::Freeze, "Space, F", "freeze, or go on"),
+    plain(Qt::Key_Space, Command::Freeze, "Space, F", "freeze the picture, and live again"),
     plain(Qt::Key_F, Command::Freeze, "", ""),
     plain(Qt::Key_Comma, Command::EarlierPicture, "Comma, Period", "one picture back or on, while frozen"),
     plain(Qt::Key_Period, Command::LaterPicture, "", ""),

@@ -16,7 +16,7 @@
 namespace insonate::train {
 namespace {
 
-constexpr int kSlider_px = 96;
+constexpr int kSlider_px = 96, kShortSlider_px = 48;
 
 struct Measure {
   const char* name;
@@ -63,7 +63,7 @@ CineBar::CineBar(TrainSession& session, QWidget* parent)
   save_->setToolTip(tr("Save the picture (Ctrl+P), or the last seconds"));
   auto* menu = new QMenu(save_);
   menu->addAction(tr("Picture ..."), this, &CineBar::savePicture);
-  menu->addAction(tr("Clip of the last seconds ..."), this, &CineBar::saveClip);
+  menu->addAction(tr("Clip of the last seconds (a folder of pictures) ..."), this, &CineBar::saveClip);
   save_->setMenu(menu);
   save_->setFocusPolicy(Qt::TabFocus);
   row->addWidget(save_);
@@ -98,6 +98,14 @@ void CineBar::setCalliper(int kind) {
   measure_->style()->polish(measure_);
 }
 
+void CineBar::setCompact(bool compact) {
+  compact_ = compact;
+  slider_->setMinimumWidth(compact ? kShortSlider_px : kSlider_px);
+  beside_->setText(compact ? tr("CT") : tr("CT beside"));
+  layout()->setSpacing(compact ? 4 : 8);
+  refreshTime();
+}
+
 void CineBar::setCtBeside(bool shown) {
   beside_->setChecked(shown);
 }
@@ -113,6 +121,7 @@ void CineBar::refresh() {
 
 void CineBar::refreshTime() {
   save_->setEnabled(session_.shown() != nullptr);
+  time_->setVisible(!compact_ || session_.isFrozen());
   if (!session_.isFrozen() || session_.cine().empty()) {
     time_->setText(session_.shown() ? tr("live") : QString());
     return;

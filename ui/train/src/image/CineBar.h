@@ -23,6 +23,8 @@ class CineBar : public QWidget {
   /// Which calliper is chosen (views::CalliperKind), -1 for none.
   void setCalliper(int kind);
   void setCtBeside(bool shown);
+  /// Takes as little width as it can.
+  void setCompact(bool compact);
 
  Q_SIGNALS:
   void calliperChosen(int kind);
@@ -40,6 +42,7 @@ class CineBar : public QWidget {
   QSlider* slider_;
   QLabel* time_;
   QAction* measures_[3];
+  bool compact_ = false;
   QPushButton *measure_, *beside_, *save_;
 };
 

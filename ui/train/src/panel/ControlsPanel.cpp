@@ -159,10 +159,10 @@ QWidget* ControlsPanel::buildPicture() {
   addSliders(*box, kBeforeTgc, std::size(kSliders));
   look_ = new QComboBox;
   look_->setObjectName("look");
-  look_->addItem(tr("coherent"), int(Look::Coherent));
-  look_->addItem(tr("thesis"), int(Look::Thesis));
+  look_->addItem(tr("natural"), int(Look::Coherent));
+  look_->addItem(tr("in layers (thesis)"), int(Look::Thesis));
   look_->setToolTip(
-      tr("Coherent: speckle that belongs to the tissue. Thesis: reflection, absorption, blur and noise in layers"));
+      tr("Natural: speckle that belongs to the tissue. In layers: reflection, absorption, blur and noise"));
   box->addWidget(labelled(tr("look"), look_));
   effect_ = new QComboBox;
   effect_->setObjectName("effect");
@@ -192,7 +192,7 @@ QWidget* ControlsPanel::buildFreeze() {
   freeze_->setObjectName("freeze");
   freeze_->setCheckable(true);
   freeze_->setFocusPolicy(Qt::TabFocus);
-  freeze_->setToolTip(tr("Freeze, or go on (Space)"));
+  freeze_->setToolTip(tr("Freeze the picture, or make it live again (Space)"));
   freeze_->setMinimumHeight(36);
   box->addWidget(freeze_);
   connect(freeze_, &QPushButton::clicked, &session_, &TrainSession::setFrozen);
@@ -226,7 +226,7 @@ void ControlsPanel::refresh() {
 void ControlsPanel::refreshFreeze() {
   freeze_->setEnabled(session_.shown() != nullptr);
   freeze_->setChecked(session_.isFrozen());
-  freeze_->setText(session_.isFrozen() ? tr("Go on") : tr("Freeze"));
+  freeze_->setText(session_.isFrozen() ? tr("Unfreeze") : tr("Freeze"));
 }
 
 void ControlsPanel::save(QSettings& settings) const {

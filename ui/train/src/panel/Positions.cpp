@@ -175,7 +175,7 @@ void Positions::saveCurrent() {
   if (!session_.handReady()) return;
   StartPose pose = poseOf(session_.pose());
   Own own = own_.value(caseKey());
-  pose.name = tr("position %1").arg(own.size() + 1).toStdString();
+  pose.name = tr("my position %1").arg(own.size() + 1).toStdString();
   own.push_back(pose);
   change(std::move(own), tr("saving of a position"), list_->count());
   session_.say(tr("Position saved as %1; F2 in the list names it.").arg(list_->count()));

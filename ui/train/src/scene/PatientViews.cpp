@@ -15,6 +15,7 @@
 #include <QHBoxLayout>
 #include <QScrollArea>
 #include <QSplitter>
+#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -29,6 +30,8 @@ constexpr double kShare = 0.2;
 constexpr int kSoonest_ms = 50, kLatest_ms = 800, kLatestWithCt_ms = 70;
 /// After this long without a move, 3D is drawn in full detail.
 constexpr int kRest_ms = 400;
+/// Room for the tabs.
+constexpr int kLeast_px = 384, kShort_px = 292;
 constexpr int kSceneShare = 35;  // of the height, beside four slices, in percent
 /// The tabs beside those of the slices.
 constexpr int kScenePanel = 100, kAllSlices = 101;
@@ -37,13 +40,14 @@ constexpr double kAcross_deg = 10, kUp_deg = 42, kRoomForProbe = 0.8;
 struct Kind {
   views::SliceKind kind;
   const char* name;
+  const char* briefly;
   const char* says;
 };
 constexpr Kind kKinds[] = {
-    {views::SliceKind::Oblique, "Probe", "CT in the probe's plane, as the picture shows it"},
-    {views::SliceKind::Axial, "Axial", "seen from the feet"},
-    {views::SliceKind::Coronal, "Coronal", "seen from the front"},
-    {views::SliceKind::Sagittal, "Sagittal", "the front on the left"},
+    {views::SliceKind::Oblique, "Probe", "Probe", "CT in the probe's plane, as the picture shows it"},
+    {views::SliceKind::Axial, "Axial", "Ax", "seen from the feet"},
+    {views::SliceKind::Coronal, "Coronal", "Cor", "seen from the front"},
+    {views::SliceKind::Sagittal, "Sagittal", "Sag", "the front on the left"},
 };
 
 }  // namespace
@@ -121,6 +125,9 @@ QWidget* PatientViews::buildMpr() {
   how->setPopupMode(QToolButton::InstantPopup);
   how->setMenu(sliceMenu_);
   how->setFocusPolicy(Qt::TabFocus);
+  QSizePolicy kept = how->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);
+  how->setSizePolicy(kept);
   row->addWidget(how);
   connect(kinds_, &QButtonGroup::idClicked, this, [this](int id) {
     if (id == kScenePanel) return showBelow(sceneScroll_);
@@ -130,6 +137,7 @@ QWidget* PatientViews::buildMpr() {
   box->addWidget(mprWidget_, 1);
   four_ = new FourSlices(pane);
   four_->hide();
+  for (std::size_t n = 0; n < FourSlices::kCount; ++n) sliceMenu_->addSlice(four_->slice(n));
   box->addWidget(four_, 1);
   box->addWidget(buildScenePanel(pane), 1);
   return pane;
@@ -149,8 +157,21 @@ QWidget* PatientViews::buildScenePanel(QWidget* parent) {
   sceneScroll_->setFrameShape(QFrame::NoFrame);
   sceneScroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   sceneScroll_->setFocusPolicy(Qt::NoFocus);
+  // The column keeps its width, whichever tab is chosen.
+  sceneScroll_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);
   sceneScroll_->hide();
   return sceneScroll_;
+}
+
+void PatientViews::setCompact(bool compact) {
+  for (const Kind& kind : kKinds) kinds_->button(int(kind.kind))->setText(tr(compact ? kind.briefly : kind.name));
+  for (QAbstractButton* tab : kinds_->buttons()) {
+    ui::setRole(tab, compact ? "shortTab" : "narrowTab");
+    tab->style()->unpolish(tab);
+    tab->style()->polish(tab);
+  }
+  // Said, since it would change with the chosen tab's bold letters.
+  setMinimumWidth(compact ? kShort_px : kLeast_px);
 }
 
 void PatientViews::showBelow(QWidget* shown) {
@@ -158,7 +179,7 @@ void PatientViews::showBelow(QWidget* shown) {
   for (QWidget* one :
        {static_cast<QWidget*>(mprWidget_), static_cast<QWidget*>(four_), static_cast<QWidget*>(sceneScroll_)})
     one->setVisible(one == shown);
-  howSliced_->setVisible(shown == mprWidget_);
+  howSliced_->setVisible(shown != sceneScroll_);
   scenePanel_->histogram().setWindowLevel(mpr_->windowLevel());
 }
 

@@ -46,6 +46,8 @@ class PatientViews : public QWidget {
   void setSliceKind(views::SliceKind kind);
   /// The probe's plane, axial, coronal and sagittal at once, with one crosshair.
   void setAllSlices(bool on);
+  /// Tabs with shorter words.
+  void setCompact(bool compact);
   bool showsAllSlices() const;
   /// Called when four slices begin to need more room than one, and when they cease to.
   void setRoomWanted(std::function<void(bool more)> listener) { roomWanted_ = std::move(listener); }

@@ -42,7 +42,12 @@ bool SceneInput::pressed(const QMouseEvent& event) {
   from_ = last_ = event.localPos();
   begun_ = false;
   const bool left = event.button() == Qt::LeftButton, right = event.button() == Qt::RightButton;
-  if ((left || right) && session_.handReady() && view_.pick(pointer(event).at)) {
+  const auto picked = left || right ? view_.pick(pointer(event).at) : std::nullopt;
+  if (picked && left && session_.isUnplaced()) {
+    session_.placeOnSkin();
+    session_.moveTo(picked->position_mm);
+  }
+  if (picked && session_.handReady()) {
     drag_ = left ? Drag::Slide : Drag::Rotate;
     session_.beginGesture();
     return true;

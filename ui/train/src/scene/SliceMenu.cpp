@@ -34,7 +34,8 @@ SliceMenu::SliceMenu(views::MprView& slice, QWidget* parent)
   addSeparator();
   addStructures();
   addSeparator();
-  connect(addAction(tr("Fit again\tR")), &QAction::triggered, this, [this] { slice_.fit(); });
+  connect(addAction(tr("Fit again\tR")), &QAction::triggered, this,
+          [this] { forAll([](views::MprView& one) { one.fit(); }); });
   connect(this, &QMenu::aboutToShow, this, [this] { refresh(); });
 }
 
@@ -44,8 +45,10 @@ void SliceMenu::addStructures() {
   opacity_->setObjectName(QStringLiteral("labelOpacity"));
   opacity_->setMinimumWidth(kSlider_px);
   connect(opacity_, &ui::ValueSlider::valueChanged, this, [this](double percent) {
-    slice_.setLabelOpacity(percent / 100);
-    if (percent > 0) slice_.setLabelsVisible(true);
+    forAll([percent](views::MprView& slice) {
+      slice.setLabelOpacity(percent / 100);
+      if (percent > 0) slice.setLabelsVisible(true);
+    });
   });
   auto* room = new QWidget;
   auto* box = new QVBoxLayout(room);
@@ -54,6 +57,11 @@ void SliceMenu::addStructures() {
   auto* action = new QWidgetAction(this);
   action->setDefaultWidget(room);
   addAction(action);
+}
+
+void SliceMenu::forAll(const std::function<void(views::MprView&)>& act) {
+  act(slice_);
+  for (views::MprView* other : others_) act(*other);
 }
 
 void SliceMenu::choose(int preset) {

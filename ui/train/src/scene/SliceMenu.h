@@ -4,6 +4,7 @@
 
 #include <QMenu>
 #include <functional>
+#include <vector>
 
 class QActionGroup;
 
@@ -18,6 +19,8 @@ class SliceMenu : public QMenu {
  public:
   SliceMenu(views::MprView& slice, QWidget* parent);
 
+  /// A further slice that is shown as this one.
+  void addSlice(views::MprView& slice) { others_.push_back(&slice); }
   /// One of views::windowLevelPresets().
   void choose(int preset);
   /// Called when a preset was chosen.
@@ -27,7 +30,10 @@ class SliceMenu : public QMenu {
   void addStructures();
   void refresh();
 
+  void forAll(const std::function<void(views::MprView&)>& act);
+
   views::MprView& slice_;
+  std::vector<views::MprView*> others_;
   QActionGroup* presets_;
   ui::ValueSlider* opacity_ = nullptr;
   std::function<void(views::WindowLevel)> chosen_;

@@ -19,6 +19,7 @@ class TrainWorkspace : public ui::Workspace {
   explicit TrainWorkspace(QWidget* parent = nullptr);
   ~TrainWorkspace() override;
 
+  void setOpening(const QString& what) override;
   void setCase(std::shared_ptr<const PatientCase> patient) override;
   QString statusText() const override;
   QString engineText() const override;
@@ -49,6 +50,7 @@ class TrainWorkspace : public ui::Workspace {
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   class Parts;

@@ -1,0 +1,111 @@
+// The part of the workspace that lays out its columns, and what stands in the middle one.
+#include "TrainParts.h"
+#include "image/CineBar.h"
+#include "image/CtBeside.h"
+#include "image/EqualPanes.h"
+#include "scene/PatientViews.h"
+
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/ViewWidget.h>
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+namespace insonate::train {
+
+void TrainWorkspace::Parts::setLeftHanded(bool on) {
+  leftHanded_->setChecked(on);
+  QWidget *first = on ? static_cast<QWidget*>(patient) : left_, *last = on ? static_cast<QWidget*>(left_) : patient;
+  if (columns->widget(0) == first) return;
+  QList<int> sizes = columns->sizes();
+  std::reverse(sizes.begin(), sizes.end());
+  columns->insertWidget(0, first);
+  columns->addWidget(last);
+  for (int i = 0; i < columns->count(); ++i)
+    columns->setStretchFactor(i, columns->widget(i) == left_ ? 0 : columns->widget(i) == patient ? 1 : 3);
+  columns->setSizes(sizes);
+}
+
+void TrainWorkspace::Parts::setCompact(bool compact) {
+  cine_->setCompact(compact);
+  patient->setCompact(compact);
+}
+
+void TrainWorkspace::Parts::giveRoom(bool more) {
+  QList<int> widths = columns->sizes();
+  if (more) {
+    widthsBefore_ = widths;
+    const int aside = columns->indexOf(patient), shared = widths[1] + widths[aside];
+    widths[1] = shared / 2, widths[aside] = shared - shared / 2;
+    columns->setSizes(widths);
+  } else if (widthsBefore_.size() == widths.size()) {
+    columns->setSizes(widthsBefore_);
+  }
+}
+
+void TrainWorkspace::Parts::setCtBeside(bool on) {
+  besideAction_->setChecked(on);
+  // Leaving full size would bring back what was there before.
+  for (ui::ViewWidget* view : {imageWidget_, &beside_->widget(), &patient->sceneWidget(), &patient->mprWidget()})
+    view->setMaximised(false);
+  beside_->setShown(on);
+  cine_->setCtBeside(on);
+}
+
+/// Where the picture will be, and the line under it about what it cannot show.
+QWidget* TrainWorkspace::Parts::buildOffer() {
+  auto* offer = new QWidget;
+  offer->setObjectName("placeOffer");
+  auto* words =
+      new QLabel(tr("This case does not say where the probe begins, and no place was found by itself.\n\n"
+                    "Place the probe, or click on the skin in 3D. Prepare can keep the place with the case."));
+  words->setWordWrap(true);
+  words->setAlignment(Qt::AlignCenter);
+  auto* place = new QPushButton(tr("Place the probe on the skin"));
+  place->setObjectName("placeOnSkin");
+  place->setToolTip(tr("To the skin in front, as near to the middle of the scan as there is some"));
+  ui::setRole(place, "primary");
+  connect(place, &QPushButton::clicked, this, [this] { session.placeOnSkin(); });
+  auto* box = new QVBoxLayout(offer);
+  box->setContentsMargins(ui::kLargeGap, ui::kLargeGap, ui::kLargeGap, ui::kLargeGap);
+  box->setSpacing(ui::kLargeGap);
+  box->addStretch();
+  box->addWidget(words);
+  box->addWidget(place, 0, Qt::AlignHCenter);
+  box->addStretch();
+  vesselNote_ = new QLabel(
+      tr("This case has no vein and no artery, so the picture shows none. Label them in 3D Slicer or ITK-SNAP, then "
+         "reload the case in Prepare (F5)."));
+  vesselNote_->setObjectName("vesselNote");
+  vesselNote_->setWordWrap(true);
+  vesselNote_->setContentsMargins(12, ui::kSmallGap, 12, ui::kSmallGap);
+  ui::setRole(vesselNote_, "quiet");
+  return offer;
+}
+
+void TrainWorkspace::Parts::showOffer() {
+  const bool there = session.patient() != nullptr, waits = there && session.isUnplaced();
+  offer_->setVisible(waits);
+  pictures_->setVisible(there && !waits);
+  // Without a picture, this is all there is to see; the picture comes once the probe is placed.
+  if (waits == std::exchange(ready, waits)) return;
+  Q_EMIT workspace_.readyChanged();
+}
+
+void TrainWorkspace::Parts::showVesselNote() {
+  vesselNote_->setVisible(session.patient() && session.lacksVessels());
+}
+
+void TrainWorkspace::Parts::showOpening(const QString& what) {
+  empty_->setText(what.isEmpty()
+                      ? tr("No case is open.\n\nDrop a case, a folder of DICOM files or a CT file on the window,\n"
+                           "or choose Case > Open case (Ctrl+O), or Case > Built-in neck (Ctrl+T).")
+                      : tr("%1 ...").arg(what));
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,80 @@
+#include "ScaledPicture.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QFont>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace insonate::train {
+namespace {
+
+/// Of letters, in pixels; all else is measured in it.
+int letter_px(const BModeImage& image) {
+  constexpr int kLeast_px = 11, kLinesOfText = 45;
+  return std::max(kLeast_px, image.height / kLinesOfText);
+}
+
+/// Numbers this far apart are read without being crowded.
+double numberStep_mm(const BModeImage& image, int letter) {
+  for (const double step_mm : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0})
+    if (step_mm / image.pixel_mm >= 3 * letter) return step_mm;
+  return 100;
+}
+
+void drawScale(QPainter& painter, const BModeImage& image, QPoint origin, int letter) {
+  const double numbers_mm = numberStep_mm(image, letter), ticks_mm = numbers_mm / (numbers_mm == 2 ? 2 : 5);
+  const double last_mm = image.top_mm + (image.height - 0.5) * image.pixel_mm;
+  const int right = origin.x() - letter / 2, count = int(std::floor(last_mm / ticks_mm + 1e-9));
+  for (int k = 0; k <= count; ++k) {
+    const double depth_mm = k * ticks_mm;
+    const int y = origin.y() + int(std::lround((depth_mm - image.top_mm) / image.pixel_mm));
+    const bool numbered = std::abs(std::remainder(depth_mm, numbers_mm)) < 1e-6;
+    painter.setPen(ui::colour(numbered ? views::theme::kText : views::theme::kQuiet));
+    painter.drawLine(right - (numbered ? letter * 2 / 3 : letter / 3), y, right, y);
+    if (numbered)
+      painter.drawText(QRect(0, y - letter, right - letter, 2 * letter), Qt::AlignRight | Qt::AlignVCenter,
+                       QString::number(depth_mm));
+  }
+  painter.setPen(ui::colour(views::theme::kQuiet));
+  painter.drawText(QRect(0, 0, right - letter, origin.y() - letter), Qt::AlignRight | Qt::AlignVCenter,
+                   QStringLiteral("mm"));
+}
+
+}  // namespace
+
+QPoint pictureOrigin(const BModeImage& image) {
+  const int letter = letter_px(image);
+  return {4 * letter, 3 * letter};
+}
+
+QImage scaledPicture(const BModeImage& image) {
+  const int letter = letter_px(image);
+  const QPoint origin = pictureOrigin(image);
+  QImage grey(image.width, image.height, QImage::Format_Grayscale8);
+  for (int row = 0; row < image.height; ++row)
+    std::memcpy(grey.scanLine(row), image.grey.data() + std::size_t(row) * image.width, std::size_t(image.width));
+  QImage whole(origin.x() + image.width + letter, origin.y() + image.height + letter, QImage::Format_RGB32);
+  whole.fill(Qt::black);
+  const int perMetre = int(std::lround(1000 / image.pixel_mm));
+  whole.setDotsPerMeterX(perMetre);
+  whole.setDotsPerMeterY(perMetre);
+  QPainter painter(&whole);
+  painter.drawImage(origin, grey);
+  painter.setRenderHint(QPainter::TextAntialiasing);
+  QFont font;
+  font.setPixelSize(letter);
+  painter.setFont(font);
+  drawScale(painter, image, origin, letter);
+  // The side of the marker, as over the live picture.
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(ui::colour(views::theme::kAccent));
+  painter.drawEllipse(QPointF(origin.x() + image.width - 0.5 * letter, origin.y() - letter), 0.4 * letter,
+                      0.4 * letter);
+  return whole;
+}
+
+}  // namespace insonate::train
