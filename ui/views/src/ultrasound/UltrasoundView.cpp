@@ -2,6 +2,7 @@
 #include "../overlay/PointerMark.h"
 #include "CalliperDrawing.h"
 #include "PictureFrame.h"
+#include "TissueDrawing.h"
 
 #include <insonate/views/UltrasoundView.h>
 
@@ -12,9 +13,11 @@
 namespace insonate::views {
 
 struct UltrasoundView::Drawing {
-  explicit Drawing(vtkRenderer& renderer) : quad(renderer, 1, true), lines(renderer), texts(renderer) {}
+  explicit Drawing(vtkRenderer& renderer)
+      : quad(renderer, 1, true), tissue(renderer), lines(renderer), texts(renderer) {}
 
   PictureQuad quad;
+  TissueDrawing tissue;
   Lines lines;
   Texts texts;
 };
@@ -86,6 +89,30 @@ void UltrasoundView::setCallipers(std::vector<Calliper> callipers) {
 void UltrasoundView::setGuide(PictureGuide guide) {
   guide_ = std::move(guide);
   changed();
+}
+
+void UltrasoundView::setTissue(const PictureTissue& tissue, bool grid, bool pressure) {
+  const bool shown = gridVisible_ || pressureVisible_;
+  gridVisible_ = grid, pressureVisible_ = pressure;
+  if (grid || pressure) {
+    tissue_.columns = tissue.columns, tissue_.rows = tissue.rows;
+    tissue_.nodes.assign(tissue.nodes.begin(), tissue.nodes.end());
+    tissue_.pressure_kPa.assign(tissue.pressure_kPa.begin(), tissue.pressure_kPa.end());
+  } else if (!shown) {
+    return;
+  }
+  drawTissue();
+  wantRender();
+}
+
+void UltrasoundView::drawTissue() {
+  const PicturePlacement place = placement();
+  const DisplayPoint origin = displayFromPicture({0, 0}), one = displayFromPicture({1, 1});
+  const bool there = shape_.width > 0;
+  drawing_->tissue.draw(
+      tissue_, there && gridVisible_, there && pressureVisible_,
+      {place.left_px, place.top_px, place.right_px, place.bottom_px, origin, one.x - origin.x, one.y - origin.y},
+      scale(), height_px());
 }
 
 void UltrasoundView::drawGuide() {
@@ -190,6 +217,7 @@ void UltrasoundView::layout() {
               {15 * scale(), theme::kQuiet, false, Across::Centre, Along::Centre});
   lines.end();
   texts.end();
+  drawTissue();
 }
 
 }  // namespace insonate::views

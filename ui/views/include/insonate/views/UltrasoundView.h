@@ -21,6 +21,13 @@ struct PictureGuide {
   int chosen = -1;                 ///< the handle that is held or has the keyboard
 };
 
+/// A mesh of the tissue in the picture's plane, as it lies now.
+struct PictureTissue {
+  int columns = 0, rows = 0;        ///< of nodes; no mesh below two of each
+  std::vector<PicturePoint> nodes;  ///< [row][column]
+  std::vector<float> pressure_kPa;  ///< of its cells, (columns-1) x (rows-1)
+};
+
 /// The live picture, as large as fits with square pixels, black around; a depth scale beside it, focus, grey bar, the
 /// probe's marker, callipers. Axial 0 of the scale is the middle of the probe's face.
 class UltrasoundView final : public View {
@@ -52,6 +59,10 @@ class UltrasoundView final : public View {
   /// Drawn over the picture, in the accent colour; an empty guide for none.
   void setGuide(PictureGuide guide);
 
+  /// Over the picture: some of the mesh's lines, and how hard its cells are squeezed, in colours with their scale.
+  /// Copies; to be called with each picture, which it does not lay out again.
+  void setTissue(const PictureTissue& tissue, bool grid, bool pressure);
+
   /// Display pixels to the picture's mm and back, also outside the picture.
   PicturePoint pictureFromDisplay(DisplayPoint at) const;
   DisplayPoint displayFromPicture(PicturePoint point) const;
@@ -68,6 +79,7 @@ class UltrasoundView final : public View {
   PicturePlacement placement() const;
   void placePicture(const PictureBounds& shown);
   void drawGuide();
+  void drawTissue();
 
   BModeImage shape_;  ///< size and place of the picture; its pixels go straight to the texture
   std::optional<PictureBounds> bounds_;
@@ -75,9 +87,11 @@ class UltrasoundView final : public View {
   std::vector<double> tgc_dB_;
   std::vector<Calliper> callipers_;
   PictureGuide guide_;
+  PictureTissue tissue_;
   std::optional<PicturePoint> pointer_;
   std::string notice_;
   bool mirrored_ = false, frozen_ = false, scaleVisible_ = true, greyBarVisible_ = true;
+  bool gridVisible_ = false, pressureVisible_ = false;
   std::unique_ptr<Drawing> drawing_;
 };
 
