@@ -120,7 +120,7 @@ TEST_F(TrainLayout, TheColumnsKeepTheirWidthWhicheverTabIsChosen) {
 }
 
 TEST_F(TrainLayout, NoWordIsCutWhereTheWindowIsNarrow) {
-  for (const int width : {1500, 1024, 910}) {
+  for (const int width : {1500, 1366, 1270, 1024, 910}) {
     workspace_->resize(width, 480);
     QTest::qWait(50);
     for (auto* button : workspace_->findChildren<QAbstractButton*>()) {

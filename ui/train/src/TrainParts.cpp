@@ -221,7 +221,9 @@ void TrainWorkspace::Parts::showPicture() {
 void TrainWorkspace::Parts::showRate() {
   QString text = tr("processor");
   const LiveStatus status = session.status();
-  if (session.isFrozen())
+  if (session.isUnplaced())
+    text.clear();
+  else if (session.isFrozen())
     text += tr("   frozen");
   else if (status.state == LiveState::Starting || status.state == LiveState::WaitingForScene)
     text += tr("   building the scene");

@@ -31,7 +31,7 @@ constexpr int kSoonest_ms = 50, kLatest_ms = 800, kLatestWithCt_ms = 70;
 /// After this long without a move, 3D is drawn in full detail.
 constexpr int kRest_ms = 400;
 /// Room for the tabs.
-constexpr int kLeast_px = 384, kShort_px = 292;
+constexpr int kLeast_px = 446, kShort_px = 292;
 constexpr int kSceneShare = 35;  // of the height, beside four slices, in percent
 /// The tabs beside those of the slices.
 constexpr int kScenePanel = 100, kAllSlices = 101;
