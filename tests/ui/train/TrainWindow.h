@@ -37,6 +37,11 @@ class TrainWindow : public testing::Test {
     workspace_->show();
     session_ = workspace_->findChild<TrainSession*>();
     ASSERT_TRUE(session_);
+    // Vessels that move all the time let no picture be the last one.
+    TissueChoice still = session_->tissue();
+    still.pulse = still.breathing = false;
+    session_->setTissue(still);
+    session_->history().clear();
     canvas_ = workspace_->findChild<ui::ViewWidget*>("ultrasoundView")->focusProxy();
   }
 

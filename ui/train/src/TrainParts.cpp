@@ -1,5 +1,6 @@
 #include "TrainParts.h"
 
+#include "hand/HeldPress.h"
 #include "hand/KeyTable.h"
 #include "image/CineBar.h"
 #include "image/CtBeside.h"
@@ -17,6 +18,8 @@
 #include "probe/ProbeLibrary.h"
 #include "scene/FourSlices.h"
 #include "scene/PatientViews.h"
+#include "tissue/TissueShown.h"
+#include "tissue/TissueStrip.h"
 
 #include <insonate/ui/ViewWidget.h>
 #include <insonate/ultrasound/BeamGrid.h>
@@ -83,6 +86,7 @@ TrainWorkspace::Parts::Parts(TrainWorkspace& workspace)
     pointer_->addSlice(four.slice(n), *four.widget(n).focusProxy());
     four.widget(n).focusProxy()->installEventFilter(&workspace);
   }
+  held_ = new HeldPress(session, this);
   buildActions();
   connectParts();
   connectProbe();
@@ -124,6 +128,9 @@ QWidget* TrainWorkspace::Parts::buildCentre() {
   offer_ = buildOffer();
   box->addWidget(offer_, 1);
   box->addWidget(vesselNote_);
+  tissue = new TissueShown(session, *image_, centre);
+  box->addWidget(&tissue->curve());
+  box->addWidget(&tissue->strip());
   box->addWidget(cine_);
   return centre;
 }
@@ -265,6 +272,7 @@ bool TrainWorkspace::Parts::key(const QKeyEvent& event, bool doIt) {
 void TrainWorkspace::Parts::act(const KeyRow& row, bool wide, bool repeated) {
   switch (row.command) {
     case Command::Move:
+      if (row.axis == HandAxis::Press) return repeated ? void() : held_->begin(row.step);
       if (!repeated) session.beginGesture();
       return session.move(row.axis, wide ? row.wide : row.step);
     case Command::Freeze:
@@ -300,6 +308,8 @@ void TrainWorkspace::Parts::act(const KeyRow& row, bool wide, bool repeated) {
       return session.setEffect(TrainSession::kWholeModel);
     case Command::CtBeside:
       return setCtBeside(!isCtBeside());
+    case Command::ShowTissue:
+      return tissue->toggle(row.place);
     case Command::AllSlices:
       return patient->setAllSlices(!patient->showsAllSlices());
     case Command::SliceWindow:

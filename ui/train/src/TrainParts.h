@@ -29,6 +29,7 @@ class ControlsPanel;
 class CtBeside;
 class EqualPanes;
 class FovHandles;
+class HeldPress;
 class ImageInput;
 class LinkedPointer;
 class LiveMeasure;
@@ -37,6 +38,7 @@ class PatientViews;
 class ProbeEditor;
 class ProbeLibrary;
 class SliceMeasure;
+class TissueShown;
 
 /// What the workspace is made of, and how the parts act on each other.
 class TrainWorkspace::Parts : public QObject {
@@ -50,6 +52,7 @@ class TrainWorkspace::Parts : public QObject {
   QSplitter* columns = nullptr;
   ControlsPanel* panel = nullptr;
   PatientViews* patient = nullptr;
+  TissueShown* tissue = nullptr;
   QString engineText;
   QString exportFolder;  ///< where pictures went last
   bool ready = false;
@@ -106,6 +109,7 @@ class TrainWorkspace::Parts : public QObject {
   QWidget* offer_ = nullptr;  ///< to place the probe
   QLabel* vesselNote_ = nullptr;
   ImageInput* input_ = nullptr;
+  HeldPress* held_ = nullptr;
   CineBar* cine_ = nullptr;
   ProbeLibrary* library_ = nullptr;
   QStackedWidget* left_ = nullptr;  ///< the controls, or the probe's editor

@@ -142,6 +142,7 @@ void TrainSession::wantSurfaces() {
 
 ImagingSetup TrainSession::setup() const {
   ImagingSetup all{probe_, settings_, tissues_, "cpu"};
+  all.mechanics.model = tissue_.model;
   if (effect_ != kWholeModel)
     for (const EffectLayer& layer : effectLayers(settings_))
       if (layer.name == effect_) all.settings = layer.settings;
@@ -151,7 +152,7 @@ ImagingSetup TrainSession::setup() const {
 void TrainSession::startLive() {
   const auto pose = patientFromProbe(start_.position_mm, start_.axial, start_.lateral);
   if (!pose) return say(QString::fromStdString(pose.error().message));
-  auto live = LiveImaging::make(patient_, setup(), *pose);
+  auto live = LiveImaging::make(patient_, setup(), *pose, liveOptions());
   if (!live) {
     const QString text = QString::fromStdString(live.error().message);
     say(text);
@@ -160,6 +161,7 @@ void TrainSession::startLive() {
     return;
   }
   feed_.set(std::move(*live));
+  tellTissue();
 }
 
 void TrainSession::placeOnSkin() {
@@ -186,7 +188,7 @@ void TrainSession::show(std::shared_ptr<const LiveFrame> frame) {
   if (!frame || frame == shown_) return;
   const bool first = !shown_;
   shown_ = std::move(frame);
-  if (first) say(tr("Drag on the image to slide the probe. Keys: ?"));
+  if (first) say(tr("Drag on the image to slide the probe, press with + and -. Keys: ?"));
   Q_EMIT pictureShown();
   if (first) wantSurfaces();
 }
@@ -372,7 +374,7 @@ QString TrainSession::standing() const {
   if (unplaced_) return tr("Place the probe: press the button, or click on the skin in 3D.");
   if (!shown_) return tr("Building the first scene.");
   if (frozen_) return tr("Frozen. Comma and period step through the last seconds.");
-  return hint_.isEmpty() ? tr("Drag on the image to slide the probe. Keys: ?") : hint_;
+  return hint_.isEmpty() ? tr("Drag on the image to slide the probe, press with + and -. Keys: ?") : hint_;
 }
 
 void TrainSession::setHint(const QString& hint) {

@@ -2,6 +2,7 @@
 
 #include "hand/History.h"
 #include "hand/ProbeControl.h"
+#include "tissue/TissueChoice.h"
 
 #include <insonate/simulator/LiveImaging.h>
 #include <insonate/surface/Mesh.h>
@@ -54,6 +55,15 @@ class TrainSession : public QObject {
   const std::string& effect() const { return effect_; }
   /// The next in the order of effectLayers(), the whole model between the last and the first.
   void stepEffect(int by);
+
+  // Tissue and blood
+  const TissueChoice& tissue() const { return tissue_; }
+  /// What is out of range is refused with a sentence.
+  void setTissue(const TissueChoice& choice);
+  /// Live pictures come with the mesh of the tissue.
+  void setMeshWanted(bool wanted);
+  /// While nobody looks, the vessels do not move: a probe held still then costs nothing.
+  void setWatched(bool watched);
 
   // The hand. Moves are refused while the picture is frozen.
   bool handReady() const { return control_.ready(); }
@@ -111,6 +121,7 @@ class TrainSession : public QObject {
   void pictureShown();
   void handMoved();  ///< also when it is there for the first time
   void setupChanged();
+  void tissueChanged();
   void frozenChanged();
   void placingChanged();   ///< isUnplaced()
   void structuresKnown();  ///< lacksVessels()
@@ -127,6 +138,10 @@ class TrainSession : public QObject {
   void news();
   void show(std::shared_ptr<const LiveFrame> frame);
   void sendSetup();
+  bool pulsates() const;
+  LiveOptions liveOptions() const;
+  void useTissue(const TissueChoice& choice);
+  void tellTissue();
   void moved(HandMove result);
   bool mayMove();
   ImagingSetup setup() const;
@@ -139,6 +154,8 @@ class TrainSession : public QObject {
   ImagingSettings settings_;
   AcousticTable tissues_;
   std::string effect_ = kWholeModel;
+  TissueChoice tissue_;
+  bool meshWanted_ = false, watched_ = true;
   ProbeControl control_;
   History history_;
   struct Chosen {

@@ -2,6 +2,7 @@
 #include "hand/KeyTable.h"
 #include "panel/ControlsPanel.h"
 #include "scene/PatientViews.h"
+#include "tissue/TissueShown.h"
 
 #include <insonate/train/TrainWorkspace.h>
 #include <insonate/ui/ScenePanel.h>
@@ -79,6 +80,7 @@ void TrainWorkspace::saveLayout(QSettings& settings) const {
   parts_->patient->scenePanel().save(settings);
   settings.endGroup();
   parts_->panel->save(settings);
+  parts_->tissue->save(settings);
 }
 
 void TrainWorkspace::restoreLayout(QSettings& settings) {
@@ -96,6 +98,7 @@ void TrainWorkspace::restoreLayout(QSettings& settings) {
   parts_->patient->scenePanel().restore(settings);
   settings.endGroup();
   parts_->panel->restore(settings);
+  parts_->tissue->restore(settings);
   // How it was left is not to be taken back.
   parts_->session.history().clear();
 }
@@ -131,6 +134,16 @@ bool TrainWorkspace::eventFilter(QObject* watched, QEvent* event) {
 void TrainWorkspace::resizeEvent(QResizeEvent* event) {
   parts_->setCompact(width() < kRoomy_px);
   ui::Workspace::resizeEvent(event);
+}
+
+void TrainWorkspace::showEvent(QShowEvent* event) {
+  parts_->session.setWatched(true);
+  ui::Workspace::showEvent(event);
+}
+
+void TrainWorkspace::hideEvent(QHideEvent* event) {
+  parts_->session.setWatched(false);
+  ui::Workspace::hideEvent(event);
 }
 
 void TrainWorkspace::keyPressEvent(QKeyEvent* event) {

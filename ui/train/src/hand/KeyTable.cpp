@@ -17,6 +17,9 @@ constexpr KeyRow recall(int place, const char* keys, const char* meaning) {
   return {Qt::Key_1 + place, false, Command::Recall, {}, 0, 0, place, keys, meaning};
 }
 
+constexpr KeyRow tissue(int key, int what, const char* keys, const char* meaning) {
+  return {key, false, Command::ShowTissue, {}, 0, 0, what, keys, meaning};
+}
 constexpr KeyRow window(int place, const char* keys, const char* meaning) {
   return {Qt::Key_1 + place, false, Command::SliceWindow, {}, 0, 0, place, keys, meaning, true};
 }
@@ -33,7 +36,7 @@ constexpr KeyRow kKeys[] = {
     move(Qt::Key_A, Rock, -1, -5, "A, D", "rock 1 degree (Shift 5)"),
     move(Qt::Key_D, Rock, 1, 5, "", ""),
     // On many keyboards plus needs shift: no wide steps here.
-    move(Qt::Key_Plus, Press, 0.5, 0.5, "+, -", "press 0.5 mm more, or less"),
+    move(Qt::Key_Plus, Press, 0.5, 0.5, "+, -", "press 0.5 mm more, or less; held: smoothly on"),
     move(Qt::Key_Equal, Press, 0.5, 0.5, "", ""),
     move(Qt::Key_Minus, Press, -0.5, -0.5, "", ""),
     plain(Qt::Key_Space, Command::Freeze, "Space, F", "freeze the picture, and live again"),
@@ -63,6 +66,9 @@ constexpr KeyRow kKeys[] = {
           "one effect of the picture by itself: the next, the one before"),
     plain(Qt::Key_0, Command::WholePicture, "0", "the whole picture again"),
     plain(Qt::Key_C, Command::CtBeside, "C", "the CT of the same plane beside the picture, and back"),
+    tissue(Qt::Key_T, 0, "T", "lines of the displaced tissue over the picture, and back"),
+    tissue(Qt::Key_P, 1, "P", "pressure in the tissue over the picture, in kPa, and back"),
+    tissue(Qt::Key_K, 2, "K", "curve: area of vein and artery against the force, and back"),
     plain(Qt::Key_X, Command::AllSlices, "X", "probe plane, axial, coronal and sagittal CT at once, and back"),
     window(0, "Alt+1 to Alt+5", "window of the CT: soft tissue, bone, lung, abdomen, brain"),
     window(1, "", ""),

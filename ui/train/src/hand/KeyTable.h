@@ -28,6 +28,7 @@ enum class Command {
   NextEffect,
   WholePicture,
   CtBeside,
+  ShowTissue,
   AllSlices,
   SliceWindow,
 };
@@ -39,7 +40,7 @@ struct KeyRow {
   Command command;
   HandAxis axis{};            ///< of a move
   double step = 0, wide = 0;  ///< mm or degrees; wide with shift
-  int place = 0;              ///< of a recall or a window preset, from 0
+  int place = 0;              ///< of a recall, a window preset or TissueShown::toggle(), from 0
   const char* keys;           ///< as the user knows it; empty on rows that share the line above
   const char* meaning;
   bool alt = false;  ///< with the alt key

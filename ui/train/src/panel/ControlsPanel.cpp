@@ -2,6 +2,7 @@
 
 #include "../TrainSession.h"
 #include "../probe/ProbeChooser.h"
+#include "../tissue/TissueControls.h"
 #include "EffectWords.h"
 #include "Positions.h"
 #include "ProbeNumbers.h"
@@ -84,6 +85,7 @@ ControlsPanel::ControlsPanel(TrainSession& session, ProbeLibrary& library, QWidg
   box->setSpacing(12);
   box->addWidget(buildPlace());
   box->addWidget(buildPicture());
+  box->addWidget(new TissueControls(session_));
   box->addStretch();
   setParts(inner, buildFreeze());
   setMinimumWidth(inner->minimumSizeHint().width() + 16);
@@ -236,6 +238,9 @@ void ControlsPanel::save(QSettings& settings) const {
   for (double value : session_.settings().tgc_dB) tgc << value;
   settings.setValue("tgc", tgc);
   settings.setValue("look", int(session_.settings().look));
+  settings.beginGroup("tissue");
+  saveTissue(session_.tissue(), settings);
+  settings.endGroup();
   positions_->save(settings);
 }
 
@@ -252,6 +257,9 @@ void ControlsPanel::restore(QSettings& settings) {
     if (std::isfinite(tgc[i].toDouble())) all.tgc_dB[i] = tgc[i].toDouble();
   all.look = settings.value("look").toInt() == int(Look::Thesis) ? Look::Thesis : Look::Coherent;
   session_.setSettings(all);
+  settings.beginGroup("tissue");
+  session_.setTissue(restoredTissue(settings));
+  settings.endGroup();
   positions_->restore(settings);
 }
 

@@ -1,0 +1,206 @@
+#include "TrainWindow.h"
+#include "hand/HeldPress.h"
+#include "tissue/AreaPlot.h"
+
+#include <insonate/views/UltrasoundView.h>
+
+#include <QAction>
+#include <QCheckBox>
+#include <QLabel>
+
+namespace insonate::train {
+namespace {
+
+/// Tissue gives way under the probe: what is shown of it, and chosen.
+class TrainTissue : public TrainWindow {
+ protected:
+  void press(double mm) {
+    session_->typed(HandAxis::Press, mm);
+    settle();
+  }
+  const LivePress& now() { return session_->shown()->press; }
+  double veinShare() {
+    return now().lumens.empty() ? -1 : now().lumens.front().area_mm2 / now().lumens.front().rest_mm2;
+  }
+  bool waitFor(const std::function<bool()>& done) { return QTest::qWaitFor(done, kPatience_ms); }
+  QString text(const char* label) { return child<QLabel>(label)->text(); }
+  /// Of the picture's pixels, those with a colour.
+  int coloured() {
+    const QImage image = child<ui::ViewWidget>("ultrasoundView")->grab().toImage();
+    int count = 0;
+    for (int y = image.height() / 4; y < image.height() * 3 / 4; ++y)
+      for (int x = image.width() / 4; x < image.width() * 3 / 4; ++x) {
+        const QColor c = image.pixelColor(x, y);
+        count += std::max({c.red(), c.green(), c.blue()}) - std::min({c.red(), c.green(), c.blue()}) > 20;
+      }
+    return count;
+  }
+};
+
+TEST_F(TrainTissue, PressingShowsForceAndAreasAndLettingGoNothing) {
+  openCase();
+  press(0);
+  EXPECT_TRUE(waitFor([&] { return text("pressForce").isEmpty() && text("veinArea").isEmpty(); }));
+  press(5);
+  ASSERT_TRUE(waitFor([&] { return now().force_N > 0.1 && veinShare() < 0.9; }));
+  EXPECT_TRUE(waitFor([&] { return text("pressForce") == QString("%1 N").arg(now().force_N, 0, 'f', 1); }))
+      << text("pressForce").toStdString();
+  EXPECT_TRUE(text("pressIndentation").endsWith(" mm"));
+  EXPECT_TRUE(waitFor([&] {
+    return text("veinArea").startsWith(QString("vein %1 %").arg(100 * veinShare(), 0, 'f', 0));
+  })) << text("veinArea").toStdString();
+  EXPECT_TRUE(text("arteryArea").isEmpty()) << "there is none";
+  EXPECT_TRUE(child<QLabel>("pressForce")->accessibleName().endsWith("newtons"));
+  press(0);
+  EXPECT_TRUE(waitFor([&] { return text("pressForce").isEmpty() && text("veinArea").isEmpty(); }));
+  EXPECT_TRUE(text("pressIndentation").isEmpty());
+}
+
+TEST_F(TrainTissue, PostureAndVenousPressureWidenTheVein) {
+  openCase();
+  press(3);
+  ASSERT_TRUE(waitFor([&] { return now().force_N > 0 && now().settled; }));
+  const double supine = veinShare();
+  auto* posture = child<QComboBox>("posture");
+  posture->setCurrentIndex(posture->findData(25.0));
+  Q_EMIT posture->activated(posture->currentIndex());
+  EXPECT_EQ(session_->tissue().body.tilt_deg, 25);
+  EXPECT_TRUE(waitFor([&] { return veinShare() > supine + 0.03; })) << supine << " to " << veinShare();
+  key(Qt::Key_Z);
+  EXPECT_EQ(session_->tissue().body.tilt_deg, 0);
+  EXPECT_EQ(posture->currentData().toDouble(), 0);
+  EXPECT_TRUE(waitFor([&] { return std::abs(veinShare() - supine) < 0.02; })) << supine << " to " << veinShare();
+  child<ui::ValueSlider>("centralVenous")->setValue(12);
+  EXPECT_TRUE(waitFor([&] { return veinShare() > supine + 0.03; }));
+}
+
+TEST_F(TrainTissue, WithoutAModelNothingGivesWay) {
+  openCase();
+  auto* model = child<QComboBox>("tissueModel");
+  model->setCurrentIndex(model->findData("none"));
+  Q_EMIT model->activated(model->currentIndex());
+  press(4);
+  ASSERT_TRUE(waitFor([&] { return session_->shown()->setup->mechanics.model == "none"; }));
+  EXPECT_EQ(now().force_N, 0);
+  key(Qt::Key_Z);
+  key(Qt::Key_Z);
+  EXPECT_EQ(session_->tissue().model, "elastic");
+}
+
+TEST_F(TrainTissue, AHeartMovesTheVesselsWhileSomebodyLooks) {
+  openCase();
+  press(2);
+  child<QCheckBox>("breathing")->click();
+  ASSERT_TRUE(session_->tissue().breathing);
+  const auto pictures = [&] { return session_->shown()->number; };
+  const auto before = pictures();
+  EXPECT_TRUE(waitFor([&] { return pictures() > before + 10; })) << "nobody moves the probe";
+  workspace_->hide();
+  QTest::qWait(300);
+  const auto hidden = pictures();
+  QTest::qWait(500);
+  EXPECT_LE(pictures(), hidden + 2);
+  workspace_->show();
+  EXPECT_TRUE(waitFor([&] { return pictures() > hidden + 10; }));
+}
+
+TEST_F(TrainTissue, GridAndPressureAreAskedForOnlyWhileTheyAreShown) {
+  openCase();
+  press(5);
+  ASSERT_TRUE(waitFor([&] { return now().force_N > 0.1 && veinShare() < 0.9; }));
+  EXPECT_TRUE(now().mesh.nodes.empty());
+  EXPECT_LT(coloured(), 50);
+  key(Qt::Key_T);
+  ASSERT_TRUE(waitFor([&] { return !now().mesh.nodes.empty(); })) << "although the probe is held still";
+  EXPECT_TRUE(waitFor([&] { return coloured() > 500; }));
+  const int grid = coloured();
+  key(Qt::Key_P);
+  EXPECT_TRUE(child<QAction>("tissuePressure")->isChecked());
+  EXPECT_TRUE(waitFor([&] { return coloured() > 2 * grid; }));
+  key(Qt::Key_P);
+  EXPECT_FALSE(now().mesh.nodes.empty());
+  child<QAction>("tissueGrid")->trigger();
+  EXPECT_TRUE(waitFor([&] { return now().mesh.nodes.empty(); }));
+  EXPECT_TRUE(waitFor([&] { return coloured() < 50; }));
+}
+
+TEST_F(TrainTissue, TheCurveKeepsWhereTheAreasHaveBeenUntilItIsCleared) {
+  openCase();
+  auto* plot = child<AreaPlot>("areaPlot");
+  EXPECT_FALSE(plot->isVisible());
+  key(Qt::Key_K);
+  EXPECT_TRUE(plot->isVisible());
+  press(0);
+  child<QPushButton>("clearCurve")->click();
+  EXPECT_EQ(plot->points(), 0U);
+  for (const double mm : {2.0, 4.0}) press(mm);
+  EXPECT_TRUE(waitFor([&] { return plot->points() >= 2; }));
+  EXPECT_TRUE(waitFor([&] { return plot->accessibleName().contains("Vein"); }));
+  child<QPushButton>("clearCurve")->click();
+  EXPECT_EQ(plot->points(), 0U);
+  key(Qt::Key_K);
+  EXPECT_FALSE(plot->isVisible());
+}
+
+TEST_F(TrainTissue, HoldingTheKeyPressesSmoothlyUntilItComesUp) {
+  openCase();
+  const double before = session_->numbers().press_mm;
+  QTest::keyPress(canvas_, Qt::Key_Plus);
+  EXPECT_NEAR(session_->numbers().press_mm, before + 0.5, 1e-6);
+  EXPECT_TRUE(waitFor([&] { return session_->numbers().press_mm > before + 1; }));
+  QTest::keyRelease(canvas_, Qt::Key_Plus);
+  const double held = session_->numbers().press_mm;
+  QTest::qWait(HeldPress::kBegins_ms + 100);
+  EXPECT_EQ(session_->numbers().press_mm, held);
+  key(Qt::Key_Z);
+  EXPECT_NEAR(session_->numbers().press_mm, before, 1e-6) << "one gesture";
+}
+
+TEST_F(TrainTissue, ArterialPressureThatCannotBeIsRefused) {
+  auto* systolic = child<QLineEdit>("systolic");
+  const auto type = [&](const char* words) {
+    systolic->setFocus();
+    systolic->selectAll();
+    QTest::keyClicks(systolic, words);
+    QTest::keyClick(systolic, Qt::Key_Return);
+  };
+  type("150");
+  EXPECT_EQ(session_->tissue().body.systolic_mmHg, 150);
+  type("60");
+  EXPECT_EQ(session_->tissue().body.systolic_mmHg, 150) << "below the diastolic pressure";
+  EXPECT_FALSE(workspace_->statusText().isEmpty());
+}
+
+TEST_F(TrainTissue, ChoicesAreRemembered) {
+  TissueChoice choice = session_->tissue();
+  choice.model = "column";
+  choice.body.tilt_deg = 15, choice.body.centralVenous_mmHg = 7, choice.body.systolic_mmHg = 140;
+  choice.breathing = true;
+  session_->setTissue(choice);
+  child<QAction>("tissuePlot")->trigger();
+  QSettings settings;
+  workspace_->saveLayout(settings);
+  TrainWorkspace other;
+  other.restoreLayout(settings);
+  EXPECT_EQ(other.findChild<TrainSession*>()->tissue(), choice);
+  EXPECT_TRUE(other.findChild<QAction*>("tissuePlot")->isChecked());
+  settings.setValue("tissue/model", "jelly");
+  settings.setValue("tissue/systolic_mmHg", 10);
+  other.restoreLayout(settings);
+  EXPECT_EQ(other.findChild<TrainSession*>()->tissue().model, "elastic");
+  EXPECT_EQ(other.findChild<TrainSession*>()->tissue().body.systolic_mmHg, 120);
+}
+
+TEST_F(TrainTissue, ClosesWhilePressing) {
+  openCase();
+  key(Qt::Key_T);
+  key(Qt::Key_P);
+  child<QCheckBox>("pulse")->click();
+  QTest::keyPress(canvas_, Qt::Key_Plus);
+  QTest::qWait(HeldPress::kBegins_ms + 150);
+  workspace_ = nullptr;
+  QTest::qWait(50);
+}
+
+}  // namespace
+}  // namespace insonate::train

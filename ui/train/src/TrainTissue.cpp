@@ -1,0 +1,60 @@
+// The part of the session that is about tissue and blood.
+#include "TrainSession.h"
+
+#include <utility>
+
+namespace insonate::train {
+
+bool TrainSession::pulsates() const {
+  return watched_ && (tissue_.pulse || tissue_.breathing);
+}
+
+LiveOptions TrainSession::liveOptions() const {
+  LiveOptions options;
+  options.physiology = physiologyOf(tissue_);
+  options.pulsating = pulsates();
+  return options;
+}
+
+void TrainSession::setTissue(const TissueChoice& choice) {
+  if (choice == tissue_) return;
+  if (auto ok = checkPhysiology(choice.body); !ok) {
+    say(QString::fromStdString(ok.error().message));
+    Q_EMIT tissueChanged();  // Numbers that cannot be go back.
+    return;
+  }
+  const auto exchange = [this, other = tissue_]() mutable {
+    const TissueChoice now = tissue_;
+    useTissue(std::exchange(other, now));
+    return true;
+  };
+  history_.add(tr("setting of the tissue").toStdString(), exchange, "tissue");
+  useTissue(choice);
+}
+
+void TrainSession::useTissue(const TissueChoice& choice) {
+  const bool otherModel = choice.model != tissue_.model;
+  tissue_ = choice;
+  tellTissue();
+  if (otherModel) sendSetup();
+  Q_EMIT tissueChanged();
+}
+
+void TrainSession::setMeshWanted(bool wanted) {
+  if (std::exchange(meshWanted_, wanted) != wanted) tellTissue();
+}
+
+void TrainSession::setWatched(bool watched) {
+  if (std::exchange(watched_, watched) != watched) tellTissue();
+}
+
+void TrainSession::tellTissue() {
+  LiveImaging* live = feed_.live();
+  if (!live) return;
+  live->setKeepMesh(meshWanted_ && watched_);
+  live->setPulsating(pulsates());
+  // Also where it is the same: a probe at rest then makes a picture with its mesh.
+  if (auto ok = live->setPhysiology(physiologyOf(tissue_)); !ok) say(QString::fromStdString(ok.error().message));
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,175 @@
+#include "TissueControls.h"
+
+#include "../TrainSession.h"
+#include "../panel/NumberField.h"
+
+#include <insonate/simulator/TissueMechanics.h>
+#include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/ValueSlider.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <functional>
+
+namespace insonate::train {
+namespace {
+
+struct Posture {
+  double tilt_deg;
+  const char* name;
+};
+constexpr Posture kPostures[] = {
+    {0, "supine"},
+    {5, "Trendelenburg 5°"},
+    {10, "Trendelenburg 10°"},
+    {15, "Trendelenburg 15°"},
+    {25, "Trendelenburg 25°"},
+    {-15, "head up 15°"},
+    {-30, "head up 30°"},
+};
+
+struct Model {
+  const char* key;
+  const char* name;
+};
+const Model kModels[] = {{"elastic", "elastic"}, {"column", "columns (thesis)"}, {kNoDeformation.data(), "none"}};
+
+}  // namespace
+
+TissueControls::TissueControls(TrainSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(4);
+  auto* heading = new QLabel(tr("Tissue"), this);
+  ui::setRole(heading, "heading");
+  box->addWidget(heading);
+  model_ = choice("tissueModel",
+                  tr("How tissue gives way. Elastic: it moves aside, veins empty. Columns: springs in depth, as in the "
+                     "thesis. None: nothing moves"));
+  for (const Model& one : kModels) model_->addItem(tr(one.name), QLatin1String(one.key));
+  box->addWidget(labelled(tr("model"), model_));
+  posture_ = choice("posture", tr("Tilt of the table, in degrees. Head down (Trendelenburg) fills the neck's veins"));
+  for (const Posture& one : kPostures) posture_->addItem(QString::fromUtf8(one.name), one.tilt_deg);
+  box->addWidget(labelled(tr("posture"), posture_));
+  venous_ = new ui::ValueSlider(tr("CVP"), tr("mmHg"), {-5, 30, Physiology{}.centralVenous_mmHg, 1, 0},
+                                tr("central venous pressure, at the heart"), this);
+  venous_->setObjectName("centralVenous");
+  box->addWidget(venous_);
+  box->addWidget(buildPressures());
+  box->addWidget(buildSwitches());
+  const auto chosen = [this](QComboBox* combo, auto take) {
+    connect(combo, qOverload<int>(&QComboBox::activated), this,
+            [this, combo, take] { change([&](TissueChoice& to) { take(to, combo->currentData()); }); });
+  };
+  chosen(model_, [](TissueChoice& to, const QVariant& picked) { to.model = picked.toString().toStdString(); });
+  chosen(posture_, [](TissueChoice& to, const QVariant& picked) { to.body.tilt_deg = picked.toDouble(); });
+  connect(venous_, &ui::ValueSlider::valueChanged, this,
+          [this](double mmHg) { change([&](TissueChoice& to) { to.body.centralVenous_mmHg = mmHg; }); });
+  connect(&session_, &TrainSession::tissueChanged, this, [this] { refresh(); });
+  refresh();
+}
+
+QComboBox* TissueControls::choice(const char* object, const QString& says) {
+  auto* combo = new QComboBox(this);
+  combo->setObjectName(QLatin1String(object));
+  combo->setToolTip(says);
+  new ui::QuietWheel(combo);
+  combo->setFocusPolicy(Qt::TabFocus);
+  combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  return combo;
+}
+
+QWidget* TissueControls::labelled(const QString& name, QWidget* widget) {
+  auto* row = new QWidget(this);
+  auto* box = new QHBoxLayout(row);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(8);
+  auto* label = new QLabel(name, row);
+  ui::setRole(label, "quiet");
+  label->setMinimumWidth(label->fontMetrics().horizontalAdvance(tr("posture")));
+  label->setToolTip(widget->toolTip());
+  widget->setAccessibleName(name);
+  box->addWidget(label);
+  box->addWidget(widget, 1);
+  return row;
+}
+
+QWidget* TissueControls::buildPressures() {
+  auto* both = new QWidget(this);
+  auto* box = new QHBoxLayout(both);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(4);
+  const auto field = [&](const char* object, const QString& name, double low, double high, double Physiology::*which) {
+    auto* number = new NumberField(name, {}, {low, high, 5, 0}, both);
+    number->setObjectName(QLatin1String(object));
+    number->setAccessibleName(tr("%1 arterial pressure in mmHg").arg(name));
+    number->setToolTip(
+        tr("%1 pressure of the arteries at the heart, in mmHg.\nEnter applies, arrows and wheel step.").arg(name));
+    number->setTyped([this, which](double mmHg) { change([&](TissueChoice& to) { to.body.*which = mmHg; }); });
+    number->setRefused([this](const QString& sentence) { session_.say(sentence); });
+    return number;
+  };
+  systolic_ = field("systolic", tr("Systolic"), 40, 260, &Physiology::systolic_mmHg);
+  diastolic_ = field("diastolic", tr("Diastolic"), 20, 180, &Physiology::diastolic_mmHg);
+  auto* over = new QLabel(QStringLiteral("/"), both);
+  auto* unit = new QLabel(tr("mmHg"), both);
+  for (QLabel* label : {over, unit}) ui::setRole(label, "quiet");
+  box->addWidget(systolic_, 1);
+  box->addWidget(over);
+  box->addWidget(diastolic_, 1);
+  box->addWidget(unit);
+  QWidget* row = labelled(tr("artery"), both);
+  both->setAccessibleName(tr("Arterial pressure"));
+  return row;
+}
+
+QWidget* TissueControls::buildSwitches() {
+  auto* row = new QWidget(this);
+  auto* box = new QHBoxLayout(row);
+  box->setContentsMargins(0, 4, 0, 0);
+  box->setSpacing(16);
+  pulse_ = new QCheckBox(tr("pulse"), row);
+  pulse_->setObjectName("pulse");
+  pulse_->setToolTip(tr("The heart moves the arteries, 70 beats a minute"));
+  breathing_ = new QCheckBox(tr("breathing"), row);
+  breathing_->setObjectName("breathing");
+  breathing_->setToolTip(tr("Breath narrows and widens the veins, 14 times a minute"));
+  for (QCheckBox* one : {pulse_, breathing_}) {
+    one->setFocusPolicy(Qt::TabFocus);
+    box->addWidget(one);
+  }
+  box->addStretch(1);
+  connect(pulse_, &QCheckBox::toggled, this, [this](bool on) { change([&](TissueChoice& to) { to.pulse = on; }); });
+  connect(breathing_, &QCheckBox::toggled, this,
+          [this](bool on) { change([&](TissueChoice& to) { to.breathing = on; }); });
+  return row;
+}
+
+void TissueControls::change(const std::function<void(TissueChoice&)>& edit) {
+  if (refreshing_) return;
+  TissueChoice choice = session_.tissue();
+  edit(choice);
+  session_.setTissue(choice);
+}
+
+void TissueControls::refresh() {
+  refreshing_ = true;
+  const TissueChoice& now = session_.tissue();
+  model_->setCurrentIndex(model_->findData(QString::fromStdString(now.model)));
+  const auto nearest = std::ranges::min_element(
+      kPostures, {}, [&](const Posture& one) { return std::abs(one.tilt_deg - now.body.tilt_deg); });
+  posture_->setCurrentIndex(int(nearest - std::begin(kPostures)));
+  venous_->setValue(now.body.centralVenous_mmHg);
+  systolic_->show(now.body.systolic_mmHg);
+  diastolic_->show(now.body.diastolic_mmHg);
+  pulse_->setChecked(now.pulse);
+  breathing_->setChecked(now.breathing);
+  refreshing_ = false;
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "TissueChoice.h"
+
+#include <QWidget>
+#include <functional>
+
+class QCheckBox;
+class QComboBox;
+
+namespace insonate::ui {
+class ValueSlider;
+}
+
+namespace insonate::train {
+
+class NumberField;
+class TrainSession;
+
+/// The panel's section about what the probe presses on: the model, and the patient's blood and posture.
+class TissueControls final : public QWidget {
+ public:
+  explicit TissueControls(TrainSession& session, QWidget* parent = nullptr);
+
+ private:
+  QWidget* labelled(const QString& name, QWidget* widget);
+  QComboBox* choice(const char* object, const QString& says);
+  QWidget* buildPressures();
+  QWidget* buildSwitches();
+  void change(const std::function<void(TissueChoice&)>& edit);
+  void refresh();
+
+  TrainSession& session_;
+  QComboBox *model_ = nullptr, *posture_ = nullptr;
+  ui::ValueSlider* venous_ = nullptr;
+  NumberField *systolic_ = nullptr, *diastolic_ = nullptr;
+  QCheckBox *pulse_ = nullptr, *breathing_ = nullptr;
+  bool refreshing_ = false;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <insonate/views/UltrasoundView.h>
+
+#include <QObject>
+
+class QSettings;
+class QWidget;
+
+namespace insonate::train {
+
+class AreaPlot;
+class TissueStrip;
+class TrainSession;
+
+/// What is seen of the tissue's mechanics in the picture's column: the strip of numbers, the curve, and grid and
+/// pressure over the picture, which are asked for only while they are shown.
+class TissueShown final : public QObject {
+ public:
+  /// The widgets are made in `column`, for a layout to take.
+  TissueShown(TrainSession& session, views::UltrasoundView& image, QWidget* column);
+
+  TissueStrip& strip() { return *strip_; }
+  QWidget& curve() { return *curve_; }
+  /// 0 grid, 1 pressure, 2 curve: shows it, or no longer.
+  void toggle(int what);
+  void save(QSettings& settings) const;
+  void restore(QSettings& settings);
+
+ private:
+  QWidget* buildCurve(QWidget* column);
+  void showPicture();
+  void choose();
+
+  TrainSession& session_;
+  views::UltrasoundView& image_;
+  TissueStrip* strip_;
+  AreaPlot* plot_ = nullptr;
+  QWidget* curve_;
+  views::PictureTissue mesh_;
+};
+
+}  // namespace insonate::train

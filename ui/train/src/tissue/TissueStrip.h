@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QString>
+#include <QTimer>
+#include <QWidget>
+
+class QLabel;
+class QAction;
+class QPushButton;
+
+namespace insonate {
+struct LivePress;
+}
+
+namespace insonate::train {
+
+class TrainSession;
+
+/// The line under the picture: how hard the probe presses and what that does to the vessels, and what is shown of it.
+/// Without pressing, it is empty. Numbers change a few times a second, so that they can be read.
+class TissueStrip final : public QWidget {
+  Q_OBJECT
+
+ public:
+  enum Show { kGrid, kPressure, kPlot, kShows };
+
+  explicit TissueStrip(TrainSession& session, QWidget* parent = nullptr);
+
+  bool shows(Show what) const;
+  void setShown(Show what, bool on);
+
+ Q_SIGNALS:
+  void shownChanged();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void buildMenu();
+  void reserve();
+  void follow();
+  void refresh();
+  void showVessel(QLabel& label, const LivePress* press, int vessel, const QString& name) const;
+
+  TrainSession& session_;
+  QTimer soon_;
+  QLabel *force_, *indentation_, *vein_, *artery_;
+  QPushButton* menu_;
+  QAction* shows_[kShows] = {};
+  bool compact_ = false;  ///< without areas in cm², where there is no room
+};
+
+}  // namespace insonate::train
