@@ -309,6 +309,8 @@ TEST_F(TrainWindow, AProbeWithoutAStartIsPlacedByTheUser) {
   EXPECT_FALSE(child<QWidget>("placeOffer")->isVisible());
   EXPECT_TRUE(session_->handReady());
   EXPECT_NEAR(session_->handState().skin_mm.x, 5.5, 1.5);
+  EXPECT_NEAR(session_->handState().tilt_deg, 0, 1e-6) << "square to the skin";
+  EXPECT_NEAR(session_->handState().rock_deg, 0, 1e-6);
   ASSERT_TRUE(QTest::qWaitFor([&] { return session_->shown() && workspace_->isReady(); }, kPatience_ms));
   workspace_->setCase(patient());
   EXPECT_FALSE(child<QWidget>("placeOffer")->isVisible());

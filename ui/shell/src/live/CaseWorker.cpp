@@ -120,6 +120,9 @@ bool CaseWorker::Job::offerSkin(const Error& why) {
   if (!hand) return false;
   const double ahead_mm = 0.5 * grid.size[1] * grid.spacing_mm.y;
   hand->moveTo(centre_mm - Vec3{0, ahead_mm, 0});
+  // Square to the skin there, whatever it was where it came from.
+  hand->tilt(-hand->state().tilt_deg);
+  hand->rock(-hand->state().rock_deg);
   deliver([made = std::move(*hand), text = QString::fromStdString(why.message)](CaseWork& work) {
     work.unplaced(made, text);
   });
