@@ -1,5 +1,6 @@
 #include "Commands.h"
 
+#include <insonate/simulator/DeformationBench.h>
 #include <insonate/simulator/UltrasoundBench.h>
 
 #include <nlohmann/json.hpp>
@@ -15,6 +16,14 @@ struct BenchOptions {
   bool quick = false, json = false;
 };
 
+template <class Results>
+void tell(const BenchOptions& options, const Results& results, const char* page) {
+  if (options.json)
+    printJson(toJson(results));
+  else
+    std::cout << (std::filesystem::path(options.folder) / page).string() << '\n';
+}
+
 Result<void> benchUltrasound(const BenchOptions& options) {
   if (auto ok = checkBenchFolder(options.folder); !ok) return ok;
   const auto plan = ultrasoundBenchPlan(options.quick, terminalProgress());
@@ -22,11 +31,30 @@ Result<void> benchUltrasound(const BenchOptions& options) {
   const auto results = runUltrasoundBench(*plan, terminalProgress());
   if (!results) return tl::unexpected(results.error());
   if (auto ok = writeUltrasoundBench(*results, options.folder); !ok) return ok;
-  if (options.json)
-    printJson(toJson(*results));
-  else
-    std::cout << (std::filesystem::path(options.folder) / "index.md").string() << '\n';
+  tell(options, *results, "index.md");
   return {};
+}
+
+Result<void> benchDeformation(const BenchOptions& options) {
+  if (auto ok = checkBenchFolder(options.folder); !ok) return ok;
+  const auto results = runDeformationBench(options.quick, terminalProgress());
+  if (!results) return tl::unexpected(results.error());
+  if (auto ok = writeDeformationBench(*results, options.folder); !ok) return ok;
+  tell(options, *results, "deformation.md");
+  return {};
+}
+
+void add(CLI::App& bench, Outcome& outcome, const char* name, const char* description,
+         Result<void> (*run)(const BenchOptions&)) {
+  auto options = std::make_shared<BenchOptions>();
+  CLI::App* command = bench.add_subcommand(name, description);
+  command->add_option("--out", options->folder, "Folder for tables and plots; created when missing")->required();
+  command->add_flag("--quick", options->quick, "Fewer settings and pictures");
+  command->add_flag("--json", options->json, "Print the tables as one JSON object");
+  command->callback([options, &outcome, run] {
+    outcome.json = options->json;
+    if (auto ok = run(*options); !ok) refuse(outcome, ok.error());
+  });
 }
 
 }  // namespace
@@ -34,15 +62,8 @@ Result<void> benchUltrasound(const BenchOptions& options) {
 void addBenchCommand(CLI::App& app, Outcome& outcome) {
   CLI::App* bench = app.add_subcommand("bench", "Tables and plots of speed against error");
   bench->require_subcommand(1);
-  auto options = std::make_shared<BenchOptions>();
-  CLI::App* command = bench->add_subcommand("ultrasound", "Frame times and errors of the ultrasound engines, realism");
-  command->add_option("--out", options->folder, "Folder for tables and plots; created when missing")->required();
-  command->add_flag("--quick", options->quick, "Fewer settings and pictures");
-  command->add_flag("--json", options->json, "Print the tables as one JSON object");
-  command->callback([options, &outcome] {
-    outcome.json = options->json;
-    if (auto ok = benchUltrasound(*options); !ok) refuse(outcome, ok.error());
-  });
+  add(*bench, outcome, "ultrasound", "Frame times and errors of the ultrasound engines, realism", benchUltrasound);
+  add(*bench, outcome, "deformation", "Frame times and errors of the models of pressed tissue", benchDeformation);
 }
 
 }  // namespace insonate::cli

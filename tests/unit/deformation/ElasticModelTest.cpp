@@ -29,7 +29,9 @@ class Elastic : public testing::Test {
 
   const Deformation& pressed(double indent_mm) {
     plane_.press_mm = indent_mm;
-    model_->solve(input_, answer_);
+    input_.patientFromProbe = plane_.patientFromProbe();
+    // A vein that is about to shut may need longer than one question's steps.
+    for (int k = 0; k == 0 || (k < 4 && !answer_.converged); ++k) model_->solve(input_, answer_);
     return answer_;
   }
   static double ratio(const Deformation& d, std::uint8_t label) {
@@ -73,12 +75,8 @@ TEST_F(Elastic, KeepsTheSkinUnderTheFaceOnIt) {
 }
 
 TEST_F(Elastic, ReleaseRestoresTheFirstPicture) {
-  plane_.press_mm = 6;
-  input_.patientFromProbe = plane_.patientFromProbe();
   EXPECT_TRUE(pressed(6).moved);
-  plane_.press_mm = 0;
-  input_.patientFromProbe = plane_.patientFromProbe();
-  model_->solve(input_, answer_);
+  pressed(0);
   EXPECT_FALSE(answer_.moved);
   EXPECT_TRUE(answer_.displacement.empty());
 }

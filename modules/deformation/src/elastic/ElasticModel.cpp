@@ -133,7 +133,7 @@ class ElasticModel final : public DeformationModel {
       return;
     }
     InverseMapExtent extent;
-    extent.half_mm = mesh_.lines().fineHalf_mm + 5;
+    extent.half_mm = mesh_.lines().across.end_mm() + 5;
     extent.bottom_mm = static_cast<float>(settings_.depth_mm);
     invertMesh(mesh_, now, extent, answer.displacement);
   }

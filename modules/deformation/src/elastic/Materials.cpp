@@ -122,15 +122,19 @@ void Materials::fill(const Mesh& mesh, const MechanicalTable& tissues) {
         mixture.add(vessels[v].wall, wall - inside);
         mixture.add(vessels[v].sheath, shareWithin(distance, reach, across) - wall);
       }
-      Moduli rest4;
-      int found = 0;
-      for (const std::size_t c : corner) {
-        const Label label = knownLabel(tissue[c].label);
-        if (label == kArtery || label == kVein) continue;
-        rest4.mu += solid[label].mu, rest4.bulk += solid[label].bulk, ++found;
-      }
-      if (found == 0) rest4 = solid[kSoftTissue], found = 1;
-      mixture.add({rest4.mu / found, rest4.bulk / found}, 1);
+      // What is left is what the cell's middle is made of, and its corners as much together.
+      Moduli left;
+      float weight = 0;
+      const auto take = [&](std::uint8_t at, float share) {
+        const Label label = knownLabel(at);
+        if (label == kArtery || label == kVein) return;
+        left.mu += share * solid[label].mu, left.bulk += share * solid[label].bulk;
+        weight += share;
+      };
+      take(mesh.middle()[n].label, 4);
+      for (const std::size_t c : corner) take(tissue[c].label, 1);
+      if (weight == 0) left = solid[kSoftTissue], weight = 1;
+      mixture.add({left.mu / weight, left.bulk / weight}, 1);
       mu[n] = mixture.sum.mu;
       bulk[n] = mixture.sum.bulk;
     }

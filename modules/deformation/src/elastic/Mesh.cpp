@@ -1,16 +1,16 @@
 #include "elastic/Mesh.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace insonate::elastic {
 namespace {
 
-constexpr float kQuantum_mm = 2;  // of what is fine, so that the mesh keeps its size while the probe moves
-constexpr float kReserve_mm = 4;  // more than needed that is kept
-constexpr float kSteepest = 2;    // of the skin against the face
-constexpr float kReach = 0.45f;   // of a cell: nodes nearer to an outline are moved onto it
+constexpr float kAround_mm = 1.5f;  // of vessels, skin and ends of the face, where cells are fine
+constexpr float kDeepest_mm = 33;   // below the skin; deeper vessels feel little of a probe
+constexpr int kSpareBlocks = 10;    // more than needed that are kept, so that a moving probe keeps its mesh
+constexpr float kSteepest = 2;      // of the skin against the face
+constexpr float kReach = 0.45f;     // of a cell: nodes nearer to an outline are moved onto it
 
 /// How cells grow beyond what is fine.
 struct Growth {
@@ -18,81 +18,116 @@ struct Growth {
 };
 constexpr Growth kAside{1.4f, 12}, kDown{1.25f, 3};
 
-/// Distances from 0: `fine_mm` in cells of h, then growing to `end_mm`.
-std::vector<float> gradedLine(float fine_mm, float h_mm, float end_mm, const Growth& growth) {
-  const int cells = std::max(1, static_cast<int>(std::lround(fine_mm / h_mm)));
-  std::vector<float> line;
-  for (int i = 0; i <= cells; ++i) line.push_back(fine_mm * i / cells);
+/// Cells that grow from `h_mm` until `end_mm`.
+void grow(std::vector<float>& line, float h_mm, float end_mm, const Growth& growth) {
   for (float h = h_mm; line.back() < end_mm;) {
     h = std::min(h * growth.factor, std::max(growth.largest_mm, h_mm));
-    if (end_mm - line.back() < 1.5f * h) {
-      line.push_back(end_mm);
-      break;
-    }
-    line.push_back(line.back() + h);
+    line.push_back(end_mm - line.back() < 1.5f * h ? end_mm : line.back() + h);
+  }
+}
+
+std::vector<float> lineOf(const FineBlocks& blocks) {
+  std::vector<float> line{blocks.first_mm};
+  for (std::size_t k = 0; k < blocks.fine.size(); ++k) {
+    const float from = blocks.first_mm + blocks.size_mm * float(k);
+    if (blocks.fine[k]) line.push_back(from + blocks.size_mm / 2);
+    line.push_back(from + blocks.size_mm);
   }
   return line;
 }
 
-/// What is needed rounded up; the present where it is enough and not far too much.
-float quantised(float needed, float present) {
-  if (present >= needed && present <= needed + kReserve_mm) return present;
-  return kQuantum_mm * std::ceil((needed + 0.5f) / kQuantum_mm);
-}
-
 }  // namespace
 
+void FineBlocks::mark(float from_mm, float to_mm) {
+  const int last = static_cast<int>(fine.size()) - 1;
+  const int from = std::max(0, static_cast<int>(std::floor((from_mm - first_mm) / size_mm)));
+  const int to = std::min(last, static_cast<int>(std::ceil((to_mm - first_mm) / size_mm)) - 1);
+  for (int k = from; k <= to; ++k) fine[k] = 1;
+}
+
+bool FineBlocks::serves(const FineBlocks& needed) const {
+  if (fine.size() != needed.fine.size() || first_mm != needed.first_mm || size_mm != needed.size_mm) return false;
+  int spare = 0;
+  for (std::size_t k = 0; k < fine.size(); ++k) {
+    if (needed.fine[k] && !fine[k]) return false;
+    spare += fine[k] && !needed.fine[k];
+  }
+  return spare <= kSpareBlocks;
+}
+
 void Mesh::chooseLines(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings) {
-  constexpr int kColumns = 21, kRows = 21;
+  constexpr int kColumns = 25, kRows = 24;
   constexpr float kStep_mm = 2;
-  std::array<PlanePoint, kColumns * kRows> at;
-  std::array<PlaneTissue, kColumns * kRows> found;
+  const float depth = static_cast<float>(settings.depth_mm), block = 2 * static_cast<float>(settings.mesh_mm);
+  const float end = static_cast<float>(face.width_mm) / 2;
+  const float half = block * std::ceil(std::max(end + 4, kStep_mm * (kColumns / 2)) / block);
+  FineBlocks across, down;
+  across.first_mm = -half, across.size_mm = down.size_mm = block;
+  across.fine.assign(std::lround(2 * half / block), 0);
+  down.fine.assign(static_cast<int>(std::floor(std::min(0.8f * depth, kDeepest_mm) / block)), 0);
+  down.mark(0, kAround_mm);
+  for (const float x : {-end, end}) across.mark(x - kAround_mm, x + kAround_mm);
+
+  std::vector<float> x(kColumns), skin;
+  for (int i = 0; i < kColumns; ++i) x[i] = float(i - kColumns / 2) * kStep_mm;
+  findSkin(plane, x, skin);
+  points_.resize(std::max(points_.size(), std::size_t(kColumns) * kRows));
+  tissue_.resize(points_.size());
   for (int j = 0; j < kRows; ++j)
-    for (int i = 0; i < kColumns; ++i) at[j * kColumns + i] = {(i - kColumns / 2) * kStep_mm, j * kStep_mm};
-  plane.sample(at, found);
-  float half = static_cast<float>(face.width_mm) / 2 + 4, deepest = 10;
-  for (std::size_t k = 0; k < at.size(); ++k)
-    if (std::min(found[k].artery_mm, found[k].vein_mm) < 1) {
-      half = std::max(half, std::abs(at[k].x_mm) + 2);
-      deepest = std::max(deepest, at[k].z_mm + 3);
-    }
-  const float h = static_cast<float>(settings.mesh_mm), depth = static_cast<float>(settings.depth_mm);
-  half = quantised(half, lines_.fineHalf_mm);
-  deepest = std::min(quantised(deepest, lines_.fineDepth_mm), 0.8f * depth);
-  if (half == lines_.fineHalf_mm && deepest == lines_.fineDepth_mm && lines_.depth_mm.back() == depth) return;
-  lines_.fineHalf_mm = half;
-  lines_.fineDepth_mm = deepest;
-  lines_.depth_mm = gradedLine(deepest, h, depth, kDown);
-  const std::vector<float> right = gradedLine(half, h, half + kBeyond_mm, kAside);
+    for (int i = 0; i < kColumns; ++i) points_[j * kColumns + i] = {x[i], skin[i] + (float(j) + 0.5f) * kStep_mm};
+  plane.sample({points_.data(), kColumns * kRows}, {tissue_.data(), kColumns * kRows});
+  for (int k = 0; k < kColumns * kRows; ++k) {
+    const float near = std::min(tissue_[k].artery_mm, tissue_[k].vein_mm);
+    if (near > 1) continue;
+    const float reach = kAround_mm + std::clamp(near + 1, 0.0f, 1.0f);
+    const float below = (points_[k].z_mm - skin[k % kColumns]) * depth / (depth - skin[k % kColumns]);
+    across.mark(points_[k].x_mm - reach, points_[k].x_mm + reach);
+    down.mark(below - reach, below + reach);
+  }
+  while (down.fine.size() > 10 && !down.fine.back()) down.fine.pop_back();
+  FineBlocks present = lines_.down;
+  present.fine.resize(down.fine.size(), 0);
+  if (!lines_.x_mm.empty() && lines_.across.serves(across) && lines_.down.fine.size() >= down.fine.size() &&
+      lines_.down.fine.size() <= down.fine.size() + kSpareBlocks && present.serves(down) &&
+      lines_.depth_mm.back() == depth)
+    return;
+  lines_.across = across;
+  lines_.down = down;
+  lines_.depth_mm = lineOf(down);
+  grow(lines_.depth_mm, block, depth, kDown);
+  std::vector<float> right{half};
+  grow(right, block, half + kBeyond_mm, kAside);
+  const std::vector<float> middle = lineOf(across);
   lines_.x_mm.clear();
   for (std::size_t i = right.size() - 1; i > 0; --i) lines_.x_mm.push_back(-right[i]);
+  lines_.x_mm.insert(lines_.x_mm.end(), middle.begin(), middle.end() - 1);
   lines_.x_mm.insert(lines_.x_mm.end(), right.begin(), right.end());
 }
 
-void Mesh::findSkin(const TissuePlane& plane) {
-  const int n = columns();
-  skin_.assign(n, 0.0f);
-  points_.resize(std::size_t(n) * rows());
-  tissue_.resize(std::size_t(n) * rows());
+void Mesh::findSkin(const TissuePlane& plane, const std::vector<float>& x_mm, std::vector<float>& skin_mm) {
+  const int n = static_cast<int>(x_mm.size());
+  skin_mm.assign(n, 0.0f);
+  points_.resize(std::max(points_.size(), std::size_t(n)));
+  tissue_.resize(points_.size());
   const std::span<PlanePoint> at(points_.data(), n);
   const std::span<PlaneTissue> found(tissue_.data(), n);
   for (int round = 0; round < 10; ++round) {
-    for (int i = 0; i < n; ++i) at[i] = {lines_.x_mm[i], skin_[i]};
+    for (int i = 0; i < n; ++i) at[i] = {x_mm[i], skin_mm[i]};
     plane.sample(at, found);
-    for (int i = 0; i < n; ++i) skin_[i] = std::clamp(skin_[i] + found[i].skin_mm, -kMostSkin_mm, kMostSkin_mm);
+    for (int i = 0; i < n; ++i) skin_mm[i] = std::clamp(skin_mm[i] + found[i].skin_mm, -kMostSkin_mm, kMostSkin_mm);
   }
-  for (int i = 1; i < n; ++i)
-    skin_[i] = std::min(skin_[i], skin_[i - 1] + kSteepest * (lines_.x_mm[i] - lines_.x_mm[i - 1]));
+  for (int i = 1; i < n; ++i) skin_mm[i] = std::min(skin_mm[i], skin_mm[i - 1] + kSteepest * (x_mm[i] - x_mm[i - 1]));
   for (int i = n - 2; i >= 0; --i)
-    skin_[i] = std::min(skin_[i], skin_[i + 1] + kSteepest * (lines_.x_mm[i + 1] - lines_.x_mm[i]));
+    skin_mm[i] = std::min(skin_mm[i], skin_mm[i + 1] + kSteepest * (x_mm[i + 1] - x_mm[i]));
 }
 
 void Mesh::build(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings) {
-  if (lines_.depth_mm.empty()) lines_.depth_mm = {0};
   chooseLines(plane, face, settings);
-  findSkin(plane);
+  findSkin(plane, lines_.x_mm, skin_);
   const int nx = columns(), nz = rows();
   const std::size_t nodes = std::size_t(nx) * nz;
+  points_.resize(nodes);
+  tissue_.resize(nodes);
   if (rest_.x.size() != nodes + GridMatrix::kPadding) rest_.resize(nodes);
   const float depth = lines_.depth_mm.back();
   for (int j = 0; j < nz; ++j)
@@ -104,6 +139,16 @@ void Mesh::build(const TissuePlane& plane, const ProbeFace& face, const Deformat
     }
   plane.sample(points_, tissue_);
   snap();
+  lookIntoCells(plane);
+}
+
+void Mesh::lookIntoCells(const TissuePlane& plane) {
+  const std::size_t nx = columns(), cells = nx * (rows() - 1) - 1;
+  middle_.resize(cells);
+  for (std::size_t n = 0; n < cells; ++n)
+    points_[n] = {(rest_.x[n] + rest_.x[n + 1] + rest_.x[n + nx] + rest_.x[n + nx + 1]) / 4,
+                  (rest_.z[n] + rest_.z[n + 1] + rest_.z[n + nx] + rest_.z[n + nx + 1]) / 4};
+  plane.sample({points_.data(), cells}, middle_);
 }
 
 void Mesh::snap() {
@@ -111,21 +156,23 @@ void Mesh::snap() {
   for (int j = 1; j + 1 < nz; ++j)
     for (int i = 1; i + 1 < nx; ++i) {
       const std::size_t n = std::size_t(j) * nx + i;
-      PlaneTissue& here = tissue_[n];
+      const PlaneTissue& tissue = tissue_[n];
+      const struct { float x, z; } here{points_[n].x_mm, points_[n].z_mm};
       float PlaneTissue::*nearest = &PlaneTissue::bone_mm;
       for (const auto other : {&PlaneTissue::artery_mm, &PlaneTissue::vein_mm})
-        if (std::abs(here.*other) < std::abs(here.*nearest)) nearest = other;
-      const float distance = here.*nearest;
+        if (std::abs(tissue.*other) < std::abs(tissue.*nearest)) nearest = other;
+      const float distance = tissue.*nearest;
       const PlanePoint *left = &points_[n - 1], *right = &points_[n + 1], *up = &points_[n - nx],
                        *down = &points_[n + nx];
-      const float cell = std::min(right->x_mm - left->x_mm, down->z_mm - up->z_mm) / 2;
+      const float cell = std::min({right->x_mm - here.x, here.x - left->x_mm, down->z_mm - here.z, here.z - up->z_mm});
       if (std::abs(distance) >= kReach * cell) continue;
       // Along x the grid follows the skin, so its lines are not square to each other.
       const float dz = (tissue_[n + nx].*nearest - tissue_[n - nx].*nearest) / (down->z_mm - up->z_mm);
       const float dx = (tissue_[n + 1].*nearest - tissue_[n - 1].*nearest - dz * (right->z_mm - left->z_mm)) /
                        (right->x_mm - left->x_mm);
       const float squared = dx * dx + dz * dz;
-      if (squared < 0.25f) continue;
+      // Elsewhere than at an outline, distances change by less than a millimetre a millimetre.
+      if (squared < 0.25f || std::abs(distance) >= kReach * cell * std::sqrt(squared)) continue;
       rest_.x[n] -= distance * dx / squared;
       rest_.z[n] -= distance * dz / squared;
       snapped_.push_back({n, nearest});

@@ -8,11 +8,22 @@
 
 namespace insonate::elastic {
 
-/// Grid lines of a mesh: columns along x, rows by depth below the skin. Fine under the face and down to below the
-/// vessels, growing beyond.
+/// Which millimetres or so of a line have fine cells.
+struct FineBlocks {
+  std::vector<char> fine;
+  float first_mm = 0, size_mm = 1;
+
+  void mark(float from_mm, float to_mm);
+  /// Whether these do for what is needed, without being far too many.
+  bool serves(const FineBlocks& needed) const;
+  float end_mm() const { return first_mm + size_mm * float(fine.size()); }
+};
+
+/// Grid lines of a mesh: columns along x, rows by depth below the skin. Cells of mesh_mm near vessels, skin and the
+/// ends of the face, twice that between, growing beyond.
 struct MeshLines {
   std::vector<float> x_mm, depth_mm;
-  float fineHalf_mm = 0, fineDepth_mm = 0;  ///< how far it is fine
+  FineBlocks across, down;
 };
 
 /// A mesh of four-node cells that follows the skin: its top row lies on it. Nodes next to the outline of a vessel or a
@@ -30,6 +41,7 @@ class Mesh {
   const MeshLines& lines() const { return lines_; }
   const Nodes& rest() const { return rest_; }
   const std::vector<PlaneTissue>& tissue() const { return tissue_; }  ///< at each node
+  const std::vector<PlaneTissue>& middle() const { return middle_; }  ///< of each cell, numbered as its first node
   const std::vector<float>& skin_mm() const { return skin_; }         ///< z of the top of each column
 
   /// Continuous column and row of a point, kept within the mesh; as if no node had been moved onto an outline.
@@ -40,12 +52,13 @@ class Mesh {
 
  private:
   void chooseLines(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings);
-  void findSkin(const TissuePlane& plane);
+  void findSkin(const TissuePlane& plane, const std::vector<float>& x_mm, std::vector<float>& skin_mm);
   void snap();
+  void lookIntoCells(const TissuePlane& plane);
 
   MeshLines lines_;
   Nodes rest_;
-  std::vector<PlaneTissue> tissue_;
+  std::vector<PlaneTissue> tissue_, middle_;
   std::vector<float> skin_;
   std::vector<PlanePoint> points_;
   struct Snapped {

@@ -210,7 +210,8 @@ Solver::Outcome Solver::solve(const Face& face, Load load, int mostIterations, f
     advance(elements_, at_, step_, share);
     contact_.settle();
     out.shift_mm += share * shiftChange;
-    out.converged = share == 1 && out.iterations > 0 && longest < tolerance_mm && caution_ == 0;
+    // A cautious step is shorter than the way that is left.
+    out.converged = share == 1 && out.iterations > 0 && longest < (caution_ > 0 ? 0.5f : 1.0f) * tolerance_mm;
     cautiousRounds_ = std::max(cautiousRounds_ - 1, 0);
     if (cautiousRounds_ == 0) caution_ = 0;
   }

@@ -134,7 +134,7 @@ class ReferenceModel final : public DeformationModel {
     answer.displacement.restFromSeen.clear();
     if (!answer.moved) return;
     elastic::InverseMapExtent extent;
-    extent.half_mm = mesh.lines().fineHalf_mm + 5;
+    extent.half_mm = mesh.lines().across.end_mm() + 5;
     extent.bottom_mm = static_cast<float>(settings_.depth_mm);
     invertMesh(mesh, now, extent, answer.displacement);
   }
