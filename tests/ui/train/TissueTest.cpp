@@ -2,6 +2,7 @@
 #include "hand/HeldPress.h"
 #include "tissue/AreaPlot.h"
 
+#include <insonate/tissue/Labels.h>
 #include <insonate/views/UltrasoundView.h>
 
 #include <QAction>
@@ -140,6 +141,26 @@ TEST_F(TrainTissue, TheCurveKeepsWhereTheAreasHaveBeenUntilItIsCleared) {
   EXPECT_EQ(plot->points(), 0U);
   key(Qt::Key_K);
   EXPECT_FALSE(plot->isVisible());
+}
+
+TEST_F(TrainTissue, TheCurveLeavesOutWhatAModelOnItsWayExaggerates) {
+  AreaPlot plot;
+  LivePress press;
+  press.lumens = {{kVein, 60, 120}};
+  press.force_N = 1;
+  plot.add(press);
+  EXPECT_EQ(plot.points(), 1U);
+  press.force_N = 80, press.settled = false;
+  plot.add(press);
+  EXPECT_EQ(plot.points(), 1U);
+  press.force_N = 3, press.settled = true;
+  plot.add(press);
+  EXPECT_EQ(plot.points(), 2U);
+  press.force_N = 0;
+  plot.add(press);
+  EXPECT_EQ(plot.points(), 2U) << "nothing presses";
+  for (std::size_t k = 0; k < 2 * AreaPlot::kMost; ++k) press.force_N = 1, plot.add(press);
+  EXPECT_EQ(plot.points(), AreaPlot::kMost);
 }
 
 TEST_F(TrainTissue, HoldingTheKeyPressesSmoothlyUntilItComesUp) {

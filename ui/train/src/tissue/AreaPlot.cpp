@@ -47,6 +47,7 @@ void AreaPlot::grow(const Point& point) {
 void AreaPlot::add(const LivePress& press) {
   show(press);
   if (!presses(press) || (now_.vein < 0 && now_.artery < 0)) return;
+  if (now_.force_N > mostForce_N_) return;
   if (trace_.size() < kMost)
     trace_.push_back(now_);
   else
@@ -56,7 +57,8 @@ void AreaPlot::add(const LivePress& press) {
 
 void AreaPlot::show(const LivePress& press) {
   now_ = pointOf(press);
-  grow(now_);
+  // A model on its way may be far off for a picture: no reason for another scale.
+  if (press.settled) grow(now_);
   describe();
   update();
 }
