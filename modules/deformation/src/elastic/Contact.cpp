@@ -7,7 +7,6 @@ namespace insonate::elastic {
 void Contact::prepare(const Nodes& rest, int columns) {
   columns_ = columns;
   length_.assign(columns, 0.0f);
-  restZ_.assign(rest.z.begin(), rest.z.begin() + columns);
   for (int i = 0; i + 1 < columns; ++i) {
     const float half = (rest.x[i + 1] - rest.x[i]) / 2;
     length_[i] += half;
@@ -15,15 +14,15 @@ void Contact::prepare(const Nodes& rest, int columns) {
   }
 }
 
-void Contact::meet(const Face& face, const Nodes& at, float shift_mm, bool back) {
-  constexpr float kNear_mm = 1.5f;
+void Contact::meet(const Face& face, const Nodes& at) {
   profile_.resize(columns_);
-  touching_.assign(columns_, 0);
-  for (int i = 0; i < columns_; ++i) {
-    profile_[i] = face.at(at.x[i]);
-    const float gap = at.z[i] - profile_[i].z_mm - shift_mm, moved = at.z[i] - restZ_[i];
-    touching_[i] = back && gap < kNear_mm && moved > gap;
-  }
+  if (touched_.size() != std::size_t(columns_)) touched_.assign(columns_, 0);
+  touching_ = touched_;
+  for (int i = 0; i < columns_; ++i) profile_[i] = face.at(at.x[i]);
+}
+
+void Contact::remember(float shift_mm, const Nodes& at) {
+  for (int i = 0; i < columns_; ++i) touched_[i] = profile_[i].under && profile_[i].z_mm + shift_mm > at.z[i];
 }
 
 void Contact::settle() {

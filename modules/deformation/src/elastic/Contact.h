@@ -13,10 +13,13 @@ class Contact {
   static constexpr float kStiffness_kPa_mm = 1500;
 
   void prepare(const Nodes& rest, int columns);
-  /// Takes the face's profile at the nodes' present x; it is kept while they slide along. Nodes that were touching
-  /// before the face moved `back` count as touching in the first round, else the skin would spring back between two
-  /// pictures.
-  void meet(const Face& face, const Nodes& at, float shift_mm, bool back);
+  /// Takes the face's profile at the nodes' present x; it is kept while they slide along. Columns that touched at the
+  /// end of the last solution count as touching in the first round, else the skin would spring back between two
+  /// pictures whenever the face retreats.
+  void meet(const Face& face, const Nodes& at);
+  /// Which columns touch, for the next meet().
+  void remember(float shift_mm, const Nodes& at);
+  void forget() { touched_.clear(); }
   /// The next round: what has come off is let go.
   void settle();
 
@@ -38,9 +41,9 @@ class Contact {
 
  private:
   int columns_ = 0;
-  std::vector<float> length_, restZ_;
+  std::vector<float> length_;
   std::vector<Face::Point> profile_;
-  std::vector<char> touching_;
+  std::vector<char> touching_, touched_;
   bool touches(int column, float depth_mm) const {
     return profile_[column].under && (depth_mm > 0 || touching_[column]);
   }

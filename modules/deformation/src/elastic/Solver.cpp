@@ -59,7 +59,8 @@ void Solver::prepare(const Mesh& mesh, const Materials& materials, const Mechani
     elements_.guarded[n] = materials.mu[n] > 0 && blood < 0.3f ? 1.0f : 0.0f;
   }
   std::fill(dead_.begin(), dead_.end(), 0.0f);
-  start();
+  at_ = rest_;
+  elements_.carried = elements_.base;
   if (materials.anyBlood) {
     if (known)
       prestress_ = *known;
@@ -135,6 +136,7 @@ void Solver::setPressure(const BloodPressure& pressure) {
 }
 
 void Solver::start() {
+  contact_.forget();
   at_ = rest_;
   elements_.carried = elements_.base;
   caution_ = 0;
@@ -189,7 +191,7 @@ bool Solver::inReach() const {
 Solver::Outcome Solver::solve(const Face& face, Load load, int mostIterations, float tolerance_mm) {
   Outcome out;
   out.shift_mm = load.shift_mm;
-  contact_.meet(face, at_, load.shift_mm, true);
+  contact_.meet(face, at_);
   for (; out.iterations < mostIterations && !out.converged; ++out.iterations) {
     system(caution_);
     contact_.add(out.shift_mm, load.sticking, rest_, at_, matrix_, force_);
@@ -211,7 +213,7 @@ Solver::Outcome Solver::solve(const Face& face, Load load, int mostIterations, f
     contact_.settle();
     out.shift_mm += share * shiftChange;
     // A cautious step is shorter than the way that is left.
-    out.converged = share == 1 && out.iterations > 0 && longest < (caution_ > 0 ? 0.5f : 1.0f) * tolerance_mm;
+    out.converged = share == 1 && out.iterations > 0 && longest < (caution_ > 0 ? 0.15f : 1.0f) * tolerance_mm;
     cautiousRounds_ = std::max(cautiousRounds_ - 1, 0);
     if (cautiousRounds_ == 0) caution_ = 0;
   }
@@ -222,6 +224,7 @@ Solver::Outcome Solver::solve(const Face& face, Load load, int mostIterations, f
     return out;
   }
   contact_.settle();
+  contact_.remember(out.shift_mm, at_);
   out.force_kPa_mm = contact_.pressing(out.shift_mm, at_);
   for (std::size_t n = 0; n < elements_.count(); ++n) cellPressure_[n] = elements_.carried[n] - elements_.base[n];
   return out;
