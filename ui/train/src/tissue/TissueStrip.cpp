@@ -15,7 +15,8 @@ namespace insonate::train {
 namespace {
 
 constexpr int kReadable_ms = 150;
-constexpr int kSpace = 12, kSmallSpace = 6;
+constexpr int kSpace = 12, kSmallSpace = 4;
+const QString kShort = QStringLiteral("...");
 
 struct Row {
   const char* object;
@@ -101,10 +102,15 @@ void TissueStrip::reserve() {
   force_->setMinimumWidth(width("88.8 N"));
   indentation_->setMinimumWidth(width("88.8 mm"));
   const int vein_px = width(tr("vein") + area), artery_px = width(tr("artery") + area);
-  const int rest_px = force_->minimumWidth() + indentation_->minimumWidth() + menu_->sizeHint().width() + 16;
+  const int least_px = force_->minimumWidth() + vein_px + artery_px + width(kShort) + 24 + 4 * kSmallSpace + 16;
   // The wide one must not keep its column wide.
-  setMinimumWidth(rest_px + vein_px + artery_px + 5 * kSmallSpace);
-  compact_ = QWidget::width() < rest_px + vein_px + artery_px + 2 * width(cm2) + 5 * kSpace;
+  setMinimumWidth(least_px);
+  const int usual_px = least_px + indentation_->minimumWidth() + width(tr("Tissue"));
+  tight_ = QWidget::width() < usual_px;
+  compact_ = QWidget::width() < usual_px + 2 * width(cm2) + 5 * kSpace;
+  // The panel says how far the probe is in, too.
+  indentation_->setVisible(!tight_);
+  menu_->setText(tight_ ? kShort : tr("Tissue"));
   layout()->setSpacing(compact_ ? kSmallSpace : kSpace);
   vein_->setMinimumWidth(vein_px + (compact_ ? 0 : width(cm2)));
   artery_->setMinimumWidth(artery_px + (compact_ ? 0 : width(cm2)));

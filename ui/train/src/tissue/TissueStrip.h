@@ -47,6 +47,7 @@ class TissueStrip final : public QWidget {
   QLabel *force_, *indentation_, *vein_, *artery_;
   QPushButton* menu_;
   QAction* shows_[kShows] = {};
+  bool tight_ = false;    ///< without what the panel says, too
   bool compact_ = false;  ///< without areas in cm², where there is no room
 };
 
