@@ -24,6 +24,7 @@ TEST(BenchCommand, RefusesFoldersThatCannotBeBeforeAnyWork) {
   const CommandResult aFile = runCommand("bench ultrasound --out " + shellWord(folder / "file"), errors);
   EXPECT_EQ(aFile.status, 1);
   EXPECT_THAT(aFile.errors, HasSubstr("is a file"));
+  EXPECT_EQ(runCommand("bench deformation --out " + shellWord(folder / "file"), errors).status, 1);
 }
 
 TEST(BenchCommand, WrongUsage) {

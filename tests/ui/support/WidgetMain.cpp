@@ -11,8 +11,8 @@
 
 namespace {
 
-/// Comes after the screen, which registers itself before main(), and goes before it. Settings, cache and the user's data
-/// are a folder of this process.
+/// Comes after the screen, which registers itself before main(), and goes before it. Settings, cache and the user's
+/// data are a folder of this process.
 class Application : public testing::Environment {
  public:
   void SetUp() override {
