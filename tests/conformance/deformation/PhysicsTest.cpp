@@ -68,7 +68,7 @@ TEST_P(Physics, TheVeinGivesWayMonotonicallyAndBeforeTheArtery) {
   plane = neckScene();
   double vein = 1.001, artery = 1.001, shift = 0;
   const bool slow = std::string(GetParam()) == "reference";
-  for (const double force_N : slow ? std::vector{0.5, 1.0, 2.0} : std::vector{0.25, 0.5, 1.0, 1.5, 2.0, 3.0}) {
+  for (const double force_N : slow ? std::vector{0.5, 1.0, 1.5} : std::vector{0.25, 0.5, 1.0, 1.5, 2.0, 3.0}) {
     const Deformation answer = solved(0, force_N);
     EXPECT_NEAR(answer.force_N, force_N, 0.01 * force_N);
     EXPECT_GT(answer.faceShift_mm, shift) << force_N;

@@ -11,7 +11,7 @@ namespace {
 
 using namespace elastic;
 
-constexpr float kTolerance_mm = 0.04f;  // of the last step: the one after it would be a tenth of that or less
+constexpr float kTolerance_mm = 0.01f;
 
 /// How far the probe may go before the vessels' prestress is worked out anew; a turn counts at this arm's end.
 constexpr double kStressLasts_mm = 2;

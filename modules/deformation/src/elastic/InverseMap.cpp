@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace insonate::elastic {
 namespace {
@@ -55,6 +56,39 @@ void fillRest(PlaneDisplacement& out) {
   }
 }
 
+/// Where tissue is folded sharply, single points of the lattice may lie on the wrong side of others: they take the mean
+/// of their neighbours, until none does.
+void unfold(PlaneDisplacement& out) {
+  std::vector<int> folded;
+  constexpr int kMostRounds = 30;
+  const int nx = out.columns;
+  const auto step = static_cast<float>(out.step_mm);
+  const auto turned = [&](const PlaneDisplacement::Shift* at) {
+    const auto &a = at[0], &b = at[1], &c = at[nx], &d = at[nx + 1];
+    const float topX = step + b.x_mm - a.x_mm, topZ = b.z_mm - a.z_mm;
+    const float bottomX = step + d.x_mm - c.x_mm, bottomZ = d.z_mm - c.z_mm;
+    const float leftX = c.x_mm - a.x_mm, leftZ = step + c.z_mm - a.z_mm;
+    const float rightX = d.x_mm - b.x_mm, rightZ = step + d.z_mm - b.z_mm;
+    return topX * leftZ <= topZ * leftX || topX * rightZ <= topZ * rightX || bottomX * leftZ <= bottomZ * leftX ||
+           bottomX * rightZ <= bottomZ * rightX;
+  };
+  for (int round = 0; round < kMostRounds; ++round) {
+    folded.clear();
+    for (int r = 0; r + 1 < out.rows; ++r)
+      for (int c = 0; c + 1 < nx; ++c)
+        if (const int k = r * nx + c; turned(&out.restFromSeen[k]))
+          folded.insert(folded.end(), {k, k + 1, k + nx, k + nx + 1});
+    if (folded.empty()) return;
+    for (const int k : folded) {
+      const int c = k % nx, r = k / nx;
+      if (c == 0 || r == 0 || c == nx - 1 || r == out.rows - 1) continue;
+      const auto* at = &out.restFromSeen[k];
+      out.restFromSeen[k] = {(at[-1].x_mm + at[1].x_mm + at[-nx].x_mm + at[nx].x_mm) / 4,
+                             (at[-1].z_mm + at[1].z_mm + at[-nx].z_mm + at[nx].z_mm) / 4};
+    }
+  }
+}
+
 }  // namespace
 
 void invertMesh(const Mesh& mesh, const Nodes& now, const InverseMapExtent& extent, PlaneDisplacement& out) {
@@ -84,6 +118,7 @@ void invertMesh(const Mesh& mesh, const Nodes& now, const InverseMapExtent& exte
       }
     }
   fillRest(out);
+  unfold(out);
 }
 
 }  // namespace insonate::elastic

@@ -7,7 +7,8 @@
 namespace insonate::elastic {
 
 /// A mesh that has moved, seen backwards: a lattice of `step_mm` over the part of the plane within `half_mm` of the
-/// axis and from `top_mm` to `bottom_mm`. Cells that do not turn over make it one-to-one.
+/// axis and from `top_mm` to `bottom_mm`. One-to-one: single points that sharp
+/// folds would turn over are moved between their neighbours.
 struct InverseMapExtent {
   float half_mm = 30, top_mm = -5, bottom_mm = 50, step_mm = 0.5f;
 };

@@ -66,7 +66,9 @@ void Mesh::chooseLines(const TissuePlane& plane, const ProbeFace& face, const De
   across.fine.assign(std::lround(2 * half / block), 0);
   down.fine.assign(static_cast<int>(std::floor(std::min(0.8f * depth, kDeepest_mm) / block)), 0);
   down.mark(0, kAround_mm);
+  // A flat face ends its contact where it ends itself, a round one anywhere.
   for (const float x : {-end, end}) across.mark(x - kAround_mm, x + kAround_mm);
+  if (face.radius_mm > 0) across.mark(-end, end);
 
   std::vector<float> x(kColumns), skin;
   for (int i = 0; i < kColumns; ++i) x[i] = float(i - kColumns / 2) * kStep_mm;

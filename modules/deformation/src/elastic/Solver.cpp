@@ -213,7 +213,7 @@ Solver::Outcome Solver::solve(const Face& face, Load load, int mostIterations, f
     contact_.settle();
     out.shift_mm += share * shiftChange;
     // A cautious step is shorter than the way that is left.
-    out.converged = share == 1 && out.iterations > 0 && longest < (caution_ > 0 ? 0.15f : 1.0f) * tolerance_mm;
+    out.converged = share == 1 && out.iterations > 0 && longest < (caution_ > 0 ? 0.5f : 1.0f) * tolerance_mm;
     cautiousRounds_ = std::max(cautiousRounds_ - 1, 0);
     if (cautiousRounds_ == 0) caution_ = 0;
   }
