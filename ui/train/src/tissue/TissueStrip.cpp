@@ -14,6 +14,8 @@
 namespace insonate::train {
 namespace {
 
+constexpr double kMostUnsettled_N = 6;
+
 constexpr int kReadable_ms = 150;
 constexpr int kSpace = 12, kSmallSpace = 4;
 const QString kShort = QStringLiteral("...");
@@ -131,8 +133,11 @@ void TissueStrip::refresh() {
   setVisible(session_.patient() != nullptr);
   const LivePress* press = session_.shown() ? &session_.shown()->press : nullptr;
   if (press && !presses(*press)) press = nullptr;
-  force_->setText(press ? tr("%1 N").arg(press->force_N, 0, 'f', 1) : QString());
-  force_->setAccessibleName(press ? tr("Force %1 newtons").arg(press->force_N, 0, 'f', 1) : tr("No force"));
+  // A model that does not come to rest has no force to tell: what it gives then may be many times too much.
+  const bool known = press && (press->settled || press->force_N <= kMostUnsettled_N);
+  const QString newtons = known ? QString::number(press->force_N, 'f', 1) : tr("over %1").arg(kMostUnsettled_N);
+  force_->setText(press ? tr("%1 N").arg(newtons) : QString());
+  force_->setAccessibleName(press ? tr("Force %1 newtons").arg(newtons) : tr("No force"));
   const bool inside = press && press->indentation_mm > 0;
   indentation_->setText(inside ? tr("%1 mm").arg(press->indentation_mm, 0, 'f', 1) : QString());
   indentation_->setAccessibleName(inside ? tr("Indentation %1 millimetres").arg(press->indentation_mm, 0, 'f', 1)
