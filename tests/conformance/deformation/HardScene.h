@@ -71,7 +71,7 @@ class HardScene : public testing::Test {
     EXPECT_EQ(wrong, 0) << scene();
     notConverged += !answer.converged;
     folded += folds.folded > 0;
-    if (answer.converged && folds.folded > mostFolds) {
+    if (folds.folded > mostFolds) {
       mostFolds = folds.folded;
       mostFolded = scene();
     }
@@ -84,7 +84,7 @@ class HardScene : public testing::Test {
   }
 
   void TearDown() override {
-    EXPECT_LE(mostFolds, allowedFolds) << mostFolded;
+    EXPECT_EQ(mostFolds, 0) << mostFolded;
     RecordProperty("asked", asked);
     RecordProperty("not_converged", notConverged);
     RecordProperty("folded", folded);
@@ -97,7 +97,6 @@ class HardScene : public testing::Test {
   std::unique_ptr<DeformationModel> model;
   DeformationInput input;
   Deformation answer;
-  int allowedFolds = 12;  ///< of some 10 000 points
   int asked = 0, notConverged = 0, folded = 0, mostFolds = 0;
   std::string mostFolded;
 };

@@ -62,7 +62,6 @@ TEST_F(HardScenes, RandomMoves) {
 }
 
 TEST_F(HardScenes, OffTheBodyAndInsideIt) {
-  allowedFolds = 150;
   plane.tissue.rightEnd_mm = 0;  // half of the face hangs in the air
   for (const double press_mm : {1.0, 4.0, 7.0}) ask(press_mm);
   plane.tissue.rightEnd_mm = -200;
@@ -137,7 +136,6 @@ TEST_F(HardScenes, RandomTissue) {
     }
   }
   EXPECT_LT(notConverged, 36);
-  allowedFolds = 200;
 }
 
 }  // namespace

@@ -9,7 +9,6 @@ using ManyMoves = HardScene;
 
 /// As a live picture asks: few iterations, and the next question goes on from there. Mostly small moves, some anywhere.
 TEST_F(ManyMoves, TenThousand) {
-  allowedFolds = 500;
   make(8, 2);
   std::mt19937 random(17);
   const auto uniform = [&](double low, double high) {

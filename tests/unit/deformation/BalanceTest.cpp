@@ -23,7 +23,7 @@ class Balance : public testing::Test {
   MechanicalTable table = loadMechanicalTable("measured").value();
   BloodPressure blood{table.of(kArtery).pressure_kPa, table.of(kVein).pressure_kPa};
   ProbeFace face;
-  const elastic::Face profile{face};
+  const FaceProfile profile{face};
   elastic::Mesh mesh;
   elastic::Materials materials;
 };

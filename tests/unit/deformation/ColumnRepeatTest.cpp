@@ -1,5 +1,5 @@
-#include "Allocations.h"
 #include "ColumnRig.h"
+#include "support/Allocations.h"
 
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+#include "support/Allocations.h"
 #include "support/AnalyticPlane.h"
 
 #include <insonate/deformation/DeformationModel.h>
@@ -79,6 +80,37 @@ TEST_F(Elastic, ReleaseRestoresTheFirstPicture) {
   pressed(0);
   EXPECT_FALSE(answer_.moved);
   EXPECT_TRUE(answer_.displacement.empty());
+}
+
+TEST_F(Elastic, AllocatesNothingWhileAPressingProbeKeepsItsMesh) {
+  const auto frame = [&](int k) {
+    plane_.press_mm = 3 + 0.1 * (k % 3);
+    plane_.slide_mm = 0.05 * (k % 4);
+    input_.patientFromProbe = plane_.patientFromProbe();
+    model_->solve(input_, answer_);
+  };
+  for (int k = 0; k < 24; ++k) frame(k);
+  const long before = test::allocations();
+  for (int k = 0; k < 24; ++k) frame(k);
+  EXPECT_EQ(test::allocations() - before, 0);
+}
+
+TEST_F(Elastic, AskedAgainItGivesTheSame) {
+  pressed(4);
+  const Deformation first = answer_;
+  model_->solve(input_, answer_);
+  EXPECT_TRUE(answer_.converged);
+  EXPECT_LE(answer_.iterations, 4);
+  EXPECT_NEAR(answer_.force_N, first.force_N, 0.01 * first.force_N);
+  EXPECT_NEAR(ratio(answer_, kVein), ratio(first, kVein), 0.003);
+}
+
+TEST_F(Elastic, WhereTheVesselsHaveGoneBloodDoesNothing) {
+  input_.pressure.vein_kPa += 0.6;
+  EXPECT_TRUE(pressed(0).moved);
+  plane_.circles.clear();
+  plane_.slide_mm = 1;
+  EXPECT_FALSE(pressed(0).moved);
 }
 
 TEST_F(Elastic, FindsTheShiftForAForce) {

@@ -1,43 +1,11 @@
 #include "DisplaySupport.h"
 #include "SpeckleFrame.h"
+#include "support/Allocations.h"
 
 #include <gmock/gmock.h>
 #include <hwy/targets.h>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
-
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
-namespace {
-std::atomic<long> allocations{0};
-
-void* counted(std::size_t bytes) {
-  ++allocations;
-  if (void* memory = std::malloc(bytes ? bytes : 1)) return memory;
-  throw std::bad_alloc();
-}
-}  // namespace
-
-void* operator new(std::size_t bytes) {
-  return counted(bytes);
-}
-void* operator new[](std::size_t bytes) {
-  return counted(bytes);
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace insonate {
 namespace {
@@ -68,9 +36,9 @@ TEST_P(DisplayRepeat, NothingIsAllocatedPerPicture) {
   Display live(probe, settings);
   BModeImage image;
   live.process(frame, image);
-  const long before = allocations;
+  const long before = test::allocations();
   for (int i = 0; i < 3; ++i) live.process(frame, image);
-  EXPECT_EQ(allocations - before, 0);
+  EXPECT_EQ(test::allocations() - before, 0);
 }
 
 TEST_P(DisplayRepeat, PictureDoesNotDependOnThreads) {

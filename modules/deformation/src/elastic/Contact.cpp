@@ -14,7 +14,7 @@ void Contact::prepare(const Nodes& rest, int columns) {
   }
 }
 
-void Contact::meet(const Face& face, const Nodes& at) {
+void Contact::meet(const FaceProfile& face, const Nodes& at) {
   profile_.resize(columns_);
   if (touched_.size() != std::size_t(columns_)) touched_.assign(columns_, 0);
   touching_ = touched_;
@@ -32,7 +32,7 @@ void Contact::settle() {
 void Contact::add(float shift_mm, bool sticking, const Nodes& rest, const Nodes& at, GridMatrix& matrix,
                   std::vector<float>& force) const {
   for (int i = 0; i < columns_; ++i) {
-    const Face::Point p = profile_[i];
+    const FaceProfile::Point p = profile_[i];
     const float depth = p.z_mm + shift_mm - at.z[i];
     if (!touches(i, depth)) continue;
     const float k = kStiffness_kPa_mm * length_[i];
@@ -48,7 +48,7 @@ void Contact::add(float shift_mm, bool sticking, const Nodes& rest, const Nodes&
 float Contact::pressing(float shift_mm, const Nodes& at) const {
   double sum = 0;
   for (int i = 0; i < columns_; ++i) {
-    const Face::Point p = profile_[i];
+    const FaceProfile::Point p = profile_[i];
     const float depth = p.z_mm + shift_mm - at.z[i];
     if (touches(i, depth)) sum += double(kStiffness_kPa_mm) * length_[i] * depth;
   }
@@ -57,7 +57,7 @@ float Contact::pressing(float shift_mm, const Nodes& at) const {
 
 void Contact::pushByShift(float shift_mm, const Nodes& at, std::vector<float>& force) const {
   for (int i = 0; i < columns_; ++i) {
-    const Face::Point p = profile_[i];
+    const FaceProfile::Point p = profile_[i];
     if (!touches(i, p.z_mm + shift_mm - at.z[i])) continue;
     const float k = kStiffness_kPa_mm * length_[i];
     force[2 * i + 1] += k;

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "elastic/Elements.h"
-#include "elastic/Face.h"
+
+#include <insonate/deformation/FaceProfile.h>
 
 #include <vector>
 
@@ -16,7 +17,7 @@ class Contact {
   /// Takes the face's profile at the nodes' present x; it is kept while they slide along. Columns that touched at the
   /// end of the last solution count as touching in the first round, else the skin would spring back between two
   /// pictures whenever the face retreats.
-  void meet(const Face& face, const Nodes& at);
+  void meet(const FaceProfile& face, const Nodes& at);
   /// Which columns touch, for the next meet().
   void remember(float shift_mm, const Nodes& at);
   void forget() { touched_.clear(); }
@@ -42,7 +43,7 @@ class Contact {
  private:
   int columns_ = 0;
   std::vector<float> length_;
-  std::vector<Face::Point> profile_;
+  std::vector<FaceProfile::Point> profile_;
   std::vector<char> touching_, touched_;
   bool touches(int column, float depth_mm) const {
     return profile_[column].under && (depth_mm > 0 || touching_[column]);

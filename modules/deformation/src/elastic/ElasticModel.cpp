@@ -28,7 +28,7 @@ class ElasticModel final : public DeformationModel {
   void solve(const DeformationInput& input, Deformation& answer) override {
     const bool carried = place(input);
     solver_.setPressure(input.pressure);
-    const Face face(input.face);
+    const FaceProfile face(input.face);
     if (input.force_N <= 0 && solver_.atRestPressure() && !touchesAtRest(face)) {
       solved_ = false;
       describe(input, {0, true, true, 0, 0}, answer);
@@ -57,7 +57,8 @@ class ElasticModel final : public DeformationModel {
   /// Mesh and stiffness for where the probe is now. True where the last solution has been carried over.
   bool place(const DeformationInput& input) {
     const bool same = known_ && input.patientFromProbe && last_ && *last_ == *input.patientFromProbe &&
-                      plane_ == input.plane && face_.width_mm == input.face.width_mm;
+                      plane_ == input.plane && face_.width_mm == input.face.width_mm &&
+                      face_.radius_mm == input.face.radius_mm;
     plane_ = input.plane;
     face_ = input.face;
     if (same) return solved_;
@@ -88,9 +89,10 @@ class ElasticModel final : public DeformationModel {
     return false;
   }
 
-  bool touchesAtRest(const Face& face) {
+  bool touchesAtRest(const FaceProfile& face) {
     for (int i = 0; i < mesh_.columns(); ++i)
-      if (const Face::Point p = face.at(mesh_.rest().x[i]); p.under && p.z_mm > mesh_.rest().z[i] + 1e-3f) return true;
+      if (const FaceProfile::Point p = face.at(mesh_.rest().x[i]); p.under && p.z_mm > mesh_.rest().z[i] + 1e-3f)
+        return true;
     return false;
   }
 
@@ -135,7 +137,7 @@ class ElasticModel final : public DeformationModel {
     InverseMapExtent extent;
     extent.half_mm = mesh_.lines().across.end_mm() + 5;
     extent.bottom_mm = static_cast<float>(settings_.depth_mm);
-    invertMesh(mesh_, now, extent, answer.displacement);
+    invertMesh(mesh_, now, extent, folded_, answer.displacement);
   }
 
   MechanicalTable tissues_;
@@ -146,6 +148,7 @@ class ElasticModel final : public DeformationModel {
   Transform stressFound_;
   Materials materials_;
   Solver solver_;
+  std::vector<int> folded_;
   std::optional<Transform> last_;
   const TissuePlane* plane_ = nullptr;
   ProbeFace face_;

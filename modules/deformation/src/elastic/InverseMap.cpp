@@ -58,9 +58,8 @@ void fillRest(PlaneDisplacement& out) {
 
 /// Where tissue is folded sharply, single points of the lattice may lie on the wrong side of others: they take the mean
 /// of their neighbours, until none does.
-void unfold(PlaneDisplacement& out) {
-  std::vector<int> folded;
-  constexpr int kMostRounds = 30;
+void unfold(PlaneDisplacement& out, std::vector<int>& folded) {
+  constexpr int kMostRounds = 200;
   const int nx = out.columns;
   const auto step = static_cast<float>(out.step_mm);
   const auto turned = [&](const PlaneDisplacement::Shift* at) {
@@ -81,17 +80,19 @@ void unfold(PlaneDisplacement& out) {
     if (folded.empty()) return;
     for (const int k : folded) {
       const int c = k % nx, r = k / nx;
-      if (c == 0 || r == 0 || c == nx - 1 || r == out.rows - 1) continue;
       const auto* at = &out.restFromSeen[k];
-      out.restFromSeen[k] = {(at[-1].x_mm + at[1].x_mm + at[-nx].x_mm + at[nx].x_mm) / 4,
-                             (at[-1].z_mm + at[1].z_mm + at[-nx].z_mm + at[nx].z_mm) / 4};
+      const auto &left = at[c > 0 ? -1 : 0], &right = at[c + 1 < nx ? 1 : 0];
+      const auto &above = at[r > 0 ? -nx : 0], &below = at[r + 1 < out.rows ? nx : 0];
+      out.restFromSeen[k] = {(left.x_mm + right.x_mm + above.x_mm + below.x_mm) / 4,
+                             (left.z_mm + right.z_mm + above.z_mm + below.z_mm) / 4};
     }
   }
 }
 
 }  // namespace
 
-void invertMesh(const Mesh& mesh, const Nodes& now, const InverseMapExtent& extent, PlaneDisplacement& out) {
+void invertMesh(const Mesh& mesh, const Nodes& now, const InverseMapExtent& extent, std::vector<int>& folded,
+                PlaneDisplacement& out) {
   out.step_mm = extent.step_mm;
   out.left_mm = -extent.half_mm;
   out.top_mm = extent.top_mm;
@@ -118,7 +119,7 @@ void invertMesh(const Mesh& mesh, const Nodes& now, const InverseMapExtent& exte
       }
     }
   fillRest(out);
-  unfold(out);
+  unfold(out, folded);
 }
 
 }  // namespace insonate::elastic

@@ -12,6 +12,8 @@ namespace insonate::elastic {
 struct InverseMapExtent {
   float half_mm = 30, top_mm = -5, bottom_mm = 50, step_mm = 0.5f;
 };
-void invertMesh(const Mesh& mesh, const Nodes& now, const InverseMapExtent& extent, PlaneDisplacement& displacement);
+/// `folded` is a buffer.
+void invertMesh(const Mesh& mesh, const Nodes& now, const InverseMapExtent& extent, std::vector<int>& folded,
+                PlaneDisplacement& displacement);
 
 }  // namespace insonate::elastic

@@ -82,6 +82,7 @@ void Materials::fill(const Mesh& mesh, const MechanicalTable& tissues) {
   const std::size_t size = std::size_t(nx) * nz + GridMatrix::kPadding;
   for (auto* v : {&mu, &bulk, &artery, &vein, &arteryBlood, &veinBlood}) v->assign(size, 0.0f);
   fixed.assign(std::size_t(nx) * nz, 0);
+  anyBlood = false;
   std::array<Moduli, kLabelCount> solid;
   std::array<bool, kLabelCount> rigid;
   for (int l = 0; l < kLabelCount; ++l) {

@@ -6,11 +6,11 @@
 namespace insonate::elastic {
 namespace {
 
-constexpr float kAround_mm = 1.5f;  // of vessels, skin and ends of the face, where cells are fine
-constexpr float kDeepest_mm = 33;   // below the skin; deeper vessels feel little of a probe
-constexpr int kSpareBlocks = 10;    // more than needed that are kept, so that a moving probe keeps its mesh
-constexpr float kSteepest = 2;      // of the skin against the face
-constexpr float kReach = 0.45f;     // of a cell: nodes nearer to an outline are moved onto it
+constexpr float kAround_mm = 1.5f;        // of vessels, skin and ends of the face, where cells are fine
+constexpr float kDeepest_mm = 33;         // below the skin; deeper vessels feel little of a probe
+constexpr std::size_t kSpareBlocks = 10;  // more than needed that are kept, so that a moving probe keeps its mesh
+constexpr float kSteepest = 2;            // of the skin against the face
+constexpr float kReach = 0.45f;           // of a cell: nodes nearer to an outline are moved onto it
 
 /// How cells grow beyond what is fine.
 struct Growth {
@@ -46,22 +46,28 @@ void FineBlocks::mark(float from_mm, float to_mm) {
 }
 
 bool FineBlocks::serves(const FineBlocks& needed) const {
-  if (fine.size() != needed.fine.size() || first_mm != needed.first_mm || size_mm != needed.size_mm) return false;
-  int spare = 0;
-  for (std::size_t k = 0; k < fine.size(); ++k) {
+  if (first_mm != needed.first_mm || size_mm != needed.size_mm || fine.size() < needed.fine.size()) return false;
+  std::size_t spare = fine.size() - needed.fine.size();
+  for (std::size_t k = 0; k < needed.fine.size(); ++k) {
     if (needed.fine[k] && !fine[k]) return false;
     spare += fine[k] && !needed.fine[k];
   }
   return spare <= kSpareBlocks;
 }
 
-void Mesh::chooseLines(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings) {
+/// From a coarse look at the plane.
+void Mesh::findNeed(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings) {
   constexpr int kColumns = 25, kRows = 24;
   constexpr float kStep_mm = 2;
+  static const std::vector<float> kX_mm = [] {
+    std::vector<float> x;
+    for (int i = 0; i < kColumns; ++i) x.push_back(float(i - kColumns / 2) * kStep_mm);
+    return x;
+  }();
   const float depth = static_cast<float>(settings.depth_mm), block = 2 * static_cast<float>(settings.mesh_mm);
   const float end = static_cast<float>(face.width_mm) / 2;
-  const float half = block * std::ceil(std::max(end + 4, kStep_mm * (kColumns / 2)) / block);
-  FineBlocks across, down;
+  const float half = block * std::ceil(std::max(end + 4, kX_mm.back()) / block);
+  FineBlocks &across = needed_.across, &down = needed_.down;
   across.first_mm = -half, across.size_mm = down.size_mm = block;
   across.fine.assign(std::lround(2 * half / block), 0);
   down.fine.assign(static_cast<int>(std::floor(std::min(0.8f * depth, kDeepest_mm) / block)), 0);
@@ -70,36 +76,36 @@ void Mesh::chooseLines(const TissuePlane& plane, const ProbeFace& face, const De
   for (const float x : {-end, end}) across.mark(x - kAround_mm, x + kAround_mm);
   if (face.radius_mm > 0) across.mark(-end, end);
 
-  std::vector<float> x(kColumns), skin;
-  for (int i = 0; i < kColumns; ++i) x[i] = float(i - kColumns / 2) * kStep_mm;
-  findSkin(plane, x, skin);
+  findSkin(plane, kX_mm, skin_);
   points_.resize(std::max(points_.size(), std::size_t(kColumns) * kRows));
   tissue_.resize(points_.size());
   for (int j = 0; j < kRows; ++j)
-    for (int i = 0; i < kColumns; ++i) points_[j * kColumns + i] = {x[i], skin[i] + (float(j) + 0.5f) * kStep_mm};
+    for (int i = 0; i < kColumns; ++i) points_[j * kColumns + i] = {kX_mm[i], skin_[i] + (float(j) + 0.5f) * kStep_mm};
   plane.sample({points_.data(), kColumns * kRows}, {tissue_.data(), kColumns * kRows});
   for (int k = 0; k < kColumns * kRows; ++k) {
     const float near = std::min(tissue_[k].artery_mm, tissue_[k].vein_mm);
     if (near > 1) continue;
     const float reach = kAround_mm + std::clamp(near + 1, 0.0f, 1.0f);
-    const float below = (points_[k].z_mm - skin[k % kColumns]) * depth / (depth - skin[k % kColumns]);
+    const float skin = skin_[k % kColumns], below = (points_[k].z_mm - skin) * depth / (depth - skin);
     across.mark(points_[k].x_mm - reach, points_[k].x_mm + reach);
     down.mark(below - reach, below + reach);
   }
   while (down.fine.size() > 10 && !down.fine.back()) down.fine.pop_back();
-  FineBlocks present = lines_.down;
-  present.fine.resize(down.fine.size(), 0);
-  if (!lines_.x_mm.empty() && lines_.across.serves(across) && lines_.down.fine.size() >= down.fine.size() &&
-      lines_.down.fine.size() <= down.fine.size() + kSpareBlocks && present.serves(down) &&
+}
+
+void Mesh::chooseLines(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings) {
+  findNeed(plane, face, settings);
+  const float depth = static_cast<float>(settings.depth_mm);
+  if (!lines_.x_mm.empty() && lines_.across.serves(needed_.across) && lines_.down.serves(needed_.down) &&
       lines_.depth_mm.back() == depth)
     return;
-  lines_.across = across;
-  lines_.down = down;
-  lines_.depth_mm = lineOf(down);
-  grow(lines_.depth_mm, block, depth, kDown);
-  std::vector<float> right{half};
-  grow(right, block, half + kBeyond_mm, kAside);
-  const std::vector<float> middle = lineOf(across);
+  lines_.across = needed_.across;
+  lines_.down = needed_.down;
+  lines_.depth_mm = lineOf(lines_.down);
+  grow(lines_.depth_mm, lines_.down.size_mm, depth, kDown);
+  std::vector<float> right{lines_.across.end_mm()};
+  grow(right, lines_.across.size_mm, right.front() + kBeyond_mm, kAside);
+  const std::vector<float> middle = lineOf(lines_.across);
   lines_.x_mm.clear();
   for (std::size_t i = right.size() - 1; i > 0; --i) lines_.x_mm.push_back(-right[i]);
   lines_.x_mm.insert(lines_.x_mm.end(), middle.begin(), middle.end() - 1);

@@ -14,7 +14,7 @@ struct FineBlocks {
   float first_mm = 0, size_mm = 1;
 
   void mark(float from_mm, float to_mm);
-  /// Whether these do for what is needed, without being far too many.
+  /// Whether these do for what is needed, which may end earlier, without being far too many.
   bool serves(const FineBlocks& needed) const;
   float end_mm() const { return first_mm + size_mm * float(fine.size()); }
 };
@@ -33,7 +33,7 @@ class Mesh {
   static constexpr float kBeyond_mm = 70;    ///< tissue that is meshed beyond the face, each way
   static constexpr float kMostSkin_mm = 25;  ///< skin further than this off the face is not looked for
 
-  /// Allocates only where the number of columns or rows changes.
+  /// Allocates only where other parts of the plane come to need fine cells.
   void build(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings);
 
   int columns() const { return static_cast<int>(lines_.x_mm.size()); }
@@ -51,6 +51,7 @@ class Mesh {
   Place placeOf(float x_mm, float z_mm) const;
 
  private:
+  void findNeed(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings);
   void chooseLines(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings);
   void findSkin(const TissuePlane& plane, const std::vector<float>& x_mm, std::vector<float>& skin_mm);
   void snap();
@@ -60,6 +61,9 @@ class Mesh {
   Nodes rest_;
   std::vector<PlaneTissue> tissue_, middle_;
   std::vector<float> skin_;
+  struct {
+    FineBlocks across, down;
+  } needed_;
   std::vector<PlanePoint> points_;
   struct Snapped {
     std::size_t node;

@@ -188,7 +188,7 @@ bool Solver::inReach() const {
   return true;
 }
 
-Solver::Outcome Solver::solve(const Face& face, Load load, int mostIterations, float tolerance_mm) {
+Solver::Outcome Solver::solve(const FaceProfile& face, Load load, int mostIterations, float tolerance_mm) {
   Outcome out;
   out.shift_mm = load.shift_mm;
   contact_.meet(face, at_);

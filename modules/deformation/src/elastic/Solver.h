@@ -47,7 +47,7 @@ class Solver {
     bool converged = false, finite = false;
     float shift_mm = 0, force_kPa_mm = 0;
   };
-  Outcome solve(const Face& face, Load load, int mostIterations, float tolerance_mm);
+  Outcome solve(const FaceProfile& face, Load load, int mostIterations, float tolerance_mm);
 
   bool atRestPressure() const { return atRestPressure_; }
   const Elements& elements() const { return elements_; }

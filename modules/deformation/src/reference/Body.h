@@ -1,7 +1,8 @@
 #pragma once
 
-#include "elastic/Face.h"
 #include "elastic/Materials.h"
+
+#include <insonate/deformation/FaceProfile.h>
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>

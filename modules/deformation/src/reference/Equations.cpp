@@ -44,7 +44,7 @@ Tension tensionOf(const Cell& cell, const BloodPressure& blood, double area_mm2)
 
 Touch touchOf(const Body& body, const Vector& at, const Load& load, int column) {
   if (!load.face) return {};
-  const elastic::Face::Point profile = load.face->at(static_cast<float>(load.meeting[2 * column]));
+  const FaceProfile::Point profile = load.face->at(static_cast<float>(load.meeting[2 * column]));
   const double depth = profile.z_mm + load.shift_mm - at[2 * column + 1];
   if (!profile.under || depth <= 0) return {};
   const double left = body.rest[2 * std::max(column - 1, 0)];

@@ -7,8 +7,8 @@ namespace insonate::reference {
 /// What acts on a body besides its own stresses.
 struct Load {
   BloodPressure blood;
-  const elastic::Face* face = nullptr;  ///< none: nothing presses
-  double shift_mm = 0;                  ///< of the face along z
+  const FaceProfile* face = nullptr;  ///< none: nothing presses
+  double shift_mm = 0;                ///< of the face along z
   /// Where nodes meet the face's profile: at their x here, while they move on. Nodes that followed it within one solve
   /// would touch the face's edge and come off it by turns. Empty: where they are when a solve begins.
   Vector meeting = Vector();

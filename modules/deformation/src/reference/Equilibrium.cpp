@@ -108,7 +108,7 @@ double Equilibrium::missedBy(const Load& load) const {
     if (touchOf(body_, state.at, load, column).depth_mm <= 0) continue;
     const auto met = load.face->at(static_cast<float>(load.meeting[2 * column]));
     const auto now = load.face->at(static_cast<float>(state.at[2 * column]));
-    missed = std::max<double>(missed, now.under ? std::abs(now.z_mm - met.z_mm) : elastic::Face::kEndRadius_mm);
+    missed = std::max<double>(missed, now.under ? std::abs(now.z_mm - met.z_mm) : FaceProfile::kEndRadius_mm);
   }
   return missed;
 }

@@ -33,7 +33,7 @@ class ReferenceModel final : public DeformationModel {
     elastic::Materials materials;
     materials.fill(mesh, tissues_);
     atRest_ = {tissues_.of(kArtery).pressure_kPa, tissues_.of(kVein).pressure_kPa};
-    const elastic::Face face(input.face);
+    const FaceProfile face(input.face);
     const Body body = makeBody(mesh, materials, atRest_);
     Equilibrium equilibrium(body);
     answer.iterations = 0;
@@ -51,7 +51,7 @@ class ReferenceModel final : public DeformationModel {
 
  private:
   /// How far the face lies in the tissue at rest.
-  static double deepest(const Body& body, const elastic::Face& face) {
+  static double deepest(const Body& body, const FaceProfile& face) {
     double depth = 0;
     for (int i = 0; i < body.columns; ++i)
       if (const auto p = face.at(static_cast<float>(body.rest[2 * i])); p.under)
@@ -60,7 +60,7 @@ class ReferenceModel final : public DeformationModel {
   }
 
   /// A part of the load: the face comes from where it just touches, and pressures change with it.
-  Load partOf(double part, const DeformationInput& input, const elastic::Face& face) const {
+  Load partOf(double part, const DeformationInput& input, const FaceProfile& face) const {
     Load load;
     load.blood.artery_kPa = std::lerp(atRest_.artery_kPa, input.pressure.artery_kPa, part);
     load.blood.vein_kPa = std::lerp(atRest_.vein_kPa, input.pressure.vein_kPa, part);
@@ -71,7 +71,7 @@ class ReferenceModel final : public DeformationModel {
   }
 
   /// Raises the load in steps, which become smaller where one fails. What was reached last is the answer.
-  void raiseLoad(const DeformationInput& input, const elastic::Face& face, Equilibrium& equilibrium,
+  void raiseLoad(const DeformationInput& input, const FaceProfile& face, Equilibrium& equilibrium,
                  Deformation& answer) {
     const double force_kPa_mm = std::max(input.force_N, 0.0) * 1000 / input.face.footprint_mm;
     const double steps = input.force_N > 0 ? input.force_N / kForceStep_N : deepest_mm_ / kPressStep_mm;
@@ -136,7 +136,8 @@ class ReferenceModel final : public DeformationModel {
     elastic::InverseMapExtent extent;
     extent.half_mm = mesh.lines().across.end_mm() + 5;
     extent.bottom_mm = static_cast<float>(settings_.depth_mm);
-    invertMesh(mesh, now, extent, answer.displacement);
+    std::vector<int> folded;
+    invertMesh(mesh, now, extent, folded, answer.displacement);
   }
 
   static void describeLumens(const elastic::Materials& materials, const Body& body, const Equilibrium::State& state,

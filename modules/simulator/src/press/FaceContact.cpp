@@ -1,5 +1,7 @@
 #include "press/FaceContact.h"
 
+#include <insonate/deformation/FaceProfile.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,18 +11,8 @@ namespace {
 constexpr float kAbove_mm = 22, kBelow_mm = 40, kStep_mm = 0.5F;
 constexpr int kRows = 1 + static_cast<int>((kAbove_mm + kBelow_mm) / kStep_mm);
 constexpr double kColumn_mm = 1;
-/// The housing's ends are rounded off, up to this steep.
-constexpr double kEndRadius_mm = 3, kEndSine = 0.87;
 /// Tissue over bone is squeezed to a tenth at most.
 constexpr double kSqueezed = 0.9;
-
-double profile(const ProbeFace& face, double x_mm) {
-  const double half = face.width_mm / 2, x = std::abs(x_mm);
-  const double edge = face.radius_mm > 0 ? std::asin(std::min(half / face.radius_mm, 0.99)) : 0;
-  if (x <= half) return face.radius_mm > 0 ? std::sqrt(face.radius_mm * face.radius_mm - x * x) - face.radius_mm : 0;
-  const double sine = std::min(std::sin(edge) + (x - half) / kEndRadius_mm, 0.99);
-  return face.radius_mm * (std::cos(edge) - 1) - kEndRadius_mm * (std::cos(edge) - std::sqrt(1 - sine * sine));
-}
 
 float rowAt(int row) {
   return -kAbove_mm + row * kStep_mm;
@@ -55,12 +47,12 @@ double boneOf(std::span<const PlaneTissue> column, float skin_mm) {
 }  // namespace
 
 FaceContact::FaceContact(const ProbeFace& face) {
-  const double edge = face.radius_mm > 0 ? std::min(face.width_mm / 2 / face.radius_mm, 0.99) : 0;
-  const double half = face.width_mm / 2 + std::max(0.0, kEndSine - edge) * kEndRadius_mm;
+  const FaceProfile profile(face);
+  const float half = profile.reach_mm() - 1e-3F;
   const int count = 1 + static_cast<int>(std::ceil(2 * half / kColumn_mm));
   for (int c = 0; c < count; ++c) {
-    const double x_mm = -half + 2 * half * c / (count - 1);
-    columns_.push_back({static_cast<float>(x_mm), static_cast<float>(profile(face, x_mm))});
+    const float x_mm = -half + 2 * half * static_cast<float>(c) / static_cast<float>(count - 1);
+    columns_.push_back({x_mm, profile.at(x_mm).z_mm});
   }
   for (const Column& column : columns_)
     for (int r = 0; r < kRows; ++r) points_.push_back({column.x_mm, rowAt(r)});
