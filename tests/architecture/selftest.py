@@ -51,6 +51,8 @@ BAD = [
     ("check_public_headers", "modules/surface/include/insonate/surface/X.h", "class vtkPolyData;\n", "library's type"),
     ("check_floors", "ui/views/src/X.cpp", "#include <insonate/ui/Workspace.h>\n", "above it"),
     ("check_floors", "ui/train/src/X.cpp", "#include <insonate/review/X.h>\n", "own floor"),
+    ("check_public_headers", "modules/gpu/include/insonate/gpu/X.h", "#include <epoxy/gl.h>\n", "OpenGL"),
+    ("check_toolkits", "modules/ultrasound/src/X.cpp", "#include <GL/gl.h>\n", "belongs in gpu"),
     ("check_toolkits", "ui/views/src/X.cpp", "#include <QWidget>\n", "views know VTK only"),
     ("check_toolkits", "modules/ultrasound/src/X.cpp", "#include <QWidget>\n", "without Qt"),
     ("check_toolkits", "modules/curriculum/src/X.cpp", "#include <QtWidgets/QLabel>\n", "without Qt"),
