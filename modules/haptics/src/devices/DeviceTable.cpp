@@ -1,29 +1,31 @@
 #include <insonate/core/Words.h>
 #include <insonate/embedded/haptic_devices.h>
 #include <insonate/haptics/DeviceTable.h>
+
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 namespace insonate {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::array<std::pair<std::string_view, Quantity>, 12> kQuantities{
-    {{"encoder", Quantity::kEncoder},
-     {"position", Quantity::kPosition},
-     {"quaternion", Quantity::kQuaternion},
-     {"deflection", Quantity::kDeflection},
-     {"buttons", Quantity::kButtons},
-     {"key", Quantity::kKey},
-     {"status", Quantity::kStatus},
-     {"sequence", Quantity::kSequence},
-     {"time", Quantity::kTime},
-     {"force", Quantity::kForce},
-     {"torque", Quantity::kTorque},
-     {"current", Quantity::kCurrent}}};
+constexpr std::array<std::pair<std::string_view, Quantity>, 12> kQuantities{{{"encoder", Quantity::kEncoder},
+                                                                             {"position", Quantity::kPosition},
+                                                                             {"quaternion", Quantity::kQuaternion},
+                                                                             {"deflection", Quantity::kDeflection},
+                                                                             {"buttons", Quantity::kButtons},
+                                                                             {"key", Quantity::kKey},
+                                                                             {"status", Quantity::kStatus},
+                                                                             {"sequence", Quantity::kSequence},
+                                                                             {"time", Quantity::kTime},
+                                                                             {"force", Quantity::kForce},
+                                                                             {"torque", Quantity::kTorque},
+                                                                             {"current", Quantity::kCurrent}}};
 
 /// How many of a quantity there are.
 int indicesOf(Quantity quantity) {
@@ -167,6 +169,7 @@ ReportField readField(const Json& json, const std::string& where, const ReportLa
   field.count = fields.whole("count", 1, 64, 1);
   field.usage = fields.whole("usage", 0, 255, 0);
   if (fields.has("unit")) fields.text("unit");
+  if (field.wraps && field.quantity != Quantity::kEncoder) fields.refuse("wraps, but is no encoder");
   if (field.scale == 0) fields.refuse("has scale 0");
   if (field.bit + field.bits * field.count > report.bytes * 8) fields.refuse("reaches beyond its report");
   if (field.quantity == Quantity::kButtons && field.index + field.bits > 32) fields.refuse("has more than 32 buttons");
@@ -202,18 +205,26 @@ ArmTable readArm(const Json& json, std::string& trouble) {
   return arm;
 }
 
-TableLimits readLimits(const Json& json, std::string& trouble) {
-  TableLimits limits;
+DeviceLimits readLimits(const Json& json, std::string& trouble) {
+  DeviceLimits limits;
   Fields fields(json, "'limits'", trouble);
-  limits.axesIn = fields.whole("axes_in", 0, 6);
-  limits.axesOut = fields.whole("axes_out", 0, 6);
+  limits.sensedAxes = fields.whole("sensed_axes", 0, 6);
+  limits.forceAxes = fields.whole("force_axes", 0, 6);
   const auto box = fields.three("workspace_mm", 0, 5000);
   limits.workspace_mm = {box[0], box[1], box[2]};
-  limits.force_N = fields.number("force_N", 0, 100);
-  limits.torque_Nmm = fields.number("torque_Nmm", 0, 10000);
-  limits.stiffness_Npm = fields.number("stiffness_Npm", 0, 100000);
-  limits.damping_Nspm = fields.number("damping_Nspm", 0, 1000);
+  limits.maxForce_N = fields.number("max_force_N", 0, 100, 0);
+  limits.continuousForce_N = fields.number("continuous_force_N", 0, 100, 0);
+  limits.maxTorque_Nmm = fields.number("max_torque_Nmm", 0, 10000, 0);
+  limits.maxStiffness_Npmm = fields.number("max_stiffness_Npmm", 0, 100, 0);
   limits.rate_Hz = fields.number("rate_Hz", 1, 10000);
+  limits.resolution_mm = fields.number("resolution_mm", 0, 10, 0);
+  limits.damping_Nspm = fields.number("damping_Nspm", 0, 1000, 0);
+  limits.friction_N = fields.number("friction_N", 0, 100, 0);
+  limits.mass_kg = fields.number("mass_kg", 0, 100, 0);
+  for (const int axes : {limits.sensedAxes, limits.forceAxes})
+    if (axes != 0 && axes != 3 && axes != 6)
+      fields.refuse("tells of " + std::to_string(axes) + " axes; there are 0, 3 or 6");
+  if (limits.continuousForce_N > limits.maxForce_N) fields.refuse("'continuous_force_N' is above 'max_force_N'");
   return limits;
 }
 
@@ -259,7 +270,7 @@ DeviceTable readTable(const Json& json, std::string& trouble) {
   if (fields.has("arm")) table.arm = readArm(json.at("arm"), trouble);
   table.limits = readLimits(fields.at("limits"), trouble);
   if (table.kind == DeviceKind::kForce && !table.output) fields.refuse("is of a force device, but has no 'output'");
-  if (table.kind == DeviceKind::kForce && table.limits.force_N <= 0) fields.refuse("is of a force device of 0 N");
+  if (table.kind == DeviceKind::kForce && table.limits.maxForce_N <= 0) fields.refuse("is of a force device of 0 N");
   if (table.output && needsArm(*table.output) && !table.arm) fields.refuse("sends currents, but has no 'arm'");
   return table;
 }

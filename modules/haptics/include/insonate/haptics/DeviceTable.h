@@ -2,6 +2,7 @@
 
 #include <insonate/core/Result.h>
 #include <insonate/core/Vec3.h>
+#include <insonate/haptics/DeviceLimits.h>
 
 #include <array>
 #include <cstdint>
@@ -72,15 +73,6 @@ struct ArmTable {
   double mostCurrent_mA = 0;                      ///< through any motor
 };
 
-/// What a device can do, at most.
-struct TableLimits {
-  int axesIn = 0, axesOut = 0;  ///< sensed and driven
-  Vec3 workspace_mm;            ///< edges of the box
-  double force_N = 0, torque_Nmm = 0;
-  double stiffness_Npm = 0, damping_Nspm = 0;  ///< most that stays stable, told by the maker
-  double rate_Hz = 0;                          ///< of reports
-};
-
 /// A kind of device as data: who it is and what its reports mean.
 struct DeviceTable {
   std::string name;
@@ -90,7 +82,7 @@ struct DeviceTable {
   std::vector<ReportLayout> input;
   std::optional<ReportLayout> output;
   std::optional<ArmTable> arm;
-  TableLimits limits;
+  DeviceLimits limits;
 };
 
 /// Reads a table. Refuses, with the field's name: unknown or missing fields, numbers out of range, fields that overlap

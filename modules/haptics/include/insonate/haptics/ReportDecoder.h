@@ -1,0 +1,82 @@
+#pragma once
+
+#include <insonate/core/Vec3.h>
+#include <insonate/haptics/DeviceTable.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace insonate {
+
+/// All that a device's reports have told so far: devices that split their axes over several reports leave the others as
+/// they were.
+struct DeviceReading {
+  std::array<double, 6> encoder{};               ///< counts; those that wrap, since the first report
+  std::optional<Vec3> position_mm;               ///< in the device's frame (DeviceState.h)
+  std::array<double, 4> quaternion{1, 0, 0, 0};  ///< w, x, y, z as told, not normalised
+  std::array<double, 6> deflection{};            ///< -1..1: along x, y, z, then about them
+  std::uint32_t buttons = 0;
+  std::uint32_t status = 0;
+  std::uint32_t sequence = 0;
+  double time_s = 0;  ///< on the device's clock
+};
+
+/// What became of a report.
+enum class ReportFate : std::uint8_t {
+  kTaken,
+  kShort,    ///< fewer bytes than any layout of its id
+  kLong,     ///< more than an exact layout allows
+  kUnknown,  ///< an id that no layout has, or nothing at all
+};
+
+/// Turns reports into a reading, by a table. Nothing allocates and nothing throws. For one device and one thread.
+class ReportDecoder {
+ public:
+  /// `table` outlives the decoder.
+  explicit ReportDecoder(const DeviceTable& table);
+
+  /// A report as hidapi reads it: with its id in front only where the device numbers its reports. Of the layouts of
+  /// one id the longest that fits is taken; bytes beyond it are padding. A report that is not taken changes nothing.
+  ReportFate take(std::span<const std::uint8_t> report) noexcept;
+  const DeviceReading& reading() const noexcept { return reading_; }
+  /// The device was plugged in again: counters start anew, what was pressed is not.
+  void reset() noexcept;
+
+ private:
+  struct Counter {
+    bool known = false;
+    std::uint32_t last = 0;
+    std::int64_t way = 0;
+  };
+
+  const ReportLayout* layoutOf(int id, std::size_t bytes, ReportFate& fate) const noexcept;
+  double valueOf(const ReportField& field, std::uint32_t raw) noexcept;
+  void apply(const ReportField& field, std::span<const std::uint8_t> payload) noexcept;
+
+  const DeviceTable& table_;
+  bool numbered_ = false;
+  DeviceReading reading_;
+  std::array<Counter, 6> counters_{};
+};
+
+/// `bits` bits from `bit` on, least significant first; none beyond the end of `bytes`.
+std::uint32_t bitsAt(std::span<const std::uint8_t> bytes, int bit, int bits) noexcept;
+/// The lower `bits` bits as a two's complement number.
+std::int32_t signedValue(std::uint32_t raw, int bits) noexcept;
+
+/// What goes to a device.
+struct DeviceOutput {
+  Vec3 force_N, torque_Nmm;            ///< device's frame
+  std::array<double, 3> current_mA{};  ///< of the motors
+  std::uint32_t sequence = 0;
+};
+
+/// Writes `output` by `layout` into `report`, the id first, as hidapi wants it (0 where reports have none). Numbers are
+/// rounded to the nearest count and held within what the field can say; those that are not finite become 0. Returns
+/// the bytes used, 0 where `report` is too small.
+std::size_t encodeReport(const ReportLayout& layout, const DeviceOutput& output,
+                         std::span<std::uint8_t> report) noexcept;
+
+}  // namespace insonate

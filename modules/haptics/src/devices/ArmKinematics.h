@@ -1,0 +1,29 @@
+#pragma once
+
+#include <insonate/core/Vec3.h>
+#include <insonate/haptics/DeviceTable.h>
+
+#include <array>
+
+namespace insonate::haptics {
+
+/// Where the end of a three-body arm is, and which motor currents press with a force there. Angles: a of the turret
+/// about the vertical, b of the upper bar from upright, c of the lower bar from hanging. With r = Lb sin b + Lc sin c
+/// the end lies r cos a to the user, r sin a to the right, La + Lb cos b - Lc cos c up.
+class ArmKinematics {
+ public:
+  explicit ArmKinematics(const ArmTable& arm) : arm_(arm) {}
+
+  /// Of the bodies, in radians; counts since the home posture.
+  std::array<double, 3> anglesOf(const std::array<double, 3>& counts) const noexcept;
+  /// In the device's frame: x to the right, y up, z to the user, from the middle of the workspace.
+  Vec3 position_mm(const std::array<double, 3>& angles) const noexcept;
+  /// Torque of each body is the force's part along the way that its angle moves the end. Where a motor would get more
+  /// than its most, all are reduced alike: weaker, but in the same direction.
+  std::array<double, 3> currents_mA(const std::array<double, 3>& angles, Vec3 force_N) const noexcept;
+
+ private:
+  ArmTable arm_;
+};
+
+}  // namespace insonate::haptics
