@@ -12,6 +12,13 @@ void* counted(std::size_t bytes) {
   if (void* memory = std::malloc(bytes ? bytes : 1)) return memory;
   throw std::bad_alloc();
 }
+
+void* counted(std::size_t bytes, std::align_val_t alignment) {
+  ++counter;
+  const auto edge = static_cast<std::size_t>(alignment);
+  if (void* memory = std::aligned_alloc(edge, (bytes + edge - 1) / edge * edge)) return memory;
+  throw std::bad_alloc();
+}
 }  // namespace
 
 void* operator new(std::size_t bytes) {
@@ -19,6 +26,12 @@ void* operator new(std::size_t bytes) {
 }
 void* operator new[](std::size_t bytes) {
   return counted(bytes);
+}
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+  return counted(bytes, alignment);
+}
+void* operator new[](std::size_t bytes, std::align_val_t alignment) {
+  return counted(bytes, alignment);
 }
 void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
   ++counter;
@@ -34,6 +47,18 @@ void operator delete(void* memory, std::size_t) noexcept {
   std::free(memory);
 }
 void operator delete[](void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
   std::free(memory);
 }
 

@@ -8,12 +8,13 @@ namespace insonate::elastic {
 
 void GridFactor::prepare(int columns, int rows) {
   if (columns == order_.columns() && rows == order_.rows()) return;
-  order_ = GridOrder(columns, rows);
+  order_.arrange(columns, rows);
   panels_.assign(order_.factorSize() + GridMatrix::kPadding, 0.0f);
   std::size_t largest = 0;
   for (auto& side : updates_) {
-    side.resize(order_.updateSize().size());
-    for (std::size_t depth = 0; depth < side.size(); ++depth)
+    const std::size_t depths = order_.updateSize().size();
+    side.resize(std::max(side.size(), depths));
+    for (std::size_t depth = 0; depth < depths; ++depth)
       side[depth].assign(order_.updateSize()[depth] + GridMatrix::kPadding, 0.0f);
   }
   for (const GridOrder::Front& front : order_.fronts())

@@ -8,7 +8,7 @@
 namespace insonate::elastic {
 
 /// Cholesky factor of a GridMatrix by fronts (multifrontal method; I. S. Duff and J. K. Reid, ACM TOMS 9, 1983), in
-/// single precision. Allocates only when the grid's size changes.
+/// single precision. Allocates only for a grid larger than those before.
 class GridFactor {
  public:
   void prepare(int columns, int rows);

@@ -18,22 +18,23 @@ int roundedUp(int n) {
 
 }  // namespace
 
-GridOrder::GridOrder(int columns, int rows) : columns_(columns), rows_(rows) {
+void GridOrder::arrange(int columns, int rows) {
+  columns_ = columns, rows_ = rows;
+  fronts_.clear(), parts_.clear(), border_.clear(), runs_.clear(), entries_.clear(), updateSize_.clear();
+  factorSize_ = 0;
+  next_ = 0;
   place_.assign(std::size_t(columns) * rows, -1);
   dissect({0, columns, 0, rows}, 0, 0);
-  for (int f = 0; f < static_cast<int>(fronts_.size()); ++f) close(f, rectangles_[f], own_[f]);
+  for (int f = 0; f < static_cast<int>(fronts_.size()); ++f) close(f);
   for (const Front& front : fronts_)
     for (const int child : front.child)
       if (child >= 0) connect(front, child);
-  rectangles_.clear();
-  own_.clear();
 }
 
 int GridOrder::dissect(Rectangle r, int depth, int side) {
   const int width = r.right - r.left, height = r.bottom - r.top;
   if (width <= 0 || height <= 0) return -1;
   Front front;
-  std::vector<int> own;
   Rectangle line = r;
   if (width * height > kLeafNodes) {
     Rectangle a = r, b = r;
@@ -49,24 +50,20 @@ int GridOrder::dissect(Rectangle r, int depth, int side) {
     front.child[0] = dissect(a, depth + 1, 0);
     front.child[1] = dissect(b, depth + 1, 1);
   }
-  for (int j = line.top; j < line.bottom; ++j)
-    for (int i = line.left; i < line.right; ++i) own.push_back(j * columns_ + i);
   front.depth = depth;
   front.side = side;
   front.first = next_;
-  front.own = 2 * static_cast<int>(own.size());
-  for (const int node : own) {
-    place_[node] = next_;
-    next_ += 2;
-  }
+  for (int j = line.top; j < line.bottom; ++j)
+    for (int i = line.left; i < line.right; ++i, next_ += 2) place_[j * columns_ + i] = next_;
+  front.own = next_ - front.first;
   fronts_.push_back(front);
-  rectangles_.push_back(r);
-  own_.push_back(std::move(own));
+  parts_.push_back({r, line});
   return static_cast<int>(fronts_.size()) - 1;
 }
 
-void GridOrder::close(int f, Rectangle r, const std::vector<int>& ownNodes) {
+void GridOrder::close(int f) {
   Front& front = fronts_[f];
+  const auto& [r, own] = parts_[f];
   front.firstBorder = static_cast<int>(border_.size());
   for (int j = std::max(r.top - 1, 0); j < std::min(r.bottom + 1, rows_); ++j)
     for (int i = std::max(r.left - 1, 0); i < std::min(r.right + 1, columns_); ++i)
@@ -89,22 +86,23 @@ void GridOrder::close(int f, Rectangle r, const std::vector<int>& ownNodes) {
   };
   static constexpr Neighbour kAfter[] = {
       {0, 0, M::Self}, {1, 0, M::East}, {-1, 1, M::SouthWest}, {0, 1, M::South}, {1, 1, M::SouthEast}};
-  for (const int a : ownNodes) {
-    const int i = a % columns_, j = a / columns_;
-    const int row = place_[a] - front.first;
-    const auto add = [&](const Neighbour& n, bool transposed) {
-      const int sign = transposed ? -1 : 1;
-      const int ib = i + sign * n.di, jb = j + sign * n.dj;
-      if (ib < 0 || jb < 0 || ib >= columns_ || jb >= rows_) return;
-      const int b = jb * columns_ + ib;
-      if (place_[b] < place_[a]) return;
-      entries_.push_back({transposed ? b : a, row * front.stride + localPlace(front, place_[b]),
-                          static_cast<std::int8_t>(n.block), transposed});
-    };
-    for (const Neighbour& n : kAfter) add(n, false);
-    for (const Neighbour& n : kAfter)
-      if (n.block != M::Self) add(n, true);
-  }
+  for (int j = own.top; j < own.bottom; ++j)
+    for (int i = own.left; i < own.right; ++i) {
+      const int a = j * columns_ + i;
+      const int row = place_[a] - front.first;
+      const auto add = [&](const Neighbour& n, bool transposed) {
+        const int sign = transposed ? -1 : 1;
+        const int ib = i + sign * n.di, jb = j + sign * n.dj;
+        if (ib < 0 || jb < 0 || ib >= columns_ || jb >= rows_) return;
+        const int b = jb * columns_ + ib;
+        if (place_[b] < place_[a]) return;
+        entries_.push_back({transposed ? b : a, row * front.stride + localPlace(front, place_[b]),
+                            static_cast<std::int8_t>(n.block), transposed});
+      };
+      for (const Neighbour& n : kAfter) add(n, false);
+      for (const Neighbour& n : kAfter)
+        if (n.block != M::Self) add(n, true);
+    }
   front.entries = static_cast<int>(entries_.size()) - front.firstEntry;
 }
 

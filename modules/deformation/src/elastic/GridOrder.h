@@ -34,8 +34,8 @@ class GridOrder {
     bool transposed = false;
   };
 
-  GridOrder() = default;
-  GridOrder(int columns, int rows);
+  /// Of a grid of this size. Keeps its memory: a size not larger than one before allocates nothing.
+  void arrange(int columns, int rows);
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }
@@ -56,7 +56,7 @@ class GridOrder {
     int left, right, top, bottom;  ///< right and bottom are one past the last
   };
   int dissect(Rectangle r, int depth, int side);
-  void close(int front, Rectangle r, const std::vector<int>& ownNodes);
+  void close(int front);
   void connect(const Front& parent, int child);
   int localPlace(const Front& front, int unknown) const;
 
@@ -65,8 +65,10 @@ class GridOrder {
   std::vector<int> border_, place_;
   std::vector<Run> runs_;
   std::vector<Entry> entries_;
-  std::vector<Rectangle> rectangles_;
-  std::vector<std::vector<int>> own_;
+  struct Part {
+    Rectangle whole, own;  ///< what a front and those before it eliminate, and it alone
+  };
+  std::vector<Part> parts_;
   std::size_t factorSize_ = 0;
   std::vector<std::size_t> updateSize_;
   int next_ = 0;

@@ -26,14 +26,13 @@ void grow(std::vector<float>& line, float h_mm, float end_mm, const Growth& grow
   }
 }
 
-std::vector<float> lineOf(const FineBlocks& blocks) {
-  std::vector<float> line{blocks.first_mm};
+/// After where the first block begins, which is there already.
+void addBlocks(std::vector<float>& line, const FineBlocks& blocks) {
   for (std::size_t k = 0; k < blocks.fine.size(); ++k) {
     const float from = blocks.first_mm + blocks.size_mm * float(k);
     if (blocks.fine[k]) line.push_back(from + blocks.size_mm / 2);
     line.push_back(from + blocks.size_mm);
   }
-  return line;
 }
 
 }  // namespace
@@ -101,15 +100,19 @@ void Mesh::chooseLines(const TissuePlane& plane, const ProbeFace& face, const De
     return;
   lines_.across = needed_.across;
   lines_.down = needed_.down;
-  lines_.depth_mm = lineOf(lines_.down);
+  lines_.depth_mm.assign(1, lines_.down.first_mm);
+  addBlocks(lines_.depth_mm, lines_.down);
   grow(lines_.depth_mm, lines_.down.size_mm, depth, kDown);
-  std::vector<float> right{lines_.across.end_mm()};
-  grow(right, lines_.across.size_mm, right.front() + kBeyond_mm, kAside);
-  const std::vector<float> middle = lineOf(lines_.across);
+  // Beside the blocks, the same both ways.
+  const float end_mm = lines_.across.end_mm();
+  aside_.assign(1, end_mm);
+  grow(aside_, lines_.across.size_mm, end_mm + kBeyond_mm, kAside);
   lines_.x_mm.clear();
-  for (std::size_t i = right.size() - 1; i > 0; --i) lines_.x_mm.push_back(-right[i]);
-  lines_.x_mm.insert(lines_.x_mm.end(), middle.begin(), middle.end() - 1);
-  lines_.x_mm.insert(lines_.x_mm.end(), right.begin(), right.end());
+  for (std::size_t i = aside_.size() - 1; i > 0; --i) lines_.x_mm.push_back(-aside_[i]);
+  lines_.x_mm.push_back(lines_.across.first_mm);
+  addBlocks(lines_.x_mm, lines_.across);
+  lines_.x_mm.back() = end_mm;
+  lines_.x_mm.insert(lines_.x_mm.end(), aside_.begin() + 1, aside_.end());
 }
 
 void Mesh::findSkin(const TissuePlane& plane, const std::vector<float>& x_mm, std::vector<float>& skin_mm) {

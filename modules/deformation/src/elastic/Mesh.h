@@ -33,7 +33,7 @@ class Mesh {
   static constexpr float kBeyond_mm = 70;    ///< tissue that is meshed beyond the face, each way
   static constexpr float kMostSkin_mm = 25;  ///< skin further than this off the face is not looked for
 
-  /// Allocates only where other parts of the plane come to need fine cells.
+  /// Allocates only for a mesh larger than those before.
   void build(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings);
 
   int columns() const { return static_cast<int>(lines_.x_mm.size()); }
@@ -65,6 +65,7 @@ class Mesh {
     FineBlocks across, down;
   } needed_;
   std::vector<PlanePoint> points_;
+  std::vector<float> aside_;
   struct Snapped {
     std::size_t node;
     float PlaneTissue::*outline;

@@ -4,23 +4,23 @@
 
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 namespace insonate {
 namespace {
 
 /// Faces, edges and corners of a cube, one of each opposite pair. The cube stands askew in the patient, or a slice
 /// across the neck would lie along one plane of the lattice and have that plane's speckle level.
-std::vector<Vec3> orientations() {
+std::array<Vec3, 13> orientations() {
   const Vec3 axis = normalized({1, 2, 3});
   const double angle = 0.2, c = std::cos(angle), s = std::sin(angle);
-  std::vector<Vec3> axes;
+  std::array<Vec3, 13> axes;
+  std::size_t count = 0;
   for (int x = 0; x <= 1; ++x)
     for (int y = -1; y <= 1; ++y)
       for (int z = -1; z <= 1; ++z) {
         if (x == 0 && (y < 0 || (y == 0 && z <= 0))) continue;
         const Vec3 v = normalized({double(x), double(y), double(z)});
-        axes.push_back(v * c + cross(axis, v) * s + axis * (dot(axis, v) * (1 - c)));  // Rodrigues' rotation
+        axes[count++] = v * c + cross(axis, v) * s + axis * (dot(axis, v) * (1 - c));  // Rodrigues' rotation
       }
   return axes;
 }

@@ -83,9 +83,8 @@ class DeformationModel {
   virtual ~DeformationModel() = default;
   virtual std::string_view name() const = 0;
 
-  /// Solves; allocates nothing once `answer` has its sizes and the mesh keeps
-  /// its own. Always gives an answer that is finite and one-to-one; `converged`
-  /// says how good.
+  /// Solves; allocates nothing once `answer` has its sizes and the mesh is not larger than it has been. Always gives an
+  /// answer that is finite and one-to-one; `converged` says how good.
   virtual void solve(const DeformationInput& input, Deformation& answer) = 0;
 
   /// Forgets the last solution, so that the next starts from rest.
