@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <utility>
+
+namespace insonate {
+
+/// Shows one reader the latest value of one writer, in place: neither copies for the other, waits or allocates. What a
+/// value owns is let go by the writer, as it writes over it. A triple buffer; insonate::Mailbox is for many writers,
+/// and hands a value out only once.
+template <class T>
+class LatestValue {
+ public:
+  /// By the writer.
+  void write(T value) {
+    slots_[back_] = std::move(value);
+    back_ = middle_.exchange(back_ | kFresh, std::memory_order_acq_rel) & kSlot;
+  }
+  /// By the reader: the latest value, or a default one. Stays as it is until the reader reads again.
+  const T& read() noexcept {
+    if (middle_.load(std::memory_order_relaxed) & kFresh)
+      front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kSlot;
+    return slots_[front_];
+  }
+
+ private:
+  static constexpr int kSlot = 3, kFresh = 4;
+  std::array<T, 3> slots_{};
+  std::atomic<int> middle_{1};
+  int back_ = 0, front_ = 2;
+};
+
+}  // namespace insonate

@@ -1,0 +1,102 @@
+#pragma once
+
+#include "needle/ShaftTissue.h"
+#include "needle/Springs.h"
+
+#include <insonate/haptics/LocalModel.h>
+#include <insonate/haptics/NeedleState.h>
+#include <insonate/tissue/NeedleTable.h>
+
+#include <array>
+
+namespace insonate::haptics {
+
+/// Events of one tick; more than fit are counted as lost.
+struct NeedleEvents {
+  std::array<NeedleEvent, 16> list{};
+  int count = 0, lost = 0;
+  void add(const NeedleEvent& event) {
+    if (count < static_cast<int>(list.size()))
+      list[count++] = event;
+    else
+      ++lost;
+  }
+};
+
+/// Force on the needle, patient space, about its tip.
+struct NeedleForce {
+  Vec3 force_N;
+  Vec3 torque_Nmm;
+  Vec3 viscous_N;  ///< the part of force_N that follows speed
+};
+
+/// A needle in tissue: which walls it has punctured, and what resists it. State and force follow from the way of the
+/// tip, looked at in steps of a quarter of a millimetre, so that neither speed nor a thin vessel lets a wall go
+/// unnoticed. Everything is kept in coordinates of tissue at rest.
+class NeedleMechanics {
+ public:
+  /// `steepest_Npmm`: what the device can show; every spring stays below its part of it.
+  void configure(const NeedleTable& table, double steepest_Npmm);
+  void reset();
+
+  /// The tip is now at `tip_mm`, the needle points along the unit vector `axis` (patient space). `step_s` since the
+  /// last call. A jump of more than 15 mm is no motion of a hand: the needle is then taken out and put where it is.
+  NeedleForce move(const TissueGrid& grid, const Transform& restFromPatient, Vec3 tip_mm, Vec3 axis, double step_s,
+                   std::int64_t time_ns, NeedleEvents& events) noexcept;
+
+  const NeedleState& state() const { return state_; }
+  /// How far, against the needle's direction, a picture should draw the tip back: nothing goes into bone.
+  double drawnBack_mm() const { return onBone_.active ? onBone_.depth_mm : 0; }
+
+ private:
+  /// The tip pushes against a wall that it has not punctured.
+  struct Contact {
+    bool active = false;
+    bool slides = false;    ///< too flat to prick
+    bool inwards = true;    ///< into the structure, or out of it
+    Vec3 point, direction;  ///< where it met the wall; along which it pushes
+    Vec3 normal;            ///< of the wall, the way that the tip goes
+    double depth_mm = 0, force_N = 0;
+    Vec3 aside_mm;  ///< of the tip, across its direction: it drags the skin along before it slips
+  };
+  struct Hole {
+    int wall = 0;
+    bool inwards = true;
+    Vec3 point;
+  };
+
+  void place(const TissueGrid& grid, Vec3 tip, Vec3 axis);
+  void step(const TissueGrid& grid, Vec3 tip, Vec3 axis, NeedleEvents& events);
+  void withdraw(Vec3 tip, NeedleEvents& events);
+  void touch(const TissueGrid& grid, const TissueSample& sample, int wall, Vec3 tip, Vec3 axis, NeedleEvents& events);
+  void meet(const TissueGrid& grid, const TissueSample& sample, int wall, Vec3 tip, Vec3 axis, NeedleEvents& events);
+  void follow(const TissueGrid& grid, const TissueSample& sample, int wall, Vec3 tip, Vec3 axis);
+  void puncture(int wall, Vec3 tip, Vec3 axis, NeedleEvents& events);
+  void tell(NeedleEventKind kind, int wall, double depth_mm, NeedleEvents& events);
+  bool acts(int wall) const;
+  Label tissueOf(const TissueSample& sample) const;
+  void track(const TissueSample& sample, Vec3 tip, Vec3 axis);
+  NeedleForce resist(Vec3 axis, double speed_mmps);
+  Vec3 along(Vec3 axis, double speed_mmps, NeedleForce& force);
+  void aside(Vec3 axis, NeedleForce& force);
+
+  NeedleTable table_;
+  double steepest_Npmm_ = 1;
+  NeedleState state_;
+  bool placed_ = false;
+  Vec3 tip_, before_;
+  Vec3 patientTip_, patientAxis_;
+  std::int64_t time_ns_ = 0;
+  TissueSample sample_;
+  std::array<bool, kNeedleWallCount> inside_{};
+  std::array<Contact, kNeedleWallCount> contacts_{};
+  Contact onBone_;
+  std::array<Hole, 32> holes_{};
+  int holeCount_ = 0;
+  ShaftTissue shaft_;
+  CutFront cut_;
+  StickSlip friction_;
+  double speed_mmps_ = 0;
+};
+
+}  // namespace insonate::haptics

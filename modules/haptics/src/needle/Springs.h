@@ -1,0 +1,76 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+/// Force laws that depend on where things are and not on time, so that none of them can give more than it took.
+namespace insonate::haptics {
+
+/// k1 d + k2 d^2 before puncture (Okamura, Simone and O'Leary, IEEE Trans Biomed Eng 2004;51:1707), going on straight
+/// where it would grow steeper than a device can show.
+struct Stiffening {
+  double k1_Npmm = 0, k2_Npmm2 = 0, steepest_Npmm = 1e9;
+
+  double force_N(double d_mm) const {
+    if (d_mm <= 0) return 0;
+    const double k1 = std::min(k1_Npmm, steepest_Npmm);
+    if (k2_Npmm2 <= 0) return k1 * d_mm;
+    const double straight_mm = (steepest_Npmm - k1) / (2 * k2_Npmm2);
+    if (d_mm <= straight_mm) return (k1 + k2_Npmm2 * d_mm) * d_mm;
+    return (k1 + k2_Npmm2 * straight_mm) * straight_mm + steepest_Npmm * (d_mm - straight_mm);
+  }
+};
+
+/// Of a wall that is dragged sideways by the tip.
+inline constexpr double kAside_Npmm = 0.2;
+
+/// One-sided: tissue before the tip gives way like a spring until it is cut, and then stays cut.
+class CutFront {
+ public:
+  void restart(double s_mm) { uncut_mm_ = s_mm; }
+  /// Resistance at depth s.
+  double force_N(double s_mm, double cutting_N, double stiffness_Npmm) {
+    if (stiffness_Npmm <= 0 || cutting_N <= 0) {
+      uncut_mm_ = std::max(uncut_mm_, s_mm);
+      return 0;
+    }
+    uncut_mm_ = std::max(uncut_mm_, s_mm - cutting_N / stiffness_Npmm);
+    return stiffness_Npmm * std::max(0.0, s_mm - uncut_mm_);
+  }
+
+ private:
+  double uncut_mm_ = 0;
+};
+
+/// Friction with stick and slip: Karnopp's two levels and band of speed in which things stick (J Dyn Syst Meas Control
+/// 1985;107:100), with a spring instead of an unknown force while they do, in terms of displacement alone (Hayward and
+/// Armstrong, A new computational model of friction applied to haptic rendering, 2000).
+class StickSlip {
+ public:
+  void restart(double s_mm) {
+    anchor_mm_ = s_mm;
+    sticks_ = true;
+  }
+  /// Resistance, positive against growing s. `slides_N` at most `holds_N`; the speed is only compared.
+  double force_N(double s_mm, double speed_mmps, double slides_N, double holds_N, double stiffness_Npmm) {
+    if (stiffness_Npmm <= 0 || holds_N <= 0) {
+      restart(s_mm);
+      return 0;
+    }
+    const double stretched_N = stiffness_Npmm * (s_mm - anchor_mm_);
+    if (sticks_ && std::abs(stretched_N) > holds_N) sticks_ = false;
+    if (!sticks_) {
+      if (std::abs(stretched_N) > slides_N) anchor_mm_ = s_mm - std::copysign(slides_N, stretched_N) / stiffness_Npmm;
+      if (std::abs(speed_mmps) < kStickSpeed_mmps || speed_mmps * stretched_N < 0) sticks_ = true;
+    }
+    return stiffness_Npmm * (s_mm - anchor_mm_);
+  }
+  bool sticks() const { return sticks_; }
+
+ private:
+  static constexpr double kStickSpeed_mmps = 1;  // Karnopp's band
+  double anchor_mm_ = 0;
+  bool sticks_ = true;
+};
+
+}  // namespace insonate::haptics
