@@ -1,0 +1,78 @@
+#pragma once
+
+#include <insonate/haptics/HapticDevice.h>
+#include <insonate/haptics/ReportRecording.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace insonate {
+
+namespace haptics {
+class EventQueue;
+class HidBus;
+class HidDevice;
+}  // namespace haptics
+
+/// Devices on USB and Bluetooth, through hidapi.
+std::unique_ptr<haptics::HidBus> usbDevices();
+
+struct HubOptions {
+  std::chrono::milliseconds rescan{1000};  ///< between two looks at what is plugged in
+  std::vector<DeviceTable> tables = builtInDeviceTables();
+};
+
+/// All devices of this session: those on the bus that a table knows, taken up as they are plugged in and taken back
+/// after they were gone, and those that are added by hand. All functions may be called from any thread but the
+/// servo's, which works with the devices themselves.
+class DeviceHub {
+ public:
+  explicit DeviceHub(std::unique_ptr<haptics::HidBus> bus, HubOptions options = {});
+  /// Lets go of all devices, after a last zero force. Devices that others still hold stay absent.
+  ~DeviceHub();
+  DeviceHub(const DeviceHub&) = delete;
+  DeviceHub& operator=(const DeviceHub&) = delete;
+
+  /// Looks at the bus now and each `rescan`, on a thread of its own. Returns at once.
+  void start();
+  /// One look, on this thread; not beside start().
+  void scanOnce();
+
+  /// A simulated, replayed or vendor's device.
+  void add(std::shared_ptr<HapticDevice> device);
+  /// All that were seen since the start, those that are gone included, in the order in which they came.
+  std::vector<std::shared_ptr<HapticDevice>> devices() const;
+  /// What has happened since the last call; the oldest first, 1000 at most.
+  std::vector<DeviceEvent> takeEvents();
+  /// Raw reports of all devices on the bus.
+  ReportRecorder& recorder() { return *recorder_; }
+
+ private:
+  struct Slot {
+    std::string kind;  ///< vendor, product and serial number
+    std::shared_ptr<haptics::HidDevice> device;
+  };
+
+  const DeviceTable* tableFor(std::uint16_t vendor, std::uint16_t product, std::uint16_t page,
+                              std::uint16_t usage) const;
+  haptics::HidDevice& slotFor(const std::string& kind, const std::string& name, const DeviceTable& table);
+
+  std::unique_ptr<haptics::HidBus> bus_;
+  HubOptions options_;
+  std::shared_ptr<haptics::EventQueue> events_;
+  std::shared_ptr<ReportRecorder> recorder_;
+  mutable std::mutex mutex_;  ///< of slots_ and others_
+  std::vector<Slot> slots_;
+  std::vector<std::shared_ptr<HapticDevice>> others_;
+  std::mutex waitMutex_;
+  std::condition_variable_any wait_;
+  std::jthread scanner_;
+};
+
+}  // namespace insonate

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/haptics/HapticDevice.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// Writes raw reports as they come and go, for a bug report or a replay. Text, one report a line: seconds, the device's
+/// id, `in` or `out`, bytes in hex. Any device's thread; a write to disk never holds up the servo.
+class ReportRecorder {
+ public:
+  /// Starts a file, over an older one; fails where it cannot be written. Runs until stop().
+  Result<void> start(const std::filesystem::path& file);
+  /// Fails where the disk did not take all of it.
+  Result<void> stop();
+  bool isRunning() const;
+  void put(const std::string& device, std::string_view table, bool in, std::span<const std::uint8_t> report);
+
+ private:
+  mutable std::mutex mutex_;
+  std::filesystem::path path_;
+  std::ofstream file_;
+  std::int64_t begin_ns_ = 0;
+};
+
+/// One report of a recording.
+struct RecordedReport {
+  double time_s = 0;  ///< since the recording began
+  std::string device, table;
+  bool in = true;
+  std::vector<std::uint8_t> bytes;
+};
+
+/// Fails with the line that cannot be read.
+Result<std::vector<RecordedReport>> readRecording(const std::filesystem::path& file);
+
+/// A recorded device, held by nobody: its reports come at the pace at which they were recorded, through the same
+/// decoder. Forces are taken and go nowhere. Starts at once; with `again`, from the beginning each time it ends.
+/// Fails where the recording holds no report of a device that a table knows; `device` empty: the first one's.
+Result<std::shared_ptr<HapticDevice>> replayRecording(const std::vector<RecordedReport>& reports,
+                                                      const std::string& device = {}, bool again = false);
+
+}  // namespace insonate

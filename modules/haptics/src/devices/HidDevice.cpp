@@ -1,0 +1,208 @@
+#include "HidDevice.h"
+
+#include <array>
+#include <utility>
+
+namespace insonate::haptics {
+namespace {
+
+constexpr std::size_t kMostReport = 256;
+/// A force device that has told nothing for so long is not there for the hand any more.
+constexpr std::int64_t kSilence_ns = 250'000'000;
+/// After the last push, zeros go out for so long; then the device's own watchdog has it.
+constexpr std::int64_t kFarewell_ns = 1'000'000'000;
+
+/// How long a read may wait: a force device is asked in time for its next force, a pedal when a foot could notice.
+int wait_msOf(DeviceKind kind) {
+  return kind == DeviceKind::kForce ? 1 : kind == DeviceKind::kMotion ? 4 : 20;
+}
+
+}  // namespace
+
+HidDevice::HidDevice(DeviceInfo info, std::shared_ptr<const DeviceTable> table, std::shared_ptr<EventQueue> events,
+                     std::shared_ptr<ReportRecorder> recorder)
+    : info_(std::move(info)),
+      table_(std::move(table)),
+      events_(std::move(events)),
+      recorder_(std::move(recorder)),
+      decoder_(*table_),
+      maker_(*table_) {}
+
+HidDevice::~HidDevice() {
+  close();
+}
+
+std::string HidDevice::trouble() const {
+  const std::lock_guard lock(textMutex_);
+  return trouble_;
+}
+
+DeviceCounters HidDevice::counters() const noexcept {
+  return {reports_.load(), forces_.load(), refused_.load(), lateForces_.load()};
+}
+
+bool HidDevice::take(DeviceState& state) noexcept {
+  const auto latest = states_.take();
+  if (latest) state = *latest;
+  return latest.has_value();
+}
+
+void HidDevice::push(const Force& force) noexcept {
+  if (table_->output) pushed_.post({force, monotonic_ns()});
+}
+
+void HidDevice::enter(DevicePhase phase, std::string text, bool trouble) {
+  {
+    const std::lock_guard lock(textMutex_);
+    trouble_ = trouble ? text : std::string();
+  }
+  phase_.store(phase, std::memory_order_release);
+  events_->put({0, info_.id, phase, trouble, std::move(text)});
+}
+
+void HidDevice::opening(const std::string& path) {
+  path_ = path;
+  // A device that cannot be opened is tried each second; that is no news.
+  if (phase() != DevicePhase::kFailed) enter(DevicePhase::kOpening, info_.name + " is being opened.", false);
+}
+
+void HidDevice::cannotOpen(const std::string& why) {
+  if (phase() == DevicePhase::kFailed && trouble() == why) return;
+  enter(DevicePhase::kFailed, why, true);
+}
+
+void HidDevice::missing() {
+  const DevicePhase now = phase();
+  if (now == DevicePhase::kFailed || now == DevicePhase::kOpening)
+    enter(DevicePhase::kAbsent, info_.name + " was unplugged.", false);
+}
+
+void HidDevice::attach(std::unique_ptr<HidHandle> handle) {
+  if (thread_.joinable()) thread_.join();
+  handle_ = std::move(handle);
+  decoder_.reset();
+  maker_.reset();
+  // What was meant for the hand before it was unplugged is not for the hand that holds it now.
+  pushed_.take();
+  states_.take();
+  latest_.reset();
+  reported_ns_ = sent_ns_ = 0;
+  stop_ = false;
+  attached_.store(true, std::memory_order_release);
+  enter(DevicePhase::kReady, info_.name + " is open.", false);
+  thread_ = std::thread([this] { serve(); });
+}
+
+void HidDevice::close() {
+  stop_ = true;
+  if (thread_.joinable()) thread_.join();
+  if (phase() != DevicePhase::kAbsent) enter(DevicePhase::kAbsent, info_.name + " was let go.", false);
+}
+
+void HidDevice::serve() {
+  bool there = true;
+  while (there && !stop_.load(std::memory_order_relaxed)) {
+    std::int64_t now_ns = 0;
+    there = readAll(now_ns);
+    if (there) there = sendForce(now_ns);
+    checkSilence(now_ns);
+    tellRefused(now_ns);
+  }
+  if (there && latest_) write({});
+  handle_.reset();
+  if (!there) enter(DevicePhase::kLost, info_.name + " was unplugged. It is taken back when it is plugged in.", true);
+  attached_.store(false, std::memory_order_release);
+}
+
+bool HidDevice::readAll(std::int64_t& now_ns) {
+  std::array<std::uint8_t, kMostReport> report;
+  int bytes = handle_->read(report, wait_msOf(info_.kind));
+  now_ns = monotonic_ns();
+  bool news = false;
+  // What waits in the queue is old: only where the device is now counts. Bounded, for a device that floods.
+  for (int i = 0; bytes > 0 && i < 64; ++i) {
+    receive(std::span(report).first(static_cast<std::size_t>(bytes)), now_ns);
+    news = true;
+    bytes = handle_->read(report, 0);
+  }
+  if (calibrate_.exchange(false, std::memory_order_relaxed)) maker_.calibrate(decoder_.reading());
+  if ((news && reported_ns_ != 0) || maker_.isMoving()) postState(now_ns);
+  return bytes >= 0;
+}
+
+void HidDevice::receive(std::span<const std::uint8_t> report, std::int64_t now_ns) {
+  if (recorder_ && recorder_->isRunning()) recorder_->put(info_.id, table_->name, true, report);
+  if (decoder_.take(report) != ReportFate::kTaken) {
+    refused_.fetch_add(1, std::memory_order_relaxed);
+    return;
+  }
+  reports_.fetch_add(1, std::memory_order_relaxed);
+  reported_ns_ = now_ns;
+  if (phase() != DevicePhase::kStreaming) enter(DevicePhase::kStreaming, info_.name + " tells where it is.", false);
+}
+
+void HidDevice::postState(std::int64_t now_ns) noexcept {
+  states_.post(maker_.make(decoder_.reading(), reported_ns_, now_ns));
+}
+
+bool HidDevice::sendForce(std::int64_t now_ns) {
+  if (!table_->output) return true;
+  const auto pushed = pushed_.take();
+  if (pushed) latest_ = pushed;
+  if (!latest_) return true;
+  const std::int64_t age_ns = now_ns - latest_->time_ns;
+  if (age_ns > kFarewell_ns) {
+    latest_.reset();
+    return true;
+  }
+  const auto period_ns = static_cast<std::int64_t>(1e9 / info_.limits.rate_Hz);
+  if (now_ns - sent_ns_ < period_ns / 2) return true;
+  // No position, no force: a device that has fallen silent is somewhere else than the force was computed for.
+  const bool alive = age_ns < kForceLife_ns && reported_ns_ != 0 && now_ns - reported_ns_ < kForceLife_ns;
+  sent_ns_ = now_ns;
+  return write(alive ? heldWithin(info_.limits, latest_->force) : Force{});
+}
+
+bool HidDevice::write(const Force& force) {
+  std::array<std::uint8_t, kMostReport> report;
+  DeviceOutput output = maker_.outputFor(force, decoder_.reading());
+  output.sequence = ++sequence_;
+  const std::size_t bytes = encodeReport(*table_->output, output, report);
+  const std::int64_t begin_ns = monotonic_ns();
+  writing_ns_.store(begin_ns, std::memory_order_release);
+  const bool sent = handle_->write(std::span(report).first(bytes));
+  writing_ns_.store(0, std::memory_order_release);
+  if (monotonic_ns() - begin_ns > static_cast<std::int64_t>(2e9 / info_.limits.rate_Hz))
+    lateForces_.fetch_add(1, std::memory_order_relaxed);
+  if (sent) forces_.fetch_add(1, std::memory_order_relaxed);
+  if (sent && recorder_ && recorder_->isRunning())
+    recorder_->put(info_.id, table_->name, false, std::span(report).first(bytes));
+  return sent;
+}
+
+void HidDevice::checkSilence(std::int64_t now_ns) {
+  if (info_.kind != DeviceKind::kForce || phase() != DevicePhase::kStreaming) return;
+  if (now_ns - reported_ns_ > kSilence_ns)
+    enter(DevicePhase::kLost, info_.name + " has stopped telling where it is. Check its power and its cable.", true);
+}
+
+void HidDevice::tellRefused(std::int64_t now_ns) {
+  const std::uint64_t refused = refused_.load(std::memory_order_relaxed);
+  if (refused == toldRefused_ || now_ns - told_ns_ < 1'000'000'000) return;
+  const std::uint64_t more = refused - toldRefused_;
+  toldRefused_ = refused;
+  told_ns_ = now_ns;
+  // Mice and pedals tell of their battery and the like too; that is no fault unless they say nothing else.
+  if (info_.kind != DeviceKind::kForce && reports_.load(std::memory_order_relaxed) > 0) return;
+  events_->put({0, info_.id, phase(), true,
+                info_.name + ": " + std::to_string(more) + (more == 1 ? " report was" : " reports were") +
+                    " not of the length or kind that its table tells."});
+}
+
+void HidDevice::watch(std::int64_t now_ns) {
+  const std::int64_t since_ns = writing_ns_.load(std::memory_order_acquire);
+  if (since_ns == 0 || now_ns - since_ns < kForceLife_ns || phase() != DevicePhase::kStreaming) return;
+  enter(DevicePhase::kLost, info_.name + " does not take forces any more. Unplug it and plug it in again.", true);
+}
+
+}  // namespace insonate::haptics

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "EventQueue.h"
+#include "HidBus.h"
+#include "StateMaker.h"
+
+#include <insonate/core/Mailbox.h>
+#include <insonate/haptics/HapticDevice.h>
+#include <insonate/haptics/ReportDecoder.h>
+#include <insonate/haptics/ReportRecording.h>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace insonate::haptics {
+
+/// A device that speaks HID, by its table. It lives on while it is unplugged. Its own thread reads, makes states of
+/// reports and writes forces; whoever scans the bus hands it an open interface each time that it is there.
+class HidDevice final : public HapticDevice {
+ public:
+  HidDevice(DeviceInfo info, std::shared_ptr<const DeviceTable> table, std::shared_ptr<EventQueue> events,
+            std::shared_ptr<ReportRecorder> recorder);
+  ~HidDevice() override;
+
+  const DeviceInfo& info() const noexcept override { return info_; }
+  DevicePhase phase() const noexcept override { return phase_.load(std::memory_order_acquire); }
+  std::string trouble() const override;
+  DeviceCounters counters() const noexcept override;
+  bool take(DeviceState& state) noexcept override;
+  void push(const Force& force) noexcept override;
+  void calibrate() override { calibrate_.store(true, std::memory_order_relaxed); }
+
+  /// The scanning thread: true while an interface is held.
+  bool attached() const noexcept { return attached_.load(std::memory_order_acquire); }
+  const std::string& path() const { return path_; }
+  void opening(const std::string& path);
+  void attach(std::unique_ptr<HidHandle> handle);
+  void cannotOpen(const std::string& why);
+  /// Not among what is plugged in.
+  void missing();
+  /// Tells when a force has not gone out for 100 ms: the servo has not waited for it, but the hand has not got it.
+  void watch(std::int64_t now_ns);
+  /// Sends a last zero and lets go of the device.
+  void close();
+
+ private:
+  struct Pushed {
+    Force force;
+    std::int64_t time_ns = 0;
+  };
+
+  void serve();
+  bool readAll(std::int64_t& now_ns);
+  void receive(std::span<const std::uint8_t> report, std::int64_t now_ns);
+  void postState(std::int64_t now_ns) noexcept;
+  bool sendForce(std::int64_t now_ns);
+  bool write(const Force& force);
+  void checkSilence(std::int64_t now_ns);
+  void tellRefused(std::int64_t now_ns);
+  void enter(DevicePhase phase, std::string text, bool trouble);
+
+  const DeviceInfo info_;
+  const std::shared_ptr<const DeviceTable> table_;
+  const std::shared_ptr<EventQueue> events_;
+  const std::shared_ptr<ReportRecorder> recorder_;
+
+  std::atomic<DevicePhase> phase_{DevicePhase::kAbsent};
+  std::atomic<bool> attached_{false}, stop_{false}, calibrate_{false};
+  std::atomic<std::int64_t> writing_ns_{0};  ///< since when a force is being written; 0: none is
+  std::atomic<std::uint64_t> reports_{0}, forces_{0}, refused_{0}, lateForces_{0};
+  Mailbox<DeviceState> states_;
+  Mailbox<Pushed> pushed_;
+  mutable std::mutex textMutex_;
+  std::string trouble_;
+
+  std::string path_;
+  std::thread thread_;
+  // The device's thread alone.
+  std::unique_ptr<HidHandle> handle_;
+  ReportDecoder decoder_;
+  StateMaker maker_;
+  std::optional<Pushed> latest_;
+  std::int64_t reported_ns_ = 0, sent_ns_ = 0, told_ns_ = 0;
+  std::uint64_t toldRefused_ = 0;
+  std::uint32_t sequence_ = 0;
+};
+
+}  // namespace insonate::haptics

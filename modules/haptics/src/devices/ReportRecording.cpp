@@ -1,0 +1,95 @@
+#include "EventQueue.h"
+
+#include <insonate/haptics/ReportRecording.h>
+
+#include <charconv>
+#include <iomanip>
+#include <sstream>
+
+namespace insonate {
+namespace {
+
+constexpr std::string_view kHeading = "insonate device reports 1";
+
+/// Names are single words in the file.
+std::string word(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (c == ' ' || c == '\t' || c == '\n' || c == '\r') c = '_';
+  return result.empty() ? "_" : result;
+}
+
+bool readHex(const std::string& text, std::vector<std::uint8_t>& bytes) {
+  if (text.size() % 2 != 0) return false;
+  for (std::size_t i = 0; i < text.size(); i += 2) {
+    std::uint8_t byte = 0;
+    const char* end = text.data() + i + 2;
+    if (std::from_chars(text.data() + i, end, byte, 16).ptr != end) return false;
+    bytes.push_back(byte);
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<void> ReportRecorder::start(const std::filesystem::path& file) {
+  const std::lock_guard lock(mutex_);
+  if (file_.is_open()) file_.close();
+  file_.clear();
+  path_ = file;
+  file_.open(file, std::ios::trunc);
+  if (!file_) return fail("The recording " + file.string() + " cannot be written: check its folder and your rights.");
+  file_ << kHeading << '\n' << std::fixed << std::setprecision(6);
+  begin_ns_ = haptics::monotonic_ns();
+  return {};
+}
+
+Result<void> ReportRecorder::stop() {
+  const std::lock_guard lock(mutex_);
+  if (!file_.is_open()) return {};
+  file_.close();
+  const bool whole = static_cast<bool>(file_);
+  file_.clear();
+  if (!whole) return fail("The recording " + path_.string() + " is not complete: is the disk full?");
+  return {};
+}
+
+bool ReportRecorder::isRunning() const {
+  const std::lock_guard lock(mutex_);
+  return file_.is_open();
+}
+
+void ReportRecorder::put(const std::string& device, std::string_view table, bool in,
+                         std::span<const std::uint8_t> report) {
+  static constexpr char kDigits[] = "0123456789abcdef";
+  std::string hex;
+  for (const std::uint8_t byte : report) hex += {kDigits[byte >> 4], kDigits[byte & 15]};
+  const std::lock_guard lock(mutex_);
+  if (!file_.is_open()) return;
+  file_ << static_cast<double>(haptics::monotonic_ns() - begin_ns_) * 1e-9 << ' ' << word(device) << ' ' << word(table)
+        << (in ? " in " : " out ") << (hex.empty() ? "-" : hex) << '\n';
+}
+
+Result<std::vector<RecordedReport>> readRecording(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::string line;
+  if (!stream || !std::getline(stream, line)) return fail("The recording " + file.string() + " cannot be read.");
+  if (line != kHeading)
+    return fail(file.string() + " is not a recording of device reports: it begins with another line.");
+  std::vector<RecordedReport> reports;
+  for (int number = 2; std::getline(stream, line); ++number) {
+    std::istringstream words(line);
+    RecordedReport report;
+    std::string way, hex, more;
+    const bool read = static_cast<bool>(words >> report.time_s >> report.device >> report.table >> way >> hex);
+    const bool right = read && !(words >> more) && (way == "in" || way == "out") &&
+                       report.time_s >= (reports.empty() ? 0 : reports.back().time_s) &&
+                       (hex == "-" || readHex(hex, report.bytes));
+    if (!right) return fail(file.string() + ", line " + std::to_string(number) + " is not a report.");
+    report.in = way == "in";
+    reports.push_back(std::move(report));
+  }
+  return reports;
+}
+
+}  // namespace insonate
