@@ -31,7 +31,7 @@ bool matches(const DeviceMatch& m, std::uint16_t vendor, std::uint16_t product, 
 
 }  // namespace
 
-DeviceHub::DeviceHub(std::unique_ptr<haptics::HidBus> bus, HubOptions options)
+DeviceHub::DeviceHub(std::shared_ptr<haptics::HidBus> bus, HubOptions options)
     : bus_(std::move(bus)),
       options_(std::move(options)),
       events_(std::make_shared<EventQueue>()),

@@ -78,8 +78,8 @@ class HidApiBus final : public HidBus {
 
 }  // namespace
 
-std::unique_ptr<haptics::HidBus> usbDevices() {
-  return std::make_unique<HidApiBus>();
+std::shared_ptr<haptics::HidBus> usbDevices() {
+  return std::make_shared<HidApiBus>();
 }
 
 }  // namespace insonate

@@ -21,7 +21,7 @@ class HidDevice;
 }  // namespace haptics
 
 /// Devices on USB and Bluetooth, through hidapi.
-std::unique_ptr<haptics::HidBus> usbDevices();
+std::shared_ptr<haptics::HidBus> usbDevices();
 
 struct HubOptions {
   std::chrono::milliseconds rescan{1000};  ///< between two looks at what is plugged in
@@ -33,7 +33,7 @@ struct HubOptions {
 /// servo's, which works with the devices themselves.
 class DeviceHub {
  public:
-  explicit DeviceHub(std::unique_ptr<haptics::HidBus> bus, HubOptions options = {});
+  explicit DeviceHub(std::shared_ptr<haptics::HidBus> bus, HubOptions options = {});
   /// Lets go of all devices, after a last zero force. Devices that others still hold stay absent.
   ~DeviceHub();
   DeviceHub(const DeviceHub&) = delete;
@@ -63,7 +63,7 @@ class DeviceHub {
                               std::uint16_t usage) const;
   haptics::HidDevice& slotFor(const std::string& kind, const std::string& name, const DeviceTable& table);
 
-  std::unique_ptr<haptics::HidBus> bus_;
+  std::shared_ptr<haptics::HidBus> bus_;
   HubOptions options_;
   std::shared_ptr<haptics::EventQueue> events_;
   std::shared_ptr<ReportRecorder> recorder_;
