@@ -1,36 +1,12 @@
 #include "StateMaker.h"
 
+#include "Rotation.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace insonate::haptics {
 namespace {
-
-/// Of a quaternion w, x, y, z; none where it says nothing.
-Mat3 rotationOf(const std::array<double, 4>& q) noexcept {
-  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-  if (!(length > 0.1)) return {};
-  const double w = q[0] / length, x = q[1] / length, y = q[2] / length, z = q[3] / length;
-  return {{Vec3{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
-           Vec3{2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
-           Vec3{2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}}};
-}
-
-/// About `turn` by its length (Rodrigues), made square again so that many turns stay one.
-Mat3 turned(const Mat3& by, Vec3 turn) noexcept {
-  const double angle = norm(turn);
-  if (angle <= 0) return by;
-  const Vec3 axis = turn / angle;
-  Mat3 result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 v = by.column[i];
-    result.column[i] =
-        v * std::cos(angle) + cross(axis, v) * std::sin(angle) + axis * (dot(axis, v) * (1 - std::cos(angle)));
-  }
-  const Vec3 x = normalized(result.column[0]);
-  const Vec3 y = normalized(result.column[1] - x * dot(x, result.column[1]));
-  return {{x, y, cross(x, y)}};
-}
 
 /// From rest to full, without a step between.
 double pressed(double deflection) noexcept {

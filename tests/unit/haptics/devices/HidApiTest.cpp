@@ -1,4 +1,5 @@
 // hidapi as it is installed, on devices that umockdev shows to it: run by umockdev-wrapper.
+#include "Descriptor.h"
 #include "MockHidraw.h"
 
 #include <insonate/haptics/DeviceHub.h>
@@ -120,6 +121,23 @@ TEST_F(HidApiTest, ForcesArriveAsTheBytesOfTheProtocol) {
   EXPECT_EQ(signedValue(bitsAt(payload, 0, 16), 16), 0);
   EXPECT_NEAR(signedValue(bitsAt(payload, 16, 16), 16), -2 * 205 / 12.0 / 0.0259, 1);
   EXPECT_NEAR(signedValue(bitsAt(payload, 32, 16), 16), -2 * 245 / 12.0 / 0.0259, 1);
+}
+
+TEST_F(HidApiTest, AHomeBuiltDeviceIsKnownByItsDescriptor) {
+  MockHidraw own(*machine_, 0, 0x1209, 0x0001, "Hand", "1", insonateDescriptor());
+  MockHidraw other(*machine_, 1, 0x1209, 0x0001, "Something else", "2", kVendorDescriptor);
+  const auto device = inPhase("1209:0001/1", DevicePhase::kReady);
+  ASSERT_TRUE(device);
+  Bytes report(31, 0);
+  report[0] = 1;
+  report[2] = 0x10;  // 4096 micrometres to the right
+  report[13] = 0x40;
+  own.say(report);
+  DeviceState state;
+  ASSERT_TRUE(eventually([&] { return device->take(state); }));
+  EXPECT_NEAR(state.deviceFromStylus.offset.x, 4.096, 1e-9);
+  EXPECT_EQ(state.deviceFromStylus.linear, Mat3{});
+  EXPECT_EQ(hub_->devices().size(), 1U);
 }
 
 TEST_F(HidApiTest, UnpluggedInContactItIsLostAndComesBackWithoutAForce) {

@@ -47,11 +47,13 @@ class MockHidraw {
       : machine_(machine), descriptor_(std::move(descriptor)), node_("/dev/hidraw" + std::to_string(number)) {
     char ids[64];
     std::snprintf(ids, sizeof ids, "0003:%08X:%08X", vendor, product);
-    port_ = "/devices/usb" + std::to_string(number + 1);
-    hid_ = port_ + "/1-1/1-1:1.0/0003:" + std::to_string(number);
-    addToBed("P: " + port_ + "/1-1\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\nA: manufacturer=Maker\\n\nA: product=" +
-             name + "\\n\nA: serial=" + serial + "\\n\nA: bcdDevice=0100\\n\n");
-    addToBed("P: " + port_ + "/1-1/1-1:1.0\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_interface\nA: bInterfaceNumber=00\\n\n");
+    // Names are unique in a class of devices, wherever they hang.
+    port_ = "/devices/usb/" + std::to_string(number + 1) + "-1";
+    interface_ = port_ + "/" + std::to_string(number + 1) + "-1:1.0";
+    hid_ = interface_ + "/0003:" + std::to_string(number);
+    addToBed("P: " + port_ + "\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\nA: manufacturer=Maker\\n\nA: product=" + name +
+             "\\n\nA: serial=" + serial + "\\n\nA: bcdDevice=0100\\n\n");
+    addToBed("P: " + interface_ + "\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_interface\nA: bInterfaceNumber=00\\n\n");
     addToBed("P: " + hid_ + "\nE: SUBSYSTEM=hid\nA: uevent=HID_ID=" + ids + "\\nHID_NAME=" + name +
              "\\nHID_UNIQ=" + serial + "\\n\nH: report_descriptor=" + hex(descriptor_) + "\n");
     addToBed("P: " + hidraw() + "\nN: hidraw" + std::to_string(number) + "\nE: SUBSYSTEM=hidraw\nE: DEVNAME=" + node_ +
@@ -86,7 +88,7 @@ class MockHidraw {
       gone_ = true;
     }
     wake();
-    for (const std::string& path : {hidraw(), hid_, port_ + "/1-1/1-1:1.0", port_ + "/1-1"})
+    for (const std::string& path : {hidraw(), hid_, interface_, port_})
       umockdev_testbed_remove_device(machine_.bed(), ("/sys" + path).c_str());
   }
 
@@ -197,7 +199,7 @@ class MockHidraw {
   MockMachine& machine_;
   const Bytes descriptor_;
   const std::string node_;
-  std::string port_, hid_;
+  std::string port_, interface_, hid_;
   UMockdevIoctlBase* handler_ = nullptr;
   int master_ = -1, slave_ = -1;
   mutable std::mutex mutex_;

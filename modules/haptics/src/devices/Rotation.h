@@ -1,0 +1,18 @@
+#pragma once
+
+#include <insonate/core/Transform.h>
+
+#include <array>
+
+namespace insonate::haptics {
+
+/// Of a quaternion w, x, y, z of any length; none where it says nothing.
+Mat3 rotationOf(const std::array<double, 4>& quaternion) noexcept;
+
+/// `by`, turned about the frame's axes by the length of `turn_rad`; square again, so that many turns stay one.
+Mat3 turned(const Mat3& by, Vec3 turn_rad) noexcept;
+
+/// The turn that `rotation` is: its axis times its angle, at most pi.
+Vec3 turnOf(const Mat3& rotation) noexcept;
+
+}  // namespace insonate::haptics
