@@ -23,15 +23,16 @@ constexpr double kRollCosine = 0.35;
 }  // namespace
 
 void NeedleMechanics::configure(const NeedleTable& table, double steepest_Npmm) {
-  table_ = table;
+  table_.tissues = table.tissues;  // not its name: nothing is to be allocated here
   steepest_Npmm_ = steepest_Npmm;
 }
 
 void NeedleMechanics::reset() {
-  const NeedleTable table = table_;
-  const double steepest_Npmm = steepest_Npmm_;
-  *this = {};
-  configure(table, steepest_Npmm);
+  if (!placed_) return;
+  placed_ = false;
+  state_ = {};
+  contacts_ = {};
+  onBone_ = {};
 }
 
 void NeedleMechanics::place(const TissueGrid& grid, Vec3 tip, Vec3 axis) {

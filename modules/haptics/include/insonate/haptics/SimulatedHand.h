@@ -1,0 +1,93 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/haptics/DeviceLimits.h>
+#include <insonate/haptics/DeviceState.h>
+#include <insonate/haptics/Force.h>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace insonate {
+
+/// Devices that people use, as their makers and those who measured them describe them; for simulated hands and tests.
+struct DeviceProfile {
+  std::string_view name;
+  DeviceLimits limits;
+};
+std::span<const DeviceProfile> deviceProfiles();
+
+/// The greatest stiffness of a virtual wall with which a device stays passive, N/mm: Colgate and Schenkel, J Robot Syst
+/// 1997;14:37: b > K T / 2 + |B|; and where its own friction is all that there is, the smaller of what covers the
+/// encoder's steps, f > K d / 2 (Abbott and Okamura, IEEE Trans Robot 2005;21:952), and f > K T v / 2 at the speed
+/// `fastest_mmps` (Diolaiti, Niemeyer, Barbagli and Salisbury, IEEE Trans Robot 2006;22:256).
+double passiveStiffness_Npmm(const DeviceLimits& limits, double virtualDamping_Nspm, double fastest_mmps);
+
+/// How a hand holds a stylus: mass of hand and fingers, and the spring and damper between where the hand wants to be
+/// and where the stylus is. Magnitudes of Fu and Cavusoglu, IEEE Trans Syst Man Cybern B 2012;42:1633.
+struct Grip {
+  double mass_kg = 0.15;
+  double stiffness_Npmm = 0.5;
+  double damping_Nspm = 5;
+};
+
+/// Where a hand wants to be: a path recorded or made up, straight between its points, held before the first and after
+/// the last.
+struct HandPath {
+  struct Point {
+    double time_s = 0;  ///< growing
+    Vec3 position_mm;   ///< of the stylus, device frame
+    Mat3 attitude;      ///< of the stylus, device frame
+  };
+  std::vector<Point> points;
+
+  Point at(double time_s) const;
+};
+
+/// A path as text: one line for each point, `time_s,x_mm,y_mm,z_mm` and, for all or none, the stylus's nine direction
+/// cosines, columns first. Lines that begin with # are remarks. Fails with the line that is not understood.
+Result<HandPath> parseHandPath(std::string_view text);
+std::string textOf(const HandPath& path);
+
+/// A device with mass, damping, friction, encoders and a greatest force in a hand, moved in steps of 50 us, while the
+/// force of the servo stays the same for a tick. Attitude follows the hand.
+class SimulatedHand {
+ public:
+  SimulatedHand(const DeviceLimits& device, const Grip& grip, Vec3 start_mm);
+
+  /// One tick: the hand wants to be at `want`, the device pushes with `force` (device frame).
+  void move(const HandPath::Point& want, const Force& force, double tick_s);
+
+  /// What the encoders say, at `time_ns`.
+  DeviceState state(std::int64_t time_ns) const;
+  Vec3 position_mm() const { return position_mm_; }
+  Vec3 velocity_mmps() const { return velocity_mmps_; }
+
+  /// Energy that the hand and the moving masses have put into the servo's force so far, less what came back.
+  double intoLoop_J() const { return intoLoop_mJ_ * 1e-3; }
+  /// Energy that damping and friction of the device have used up.
+  double lost_J() const { return lost_mJ_ * 1e-3; }
+
+ private:
+  DeviceLimits device_;
+  Grip grip_;
+  Vec3 position_mm_, velocity_mmps_;
+  Mat3 attitude_;
+  double intoLoop_mJ_ = 0, lost_mJ_ = 0;
+};
+
+/// Watches what a hand puts into a loop and gets back: a loop that is passive never gives more than it took (Hannaford
+/// and Ryu 2002). Begins anew each time when nothing is felt, so that what was lost in friction cannot pay for later.
+class PassivityObserver {
+ public:
+  /// `into_J` so far; `felt`: the loop pushes now.
+  void look(double into_J, bool felt);
+  double least_J() const { return least_J_; }
+
+ private:
+  double begin_J_ = 0, least_J_ = 0;
+};
+
+}  // namespace insonate
