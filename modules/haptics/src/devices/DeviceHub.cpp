@@ -66,14 +66,16 @@ const DeviceTable* DeviceHub::tableFor(std::uint16_t vendor, std::uint16_t produ
   return nullptr;
 }
 
-haptics::HidDevice& DeviceHub::slotFor(const std::string& kind, const std::string& name, const DeviceTable& table) {
+haptics::HidDevice& DeviceHub::slotFor(const HidFound& found, const DeviceTable& table) {
+  const std::string kind = kindOf(found);
   int alike = 0;
   for (const Slot& slot : slots_) {
     if (slot.kind != kind) continue;
     if (!slot.device->attached()) return *slot.device;
     ++alike;
   }
-  DeviceInfo info{alike == 0 ? kind : kind + "#" + std::to_string(alike + 1), name, table.kind, table.limits};
+  DeviceInfo info{alike == 0 ? kind : kind + "#" + std::to_string(alike + 1),
+                  found.name.empty() ? table.name : found.name, table.kind, found.limits.value_or(table.limits)};
   auto device =
       std::make_shared<HidDevice>(std::move(info), std::make_shared<const DeviceTable>(table), events_, recorder_);
   const std::lock_guard lock(mutex_);
@@ -92,7 +94,7 @@ void DeviceHub::scanOnce() {
       return slot.device->attached() && slot.device->path() == found.path;
     });
     if (held) continue;
-    HidDevice& device = slotFor(kindOf(found), found.name.empty() ? table->name : found.name, *table);
+    HidDevice& device = slotFor(found, *table);
     if (!tried.insert(&device).second) continue;
     device.opening(found.path);
     if (auto handle = bus_->open(found))

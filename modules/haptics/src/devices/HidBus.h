@@ -1,9 +1,11 @@
 #pragma once
 
 #include <insonate/core/Result.h>
+#include <insonate/haptics/DeviceLimits.h>
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +17,7 @@ struct HidFound {
   std::string path;  ///< where it is opened; another one each time it is plugged in
   std::string maker, name, serial;
   std::uint16_t vendor = 0, product = 0, usagePage = 0, usage = 0;
+  std::optional<DeviceLimits> limits = {};  ///< where the bus knows better than the table
 };
 
 /// An open interface. One thread reads and writes.

@@ -14,6 +14,13 @@ Mat3 rotationOf(const std::array<double, 4>& q) noexcept {
            Vec3{2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}}};
 }
 
+std::array<double, 4> quaternionOf(const Mat3& rotation) noexcept {
+  const Vec3 turn = turnOf(rotation);
+  const double angle = norm(turn);
+  const Vec3 part = angle > 0 ? turn * (std::sin(angle / 2) / angle) : Vec3{};
+  return {std::cos(angle / 2), part.x, part.y, part.z};
+}
+
 Mat3 turned(const Mat3& by, Vec3 turn_rad) noexcept {
   const double angle = norm(turn_rad);
   if (!(angle > 0)) return by;

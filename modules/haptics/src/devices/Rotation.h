@@ -9,6 +9,9 @@ namespace insonate::haptics {
 /// Of a quaternion w, x, y, z of any length; none where it says nothing.
 Mat3 rotationOf(const std::array<double, 4>& quaternion) noexcept;
 
+/// w, x, y, z of unit length, w not below 0.
+std::array<double, 4> quaternionOf(const Mat3& rotation) noexcept;
+
 /// `by`, turned about the frame's axes by the length of `turn_rad`; square again, so that many turns stay one.
 Mat3 turned(const Mat3& by, Vec3 turn_rad) noexcept;
 

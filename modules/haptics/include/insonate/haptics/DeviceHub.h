@@ -18,6 +18,7 @@ namespace haptics {
 class EventQueue;
 class HidBus;
 class HidDevice;
+struct HidFound;
 }  // namespace haptics
 
 /// Devices on USB and Bluetooth, through hidapi.
@@ -61,7 +62,7 @@ class DeviceHub {
 
   const DeviceTable* tableFor(std::uint16_t vendor, std::uint16_t product, std::uint16_t page,
                               std::uint16_t usage) const;
-  haptics::HidDevice& slotFor(const std::string& kind, const std::string& name, const DeviceTable& table);
+  haptics::HidDevice& slotFor(const haptics::HidFound& found, const DeviceTable& table);
 
   std::shared_ptr<haptics::HidBus> bus_;
   HubOptions options_;

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/haptics/DeviceLimits.h>
+#include <insonate/haptics/DeviceState.h>
+#include <insonate/haptics/Force.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace insonate {
+
+namespace haptics {
+class HidBus;
+}
+
+/// A device that a vendor's kit knows.
+struct VendorFound {
+  std::string serial;  ///< as the kit tells devices apart; the same each time
+  std::string name;
+  DeviceLimits limits;
+};
+
+/// An open one. All calls come from one thread, the device's own.
+class VendorHandle {
+ public:
+  virtual ~VendorHandle() = default;
+  /// Where it is now, in the frame of DeviceState.h; time_ns is not used. Within a millisecond; false when it is gone.
+  virtual bool read(DeviceState& state) noexcept = 0;
+  /// Pushes so until the next call: already within the limits. False when it is gone.
+  virtual bool write(const Force& force) noexcept = 0;
+};
+
+/// What a site writes against its vendor's kit (OpenHaptics, Force Dimension), whose licence does not let it come with
+/// Insonate. It defines makeVendorKit_openhaptics() or makeVendorKit_forcedimension() and is built in with
+///
+///     cmake -D INSONATE_WITH_OPENHAPTICS=ON -D INSONATE_OPENHAPTICS_SOURCES=/site/OpenHapticsKit.cpp
+///           -D INSONATE_OPENHAPTICS_LIBRARIES="HD;HDU"
+///
+/// Life cycle, limits, the 100 ms rule, recording and the panel then are those of every device. All calls come from
+/// the thread that looks for devices.
+class VendorKit {
+ public:
+  virtual ~VendorKit() = default;
+  virtual std::string_view name() const = 0;
+  /// What is plugged in now; asked each second, also while devices are open.
+  virtual std::vector<VendorFound> list() = 0;
+  virtual Result<std::unique_ptr<VendorHandle>> open(const VendorFound& found) = 0;
+};
+
+std::unique_ptr<VendorKit> makeVendorKit_openhaptics();
+std::unique_ptr<VendorKit> makeVendorKit_forcedimension();
+
+/// The kits that this program was built with; none unless they were asked for.
+std::vector<std::unique_ptr<VendorKit>> builtInVendorKits();
+
+/// A kit's devices, for a DeviceHub.
+std::shared_ptr<haptics::HidBus> devicesOf(std::unique_ptr<VendorKit> kit);
+
+/// Devices on USB and of all kits that are built in, for a DeviceHub.
+std::shared_ptr<haptics::HidBus> allDevices();
+
+}  // namespace insonate
