@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <support/FovCapture.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -113,6 +114,10 @@ std::map<std::string, double> errorsOf(const FovFit& fit, const FovCapture& capt
   return errors;
 }
 
+bool saidToBe(const FovFit& fit, const std::string& words) {
+  return std::ranges::any_of(fit.doubts, [&](const std::string& doubt) { return doubt.find(words) != doubt.npos; });
+}
+
 TEST(FitFov, Captures) {
   std::map<std::string, double> worst;
   const char* keep = std::getenv("INSONATE_KEEP_CAPTURES");
@@ -134,6 +139,7 @@ TEST(FitFov, Captures) {
     EXPECT_EQ(int(fit->shape.shape), int(row.capture.shape.shape)) << number;
     if (fit->shape.shape != row.capture.shape.shape) continue;
     EXPECT_EQ(fit->shape.upsideDown, row.capture.shape.upsideDown);
+    EXPECT_FALSE(saidToBe(*fit, "side by side")) << number << ": it is one picture";
     for (const auto& [name, error] : errorsOf(*fit, row.capture)) {
       worst[name] = std::max(worst[name], error);
       EXPECT_LE(error, name.ends_with("_deg") ? 1.0 : 2.0) << number << ' ' << name;
@@ -144,6 +150,71 @@ TEST(FitFov, Captures) {
     RecordProperty("worst_" + name, std::to_string(error));
     std::cout << "worst " << name << ' ' << error << '\n';
   }
+}
+
+/// A screen with one capture beside the other.
+GreyPicture screenOf(const GreyPicture& left, const GreyPicture& right) {
+  GreyPicture both{left.width + right.width, left.height, {}};
+  for (int row = 0; row < left.height; ++row)
+    for (const GreyPicture* one : {&left, &right}) {
+      const auto from = one->grey.begin() + std::ptrdiff_t(row) * one->width;
+      both.grey.insert(both.grey.end(), from, from + one->width);
+    }
+  return both;
+}
+
+/// Half a screen, with one picture in it.
+FovCapture half(ProbeShape kind, unsigned seed) {
+  FovCapture capture;
+  capture.width = 500, capture.height = 720, capture.seed = seed, capture.shape.shape = kind;
+  FovShape& shape = capture.shape;
+  shape.origin = {245, 120}, shape.width_px = 420, shape.depth_px = 500;
+  if (kind == ProbeShape::Curvilinear)
+    shape.origin = {245, 10}, shape.alpha_deg = 50, shape.r1_px = 150, shape.r2_px = 560;
+  if (kind == ProbeShape::Phased) shape.origin = {245, 100}, shape.alpha_deg = 54, shape.r1_px = 4, shape.r2_px = 500;
+  return capture;
+}
+
+void expectFitted(const FovFit& fit, const FovCapture& capture) {
+  ASSERT_EQ(int(fit.shape.shape), int(capture.shape.shape));
+  for (const auto& [name, error] : errorsOf(fit, capture)) EXPECT_LE(error, name.ends_with("_deg") ? 1.0 : 2.0) << name;
+}
+
+TEST(FitFov, OfTwoSideBySideTheLeftOne) {
+  unsigned seed = 40;
+  for (const ProbeShape kind : {ProbeShape::Linear, ProbeShape::Curvilinear, ProbeShape::Phased})
+    for (const double ground : {0.0, 14.0}) {
+      SCOPED_TRACE(int(kind));
+      FovCapture left = half(kind, seed++), right = half(kind, seed++);
+      left.ground = right.ground = ground, left.noise = right.noise = 2;
+      const auto fit = fitFov(screenOf(test::paint(left), test::paint(right)));
+      ASSERT_TRUE(fit) << fit.error().message;
+      EXPECT_TRUE(saidToBe(*fit, "Two pictures lie side by side; this is the left one."));
+      EXPECT_LT(fit->shape.origin.x, 500);
+      expectFitted(*fit, left);
+    }
+}
+
+TEST(FitFov, OfTwoSideBySideTheClearerOne) {
+  FovCapture left = half(ProbeShape::Curvilinear, 61), right = half(ProbeShape::Curvilinear, 62);
+  left.darkLeft = left.darkEnd = left.shadows = true, left.noise = 4;
+  const auto fit = fitFov(screenOf(test::paint(left), test::paint(right)));
+  ASSERT_TRUE(fit) << fit.error().message;
+  EXPECT_TRUE(saidToBe(*fit, "side by side; this is the right one"));
+  EXPECT_GT(fit->shape.origin.x, 500);
+  expectFitted(*fit, right);
+}
+
+TEST(FitFov, AShadowFromTopToBottomMakesNoTwoOfOne) {
+  FovCapture capture;
+  capture.shape = linear(0), capture.seed = 71;
+  GreyPicture picture = test::paint(capture);
+  for (int row = 0; row < picture.height; ++row)
+    for (int column = 370; column < 395; ++column) picture.grey[std::size_t(row) * picture.width + column] = 0;
+  const auto fit = fitFov(picture);
+  ASSERT_TRUE(fit) << fit.error().message;
+  EXPECT_FALSE(saidToBe(*fit, "side by side"));
+  expectFitted(*fit, capture);
 }
 
 }  // namespace

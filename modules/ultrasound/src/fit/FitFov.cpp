@@ -7,7 +7,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <deque>
 #include <numbers>
 
 namespace insonate {
@@ -27,11 +29,18 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kLeastAgreement = 0.75, kLeastOutline = 0.3, kLeastCover = 0.6, kLeastFilled = 0.25, kMostGaps = 0.7;
 constexpr double kEdgeSeen = 0.3, kEdgeVisible = 0.1;
 
+// Two pictures on one screen are of one kind, as wide and deep, and at one height, so far. Of two that are as clear,
+// the left one is taken.
+constexpr double kSameSize = 0.12, kSameHeight = 0.06, kClearer = 0.05;
+
+enum class Beside { Nothing, Right, Left };  ///< where another picture lies
+
 struct Candidate {
   FovModel model;
   Evidence evidence;
   bool upsideDown = false;
   const Plate* plate = nullptr;
+  Beside beside = Beside::Nothing;
 };
 
 bool isSeen(const EdgeEvidence& edge) {
@@ -78,6 +87,32 @@ std::optional<Candidate> bestOn(const Plate& plate, bool upsideDown) {
   return best;
 }
 
+bool alike(const FovModel& a, const FovModel& b) {
+  const auto near = [](double one, double other, double share) {
+    return std::abs(one - other) <= share * std::max(one, other);
+  };
+  const double deepA = a.outer - a.inner, deepB = b.outer - b.inner;
+  return a.fan == b.fan && near(a.half, b.half, kSameSize) && near(deepA, deepB, kSameSize) &&
+         std::abs(a.at(0, 0).y - b.at(0, 0).y) <= kSameHeight * deepA;
+}
+
+/// One of two pictures beside each other. Where all of it looks like one picture (`whole`), only if the two are alike.
+std::optional<Candidate> bestOfHalves(const std::array<Plate, 2>& halves, bool upsideDown, bool whole) {
+  std::array<std::optional<Candidate>, 2> found;
+  for (std::size_t side = 0; side < 2; ++side) {
+    found[side] = bestOn(halves[side], upsideDown);
+    if (!found[side]) continue;
+    if (!acceptable(*found[side]))
+      found[side].reset();
+    else
+      found[side]->beside = side == 0 ? Beside::Right : Beside::Left;
+  }
+  auto& [left, right] = found;
+  if (whole && !(left && right && alike(left->model, right->model))) return std::nullopt;
+  if (!left || !right) return left ? left : right;
+  return right->evidence.score() > left->evidence.score() + kClearer ? right : left;
+}
+
 FovShape shapeOf(const Candidate& candidate, double scale, int height) {
   const FovModel& m = candidate.model;
   const double back = 1 / scale;
@@ -121,6 +156,9 @@ std::vector<std::string> doubtsOf(const Candidate& candidate) {
     else if (seen.visible < 0.75)
       doubts.push_back(name + " is cut off by the picture's rim.");
   }
+  if (candidate.beside != Beside::Nothing)
+    doubts.push_back(std::string("Two pictures lie side by side; this is the ") +
+                     (candidate.beside == Beside::Right ? "left" : "right") + " one.");
   if (candidate.plate->darkOnLight) doubts.emplace_back("The picture is dark on light; its greys were turned round.");
   if (candidate.upsideDown) doubts.emplace_back("The picture is upside down.");
   return doubts;
@@ -141,11 +179,6 @@ void giveMeaning(DepthRuler& ruler, double depth_px, bool linear) {
   if (depth_mm > (linear ? 160 : 330)) ruler.mmPerMark /= ruler.longEvery == 0 ? 2 : 5;
 }
 
-struct Found {
-  std::optional<Candidate> best;
-  std::vector<Plate> plates;  ///< the best one points into
-};
-
 }  // namespace
 
 Result<FovFit> fitFov(const GreyPicture& picture) {
@@ -161,11 +194,17 @@ Result<FovFit> fitFov(const GreyPicture& picture) {
   cv::resize(grey, work, {}, scale, scale, scale < 1 ? cv::INTER_AREA : cv::INTER_LINEAR);
   cv::flip(work, flipped, 0);
   const std::vector<Plate> upright = platesOf(work), turned = platesOf(flipped);
+  std::deque<std::array<Plate, 2>> parted;  // a candidate points to its plate
   std::optional<Candidate> best;
   const auto consider = [&](const std::vector<Plate>& plates, bool upsideDown) {
     for (const Plate& plate : plates) {
-      const auto candidate = bestOn(plate, upsideDown);
-      if (!candidate || !acceptable(*candidate)) continue;
+      auto candidate = bestOn(plate, upsideDown);
+      if (candidate && !acceptable(*candidate)) candidate.reset();
+      if (auto halves = halvesOf(plate)) {
+        parted.push_back(std::move(*halves));
+        if (auto half = bestOfHalves(parted.back(), upsideDown, candidate.has_value())) candidate = half;
+      }
+      if (!candidate) continue;
       if (!best || candidate->evidence.score() > best->evidence.score() + 0.01) best = candidate;
     }
   };

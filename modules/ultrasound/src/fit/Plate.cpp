@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 namespace insonate::fit {
@@ -21,7 +22,10 @@ constexpr double kCompanion = 0.12;     // parts of the body, over its largest
 constexpr double kPlainSd = 1.0;        // greys: areas of less variation are drawn, not imaged
 constexpr double kLeastTextured = 0.3;  // of a part of the body
 constexpr double kPlainShare = 0.5;
-constexpr int kPlainWidth_px = 31;  // plain where so large a share of so wide a square is
+constexpr double kLeastHalf = 0.3;   // of the body, to either side of what parts it
+constexpr int kLeastParting_px = 3;  // wide
+constexpr double kCrossing = 0.02;   // of the picture's height: what may cross it
+constexpr int kPlainWidth_px = 31;   // plain where so large a share of so wide a square is
 
 std::array<double, 256> histogramOf(const cv::Mat_<float>& picture) {
   std::array<double, 256> counts{};
@@ -172,6 +176,37 @@ std::vector<Plate> platesOf(const cv::Mat_<uchar>& grey) {
   if (cv::countNonZero(grey > 140) > 0.3 * double(grey.total()))
     if (auto plate = plateOf(255 - picture, true)) plates.push_back(std::move(*plate));
   return plates;
+}
+
+std::optional<std::array<Plate, 2>> halvesOf(const Plate& plate) {
+  const int columns = plate.body.cols;
+  std::vector<double> counts(std::size_t(columns), 0);
+  for (int column = 0; column < columns; ++column)
+    counts[std::size_t(column)] = cv::countNonZero(plate.body.col(column));
+  const double all = std::accumulate(counts.begin(), counts.end(), 0.0);
+  int from = 0, widest = 0, middle = 0;
+  double left = 0;
+  for (int column = 0; column < columns; ++column) {
+    left += counts[std::size_t(column)];
+    const bool parts = counts[std::size_t(column)] <= kCrossing * plate.body.rows && left >= kLeastHalf * all &&
+                       left <= (1 - kLeastHalf) * all;
+    if (!parts)
+      from = column + 1;
+    else if (column + 1 - from > widest)
+      widest = column + 1 - from, middle = (from + column) / 2;
+  }
+  if (widest < kLeastParting_px) return std::nullopt;
+  std::array<Plate, 2> halves;
+  for (int side = 0; side < 2; ++side) {
+    Plate& half = halves[std::size_t(side)];
+    half = {plate.smooth.clone(), plate.threshold, plate.mask.clone(), plate.body.clone(), plate.gaps, 0,
+            plate.darkOnLight};
+    const cv::Range other = side == 0 ? cv::Range(middle, columns) : cv::Range(0, middle);
+    half.smooth.colRange(other) = 0;
+    for (cv::Mat_<uchar>* map : {&half.mask, &half.body}) map->colRange(other) = 0;
+    half.bodyShare = double(cv::countNonZero(half.body)) / double(half.body.total());
+  }
+  return halves;
 }
 
 }  // namespace insonate::fit

@@ -2,6 +2,8 @@
 
 #include <opencv2/core.hpp>
 
+#include <array>
+#include <optional>
 #include <vector>
 
 namespace insonate::fit {
@@ -19,5 +21,9 @@ struct Plate {
 
 /// The ways to read a picture that make sense, the likeliest first; none where it is all one grey.
 std::vector<Plate> platesOf(const cv::Mat_<uchar>& grey);
+
+/// Where ground from top to bottom parts the body in two of a size: the plate with its left part alone, and with its
+/// right one.
+std::optional<std::array<Plate, 2>> halvesOf(const Plate& plate);
 
 }  // namespace insonate::fit

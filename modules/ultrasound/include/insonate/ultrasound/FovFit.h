@@ -48,9 +48,10 @@ struct FovFit {
 };
 
 /// Finds the fan or rectangle of an ultrasound picture, turned by up to 5 degrees, upright or upside down, light on
-/// dark or dark on light, with text and bars around it, also where a side or the end is cut off. The same picture gives
-/// the same fit. Takes up to a second. Fails, with a sentence, on pictures under 64 or over 16384 pixels wide or high,
-/// and where nothing looks like a field of view.
+/// dark or dark on light, with text and bars around it, also where a side or the end is cut off. Of two alike ones side
+/// by side, parted by ground, it is the clearer one, or the left; a doubt says so. The same picture gives the same fit.
+/// Takes up to a second, or three where two are looked at. Fails, with a sentence, on pictures under 64 or over 16384
+/// pixels wide or high, and where nothing looks like a field of view.
 Result<FovFit> fitFov(const GreyPicture& picture);
 
 /// From the middle of the face to the end, in pixels.
