@@ -246,7 +246,7 @@ void addRenderCommand(CLI::App& app, Outcome& outcome) {
   command->add_option("--out", options->targets.picture, "PNG to write; along a path F.png becomes F_0000.png, ...")
       ->required()
       ->check(notEmpty());
-  command->add_option("--engine", options->engine, "reference or cpu")->capture_default_str();
+  command->add_option("--engine", options->engine, "reference, cpu or glsl")->capture_default_str();
   command->add_option("--tissues", options->tissues, "Tissue preset or file; by default neck, for look thesis thesis");
   command->add_option("--settings", options->settings, "JSON file of imaging settings to override");
   command->add_option("--look", options->look, "coherent or thesis")->check(CLI::IsMember({"coherent", "thesis"}));

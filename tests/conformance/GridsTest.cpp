@@ -14,7 +14,7 @@ class Grids : public EngineTest {
   ImagingSettings settings_ = uniformSettings(probe_, 128, 400, 3);
   AcousticTable table_ = plainTable();
 
-  void SetUp() override {
+  Grids() {
     for (AcousticTissue& tissue : table_.tissues) tissue.attenuation_dBpcmMHz = 0.6;
     table_.tissues[kVein].echogenicity_dB = -20, table_.tissues[kVein].attenuation_dBpcmMHz = 0.18;
     settings_.effects.attenuation = true;

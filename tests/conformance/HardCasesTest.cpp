@@ -12,7 +12,7 @@ class HardCases : public EngineTest {
   ImagingSettings settings_ = settingsFor(probe_);
   AcousticTable table_ = *loadAcousticTable("neck");
 
-  void SetUp() override { settings_.scanlines = 96, settings_.samples = 300; }
+  HardCases() { settings_.scanlines = 96, settings_.samples = 300; }
 
   EnvelopeFrame frameOf(const LabelPhantom& phantom, const Transform& pose = {}) {
     const auto& grid = phantom.labels.geometry;

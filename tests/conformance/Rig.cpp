@@ -91,6 +91,8 @@ EnvelopeFrame renderWith(const std::string& engineName, const Probe& probe, cons
   EnvelopeFrame frame;
   engine->prepare(probe, settings);
   engine->render(scene, patientFromProbe, displacement, frame);
+  if (engine->name() != engineName)
+    throw std::runtime_error(std::string(engine->note()));  // another one has computed it
   return frame;
 }
 

@@ -82,6 +82,10 @@ Transform moved(Vec3 by_mm);
 /// Tests that every engine must pass; the parameter is its name.
 class EngineTest : public testing::TestWithParam<std::string> {
  protected:
+  /// Skips where this machine has not what the engine needs, such as OpenGL.
+  void SetUp() override {
+    if (auto engine = makeEngine(GetParam()); !engine) GTEST_SKIP() << engine.error().message;
+  }
   EnvelopeFrame render(const Probe& probe, const ImagingSettings& settings, const ScenePtr& scene,
                        const Transform& patientFromProbe = {}, const PlaneDisplacement& displacement = {}) const {
     return renderWith(GetParam(), probe, settings, *scene, patientFromProbe, displacement);

@@ -1,4 +1,5 @@
 #include "cpu/CpuEngine.h"
+#include "glsl/GlslEngine.h"
 #include "model/FramePlan.h"
 #include "reference/ReferenceEngine.h"
 
@@ -9,13 +10,14 @@
 namespace insonate {
 
 std::vector<std::string> engineNames() {
-  return {"reference", "cpu"};
+  return {"reference", "cpu", "glsl"};
 }
 
 Result<std::unique_ptr<Engine>> makeEngine(std::string_view name) {
   if (name == "reference") return makeReferenceEngine();
   if (name == "cpu") return makeCpuEngine();
-  return fail("There is no engine \"" + std::string(name) + "\"; choose reference or cpu.");
+  if (name == "glsl") return makeGlslEngine();
+  return fail("There is no engine \"" + std::string(name) + "\"; choose reference, cpu or glsl.");
 }
 
 Region regionOf(const Probe& probe, const ImagingSettings& settings, const Transform& patientFromProbe,

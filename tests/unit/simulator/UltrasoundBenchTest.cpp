@@ -54,13 +54,16 @@ TEST(UltrasoundBench, HasARowForEveryEngineAndSize) {
   std::set<std::tuple<std::string, int, int, int>> kinds;
   for (const UltrasoundBenchRow& row : bench.rows)
     if (row.look == "coherent") kinds.insert({row.engine, row.scanlines, row.samples, row.elevationPlanes});
+  std::size_t engines = 0;
   for (const std::string& engine : engineNames()) {
+    if (!makeEngine(engine)) continue;
+    ++engines;
     EXPECT_TRUE(kinds.contains({engine, 48, 250, 3})) << engine;
     EXPECT_TRUE(kinds.contains({engine, 24, 250, 3})) << engine;
     EXPECT_TRUE(kinds.contains({engine, 48, 200, 3})) << engine;
     EXPECT_TRUE(kinds.contains({engine, 48, 250, 1})) << engine;
   }
-  EXPECT_EQ(kinds.size(), 4 * engineNames().size());
+  EXPECT_EQ(kinds.size(), 4 * engines);
   EXPECT_EQ(bench.rows.front().scanlines, 48) << "the workload comes first";
   EXPECT_EQ(bench.rows.back().look, "thesis");
 }

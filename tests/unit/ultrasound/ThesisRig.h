@@ -84,6 +84,10 @@ inline std::string thesisEngineName(const testing::TestParamInfo<std::string>& e
 
 class ThesisEngines : public testing::TestWithParam<std::string> {
  protected:
+  /// Skips where this machine has not what the engine needs, such as OpenGL.
+  void SetUp() override {
+    if (auto engine = makeEngine(GetParam()); !engine) GTEST_SKIP() << engine.error().message;
+  }
   const Probe probe = *loadProbe("linear");
 };
 

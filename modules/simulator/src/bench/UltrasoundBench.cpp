@@ -118,6 +118,19 @@ Result<void> addRealism(const UltrasoundBenchPlan& plan, const ImagingSetup& set
   return {};
 }
 
+/// What engines ran on, and why one is left out.
+std::vector<std::string> engineNotes() {
+  std::vector<std::string> notes;
+  for (const std::string& name : engineNames()) {
+    const auto engine = makeEngine(name);
+    if (!engine)
+      notes.push_back("The engine " + name + " is left out. " + engine.error().message);
+    else if (!(*engine)->note().empty())
+      notes.push_back("The engine " + name + " ran on " + std::string((*engine)->note()) + ".");
+  }
+  return notes;
+}
+
 constexpr const char* kAboutTimes =
     "median_ms, p95_ms and min_ms are wall-clock times of whole frames, engine and display, with a moving probe; other "
     "programs on the machine lengthen them. cpu_ms is the processor time of the whole program for one frame.";
@@ -216,7 +229,9 @@ Result<UltrasoundBench> runUltrasoundBench(const UltrasoundBenchPlan& plan, cons
     if (!patient) return tl::unexpected(patient.error());
     if (auto ok = addRealism(plan, setup, *patient, variant, 0, bench); !ok) return tl::unexpected(ok.error());
   }
-  bench.notes = {kAboutTimes, kAboutErrors, kAboutPlainLoop, kAboutStages, kAboutOthers};
+  bench.notes = engineNotes();
+  for (const char* about : {kAboutTimes, kAboutErrors, kAboutPlainLoop, kAboutStages, kAboutOthers})
+    bench.notes.emplace_back(about);
   report(progress, "measuring pictures", 1);
   return bench;
 }

@@ -4,6 +4,7 @@
 #include <insonate/ultrasound/AcousticScene.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <span>
 
@@ -45,7 +46,9 @@ Result<std::shared_ptr<const AcousticScene>> AcousticScene::make(const SceneSour
   if (!field) return tl::unexpected(field.error());
 
   const CaseFacts& facts = source.impl().facts;
+  static std::atomic<std::uint64_t> scenes = 0;
   auto impl = std::make_unique<Impl>();
+  impl->serial = ++scenes;
   impl->table = table;
   impl->points = std::move(points);
   impl->field = std::move(*field);

@@ -6,6 +6,8 @@
 
 #include <insonate/ultrasound/AcousticScene.h>
 
+#include <cstdint>
+
 namespace insonate {
 
 /// Which way a texture lies in the patient: rows are the tile's u (fibre), v and w (thin) axes, in tile voxels per mm.
@@ -15,6 +17,7 @@ struct TextureFrame {
 };
 
 struct AcousticScene::Impl {
+  std::uint64_t serial = 0;  ///< of this scene and no other of the process, whatever its address; above 0
   AcousticTable table;
   TissueField field;
   BoundaryProfiles profiles;

@@ -2,6 +2,7 @@
 
 #include <insonate/core/Result.h>
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -37,6 +38,8 @@ class Context : public std::enable_shared_from_this<Context> {
   /// where the thread draws with an OpenGL that cannot be put aside (GLX).
   Result<Current> use();
 
+  /// Seen to be lost by use() or Current::check(); what it held is gone for good.
+  bool lost() const { return lost_; }
   /// As when the driver resets the card: from now on use() fails. For tests.
   void simulateLoss() { lost_ = true; }
 
@@ -48,7 +51,7 @@ class Context : public std::enable_shared_from_this<Context> {
   std::unique_ptr<Handles> handles_;
   DeviceInfo device_;
   std::recursive_mutex mutex_;
-  bool lost_ = false;
+  std::atomic<bool> lost_ = false;
 };
 
 /// While one lives, the context is current on this thread, and no other thread's. What was current before is so again

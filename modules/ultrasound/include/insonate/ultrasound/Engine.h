@@ -19,6 +19,9 @@ class Engine {
   virtual ~Engine() = default;
 
   virtual std::string_view name() const = 0;
+  /// What a user should know of it beside the name: the device that it runs on, why another engine computes in its
+  /// place. Empty where there is nothing to say.
+  virtual std::string_view note() const { return {}; }
 
   /// Allocates for these settings, which must be valid (see validate()).
   virtual void prepare(const Probe& probe, const ImagingSettings& settings) = 0;
@@ -45,7 +48,8 @@ class Engine {
 };
 
 std::vector<std::string> engineNames();
-/// `reference` (scalar, double, to be read) or `cpu` (SIMD, threads).
+/// `reference` (scalar, double, to be read), `cpu` (SIMD, threads) or `glsl` (a graphics card; fails with a sentence
+/// where there is none, nor a software renderer).
 Result<std::unique_ptr<Engine>> makeEngine(std::string_view name);
 
 /// Region that a frame at this pose needs of the scene, where tissue has moved by up to `largestShift_mm` (0 or above).

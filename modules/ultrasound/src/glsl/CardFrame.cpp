@@ -1,0 +1,207 @@
+#include "glsl/CardFrame.h"
+
+#include <chrono>
+
+namespace insonate::glsl {
+namespace {
+
+// Slots of buffers that most stages read.
+constexpr unsigned kSceneSlot = 0, kTilesSlot = 1, kPlanSlot = 2, kContactsSlot = 3, kShiftsSlot = 4;
+
+using Clock = std::chrono::steady_clock;
+
+double msSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+template <class T>
+std::span<const std::byte> bytesOf(const T& values) {
+  return std::as_bytes(std::span(values));
+}
+
+template <class T>
+std::span<const std::byte> bytesOfOne(const T& value) {
+  return std::as_bytes(std::span(&value, 1));
+}
+
+}  // namespace
+
+CardFrame::CardFrame(std::shared_ptr<const Device> device, const Probe& probe, const ImagingSettings& settings)
+    : device_(std::move(device)), plan_(probe, settings), tables_(plan_, settings.look == Look::Thesis) {
+  if (settings.look == Look::Thesis) thesis_.emplace(plan_);
+  stages_ = {{"upload"}, {"commands"}, {"results"}};
+}
+
+Result<std::unique_ptr<CardFrame>> CardFrame::make(std::shared_ptr<const Device> device, const Probe& probe,
+                                                   const ImagingSettings& settings) {
+  const auto current = device->context().use();
+  if (!current) return tl::unexpected(current.error());
+  std::unique_ptr<CardFrame> frame(new CardFrame(std::move(device), probe, settings));
+  if (auto ok = frame->allocate(*current); !ok) return tl::unexpected(ok.error());
+  return frame;
+}
+
+Result<void> CardFrame::allocate(const gpu::Current& current) {
+  Result<void> ok;
+  const auto keep = [&](Result<gpu::Buffer> made, gpu::Buffer& buffer) {
+    if (!ok) return;
+    if (made)
+      buffer = std::move(*made);
+    else
+      ok = tl::unexpected(made.error());
+  };
+  const auto room = [&](std::size_t bytes, gpu::Buffer& buffer) {
+    if (ok) keep(gpu::Buffer::make(current, bytes), buffer);
+  };
+  const auto fill = [&](const auto& values, gpu::Buffer& buffer) {
+    if (ok) keep(gpu::Buffer::of(current, std::span(values)), buffer);
+  };
+  const std::size_t planes = plan_.settings.elevationPlanes, columns = plan_.nodeColumns, rows = plan_.nodeRows;
+  const std::size_t gates = std::size_t(plan_.gates) * plan_.lines, nodes = planes * rows * columns;
+  const std::size_t components = std::size_t(tables_.block.looks) * tables_.block.parts;
+  const std::size_t look = sizeof(float) * plan_.grid.samples() * plan_.lines;
+  fill(tables_.plan, planTable_), fill(tables_.kernels, kernels_);
+  room(sizeof(FrameBlock), block_);
+  room(columns * 2 * sizeof(float), contacts_), room(rows * columns * 2 * sizeof(float), shifts_);
+  room(nodes * kNodeBytes, nodes_);
+  room(components * gates * sizeof(float), echo_), room(components * gates * sizeof(float), blurred_);
+  room(tables_.block.looks * look, envelope_);
+  if (thesis_) {
+    room(sizeof(ThesisBlock), thesisBlock_);
+    room(planes * thesis_->mapRows * columns * sizeof(Float4), map_);
+  } else {
+    fill(tables_.repeats, repeats_);
+    room(nodes * kCellBytes, cells_), room(planes * gates * kSampleBytes, samples_);
+    room(planes * gates * kCrossingBytes, crossings_), room(plan_.lines * sizeof(int), gasGates_);
+  }
+  if (!ok) return ok;
+  auto readBack = gpu::ReadBack::make(current, look);
+  if (!readBack) return tl::unexpected(readBack.error());
+  readBack_ = std::move(*readBack);
+  return {};
+}
+
+Result<void> CardFrame::upload(const gpu::Current& current, const AcousticScene::Impl& scene,
+                               const Transform& patientFromProbe, const PlaneDisplacement& displacement) {
+  FrameBlock& block = tables_.block;
+  if (scene_ != scene.serial) {
+    scene_ = 0;
+    const std::vector<std::int32_t> words = sceneWords(scene, block);
+    auto buffer = gpu::Buffer::of(current, std::span(words));
+    if (!buffer) return tl::unexpected(buffer.error());
+    sceneWords_ = std::move(*buffer);
+    scene_ = scene.serial;
+  }
+  setPose(plan_, scene, patientFromProbe, block);
+  setDisplacement(displacement, block);
+  if (!displacement.empty()) {
+    static_assert(sizeof(PlaneDisplacement::Shift) == 2 * sizeof(float));
+    const std::span pairs(&displacement.restFromSeen[0].x_mm, 2 * displacement.restFromSeen.size());
+    if (auto ok = displacement_.write(current, displacement.columns, displacement.rows, pairs); !ok) return ok;
+  }
+  block.points = 0;
+  if (!thesis_ && !scene.points.empty()) {
+    const std::vector<Float4> points = pointTable(plan_, scene, patientFromProbe, displacement);
+    if (points.size() > pointCapacity_) {
+      auto buffer = gpu::Buffer::make(current, points.size() * sizeof(Float4));
+      if (!buffer) return tl::unexpected(buffer.error());
+      points_ = std::move(*buffer), pointCapacity_ = points.size();
+    }
+    if (!points.empty()) points_.write(current, bytesOf(points));
+    block.points = static_cast<std::int32_t>(points.size());
+  }
+  block_.write(current, bytesOfOne(block));
+  if (thesis_) thesisBlock_.write(current, bytesOfOne(thesisBlock(plan_, *thesis_, scene, patientFromProbe)));
+  return {};
+}
+
+void CardFrame::bindShared(const gpu::Current& current) const {
+  block_.bindUniform(current, 0);
+  if (thesis_) thesisBlock_.bindUniform(current, 1);
+  displacement_.bind(current, 0);
+  sceneWords_.bindStorage(current, kSceneSlot);
+  device_->tiles().bindStorage(current, kTilesSlot);
+  planTable_.bindStorage(current, kPlanSlot);
+  contacts_.bindStorage(current, kContactsSlot);
+  shifts_.bindStorage(current, kShiftsSlot);
+}
+
+void CardFrame::run(const gpu::Current& current, Stage stage, std::initializer_list<Binding> bindings, int groupsX,
+                    int groupsY, int groupsZ) const {
+  for (const Binding& b : bindings) b.buffer->bindStorage(current, b.slot);
+  device_->program(stage).run(current, groupsX, groupsY, groupsZ);
+}
+
+void CardFrame::traceCoherent(const gpu::Current& current) const {
+  const int planes = plan_.settings.elevationPlanes, lines = groupsOfLines(), gates = (plan_.gates + 1) / 2;
+  const int columns = (plan_.nodeColumns + 31) / 32, rows = (plan_.nodeRows + 1) / 2;
+  run(current, Stage::Contact, {}, columns);
+  run(current, Stage::Nodes, {{5, &nodes_}}, columns, rows, planes);
+  run(current, Stage::Cells, {{5, &nodes_}, {6, &cells_}}, columns, rows, planes);
+  run(current, Stage::Tissue, {{5, &cells_}, {6, &samples_}}, lines, gates, planes);
+  run(current, Stage::Crossings, {{5, &cells_}, {6, &samples_}, {7, &crossings_}}, lines, gates, planes);
+  run(current, Stage::Levels, {{5, &samples_}, {6, &crossings_}}, (plan_.lines + 15) / 16, 1, planes);
+  run(current, Stage::Echoes, {{5, &samples_}, {6, &crossings_}, {7, &echo_}}, lines, gates);
+  if (plan_.settings.effects.reverberation) {
+    run(current, Stage::Gas, {{5, &samples_}, {6, &gasGates_}}, plan_.lines);
+    run(current, Stage::Reverberate, {{5, &gasGates_}, {6, &repeats_}, {7, &echo_}}, lines, gates);
+  }
+  if (const int points = tables_.block.points)
+    run(current, Stage::Points, {{5, &points_}, {7, &echo_}}, (points + 63) / 64);
+  const int components = 2 * tables_.block.looks;
+  run(current, Stage::Axial, {{5, &kernels_}, {6, &echo_}, {7, &blurred_}}, lines, gates, components);
+  run(current, Stage::Lateral, {{5, &kernels_}, {6, &blurred_}, {7, &echo_}}, lines, gates, components);
+}
+
+void CardFrame::traceThesis(const gpu::Current& current) const {
+  const int planes = plan_.settings.elevationPlanes, lines = groupsOfLines(), gates = (plan_.gates + 1) / 2;
+  const int columns = (plan_.nodeColumns + 31) / 32;
+  run(current, Stage::Contact, {}, columns);
+  run(current, Stage::Nodes, {{5, &nodes_}}, columns, (plan_.nodeRows + 1) / 2, planes);
+  run(current, Stage::ThesisMap, {{5, &nodes_}, {6, &map_}}, columns, (thesis_->mapRows + 1) / 2, planes);
+  run(current, Stage::ThesisEchoes, {{5, &map_}, {7, &echo_}}, (plan_.lines + 15) / 16);
+  run(current, Stage::ThesisTail, {{5, &kernels_}, {6, &echo_}, {7, &blurred_}}, lines, gates);
+  run(current, Stage::Lateral, {{5, &kernels_}, {6, &blurred_}, {7, &echo_}}, lines, gates);
+}
+
+/// While one look is copied, the next is computed.
+Result<void> CardFrame::readEnvelope(const gpu::Current& current, EnvelopeFrame& envelope) {
+  const int looks = tables_.block.looks;
+  const std::size_t count = std::size_t(plan_.lines) * plan_.grid.samples();
+  int read = 0;
+  const auto finish = [&] {
+    return readBack_.finish(current, std::as_writable_bytes(std::span(envelope.look(read++), count)));
+  };
+  for (int look = 0; look < looks; ++look) {
+    device_->program(Stage::Envelope).setInt(current, "look", look);
+    run(current, Stage::Envelope, {{5, &kernels_}, {6, &echo_}, {7, &envelope_}}, groupsOfLines(),
+        (plan_.grid.samples() + 1) / 2);
+    if (readBack_.full())
+      if (auto ok = finish(); !ok) return ok;
+    readBack_.begin(current, envelope_, look * count * sizeof(float), count * sizeof(float));
+  }
+  while (read < looks)
+    if (auto ok = finish(); !ok) return ok;
+  return {};
+}
+
+Result<void> CardFrame::render(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
+                               const PlaneDisplacement& displacement, EnvelopeFrame& envelope) {
+  const auto current = device_->context().use();
+  if (!current) return tl::unexpected(current.error());
+  envelope.resize(plan_.lines, plan_.grid.samples(), tables_.block.looks);
+  auto start = Clock::now();
+  if (auto ok = upload(*current, scene, patientFromProbe, displacement); !ok) return ok;
+  bindShared(*current);
+  stages_[0].ms = msSince(start), start = Clock::now();
+  if (thesis_)
+    traceThesis(*current);
+  else
+    traceCoherent(*current);
+  stages_[1].ms = msSince(start), start = Clock::now();
+  auto ok = readEnvelope(*current, envelope);
+  stages_[2].ms = msSince(start);
+  return ok;
+}
+
+}  // namespace insonate::glsl

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "glsl/Device.h"
+#include "glsl/Tables.h"
+
+#include <insonate/ultrasound/Engine.h>
+
+#include <initializer_list>
+#include <memory>
+#include <optional>
+
+namespace insonate::glsl {
+
+/// Frames of one probe with one set of settings on the card. What follows from these is uploaded once, a scene when it
+/// is first seen, and in every frame a block of parameters and the displacement.
+class CardFrame {
+ public:
+  static Result<std::unique_ptr<CardFrame>> make(std::shared_ptr<const Device> device, const Probe& probe,
+                                                 const ImagingSettings& settings);
+
+  /// Fails where the card has been reset or has no room for the scene; no frame can be had of it then.
+  Result<void> render(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
+                      const PlaneDisplacement& displacement, EnvelopeFrame& envelope);
+
+  const std::vector<Engine::Stage>& stages() const { return stages_; }
+
+ private:
+  struct Binding {
+    unsigned slot;
+    const gpu::Buffer* buffer;
+  };
+
+  CardFrame(std::shared_ptr<const Device> device, const Probe& probe, const ImagingSettings& settings);
+  Result<void> allocate(const gpu::Current& current);
+  Result<void> upload(const gpu::Current& current, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
+                      const PlaneDisplacement& displacement);
+  void bindShared(const gpu::Current& current) const;
+  void traceCoherent(const gpu::Current& current) const;
+  void traceThesis(const gpu::Current& current) const;
+  Result<void> readEnvelope(const gpu::Current& current, EnvelopeFrame& envelope);
+  void run(const gpu::Current& current, Stage stage, std::initializer_list<Binding> bindings, int groupsX,
+           int groupsY = 1, int groupsZ = 1) const;
+  int groupsOfLines() const { return (plan_.lines + 31) / 32; }
+
+  std::shared_ptr<const Device> device_;
+  FramePlan plan_;
+  std::optional<thesis::ThesisPlan> thesis_;  ///< where the settings ask for its look
+  PlanTables tables_;
+  std::uint64_t scene_ = 0;  ///< whose data the card has
+
+  // Kept for as long as the settings.
+  gpu::Buffer planTable_, kernels_, repeats_, block_, thesisBlock_, sceneWords_;
+  gpu::Buffer contacts_, shifts_, nodes_, cells_, samples_, crossings_, gasGates_, points_, map_;
+  gpu::Buffer echo_, blurred_, envelope_;
+  gpu::PairTexture displacement_;
+  gpu::ReadBack readBack_;
+  std::size_t pointCapacity_ = 0;
+  std::vector<Engine::Stage> stages_;
+};
+
+}  // namespace insonate::glsl

@@ -1,0 +1,144 @@
+#include "glsl/Device.h"
+
+#include "glsl/FrameBlock.h"
+#include "model/FramePlan.h"
+#include "model/Impulse.h"
+#include "model/Reverberation.h"
+#include "model/Scatterers.h"
+#include "scene/BoundaryProfiles.h"
+#include "scene/TextureTiles.h"
+#include "thesis/ThesisModel.h"
+
+#include <insonate/embedded/shaders.h>
+
+#include <cmath>
+#include <mutex>
+#include <sstream>
+
+namespace insonate::glsl {
+namespace {
+
+constexpr std::array<std::string_view, std::size_t(Stage::kCount)> kStageFiles{
+    "contact",     "nodes",  "cells", "tissue",  "crossings", "levels",     "echoes",        "gas",
+    "reverberate", "points", "axial", "lateral", "envelope",  "thesis_map", "thesis_echoes", "thesis_tail"};
+
+const TextureTile& tileOf(int index) {
+  return index < kTextureKinds ? textureTile(static_cast<Texture>(index)) : patchTile();
+}
+
+std::vector<std::int8_t> allTiles() {
+  std::vector<std::int8_t> bytes;
+  for (int t = 0; t < kTiles; ++t) {
+    const TextureTile& tile = tileOf(t);
+    bytes.insert(bytes.end(), tile.value.begin(), tile.value.end());
+  }
+  bytes.resize((bytes.size() + 3) / 4 * 4);
+  return bytes;
+}
+
+}  // namespace
+
+static_assert(kTiles == kTextureKinds + 1);
+
+std::array<int, kTiles> tileOffsets() {
+  std::array<int, kTiles> offsets{};
+  for (int t = 1; t < kTiles; ++t) offsets[t] = offsets[t - 1] + static_cast<int>(tileOf(t - 1).value.size());
+  return offsets;
+}
+
+std::string shaderText(std::string_view name) {
+  constexpr std::string_view kInclude = "#include \"";
+  for (const auto& file : embedded::shaders::files()) {
+    if (file.name != name) continue;
+    std::istringstream lines{std::string(file.text)};
+    std::string text;
+    for (std::string line; std::getline(lines, line); text += '\n') {
+      const std::string_view view = line;
+      text += view.starts_with(kInclude) ? shaderText(view.substr(kInclude.size(), view.find('.') - kInclude.size()))
+                                         : line;
+    }
+    return text;
+  }
+  return {};
+}
+
+std::string constantsText() {
+  std::ostringstream text;
+  text.precision(9);
+  text << std::showpoint;
+  const auto real = [&](const char* name, double value) { text << "const float " << name << " = " << value << ";\n"; };
+  const auto whole = [&](const char* name, int value) { text << "const int " << name << " = " << value << ";\n"; };
+  using namespace acoustics;
+  real("kReflectorGain_dB", kReflectorGain_dB);
+  real("kContactDepth_mm", kContactDepth_mm);
+  real("kContactReach_mm", kContactReach_mm);
+  real("kPoorContact_mm", kPoorContact_mm);
+  real("kEdgeCosine", kEdgeCosine);
+  real("kEdgeReach_mm", kEdgeReach_mm);
+  real("kUnitsPerMm", TissueField::kUnitsPerMm);
+  real("kReach_mm", TissueField::kReach_mm);
+  real("kProfileStep_mm", BoundaryProfiles::kStep_mm);
+  whole("kProfileEntries", BoundaryProfiles::kEntries);
+  real("kScattererUnit", kScattererUnit);
+  real("kScattererMean", kScattererMean);
+  real("kNarrowest_gates", Impulse::kNarrowest_gates);
+  real("kWidest_gates", Impulse::kWidest_gates);
+  whole("kFirstGateBehind", Reverberation::kFirstGate);
+  real("kThesisReflectorGain_dB", thesis::kReflectorGain_dB);
+  real("kBeyondLoss_dBpmm", thesis::kBeyondLoss_dBpmm);
+  real("kSpeckleContrast", thesis::kSpeckleContrast);
+  real("kNoiseSd", std::sqrt(thesis::noiseVariance()));
+  whole("kNoiseOctaves", thesis::kNoiseOctaves);
+  whole("kScattering", kScattering);
+  whole("kReflection", kReflection);
+  whole("kAttenuation", kAttenuation);
+  whole("kTransmission", kTransmission);
+  whole("kSpeckle", kSpeckle);
+  whole("kLayers", kLayers);
+  whole("kTexture", kTexture);
+  whole("kEdgeShadow", kEdgeShadow);
+  whole("kSheets", kSheets);
+  whole("kGas", kGas);
+  return std::move(text).str();
+}
+
+Result<void> Device::compile(const gpu::Current& current) {
+  const std::string constants = constantsText();
+  for (const std::string_view file : kStageFiles) {
+    const std::string text = shaderText(file);
+    auto program = gpu::Program::make(current, std::string(file), std::array<std::string_view, 2>{constants, text});
+    if (!program) return tl::unexpected(program.error());
+    if (auto same = program->checkBlock(current, "FrameBlock", frameFields(), sizeof(FrameBlock)); !same) return same;
+    if (auto same = program->checkBlock(current, "ThesisBlock", thesisFields(), sizeof(ThesisBlock)); !same)
+      return same;
+    programs_.push_back(std::move(*program));
+  }
+  const std::vector<std::int8_t> bytes = allTiles();
+  auto tiles = gpu::Buffer::of(current, std::span<const std::int8_t>(bytes));
+  if (!tiles) return tl::unexpected(tiles.error());
+  tiles_ = std::move(*tiles);
+  return current.check();
+}
+
+Result<std::shared_ptr<const Device>> Device::make() {
+  auto context = gpu::Context::make();
+  if (!context) return tl::unexpected(context.error());
+  const std::shared_ptr<Device> device(new Device(*context));
+  const auto current = device->context_->use();
+  if (!current) return tl::unexpected(current.error());
+  if (auto ok = device->compile(*current); !ok) return tl::unexpected(ok.error());
+  return device;
+}
+
+Result<std::shared_ptr<const Device>> Device::shared() {
+  // Never taken down: at the end of a process drivers are gone before the last objects are.
+  static std::mutex mutex;
+  static auto* device = new std::shared_ptr<const Device>;
+  const std::scoped_lock lock(mutex);
+  if (*device && !(*device)->context_->lost()) return *device;
+  auto made = make();
+  if (made) *device = *made;
+  return made;
+}
+
+}  // namespace insonate::glsl

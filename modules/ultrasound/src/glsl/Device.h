@@ -1,0 +1,63 @@
+#pragma once
+
+#include <insonate/gpu/Context.h>
+#include <insonate/gpu/Memory.h>
+#include <insonate/gpu/Program.h>
+
+#include <array>
+#include <memory>
+#include <string>
+
+namespace insonate::glsl {
+
+/// One a shader file.
+enum class Stage {
+  Contact,
+  Nodes,
+  Cells,
+  Tissue,
+  Crossings,
+  Levels,
+  Echoes,
+  Gas,
+  Reverberate,
+  Points,
+  Axial,
+  Lateral,
+  Envelope,
+  ThesisMap,
+  ThesisEchoes,
+  ThesisTail,
+  kCount
+};
+
+/// The text of a shader of the project, includes put in; empty where there is none of that name.
+std::string shaderText(std::string_view name);
+/// Constants of the model as the shaders know them, from those of C++.
+std::string constantsText();
+
+/// What engines of one process share: a context, the shaders, the textures' tiles.
+class Device {
+ public:
+  /// Made at the first call, which takes as long as the driver's compiler does; anew after a loss. Fails with a
+  /// sentence where there is no OpenGL that serves.
+  static Result<std::shared_ptr<const Device>> shared();
+
+  gpu::Context& context() const { return *context_; }
+  const gpu::Program& program(Stage stage) const { return programs_[std::size_t(stage)]; }
+  const gpu::Buffer& tiles() const { return tiles_; }
+
+ private:
+  static Result<std::shared_ptr<const Device>> make();
+  explicit Device(std::shared_ptr<gpu::Context> context) : context_(std::move(context)) {}
+  Result<void> compile(const gpu::Current& current);
+
+  std::shared_ptr<gpu::Context> context_;
+  std::vector<gpu::Program> programs_;  ///< [stage]
+  gpu::Buffer tiles_;
+};
+
+/// First byte of each tile in the device's buffer, by Texture, and last that of patchTile().
+std::array<int, 6> tileOffsets();
+
+}  // namespace insonate::glsl

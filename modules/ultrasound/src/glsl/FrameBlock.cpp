@@ -1,0 +1,89 @@
+#include "glsl/FrameBlock.h"
+
+#include <cstddef>
+
+namespace insonate::glsl {
+
+#define FRAME(name) \
+  { "FrameBlock." #name, offsetof(FrameBlock, name) }
+#define FRAME_ARRAY(name) \
+  { "FrameBlock." #name "[0]", offsetof(FrameBlock, name) }
+#define CHANNEL(name) \
+  { "FrameBlock.channel[0]." #name, offsetof(FrameBlock, channel) + offsetof(ChannelBlock, name) }
+#define CHANNEL_ARRAY(name) \
+  { "FrameBlock.channel[0]." #name "[0]", offsetof(FrameBlock, channel) + offsetof(ChannelBlock, name) }
+#define THESIS(name) \
+  { "ThesisBlock." #name, offsetof(ThesisBlock, name) }
+#define THESIS_ARRAY(name) \
+  { "ThesisBlock." #name "[0]", offsetof(ThesisBlock, name) }
+
+std::vector<gpu::Field> frameFields() {
+  return {FRAME(lines),
+          FRAME(gates),
+          FRAME(samples),
+          FRAME(looks),
+          FRAME(planes),
+          FRAME(stride),
+          FRAME(cellGates),
+          FRAME(cellLines),
+          FRAME(nodeRows),
+          FRAME(nodeColumns),
+          FRAME(gateTable),
+          FRAME(lateralKernel),
+          FRAME(lateralEntries),
+          FRAME(axialRadius),
+          FRAME(upsampleTable),
+          FRAME(parts),
+          FRAME(gate_mm),
+          FRAME(spacingAtFace_mm),
+          FRAME(spacingPerMm),
+          FRAME(planeSpacing_sd),
+          FRAME(boundaryScale),
+          FRAME(edgeLoss_dB),
+          FRAME(displacementLeft_mm),
+          FRAME(displacementTop_mm),
+          FRAME(displacementStep_mm),
+          FRAME(displacementColumns),
+          FRAME(displacementRows),
+          FRAME(effects),
+          FRAME(channels),
+          FRAME(backgroundChannel),
+          FRAME(ctWords),
+          FRAME(profileWords),
+          FRAME(latticeSeed),
+          FRAME(clampSides),
+          FRAME(points),
+          FRAME(conforming),
+          FRAME(fieldSize),
+          FRAME_ARRAY(nodeFromProbe),
+          FRAME_ARRAY(latticeFromProbe),
+          FRAME(latticeBase),
+          FRAME_ARRAY(patchFromProbe),
+          FRAME(patchBase),
+          FRAME(fromMidline),
+          FRAME_ARRAY(plane),
+          FRAME_ARRAY(tile),
+          CHANNEL(loss_dB),
+          CHANNEL(echo_dB),
+          CHANNEL(ctEcho_dBperHU),
+          CHANNEL(impedance_MRayl),
+          CHANNEL(ctImpedancePerHU),
+          CHANNEL(textureStrength_dB),
+          CHANNEL(roughness_dB),
+          CHANNEL(specularExponent),
+          CHANNEL(specularDiffuse),
+          CHANNEL(tile),
+          CHANNEL(flags),
+          CHANNEL(grazed),
+          CHANNEL_ARRAY(tileFromProbe),
+          CHANNEL_ARRAY(tileBase),
+          CHANNEL_ARRAY(thinAxis)};
+}
+
+std::vector<gpu::Field> thesisFields() {
+  return {THESIS(mapRows),      THESIS(noiseSeed),     THESIS(row_mm),       THESIS(interface_mm),
+          THESIS(steepness_mm), THESIS(lossLength_mm), THESIS(tailShare),    THESIS(noiseAcross),
+          THESIS(noiseDown),    THESIS(depth_mm),      THESIS_ARRAY(medium), THESIS_ARRAY(perHU)};
+}
+
+}  // namespace insonate::glsl

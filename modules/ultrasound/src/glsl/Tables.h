@@ -1,0 +1,39 @@
+#pragma once
+
+#include "glsl/FrameBlock.h"
+#include "model/FramePlan.h"
+#include "thesis/ThesisModel.h"
+
+#include <insonate/image/PlaneDisplacement.h>
+
+#include <vector>
+
+/// From the model's plan and a scene to what the shaders read.
+namespace insonate::glsl {
+
+/// What follows from probe and settings, uploaded once.
+struct PlanTables {
+  PlanTables(const FramePlan& plan, bool thesis);
+
+  std::vector<Float4> plan;     ///< scanlines and gates, see shaders/geometry.glsl
+  std::vector<float> kernels;   ///< see shaders/kernels.glsl
+  std::vector<Float4> repeats;  ///< see shaders/reverberate.comp
+  FrameBlock block{};           ///< with what is the same in every frame
+};
+
+/// Distances, CT and profiles as words, see shaders/field.glsl; the block gets where each begins.
+std::vector<std::int32_t> sceneWords(const AcousticScene::Impl& scene, FrameBlock& block);
+
+/// What the pose and the scene decide.
+void setPose(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
+             FrameBlock& block);
+void setDisplacement(const PlaneDisplacement& displacement, FrameBlock& block);
+
+/// Point targets as shaders/points.comp has them.
+std::vector<Float4> pointTable(const FramePlan& plan, const AcousticScene::Impl& scene,
+                               const Transform& patientFromProbe, const PlaneDisplacement& displacement);
+
+ThesisBlock thesisBlock(const FramePlan& plan, const thesis::ThesisPlan& thesis, const AcousticScene::Impl& scene,
+                        const Transform& patientFromProbe);
+
+}  // namespace insonate::glsl

@@ -1,0 +1,43 @@
+// What is left of the beam at each gate, there and back: losses summed down the scanline. A group takes 16 scanlines,
+// 16 threads a scanline: each sums its part of the gates, then goes over it again from where the parts before have led.
+#include "frame.glsl"
+#include "records.glsl"
+#include "rest.glsl"
+
+layout(local_size_x = 16, local_size_y = 16) in;
+layout(std430, binding = 5) buffer Samples {
+  GateSample samples[];
+};
+layout(std430, binding = 6) buffer Crossings {
+  Crossing crossings[];
+};
+
+const float kNothing_dB = -1e5;
+
+shared float total_dB[16][16];  // [part][scanline]
+
+void main() {
+  int line = min(int(gl_GlobalInvocationID.x), frame.lines - 1), plane = int(gl_WorkGroupID.z);
+  int part = int(gl_LocalInvocationID.y), column = int(gl_LocalInvocationID.x);
+  int length_ = (frame.gates + 15) / 16;
+  int first = part * length_, end = min(first + length_, frame.gates);
+
+  float sum_dB = 0.0;
+  for (int gate = first; gate < end; ++gate) {
+    int n = gateIndex(plane, gate, line);
+    sum_dB += samples[n].loss_dB + crossings[n].loss_dB;
+  }
+  total_dB[part][column] = sum_dB;
+  barrier();
+  if (int(gl_GlobalInvocationID.x) >= frame.lines) return;
+
+  float strength = contactOf(line).y, level_dB = strength > 0.0 ? toDecibel(strength) : kNothing_dB;
+  for (int before = 0; before < part; ++before) level_dB -= total_dB[before][column];
+  for (int gate = first; gate < end; ++gate) {
+    int n = gateIndex(plane, gate, line);
+    crossings[n].echo *= fromDecibel(level_dB);
+    level_dB -= crossings[n].loss_dB;
+    samples[n].level_dB = level_dB - samples[n].loss_dB / 2.0;
+    level_dB -= samples[n].loss_dB;
+  }
+}

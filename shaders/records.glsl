@@ -1,0 +1,27 @@
+// What stages hand to each other.
+
+struct Node {
+  float distance_mm[16];
+  float ct_HU, comesAndGoes, beyond, unused;  // comesAndGoes: unit SD; beyond: the lattice, in nodes
+};
+
+struct Cell {
+  int a, b;       // the two nearest structures
+  float s_mm[4];  // at the corners: row, then column
+  float cosine, spread_mm, ct_HU, comesAndGoes;
+  int inside;
+  int unused;
+};
+
+struct GateSample {
+  float s_mm, impedance_MRayl, loss_dB, level_dB;  // level: in the middle of the gate
+  float echo_dB, sheet;
+  int channel;
+  int marks;
+};
+const int kInside = 1, kOutside = 2, kGasHere = 4;  // outside: before the skin, gel
+
+// Between a gate and the one before.
+struct Crossing {
+  float echo, fraction, width, loss_dB;  // fraction: from the gate before; width: gates
+};

@@ -1,0 +1,20 @@
+// Periodic tiles of texture, -127..127, four a word.
+
+layout(std430, binding = 1) readonly buffer Tiles {
+  int tileWord[];
+};
+
+const int kPatchTile = 5;
+
+float tileAt(int tile, ivec3 voxel) {
+  ivec4 t = frame.tile[tile];
+  ivec3 n = voxel & (t.yzw - 1);
+  int at = t.x + (n.y * t.y + n.x) * t.w + n.z;
+  return float(bitfieldExtract(tileWord[at >> 2], 8 * (at & 3), 8));
+}
+
+// What comes and goes along boundaries, of unit SD; `step` tells fields apart.
+float comesAndGoesAt(vec3 rest_mm, ivec3 step) {
+  ivec3 voxel = frame.patchBase.xyz + ivec3(floor(carriedBy(frame.patchFromProbe, rest_mm)));
+  return tileAt(kPatchTile, voxel + step) / 32.0;
+}

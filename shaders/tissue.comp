@@ -1,0 +1,85 @@
+// What lies at each gate: TissueLookup::at().
+#include "frame.glsl"
+#include "records.glsl"
+#include "field.glsl"
+#include "tiles.glsl"
+#include "rest.glsl"
+
+layout(local_size_x = 32, local_size_y = 2) in;
+layout(std430, binding = 5) readonly buffer Cells {
+  Cell cells[];
+};
+layout(std430, binding = 6) writeonly buffer Samples {
+  GateSample samples[];
+};
+
+const float kSilence_dB = -1e4, kLost_dB = 1e4;
+
+// Structure that a CT does not resolve.
+void addTexture(inout GateSample here, float ct_HU, vec3 rest, int line) {
+  Channel channel = frame.channel[here.channel];
+  here.echo_dB += channel.ctEcho_dBperHU * ct_HU;
+  if (channel.tile == 0) return;
+  int side = dot(frame.fromMidline, vec4(rest, 1)) < 0.0 ? 0 : 1;
+  vec4 rows[3] = vec4[3](channel.tileFromProbe[3 * side], channel.tileFromProbe[3 * side + 1],
+                         channel.tileFromProbe[3 * side + 2]);
+  ivec3 voxel = channel.tileBase[side].xyz + ivec3(floor(carriedBy(rows, rest)));
+  float value = tileAt(channel.tile, voxel) / 127.0;
+  if (value > 0.0) {
+    vec4 ray = planTable[line];
+    float facing = dot(vec3(ray.z, 0, ray.w), channel.thinAxis[side].xyz);
+    value *= 0.2 + 0.8 * facing * facing;
+    if ((channel.flags & kSheets) != 0) here.sheet = value;
+  }
+  here.echo_dB += channel.textureStrength_dB * value;
+}
+
+float byteOf(int word, int which) {
+  return float(bitfieldExtract(uint(word), 8 * which, 8));
+}
+
+// Connective layers at the boundary take over from the tissue.
+void addLayers(inout GateSample here, Cell cell) {
+  int entry = int(floor(here.s_mm / kProfileStep_mm)) + kProfileEntries / 2;
+  if (entry < 0 || entry >= kProfileEntries) return;
+  int word = sceneWord[frame.profileWords + (cell.a * frame.channels + cell.b) * kProfileEntries + entry];
+  float presence = clamp(0.5 + 0.9 * cell.comesAndGoes, 0.0, 1.0);
+  float occupancy = byteOf(word, 0) / 255.0 * (1.0 - byteOf(word, 3) / 255.0 * (1.0 - presence));
+  float anisotropy = byteOf(word, 2) / 255.0;
+  float facing_dB = toDecibel(0.12 + 0.88 * cell.cosine * cell.cosine);
+  float layer_dB = byteOf(word, 1) / 4.0 - 32.0 + anisotropy * facing_dB;
+  here.echo_dB += occupancy * (layer_dB - here.echo_dB);
+  here.sheet += occupancy * (anisotropy - here.sheet);
+}
+
+void main() {
+  ivec3 at = ivec3(gl_GlobalInvocationID);
+  if (at.x >= frame.lines || at.y >= frame.gates) return;
+  int line = at.x, gate = at.y, plane = at.z;
+  Cell cell = cells[cellIndex(plane, gate, line)];
+  float down = float(gate % frame.cellGates) / float(frame.cellGates);
+  float across = float(line % frame.cellLines) / float(frame.cellLines);
+
+  GateSample here;
+  here.s_mm = mix(mix(cell.s_mm[0], cell.s_mm[1], across), mix(cell.s_mm[2], cell.s_mm[3], across), down);
+  here.channel = here.s_mm >= 0.0 ? cell.a : cell.b;
+  Channel channel = frame.channel[here.channel];
+  bool outside = here.channel == frame.backgroundChannel && rangeOf(float(gate)) < kContactReach_mm;
+  here.marks = (cell.inside != 0 ? kInside : 0) | (outside ? kOutside : 0) |
+               ((channel.flags & kGas) != 0 && !outside ? kGasHere : 0);
+  here.impedance_MRayl =
+      channel.impedance_MRayl * (1.0 + (with(kTexture) ? channel.ctImpedancePerHU * cell.ct_HU : 0.0));
+
+  bool grazes = (frame.channel[cell.a].grazed >> cell.b & 1) != 0 && abs(here.s_mm) < kEdgeReach_mm &&
+                cell.cosine < kEdgeCosine;
+  here.loss_dB = channel.loss_dB + (grazes && with(kEdgeShadow) ? frame.edgeLoss_dB : 0.0);
+  if (!with(kAttenuation) || outside) here.loss_dB = 0.0;
+  if (cell.inside == 0) here.loss_dB = kLost_dB;
+
+  here.echo_dB = channel.echo_dB, here.sheet = 0.0;
+  if (with(kTexture)) addTexture(here, cell.ct_HU, restPoint(plane, gate, line), line);
+  if (with(kLayers)) addLayers(here, cell);
+  if (outside || !with(kScattering)) here.echo_dB = kSilence_dB;
+  here.level_dB = 0.0;
+  samples[gateIndex(plane, gate, line)] = here;
+}
