@@ -1,0 +1,64 @@
+#pragma once
+
+#include <insonate/haptics/HapticDevice.h>
+#include <insonate/haptics/HapticServo.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// What the system grants to the servo's thread.
+struct RealTimeRights {
+  bool priority = false;  ///< SCHED_FIFO
+  bool locked = false;    ///< its memory stays in place
+  std::string sentence;   ///< for people: what it is, and what to do where something is missing
+};
+
+/// How the ticks went since the start, or the last clearTiming().
+struct TickTiming {
+  std::uint64_t ticks = 0;
+  std::uint64_t late = 0;  ///< ticks that began more than a period after their time; those in between were left out
+  double p50_us = 0, p99_us = 0, p999_us = 0, max_us = 0;  ///< of the work of a tick; within 3 %
+  double wakeP99_us = 0, wakeMax_us = 0;                   ///< from when it should have begun to when it did
+};
+
+/// What the servo saw and said at its last tick.
+struct ServoSnapshot {
+  std::int64_t time_ns = 0;  ///< 0: none yet
+  std::array<DeviceState, 2> states;
+  std::array<bool, 2> present{};
+  ServoOutput output;
+};
+
+/// Runs a HapticServo on a thread of its own, a tick a millisecond by absolute time, with real-time priority and locked
+/// memory where the system allows it. A tick that comes late is counted, and those that it missed are left out. All
+/// functions may be called from any thread; none makes the servo wait.
+class ServoThread {
+ public:
+  explicit ServoThread(std::int64_t period_ns = 1'000'000);
+  /// Stops, after a last zero force.
+  ~ServoThread();
+  ServoThread(const ServoThread&) = delete;
+  ServoThread& operator=(const ServoThread&) = delete;
+
+  void setup(const ServoSetup& setup);
+  void show(LocalModel model);
+  /// The device in a hand, or none. The one that was there is pushed no more, and so lets go within 100 ms.
+  void assign(Hand hand, std::shared_ptr<HapticDevice> device);
+
+  RealTimeRights rights() const;
+  ServoSnapshot latest() const;
+  /// Since the last call, the oldest first; the last 1024 at most.
+  std::vector<NeedleEvent> takeEvents();
+  TickTiming timing() const;
+  void clearTiming();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace insonate
