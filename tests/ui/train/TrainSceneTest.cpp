@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QWheelEvent>
+#include <optional>
 
 namespace insonate::train {
 namespace {
@@ -40,6 +41,19 @@ TEST_F(TrainScene, ThePanelStandsInThePlaceOfTheSlice) {
     if (tab->accessibleName() == "Axial slice") tab->click();
   EXPECT_FALSE(panel()->isVisible());
   EXPECT_TRUE(slice()->isVisible());
+}
+
+TEST_F(TrainScene, SpeedIsMeasuredFromWhenPicturesCome) {
+  openCase();
+  std::optional<LiveRates> rates;
+  workspace_->measureLive(0.01, false, [&](const LiveRates& measured) { rates = measured; });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return rates.has_value(); }, kPatience_ms));
+  EXPECT_LT(rates->seconds, 5) << "the time before is not counted";
+  workspace_->measureLive(2, false, [&](const LiveRates& measured) { rates = measured; });
+  rates.reset();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return rates.has_value(); }, kPatience_ms));
+  EXPECT_GT(rates->images, 0);
+  EXPECT_NEAR(rates->imagesPerSecond, rates->images / rates->seconds, 1e-9);
 }
 
 TEST_F(TrainScene, ClippingAlongTheImagePlaneGoesWithTheProbe) {

@@ -13,6 +13,9 @@ namespace insonate::train {
 namespace {
 
 constexpr int kHand_ms = 8;  // a mouse reports about as often
+/// Pictures that have come before the measurement; without them it begins after this long all the same.
+constexpr std::size_t kFirst = 5;
+constexpr double kPatience_s = 30;
 constexpr double kReach_mm = 20, kTurn_deg = 15, kPeriod_s = 3;
 
 double processorTime_ms(clockid_t clock) {
@@ -39,16 +42,24 @@ LiveMeasure::LiveMeasure(TrainSession& session, ui::ViewWidget& image, double se
   connect(&image, &ui::ViewWidget::rendered, this, [this] { drawn(); });
   connect(&hand_, &QTimer::timeout, this, [this] { move(); });
   clock_.start();
-  cpu_ms_ = processorTime_ms(CLOCK_PROCESS_CPUTIME_ID);
-  window_ms_ = processorTime_ms(CLOCK_THREAD_CPUTIME_ID);
   hand_.setTimerType(Qt::PreciseTimer);
   hand_.start(kHand_ms);
+}
+
+void LiveMeasure::begin() {
+  begun_ = true;
+  begun_ms_ = double(clock_.nsecsElapsed()) / 1e6;
+  latency_ms_.clear();
+  cpu_ms_ = processorTime_ms(CLOCK_PROCESS_CPUTIME_ID);
+  window_ms_ = processorTime_ms(CLOCK_THREAD_CPUTIME_ID);
 }
 
 /// Back and forth along a sine: 42 mm/s at most.
 void LiveMeasure::move() {
   const double now_s = double(clock_.elapsed()) / 1e3;
-  if (now_s >= seconds_) return finish();
+  const bool ready = latency_ms_.size() >= kFirst && !session_.status().buildingScene;
+  if (!begun_ && (ready || now_s >= kPatience_s)) begin();
+  if (begun_ && now_s >= begun_ms_ / 1e3 + seconds_) return finish();
   const auto at = [](double t_s) { return std::sin(2 * std::numbers::pi * t_s / kPeriod_s); };
   const double part = at(now_s) - at(moved_s_);
   moved_s_ = now_s;
@@ -74,7 +85,7 @@ void LiveMeasure::drawn() {
 void LiveMeasure::finish() {
   hand_.stop();
   LiveRates rates;
-  rates.seconds = double(clock_.nsecsElapsed()) / 1e9;
+  rates.seconds = double(clock_.nsecsElapsed()) / 1e9 - begun_ms_ / 1e3;
   rates.images = int(latency_ms_.size());
   rates.imagesPerSecond = rates.images / rates.seconds;
   const int images = std::max(1, rates.images);

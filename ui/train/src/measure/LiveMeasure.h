@@ -20,7 +20,8 @@ namespace insonate::train {
 
 class TrainSession;
 
-/// Slides and turns the probe as a hand does, and times the pictures that come of it.
+/// Slides and turns the probe as a hand does, and times the pictures that come of it; from when some have come, so that
+/// what is made once (scenes, memory) is not counted.
 class LiveMeasure : public QObject {
  public:
   /// `done` is called once, on the window's thread.
@@ -28,6 +29,7 @@ class LiveMeasure : public QObject {
 
  private:
   void move();
+  void begin();
   void arrived();
   void drawn();
   void finish();
@@ -35,6 +37,8 @@ class LiveMeasure : public QObject {
   TrainSession& session_;
   const double seconds_;
   std::function<void(LiveRates)> done_;
+  bool begun_ = false;
+  double begun_ms_ = 0;
   QTimer hand_;
   QElapsedTimer clock_;
   double moved_s_ = 0, cpu_ms_ = 0, window_ms_ = 0;
