@@ -1,6 +1,7 @@
 #include "Screenshot.h"
 
 #include <insonate/ui/MainWindow.h>
+#include <insonate/ui/ViewWidget.h>
 
 #include <QPixmap>
 
@@ -8,8 +9,10 @@ namespace insonate::app {
 namespace {
 
 constexpr int kPatience_ms = 180'000;
-/// Views render a moment after their data has come.
-constexpr int kSettle_ms = 600;
+/// Views are told what to show a moment after their data has come.
+constexpr int kSettle_ms = 1000;
+/// Then they are drawn; after this they are asked again whether they are.
+constexpr int kDraw_ms = 50;
 
 }  // namespace
 
@@ -32,6 +35,8 @@ void Screenshot::look() {
 }
 
 void Screenshot::take() {
+  for (const auto* view : window_.findChildren<ui::ViewWidget*>())
+    if (view->isVisible() && view->isDrawing()) return settling_.start(kDraw_ms);
   patience_.stop();
   const bool written = window_.grab().save(file_, "PNG");
   done_(written ? QString()

@@ -11,8 +11,10 @@
 #include <QSplitter>
 #include <QWheelEvent>
 #include <QtTest/QTest>
+#include <atomic>
 #include <cmath>
 #include <memory>
+#include <semaphore>
 #include <vector>
 
 namespace {
@@ -151,6 +153,82 @@ TEST_F(ViewWidget, TheViewOutlivesItsWidget) {
   view->want();
   view->render();
   QTest::qWait(50);
+}
+
+/// Drawn by a thread: in the colour it was told, once it is let go.
+class SlowView final : public views::View {
+ public:
+  bool mayDrawElsewhere() const override { return true; }
+  void show(double colour) {
+    told_ = colour;
+    changed();
+  }
+  std::atomic<int> begun{0};
+  std::binary_semaphore go{0};
+
+ protected:
+  void layout() override {}
+  void handOver() override { handed_ = told_; }
+  void takeOver() override { taken_ = handed_; }
+  void draw() override {
+    ++begun;
+    go.acquire();
+    renderer()->SetBackground(0, taken_, 0);
+    View::draw();
+  }
+
+ private:
+  double told_ = 1, handed_ = 0, taken_ = 0;
+};
+
+TEST(ThreadedViewWidget, TheWindowGoesOnWhileItIsDrawn) {
+  const auto view = std::make_shared<SlowView>();
+  ui::ViewWidget widget(view, "3D");
+  widget.resize(200, 160);
+  widget.show();
+  const auto green = [&] { return widget.grab().toImage().pixelColor(100, 80).green(); };
+  ASSERT_TRUE(waitUntil([&] { return view->begun == 1; }));
+  EXPECT_TRUE(widget.isDrawing());
+  EXPECT_EQ(green(), 0);
+  view->show(0.6);
+  view->show(0.4);
+  QTest::qWait(60);
+  EXPECT_EQ(view->begun, 1) << "one at a time";
+  view->go.release();
+  ASSERT_TRUE(waitUntil([&] { return green() == 255; })) << "as it was when the picture was begun";
+  ASSERT_TRUE(waitUntil([&] { return view->begun == 2; }));
+  view->go.release();
+  ASSERT_TRUE(waitUntil([&] { return green() == 102; })) << "what was told last, and nothing in between";
+  EXPECT_TRUE(waitUntil([&] { return !widget.isDrawing(); }));
+  EXPECT_EQ(view->begun, 2);
+}
+
+TEST(ThreadedViewWidget, APictureOfWhatIsForgottenIsNotShown) {
+  const auto view = std::make_shared<SlowView>();
+  ui::ViewWidget widget(view, "3D");
+  widget.resize(200, 160);
+  widget.show();
+  ASSERT_TRUE(waitUntil([&] { return view->begun == 1; }));
+  widget.forget();
+  view->show(0.4);
+  view->go.release();
+  ASSERT_TRUE(waitUntil([&] { return view->begun == 2; }));
+  EXPECT_EQ(widget.grab().toImage().pixelColor(100, 80), QColor(Qt::black));
+  view->go.release();
+  EXPECT_TRUE(waitUntil([&] { return widget.grab().toImage().pixelColor(100, 80).green() == 102; }));
+}
+
+TEST(ThreadedViewWidget, GoesWithAPictureInWork) {
+  const auto view = std::make_shared<SlowView>();
+  {
+    ui::ViewWidget widget(view, "3D");
+    widget.show();
+    ASSERT_TRUE(waitUntil([&] { return view->begun == 1; }));
+    view->go.release();
+  }
+  view->show(0.5);
+  view->render();
+  EXPECT_EQ(view->begun, 1) << "without a window there is nothing to draw";
 }
 
 }  // namespace

@@ -127,6 +127,7 @@ TEST_F(SceneOptions, TheScreenStandsWhereTheCameraLooks) {
   view.look(Viewpoint::Left);
   const DisplayPoint centre = view.displayFromPatient(middle);
   EXPECT_NEAR(view.towardViewer().x, 1, 1e-9);
+  screen.picture();
   const double* focus = view.renderer()->GetActiveCamera()->GetFocalPoint();
   const Vec3 inPlane = Vec3{focus[0], focus[1], focus[2]} + Vec3{0, 25, -30};
   const DisplayPoint usual = view.displayFromPatient(inPlane);

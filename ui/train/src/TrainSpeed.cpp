@@ -6,8 +6,6 @@
 
 #include <insonate/views/SceneTiming.h>
 
-#include <vtkRenderWindow.h>
-
 namespace insonate::train {
 
 void TrainWorkspace::Parts::measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done) {
@@ -22,12 +20,7 @@ void TrainWorkspace::Parts::measureLive(double seconds, bool viewsFollow, std::f
 OrbitRates TrainWorkspace::Parts::measureOrbit(int steps) {
   views::SceneView& scene = patient->scene();
   const views::FrameTimes times = views::timeOrbit(scene, steps);
-  OrbitRates rates{times.perSecond(), times.median_ms(), times.percentile95_ms(), {}};
-  if (vtkRenderWindow* window = scene.renderer()->GetRenderWindow())
-    for (const QString& line : QString::fromUtf8(window->ReportCapabilities()).split(QLatin1Char('\n')))
-      if (line.startsWith(QLatin1String("OpenGL renderer string:")))
-        rates.graphics = line.section(QLatin1Char(':'), 1).trimmed();
-  return rates;
+  return {times.perSecond(), times.median_ms(), times.percentile95_ms(), QString::fromStdString(scene.graphics())};
 }
 
 void TrainWorkspace::Parts::measureVolume(double seconds, std::function<void(VolumeRates)> done) {

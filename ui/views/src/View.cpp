@@ -44,7 +44,20 @@ vtkRenderWindow* View::window() {
 }
 
 void View::render() {
-  if (window_) window_->Render();
+  if (!window_) return;
+  if (renderElsewhere_) return renderElsewhere_();
+  handOver();
+  takeOver();
+  draw();
+}
+
+void View::draw() {
+  window_->Render();
+}
+
+void View::finish() {
+  // A thread that draws has read what it drew.
+  if (window_ && !renderElsewhere_) window_->WaitForCompletion();
 }
 
 void View::changed() {
@@ -67,9 +80,8 @@ void View::wake() {
 }
 
 void View::rendererStarts() {
-  if (!stale_ && !outOfDate()) return;
-  stale_ = false;
-  layout();
+  const bool stale = stale_.exchange(false);
+  if (stale || outOfDate()) layout();
 }
 
 }  // namespace insonate::views

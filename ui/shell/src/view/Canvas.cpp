@@ -1,5 +1,7 @@
 #include "Canvas.h"
 
+#include <QCoreApplication>
+#include <QElapsedTimer>
 #include <QFocusEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -59,16 +61,25 @@ std::optional<views::Key> viewKey(int key) {
 }  // namespace
 
 ViewWidget::Canvas::Canvas(views::View& view, QWidget* parent) : QWidget(parent), view_(view) {
-  window_->SetOffScreenRendering(true);
-  window_->SetShowWindow(false);
-  window_->SetMultiSamples(0);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setMinimumSize(64, 64);
+  if (view_.mayDrawElsewhere()) {
+    // What was posted and not read is dropped with the canvas, which ends the thread first.
+    thread_ = std::make_unique<views::DrawingThread>(
+        view_, [this] { QCoreApplication::postEvent(this, new QEvent(QEvent::User)); });
+    return;
+  }
+  window_->SetOffScreenRendering(true);
+  window_->SetShowWindow(false);
+  window_->SetMultiSamples(0);
+  view_.attach(window_);
 }
 
-ViewWidget::Canvas::~Canvas() = default;
+ViewWidget::Canvas::~Canvas() {
+  if (!thread_) view_.detach();
+}
 
 QSize ViewWidget::Canvas::deviceSize() const {
   const double ratio = devicePixelRatioF();
@@ -76,32 +87,51 @@ QSize ViewWidget::Canvas::deviceSize() const {
 }
 
 void ViewWidget::Canvas::render() {
+  if (isDrawing()) return;
   const QSize size = deviceSize();
-  if (size != picture_.size()) {
-    window_->SetSize(size.width(), size.height());
-    view_.resize(size.width(), size.height(), devicePixelRatioF());
-    picture_ = QImage(size, QImage::Format_RGB32);
+  if (size != fitted_ || devicePixelRatioF() != ratio_) {
+    fitted_ = size, ratio_ = devicePixelRatioF();
+    if (!thread_) window_->SetSize(size.width(), size.height());
+    view_.resize(size.width(), size.height(), ratio_);
   }
-  picture_.setDevicePixelRatio(devicePixelRatioF());
+  if (thread_) {
+    wish_ = thread_->want();
+    return;
+  }
+  QElapsedTimer clock;
+  clock.start();
   view_.render();
-  takePixels();
+  reader_.read(*window_, drawn_.pixels);
+  drawn_.took_ms = double(clock.nsecsElapsed()) / 1e6;
+  show(drawn_.pixels);
+}
+
+bool ViewWidget::Canvas::event(QEvent* event) {
+  if (event->type() != QEvent::User) return QWidget::event(event);
+  takeDrawn();
+  return true;
+}
+
+void ViewWidget::Canvas::takeDrawn() {
+  // The picture that is shown lies in the memory that is given for the next.
+  if (!thread_ || !thread_->take(drawn_)) return;
+  if (drawn_.wish > forgotten_) return show(drawn_.pixels);
+  picture_ = QImage();
+  if (onDrawn) onDrawn(drawn_.took_ms);
+}
+
+void ViewWidget::Canvas::show(const views::Pixels& pixels) {
+  picture_ = QImage(reinterpret_cast<const uchar*>(pixels.argb.data()), pixels.width, pixels.height,
+                    int(sizeof(QRgb)) * pixels.width, QImage::Format_RGB32);
+  picture_.setDevicePixelRatio(devicePixelRatioF());
   update();
+  if (onDrawn) onDrawn(drawn_.took_ms);
 }
 
 void ViewWidget::Canvas::forget() {
   picture_ = QImage();
+  forgotten_ = wish_;
   update();
-}
-
-/// OpenGL counts rows from below and has red first in memory.
-void ViewWidget::Canvas::takePixels() {
-  const int width = picture_.width(), height = picture_.height();
-  window_->GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels_);
-  for (int y = 0; y < height; ++y) {
-    const unsigned char* from = pixels_->GetPointer(vtkIdType(4) * width * (height - 1 - y));
-    auto* to = reinterpret_cast<QRgb*>(picture_.scanLine(y));
-    for (int x = 0; x < width; ++x, from += 4) to[x] = qRgb(from[0], from[1], from[2]);
-  }
 }
 
 void ViewWidget::Canvas::paintEvent(QPaintEvent*) {

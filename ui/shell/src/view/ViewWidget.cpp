@@ -3,13 +3,13 @@
 #include <insonate/ui/ViewWidget.h>
 
 #include <QApplication>
-#include <QElapsedTimer>
 #include <QKeyEvent>
 #include <QSplitterHandle>
 #include <QStyle>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 namespace insonate::ui {
 namespace {
@@ -64,7 +64,8 @@ ViewWidget::ViewWidget(std::shared_ptr<views::View> view, const QString& name, Q
     QMetaObject::invokeMethod(
         this, [this] { want(); }, Qt::QueuedConnection);
   });
-  view_->attach(&canvas_->renderWindow());
+  canvas_->onDrawn = [this](double took_ms) { drawn(took_ms); };
+  want();
 }
 
 ViewWidget::~ViewWidget() {
@@ -72,24 +73,32 @@ ViewWidget::~ViewWidget() {
   view_->setWake({});
   canvas_->onFocus = nullptr;
   canvas_->onStale = nullptr;
-  view_->detach();
+  canvas_->onDrawn = nullptr;
   delete canvas_;  // which is left by the mouse as it goes, and its view is asked then
 }
 
 void ViewWidget::want() {
-  if (timer_->isActive()) return;
-  timer_->start(int(std::max(kFrame_ms - lastRender_ms_, lastRender_ms_ * kShareForOthers)));
+  // One wish is enough while a thread draws.
+  if (canvas_->isDrawing()) wantedAgain_ = true;
+  if (timer_->isActive() || canvas_->isDrawing()) return;
+  const double rest_ms = kFrame_ms - lastRender_ms_;
+  timer_->start(int(std::max(rest_ms, view_->mayDrawElsewhere() ? 0 : lastRender_ms_ * kShareForOthers)));
 }
 
 void ViewWidget::renderNow() {
   // Showing a canvas that has no picture of its size renders it.
-  if (!canvas_->isVisible()) return;
-  QElapsedTimer clock;
-  clock.start();
-  canvas_->render();
-  lastRender_ms_ = double(clock.nsecsElapsed()) / 1e6;
+  if (canvas_->isVisible()) canvas_->render();
+}
+
+void ViewWidget::drawn(double took_ms) {
+  lastRender_ms_ = took_ms;
   ++renderings_;
+  if (std::exchange(wantedAgain_, false)) want();
   Q_EMIT rendered();
+}
+
+bool ViewWidget::isDrawing() const {
+  return canvas_->isDrawing() || (view_->mayDrawElsewhere() && timer_->isActive());
 }
 
 void ViewWidget::forget() {

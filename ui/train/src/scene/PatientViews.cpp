@@ -303,7 +303,7 @@ void PatientViews::setFollowing(bool following) {
 void PatientViews::want() {
   if (!following_ || timer_.isActive()) return;
   const double cost_ms =
-      1000 * (scene_->renderer()->GetLastRenderTimeInSeconds() +
+      1000 * (scene_->renderTime_s() +
               (showsAllSlices() ? four_->renderTime_s() : mpr_->renderer()->GetLastRenderTimeInSeconds()));
   const int latest_ms = scene_->isCtVisible() ? kLatestWithCt_ms : kLatest_ms;
   const int gap_ms = std::clamp(int(cost_ms / kShare), kSoonest_ms, latest_ms);

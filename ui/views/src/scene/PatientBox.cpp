@@ -22,11 +22,11 @@ void include(Vec3 point, double box[6]) {
 
 }  // namespace
 
-bool patientBox(const std::map<std::uint8_t, Structure>& structures, const VtkCase* patient, double box[6]) {
+bool patientBox(const SceneState& state, const VtkCase* patient, double box[6]) {
   empty(box);
-  for (const auto& [label, structure] : structures) {
-    const double* own = const_cast<Structure&>(structure).actor()->GetBounds();
-    if (!own) continue;
+  for (const auto& shape : state.shapes) {
+    if (!shape) continue;
+    const double* own = shape->box;
     include({own[0], own[2], own[4]}, box);
     include({own[1], own[3], own[5]}, box);
   }
@@ -34,6 +34,12 @@ bool patientBox(const std::map<std::uint8_t, Structure>& structures, const VtkCa
   if (!patient) return false;
   ctBox(*patient, box);
   return true;
+}
+
+void pointsBox(std::span<const float> points_mm, double box[6]) {
+  empty(box);
+  for (std::size_t k = 0; k + 2 < points_mm.size(); k += 3)
+    include({points_mm[k], points_mm[k + 1], points_mm[k + 2]}, box);
 }
 
 void ctBox(const VtkCase& patient, double box[6]) {

@@ -1,16 +1,20 @@
 #pragma once
 
-#include "Structure.h"
+#include "SceneState.h"
 
-#include <map>
+#include <span>
 
 namespace insonate::views {
 
-/// The box of all surfaces, hidden ones too, or without any of the CT; VTK's order: x low, x high, ... False for
-/// nothing.
-bool patientBox(const std::map<std::uint8_t, Structure>& structures, const VtkCase* patient, double box[6]);
+/// Boxes are in VTK's order: x low, x high, ...
+
+/// Of all surfaces, hidden ones too, or without any of the CT. False for nothing.
+bool patientBox(const SceneState& state, const VtkCase* patient, double box[6]);
 
 /// The CT's box.
 void ctBox(const VtkCase& patient, double box[6]);
+
+/// Of points, x y z each.
+void pointsBox(std::span<const float> points_mm, double box[6]);
 
 }  // namespace insonate::views

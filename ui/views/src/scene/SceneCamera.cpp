@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace insonate::views {
 namespace {
@@ -55,6 +56,54 @@ void lookAt(vtkCamera& camera, Viewpoint from, const double box[6], double width
   set(&vtkCamera::SetFocalPoint, camera, middle);
   set(&vtkCamera::SetPosition, camera, middle + direction.toCamera * distance);
   set(&vtkCamera::SetViewUp, camera, direction.up);
+}
+
+CameraPlace placeOf(vtkCamera& camera) {
+  const auto vector = [](const double* v) { return Vec3{v[0], v[1], v[2]}; };
+  return {vector(camera.GetPosition()), vector(camera.GetFocalPoint()), vector(camera.GetViewUp()),
+          camera.GetViewAngle()};
+}
+
+void stand(vtkCamera& camera, const CameraPlace& place) {
+  set(&vtkCamera::SetFocalPoint, camera, place.focus_mm);
+  set(&vtkCamera::SetPosition, camera, place.position_mm);
+  set(&vtkCamera::SetViewUp, camera, place.up);
+  camera.SetViewAngle(place.angle_deg);
+}
+
+void enclose(vtkCamera& camera, const double box[6]) {
+  const CameraPlace place = placeOf(camera);
+  const Vec3 into = normalized(place.focus_mm - place.position_mm);
+  double near_mm = std::numeric_limits<double>::max(), far_mm = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 at{box[corner & 1], box[2 + (corner >> 1 & 1)], box[4 + (corner >> 2 & 1)]};
+    const double depth_mm = dot(at - place.position_mm, into);
+    near_mm = std::min(near_mm, depth_mm), far_mm = std::max(far_mm, depth_mm);
+  }
+  constexpr double kNearest = 1e-3;  // of the farthest
+  far_mm = std::max(far_mm, 1.0);
+  camera.SetClippingRange(std::max(near_mm, kNearest * far_mm), far_mm);
+}
+
+namespace {
+
+/// The screen where the camera looks, square to it, as high as what the camera sees there.
+Transform screenBefore(vtkCamera& camera, double height_mm) {
+  const CameraPlace place = placeOf(camera);
+  const Vec3 toward = normalized(place.position_mm - place.focus_mm);
+  const Vec3 right = normalized(cross(place.up, toward));
+  const double seen_mm =
+      2 * norm(place.position_mm - place.focus_mm) * std::tan(0.5 * vtkMath::RadiansFromDegrees(place.angle_deg));
+  const double scale = seen_mm / height_mm;
+  return {{{right * scale, cross(toward, right) * scale, toward * scale}}, place.focus_mm};
+}
+
+}  // namespace
+
+HeadCoupling placed(HeadCoupling coupling, vtkCamera& usual, int width_px, int height_px) {
+  if (coupling.height_mm == 0) coupling.height_mm = coupling.width_mm * height_px / width_px;
+  if (!coupling.patientFromScreen) coupling.patientFromScreen = screenBefore(usual, coupling.height_mm);
+  return coupling;
 }
 
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <insonate/views/SceneView.h>
+#include "SceneState.h"
 
 class vtkCamera;
 
@@ -8,6 +8,16 @@ namespace insonate::views {
 
 /// Places the camera so that a box (VTK order: x low, x high, ...) fills a view of this shape, seen from one side.
 void lookAt(vtkCamera& camera, Viewpoint from, const double box[6], double widthOverHeight);
+
+/// Where a camera stands, and to put one there.
+CameraPlace placeOf(vtkCamera& camera);
+void stand(vtkCamera& camera, const CameraPlace& place);
+
+/// Near and far, so that the box lies between.
+void enclose(vtkCamera& camera, const double box[6]);
+
+/// With what was left open: the screen's height from the view's size, and its place from where the usual camera looks.
+HeadCoupling placed(HeadCoupling coupling, vtkCamera& usual, int width_px, int height_px);
 
 /// Puts the camera where the eye is, looking square at the screen's plane. `across_mm` is how far to the right of the
 /// middle between the eyes this one is.

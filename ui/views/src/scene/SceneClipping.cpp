@@ -27,11 +27,11 @@ struct Box {
 };
 
 /// What is cut: the CT, because surfaces come one after the other. Without a case, the surfaces.
-Box boxOf(const VtkCase* patient, const std::map<std::uint8_t, Structure>& structures) {
+Box boxOf(const VtkCase* patient, const SceneState& state) {
   double box[6] = {};
   if (patient)
     ctBox(*patient, box);
-  else if (!patientBox(structures, nullptr, box))
+  else if (!patientBox(state, nullptr, box))
     return {};
   const Vec3 low{box[0], box[2], box[4]}, high{box[1], box[3], box[5]};
   return {(low + high) * 0.5, (high - low) * 0.5};
@@ -52,24 +52,22 @@ std::optional<ClippingPlane> SceneView::clippingPlane() const {
   const Clipping& clipping = drawing_->clipping;
   if (clipping.kind == ClippingKind::Off) return std::nullopt;
   const bool ofProbe = clipping.kind == ClippingKind::ImagePlane;
-  if (ofProbe && !drawing_->hasProbe) return std::nullopt;
-  const Transform& pose = drawing_->patientFromProbe;
+  if (ofProbe && !drawing_->state.probe) return std::nullopt;
+  const Transform& pose = drawing_->state.patientFromProbe;
   const Vec3 normal = ofProbe ? pose.linear.column[1] : normalOf(clipping);
-  const Vec3 from = ofProbe ? pose.offset : boxOf(drawing_->patient.get(), drawing_->structures).middle;
+  const Vec3 from = ofProbe ? pose.offset : boxOf(drawing_->patient.get(), drawing_->state).middle;
   return ClippingPlane{from + normal * clipping.offset_mm, clipping.flipped ? -normal : normal};
 }
 
 double SceneView::clippingReach_mm(const Clipping& clipping) const {
-  const Vec3 half = boxOf(drawing_->patient.get(), drawing_->structures).half;
+  const Vec3 half = boxOf(drawing_->patient.get(), drawing_->state).half;
   if (clipping.kind == ClippingKind::ImagePlane) return norm(half);
   const Vec3 normal = normalOf(clipping);
   return std::abs(normal.x) * half.x + std::abs(normal.y) * half.y + std::abs(normal.z) * half.z;
 }
 
 void SceneView::clip() {
-  drawing_->cut = clippingPlane();
-  for (auto& [label, structure] : drawing_->structures) structure.setClipping(drawing_->cut);
-  drawing_->ct.setClipping(drawing_->cut);
+  drawing_->state.cut = clippingPlane();
   changed();
 }
 

@@ -2,31 +2,12 @@
 #include "SceneDrawing.h"
 #include "ScenePick.h"
 
-#include <insonate/tissue/Labels.h>
-
 #include <vtkMatrix4x4.h>
-#include <vtkRenderWindow.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 namespace insonate::views {
-namespace {
-
-/// What lies in the body is seen before the body where both are cut.
-constexpr double kInnerLift_mm = 0.1;
-constexpr double kWall_px = 2;
-
-/// Mesa's rasterisers, which have no graphics card behind them.
-bool drawnByProcessor(vtkRenderWindow& window) {
-  const char* words = window.ReportCapabilities();
-  const std::string_view report = words ? words : "";
-  return report.find("llvmpipe") != report.npos || report.find("softpipe") != report.npos ||
-         report.find("swrast") != report.npos;
-}
-
-}  // namespace
 
 void SceneView::look(Viewpoint from) {
   drawing_->viewpoint = from;
@@ -36,7 +17,7 @@ void SceneView::look(Viewpoint from) {
 
 void SceneView::frame() {
   double box[6];
-  if (drawing_->framed || !patientBox(drawing_->structures, drawing_->patient.get(), box)) return;
+  if (drawing_->framed || !patientBox(drawing_->state, drawing_->patient.get(), box)) return;
   lookAt(*drawing_->usual, drawing_->viewpoint, box, double(width_px()) / height_px());
   drawing_->framed = true;
 }
@@ -70,51 +51,18 @@ void SceneView::zoom(double factor) {
   changed();
 }
 
-bool SceneView::outOfDate() const {
-  // Each eye is rendered by itself, from its own place.
-  return drawing_->coupling && drawing_->stereo != Stereo::Off;
-}
-
-void SceneView::layout() {
-  if (drawing_->ct.shown() && !drawing_->software) {
-    drawing_->software = drawnByProcessor(*window());
-    drawing_->ct.setSoftware(*drawing_->software);
-  }
-  aim();
-  drawing_->cube.place(width_px(), height_px(), 84 * scale());
-  drawing_->cube.follow(*renderer()->GetActiveCamera());
-  int translucent = 0;
-  for (auto& [label, structure] : drawing_->structures) {
-    translucent += structure.translucent();
-    // The skin's surface is the whole body's: it lies around all others.
-    structure.close(label == kSkin ? 0 : kInnerLift_mm);
-    structure.face().setWall(kWall_px * scale());
-  }
-  // One translucent surface, drawn from its near side, needs no sorting.
-  renderer()->SetUseDepthPeeling(translucent > 1 && !drawing_->moving);
-  renderer()->SetMaximumNumberOfPeels(4);
-  // Smooth edges cost a processor a fifth of a coarse frame, and nobody sees them move.
-  renderer()->SetUseFXAA(!drawing_->moving);
-}
-
 DisplayPoint SceneView::displayFromPatient(Vec3 point_mm) {
-  aim();
   const double at[4] = {point_mm.x, point_mm.y, point_mm.z, 1};
   double seen[4];
-  renderer()
-      ->GetActiveCamera()
-      ->GetCompositeProjectionTransformMatrix(double(width_px()) / height_px(), -1, 1)
-      ->MultiplyPoint(at, seen);
+  aimed().GetCompositeProjectionTransformMatrix(double(width_px()) / height_px(), -1, 1)->MultiplyPoint(at, seen);
   return {(seen[0] / seen[3] + 1) / 2 * width_px(), (1 - seen[1] / seen[3]) / 2 * height_px()};
 }
 
 std::optional<ScenePick> SceneView::pick(DisplayPoint at) {
   if (!drawing_->patient) return std::nullopt;
-  aim();
   vtkNew<vtkMatrix4x4> patientFromSeen;
-  vtkMatrix4x4::Invert(
-      renderer()->GetActiveCamera()->GetCompositeProjectionTransformMatrix(double(width_px()) / height_px(), -1, 1),
-      patientFromSeen);
+  vtkMatrix4x4::Invert(aimed().GetCompositeProjectionTransformMatrix(double(width_px()) / height_px(), -1, 1),
+                       patientFromSeen);
   const auto along = [&](double depth) {
     const double seen[4] = {2 * at.x / width_px() - 1, 1 - 2 * at.y / height_px(), depth, 1};
     double point[4];
@@ -123,8 +71,9 @@ std::optional<ScenePick> SceneView::pick(DisplayPoint at) {
   };
   std::array<bool, 256> visible{};
   for (int label = 1; label < 256; ++label)
-    visible[label] = drawing_->looks[label].visible && drawing_->looks[label].opacity > 0;
-  return firstVisible(drawing_->patient->labels(), along(-1), along(1), visible, drawing_->cut);
+    visible[label] =
+        drawing_->state.looks[std::size_t(label)].visible && drawing_->state.looks[std::size_t(label)].opacity > 0;
+  return firstVisible(drawing_->patient->labels(), along(-1), along(1), visible, drawing_->state.cut);
 }
 
 bool SceneView::pressed(const Pointer& pointer) {

@@ -1,9 +1,6 @@
 #include <insonate/views/SceneTiming.h>
 #include <insonate/views/SceneView.h>
 
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-
 #include <algorithm>
 #include <chrono>
 
@@ -20,8 +17,7 @@ double quantile(std::vector<double> values, double share) {
 double timeRender_ms(SceneView& view) {
   const auto start = std::chrono::steady_clock::now();
   view.render();
-  // Drawing goes on behind the caller's back until this returns.
-  if (vtkRenderWindow* window = view.renderer()->GetRenderWindow()) window->WaitForCompletion();
+  view.finish();
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 

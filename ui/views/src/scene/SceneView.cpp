@@ -1,47 +1,30 @@
+#include "PatientBox.h"
 #include "SceneDrawing.h"
-#include "SceneLights.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/views/LabelColours.h>
 
-#include <vtkCommand.h>
-#include <vtkLight.h>
-#include <vtkMatrix4x4.h>
-#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 namespace insonate::views {
 namespace {
 
-void addLights(vtkRenderer& renderer) {
-  renderer.AutomaticLightCreationOff();
-  for (const SceneLight& light : kSceneLights) {
-    vtkNew<vtkLight> lamp;
-    lamp->SetLightTypeToCameraLight();
-    lamp->SetPosition(light.x, light.y, light.z);
-    lamp->SetFocalPoint(0, 0, 0);
-    lamp->SetIntensity(light.intensity);
-    renderer.AddLight(lamp);
-  }
+SceneShape::Triangles copyOf(const Surface& surface) {
+  return {{surface.points_mm.begin(), surface.points_mm.end()},
+          {surface.normals.begin(), surface.normals.end()},
+          {surface.triangles.begin(), surface.triangles.end()}};
 }
 
 }  // namespace
 
-SceneView::SceneView() : drawing_(std::make_unique<Drawing>(*renderer())) {
-  renderer()->SetBackground(theme::kGround.red / 255.0, theme::kGround.green / 255.0, theme::kGround.blue / 255.0);
-  renderer()->SetBackground2(0x20 / 255.0, 0x26 / 255.0, 0x2c / 255.0);
-  renderer()->GradientBackgroundOn();
-  renderer()->UseFXAAOn();
-  addLights(*renderer());
-  renderer()->AddObserver(vtkCommand::EndEvent, this, &SceneView::pictureEnds);
+SceneView::SceneView() : drawing_(std::make_unique<Drawing>(*renderer(), [this] { wake(); })) {
   for (const LabelInfo& info : labelTable())
-    drawing_->looks[info.label] = {labelColour(info.label, ColourScheme::Usual), usualOpacity(info.label)};
-  drawing_->ct.setTransferFunction(drawing_->transfer);
-  drawing_->ct.setNews([this] { wake(); });
-  drawing_->probe.setVisible(false);
-  drawing_->plane.setVisible(false);
+    drawing_->state.looks[info.label] = {labelColour(info.label, ColourScheme::Usual), usualOpacity(info.label)};
 }
 
 SceneView::~SceneView() {
@@ -49,75 +32,90 @@ SceneView::~SceneView() {
 }
 
 void SceneView::attached(vtkRenderWindow& window) {
-  drawing_->cube.attach(window);
-  // The renderer's own start would be too late for its viewport.
-  drawing_->startObserver = window.AddObserver(vtkCommand::StartEvent, this, &SceneView::pictureStarts);
-  useStereo(window, drawing_->stereo);
+  drawing_->stage.attach(window);
 }
 
 void SceneView::detached(vtkRenderWindow& window) {
-  drawing_->cube.detach(window);
-  window.RemoveObserver(drawing_->startObserver);
-  drawing_->detail.release(window);
+  drawing_->stage.detach(window);
 }
 
-void SceneView::pictureStarts() {
-  drawing_->detail.starts(*renderer(), drawing_->moving);
+void SceneView::handOver() {
+  frame();
+  SceneState& state = drawing_->state;
+  state.width_px = width_px(), state.height_px = height_px(), state.scale = scale();
+  state.camera = placeOf(*drawing_->usual);
+  state.patient = drawing_->patient ? drawing_->patient->shared() : nullptr;
+  drawing_->handed = state;
+  drawing_->isHanded = true;
 }
 
-void SceneView::pictureEnds() {
-  drawing_->detail.ends(*renderer());
+void SceneView::takeOver() {
+  if (!std::exchange(drawing_->isHanded, false)) return;
+  std::swap(drawing_->handed, drawing_->taken);
+  drawing_->isTaken = true;
+}
+
+void SceneView::draw() {
+  SceneStage& stage = drawing_->stage;
+  if (std::exchange(drawing_->isTaken, false)) stage.show(drawing_->taken);
+  drawing_->news = false;
+  View::draw();
+  drawing_->exact = stage.exact();
+  drawing_->render_s = renderer()->GetLastRenderTimeInSeconds();
+  const std::lock_guard lock(drawing_->telling);
+  if (drawing_->graphics.empty()) drawing_->graphics = stage.graphics();
+}
+
+bool SceneView::outOfDate() const {
+  return drawing_->stage.due();
+}
+
+void SceneView::layout() {
+  drawing_->stage.layout();
+}
+
+std::string SceneView::graphics() const {
+  const std::lock_guard lock(drawing_->telling);
+  return drawing_->graphics;
+}
+
+double SceneView::renderTime_s() const {
+  return drawing_->render_s;
 }
 
 void SceneView::setCase(std::shared_ptr<const VtkCase> patient) {
   drawing_->patient = std::move(patient);
-  drawing_->ct.setCase(drawing_->patient);
   drawing_->framed = false;
   clip();
 }
 
 void SceneView::setSurface(std::uint8_t label, const Surface& surface, const Surface& coarse) {
-  auto found = drawing_->structures.find(label);
+  auto& shape = drawing_->state.shapes[label];
   if (surface.triangles.empty()) {
-    if (found == drawing_->structures.end()) return;
-    found->second.remove(*renderer());
-    drawing_->structures.erase(found);
+    if (!shape) return;
+    shape = nullptr;
   } else {
-    if (found == drawing_->structures.end()) {
-      found = drawing_->structures.try_emplace(label).first;
-      found->second.add(*renderer());
-    }
-    const LabelLook& look = drawing_->looks[label];
-    Structure& structure = found->second;
-    structure.setSurface(surface, coarse);
-    structure.setColour(look.colour);
-    structure.setOpacity(look.opacity);
-    structure.setVisible(look.visible);
-    structure.setClipping(drawing_->cut);
-    structure.setCoarse(drawing_->moving);
+    auto made = std::make_shared<SceneShape>();
+    made->fine = copyOf(surface), made->coarse = copyOf(coarse);
+    pointsBox(made->fine.points_mm, made->box);
+    shape = std::move(made);
   }
   if (!drawing_->patient) clip();
   structuresChanged();
 }
 
 void SceneView::setColour(std::uint8_t label, Colour colour) {
-  drawing_->looks[label].colour = colour;
-  if (auto found = drawing_->structures.find(label); found != drawing_->structures.end())
-    found->second.setColour(colour);
+  drawing_->state.looks[label].colour = colour;
   structuresChanged();
 }
 
 void SceneView::setOpacity(std::uint8_t label, double opacity) {
-  drawing_->looks[label].opacity = opacity;
-  if (auto found = drawing_->structures.find(label); found != drawing_->structures.end())
-    found->second.setOpacity(opacity);
+  drawing_->state.looks[label].opacity = opacity;
   structuresChanged();
 }
 
 void SceneView::setVisible(std::uint8_t label, bool visible) {
-  drawing_->looks[label].visible = visible;
-  if (auto found = drawing_->structures.find(label); found != drawing_->structures.end())
-    found->second.setVisible(visible);
+  drawing_->state.looks[label].visible = visible;
   structuresChanged();
 }
 
@@ -127,20 +125,21 @@ void SceneView::setSkinOpacity(double opacity) {
 
 std::vector<std::uint8_t> SceneView::structures() const {
   std::vector<std::uint8_t> labels;
-  for (const auto& [label, structure] : drawing_->structures) labels.push_back(label);
+  for (std::size_t label = 0; label < drawing_->state.shapes.size(); ++label)
+    if (drawing_->state.shapes[label]) labels.push_back(std::uint8_t(label));
   return labels;
 }
 
 Colour SceneView::colour(std::uint8_t label) const {
-  return drawing_->looks[label].colour;
+  return drawing_->state.looks[label].colour;
 }
 
 double SceneView::opacity(std::uint8_t label) const {
-  return drawing_->looks[label].opacity;
+  return drawing_->state.looks[label].opacity;
 }
 
 bool SceneView::isVisible(std::uint8_t label) const {
-  return drawing_->looks[label].visible;
+  return drawing_->state.looks[label].visible;
 }
 
 void SceneView::setStructuresChanged(std::function<void()> listener) {
@@ -153,81 +152,74 @@ void SceneView::structuresChanged() {
 }
 
 void SceneView::setCtVisible(bool visible) {
-  drawing_->ctVisible = visible;
-  drawing_->ct.setVisible(visible);
+  drawing_->state.ctVisible = visible;
   changed();
 }
 
 bool SceneView::isCtVisible() const {
-  return drawing_->ctVisible;
+  return drawing_->state.ctVisible;
 }
 
 void SceneView::setTransferFunction(const TransferFunction& function) {
-  drawing_->transfer = tidied(function);
-  drawing_->ct.setTransferFunction(drawing_->transfer);
+  drawing_->state.transfer = tidied(function);
   changed();
 }
 
 const TransferFunction& SceneView::transferFunction() const {
-  return drawing_->transfer;
+  return drawing_->state.transfer;
 }
 
 void SceneView::setProbe(std::optional<Probe> probe, const ImagingSettings& settings) {
-  drawing_->hasProbe = probe.has_value();
+  SceneState& state = drawing_->state;
+  // The picture there is belongs to another field of view.
+  if (probe) state.image.grey.clear();
+  state.probe = std::move(probe);
+  state.settings = settings;
+  ++state.probeChanges;
   if (drawing_->clipping.kind == ClippingKind::ImagePlane) clip();
-  if (probe) {
-    drawing_->probe.setProbe(*probe);
-    drawing_->plane.setFieldOfView(*probe, settings);
-  }
-  setProbeVisible(drawing_->probeVisible);
-  setImagePlaneVisible(drawing_->planeVisible);
+  changed();
 }
 
 void SceneView::setProbePose(const Transform& patientFromProbe) {
-  const auto matrix = vtkMatrix(patientFromProbe);
-  drawing_->probe.setPose(matrix);
-  drawing_->plane.setPose(matrix);
-  drawing_->patientFromProbe = patientFromProbe;
+  drawing_->state.patientFromProbe = patientFromProbe;
   if (drawing_->clipping.kind == ClippingKind::ImagePlane) clip();
   changed();
 }
 
 void SceneView::setProbeVisible(bool visible) {
-  drawing_->probeVisible = visible;
-  drawing_->probe.setVisible(visible && drawing_->hasProbe);
+  drawing_->state.probeVisible = visible;
   changed();
 }
 
 void SceneView::setImagePlaneVisible(bool visible) {
-  drawing_->planeVisible = visible;
-  drawing_->plane.setVisible(visible && drawing_->hasProbe);
+  drawing_->state.planeVisible = visible;
   changed();
 }
 
 void SceneView::setImage(const BModeImage& image) {
-  drawing_->plane.setImage(image);
-  wantRender();
+  drawing_->state.image = image;
+  ++drawing_->state.imageChanges;
+  changed();
 }
 
 void SceneView::setNeedle(std::optional<Needle> needle) {
-  drawing_->needle.set(needle);
+  drawing_->state.needle = needle;
+  ++drawing_->state.needleChanges;
   changed();
 }
 
 void SceneView::setMoving(bool moving) {
-  if (moving == drawing_->moving) return;
-  drawing_->moving = moving;
-  for (auto& [label, structure] : drawing_->structures) structure.setCoarse(moving);
-  drawing_->ct.setCoarse(moving);
+  if (moving == drawing_->state.moving) return;
+  drawing_->state.moving = moving;
   changed();
 }
 
 bool SceneView::isMoving() const {
-  return drawing_->moving;
+  return drawing_->state.moving;
 }
 
 bool SceneView::isExact() const {
-  return !drawing_->moving && drawing_->ct.exact();
+  return !drawing_->state.moving && drawing_->exact;
 }
 
 bool SceneView::renderExactly(double patience_s) {
@@ -237,7 +229,7 @@ bool SceneView::renderExactly(double patience_s) {
   render();
   while (!isExact() && std::chrono::steady_clock::now() - start < std::chrono::duration<double>(patience_s)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    if (drawing_->ct.hasNews()) render();
+    if (drawing_->news) render();
   }
   const bool exact = isExact();
   setMoving(wasMoving);

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <cstring>
 #include <unordered_map>
+#include <utility>
 
 namespace insonate::views {
 namespace {
@@ -153,17 +154,16 @@ Structure::Structure() {
   look.SetSpecularPower(25);
 }
 
-void Structure::setSurface(const Surface& surface, const Surface& coarse) {
-  fine_ = polyData(surface);
+void Structure::setShape(std::shared_ptr<const SceneShape> shape) {
+  shape_ = std::move(shape);
+  fine_ = polyData(shape_->fine.surface());
   coarse_ = nullptr;
-  if (!coarse.triangles.empty()) {
-    coarse_ = polyData(coarse);
+  if (!shape_->coarse.corners.empty()) {
+    coarse_ = polyData(shape_->coarse.surface());
   } else if (fine_->GetNumberOfPolys() > kLargeTriangles) {
     coarse_ = coarser(fine_);
   }
   mapper_->SetInputData(fine_);
-  points_mm_.assign(surface.points_mm.begin(), surface.points_mm.end());
-  triangles_.assign(surface.triangles.begin(), surface.triangles.end());
   open_ = true;
 }
 
@@ -181,7 +181,8 @@ void Structure::close(double lift_mm) {
   if (!open_ || (plane_ && !visible())) return;
   open_ = false;
   if (!plane_) return face_.clear();
-  face_.cut({points_mm_, {}, triangles_}, *plane_, lift_mm);
+  // The fine one: coarse ones need not be closed.
+  face_.cut(shape_->fine.surface(), *plane_, lift_mm);
 }
 
 void Structure::setColour(Colour colour) {

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "CutFace.h"
-
-#include <insonate/views/SceneView.h>
+#include "SceneState.h"
 
 #include <vtkActor.h>
 #include <vtkNew.h>
@@ -16,7 +15,7 @@ class Structure {
  public:
   Structure();
 
-  void setSurface(const Surface& surface, const Surface& coarse);
+  void setShape(std::shared_ptr<const SceneShape> shape);
   void setColour(Colour colour);
   void setOpacity(double opacity);
   void setVisible(bool visible);
@@ -36,9 +35,7 @@ class Structure {
   vtkNew<vtkActor> actor_;
   vtkNew<vtkPolyDataMapper> mapper_;
   vtkSmartPointer<vtkPolyData> fine_, coarse_;
-  /// The fine one, as a plane cuts it: coarse ones need not be closed.
-  std::vector<float> points_mm_;
-  std::vector<std::uint32_t> triangles_;
+  std::shared_ptr<const SceneShape> shape_;
   CutFace face_;
   std::optional<ClippingPlane> plane_;
   bool open_ = false;  ///< the face is not that of the plane

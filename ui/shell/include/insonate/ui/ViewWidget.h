@@ -17,8 +17,8 @@ namespace insonate::ui {
 void prepareGraphics();
 
 /// Shows one view in the window: hands it mouse, wheel and keys, tells it its size in device pixels, and renders it
-/// when it wants to be rendered, at most once for each pass of the event loop and 60 times a second. A thin frame tells
-/// who has the keyboard.
+/// when it wants to be rendered, at most once for each pass of the event loop and 60 times a second; views that allow
+/// it are drawn by a thread of their own. A thin frame tells who has the keyboard.
 ///
 /// A double click or M lets the view fill its room, again or Escape gives the others back. The room is the nearest
 /// parent with markViewRoom(), else the widget's parent.
@@ -42,6 +42,8 @@ class ViewWidget : public QFrame {
 
   /// Renderings so far.
   int renderings() const { return renderings_; }
+  /// A thread draws what was told last; others are drawn as soon as the event loop comes to it.
+  bool isDrawing() const;
 
  Q_SIGNALS:
   void maximisedChanged(bool maximised);
@@ -54,12 +56,13 @@ class ViewWidget : public QFrame {
   class Canvas;
   void want();
   void renderNow();
+  void drawn(double took_ms);
 
   std::shared_ptr<views::View> view_;
   Canvas* canvas_;
   QTimer* timer_;
   std::vector<QPointer<QWidget>> hidden_;
-  bool maximised_ = false, maximiseOnDoubleClick_ = true;
+  bool maximised_ = false, maximiseOnDoubleClick_ = true, wantedAgain_ = false;
   int renderings_ = 0;
   double lastRender_ms_ = 0;
 };

@@ -12,7 +12,10 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
+
+class vtkCamera;
 
 namespace insonate::views {
 
@@ -105,6 +108,14 @@ class SceneView final : public View {
   std::optional<ScenePick> pick(DisplayPoint at);
   DisplayPoint displayFromPatient(Vec3 point_mm);
 
+  /// How long VTK took over the last picture, in seconds.
+  double renderTime_s() const;
+  /// What draws, in OpenGL's words; empty before the first picture.
+  std::string graphics() const;
+
+  /// True: everything said is plain data, which is handed over for each picture.
+  bool mayDrawElsewhere() const override { return true; }
+
   bool pressed(const Pointer& pointer) override;
   bool moved(const Pointer& pointer) override;
   bool released(const Pointer& pointer) override;
@@ -115,17 +126,18 @@ class SceneView final : public View {
  protected:
   void layout() override;
   bool outOfDate() const override;
+  void handOver() override;
+  void takeOver() override;
+  void draw() override;
   void attached(vtkRenderWindow& window) override;
   void detached(vtkRenderWindow& window) override;
 
  private:
   struct Drawing;
   void frame();
-  void aim();
+  vtkCamera& aimed();
   void clip();
   void structuresChanged();
-  void pictureStarts();
-  void pictureEnds();
 
   std::unique_ptr<Drawing> drawing_;
 };

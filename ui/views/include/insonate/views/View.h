@@ -6,6 +6,7 @@
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
+#include <atomic>
 #include <functional>
 #include <mutex>
 
@@ -13,8 +14,11 @@ class vtkRenderWindow;
 
 namespace insonate::views {
 
+class DrawingThread;
+
 /// What all views share: a renderer in a window that the caller provides. One view to a window. For the window's thread
-/// only. Setters are cheap: what follows from them is computed when the window renders next.
+/// only, apart from its pictures where a DrawingThread makes them. Setters are cheap: what follows from them is
+/// computed when the view is rendered next.
 class View {
  public:
   View();
@@ -32,8 +36,12 @@ class View {
   int width_px() const { return width_px_; }
   int height_px() const { return height_px_; }
 
-  /// Renders the window now. Nothing happens without one.
+  /// Renders the window now; where a DrawingThread does that, waits for it. Nothing happens without a window.
   void render();
+  /// Waits until what was rendered is there: graphics go on behind the caller's back.
+  void finish();
+  /// Whether a DrawingThread can draw it.
+  virtual bool mayDrawElsewhere() const { return false; }
 
   /// Called when the view wants to be rendered again; called often, so collect before rendering.
   void setRenderWanted(std::function<void()> listener) { renderWanted_ = std::move(listener); }
@@ -60,6 +68,12 @@ class View {
   virtual bool outOfDate() const { return false; }
   virtual void attached(vtkRenderWindow&) {}
   virtual void detached(vtkRenderWindow&) {}
+
+  /// A picture comes about in three steps: the window's thread hands over what is to be seen, whoever draws takes it,
+  /// and draws. The first two are never at work at once; the last may be while the view is told other things.
+  virtual void handOver() {}
+  virtual void takeOver() {}
+  virtual void draw();
   void changed();
   /// For changes that need no layout.
   void wantRender() const;
@@ -69,6 +83,7 @@ class View {
   void wake();
 
  private:
+  friend class DrawingThread;
   void rendererStarts();
 
   vtkNew<vtkRenderer> renderer_;
@@ -78,7 +93,8 @@ class View {
   std::function<void()> wake_;  ///< guarded by the mutex
   int width_px_ = 1, height_px_ = 1;
   double scale_ = 1;
-  bool stale_ = true;
+  std::atomic<bool> stale_{true};
+  std::function<void()> renderElsewhere_;  ///< set while a DrawingThread draws
 };
 
 }  // namespace insonate::views

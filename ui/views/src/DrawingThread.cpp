@@ -1,0 +1,110 @@
+#include <insonate/views/DrawingThread.h>
+#include <insonate/views/View.h>
+
+#include <vtkOpenGLRenderWindow.h>
+
+#include <chrono>
+#include <utility>
+
+namespace insonate::views {
+
+DrawingThread::DrawingThread(View& view, std::function<void()> drawn)
+    : view_(view), drawn_(std::move(drawn)), window_(vtkSmartPointer<vtkRenderWindow>::New()) {
+  window_->SetOffScreenRendering(true);
+  window_->SetShowWindow(false);
+  window_->SetMultiSamples(0);
+  view_.attach(window_);
+  view_.renderElsewhere_ = [this] { drawNow(); };
+}
+
+DrawingThread::~DrawingThread() {
+  view_.renderElsewhere_ = nullptr;
+  if (!thread_.joinable()) {
+    view_.detach();
+    return;
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+/// OpenGL's functions are looked up here: that writes to what all windows of a program share.
+void DrawingThread::start() {
+  window_->SetSize(view_.width_px(), view_.height_px());
+  if (auto* graphics = vtkOpenGLRenderWindow::SafeDownCast(window_)) {
+    graphics->Initialize();
+    graphics->ReleaseCurrent();
+  }
+  thread_ = std::thread([this] { run(); });
+}
+
+std::uint64_t DrawingThread::want() {
+  if (!thread_.joinable()) start();
+  std::uint64_t wish = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    view_.handOver();
+    width_px_ = view_.width_px(), height_px_ = view_.height_px();
+    wish = ++wanted_;
+  }
+  changed_.notify_all();
+  return wish;
+}
+
+void DrawingThread::drawNow() {
+  const std::uint64_t wish = want();
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [&] { return done_ >= wish; });
+}
+
+bool DrawingThread::busy() const {
+  const std::lock_guard lock(mutex_);
+  return done_ < wanted_;
+}
+
+bool DrawingThread::take(Drawn& drawn) {
+  const std::lock_guard lock(mutex_);
+  if (!std::exchange(isReady_, false)) return false;
+  std::swap(drawn, ready_);
+  return true;
+}
+
+void DrawingThread::run() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    changed_.wait(lock, [this] { return ends_ || done_ < wanted_; });
+    if (ends_) break;
+    const std::uint64_t wish = wanted_;
+    const int width_px = width_px_, height_px = height_px_;
+    view_.takeOver();
+    lock.unlock();
+    draw(width_px, height_px, making_);
+    making_.wish = wish;
+    lock.lock();
+    std::swap(making_, ready_);
+    isReady_ = true;
+    done_ = wish;
+    lock.unlock();
+    changed_.notify_all();
+    drawn_();
+    lock.lock();
+  }
+  lock.unlock();
+  // What is kept by the graphics is given back by the thread that made it.
+  view_.detach();
+  window_ = nullptr;
+}
+
+void DrawingThread::draw(int width_px, int height_px, Drawn& into) {
+  const auto start = std::chrono::steady_clock::now();
+  const int* size = window_->GetSize();
+  if (size[0] != width_px || size[1] != height_px) window_->SetSize(width_px, height_px);
+  view_.draw();
+  reader_.read(*window_, into.pixels);
+  into.took_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace insonate::views

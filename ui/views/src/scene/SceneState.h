@@ -1,0 +1,59 @@
+#pragma once
+
+#include <insonate/views/SceneView.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace insonate::views {
+
+/// A label's surface, as it was handed in; constant, and shared by who knows of it and who draws it.
+struct SceneShape {
+  struct Triangles {
+    std::vector<float> points_mm, normals;
+    std::vector<std::uint32_t> corners;
+    Surface surface() const { return {points_mm, normals, corners}; }
+  };
+  Triangles fine, coarse;  ///< the coarse one may be empty
+  double box[6] = {};      ///< VTK's order: x low, x high, ...
+};
+
+struct LabelLook {
+  Colour colour{200, 200, 200};
+  double opacity = 1;
+  bool visible = true;
+  bool operator==(const LabelLook&) const = default;
+};
+
+struct CameraPlace {
+  Vec3 position_mm{0, 0, 1}, focus_mm, up{0, 1, 0};
+  double angle_deg = 30;
+};
+
+/// All that a picture of a scene follows from, as plain data: what the window's thread says, and hands to the one that
+/// draws. What is large is shared; a copy into one of the same case allocates nothing.
+struct SceneState {
+  int width_px = 1, height_px = 1;
+  double scale = 1;
+  std::array<std::shared_ptr<const SceneShape>, 256> shapes;
+  std::array<LabelLook, 256> looks{};
+  std::shared_ptr<const PatientCase> patient;
+  TransferFunction transfer = transferPresets().front().function;
+  bool ctVisible = false;
+  std::optional<ClippingPlane> cut;
+  std::optional<Probe> probe;
+  ImagingSettings settings;
+  Transform patientFromProbe;
+  bool probeVisible = true, planeVisible = true;
+  BModeImage image;  ///< empty for none of this probe
+  std::optional<SceneView::Needle> needle;
+  CameraPlace camera;
+  Stereo stereo = Stereo::Off;
+  std::optional<HeadCoupling> coupling;
+  bool moving = false;
+  /// Counted instead of compared.
+  int probeChanges = 0, imageChanges = 0, needleChanges = 0;
+};
+
+}  // namespace insonate::views
