@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   addBenchCommand(app, outcome);
   addSurfacesCommand(app, outcome);
   addFitCommand(app, outcome);
+  addDevicesCommand(app, outcome);
 
   if (const std::string unknown = unknownCommand(app, argc, argv); !unknown.empty()) {
     std::cerr << "insonate-cli: " << unknown << '\n';
