@@ -1,6 +1,7 @@
 #include "Commands.h"
 
 #include <insonate/simulator/DeformationBench.h>
+#include <insonate/simulator/HapticsBench.h>
 #include <insonate/simulator/UltrasoundBench.h>
 
 #include <nlohmann/json.hpp>
@@ -44,6 +45,15 @@ Result<void> benchDeformation(const BenchOptions& options) {
   return {};
 }
 
+Result<void> benchHaptics(const BenchOptions& options) {
+  if (auto ok = checkBenchFolder(options.folder); !ok) return ok;
+  const auto results = runHapticsBench(options.quick, terminalProgress());
+  if (!results) return tl::unexpected(results.error());
+  if (auto ok = writeHapticsBench(*results, options.folder); !ok) return ok;
+  tell(options, *results, "haptics.md");
+  return {};
+}
+
 void add(CLI::App& bench, Outcome& outcome, const char* name, const char* description,
          Result<void> (*run)(const BenchOptions&)) {
   auto options = std::make_shared<BenchOptions>();
@@ -64,6 +74,7 @@ void addBenchCommand(CLI::App& app, Outcome& outcome) {
   bench->require_subcommand(1);
   add(*bench, outcome, "ultrasound", "Frame times and errors of the ultrasound engines, realism", benchUltrasound);
   add(*bench, outcome, "deformation", "Frame times and errors of the models of pressed tissue", benchDeformation);
+  add(*bench, outcome, "haptics", "The servo's tick times, stability and force curves", benchHaptics);
 }
 
 }  // namespace insonate::cli

@@ -34,6 +34,7 @@ void NeedleMechanics::track(const TissueSample& sample, Vec3 tip, Vec3 axis) {
     }
   state_.onBone = onBone_.active && onBone_.depth_mm > 0;
   state_.in = tissueOf(sample);
+  if (state_.inBody && table_.of(state_.in).wall == NeedleWall::None) around_ = state_.in;
   if (!state_.inBody) {
     state_.depth_mm = 0;
     return;
@@ -88,7 +89,7 @@ void NeedleMechanics::aside(Vec3 axis, NeedleForce& force) {
 NeedleForce NeedleMechanics::resist(Vec3 axis, double speed_mmps) {
   NeedleForce force;
   force.force_N = along(axis, speed_mmps, force);
-  state_.axial_N = -dot(force.force_N, axis);
+  state_.axial_N = 0 - dot(force.force_N, axis);  // 0 rather than -0
   if (state_.inBody) aside(axis, force);
   return force;
 }

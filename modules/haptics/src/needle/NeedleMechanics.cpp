@@ -43,6 +43,7 @@ void NeedleMechanics::place(const TissueGrid& grid, Vec3 tip, Vec3 axis) {
   speed_mmps_ = 0;
   state_ = {};
   state_.track = axis;
+  around_ = kSoftTissue;
   shaft_.restart();
   tip_ = before_ = tip;
   sample_ = grid.at(tip);
@@ -206,10 +207,10 @@ Label NeedleMechanics::tissueOf(const TissueSample& sample) const {
   if (!inside_[kSkinWall]) return kBackground;
   for (int wall = 1; wall < kNeedleWallCount; ++wall)
     if (inside_[wall]) return kNeedleWalls[wall];
-  // Tissue that the tip has not broken into is pushed before it; what it is really in lies around that.
+  // What the tip has not broken into is pushed ahead of it; round the tip is still what was there before.
   const Label label = knownLabel(sample.label);
   const NeedleWall wall = table_.of(label).wall;
-  return label == kBackground || (wall != NeedleWall::None && label != kSkin) ? kSoftTissue : label;
+  return label == kBackground || (wall != NeedleWall::None && label != kSkin) ? around_ : label;
 }
 
 void NeedleMechanics::tell(NeedleEventKind kind, int wall, double depth_mm, NeedleEvents& events) {

@@ -88,6 +88,7 @@ class NeedleMechanics {
   Vec3 patientTip_, patientAxis_;
   std::int64_t time_ns_ = 0;
   TissueSample sample_;
+  Label around_ = kSoftTissue;  ///< tissue without a wall that the tip was last in
   std::array<bool, kNeedleWallCount> inside_{};
   std::array<Contact, kNeedleWallCount> contacts_{};
   Contact onBone_;

@@ -10,6 +10,7 @@ namespace insonate {
 namespace {
 
 constexpr double kTick_s = 0.001;
+constexpr int kKnockTicks = 5;
 
 TissueSample layerAt(Vec3 p) {
   TissueSample sample;
@@ -26,7 +27,7 @@ TissueSample layerAt(Vec3 p) {
 
 bool comesToRest(DeviceLimits device, const Grip& grip, bool account, double stiffness_Npmm) {
   device.maxForce_N = 1e9;  // a limit would keep every swing small
-  SimulatedHand hand(device, grip, {1, 0, 0});
+  SimulatedHand hand(device, grip, {});
   haptics::EnergyTank tank;
   tank.setLimits({.most_J = 1,
                   .friction_N = device.friction_N,
@@ -35,14 +36,17 @@ bool comesToRest(DeviceLimits device, const Grip& grip, bool account, double sti
                   .mass_kg = std::max(device.mass_kg, 0.03)});
   const double left_mm = 0.25 * device.resolution_mm;
   double first_mm = 0, last_mm = 0;  // fastest, mm a tick
+  // A knock of 5 ms that gives 50 mm/s.
+  const Vec3 knock_N{(device.mass_kg + grip.mass_kg) * 0.05 / (kKnockTicks * kTick_s), 0, 0};
   for (int tick = 0; tick < 2000; ++tick) {
     const Vec3 at = hand.state(0).deviceFromStylus.offset;
     Force force{at * -stiffness_Npmm, {}};
     if (account) force = tank.pass(force, {}, {at, {}, {}}, kTick_s);
+    if (tick < kKnockTicks) force.force_N = force.force_N + knock_N;
     hand.move({}, force, kTick_s);
     if (!(norm(hand.position_mm()) < 100)) return false;
     const double way_mm = norm(hand.velocity_mmps()) * kTick_s;
-    if (tick < 700) first_mm = std::max(first_mm, way_mm);
+    if (tick < 700 && tick >= kKnockTicks) first_mm = std::max(first_mm, way_mm);
     if (tick >= 1300) last_mm = std::max(last_mm, way_mm);
   }
   return last_mm < std::max(left_mm, first_mm);

@@ -26,7 +26,7 @@ std::vector<ForceDepthPoint> forceDepth(const NeedleTable& table, double speed_m
                                         double deepest_mm);
 
 /// The greatest stiffness of a wall, N/mm, on which a device in a hand does not swing more and more, by search in steps
-/// of 7 % up to 20: disturbed by a millimetre, it moves more slowly in the last of two seconds than in the first, or by
+/// of 7 % up to 20: knocked with 50 mm/s, it moves more slowly in the last of two seconds than in the first, or by
 /// less than a quarter of its encoder's step in a tick. `account`: with the servo's account of energy.
 double greatestStableStiffness_Npmm(const DeviceLimits& device, const Grip& grip, bool account);
 
