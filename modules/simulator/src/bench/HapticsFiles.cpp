@@ -59,6 +59,17 @@ std::vector<Cells> stiffness(const HapticsBench& bench) {
   return rows;
 }
 
+/// What others have measured or, of the vein, what it is taken to be, by where in the curve it is to be looked for.
+struct Published {
+  const char* name;
+  double depth_mm, low_N, high_N;
+};
+/// As the ranges of resources/haptics/measured.json; the wall of the vein on top of the muscle before it (1 N).
+constexpr Published kPublished[]{{"skin, published range", 4.1, 0.5, 4},
+                                 {"fat, published range", 7.5, 0.1, 0.8},
+                                 {"muscle, published range", 15, 0.4, 2},
+                                 {"wall of a vein, estimated range", 20.7, 1.2, 2.5}};
+
 /// Every twentieth of a millisecond's points is enough to see.
 constexpr std::size_t kEvery = 20;
 
@@ -81,14 +92,16 @@ std::string forceAgainstDepth(const HapticsBench& bench) {
                   .series = {},
                   .levels = {}};
   for (const ForceDepthCurve& curve : bench.curves) {
-    PlotSeries in{.name = curve.table, .points = {}, .joined = true, .dashed = false};
-    PlotSeries out{.name = curve.table + ", out", .points = {}, .joined = true, .dashed = true};
+    PlotSeries in{.name = curve.table, .points = {}, .joined = true, .dashed = false, .marked = false};
+    PlotSeries out{.name = curve.table + ", out", .points = {}, .joined = true, .dashed = true, .marked = false};
     for (std::size_t i = 0; i < curve.points.size(); i += kEvery)
       (2 * i < curve.points.size() ? in : out)
           .points.push_back({curve.points[i].depth_mm, curve.points[i].force_N, {}});
     chart.series.push_back(std::move(in));
     chart.series.push_back(std::move(out));
   }
+  for (const Published& p : kPublished)
+    chart.series.push_back({.name = p.name, .points = {{p.depth_mm, p.low_N, {}}, {p.depth_mm, p.high_N, {}}}});
   return svgOf(chart);
 }
 

@@ -106,7 +106,7 @@ void drawSeries(Canvas& canvas, const PlotSeries& series, const SvgAxis& x, cons
   }
   if (series.joined && at.size() > 1) canvas.path(at, colour, series.dashed);
   for (std::size_t i = 0; i < at.size(); ++i) {
-    canvas.mark(at[i].first, at[i].second, colour);
+    if (series.marked) canvas.mark(at[i].first, at[i].second, colour);
     const bool free = std::none_of(taken.begin(), taken.end(), [&](const auto& other) {
       return std::abs(other.first - at[i].first) < 26 && std::abs(other.second - at[i].second) < 12;
     });

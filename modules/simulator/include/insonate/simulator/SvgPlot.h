@@ -23,6 +23,7 @@ struct PlotSeries {
   std::vector<PlotPoint> points;
   bool joined = true;
   bool dashed = false;
+  bool marked = true;  ///< unless they lie so close that the line says it
 };
 
 /// A horizontal line across the chart, such as a limit.
