@@ -20,7 +20,6 @@ const float kLeastVolume = 0.01;
 
 // Slope in the plane of a distance at rest, from its slopes in displaced tissue.
 float inPlaneSlopeAtRest(int row, int column, float axial, float lateral, float range_mm) {
-  if (frame.displacementColumns == 0) return length(vec2(axial, lateral));
   int top = nodeIndex(0, row, column), bottom = nodeIndex(0, row + 1, column);
   vec2 a = shifts[top], b = shifts[top + 1], c = shifts[bottom], d = shifts[bottom + 1];
   vec2 byAxial = (c - a + d - b) / (2.0 * float(frame.cellGates) * frame.gate_mm);
@@ -53,23 +52,23 @@ void main() {
   if (at.x >= frame.nodeColumns - 1 || at.y >= frame.nodeRows - 1) return;
   int corner[4] = int[4](nodeIndex(at.z, at.y, at.x), nodeIndex(at.z, at.y, at.x + 1),
                          nodeIndex(at.z, at.y + 1, at.x), nodeIndex(at.z, at.y + 1, at.x + 1));
-  Cell cell;
-  cell.a = 0, cell.b = 0;
+  int a = 0, b = 0;
   float nearest = 1e30, second = 1e30;
   for (int c = 0; c < frame.channels; ++c) {
     float sum = nodes[corner[0]].distance_mm[c] + nodes[corner[1]].distance_mm[c] + nodes[corner[2]].distance_mm[c] +
                 nodes[corner[3]].distance_mm[c];
     if (sum < nearest) {
-      second = nearest, cell.b = cell.a;
-      nearest = sum, cell.a = c;
+      second = nearest, b = a;
+      nearest = sum, a = c;
     } else if (sum < second) {
-      second = sum, cell.b = c;
+      second = sum, b = c;
     }
   }
-  cell.ct_HU = 0.0, cell.comesAndGoes = 0.0, cell.inside = 1;
+  Cell cell;
+  cell.a = a, cell.b = b, cell.ct_HU = 0.0, cell.comesAndGoes = 0.0, cell.inside = 1;
   for (int q = 0; q < 4; ++q) {
     int n = corner[q];
-    cell.s_mm[q] = frame.channels == 1 ? kReach_mm : (nodes[n].distance_mm[cell.b] - nodes[n].distance_mm[cell.a]) / 2.0;
+    cell.s_mm[q] = frame.channels == 1 ? kReach_mm : (nodes[n].distance_mm[b] - nodes[n].distance_mm[a]) / 2.0;
     cell.ct_HU += nodes[n].ct_HU / 4.0;
     cell.comesAndGoes += nodes[n].comesAndGoes / 4.0;
     if (nodes[n].beyond > 0.0) cell.inside = 0;
@@ -81,11 +80,10 @@ void main() {
                 (float(frame.cellGates) * frame.gate_mm);
   float lateral = (cell.s_mm[1] - cell.s_mm[0] + cell.s_mm[3] - cell.s_mm[2]) / 2.0 /
                   (float(frame.cellLines) * spacing_mm);
-  float elevation = elevationSlope(at, cell.a, cell.b, axial, lateral, range_mm, sd_mm);
+  float elevation = elevationSlope(at, a, b, axial, lateral, range_mm, sd_mm);
   float gradient = length(vec3(axial, lateral, elevation));
   cell.cosine = min(1.0, abs(axial) / max(gradient, kSteepest));
   cell.spread_mm = length(vec2(lateral * spacing_mm, elevation * frame.planeSpacing_sd * sd_mm)) /
                    max(abs(axial), kLeastSlope);
-  cell.unused = 0;
   cells[(at.z * (frame.nodeRows - 1) + at.y) * (frame.nodeColumns - 1) + at.x] = cell;
 }

@@ -39,8 +39,7 @@ vec2 contactAt(int line) {
 }
 
 void main() {
-  int column = int(gl_GlobalInvocationID.x);
-  if (column >= frame.nodeColumns) return;
+  int column = min(int(gl_GlobalInvocationID.x), frame.nodeColumns - 1);
   vec2 contact = contactAt(column * frame.cellLines);
   if (frame.conforming == 0) contact.x = 0.0;
   contacts[column] = contact;

@@ -3,7 +3,6 @@
 layout(binding = 0) uniform sampler2D displacement;
 
 vec3 shiftAt(vec3 seen_mm) {
-  if (frame.displacementColumns == 0) return vec3(0);
   vec2 corner_mm = vec2(frame.displacementLeft_mm, frame.displacementTop_mm);
   ivec2 points = ivec2(frame.displacementColumns, frame.displacementRows);
   vec2 at = clamp((seen_mm.xz - corner_mm) / frame.displacementStep_mm, vec2(0), vec2(points - 1));

@@ -31,9 +31,9 @@ float boundariesAt(int plane, int gate, int line) {
   float sum = 0.0;
   for (int from = first; from <= last; ++from) {
     Crossing c = crossings[gateIndex(plane, from, line)];
-    if (c.echo == 0.0) continue;
     float off = float(gate - from + 1) - c.fraction, reach = c.width / 2.0;
-    sum += c.echo * (splineBefore(off + reach) - splineBefore(off - reach)) / c.width;
+    // Most gates have none.
+    sum += c.echo > 0.0 ? c.echo * (splineBefore(off + reach) - splineBefore(off - reach)) / c.width : 0.0;
   }
   return sum;
 }

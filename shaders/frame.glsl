@@ -5,7 +5,7 @@ struct Channel {
   float loss_dB, echo_dB, ctEcho_dBperHU, impedance_MRayl;  // loss per gate, there and back
   float ctImpedancePerHU, textureStrength_dB, roughness_dB, specularExponent;
   float specularDiffuse;
-  int tile;   // of its texture; 0: none
+  int tile;   // of its texture; 0: one voxel of nothing
   int flags;  // kSheets, kGas
   int grazed;  // a bit for each channel whose boundary with this one is a vessel's
   // By side of the midline, 0 right, 1 left.
@@ -22,9 +22,9 @@ layout(std140, binding = 0) uniform FrameBlock {
   float gate_mm, spacingAtFace_mm, spacingPerMm, planeSpacing_sd;
   float boundaryScale, edgeLoss_dB, displacementLeft_mm, displacementTop_mm;
   float displacementStep_mm;
-  int displacementColumns, displacementRows, effects;  // no columns: nothing has moved
+  int displacementColumns, displacementRows, effects;  // one point: moved alike
   int channels, backgroundChannel, ctWords, profileWords;  // ctWords, profileWords: first words
-  int latticeSeed, clampSides, points, conforming;
+  int latticeSeed, clampSides, conforming;
   ivec4 fieldSize;  // nodes; words a node
   vec4 nodeFromProbe[3];
   vec4 latticeFromProbe[3];

@@ -1,30 +1,22 @@
-// The first gate of each scanline in gas behind tissue, in the central plane; -1 if none. A group a scanline.
+// The first gate of each scanline in gas behind tissue, in the central plane.
 #include "frame.glsl"
 #include "records.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = 32, local_size_y = 2) in;
 layout(std430, binding = 5) readonly buffer Samples {
   GateSample samples[];
 };
-layout(std430, binding = 6) writeonly buffer GasGates {
-  int gasGate[];
+layout(std430, binding = 6) buffer GasGates {
+  int gasGate[];  // beyond the last where there is none; levels.comp has begun it so
 };
 
-shared int firstTissue, firstGas, firstLost;
+const float kBeyond_dB = -9e3;  // what is left of a beam that has been beyond the volume is less
 
 void main() {
-  int line = int(gl_WorkGroupID.x), thread = int(gl_LocalInvocationID.x), central = frame.planes / 2;
-  if (thread == 0) firstTissue = frame.gates, firstGas = frame.gates, firstLost = frame.gates;
-  barrier();
-  for (int gate = thread; gate < frame.gates; gate += 64) {
-    int marks = samples[gateIndex(central, gate, line)].marks;
-    if ((marks & kGasHere) == 0) atomicMin(firstTissue, gate);
-    if ((marks & kInside) == 0) atomicMin(firstLost, gate);
-  }
-  barrier();
-  for (int gate = thread; gate < frame.gates; gate += 64)
-    if (gate > firstTissue && (samples[gateIndex(central, gate, line)].marks & kGasHere) != 0)
-      atomicMin(firstGas, gate);
-  barrier();
-  if (thread == 0) gasGate[line] = firstGas < firstLost ? firstGas : -1;
+  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+  if (at.x >= frame.lines || at.y >= frame.gates || at.y == 0) return;
+  GateSample above = samples[gateIndex(frame.planes / 2, at.y - 1, at.x)];
+  GateSample here = samples[gateIndex(frame.planes / 2, at.y, at.x)];
+  bool enters = (here.marks & kGasHere) != 0 && (above.marks & kGasHere) == 0;
+  if (enters && here.level_dB > kBeyond_dB) atomicMin(gasGate[at.x], at.y);
 }

@@ -11,6 +11,9 @@ layout(std430, binding = 5) buffer Samples {
 layout(std430, binding = 6) buffer Crossings {
   Crossing crossings[];
 };
+layout(std430, binding = 7) writeonly buffer GasGates {
+  int gasGate[];
+};
 
 const float kNothing_dB = -1e5;
 
@@ -18,7 +21,8 @@ shared float total_dB[16][16];  // [part][scanline]
 
 void main() {
   int line = min(int(gl_GlobalInvocationID.x), frame.lines - 1), plane = int(gl_WorkGroupID.z);
-  int part = int(gl_LocalInvocationID.y), column = int(gl_LocalInvocationID.x);
+  // The last threads take the first gates, so that a missing barrier shows where threads run in their order.
+  int part = 15 - int(gl_LocalInvocationID.y), column = int(gl_LocalInvocationID.x);
   int length_ = (frame.gates + 15) / 16;
   int first = part * length_, end = min(first + length_, frame.gates);
 
@@ -31,6 +35,7 @@ void main() {
   barrier();
   if (int(gl_GlobalInvocationID.x) >= frame.lines) return;
 
+  gasGate[line] = frame.gates;  // none yet, for gas.comp
   float strength = contactOf(line).y, level_dB = strength > 0.0 ? toDecibel(strength) : kNothing_dB;
   for (int before = 0; before < part; ++before) level_dB -= total_dB[before][column];
   for (int gate = first; gate < end; ++gate) {

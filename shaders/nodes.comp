@@ -26,9 +26,10 @@ void main() {
   vec3 rest = seen + shift;
   FieldCell cell = fieldCellAt(carriedBy(frame.nodeFromProbe, rest));
 
-  Node node;
-  for (int c = 0; c < 16; ++c) node.distance_mm[c] = 0.0;
-  node.ct_HU = 0.0;
+  // Tissue from beyond the scene reads as its outermost.
+  float beyond = min(cell.beyond, fieldCellAt(carriedBy(frame.nodeFromProbe, seen)).beyond);
+  const float kZero[16] = float[16](0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+  Node node = Node(kZero, 0.0, comesAndGoesAt(rest, ivec3(0)), beyond);
   for (int corner = 0; corner < 8; ++corner) {
     int offset = cornerOffset(cell, corner);
     float weight = cornerWeight(cell, corner);
@@ -36,9 +37,5 @@ void main() {
       node.distance_mm[c] += weight * distanceAt(offset, c);
     node.ct_HU += weight * halfWord(sceneWord[frame.ctWords + (offset >> 1)], offset & 1);
   }
-  node.comesAndGoes = comesAndGoesAt(rest, ivec3(0));
-  // Tissue from beyond the scene reads as its outermost.
-  node.beyond = min(cell.beyond, fieldCellAt(carriedBy(frame.nodeFromProbe, seen)).beyond);
-  node.unused = 0.0;
   nodes[nodeIndex(at.z, at.y, at.x)] = node;
 }

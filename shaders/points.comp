@@ -1,7 +1,7 @@
 // Adds point targets, no gate of a scanline named twice.
 #include "frame.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = 1) in;
 layout(std430, binding = 5) readonly buffer Points {
   vec4 points[];  // gate, scanline, amplitude
 };
@@ -10,9 +10,7 @@ layout(std430, binding = 7) buffer Echoes {
 };
 
 void main() {
-  int n = int(gl_GlobalInvocationID.x);
-  if (n >= frame.points) return;
-  vec4 point = points[n];
+  vec4 point = points[gl_WorkGroupID.x];
   for (int look = 0; look < frame.looks; ++look)
     echoes[gateIndex(2 * look, int(point.x), int(point.y))] += point.z;
 }

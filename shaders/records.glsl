@@ -2,7 +2,7 @@
 
 struct Node {
   float distance_mm[16];
-  float ct_HU, comesAndGoes, beyond, unused;  // comesAndGoes: unit SD; beyond: the lattice, in nodes
+  float ct_HU, comesAndGoes, beyond;  // comesAndGoes: unit SD; beyond: the lattice, in nodes
 };
 
 struct Cell {
@@ -10,7 +10,6 @@ struct Cell {
   float s_mm[4];  // at the corners: row, then column
   float cosine, spread_mm, ct_HU, comesAndGoes;
   int inside;
-  int unused;
 };
 
 struct GateSample {

@@ -17,7 +17,6 @@ vec2 contactOf(int line) {
 
 // Between the nodes of its cell.
 vec3 gateShift(int gate, int line) {
-  if (frame.displacementColumns == 0) return vec3(0);
   int row = gate / frame.cellGates, column = line / frame.cellLines;
   float down = float(gate - row * frame.cellGates) / float(frame.cellGates);
   float across = float(line - column * frame.cellLines) / float(frame.cellLines);

@@ -23,7 +23,7 @@ void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
   if (at.x >= frame.lines || at.y >= frame.gates) return;
   int gas = gasGate[at.x], behind = at.y - gas;
-  if (gas < 0 || behind < kFirstGateBehind) return;
+  if (behind < kFirstGateBehind) return;
   vec3 surface = restPoint(frame.planes / 2, gas, at.x);
   vec4 repeat = repeats[behind];
   int ring = int(repeat.z), ringAbove = int(repeat.w);

@@ -13,7 +13,7 @@ layout(std430, binding = 7) buffer Echoes {
   float echoes[];
 };
 
-shared float total_dB[16][16];  // [part][scanline]
+shared float total_dB[9][16][16];  // [plane][part][scanline]
 
 vec3 mapAt(int plane, int gate, int line) {
   float place = 2.0 * float(gate) / float(frame.cellGates);
@@ -52,17 +52,19 @@ float speckleAt(int gate, int line) {
 void main() {
   int line = min(int(gl_GlobalInvocationID.x), frame.lines - 1);
   bool writes = int(gl_GlobalInvocationID.x) < frame.lines;
-  int part = int(gl_LocalInvocationID.y), column = int(gl_LocalInvocationID.x);
+  // The last threads take the first gates, so that a missing barrier shows where threads run in their order.
+  int part = 15 - int(gl_LocalInvocationID.y), column = int(gl_LocalInvocationID.x);
   int length_ = (frame.gates + 15) / 16;
   int first = part * length_, end = min(first + length_, frame.gates);
   for (int plane = 0; plane < frame.planes; ++plane) {
     float sum_dB = 0.0;
     for (int gate = first; gate < end; ++gate) sum_dB += mapAt(plane, gate, line).y * frame.gate_mm;
-    barrier();
-    total_dB[part][column] = sum_dB;
-    barrier();
+    total_dB[plane][part][column] = sum_dB;
+  }
+  barrier();
+  for (int plane = 0; plane < frame.planes; ++plane) {
     float level_dB = toDecibel(max(contactOf(line).y, 1e-9));
-    for (int before = 0; before < part; ++before) level_dB -= total_dB[before][column];
+    for (int before = 0; before < part; ++before) level_dB -= total_dB[plane][before][column];
     for (int gate = first; gate < end && writes; ++gate) {
       vec3 here = mapAt(plane, gate, line);
       float loss_dB = here.y * frame.gate_mm;

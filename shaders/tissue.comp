@@ -19,7 +19,6 @@ const float kSilence_dB = -1e4, kLost_dB = 1e4;
 void addTexture(inout GateSample here, float ct_HU, vec3 rest, int line) {
   Channel channel = frame.channel[here.channel];
   here.echo_dB += channel.ctEcho_dBperHU * ct_HU;
-  if (channel.tile == 0) return;
   int side = dot(frame.fromMidline, vec4(rest, 1)) < 0.0 ? 0 : 1;
   vec4 rows[3] = vec4[3](channel.tileFromProbe[3 * side], channel.tileFromProbe[3 * side + 1],
                          channel.tileFromProbe[3 * side + 2]);
@@ -66,7 +65,7 @@ void main() {
   Channel channel = frame.channel[here.channel];
   bool outside = here.channel == frame.backgroundChannel && rangeOf(float(gate)) < kContactReach_mm;
   here.marks = (cell.inside != 0 ? kInside : 0) | (outside ? kOutside : 0) |
-               ((channel.flags & kGas) != 0 && !outside ? kGasHere : 0);
+               ((channel.flags & kGas) != 0 && !outside && cell.inside != 0 ? kGasHere : 0);
   here.impedance_MRayl =
       channel.impedance_MRayl * (1.0 + (with(kTexture) ? channel.ctImpedancePerHU * cell.ct_HU : 0.0));
 
@@ -80,6 +79,5 @@ void main() {
   if (with(kTexture)) addTexture(here, cell.ct_HU, restPoint(plane, gate, line), line);
   if (with(kLayers)) addLayers(here, cell);
   if (outside || !with(kScattering)) here.echo_dB = kSilence_dB;
-  here.level_dB = 0.0;
   samples[gateIndex(plane, gate, line)] = here;
 }

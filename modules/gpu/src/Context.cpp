@@ -26,17 +26,25 @@ bool has(const char* extensions, std::string_view name) {
 }
 
 /// The cards, as far as EGL lists them; else Mesa without a surface; else whatever EGL thinks best.
-std::vector<EGLDisplay> displays() {
+std::vector<EGLDisplay> displays(bool hardware) {
   std::vector<EGLDisplay> found;
   const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   const auto platformDisplay =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
   const auto queryDevices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+  const auto deviceString =
+      reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(eglGetProcAddress("eglQueryDeviceStringEXT"));
   if (platformDisplay && queryDevices && has(client, "EGL_EXT_platform_device")) {
     std::array<EGLDeviceEXT, 16> devices;
     EGLint count = 0;
     if (queryDevices(EGLint(devices.size()), devices.data(), &count))
-      for (int d = 0; d < count; ++d) found.push_back(platformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[d], nullptr));
+      for (int d = 0; d < count; ++d) {
+        const char* about = deviceString ? deviceString(devices[d], EGL_EXTENSIONS) : nullptr;
+        if (hardware && has(about, "EGL_MESA_device_software")) continue;
+        found.push_back(platformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[d], nullptr));
+      }
+    // What EGL lists is all there is.
+    if (hardware) return found;
   }
   if (platformDisplay && has(client, "EGL_MESA_platform_surfaceless"))
     found.push_back(platformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
@@ -84,6 +92,7 @@ Result<DeviceInfo> inspect(const Requirements& need) {
   const auto lacks = [&](const std::string& what) { return fail(device.renderer + " lacks " + what + "."); };
   if (epoxy_gl_version() < 10 * need.major + need.minor)
     return lacks("OpenGL " + std::to_string(need.major) + "." + std::to_string(need.minor));
+  if (need.hardware && device.software) return fail(device.renderer + " is a software renderer.");
   if (limit(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS) < need.storageBuffers)
     return lacks(std::to_string(need.storageBuffers) + " storage buffers in a compute shader");
   if (limit(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS) < need.workgroupThreads)
@@ -123,8 +132,8 @@ Context::~Context() {
 Result<std::shared_ptr<Context>> Context::make(const Requirements& requirements) {
   if (!epoxy_has_egl()) return fail(std::string(kNone) + "libEGL is not installed.");
   std::shared_ptr<Context> best;
-  std::string why = "EGL knows no device.";
-  for (const EGLDisplay display : displays()) {
+  std::string why = requirements.hardware ? "no graphics card is found." : "EGL knows no device.";
+  for (const EGLDisplay display : displays(requirements.hardware)) {
     EGLint major = 0, minor = 0;
     if (!eglInitialize(display, &major, &minor)) continue;
     if (!epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context")) continue;

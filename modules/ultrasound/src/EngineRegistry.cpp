@@ -1,3 +1,4 @@
+#include "auto/AutoEngine.h"
 #include "cpu/CpuEngine.h"
 #include "glsl/GlslEngine.h"
 #include "model/FramePlan.h"
@@ -17,7 +18,8 @@ Result<std::unique_ptr<Engine>> makeEngine(std::string_view name) {
   if (name == "reference") return makeReferenceEngine();
   if (name == "cpu") return makeCpuEngine();
   if (name == "glsl") return makeGlslEngine();
-  return fail("There is no engine \"" + std::string(name) + "\"; choose reference, cpu or glsl.");
+  if (name == "auto") return makeAutoEngine();
+  return fail("There is no engine \"" + std::string(name) + "\"; choose auto, reference, cpu or glsl.");
 }
 
 Region regionOf(const Probe& probe, const ImagingSettings& settings, const Transform& patientFromProbe,

@@ -79,6 +79,17 @@ TEST(GpuContext, SaysWhatADriverLacks) {
   EXPECT_NE(threads.error().message.find("threads"), std::string::npos) << threads.error().message;
 }
 
+TEST(GpuContext, OnRequestHardwareOnly) {
+  NEEDS_GPU(context);
+  const auto hardware = Context::make({.hardware = true});
+  EXPECT_EQ(bool(hardware), !(*context)->device().software) << "hardware is taken first";
+  if (!hardware) {
+    EXPECT_FALSE(hardware.error().message.empty());
+  } else {
+    EXPECT_FALSE((*hardware)->device().software);
+  }
+}
+
 TEST(GpuContext, OnceLostStaysLost) {
   NEEDS_GPU(context);
   auto buffer = Buffer::make(*(*context)->use(), 64);

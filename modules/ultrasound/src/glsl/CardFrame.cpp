@@ -8,6 +8,10 @@ namespace {
 // Slots of buffers that most stages read.
 constexpr unsigned kSceneSlot = 0, kTilesSlot = 1, kPlanSlot = 2, kContactsSlot = 3, kShiftsSlot = 4;
 
+/// One point that has not moved.
+const PlaneDisplacement kAtRest{
+    .left_mm = 0, .top_mm = 0, .step_mm = 1, .columns = 1, .rows = 1, .restFromSeen = {{0, 0}}};
+
 using Clock = std::chrono::steady_clock;
 
 double msSince(Clock::time_point start) {
@@ -93,13 +97,8 @@ Result<void> CardFrame::upload(const gpu::Current& current, const AcousticScene:
     scene_ = scene.serial;
   }
   setPose(plan_, scene, patientFromProbe, block);
-  setDisplacement(displacement, block);
-  if (!displacement.empty()) {
-    static_assert(sizeof(PlaneDisplacement::Shift) == 2 * sizeof(float));
-    const std::span pairs(&displacement.restFromSeen[0].x_mm, 2 * displacement.restFromSeen.size());
-    if (auto ok = displacement_.write(current, displacement.columns, displacement.rows, pairs); !ok) return ok;
-  }
-  block.points = 0;
+  if (auto ok = uploadDisplacement(current, displacement.empty() ? kAtRest : displacement); !ok) return ok;
+  pointEchoes_ = 0;
   if (!thesis_ && !scene.points.empty()) {
     const std::vector<Float4> points = pointTable(plan_, scene, patientFromProbe, displacement);
     if (points.size() > pointCapacity_) {
@@ -108,11 +107,18 @@ Result<void> CardFrame::upload(const gpu::Current& current, const AcousticScene:
       points_ = std::move(*buffer), pointCapacity_ = points.size();
     }
     if (!points.empty()) points_.write(current, bytesOf(points));
-    block.points = static_cast<std::int32_t>(points.size());
+    pointEchoes_ = static_cast<int>(points.size());
   }
   block_.write(current, bytesOfOne(block));
   if (thesis_) thesisBlock_.write(current, bytesOfOne(thesisBlock(plan_, *thesis_, scene, patientFromProbe)));
   return {};
+}
+
+Result<void> CardFrame::uploadDisplacement(const gpu::Current& current, const PlaneDisplacement& displacement) {
+  static_assert(sizeof(PlaneDisplacement::Shift) == 2 * sizeof(float));
+  setDisplacement(displacement, tables_.block);
+  const std::span pairs(&displacement.restFromSeen[0].x_mm, 2 * displacement.restFromSeen.size());
+  return displacement_.write(current, displacement.columns, displacement.rows, pairs);
 }
 
 void CardFrame::bindShared(const gpu::Current& current) const {
@@ -140,14 +146,13 @@ void CardFrame::traceCoherent(const gpu::Current& current) const {
   run(current, Stage::Cells, {{5, &nodes_}, {6, &cells_}}, columns, rows, planes);
   run(current, Stage::Tissue, {{5, &cells_}, {6, &samples_}}, lines, gates, planes);
   run(current, Stage::Crossings, {{5, &cells_}, {6, &samples_}, {7, &crossings_}}, lines, gates, planes);
-  run(current, Stage::Levels, {{5, &samples_}, {6, &crossings_}}, (plan_.lines + 15) / 16, 1, planes);
+  run(current, Stage::Levels, {{5, &samples_}, {6, &crossings_}, {7, &gasGates_}}, (plan_.lines + 15) / 16, 1, planes);
   run(current, Stage::Echoes, {{5, &samples_}, {6, &crossings_}, {7, &echo_}}, lines, gates);
   if (plan_.settings.effects.reverberation) {
-    run(current, Stage::Gas, {{5, &samples_}, {6, &gasGates_}}, plan_.lines);
+    run(current, Stage::Gas, {{5, &samples_}, {6, &gasGates_}}, lines, gates);
     run(current, Stage::Reverberate, {{5, &gasGates_}, {6, &repeats_}, {7, &echo_}}, lines, gates);
   }
-  if (const int points = tables_.block.points)
-    run(current, Stage::Points, {{5, &points_}, {7, &echo_}}, (points + 63) / 64);
+  if (pointEchoes_ > 0) run(current, Stage::Points, {{5, &points_}, {7, &echo_}}, pointEchoes_);
   const int components = 2 * tables_.block.looks;
   run(current, Stage::Axial, {{5, &kernels_}, {6, &echo_}, {7, &blurred_}}, lines, gates, components);
   run(current, Stage::Lateral, {{5, &kernels_}, {6, &blurred_}, {7, &echo_}}, lines, gates, components);

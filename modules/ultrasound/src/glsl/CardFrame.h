@@ -34,6 +34,7 @@ class CardFrame {
   Result<void> allocate(const gpu::Current& current);
   Result<void> upload(const gpu::Current& current, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
                       const PlaneDisplacement& displacement);
+  Result<void> uploadDisplacement(const gpu::Current& current, const PlaneDisplacement& displacement);
   void bindShared(const gpu::Current& current) const;
   void traceCoherent(const gpu::Current& current) const;
   void traceThesis(const gpu::Current& current) const;
@@ -55,6 +56,7 @@ class CardFrame {
   gpu::PairTexture displacement_;
   gpu::ReadBack readBack_;
   std::size_t pointCapacity_ = 0;
+  int pointEchoes_ = 0;  ///< in this frame
   std::vector<Engine::Stage> stages_;
 };
 

@@ -46,20 +46,23 @@ std::array<int, kTiles> tileOffsets() {
   return offsets;
 }
 
-std::string shaderText(std::string_view name) {
-  constexpr std::string_view kInclude = "#include \"";
-  for (const auto& file : embedded::shaders::files()) {
-    if (file.name != name) continue;
-    std::istringstream lines{std::string(file.text)};
-    std::string text;
-    for (std::string line; std::getline(lines, line); text += '\n') {
-      const std::string_view view = line;
-      text += view.starts_with(kInclude) ? shaderText(view.substr(kInclude.size(), view.find('.') - kInclude.size()))
-                                         : line;
-    }
-    return text;
-  }
+std::string_view shaderFile(std::string_view name) {
+  for (const auto& file : embedded::shaders::files())
+    if (file.name == name) return file.text;
   return {};
+}
+
+std::string shaderText(std::string_view name, const EditedFile& edited) {
+  constexpr std::string_view kInclude = "#include \"";
+  std::istringstream lines(name == edited.name ? edited.text : std::string(shaderFile(name)));
+  std::string text;
+  for (std::string line; std::getline(lines, line); text += '\n') {
+    const std::string_view view = line;
+    text += view.starts_with(kInclude)
+                ? shaderText(view.substr(kInclude.size(), view.find('.') - kInclude.size()), edited)
+                : line;
+  }
+  return text;
 }
 
 std::string constantsText() {
@@ -102,22 +105,43 @@ std::string constantsText() {
   return std::move(text).str();
 }
 
-Result<void> Device::compile(const gpu::Current& current) {
+Result<std::shared_ptr<const gpu::Program>> Device::compiled(const gpu::Current& current, std::string_view file,
+                                                             const std::string& text) {
   const std::string constants = constantsText();
+  auto program = gpu::Program::make(current, std::string(file), std::array<std::string_view, 2>{constants, text});
+  if (!program) return tl::unexpected(program.error());
+  if (auto same = program->checkBlock(current, "FrameBlock", frameFields(), sizeof(FrameBlock)); !same)
+    return tl::unexpected(same.error());
+  if (auto same = program->checkBlock(current, "ThesisBlock", thesisFields(), sizeof(ThesisBlock)); !same)
+    return tl::unexpected(same.error());
+  return std::make_shared<const gpu::Program>(std::move(*program));
+}
+
+Result<void> Device::fill(const gpu::Current& current) {
   for (const std::string_view file : kStageFiles) {
-    const std::string text = shaderText(file);
-    auto program = gpu::Program::make(current, std::string(file), std::array<std::string_view, 2>{constants, text});
+    auto program = compiled(current, file, shaderText(file));
     if (!program) return tl::unexpected(program.error());
-    if (auto same = program->checkBlock(current, "FrameBlock", frameFields(), sizeof(FrameBlock)); !same) return same;
-    if (auto same = program->checkBlock(current, "ThesisBlock", thesisFields(), sizeof(ThesisBlock)); !same)
-      return same;
     programs_.push_back(std::move(*program));
   }
   const std::vector<std::int8_t> bytes = allTiles();
   auto tiles = gpu::Buffer::of(current, std::span<const std::int8_t>(bytes));
   if (!tiles) return tl::unexpected(tiles.error());
-  tiles_ = std::move(*tiles);
+  tiles_ = std::make_shared<const gpu::Buffer>(std::move(*tiles));
   return current.check();
+}
+
+Result<std::shared_ptr<const Device>> Device::with(const EditedFile& edited) const {
+  const auto current = context_->use();
+  if (!current) return tl::unexpected(current.error());
+  const std::shared_ptr<Device> device(new Device(*this));
+  for (std::size_t stage = 0; stage < kStageFiles.size(); ++stage) {
+    const std::string text = shaderText(kStageFiles[stage], edited);
+    if (text == shaderText(kStageFiles[stage])) continue;
+    auto program = compiled(*current, kStageFiles[stage], text);
+    if (!program) return tl::unexpected(program.error());
+    device->programs_[stage] = std::move(*program);
+  }
+  return device;
 }
 
 Result<std::shared_ptr<const Device>> Device::make() {
@@ -126,7 +150,7 @@ Result<std::shared_ptr<const Device>> Device::make() {
   const std::shared_ptr<Device> device(new Device(*context));
   const auto current = device->context_->use();
   if (!current) return tl::unexpected(current.error());
-  if (auto ok = device->compile(*current); !ok) return tl::unexpected(ok.error());
+  if (auto ok = device->fill(*current); !ok) return tl::unexpected(ok.error());
   return device;
 }
 

@@ -31,8 +31,15 @@ enum class Stage {
   kCount
 };
 
-/// The text of a shader of the project, includes put in; empty where there is none of that name.
-std::string shaderText(std::string_view name);
+/// One of the project's shader files with another text.
+struct EditedFile {
+  std::string name, text;
+};
+
+/// The text of a shader file of the project (without extension), as it is or with the files that it includes put in;
+/// empty where there is none of that name.
+std::string_view shaderFile(std::string_view name);
+std::string shaderText(std::string_view name, const EditedFile& edited = {});
 /// Constants of the model as the shaders know them, from those of C++.
 std::string constantsText();
 
@@ -42,19 +49,23 @@ class Device {
   /// Made at the first call, which takes as long as the driver's compiler does; anew after a loss. Fails with a
   /// sentence where there is no OpenGL that serves.
   static Result<std::shared_ptr<const Device>> shared();
+  /// The same with one file edited, for tests: what includes it is compiled anew.
+  Result<std::shared_ptr<const Device>> with(const EditedFile& edited) const;
 
   gpu::Context& context() const { return *context_; }
-  const gpu::Program& program(Stage stage) const { return programs_[std::size_t(stage)]; }
-  const gpu::Buffer& tiles() const { return tiles_; }
+  const gpu::Program& program(Stage stage) const { return *programs_[std::size_t(stage)]; }
+  const gpu::Buffer& tiles() const { return *tiles_; }
 
  private:
   static Result<std::shared_ptr<const Device>> make();
   explicit Device(std::shared_ptr<gpu::Context> context) : context_(std::move(context)) {}
-  Result<void> compile(const gpu::Current& current);
+  static Result<std::shared_ptr<const gpu::Program>> compiled(const gpu::Current& current, std::string_view file,
+                                                              const std::string& text);
+  Result<void> fill(const gpu::Current& current);
 
   std::shared_ptr<gpu::Context> context_;
-  std::vector<gpu::Program> programs_;  ///< [stage]
-  gpu::Buffer tiles_;
+  std::vector<std::shared_ptr<const gpu::Program>> programs_;  ///< [stage]
+  std::shared_ptr<const gpu::Buffer> tiles_;
 };
 
 /// First byte of each tile in the device's buffer, by Texture, and last that of patchTile().

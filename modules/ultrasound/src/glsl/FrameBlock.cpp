@@ -52,7 +52,6 @@ std::vector<gpu::Field> frameFields() {
           FRAME(profileWords),
           FRAME(latticeSeed),
           FRAME(clampSides),
-          FRAME(points),
           FRAME(conforming),
           FRAME(fieldSize),
           FRAME_ARRAY(nodeFromProbe),

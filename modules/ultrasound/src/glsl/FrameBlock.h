@@ -59,7 +59,7 @@ struct FrameBlock {
   float displacementStep_mm;
   std::int32_t displacementColumns, displacementRows, effects;
   std::int32_t channels, backgroundChannel, ctWords, profileWords;
-  std::int32_t latticeSeed, clampSides, points, conforming;
+  std::int32_t latticeSeed, clampSides, conforming;
   Int4 fieldSize;
   Rows nodeFromProbe;
   Rows latticeFromProbe;
@@ -81,7 +81,7 @@ struct ThesisBlock {
 };
 
 /// Sizes of the records of shaders/records.glsl.
-inline constexpr std::size_t kNodeBytes = 80, kCellBytes = 48, kSampleBytes = 32, kCrossingBytes = 16;
+inline constexpr std::size_t kNodeBytes = 76, kCellBytes = 44, kSampleBytes = 32, kCrossingBytes = 16;
 
 /// Where C++ has each field, by the shaders' names; for Program::checkBlock().
 std::vector<gpu::Field> frameFields();

@@ -59,10 +59,14 @@ class GlslEngine final : public Engine {
 
 }  // namespace
 
+std::unique_ptr<Engine> glsl::makeEngineOn(std::shared_ptr<const Device> device) {
+  return std::make_unique<GlslEngine>(std::move(device));
+}
+
 Result<std::unique_ptr<Engine>> makeGlslEngine() {
   auto device = Device::shared();
   if (!device) return tl::unexpected(device.error());
-  return std::make_unique<GlslEngine>(std::move(*device));
+  return glsl::makeEngineOn(std::move(*device));
 }
 
 }  // namespace insonate

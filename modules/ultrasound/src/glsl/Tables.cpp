@@ -166,7 +166,7 @@ void setPose(const FramePlan& plan, const AcousticScene::Impl& scene, const Tran
 }
 
 void setDisplacement(const PlaneDisplacement& d, FrameBlock& block) {
-  block.displacementColumns = d.empty() ? 0 : d.columns, block.displacementRows = d.empty() ? 0 : d.rows;
+  block.displacementColumns = d.columns, block.displacementRows = d.rows;
   block.displacementLeft_mm = f(d.left_mm), block.displacementTop_mm = f(d.top_mm);
   block.displacementStep_mm = f(d.step_mm);
 }

@@ -27,6 +27,7 @@ std::vector<std::int32_t> sceneWords(const AcousticScene::Impl& scene, FrameBloc
 /// What the pose and the scene decide.
 void setPose(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
              FrameBlock& block);
+/// Of at least one point.
 void setDisplacement(const PlaneDisplacement& displacement, FrameBlock& block);
 
 /// Point targets as shaders/points.comp has them.

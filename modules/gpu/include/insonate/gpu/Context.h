@@ -15,6 +15,7 @@ struct Requirements {
   int major = 4, minor = 3;  ///< of OpenGL, core profile
   int storageBuffers = 8;    ///< that one compute shader may see
   int workgroupThreads = 256;
+  bool hardware = false;  ///< a software renderer will not do, and is not even loaded where EGL tells them apart
 };
 
 struct DeviceInfo {

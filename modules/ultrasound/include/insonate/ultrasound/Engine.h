@@ -47,9 +47,11 @@ class Engine {
   virtual const std::vector<Stage>& stages() const = 0;
 };
 
+/// Those that compute: `reference` (scalar, double, to be read), `cpu` (SIMD, threads), `glsl` (a graphics card).
 std::vector<std::string> engineNames();
-/// `reference` (scalar, double, to be read), `cpu` (SIMD, threads) or `glsl` (a graphics card; fails with a sentence
-/// where there is none, nor a software renderer).
+/// One of these, or `auto`: when it is first prepared, it becomes the faster of cpu and glsl, measured once a process,
+/// and says which and why; a software renderer is never taken. `glsl` fails with a sentence where there is no
+/// OpenGL 4.3.
 Result<std::unique_ptr<Engine>> makeEngine(std::string_view name);
 
 /// Region that a frame at this pose needs of the scene, where tissue has moved by up to `largestShift_mm` (0 or above).

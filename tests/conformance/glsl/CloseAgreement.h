@@ -1,0 +1,18 @@
+#pragma once
+
+#include "conformance/Measure.h"
+#include "conformance/glsl/CompactCases.h"
+
+namespace insonate::test {
+
+/// What the shaders reach: far below what engines are allowed, so that hardly a term can be left out of them.
+inline constexpr double kCloseError = 0.001;
+
+/// Share of the truth's RMS, or 1 where only one of the two is silent or a number is missing.
+inline double errorOf(const EnvelopeFrame& frame, const EnvelopeFrame& truth) {
+  if (!allFinite(frame) || frame.amplitude.size() != truth.amplitude.size()) return 1;
+  if (largest(truth) == 0) return largest(frame) == 0 ? 0 : 1;
+  return relativeError(frame, truth);
+}
+
+}  // namespace insonate::test
