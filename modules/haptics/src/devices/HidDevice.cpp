@@ -126,7 +126,9 @@ bool HidDevice::readAll(std::int64_t& now_ns) {
     bytes = handle_->read(report, 0);
   }
   if (calibrate_.exchange(false, std::memory_order_relaxed)) maker_.calibrate(decoder_.reading());
-  if ((news && reported_ns_ != 0) || maker_.isMoving()) postState(now_ns);
+  // A 3D mouse that says nothing rests: it is where it was, and that is news of now.
+  const bool rests = info_.kind == DeviceKind::kMotion && phase() == DevicePhase::kStreaming;
+  if (reported_ns_ != 0 && (news || rests)) postState(now_ns);
   return bytes >= 0;
 }
 

@@ -83,9 +83,12 @@ void InputHand::follow(double step_s) noexcept {
 }
 
 bool InputHand::take(DeviceState& state) noexcept {
+  return takeAt(haptics::monotonic_ns(), state);
+}
+
+bool InputHand::takeAt(std::int64_t now_ns, DeviceState& state) noexcept {
   if (const auto wish = wishes_.take()) obey(*wish);
   if (phase() == DevicePhase::kAbsent) return false;
-  const std::int64_t now_ns = haptics::monotonic_ns();
   // Not the time for which it lay there.
   const double step_s = state_.time_ns == 0 ? 0 : std::min(static_cast<double>(now_ns - state_.time_ns) * 1e-9, 0.05);
   if (step_s > 0) follow(step_s);

@@ -25,7 +25,6 @@ StateMaker::StateMaker(const DeviceTable& table) : table_(table) {
 void StateMaker::reset() noexcept {
   const Transform pose = state_.deviceFromStylus;
   state_ = {};
-  moving_ = false;
   home_ = {};
   // What a cap moved stays where it was; other devices tell where they are.
   if (byCap_) state_.deviceFromStylus = pose;
@@ -41,7 +40,6 @@ void StateMaker::moveByCap(const DeviceReading& reading, std::int64_t reported_n
   if (heard) std::transform(reading.deflection.begin(), reading.deflection.end(), press.begin(), pressed);
   state_.velocity_mmps = Vec3{press[0], press[1], press[2]} * kCapSpeed_mmps;
   state_.angularVelocity_radps = Vec3{press[3], press[4], press[5]} * kCapTurn_radps;
-  moving_ = norm(state_.velocity_mmps) + norm(state_.angularVelocity_radps) > 0;
   const double step_s = state_.time_ns == 0 ? 0 : std::clamp((now_ns - state_.time_ns) * 1e-9, 0.0, 0.1);
   Transform& pose = state_.deviceFromStylus;
   const Vec3 half = table_.limits.workspace_mm / 2;

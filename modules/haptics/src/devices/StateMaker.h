@@ -29,16 +29,13 @@ class StateMaker {
   void calibrate(const DeviceReading& reading) noexcept { home_ = reading.encoder; }
   void reset() noexcept;
 
-  /// True where the pose goes on changing without reports.
-  bool isMoving() const noexcept { return moving_; }
-
  private:
   std::array<double, 3> anglesOf(const DeviceReading& reading) const noexcept;
   void moveByCap(const DeviceReading& reading, std::int64_t reported_ns, std::int64_t now_ns) noexcept;
 
   const DeviceTable& table_;
   std::optional<ArmKinematics> arm_;
-  bool byCap_ = false, moving_ = false;
+  bool byCap_ = false;
   std::array<double, 6> home_{};
   DeviceState state_;
 };

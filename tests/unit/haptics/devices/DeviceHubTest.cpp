@@ -139,6 +139,18 @@ TEST_F(DeviceHubTest, TwoAlikeAreTwoDevices) {
   EXPECT_EQ(hub_.devices().size(), 3U);
 }
 
+TEST_F(DeviceHubTest, ACapAtRestTellsThatItIsStillThere) {
+  const auto cable = ports_->plug({"/dev/hidraw3", "", "Cap", "", 0x256f, 0xc635, 1, 8});
+  const auto cap = inPhase("256f:c635", DevicePhase::kReady);
+  cable->say({3, 1, 0});
+  DeviceState state;
+  ASSERT_TRUE(eventually([&] { return cap->take(state); }));
+  const std::int64_t first_ns = state.time_ns;
+  ASSERT_TRUE(eventually([&] { return cap->take(state) && state.time_ns > first_ns; }));
+  EXPECT_EQ(state.buttons, 1U);
+  EXPECT_EQ(cap->counters().reports, 1U);
+}
+
 TEST_F(DeviceHubTest, NothingIsSentBeforeTheFirstPush) {
   const auto cable = ports_->plug(kArm);
   stream(cable);
@@ -151,6 +163,7 @@ TEST_F(DeviceHubTest, AForceGoesOutAndEndsWhenNobodyPushesAnyMore) {
   const auto cable = ports_->plug(kArm);
   stream(cable);
   const auto arm = inPhase("16c0:0486/7", DevicePhase::kStreaming);
+  const auto begin = std::chrono::steady_clock::now();
   arm->push({{0, 0, 1000}, {}});  // far above 5 N
   ASSERT_TRUE(eventually([&] { return !cable->heard().empty() && !isZero(cable->heard().back()); }));
   const Bytes sent = cable->heard().back();
@@ -159,9 +172,8 @@ TEST_F(DeviceHubTest, AForceGoesOutAndEndsWhenNobodyPushesAnyMore) {
     const int current = signedValue(bitsAt(std::span(sent).subspan(1), 16 * motor, 16), 16);
     EXPECT_LE(std::abs(current), 2000) << motor;
   }
-  const auto begin = std::chrono::steady_clock::now();
   ASSERT_TRUE(eventually([&] { return isZero(cable->heard().back()); }));
-  EXPECT_GT(std::chrono::steady_clock::now() - begin, 50ms);
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, 100ms);
 }
 
 TEST_F(DeviceHubTest, UnpluggedInContactNothingOfTheForceIsLeftForTheNextHand) {
@@ -206,7 +218,7 @@ TEST_F(DeviceHubTest, AWriteThatHangsIsToldAndHoldsUpNobody) {
   cable->slow(400ms);
   const auto begin = std::chrono::steady_clock::now();
   for (int i = 0; i < 100; ++i) arm->push({{0, 0, 1}, {}});
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, 100ms);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, 4s);  // not a hundred times as long as one takes
   ASSERT_TRUE(eventually([&] { return arm->trouble().find("does not take forces") != std::string::npos; }));
   cable->slow(0ms);
   inPhase("16c0:0486/7", DevicePhase::kStreaming);

@@ -28,6 +28,8 @@ class InputHand final : public HapticDevice {
   std::string trouble() const override { return {}; }
   DeviceCounters counters() const noexcept override { return {taken_.load(std::memory_order_relaxed), 0, 0, 0}; }
   bool take(DeviceState& state) noexcept override;
+  /// The same at another time (CLOCK_MONOTONIC) than now, which does not run backwards: for replays and tests.
+  bool takeAt(std::int64_t now_ns, DeviceState& state) noexcept;
   void push(const Force&) noexcept override {}
 
   /// Taken up by somebody, or laid down: ready, then streaming from the first take on; absent. Starts absent.
