@@ -12,6 +12,7 @@
 #include <QWheelEvent>
 #include <QtTest/QTest>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <semaphore>
@@ -77,6 +78,16 @@ TEST_F(ViewWidget, ShowsNothingOfWhatWasThereBefore) {
   room.layout()->setEnabled(false);
   widget->resize(widget->size() + QSize(80, 40));
   EXPECT_TRUE(black(widget->rect().bottomRight() - QPoint(20, 10))) << "where no picture is yet";
+}
+
+TEST_F(ViewWidget, ShowsWhatChangedWhileItWasHidden) {
+  QTest::qWait(100);
+  room.hide();
+  view->want();
+  QTest::qWait(60);
+  const int before = widget->renderings();
+  room.show();
+  EXPECT_TRUE(waitUntil([&] { return widget->renderings() > before; }, 2000));
 }
 
 TEST_F(ViewWidget, ShowsWhatTheViewDraws) {
@@ -164,7 +175,8 @@ class SlowView final : public views::View {
     changed();
   }
   std::atomic<int> begun{0};
-  std::binary_semaphore go{0};
+  std::atomic<bool> open{false};  ///< nothing is held any more
+  std::counting_semaphore<> go{0};
 
  protected:
   void layout() override {}
@@ -172,7 +184,7 @@ class SlowView final : public views::View {
   void takeOver() override { taken_ = handed_; }
   void draw() override {
     ++begun;
-    go.acquire();
+    while (!open && !go.try_acquire_for(std::chrono::milliseconds(5))) continue;
     renderer()->SetBackground(0, taken_, 0);
     View::draw();
   }
@@ -181,51 +193,60 @@ class SlowView final : public views::View {
   double told_ = 1, handed_ = 0, taken_ = 0;
 };
 
-TEST(ThreadedViewWidget, TheWindowGoesOnWhileItIsDrawn) {
-  const auto view = std::make_shared<SlowView>();
-  ui::ViewWidget widget(view, "3D");
-  widget.resize(200, 160);
-  widget.show();
-  const auto green = [&] { return widget.grab().toImage().pixelColor(100, 80).green(); };
-  ASSERT_TRUE(waitUntil([&] { return view->begun == 1; }));
-  EXPECT_TRUE(widget.isDrawing());
-  EXPECT_EQ(green(), 0);
+class ThreadedViewWidget : public testing::Test {
+ protected:
+  ThreadedViewWidget() {
+    widget->resize(200, 160);
+    widget->show();
+    EXPECT_TRUE(waitUntil([this] { return view->begun == 1; }));
+  }
+  ~ThreadedViewWidget() override {
+    view->open = true;
+    widget.reset();
+  }
+  QColor middle() { return widget->grab().toImage().pixelColor(100, 80); }
+
+  std::shared_ptr<SlowView> view = std::make_shared<SlowView>();
+  std::unique_ptr<ui::ViewWidget> widget = std::make_unique<ui::ViewWidget>(view, "3D");
+};
+
+TEST_F(ThreadedViewWidget, TheWindowGoesOnWhileItIsDrawn) {
+  EXPECT_TRUE(widget->isDrawing());
+  EXPECT_EQ(middle().green(), 0);
   view->show(0.6);
   view->show(0.4);
   QTest::qWait(60);
   EXPECT_EQ(view->begun, 1) << "one at a time";
   view->go.release();
-  ASSERT_TRUE(waitUntil([&] { return green() == 255; })) << "as it was when the picture was begun";
+  ASSERT_TRUE(waitUntil([&] { return middle().green() == 255; })) << "as it was when the picture was begun";
   ASSERT_TRUE(waitUntil([&] { return view->begun == 2; }));
   view->go.release();
-  ASSERT_TRUE(waitUntil([&] { return green() == 102; })) << "what was told last, and nothing in between";
-  EXPECT_TRUE(waitUntil([&] { return !widget.isDrawing(); }));
+  ASSERT_TRUE(waitUntil([&] { return middle().green() == 102; })) << "what was told last, and nothing in between";
+  EXPECT_TRUE(waitUntil([&] { return !widget->isDrawing(); }));
   EXPECT_EQ(view->begun, 2);
 }
 
-TEST(ThreadedViewWidget, APictureOfWhatIsForgottenIsNotShown) {
-  const auto view = std::make_shared<SlowView>();
-  ui::ViewWidget widget(view, "3D");
-  widget.resize(200, 160);
-  widget.show();
-  ASSERT_TRUE(waitUntil([&] { return view->begun == 1; }));
-  widget.forget();
+TEST_F(ThreadedViewWidget, APictureOnItsWayIsNotAskedForAgain) {
+  EXPECT_EQ(middle(), QColor(Qt::black)) << "it is painted before it is there";
+  view->go.release();
+  ASSERT_TRUE(waitUntil([&] { return middle().green() == 255; }));
+  QTest::qWait(60);
+  EXPECT_EQ(view->begun, 1);
+}
+
+TEST_F(ThreadedViewWidget, APictureOfWhatIsForgottenIsNotShown) {
+  widget->forget();
   view->show(0.4);
   view->go.release();
   ASSERT_TRUE(waitUntil([&] { return view->begun == 2; }));
-  EXPECT_EQ(widget.grab().toImage().pixelColor(100, 80), QColor(Qt::black));
+  EXPECT_EQ(middle(), QColor(Qt::black));
   view->go.release();
-  EXPECT_TRUE(waitUntil([&] { return widget.grab().toImage().pixelColor(100, 80).green() == 102; }));
+  EXPECT_TRUE(waitUntil([&] { return middle().green() == 102; }));
 }
 
-TEST(ThreadedViewWidget, GoesWithAPictureInWork) {
-  const auto view = std::make_shared<SlowView>();
-  {
-    ui::ViewWidget widget(view, "3D");
-    widget.show();
-    ASSERT_TRUE(waitUntil([&] { return view->begun == 1; }));
-    view->go.release();
-  }
+TEST_F(ThreadedViewWidget, GoesWithAPictureInWork) {
+  view->go.release();
+  widget.reset();
   view->show(0.5);
   view->render();
   EXPECT_EQ(view->begun, 1) << "without a window there is nothing to draw";

@@ -60,11 +60,6 @@ void DrawingThread::drawNow() {
   changed_.wait(lock, [&] { return done_ >= wish; });
 }
 
-bool DrawingThread::busy() const {
-  const std::lock_guard lock(mutex_);
-  return done_ < wanted_;
-}
-
 bool DrawingThread::take(Drawn& drawn) {
   const std::lock_guard lock(mutex_);
   if (!std::exchange(isReady_, false)) return false;

@@ -86,14 +86,16 @@ QSize ViewWidget::Canvas::deviceSize() const {
   return {int(std::lround(width() * ratio)), int(std::lround(height() * ratio))};
 }
 
+void ViewWidget::Canvas::fit() {
+  const QSize size = deviceSize();
+  if (isDrawing() || (size == fitted_ && devicePixelRatioF() == ratio_)) return;
+  fitted_ = size, ratio_ = devicePixelRatioF();
+  if (!thread_) window_->SetSize(size.width(), size.height());
+  view_.resize(size.width(), size.height(), ratio_);
+}
+
 void ViewWidget::Canvas::render() {
   if (isDrawing()) return;
-  const QSize size = deviceSize();
-  if (size != fitted_ || devicePixelRatioF() != ratio_) {
-    fitted_ = size, ratio_ = devicePixelRatioF();
-    if (!thread_) window_->SetSize(size.width(), size.height());
-    view_.resize(size.width(), size.height(), ratio_);
-  }
   if (thread_) {
     wish_ = thread_->want();
     return;
@@ -139,11 +141,16 @@ void ViewWidget::Canvas::paintEvent(QPaintEvent*) {
   // What a picture of another size leaves free would show whatever was there before.
   if (picture_.size() != deviceSize()) painter.fillRect(rect(), Qt::black);
   if (!picture_.isNull()) painter.drawImage(rect().topLeft(), picture_);
-  if (picture_.size() != deviceSize() && onStale) onStale();
+  askIfStale();
 }
 
 void ViewWidget::Canvas::resizeEvent(QResizeEvent*) {
-  if (onStale) onStale();
+  askIfStale();
+}
+
+void ViewWidget::Canvas::askIfStale() {
+  const bool onItsWay = isDrawing() && fitted_ == deviceSize();
+  if (picture_.size() != deviceSize() && !onItsWay && onStale) onStale();
 }
 
 views::DisplayPoint ViewWidget::Canvas::devicePoint(QPointF at) const {

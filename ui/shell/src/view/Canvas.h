@@ -24,10 +24,12 @@ class ViewWidget::Canvas final : public QWidget {
   Canvas(views::View& view, QWidget* parent);
   ~Canvas() override;
 
+  /// Tells the view its size, which makes it want to be rendered.
+  void fit();
   /// Draws the view and shows it, or has it drawn; onDrawn() follows either way. Nothing while it is being drawn: then
   /// it is to be asked for again after that.
   void render();
-  bool isDrawing() const { return thread_ && thread_->busy(); }
+  bool isDrawing() const { return drawn_.wish < wish_; }
   /// Black until it is drawn again.
   void forget();
 
@@ -58,6 +60,7 @@ class ViewWidget::Canvas final : public QWidget {
   QSize deviceSize() const;
   void show(const views::Pixels& pixels);
   void takeDrawn();
+  void askIfStale();
 
   views::View& view_;
   vtkNew<vtkRenderWindow> window_;  ///< not used where a thread draws

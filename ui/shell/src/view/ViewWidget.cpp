@@ -86,8 +86,18 @@ void ViewWidget::want() {
 }
 
 void ViewWidget::renderNow() {
-  // Showing a canvas that has no picture of its size renders it.
-  if (canvas_->isVisible()) canvas_->render();
+  if (!canvas_->isVisible()) {
+    missed_ = true;
+    return;
+  }
+  canvas_->fit();
+  timer_->stop();
+  canvas_->render();
+}
+
+void ViewWidget::showEvent(QShowEvent* event) {
+  QFrame::showEvent(event);
+  if (std::exchange(missed_, false)) want();
 }
 
 void ViewWidget::drawn(double took_ms) {

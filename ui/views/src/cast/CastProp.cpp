@@ -16,7 +16,7 @@
 namespace insonate::views {
 namespace {
 
-/// What the window's thread gives to rays of one picture.
+/// What rays of one moving picture may take.
 constexpr double kQuick_ms = 20;
 /// Pixels from one ray to the next, along a side.
 constexpr double kWidest = 8, kStepOfSpacing = 0.5;

@@ -51,6 +51,7 @@ class ViewWidget : public QFrame {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   class Canvas;
@@ -63,6 +64,7 @@ class ViewWidget : public QFrame {
   QTimer* timer_;
   std::vector<QPointer<QWidget>> hidden_;
   bool maximised_ = false, maximiseOnDoubleClick_ = true, wantedAgain_ = false;
+  bool missed_ = false;  ///< it wanted to be rendered while nobody saw it
   int renderings_ = 0;
   double lastRender_ms_ = 0;
 };

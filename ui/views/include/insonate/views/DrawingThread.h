@@ -33,8 +33,6 @@ class DrawingThread {
   std::uint64_t want();
   /// The same, and waits until it is drawn.
   void drawNow();
-  /// A wish is not yet drawn.
-  bool busy() const;
 
   struct Drawn {
     Pixels pixels;
@@ -54,7 +52,7 @@ class DrawingThread {
   std::function<void()> drawn_;
   vtkSmartPointer<vtkRenderWindow> window_;
   PixelReader reader_;
-  mutable std::mutex mutex_;
+  std::mutex mutex_;
   std::condition_variable changed_;
   // Guarded by the mutex
   int width_px_ = 1, height_px_ = 1;
