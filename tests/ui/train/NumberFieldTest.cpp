@@ -2,6 +2,7 @@
 #include "panel/NumberField.h"
 
 #include <QLineEdit>
+#include <QToolTip>
 
 namespace insonate::train {
 namespace {
@@ -41,6 +42,7 @@ TEST_F(ProbeNumbersTyped, WhatIsWrongIsSaidAndChangesNothing) {
   type("tilt", "75");
   EXPECT_TRUE(workspace_->statusText().contains("can be from -60.0° to 60.0°; 75 is not"))
       << workspace_->statusText().toStdString();
+  EXPECT_EQ(QToolTip::text(), workspace_->statusText()) << "under the field, too";
   EXPECT_EQ(text("tilt").toStdString(), "0.0°");
   EXPECT_EQ(session_->handState(), start);
   type("tilt", "30", Qt::Key_Escape);

@@ -16,12 +16,13 @@ void TrainWorkspace::Parts::savePicture(const std::filesystem::path& file) {
   constexpr std::size_t kAtOnce = 4;
   if (writers_.size() >= kAtOnce) writers_.erase(writers_.begin());
   const QFileInfo info(QString::fromStdString(file.string()));
-  writers_.push_back(std::make_unique<PictureWriter>(session.shown(), file, [this, info](const Result<void>& result) {
+  const auto ended = [this, info](const Result<void>& result) {
     if (result)
       Q_EMIT workspace_.written(tr("Picture saved as %1.").arg(info.fileName()), info.absolutePath());
     else
       Q_EMIT workspace_.failed(QString::fromStdString(result.error().message), tr("The picture is still shown."), {});
-  }));
+  };
+  writers_.push_back(std::make_unique<PictureWriter>(session.shown(), input_->callipers().done(), file, ended));
 }
 
 void TrainWorkspace::Parts::saveClip(const std::filesystem::path& folder) {

@@ -5,6 +5,7 @@
 #include <insonate/core/AtomicFile.h>
 
 #include <QDateTime>
+#include <span>
 #include <utility>
 
 namespace insonate::train {
@@ -28,9 +29,9 @@ class FolderInWork {
   fs::path path_;
 };
 
-Result<void> write(const BModeImage& image, const fs::path& file) {
-  return writeAtomically(file, [&image, &file](const fs::path& beside) -> Result<void> {
-    if (scaledPicture(image).save(QString::fromStdString(beside.string()), "PNG")) return {};
+Result<void> write(const BModeImage& image, std::span<const views::Calliper> callipers, const fs::path& file) {
+  return writeAtomically(file, [&](const fs::path& beside) -> Result<void> {
+    if (scaledPicture(image, callipers).save(QString::fromStdString(beside.string()), "PNG")) return {};
     return fail("Could not write " + file.string() +
                 ": the disk is full or the folder cannot be written. Free space or choose another folder.");
   });
@@ -45,10 +46,11 @@ QString exportName(const QString& caseTitle) {
   return name + QDateTime::currentDateTime().toString("-yyyyMMdd-HHmmss");
 }
 
-PictureWriter::PictureWriter(std::shared_ptr<const LiveFrame> frame, fs::path file,
-                             std::function<void(Result<void>)> ended) {
-  thread_ = std::thread([this, frame = std::move(frame), file = std::move(file), ended = std::move(ended)] {
-    const Result<void> result = write(frame->image, file);
+PictureWriter::PictureWriter(std::shared_ptr<const LiveFrame> frame, std::vector<views::Calliper> callipers,
+                             fs::path file, std::function<void(Result<void>)> ended) {
+  thread_ = std::thread([this, frame = std::move(frame), callipers = std::move(callipers), file = std::move(file),
+                         ended = std::move(ended)] {
+    const Result<void> result = write(frame->image, callipers, file);
     QMetaObject::invokeMethod(
         this, [ended, result] { ended(result); }, Qt::QueuedConnection);
   });
@@ -73,7 +75,7 @@ Result<int> writeClip(const std::vector<std::shared_ptr<const LiveFrame>>& frame
     if (!report(progress, "writing pictures", double(written) / double(frames.size())))
       return fail(std::string(kCancelled));
     const QString name = QStringLiteral("picture-%1.png").arg(written + 1, 4, 10, QChar('0'));
-    if (auto ok = write(frame->image, beside.path() / name.toStdString()); !ok) return tl::unexpected(ok.error());
+    if (auto ok = write(frame->image, {}, beside.path() / name.toStdString()); !ok) return tl::unexpected(ok.error());
     ++written;
   }
   fs::rename(beside.path(), folder, error);

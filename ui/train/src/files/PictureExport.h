@@ -3,6 +3,7 @@
 #include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
 #include <insonate/simulator/LiveImaging.h>
+#include <insonate/views/Calliper.h>
 
 #include <QObject>
 #include <QString>
@@ -17,12 +18,13 @@ namespace insonate::train {
 /// A file name for what is on display: case, date and time; without extension, fit for every file system.
 QString exportName(const QString& caseTitle);
 
-/// Writes one picture with its scale as PNG on a thread of its own. `ended` is called on the window's thread, unless
-/// the writer has gone before; its destructor waits for the file, which is there as a whole or not at all.
+/// Writes one picture with its scale, and what is measured in it, as PNG on a thread of its own. `ended` is called on
+/// the window's thread, unless the writer has gone before; its destructor waits for the file, which is there as a whole
+/// or not at all.
 class PictureWriter : public QObject {
  public:
-  PictureWriter(std::shared_ptr<const LiveFrame> frame, std::filesystem::path file,
-                std::function<void(Result<void>)> ended);
+  PictureWriter(std::shared_ptr<const LiveFrame> frame, std::vector<views::Calliper> callipers,
+                std::filesystem::path file, std::function<void(Result<void>)> ended);
   ~PictureWriter() override;
 
  private:

@@ -1,5 +1,7 @@
 #include "ScaledPicture.h"
 
+#include "CalliperPaint.h"
+
 #include <insonate/ui/Theme.h>
 
 #include <QFont>
@@ -50,13 +52,15 @@ QPoint pictureOrigin(const BModeImage& image) {
   return {4 * letter, 3 * letter};
 }
 
-QImage scaledPicture(const BModeImage& image) {
+QImage scaledPicture(const BModeImage& image, std::span<const views::Calliper> callipers) {
   const int letter = letter_px(image);
   const QPoint origin = pictureOrigin(image);
   QImage grey(image.width, image.height, QImage::Format_Grayscale8);
   for (int row = 0; row < image.height; ++row)
     std::memcpy(grey.scanLine(row), image.grey.data() + std::size_t(row) * image.width, std::size_t(image.width));
-  QImage whole(origin.x() + image.width + letter, origin.y() + image.height + letter, QImage::Format_RGB32);
+  const int bottom = origin.y() + image.height;
+  QImage whole(origin.x() + image.width + letter, bottom + letter + measuresHeight(callipers.size(), letter),
+               QImage::Format_RGB32);
   whole.fill(Qt::black);
   const int perMetre = int(std::lround(1000 / image.pixel_mm));
   whole.setDotsPerMeterX(perMetre);
@@ -74,6 +78,8 @@ QImage scaledPicture(const BModeImage& image) {
   painter.setBrush(ui::colour(views::theme::kAccent));
   painter.drawEllipse(QPointF(origin.x() + image.width - 0.5 * letter, origin.y() - letter), 0.4 * letter,
                       0.4 * letter);
+  paintCallipers(painter, image, origin, callipers, letter);
+  paintMeasures(painter, {origin.x(), bottom + letter / 2}, callipers, letter);
   return whole;
 }
 

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QKeyEvent>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -55,9 +56,11 @@ void NumberField::apply() {
     if (typed_) typed_(number);
     return;
   }
-  const QString sentence =
+  const QString pattern =
       isNumber ? said("%1 can be from %2 to %3; %4 is not.") : said("%1 takes a number from %2 to %3; \"%4\" is none.");
-  if (refused_) refused_(sentence.arg(name_, words(range_.low), words(range_.high), was));
+  const QString sentence = pattern.arg(name_, words(range_.low), words(range_.high), was);
+  QToolTip::showText(mapToGlobal({0, height()}), sentence, this);
+  if (refused_) refused_(sentence);
 }
 
 void NumberField::step(double steps) {

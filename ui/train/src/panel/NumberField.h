@@ -7,7 +7,8 @@
 namespace insonate::train {
 
 /// One number with a unit that is typed, or stepped by arrows and, once it has the keyboard, by the wheel. Enter
-/// applies it; what is no number or out of range is refused with a sentence, and the number goes back to what it was.
+/// applies it; what is no number or out of range is refused with a sentence under it, and the number goes back to what
+/// it was.
 class NumberField : public QLineEdit {
  public:
   struct Range {

@@ -39,6 +39,23 @@ CalliperValues measure(const Calliper& calliper) {
   return values;
 }
 
+std::vector<PicturePoint> outline(const Calliper& calliper) {
+  std::vector<PicturePoint> ring;
+  if (calliper.kind != CalliperKind::Ellipse) return ring;
+  constexpr int kSides = 72;
+  const auto& p = calliper.points;
+  const CalliperValues values = measure(calliper);
+  const double along = std::atan2(p[1].axial_mm - p[0].axial_mm, p[1].lateral_mm - p[0].lateral_mm);
+  const double c = std::cos(along), s = std::sin(along);
+  for (int k = 0; k < kSides; ++k) {
+    const double turn = 2 * std::numbers::pi * k / kSides;
+    const double a = values.length_mm / 2 * std::cos(turn), b = values.width_mm / 2 * std::sin(turn);
+    ring.push_back(
+        {(p[0].lateral_mm + p[1].lateral_mm) / 2 + a * c - b * s, (p[0].axial_mm + p[1].axial_mm) / 2 + a * s + b * c});
+  }
+  return ring;
+}
+
 std::string words(const Calliper& calliper) {
   const CalliperValues values = measure(calliper);
   char text[96];

@@ -1,7 +1,6 @@
 #include "CalliperDrawing.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace insonate::views {
 namespace {
@@ -36,22 +35,6 @@ class Pen {
   double scale_;
 };
 
-std::vector<DisplayPoint> ellipseOnDisplay(const Calliper& calliper, const ToDisplay& toDisplay) {
-  constexpr int kSides = 72;
-  const auto& p = calliper.points;
-  const CalliperValues values = measure(calliper);
-  const double along = std::atan2(p[1].axial_mm - p[0].axial_mm, p[1].lateral_mm - p[0].lateral_mm);
-  const double c = std::cos(along), s = std::sin(along);
-  std::vector<DisplayPoint> ring;
-  for (int k = 0; k < kSides; ++k) {
-    const double turn = 2 * std::numbers::pi * k / kSides;
-    const double a = values.length_mm / 2 * std::cos(turn), b = values.width_mm / 2 * std::sin(turn);
-    ring.push_back(toDisplay({(p[0].lateral_mm + p[1].lateral_mm) / 2 + a * c - b * s,
-                              (p[0].axial_mm + p[1].axial_mm) / 2 + a * s + b * c}));
-  }
-  return ring;
-}
-
 }  // namespace
 
 void drawCalliper(const Calliper& calliper, int number, const ToDisplay& toDisplay, double scale, Lines& lines,
@@ -64,7 +47,8 @@ void drawCalliper(const Calliper& calliper, int number, const ToDisplay& toDispl
       pen.dotted(at[0], at[1]);
       break;
     case CalliperKind::Ellipse: {
-      const std::vector<DisplayPoint> ring = ellipseOnDisplay(calliper, toDisplay);
+      std::vector<DisplayPoint> ring;
+      for (const PicturePoint& point : outline(calliper)) ring.push_back(toDisplay(point));
       lines.polyline(ring, {theme::kBlack, 3 * scale, 0.5}, true);
       lines.polyline(ring, {theme::kText, 1.25 * scale, 0.95}, true);
       break;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace insonate::views {
 
@@ -31,6 +32,8 @@ struct CalliperValues {
 };
 
 CalliperValues measure(const Calliper& calliper);
+/// The line of an ellipse, as corners of a closed ring; empty for other kinds.
+std::vector<PicturePoint> outline(const Calliper& calliper);
 /// "12.3 mm", "9.8 x 7.2 mm, 55 mm²", "41°"
 std::string words(const Calliper& calliper);
 

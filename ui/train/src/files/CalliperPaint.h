@@ -1,0 +1,21 @@
+#pragma once
+
+#include <insonate/ultrasound/Frames.h>
+#include <insonate/views/Calliper.h>
+
+#include <QPainter>
+#include <QPoint>
+#include <span>
+
+namespace insonate::train {
+
+/// Callipers and their numbers over a picture whose first pixel is at `origin`, as they are seen over the live one;
+/// `letter` is the height of letters in pixels.
+void paintCallipers(QPainter& painter, const BModeImage& image, QPoint origin,
+                    std::span<const views::Calliper> callipers, int letter);
+
+/// What they measure, a line each, "1  12.3 mm", from `top` down.
+void paintMeasures(QPainter& painter, QPoint top, std::span<const views::Calliper> callipers, int letter);
+int measuresHeight(std::size_t callipers, int letter);
+
+}  // namespace insonate::train
