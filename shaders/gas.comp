@@ -13,10 +13,11 @@ layout(std430, binding = 6) buffer GasGates {
 const float kBeyond_dB = -9e3;  // what is left of a beam that has been beyond the volume is less
 
 void main() {
-  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-  if (at.x >= frame.lines || at.y >= frame.gates || at.y == 0) return;
-  GateSample above = samples[gateIndex(frame.planes / 2, at.y - 1, at.x)];
-  GateSample here = samples[gateIndex(frame.planes / 2, at.y, at.x)];
+  // Threads beyond the frame look at its edge once more.
+  int line = min(int(gl_GlobalInvocationID.x), frame.lines - 1);
+  int gate = clamp(int(gl_GlobalInvocationID.y), 1, frame.gates - 1);
+  GateSample above = samples[gateIndex(frame.planes / 2, gate - 1, line)];
+  GateSample here = samples[gateIndex(frame.planes / 2, gate, line)];
   bool enters = (here.marks & kGasHere) != 0 && (above.marks & kGasHere) == 0;
-  if (enters && here.level_dB > kBeyond_dB) atomicMin(gasGate[at.x], at.y);
+  if (enters && here.level_dB > kBeyond_dB) atomicMin(gasGate[line], gate);
 }

@@ -22,7 +22,7 @@ namespace insonate::cli {
 namespace {
 
 struct RenderOptions {
-  std::string caseFolder, probe = "linear", pose = "auto", engine = "cpu", tissues, settings, look;
+  std::string caseFolder, probe = "linear", pose = "auto", engine = "auto", tissues, settings, look;
   OutputTargets targets;
   PressOptions press;
   bool json = false;
@@ -131,7 +131,8 @@ class PathRenderer {
                      [](const auto& a, const auto& b) { return a["frame_ms"] < b["frame_ms"]; });
     nlohmann::json object = images_.front();
     object.update({{"frame_ms", (*middle)["frame_ms"]}, {"stages_ms", (*middle)["stages_ms"]}});
-    object.update({{"engine", job_.setup.engine},
+    object.update({{"engine", frame_.engine},
+                   {"engine_note", frame_.engineNote},
                    {"look", settings.look == Look::Thesis ? "thesis" : "coherent"},
                    {"probe", job_.setup.probe.name},
                    {"tissues", job_.setup.tissues.name},
@@ -246,7 +247,7 @@ void addRenderCommand(CLI::App& app, Outcome& outcome) {
   command->add_option("--out", options->targets.picture, "PNG to write; along a path F.png becomes F_0000.png, ...")
       ->required()
       ->check(notEmpty());
-  command->add_option("--engine", options->engine, "reference, cpu or glsl")->capture_default_str();
+  command->add_option("--engine", options->engine, "auto, cpu, glsl or reference")->capture_default_str();
   command->add_option("--tissues", options->tissues, "Tissue preset or file; by default neck, for look thesis thesis");
   command->add_option("--settings", options->settings, "JSON file of imaging settings to override");
   command->add_option("--look", options->look, "coherent or thesis")->check(CLI::IsMember({"coherent", "thesis"}));

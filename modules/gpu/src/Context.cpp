@@ -14,6 +14,7 @@ namespace insonate::gpu {
 namespace {
 
 constexpr const char* kNone = "There is no OpenGL without a window: ";
+constexpr const char* kNoCard = "There is no graphics card that serves: ";
 
 bool isSoftware(std::string_view renderer) {
   for (const char* name : {"llvmpipe", "softpipe", "SWR", "SwiftShader", "Software", "swrast"})
@@ -130,9 +131,10 @@ Context::~Context() {
 }
 
 Result<std::shared_ptr<Context>> Context::make(const Requirements& requirements) {
-  if (!epoxy_has_egl()) return fail(std::string(kNone) + "libEGL is not installed.");
+  const std::string none = requirements.hardware ? kNoCard : kNone;
+  if (!epoxy_has_egl()) return fail(none + "libEGL is not installed.");
   std::shared_ptr<Context> best;
-  std::string why = requirements.hardware ? "no graphics card is found." : "EGL knows no device.";
+  std::string why = requirements.hardware ? "EGL lists none." : "EGL knows no device.";
   for (const EGLDisplay display : displays(requirements.hardware)) {
     EGLint major = 0, minor = 0;
     if (!eglInitialize(display, &major, &minor)) continue;
@@ -161,7 +163,7 @@ Result<std::shared_ptr<Context>> Context::make(const Requirements& requirements)
     if (!best || !context->device_.software) best = context;
     if (!best->device_.software) break;
   }
-  if (!best) return fail(kNone + why);
+  if (!best) return fail(none + why);
   return best;
 }
 

@@ -63,6 +63,7 @@ void Imager::render(const AcousticScene& scene, const Transform& patientFromProb
   engine_->render(scene, patientFromProbe, displacement, frame.envelope);
   display_.process(frame.envelope, frame.image);
   frame.frame_ms = millisecondsSince(start);
+  frame.engine = engine_->name(), frame.engineNote = engine_->note();
 
   const Display::Stages_ms& display = display_.stages();
   const auto& engine = engine_->stages();

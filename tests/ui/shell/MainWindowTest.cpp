@@ -25,6 +25,7 @@
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QtTest/QTest>
+#include <algorithm>
 #include <memory>
 
 namespace {
@@ -41,6 +42,7 @@ class FakeWorkspace final : public ui::Workspace {
   void setOpening(const QString& what) override { opening = what; }
   QString statusText() const override { return shown ? "Move the probe." : "Open a case."; }
   QString engineText() const override { return "processor   62 images/s"; }
+  QString engineNote() const override { return "There is no graphics card."; }
   std::vector<ui::Shortcut> shortcuts() const override { return {{"Space", "freeze the picture"}}; }
   void stop() override { stopped = true; }
   void keyPressEvent(QKeyEvent* event) override {
@@ -128,6 +130,10 @@ TEST_F(MainWindow, OpensADroppedCaseAndGivesItToWorkspaces) {
   EXPECT_EQ(w.train->shown->manifest.title, "Small block");
   EXPECT_EQ(w.window.caseTitle(), "Small block");
   EXPECT_EQ(w.window.statusText(), "Opened Small block.");
+  const QList<QLabel*> labels = w.window.findChildren<QLabel*>();
+  const auto engine = std::ranges::find(labels, QString("processor   62 images/s"), &QLabel::text);
+  ASSERT_NE(engine, labels.end());
+  EXPECT_TRUE((*engine)->toolTip().contains("There is no graphics card.")) << "why this engine";
 }
 
 TEST_F(MainWindow, SaysTheSameEverywhereWhileTheFirstCaseIsBeingOpened) {

@@ -91,6 +91,15 @@ TEST(Imager, SamePoseGivesTheSamePictureFromAnotherSceneRegion) {
   EXPECT_EQ(alone.image.grey, shared.image.grey);
 }
 
+TEST(Imager, TellsWhichEngineComputedAndWhy) {
+  ImagingSetup setup = smallSetup();
+  EXPECT_EQ(rendered(setup, poseAt({0, 0, 0})).engine, "reference");
+  setup.engine = "auto";
+  const ImagingFrame frame = rendered(setup, poseAt({0, 0, 0}));
+  EXPECT_THAT(frame.engine, testing::AnyOf("cpu", "glsl"));
+  EXPECT_THAT(frame.engineNote, testing::EndsWith("."));
+}
+
 TEST(Imager, RefusesAnUnknownEngineAndAbsurdSettings) {
   ImagingSetup setup = smallSetup();
   setup.engine = "warp";

@@ -226,7 +226,8 @@ void TrainWorkspace::Parts::showPicture() {
 }
 
 void TrainWorkspace::Parts::showRate() {
-  QString text = tr("processor");
+  const bool onCard = session.shown() && session.shown()->engine == "glsl";
+  QString text = onCard ? tr("graphics card") : tr("processor");
   const LiveStatus status = session.status();
   if (session.isUnplaced())
     text.clear();

@@ -43,6 +43,11 @@ QString TrainWorkspace::statusText() const {
   return parts_->session.message();
 }
 
+QString TrainWorkspace::engineNote() const {
+  const auto frame = parts_->session.shown();
+  return frame ? QString::fromStdString(frame->engineNote) : QString();
+}
+
 QString TrainWorkspace::engineText() const {
   return parts_->engineText;
 }

@@ -241,6 +241,7 @@ bool LiveImaging::Impl::publish() {
   frame->setup = active_.setup;
   frame->warnings = scene_.warnings ? scene_.warnings : kNoWarnings;
   frame->frame_ms = scratch_.frame_ms;
+  frame->engine = scratch_.engine, frame->engineNote = scratch_.engineNote;
   frame->number = number_ + 1;
   frame->time_s = now_s();
 

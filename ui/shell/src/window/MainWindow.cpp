@@ -141,7 +141,7 @@ void MainWindow::updateStatus() {
   const Workspace* workspace = currentWorkspace();
   if (!workspace) return;
   status_->setStanding(workspace->statusText());
-  status_->setEngine(workspace->engineText());
+  status_->setEngine(workspace->engineText(), workspace->engineNote());
 }
 
 bool MainWindow::isReady() const {

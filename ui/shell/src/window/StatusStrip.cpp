@@ -24,8 +24,7 @@ StatusStrip::StatusStrip(QWidget* parent)
   setRole(engine_, "quiet");
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   engine_->setTextFormat(Qt::PlainText);
-  engine_->setToolTip(
-      tr("What computes the ultrasound, how many pictures it made in the last second, and how long one took"));
+  setEngine({}, {});
   auto* help = new QToolButton;
   help->setIcon(icon(QStringLiteral("help")));
   help->setText(tr(" Help"));
@@ -57,8 +56,11 @@ void StatusStrip::say(const QString& text, const QString& folder) {
   timer_->start(folder.isEmpty() ? kSaid_ms : kLink_ms);
 }
 
-void StatusStrip::setEngine(const QString& text) {
+void StatusStrip::setEngine(const QString& text, const QString& note) {
   engine_->setText(text);
+  const QString about =
+      tr("What computes the ultrasound, how many pictures it made in the last second, and how long one took");
+  engine_->setToolTip(note.isEmpty() ? about : about + ".\n" + note);
 }
 
 QString StatusStrip::text() const {

@@ -19,7 +19,8 @@ class StatusStrip : public QFrame {
   void setStanding(const QString& text);
   /// What just happened; the standing text comes back after a while. With a folder, a link opens it.
   void say(const QString& text, const QString& folder = {});
-  void setEngine(const QString& text);
+  /// `note`: why this engine, or empty.
+  void setEngine(const QString& text, const QString& note);
 
   QString text() const;
 

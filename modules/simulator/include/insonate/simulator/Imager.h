@@ -20,7 +20,7 @@ struct ImagingSetup {
   Probe probe;
   ImagingSettings settings;
   AcousticTable tissues;
-  std::string engine = "cpu";      ///< one of engineNames()
+  std::string engine = "auto";     ///< or one of engineNames()
   TissueMechanics mechanics = {};  ///< for what presses: an Imager is handed the displacement
 };
 
@@ -33,7 +33,8 @@ struct ImagingFrame {
   EnvelopeFrame envelope;
   BModeImage image;
   std::vector<Stage> stages;
-  double frame_ms = 0;  ///< from pose to picture, on the clock
+  double frame_ms = 0;             ///< from pose to picture, on the clock
+  std::string engine, engineNote;  ///< that computed it, and what is to be said of it; see Engine::note()
 };
 
 /// From scene and pose to picture: the engine and the display of one setup. Not for concurrent use of one object; uses

@@ -40,6 +40,7 @@ struct LiveFrame {
   std::shared_ptr<const std::vector<std::string>> warnings;  ///< about the case, e.g. unknown labels; never null
   std::vector<ImagingFrame::Stage> stages;                   ///< empty where the probe is outside the patient
   double frame_ms = 0;                                       ///< from pose to picture, on the clock
+  std::string engine, engineNote;                            ///< see ImagingFrame; the last that computed
   std::uint64_t number = 0;                                  ///< 1 for the first; no gaps
   double time_s = 0;                                         ///< since LiveImaging was made
 };

@@ -60,6 +60,8 @@ class Workspace : public QWidget {
   virtual QString statusText() const { return {}; }
   /// Engine and rate, e.g. "processor   62 images/s": right in the status bar. Empty where nothing is computed.
   virtual QString engineText() const { return {}; }
+  /// Why this engine, a sentence; empty where there is nothing to say.
+  virtual QString engineNote() const { return {}; }
 
   /// False until everything is on screen that belongs there, e.g. the first live image.
   virtual bool isReady() const { return true; }

@@ -23,6 +23,7 @@ class TrainWorkspace : public ui::Workspace {
   void setCase(std::shared_ptr<const PatientCase> patient) override;
   QString statusText() const override;
   QString engineText() const override;
+  QString engineNote() const override;
   /// From the first live picture on.
   bool isReady() const override;
   /// Once all surfaces are there.
