@@ -56,6 +56,27 @@ TEST(TissueGrid, LabelsBecomeSignedDistances) {
   EXPECT_EQ((*grid)->at(middle).label, kVein);
 }
 
+TEST(TissueGrid, APartIsAsTheWhole) {
+  LabelMap labels(obliqueGrid(), kFat);
+  for (int k = 0; k < 30; ++k)
+    for (int j = 0; j < 50; ++j)
+      for (int i = 0; i < 60; ++i)
+        if (std::hypot(i - 30, j - 20, 2 * (k - 12)) < 9) labels.at(i, j, k) = kArtery;
+  const Vec3 middle = labels.geometry.patientFromIndex() * Vec3{30, 20, 12};
+  const auto whole = TissueGrid::fromLabels(labels);
+  const auto part = TissueGrid::fromLabels(labels, middle, 14);
+  ASSERT_TRUE(whole && part);
+  EXPECT_LT((*part)->geometry().voxelCount(), (*whole)->geometry().voxelCount() / 2);
+  for (double a = 0; a < 6.2; a += 0.2) {
+    const Vec3 p = middle + Vec3{7 * std::cos(a), 6 * std::sin(a), 2 * std::sin(3 * a)};
+    EXPECT_NEAR((*part)->at(p).distance_mm[2], (*whole)->at(p).distance_mm[2], 0.02);
+    EXPECT_EQ((*part)->at(p).label, (*whole)->at(p).label);
+  }
+  const auto beyond = TissueGrid::fromLabels(labels, {500, 0, 0}, 14);
+  ASSERT_FALSE(beyond);
+  EXPECT_EQ(beyond.error().message, "The label map does not reach to where the needle is.");
+}
+
 TEST(TissueGrid, RefusesAGridThatIsTooLarge) {
   VolumeGeometry g;
   g.size = {1000, 1000, 100};

@@ -83,6 +83,10 @@ void smooth(const VolumeGeometry& g, std::vector<float>& field) {
 
 std::vector<float> signedDistances(const LabelMap& labels, const std::function<bool(std::uint8_t)>& inside) {
   const VolumeGeometry& g = labels.geometry;
+  const auto count = static_cast<std::size_t>(std::count_if(labels.voxels.begin(), labels.voxels.end(), inside));
+  // Most maps lack some structures, and most parts of a neck are inside it.
+  if (count == 0 || count == labels.voxels.size())
+    return std::vector<float>(labels.voxels.size(), count == 0 ? kMost_mm : -kMost_mm);
   std::vector<float> toInside(labels.voxels.size()), toOutside(labels.voxels.size());
   for (std::size_t i = 0; i < labels.voxels.size(); ++i) {
     const bool in = inside(labels.voxels[i]);

@@ -59,6 +59,33 @@ Result<std::shared_ptr<const TissueGrid>> TissueGrid::fromLabels(const LabelMap&
   return grid;
 }
 
+Result<std::shared_ptr<const TissueGrid>> TissueGrid::fromLabels(const LabelMap& labels, Vec3 centre_mm,
+                                                                 double reach_mm) {
+  const VolumeGeometry& whole = labels.geometry;
+  if (auto ok = validate(whole); !ok) return tl::unexpected(ok.error());
+  if (!isFinite(centre_mm) || !(reach_mm > 0))
+    return fail("The middle of a needle's tissue must be a point, its reach above 0.");
+  const Vec3 centre = whole.indexFromPatient() * centre_mm;
+  std::array<int, 3> first{};
+  LabelMap part;
+  part.geometry = whole;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double half = reach_mm / whole.spacing_mm[axis], last = whole.size[axis] - 1;
+    const double from = std::ceil(std::max(centre[axis] - half, 0.0)),
+                 to = std::floor(std::min(centre[axis] + half, last));
+    if (from > to) return fail("The label map does not reach to where the needle is.");
+    first[axis] = static_cast<int>(from);
+    part.geometry.size[axis] = static_cast<int>(to - from) + 1;
+  }
+  part.geometry.origin_mm = whole.patientFromIndex() * Vec3{double(first[0]), double(first[1]), double(first[2])};
+  part.voxels.resize(part.geometry.voxelCount());
+  for (int k = 0; k < part.geometry.size[2]; ++k)
+    for (int j = 0; j < part.geometry.size[1]; ++j)
+      for (int i = 0; i < part.geometry.size[0]; ++i)
+        part.at(i, j, k) = labels.at(first[0] + i, first[1] + j, first[2] + k);
+  return fromLabels(part);
+}
+
 TissueSample TissueGrid::at(Vec3 patient_mm) const noexcept {
   const Vec3 index = indexFromPatient_ * patient_mm;
   std::array<int, 3> low{}, next{}, nearest{};
