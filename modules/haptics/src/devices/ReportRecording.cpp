@@ -3,13 +3,16 @@
 #include <insonate/haptics/ReportRecording.h>
 
 #include <charconv>
-#include <iomanip>
+#include <chrono>
+#include <cstdio>
 #include <sstream>
 
 namespace insonate {
 namespace {
 
 constexpr std::string_view kHeading = "insonate device reports 1";
+/// Some minutes of two devices, for a disk that hangs.
+constexpr std::size_t kMostPending = 32U << 20;
 
 /// Names are single words in the file.
 std::string word(std::string_view text) {
@@ -32,42 +35,63 @@ bool readHex(const std::string& text, std::vector<std::uint8_t>& bytes) {
 
 }  // namespace
 
+ReportRecorder::~ReportRecorder() {
+  stop();
+}
+
 Result<void> ReportRecorder::start(const std::filesystem::path& file) {
-  const std::lock_guard lock(mutex_);
-  if (file_.is_open()) file_.close();
-  file_.clear();
+  if (auto whole = stop(); !whole) return whole;
   path_ = file;
   file_.open(file, std::ios::trunc);
-  if (!file_) return fail("The recording " + file.string() + " cannot be written: check its folder and your rights.");
-  file_ << kHeading << '\n' << std::fixed << std::setprecision(6);
+  if (!file_) {
+    file_.clear();
+    return fail("The recording " + file.string() + " cannot be written: check its folder and your rights.");
+  }
+  file_ << kHeading << '\n';
   begin_ns_ = haptics::monotonic_ns();
+  lost_ = false;
+  running_.store(true, std::memory_order_release);
+  writer_ = std::jthread([this](const std::stop_token& stop) {
+    for (; !stop.stop_requested(); std::this_thread::sleep_for(std::chrono::milliseconds(20))) flush();
+  });
   return {};
 }
 
 Result<void> ReportRecorder::stop() {
-  const std::lock_guard lock(mutex_);
-  if (!file_.is_open()) return {};
+  if (!running_.exchange(false, std::memory_order_acq_rel)) return {};
+  writer_ = {};
+  flush();
   file_.close();
-  const bool whole = static_cast<bool>(file_);
+  const bool whole = static_cast<bool>(file_) && !lost_;
   file_.clear();
   if (!whole) return fail("The recording " + path_.string() + " is not complete: is the disk full?");
   return {};
 }
 
-bool ReportRecorder::isRunning() const {
-  const std::lock_guard lock(mutex_);
-  return file_.is_open();
+void ReportRecorder::flush() {
+  std::string lines;
+  {
+    const std::lock_guard lock(mutex_);
+    lines.swap(pending_);
+  }
+  file_ << lines;
 }
 
 void ReportRecorder::put(const std::string& device, std::string_view table, bool in,
                          std::span<const std::uint8_t> report) {
   static constexpr char kDigits[] = "0123456789abcdef";
-  std::string hex;
-  for (const std::uint8_t byte : report) hex += {kDigits[byte >> 4], kDigits[byte & 15]};
+  char time[32];
   const std::lock_guard lock(mutex_);
-  if (!file_.is_open()) return;
-  file_ << static_cast<double>(haptics::monotonic_ns() - begin_ns_) * 1e-9 << ' ' << word(device) << ' ' << word(table)
-        << (in ? " in " : " out ") << (hex.empty() ? "-" : hex) << '\n';
+  if (!isRunning()) return;
+  if (pending_.size() > kMostPending) {
+    lost_ = true;
+    return;
+  }
+  // Under the lock, so that times grow from line to line.
+  std::snprintf(time, sizeof time, "%.6f ", static_cast<double>(haptics::monotonic_ns() - begin_ns_) * 1e-9);
+  pending_ += time + word(device) + ' ' + word(table) + (in ? " in " : " out ");
+  for (const std::uint8_t byte : report) pending_ += {kDigits[byte >> 4], kDigits[byte & 15]};
+  pending_ += report.empty() ? "-\n" : "\n";
 }
 
 Result<std::vector<RecordedReport>> readRecording(const std::filesystem::path& file) {

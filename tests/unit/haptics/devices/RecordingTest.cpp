@@ -80,6 +80,17 @@ TEST_F(RecordingTest, ForcesAreRecordedToo) {
   EXPECT_EQ(out->bytes, cable->heard().at(0));
 }
 
+TEST_F(RecordingTest, ADiskThatIsFullIsSaidAtTheEnd) {
+  ReportRecorder recorder;
+  ASSERT_TRUE(recorder.start("/dev/full"));
+  recorder.put("d", "t", true, Bytes(20, 1));
+  const auto done = recorder.stop();
+  ASSERT_FALSE(done);
+  EXPECT_THAT(done.error().message, HasSubstr("/dev/full is not complete"));
+  EXPECT_TRUE(recorder.start(file_));  // and all is well again
+  EXPECT_TRUE(recorder.stop());
+}
+
 TEST_F(RecordingTest, AgainMeansAgain) {
   const std::vector<RecordedReport> reports{{0, "p", "VEC_Infinity_IN-USB-2", true, {1, 0}},
                                             {0.01, "p", "VEC_Infinity_IN-USB-2", true, {0, 0}}};

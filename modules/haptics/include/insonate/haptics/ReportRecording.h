@@ -3,6 +3,7 @@
 #include <insonate/core/Result.h>
 #include <insonate/haptics/HapticDevice.h>
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -10,26 +11,43 @@
 #include <mutex>
 #include <span>
 #include <string>
+#include <string_view>
+#include <thread>
 #include <vector>
 
 namespace insonate {
 
 /// Writes raw reports as they come and go, for a bug report or a replay. Text, one report a line: seconds, the device's
-/// id, `in` or `out`, bytes in hex. Any device's thread; a write to disk never holds up the servo.
+/// id, its table, `in` or `out`, bytes in hex. The disk is written by a thread of the recorder's own: put() may be
+/// called where forces depend on it, whatever the disk does.
 class ReportRecorder {
  public:
-  /// Starts a file, over an older one; fails where it cannot be written. Runs until stop().
+  ReportRecorder() = default;
+  ~ReportRecorder();
+  ReportRecorder(const ReportRecorder&) = delete;
+  ReportRecorder& operator=(const ReportRecorder&) = delete;
+
+  /// Starts a file, over an older one; fails where it cannot be written. Runs until stop(). One thread starts and
+  /// stops.
   Result<void> start(const std::filesystem::path& file);
   /// Fails where the disk did not take all of it.
   Result<void> stop();
-  bool isRunning() const;
+  bool isRunning() const noexcept { return running_.load(std::memory_order_acquire); }
+  /// Any thread.
   void put(const std::string& device, std::string_view table, bool in, std::span<const std::uint8_t> report);
 
  private:
-  mutable std::mutex mutex_;
+  void flush();
+
+  std::atomic<bool> running_{false};
+  std::mutex mutex_;
+  std::string pending_;  ///< lines that wait for the disk
+  bool lost_ = false;    ///< so many that some were left out
+  std::int64_t begin_ns_ = 0;
+  // The recorder's thread, while it runs.
   std::filesystem::path path_;
   std::ofstream file_;
-  std::int64_t begin_ns_ = 0;
+  std::jthread writer_;
 };
 
 /// One report of a recording.
