@@ -109,6 +109,7 @@ void Benchmark::measureVolume() {
       add(QString::fromLatin1(name).arg(QStringLiteral("median")), holds.median_ms, QStringLiteral("ms"));
       add(QString::fromLatin1(name).arg(QStringLiteral("least")), holds.least_ms, QStringLiteral("ms"));
       add(QString::fromLatin1(name).arg(QStringLiteral("longest")), holds.longest_ms, QStringLiteral("ms"));
+      add(QString::fromLatin1(name).arg(QStringLiteral("processor_longest")), holds.processor_ms, QStringLiteral("ms"));
     }
     // Not from within what is being measured.
     QTimer::singleShot(0, this, [this] { write(); });

@@ -46,7 +46,7 @@ class SceneMeasure : public QObject {
   Part part_ = Part::Warm;
   QTimer beat_;
   QElapsedTimer sinceBeat_, sincePart_;
-  double moved_s_ = 0;
+  double moved_s_ = 0, beatProcessor_ms_ = 0;
   int renderings_ = 0;                                 ///< at the part's begin
   int beatRenderings_ = 0;                             ///< at the last beat
   std::vector<double> movingHolds_ms_, restHolds_ms_;  ///< with a picture
