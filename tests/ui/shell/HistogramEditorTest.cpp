@@ -13,6 +13,7 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QToolButton>
+#include <QToolTip>
 #include <QUndoStack>
 #include <QVBoxLayout>
 #include <QtTest/QTest>
@@ -181,6 +182,14 @@ TEST_F(HistogramEditor, NumbersAreTyped) {
   QTest::keyClick(hu, Qt::Key_Return);
   EXPECT_EQ(editor->function().nodes[2].hu, 251) << "not past its neighbour";
   EXPECT_EQ(hu->value(), 251);
+  EXPECT_TRUE(QToolTip::text().startsWith("Points do not pass each other: this one can be from 251 to "))
+      << QToolTip::text().toStdString();
+  opacity->setFocus();
+  opacity->selectAll();
+  QTest::keyClicks(opacity, "7,5z");
+  EXPECT_TRUE(QToolTip::text().endsWith("takes a number from 0.0 % to 100.0 %.")) << QToolTip::text().toStdString();
+  QTest::keyClick(opacity, Qt::Key_Return);
+  EXPECT_NEAR(editor->function().nodes[2].opacity, 0.075, 1e-9) << "with a comma, as elsewhere";
 }
 
 TEST_F(HistogramEditor, PresetsResetAndTheirUndo) {

@@ -18,6 +18,7 @@
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QToolButton>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <QtTest/QTest>
 
@@ -122,6 +123,31 @@ TEST_F(ScenePanel, StructuresAreListedHiddenColouredAndMadeTranslucent) {
   child<QToolButton>("structuresUsual")->click();
   EXPECT_EQ(scene->opacity(kBone), 1);
   EXPECT_EQ(scene->colour(kArtery), views::labelColour(kArtery, views::ColourScheme::Usual));
+}
+
+TEST_F(ScenePanel, WhatAnOpacityDoesNotTakeIsSaid) {
+  auto* opacity = child<QSpinBox>("opacity12");
+  const auto type = [&](const char* text) {
+    QToolTip::hideText();
+    EXPECT_TRUE(QTest::qWaitFor([] { return QToolTip::text().isEmpty(); }, 5000));
+    opacity->setFocus();
+    opacity->selectAll();
+    QTest::keyClicks(opacity, text);
+  };
+  type("a");
+  EXPECT_TRUE(QToolTip::text().endsWith("takes a number from 0 % to 100 %.")) << QToolTip::text().toStdString();
+  type("4x0");
+  QTest::keyClick(opacity, Qt::Key_Return);
+  EXPECT_EQ(opacity->value(), 40) << "the rest of it counts";
+  type("500");
+  QTest::keyClick(opacity, Qt::Key_Return);
+  EXPECT_EQ(opacity->text(), "100 %");
+  EXPECT_NEAR(scene->opacity(kBone), 1, 1e-9);
+  EXPECT_TRUE(QToolTip::text().endsWith("can be from 0 % to 100 %; 500 % is not.")) << QToolTip::text().toStdString();
+  type("30 %");
+  QTest::keyClick(opacity, Qt::Key_Return);
+  EXPECT_NEAR(scene->opacity(kBone), 0.3, 1e-9);
+  EXPECT_TRUE(QToolTip::text().isEmpty()) << QToolTip::text().toStdString();
 }
 
 TEST_F(ScenePanel, ScrollingPastANumberDoesNotChangeIt) {

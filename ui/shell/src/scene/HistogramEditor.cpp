@@ -1,3 +1,4 @@
+#include "../controls/NumberBox.h"
 #include "HistogramPlot.h"
 
 #include <insonate/ui/HistogramEditor.h>
@@ -12,6 +13,7 @@
 #include <QLabel>
 #include <QSpinBox>
 #include <QToolButton>
+#include <QToolTip>
 #include <QUndoCommand>
 #include <QUndoStack>
 #include <QVBoxLayout>
@@ -135,14 +137,14 @@ QWidget* HistogramEditor::buildNumbers() {
   box->setSpacing(2);
   which_ = new QLabel;
   setRole(which_, "quiet");
-  hu_ = new QSpinBox;
+  hu_ = new NumberBox<QSpinBox>(tr("The point's place"));
   hu_->setObjectName(QStringLiteral("nodeHu"));
   hu_->setRange(int(Function::kLeast_HU), int(Function::kMost_HU));
   hu_->setSuffix(tr(" HU"));
   hu_->setSingleStep(10);
   hu_->setAccessibleName(tr("Point's Hounsfield units"));
   hu_->setToolTip(tr("Where the point is, in Hounsfield units: air −1000, water 0, bone above 200"));
-  opacity_ = new QDoubleSpinBox;
+  opacity_ = new NumberBox<QDoubleSpinBox>(tr("The point's opacity"));
   opacity_->setObjectName(QStringLiteral("nodeOpacity"));
   opacity_->setRange(0, 100);
   opacity_->setDecimals(1);
@@ -242,6 +244,10 @@ void HistogramEditor::typed(int field) {
     const double least = at > 0 ? nodes[at - 1].hu + Function::kLeastGap_HU : Function::kLeast_HU;
     const double most = at + 1 < nodes.size() ? nodes[at + 1].hu - Function::kLeastGap_HU : Function::kMost_HU;
     nodes[at].hu = std::clamp<double>(hu_->value(), least, std::max(least, most));
+    if (nodes[at].hu != hu_->value())
+      QToolTip::showText(hu_->mapToGlobal({0, hu_->height()}),
+                         tr("Points do not pass each other: this one can be from %1 to %2 HU.").arg(least).arg(most),
+                         hu_);
   }
   push(wanted, kTyping + 2 * selected() + field, tr("typed"));
   refresh();

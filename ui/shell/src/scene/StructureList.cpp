@@ -1,5 +1,7 @@
 #include "StructureList.h"
 
+#include "../controls/NumberBox.h"
+
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
@@ -75,7 +77,8 @@ void StructureList::rebuild(const std::vector<std::uint8_t>& labels) {
 StructureList::Row StructureList::makeRow(std::uint8_t label) {
   const QString name = nameOf(label);
   auto* widget = new QWidget(this);
-  Row row{label, widget, new QToolButton(widget), new QToolButton(widget), new QSpinBox(widget)};
+  Row row{label, widget, new QToolButton(widget), new QToolButton(widget),
+          new NumberBox<QSpinBox>(tr("Opacity of %1").arg(name), widget)};
   auto* box = new QHBoxLayout(widget);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(2);
