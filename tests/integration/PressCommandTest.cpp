@@ -1,6 +1,5 @@
 #include "CommandLine.h"
-#include "support/SmallCase.h"
-#include "support/TestData.h"
+#include "support/SmallRender.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -24,21 +23,13 @@ using testing::HasSubstr;
 /// The small block under a short probe.
 class PressCommand : public testing::Test {
  protected:
-  static void SetUpTestSuite() {
-    shared_.emplace();
-    const auto written = writeCase(test::smallCase(), *shared_ / "case");
-    ASSERT_TRUE(written) << written.error().message;
-    std::ofstream(*shared_ / "small.json")
-        << R"({"scanlines": 32, "samples": 128, "elevationPlanes": 1, "looks": 1, "width": 96, "height": 80,
-               "depth_mm": 30})";
-  }
+  static void SetUpTestSuite() { shared_.emplace(); }
   static void TearDownTestSuite() { shared_.reset(); }
 
   test::CommandResult render(const std::string& arguments) const {
-    return test::runCommand("render " + shellWord(*shared_ / "case") + " --settings " +
-                                shellWord(*shared_ / "small.json") + " --out " + shellWord(out("f.png")) + " " +
-                                arguments,
-                            (*shared_ / "stderr.txt").string());
+    return test::runCommand("render " + shellWord(shared_->caseFolder()) + " --settings " +
+                                shellWord(shared_->settings()) + " --out " + shellWord(out("f.png")) + " " + arguments,
+                            shared_->errors());
   }
   json report(const std::string& arguments) const {
     const auto result = render("--json " + arguments);
@@ -58,10 +49,10 @@ class PressCommand : public testing::Test {
   }
   std::string out(const std::string& name) const { return (folder_ / name).string(); }
 
-  static std::optional<test::TemporaryFolder> shared_;
+  static std::optional<test::SmallRender> shared_;
   test::TemporaryFolder folder_;
 };
-std::optional<test::TemporaryFolder> PressCommand::shared_;
+std::optional<test::SmallRender> PressCommand::shared_;
 
 double veinArea(const json& report) {
   for (const json& lumen : report["lumens"])

@@ -1,6 +1,5 @@
 #include "CommandLine.h"
-#include "support/SmallCase.h"
-#include "support/TestData.h"
+#include "support/SmallRender.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -23,20 +22,13 @@ using testing::HasSubstr;
 /// A small case, small settings and an empty folder for outputs.
 class RenderCommand : public testing::Test {
  protected:
-  static void SetUpTestSuite() {
-    shared_.emplace();
-    const auto written = writeCase(test::smallCase(), *shared_ / "case");
-    ASSERT_TRUE(written) << written.error().message;
-    std::ofstream(*shared_ / "small.json")
-        << R"({"scanlines": 32, "samples": 128, "elevationPlanes": 1, "looks": 1, "width": 96, "height": 80,
-               "depth_mm": 30})";
-  }
+  static void SetUpTestSuite() { shared_.emplace(); }
   static void TearDownTestSuite() { shared_.reset(); }
 
   test::CommandResult render(const std::string& arguments, const std::string& prefix = "") const {
-    return test::runCommand("render " + shellWord(*shared_ / "case") + " --engine reference --settings " +
-                                shellWord(*shared_ / "small.json") + " " + arguments,
-                            (*shared_ / "stderr.txt").string(), prefix);
+    return test::runCommand("render " + shellWord(shared_->caseFolder()) + " --engine reference --settings " +
+                                shellWord(shared_->settings()) + " " + arguments,
+                            shared_->errors(), prefix);
   }
   std::string out(const std::string& name) const { return (folder_ / name).string(); }
   std::set<std::string> files() const {
@@ -54,10 +46,10 @@ class RenderCommand : public testing::Test {
     EXPECT_TRUE(files().empty()) << arguments;
   }
 
-  static std::optional<test::TemporaryFolder> shared_;
+  static std::optional<test::SmallRender> shared_;
   test::TemporaryFolder folder_;
 };
-std::optional<test::TemporaryFolder> RenderCommand::shared_;
+std::optional<test::SmallRender> RenderCommand::shared_;
 
 std::string poseAt(double x_mm) {
   return R"({"position_mm": [)" + std::to_string(x_mm) + R"(, 0, 0], "axial": [0, 1, 0], "lateral": [1, 0, 0]})";
@@ -191,9 +183,9 @@ TEST_F(RenderCommand, AbsurdSettingsAreRefusedByName) {
                                        {"{", "JSON"}}) {
     std::ofstream(*shared_ / "settings.json") << settings;
     const auto result =
-        test::runCommand("render " + shellWord(*shared_ / "case") + " --settings " +
+        test::runCommand("render " + shellWord(shared_->caseFolder()) + " --settings " +
                              shellWord(*shared_ / "settings.json") + " --out " + shellWord(out("f.png")),
-                         (*shared_ / "stderr.txt").string());
+                         shared_->errors());
     EXPECT_EQ(result.status, 1) << settings;
     EXPECT_THAT(result.errors, HasSubstr(word)) << settings;
     EXPECT_TRUE(files().empty());
@@ -205,7 +197,7 @@ TEST_F(RenderCommand, AMissingCaseSettingsOrEngineIsRefused) {
   for (const auto& [arguments, word] : {std::pair{shellWord(out("nocase")), "nocase"},
                                         {right + " --settings " + shellWord(out("none.json")), "none.json"},
                                         {right + " --engine warp", "warp"}}) {
-    const auto result = test::runCommand("render " + arguments + picture, (*shared_ / "stderr.txt").string());
+    const auto result = test::runCommand("render " + arguments + picture, shared_->errors());
     EXPECT_EQ(result.status, 1) << arguments;
     EXPECT_THAT(result.errors, HasSubstr(word));
     EXPECT_TRUE(files().empty());

@@ -1,20 +1,14 @@
+#include "support/PresetFile.h"
+
 #include <insonate/tissue/AcousticTable.h>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include <fstream>
-#include <set>
-
 namespace insonate {
 namespace {
 
 using nlohmann::json;
-
-json presetFile(const std::string& name) {
-  std::ifstream stream(std::string(INSONATE_SOURCE_DIR "/resources/tissues/") + name + ".json");
-  return json::parse(stream);
-}
 
 AcousticTable preset(const std::string& name) {
   auto table = loadAcousticTable(name);
@@ -40,32 +34,15 @@ INSTANTIATE_TEST_SUITE_P(Presets, EveryPreset, testing::ValuesIn(acousticPresetN
                          [](const auto& test) { return test.param; });
 
 TEST_P(EveryPreset, SaysValueRangeAndSourceOfEveryNumber) {
-  const json file = presetFile(GetParam());
-  std::string allSources;
-  int numbers = 0;
-  visitNumbers(file.at("tissues"), "", [&](const json& number, const std::string& where) {
-    ++numbers;
-    ASSERT_TRUE(number.is_object()) << where << " is a plain number";
-    ASSERT_TRUE(number.contains("range")) << where;
-    EXPECT_LE(number["range"][0].get<double>(), number["value"].get<double>()) << where;
-    EXPECT_GE(number["range"][1].get<double>(), number["value"].get<double>()) << where;
-    const std::string source = number.at("source").get<std::string>();
-    const std::string citation = source.substr(0, source.find(':'));
-    EXPECT_TRUE(file.at("sources").contains(citation)) << where << " cites '" << citation << "'";
-    allSources += source + '\n';
-  });
-  EXPECT_GT(numbers, 10);
-  for (const auto& [name, citation] : file.at("sources").items()) EXPECT_THAT(allSources, testing::HasSubstr(name));
+  const json file = test::presetFile("tissues", GetParam());
+  test::SourceCheck sources(file);
+  visitNumbers(file.at("tissues"), "",
+               [&](const json& number, const std::string& where) { sources.number(number, where); });
+  sources.finish(11);
 }
 
 TEST_P(EveryPreset, ListsEachLabelAtMostOnceByItsName) {
-  std::set<std::string> labels;
-  const json file = presetFile(GetParam());
-  for (const json& tissue : file.at("tissues")) {
-    const auto name = tissue.at("label").get<std::string>();
-    EXPECT_TRUE(labelFromName(name)) << name;
-    EXPECT_TRUE(labels.insert(name).second) << name;
-  }
+  EXPECT_FALSE(test::labelsListed(test::presetFile("tissues", GetParam())).empty());
 }
 
 TEST_P(EveryPreset, KeepsThePhysicalOrderOfTissues) {

@@ -1,12 +1,11 @@
+#include "support/PresetFile.h"
+
 #include <insonate/tissue/MechanicalTable.h>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-#include <fstream>
 #include <limits>
-#include <set>
 
 namespace insonate {
 namespace {
@@ -15,19 +14,10 @@ using nlohmann::json;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-json presetFile(const std::string& name) {
-  std::ifstream stream(std::string(INSONATE_SOURCE_DIR "/resources/mechanics/") + name + ".json");
-  return json::parse(stream);
-}
-
 MechanicalTable preset(const std::string& name) {
   auto table = loadMechanicalTable(name);
   EXPECT_TRUE(table) << table.error().message;
   return table.value_or(MechanicalTable{});
-}
-
-double numberOf(const json& value) {
-  return value == "infinity" ? kInfinity : value.get<double>();
 }
 
 TEST(MechanicalTablePresets, MeasuredComesFirst) {
@@ -39,36 +29,16 @@ INSTANTIATE_TEST_SUITE_P(Presets, EveryMechanicalPreset, testing::ValuesIn(mecha
                          [](const auto& test) { return test.param; });
 
 TEST_P(EveryMechanicalPreset, SaysValueRangeAndSourceOfEveryNumber) {
-  const json file = presetFile(GetParam());
-  std::string allSources;
-  int numbers = 0;
+  const json file = test::presetFile("mechanics", GetParam());
+  test::SourceCheck sources(file);
   for (const json& tissue : file.at("tissues"))
-    for (const auto& [key, number] : tissue.items()) {
-      if (key == "label" || key == "kind") continue;
-      const std::string where = tissue.at("label").get<std::string>() + "/" + key;
-      ++numbers;
-      ASSERT_TRUE(number.is_object()) << where << " is plain";
-      ASSERT_TRUE(number.contains("range")) << where;
-      EXPECT_LE(numberOf(number["range"][0]), numberOf(number["value"])) << where;
-      EXPECT_GE(numberOf(number["range"][1]), numberOf(number["value"])) << where;
-      const std::string source = number.at("source").get<std::string>();
-      const std::string citation = source.substr(0, source.find(':'));
-      EXPECT_TRUE(file.at("sources").contains(citation)) << where << " cites '" << citation << "'";
-      allSources += source + '\n';
-    }
-  EXPECT_GT(numbers, 25);
-  for (const auto& [name, citation] : file.at("sources").items()) EXPECT_THAT(allSources, testing::HasSubstr(name));
+    for (const auto& [key, number] : tissue.items())
+      if (key != "label" && key != "kind") sources.number(number, tissue.at("label").get<std::string>() + "/" + key);
+  sources.finish(26);
 }
 
 TEST_P(EveryMechanicalPreset, ListsEachLabelOnceByItsName) {
-  std::set<std::string> labels;
-  const json file = presetFile(GetParam());
-  for (const json& tissue : file.at("tissues")) {
-    const auto name = tissue.at("label").get<std::string>();
-    EXPECT_TRUE(labelFromName(name)) << name;
-    EXPECT_TRUE(labels.insert(name).second) << name;
-  }
-  EXPECT_EQ(labels.size(), std::size_t{kLabelCount});
+  EXPECT_EQ(test::labelsListed(test::presetFile("mechanics", GetParam())).size(), std::size_t{kLabelCount});
 }
 
 TEST(MechanicalTablePresets, ThesisIsTableOne) {
