@@ -44,6 +44,15 @@ TEST_F(PrepareWindow, WhatTheImportSaidStaysWithTheCase) {
   EXPECT_EQ(child<QLabel>("caseNotes")->text(), "The slices were tilted.\nPadding was named.") << "each once";
 }
 
+TEST_F(PrepareWindow, WhatHappenedIsSaidForSomeSeconds) {
+  const QString before = workspace_->statusText();
+  EXPECT_FALSE(before.isEmpty());
+  session_->say("Something happened.");
+  EXPECT_EQ(workspace_->statusText(), "Something happened.");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText() == before; }, PrepareSession::kSaid_ms + 3000))
+      << workspace_->statusText().toStdString();
+}
+
 TEST_F(PrepareWindow, OneCrosshairForAllSlices) {
   openCase();
   session_->setCrosshair({3, 10, -2});

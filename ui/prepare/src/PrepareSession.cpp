@@ -42,6 +42,12 @@ constexpr std::uint8_t kOrder[] = {kVein, kArtery, kSkin, kBone, kAirway, kThyro
 
 PrepareSession::PrepareSession(ui::TaskBar& tasks, QObject* parent)
     : QObject(parent), looks_(usualLooks({})), measuring_(tasks, this), live_(this) {
+  said_.setSingleShot(true);
+  said_.setInterval(kSaid_ms);
+  connect(&said_, &QTimer::timeout, this, [this] {
+    message_.clear();
+    Q_EMIT messageChanged();
+  });
   connect(&measuring_, &CaseMeasuring::changed, this, [this] { takeMeasures(); });
   connect(&live_, &LivePatient::started, this, [this] {
     // Where the case begins is where one wants to look first.
@@ -300,6 +306,7 @@ QString PrepareSession::message() const {
 }
 
 void PrepareSession::say(const QString& sentence) {
+  said_.start();
   message_ = sentence;
   Q_EMIT messageChanged();
 }

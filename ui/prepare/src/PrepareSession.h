@@ -9,6 +9,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QTimer>
 #include <QUndoStack>
 #include <memory>
 #include <optional>
@@ -88,7 +89,9 @@ class PrepareSession : public QObject {
 
   /// A sentence; where the crosshair is, where nothing has happened.
   QString message() const;
+  /// What just happened, for some seconds.
   void say(const QString& sentence);
+  static constexpr int kSaid_ms = 7000;
 
  Q_SIGNALS:
   void caseChanged();
@@ -131,6 +134,7 @@ class PrepareSession : public QObject {
   bool labelsShown_ = true;
   std::array<bool, 2> hadEdits_{};  ///< unsaved, quiet
   QString message_;
+  QTimer said_;
   QUndoStack undo_;
   CaseMeasuring measuring_;
   LivePatient live_;
