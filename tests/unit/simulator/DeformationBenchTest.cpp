@@ -13,6 +13,7 @@ namespace insonate::test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 DeformationBench twoRows() {
   DeformationBench bench;
@@ -47,6 +48,19 @@ TEST(DeformationBench, WritesTablesAndPlots) {
   text << page.rdbuf();
   EXPECT_THAT(text.str(), HasSubstr("| elastic | 0.50 | 15000 | 1 | moving |"));
   EXPECT_THAT(text.str(), HasSubstr("- A note."));
+}
+
+TEST(DeformationBench, PlotsOneThreadAndListsAllCores) {
+  DeformationBench bench = twoRows();
+  bench.rows.push_back(bench.rows[0]);
+  bench.rows.back().threads = 2;
+  bench.rows.back().mesh_mm = 0.61;
+  const TemporaryFolder folder;
+  ASSERT_TRUE(writeDeformationBench(bench, folder.path() / "bench"));
+  const auto textOf = [&](const char* name) { return bytesOf(folder.path() / "bench" / name); };
+  EXPECT_THAT(textOf("deformation.md"), HasSubstr("| elastic | 0.61 | 15000 | 2 | moving |"));
+  EXPECT_THAT(textOf("deformation-time.svg"), Not(HasSubstr("0.61 mm")));
+  EXPECT_THAT(textOf("deformation-time.svg"), HasSubstr("0.50 mm"));
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ std::string timeAgainstError(const DeformationBench& bench) {
     for (const char* model : {"elastic", "column"}) {
       PlotSeries series{.name = std::string(model) + ", " + state, .points = {}, .joined = true, .dashed = false};
       for (const Row& row : bench.rows)
-        if (row.model == model && row.state == state)
+        if (row.model == model && row.state == state && row.threads == 1)
           series.points.push_back({row.median_ms, row.displacementRms_mm, fixed(row.mesh_mm, 2) + " mm"});
       std::sort(series.points.begin(), series.points.end(),
                 [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; });

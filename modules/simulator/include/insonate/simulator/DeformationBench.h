@@ -16,7 +16,7 @@ struct DeformationBenchRow {
   std::string model;
   double mesh_mm = 0;  ///< cells near vessels and face
   int unknowns = 0;
-  int threads = 1;
+  int threads = 1;  ///< that it may use
   /// `cold`: from rest, until converged. `warm`: pressed in and out by 0.25 mm a frame. `moving`: so, and sliding by
   /// 0.3 mm. `static`: the same question again. `untouched`: the face is off the skin.
   std::string state;
