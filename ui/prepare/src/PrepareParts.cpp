@@ -192,7 +192,9 @@ void PrepareWorkspace::Parts::showFindings() {
 
 QString PrepareWorkspace::Parts::engineText() const {
   if (!session.patient() || !session.live().shown()) return {};
-  return tr("processor   %1 ms").arg(session.live().shown()->frame_ms, 4, 'f', 1);
+  const bool onCard = session.live().shown()->engine == "glsl";
+  return (onCard ? tr("graphics card   %1 ms") : tr("processor   %1 ms"))
+      .arg(session.live().shown()->frame_ms, 4, 'f', 1);
 }
 
 bool PrepareWorkspace::Parts::key(const QKeyEvent& event, bool doIt) {
