@@ -1,6 +1,7 @@
 #include "PrepareSession.h"
 
 #include <insonate/prepare/PrepareWorkspace.h>
+#include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/ErrorPanel.h>
 #include <insonate/ui/MainWindow.h>
@@ -145,7 +146,11 @@ TEST_F(Saving, WhereTheProbeIsBecomesTheStartOfACaseThatHasNone) {
   ASSERT_TRUE(until([&] { return window_.isReady() && keep->isVisible(); }));
   session_->setCrosshair({8, 3, 2});
   ASSERT_TRUE(until([this] { return window_.isReady(); }));
+  ASSERT_TRUE(session_->live().pose());
+  const Transform stood = *session_->live().pose();
+  EXPECT_EQ(keep->text(), "Begin here");
   keep->click();
+  EXPECT_TRUE(workspace_->statusText().startsWith("The case begins here")) << workspace_->statusText().toStdString();
   EXPECT_FALSE(keep->isVisible());
   EXPECT_TRUE(edited());
   session_->undoStack().undo();
@@ -158,8 +163,17 @@ TEST_F(Saving, WhereTheProbeIsBecomesTheStartOfACaseThatHasNone) {
   const auto read = readCase(case_);
   ASSERT_TRUE(read);
   ASSERT_EQ(read->patient.manifest.startPoses.size(), 1u);
-  EXPECT_NEAR(read->patient.manifest.startPoses[0].position_mm.x, 8, 1);
+  const StartPose& start = read->patient.manifest.startPoses[0];
+  EXPECT_NEAR(start.position_mm.x, 8, 1);
+  const auto begins = patientFromProbe(start.position_mm, start.axial, start.lateral);
+  ASSERT_TRUE(begins);
+  EXPECT_LT(norm(begins->offset - stood.offset), 1e-3) << "where the probe stood";
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_LT(norm(begins->linear.column[axis] - stood.linear.column[axis]), 1e-4) << "and as it was held";
   EXPECT_FALSE(keep->isVisible());
+  QTest::keyClick(&window_, Qt::Key_F5);
+  ASSERT_TRUE(until([this] { return window_.isReady() && session_->live().start(); }));
+  EXPECT_EQ(session_->live().start()->position_mm, start.position_mm) << "the case opens there";
 }
 
 TEST_F(Saving, DiscardLeavesTheFolderAlone) {
