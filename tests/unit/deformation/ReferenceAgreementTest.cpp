@@ -55,10 +55,10 @@ TEST_F(ReferenceAgreement, PressedFlat) {
 }
 
 TEST_F(ReferenceAgreement, ClosedVein) {
-  plane.press_mm = 6;
+  plane.press_mm = 5;
   compare(1);
   // Shut, a vein can lie in folds in more than one way, and models that come by other steps find another.
-  plane.press_mm = 8;
+  plane.press_mm = 6;
   compare(1, {.most_mm = 0.6, .force = 0.04, .area = 0.01});
 }
 
@@ -72,7 +72,7 @@ TEST_F(ReferenceAgreement, RoundFaceOnARoundNeckByForce) {
   plane.skinRadius_mm = 60;
   input.face.radius_mm = 60;
   input.face.sticking = true;
-  input.force_N = 2;
+  input.force_N = 1.5;
   compare(1);
 }
 

@@ -17,17 +17,19 @@ class CarryOver {
 
   bool fits(const Mesh& mesh) const { return mesh.columns() == mesh_.columns() && mesh.rows() == mesh_.rows(); }
   /// For a mesh of the same size.
-  void giveStress(const Mesh& mesh, const Transform& keptFromNow, Prestress& prestress) const;
-  void giveSolution(const Mesh& mesh, const Transform& keptFromNow, Solver& solver) const;
+  void giveStress(const Mesh& mesh, const Materials& materials, const Transform& keptFromNow,
+                  Prestress& prestress) const;
+  void giveSolution(const Mesh& mesh, const Materials& materials, const Transform& keptFromNow, Solver& solver) const;
 
  private:
   Mesh::Place placeOf(const Mesh& mesh, std::size_t node, const Transform& keptFromNow) const;
-  /// The cell that the middle of a cell was in, where `place` is that of its first corner.
-  std::size_t cellOf(const Mesh::Place& place) const;
+  /// The cell that the middle of a cell was in, where `place` is that of its first corner; or a neighbour, if that is
+  /// more like what the cell is made of now: a wall's stress in soft tissue beside it would make that buckle.
+  std::size_t cellOf(const Mesh::Place& place, float mu) const;
 
   Mesh mesh_;
   Nodes at_;
-  std::vector<float> pressure_;
+  std::vector<float> pressure_, mu_;
   Prestress prestress_;
 };
 

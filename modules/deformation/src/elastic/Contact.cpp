@@ -16,6 +16,7 @@ void Contact::prepare(const Nodes& rest, int columns) {
 
 void Contact::meet(const FaceProfile& face, const Nodes& at) {
   profile_.resize(columns_);
+  added_.assign(columns_, 0);
   if (touched_.size() != std::size_t(columns_)) touched_.assign(columns_, 0);
   touching_ = touched_;
   for (int i = 0; i < columns_; ++i) profile_[i] = face.at(at.x[i]);
@@ -30,11 +31,12 @@ void Contact::settle() {
 }
 
 void Contact::add(float shift_mm, bool sticking, const Nodes& rest, const Nodes& at, GridMatrix& matrix,
-                  std::vector<float>& force) const {
+                  std::vector<float>& force) {
   for (int i = 0; i < columns_; ++i) {
     const FaceProfile::Point p = profile_[i];
     const float depth = p.z_mm + shift_mm - at.z[i];
-    if (!touches(i, depth)) continue;
+    added_[i] = touches(i, depth);
+    if (!added_[i]) continue;
     const float k = kStiffness_kPa_mm * length_[i];
     force[2 * i + 1] += k * depth;
     matrix.value[2][i] += k;
@@ -53,6 +55,13 @@ float Contact::pressing(float shift_mm, const Nodes& at) const {
     if (touches(i, depth)) sum += double(kStiffness_kPa_mm) * length_[i] * depth;
   }
   return static_cast<float>(sum);
+}
+
+float Contact::foreseen(float shift_mm, const Nodes& at) const {
+  double sum = 0;
+  for (int i = 0; i < columns_; ++i)
+    if (added_[i]) sum += double(kStiffness_kPa_mm) * length_[i] * (profile_[i].z_mm + shift_mm - at.z[i]);
+  return static_cast<float>(std::max(sum, 0.0));
 }
 
 void Contact::pushByShift(float shift_mm, const Nodes& at, std::vector<float>& force) const {

@@ -27,10 +27,13 @@ class Contact {
   /// Adds spring and push to the top row; the face is `shift_mm` further in. With `sticking`, nodes that touch keep
   /// the x that they have in `rest`.
   void add(float shift_mm, bool sticking, const Nodes& rest, const Nodes& at, GridMatrix& matrix,
-           std::vector<float>& force) const;
+           std::vector<float>& force);
 
-  /// kPa mm: on the face along z, a millimetre of footprint; negative z is back at the face.
+  /// kPa mm: on the face along z, a millimetre of footprint.
   float pressing(float shift_mm, const Nodes& at) const;
+  /// The same of the columns that touched in the last add(): what the linear system foresaw. Those that a step has just
+  /// pushed a little into the face or off it, which so stiff a spring would make much of, come in with the next round.
+  float foreseen(float shift_mm, const Nodes& at) const;
 
   /// Derivative of add()'s push by the shift, as a right-hand side.
   void pushByShift(float shift_mm, const Nodes& at, std::vector<float>& force) const;
@@ -44,7 +47,7 @@ class Contact {
   int columns_ = 0;
   std::vector<float> length_;
   std::vector<FaceProfile::Point> profile_;
-  std::vector<char> touching_, touched_;
+  std::vector<char> touching_, touched_, added_;
   bool touches(int column, float depth_mm) const {
     return profile_[column].under && (depth_mm > 0 || touching_[column]);
   }

@@ -38,13 +38,15 @@ class ElasticModel final : public DeformationModel {
     load.force_kPa_mm = static_cast<float>(input.force_N * 1000 / input.face.footprint_mm);
     load.shift_mm = load.force_kPa_mm > 0 ? shift_ : 0;
     load.sticking = input.face.sticking;
-    const float tolerance = settings_.tolerance_mm > 0 ? float(settings_.tolerance_mm) : kTolerance_mm;
+    const Solver::Patience patience{settings_.mostIterations,
+                                    settings_.tolerance_mm > 0 ? float(settings_.tolerance_mm) : kTolerance_mm,
+                                    static_cast<float>(settings_.enough_mm)};
     if (!carried) solver_.start();
-    Solver::Outcome outcome = solver_.solve(face, load, settings_.mostIterations, tolerance);
+    Solver::Outcome outcome = solver_.solve(face, load, patience);
     if (!outcome.finite) {
       solver_.start();
       load.shift_mm = 0;
-      outcome = solver_.solve(face, load, settings_.mostIterations, tolerance);
+      outcome = solver_.solve(face, load, patience);
     }
     if (!outcome.finite) solver_.start();
     solved_ = outcome.finite;
@@ -72,7 +74,7 @@ class ElasticModel final : public DeformationModel {
       stressed_.keep(mesh_, solver_);
       stressFound_ = *input.patientFromProbe;
     }
-    if (carry) before_.giveSolution(mesh_, inverted(*last_) * *input.patientFromProbe, solver_);
+    if (carry) before_.giveSolution(mesh_, materials_, inverted(*last_) * *input.patientFromProbe, solver_);
     last_ = input.patientFromProbe;
     known_ = true;
     return carry;
@@ -83,7 +85,7 @@ class ElasticModel final : public DeformationModel {
     const Transform foundFromNow = inverted(stressFound_) * patientFromProbe;
     const Vec3 turned = foundFromNow.linear * Vec3{kArm_mm, 0, 0} - Vec3{kArm_mm, 0, 0};
     if (stressed_.fits(mesh_) && norm(foundFromNow.offset) + norm(turned) < kStressLasts_mm) {
-      stressed_.giveStress(mesh_, foundFromNow, carriedStress_);
+      stressed_.giveStress(mesh_, materials_, foundFromNow, carriedStress_);
       return true;
     }
     return false;

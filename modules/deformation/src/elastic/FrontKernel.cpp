@@ -14,6 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace insonate::elastic::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<float, 16>;
+constexpr int kOverhang = 16;
 
 /// target[i][j] -= sum over r of a[r][i] * b[r][j] for a tile of kRows x kVectors vectors.
 template <int kRows, int kVectors>
@@ -68,6 +69,12 @@ HWY_INLINE void subtractRow(float* HWY_RESTRICT row, const float* HWY_RESTRICT o
   const auto f = hn::Set(d, factor);
   for (int j = begin; j < end; j += static_cast<int>(hn::Lanes(d)))
     hn::StoreU(hn::NegMulAdd(f, hn::LoadU(d, other + j), hn::LoadU(d, row + j)), d, row + j);
+}
+
+/// Columns `begin` to `end`, and less than a vector beyond.
+HWY_INLINE void clearRow(float* HWY_RESTRICT row, int begin, int end) {
+  const Tag d;
+  for (int j = begin; j < end; j += static_cast<int>(hn::Lanes(d))) hn::StoreU(hn::Zero(d), d, row + j);
 }
 
 HWY_INLINE void addRow(float* HWY_RESTRICT to, const float* HWY_RESTRICT from, int count) {
@@ -150,10 +157,9 @@ int eliminateTarget(const FrontWork& work, int index) {
   float* panel = work.panels + front.panel;
   float* update = work.updates[front.side][front.depth].data();
   const int size = front.own + front.border;
-  std::fill_n(panel, std::size_t(front.own) * front.stride, 0.0f);
-  for (int r = 0; r < front.border; ++r)
-    std::fill(update + std::size_t(r) * front.stride + r, update + std::size_t(r) * front.stride + front.border + 1,
-              0.0f);
+  // As far as whole vectors write: substitution reads it, times zero, which must not be infinite.
+  for (int r = 0; r < front.own; ++r) clearRow(panel + std::size_t(r) * front.stride, r, size + kOverhang);
+  for (int r = 0; r < front.border; ++r) clearRow(update + std::size_t(r) * front.stride, r, front.border + 1);
   addEntries(work, front, panel);
   for (int r = 0; r < front.own; ++r) panel[std::size_t(r) * front.stride + size] = work.right[front.first + r];
   for (const int child : front.child)

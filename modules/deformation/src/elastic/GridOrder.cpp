@@ -8,7 +8,7 @@ namespace insonate::elastic {
 namespace {
 
 constexpr int kLeafNodes = 12;
-constexpr int kStrideUnit = 16;
+constexpr int kStrideUnit = 8;
 constexpr int kSlack = 16;  // the right-hand side, and what whole vectors write beyond
 
 /// Odd multiples of the unit: rows then spread over all sets of a cache.

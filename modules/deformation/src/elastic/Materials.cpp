@@ -12,7 +12,10 @@ constexpr float kGasMu_kPa = 0.02f;
 constexpr float kStiffest_kPa = 2000;  // beyond, it makes no difference to what is round it
 
 struct Moduli {
-  float mu = 0, bulk = 0;
+  float mu = 0, bulk = 0, logMu = 0;
+
+  Moduli(float m, float b) : mu(m), bulk(b), logMu(std::log(m)) {}
+  Moduli() = default;
 };
 
 Moduli moduliOf(double young_kPa, double poisson) {
@@ -63,17 +66,55 @@ struct Vessel {
         sheath(moduliOf(t.sheathYoung_kPa, 0.49)) {}
 };
 
+/// What a cell is made of. Walls, blood and gas count by their shares: a membrane carries as much as it is thick.
+/// Solids that meet in a cell count by the geometric mean (Lichtenecker): an arithmetic one makes stiff bodies half a
+/// cell thicker, and a mesh of 0.5 mm 5 % stiffer than one of 0.25 mm; a harmonic one thinner.
 struct Mixture {
-  Moduli sum;
+  float mu = 0, bulk = 0;
   float left = 1;  ///< share that is not spoken for
+  float solid = 0, logMu = 0;
 
-  void add(const Moduli& m, float share) {
+  void addLayer(const Moduli& m, float share) {
+    share = taken(share);
+    mu += share * m.mu;
+    bulk += share * m.bulk;
+  }
+  void addSolid(const Moduli& m, float share) {
+    share = taken(share);
+    bulk += share * m.bulk;
+    logMu += share * m.logMu;
+    solid += share;
+  }
+  void add(const Moduli& m, float share) { m.mu > kGasMu_kPa ? addSolid(m, share) : addLayer(m, share); }
+  float wholeMu() const { return solid > 0 ? mu + solid * std::exp(logMu / solid) : mu; }
+
+ private:
+  float taken(float share) {
     share = std::clamp(share, 0.0f, left);
-    sum.mu += share * m.mu;
-    sum.bulk += share * m.bulk;
     left -= share;
+    return share;
   }
 };
+
+/// What is left is what the cell's middle is made of, the first of `labels`, and its corners as much together.
+void addRest(const std::array<std::uint8_t, 5>& labels, const std::array<Moduli, kLabelCount>& solid,
+             Mixture& mixture) {
+  const bool inGas = labels[0] == kBackground;  // the skin's nodes may lie on either side of it
+  std::array<float, 5> share{4, 1, 1, 1, 1};
+  float weight = 0;
+  for (int k = 0; k < 5; ++k) {
+    const Label label = knownLabel(labels[k]);
+    if (label == kArtery || label == kVein || (label == kBackground && !inGas)) share[k] = 0;
+    weight += share[k];
+  }
+  if (weight == 0) {
+    mixture.addSolid(solid[kSoftTissue], 1);
+    return;
+  }
+  const float unspoken = mixture.left / weight;
+  for (int k = 0; k < 5; ++k)
+    if (share[k] > 0) mixture.add(solid[knownLabel(labels[k])], unspoken * share[k]);
+}
 
 }  // namespace
 
@@ -117,27 +158,17 @@ void Materials::fill(const Mesh& mesh, const MechanicalTable& tissues) {
         const float inside = shareWithin(distance, 0, across);
         (v == 0 ? artery : vein)[n] = inside;
         if (vessels[v].lumen) (v == 0 ? arteryBlood : veinBlood)[n] = inside, anyBlood |= inside > 0;
-        mixture.add(vessels[v].inside, inside);
+        mixture.addLayer(vessels[v].inside, inside);
         if (reach <= 0) continue;
         const float wall = shareWithin(distance, vessels[v].wall_mm, across);
-        mixture.add(vessels[v].wall, wall - inside);
-        mixture.add(vessels[v].sheath, shareWithin(distance, reach, across) - wall);
+        mixture.addLayer(vessels[v].wall, wall - inside);
+        mixture.addSolid(vessels[v].sheath, shareWithin(distance, reach, across) - wall);
       }
-      // What is left is what the cell's middle is made of, and its corners as much together.
-      Moduli left;
-      float weight = 0;
-      const auto take = [&](std::uint8_t at, float share) {
-        const Label label = knownLabel(at);
-        if (label == kArtery || label == kVein) return;
-        left.mu += share * solid[label].mu, left.bulk += share * solid[label].bulk;
-        weight += share;
-      };
-      take(mesh.middle()[n].label, 4);
-      for (const std::size_t c : corner) take(tissue[c].label, 1);
-      if (weight == 0) left = solid[kSoftTissue], weight = 1;
-      mixture.add({left.mu / weight, left.bulk / weight}, 1);
-      mu[n] = mixture.sum.mu;
-      bulk[n] = mixture.sum.bulk;
+      addRest({mesh.middle()[n].label, tissue[n].label, tissue[n + 1].label, tissue[n + 1 + nx].label,
+               tissue[n + nx].label},
+              solid, mixture);
+      mu[n] = mixture.wholeMu();
+      bulk[n] = mixture.bulk;
     }
 }
 

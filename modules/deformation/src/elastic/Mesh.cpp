@@ -192,18 +192,26 @@ void Mesh::snap() {
   snapped_.clear();
 }
 
-Mesh::Place Mesh::placeOf(float x_mm, float z_mm) const {
-  const auto along = [](const std::vector<float>& line, float value) {
-    const auto above = std::upper_bound(line.begin() + 1, line.end() - 1, value);
-    const float low = *(above - 1);
-    return std::clamp(float(above - 1 - line.begin()) + (value - low) / (*above - low), 0.0f, float(line.size() - 1));
+void Mesh::takeShape(const Mesh& other) {
+  lines_ = other.lines_;
+  rest_ = other.rest_;
+  skin_ = other.skin_;
+}
+
+Mesh::Place Mesh::placeOf(float x_mm, float z_mm, std::size_t guess) const {
+  const auto along = [](const std::vector<float>& line, float value, int k) {
+    const int last = static_cast<int>(line.size()) - 2;
+    k = std::min(k, last);
+    while (k > 0 && line[k] > value) --k;
+    while (k < last && line[k + 1] <= value) ++k;
+    return std::clamp(float(k) + (value - line[k]) / (line[k + 1] - line[k]), 0.0f, float(last + 1));
   };
   Place place;
-  place.column = along(lines_.x_mm, x_mm);
+  place.column = along(lines_.x_mm, x_mm, static_cast<int>(guess % columns()));
   const int c = std::min(static_cast<int>(place.column), columns() - 2);
   const float skin = skin_[c] + (place.column - c) * (skin_[c + 1] - skin_[c]);
   const float depth = lines_.depth_mm.back();
-  place.row = along(lines_.depth_mm, (z_mm - skin) * depth / (depth - skin));
+  place.row = along(lines_.depth_mm, (z_mm - skin) * depth / (depth - skin), static_cast<int>(guess / columns()));
   return place;
 }
 

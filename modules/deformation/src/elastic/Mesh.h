@@ -44,11 +44,15 @@ class Mesh {
   const std::vector<PlaneTissue>& middle() const { return middle_; }  ///< of each cell, numbered as its first node
   const std::vector<float>& skin_mm() const { return skin_; }         ///< z of the top of each column
 
-  /// Continuous column and row of a point, kept within the mesh; as if no node had been moved onto an outline.
+  /// Lines, skin and rest positions, without the tissue.
+  void takeShape(const Mesh& other);
+
+  /// Continuous column and row of a point, kept within the mesh; as if no node had been moved onto an outline. Quick
+  /// where it is near the node `guess`.
   struct Place {
     float column = 0, row = 0;
   };
-  Place placeOf(float x_mm, float z_mm) const;
+  Place placeOf(float x_mm, float z_mm, std::size_t guess) const;
 
  private:
   void findNeed(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace insonate::elastic {
 namespace {
@@ -10,8 +11,9 @@ constexpr float kHeld = 1e8f;
 constexpr float kShut_kPa = 20;  // of cells in a lumen that is closed
 constexpr float kLongestStep_mm = 4;
 constexpr float kFarthest_mm = 100;  // that tissue can have moved
-constexpr float kCaution = 0.3f;
+constexpr float kCaution = 0.1f;
 constexpr int kCautiousRounds = 3;  // after a tangent that was not positive definite
+constexpr float kBounded = 1e-3f;   // caution that bounds pressures without damping
 
 /// Derivatives of the shape functions by the rest position, in the middle of a cell.
 struct CellGradient {
@@ -58,6 +60,10 @@ void Solver::prepare(const Mesh& mesh, const Materials& materials, const Mechani
     elements_.shut[n] = kShut_kPa * blood;
     elements_.guarded[n] = materials.mu[n] > 0 && blood < 0.3f ? 1.0f : 0.0f;
   }
+  solid_.assign(materials.fixed.size(), 0);
+  for (std::size_t n = 0; n < elements_.count(); ++n)
+    if (elements_.guarded[n] > 0)
+      for (const std::size_t corner : {n, n + 1, n + 1 + std::size_t(nx), n + nx}) solid_[corner] = 1;
   std::fill(dead_.begin(), dead_.end(), 0.0f);
   at_ = rest_;
   elements_.carried = elements_.base;
@@ -141,12 +147,16 @@ void Solver::start() {
   elements_.carried = elements_.base;
   caution_ = 0;
   cautiousRounds_ = 0;
+  carried_ = false;
 }
 
 void Solver::carry() {
   for (std::size_t n = 0; n < materials_->fixed.size(); ++n)
     if (materials_->fixed[n]) at_.x[n] = rest_.x[n], at_.z[n] = rest_.z[n];
   for (std::size_t n = 0; n < elements_.count(); ++n) elements_.carried[n] = elements_.base[n] + cellPressure_[n];
+  caution_ = kBounded;
+  cautiousRounds_ = 1;
+  carried_ = true;
 }
 
 void Solver::hold() {
@@ -175,9 +185,17 @@ float Solver::followForce(float wanted_kPa_mm, float shift_mm) {
   factor_.solve(response_);
   const float now = contact_.pressing(shift_mm, at_) - contact_.product(byShift_, step_);
   const float slope = stiffness - contact_.product(byShift_, response_);
-  const float change = std::clamp((wanted_kPa_mm - now) / std::max(slope, 1e-3f * stiffness), -2.0f, 2.0f);
+  const float change = std::clamp((wanted_kPa_mm - now) / std::max(slope, 1e-4f * stiffness), -2.0f, 2.0f);
   for (std::size_t k = 0; k < step_.size(); ++k) step_[k] += change * response_[k];
   return change;
+}
+
+/// Of tissue: the nodes amid blood go anywhere.
+float Solver::longestStep() const {
+  float longest = 0;
+  for (std::size_t n = 0; n < solid_.size(); ++n)
+    if (solid_[n]) longest = std::max({longest, std::abs(step_[2 * n]), std::abs(step_[2 * n + 1])});
+  return longest;
 }
 
 /// Also false where a position is no number, which comparisons of steps let pass.
@@ -188,11 +206,12 @@ bool Solver::inReach() const {
   return true;
 }
 
-Solver::Outcome Solver::solve(const FaceProfile& face, Load load, int mostIterations, float tolerance_mm) {
+Solver::Outcome Solver::solve(const FaceProfile& face, Load load, const Patience& patience) {
   Outcome out;
   out.shift_mm = load.shift_mm;
   contact_.meet(face, at_);
-  for (; out.iterations < mostIterations && !out.converged; ++out.iterations) {
+  const bool carried = std::exchange(carried_, false);
+  for (; out.iterations < patience.mostIterations && !out.converged; ++out.iterations) {
     system(caution_);
     contact_.add(out.shift_mm, load.sticking, rest_, at_, matrix_, force_);
     hold();
@@ -203,9 +222,7 @@ Solver::Outcome Solver::solve(const FaceProfile& face, Load load, int mostIterat
       continue;
     }
     const float shiftChange = load.force_kPa_mm > 0 ? followForce(load.force_kPa_mm, out.shift_mm) : 0;
-    float longest = std::abs(shiftChange);
-    for (std::size_t k = 0; k < 2 * std::size_t(elements_.columns) * elements_.rows; ++k)
-      longest = std::max(longest, std::abs(step_[k]));
+    const float longest = std::max(std::abs(shiftChange), longestStep());
     if (!std::isfinite(longest)) return out;
     float share = std::min(1.0f, kLongestStep_mm / std::max(longest, 1e-9f));
     share = std::min(share, allowedShare(elements_, at_, step_));
@@ -213,7 +230,11 @@ Solver::Outcome Solver::solve(const FaceProfile& face, Load load, int mostIterat
     contact_.settle();
     out.shift_mm += share * shiftChange;
     // A cautious step is shorter than the way that is left.
-    out.converged = share == 1 && out.iterations > 0 && longest < (caution_ > 0 ? 0.5f : 1.0f) * tolerance_mm;
+    out.converged = share == 1 && out.iterations > 0 && longest < (caution_ > 0 ? 0.5f : 1.0f) * patience.tolerance_mm;
+    if (carried && share == 1 && longest < patience.enough_mm) {
+      ++out.iterations;
+      break;
+    }
     cautiousRounds_ = std::max(cautiousRounds_ - 1, 0);
     if (cautiousRounds_ == 0) caution_ = 0;
   }
@@ -225,7 +246,7 @@ Solver::Outcome Solver::solve(const FaceProfile& face, Load load, int mostIterat
   }
   contact_.settle();
   contact_.remember(out.shift_mm, at_);
-  out.force_kPa_mm = contact_.pressing(out.shift_mm, at_);
+  out.force_kPa_mm = contact_.foreseen(out.shift_mm, at_);
   for (std::size_t n = 0; n < elements_.count(); ++n) cellPressure_[n] = elements_.carried[n] - elements_.base[n];
   return out;
 }

@@ -42,12 +42,17 @@ class Solver {
     float force_kPa_mm = 0;  ///< above 0: the shift is found
     bool sticking = false;
   };
+  struct Patience {
+    int mostIterations = 60;
+    float tolerance_mm = 0.01f;
+    float enough_mm = 0;  ///< a solution that was carried over is left at a step this small
+  };
   struct Outcome {
     int iterations = 0;
     bool converged = false, finite = false;
     float shift_mm = 0, force_kPa_mm = 0;
   };
-  Outcome solve(const FaceProfile& face, Load load, int mostIterations, float tolerance_mm);
+  Outcome solve(const FaceProfile& face, Load load, const Patience& patience);
 
   bool atRestPressure() const { return atRestPressure_; }
   const Elements& elements() const { return elements_; }
@@ -58,6 +63,7 @@ class Solver {
   void system(float caution);
   void hold();
   bool inReach() const;
+  float longestStep() const;
   float followForce(float wanted_kPa_mm, float shift_mm);
 
   Elements elements_;
@@ -70,7 +76,8 @@ class Solver {
   std::vector<float> force_, dead_, step_, byShift_, response_, cellPressure_, restBase_;
   const Materials* materials_ = nullptr;
   BloodPressure restPressure_;
-  bool atRestPressure_ = true;
+  std::vector<char> solid_;  ///< nodes of cells that are not blood alone
+  bool atRestPressure_ = true, carried_ = false;
   float caution_ = 0;  ///< of the next tangents, see assemble()
   int cautiousRounds_ = 0;
 };

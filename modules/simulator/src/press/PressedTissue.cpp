@@ -15,7 +15,9 @@ using press::FaceContact;
 using press::FaceTravel;
 using press::ScenePlane;
 
-constexpr double kOff_mm = 0.1;       // as far from touching as can be told
+constexpr double kEnough_mm =
+    0.5;                         // step after which a moving picture is good enough: bench deformation shows its errors
+constexpr double kOff_mm = 0.1;  // as far from touching as can be told
 constexpr double kForceError = 0.01;  // of the force that is asked for
 constexpr double kDeepest_mm = 20, kSearchStep_mm = 2;
 constexpr int kSearches = 6;
@@ -250,7 +252,7 @@ Result<PressedTissue> PressedTissue::make(const Probe& probe, const ImagingSetti
   std::unique_ptr<DeformationModel> model;
   if (mechanics.model != kNoDeformation) {
     DeformationSettings own = mechanics.settings;
-    if (mostIterations > 0) own.mostIterations = mostIterations;
+    if (mostIterations > 0) own.mostIterations = mostIterations, own.enough_mm = kEnough_mm;
     auto made = makeDeformationModel(mechanics.model, mechanics.tissues, own);
     if (!made) return tl::unexpected(made.error());
     model = std::move(*made);
