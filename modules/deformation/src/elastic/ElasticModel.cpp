@@ -42,16 +42,18 @@ class ElasticModel final : public DeformationModel {
                                     settings_.tolerance_mm > 0 ? float(settings_.tolerance_mm) : kTolerance_mm,
                                     static_cast<float>(settings_.enough_mm)};
     if (!carried) solver_.start();
-    Solver::Outcome outcome = solver_.solve(face, load, patience);
-    if (!outcome.finite) {
+    // From rest, where what was carried over led astray; and if that does, too, not at all.
+    for (const bool again : {false, true}) {
+      const Solver::Outcome outcome = solver_.solve(face, load, patience);
+      solved_ = outcome.finite;
+      shift_ = outcome.shift_mm;
+      if (describe(input, outcome, answer) && solved_) break;
       solver_.start();
       load.shift_mm = 0;
-      outcome = solver_.solve(face, load, patience);
+      if (!again) continue;
+      solved_ = false;
+      describe(input, {outcome.iterations, false, false, 0, 0}, answer);
     }
-    if (!outcome.finite) solver_.start();
-    solved_ = outcome.finite;
-    shift_ = outcome.shift_mm;
-    describe(input, outcome, answer);
     answer.moved = true;
   }
 
@@ -110,7 +112,8 @@ class ElasticModel final : public DeformationModel {
     return sum;
   }
 
-  void describe(const DeformationInput& input, const Solver::Outcome& outcome, Deformation& answer) {
+  /// False where the displacement is not one-to-one.
+  bool describe(const DeformationInput& input, const Solver::Outcome& outcome, Deformation& answer) {
     const Nodes &rest = mesh_.rest(), &now = solved_ ? solver_.at() : rest;
     answer.force_N = outcome.force_kPa_mm * input.face.footprint_mm / 1000;
     answer.faceShift_mm = outcome.shift_mm;
@@ -134,12 +137,12 @@ class ElasticModel final : public DeformationModel {
     if (!solved_) {
       answer.displacement.columns = answer.displacement.rows = 0;
       answer.displacement.restFromSeen.clear();
-      return;
+      return true;
     }
     InverseMapExtent extent;
     extent.half_mm = mesh_.lines().across.end_mm() + 5;
     extent.bottom_mm = static_cast<float>(settings_.depth_mm);
-    invertMesh(mesh_, now, extent, folded_, answer.displacement);
+    return invertMesh(mesh_, now, extent, folded_, answer.displacement);
   }
 
   MechanicalTable tissues_;

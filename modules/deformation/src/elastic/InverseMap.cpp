@@ -58,7 +58,7 @@ void fillRest(PlaneDisplacement& out) {
 
 /// Where tissue is folded sharply, single points of the lattice may lie on the wrong side of others: they take the mean
 /// of their neighbours, until none does.
-void unfold(PlaneDisplacement& out, std::vector<int>& folded) {
+bool unfold(PlaneDisplacement& out, std::vector<int>& folded) {
   constexpr int kMostRounds = 200;
   const int nx = out.columns;
   const auto step = static_cast<float>(out.step_mm);
@@ -77,7 +77,7 @@ void unfold(PlaneDisplacement& out, std::vector<int>& folded) {
       for (int c = 0; c + 1 < nx; ++c)
         if (const int k = r * nx + c; turned(&out.restFromSeen[k]))
           folded.insert(folded.end(), {k, k + 1, k + nx, k + nx + 1});
-    if (folded.empty()) return;
+    if (folded.empty()) return true;
     for (const int k : folded) {
       const int c = k % nx, r = k / nx;
       const auto* at = &out.restFromSeen[k];
@@ -87,11 +87,12 @@ void unfold(PlaneDisplacement& out, std::vector<int>& folded) {
                              (left.z_mm + right.z_mm + above.z_mm + below.z_mm) / 4};
     }
   }
+  return false;
 }
 
 }  // namespace
 
-void invertMesh(const Mesh& mesh, const Nodes& now, const InverseMapExtent& extent, std::vector<int>& folded,
+bool invertMesh(const Mesh& mesh, const Nodes& now, const InverseMapExtent& extent, std::vector<int>& folded,
                 PlaneDisplacement& out) {
   out.step_mm = extent.step_mm;
   out.left_mm = -extent.half_mm;
@@ -119,7 +120,7 @@ void invertMesh(const Mesh& mesh, const Nodes& now, const InverseMapExtent& exte
       }
     }
   fillRest(out);
-  unfold(out, folded);
+  return unfold(out, folded);
 }
 
 }  // namespace insonate::elastic

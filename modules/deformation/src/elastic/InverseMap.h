@@ -12,8 +12,8 @@ namespace insonate::elastic {
 struct InverseMapExtent {
   float half_mm = 30, top_mm = -5, bottom_mm = 50, step_mm = 0.5f;
 };
-/// `folded` is a buffer.
-void invertMesh(const Mesh& mesh, const Nodes& now, const InverseMapExtent& extent, std::vector<int>& folded,
+/// `folded` is a buffer. False where a mesh is turned over so widely that the displacement is not one-to-one.
+bool invertMesh(const Mesh& mesh, const Nodes& now, const InverseMapExtent& extent, std::vector<int>& folded,
                 PlaneDisplacement& displacement);
 
 }  // namespace insonate::elastic
