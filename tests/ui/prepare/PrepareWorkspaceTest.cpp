@@ -133,7 +133,8 @@ TEST_F(PrepareWindow, TheUltrasoundFollowsTheCrosshair) {
   ASSERT_TRUE(first);
   EXPECT_GT(std::ranges::max(first->image.grey), 40) << "something is seen";
   session_->setCrosshair({12, 15, 0});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return session_->live().isSettled(); }, kPatience_ms));
+  const auto atRest = [&] { return session_->live().isSettled() && session_->live().shown()->press.settled; };
+  ASSERT_TRUE(QTest::qWaitFor(atRest, kPatience_ms));
   const Vec3 probe_mm = session_->live().shown()->patientFromProbe.offset;
   EXPECT_NEAR(probe_mm.x, 12, 1.5);
   EXPECT_NEAR(probe_mm.y, 0, 1.5) << "on the skin";
