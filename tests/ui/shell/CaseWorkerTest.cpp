@@ -11,6 +11,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 
 namespace {
 
@@ -63,6 +64,28 @@ TEST(CaseWorker, GoesWithoutWaitingForItsStepAndNothingComesLater) {
   EXPECT_EQ(came, 0);
 }
 
+/// The scan cuts the body in front, and its only skin looks to the head: away from where skin is looked for first.
+TEST(CaseWorker, AProbeThatIsToBePlacedStandsSquareToTheSkin) {
+  auto patient = std::make_shared<PatientCase>(test::smallCase());
+  patient->manifest.startPoses.clear(), patient->manifest.targets.clear();
+  const auto& size = patient->labels.geometry.size;
+  for (int k = 0; k < size[2]; ++k)
+    for (int j = 0; j < size[1]; ++j)
+      for (int i = 0; i < size[0]; ++i) {
+        patient->labels.at(i, j, k) = k < 12 ? kSoftTissue : kBackground;
+        patient->ct.at(i, j, k) = k < 12 ? 30 : -1000;
+      }
+  std::optional<ProbeHandState> held;
+  ui::CaseWork work;
+  work.hand = [](const ProbeHand&) { FAIL() << "a start was found"; };
+  work.unplaced = [&](const ProbeHand& hand, const QString&) { held = hand.state(); };
+  const ui::CaseWorker worker(patient, work, {});
+  ASSERT_TRUE(test::waitUntil([&] { return held.has_value(); }));
+  EXPECT_NEAR(held->inward.z, -1, 1e-6);
+  EXPECT_NEAR(held->tilt_deg, 0, 1e-6);
+  EXPECT_NEAR(held->rock_deg, 0, 1e-6);
+}
+
 TEST(CaseWorker, AReplacedProbeEndsByItself) {
   auto patient = std::make_shared<const PatientCase>(test::smallCase());
   const std::weak_ptr<const PatientCase> held = patient;
@@ -75,7 +98,7 @@ TEST(CaseWorker, AReplacedProbeEndsByItself) {
   int news = 0;
   ui::LiveFeed feed([&] { ++news; });
   for (int times = 0; times < 3; ++times) feed.set(LiveImaging::make(patient, setup, pose).value());
-  EXPECT_TRUE(test::waitUntil([&] { return feed.live()->latest() != nullptr && news > 0; }, 60000));
+  EXPECT_TRUE(test::waitUntil([&] { return feed.live()->latest() != nullptr && news > 0; }, test::kPatience_ms));
   feed.set(nullptr);
   EXPECT_FALSE(ui::waitForJobs(milliseconds(0))) << "the window waited";
   patient.reset();
