@@ -1,6 +1,8 @@
 #include "TrainWindow.h"
 #include "files/ScaledPicture.h"
 
+#include <QAction>
+
 namespace insonate::train {
 namespace {
 
@@ -40,28 +42,80 @@ TEST_F(SavedPicture, HasCallipersWhereTheyWereAndWhatTheyMeasureBelow) {
   EXPECT_GT(written, 100);
 }
 
-TEST_F(SavedPicture, IsWrittenWithTheMeasurementsOfTheView) {
-  test::TemporaryFolder folder;
-  int written = 0;
-  QObject::connect(workspace_.get(), &ui::Workspace::written, [&] { ++written; });
-  openCase();
-  key(Qt::Key_Space);  // one and the same picture
-  const auto saved = [&](const char* name) {
-    const int before = written;
-    workspace_->savePicture(folder / name);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return written > before; }, kPatience_ms));
-    return QImage(QString::fromStdString((folder / name).string()));
-  };
-  const QImage plain = saved("plain.png");
-  EXPECT_EQ(plain, scaledPicture(session_->shown()->image));
-  key(Qt::Key_L);
-  const QPoint middle = canvas_->rect().center();
-  drag(Qt::LeftButton, middle, middle + QPoint(60, 20));
-  const QImage measured = saved("measured.png");
-  EXPECT_GT(measured.height(), plain.height());
-  EXPECT_NE(measured.copy(plain.rect()), plain);
+/// Of a frozen picture of a case.
+class SavedFromTheWindow : public SavedPicture {
+ protected:
+  void SetUp() override {
+    TrainWindow::SetUp();
+    QObject::connect(workspace_.get(), &ui::Workspace::written, [this] { ++written_; });
+    openCase();
+    key(Qt::Key_Space);  // one and the same picture
+    plain_ = scaledPicture(session_->shown()->image);
+  }
+  void measure() {
+    key(Qt::Key_L);
+    const QPoint middle = canvas_->rect().center();
+    drag(Qt::LeftButton, middle, middle + QPoint(60, 20));
+  }
+  using Save = void (TrainWorkspace::*)(const std::filesystem::path&);
+  std::filesystem::path saved(const char* name, Save save) {
+    const int before = written_;
+    (*workspace_.*save)(folder_ / name);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return written_ > before; }, kPatience_ms)) << name;
+    return folder_ / name;
+  }
+  QImage picture(const char* name) { return read(saved(name, &TrainWorkspace::savePicture)); }
+  static QImage read(const std::filesystem::path& file) { return QImage(QString::fromStdString(file.string())); }
+
+  test::TemporaryFolder folder_;
+  int written_ = 0;
+  QImage plain_;
+};
+
+TEST_F(SavedFromTheWindow, PictureHasTheMeasurementsUnlessTheyAreNotWanted) {
+  EXPECT_EQ(picture("plain.png"), plain_);
+  measure();
+  const QImage measured = picture("measured.png");
+  EXPECT_GT(measured.height(), plain_.height());
+  EXPECT_NE(measured.copy(plain_.rect()), plain_);
+  child<QAction>("withMeasurements")->trigger();
+  EXPECT_EQ(picture("without.png"), plain_);
+  child<QAction>("withMeasurements")->trigger();
+  EXPECT_EQ(picture("with.png"), measured);
   key(Qt::Key_Delete);
-  EXPECT_EQ(saved("again.png"), plain);
+  EXPECT_EQ(picture("again.png"), plain_);
+}
+
+TEST_F(SavedFromTheWindow, EveryPictureOfAClipHasTheMeasurementsUnlessTheyAreNotWanted) {
+  measure();
+  const QImage measured = picture("measured.png");
+  for (const bool wanted : {true, false}) {
+    const auto clip = saved(wanted ? "with" : "without", &TrainWorkspace::saveClip);
+    const auto& frames = session_->cine();
+    for (std::size_t n = 0; n < frames.size(); ++n) {
+      char name[24];
+      std::snprintf(name, sizeof name, "picture-%04d.png", int(n) + 1);
+      const QImage frame = read(clip / name), without = scaledPicture(frames[n]->image);
+      EXPECT_EQ(frame == without, !wanted) << name;
+      EXPECT_EQ(frame.height(), (wanted ? measured : without).height()) << name;
+    }
+    child<QAction>("withMeasurements")->trigger();
+  }
+}
+
+TEST_F(SavedFromTheWindow, ScreenHasWhatStandsOverThePictureAndTheCtBesideIt) {
+  const auto screen = [this](const char* name) { return read(saved(name, &TrainWorkspace::saveScreen)); };
+  const QImage alone = screen("alone.png");
+  EXPECT_EQ(alone.size(), canvas_->parentWidget()->size() * canvas_->devicePixelRatioF());
+  measure();
+  QTest::qWait(100);  // until it is drawn
+  EXPECT_NE(screen("measured.png"), alone);
+  key(Qt::Key_C);
+  auto* beside = child<ui::ViewWidget>("ctBeside");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return beside->isVisible() && beside->renderings() > 0; }, kPatience_ms));
+  const QImage both = screen("both.png");
+  const QPoint slice = beside->geometry().center() * both.devicePixelRatioF();
+  EXPECT_GT(qGray(both.pixel(slice)), 20) << "tissue of the CT";
 }
 
 }  // namespace

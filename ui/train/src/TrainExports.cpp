@@ -1,5 +1,8 @@
 // The part of the workspace that writes pictures and clips.
 #include "TrainParts.h"
+#include "files/ScaledPicture.h"
+#include "image/CineBar.h"
+#include "image/EqualPanes.h"
 #include "image/ImageInput.h"
 
 #include <insonate/ui/TaskBar.h>
@@ -7,11 +10,15 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <utility>
 
 namespace insonate::train {
 
-void TrainWorkspace::Parts::savePicture(const std::filesystem::path& file) {
-  if (!session.shown()) return session.say(tr("There is no picture yet."));
+std::vector<views::Calliper> TrainWorkspace::Parts::measurements() const {
+  return cine_->savesMeasurements() ? input_->callipers().done() : std::vector<views::Calliper>();
+}
+
+void TrainWorkspace::Parts::startWriting(std::function<QImage()> make, const std::filesystem::path& file) {
   // Those before have long ended, or are waited for.
   constexpr std::size_t kAtOnce = 4;
   if (writers_.size() >= kAtOnce) writers_.erase(writers_.begin());
@@ -22,7 +29,18 @@ void TrainWorkspace::Parts::savePicture(const std::filesystem::path& file) {
     else
       Q_EMIT workspace_.failed(QString::fromStdString(result.error().message), tr("The picture is still shown."), {});
   };
-  writers_.push_back(std::make_unique<PictureWriter>(session.shown(), input_->callipers().done(), file, ended));
+  writers_.push_back(std::make_unique<PictureWriter>(std::move(make), file, ended));
+}
+
+void TrainWorkspace::Parts::savePicture(const std::filesystem::path& file) {
+  if (!session.shown()) return session.say(tr("There is no picture yet."));
+  startWriting([frame = session.shown(), callipers = measurements()] { return scaledPicture(frame->image, callipers); },
+               file);
+}
+
+void TrainWorkspace::Parts::saveScreen(const std::filesystem::path& file) {
+  if (!session.shown()) return session.say(tr("There is no picture yet."));
+  startWriting([screen = pictures_->grab().toImage()] { return screen; }, file);
 }
 
 void TrainWorkspace::Parts::saveClip(const std::filesystem::path& folder) {
@@ -32,7 +50,9 @@ void TrainWorkspace::Parts::saveClip(const std::filesystem::path& folder) {
   if (tasks.isRunning()) return session.say(tr("Wait until the other job is done, or cancel it."));
   tasks.run<int>(
       tr("Saving the clip"),
-      [frames = session.cine(), folder](const Progress& progress) { return writeClip(frames, folder, progress); },
+      [frames = session.cine(), callipers = measurements(), folder](const Progress& progress) {
+        return writeClip(frames, callipers, folder, progress);
+      },
       [this, folder](Result<int> result) {
         if (result)
           Q_EMIT workspace_.written(tr("Clip saved as a folder of %1 PNG pictures.").arg(*result),
@@ -46,20 +66,32 @@ void TrainWorkspace::Parts::saveClip(const std::filesystem::path& folder) {
       ui::TaskBar::WhenClosed::Ask);
 }
 
+QString TrainWorkspace::Parts::askFile(const QString& title, const QString& ending) {
+  const QString name = exportName(QString::fromStdString(session.patient()->manifest.title)) + ending;
+  QString file =
+      QFileDialog::getSaveFileName(&workspace_, title, QDir(exportFolder).filePath(name), tr("PNG picture (*.png)"));
+  if (file.isEmpty()) return {};
+  if (QFileInfo(file).suffix().isEmpty()) file += ".png";
+  exportFolder = QFileInfo(file).path();
+  return file;
+}
+
 void TrainWorkspace::Parts::askPicture() {
   if (!session.shown()) return session.say(tr("There is no picture yet."));
   const bool wasFrozen = session.isFrozen();
   session.setFrozen(true);  // The picture that the user saw, whatever the dialog takes.
-  const QString name = exportName(QString::fromStdString(session.patient()->manifest.title)) + ".png";
-  QString file = QFileDialog::getSaveFileName(&workspace_, tr("Save the picture"), QDir(exportFolder).filePath(name),
-                                              tr("PNG picture (*.png)"));
-  if (!file.isEmpty()) {
-    if (QFileInfo(file).suffix().isEmpty()) file += ".png";
-    exportFolder = QFileInfo(file).path();
-    savePicture(file.toStdString());
-  }
+  const QString file = askFile(tr("Save the picture"), ".png");
+  if (!file.isEmpty()) savePicture(file.toStdString());
   // What was measured goes with the picture it lies on.
   if (!wasFrozen && input_->callipers().done().empty()) session.setFrozen(false);
+}
+
+void TrainWorkspace::Parts::askScreen() {
+  if (!session.shown()) return session.say(tr("There is no picture yet."));
+  // As it was when it was asked for, whatever the dialog takes.
+  const QImage screen = pictures_->grab().toImage();
+  const QString file = askFile(tr("Save what the screen shows of the picture"), "-screen.png");
+  if (!file.isEmpty()) startWriting([screen] { return screen; }, file.toStdString());
 }
 
 void TrainWorkspace::Parts::askClip() {

@@ -178,6 +178,7 @@ void TrainWorkspace::Parts::connectParts() {
   connect(cine_, &CineBar::ctBesideChosen, this, [this](bool on) { setCtBeside(on); });
   connect(&session, &TrainSession::setupChanged, this, [this] { showNotice(); });
   connect(cine_, &CineBar::savePicture, this, [this] { askPicture(); });
+  connect(cine_, &CineBar::saveScreen, this, [this] { askScreen(); });
   connect(cine_, &CineBar::saveClip, this, [this] { askClip(); });
   connect(&rate_, &QTimer::timeout, this, [this] { showRate(); });
   showCase();

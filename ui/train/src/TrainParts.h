@@ -73,6 +73,7 @@ class TrainWorkspace::Parts : public QObject {
   /// For canvases: keys of the table, and the keyboard follows the mouse to the picture.
   bool canvasEvent(QObject* canvas, QEvent* event);
   void savePicture(const std::filesystem::path& file);
+  void saveScreen(const std::filesystem::path& file);
   void saveClip(const std::filesystem::path& folder);
   void measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done);
   OrbitRates measureOrbit(int steps);
@@ -99,6 +100,10 @@ class TrainWorkspace::Parts : public QObject {
   void editProbe(bool on);
   void fitToPicture();
   void askPicture();
+  void askScreen();
+  QString askFile(const QString& title, const QString& ending);
+  void startWriting(std::function<QImage()> make, const std::filesystem::path& file);
+  std::vector<views::Calliper> measurements() const;
   void askClip();
 
   TrainWorkspace& workspace_;

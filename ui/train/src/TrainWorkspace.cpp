@@ -116,6 +116,10 @@ void TrainWorkspace::savePicture(const std::filesystem::path& file) {
   parts_->savePicture(file);
 }
 
+void TrainWorkspace::saveScreen(const std::filesystem::path& file) {
+  parts_->saveScreen(file);
+}
+
 void TrainWorkspace::saveClip(const std::filesystem::path& folder) {
   parts_->saveClip(folder);
 }

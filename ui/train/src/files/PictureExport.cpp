@@ -5,7 +5,6 @@
 #include <insonate/core/AtomicFile.h>
 
 #include <QDateTime>
-#include <span>
 #include <utility>
 
 namespace insonate::train {
@@ -29,9 +28,9 @@ class FolderInWork {
   fs::path path_;
 };
 
-Result<void> write(const BModeImage& image, std::span<const views::Calliper> callipers, const fs::path& file) {
+Result<void> write(const QImage& picture, const fs::path& file) {
   return writeAtomically(file, [&](const fs::path& beside) -> Result<void> {
-    if (scaledPicture(image, callipers).save(QString::fromStdString(beside.string()), "PNG")) return {};
+    if (picture.save(QString::fromStdString(beside.string()), "PNG")) return {};
     return fail("Could not write " + file.string() +
                 ": the disk is full or the folder cannot be written. Free space or choose another folder.");
   });
@@ -46,11 +45,9 @@ QString exportName(const QString& caseTitle) {
   return name + QDateTime::currentDateTime().toString("-yyyyMMdd-HHmmss");
 }
 
-PictureWriter::PictureWriter(std::shared_ptr<const LiveFrame> frame, std::vector<views::Calliper> callipers,
-                             fs::path file, std::function<void(Result<void>)> ended) {
-  thread_ = std::thread([this, frame = std::move(frame), callipers = std::move(callipers), file = std::move(file),
-                         ended = std::move(ended)] {
-    const Result<void> result = write(frame->image, callipers, file);
+PictureWriter::PictureWriter(std::function<QImage()> make, fs::path file, std::function<void(Result<void>)> ended) {
+  thread_ = std::thread([this, make = std::move(make), file = std::move(file), ended = std::move(ended)] {
+    const Result<void> result = write(make(), file);
     QMetaObject::invokeMethod(
         this, [ended, result] { ended(result); }, Qt::QueuedConnection);
   });
@@ -60,8 +57,8 @@ PictureWriter::~PictureWriter() {
   thread_.join();
 }
 
-Result<int> writeClip(const std::vector<std::shared_ptr<const LiveFrame>>& frames, const fs::path& folder,
-                      const Progress& progress) {
+Result<int> writeClip(const std::vector<std::shared_ptr<const LiveFrame>>& frames,
+                      std::span<const views::Calliper> callipers, const fs::path& folder, const Progress& progress) {
   std::error_code error;
   if (fs::exists(folder, error))
     return fail("There is already something named " + folder.string() + "; choose another name.");
@@ -75,7 +72,8 @@ Result<int> writeClip(const std::vector<std::shared_ptr<const LiveFrame>>& frame
     if (!report(progress, "writing pictures", double(written) / double(frames.size())))
       return fail(std::string(kCancelled));
     const QString name = QStringLiteral("picture-%1.png").arg(written + 1, 4, 10, QChar('0'));
-    if (auto ok = write(frame->image, {}, beside.path() / name.toStdString()); !ok) return tl::unexpected(ok.error());
+    if (auto ok = write(scaledPicture(frame->image, callipers), beside.path() / name.toStdString()); !ok)
+      return tl::unexpected(ok.error());
     ++written;
   }
   fs::rename(beside.path(), folder, error);

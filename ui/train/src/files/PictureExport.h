@@ -5,11 +5,13 @@
 #include <insonate/simulator/LiveImaging.h>
 #include <insonate/views/Calliper.h>
 
+#include <QImage>
 #include <QObject>
 #include <QString>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <span>
 #include <thread>
 #include <vector>
 
@@ -18,22 +20,23 @@ namespace insonate::train {
 /// A file name for what is on display: case, date and time; without extension, fit for every file system.
 QString exportName(const QString& caseTitle);
 
-/// Writes one picture with its scale, and what is measured in it, as PNG on a thread of its own. `ended` is called on
-/// the window's thread, unless the writer has gone before; its destructor waits for the file, which is there as a whole
-/// or not at all.
+/// Writes a picture as PNG on a thread of its own, where `make` is called, too. `ended` is called on the window's
+/// thread, unless the writer has gone before; its destructor waits for the file, which is there as a whole or not at
+/// all.
 class PictureWriter : public QObject {
  public:
-  PictureWriter(std::shared_ptr<const LiveFrame> frame, std::vector<views::Calliper> callipers,
-                std::filesystem::path file, std::function<void(Result<void>)> ended);
+  PictureWriter(std::function<QImage()> make, std::filesystem::path file, std::function<void(Result<void>)> ended);
   ~PictureWriter() override;
 
  private:
   std::thread thread_;
 };
 
-/// Writes pictures as picture-0001.png, picture-0002.png, ... into a new folder and returns how many. The folder is
-/// there when all of them are; cancelled or failed, nothing is left. Refuses a folder that exists.
-Result<int> writeClip(const std::vector<std::shared_ptr<const LiveFrame>>& frames, const std::filesystem::path& folder,
+/// Writes pictures with their scale, and what is measured over each of them, as picture-0001.png, picture-0002.png, ...
+/// into a new folder and returns how many. The folder is there when all of them are; cancelled or failed, nothing is
+/// left. Refuses a folder that exists.
+Result<int> writeClip(const std::vector<std::shared_ptr<const LiveFrame>>& frames,
+                      std::span<const views::Calliper> callipers, const std::filesystem::path& folder,
                       const Progress& progress);
 
 }  // namespace insonate::train

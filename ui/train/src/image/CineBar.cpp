@@ -61,10 +61,8 @@ CineBar::CineBar(TrainSession& session, QWidget* parent)
   row->addWidget(beside_);
   connect(beside_, &QPushButton::clicked, this, &CineBar::ctBesideChosen);
   save_->setToolTip(tr("Save the picture (Ctrl+P), or the last seconds"));
-  auto* menu = new QMenu(save_);
-  menu->addAction(tr("Picture ..."), this, &CineBar::savePicture);
-  menu->addAction(tr("Clip of the last seconds (a folder of pictures) ..."), this, &CineBar::saveClip);
-  save_->setMenu(menu);
+  save_->setObjectName("save");
+  save_->setMenu(buildSaving());
   save_->setFocusPolicy(Qt::TabFocus);
   row->addWidget(save_);
 
@@ -88,6 +86,28 @@ QMenu* CineBar::buildMeasures() {
   auto* clear = menu->addAction(tr("Remove all\tDelete"));
   connect(clear, &QAction::triggered, this, &CineBar::clearCallipers);
   return menu;
+}
+
+QMenu* CineBar::buildSaving() {
+  auto* menu = new QMenu(save_);
+  menu->setToolTipsVisible(true);
+  menu->addAction(tr("Picture ...\tCtrl+P"), this, &CineBar::savePicture)
+      ->setToolTip(tr("At its own resolution, with its depth scale in mm"));
+  menu->addAction(tr("As on the screen ..."), this, &CineBar::saveScreen)
+      ->setToolTip(tr("With all that is shown over the picture, and the CT beside it"));
+  menu->addAction(tr("Clip of the last seconds ..."), this, &CineBar::saveClip)
+      ->setToolTip(tr("A folder of numbered pictures"));
+  menu->addSeparator();
+  withMeasurements_ = menu->addAction(tr("With measurements"));
+  withMeasurements_->setObjectName("withMeasurements");
+  withMeasurements_->setToolTip(tr("Picture and clip show what is measured, as the screen does"));
+  withMeasurements_->setCheckable(true);
+  withMeasurements_->setChecked(true);
+  return menu;
+}
+
+bool CineBar::savesMeasurements() const {
+  return withMeasurements_->isChecked();
 }
 
 void CineBar::setCalliper(int kind) {

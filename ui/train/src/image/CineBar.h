@@ -25,16 +25,20 @@ class CineBar : public QWidget {
   void setCtBeside(bool shown);
   /// Takes as little width as it can.
   void setCompact(bool compact);
+  /// Whether what is measured goes into what is saved.
+  bool savesMeasurements() const;
 
  Q_SIGNALS:
   void calliperChosen(int kind);
   void clearCallipers();
   void ctBesideChosen(bool shown);
   void savePicture();
+  void saveScreen();  ///< the picture as it is seen, with what stands beside and over it
   void saveClip();
 
  private:
   QMenu* buildMeasures();
+  QMenu* buildSaving();
   void refresh();
   void refreshTime();
 
@@ -42,6 +46,7 @@ class CineBar : public QWidget {
   QSlider* slider_;
   QLabel* time_;
   QAction* measures_[3];
+  QAction* withMeasurements_ = nullptr;
   bool compact_ = false;
   QPushButton *measure_, *beside_, *save_;
 };

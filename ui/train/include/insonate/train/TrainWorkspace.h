@@ -34,9 +34,13 @@ class TrainWorkspace : public ui::Workspace {
   void restoreLayout(QSettings& settings) override;
   void stop() override;
 
-  /// The picture on display as PNG with its scale. Goes on in the background; written() or failed() tell the end.
+  /// The picture on display as PNG with its scale, and with what is measured unless the user does not want it. Goes on
+  /// in the background; written() or failed() tell the end.
   void savePicture(const std::filesystem::path& file);
-  /// The last seconds as numbered PNGs in a new folder, as one of tasks(); written() or failed() tell the end.
+  /// The same of all that the screen shows of it, the CT beside it included, at the screen's resolution.
+  void saveScreen(const std::filesystem::path& file);
+  /// The last seconds as numbered PNGs like that of savePicture() in a new folder, as one of tasks(); written() or
+  /// failed() tell the end.
   void saveClip(const std::filesystem::path& folder);
 
   /// Moves the linear probe with its own settings for a while and times the pictures on the screen, while 3D and CT
