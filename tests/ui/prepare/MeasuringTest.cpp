@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <support/SmallCase.h>
+#include <ui/support/Patience.h>
 
 #include <QtTest/QTest>
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace insonate::prepare {
 namespace {
 
 using State = CaseMeasuring::State;
-constexpr int kPatience_ms = 20000;
+using test::kPatience_ms;
 
 std::shared_ptr<const PatientCase> patient() {
   return std::make_shared<const PatientCase>(test::smallCase());

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <support/SmallCase.h>
 #include <support/TestData.h>
+#include <ui/support/Patience.h>
 
 #include <QAction>
 #include <QApplication>
@@ -30,7 +31,7 @@
 
 namespace insonate::prepare {
 
-inline constexpr int kPatience_ms = 60000;
+using test::kPatience_ms;
 inline constexpr int kEye = 0, kColour = 1, kName = 2, kVolume = 3;
 
 /// The workspace by itself, shown, with a small case.

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <support/SmallCase.h>
 #include <support/TestData.h>
+#include <ui/support/Patience.h>
 #include <unistd.h>
 
 #include <QAction>
@@ -24,7 +25,7 @@ namespace insonate::prepare {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int kPatience_ms = 60000;
+using test::kPatience_ms;
 constexpr views::Colour kChosen{12, 34, 56};
 
 class Saving : public testing::Test {

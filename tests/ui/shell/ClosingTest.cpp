@@ -94,7 +94,8 @@ class ClosingAtWork : public testing::Test {
   }
   void openCase() {
     window->open(test::writtenSmallCase(home, "block"));
-    ASSERT_TRUE(test::waitUntil([&] { return window->isReady(); }, 60000)) << window->statusText().toStdString();
+    ASSERT_TRUE(test::waitUntil([&] { return window->isReady(); }, test::kPatience_ms))
+        << window->statusText().toStdString();
   }
 
   QTemporaryDir home;
@@ -146,7 +147,7 @@ TEST_F(ClosingAtWork, AnotherCaseTakesAnUnsavedOnesPlaceOnlyWhenToldTo) {
   EXPECT_EQ(window->current().patient, made);
   window->open(other);
   press("Go on without saving");
-  EXPECT_TRUE(test::waitUntil([&] { return window->current().folder == other; }, 60000));
+  EXPECT_TRUE(test::waitUntil([&] { return window->current().folder == other; }, test::kPatience_ms));
   window->open(other);
   EXPECT_FALSE(question()) << "this one is on disk";
 }
@@ -160,7 +161,7 @@ TEST_F(ClosingAtWork, AnUnsavedCaseIsSavedBeforeAnotherTakesItsPlace) {
   ASSERT_TRUE(question());
   test::answerSaveDialog(*window, target);
   press("Save case as ...");
-  EXPECT_TRUE(test::waitUntil([&] { return window->current().folder == other; }, 60000));
+  EXPECT_TRUE(test::waitUntil([&] { return window->current().folder == other; }, test::kPatience_ms));
   const auto kept = readCase(target.toStdString());
   ASSERT_TRUE(kept) << kept.error().message;
   EXPECT_EQ(kept->patient.manifest.title, "Imported");
@@ -173,7 +174,7 @@ TEST_F(ClosingAtWork, AnotherCaseStopsAnImportOnlyWhenToldTo) {
   ASSERT_TRUE(question());
   EXPECT_EQ(window->tasks().title(), "Importing a CT");
   press("Stop and go on");
-  EXPECT_TRUE(test::waitUntil([&] { return window->current().folder == other; }, 60000));
+  EXPECT_TRUE(test::waitUntil([&] { return window->current().folder == other; }, test::kPatience_ms));
 }
 
 TEST_F(ClosingAtWork, ControlSSavesInEveryWorkspace) {
@@ -186,7 +187,7 @@ TEST_F(ClosingAtWork, ControlSSavesInEveryWorkspace) {
     test::answerSaveDialog(*window, target);
     ASSERT_TRUE(test::waitUntil([&] { return window->saveAction()->isEnabled(); }));
     QTest::keyClick(window->focusWidget() ? window->focusWidget() : window.get(), Qt::Key_S, Qt::ControlModifier);
-    EXPECT_TRUE(test::waitUntil([&] { return window->current().folder == target; }, 60000)) << room;
+    EXPECT_TRUE(test::waitUntil([&] { return window->current().folder == target; }, test::kPatience_ms)) << room;
     EXPECT_FALSE(window->saveAction()->isEnabled()) << "nothing to save";
   }
 }

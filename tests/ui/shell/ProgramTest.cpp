@@ -27,7 +27,7 @@ Outcome run(const QStringList& arguments, const QString& display = qEnvironmentV
   environment.insert("DISPLAY", display);
   program.setProcessEnvironment(environment);
   program.start(INSONATE_PROGRAM, arguments);
-  if (!program.waitForFinished(120'000)) program.kill();
+  if (!program.waitForFinished(2 * test::kPatience_ms)) program.kill();
   if (program.exitStatus() != QProcess::NormalExit) return {};
   return {program.exitCode(), QString::fromUtf8(program.readAllStandardError())};
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <ui/support/Patience.h>
+
 #include <QString>
 #include <functional>
 
@@ -9,7 +11,7 @@ class QWidget;
 namespace insonate::test {
 
 /// Lets the window live until the condition holds; false when it does not within the time.
-bool waitUntil(const std::function<bool()>& condition, int longest_ms = 20'000);
+bool waitUntil(const std::function<bool()>& condition, int longest_ms = kPatience_ms);
 
 /// Writes tests/support/SmallCase.h to a folder of that name in `home`; the folder's path.
 QString writtenSmallCase(const QTemporaryDir& home, const QString& name);

@@ -42,10 +42,18 @@ class Application : public testing::Environment {
   std::unique_ptr<QApplication> application_;
 };
 
+/// A fatal failure ends the test also from within what it calls: a wait that was in vain is not gone on from.
+class EndsTheTest : public testing::EmptyTestEventListener {
+  void OnTestPartResult(const testing::TestPartResult& result) override {
+    if (result.type() == testing::TestPartResult::kFatalFailure) throw testing::AssertionException(result);
+  }
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   testing::AddGlobalTestEnvironment(new Application);
+  testing::UnitTest::GetInstance()->listeners().Append(new EndsTheTest);  // last, after what prints
   return RUN_ALL_TESTS();
 }

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <support/SmallCase.h>
 #include <support/TestData.h>
+#include <ui/support/Patience.h>
 
 #include <QApplication>
 #include <QComboBox>
@@ -27,7 +28,7 @@
 
 namespace insonate::train {
 
-inline constexpr int kPatience_ms = 60000;
+using test::kPatience_ms;
 
 class TrainWindow : public testing::Test {
  protected:
