@@ -1,5 +1,6 @@
 #include "Commands.h"
 #include "Interrupt.h"
+#include "NeedleOptions.h"
 #include "Presser.h"
 #include "RenderOutputs.h"
 
@@ -25,6 +26,7 @@ struct RenderOptions {
   std::string caseFolder, probe = "linear", pose = "auto", engine = "auto", tissues, settings, look;
   OutputTargets targets;
   PressOptions press;
+  NeedleOptions needle;
   bool json = false;
 };
 
@@ -34,6 +36,7 @@ struct RenderJob {
   ImagingSetup setup;
   PosePath path;
   PressPlan press;
+  NeedlePlan needle;
   std::vector<std::string> warnings;
 };
 
@@ -64,12 +67,14 @@ Result<RenderJob> readJob(const RenderOptions& options) {
   auto press = readPress(options.press, !options.targets.displacement.empty());
   if (!press) return tl::unexpected(press.error());
   setup->mechanics = press->mechanics;
+  auto needle = readNeedle(options.needle);
+  if (!needle) return tl::unexpected(needle.error());
   auto read = readCase(options.caseFolder);
   if (!read) return tl::unexpected(read.error());
   auto path = readPoses(options.pose, read->patient);
   if (!path) return tl::unexpected(path.error());
-  RenderJob job{std::move(read->patient), std::move(*setup), std::move(*path), std::move(*press),
-                std::move(read->notes)};
+  RenderJob job{std::move(read->patient), std::move(*setup),  std::move(*path),
+                std::move(*press),        std::move(*needle), std::move(read->notes)};
   if (auto ok = checkReach(job.patient, job.setup, job.path.patientFromProbe); !ok) return tl::unexpected(ok.error());
   auto onSkin = Presser::onSkin(job.press, job.patient.labels, job.setup, job.path.patientFromProbe);
   if (!onSkin) return tl::unexpected(onSkin.error());
@@ -87,6 +92,10 @@ nlohmann::json jsonOf(Vec3 v) {
 nlohmann::json jsonOf(const Transform& patientFromProbe) {
   const StartPose pose = poseOf(patientFromProbe);
   return {{"position_mm", jsonOf(pose.position_mm)}, {"axial", jsonOf(pose.axial)}, {"lateral", jsonOf(pose.lateral)}};
+}
+
+nlohmann::json jsonOf(const Needle& needle) {
+  return {{"tip_mm", jsonOf(needle.tip_mm)}, {"direction", jsonOf(needle.direction)}};
 }
 
 nlohmann::json stagesOf(const ImagingFrame& frame) {
@@ -175,7 +184,8 @@ class PathRenderer {
       if (!files) return tl::unexpected(files.error());
       image["layers"] = *files;
     }
-    imager.render(scene, pose, presser.displacement(), frame_);
+    renderWithNeedle(imager, scene, presser, frame_);
+    if (job_.needle.needle) image["needle"] = jsonOf(job_.needle.needleAt(pose));
     if (isBlack(frame_.image))
       warn("The picture" + (job_.path.isPath ? " of pose " + std::to_string(index) : std::string()) +
            " is black: the probe touches no tissue; move it onto the skin.");
@@ -188,10 +198,20 @@ class PathRenderer {
     }
     if (!targets.displacement.empty()) {
       image["displacement"] = targets.displacement;
-      if (auto ok = writeDisplacement(presser.field(), pose, targets.displacement); !ok) return ok;
+      const PlaneDisplacement field = presser.field();
+      if (auto ok = writeDisplacement(job_.needle.dented(field, dent_, pose), pose, targets.displacement); !ok)
+        return ok;
     }
     images_.push_back(std::move(image));
     return writePng(frame_.image, targets.picture);
+  }
+
+  void renderWithNeedle(Imager& imager, const AcousticScene& scene, const Presser& presser, ImagingFrame& frame) {
+    const Transform& pose = presser.pose();
+    const PlaneDisplacement& displacement = job_.needle.dented(presser.displacement(), dent_, pose);
+    if (!job_.needle.needle) return imager.render(scene, pose, displacement, nullptr, frame);
+    const Needle needle = job_.needle.needleAt(pose);
+    imager.render(scene, pose, displacement, &needle, frame);
   }
 
   Result<nlohmann::json> writeLayers(const AcousticScene& scene, const Presser& presser, const OutputTargets& targets) {
@@ -204,7 +224,7 @@ class PathRenderer {
       auto imager = Imager::make(setup);
       if (!imager) return tl::unexpected(imager.error());
       ImagingFrame frame;
-      imager->render(scene, presser.pose(), presser.displacement(), frame);
+      renderWithNeedle(*imager, scene, presser, frame);
       const std::string name = layer.name + targets.suffix + ".png";
       files[layer.name] = targets.layers + "/" + name;
       pictures[name] = std::move(frame.image);
@@ -216,6 +236,7 @@ class PathRenderer {
   const RenderJob& job_;
   const OutputTargets& targets_;
   ImagingFrame frame_;
+  TentedTissue dent_;
   std::vector<nlohmann::json> images_;
   std::vector<std::string> warnings_;
   std::set<std::string> warned_;
@@ -256,6 +277,7 @@ void addRenderCommand(CLI::App& app, Outcome& outcome) {
   command->add_option("--displacement", options->targets.displacement,
                       "NRRD to write: vectors from where tissue is seen to where it lay at rest, mm, patient LPS");
   options->press.addTo(*command);
+  options->needle.addTo(*command);
   command->add_flag("--json", options->json, "Print a JSON object with times and warnings");
   command->callback([options, &outcome] { render(*options, outcome); });
 }

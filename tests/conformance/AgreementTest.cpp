@@ -20,9 +20,10 @@ std::vector<std::string> otherEngines() {
 class Agreement : public EngineTest {
  protected:
   void expectAgreement(const Probe& probe, const ImagingSettings& settings, const AcousticScene& scene,
-                       const Transform& pose, const std::string& what, const PlaneDisplacement& displacement = {}) {
-    const EnvelopeFrame truth = renderWith("reference", probe, settings, scene, pose, displacement);
-    const EnvelopeFrame frame = renderWith(GetParam(), probe, settings, scene, pose, displacement);
+                       const Transform& pose, const std::string& what, const PlaneDisplacement& displacement = {},
+                       const std::optional<Needle>& needle = {}) {
+    const EnvelopeFrame truth = renderWith("reference", probe, settings, scene, pose, displacement, needle);
+    const EnvelopeFrame frame = renderWith(GetParam(), probe, settings, scene, pose, displacement, needle);
     ASSERT_EQ(frame.amplitude.size(), truth.amplitude.size()) << what;
     const double error = relativeError(frame, truth);
     EXPECT_LT(error, 0.005) << what;
@@ -173,6 +174,34 @@ TEST_P(Agreement, OfDisplacedTissue) {
           expectAgreement(probe, settings, *scene, onSkin(pressed_mm) * turned({1, 2, 3}, 12),
                           std::string(name) + " " + std::to_string(planes) + " planes", squeezed(probe, settings));
       }
+  }
+}
+
+/// In the plane at three angles, across it, oblique, with the tip at the slice's edge, beside the face and along a
+/// beam.
+TEST_P(Agreement, WithANeedle) {
+  const ScenePtr scene = sceneOf(limb(), *loadAcousticTable("neck"), kWhole);
+  struct Case {
+    const char* what;
+    Vec3 tip_mm, direction;
+  };
+  const Case cases[]{{"30 degrees", {4, 0, 18}, {1.732, 0, 1}},  {"45 degrees", {4, 0, 18}, {1, 0, 1}},
+                     {"60 degrees", {2, 0, 20}, {1, 0, 1.732}},  {"across", {3, 9, 26}, {0, 1, 0.6}},
+                     {"square", {3, 20, 15}, {0, 1, 0}},         {"oblique", {4, 1, 22}, {1, 0.5, 1}},
+                     {"at the edge", {-2, -0.8, 16}, {0, 1, 1}}, {"along a beam", {0, 0, 21}, {0, 0, 1}}};
+  for (const char* name : {"linear", "curvilinear", "phased"}) {
+    const Probe probe = probeNamed(name);
+    ImagingSettings settings = settingsFor(probe);
+    settings.scanlines = 128, settings.samples = 400, settings.depth_mm = 50;
+    for (const Case& c : cases)
+      for (const double pressed_mm : {-2.0, 1.0}) {
+        const Transform pose = onSkin(pressed_mm) * turned({1, 2, 3}, 12);
+        const Needle needle = needleAt(c.tip_mm, c.direction, pose);
+        expectAgreement(probe, settings, *scene, pose, std::string(name) + " " + c.what, {}, needle);
+      }
+    const Transform pose = onSkin(4);
+    expectAgreement(probe, settings, *scene, pose, std::string(name) + " displaced", squeezed(probe, settings),
+                    needleAt({4, 0, 18}, {1, 0, 1}, pose));
   }
 }
 

@@ -85,15 +85,27 @@ ScenePtr evenScene(const Probe& probe, const ImagingSettings& settings, const Ac
 
 EnvelopeFrame renderWith(const std::string& engineName, const Probe& probe, const ImagingSettings& settings,
                          const AcousticScene& scene, const Transform& patientFromProbe,
-                         const PlaneDisplacement& displacement) {
+                         const PlaneDisplacement& displacement, const std::optional<Needle>& needle) {
+  if (needle)
+    if (auto ok = validate(*needle); !ok) throw std::runtime_error(ok.error().message);
   if (auto ok = validate(settings, probe); !ok) throw std::runtime_error(ok.error().message);
   const auto engine = valueOf(makeEngine(engineName));
   EnvelopeFrame frame;
   engine->prepare(probe, settings);
-  engine->render(scene, patientFromProbe, displacement, frame);
+  engine->render(scene, patientFromProbe, displacement, needle ? &*needle : nullptr, frame);
   if (engine->name() != engineName)
     throw std::runtime_error(std::string(engine->note()));  // another one has computed it
   return frame;
+}
+
+Needle needleAt(Vec3 tip_mm, Vec3 direction, const Transform& patientFromProbe) {
+  const Vec3 along = normalized(direction), up{0, 0, -1};
+  const Vec3 bevel = norm(cross(along, up)) > 0.01 ? up : Vec3{1, 0, 0};
+  Needle needle;
+  needle.tip_mm = patientFromProbe * tip_mm;
+  needle.direction = patientFromProbe.linear * along;
+  needle.bevelNormal = patientFromProbe.linear * bevel;
+  return needle;
 }
 
 Transform turned(Vec3 axis, double angle_deg, Vec3 about_mm) {

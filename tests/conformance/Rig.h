@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,10 @@ ScenePtr evenScene(const Probe& probe, const ImagingSettings& settings, const Ac
 
 EnvelopeFrame renderWith(const std::string& engine, const Probe& probe, const ImagingSettings& settings,
                          const AcousticScene& scene, const Transform& patientFromProbe = {},
-                         const PlaneDisplacement& displacement = {});
+                         const PlaneDisplacement& displacement = {}, const std::optional<Needle>& needle = {});
+
+/// A needle by its tip and direction (of any length) in a pose's frame, its bevel to the probe.
+Needle needleAt(Vec3 tip_mm, Vec3 direction, const Transform& patientFromProbe = {});
 
 /// A displacement over all that a frame sees, and 3 mm more: `shiftAt(x_mm, z_mm)` is the way to the rest point.
 template <class ShiftAt>
@@ -87,8 +91,9 @@ class EngineTest : public testing::TestWithParam<std::string> {
     if (auto engine = makeEngine(GetParam()); !engine) GTEST_SKIP() << engine.error().message;
   }
   EnvelopeFrame render(const Probe& probe, const ImagingSettings& settings, const ScenePtr& scene,
-                       const Transform& patientFromProbe = {}, const PlaneDisplacement& displacement = {}) const {
-    return renderWith(GetParam(), probe, settings, *scene, patientFromProbe, displacement);
+                       const Transform& patientFromProbe = {}, const PlaneDisplacement& displacement = {},
+                       const std::optional<Needle>& needle = {}) const {
+    return renderWith(GetParam(), probe, settings, *scene, patientFromProbe, displacement, needle);
   }
   /// Into the test report, so that figures can be read and compared.
   static void record(const std::string& what, double value);

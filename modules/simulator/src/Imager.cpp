@@ -58,9 +58,9 @@ Result<Imager> Imager::make(const ImagingSetup& setup) {
 }
 
 void Imager::render(const AcousticScene& scene, const Transform& patientFromProbe,
-                    const PlaneDisplacement& displacement, ImagingFrame& frame) {
+                    const PlaneDisplacement& displacement, const Needle* needle, ImagingFrame& frame) {
   const auto start = Clock::now();
-  engine_->render(scene, patientFromProbe, displacement, frame.envelope);
+  engine_->render(scene, patientFromProbe, displacement, needle, frame.envelope);
   display_.process(frame.envelope, frame.image);
   frame.frame_ms = millisecondsSince(start);
   frame.engine = engine_->name(), frame.engineNote = engine_->note();

@@ -7,8 +7,9 @@ TEST(GlslCloseAgreement, InEveryBranchOfTheModel) {
   if (auto engine = makeEngine("glsl"); !engine) GTEST_SKIP() << engine.error().message;
   double worst = 0;
   for (const CompactCase& c : compactCases()) {
-    const double error = errorOf(renderWith("glsl", c.probe, c.settings, *c.scene, c.pose, c.displacement),
-                                 renderWith("reference", c.probe, c.settings, *c.scene, c.pose, c.displacement));
+    const double error =
+        errorOf(renderWith("glsl", c.probe, c.settings, *c.scene, c.pose, c.displacement, c.needle),
+                renderWith("reference", c.probe, c.settings, *c.scene, c.pose, c.displacement, c.needle));
     EXPECT_LT(error, kCloseError) << c.what;
     worst = std::max(worst, error);
   }

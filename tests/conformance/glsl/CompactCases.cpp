@@ -129,6 +129,36 @@ void addDisplaced(Cases& cases, const ScenePtr& scene, Look look) {
   even.displacement.restFromSeen = {shiftBy(1, 2)};
 }
 
+void addNeedles(Cases& cases, const ScenePtr& scene) {
+  const auto add = [&](const char* what, const char* probe, double pressed_mm, Vec3 tip_mm, Vec3 direction,
+                       auto change) -> CompactCase& {
+    CompactCase& c = cases.add(what, probe, scene, onSkin(pressed_mm), [&](auto& s) {
+      if (s.depth_mm > 20) s.samples = 400;
+      change(s);
+    });
+    c.needle = needleAt(tip_mm, direction, c.pose);
+    return c;
+  };
+  add("needle in the plane", "linear", 1, {4, 0, 12}, {1.5, 0, 1}, [](auto& s) { s.looks = 2; });
+  add("needle square to the beam", "linear", 1, {8, 0, 6}, {1, 0, 0}, kAsItIs);
+  add("needle across", "linear", 1, {3, 9, 9}, {0, 1, 0}, kAsItIs);
+  add("needle oblique", "linear", 0, {4, 1, 12}, {1, 0.5, 1}, [](auto& s) { s.elevationPlanes = 5; });
+  add("needle in a single plane", "linear", 1, {0, 0, 9}, {1, 0, 1}, [](auto& s) { s.elevationPlanes = 1; });
+  add("needle through drawn tissue", "linear", -5, {4, 0, 11}, {1, 0, 0.5}, kAsItIs);
+  add("needle near the bottom", "linear", 1, {6, 0, 19.5}, {1, 0, 0.1}, kAsItIs);
+  add("needle at the face", "linear", 1, {6, 0, 0.7}, {1, 0, 0}, kAsItIs);
+  add("needle in a fan", "curvilinear", 1, {6, 0, 14}, {1, 0, 1}, kAsItIs);
+  add("needle in a phased fan", "phased", 1, {3, 0, 14}, {1, 0, 1}, kAsItIs);
+  add("needle echo alone", "linear", 1, {4, 0, 10}, {1, 0, 0.3},
+      [](auto& s) { s.effects.scattering = s.effects.transmission = s.effects.layers = false; });
+  add("needle without rings", "linear", 1, {4, 0, 8}, {1, 0, 0}, [](auto& s) { s.effects.reverberation = false; });
+  add("needle's shadow alone", "linear", 1, {4, 0, 8}, {1, 0, 0}, [](auto& s) { s.effects.reflection = false; });
+  add("needle's shadow on boundaries", "linear", 1, {4, 0, 3}, {1, 0, 0},
+      [](auto& s) { s.effects.scattering = false, s.effects.layers = false; });
+  CompactCase& displaced = add("needle in displaced tissue", "linear", 3, {4, 0, 12}, {1, 0, 1}, kAsItIs);
+  displaced.displacement = squeezed(displaced.probe, displaced.settings);
+}
+
 void addThesis(Cases& cases, const ScenePtr& scene) {
   const auto thesis = [](auto change) { return [=](ImagingSettings& s) { s.look = Look::Thesis, change(s); }; };
   cases.add("thesis", "linear", scene, onSkin(1), thesis(kAsItIs));
@@ -164,6 +194,7 @@ std::vector<CompactCase> compactCases() {
   addEffects(cases, scene);
   cases.add("points", "linear", withPoints, onSkin(), [](auto& s) { s.looks = 2; });
   addDisplaced(cases, withPoints, Look::Coherent);
+  addNeedles(cases, scene);
   addThesis(cases, thesisScene);
   addDisplaced(cases, thesisScene, Look::Thesis);
   const ScenePtr inside =

@@ -15,6 +15,7 @@ struct CompactCase {
   ScenePtr scene;
   Transform pose;
   PlaneDisplacement displacement;
+  std::optional<Needle> needle = {};
 };
 
 /// Together they go through every line of the shaders; each takes milliseconds.

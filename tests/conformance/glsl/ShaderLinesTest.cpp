@@ -38,7 +38,7 @@ class ShaderLines : public testing::Test {
     if (!device) GTEST_SKIP() << device.error().message;
     device_ = *device;
     for (const CompactCase& c : cases_)
-      truths_.push_back(renderWith("reference", c.probe, c.settings, *c.scene, c.pose, c.displacement));
+      truths_.push_back(renderWith("reference", c.probe, c.settings, *c.scene, c.pose, c.displacement, c.needle));
   }
 
   /// Whether any test would fail with these shaders.
@@ -52,7 +52,7 @@ class ShaderLines : public testing::Test {
       const CompactCase& c = cases_[i];
       EnvelopeFrame frame;
       engine->prepare(c.probe, c.settings);
-      engine->render(*c.scene, c.pose, c.displacement, frame);
+      engine->render(*c.scene, c.pose, c.displacement, c.needle ? &*c.needle : nullptr, frame);
       if (engine->name() == "glsl" && errorOf(frame, truths_[i]) < kCloseError) continue;
       last_ = i;
       return true;

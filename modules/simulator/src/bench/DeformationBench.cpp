@@ -100,20 +100,6 @@ double shareOf(const Deformation& d, std::uint8_t label) {
   return 1;
 }
 
-PlaneDisplacement::Shift shiftAt(const PlaneDisplacement& d, double x_mm, double z_mm) {
-  if (d.empty()) return {};
-  const double column = std::clamp((x_mm - d.left_mm) / d.step_mm, 0.0, d.columns - 1.001);
-  const double row = std::clamp((z_mm - d.top_mm) / d.step_mm, 0.0, d.rows - 1.001);
-  const int c = static_cast<int>(column), r = static_cast<int>(row);
-  const auto u = static_cast<float>(column - c), v = static_cast<float>(row - r);
-  const auto* at = d.restFromSeen.data() + std::size_t(r) * d.columns + c;
-  const auto blend = [&](float PlaneDisplacement::Shift::*part) {
-    return (1 - v) * ((1 - u) * at[0].*part + u * at[1].*part) +
-           v * ((1 - u) * at[d.columns].*part + u * at[d.columns + 1].*part);
-  };
-  return {blend(&PlaneDisplacement::Shift::x_mm), blend(&PlaneDisplacement::Shift::z_mm)};
-}
-
 /// Of one answer against the reference's at the same pose.
 struct Errors {
   double sum = 0, most_mm = 0, force_percent = 0, area = 0;
@@ -125,17 +111,17 @@ struct Errors {
     const auto depth = static_cast<float>(bench.setup.settings.depth_mm);
     for (float z = 0.25F; z < depth; z += 0.5F)
       for (float x = -half; x <= half; x += 0.5F) {
-        const auto shift = shiftAt(exact.displacement, x, z);
+        const Vec3 shift = shiftAt(exact.displacement, x, z);
         seen.push_back({x, z});
-        rest.push_back({x + shift.x_mm, z + shift.z_mm});
+        rest.push_back({static_cast<float>(x + shift.x), static_cast<float>(z + shift.z)});
       }
     PlaneSamples tissue;
     samplePlane(*bench.scene, pose, rest, tissue);
     constexpr float kWall_mm = 0.3F;  // where the answer, which is linear between its points, has a bend
     for (std::size_t k = 0; k < seen.size(); ++k) {
       if (tissue.toArtery_mm[k] < kWall_mm || tissue.toVein_mm[k] < kWall_mm || tissue.toBone_mm[k] < 0) continue;
-      const auto shift = shiftAt(answer.displacement, seen[k].x_mm, seen[k].z_mm);
-      const double off = std::hypot(seen[k].x_mm + shift.x_mm - rest[k].x_mm, seen[k].z_mm + shift.z_mm - rest[k].z_mm);
+      const Vec3 shift = shiftAt(answer.displacement, seen[k].x_mm, seen[k].z_mm);
+      const double off = std::hypot(seen[k].x_mm + shift.x - rest[k].x_mm, seen[k].z_mm + shift.z - rest[k].z_mm);
       sum += off * off;
       most_mm = std::max(most_mm, off);
       ++points;

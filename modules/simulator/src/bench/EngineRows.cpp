@@ -155,7 +155,7 @@ Result<void> EngineRows::measure(const ImagingSettings& settings, const PlaneDis
   std::vector<ImagingFrame> truths(poses);
   UltrasoundBenchRow reference = rowOf(plan_->setup.probe, settings, kReference, 1);
   const Patience once{.warmUp = 0, .least = static_cast<int>(poses), .most = static_cast<int>(poses), .seconds = 0};
-  reference.times = timeFrames(once, [&](int i) { truthImager->render(*scene_, poseAt(i), displacement, truths[i]); });
+  reference.times = timeFrames(once, [&](int i) { truthImager->render(*scene_, poseAt(i), displacement, nullptr, truths[i]); });
   for (const ImagingFrame::Stage& stage : truths[0].stages)
     reference.stages.push_back({stage.name, stage.ms, stage.ms});
   if (auto ok = addDiscretisation(settings, displacement, reference); !ok) return ok;
@@ -170,7 +170,7 @@ Result<void> EngineRows::measure(const ImagingSettings& settings, const PlaneDis
     ImagingFrame frame;
     row.ssim = 0;
     for (std::size_t i = 0; i < poses; ++i) {
-      imager->render(*scene_, poseAt(i), displacement, frame);
+      imager->render(*scene_, poseAt(i), displacement, nullptr, frame);
       error.add(frame.envelope, truths[i].envelope);
       row.ssim += structuralSimilarity(frame.image, truths[i].image) / double(poses);
     }

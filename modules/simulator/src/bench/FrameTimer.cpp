@@ -53,7 +53,7 @@ TimedFrames timeImager(Imager& imager, const AcousticScene& scene, std::span<con
   arena.execute([&] {
     result.times = timeFrames(patience, [&](int i) {
       const int at = i % period;
-      imager.render(scene, path[std::min(at, period - at)], displacement, frame);
+      imager.render(scene, path[std::min(at, period - at)], displacement, nullptr, frame);
       stages.resize(frame.stages.size());
       if (i < patience.warmUp) return;
       for (std::size_t s = 0; s < stages.size(); ++s) stages[s].push_back(frame.stages[s].ms);

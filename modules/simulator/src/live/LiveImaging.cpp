@@ -2,6 +2,7 @@
 #include "live/LiveLoop.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace insonate {
@@ -29,6 +30,15 @@ Result<void> checkSetup(const ImagingSetup& setup) {
 void LiveImaging::Impl::setPose(const Transform& patientFromProbe) {
   if (!isRigid(patientFromProbe)) return;
   poses_.post(patientFromProbe);
+  wake();
+}
+
+void LiveImaging::Impl::setNeedle(const std::optional<Needle>& needle, const std::optional<Tenting>& tenting) {
+  if (needle && !validate(*needle)) return;
+  if (tenting && !(isFinite(tenting->tip_mm) && isFinite(tenting->direction) && std::isfinite(tenting->depth_mm) &&
+                   std::isfinite(tenting->radius_mm)))
+    return;
+  needles_.post({needle, tenting});
   wake();
 }
 
@@ -94,6 +104,10 @@ Result<std::unique_ptr<LiveImaging>> LiveImaging::make(std::shared_ptr<const Pat
 
 void LiveImaging::setPose(const Transform& patientFromProbe) {
   impl_->setPose(patientFromProbe);
+}
+
+void LiveImaging::setNeedle(const std::optional<Needle>& needle, const std::optional<Tenting>& tenting) {
+  impl_->setNeedle(needle, tenting);
 }
 
 Result<void> LiveImaging::setSetup(const ImagingSetup& setup) {

@@ -103,6 +103,7 @@ void LiveImaging::Impl::takeInputs() {
     jobFailed_ = jobFailed_ && *pose == pose_;
     pose_ = *pose;
   }
+  if (const auto needle = needles_.take()) needle_ = *needle;
   if (auto setup = setups_.take()) {
     jobFailed_ = false;
     auto imager = Imager::make(**setup);
@@ -190,7 +191,7 @@ double LiveImaging::Impl::makePicture() {
     return kNever_s;
   }
   const LiveState state = outside ? LiveState::Outside : LiveState::Imaging;
-  const bool changes = moved || (!outside && (goesOn() || untilPulse_s() <= 0));
+  const bool changes = moved || (!outside && (!(needle_ == drawnNeedle_) || goesOn() || untilPulse_s() <= 0));
   if (!changes && (settleLeft_ == 0 || outside)) {
     if (!jobFailed_) setState(state);
     return outside ? kNever_s : untilPulse_s();
@@ -205,6 +206,7 @@ double LiveImaging::Impl::makePicture() {
   tissueLeft_ = moved ? kMostOfOneSolve : tissueLeft_ - 1;
   drawn_ = true;
   drawnPose_ = pose_;
+  drawnNeedle_ = needle_;
   bloodChanged_ = false;
   if (!jobFailed_) setState(state);
   notify();
@@ -214,7 +216,9 @@ double LiveImaging::Impl::makePicture() {
 
 void LiveImaging::Impl::renderPicture() {
   press();
-  active_.imager.render(*scene_.scene, pose_, active_.tissue.deformation().displacement, scratch_);
+  const PlaneDisplacement& pressed = active_.tissue.deformation().displacement;
+  const PlaneDisplacement& seen = needle_.tenting ? tented_.with(pressed, pose_, *needle_.tenting) : pressed;
+  active_.imager.render(*scene_.scene, pose_, seen, needle_.needle ? &*needle_.needle : nullptr, scratch_);
   scratch_.frame_ms += press_.solve_ms;
 }
 
@@ -237,6 +241,7 @@ bool LiveImaging::Impl::publish() {
   std::swap(frame->stages, scratch_.stages);
   if (options_.keepEnvelopes) std::swap(frame->envelope, scratch_.envelope);
   frame->patientFromProbe = pose_;
+  frame->needle = needle_.needle;
   tellPress(frame->press);
   frame->setup = active_.setup;
   frame->warnings = scene_.warnings ? scene_.warnings : kNoWarnings;

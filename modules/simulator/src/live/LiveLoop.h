@@ -24,6 +24,7 @@ class LiveImaging::Impl {
   ~Impl();
 
   void setPose(const Transform& patientFromProbe);
+  void setNeedle(const std::optional<Needle>& needle, const std::optional<Tenting>& tenting);
   void setSetup(std::shared_ptr<const ImagingSetup> setup);
   void setPhysiology(const Physiology& physiology);
   void setPulsating(bool pulsating);
@@ -48,6 +49,12 @@ class LiveImaging::Impl {
     live::SceneNeed need;
     int framesToSettle;  ///< pictures of a still probe until persistence no longer shows
     BModeImage black;    ///< made when first needed
+  };
+
+  struct NeedleInTissue {
+    std::optional<Needle> needle;
+    std::optional<Tenting> tenting;
+    bool operator==(const NeedleInTissue&) const = default;
   };
 
   static constexpr double kNever_s = HUGE_VAL;
@@ -83,6 +90,7 @@ class LiveImaging::Impl {
   const Clock::time_point begin_ = Clock::now();
 
   Mailbox<Transform> poses_;
+  Mailbox<NeedleInTissue> needles_;
   Mailbox<std::shared_ptr<const ImagingSetup>> setups_;
   Mailbox<Physiology> physiologies_;
   std::atomic<bool> pulsating_, keepMesh_{false};
@@ -110,6 +118,8 @@ class LiveImaging::Impl {
   bool jobFailed_ = false;             ///< not to be tried again before something changes
   Transform pose_, drawnPose_;
   bool drawn_ = false;  ///< active_ has made a picture at drawnPose_
+  NeedleInTissue needle_, drawnNeedle_;
+  TentedTissue tented_;
   bool frozenSeen_ = false;
   int settleLeft_ = 0;
   Physiology physiology_;

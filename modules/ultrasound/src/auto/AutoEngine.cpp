@@ -79,8 +79,8 @@ class AutoEngine final : public Engine {
     engine_->prepare(probe, settings);
   }
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
-              EnvelopeFrame& envelope) override {
-    engine_->render(scene, patientFromProbe, displacement, envelope);
+              const Needle* needle, EnvelopeFrame& envelope) override {
+    engine_->render(scene, patientFromProbe, displacement, needle, envelope);
   }
   const std::vector<Stage>& stages() const override { return engine_->stages(); }
 

@@ -59,7 +59,7 @@ class CpuEngine final : public Engine {
   std::string_view name() const override { return "cpu"; }
   void prepare(const Probe& probe, const ImagingSettings& settings) override;
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
-              EnvelopeFrame& envelope) override;
+              const Needle* needle, EnvelopeFrame& envelope) override;
   const std::vector<Stage>& stages() const override { return thesis_ ? thesis_->stages() : stages_; }
 
  private:
@@ -74,10 +74,12 @@ class CpuEngine final : public Engine {
   Vec3 surfaceOfGas(int line, int gate) const;
   Vec3 shiftOf(int line, int gate) const;
   void reverberate(int firstLine, Workspace& work) const;
+  void addNeedle(int firstLine, Workspace& work) const;
 
   std::unique_ptr<thesis::ThesisCpu> thesis_;  ///< where the settings ask for its look; the rest is then idle
   std::optional<FramePlan> plan_;
   std::optional<Reverberation> behindGas_;
+  std::optional<NeedleEchoes> needle_;
   std::vector<Vec3> origins_, directions_;  ///< of the scanlines, in the probe's frame
   BeamTables tables_;
   TraceInput input_;
@@ -92,6 +94,7 @@ void CpuEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
   if (thesis_) return;
   const FramePlan& plan = plan_.emplace(probe, settings);
   behindGas_.emplace(plan);
+  needle_.emplace(plan);
   origins_.clear(), directions_.clear();
   for (int line = 0; line < plan.lines; ++line) {
     origins_.push_back(plan.grid.origin(line));
@@ -148,6 +151,7 @@ void CpuEngine::provideWorkspaces(int threads) {
   while (static_cast<int>(workspaces_.size()) < threads) {
     auto work = std::make_unique<Workspace>();
     work->trace.echo = hwy::AllocateAligned<float>(components * plan_->gates * kBlockLines);
+    work->trace.level_dB = hwy::AllocateAligned<float>(std::size_t(plan_->gates) * kBlockLines);
     work->lateral.ring = hwy::AllocateAligned<float>(components * 4 * echo_.width);
     work->above.resize(plan_->gates);
     work->strength.resize(behindGas_->rings());
@@ -309,12 +313,25 @@ void CpuEngine::reverberate(int firstLine, Workspace& work) const {
   }
 }
 
+void CpuEngine::addNeedle(int firstLine, Workspace& work) const {
+  const FramePlan& plan = *plan_;
+  for (int l = 0; l < std::min(kBlockLines, plan.lines - firstLine); ++l)
+    needle_->addTo(
+        firstLine + l, input_.lineGap_mm[firstLine + l],
+        [&](int gate) { return work.trace.level_dB[std::size_t(gate) * kBlockLines + l]; },
+        [&](int gate, float amplitude) {
+          for (int look = 0; look < plan.settings.looks; ++look)
+            work.trace.echo[(std::size_t(2) * look * plan.gates + gate) * kBlockLines + l] += amplitude;
+        });
+}
+
 void CpuEngine::traceLines(int firstLine, const std::vector<PointEcho>& points) {
   const FramePlan& plan = *plan_;
   Workspace& work = *workspaces_[tbb::this_task_arena::current_thread_index()];
   traceBlock(input_, firstLine, work.trace, work.times);
   const StopWatch watch;
   reverberate(firstLine, work);
+  if (input_.needle) addNeedle(firstLine, work);
   for (const PointEcho& point : points)
     if (point.line >= firstLine && point.line < firstLine + kBlockLines)
       for (int look = 0; look < plan.settings.looks; ++look)
@@ -328,7 +345,7 @@ void CpuEngine::traceLines(int firstLine, const std::vector<PointEcho>& points) 
 }
 
 void CpuEngine::render(const AcousticScene& sceneHandle, const Transform& patientFromProbe,
-                       const PlaneDisplacement& displacement, EnvelopeFrame& envelope) {
+                       const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) {
   if (thesis_) return thesis_->render(sceneHandle.impl(), patientFromProbe, displacement, envelope);
   const FramePlan& plan = *plan_;
   const AcousticScene::Impl& scene = sceneHandle.impl();
@@ -339,6 +356,8 @@ void CpuEngine::render(const AcousticScene& sceneHandle, const Transform& patien
   const StopWatch watch;
   setChannels(scene);
   setGeometry(scene, patientFromProbe, displacement);
+  needle_->place(needle, patientFromProbe);
+  input_.needle = needle_->present() ? &*needle_ : nullptr;
   const std::vector<PointEcho> points =
       scene.points.empty() ? std::vector<PointEcho>{} : pointEchoes(plan, scene.points, patientFromProbe, displacement);
   stages_[0].ms = watch.ms();

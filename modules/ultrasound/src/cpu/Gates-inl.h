@@ -86,7 +86,7 @@ struct ImpulseRow {
 
 /// Echo and loss of the boundary that one scanline crosses between the last gate and this one. Rare, so scalar.
 HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, int channel, float s, float impedance,
-                              TraceBuffers& b) {
+                              float shadow_dB, TraceBuffers& b) {
   const FramePlan& plan = *in.plan;
   TraceBuffers::LineState& state = b.state[plane];
   const TraceBuffers::CellRow& cells = b.cells[plane];
@@ -97,7 +97,8 @@ HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, 
   const AcousticTissue &first = *in.channels[above].tissue, &second = *in.channels[channel].tissue;
   if (plan.settings.effects.reflection && state.level_dB[l] > kSilent_dB && reflection != 0) {
     const double roughness_dB = plan.settings.effects.texture ? roughnessGain_dB(second, cells.patch[l]) : 0;
-    const float gain_dB = state.level_dB[l] + static_cast<float>(acoustics::kReflectorGain_dB + roughness_dB);
+    const float gain_dB =
+        state.level_dB[l] - shadow_dB + static_cast<float>(acoustics::kReflectorGain_dB + roughness_dB);
     const float echo = std::exp2(gain_dB * kOctavesPerDecibel) * std::abs(reflection) *
                        specularLobe(first, second, cells.cosine[l]) *
                        static_cast<float>(plan.boundaryScale * plan.boundaryWeight[plane]);
@@ -110,6 +111,14 @@ HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, 
   }
   if (plan.settings.effects.transmission)
     state.level_dB[l] += std::log2(std::max(1 - reflection * reflection, 1e-12F)) / kOctavesPerDecibel;
+}
+
+/// NeedleEchoes::shadow_dB(), by vectors.
+HWY_INLINE GateVec shadowAt(const NeedleEchoes& needle, int plane, int line, GateVec tissueGate) {
+  const GateTag d;
+  const auto behind = hn::Sub(tissueGate, hn::LoadU(d, needle.shadowOnsets_gate(plane) + line));
+  const auto share = hn::Min(hn::Max(behind, hn::Zero(d)), hn::Set(d, 1.0F));
+  return hn::Mul(hn::LoadU(d, needle.shadowLosses_dB(plane) + line), share);
 }
 
 /// Gas behind tissue, in the central plane, starts the reverberation.
@@ -146,6 +155,7 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
   const auto down = hn::Set(d, static_cast<float>(gate - row * plan.cellGates) / static_cast<float>(plan.cellGates));
   const auto range = hn::Set(d, static_cast<float>(plan.range_mm(gate)));
   const auto decay = hn::Set(d, in.contactDecay[plan.nodeRows + gate]);
+  const auto gatesPerGap = hn::Mul(decay, hn::Set(d, static_cast<float>(1 / plan.gate_mm)));
   const bool gelPossible = plan.range_mm(gate) < acoustics::kContactReach_mm && in.scene->field.backgroundChannel >= 0;
   const auto background = hn::Set(di, in.scene->field.backgroundChannel);
 
@@ -154,7 +164,9 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
     for (GateVec& v : sum) v = hn::Zero(d);
     auto offset = hn::Zero(d);
     const int line = firstLine + l;
-    const auto r = hn::MulAdd(hn::LoadU(d, in.lineGap_mm.data() + line), decay, range);
+    const auto gap = hn::LoadU(d, in.lineGap_mm.data() + line);
+    const auto r = hn::MulAdd(gap, decay, range);
+    const auto tissueGate = hn::MulAdd(gap, gatesPerGap, hn::Set(d, static_cast<float>(gate)));
     auto x = hn::MulAdd(hn::LoadU(d, in.lines.dx.data() + line), r, hn::LoadU(d, in.lines.x.data() + line));
     Point onLattice = pointsOn(in.latticeLines, line, r);
     PlaneShifts<GateVec> shift{hn::Zero(d), hn::Zero(d)};
@@ -179,15 +191,17 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
       const auto channel =
           hn::IfThenElse(hn::RebindMask(di, isA), hn::Load(di, cells.channelA + l), hn::Load(di, cells.channelB + l));
       const auto impedance = hn::IfThenElse(isA, hn::Load(d, cells.impedanceA + l), hn::Load(d, cells.impedanceB + l));
+      const auto shadow = in.needle ? shadowAt(*in.needle, p, line, tissueGate) : hn::Zero(d);
       const auto before = hn::Load(di, state.channel + l);
       const auto crossed = hn::AndNot(hn::Lt(before, hn::Zero(di)), hn::Ne(before, channel));
       if (!hn::AllFalse(di, crossed)) {
         alignas(64) std::int32_t ch[16];
-        alignas(64) float sLane[16], zLane[16];
+        alignas(64) float sLane[16], zLane[16], shadowLane[16];
         hn::Store(channel, di, ch), hn::Store(s, d, sLane), hn::Store(impedance, d, zLane);
+        hn::Store(shadow, d, shadowLane);
         for (int i = 0; i < static_cast<int>(hn::Lanes(d)); ++i)
           if (state.channel[l + i] >= 0 && state.channel[l + i] != ch[i])
-            crossBoundary(in, p, gate, l + i, ch[i], sLane[i], zLane[i], b);
+            crossBoundary(in, p, gate, l + i, ch[i], sLane[i], zLane[i], shadowLane[i], b);
       }
       hn::Store(channel, di, state.channel + l);
       hn::Store(hn::Load(di, cells.profile + l), di, state.pair + l);
@@ -206,6 +220,8 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
       if (gelPossible) loss = hn::IfThenZeroElse(gel, loss);
       hn::Store(hn::Sub(level, loss), d, state.level_dB + l);
       level = hn::NegMulAdd(loss, hn::Set(d, 0.5F), level);
+      if (in.needle && p == planes / 2) hn::Store(level, d, b.level_dB.get() + std::size_t(gate) * kBlockLines + l);
+      level = hn::Sub(level, shadow);
       if (gelPossible) level = hn::IfThenElse(gel, hn::Set(d, kLostLevel_dB), level);
       if (!effects.scattering || hn::AllTrue(d, hn::Lt(level, hn::Set(d, kSilent_dB)))) continue;
 

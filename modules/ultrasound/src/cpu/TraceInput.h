@@ -2,6 +2,7 @@
 
 #include "model/Contact.h"
 #include "model/FramePlan.h"
+#include "model/NeedleEchoes.h"
 #include "model/Scatterers.h"
 #include "scene/SceneData.h"
 
@@ -88,6 +89,7 @@ struct TraceInput {
   std::uint32_t gasChannels = 0, texturedChannels = 0;               ///< a bit each
   bool anyCt = false;
   const PlaneDisplacement* displacement = nullptr;  ///< null where nothing has moved
+  const NeedleEchoes* needle = nullptr;             ///< null where there is none
   RayArrays lines, columns;                         ///< lines padded to whole blocks
   RayArrays probeColumns;                           ///< in the probe frame
   PlaneAxes patientAxes, latticeAxes;
@@ -150,6 +152,9 @@ struct TraceBuffers {
   alignas(64) std::int32_t gasGate[kBlockLines];  ///< first gate in gas behind tissue
   alignas(64) std::int32_t tissueSeen[kBlockLines];
   AlignedArray<float> echo;  ///< [component][gate][kBlockLines], component = 2 * look + (0 re, 1 im)
+  /// What is left in the middle of each gate in the central plane, without the needle's shadow, [gate][kBlockLines];
+  /// unused where there is no needle.
+  AlignedArray<float> level_dB;
 };
 
 struct TraceTimes_ms {

@@ -31,7 +31,10 @@ std::span<const std::byte> bytesOfOne(const T& value) {
 }  // namespace
 
 CardFrame::CardFrame(std::shared_ptr<const Device> device, const Probe& probe, const ImagingSettings& settings)
-    : device_(std::move(device)), plan_(probe, settings), tables_(plan_, settings.look == Look::Thesis) {
+    : device_(std::move(device)),
+      plan_(probe, settings),
+      needle_(plan_),
+      tables_(plan_, settings.look == Look::Thesis) {
   if (settings.look == Look::Thesis) thesis_.emplace(plan_);
   stages_ = {{"upload"}, {"commands"}, {"results"}};
 }
@@ -70,6 +73,8 @@ Result<void> CardFrame::allocate(const gpu::Current& current) {
   room(nodes * kNodeBytes, nodes_);
   room(components * gates * sizeof(float), echo_), room(components * gates * sizeof(float), blurred_);
   room(tables_.block.looks * look, envelope_);
+  needleWords_.reserve((4 + 2 * planes + plan_.gates) * plan_.lines);
+  room(needleWords_.capacity() * sizeof(float), needleBuffer_);
   if (thesis_) {
     room(sizeof(ThesisBlock), thesisBlock_);
     room(planes * thesis_->mapRows * columns * sizeof(Float4), map_);
@@ -114,6 +119,13 @@ Result<void> CardFrame::upload(const gpu::Current& current, const AcousticScene:
   return {};
 }
 
+void CardFrame::uploadNeedle(const gpu::Current& current, const Needle* needle, const Transform& patientFromProbe) {
+  needle_.place(needle, patientFromProbe);
+  if (!needle_.present()) return;
+  setNeedle(plan_, needle_, needleWords_);
+  needleBuffer_.write(current, bytesOf(needleWords_));
+}
+
 Result<void> CardFrame::uploadDisplacement(const gpu::Current& current, const PlaneDisplacement& displacement) {
   static_assert(sizeof(PlaneDisplacement::Shift) == 2 * sizeof(float));
   setDisplacement(displacement, tables_.block);
@@ -147,12 +159,16 @@ void CardFrame::traceCoherent(const gpu::Current& current) const {
   run(current, Stage::Tissue, {{5, &cells_}, {6, &samples_}}, lines, gates, planes);
   run(current, Stage::Crossings, {{5, &cells_}, {6, &samples_}, {7, &crossings_}}, lines, gates, planes);
   run(current, Stage::Levels, {{5, &samples_}, {6, &crossings_}, {7, &gasGates_}}, (plan_.lines + 15) / 16, 1, planes);
+  if (needle_.present())
+    run(current, Stage::NeedleShadow, {{5, &samples_}, {6, &needleBuffer_}, {7, &crossings_}}, lines, gates, planes);
   run(current, Stage::Echoes, {{5, &samples_}, {6, &crossings_}, {7, &echo_}}, lines, gates);
   if (plan_.settings.effects.reverberation) {
     run(current, Stage::Gas, {{5, &samples_}, {6, &gasGates_}}, lines, gates);
     run(current, Stage::Reverberate, {{5, &gasGates_}, {6, &repeats_}, {7, &echo_}}, lines, gates);
   }
   if (pointEchoes_ > 0) run(current, Stage::Points, {{5, &points_}, {7, &echo_}}, pointEchoes_);
+  if (needle_.present())
+    run(current, Stage::NeedleEchoes, {{5, &samples_}, {6, &needleBuffer_}, {7, &echo_}}, lines, gates);
   const int components = 2 * tables_.block.looks;
   run(current, Stage::Axial, {{5, &kernels_}, {6, &echo_}, {7, &blurred_}}, lines, gates, components);
   run(current, Stage::Lateral, {{5, &kernels_}, {6, &blurred_}, {7, &echo_}}, lines, gates, components);
@@ -191,12 +207,13 @@ Result<void> CardFrame::readEnvelope(const gpu::Current& current, EnvelopeFrame&
 }
 
 Result<void> CardFrame::render(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
-                               const PlaneDisplacement& displacement, EnvelopeFrame& envelope) {
+                               const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) {
   const auto current = device_->context().use();
   if (!current) return tl::unexpected(current.error());
   envelope.resize(plan_.lines, plan_.grid.samples(), tables_.block.looks);
   auto start = Clock::now();
   if (auto ok = upload(*current, scene, patientFromProbe, displacement); !ok) return ok;
+  if (!thesis_) uploadNeedle(*current, needle, patientFromProbe);
   bindShared(*current);
   stages_[0].ms = msSince(start), start = Clock::now();
   if (thesis_)

@@ -20,7 +20,7 @@ class CardFrame {
 
   /// Fails where the card has been reset or has no room for the scene; no frame can be had of it then.
   Result<void> render(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
-                      const PlaneDisplacement& displacement, EnvelopeFrame& envelope);
+                      const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope);
 
   const std::vector<Engine::Stage>& stages() const { return stages_; }
 
@@ -34,6 +34,7 @@ class CardFrame {
   Result<void> allocate(const gpu::Current& current);
   Result<void> upload(const gpu::Current& current, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
                       const PlaneDisplacement& displacement);
+  void uploadNeedle(const gpu::Current& current, const Needle* needle, const Transform& patientFromProbe);
   Result<void> uploadDisplacement(const gpu::Current& current, const PlaneDisplacement& displacement);
   void bindShared(const gpu::Current& current) const;
   void traceCoherent(const gpu::Current& current) const;
@@ -45,6 +46,8 @@ class CardFrame {
 
   std::shared_ptr<const Device> device_;
   FramePlan plan_;
+  NeedleEchoes needle_;
+  std::vector<float> needleWords_;
   std::optional<thesis::ThesisPlan> thesis_;  ///< where the settings ask for its look
   PlanTables tables_;
   std::uint64_t scene_ = 0;  ///< whose data the card has
@@ -52,7 +55,7 @@ class CardFrame {
   // Kept for as long as the settings.
   gpu::Buffer planTable_, kernels_, repeats_, block_, thesisBlock_, sceneWords_;
   gpu::Buffer contacts_, shifts_, nodes_, cells_, samples_, crossings_, gasGates_, points_, map_;
-  gpu::Buffer echo_, blurred_, envelope_;
+  gpu::Buffer echo_, blurred_, envelope_, needleBuffer_;
   gpu::PairTexture displacement_;
   gpu::ReadBack readBack_;
   std::size_t pointCapacity_ = 0;

@@ -3,6 +3,7 @@
 #include "glsl/FrameBlock.h"
 #include "model/FramePlan.h"
 #include "model/Impulse.h"
+#include "model/NeedleEchoes.h"
 #include "model/Reverberation.h"
 #include "model/Scatterers.h"
 #include "scene/BoundaryProfiles.h"
@@ -19,8 +20,9 @@ namespace insonate::glsl {
 namespace {
 
 constexpr std::array<std::string_view, std::size_t(Stage::kCount)> kStageFiles{
-    "contact",     "nodes",  "cells", "tissue",  "crossings", "levels",     "echoes",        "gas",
-    "reverberate", "points", "axial", "lateral", "envelope",  "thesis_map", "thesis_echoes", "thesis_tail"};
+    "contact", "nodes",   "cells",       "tissue",     "crossings",     "levels",
+    "echoes",  "gas",     "reverberate", "points",     "needle_shadow", "needle_echoes",
+    "axial",   "lateral", "envelope",    "thesis_map", "thesis_echoes", "thesis_tail"};
 
 const TextureTile& tileOf(int index) {
   return index < kTextureKinds ? textureTile(static_cast<Texture>(index)) : patchTile();
@@ -87,6 +89,9 @@ std::string constantsText() {
   real("kNarrowest_gates", Impulse::kNarrowest_gates);
   real("kWidest_gates", Impulse::kWidest_gates);
   whole("kFirstGateBehind", Reverberation::kFirstGate);
+  whole("kNeedleRings", steel::kRings);
+  real("kFirstNeedleRing", steel::kFirstRing);
+  real("kNextNeedleRing", steel::kNextRing);
   real("kThesisReflectorGain_dB", thesis::kReflectorGain_dB);
   real("kBeyondLoss_dBpmm", thesis::kBeyondLoss_dBpmm);
   real("kSpeckleContrast", thesis::kSpeckleContrast);

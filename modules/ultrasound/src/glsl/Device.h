@@ -22,6 +22,8 @@ enum class Stage {
   Gas,
   Reverberate,
   Points,
+  NeedleShadow,
+  NeedleEchoes,
   Axial,
   Lateral,
   Envelope,

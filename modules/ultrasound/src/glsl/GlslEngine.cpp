@@ -30,13 +30,13 @@ class GlslEngine final : public Engine {
   }
 
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
-              EnvelopeFrame& envelope) override {
+              const Needle* needle, EnvelopeFrame& envelope) override {
     if (!cpu_) {
-      const auto done = frame_->render(scene.impl(), patientFromProbe, displacement, envelope);
+      const auto done = frame_->render(scene.impl(), patientFromProbe, displacement, needle, envelope);
       if (done) return;
       fallBack(done.error().message);
     }
-    cpu_->render(scene, patientFromProbe, displacement, envelope);
+    cpu_->render(scene, patientFromProbe, displacement, needle, envelope);
   }
 
   const std::vector<Stage>& stages() const override { return cpu_ ? cpu_->stages() : frame_->stages(); }

@@ -182,6 +182,22 @@ std::vector<Float4> pointTable(const FramePlan& plan, const AcousticScene::Impl&
   return table;
 }
 
+void setNeedle(const FramePlan& plan, const NeedleEchoes& needle, std::vector<float>& words) {
+  const int planes = plan.settings.elevationPlanes;
+  words.resize(std::size_t(4 + 2 * planes) * plan.lines);
+  for (int plane = 0; plane < planes; ++plane)
+    for (int line = 0; line < plan.lines; ++line) {
+      float* shadow = words.data() + std::size_t(4) * plan.lines + 2 * (std::size_t(plane) * plan.lines + line);
+      shadow[0] = needle.shadowOnsets_gate(plane)[line], shadow[1] = needle.shadowLosses_dB(plane)[line];
+    }
+  for (int line = 0; line < plan.lines; ++line) {
+    const NeedleEchoes::Line& of = needle.line(line);
+    float* head = words.data() + std::size_t(4) * line;
+    head[0] = f(of.first), head[1] = f(of.end), head[2] = of.ring_gates, head[3] = f(double(words.size()));
+    words.insert(words.end(), needle.amplitudes(line) + of.first, needle.amplitudes(line) + of.end);
+  }
+}
+
 ThesisBlock thesisBlock(const FramePlan& plan, const thesis::ThesisPlan& thesis, const AcousticScene::Impl& scene,
                         const Transform& patientFromProbe) {
   ThesisBlock b{};

@@ -2,6 +2,7 @@
 
 #include "glsl/FrameBlock.h"
 #include "model/FramePlan.h"
+#include "model/NeedleEchoes.h"
 #include "thesis/ThesisModel.h"
 
 #include <insonate/image/PlaneDisplacement.h>
@@ -33,6 +34,9 @@ void setDisplacement(const PlaneDisplacement& displacement, FrameBlock& block);
 /// Point targets as shaders/points.comp has them.
 std::vector<Float4> pointTable(const FramePlan& plan, const AcousticScene::Impl& scene,
                                const Transform& patientFromProbe, const PlaneDisplacement& displacement);
+
+/// The needle as shaders/needle.glsl has it, into memory that is kept.
+void setNeedle(const FramePlan& plan, const NeedleEchoes& needle, std::vector<float>& words);
 
 ThesisBlock thesisBlock(const FramePlan& plan, const thesis::ThesisPlan& thesis, const AcousticScene::Impl& scene,
                         const Transform& patientFromProbe);

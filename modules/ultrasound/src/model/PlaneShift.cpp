@@ -9,30 +9,7 @@ namespace {
 constexpr double kTolerance_mm = 1e-4;
 constexpr int kSteps = 30, kHalvings = 8;
 
-struct Interval {
-  int low, high;
-  double fraction;
-};
-
-Interval intervalAt(double position, int points) {
-  const double at = std::clamp(position, 0.0, points - 1.0);
-  const int low = std::min(static_cast<int>(at), std::max(points - 2, 0));
-  return {low, std::min(low + 1, points - 1), at - low};
-}
-
 }  // namespace
-
-Vec3 shiftAt(const PlaneDisplacement& displacement, double x_mm, double z_mm) {
-  if (displacement.empty()) return {};
-  const Interval i = intervalAt((x_mm - displacement.left_mm) / displacement.step_mm, displacement.columns);
-  const Interval k = intervalAt((z_mm - displacement.top_mm) / displacement.step_mm, displacement.rows);
-  const auto at = [&](int column, int row) {
-    const auto& shift = displacement.restFromSeen[std::size_t(row) * displacement.columns + column];
-    return Vec3{shift.x_mm, 0, shift.z_mm};
-  };
-  const auto along = [&](int row) { return at(i.low, row) * (1 - i.fraction) + at(i.high, row) * i.fraction; };
-  return along(k.low) * (1 - k.fraction) + along(k.high) * k.fraction;
-}
 
 Vec3 seenFromRest(const PlaneDisplacement& displacement, Vec3 rest_mm) {
   if (displacement.empty()) return rest_mm;

@@ -5,10 +5,6 @@
 
 namespace insonate {
 
-/// Rest point minus seen point, in the probe frame (no y), for a seen point of the probe's plane. Zero where nothing
-/// has moved.
-Vec3 shiftAt(const PlaneDisplacement& displacement, double x_mm, double z_mm);
-
 /// Share of a cell's area that tissue in it had at rest is at least this, where slopes divide by it.
 inline constexpr double kLeastVolume = 0.01;
 

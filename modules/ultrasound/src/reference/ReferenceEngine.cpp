@@ -4,6 +4,7 @@
 #include "model/Contact.h"
 #include "model/FramePlan.h"
 #include "model/Impulse.h"
+#include "model/NeedleEchoes.h"
 #include "model/PointEchoes.h"
 #include "model/Reverberation.h"
 #include "model/Scatterers.h"
@@ -11,6 +12,7 @@
 #include "scene/SceneData.h"
 #include "thesis/ThesisReference.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <complex>
@@ -20,6 +22,9 @@ namespace insonate {
 namespace {
 
 using Complex = std::complex<double>;
+
+constexpr double kNothing = 1e-9;
+constexpr float kNothing_dB = -180;
 
 double fromDecibel(double dB) {
   return std::pow(10.0, dB / 20);
@@ -44,32 +49,56 @@ class EchoField {
 class LineTracer {
  public:
   LineTracer(const FramePlan& plan, const AcousticScene::Impl& scene, const TissueLookup& lookup,
-             const ScattererLattice& lattice, EchoField& echo)
-      : plan_(plan), scene_(scene), lookup_(lookup), lattice_(lattice), echo_(echo) {}
+             const ScattererLattice& lattice, const NeedleEchoes& needle, EchoField& echo)
+      : plan_(plan),
+        scene_(scene),
+        lookup_(lookup),
+        lattice_(lattice),
+        needle_(needle),
+        echo_(echo),
+        level_dB_(plan.gates) {}
 
   void trace(int plane, int line) {
     const Effects& effects = plan_.settings.effects;
     const double f_MHz = plan_.settings.frequency_MHz;
     double amplitude = lookup_.contact(line).strength;  // there and back, before this gate
     std::optional<TissueSample> previous;
+    if (plane == plan_.settings.elevationPlanes / 2) std::fill(level_dB_.begin(), level_dB_.end(), kNothing_dB);
     for (int gate = 0; gate < plan_.gates; ++gate) {
       const TissueSample here = lookup_.at(plane, gate, line);
       if (!here.inside) return;  // nothing is known beyond the volume
+      const double lit = fromDecibel(-needle_.shadow_dB(plane, line, tissueGate(gate, line)));
       if (previous && previous->label != here.label)
-        amplitude *= boundary(plane, gate, line, *previous, here, amplitude);
+        amplitude *= boundary(plane, gate, line, *previous, here, amplitude * lit);
 
       const AcousticTissue& tissue = scene_.table.of(here.label);
       double loss_dB = 2 * tissue.attenuation_dBpcmMHz * std::pow(f_MHz, tissue.attenuationExponent);
       if (here.grazesVessel && effects.edgeShadow) loss_dB += 2 * acoustics::kEdgeLoss_dBpcmMHz * f_MHz;
       if (!effects.attenuation || here.outside) loss_dB = 0;
       loss_dB *= plan_.gate_mm / 10;
-      if (effects.scattering && !here.outside) scatter(plane, gate, line, here, amplitude * fromDecibel(-loss_dB / 2));
+      const double here_dB = 20 * std::log10(std::max(amplitude, kNothing)) - loss_dB / 2;
+      if (plane == plan_.settings.elevationPlanes / 2) level_dB_[gate] = static_cast<float>(here_dB);
+      if (effects.scattering && !here.outside)
+        scatter(plane, gate, line, here, lit * amplitude * fromDecibel(-loss_dB / 2));
       amplitude *= fromDecibel(-loss_dB);
       previous = here;
     }
   }
 
+  /// Of the scanline traced last.
+  void addNeedle(int line) {
+    needle_.addTo(
+        line, static_cast<float>(lookup_.contact(line).gap_mm), [&](int gate) { return level_dB_[gate]; },
+        [&](int gate, float amplitude) {
+          for (int look = 0; look < plan_.settings.looks; ++look) echo_.at(look, gate, line) += amplitude;
+        });
+  }
+
  private:
+  float tissueGate(int gate, int line) const {
+    return needle_.tissueGate(gate, static_cast<float>(lookup_.contact(line).gap_mm));
+  }
+
   /// Echo of the boundary between two gates; returns the share of amplitude that passes, there and back.
   double boundary(int plane, int gate, int line, const TissueSample& above, const TissueSample& below,
                   double amplitude) {
@@ -107,7 +136,9 @@ class LineTracer {
   const AcousticScene::Impl& scene_;
   const TissueLookup& lookup_;
   const ScattererLattice& lattice_;
+  const NeedleEchoes& needle_;
   EchoField& echo_;
+  std::vector<float> level_dB_;  ///< [gate] of the central plane, without the needle's shadow
 };
 
 void reverberate(const Reverberation& behindGas, Vec3 surface_mm, int looks, int line, int gasGate, int gates,
@@ -168,11 +199,14 @@ class ReferenceEngine final : public Engine {
  public:
   std::string_view name() const override { return "reference"; }
 
-  void prepare(const Probe& probe, const ImagingSettings& settings) override { plan_.emplace(probe, settings); }
+  void prepare(const Probe& probe, const ImagingSettings& settings) override {
+    needle_.emplace(plan_.emplace(probe, settings));
+  }
 
   void render(const AcousticScene& sceneHandle, const Transform& patientFromProbe,
-              const PlaneDisplacement& displacement, EnvelopeFrame& envelope) override {
+              const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) override {
     const auto start = std::chrono::steady_clock::now();
+    needle_->place(needle, patientFromProbe);
     if (plan_->settings.look == Look::Thesis)
       thesis::renderReference(*plan_, sceneHandle.impl(), patientFromProbe, displacement, envelope);
     else
@@ -192,12 +226,13 @@ class ReferenceEngine final : public Engine {
                                    plan.latticeElevationPitch_mm);
     EchoField echo(plan.settings.looks, plan.gates, plan.lines);
     const Reverberation behindGas(plan);
-    LineTracer tracer(plan, scene, lookup, lattice, echo);
+    LineTracer tracer(plan, scene, lookup, lattice, *needle_, echo);
     for (int line = 0; line < plan.lines; ++line) {
       for (int plane = 0; plane < plan.settings.elevationPlanes; ++plane) tracer.trace(plane, line);
       if (const int gas = lookup.firstGasGate(line); gas > 0 && plan.settings.effects.reverberation)
         reverberate(behindGas, lookup.at(plan.settings.elevationPlanes / 2, gas, line).patient_mm, plan.settings.looks,
                     line, gas, plan.gates, echo);
+      tracer.addNeedle(line);
     }
     for (const PointEcho& point : pointEchoes(plan, scene.points, patientFromProbe, displacement))
       for (int look = 0; look < plan.settings.looks; ++look) echo.at(look, point.gate, point.line) += point.amplitude;
@@ -205,6 +240,7 @@ class ReferenceEngine final : public Engine {
   }
 
   std::optional<FramePlan> plan_;
+  std::optional<NeedleEchoes> needle_;
   std::vector<Stage> stages_;
 };
 

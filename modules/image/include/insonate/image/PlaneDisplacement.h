@@ -1,5 +1,7 @@
 #pragma once
 
+#include <insonate/core/Vec3.h>
+
 #include <vector>
 
 namespace insonate {
@@ -21,5 +23,8 @@ struct PlaneDisplacement {
 
   bool empty() const { return columns == 0 || rows == 0; }
 };
+
+/// Rest point minus seen point (no y), for a seen point of the probe's plane. Zero where nothing has moved.
+Vec3 shiftAt(const PlaneDisplacement& displacement, double x_mm, double z_mm);
 
 }  // namespace insonate

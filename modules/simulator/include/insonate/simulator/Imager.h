@@ -46,11 +46,11 @@ class Imager {
 
   /// Allocates nothing once `frame` has been used before. `patientFromProbe` is rigid (see ProbePose.h).
   void render(const AcousticScene& scene, const Transform& patientFromProbe, ImagingFrame& frame) {
-    render(scene, patientFromProbe, {}, frame);
+    render(scene, patientFromProbe, {}, nullptr, frame);
   }
-  /// Of displaced tissue; see Engine.h.
+  /// Of displaced tissue, with a needle or, where it is null, without; see Engine.h.
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
-              ImagingFrame& frame);
+              const Needle* needle, ImagingFrame& frame);
 
  private:
   Imager(std::unique_ptr<Engine> engine, Display display) : engine_(std::move(engine)), display_(std::move(display)) {}

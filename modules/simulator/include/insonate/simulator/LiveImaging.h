@@ -2,10 +2,12 @@
 
 #include <insonate/deformation/Physiology.h>
 #include <insonate/simulator/Imager.h>
+#include <insonate/simulator/Tenting.h>
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,8 +35,9 @@ struct LivePress {
 /// holder lets go, even after LiveImaging itself has gone.
 struct LiveFrame {
   BModeImage image;
-  EnvelopeFrame envelope;      ///< empty unless LiveOptions::keepEnvelopes
-  Transform patientFromProbe;  ///< where the probe was
+  EnvelopeFrame envelope;        ///< empty unless LiveOptions::keepEnvelopes
+  Transform patientFromProbe;    ///< where the probe was
+  std::optional<Needle> needle;  ///< where it was
   LivePress press;
   std::shared_ptr<const ImagingSetup> setup;                 ///< probe, settings, tissues, engine; never null
   std::shared_ptr<const std::vector<std::string>> warnings;  ///< about the case, e.g. unknown labels; never null
@@ -93,6 +96,11 @@ class LiveImaging {
   /// The latest pose counts; poses in between are left out. Never blocks. A pose that is not finite and rigid is
   /// ignored.
   void setPose(const Transform& patientFromProbe);
+
+  /// A needle, and the tissue that its tip pushes ahead, from the next picture on; none where there is none. The latest
+  /// counts, and makes a picture by itself where it differs from the one before. Never blocks. A needle that validate()
+  /// refuses, or a dent that is not finite, is ignored.
+  void setNeedle(const std::optional<Needle>& needle, const std::optional<Tenting>& tenting = {});
 
   /// Probe, settings, tissues and engine at once. What is out of range is refused, and the old setup goes on; it goes
   /// on, too, until a scene for the new one is there. Of several setups in a row, only the last may be seen.

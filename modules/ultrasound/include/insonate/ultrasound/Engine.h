@@ -5,6 +5,7 @@
 #include <insonate/ultrasound/AcousticScene.h>
 #include <insonate/ultrasound/BeamGrid.h>
 #include <insonate/ultrasound/Frames.h>
+#include <insonate/ultrasound/Needle.h>
 
 #include <memory>
 #include <string>
@@ -32,11 +33,18 @@ class Engine {
   /// The frame shows the tissue displaced: structures, CT, textures, scatterers and point targets move with it, the
   /// skin is looked for where it has gone. An empty displacement costs nothing. It must be whole (columns times rows
   /// shifts), finite and without folds; tissue that it brings from beyond the scene reads as the outermost within.
+  ///
+  /// `needle`, valid (see validate()), or null: none, which costs nothing. It shines and casts its shadow where it is,
+  /// whatever has moved the tissue. The look of the thesis does not show it.
   virtual void render(const AcousticScene& scene, const Transform& patientFromProbe,
-                      const PlaneDisplacement& displacement, EnvelopeFrame& envelope) = 0;
+                      const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) = 0;
+  void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
+              EnvelopeFrame& envelope) {
+    render(scene, patientFromProbe, displacement, nullptr, envelope);
+  }
   /// Of undisturbed tissue.
   void render(const AcousticScene& scene, const Transform& patientFromProbe, EnvelopeFrame& envelope) {
-    render(scene, patientFromProbe, {}, envelope);
+    render(scene, patientFromProbe, {}, nullptr, envelope);
   }
 
   struct Stage {

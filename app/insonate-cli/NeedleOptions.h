@@ -1,0 +1,35 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/simulator/Tenting.h>
+#include <insonate/ultrasound/Needle.h>
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace insonate::cli {
+
+/// What the command line says about a needle, in the probe's frame: the same needle is seen at every pose of a path.
+struct NeedleOptions {
+  std::vector<double> tip_mm, direction{1, 0, 1}, bevel;
+  double diameter_mm = 1.27, length_mm = 70, tenting_mm = 0, tentingRadius_mm = 3;
+
+  void addTo(CLI::App& command);
+};
+
+/// The same, checked, in the probe's frame.
+struct NeedlePlan {
+  std::optional<Needle> needle;
+  std::optional<Tenting> tenting;
+
+  Needle needleAt(const Transform& patientFromProbe) const;  ///< patient LPS; there must be one
+  /// What the probe has pressed, dented where the needle tents. Valid until the next call.
+  const PlaneDisplacement& dented(const PlaneDisplacement& pressed, TentedTissue& tissue,
+                                  const Transform& patientFromProbe) const;
+};
+
+Result<NeedlePlan> readNeedle(const NeedleOptions& options);
+
+}  // namespace insonate::cli

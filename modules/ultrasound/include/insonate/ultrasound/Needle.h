@@ -1,0 +1,24 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/core/Vec3.h>
+
+namespace insonate {
+
+/// A straight, hollow steel needle with a short bevel, where it is now: it is no tissue and does not move with it.
+/// Patient LPS, millimetres. Its radius counts from the axis outward; 18 G is 1.27 mm thick (ISO 9626).
+struct Needle {
+  Vec3 tip_mm{};
+  Vec3 direction{0, 0, 1};    ///< of the shaft, toward the tip; unit
+  Vec3 bevelNormal{1, 0, 0};  ///< to where the bevel's opening faces; not along the shaft, its part across it counts
+  double radius_mm = 0.635;   ///< outer; 0.1..2
+  double length_mm = 70;      ///< from the tip to the hub; 1..300
+
+  bool operator==(const Needle&) const = default;
+};
+
+/// Fails, with a sentence, on what is not finite or out of range, a direction that is not of unit length, and a bevel
+/// that faces along the shaft.
+Result<void> validate(const Needle& needle);
+
+}  // namespace insonate

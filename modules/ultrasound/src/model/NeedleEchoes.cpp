@@ -1,0 +1,207 @@
+#include "model/NeedleEchoes.h"
+
+#include "PointSpread.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace insonate {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr double kLeastSine2 = 1e-3;  // beams along the shaft cross it nowhere in particular
+constexpr double kReach_sd = 4.5;     // of the slice
+constexpr double kStep_gates = 0.75;  // B-splines a gate wide add up evenly
+constexpr double kLeastSpacing_mm = 1e-3, kLeastRing = 0.2, kLeastLoss_dB = 0.01;
+constexpr double kBeside_mm = 2;  // of the field of view, for what reaches into it
+
+double fromDecibel(double dB) {
+  return std::pow(10.0, dB / 20);
+}
+
+double reflection() {
+  using namespace steel;
+  return (kImpedance_MRayl - kTissueImpedance_MRayl) / (kImpedance_MRayl + kTissueImpedance_MRayl);
+}
+
+/// Of a unit Gaussian from the left.
+double gaussianBefore(double x_sd) {
+  return 0.5 * std::erfc(-x_sd / std::numbers::sqrt2);
+}
+
+struct Interval {
+  double low, high;
+};
+
+/// What of the interval of s has low <= start + s * slope <= high.
+void clip(double start, double slope, double low, double high, Interval& s) {
+  if (std::abs(slope) < 1e-12) {
+    if (start < low || start > high) s = {0, 0};
+    return;
+  }
+  const double a = (low - start) / slope, b = (high - start) / slope;
+  s = {std::max(s.low, std::min(a, b)), std::min(s.high, std::max(a, b))};
+}
+
+}  // namespace
+
+struct NeedleEchoes::Pose {
+  Vec3 tip_mm, direction;
+  Vec3 bevel;  ///< outward from the bevel's face, unit
+  double radius_mm, length_mm, bevelLength_mm;
+
+  Pose(const Needle& needle, const Transform& patientFromProbe) {
+    const Mat3 probeFromPatient = transposed(patientFromProbe.linear);
+    const double angle = steel::kBevel_deg / kDegrees;
+    tip_mm = probeFromPatient * (needle.tip_mm - patientFromProbe.offset);
+    direction = normalized(probeFromPatient * needle.direction);
+    const Vec3 faces = probeFromPatient * needle.bevelNormal;
+    bevel = std::cos(angle) * normalized(faces - direction * dot(faces, direction)) + std::sin(angle) * direction;
+    radius_mm = needle.radius_mm, length_mm = needle.length_mm;
+    bevelLength_mm = 2 * radius_mm / std::tan(angle);
+  }
+  /// `behind_mm` from the tip, on the axis.
+  Vec3 at(double behind_mm) const { return tip_mm - direction * behind_mm; }
+};
+
+NeedleEchoes::NeedleEchoes(const FramePlan& plan) : plan_(&plan) {
+  for (int gate = 0; gate < plan.gates; ++gate)
+    gatesPerGap_.push_back(
+        static_cast<float>(std::exp(-plan.range_mm(gate) / acoustics::kContactDepth_mm) / plan.gate_mm));
+  amplitude_.resize(std::size_t(plan.lines) * plan.gates);
+  lines_.resize(plan.lines);
+  constexpr std::size_t kVector = 32;
+  paddedLines_ = (plan.lines + kVector - 1) / kVector * kVector;
+  onset_gate_.resize(plan.settings.elevationPlanes * paddedLines_);
+  loss_dB_.resize(onset_gate_.size());
+}
+
+void NeedleEchoes::place(const Needle* needle, const Transform& patientFromProbe) {
+  if (present_) {
+    for (int l = 0; l < plan_->lines; ++l) {
+      float* amplitude = amplitude_.data() + std::size_t(l) * plan_->gates;
+      std::fill(amplitude + lines_[l].first, amplitude + lines_[l].end, 0.0F);
+      lines_[l] = {};
+    }
+    std::fill(loss_dB_.begin(), loss_dB_.end(), 0.0F);
+  }
+  present_ = false;
+  if (!needle) return;
+  const Pose pose(*needle, patientFromProbe);
+  if (plan_->settings.effects.reflection) echoShaft(pose);
+  if (!plan_->settings.effects.transmission) return;
+  for (int plane = 0; plane < plan_->settings.elevationPlanes; ++plane)
+    for (int line = 0; line < plan_->lines; ++line) castShadow(pose, plane, line);
+}
+
+void NeedleEchoes::add(double scanline, double gate, double amplitude, float ring_gates) {
+  const int l0 = static_cast<int>(std::lround(scanline)), g0 = static_cast<int>(std::lround(gate));
+  const auto spline = [](double off, int k) {
+    return k == 0 ? 0.75 - off * off : 0.5 * (0.5 + k * off) * (0.5 + k * off);
+  };
+  for (int l = std::max(l0 - 1, 0); l <= std::min(l0 + 1, plan_->lines - 1); ++l) {
+    const double share = amplitude * spline(scanline - l0, l - l0);
+    Line& line = lines_[l];
+    const int first = std::max(g0 - 1, 0), last = std::min(g0 + 1, plan_->gates - 1);
+    if (first > last) continue;
+    float* at = amplitude_.data() + std::size_t(l) * plan_->gates;
+    for (int g = first; g <= last; ++g) at[g] += static_cast<float>(share * spline(gate - g0, g - g0));
+    line.first = line.first < line.end ? std::min(line.first, first) : first;
+    line.end = std::max(line.end, last + 1);
+    line.ring_gates = ring_gates;
+    present_ = true;
+  }
+}
+
+/// Every step of the shaft is a piece of cylinder that echoes from a line on its near side.
+void NeedleEchoes::echoShaft(const Pose& needle) {
+  const FramePlan& plan = *plan_;
+  const BeamGrid& grid = plan.grid;
+  const double wavenumber = 2 * std::numbers::pi * plan.settings.frequency_MHz / kSoundSpeed_mmPerUs;
+  // Over a cylinder of radius a the echo runs out of phase as exp(i k y^2 / a): as strong as a strip of sqrt(pi a / k).
+  const double strip_mm = std::sqrt(std::numbers::pi * needle.radius_mm / wavenumber);
+  const double echo = fromDecibel(acoustics::kReflectorGain_dB) * reflection() * plan.boundaryScale;
+  const double inner_mm = 2 * needle.radius_mm * (1 - 2 * steel::kWallShare);
+  const double walls_mm = 4 * needle.radius_mm * steel::kWallShare * kSoundSpeed_mmPerUs / steel::kSpeed_mmPerUs;
+  const double widest_sd = *std::max_element(plan.elevationSd_mm.begin(), plan.elevationSd_mm.end());
+  Interval s{0, needle.length_mm};
+  clip(needle.tip_mm.x, -needle.direction.x, grid.minLateral_mm() - kBeside_mm, grid.maxLateral_mm() + kBeside_mm, s);
+  clip(needle.tip_mm.z, -needle.direction.z, grid.minAxial_mm() - kBeside_mm, grid.maxAxial_mm() + kBeside_mm, s);
+  clip(needle.tip_mm.y, -needle.direction.y, -kReach_sd * widest_sd, kReach_sd * widest_sd, s);
+
+  const double step_mm = kStep_gates * plan.gate_mm;
+  for (double n = std::ceil(s.low / step_mm); (n + 0.5) * step_mm < s.high; ++n) {
+    const double behind_mm = (n + 0.5) * step_mm;
+    const double fromTip = std::min(behind_mm / needle.bevelLength_mm, 1.0);
+    const Vec3 axis = needle.at(behind_mm);
+    const Vec3 beam = grid.direction(grid.locate(axis.x, axis.z).scanline);
+    const double along = dot(beam, needle.direction);
+    const Vec3 across = beam - needle.direction * along;
+    const double sine = norm(across);
+    const Vec3 surface = sine * sine > kLeastSine2 ? axis - across * (needle.radius_mm * fromTip / sine) : axis;
+    const auto at = grid.locate(surface.x, surface.z);
+    const double gate = (at.sample + 0.5) / plan.stride - 0.5;
+    if (gate < -1 || gate > plan.gates || at.scanline < -1 || at.scanline > plan.lines) continue;
+    const double range_mm = plan.range_mm(gate);
+    const double slice_mm = plan.elevationSd_mm[std::clamp(static_cast<int>(gate), 0, plan.gates - 1)];
+    const double off_sd = surface.y / slice_mm;
+    if (std::abs(off_sd) > kReach_sd) continue;
+    const double slice =
+        std::min(1.0, strip_mm / (std::sqrt(2 * std::numbers::pi) * slice_mm)) * std::exp(-0.5 * off_sd * off_sd);
+
+    double tilt_deg = std::asin(std::min(std::abs(along), 1.0)) * kDegrees;
+    const double facing = -dot(beam, needle.bevel);
+    if (fromTip < 1 && facing > 0) tilt_deg = std::min(tilt_deg, std::acos(std::min(facing, 1.0)) * kDegrees);
+    const double shaft_dB = -steel::kTiltLoss_dBpdeg * tilt_deg;
+    const double tip_dB = steel::kTipGain_dB + std::max(shaft_dB, -steel::kTipTiltLoss_dB);
+    const double gain_dB = tip_dB + (shaft_dB - tip_dB) * fromTip;
+
+    const double steps = step_mm / std::max(grid.scanlineSpacing_mm(range_mm), kLeastSpacing_mm);
+    // Ways through a layer differ by twice its thickness times the cosine of incidence.
+    const double ring_mm = plan.settings.effects.reverberation ? (inner_mm + walls_mm) * std::max(sine, kLeastRing) : 0;
+    add(at.scanline, gate, echo * slice * fromDecibel(gain_dB) * steps, static_cast<float>(ring_mm / plan.gate_mm));
+  }
+}
+
+/// A scanline of a plane stands for what lies up to halfway to its neighbours; the needle covers a part of that.
+void NeedleEchoes::castShadow(const Pose& needle, int plane, int line) {
+  const FramePlan& plan = *plan_;
+  const Vec3 beam = plan.grid.direction(line), origin = plan.grid.origin(line);
+  const double cosine = dot(beam, needle.direction), sine2 = std::max(1 - cosine * cosine, kLeastSine2);
+  double behind_mm = 0, range_mm = 0, elevation_mm = 0, slice_mm = 0;
+  // Planes spread with depth: first where the central one meets the needle.
+  for (int pass = 0; pass < 2; ++pass) {
+    const Vec3 w = needle.tip_mm - origin - Vec3{0, elevation_mm, 0};
+    const double alongNeedle = dot(w, needle.direction), alongBeam = dot(w, beam);
+    behind_mm = std::clamp((alongNeedle - cosine * alongBeam) / sine2, 0.0, needle.length_mm);
+    range_mm = alongBeam - behind_mm * cosine;
+    const int gate = std::clamp(static_cast<int>(range_mm / plan.gate_mm), 0, plan.gates - 1);
+    slice_mm = plan.elevationSd_mm[gate];
+    elevation_mm = plan.planeOffset_sd[plane] * slice_mm;
+  }
+  if (range_mm <= 0 || range_mm > plan.settings.depth_mm + needle.radius_mm) return;
+  const Vec3 away = needle.at(behind_mm) - origin - Vec3{0, elevation_mm, 0} - beam * range_mm;
+  const double distance_mm = norm(away);
+  Vec3 between = cross(beam, needle.direction);
+  between = norm(between) > 1e-6 ? normalized(between) : Vec3{0, 1, 0};
+  const double box = 1 / std::sqrt(12.0);  // SD of a box one wide
+  const double plane_mm = slice_mm * (plan.planeSpacing_sd > 0 ? plan.planeSpacing_sd * box : 1);
+  const double line_mm = plan.grid.scanlineSpacing_mm(range_mm) * box;
+  const double sd_mm = std::hypot(plane_mm * between.y, line_mm * std::hypot(between.x, between.z));
+  const double covered = gaussianBefore((distance_mm + needle.radius_mm) / sd_mm) -
+                         gaussianBefore((distance_mm - needle.radius_mm) / sd_mm);
+  const double whole = std::min(behind_mm / needle.bevelLength_mm, 1.0);
+  const double passes = 1 - reflection() * reflection();  // each wall
+  const double left = 1 - covered * whole * (1 - passes * passes);
+  const double chord_mm =
+      std::sqrt(std::max(needle.radius_mm * needle.radius_mm - distance_mm * distance_mm, 0.0) / sine2);
+  const double loss_dB = -20 * std::log10(left);
+  if (loss_dB < kLeastLoss_dB) return;
+  const std::size_t at = plane * paddedLines_ + line;
+  onset_gate_[at] = static_cast<float>((range_mm - chord_mm * whole) / plan.gate_mm - 0.5);
+  loss_dB_[at] = static_cast<float>(loss_dB);
+  present_ = true;
+}
+
+}  // namespace insonate

@@ -1,0 +1,228 @@
+#include "conformance/Measure.h"
+#include "conformance/Rig.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace insonate::test {
+namespace {
+
+class Needles : public EngineTest {};
+INSONATE_FOR_ALL_ENGINES(Needles);
+
+constexpr double kSoundSpeed_mmPerUs = 1.54, kRadius_mm = 0.635, kFocus_mm = 20;
+constexpr double kPi = std::numbers::pi;
+
+/// A needle alone: nothing scatters, nothing is lost.
+struct Bench {
+  Probe probe = probeNamed("linear");
+  ImagingSettings settings = silentSettings(probe, 256, 1000, 3);
+  ScenePtr scene;
+
+  explicit Bench(const std::string& name = "linear") : probe(probeNamed(name)) {
+    settings = silentSettings(probe, 256, 1000, 3);
+    settings.effects.reflection = true;
+    scene = evenScene(probe, settings);
+  }
+  BeamGrid grid() const { return {probe, settings}; }
+  double wavelength_mm() const { return kSoundSpeed_mmPerUs / settings.frequency_MHz; }
+  double sliceSd_mm(double range_mm) const {
+    return std::hypot(wavelength_mm() * probe.elevationFwhm_wavelengths,
+                      probe.elevationDivergence * (range_mm - probe.elevationFocus_mm)) /
+           2.3548200450309493;
+  }
+};
+
+/// Its near side at the focus, in the middle of the frame, tilted in the plane, its bevel far to the side.
+Needle tilted(double angle_deg, double elevation_mm = 0) {
+  const double angle = angle_deg * kPi / 180;
+  const Vec3 along{std::cos(angle), 0, std::sin(angle)}, near{-std::sin(angle), 0, std::cos(angle)};
+  return needleAt(Vec3{0, elevation_mm, kFocus_mm} + near * kRadius_mm + along * 12, along);
+}
+
+double brightestOfLine(const EnvelopeFrame& frame, int line) {
+  return peakOf(scanline(frame, line)).value;
+}
+
+TEST_P(Needles, SquareToTheBeamEchoAsACylinderDoes) {
+  const Bench bench;
+  const EnvelopeFrame frame = render(bench.probe, bench.settings, bench.scene, {}, {}, tilted(0));
+  const double wavenumber = 2 * kPi / bench.wavelength_mm();
+  // A plane reflector of steel peaks at 58 dB; a cylinder at what a slice sees of sqrt(pi a / k).
+  const double strip = std::sqrt(kPi * kRadius_mm / wavenumber) / (std::sqrt(2 * kPi) * bench.sliceSd_mm(kFocus_mm));
+  const double expected = std::pow(10, 58 / 20.0) * (45 - 1.63) / (45 + 1.63) * strip;
+  const Peak peak = peakOf(scanline(frame, 128));
+  EXPECT_NEAR(peak.value / expected, 1, 0.05);
+  EXPECT_NEAR(bench.grid().range_mm(peak.index), kFocus_mm, 0.05);
+  record("square_dB", decibel(peak.value));
+}
+
+/// Nichols et al. 2003: from 60-76 to 5 of 100 units of grey between square and 75 degrees off: 33 dB of 60, linearly.
+TEST_P(Needles, DimWithTheTiltAsPublished) {
+  const Bench bench;
+  double before = 0, square_dB = 0;
+  for (const double angle_deg : {0.0, 15.0, 30.0, 45.0, 60.0, 75.0}) {
+    const double here =
+        brightestOfLine(render(bench.probe, bench.settings, bench.scene, {}, {}, tilted(angle_deg)), 128);
+    record("tilt_" + std::to_string(int(angle_deg)) + "_dB", decibel(here));
+    if (angle_deg == 0) {
+      square_dB = decibel(here);
+    } else {
+      EXPECT_LT(here, before) << angle_deg;
+      EXPECT_NEAR((square_dB - decibel(here)) / angle_deg, 0.44, 0.03) << angle_deg;
+    }
+    before = here;
+  }
+}
+
+TEST_P(Needles, FadeAsTheBeamDoesWhenTheyLeaveTheSlice) {
+  const Bench bench;
+  const double central = brightestOfLine(render(bench.probe, bench.settings, bench.scene, {}, {}, tilted(0)), 128);
+  double before = central;
+  for (double off_mm = 0.2; off_mm < 4; off_mm += 0.2) {
+    const double here =
+        brightestOfLine(render(bench.probe, bench.settings, bench.scene, {}, {}, tilted(0, off_mm)), 128);
+    const double off_sd = off_mm / bench.sliceSd_mm(kFocus_mm);
+    EXPECT_LE(here, before) << off_mm;
+    if (off_sd > 5) {
+      EXPECT_EQ(here, 0) << off_mm;
+    } else {
+      EXPECT_NEAR(here / central, std::exp(-0.5 * off_sd * off_sd), 0.01) << off_mm;
+    }
+    before = here;
+  }
+}
+
+TEST_P(Needles, AcrossTheSliceAreASpotAsWideAsTheBeam) {
+  const Bench bench;
+  for (const double x_mm : {-8.0, 0.0, 6.5}) {
+    const Needle needle = needleAt({x_mm, 30, kFocus_mm + kRadius_mm}, {0, 1, 0});
+    const EnvelopeFrame frame = render(bench.probe, bench.settings, bench.scene, {}, {}, needle);
+    const BeamGrid grid = bench.grid();
+    const auto at = grid.locate(x_mm, kFocus_mm);
+    const Peak down = peakOf(scanline(frame, int(std::lround(at.scanline))));
+    const Peak across = peakOf(acrossLines(frame, int(std::lround(down.index))));
+    EXPECT_NEAR(grid.range_mm(down.index), kFocus_mm, 0.1);
+    EXPECT_NEAR(across.index, at.scanline, 0.5);
+    const double lateral_mm = bench.wavelength_mm() * bench.probe.lateralFNumber;
+    EXPECT_NEAR(across.fwhm * grid.scanlineSpacing_mm(kFocus_mm) / lateral_mm, 1, 0.15);
+    EXPECT_NEAR(down.fwhm * grid.step_mm() / (bench.wavelength_mm() * bench.probe.axialFwhm_wavelengths), 1, 0.25);
+  }
+}
+
+TEST_P(Needles, EndAtTheirTipWhichIsBrighter) {
+  const Bench bench;
+  const BeamGrid grid = bench.grid();
+  for (const double angle_deg : {15.0, 45.0, 60.0}) {
+    const double angle = angle_deg * kPi / 180;
+    const EnvelopeFrame frame = render(bench.probe, bench.settings, bench.scene, {}, {},
+                                       needleAt({2, 0, 22}, {std::cos(angle), 0, std::sin(angle)}));
+    const int tip = int(std::lround(grid.locate(2, 22).scanline));
+    const double atTip = brightestOfLine(frame, tip - 2), shaft = brightestOfLine(frame, tip - 50);
+    EXPECT_GT(atTip, 1.2 * shaft) << angle_deg;
+    EXPECT_LT(brightestOfLine(frame, tip + 7), 0.02 * atTip) << angle_deg;
+    EXPECT_NEAR(grid.range_mm(peakOf(scanline(frame, tip - 1)).index), 22, 0.4) << angle_deg;
+  }
+}
+
+TEST_P(Needles, RingBetweenTheirWalls) {
+  Bench bench;
+  bench.settings.effects.reverberation = true;
+  const std::vector<double> line = scanline(render(bench.probe, bench.settings, bench.scene, {}, {}, tilted(0)), 128);
+  const BeamGrid grid = bench.grid();
+  // Lumen of 0.66 diameters, and there and back through walls of 0.17 in steel, at 1.54 mm/us.
+  const double spacing_mm = 2 * kRadius_mm * (0.66 + 2 * 0.17 * kSoundSpeed_mmPerUs / 5.79);
+  double before = peakOf(line).value;
+  for (int ring = 1; ring <= 5; ++ring) {
+    const double at_mm = kFocus_mm + ring * spacing_mm;
+    const int low = int(grid.sampleAt(at_mm - 0.3)), high = int(grid.sampleAt(at_mm + 0.3));
+    const Peak peak = peakOf(std::span(line).subspan(low, high - low));
+    EXPECT_NEAR(grid.range_mm(low + peak.index), at_mm, 0.06) << ring;
+    EXPECT_NEAR(peak.value / before, ring == 1 ? 0.3 : 0.5, 0.02) << ring;
+    before = peak.value;
+  }
+}
+
+TEST_P(Needles, CastAShadowBehindThemAndLeaveTheRestAsItWas) {
+  Bench bench;
+  bench.settings = speckleSettings(bench.probe, 256, 1000, 3);
+  const BeamGrid grid = bench.grid();
+  const EnvelopeFrame without = render(bench.probe, bench.settings, bench.scene);
+  bench.settings.effects.transmission = true;
+  const EnvelopeFrame frame =
+      render(bench.probe, bench.settings, bench.scene, {}, {}, needleAt({0, 30, 15}, {0, 1, 0}));
+  const auto part = [&](const EnvelopeFrame& of, double left_mm, double right_mm, double top_mm, double bottom_mm) {
+    return valuesIn(of, {int(grid.sampleAt(top_mm)), int(grid.sampleAt(bottom_mm)),
+                         int(grid.locate(left_mm, 10).scanline), int(grid.locate(right_mm, 10).scanline)});
+  };
+  const auto share = [&](auto... window) { return rms(part(frame, window...)) / rms(part(without, window...)); };
+  EXPECT_LT(share(-0.2, 0.2, 16.0, 30.0), 0.2);
+  EXPECT_EQ(part(frame, -15, 15, 1, 14), part(without, -15, 15, 1, 14)) << "before it";
+  EXPECT_EQ(part(frame, 3, 15, 16, 38), part(without, 3, 15, 16, 38)) << "beside it";
+  EXPECT_EQ(part(frame, -15, -3, 16, 38), part(without, -15, -3, 16, 38)) << "beside it";
+  // Off the slice it covers less of it.
+  double before = 0;
+  for (const double off_mm : {0.0, 0.3, 0.6, 0.9, 1.2, 1.8, 3.0}) {
+    const EnvelopeFrame beside =
+        render(bench.probe, bench.settings, bench.scene, {}, {}, needleAt({30, off_mm, 15}, {1, 0, 0}));
+    const double left = rms(part(beside, -10, 10, 17, 19)) / rms(part(without, -10, 10, 17, 19));
+    EXPECT_GE(left, before) << off_mm;
+    before = left;
+    record("left_behind_" + std::to_string(off_mm), left);
+  }
+  EXPECT_EQ(before, 1);
+}
+
+TEST_P(Needles, OutOfReachChangeNothing) {
+  const Probe probe = probeNamed("linear");
+  ImagingSettings settings = settingsFor(probe);
+  settings.scanlines = 64, settings.samples = 256;
+  const ScenePtr scene = evenScene(probe, settings);
+  const EnvelopeFrame without = render(probe, settings, scene);
+  for (const Needle& away : {needleAt({0, 12, 20}, {1, 0, 1}), needleAt({60, 0, 20}, {0, 0, 1}),
+                             needleAt({0, 0, 200}, {1, 0, 0}), needleAt({0, 0, -5}, {0, 0, 1})})
+    EXPECT_TRUE(identical(render(probe, settings, scene, {}, {}, away), without));
+  EXPECT_FALSE(identical(render(probe, settings, scene, {}, {}, tilted(30)), without));
+}
+
+TEST_P(Needles, StayWhereTheyAreWhenTissueMoves) {
+  const Bench bench;
+  const PlaneDisplacement shifted =
+      displacementOver(bench.probe, bench.settings, 1, [](double, double) { return shiftBy(2, -3); });
+  EXPECT_LT(relativeError(render(bench.probe, bench.settings, bench.scene, {}, shifted, tilted(30)),
+                          render(bench.probe, bench.settings, bench.scene, {}, {}, tilted(30))),
+            1e-5);
+}
+
+TEST_P(Needles, LieWhereTheyAreUnderEveryProbe) {
+  for (const char* name : {"linear", "curvilinear", "phased"}) {
+    const Bench bench(name);
+    const Vec3 place{3, 0, 30};
+    const EnvelopeFrame frame =
+        render(bench.probe, bench.settings, bench.scene, {}, {}, needleAt(place + Vec3{0, 30, kRadius_mm}, {0, 1, 0}));
+    const BeamGrid grid = bench.grid();
+    const auto at = grid.locate(place.x, place.z);
+    const Peak down = peakOf(scanline(frame, int(std::lround(at.scanline))));
+    EXPECT_NEAR(grid.range_mm(down.index), grid.range_mm(at.sample), 0.3) << name;
+    EXPECT_NEAR(peakOf(acrossLines(frame, int(std::lround(down.index)))).index, at.scanline, 1) << name;
+  }
+}
+
+TEST_P(Needles, OfAnyKindAndPlaceGiveNumbers) {
+  for (const char* name : {"linear", "curvilinear", "phased"}) {
+    const Probe probe = probeNamed(name);
+    ImagingSettings settings = settingsFor(probe);
+    settings.scanlines = 40, settings.samples = 200;
+    const ScenePtr scene = evenScene(probe, settings);
+    for (const Vec3 direction : {Vec3{0, 0, 1}, Vec3{0, 0, -1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{1e-7, 0, 1}})
+      for (const Vec3 tip_mm : {Vec3{0, 0, 0}, Vec3{0, 0, 15}, Vec3{1000, 0, 1000}, Vec3{0, 0, -60}, Vec3{0, 1, 1e6}})
+        for (const double radius_mm : {0.1, 2.0}) {
+          Needle needle = needleAt(tip_mm, direction);
+          needle.radius_mm = radius_mm, needle.length_mm = 300;
+          EXPECT_TRUE(allFinite(render(probe, settings, scene, {}, {}, needle))) << name;
+        }
+  }
+}
+
+}  // namespace
+}  // namespace insonate::test
