@@ -1,0 +1,89 @@
+#pragma once
+
+#include <insonate/procedure/AttemptEvent.h>
+#include <insonate/procedure/AttemptHeader.h>
+#include <insonate/procedure/AttemptSample.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace insonate {
+
+/// In the order of metricTable(). "Access" is the first puncture of the vein in an attempt; a "pass" lasts from a
+/// puncture of the skin until the needle is out again.
+enum class Metric {
+  VeinPunctures,
+  ArteryPunctures,
+  DoublePunctures,
+  TimeToVein,
+  UsedNeedleInsertions,
+  TimeToAccess,
+  AttemptTime,
+  Passes,
+  Redirections,
+  LungPunctures,
+  BoneContacts,
+  NeedlePath,
+  NeedleInefficiency,
+  PathDeviation,
+  InsertionAngle,
+  TipInPicture,
+  AspirationWhileAdvancing,
+  VeinCentreDistance,
+  TipInVein,
+  NearestArtery,
+  NearestLung,
+  ProbePath,
+  ProbeTranslations,
+  ProbeRotations,
+  ProbeForceMean,
+  ProbeForceMost,
+};
+inline constexpr int kMetricCount = 26;
+
+enum class Better { Lower, Higher, Neither };
+
+struct MetricDefinition {
+  Metric metric;
+  std::string_view id;    ///< as in files and JSON: "vein_punctures"
+  int version;            ///< of the definition: grows whenever a value could come out otherwise
+  std::string_view unit;  ///< "", "s", "mm", "%", "deg", "N"
+  Better better;
+  std::string_view definition;  ///< what is counted, with its thresholds
+  std::string_view evidence;    ///< who showed that it tells something, or where it comes from
+};
+
+std::span<const MetricDefinition, kMetricCount> metricTable();
+
+/// One value each; what an attempt does not tell is missing, not 0.
+struct MetricValues {
+  std::array<std::optional<double>, kMetricCount> values;
+
+  std::optional<double> operator[](Metric metric) const { return values[static_cast<int>(metric)]; }
+  std::optional<double>& operator[](Metric metric) { return values[static_cast<int>(metric)]; }
+  bool operator==(const MetricValues&) const = default;
+};
+
+/// One pass over the samples and events of an attempt, in the order of its recording. Live and replayed, the same
+/// stream gives the same values, to the last bit.
+class AttemptMetrics {
+ public:
+  explicit AttemptMetrics(const PictureField& picture);
+  ~AttemptMetrics();
+  AttemptMetrics(AttemptMetrics&&) noexcept;
+  AttemptMetrics& operator=(AttemptMetrics&&) noexcept;
+
+  void take(const AttemptSample& sample);
+  void take(const AttemptEvent& event);
+  /// As things stand.
+  MetricValues values() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace insonate

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/procedure/AttemptEvent.h>
+#include <insonate/procedure/AttemptHeader.h>
+#include <insonate/procedure/AttemptMetrics.h>
+#include <insonate/procedure/AttemptSample.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace insonate {
+
+/// Writes an attempt as it happens, from a thread of its own, and computes its metrics from what it writes, so that a
+/// replay gives the same. The file grows beside its place (`partOf()`), a block each second, on the disk as soon as it
+/// is written; finish() gives it its name. A program that ends before leaves the part, which AttemptRecording reads.
+class AttemptRecorder {
+ public:
+  /// Fails where the file exists, where a part of an earlier attempt lies beside it, or where it cannot be written.
+  static Result<std::unique_ptr<AttemptRecorder>> start(const std::filesystem::path& file, const AttemptHeader& header);
+  /// An attempt that was not finished is finished as abandoned.
+  ~AttemptRecorder();
+  AttemptRecorder(const AttemptRecorder&) = delete;
+  AttemptRecorder& operator=(const AttemptRecorder&) = delete;
+
+  /// By one thread, the servo's: neither waits, allocates nor throws. What finds no room, since the recorder's thread
+  /// had no processor for 4 s, is counted and left out. A sample older than the last one is left out, too.
+  void put(const AttemptSample& sample) noexcept;
+  void put(const AttemptEvent& event) noexcept;
+  /// How many more put() will take now; for what runs ahead of time, and can wait. By the thread that puts.
+  std::size_t room() const noexcept;
+  /// By any other thread; kept after what the servo had put by then.
+  void note(const AttemptEvent& event);
+
+  /// As of some milliseconds ago. Any thread.
+  MetricValues metrics() const;
+  /// A sentence once the disk refuses; the attempt goes on, its metrics too. Empty: all is well. Any thread.
+  std::string trouble() const;
+
+  /// Writes what is left. Fails where the disk did not take all of it, with where the part is that it took. Once, by
+  /// the thread that started it, after the last put() and note().
+  Result<MetricValues> finish(AttemptStatus status);
+
+  static std::filesystem::path partOf(const std::filesystem::path& file);
+
+ private:
+  struct State;
+  explicit AttemptRecorder(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace insonate

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/procedure/AttemptEvent.h>
+#include <insonate/procedure/AttemptHeader.h>
+#include <insonate/procedure/AttemptMetrics.h>
+#include <insonate/procedure/AttemptSample.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace insonate {
+namespace record {
+struct BlockHead;
+}
+
+/// About a second of an attempt.
+struct Stretch {
+  struct Happened {
+    std::uint32_t afterSamples = 0;  ///< of this stretch
+    AttemptEvent event;
+  };
+  std::vector<QuantisedSample> samples;
+  std::vector<Happened> events;
+  std::uint32_t samplesLost = 0;  ///< that the recorder had no room for, within this stretch or just before
+};
+
+/// A recorded attempt, whole or cut short. Constant once it is open: any number of threads may read.
+class AttemptRecording {
+ public:
+  /// Looks through the blocks of a file, without unpacking them: milliseconds for an attempt of ten minutes. Fails
+  /// where it is none, where not even its header can be read, and where a newer program wrote it.
+  static Result<AttemptRecording> open(const std::filesystem::path& file);
+
+  const AttemptHeader& header() const { return header_; }
+  AttemptStatus status() const { return status_; }
+  /// What is missing, for people: a file cut short, damaged blocks.
+  const std::vector<std::string>& troubles() const { return troubles_; }
+
+  std::int64_t end_us() const;  ///< time of the last sample or event; 0: there is none
+  std::size_t stretches() const { return blocks_.size(); }
+  /// The last stretch that begins at this time or before; the first, when none does. Of stretches() above 0.
+  std::size_t stretchAt(std::int64_t time_us) const;
+  /// Fails where the block is damaged.
+  Result<Stretch> stretch(std::size_t index) const;
+
+  /// Metrics as they stood after all that happened up to this time; the same as live, to the last bit. Fails where
+  /// something before is damaged: numbers without it would be wrong.
+  Result<MetricValues> metricsUntil(std::int64_t time_us = std::numeric_limits<std::int64_t>::max()) const;
+
+ private:
+  struct Block {
+    std::int64_t first_us = 0, last_us = 0;
+    std::size_t payload = 0, packedBytes = 0, rawBytes = 0;
+    std::uint32_t checksum = 0;
+  };
+  Result<void> readBlock(const record::BlockHead& head, std::size_t payload);
+  Result<void> readHeader(const record::BlockHead& head, std::size_t payload);
+  void checkEnd(const record::BlockHead& head, std::size_t payload);
+
+  std::string name_;
+  std::vector<std::uint8_t> bytes_;
+  bool hasHeader_ = false, damaged_ = false;
+  AttemptHeader header_;
+  AttemptStatus status_ = AttemptStatus::CutShort;
+  std::vector<std::string> troubles_;
+  std::vector<Block> blocks_;
+};
+
+}  // namespace insonate

@@ -1,0 +1,203 @@
+#include "metrics/NeedleWork.h"
+#include "metrics/ProbeWork.h"
+#include "metrics/Punctures.h"
+
+#include <insonate/procedure/AttemptMetrics.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace insonate {
+namespace {
+
+/// Out of the skin and as far from the hole, the needle counts as pulled out; before, it trembles in the hole.
+constexpr double kOut_mm = 2;
+/// As far from where it was struck, bone counts as left.
+constexpr double kOffBone_mm = 1;
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+bool shows(const PictureField& field, double depth_mm, Vec3 point_probe) {
+  if (std::abs(point_probe.y) > field.sliceHalf_mm) return false;
+  if (field.fanAngle_deg <= 0)
+    return std::abs(point_probe.x) <= field.width_mm / 2 && point_probe.z >= 0 && point_probe.z <= depth_mm;
+  const double fromApex_mm = std::hypot(point_probe.x, point_probe.z + field.faceRadius_mm);
+  const double angle_deg = std::atan2(point_probe.x, point_probe.z + field.faceRadius_mm) * kDegrees;
+  return fromApex_mm >= field.faceRadius_mm && fromApex_mm <= field.faceRadius_mm + depth_mm &&
+         std::abs(angle_deg) <= field.fanAngle_deg / 2;
+}
+
+void keepLeast(std::optional<double>& least, const std::optional<double>& value) {
+  if (value) least = least ? std::min(*least, *value) : *value;
+}
+
+std::optional<double> secondsBetween(const std::optional<std::int64_t>& from_us,
+                                     const std::optional<std::int64_t>& to_us) {
+  if (!from_us || !to_us) return std::nullopt;
+  return static_cast<double>(*to_us - *from_us) * 1e-6;
+}
+
+}  // namespace
+
+struct AttemptMetrics::State {
+  explicit State(const PictureField& field) : picture(field) {}
+
+  void followNeedle(const AttemptSample& sample);
+  bool inPicture(const AttemptSample& sample, Vec3 tip_mm) const;
+  void cross(const AttemptEvent& event);
+  void crossSkin(const AttemptEvent& event);
+  void beginPass(const AttemptEvent& event);
+  void endPass();
+  void strike(const AttemptEvent& event);
+  metrics::Punctures* structure(Label wall);
+
+  PictureField picture;
+  metrics::Punctures vein, artery, lung;
+  metrics::NeedleWork needle;
+  metrics::ProbeWork probe;
+
+  std::optional<std::int64_t> first_us, last_us;
+  std::optional<std::int64_t> firstSkin_us, passSkin_us, access_us;
+  std::optional<double> timeToVein_s;
+  int passes = 0, usedInsertions = 0, boneContacts = 0;
+  bool inPass = false, used = false;
+  std::optional<Vec3> out_mm;   ///< where the tip came out of the skin, until it is clear of the hole
+  std::optional<Vec3> bone_mm;  ///< where it met bone, until it is clear
+  std::optional<double> angle_deg, nearestArtery_mm, nearestLung_mm, veinCentre_mm;
+};
+
+metrics::Punctures* AttemptMetrics::State::structure(Label wall) {
+  return wall == kVein ? &vein : wall == kArtery ? &artery : wall == kAirway ? &lung : nullptr;
+}
+
+bool AttemptMetrics::State::inPicture(const AttemptSample& sample, Vec3 tip_mm) const {
+  return sample.patientFromProbe && sample.pictureDepth_mm > 0 &&
+         shows(picture, sample.pictureDepth_mm, inverted(*sample.patientFromProbe) * tip_mm);
+}
+
+void AttemptMetrics::State::followNeedle(const AttemptSample& sample) {
+  const Vec3 tip_mm = sample.patientFromNeedle->offset;
+  if (bone_mm && norm(tip_mm - *bone_mm) > kOffBone_mm) bone_mm.reset();
+  if (out_mm && norm(tip_mm - *out_mm) > kOut_mm) endPass();
+  if (!inPass || !sample.needleDepth_mm) return;
+  const double depth_mm = *sample.needleDepth_mm;
+  for (metrics::Punctures* each : {&vein, &artery, &lung}) each->follow(depth_mm);
+  needle.follow(tip_mm, depth_mm, inPicture(sample, tip_mm), sample.aspirating);
+  keepLeast(nearestArtery_mm, sample.toArtery_mm);
+  keepLeast(nearestLung_mm, sample.toLung_mm);
+  if (vein.inside() && sample.toVeinCentre_mm) veinCentre_mm = sample.toVeinCentre_mm;
+}
+
+void AttemptMetrics::State::beginPass(const AttemptEvent& event) {
+  inPass = true;
+  ++passes;
+  if (used) ++usedInsertions;
+  passSkin_us = event.time_us;
+  if (!firstSkin_us) firstSkin_us = event.time_us;
+  for (metrics::Punctures* each : {&vein, &artery, &lung}) each->beginPass();
+  needle.beginPass(event.tip_mm);
+  if (access_us) return;
+  angle_deg.reset();
+  if (event.outward) angle_deg = std::asin(std::clamp(-dot(event.axis, *event.outward), -1.0, 1.0)) * kDegrees;
+}
+
+void AttemptMetrics::State::endPass() {
+  inPass = false, used = true;
+  out_mm.reset();
+}
+
+void AttemptMetrics::State::crossSkin(const AttemptEvent& event) {
+  if (event.kind == AttemptEventKind::Entered) {
+    if (!inPass) beginPass(event);
+    out_mm.reset();
+  } else if (inPass) {
+    out_mm = event.tip_mm;
+    needle.endPass(event.tip_mm);
+    for (metrics::Punctures* each : {&vein, &artery, &lung}) each->withdraw(false);
+  }
+}
+
+void AttemptMetrics::State::cross(const AttemptEvent& event) {
+  if (event.wall == kSkin) return crossSkin(event);
+  metrics::Punctures* crossed = structure(event.wall);
+  if (!crossed || !inPass) return;
+  if (event.kind == AttemptEventKind::Left) return crossed->leave(event.depth_mm);
+  if (event.kind == AttemptEventKind::Withdrawn) return crossed->withdraw(event.into == event.wall);
+  if (!crossed->enter(event.depth_mm) || crossed != &vein || access_us) return;
+  access_us = event.time_us;
+  timeToVein_s = secondsBetween(passSkin_us, access_us);
+  needle.reach(event.tip_mm);
+}
+
+void AttemptMetrics::State::strike(const AttemptEvent& event) {
+  if (!bone_mm) ++boneContacts;
+  bone_mm = event.tip_mm;
+}
+
+AttemptMetrics::AttemptMetrics(const PictureField& picture) : state_(std::make_unique<State>(picture)) {}
+AttemptMetrics::~AttemptMetrics() = default;
+AttemptMetrics::AttemptMetrics(AttemptMetrics&&) noexcept = default;
+AttemptMetrics& AttemptMetrics::operator=(AttemptMetrics&&) noexcept = default;
+
+void AttemptMetrics::take(const AttemptSample& sample) {
+  State& s = *state_;
+  if (!s.first_us) s.first_us = sample.time_us;
+  s.last_us = sample.time_us;
+  s.probe.follow(sample.time_us, sample.patientFromProbe, sample.probeForce_N, s.firstSkin_us && !s.access_us);
+  if (sample.patientFromNeedle) s.followNeedle(sample);
+}
+
+void AttemptMetrics::take(const AttemptEvent& event) {
+  State& s = *state_;
+  switch (event.kind) {
+    case AttemptEventKind::Entered:
+    case AttemptEventKind::Left:
+    case AttemptEventKind::Withdrawn:
+      return s.cross(event);
+    case AttemptEventKind::Struck:
+      return s.strike(event);
+    case AttemptEventKind::NeedleReplaced:
+      if (s.inPass && s.out_mm) s.endPass();
+      if (!s.inPass) s.used = false;
+      return;
+    case AttemptEventKind::Frozen:
+    case AttemptEventKind::Released:
+    case AttemptEventKind::Positioned:
+      return;
+  }
+}
+
+MetricValues AttemptMetrics::values() const {
+  const State& s = *state_;
+  const bool pierced = s.passes > 0;
+  MetricValues values;
+  values[Metric::VeinPunctures] = s.vein.count();
+  values[Metric::ArteryPunctures] = s.artery.count();
+  values[Metric::DoublePunctures] = s.vein.through();
+  values[Metric::TimeToVein] = s.timeToVein_s;
+  values[Metric::UsedNeedleInsertions] = s.usedInsertions;
+  values[Metric::TimeToAccess] = secondsBetween(s.firstSkin_us, s.access_us);
+  values[Metric::AttemptTime] = secondsBetween(s.first_us, s.last_us);
+  values[Metric::Passes] = s.passes;
+  values[Metric::Redirections] = s.needle.redirections();
+  values[Metric::LungPunctures] = s.lung.count();
+  values[Metric::BoneContacts] = s.boneContacts;
+  if (pierced) values[Metric::NeedlePath] = s.needle.path_mm();
+  values[Metric::NeedleInefficiency] = s.needle.inefficiency_percent();
+  values[Metric::PathDeviation] = s.needle.deviation_mm();
+  values[Metric::InsertionAngle] = s.angle_deg;
+  if (s.picture.sliceHalf_mm > 0) values[Metric::TipInPicture] = s.needle.inPicture_percent();
+  values[Metric::AspirationWhileAdvancing] = s.needle.aspirating_percent();
+  values[Metric::VeinCentreDistance] = s.veinCentre_mm;
+  if (pierced) values[Metric::TipInVein] = s.vein.inside() ? 1 : 0;
+  values[Metric::NearestArtery] = s.nearestArtery_mm;
+  values[Metric::NearestLung] = s.nearestLung_mm;
+  values[Metric::ProbePath] = s.probe.path_mm();
+  values[Metric::ProbeTranslations] = s.probe.translations();
+  values[Metric::ProbeRotations] = s.probe.rotations();
+  values[Metric::ProbeForceMean] = s.probe.forceMean_N();
+  values[Metric::ProbeForceMost] = s.probe.forceMost_N();
+  return values;
+}
+
+}  // namespace insonate

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <insonate/core/Transform.h>
+
+#include <optional>
+
+namespace insonate::metrics {
+
+/// The way of the tip under the skin until the vein is reached, over all passes.
+class NeedleWork {
+ public:
+  static constexpr double kStep_mm = 0.5;    ///< trembling below it is no way
+  static constexpr double kRedirect_mm = 3;  ///< back by as much, then on by as much
+
+  void beginPass(Vec3 hole_mm);
+  void endPass(Vec3 tip_mm);
+  /// Under the skin. `depth_mm` below the hole, along the needle.
+  void follow(Vec3 tip_mm, double depth_mm, bool inPicture, bool aspirating);
+  /// The vein is reached: nothing counts any more.
+  void reach(Vec3 tip_mm);
+
+  int redirections() const { return redirections_; }
+  double path_mm() const { return path_mm_; }
+  std::optional<double> inefficiency_percent() const;
+  std::optional<double> deviation_mm() const;
+  std::optional<double> inPicture_percent() const;
+  std::optional<double> aspirating_percent() const;
+
+ private:
+  void walk(Vec3 tip_mm);
+  void advance(double depth_mm, bool inPicture, bool aspirating);
+  void redirect(double depth_mm);
+
+  bool reached_ = false;
+  Vec3 hole_mm_, last_mm_, end_mm_;
+  double path_mm_ = 0;
+  // Moments of the pass's points about its hole, for the deviation from the line that is only known at its end.
+  double squares_mm2_ = 0;
+  Mat3 moments_{{Vec3{}, Vec3{}, Vec3{}}};
+  int points_ = 0;
+
+  double mark_mm_ = 0, advanced_mm_ = 0, inPicture_mm_ = 0, aspirating_mm_ = 0;
+  double deepest_mm_ = 0, back_mm_ = 0;
+  bool wentBack_ = false;
+  int redirections_ = 0;
+};
+
+}  // namespace insonate::metrics

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <insonate/core/Transform.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace insonate::metrics {
+
+/// Bursts of speed: one begins above the limit, and ends once the speed was below for 0.2 s.
+class Movements {
+ public:
+  explicit Movements(double limit) : limit_(limit) {}
+  void follow(std::int64_t time_us, double speed);
+  int count() const { return count_; }
+
+ private:
+  double limit_;
+  std::optional<std::int64_t> fast_us_;
+  int count_ = 0;
+};
+
+class ProbeWork {
+ public:
+  static constexpr double kStep_mm = 1;              ///< trembling below it is no way
+  static constexpr std::int64_t kSpeed_us = 50'000;  ///< speeds are differences over as long
+
+  /// `counting`: the path counts, from the first puncture of the skin until access.
+  void follow(std::int64_t time_us, const std::optional<Transform>& patientFromProbe, double force_N, bool counting);
+
+  std::optional<double> path_mm() const;
+  std::optional<int> translations() const;
+  std::optional<int> rotations() const;
+  std::optional<double> forceMean_N() const;
+  std::optional<double> forceMost_N() const;
+
+ private:
+  struct Place {
+    std::int64_t time_us = 0;
+    Transform patientFromProbe;
+  };
+  void move(const Place& place);
+  void walk(Vec3 at_mm, bool counting);
+
+  bool held_ = false;
+  std::optional<Vec3> last_mm_;
+  double path_mm_ = 0;
+  bool counted_ = false;
+  std::array<Place, 128> recent_;  ///< a ring; more than one in kSpeed_us at 1 kHz
+  std::size_t begin_ = 0, size_ = 0;
+  Movements translations_{50}, rotations_{50};  ///< mm/s, deg/s
+  double forceSum_N_ = 0, forceMost_N_ = 0;
+  std::int64_t pressed_ = 0;
+};
+
+}  // namespace insonate::metrics

@@ -1,0 +1,201 @@
+#include "record/Block.h"
+#include "record/HeaderText.h"
+#include "record/RecordFile.h"
+#include "record/SampleRing.h"
+#include "record/StretchCodec.h"
+
+#include <insonate/procedure/AttemptRecorder.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace insonate {
+
+namespace fs = std::filesystem;
+using record::BlockKind;
+using Clock = std::chrono::steady_clock;
+
+namespace {
+
+constexpr std::int64_t kStretch_us = 1'000'000;
+constexpr auto kWake = std::chrono::milliseconds(20);
+
+}  // namespace
+
+struct AttemptRecorder::State {
+  State(fs::path target, record::RecordFile begun, const PictureField& picture)
+      : path(std::move(target)), file(std::move(begun)), pass(picture) {}
+
+  void run();
+  void drain();
+  void take(const AttemptSample& sample);
+  void take(const AttemptEvent& event);
+  void close();
+  void append(const record::Bytes& block);
+  Result<MetricValues> finish(AttemptStatus status);
+
+  const fs::path path;
+  record::SampleRing ring;
+
+  // The recorder's thread; after it has ended, finish().
+  record::RecordFile file;
+  AttemptMetrics pass;
+  Stretch open;
+  Clock::time_point opened;
+  std::int64_t lastSample_us = 0, end_us = 0;
+  std::uint32_t stretches = 0;
+  bool refused = false;
+
+  mutable std::mutex mutex;  ///< over what follows
+  std::condition_variable wake;
+  bool stopping = false;
+  std::vector<AttemptEvent> notes;
+  MetricValues values;
+  std::string trouble;
+
+  std::thread thread;
+};
+
+void AttemptRecorder::State::run() {
+  for (bool last = false; !last;) {
+    {
+      std::unique_lock lock(mutex);
+      wake.wait_for(lock, kWake, [&] { return stopping; });
+      last = stopping;
+    }
+    drain();
+  }
+  close();
+}
+
+void AttemptRecorder::State::drain() {
+  std::vector<AttemptEvent> noted;
+  {
+    const std::lock_guard lock(mutex);
+    noted.swap(notes);
+  }
+  ring.drain([&](const record::RingEntry& entry) { std::visit([&](const auto& what) { take(what); }, entry); });
+  for (const AttemptEvent& event : noted) take(event);
+  if (Clock::now() - opened > std::chrono::microseconds(kStretch_us)) close();
+  const std::lock_guard lock(mutex);
+  values = pass.values();
+}
+
+void AttemptRecorder::State::take(const AttemptSample& sample) {
+  if (sample.time_us < lastSample_us) return;
+  if (!open.samples.empty() && sample.time_us - open.samples.front().time_us >= kStretch_us) close();
+  if (open.samples.empty() && open.events.empty()) opened = Clock::now();
+  open.samples.push_back(quantised(sample));
+  lastSample_us = sample.time_us, end_us = std::max(end_us, lastSample_us);
+  pass.take(restored(open.samples.back()));
+}
+
+void AttemptRecorder::State::take(const AttemptEvent& event) {
+  if (open.samples.empty() && open.events.empty()) opened = Clock::now();
+  open.events.push_back({static_cast<std::uint32_t>(open.samples.size()), event});
+  end_us = std::max(end_us, event.time_us);
+  pass.take(event);
+}
+
+void AttemptRecorder::State::close() {
+  if (open.samples.empty() && open.events.empty()) return;
+  const std::int64_t first_us = open.samples.empty() ? lastSample_us : open.samples.front().time_us;
+  open.samplesLost = ring.takeLost();
+  append(record::packed(BlockKind::Stretch, first_us, end_us, record::encoded(open)));
+  open.samples.clear(), open.events.clear();
+  ++stretches;
+}
+
+void AttemptRecorder::State::append(const record::Bytes& block) {
+  if (refused) return;
+  const auto written = file.append(block);
+  if (written) return;
+  refused = true;
+  const std::lock_guard lock(mutex);
+  trouble = written.error().message;
+}
+
+Result<MetricValues> AttemptRecorder::State::finish(AttemptStatus status) {
+  {
+    const std::lock_guard lock(mutex);
+    stopping = true;
+  }
+  wake.notify_all();
+  thread.join();
+  record::Bytes end;
+  end.push_back(static_cast<std::uint8_t>(status));
+  record::put(end, stretches);
+  append(record::packed(BlockKind::End, end_us, end_us, end));
+  if (refused) return fail(trouble);
+  std::error_code error;
+  if (fs::exists(path, error))
+    return fail(path.string() + " was made by another program meanwhile; the recording is kept as " +
+                partOf(path).string() + ".");
+  fs::rename(partOf(path), path, error);
+  if (error)
+    return fail("The recording could not be named " + path.string() + " (" + error.message() + "); it is kept as " +
+                partOf(path).string() + ".");
+  return values;
+}
+
+fs::path AttemptRecorder::partOf(const fs::path& file) {
+  return fs::path(file) += ".part";
+}
+
+Result<std::unique_ptr<AttemptRecorder>> AttemptRecorder::start(const fs::path& path, const AttemptHeader& header) {
+  std::error_code error;
+  if (fs::exists(path, error))
+    return fail(path.string() + " exists; recordings are not written over. Choose another name.");
+  auto file = record::RecordFile::make(partOf(path));
+  if (!file) return tl::unexpected(file.error());
+  const std::string text = record::textOf(header);
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
+  if (auto ok = file->append(record::packed(BlockKind::Header, 0, 0, {bytes, text.size()})); !ok)
+    return tl::unexpected(ok.error());
+  auto state = std::make_unique<State>(path, std::move(*file), header.picture);
+  state->thread = std::thread([s = state.get()] { s->run(); });
+  return std::unique_ptr<AttemptRecorder>(new AttemptRecorder(std::move(state)));
+}
+
+AttemptRecorder::AttemptRecorder(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+AttemptRecorder::~AttemptRecorder() {
+  if (state_->thread.joinable()) (void)state_->finish(AttemptStatus::Abandoned);
+}
+
+void AttemptRecorder::put(const AttemptSample& sample) noexcept {
+  state_->ring.put(sample);
+}
+
+void AttemptRecorder::put(const AttemptEvent& event) noexcept {
+  state_->ring.put(event);
+}
+
+std::size_t AttemptRecorder::room() const noexcept {
+  return state_->ring.room();
+}
+
+void AttemptRecorder::note(const AttemptEvent& event) {
+  const std::lock_guard lock(state_->mutex);
+  state_->notes.push_back(event);
+}
+
+MetricValues AttemptRecorder::metrics() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->values;
+}
+
+std::string AttemptRecorder::trouble() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->trouble;
+}
+
+Result<MetricValues> AttemptRecorder::finish(AttemptStatus status) {
+  return state_->finish(status);
+}
+
+}  // namespace insonate

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "record/Bytes.h"
+
+#include <array>
+#include <optional>
+
+/// The file's bricks. Each stands by itself: it is found by its mark, its head and what it holds have checksums, and
+/// what it holds is packed with zlib. All numbers little-endian.
+namespace insonate::record {
+
+inline constexpr std::array<std::uint8_t, 8> kMark{0xD1, 'I', 'N', 'S', 'O', '\r', '\n', 0x1A};
+
+enum class BlockKind : std::uint32_t { Header = 1, Stretch = 2, End = 3 };
+
+struct BlockHead {
+  static constexpr std::size_t kBytes = 8 + 4 * 4 + 2 * 8 + 4;
+  BlockKind kind = BlockKind::Header;
+  std::uint32_t packedBytes = 0, rawBytes = 0;
+  std::uint32_t checksum = 0;  ///< CRC-32 of the packed bytes
+  std::int64_t first_us = 0, last_us = 0;
+};
+
+/// No block that we write comes near; a larger one is damage.
+inline constexpr std::uint32_t kMostBytes = 64U << 20;
+
+/// Head and packed content.
+Bytes packed(BlockKind kind, std::int64_t first_us, std::int64_t last_us, std::span<const std::uint8_t> content);
+/// The head at the front of these bytes; none where there is none, or a damaged one.
+std::optional<BlockHead> headAt(std::span<const std::uint8_t> bytes);
+/// None where the checksum or zlib disagree.
+std::optional<Bytes> unpacked(std::span<const std::uint8_t> packedBytes, std::size_t rawBytes, std::uint32_t checksum);
+
+}  // namespace insonate::record

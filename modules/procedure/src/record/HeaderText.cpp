@@ -1,0 +1,54 @@
+#include "record/HeaderText.h"
+
+#include <nlohmann/json.hpp>
+
+namespace insonate::record {
+namespace {
+
+/// Grows when what was written before cannot be read as it is any more.
+constexpr int kFormat = 1;
+
+}  // namespace
+
+std::string textOf(const AttemptHeader& header) {
+  const PictureField& picture = header.picture;
+  return nlohmann::json{{"format", kFormat},
+                        {"software", header.software},
+                        {"begun", header.begun},
+                        {"procedure", header.procedure},
+                        {"procedureVersion", header.procedureVersion},
+                        {"caseName", header.caseName},
+                        {"caseHash", header.caseHash},
+                        {"settingsHash", header.settingsHash},
+                        {"engine", header.engine},
+                        {"picture",
+                         {{"width_mm", picture.width_mm},
+                          {"fanAngle_deg", picture.fanAngle_deg},
+                          {"faceRadius_mm", picture.faceRadius_mm},
+                          {"sliceHalf_mm", picture.sliceHalf_mm}}}}
+      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+Result<AttemptHeader> headerFrom(std::string_view text) {
+  try {
+    const auto json = nlohmann::json::parse(text);
+    if (const int format = json.at("format"); format != kFormat)
+      return fail("it has format " + std::to_string(format) + " and this program reads " + std::to_string(kFormat) +
+                  "; use the Insonate that wrote it, " + json.value("software", "a newer one") + ".");
+    const auto& picture = json.at("picture");
+    return AttemptHeader{
+        json.at("software"),
+        json.at("begun"),
+        json.at("procedure"),
+        json.at("procedureVersion"),
+        json.at("caseName"),
+        json.at("caseHash"),
+        json.at("settingsHash"),
+        json.at("engine"),
+        {picture.at("width_mm"), picture.at("fanAngle_deg"), picture.at("faceRadius_mm"), picture.at("sliceHalf_mm")}};
+  } catch (const nlohmann::json::exception&) {
+    return fail("its header is not one of a recording.");
+  }
+}
+
+}  // namespace insonate::record

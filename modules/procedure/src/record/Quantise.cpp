@@ -1,0 +1,116 @@
+#include <insonate/procedure/AttemptSample.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace insonate {
+namespace {
+
+/// Where each value lies in QuantisedSample::channel; a tool takes seven: which component of its quaternion is left out
+/// (0: nobody holds it), the other three, the position.
+enum Channel {
+  kProbe = 0,
+  kNeedle = 7,
+  kTipDepth = 14,
+  kForce,
+  kDepth,
+  kAspirating,
+  kToArtery,
+  kToLung,
+  kToVeinCentre
+};
+static_assert(kToVeinCentre + 1 == QuantisedSample::kChannels);
+
+constexpr std::int32_t kUnknown = std::numeric_limits<std::int32_t>::min();
+constexpr double kMostSteps = 2e9;
+
+std::int32_t stepsOf(double value, double quantum) {
+  if (!std::isfinite(value)) return 0;
+  return static_cast<std::int32_t>(std::lround(std::clamp(value / quantum, -kMostSteps, kMostSteps)));
+}
+
+std::int32_t stepsOf(const std::optional<double>& value, double quantum) {
+  return value && std::isfinite(*value) ? stepsOf(*value, quantum) : kUnknown;
+}
+
+std::optional<double> valueOf(std::int32_t steps, double quantum) {
+  if (steps == kUnknown) return std::nullopt;
+  return steps * quantum;
+}
+
+bool isPlace(const Transform& pose) {
+  for (const Vec3& column : pose.linear.column)
+    if (!isFinite(column)) return false;
+  const Vec3 o = pose.offset;
+  return isFinite(o) && std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)}) <= kFarthest_mm;
+}
+
+/// The three components but the largest, which follows from the unit length and is taken as positive.
+void putTool(const std::optional<Transform>& tool, std::int32_t* channel) {
+  if (!tool || !isPlace(*tool)) return;
+  Eigen::Matrix3d rotation;
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) rotation(r, c) = tool->linear.column[c][r];
+  Eigen::Vector4d q = Eigen::Quaterniond(rotation).normalized().coeffs();
+  if (!q.allFinite()) return;
+  int largest = 0;
+  q.cwiseAbs().maxCoeff(&largest);
+  if (q[largest] < 0) q = -q;
+  *channel++ = largest + 1;
+  for (int i = 0; i < 4; ++i)
+    if (i != largest) *channel++ = stepsOf(q[i], kRotationQuantum);
+  for (int axis = 0; axis < 3; ++axis) *channel++ = stepsOf(tool->offset[axis], kPositionQuantum_mm);
+}
+
+std::optional<Transform> toolOf(const std::int32_t* channel) {
+  const int largest = *channel++ - 1;
+  if (largest < 0 || largest > 3) return std::nullopt;
+  Eigen::Vector4d q = Eigen::Vector4d::Zero();
+  for (int i = 0; i < 4; ++i)
+    if (i != largest) q[i] = *channel++ * kRotationQuantum;
+  q[largest] = std::sqrt(std::max(0.0, 1 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])));
+  const Eigen::Matrix3d rotation = Eigen::Quaterniond(q).toRotationMatrix();
+  Transform tool;
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) tool.linear.column[c][r] = rotation(r, c);
+  for (int axis = 0; axis < 3; ++axis) tool.offset[axis] = *channel++ * kPositionQuantum_mm;
+  return tool;
+}
+
+}  // namespace
+
+QuantisedSample quantised(const AttemptSample& sample) noexcept {
+  QuantisedSample steps;
+  steps.time_us = sample.time_us;
+  auto& channel = steps.channel;
+  putTool(sample.patientFromProbe, &channel[kProbe]);
+  putTool(sample.patientFromNeedle, &channel[kNeedle]);
+  channel[kTipDepth] = stepsOf(sample.needleDepth_mm, kDistanceQuantum_mm);
+  channel[kForce] = stepsOf(sample.probeForce_N, kForceQuantum_N);
+  channel[kDepth] = stepsOf(sample.pictureDepth_mm, kDistanceQuantum_mm);
+  channel[kAspirating] = sample.aspirating;
+  channel[kToArtery] = stepsOf(sample.toArtery_mm, kDistanceQuantum_mm);
+  channel[kToLung] = stepsOf(sample.toLung_mm, kDistanceQuantum_mm);
+  channel[kToVeinCentre] = stepsOf(sample.toVeinCentre_mm, kDistanceQuantum_mm);
+  return steps;
+}
+
+AttemptSample restored(const QuantisedSample& steps) noexcept {
+  const auto& channel = steps.channel;
+  AttemptSample sample;
+  sample.time_us = steps.time_us;
+  sample.patientFromProbe = toolOf(&channel[kProbe]);
+  sample.patientFromNeedle = toolOf(&channel[kNeedle]);
+  sample.needleDepth_mm = valueOf(channel[kTipDepth], kDistanceQuantum_mm);
+  sample.probeForce_N = channel[kForce] * kForceQuantum_N;
+  sample.pictureDepth_mm = channel[kDepth] * kDistanceQuantum_mm;
+  sample.aspirating = channel[kAspirating] != 0;
+  sample.toArtery_mm = valueOf(channel[kToArtery], kDistanceQuantum_mm);
+  sample.toLung_mm = valueOf(channel[kToLung], kDistanceQuantum_mm);
+  sample.toVeinCentre_mm = valueOf(channel[kToVeinCentre], kDistanceQuantum_mm);
+  return sample;
+}
+
+}  // namespace insonate

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "record/Bytes.h"
+
+#include <insonate/core/Result.h>
+
+#include <filesystem>
+#include <span>
+
+namespace insonate::record {
+
+/// A file that only grows, each piece on the disk when append() returns.
+class RecordFile {
+ public:
+  /// Fails where the file exists or cannot be made.
+  static Result<RecordFile> make(const std::filesystem::path& path);
+  RecordFile(RecordFile&& other) noexcept;
+  RecordFile& operator=(RecordFile&&) = delete;
+  ~RecordFile();
+
+  /// Fails with the reason; then a torn piece may follow what was written before.
+  Result<void> append(std::span<const std::uint8_t> bytes);
+
+ private:
+  RecordFile(std::filesystem::path path, int file) : path_(std::move(path)), file_(file) {}
+  std::filesystem::path path_;
+  int file_ = -1;
+};
+
+}  // namespace insonate::record

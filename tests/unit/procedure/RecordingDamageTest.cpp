@@ -1,0 +1,144 @@
+#include "record/Block.h"
+#include "support/TestData.h"
+#include "unit/procedure/HandMotion.h"
+#include "unit/procedure/ScriptedAttempt.h"
+
+#include <insonate/procedure/AttemptRecorder.h>
+#include <insonate/procedure/AttemptRecording.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <random>
+#include <thread>
+
+namespace insonate {
+namespace {
+
+using testing::HasSubstr;
+
+/// A recording of 6 s of noisy hands, about 90 kB, and what is left of it.
+class DamagedRecording : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto recorder = AttemptRecorder::start(folder / "whole", {.software = "insonate", .picture = {.sliceHalf_mm = 1}});
+    for (const AttemptSample& sample : test::handMotion(6000)) {
+      while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      (*recorder)->put(sample);
+    }
+    const auto finished = (*recorder)->finish(AttemptStatus::Completed);
+    ASSERT_TRUE(finished) << finished.error().message;
+    metrics = *finished;
+    bytes = test::bytesOf(folder / "whole");
+  }
+  Result<AttemptRecording> with(std::string_view changed) {
+    std::ofstream(folder / "damaged", std::ios::binary | std::ios::trunc) << changed;
+    return AttemptRecording::open(folder / "damaged");
+  }
+
+  const test::TemporaryFolder folder;
+  std::string bytes;
+  MetricValues metrics;
+};
+
+TEST_F(DamagedRecording, CutAnywhereItReadsToTheLastWholeStretch) {
+  std::size_t last = 0;
+  for (std::size_t length = 400; length < bytes.size(); length += 997) {
+    const auto recording = with(std::string_view(bytes).substr(0, length));
+    ASSERT_TRUE(recording) << length << ": " << recording.error().message;
+    EXPECT_EQ(recording->status(), AttemptStatus::CutShort);
+    ASSERT_GE(recording->stretches(), last);
+    last = recording->stretches();
+    ASSERT_TRUE(recording->metricsUntil()) << length;
+    if (last > 0) {
+      EXPECT_EQ(recording->stretch(last - 1)->samples.back().time_us, recording->end_us());
+    }
+  }
+  EXPECT_GE(last, 5u);
+}
+
+/// Whatever byte is wrong: the metrics are the right ones, or there are none and it says so.
+TEST_F(DamagedRecording, AWrongByteIsNeverAWrongMetric) {
+  std::mt19937 random(7);
+  for (int i = 0; i < 300; ++i) {
+    std::string changed = bytes;
+    const std::size_t at = random() % bytes.size();
+    changed[at] = static_cast<char>(changed[at] ^ (1 << random() % 8));
+    const auto recording = with(changed);
+    if (!recording) continue;  // the header's
+    const auto values = recording->metricsUntil();
+    EXPECT_TRUE(!values || *values == metrics) << "byte " << at;
+  }
+}
+
+TEST_F(DamagedRecording, AWrongBitInAHeadIsNeverAWrongMetric) {
+  const std::string mark(record::kMark.begin(), record::kMark.end());
+  const std::int64_t end_us = AttemptRecording::open(folder / "whole")->end_us();
+  for (std::size_t head = bytes.find(mark); head != std::string::npos; head = bytes.find(mark, head + 1)) {
+    for (std::size_t bit = 0; bit < record::BlockHead::kBytes * 8; bit += 7) {
+      std::string changed = bytes;
+      changed[head + bit / 8] = static_cast<char>(changed[head + bit / 8] ^ (1 << bit % 8));
+      const auto recording = with(changed);
+      if (!recording) continue;  // the header's
+      const auto values = recording->metricsUntil();
+      EXPECT_TRUE(!values || (*values == metrics && recording->end_us() == end_us)) << head << ", bit " << bit;
+    }
+  }
+}
+
+TEST_F(DamagedRecording, OneBadStretchLeavesTheOthers) {
+  const auto whole = AttemptRecording::open(folder / "whole");
+  std::string changed = bytes;
+  changed[bytes.size() / 2] ^= 1;  // within what a stretch holds
+  const auto recording = with(changed);
+  ASSERT_TRUE(recording);
+  std::size_t bad = 0;
+  for (std::size_t i = 0; i < recording->stretches(); ++i) {
+    const auto stretch = recording->stretch(i);
+    if (stretch) {
+      EXPECT_EQ(stretch->samples, whole->stretch(i)->samples);
+      continue;
+    }
+    ++bad;
+    EXPECT_THAT(stretch.error().message, HasSubstr("is damaged between"));
+  }
+  EXPECT_EQ(bad, 1u);
+  EXPECT_FALSE(recording->metricsUntil());
+}
+
+/// A head that is gone takes its stretch along; the next one is found, and that one is missing is said.
+TEST_F(DamagedRecording, ABadHeadIsSteppedOver) {
+  std::string changed = bytes;
+  const std::string mark(record::kMark.begin(), record::kMark.end());
+  const std::size_t third = changed.find(mark, changed.find(mark, changed.find(mark) + 1) + 1);
+  changed[third + 3] ^= 1;
+  const auto recording = with(changed);
+  ASSERT_TRUE(recording);
+  EXPECT_EQ(recording->stretches() + 1, AttemptRecording::open(folder / "whole")->stretches());
+  ASSERT_EQ(recording->troubles().size(), 1u);
+  EXPECT_THAT(recording->troubles()[0], HasSubstr("parts of it cannot be found"));
+  EXPECT_FALSE(recording->metricsUntil());
+  const auto cutToo = with(changed.substr(0, changed.size() - 300));  // no end that would tell how many there were
+  ASSERT_TRUE(cutToo);
+  EXPECT_EQ(cutToo->troubles().size(), 2u);
+  EXPECT_FALSE(cutToo->metricsUntil());
+}
+
+TEST_F(DamagedRecording, OtherFilesAreRefusedWithASentence) {
+  EXPECT_THAT(with("Dear colleague,").error().message, HasSubstr("is not a recording of an attempt"));
+  EXPECT_THAT(with("").error().message, HasSubstr("is not a recording of an attempt"));
+  EXPECT_THAT(AttemptRecording::open(folder / "nothing").error().message, HasSubstr("There is no recording"));
+  EXPECT_THAT(AttemptRecording::open(folder.path()).error().message, HasSubstr("is not a file"));
+
+  const std::string newer = R"({"format": 2, "software": "insonate 9"})";
+  const auto block = record::packed(record::BlockKind::Header, 0, 0,
+                                    {reinterpret_cast<const std::uint8_t*>(newer.data()), newer.size()});
+  const auto refused = with({reinterpret_cast<const char*>(block.data()), block.size()});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("format 2 and this program reads 1"));
+  EXPECT_THAT(refused.error().message, HasSubstr("insonate 9"));
+}
+
+}  // namespace
+}  // namespace insonate
