@@ -167,6 +167,13 @@ void AttemptMetrics::take(const AttemptEvent& event) {
   }
 }
 
+NeedlePlace AttemptMetrics::needle() const {
+  const State& s = *state_;
+  if (!s.inPass || s.out_mm) return s.inPass || s.used ? NeedlePlace::Used : NeedlePlace::Clean;
+  if (s.artery.inside() || s.lung.inside() || s.vein.beyond() || s.bone_mm) return NeedlePlace::WrongPlace;
+  return s.vein.inside() ? NeedlePlace::Vein : NeedlePlace::Underway;
+}
+
 MetricValues AttemptMetrics::values() const {
   const State& s = *state_;
   const bool pierced = s.passes > 0;

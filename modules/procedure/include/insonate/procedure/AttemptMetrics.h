@@ -67,6 +67,15 @@ struct MetricValues {
   bool operator==(const MetricValues&) const = default;
 };
 
+/// Where the needle is, and which colour the thesis gives it: none, none, green, red, yellow.
+enum class NeedlePlace {
+  Clean,     ///< new, and not in the skin
+  Underway,  ///< under the skin
+  Vein,
+  WrongPlace,  ///< in an artery, lung or airway, behind the vein's back wall, on bone
+  Used,        ///< out of the skin, until it is replaced
+};
+
 /// One pass over the samples and events of an attempt, in the order of its recording. Live and replayed, the same
 /// stream gives the same values, to the last bit.
 class AttemptMetrics {
@@ -80,6 +89,7 @@ class AttemptMetrics {
   void take(const AttemptEvent& event);
   /// As things stand.
   MetricValues values() const;
+  NeedlePlace needle() const;
 
  private:
   struct State;

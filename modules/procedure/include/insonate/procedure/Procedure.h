@@ -1,0 +1,79 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/procedure/AttemptEvent.h>
+#include <insonate/procedure/AttemptMetrics.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace insonate {
+
+/// How the patient can lie.
+struct PatientPosition {
+  std::string name;
+  double tilt_deg = 0;  ///< head down is positive; -45 to 45
+  double head_deg = 0;  ///< turned away from the side of the puncture; -90 to 90
+};
+
+/// An event that ends a step.
+struct Happening {
+  AttemptEventKind kind = AttemptEventKind::Entered;
+  std::optional<Label> wall;  ///< none: any
+};
+/// A state that ends a step once it has lasted.
+struct Holding {
+  enum class What { ProbeOnSkin, AspiratingInVein };
+  What what = What::ProbeOnSkin;
+  double for_s = 0;
+};
+
+struct ProcedureStep {
+  std::string name, title;
+  std::string say;        ///< what to do, for the trainee
+  bool optional = false;  ///< what comes after may be done without
+  std::variant<Happening, Holding> until;
+};
+
+/// Whether a metric's value lies beyond a limit. A missing value lies beyond none.
+struct MetricLimit {
+  Metric metric = Metric::VeinPunctures;
+  std::optional<double> over, under;  ///< one of the two
+
+  bool isBeyond(std::optional<double> value) const {
+    return value && ((over && *value > *over) || (under && *value < *under));
+  }
+};
+
+enum class Severity { Minor, Major, Critical };
+
+/// What must not happen.
+struct ProcedureRule {
+  std::string name;
+  MetricLimit limit;  ///< of a count, each one more counts anew; of other metrics, once
+  Severity severity = Severity::Minor;
+  std::string say;  ///< what went wrong, and what to do
+};
+
+/// How a procedure goes, as data.
+struct Procedure {
+  std::string name, title;
+  int version = 1;
+  std::vector<PatientPosition> positions;
+  std::vector<ProcedureStep> steps;  ///< at least one; in order
+  std::size_t passBegins = 0;        ///< the step to which a needle that is pulled out too early goes back
+  std::vector<ProcedureRule> rules;
+  std::vector<MetricLimit> success;  ///< all of them beyond at the end
+};
+
+/// The presets of resources/procedures.
+std::vector<std::string> procedurePresetNames();
+/// A preset's name or a JSON file of the same form. Fails with a sentence that names the place, what is wrong and what
+/// is possible.
+Result<Procedure> loadProcedure(std::string_view nameOrPath);
+Result<Procedure> parseProcedure(std::string_view json);
+
+}  // namespace insonate

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <insonate/procedure/Procedure.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace insonate {
+
+/// Where an attempt stands in its procedure: the step that is due, and what went wrong so far. A pass over samples and
+/// events like AttemptMetrics, which it holds; live and replayed, the same stream gives the same.
+class ProcedureRun {
+ public:
+  enum class StepState { Open, Done, Skipped };
+  struct Step {
+    StepState state = StepState::Open;
+    std::int64_t time_us = 0;  ///< when it was done or passed over
+  };
+  struct Finding {
+    std::size_t rule = 0;  ///< of Procedure::rules
+    std::int64_t time_us = 0;
+    double value = 0;  ///< of the metric
+  };
+
+  ProcedureRun(Procedure procedure, const PictureField& picture);
+
+  void take(const AttemptSample& sample);
+  void take(const AttemptEvent& event);
+
+  const Procedure& procedure() const { return procedure_; }
+  const AttemptMetrics& metrics() const { return metrics_; }
+  const std::vector<Step>& steps() const { return steps_; }
+  /// The first step that is due; none when all are done.
+  std::optional<std::size_t> due() const;
+  const std::vector<Finding>& findings() const { return findings_; }  ///< in the order of their times
+  /// As things stand.
+  bool succeeded() const;
+
+ private:
+  bool complete(std::int64_t time_us, const AttemptEvent* event);
+  void watchRules(std::int64_t time_us);
+
+  Procedure procedure_;
+  AttemptMetrics metrics_;
+  std::vector<Step> steps_;
+  std::size_t due_ = 0;
+  std::vector<Finding> findings_;
+  std::vector<std::optional<double>> told_;                     ///< by rule: the value that was told last
+  std::optional<std::int64_t> probeOnSkin_us_, aspirating_us_;  ///< since when they hold
+};
+
+}  // namespace insonate

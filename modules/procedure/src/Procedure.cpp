@@ -1,0 +1,181 @@
+#include "JsonEntry.h"
+
+#include <insonate/core/Words.h>
+#include <insonate/embedded/procedures.h>
+#include <insonate/procedure/Procedure.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <set>
+
+namespace insonate {
+namespace {
+
+using nlohmann::json;
+using procedurefile::JsonEntry;
+
+/// In the order of AttemptEventKind.
+const std::vector<std::string_view> kHappenings{"entered",         "left",   "withdrawn", "struck",
+                                                "needle replaced", "frozen", "released",  "positioned"};
+/// In the order of Holding::What and Severity.
+const std::vector<std::string_view> kHoldings{"probe on skin", "aspirating in vein"};
+const std::vector<std::string_view> kSeverities{"minor", "major", "critical"};
+
+std::vector<std::string_view> labelNames() {
+  std::vector<std::string_view> names;
+  for (const LabelInfo& info : labelTable()) names.push_back(info.name);
+  return names;
+}
+
+std::vector<std::string_view> metricNames() {
+  std::vector<std::string_view> names;
+  for (const MetricDefinition& metric : metricTable()) names.push_back(metric.id);
+  return names;
+}
+
+/// Reads the entries of a list with `read`, until one is wrong.
+template <class T, class Read>
+void readList(JsonEntry& file, const char* key, const std::string& noun, std::vector<T>& all, const Read& read) {
+  std::set<std::string> names;
+  for (const json& entry : file.list(key)) {
+    std::string where = noun + " " + std::to_string(all.size() + 1);
+    if (entry.is_object() && entry.contains("name") && entry["name"].is_string())
+      where = noun + " '" + entry["name"].get<std::string>() + "'";
+    std::string trouble;
+    all.push_back(read(entry, where, trouble));
+    if (!trouble.empty()) return file.refuse("cannot be used: " + trouble);
+    if constexpr (requires { all.back().name; })
+      if (!names.insert(all.back().name).second)
+        return file.refuse("cannot be used: " + where + " is there twice; names tell them apart.");
+  }
+}
+
+PatientPosition readPosition(const json& object, const std::string& where, std::string& trouble) {
+  JsonEntry entry(object, where, {"name", "tilt_deg", "head_deg"});
+  PatientPosition position{entry.text("name"), entry.number("tilt_deg", -45, 45), entry.number("head_deg", -90, 90)};
+  trouble = entry.trouble();
+  return position;
+}
+
+std::variant<Happening, Holding> readUntil(const json& object, const std::string& where, std::string& trouble) {
+  JsonEntry entry(object, where + ", until,", {"happens", "wall", "holds", "for_s"});
+  std::variant<Happening, Holding> until;
+  if (entry.has("happens") == entry.has("holds")) {
+    entry.refuse("needs one of 'happens' and 'holds'.");
+  } else if (entry.has("holds")) {
+    if (entry.has("wall")) entry.refuse("has a 'wall', which goes with 'happens'.");
+    const auto what = static_cast<Holding::What>(entry.word("holds", kHoldings));
+    until = Holding{what, entry.number("for_s", 0, 600)};
+  } else {
+    if (entry.has("for_s")) entry.refuse("has 'for_s', which goes with 'holds'.");
+    Happening happening;
+    happening.kind = static_cast<AttemptEventKind>(entry.word("happens", kHappenings));
+    if (entry.has("wall")) happening.wall = static_cast<Label>(entry.word("wall", labelNames()));
+    until = happening;
+  }
+  trouble = entry.trouble();
+  return until;
+}
+
+ProcedureStep readStep(const json& object, const std::string& where, std::string& trouble) {
+  JsonEntry entry(object, where, {"name", "title", "say", "optional", "until"});
+  ProcedureStep step;
+  step.name = entry.text("name"), step.title = entry.text("title"), step.say = entry.text("say");
+  step.optional = entry.flag("optional");
+  const json& until = entry.object("until");
+  trouble = entry.trouble();
+  if (trouble.empty()) step.until = readUntil(until, where, trouble);
+  return step;
+}
+
+MetricLimit limitOf(JsonEntry& entry) {
+  constexpr double kAny = std::numeric_limits<float>::max();
+  MetricLimit limit;
+  limit.metric = static_cast<Metric>(entry.word("metric", metricNames()));
+  limit.over = entry.numberIfThere("over", -kAny, kAny), limit.under = entry.numberIfThere("under", -kAny, kAny);
+  if (limit.over.has_value() == limit.under.has_value()) entry.refuse("needs one of 'over' and 'under'.");
+  return limit;
+}
+
+ProcedureRule readRule(const json& object, const std::string& where, std::string& trouble) {
+  JsonEntry entry(object, where, {"name", "metric", "over", "under", "severity", "say"});
+  ProcedureRule rule;
+  rule.name = entry.text("name"), rule.say = entry.text("say");
+  rule.limit = limitOf(entry);
+  rule.severity = static_cast<Severity>(entry.word("severity", kSeverities));
+  trouble = entry.trouble();
+  return rule;
+}
+
+MetricLimit readSuccess(const json& object, const std::string& where, std::string& trouble) {
+  JsonEntry entry(object, where, {"metric", "over", "under"});
+  const MetricLimit limit = limitOf(entry);
+  trouble = entry.trouble();
+  return limit;
+}
+
+Procedure readProcedure(const json& object, std::string& trouble) {
+  JsonEntry file(object, "The procedure",
+                 {"name", "title", "version", "description", "positions", "steps", "passBegins", "rules", "success"});
+  Procedure procedure;
+  procedure.name = file.text("name"), procedure.title = file.text("title");
+  file.text("description", false);
+  procedure.version = static_cast<int>(file.number("version", 1, 1e6));
+  readList(file, "positions", "position", procedure.positions, readPosition);
+  readList(file, "steps", "step", procedure.steps, readStep);
+  readList(file, "rules", "rule", procedure.rules, readRule);
+  readList(file, "success", "condition of success", procedure.success, readSuccess);
+  if (procedure.steps.empty()) file.refuse("has no steps; list at least one under 'steps'.");
+  std::vector<std::string_view> steps;
+  for (const ProcedureStep& step : procedure.steps) steps.push_back(step.name);
+  procedure.passBegins = file.word("passBegins", steps);
+  trouble = file.trouble();
+  return procedure;
+}
+
+}  // namespace
+
+std::vector<std::string> procedurePresetNames() {
+  std::vector<std::string> names;
+  for (const auto& file : embedded::procedures::files()) names.emplace_back(file.name);
+  return names;
+}
+
+Result<Procedure> parseProcedure(std::string_view text) {
+  json file;
+  try {
+    file = json::parse(text);
+  } catch (const json::exception& e) {
+    return fail("The procedure is not JSON: " + jsonTrouble(e.what()));
+  }
+  std::string trouble;
+  Procedure procedure = readProcedure(file, trouble);
+  if (!trouble.empty()) return fail(std::move(trouble));
+  return procedure;
+}
+
+Result<Procedure> loadProcedure(std::string_view nameOrPath) {
+  std::vector<std::string_view> names;
+  for (const auto& file : embedded::procedures::files()) {
+    if (file.name == nameOrPath) return parseProcedure(file.text);
+    names.push_back(file.name);
+  }
+  const std::filesystem::path path(nameOrPath);
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) {
+    const std::string_view near = nearestWord(nameOrPath, names);
+    return fail("'" + path.string() + "' is neither a procedure (" + joinedWords(names) + ") nor a file" +
+                (near.empty() ? "." : "; did you mean '" + std::string(near) + "'?"));
+  }
+  std::ifstream stream(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) return fail(path.string() + " cannot be read; check its permissions.");
+  auto procedure = parseProcedure(text);
+  if (!procedure) return fail(path.string() + ": " + procedure.error().message);
+  return procedure;
+}
+
+}  // namespace insonate

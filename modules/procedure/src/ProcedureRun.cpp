@@ -1,0 +1,87 @@
+#include <insonate/procedure/ProcedureRun.h>
+
+#include <algorithm>
+
+namespace insonate {
+namespace {
+
+/// Since when something holds, as of now.
+void follow(std::optional<std::int64_t>& since_us, bool holds, std::int64_t now_us) {
+  if (!holds) since_us.reset();
+  if (holds && !since_us) since_us = now_us;
+}
+
+bool isAsWanted(const Happening& wanted, const AttemptEvent& event) {
+  return wanted.kind == event.kind && (!wanted.wall || *wanted.wall == event.wall);
+}
+
+}  // namespace
+
+ProcedureRun::ProcedureRun(Procedure procedure, const PictureField& picture)
+    : procedure_(std::move(procedure)),
+      metrics_(picture),
+      steps_(procedure_.steps.size()),
+      told_(procedure_.rules.size()) {}
+
+void ProcedureRun::take(const AttemptSample& sample) {
+  metrics_.take(sample);
+  follow(probeOnSkin_us_, sample.patientFromProbe && sample.probeForce_N > 0, sample.time_us);
+  follow(aspirating_us_, sample.aspirating && metrics_.needle() == NeedlePlace::Vein, sample.time_us);
+  complete(sample.time_us, nullptr);
+  watchRules(sample.time_us);
+}
+
+void ProcedureRun::take(const AttemptEvent& event) {
+  metrics_.take(event);
+  const bool ended = complete(event.time_us, &event);
+  const bool pulledOut = event.kind == AttemptEventKind::Withdrawn && event.wall == kSkin;
+  if (pulledOut && !ended && due_ > procedure_.passBegins && due_ < steps_.size()) {
+    due_ = procedure_.passBegins;
+    std::fill(steps_.begin() + static_cast<std::ptrdiff_t>(due_), steps_.end(), Step{});
+  }
+  watchRules(event.time_us);
+}
+
+/// Ends the step that is due, or one after it with only optional ones between; true when one was.
+bool ProcedureRun::complete(std::int64_t time_us, const AttemptEvent* event) {
+  const auto lasts = [&](const Holding& holding) {
+    const auto& since_us = holding.what == Holding::What::ProbeOnSkin ? probeOnSkin_us_ : aspirating_us_;
+    return since_us && static_cast<double>(time_us - *since_us) * 1e-6 >= holding.for_s;
+  };
+  for (std::size_t i = due_; i < steps_.size(); ++i) {
+    const auto& until = procedure_.steps[i].until;
+    const auto* happening = std::get_if<Happening>(&until);
+    if (happening ? event && isAsWanted(*happening, *event) : lasts(std::get<Holding>(until))) {
+      for (; due_ < i; ++due_) steps_[due_] = {StepState::Skipped, time_us};
+      steps_[due_++] = {StepState::Done, time_us};
+      return true;
+    }
+    if (!procedure_.steps[i].optional) return false;
+  }
+  return false;
+}
+
+void ProcedureRun::watchRules(std::int64_t time_us) {
+  const MetricValues values = metrics_.values();
+  for (std::size_t i = 0; i < told_.size(); ++i) {
+    const MetricLimit& limit = procedure_.rules[i].limit;
+    const auto value = values[limit.metric];
+    if (!limit.isBeyond(value)) continue;
+    const bool isCount = metricTable()[static_cast<std::size_t>(limit.metric)].unit.empty();
+    if (told_[i] && !(isCount && *value > *told_[i])) continue;
+    told_[i] = value;
+    findings_.push_back({i, time_us, *value});
+  }
+}
+
+std::optional<std::size_t> ProcedureRun::due() const {
+  return due_ < steps_.size() ? std::optional(due_) : std::nullopt;
+}
+
+bool ProcedureRun::succeeded() const {
+  const MetricValues values = metrics_.values();
+  return std::ranges::all_of(procedure_.success,
+                             [&](const MetricLimit& limit) { return limit.isBeyond(values[limit.metric]); });
+}
+
+}  // namespace insonate
