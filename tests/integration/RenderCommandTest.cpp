@@ -78,6 +78,28 @@ TEST_F(RenderCommand, WritesAPictureAndTellsAboutIt) {
   EXPECT_EQ(report["pose"]["position_mm"], json({0.0, 0.0, 0.0}));
 }
 
+/// Without any OpenGL (no driver is found), auto is the processor and says why, and glsl is refused.
+TEST_F(RenderCommand, SaysWhichEngineAndWhy) {
+  const auto by = [&](const std::string& engine, const std::string& prefix = "") {
+    return test::runCommand("render " + shellWord(shared_->caseFolder()) + " --settings " +
+                                shellWord(shared_->settings()) + " --pose auto --json --out " +
+                                shellWord(out("f.png")) + engine,
+                            shared_->errors(), prefix);
+  };
+  EXPECT_EQ(json::parse(by(" --engine reference").output)["engine_note"], "") << "nothing is to be said of it";
+  const json chosen = json::parse(by("").output);
+  EXPECT_THAT(chosen["engine"].get<std::string>(), testing::AnyOf("cpu", "glsl"));
+  EXPECT_THAT(chosen["engine_note"].get<std::string>(), testing::MatchesRegex(".+[.]"));
+
+  const std::string noDriver = "__EGL_VENDOR_LIBRARY_DIRS=/nonexistent ";
+  const json fallen = json::parse(by("", noDriver).output);
+  EXPECT_EQ(fallen["engine"], "cpu");
+  EXPECT_THAT(fallen["engine_note"].get<std::string>(), testing::MatchesRegex("[A-Z].*(OpenGL|EGL|graphics).*[.]"));
+  const auto refused = by(" --engine glsl", noDriver);
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.errors, testing::ContainsRegex("OpenGL|EGL|graphics"));
+}
+
 TEST_F(RenderCommand, SamePoseGivesTheSameBytesHoweverItIsSaid) {
   ASSERT_EQ(render("--pose auto --out " + shellWord(out("a.png"))).status, 0);
   ASSERT_EQ(render("--pose 'over the vein' --out " + shellWord(out("b.png"))).status, 0);
