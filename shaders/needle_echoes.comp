@@ -1,7 +1,6 @@
 // Adds a needle's echoes: its near side, and what comes again from between its walls.
 #include "frame.glsl"
 #include "records.glsl"
-#include "rest.glsl"
 #include "needle.glsl"
 
 layout(local_size_x = 32, local_size_y = 2) in;
@@ -29,9 +28,8 @@ float levelAt(int gate, int line) {
 }
 
 float levelBetween(float gate, int line) {
-  float within = clamp(gate, 0.0, float(frame.gates - 1));
-  int below = int(within);
-  return mix(levelAt(below, line), levelAt(min(below + 1, frame.gates - 1), line), within - float(below));
+  int below = int(gate);
+  return mix(levelAt(below, line), levelAt(min(below + 1, frame.gates - 1), line), gate - float(below));
 }
 
 void main() {
@@ -39,8 +37,8 @@ void main() {
   if (at.x >= frame.lines || at.y >= frame.gates) return;
   float ring_gates = words[4 * at.x + 2], sum = 0.0, share = 1.0;
   for (int ring = 0; ring <= (ring_gates > 0.0 ? kNeedleRings : 0); ++ring) {
-    float before = float(ring) * ring_gates, echo = echoAt(tissueGate(at.y, at.x) - before, at.x);
-    if (echo > 0.0) sum += share * echo * fromDecibel(levelBetween(float(at.y) - before, at.x));
+    float from = float(at.y) - float(ring) * ring_gates, echo = echoAt(from, at.x);
+    if (echo > 0.0) sum += share * echo * fromDecibel(levelBetween(max(from, 0.0), at.x));
     share *= ring == 0 ? kFirstNeedleRing : kNextNeedleRing;
   }
   for (int look = 0; look < frame.looks; ++look) echoes[gateIndex(2 * look, at.y, at.x)] += sum;

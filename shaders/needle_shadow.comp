@@ -1,7 +1,6 @@
 // Takes from the beam what a needle keeps from it.
 #include "frame.glsl"
 #include "records.glsl"
-#include "rest.glsl"
 #include "needle.glsl"
 
 layout(local_size_x = 32, local_size_y = 2) in;

@@ -192,13 +192,14 @@ TEST_P(Agreement, WithANeedle) {
   for (const char* name : {"linear", "curvilinear", "phased"}) {
     const Probe probe = probeNamed(name);
     ImagingSettings settings = settingsFor(probe);
-    settings.scanlines = 128, settings.samples = 400, settings.depth_mm = 50;
-    for (const Case& c : cases)
-      for (const double pressed_mm : {-2.0, 1.0}) {
-        const Transform pose = onSkin(pressed_mm) * turned({1, 2, 3}, 12);
-        const Needle needle = needleAt(c.tip_mm, c.direction, pose);
-        expectAgreement(probe, settings, *scene, pose, std::string(name) + " " + c.what, {}, needle);
-      }
+    settings.scanlines = 96, settings.samples = 400, settings.depth_mm = 50;
+    double pressed_mm = -2;
+    for (const Case& c : cases) {
+      const Transform tilted = onSkin(pressed_mm) * turned({1, 2, 3}, 12);
+      const Needle needle = needleAt(c.tip_mm, c.direction, tilted);
+      expectAgreement(probe, settings, *scene, tilted, std::string(name) + " " + c.what, {}, needle);
+      pressed_mm = -1 - pressed_mm;
+    }
     const Transform pose = onSkin(4);
     expectAgreement(probe, settings, *scene, pose, std::string(name) + " displaced", squeezed(probe, settings),
                     needleAt({4, 0, 18}, {1, 0, 1}, pose));

@@ -79,7 +79,7 @@ TEST_P(Needles, FadeAsTheBeamDoesWhenTheyLeaveTheSlice) {
   const Bench bench;
   const double central = brightestOfLine(render(bench.probe, bench.settings, bench.scene, {}, {}, tilted(0)), 128);
   double before = central;
-  for (double off_mm = 0.2; off_mm < 4; off_mm += 0.2) {
+  for (double off_mm = 0.3; off_mm < 4; off_mm += 0.45) {
     const double here =
         brightestOfLine(render(bench.probe, bench.settings, bench.scene, {}, {}, tilted(0, off_mm)), 128);
     const double off_sd = off_mm / bench.sliceSd_mm(kFocus_mm);
@@ -138,7 +138,7 @@ TEST_P(Needles, RingBetweenTheirWalls) {
     const int low = int(grid.sampleAt(at_mm - 0.3)), high = int(grid.sampleAt(at_mm + 0.3));
     const Peak peak = peakOf(std::span(line).subspan(low, high - low));
     EXPECT_NEAR(grid.range_mm(low + peak.index), at_mm, 0.06) << ring;
-    EXPECT_NEAR(peak.value / before, ring == 1 ? 0.3 : 0.5, 0.02) << ring;
+    EXPECT_NEAR(peak.value / before, ring == 1 ? 0.2 : 0.4, 0.02) << ring;
     before = peak.value;
   }
 }
@@ -192,6 +192,37 @@ TEST_P(Needles, StayWhereTheyAreWhenTissueMoves) {
   EXPECT_LT(relativeError(render(bench.probe, bench.settings, bench.scene, {}, shifted, tilted(30)),
                           render(bench.probe, bench.settings, bench.scene, {}, {}, tilted(30))),
             1e-5);
+}
+
+/// The skin, 3 mm off and sloping, is drawn to the face, and tissue with it.
+TEST_P(Needles, StayStraightAndInTheirTissueWhereSkinIsDrawnToTheFace) {
+  Bench bench;
+  bench.settings.conformingContact = true;
+  AcousticTable table = plainTable();
+  table.tissues[kMuscle].impedance_MRayl = 1.7;
+  constexpr double kWall_mm = 16;
+  const ScenePtr scene = sceneAround(
+      bench.probe, bench.settings, 0.7, table,
+      [](Vec3 p) { return p.z < 3 + 0.15 * p.x ? kBackground
+                          : p.z < kWall_mm     ? kFat
+                                               : kMuscle; }, {}, 4);
+  const BeamGrid grid = bench.grid();
+  const Vec3 tip{0, 0, kWall_mm};
+  const EnvelopeFrame tissue = render(bench.probe, bench.settings, scene);
+  const int middle = int(std::lround(grid.locate(tip.x, 1).scanline));
+  const int below = int(grid.sampleAt(8));
+  const auto deeper = [&](const EnvelopeFrame& frame, int line) {
+    const std::vector<double> all = scanline(frame, line);
+    return grid.range_mm(below + peakOf(std::span(all).subspan(below)).index);
+  };
+  const double wall_mm = deeper(tissue, middle);
+  EXPECT_LT(wall_mm, kWall_mm - 0.8);
+  const EnvelopeFrame frame = render(bench.probe, bench.settings, scene, {}, {}, needleAt(tip, {1, 0, 0.25}));
+  EXPECT_NEAR(deeper(frame, middle - 8), wall_mm, 0.7);
+  const double slope = (deeper(frame, middle - 30) - deeper(frame, middle - 90)) / 60;
+  EXPECT_NEAR(slope / grid.scanlineSpacing_mm(0), 0.25, 0.02);
+  for (int line = middle - 90; line <= middle - 30; line += 15)
+    EXPECT_NEAR(deeper(frame, line), deeper(frame, middle - 90) + slope * (line - middle + 90), 0.05) << line;
 }
 
 TEST_P(Needles, LieWhereTheyAreUnderEveryProbe) {

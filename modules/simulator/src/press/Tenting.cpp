@@ -7,7 +7,7 @@ namespace insonate {
 namespace {
 
 constexpr double kMostDepth_mm = 30, kLeastRadius_mm = 1, kMostRadius_mm = 30;
-constexpr double kScalePerDepth = 1.5;  // so that nothing folds
+constexpr double kScalePerDepth = 1.2;  // so that nothing folds
 constexpr double kReach_scales = 6;
 constexpr double kFinestStep_mm = 0.5, kSteps = 6;  // of a lattice of its own: points a scale
 

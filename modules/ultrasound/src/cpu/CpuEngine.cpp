@@ -317,8 +317,7 @@ void CpuEngine::addNeedle(int firstLine, Workspace& work) const {
   const FramePlan& plan = *plan_;
   for (int l = 0; l < std::min(kBlockLines, plan.lines - firstLine); ++l)
     needle_->addTo(
-        firstLine + l, input_.lineGap_mm[firstLine + l],
-        [&](int gate) { return work.trace.level_dB[std::size_t(gate) * kBlockLines + l]; },
+        firstLine + l, [&](int gate) { return work.trace.level_dB[std::size_t(gate) * kBlockLines + l]; },
         [&](int gate, float amplitude) {
           for (int look = 0; look < plan.settings.looks; ++look)
             work.trace.echo[(std::size_t(2) * look * plan.gates + gate) * kBlockLines + l] += amplitude;
@@ -356,7 +355,7 @@ void CpuEngine::render(const AcousticScene& sceneHandle, const Transform& patien
   const StopWatch watch;
   setChannels(scene);
   setGeometry(scene, patientFromProbe, displacement);
-  needle_->place(needle, patientFromProbe);
+  needle_->place(needle, scene.field, patientFromProbe, displacement);
   input_.needle = needle_->present() ? &*needle_ : nullptr;
   const std::vector<PointEcho> points =
       scene.points.empty() ? std::vector<PointEcho>{} : pointEchoes(plan, scene.points, patientFromProbe, displacement);

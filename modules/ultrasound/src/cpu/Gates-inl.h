@@ -114,9 +114,10 @@ HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, 
 }
 
 /// NeedleEchoes::shadow_dB(), by vectors.
-HWY_INLINE GateVec shadowAt(const NeedleEchoes& needle, int plane, int line, GateVec tissueGate) {
+HWY_INLINE GateVec shadowAt(const NeedleEchoes& needle, int plane, int line, int gate) {
   const GateTag d;
-  const auto behind = hn::Sub(tissueGate, hn::LoadU(d, needle.shadowOnsets_gate(plane) + line));
+  const auto behind =
+      hn::Sub(hn::Set(d, static_cast<float>(gate)), hn::LoadU(d, needle.shadowOnsets_gate(plane) + line));
   const auto share = hn::Min(hn::Max(behind, hn::Zero(d)), hn::Set(d, 1.0F));
   return hn::Mul(hn::LoadU(d, needle.shadowLosses_dB(plane) + line), share);
 }
@@ -155,7 +156,6 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
   const auto down = hn::Set(d, static_cast<float>(gate - row * plan.cellGates) / static_cast<float>(plan.cellGates));
   const auto range = hn::Set(d, static_cast<float>(plan.range_mm(gate)));
   const auto decay = hn::Set(d, in.contactDecay[plan.nodeRows + gate]);
-  const auto gatesPerGap = hn::Mul(decay, hn::Set(d, static_cast<float>(1 / plan.gate_mm)));
   const bool gelPossible = plan.range_mm(gate) < acoustics::kContactReach_mm && in.scene->field.backgroundChannel >= 0;
   const auto background = hn::Set(di, in.scene->field.backgroundChannel);
 
@@ -164,9 +164,7 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
     for (GateVec& v : sum) v = hn::Zero(d);
     auto offset = hn::Zero(d);
     const int line = firstLine + l;
-    const auto gap = hn::LoadU(d, in.lineGap_mm.data() + line);
-    const auto r = hn::MulAdd(gap, decay, range);
-    const auto tissueGate = hn::MulAdd(gap, gatesPerGap, hn::Set(d, static_cast<float>(gate)));
+    const auto r = hn::MulAdd(hn::LoadU(d, in.lineGap_mm.data() + line), decay, range);
     auto x = hn::MulAdd(hn::LoadU(d, in.lines.dx.data() + line), r, hn::LoadU(d, in.lines.x.data() + line));
     Point onLattice = pointsOn(in.latticeLines, line, r);
     PlaneShifts<GateVec> shift{hn::Zero(d), hn::Zero(d)};
@@ -191,7 +189,7 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
       const auto channel =
           hn::IfThenElse(hn::RebindMask(di, isA), hn::Load(di, cells.channelA + l), hn::Load(di, cells.channelB + l));
       const auto impedance = hn::IfThenElse(isA, hn::Load(d, cells.impedanceA + l), hn::Load(d, cells.impedanceB + l));
-      const auto shadow = in.needle ? shadowAt(*in.needle, p, line, tissueGate) : hn::Zero(d);
+      const auto shadow = in.needle ? shadowAt(*in.needle, p, line, gate) : hn::Zero(d);
       const auto before = hn::Load(di, state.channel + l);
       const auto crossed = hn::AndNot(hn::Lt(before, hn::Zero(di)), hn::Ne(before, channel));
       if (!hn::AllFalse(di, crossed)) {

@@ -119,8 +119,7 @@ Result<void> CardFrame::upload(const gpu::Current& current, const AcousticScene:
   return {};
 }
 
-void CardFrame::uploadNeedle(const gpu::Current& current, const Needle* needle, const Transform& patientFromProbe) {
-  needle_.place(needle, patientFromProbe);
+void CardFrame::uploadNeedle(const gpu::Current& current) {
   if (!needle_.present()) return;
   setNeedle(plan_, needle_, needleWords_);
   needleBuffer_.write(current, bytesOf(needleWords_));
@@ -213,7 +212,8 @@ Result<void> CardFrame::render(const AcousticScene::Impl& scene, const Transform
   envelope.resize(plan_.lines, plan_.grid.samples(), tables_.block.looks);
   auto start = Clock::now();
   if (auto ok = upload(*current, scene, patientFromProbe, displacement); !ok) return ok;
-  if (!thesis_) uploadNeedle(*current, needle, patientFromProbe);
+  if (!thesis_) needle_.place(needle, scene.field, patientFromProbe, displacement);
+  uploadNeedle(*current);
   bindShared(*current);
   stages_[0].ms = msSince(start), start = Clock::now();
   if (thesis_)

@@ -34,7 +34,7 @@ class CardFrame {
   Result<void> allocate(const gpu::Current& current);
   Result<void> upload(const gpu::Current& current, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
                       const PlaneDisplacement& displacement);
-  void uploadNeedle(const gpu::Current& current, const Needle* needle, const Transform& patientFromProbe);
+  void uploadNeedle(const gpu::Current& current);
   Result<void> uploadDisplacement(const gpu::Current& current, const PlaneDisplacement& displacement);
   void bindShared(const gpu::Current& current) const;
   void traceCoherent(const gpu::Current& current) const;

@@ -1,6 +1,7 @@
 #include "model/NeedleEchoes.h"
 
 #include "PointSpread.h"
+#include "model/Contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +49,7 @@ void clip(double start, double slope, double low, double high, Interval& s) {
 
 struct NeedleEchoes::Pose {
   Vec3 tip_mm, direction;
-  Vec3 bevel;  ///< outward from the bevel's face, unit
+  Vec3 opening, face;  ///< of the bevel, unit: across the shaft, and square to its face
   double radius_mm, length_mm, bevelLength_mm;
 
   Pose(const Needle& needle, const Transform& patientFromProbe) {
@@ -57,7 +58,8 @@ struct NeedleEchoes::Pose {
     tip_mm = probeFromPatient * (needle.tip_mm - patientFromProbe.offset);
     direction = normalized(probeFromPatient * needle.direction);
     const Vec3 faces = probeFromPatient * needle.bevelNormal;
-    bevel = std::cos(angle) * normalized(faces - direction * dot(faces, direction)) + std::sin(angle) * direction;
+    opening = normalized(faces - direction * dot(faces, direction));
+    face = std::cos(angle) * opening + std::sin(angle) * direction;
     radius_mm = needle.radius_mm, length_mm = needle.length_mm;
     bevelLength_mm = 2 * radius_mm / std::tan(angle);
   }
@@ -66,9 +68,6 @@ struct NeedleEchoes::Pose {
 };
 
 NeedleEchoes::NeedleEchoes(const FramePlan& plan) : plan_(&plan) {
-  for (int gate = 0; gate < plan.gates; ++gate)
-    gatesPerGap_.push_back(
-        static_cast<float>(std::exp(-plan.range_mm(gate) / acoustics::kContactDepth_mm) / plan.gate_mm));
   amplitude_.resize(std::size_t(plan.lines) * plan.gates);
   lines_.resize(plan.lines);
   constexpr std::size_t kVector = 32;
@@ -77,7 +76,8 @@ NeedleEchoes::NeedleEchoes(const FramePlan& plan) : plan_(&plan) {
   loss_dB_.resize(onset_gate_.size());
 }
 
-void NeedleEchoes::place(const Needle* needle, const Transform& patientFromProbe) {
+void NeedleEchoes::place(const Needle* needle, const TissueField& field, const Transform& patientFromProbe,
+                         const PlaneDisplacement& displacement) {
   if (present_) {
     for (int l = 0; l < plan_->lines; ++l) {
       float* amplitude = amplitude_.data() + std::size_t(l) * plan_->gates;
@@ -88,11 +88,40 @@ void NeedleEchoes::place(const Needle* needle, const Transform& patientFromProbe
   }
   present_ = false;
   if (!needle) return;
-  const Pose pose(*needle, patientFromProbe);
+  Pose pose(*needle, patientFromProbe);
+  if (plan_->settings.conformingContact)
+    pose.tip_mm = pose.tip_mm + drawn_mm(pose, field, patientFromProbe, displacement);
   if (plan_->settings.effects.reflection) echoShaft(pose);
   if (!plan_->settings.effects.transmission) return;
   for (int plane = 0; plane < plan_->settings.elevationPlanes; ++plane)
     for (int line = 0; line < plan_->lines; ++line) castShadow(pose, plane, line);
+}
+
+Vec3 NeedleEchoes::drawn_mm(const Pose& needle, const TissueField& field, const Transform& patientFromProbe,
+                            const PlaneDisplacement& displacement) const {
+  constexpr double kStep_mm = 0.5, kAroundTip_mm = 5;
+  const BeamGrid& grid = plan_->grid;
+  const double slice_mm = *std::max_element(plan_->elevationSd_mm.begin(), plan_->elevationSd_mm.end());
+  double sum = 1e-30, behind_mm = 0;  // of what is seen, most of all near the tip
+  for (double s = 0; s <= needle.length_mm; s += kStep_mm) {
+    const double off_sd = needle.at(s).y / slice_mm;
+    const double seen = std::exp(-0.5 * off_sd * off_sd - s / kAroundTip_mm);
+    sum += seen, behind_mm += seen * s;
+  }
+  const Vec3 at_mm = needle.at(behind_mm / sum);
+  const auto location = grid.locate(at_mm.x, at_mm.z);
+  const double line = std::clamp(location.scanline, 0.0, plan_->lines - 1.0);
+  const double range_mm = std::max(grid.range_mm(location.sample), 0.0);
+  const Vec3 beam = grid.direction(line);
+  const double gap_mm = contactOf(field, patientFromProbe, displacement, grid.origin(line), beam).gap_mm;
+  // tissueRange_mm(seen, gap) = range; its slope is 0.2 at least.
+  double seen_mm = range_mm;
+  constexpr int kNewtonSteps = 8;
+  for (int n = 0; n < kNewtonSteps; ++n) {
+    const double drawn = gap_mm * std::exp(-seen_mm / acoustics::kContactDepth_mm);
+    seen_mm = std::max(seen_mm - (seen_mm + drawn - range_mm) / (1 - drawn / acoustics::kContactDepth_mm), 0.0);
+  }
+  return beam * (seen_mm - range_mm);
 }
 
 void NeedleEchoes::add(double scanline, double gate, double amplitude, float ring_gates) {
@@ -139,7 +168,10 @@ void NeedleEchoes::echoShaft(const Pose& needle) {
     const double along = dot(beam, needle.direction);
     const Vec3 across = beam - needle.direction * along;
     const double sine = norm(across);
-    const Vec3 surface = sine * sine > kLeastSine2 ? axis - across * (needle.radius_mm * fromTip / sine) : axis;
+    const Vec3 away = sine * sine > kLeastSine2 ? across / sine : Vec3{};
+    // A bevel to the probe takes the near side away; one from it leaves it as it is.
+    const double onFace = fromTip < 1 ? std::max(-dot(away, needle.opening), 0.0) : 0;
+    const Vec3 surface = axis - away * (needle.radius_mm * (1 - onFace * (1 - fromTip)));
     const auto at = grid.locate(surface.x, surface.z);
     const double gate = (at.sample + 0.5) / plan.stride - 0.5;
     if (gate < -1 || gate > plan.gates || at.scanline < -1 || at.scanline > plan.lines) continue;
@@ -150,12 +182,12 @@ void NeedleEchoes::echoShaft(const Pose& needle) {
     const double slice =
         std::min(1.0, strip_mm / (std::sqrt(2 * std::numbers::pi) * slice_mm)) * std::exp(-0.5 * off_sd * off_sd);
 
-    double tilt_deg = std::asin(std::min(std::abs(along), 1.0)) * kDegrees;
-    const double facing = -dot(beam, needle.bevel);
-    if (fromTip < 1 && facing > 0) tilt_deg = std::min(tilt_deg, std::acos(std::min(facing, 1.0)) * kDegrees);
-    const double shaft_dB = -steel::kTiltLoss_dBpdeg * tilt_deg;
-    const double tip_dB = steel::kTipGain_dB + std::max(shaft_dB, -steel::kTipTiltLoss_dB);
-    const double gain_dB = tip_dB + (shaft_dB - tip_dB) * fromTip;
+    const double shaft_deg = std::asin(std::min(std::abs(along), 1.0)) * kDegrees;
+    const double face_deg = std::acos(std::clamp(-dot(beam, needle.face), 0.0, 1.0)) * kDegrees;
+    const double surface_dB = -steel::kTiltLoss_dBpdeg * (shaft_deg + onFace * (face_deg - shaft_deg));
+    const double tip_dB = steel::kTipGain_dB - std::min(steel::kTiltLoss_dBpdeg * shaft_deg, steel::kTipTiltLoss_dB);
+    const double gain_dB =
+        surface_dB + (tip_dB - surface_dB) * std::exp(-behind_mm * behind_mm / (steel::kTip_mm * steel::kTip_mm));
 
     const double steps = step_mm / std::max(grid.scanlineSpacing_mm(range_mm), kLeastSpacing_mm);
     // Ways through a layer differ by twice its thickness times the cosine of incidence.

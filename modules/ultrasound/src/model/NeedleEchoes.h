@@ -1,8 +1,10 @@
 #pragma once
 
 #include "model/FramePlan.h"
+#include "scene/TissueField.h"
 
 #include <insonate/core/Transform.h>
+#include <insonate/image/PlaneDisplacement.h>
 #include <insonate/ultrasound/Needle.h>
 
 #include <algorithm>
@@ -20,24 +22,26 @@ inline constexpr double kWallShare = 0.17;  ///< of the outer diameter; 0.22 mm 
 /// Per degree of the beam's tilt from square; what the beam loses by spreading over a slope comes on top.
 inline constexpr double kTiltLoss_dBpdeg = 0.33;
 inline constexpr double kBevel_deg = 20;
-/// The edges of the bevel scatter: its echo at the tip, and the most that a tilt takes from it there.
-inline constexpr double kTipGain_dB = 6, kTipTiltLoss_dB = 12;
+/// The edges of the bevel scatter: its echo at the tip, the most that a tilt takes from it there, and how far it reaches.
+inline constexpr double kTipGain_dB = 6, kTipTiltLoss_dB = 12, kTip_mm = 0.8;
 /// Echoes between the near and the far wall: the first over the shaft's, each over the one before.
 inline constexpr int kRings = 5;
-inline constexpr double kFirstRing = 0.3, kNextRing = 0.5;
+inline constexpr double kFirstRing = 0.2, kNextRing = 0.4;
 }  // namespace steel
 
-/// What a needle does to a frame, for all engines: the echo of its near side on each scanline, and its shadow.
+/// What a needle does to a frame, for all engines: the echo of its near side on each scanline, and its shadow. Echoes
+/// are those of a beam that tissue has not weakened.
 ///
-/// Gates are those of a scanline's way through tissue: where skin follows the face, they are seen at others (see
-/// tissueRange_mm()). Echoes are those of a beam that tissue has not weakened.
+/// Where the face draws the skin to it (see Contact.h), the needle goes along as one piece, as far as the tissue at its
+/// tip does: it stays straight, and its tip in what it is in.
 class NeedleEchoes {
  public:
   /// Allocates all that frames need. `plan` must outlive this.
   explicit NeedleEchoes(const FramePlan& plan);
 
   /// Valid (see validate()), or null: none. Allocates nothing.
-  void place(const Needle* needle, const Transform& patientFromProbe);
+  void place(const Needle* needle, const TissueField& field, const Transform& patientFromProbe,
+             const PlaneDisplacement& displacement);
   /// Whether it echoes or casts a shadow in this frame.
   bool present() const { return present_; }
 
@@ -52,28 +56,25 @@ class NeedleEchoes {
   /// Loss behind the needle, there and back, laid on over one gate, by scanlines; vectors may run past the last.
   const float* shadowOnsets_gate(int plane) const { return onset_gate_.data() + std::size_t(plane) * paddedLines_; }
   const float* shadowLosses_dB(int plane) const { return loss_dB_.data() + std::size_t(plane) * paddedLines_; }
-  float shadow_dB(int plane, int line, float tissueGate) const {
-    return shadowLosses_dB(plane)[line] * std::clamp(tissueGate - shadowOnsets_gate(plane)[line], 0.0F, 1.0F);
+  float shadow_dB(int plane, int line, int gate) const {
+    const float behind = static_cast<float>(gate) - shadowOnsets_gate(plane)[line];
+    return shadowLosses_dB(plane)[line] * std::clamp(behind, 0.0F, 1.0F);
   }
-
-  /// Where a gate lies on the way through tissue.
-  float tissueGate(int gate, float gap_mm) const { return static_cast<float>(gate) + gap_mm * gatesPerGap_[gate]; }
 
   /// Calls `add(gate, amplitude)` with the echoes of a scanline, rings included. `level_dB(gate)`: what is left of the
   /// beam in the middle of a gate, there and back, but for the shadow.
   template <class Level, class Add>
-  void addTo(int line, float gap_mm, const Level& level_dB, const Add& add) const {
+  void addTo(int line, const Level& level_dB, const Add& add) const {
     const Line& l = lines_[line];
     if (l.first >= l.end) return;
-    const int shift = static_cast<int>(std::abs(gap_mm / plan_->gate_mm)) + 2;
-    const int last = l.end + shift + static_cast<int>(steel::kRings * l.ring_gates);
-    for (int gate = std::max(l.first - shift, 0); gate < std::min(last, plan_->gates); ++gate) {
-      const float at = tissueGate(gate, gap_mm);
+    const int rings = l.ring_gates > 0 ? steel::kRings : 0;
+    const int end = std::min(l.end + 1 + static_cast<int>(static_cast<float>(rings) * l.ring_gates), plan_->gates);
+    for (int gate = l.first; gate < end; ++gate) {
       float sum = 0, share = 1;
-      for (int ring = 0; ring <= (l.ring_gates > 0 ? steel::kRings : 0); ++ring) {
-        const float before = static_cast<float>(ring) * l.ring_gates;
-        if (const float echo = echoAt(line, at - before); echo > 0)
-          sum += share * echo * amplitudeOf(levelAt(level_dB, static_cast<float>(gate) - before));
+      for (int ring = 0; ring <= rings; ++ring) {
+        const float from = static_cast<float>(gate) - static_cast<float>(ring) * l.ring_gates;
+        if (const float echo = between(from, [&](int g) { return echoAt(line, g); }); echo > 0)
+          sum += share * echo * amplitudeOf(between(std::max(from, 0.0F), level_dB));
         share *= static_cast<float>(ring == 0 ? steel::kFirstRing : steel::kNextRing);
       }
       if (sum > 0) add(gate, sum);
@@ -84,28 +85,28 @@ class NeedleEchoes {
   struct Pose;  ///< in the probe frame
 
   static float amplitudeOf(float level_dB) { return std::exp2(level_dB * 0.166096404744F); }
-  static float mix(float a, float b, float t) { return a + (b - a) * t; }
-  float echoAt(int line, float gate) const {
+  float echoAt(int line, int gate) const {
+    return gate >= lines_[line].first && gate < lines_[line].end ? amplitudes(line)[gate] : 0.0F;
+  }
+  /// Of values by gate; the last one goes on.
+  template <class Values>
+  float between(float gate, const Values& values) const {
     const float below = std::floor(gate);
     const int g = static_cast<int>(below);
-    const auto at = [&](int k) { return k >= lines_[line].first && k < lines_[line].end ? amplitudes(line)[k] : 0.0F; };
-    return mix(at(g), at(g + 1), gate - below);
-  }
-  template <class Level>
-  float levelAt(const Level& level_dB, float gate) const {
-    const float at = std::clamp(gate, 0.0F, static_cast<float>(plan_->gates - 1)), below = std::floor(at);
-    const int g = static_cast<int>(below);
-    return mix(level_dB(g), level_dB(std::min(g + 1, plan_->gates - 1)), at - below);
+    const float a = values(g), b = values(std::min(g + 1, plan_->gates - 1));
+    return a + (b - a) * (gate - below);
   }
 
+  /// Along the beam, of the tissue at its tip, or where it comes nearest to the plane.
+  Vec3 drawn_mm(const Pose& needle, const TissueField& field, const Transform& patientFromProbe,
+                const PlaneDisplacement& displacement) const;
   void echoShaft(const Pose& needle);
   void castShadow(const Pose& needle, int plane, int line);
   /// Spreads an echo over three gates of three scanlines, by quadratic B-splines.
   void add(double scanline, double gate, double amplitude, float ring_gates);
 
   const FramePlan* plan_;
-  std::vector<float> gatesPerGap_;  ///< [gate] by which a millimetre of gap moves tissue
-  std::vector<float> amplitude_;    ///< [line][gate]
+  std::vector<float> amplitude_;  ///< [line][gate]
   std::vector<Line> lines_;
   std::size_t paddedLines_;
   std::vector<float> onset_gate_, loss_dB_;  ///< [plane][padded line]

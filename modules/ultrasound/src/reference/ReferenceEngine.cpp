@@ -67,7 +67,7 @@ class LineTracer {
     for (int gate = 0; gate < plan_.gates; ++gate) {
       const TissueSample here = lookup_.at(plane, gate, line);
       if (!here.inside) return;  // nothing is known beyond the volume
-      const double lit = fromDecibel(-needle_.shadow_dB(plane, line, tissueGate(gate, line)));
+      const double lit = fromDecibel(-needle_.shadow_dB(plane, line, gate));
       if (previous && previous->label != here.label)
         amplitude *= boundary(plane, gate, line, *previous, here, amplitude * lit);
 
@@ -88,17 +88,13 @@ class LineTracer {
   /// Of the scanline traced last.
   void addNeedle(int line) {
     needle_.addTo(
-        line, static_cast<float>(lookup_.contact(line).gap_mm), [&](int gate) { return level_dB_[gate]; },
+        line, [&](int gate) { return level_dB_[gate]; },
         [&](int gate, float amplitude) {
           for (int look = 0; look < plan_.settings.looks; ++look) echo_.at(look, gate, line) += amplitude;
         });
   }
 
  private:
-  float tissueGate(int gate, int line) const {
-    return needle_.tissueGate(gate, static_cast<float>(lookup_.contact(line).gap_mm));
-  }
-
   /// Echo of the boundary between two gates; returns the share of amplitude that passes, there and back.
   double boundary(int plane, int gate, int line, const TissueSample& above, const TissueSample& below,
                   double amplitude) {
@@ -206,7 +202,7 @@ class ReferenceEngine final : public Engine {
   void render(const AcousticScene& sceneHandle, const Transform& patientFromProbe,
               const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) override {
     const auto start = std::chrono::steady_clock::now();
-    needle_->place(needle, patientFromProbe);
+    needle_->place(needle, sceneHandle.impl().field, patientFromProbe, displacement);
     if (plan_->settings.look == Look::Thesis)
       thesis::renderReference(*plan_, sceneHandle.impl(), patientFromProbe, displacement, envelope);
     else

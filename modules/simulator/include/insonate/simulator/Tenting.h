@@ -21,7 +21,7 @@ struct Tenting {
 /// Transactions on Graphics 36(4), 2017, equation 6 with nu = 1/2, two scales e and 2e subtracted): what a force spread
 /// over a ball of radius e does to an infinite elastic medium. One scale fades as 1/r; two as 1/r^3, since the shaft's
 /// friction and the probe hold what is pushed. A window takes it to nothing at 6 e. Volume is kept, but for the
-/// window's few percent. |gradient| <= 1.02 depth / e (computed on a grid): with e at least 1.5 depth, it is below 0.7
+/// window's few percent. |gradient| <= 1.02 depth / e (computed on a grid): with e at least 1.2 depth, it is below 0.86
 /// and tissue cannot fold.
 class TentedTissue {
  public:
