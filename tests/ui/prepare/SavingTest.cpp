@@ -16,6 +16,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDialog>
+#include <QLabel>
 #include <QPushButton>
 #include <QtTest/QTest>
 #include <filesystem>
@@ -145,6 +146,9 @@ TEST_F(Saving, WhereTheProbeIsBecomesTheStartOfACaseThatHasNone) {
   ASSERT_TRUE(writeCase(without, case_));
   QTest::keyClick(&window_, Qt::Key_F5);
   ASSERT_TRUE(until([&] { return window_.isReady() && keep->isVisible(); }));
+  QApplication::processEvents();
+  for (const auto* label : keep->parentWidget()->findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly))
+    EXPECT_TRUE(label->wordWrap() || label->width() >= label->sizeHint().width()) << label->text().toStdString();
   session_->setCrosshair({8, 3, 2});
   ASSERT_TRUE(until([this] { return window_.isReady(); }));
   ASSERT_TRUE(session_->live().pose());

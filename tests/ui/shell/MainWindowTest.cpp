@@ -282,6 +282,11 @@ TEST_F(MainWindow, ListsAllKeysUnderTheQuestionMark) {
   const QString text = page->toPlainText();
   for (const char* said : {"Ctrl+2", "Space", "freeze the picture", "Esc", "F1"})
     EXPECT_TRUE(text.contains(said)) << said;
+  w.window.showWorkspace("train");
+  QTest::keyClick(&w.window, Qt::Key_Question);
+  const QString there = page->toPlainText();
+  EXPECT_LT(there.indexOf("freeze the picture"), there.indexOf("Everywhere")) << "first what can be done here";
+  EXPECT_GT(text.indexOf("freeze the picture"), text.indexOf("Everywhere"));
   QTest::keyClick(&w.window, Qt::Key_F1);
   EXPECT_TRUE(page->toPlainText().contains("Getting started"));
 }

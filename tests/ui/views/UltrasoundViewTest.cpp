@@ -49,13 +49,19 @@ TEST(UltrasoundView, TheMarkerStandsAtThePictureAlsoWithRoomAroundIt) {
   view.setImage(image);
   view.setBounds(PictureBounds{-30, 30, 0, 40});
   Screen screen(view, 900, 700);
-  for (const bool mirrored : {false, true}) {
-    view.setMirrored(mirrored);
-    const Picture picture = screen.picture();
-    const DisplayPoint corner = view.displayFromPicture({20, 0});
-    const auto at = picture.at(int(corner.x) + (mirrored ? 5 : -5), int(corner.y) - 12);
-    EXPECT_GT(at[2], at[0] + 60) << mirrored;
-  }
+  const auto expectMarkerAt = [&](double lateral_mm) {
+    for (const bool mirrored : {false, true}) {
+      view.setMirrored(mirrored);
+      const Picture picture = screen.picture();
+      const DisplayPoint corner = view.displayFromPicture({lateral_mm, 0});
+      const auto at = picture.at(int(corner.x) + (mirrored ? 5 : -5), int(corner.y) - 12);
+      EXPECT_GT(at[2], at[0] + 60) << lateral_mm << " mm, mirrored " << mirrored;
+    }
+  };
+  expectMarkerAt(20);
+  // The picture is wider than the field of view that is being edited.
+  view.setGuide({{{-12, 2}, {12, 2}, {12, 28}, {-12, 28}}, {}, {}});
+  expectMarkerAt(12);
 }
 
 TEST(UltrasoundView, AnEchoAppearsWhereItsMillimetresSay) {

@@ -31,9 +31,9 @@ UltrasoundPane::UltrasoundPane(PrepareSession& session, QWidget* parent)
   widget_->setObjectName(QStringLiteral("labelUltrasound"));
   widget_->setMinimumHeight(kLeastHeight_px);
   view_->setGreyBarVisible(false);
-  auto* title = new QLabel(tr("Ultrasound of these labels"));
+  auto* title = new QLabel(tr("Ultrasound"));
   ui::setRole(title, "heading");
-  title->setToolTip(tr("The probe stands on the skin nearest to the crosshair"));
+  title->setToolTip(tr("Of these labels: the probe stands on the skin nearest to the crosshair"));
   start_->setObjectName(QStringLiteral("toStart"));
   start_->setToolTip(tr("Crosshair and probe to where the case begins (Home)"));
   ui::setRole(state_, "quiet");

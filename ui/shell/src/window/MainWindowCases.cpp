@@ -17,6 +17,8 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QSettings>
+#include <utility>
+#include <vector>
 
 namespace insonate::ui {
 namespace {
@@ -183,14 +185,20 @@ void MainWindow::handOut() {
 
 void MainWindow::showHelp(bool keys) {
   if (!help_) help_ = new HelpWindow(this);
-  std::vector<ShortcutGroup> groups{{tr("Everywhere"), {}}};
+  ShortcutGroup everywhere{tr("Everywhere"), {}};
   for (const QAction* action : actions())
     if (!action->shortcut().isEmpty())
-      groups[0].shortcuts.push_back({action->shortcut().toString(QKeySequence::NativeText), action->text()});
-  groups[0].shortcuts.push_back({tr("Alt+C, Alt+V"), tr("the menus of cases and of what is shown")});
-  groups[0].shortcuts.push_back({tr("Esc"), tr("cancel what is being done, close a message")});
-  groups.push_back({tr("In every view"), {{tr("M, double click"), tr("show this view alone, and back")}}});
-  for (const Room& room : rooms_) groups.push_back({room.title, room.workspace->shortcuts()});
+      everywhere.shortcuts.push_back({action->shortcut().toString(QKeySequence::NativeText), action->text()});
+  everywhere.shortcuts.push_back({tr("Alt+C, Alt+V"), tr("the menus of cases and of what is shown")});
+  everywhere.shortcuts.push_back({tr("Esc"), tr("cancel what is being done, close a message")});
+  const ShortcutGroup views{tr("In every view"), {{tr("M, double click"), tr("show this view alone, and back")}}};
+  std::vector<ShortcutGroup> groups{std::move(everywhere), views};
+  for (const Room& room : rooms_) {
+    // What can be done here is read first.
+    const auto place = room.workspace == currentWorkspace() ? groups.begin() : groups.end();
+    if (auto shortcuts = room.workspace->shortcuts(); !shortcuts.empty())
+      groups.insert(place, {room.title, std::move(shortcuts)});
+  }
   help_->setShortcuts(groups);
   if (keys)
     help_->showKeys();

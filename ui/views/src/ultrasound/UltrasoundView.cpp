@@ -197,7 +197,9 @@ void UltrasoundView::layout() {
     frame.scale = scaleVisible_, frame.greyBar = greyBarVisible_, frame.frozen = frozen_,
     frame.markerRight = !mirrored_, frame.notice = notice_;
     // There may be room around the picture itself.
-    const double side_mm = shape_.left_mm + (shape_.width - 0.5) * shape_.pixel_mm;
+    double side_mm = shape_.left_mm + (shape_.width - 0.5) * shape_.pixel_mm;
+    // A field of view that is being edited may be narrower than the picture.
+    if (!guide_.outline.empty()) side_mm = std::ranges::max(guide_.outline, {}, &PicturePoint::lateral_mm).lateral_mm;
     frame.marker_px = displayFromPicture(
         {std::min(side_mm, shown.maxLateral_mm), std::max(shape_.top_mm - shape_.pixel_mm / 2, shown.minAxial_mm)});
     drawPictureFrame(frame, scale(), width_px(), lines, texts);
