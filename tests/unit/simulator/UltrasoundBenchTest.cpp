@@ -87,15 +87,17 @@ TEST(UltrasoundBench, TimesAndErrorsMakeSense) {
   }
 }
 
-TEST(UltrasoundBench, DisplacedTissueIsMeasuredBesideTheWorkload) {
-  int rows = 0;
-  for (const UltrasoundBenchRow& row : smallBench().rows)
-    if (row.look == "coherent, displaced") {
-      ++rows;
-      EXPECT_EQ(row.scanlines, smallBench().rows.front().scanlines);
-      EXPECT_TRUE(std::isnan(row.discretisationError_percent));
-    }
-  EXPECT_GE(rows, 2) << "each engine";
+TEST(UltrasoundBench, DisplacedTissueAndANeedleAreMeasuredBesideTheWorkload) {
+  for (const char* what : {"coherent, displaced", "coherent, needle"}) {
+    int rows = 0;
+    for (const UltrasoundBenchRow& row : smallBench().rows)
+      if (row.look == what) {
+        ++rows;
+        EXPECT_EQ(row.scanlines, smallBench().rows.front().scanlines);
+        EXPECT_TRUE(std::isnan(row.discretisationError_percent));
+      }
+    EXPECT_GE(rows, 2) << "each engine: " << what;
+  }
 }
 
 TEST(UltrasoundBench, FewerScanlinesResolveLess) {

@@ -119,9 +119,9 @@ Result<void> EngineRows::renderDense() {
   return {};
 }
 
-Result<void> EngineRows::addDiscretisation(const ImagingSettings& settings, const PlaneDisplacement& displacement,
+Result<void> EngineRows::addDiscretisation(const ImagingSettings& settings, const PlaneContents& contents,
                                            UltrasoundBenchRow& row) const {
-  if (settings.look == Look::Thesis || !displacement.empty()) {
+  if (settings.look == Look::Thesis || contents.needle || !contents.displacement.empty()) {
     row.discretisationError_percent = row.discretisationSsim = NAN;
     return {};
   }
@@ -138,15 +138,28 @@ Result<void> EngineRows::addDiscretisation(const ImagingSettings& settings, cons
   return {};
 }
 
-Result<void> EngineRows::measureDisplaced(std::vector<UltrasoundBenchRow>& rows) const {
+Result<void> EngineRows::measureOwn(const PlaneContents& contents, const char* what,
+                                    std::vector<UltrasoundBenchRow>& rows) const {
   const std::size_t before = rows.size();
-  const ImagingSettings& own = settings_.front();
-  auto ok = measure(own, pressedTissue(plan_->setup.probe, own), rows);
-  for (std::size_t r = before; r < rows.size(); ++r) rows[r].look += ", displaced";
+  auto ok = measure(settings_.front(), contents, rows);
+  for (std::size_t r = before; r < rows.size(); ++r) rows[r].look += what;
   return ok;
 }
 
-Result<void> EngineRows::measure(const ImagingSettings& settings, const PlaneDisplacement& displacement,
+Result<void> EngineRows::measureDisplaced(std::vector<UltrasoundBenchRow>& rows) const {
+  return measureOwn({pressedTissue(plan_->setup.probe, settings_.front()), {}}, ", displaced", rows);
+}
+
+/// From the left to the middle of the picture, at 45 degrees.
+Result<void> EngineRows::measureNeedle(std::vector<UltrasoundBenchRow>& rows) const {
+  constexpr double kTipDepth_mm = 18;
+  Needle needle;
+  needle.tip_mm = {0, 0, kTipDepth_mm};
+  needle.direction = normalized({1, 0, 1}), needle.bevelNormal = {0, 0, -1};
+  return measureOwn({{}, needle}, ", needle", rows);
+}
+
+Result<void> EngineRows::measure(const ImagingSettings& settings, const PlaneContents& contents,
                                  std::vector<UltrasoundBenchRow>& rows) const {
   auto truthImager = makeImager(plan_->setup, settings, kReference);
   if (!truthImager) return tl::unexpected(truthImager.error());
@@ -155,10 +168,10 @@ Result<void> EngineRows::measure(const ImagingSettings& settings, const PlaneDis
   std::vector<ImagingFrame> truths(poses);
   UltrasoundBenchRow reference = rowOf(plan_->setup.probe, settings, kReference, 1);
   const Patience once{.warmUp = 0, .least = static_cast<int>(poses), .most = static_cast<int>(poses), .seconds = 0};
-  reference.times = timeFrames(once, [&](int i) { truthImager->render(*scene_, poseAt(i), displacement, nullptr, truths[i]); });
+  reference.times = timeFrames(once, [&](int i) { contents.render(*truthImager, *scene_, poseAt(i), truths[i]); });
   for (const ImagingFrame::Stage& stage : truths[0].stages)
     reference.stages.push_back({stage.name, stage.ms, stage.ms});
-  if (auto ok = addDiscretisation(settings, displacement, reference); !ok) return ok;
+  if (auto ok = addDiscretisation(settings, contents, reference); !ok) return ok;
 
   for (const std::string& engine : engineNames()) {
     // What this machine has not is told in the notes.
@@ -170,19 +183,19 @@ Result<void> EngineRows::measure(const ImagingSettings& settings, const PlaneDis
     ImagingFrame frame;
     row.ssim = 0;
     for (std::size_t i = 0; i < poses; ++i) {
-      imager->render(*scene_, poseAt(i), displacement, nullptr, frame);
+      contents.render(*imager, *scene_, poseAt(i), frame);
       error.add(frame.envelope, truths[i].envelope);
       row.ssim += structuralSimilarity(frame.image, truths[i].image) / double(poses);
     }
     row.envelopeError_percent = error.percent();
-    if (auto ok = addDiscretisation(settings, displacement, row); !ok) return ok;
+    if (auto ok = addDiscretisation(settings, contents, row); !ok) return ok;
     // A card, or what stands for one, does not ask how many threads it may have.
     const int all = tbb::info::default_concurrency();
     std::vector<int> threads{engine == "glsl" ? all : 1};
     if (all > threads.back()) threads.push_back(all);
     for (const int n : threads) {
       row.threads = n;
-      TimedFrames timed = timeImager(*imager, *scene_, path_, displacement, n, {.seconds = plan_->secondsPerRow});
+      TimedFrames timed = timeImager(*imager, *scene_, path_, contents, n, {.seconds = plan_->secondsPerRow});
       row.times = timed.times, row.stages = std::move(timed.stages);
       rows.push_back(row);
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "bench/FrameTimer.h"
+
 #include <insonate/simulator/UltrasoundBench.h>
 
 #include <span>
@@ -19,15 +21,17 @@ class EngineRows {
   Result<void> measure(const ImagingSettings& settings, std::vector<UltrasoundBenchRow>& rows) const {
     return measure(settings, {}, rows);
   }
-  /// The same for the plan's own settings and tissue under pressure.
+  /// The same for the plan's own settings and tissue under pressure; and with a needle in the plane.
   Result<void> measureDisplaced(std::vector<UltrasoundBenchRow>& rows) const;
+  Result<void> measureNeedle(std::vector<UltrasoundBenchRow>& rows) const;
 
  private:
   EngineRows(const UltrasoundBenchPlan& plan, const AcousticScene& scene, std::span<const Transform> path);
-  Result<void> measure(const ImagingSettings& settings, const PlaneDisplacement& displacement,
+  Result<void> measure(const ImagingSettings& settings, const PlaneContents& contents,
                        std::vector<UltrasoundBenchRow>& rows) const;
+  Result<void> measureOwn(const PlaneContents& contents, const char* what, std::vector<UltrasoundBenchRow>& rows) const;
   Result<void> renderDense();
-  Result<void> addDiscretisation(const ImagingSettings& settings, const PlaneDisplacement& displacement,
+  Result<void> addDiscretisation(const ImagingSettings& settings, const PlaneContents& contents,
                                  UltrasoundBenchRow& row) const;
 
   const UltrasoundBenchPlan* plan_;

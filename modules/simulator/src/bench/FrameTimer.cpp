@@ -43,8 +43,18 @@ FrameTimes timeFrames(const Patience& patience, const std::function<void(int fra
           quantile(cpu_ms, 0.5)};
 }
 
+void PlaneContents::render(Imager& imager, const AcousticScene& scene, const Transform& patientFromProbe,
+                           ImagingFrame& frame) const {
+  if (!needle) return imager.render(scene, patientFromProbe, displacement, nullptr, frame);
+  Needle inPatient = *needle;
+  inPatient.tip_mm = patientFromProbe * needle->tip_mm;
+  inPatient.direction = patientFromProbe.linear * needle->direction;
+  inPatient.bevelNormal = patientFromProbe.linear * needle->bevelNormal;
+  imager.render(scene, patientFromProbe, displacement, &inPatient, frame);
+}
+
 TimedFrames timeImager(Imager& imager, const AcousticScene& scene, std::span<const Transform> path,
-                       const PlaneDisplacement& displacement, int threads, const Patience& patience) {
+                       const PlaneContents& contents, int threads, const Patience& patience) {
   tbb::task_arena arena(threads);
   TimedFrames result;
   ImagingFrame frame;
@@ -53,7 +63,7 @@ TimedFrames timeImager(Imager& imager, const AcousticScene& scene, std::span<con
   arena.execute([&] {
     result.times = timeFrames(patience, [&](int i) {
       const int at = i % period;
-      imager.render(scene, path[std::min(at, period - at)], displacement, nullptr, frame);
+      contents.render(imager, scene, path[std::min(at, period - at)], frame);
       stages.resize(frame.stages.size());
       if (i < patience.warmUp) return;
       for (std::size_t s = 0; s < stages.size(); ++s) stages[s].push_back(frame.stages[s].ms);

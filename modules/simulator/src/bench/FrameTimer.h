@@ -4,6 +4,7 @@
 #include <insonate/simulator/UltrasoundBench.h>
 
 #include <functional>
+#include <optional>
 #include <span>
 
 namespace insonate::bench {
@@ -17,13 +18,21 @@ struct Patience {
 /// Milliseconds of repeated calls; `frame` gets the number of the call.
 FrameTimes timeFrames(const Patience& patience, const std::function<void(int frame)>& frame);
 
-/// Whole frames, engine and display, of a probe that moves along `path` and back, over tissue displaced in its plane,
-/// on an arena of `threads`. Stages get the median and the least of their times.
+/// What the plane holds besides the scene, in the probe's frame, so that it goes along with it.
+struct PlaneContents {
+  PlaneDisplacement displacement;
+  std::optional<Needle> needle;
+
+  void render(Imager& imager, const AcousticScene& scene, const Transform& patientFromProbe, ImagingFrame& frame) const;
+};
+
+/// Whole frames, engine and display, of a probe that moves along `path` and back, on an arena of `threads`. Stages get
+/// the median and the least of their times.
 struct TimedFrames {
   FrameTimes times;
   std::vector<StageTime> stages;
 };
 TimedFrames timeImager(Imager& imager, const AcousticScene& scene, std::span<const Transform> path,
-                       const PlaneDisplacement& displacement, int threads, const Patience& patience);
+                       const PlaneContents& contents, int threads, const Patience& patience);
 
 }  // namespace insonate::bench

@@ -139,7 +139,8 @@ constexpr const char* kAboutErrors =
     "discretisation_error_percent and discretisation_ssim compare with a dense frame of the reference engine, speckle "
     "left out: more elevation planes hold other scatterers, so that speckle itself cannot converge. gate_mm is the "
     "distance at which echoes are summed; more samples bring it down only to a third of the pulse. Rows of displaced "
-    "tissue show what a displacement of the probe's plane adds to a frame, its computation left out.";
+    "tissue show what a displacement of the probe's plane adds to a frame, its computation left out; rows of a needle "
+    "what one adds that crosses half of the picture at 45 degrees.";
 constexpr const char* kAboutPlainLoop =
     "The plain loop is a scalar loop of the same workload without boundaries, layers, textures, looks and display "
     "filters, compiled with the same options.";
@@ -215,6 +216,7 @@ Result<UltrasoundBench> runUltrasoundBench(const UltrasoundBenchPlan& plan, cons
     if (auto ok = rows->measure(settings, bench.rows); !ok) return tl::unexpected(ok.error());
     if (&settings != &rows->settings().front()) continue;
     if (auto ok = rows->measureDisplaced(bench.rows); !ok) return tl::unexpected(ok.error());
+    if (auto ok = rows->measureNeedle(bench.rows); !ok) return tl::unexpected(ok.error());
   }
   bench.plainLoop = timePlainLoop(marked, path);
   bench.stages = stageLimits(bench, frameWork(setup.probe, setup.settings, **scene));

@@ -48,7 +48,7 @@ struct StageTime {
 /// One engine with one set of settings and threads.
 struct UltrasoundBenchRow {
   std::string engine;
-  std::string look;  ///< "coherent" or "thesis", and ", displaced" where the tissue is
+  std::string look;  ///< "coherent" or "thesis", and ", displaced" where the tissue is, ", needle" where there is one
   int threads = 1;
   int scanlines = 0, samples = 0, elevationPlanes = 0, width = 0, height = 0;
   double gate_mm = 0;  ///< distance at which echoes are summed along a scanline; follows from the samples
@@ -59,7 +59,7 @@ struct UltrasoundBenchRow {
   double envelopeError_percent = 0, ssim = 1;
   /// Against a dense frame of the reference engine, speckle left out on both sides, resampled to the row's beams. How
   /// well the row's grid resolves the model. Speckle must be left out: more planes hold other scatterers.
-  /// NaN for the look "thesis", whose pixels are filtered and have no beam to resolve, and for displaced tissue.
+  /// NaN for the look "thesis", whose pixels are filtered and have no beam to resolve, and for displaced tissue and a needle.
   double discretisationError_percent = 0, discretisationSsim = 1;
 };
 
