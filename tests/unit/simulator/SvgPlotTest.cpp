@@ -72,6 +72,14 @@ TEST(SvgPlot, LeavesOutWhatAnAxisCannotShow) {
   EXPECT_EQ(marks(svgOf(chartOf({{1, 1, ""}, {-3, 5, ""}, {NAN, 1, ""}}, false))).size(), 2U);
 }
 
+TEST(SvgPlot, TheLegendTellsDashedFromWholeLines) {
+  LineChart chart = chartOf({{1, 1, ""}, {2, 2, ""}}, false);
+  chart.series.push_back({.name = "dashed", .points = {{1, 2, ""}, {2, 1, ""}}, .dashed = true});
+  const std::string svg = svgOf(chart);
+  EXPECT_EQ(count(svg, "<polyline"), 4) << "each in the chart and in the legend";
+  EXPECT_EQ(count(svg, "stroke-dasharray"), 2);
+}
+
 TEST(SvgPlot, EscapesTextAndStaysWellFormed) {
   LineChart chart = chartOf({{1, 2, "<a> & \"b\""}, {2, 3, ""}}, true);
   chart.title = "errors < 1 % & falling";

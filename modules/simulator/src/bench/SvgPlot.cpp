@@ -13,7 +13,7 @@ namespace {
 
 using bench::SvgAxis;
 
-constexpr double kWidth = 860, kHeight = 520;
+constexpr double kWidth = 900, kHeight = 520;
 constexpr double kLeft = 84, kRight = 630, kTop = 74, kBottom = 452;  // of the chart; the legend is right of it
 // Okabe and Ito's colours, told apart by colour-blind readers and in grey, and two darker ones.
 constexpr std::string_view kColours[]{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
@@ -116,6 +116,13 @@ void drawSeries(Canvas& canvas, const PlotSeries& series, const SvgAxis& x, cons
   }
 }
 
+/// The series' line of the legend: colours come again after nine, then a dash tells them apart.
+void drawKey(Canvas& canvas, const PlotSeries& series, double row, std::string_view colour) {
+  if (series.joined) canvas.path({{kRight + 12, row - 4}, {kRight + 36, row - 4}}, colour, series.dashed);
+  if (series.marked) canvas.mark(kRight + 24, row - 4, colour);
+  canvas.text(kRight + 44, row, series.name);
+}
+
 std::string_view colourOf(std::size_t index) {
   return kColours[index % std::size(kColours)];
 }
@@ -146,9 +153,7 @@ std::string svgOf(const LineChart& chart) {
   std::vector<Pixel> taken;  // by labels
   for (std::size_t s = 0; s < chart.series.size(); ++s) {
     drawSeries(canvas, chart.series[s], x, y, colourOf(s), taken);
-    const double row = kTop + 12 + 22 * double(s);
-    canvas.mark(kRight + 24, row - 4, colourOf(s));
-    canvas.text(kRight + 36, row, chart.series[s].name);
+    drawKey(canvas, chart.series[s], kTop + 12 + 22 * double(s), colourOf(s));
   }
   return canvas.finished();
 }
