@@ -26,6 +26,8 @@ void addBenchCommand(CLI::App& app, Outcome& outcome);
 void addSurfacesCommand(CLI::App& app, Outcome& outcome);
 void addFitCommand(CLI::App& app, Outcome& outcome);
 void addDevicesCommand(CLI::App& app, Outcome& outcome);
+void addSessionCommand(CLI::App& app, Outcome& outcome);
+void addReplayCommand(CLI::App& app, Outcome& outcome);
 
 /// Prints the error's sentence to standard error, sets the status, and prints {"error": ...} with `fields` where JSON
 /// was asked for.

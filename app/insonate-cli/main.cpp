@@ -39,6 +39,8 @@ int main(int argc, char** argv) {
   addSurfacesCommand(app, outcome);
   addFitCommand(app, outcome);
   addDevicesCommand(app, outcome);
+  addSessionCommand(app, outcome);
+  addReplayCommand(app, outcome);
 
   if (const std::string unknown = unknownCommand(app, argc, argv); !unknown.empty()) {
     std::cerr << "insonate-cli: " << unknown << '\n';

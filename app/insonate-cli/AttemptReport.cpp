@@ -1,0 +1,87 @@
+#include "AttemptReport.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <string>
+
+namespace insonate::cli {
+namespace {
+
+const char* nameOf(AttemptStatus status) {
+  switch (status) {
+    case AttemptStatus::Completed:
+      return "completed";
+    case AttemptStatus::Abandoned:
+      return "abandoned";
+    case AttemptStatus::CutShort:
+      break;
+  }
+  return "cut short";
+}
+
+const char* nameOf(AttemptEventKind kind) {
+  switch (kind) {
+    case AttemptEventKind::Entered:
+      return "entered";
+    case AttemptEventKind::Left:
+      return "left";
+    case AttemptEventKind::Withdrawn:
+      return "withdrawn";
+    case AttemptEventKind::Struck:
+      return "struck";
+    case AttemptEventKind::NeedleReplaced:
+      return "needle_replaced";
+    case AttemptEventKind::Frozen:
+      return "frozen";
+    case AttemptEventKind::Released:
+      return "released";
+    case AttemptEventKind::Positioned:
+      break;
+  }
+  return "positioned";
+}
+
+bool isOfWall(const AttemptEvent& event) {
+  return event.kind <= AttemptEventKind::Struck;
+}
+
+nlohmann::json jsonOf(Vec3 v) {
+  return {v.x, v.y, v.z};
+}
+
+nlohmann::json jsonOf(const AttemptEvent& event) {
+  nlohmann::json object{{"t_s", static_cast<double>(event.time_us) * 1e-6}, {"kind", nameOf(event.kind)}};
+  if (event.kind == AttemptEventKind::Positioned) object["tilt_deg"] = event.tilt_deg;
+  if (isOfWall(event))
+    object.update({{"wall", labelTable()[event.wall].name},
+                   {"into", labelTable()[event.into].name},
+                   {"depth_mm", event.depth_mm},
+                   {"tip_mm", jsonOf(event.tip_mm)},
+                   {"axis", jsonOf(event.axis)}});
+  return object;
+}
+
+}  // namespace
+
+nlohmann::json attemptReport(AttemptStatus status, const MetricValues& metrics,
+                             const std::vector<AttemptEvent>& events) {
+  nlohmann::json values = nlohmann::json::object(), list = nlohmann::json::array();
+  for (const MetricDefinition& metric : metricTable()) {
+    const auto value = metrics[metric.metric];
+    values[std::string(metric.id)] = value ? nlohmann::json(*value) : nlohmann::json(nullptr);
+  }
+  for (const AttemptEvent& event : events) list.push_back(jsonOf(event));
+  return {{"status", nameOf(status)}, {"metrics", values}, {"events", list}};
+}
+
+void printAttempt(AttemptStatus status, const MetricValues& metrics, const std::vector<AttemptEvent>& events) {
+  std::printf("%s\n", nameOf(status));
+  for (const AttemptEvent& event : events)
+    std::printf("%9.3f s  %s %s\n", static_cast<double>(event.time_us) * 1e-6, nameOf(event.kind),
+                isOfWall(event) ? std::string(labelTable()[event.wall].name).c_str() : "");
+  for (const MetricDefinition& metric : metricTable())
+    if (const auto value = metrics[metric.metric]) std::printf("%10.2f  %s\n", *value, std::string(metric.id).c_str());
+}
+
+}  // namespace insonate::cli

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <insonate/procedure/AttemptRecording.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <vector>
+
+namespace insonate::cli {
+
+/// {"status", "metrics": {id: value or null}, "events": [{"t_s", "kind", ...}]}, as `session --json` and `replay
+/// --json` print it.
+nlohmann::json attemptReport(AttemptStatus status, const MetricValues& metrics,
+                             const std::vector<AttemptEvent>& events);
+/// The same for a person, on standard output.
+void printAttempt(AttemptStatus status, const MetricValues& metrics, const std::vector<AttemptEvent>& events);
+
+}  // namespace insonate::cli

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/core/Progress.h>
+#include <insonate/core/Result.h>
+#include <insonate/procedure/AttemptRecorder.h>
+#include <insonate/procedure/ProcedureRun.h>
+#include <insonate/ultrasound/Probe.h>
+
+#include <filesystem>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace insonate {
+
+/// One thing that hands do. Lengths in patient space, mm; hands move at `speed_mmps` where they move.
+struct SessionAct {
+  struct PutProbe {
+    Transform patientFromProbe;
+  };
+  struct LiftProbe {};
+  struct PutNeedle {  ///< outside, its tip at `from_mm`, pointing to `to_mm`
+    Vec3 from_mm, to_mm;
+  };
+  struct MoveNeedle {  ///< along its direction, back when negative
+    double by_mm = 0, speed_mmps = 10;
+  };
+  struct Wait {
+    double seconds = 0;
+  };
+  struct Aspirate {
+    bool on = false;
+  };
+  struct Tell {  ///< replaced, frozen, released, positioned
+    AttemptEventKind kind = AttemptEventKind::NeedleReplaced;
+    double tilt_deg = 0;
+  };
+  std::variant<PutProbe, LiftProbe, PutNeedle, MoveNeedle, Wait, Aspirate, Tell> what;
+};
+
+struct SessionScript {
+  std::string procedure = "internal_jugular", probe = "linear";
+  bool abandoned = false;  ///< how it ends
+  std::vector<SessionAct> acts;
+};
+
+/// See modules/simulator/README.md for the form. Fails with a sentence that names the act, counted from 1.
+Result<SessionScript> readSessionScript(std::string_view json, const PatientCase& patient);
+
+struct SessionOutcome {
+  AttemptStatus status = AttemptStatus::Completed;
+  MetricValues metrics;
+  std::vector<AttemptEvent> events;
+  ProcedureRun run;
+};
+
+/// A whole attempt without a window, device or clock, faster than real time: hands that are where the script has them,
+/// through the servo at 1 kHz, into a recording. Tissue stays at rest, whatever the probe does, and no picture is made.
+/// The same script, case and program give the same attempt. `software` is name and version, for the header. Cancelled,
+/// it leaves no file.
+Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase& patient, std::string_view software,
+                                  const std::filesystem::path& recording, const Progress& progress = {});
+
+}  // namespace insonate

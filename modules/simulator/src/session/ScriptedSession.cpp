@@ -1,0 +1,173 @@
+#include <insonate/haptics/SimulatedHand.h>
+#include <insonate/simulator/ScriptedSession.h>
+#include <insonate/simulator/ServoRecord.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <optional>
+#include <thread>
+
+namespace insonate {
+namespace {
+
+constexpr std::int64_t kTick_us = 1000;
+constexpr double kTick_s = 1e-3;
+/// As much tissue as a needle of 70 mm can reach from where it is first put down.
+constexpr double kReach_mm = 90;
+
+/// z along the way in; x and y any two at right angles.
+Transform needleAt(Vec3 tip_mm, Vec3 axis) {
+  const Vec3 aside = std::abs(axis.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  const Vec3 y = normalized(cross(axis, aside));
+  return {{{cross(y, axis), y, axis}}, tip_mm};
+}
+
+/// Both hands and what they hold, a tick at a time.
+class Session {
+ public:
+  Session(std::shared_ptr<const TissueGrid> grid, const Probe& probe, AttemptRecorder& recorder,
+          SessionOutcome& outcome)
+      : grid_(std::move(grid)), depth_mm_(probe.defaultDepth_mm), recorder_(recorder), outcome_(outcome) {}
+
+  Result<void> begin() {
+    const auto needle = loadNeedleTable(needlePresetNames().front());
+    if (!needle) return tl::unexpected(needle.error());
+    ServoSetup setup;
+    setup.needle = *needle;
+    for (HandSetup& hand : setup.hands) hand.limits = deviceProfiles().front().limits;
+    servo_.setup(setup);
+    return {};
+  }
+
+  void operator()(const SessionAct::PutProbe& act) { probe_ = act.patientFromProbe; }
+  void operator()(const SessionAct::LiftProbe&) { probe_.reset(); }
+  void operator()(const SessionAct::PutNeedle& act) {
+    tip_mm_ = act.from_mm, axis_ = normalized(act.to_mm - act.from_mm), holdsNeedle_ = true;
+    tick();
+  }
+  void operator()(const SessionAct::MoveNeedle& act) {
+    const Vec3 from_mm = tip_mm_;
+    const int ticks = static_cast<int>(std::lround(std::abs(act.by_mm) / (act.speed_mmps * kTick_s)));
+    for (int i = 1; i <= ticks; ++i) {
+      tip_mm_ = from_mm + axis_ * (act.by_mm * i / ticks);
+      tick();
+    }
+  }
+  void operator()(const SessionAct::Wait& act) {
+    for (int i = 0; i < static_cast<int>(std::lround(act.seconds / kTick_s)); ++i) tick();
+  }
+  void operator()(const SessionAct::Aspirate& act) { aspirating_ = act.on; }
+  void operator()(const SessionAct::Tell& act) {
+    tell({.time_us = time_us_, .kind = act.kind, .tip_mm = tip_mm_, .axis = axis_, .tilt_deg = act.tilt_deg});
+  }
+
+ private:
+  void tick() {
+    time_us_ += kTick_us;
+    const std::int64_t now_ns = time_us_ * 1000;
+    servo_.show({.time_ns = now_ns, .grid = grid_, .restFromPatient = {}, .patches = {}});
+    ServoInput input{.now_ns = now_ns, .hands = {}, .present = {probe_.has_value(), holdsNeedle_}};
+    if (probe_) input.hands[kProbeHand].deviceFromStylus = *probe_;
+    input.hands[kNeedleHand].deviceFromStylus = needleAt(tip_mm_, axis_);
+    for (DeviceState& hand : input.hands) hand.time_ns = now_ns;
+    const ServoOutput output = servo_.tick(input);
+
+    const TickContext context{time_us_, input.present, probe_ ? depth_mm_ : 0, aspirating_, {}};
+    const AttemptSample sample = sampleOf(output, context, grid_.get());
+    waitForRoom();
+    recorder_.put(sample);
+    outcome_.run.take(restored(quantised(sample)));
+    for (int i = 0; i < output.eventCount; ++i) tell(eventOf(output.events[i], context, grid_.get()));
+  }
+  void tell(const AttemptEvent& event) {
+    waitForRoom();
+    recorder_.put(event);
+    outcome_.run.take(event);
+    outcome_.events.push_back(event);
+  }
+  /// The script runs ahead of the recorder.
+  void waitForRoom() const {
+    while (recorder_.room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+
+  std::shared_ptr<const TissueGrid> grid_;
+  double depth_mm_;
+  AttemptRecorder& recorder_;
+  SessionOutcome& outcome_;
+  HapticServo servo_;
+  std::int64_t time_us_ = 0;
+  std::optional<Transform> probe_;
+  bool holdsNeedle_ = false, aspirating_ = false;
+  Vec3 tip_mm_, axis_{0, 0, 1};
+};
+
+std::string now() {
+  const std::time_t seconds = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&seconds, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+/// Of what the servo and pictures are computed from: FNV-1a, 64 bits, over CT and labels.
+std::string hashOf(const PatientCase& patient) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  const auto add = [&](std::uint64_t value) { hash = (hash ^ value) * 0x100000001b3U; };
+  for (const int size : patient.labels.geometry.size) add(static_cast<std::uint64_t>(size));
+  for (const auto label : patient.labels.voxels) add(label);
+  for (const auto hu : patient.ct.voxels) add(static_cast<std::uint16_t>(hu));
+  char text[20];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+/// Where the needle is first put down.
+Vec3 placeOf(const SessionScript& script) {
+  for (const SessionAct& act : script.acts)
+    if (const auto* put = std::get_if<SessionAct::PutNeedle>(&act.what)) return put->from_mm;
+  return {};
+}
+
+}  // namespace
+
+Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase& patient, std::string_view software,
+                                  const std::filesystem::path& recording, const Progress& progress) {
+  auto procedure = loadProcedure(script.procedure);
+  if (!procedure) return tl::unexpected(procedure.error());
+  const auto probe = loadProbe(script.probe);
+  if (!probe) return tl::unexpected(probe.error());
+  auto grid = TissueGrid::fromLabels(patient.labels, placeOf(script), kReach_mm);
+  if (!grid) return tl::unexpected(grid.error());
+  const AttemptHeader header{.software = std::string(software),
+                             .begun = now(),
+                             .procedure = procedure->name,
+                             .procedureVersion = procedure->version,
+                             .caseName = patient.manifest.title,
+                             .caseHash = hashOf(patient),
+                             .engine = "none",
+                             .picture = pictureFieldOf(*probe)};
+  auto recorder = AttemptRecorder::start(recording, header);
+  if (!recorder) return tl::unexpected(recorder.error());
+  SessionOutcome outcome{{}, {}, {}, ProcedureRun(std::move(*procedure), header.picture)};
+  Session session(std::move(*grid), *probe, **recorder, outcome);
+  if (auto ok = session.begin(); !ok) return tl::unexpected(ok.error());
+  for (std::size_t i = 0; i < script.acts.size(); ++i) {
+    if (!report(progress, "attempt", static_cast<double>(i) / static_cast<double>(script.acts.size()))) {
+      recorder->reset();
+      std::error_code error;
+      std::filesystem::remove(recording, error);
+      return fail(std::string(kCancelled));
+    }
+    std::visit([&](const auto& act) { session(act); }, script.acts[i].what);
+  }
+  outcome.status = script.abandoned ? AttemptStatus::Abandoned : AttemptStatus::Completed;
+  const auto metrics = (*recorder)->finish(outcome.status);
+  if (!metrics) return tl::unexpected(metrics.error());
+  outcome.metrics = *metrics;
+  return outcome;
+}
+
+}  // namespace insonate

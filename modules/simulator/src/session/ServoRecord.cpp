@@ -1,0 +1,78 @@
+#include <insonate/simulator/ServoRecord.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace insonate {
+namespace {
+
+/// A grid keeps distances up to 300 mm; one that is as far is of a structure that is not there.
+constexpr float kFar_mm = 200;
+
+constexpr int wallIndex(Label wall) {
+  return static_cast<int>(std::ranges::find(kNeedleWalls, wall) - kNeedleWalls.begin());
+}
+
+std::optional<double> distance(const TissueSample& tissue, Label wall) {
+  const float distance_mm = tissue.distance_mm[wallIndex(wall)];
+  if (distance_mm > kFar_mm) return std::nullopt;
+  return distance_mm;
+}
+
+constexpr AttemptEventKind kindOf(NeedleEventKind kind) {
+  switch (kind) {
+    case NeedleEventKind::Entered:
+      return AttemptEventKind::Entered;
+    case NeedleEventKind::Left:
+      return AttemptEventKind::Left;
+    case NeedleEventKind::Withdrawn:
+      return AttemptEventKind::Withdrawn;
+    case NeedleEventKind::Struck:
+      break;
+  }
+  return AttemptEventKind::Struck;
+}
+
+}  // namespace
+
+AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, const TissueGrid* grid) noexcept {
+  AttemptSample sample;
+  sample.time_us = context.time_us;
+  if (context.present[kProbeHand]) sample.patientFromProbe = output.hands[kProbeHand].patientFromTool;
+  sample.probeForce_N = output.skinForce_N;
+  sample.pictureDepth_mm = context.pictureDepth_mm;
+  sample.aspirating = context.aspirating;
+  if (!context.present[kNeedleHand]) return sample;
+  sample.patientFromNeedle = output.hands[kNeedleHand].patientFromTool;
+  if (output.needle.inBody) sample.needleDepth_mm = output.needle.depth_mm;
+  if (!grid || !output.needle.inBody) return sample;
+  const TissueSample tissue = grid->at(context.restFromPatient * sample.patientFromNeedle->offset);
+  sample.toArtery_mm = distance(tissue, kArtery);
+  sample.toLung_mm = distance(tissue, kAirway);
+  return sample;
+}
+
+AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const TissueGrid* grid) noexcept {
+  AttemptEvent told;
+  told.time_us = context.time_us, told.kind = kindOf(event.kind);
+  told.wall = event.wall, told.into = event.into;
+  told.tip_mm = event.tip_mm, told.axis = event.axis, told.depth_mm = event.depth_mm;
+  if (!grid || event.wall != kSkin) return told;
+  const Vec3 outward = grid->outward(context.restFromPatient * event.tip_mm, wallIndex(kSkin));
+  if (norm(outward) > 0.5) told.outward = outward;
+  return told;
+}
+
+PictureField pictureFieldOf(const Probe& probe) {
+  constexpr double kSound_mmMHz = 1.54;  // 1540 m/s
+  PictureField field;
+  field.sliceHalf_mm = probe.elevationFwhm_wavelengths * kSound_mmMHz / probe.defaultFrequency_MHz / 2;
+  if (probe.shape == ProbeShape::Linear) {
+    field.width_mm = probe.width_mm;
+  } else {
+    field.fanAngle_deg = probe.fovAngle_deg, field.faceRadius_mm = probe.faceRadius_mm;
+  }
+  return field;
+}
+
+}  // namespace insonate

@@ -1,0 +1,78 @@
+#include "CommandLine.h"
+#include "support/SmallCase.h"
+#include "support/TestData.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace insonate::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+class SessionCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto written = writeCase(smallCase(), folder / "case");
+    ASSERT_TRUE(written) << written.error().message;
+    std::ofstream(folder / "attempt.json") << R"({"acts": [{"probe": "auto"},
+      {"needle": {"from_mm": [0, -5, 0], "to": "vein"}}, {"advance_mm": 27}, {"withdraw_mm": 10}]})";
+  }
+  CommandResult run(const std::string& arguments) const { return runCommand(arguments, folder / "errors.txt"); }
+  std::string path(const std::string& name) const { return shellWord(folder / name); }
+
+  const TemporaryFolder folder;
+};
+
+TEST_F(SessionCommand, AnAttemptAndItsReplayTellTheSame) {
+  const auto session =
+      run("session " + path("case") + " --script " + path("attempt.json") + " --record " + path("a") + " --json");
+  ASSERT_EQ(session.status, 0) << session.errors;
+  const json told = json::parse(session.output);
+  EXPECT_EQ(told["status"], "completed");
+  EXPECT_EQ(told["metrics"]["vein_punctures"], 1);
+  EXPECT_EQ(told["metrics"]["double_punctures"], 1);
+  EXPECT_EQ(told["metrics"]["artery_punctures"], 0);
+  EXPECT_EQ(told["metrics"]["used_needle_insertions"], 0);
+  EXPECT_GT(told["metrics"]["time_to_vein_s"], 0);
+  EXPECT_TRUE(told["metrics"].at("nearest_artery_mm").is_null()) << "there is none";
+  EXPECT_EQ(told["events"][2]["kind"], "left");
+  EXPECT_EQ(told["events"][2]["wall"], "vein");
+  EXPECT_GT(told["events"][2]["t_s"], told["events"][1]["t_s"]);
+  EXPECT_EQ(told["findings"][0]["rule"], "steep") << "square to the skin";
+  EXPECT_EQ(told["findings"][1]["rule"], "back wall");
+  EXPECT_EQ(told["succeeded"], true) << "drawn back into the vein";
+  EXPECT_TRUE(told.contains("version"));
+
+  const auto replay = run("replay " + path("a") + " --metrics --json");
+  ASSERT_EQ(replay.status, 0) << replay.errors;
+  const json again = json::parse(replay.output);
+  for (const char* same : {"status", "metrics", "events"}) EXPECT_EQ(again[same], told[same]) << same;
+  EXPECT_THAT(again["recorded_by"].get<std::string>(), testing::StartsWith("insonate "));
+  const json early = json::parse(run("replay " + path("a") + " --metrics --until 1 --json").output);
+  EXPECT_EQ(early["metrics"]["vein_punctures"], 0);
+  EXPECT_FALSE(json::parse(run("replay " + path("a") + " --json").output).contains("metrics"));
+  EXPECT_THAT(run("replay " + path("a") + " --metrics").output, HasSubstr("vein_punctures"));
+}
+
+TEST_F(SessionCommand, Refusals) {
+  const std::string session = "session " + path("case") + " --script ";
+  EXPECT_THAT(run(session + path("none.json") + " --record " + path("a")).errors, HasSubstr("cannot be read"));
+  std::ofstream(folder / "bad.json") << R"({"acts": [{"advance": 3}]})";
+  const auto bad = run(session + path("bad.json") + " --record " + path("a"));
+  EXPECT_EQ(bad.status, 1);
+  EXPECT_THAT(bad.errors, HasSubstr("bad.json: Act 1 is of no known kind, 'advance'; did you mean 'advance_mm'?"));
+  std::ofstream(folder / "there") << "text";
+  const auto there = run(session + path("attempt.json") + " --record " + path("there") + " --json");
+  EXPECT_EQ(there.status, 1);
+  EXPECT_THAT(json::parse(there.output)["error"].get<std::string>(), HasSubstr("are not written over"));
+  EXPECT_THAT(run("replay " + path("there")).errors, HasSubstr("is not a recording of an attempt"));
+  EXPECT_EQ(run("session " + path("case")).status, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder / "a"));
+}
+
+}  // namespace
+}  // namespace insonate::test

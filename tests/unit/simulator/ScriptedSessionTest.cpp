@@ -1,0 +1,156 @@
+#include "support/SmallCase.h"
+#include "support/TestData.h"
+
+#include <insonate/procedure/AttemptRecording.h>
+#include <insonate/simulator/ScriptedSession.h>
+
+#include <gmock/gmock.h>
+
+namespace insonate {
+namespace {
+
+using testing::HasSubstr;
+
+/// Scripts on the small block. Its voxels of skin begin at y = 0 and those of the vein, below x = 0, at 8 and end at
+/// 16, so that the surfaces between them lie at -0.5, 7.5 and 16.5: d1 is 8 mm and the back wall 17 mm below the skin.
+/// A wall bends before it gives, so that the tip is deeper than the hole when it does.
+class ScriptedSession : public testing::Test {
+ protected:
+  SessionOutcome run(const std::string& acts, const std::string& more = "") {
+    const auto script = readSessionScript("{" + more + "\"acts\": [" + acts + "]}", patient);
+    EXPECT_TRUE(script) << script.error().message;
+    file = folder / ("attempt-" + std::to_string(++runs_));
+    auto outcome = runSession(*script, patient, "insonate test", file, {});
+    if (!outcome) throw std::runtime_error(outcome.error().message);
+    return std::move(*outcome);
+  }
+  static std::string straight(double x_mm = 0) {
+    const std::string x = std::to_string(x_mm);
+    return "{\"probe\": \"auto\"}, {\"needle\": {\"from_mm\": [" + x + ", -5, 0], \"to\": [" + x + ", 12, 0]}}";
+  }
+  static std::vector<std::string> told(const SessionOutcome& outcome) {
+    static const char* const kNames[]{"entered", "left", "withdrawn", "struck", "new", "frozen", "released", "tilt"};
+    std::vector<std::string> names;
+    for (const AttemptEvent& event : outcome.events)
+      names.push_back(std::string(kNames[static_cast<int>(event.kind)]) +
+                      (event.kind <= AttemptEventKind::Struck ? " " + std::string(labelTable()[event.wall].name) : ""));
+    return names;
+  }
+
+  const PatientCase patient = test::smallCase();
+  const test::TemporaryFolder folder;
+  std::filesystem::path file;
+
+ private:
+  int runs_ = 0;
+};
+
+/// 5 mm to the skin and 12 mm on, at 10 mm/s.
+TEST_F(ScriptedSession, CleanSuccess) {
+  const auto outcome = run(straight() + R"(, {"aspirate": true}, {"advance_mm": 17}, {"wait_s": 1.5})");
+  EXPECT_THAT(told(outcome), testing::ElementsAre("entered skin", "entered vein"));
+  EXPECT_NEAR(outcome.events[1].depth_mm, 8, 0.3);
+  const MetricValues& metrics = outcome.metrics;
+  EXPECT_EQ(metrics[Metric::VeinPunctures], 1);
+  EXPECT_EQ(metrics[Metric::DoublePunctures], 0);
+  EXPECT_EQ(metrics[Metric::TipInVein], 1);
+  EXPECT_THAT(metrics[Metric::AttemptTime], testing::Optional(testing::DoubleNear(3.2, 0.01)));
+  EXPECT_GT(*metrics[Metric::TimeToVein], 0.1);
+  EXPECT_LT(*metrics[Metric::TimeToVein], 1.2);
+  EXPECT_NEAR(*metrics[Metric::InsertionAngle], 90, 3);
+  EXPECT_EQ(metrics[Metric::AspirationWhileAdvancing], 100);
+  EXPECT_EQ(metrics[Metric::NearestArtery], std::nullopt) << "the block has none";
+  EXPECT_TRUE(outcome.run.succeeded());
+}
+
+TEST_F(ScriptedSession, PosteriorWallAndOutAgain) {
+  const auto outcome = run(straight() + R"(, {"advance_mm": 27}, {"withdraw_mm": 27})");
+  EXPECT_THAT(told(outcome), testing::ElementsAre("entered skin", "entered vein", "left vein", "withdrawn vein",
+                                                  "withdrawn vein", "withdrawn skin"));
+  EXPECT_NEAR(outcome.events[2].depth_mm, 17, 0.3);
+  EXPECT_EQ(outcome.metrics[Metric::DoublePunctures], 1);
+  EXPECT_EQ(outcome.metrics[Metric::TipInVein], 0);
+  EXPECT_FALSE(outcome.run.succeeded());
+}
+
+TEST_F(ScriptedSession, UsedNeedleAndANewOne) {
+  const std::string pass = R"(, {"advance_mm": 17}, {"withdraw_mm": 17})";
+  EXPECT_EQ(run(straight() + pass + pass).metrics[Metric::UsedNeedleInsertions], 1);
+  const auto fresh = run(straight() + pass + R"(, {"replace_needle": true})" + pass);
+  EXPECT_EQ(fresh.metrics[Metric::UsedNeedleInsertions], 0);
+  EXPECT_EQ(fresh.metrics[Metric::Passes], 2);
+  EXPECT_EQ(fresh.metrics[Metric::VeinPunctures], 2);
+}
+
+TEST_F(ScriptedSession, BoneAndAMiss) {
+  const auto outcome = run(straight(12) + R"(, {"advance_mm": 34})", R"("abandoned": true, )");
+  EXPECT_THAT(told(outcome), testing::ElementsAre("entered skin", "struck bone"));
+  EXPECT_EQ(outcome.metrics[Metric::BoneContacts], 1);
+  EXPECT_EQ(outcome.metrics[Metric::TimeToVein], std::nullopt);
+  EXPECT_EQ(outcome.status, AttemptStatus::Abandoned);
+  EXPECT_EQ(AttemptRecording::open(file)->status(), AttemptStatus::Abandoned);
+}
+
+/// The probe over the vein shows the plane z = 0; 5 mm aside it does not.
+TEST_F(ScriptedSession, TheTipIsSeenInThePlaneOfThePicture) {
+  EXPECT_GT(*run(straight() + R"(, {"advance_mm": 17})").metrics[Metric::TipInPicture], 90);
+  const std::string aside = R"({"needle": {"from_mm": [0, -5, 5], "to": [0, 12, 5]}}, {"advance_mm": 17})";
+  EXPECT_EQ(run(R"({"probe": "auto"}, )" + aside).metrics[Metric::TipInPicture], 0);
+  EXPECT_EQ(run(R"({"probe": null}, )" + aside).metrics[Metric::TipInPicture], 0);
+}
+
+TEST_F(ScriptedSession, ReplayAndRepetitionGiveTheSame) {
+  const std::string acts = straight() + R"(, {"tilt_deg": 15}, {"advance_mm": 27, "speed_mmps": 23}, {"freeze": true},
+    {"withdraw_mm": 12}, {"freeze": false}, {"advance_mm": 6})";
+  const auto first = run(acts);
+  const auto recording = AttemptRecording::open(file);
+  ASSERT_TRUE(recording) << recording.error().message;
+  EXPECT_EQ(*recording->metricsUntil(), first.metrics);
+  EXPECT_EQ(first.run.metrics().values(), first.metrics);
+  EXPECT_EQ(recording->header().caseHash.size(), 16u);
+  const auto second = run(acts);
+  EXPECT_EQ(second.metrics, first.metrics);
+  EXPECT_EQ(second.events, first.events);
+  const auto again = AttemptRecording::open(file);
+  ASSERT_EQ(again->stretches(), recording->stretches());
+  for (std::size_t i = 0; i < again->stretches(); ++i)
+    EXPECT_EQ(again->stretch(i)->samples, recording->stretch(i)->samples);
+}
+
+TEST_F(ScriptedSession, BadScriptsAreToldWhereAndWhatElse) {
+  struct Case {
+    const char *text, *sentence;
+  };
+  for (const Case& c : std::initializer_list<Case>{
+           {"{", "The script is not JSON"},
+           {"[]", "must be an object with a list of 'acts'"},
+           {R"({"acts": [], "speed": 2})", "The script has an unknown 'speed'"},
+           {R"({"acts": [], "probe": 2})", "The script needs a name as 'probe', not 2."},
+           {R"({"acts": [], "abandoned": 2})", "The script needs true or false as 'abandoned', not 2."},
+           {R"({"acts": [{"wait_s": 1}, {"advnce_mm": 3}]})",
+            "Act 2 is of no known kind, 'advnce_mm'; did you mean 'advance_mm'?"},
+           {R"({"acts": [{"advance_mm": -3}]})", "Act 1 needs a number from 0.0 to 200.0 as 'advance_mm', not -3."},
+           {R"({"acts": [{"advance_mm": 3, "wait_s": 1}]})", "Act 1 must be an object with one of"},
+           {R"({"acts": [{"probe": "nowhere"}]})", "Act 1 has a probe that cannot be put there: "},
+           {R"({"acts": [{"needle": [1, 2, 3]}]})", "Act 1 needs {\"from_mm\": [x, y, z], \"to\": target} as 'needle'"},
+           {R"({"acts": [{"needle": {"from_mm": [0, 0, 0], "to": "artery"}}]})",
+            "targets ('vein') as 'to', not \"artery\"."},
+           {R"({"acts": [{"needle": {"from_mm": [0, 12, 0], "to": "vein"}}]})", "less than 1 mm apart"},
+           {R"({"acts": [{"replace_needle": false}]})", "Act 1 needs true as 'replace_needle'"}}) {
+    const auto script = readSessionScript(c.text, patient);
+    ASSERT_FALSE(script) << c.text;
+    EXPECT_THAT(script.error().message, HasSubstr(c.sentence));
+  }
+}
+
+TEST_F(ScriptedSession, CancelledItLeavesNoFile) {
+  const auto script = readSessionScript("{\"acts\": [" + straight() + R"(, {"wait_s": 1}]})", patient);
+  const auto stopped = runSession(*script, patient, "insonate test", folder / "stopped",
+                                  [](std::string_view, double fraction) { return fraction < 0.5; });
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().message, kCancelled);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+}  // namespace
+}  // namespace insonate
