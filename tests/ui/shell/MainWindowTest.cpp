@@ -337,6 +337,22 @@ TEST_F(MainWindow, OffersToOpenTheFolderOfWhatWasWritten) {
   EXPECT_TRUE(link->toolTip().contains(home.path()));
 }
 
+TEST_F(MainWindow, ASentenceWithoutRoomEndsInAnEllipsisAndIsWholeInTheTooltip) {
+  Window w;
+  const QString sentence = QString("There is no case.json: the case has no title. ").repeated(4).trimmed();
+  w.window.resize(700, 500);
+  Q_EMIT w.train->written(sentence, {});
+  QLabel* line = nullptr;
+  for (auto* label : w.window.findChildren<QLabel*>())
+    if (label->toolTip() == sentence) line = label;
+  ASSERT_TRUE(line);
+  const auto fits = [line] { return line->fontMetrics().horizontalAdvance(line->text()) <= line->width(); };
+  EXPECT_TRUE(waitUntil([&] { return line->text().endsWith(QChar(0x2026)) && fits(); })) << line->text().toStdString();
+  EXPECT_EQ(w.window.statusText(), sentence);
+  w.window.resize(1800, 500);
+  EXPECT_TRUE(waitUntil([&] { return line->text() == sentence; })) << line->text().toStdString();
+}
+
 TEST_F(MainWindow, ListsWhatAWorkspaceShowsUnderView) {
   Window w;
   auto* action = new QAction("Grid", w.train);

@@ -3,6 +3,7 @@
 #include <insonate/ui/Theme.h>
 
 #include <QDesktopServices>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QTimer>
@@ -39,6 +40,7 @@ StatusStrip::StatusStrip(QWidget* parent)
   row->addWidget(text_, 1);
   row->addWidget(engine_);
   row->addWidget(help);
+  text_->installEventFilter(this);
   timer_->setSingleShot(true);
   connect(text_, &QLabel::linkActivated, this,
           [](const QString& folder) { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
@@ -73,10 +75,22 @@ void StatusStrip::write(const QString& text, const QString& folder) {
   text_->setTextFormat(link ? Qt::RichText : Qt::PlainText);
   text_->setTextInteractionFlags(link ? Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard
                                       : Qt::NoTextInteraction);
-  text_->setText(link ? QStringLiteral("%1 &nbsp;<a href=\"%2\">%3</a>")
-                            .arg(text.toHtmlEscaped(), folder.toHtmlEscaped(), tr("Open folder"))
-                      : text);
+  if (link)
+    text_->setText(QStringLiteral("%1 &nbsp;<a href=\"%2\">%3</a>")
+                       .arg(text.toHtmlEscaped(), folder.toHtmlEscaped(), tr("Open folder")));
+  else
+    elide();
   text_->setToolTip(link ? QStringLiteral("%1\n%2").arg(text, folder) : text);
+}
+
+/// What has no room ends in an ellipsis; the tooltip says all of it.
+void StatusStrip::elide() {
+  text_->setText(text_->fontMetrics().elidedText(written_, Qt::ElideRight, text_->width()));
+}
+
+bool StatusStrip::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == text_ && event->type() == QEvent::Resize && text_->textFormat() == Qt::PlainText) elide();
+  return QFrame::eventFilter(watched, event);
 }
 
 }  // namespace insonate::ui

@@ -27,8 +27,12 @@ class StatusStrip : public QFrame {
  Q_SIGNALS:
   void helpWanted();
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void write(const QString& text, const QString& folder = {});
+  void elide();
 
   QString standing_, written_;
   QLabel *text_, *engine_;
