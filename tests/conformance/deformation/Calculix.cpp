@@ -201,7 +201,7 @@ void writeInput(const CalculixBlock& block, const Mesh& mesh, const std::filesys
   pressed.precision(10);
   for (std::size_t n = 0; n < mesh.places.size(); ++n) {
     const auto& [x, z] = mesh.places[n];
-    if (std::abs(x) > block.sides_mm - kOn_mm || z > block.height_mm - kOn_mm)
+    if ((block.sidesHeld && std::abs(x) > block.sides_mm - kOn_mm) || z > block.height_mm - kOn_mm)
       held << n + 1 << ", 1, 2\n";
     else if (const auto move = z < kOn_mm ? block.press(x) : std::nullopt) {
       pressed << n + 1 << ", 1, 1, " << (*move)[0] << "\n" << n + 1 << ", 2, 2, " << -(*move)[1] << "\n";

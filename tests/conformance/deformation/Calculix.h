@@ -10,11 +10,12 @@ namespace insonate::test {
 
 /// A block of tissue with a circle in it, for CalculiX (an independent finite-element program, run as `ccx`): plane
 /// strain of quadratic elements (CPE8; the reduced CPE8R has single nodes that go to and fro), a millimetre wide, of
-/// which those that a circle cuts are two triangles (CPE6). x to the right, z down from the top, mm; the sides and the
-/// bottom are held.
+/// which those that a circle cuts are two triangles (CPE6). x to the right, z down from the top, mm; the bottom is
+/// held.
 struct CalculixBlock {
   double width_mm = 60, height_mm = 40;
   double sides_mm = 30;  ///< from the middle; beyond half the width elements grow
+  bool sidesHeld = true;
   struct Material {
     double young_kPa = 10, poisson = 0.49;
   } tissue;

@@ -1,25 +1,19 @@
 #include "support/Allocations.h"
-#include "support/AnalyticPlane.h"
+#include "support/NeckScene.h"
 
 #include <insonate/deformation/DeformationModel.h>
 
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <vector>
 
 namespace insonate {
 namespace {
 
 using test::AnalyticPlane;
-
-/// Skin, fat and muscle over a vertebra, a vein of 12 mm and an artery of 7 mm beside each other.
-AnalyticPlane neck() {
-  AnalyticPlane plane;
-  plane.layers = {{1.5, kSkin}, {3, kFat}};
-  plane.circles = {{-7, 13, 6, kVein}, {8, 15, 3.5, kArtery}};
-  plane.blocks = {{-60, 38, 60, 80, kBone}};
-  return plane;
-}
+using test::areaRatio;
+using test::neckScene;
 
 class Elastic : public testing::Test {
  protected:
@@ -35,13 +29,8 @@ class Elastic : public testing::Test {
     for (int k = 0; k == 0 || (k < 4 && !answer_.converged); ++k) model_->solve(input_, answer_);
     return answer_;
   }
-  static double ratio(const Deformation& d, std::uint8_t label) {
-    for (const LumenArea& l : d.lumens)
-      if (l.label == label) return l.area_mm2 / l.rest_mm2;
-    return -1;
-  }
 
-  AnalyticPlane plane_ = neck();
+  AnalyticPlane plane_ = neckScene();
   MechanicalTable table_ = loadMechanicalTable("measured").value();
   std::unique_ptr<DeformationModel> model_ = makeDeformationModel("elastic", table_).value();
   DeformationInput input_;
@@ -59,10 +48,10 @@ TEST_F(Elastic, FlattensTheVeinBeforeTheArtery) {
   for (const double indent_mm : {1.0, 2.0, 4.0, 6.0}) {
     const Deformation& d = pressed(indent_mm);
     EXPECT_TRUE(d.converged) << indent_mm;
-    EXPECT_LT(ratio(d, kVein), vein) << indent_mm;
+    EXPECT_LT(areaRatio(d, kVein), vein) << indent_mm;
     EXPECT_GT(d.force_N, force) << indent_mm;
-    EXPECT_GT(ratio(d, kArtery), ratio(d, kVein)) << indent_mm;
-    vein = ratio(d, kVein), force = d.force_N;
+    EXPECT_GT(areaRatio(d, kArtery), areaRatio(d, kVein)) << indent_mm;
+    vein = areaRatio(d, kVein), force = d.force_N;
   }
   EXPECT_LT(vein, 0.4);
 }
@@ -102,7 +91,7 @@ TEST_F(Elastic, AskedAgainItGivesTheSame) {
   EXPECT_TRUE(answer_.converged);
   EXPECT_LE(answer_.iterations, 4);
   EXPECT_NEAR(answer_.force_N, first.force_N, 0.01 * first.force_N);
-  EXPECT_NEAR(ratio(answer_, kVein), ratio(first, kVein), 0.003);
+  EXPECT_NEAR(areaRatio(answer_, kVein), areaRatio(first, kVein), 0.003);
 }
 
 TEST_F(Elastic, WhereTheVesselsHaveGoneBloodDoesNothing) {
@@ -125,8 +114,82 @@ TEST_F(Elastic, AFullerVeinIsWider) {
   input_.pressure.vein_kPa += 0.6;
   const Deformation& d = pressed(0);
   EXPECT_TRUE(d.moved);
-  EXPECT_GT(ratio(d, kVein), 1.1);
-  EXPECT_NEAR(ratio(d, kArtery), 1, 0.03);
+  EXPECT_GT(areaRatio(d, kVein), 1.1);
+  EXPECT_NEAR(areaRatio(d, kArtery), 1, 0.03);
+}
+
+/// A probe that slides and goes in from picture to picture.
+class ElasticOnTheWay : public testing::Test {
+ protected:
+  struct Way {
+    std::vector<Deformation> pictures;
+    int steps = 0;
+  };
+  static Way go(double enough_mm, int pictures) {
+    const MechanicalTable table = loadMechanicalTable("measured").value();
+    const auto model = makeDeformationModel("elastic", table, {.enough_mm = enough_mm}).value();
+    AnalyticPlane plane = neckScene();
+    DeformationInput input;
+    input.plane = &plane;
+    input.pressure = {table.of(kArtery).pressure_kPa, table.of(kVein).pressure_kPa};
+    Way way;
+    for (int k = 0; k < pictures; ++k) {
+      plane.press_mm = 0.25 * (k + 1);
+      plane.slide_mm = 0.3 * k;
+      input.patientFromProbe = plane.patientFromProbe();
+      model->solve(input, way.pictures.emplace_back());
+      way.steps += way.pictures.back().iterations;
+    }
+    return way;
+  }
+};
+
+TEST_F(ElasticOnTheWay, ComesToRestInFewSteps) {
+  const Way exact = go(0, 9);
+  for (const Deformation& picture : exact.pictures) EXPECT_TRUE(picture.converged);
+  EXPECT_LE(exact.steps, 45);
+}
+
+TEST_F(ElasticOnTheWay, OneStepAPictureIsNearThat) {
+  const Way quick = go(0.5, 12), exact = go(0, 12);
+  EXPECT_LE(quick.steps, 18);
+  for (std::size_t k = 0; k < quick.pictures.size(); ++k) {
+    const Deformation &a = quick.pictures[k], &b = exact.pictures[k];
+    AnalyticPlane tissue = neckScene();
+    const double press_mm = 0.25 * double(k + 1), slide_mm = 0.3 * double(k);
+    const auto counts = [&](const MeshNode& n) {
+      const std::uint8_t label = tissue.of(n.restX_mm + slide_mm, n.restZ_mm + press_mm).label;
+      return std::abs(n.restX_mm) < 20 && n.restZ_mm < 30 && label != kVein && label != kArtery && label != kBackground;
+    };
+    EXPECT_LT(test::nodeDifference(a, b, counts).rms_mm, 0.05) << k;
+    EXPECT_NEAR(a.force_N, b.force_N, 0.03) << k;
+    EXPECT_NEAR(areaRatio(a, kVein), areaRatio(b, kVein), 0.012) << k;
+  }
+}
+
+TEST_F(Elastic, AForceIsFoundInFewSteps) {
+  for (const auto& [force_N, steps] : {std::pair{0.5, 8}, {1.0, 18}}) {
+    model_->reset();
+    input_.force_N = force_N;
+    EXPECT_TRUE(pressed(0).converged) << force_N;
+    EXPECT_NEAR(answer_.force_N, force_N, 0.01) << force_N;
+    EXPECT_LE(answer_.iterations, steps) << force_N;
+  }
+}
+
+/// Where soft tissue bulges over what does not move, the air between them is squeezed to nothing.
+TEST_F(Elastic, AirThatIsSqueezedShutStopsNothing) {
+  plane_ = {};
+  plane_.leftEnd_mm = -30;
+  plane_.rightEnd_mm = 30;
+  plane_.blocks = {{-100, 40, 100, 100, kBone}};
+  for (int press_mm = 1; press_mm <= 10; ++press_mm) {
+    pressed(press_mm);
+    EXPECT_TRUE(answer_.converged) << press_mm;
+  }
+  const double force_N = answer_.force_N;
+  pressed(10);
+  EXPECT_NEAR(answer_.force_N, force_N, 0.03 * force_N);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@ namespace insonate::elastic {
 
 void Contact::prepare(const Nodes& rest, int columns) {
   columns_ = columns;
+  met_.clear();
   length_.assign(columns, 0.0f);
   for (int i = 0; i + 1 < columns; ++i) {
     const float half = (rest.x[i + 1] - rest.x[i]) / 2;
@@ -19,7 +20,12 @@ void Contact::meet(const FaceProfile& face, const Nodes& at) {
   added_.assign(columns_, 0);
   if (touched_.size() != std::size_t(columns_)) touched_.assign(columns_, 0);
   touching_ = touched_;
-  for (int i = 0; i < columns_; ++i) profile_[i] = face.at(at.x[i]);
+  const bool again = met_.size() == std::size_t(columns_);
+  met_.resize(columns_);
+  for (int i = 0; i < columns_; ++i) {
+    met_[i] = again ? (met_[i] + at.x[i]) / 2 : at.x[i];
+    profile_[i] = face.at(met_[i]);
+  }
 }
 
 void Contact::remember(float shift_mm, const Nodes& at) {

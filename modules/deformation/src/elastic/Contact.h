@@ -14,13 +14,17 @@ class Contact {
   static constexpr float kStiffness_kPa_mm = 1500;
 
   void prepare(const Nodes& rest, int columns);
-  /// Takes the face's profile at the nodes' present x; it is kept while they slide along. Columns that touched at the
-  /// end of the last solution count as touching in the first round, else the skin would spring back between two
-  /// pictures whenever the face retreats.
+  /// Takes the face's profile at the nodes' present x; it is kept while they slide along. Where the same mesh is met
+  /// again, half way to there: at the rounded ends of the face skin that is pressed far slides to and fro. Columns that
+  /// touched at the end of the last solution count as touching in the first round, else the skin would spring back
+  /// between two pictures whenever the face retreats.
   void meet(const FaceProfile& face, const Nodes& at);
   /// Which columns touch, for the next meet().
   void remember(float shift_mm, const Nodes& at);
-  void forget() { touched_.clear(); }
+  void forget() {
+    touched_.clear();
+    met_.clear();
+  }
   /// The next round: what has come off is let go.
   void settle();
 
@@ -45,7 +49,7 @@ class Contact {
 
  private:
   int columns_ = 0;
-  std::vector<float> length_;
+  std::vector<float> length_, met_;
   std::vector<FaceProfile::Point> profile_;
   std::vector<char> touching_, touched_, added_;
   bool touches(int column, float depth_mm) const {

@@ -41,23 +41,31 @@ class ElasticModel final : public DeformationModel {
     const Solver::Patience patience{settings_.mostIterations,
                                     settings_.tolerance_mm > 0 ? float(settings_.tolerance_mm) : kTolerance_mm,
                                     static_cast<float>(settings_.enough_mm)};
-    if (!carried) solver_.start();
-    // From rest, where what was carried over led astray; and if that does, too, not at all.
-    for (const bool again : {false, true}) {
-      const Solver::Outcome outcome = solver_.solve(face, load, patience);
-      solved_ = outcome.finite;
-      shift_ = outcome.shift_mm;
-      if (describe(input, outcome, answer) && solved_) break;
+    bool found = carried && attempt(input, face, load, patience, answer);
+    if (!found) {
+      // From rest: first, or since what was carried over led astray.
       solver_.start();
       load.shift_mm = 0;
-      if (!again) continue;
+      found = attempt(input, face, load, patience, answer);
+    }
+    if (!found) {
+      solver_.start();
       solved_ = false;
-      describe(input, {outcome.iterations, false, false, 0, 0}, answer);
+      describe(input, {answer.iterations, false, false, 0, 0}, answer);
     }
     answer.moved = true;
   }
 
  private:
+  /// False where tissue was thrown far away, or turned over widely.
+  bool attempt(const DeformationInput& input, const FaceProfile& face, const Solver::Load& load,
+               const Solver::Patience& patience, Deformation& answer) {
+    const Solver::Outcome outcome = solver_.solve(face, load, patience);
+    solved_ = outcome.finite;
+    shift_ = outcome.shift_mm;
+    return describe(input, outcome, answer) && solved_;
+  }
+
   /// Mesh and stiffness for where the probe is now. True where the last solution has been carried over.
   bool place(const DeformationInput& input) {
     const bool same = known_ && input.patientFromProbe && last_ && *last_ == *input.patientFromProbe &&

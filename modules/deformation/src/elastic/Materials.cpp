@@ -8,7 +8,7 @@ namespace insonate::elastic {
 namespace {
 
 constexpr float kBloodMu_kPa = 0.1f;  // what fills a lumen besides pressure: enough to keep its cells in order
-constexpr float kGasMu_kPa = 0.02f;
+constexpr float kGasMu_kPa = Materials::kGasMu_kPa;
 constexpr float kStiffest_kPa = 2000;  // beyond, it makes no difference to what is round it
 
 struct Moduli {

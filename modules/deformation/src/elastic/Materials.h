@@ -6,6 +6,8 @@ namespace insonate::elastic {
 
 /// What each cell of a mesh is made of: shares of lumen, wall, loose tissue and of what its corners are.
 struct Materials {
+  static constexpr float kGasMu_kPa = 0.02f;  ///< next to nothing: keeps cells in order
+
   std::vector<float> mu, bulk;                ///< kPa
   std::vector<float> artery, vein;            ///< shares of a cell's area, whatever they are made of, 0..1
   std::vector<float> arteryBlood, veinBlood;  ///< the same where they are lumens, else 0

@@ -8,7 +8,7 @@ namespace insonate::elastic {
 namespace {
 
 constexpr float kHeld = 1e8f;
-constexpr float kShut_kPa = 20;  // of cells in a lumen that is closed
+constexpr float kShut_kPa = 20;  // of cells in a lumen that is closed, and of gas between skin and skin
 constexpr float kLongestStep_mm = 4;
 constexpr float kFarthest_mm = 100;  // that tissue can have moved
 constexpr float kCaution = 0.1f;
@@ -57,8 +57,9 @@ void Solver::prepare(const Mesh& mesh, const Materials& materials, const Mechani
     elements_.bulk[n] = materials.bulk[n];
     elements_.base[n] = -materials.mu[n];
     const float blood = std::max(materials.arteryBlood[n], materials.veinBlood[n]);
-    elements_.shut[n] = kShut_kPa * blood;
-    elements_.guarded[n] = materials.mu[n] > 0 && blood < 0.3f ? 1.0f : 0.0f;
+    const bool gas = materials.mu[n] < 2 * Materials::kGasMu_kPa;
+    elements_.shut[n] = kShut_kPa * (gas ? 1 : blood);
+    elements_.guarded[n] = !gas && blood < 0.3f ? 1.0f : 0.0f;
   }
   solid_.assign(materials.fixed.size(), 0);
   for (std::size_t n = 0; n < elements_.count(); ++n)

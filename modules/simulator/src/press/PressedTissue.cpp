@@ -15,9 +15,9 @@ using press::FaceContact;
 using press::FaceTravel;
 using press::ScenePlane;
 
-constexpr double kEnough_mm =
-    0.5;                         // step after which a moving picture is good enough: bench deformation shows its errors
-constexpr double kOff_mm = 0.1;  // as far from touching as can be told
+/// Step after which a moving picture is good enough: `bench deformation` shows its errors.
+constexpr double kEnough_mm = 0.5;
+constexpr double kOff_mm = 0.1;       // as far from touching as can be told
 constexpr double kForceError = 0.01;  // of the force that is asked for
 constexpr double kDeepest_mm = 20, kSearchStep_mm = 2;
 constexpr int kSearches = 6;
