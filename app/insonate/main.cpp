@@ -5,6 +5,7 @@
 
 #include <insonate/prepare/PrepareWorkspace.h>
 #include <insonate/train/TrainWorkspace.h>
+#include <insonate/ui/CaseLoader.h>
 #include <insonate/ui/EmptyWorkspace.h>
 #include <insonate/ui/MainWindow.h>
 #include <insonate/ui/TaskBar.h>
@@ -98,6 +99,7 @@ int run(QApplication& application, const app::Arguments& arguments) {
   if (arguments.untilImage)
     firstImage = std::make_unique<app::FirstImage>(window, [leave] {
       std::printf("%.0f\n", app::sinceStart_ms());
+      ui::waitUntilTextbookIsKept();
       leave({});
     });
   window.show();

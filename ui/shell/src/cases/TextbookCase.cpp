@@ -1,6 +1,10 @@
 #include "TextbookCase.h"
 
 #include <insonate/cases/Phantom.h>
+#include <insonate/ui/CaseLoader.h>
+
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -15,6 +19,8 @@ namespace insonate::ui {
 namespace {
 
 constexpr std::uint32_t kSeed = 1;
+/// The first picture goes first: packing the CT costs a second.
+constexpr int kNice = 15;
 const QString kPrefix = QStringLiteral("textbook-");
 
 void forgetOthers(const QString& kept) {
@@ -23,14 +29,24 @@ void forgetOthers(const QString& kept) {
     if (cache.filePath(name) != kept) QDir(cache.filePath(name)).removeRecursively();
 }
 
-/// Given up when the program ends: nothing half written is left.
+QThreadPool& keeper() {
+  static QThreadPool pool;
+  return pool;
+}
+
+/// Given up when the program ends: nothing half written is left. For a thread of its own, which stays slow.
 void keep(const PatientCase& patient, const QString& folder) {
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
   QDir().mkpath(QFileInfo(folder).path());
   const auto goOn = [](std::string_view, double) { return !QCoreApplication::closingDown(); };
   if (writeCase(patient, folder.toStdString(), goOn)) forgetOthers(folder);
 }
 
 }  // namespace
+
+void waitUntilTextbookIsKept() {
+  keeper().waitForDone();
+}
 
 QString textbookFolder() {
   const QFileInfo program(QCoreApplication::applicationFilePath());
@@ -49,7 +65,7 @@ Result<std::shared_ptr<const PatientCase>> textbookCase(const QString& folder, c
   auto made = makePhantom(phantomVariants().front().name, kSeed, progress);
   if (!made) return tl::unexpected(made.error());
   auto patient = std::make_shared<const PatientCase>(std::move(*made));
-  QThreadPool::globalInstance()->start([patient, folder] { keep(*patient, folder); });
+  keeper().start([patient, folder] { keep(*patient, folder); });
   return patient;
 }
 

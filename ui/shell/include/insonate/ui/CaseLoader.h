@@ -61,6 +61,9 @@ class CaseLoader : public QObject {
   QPointer<SeriesDialog> dialog_;
 };
 
+/// Blocks while a built-in neck that was made is being written for the next start.
+void waitUntilTextbookIsKept();
+
 /// The folder of the case that a path means: the folder itself or, for one of its files, the folder it lies in. Empty
 /// when there is no case.
 QString caseFolderOf(const QString& path);
