@@ -66,6 +66,17 @@ bool showWhile(ServoThread& servo, const Go& go) {
   return false;
 }
 
+/// The probe's hand, 4 mm below the skin.
+std::shared_ptr<StillDevice> pressIn(ServoThread& servo) {
+  const auto device = std::make_shared<StillDevice>(Vec3{0, 0, 4});
+  ServoSetup setup;
+  setup.needle = *loadNeedleTable("measured");
+  for (HandSetup& hand : setup.hands) hand.limits = device->info().limits;
+  servo.setup(setup);
+  servo.assign(kProbeHand, device);
+  return device;
+}
+
 TEST(TickHistogram, QuantilesWithinItsBuckets) {
   TickHistogram histogram;
   for (int i = 1; i <= 1000; ++i) histogram.add(i * 1000);
@@ -80,12 +91,7 @@ TEST(TickHistogram, QuantilesWithinItsBuckets) {
 
 TEST(ServoThread, PushesADeviceAndLetsGoOfItWhenItIsLost) {
   ServoThread servo;
-  const auto device = std::make_shared<StillDevice>(Vec3{0, 0, 4});
-  ServoSetup setup;
-  setup.needle = *loadNeedleTable("measured");
-  for (HandSetup& hand : setup.hands) hand.limits = device->info().limits;
-  servo.setup(setup);
-  servo.assign(kProbeHand, device);
+  const auto device = pressIn(servo);
   ASSERT_TRUE(showWhile(servo, [&] { return device->pushed_N < 1; }));
   EXPECT_GT(servo.latest().output.skinForce_N, 1);
   device->phase_ = DevicePhase::kLost;
@@ -95,12 +101,7 @@ TEST(ServoThread, PushesADeviceAndLetsGoOfItWhenItIsLost) {
 
 TEST(ServoThread, ForcesEndWhenTheModelStops) {
   ServoThread servo;
-  const auto device = std::make_shared<StillDevice>(Vec3{0, 0, 4});
-  ServoSetup setup;
-  setup.needle = *loadNeedleTable("measured");
-  for (HandSetup& hand : setup.hands) hand.limits = device->info().limits;
-  servo.setup(setup);
-  servo.assign(kProbeHand, device);
+  const auto device = pressIn(servo);
   ASSERT_TRUE(showWhile(servo, [&] { return device->pushed_N < 1; }));
   const auto end = std::chrono::steady_clock::now() + 10s;
   while (device->pushed_N > 0 && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(1ms);

@@ -31,7 +31,8 @@ class Pictures {
     if (!probe) return tl::unexpected(probe.error());
     if (!tissues) return tl::unexpected(tissues.error());
     if (!start) return tl::unexpected(start.error());
-    ImagingSetup setup{.probe = *probe, .settings = settingsFor(*probe), .tissues = std::move(*tissues)};
+    ImagingSetup setup{
+        .probe = *probe, .settings = settingsFor(*probe), .tissues = std::move(*tissues), .engine = "cpu"};
     const auto pose = patientFromProbe(start->position_mm, start->axial, start->lateral);
     if (!pose) return tl::unexpected(pose.error());
     auto scene = makeScene(*patient, setup, sceneRegion(setup, *pose), progress);

@@ -15,17 +15,6 @@ namespace {
 const haptics::HidFound kArm{"/dev/hidraw0", "Polhem", "Arm", "7", 0x16c0, 0x0486, 0xffab, 0x0200};
 const haptics::HidFound kPedal{"/dev/hidraw1", "VEC", "", "", 0x05f3, 0x00ff, 1, 0};
 
-Bytes armReport(int encoder) {
-  Bytes report(14, 0);
-  report[0] = static_cast<std::uint8_t>(encoder);
-  report[1] = static_cast<std::uint8_t>(encoder >> 8);
-  return report;
-}
-
-bool isZero(const Bytes& output) {
-  return std::all_of(output.begin(), output.end(), [](std::uint8_t b) { return b == 0; });
-}
-
 class DeviceHubTest : public testing::Test {
  protected:
   DeviceHubTest() { hub_.start(); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Reports.h"
 #include "devices/HidBus.h"
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <deque>
-#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -16,8 +16,6 @@
 #include <vector>
 
 namespace insonate::test {
-
-using Bytes = std::vector<std::uint8_t>;
 
 /// What a plugged-in device says and hears. Shared by the test and by whoever has opened it.
 class FakeCable {
@@ -112,15 +110,5 @@ class FakeBus final : public haptics::HidBus {
   };
   std::shared_ptr<FakePorts> ports_;
 };
-
-/// True as soon as `holds` does; false when it has not for five seconds.
-inline bool eventually(const std::function<bool()>& holds) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
-  while (std::chrono::steady_clock::now() < end) {
-    if (holds()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return holds();
-}
 
 }  // namespace insonate::test

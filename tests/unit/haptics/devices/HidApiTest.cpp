@@ -8,7 +8,6 @@
 #include <gmock/gmock.h>
 
 #include <chrono>
-#include <functional>
 #include <memory>
 #include <thread>
 
@@ -21,26 +20,6 @@ namespace {
 /// A vendor's page, one collection: all that hidapi reads of it is usage page and usage.
 const Bytes kVendorDescriptor{0x06, 0xAB, 0xFF, 0x0A, 0x00, 0x02, 0xA1, 0x01, 0xC0};
 const Bytes kCapDescriptor{0x05, 0x01, 0x09, 0x08, 0xA1, 0x01, 0xC0};
-
-bool eventually(const std::function<bool()>& holds) {
-  const auto end = std::chrono::steady_clock::now() + 10s;
-  while (std::chrono::steady_clock::now() < end) {
-    if (holds()) return true;
-    std::this_thread::sleep_for(1ms);
-  }
-  return holds();
-}
-
-Bytes armReport(int encoder) {
-  Bytes report(14, 0);
-  report[0] = static_cast<std::uint8_t>(encoder);
-  report[1] = static_cast<std::uint8_t>(encoder >> 8);
-  return report;
-}
-
-bool isZero(const Bytes& output) {
-  return std::all_of(output.begin(), output.end(), [](std::uint8_t b) { return b == 0; });
-}
 
 class HidApiTest : public testing::Test {
  protected:

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Reports.h"
+
 #include <fcntl.h>
 #include <glib-object.h>
 #include <linux/hidraw.h>
@@ -19,8 +21,6 @@
 #include <vector>
 
 namespace insonate::test {
-
-using Bytes = std::vector<std::uint8_t>;
 
 /// A machine without devices: this process, run by umockdev-wrapper, sees its /sys and /dev. umockdev answers on a
 /// thread of its own.

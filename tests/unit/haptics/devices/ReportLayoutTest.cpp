@@ -1,3 +1,5 @@
+#include "Reports.h"
+
 #include <insonate/haptics/ReportDecoder.h>
 
 #include <gtest/gtest.h>
@@ -11,7 +13,7 @@ using namespace insonate;
 
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using test::Bytes;
 
 const DeviceTable& tableOf(const std::string& name) {
   for (const DeviceTable& table : builtInDeviceTables())
