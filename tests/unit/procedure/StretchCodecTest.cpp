@@ -80,7 +80,7 @@ TEST(StretchCodec, RefusesWhatIsNoStretch) {
   EXPECT_TRUE(decoded(bytes));
   bytes.push_back(0);
   EXPECT_FALSE(decoded(bytes)) << "too long";
-  bytes.resize(bytes.size() - 2);
+  bytes.pop_back(), bytes.pop_back();
   EXPECT_FALSE(decoded(bytes)) << "too short";
   EXPECT_FALSE(decoded({}));
   bytes = encoded(handsFor(10));
