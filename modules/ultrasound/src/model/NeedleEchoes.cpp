@@ -99,7 +99,7 @@ void NeedleEchoes::place(const Needle* needle, const TissueField& field, const T
 
 Vec3 NeedleEchoes::drawn_mm(const Pose& needle, const TissueField& field, const Transform& patientFromProbe,
                             const PlaneDisplacement& displacement) const {
-  constexpr double kStep_mm = 0.5, kAroundTip_mm = 5;
+  constexpr double kStep_mm = 0.5, kAroundTip_mm = 2;
   const BeamGrid& grid = plan_->grid;
   const double slice_mm = *std::max_element(plan_->elevationSd_mm.begin(), plan_->elevationSd_mm.end());
   double sum = 1e-30, behind_mm = 0;  // of what is seen, most of all near the tip
