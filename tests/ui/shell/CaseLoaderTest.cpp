@@ -145,6 +145,24 @@ TEST_F(CaseLoader, ProposesTheCtWithMostSlices) {
   EXPECT_EQ(table->item(table->currentRow(), 1)->text(), "49 x 41 x 17");
 }
 
+TEST_F(CaseLoader, WhatIsNotedIsReadWholeBesideALongName) {
+  const QString folder = writtenDicom("mixed");
+  test::writtenSmallCase(home, "mixed/anatomy-as-its-author-named-it");
+  loader.open(folder);
+  QDialog* choice = dialog();
+  ASSERT_TRUE(choice) << failed.toStdString();
+  choice->resize(880, 480);
+  auto* table = choice->findChild<QTableWidget*>();
+  EXPECT_GT(table->rowCount(), 1);
+  const int notes = table->columnCount() - 1;
+  const auto fits = [&] {
+    return table->columnViewportPosition(notes) + table->columnWidth(notes) <= table->viewport()->width();
+  };
+  EXPECT_TRUE(waitUntil([&] { return table->width() < 650 && fits(); }, 5000))
+      << table->columnViewportPosition(notes) << " + " << table->columnWidth(notes) << " of "
+      << table->viewport()->width();
+}
+
 TEST_F(CaseLoader, TheChoiceMayBeRefused) {
   loader.open(writtenDicom("dicom"));
   QDialog* choice = dialog();

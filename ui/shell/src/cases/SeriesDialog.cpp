@@ -20,7 +20,7 @@
 namespace insonate::ui {
 namespace {
 
-constexpr int kPicture_px = 260;
+constexpr int kPicture_px = 260, kSeriesColumn = 3;
 
 QString sizeOf(const VolumeGeometry& grid) {
   return QStringLiteral("%1 x %2 x %3").arg(grid.size[0]).arg(grid.size[1]).arg(grid.size[2]);
@@ -99,7 +99,9 @@ void SeriesDialog::fill() {
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setStretchLastSection(true);
+  // Names of files may be long; what is noted is read whole.
+  table_->horizontalHeader()->setSectionResizeMode(kSeriesColumn, QHeaderView::Stretch);
+  table_->setTextElideMode(Qt::ElideMiddle);
   table_->setTabKeyNavigation(false);
   table_->setAccessibleName(tr("Series"));
 }
