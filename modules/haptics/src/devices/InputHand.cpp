@@ -47,6 +47,8 @@ void InputHand::glide(Vec3 velocity_mmps, Vec3 turning_radps) noexcept {
 
 void InputHand::placeAt(const Transform& deviceFromStylus) noexcept {
   wish_.place = deviceFromStylus;
+  wish_.dragged_mm = {};  // what comes after counts from there
+  wish_.turned = {};
   ++wish_.places;
   wishes_.post(wish_);
 }
@@ -60,7 +62,8 @@ void InputHand::press(int button, bool down) noexcept {
 
 void InputHand::obey(const Wish& wish) noexcept {
   if (wish.places != seen_.places) {
-    target_ = state_.deviceFromStylus = wish.place;
+    state_.deviceFromStylus = wish.place;
+    target_ = {wish.turned * wish.place.linear, wish.place.offset + wish.dragged_mm};
   } else {
     target_.offset = target_.offset + wish.dragged_mm - seen_.dragged_mm;
     target_.linear = wish.turned * transposed(seen_.turned) * target_.linear;

@@ -46,11 +46,13 @@ Result<std::shared_ptr<const TissueGrid>> TissueGrid::make(const VolumeGeometry&
   return grid;
 }
 
-Result<std::shared_ptr<const TissueGrid>> TissueGrid::fromLabels(const LabelMap& labels) {
+Result<std::shared_ptr<const TissueGrid>> TissueGrid::fromLabels(const LabelMap& labels, const Progress& progress) {
   if (auto ok = checkSize(labels.geometry); !ok) return tl::unexpected(ok.error());
   std::shared_ptr<TissueGrid> grid(new TissueGrid(labels.geometry));
   for (int w = 0; w < kNeedleWallCount; ++w) {
     const Label wall = kNeedleWalls[w];
+    if (!report(progress, "Measuring the needle's tissue", double(w) / kNeedleWallCount))
+      return fail(std::string(kCancelled));
     const auto distances = haptics::signedDistances(
         labels, [wall](std::uint8_t label) { return wall == kSkin ? label != kBackground : label == wall; });
     for (std::size_t i = 0; i < distances.size(); ++i) grid->points_[i].distance[w] = packed(distances[i]);
@@ -60,7 +62,7 @@ Result<std::shared_ptr<const TissueGrid>> TissueGrid::fromLabels(const LabelMap&
 }
 
 Result<std::shared_ptr<const TissueGrid>> TissueGrid::fromLabels(const LabelMap& labels, Vec3 centre_mm,
-                                                                 double reach_mm) {
+                                                                 double reach_mm, const Progress& progress) {
   const VolumeGeometry& whole = labels.geometry;
   if (auto ok = validate(whole); !ok) return tl::unexpected(ok.error());
   if (!isFinite(centre_mm) || !(reach_mm > 0))
@@ -83,7 +85,7 @@ Result<std::shared_ptr<const TissueGrid>> TissueGrid::fromLabels(const LabelMap&
     for (int j = 0; j < part.geometry.size[1]; ++j)
       for (int i = 0; i < part.geometry.size[0]; ++i)
         part.at(i, j, k) = labels.at(first[0] + i, first[1] + j, first[2] + k);
-  return fromLabels(part);
+  return fromLabels(part, progress);
 }
 
 TissueSample TissueGrid::at(Vec3 patient_mm) const noexcept {

@@ -48,11 +48,13 @@ bool SimulatedDevice::take(DeviceState& state) noexcept {
   least_J_ = observer_.least_J();
   if (phase_ == DevicePhase::kLost) return false;
   state = hand_.state(now_ns);
+  ++taken_;
   return true;
 }
 
 void SimulatedDevice::push(const Force& force) noexcept {
   force_ = heldWithin(info_.limits, force);
+  ++pushed_;
 }
 
 }  // namespace insonate

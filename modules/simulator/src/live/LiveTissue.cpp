@@ -1,3 +1,4 @@
+#include "hands/RestNear.h"
 #include "live/LiveLoop.h"
 
 #include <algorithm>
@@ -54,6 +55,7 @@ void LiveImaging::Impl::press() {
   press_.force_N = answer.force_N;
   press_.indentation_mm = active_.tissue.indentation_mm();
   press_.lumens = answer.lumens;
+  press_.restFromPatient = needle_.needle ? restNear(answer.displacement, pose_, needle_.needle->tip_mm) : Transform{};
   press_.settled = answer.converged;
   press_.solve_ms = 1000 * (now_s() - start_s);
 }

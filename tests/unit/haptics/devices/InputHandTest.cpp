@@ -100,4 +100,15 @@ TEST_F(InputHandTest, APlaceIsTakenAtOnce) {
   EXPECT_TRUE(isFinite(after(20).deviceFromStylus.offset));
 }
 
+TEST(InputHand, WhatComesAfterAPlaceCountsFromThereAlsoWhereBothAreSeenAtOnce) {
+  InputHand hand("mouse:1", "Mouse");
+  hand.hold(true);
+  hand.drag({50, 0, 0});
+  hand.placeAt({{}, {10, 0, 0}});
+  hand.drag({0, 3, 0});
+  DeviceState state;
+  for (int tick = 1; tick < 1000; ++tick) hand.takeAt(tick * 1'000'000, state);
+  EXPECT_NEAR(norm(state.deviceFromStylus.offset - Vec3{10, 3, 0}), 0, 1e-6);
+}
+
 }  // namespace

@@ -25,7 +25,7 @@ class SimulatedDevice : public HapticDevice {
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePhase phase() const noexcept override { return phase_; }
   std::string trouble() const override;
-  DeviceCounters counters() const noexcept override { return {}; }
+  DeviceCounters counters() const noexcept override { return {taken_, pushed_, 0, 0}; }
   bool take(DeviceState& state) noexcept override;
   void push(const Force& force) noexcept override;
 
@@ -45,6 +45,7 @@ class SimulatedDevice : public HapticDevice {
   PassivityObserver observer_;
   Force force_;
   std::int64_t time_ns_ = 0;
+  std::atomic<std::uint64_t> taken_ = 0, pushed_ = 0;
   std::atomic<double> least_J_ = 0;
 };
 

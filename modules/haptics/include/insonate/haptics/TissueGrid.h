@@ -1,5 +1,6 @@
 #pragma once
 
+#include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
 #include <insonate/image/Volume.h>
 #include <insonate/tissue/Labels.h>
@@ -30,10 +31,11 @@ class TissueGrid {
   /// Asks `sampler` at every point. Fails on a grid that is none, or of more than 40 million points.
   static Result<std::shared_ptr<const TissueGrid>> make(const VolumeGeometry& geometry, const Sampler& sampler);
   /// The labels' own grid; surfaces lie between the voxels, rounded over about one of them. Seconds for 10 million.
-  static Result<std::shared_ptr<const TissueGrid>> fromLabels(const LabelMap& labels);
+  static Result<std::shared_ptr<const TissueGrid>> fromLabels(const LabelMap& labels, const Progress& progress = {});
   /// Only what lies within `reach_mm` of a point along each of the map's axes. Distances are true as long as they are
-  /// below that to the edge. Fails where the map is not there at all.
-  static Result<std::shared_ptr<const TissueGrid>> fromLabels(const LabelMap& labels, Vec3 centre_mm, double reach_mm);
+  /// below that to the edge. Fails where the map is not there at all, and when cancelled.
+  static Result<std::shared_ptr<const TissueGrid>> fromLabels(const LabelMap& labels, Vec3 centre_mm, double reach_mm,
+                                                              const Progress& progress = {});
 
   const VolumeGeometry& geometry() const { return geometry_; }
 

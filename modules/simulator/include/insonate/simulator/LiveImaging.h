@@ -26,6 +26,9 @@ struct LivePress {
   double indentation_mm = 0;      ///< of the face from where it first touches; below 0: off the skin. NaN: no skin near
   std::vector<LumenArea> lumens;  ///< in the plane; empty where nothing presses and blood is as in the CT
   BloodPressure pressure;
+  /// Where tissue near the needle's tip lay at rest, before the tip dents it: affine, patient space. The identity
+  /// without a needle.
+  Transform restFromPatient;
   bool settled = true;  ///< false: the model is still on its way, and the next picture goes on
   double solve_ms = 0;  ///< part of frame_ms
   TissueMesh mesh;      ///< empty unless setKeepMesh()

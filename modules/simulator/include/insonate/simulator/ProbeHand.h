@@ -26,6 +26,8 @@ struct HandMove {
   bool done() const { return stopped.empty(); }
 };
 
+class HandsSession;
+class NeedleHand;
 class SkinSurface;
 
 /// A probe held on the skin without a device: it follows the skin, square to it but for the user's own tilt and rock. A
@@ -67,6 +69,8 @@ class ProbeHand {
   void restore(const ProbeHandState& state);
 
  private:
+  friend class HandsSession;  // both feel the same skin
+  friend class NeedleHand;
   ProbeHand(std::shared_ptr<const SkinSurface> skin) : skin_(std::move(skin)) {}
 
   std::shared_ptr<const SkinSurface> skin_;

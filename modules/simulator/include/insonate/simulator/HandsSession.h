@@ -1,0 +1,75 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/haptics/DeviceHub.h>
+#include <insonate/haptics/InputHand.h>
+#include <insonate/haptics/ServoThread.h>
+#include <insonate/simulator/LiveImaging.h>
+#include <insonate/simulator/ProbeHand.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace insonate {
+
+/// What two hands hold on a patient: devices, the servo that they feel, and the tissue that it knows of. While
+/// something is in a hand, a thread shows the servo 60 times a second what lies before the probe's face and round the
+/// needle's tip, and moves the live picture with what is held. An empty hand costs nothing.
+///
+/// Every member may be called from any thread; none waits longer than a fraction of a millisecond but put() and the
+/// destructor, which may wait for a tick and for a step of the tissue's preparation, a tenth of a second.
+class HandsSession {
+ public:
+  /// Devices of `bus`; the built-in `measured` needle. Looks for devices once devices().start() is called.
+  explicit HandsSession(std::shared_ptr<haptics::HidBus> bus);
+  /// Lets go of all devices after a last zero force.
+  ~HandsSession();
+  HandsSession(const HandsSession&) = delete;
+  HandsSession& operator=(const HandsSession&) = delete;
+
+  DeviceHub& devices();
+
+  /// The patient, and a hand on that patient's skin; none for none. The needle's tissue is prepared in the background
+  /// round the probe, and again where the hands have gone elsewhere with the needle outside.
+  void setCase(std::shared_ptr<const PatientCase> patient, const ProbeHand* hand);
+  /// Whose pictures tell how the tissue presses back, and which follows a device. Once it returns, the one before is
+  /// used no more.
+  void setImaging(LiveImaging* imaging);
+
+  /// Into a hand, out of which goes what was there; no device: an empty hand. The limits of `setup` are the device's.
+  void put(Hand hand, std::shared_ptr<HapticDevice> device, HandSetup setup);
+  /// The hand of mouse and keys into this hand, at a pose of the tool (patientFromTool); it moves with moveByMouse().
+  void putMouse(Hand hand, const Transform& patientFromTool);
+  /// Where mouse and keys want the tool: the hand of mouse and keys goes there smoothly, a long way at once; that of a
+  /// simulated device as far as what it feels lets it. Nothing where the hand holds a real device.
+  void moveByMouse(Hand hand, const Transform& patientFromTool);
+  /// What the hand holds; null for nothing.
+  std::shared_ptr<HapticDevice> held(Hand hand) const;
+  bool isMouse(Hand hand) const;
+  /// Mouse and keys, or a simulated device, which they move.
+  bool followsMouse(Hand hand) const;
+  HandSetup setupOf(Hand hand) const;
+
+  /// A pedal, or none. Its buttons that went down since the last takePresses(), one bit each.
+  void setPedal(std::shared_ptr<HapticDevice> pedal);
+  std::uint32_t takePresses();
+
+  /// Pushes the device in a hand with this force, device frame, for a second, to be felt; held within 1 N and the
+  /// hand's own limit. The tool does not move meanwhile. Nothing for an empty hand.
+  void testForce(Hand hand, Vec3 force_N);
+
+  /// Of the servo; a time of 0 while both hands are empty.
+  ServoSnapshot snapshot() const;
+  std::vector<NeedleEvent> takeEvents();
+  RealTimeRights rights() const;
+  TickTiming timing() const;
+  /// The needle's tissue is there: before, the needle feels nothing.
+  bool tissueReady() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace insonate

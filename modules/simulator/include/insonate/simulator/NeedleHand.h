@@ -1,0 +1,65 @@
+#pragma once
+
+#include <insonate/core/Transform.h>
+#include <insonate/simulator/ProbeHand.h>
+
+#include <memory>
+
+namespace insonate {
+
+/// Where and how a NeedleHand holds the needle. Patient LPS.
+struct NeedleHandState {
+  Vec3 entry_mm;           ///< on the skin, where the needle goes in
+  Vec3 inward{0, 1, 0};    ///< into the body, square to the skin, unit
+  Vec3 heading{1, 0, 0};   ///< along the skin, the way that the needle goes, unit
+  double angle_deg = 45;   ///< between needle and skin; 90: square to it
+  double advance_mm = -5;  ///< of the tip along the needle, from the entry; below 0: off the skin
+  double bevel_deg = 0;    ///< about the needle; 0: the bevel looks up, away from the skin
+  bool operator==(const NeedleHandState&) const = default;
+};
+
+/// How a needle lies to the probe's plane.
+enum class NeedlePlane { Along, Across };
+
+/// A needle held without a device: an entry on the skin, angles and a depth. While the tip is in the body its entry
+/// stays, and near the skin only it turns about it. What it meets there the servo says, see HandsSession.h. No move
+/// allocates. Not for concurrent use of one object.
+class NeedleHand {
+ public:
+  static constexpr double kLeastAngle_deg = 5, kMostAngle_deg = 90;
+  static constexpr double kMostOff_mm = 40, kLength_mm = 70;
+  /// Deeper, tissue holds the needle on its track (the servo's line constraint begins there).
+  static constexpr double kTurnsUntil_mm = 10;
+
+  /// Ready beside a probe: in its plane at the end of its face that is away from the marker, or across it in front;
+  /// aimed under its middle, at 35 or 45 degrees. `halfWidth_mm` of the face.
+  static NeedleHand beside(const ProbeHand& probe, double halfWidth_mm, NeedlePlane plane);
+
+  /// The entry over the skin, along the probe's own directions; not while the tip is in.
+  HandMove slide(const Transform& patientFromProbe, double lateral_mm, double elevation_mm);
+  HandMove moveTo(Vec3 patient_mm);
+  /// About the skin's normal; above 0 from heading toward inward x heading.
+  HandMove turn(double degrees);
+  /// Above 0: steeper to the skin.
+  HandMove tilt(double degrees);
+  HandMove rotateBevel(double degrees);
+  HandMove advance(double mm);
+
+  /// Tip at the origin, z along the needle the way it goes in; the bevel looks along -y.
+  Transform patientFromNeedle() const;
+
+  const NeedleHandState& state() const { return state_; }
+  bool isIn() const { return state_.advance_mm > 0; }
+
+  /// Along the skin: 0 toward the patient's head, 90 toward the patient's left.
+  double heading_deg() const;
+
+ private:
+  NeedleHand(std::shared_ptr<const SkinSurface> skin) : skin_(std::move(skin)) {}
+  HandMove put(Vec3 skin_mm);
+
+  std::shared_ptr<const SkinSurface> skin_;
+  NeedleHandState state_;
+};
+
+}  // namespace insonate

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/haptics/TissueGrid.h>
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace insonate {
+
+/// Makes the needle's tissue on a thread of its own, which ends within a tenth of a second.
+class GridMaker {
+ public:
+  /// Of the part that is made, from its middle along each axis of the map.
+  static constexpr double kReach_mm = 50;
+
+  GridMaker();
+  ~GridMaker();
+
+  struct Made {
+    std::shared_ptr<const TissueGrid> grid;  ///< none where the map does not reach there
+    Vec3 centre_mm;
+  };
+  /// Round this point; what was wanted before is given up.
+  void want(std::shared_ptr<const PatientCase> patient, Vec3 centre_mm);
+  void forget();
+  /// What was wanted last, once.
+  std::optional<Made> take();
+
+ private:
+  void run(const std::stop_token& stop);
+
+  struct Wish {
+    std::shared_ptr<const PatientCase> patient;
+    Vec3 centre_mm;
+    int number = 0;
+  };
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  Wish wish_;
+  int begun_ = 0;
+  std::optional<Made> made_;
+  std::jthread thread_;  // last: it uses the others
+};
+
+}  // namespace insonate

@@ -1,0 +1,257 @@
+#include "hands/HandsLoop.h"
+
+#include <insonate/tissue/NeedleTable.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace insonate {
+namespace {
+
+constexpr std::chrono::milliseconds kStep{16};
+/// The tissue's middle lies this far along the tool, and is made anew when the tool is this far away from it.
+constexpr double kAhead_mm = 20, kElsewhere_mm = 35;
+/// Less does not move a picture: encoders tremble.
+constexpr double kStill_mm = 0.02, kStill_rad = 0.0005;
+/// Further than this is no motion of a hand (see NeedleMechanics).
+constexpr double kFar_mm = 40;
+constexpr double kTestForce_N = 1, kTest_s = 1, kRamp_s = 0.15;
+
+std::int64_t monotonic_ns() {
+  return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+bool sameAsSeen(const Transform& a, const Transform& b) {
+  double turn = 0;
+  for (int i = 0; i < 3; ++i) turn = std::max(turn, norm(a.linear.column[i] - b.linear.column[i]));
+  return norm(a.offset - b.offset) < kStill_mm && turn < kStill_rad;
+}
+
+/// The turn from one attitude to another as axis times angle; exact for small ones, and near it up to a right angle.
+Vec3 turnBetween(const Mat3& from, const Mat3& to) {
+  Vec3 sum;
+  for (int i = 0; i < 3; ++i) sum = sum + cross(from.column[i], to.column[i]);
+  const double sine = 0.5 * norm(sum);
+  return sine > 1e-12 ? sum * (0.5 * std::asin(std::min(sine, 1.0)) / sine) : Vec3{};
+}
+
+}  // namespace
+
+HandsSession::Impl::Impl(std::shared_ptr<haptics::HidBus> bus)
+    : hub(std::move(bus)),
+      mice{std::make_shared<InputHand>("mouse:probe", "Mouse and keyboard"),
+           std::make_shared<InputHand>("mouse:needle", "Mouse and keyboard")} {
+  setup.needle = loadNeedleTable(needlePresetNames().front()).value_or(NeedleTable{});
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+HandsSession::Impl::~Impl() {
+  thread_.request_stop();
+  wake();
+  thread_.join();
+  // Devices hear their last zero before the hub lets them go.
+  servo = nullptr;
+}
+
+void HandsSession::Impl::wake() {
+  changed_.notify_all();
+}
+
+void HandsSession::Impl::put(Hand hand, std::shared_ptr<HapticDevice> device, HandSetup handSetup) {
+  std::unique_ptr<ServoThread> ended;
+  {
+    const std::lock_guard lock(mutex);
+    if (isMouse(hand) && device != devices[hand]) mice[hand]->hold(false);
+    if (test_ && test_->hand == hand) test_->device->push({}), test_.reset();
+    if (device) handSetup.limits = device->info().limits;
+    devices[hand] = std::move(device);
+    if (hand == kNeedleHand && !devices[hand]) hideNeedle();
+    setup.hands[hand] = handSetup;
+    if (devices[0] || devices[1]) {
+      if (!servo) servo = std::make_unique<ServoThread>();
+      servo->setup(setup);
+      servo->assign(hand, devices[hand]);
+    } else {
+      ended = std::move(servo);
+    }
+  }
+  wake();
+}
+
+void HandsSession::Impl::moveByMouse(Hand hand, const Transform& patientFromTool) {
+  const Transform before = std::exchange(mouseAt[hand], patientFromTool);
+  if (!servo || before == patientFromTool) return;
+  if (isMouse(hand)) return moveMouse(hand, before, patientFromTool);
+  SimulatedDevice* device = simulated(hand);
+  if (!device) return;
+  const HandSetup& held = setup.hands[hand];
+  const Transform deviceFromStylus = inverted(held.patientFromDevice) * patientFromTool * inverted(held.stylusFromTool);
+  device->want({0, deviceFromStylus.offset - held.apart_mm, deviceFromStylus.linear});
+}
+
+void HandsSession::Impl::moveMouse(Hand hand, const Transform& before, const Transform& patientFromTool) {
+  HandSetup& held = setup.hands[hand];
+  const Vec3 way_mm = patientFromTool.offset - before.offset;
+  const Vec3 turn_rad = turnBetween(before.linear, patientFromTool.linear);
+  const Vec3 from_mm = patientFromTool.offset - held.patientFromDevice.offset;
+  const double most_mm = 0.45 * InputHand::kWorkspace_mm;
+  const bool beyond = std::abs(from_mm.x) > most_mm || std::abs(from_mm.y) > most_mm || std::abs(from_mm.z) > most_mm;
+  if (norm(way_mm) < kFar_mm && norm(turn_rad) < 0.5 && !beyond) {
+    mice[hand]->drag(way_mm);
+    mice[hand]->turn(turn_rad);
+    return;
+  }
+  held.patientFromDevice.offset = patientFromTool.offset;
+  servo->setup(setup);
+  mice[hand]->placeAt({patientFromTool.linear, {}});
+}
+
+void HandsSession::Impl::forgetTissue() {
+  grid = nullptr;
+  frame = nullptr;
+  patches_.reset();
+  maker_.forget();
+  making_ = false;
+}
+
+void HandsSession::Impl::wantTissue(const Transform& patientFromTool) {
+  centre_mm_ = patientFromTool * Vec3{0, 0, kAhead_mm};
+  maker_.want(patient, centre_mm_);
+  making_ = true;
+}
+
+void HandsSession::Impl::takeTissue(const ServoSnapshot& now) {
+  if (auto made = maker_.take()) {
+    making_ = false;
+    grid = made->grid;
+  }
+  const int tool = now.present[kNeedleHand] ? kNeedleHand : kProbeHand;
+  if (!patient || making_ || !now.present[tool] || now.output.needle.inBody) return;
+  const Transform& held = now.output.hands[tool].patientFromTool;
+  if (norm(held * Vec3{0, 0, kAhead_mm} - centre_mm_) > kElsewhere_mm) wantTissue(held);
+}
+
+void HandsSession::Impl::shapesOf(const LiveFrame& of) {
+  const ProbeFace face = faceOf(of.setup->probe, of.setup->mechanics);
+  if (setup.shapes.faceHalfWidth_mm == face.width_mm / 2) return;
+  setup.shapes.faceHalfWidth_mm = face.width_mm / 2;
+  if (servo) servo->setup(setup);
+}
+
+void HandsSession::Impl::takeFrame() {
+  auto latest = imaging ? imaging->latest() : nullptr;
+  if (!latest || latest == frame || !skin) return;
+  frame = std::move(latest);
+  shapesOf(*frame);
+  if (frame->setup->mechanics.model != kNoDeformation)
+    patches_.learn(*skin, faceOf(frame->setup->probe, frame->setup->mechanics), frame->patientFromProbe, frame->press);
+}
+
+void HandsSession::Impl::drive(const ServoSnapshot& now) {
+  if (!imaging || isMouse(kProbeHand) || !now.present[kProbeHand]) return;
+  const Transform& held = now.output.hands[kProbeHand].patientFromTool;
+  if (sameAsSeen(held, driven_)) return;
+  driven_ = held;
+  imaging->setPose(held);
+}
+
+void HandsSession::Impl::showNeedle(const ServoSnapshot& now) {
+  if (!imaging) return;
+  if (!now.present[kNeedleHand]) return hideNeedle();
+  const Transform& held = now.output.hands[kNeedleHand].patientFromShown;
+  Needle needle{.tip_mm = held.offset, .direction = held.linear.column[2], .bevelNormal = -held.linear.column[1]};
+  needle.length_mm = setup.shapes.needleLength_mm;
+  needle.radius_mm = setup.shapes.needleRadius_mm;
+  const NeedleState& state = now.output.needle;
+  std::optional<Tenting> tenting;
+  if (state.tenting && state.tent_mm > kStill_mm)
+    tenting = Tenting{.tip_mm = needle.tip_mm, .direction = needle.direction, .depth_mm = state.tent_mm};
+  const bool still = needle_ && tenting.has_value() == tenting_.has_value() &&
+                     norm(needle.tip_mm - needle_->tip_mm) < kStill_mm &&
+                     norm(needle.direction - needle_->direction) < kStill_rad &&
+                     norm(needle.bevelNormal - needle_->bevelNormal) < kStill_rad &&
+                     (!tenting || std::abs(tenting->depth_mm - tenting_->depth_mm) < kStill_mm);
+  if (still) return;
+  needle_ = needle, tenting_ = tenting;
+  imaging->setNeedle(needle, tenting);
+}
+
+void HandsSession::Impl::show(LiveImaging* in) {
+  if (in != imaging) needle_.reset();  // the new one has none yet
+  imaging = in;
+  frame = nullptr;
+}
+
+void HandsSession::Impl::hideNeedle() {
+  if (std::exchange(needle_, std::nullopt) && imaging) imaging->setNeedle(std::nullopt);
+}
+
+LocalModel HandsSession::Impl::modelFor(const ServoSnapshot& now) const {
+  LocalModel model;
+  model.time_ns = monotonic_ns();
+  model.grid = grid;
+  if (frame) model.restFromPatient = frame->press.restFromPatient;
+  if (skin && frame && now.present[kProbeHand])
+    patches_.show(*skin, faceOf(frame->setup->probe, frame->setup->mechanics),
+                  now.output.hands[kProbeHand].patientFromTool, model);
+  return model;
+}
+
+void HandsSession::Impl::pollPedal() {
+  DeviceState state;
+  if (!pedal || !pedal->take(state)) return;
+  presses |= state.buttons & ~pedalDown;
+  pedalDown = state.buttons;
+}
+
+void HandsSession::Impl::testForce(Hand hand, Vec3 force_N) {
+  const std::lock_guard lock(mutex);
+  if (!servo || !devices[hand] || test_ || !isFinite(force_N)) return;
+  const double most_N = std::min({kTestForce_N, setup.hands[hand].mostForce_N, setup.hands[hand].limits.maxForce_N});
+  const double length_N = norm(force_N);
+  servo->assign(hand, nullptr);
+  test_ = Test{devices[hand], hand, length_N > most_N ? force_N * (most_N / length_N) : force_N,
+               Clock::now() + kStep};  // by then the servo pushes it no more
+}
+
+void HandsSession::Impl::goOnTesting() {
+  if (!test_) return;
+  const double t_s = std::chrono::duration<double>(Clock::now() - test_->begin).count();
+  if (t_s < 0) return;
+  DeviceState state;
+  test_->device->take(state);
+  const double share = std::clamp(std::min(t_s, kTest_s - t_s) / kRamp_s, 0.0, 1.0);
+  test_->device->push({test_->force_N * share, {}});
+  if (t_s < kTest_s) return;
+  servo->assign(test_->hand, test_->device);
+  test_.reset();
+}
+
+void HandsSession::Impl::step() {
+  pollPedal();
+  if (!servo) return;
+  goOnTesting();
+  const ServoSnapshot now = servo->latest();
+  takeTissue(now);
+  takeFrame();
+  drive(now);
+  showNeedle(now);
+  servo->show(modelFor(now));
+}
+
+void HandsSession::Impl::run(const std::stop_token& stop) {
+  std::unique_lock lock(mutex);
+  while (!stop.stop_requested()) {
+    if (!changed_.wait(lock, stop, [this] { return busy() || making_; })) return;
+    step();
+    if (!servo && making_) {
+      if (auto made = maker_.take()) making_ = false, grid = made->grid;
+    }
+    lock.unlock();
+    std::this_thread::sleep_for(kStep);
+    lock.lock();
+  }
+}
+
+}  // namespace insonate

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "hand/SkinSurface.h"
+#include "hands/FacePatches.h"
+#include "hands/GridMaker.h"
+
+#include <insonate/haptics/SimulatedDevice.h>
+#include <insonate/simulator/HandsSession.h>
+
+#include <array>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace insonate {
+
+/// What HandsSession is. The loop's thread holds the mutex for a step, which takes some tenths of a millisecond.
+class HandsSession::Impl {
+ public:
+  explicit Impl(std::shared_ptr<haptics::HidBus> bus);
+  ~Impl();
+
+  void put(Hand hand, std::shared_ptr<HapticDevice> device, HandSetup setup);
+  void testForce(Hand hand, Vec3 force_N);
+  void wake();
+
+  // With the mutex held.
+  bool isMouse(Hand hand) const { return devices[hand] && devices[hand] == mice[hand]; }
+  SimulatedDevice* simulated(Hand hand) const { return dynamic_cast<SimulatedDevice*>(devices[hand].get()); }
+  void moveByMouse(Hand hand, const Transform& patientFromTool);
+  void moveMouse(Hand hand, const Transform& before, const Transform& patientFromTool);
+  void show(LiveImaging* in);
+  void hideNeedle();
+  void forgetTissue();
+  void wantTissue(const Transform& patientFromTool);
+
+  DeviceHub hub;
+  std::once_flag looking;
+  mutable std::mutex mutex;  ///< of all that follows
+  std::array<std::shared_ptr<InputHand>, 2> mice;
+  std::array<Transform, 2> mouseAt;
+  std::array<std::shared_ptr<HapticDevice>, 2> devices;
+  ServoSetup setup;
+  std::shared_ptr<const PatientCase> patient;
+  std::shared_ptr<const SkinSurface> skin;
+  LiveImaging* imaging = nullptr;
+  std::shared_ptr<const LiveFrame> frame;  ///< the last that was learned from
+  std::shared_ptr<const TissueGrid> grid;
+  std::shared_ptr<HapticDevice> pedal;
+  std::uint32_t pedalDown = 0, presses = 0;
+  std::unique_ptr<ServoThread> servo;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  /// A force that is to be felt, with the servo's hand empty meanwhile.
+  struct Test {
+    std::shared_ptr<HapticDevice> device;
+    Hand hand = kProbeHand;
+    Vec3 force_N;
+    Clock::time_point begin;
+  };
+
+  void run(const std::stop_token& stop);
+  void step();
+  bool busy() const { return devices[0] || devices[1] || pedal; }
+  void takeTissue(const ServoSnapshot& now);
+  void takeFrame();
+  void drive(const ServoSnapshot& now);
+  void showNeedle(const ServoSnapshot& now);
+  LocalModel modelFor(const ServoSnapshot& now) const;
+  void pollPedal();
+  void goOnTesting();
+  void shapesOf(const LiveFrame& of);
+
+  FacePatches patches_;
+  GridMaker maker_;
+  Vec3 centre_mm_;  ///< of the tissue that is there or being made
+  bool making_ = false;
+  std::optional<Needle> needle_;  ///< as the picture has it
+  std::optional<Tenting> tenting_;
+  Transform driven_;  ///< the last pose that was given to the picture
+  std::optional<Test> test_;
+  std::condition_variable_any changed_;
+  std::jthread thread_;  // last: it uses the others
+};
+
+}  // namespace insonate

@@ -1,0 +1,114 @@
+#include "hands/HandsLoop.h"
+
+#include <utility>
+
+namespace insonate {
+
+HandsSession::HandsSession(std::shared_ptr<haptics::HidBus> bus) : impl_(std::make_unique<Impl>(std::move(bus))) {}
+HandsSession::~HandsSession() = default;
+
+DeviceHub& HandsSession::devices() {
+  std::call_once(impl_->looking, [this] { impl_->hub.start(); });
+  return impl_->hub;
+}
+
+void HandsSession::setCase(std::shared_ptr<const PatientCase> patient, const ProbeHand* hand) {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->patient = std::move(patient);
+    impl_->skin = hand ? hand->skin_ : nullptr;
+    impl_->forgetTissue();
+    if (impl_->patient && hand) impl_->wantTissue(hand->pose());
+  }
+  impl_->wake();
+}
+
+void HandsSession::setImaging(LiveImaging* imaging) {
+  const std::lock_guard lock(impl_->mutex);
+  impl_->show(imaging);
+}
+
+void HandsSession::put(Hand hand, std::shared_ptr<HapticDevice> device, HandSetup setup) {
+  impl_->put(hand, std::move(device), std::move(setup));
+}
+
+void HandsSession::putMouse(Hand hand, const Transform& patientFromTool) {
+  InputHand& mouse = *impl_->mice[hand];
+  HandSetup setup;
+  setup.patientFromDevice.offset = patientFromTool.offset;
+  mouse.hold(true);
+  mouse.placeAt({patientFromTool.linear, {}});
+  impl_->put(hand, impl_->mice[hand], setup);
+  const std::lock_guard lock(impl_->mutex);
+  impl_->mouseAt[hand] = patientFromTool;
+}
+
+void HandsSession::moveByMouse(Hand hand, const Transform& patientFromTool) {
+  const std::lock_guard lock(impl_->mutex);
+  impl_->moveByMouse(hand, patientFromTool);
+}
+
+std::shared_ptr<HapticDevice> HandsSession::held(Hand hand) const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->devices[hand];
+}
+
+bool HandsSession::isMouse(Hand hand) const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->isMouse(hand);
+}
+
+bool HandsSession::followsMouse(Hand hand) const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->isMouse(hand) || impl_->simulated(hand);
+}
+
+HandSetup HandsSession::setupOf(Hand hand) const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->setup.hands[hand];
+}
+
+void HandsSession::setPedal(std::shared_ptr<HapticDevice> pedal) {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->pedal = std::move(pedal);
+    impl_->pedalDown = ~0U;  // what is down already is no press
+  }
+  impl_->wake();
+}
+
+std::uint32_t HandsSession::takePresses() {
+  const std::lock_guard lock(impl_->mutex);
+  return std::exchange(impl_->presses, 0U);
+}
+
+void HandsSession::testForce(Hand hand, Vec3 force_N) {
+  impl_->testForce(hand, force_N);
+}
+
+ServoSnapshot HandsSession::snapshot() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->servo ? impl_->servo->latest() : ServoSnapshot{};
+}
+
+std::vector<NeedleEvent> HandsSession::takeEvents() {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->servo ? impl_->servo->takeEvents() : std::vector<NeedleEvent>{};
+}
+
+RealTimeRights HandsSession::rights() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->servo ? impl_->servo->rights() : RealTimeRights{};
+}
+
+TickTiming HandsSession::timing() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->servo ? impl_->servo->timing() : TickTiming{};
+}
+
+bool HandsSession::tissueReady() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->grid != nullptr;
+}
+
+}  // namespace insonate

@@ -1,0 +1,134 @@
+#include "hand/SkinSurface.h"
+
+#include <insonate/simulator/NeedleHand.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace insonate {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kReach_mm = 30;
+/// From the housing to a needle beside it.
+constexpr double kBesideFace_mm = 5, kBesideHousing_mm = 12;
+constexpr double kAcross_deg = 45;
+/// Where a needle in the plane crosses the probe's axis: at about 35 degrees beside a linear probe.
+constexpr double kAim_mm = 17;
+
+constexpr HandMove kDone{};
+constexpr HandMove kNoNumber{"The move is not a finite number."};
+constexpr HandMove kIsIn{"The needle is in the skin; withdraw it before it goes in elsewhere."};
+constexpr HandMove kHeld{"Tissue holds the needle on its way; withdraw it to 10 mm to point it elsewhere."};
+constexpr HandMove kFlat{"The needle lies as flat on the skin as it goes, 5 degrees."};
+constexpr HandMove kSquare{"The needle is square to the skin; turn it to lean it the other way."};
+constexpr HandMove kHub{"The needle is in up to its hub, 70 mm."};
+constexpr HandMove kOff{"The needle is 40 mm off the skin; further away it is laid down."};
+constexpr HandMove kVolumeEnds{"The scan ends here; the needle stays where it is."};
+
+/// `v` about the unit vector `axis` (Rodrigues).
+Vec3 turned(Vec3 v, Vec3 axis, double degrees) {
+  const double c = std::cos(degrees * kDegree), s = std::sin(degrees * kDegree);
+  return v * c + cross(axis, v) * s + axis * (dot(axis, v) * (1 - c));
+}
+
+/// Along the skin toward the head, as far as it can be told.
+Vec3 towardHead(Vec3 inward) {
+  const Vec3 head{0, 0, 1}, back{0, 1, 0};
+  const Vec3 along = head - inward * dot(inward, head);
+  return normalized(norm(along) > 1e-3 ? along : back - inward * dot(inward, back));
+}
+
+Vec3 along(Vec3 direction, Vec3 inward, Vec3 otherwise) {
+  const Vec3 flat = direction - inward * dot(direction, inward);
+  return norm(flat) > 1e-6 ? normalized(flat) : towardHead(otherwise);
+}
+
+}  // namespace
+
+NeedleHand NeedleHand::beside(const ProbeHand& probe, double halfWidth_mm, NeedlePlane plane) {
+  NeedleHand needle(probe.skin_);
+  const Transform pose = probe.pose();
+  const auto& [lateral, elevation, axial] = pose.linear.column;
+  const bool isAlong = plane == NeedlePlane::Along;
+  const Vec3 aside = isAlong ? -lateral * (halfWidth_mm + kBesideFace_mm) : elevation * kBesideHousing_mm;
+  needle.state_.inward = probe.state().inward;
+  // Where the scan ends there, the needle waits under the probe.
+  needle.state_.entry_mm = probe.state().skin_mm;
+  needle.put(pose.offset + aside);
+  needle.state_.heading = along(-aside, needle.state_.inward, needle.state_.inward);
+  const Vec3 aim = normalized(pose * Vec3{0, 0, kAim_mm} - needle.state_.entry_mm);
+  const double steep_deg = std::asin(dot(aim, needle.state_.inward)) / kDegree;
+  needle.state_.angle_deg = isAlong ? std::clamp(steep_deg, kLeastAngle_deg, kMostAngle_deg) : kAcross_deg;
+  return needle;
+}
+
+HandMove NeedleHand::put(Vec3 skin_mm) {
+  const auto there = skin_->along(skin_mm, -state_.inward, kReach_mm);
+  const Vec3 entry = there ? *there : skin_->nearest(skin_mm);
+  if (!skin_->inVolume(entry)) return kVolumeEnds;
+  state_.entry_mm = entry;
+  state_.inward = -skin_->normal(entry, -state_.inward);
+  state_.heading = along(state_.heading, state_.inward, state_.inward);
+  return kDone;
+}
+
+HandMove NeedleHand::slide(const Transform& patientFromProbe, double lateral_mm, double elevation_mm) {
+  if (!std::isfinite(lateral_mm) || !std::isfinite(elevation_mm)) return kNoNumber;
+  if (isIn()) return kIsIn;
+  const auto& [lateral, elevation, axial] = patientFromProbe.linear.column;
+  const Vec3 by = lateral * lateral_mm + elevation * elevation_mm;
+  return put(state_.entry_mm + by - state_.inward * dot(by, state_.inward));
+}
+
+HandMove NeedleHand::moveTo(Vec3 patient_mm) {
+  if (!isFinite(patient_mm)) return kNoNumber;
+  if (isIn()) return kIsIn;
+  return put(skin_->nearest(patient_mm));
+}
+
+HandMove NeedleHand::turn(double degrees) {
+  if (!std::isfinite(degrees)) return kNoNumber;
+  if (state_.advance_mm > kTurnsUntil_mm) return kHeld;
+  state_.heading = along(turned(state_.heading, state_.inward, degrees), state_.inward, state_.inward);
+  return kDone;
+}
+
+HandMove NeedleHand::tilt(double degrees) {
+  if (!std::isfinite(degrees)) return kNoNumber;
+  if (state_.advance_mm > kTurnsUntil_mm) return kHeld;
+  const double wanted = state_.angle_deg + degrees;
+  state_.angle_deg = std::clamp(wanted, kLeastAngle_deg, kMostAngle_deg);
+  return wanted < kLeastAngle_deg ? kFlat : wanted > kMostAngle_deg ? kSquare : kDone;
+}
+
+HandMove NeedleHand::rotateBevel(double degrees) {
+  if (!std::isfinite(degrees)) return kNoNumber;
+  state_.bevel_deg = std::remainder(state_.bevel_deg + degrees, 360);
+  return kDone;
+}
+
+HandMove NeedleHand::advance(double mm) {
+  if (!std::isfinite(mm)) return kNoNumber;
+  const double wanted = state_.advance_mm + mm;
+  state_.advance_mm = std::clamp(wanted, -kMostOff_mm, kLength_mm);
+  return wanted > kLength_mm ? kHub : wanted < -kMostOff_mm ? kOff : kDone;
+}
+
+Transform NeedleHand::patientFromNeedle() const {
+  const double angle = state_.angle_deg * kDegree;
+  const Vec3 z = state_.heading * std::cos(angle) + state_.inward * std::sin(angle);
+  // Bevel up: -y as far from the skin as the needle lets it.
+  const Vec3 y = turned(state_.inward * std::cos(angle) - state_.heading * std::sin(angle), z, state_.bevel_deg);
+  return {{{cross(y, z), y, z}}, state_.entry_mm + z * state_.advance_mm};
+}
+
+double NeedleHand::heading_deg() const {
+  const Vec3 head = towardHead(state_.inward);
+  // Seen from outside the left lies clockwise of the head at the front of the body, and so all round it.
+  const Vec3 left = cross(state_.inward, head);
+  return std::atan2(dot(state_.heading, left), dot(state_.heading, head)) / kDegree;
+}
+
+}  // namespace insonate

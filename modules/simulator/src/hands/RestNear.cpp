@@ -1,0 +1,31 @@
+#include "hands/RestNear.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace insonate {
+namespace {
+
+constexpr double kHalf_mm = 1.5;
+/// Of the map's determinant: tissue keeps its volume but for what leaves the plane.
+constexpr double kLeastStretch = 0.2, kMostStretch = 5;
+
+}  // namespace
+
+Transform restNear(const PlaneDisplacement& displacement, const Transform& patientFromProbe, Vec3 patient_mm) {
+  if (displacement.empty()) return {};
+  const Transform probeFromPatient = inverted(patientFromProbe);
+  const Vec3 at = probeFromPatient * patient_mm;
+  const double share = std::clamp(2 - std::abs(at.y) / kMovesBeside_mm, 0.0, 1.0);
+  if (share == 0) return {};
+  const auto shift = [&](double x, double z) { return shiftAt(displacement, x, z) * share; };
+  const Vec3 acrossX = (shift(at.x + kHalf_mm, at.z) - shift(at.x - kHalf_mm, at.z)) / (2 * kHalf_mm);
+  const Vec3 acrossZ = (shift(at.x, at.z + kHalf_mm) - shift(at.x, at.z - kHalf_mm)) / (2 * kHalf_mm);
+  Transform restFromSeen{{{Vec3{1, 0, 0} + acrossX, Vec3{0, 1, 0}, Vec3{0, 0, 1} + acrossZ}}, {}};
+  const double stretch = determinant(restFromSeen.linear);
+  if (!(stretch > kLeastStretch && stretch < kMostStretch)) restFromSeen.linear = {};
+  restFromSeen.offset = at + shift(at.x, at.z) - restFromSeen.linear * at;
+  return patientFromProbe * restFromSeen * probeFromPatient;
+}
+
+}  // namespace insonate

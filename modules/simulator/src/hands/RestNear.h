@@ -1,0 +1,17 @@
+#pragma once
+
+#include <insonate/core/Transform.h>
+#include <insonate/image/PlaneDisplacement.h>
+
+namespace insonate {
+
+/// How far beside the probe's plane tissue still moves with it: as far as the housing lies on it, and fading to twice
+/// that.
+inline constexpr double kMovesBeside_mm = 8;
+
+/// restFromPatient near a point: where its tissue lay at rest, as the straight map that is nearest to the plane's
+/// displacement there, over about 3 mm. The identity where nothing moved, far beside the plane, and where the
+/// displacement turns so quickly that no straight map is near it.
+Transform restNear(const PlaneDisplacement& displacement, const Transform& patientFromProbe, Vec3 patient_mm);
+
+}  // namespace insonate

@@ -1,0 +1,160 @@
+#include "LiveProbe.h"
+#include "hands/FacePatches.h"
+#include "hands/RestNear.h"
+#include "support/Allocations.h"
+
+#include <insonate/simulator/NeedleHand.h>
+
+#include <numbers>
+
+namespace insonate {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+Transform face(double in_mm) {
+  return *patientFromProbe({0, in_mm, 0}, {0, 1, 0}, {1, 0, 0});
+}
+
+double forceOf(const LocalModel& model, const Transform& patientFromProbe) {
+  double sum_N = 0;
+  for (int i = 0; i < model.patchCount; ++i) {
+    const SkinPatch& patch = model.patches[i];
+    const double d = -dot(patientFromProbe * patch.onProbe_mm - patch.skin_mm, patch.outward);
+    if (d > 0) sum_N += patch.stiffness_Npmm * d + patch.stiffening_Npmm2 * d * d;
+  }
+  return sum_N;
+}
+
+LivePress pressed(double in_mm, double force_N) {
+  LivePress press;
+  press.indentation_mm = in_mm, press.force_N = force_N;
+  return press;
+}
+
+TEST(FacePatches, GiveTheSolvedForceWhereItWasSolvedAndItsSlopeRoundIt) {
+  const auto patient = test::wideCase();
+  const SkinSurface skin = *SkinSurface::make(patient->labels);
+  const ProbeFace flat{.width_mm = 38};
+  FacePatches patches;
+  patches.learn(skin, flat, face(3.5), pressed(4, 1.2));
+  patches.learn(skin, flat, face(4.5), pressed(5, 1.7));
+  LocalModel model;
+  patches.show(skin, flat, face(4.5), model);
+  ASSERT_EQ(model.patchCount, 3);
+  EXPECT_NEAR(forceOf(model, face(4.5)), 1.7, 1e-6);
+  EXPECT_NEAR(forceOf(model, face(4.6)) - forceOf(model, face(4.4)), 0.2 * 0.5, 0.01) << "0.5 N/mm";
+  EXPECT_LT(forceOf(model, face(-0.6)), 1e-9) << "off the skin";
+  // Exaggerated by a model on its way, and off the skin, nothing is learned.
+  LivePress wild = pressed(5, 80);
+  wild.settled = false;
+  patches.learn(skin, flat, face(4.5), wild);
+  patches.learn(skin, flat, face(-3), pressed(-2, 0));
+  patches.show(skin, flat, face(4.5), model);
+  EXPECT_NEAR(forceOf(model, face(4.5)), 1.7, 1e-6);
+}
+
+TEST(FacePatches, BesideTheBodyNothingIsFeltAndNothingAllocated) {
+  const auto patient = test::wideCase();
+  const SkinSurface skin = *SkinSurface::make(patient->labels);
+  const ProbeFace curved{.width_mm = 60, .radius_mm = 60};
+  const FacePatches patches;
+  LocalModel model;
+  const Transform away = *patientFromProbe({0, -60, 0}, {0, 1, 0}, {1, 0, 0});
+  const long before = test::allocations();
+  patches.show(skin, curved, away, model);
+  EXPECT_EQ(test::allocations(), before);
+  EXPECT_EQ(forceOf(model, away), 0);
+  patches.show(skin, curved, face(1), model);
+  EXPECT_NEAR(model.patches[0].onProbe_mm.z, std::sqrt(60 * 60 - 27 * 27) - 60, 1e-9) << "an arc falls back";
+}
+
+TEST(RestNear, ALinearDisplacementIsTakenOverAndFadesBesideThePlane) {
+  PlaneDisplacement d{.left_mm = -20, .top_mm = -10, .step_mm = 0.5, .columns = 81, .rows = 101, .restFromSeen = {}};
+  for (int row = 0; row < d.rows; ++row)
+    for (int column = 0; column < d.columns; ++column) {
+      const float x = -20 + 0.5F * column, z = -10 + 0.5F * row;
+      d.restFromSeen.push_back({0.02F * x, -0.1F * z - 1});
+    }
+  const Transform pose = *patientFromProbe({10, -40, 5}, {0.3, 1, 0}, {1, -0.3, 0});
+  const Vec3 point = pose * Vec3{4, 0, 12};
+  const Transform map = restNear(d, pose, point);
+  for (const Vec3 by : {Vec3{0, 0, 0}, Vec3{1, 0, -2}, Vec3{-2, 1, 1}}) {
+    const Vec3 seen = Vec3{4, 0, 12} + by, rest = inverted(pose) * (map * (pose * seen));
+    EXPECT_NEAR(rest.x, 1.02 * seen.x, 1e-5);
+    EXPECT_NEAR(rest.z, 0.9 * seen.z - 1, 1e-5);
+    EXPECT_NEAR(rest.y, seen.y, 1e-5);
+  }
+  const Vec3 beside = pose * Vec3{4, 1.5 * kMovesBeside_mm, 12};
+  EXPECT_NEAR((inverted(pose) * (restNear(d, pose, beside) * beside)).z, 12 - 0.5 * 2.2, 1e-5) << "half of it";
+  EXPECT_EQ(restNear(d, pose, pose * Vec3{4, 2.5 * kMovesBeside_mm, 12}), Transform{});
+  EXPECT_EQ(restNear({}, pose, point), Transform{});
+}
+
+struct Held {
+  std::shared_ptr<const PatientCase> patient = test::wideCase();
+  ProbeHand probe = *ProbeHand::make(patient->labels, face(-0.5));
+};
+
+TEST(NeedleHand, InPlaneItPointsUnderTheMiddleOfTheProbe) {
+  Held held;
+  const NeedleHand needle = NeedleHand::beside(held.probe, 19, NeedlePlane::Along);
+  const Transform pose = needle.patientFromNeedle();
+  EXPECT_NEAR(needle.state().entry_mm.x, -24, 0.1);
+  EXPECT_NEAR(needle.state().entry_mm.z, 0, 0.1);
+  EXPECT_NEAR(pose.linear.column[2].x, std::cos(35 * kDegree), 0.02);
+  EXPECT_NEAR(pose.linear.column[2].y, std::sin(35 * kDegree), 0.02);
+  EXPECT_NEAR(pose.linear.column[1].y, std::cos(35 * kDegree), 0.02) << "the bevel, along -y, looks out of the skin";
+  EXPECT_NEAR(norm(pose.offset - needle.state().entry_mm), 5, 1e-9);
+  EXPECT_NEAR(determinant(pose.linear), 1, 1e-9);
+  EXPECT_NEAR(needle.heading_deg(), 90, 1) << "to the patient's left";
+  EXPECT_FALSE(needle.isIn());
+}
+
+TEST(NeedleHand, AcrossItComesFromTheSideOfThePlane) {
+  Held held;
+  const NeedleHand needle = NeedleHand::beside(held.probe, 19, NeedlePlane::Across);
+  const Vec3 from = needle.state().entry_mm - held.probe.pose().offset;
+  EXPECT_NEAR(std::abs(dot(from, held.probe.pose().linear.column[1])), 12, 0.1);
+  EXPECT_LT(dot(needle.state().heading, from), -11.9) << "toward the probe";
+  EXPECT_EQ(needle.state().angle_deg, 45);
+}
+
+TEST(NeedleHand, TurnsAboutItsEntryUntilTissueHoldsIt) {
+  Held held;
+  NeedleHand needle = NeedleHand::beside(held.probe, 19, NeedlePlane::Along);
+  const Vec3 entry = needle.state().entry_mm;
+  needle.advance(13);  // 8 mm in
+  EXPECT_TRUE(needle.tilt(5).done());
+  EXPECT_TRUE(needle.turn(-10).done());
+  EXPECT_NEAR(needle.heading_deg(), 80, 1);
+  const Transform pose = needle.patientFromNeedle();
+  EXPECT_NEAR(norm(pose.offset - pose.linear.column[2] * 8 - entry), 0, 1e-9);
+  EXPECT_EQ(needle.slide(held.probe.pose(), 1, 0).stopped.substr(0, 24), "The needle is in the ski");
+  needle.advance(4);
+  EXPECT_FALSE(needle.tilt(1).done());
+  EXPECT_FALSE(needle.turn(1).done());
+  EXPECT_TRUE(needle.rotateBevel(190).done());
+  EXPECT_NEAR(needle.state().bevel_deg, -170, 1e-9);
+  EXPECT_NEAR(needle.patientFromNeedle().linear.column[2].y, pose.linear.column[2].y, 1e-9) << "the bevel turns alone";
+}
+
+TEST(NeedleHand, EndsWhereItEndsAndSaysSo) {
+  Held held;
+  NeedleHand needle = NeedleHand::beside(held.probe, 19, NeedlePlane::Along);
+  EXPECT_FALSE(needle.tilt(-80).done());
+  EXPECT_EQ(needle.state().angle_deg, NeedleHand::kLeastAngle_deg);
+  EXPECT_FALSE(needle.tilt(200).done());
+  EXPECT_EQ(needle.state().angle_deg, 90);
+  EXPECT_FALSE(needle.advance(200).done());
+  EXPECT_EQ(needle.state().advance_mm, NeedleHand::kLength_mm);
+  EXPECT_FALSE(needle.advance(-200).done());
+  EXPECT_FALSE(needle.advance(NAN).done());
+  EXPECT_TRUE(needle.slide(held.probe.pose(), 10, 0).done());
+  EXPECT_NEAR(needle.state().entry_mm.x, -14, 0.2);
+  EXPECT_FALSE(needle.slide(held.probe.pose(), -200, 0).done()) << "the scan ends there";
+  EXPECT_NEAR(needle.state().entry_mm.x, -14, 0.2);
+}
+
+}  // namespace
+}  // namespace insonate

@@ -1,0 +1,234 @@
+#include "LiveProbe.h"
+#include "devices/HidBus.h"
+
+#include <insonate/haptics/SimulatedDevice.h>
+#include <insonate/simulator/HandsSession.h>
+#include <insonate/simulator/NeedleHand.h>
+
+#include <gmock/gmock.h>
+
+namespace insonate {
+namespace {
+
+using namespace std::chrono_literals;
+using test::Frame;
+using test::Live;
+
+class NoDevices final : public haptics::HidBus {
+ public:
+  std::vector<haptics::HidFound> list() override { return {}; }
+  Result<std::unique_ptr<haptics::HidHandle>> open(const haptics::HidFound&) override { return fail("nothing here"); }
+};
+
+/// A skin that faces -y at y = -0.5 mm, veins every 20 mm with their middle at y = 12.
+ImagingSetup elasticSetup() {
+  ImagingSetup setup = test::smallSetup();
+  setup.mechanics.model = "elastic";
+  setup.mechanics.settings.mesh_mm = 1;
+  return setup;
+}
+
+Transform pressedBy(double mm) {
+  return *patientFromProbe({0, mm - 0.5, 0}, {0, 1, 0}, {1, 0, 0});
+}
+
+template <class Holds>
+bool eventually(const Holds& holds, std::chrono::milliseconds patience = 5min) {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (!holds()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(5ms);
+  }
+  return true;
+}
+
+struct Bench {
+  std::shared_ptr<const PatientCase> patient = test::wideCase();
+  ProbeHand probe = *ProbeHand::make(patient->labels, pressedBy(-2));
+  Live live{pressedBy(-2), elasticSetup(), {}, patient};
+  HandsSession hands{std::make_shared<NoDevices>()};
+
+  Bench() {
+    live.frameAt(pressedBy(-2));
+    hands.setImaging(live.operator->());
+    hands.setCase(patient, &probe);
+    EXPECT_TRUE(eventually([&] { return hands.tissueReady(); }));
+  }
+  ~Bench() { hands.setImaging(nullptr); }
+
+  /// A device of the strongest kind, held by a hand that mouse and keys lead.
+  std::shared_ptr<SimulatedDevice> probeDevice() {
+    const auto device = std::make_shared<SimulatedDevice>("omega", deviceProfiles()[3], Grip{}, HandPath::Point{});
+    HandSetup setup;
+    setup.patientFromDevice.offset = pressedBy(-2).offset;
+    setup.stylusFromTool.linear = pressedBy(-2).linear;
+    hands.put(kProbeHand, device, setup);
+    return device;
+  }
+  /// Pushes the needle as mouse and keys do, at 25 mm/s.
+  void push(NeedleHand& needle, double to_mm) {
+    while (std::abs(needle.state().advance_mm - to_mm) > 1e-9) {
+      needle.advance(std::clamp(to_mm - needle.state().advance_mm, -0.4, 0.4));
+      hands.moveByMouse(kNeedleHand, needle.patientFromNeedle());
+      std::this_thread::sleep_for(16ms);
+      for (const NeedleEvent& event : hands.takeEvents()) events.push_back(event);
+    }
+    std::this_thread::sleep_for(300ms);
+    for (const NeedleEvent& event : hands.takeEvents()) events.push_back(event);
+  }
+  std::vector<NeedleEvent> events;
+};
+
+TEST(HandsSession, TheProbeFeelsWithWhatForceTheTissueOfThePicturePressesBack) {
+  Bench bench;
+  const auto device = bench.probeDevice();
+  for (const double in_mm : {3.0, 6.0, 4.0}) {
+    bench.hands.moveByMouse(kProbeHand, pressedBy(in_mm));
+    double felt_N = 0, solved_N = 1, apart_mm = 1;
+    EXPECT_TRUE(eventually([&] {
+      const ServoSnapshot now = bench.hands.snapshot();
+      const Frame frame = bench.live->latest();
+      felt_N = now.output.skinForce_N, solved_N = frame->press.force_N;
+      apart_mm = norm(now.output.hands[kProbeHand].patientFromTool.offset - frame->patientFromProbe.offset);
+      return frame->press.settled && solved_N > 0.2 && apart_mm < 0.05 && std::abs(felt_N - solved_N) < 0.05 * solved_N;
+    })) << in_mm
+        << " mm: felt " << felt_N << " N, solved " << solved_N << " N, " << apart_mm << " mm apart";
+  }
+  EXPECT_GT(bench.live->latest()->patientFromProbe.offset.y, 1) << "the device's hand leads the picture's probe";
+  // What the hand wants and where the tissue lets it go differ by the force over the grip.
+  const double wanted_mm = pressedBy(4).offset.y, is_mm = bench.live->latest()->patientFromProbe.offset.y;
+  EXPECT_LT(is_mm, wanted_mm - 0.3);
+  EXPECT_GE(device->leastEnergy_J(), 0);
+}
+
+TEST(HandsSession, UnpluggedInContactLeavesNoForceAndThePictureWhereItWas) {
+  Bench bench;
+  const auto device = bench.probeDevice();
+  bench.hands.moveByMouse(kProbeHand, pressedBy(5));
+  ASSERT_TRUE(eventually([&] { return bench.hands.snapshot().output.skinForce_N > 0.3; }));
+  device->plug(false);
+  ASSERT_TRUE(eventually([&] { return !bench.hands.snapshot().present[kProbeHand]; }));
+  EXPECT_EQ(norm(bench.hands.snapshot().output.hands[kProbeHand].force.force_N), 0);
+  EXPECT_EQ(bench.hands.snapshot().output.skinForce_N, 0);
+  EXPECT_TRUE(eventually([&] {
+    const Transform pose = bench.live->latest()->patientFromProbe;
+    std::this_thread::sleep_for(300ms);
+    return bench.live->latest()->patientFromProbe == pose && pose.offset.y > 0;
+  }));
+  bench.hands.moveByMouse(kProbeHand, pressedBy(2));
+  device->plug(true);
+  EXPECT_TRUE(eventually([&] { return bench.hands.snapshot().present[kProbeHand]; }));
+}
+
+TEST(HandsSession, TheNeedleOfMouseAndKeysPuncturesEachWallOnceThereAndBack) {
+  Bench bench;
+  NeedleHand needle = NeedleHand::beside(bench.probe, 19, NeedlePlane::Along);
+  needle.moveTo({0, -0.5, 0});
+  needle.tilt(90 - needle.state().angle_deg);
+  bench.hands.putMouse(kNeedleHand, needle.patientFromNeedle());
+  ASSERT_TRUE(eventually([&] { return bench.hands.snapshot().present[kNeedleHand]; }));
+  bench.push(needle, 12);
+  const NeedleState inside = bench.hands.snapshot().output.needle;
+  EXPECT_EQ(inside.in, kVein);
+  EXPECT_NEAR(inside.depth_mm, 12, 3) << "less what the skin was pushed ahead";
+  bench.push(needle, 24);
+  bench.push(needle, -5);
+  std::vector<std::pair<NeedleEventKind, Label>> said;
+  for (const NeedleEvent& event : bench.events) said.emplace_back(event.kind, event.wall);
+  using enum NeedleEventKind;
+  EXPECT_THAT(said, testing::ElementsAre(std::pair{Entered, kSkin}, std::pair{Entered, kVein}, std::pair{Left, kVein},
+                                         std::pair{Withdrawn, kVein}, std::pair{Withdrawn, kVein},
+                                         std::pair{Withdrawn, kSkin}));
+  EXPECT_FALSE(bench.hands.snapshot().output.needle.inBody);
+}
+
+TEST(HandsSession, ThePictureHasTheNeedleWhereItIsHeldAndTheServoTheTissueAsItIsPressed) {
+  Bench bench;
+  NeedleHand needle = NeedleHand::beside(bench.probe, 19, NeedlePlane::Along);
+  needle.moveTo({0, -0.5, 0});
+  needle.tilt(90 - needle.state().angle_deg);
+  bench.hands.putMouse(kNeedleHand, needle.patientFromNeedle());
+  bench.push(needle, 9);
+  const auto sameTip = [&] {
+    const Frame frame = bench.live->latest();
+    return frame->needle && norm(frame->needle->tip_mm - needle.patientFromNeedle().offset) < 0.05;
+  };
+  EXPECT_TRUE(eventually(sameTip));
+  EXPECT_NEAR(bench.live->latest()->needle->bevelNormal.x, -needle.patientFromNeedle().linear.column[1].x, 1e-6);
+  EXPECT_EQ(bench.live->latest()->press.restFromPatient, Transform{}) << "nothing presses";
+  const double before_mm = bench.hands.snapshot().output.needle.depth_mm;
+  bench.live->setPose(pressedBy(4));
+  Vec3 rest_mm;
+  EXPECT_TRUE(eventually([&] {
+    const Frame frame = bench.live->latest();
+    rest_mm = frame->press.restFromPatient * frame->needle->tip_mm;
+    return frame->press.settled && frame->press.force_N > 0.2 && rest_mm.y < frame->needle->tip_mm.y - 1;
+  })) << "tissue came "
+      << bench.live->latest()->needle->tip_mm.y - rest_mm.y << " mm toward the tip";
+  EXPECT_TRUE(eventually([&] { return bench.hands.snapshot().output.needle.depth_mm < before_mm - 1; }))
+      << "the skin went down along the needle";
+  bench.hands.put(kNeedleHand, nullptr, {});
+  EXPECT_TRUE(eventually([&] { return !bench.live->latest()->needle; }));
+}
+
+TEST(HandsSession, ATypedDepthIsReachedThroughTheWallsAndNotBeyondThem) {
+  Bench bench;
+  NeedleHand needle = NeedleHand::beside(bench.probe, 19, NeedlePlane::Along);
+  needle.moveTo({0, -0.5, 0});
+  needle.tilt(90 - needle.state().angle_deg);
+  bench.hands.putMouse(kNeedleHand, needle.patientFromNeedle());
+  ASSERT_TRUE(eventually([&] { return bench.hands.snapshot().present[kNeedleHand]; }));
+  needle.advance(17);  // all at once
+  bench.hands.moveByMouse(kNeedleHand, needle.patientFromNeedle());
+  EXPECT_TRUE(eventually([&] { return bench.hands.snapshot().output.needle.in == kVein; }));
+}
+
+TEST(HandsSession, ATestForceIsFeltForASecondAndThenTheHandIsTheServosAgain) {
+  /// Remembers what it was pushed with.
+  class Listener : public HapticDevice {
+   public:
+    Listener() { info_.limits = deviceProfiles()[0].limits; }
+    const DeviceInfo& info() const noexcept override { return info_; }
+    DevicePhase phase() const noexcept override { return DevicePhase::kStreaming; }
+    std::string trouble() const override { return {}; }
+    DeviceCounters counters() const noexcept override { return {}; }
+    bool take(DeviceState& state) noexcept override {
+      state = {};
+      state.time_ns = std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+      return true;
+    }
+    void push(const Force& force) noexcept override {
+      last_N = norm(force.force_N);
+      if (last_N > most_N) most_N = last_N.load();
+    }
+    std::atomic<double> last_N = 0, most_N = 0;
+
+   private:
+    DeviceInfo info_;
+  };
+  Bench bench;
+  const auto device = std::make_shared<Listener>();
+  HandSetup setup;
+  setup.patientFromDevice.offset = {0, -30, 0};
+  bench.hands.put(kProbeHand, device, setup);
+  ASSERT_TRUE(eventually([&] { return bench.hands.snapshot().present[kProbeHand]; }));
+  bench.hands.testForce(kProbeHand, {0, 5, 0});
+  EXPECT_TRUE(eventually([&] { return device->last_N > 0.9; }));
+  EXPECT_TRUE(eventually([&] { return device->last_N == 0 && bench.hands.snapshot().present[kProbeHand]; }));
+  EXPECT_NEAR(device->most_N, 1, 1e-9) << "no more than a newton";
+}
+
+TEST(HandsSession, EmptyHandsCostNothingAndItEndsInTheMiddleOfEverything) {
+  auto bench = std::make_unique<Bench>();
+  EXPECT_EQ(bench->hands.snapshot().time_ns, 0);
+  EXPECT_EQ(bench->hands.timing().ticks, 0U);
+  bench->probeDevice();
+  NeedleHand needle = NeedleHand::beside(bench->probe, 19, NeedlePlane::Across);
+  bench->hands.putMouse(kNeedleHand, needle.patientFromNeedle());
+  ASSERT_TRUE(eventually([&] { return bench->hands.timing().ticks > 20; }));
+  bench->hands.setCase(bench->patient, &bench->probe);  // tissue in the making
+  bench = nullptr;
+}
+
+}  // namespace
+}  // namespace insonate
