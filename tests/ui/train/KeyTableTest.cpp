@@ -42,7 +42,9 @@ TEST(KeyTable, ControlMakesAnotherKey) {
   EXPECT_FALSE(rowFor(pressed(Qt::Key_S, Qt::ControlModifier))) << "saves the case, in every workspace";
   EXPECT_EQ(rowFor(pressed(Qt::Key_Z, Qt::ControlModifier))->command, Command::Undo);
   EXPECT_FALSE(rowFor(pressed(Qt::Key_F, Qt::ControlModifier)));
-  EXPECT_FALSE(rowFor(pressed(Qt::Key_Left, Qt::AltModifier)));
+  EXPECT_EQ(rowFor(pressed(Qt::Key_Left, Qt::AltModifier))->command, Command::MoveNeedle) << "Alt is the needle";
+  EXPECT_EQ(rowFor(pressed(Qt::Key_S, Qt::AltModifier))->needle, NeedleAxis::Angle);
+  EXPECT_FALSE(rowFor(pressed(Qt::Key_I, Qt::AltModifier)));
 }
 
 TEST(KeyTable, NumbersRecallInOrder) {

@@ -1,5 +1,6 @@
 // The part of the workspace that lays out its columns, and what stands in the middle one.
 #include "TrainParts.h"
+#include "devices/DevicePanel.h"
 #include "image/CineBar.h"
 #include "image/CtBeside.h"
 #include "image/EqualPanes.h"
@@ -29,6 +30,16 @@ void TrainWorkspace::Parts::setLeftHanded(bool on) {
   for (int i = 0; i < columns->count(); ++i)
     columns->setStretchFactor(i, columns->widget(i) == left_ ? 0 : columns->widget(i) == patient ? 1 : 3);
   columns->setSizes(sizes);
+}
+
+void TrainWorkspace::Parts::showDevices() {
+  if (!devices) {
+    devices = new DevicePanel(session.hands(), &workspace_);
+    connect(devices, &DevicePanel::refused, &session, &TrainSession::say);
+  }
+  devices->show();
+  devices->raise();
+  devices->activateWindow();
 }
 
 void TrainWorkspace::Parts::setCompact(bool compact) {

@@ -2,6 +2,7 @@
 
 #include "hand/HeldPress.h"
 #include "hand/KeyTable.h"
+#include "hands/NeedleControls.h"
 #include "image/CineBar.h"
 #include "image/CtBeside.h"
 #include "image/EqualPanes.h"
@@ -146,6 +147,9 @@ void TrainWorkspace::Parts::buildActions() {
   // The key is in the table; it is only told here.
   besideAction_ = make(tr("CT beside the picture\tC"), tr("The same plane of the CT at the same scale"));
   leftHanded_ = make(tr("Left-handed layout"), tr("Controls on the right, patient on the left"));
+  QAction* panelAction = make(tr("Devices ..."), tr("Haptic devices and pedals: what is there, and what it holds"));
+  panelAction->setCheckable(false);
+  connect(panelAction, &QAction::triggered, this, [this] { showDevices(); });
   connect(besideAction_, &QAction::toggled, this, [this](bool on) { setCtBeside(on); });
   connect(leftHanded_, &QAction::toggled, this, [this](bool on) { setLeftHanded(on); });
 }
@@ -173,6 +177,7 @@ void TrainWorkspace::Parts::connectParts() {
   input_->setMeasured([this] { showCallipers(); });
   patient->setWindowChanged([this](views::WindowLevel window) { beside_->view().setWindowLevel(window); });
   patient->setRoomWanted([this](bool more) { giveRoom(more); });
+  connect(&panel->needle(), &NeedleControls::devicesWanted, this, [this] { showDevices(); });
   connect(cine_, &CineBar::calliperChosen, this, [this](int kind) { chooseCalliper(kind); });
   connect(cine_, &CineBar::clearCallipers, this, [this] { clearCallipers(); });
   connect(cine_, &CineBar::ctBesideChosen, this, [this](bool on) { setCtBeside(on); });
@@ -316,6 +321,10 @@ void TrainWorkspace::Parts::act(const KeyRow& row, bool wide, bool repeated) {
       return patient->setAllSlices(!patient->showsAllSlices());
     case Command::SliceWindow:
       return patient->setSliceWindow(row.place);
+    case Command::TakeNeedle:
+      return repeated ? void() : session.toggleNeedle();
+    case Command::MoveNeedle:
+      return session.moveNeedle(row.needle, wide ? row.wide : row.step);
   }
 }
 

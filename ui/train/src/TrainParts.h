@@ -27,6 +27,7 @@ struct KeyRow;
 class CineBar;
 class ControlsPanel;
 class CtBeside;
+class DevicePanel;
 class EqualPanes;
 class FovHandles;
 class HeldPress;
@@ -54,10 +55,13 @@ class TrainWorkspace::Parts : public QObject {
   PatientViews* patient = nullptr;
   TissueShown* tissue = nullptr;
   QString engineText;
-  QString exportFolder;  ///< where pictures went last
+  QString exportFolder;            ///< where pictures went last
+  DevicePanel* devices = nullptr;  ///< once it was asked for
   bool ready = false;
 
   bool isLeftHanded() const { return leftHanded_->isChecked(); }
+  /// Haptic devices, beside the window.
+  void showDevices();
   /// Controls on the right, patient on the left.
   void setLeftHanded(bool on);
   /// Shorter words, where the window is narrow.

@@ -52,6 +52,7 @@ ImagingSettings fitted(ImagingSettings settings, const Probe& probe) {
 }
 
 TrainSession::TrainSession(QObject* parent) : QObject(parent), feed_([this] { news(); }) {
+  connectHands();
   QThreadPool::globalInstance()->start([] { prepareTextures(); });
   // Both come with the program.
   probe_ = loadProbe("linear").value_or(Probe{});
@@ -73,6 +74,7 @@ TrainSession::~TrainSession() {
 
 void TrainSession::stop() {
   worker_ = nullptr;
+  hands_.setImaging(nullptr);
   feed_.set(nullptr);
 }
 
@@ -80,6 +82,7 @@ void TrainSession::setCase(std::shared_ptr<const PatientCase> patient) {
   stop();
   patient_ = std::move(patient);
   control_.setHand(std::nullopt);
+  hands_.setCase(nullptr, nullptr);
   history_.clear();
   start_ = {};
   unplaced_.reset();
@@ -103,6 +106,7 @@ void TrainSession::startWorker() {
   };
   work.hand = [this](ProbeHand hand) {
     control_.setHand(std::move(hand));
+    giveHands();
     Q_EMIT handMoved();
   };
   work.unplaced = [this](ProbeHand hand, const QString& why) {
@@ -161,6 +165,7 @@ void TrainSession::startLive() {
     return;
   }
   feed_.set(std::move(*live));
+  hands_.setImaging(feed_.live());
   tellTissue();
 }
 
@@ -190,7 +195,9 @@ void TrainSession::show(std::shared_ptr<const LiveFrame> frame) {
   shown_ = std::move(frame);
   if (first) say(tr("Drag on the image to slide the probe, press with + and -. Keys: ?"));
   Q_EMIT pictureShown();
-  if (first) wantSurfaces();
+  if (!first) return;
+  wantSurfaces();
+  giveHands();
 }
 
 bool TrainSession::setProbe(const std::string& name) {
@@ -240,67 +247,8 @@ void TrainSession::sendSetup() {
   rememberSetup();
   if (feed_.live())
     if (auto ok = feed_.live()->setSetup(setup()); !ok) say(QString::fromStdString(ok.error().message));
+  giveProbe();
   Q_EMIT setupChanged();
-}
-
-ProbeHandState TrainSession::handState() const {
-  return control_.hand() ? control_.hand()->state() : ProbeHandState{};
-}
-
-Transform TrainSession::pose() const {
-  return control_.hand() ? control_.hand()->pose() : Transform{};
-}
-
-bool TrainSession::mayMove() {
-  if (!frozen_) return true;
-  say(tr("The picture is frozen. Space makes it live again."));
-  return false;
-}
-
-void TrainSession::moved(HandMove result) {
-  if (!result.done()) say(QString::fromUtf8(result.stopped.data(), int(result.stopped.size())));
-  if (!control_.ready()) return;
-  if (feed_.live()) feed_.live()->setPose(pose());
-  Q_EMIT handMoved();
-}
-
-void TrainSession::move(HandAxis axis, double amount) {
-  if (mayMove()) moved(control_.move(axis, amount));
-}
-
-void TrainSession::slide(double lateral_mm, double elevation_mm) {
-  if (mayMove()) moved(control_.slide(lateral_mm, elevation_mm));
-}
-
-void TrainSession::typed(HandAxis axis, double value) {
-  control_.begin();
-  if (mayMove()) moved(control_.set(axis, value));
-  if (frozen_) Q_EMIT handMoved();  // The number goes back to what it was.
-}
-
-void TrainSession::moveTo(Vec3 patient_mm) {
-  if (mayMove()) moved(control_.moveTo(patient_mm));
-}
-
-void TrainSession::placed(Vec3 patient_mm) {
-  constexpr double kOnSkin_mm = 0.5;
-  control_.begin();
-  if (mayMove()) {
-    moved(control_.moveTo(patient_mm));
-    const double off_mm = norm(numbers().skin_mm - patient_mm);
-    if (control_.ready() && off_mm > kOnSkin_mm)
-      say(tr("That place is not on the skin; the probe is at the nearest skin, %1 mm away.").arg(off_mm, 0, 'f', 1));
-  }
-  Q_EMIT handMoved();  // Numbers that could not be reached go back.
-}
-
-void TrainSession::goTo(const StartPose& pose) {
-  control_.begin();
-  if (mayMove()) moved(control_.setPose(pose));
-}
-
-void TrainSession::home() {
-  if (patient_ && control_.ready()) goTo(start_);
 }
 
 void TrainSession::undo() {

@@ -2,6 +2,7 @@
 
 #include "hand/History.h"
 #include "hand/ProbeControl.h"
+#include "hands/HandsControl.h"
 #include "tissue/TissueChoice.h"
 
 #include <insonate/simulator/LiveImaging.h>
@@ -65,7 +66,15 @@ class TrainSession : public QObject {
   /// While nobody looks, the vessels do not move: a probe held still then costs nothing.
   void setWatched(bool watched);
 
-  // The hand. Moves are refused while the picture is frozen.
+  /// Needle, devices and pedal.
+  HandsControl& hands() { return hands_; }
+  void takeNeedle(NeedlePlane plane);
+  /// Takes up the needle as it was held last, or lays it down.
+  void toggleNeedle();
+  void moveNeedle(NeedleAxis axis, double mmOrDegrees);
+  void typedNeedle(NeedleAxis axis, double value);
+
+  // The probe in the hand. Moves are refused while the picture is frozen, and while a device holds the probe.
   bool handReady() const { return control_.ready(); }
   HandNumbers numbers() const { return control_.numbers(); }
   ProbeHandState handState() const;
@@ -144,6 +153,10 @@ class TrainSession : public QObject {
   void tellTissue();
   void moved(HandMove result);
   bool mayMove();
+  bool isLive();
+  void connectHands();
+  void giveHands();
+  void giveProbe();
   ImagingSetup setup() const;
   void rememberMove(const ProbeHandState& before);
   void rememberSetup();
@@ -175,6 +188,7 @@ class TrainSession : public QObject {
   QString message_, hint_;
   QTimer said_;
   std::string failure_;  ///< of the live probe, as last said
+  HandsControl hands_;
   ui::LiveFeed feed_;
   bool surfacesWanted_ = false, surfacesThere_ = false;
   std::unique_ptr<ui::CaseWorker> worker_;

@@ -45,6 +45,7 @@ void TrainSession::setMeshWanted(bool wanted) {
 }
 
 void TrainSession::setWatched(bool watched) {
+  hands_.setWatched(watched);
   if (std::exchange(watched_, watched) != watched) tellTissue();
 }
 

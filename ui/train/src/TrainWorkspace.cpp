@@ -1,4 +1,5 @@
 #include "TrainParts.h"
+#include "devices/DevicePanel.h"
 #include "hand/KeyTable.h"
 #include "panel/ControlsPanel.h"
 #include "scene/PatientViews.h"
@@ -28,6 +29,7 @@ TrainWorkspace::~TrainWorkspace() {
   parts_->session.stop();
   parts_->letGoOfCanvases();
   // The widgets refer to the session: they go first.
+  delete parts_->devices;
   delete parts_->columns;
 }
 

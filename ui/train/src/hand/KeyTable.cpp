@@ -24,6 +24,11 @@ constexpr KeyRow window(int place, const char* keys, const char* meaning) {
   return {Qt::Key_1 + place, false, Command::SliceWindow, {}, 0, 0, place, keys, meaning, true};
 }
 
+constexpr KeyRow needle(int key, NeedleAxis axis, double step, double wide, const char* keys, const char* meaning,
+                        bool alt = true) {
+  return {key, false, Command::MoveNeedle, {}, step, wide, 0, keys, meaning, alt, axis};
+}
+
 constexpr KeyRow kKeys[] = {
     move(Qt::Key_Left, Lateral, -1, -5, "Arrows", "slide the probe 1 mm (Shift 5 mm)"),
     move(Qt::Key_Right, Lateral, 1, 5, "", ""),
@@ -39,6 +44,22 @@ constexpr KeyRow kKeys[] = {
     move(Qt::Key_Plus, Press, 0.5, 0.5, "+, -", "press 0.5 mm more, or less; held: smoothly on"),
     move(Qt::Key_Equal, Press, 0.5, 0.5, "", ""),
     move(Qt::Key_Minus, Press, -0.5, -0.5, "", ""),
+    plain(Qt::Key_I, Command::TakeNeedle, "I", "take up the needle beside the probe, or lay it down"),
+    needle(Qt::Key_PageDown, NeedleAxis::Advance, 1, 5, "Page Down, Page Up",
+           "advance the needle 1 mm, or withdraw it (Shift 5 mm)", false),
+    needle(Qt::Key_PageUp, NeedleAxis::Advance, -1, -5, "", "", false),
+    // Alt with the probe's keys is the needle.
+    needle(Qt::Key_Left, NeedleAxis::Lateral, -1, -5, "Alt+arrows", "slide the needle's entry 1 mm (Shift 5 mm)"),
+    needle(Qt::Key_Right, NeedleAxis::Lateral, 1, 5, "", ""),
+    needle(Qt::Key_Up, NeedleAxis::Elevation, -1, -5, "", ""),
+    needle(Qt::Key_Down, NeedleAxis::Elevation, 1, 5, "", ""),
+    needle(Qt::Key_Q, NeedleAxis::Heading, -2, -10, "Alt+Q, Alt+E",
+           "turn the needle over the skin 2 degrees (Shift 10)"),
+    needle(Qt::Key_E, NeedleAxis::Heading, 2, 10, "", ""),
+    needle(Qt::Key_W, NeedleAxis::Angle, 1, 5, "Alt+W, Alt+S", "the needle steeper or flatter, 1 degree (Shift 5)"),
+    needle(Qt::Key_S, NeedleAxis::Angle, -1, -5, "", ""),
+    needle(Qt::Key_A, NeedleAxis::Bevel, -10, -90, "Alt+A, Alt+D", "rotate the needle's bevel 10 degrees (Shift 90)"),
+    needle(Qt::Key_D, NeedleAxis::Bevel, 10, 90, "", ""),
     plain(Qt::Key_Space, Command::Freeze, "Space, F", "freeze the picture, and live again"),
     plain(Qt::Key_F, Command::Freeze, "", ""),
     plain(Qt::Key_Comma, Command::EarlierPicture, "Comma, Period", "one picture back or on, while frozen"),
@@ -82,7 +103,8 @@ constexpr MouseRow kMouse[] = {
     {"Left drag on the image", "slide the probe"},
     {"Right drag on the image", "rotate; with Shift tilt and rock"},
     {"Wheel on the image", "press; with Ctrl change the depth"},
-    {"Left drag on the skin (3D)", "put the probe there"},
+    {"Left drag on the skin (3D)", "put the probe there; with Ctrl the needle's entry"},
+    {"Shift + wheel on the image or 3D", "advance the needle, or withdraw it"},
     {"G, Ctrl + arrows", "next handle of the field of view, and move it (Edit probe; Shift: 5)"},
     {"Pointing at image or CT", "marks the same place in the other"},
     {"Wheel on the CT slice", "other slices; probe plane and with Ctrl: zoom"},

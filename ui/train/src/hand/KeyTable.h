@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../hands/HandsControl.h"
 #include "ProbeControl.h"
 
 #include <QString>
@@ -31,6 +32,8 @@ enum class Command {
   ShowTissue,
   AllSlices,
   SliceWindow,
+  TakeNeedle,
+  MoveNeedle,
 };
 
 /// One row of the only table of keys: it decides what a key does, and lists it for the user.
@@ -43,7 +46,8 @@ struct KeyRow {
   int place = 0;              ///< of a recall, a window preset or TissueShown::toggle(), from 0
   const char* keys;           ///< as the user knows it; empty on rows that share the line above
   const char* meaning;
-  bool alt = false;  ///< with the alt key
+  bool alt = false;     ///< with the alt key
+  NeedleAxis needle{};  ///< of a move of the needle
 };
 
 std::span<const KeyRow> keyTable();
@@ -58,7 +62,7 @@ struct MouseRow {
 };
 std::span<const MouseRow> mouseTable();
 
-inline constexpr double kWheelPress_mm = 0.5, kWheelDepth_mm = 5;
+inline constexpr double kWheelPress_mm = 0.5, kWheelDepth_mm = 5, kWheelNeedle_mm = 1;
 inline constexpr double kDrag_degPerPx = 0.25;
 
 }  // namespace insonate::train

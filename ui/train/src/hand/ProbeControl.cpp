@@ -97,6 +97,10 @@ HandMove ProbeControl::setPose(const StartPose& pose) {
   return done([&](ProbeHand& hand) { return hand.setPose(*transform); });
 }
 
+void ProbeControl::follow(const Transform& patientFromProbe) {
+  if (hand_) hand_->setPose(patientFromProbe);
+}
+
 void ProbeControl::restore(const ProbeHandState& state) {
   if (hand_) hand_->restore(state);
   gestureOpen_ = false;

@@ -99,6 +99,10 @@ bool ImageInput::wheel(const QWheelEvent& event) {
   const QPoint turned = event.angleDelta();
   const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / kNotch;
   if (notches == 0) return true;
+  if (event.modifiers() & Qt::ShiftModifier) {
+    session_.moveNeedle(NeedleAxis::Advance, -notches * kWheelNeedle_mm);
+    return true;
+  }
   if (event.modifiers() & Qt::ControlModifier) {
     // Away from the user comes nearer, as in maps.
     ImagingSettings settings = session_.settings();

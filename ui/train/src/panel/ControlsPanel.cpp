@@ -1,6 +1,7 @@
 #include "ControlsPanel.h"
 
 #include "../TrainSession.h"
+#include "../hands/NeedleControls.h"
 #include "../probe/ProbeChooser.h"
 #include "../tissue/TissueControls.h"
 #include "EffectWords.h"
@@ -84,6 +85,8 @@ ControlsPanel::ControlsPanel(TrainSession& session, ProbeLibrary& library, QWidg
   box->setContentsMargins(12, 8, 12, 8);
   box->setSpacing(12);
   box->addWidget(buildPlace());
+  needle_ = new NeedleControls(session_);
+  box->addWidget(needle_);
   box->addWidget(buildPicture());
   box->addWidget(new TissueControls(session_));
   box->addStretch();
@@ -242,6 +245,9 @@ void ControlsPanel::save(QSettings& settings) const {
   saveTissue(session_.tissue(), settings);
   settings.endGroup();
   positions_->save(settings);
+  settings.beginGroup("hands");
+  session_.hands().save(settings);
+  settings.endGroup();
 }
 
 void ControlsPanel::restore(QSettings& settings) {
@@ -261,6 +267,9 @@ void ControlsPanel::restore(QSettings& settings) {
   session_.setTissue(restoredTissue(settings));
   settings.endGroup();
   positions_->restore(settings);
+  settings.beginGroup("hands");
+  session_.hands().restore(settings);
+  settings.endGroup();
 }
 
 }  // namespace insonate::train

@@ -18,6 +18,7 @@ class ValueSlider;
 
 namespace insonate::train {
 
+class NeedleControls;
 class Positions;
 class ProbeChooser;
 class ProbeLibrary;
@@ -32,6 +33,7 @@ class ControlsPanel : public ScrollingColumn {
 
   Positions& positions() { return *positions_; }
   ProbeChooser& probes() { return *probe_; }
+  NeedleControls& needle() { return *needle_; }
   void save(QSettings& settings) const;
   void restore(QSettings& settings);
 
@@ -53,6 +55,7 @@ class ControlsPanel : public ScrollingColumn {
   ProbeLibrary& library_;
   Positions* positions_ = nullptr;
   ProbeNumbers* numbers_ = nullptr;
+  NeedleControls* needle_ = nullptr;
   ProbeChooser* probe_ = nullptr;
   std::vector<Slider> sliders_;
   TgcSliders* tgc_ = nullptr;

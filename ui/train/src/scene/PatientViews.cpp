@@ -82,6 +82,7 @@ PatientViews::PatientViews(TrainSession& session, QWidget* parent)
           [this](int label, const std::shared_ptr<const Mesh>& mesh) { showSurface(label, *mesh); });
   connect(&session_, &TrainSession::pictureShown, this, [this] { want(); });
   connect(&session_, &TrainSession::handMoved, this, [this] { want(); });
+  connect(&session_.hands(), &HandsControl::needleChanged, this, [this] { want(); });
 }
 
 PatientViews::~PatientViews() = default;
@@ -312,6 +313,16 @@ void PatientViews::want() {
   timer_.start(std::max(0, gap_ms - since_ms));
 }
 
+void PatientViews::showNeedle() {
+  const auto& held = session_.hands().needle();
+  const auto pose = held ? std::optional(held->patientFromNeedle) : std::nullopt;
+  if (pose == needle_) return;
+  needle_ = pose;
+  scene_->setNeedle(pose ? std::optional(views::SceneView::Needle{.patientFromNeedle = *pose}) : std::nullopt);
+  scene_->setMoving(true);
+  rest_.start();
+}
+
 void PatientViews::follow() {
   sinceFollowed_.start();
   const auto& frame = session_.shown();
@@ -337,6 +348,7 @@ void PatientViews::follow() {
   }
   pose_ = pose;
   scene_->setProbePose(pose);
+  showNeedle();
   mpr_->setProbePose(pose);
   // Slices follow the probe when it moves; in between, they are the user's.
   sliceToProbe();

@@ -74,6 +74,7 @@ class PatientViews : public QWidget {
   Transform poseNow() const;
   void want();
   void follow();
+  void showNeedle();
 
   TrainSession& session_;
   std::shared_ptr<views::SceneView> scene_;
@@ -96,6 +97,7 @@ class PatientViews : public QWidget {
   bool sliceShown_ = false;                    ///< the slice has the case
   bool following_ = true;
   Transform pose_;
+  std::optional<Transform> needle_;    ///< as drawn
   std::optional<Transform> slicedAt_;  ///< where the probe was when the slice was put there
   QTimer timer_, rest_;
   QElapsedTimer sinceFollowed_;

@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QMouseEvent>
+#include <QWheelEvent>
 
 namespace insonate::train {
 
@@ -22,6 +23,8 @@ bool SceneInput::eventFilter(QObject* watched, QEvent* event) {
       return moved(*static_cast<QMouseEvent*>(event));
     case QEvent::MouseButtonRelease:
       return released(*static_cast<QMouseEvent*>(event));
+    case QEvent::Wheel:
+      return wheel(*static_cast<QWheelEvent*>(event));
     default:
       return false;
   }
@@ -47,6 +50,10 @@ bool SceneInput::pressed(const QMouseEvent& event) {
     session_.placeOnSkin();
     session_.moveTo(picked->position_mm);
   }
+  if (picked && left && event.modifiers().testFlag(Qt::ControlModifier)) {
+    drag_ = Drag::Needle;
+    return true;
+  }
   if (picked && session_.handReady()) {
     drag_ = left ? Drag::Slide : Drag::Rotate;
     session_.beginGesture();
@@ -70,9 +77,19 @@ bool SceneInput::moved(const QMouseEvent& event) {
   last_ = event.localPos();
   if (drag_ == Drag::Rotate) {
     session_.move(HandAxis::Rotation, by.x() * kDrag_degPerPx);
+  } else if (drag_ == Drag::Needle) {
+    if (const auto picked = view_.pick(pointer(event).at)) session_.hands().needleTo(picked->position_mm);
   } else if (const auto picked = view_.pick(pointer(event).at)) {
     session_.moveTo(picked->position_mm);
   }
+  return true;
+}
+
+bool SceneInput::wheel(const QWheelEvent& event) {
+  if (!event.modifiers().testFlag(Qt::ShiftModifier)) return false;
+  constexpr double kNotch = 120;  // in eighths of a degree, as Qt counts
+  const QPoint turned = event.angleDelta();
+  session_.moveNeedle(NeedleAxis::Advance, -(turned.y() != 0 ? turned.y() : turned.x()) / kNotch * kWheelNeedle_mm);
   return true;
 }
 

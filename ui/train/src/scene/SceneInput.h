@@ -7,12 +7,14 @@
 #include <QWidget>
 
 class QMouseEvent;
+class QWheelEvent;
 
 namespace insonate::train {
 
 class TrainSession;
 
-/// Mouse in 3D: on the skin it has the probe, beside the body and with the middle button the camera.
+/// Mouse in 3D: on the skin it has the probe, with Ctrl the needle's entry, beside the body and with the middle button
+/// the camera.
 class SceneInput : public QObject {
  public:
   SceneInput(TrainSession& session, views::SceneView& view, QWidget& canvas, QObject* parent);
@@ -21,10 +23,11 @@ class SceneInput : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  enum class Drag { None, Slide, Rotate, Camera };
+  enum class Drag { None, Slide, Rotate, Needle, Camera };
   bool pressed(const QMouseEvent& event);
   bool moved(const QMouseEvent& event);
   bool released(const QMouseEvent& event);
+  bool wheel(const QWheelEvent& event);
   views::Pointer pointer(const QMouseEvent& event) const;
 
   TrainSession& session_;

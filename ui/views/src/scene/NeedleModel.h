@@ -7,7 +7,7 @@
 
 namespace insonate::views {
 
-/// A straight shaft, ending in its tip.
+/// A hollow shaft with its bevel, and the hub.
 class NeedleModel {
  public:
   explicit NeedleModel(vtkRenderer& renderer);
@@ -16,8 +16,11 @@ class NeedleModel {
   void set(const std::optional<SceneView::Needle>& needle);
 
  private:
+  void shape(double length_mm, double diameter_mm);
+
   vtkRenderer& renderer_;
-  vtkNew<vtkActor> shaft_;
+  vtkNew<vtkActor> shaft_, bevel_, hub_;
+  double length_mm_ = 0, diameter_mm_ = 0;  ///< of the shapes as they are
 };
 
 }  // namespace insonate::views

@@ -21,7 +21,7 @@ namespace insonate {
 /// destructor, which may wait for a tick and for a step of the tissue's preparation, a tenth of a second.
 class HandsSession {
  public:
-  /// Devices of `bus`; the built-in `measured` needle. Looks for devices once devices().start() is called.
+  /// Devices of `bus`; the built-in `measured` needle. Looks for devices from the first call of devices() on.
   explicit HandsSession(std::shared_ptr<haptics::HidBus> bus);
   /// Lets go of all devices after a last zero force.
   ~HandsSession();

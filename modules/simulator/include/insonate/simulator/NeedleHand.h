@@ -32,7 +32,7 @@ class NeedleHand {
   static constexpr double kTurnsUntil_mm = 10;
 
   /// Ready beside a probe: in its plane at the end of its face that is away from the marker, or across it in front;
-  /// aimed under its middle, at 35 or 45 degrees. `halfWidth_mm` of the face.
+  /// aimed 17 mm under its middle, or at 45 degrees. `halfWidth_mm` of the face.
   static NeedleHand beside(const ProbeHand& probe, double halfWidth_mm, NeedlePlane plane);
 
   /// The entry over the skin, along the probe's own directions; not while the tip is in.

@@ -67,11 +67,12 @@ class SceneView final : public View {
   /// The live picture of the current probe; copied. It shows within the field of view only.
   void setImage(const BModeImage& image);
 
-  /// A straight needle from hub to tip; none for none.
+  /// A straight steel needle with its hub, at true size; none for none. Its frame has its origin at the tip, z along
+  /// the shaft the way it goes in; the bevel looks along -y.
   struct Needle {
-    Vec3 hub_mm, tip_mm;
-    double diameter_mm = 1.2;
-    Colour colour = theme::kText;
+    Transform patientFromNeedle;
+    double length_mm = 70, diameter_mm = 1.27;  ///< of the shaft; 18 G
+    Colour colour = theme::kText;               ///< of the shaft
   };
   void setNeedle(std::optional<Needle> needle);
 

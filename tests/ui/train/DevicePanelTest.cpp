@@ -1,0 +1,215 @@
+#include "NeedleWindow.h"
+#include "devices/DeviceList.h"
+#include "devices/DevicePanel.h"
+#include "devices/HandPlots.h"
+#include "devices/HandSection.h"
+
+#include <insonate/haptics/SimulatedDevice.h>
+
+#include <QAction>
+#include <QLabel>
+#include <QMenu>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <atomic>
+#include <chrono>
+
+namespace insonate::train {
+namespace {
+
+class TrainDevices : public NeedleWindow {
+ protected:
+  DevicePanel& panel() {
+    if (!workspace_->findChild<DevicePanel*>()) child<QPushButton>("showDevices")->click();
+    return *workspace_->findChild<DevicePanel*>();
+  }
+  template <class T>
+  T& in(const char* section, const char* name) {
+    T* found = panel().findChild<HandSection*>(section)->findChild<T*>(name);
+    EXPECT_TRUE(found) << name;
+    return *found;
+  }
+  void addSimulated(int profile) {
+    panel().findChild<QPushButton*>("addSimulated")->menu()->actions().at(profile)->trigger();
+  }
+  void choose(QComboBox& combo, const QString& data) {
+    combo.setCurrentIndex(combo.findData(data));
+    ASSERT_GE(combo.currentIndex(), 0) << data.toStdString();
+    Q_EMIT combo.activated(combo.currentIndex());
+  }
+  SimulatedDevice& simulated(const char* id) {
+    return dynamic_cast<SimulatedDevice&>(*hands().deviceOf(QLatin1String(id)));
+  }
+  ServoSnapshot now() { return hands().session().snapshot(); }
+};
+
+TEST_F(TrainDevices, SimulatedDevicesAreListedAndHoldProbeAndNeedle) {
+  openWide();
+  auto* table = panel().findChild<QTableWidget*>("deviceTable");
+  const int before = table->rowCount();
+  addSimulated(0);
+  addSimulated(3);
+  EXPECT_TRUE(waitFor([&] { return table->rowCount() == before + 2; }));
+  choose(in<QComboBox>("probeHand", "device"), "simulated:omega#2");
+  choose(in<QComboBox>("needleHand", "device"), "simulated:Touch#1");
+  EXPECT_TRUE(waitFor([&] { return now().present[kProbeHand]; }));
+  EXPECT_FALSE(hands().hasNeedle()) << "until it is taken up";
+  EXPECT_TRUE(in<QLabel>("needleHand", "state").text().contains("no needle") ||
+              waitFor([&] { return !in<QLabel>("needleHand", "state").text().isEmpty(); }));
+  // Mouse and keys lead the hand; the picture follows the device.
+  session_->typed(HandAxis::Press, 4);
+  EXPECT_TRUE(waitFor([&] { return session_->shown()->press.force_N > 0.2 && now().output.skinForce_N > 0.2; }));
+  EXPECT_TRUE(waitFor([&] { return in<QLabel>("probeHand", "force").text().contains(" N"); }));
+  EXPECT_LT(session_->pose().offset.y, 4) << "the skin pushes the hand back";
+  auto* plots = panel().findChild<HandPlots*>("handPlots");
+  EXPECT_TRUE(waitFor([&] { return plots->points() > 5; }));
+  EXPECT_TRUE(waitFor([&] { return in<QLabel>("probeHand", "state").text().contains("in use"); }));
+}
+
+TEST_F(TrainDevices, UnpluggedInContactItIsSaidAndNothingPushes) {
+  openWide();
+  panel();
+  addSimulated(0);
+  choose(in<QComboBox>("needleHand", "device"), "simulated:Touch#1");
+  overTheVein();
+  type("needle_depth", "6");
+  ASSERT_TRUE(waitFor([&] { return norm(now().output.hands[kNeedleHand].force.force_N) > 0.2; }));
+  simulated("simulated:Touch#1").plug(false);
+  ASSERT_TRUE(waitFor([&] { return !now().present[kNeedleHand]; }));
+  EXPECT_EQ(norm(now().output.hands[kNeedleHand].force.force_N), 0);
+  EXPECT_TRUE(waitFor([&] { return in<QLabel>("needleHand", "state").text().contains("unplugged"); }))
+      << in<QLabel>("needleHand", "state").text().toStdString();
+  EXPECT_TRUE(waitFor([&] { return !in<QLabel>("needleHand", "force").isVisible(); }));
+  simulated("simulated:Touch#1").plug(true);
+  EXPECT_TRUE(waitFor([&] { return in<QLabel>("needleHand", "state").text().contains("in use"); }));
+}
+
+TEST_F(TrainDevices, WhatIsSetForADeviceIsKept) {
+  openWide();
+  panel();
+  addSimulated(1);
+  choose(in<QComboBox>("needleHand", "device"), "simulated:Desktop#1");
+  in<ui::ValueSlider>("needleHand", "gain").setValue(50);
+  in<ui::ValueSlider>("needleHand", "mostForce").setValue(1.5);
+  auto& stand = in<QComboBox>("needleHand", "stand");
+  stand.setCurrentIndex(2);
+  Q_EMIT stand.activated(2);
+  auto& up = in<QLineEdit>("needleHand", "apart1");
+  up.setFocus();
+  up.selectAll();
+  QTest::keyClicks(&up, "80");
+  QTest::keyClick(&up, Qt::Key_Return);
+  key(Qt::Key_I);
+  const HandSetup used = hands().session().setupOf(kNeedleHand);
+  EXPECT_EQ(used.gain, 0.5);
+  EXPECT_EQ(used.mostForce_N, 1.5);
+  EXPECT_EQ(used.apart_mm, (Vec3{0, 80, 0}));
+  QSettings settings;
+  workspace_->saveLayout(settings);
+  TrainWorkspace other;
+  other.restoreLayout(settings);
+  const HandsControl& restored = other.findChild<TrainSession*>()->hands();
+  EXPECT_EQ(restored.assigned(kNeedleHand), "simulated:Desktop#1");
+  EXPECT_EQ(restored.assigned(kProbeHand), QString());
+  const HandMapping mapping = restored.mapping("simulated:Desktop#1");
+  EXPECT_EQ(mapping.gain, 0.5);
+  EXPECT_EQ(mapping.mostForce_N, 1.5);
+  EXPECT_EQ(mapping.stand, Stand::Left);
+  EXPECT_EQ(mapping.apart_mm, (Vec3{0, 80, 0}));
+}
+
+TEST_F(TrainDevices, ATestForceTakesTheDeviceForASecond) {
+  openWide();
+  panel();
+  addSimulated(0);
+  choose(in<QComboBox>("probeHand", "device"), "simulated:Touch#1");
+  ASSERT_TRUE(waitFor([&] { return now().present[kProbeHand]; }));
+  in<QPushButton>("probeHand", "testForce").click();
+  EXPECT_TRUE(waitFor([&] { return !now().present[kProbeHand]; }));
+  EXPECT_TRUE(waitFor([&] { return now().present[kProbeHand]; }));
+}
+
+TEST_F(TrainDevices, BeginHerePutsTheToolAtItsStart) {
+  openWide();
+  panel();
+  addSimulated(1);
+  choose(in<QComboBox>("probeHand", "device"), "simulated:Desktop#1");
+  ASSERT_TRUE(waitFor([&] { return now().present[kProbeHand]; }));
+  simulated("simulated:Desktop#1").want({0, {30, 10, 0}, {}});
+  ASSERT_TRUE(waitFor([&] { return norm(now().states[kProbeHand].deviceFromStylus.offset - Vec3{30, 10, 0}) < 1; }));
+  ASSERT_TRUE(waitFor([&] { return norm(session_->pose().offset) > 20; }));
+  in<QPushButton>("probeHand", "beginHere").click();
+  EXPECT_TRUE(waitFor([&] { return norm(session_->pose().offset) < 1.5; })) << norm(session_->pose().offset);
+}
+
+/// A pedal that the test steps on.
+class Pedal : public HapticDevice {
+ public:
+  Pedal() { info_.id = "test:pedal", info_.name = "Test pedal", info_.kind = DeviceKind::kPedal; }
+  const DeviceInfo& info() const noexcept override { return info_; }
+  DevicePhase phase() const noexcept override { return DevicePhase::kStreaming; }
+  std::string trouble() const override { return {}; }
+  DeviceCounters counters() const noexcept override { return {}; }
+  bool take(DeviceState& state) noexcept override {
+    state.buttons = down, state.time_ns = 1;
+    return true;
+  }
+  void push(const Force&) noexcept override {}
+  std::atomic<std::uint32_t> down = 0;
+
+ private:
+  DeviceInfo info_;
+};
+
+TEST_F(TrainDevices, APedalFreezesAndMakesLiveAgain) {
+  openWide();
+  const auto pedal = std::make_shared<Pedal>();
+  hands().session().devices().add(pedal);
+  panel();
+  QComboBox& combo = *panel().findChild<QComboBox*>("pedal");
+  ASSERT_TRUE(waitFor([&] { return combo.findData("test:pedal") >= 0; }));
+  choose(combo, "test:pedal");
+  QTest::qWait(100);
+  EXPECT_FALSE(session_->isFrozen());
+  for (const bool frozen : {true, false}) {
+    pedal->down = 1;
+    EXPECT_TRUE(waitFor([&] { return session_->isFrozen() == frozen; }));
+    QTest::qWait(100);
+    EXPECT_EQ(session_->isFrozen(), frozen) << "once a step";
+    pedal->down = 0;
+    QTest::qWait(100);
+  }
+}
+
+TEST_F(TrainDevices, RecordingsAreWrittenAndWhatCannotBeIsSaid) {
+  openWide();
+  QTemporaryDir folder;
+  DeviceList& list = panel().list();
+  auto* events = panel().findChild<QListWidget*>("deviceEvents");
+  const std::filesystem::path file = folder.filePath("reports.txt").toStdString();
+  EXPECT_TRUE(list.record(file));
+  EXPECT_TRUE(list.record({}));
+  EXPECT_TRUE(std::filesystem::exists(file));
+  EXPECT_FALSE(list.record(folder.filePath("not/there/reports.txt").toStdString()));
+  EXPECT_FALSE(events->item(0)->icon().isNull());
+  list.replay(file);
+  EXPECT_FALSE(events->item(0)->icon().isNull()) << "a recording of no device";
+}
+
+TEST_F(TrainDevices, ClosesWhileBothHandsAreFull) {
+  openWide();
+  panel();
+  addSimulated(0);
+  addSimulated(1);
+  choose(in<QComboBox>("probeHand", "device"), "simulated:Desktop#2");
+  choose(in<QComboBox>("needleHand", "device"), "simulated:Touch#1");
+  overTheVein();
+  type("needle_depth", "20");
+  session_->typed(HandAxis::Press, 5);
+  QTest::qWait(300);
+  workspace_ = nullptr;
+  QTest::qWait(50);
+}
+
+}  // namespace
+}  // namespace insonate::train

@@ -1,0 +1,207 @@
+#include "DeviceList.h"
+
+#include "HandSection.h"
+
+#include <insonate/haptics/ReportRecording.h>
+#include <insonate/haptics/SimulatedDevice.h>
+#include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/Theme.h>
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTableWidget>
+#include <QTime>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace insonate::train {
+namespace {
+
+constexpr int kMostEvents = 200;
+
+QString text(const std::string& words) {
+  return QString::fromStdString(words);
+}
+
+QString limitsOf(const DeviceLimits& limits) {
+  if (limits.sensedAxes == 0) return DeviceList::tr("buttons");
+  const QString axes = DeviceList::tr("%1 axes").arg(limits.sensedAxes);
+  if (limits.forceAxes == 0) return axes;
+  return limits.maxStiffness_Npmm > 0
+             ? DeviceList::tr("%1, %2 N, %3 N/mm").arg(axes).arg(limits.maxForce_N).arg(limits.maxStiffness_Npmm)
+             : DeviceList::tr("%1, %2 N").arg(axes).arg(limits.maxForce_N);
+}
+
+}  // namespace
+
+DeviceList::DeviceList(HandsControl& hands, QWidget* parent) : QWidget(parent), hands_(hands) {
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kSmallGap);
+  auto* heading = new QLabel(tr("Devices"));
+  ui::setRole(heading, "heading");
+  box->addWidget(heading);
+  table_ = new QTableWidget(0, 4, this);
+  table_->setObjectName("deviceTable");
+  table_->setAccessibleName(tr("Devices"));
+  table_->setHorizontalHeaderLabels({tr("device"), tr("state"), tr("can"), tr("states/s")});
+  table_->setToolTip(tr("What is plugged in is found within a second; its limits as its maker gives them"));
+  table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setStretchLastSection(true);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setTabKeyNavigation(false);
+  table_->setMinimumHeight(110);
+  box->addWidget(table_, 2);
+  box->addWidget(buildButtons());
+  events_ = new QListWidget(this);
+  events_->setObjectName("deviceEvents");
+  events_->setAccessibleName(tr("What has happened to devices"));
+  events_->setWordWrap(true);
+  events_->setMinimumHeight(60);
+  box->addWidget(events_, 1);
+  connect(&hands_, &HandsControl::deviceEvent, this,
+          [this](const DeviceEvent& event) { tell(text(event.text), event.trouble); });
+}
+
+QWidget* DeviceList::buildButtons() {
+  auto* all = new QWidget;
+  auto* row = new QHBoxLayout(all);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(ui::kGap);
+  auto* pedalName = new QLabel(tr("pedal"));
+  ui::setRole(pedalName, "quiet");
+  pedal_ = new QComboBox;
+  pedal_->setObjectName("pedal");
+  pedal_->setAccessibleName(tr("Pedal"));
+  pedal_->setToolTip(tr("Its first button freezes the picture, and makes it live again"));
+  pedal_->setFocusPolicy(Qt::TabFocus);
+  new ui::QuietWheel(pedal_);
+  connect(pedal_, qOverload<int>(&QComboBox::activated), this,
+          [this] { hands_.assignPedal(pedal_->currentData().toString()); });
+  auto* simulated = new QPushButton(tr("Add simulated"));
+  simulated->setObjectName("addSimulated");
+  simulated->setToolTip(
+      tr("A device that is not there, in a hand that mouse and keys lead: it feels forces, and gives way to them"));
+  auto* menu = new QMenu(simulated);
+  for (std::size_t n = 0; n < deviceProfiles().size(); ++n) {
+    const std::string_view name = deviceProfiles()[n].name;
+    connect(menu->addAction(QString::fromUtf8(name.data(), int(name.size()))), &QAction::triggered, this,
+            [this, n] { addSimulated(int(n)); });
+  }
+  simulated->setMenu(menu);
+  auto* replayed = new QPushButton(tr("Replay ..."));
+  replayed->setObjectName("replayReports");
+  replayed->setToolTip(tr("Recorded reports as a device, over and over"));
+  connect(replayed, &QPushButton::clicked, this, [this] {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Recorded reports"));
+    if (!file.isEmpty()) replay(file.toStdString());
+  });
+  record_ = new QPushButton(tr("Record ..."));
+  record_->setObjectName("recordReports");
+  record_->setCheckable(true);
+  record_->setToolTip(
+      tr("Raw reports of all devices that are plugged in, to a file: for a replay, or for whoever is to "
+         "find out what is wrong"));
+  connect(record_, &QPushButton::clicked, this, [this](bool on) {
+    const QString file = on ? QFileDialog::getSaveFileName(this, tr("Record reports"), "reports.txt") : QString();
+    record_->setChecked(record(file.toStdString()) && !file.isEmpty());
+  });
+  for (QPushButton* one : {simulated, replayed, record_}) {
+    one->setFocusPolicy(Qt::TabFocus);
+    one->setAutoDefault(false);  // Enter is the number's that is typed
+  }
+  row->addWidget(pedalName);
+  row->addWidget(pedal_, 1);
+  row->addWidget(simulated);
+  row->addWidget(replayed);
+  row->addWidget(record_);
+  return all;
+}
+
+void DeviceList::addSimulated(int profile) {
+  const std::string id = "simulated:" + std::string(deviceProfiles()[profile].name) + "#" + std::to_string(++made_);
+  hands_.session().devices().add(
+      std::make_shared<SimulatedDevice>(id, deviceProfiles()[profile], Grip{}, HandPath::Point{}));
+  hands_.lookAtDevices();
+  Q_EMIT hands_.handsChanged();
+}
+
+void DeviceList::replay(const std::filesystem::path& file) {
+  const auto reports = readRecording(file);
+  auto device = reports ? replayRecording(*reports, {}, true)
+                        : Result<std::shared_ptr<HapticDevice>>(tl::unexpected(reports.error()));
+  if (!device) return tell(text(device.error().message), true);
+  hands_.session().devices().add(std::move(*device));
+  hands_.lookAtDevices();
+  Q_EMIT hands_.handsChanged();
+}
+
+bool DeviceList::record(const std::filesystem::path& file) {
+  ReportRecorder& recorder = hands_.session().devices().recorder();
+  if (file.empty() && !recorder.isRunning()) return true;
+  const auto done = file.empty() ? recorder.stop() : recorder.start(file);
+  if (!done)
+    tell(text(done.error().message), true);
+  else
+    tell(file.empty() ? tr("The recording is written.") : tr("Recording to %1.").arg(text(file.string())), false);
+  return done.has_value();
+}
+
+void DeviceList::tell(const QString& sentence, bool trouble) {
+  auto* item = new QListWidgetItem(QTime::currentTime().toString("HH:mm:ss  ") + sentence);
+  if (trouble) item->setIcon(ui::icon("warning", views::theme::kCaution));
+  events_->insertItem(0, item);
+  while (events_->count() > kMostEvents) delete events_->takeItem(events_->count() - 1);
+}
+
+void DeviceList::refreshPedals() {
+  QStringList ids{QString()};
+  for (const auto& device : hands_.session().devices().devices())
+    if (device->info().kind == DeviceKind::kPedal) ids << text(device->info().id);
+  if (!ids.contains(hands_.assignedPedal())) ids << hands_.assignedPedal();
+  QStringList shown;
+  for (int n = 0; n < pedal_->count(); ++n) shown << pedal_->itemData(n).toString();
+  const QSignalBlocker quiet(pedal_);
+  if (shown != ids) {
+    pedal_->clear();
+    for (const QString& id : ids) {
+      const auto device = hands_.deviceOf(id);
+      pedal_->addItem(id.isEmpty() ? tr("none")
+                      : device     ? text(device->info().name)
+                                   : tr("%1 (not there)").arg(id),
+                      id);
+    }
+  }
+  pedal_->setCurrentIndex(std::max(0, pedal_->findData(hands_.assignedPedal())));
+}
+
+void DeviceList::refresh(const QHash<QString, double>& rates_Hz) {
+  const auto devices = hands_.session().devices().devices();
+  table_->setRowCount(int(devices.size()));
+  for (int row = 0; row < int(devices.size()); ++row) {
+    const HapticDevice& device = *devices[row];
+    const QString trouble = text(device.trouble());
+    const QString cells[] = {text(device.info().name), wordsOf(device.phase()), limitsOf(device.info().limits),
+                             QString::number(rates_Hz.value(text(device.info().id)), 'f', 0)};
+    for (int column = 0; column < 4; ++column) {
+      QTableWidgetItem* item = table_->item(row, column);
+      if (!item) table_->setItem(row, column, item = new QTableWidgetItem);
+      if (item->text() != cells[column]) item->setText(cells[column]);
+      item->setToolTip(trouble.isEmpty() ? text(device.info().id) : trouble);
+      const bool faulty = column == 1 && !trouble.isEmpty();
+      item->setIcon(faulty ? ui::icon("warning", views::theme::kCaution) : QIcon());
+    }
+  }
+  refreshPedals();
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "../hands/HandsControl.h"
+
+#include <QHash>
+#include <QWidget>
+#include <filesystem>
+
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QPushButton;
+class QTableWidget;
+
+namespace insonate::train {
+
+/// What is plugged in or made up, what each is doing, the pedal, and what has happened.
+class DeviceList final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DeviceList(HandsControl& hands, QWidget* parent = nullptr);
+
+  void refresh(const QHash<QString, double>& rates_Hz);
+  /// Of devices on the bus, until it is called with an empty path. False where the file cannot be written.
+  bool record(const std::filesystem::path& file);
+  /// A recording as a device; says what is wrong with it.
+  void replay(const std::filesystem::path& file);
+
+ private:
+  QWidget* buildButtons();
+  void addSimulated(int profile);
+  void tell(const QString& sentence, bool trouble);
+  void refreshPedals();
+
+  HandsControl& hands_;
+  QTableWidget* table_ = nullptr;
+  QComboBox* pedal_ = nullptr;
+  QListWidget* events_ = nullptr;
+  QPushButton* record_ = nullptr;
+  int made_ = 0;  ///< simulated and replayed so far, for their names
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "../hands/HandsControl.h"
+
+#include <QDialog>
+#include <QElapsedTimer>
+#include <QHash>
+#include <QTimer>
+#include <array>
+
+class QLabel;
+
+namespace insonate::train {
+
+class DeviceList;
+class HandPlots;
+class HandSection;
+
+/// Haptic devices: what is there, which hand holds what, what it feels, and whether the servo keeps its pace. Beside
+/// the window, so that hands and picture are seen together. Nothing runs for it while it is closed.
+class DevicePanel final : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit DevicePanel(HandsControl& hands, QWidget* parent = nullptr);
+
+  DeviceList& list() { return *list_; }
+
+ Q_SIGNALS:
+  void refused(const QString& sentence);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void look();
+  void count();
+
+  HandsControl& hands_;
+  DeviceList* list_ = nullptr;
+  std::array<HandSection*, 2> sections_{};
+  HandPlots* plots_ = nullptr;
+  QLabel *pace_ = nullptr, *rights_ = nullptr;
+  QTimer timer_;
+  QElapsedTimer sinceCount_;
+  QHash<QString, quint64> counted_;  ///< states so far, by device
+  QHash<QString, double> rates_Hz_;
+  int known_ = -1;  ///< devices in the hands' lists
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,226 @@
+#include "HandSection.h"
+
+#include "../panel/NumberField.h"
+
+#include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/ValueSlider.h>
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+namespace insonate::train {
+namespace {
+
+constexpr double kTest_N = 0.8;
+
+const char* const kStands[] = {"the patient's head", "the patient's right", "the patient's left", "the patient's feet"};
+
+QPushButton* button(const char* object, const QString& text, const QString& says) {
+  auto* made = new QPushButton(text);
+  made->setObjectName(QLatin1String(object));
+  made->setToolTip(says);
+  made->setFocusPolicy(Qt::TabFocus);
+  made->setAutoDefault(false);  // Enter is the number's
+  return made;
+}
+
+QComboBox* combo(const char* object, const QString& says) {
+  auto* made = new QComboBox;
+  made->setObjectName(QLatin1String(object));
+  made->setToolTip(says);
+  made->setFocusPolicy(Qt::TabFocus);
+  new ui::QuietWheel(made);
+  return made;
+}
+
+}  // namespace
+
+QString wordsOf(DevicePhase phase) {
+  switch (phase) {
+    case DevicePhase::kAbsent:
+      return HandSection::tr("not there");
+    case DevicePhase::kOpening:
+      return HandSection::tr("being opened");
+    case DevicePhase::kReady:
+      return HandSection::tr("ready");
+    case DevicePhase::kStreaming:
+      return HandSection::tr("in use");
+    case DevicePhase::kLost:
+      return HandSection::tr("lost");
+    case DevicePhase::kFailed:
+      return HandSection::tr("cannot be used");
+  }
+  return {};
+}
+
+HandSection::HandSection(HandsControl& hands, Hand hand, QWidget* parent) : QFrame(parent), hands_(hands), hand_(hand) {
+  const bool probe = hand == kProbeHand;
+  setObjectName(probe ? "probeHand" : "needleHand");
+  ui::setRole(this, "panel");
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(12, 8, 12, 8);
+  box->setSpacing(4);
+  auto* heading = new QLabel(probe ? tr("Hand with the probe") : tr("Hand with the needle"));
+  ui::setRole(heading, "heading");
+  box->addWidget(heading);
+  device_ = combo("device", tr("What this hand holds"));
+  box->addWidget(labelled(tr("device"), device_));
+  state_ = new QLabel;
+  state_->setObjectName("state");
+  state_->setWordWrap(true);
+  box->addWidget(state_);
+  mapping_ = new QWidget;
+  auto* inner = new QVBoxLayout(mapping_);
+  inner->setContentsMargins(0, 0, 0, 0);
+  inner->setSpacing(4);
+  stand_ = combo("stand", tr("Where you sit with the device, the patient lying on the back"));
+  for (const char* one : kStands) stand_->addItem(tr(one));
+  inner->addWidget(labelled(tr("seen from"), stand_));
+  inner->addWidget(labelled(tr("offset"), buildOffsets()));
+  gain_ = new ui::ValueSlider(tr("forces"), tr("%"), {0, 100, 100, 5, 0}, tr("share of the force that the hand gets"));
+  gain_->setObjectName("gain");
+  most_ = new ui::ValueSlider(tr("at most"), tr("N"), {0, 12, HandMapping{}.mostForce_N, 0.5, 1},
+                              tr("no force beyond this, whatever the tissue says; the device's own limit holds, too"));
+  most_->setObjectName("mostForce");
+  inner->addWidget(gain_);
+  inner->addWidget(most_);
+  inner->addWidget(buildButtons());
+  box->addWidget(mapping_);
+  pose_ = new QLabel;
+  pose_->setObjectName("pose");
+  pose_->setToolTip(tr("The stylus in the device's frame, in mm: to the right, up, toward you"));
+  force_ = new QLabel;
+  force_->setObjectName("force");
+  force_->setToolTip(tr("Force that is sent to the hand, in N"));
+  box->addWidget(pose_);
+  box->addWidget(force_);
+  box->addStretch();
+  connect(device_, qOverload<int>(&QComboBox::activated), this,
+          [this] { hands_.assign(hand_, device_->currentData().toString()); });
+  connect(stand_, qOverload<int>(&QComboBox::activated), this,
+          [this](int stand) { change([&](HandMapping& to) { to.stand = Stand(stand); }); });
+  connect(gain_, &ui::ValueSlider::valueChanged, this,
+          [this](double percent) { change([&](HandMapping& to) { to.gain = percent / 100; }); });
+  connect(most_, &ui::ValueSlider::valueChanged, this,
+          [this](double newtons) { change([&](HandMapping& to) { to.mostForce_N = newtons; }); });
+  connect(&hands_, &HandsControl::handsChanged, this, [this] { refresh(); });
+  refresh();
+}
+
+QWidget* HandSection::labelled(const QString& name, QWidget* widget) {
+  auto* row = new QWidget;
+  auto* box = new QHBoxLayout(row);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kGap);
+  auto* label = new QLabel(name);
+  ui::setRole(label, "quiet");
+  label->setMinimumWidth(fontMetrics().horizontalAdvance(tr("seen from")) + 4);
+  widget->setAccessibleName(name);
+  box->addWidget(label);
+  box->addWidget(widget, 1);
+  return row;
+}
+
+QWidget* HandSection::buildOffsets() {
+  const QString says[] = {tr("to your right"), tr("up"), tr("toward you")};
+  const QString names[] = {tr("right"), tr("up"), tr("near")};
+  auto* all = new QWidget;
+  auto* box = new QHBoxLayout(all);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(4);
+  for (int axis = 0; axis < 3; ++axis) {
+    auto* field = new NumberField(names[axis], tr(" mm"), {-300, 300, 5, 0}, all);
+    field->setObjectName(QStringLiteral("apart") + QString::number(axis));
+    field->setAccessibleName(tr("Offset of the tool %1, in mm").arg(says[axis]));
+    field->setToolTip(
+        tr("From the device to its tool, %1, in mm: so that two devices on a desk do not collide").arg(says[axis]));
+    field->setTyped([this, axis](double value) { change([&](HandMapping& to) { to.apart_mm[axis] = value; }); });
+    field->setRefused([this](const QString& sentence) { Q_EMIT refused(sentence); });
+    apart_[axis] = field;
+    box->addWidget(field, 1);
+  }
+  return all;
+}
+
+QWidget* HandSection::buildButtons() {
+  auto* row = new QWidget;
+  auto* box = new QHBoxLayout(row);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(4);
+  begin_ =
+      button("beginHere", tr("Begin here"),
+             tr("As the stylus is held now, the tool is at its start: the probe where it is, the needle beside it"));
+  calibrate_ =
+      button("calibrate", tr("Home"), tr("The device is in its home posture now: its encoders count from here"));
+  test_ = button("testForce", tr("Test force"), tr("Pushes the stylus up with 0.8 N for a second. Hold it loosely"));
+  for (QPushButton* one : {begin_, calibrate_, test_}) box->addWidget(one, 1);
+  connect(begin_, &QPushButton::clicked, this, [this] { hands_.beginHere(hand_); });
+  connect(calibrate_, &QPushButton::clicked, this, [this] {
+    if (const auto device = hands_.deviceOf(hands_.assigned(hand_))) device->calibrate();
+  });
+  connect(test_, &QPushButton::clicked, this, [this] { hands_.session().testForce(hand_, {0, kTest_N, 0}); });
+  return row;
+}
+
+void HandSection::change(const std::function<void(HandMapping&)>& edit) {
+  const QString device = hands_.assigned(hand_);
+  if (refreshing_ || device.isEmpty()) return;
+  HandMapping mapping = hands_.mapping(device);
+  edit(mapping);
+  hands_.setMapping(device, mapping);
+}
+
+void HandSection::refresh() {
+  refreshing_ = true;
+  const QString assigned = hands_.assigned(hand_);
+  {
+    const QSignalBlocker quiet(device_);
+    device_->clear();
+    device_->addItem(tr("mouse and keyboard"), QString());
+    for (const auto& device : hands_.session().devices().devices())
+      if (device->info().kind != DeviceKind::kPedal)
+        device_->addItem(QString::fromStdString(device->info().name), QString::fromStdString(device->info().id));
+    if (device_->findData(assigned) < 0) device_->addItem(tr("%1 (not there)").arg(assigned), assigned);
+    device_->setCurrentIndex(device_->findData(assigned));
+  }
+  const auto device = hands_.deviceOf(assigned);
+  const bool pushes = device && device->info().limits.forceAxes > 0;
+  mapping_->setVisible(!assigned.isEmpty());
+  for (QWidget* one : {static_cast<QWidget*>(gain_), static_cast<QWidget*>(most_), static_cast<QWidget*>(test_)})
+    one->setEnabled(pushes);
+  const HandMapping mapping = hands_.mapping(assigned);
+  stand_->setCurrentIndex(int(mapping.stand));
+  for (int axis = 0; axis < 3; ++axis) apart_[axis]->show(mapping.apart_mm[axis]);
+  gain_->setValue(mapping.gain * 100);
+  most_->setValue(mapping.mostForce_N);
+  refreshing_ = false;
+}
+
+void HandSection::show(const ServoSnapshot& now, double rate_Hz) {
+  const auto device = hands_.session().held(hand_);
+  if (const auto known = hands_.deviceOf(hands_.assigned(hand_)); known && !known->trouble().empty())
+    state_->setText(QString::fromStdString(known->trouble()));
+  else if (device)
+    state_->setText(tr("%1, %2 states a second").arg(wordsOf(device->phase())).arg(rate_Hz, 0, 'f', 0));
+  else if (!hands_.assigned(hand_).isEmpty())
+    state_->setText(known ? wordsOf(known->phase()) : tr("waits until it is plugged in"));
+  else
+    state_->setText(hand_ == kProbeHand ? tr("the probe follows the mouse") : tr("no needle is taken up"));
+  const bool there = device && now.present[hand_];
+  pose_->setVisible(there);
+  force_->setVisible(there);
+  if (!there) return;
+  const Vec3 p = now.states[hand_].deviceFromStylus.offset;
+  pose_->setText(tr("%1   %2   %3 mm").arg(p.x, 7, 'f', 1).arg(p.y, 7, 'f', 1).arg(p.z, 7, 'f', 1));
+  const HandOutput& out = now.output.hands[hand_];
+  const bool pushes = device->info().limits.forceAxes > 0;
+  force_->setText(pushes ? (out.limited ? tr("%1 N, held back") : tr("%1 N")).arg(norm(out.force.force_N), 0, 'f', 2)
+                         : tr("%1 N, which this device cannot show").arg(norm(out.wanted_N), 0, 'f', 2));
+}
+
+}  // namespace insonate::train

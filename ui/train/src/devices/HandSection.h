@@ -1,0 +1,55 @@
+#pragma once
+
+#include "../hands/HandsControl.h"
+
+#include <QFrame>
+#include <array>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace insonate::ui {
+class ValueSlider;
+}
+
+namespace insonate::train {
+
+class NumberField;
+
+/// One hand in the device panel: which device, how it becomes the tool, what it may push, and where it is.
+class HandSection final : public QFrame {
+  Q_OBJECT
+
+ public:
+  HandSection(HandsControl& hands, Hand hand, QWidget* parent = nullptr);
+
+  /// Devices as they are now.
+  void refresh();
+  /// Where the hand is and what it feels, a few times a second; `rate_Hz` of its device.
+  void show(const ServoSnapshot& now, double rate_Hz);
+
+ Q_SIGNALS:
+  void refused(const QString& sentence);
+
+ private:
+  QWidget* labelled(const QString& name, QWidget* widget);
+  QWidget* buildOffsets();
+  QWidget* buildButtons();
+  void change(const std::function<void(HandMapping&)>& edit);
+
+  HandsControl& hands_;
+  const Hand hand_;
+  QComboBox *device_ = nullptr, *stand_ = nullptr;
+  QLabel *state_ = nullptr, *pose_ = nullptr, *force_ = nullptr;
+  QWidget* mapping_ = nullptr;
+  std::array<NumberField*, 3> apart_{};
+  ui::ValueSlider *gain_ = nullptr, *most_ = nullptr;
+  QPushButton *begin_ = nullptr, *calibrate_ = nullptr, *test_ = nullptr;
+  bool refreshing_ = false;
+};
+
+/// What a device is doing, a few words.
+QString wordsOf(DevicePhase phase);
+
+}  // namespace insonate::train

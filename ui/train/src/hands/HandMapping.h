@@ -1,0 +1,31 @@
+#pragma once
+
+#include <insonate/haptics/HapticServo.h>
+
+#include <QString>
+
+class QSettings;
+
+namespace insonate::train {
+
+/// From which side of the patient, who lies on the back, a device is used.
+enum class Stand { Head, Right, Left, Feet };
+
+/// How a user wants a device to become a tool; kept for each device. Motion and force are one to one: only then do
+/// they tell the truth about how hard tissue is.
+struct HandMapping {
+  Stand stand = Stand::Head;
+  Transform begin;  ///< deviceFromStylus where the tool is to be at its start
+  Vec3 apart_mm;    ///< device frame: from the device to its tool
+  double gain = 1;  ///< 0..1, of forces
+  double mostForce_N = 3;
+};
+
+/// Such that the stylus held as `begin` holds the tool at `patientFromStart`. Limits come with the device.
+HandSetup setupOf(const HandMapping& mapping, const Transform& patientFromStart);
+
+/// In the group of the device; what is missing or out of range is the usual.
+void save(const HandMapping& mapping, QSettings& settings);
+HandMapping restoredMapping(const QSettings& settings);
+
+}  // namespace insonate::train

@@ -1,0 +1,328 @@
+#include "HandsControl.h"
+
+#include "NeedleWords.h"
+
+#include <insonate/haptics/SimulatedDevice.h>
+#include <insonate/haptics/VendorKit.h>
+
+#include <QSettings>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace insonate::train {
+namespace {
+
+constexpr int kTick_ms = 16, kSlow_ms = 500;
+/// Of what pushes a needle that is outside: the other tool.
+constexpr double kTouch_N = 0.3;
+constexpr double kStart_mm = 5;  // off the skin
+
+bool sameNeedle(const NeedleShown& a, const NeedleShown& b) {
+  const NeedleState &s = a.state, &t = b.state;
+  return a.patientFromNeedle == b.patientFromNeedle && s.inBody == t.inBody && s.in == t.in && s.onBone == t.onBone &&
+         s.tenting == t.tenting && std::abs(s.axial_N - t.axial_N) < 0.01 && std::abs(s.tent_mm - t.tent_mm) < 0.01 &&
+         std::abs(s.depth_mm - t.depth_mm) < 0.01;
+}
+
+}  // namespace
+
+HandsControl::HandsControl(QObject* parent) : QObject(parent), session_(std::make_unique<HandsSession>(allDevices())) {
+  timer_.setInterval(kTick_ms);
+  timer_.setTimerType(Qt::PreciseTimer);
+  connect(&timer_, &QTimer::timeout, this, [this] { look(); });
+  slow_.setInterval(kSlow_ms);
+  connect(&slow_, &QTimer::timeout, this, [this] { lookAtDevices(); });
+}
+
+HandsControl::~HandsControl() = default;
+
+void HandsControl::setCase(std::shared_ptr<const PatientCase> patient, const ProbeHand* hand) {
+  layNeedleDown();
+  if (patient) session_->devices();  // begins to look for them
+  patient_ = std::move(patient);
+  probe_ = hand ? std::optional(*hand) : std::nullopt;
+  session_->setCase(patient_, hand);
+  apply();
+}
+
+void HandsControl::setWatched(bool watched) {
+  if (std::exchange(watched_, watched) != watched) apply();
+}
+
+void HandsControl::probeMoved(const ProbeHand& hand, double halfWidth_mm) {
+  probe_ = hand;
+  halfWidth_mm_ = halfWidth_mm;
+  session_->moveByMouse(kProbeHand, hand.pose());
+}
+
+bool HandsControl::drivesProbe() const {
+  return put_[kProbeHand] && !session_->isMouse(kProbeHand);
+}
+
+bool HandsControl::probeFollowsMouse() const {
+  return !drivesProbe() || session_->followsMouse(kProbeHand);
+}
+
+std::shared_ptr<HapticDevice> HandsControl::deviceOf(const QString& id) {
+  for (const auto& device : session_->devices().devices())
+    if (device->info().id == id.toStdString()) return device;
+  return nullptr;
+}
+
+Transform HandsControl::startOf(Hand hand) const {
+  if (hand == kProbeHand) return probe_->pose();
+  if (wish_) return wish_->patientFromNeedle();
+  return NeedleHand::beside(*probe_, halfWidth_mm_, plane_).patientFromNeedle();
+}
+
+/// What belongs into a hand now, where something else is there.
+void HandsControl::put(Hand hand) {
+  const bool ready = patient_ && probe_;
+  std::shared_ptr<HapticDevice> device = inMouse(hand) ? nullptr : deviceOf(wanted_[hand]);
+  const bool simulated = dynamic_cast<SimulatedDevice*>(device.get()) != nullptr;
+  // A real needle is there as soon as its device is; that of mouse and keys is taken up. Nobody feels a force without
+  // looking.
+  const bool taken = hand == kProbeHand ? device || needle_ || wish_ : wish_ || (device && !simulated);
+  if (!ready || !taken || (device && !simulated && !watched_)) {
+    if (!session_->held(hand)) return;
+    put_[hand] = nullptr;
+    session_->put(hand, nullptr, {});
+    Q_EMIT handsChanged();
+    return;
+  }
+  if (!inMouse(hand) && !device) return;  // it may come back
+  if (session_->held(hand) && (device ? put_[hand] == device : session_->isMouse(hand))) return;
+  const Transform start = startOf(hand);
+  if (device) {
+    HandMapping mapping = mappings_.value(wanted_[hand]);
+    DeviceState state;
+    if (simulated && device->take(state)) mapping.begin = state.deviceFromStylus;
+    session_->put(hand, device, setupOf(mapping, start));
+    session_->moveByMouse(hand, start);
+  } else {
+    session_->putMouse(hand, start);
+  }
+  put_[hand] = session_->held(hand);
+  Q_EMIT handsChanged();
+}
+
+void HandsControl::apply() {
+  put(kNeedleHand);
+  put(kProbeHand);
+  if (auto pedal = pedal_.isEmpty() ? nullptr : deviceOf(pedal_); pedal != pedalDevice_)
+    session_->setPedal(pedalDevice_ = pedal);
+  const bool active = session_->held(kProbeHand) || session_->held(kNeedleHand) || pedalDevice_;
+  if (active && !timer_.isActive()) clock_.start(), timer_.start();
+  if (!active) timer_.stop();
+  const bool waits = !wanted_[0].isEmpty() || !wanted_[1].isEmpty() || !pedal_.isEmpty();
+  if (waits != slow_.isActive()) waits ? slow_.start() : slow_.stop();
+  if (!session_->held(kNeedleHand) && std::exchange(needle_, std::nullopt)) Q_EMIT needleChanged();
+}
+
+void HandsControl::lookAtDevices() {
+  apply();
+  for (const DeviceEvent& event : session_->devices().takeEvents()) {
+    const QString id = QString::fromStdString(event.device);
+    if (event.trouble && (id == wanted_[0] || id == wanted_[1] || id == pedal_))
+      Q_EMIT said(QString::fromStdString(event.text));
+    Q_EMIT deviceEvent(event);
+  }
+}
+
+void HandsControl::look() {
+  const double step_s = std::min(0.1, double(clock_.restart()) / 1000);
+  const ServoSnapshot now = session_->snapshot();
+  if (wish_) goIn(now, step_s);
+  follow(now);
+  for (const NeedleEvent& event : session_->takeEvents()) Q_EMIT said(sentenceOf(event));
+  for (std::uint32_t down = session_->takePresses(), button = 0; down; down >>= 1, ++button)
+    if (down & 1) Q_EMIT pedalPressed(int(button));
+}
+
+void HandsControl::follow(const ServoSnapshot& now) {
+  if (drivesProbe() && now.present[kProbeHand]) {
+    const Transform& held = now.output.hands[kProbeHand].patientFromTool;
+    if (std::exchange(driven_, held) != held) Q_EMIT probeDriven();
+  }
+  std::optional<NeedleShown> shown;
+  if (now.present[kNeedleHand])
+    shown = NeedleShown{now.output.hands[kNeedleHand].patientFromShown, now.output.needle};
+  else if (wish_)
+    shown = NeedleShown{wish_->patientFromNeedle(), {}};
+  if (shown && needle_ && sameNeedle(*shown, *needle_)) return;
+  if (!shown && !needle_) return;
+  const bool came = shown.has_value() != needle_.has_value();
+  needle_ = shown;
+  Q_EMIT needleChanged();
+  if (came) apply();  // the probe is there for the needle to touch
+}
+
+/// Mouse and keys push on until something stops the needle: bone, or the probe.
+void HandsControl::goIn(const ServoSnapshot& now, double step_s) {
+  const double left_mm = advance_mm_ - wish_->state().advance_mm;
+  if (left_mm == 0) return;
+  const HandOutput& out = now.output.hands[kNeedleHand];
+  const NeedleState& state = now.output.needle;
+  const bool probe = !state.inBody && !state.tenting && norm(out.wanted_N) > kTouch_N;
+  if (left_mm > 0 && now.present[kNeedleHand] && (state.onBone || probe)) {
+    advance_mm_ = wish_->state().advance_mm;
+    if (probe) Q_EMIT said(tr("The needle meets the probe: move one of them aside."));
+    return;
+  }
+  const double most_mm = kAdvance_mmPerS * step_s;
+  wish_->advance(std::clamp(left_mm, -most_mm, most_mm));
+  if (std::abs(left_mm) <= most_mm) advance_mm_ = wish_->state().advance_mm;
+  wishMoved();
+}
+
+void HandsControl::wishMoved() {
+  session_->moveByMouse(kNeedleHand, wish_->patientFromNeedle());
+}
+
+void HandsControl::takeNeedle(NeedlePlane plane) {
+  if (!patient_ || !probe_) return Q_EMIT said(tr("There is no patient for the needle yet."));
+  plane_ = plane;
+  if (!inMouse(kNeedleHand) && !dynamic_cast<SimulatedDevice*>(deviceOf(wanted_[kNeedleHand]).get()))
+    return Q_EMIT said(tr("The needle is in the hand of a device."));
+  if (wish_) layNeedleDown();
+  wish_ = NeedleHand::beside(*probe_, halfWidth_mm_, plane);
+  advance_mm_ = -kStart_mm;
+  apply();
+  follow(session_->snapshot());
+  Q_EMIT said(session_->tissueReady()
+                  ? tr("The needle is beside the probe. Page Down advances it, Page Up withdraws; Alt with the probe's "
+                       "keys aims it.")
+                  : tr("The needle is there; it feels the patient in a moment."));
+}
+
+void HandsControl::layNeedleDown() {
+  if (!std::exchange(wish_, std::nullopt)) return;
+  apply();
+  Q_EMIT needleChanged();
+}
+
+void HandsControl::tell(HandMove move) {
+  if (!move.done()) Q_EMIT said(QString::fromUtf8(move.stopped.data(), int(move.stopped.size())));
+  wishMoved();
+  Q_EMIT needleChanged();
+}
+
+void HandsControl::moveNeedle(NeedleAxis axis, double amount) {
+  if (!wish_)
+    return Q_EMIT said(needle_ ? tr("The needle is in the hand of a device.") : tr("Take up the needle first (I)."));
+  switch (axis) {
+    case NeedleAxis::Lateral:
+      return tell(wish_->slide(probe_->pose(), amount, 0));
+    case NeedleAxis::Elevation:
+      return tell(wish_->slide(probe_->pose(), 0, amount));
+    case NeedleAxis::Heading:
+      return tell(wish_->turn(amount));
+    case NeedleAxis::Angle:
+      return tell(wish_->tilt(amount));
+    case NeedleAxis::Bevel:
+      return tell(wish_->rotateBevel(amount));
+    case NeedleAxis::Advance: {
+      const double wanted_mm = advance_mm_ + amount;
+      advance_mm_ = std::clamp(wanted_mm, -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm);
+      if (wanted_mm != advance_mm_)
+        Q_EMIT said(amount > 0 ? tr("The needle is in up to its hub, 70 mm.") : tr("The needle is off the skin."));
+      return Q_EMIT needleChanged();
+    }
+  }
+}
+
+void HandsControl::setNeedle(NeedleAxis axis, double value) {
+  if (!wish_) return moveNeedle(axis, 0);
+  const NeedleHandState& now = wish_->state();
+  switch (axis) {
+    case NeedleAxis::Heading:
+      return moveNeedle(axis, std::remainder(value - wish_->heading_deg(), 360));
+    case NeedleAxis::Angle:
+      return moveNeedle(axis, value - now.angle_deg);
+    case NeedleAxis::Bevel:
+      return moveNeedle(axis, value - now.bevel_deg);
+    default:
+      return moveNeedle(NeedleAxis::Advance, value - advance_mm_);
+  }
+}
+
+void HandsControl::needleTo(Vec3 patient_mm) {
+  if (wish_) tell(wish_->moveTo(patient_mm));
+}
+
+void HandsControl::assign(Hand hand, const QString& device) {
+  if (wanted_[hand] == device) return;
+  if (hand == kNeedleHand) layNeedleDown();
+  wanted_[hand] = device;
+  // One device is in one hand.
+  const Hand other = hand == kProbeHand ? kNeedleHand : kProbeHand;
+  if (!device.isEmpty() && wanted_[other] == device) assign(other, {});
+  put_[hand] = nullptr;
+  if (session_->held(hand)) session_->put(hand, nullptr, {});
+  apply();
+  Q_EMIT handsChanged();
+}
+
+void HandsControl::assignPedal(const QString& device) {
+  pedal_ = device;
+  apply();
+  Q_EMIT handsChanged();
+}
+
+void HandsControl::setMapping(const QString& device, const HandMapping& mapping) {
+  const bool otherSide = mappings_.value(device).stand != mapping.stand;
+  mappings_[device] = mapping;
+  for (const Hand hand : {kProbeHand, kNeedleHand})
+    if (wanted_[hand] == device && !device.isEmpty() && session_->held(hand) == put_[hand] && put_[hand]) {
+      // Forces at once; the tool goes on from where it is, or, seen from another side, from where it began.
+      HandSetup now = otherSide ? setupOf(mapping, startOf(hand)) : session_->setupOf(hand);
+      now.gain = mapping.gain, now.mostForce_N = mapping.mostForce_N, now.apart_mm = mapping.apart_mm;
+      session_->put(hand, put_[hand], now);
+    }
+  Q_EMIT handsChanged();
+}
+
+void HandsControl::beginHere(Hand hand) {
+  const ServoSnapshot now = session_->snapshot();
+  if (!patient_ || !probe_ || inMouse(hand) || !now.present[hand])
+    return Q_EMIT said(tr("Put a device that tells its place into this hand first."));
+  HandMapping mapping = mappings_.value(wanted_[hand]);
+  mapping.begin = now.states[hand].deviceFromStylus;
+  mappings_[wanted_[hand]] = mapping;
+  session_->put(hand, put_[hand], setupOf(mapping, startOf(hand)));
+  Q_EMIT handsChanged();
+  Q_EMIT said(hand == kProbeHand ? tr("As you hold the device now, the probe is where it is in the picture.")
+                                 : tr("As you hold the device now, the needle is beside the probe."));
+}
+
+void HandsControl::save(QSettings& settings) const {
+  settings.setValue("probeHand", wanted_[kProbeHand]);
+  settings.setValue("needleHand", wanted_[kNeedleHand]);
+  settings.setValue("pedal", pedal_);
+  settings.setValue("needleAcross", plane_ == NeedlePlane::Across);
+  settings.beginWriteArray("devices");
+  int n = 0;
+  for (auto it = mappings_.begin(); it != mappings_.end(); ++it) {
+    settings.setArrayIndex(n++);
+    settings.setValue("id", it.key());
+    train::save(it.value(), settings);
+  }
+  settings.endArray();
+}
+
+void HandsControl::restore(QSettings& settings) {
+  const int count = settings.beginReadArray("devices");
+  for (int n = 0; n < count; ++n) {
+    settings.setArrayIndex(n);
+    mappings_[settings.value("id").toString()] = restoredMapping(settings);
+  }
+  settings.endArray();
+  plane_ = settings.value("needleAcross", false).toBool() ? NeedlePlane::Across : NeedlePlane::Along;
+  wanted_ = {settings.value("probeHand").toString(), settings.value("needleHand").toString()};
+  pedal_ = settings.value("pedal").toString();
+  apply();
+  Q_EMIT handsChanged();
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,133 @@
+#pragma once
+
+#include "HandMapping.h"
+
+#include <insonate/simulator/HandsSession.h>
+#include <insonate/simulator/NeedleHand.h>
+
+#include <QElapsedTimer>
+#include <QHash>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <array>
+#include <memory>
+#include <optional>
+
+class QSettings;
+
+namespace insonate::train {
+
+/// What a hand can do to the needle in one direction. Lateral and Elevation slide its entry over the skin, along the
+/// probe's directions.
+enum class NeedleAxis { Lateral, Elevation, Heading, Angle, Bevel, Advance };
+
+/// The needle as it is held and as it lies.
+struct NeedleShown {
+  Transform patientFromNeedle;  ///< tip at the origin, z the way it goes in, bevel along -y; not drawn into bone
+  NeedleState state;
+};
+
+/// Both hands of this workspace: the needle held by mouse and keys, devices and the hands that hold them, a pedal.
+/// What is felt and punctured comes from the servo, whoever holds the needle. For the window's thread.
+class HandsControl : public QObject {
+  Q_OBJECT
+
+ public:
+  static constexpr double kAdvance_mmPerS = 25;  ///< by keys and numbers
+
+  explicit HandsControl(QObject* parent = nullptr);
+  ~HandsControl() override;
+
+  HandsSession& session() { return *session_; }
+
+  /// A patient, once there is a hand on the skin; null for none. Lays the needle down.
+  void setCase(std::shared_ptr<const PatientCase> patient, const ProbeHand* hand);
+  void setImaging(LiveImaging* imaging) { session_->setImaging(imaging); }
+  /// Hands are empty while nobody looks.
+  void setWatched(bool watched);
+  /// Where mouse and keys hold the probe, and how wide its face is.
+  void probeMoved(const ProbeHand& hand, double halfWidth_mm);
+
+  // The probe
+  /// A device moves the probe: by itself, or, where followsMouse(), as mouse and keys want it.
+  bool drivesProbe() const;
+  bool probeFollowsMouse() const;
+  const Transform& drivenPose() const { return driven_; }
+
+  // The needle
+  /// In a hand: of mouse and keys, or of a device.
+  bool hasNeedle() const { return needle_.has_value(); }
+  /// As mouse and keys hold it; null for none, and in a real device.
+  const NeedleHand* needleHand() const { return wish_ ? &*wish_ : nullptr; }
+  /// How far mouse and keys want the tip in; the needle is on its way there.
+  double wantedAdvance_mm() const { return advance_mm_; }
+  const std::optional<NeedleShown>& needle() const { return needle_; }
+  /// Beside the probe, ready to go in.
+  void takeNeedle(NeedlePlane plane);
+  /// The last one.
+  NeedlePlane needlePlane() const { return plane_; }
+  void layNeedleDown();
+  void moveNeedle(NeedleAxis axis, double mmOrDegrees);
+  /// To a typed number: Heading, Angle, Bevel, Advance.
+  void setNeedle(NeedleAxis axis, double mmOrDegrees);
+  /// The entry to the skin nearest to a point; while the needle is out.
+  void needleTo(Vec3 patient_mm);
+
+  // Devices
+  /// By DeviceInfo::id; empty for mouse and keys. Remembered, also while the device is not there.
+  void assign(Hand hand, const QString& device);
+  QString assigned(Hand hand) const { return wanted_[hand]; }
+  void assignPedal(const QString& device);
+  QString assignedPedal() const { return pedal_; }
+  HandMapping mapping(const QString& device) const { return mappings_.value(device); }
+  void setMapping(const QString& device, const HandMapping& mapping);
+  /// The device in this hand, as it is held now, holds the tool at its start.
+  void beginHere(Hand hand);
+  std::shared_ptr<HapticDevice> deviceOf(const QString& id);
+
+  /// News of devices, which come by themselves while one is in a hand.
+  void lookAtDevices();
+
+  void save(QSettings& settings) const;
+  void restore(QSettings& settings);
+
+ Q_SIGNALS:
+  void needleChanged();
+  void probeDriven();   ///< drivenPose() is another
+  void handsChanged();  ///< what is in which hand
+  void said(const QString& sentence);
+  void pedalPressed(int button);
+  void deviceEvent(const insonate::DeviceEvent& event);
+
+ private:
+  void look();
+  void apply();
+  void put(Hand hand);
+  void follow(const ServoSnapshot& now);
+  void goIn(const ServoSnapshot& now, double step_s);
+  void tell(HandMove move);
+  void wishMoved();
+  Transform startOf(Hand hand) const;
+  bool inMouse(Hand hand) const { return wanted_[hand].isEmpty(); }
+
+  std::unique_ptr<HandsSession> session_;
+  std::array<QString, 2> wanted_;
+  std::array<std::shared_ptr<HapticDevice>, 2> put_;
+  QString pedal_;
+  std::shared_ptr<HapticDevice> pedalDevice_;
+  QHash<QString, HandMapping> mappings_;
+  std::shared_ptr<const PatientCase> patient_;
+  std::optional<ProbeHand> probe_;
+  double halfWidth_mm_ = 19;
+  bool watched_ = true;
+  std::optional<NeedleHand> wish_;
+  double advance_mm_ = 0;
+  NeedlePlane plane_ = NeedlePlane::Along;
+  std::optional<NeedleShown> needle_;
+  Transform driven_;
+  QTimer timer_, slow_;
+  QElapsedTimer clock_;
+};
+
+}  // namespace insonate::train

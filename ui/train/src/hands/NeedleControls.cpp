@@ -1,0 +1,133 @@
+#include "NeedleControls.h"
+
+#include "../TrainSession.h"
+#include "../panel/NumberField.h"
+#include "NeedleWords.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace insonate::train {
+namespace {
+
+struct Row {
+  NeedleAxis axis;
+  const char* name;
+  const char* unit;
+  double low, high, step;
+  const char* says;
+};
+constexpr Row kRows[] = {
+    {NeedleAxis::Angle, "angle", "°", NeedleHand::kLeastAngle_deg, NeedleHand::kMostAngle_deg, 1,
+     "Between needle and skin, in degrees; 90: square to it (Alt+W, Alt+S)"},
+    {NeedleAxis::Heading, "heading", "°", -180, 180, 2,
+     "The needle's way along the skin, in degrees; 0: to the patient's head, 90: to the left (Alt+Q, Alt+E)"},
+    {NeedleAxis::Advance, "depth", " mm", -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm, 1,
+     "How far the needle goes in along itself, in mm from the skin at rest; below 0: off it (Page Down, Page Up)"},
+    {NeedleAxis::Bevel, "bevel", "°", -180, 180, 10,
+     "Turn of the needle about itself, in degrees; 0: the bevel looks up (Alt+A, Alt+D)"},
+};
+
+QPushButton* choice(const char* object, const QString& text, const QString& says) {
+  auto* button = new QPushButton(text);
+  button->setObjectName(QLatin1String(object));
+  button->setCheckable(true);
+  button->setToolTip(says);
+  button->setFocusPolicy(Qt::TabFocus);
+  return button;
+}
+
+}  // namespace
+
+NeedleControls::NeedleControls(TrainSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(4);
+  auto* head = new QHBoxLayout;
+  auto* heading = new QLabel(tr("Needle"), this);
+  ui::setRole(heading, "heading");
+  auto* devices = new QPushButton(tr("Devices"));
+  devices->setObjectName("showDevices");
+  devices->setToolTip(tr("Haptic devices and pedals: what is there, and what it holds"));
+  devices->setFocusPolicy(Qt::TabFocus);
+  connect(devices, &QPushButton::clicked, this, &NeedleControls::devicesWanted);
+  head->addWidget(heading, 1);
+  head->addWidget(devices);
+  box->addLayout(head);
+  along_ = choice("needleAlong", tr("in plane"),
+                  tr("An 18 G needle of 70 mm in the picture's plane, beside the probe's end; again lays it down (I)"));
+  across_ = choice("needleAcross", tr("across"),
+                   tr("An 18 G needle of 70 mm across the picture's plane, before the probe; again lays it down (I)"));
+  auto* take = new QHBoxLayout;
+  take->setSpacing(4);
+  take->addWidget(along_, 1);
+  take->addWidget(across_, 1);
+  box->addLayout(take);
+  numbers_ = buildNumbers();
+  box->addWidget(numbers_);
+  words_ = new QLabel(this);
+  words_->setObjectName("needleWords");
+  words_->setWordWrap(true);
+  words_->setToolTip(tr("Where the tip is, how deep along the needle in mm, and what resists it in N"));
+  box->addWidget(words_);
+  const auto taken = [this](QPushButton* button, NeedlePlane plane) {
+    connect(button, &QPushButton::clicked, this, [this, plane](bool on) {
+      if (on)
+        session_.takeNeedle(plane);
+      else
+        session_.hands().layNeedleDown();
+      refresh();
+    });
+  };
+  taken(along_, NeedlePlane::Along);
+  taken(across_, NeedlePlane::Across);
+  connect(&session_.hands(), &HandsControl::needleChanged, this, [this] { refresh(); });
+  refresh();
+}
+
+QWidget* NeedleControls::buildNumbers() {
+  auto* all = new QWidget(this);
+  auto* grid = new QGridLayout(all);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(8);
+  grid->setVerticalSpacing(4);
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(3, 1);
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    const Row& row = kRows[i];
+    auto* field =
+        new NumberField(QLatin1String(row.name), QString::fromUtf8(row.unit), {row.low, row.high, row.step}, all);
+    field->setObjectName(QStringLiteral("needle_") + QLatin1String(row.name));
+    field->setAccessibleName(tr("Needle, %1").arg(tr(row.name)));
+    field->setToolTip(QString::fromUtf8(row.says) + tr("\nEnter applies, arrows and wheel step."));
+    field->setTyped([this, axis = row.axis](double value) { session_.typedNeedle(axis, value); });
+    field->setRefused([this](const QString& sentence) { session_.say(sentence); });
+    fields_[i] = field;
+    auto* name = new QLabel(tr(row.name), all);
+    ui::setRole(name, "quiet");
+    const int column = int(i % 2) * 2, line = int(i / 2);
+    grid->addWidget(name, line, column);
+    grid->addWidget(field, line, column + 1);
+  }
+  return all;
+}
+
+void NeedleControls::refresh() {
+  const HandsControl& hands = session_.hands();
+  const NeedleHand* held = hands.needleHand();
+  along_->setChecked(held && hands.needlePlane() == NeedlePlane::Along);
+  across_->setChecked(held && hands.needlePlane() == NeedlePlane::Across);
+  numbers_->setVisible(held);
+  words_->setVisible(hands.hasNeedle());
+  if (hands.needle()) words_->setText(wordsOf(hands.needle()->state));
+  if (!held) return;
+  const NeedleHandState& state = held->state();
+  const double values[] = {state.angle_deg, held->heading_deg(), hands.wantedAdvance_mm(), state.bevel_deg};
+  for (std::size_t i = 0; i < fields_.size(); ++i) fields_[i]->show(values[i]);
+}
+
+}  // namespace insonate::train
