@@ -34,22 +34,16 @@ class Calculix : public testing::Test {
     plane.rightEnd_mm = block.sides_mm;
   }
 
-  /// What presses by a quarter gets there in steps, so that the bottom is bone.
-  void solveModel(int press_mm, double young_kPa, bool inSteps = false) {
+  void solveModel(double press_mm, double young_kPa) {
     for (const auto label : {kSoftTissue, kSkin}) table.tissues[label].young_kPa = young_kPa;
     block.tissue.young_kPa = young_kPa;
-    if (inSteps) plane.blocks = {{-100, block.height_mm, 100, 100, kBone}};
-    table.tissues[kBone].kind = Mechanics::Rigid;
+    plane.press_mm = press_mm;
     input.plane = &plane;
+    input.patientFromProbe = plane.patientFromProbe();
     const auto model =
-        makeDeformationModel("elastic", table, {.mesh_mm = 0.5, .depth_mm = block.height_mm - (inSteps ? 0 : press_mm)})
-            .value();
-    for (int p = inSteps ? 1 : press_mm; p <= press_mm; ++p) {
-      plane.press_mm = p;
-      input.patientFromProbe = plane.patientFromProbe();
-      for (int k = 0; k < 5; ++k) model->solve(input, ours);
-      EXPECT_TRUE(ours.converged) << p;
-    }
+        makeDeformationModel("elastic", table, {.mesh_mm = 0.5, .depth_mm = block.height_mm - press_mm}).value();
+    for (int k = 0; k < 5; ++k) model->solve(input, ours);
+    EXPECT_TRUE(ours.converged);
     if (block.sidesHeld) block.sides_mm = ours.mesh[ours.meshColumns - 1].restX_mm;
   }
 
@@ -144,7 +138,8 @@ TEST_F(Calculix, SoftAndHardInclusions) {
 TEST_F(Calculix, PressedByAQuarter) {
   inclusions();
   freeSides();
-  solveModel(10, 80, true);
+  input.face.sticking = true;  // else a block with one hard inclusion slides out from under the face
+  solveModel(10, 80);
   compare("quarter");
   EXPECT_LT(rms_mm, 0.05);
   EXPECT_NEAR(forceRatio, 1, 0.1);
