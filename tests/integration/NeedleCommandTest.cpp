@@ -57,8 +57,9 @@ TEST_F(NeedleCommand, EveryOptionHasAnEffect) {
 }
 
 TEST_F(NeedleCommand, IsToldInThePatientAndInItsDisplacement) {
-  const auto result = render("--json --needle-tip 2,0,7 --needle-direction 0,0,3 --tenting 2 --deformation none --displacement " +
-                             shellWord(out("u.nrrd")));
+  const auto result =
+      render("--json --needle-tip 2,0,7 --needle-direction 0,0,3 --tenting 2 --deformation none --displacement " +
+             shellWord(out("u.nrrd")));
   ASSERT_EQ(result.status, 0) << result.errors;
   const json needle = json::parse(result.output)["needle"];
   // The probe lies at the origin, x along the patient's x and into the body along y.

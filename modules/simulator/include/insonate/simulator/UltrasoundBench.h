@@ -59,7 +59,8 @@ struct UltrasoundBenchRow {
   double envelopeError_percent = 0, ssim = 1;
   /// Against a dense frame of the reference engine, speckle left out on both sides, resampled to the row's beams. How
   /// well the row's grid resolves the model. Speckle must be left out: more planes hold other scatterers.
-  /// NaN for the look "thesis", whose pixels are filtered and have no beam to resolve, and for displaced tissue and a needle.
+  /// NaN for the look "thesis", whose pixels are filtered and have no beam to resolve, and for displaced tissue and a
+  /// needle.
   double discretisationError_percent = 0, discretisationSsim = 1;
 };
 
