@@ -8,6 +8,11 @@
 
 namespace insonate::views {
 
+std::unique_lock<std::mutex> DrawingThread::pause() {
+  static std::mutex drawing;
+  return std::unique_lock(drawing);
+}
+
 DrawingThread::DrawingThread(View& view, std::function<void()> drawn)
     : view_(view), drawn_(std::move(drawn)), window_(vtkSmartPointer<vtkRenderWindow>::New()) {
   window_->SetOffScreenRendering(true);
@@ -33,6 +38,7 @@ DrawingThread::~DrawingThread() {
 
 /// OpenGL's functions are looked up here: that writes to what all windows of a program share.
 void DrawingThread::start() {
+  const auto alone = pause();
   window_->SetSize(view_.width_px(), view_.height_px());
   if (auto* graphics = vtkOpenGLRenderWindow::SafeDownCast(window_)) {
     graphics->Initialize();
@@ -89,11 +95,13 @@ void DrawingThread::run() {
   }
   lock.unlock();
   // What is kept by the graphics is given back by the thread that made it.
+  const auto alone = pause();
   view_.detach();
   window_ = nullptr;
 }
 
 void DrawingThread::draw(int width_px, int height_px, Drawn& into) {
+  const auto alone = pause();
   const auto start = std::chrono::steady_clock::now();
   const int* size = window_->GetSize();
   if (size[0] != width_px || size[1] != height_px) window_->SetSize(width_px, height_px);

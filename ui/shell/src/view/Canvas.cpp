@@ -9,7 +9,9 @@
 #include <QTimerEvent>
 #include <QWheelEvent>
 #include <cmath>
+#include <mutex>
 #include <optional>
+#include <utility>
 
 namespace insonate::ui {
 namespace {
@@ -71,6 +73,7 @@ ViewWidget::Canvas::Canvas(views::View& view, QWidget* parent) : QWidget(parent)
         view_, [this] { QCoreApplication::postEvent(this, new QEvent(QEvent::User)); });
     return;
   }
+  window_ = vtkSmartPointer<vtkRenderWindow>::New();
   window_->SetOffScreenRendering(true);
   window_->SetShowWindow(false);
   window_->SetMultiSamples(0);
@@ -78,7 +81,10 @@ ViewWidget::Canvas::Canvas(views::View& view, QWidget* parent) : QWidget(parent)
 }
 
 ViewWidget::Canvas::~Canvas() {
-  if (!thread_) view_.detach();
+  if (thread_) return;
+  const auto alone = views::DrawingThread::pause();
+  view_.detach();
+  window_ = nullptr;
 }
 
 QSize ViewWidget::Canvas::deviceSize() const {
@@ -102,6 +108,7 @@ void ViewWidget::Canvas::render() {
   }
   QElapsedTimer clock;
   clock.start();
+  const auto alone = std::exchange(isOpen_, true) ? std::unique_lock<std::mutex>() : views::DrawingThread::pause();
   view_.render();
   reader_.read(*window_, drawn_.pixels);
   drawn_.took_ms = double(clock.nsecsElapsed()) / 1e6;

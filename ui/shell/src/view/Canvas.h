@@ -4,8 +4,8 @@
 #include <insonate/views/DrawingThread.h>
 #include <insonate/views/View.h>
 
-#include <vtkNew.h>
 #include <vtkRenderWindow.h>
+#include <vtkSmartPointer.h>
 
 #include <QBasicTimer>
 #include <QImage>
@@ -63,7 +63,8 @@ class ViewWidget::Canvas final : public QWidget {
   void askIfStale();
 
   views::View& view_;
-  vtkNew<vtkRenderWindow> window_;  ///< not used where a thread draws
+  vtkSmartPointer<vtkRenderWindow> window_;  ///< none where a thread draws
+  bool isOpen_ = false;                      ///< the window has drawn
   views::PixelReader reader_;
   views::DrawingThread::Drawn drawn_;
   QImage picture_;  ///< of the pixels drawn, in device pixels; null before the first

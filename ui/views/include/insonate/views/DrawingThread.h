@@ -28,6 +28,11 @@ class DrawingThread {
   DrawingThread(const DrawingThread&) = delete;
   DrawingThread& operator=(const DrawingThread&) = delete;
 
+  /// While this is held, no thread draws. For whoever opens or ends another OpenGL window: VTK and its driver keep
+  /// things of the whole program, which ending one window has corrupted while another was drawn. Waits for pictures in
+  /// work.
+  [[nodiscard]] static std::unique_lock<std::mutex> pause();
+
   /// Has drawn what the view shows now, after the picture in work; the latest wish counts. The answer numbers the wish,
   /// rising from 1.
   std::uint64_t want();
