@@ -1,23 +1,10 @@
+#include "Interval.h"
+
 #include <insonate/image/PlaneDisplacement.h>
 
-#include <algorithm>
 #include <cstddef>
 
 namespace insonate {
-namespace {
-
-struct Interval {
-  int low, high;
-  double fraction;
-};
-
-Interval intervalAt(double position, int points) {
-  const double at = std::clamp(position, 0.0, points - 1.0);
-  const int low = std::min(static_cast<int>(at), std::max(points - 2, 0));
-  return {low, std::min(low + 1, points - 1), at - low};
-}
-
-}  // namespace
 
 Vec3 shiftAt(const PlaneDisplacement& displacement, double x_mm, double z_mm) {
   if (displacement.empty()) return {};

@@ -1,27 +1,15 @@
+#include "Interval.h"
+
 #include <insonate/image/Volume.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace insonate {
-namespace {
-
-struct Cell {
-  int low, high;
-  double fraction;
-};
-
-Cell cellOf(double index, int size) {
-  const double clamped = std::clamp(index, 0.0, size - 1.0);
-  const int low = std::min(static_cast<int>(clamped), std::max(size - 2, 0));
-  return {low, std::min(low + 1, size - 1), clamped - low};
-}
-
-}  // namespace
 
 double sampleLinear(const CtVolume& volume, Vec3 index) {
   const auto& size = volume.geometry.size;
-  const Cell x = cellOf(index.x, size[0]), y = cellOf(index.y, size[1]), z = cellOf(index.z, size[2]);
+  const Interval x = intervalAt(index.x, size[0]), y = intervalAt(index.y, size[1]), z = intervalAt(index.z, size[2]);
   const auto row = [&](int j, int k) {
     return volume.at(x.low, j, k) * (1 - x.fraction) + volume.at(x.high, j, k) * x.fraction;
   };
