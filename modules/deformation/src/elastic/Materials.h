@@ -7,6 +7,7 @@ namespace insonate::elastic {
 /// What each cell of a mesh is made of: shares of lumen, wall, loose tissue and of what its corners are.
 struct Materials {
   static constexpr float kGasMu_kPa = 0.02f;  ///< next to nothing: keeps cells in order
+  static constexpr bool isGas(float mu_kPa) { return mu_kPa < 2 * kGasMu_kPa; }
 
   std::vector<float> mu, bulk;                ///< kPa
   std::vector<float> artery, vein;            ///< shares of a cell's area, whatever they are made of, 0..1

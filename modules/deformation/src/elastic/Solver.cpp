@@ -57,7 +57,7 @@ void Solver::prepare(const Mesh& mesh, const Materials& materials, const Mechani
     elements_.bulk[n] = materials.bulk[n];
     elements_.base[n] = -materials.mu[n];
     const float blood = std::max(materials.arteryBlood[n], materials.veinBlood[n]);
-    const bool gas = materials.mu[n] < 2 * Materials::kGasMu_kPa;
+    const bool gas = Materials::isGas(materials.mu[n]);
     elements_.shut[n] = kShut_kPa * (gas ? 1 : blood);
     elements_.guarded[n] = !gas && blood < 0.3f ? 1.0f : 0.0f;
   }

@@ -116,7 +116,7 @@ Body makeBody(const elastic::Mesh& mesh, const elastic::Materials& materials, co
   for (Cell& cell : body.cells) {
     cell.artery = materials.arteryBlood[cell.node[0]];
     cell.vein = materials.veinBlood[cell.node[0]];
-    const bool gas = cell.mu < 2 * elastic::Materials::kGasMu_kPa;
+    const bool gas = elastic::Materials::isGas(static_cast<float>(cell.mu));
     cell.shut = kShut_kPa * (gas ? 1 : std::max(cell.artery, cell.vein));
   }
   body.struts = makeStruts(body);
