@@ -206,7 +206,9 @@ void HandSection::show(const ServoSnapshot& now, double rate_Hz) {
   if (const auto known = hands_.deviceOf(hands_.assigned(hand_)); known && !known->trouble().empty())
     state_->setText(QString::fromStdString(known->trouble()));
   else if (device)
-    state_->setText(tr("%1, %2 states a second").arg(wordsOf(device->phase())).arg(rate_Hz, 0, 'f', 0));
+    // Mouse and keys send none.
+    state_->setText(rate_Hz > 0 ? tr("%1, %2 states a second").arg(wordsOf(device->phase())).arg(rate_Hz, 0, 'f', 0)
+                                : wordsOf(device->phase()));
   else if (!hands_.assigned(hand_).isEmpty())
     state_->setText(known ? wordsOf(known->phase()) : tr("waits until it is plugged in"));
   else
