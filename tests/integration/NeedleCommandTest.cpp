@@ -1,12 +1,10 @@
-#include "CommandLine.h"
-#include "support/SmallRender.h"
+#include "RenderTest.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstring>
-#include <optional>
 #include <vector>
 
 namespace insonate {
@@ -18,27 +16,7 @@ using test::shellWord;
 using testing::HasSubstr;
 
 /// The small block: a vein under the middle of the probe, its front wall 7 mm deep.
-class NeedleCommand : public testing::Test {
- protected:
-  static void SetUpTestSuite() { shared_.emplace(); }
-  static void TearDownTestSuite() { shared_.reset(); }
-
-  test::CommandResult render(const std::string& arguments) const {
-    return test::runCommand("render " + shellWord(shared_->caseFolder()) + " --settings " +
-                                shellWord(shared_->settings()) + " --out " + shellWord(out("f.png")) + " " + arguments,
-                            shared_->errors());
-  }
-  std::string picture(const std::string& arguments) const {
-    const auto result = render(arguments);
-    EXPECT_EQ(result.status, 0) << arguments << '\n' << result.errors;
-    return bytesOf(out("f.png"));
-  }
-  std::string out(const std::string& name) const { return (folder_ / name).string(); }
-
-  static std::optional<test::SmallRender> shared_;
-  test::TemporaryFolder folder_;
-};
-std::optional<test::SmallRender> NeedleCommand::shared_;
+class NeedleCommand : public test::RenderTest {};
 
 TEST_F(NeedleCommand, ShowsInTheSliceAndNotBesideIt) {
   const std::string without = picture("");

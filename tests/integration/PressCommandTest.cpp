@@ -1,5 +1,4 @@
-#include "CommandLine.h"
-#include "support/SmallRender.h"
+#include "RenderTest.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -8,7 +7,6 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <optional>
 #include <sstream>
 
 namespace insonate {
@@ -21,24 +19,12 @@ using test::shellWord;
 using testing::HasSubstr;
 
 /// The small block under a short probe.
-class PressCommand : public testing::Test {
+class PressCommand : public test::RenderTest {
  protected:
-  static void SetUpTestSuite() { shared_.emplace(); }
-  static void TearDownTestSuite() { shared_.reset(); }
-
-  test::CommandResult render(const std::string& arguments) const {
-    return test::runCommand("render " + shellWord(shared_->caseFolder()) + " --settings " +
-                                shellWord(shared_->settings()) + " --out " + shellWord(out("f.png")) + " " + arguments,
-                            shared_->errors());
-  }
   json report(const std::string& arguments) const {
     const auto result = render("--json " + arguments);
     EXPECT_EQ(result.status, 0) << arguments << '\n' << result.errors;
     return json::parse(result.output);
-  }
-  std::string picture(const std::string& arguments) const {
-    EXPECT_EQ(render(arguments).status, 0) << arguments;
-    return bytesOf(out("f.png"));
   }
   void expectRefusal(const std::string& arguments, const std::string& words, int status = 1) const {
     fs::remove(out("f.png"));
@@ -47,12 +33,7 @@ class PressCommand : public testing::Test {
     EXPECT_THAT(result.errors, HasSubstr(words)) << arguments;
     EXPECT_FALSE(fs::exists(out("f.png"))) << arguments;
   }
-  std::string out(const std::string& name) const { return (folder_ / name).string(); }
-
-  static std::optional<test::SmallRender> shared_;
-  test::TemporaryFolder folder_;
 };
-std::optional<test::SmallRender> PressCommand::shared_;
 
 double veinArea(const json& report) {
   for (const json& lumen : report["lumens"])

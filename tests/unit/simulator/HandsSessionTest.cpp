@@ -65,6 +65,14 @@ struct Bench {
     hands.put(kProbeHand, device, setup);
     return device;
   }
+  /// By mouse and keys, square to the skin over a vein.
+  NeedleHand takeNeedle() {
+    NeedleHand needle = NeedleHand::beside(probe, 19, NeedlePlane::Along);
+    needle.moveTo({0, -0.5, 0});
+    needle.tilt(90 - needle.state().angle_deg);
+    hands.putMouse(kNeedleHand, needle.patientFromNeedle());
+    return needle;
+  }
   /// Pushes the needle as mouse and keys do, at 25 mm/s.
   void push(NeedleHand& needle, double to_mm) {
     while (std::abs(needle.state().advance_mm - to_mm) > 1e-9) {
@@ -122,10 +130,7 @@ TEST(HandsSession, UnpluggedInContactLeavesNoForceAndThePictureWhereItWas) {
 
 TEST(HandsSession, TheNeedleOfMouseAndKeysPuncturesEachWallOnceThereAndBack) {
   Bench bench;
-  NeedleHand needle = NeedleHand::beside(bench.probe, 19, NeedlePlane::Along);
-  needle.moveTo({0, -0.5, 0});
-  needle.tilt(90 - needle.state().angle_deg);
-  bench.hands.putMouse(kNeedleHand, needle.patientFromNeedle());
+  NeedleHand needle = bench.takeNeedle();
   ASSERT_TRUE(eventually([&] { return bench.hands.snapshot().present[kNeedleHand]; }));
   bench.push(needle, 12);
   const NeedleState inside = bench.hands.snapshot().output.needle;
@@ -144,10 +149,7 @@ TEST(HandsSession, TheNeedleOfMouseAndKeysPuncturesEachWallOnceThereAndBack) {
 
 TEST(HandsSession, ThePictureHasTheNeedleWhereItIsHeldAndTheServoTheTissueAsItIsPressed) {
   Bench bench;
-  NeedleHand needle = NeedleHand::beside(bench.probe, 19, NeedlePlane::Along);
-  needle.moveTo({0, -0.5, 0});
-  needle.tilt(90 - needle.state().angle_deg);
-  bench.hands.putMouse(kNeedleHand, needle.patientFromNeedle());
+  NeedleHand needle = bench.takeNeedle();
   bench.push(needle, 9);
   const auto sameTip = [&] {
     const Frame frame = bench.live->latest();
@@ -173,10 +175,7 @@ TEST(HandsSession, ThePictureHasTheNeedleWhereItIsHeldAndTheServoTheTissueAsItIs
 
 TEST(HandsSession, ATypedDepthIsReachedThroughTheWallsAndNotBeyondThem) {
   Bench bench;
-  NeedleHand needle = NeedleHand::beside(bench.probe, 19, NeedlePlane::Along);
-  needle.moveTo({0, -0.5, 0});
-  needle.tilt(90 - needle.state().angle_deg);
-  bench.hands.putMouse(kNeedleHand, needle.patientFromNeedle());
+  NeedleHand needle = bench.takeNeedle();
   ASSERT_TRUE(eventually([&] { return bench.hands.snapshot().present[kNeedleHand]; }));
   needle.advance(17);  // all at once
   bench.hands.moveByMouse(kNeedleHand, needle.patientFromNeedle());
