@@ -42,6 +42,18 @@ const char* nameOf(AttemptEventKind kind) {
   return "positioned";
 }
 
+const char* nameOf(Severity severity) {
+  switch (severity) {
+    case Severity::Minor:
+      return "minor";
+    case Severity::Major:
+      return "major";
+    case Severity::Critical:
+      break;
+  }
+  return "critical";
+}
+
 bool isOfWall(const AttemptEvent& event) {
   return event.kind <= AttemptEventKind::Struck;
 }
@@ -73,6 +85,40 @@ nlohmann::json attemptReport(AttemptStatus status, const MetricValues& metrics,
   }
   for (const AttemptEvent& event : events) list.push_back(jsonOf(event));
   return {{"status", nameOf(status)}, {"metrics", values}, {"events", list}};
+}
+
+nlohmann::json scoreReport(const AttemptScore& score) {
+  const auto orNull = [](const auto& value) { return value ? nlohmann::json(*value) : nlohmann::json(nullptr); };
+  const auto list = [](const std::vector<AttemptMoment>& moments) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const AttemptMoment& moment : moments)
+      all.push_back({{"t_s", static_cast<double>(moment.time_us) * 1e-6},
+                     {"say", moment.say},
+                     {"severity", moment.severity ? nlohmann::json(nameOf(*moment.severity)) : nullptr}});
+    return all;
+  };
+  nlohmann::json metrics = nlohmann::json::array();
+  for (const MetricScore& metric : score.metrics) {
+    nlohmann::json entry{{"metric", metricTable()[static_cast<std::size_t>(metric.metric)].id},
+                         {"value", orNull(metric.value)},
+                         {"share", orNull(metric.share)}};
+    for (const char* key : {"novice", "expert", "source"}) entry[key] = nullptr;
+    if (metric.norm)
+      entry.update({{"novice", metric.norm->novice}, {"expert", metric.norm->expert}, {"source", metric.norm->source}});
+    metrics.push_back(std::move(entry));
+  }
+  return {{"points", orNull(score.points)}, {"succeeded", score.succeeded},
+          {"advice", score.advice},         {"critical_errors", list(score.criticalErrors)},
+          {"moments", list(score.moments)}, {"metrics", metrics}};
+}
+
+void printScore(const AttemptScore& score) {
+  if (score.points)
+    std::printf("score %.0f of 100%s\n", *score.points, score.succeeded ? "" : ", without success");
+  else
+    std::printf("no score\n");
+  for (const AttemptMoment& error : score.criticalErrors) std::printf("critical: %s\n", error.say.c_str());
+  std::printf("%s\n", score.advice.c_str());
 }
 
 void printAttempt(AttemptStatus status, const MetricValues& metrics, const std::vector<AttemptEvent>& events) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <insonate/procedure/AttemptRecording.h>
+#include <insonate/procedure/AttemptScore.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -12,6 +13,10 @@ namespace insonate::cli {
 /// --json` print it.
 nlohmann::json attemptReport(AttemptStatus status, const MetricValues& metrics,
                              const std::vector<AttemptEvent>& events);
+/// {"points", "succeeded", "advice", "critical_errors", "moments", "metrics": [{"metric", "value", "novice", "expert",
+/// "share", "source"}]}, null where a value, a norm or the points are missing.
+nlohmann::json scoreReport(const AttemptScore& score);
+void printScore(const AttemptScore& score);
 /// The same for a person, on standard output.
 void printAttempt(AttemptStatus status, const MetricValues& metrics, const std::vector<AttemptEvent>& events);
 

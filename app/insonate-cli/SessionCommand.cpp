@@ -10,6 +10,8 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <optional>
+#include <variant>
 
 namespace insonate::cli {
 namespace {
@@ -36,8 +38,10 @@ Result<void> runScript(const SessionArguments& a) {
   if (!script) return fail(a.script + ": " + script.error().message);
   const auto done = runSession(*script, read->patient, "insonate " INSONATE_VERSION, a.recording, terminalProgress());
   if (!done) return tl::unexpected(done.error());
+  const AttemptScore score = scoreOf(done->run);
   if (!a.json) {
     printAttempt(done->status, done->metrics, done->events);
+    printScore(score);
     return {};
   }
   nlohmann::json object = attemptReport(done->status, done->metrics, done->events), findings = nlohmann::json::array();
@@ -45,9 +49,25 @@ Result<void> runScript(const SessionArguments& a) {
     const ProcedureRule& rule = done->run.procedure().rules[finding.rule];
     findings.push_back({{"t_s", static_cast<double>(finding.time_us) * 1e-6}, {"rule", rule.name}, {"say", rule.say}});
   }
-  object.update({{"succeeded", done->run.succeeded()}, {"findings", findings}, {"record", a.recording}});
+  object.update(
+      {{"succeeded", score.succeeded}, {"findings", findings}, {"score", scoreReport(score)}, {"record", a.recording}});
   printJson(std::move(object));
   return {};
+}
+
+/// None where the procedure is not one of ours any more, which is said, or the recording is damaged, which was.
+std::optional<AttemptScore> scoreUntil(const AttemptRecording& recording, std::int64_t until_us) {
+  auto procedure = loadProcedure(recording.header().procedure);
+  if (!procedure) {
+    std::cerr << "note: no score is computed: " << procedure.error().message << '\n';
+    return std::nullopt;
+  }
+  ProcedureRun run(std::move(*procedure), recording.header().picture);
+  const auto played = recording.play(until_us, [&](const AttemptRecording::Entry& entry) {
+    std::visit([&](const auto& what) { run.take(what); }, entry);
+  });
+  if (!played) return std::nullopt;
+  return scoreOf(run);
 }
 
 Result<void> replay(const ReplayArguments& a) {
@@ -64,13 +84,16 @@ Result<void> replay(const ReplayArguments& a) {
     for (const Stretch::Happened& happened : stretch->events)
       if (happened.event.time_us <= until_us) events.push_back(happened.event);
   }
+  const auto score = a.metrics ? scoreUntil(*recording, until_us) : std::nullopt;
   if (!a.json) {
     printAttempt(recording->status(), *metrics, events);
+    if (score) printScore(*score);
     return {};
   }
   const AttemptHeader& header = recording->header();
   nlohmann::json object = attemptReport(recording->status(), *metrics, events);
   if (!a.metrics) object.erase("metrics");
+  if (a.metrics) object["score"] = score ? scoreReport(*score) : nlohmann::json(nullptr);
   object.update({{"end_s", static_cast<double>(recording->end_us()) * 1e-6},
                  {"begun", header.begun},
                  {"procedure", header.procedure},
@@ -101,7 +124,7 @@ void addReplayCommand(CLI::App& app, Outcome& outcome) {
   auto* command = app.add_subcommand("replay", "Events and metrics of a recorded attempt");
   auto a = std::make_shared<ReplayArguments>();
   command->add_option("RECORDING", a->recording, "File of session --record")->required()->check(notEmpty());
-  command->add_flag("--metrics", a->metrics, "Metrics, too, computed anew");
+  command->add_flag("--metrics", a->metrics, "Metrics and score, too, computed anew");
   command->add_option("--until", a->until_s, "As they stood at this time (s)")->check(CLI::NonNegativeNumber);
   command->add_flag("--json", a->json, "Print one JSON object");
   command->callback([a, &outcome] {

@@ -46,11 +46,15 @@ TEST_F(SessionCommand, AnAttemptAndItsReplayTellTheSame) {
   EXPECT_EQ(told["findings"][1]["rule"], "back wall");
   EXPECT_EQ(told["succeeded"], true) << "drawn back into the vein";
   EXPECT_TRUE(told.contains("version"));
+  EXPECT_THAT(told["score"]["advice"].get<std::string>(), HasSubstr("stop as soon as the tip is seen"));
+  EXPECT_EQ(told["score"]["metrics"][2]["novice"], 0.49);
+  EXPECT_EQ(told["score"]["metrics"][2]["share"], 0);
+  EXPECT_TRUE(told["score"]["metrics"][0]["novice"].is_null()) << "none is known";
 
   const auto replay = run("replay " + path("a") + " --metrics --json");
   ASSERT_EQ(replay.status, 0) << replay.errors;
   const json again = json::parse(replay.output);
-  for (const char* same : {"status", "metrics", "events"}) EXPECT_EQ(again[same], told[same]) << same;
+  for (const char* same : {"status", "metrics", "events", "score"}) EXPECT_EQ(again[same], told[same]) << same;
   EXPECT_THAT(again["recorded_by"].get<std::string>(), testing::StartsWith("insonate "));
   const json early = json::parse(run("replay " + path("a") + " --metrics --until 1 --json").output);
   EXPECT_EQ(early["metrics"]["vein_punctures"], 0);

@@ -101,9 +101,9 @@ MetricLimit limitOf(JsonEntry& entry) {
 }
 
 ProcedureRule readRule(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"name", "metric", "over", "under", "severity", "say"});
+  JsonEntry entry(object, where, {"name", "metric", "over", "under", "severity", "say", "advice"});
   ProcedureRule rule;
-  rule.name = entry.text("name"), rule.say = entry.text("say");
+  rule.name = entry.text("name"), rule.say = entry.text("say"), rule.advice = entry.text("advice", false);
   rule.limit = limitOf(entry);
   rule.severity = static_cast<Severity>(entry.word("severity", kSeverities));
   trouble = entry.trouble();
@@ -117,9 +117,26 @@ MetricLimit readSuccess(const json& object, const std::string& where, std::strin
   return limit;
 }
 
+MetricNorm readNorm(const json& object, const std::string& where, std::string& trouble) {
+  constexpr double kAny = std::numeric_limits<float>::max();
+  JsonEntry entry(object, where, {"metric", "novice", "expert", "source", "advice"});
+  MetricNorm norm;
+  norm.metric = static_cast<Metric>(entry.word("metric", metricNames()));
+  norm.novice = entry.number("novice", -kAny, kAny), norm.expert = entry.number("expert", -kAny, kAny);
+  norm.source = entry.text("source"), norm.advice = entry.text("advice");
+  const Better better = metricTable()[static_cast<std::size_t>(norm.metric)].better;
+  if (better == Better::Neither)
+    entry.refuse("is of a metric of which neither less nor more is better; leave it out.");
+  else if (better == Better::Lower ? norm.expert >= norm.novice : norm.expert <= norm.novice)
+    entry.refuse("has an 'expert' that is no better than the 'novice'.");
+  trouble = entry.trouble();
+  return norm;
+}
+
 Procedure readProcedure(const json& object, std::string& trouble) {
-  JsonEntry file(object, "The procedure",
-                 {"name", "title", "version", "description", "positions", "steps", "passBegins", "rules", "success"});
+  JsonEntry file(
+      object, "The procedure",
+      {"name", "title", "version", "description", "positions", "steps", "passBegins", "rules", "success", "norms"});
   Procedure procedure;
   procedure.name = file.text("name"), procedure.title = file.text("title");
   file.text("description", false);
@@ -128,6 +145,12 @@ Procedure readProcedure(const json& object, std::string& trouble) {
   readList(file, "steps", "step", procedure.steps, readStep);
   readList(file, "rules", "rule", procedure.rules, readRule);
   readList(file, "success", "condition of success", procedure.success, readSuccess);
+  readList(file, "norms", "norm", procedure.norms, readNorm);
+  std::set<Metric> normed;
+  for (const MetricNorm& norm : procedure.norms)
+    if (!normed.insert(norm.metric).second)
+      file.refuse("cannot be used: '" + std::string(metricTable()[static_cast<std::size_t>(norm.metric)].id) +
+                  "' has two norms.");
   if (procedure.steps.empty()) file.refuse("has no steps; list at least one under 'steps'.");
   std::vector<std::string_view> steps;
   for (const ProcedureStep& step : procedure.steps) steps.push_back(step.name);

@@ -1,6 +1,7 @@
 #include <insonate/procedure/ProcedureRun.h>
 
 #include <algorithm>
+#include <array>
 
 namespace insonate {
 namespace {
@@ -9,6 +10,18 @@ namespace {
 void follow(std::optional<std::int64_t>& since_us, bool holds, std::int64_t now_us) {
   if (!holds) since_us.reset();
   if (holds && !since_us) since_us = now_us;
+}
+
+/// Whether one of them counted something between the two.
+bool countedMore(const MetricValues& before, const MetricValues& after) {
+  using enum Metric;
+  constexpr std::array kCounts{VeinPunctures, ArteryPunctures, DoublePunctures, LungPunctures, BoneContacts, Passes};
+  return std::ranges::any_of(kCounts, [&](Metric count) { return after[count] > before[count]; });
+}
+
+bool isMilestone(const AttemptEvent& event) {
+  using enum AttemptEventKind;
+  return event.kind == NeedleReplaced || event.kind == Frozen || event.kind == Positioned;
 }
 
 bool isAsWanted(const Happening& wanted, const AttemptEvent& event) {
@@ -32,9 +45,11 @@ void ProcedureRun::take(const AttemptSample& sample) {
 }
 
 void ProcedureRun::take(const AttemptEvent& event) {
+  const MetricValues before = metrics_.values();
   metrics_.take(event);
   const bool ended = complete(event.time_us, &event);
   const bool pulledOut = event.kind == AttemptEventKind::Withdrawn && event.wall == kSkin;
+  if (isMilestone(event) || pulledOut || countedMore(before, metrics_.values())) milestones_.push_back(event);
   if (pulledOut && !ended && due_ > procedure_.passBegins && due_ < steps_.size()) {
     due_ = procedure_.passBegins;
     std::fill(steps_.begin() + static_cast<std::ptrdiff_t>(due_), steps_.end(), Step{});

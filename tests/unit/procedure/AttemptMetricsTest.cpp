@@ -92,6 +92,22 @@ TEST(Attempt, PosteriorWall) {
   EXPECT_THAT(values[Metric::TimeToVein], is(2));
 }
 
+TEST(Attempt, DrawnOutAfterBloodWasDrawn) {
+  ScriptedAttempt attempt;
+  attempt.needleTo(25), attempt.needleTo(-5);
+  EXPECT_EQ(attempt.values()[Metric::TipInVein], 0) << "nobody drew";
+  attempt.needleTo(25);
+  attempt.aspirating = true;
+  attempt.hold(0.4), attempt.needleTo(-5);
+  EXPECT_EQ(attempt.values()[Metric::TipInVein], 0) << "0.4 s, and 0.5 s on the way back: not a second";
+  attempt.needleTo(25), attempt.hold(1.1), attempt.needleTo(-5);
+  EXPECT_EQ(attempt.values()[Metric::TipInVein], 1);
+  attempt.needleTo(5);
+  EXPECT_EQ(attempt.values()[Metric::TipInVein], 0) << "a new pass";
+  attempt.needleTo(25), attempt.hold(1.1), attempt.needleTo(35), attempt.needleTo(-5);
+  EXPECT_EQ(attempt.values()[Metric::TipInVein], 0) << "through the back wall before";
+}
+
 TEST(Attempt, Carotid) {
   ScriptedAttempt attempt;
   attempt.walls = {{kArtery, 22, 28}};

@@ -20,6 +20,7 @@ TEST(Procedure, PresetsAreFineAndSayEverything) {
     EXPECT_FALSE(procedure->rules.empty() || procedure->success.empty() || procedure->positions.empty());
     for (const ProcedureStep& step : procedure->steps) EXPECT_TRUE(step.say.ends_with(".")) << step.name;
     for (const ProcedureRule& rule : procedure->rules) EXPECT_TRUE(rule.say.ends_with(".")) << rule.name;
+    for (const MetricNorm& norm : procedure->norms) EXPECT_TRUE(norm.advice.ends_with(".")) << norm.source;
   }
 }
 
@@ -30,7 +31,8 @@ std::string with(const std::string& piece, const std::string& other) {
     "steps": [{"name": "skin", "title": "Skin", "say": "Go in.", "until": {"happens": "entered", "wall": "skin"}}],
     "passBegins": "skin",
     "rules": [{"name": "r", "metric": "passes", "over": 2, "severity": "major", "say": "Too many."}],
-    "success": [{"metric": "tip_in_vein", "over": 0}]})";
+    "success": [{"metric": "tip_in_vein", "over": 0}],
+    "norms": [{"metric": "passes", "novice": 3, "expert": 1, "source": "S", "advice": "A."}]})";
   const auto at = text.find(piece);
   EXPECT_NE(at, std::string::npos) << piece;
   return text.replace(at, piece.size(), other);
@@ -47,6 +49,8 @@ TEST(Procedure, IsReadAsItIsWritten) {
   EXPECT_TRUE(procedure->rules[0].limit.isBeyond(3));
   EXPECT_FALSE(procedure->rules[0].limit.isBeyond(2));
   EXPECT_FALSE(procedure->rules[0].limit.isBeyond(std::nullopt));
+  EXPECT_EQ(procedure->norms.at(0).metric, Metric::Passes);
+  EXPECT_EQ(procedure->norms[0].novice, 3);
 }
 
 TEST(Procedure, BadInputIsToldWhereAndWhatElse) {
@@ -77,7 +81,13 @@ TEST(Procedure, BadInputIsToldWhereAndWhatElse) {
             "The procedure cannot be used: rule 1 must be an object { ... }, not 3."},
            {"\"steps\": [", "\"steps\": [], \"description\": [", "needs a text as 'description'"},
            {"\"success\": [{\"metric\": \"tip_in_vein\", \"over\": 0}]", "\"success\": {}",
-            "needs a list [ ... ] as 'success', not {}."}}) {
+            "needs a list [ ... ] as 'success', not {}."},
+           {"\"expert\": 1", "\"expert\": 3", "norm 1 has an 'expert' that is no better than the 'novice'."},
+           {"\"passes\", \"novice\"", "\"vein_punctures\", \"novice\"", "neither less nor more is better"},
+           {", \"source\": \"S\"", "", "norm 1 has no 'source'."},
+           {"\"norms\": [",
+            R"("norms": [{"metric": "passes", "novice": 2, "expert": 1, "source": "S", "advice": "A."}, )",
+            "'passes' has two norms."}}) {
     const auto procedure = parseProcedure(with(c.piece, c.other));
     ASSERT_FALSE(procedure) << c.other;
     EXPECT_THAT(procedure.error().message, HasSubstr(c.sentence));

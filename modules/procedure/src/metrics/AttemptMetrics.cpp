@@ -13,6 +13,8 @@ namespace {
 
 /// Out of the skin and as far from the hole, the needle counts as pulled out; before, it trembles in the hole.
 constexpr double kOut_mm = 2;
+/// Blood drawn for as long tells that the tip is in the vein.
+constexpr std::int64_t kDrawn_us = 1'000'000;
 /// As far from where it was struck, bone counts as left.
 constexpr double kOffBone_mm = 1;
 constexpr double kDegrees = 180 / std::numbers::pi;
@@ -49,6 +51,7 @@ struct AttemptMetrics::State {
   void beginPass(const AttemptEvent& event);
   void endPass();
   void strike(const AttemptEvent& event);
+  void drawBlood(const AttemptSample& sample);
   metrics::Punctures* structure(Label wall);
 
   PictureField picture;
@@ -61,8 +64,10 @@ struct AttemptMetrics::State {
   std::optional<double> timeToVein_s;
   int passes = 0, usedInsertions = 0, boneContacts = 0;
   bool inPass = false, used = false;
-  std::optional<Vec3> out_mm;   ///< where the tip came out of the skin, until it is clear of the hole
-  std::optional<Vec3> bone_mm;  ///< where it met bone, until it is clear
+  std::optional<std::int64_t> drawing_us;  ///< since when the syringe draws in the vein
+  bool drawn = false;                      ///< blood of the vein was, and the tip only came back since
+  std::optional<Vec3> out_mm;              ///< where the tip came out of the skin, until it is clear of the hole
+  std::optional<Vec3> bone_mm;             ///< where it met bone, until it is clear
   std::optional<double> angle_deg, nearestArtery_mm, nearestLung_mm, veinCentre_mm;
 };
 
@@ -86,10 +91,18 @@ void AttemptMetrics::State::followNeedle(const AttemptSample& sample) {
   keepLeast(nearestArtery_mm, sample.toArtery_mm);
   keepLeast(nearestLung_mm, sample.toLung_mm);
   if (vein.inside() && sample.toVeinCentre_mm) veinCentre_mm = sample.toVeinCentre_mm;
+  drawBlood(sample);
+}
+
+void AttemptMetrics::State::drawBlood(const AttemptSample& sample) {
+  if (!sample.aspirating || !vein.inside()) return drawing_us.reset();
+  if (!drawing_us) drawing_us = sample.time_us;
+  drawn |= sample.time_us - *drawing_us >= kDrawn_us;
 }
 
 void AttemptMetrics::State::beginPass(const AttemptEvent& event) {
   inPass = true;
+  drawn = false, drawing_us.reset();
   ++passes;
   if (used) ++usedInsertions;
   passSkin_us = event.time_us;
@@ -119,6 +132,7 @@ void AttemptMetrics::State::crossSkin(const AttemptEvent& event) {
 
 void AttemptMetrics::State::cross(const AttemptEvent& event) {
   if (event.wall == kSkin) return crossSkin(event);
+  if (event.kind != AttemptEventKind::Withdrawn) drawn = false;
   metrics::Punctures* crossed = structure(event.wall);
   if (!crossed || !inPass) return;
   if (event.kind == AttemptEventKind::Left) return crossed->leave(event.depth_mm);
@@ -131,6 +145,7 @@ void AttemptMetrics::State::cross(const AttemptEvent& event) {
 
 void AttemptMetrics::State::strike(const AttemptEvent& event) {
   if (!bone_mm) ++boneContacts;
+  drawn = false;
   bone_mm = event.tip_mm;
 }
 
@@ -196,7 +211,7 @@ MetricValues AttemptMetrics::values() const {
   if (s.picture.sliceHalf_mm > 0) values[Metric::TipInPicture] = s.needle.inPicture_percent();
   values[Metric::AspirationWhileAdvancing] = s.needle.aspirating_percent();
   values[Metric::VeinCentreDistance] = s.veinCentre_mm;
-  if (pierced) values[Metric::TipInVein] = s.vein.inside() ? 1 : 0;
+  if (pierced) values[Metric::TipInVein] = s.vein.inside() || s.drawn ? 1 : 0;
   values[Metric::NearestArtery] = s.nearestArtery_mm;
   values[Metric::NearestLung] = s.nearestLung_mm;
   values[Metric::ProbePath] = s.probe.path_mm();

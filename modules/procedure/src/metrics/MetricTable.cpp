@@ -56,7 +56,10 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
      "Share of the tip's way forward, until access, with the syringe drawing, in steps of 0.5 mm.", kUnnamed},
     {VeinCentreDistance, "vein_centre_distance_mm", 1, "mm", Lower,
      "From the tip to the centre line of the vein when it was last in the vein.", kTrainer},
-    {TipInVein, "tip_in_vein", 1, "", Higher, "1: the attempt ended with the tip in the vein; 0: it did not.",
+    {TipInVein, "tip_in_vein", 2, "", Higher,
+     "1: the attempt ended with the tip in the vein, or with the needle drawn back by the way it came after the "
+     "syringe "
+     "had drawn in the vein for 1 s, no further wall or bone met; 0: it did not.",
      "Auyong et al., Anesthesiology 2015, 123:535: 76 % against 97 % with a guided needle"},
     {NearestArtery, "nearest_artery_mm", 1, "mm", Higher,
      "Least distance of the tip from an artery's wall, under the skin; negative inside.", kUnnamed},

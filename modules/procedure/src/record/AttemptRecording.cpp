@@ -119,23 +119,30 @@ Result<Stretch> AttemptRecording::stretch(std::size_t index) const {
   return std::move(*stretch);
 }
 
-Result<MetricValues> AttemptRecording::metricsUntil(std::int64_t time_us) const {
+Result<void> AttemptRecording::play(std::int64_t until_us, const std::function<void(const Entry&)>& take) const {
   if (damaged_) return fail(troubles_.back());
-  AttemptMetrics metrics(header_.picture);
-  for (std::size_t i = 0; i < blocks_.size() && blocks_[i].first_us <= time_us; ++i) {
+  for (std::size_t i = 0; i < blocks_.size() && blocks_[i].first_us <= until_us; ++i) {
     const auto part = stretch(i);
     if (!part) return tl::unexpected(part.error());
     auto event = part->events.begin();
     const auto takeEvents = [&](std::size_t samples) {
       for (; event != part->events.end() && event->afterSamples <= samples; ++event)
-        if (event->event.time_us <= time_us) metrics.take(event->event);
+        if (event->event.time_us <= until_us) take(event->event);
     };
-    for (std::size_t n = 0; n < part->samples.size() && part->samples[n].time_us <= time_us; ++n) {
+    for (std::size_t n = 0; n < part->samples.size() && part->samples[n].time_us <= until_us; ++n) {
       takeEvents(n);
-      metrics.take(restored(part->samples[n]));
+      take(restored(part->samples[n]));
     }
     takeEvents(part->samples.size());
   }
+  return {};
+}
+
+Result<MetricValues> AttemptRecording::metricsUntil(std::int64_t time_us) const {
+  AttemptMetrics metrics(header_.picture);
+  const auto played =
+      play(time_us, [&](const Entry& entry) { std::visit([&](const auto& what) { metrics.take(what); }, entry); });
+  if (!played) return tl::unexpected(played.error());
   return metrics.values();
 }
 

@@ -8,8 +8,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace insonate {
@@ -47,8 +49,12 @@ class AttemptRecording {
   /// Fails where the block is damaged.
   Result<Stretch> stretch(std::size_t index) const;
 
-  /// Metrics as they stood after all that happened up to this time; the same as live, to the last bit. Fails where
-  /// something before is damaged: numbers without it would be wrong.
+  using Entry = std::variant<AttemptSample, AttemptEvent>;
+  /// Hands over all that happened up to this time, in its order, as AttemptMetrics and ProcedureRun took it live. Fails
+  /// where something before is damaged: what is computed without it would be wrong.
+  Result<void> play(std::int64_t until_us, const std::function<void(const Entry&)>& take) const;
+  /// Metrics as they stood after all that happened up to this time; the same as live, to the last bit. Fails as
+  /// play() does.
   Result<MetricValues> metricsUntil(std::int64_t time_us = std::numeric_limits<std::int64_t>::max()) const;
 
  private:

@@ -55,7 +55,16 @@ struct ProcedureRule {
   std::string name;
   MetricLimit limit;  ///< of a count, each one more counts anew; of other metrics, once
   Severity severity = Severity::Minor;
-  std::string say;  ///< what went wrong, and what to do
+  std::string say;     ///< what went wrong, and what to do
+  std::string advice;  ///< for the next time, one sentence; may be empty
+};
+
+/// What of a metric is known of people: between the two lies what can be learnt.
+struct MetricNorm {
+  Metric metric = Metric::VeinPunctures;
+  double novice = 0, expert = 0;  ///< in the metric's unit; they differ, and the expert's is the better one
+  std::string source;             ///< who measured it, on what
+  std::string advice;             ///< how to come nearer to the expert, one sentence
 };
 
 /// How a procedure goes, as data.
@@ -67,6 +76,7 @@ struct Procedure {
   std::size_t passBegins = 0;        ///< the step to which a needle that is pulled out too early goes back
   std::vector<ProcedureRule> rules;
   std::vector<MetricLimit> success;  ///< all of them beyond at the end
+  std::vector<MetricNorm> norms;     ///< one a metric at most; of the others none is known
 };
 
 /// The presets of resources/procedures.

@@ -35,6 +35,9 @@ class ProcedureRun {
   /// The first step that is due; none when all are done.
   std::optional<std::size_t> due() const;
   const std::vector<Finding>& findings() const { return findings_; }  ///< in the order of their times
+  /// What an attempt is told by, in the order of its times: punctures that count, bone, the needle out of the skin or
+  /// a new one, the pedal held, the patient's position. A tip that trembles in a hole adds none.
+  const std::vector<AttemptEvent>& milestones() const { return milestones_; }
   /// As things stand.
   bool succeeded() const;
 
@@ -47,6 +50,7 @@ class ProcedureRun {
   std::vector<Step> steps_;
   std::size_t due_ = 0;
   std::vector<Finding> findings_;
+  std::vector<AttemptEvent> milestones_;
   std::vector<std::optional<double>> told_;                     ///< by rule: the value that was told last
   std::optional<std::int64_t> probeOnSkin_us_, aspirating_us_;  ///< since when they hold
 };

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <insonate/procedure/ProcedureRun.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// One metric of an attempt beside what is known of people.
+struct MetricScore {
+  Metric metric = Metric::VeinPunctures;
+  std::optional<double> value;     ///< none: the attempt does not tell
+  std::optional<MetricNorm> norm;  ///< none: none is known
+  /// 0..100: how far the value has come from the novice's to the expert's, and no further. None where one of the two
+  /// is missing.
+  std::optional<double> share;
+};
+
+/// Something to look at again.
+struct AttemptMoment {
+  std::int64_t time_us = 0;
+  std::string say;                   ///< one or more sentences
+  std::optional<Severity> severity;  ///< none: nothing went wrong
+};
+
+/// What is told after an attempt.
+///
+/// points = 0 with a critical finding; otherwise, held within 0..100,
+///     mean of all shares - 5 for each minor finding - 20 for each major one,
+/// and at most 50 where the attempt did not succeed. Findings are those of ProcedureRun, each counted as often as it
+/// was made. The mean treats metrics alike, and 5, 20 and 50 are a choice, not a result of a study: the parts are all
+/// here, so that whoever weighs them otherwise can.
+struct AttemptScore {
+  std::optional<double> points;  ///< 0..100; none: the skin was not punctured, or no share is known
+  bool succeeded = false;
+  std::vector<MetricScore> metrics;           ///< all, in the order of metricTable()
+  std::vector<AttemptMoment> criticalErrors;  ///< those of `moments` that are critical
+  std::vector<AttemptMoment> moments;         ///< in the order of their times: milestones and findings
+  /// One sentence on what to do better: the first of these that there is, of a critical finding (the earliest), a major
+  /// one, the step in which the attempt ended, a minor finding, the metric with the least share below 100.
+  std::string advice;
+};
+
+inline constexpr double kMinorCost = 5, kMajorCost = 20, kMostWithoutSuccess = 50;
+
+/// Of an attempt that is over, or as things stand.
+AttemptScore scoreOf(const ProcedureRun& run);
+
+}  // namespace insonate

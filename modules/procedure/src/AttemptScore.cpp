@@ -1,0 +1,151 @@
+#include <insonate/procedure/AttemptScore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+
+namespace insonate {
+namespace {
+
+const ProcedureRule& ruleOf(const ProcedureRun& run, const ProcedureRun::Finding& finding) {
+  return run.procedure().rules[finding.rule];
+}
+
+std::string rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f", value);
+  return text;
+}
+
+std::string positionSentence(double tilt_deg) {
+  if (tilt_deg == 0) return "The patient lies flat.";
+  return "The patient lies with the head " + rounded(std::abs(tilt_deg)) +
+         (tilt_deg > 0 ? " degrees down." : " degrees up.");
+}
+
+std::string punctureSentence(const AttemptEvent& event, bool firstVein) {
+  if (event.wall == kSkin) return "The skin is punctured.";
+  if (event.wall == kVein && event.kind == AttemptEventKind::Left) return "The back wall of the vein is punctured.";
+  if (event.wall == kVein) return firstVein ? "The vein is reached." : "The vein is punctured again.";
+  return "The needle goes through the wall of: " + std::string(labelTable()[event.wall].name) + ".";
+}
+
+std::string sentenceOf(const AttemptEvent& event, bool firstVein) {
+  switch (event.kind) {
+    case AttemptEventKind::Entered:
+    case AttemptEventKind::Left:
+      return punctureSentence(event, firstVein);
+    case AttemptEventKind::Withdrawn:
+      return "The needle is out of the skin.";
+    case AttemptEventKind::Struck:
+      return "The needle meets bone.";
+    case AttemptEventKind::NeedleReplaced:
+      return "A new needle is taken.";
+    case AttemptEventKind::Frozen:
+      return "The needle is held to look at it.";
+    case AttemptEventKind::Released:
+      return "The needle is free again.";
+    case AttemptEventKind::Positioned:
+      break;
+  }
+  return positionSentence(event.tilt_deg);
+}
+
+/// What a finding of the same moment tells, with what to do, is not told twice.
+bool isToldByFinding(const AttemptEvent& event, const ProcedureRun& run) {
+  const bool wrong = event.kind == AttemptEventKind::Struck || event.kind == AttemptEventKind::Left ||
+                     (event.kind == AttemptEventKind::Entered && event.wall != kSkin && event.wall != kVein);
+  return wrong && std::ranges::any_of(run.findings(), [&](const auto& f) { return f.time_us == event.time_us; });
+}
+
+std::vector<AttemptMoment> momentsOf(const ProcedureRun& run) {
+  std::vector<AttemptMoment> moments;
+  bool veinReached = false;
+  for (const AttemptEvent& event : run.milestones()) {
+    const bool vein = event.kind == AttemptEventKind::Entered && event.wall == kVein;
+    if (!isToldByFinding(event, run)) moments.push_back({event.time_us, sentenceOf(event, !veinReached), std::nullopt});
+    veinReached |= vein;
+  }
+  for (const ProcedureRun::Finding& finding : run.findings()) {
+    const ProcedureRule& rule = ruleOf(run, finding);
+    moments.push_back({finding.time_us, rule.say, rule.severity});
+  }
+  std::ranges::stable_sort(moments, {}, &AttemptMoment::time_us);
+  return moments;
+}
+
+std::vector<MetricScore> metricScores(const ProcedureRun& run) {
+  const MetricValues values = run.metrics().values();
+  std::vector<MetricScore> scores;
+  for (const MetricDefinition& definition : metricTable()) {
+    MetricScore score{definition.metric, values[definition.metric], std::nullopt, std::nullopt};
+    const auto& norms = run.procedure().norms;
+    if (const auto norm = std::ranges::find(norms, definition.metric, &MetricNorm::metric); norm != norms.end())
+      score.norm = *norm;
+    if (score.value && score.norm)
+      score.share =
+          100 * std::clamp((*score.value - score.norm->novice) / (score.norm->expert - score.norm->novice), 0.0, 1.0);
+    scores.push_back(std::move(score));
+  }
+  return scores;
+}
+
+std::optional<double> pointsOf(const ProcedureRun& run, const AttemptScore& score) {
+  double sum = 0, cost = 0;
+  int shares = 0;
+  for (const MetricScore& metric : score.metrics)
+    if (metric.share) sum += *metric.share, ++shares;
+  if (shares == 0 || run.metrics().values()[Metric::Passes] == 0) return std::nullopt;
+  if (!score.criticalErrors.empty()) return 0;
+  for (const ProcedureRun::Finding& finding : run.findings())
+    cost += ruleOf(run, finding).severity == Severity::Major ? kMajorCost : kMinorCost;
+  return std::clamp(sum / shares - cost, 0.0, score.succeeded ? 100 : kMostWithoutSuccess);
+}
+
+/// Of the earliest finding that is as severe.
+std::string adviceOn(const ProcedureRun& run, Severity severity) {
+  for (const ProcedureRun::Finding& finding : run.findings())
+    if (const ProcedureRule& rule = ruleOf(run, finding); rule.severity == severity)
+      return rule.advice.empty() ? rule.say : rule.advice;
+  return {};
+}
+
+/// The first step that had to be done and was not.
+std::string adviceOnStep(const ProcedureRun& run) {
+  const auto& steps = run.procedure().steps;
+  for (std::size_t i = run.due().value_or(steps.size()); i < steps.size(); ++i)
+    if (!steps[i].optional)
+      return "The attempt ended before '" + steps[i].title + "' was done: practise that step next.";
+  return {};
+}
+
+std::string adviceOnMetric(const std::vector<MetricScore>& metrics) {
+  const MetricScore* least = nullptr;
+  for (const MetricScore& metric : metrics)
+    if (metric.share && *metric.share < 100 && (!least || *metric.share < *least->share)) least = &metric;
+  return least ? least->norm->advice : "Nothing is to be done better: do it as well the next time.";
+}
+
+std::string adviceOf(const ProcedureRun& run, const std::vector<MetricScore>& metrics) {
+  for (std::string advice : {adviceOn(run, Severity::Critical), adviceOn(run, Severity::Major), adviceOnStep(run),
+                             adviceOn(run, Severity::Minor)})
+    if (!advice.empty()) return advice;
+  return adviceOnMetric(metrics);
+}
+
+}  // namespace
+
+AttemptScore scoreOf(const ProcedureRun& run) {
+  AttemptScore score;
+  score.succeeded = run.succeeded();
+  score.metrics = metricScores(run);
+  score.moments = momentsOf(run);
+  std::ranges::copy_if(score.moments, std::back_inserter(score.criticalErrors),
+                       [](const AttemptMoment& moment) { return moment.severity == Severity::Critical; });
+  score.points = pointsOf(run, score);
+  score.advice = adviceOf(run, score.metrics);
+  return score;
+}
+
+}  // namespace insonate
