@@ -1,9 +1,4 @@
-#include "LiveProbe.h"
-#include "devices/HidBus.h"
-
-#include <insonate/haptics/SimulatedDevice.h>
-#include <insonate/simulator/HandsSession.h>
-#include <insonate/simulator/NeedleHand.h>
+#include "HandsBench.h"
 
 #include <gmock/gmock.h>
 
@@ -11,81 +6,10 @@ namespace insonate {
 namespace {
 
 using namespace std::chrono_literals;
+using test::eventually;
 using test::Frame;
-using test::Live;
-
-class NoDevices final : public haptics::HidBus {
- public:
-  std::vector<haptics::HidFound> list() override { return {}; }
-  Result<std::unique_ptr<haptics::HidHandle>> open(const haptics::HidFound&) override { return fail("nothing here"); }
-};
-
-/// A skin that faces -y at y = -0.5 mm, veins every 20 mm with their middle at y = 12.
-ImagingSetup elasticSetup() {
-  ImagingSetup setup = test::smallSetup();
-  setup.mechanics.model = "elastic";
-  setup.mechanics.settings.mesh_mm = 1;
-  return setup;
-}
-
-Transform pressedBy(double mm) {
-  return *patientFromProbe({0, mm - 0.5, 0}, {0, 1, 0}, {1, 0, 0});
-}
-
-template <class Holds>
-bool eventually(const Holds& holds, std::chrono::milliseconds patience = 5min) {
-  const auto end = std::chrono::steady_clock::now() + patience;
-  while (!holds()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(5ms);
-  }
-  return true;
-}
-
-struct Bench {
-  std::shared_ptr<const PatientCase> patient = test::wideCase();
-  ProbeHand probe = *ProbeHand::make(patient->labels, pressedBy(-2));
-  Live live{pressedBy(-2), elasticSetup(), {}, patient};
-  HandsSession hands{std::make_shared<NoDevices>()};
-
-  Bench() {
-    live.frameAt(pressedBy(-2));
-    hands.setImaging(live.operator->());
-    hands.setCase(patient, &probe);
-    EXPECT_TRUE(eventually([&] { return hands.tissueReady(); }));
-  }
-  ~Bench() { hands.setImaging(nullptr); }
-
-  /// A device of the strongest kind, held by a hand that mouse and keys lead.
-  std::shared_ptr<SimulatedDevice> probeDevice() {
-    const auto device = std::make_shared<SimulatedDevice>("omega", deviceProfiles()[3], Grip{}, HandPath::Point{});
-    HandSetup setup;
-    setup.patientFromDevice.offset = pressedBy(-2).offset;
-    setup.stylusFromTool.linear = pressedBy(-2).linear;
-    hands.put(kProbeHand, device, setup);
-    return device;
-  }
-  /// By mouse and keys, square to the skin over a vein.
-  NeedleHand takeNeedle() {
-    NeedleHand needle = NeedleHand::beside(probe, 19, NeedlePlane::Along);
-    needle.moveTo({0, -0.5, 0});
-    needle.tilt(90 - needle.state().angle_deg);
-    hands.putMouse(kNeedleHand, needle.patientFromNeedle());
-    return needle;
-  }
-  /// Pushes the needle as mouse and keys do, at 25 mm/s.
-  void push(NeedleHand& needle, double to_mm) {
-    while (std::abs(needle.state().advance_mm - to_mm) > 1e-9) {
-      needle.advance(std::clamp(to_mm - needle.state().advance_mm, -0.4, 0.4));
-      hands.moveByMouse(kNeedleHand, needle.patientFromNeedle());
-      std::this_thread::sleep_for(16ms);
-      for (const NeedleEvent& event : hands.takeEvents()) events.push_back(event);
-    }
-    std::this_thread::sleep_for(300ms);
-    for (const NeedleEvent& event : hands.takeEvents()) events.push_back(event);
-  }
-  std::vector<NeedleEvent> events;
-};
+using test::pressedBy;
+using Bench = test::HandsBench;
 
 TEST(HandsSession, TheProbeFeelsWithWhatForceTheTissueOfThePicturePressesBack) {
   Bench bench;

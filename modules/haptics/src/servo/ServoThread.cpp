@@ -50,6 +50,7 @@ struct ServoThread::State {
   std::int64_t period_ns;
   HapticServo servo;
   LatestValue<Devices> assigned;
+  LatestValue<std::shared_ptr<TickListener>> listening;
   LatestValue<ServoSnapshot> snapshots;
   EventRing events;
   TickHistogram work, wake;
@@ -57,7 +58,7 @@ struct ServoThread::State {
   std::array<HapticDevice*, 2> inHand{};
   ServoSnapshot snapshot;
 
-  std::mutex writing;          // of setups, models, devices
+  std::mutex writing;          // of setups, models, devices, listeners
   Devices wanted;              // under `writing`
   mutable std::mutex reading;  // of snapshots, events
   mutable std::mutex asking;   // of rights
@@ -85,6 +86,7 @@ void ServoThread::State::tick(std::int64_t due_ns) {
     if (devices[hand]) devices[hand]->push(snapshot.output.hands[hand].force);
   for (int i = 0; i < snapshot.output.eventCount; ++i) events.add(snapshot.output.events[i]);
   snapshots.write(snapshot);
+  if (const auto& listener = listening.read()) listener->ticked(snapshot);
   work.add(monotonic_ns() - begin_ns);
   wake.add(begin_ns - due_ns);
 }
@@ -139,6 +141,11 @@ void ServoThread::assign(Hand hand, std::shared_ptr<HapticDevice> device) {
   const std::scoped_lock lock(state_->writing);
   state_->wanted[hand] = std::move(device);
   state_->assigned.write(state_->wanted);
+}
+
+void ServoThread::listen(std::shared_ptr<TickListener> listener) {
+  const std::scoped_lock lock(state_->writing);
+  state_->listening.write(std::move(listener));
 }
 
 RealTimeRights ServoThread::rights() const {

@@ -27,8 +27,8 @@ constexpr auto kWake = std::chrono::milliseconds(20);
 }  // namespace
 
 struct AttemptRecorder::State {
-  State(fs::path target, record::RecordFile begun, const PictureField& picture)
-      : path(std::move(target)), file(std::move(begun)), pass(picture) {}
+  State(fs::path target, record::RecordFile begun, const PictureField& picture, std::shared_ptr<AttemptFollower> also)
+      : path(std::move(target)), follower(std::move(also)), file(std::move(begun)), pass(picture) {}
 
   void run();
   void drain();
@@ -39,6 +39,7 @@ struct AttemptRecorder::State {
   Result<MetricValues> finish(AttemptStatus status);
 
   const fs::path path;
+  const std::shared_ptr<AttemptFollower> follower;  ///< or null
   record::SampleRing ring;
 
   // The recorder's thread; after it has ended, finish().
@@ -91,7 +92,9 @@ void AttemptRecorder::State::take(const AttemptSample& sample) {
   if (open.samples.empty() && open.events.empty()) opened = Clock::now();
   open.samples.push_back(quantised(sample));
   lastSample_us = sample.time_us, end_us = std::max(end_us, lastSample_us);
-  pass.take(restored(open.samples.back()));
+  const AttemptSample kept = restored(open.samples.back());
+  pass.take(kept);
+  if (follower) follower->take(kept);
 }
 
 void AttemptRecorder::State::take(const AttemptEvent& event) {
@@ -99,6 +102,7 @@ void AttemptRecorder::State::take(const AttemptEvent& event) {
   open.events.push_back({static_cast<std::uint32_t>(open.samples.size()), event});
   end_us = std::max(end_us, event.time_us);
   pass.take(event);
+  if (follower) follower->take(event);
 }
 
 void AttemptRecorder::State::close() {
@@ -146,7 +150,8 @@ fs::path AttemptRecorder::partOf(const fs::path& file) {
   return fs::path(file) += ".part";
 }
 
-Result<std::unique_ptr<AttemptRecorder>> AttemptRecorder::start(const fs::path& path, const AttemptHeader& header) {
+Result<std::unique_ptr<AttemptRecorder>> AttemptRecorder::start(const fs::path& path, const AttemptHeader& header,
+                                                                std::shared_ptr<AttemptFollower> follower) {
   std::error_code error;
   if (fs::exists(path, error))
     return fail(path.string() + " exists; recordings are not written over. Choose another name.");
@@ -156,7 +161,7 @@ Result<std::unique_ptr<AttemptRecorder>> AttemptRecorder::start(const fs::path& 
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
   if (auto ok = file->append(record::packed(BlockKind::Header, 0, 0, {bytes, text.size()})); !ok)
     return tl::unexpected(ok.error());
-  auto state = std::make_unique<State>(path, std::move(*file), header.picture);
+  auto state = std::make_unique<State>(path, std::move(*file), header.picture, std::move(follower));
   state->thread = std::thread([s = state.get()] { s->run(); });
   return std::unique_ptr<AttemptRecorder>(new AttemptRecorder(std::move(state)));
 }

@@ -69,7 +69,10 @@ void HandsSession::Impl::put(Hand hand, std::shared_ptr<HapticDevice> device, Ha
     if (hand == kNeedleHand && !devices[hand]) hideNeedle();
     setup.hands[hand] = handSetup;
     if (devices[0] || devices[1]) {
-      if (!servo) servo = std::make_unique<ServoThread>();
+      if (!servo) {
+        servo = std::make_unique<ServoThread>();
+        servo->listen(attempt);
+      }
       servo->setup(setup);
       servo->assign(hand, devices[hand]);
     } else {
@@ -237,7 +240,9 @@ void HandsSession::Impl::step() {
   takeFrame();
   drive(now);
   showNeedle(now);
-  servo->show(modelFor(now));
+  LocalModel model = modelFor(now);
+  if (attempt) attempt->show({model.grid, model.restFromPatient, frame ? frame->setup->settings.depth_mm : 0});
+  servo->show(std::move(model));
 }
 
 void HandsSession::Impl::run(const std::stop_token& stop) {

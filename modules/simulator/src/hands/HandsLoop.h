@@ -6,6 +6,7 @@
 
 #include <insonate/haptics/SimulatedDevice.h>
 #include <insonate/simulator/HandsSession.h>
+#include <insonate/simulator/LiveAttempt.h>
 
 #include <array>
 #include <chrono>
@@ -51,6 +52,7 @@ class HandsSession::Impl {
   std::shared_ptr<HapticDevice> pedal;
   std::uint32_t pedalDown = 0, presses = 0;
   std::unique_ptr<ServoThread> servo;
+  std::shared_ptr<LiveAttempt> attempt;
 
  private:
   using Clock = std::chrono::steady_clock;

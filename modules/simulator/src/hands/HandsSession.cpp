@@ -28,6 +28,12 @@ void HandsSession::setImaging(LiveImaging* imaging) {
   impl_->show(imaging);
 }
 
+void HandsSession::setAttempt(std::shared_ptr<LiveAttempt> attempt) {
+  const std::lock_guard lock(impl_->mutex);
+  impl_->attempt = std::move(attempt);
+  if (impl_->servo) impl_->servo->listen(impl_->attempt);
+}
+
 void HandsSession::put(Hand hand, std::shared_ptr<HapticDevice> device, HandSetup setup) {
   impl_->put(hand, std::move(device), std::move(setup));
 }

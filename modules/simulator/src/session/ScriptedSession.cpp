@@ -1,11 +1,10 @@
 #include <insonate/haptics/SimulatedHand.h>
+#include <insonate/simulator/AttemptOrigin.h>
 #include <insonate/simulator/ScriptedSession.h>
 #include <insonate/simulator/ServoRecord.h>
 
 #include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <ctime>
 #include <optional>
 #include <thread>
 
@@ -103,27 +102,6 @@ class Session {
   Vec3 tip_mm_, axis_{0, 0, 1};
 };
 
-std::string now() {
-  const std::time_t seconds = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&seconds, &utc);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
-}
-
-/// Of what the servo and pictures are computed from: FNV-1a, 64 bits, over CT and labels.
-std::string hashOf(const PatientCase& patient) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  const auto add = [&](std::uint64_t value) { hash = (hash ^ value) * 0x100000001b3U; };
-  for (const int size : patient.labels.geometry.size) add(static_cast<std::uint64_t>(size));
-  for (const auto label : patient.labels.voxels) add(label);
-  for (const auto hu : patient.ct.voxels) add(static_cast<std::uint16_t>(hu));
-  char text[20];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
-}
-
 /// Where the needle is first put down.
 Vec3 placeOf(const SessionScript& script) {
   for (const SessionAct& act : script.acts)
@@ -141,14 +119,9 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
   if (!probe) return tl::unexpected(probe.error());
   auto grid = TissueGrid::fromLabels(patient.labels, placeOf(script), kReach_mm);
   if (!grid) return tl::unexpected(grid.error());
-  const AttemptHeader header{.software = std::string(software),
-                             .begun = now(),
-                             .procedure = procedure->name,
-                             .procedureVersion = procedure->version,
-                             .caseName = patient.manifest.title,
-                             .caseHash = hashOf(patient),
-                             .engine = "none",
-                             .picture = pictureFieldOf(*probe)};
+  AttemptHeader header = headerOf(*procedure, patient, *probe, software);
+  header.caseHash = caseHashOf(patient);
+  header.engine = "none";
   auto recorder = AttemptRecorder::start(recording, header);
   if (!recorder) return tl::unexpected(recorder.error());
   SessionOutcome outcome{{}, {}, {}, ProcedureRun(std::move(*procedure), header.picture)};

@@ -33,6 +33,13 @@ struct ServoSnapshot {
   ServoOutput output;
 };
 
+/// Hears of each tick on the servo's own thread: it must neither wait nor allocate.
+class TickListener {
+ public:
+  virtual ~TickListener() = default;
+  virtual void ticked(const ServoSnapshot& tick) noexcept = 0;
+};
+
 /// Runs a HapticServo on a thread of its own, a tick a millisecond by absolute time, with real-time priority and locked
 /// memory where the system allows it. A tick that comes late is counted, and those that it missed are left out. All
 /// functions may be called from any thread; none makes the servo wait.
@@ -48,6 +55,9 @@ class ServoThread {
   void show(LocalModel model);
   /// The device in a hand, or none. The one that was there is pushed no more, and so lets go within 100 ms.
   void assign(Hand hand, std::shared_ptr<HapticDevice> device);
+
+  /// Who hears of the ticks, or nobody. The one before may hear of one more.
+  void listen(std::shared_ptr<TickListener> listener);
 
   RealTimeRights rights() const;
   ServoSnapshot latest() const;

@@ -13,13 +13,23 @@
 
 namespace insonate {
 
+/// Hears what a recorder has written, rounded as a replay reads it and in its order, on the recorder's thread.
+class AttemptFollower {
+ public:
+  virtual ~AttemptFollower() = default;
+  virtual void take(const AttemptSample& sample) = 0;
+  virtual void take(const AttemptEvent& event) = 0;
+};
+
 /// Writes an attempt as it happens, from a thread of its own, and computes its metrics from what it writes, so that a
 /// replay gives the same. The file grows beside its place (`partOf()`), a block each second, on the disk as soon as it
 /// is written; finish() gives it its name. A program that ends before leaves the part, which AttemptRecording reads.
 class AttemptRecorder {
  public:
   /// Fails where the file exists, where a part of an earlier attempt lies beside it, or where it cannot be written.
-  static Result<std::unique_ptr<AttemptRecorder>> start(const std::filesystem::path& file, const AttemptHeader& header);
+  /// `follower`, if there is one, is asked no more once finish() has returned.
+  static Result<std::unique_ptr<AttemptRecorder>> start(const std::filesystem::path& file, const AttemptHeader& header,
+                                                        std::shared_ptr<AttemptFollower> follower = nullptr);
   /// An attempt that was not finished is finished as abandoned.
   ~AttemptRecorder();
   AttemptRecorder(const AttemptRecorder&) = delete;

@@ -13,6 +13,8 @@
 
 namespace insonate {
 
+class LiveAttempt;
+
 /// What two hands hold on a patient: devices, the servo that they feel, and the tissue that it knows of. While
 /// something is in a hand, a thread shows the servo 60 times a second what lies before the probe's face and round the
 /// needle's tip, and moves the live picture with what is held. An empty hand costs nothing.
@@ -36,6 +38,9 @@ class HandsSession {
   /// Whose pictures tell how the tissue presses back, and which follows a device. Once it returns, the one before is
   /// used no more.
   void setImaging(LiveImaging* imaging);
+
+  /// Hears of every tick while something is in a hand; null for none. The one before hears of one more tick at most.
+  void setAttempt(std::shared_ptr<LiveAttempt> attempt);
 
   /// Into a hand, out of which goes what was there; no device: an empty hand. The limits of `setup` are the device's.
   void put(Hand hand, std::shared_ptr<HapticDevice> device, HandSetup setup);

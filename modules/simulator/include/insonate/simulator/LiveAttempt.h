@@ -1,0 +1,70 @@
+#pragma once
+
+#include <insonate/haptics/ServoThread.h>
+#include <insonate/procedure/AttemptRecorder.h>
+#include <insonate/procedure/AttemptScore.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// Where an attempt stands; all of one moment, some milliseconds ago.
+struct AttemptView {
+  double time_s = 0;                      ///< on the clock, since it began
+  std::vector<ProcedureRun::Step> steps;  ///< of Procedure::steps
+  std::optional<std::size_t> due;
+  std::vector<ProcedureRun::Finding> findings;
+  std::vector<AttemptEvent> events;
+  MetricValues metrics;
+  NeedlePlace needle = NeedlePlace::Clean;
+  bool succeeded = false;
+};
+
+/// An attempt as two hands make it (HandsSession::setAttempt): each tick of their servo is recorded, and a ProcedureRun
+/// follows what was recorded, so that a replay tells the same to the last bit. Times count from start(). Members but
+/// ticked() and show() may be called from any thread.
+class LiveAttempt final : public TickListener {
+ public:
+  /// What the servo's output does not tell.
+  struct Surroundings {
+    std::shared_ptr<const TissueGrid> grid;  ///< null: not there yet
+    Transform restFromPatient;               ///< of LocalModel
+    double pictureDepth_mm = 0;
+  };
+
+  /// Fails as AttemptRecorder::start() does.
+  static Result<std::shared_ptr<LiveAttempt>> start(const std::filesystem::path& file, const AttemptHeader& header,
+                                                    Procedure procedure);
+  /// An attempt that was not finished is abandoned once nobody holds it; a HandsSession may do so until it ends.
+  ~LiveAttempt() override;
+
+  /// By the servo: neither waits nor allocates.
+  void ticked(const ServoSnapshot& tick) noexcept override;
+  /// By one thread, as often as the servo is shown the tissue.
+  void show(Surroundings around);
+
+  /// Replaced, frozen, released or positioned. While frozen, pictures stand still and count as none.
+  void tell(AttemptEventKind kind, double tilt_deg = 0);
+  void setAspirating(bool on);
+
+  const Procedure& procedure() const;
+  const std::filesystem::path& file() const;
+  AttemptView view() const;
+  /// As things stand; of the whole attempt once it is finished.
+  AttemptScore score() const;
+  /// A sentence once the disk refuses; empty: all is well.
+  std::string trouble() const;
+  /// Takes no more ticks and writes what is left. Once. Fails as AttemptRecorder::finish() does.
+  Result<MetricValues> finish(AttemptStatus status);
+
+ private:
+  struct State;
+  explicit LiveAttempt(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace insonate

@@ -1,0 +1,161 @@
+#include <insonate/haptics/LatestValue.h>
+#include <insonate/simulator/LiveAttempt.h>
+#include <insonate/simulator/ServoRecord.h>
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace insonate {
+namespace {
+
+/// The servo's clock.
+std::int64_t monotonic_ns() {
+  return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// What was recorded, seen by the procedure's rules.
+class Following final : public AttemptFollower {
+ public:
+  Following(Procedure procedure, const PictureField& picture) : run_(std::move(procedure), picture) {}
+
+  void take(const AttemptSample& sample) override {
+    const std::lock_guard lock(mutex_);
+    run_.take(sample);
+    needle_ = sample.patientFromNeedle;
+  }
+  void take(const AttemptEvent& event) override {
+    const std::lock_guard lock(mutex_);
+    run_.take(event);
+    events_.push_back(event);
+  }
+
+  const Procedure& procedure() const { return run_.procedure(); }
+  AttemptView view() const {
+    const std::lock_guard lock(mutex_);
+    return {.steps = run_.steps(),
+            .due = run_.due(),
+            .findings = run_.findings(),
+            .events = events_,
+            .metrics = run_.metrics().values(),
+            .needle = run_.metrics().needle(),
+            .succeeded = run_.succeeded()};
+  }
+  AttemptScore score() const {
+    const std::lock_guard lock(mutex_);
+    return scoreOf(run_);
+  }
+  std::optional<Transform> needle() const {
+    const std::lock_guard lock(mutex_);
+    return needle_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  ProcedureRun run_;
+  std::vector<AttemptEvent> events_;
+  std::optional<Transform> needle_;  ///< as recorded last
+};
+
+}  // namespace
+
+struct LiveAttempt::State {
+  std::filesystem::path file;
+  std::shared_ptr<Following> following;
+  std::unique_ptr<AttemptRecorder> recorder;
+  std::int64_t begun_ns = monotonic_ns();
+  std::atomic<std::int64_t> ended_ns{0};  ///< 0: goes on
+  LatestValue<Surroundings> around;
+  std::atomic<bool> aspirating{false}, frozen{false};
+  // Whoever of finish() and a tick comes first is seen by the other.
+  std::atomic<bool> closed{false}, inTick{false};
+
+  void record(const ServoSnapshot& tick) noexcept;
+};
+
+void LiveAttempt::State::record(const ServoSnapshot& tick) noexcept {
+  if (tick.time_ns < begun_ns) return;
+  const Surroundings& now = around.read();
+  const TickContext context{.time_us = (tick.time_ns - begun_ns) / 1000,
+                            .present = tick.present,
+                            .pictureDepth_mm = frozen ? 0 : now.pictureDepth_mm,
+                            .aspirating = aspirating,
+                            .restFromPatient = now.restFromPatient};
+  recorder->put(sampleOf(tick.output, context, now.grid.get()));
+  for (int i = 0; i < tick.output.eventCount; ++i)
+    recorder->put(eventOf(tick.output.events[i], context, now.grid.get()));
+}
+
+Result<std::shared_ptr<LiveAttempt>> LiveAttempt::start(const std::filesystem::path& file, const AttemptHeader& header,
+                                                        Procedure procedure) {
+  auto state = std::make_unique<State>();
+  state->file = file;
+  state->following = std::make_shared<Following>(std::move(procedure), header.picture);
+  auto recorder = AttemptRecorder::start(file, header, state->following);
+  if (!recorder) return tl::unexpected(recorder.error());
+  state->recorder = std::move(*recorder);
+  return std::shared_ptr<LiveAttempt>(new LiveAttempt(std::move(state)));
+}
+
+LiveAttempt::LiveAttempt(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+LiveAttempt::~LiveAttempt() = default;
+
+void LiveAttempt::ticked(const ServoSnapshot& tick) noexcept {
+  state_->inTick = true;
+  if (!state_->closed) state_->record(tick);
+  state_->inTick = false;
+}
+
+void LiveAttempt::show(Surroundings around) {
+  state_->around.write(std::move(around));
+}
+
+void LiveAttempt::tell(AttemptEventKind kind, double tilt_deg) {
+  if (kind == AttemptEventKind::Frozen) state_->frozen = true;
+  if (kind == AttemptEventKind::Released) state_->frozen = false;
+  AttemptEvent event;
+  event.time_us = (monotonic_ns() - state_->begun_ns) / 1000;
+  event.kind = kind, event.tilt_deg = tilt_deg;
+  if (const auto needle = state_->following->needle())
+    event.tip_mm = needle->offset, event.axis = needle->linear.column[2];
+  state_->recorder->note(event);
+}
+
+void LiveAttempt::setAspirating(bool on) {
+  state_->aspirating = on;
+}
+
+const Procedure& LiveAttempt::procedure() const {
+  return state_->following->procedure();
+}
+
+const std::filesystem::path& LiveAttempt::file() const {
+  return state_->file;
+}
+
+AttemptView LiveAttempt::view() const {
+  AttemptView view = state_->following->view();
+  const std::int64_t ended_ns = state_->ended_ns;
+  view.time_s = static_cast<double>((ended_ns ? ended_ns : monotonic_ns()) - state_->begun_ns) * 1e-9;
+  return view;
+}
+
+AttemptScore LiveAttempt::score() const {
+  return state_->following->score();
+}
+
+std::string LiveAttempt::trouble() const {
+  return state_->recorder->trouble();
+}
+
+Result<MetricValues> LiveAttempt::finish(AttemptStatus status) {
+  state_->closed = true;
+  while (state_->inTick) std::this_thread::yield();
+  state_->ended_ns = monotonic_ns();
+  return state_->recorder->finish(status);
+}
+
+}  // namespace insonate
