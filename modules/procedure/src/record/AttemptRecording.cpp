@@ -5,6 +5,7 @@
 #include <insonate/procedure/AttemptRecording.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -35,6 +36,13 @@ Result<Bytes> bytesOf(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+bool beginsAsRecording(const std::filesystem::path& file) {
+  std::array<std::uint8_t, record::kMark.size()> first{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(reinterpret_cast<char*>(first.data()), first.size());
+  return stream && first == record::kMark;
+}
 
 Result<AttemptRecording> AttemptRecording::open(const std::filesystem::path& file) {
   auto bytes = bytesOf(file);

@@ -1,4 +1,4 @@
-#include "RecentCases.h"
+#include <insonate/ui/RecentCases.h>
 
 #include <QFileInfo>
 #include <QSettings>

@@ -107,6 +107,10 @@ void MainWindow::addWorkspace(const QString& id, const QString& title, const QSt
   connect(workspace, &Workspace::readyChanged, this, &MainWindow::readyChanged);
   connect(workspace, &Workspace::failed, this, &MainWindow::fail);
   connect(workspace, &Workspace::caseMade, this, &MainWindow::takeMade);
+  connect(workspace, &Workspace::caseWanted, this,
+          [this](const QString& folder) { folder.isEmpty() ? openTextbook() : open(folder); });
+  connect(workspace, &Workspace::attemptWanted, this, &MainWindow::openAttempt);
+  attempt_->setVisible(attemptRoom() != nullptr);
   connect(workspace, &Workspace::editsChanged, this, &MainWindow::showTitle);
   connect(workspace, &Workspace::saveWanted, this, &MainWindow::saveCase);
   if (index == 0) header_->setTab(0);

@@ -2,10 +2,12 @@
 #include "AboutDialog.h"
 #include "HeaderBar.h"
 #include "HelpWindow.h"
-#include "RecentCases.h"
+#include "LossQuestion.h"
 #include "StatusStrip.h"
 
+#include <insonate/ui/Attempts.h>
 #include <insonate/ui/MainWindow.h>
+#include <insonate/ui/RecentCases.h>
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
 
@@ -61,6 +63,8 @@ void MainWindow::makeActions() {
   open_ = make("folder", tr("Open case ..."), tr("A case folder, or a folder of DICOM files"), QKeySequence::Open);
   import_ = make("import", tr("Import file ..."), tr("A DICOM, NRRD, NIfTI or MetaImage file"), tr("Ctrl+I"));
   textbook_ = make("neck", tr("Built-in neck"), tr("The textbook neck that comes with Insonate"), tr("Ctrl+T"));
+  attempt_ = make("review", tr("Open attempt ..."), tr("A recorded attempt, to be replayed"), tr("Ctrl+Shift+O"));
+  attempt_->setVisible(false);
   reload_ = make("reload", tr("Reload"), tr("Read the case from its folder again"), QKeySequence(Qt::Key_F5));
   save_ = make("save", tr("Save case"), tr("Write the changes to the case's folder"), QKeySequence::Save);
   saveAs_ = make("save", tr("Save case as ..."), tr("Write the case to a folder"), tr("Ctrl+Shift+S"));
@@ -70,7 +74,7 @@ void MainWindow::makeActions() {
   auto* keys = make("help", tr("Keys"), tr("All keys"), QKeySequence(Qt::Key_Question));
   keys->setShortcuts({QKeySequence(Qt::Key_Question), QKeySequence(QStringLiteral("Shift+?"))});
   auto* full = make("", tr("Full screen"), tr("Full screen and back"), QKeySequence(Qt::Key_F11));
-  for (QAction* action : {open_, import_, textbook_}) menu_->addAction(action);
+  for (QAction* action : {open_, import_, textbook_, attempt_}) menu_->addAction(action);
   menu_->addMenu(recent_);
   menu_->addAction(reload_);
   menu_->addSeparator();
@@ -85,6 +89,7 @@ void MainWindow::makeActions() {
   connect(open_, &QAction::triggered, this, &MainWindow::chooseCase);
   connect(import_, &QAction::triggered, this, &MainWindow::chooseImport);
   connect(textbook_, &QAction::triggered, this, &MainWindow::openTextbook);
+  connect(attempt_, &QAction::triggered, this, &MainWindow::chooseAttempt);
   connect(reload_, &QAction::triggered, this, &MainWindow::reload);
   connect(save_, &QAction::triggered, this, &MainWindow::saveCase);
   connect(saveAs_, &QAction::triggered, this, &MainWindow::chooseTarget);
@@ -127,6 +132,29 @@ void MainWindow::chooseImport() {
   if (file.isEmpty()) return;
   keepStartFolder(file);
   open(file);
+}
+
+void MainWindow::chooseAttempt() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open a recorded attempt"), attemptsFolder(),
+                                                    tr("Attempts (*%1 *%1.part);;All files (*)").arg(kAttemptSuffix));
+  if (!file.isEmpty()) openAttempt(file);
+}
+
+const MainWindow::Room* MainWindow::attemptRoom() const {
+  for (const Room& room : rooms_)
+    if (room.workspace->opensAttempts()) return &room;
+  return nullptr;
+}
+
+void MainWindow::openAttempt(const QString& file) {
+  const Room* room = attemptRoom();
+  if (!room) return;
+  const auto go = [this, room, file] {
+    showWorkspace(room->id);
+    room->workspace->openAttempt(file);
+  };
+  // A case that is not saved is in danger only where the attempt is of another one; that is asked then.
+  tasks_->asksWhenClosed() ? whenNothingIsLost(LostBy::Opening, go) : go();
 }
 
 void MainWindow::chooseTarget() {

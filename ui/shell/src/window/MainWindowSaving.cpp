@@ -1,10 +1,11 @@
 // The part of the window that keeps edits: saving, and asking before they would be lost.
 #include "HeaderBar.h"
 #include "LossQuestion.h"
-#include "RecentCases.h"
 #include "StatusStrip.h"
 
+#include <insonate/ui/Attempts.h>
 #include <insonate/ui/MainWindow.h>
+#include <insonate/ui/RecentCases.h>
 #include <insonate/ui/TaskBar.h>
 
 #include <QAction>
@@ -14,6 +15,7 @@
 namespace insonate::ui {
 
 void MainWindow::open(const QString& path) {
+  if (attemptRoom() && isAttemptFile(path)) return openAttempt(path);
   whenNothingIsLost(LostBy::Opening, [this, path] { loader_->open(path); });
 }
 

@@ -30,6 +30,9 @@ struct Stretch {
   std::uint32_t samplesLost = 0;  ///< that the recorder had no room for, within this stretch or just before
 };
 
+/// Whether a file begins as a recording does, whatever follows. False where it cannot be read.
+bool beginsAsRecording(const std::filesystem::path& file);
+
 /// A recorded attempt, whole or cut short. Constant once it is open: any number of threads may read.
 class AttemptRecording {
  public:

@@ -24,7 +24,7 @@ enum class LostBy;
 
 /// The frame around the workspaces: which one is shown, which case is open, what is being done and what went wrong.
 /// Remembers its place, the workspace and recent cases in the user's settings (QSettings of the application). Takes a
-/// case folder, a DICOM folder or a volume file that is dropped on it.
+/// case folder, a DICOM folder, a volume file or a recorded attempt that is dropped on it.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -42,10 +42,12 @@ class MainWindow : public QMainWindow {
   /// As it was when the window closed last.
   void restoreLayout();
 
-  /// A case folder, a DICOM folder or a volume file. Asks first where a case that is not saved, edits or work would be
-  /// lost; so do the others.
+  /// A case folder, a DICOM folder, a volume file, or a recorded attempt. Asks first where a case that is not saved,
+  /// edits or work would be lost; so do the others.
   void open(const QString& path);
   void openTextbook();
+  /// A recorded attempt, in the workspace that shows attempts, which comes to the front.
+  void openAttempt(const QString& file);
   /// Rereads the case from its folder; nothing for one that is not on disk.
   void reload();
   /// Writes the case with all edits where it is kept; asks for a place where it is not kept anywhere.
@@ -60,6 +62,7 @@ class MainWindow : public QMainWindow {
   QAction* openAction() const { return open_; }
   QAction* importAction() const { return import_; }
   QAction* textbookAction() const { return textbook_; }
+  QAction* attemptAction() const { return attempt_; }
   QAction* reloadAction() const { return reload_; }
   QAction* saveAction() const { return save_; }
   TaskBar& tasks() { return *tasks_; }
@@ -108,6 +111,8 @@ class MainWindow : public QMainWindow {
   void updateStatus();
   void chooseCase();
   void chooseImport();
+  void chooseAttempt();
+  const Room* attemptRoom() const;
   void chooseTarget();
   void showHelp(bool keys);
 
@@ -115,7 +120,7 @@ class MainWindow : public QMainWindow {
   LoadedCase case_;
   QMenu *menu_, *recent_;
   QAction *open_ = nullptr, *import_ = nullptr, *textbook_ = nullptr, *reload_ = nullptr, *save_ = nullptr,
-          *saveAs_ = nullptr;
+          *saveAs_ = nullptr, *attempt_ = nullptr;
   QMenu* view_;
   bool sure_ = false;     ///< close, whatever is lost
   bool passing_ = false;  ///< a key goes to the workspace

@@ -56,6 +56,11 @@ class Workspace : public QWidget {
   /// The case was written, with every workspace's edit: it is `patient` from now on.
   virtual void caseSaved(std::shared_ptr<const PatientCase> patient) { setCase(std::move(patient)); }
 
+  /// Whether recorded attempts are shown here; the window hands them to the first workspace of which this is true.
+  virtual bool opensAttempts() const { return false; }
+  /// Shows a recorded attempt. Returns at once; what goes wrong is told by failed().
+  virtual void openAttempt(const QString& /*file*/) {}
+
   /// What just happened, or the next thing to do: left in the status bar.
   virtual QString statusText() const { return {}; }
   /// Engine and rate, e.g. "processor   62 images/s": right in the status bar. Empty where nothing is computed.
@@ -96,6 +101,10 @@ class Workspace : public QWidget {
   void written(const QString& sentence, const QString& folder);
   /// Another case came of this one, e.g. edited labels: the window gives it to every workspace.
   void caseMade(std::shared_ptr<const insonate::PatientCase> patient);
+  /// A case is needed: the window opens the one in this folder, or the built-in neck where it is empty.
+  void caseWanted(const QString& folder);
+  /// A recorded attempt is to be seen: the window opens it in the workspace that shows attempts.
+  void attemptWanted(const QString& file);
 
  private:
   TaskBar* tasks_ = nullptr;

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <QString>
+
+namespace insonate::ui {
+
+/// Where the user's attempts are recorded: `attempts` beside what else the program keeps of the user's. May not exist
+/// yet.
+QString attemptsFolder();
+
+/// What recordings are called by: "2026-11-20 Textbook neck.attempt".
+inline const QString kAttemptSuffix = QStringLiteral(".attempt");
+
+/// Whether a path is that of a recorded attempt: by its name, also that of the part of one that was cut short, or by
+/// how the file begins.
+bool isAttemptFile(const QString& path);
+
+}  // namespace insonate::ui
