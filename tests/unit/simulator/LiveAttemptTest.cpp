@@ -98,6 +98,7 @@ TEST_F(LiveAttemptTest, HandsOfTheMouseFromStartToFinishReplayToTheLastBit) {
   EXPECT_EQ((*live)[Metric::DoublePunctures], 1);
   EXPECT_EQ((*live)[Metric::Passes], 1);
   EXPECT_TRUE((*live)[Metric::TimeToVein]);
+  EXPECT_TRUE((*live)[Metric::VeinCentreDistance]);
   std::vector<AttemptEventKind> kinds;
   for (const AttemptEvent& event : again.events) kinds.push_back(event.kind);
   using enum AttemptEventKind;
@@ -144,7 +145,8 @@ TEST_F(LiveAttemptTest, ATickThatIsRecordedAllocatesNothing) {
   const auto attempt = LiveAttempt::start(file, header(*bench.patient, procedure), procedure);
   ASSERT_TRUE(attempt);
   const auto grid = *TissueGrid::fromLabels(bench.patient->labels, {}, 20);
-  (*attempt)->show({grid, {}, 40});
+  const auto veins = std::make_shared<const std::vector<CentreLine>>(*centreLines(bench.patient->labels, kVein));
+  (*attempt)->show({grid, veins, {}, 40});
   HapticServo servo;
   ServoSetup setup;
   setup.needle = *loadNeedleTable(needlePresetNames().front());

@@ -59,6 +59,7 @@ TEST_F(ScriptedSession, CleanSuccess) {
   EXPECT_LT(*metrics[Metric::TimeToVein], 1.2);
   EXPECT_NEAR(*metrics[Metric::InsertionAngle], 90, 3);
   EXPECT_EQ(metrics[Metric::AspirationWhileAdvancing], 100);
+  EXPECT_LT(*metrics[Metric::VeinCentreDistance], 0.3) << "it stops at the vein's middle, 12 mm deep";
   EXPECT_EQ(metrics[Metric::NearestArtery], std::nullopt) << "the block has none";
   EXPECT_TRUE(outcome.run.succeeded());
 }

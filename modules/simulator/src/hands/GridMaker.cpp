@@ -1,5 +1,9 @@
 #include "hands/GridMaker.h"
 
+#include <insonate/tissue/Labels.h>
+
+#include <utility>
+
 namespace insonate {
 
 GridMaker::GridMaker() : thread_([this](const std::stop_token& stop) { run(stop); }) {}
@@ -38,10 +42,20 @@ void GridMaker::run(const std::stop_token& stop) {
       const std::lock_guard again(mutex_);
       return !stop.stop_requested() && wish_.number == wish.number;
     };
+    findVeins(wish.patient, asked);
     const auto grid = TissueGrid::fromLabels(wish.patient->labels, wish.centre_mm, kReach_mm, asked);
     lock.lock();
-    if (wish_.number == wish.number && !stop.stop_requested()) made_ = Made{grid ? *grid : nullptr, wish.centre_mm};
+    if (wish_.number == wish.number && !stop.stop_requested())
+      made_ = Made{grid ? *grid : nullptr, veins_, wish.centre_mm};
   }
+}
+
+void GridMaker::findVeins(const std::shared_ptr<const PatientCase>& patient, const Progress& progress) {
+  if (veinsOf_.lock() == patient) return;
+  auto lines = centreLines(patient->labels, kVein, progress);
+  if (!lines) return;
+  veinsOf_ = patient;
+  veins_ = std::make_shared<const std::vector<CentreLine>>(std::move(*lines));
 }
 
 }  // namespace insonate

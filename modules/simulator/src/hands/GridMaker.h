@@ -2,12 +2,14 @@
 
 #include <insonate/cases/PatientCase.h>
 #include <insonate/haptics/TissueGrid.h>
+#include <insonate/segmentation/CentreLine.h>
 
 #include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 namespace insonate {
 
@@ -21,7 +23,8 @@ class GridMaker {
   ~GridMaker();
 
   struct Made {
-    std::shared_ptr<const TissueGrid> grid;  ///< none where the map does not reach there
+    std::shared_ptr<const TissueGrid> grid;                ///< none where the map does not reach there
+    std::shared_ptr<const std::vector<CentreLine>> veins;  ///< of the whole case
     Vec3 centre_mm;
   };
   /// Round this point; what was wanted before is given up.
@@ -32,6 +35,7 @@ class GridMaker {
 
  private:
   void run(const std::stop_token& stop);
+  void findVeins(const std::shared_ptr<const PatientCase>& patient, const Progress& progress);
 
   struct Wish {
     std::shared_ptr<const PatientCase> patient;
@@ -43,6 +47,9 @@ class GridMaker {
   Wish wish_;
   int begun_ = 0;
   std::optional<Made> made_;
+  // Of the thread alone: once a case.
+  std::weak_ptr<const PatientCase> veinsOf_;
+  std::shared_ptr<const std::vector<CentreLine>> veins_;
   std::jthread thread_;  // last: it uses the others
 };
 

@@ -111,7 +111,7 @@ void HandsSession::Impl::moveMouse(Hand hand, const Transform& before, const Tra
 }
 
 void HandsSession::Impl::forgetTissue() {
-  grid = nullptr;
+  grid = nullptr, veins = nullptr;
   frame = nullptr;
   patches_.reset();
   maker_.forget();
@@ -124,11 +124,15 @@ void HandsSession::Impl::wantTissue(const Transform& patientFromTool) {
   making_ = true;
 }
 
-void HandsSession::Impl::takeTissue(const ServoSnapshot& now) {
+void HandsSession::Impl::takeMade() {
   if (auto made = maker_.take()) {
     making_ = false;
-    grid = made->grid;
+    grid = made->grid, veins = made->veins;
   }
+}
+
+void HandsSession::Impl::takeTissue(const ServoSnapshot& now) {
+  takeMade();
   const int tool = now.present[kNeedleHand] ? kNeedleHand : kProbeHand;
   if (!patient || making_ || !now.present[tool] || now.output.needle.inBody) return;
   const Transform& held = now.output.hands[tool].patientFromTool;
@@ -241,7 +245,7 @@ void HandsSession::Impl::step() {
   drive(now);
   showNeedle(now);
   LocalModel model = modelFor(now);
-  if (attempt) attempt->show({model.grid, model.restFromPatient, frame ? frame->setup->settings.depth_mm : 0});
+  if (attempt) attempt->show({model.grid, veins, model.restFromPatient, frame ? frame->setup->settings.depth_mm : 0});
   servo->show(std::move(model));
 }
 
@@ -250,9 +254,7 @@ void HandsSession::Impl::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     if (!changed_.wait(lock, stop, [this] { return busy() || making_; })) return;
     step();
-    if (!servo && making_) {
-      if (auto made = maker_.take()) making_ = false, grid = made->grid;
-    }
+    if (!servo && making_) takeMade();
     lock.unlock();
     std::this_thread::sleep_for(kStep);
     lock.lock();

@@ -49,6 +49,7 @@ class HandsSession::Impl {
   LiveImaging* imaging = nullptr;
   std::shared_ptr<const LiveFrame> frame;  ///< the last that was learned from
   std::shared_ptr<const TissueGrid> grid;
+  std::shared_ptr<const std::vector<CentreLine>> veins;
   std::shared_ptr<HapticDevice> pedal;
   std::uint32_t pedalDown = 0, presses = 0;
   std::unique_ptr<ServoThread> servo;
@@ -68,6 +69,7 @@ class HandsSession::Impl {
   void run(const std::stop_token& stop);
   void step();
   bool busy() const { return devices[0] || devices[1] || pedal; }
+  void takeMade();
   void takeTissue(const ServoSnapshot& now);
   void takeFrame();
   void drive(const ServoSnapshot& now);

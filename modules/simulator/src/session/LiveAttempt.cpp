@@ -83,7 +83,8 @@ void LiveAttempt::State::record(const ServoSnapshot& tick) noexcept {
                             .pictureDepth_mm = frozen ? 0 : now.pictureDepth_mm,
                             .aspirating = aspirating,
                             .restFromPatient = now.restFromPatient};
-  recorder->put(sampleOf(tick.output, context, now.grid.get()));
+  const std::span<const CentreLine> veins = now.veins ? std::span(*now.veins) : std::span<const CentreLine>{};
+  recorder->put(sampleOf(tick.output, context, now.grid.get(), veins));
   for (int i = 0; i < tick.output.eventCount; ++i)
     recorder->put(eventOf(tick.output.events[i], context, now.grid.get()));
 }

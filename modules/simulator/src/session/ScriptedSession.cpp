@@ -26,9 +26,13 @@ Transform needleAt(Vec3 tip_mm, Vec3 axis) {
 /// Both hands and what they hold, a tick at a time.
 class Session {
  public:
-  Session(std::shared_ptr<const TissueGrid> grid, const Probe& probe, AttemptRecorder& recorder,
-          SessionOutcome& outcome)
-      : grid_(std::move(grid)), depth_mm_(probe.defaultDepth_mm), recorder_(recorder), outcome_(outcome) {}
+  Session(std::shared_ptr<const TissueGrid> grid, std::vector<CentreLine> veins, const Probe& probe,
+          AttemptRecorder& recorder, SessionOutcome& outcome)
+      : grid_(std::move(grid)),
+        veins_(std::move(veins)),
+        depth_mm_(probe.defaultDepth_mm),
+        recorder_(recorder),
+        outcome_(outcome) {}
 
   Result<void> begin() {
     const auto needle = loadNeedleTable(needlePresetNames().front());
@@ -74,7 +78,7 @@ class Session {
     const ServoOutput output = servo_.tick(input);
 
     const TickContext context{time_us_, input.present, probe_ ? depth_mm_ : 0, aspirating_, {}};
-    const AttemptSample sample = sampleOf(output, context, grid_.get());
+    const AttemptSample sample = sampleOf(output, context, grid_.get(), veins_);
     waitForRoom();
     recorder_.put(sample);
     outcome_.run.take(restored(quantised(sample)));
@@ -92,6 +96,7 @@ class Session {
   }
 
   std::shared_ptr<const TissueGrid> grid_;
+  std::vector<CentreLine> veins_;
   double depth_mm_;
   AttemptRecorder& recorder_;
   SessionOutcome& outcome_;
@@ -119,13 +124,15 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
   if (!probe) return tl::unexpected(probe.error());
   auto grid = TissueGrid::fromLabels(patient.labels, placeOf(script), kReach_mm);
   if (!grid) return tl::unexpected(grid.error());
+  auto veins = centreLines(patient.labels, kVein, progress);
+  if (!veins) return tl::unexpected(veins.error());
   AttemptHeader header = headerOf(*procedure, patient, *probe, software);
   header.caseHash = caseHashOf(patient);
   header.engine = "none";
   auto recorder = AttemptRecorder::start(recording, header);
   if (!recorder) return tl::unexpected(recorder.error());
   SessionOutcome outcome{{}, {}, {}, ProcedureRun(std::move(*procedure), header.picture)};
-  Session session(std::move(*grid), *probe, **recorder, outcome);
+  Session session(std::move(*grid), std::move(*veins), *probe, **recorder, outcome);
   if (auto ok = session.begin(); !ok) return tl::unexpected(ok.error());
   for (std::size_t i = 0; i < script.acts.size(); ++i) {
     if (!report(progress, "attempt", static_cast<double>(i) / static_cast<double>(script.acts.size()))) {

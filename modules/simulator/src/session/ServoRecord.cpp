@@ -35,7 +35,8 @@ constexpr AttemptEventKind kindOf(NeedleEventKind kind) {
 
 }  // namespace
 
-AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, const TissueGrid* grid) noexcept {
+AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, const TissueGrid* grid,
+                       std::span<const CentreLine> veins) noexcept {
   AttemptSample sample;
   sample.time_us = context.time_us;
   if (context.present[kProbeHand]) sample.patientFromProbe = output.hands[kProbeHand].patientFromTool;
@@ -45,8 +46,11 @@ AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, co
   if (!context.present[kNeedleHand]) return sample;
   sample.patientFromNeedle = output.hands[kNeedleHand].patientFromTool;
   if (output.needle.inBody) sample.needleDepth_mm = output.needle.depth_mm;
-  if (!grid || !output.needle.inBody) return sample;
-  const TissueSample tissue = grid->at(context.restFromPatient * sample.patientFromNeedle->offset);
+  if (!output.needle.inBody) return sample;
+  const Vec3 atRest_mm = context.restFromPatient * sample.patientFromNeedle->offset;
+  sample.toVeinCentre_mm = distanceToCentre_mm(veins, atRest_mm);
+  if (!grid) return sample;
+  const TissueSample tissue = grid->at(atRest_mm);
   sample.toArtery_mm = distance(tissue, kArtery);
   sample.toLung_mm = distance(tissue, kAirway);
   return sample;

@@ -3,6 +3,7 @@
 #include <insonate/haptics/ServoThread.h>
 #include <insonate/procedure/AttemptRecorder.h>
 #include <insonate/procedure/AttemptScore.h>
+#include <insonate/segmentation/CentreLine.h>
 
 #include <filesystem>
 #include <memory>
@@ -31,8 +32,9 @@ class LiveAttempt final : public TickListener {
  public:
   /// What the servo's output does not tell.
   struct Surroundings {
-    std::shared_ptr<const TissueGrid> grid;  ///< null: not there yet
-    Transform restFromPatient;               ///< of LocalModel
+    std::shared_ptr<const TissueGrid> grid;                ///< null: not there yet
+    std::shared_ptr<const std::vector<CentreLine>> veins;  ///< null: not there yet
+    Transform restFromPatient;                             ///< of LocalModel
     double pictureDepth_mm = 0;
   };
 

@@ -5,10 +5,12 @@
 #include <insonate/procedure/AttemptEvent.h>
 #include <insonate/procedure/AttemptHeader.h>
 #include <insonate/procedure/AttemptSample.h>
+#include <insonate/segmentation/CentreLine.h>
 #include <insonate/ultrasound/Probe.h>
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace insonate {
 
@@ -22,8 +24,9 @@ struct TickContext {
 };
 
 /// A tick of the servo as a recording keeps it. Distances to artery and lung are those of the grid, where it knows any
-/// within 200 mm; the vein's centre line is not known to it. Neither waits nor allocates.
-AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, const TissueGrid* grid) noexcept;
+/// within 200 mm; `veins` are the centre lines of the case's veins, in tissue at rest. Neither waits nor allocates.
+AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, const TissueGrid* grid,
+                       std::span<const CentreLine> veins) noexcept;
 /// The skin's normal comes from the grid, too. Time is the context's.
 AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const TissueGrid* grid) noexcept;
 

@@ -1,0 +1,179 @@
+#include "VesselTracer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace insonate::segmentation {
+namespace {
+
+constexpr double kStep_mm = 1;
+/// A section that lies farther from where it was expected, or has grown more, is that of a confluence; one that has
+/// shrunk as much, of an end.
+constexpr double kLeastJump_mm = 1.5, kJump = 0.3, kGrowth = 2, kLeastGrowth_mm2 = 10, kShrinking = 0.25;
+/// Of the area that it is compared with: a vein may widen, but not within a few millimetres.
+constexpr double kForget = 0.1;
+/// The direction is that of the last points: of one alone it would follow the voxels' stairs.
+constexpr std::size_t kBaseline = 4;
+constexpr double kShortest_mm = 5;
+constexpr double kBall_mm = 6, kRim_mm = 2;
+
+/// Noise of single sections out of a line; its ends stay.
+void smooth(CentreLine& line) {
+  for (int pass = 0; pass < 4; ++pass) {
+    Vec3 before_mm = line.front();
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+      const Vec3 here_mm = line[i];
+      line[i] = 0.25 * before_mm + 0.5 * here_mm + 0.25 * line[i + 1];
+      before_mm = here_mm;
+    }
+  }
+}
+
+}  // namespace
+
+VesselTracer::VesselTracer(const LabelMap& labels, std::uint8_t label)
+    : labels_(labels),
+      label_(label),
+      finder_(labels, label),
+      indexFromPatient_(labels.geometry.indexFromPatient()),
+      patientFromIndex_(labels.geometry.patientFromIndex()),
+      voxels_(labels.voxels.size(), kOpen) {}
+
+CentreLine VesselTracer::trace(int i, int j, int k, bool evenCut) {
+  voxels_[labels_.geometry.offset(i, j, k)] = kRim;
+  const Vec3 from_mm = patientFromIndex_ * Vec3{double(i), double(j), double(k)};
+  const Start start = startAt(from_mm);
+  if (!start.section) return {};
+  if (isDone(start.section->centre_mm)) {
+    // The rim of a vessel whose line has gone by.
+    mark({.centre_mm = from_mm, .reach_mm = kRim_mm}, kRim);
+    return {};
+  }
+  if (start.section->cut && !evenCut) {
+    voxels_[labels_.geometry.offset(i, j, k)] = kPutOff;
+    mark(*start.section, kPutOff);
+    return {};
+  }
+  trail_ = {*start.section};
+  CentreLine line = follow(*start.section, -start.axis);
+  std::ranges::reverse(line);
+  line.push_back(start.section->centre_mm);
+  std::ranges::copy(follow(*start.section, start.axis), std::back_inserter(line));
+  double length_mm = 0, reach_mm = 0;
+  for (std::size_t n = 1; n < line.size(); ++n) length_mm += norm(line[n] - line[n - 1]);
+  for (const VesselSection& section : trail_) {
+    mark(section, kDone);
+    reach_mm += section.reach_mm / static_cast<double>(trail_.size());
+  }
+  if (length_mm < std::max(kShortest_mm, 2 * reach_mm)) return {};
+  smooth(line);
+  return line;
+}
+
+void VesselTracer::reopen() {
+  std::ranges::replace(voxels_, std::uint8_t{kPutOff}, std::uint8_t{kOpen});
+}
+
+/// From anywhere in a vessel to its middle, and along which way it runs.
+VesselTracer::Start VesselTracer::startAt(Vec3 from_mm) {
+  Vec3 at_mm = from_mm;
+  for (int n = 0; n < 8; ++n) at_mm = finder_.middleOfBall(at_mm, kBall_mm);
+  Start start;
+  for (int n = 0; n < 2; ++n) {
+    start = smallestAt(at_mm);
+    if (!start.section) return start;
+    at_mm = start.section->centre_mm;
+  }
+  for (int n = 0; n < 2; ++n) {
+    const auto on = finder_.find(at_mm + start.axis * 2, start.axis);
+    const auto back = finder_.find(at_mm - start.axis * 2, start.axis);
+    if (!on || !back || norm(on->centre_mm - back->centre_mm) < 1) break;
+    const Vec3 axis = normalized(on->centre_mm - back->centre_mm);
+    const auto section = finder_.find(at_mm, axis);
+    if (!section) break;
+    start = {section, axis};
+    at_mm = section->centre_mm;
+  }
+  return start;
+}
+
+/// A vessel's section is smallest square to it. Of the directions to the neighbours in a cube.
+VesselTracer::Start VesselTracer::smallestAt(Vec3 at_mm) {
+  Start start;
+  for (int code = 14; code < 27; ++code) {
+    const Vec3 axis = normalized(Vec3{double(code % 3 - 1), double(code / 3 % 3 - 1), double(code / 9 - 1)});
+    const auto section = finder_.find(at_mm, axis);
+    if (section && (!start.section || section->area_mm2 < start.section->area_mm2)) start = {section, axis};
+  }
+  return start;
+}
+
+CentreLine VesselTracer::follow(const VesselSection& start, Vec3 axis) {
+  CentreLine line;
+  VesselSection last = start;
+  double usual_mm2 = start.area_mm2;
+  const auto& size = labels_.geometry.size;
+  const std::size_t most = 20 * std::size_t(size[0] + size[1] + size[2]);  // a vessel that runs in a ring has no end
+  while (line.size() < most) {
+    const Vec3 expected_mm = last.centre_mm + axis * kStep_mm;
+    const auto section = finder_.find(expected_mm, axis);
+    if (!section) break;
+    if (section->cut && !start.cut) {
+      followToEdge(line, last, axis);
+      break;
+    }
+    const double jump_mm = norm(section->centre_mm - expected_mm);
+    if (jump_mm > std::max(kLeastJump_mm, kJump * last.reach_mm) || isDone(section->centre_mm) ||
+        section->area_mm2 > kGrowth * usual_mm2 + kLeastGrowth_mm2 || section->area_mm2 < kShrinking * usual_mm2)
+      break;
+    usual_mm2 += kForget * (section->area_mm2 - usual_mm2);
+    last = *section;
+    line.push_back(last.centre_mm);
+    trail_.push_back(last);
+    const bool isLong = line.size() > kBaseline;
+    const Vec3 way_mm = last.centre_mm - (isLong ? line[line.size() - 1 - kBaseline] : start.centre_mm);
+    if (norm(way_mm) < 0.5 * kStep_mm) break;
+    axis = normalized(way_mm + axis * (isLong ? 0 : static_cast<double>(kBaseline + 1 - line.size())));
+  }
+  return line;
+}
+
+/// Sections at the volume's edge are cut, and their middle is no longer the vessel's: it goes on as it came.
+void VesselTracer::followToEdge(CentreLine& line, VesselSection last, Vec3 axis) {
+  for (;;) {
+    last.centre_mm = last.centre_mm + axis * kStep_mm;
+    if (sampleNearest(labels_, indexFromPatient_ * last.centre_mm) != label_) return;
+    line.push_back(last.centre_mm);
+    trail_.push_back(last);
+  }
+}
+
+bool VesselTracer::isDone(Vec3 patient_mm) const {
+  const Vec3 index = indexFromPatient_ * patient_mm;
+  const int i = static_cast<int>(std::lround(index.x)), j = static_cast<int>(std::lround(index.y)),
+            k = static_cast<int>(std::lround(index.z));
+  return labels_.geometry.contains(i, j, k) && voxels_[labels_.geometry.offset(i, j, k)] == kDone;
+}
+
+void VesselTracer::mark(const VesselSection& section, std::uint8_t as) {
+  const VolumeGeometry& g = labels_.geometry;
+  const double around_mm = section.reach_mm + 1.5 * std::max({g.spacing_mm.x, g.spacing_mm.y, g.spacing_mm.z});
+  const Vec3 centre = indexFromPatient_ * section.centre_mm;
+  std::array<int, 3> first{}, last{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double half = around_mm / g.spacing_mm[axis];
+    first[axis] = std::max(0, static_cast<int>(std::ceil(centre[axis] - half)));
+    last[axis] = std::min(g.size[axis] - 1, static_cast<int>(std::floor(centre[axis] + half)));
+  }
+  for (int k = first[2]; k <= last[2]; ++k)
+    for (int j = first[1]; j <= last[1]; ++j)
+      for (int i = first[0]; i <= last[0]; ++i) {
+        const Vec3 off{(i - centre.x) * g.spacing_mm.x, (j - centre.y) * g.spacing_mm.y,
+                       (k - centre.z) * g.spacing_mm.z};
+        std::uint8_t& voxel = voxels_[g.offset(i, j, k)];
+        if (dot(off, off) <= around_mm * around_mm && voxel < as) voxel = as;
+      }
+}
+
+}  // namespace insonate::segmentation
