@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 
 TEST(Procedure, PresetsAreFineAndSayEverything) {
-  ASSERT_EQ(procedurePresetNames(), std::vector<std::string>{"internal_jugular"});
+  ASSERT_EQ(procedurePresetNames(), (std::vector<std::string>{"internal_jugular", "subclavian"}));
   for (const std::string& name : procedurePresetNames()) {
     const auto procedure = loadProcedure(name);
     ASSERT_TRUE(procedure) << procedure.error().message;

@@ -10,9 +10,10 @@ std::vector<Structure> makeAnatomy(const NeckParameters& parameters, std::uint32
   addAirway(structures, hash32(seed + 1));
   addVessels(structures, parameters, hash32(seed + 2));
   addSpine(structures, hash32(seed + 3));
-  addGirdle(structures, hash32(seed + 4));
+  addGirdle(structures, parameters, hash32(seed + 4));
   addNervesAndGlands(structures, parameters, hash32(seed + 5));
   addMuscles(structures, parameters, hash32(seed + 6));
+  if (parameters.chest) addChestMuscles(structures, hash32(seed + 7));
   return structures;
 }
 

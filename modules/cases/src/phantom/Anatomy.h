@@ -20,6 +20,7 @@ struct NeckParameters {
   double headTurn_deg = 0;        ///< face toward the patient's left, at the top of the model
   double sternomastoidScale = 1;  ///< thickness
   double thyroidScale = 1;
+  bool chest = false;  ///< what lies below the clavicles, down to 100 mm below the cricoid
 };
 
 /// How a structure meets its neighbours. Organs claim space in the order of the list; muscles share what is left and
@@ -43,13 +44,23 @@ std::array<double, 5> jugularVeinAt(const NeckParameters& parameters, Side side,
 double vertebralFront_mm(double z_mm);
 /// Centre of the airway (larynx, then trachea), model y at level z.
 double airwayCentre_mm(double z_mm);
+/// Subclavian vein from its confluence, then axillary vein, below the clavicle; with the artery behind and above it.
+/// Depth, width, and what is between them and behind them after Galloway and Bodenham, Br J Anaesth 2003;90:589:
+/// below the middle of the clavicle the vein is 12 mm wide and begins 19 mm below the skin, the artery is 3 mm away and
+/// the rib cage 10; 40 mm to the side these are 9, 31, 8 and 20.
+std::vector<Tube::Knot> axillaryVein();
+std::vector<Tube::Knot> axillaryArtery();
 
 // The regions that makeAnatomy is composed of; each appends its structures.
 void addSpine(std::vector<Structure>& into, std::uint32_t seed);
-void addGirdle(std::vector<Structure>& into, std::uint32_t seed);
+void addGirdle(std::vector<Structure>& into, const NeckParameters& parameters, std::uint32_t seed);
 void addAirway(std::vector<Structure>& into, std::uint32_t seed);
 void addVessels(std::vector<Structure>& into, const NeckParameters& parameters, std::uint32_t seed);
 void addNervesAndGlands(std::vector<Structure>& into, const NeckParameters& parameters, std::uint32_t seed);
 void addMuscles(std::vector<Structure>& into, const NeckParameters& parameters, std::uint32_t seed);
+void addChestMuscles(std::vector<Structure>& into, std::uint32_t seed);
+/// What the first and second rib go on as, and the third.
+std::vector<Shape> chestRibs(Side side, std::uint32_t seed);
+Column chestLung();
 
 }  // namespace insonate::phantom

@@ -5,6 +5,7 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <mutex>
@@ -62,6 +63,13 @@ double NeckModel::belowSkin_mm(Vec3 patient_mm) const {
 Vec3 NeckModel::jugularCentre_mm(Side side, double z_mm) const {
   const auto vein = jugularVeinAt(parameters_, side, z_mm);
   return patientFromModel({patientX(side, vein[0]), vein[1], z_mm});
+}
+
+Vec3 NeckModel::axillaryCentre_mm(Side side, double lateral_mm) const {
+  const auto line = centreLine(axillaryVein());
+  const auto off = [&](const Tube::Knot& knot) { return std::abs(knot.p_mm.x - lateral_mm); };
+  const Vec3 at = std::ranges::min(line, {}, off).p_mm;
+  return patientFromModel({patientX(side, at.x), at.y, at.z});
 }
 
 Result<LabelMap> NeckModel::rasterise(const VolumeGeometry& g, const Progress& progress) const {

@@ -21,6 +21,8 @@ class NeckModel {
   double belowSkin_mm(Vec3 patient_mm) const;
   /// Centre of an internal jugular vein at a level, patient mm.
   Vec3 jugularCentre_mm(Side side, double z_mm) const;
+  /// Centre of an axillary vein as far from the midline, patient mm.
+  Vec3 axillaryCentre_mm(Side side, double lateral_mm) const;
 
  private:
   Vec3 modelFromPatient(Vec3 patient_mm) const;

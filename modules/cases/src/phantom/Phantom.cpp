@@ -12,11 +12,12 @@ namespace {
 
 using namespace phantom;
 
-VolumeGeometry phantomGrid() {
+/// The neck, or what lies below the right clavicle.
+VolumeGeometry phantomGrid(bool chest) {
   VolumeGeometry g;
   g.size = {304, 284, 148};
   g.spacing_mm = {0.5, 0.5, 0.75};
-  g.origin_mm = {-75.75, -36, -61.5};
+  g.origin_mm = chest ? Vec3{-124.75, -36, -97.5} : Vec3{-75.75, -36, -61.5};
   return g;
 }
 
@@ -48,7 +49,7 @@ Result<PatientCase> makePhantom(std::string_view variant, std::uint32_t seed, co
   }
 
   const NeckModel neck(model->parameters, seed);
-  auto labels = neck.rasterise(phantomGrid(), partOf(progress, 0, 0.6));
+  auto labels = neck.rasterise(phantomGrid(model->parameters.chest), partOf(progress, 0, 0.6));
   if (!labels) return tl::unexpected(labels.error());
   auto ct = synthesiseCt(*labels, {.seed = seed, .contrast = contrast}, partOf(progress, 0.6, 1));
   if (!ct) return tl::unexpected(ct.error());
@@ -59,8 +60,9 @@ Result<PatientCase> makePhantom(std::string_view variant, std::uint32_t seed, co
   patient.manifest.difficulty = model->about.difficulty;
   patient.manifest.source = "Built-in parametric neck, variant " + std::string(variant) + ", seed " +
                             std::to_string(seed) + (contrast == CtContrast::kArterial ? ", contrast" : "");
-  patient.manifest.targets = jugularTargets(neck);
-  patient.manifest.startPoses = jugularStartPoses(neck);
+  const bool chest = model->parameters.chest;
+  patient.manifest.targets = chest ? axillaryTargets(neck) : jugularTargets(neck);
+  patient.manifest.startPoses = chest ? axillaryStartPoses(neck) : jugularStartPoses(neck);
   patient.ct = std::move(*ct);
   patient.labels = std::move(*labels);
   return patient;

@@ -7,6 +7,7 @@ namespace insonate::phantom {
 namespace {
 
 constexpr double kTargetLevel_mm = 0;  ///< lower border of the cricoid
+constexpr double kAxillary_mm = 75;    ///< from the midline: below the middle of the clavicle
 
 /// Where a ray from inside the body leaves the skin: distance along it, by bisection.
 double toSkin_mm(const NeckModel& neck, Vec3 from_mm, Vec3 direction) {
@@ -48,6 +49,26 @@ Vec3 orthogonalTo(Vec3 axial, Vec3 direction) {
 }
 
 }  // namespace
+
+std::vector<Target> axillaryTargets(const NeckModel& neck) {
+  return {{"right subclavian vein", kVein, neck.axillaryCentre_mm(Side::kRight, kAxillary_mm)}};
+}
+
+std::vector<StartPose> axillaryStartPoses(const NeckModel& neck) {
+  const Vec3 vein = neck.axillaryCentre_mm(Side::kRight, kAxillary_mm);
+  // Square to the skin where the line through the vein meets it, so that the vein is in both pictures.
+  Vec3 axial{0, 1, 0}, skin;
+  for (int n = 0; n < 8; ++n) {
+    skin = vein - axial * toSkin_mm(neck, vein, -axial);
+    if (n < 7) axial = inwardNormal(neck, skin);
+  }
+  const Vec3 towardHeart =
+      neck.axillaryCentre_mm(Side::kRight, kAxillary_mm - 12) - neck.axillaryCentre_mm(Side::kRight, kAxillary_mm + 12);
+  const Vec3 along = orthogonalTo(axial, towardHeart);
+  const Vec3 across = cross(axial, along);
+  return {{"below the right clavicle, transverse", skin, axial, across.z > 0 ? across : -across},
+          {"below the right clavicle, longitudinal", skin, axial, along}};
+}
 
 std::vector<Target> jugularTargets(const NeckModel& neck) {
   return {{"right internal jugular vein", kVein, neck.jugularCentre_mm(Side::kRight, kTargetLevel_mm)},

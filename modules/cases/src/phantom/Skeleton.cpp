@@ -1,6 +1,10 @@
 #include "Anatomy.h"
 
+#include <insonate/core/Hash.h>
+
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace insonate::phantom {
 namespace {
@@ -77,7 +81,7 @@ void addSpine(std::vector<Structure>& into, std::uint32_t seed) {
   into.push_back({kBone, Kind::kOrgan, 0.7, join(std::move(bones))});
 }
 
-void addGirdle(std::vector<Structure>& into, std::uint32_t seed) {
+void addGirdle(std::vector<Structure>& into, const NeckParameters& n, std::uint32_t seed) {
   std::vector<Shape> bones;
   for (const Side side : {Side::kRight, Side::kLeft}) {
     const double drop = side == Side::kRight ? 0 : 1.5;  // nobody's shoulders are level
@@ -106,6 +110,7 @@ void addGirdle(std::vector<Structure>& into, std::uint32_t seed) {
     add({{{{27, 70, -34}, 3.6}, {{46, 78, -37}, 3.8}, {{62, 74, -45}, 4}, {{71, 60, -57}, 4}, {{72, 44, -70}, 4}},
          1.3,
          0.5});
+    if (n.chest) std::ranges::copy(chestRibs(side, hash32(seed)), std::back_inserter(bones));
   }
   bones.push_back(column(Side::kRight,
                          {{{-80, {0, -6, 26, 6, 0}}, {-64, {0, -5, 24, 5.5, 0}}, {-52, {0, -2, 17, 4.5, 0}}}, 5, 0.6},
@@ -113,7 +118,8 @@ void addGirdle(std::vector<Structure>& into, std::uint32_t seed) {
   into.push_back({kBone, Kind::kOrgan, 0.6, join(std::move(bones))});
   for (const Side side : {Side::kRight, Side::kLeft}) {
     const double top = side == Side::kRight ? -36 : -38;
-    const Column lung{{{-110, {42, 54, 30, 30, 0}}, {-64, {38, 48, 25, 26, 0}}, {top, {32, 43, 16, 16, 0}}}, 26, 0.4};
+    const Column apex{{{-110, {42, 54, 30, 30, 0}}, {-64, {38, 48, 25, 26, 0}}, {top, {32, 43, 16, 16, 0}}}, 26, 0.4};
+    const Column lung = n.chest ? chestLung() : apex;
     into.push_back({kAirway, Kind::kOrgan, 1.0, column(side, lung, seed)});
     // Intercostal muscles close the chest wall between the ribs.
     into.push_back({kMuscle, Kind::kOrgan, 0, clip(shell(column(side, lung, seed++), 1.2, 3), [side](Vec3 p) {

@@ -71,7 +71,11 @@ std::span<const VariantModel> variantModels() {
                   n.veinHeight[s] = 0.86;
                 }
                 n.carotidLateral_mm = 3.2;
-              })};
+              }),
+      variant({"subclavian", "Below the right clavicle", "moderate",
+               "The right axillary and subclavian vein, 12 mm wide and 20 mm below the skin, in front of the artery; "
+               "behind them first and second rib, pleura and lung."},
+              [](NeckParameters& n) { n.chest = true; })};
   return kVariants;
 }
 

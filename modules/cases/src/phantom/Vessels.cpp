@@ -1,6 +1,8 @@
 #include "Anatomy.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace insonate::phantom {
 namespace {
@@ -48,20 +50,18 @@ void addCarotid(std::vector<Structure>& into, const NeckParameters& n, Side side
   into.push_back({kArtery, Kind::kArtery, 1.1, join({common, internal, external, superiorThyroid})});
 }
 
-void addSubclavianArtery(std::vector<Structure>& into, Side side, std::uint32_t seed) {
+void addSubclavianArtery(std::vector<Structure>& into, const NeckParameters& n, Side side, std::uint32_t seed) {
   const double medial = side == Side::kRight ? 12 : 18, low = side == Side::kRight ? 0 : 3;
+  std::vector<Tube::Knot> subclavian{{{medial, 28 + low, -68}, 5}, {{medial + 3, 28 + low, -56}, 4.4},
+                                     {{22, 29, -45}, 4.1},         {{32, 32, -37 - low}, 4},
+                                     {{46, 33.5, -38 - low}, 4},   {{60, 32, -46 - low}, 3.9},
+                                     {{82, 29, -56 - low}, 3.8}};
+  if (n.chest) {
+    subclavian.resize(4);
+    std::ranges::copy(axillaryArtery(), std::back_inserter(subclavian));
+  }
   std::vector<Shape> arteries{
-      tube(side,
-           {{{{medial, 28 + low, -68}, 5},
-             {{medial + 3, 28 + low, -56}, 4.4},
-             {{22, 29, -45}, 4.1},
-             {{32, 32, -37 - low}, 4},
-             {{46, 33.5, -38 - low}, 4},
-             {{60, 32, -46 - low}, 3.9},
-             {{82, 29, -56 - low}, 3.8}},
-            1,
-            0.15},
-           seed),
+      tube(side, {std::move(subclavian), 1, 0.15}, seed),
       // Vertebral artery: free below C6, then through the transverse foramina.
       tube(side,
            {{{{23, 29, -43}, 1.7},
@@ -98,22 +98,18 @@ Shape jugular(const NeckParameters& n, Side side, std::uint32_t seed) {
 void addVeins(std::vector<Structure>& into, const NeckParameters& n, Side side, std::uint32_t seed) {
   const double toMidline = side == Side::kRight ? -14 : 4;  // the left brachiocephalic vein crosses
   const double scale = 0.5 * (n.veinWidth[index(side)] + 1);
-  std::vector<Shape> central{
-      jugular(n, side, seed),
-      tube(side,
-           {{{{28, 15, -48}, 4.6 * scale},
-             {{25, 14, -54}, 5.6 * scale},
-             {{-toMidline < 0 ? 12.0 : 14.0, 13, -63}, 6.2},
-             {{side == Side::kRight ? 13.0 : 2.0, 14, -72}, 6.6}},
-            1,
-            0.3},
-           seed + 1),
-      tube(
-          side,
-          {{{{25, 14, -53}, 5}, {{38, 16, -52}, 4.8}, {{52, 19, -51}, 4.8}, {{66, 23, -55}, 4.8}, {{84, 26, -60}, 4.8}},
-           1,
-           0.3},
-          seed + 2)};
+  const std::vector<Tube::Knot> subclavian{
+      {{25, 14, -53}, 5}, {{38, 16, -52}, 4.8}, {{52, 19, -51}, 4.8}, {{66, 23, -55}, 4.8}, {{84, 26, -60}, 4.8}};
+  std::vector<Shape> central{jugular(n, side, seed),
+                             tube(side,
+                                  {{{{28, 15, -48}, 4.6 * scale},
+                                    {{25, 14, -54}, 5.6 * scale},
+                                    {{-toMidline < 0 ? 12.0 : 14.0, 13, -63}, 6.2},
+                                    {{side == Side::kRight ? 13.0 : 2.0, 14, -72}, 6.6}},
+                                   1,
+                                   0.3},
+                                  seed + 1),
+                             tube(side, {n.chest ? axillaryVein() : subclavian, 1, 0.3}, seed + 2)};
   into.push_back({kVein, Kind::kVein, 0.9, join(std::move(central))});
   // Superficial veins run in the fat just outside the investing fascia.
   into.push_back({kVein, Kind::kVein, 0.3,
@@ -158,7 +154,7 @@ std::array<double, 5> jugularVeinAt(const NeckParameters& n, Side side, double z
 void addVessels(std::vector<Structure>& into, const NeckParameters& n, std::uint32_t seed) {
   for (const Side side : {Side::kRight, Side::kLeft}) {
     addCarotid(into, n, side, seed += 10);
-    addSubclavianArtery(into, side, seed += 10);
+    addSubclavianArtery(into, n, side, seed += 10);
   }
   for (const Side side : {Side::kRight, Side::kLeft}) addVeins(into, n, side, seed += 10);
 }
