@@ -3,6 +3,7 @@
 
 #include <insonate/embedded/tissues.h>
 #include <insonate/tissue/AcousticTable.h>
+#include <insonate/tissue/TableText.h>
 
 namespace insonate {
 namespace {
@@ -26,6 +27,10 @@ Result<AcousticTable> parseAcousticTable(std::string_view text) {
 
 Result<AcousticTable> loadAcousticTable(std::string_view nameOrPath) {
   return tissuefile::loadTable(nameOrPath, form());
+}
+
+std::string textOf(const AcousticTable& table) {
+  return tissuefile::tableText(table, tissuefile::written);
 }
 
 }  // namespace insonate

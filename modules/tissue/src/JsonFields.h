@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,15 @@ Result<void> readNumbers(const nlohmann::json& object, const std::array<Field<T>
     target.*field.member = *value;
   }
   return {};
+}
+
+/// What readNumbers() reads.
+template <class T, std::size_t N>
+void writeNumbers(const T& from, const std::array<Field<T>, N>& all, nlohmann::json& object) {
+  for (const Field<T>& field : all) {
+    const double value = from.*field.member;
+    object[std::string(field.name)] = std::isinf(value) ? nlohmann::json("infinity") : nlohmann::json(value);
+  }
 }
 
 template <class T, std::size_t N>

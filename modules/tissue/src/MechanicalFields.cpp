@@ -82,4 +82,11 @@ Result<void> readMechanics(const json& entry, bool complete, const std::string& 
   return {};
 }
 
+json written(const MechanicalTissue& tissue) {
+  json entry{{"kind", kKinds[static_cast<std::size_t>(tissue.kind)]}};
+  if (tissue.kind == Mechanics::Solid) writeNumbers(tissue, kSolidFields, entry);
+  if (tissue.kind == Mechanics::Lumen) writeNumbers(tissue, kLumenFields, entry);
+  return entry;
+}
+
 }  // namespace insonate::tissuefile

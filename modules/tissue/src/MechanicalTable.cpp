@@ -3,6 +3,7 @@
 
 #include <insonate/embedded/mechanics.h>
 #include <insonate/tissue/MechanicalTable.h>
+#include <insonate/tissue/TableText.h>
 
 namespace insonate {
 namespace {
@@ -26,6 +27,10 @@ Result<MechanicalTable> parseMechanicalTable(std::string_view text) {
 
 Result<MechanicalTable> loadMechanicalTable(std::string_view nameOrPath) {
   return tissuefile::loadTable(nameOrPath, form());
+}
+
+std::string textOf(const MechanicalTable& table) {
+  return tissuefile::tableText(table, tissuefile::written);
 }
 
 }  // namespace insonate

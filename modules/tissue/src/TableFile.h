@@ -125,4 +125,17 @@ Result<Table> loadTable(std::string_view nameOrPath, const TableForm<Table>& for
   return table;
 }
 
+/// A file that parseTable() reads, complete. `written` is the entry of one tissue but for its label.
+template <class Table>
+std::string tableText(const Table& table, nlohmann::json (*written)(const typename TableForm<Table>::Tissue&)) {
+  nlohmann::json tissues = nlohmann::json::array();
+  for (int label = 0; label < kLabelCount; ++label) {
+    nlohmann::json entry = written(table.tissues[label]);
+    entry["label"] = labelTable()[label].name;
+    tissues.push_back(std::move(entry));
+  }
+  const nlohmann::json file{{"name", table.name}, {"tissues", std::move(tissues)}};
+  return file.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 }  // namespace insonate::tissuefile

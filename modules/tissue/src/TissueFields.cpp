@@ -85,4 +85,18 @@ Result<void> readTissue(const json& entry, bool complete, const std::string& whe
       .and_then([&] { return readLayers(entry, where, tissue.layers); });
 }
 
+json written(const AcousticTissue& tissue) {
+  json entry{{"texture", kTextures[static_cast<std::size_t>(tissue.texture)]},
+             {"vessel", tissue.vessel},
+             {"gas", tissue.gas},
+             {"layers", json::array()}};
+  writeNumbers(tissue, kTissueFields, entry);
+  for (const BoundaryLayer& layer : tissue.layers) {
+    json item = json::object();
+    writeNumbers(layer, kLayerFields, item);
+    entry["layers"].push_back(std::move(item));
+  }
+  return entry;
+}
+
 }  // namespace insonate::tissuefile

@@ -11,4 +11,7 @@ namespace insonate::tissuefile {
 /// stay as they are.
 Result<void> readTissue(const nlohmann::json& entry, bool complete, const std::string& where, AcousticTissue& tissue);
 
+/// What readTissue() reads, complete.
+nlohmann::json written(const AcousticTissue& tissue);
+
 }  // namespace insonate::tissuefile

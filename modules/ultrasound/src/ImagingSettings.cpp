@@ -1,6 +1,6 @@
 #include "JsonFields.h"
 
-#include <insonate/ultrasound/ImagingSettings.h>
+#include <insonate/ultrasound/SetupText.h>
 
 namespace insonate {
 namespace {
@@ -148,6 +148,18 @@ Result<ImagingSettings> settingsFromJson(const nlohmann::json& overrides, Imagin
     if (auto ok = readField(key, value, base); !ok) return tl::unexpected(ok.error());
   if (auto ok = checkRanges(base); !ok) return tl::unexpected(ok.error());
   return base;
+}
+
+Json jsonOf(const ImagingSettings& settings) {
+  Json object{{"tgc_dB", settings.tgc_dB},
+              {"greyMap", kGreyMaps[static_cast<std::size_t>(settings.greyMap)]},
+              {"look", kLooks[static_cast<std::size_t>(settings.look)]},
+              {"effects", Json::object()}};
+  for (const auto& field : kNumbers) object[std::string(field.name)] = settings.*field.member;
+  for (const auto& field : kCounts) object[std::string(field.name)] = settings.*field.member;
+  for (const auto& field : kSwitches) object[std::string(field.name)] = settings.*field.member;
+  for (const auto& field : kEffects) object["effects"][std::string(field.name)] = settings.effects.*field.member;
+  return object;
 }
 
 Result<ImagingSettings> loadSettings(const std::filesystem::path& file, ImagingSettings base) {

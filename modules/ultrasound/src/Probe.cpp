@@ -3,7 +3,7 @@
 #include <insonate/core/AtomicFile.h>
 #include <insonate/core/Words.h>
 #include <insonate/embedded/probes.h>
-#include <insonate/ultrasound/Probe.h>
+#include <insonate/ultrasound/SetupText.h>
 
 #include <nlohmann/json.hpp>
 
@@ -109,12 +109,22 @@ Result<Probe> loadProbe(std::string_view nameOrPath) {
   return probeFromJson(*json, path.string());
 }
 
-Result<void> saveProbe(const Probe& probe, const std::filesystem::path& file) {
-  if (auto ok = validate(probe); !ok) return ok;
+Result<Probe> parseProbe(std::string_view text) {
+  const auto json = fields::parseText(text, "the probe");
+  if (!json) return tl::unexpected(json.error());
+  return probeFromJson(*json, "of the text");
+}
+
+std::string textOf(const Probe& probe) {
   nlohmann::ordered_json json{{"name", probe.name}, {"shape", kShapes[std::size_t(probe.shape)]}};
   for (const Field& field : kFields)
     if (applies(field, probe.shape)) json[std::string(field.name)] = probe.*field.member;
-  return writeAtomically(file, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+Result<void> saveProbe(const Probe& probe, const std::filesystem::path& file) {
+  if (auto ok = validate(probe); !ok) return ok;
+  return writeAtomically(file, textOf(probe));
 }
 
 Result<void> validate(const Probe& probe) {

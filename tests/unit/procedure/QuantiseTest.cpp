@@ -45,6 +45,10 @@ TEST(Quantise, RotationsOfAllKinds) {
   }
 }
 
+TEST(Quantise, TentingIsKept) {
+  EXPECT_EQ(restored(quantised({.tenting_mm = 2.345})).tenting_mm, 235 * kDistanceQuantum_mm);
+}
+
 TEST(Quantise, WhatIsMissingStaysMissing) {
   const AttemptSample kept = restored(quantised({.time_us = 7}));
   EXPECT_EQ(kept, (AttemptSample{.time_us = 7}));

@@ -135,6 +135,28 @@ TEST_F(RecorderTest, WhatOthersTellIsKept) {
   EXPECT_EQ(stretch.events[0].afterSamples, 1u);
 }
 
+TEST_F(RecorderTest, SettingsAreKnownAtAnyTime) {
+  AttemptHeader begun = header();
+  begun.settings = R"({"gain_dB": 0})";
+  auto recorder = AttemptRecorder::start(file, begun);
+  ASSERT_TRUE(recorder) << recorder.error().message;
+  put(**recorder, eventful());
+  (*recorder)->note(SettingsChange{2'000'000, R"({"gain_dB": 3})"});
+  (*recorder)->note(SettingsChange{2'500'000, R"({"gain_dB": 3})"});  // changes nothing
+  (*recorder)->note(SettingsChange{7'000'000, R"({"gain_dB": 6})"});
+  ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
+  const auto recording = AttemptRecording::open(file);
+  ASSERT_TRUE(recording) << recording.error().message;
+  EXPECT_TRUE(recording->troubles().empty());
+  EXPECT_EQ(recording->header().settings, begun.settings);
+  EXPECT_EQ(recording->header().settingsHash, "05832dc249f0c8d5") << "FNV-1a of the text";
+  EXPECT_EQ(recording->settingsChanges().size(), 2u);
+  EXPECT_EQ(recording->settingsAt(1'999'999), begun.settings);
+  EXPECT_EQ(recording->settingsAt(2'000'000), R"({"gain_dB": 3})");
+  EXPECT_EQ(recording->settingsAt(6'999'999), R"({"gain_dB": 3})");
+  EXPECT_EQ(recording->settingsAt(60'000'000), R"({"gain_dB": 6})");
+}
+
 TEST_F(RecorderTest, TimeDoesNotGoBack) {
   auto recorder = AttemptRecorder::start(file, header());
   (*recorder)->note({.time_us = 9'000'000, .kind = AttemptEventKind::Frozen});

@@ -1,4 +1,5 @@
 #include "record/Block.h"
+#include "record/StretchCodec.h"
 #include "support/TestData.h"
 #include "unit/procedure/HandMotion.h"
 #include "unit/procedure/ScriptedAttempt.h"
@@ -18,15 +19,17 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A recording of 6 s of noisy hands, about 90 kB, and what is left of it.
+/// A recording of 6 s of noisy hands, about 90 kB, set otherwise from 3 s on, and what is left of it.
 class DamagedRecording : public testing::Test {
  protected:
   void SetUp() override {
-    auto recorder = AttemptRecorder::start(folder / "whole", {.software = "insonate", .picture = {.sliceHalf_mm = 1}});
+    auto recorder = AttemptRecorder::start(
+        folder / "whole", {.software = "insonate", .picture = {.sliceHalf_mm = 1}, .settings = "as it began"});
     for (const AttemptSample& sample : test::handMotion(6000)) {
       while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       (*recorder)->put(sample);
     }
+    (*recorder)->note(SettingsChange{3'000'000, "changed"});
     const auto finished = (*recorder)->finish(AttemptStatus::Completed);
     ASSERT_TRUE(finished) << finished.error().message;
     metrics = *finished;
@@ -35,6 +38,15 @@ class DamagedRecording : public testing::Test {
   Result<AttemptRecording> with(std::string_view changed) {
     std::ofstream(folder / "damaged", std::ios::binary | std::ios::trunc) << changed;
     return AttemptRecording::open(folder / "damaged");
+  }
+
+  /// Where its block lies, and how long it is.
+  std::pair<std::size_t, std::size_t> changeOfSettings() const {
+    const std::string change = "changed";
+    const auto* text = reinterpret_cast<const std::uint8_t*>(change.data());
+    const record::Bytes block =
+        record::packed(record::BlockKind::Settings, 3'000'000, 3'000'000, {text, change.size()});
+    return {bytes.find(std::string(block.begin(), block.end())), block.size()};
   }
 
   const test::TemporaryFolder folder;
@@ -87,6 +99,66 @@ TEST_F(DamagedRecording, AWrongBitInAHeadIsNeverAWrongMetric) {
   }
 }
 
+/// Whatever byte is wrong: settings are the right ones, or there are none and it says so.
+TEST_F(DamagedRecording, AWrongByteIsNeverAWrongSetting) {
+  ASSERT_EQ(with(bytes)->settingsAt(3'000'000), "changed");
+  const auto [at, size] = changeOfSettings();
+  int refused = 0;
+  for (std::size_t wrong = at; wrong < at + size; ++wrong) {
+    std::string changed = bytes;
+    changed[wrong] ^= 0x10;
+    const auto recording = with(changed);
+    ASSERT_TRUE(recording) << wrong;
+    EXPECT_TRUE(recording->settingsAt(2'999'999).value_or("as it began") == "as it began") << wrong;
+    const auto after = recording->settingsAt(3'000'000);
+    EXPECT_TRUE(!after || *after == "changed") << wrong;
+    EXPECT_TRUE(after || !recording->troubles().empty()) << wrong;
+    refused += !after;
+  }
+  EXPECT_EQ(refused, static_cast<int>(size)) << "each byte counts";
+}
+
+/// A damaged change leaves metrics, and pictures from before it.
+TEST_F(DamagedRecording, ABadChangeOfSettingsIsSaid) {
+  std::string broken = bytes;
+  const auto [at, size] = changeOfSettings();
+  broken[at + size - 1] ^= 1;
+  const auto recording = with(broken);
+  ASSERT_TRUE(recording);
+  EXPECT_EQ(recording->metricsUntil(), metrics);
+  EXPECT_EQ(recording->settingsAt(2'999'999), "as it began");
+  EXPECT_THAT(recording->settingsAt(3'000'000).error().message, HasSubstr("how it was set at 3.0 s is not known"));
+  ASSERT_EQ(recording->troubles().size(), 1u);
+  EXPECT_THAT(recording->troubles()[0], HasSubstr("how it was set from 3.0 s on is not known"));
+  broken.erase(at, size);  // and one that is gone
+  EXPECT_FALSE(with(broken)->settingsAt(3'000'000));
+  EXPECT_EQ(with(broken)->metricsUntil(), metrics);
+}
+
+/// Written before recordings kept settings and tenting.
+TEST_F(DamagedRecording, TheFirstFormatIsStillRead) {
+  Stretch stretch;
+  for (const AttemptSample& sample : test::handMotion(50)) stretch.samples.push_back(quantised(sample));
+  record::Bytes body = record::encoded(stretch);
+  body.resize(body.size() - (1 + 4 * stretch.samples.size()));  // no channel of tenting
+  const std::string header =
+      R"({"format": 1, "software": "insonate 0.1.0", "begun": "", "procedure": "p", "procedureVersion": 1,
+          "caseName": "c", "caseHash": "", "settingsHash": "", "engine": "none",
+          "picture": {"width_mm": 38, "fanAngle_deg": 0, "faceRadius_mm": 0, "sliceHalf_mm": 1}})";
+  const auto* text = reinterpret_cast<const std::uint8_t*>(header.data());
+  record::Bytes old = record::packed(record::BlockKind::Header, 0, 0, {text, header.size()});
+  for (const record::Bytes& more :
+       {record::packed(record::BlockKind::Stretch, 0, 49'000, body),
+        record::packed(record::BlockKind::End, 49'000, 49'000, record::Bytes{0, 1, 0, 0, 0})})
+    old.insert(old.end(), more.begin(), more.end());
+  const auto recording = with({reinterpret_cast<const char*>(old.data()), old.size()});
+  ASSERT_TRUE(recording) << recording.error().message;
+  EXPECT_EQ(recording->status(), AttemptStatus::Completed);
+  EXPECT_TRUE(recording->troubles().empty());
+  EXPECT_EQ(recording->settingsAt(1'000'000), "");
+  EXPECT_EQ(recording->stretch(0)->samples, stretch.samples);
+}
+
 TEST_F(DamagedRecording, OneBadStretchLeavesTheOthers) {
   const auto whole = AttemptRecording::open(folder / "whole");
   std::string changed = bytes;
@@ -131,12 +203,12 @@ TEST_F(DamagedRecording, OtherFilesAreRefusedWithASentence) {
   EXPECT_THAT(AttemptRecording::open(folder / "nothing").error().message, HasSubstr("There is no recording"));
   EXPECT_THAT(AttemptRecording::open(folder.path()).error().message, HasSubstr("is not a file"));
 
-  const std::string newer = R"({"format": 2, "software": "insonate 9"})";
+  const std::string newer = R"({"format": 3, "software": "insonate 9"})";
   const auto block = record::packed(record::BlockKind::Header, 0, 0,
                                     {reinterpret_cast<const std::uint8_t*>(newer.data()), newer.size()});
   const auto refused = with({reinterpret_cast<const char*>(block.data()), block.size()});
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().message, HasSubstr("format 2 and this program reads 1"));
+  EXPECT_THAT(refused.error().message, HasSubstr("format 3 and this program reads up to 2"));
   EXPECT_THAT(refused.error().message, HasSubstr("insonate 9"));
 }
 

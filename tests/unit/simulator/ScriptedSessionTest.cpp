@@ -2,6 +2,7 @@
 #include "support/TestData.h"
 
 #include <insonate/procedure/AttemptRecording.h>
+#include <insonate/simulator/AttemptSettings.h>
 #include <insonate/simulator/ScriptedSession.h>
 
 #include <gmock/gmock.h>
@@ -109,6 +110,9 @@ TEST_F(ScriptedSession, ReplayAndRepetitionGiveTheSame) {
   EXPECT_EQ(*recording->metricsUntil(), first.metrics);
   EXPECT_EQ(first.run.metrics().values(), first.metrics);
   EXPECT_EQ(recording->header().caseHash.size(), 16u);
+  EXPECT_EQ(recording->header().settingsHash.size(), 16u);
+  EXPECT_EQ(parseAttemptSettings(recording->header().settings)->physiology.tilt_deg, 0);
+  EXPECT_EQ(parseAttemptSettings(*recording->settingsAt(1'000))->physiology.tilt_deg, 15) << "tilted after a tick";
   const auto second = run(acts);
   EXPECT_EQ(second.metrics, first.metrics);
   EXPECT_EQ(second.events, first.events);

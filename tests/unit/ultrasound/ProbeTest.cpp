@@ -1,6 +1,6 @@
 #include "support/TestData.h"
 
-#include <insonate/ultrasound/Probe.h>
+#include <insonate/ultrasound/SetupText.h>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -108,6 +108,8 @@ TEST(SaveProbe, ReadsBackAsItWas) {
     ASSERT_TRUE(saveProbe(probe, file));
     const auto read = loadProbe(file.string());
     ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(textOf(*read), textOf(probe));
+    EXPECT_EQ(textOf(parseProbe(textOf(probe)).value()), textOf(probe));
     EXPECT_EQ(read->name, probe.name);
     EXPECT_EQ(read->shape, probe.shape);
     for (const ProbeField& field : probeFields()) {

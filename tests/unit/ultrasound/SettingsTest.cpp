@@ -1,6 +1,6 @@
 #include "support/TestData.h"
 
-#include <insonate/ultrasound/ImagingSettings.h>
+#include <insonate/ultrasound/SetupText.h>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -106,6 +106,25 @@ TEST(Settings, FileErrorsNameTheFile) {
   EXPECT_THAT(loadSettings(file, {}).error().message, HasSubstr("settings.json: settings: depth_mm is 1"));
   std::ofstream(file) << "{\"depth_mm\": 50}";
   EXPECT_EQ(loadSettings(file, {})->depth_mm, 50);
+}
+
+TEST(Settings, AreReadAsTheyWereWritten) {
+  ImagingSettings all;
+  all.depth_mm = 55.1, all.frequency_MHz = 9, all.focus_mm = 100.0 / 3, all.gain_dB = -3, all.tgc_dB[7] = 2.5;
+  all.dynamicRange_dB = 70, all.persistence = 0.3, all.greyMap = GreyMap::Linear, all.smoothing = false, all.looks = 1;
+  all.scanlines = 100, all.samples = 500, all.elevationPlanes = 5, all.width = 300, all.height = 200;
+  all.conformingContact = false, all.look = Look::Thesis, all.time_s = 2, all.effects.speckle = false;
+  all.effects.clutter = false;
+  const json written = jsonOf(all), plain = jsonOf(ImagingSettings{});
+  EXPECT_EQ(written.size(), plain.size());
+  for (const auto& [key, value] : plain.items())
+    EXPECT_NE(written[key], value) << key << " tells nothing if it is as by default";
+  const auto read = settingsFromJson(written, {});
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(jsonOf(*read), written);
+  EXPECT_EQ(read->focus_mm, 100.0 / 3);
+  EXPECT_FALSE(read->effects.speckle || read->effects.clutter);
+  EXPECT_TRUE(read->effects.beam);
 }
 
 }  // namespace

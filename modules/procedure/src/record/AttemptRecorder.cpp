@@ -4,6 +4,7 @@
 #include "record/SampleRing.h"
 #include "record/StretchCodec.h"
 
+#include <insonate/core/Fingerprint.h>
 #include <insonate/procedure/AttemptRecorder.h>
 
 #include <algorithm>
@@ -27,13 +28,18 @@ constexpr auto kWake = std::chrono::milliseconds(20);
 }  // namespace
 
 struct AttemptRecorder::State {
-  State(fs::path target, record::RecordFile begun, const PictureField& picture, std::shared_ptr<AttemptFollower> also)
-      : path(std::move(target)), follower(std::move(also)), file(std::move(begun)), pass(picture) {}
+  State(fs::path target, record::RecordFile begun, const AttemptHeader& header, std::shared_ptr<AttemptFollower> also)
+      : path(std::move(target)),
+        follower(std::move(also)),
+        file(std::move(begun)),
+        pass(header.picture),
+        settings(header.settings) {}
 
   void run();
   void drain();
   void take(const AttemptSample& sample);
   void take(const AttemptEvent& event);
+  void take(const SettingsChange& change);
   void close();
   void append(const record::Bytes& block);
   Result<MetricValues> finish(AttemptStatus status);
@@ -48,13 +54,15 @@ struct AttemptRecorder::State {
   Stretch open;
   Clock::time_point opened;
   std::int64_t lastSample_us = 0, end_us = 0;
-  std::uint32_t stretches = 0;
+  std::uint32_t stretches = 0, changes = 0;
+  std::string settings;
   bool refused = false;
 
   mutable std::mutex mutex;  ///< over what follows
   std::condition_variable wake;
   bool stopping = false;
   std::vector<AttemptEvent> notes;
+  std::vector<SettingsChange> changed;
   MetricValues values;
   std::string trouble;
 
@@ -75,10 +83,12 @@ void AttemptRecorder::State::run() {
 
 void AttemptRecorder::State::drain() {
   std::vector<AttemptEvent> noted;
+  std::vector<SettingsChange> anew;
   {
     const std::lock_guard lock(mutex);
-    noted.swap(notes);
+    noted.swap(notes), anew.swap(changed);
   }
+  for (const SettingsChange& change : anew) take(change);
   ring.drain([&](const record::RingEntry& entry) { std::visit([&](const auto& what) { take(what); }, entry); });
   for (const AttemptEvent& event : noted) take(event);
   if (Clock::now() - opened > std::chrono::microseconds(kStretch_us)) close();
@@ -103,6 +113,14 @@ void AttemptRecorder::State::take(const AttemptEvent& event) {
   end_us = std::max(end_us, event.time_us);
   pass.take(event);
   if (follower) follower->take(event);
+}
+
+void AttemptRecorder::State::take(const SettingsChange& change) {
+  if (change.settings == settings) return;
+  settings = change.settings;
+  ++changes;
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(settings.data());
+  append(record::packed(BlockKind::Settings, change.time_us, change.time_us, {bytes, settings.size()}));
 }
 
 void AttemptRecorder::State::close() {
@@ -132,7 +150,7 @@ Result<MetricValues> AttemptRecorder::State::finish(AttemptStatus status) {
   thread.join();
   record::Bytes end;
   end.push_back(static_cast<std::uint8_t>(status));
-  record::put(end, stretches);
+  record::put(end, stretches), record::put(end, changes);
   append(record::packed(BlockKind::End, end_us, end_us, end));
   if (refused) return fail(trouble);
   std::error_code error;
@@ -157,11 +175,17 @@ Result<std::unique_ptr<AttemptRecorder>> AttemptRecorder::start(const fs::path& 
     return fail(path.string() + " exists; recordings are not written over. Choose another name.");
   auto file = record::RecordFile::make(partOf(path));
   if (!file) return tl::unexpected(file.error());
-  const std::string text = record::textOf(header);
+  AttemptHeader hashed = header;
+  if (!header.settings.empty()) {
+    Fingerprint fingerprint;
+    fingerprint.add(header.settings);
+    hashed.settingsHash = fingerprint.text();
+  }
+  const std::string text = record::textOf(hashed);
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
   if (auto ok = file->append(record::packed(BlockKind::Header, 0, 0, {bytes, text.size()})); !ok)
     return tl::unexpected(ok.error());
-  auto state = std::make_unique<State>(path, std::move(*file), header.picture, std::move(follower));
+  auto state = std::make_unique<State>(path, std::move(*file), header, std::move(follower));
   state->thread = std::thread([s = state.get()] { s->run(); });
   return std::unique_ptr<AttemptRecorder>(new AttemptRecorder(std::move(state)));
 }
@@ -187,6 +211,11 @@ std::size_t AttemptRecorder::room() const noexcept {
 void AttemptRecorder::note(const AttemptEvent& event) {
   const std::lock_guard lock(state_->mutex);
   state_->notes.push_back(event);
+}
+
+void AttemptRecorder::note(const SettingsChange& change) {
+  const std::lock_guard lock(state_->mutex);
+  state_->changed.push_back(change);
 }
 
 MetricValues AttemptRecorder::metrics() const {

@@ -82,6 +82,9 @@ Result<void> AttemptRecording::readBlock(const BlockHead& head, std::size_t payl
     case BlockKind::Stretch:
       blocks_.push_back({head.first_us, head.last_us, payload, head.packedBytes, head.rawBytes, head.checksum});
       break;
+    case BlockKind::Settings:
+      readChange(head, payload);
+      break;
     case BlockKind::End:
       checkEnd(head, payload);
       break;
@@ -98,14 +101,34 @@ Result<void> AttemptRecording::readHeader(const BlockHead& head, std::size_t pay
   return {};
 }
 
+void AttemptRecording::readChange(const BlockHead& head, std::size_t payload) {
+  const auto text = record::unpacked({&bytes_[payload], head.packedBytes}, head.rawBytes, head.checksum);
+  if (text) {
+    changes_.push_back({head.first_us, {text->begin(), text->end()}});
+    return;
+  }
+  unknownFrom_us_ = std::min(unknownFrom_us_.value_or(head.first_us), head.first_us);
+  troubles_.push_back(name_ + " is damaged: how it was set from " + seconds(head.first_us) +
+                      " on is not known. Pictures from there on cannot be made again.");
+}
+
 void AttemptRecording::checkEnd(const BlockHead& head, std::size_t payload) {
   const auto raw = record::unpacked({&bytes_[payload], head.packedBytes}, head.rawBytes, head.checksum);
   record::ByteReader reader(raw ? std::span<const std::uint8_t>(*raw) : std::span<const std::uint8_t>());
   const auto status = reader.get<std::uint8_t>();
   const auto stretches = reader.get<std::uint32_t>();
+  const std::uint32_t changes = reader.left() > 0 ? reader.get<std::uint32_t>() : 0;
   if (!reader.isWhole() || status > static_cast<std::uint8_t>(AttemptStatus::Abandoned)) return;
   status_ = static_cast<AttemptStatus>(status);
   damaged_ |= stretches != blocks_.size();
+  if (changes > changes_.size() && !unknownFrom_us_) unknownFrom_us_ = 0;
+}
+
+Result<std::string> AttemptRecording::settingsAt(std::int64_t time_us) const {
+  if (damaged_ || (unknownFrom_us_ && time_us >= *unknownFrom_us_))
+    return fail(name_ + " is damaged: how it was set at " + seconds(time_us) + " is not known.");
+  const auto after = std::ranges::upper_bound(changes_, time_us, {}, &SettingsChange::time_us);
+  return after == changes_.begin() ? header_.settings : std::prev(after)->settings;
 }
 
 std::int64_t AttemptRecording::end_us() const {

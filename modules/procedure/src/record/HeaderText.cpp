@@ -5,8 +5,8 @@
 namespace insonate::record {
 namespace {
 
-/// Grows when what was written before cannot be read as it is any more.
-constexpr int kFormat = 1;
+/// Grows when an older program could not read what is written now. Format 1 has neither settings nor tenting.
+constexpr int kFormat = 2;
 
 }  // namespace
 
@@ -21,6 +21,7 @@ std::string textOf(const AttemptHeader& header) {
                         {"caseHash", header.caseHash},
                         {"settingsHash", header.settingsHash},
                         {"engine", header.engine},
+                        {"settings", header.settings},
                         {"picture",
                          {{"width_mm", picture.width_mm},
                           {"fanAngle_deg", picture.fanAngle_deg},
@@ -32,9 +33,10 @@ std::string textOf(const AttemptHeader& header) {
 Result<AttemptHeader> headerFrom(std::string_view text) {
   try {
     const auto json = nlohmann::json::parse(text);
-    if (const int format = json.at("format"); format != kFormat)
-      return fail("it has format " + std::to_string(format) + " and this program reads " + std::to_string(kFormat) +
-                  "; use the Insonate that wrote it, " + json.value("software", "a newer one") + ".");
+    if (const int format = json.at("format"); format < 1 || format > kFormat)
+      return fail("it has format " + std::to_string(format) + " and this program reads up to " +
+                  std::to_string(kFormat) + "; use the Insonate that wrote it, " +
+                  json.value("software", "a newer one") + ".");
     const auto& picture = json.at("picture");
     return AttemptHeader{
         json.at("software"),
@@ -45,7 +47,8 @@ Result<AttemptHeader> headerFrom(std::string_view text) {
         json.at("caseHash"),
         json.at("settingsHash"),
         json.at("engine"),
-        {picture.at("width_mm"), picture.at("fanAngle_deg"), picture.at("faceRadius_mm"), picture.at("sliceHalf_mm")}};
+        {picture.at("width_mm"), picture.at("fanAngle_deg"), picture.at("faceRadius_mm"), picture.at("sliceHalf_mm")},
+        json.value("settings", "")};
   } catch (const nlohmann::json::exception&) {
     return fail("its header is not one of a recording.");
   }

@@ -19,9 +19,10 @@ enum Channel {
   kAspirating,
   kToArtery,
   kToLung,
-  kToVeinCentre
+  kToVeinCentre,
+  kTenting
 };
-static_assert(kToVeinCentre + 1 == QuantisedSample::kChannels);
+static_assert(kTenting + 1 == QuantisedSample::kChannels);
 
 constexpr std::int32_t kUnknown = std::numeric_limits<std::int32_t>::min();
 constexpr double kMostSteps = 2e9;
@@ -94,6 +95,7 @@ QuantisedSample quantised(const AttemptSample& sample) noexcept {
   channel[kToArtery] = stepsOf(sample.toArtery_mm, kDistanceQuantum_mm);
   channel[kToLung] = stepsOf(sample.toLung_mm, kDistanceQuantum_mm);
   channel[kToVeinCentre] = stepsOf(sample.toVeinCentre_mm, kDistanceQuantum_mm);
+  channel[kTenting] = stepsOf(sample.tenting_mm, kDistanceQuantum_mm);
   return steps;
 }
 
@@ -110,6 +112,7 @@ AttemptSample restored(const QuantisedSample& steps) noexcept {
   sample.toArtery_mm = valueOf(channel[kToArtery], kDistanceQuantum_mm);
   sample.toLung_mm = valueOf(channel[kToLung], kDistanceQuantum_mm);
   sample.toVeinCentre_mm = valueOf(channel[kToVeinCentre], kDistanceQuantum_mm);
+  sample.tenting_mm = channel[kTenting] * kDistanceQuantum_mm;
   return sample;
 }
 

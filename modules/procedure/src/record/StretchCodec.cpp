@@ -8,6 +8,7 @@ namespace {
 
 constexpr int kOrders = 3;
 constexpr std::size_t kEventBytes = 8 + 3 + 8 * 3 + 8 * 3 + 8 + 1 + 8 * 3 + 8;
+constexpr int kChannelsOfFormat1 = 21;  // no tenting
 using Channel = std::vector<std::uint32_t>;
 
 /// Differences of 32-bit numbers wrap round, and so do sums: nothing is lost.
@@ -126,11 +127,14 @@ std::optional<Stretch> decoded(std::span<const std::uint8_t> bytes) {
   Stretch stretch;
   stretch.samplesLost = reader.get<std::uint32_t>();
   const std::int64_t first_us = reader.getTime();
-  constexpr std::uint64_t kChannels = QuantisedSample::kChannels + 1;
-  if (reader.left() != kChannels * (1 + 4 * std::uint64_t{count}) + events * std::uint64_t{kEventBytes + 4})
-    return std::nullopt;
+  const auto channelsAre = [&](int channels) {
+    return reader.left() ==
+           (channels + std::uint64_t{1}) * (1 + 4 * std::uint64_t{count}) + events * std::uint64_t{kEventBytes + 4};
+  };
+  const int channels = channelsAre(kChannelsOfFormat1) ? kChannelsOfFormat1 : QuantisedSample::kChannels;
+  if (!channelsAre(channels)) return std::nullopt;
   stretch.samples.resize(count);
-  for (int c = -1; c < QuantisedSample::kChannels; ++c) {
+  for (int c = -1; c < channels; ++c) {
     const auto values = getChannel(reader, count);
     if (!values) return std::nullopt;
     for (std::size_t i = 0; i < count; ++i) {

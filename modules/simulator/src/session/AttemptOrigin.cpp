@@ -1,8 +1,8 @@
+#include <insonate/core/Fingerprint.h>
 #include <insonate/simulator/AttemptOrigin.h>
 #include <insonate/simulator/ServoRecord.h>
 
 #include <cstdint>
-#include <cstdio>
 #include <ctime>
 
 namespace insonate {
@@ -20,14 +20,11 @@ std::string now() {
 }  // namespace
 
 std::string caseHashOf(const PatientCase& patient) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  const auto add = [&](std::uint64_t value) { hash = (hash ^ value) * 0x100000001b3U; };
-  for (const int size : patient.labels.geometry.size) add(static_cast<std::uint64_t>(size));
-  for (const auto label : patient.labels.voxels) add(label);
-  for (const auto hu : patient.ct.voxels) add(static_cast<std::uint16_t>(hu));
-  char text[20];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
+  Fingerprint fingerprint;
+  for (const int size : patient.labels.geometry.size) fingerprint.add(static_cast<std::uint64_t>(size));
+  for (const auto label : patient.labels.voxels) fingerprint.add(std::uint64_t{label});
+  for (const auto hu : patient.ct.voxels) fingerprint.add(std::uint64_t{static_cast<std::uint16_t>(hu)});
+  return fingerprint.text();
 }
 
 AttemptHeader headerOf(const Procedure& procedure, const PatientCase& patient, const Probe& probe,

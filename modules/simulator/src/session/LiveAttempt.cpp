@@ -129,6 +129,11 @@ void LiveAttempt::setAspirating(bool on) {
   state_->aspirating = on;
 }
 
+void LiveAttempt::setSettings(const AttemptSettings& settings) {
+  const std::int64_t time_us = (monotonic_ns() - state_->begun_ns) / 1000;
+  state_->recorder->note(SettingsChange{time_us, textOf(settings)});
+}
+
 const Procedure& LiveAttempt::procedure() const {
   return state_->following->procedure();
 }

@@ -1,5 +1,6 @@
 #include <insonate/haptics/SimulatedHand.h>
 #include <insonate/simulator/AttemptOrigin.h>
+#include <insonate/simulator/AttemptSettings.h>
 #include <insonate/simulator/ScriptedSession.h>
 #include <insonate/simulator/ServoRecord.h>
 
@@ -26,16 +27,16 @@ Transform needleAt(Vec3 tip_mm, Vec3 axis) {
 /// Both hands and what they hold, a tick at a time.
 class Session {
  public:
-  Session(std::shared_ptr<const TissueGrid> grid, std::vector<CentreLine> veins, const Probe& probe,
+  Session(std::shared_ptr<const TissueGrid> grid, std::vector<CentreLine> veins, AttemptSettings settings,
           AttemptRecorder& recorder, SessionOutcome& outcome)
       : grid_(std::move(grid)),
         veins_(std::move(veins)),
-        depth_mm_(probe.defaultDepth_mm),
+        settings_(std::move(settings)),
         recorder_(recorder),
         outcome_(outcome) {}
 
   Result<void> begin() {
-    const auto needle = loadNeedleTable(needlePresetNames().front());
+    const auto needle = loadNeedleTable(settings_.needle);
     if (!needle) return tl::unexpected(needle.error());
     ServoSetup setup;
     setup.needle = *needle;
@@ -63,10 +64,16 @@ class Session {
   }
   void operator()(const SessionAct::Aspirate& act) { aspirating_ = act.on; }
   void operator()(const SessionAct::Tell& act) {
+    if (act.kind == AttemptEventKind::Positioned) tilt(act.tilt_deg);
     tell({.time_us = time_us_, .kind = act.kind, .tip_mm = tip_mm_, .axis = axis_, .tilt_deg = act.tilt_deg});
   }
 
  private:
+  /// Blood goes where the patient is tilted.
+  void tilt(double tilt_deg) {
+    settings_.physiology.tilt_deg = tilt_deg;
+    recorder_.note(SettingsChange{time_us_, textOf(settings_)});
+  }
   void tick() {
     time_us_ += kTick_us;
     const std::int64_t now_ns = time_us_ * 1000;
@@ -77,7 +84,7 @@ class Session {
     for (DeviceState& hand : input.hands) hand.time_ns = now_ns;
     const ServoOutput output = servo_.tick(input);
 
-    const TickContext context{time_us_, input.present, probe_ ? depth_mm_ : 0, aspirating_, {}};
+    const TickContext context{time_us_, input.present, probe_ ? settings_.setup.settings.depth_mm : 0, aspirating_, {}};
     const AttemptSample sample = sampleOf(output, context, grid_.get(), veins_);
     waitForRoom();
     recorder_.put(sample);
@@ -97,7 +104,7 @@ class Session {
 
   std::shared_ptr<const TissueGrid> grid_;
   std::vector<CentreLine> veins_;
-  double depth_mm_;
+  AttemptSettings settings_;
   AttemptRecorder& recorder_;
   SessionOutcome& outcome_;
   HapticServo servo_;
@@ -106,6 +113,18 @@ class Session {
   bool holdsNeedle_ = false, aspirating_ = false;
   Vec3 tip_mm_, axis_{0, 0, 1};
 };
+
+/// As the picture would be with this probe, of a patient at rest.
+Result<AttemptSettings> settingsOf(const SessionScript& script) {
+  const auto probe = loadProbe(script.probe);
+  if (!probe) return tl::unexpected(probe.error());
+  auto tissues = loadAcousticTable(acousticPresetNames().front());
+  if (!tissues) return tl::unexpected(tissues.error());
+  AttemptSettings settings;
+  settings.setup = {*probe, settingsFor(*probe), std::move(*tissues), "cpu"};
+  settings.needle = needlePresetNames().front();
+  return settings;
+}
 
 /// Where the needle is first put down.
 Vec3 placeOf(const SessionScript& script) {
@@ -120,19 +139,20 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
                                   const std::filesystem::path& recording, const Progress& progress) {
   auto procedure = loadProcedure(script.procedure);
   if (!procedure) return tl::unexpected(procedure.error());
-  const auto probe = loadProbe(script.probe);
-  if (!probe) return tl::unexpected(probe.error());
+  auto settings = settingsOf(script);
+  if (!settings) return tl::unexpected(settings.error());
   auto grid = TissueGrid::fromLabels(patient.labels, placeOf(script), kReach_mm);
   if (!grid) return tl::unexpected(grid.error());
   auto veins = centreLines(patient.labels, kVein, progress);
   if (!veins) return tl::unexpected(veins.error());
-  AttemptHeader header = headerOf(*procedure, patient, *probe, software);
+  AttemptHeader header = headerOf(*procedure, patient, settings->setup.probe, software);
   header.caseHash = caseHashOf(patient);
-  header.engine = "none";
+  header.engine = settings->setup.engine;
+  header.settings = textOf(*settings);
   auto recorder = AttemptRecorder::start(recording, header);
   if (!recorder) return tl::unexpected(recorder.error());
   SessionOutcome outcome{{}, {}, {}, ProcedureRun(std::move(*procedure), header.picture)};
-  Session session(std::move(*grid), std::move(*veins), *probe, **recorder, outcome);
+  Session session(std::move(*grid), std::move(*veins), std::move(*settings), **recorder, outcome);
   if (auto ok = session.begin(); !ok) return tl::unexpected(ok.error());
   for (std::size_t i = 0; i < script.acts.size(); ++i) {
     if (!report(progress, "attempt", static_cast<double>(i) / static_cast<double>(script.acts.size()))) {

@@ -46,6 +46,7 @@ AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, co
   if (!context.present[kNeedleHand]) return sample;
   sample.patientFromNeedle = output.hands[kNeedleHand].patientFromTool;
   if (output.needle.inBody) sample.needleDepth_mm = output.needle.depth_mm;
+  if (output.needle.tenting) sample.tenting_mm = output.needle.tent_mm;
   if (!output.needle.inBody) return sample;
   const Vec3 atRest_mm = context.restFromPatient * sample.patientFromNeedle->offset;
   sample.toVeinCentre_mm = distanceToCentre_mm(veins, atRest_mm);

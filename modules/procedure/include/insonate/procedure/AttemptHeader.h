@@ -24,11 +24,21 @@ struct AttemptHeader {
   std::string procedure{};  ///< its id
   int procedureVersion = 0;
   std::string caseName{}, caseHash{};
-  std::string settingsHash{};  ///< of probe, picture, tissue tables, deformation
+  std::string settingsHash{};  ///< of `settings`; the recorder fills it in
   std::string engine{};        ///< that made the pictures
   PictureField picture{};
+  /// Of probe, picture, tissue and blood as the attempt began, JSON (simulator/AttemptSettings.h); "": not known.
+  std::string settings{};
 
   bool operator==(const AttemptHeader&) const = default;
+};
+
+/// What replaced the settings of the header, or of the change before.
+struct SettingsChange {
+  std::int64_t time_us = 0;  ///< since the recording began
+  std::string settings;      ///< all of them anew, as in AttemptHeader
+
+  bool operator==(const SettingsChange&) const = default;
 };
 
 enum class AttemptStatus : std::uint8_t {

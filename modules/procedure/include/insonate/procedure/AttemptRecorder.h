@@ -43,6 +43,9 @@ class AttemptRecorder {
   std::size_t room() const noexcept;
   /// By any other thread; kept after what the servo had put by then.
   void note(const AttemptEvent& event);
+  /// Settings from a time on, which must not lie before that of another change. By any thread but the servo's. What
+  /// changes nothing is not kept.
+  void note(const SettingsChange& change);
 
   /// As of some milliseconds ago. Any thread.
   MetricValues metrics() const;

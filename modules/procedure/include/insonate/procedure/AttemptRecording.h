@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -45,6 +46,12 @@ class AttemptRecording {
   /// What is missing, for people: a file cut short, damaged blocks.
   const std::vector<std::string>& troubles() const { return troubles_; }
 
+  /// The settings that held at a time, as in AttemptHeader::settings; "" where the recording has none. Fails where a
+  /// change before is damaged, or cannot be ruled out.
+  Result<std::string> settingsAt(std::int64_t time_us) const;
+  /// The changes that can be read, in the order of their times.
+  const std::vector<SettingsChange>& settingsChanges() const { return changes_; }
+
   std::int64_t end_us() const;  ///< time of the last sample or event; 0: there is none
   std::size_t stretches() const { return blocks_.size(); }
   /// The last stretch that begins at this time or before; the first, when none does. Of stretches() above 0.
@@ -67,6 +74,7 @@ class AttemptRecording {
     std::uint32_t checksum = 0;
   };
   Result<void> readBlock(const record::BlockHead& head, std::size_t payload);
+  void readChange(const record::BlockHead& head, std::size_t payload);
   Result<void> readHeader(const record::BlockHead& head, std::size_t payload);
   void checkEnd(const record::BlockHead& head, std::size_t payload);
 
@@ -77,6 +85,8 @@ class AttemptRecording {
   AttemptStatus status_ = AttemptStatus::CutShort;
   std::vector<std::string> troubles_;
   std::vector<Block> blocks_;
+  std::vector<SettingsChange> changes_;
+  std::optional<std::int64_t> unknownFrom_us_;  ///< settings that may have changed in what is damaged
 };
 
 }  // namespace insonate

@@ -14,6 +14,7 @@ struct AttemptSample {
   std::optional<Transform> patientFromProbe{};   ///< none: nobody holds it
   std::optional<Transform> patientFromNeedle{};  ///< origin at the tip, z the way it goes in
   std::optional<double> needleDepth_mm{};        ///< of the tip below the skin's hole, along the needle; none: outside
+  double tenting_mm = 0;                         ///< how far the tip has pushed what is before it; 0: nothing
   double probeForce_N = 0;                       ///< with which the probe presses on the skin
   double pictureDepth_mm = 0;                    ///< of the live picture; 0: there is none, or it stands still
   bool aspirating = false;                       ///< the syringe draws
@@ -34,7 +35,7 @@ inline constexpr double kFarthest_mm = 2'000'000 * kPositionQuantum_mm;
 
 /// A sample in whole steps: what is kept, and all that metrics, live or later, are computed from.
 struct QuantisedSample {
-  static constexpr int kChannels = 21;
+  static constexpr int kChannels = 22;
   std::int64_t time_us = 0;
   std::array<std::int32_t, kChannels> channel{};
 

@@ -10,8 +10,8 @@
 
 namespace insonate {
 
-/// Of what the servo and pictures are computed from: FNV-1a, 64 bits, over CT and labels, as hexadecimal digits. Some
-/// tenths of a second for a large CT.
+/// Of what the servo and pictures are computed from, a Fingerprint of sizes, CT and labels. Some tenths of a second for
+/// a large CT.
 std::string caseHashOf(const PatientCase& patient);
 
 /// Begun now; without hashes and engine. `software` is name and version.

@@ -4,6 +4,7 @@
 #include <insonate/procedure/AttemptRecorder.h>
 #include <insonate/procedure/AttemptScore.h>
 #include <insonate/segmentation/CentreLine.h>
+#include <insonate/simulator/AttemptSettings.h>
 
 #include <filesystem>
 #include <memory>
@@ -52,6 +53,8 @@ class LiveAttempt final : public TickListener {
   /// Replaced, frozen, released or positioned. While frozen, pictures stand still and count as none.
   void tell(AttemptEventKind kind, double tilt_deg = 0);
   void setAspirating(bool on);
+  /// From now on; before, those of the header hold.
+  void setSettings(const AttemptSettings& settings);
 
   const Procedure& procedure() const;
   const std::filesystem::path& file() const;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace insonate {
+
+/// Tells two things apart, not safe against intent: FNV-1a (Fowler, Noll, Vo), 64 bits, a step a value.
+class Fingerprint {
+ public:
+  void add(std::uint64_t value) { hash_ = (hash_ ^ value) * 0x100000001b3U; }
+  void add(std::string_view text) {
+    for (const char letter : text) add(std::uint64_t{static_cast<unsigned char>(letter)});
+  }
+  /// 16 hexadecimal digits.
+  std::string text() const {
+    char digits[17];
+    std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash_));
+    return digits;
+  }
+
+ private:
+  std::uint64_t hash_ = 0xcbf29ce484222325U;
+};
+
+}  // namespace insonate

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <insonate/deformation/Physiology.h>
+#include <insonate/simulator/Imager.h>
+#include <insonate/simulator/PressedTissue.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace insonate {
+
+/// All that, with a case and what the hands did, decides the pictures of an attempt: what AttemptHeader::settings and
+/// SettingsChange keep.
+struct AttemptSettings {
+  /// With the engine that made the pictures, not "auto". Persistence is left out of replayed pictures.
+  ImagingSetup setup;
+  Physiology physiology;
+  bool pulsating = false;  ///< false: blood is at its mean pressure
+  double bloodTime_s = 0;  ///< of heart and breath when the recording began
+  std::string needle;      ///< preset of NeedleTable, or the name of a file
+  double needleRadius_mm = 0.635, needleLength_mm = 70;
+
+  /// At a time of the recording.
+  BloodPressure blood(double time_s) const {
+    return bloodPressure(physiology, setup.mechanics.tissues,
+                         pulsating ? std::optional(bloodTime_s + time_s) : std::nullopt);
+  }
+};
+
+/// As JSON, with all numbers to the last bit.
+std::string textOf(const AttemptSettings& settings);
+/// Fails with a sentence on what is not such a text, and on values out of range.
+Result<AttemptSettings> parseAttemptSettings(std::string_view json);
+
+}  // namespace insonate

@@ -1,0 +1,132 @@
+#include <insonate/core/Words.h>
+#include <insonate/simulator/AttemptSettings.h>
+#include <insonate/tissue/TableText.h>
+#include <insonate/ultrasound/SetupText.h>
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+
+namespace insonate {
+namespace {
+
+using nlohmann::json;
+
+template <class T>
+struct Field {
+  const char* name;
+  double T::*member;
+};
+
+constexpr std::array kPhysiology{
+    Field<Physiology>{"centralVenous_mmHg", &Physiology::centralVenous_mmHg},
+    Field<Physiology>{"systolic_mmHg", &Physiology::systolic_mmHg},
+    Field<Physiology>{"diastolic_mmHg", &Physiology::diastolic_mmHg},
+    Field<Physiology>{"heartRate_perMin", &Physiology::heartRate_perMin},
+    Field<Physiology>{"breathing_perMin", &Physiology::breathing_perMin},
+    Field<Physiology>{"breathingSwing_mmHg", &Physiology::breathingSwing_mmHg},
+    Field<Physiology>{"tilt_deg", &Physiology::tilt_deg},
+    Field<Physiology>{"neckAboveHeart_mm", &Physiology::neckAboveHeart_mm},
+    Field<Physiology>{"indifferenceFromHeart_mm", &Physiology::indifferenceFromHeart_mm},
+};
+
+constexpr std::array kDeformation{
+    Field<DeformationSettings>{"mesh_mm", &DeformationSettings::mesh_mm},
+    Field<DeformationSettings>{"depth_mm", &DeformationSettings::depth_mm},
+    Field<DeformationSettings>{"tolerance_mm", &DeformationSettings::tolerance_mm},
+    Field<DeformationSettings>{"enough_mm", &DeformationSettings::enough_mm},
+};
+
+template <class T, std::size_t N>
+json numbersOf(const T& from, const std::array<Field<T>, N>& fields) {
+  json object = json::object();
+  for (const Field<T>& field : fields) object[field.name] = from.*field.member;
+  return object;
+}
+
+template <class T, std::size_t N>
+void readNumbers(const json& object, const std::array<Field<T>, N>& fields, T& to) {
+  for (const Field<T>& field : fields) to.*field.member = object.at(field.name);
+}
+
+json mechanicsJson(const TissueMechanics& mechanics) {
+  json object = numbersOf(mechanics.settings, kDeformation);
+  object.update({{"model", mechanics.model},
+                 {"footprint_mm", mechanics.footprint_mm},
+                 {"sticking", mechanics.sticking},
+                 {"mostIterations", mechanics.settings.mostIterations},
+                 {"tissues", json::parse(textOf(mechanics.tissues))}});
+  return object;
+}
+
+Result<TissueMechanics> mechanicsFrom(const json& object) {
+  TissueMechanics mechanics;
+  mechanics.model = object.at("model");
+  mechanics.footprint_mm = object.at("footprint_mm");
+  mechanics.sticking = object.at("sticking");
+  mechanics.settings.mostIterations = object.at("mostIterations");
+  readNumbers(object, kDeformation, mechanics.settings);
+  auto tissues = parseMechanicalTable(object.at("tissues").dump());
+  if (!tissues) return tl::unexpected(tissues.error());
+  mechanics.tissues = std::move(*tissues);
+  if (auto ok = validate(mechanics); !ok) return tl::unexpected(ok.error());
+  return mechanics;
+}
+
+Result<ImagingSetup> setupFrom(const json& object) {
+  auto probe = parseProbe(object.at("probe").dump());
+  if (!probe) return tl::unexpected(probe.error());
+  auto settings = settingsFromJson(object.at("picture"), settingsFor(*probe));
+  if (!settings) return tl::unexpected(settings.error());
+  if (auto ok = validate(*settings, *probe); !ok) return tl::unexpected(ok.error());
+  auto tissues = parseAcousticTable(object.at("tissues").dump());
+  if (!tissues) return tl::unexpected(tissues.error());
+  auto mechanics = mechanicsFrom(object.at("mechanics"));
+  if (!mechanics) return tl::unexpected(mechanics.error());
+  return ImagingSetup{std::move(*probe), *settings, std::move(*tissues), object.at("engine"), std::move(*mechanics)};
+}
+
+Result<AttemptSettings> settingsFrom(const json& object) {
+  auto setup = setupFrom(object);
+  if (!setup) return tl::unexpected(setup.error());
+  AttemptSettings settings;
+  settings.setup = std::move(*setup);
+  readNumbers(object.at("physiology"), kPhysiology, settings.physiology);
+  if (auto ok = checkPhysiology(settings.physiology); !ok) return tl::unexpected(ok.error());
+  settings.pulsating = object.at("pulsating");
+  settings.bloodTime_s = object.at("bloodTime_s");
+  const json& needle = object.at("needle");
+  settings.needle = needle.at("name");
+  settings.needleRadius_mm = needle.at("radius_mm"), settings.needleLength_mm = needle.at("length_mm");
+  return settings;
+}
+
+}  // namespace
+
+std::string textOf(const AttemptSettings& settings) {
+  const ImagingSetup& setup = settings.setup;
+  return json{
+      {"probe", json::parse(textOf(setup.probe))},
+      {"picture", jsonOf(setup.settings)},
+      {"tissues", json::parse(textOf(setup.tissues))},
+      {"engine", setup.engine},
+      {"mechanics", mechanicsJson(setup.mechanics)},
+      {"physiology", numbersOf(settings.physiology, kPhysiology)},
+      {"pulsating", settings.pulsating},
+      {"bloodTime_s", settings.bloodTime_s},
+      {"needle",
+       {{"name", settings.needle}, {"radius_mm", settings.needleRadius_mm}, {"length_mm", settings.needleLength_mm}}}}
+      .dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+Result<AttemptSettings> parseAttemptSettings(std::string_view text) {
+  try {
+    auto settings = settingsFrom(json::parse(text));
+    if (!settings) return fail("The settings of the attempt cannot be used: " + settings.error().message);
+    return settings;
+  } catch (const json::exception& error) {
+    return fail("The settings of the attempt cannot be read: " + jsonTrouble(error.what()) + ".");
+  }
+}
+
+}  // namespace insonate

@@ -1,0 +1,56 @@
+#include <insonate/simulator/AttemptSettings.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace insonate {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+AttemptSettings settings() {
+  AttemptSettings all;
+  all.setup.probe = *loadProbe("curvilinear");
+  all.setup.settings = settingsFor(all.setup.probe);
+  all.setup.tissues = *loadAcousticTable("thesis");
+  all.setup.engine = "cpu";
+  all.setup.mechanics.tissues = *loadMechanicalTable("thesis");
+  all.setup.mechanics.sticking = true, all.setup.mechanics.settings.mostIterations = 7;
+  all.setup.mechanics.settings.mesh_mm = 0.7;
+  all.physiology.tilt_deg = 15, all.physiology.centralVenous_mmHg = 1.0 / 3;
+  all.pulsating = true, all.bloodTime_s = 12.5, all.needle = "measured", all.needleLength_mm = 60;
+  return all;
+}
+
+TEST(AttemptSettings, AreReadAsTheyWereWritten) {
+  const AttemptSettings all = settings();
+  const auto read = parseAttemptSettings(textOf(all));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(textOf(*read), textOf(all));
+  EXPECT_EQ(read->setup.mechanics, all.setup.mechanics);
+  EXPECT_EQ(read->setup.tissues.tissues, all.setup.tissues.tissues);
+  EXPECT_EQ(read->setup.probe.shape, ProbeShape::Curvilinear);
+  EXPECT_EQ(read->physiology.centralVenous_mmHg, 1.0 / 3);
+  EXPECT_EQ(read->blood(2).vein_kPa, bloodPressureAt(all.physiology, 14.5).vein_kPa);
+}
+
+TEST(AttemptSettings, BloodIsAtItsMeanWhereNothingPulses) {
+  AttemptSettings all;
+  EXPECT_EQ(all.blood(3).vein_kPa, all.setup.mechanics.tissues.of(kVein).pressure_kPa);
+}
+
+TEST(AttemptSettings, OtherTextsAreRefusedWithASentence) {
+  json text = json::parse(textOf(settings()));
+  const auto refusal = [](const std::string& of) { return parseAttemptSettings(of).error().message; };
+  EXPECT_THAT(refusal(""), HasSubstr("The settings of the attempt cannot be read"));
+  EXPECT_THAT(refusal("{}"), HasSubstr("cannot be read: key 'probe' not found"));
+  text["physiology"]["tilt_deg"] = 80;
+  EXPECT_THAT(refusal(text.dump()), HasSubstr("tilt_deg is 80; allowed is -45 to 45"));
+  text["picture"]["gain_dB"] = "high";
+  EXPECT_THAT(refusal(text.dump()), HasSubstr("gain_dB must be a number"));
+}
+
+}  // namespace
+}  // namespace insonate
