@@ -59,8 +59,8 @@ TEST_F(ScriptedSession, CleanSuccess) {
   EXPECT_GT(*metrics[Metric::TimeToVein], 0.1);
   EXPECT_LT(*metrics[Metric::TimeToVein], 1.2);
   EXPECT_NEAR(*metrics[Metric::InsertionAngle], 90, 3);
-  EXPECT_EQ(metrics[Metric::AspirationWhileAdvancing], 100);
-  EXPECT_LT(*metrics[Metric::VeinCentreDistance], 0.3) << "it stops at the vein's middle, 12 mm deep";
+  EXPECT_NEAR(*metrics[Metric::AspirationWhileAdvancing], 100, 1e-9);
+  EXPECT_LT(*metrics[Metric::VeinCentreDistance], 0.5) << "it stops at the vein's middle, 12 mm deep, pressed a little";
   EXPECT_EQ(metrics[Metric::NearestArtery], std::nullopt) << "the block has none";
   EXPECT_TRUE(outcome.run.succeeded());
 }
@@ -112,7 +112,8 @@ TEST_F(ScriptedSession, ReplayAndRepetitionGiveTheSame) {
   EXPECT_EQ(recording->header().caseHash.size(), 16u);
   EXPECT_EQ(recording->header().settingsHash.size(), 16u);
   EXPECT_EQ(parseAttemptSettings(recording->header().settings)->physiology.tilt_deg, 0);
-  EXPECT_EQ(parseAttemptSettings(*recording->settingsAt(1'000))->physiology.tilt_deg, 15) << "tilted after a tick";
+  EXPECT_EQ(parseAttemptSettings(*recording->settingsAt(1'000))->physiology.tilt_deg, 0);
+  EXPECT_EQ(parseAttemptSettings(*recording->settingsAt(2'000))->physiology.tilt_deg, 15) << "after the first tick";
   const auto second = run(acts);
   EXPECT_EQ(second.metrics, first.metrics);
   EXPECT_EQ(second.events, first.events);

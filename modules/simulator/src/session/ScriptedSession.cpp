@@ -1,3 +1,5 @@
+#include "session/MomentImaging.h"
+
 #include <insonate/haptics/SimulatedHand.h>
 #include <insonate/simulator/AttemptOrigin.h>
 #include <insonate/simulator/AttemptSettings.h>
@@ -14,6 +16,7 @@ namespace {
 
 constexpr std::int64_t kTick_us = 1000;
 constexpr double kTick_s = 1e-3;
+constexpr std::int64_t kTissue_us = 33'000;
 /// As much tissue as a needle of 70 mm can reach from where it is first put down.
 constexpr double kReach_mm = 90;
 
@@ -28,10 +31,13 @@ Transform needleAt(Vec3 tip_mm, Vec3 axis) {
 class Session {
  public:
   Session(std::shared_ptr<const TissueGrid> grid, std::vector<CentreLine> veins, AttemptSettings settings,
-          AttemptRecorder& recorder, SessionOutcome& outcome)
+          MomentImaging& imaging, const SessionPictures& pictures, AttemptRecorder& recorder, SessionOutcome& outcome)
       : grid_(std::move(grid)),
         veins_(std::move(veins)),
         settings_(std::move(settings)),
+        imaging_(imaging),
+        pictures_(pictures),
+        pictureAt_us_(pictures.every_us),
         recorder_(recorder),
         outcome_(outcome) {}
 
@@ -45,7 +51,10 @@ class Session {
     return {};
   }
 
-  void operator()(const SessionAct::PutProbe& act) { probe_ = act.patientFromProbe; }
+  /// What went wrong with tissue or pictures.
+  const Result<void>& trouble() const { return trouble_; }
+
+  void operator()(const SessionAct::PutProbe& act) { probe_ = act.patientFromProbe, tissueAt_us_ = 0; }
   void operator()(const SessionAct::LiftProbe&) { probe_.reset(); }
   void operator()(const SessionAct::PutNeedle& act) {
     tip_mm_ = act.from_mm, axis_ = normalized(act.to_mm - act.from_mm), holdsNeedle_ = true;
@@ -72,23 +81,51 @@ class Session {
   /// Blood goes where the patient is tilted.
   void tilt(double tilt_deg) {
     settings_.physiology.tilt_deg = tilt_deg;
-    recorder_.note(SettingsChange{time_us_, textOf(settings_)});
+    recorder_.note(SettingsChange{time_us_ + kTick_us, textOf(settings_)});  // what is now was before
+    keep(imaging_.use(settings_));
+    tissueAt_us_ = 0;
+  }
+  void keep(const Result<void>& done) {
+    if (trouble_ && !done) trouble_ = done;
+  }
+  void followTissue() {
+    if (!probe_) force_N_ = 0, restFromPatient_ = {};
+    if (!probe_ || !trouble_ || time_us_ < tissueAt_us_) return;
+    tissueAt_us_ = time_us_ + kTissue_us;
+    // As it is kept, so that pictures need no other solution.
+    const auto pose = restored(quantised({.patientFromProbe = probe_})).patientFromProbe;
+    if (!pose) return;
+    keep(imaging_.press(*pose, static_cast<double>(time_us_) * 1e-6));
+    force_N_ = imaging_.deformation().force_N;
+    restFromPatient_ = holdsNeedle_ ? imaging_.restNear(tip_mm_) : Transform{};
+  }
+  void makePicture(const AttemptSample& sample) {
+    if (!pictures_.take || !trouble_ || time_us_ < pictureAt_us_) return;
+    pictureAt_us_ += pictures_.every_us;
+    if (!sample.patientFromProbe) return;
+    const auto frame = imaging_.picture(sample);
+    keep(frame ? pictures_.take(**frame) : tl::unexpected(frame.error()));
   }
   void tick() {
     time_us_ += kTick_us;
+    followTissue();
     const std::int64_t now_ns = time_us_ * 1000;
-    servo_.show({.time_ns = now_ns, .grid = grid_, .restFromPatient = {}, .patches = {}});
+    servo_.show({.time_ns = now_ns, .grid = grid_, .restFromPatient = restFromPatient_, .patches = {}});
     ServoInput input{.now_ns = now_ns, .hands = {}, .present = {probe_.has_value(), holdsNeedle_}};
     if (probe_) input.hands[kProbeHand].deviceFromStylus = *probe_;
     input.hands[kNeedleHand].deviceFromStylus = needleAt(tip_mm_, axis_);
     for (DeviceState& hand : input.hands) hand.time_ns = now_ns;
     const ServoOutput output = servo_.tick(input);
 
-    const TickContext context{time_us_, input.present, probe_ ? settings_.setup.settings.depth_mm : 0, aspirating_, {}};
-    const AttemptSample sample = sampleOf(output, context, grid_.get(), veins_);
+    const TickContext context{time_us_, input.present, probe_ ? settings_.setup.settings.depth_mm : 0, aspirating_,
+                              restFromPatient_};
+    AttemptSample sample = sampleOf(output, context, grid_.get(), veins_);
+    sample.probeForce_N = force_N_;
     waitForRoom();
     recorder_.put(sample);
-    outcome_.run.take(restored(quantised(sample)));
+    const AttemptSample kept = restored(quantised(sample));
+    outcome_.run.take(kept);
+    makePicture(kept);
     for (int i = 0; i < output.eventCount; ++i) tell(eventOf(output.events[i], context, grid_.get()));
   }
   void tell(const AttemptEvent& event) {
@@ -105,6 +142,12 @@ class Session {
   std::shared_ptr<const TissueGrid> grid_;
   std::vector<CentreLine> veins_;
   AttemptSettings settings_;
+  MomentImaging& imaging_;
+  const SessionPictures& pictures_;
+  std::int64_t pictureAt_us_, tissueAt_us_ = 0;  ///< when the next is due
+  double force_N_ = 0;
+  Transform restFromPatient_;
+  Result<void> trouble_;
   AttemptRecorder& recorder_;
   SessionOutcome& outcome_;
   HapticServo servo_;
@@ -136,7 +179,8 @@ Vec3 placeOf(const SessionScript& script) {
 }  // namespace
 
 Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase& patient, std::string_view software,
-                                  const std::filesystem::path& recording, const Progress& progress) {
+                                  const std::filesystem::path& recording, const Progress& progress,
+                                  const SessionPictures& pictures) {
   auto procedure = loadProcedure(script.procedure);
   if (!procedure) return tl::unexpected(procedure.error());
   auto settings = settingsOf(script);
@@ -149,19 +193,24 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
   header.caseHash = caseHashOf(patient);
   header.engine = settings->setup.engine;
   header.settings = textOf(*settings);
+  MomentImaging imaging(patient);
+  if (auto ok = imaging.use(*settings); !ok) return tl::unexpected(ok.error());
   auto recorder = AttemptRecorder::start(recording, header);
   if (!recorder) return tl::unexpected(recorder.error());
   SessionOutcome outcome{{}, {}, {}, ProcedureRun(std::move(*procedure), header.picture)};
-  Session session(std::move(*grid), std::move(*veins), std::move(*settings), **recorder, outcome);
+  Session session(std::move(*grid), std::move(*veins), std::move(*settings), imaging, pictures, **recorder, outcome);
   if (auto ok = session.begin(); !ok) return tl::unexpected(ok.error());
+  const auto withdrawn = [&](tl::unexpected<Error> why) {
+    recorder->reset();
+    std::error_code error;
+    std::filesystem::remove(recording, error);
+    return why;
+  };
   for (std::size_t i = 0; i < script.acts.size(); ++i) {
-    if (!report(progress, "attempt", static_cast<double>(i) / static_cast<double>(script.acts.size()))) {
-      recorder->reset();
-      std::error_code error;
-      std::filesystem::remove(recording, error);
-      return fail(std::string(kCancelled));
-    }
+    if (!report(progress, "attempt", static_cast<double>(i) / static_cast<double>(script.acts.size())))
+      return withdrawn(fail(std::string(kCancelled)));
     std::visit([&](const auto& act) { session(act); }, script.acts[i].what);
+    if (!session.trouble()) return withdrawn(tl::unexpected(session.trouble().error()));
   }
   outcome.status = script.abandoned ? AttemptStatus::Abandoned : AttemptStatus::Completed;
   const auto metrics = (*recorder)->finish(outcome.status);

@@ -5,9 +5,12 @@
 #include <insonate/core/Result.h>
 #include <insonate/procedure/AttemptRecorder.h>
 #include <insonate/procedure/ProcedureRun.h>
+#include <insonate/simulator/LiveImaging.h>
 #include <insonate/ultrasound/Probe.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -55,11 +58,20 @@ struct SessionOutcome {
   ProcedureRun run;
 };
 
-/// A whole attempt without a window, device or clock, faster than real time: hands that are where the script has them,
-/// through the servo at 1 kHz, into a recording. Tissue stays at rest, whatever the probe does, and no picture is made.
-/// The same script, case and program give the same attempt. `software` is name and version, for the header. Cancelled,
-/// it leaves no file.
+/// Pictures on the way, as AttemptPictures makes them of the recording.
+struct SessionPictures {
+  std::int64_t every_us = 1'000'000;  ///< of the script's time, a multiple of 1000; the first at the first multiple
+  /// Called where a probe is held; a failure ends the session. None: no pictures are made.
+  std::function<Result<void>(const LiveFrame&)> take;
+};
+
+/// A whole attempt without a window, device or clock: hands that are where the script has them, through the servo at
+/// 1 kHz, into a recording. A face inside the skin presses; the tissue is solved 30 times a second of the script's
+/// time, from rest, and tells the probe's force and where what the needle meets lies. Faster than real time, but where
+/// pictures are made or the probe moves through tissue. The same script, case and program give the same attempt.
+/// `software` is name and version, for the header. Cancelled, it leaves no file.
 Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase& patient, std::string_view software,
-                                  const std::filesystem::path& recording, const Progress& progress = {});
+                                  const std::filesystem::path& recording, const Progress& progress = {},
+                                  const SessionPictures& pictures = {});
 
 }  // namespace insonate

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/procedure/AttemptRecording.h>
+#include <insonate/simulator/LiveImaging.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace insonate {
+
+/// The ultrasound pictures of a recorded attempt, made again from its case. A picture is a function of what the
+/// recording says of its time: the tissue is solved from rest and persistence is left out, so that it is the same bit
+/// for bit whatever was looked at before, on the same engine and kind of processor; the live one, whose tissue goes on
+/// from the picture before, was near it. Not for concurrent use; uses the calling thread's TBB arena.
+class AttemptPictures {
+ public:
+  /// Fails with a sentence on another case than the recording's, and on a recording without settings.
+  static Result<AttemptPictures> make(std::shared_ptr<const AttemptRecording> recording,
+                                      std::shared_ptr<const PatientCase> patient);
+  AttemptPictures(AttemptPictures&&) noexcept;
+  AttemptPictures& operator=(AttemptPictures&&) noexcept;
+  ~AttemptPictures();
+
+  /// As the screen showed it at this time: of the last sample until then, or of the one at which the picture was
+  /// frozen. Null before the first sample and while nobody holds the probe. The frame has an envelope; its number is 0
+  /// and its time that of the sample. Fails where the recording is damaged there, and where its engine cannot be had.
+  Result<std::shared_ptr<const LiveFrame>> at(std::int64_t time_us);
+
+ private:
+  struct State;
+  explicit AttemptPictures(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace insonate

@@ -1,0 +1,90 @@
+#include "session/MomentImaging.h"
+
+#include <insonate/simulator/AttemptOrigin.h>
+#include <insonate/simulator/AttemptPictures.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace insonate {
+
+struct AttemptPictures::State {
+  State(std::shared_ptr<const AttemptRecording> of, std::shared_ptr<const PatientCase> its)
+      : recording(std::move(of)), patient(std::move(its)), imaging(*patient) {}
+
+  Result<const Stretch*> stretchOf(std::size_t index);
+  /// The last sample until this time for which `wanted` holds; none where there is none.
+  template <class Wanted>
+  Result<std::optional<AttemptSample>> lastSample(std::int64_t time_us, const Wanted& wanted);
+  Result<void> useSettingsOf(std::int64_t time_us);
+
+  std::shared_ptr<const AttemptRecording> recording;
+  std::shared_ptr<const PatientCase> patient;
+  MomentImaging imaging;
+  std::string used;  ///< settings of `imaging`
+  std::optional<std::size_t> unpacked;
+  Stretch stretch;
+};
+
+Result<const Stretch*> AttemptPictures::State::stretchOf(std::size_t index) {
+  if (unpacked == index) return &stretch;
+  auto made = recording->stretch(index);
+  if (!made) return tl::unexpected(made.error());
+  stretch = std::move(*made), unpacked = index;
+  return &stretch;
+}
+
+template <class Wanted>
+Result<std::optional<AttemptSample>> AttemptPictures::State::lastSample(std::int64_t time_us, const Wanted& wanted) {
+  if (recording->stretches() == 0) return std::nullopt;
+  for (std::size_t i = recording->stretchAt(time_us) + 1; i-- > 0;) {
+    const auto part = stretchOf(i);
+    if (!part) return tl::unexpected(part.error());
+    const auto& samples = (*part)->samples;
+    auto after = std::ranges::upper_bound(samples, time_us, {}, &QuantisedSample::time_us);
+    while (after != samples.begin())
+      if (const AttemptSample sample = restored(*--after); wanted(sample)) return sample;
+  }
+  return std::nullopt;
+}
+
+Result<void> AttemptPictures::State::useSettingsOf(std::int64_t time_us) {
+  auto text = recording->settingsAt(time_us);
+  if (!text) return tl::unexpected(text.error());
+  if (*text == used) return {};
+  auto settings = parseAttemptSettings(*text);
+  if (!settings) return tl::unexpected(settings.error());
+  if (auto ok = imaging.use(*settings); !ok) return fail("The pictures cannot be made again: " + ok.error().message);
+  used = std::move(*text);
+  return {};
+}
+
+Result<AttemptPictures> AttemptPictures::make(std::shared_ptr<const AttemptRecording> recording,
+                                              std::shared_ptr<const PatientCase> patient) {
+  const AttemptHeader& header = recording->header();
+  if (header.settings.empty())
+    return fail("The recording does not say how the picture was set; its pictures cannot be made again.");
+  if (header.caseHash != caseHashOf(*patient))
+    return fail("The recording was made on another case, '" + header.caseName + "', than '" + patient->manifest.title +
+                "', or that one was changed since; open the case as it was.");
+  return AttemptPictures(std::make_unique<State>(std::move(recording), std::move(patient)));
+}
+
+AttemptPictures::AttemptPictures(std::unique_ptr<State> state) : state_(std::move(state)) {}
+AttemptPictures::AttemptPictures(AttemptPictures&&) noexcept = default;
+AttemptPictures& AttemptPictures::operator=(AttemptPictures&&) noexcept = default;
+AttemptPictures::~AttemptPictures() = default;
+
+Result<std::shared_ptr<const LiveFrame>> AttemptPictures::at(std::int64_t time_us) {
+  auto sample = state_->lastSample(time_us, [](const AttemptSample&) { return true; });
+  if (sample && *sample && (*sample)->patientFromProbe && !((*sample)->pictureDepth_mm > 0))
+    sample = state_->lastSample((*sample)->time_us,
+                                [](const AttemptSample& s) { return s.patientFromProbe && s.pictureDepth_mm > 0; });
+  if (!sample) return tl::unexpected(sample.error());
+  if (!*sample || !(*sample)->patientFromProbe) return nullptr;
+  if (auto ok = state_->useSettingsOf((*sample)->time_us); !ok) return tl::unexpected(ok.error());
+  return state_->imaging.picture(**sample);
+}
+
+}  // namespace insonate

@@ -1,0 +1,138 @@
+#include "session/MomentImaging.h"
+
+#include "hands/RestNear.h"
+
+#include <cmath>
+
+namespace insonate {
+namespace {
+
+/// A vein that closes takes its time.
+constexpr int kPatience = 200;
+/// Scenes begin and end on this lattice, so that near poses share one, and the same pose always has the same.
+constexpr double kLattice_mm = 16;
+/// Less is no dent (see HandsLoop).
+constexpr double kLeastTent_mm = 0.02;
+
+Region onLattice(const Region& region) {
+  Region wide = region;
+  for (int axis = 0; axis < 3; ++axis) {
+    wide.low_mm[axis] = kLattice_mm * std::floor(region.low_mm[axis] / kLattice_mm);
+    wide.high_mm[axis] = kLattice_mm * std::ceil(region.high_mm[axis] / kLattice_mm);
+  }
+  return wide;
+}
+
+bool same(const Region& a, const Region& b) {
+  return a.low_mm == b.low_mm && a.high_mm == b.high_mm;
+}
+
+std::optional<Needle> needleOf(const AttemptSample& sample, const AttemptSettings& settings) {
+  if (!sample.patientFromNeedle) return std::nullopt;
+  const Transform& held = *sample.patientFromNeedle;
+  return Needle{.tip_mm = held.offset,
+                .direction = held.linear.column[2],
+                .bevelNormal = -held.linear.column[1],
+                .radius_mm = settings.needleRadius_mm,
+                .length_mm = settings.needleLength_mm};
+}
+
+}  // namespace
+
+MomentImaging::MomentImaging(const PatientCase& patient) : patient_(patient) {}
+MomentImaging::~MomentImaging() = default;
+
+Result<void> MomentImaging::use(const AttemptSettings& settings) {
+  ImagingSetup setup = settings.setup;
+  setup.settings.persistence = 0;
+  setup.mechanics.settings.mostIterations = kPatience;
+  auto imager = Imager::make(setup);
+  if (!imager) return tl::unexpected(imager.error());
+  if (auto ok = validate(setup.mechanics); !ok) return ok;
+  const live::SceneNeed need(setup, patient_.labels.geometry);
+  if (!setup_ || setup_->tissues.tissues != setup.tissues.tissues || need_->detail_mm() != need.detail_mm())
+    scene_.reset();
+  need_ = need;
+  setup_ = std::make_shared<const ImagingSetup>(std::move(setup));
+  imager_.emplace(std::move(*imager));
+  settings_ = settings;
+  pose_.reset(), tissue_.reset();
+  return {};
+}
+
+Result<void> MomentImaging::takeScene(const Transform& patientFromProbe) {
+  const Region region = onLattice(need_->at(patientFromProbe));
+  if (scene_ && same(region, sceneRegion_mm_)) return {};
+  if (!source_) {
+    auto source = makeSceneSource(patient_);
+    if (!source) return tl::unexpected(source.error());
+    source_ = std::move(*source);
+  }
+  auto scene = makeScene(*source_, *setup_, region);
+  if (!scene) return tl::unexpected(scene.error());
+  scene_ = std::move(*scene), sceneRegion_mm_ = region;
+  return {};
+}
+
+Result<void> MomentImaging::press(const Transform& patientFromProbe, double time_s) {
+  const BloodPressure blood = settings_->blood(time_s);
+  if (pose_ == patientFromProbe && blood.artery_kPa == blood_.artery_kPa && blood.vein_kPa == blood_.vein_kPa)
+    return {};
+  pose_.reset(), tissue_.reset();
+  if (!need_->misses(patientFromProbe)) {
+    if (auto ok = takeScene(patientFromProbe); !ok) return ok;
+    auto tissue = PressedTissue::make(setup_->probe, setup_->settings, setup_->mechanics);
+    if (!tissue) return tl::unexpected(tissue.error());
+    tissue_.emplace(std::move(*tissue));
+    tissue_->hold(*scene_, patientFromProbe, blood);
+  }
+  pose_ = patientFromProbe, blood_ = blood;
+  return {};
+}
+
+const Deformation& MomentImaging::deformation() const {
+  static const Deformation kRest;
+  return tissue_ ? tissue_->deformation() : kRest;
+}
+
+Transform MomentImaging::restNear(Vec3 patient_mm) const {
+  return pose_ ? insonate::restNear(deformation().displacement, *pose_, patient_mm) : Transform{};
+}
+
+void MomentImaging::tellPress(LiveFrame& frame) const {
+  const Deformation& answer = deformation();
+  frame.press.force_N = answer.force_N;
+  frame.press.indentation_mm = tissue_ ? tissue_->indentation_mm() : std::nan("");
+  frame.press.lumens = answer.lumens;
+  frame.press.pressure = blood_;
+  frame.press.settled = answer.converged;
+  if (frame.needle) frame.press.restFromPatient = restNear(frame.needle->tip_mm);
+}
+
+Result<std::shared_ptr<const LiveFrame>> MomentImaging::picture(const AttemptSample& sample) {
+  const Transform& pose = *sample.patientFromProbe;
+  const double time_s = static_cast<double>(sample.time_us) * 1e-6;
+  if (auto ok = press(pose, time_s); !ok) return tl::unexpected(ok.error());
+  auto frame = std::make_shared<LiveFrame>();
+  frame->patientFromProbe = pose, frame->time_s = time_s;
+  frame->setup = setup_;
+  frame->needle = needleOf(sample, *settings_);
+  frame->warnings = std::make_shared<const std::vector<std::string>>(scene_ && tissue_ ? scene_->warnings()
+                                                                                       : std::vector<std::string>{});
+  tellPress(*frame);
+  if (!tissue_) {  // past the patient: black
+    Display(setup_->probe, setup_->settings).process({}, frame->image);
+    return frame;
+  }
+  const PlaneDisplacement* seen = &deformation().displacement;
+  if (frame->needle && sample.tenting_mm > kLeastTent_mm)
+    seen = &tented_.with(*seen, pose, {frame->needle->tip_mm, frame->needle->direction, sample.tenting_mm});
+  ImagingFrame made;
+  imager_->render(*scene_, pose, *seen, frame->needle ? &*frame->needle : nullptr, made);
+  frame->image = std::move(made.image), frame->envelope = std::move(made.envelope);
+  frame->stages = std::move(made.stages), frame->frame_ms = made.frame_ms;
+  frame->engine = made.engine, frame->engineNote = made.engineNote;
+  return frame;
+}
+
+}  // namespace insonate

@@ -1,0 +1,152 @@
+#include "support/SmallCase.h"
+#include "support/TestData.h"
+
+#include <insonate/procedure/AttemptRecorder.h>
+#include <insonate/simulator/AttemptOrigin.h>
+#include <insonate/simulator/AttemptPictures.h>
+#include <insonate/simulator/AttemptSettings.h>
+#include <insonate/simulator/ProbePose.h>
+#include <insonate/simulator/ScriptedSession.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace insonate {
+namespace {
+
+using testing::HasSubstr;
+using Frame = std::shared_ptr<const LiveFrame>;
+
+/// A probe on the small block and 4 mm in it, a needle that tents and punctures, a patient that is tilted.
+constexpr const char* kActs = R"(
+  {"probe": {"position_mm": [0, 0, 0], "axial": [0, 1, 0], "lateral": [1, 0, 0]}},
+  {"needle": {"from_mm": [-8, -3, 0], "to": "vein"}}, {"wait_s": 0.3},
+  {"probe": {"position_mm": [0, 3.5, 0], "axial": [0, 1, 0], "lateral": [1, 0, 0]}}, {"wait_s": 0.2},
+  {"advance_mm": 14, "speed_mmps": 20}, {"tilt_deg": 15}, {"wait_s": 0.2},
+  {"probe": null}, {"wait_s": 0.3})";
+
+class AttemptPicturesTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto script = readSessionScript("{\"acts\": [" + std::string(kActs) + "]}", *patient);
+    ASSERT_TRUE(script) << script.error().message;
+    SessionPictures pictures{.every_us = 100'000, .take = [&](const LiveFrame& frame) -> Result<void> {
+                               shown[std::llround(frame.time_s * 1e6)] = std::make_shared<LiveFrame>(frame);
+                               return {};
+                             }};
+    const auto outcome = runSession(*script, *patient, "insonate test", folder / "attempt", {}, pictures);
+    ASSERT_TRUE(outcome) << outcome.error().message;
+    metrics = outcome->metrics;
+  }
+  AttemptPictures open(const std::string& name = "attempt") const {
+    auto recording = AttemptRecording::open(folder / name);
+    auto made = AttemptPictures::make(std::make_shared<const AttemptRecording>(std::move(*recording)), patient);
+    EXPECT_TRUE(made) << made.error().message;
+    return std::move(*made);
+  }
+  static void expectSame(const LiveFrame& a, const LiveFrame& b) {
+    EXPECT_EQ(a.image.grey, b.image.grey);
+    EXPECT_EQ(a.envelope.amplitude, b.envelope.amplitude);
+    EXPECT_EQ(a.press.force_N, b.press.force_N);
+    EXPECT_EQ(a.needle, b.needle);
+  }
+
+  const std::shared_ptr<const PatientCase> patient = std::make_shared<const PatientCase>(test::smallCase());
+  const test::TemporaryFolder folder;
+  std::map<std::int64_t, Frame> shown;  ///< by the session, by time in us
+  MetricValues metrics;
+};
+
+/// Forwards, backwards, and by another that has seen nothing before.
+TEST_F(AttemptPicturesTest, AreThoseOfTheSessionBitForBit) {
+  ASSERT_EQ(shown.size(), 14u) << "1.4 s of a probe that is held";
+  AttemptPictures pictures = open();
+  for (const auto& [time_us, frame] : shown) {
+    const auto again = pictures.at(time_us);
+    ASSERT_TRUE(again) << again.error().message;
+    expectSame(**again, *frame);
+  }
+  for (auto it = shown.rbegin(); it != shown.rend(); ++it) expectSame(**pictures.at(it->first), *it->second);
+  expectSame(**open().at(1'200'000), *shown[1'200'000]);
+}
+
+TEST_F(AttemptPicturesTest, AFaceInTheSkinPressesAndTheForceIsTheRecordings) {
+  const LivePress &light = shown[200'000]->press, &hard = shown[500'000]->press;
+  EXPECT_NEAR(light.indentation_mm, 0.5, 0.1);
+  EXPECT_NEAR(hard.indentation_mm, 4, 0.1);
+  EXPECT_GT(hard.force_N, 2 * light.force_N);
+  ASSERT_EQ(hard.lumens.size(), 1u);
+  EXPECT_LT(hard.lumens[0].area_mm2, 0.95 * hard.lumens[0].rest_mm2) << "the vein gives way";
+  const auto recording = AttemptRecording::open(folder / "attempt");
+  const AttemptSample sample = restored(recording->stretch(0)->samples.at(499));
+  ASSERT_EQ(sample.time_us, 500'000);
+  EXPECT_NEAR(sample.probeForce_N, hard.force_N, kForceQuantum_N);
+  EXPECT_NEAR(*metrics[Metric::ProbeForceMost], hard.force_N, 0.3 * hard.force_N) << "tilted, the vein is fuller";
+}
+
+TEST_F(AttemptPicturesTest, ShowNeedleTiltAndNothingWithoutAProbe) {
+  EXPECT_NE(shown[900'000]->image.grey, shown[1'200'000]->image.grey) << "the needle goes on";
+  EXPECT_TRUE(shown[800'000]->needle);
+  EXPECT_GT(shown[1'400'000]->press.pressure.vein_kPa, shown[1'200'000]->press.pressure.vein_kPa) << "head down";
+  AttemptPictures pictures = open();
+  EXPECT_EQ(*pictures.at(0), nullptr) << "before the first sample";
+  EXPECT_EQ(*pictures.at(1'600'000), nullptr) << "nobody holds the probe";
+  EXPECT_NE(*pictures.at(1'400'900), nullptr) << "between two samples: the one before";
+}
+
+/// What any picture of the command line is made of, for a probe that does not press.
+TEST_F(AttemptPicturesTest, ArePicturesOfTheCase) {
+  AttemptSettings settings;
+  settings.setup = {*loadProbe("linear"), settingsFor(*loadProbe("linear")), *loadAcousticTable("neck"), "cpu"};
+  const Transform pose = *patientFromProbe({1, -0.6, 0}, {0, 1, 0}, {1, 0, 0});
+  AttemptHeader header{.caseHash = caseHashOf(*patient), .settings = textOf(settings)};
+  auto recorder = AttemptRecorder::start(folder / "still", header);
+  (*recorder)->put(AttemptSample{.time_us = 1000, .patientFromProbe = pose, .pictureDepth_mm = 40});
+  ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
+  auto imager = Imager::make(settings.setup);
+  const auto scene = makeScene(*patient, settings.setup, sceneRegion(settings.setup, pose));
+  ImagingFrame expected;
+  imager->render(**scene, pose, expected);
+  const auto frame = open("still").at(1000);
+  ASSERT_TRUE(frame) << frame.error().message;
+  ASSERT_EQ((*frame)->image.grey.size(), expected.image.grey.size());
+  int most = 0;
+  for (std::size_t i = 0; i < expected.image.grey.size(); ++i)
+    most = std::max(most, std::abs(int{(*frame)->image.grey[i]} - int{expected.image.grey[i]}));
+  EXPECT_LE(most, 3) << "of 255: scenes of another extent round otherwise";
+}
+
+/// While the picture stands still, the hands go on.
+TEST_F(AttemptPicturesTest, AFrozenPictureStays) {
+  const auto recording = AttemptRecording::open(folder / "attempt");
+  AttemptHeader header = recording->header();
+  auto recorder = AttemptRecorder::start(folder / "frozen", header);
+  AttemptSample sample = restored(recording->stretch(0)->samples.at(499));
+  (*recorder)->put(sample);
+  sample.patientFromProbe->offset.x += 5, sample.pictureDepth_mm = 0;
+  for (sample.time_us = 600'000; sample.time_us < 3'000'000; sample.time_us += 100'000) (*recorder)->put(sample);
+  sample.pictureDepth_mm = 40;
+  (*recorder)->put(sample);
+  ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
+  AttemptPictures pictures = open("frozen");
+  const Frame before = *pictures.at(500'000);
+  expectSame(**pictures.at(2'900'000), *before);
+  EXPECT_EQ((*pictures.at(3'000'000))->patientFromProbe.offset.x, before->patientFromProbe.offset.x + 5);
+}
+
+TEST_F(AttemptPicturesTest, AreRefusedWithASentence) {
+  const auto recording = std::make_shared<const AttemptRecording>(*AttemptRecording::open(folder / "attempt"));
+  auto other = std::make_shared<PatientCase>(test::smallCase());
+  other->labels.at(0, 10, 0) = kFat;
+  EXPECT_THAT(AttemptPictures::make(recording, other).error().message,
+              HasSubstr("was made on another case, 'Small block'"));
+  auto recorder = AttemptRecorder::start(folder / "unset", {.caseHash = caseHashOf(*patient)});
+  ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
+  const auto unset = std::make_shared<const AttemptRecording>(*AttemptRecording::open(folder / "unset"));
+  EXPECT_THAT(AttemptPictures::make(unset, patient).error().message, HasSubstr("does not say how the picture was set"));
+}
+
+}  // namespace
+}  // namespace insonate
