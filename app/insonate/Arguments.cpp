@@ -28,7 +28,8 @@ std::variant<Arguments, int> parseArguments(int argc, char** argv) {
   std::string screenshot;
   CLI::App parser{"Insonate: ultrasound from a patient's CT, in a window."};
   parser.set_version_flag("--version", std::string(INSONATE_VERSION));
-  parser.add_option("CASE", a.caseFolder, "Case folder, DICOM folder or volume file; without it, the built-in neck");
+  parser.add_option("CASE", a.caseFolder,
+                    "Case folder, DICOM folder, volume file or recorded attempt; without it, the built-in neck");
   parser.add_option("--workspace", a.workspace, "Where to begin")
       ->check(CLI::IsMember(std::vector<std::string>{"prepare", "train", "review"}));
   auto* shot =

@@ -7,7 +7,7 @@
 namespace insonate::app {
 
 struct Arguments {
-  std::string caseFolder;            ///< or a DICOM folder or a file; empty for the built-in neck
+  std::string caseFolder;            ///< or a DICOM folder, a file or a recorded attempt; empty for the built-in neck
   std::string workspace;             ///< empty for the one shown last
   std::filesystem::path screenshot;  ///< empty: no screenshot
   std::filesystem::path benchmark;   ///< folder for a table of speeds; empty: none

@@ -4,9 +4,9 @@
 #include "Screenshot.h"
 
 #include <insonate/prepare/PrepareWorkspace.h>
+#include <insonate/review/ReviewWorkspace.h>
 #include <insonate/train/TrainWorkspace.h>
 #include <insonate/ui/CaseLoader.h>
-#include <insonate/ui/EmptyWorkspace.h>
 #include <insonate/ui/MainWindow.h>
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
@@ -47,15 +47,9 @@ void addWorkspaces(ui::MainWindow& window) {
   window.addWorkspace(QStringLiteral("train"), QObject::tr("Train"), QStringLiteral("train"),
                       new train::TrainWorkspace);
 
-  window.addWorkspace(QStringLiteral("review"), QObject::tr("Review"), QStringLiteral("review"),
-                      new ui::EmptyWorkspace(
-                          {QStringLiteral("review"),
-                           QObject::tr("Nothing to review yet"),
-                           {QObject::tr("Here you will read what trainees did: attempts, what went wrong in each, "
-                                        "learning curves, and a replay beside the ultrasound."),
-                            QObject::tr("Attempts are not recorded yet. Until then, practise under Train (Ctrl+2).")},
-                           QObject::tr("Attempts are not recorded yet; practise under Train."),
-                           QStringLiteral("review")}));
+  auto* review = new review::ReviewWorkspace(window.tasks());
+  review->offer(window.attemptAction());
+  window.addWorkspace(QStringLiteral("review"), QObject::tr("Review"), QStringLiteral("review"), review);
 }
 
 int run(QApplication& application, const app::Arguments& arguments) {
@@ -89,6 +83,10 @@ int run(QApplication& application, const app::Arguments& arguments) {
   QObject::connect(&window, &ui::MainWindow::readyChanged, &window, [&window, first] {
     if (window.current().patient) QObject::disconnect(first);
   });
+  // An attempt that cannot be opened, or whose case is not there.
+  if (forScript)
+    QObject::connect(window.findChild<review::ReviewWorkspace*>(), &ui::Workspace::failed, &window,
+                     [leave](const QString& what) { leave(what); });
   std::unique_ptr<app::Screenshot> screenshot;
   if (!arguments.screenshot.empty()) {
     window.resize(QSize(arguments.width_px, arguments.height_px) / window.devicePixelRatioF());

@@ -5,6 +5,7 @@
 #include "MovingDetail.h"
 #include "NeedleModel.h"
 #include "OrientationCube.h"
+#include "PathModel.h"
 #include "ProbeModel.h"
 #include "SceneState.h"
 #include "Structure.h"
@@ -53,6 +54,7 @@ class SceneStage {
   ImagePlane plane_;
   ProbeModel probe_;
   NeedleModel needle_;
+  PathModel path_;
   OrientationCube cube_;
   MovingDetail detail_;
   vtkNew<vtkCamera> usual_, coupled_;

@@ -208,6 +208,11 @@ void SceneView::setNeedle(std::optional<Needle> needle) {
   changed();
 }
 
+void SceneView::setPaths(std::vector<ScenePath> paths) {
+  drawing_->state.paths = std::make_shared<const std::vector<ScenePath>>(std::move(paths));
+  changed();
+}
+
 void SceneView::setMoving(bool moving) {
   if (moving == drawing_->state.moving) return;
   drawing_->state.moving = moving;

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <insonate/core/Transform.h>
+#include <insonate/views/Theme.h>
 
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace insonate::views {
 
@@ -13,6 +15,12 @@ namespace insonate::views {
 struct Surface {
   std::span<const float> points_mm, normals;
   std::span<const std::uint32_t> triangles;
+};
+
+/// A line through the scene, patient LPS; of less than two points nothing is seen.
+struct ScenePath {
+  std::vector<Vec3> points_mm;
+  Colour colour = theme::kText;
 };
 
 /// Which side of the patient the camera sees.

@@ -76,6 +76,9 @@ class SceneView final : public View {
   };
   void setNeedle(std::optional<Needle> needle);
 
+  /// Lines that stay until others are set, e.g. the way that a needle's tip has gone; none for none.
+  void setPaths(std::vector<ScenePath> paths);
+
   /// Looks from this side at all surfaces, hidden ones too, so that hiding one does not move the camera.
   void look(Viewpoint from);
   /// Turns about what is looked at, in degrees: to the right and up.

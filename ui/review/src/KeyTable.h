@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+
+class QKeyEvent;
+
+namespace insonate::review {
+
+/// What a key does in this workspace.
+enum class Command { Play, Step, StepMoment, Begin, End, Slower, Faster, ShowReplay, ShowResult, List };
+
+/// One row of the only table of keys: it decides what a key does, and lists it for the user. Rows without a key are
+/// listed only: the views do them.
+struct KeyRow {
+  int key = 0;  ///< Qt::Key; 0 for none
+  Command command{};
+  double by = 0, wide = 0;  ///< of Step in seconds, wide with shift; of StepMoment a direction
+  const char* keys = "";    ///< as the user knows it; empty on rows that share the line above
+  const char* meaning = "";
+};
+
+std::span<const KeyRow> keyTable();
+/// Null for a key that means nothing here.
+const KeyRow* rowFor(const QKeyEvent& event);
+
+}  // namespace insonate::review

@@ -1,0 +1,336 @@
+#include "ReviewParts.h"
+
+#include "KeyTable.h"
+#include "attempt/Words.h"
+#include "list/AttemptList.h"
+#include "replay/MomentList.h"
+#include "replay/ReplayScene.h"
+#include "replay/Timeline.h"
+#include "replay/Transport.h"
+#include "result/ReportPaint.h"
+#include "result/ResultPage.h"
+
+#include <insonate/cases/Phantom.h>
+#include <insonate/ui/RecentCases.h>
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/ViewWidget.h>
+
+#include <QAction>
+#include <QButtonGroup>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QSplitter>
+#include <QStackedLayout>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace insonate::review {
+namespace {
+
+constexpr int kMoments_px = 270, kScene_px = 460;
+enum Tab { kReplay, kResult };
+
+}  // namespace
+
+ReviewWorkspace::Parts::Parts(ReviewWorkspace& workspace, ui::TaskBar& taskBar)
+    : tasks(taskBar), session(*new ReviewSession(&workspace)), workspace_(workspace) {
+  pages_ = new QStackedLayout(&workspace);
+  pages_->setContentsMargins(0, 0, 0, 0);
+  list = new AttemptList;
+  page_ = new QWidget;
+  auto* box = new QVBoxLayout(page_);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(0);
+  notice_ = new QLabel;
+  notice_->setObjectName(QStringLiteral("attemptNotice"));
+  notice_->setWordWrap(true);
+  notice_->setContentsMargins(ui::kGap, ui::kSmallGap, ui::kGap, ui::kSmallGap);
+  ui::setRole(notice_, "problem");
+  timeline_ = new Timeline(session);
+  box->addWidget(buildBar());
+  box->addWidget(notice_);
+  box->addWidget(buildCentre(), 1);
+  box->addWidget(new Transport(session));
+  box->addWidget(timeline_);
+  pages_->addWidget(list);
+  pages_->addWidget(page_);
+  connectParts();
+  refreshReady();
+}
+
+ReviewWorkspace::Parts::~Parts() = default;
+
+QWidget* ReviewWorkspace::Parts::buildBar() {
+  auto* bar = new QFrame;
+  ui::setRole(bar, "bar");
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(ui::kGap, ui::kSmallGap, ui::kGap, ui::kSmallGap);
+  row->setSpacing(ui::kGap);
+  auto* back = new QPushButton(ui::icon(QStringLiteral("left")), tr("Attempts"));
+  back->setObjectName(QStringLiteral("backToList"));
+  back->setToolTip(tr("Back to the list of attempts (Backspace)"));
+  back->setFocusPolicy(Qt::TabFocus);
+  connect(back, &QPushButton::clicked, this, [this] { session.close(); });
+  row->addWidget(back);
+  title_ = new QLabel;
+  title_->setObjectName(QStringLiteral("attemptTitle"));
+  ui::setRole(title_, "heading");
+  facts_ = new QLabel;
+  facts_->setObjectName(QStringLiteral("attemptFacts"));
+  ui::setRole(facts_, "quiet");
+  facts_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  row->addWidget(title_);
+  row->addWidget(facts_, 1);
+  row->addWidget(buildTabs());
+  return bar;
+}
+
+QWidget* ReviewWorkspace::Parts::buildTabs() {
+  auto* tabs = new QWidget;
+  auto* row = new QHBoxLayout(tabs);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  tabs_ = new QButtonGroup(this);
+  const auto add = [&](Tab id, const char* object, const QString& text, const QString& tip) {
+    auto* button = new QToolButton;
+    button->setObjectName(QLatin1String(object));
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setCheckable(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    ui::setRole(button, "narrowTab");
+    tabs_->addButton(button, id);
+    row->addWidget(button);
+  };
+  add(kReplay, "replayTab", tr("Replay"), tr("The ultrasound picture of each moment (1)"));
+  add(kResult, "resultTab", tr("Result"), tr("Points, metrics, and the needle's way (2)"));
+  tabs_->button(kReplay)->setChecked(true);
+  connect(tabs_, &QButtonGroup::idClicked, this, [this](int tab) { showTab(tab); });
+  auto* save = new QAction(ui::icon(QStringLiteral("save")), tr("Save result ..."), &workspace_);
+  save->setObjectName(QStringLiteral("saveResult"));
+  save->setShortcut(QKeySequence(QStringLiteral("Ctrl+E")));
+  save->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  workspace_.addAction(save);
+  connect(save, &QAction::triggered, this, [this] { exportResult(); });
+  auto* button = new QPushButton(save->icon(), save->text());
+  button->setToolTip(tr("Write the result as a page, PDF or PNG (Ctrl+E)"));
+  button->setFocusPolicy(Qt::TabFocus);
+  connect(button, &QPushButton::clicked, save, &QAction::trigger);
+  row->addSpacing(ui::kGap);
+  row->addWidget(button);
+  return tabs;
+}
+
+void ReviewWorkspace::Parts::showTab(int tab) {
+  tabs_->button(tab)->setChecked(true);
+  centre_->setCurrentIndex(tab);
+  path_->setVisible(tab == kResult);
+}
+
+void ReviewWorkspace::Parts::exportResult() {
+  if (!session.attempt()) return;
+  const QString name = QFileInfo(QString::fromStdString(session.attempt()->file)).completeBaseName();
+  const QString file = QFileDialog::getSaveFileName(&workspace_, tr("Save the result"),
+                                                    QDir::home().filePath(name + QStringLiteral(".pdf")),
+                                                    tr("PDF (*.pdf);;Picture (*.png)"));
+  if (!file.isEmpty()) saveResult(file);
+}
+
+void ReviewWorkspace::Parts::saveResult(const QString& file) {
+  const QImage scene = session.fits() ? scene_->widget().grab().toImage() : QImage();
+  const QString trouble = writeReport(file, *session.attempt(), path_->section(), scene);
+  if (!trouble.isEmpty()) return Q_EMIT workspace_.failed(trouble, {}, {});
+  Q_EMIT workspace_.written(tr("Result saved as %1.").arg(QFileInfo(file).fileName()), QFileInfo(file).absolutePath());
+}
+
+QWidget* ReviewWorkspace::Parts::buildCentre() {
+  columns_ = new QSplitter(Qt::Horizontal);
+  columns_->setObjectName(QStringLiteral("reviewColumns"));
+  columns_->setChildrenCollapsible(false);
+  auto* moments = new MomentList(session);
+  moments->setMinimumWidth(kMoments_px * 3 / 4);
+  picture_ = std::make_shared<views::UltrasoundView>();
+  pictureWidget_ = new ui::ViewWidget(picture_, tr("Ultrasound picture of that moment"));
+  pictureWidget_->setObjectName(QStringLiteral("replayPicture"));
+  scene_ = new ReplayScene(session, this);
+  columns_->addWidget(moments);
+  centre_ = new QStackedWidget;
+  centre_->addWidget(pictureWidget_);
+  centre_->addWidget(new ResultPage(session));
+  path_ = new PathPane(session);
+  path_->hide();
+  auto* right = new QSplitter(Qt::Vertical);
+  right->setChildrenCollapsible(false);
+  right->addWidget(&scene_->widget());
+  right->addWidget(path_);
+  right->setSizes({600, 400});
+  columns_->addWidget(centre_);
+  columns_->addWidget(right);
+  columns_->setStretchFactor(0, 0);
+  columns_->setStretchFactor(1, 3);
+  columns_->setStretchFactor(2, 2);
+  columns_->setSizes({kMoments_px, 700, kScene_px});
+  ui::markViewRoom(columns_);
+  for (QWidget* taker :
+       std::initializer_list<QWidget*>{moments, pictureWidget_->focusProxy(), scene_->widget().focusProxy(), timeline_})
+    taker->installEventFilter(&workspace_);
+  return columns_;
+}
+
+void ReviewWorkspace::Parts::connectParts() {
+  connect(list, &AttemptList::chosen, this, [this](const QString& file) { session.open(file, tasks); });
+  connect(list, &AttemptList::listed, this, [this] { refreshReady(); });
+  connect(&session, &ReviewSession::attemptChanged, this, [this] { showAttempt(); });
+  connect(&session, &ReviewSession::openingChanged, this, [this] { refreshReady(); });
+  connect(&session, &ReviewSession::caseChanged, this, [this] {
+    showNotice();
+    refreshReady();
+  });
+  connect(&session, &ReviewSession::timeChanged, this, [this] {
+    showPicture();
+    refreshReady();
+  });
+  connect(&session, &ReviewSession::pictureShown, this, [this] {
+    showPicture();
+    refreshReady();
+    Q_EMIT workspace_.statusChanged();
+  });
+  connect(&session, &ReviewSession::surfacesDone, this, [this] { refreshReady(); });
+  connect(&session, &ReviewSession::messageChanged, this, [this] { Q_EMIT workspace_.statusChanged(); });
+  connect(&session, &ReviewSession::failed, this,
+          [this](const QString& what, const QString& advice) { Q_EMIT workspace_.failed(what, advice, {}); });
+  scene_->setRested([this] { refreshReady(); });
+}
+
+void ReviewWorkspace::Parts::showAttempt() {
+  pages_->setCurrentWidget(session.attempt() ? page_ : static_cast<QWidget*>(list));
+  if (!session.attempt()) {
+    list->refresh();
+    return;
+  }
+  const AttemptRecording& recording = *session.attempt()->recording;
+  title_->setText(titleOf(recording.header()));
+  facts_->setText(QStringList{QString::fromStdString(recording.header().caseName), dateOf(recording.header().begun),
+                              clockOf(recording.end_us()), wordsOf(recording.status())}
+                      .join(QStringLiteral("   ·   ")));
+  timeline_->setFocus();
+  // Once the session knows whether the window's case is the one.
+  QMetaObject::invokeMethod(
+      this, [this] { findCase(); }, Qt::QueuedConnection);
+}
+
+/// Among the built-in and the recent ones, by its title.
+void ReviewWorkspace::Parts::findCase() {
+  if (!session.attempt() || (session.fit() != CaseFit::Missing && session.fit() != CaseFit::Other)) return;
+  const QString title = QString::fromStdString(session.attempt()->recording->header().caseName);
+  const auto& builtIn = phantomVariants().front().title;
+  if (title == QString::fromUtf8(builtIn.data(), int(builtIn.size()))) return Q_EMIT workspace_.caseWanted({});
+  for (const ui::RecentCase& one : ui::recentCases())
+    if (one.title == title) return Q_EMIT workspace_.caseWanted(one.folder);
+  Q_EMIT workspace_.failed(tr("The case '%1' of this attempt is not among the recent ones.").arg(title),
+                           tr("Open it (Ctrl+O) to see hands and pictures; timeline and result are there without it."),
+                           {});
+}
+
+void ReviewWorkspace::Parts::showNotice() {
+  QStringList lines;
+  if (session.attempt())
+    for (const std::string& trouble : session.attempt()->troubles) lines << QString::fromStdString(trouble);
+  if (session.attempt() && (session.fit() == CaseFit::Other || session.fit() == CaseFit::Changed))
+    lines.prepend(session.message());
+  notice_->setText(lines.join(QLatin1Char('\n')));
+  notice_->setVisible(!lines.isEmpty());
+}
+
+void ReviewWorkspace::Parts::showPicture() {
+  const auto& frame = session.picture().shown();
+  const bool probe = session.sample() && session.sample()->patientFromProbe;
+  const QString words = !session.fits()                          ? QString()
+                        : !session.picture().trouble().isEmpty() ? session.picture().trouble()
+                        : !session.sample()                      ? tr("This part of the recording is missing.")
+                        : !probe                                 ? tr("The probe is not in the hand.")
+                                                                 : QString();
+  picture_->setNotice(words.toStdString());
+  if (frame == shown_) return;
+  shown_ = frame;
+  picture_->setImage(frame ? frame->image : BModeImage{});
+}
+
+void ReviewWorkspace::Parts::refreshReady() {
+  const bool now = session.isSettled() && (session.attempt() ? scene_->isAtRest() : !list->isReading());
+  if (now == std::exchange(ready, now)) return;
+  Q_EMIT workspace_.readyChanged();
+}
+
+bool ReviewWorkspace::Parts::key(const QKeyEvent& event, bool act) {
+  const KeyRow* row = rowFor(event);
+  if (!row || !session.attempt()) return false;
+  if (!act) return true;
+  const auto faster = [this](int by) {
+    const auto* at = std::ranges::find(ReviewSession::kSpeeds, session.speed());
+    const auto index = std::clamp<std::ptrdiff_t>(at - std::begin(ReviewSession::kSpeeds) + by, 0,
+                                                  std::ssize(ReviewSession::kSpeeds) - 1);
+    session.setSpeed(ReviewSession::kSpeeds[index]);
+  };
+  switch (row->command) {
+    case Command::Play:
+      session.setPlaying(!session.isPlaying());
+      break;
+    case Command::Step:
+      session.setPlaying(false);
+      session.step(event.modifiers().testFlag(Qt::ShiftModifier) ? row->wide : row->by);
+      break;
+    case Command::StepMoment:
+      session.stepMoment(int(row->by));
+      break;
+    case Command::Begin:
+      session.setTime(0);
+      break;
+    case Command::End:
+      session.setTime(session.attempt()->end_us);
+      break;
+    case Command::Slower:
+      faster(-1);
+      break;
+    case Command::Faster:
+      faster(1);
+      break;
+    case Command::ShowReplay:
+    case Command::ShowResult:
+      showTab(row->command == Command::ShowReplay ? kReplay : kResult);
+      break;
+    case Command::List:
+      session.close();
+      break;
+  }
+  return true;
+}
+
+bool ReviewWorkspace::Parts::keyEvent(QEvent* event) {
+  switch (event->type()) {
+    case QEvent::ShortcutOverride:
+      if (!key(*static_cast<QKeyEvent*>(event), false)) return false;
+      event->accept();
+      return true;
+    case QEvent::KeyPress:
+      return key(*static_cast<QKeyEvent*>(event), true);
+    default:
+      return false;
+  }
+}
+
+void ReviewWorkspace::Parts::saveLayout(QSettings& settings) const {
+  settings.setValue(QStringLiteral("columns"), columns_->saveState());
+}
+
+void ReviewWorkspace::Parts::restoreLayout(QSettings& settings) {
+  columns_->restoreState(settings.value(QStringLiteral("columns")).toByteArray());
+}
+
+}  // namespace insonate::review

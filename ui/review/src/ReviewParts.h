@@ -1,0 +1,73 @@
+#pragma once
+
+#include "ReviewSession.h"
+
+#include <insonate/review/ReviewWorkspace.h>
+#include <insonate/views/UltrasoundView.h>
+
+class QKeyEvent;
+class QLabel;
+class QSplitter;
+class QButtonGroup;
+class QStackedLayout;
+class QStackedWidget;
+
+namespace insonate::ui {
+class ViewWidget;
+}
+
+namespace insonate::review {
+
+class AttemptList;
+class PathPane;
+class ReplayScene;
+class Timeline;
+
+/// What the workspace is made of, and how the parts act on each other.
+class ReviewWorkspace::Parts : public QObject {
+ public:
+  Parts(ReviewWorkspace& workspace, ui::TaskBar& tasks);
+  ~Parts() override;
+
+  ui::TaskBar& tasks;
+  ReviewSession& session;  ///< a child of the workspace, gone after its widgets
+  AttemptList* list = nullptr;
+  bool ready = false;
+
+  bool key(const QKeyEvent& event, bool act);
+  /// The open attempt's result, as a page.
+  void saveResult(const QString& file);
+  /// For widgets that would take keys of the table for themselves.
+  bool keyEvent(QEvent* event);
+  void saveLayout(QSettings& settings) const;
+  void restoreLayout(QSettings& settings);
+
+ private:
+  QWidget* buildBar();
+  QWidget* buildCentre();
+  QWidget* buildTabs();
+  void showTab(int tab);
+  void exportResult();
+  void connectParts();
+  void showAttempt();
+  void showNotice();
+  void showPicture();
+  void findCase();
+  void refreshReady();
+
+  ReviewWorkspace& workspace_;
+  QStackedLayout* pages_;
+  QWidget* page_;
+  QLabel *title_ = nullptr, *facts_ = nullptr, *notice_ = nullptr;
+  QSplitter* columns_ = nullptr;
+  std::shared_ptr<views::UltrasoundView> picture_;
+  std::shared_ptr<const LiveFrame> shown_;
+  ui::ViewWidget* pictureWidget_ = nullptr;
+  ReplayScene* scene_ = nullptr;
+  Timeline* timeline_ = nullptr;
+  QStackedWidget* centre_ = nullptr;  ///< picture or result
+  PathPane* path_ = nullptr;
+  QButtonGroup* tabs_ = nullptr;
+};
+
+}  // namespace insonate::review

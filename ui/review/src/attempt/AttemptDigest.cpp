@@ -1,0 +1,106 @@
+#include "AttemptDigest.h"
+
+#include <algorithm>
+
+namespace insonate::review {
+namespace {
+
+constexpr std::int64_t kTrack_us = 1'000'000 / kTrack_Hz;
+
+/// Takes the stream of an attempt and keeps what is shown of it.
+class Pass {
+ public:
+  Pass(AttemptDigest& digest, ProcedureRun run) : digest_(digest), run_(std::move(run)) {}
+
+  void take(const Stretch& stretch) {
+    auto event = stretch.events.begin();
+    const auto takeEvents = [&](std::size_t samples) {
+      for (; event != stretch.events.end() && event->afterSamples <= samples; ++event) take(event->event);
+    };
+    for (std::size_t n = 0; n < stretch.samples.size(); ++n) {
+      takeEvents(n);
+      take(restored(stretch.samples[n]));
+    }
+    takeEvents(stretch.samples.size());
+  }
+
+  void end(bool whole) {
+    AttemptScore score = scoreOf(run_);
+    digest_.moments = score.moments;
+    if (whole) digest_.score = std::move(score);
+  }
+
+ private:
+  void take(const AttemptEvent& event) {
+    run_.take(event);
+    digest_.events.push_back(event);
+    follow(event.time_us);
+  }
+  void take(const AttemptSample& sample) {
+    run_.take(sample);
+    follow(sample.time_us);
+    if (!digest_.track.empty() && sample.time_us - digest_.track.back().time_us < kTrack_us) return;
+    TrackPoint point{.time_us = sample.time_us,
+                     .needleDepth_mm = sample.needleDepth_mm,
+                     .tip_mm = {},
+                     .tip_probe = {},
+                     .probeForce_N = sample.probeForce_N,
+                     .place = run_.metrics().needle(),
+                     .probeOnSkin = sample.patientFromProbe && sample.probeForce_N > 0,
+                     .aspirating = sample.aspirating};
+    if (sample.patientFromNeedle) point.tip_mm = sample.patientFromNeedle->offset;
+    if (point.tip_mm && sample.patientFromProbe) point.tip_probe = inverted(*sample.patientFromProbe) * *point.tip_mm;
+    digest_.track.push_back(point);
+  }
+  void follow(std::int64_t time_us) {
+    const NeedlePlace place = run_.metrics().needle();
+    if (digest_.places.empty() || digest_.places.back().place != place) digest_.places.push_back({time_us, place});
+  }
+
+  AttemptDigest& digest_;
+  ProcedureRun run_;
+};
+
+}  // namespace
+
+NeedlePlace AttemptDigest::placeAt(std::int64_t time_us) const {
+  const auto after = std::ranges::upper_bound(places, time_us, {}, &PlaceChange::time_us);
+  return after == places.begin() ? NeedlePlace::Clean : std::prev(after)->place;
+}
+
+double AttemptDigest::tiltAt_deg(std::int64_t time_us) const {
+  double tilt_deg = 0;
+  for (const AttemptEvent& event : events)
+    if (event.kind == AttemptEventKind::Positioned && event.time_us <= time_us) tilt_deg = event.tilt_deg;
+  return tilt_deg;
+}
+
+Result<std::shared_ptr<const AttemptDigest>> digestOf(const std::string& file, const Progress& progress) {
+  auto opened = AttemptRecording::open(file);
+  if (!opened) return tl::unexpected(opened.error());
+  auto recording = std::make_shared<const AttemptRecording>(std::move(*opened));
+  auto digest = std::make_shared<AttemptDigest>();
+  digest->file = file, digest->recording = recording;
+  digest->end_us = recording->end_us();
+  digest->troubles = recording->troubles();
+  auto procedure = loadProcedure(recording->header().procedure);
+  if (!procedure) digest->troubles.push_back("Steps and rules are not shown: " + procedure.error().message);
+  Pass pass(*digest, ProcedureRun(procedure.value_or(Procedure{}), recording->header().picture));
+  // Blocks that cannot be found are no stretches: the recording says that it is damaged by refusing metrics.
+  bool whole = true;
+  for (std::size_t i = 0; i < recording->stretches(); ++i) {
+    if (!report(progress, "reading the attempt", double(i) / double(recording->stretches())))
+      return fail(std::string(kCancelled));
+    const auto stretch = recording->stretch(i);
+    if (stretch) {
+      pass.take(*stretch);
+    } else {
+      digest->troubles.push_back(stretch.error().message);
+      whole = false;
+    }
+  }
+  pass.end(whole && recording->metricsUntil(-1).has_value());
+  return std::shared_ptr<const AttemptDigest>(std::move(digest));
+}
+
+}  // namespace insonate::review

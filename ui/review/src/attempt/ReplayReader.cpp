@@ -1,0 +1,28 @@
+#include "ReplayReader.h"
+
+#include <algorithm>
+
+namespace insonate::review {
+
+const Stretch* ReplayReader::stretch(std::size_t index) {
+  if (index_ != index) {
+    index_ = index, ++unpacked_;
+    auto read = recording_->stretch(index);
+    stretch_ = read ? std::optional(std::move(*read)) : std::nullopt;
+  }
+  return stretch_ ? &*stretch_ : nullptr;
+}
+
+std::optional<AttemptSample> ReplayReader::at(std::int64_t time_us) {
+  if (recording_->stretches() == 0) return std::nullopt;
+  // An event may begin a stretch before its first sample: then it is the stretch before that holds the last one.
+  for (std::size_t index = recording_->stretchAt(time_us);; --index) {
+    const Stretch* found = stretch(index);
+    if (!found) return std::nullopt;
+    const auto after = std::ranges::upper_bound(found->samples, time_us, {}, &QuantisedSample::time_us);
+    if (after != found->samples.begin()) return restored(*std::prev(after));
+    if (index == 0) return found->samples.empty() ? std::nullopt : std::optional(restored(found->samples.front()));
+  }
+}
+
+}  // namespace insonate::review

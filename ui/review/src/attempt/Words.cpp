@@ -1,0 +1,92 @@
+#include "Words.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+
+namespace insonate::review {
+namespace {
+
+namespace theme = views::theme;
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Review", text);
+}
+
+}  // namespace
+
+QString clockOf(std::int64_t time_us) {
+  const qint64 hundredths = (time_us + 5000) / 10000;
+  return QStringLiteral("%1:%2.%3")
+      .arg(hundredths / 6000)
+      .arg(hundredths / 100 % 60, 2, 10, QLatin1Char('0'))
+      .arg(hundredths % 100, 2, 10, QLatin1Char('0'));
+}
+
+QString wordsOf(NeedlePlace place) {
+  switch (place) {
+    case NeedlePlace::Clean:
+      return tr("new, outside");
+    case NeedlePlace::Underway:
+      return tr("under the skin");
+    case NeedlePlace::Vein:
+      return tr("in the vein");
+    case NeedlePlace::WrongPlace:
+      return tr("in a wrong place");
+    case NeedlePlace::Used:
+      break;
+  }
+  return tr("used, outside");
+}
+
+views::Colour colourOf(NeedlePlace place) {
+  switch (place) {
+    case NeedlePlace::Vein:
+      return theme::kGood;
+    case NeedlePlace::WrongPlace:
+      return theme::kDanger;
+    case NeedlePlace::Used:
+      return theme::kCaution;
+    case NeedlePlace::Clean:
+    case NeedlePlace::Underway:
+      break;
+  }
+  return theme::kText;
+}
+
+views::Colour colourOf(const std::optional<Severity>& severity) {
+  if (!severity) return theme::kQuiet;
+  return *severity == Severity::Minor   ? theme::kAccent
+         : *severity == Severity::Major ? theme::kCaution
+                                        : theme::kDanger;
+}
+
+QString wordsOf(Severity severity) {
+  return severity == Severity::Minor ? tr("minor") : severity == Severity::Major ? tr("major") : tr("critical");
+}
+
+QString wordsOf(AttemptStatus status) {
+  switch (status) {
+    case AttemptStatus::Completed:
+      return tr("completed");
+    case AttemptStatus::Abandoned:
+      return tr("abandoned");
+    case AttemptStatus::CutShort:
+      break;
+  }
+  return tr("cut short");
+}
+
+QString dateOf(const std::string& begun) {
+  const QString text = QString::fromStdString(begun);
+  const QDateTime date = QDateTime::fromString(text, Qt::ISODate);
+  return date.isValid() ? QLocale(QLocale::English).toString(date.toLocalTime(), QStringLiteral("d MMM yyyy, HH:mm"))
+                        : text;
+}
+
+QString titleOf(const AttemptHeader& header) {
+  const auto procedure = loadProcedure(header.procedure);
+  return QString::fromStdString(procedure ? procedure->title : header.procedure);
+}
+
+}  // namespace insonate::review

@@ -1,0 +1,131 @@
+#include "AttemptList.h"
+
+#include "../attempt/Words.h"
+
+#include <insonate/ui/Attempts.h>
+#include <insonate/ui/Theme.h>
+
+#include <QAction>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <QtConcurrent/QtConcurrent>
+
+namespace insonate::review {
+namespace {
+
+constexpr int kWidest_px = 980, kRow_px = 30;
+constexpr int kDate_px = 170, kLength_px = 90, kStatus_px = 110;
+enum Column { kDate, kCase, kProcedure, kLength, kStatus, kColumns };
+
+}  // namespace
+
+AttemptList::AttemptList(QWidget* parent)
+    : QWidget(parent), table_(new QTableWidget), words_(new QLabel), open_(new QPushButton(tr("Open"))) {
+  auto* title = new QLabel(tr("Attempts"));
+  ui::setRole(title, "title");
+  words_->setWordWrap(true);
+  words_->setObjectName(QStringLiteral("attemptsWords"));
+  ui::setRole(open_, "primary");
+  open_->setObjectName(QStringLiteral("openAttempt"));
+  open_->setToolTip(tr("Replay the selected attempt (Enter)"));
+  auto* row = new QHBoxLayout;
+  buttons_ = row;
+  row->addWidget(open_);
+  row->addStretch(1);
+  auto* column = new QWidget;
+  column->setMaximumWidth(kWidest_px);
+  auto* box = new QVBoxLayout(column);
+  box->setSpacing(ui::kLargeGap);
+  box->addWidget(title);
+  box->addWidget(words_);
+  box->addWidget(buildTable(), 1);
+  box->addLayout(row);
+  auto* middle = new QHBoxLayout(this);
+  middle->setContentsMargins(ui::kLargeGap, ui::kLargeGap, ui::kLargeGap, ui::kLargeGap);
+  middle->addStretch(1);
+  middle->addWidget(column, 100);
+  middle->addStretch(1);
+  connect(open_, &QPushButton::clicked, this, [this] { choose(); });
+  connect(&reading_, &QFutureWatcherBase::finished, this, [this] {
+    show(reading_.result());
+    Q_EMIT listed();
+  });
+  show({});
+}
+
+AttemptList::~AttemptList() = default;
+
+QWidget* AttemptList::buildTable() {
+  table_->setObjectName(QStringLiteral("attempts"));
+  table_->setAccessibleName(tr("Attempts, the latest first"));
+  table_->setColumnCount(kColumns);
+  table_->setHorizontalHeaderLabels({tr("Date"), tr("Case"), tr("Procedure"), tr("Length"), tr("Status")});
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setShowGrid(false);
+  table_->setTabKeyNavigation(false);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(kRow_px);
+  QHeaderView* header = table_->horizontalHeader();
+  header->setHighlightSections(false);
+  header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  header->setSectionResizeMode(QHeaderView::Fixed);
+  header->setSectionResizeMode(kCase, QHeaderView::Stretch);
+  header->setSectionResizeMode(kProcedure, QHeaderView::Stretch);
+  header->resizeSection(kDate, kDate_px);
+  header->resizeSection(kLength, kLength_px);
+  header->resizeSection(kStatus, kStatus_px);
+  connect(table_, &QTableWidget::itemActivated, this, [this] { choose(); });
+  connect(table_, &QTableWidget::itemSelectionChanged, this,
+          [this] { open_->setEnabled(!table_->selectedItems().isEmpty()); });
+  return table_;
+}
+
+void AttemptList::offer(QAction* action) {
+  auto* button = new QPushButton(action->icon(), action->text());
+  button->setToolTip(action->toolTip());
+  connect(button, &QPushButton::clicked, action, &QAction::trigger);
+  buttons_->insertWidget(1, button);
+}
+
+void AttemptList::refresh() {
+  if (!reading_.isRunning()) reading_.setFuture(QtConcurrent::run([] { return attemptsIn(ui::attemptsFolder()); }));
+}
+
+void AttemptList::show(const std::vector<ListedAttempt>& attempts) {
+  table_->setRowCount(int(attempts.size()));
+  for (int row = 0; row < int(attempts.size()); ++row) {
+    const ListedAttempt& one = attempts[std::size_t(row)];
+    const auto set = [&](int column, const QString& text) {
+      auto* item = new QTableWidgetItem(text);
+      item->setData(Qt::UserRole, one.file);
+      item->setToolTip(one.file);
+      table_->setItem(row, column, item);
+    };
+    set(kDate, dateOf(one.header.begun));
+    set(kCase, QString::fromStdString(one.header.caseName));
+    set(kProcedure, titleOf(one.header));
+    set(kLength, clockOf(one.end_us));
+    set(kStatus, wordsOf(one.status));
+  }
+  const bool any = !attempts.empty();
+  table_->setVisible(any);
+  open_->setVisible(any);
+  open_->setEnabled(false);
+  if (any) table_->selectRow(0);
+  words_->setText(
+      any ? tr("Open an attempt to replay it beside the ultrasound, and to see its result. A recording from "
+               "elsewhere can be dropped here.")
+          : tr("There are no attempts yet. Make one under Train (Ctrl+2), or drop a recording here."));
+}
+
+void AttemptList::choose() {
+  if (const auto chosenItems = table_->selectedItems(); !chosenItems.isEmpty())
+    Q_EMIT chosen(chosenItems.first()->data(Qt::UserRole).toString());
+}
+
+}  // namespace insonate::review

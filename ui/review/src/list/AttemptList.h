@@ -1,0 +1,46 @@
+#pragma once
+
+#include "AttemptListing.h"
+
+#include <QFutureWatcher>
+#include <QWidget>
+
+class QAction;
+class QBoxLayout;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace insonate::review {
+
+/// The user's attempts, the latest first; Enter or a double click opens one.
+class AttemptList : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit AttemptList(QWidget* parent = nullptr);
+  ~AttemptList() override;
+
+  /// A button beside Open. The action belongs to the caller.
+  void offer(QAction* action);
+  /// Reads the folder of attempts again, on another thread.
+  void refresh();
+  bool isReading() const { return reading_.isRunning(); }
+
+ Q_SIGNALS:
+  void chosen(const QString& file);
+  void listed();
+
+ private:
+  QWidget* buildTable();
+  void show(const std::vector<ListedAttempt>& attempts);
+  void choose();
+
+  QTableWidget* table_;
+  QLabel* words_;
+  QPushButton* open_;
+  QBoxLayout* buttons_;
+  QFutureWatcher<std::vector<ListedAttempt>> reading_;
+};
+
+}  // namespace insonate::review

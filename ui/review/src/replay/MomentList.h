@@ -1,0 +1,22 @@
+#pragma once
+
+#include <QListWidget>
+
+namespace insonate::review {
+
+class ReviewSession;
+
+/// The moments that mattered, with their marks of the timeline; a click goes there, and the last one that has passed is
+/// the current one.
+class MomentList : public QListWidget {
+ public:
+  explicit MomentList(ReviewSession& session, QWidget* parent = nullptr);
+
+ private:
+  void fill();
+  void follow();
+
+  ReviewSession& session_;
+};
+
+}  // namespace insonate::review

@@ -1,0 +1,135 @@
+#include "ReplayScene.h"
+
+#include "../attempt/Words.h"
+
+#include <insonate/tissue/Labels.h>
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/ViewWidget.h>
+#include <insonate/views/VtkCase.h>
+
+#include <algorithm>
+
+namespace insonate::review {
+namespace {
+
+/// 3D follows this often at most, and is drawn in full detail when it has rested.
+constexpr int kFollow_ms = 80, kRest_ms = 400;
+constexpr double kAcross_deg = 10, kUp_deg = 42, kNearer = 1.8, kSkinOpacity = 0.25;
+/// Steps of a path that are seen.
+constexpr double kStep_mm = 0.2;
+
+}  // namespace
+
+std::vector<views::ScenePath> pathOf(const AttemptDigest& attempt) {
+  std::vector<views::ScenePath> paths;
+  bool broken = true;
+  for (const TrackPoint& point : attempt.track) {
+    if (!point.needleDepth_mm || !point.tip_mm) {
+      broken = true;
+      continue;
+    }
+    const views::Colour colour = colourOf(point.place);
+    if (broken || paths.back().colour != colour) {
+      // Pieces of one way meet.
+      const auto join = broken ? std::vector<Vec3>{} : std::vector<Vec3>{paths.back().points_mm.back()};
+      paths.push_back({join, colour});
+      broken = false;
+    }
+    auto& points = paths.back().points_mm;
+    if (points.empty() || norm(points.back() - *point.tip_mm) >= kStep_mm) points.push_back(*point.tip_mm);
+  }
+  return paths;
+}
+
+ReplayScene::ReplayScene(ReviewSession& session, QObject* parent)
+    : QObject(parent),
+      session_(session),
+      view_(std::make_shared<views::SceneView>()),
+      widget_(new ui::ViewWidget(view_, tr("Patient, probe and needle in three dimensions"))) {
+  widget_->setObjectName(QStringLiteral("replayScene"));
+  view_->setSkinOpacity(kSkinOpacity);
+  follow_.setSingleShot(true);
+  rest_.setSingleShot(true);
+  rest_.setInterval(kRest_ms);
+  connect(&follow_, &QTimer::timeout, this, [this] { showHands(); });
+  connect(&rest_, &QTimer::timeout, this, [this] {
+    view_->setMoving(false);
+    if (rested_) rested_();
+  });
+  const auto want = [this] {
+    if (!follow_.isActive()) follow_.start(kFollow_ms);
+  };
+  connect(&session_, &ReviewSession::caseChanged, this, [this] { showCase(); });
+  connect(&session_, &ReviewSession::attemptChanged, this, [this] {
+    cameraDue_ = true;
+    showPath();
+  });
+  connect(&session_, &ReviewSession::timeChanged, this, want);
+  connect(&session_, &ReviewSession::pictureShown, this, want);
+  connect(&session_, &ReviewSession::surfacesDone, this, [this] {
+    cameraDue_ = true;
+    placeCamera();
+  });
+  connect(&session_, &ReviewSession::surfaceMade, this, [this](int label, const std::shared_ptr<const Mesh>& mesh) {
+    view_->setSurface(std::uint8_t(label), {mesh->points_mm, mesh->normals, mesh->triangles});
+  });
+}
+
+void ReplayScene::showCase() {
+  const auto patient = session_.fits() ? session_.patient() : nullptr;
+  if (patient == shown_) return;
+  shown_ = patient;
+  case_ = patient ? std::make_shared<views::VtkCase>(patient) : nullptr;
+  for (const LabelInfo& info : labelTable()) view_->setSurface(info.label, {});
+  view_->setCase(case_);
+  view_->setProbe(std::nullopt);
+  shape_ = nullptr;
+  widget_->forget();
+  showPath();
+}
+
+void ReplayScene::showPath() {
+  view_->setPaths(session_.attempt() ? pathOf(*session_.attempt()) : std::vector<views::ScenePath>{});
+}
+
+void ReplayScene::showHands() {
+  const auto& sample = session_.sample();
+  const auto& frame = session_.picture().shown();
+  if (frame && frame->setup != shape_) {
+    shape_ = frame->setup;
+    view_->setProbe(shape_->probe, shape_->settings);
+  }
+  const bool probe = session_.fits() && sample && sample->patientFromProbe;
+  view_->setProbeVisible(probe);
+  view_->setImagePlaneVisible(probe);
+  if (probe) view_->setProbePose(*sample->patientFromProbe);
+  if (frame) view_->setImage(frame->image);
+  const bool needle = sample && sample->patientFromNeedle;
+  view_->setNeedle(needle ? std::optional(views::SceneView::Needle{.patientFromNeedle = *sample->patientFromNeedle,
+                                                                   .colour = colourOf(session_.needle())})
+                          : std::nullopt);
+  if (session_.isPlaying()) view_->setMoving(true);
+  rest_.start();
+  placeCamera();
+}
+
+/// From above the probe, so that needle and picture are seen.
+void ReplayScene::placeCamera() {
+  if (!cameraDue_ || !session_.fits() || !session_.surfacesThere() || !widget_->isVisible()) return;
+  const auto& track = session_.attempt()->track;
+  const auto first = std::ranges::find_if(track, [](const TrackPoint& p) { return p.tip_mm.has_value(); });
+  const double side = first != track.end() && first->tip_mm->x < session_.patient()->ct.geometry.centre_mm().x ? 1 : -1;
+  view_->look(views::Viewpoint::Anterior);
+  view_->orbit(side * kAcross_deg, kUp_deg);
+  // The place of the puncture in the middle.
+  if (first != track.end()) {
+    const auto deepest = std::ranges::max_element(
+        track, {}, [](const TrackPoint& p) { return p.tip_mm ? p.needleDepth_mm.value_or(-1) : -2; });
+    const views::DisplayPoint at = view_->displayFromPatient(*deepest->tip_mm);
+    view_->pan(view_->width_px() / 2.0 - at.x, view_->height_px() / 2.0 - at.y);
+  }
+  view_->zoom(kNearer);
+  cameraDue_ = false;
+}
+
+}  // namespace insonate::review

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "../ReviewSession.h"
+
+#include <insonate/views/SceneView.h>
+
+#include <QObject>
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace insonate::ui {
+class ViewWidget;
+}
+
+namespace insonate::review {
+
+/// The patient in 3D, probe and needle as the hands have them, and the way of the needle's tip in the colours of where
+/// it was. The camera is the user's.
+class ReplayScene : public QObject {
+ public:
+  explicit ReplayScene(ReviewSession& session, QObject* parent = nullptr);
+
+  const std::shared_ptr<views::SceneView>& view() const { return view_; }
+  ui::ViewWidget& widget() { return *widget_; }
+  /// Nothing more will be drawn by itself.
+  bool isAtRest() const { return !follow_.isActive() && !rest_.isActive(); }
+  void setRested(std::function<void()> listener) { rested_ = std::move(listener); }
+
+ private:
+  void showCase();
+  void showPath();
+  void showHands();
+  void placeCamera();
+
+  ReviewSession& session_;
+  std::shared_ptr<views::SceneView> view_;
+  ui::ViewWidget* widget_;
+  std::shared_ptr<views::VtkCase> case_;
+  std::shared_ptr<const PatientCase> shown_;
+  std::shared_ptr<const ImagingSetup> shape_;  ///< of the probe as drawn
+  bool cameraDue_ = false;
+  QTimer follow_, rest_;
+  std::function<void()> rested_;
+};
+
+/// Of a whole attempt: pieces of one colour, in patient LPS; while it is under the skin.
+std::vector<views::ScenePath> pathOf(const AttemptDigest& attempt);
+
+}  // namespace insonate::review

@@ -1,0 +1,105 @@
+#include "Transport.h"
+
+#include "../ReviewSession.h"
+#include "../attempt/Words.h"
+
+#include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/Theme.h>
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+namespace insonate::review {
+
+Transport::Transport(ReviewSession& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      speed_(new QComboBox(this)),
+      time_(new QLabel(this)),
+      place_(new QLabel(this)),
+      hands_(new QLabel(this)) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(ui::kGap, ui::kSmallGap, ui::kGap, ui::kSmallGap);
+  row->setSpacing(ui::kGap);
+  auto* previous = add("previousMoment", "previous", tr("Previous moment"), tr("To the moment before (Page Up)"));
+  play_ = add("play", "play", tr("Play"), tr("Play, and stop (Space)"));
+  auto* next = add("nextMoment", "next", tr("Next moment"), tr("To the next moment (Page Down)"));
+  for (QPushButton* button : {previous, play_, next}) row->addWidget(button);
+  speed_->setObjectName(QStringLiteral("speed"));
+  speed_->setAccessibleName(tr("Speed"));
+  speed_->setToolTip(tr("How many times as fast as it happened (- and +)"));
+  for (const double speed : ReviewSession::kSpeeds) speed_->addItem(tr("%1 x").arg(speed));
+  new ui::QuietWheel(speed_);
+  row->addWidget(speed_);
+  time_->setObjectName(QStringLiteral("timeNow"));
+  time_->setToolTip(tr("Where the replay is, of the attempt's length: minutes, seconds"));
+  time_->setMinimumWidth(time_->fontMetrics().horizontalAdvance(QStringLiteral("00:00.00 / 00:00.00")) + ui::kGap);
+  row->addWidget(time_);
+  ui::setRole(place_, "heading");
+  place_->setObjectName(QStringLiteral("needlePlace"));
+  row->addWidget(place_);
+  hands_->setObjectName(QStringLiteral("handsNow"));
+  // A sentence that grows must not widen the window.
+  hands_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  row->addWidget(hands_, 1);
+  connect(previous, &QPushButton::clicked, this, [this] { session_.stepMoment(-1); });
+  connect(next, &QPushButton::clicked, this, [this] { session_.stepMoment(1); });
+  connect(play_, &QPushButton::clicked, this, [this] { session_.setPlaying(!session_.isPlaying()); });
+  connect(speed_, QOverload<int>::of(&QComboBox::activated), this,
+          [this](int index) { session_.setSpeed(ReviewSession::kSpeeds[index]); });
+  connect(&session_, &ReviewSession::playingChanged, this, [this] { showPlaying(); });
+  connect(&session_, &ReviewSession::timeChanged, this, [this] { showTime(); });
+  showPlaying();
+  showTime();
+}
+
+QPushButton* Transport::add(const char* object, const char* icon, const QString& name, const QString& tip) {
+  auto* button = new QPushButton(ui::icon(QLatin1String(icon)), {}, this);
+  button->setObjectName(QLatin1String(object));
+  button->setAccessibleName(name);
+  button->setToolTip(tip);
+  button->setFocusPolicy(Qt::TabFocus);
+  return button;
+}
+
+void Transport::showPlaying() {
+  const bool playing = session_.isPlaying();
+  play_->setIcon(ui::icon(playing ? QStringLiteral("pause") : QStringLiteral("play")));
+  play_->setText(playing ? tr("Stop") : tr("Play"));
+  play_->setAccessibleName(play_->text());
+  play_->setMinimumWidth(96);
+  const QSignalBlocker quiet(speed_);
+  for (int i = 0; i < int(std::size(ReviewSession::kSpeeds)); ++i)
+    if (ReviewSession::kSpeeds[i] == session_.speed()) speed_->setCurrentIndex(i);
+}
+
+void Transport::showTime() {
+  const std::int64_t end_us = session_.attempt() ? session_.attempt()->end_us : 0;
+  time_->setText(QStringLiteral("%1 / %2").arg(clockOf(session_.time_us()), clockOf(end_us)));
+  const auto& sample = session_.sample();
+  const bool needle = sample && sample->patientFromNeedle;
+  const QColor shade = ui::colour(colourOf(session_.needle()));
+  // The sign, too, differs: a filled place in the body, a ring outside.
+  const bool in = needle && sample->needleDepth_mm;
+  place_->setText(needle ? QStringLiteral("<span style='color:%1'>%2</span> %3")
+                               .arg(shade.name(), in ? QStringLiteral("●") : QStringLiteral("○"),
+                                    tr("needle %1").arg(wordsOf(session_.needle())))
+                         : QString());
+  hands_->setText(handsNow());
+}
+
+QString Transport::handsNow() const {
+  const auto& sample = session_.sample();
+  if (!sample) return session_.attempt() ? tr("This part of the recording is missing.") : QString();
+  QStringList words;
+  if (sample->needleDepth_mm) words << tr("%1 mm deep").arg(*sample->needleDepth_mm, 0, 'f', 1);
+  if (sample->aspirating) words << tr("aspirating");
+  if (!sample->patientFromProbe) words << tr("no probe");
+  if (sample->probeForce_N > 0) words << tr("probe presses with %1 N").arg(sample->probeForce_N, 0, 'f', 1);
+  return words.join(QStringLiteral("   "));
+}
+
+}  // namespace insonate::review

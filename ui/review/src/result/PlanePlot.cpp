@@ -1,0 +1,139 @@
+#include "PlanePlot.h"
+
+#include "../attempt/ReplayReader.h"
+
+#include <insonate/tissue/Labels.h>
+#include <insonate/views/LabelColours.h>
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+namespace insonate::review {
+namespace {
+
+constexpr double kPixel_mm = 0.2, kAside_mm = 3, kAbove_mm = 5, kTick_mm = 10;
+constexpr int kVessel = 150, kOther = 90;  // of 255
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Review", text);
+}
+
+/// When the vein was reached, or the needle deepest; of points with both hands.
+const TrackPoint* cutAt(const AttemptDigest& attempt) {
+  const TrackPoint* deepest = nullptr;
+  for (const TrackPoint& point : attempt.track) {
+    if (!point.needleDepth_mm || !point.tip_probe) continue;
+    if (point.place == NeedlePlace::Vein) return &point;
+    if (!deepest || *point.needleDepth_mm > *deepest->needleDepth_mm) deepest = &point;
+  }
+  return deepest;
+}
+
+QRgb shadeOf(std::uint8_t label) {
+  const bool vessel = label == kVein || label == kArtery;
+  if (!vessel && label != kBone && label != kAirway && label != kSkin) return 0;
+  const views::Colour c = views::labelColour(label, views::ColourScheme::Usual);
+  return qRgba(c.red, c.green, c.blue, vessel ? kVessel : kOther);
+}
+
+QImage structuresAt(const LabelMap& labels, const Transform& patientFromProbe, const QRectF& place_mm) {
+  const Transform indexFromProbe = labels.geometry.indexFromPatient() * patientFromProbe;
+  QImage image(int(place_mm.width() / kPixel_mm), int(place_mm.height() / kPixel_mm), QImage::Format_ARGB32);
+  for (int row = 0; row < image.height(); ++row) {
+    auto* line = reinterpret_cast<QRgb*>(image.scanLine(row));
+    for (int column = 0; column < image.width(); ++column) {
+      const Vec3 at_mm{place_mm.left() + (column + 0.5) * kPixel_mm, 0, place_mm.top() + (row + 0.5) * kPixel_mm};
+      line[column] = shadeOf(sampleNearest(labels, indexFromProbe * at_mm));
+    }
+  }
+  return image;
+}
+
+/// In pixels, centred, at one scale.
+QRectF fitted(const QRectF& room, const QRectF& place_mm) {
+  const double scale = std::min(room.width() / place_mm.width(), room.height() / place_mm.height());
+  const QSizeF size = place_mm.size() * scale;
+  return {room.center() - QPointF(size.width() / 2, size.height() / 2), size};
+}
+
+void paintScale(QPainter& painter, const QRectF& inner, const QRectF& place_mm, const ResultInk& ink) {
+  const double scale = inner.width() / place_mm.width();
+  const double text = painter.fontMetrics().height();
+  for (double mm = std::ceil(place_mm.top() / kTick_mm) * kTick_mm; mm <= place_mm.bottom(); mm += kTick_mm) {
+    const double y = inner.top() + (mm - place_mm.top()) * scale;
+    painter.setPen(QPen(ink.line, mm == 0 ? 1.4 : 0.6));
+    painter.drawLine(QPointF(inner.left(), y), QPointF(inner.right(), y));
+    painter.setPen(ink.quiet);
+    painter.drawText(QRectF(inner.left() - 3 * text, y - text / 2, 3 * text - 5, text),
+                     Qt::AlignRight | Qt::AlignVCenter, QString::number(mm));
+  }
+  for (double mm = std::ceil(place_mm.left() / kTick_mm) * kTick_mm; mm <= place_mm.right(); mm += kTick_mm) {
+    const double x = inner.left() + (mm - place_mm.left()) * scale;
+    painter.setPen(QPen(ink.line, 0.6));
+    painter.drawLine(QPointF(x, inner.top()), QPointF(x, inner.bottom()));
+    painter.setPen(ink.quiet);
+    painter.drawText(QRectF(x - 20, inner.bottom() + 1, 40, text), Qt::AlignHCenter | Qt::AlignTop,
+                     QString::number(mm));
+  }
+}
+
+QColor inkOf(NeedlePlace place, const ResultInk& ink) {
+  return place == NeedlePlace::Vein ? ink.good : place == NeedlePlace::WrongPlace ? ink.danger : ink.text;
+}
+
+}  // namespace
+
+PlaneSection sectionOf(const AttemptDigest& attempt, const PatientCase* patient) {
+  PlaneSection section;
+  const TrackPoint* cut = cutAt(attempt);
+  if (!cut) return section;
+  section.time_us = cut->time_us;
+  const auto sample = ReplayReader(attempt.recording).at(cut->time_us);
+  const double half_mm = std::max(attempt.recording->header().picture.width_mm, 30.0) / 2;
+  double left = -half_mm, right = half_mm, bottom = 20;
+  for (const TrackPoint& point : attempt.track) {
+    if (!point.needleDepth_mm || !point.tip_probe) continue;
+    left = std::min(left, point.tip_probe->x - kAside_mm), right = std::max(right, point.tip_probe->x + kAside_mm);
+    bottom = std::max(bottom, point.tip_probe->z + kAside_mm);
+  }
+  if (sample) bottom = std::max(bottom, sample->pictureDepth_mm);
+  section.place_mm = QRectF(QPointF(left, -kAbove_mm), QPointF(right, bottom));
+  if (patient && sample && sample->patientFromProbe)
+    section.structures = structuresAt(patient->labels, *sample->patientFromProbe, section.place_mm);
+  return section;
+}
+
+void paintPlane(QPainter& painter, const QRectF& place, const AttemptDigest& attempt, const PlaneSection& section,
+                const ResultInk& ink) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (section.place_mm.isEmpty()) {
+    painter.setPen(ink.quiet);
+    painter.drawText(place, Qt::AlignCenter | Qt::TextWordWrap,
+                     tr("The needle was not under the skin while a probe was held."));
+    return painter.restore();
+  }
+  const double text = painter.fontMetrics().height();
+  const QRectF inner = fitted(place.adjusted(3 * text, 4, -8, -text - 2), section.place_mm);
+  paintScale(painter, inner, section.place_mm, ink);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  if (!section.structures.isNull()) painter.drawImage(inner, section.structures);
+  const double scale = inner.width() / section.place_mm.width();
+  const auto at = [&](const Vec3& tip_probe) {
+    return inner.topLeft() +
+           QPointF(tip_probe.x - section.place_mm.left(), tip_probe.z - section.place_mm.top()) * scale;
+  };
+  const double slice_mm = attempt.recording->header().picture.sliceHalf_mm;
+  painter.setClipRect(inner);
+  for (std::size_t i = 1; i < attempt.track.size(); ++i) {
+    const TrackPoint &a = attempt.track[i - 1], &b = attempt.track[i];
+    if (!a.needleDepth_mm || !b.needleDepth_mm || !a.tip_probe || !b.tip_probe) continue;
+    const bool seen = std::abs(b.tip_probe->y) <= slice_mm;
+    painter.setPen(QPen(inkOf(b.place, ink), seen ? 2.4 : 1, seen ? Qt::SolidLine : Qt::DotLine, Qt::RoundCap));
+    painter.drawLine(at(*a.tip_probe), at(*b.tip_probe));
+  }
+  painter.restore();
+}
+
+}  // namespace insonate::review

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "../attempt/AttemptDigest.h"
+#include "NormBar.h"
+
+#include <insonate/cases/PatientCase.h>
+
+#include <QImage>
+#include <QRectF>
+#include <memory>
+
+namespace insonate::review {
+
+/// What the tip's way in the plane of the picture is drawn on.
+struct PlaneSection {
+  std::int64_t time_us = 0;  ///< of the probe that it was cut with
+  QRectF place_mm;           ///< lateral from left to right, depth downwards
+  QImage structures;         ///< see-through but for vessels, bone, air and skin; null without a case
+};
+
+/// The plane of the picture as the vein was first reached, else as the needle was deepest; an empty place where there
+/// was no probe or no needle. Tissue is as in the CT, not as the probe pressed it. Some milliseconds.
+PlaneSection sectionOf(const AttemptDigest& attempt, const PatientCase* patient);
+
+/// The tip's way, lateral and deep, in the probe's frame, in millimetres at one scale for both; where it was outside
+/// the picture's slice, thin and dotted.
+void paintPlane(QPainter& painter, const QRectF& place, const AttemptDigest& attempt, const PlaneSection& section,
+                const ResultInk& ink);
+
+}  // namespace insonate::review

@@ -1,0 +1,224 @@
+#include "ReportPaint.h"
+
+#include "../attempt/Words.h"
+#include "MetricTable.h"
+#include "MetricWords.h"
+#include "ResultPage.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QFont>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSaveFile>
+#include <algorithm>
+
+namespace insonate::review {
+namespace {
+
+/// The page is laid out in these units, tenths of a millimetre.
+constexpr double kWidth = 2100, kHeight = 2970, kMargin = 150;
+constexpr double kRow = 47, kTitle = 64, kText = 36, kSmall = 30;
+constexpr std::size_t kMostMoments = 9;
+constexpr int kPdf_dpi = 300, kPng_dpi = 150;
+constexpr double kTenths_perInch = 254;
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Review", text);
+}
+
+QFont sized(double height, bool bold = false) {
+  QFont font(QStringLiteral("sans-serif"));
+  font.setPixelSize(int(height));
+  font.setBold(bold);
+  return font;
+}
+
+class Page {
+ public:
+  Page(QPainter& painter, const AttemptDigest& attempt) : painter_(painter), attempt_(attempt), ink_(paperInk()) {}
+
+  void all(const PlaneSection& section, const QImage& scene) {
+    head();
+    verdict();
+    const double tableTop = y_;
+    metrics(QRectF(kMargin, tableTop, 1130, 0));
+    const double left = kMargin + 1190, width = kWidth - kMargin - left;
+    heading(QRectF(left, tableTop, width, kRow), tr("Tip in the picture's plane, mm"));
+    QRectF plane(left, tableTop + kRow, width, 560);
+    painter_.setFont(sized(kSmall));
+    paintPlane(painter_, plane, attempt_, section, ink_);
+    if (!scene.isNull()) {
+      heading(QRectF(left, plane.bottom() + 20, width, kRow), tr("In 3D"));
+      const QSizeF size = QSizeF(scene.size()).scaled(width, 560, Qt::KeepAspectRatio);
+      painter_.drawImage(QRectF(QPointF(left, plane.bottom() + 20 + kRow), size), scene);
+    }
+    moments();
+    foot();
+  }
+
+ private:
+  void text(const QRectF& place, const QString& words, const QColor& colour, int flags = Qt::AlignLeft) {
+    painter_.setPen(colour);
+    painter_.drawText(place, flags | Qt::AlignVCenter, words);
+  }
+  void heading(const QRectF& place, const QString& words) {
+    painter_.setFont(sized(kText, true));
+    text(place, words, ink_.text);
+  }
+  /// As high as it needs to be; moves down.
+  void paragraph(double left, double width, const QString& words, const QColor& colour) {
+    const QRectF room(left, y_, width, 400);
+    painter_.setPen(colour);
+    QRectF used;
+    painter_.drawText(room, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, words, &used);
+    y_ += used.height() + 8;
+  }
+  void head();
+  void verdict();
+  void metrics(const QRectF& place);
+  void moments();
+  void foot();
+
+  QPainter& painter_;
+  const AttemptDigest& attempt_;
+  ResultInk ink_;
+  double y_ = kMargin;
+};
+
+void Page::head() {
+  const AttemptHeader& header = attempt_.recording->header();
+  painter_.setFont(sized(kTitle, true));
+  text(QRectF(kMargin, y_, kWidth - 2 * kMargin, 80), titleOf(header), ink_.text);
+  y_ += 90;
+  painter_.setFont(sized(kText));
+  const QStringList facts{QString::fromStdString(header.caseName), dateOf(header.begun),
+                          tr("length %1").arg(clockOf(attempt_.end_us)), wordsOf(attempt_.recording->status())};
+  text(QRectF(kMargin, y_, kWidth - 2 * kMargin, kRow), facts.join(QStringLiteral("   ·   ")), ink_.quiet);
+  y_ += 60;
+  painter_.setPen(QPen(ink_.line, 3));
+  painter_.drawLine(QPointF(kMargin, y_), QPointF(kWidth - kMargin, y_));
+  y_ += 30;
+}
+
+void Page::verdict() {
+  const double left = kMargin + 280, width = kWidth - kMargin - left, top = y_;
+  painter_.setFont(sized(170, true));
+  text(QRectF(kMargin, top, 260, 190), pointsOf(attempt_), ink_.text);
+  painter_.setFont(sized(kText));
+  paragraph(left, width, pointsNoteOf(attempt_), ink_.quiet);
+  if (attempt_.score) {
+    painter_.setFont(sized(kText, true));
+    paragraph(left, width, QString::fromStdString(attempt_.score->advice), ink_.text);
+    painter_.setFont(sized(kText));
+    for (const AttemptMoment& moment : attempt_.score->criticalErrors)
+      paragraph(left, width,
+                QStringLiteral("▲ %1  %2").arg(clockOf(moment.time_us), QString::fromStdString(moment.say)),
+                ink_.danger);
+  }
+  for (const std::string& trouble : attempt_.troubles)
+    paragraph(left, width, QString::fromStdString(trouble), ink_.caution);
+  y_ = std::max(y_, top + 210) + 20;
+}
+
+void Page::metrics(const QRectF& place) {
+  heading(QRectF(place.left(), y_, 500, kRow), tr("Metrics"));
+  painter_.setFont(sized(kSmall));
+  const double value = place.left() + 500, novice = value + 160, bar = novice + 150, expert = bar + 220;
+  const auto row = [&](const QString& v, const QString& n, const QString& e, const QColor& shade) {
+    text(QRectF(value - 40, y_, 180, kRow), v, shade, Qt::AlignRight);
+    text(QRectF(novice, y_, 130, kRow), n, ink_.quiet, Qt::AlignRight);
+    text(QRectF(expert, y_, 130, kRow), e, ink_.quiet);
+  };
+  row(tr("value"), tr("novice"), tr("expert"), ink_.quiet);
+  y_ += kRow;
+  if (!attempt_.score) return;
+  for (const MetricScore& score : ordered(attempt_.score->metrics)) {
+    const MetricDefinition& metric = definitionOf(score.metric);
+    text(QRectF(place.left(), y_, 470, kRow), titleOf(metric), ink_.text);
+    const auto norm = [&](double number) { return normOf(metric, number); };
+    row(valueOf(metric, score.value), score.norm ? norm(score.norm->novice) : tr("n/a"),
+        score.norm ? norm(score.norm->expert) : tr("n/a"), score.value ? ink_.text : ink_.quiet);
+    painter_.save();
+    // The bar's sizes are those of a screen.
+    constexpr double kScale = 2.6;
+    painter_.scale(kScale, kScale);
+    paintNormBar(painter_, QRectF(bar / kScale, y_ / kScale, 200 / kScale, kRow / kScale), score, ink_);
+    painter_.restore();
+    y_ += kRow;
+  }
+}
+
+void Page::moments() {
+  y_ = std::max(y_ + 30, 0.0);
+  heading(QRectF(kMargin, y_, 900, kRow), tr("Moments that mattered"));
+  y_ += kRow + 6;
+  painter_.setFont(sized(kSmall));
+  // Where there is no room for all, what went wrong comes first.
+  std::vector<AttemptMoment> told = attempt_.moments;
+  std::ranges::stable_partition(told, [](const AttemptMoment& one) { return one.severity.has_value(); });
+  const std::size_t count = std::min(told.size(), kMostMoments);
+  std::sort(told.begin(), told.begin() + std::ptrdiff_t(count),
+            [](const auto& a, const auto& b) { return a.time_us < b.time_us; });
+  for (std::size_t i = 0; i < count && y_ < kHeight - kMargin - 2 * kRow; ++i) {
+    const QColor shade = !told[i].severity                      ? ink_.text
+                         : *told[i].severity == Severity::Minor ? ink_.accent
+                         : *told[i].severity == Severity::Major ? ink_.caution
+                                                                : ink_.danger;
+    const QString grade = told[i].severity ? tr(" (%1)").arg(wordsOf(*told[i].severity)) : QString();
+    paragraph(kMargin, kWidth - 2 * kMargin,
+              QStringLiteral("%1   %2%3").arg(clockOf(told[i].time_us), QString::fromStdString(told[i].say), grade),
+              shade);
+  }
+  if (count < told.size())
+    paragraph(kMargin, kWidth - 2 * kMargin, tr("and %1 more").arg(told.size() - count), ink_.quiet);
+}
+
+void Page::foot() {
+  painter_.setFont(sized(kSmall));
+  text(QRectF(kMargin, kHeight - kMargin, kWidth - 2 * kMargin, 40),
+       tr("%1. For training; points are no measure of competence.")
+           .arg(QString::fromStdString(attempt_.recording->header().software)),
+       ink_.quiet);
+}
+
+}  // namespace
+
+void paintReport(QPainter& painter, const QRectF& page, const AttemptDigest& attempt, const PlaneSection& section,
+                 const QImage& scene) {
+  painter.save();
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing | QPainter::SmoothPixmapTransform);
+  painter.fillRect(page, Qt::white);
+  painter.translate(page.topLeft());
+  painter.scale(page.width() / kWidth, page.height() / kHeight);
+  Page(painter, attempt).all(section, scene);
+  painter.restore();
+}
+
+QString writeReport(const QString& file, const AttemptDigest& attempt, const PlaneSection& section,
+                    const QImage& scene) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  if (file.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive)) {
+    QPdfWriter pdf(&buffer);
+    pdf.setPageSize(QPageSize(QPageSize::A4));
+    pdf.setPageMargins({0, 0, 0, 0});
+    pdf.setResolution(kPdf_dpi);
+    pdf.setTitle(titleOf(attempt.recording->header()));
+    QPainter painter(&pdf);
+    paintReport(painter, QRectF(0, 0, pdf.width(), pdf.height()), attempt, section, scene);
+  } else {
+    QImage picture(QSizeF(kWidth, kHeight).toSize() * (kPng_dpi / kTenths_perInch), QImage::Format_RGB32);
+    QPainter painter(&picture);
+    paintReport(painter, picture.rect(), attempt, section, scene);
+    painter.end();
+    picture.save(&buffer, "PNG");
+  }
+  QSaveFile out(file);
+  if (out.open(QIODevice::WriteOnly) && out.write(bytes) == bytes.size() && out.commit()) return {};
+  return tr("The result could not be written to '%1': %2. Choose another place.").arg(file, out.errorString());
+}
+
+}  // namespace insonate::review

@@ -1,0 +1,124 @@
+#include "ResultPage.h"
+
+#include "../ReviewSession.h"
+#include "../attempt/Words.h"
+#include "MetricTable.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QVBoxLayout>
+#include <cmath>
+
+namespace insonate::review {
+namespace {
+
+constexpr int kPoints_pt = 30;
+
+}  // namespace
+
+QString pointsOf(const AttemptDigest& attempt) {
+  if (!attempt.score || !attempt.score->points) return QStringLiteral("–");
+  return QString::number(std::lround(*attempt.score->points));
+}
+
+QString pointsNoteOf(const AttemptDigest& attempt) {
+  const auto tr = [](const char* text) { return QCoreApplication::translate("Review", text); };
+  if (!attempt.score) return tr("No points: parts of the recording are missing, and numbers would be wrong.");
+  if (!attempt.score->points) return tr("No points: the skin was not punctured, or nothing can be compared.");
+  return attempt.score->succeeded ? tr("of 100 points. The tip was placed in the vein.")
+                                  : tr("of 100 points. The aim was not reached.");
+}
+
+ResultPage::ResultPage(ReviewSession& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      points_(new QLabel),
+      success_(new QLabel),
+      advice_(new QLabel),
+      errors_(new QLabel),
+      metrics_(new MetricTableView) {
+  setObjectName(QStringLiteral("resultPage"));
+  QFont large = points_->font();
+  large.setPointSize(kPoints_pt);
+  large.setWeight(QFont::DemiBold);
+  points_->setFont(large);
+  points_->setStyleSheet(QStringLiteral("font-size: %1pt; font-weight: 600;").arg(kPoints_pt));
+  points_->setObjectName(QStringLiteral("points"));
+  points_->setToolTip(
+      tr("Mean of the metrics' ways from novice (0) to expert (100), less 5 for each minor finding and 20 "
+         "for each major one; 0 with a critical one, 50 at most without success"));
+  success_->setWordWrap(true);
+  success_->setObjectName(QStringLiteral("pointsNote"));
+  ui::setRole(success_, "quiet");
+  advice_->setWordWrap(true);
+  advice_->setObjectName(QStringLiteral("advice"));
+  ui::setRole(advice_, "heading");
+  errors_->setWordWrap(true);
+  errors_->setObjectName(QStringLiteral("criticalErrors"));
+  auto* words = new QVBoxLayout;
+  words->setSpacing(ui::kSmallGap);
+  words->addWidget(success_);
+  words->addWidget(advice_);
+  words->addWidget(errors_);
+  auto* top = new QHBoxLayout;
+  top->setSpacing(ui::kLargeGap);
+  top->addWidget(points_, 0, Qt::AlignTop);
+  top->addLayout(words, 1);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(ui::kLargeGap, ui::kGap, ui::kLargeGap, ui::kGap);
+  box->setSpacing(ui::kGap);
+  box->addLayout(top);
+  box->addWidget(metrics_, 1);
+  connect(&session_, &ReviewSession::attemptChanged, this, [this] { show(); });
+}
+
+void ResultPage::show() {
+  const auto& attempt = session_.attempt();
+  if (!attempt) return;
+  points_->setText(pointsOf(*attempt));
+  success_->setText(pointsNoteOf(*attempt));
+  advice_->setText(attempt->score ? QString::fromStdString(attempt->score->advice) : QString());
+  QStringList errors;
+  if (attempt->score)
+    for (const AttemptMoment& moment : attempt->score->criticalErrors)
+      errors << QStringLiteral("<span style='color:%1'>▲ %2  %3</span>")
+                    .arg(screenInk().danger.name(), clockOf(moment.time_us),
+                         QString::fromStdString(moment.say).toHtmlEscaped());
+  errors_->setText(errors.join(QStringLiteral("<br>")));
+  errors_->setVisible(!errors.isEmpty());
+  metrics_->show(attempt->score ? attempt->score->metrics : std::vector<MetricScore>{});
+}
+
+PathPane::PathPane(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+  setObjectName(QStringLiteral("pathPane"));
+  setAccessibleName(tr("Way of the needle's tip in the plane of the picture"));
+  setToolTip(
+      tr("The tip's way in the plane of the picture, mm: lateral across, depth down; dotted where it was outside "
+         "the slice. Structures as in the CT"));
+  setMinimumHeight(160);
+  const auto renew = [this] {
+    const auto& attempt = session_.attempt();
+    section_ = attempt ? sectionOf(*attempt, session_.fits() ? session_.patient().get() : nullptr) : PlaneSection{};
+    update();
+  };
+  connect(&session_, &ReviewSession::attemptChanged, this, renew);
+  connect(&session_, &ReviewSession::caseChanged, this, renew);
+}
+
+void PathPane::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), ui::colour(views::theme::kGround));
+  if (!session_.attempt()) return;
+  const int line = painter.fontMetrics().height() + ui::kSmallGap;
+  painter.setPen(screenInk().quiet);
+  if (!section_.place_mm.isEmpty())
+    painter.drawText(QRect(ui::kGap, 0, width() - ui::kGap, line), Qt::AlignLeft | Qt::AlignVCenter,
+                     tr("the tip in the picture's plane, mm, at %1").arg(clockOf(section_.time_us)));
+  paintPlane(painter, QRectF(rect()).adjusted(0, line, 0, 0), *session_.attempt(), section_, screenInk());
+}
+
+}  // namespace insonate::review

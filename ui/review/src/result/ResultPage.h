@@ -1,0 +1,46 @@
+#pragma once
+
+#include "PlanePlot.h"
+
+#include <QWidget>
+
+class QLabel;
+class QVBoxLayout;
+
+namespace insonate::review {
+
+class MetricTableView;
+class ReviewSession;
+
+/// What the attempt was worth: points, what to do better, critical errors, and every metric beside people's values.
+class ResultPage : public QWidget {
+ public:
+  explicit ResultPage(ReviewSession& session, QWidget* parent = nullptr);
+
+ private:
+  void show();
+
+  ReviewSession& session_;
+  QLabel *points_, *success_, *advice_, *errors_;
+  MetricTableView* metrics_;
+};
+
+/// The tip's way in the plane of the picture, as a widget.
+class PathPane : public QWidget {
+ public:
+  explicit PathPane(ReviewSession& session, QWidget* parent = nullptr);
+  const PlaneSection& section() const { return section_; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  ReviewSession& session_;
+  PlaneSection section_;
+};
+
+/// "74" or "no points", and why there are none.
+QString pointsOf(const AttemptDigest& attempt);
+QString pointsNoteOf(const AttemptDigest& attempt);
+
+}  // namespace insonate::review

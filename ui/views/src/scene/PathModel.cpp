@@ -1,0 +1,62 @@
+#include "PathModel.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkTubeFilter.h>
+#include <vtkUnsignedCharArray.h>
+
+namespace insonate::views {
+namespace {
+
+/// A little more than a needle of 18 G, which goes along it.
+constexpr double kRadius_mm = 0.8;
+constexpr int kSides = 8;
+
+}  // namespace
+
+PathModel::PathModel(vtkRenderer& renderer) : renderer_(renderer) {
+  actor_->GetProperty()->SetAmbient(0.5);
+  actor_->GetProperty()->SetDiffuse(0.5);
+  actor_->PickableOff();
+  actor_->VisibilityOff();
+  renderer_.AddActor(actor_);
+}
+
+PathModel::~PathModel() {
+  renderer_.RemoveActor(actor_);
+}
+
+void PathModel::set(const std::vector<ScenePath>& paths) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  for (const ScenePath& path : paths) {
+    if (path.points_mm.size() < 2) continue;
+    lines->InsertNextCell(int(path.points_mm.size()));
+    for (const Vec3& at : path.points_mm) lines->InsertCellPoint(points->InsertNextPoint(at.x, at.y, at.z));
+    const unsigned char colour[] = {path.colour.red, path.colour.green, path.colour.blue};
+    colours->InsertNextTypedTuple(colour);
+  }
+  actor_->SetVisibility(points->GetNumberOfPoints() > 0);
+  if (points->GetNumberOfPoints() == 0) return;
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetLines(lines);
+  data->GetCellData()->SetScalars(colours);
+  vtkNew<vtkTubeFilter> tubes;
+  tubes->SetInputData(data);
+  tubes->SetRadius(kRadius_mm);
+  tubes->SetNumberOfSides(kSides);
+  tubes->CappingOn();
+  tubes->Update();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(tubes->GetOutput());
+  actor_->SetMapper(mapper);
+}
+
+}  // namespace insonate::views
