@@ -1,3 +1,4 @@
+#include "live/ScenesAhead.h"
 #include "session/MomentImaging.h"
 
 #include <insonate/simulator/AttemptOrigin.h>
@@ -10,21 +11,25 @@
 namespace insonate {
 
 struct AttemptPictures::State {
-  State(std::shared_ptr<const AttemptRecording> of, std::shared_ptr<const PatientCase> its)
-      : recording(std::move(of)), patient(std::move(its)), imaging(*patient) {}
+  State(std::shared_ptr<const AttemptRecording> of, std::shared_ptr<const PatientCase> its,
+        std::shared_ptr<const SceneSource> scenes)
+      : recording(std::move(of)), patient(std::move(its)), source(std::move(scenes)), imaging(*patient, source) {}
 
   Result<const Stretch*> stretchOf(std::size_t index);
   /// The last sample until this time for which `wanted` holds; none where there is none.
   template <class Wanted>
   Result<std::optional<AttemptSample>> lastSample(std::int64_t time_us, const Wanted& wanted);
   Result<void> useSettingsOf(std::int64_t time_us);
+  void workAhead();
 
   std::shared_ptr<const AttemptRecording> recording;
   std::shared_ptr<const PatientCase> patient;
+  std::shared_ptr<const SceneSource> source;
   MomentImaging imaging;
   std::string used;  ///< settings of `imaging`
   std::optional<std::size_t> unpacked;
   Stretch stretch;
+  std::optional<live::ScenesAhead> ahead;
 };
 
 Result<const Stretch*> AttemptPictures::State::stretchOf(std::size_t index) {
@@ -60,15 +65,41 @@ Result<void> AttemptPictures::State::useSettingsOf(std::int64_t time_us) {
   return {};
 }
 
+/// What is damaged is left out, and told when it is asked for.
+void AttemptPictures::State::workAhead() {
+  if (!useSettingsOf(0)) return;
+  const live::SceneNeed need = imaging.need();
+  std::optional<Region> all;
+  for (std::size_t i = 0; i < recording->stretches(); ++i) {
+    const auto part = stretchOf(i);
+    if (!part || (*part)->samples.empty()) continue;
+    const AttemptSample sample = restored((*part)->samples.front());
+    if (!sample.patientFromProbe || need.misses(*sample.patientFromProbe)) continue;
+    const Region region = need.at(*sample.patientFromProbe);
+    if (!all) all = region;
+    for (int axis = 0; axis < 3; ++axis) {
+      all->low_mm[axis] = std::min(all->low_mm[axis], region.low_mm[axis]);
+      all->high_mm[axis] = std::max(all->high_mm[axis], region.high_mm[axis]);
+    }
+  }
+  if (!all) return;
+  ahead.emplace(source);
+  ahead->want(*all, need.detail_mm());
+}
+
 Result<AttemptPictures> AttemptPictures::make(std::shared_ptr<const AttemptRecording> recording,
-                                              std::shared_ptr<const PatientCase> patient) {
+                                              std::shared_ptr<const PatientCase> patient, bool workAhead) {
   const AttemptHeader& header = recording->header();
   if (header.settings.empty())
     return fail("The recording does not say how the picture was set; its pictures cannot be made again.");
   if (header.caseHash != caseHashOf(*patient))
     return fail("The recording was made on another case, '" + header.caseName + "', than '" + patient->manifest.title +
                 "', or that one was changed since; open the case as it was.");
-  return AttemptPictures(std::make_unique<State>(std::move(recording), std::move(patient)));
+  auto source = makeSceneSource(*patient);
+  if (!source) return tl::unexpected(source.error());
+  auto state = std::make_unique<State>(std::move(recording), std::move(patient), std::move(*source));
+  if (workAhead) state->workAhead();
+  return AttemptPictures(std::move(state));
 }
 
 AttemptPictures::AttemptPictures(std::unique_ptr<State> state) : state_(std::move(state)) {}

@@ -2,6 +2,7 @@
 
 #include "hands/RestNear.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace insonate {
@@ -10,7 +11,10 @@ namespace {
 /// A vein that closes takes its time.
 constexpr int kPatience = 200;
 /// Scenes begin and end on this lattice, so that near poses share one, and the same pose always has the same.
-constexpr double kLattice_mm = 16;
+constexpr double kLattice_mm = 8;
+constexpr std::size_t kScenesKept = 4;
+/// A probe that has been at as many places goes about: parts that scenes share are then worth their time.
+constexpr int kScenesAlone = 6;
 /// Less is no dent (see HandsLoop).
 constexpr double kLeastTent_mm = 0.02;
 
@@ -39,7 +43,8 @@ std::optional<Needle> needleOf(const AttemptSample& sample, const AttemptSetting
 
 }  // namespace
 
-MomentImaging::MomentImaging(const PatientCase& patient) : patient_(patient) {}
+MomentImaging::MomentImaging(const PatientCase& patient, std::shared_ptr<const SceneSource> source)
+    : patient_(patient), source_(std::move(source)) {}
 MomentImaging::~MomentImaging() = default;
 
 Result<void> MomentImaging::use(const AttemptSettings& settings) {
@@ -51,7 +56,7 @@ Result<void> MomentImaging::use(const AttemptSettings& settings) {
   if (auto ok = validate(setup.mechanics); !ok) return ok;
   const live::SceneNeed need(setup, patient_.labels.geometry);
   if (!setup_ || setup_->tissues.tissues != setup.tissues.tissues || need_->detail_mm() != need.detail_mm())
-    scene_.reset();
+    scenes_.clear();
   need_ = need;
   setup_ = std::make_shared<const ImagingSetup>(std::move(setup));
   imager_.emplace(std::move(*imager));
@@ -62,15 +67,18 @@ Result<void> MomentImaging::use(const AttemptSettings& settings) {
 
 Result<void> MomentImaging::takeScene(const Transform& patientFromProbe) {
   const Region region = onLattice(need_->at(patientFromProbe));
-  if (scene_ && same(region, sceneRegion_mm_)) return {};
-  if (!source_) {
-    auto source = makeSceneSource(patient_);
-    if (!source) return tl::unexpected(source.error());
-    source_ = std::move(*source);
+  const auto known = std::ranges::find_if(scenes_, [&](const Scene& scene) { return same(scene.region_mm, region); });
+  if (known != scenes_.end()) {
+    std::rotate(scenes_.begin(), known, known + 1);
+    return {};
   }
+  if (++scenesMade_ > kScenesAlone)
+    while (source_->makeAhead(region, need_->detail_mm())) {
+    }
   auto scene = makeScene(*source_, *setup_, region);
   if (!scene) return tl::unexpected(scene.error());
-  scene_ = std::move(*scene), sceneRegion_mm_ = region;
+  if (scenes_.size() == kScenesKept) scenes_.pop_back();
+  scenes_.insert(scenes_.begin(), {region, std::move(*scene)});
   return {};
 }
 
@@ -84,7 +92,7 @@ Result<void> MomentImaging::press(const Transform& patientFromProbe, double time
     auto tissue = PressedTissue::make(setup_->probe, setup_->settings, setup_->mechanics);
     if (!tissue) return tl::unexpected(tissue.error());
     tissue_.emplace(std::move(*tissue));
-    tissue_->hold(*scene_, patientFromProbe, blood);
+    tissue_->hold(scene(), patientFromProbe, blood);
   }
   pose_ = patientFromProbe, blood_ = blood;
   return {};
@@ -117,8 +125,8 @@ Result<std::shared_ptr<const LiveFrame>> MomentImaging::picture(const AttemptSam
   frame->patientFromProbe = pose, frame->time_s = time_s;
   frame->setup = setup_;
   frame->needle = needleOf(sample, *settings_);
-  frame->warnings = std::make_shared<const std::vector<std::string>>(scene_ && tissue_ ? scene_->warnings()
-                                                                                       : std::vector<std::string>{});
+  frame->warnings =
+      std::make_shared<const std::vector<std::string>>(tissue_ ? scene().warnings() : std::vector<std::string>{});
   tellPress(*frame);
   if (!tissue_) {  // past the patient: black
     Display(setup_->probe, setup_->settings).process({}, frame->image);
@@ -128,7 +136,7 @@ Result<std::shared_ptr<const LiveFrame>> MomentImaging::picture(const AttemptSam
   if (frame->needle && sample.tenting_mm > kLeastTent_mm)
     seen = &tented_.with(*seen, pose, {frame->needle->tip_mm, frame->needle->direction, sample.tenting_mm});
   ImagingFrame made;
-  imager_->render(*scene_, pose, *seen, frame->needle ? &*frame->needle : nullptr, made);
+  imager_->render(scene(), pose, *seen, frame->needle ? &*frame->needle : nullptr, made);
   frame->image = std::move(made.image), frame->envelope = std::move(made.envelope);
   frame->stages = std::move(made.stages), frame->frame_ms = made.frame_ms;
   frame->engine = made.engine, frame->engineNote = made.engineNote;

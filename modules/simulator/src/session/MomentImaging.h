@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace insonate {
 
@@ -16,8 +17,8 @@ namespace insonate {
 /// before. Not for concurrent use; uses the calling thread's TBB arena.
 class MomentImaging {
  public:
-  /// The case must outlive it.
-  explicit MomentImaging(const PatientCase& patient);
+  /// `source` is the case's, which must outlive both.
+  MomentImaging(const PatientCase& patient, std::shared_ptr<const SceneSource> source);
   ~MomentImaging();
 
   /// What holds from now on. Fails where no picture can be made of it.
@@ -30,21 +31,29 @@ class MomentImaging {
   /// restFromPatient of a point, as LivePress has it near the needle's tip.
   Transform restNear(Vec3 patient_mm) const;
 
+  /// What scenes of this pose are made of: worth computing ahead. After use().
+  live::SceneNeed need() const { return *need_; }
+
   /// Of a probe that is held; `number` is left 0, and `time_s` is the recording's.
   Result<std::shared_ptr<const LiveFrame>> picture(const AttemptSample& sample);
 
  private:
+  struct Scene {
+    Region region_mm;
+    std::shared_ptr<const AcousticScene> scene;
+  };
   Result<void> takeScene(const Transform& patientFromProbe);
+  const AcousticScene& scene() const { return *scenes_.front().scene; }
   void tellPress(LiveFrame& frame) const;
 
   const PatientCase& patient_;
-  std::shared_ptr<const SceneSource> source_;
+  const std::shared_ptr<const SceneSource> source_;
   std::optional<AttemptSettings> settings_;
   std::shared_ptr<const ImagingSetup> setup_;
   std::optional<live::SceneNeed> need_;
   std::optional<Imager> imager_;
-  std::shared_ptr<const AcousticScene> scene_;
-  Region sceneRegion_mm_;
+  std::vector<Scene> scenes_;  ///< the last, the latest first
+  int scenesMade_ = 0;
   std::optional<PressedTissue> tissue_;  ///< of pose_ and blood_; none: nothing is pressed
   std::optional<Transform> pose_;
   BloodPressure blood_;

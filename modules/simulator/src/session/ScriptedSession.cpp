@@ -193,7 +193,9 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
   header.caseHash = caseHashOf(patient);
   header.engine = settings->setup.engine;
   header.settings = textOf(*settings);
-  MomentImaging imaging(patient);
+  auto source = makeSceneSource(patient);
+  if (!source) return tl::unexpected(source.error());
+  MomentImaging imaging(patient, std::move(*source));
   if (auto ok = imaging.use(*settings); !ok) return tl::unexpected(ok.error());
   auto recorder = AttemptRecorder::start(recording, header);
   if (!recorder) return tl::unexpected(recorder.error());

@@ -15,9 +15,12 @@ namespace insonate {
 /// from the picture before, was near it. Not for concurrent use; uses the calling thread's TBB arena.
 class AttemptPictures {
  public:
-  /// Fails with a sentence on another case than the recording's, and on a recording without settings.
+  /// Fails with a sentence on another case than the recording's, and on a recording without settings. `workAhead`: a
+  /// thread of low priority computes, for some seconds, what the scenes of all places are made of where the probe was;
+  /// then a picture takes some tenths of a second at most, from anywhere. Without it, the first at each place takes
+  /// seconds.
   static Result<AttemptPictures> make(std::shared_ptr<const AttemptRecording> recording,
-                                      std::shared_ptr<const PatientCase> patient);
+                                      std::shared_ptr<const PatientCase> patient, bool workAhead = false);
   AttemptPictures(AttemptPictures&&) noexcept;
   AttemptPictures& operator=(AttemptPictures&&) noexcept;
   ~AttemptPictures();
