@@ -1,7 +1,9 @@
+#include "AttemptPictureFiles.h"
 #include "AttemptReport.h"
 #include "Commands.h"
 
 #include <insonate/cases/PatientCase.h>
+#include <insonate/simulator/AttemptPictures.h>
 #include <insonate/simulator/ScriptedSession.h>
 
 #include <nlohmann/json.hpp>
@@ -18,25 +20,73 @@ namespace {
 
 struct SessionArguments {
   std::string caseFolder, script, recording;
+  AttemptPictureOptions pictures;
   bool json = false;
 };
 
 struct ReplayArguments {
-  std::string recording;
+  std::string recording, caseFolder;
+  AttemptPictureOptions pictures;
   double until_s = -1;
   bool metrics = false, json = false;
 };
 
-Result<void> runScript(const SessionArguments& a) {
-  const auto read = readCase(a.caseFolder);
+Result<PatientCase> caseOf(const std::string& folder) {
+  auto read = readCase(folder);
   if (!read) return tl::unexpected(read.error());
   for (const std::string& note : read->notes) std::cerr << "note: " << note << '\n';
+  return std::move(read->patient);
+}
+
+/// Runs the script; `pictures` becomes what was written of them.
+Result<SessionOutcome> runWithPictures(const SessionArguments& a, const SessionScript& script,
+                                       const PatientCase& patient, nlohmann::json& pictures) {
+  const auto run = [&](const TakeFrame& take) {
+    return runSession(script, patient, "insonate " INSONATE_VERSION, a.recording, terminalProgress(),
+                      {a.pictures.every_us(), take});
+  };
+  if (!a.pictures.wanted()) return run({});
+  std::optional<Result<SessionOutcome>> done;
+  auto list = writeAttemptPictures(a.pictures, [&](const TakeFrame& take) -> Result<void> {
+    done.emplace(run(take));
+    return *done ? Result<void>{} : tl::unexpected(done->error());
+  });
+  if (!list) return tl::unexpected(list.error());
+  pictures = std::move(*list);
+  return std::move(*done);
+}
+
+Result<nlohmann::json> picturesOf(const ReplayArguments& a, std::shared_ptr<const AttemptRecording> recording,
+                                  std::int64_t until_us) {
+  if (a.caseFolder.empty()) return fail("--pictures needs the case that the attempt was made on, after the recording.");
+  auto patient = caseOf(a.caseFolder);
+  if (!patient) return tl::unexpected(patient.error());
+  auto made = AttemptPictures::make(std::move(recording), std::make_shared<const PatientCase>(std::move(*patient)));
+  if (!made) return tl::unexpected(made.error());
+  const Progress progress = terminalProgress();
+  return writeAttemptPictures(a.pictures, [&](const TakeFrame& take) -> Result<void> {
+    for (std::int64_t time_us = a.pictures.every_us(); time_us <= until_us; time_us += a.pictures.every_us()) {
+      if (!report(progress, "pictures", static_cast<double>(time_us) / static_cast<double>(until_us)))
+        return fail(std::string(kCancelled));
+      const auto frame = made->at(time_us);
+      if (!frame) return tl::unexpected(frame.error());
+      if (!*frame) continue;
+      if (auto ok = take(**frame); !ok) return ok;
+    }
+    return {};
+  });
+}
+
+Result<void> runScript(const SessionArguments& a) {
+  const auto patient = caseOf(a.caseFolder);
+  if (!patient) return tl::unexpected(patient.error());
   std::ifstream file(a.script, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!file) return fail("The script " + a.script + " cannot be read; check its name and permissions.");
-  const auto script = readSessionScript(text, read->patient);
+  const auto script = readSessionScript(text, *patient);
   if (!script) return fail(a.script + ": " + script.error().message);
-  const auto done = runSession(*script, read->patient, "insonate " INSONATE_VERSION, a.recording, terminalProgress());
+  nlohmann::json pictures;
+  const auto done = runWithPictures(a, *script, *patient, pictures);
   if (!done) return tl::unexpected(done.error());
   const AttemptScore score = scoreOf(done->run);
   if (!a.json) {
@@ -51,6 +101,7 @@ Result<void> runScript(const SessionArguments& a) {
   }
   object.update(
       {{"succeeded", score.succeeded}, {"findings", findings}, {"score", scoreReport(score)}, {"record", a.recording}});
+  if (a.pictures.wanted()) object["pictures"] = std::move(pictures);
   printJson(std::move(object));
   return {};
 }
@@ -71,8 +122,9 @@ std::optional<AttemptScore> scoreUntil(const AttemptRecording& recording, std::i
 }
 
 Result<void> replay(const ReplayArguments& a) {
-  const auto recording = AttemptRecording::open(a.recording);
-  if (!recording) return tl::unexpected(recording.error());
+  auto opened = AttemptRecording::open(a.recording);
+  if (!opened) return tl::unexpected(opened.error());
+  const auto recording = std::make_shared<const AttemptRecording>(std::move(*opened));
   for (const std::string& trouble : recording->troubles()) std::cerr << "note: " << trouble << '\n';
   const std::int64_t until_us = a.until_s < 0 ? recording->end_us() : static_cast<std::int64_t>(a.until_s * 1e6);
   const auto metrics = a.metrics ? recording->metricsUntil(until_us) : MetricValues{};
@@ -83,6 +135,12 @@ Result<void> replay(const ReplayArguments& a) {
     if (!stretch) return tl::unexpected(stretch.error());
     for (const Stretch::Happened& happened : stretch->events)
       if (happened.event.time_us <= until_us) events.push_back(happened.event);
+  }
+  nlohmann::json pictures;
+  if (a.pictures.wanted()) {
+    auto list = picturesOf(a, recording, until_us);
+    if (!list) return tl::unexpected(list.error());
+    pictures = std::move(*list);
   }
   const auto score = a.metrics ? scoreUntil(*recording, until_us) : std::nullopt;
   if (!a.json) {
@@ -101,6 +159,7 @@ Result<void> replay(const ReplayArguments& a) {
                  {"case", header.caseName},
                  {"case_hash", header.caseHash},
                  {"troubles", recording->troubles()}});
+  if (a.pictures.wanted()) object["pictures"] = std::move(pictures);
   printJson(std::move(object));
   return {};
 }
@@ -108,11 +167,12 @@ Result<void> replay(const ReplayArguments& a) {
 }  // namespace
 
 void addSessionCommand(CLI::App& app, Outcome& outcome) {
-  auto* command = app.add_subcommand("session", "A whole attempt from a script, recorded; tissue at rest, no pictures");
+  auto* command = app.add_subcommand("session", "A whole attempt from a script, recorded");
   auto a = std::make_shared<SessionArguments>();
   command->add_option("CASE", a->caseFolder, "Folder of the case")->required()->check(notEmpty());
   command->add_option("--script", a->script, "What the hands do (JSON)")->required()->check(notEmpty());
   command->add_option("--record", a->recording, "New file for the recording")->required()->check(notEmpty());
+  a->pictures.addTo(*command);
   command->add_flag("--json", a->json, "Print one JSON object");
   command->callback([a, &outcome] {
     outcome.json = a->json;
@@ -121,9 +181,11 @@ void addSessionCommand(CLI::App& app, Outcome& outcome) {
 }
 
 void addReplayCommand(CLI::App& app, Outcome& outcome) {
-  auto* command = app.add_subcommand("replay", "Events and metrics of a recorded attempt");
+  auto* command = app.add_subcommand("replay", "Events, metrics and pictures of a recorded attempt");
   auto a = std::make_shared<ReplayArguments>();
   command->add_option("RECORDING", a->recording, "File of session --record")->required()->check(notEmpty());
+  command->add_option("CASE", a->caseFolder, "Folder of its case, for pictures")->check(notEmpty());
+  a->pictures.addTo(*command);
   command->add_flag("--metrics", a->metrics, "Metrics and score, too, computed anew");
   command->add_option("--until", a->until_s, "As they stood at this time (s)")->check(CLI::NonNegativeNumber);
   command->add_flag("--json", a->json, "Print one JSON object");

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <map>
 
 namespace insonate::test {
 namespace {
@@ -60,6 +61,42 @@ TEST_F(SessionCommand, AnAttemptAndItsReplayTellTheSame) {
   EXPECT_EQ(early["metrics"]["vein_punctures"], 0);
   EXPECT_FALSE(json::parse(run("replay " + path("a") + " --json").output).contains("metrics"));
   EXPECT_THAT(run("replay " + path("a") + " --metrics").output, HasSubstr("vein_punctures"));
+}
+
+std::map<std::string, std::string> filesIn(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    files[entry.path().filename().string()] = bytesOf(entry.path());
+  return files;
+}
+
+/// The probe presses, the needle goes through the vein: pictures of the session and of two replays are the same files.
+TEST_F(SessionCommand, PicturesOfASessionAndItsReplaysAgreeByteForByte) {
+  std::ofstream(folder / "press.json") << R"({"acts": [
+    {"probe": {"position_mm": [0, 3, 0], "axial": [0, 1, 0], "lateral": [1, 0, 0]}},
+    {"needle": {"from_mm": [-8, -5, 0], "to": "vein"}}, {"advance_mm": 22, "speed_mmps": 20}, {"tilt_deg": 15},
+    {"wait_s": 0.3}, {"probe": null}, {"wait_s": 0.5}]})";
+  const auto session = run("session " + path("case") + " --script " + path("press.json") + " --record " + path("a") +
+                           " --pictures " + path("first") + " --every 0.25 --json");
+  ASSERT_EQ(session.status, 0) << session.errors;
+  const auto first = filesIn(folder / "first");
+  ASSERT_EQ(first.size(), 6u) << "1.4 s of a probe that is held: five, and what they are";
+  EXPECT_TRUE(first.contains("0001250_ms.png"));
+  const json told = json::parse(session.output)["pictures"];
+  EXPECT_EQ(json::parse(first.at("pictures.json")), told);
+  EXPECT_GT(told[0]["force_N"], 0.05);
+  EXPECT_NEAR(told[0]["indent_mm"], 3.5, 0.1);
+  EXPECT_NE(first.at("0000750_ms.png"), first.at("0001000_ms.png")) << "the needle goes on";
+  const std::string replay = "replay " + path("a") + " " + path("case") + " --pictures ";
+  ASSERT_EQ(run(replay + path("second") + " --every 0.25").status, 0);
+  EXPECT_EQ(filesIn(folder / "second"), first);
+  ASSERT_EQ(run(replay + path("some") + " --every 0.5").status, 0);
+  EXPECT_EQ(filesIn(folder / "some").at("0001000_ms.png"), first.at("0001000_ms.png")) << "whatever came before";
+
+  EXPECT_THAT(run(replay + path("second")).errors, HasSubstr("second holds files already"));
+  EXPECT_THAT(run("replay " + path("a") + " --pictures " + path("third")).errors, HasSubstr("needs the case"));
+  EXPECT_EQ(run(replay + path("third") + " --every 0").status, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder / "third"));
 }
 
 TEST_F(SessionCommand, Refusals) {
