@@ -1,5 +1,6 @@
 // The part of the workspace that lays out its columns, and what stands in the middle one.
 #include "TrainParts.h"
+#include "attempt/AttemptControl.h"
 #include "devices/DevicePanel.h"
 #include "image/CineBar.h"
 #include "image/CtBeside.h"
@@ -21,14 +22,14 @@ namespace insonate::train {
 
 void TrainWorkspace::Parts::setLeftHanded(bool on) {
   leftHanded_->setChecked(on);
-  QWidget *first = on ? static_cast<QWidget*>(patient) : left_, *last = on ? static_cast<QWidget*>(left_) : patient;
+  QWidget *first = on ? static_cast<QWidget*>(patient) : leftColumn_, *last = on ? leftColumn_ : patient;
   if (columns->widget(0) == first) return;
   QList<int> sizes = columns->sizes();
   std::reverse(sizes.begin(), sizes.end());
   columns->insertWidget(0, first);
   columns->addWidget(last);
   for (int i = 0; i < columns->count(); ++i)
-    columns->setStretchFactor(i, columns->widget(i) == left_ ? 0 : columns->widget(i) == patient ? 1 : 3);
+    columns->setStretchFactor(i, columns->widget(i) == leftColumn_ ? 0 : columns->widget(i) == patient ? 1 : 3);
   columns->setSizes(sizes);
 }
 
@@ -60,6 +61,10 @@ void TrainWorkspace::Parts::giveRoom(bool more) {
 }
 
 void TrainWorkspace::Parts::setCtBeside(bool on) {
+  if (on && attempt->isSilent()) {
+    besideAction_->setChecked(false);
+    return session.say(tr("A test is without the CT."));
+  }
   besideAction_->setChecked(on);
   // Leaving full size would bring back what was there before.
   for (ui::ViewWidget* view : {imageWidget_, &beside_->widget(), &patient->sceneWidget(), &patient->mprWidget()})

@@ -1,5 +1,7 @@
 #include "TrainParts.h"
 
+#include "attempt/AttemptControl.h"
+#include "attempt/AttemptStrip.h"
 #include "hand/HeldPress.h"
 #include "hand/KeyTable.h"
 #include "hands/NeedleControls.h"
@@ -15,7 +17,6 @@
 #include "panel/EffectWords.h"
 #include "panel/Positions.h"
 #include "probe/FovHandles.h"
-#include "probe/ProbeEditor.h"
 #include "probe/ProbeLibrary.h"
 #include "scene/FourSlices.h"
 #include "scene/PatientViews.h"
@@ -54,13 +55,8 @@ TrainWorkspace::Parts::Parts(TrainWorkspace& workspace)
   columns->setObjectName("trainColumns");
   columns->setChildrenCollapsible(false);
   library_ = new ProbeLibrary({}, this);
-  left_ = new QStackedWidget(columns);
-  left_->setObjectName("trainPanel");
-  panel = new ControlsPanel(session, *library_);
-  editor_ = new ProbeEditor(session, *library_);
-  left_->addWidget(panel);
-  left_->addWidget(editor_);
-  columns->addWidget(left_);
+  attempt = new AttemptControl(session, {}, &workspace);
+  columns->addWidget(buildLeft());
   columns->addWidget(buildCentre());
   patient = new PatientViews(session, columns);
   columns->addWidget(patient);
@@ -91,9 +87,11 @@ TrainWorkspace::Parts::Parts(TrainWorkspace& workspace)
   buildActions();
   connectParts();
   connectProbe();
+  connectAttempt();
 }
 
 TrainWorkspace::Parts::~Parts() {
+  delete attempt;  // before the session, which it acts on
   measure_ = nullptr;
   volumeMeasure_ = nullptr;
   session.stop();
@@ -131,6 +129,7 @@ QWidget* TrainWorkspace::Parts::buildCentre() {
   box->addWidget(vesselNote_);
   tissue = new TissueShown(session, *image_, centre);
   box->addWidget(&tissue->curve());
+  box->addWidget(new AttemptStrip(session, *attempt, centre));
   box->addWidget(&tissue->strip());
   box->addWidget(cine_);
   return centre;
@@ -325,6 +324,14 @@ void TrainWorkspace::Parts::act(const KeyRow& row, bool wide, bool repeated) {
       return repeated ? void() : session.toggleNeedle();
     case Command::MoveNeedle:
       return session.moveNeedle(row.needle, wide ? row.wide : row.step);
+    case Command::Attempt:
+      return repeated ? void() : attempt->isRunning() ? attempt->finish() : attempt->start();
+    case Command::Draw:
+      return repeated ? void() : attempt->setAspirating(!attempt->isAspirating());
+    case Command::NewNeedle:
+      return repeated ? void() : attempt->replaceNeedle();
+    case Command::CutAtNeedle:
+      return repeated ? void() : patient->toggleCutAtNeedle();
   }
 }
 

@@ -24,6 +24,9 @@ class ViewWidget;
 namespace insonate::train {
 
 struct KeyRow;
+class AttemptControl;
+class AttemptPanel;
+class AttemptStrip;
 class CineBar;
 class ControlsPanel;
 class CtBeside;
@@ -52,6 +55,7 @@ class TrainWorkspace::Parts : public QObject {
   TrainSession& session;  ///< a child of the workspace, gone after its widgets
   QSplitter* columns = nullptr;
   ControlsPanel* panel = nullptr;
+  AttemptControl* attempt = nullptr;
   PatientViews* patient = nullptr;
   TissueShown* tissue = nullptr;
   QString engineText;
@@ -71,6 +75,8 @@ class TrainWorkspace::Parts : public QObject {
   /// To the patient's column, of the picture's; or back.
   void giveRoom(bool more);
 
+  /// One that is being made is kept as abandoned.
+  void endAttempt();
   /// While no case is open; empty for nothing that is being opened.
   void showOpening(const QString& what);
   bool key(const QKeyEvent& event, bool act);
@@ -84,7 +90,10 @@ class TrainWorkspace::Parts : public QObject {
   void measureVolume(double seconds, std::function<void(VolumeRates)> done);
 
  private:
+  QWidget* buildLeft();
   QWidget* buildCentre();
+  void connectAttempt();
+  void showAttempt();
   QWidget* buildOffer();
   void showOffer();
   void showVesselNote();
@@ -121,7 +130,9 @@ class TrainWorkspace::Parts : public QObject {
   HeldPress* held_ = nullptr;
   CineBar* cine_ = nullptr;
   ProbeLibrary* library_ = nullptr;
+  QWidget* leftColumn_ = nullptr;   ///< the attempt, and under it
   QStackedWidget* left_ = nullptr;  ///< the controls, or the probe's editor
+  AttemptPanel* attemptPanel_ = nullptr;
   ProbeEditor* editor_ = nullptr;
   FovHandles* fov_ = nullptr;
   CtBeside* beside_ = nullptr;

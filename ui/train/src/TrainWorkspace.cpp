@@ -1,4 +1,5 @@
 #include "TrainParts.h"
+#include "attempt/AttemptControl.h"
 #include "devices/DevicePanel.h"
 #include "hand/KeyTable.h"
 #include "panel/ControlsPanel.h"
@@ -26,6 +27,7 @@ TrainWorkspace::TrainWorkspace(QWidget* parent) : ui::Workspace(parent), parts_(
 }
 
 TrainWorkspace::~TrainWorkspace() {
+  parts_->endAttempt();
   parts_->session.stop();
   parts_->letGoOfCanvases();
   // The widgets refer to the session: they go first.
@@ -88,6 +90,9 @@ void TrainWorkspace::saveLayout(QSettings& settings) const {
   settings.endGroup();
   parts_->panel->save(settings);
   parts_->tissue->save(settings);
+  settings.beginGroup("attempt");
+  parts_->attempt->save(settings);
+  settings.endGroup();
 }
 
 void TrainWorkspace::restoreLayout(QSettings& settings) {
@@ -106,11 +111,15 @@ void TrainWorkspace::restoreLayout(QSettings& settings) {
   settings.endGroup();
   parts_->panel->restore(settings);
   parts_->tissue->restore(settings);
+  settings.beginGroup("attempt");
+  parts_->attempt->restore(settings);
+  settings.endGroup();
   // How it was left is not to be taken back.
   parts_->session.history().clear();
 }
 
 void TrainWorkspace::stop() {
+  parts_->endAttempt();
   parts_->session.stop();
 }
 

@@ -34,6 +34,10 @@ enum class Command {
   SliceWindow,
   TakeNeedle,
   MoveNeedle,
+  Attempt,
+  Draw,
+  NewNeedle,
+  CutAtNeedle,
 };
 
 /// One row of the only table of keys: it decides what a key does, and lists it for the user.

@@ -56,6 +56,16 @@ void HandsControl::probeMoved(const ProbeHand& hand, double halfWidth_mm) {
   session_->moveByMouse(kProbeHand, hand.pose());
 }
 
+void HandsControl::setAttempt(std::shared_ptr<LiveAttempt> attempt) {
+  attempted_ = attempt != nullptr;
+  session_->setAttempt(std::move(attempt));
+  apply();
+}
+
+void HandsControl::setSilent(bool silent) {
+  if (std::exchange(silent_, silent) != silent) Q_EMIT needleChanged();
+}
+
 bool HandsControl::drivesProbe() const {
   return put_[kProbeHand] && !session_->isMouse(kProbeHand);
 }
@@ -83,7 +93,7 @@ void HandsControl::put(Hand hand) {
   const bool simulated = dynamic_cast<SimulatedDevice*>(device.get()) != nullptr;
   // A real needle is there as soon as its device is; that of mouse and keys is taken up. Nobody feels a force without
   // looking.
-  const bool taken = hand == kProbeHand ? device || needle_ || wish_ : wish_ || (device && !simulated);
+  const bool taken = hand == kProbeHand ? device || needle_ || wish_ || attempted_ : wish_ || (device && !simulated);
   if (!ready || !taken || (device && !simulated && !watched_)) {
     if (!session_->held(hand)) return;
     put_[hand] = nullptr;
@@ -135,7 +145,8 @@ void HandsControl::look() {
   const ServoSnapshot now = session_->snapshot();
   if (wish_) goIn(now, step_s);
   follow(now);
-  for (const NeedleEvent& event : session_->takeEvents()) Q_EMIT said(sentenceOf(event));
+  for (const NeedleEvent& event : session_->takeEvents())
+    if (!silent_) Q_EMIT said(sentenceOf(event));
   for (std::uint32_t down = session_->takePresses(), button = 0; down; down >>= 1, ++button)
     if (down & 1) Q_EMIT pedalPressed(int(button));
 }

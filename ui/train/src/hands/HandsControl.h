@@ -3,6 +3,7 @@
 #include "HandMapping.h"
 
 #include <insonate/simulator/HandsSession.h>
+#include <insonate/simulator/LiveAttempt.h>
 #include <insonate/simulator/NeedleHand.h>
 
 #include <QElapsedTimer>
@@ -43,6 +44,11 @@ class HandsControl : public QObject {
 
   /// A patient, once there is a hand on the skin; null for none. Lays the needle down.
   void setCase(std::shared_ptr<const PatientCase> patient, const ProbeHand* hand);
+  /// Hears of each tick of the hands; meanwhile the probe is in one, also without a needle. Null for none.
+  void setAttempt(std::shared_ptr<LiveAttempt> attempt);
+  /// In a test nobody says what the needle meets.
+  void setSilent(bool silent);
+  bool isSilent() const { return silent_; }
   void setImaging(LiveImaging* imaging) { session_->setImaging(imaging); }
   /// Hands are empty while nobody looks.
   void setWatched(bool watched);
@@ -120,7 +126,7 @@ class HandsControl : public QObject {
   std::shared_ptr<const PatientCase> patient_;
   std::optional<ProbeHand> probe_;
   double halfWidth_mm_ = 19;
-  bool watched_ = true;
+  bool watched_ = true, attempted_ = false, silent_ = false;
   std::optional<NeedleHand> wish_;
   double advance_mm_ = 0;
   NeedlePlane plane_ = NeedlePlane::Along;

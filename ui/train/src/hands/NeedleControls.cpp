@@ -123,7 +123,7 @@ void NeedleControls::refresh() {
   across_->setChecked(held && hands.needlePlane() == NeedlePlane::Across);
   numbers_->setVisible(held);
   words_->setVisible(hands.hasNeedle());
-  if (hands.needle()) words_->setText(wordsOf(hands.needle()->state));
+  if (hands.needle()) words_->setText(wordsOf(hands.needle()->state, hands.isSilent()));
   if (!held) return;
   const NeedleHandState& state = held->state();
   const double values[] = {state.angle_deg, held->heading_deg(), hands.wantedAdvance_mm(), state.bevel_deg};

@@ -55,7 +55,10 @@ QString sentenceOf(const NeedleEvent& event) {
   return {};
 }
 
-QString wordsOf(const NeedleState& state) {
+QString wordsOf(const NeedleState& state, bool silent) {
+  if (silent && state.inBody)
+    return tr("%1 mm deep, %2 N").arg(state.depth_mm, 0, 'f', 1).arg(std::max(0.0, state.axial_N), 0, 'f', 1);
+  if (silent) return tr("outside the skin");
   if (state.onBone) return tr("on bone, %1 mm deep").arg(state.depth_mm, 0, 'f', 1);
   const QString felt = tr("%1 N").arg(std::max(0.0, state.axial_N), 0, 'f', 1);
   if (state.tenting && state.tent_mm > 0.2)

@@ -126,6 +126,10 @@ void CineBar::setCompact(bool compact) {
   refreshTime();
 }
 
+void CineBar::setCtBesideOffered(bool offered) {
+  beside_->setEnabled(offered);
+}
+
 void CineBar::setCtBeside(bool shown) {
   beside_->setChecked(shown);
 }

@@ -23,6 +23,7 @@ class CineBar : public QWidget {
   /// Which calliper is chosen (views::CalliperKind), -1 for none.
   void setCalliper(int kind);
   void setCtBeside(bool shown);
+  void setCtBesideOffered(bool offered);
   /// Takes as little width as it can.
   void setCompact(bool compact);
   /// Whether what is measured goes into what is saved.

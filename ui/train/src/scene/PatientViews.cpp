@@ -15,6 +15,7 @@
 #include <QHBoxLayout>
 #include <QScrollArea>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -64,7 +65,9 @@ PatientViews::PatientViews(TrainSession& session, QWidget* parent)
   splitter_ = new QSplitter(Qt::Vertical, this);
   splitter_->setObjectName(QStringLiteral("patientSplitter"));
   splitter_->addWidget(sceneWidget_);
-  splitter_->addWidget(buildMpr());
+  below_ = new QStackedWidget(splitter_);
+  below_->addWidget(buildMpr());
+  below_->addWidget(buildSilence());
   splitter_->setSizes({500, 500});
   splitter_->setChildrenCollapsible(false);
   auto* box = new QVBoxLayout(this);
@@ -311,16 +314,6 @@ void PatientViews::want() {
   const int since_ms =
       sinceFollowed_.isValid() ? int(std::min<qint64>(sinceFollowed_.elapsed(), latest_ms)) : latest_ms;
   timer_.start(std::max(0, gap_ms - since_ms));
-}
-
-void PatientViews::showNeedle() {
-  const auto& held = session_.hands().needle();
-  const auto pose = held ? std::optional(held->patientFromNeedle) : std::nullopt;
-  if (pose == needle_) return;
-  needle_ = pose;
-  scene_->setNeedle(pose ? std::optional(views::SceneView::Needle{.patientFromNeedle = *pose}) : std::nullopt);
-  scene_->setMoving(true);
-  rest_.start();
 }
 
 void PatientViews::follow() {

@@ -12,10 +12,12 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 class QButtonGroup;
 class QScrollArea;
 class QSplitter;
+class QStackedWidget;
 class QToolButton;
 
 namespace insonate::ui {
@@ -58,11 +60,18 @@ class PatientViews : public QWidget {
   void setSliceWindow(int preset);
   /// Called when the user changed window or level of the slice.
   void setWindowChanged(const std::function<void(views::WindowLevel)>& listener);
+  /// Of the needle's shaft in 3D.
+  void setNeedleColour(views::Colour colour);
+  /// Opens the patient along the needle, toward the viewer, or closes it again.
+  void toggleCutAtNeedle();
+  /// In a test: no CT, and a skin that hides what is under it.
+  void setSilent(bool silent);
   /// Whether they follow the probe.
   void setFollowing(bool following);
 
  private:
   QWidget* buildMpr();
+  QWidget* buildSilence();
   QWidget* buildScenePanel(QWidget* parent);
   /// Slice, all slices, or what 3D shows.
   void showBelow(QWidget* shown);
@@ -83,6 +92,7 @@ class PatientViews : public QWidget {
   ui::ViewWidget* sceneWidget_ = nullptr;
   ui::ViewWidget* mprWidget_ = nullptr;
   QSplitter* splitter_ = nullptr;
+  QStackedWidget* below_ = nullptr;  ///< the CT, or in a test words
   QButtonGroup* kinds_ = nullptr;
   SliceMenu* sliceMenu_ = nullptr;
   QToolButton* howSliced_ = nullptr;
@@ -97,7 +107,15 @@ class PatientViews : public QWidget {
   bool sliceShown_ = false;                    ///< the slice has the case
   bool following_ = true;
   Transform pose_;
-  std::optional<Transform> needle_;    ///< as drawn
+  std::optional<Transform> needle_;  ///< as drawn
+  views::Colour needleColour_ = views::theme::kText;
+  bool needleCut_ = false;
+  struct Looks {
+    double skin = 1;
+    bool ct = false;
+    std::vector<std::uint8_t> shown;  ///< structures under the skin
+  };
+  std::optional<Looks> looksBefore_;   ///< of the scene, while silent
   std::optional<Transform> slicedAt_;  ///< where the probe was when the slice was put there
   QTimer timer_, rest_;
   QElapsedTimer sinceFollowed_;

@@ -1,0 +1,83 @@
+// The part of the workspace about an attempt: its panel over the controls, and what it does to the other parts.
+#include "TrainParts.h"
+#include "attempt/AttemptControl.h"
+#include "attempt/AttemptPanel.h"
+#include "attempt/AttemptWords.h"
+#include "image/CineBar.h"
+#include "panel/ControlsPanel.h"
+#include "probe/ProbeEditor.h"
+#include "scene/PatientViews.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QEvent>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+namespace insonate::train {
+namespace {
+
+/// Of the column's height, for the attempt; the controls keep the rest.
+constexpr double kShare = 0.62;
+
+/// The column of attempt and controls, which shares its height between them.
+class LeftColumn final : public QWidget {
+ public:
+  LeftColumn(AttemptPanel* attempt, QWidget* controls) : attempt_(attempt) {
+    auto* box = new QVBoxLayout(this);
+    box->setContentsMargins(0, 0, 0, 0);
+    box->setSpacing(0);
+    auto* rule = new QFrame;
+    ui::setRole(rule, "rule");
+    box->addWidget(attempt);
+    box->addWidget(rule);
+    box->addWidget(controls, 1);
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QWidget::resizeEvent(event);
+    attempt_->setMostHeight(int(kShare * height()));
+  }
+
+ private:
+  AttemptPanel* attempt_;
+};
+
+}  // namespace
+
+QWidget* TrainWorkspace::Parts::buildLeft() {
+  left_ = new QStackedWidget;
+  panel = new ControlsPanel(session, *library_);
+  editor_ = new ProbeEditor(session, *library_);
+  left_->addWidget(panel);
+  left_->addWidget(editor_);
+  attemptPanel_ = new AttemptPanel(session, *attempt);
+  leftColumn_ = new LeftColumn(attemptPanel_, left_);
+  leftColumn_->setObjectName("trainPanel");
+  return leftColumn_;
+}
+
+void TrainWorkspace::Parts::connectAttempt() {
+  connect(attempt, &AttemptControl::stateChanged, this, [this] { showAttempt(); });
+  connect(attempt, &AttemptControl::viewChanged, this, [this] { showAttempt(); });
+  connect(attemptPanel_, &AttemptPanel::reviewWanted, &workspace_, &TrainWorkspace::attemptWanted);
+}
+
+void TrainWorkspace::Parts::showAttempt() {
+  const bool silent = attempt->isSilent();
+  const bool made =
+      attempt->state() != AttemptControl::State::Idle && attempt->state() != AttemptControl::State::Starting;
+  const NeedlePlace place = made ? attempt->view().needle : NeedlePlace::Clean;
+  patient->setNeedleColour(wordsOf(silent ? plainly(place) : place).colour);
+  patient->setSilent(silent);
+  if (silent && isCtBeside()) setCtBeside(false);
+  cine_->setCtBesideOffered(!silent);
+  besideAction_->setEnabled(!silent);
+}
+
+void TrainWorkspace::Parts::endAttempt() {
+  attempt->close();
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,225 @@
+#include "AttemptControl.h"
+
+#include "../TrainSession.h"
+
+#include <insonate/simulator/AttemptOrigin.h>
+#include <insonate/ui/Attempts.h>
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QSettings>
+#include <QThreadPool>
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace insonate::train {
+namespace {
+
+constexpr int kLook_ms = 100;
+
+template <class T>
+bool isThere(const T& future) {
+  return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+}  // namespace
+
+AttemptControl::AttemptControl(TrainSession& session, QString folder, QObject* parent)
+    : QObject(parent), session_(session), folder_(std::move(folder)) {
+  if (folder_.isEmpty()) folder_ = ui::attemptsFolder();
+  // They come with the program.
+  for (const std::string& name : procedurePresetNames())
+    if (auto procedure = loadProcedure(name)) procedures_.push_back(std::move(*procedure));
+  timer_.setInterval(kLook_ms);
+  connect(&timer_, &QTimer::timeout, this, [this] { look(); });
+  connect(&session_, &TrainSession::caseChanged, this, [this] {
+    hash_ = {};
+    close();
+  });
+  connect(&session_, &TrainSession::pictureShown, this, [this] {
+    if (!hash_.valid()) hashCase();
+  });
+  connect(&session_, &TrainSession::frozenChanged, this, [this] {
+    if (isRunning()) attempt_->tell(session_.isFrozen() ? AttemptEventKind::Frozen : AttemptEventKind::Released);
+  });
+  connect(&session_, &TrainSession::tissueChanged, this, [this] {
+    const double tilt_deg = session_.tissue().body.tilt_deg;
+    if (std::exchange(tilt_deg_, tilt_deg) != tilt_deg && isRunning())
+      attempt_->tell(AttemptEventKind::Positioned, tilt_deg);
+  });
+}
+
+AttemptControl::~AttemptControl() {
+  close();
+}
+
+void AttemptControl::choose(const std::string& procedure) {
+  const auto found = std::ranges::find(procedures_, procedure, &Procedure::name);
+  if (found == procedures_.end() || isRunning()) return;
+  chosen_ = std::size_t(found - procedures_.begin());
+  Q_EMIT stateChanged();
+}
+
+void AttemptControl::setMode(AttemptMode mode) {
+  if (isRunning() || std::exchange(mode_, mode) == mode) return;
+  Q_EMIT stateChanged();
+}
+
+/// After the first picture, which nothing is to delay.
+void AttemptControl::hashCase() {
+  const auto task = std::make_shared<std::packaged_task<std::string()>>(
+      [patient = session_.patient()] { return caseHashOf(*patient); });
+  hash_ = task->get_future().share();
+  QThreadPool::globalInstance()->start([task] { (*task)(); });
+}
+
+void AttemptControl::close() {
+  if (isRunning()) {
+    session_.hands().setAttempt(nullptr);
+    if (const auto done = attempt_->finish(AttemptStatus::Abandoned); !done)
+      session_.say(QString::fromStdString(done.error().message));
+  }
+  setAspirating(false);
+  if (state_ != State::Idle && state_ != State::Writing) show(State::Idle);
+}
+
+void AttemptControl::show(State state) {
+  state_ = state;
+  state == State::Starting || state == State::Running || state == State::Writing ? timer_.start() : timer_.stop();
+  session_.hands().setSilent(isSilent());
+  Q_EMIT stateChanged();
+}
+
+void AttemptControl::start() {
+  if (state_ != State::Idle && state_ != State::Over) return;
+  if (!session_.shown() || !session_.handReady())
+    return session_.say(tr("Wait for the first picture; then the attempt can begin."));
+  session_.setFrozen(false);
+  // A new needle, ready to be taken up.
+  session_.hands().layNeedleDown();
+  Q_EMIT needleReplaced();
+  show(State::Starting);
+  look();
+}
+
+std::filesystem::path AttemptControl::newFile() const {
+  QString plain = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HHmmss ")) +
+                  QString::fromStdString(session_.patient()->manifest.title).simplified().left(60);
+  for (QChar& one : plain)
+    if (!one.isLetterOrNumber() && one != QLatin1Char('-')) one = QLatin1Char(' ');
+  const auto path = [&](int number) {
+    const QString more = number > 1 ? QStringLiteral(" %1").arg(number) : QString();
+    return std::filesystem::path(QDir(folder_).filePath(plain + more + ui::kAttemptSuffix).toStdString());
+  };
+  // Two may begin within a second.
+  int number = 1;
+  while (std::filesystem::exists(path(number)) || std::filesystem::exists(AttemptRecorder::partOf(path(number))))
+    ++number;
+  return path(number);
+}
+
+void AttemptControl::begin() {
+  const QString title = QCoreApplication::applicationName() + QLatin1Char(' ') + QCoreApplication::applicationVersion();
+  AttemptHeader header = headerOf(procedure(), *session_.patient(), session_.probe(), title.toStdString());
+  header.caseHash = hash_.get();
+  header.engine = session_.shown()->engine;
+  auto begun = QDir().mkpath(folder_) ? LiveAttempt::start(newFile(), header, procedure())
+                                      : fail("The folder " + folder_.toStdString() +
+                                             " for attempts cannot be made; check that you may " + "write there.");
+  if (!begun) {
+    show(State::Idle);
+    return session_.say(QString::fromStdString(begun.error().message));
+  }
+  attempt_ = std::move(*begun);
+  trouble_.clear();
+  view_ = attempt_->view();
+  tilt_deg_ = session_.tissue().body.tilt_deg;
+  if (tilt_deg_ != 0) attempt_->tell(AttemptEventKind::Positioned, tilt_deg_);
+  attempt_->setAspirating(aspirating_);
+  session_.hands().setAttempt(attempt_);
+  show(State::Running);
+  session_.say(isSilent() ? tr("The test has begun. Ctrl+Return finishes it.")
+                          : tr("The attempt has begun. Ctrl+Return finishes it."));
+  Q_EMIT viewChanged();
+}
+
+void AttemptControl::end(AttemptStatus status) {
+  if (!isRunning()) return;
+  setAspirating(false);
+  session_.hands().setAttempt(nullptr);
+  status_ = status;
+  writing_ = std::async(std::launch::async, [attempt = attempt_, status] { return attempt->finish(status); });
+  show(State::Writing);
+}
+
+void AttemptControl::startAgain() {
+  if (isRunning()) {
+    again_ = true;
+    return abandon();
+  }
+  session_.setFrozen(false);
+  session_.home();
+  start();
+}
+
+void AttemptControl::leave() {
+  if (state_ == State::Over) show(State::Idle);
+}
+
+void AttemptControl::look() {
+  if (state_ == State::Starting) {
+    if (!hash_.valid()) hashCase();
+    return isThere(hash_) ? begin() : void();
+  }
+  if (!attempt_) return;
+  view_ = attempt_->view();
+  if (const std::string trouble = attempt_->trouble(); trouble != trouble_) {
+    trouble_ = trouble;
+    session_.say(QString::fromStdString(trouble));
+  }
+  if (state_ == State::Writing && isThere(writing_)) {
+    const auto done = writing_.get();
+    file_ = done ? QString::fromStdString(attempt_->file().string()) : QString();
+    score_ = attempt_->score();
+    if (!done) session_.say(QString::fromStdString(done.error().message));
+    show(session_.patient() ? State::Over : State::Idle);
+    if (std::exchange(again_, false)) startAgain();
+  }
+  Q_EMIT viewChanged();
+}
+
+void AttemptControl::setAspirating(bool on) {
+  if (std::exchange(aspirating_, on) == on) return;
+  if (isRunning()) attempt_->setAspirating(on);
+  Q_EMIT aspiratingChanged();
+}
+
+void AttemptControl::replaceNeedle() {
+  const auto& held = session_.hands().needle();
+  if (held && held->state.inBody) return session_.say(tr("Withdraw the needle from the skin before taking a new one."));
+  if (isRunning()) attempt_->tell(AttemptEventKind::NeedleReplaced);
+  setAspirating(false);
+  Q_EMIT needleReplaced();
+  if (session_.hands().needleHand()) session_.takeNeedle(session_.hands().needlePlane());
+  session_.say(tr("A new needle."));
+}
+
+void AttemptControl::position(double tilt_deg) {
+  TissueChoice choice = session_.tissue();
+  choice.body.tilt_deg = tilt_deg;
+  session_.setTissue(choice);
+}
+
+void AttemptControl::save(QSettings& settings) const {
+  settings.setValue("procedure", QString::fromStdString(procedure().name));
+  settings.setValue("test", mode_ == AttemptMode::Test);
+}
+
+void AttemptControl::restore(QSettings& settings) {
+  choose(settings.value("procedure").toString().toStdString());
+  setMode(settings.value("test", false).toBool() ? AttemptMode::Test : AttemptMode::Practice);
+}
+
+}  // namespace insonate::train

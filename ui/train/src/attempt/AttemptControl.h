@@ -1,0 +1,112 @@
+#pragma once
+
+#include <insonate/simulator/LiveAttempt.h>
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <future>
+#include <memory>
+#include <string>
+#include <vector>
+
+class QSettings;
+
+namespace insonate::train {
+
+class TrainSession;
+
+/// Practice says what to do and what went wrong; a test is silent until it is over.
+enum class AttemptMode { Practice, Test };
+
+/// An attempt at a procedure, from its start to its result, recorded in the user's folder; one that is left by closing
+/// the case or the program is kept as abandoned. Knows no widget. For the window's thread.
+class AttemptControl : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class State {
+    Idle,
+    Starting,  ///< until the case's hash is known
+    Running,
+    Writing,  ///< its end, off the window's thread
+    Over,     ///< view() and score() are of the whole attempt
+  };
+
+  /// An empty folder is ui::attemptsFolder().
+  explicit AttemptControl(TrainSession& session, QString folder = {}, QObject* parent = nullptr);
+  ~AttemptControl() override;
+
+  // What is begun
+  const std::vector<Procedure>& procedures() const { return procedures_; }
+  const Procedure& procedure() const { return procedures_[chosen_]; }
+  void choose(const std::string& procedure);
+  AttemptMode mode() const { return mode_; }
+  void setMode(AttemptMode mode);
+
+  State state() const { return state_; }
+  bool isRunning() const { return state_ == State::Running; }
+  /// Neither hints nor what only a teacher would know.
+  bool isSilent() const { return mode_ == AttemptMode::Test && (isRunning() || state_ == State::Starting); }
+  void start();
+  void finish() { end(AttemptStatus::Completed); }
+  void abandon() { end(AttemptStatus::Abandoned); }
+  /// Abandons this attempt and starts another, with the needle laid down and the probe at its start.
+  void startAgain();
+  /// The case or the program is left: what is being made is kept as abandoned, at once.
+  void close();
+  /// From Over to Idle.
+  void leave();
+
+  /// As of a tenth of a second ago.
+  const AttemptView& view() const { return view_; }
+  const AttemptScore& score() const { return score_; }
+  AttemptStatus status() const { return status_; }
+  /// Of the attempt that is over; empty where it could not be kept.
+  QString file() const { return file_; }
+
+  // What hands do besides holding
+  bool isAspirating() const { return aspirating_; }
+  void setAspirating(bool on);
+  /// A new needle from the tray. Refused while the old one is in the skin.
+  void replaceNeedle();
+  /// One of the procedure's positions.
+  void position(double tilt_deg);
+
+  void save(QSettings& settings) const;
+  void restore(QSettings& settings);
+
+ Q_SIGNALS:
+  void stateChanged();  ///< also procedure and mode
+  void viewChanged();
+  void aspiratingChanged();
+  void needleReplaced();
+
+ private:
+  void hashCase();
+  void begin();
+  void end(AttemptStatus status);
+  void look();
+  void show(State state);
+  std::filesystem::path newFile() const;
+
+  TrainSession& session_;
+  QString folder_, file_;
+  std::vector<Procedure> procedures_;
+  std::size_t chosen_ = 0;
+  AttemptMode mode_ = AttemptMode::Practice;
+  State state_ = State::Idle;
+  AttemptStatus status_ = AttemptStatus::Completed;
+  std::shared_ptr<LiveAttempt> attempt_;
+  std::future<Result<MetricValues>> writing_;
+  bool again_ = false;  ///< starts another once this one is written
+  std::shared_future<std::string> hash_;
+  AttemptView view_;
+  AttemptScore score_;
+  bool aspirating_ = false;
+  double tilt_deg_ = 0;
+  std::string trouble_;  ///< as last said
+  QTimer timer_;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,279 @@
+#include "AttemptPanel.h"
+
+#include "../TrainSession.h"
+#include "AttemptControl.h"
+#include "AttemptWords.h"
+#include "StepList.h"
+
+#include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/Theme.h>
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+namespace insonate::train {
+namespace {
+
+using State = AttemptControl::State;
+
+/// Beside those of the strip, which has no room for the time where the window is narrow.
+constexpr Metric kFurther[] = {Metric::TimeToVein,     Metric::Passes,       Metric::Redirections,
+                               Metric::InsertionAngle, Metric::TipInPicture, Metric::NearestArtery,
+                               Metric::ProbeForceMost};
+
+QVBoxLayout* column(QWidget* widget) {
+  auto* box = new QVBoxLayout(widget);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kSmallGap);
+  return box;
+}
+
+QComboBox* choice(const char* object, const QString& name, const QString& says) {
+  auto* combo = new QComboBox;
+  combo->setObjectName(QLatin1String(object));
+  combo->setAccessibleName(name);
+  combo->setToolTip(says);
+  combo->setFocusPolicy(Qt::TabFocus);
+  combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  combo->setMinimumContentsLength(6);
+  new ui::QuietWheel(combo);
+  return combo;
+}
+
+QLabel* words(const char* object, const char* role) {
+  auto* label = new QLabel;
+  label->setObjectName(QLatin1String(object));
+  label->setWordWrap(true);
+  if (*role) ui::setRole(label, role);
+  return label;
+}
+
+}  // namespace
+
+AttemptPanel::AttemptPanel(TrainSession& session, AttemptControl& attempt, QWidget* parent)
+    : QWidget(parent), session_(session), attempt_(attempt) {
+  setObjectName("attemptPanel");
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(12, 8, 12, 8);
+  box->setSpacing(ui::kSmallGap);
+  head_ = words("attemptHead", "heading");
+  box->addWidget(head_);
+  for (QWidget* page : {begin_ = buildBegin(), running_ = buildRunning(), result_ = buildResult()})
+    box->addWidget(page);
+  connect(&attempt_, &AttemptControl::stateChanged, this, [this] { refresh(); });
+  connect(&attempt_, &AttemptControl::viewChanged, this, [this] { refreshRunning(); });
+  connect(&attempt_, &AttemptControl::aspiratingChanged, this, [this] { draw_->setChecked(attempt_.isAspirating()); });
+  connect(&session_, &TrainSession::caseChanged, this, [this] { refreshBegin(); });
+  connect(&session_, &TrainSession::pictureShown, this, [this] {
+    if (!start_->isEnabled()) refreshBegin();
+  });
+  connect(&session_, &TrainSession::tissueChanged, this, [this] { refreshRunning(); });
+  refresh();
+}
+
+QPushButton* AttemptPanel::button(const char* object, const QString& text, const QString& says) {
+  auto* made = new QPushButton(text);
+  made->setObjectName(QLatin1String(object));
+  made->setToolTip(says);
+  made->setFocusPolicy(Qt::TabFocus);
+  return made;
+}
+
+QWidget* AttemptPanel::buildBegin() {
+  auto* page = new QWidget;
+  auto* box = column(page);
+  procedure_ = choice("attemptProcedure", tr("Procedure"), tr("What is to be done, step by step"));
+  for (const Procedure& one : attempt_.procedures())
+    procedure_->addItem(QString::fromStdString(one.title), QString::fromStdString(one.name));
+  mode_ = choice("attemptMode", tr("Practice or test"),
+                 tr("Practice says what to do and what went wrong. A test is silent until its end, without CT"));
+  mode_->addItem(tr("practice"), int(AttemptMode::Practice));
+  mode_->addItem(tr("test"), int(AttemptMode::Test));
+  start_ = button("attemptStart", tr("Start"), tr("Begin an attempt, which is recorded and scored (Ctrl+Return)"));
+  ui::setRole(start_, "primary");
+  auto* row = new QHBoxLayout;
+  row->setSpacing(ui::kSmallGap);
+  row->addWidget(mode_, 1);
+  row->addWidget(start_, 1);
+  box->addWidget(procedure_);
+  box->addLayout(row);
+  connect(procedure_, qOverload<int>(&QComboBox::activated), this,
+          [this] { attempt_.choose(procedure_->currentData().toString().toStdString()); });
+  connect(mode_, qOverload<int>(&QComboBox::activated), this,
+          [this] { attempt_.setMode(AttemptMode(mode_->currentData().toInt())); });
+  connect(start_, &QPushButton::clicked, &attempt_, &AttemptControl::start);
+  return page;
+}
+
+QWidget* AttemptPanel::buildHands() {
+  auto* page = new QWidget;
+  auto* grid = new QGridLayout(page);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(ui::kSmallGap);
+  position_ = choice("attemptPosition", tr("The patient's position"),
+                     tr("How the patient lies, in degrees of tilt: head down fills the neck's veins"));
+  draw_ = button("attemptDraw", tr("Draw"), tr("Draw on the syringe, or no longer (B)"));
+  draw_->setCheckable(true);
+  auto* fresh =
+      button("attemptNewNeedle", tr("New needle"), tr("A new needle from the tray, once the old one is out (U)"));
+  grid->addWidget(position_, 0, 0, 1, 2);
+  grid->addWidget(draw_, 1, 0);
+  grid->addWidget(fresh, 1, 1);
+  connect(position_, qOverload<int>(&QComboBox::activated), this,
+          [this] { attempt_.position(position_->currentData().toDouble()); });
+  connect(draw_, &QPushButton::clicked, &attempt_, &AttemptControl::setAspirating);
+  connect(fresh, &QPushButton::clicked, &attempt_, &AttemptControl::replaceNeedle);
+  return page;
+}
+
+QWidget* AttemptPanel::buildRunning() {
+  auto* page = new QWidget;
+  auto* box = column(page);
+  auto* inner = new QWidget;
+  auto* told = column(inner);
+  steps_ = new StepList;
+  numbers_ = words("attemptNumbers", "");
+  numbers_->setTextFormat(Qt::RichText);
+  numbers_->setToolTip(tr("Further metrics of the attempt so far"));
+  told->addWidget(steps_);
+  told->addWidget(numbers_);
+  scroll_ = new QScrollArea;
+  scroll_->setWidget(inner);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  box->addWidget(scroll_);
+  box->addWidget(buildHands());
+  auto* row = new QHBoxLayout;
+  row->setSpacing(ui::kSmallGap);
+  auto* finish = button("attemptFinish", tr("Finish"), tr("End the attempt and see its result (Ctrl+Return)"));
+  ui::setRole(finish, "primary");
+  auto* again = button("attemptAgain", tr("Again"), tr("Abandon this attempt and start another from the beginning"));
+  auto* abandon = button("attemptAbandon", tr("Abandon"), tr("End the attempt; it is kept as abandoned"));
+  for (QPushButton* one : {finish, again, abandon}) row->addWidget(one, 1);
+  box->addLayout(row);
+  connect(finish, &QPushButton::clicked, &attempt_, &AttemptControl::finish);
+  connect(again, &QPushButton::clicked, &attempt_, &AttemptControl::startAgain);
+  connect(abandon, &QPushButton::clicked, &attempt_, &AttemptControl::abandon);
+  return page;
+}
+
+QWidget* AttemptPanel::buildResult() {
+  auto* page = new QWidget;
+  auto* box = column(page);
+  headline_ = words("attemptHeadline", "title");
+  advice_ = words("attemptAdvice", "");
+  errors_ = words("attemptErrors", "");
+  errors_->setTextFormat(Qt::RichText);
+  for (QLabel* one : {headline_, errors_, advice_}) box->addWidget(one);
+  review_ = button("attemptReview", tr("Open in Review"), tr("Replay this attempt, with its events and metrics"));
+  ui::setRole(review_, "primary");
+  box->addWidget(review_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(ui::kSmallGap);
+  auto* again = button("attemptNext", tr("Once more"), tr("Another attempt from the beginning"));
+  auto* leave = button("attemptLeave", tr("Close"), tr("Back to free scanning; the attempt is kept"));
+  row->addWidget(again, 1);
+  row->addWidget(leave, 1);
+  box->addLayout(row);
+  connect(review_, &QPushButton::clicked, this, [this] { Q_EMIT reviewWanted(attempt_.file()); });
+  connect(again, &QPushButton::clicked, &attempt_, &AttemptControl::startAgain);
+  connect(leave, &QPushButton::clicked, &attempt_, &AttemptControl::leave);
+  return page;
+}
+
+void AttemptPanel::refresh() {
+  const State state = attempt_.state();
+  begin_->setVisible(state == State::Idle || state == State::Starting);
+  running_->setVisible(state == State::Running || state == State::Writing);
+  running_->setEnabled(state == State::Running);
+  result_->setVisible(state == State::Over);
+  refreshBegin();
+  if (state == State::Running) {
+    position_->clear();
+    for (const PatientPosition& one : attempt_.procedure().positions)
+      // Only the table can be turned so far, not the head.
+      if (one.head_deg == 0) position_->addItem(QString::fromStdString(one.name), one.tilt_deg);
+  }
+  refreshRunning();
+  if (state == State::Over) refreshResult();
+  fit();
+}
+
+void AttemptPanel::refreshBegin() {
+  procedure_->setCurrentIndex(procedure_->findData(QString::fromStdString(attempt_.procedure().name)));
+  mode_->setCurrentIndex(mode_->findData(int(attempt_.mode())));
+  start_->setEnabled(session_.shown() != nullptr && attempt_.state() == State::Idle);
+  start_->setText(attempt_.state() == State::Starting ? tr("Starting ...") : tr("Start"));
+}
+
+void AttemptPanel::refreshRunning() {
+  const AttemptView& view = attempt_.view();
+  const State state = attempt_.state();
+  const QString procedure = QString::fromStdString(attempt_.procedure().title);
+  const bool silent = attempt_.isSilent();
+  if (state == State::Idle || state == State::Starting) head_->setText(tr("Attempt"));
+  if (state == State::Over || state == State::Writing) head_->setText(tr("Attempt, %1").arg(clockOf(view.time_s)));
+  if (state != State::Running) return;
+  const std::size_t step = view.due ? *view.due + 1 : view.steps.size();
+  head_->setText(silent ? tr("Test, %1").arg(clockOf(view.time_s))
+                        : tr("Step %1 of %2, %3").arg(step).arg(view.steps.size()).arg(clockOf(view.time_s)));
+  head_->setToolTip(procedure);
+  scroll_->setVisible(!silent);
+  const double tilt_deg = session_.tissue().body.tilt_deg;
+  position_->setCurrentIndex(position_->findData(tilt_deg));
+  if (silent) return fit();
+  const bool other = steps_->show(attempt_.procedure(), view);
+  refreshNumbers();
+  if (other) fit();
+}
+
+void AttemptPanel::refreshNumbers() {
+  QString rows;
+  for (const Metric metric : kFurther)
+    rows += QStringLiteral("<tr><td>%1</td><td align='right'>&nbsp;&nbsp;%2</td></tr>")
+                .arg(nameOf(metric).toHtmlEscaped(), valueOf(metric, attempt_.view().metrics));
+  const QString table = QStringLiteral("<table width='100%' cellspacing='0'>%1</table>").arg(rows);
+  if (numbers_->text() != table) numbers_->setText(table);
+}
+
+void AttemptPanel::refreshResult() {
+  const AttemptScore& score = attempt_.score();
+  headline_->setText(headlineOf(score, attempt_.status()));
+  advice_->setText(QString::fromStdString(score.advice));
+  advice_->setVisible(!score.advice.empty());
+  QStringList errors;
+  for (const AttemptMoment& moment : score.criticalErrors)
+    errors << QStringLiteral("<span style='color:%1'>▲</span>&nbsp; <b>%2, %3.</b> %4")
+                  .arg(ui::colour(colourOf(Severity::Critical)).name(), wordOf(Severity::Critical),
+                       clockOf(double(moment.time_us) * 1e-6), QString::fromStdString(moment.say).toHtmlEscaped());
+  errors_->setText(errors.join(QStringLiteral("<br>")));
+  errors_->setVisible(!errors.isEmpty());
+  review_->setEnabled(!attempt_.file().isEmpty());
+}
+
+void AttemptPanel::setMostHeight(int most_px) {
+  if (std::exchange(most_px_, most_px) != most_px) fit();
+}
+
+void AttemptPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fit();
+}
+
+/// What is told has the height that it needs at this width, as far as there is room beside head and buttons.
+void AttemptPanel::fit() {
+  QWidget* inner = scroll_->widget();
+  const int width_px = width() - 24, needs_px = std::max(inner->layout()->heightForWidth(width_px), 40);
+  const int beside_px = 170;
+  scroll_->setFixedHeight(std::min(needs_px, std::max(80, most_px_ - beside_px)));
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QScrollArea;
+
+namespace insonate::train {
+
+class AttemptControl;
+class StepList;
+class TrainSession;
+
+/// Above the controls: which procedure is begun and how, then the steps with what to do and what went wrong, then the
+/// result. In a test nothing of it is told before the end.
+class AttemptPanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  AttemptPanel(TrainSession& session, AttemptControl& attempt, QWidget* parent = nullptr);
+
+  /// As high as what it tells, but no higher than this.
+  void setMostHeight(int most_px);
+
+ Q_SIGNALS:
+  /// A finished attempt's file is to be shown.
+  void reviewWanted(const QString& file);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  QWidget* buildBegin();
+  QWidget* buildRunning();
+  QWidget* buildHands();
+  QWidget* buildResult();
+  QPushButton* button(const char* object, const QString& text, const QString& says);
+  void refresh();
+  void refreshBegin();
+  void refreshRunning();
+  void refreshNumbers();
+  void refreshResult();
+  void fit();
+
+  TrainSession& session_;
+  AttemptControl& attempt_;
+  int most_px_ = 400;
+  QWidget *begin_ = nullptr, *running_ = nullptr, *result_ = nullptr;
+  QComboBox *procedure_ = nullptr, *mode_ = nullptr, *position_ = nullptr;
+  QPushButton *start_ = nullptr, *draw_ = nullptr, *review_ = nullptr;
+  QLabel *head_ = nullptr, *numbers_ = nullptr, *headline_ = nullptr, *advice_ = nullptr, *errors_ = nullptr;
+  QScrollArea* scroll_ = nullptr;
+  StepList* steps_ = nullptr;
+};
+
+}  // namespace insonate::train

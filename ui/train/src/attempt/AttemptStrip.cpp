@@ -1,0 +1,95 @@
+#include "AttemptStrip.h"
+
+#include "../TrainSession.h"
+#include "AttemptControl.h"
+#include "AttemptWords.h"
+#include "SyringeView.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QHBoxLayout>
+#include <QLabel>
+
+namespace insonate::train {
+namespace {
+
+/// From here on there is room for the time to the vein, which the panel tells, too, and for words about the syringe.
+constexpr int kWithTime_px = 640, kWithWords_px = 800;
+
+}  // namespace
+
+AttemptStrip::AttemptStrip(TrainSession& session, AttemptControl& attempt, QWidget* parent)
+    : QWidget(parent), attempt_(attempt), row_(new QHBoxLayout(this)) {
+  setObjectName("attemptStrip");
+  row_->setContentsMargins(8, 4, 8, 0);
+  row_->setSpacing(12);
+  time_ = number("attemptTime", QStringLiteral("88:88"), tr("Time of the attempt, minutes and seconds"));
+  vein_ = number("attemptVein", tr("vein 8"), tr("Punctures of the vein"));
+  artery_ = number("attemptArtery", tr("artery 8"), tr("Punctures of the artery"));
+  double_ = number("attemptDouble", tr("double 8"), tr("Double punctures: out through the vein's back wall"));
+  toVein_ = number("attemptToVein", tr("to vein 888.8 s"), tr("From the skin to the vein within a pass, in s"));
+  used_ = number("attemptUsed", tr("used 8"), tr("Insertions with a needle that was in the skin before"));
+  row_->addStretch(1);
+  needle_ =
+      number("attemptNeedle", QStringLiteral("▲ wrong place"),
+             tr("Where the needle is: green in the vein, red in a wrong place, yellow once used (U takes a new one)"));
+  needle_->setTextFormat(Qt::RichText);
+  drawn_ = number("attemptDrawn", {}, tr("What the syringe draws (B)"));
+  syringe_ = new SyringeView(session, attempt, this);
+  row_->addWidget(syringe_);
+  // The wide one must not keep its column wide.
+  setMinimumWidth(200);
+  connect(&attempt_, &AttemptControl::viewChanged, this, [this] { refresh(); });
+  connect(&attempt_, &AttemptControl::stateChanged, this, [this] { refresh(); });
+  connect(&attempt_, &AttemptControl::aspiratingChanged, this, [this] { refresh(); });
+  connect(syringe_, &SyringeView::changed, this, [this] { drawn_->setText(syringe_->words()); });
+  refresh();
+}
+
+/// As wide as it will get, so that the next one does not move.
+QLabel* AttemptStrip::number(const char* object, const QString& widest, const QString& says) {
+  auto* label = new QLabel(this);
+  label->setObjectName(QLatin1String(object));
+  label->setToolTip(says);
+  label->setMinimumWidth(fontMetrics().horizontalAdvance(widest) + 2);
+  row_->addWidget(label);
+  return label;
+}
+
+void AttemptStrip::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  drawn_->setVisible(width() >= kWithWords_px);
+  row_->setSpacing(width() >= kWithTime_px ? 12 : 7);
+  refresh();
+}
+
+void AttemptStrip::refresh() {
+  using State = AttemptControl::State;
+  const bool made = attempt_.isRunning() || attempt_.state() == State::Writing;
+  setVisible(made || attempt_.isAspirating());
+  const MetricValues& metrics = attempt_.view().metrics;
+  const bool told = made && !attempt_.isSilent();
+  for (QLabel* label : {vein_, artery_, double_, used_}) label->setVisible(told);
+  toVein_->setVisible(told && width() >= kWithTime_px);
+  time_->setVisible(made);
+  time_->setText(clockOf(attempt_.view().time_s));
+  time_->setAccessibleName(tr("Time %1").arg(time_->text()));
+  vein_->setText(tr("vein %1").arg(valueOf(Metric::VeinPunctures, metrics)));
+  artery_->setText(tr("artery %1").arg(valueOf(Metric::ArteryPunctures, metrics)));
+  double_->setText(tr("double %1").arg(valueOf(Metric::DoublePunctures, metrics)));
+  toVein_->setText(tr("to vein %1").arg(valueOf(Metric::TimeToVein, metrics)));
+  used_->setText(tr("used %1").arg(valueOf(Metric::UsedNeedleInsertions, metrics)));
+  needle_->setVisible(made);
+  refreshNeedle();
+}
+
+void AttemptStrip::refreshNeedle() {
+  const NeedlePlace place = attempt_.view().needle;
+  const PlaceWords words = wordsOf(attempt_.isSilent() ? plainly(place) : place);
+  // The sign has the colour: words of that colour would be hard to read.
+  needle_->setText(QStringLiteral("<span style='color:%1'>%2</span> %3")
+                       .arg(ui::colour(words.colour).name(), words.sign, words.words));
+  needle_->setAccessibleName(tr("Needle: %1").arg(words.words));
+}
+
+}  // namespace insonate::train

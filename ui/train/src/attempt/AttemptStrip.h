@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QWidget>
+
+class QHBoxLayout;
+class QLabel;
+
+namespace insonate::train {
+
+class AttemptControl;
+class SyringeView;
+class TrainSession;
+
+/// The line under the picture while an attempt is made: time, the thesis's five metrics, the needle, the syringe. In a
+/// test only what the hands themselves would know.
+class AttemptStrip final : public QWidget {
+ public:
+  AttemptStrip(TrainSession& session, AttemptControl& attempt, QWidget* parent = nullptr);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  QLabel* number(const char* object, const QString& widest, const QString& says);
+  void refresh();
+  void refreshNeedle();
+
+  AttemptControl& attempt_;
+  QHBoxLayout* row_;
+  QLabel *time_, *vein_, *artery_, *double_, *toVein_, *used_, *needle_, *drawn_;
+  SyringeView* syringe_;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,91 @@
+#include "StepList.h"
+
+#include "AttemptWords.h"
+
+#include <insonate/simulator/LiveAttempt.h>
+#include <insonate/ui/Theme.h>
+
+#include <QLabel>
+#include <QStringList>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace insonate::train {
+namespace {
+
+constexpr std::size_t kFindingsShown = 3;
+
+QString coloured(const QString& sign, views::Colour colour) {
+  return QStringLiteral("<span style='color:%1'>%2</span>").arg(ui::colour(colour).name(), sign);
+}
+
+QString plain(const std::string& text) {
+  return QString::fromStdString(text).toHtmlEscaped();
+}
+
+QString lineOf(const ProcedureStep& step, ProcedureRun::StepState state) {
+  QString sign = coloured(QStringLiteral("○"), views::theme::kQuiet);
+  if (state == ProcedureRun::StepState::Done) sign = coloured(QStringLiteral("✓"), views::theme::kGood);
+  if (state == ProcedureRun::StepState::Skipped) sign = coloured(QStringLiteral("–"), views::theme::kQuiet);
+  const bool open = state == ProcedureRun::StepState::Open;
+  const QString optional = step.optional && open ? QObject::tr(", optional") : QString();
+  return sign + QStringLiteral("&nbsp; ") + plain(step.title) + optional;
+}
+
+QLabel* paragraph(const char* object, QVBoxLayout& box) {
+  auto* label = new QLabel;
+  label->setObjectName(QLatin1String(object));
+  label->setTextFormat(Qt::RichText);
+  label->setWordWrap(true);
+  box.addWidget(label);
+  return label;
+}
+
+bool write(QLabel& label, const QString& text) {
+  label.setVisible(!text.isEmpty());
+  if (label.text() == text) return false;
+  label.setText(text);
+  return true;
+}
+
+}  // namespace
+
+StepList::StepList(QWidget* parent) : QWidget(parent) {
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kSmallGap);
+  findings_ = paragraph("attemptFindings", *box);
+  steps_ = paragraph("attemptStepsDone", *box);
+  say_ = paragraph("attemptDue", *box);
+  later_ = paragraph("attemptStepsLater", *box);
+  ui::setRole(steps_, "quiet");
+  ui::setRole(later_, "quiet");
+}
+
+bool StepList::show(const Procedure& procedure, const AttemptView& view) {
+  QStringList before, after;
+  QString due = QObject::tr("<b>All steps are done.</b> Finish the attempt (Ctrl+Return).");
+  for (std::size_t i = 0; i < view.steps.size(); ++i) {
+    const ProcedureStep& step = procedure.steps[i];
+    if (view.due == i)
+      due = coloured(QStringLiteral("▶"), views::theme::kAccent) +
+            QStringLiteral("&nbsp; <b>%1</b><br>%2").arg(plain(step.title), plain(step.say));
+    else
+      (view.due && i > *view.due ? after : before) << lineOf(step, view.steps[i].state);
+  }
+  QStringList findings;
+  const std::size_t count = view.findings.size(), first = count - std::min(count, kFindingsShown);
+  for (std::size_t i = count; i-- > first;) {
+    const ProcedureRule& rule = procedure.rules[view.findings[i].rule];
+    findings << coloured(QStringLiteral("▲"), colourOf(rule.severity)) +
+                    QStringLiteral("&nbsp; <b>%1, %2.</b> %3")
+                        .arg(wordOf(rule.severity), clockOf(double(view.findings[i].time_us) * 1e-6), plain(rule.say));
+  }
+  bool other = write(*findings_, findings.join(QStringLiteral("<br>")));
+  other |= write(*steps_, before.join(QStringLiteral("<br>")));
+  other |= write(*say_, due);
+  other |= write(*later_, after.join(QStringLiteral("<br>")));
+  return other;
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,144 @@
+#include "SyringeView.h"
+
+#include "../TrainSession.h"
+#include "AttemptControl.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace insonate::train {
+namespace {
+
+constexpr int kFrame_ms = 40, kWidth_px = 92, kHeight_px = 22;
+/// A 5 ml syringe in so many seconds.
+constexpr double kVenousFill_s = 4, kArterialFill_s = 2;
+constexpr double kBeats_perMin = 70;
+const QColor kDark(0x6b, 0x14, 0x20), kBright(0xd8, 0x2a, 0x2a), kFoam(0x9f, 0xb4, 0xc2);
+
+QColor colourOf(SyringeView::Content content) {
+  switch (content) {
+    case SyringeView::Content::DarkBlood:
+      return kDark;
+    case SyringeView::Content::BrightBlood:
+      return kBright;
+    default:
+      return kFoam;
+  }
+}
+
+}  // namespace
+
+SyringeView::Content drawnFrom(Label tissue) {
+  switch (tissue) {
+    case kVein:
+      return SyringeView::Content::DarkBlood;
+    case kArtery:
+      return SyringeView::Content::BrightBlood;
+    case kAirway:
+      return SyringeView::Content::Air;
+    default:
+      return SyringeView::Content::Nothing;
+  }
+}
+
+SyringeView::SyringeView(TrainSession& session, AttemptControl& attempt, QWidget* parent)
+    : QWidget(parent), session_(session), attempt_(attempt) {
+  setObjectName("syringe");
+  setToolTip(
+      tr("What the syringe draws (B): dark blood that rises evenly is a vein's, bright blood in beats an artery's, air "
+         "is lung or airway"));
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  timer_.setInterval(kFrame_ms);
+  connect(&timer_, &QTimer::timeout, this, [this] { draw(); });
+  connect(&attempt_, &AttemptControl::aspiratingChanged, this, [this] {
+    attempt_.isAspirating() ? (clock_.start(), timer_.start()) : timer_.stop();
+    tell();
+  });
+  connect(&attempt_, &AttemptControl::needleReplaced, this, [this] { empty(); });
+  connect(&session_, &TrainSession::caseChanged, this, [this] { empty(); });
+  tell();
+}
+
+QSize SyringeView::sizeHint() const {
+  return {kWidth_px, kHeight_px};
+}
+
+void SyringeView::empty() {
+  content_ = Content::Nothing;
+  level_ = beat_ = 0;
+  tell();
+}
+
+void SyringeView::draw() {
+  const double step_s = std::min(0.2, double(clock_.restart()) / 1000);
+  const auto& needle = session_.hands().needle();
+  const Content now = needle && needle->state.inBody ? drawnFrom(needle->state.in) : Content::Nothing;
+  if (now == Content::Nothing) return;
+  const bool other = std::exchange(content_, now) != now;
+  beat_ = std::fmod(beat_ + step_s * kBeats_perMin / 60, 1.0);
+  // Ejection is the first third of a beat.
+  const double flow = now != Content::BrightBlood ? 1 / kVenousFill_s
+                      : beat_ < 0.35              ? 3 * std::sin(beat_ / 0.35 * std::numbers::pi) / kArterialFill_s
+                                                  : 0;
+  level_ = std::min(1.0, level_ + flow * step_s);
+  other ? tell() : update();
+}
+
+void SyringeView::tell() {
+  setAccessibleName(tr("Syringe: %1").arg(words()));
+  update();
+  Q_EMIT changed();
+}
+
+QString SyringeView::words() const {
+  switch (content_) {
+    case Content::DarkBlood:
+      return tr("dark blood, even");
+    case Content::BrightBlood:
+      return tr("bright blood, in beats");
+    case Content::Air:
+      return tr("air");
+    case Content::Nothing:
+      break;
+  }
+  return attempt_.isAspirating() ? tr("draws, nothing comes") : tr("empty");
+}
+
+/// Lying: the needle's end on the left, the plunger on the right.
+void SyringeView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QColor line = ui::colour(attempt_.isAspirating() ? views::theme::kText : views::theme::kQuiet);
+  const QRectF barrel(12, 4, 64, kHeight_px - 8);
+  const bool pulls = attempt_.isAspirating() || level_ > 0;
+  // An artery pushes the plunger with each beat.
+  const double push = content_ == Content::BrightBlood && timer_.isActive() && beat_ < 0.35
+                          ? 2 * std::sin(beat_ / 0.35 * std::numbers::pi)
+                          : 0;
+  const double plunger = barrel.left() + (pulls ? std::max(0.18, level_) : 0.04) * (barrel.width() - 4) + push;
+  if (level_ > 0)
+    painter.fillRect(QRectF(barrel.left(), barrel.top(), plunger - barrel.left(), barrel.height()), colourOf(content_));
+  if (content_ == Content::Air && level_ > 0) {
+    painter.setPen(QPen(ui::colour(views::theme::kGround), 1));
+    for (double x = barrel.left() + 5; x < plunger - 3; x += 8)
+      painter.drawEllipse(QPointF(x, barrel.center().y() + 2 * std::sin(x)), 2.2, 2.2);
+  }
+  painter.setPen(QPen(line, 1));
+  painter.drawRect(barrel);
+  painter.drawLine(QPointF(1, barrel.center().y()), QPointF(barrel.left(), barrel.center().y()));
+  for (int tick = 1; tick < 5; ++tick) {
+    const double x = barrel.left() + tick * barrel.width() / 5;
+    painter.drawLine(QPointF(x, barrel.top()), QPointF(x, barrel.top() + 3));
+  }
+  painter.fillRect(QRectF(plunger, barrel.top() + 1, 4, barrel.height() - 2), line);
+  const double end = std::min<double>(width() - 2, plunger + 24 + (barrel.right() - plunger) * 0.4);
+  painter.drawLine(QPointF(plunger + 4, barrel.center().y()), QPointF(end, barrel.center().y()));
+  painter.drawLine(QPointF(end, barrel.top()), QPointF(end, barrel.bottom()));
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <insonate/tissue/Labels.h>
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+
+class QPaintEvent;
+
+namespace insonate::train {
+
+class AttemptControl;
+class TrainSession;
+
+/// What comes into the syringe while it draws: dark blood that rises evenly from a vein, bright blood that comes in
+/// beats from an artery, air from lung and airway, nothing from elsewhere. It stays there until another needle is
+/// taken.
+class SyringeView final : public QWidget {
+  Q_OBJECT
+
+ public:
+  enum class Content { Nothing, DarkBlood, BrightBlood, Air };
+
+  SyringeView(TrainSession& session, AttemptControl& attempt, QWidget* parent = nullptr);
+
+  Content content() const { return content_; }
+  double level() const { return level_; }  ///< 0..1
+  /// "dark blood, even"
+  QString words() const;
+  QSize sizeHint() const override;
+
+ Q_SIGNALS:
+  void changed();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void draw();
+  void empty();
+  void tell();
+
+  TrainSession& session_;
+  AttemptControl& attempt_;
+  Content content_ = Content::Nothing;
+  double level_ = 0, beat_ = 0;
+  QTimer timer_;
+  QElapsedTimer clock_;
+};
+
+/// What a syringe draws with the needle's tip in this tissue.
+SyringeView::Content drawnFrom(Label tissue);
+
+}  // namespace insonate::train
