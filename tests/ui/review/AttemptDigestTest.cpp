@@ -60,7 +60,6 @@ TEST_F(Digest, TellsWhatTheHandsDidAndWhen) {
   EXPECT_EQ(attempt->placeAt(1'900'000), NeedlePlace::Vein);
   EXPECT_EQ(attempt->placeAt(2'690'000), NeedlePlace::WrongPlace);
   EXPECT_EQ(attempt->placeAt(5'300'000), NeedlePlace::Used);
-  EXPECT_EQ(attempt->tiltAt_deg(100), 15);
   ASSERT_TRUE(attempt->score);
   EXPECT_EQ(attempt->score->metrics[int(Metric::VeinPunctures)].value, 2);
   EXPECT_EQ(attempt->score->metrics[int(Metric::UsedNeedleInsertions)].value, 1);

@@ -35,7 +35,7 @@ void ReviewSession::stop() {
   setPlaying(false);
   surfaces_ = nullptr;
   shownPatient_ = nullptr;
-  picture_.set(nullptr, {});
+  picture_.set(nullptr, nullptr);
 }
 
 void ReviewSession::open(const QString& file, ui::TaskBar& tasks) {
@@ -122,7 +122,7 @@ void ReviewSession::setAwake(bool awake) {
 /// Surfaces are made once for a patient; pictures go while the room is hidden, and come again.
 void ReviewSession::startPatient() {
   const auto patient = attempt_ && fits() ? patient_ : nullptr;
-  picture_.set(awake_ ? patient : nullptr, attempt_ ? attempt_->recording->header() : AttemptHeader{});
+  picture_.set(attempt_ && awake_ ? attempt_->recording : nullptr, patient);
   if (!awake_ || patient == shownPatient_) return;
   shownPatient_ = patient;
   surfaces_ = nullptr;
@@ -159,7 +159,7 @@ void ReviewSession::stepMoment(int by) {
 
 void ReviewSession::show() {
   sample_ = reader_ ? reader_->at(time_us_) : std::nullopt;
-  picture_.show(sample_, attempt_ ? attempt_->tiltAt_deg(time_us_) : 0);
+  picture_.want(sample_ ? std::max(time_us_, sample_->time_us) : time_us_);
   Q_EMIT timeChanged();
 }
 
@@ -204,7 +204,7 @@ QString ReviewSession::message() const {
                 "pictures.")
           .arg(name);
     case CaseFit::Changed:
-      return tr("'%1' has changed since this attempt: pictures may differ from those that the trainee saw.").arg(name);
+      return tr("'%1' has changed since this attempt: hands are shown on it as it is now, without pictures.").arg(name);
     case CaseFit::Looking:
     case CaseFit::Same:
       break;

@@ -33,7 +33,6 @@ class Pass {
  private:
   void take(const AttemptEvent& event) {
     run_.take(event);
-    digest_.events.push_back(event);
     follow(event.time_us);
   }
   void take(const AttemptSample& sample) {
@@ -66,13 +65,6 @@ class Pass {
 NeedlePlace AttemptDigest::placeAt(std::int64_t time_us) const {
   const auto after = std::ranges::upper_bound(places, time_us, {}, &PlaceChange::time_us);
   return after == places.begin() ? NeedlePlace::Clean : std::prev(after)->place;
-}
-
-double AttemptDigest::tiltAt_deg(std::int64_t time_us) const {
-  double tilt_deg = 0;
-  for (const AttemptEvent& event : events)
-    if (event.kind == AttemptEventKind::Positioned && event.time_us <= time_us) tilt_deg = event.tilt_deg;
-  return tilt_deg;
 }
 
 Result<std::shared_ptr<const AttemptDigest>> digestOf(const std::string& file, const Progress& progress) {

@@ -35,16 +35,13 @@ struct AttemptDigest {
     std::int64_t time_us = 0;
     NeedlePlace place = NeedlePlace::Clean;
   };
-  std::vector<PlaceChange> places;  ///< the needle's place from each time on
-  std::vector<AttemptEvent> events;
+  std::vector<PlaceChange> places;     ///< the needle's place from each time on
   std::vector<AttemptMoment> moments;  ///< in order
   /// None where parts are missing, and numbers would be wrong.
   std::optional<AttemptScore> score;
   std::vector<std::string> troubles;
 
   NeedlePlace placeAt(std::int64_t time_us) const;
-  /// How the patient lies then; head down is positive.
-  double tiltAt_deg(std::int64_t time_us) const;
 };
 inline constexpr int kTrack_Hz = 50;
 

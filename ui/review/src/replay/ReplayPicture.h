@@ -1,17 +1,20 @@
 #pragma once
 
+#include <insonate/cases/PatientCase.h>
+#include <insonate/core/Result.h>
 #include <insonate/procedure/AttemptRecording.h>
 #include <insonate/simulator/LiveImaging.h>
-#include <insonate/ui/LiveFeed.h>
 
 #include <QObject>
+#include <QString>
+#include <cstdint>
 #include <memory>
 #include <optional>
 
 namespace insonate::review {
 
-/// The ultrasound picture of a time of an attempt, made off the window's thread; of many times in a row, the latest is
-/// what counts. For the window's thread.
+/// The ultrasound picture of a time of an attempt (AttemptPictures), made off the window's thread, one at a time; of
+/// many times that are wanted meanwhile, the latest is what counts. For the window's thread.
 class ReplayPicture : public QObject {
   Q_OBJECT
 
@@ -19,34 +22,34 @@ class ReplayPicture : public QObject {
   explicit ReplayPicture(QObject* parent = nullptr);
   ~ReplayPicture() override;
 
-  /// What pictures are made of; null for none.
-  void set(std::shared_ptr<const PatientCase> patient, const AttemptHeader& header);
-  /// What the hands do now, and how the patient lies; none without a probe.
-  void show(const std::optional<AttemptSample>& sample, double tilt_deg);
+  /// Whose pictures, and on which patient; null for none. What is in work ends unseen.
+  void set(std::shared_ptr<const AttemptRecording> recording, std::shared_ptr<const PatientCase> patient);
+  void want(std::int64_t time_us);
 
-  /// Null until there is one, and while there is no probe.
+  /// Null until there is one, and where nobody held the probe.
   const std::shared_ptr<const LiveFrame>& shown() const { return shown_; }
-  /// There is a probe, and so a picture to wait for.
-  bool isWanted() const { return wanted_; }
-  /// shown() is of the pose that was asked for last, and nothing more comes.
-  bool isSettled() const;
+  /// shown() is of the time that was wanted last.
+  bool isSettled() const { return !maker_ || madeFor_us_ == wanted_us_; }
+  /// Why there is no picture, a sentence; empty where there is one.
   QString trouble() const { return trouble_; }
+  /// Pictures that were asked of the simulator so far.
+  int made() const { return made_; }
 
  Q_SIGNALS:
   void changed();
 
  private:
-  void news();
-  void start(const AttemptSample& sample);
+  class Maker;
+  void start();
+  void take(const std::shared_ptr<Maker>& maker, std::int64_t time_us,
+            const Result<std::shared_ptr<const LiveFrame>>& frame);
 
-  std::shared_ptr<const PatientCase> patient_;
-  std::optional<ImagingSetup> setup_;
-  Transform pose_;
-  double tilt_deg_ = 0;
-  bool wanted_ = false;
-  QString trouble_;
+  std::shared_ptr<Maker> maker_;
+  std::optional<std::int64_t> wanted_us_, madeFor_us_;
   std::shared_ptr<const LiveFrame> shown_;
-  ui::LiveFeed feed_;
+  QString trouble_;
+  int made_ = 0;
+  bool making_ = false;
 };
 
 }  // namespace insonate::review

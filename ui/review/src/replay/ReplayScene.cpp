@@ -2,6 +2,7 @@
 
 #include "../attempt/Words.h"
 
+#include <insonate/simulator/AttemptSettings.h>
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
@@ -83,7 +84,7 @@ void ReplayScene::showCase() {
   for (const LabelInfo& info : labelTable()) view_->setSurface(info.label, {});
   view_->setCase(case_);
   view_->setProbe(std::nullopt);
-  shape_ = nullptr;
+  settings_.clear();
   widget_->forget();
   showPath();
 }
@@ -94,16 +95,10 @@ void ReplayScene::showPath() {
 
 void ReplayScene::showHands() {
   const auto& sample = session_.sample();
-  const auto& frame = session_.picture().shown();
-  if (frame && frame->setup != shape_) {
-    shape_ = frame->setup;
-    view_->setProbe(shape_->probe, shape_->settings);
-  }
   const bool probe = session_.fits() && sample && sample->patientFromProbe;
   view_->setProbeVisible(probe);
   view_->setImagePlaneVisible(probe);
-  if (probe) view_->setProbePose(*sample->patientFromProbe);
-  if (frame) view_->setImage(frame->image);
+  if (probe) showProbe(*sample);
   const bool needle = sample && sample->patientFromNeedle;
   view_->setNeedle(needle ? std::optional(views::SceneView::Needle{.patientFromNeedle = *sample->patientFromNeedle,
                                                                    .colour = colourOf(session_.needle())})
@@ -111,6 +106,20 @@ void ReplayScene::showHands() {
   if (session_.isPlaying()) view_->setMoving(true);
   rest_.start();
   placeCamera();
+}
+
+/// As it was set, also where its picture cannot be made.
+void ReplayScene::showProbe(const AttemptSample& sample) {
+  const auto text = session_.attempt()->recording->settingsAt(sample.time_us);
+  if (text && *text != settings_) {
+    settings_ = *text;
+    if (const auto settings = parseAttemptSettings(settings_))
+      view_->setProbe(settings->setup.probe, settings->setup.settings);
+  }
+  view_->setProbePose(*sample.patientFromProbe);
+  const auto& frame = session_.picture().shown();
+  if (frame && frame != pictured_) view_->setImage(frame->image);
+  pictured_ = frame;
 }
 
 /// From above the probe, so that needle and picture are seen.

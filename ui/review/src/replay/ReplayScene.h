@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace insonate::ui {
@@ -32,6 +33,7 @@ class ReplayScene : public QObject {
   void showCase();
   void showPath();
   void showHands();
+  void showProbe(const AttemptSample& sample);
   void placeCamera();
 
   ReviewSession& session_;
@@ -39,7 +41,8 @@ class ReplayScene : public QObject {
   ui::ViewWidget* widget_;
   std::shared_ptr<views::VtkCase> case_;
   std::shared_ptr<const PatientCase> shown_;
-  std::shared_ptr<const ImagingSetup> shape_;  ///< of the probe as drawn
+  std::string settings_;  ///< of the probe as drawn
+  std::shared_ptr<const LiveFrame> pictured_;
   bool cameraDue_ = false;
   QTimer follow_, rest_;
   std::function<void()> rested_;
