@@ -1,5 +1,6 @@
 #include "support/SmallCase.h"
 #include "support/TestData.h"
+#include "unit/simulator/LiveProbe.h"
 
 #include <insonate/procedure/AttemptRecorder.h>
 #include <insonate/simulator/AttemptOrigin.h>
@@ -41,11 +42,21 @@ class AttemptPicturesTest : public testing::Test {
     metrics = outcome->metrics;
   }
   AttemptPictures open(const std::string& name = "attempt", bool workAhead = false) const {
+    return open(name, patient, workAhead);
+  }
+  AttemptPictures open(const std::string& name, const std::shared_ptr<const PatientCase>& of,
+                       bool workAhead = false) const {
     auto recording = AttemptRecording::open(folder / name);
-    auto made =
-        AttemptPictures::make(std::make_shared<const AttemptRecording>(std::move(*recording)), patient, workAhead);
+    auto made = AttemptPictures::make(std::make_shared<const AttemptRecording>(std::move(*recording)), of, workAhead);
     EXPECT_TRUE(made) << made.error().message;
     return std::move(*made);
+  }
+  AttemptSample recordedAt(std::int64_t time_us) const {
+    AttemptSample last;
+    EXPECT_TRUE(AttemptRecording::open(folder / "attempt")->play(time_us, [&](const AttemptRecording::Entry& entry) {
+      if (const auto* sample = std::get_if<AttemptSample>(&entry)) last = *sample;
+    }));
+    return last;
   }
   static void expectSame(const LiveFrame& a, const LiveFrame& b) {
     EXPECT_EQ(a.image.grey, b.image.grey);
@@ -80,8 +91,7 @@ TEST_F(AttemptPicturesTest, AFaceInTheSkinPressesAndTheForceIsTheRecordings) {
   EXPECT_GT(hard.force_N, 2 * light.force_N);
   ASSERT_EQ(hard.lumens.size(), 1u);
   EXPECT_LT(hard.lumens[0].area_mm2, 0.95 * hard.lumens[0].rest_mm2) << "the vein gives way";
-  const auto recording = AttemptRecording::open(folder / "attempt");
-  const AttemptSample sample = restored(recording->stretch(0)->samples.at(499));
+  const AttemptSample sample = recordedAt(500'000);
   ASSERT_EQ(sample.time_us, 500'000);
   EXPECT_NEAR(sample.probeForce_N, hard.force_N, kForceQuantum_N);
   EXPECT_NEAR(*metrics[Metric::ProbeForceMost], hard.force_N, 0.3 * hard.force_N) << "tilted, the vein is fuller";
@@ -119,12 +129,43 @@ TEST_F(AttemptPicturesTest, ArePicturesOfTheCase) {
   EXPECT_LE(most, 3) << "of 255: scenes of another extent round otherwise";
 }
 
+/// A live picture that has come to rest, after the tissue was pressed and let go on its way there.
+TEST_F(AttemptPicturesTest, LiveOnesAreNear) {
+  AttemptSettings settings;
+  settings.setup = test::smallSetup();
+  settings.setup.mechanics.model = "elastic";
+  settings.setup.mechanics.settings.mesh_mm = 1;
+  LiveOptions options;
+  options.keepEnvelopes = true, options.workAhead = false;
+  const auto pressed = [](double in_mm) { return *patientFromProbe({0, in_mm, 0}, {0, 1, 0}, {1, 0, 0}); };
+  const auto wide = test::wideCase();
+  test::Live live(pressed(0), settings.setup, options, wide);
+  for (const double in_mm : {1.0, 3.0, 5.0, 4.0, 3.0}) live.frameAt(pressed(in_mm));
+  ASSERT_TRUE(live.until([&] { return live->latest()->press.settled; }, std::chrono::seconds(30)));
+  const Frame seen = live->latest();
+  ASSERT_GT(seen->press.force_N, 0.1);
+
+  auto recorder =
+      AttemptRecorder::start(folder / "live", {.caseHash = caseHashOf(*wide), .settings = textOf(settings)});
+  (*recorder)->put(AttemptSample{.time_us = 1000, .patientFromProbe = seen->patientFromProbe, .pictureDepth_mm = 25});
+  ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
+  const Frame again = *open("live", wide).at(1000);
+  EXPECT_NEAR(again->press.force_N, seen->press.force_N, 0.02 * seen->press.force_N);
+  double difference = 0, sum = 0;
+  for (std::size_t i = 0; i < seen->envelope.amplitude.size(); ++i) {
+    difference += std::pow(again->envelope.amplitude[i] - seen->envelope.amplitude[i], 2);
+    sum += std::pow(seen->envelope.amplitude[i], 2);
+  }
+  RecordProperty("envelope_difference_percent", std::to_string(100 * std::sqrt(difference / sum)));
+  EXPECT_LT(std::sqrt(difference / sum), 0.05);
+}
+
 /// While the picture stands still, the hands go on.
 TEST_F(AttemptPicturesTest, AFrozenPictureStays) {
   const auto recording = AttemptRecording::open(folder / "attempt");
   AttemptHeader header = recording->header();
   auto recorder = AttemptRecorder::start(folder / "frozen", header);
-  AttemptSample sample = restored(recording->stretch(0)->samples.at(499));
+  AttemptSample sample = recordedAt(500'000);
   (*recorder)->put(sample);
   sample.patientFromProbe->offset.x += 5, sample.pictureDepth_mm = 0;
   for (sample.time_us = 600'000; sample.time_us < 3'000'000; sample.time_us += 100'000) (*recorder)->put(sample);
