@@ -6,15 +6,18 @@
 
 #include <gmock/gmock.h>
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
+#include <QHelpEvent>
 #include <QImage>
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
 #include <QTableWidget>
 #include <QToolButton>
+#include <QToolTip>
 #include <QWheelEvent>
 
 namespace insonate::review {
@@ -61,6 +64,10 @@ TEST_F(ReviewWindow, ATimelineIsClickedDraggedAndMagnified) {
   QTest::mouseClick(&line, Qt::LeftButton, {}, {line.xOf(vein->time_us) + 2, 8});
   EXPECT_EQ(session_->time_us(), vein->time_us);
   EXPECT_EQ(line.momentAt({line.xOf(vein->time_us), line.height() - 5}), -1) << "marks are at the top";
+  const QPoint mark(line.xOf(vein->time_us), 8);
+  QHelpEvent hover(QEvent::ToolTip, mark, line.mapToGlobal(mark));
+  QApplication::sendEvent(&line, &hover);
+  EXPECT_TRUE(QToolTip::text().contains(QString::fromStdString(vein->say))) << QToolTip::text().toStdString();
   // Magnified about the pointer, whose time stays under it.
   const QPoint at(line.xOf(4'000'000), y);
   QWheelEvent wheel(QPointF(at), line.mapToGlobal(at), {}, {0, 240}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
@@ -146,6 +153,11 @@ TEST_F(ReviewWindow, AMomentIsGoneToByAClick) {
   EXPECT_EQ(session_->time_us(), session_->attempt()->moments[std::size_t(row)].time_us);
   session_->setTime(0);
   EXPECT_LT(list->currentRow(), row) << "the list follows the time";
+  EXPECT_TRUE(child<QWidget>("resultPage")->isVisible()) << "an attempt opens with its result";
+  list->setCurrentRow(row);
+  QTest::keyClick(list, Qt::Key_Return);
+  EXPECT_TRUE(child<QWidget>("replayPicture")->isVisible()) << "Enter shows the moment's picture";
+  EXPECT_EQ(session_->time_us(), session_->attempt()->moments[std::size_t(row)].time_us);
 }
 
 TEST_F(ReviewWindow, TheResultHasTheRecordingsNumbers) {

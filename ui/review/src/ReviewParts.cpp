@@ -61,6 +61,7 @@ ReviewWorkspace::Parts::Parts(ReviewWorkspace& workspace, ui::TaskBar& taskBar)
   pages_->addWidget(list);
   pages_->addWidget(page_);
   connectParts();
+  showTab(kResult);
   refreshReady();
 }
 
@@ -110,7 +111,6 @@ QWidget* ReviewWorkspace::Parts::buildTabs() {
   };
   add(kReplay, "replayTab", tr("Replay"), tr("The ultrasound picture of each moment (1)"));
   add(kResult, "resultTab", tr("Result"), tr("Points, metrics, and the needle's way (2)"));
-  tabs_->button(kReplay)->setChecked(true);
   connect(tabs_, &QButtonGroup::idClicked, this, [this](int tab) { showTab(tab); });
   auto* save = new QAction(ui::icon(QStringLiteral("save")), tr("Save result ..."), &workspace_);
   save->setObjectName(QStringLiteral("saveResult"));
@@ -159,12 +159,12 @@ QWidget* ReviewWorkspace::Parts::buildCentre() {
   pictureWidget_ = new ui::ViewWidget(picture_, tr("Ultrasound picture of that moment"));
   pictureWidget_->setObjectName(QStringLiteral("replayPicture"));
   scene_ = new ReplayScene(session, this);
+  connect(moments, &MomentList::entered, this, [this] { showTab(kReplay); });
   columns_->addWidget(moments);
   centre_ = new QStackedWidget;
   centre_->addWidget(pictureWidget_);
   centre_->addWidget(new ResultPage(session));
   path_ = new PathPane(session);
-  path_->hide();
   auto* right = new QSplitter(Qt::Vertical);
   right->setChildrenCollapsible(false);
   right->addWidget(&scene_->widget());

@@ -34,6 +34,7 @@ MomentList::MomentList(ReviewSession& session, QWidget* parent) : QListWidget(pa
   setAccessibleName(tr("Moments that mattered"));
   setToolTip(tr("What happened, and what went wrong; a click goes there"));
   setWordWrap(true);
+  setTextElideMode(Qt::ElideNone);
   setIconSize({kMark_px, kMark_px});
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setResizeMode(QListView::Adjust);
@@ -43,9 +44,18 @@ MomentList::MomentList(ReviewSession& session, QWidget* parent) : QListWidget(pa
     session_.setTime(item->data(Qt::UserRole).toLongLong());
   };
   connect(this, &QListWidget::itemClicked, this, go);
-  connect(this, &QListWidget::itemActivated, this, go);
+  connect(this, &QListWidget::itemActivated, this, [this, go](QListWidgetItem* item) {
+    go(item);
+    Q_EMIT entered();
+  });
   connect(&session_, &ReviewSession::attemptChanged, this, [this] { fill(); });
   connect(&session_, &ReviewSession::timeChanged, this, [this] { follow(); });
+}
+
+/// Words wrap anew, also where a scroll bar has come.
+void MomentList::resizeEvent(QResizeEvent* event) {
+  QListWidget::resizeEvent(event);
+  scheduleDelayedItemsLayout();
 }
 
 void MomentList::fill() {

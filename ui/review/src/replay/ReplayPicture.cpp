@@ -17,7 +17,7 @@ class ReplayPicture::Maker {
       : recording_(std::move(recording)), patient_(std::move(patient)) {}
 
   Result<std::shared_ptr<const LiveFrame>> at(std::int64_t time_us) {
-    if (!pictures_) pictures_ = AttemptPictures::make(recording_, patient_);
+    if (!pictures_) pictures_ = AttemptPictures::make(recording_, patient_, true);
     if (!*pictures_) return tl::unexpected(pictures_->error());
     return (*pictures_)->at(time_us);
   }
@@ -30,9 +30,13 @@ class ReplayPicture::Maker {
 
 ReplayPicture::ReplayPicture(QObject* parent) : QObject(parent) {}
 
-ReplayPicture::~ReplayPicture() = default;
+ReplayPicture::~ReplayPicture() {
+  set(nullptr, nullptr);
+}
 
 void ReplayPicture::set(std::shared_ptr<const AttemptRecording> recording, std::shared_ptr<const PatientCase> patient) {
+  // Its threads end within a fraction of a second, which is too long for the window.
+  if (maker_) (void)QtConcurrent::run([old = std::exchange(maker_, nullptr)] {});
   maker_ = recording && patient ? std::make_shared<Maker>(std::move(recording), std::move(patient)) : nullptr;
   wanted_us_.reset(), madeFor_us_.reset();
   shown_ = nullptr;

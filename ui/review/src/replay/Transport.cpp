@@ -13,6 +13,12 @@
 #include <QSignalBlocker>
 
 namespace insonate::review {
+namespace {
+
+/// Less is printed as 0.0.
+constexpr double kFelt_N = 0.05;
+
+}  // namespace
 
 Transport::Transport(ReviewSession& session, QWidget* parent)
     : QWidget(parent),
@@ -98,7 +104,7 @@ QString Transport::handsNow() const {
   if (sample->needleDepth_mm) words << tr("%1 mm deep").arg(*sample->needleDepth_mm, 0, 'f', 1);
   if (sample->aspirating) words << tr("aspirating");
   if (!sample->patientFromProbe) words << tr("no probe");
-  if (sample->probeForce_N > 0) words << tr("probe presses with %1 N").arg(sample->probeForce_N, 0, 'f', 1);
+  if (sample->probeForce_N >= kFelt_N) words << tr("probe presses with %1 N").arg(sample->probeForce_N, 0, 'f', 1);
   return words.join(QStringLiteral("   "));
 }
 

@@ -10,7 +10,7 @@
 namespace insonate::review {
 namespace {
 
-constexpr int kRow_px = 26, kNumber_px = 84, kBar_px = 170;
+constexpr int kRow_px = 26, kNumber_px = 84;
 
 int alignmentOf(int column) {
   const bool left = column == MetricTableView::kName || column == MetricTableView::kExpert;
@@ -56,9 +56,9 @@ MetricTableView::MetricTableView(QWidget* parent) : QTableWidget(parent) {
   QHeaderView* header = horizontalHeader();
   header->setHighlightSections(false);
   header->setSectionResizeMode(QHeaderView::Fixed);
-  header->setSectionResizeMode(kName, QHeaderView::Stretch);
+  header->setSectionResizeMode(kName, QHeaderView::ResizeToContents);
+  header->setSectionResizeMode(kBar, QHeaderView::Stretch);
   for (const Column column : {kValue, kNovice, kExpert}) header->resizeSection(column, kNumber_px);
-  header->resizeSection(kBar, kBar_px);
   setItemDelegateForColumn(kBar, new Bars(*this));
 }
 

@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace insonate::review {
 namespace {
@@ -78,6 +79,34 @@ void paintScale(QPainter& painter, const QRectF& inner, const QRectF& place_mm, 
   }
 }
 
+/// Of the tip's way, as long as it is drawn in one manner.
+struct Piece {
+  NeedlePlace place;
+  bool seen;  ///< within the picture's slice
+  std::vector<Vec3> tips_probe;
+};
+
+std::vector<Piece> piecesOf(const AttemptDigest& attempt) {
+  const double slice_mm = attempt.recording->header().picture.sliceHalf_mm;
+  std::vector<Piece> pieces;
+  bool broken = true;
+  for (const TrackPoint& point : attempt.track) {
+    if (!point.needleDepth_mm || !point.tip_probe) {
+      broken = true;
+      continue;
+    }
+    const bool seen = std::abs(point.tip_probe->y) <= slice_mm;
+    if (broken || pieces.back().place != point.place || pieces.back().seen != seen) {
+      // Pieces of one way meet.
+      const auto join = broken ? std::vector<Vec3>{} : std::vector<Vec3>{pieces.back().tips_probe.back()};
+      pieces.push_back({point.place, seen, join});
+      broken = false;
+    }
+    pieces.back().tips_probe.push_back(*point.tip_probe);
+  }
+  return pieces;
+}
+
 QColor inkOf(NeedlePlace place, const ResultInk& ink) {
   return place == NeedlePlace::Vein ? ink.good : place == NeedlePlace::WrongPlace ? ink.danger : ink.text;
 }
@@ -124,14 +153,12 @@ void paintPlane(QPainter& painter, const QRectF& place, const AttemptDigest& att
     return inner.topLeft() +
            QPointF(tip_probe.x - section.place_mm.left(), tip_probe.z - section.place_mm.top()) * scale;
   };
-  const double slice_mm = attempt.recording->header().picture.sliceHalf_mm;
   painter.setClipRect(inner);
-  for (std::size_t i = 1; i < attempt.track.size(); ++i) {
-    const TrackPoint &a = attempt.track[i - 1], &b = attempt.track[i];
-    if (!a.needleDepth_mm || !b.needleDepth_mm || !a.tip_probe || !b.tip_probe) continue;
-    const bool seen = std::abs(b.tip_probe->y) <= slice_mm;
-    painter.setPen(QPen(inkOf(b.place, ink), seen ? 2.4 : 1, seen ? Qt::SolidLine : Qt::DotLine, Qt::RoundCap));
-    painter.drawLine(at(*a.tip_probe), at(*b.tip_probe));
+  for (const Piece& piece : piecesOf(attempt)) {
+    QPolygonF line;
+    for (const Vec3& tip : piece.tips_probe) line << at(tip);
+    painter.setPen(QPen(inkOf(piece.place, ink), piece.seen ? 2.4 : 1.4, piece.seen ? Qt::SolidLine : Qt::DotLine));
+    painter.drawPolyline(line);
   }
   painter.restore();
 }

@@ -20,6 +20,8 @@ namespace {
 /// The page is laid out in these units, tenths of a millimetre.
 constexpr double kWidth = 2100, kHeight = 2970, kMargin = 150;
 constexpr double kRow = 47, kTitle = 64, kText = 36, kSmall = 30;
+/// Of these to a pixel, for what has sizes of a screen.
+constexpr double kScreen = 2.6;
 constexpr std::size_t kMostMoments = 9;
 constexpr int kPdf_dpi = 300, kPng_dpi = 150;
 constexpr double kTenths_perInch = 254;
@@ -47,8 +49,11 @@ class Page {
     const double left = kMargin + 1190, width = kWidth - kMargin - left;
     heading(QRectF(left, tableTop, width, kRow), tr("Tip in the picture's plane, mm"));
     QRectF plane(left, tableTop + kRow, width, 560);
-    painter_.setFont(sized(kSmall));
-    paintPlane(painter_, plane, attempt_, section, ink_);
+    painter_.save();
+    painter_.scale(kScreen, kScreen);
+    painter_.setFont(sized(kSmall / kScreen));
+    paintPlane(painter_, QRectF(plane.topLeft() / kScreen, plane.size() / kScreen), attempt_, section, ink_);
+    painter_.restore();
     if (!scene.isNull()) {
       heading(QRectF(left, plane.bottom() + 20, width, kRow), tr("In 3D"));
       const QSizeF size = QSizeF(scene.size()).scaled(width, 560, Qt::KeepAspectRatio);
@@ -141,17 +146,15 @@ void Page::metrics(const QRectF& place) {
     row(valueOf(metric, score.value), score.norm ? norm(score.norm->novice) : tr("n/a"),
         score.norm ? norm(score.norm->expert) : tr("n/a"), score.value ? ink_.text : ink_.quiet);
     painter_.save();
-    // The bar's sizes are those of a screen.
-    constexpr double kScale = 2.6;
-    painter_.scale(kScale, kScale);
-    paintNormBar(painter_, QRectF(bar / kScale, y_ / kScale, 200 / kScale, kRow / kScale), score, ink_);
+    painter_.scale(kScreen, kScreen);
+    paintNormBar(painter_, QRectF(bar / kScreen, y_ / kScreen, 200 / kScreen, kRow / kScreen), score, ink_);
     painter_.restore();
     y_ += kRow;
   }
 }
 
 void Page::moments() {
-  y_ = std::max(y_ + 30, 0.0);
+  y_ += 30;
   heading(QRectF(kMargin, y_, 900, kRow), tr("Moments that mattered"));
   y_ += kRow + 6;
   painter_.setFont(sized(kSmall));
