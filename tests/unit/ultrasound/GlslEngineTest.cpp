@@ -71,6 +71,24 @@ TEST_F(GlslEngine, ANewSceneAtTheSameAddressIsSeen) {
   }
 }
 
+TEST_F(GlslEngine, ASceneIsUploadedOnceForAllEnginesAndSettings) {
+  const auto first = sceneOf(kBone), second = sceneOf(kAirway);
+  const auto one = *makeEngine("glsl"), other = *makeEngine("glsl");
+  one->prepare(probe_, settings_);
+  const auto& scenes = (*glsl::Device::shared())->scenes();
+  const int before = scenes.uploads();
+  const EnvelopeFrame truth = frameOf(*one, *first);
+  for (int i = 0; i < 3; ++i) {
+    settings_.gain_dB += 1;
+    one->prepare(probe_, settings_), other->prepare(probe_, settings_);
+    frameOf(*one, *first), frameOf(*other, *second), frameOf(*one, *second), frameOf(*one, *first);
+  }
+  EXPECT_EQ(scenes.uploads() - before, 2);
+  for (int i = 0; i < 3; ++i) frameOf(*other, *sceneOf(kBone, 10 + i));  // as many as are kept
+  EXPECT_EQ(frameOf(*one, *first).amplitude, truth.amplitude) << "and comes back once forgotten";
+  EXPECT_EQ(scenes.uploads() - before, 6);
+}
+
 TEST_F(GlslEngine, OtherSettingsAreTakenOver) {
   const auto scene = sceneOf(kBone);
   const auto engine = *makeEngine("glsl");

@@ -93,14 +93,10 @@ Result<void> CardFrame::allocate(const gpu::Current& current) {
 Result<void> CardFrame::upload(const gpu::Current& current, const AcousticScene::Impl& scene,
                                const Transform& patientFromProbe, const PlaneDisplacement& displacement) {
   FrameBlock& block = tables_.block;
-  if (scene_ != scene.serial) {
-    scene_ = 0;
-    const std::vector<std::int32_t> words = sceneWords(scene, block);
-    auto buffer = gpu::Buffer::of(current, std::span(words));
-    if (!buffer) return tl::unexpected(buffer.error());
-    sceneWords_ = std::move(*buffer);
-    scene_ = scene.serial;
-  }
+  auto volumes = device_->scenes().of(current, scene);
+  if (!volumes) return tl::unexpected(volumes.error());
+  volumes_ = std::move(*volumes);
+  setScene(scene, block);
   setPose(plan_, scene, patientFromProbe, block);
   if (auto ok = uploadDisplacement(current, displacement.empty() ? kAtRest : displacement); !ok) return ok;
   pointEchoes_ = 0;
@@ -136,7 +132,7 @@ void CardFrame::bindShared(const gpu::Current& current) const {
   block_.bindUniform(current, 0);
   if (thesis_) thesisBlock_.bindUniform(current, 1);
   displacement_.bind(current, 0);
-  sceneWords_.bindStorage(current, kSceneSlot);
+  volumes_->bindStorage(current, kSceneSlot);
   device_->tiles().bindStorage(current, kTilesSlot);
   planTable_.bindStorage(current, kPlanSlot);
   contacts_.bindStorage(current, kContactsSlot);

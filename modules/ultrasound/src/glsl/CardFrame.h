@@ -11,8 +11,8 @@
 
 namespace insonate::glsl {
 
-/// Frames of one probe with one set of settings on the card. What follows from these is uploaded once, a scene when it
-/// is first seen, and in every frame a block of parameters and the displacement.
+/// Frames of one probe with one set of settings on the card. What follows from these is uploaded once, a scene once
+/// for all (SceneStore.h), and in every frame a block of parameters and the displacement.
 class CardFrame {
  public:
   static Result<std::unique_ptr<CardFrame>> make(std::shared_ptr<const Device> device, const Probe& probe,
@@ -50,10 +50,10 @@ class CardFrame {
   std::vector<float> needleWords_;
   std::optional<thesis::ThesisPlan> thesis_;  ///< where the settings ask for its look
   PlanTables tables_;
-  std::uint64_t scene_ = 0;  ///< whose data the card has
+  std::shared_ptr<const gpu::Buffer> volumes_;  ///< of the scene shown last
 
   // Kept for as long as the settings.
-  gpu::Buffer planTable_, kernels_, repeats_, block_, thesisBlock_, sceneWords_;
+  gpu::Buffer planTable_, kernels_, repeats_, block_, thesisBlock_;
   gpu::Buffer contacts_, shifts_, nodes_, cells_, samples_, crossings_, gasGates_, points_, map_;
   gpu::Buffer echo_, blurred_, envelope_, needleBuffer_;
   gpu::PairTexture displacement_;

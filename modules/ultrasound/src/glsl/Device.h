@@ -1,5 +1,7 @@
 #pragma once
 
+#include "glsl/SceneStore.h"
+
 #include <insonate/gpu/Context.h>
 #include <insonate/gpu/Memory.h>
 #include <insonate/gpu/Program.h>
@@ -45,7 +47,7 @@ std::string shaderText(std::string_view name, const EditedFile& edited = {});
 /// Constants of the model as the shaders know them, from those of C++.
 std::string constantsText();
 
-/// What engines of one process share: a context, the shaders, the textures' tiles.
+/// What engines of one process share: a context, the shaders, the textures' tiles, scenes.
 class Device {
  public:
   /// Made at the first call, which takes as long as the driver's compiler does; anew after a loss. Fails with a
@@ -57,6 +59,7 @@ class Device {
   gpu::Context& context() const { return *context_; }
   const gpu::Program& program(Stage stage) const { return *programs_[std::size_t(stage)]; }
   const gpu::Buffer& tiles() const { return *tiles_; }
+  SceneStore& scenes() const { return *scenes_; }
 
  private:
   static Result<std::shared_ptr<const Device>> make();
@@ -68,6 +71,7 @@ class Device {
   std::shared_ptr<gpu::Context> context_;
   std::vector<std::shared_ptr<const gpu::Program>> programs_;  ///< [stage]
   std::shared_ptr<const gpu::Buffer> tiles_;
+  std::shared_ptr<SceneStore> scenes_ = std::make_shared<SceneStore>();
 };
 
 /// First byte of each tile in the device's buffer, by Texture, and last that of patchTile().

@@ -36,6 +36,17 @@ void setRows(Transform cellFromProbe, double rounding, Rows& rows, Int4& base) {
           0};
 }
 
+/// Where the words of a scene begin. Channels without a structure stay behind.
+struct WordsOfScene {
+  explicit WordsOfScene(const TissueField& field)
+      : node((field.channels + 1) / 2),
+        ct(field.distance.size() * node),
+        profiles(ct + (field.distance.size() + 1) / 2) {}
+
+  std::size_t node;  ///< words of one node
+  std::size_t ct, profiles;
+};
+
 std::int32_t effectBits(const Effects& e) {
   std::int32_t bits = 0;
   const auto add = [&](bool on, EffectBit bit) { bits |= on ? bit : 0; };
@@ -129,22 +140,24 @@ PlanTables::PlanTables(const FramePlan& p, bool thesis) {
   }
 }
 
-std::vector<std::int32_t> sceneWords(const AcousticScene::Impl& scene, FrameBlock& block) {
+std::vector<std::int32_t> sceneWords(const AcousticScene::Impl& scene) {
   const TissueField& field = scene.field;
-  // Channels without a structure stay behind.
-  const std::size_t nodes = field.distance.size(), nodeWords = (field.channels + 1) / 2;
-  const std::size_t distanceWords = nodes * nodeWords, ctWords = (nodes + 1) / 2;
+  const WordsOfScene at(field);
   const auto& profiles = scene.profiles.entries();
-  std::vector<std::int32_t> words(distanceWords + ctWords + profiles.size());
-  for (std::size_t n = 0; n < nodes; ++n)
-    std::memcpy(words.data() + n * nodeWords, field.distance[n].to, nodeWords * 4);
-  std::memcpy(words.data() + distanceWords, field.ctDeviation.data(), nodes * 2);
-  std::memcpy(words.data() + distanceWords + ctWords, profiles.data(), profiles.size() * 4);
-  block.ctWords = static_cast<std::int32_t>(distanceWords);
-  block.profileWords = static_cast<std::int32_t>(distanceWords + ctWords);
-  block.fieldSize = {field.size[0], field.size[1], field.size[2], static_cast<std::int32_t>(nodeWords)};
-  block.channels = field.channels, block.backgroundChannel = field.backgroundChannel;
+  std::vector<std::int32_t> words(at.profiles + profiles.size());
+  for (std::size_t n = 0; n < field.distance.size(); ++n)
+    std::memcpy(words.data() + n * at.node, field.distance[n].to, at.node * 4);
+  std::memcpy(words.data() + at.ct, field.ctDeviation.data(), field.distance.size() * 2);
+  std::memcpy(words.data() + at.profiles, profiles.data(), profiles.size() * 4);
   return words;
+}
+
+void setScene(const AcousticScene::Impl& scene, FrameBlock& block) {
+  const TissueField& field = scene.field;
+  const WordsOfScene at(field);
+  block.ctWords = static_cast<std::int32_t>(at.ct), block.profileWords = static_cast<std::int32_t>(at.profiles);
+  block.fieldSize = {field.size[0], field.size[1], field.size[2], static_cast<std::int32_t>(at.node)};
+  block.channels = field.channels, block.backgroundChannel = field.backgroundChannel;
 }
 
 void setPose(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe,

@@ -22,8 +22,9 @@ struct PlanTables {
   FrameBlock block{};           ///< with what is the same in every frame
 };
 
-/// Distances, CT and profiles as words, see shaders/field.glsl; the block gets where each begins.
-std::vector<std::int32_t> sceneWords(const AcousticScene::Impl& scene, FrameBlock& block);
+/// Distances, CT and profiles as words, see shaders/field.glsl; and where among them each begins.
+std::vector<std::int32_t> sceneWords(const AcousticScene::Impl& scene);
+void setScene(const AcousticScene::Impl& scene, FrameBlock& block);
 
 /// What the pose and the scene decide.
 void setPose(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe,

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "scene/SceneData.h"
+
+#include <insonate/gpu/Memory.h>
+
+#include <memory>
+#include <vector>
+
+namespace insonate::glsl {
+
+/// Volumes of the scenes that were seen last, on the card for all engines of the process, whatever their probes and
+/// settings: a scene is uploaded once. Used by whoever has the context current, so by one thread at a time.
+class SceneStore {
+ public:
+  /// Uploads what is not there. Fails where the card has no room for it, even without the others.
+  Result<std::shared_ptr<const gpu::Buffer>> of(const gpu::Current& current, const AcousticScene::Impl& scene);
+
+  int uploads() const { return uploads_; }
+
+ private:
+  /// A live probe shows one scene while the next is made; and a second picture may show another.
+  static constexpr std::size_t kKept = 3;
+  struct Kept {
+    std::uint64_t serial = 0;
+    std::shared_ptr<const gpu::Buffer> volumes;
+  };
+  std::vector<Kept> kept_;  ///< latest first
+  int uploads_ = 0;
+};
+
+}  // namespace insonate::glsl
