@@ -15,7 +15,7 @@ class Balance : public testing::Test {
   Balance() {
     plane.press_mm = kPress_mm;
     mesh.build(plane, face, {.mesh_mm = 1});
-    materials.fill(mesh, table);
+    materials.fill(mesh, plane, table);
   }
 
   static constexpr double kPress_mm = 6;

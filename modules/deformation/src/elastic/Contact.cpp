@@ -6,6 +6,7 @@ namespace insonate::elastic {
 
 void Contact::prepare(const Nodes& rest, int columns) {
   columns_ = columns;
+  restX_.assign(rest.x.begin(), rest.x.begin() + columns);
   met_.clear();
   length_.assign(columns, 0.0f);
   for (int i = 0; i + 1 < columns; ++i) {
@@ -20,6 +21,8 @@ void Contact::meet(const FaceProfile& face, const Nodes& at) {
   added_.assign(columns_, 0);
   if (touched_.size() != std::size_t(columns_)) touched_.assign(columns_, 0);
   touching_ = touched_;
+  stuckX_.resize(columns_);
+  for (int i = 0; i < columns_; ++i) stuckX_[i] = touched_[i] ? restX_[i] : at.x[i];
   const bool again = met_.size() == std::size_t(columns_);
   met_.resize(columns_);
   for (int i = 0; i < columns_; ++i) {
@@ -36,18 +39,20 @@ void Contact::settle() {
   std::fill(touching_.begin(), touching_.end(), 0);
 }
 
-void Contact::add(float shift_mm, bool sticking, const Nodes& rest, const Nodes& at, GridMatrix& matrix,
-                  std::vector<float>& force) {
+void Contact::add(float shift_mm, bool sticking, const Nodes& at, GridMatrix& matrix, std::vector<float>& force) {
   for (int i = 0; i < columns_; ++i) {
     const FaceProfile::Point p = profile_[i];
     const float depth = p.z_mm + shift_mm - at.z[i];
     added_[i] = touches(i, depth);
-    if (!added_[i]) continue;
+    if (!added_[i]) {
+      stuckX_[i] = at.x[i];
+      continue;
+    }
     const float k = kStiffness_kPa_mm * length_[i];
     force[2 * i + 1] += k * depth;
     matrix.value[2][i] += k;
     if (sticking) {
-      force[2 * i] -= k * (at.x[i] - rest.x[i]);
+      force[2 * i] -= k * (at.x[i] - stuckX_[i]);
       matrix.value[0][i] += k;
     }
   }

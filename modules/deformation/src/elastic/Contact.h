@@ -29,9 +29,8 @@ class Contact {
   void settle();
 
   /// Adds spring and push to the top row; the face is `shift_mm` further in. With `sticking`, nodes that touch keep
-  /// the x that they have in `rest`.
-  void add(float shift_mm, bool sticking, const Nodes& rest, const Nodes& at, GridMatrix& matrix,
-           std::vector<float>& force);
+  /// the x at which they came to do so: that at rest for those that the first round finds touching.
+  void add(float shift_mm, bool sticking, const Nodes& at, GridMatrix& matrix, std::vector<float>& force);
 
   /// kPa mm: on the face along z, a millimetre of footprint.
   float pressing(float shift_mm, const Nodes& at) const;
@@ -49,7 +48,7 @@ class Contact {
 
  private:
   int columns_ = 0;
-  std::vector<float> length_, met_;
+  std::vector<float> length_, met_, restX_, stuckX_;
   std::vector<FaceProfile::Point> profile_;
   std::vector<char> touching_, touched_, added_;
   bool touches(int column, float depth_mm) const {

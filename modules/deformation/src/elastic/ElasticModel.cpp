@@ -77,7 +77,7 @@ class ElasticModel final : public DeformationModel {
     const bool carry = solved_ && input.patientFromProbe && last_;
     if (carry) before_.keep(mesh_, solver_);
     mesh_.build(*input.plane, input.face, settings_);
-    materials_.fill(mesh_, tissues_);
+    materials_.fill(mesh_, *input.plane, tissues_);
     const bool lasts = carry && stressLasts(*input.patientFromProbe);
     solver_.prepare(mesh_, materials_, tissues_, lasts ? &carriedStress_ : nullptr);
     if (!lasts && input.patientFromProbe) {

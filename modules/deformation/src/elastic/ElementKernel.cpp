@@ -80,9 +80,11 @@ HWY_INLINE Pressure pressureOf(const Elements& e, std::size_t n, V twice, V area
   const V below = hn::Sub(j, hn::Set(d, Elements::kShutBelow));
   const auto closed = hn::Lt(below, hn::Zero(d));
   Pressure p;
-  p.value = hn::MulAdd(bulk, hn::Sub(j, hn::Set(d, 1.0f)), hn::LoadU(d, e.base.data() + n));
+  const V wider = hn::Sub(j, hn::Set(d, 1.0f));
+  const V slope = hn::Add(bulk, hn::IfThenElseZero(hn::Gt(wider, hn::Zero(d)), hn::LoadU(d, e.hoop.data() + n)));
+  p.value = hn::MulAdd(slope, wider, hn::LoadU(d, e.base.data() + n));
   p.value = hn::IfThenElse(closed, hn::MulAdd(shut, below, p.value), p.value);
-  p.slope = hn::Add(bulk, hn::IfThenElseZero(closed, shut));
+  p.slope = hn::Add(slope, hn::IfThenElseZero(closed, shut));
   return p;
 }
 
@@ -241,7 +243,7 @@ void Elements::resize(int c, int r) {
   columns = c, rows = r;
   const std::size_t size = std::size_t(c) * r + GridMatrix::kPadding;
   for (auto& v : m) v.assign(size, 0.0f);
-  for (auto* v : {&area, &mu, &bulk, &shut, &guarded, &base, &carried}) v->assign(size, 0.0f);
+  for (auto* v : {&area, &mu, &bulk, &hoop, &shut, &guarded, &base, &carried}) v->assign(size, 0.0f);
 }
 
 void shapeElements(const Nodes& rest, Elements& elements) {

@@ -19,7 +19,8 @@ struct Nodes {
 /// Four-node cells of a grid, in plane strain. Cell n lies between nodes n, n+1, n+1+columns and n+columns; those of
 /// the last column do not exist and hold zeros. Energy, with positions x_a of the corners:
 ///
-///   W = 1/2 sum m_ab x_a.x_b + base A + bulk/2 A0 (J-1)^2 + shut/2 A0 (J-Jmin)^2 where J < Jmin,   J = A/A0,
+///   W = 1/2 sum m_ab x_a.x_b + base A + bulk/2 A0 (J-1)^2 + hoop/2 A0 (J-1)^2 where J > 1
+///     + shut/2 A0 (J-Jmin)^2 where J < Jmin,   J = A/A0,
 ///
 /// A the area by the corners (so that the dilatation is a mean over the cell, which does not lock). With m = mu L (L
 /// the Laplacian in the rest geometry) and base = -mu it is the compressible neo-Hookean mu/2 (|F|^2-2) - mu (J-1) +
@@ -28,10 +29,10 @@ struct Elements {
   static constexpr float kShutBelow = 0.1f;  ///< Jmin, where a lumen is closed
 
   int columns = 0, rows = 0;
-  std::array<std::vector<float>, 10> m;     ///< kPa: 00 01 02 03 11 12 13 22 23 33
-  std::vector<float> area;                  ///< A0, mm2
-  std::vector<float> mu, bulk, shut, base;  ///< kPa
-  std::vector<float> guarded;               ///< above 0: allowedShare() looks after the cell
+  std::array<std::vector<float>, 10> m;           ///< kPa: 00 01 02 03 11 12 13 22 23 33
+  std::vector<float> area;                        ///< A0, mm2
+  std::vector<float> mu, bulk, hoop, shut, base;  ///< kPa
+  std::vector<float> guarded;                     ///< above 0: allowedShare() looks after the cell
   /// Coefficient of the area's second derivative in the tangent: the pressure as an unknown of its own, which follows
   /// the last step linearly (mixed Newton). With the pressure of the present area, steps overshoot.
   std::vector<float> carried;

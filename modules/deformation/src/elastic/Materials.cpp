@@ -118,10 +118,23 @@ void addRest(const std::array<std::uint8_t, 5>& labels, const std::array<Moduli,
 
 }  // namespace
 
-void Materials::fill(const Mesh& mesh, const MechanicalTable& tissues) {
+/// What holds the walls of vessels that run along the plane.
+void Materials::addTubes(const Mesh& mesh, const TissuePlane& plane, const MechanicalTable& tissues) {
+  const auto add = [&](float PlaneTissue::*outline, Label label, const std::vector<float>& blood) {
+    tubes_.find(mesh, plane, outline, tissues.of(label), blood, tube_);
+    for (std::size_t n = 0; n < blood.size(); ++n) {
+      bulk[n] += blood[n] * tube_[n].narrower_kPa;
+      hoop[n] += blood[n] * (tube_[n].wider_kPa - tube_[n].narrower_kPa);
+    }
+  };
+  add(&PlaneTissue::artery_mm, kArtery, arteryBlood);
+  add(&PlaneTissue::vein_mm, kVein, veinBlood);
+}
+
+void Materials::fill(const Mesh& mesh, const TissuePlane& plane, const MechanicalTable& tissues) {
   const int nx = mesh.columns(), nz = mesh.rows();
   const std::size_t size = std::size_t(nx) * nz + GridMatrix::kPadding;
-  for (auto* v : {&mu, &bulk, &artery, &vein, &arteryBlood, &veinBlood}) v->assign(size, 0.0f);
+  for (auto* v : {&mu, &bulk, &hoop, &artery, &vein, &arteryBlood, &veinBlood}) v->assign(size, 0.0f);
   fixed.assign(std::size_t(nx) * nz, 0);
   anyBlood = false;
   std::array<Moduli, kLabelCount> solid;
@@ -170,6 +183,7 @@ void Materials::fill(const Mesh& mesh, const MechanicalTable& tissues) {
       mu[n] = mixture.wholeMu();
       bulk[n] = mixture.bulk;
     }
+  if (anyBlood) addTubes(mesh, plane, tissues);
 }
 
 }  // namespace insonate::elastic

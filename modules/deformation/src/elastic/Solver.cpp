@@ -14,6 +14,9 @@ constexpr float kFarthest_mm = 100;  // that tissue can have moved
 constexpr float kCaution = 0.1f;
 constexpr int kCautiousRounds = 3;  // after a tangent that was not positive definite
 constexpr float kBounded = 1e-3f;   // caution that bounds pressures without damping
+constexpr int kSettled = 5;         // steps after which going to and fro is one
+constexpr float kToAndFro_mm = 0.1f;
+constexpr int kDrawBacks = 5;
 
 /// Derivatives of the shape functions by the rest position, in the middle of a cell.
 struct CellGradient {
@@ -55,6 +58,7 @@ void Solver::prepare(const Mesh& mesh, const Materials& materials, const Mechani
   shapeElements(rest_, elements_);
   for (std::size_t n = 0; n < elements_.count(); ++n) {
     elements_.bulk[n] = materials.bulk[n];
+    elements_.hoop[n] = materials.hoop[n];
     elements_.base[n] = -materials.mu[n];
     const float blood = std::max(materials.arteryBlood[n], materials.veinBlood[n]);
     const bool gas = Materials::isGas(materials.mu[n]);
@@ -83,13 +87,16 @@ void Solver::findPrestress() {
   const auto a = static_cast<float>(restPressure_.artery_kPa), v = static_cast<float>(restPressure_.vein_kPa);
   std::vector<float>& base = elements_.base;
   elements_.carried = base;
-  for (std::size_t n = 0; n < elements_.count(); ++n)
+  for (std::size_t n = 0; n < elements_.count(); ++n) {
+    elements_.bulk[n] += elements_.hoop[n];  // blood widens the vessels
     base[n] -= a * materials_->arteryBlood[n] + v * materials_->veinBlood[n];
+  }
   system(0);
   hold();
   step_ = force_;
   if (!factor_.factor(matrix_, step_)) std::fill(step_.begin(), step_.end(), 0.0f);
   base = elements_.carried;
+  elements_.bulk = materials_->bulk;
   const int nx = elements_.columns;
   for (std::size_t n = 0; n < elements_.count(); ++n) {
     if (elements_.area[n] <= 0) continue;
@@ -103,7 +110,7 @@ void Solver::findPrestress() {
     prestress_.xx[n] = 2 * mu * xx;
     prestress_.zz[n] = 2 * mu * zz;
     prestress_.xz[n] = mu * (xz + zx);
-    prestress_.volume[n] = (materials_->bulk[n] - mu) * (xx + zz);
+    prestress_.volume[n] = (materials_->bulk[n] + materials_->hoop[n] - mu) * (xx + zz);
   }
 }
 
@@ -207,26 +214,71 @@ bool Solver::inReach() const {
   return true;
 }
 
+void Solver::pressed(const Load& load, float shift_mm) {
+  system(caution_);
+  contact_.add(shift_mm, load.sticking, at_, matrix_, force_);
+  hold();
+}
+
+/// Of the energy, along the last step; above 0 downhill.
+float Solver::slope(const Load& load, float shift_mm, float shiftChange) const {
+  double sum = 0;
+  for (std::size_t k = 0; k < force_.size(); ++k) sum += double(force_[k]) * step_[k];
+  if (shiftChange != 0) sum += (load.force_kPa_mm - contact_.pressing(shift_mm, at_)) * shiftChange;
+  return static_cast<float>(sum);
+}
+
+/// Back along the last step to just behind where the energy is least, if the step went far beyond: over the kink of a
+/// contact that one node makes and loses, whole steps go to and fro for ever. Behind, so that the next tangent knows
+/// the stiffer side.
+void Solver::drawBack(const Load& load, float before, float shiftChange, float& shift_mm) {
+  float low = 0, high = 1, ahead = before, behind = slope(load, shift_mm, shiftChange), here = 1;
+  const auto go = [&](float to) {
+    for (std::size_t n = 0; n < solid_.size(); ++n)
+      at_.x[n] += (to - here) * step_[2 * n], at_.z[n] += (to - here) * step_[2 * n + 1];
+    shift_mm += (to - here) * shiftChange;
+    here = to;
+    pressed(load, shift_mm);
+    return slope(load, shift_mm, shiftChange);
+  };
+  for (int round = 0; round < kDrawBacks && behind < -0.1f * before; ++round) {
+    const float share = std::clamp(ahead / (ahead - behind), 0.2f, 0.8f);
+    const float to = low + (high - low) * share, now = go(to);
+    if (now > 0)
+      low = to, ahead = now;
+    else
+      high = to, behind = now;
+  }
+  if (here != high) go(high);
+}
+
 Solver::Outcome Solver::solve(const FaceProfile& face, Load load, const Patience& patience) {
   Outcome out;
   out.shift_mm = load.shift_mm;
   contact_.meet(face, at_);
   const bool carried = std::exchange(carried_, false);
+  float shiftChange = 0, downhill = 0;
+  bool toAndFro = false;
+  float last = 0;
   for (; out.iterations < patience.mostIterations && !out.converged; ++out.iterations) {
-    system(caution_);
-    contact_.add(out.shift_mm, load.sticking, rest_, at_, matrix_, force_);
-    hold();
+    pressed(load, out.shift_mm);
+    if (toAndFro) drawBack(load, downhill, shiftChange, out.shift_mm);
     step_ = force_;
     if (!factor_.factor(matrix_, step_)) {
       caution_ = std::max(kCaution, 3 * caution_);
       cautiousRounds_ = kCautiousRounds;
+      toAndFro = false;
       continue;
     }
-    const float shiftChange = load.force_kPa_mm > 0 ? followForce(load.force_kPa_mm, out.shift_mm) : 0;
+    shiftChange = load.force_kPa_mm > 0 ? followForce(load.force_kPa_mm, out.shift_mm) : 0;
     const float longest = std::max(std::abs(shiftChange), longestStep());
     if (!std::isfinite(longest)) return out;
     float share = std::min(1.0f, kLongestStep_mm / std::max(longest, 1e-9f));
     share = std::min(share, allowedShare(elements_, at_, step_));
+    toAndFro =
+        out.iterations >= kSettled && share == 1 && longest > 0.5f * last && (longest < kToAndFro_mm || caution_ > 0);
+    last = longest;
+    if (toAndFro) downhill = slope(load, out.shift_mm, shiftChange);
     advance(elements_, at_, step_, share);
     contact_.settle();
     out.shift_mm += share * shiftChange;

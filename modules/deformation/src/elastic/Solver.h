@@ -65,6 +65,9 @@ class Solver {
   bool inReach() const;
   float longestStep() const;
   float followForce(float wanted_kPa_mm, float shift_mm);
+  void pressed(const Load& load, float shift_mm);
+  float slope(const Load& load, float shift_mm, float shiftChange) const;
+  void drawBack(const Load& load, float before, float shiftChange, float& shift_mm);
 
   Elements elements_;
   Contact contact_;

@@ -120,7 +120,13 @@ Body makeBody(const elastic::Mesh& mesh, const elastic::Materials& materials, co
     cell.shut = kShut_kPa * (gas ? 1 : std::max(cell.artery, cell.vein));
   }
   body.struts = makeStruts(body);
-  if (materials.anyBlood) prestress(body, atRest);
+  if (!materials.anyBlood) return body;
+  for (Cell& cell : body.cells) cell.bulk += materials.hoop[cell.node[0]];  // blood widens the vessels
+  prestress(body, atRest);
+  for (Cell& cell : body.cells) {
+    cell.hoop = materials.hoop[cell.node[0]];
+    cell.bulk -= cell.hoop;
+  }
   return body;
 }
 

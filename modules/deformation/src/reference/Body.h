@@ -18,6 +18,7 @@ using Matrix = Eigen::SparseMatrix<double>;  ///< lower triangle
 /// A four-node cell in plane strain. With positions x_a of its corners, area A and J = A/A0 its energy is
 ///
 ///   W = 1/2 sum spring_ab x_a.x_b + (initial - blood) A + bulk/2 A0 (J-1)^2 + shut/2 A0 min(J - kShutBelow, 0)^2
+///     + hoop/2 A0 max(J-1, 0)^2
 ///
 /// With spring = mu L (L the Laplacian at rest) and initial = -mu it is mu/2 (|F|^2-2) - mu (J-1) + bulk/2 (J-1)^2.
 /// Prestress adds to spring and initial; `blood` is a pressure.
@@ -27,7 +28,7 @@ struct Cell {
   std::array<int, 4> node{};  ///< round the cell
   double area = 0;            ///< A0, mm2
   Eigen::Matrix4d spring = Eigen::Matrix4d::Zero();
-  double mu = 0, bulk = 0, shut = 0, initial = 0;  ///< kPa
+  double mu = 0, bulk = 0, hoop = 0, shut = 0, initial = 0;  ///< kPa
   double artery = 0, vein = 0;                     ///< shares of the cell that are lumens
 };
 

@@ -31,7 +31,7 @@ class ReferenceModel final : public DeformationModel {
     elastic::Mesh mesh;
     mesh.build(*input.plane, input.face, settings_);
     elastic::Materials materials;
-    materials.fill(mesh, tissues_);
+    materials.fill(mesh, *input.plane, tissues_);
     atRest_ = {tissues_.of(kArtery).pressure_kPa, tissues_.of(kVein).pressure_kPa};
     const FaceProfile face(input.face);
     const Body body = makeBody(mesh, materials, atRest_);

@@ -18,13 +18,17 @@ class ScenePlane final : public TissuePlane {
   void look(const AcousticScene& scene, const Transform& patientFromProbe);
 
   void sample(std::span<const PlanePoint> at, std::span<PlaneTissue> tissue) const override;
+  void bend(std::span<const PlanePoint> at, float PlaneTissue::*outline, std::span<OutlineBend> bends) const override;
 
  private:
+  void sampleBeside(std::span<const PlanePoint> at, Vec3 aside_mm, std::span<PlaneTissue> tissue) const;
+
   PressWindow window_;
   const AcousticScene* scene_ = nullptr;
   Transform patientFromProbe_;
   mutable std::vector<PlanePoint> points_;
   mutable PlaneSamples samples_;
+  mutable std::vector<PlaneTissue> here_, beside_;
 };
 
 }  // namespace insonate::press

@@ -17,6 +17,12 @@ struct PlaneTissue {
   float skin_mm = -kFar_mm;  ///< to the skin, negative inside the body
 };
 
+/// How strongly a vessel's outline bends at a point near it, 1/mm, as a second derivative of the distance to it: in the
+/// plane, and across it. A round vessel that runs square to the plane has (1/radius, 0), one along it (0, 1/radius).
+struct OutlineBend {
+  float within_permm = 0, across_permm = 0;
+};
+
 /// The patient's tissue in the plane of the picture, undeformed: what a model
 /// asks for. The plane belongs to a pose of the probe, whose face may lie
 /// inside the tissue: that is how deep it presses.
@@ -26,6 +32,12 @@ class TissuePlane {
   /// For any points, as many as there are; `tissue` is as long as `at`. Called
   /// on one thread at a time.
   virtual void sample(std::span<const PlanePoint> at, std::span<PlaneTissue> tissue) const = 0;
+  /// Of the artery's or the vein's outline. A plane that knows nothing of what lies across it is taken as square to all
+  /// vessels.
+  virtual void bend(std::span<const PlanePoint> at, float PlaneTissue::*outline, std::span<OutlineBend> bends) const {
+    static_cast<void>(outline);
+    for (std::size_t n = 0; n < at.size(); ++n) bends[n] = {1, 0};
+  }
 };
 
 }  // namespace insonate
