@@ -53,6 +53,21 @@ TEST(ReplayReader, AnyTimeOfTenMinutesCostsOneStretch) {
   EXPECT_EQ(reader.at(2 * kLength_us)->time_us, kLength_us);
 }
 
+/// The recorder closes a stretch after a second, whatever is in it.
+TEST(ReplayReader, BeforeTheFirstSampleTheFirstAlsoBehindEvents) {
+  const test::TemporaryFolder folder;
+  auto recorder = AttemptRecorder::start(folder / "late", {});
+  (*recorder)->put(AttemptEvent{.kind = AttemptEventKind::Positioned});
+  std::this_thread::sleep_for(std::chrono::milliseconds(1300));
+  (*recorder)->put(AttemptSample{.time_us = 1000});
+  ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
+  const auto recording = std::make_shared<const AttemptRecording>(std::move(*AttemptRecording::open(folder / "late")));
+  ASSERT_EQ(recording->stretches(), 2u);
+  const auto sample = ReplayReader(recording).at(0);
+  ASSERT_TRUE(sample);
+  EXPECT_EQ(sample->time_us, 1000);
+}
+
 TEST(ReplayReader, OfNothingThereIsNothing) {
   const test::TemporaryFolder folder;
   ASSERT_TRUE((*AttemptRecorder::start(folder / "empty", {}))->finish(AttemptStatus::Completed));

@@ -21,8 +21,18 @@ std::optional<AttemptSample> ReplayReader::at(std::int64_t time_us) {
     if (!found) return std::nullopt;
     const auto after = std::ranges::upper_bound(found->samples, time_us, {}, &QuantisedSample::time_us);
     if (after != found->samples.begin()) return restored(*std::prev(after));
-    if (index == 0) return found->samples.empty() ? std::nullopt : std::optional(restored(found->samples.front()));
+    if (index == 0) return first();
   }
+}
+
+/// Behind stretches that hold nothing but events.
+std::optional<AttemptSample> ReplayReader::first() {
+  for (std::size_t index = 0; index < recording_->stretches(); ++index) {
+    const Stretch* found = stretch(index);
+    if (!found) return std::nullopt;
+    if (!found->samples.empty()) return restored(found->samples.front());
+  }
+  return std::nullopt;
 }
 
 }  // namespace insonate::review

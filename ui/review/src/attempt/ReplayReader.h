@@ -22,6 +22,7 @@ class ReplayReader {
 
  private:
   const Stretch* stretch(std::size_t index);
+  std::optional<AttemptSample> first();
 
   std::shared_ptr<const AttemptRecording> recording_;
   std::optional<std::size_t> index_;
