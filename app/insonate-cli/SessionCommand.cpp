@@ -8,9 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <variant>
@@ -80,11 +78,8 @@ Result<nlohmann::json> picturesOf(const ReplayArguments& a, std::shared_ptr<cons
 Result<void> runScript(const SessionArguments& a) {
   const auto patient = caseOf(a.caseFolder);
   if (!patient) return tl::unexpected(patient.error());
-  std::ifstream file(a.script, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) return fail("The script " + a.script + " cannot be read; check its name and permissions.");
-  const auto script = readSessionScript(text, *patient);
-  if (!script) return fail(a.script + ": " + script.error().message);
+  const auto script = loadSessionScript(a.script, *patient);
+  if (!script) return tl::unexpected(script.error());
   nlohmann::json pictures;
   const auto done = runWithPictures(a, *script, *patient, pictures);
   if (!done) return tl::unexpected(done.error());
@@ -170,7 +165,9 @@ void addSessionCommand(CLI::App& app, Outcome& outcome) {
   auto* command = app.add_subcommand("session", "A whole attempt from a script, recorded");
   auto a = std::make_shared<SessionArguments>();
   command->add_option("CASE", a->caseFolder, "Folder of the case")->required()->check(notEmpty());
-  command->add_option("--script", a->script, "What the hands do (JSON)")->required()->check(notEmpty());
+  command->add_option("--script", a->script, "What the hands do: the name of a script that comes along, or a JSON file")
+      ->required()
+      ->check(notEmpty());
   command->add_option("--record", a->recording, "New file for the recording")->required()->check(notEmpty());
   a->pictures.addTo(*command);
   command->add_flag("--json", a->json, "Print one JSON object");

@@ -17,6 +17,9 @@ constexpr double kOut_mm = 2;
 constexpr std::int64_t kDrawn_us = 1'000'000;
 /// As far from where it was struck, bone counts as left.
 constexpr double kOffBone_mm = 1;
+/// As near to one place for as long, the tip rests.
+constexpr double kRest_mm = 0.5;
+constexpr std::int64_t kRest_us = 500'000;
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 bool shows(const PictureField& field, double depth_mm, Vec3 point_probe) {
@@ -51,6 +54,7 @@ struct AttemptMetrics::State {
   void beginPass(const AttemptEvent& event);
   void endPass();
   void strike(const AttemptEvent& event);
+  void followRest(const AttemptSample& sample);
   void drawBlood(const AttemptSample& sample);
   metrics::Punctures* structure(Label wall);
 
@@ -67,6 +71,9 @@ struct AttemptMetrics::State {
   std::optional<std::int64_t> drawing_us;  ///< since when the syringe draws in the vein
   bool drawn = false;                      ///< blood of the vein was, and the tip only came back since
   std::optional<Vec3> out_mm;              ///< where the tip came out of the skin, until it is clear of the hole
+  std::optional<Vec3> rest_mm;             ///< from where the tip in the vein has not moved on
+  std::int64_t rest_us = 0;                ///< since when
+  bool rested = false;                     ///< for long enough
   std::optional<Vec3> bone_mm;             ///< where it met bone, until it is clear
   std::optional<double> angle_deg, nearestArtery_mm, nearestLung_mm, veinCentre_mm;
 };
@@ -90,8 +97,18 @@ void AttemptMetrics::State::followNeedle(const AttemptSample& sample) {
   needle.follow(tip_mm, depth_mm, inPicture(sample, tip_mm), sample.aspirating);
   keepLeast(nearestArtery_mm, sample.toArtery_mm);
   keepLeast(nearestLung_mm, sample.toLung_mm);
-  if (vein.inside() && sample.toVeinCentre_mm) veinCentre_mm = sample.toVeinCentre_mm;
+  followRest(sample);
   drawBlood(sample);
+}
+
+/// Where the tip stands is what counts: on its way out it passes the wall once more.
+void AttemptMetrics::State::followRest(const AttemptSample& sample) {
+  if (!vein.inside()) return rest_mm.reset();
+  const Vec3 tip_mm = sample.patientFromNeedle->offset;
+  if (!rest_mm || norm(tip_mm - *rest_mm) > kRest_mm) rest_mm = tip_mm, rest_us = sample.time_us, rested = false;
+  const bool rests = sample.time_us - rest_us >= kRest_us;
+  if (!veinCentre_mm || (rests && !rested)) veinCentre_mm = sample.toVeinCentre_mm;
+  rested = rests;
 }
 
 void AttemptMetrics::State::drawBlood(const AttemptSample& sample) {

@@ -56,6 +56,14 @@ class Session {
 
   void operator()(const SessionAct::PutProbe& act) { probe_ = act.patientFromProbe, tissueAt_us_ = 0; }
   void operator()(const SessionAct::LiftProbe&) { probe_.reset(); }
+  void operator()(const SessionAct::MoveProbe& act) {
+    const Vec3 from_mm = probe_->offset, way_mm = act.to_mm - from_mm;
+    const int ticks = static_cast<int>(std::lround(norm(way_mm) / (act.speed_mmps * kTick_s)));
+    for (int i = 1; i <= ticks; ++i) {
+      probe_->offset = from_mm + way_mm * (static_cast<double>(i) / ticks);
+      tick();
+    }
+  }
   void operator()(const SessionAct::PutNeedle& act) {
     tip_mm_ = act.from_mm, axis_ = normalized(act.to_mm - act.from_mm), holdsNeedle_ = true;
     tick();

@@ -13,8 +13,8 @@ namespace {
 
 using nlohmann::json;
 
-const std::vector<std::string_view> kActs{"probe",    "needle",         "advance_mm", "withdraw_mm", "wait_s",
-                                          "aspirate", "replace_needle", "freeze",     "tilt_deg"};
+const std::vector<std::string_view> kActs{"probe",  "move_probe_mm", "needle",         "advance_mm", "withdraw_mm",
+                                          "wait_s", "aspirate",      "replace_needle", "freeze",     "tilt_deg"};
 
 std::string shown(const json& value) {
   constexpr std::size_t kMost = 40;
@@ -28,30 +28,62 @@ Result<double> numberIn(const json& value, const std::string& name, double low, 
               shown(value) + ".");
 }
 
-/// A point as [x, y, z], or the name of one of the case's targets.
-Result<Vec3> pointIn(const json& value, const std::string& name, const PatientCase& patient) {
-  if (value.is_array() && value.size() == 3 && std::ranges::all_of(value, [](const json& v) { return v.is_number(); }))
-    return Vec3{value[0], value[1], value[2]};
+std::optional<Vec3> vectorIn(const json& value) {
+  if (!value.is_array() || value.size() != 3 ||
+      !std::ranges::all_of(value, [](const json& v) { return v.is_number(); }))
+    return std::nullopt;
+  return Vec3{value[0], value[1], value[2]};
+}
+
+/// Where things are as acts are read, one after the other.
+struct Place {
+  const PatientCase& patient;
+  std::optional<Transform> patientFromProbe{};
+};
+
+/// A point as [x, y, z], in the probe's frame, or the name of one of the case's targets.
+Result<Vec3> pointIn(const json& value, const std::string& name, const Place& place) {
+  if (const auto point_mm = vectorIn(value)) return *point_mm;
+  if (value.is_object() && value.size() == 1 && value.contains("in_probe_mm"))
+    if (const auto point_mm = vectorIn(value["in_probe_mm"])) {
+      if (place.patientFromProbe) return *place.patientFromProbe * *point_mm;
+      return fail("has '" + name + "' in the frame of a probe, and none is on the patient.");
+    }
   std::vector<std::string_view> names;
-  for (const Target& target : patient.manifest.targets) {
+  for (const Target& target : place.patient.manifest.targets) {
     if (value == target.name) return target.position_mm;
     names.push_back(target.name);
   }
-  return fail("needs [x, y, z] in mm or one of the case's targets (" + quotedWords(names) + ") as '" + name +
-              "', not " + shown(value) + ".");
+  return fail("needs [x, y, z] in mm, {\"in_probe_mm\": [x, y, z]} or one of the case's targets (" +
+              quotedWords(names) + ") as '" + name + "', not " + shown(value) + ".");
 }
 
-Result<SessionAct> probeAct(const json& value, const PatientCase& patient) {
+Result<SessionAct> probeAct(const json& value, Place& place) {
+  place.patientFromProbe.reset();
   if (value.is_null()) return SessionAct{SessionAct::LiftProbe{}};
-  const auto poses = readPoses(value.is_string() ? value.get<std::string>() : value.dump(), patient);
+  const auto poses = readPoses(value.is_string() ? value.get<std::string>() : value.dump(), place.patient);
   if (!poses) return fail("has a probe that cannot be put there: " + poses.error().message);
-  return SessionAct{SessionAct::PutProbe{poses->patientFromProbe.front()}};
+  place.patientFromProbe = poses->patientFromProbe.front();
+  return SessionAct{SessionAct::PutProbe{*place.patientFromProbe}};
 }
 
-Result<SessionAct> needleAct(const json& value, const PatientCase& patient) {
+Result<SessionAct> moveProbeAct(const json& act, Place& place) {
+  const auto by_mm = vectorIn(act["move_probe_mm"]);
+  if (!by_mm || norm(*by_mm) > 200)
+    return fail("needs [x, y, z] in the probe's frame, 200 mm at most, as 'move_probe_mm', not " +
+                shown(act["move_probe_mm"]) + ".");
+  if (!place.patientFromProbe) return fail("moves a probe, and none is on the patient.");
+  const auto speed = numberIn(act.value("speed_mmps", json(10)), "speed_mmps", 0.1, 500);
+  if (!speed) return tl::unexpected(speed.error());
+  Transform& at = *place.patientFromProbe;
+  at.offset = at * *by_mm;
+  return SessionAct{SessionAct::MoveProbe{at.offset, *speed}};
+}
+
+Result<SessionAct> needleAct(const json& value, const Place& place) {
   if (!value.is_object() || value.size() != 2 || !value.contains("from_mm") || !value.contains("to"))
     return fail("needs {\"from_mm\": [x, y, z], \"to\": target} as 'needle', not " + shown(value) + ".");
-  const auto from = pointIn(value["from_mm"], "from_mm", patient), to = pointIn(value["to"], "to", patient);
+  const auto from = pointIn(value["from_mm"], "from_mm", place), to = pointIn(value["to"], "to", place);
   if (!from || !to) return tl::unexpected(from ? to.error() : from.error());
   if (norm(*to - *from) < 1) return fail("has a needle whose 'from_mm' and 'to' are less than 1 mm apart.");
   return SessionAct{SessionAct::PutNeedle{*from, *to}};
@@ -69,16 +101,17 @@ Result<bool> flagIn(const json& value, const std::string& name) {
   return fail("needs true or false as '" + name + "', not " + shown(value) + ".");
 }
 
-Result<SessionAct> readAct(const json& act, const PatientCase& patient) {
-  const bool moves = act.is_object() && (act.contains("advance_mm") || act.contains("withdraw_mm"));
+Result<SessionAct> readAct(const json& act, Place& place) {
+  const bool moves =
+      act.is_object() && (act.contains("advance_mm") || act.contains("withdraw_mm") || act.contains("move_probe_mm"));
   if (!act.is_object() || act.size() != (moves && act.contains("speed_mmps") ? 2u : 1u))
     return fail("must be an object with one of " + joinedWords(kActs) +
-                "; advance_mm and withdraw_mm also take a "
-                "speed_mmps.");
+                "; advance_mm, withdraw_mm and move_probe_mm also take a speed_mmps.");
   const std::string name = act.begin().key() == "speed_mmps" ? std::next(act.begin()).key() : act.begin().key();
   const json& value = act[name];
-  if (name == "probe") return probeAct(value, patient);
-  if (name == "needle") return needleAct(value, patient);
+  if (name == "probe") return probeAct(value, place);
+  if (name == "move_probe_mm") return moveProbeAct(act, place);
+  if (name == "needle") return needleAct(value, place);
   if (name == "advance_mm") return moveAct(act, "advance_mm", 1);
   if (name == "withdraw_mm") return moveAct(act, "withdraw_mm", -1);
   if (name == "wait_s")
@@ -124,8 +157,9 @@ Result<SessionScript> readSessionScript(std::string_view text, const PatientCase
   const auto abandoned = flagIn(file.value("abandoned", json(false)), "abandoned");
   if (!abandoned) return fail("The script " + abandoned.error().message);
   script.abandoned = *abandoned;
+  Place place{patient};
   for (const json& entry : file["acts"]) {
-    const auto act = readAct(entry, patient);
+    const auto act = readAct(entry, place);
     if (!act) return fail("Act " + std::to_string(script.acts.size() + 1) + " " + act.error().message);
     script.acts.push_back(*act);
   }

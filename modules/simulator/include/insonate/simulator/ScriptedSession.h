@@ -23,6 +23,10 @@ struct SessionAct {
     Transform patientFromProbe;
   };
   struct LiftProbe {};
+  struct MoveProbe {  ///< straight, as it looks
+    Vec3 to_mm;       ///< the middle of its face
+    double speed_mmps = 10;
+  };
   struct PutNeedle {  ///< outside, its tip at `from_mm`, pointing to `to_mm`
     Vec3 from_mm, to_mm;
   };
@@ -39,7 +43,7 @@ struct SessionAct {
     AttemptEventKind kind = AttemptEventKind::NeedleReplaced;
     double tilt_deg = 0;
   };
-  std::variant<PutProbe, LiftProbe, PutNeedle, MoveNeedle, Wait, Aspirate, Tell> what;
+  std::variant<PutProbe, LiftProbe, MoveProbe, PutNeedle, MoveNeedle, Wait, Aspirate, Tell> what;
 };
 
 struct SessionScript {
@@ -50,6 +54,12 @@ struct SessionScript {
 
 /// See modules/simulator/README.md for the form. Fails with a sentence that names the act, counted from 1.
 Result<SessionScript> readSessionScript(std::string_view json, const PatientCase& patient);
+
+/// The scripts that come along: resources/procedures/attempts.
+std::vector<std::string> sessionScriptNames();
+
+/// A script that comes along, by name, or a file. Fails as readSessionScript() does, and where there is neither.
+Result<SessionScript> loadSessionScript(std::string_view nameOrPath, const PatientCase& patient);
 
 struct SessionOutcome {
   AttemptStatus status = AttemptStatus::Completed;

@@ -1,0 +1,48 @@
+#include "support/TestData.h"
+
+#include <insonate/cases/Phantom.h>
+#include <insonate/simulator/ScriptedSession.h>
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+namespace insonate {
+namespace {
+
+using testing::HasSubstr;
+
+/// What comes of them is for script_library_test, which takes minutes.
+TEST(ScriptFiles, EachFitsTheTextbookNeckOrWhatLiesBelowTheClavicle) {
+  const auto neck = makePhantom("textbook", 1), chest = makePhantom("subclavian", 1);
+  ASSERT_TRUE(neck && chest);
+  EXPECT_GE(sessionScriptNames().size(), 20u);
+  for (const std::string& name : sessionScriptNames()) {
+    SCOPED_TRACE(name);
+    const auto script = loadSessionScript(name, *neck);
+    if (script) {
+      EXPECT_EQ(script->procedure, "internal_jugular");
+      continue;
+    }
+    EXPECT_THAT(script.error().message,
+                HasSubstr("The script '" + name + "' does not fit this case: Act 2 has a probe that cannot"));
+    const auto below = loadSessionScript(name, *chest);
+    ASSERT_TRUE(below) << below.error().message;
+    EXPECT_EQ(below->procedure, "subclavian");
+  }
+}
+
+TEST(ScriptFiles, NamesAndFiles) {
+  const test::TemporaryFolder folder;
+  const PatientCase nobody;
+  EXPECT_THAT(loadSessionScript("figure-99", nobody).error().message,
+              testing::AllOf(HasSubstr("'figure-99' is neither a script ("), HasSubstr("did you mean 'figure-")));
+  std::ofstream(folder / "mine.json") << R"({"acts": [{"wait_s": 1}]})";
+  EXPECT_TRUE(loadSessionScript((folder / "mine.json").string(), nobody));
+  std::ofstream(folder / "bad.json") << "{";
+  EXPECT_THAT(loadSessionScript((folder / "bad.json").string(), nobody).error().message,
+              HasSubstr("bad.json: The script is not JSON"));
+}
+
+}  // namespace
+}  // namespace insonate
