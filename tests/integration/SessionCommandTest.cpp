@@ -101,7 +101,7 @@ TEST_F(SessionCommand, PicturesOfASessionAndItsReplaysAgreeByteForByte) {
 
 TEST_F(SessionCommand, Refusals) {
   const std::string session = "session " + path("case") + " --script ";
-  EXPECT_THAT(run(session + path("none.json") + " --record " + path("a")).errors, HasSubstr("cannot be read"));
+  EXPECT_THAT(run(session + path("none.json") + " --record " + path("a")).errors, HasSubstr("is neither a script ("));
   std::ofstream(folder / "bad.json") << R"({"acts": [{"advance": 3}]})";
   const auto bad = run(session + path("bad.json") + " --record " + path("a"));
   EXPECT_EQ(bad.status, 1);

@@ -1,9 +1,8 @@
+#include "MetricsByHand.h"
 #include "support/AttemptBlock.h"
 #include "support/TestData.h"
 
-#include <insonate/haptics/SimulatedHand.h>
 #include <insonate/simulator/ScriptedSession.h>
-#include <insonate/tissue/NeedleTable.h>
 
 #include <gtest/gtest.h>
 
@@ -14,30 +13,17 @@
 namespace insonate {
 namespace {
 
+using test::bend_mm;
+using test::expectMetrics;
+using test::kMissing;
+
 /// Whole attempts on the block, and each of their 26 metrics worked out by hand from the block's walls. All times are
 /// those of hands at 10 mm/s, so that a millimetre is a tenth of a second.
 ///
-/// A wall bends before it gives: the tip is `bend` mm beyond the wall, along the needle, when it is punctured. That is
-/// where k1 d + k2 d^2, going on straight at the steepest that the hand's device can show, reaches the wall's force.
-double bend_mm(Label label) {
-  const NeedleTissue wall = loadNeedleTable(needlePresetNames().front())->of(label);
-  const double steepest = 0.6 * deviceProfiles().front().limits.maxStiffness_Npmm;
-  const double straightFrom_mm = (steepest - wall.stiffness_Npmm) / (2 * wall.stiffening_Npmm2);
-  const double there_N = (wall.stiffness_Npmm + wall.stiffening_Npmm2 * straightFrom_mm) * straightFrom_mm;
-  return straightFrom_mm + (wall.puncture_N - there_N) / steepest;
-}
-
 const double kSkin_mm = bend_mm(kSkin);       // (0.24 - 0.1) / 0.16 = 0.875; + (1.8 - 0.149) / 0.24 = 7.755
 const double kVein_mm = 12 + bend_mm(kVein);  // 1.6 + (0.6 - 0.256) / 0.24 = 3.033, below 12 mm
 const double kBack_mm = 0.3;                  // pulled back as far behind its hole, the tip is out of it
 const double kRoot2 = std::numbers::sqrt2;
-
-/// A value and how far off it may be; none: missing.
-struct Value {
-  std::optional<double> is;
-  double within = 1e-9;
-};
-const Value kMissing{};
 
 // Why values may be off.
 constexpr double kTicks_s = 0.004;  // events come with ticks of 1 ms, at a way of 0.01 mm; a needle put down is a tick
@@ -50,9 +36,6 @@ constexpr double kAngle_deg = 0.5;  // a normal is a difference of distances tha
 double share(double way_mm) {       // a step of the way forward
   return 100 * 0.5 / way_mm;
 }
-
-/// In the order of Metric.
-using Values = std::array<Value, kMetricCount>;
 
 class MetricsByHand : public testing::Test {
  protected:
@@ -68,16 +51,6 @@ class MetricsByHand : public testing::Test {
     const std::string x = std::to_string(x_mm), z = std::to_string(z_mm);
     return "{\"needle\": {\"from_mm\": [" + x + ", -5.5, " + z + "], \"to\": [" + x + ", 17.5, " + z + "]}}";
   }
-  static void expect(const SessionOutcome& outcome, const Values& values) {
-    for (const MetricDefinition& metric : metricTable()) {
-      SCOPED_TRACE(metric.id);
-      const Value& expected = values[static_cast<std::size_t>(metric.metric)];
-      const auto value = outcome.metrics[metric.metric];
-      ASSERT_EQ(value.has_value(), expected.is.has_value());
-      if (!value) continue;
-      EXPECT_NEAR(*value, *expected.is, expected.within);
-    }
-  }
 
   const PatientCase patient = test::attemptBlock();
   const test::TemporaryFolder folder;
@@ -89,32 +62,33 @@ TEST_F(MetricsByHand, CleanSuccess) {
   const auto outcome = play(R"({"probe": "along"}, {"needle": {"from_mm": [0, -5.5, -23], "to": "vein"}},
     {"aspirate": true}, {"advance_mm": 32.53}, {"wait_s": 1.5})");
   const double toAccess_mm = 12 * kRoot2 + bend_mm(kVein) - kSkin_mm;  // 16.971 + 3.033 - 7.755 = 12.249
-  expect(outcome, {{/* vein, artery, double */ {1},
-                    {0},
-                    {0},
-                    /* time to vein */ {toAccess_mm / 10, kTicks_s},
-                    /* used needle */ {0},
-                    /* time to access */ {toAccess_mm / 10, kTicks_s},
-                    /* attempt: 32.53 mm, 1.5 s */ {4.753, kTicks_s},
-                    /* passes, redirections, lung, bone */ {1},
-                    {0},
-                    {0},
-                    {0},
-                    /* path */ {toAccess_mm, kWay_mm},
-                    /* inefficiency, deviation: straight */ {0, 0.1},
-                    {0, kWay_mm},
-                    /* angle */ {45, kAngle_deg},
-                    /* tip in picture, aspiration */ {100},
-                    {100},
-                    /* vein's centre */ {0, kMiddle_mm},
-                    /* tip in vein */ {1},
-                    /* artery: 10.5 aside, 2 deeper than the tip at 17.5 */ {std::hypot(10.5, 2), kEdge_mm},
-                    /* lung: 39.5 - 17.5 */ {22, kWall_mm},
-                    /* probe's path, translations, rotations */ {0},
-                    {0},
-                    {0},
-                    /* probe's force: it touches nothing */ kMissing,
-                    kMissing}});
+  expectMetrics(outcome.metrics,
+                {{/* vein, artery, double */ {1},
+                  {0},
+                  {0},
+                  /* time to vein */ {toAccess_mm / 10, kTicks_s},
+                  /* used needle */ {0},
+                  /* time to access */ {toAccess_mm / 10, kTicks_s},
+                  /* attempt: 32.53 mm, 1.5 s */ {4.753, kTicks_s},
+                  /* passes, redirections, lung, bone */ {1},
+                  {0},
+                  {0},
+                  {0},
+                  /* path */ {toAccess_mm, kWay_mm},
+                  /* inefficiency, deviation: straight */ {0, 0.1},
+                  {0, kWay_mm},
+                  /* angle */ {45, kAngle_deg},
+                  /* tip in picture, aspiration */ {100},
+                  {100},
+                  /* vein's centre */ {0, kMiddle_mm},
+                  /* tip in vein */ {1},
+                  /* artery: 10.5 aside, 2 deeper than the tip at 17.5 */ {std::hypot(10.5, 2), kEdge_mm},
+                  /* lung: 39.5 - 17.5 */ {22, kWall_mm},
+                  /* probe's path, translations, rotations */ {0},
+                  {0},
+                  {0},
+                  /* probe's force: it touches nothing */ kMissing,
+                  kMissing}});
   EXPECT_TRUE(outcome.run.succeeded());
   EXPECT_EQ(outcome.run.metrics().needle(), NeedlePlace::Vein);
 }
@@ -124,64 +98,64 @@ TEST_F(MetricsByHand, PosteriorWall) {
   const auto outcome =
       play(R"({"probe": "across"}, )" + needle(0) + R"(, {"advance_mm": 35}, {"withdraw_mm": 10}, {"wait_s": 1})");
   const double toAccess_mm = kVein_mm - kSkin_mm;  // 15.033 - 7.755 = 7.278
-  expect(outcome, {{{1},
-                    {0},
-                    /* back wall at 24 + 3.033 */ {1},
-                    {toAccess_mm / 10, kTicks_s},
-                    {0},
-                    {toAccess_mm / 10, kTicks_s},
-                    /* 35 + 10 mm, 1 s */ {5.5, kTicks_s},
-                    {1},
-                    {0},
-                    {0},
-                    {0},
-                    {toAccess_mm, kWay_mm},
-                    {0, 0.1},
-                    {0, kWay_mm},
-                    {90, 1},
-                    {100},
-                    /* not drawn */ {0},
-                    /* it rests at 19.5, 2 behind the middle */ {2, kMiddle_mm},
-                    {1},
-                    /* artery: beside it, 10.5 aside */ {10.5, kWall_mm},
-                    /* lung: 39.5 - 29.5 */ {10, kWall_mm},
-                    {0},
-                    {0},
-                    {0},
-                    kMissing,
-                    kMissing}});
+  expectMetrics(outcome.metrics, {{{1},
+                                   {0},
+                                   /* back wall at 24 + 3.033 */ {1},
+                                   {toAccess_mm / 10, kTicks_s},
+                                   {0},
+                                   {toAccess_mm / 10, kTicks_s},
+                                   /* 35 + 10 mm, 1 s */ {5.5, kTicks_s},
+                                   {1},
+                                   {0},
+                                   {0},
+                                   {0},
+                                   {toAccess_mm, kWay_mm},
+                                   {0, 0.1},
+                                   {0, kWay_mm},
+                                   {90, 1},
+                                   {100},
+                                   /* not drawn */ {0},
+                                   /* it rests at 19.5, 2 behind the middle */ {2, kMiddle_mm},
+                                   {1},
+                                   /* artery: beside it, 10.5 aside */ {10.5, kWall_mm},
+                                   /* lung: 39.5 - 29.5 */ {10, kWall_mm},
+                                   {0},
+                                   {0},
+                                   {0},
+                                   kMissing,
+                                   kMissing}});
 }
 
 /// At x = 18, to a depth of 25 mm, and out again.
 TEST_F(MetricsByHand, CarotidPuncture) {
   const auto outcome = play(R"({"probe": "across"}, )" + needle(18) +
                             R"(, {"aspirate": true}, {"advance_mm": 30}, {"wait_s": 1}, {"withdraw_mm": 30})");
-  expect(outcome, {{{0},
-                    /* front wall at 20 + 4.183 */ {1},
-                    {0},
-                    kMissing,
-                    {0},
-                    kMissing,
-                    /* 30 + 30 mm, 1 s */ {7, kTicks_s},
-                    {1},
-                    {0},
-                    {0},
-                    {0},
-                    /* 25 - 7.755 in, 25.3 out */ {25 - kSkin_mm + 25 + kBack_mm, kTurn_mm},
-                    kMissing,
-                    kMissing,
-                    {90, 1},
-                    {100},
-                    {100},
-                    kMissing,
-                    {0},
-                    /* artery: the tip at 24.5 is 5 within */ {-5, kWall_mm},
-                    /* lung: 39.5 - 24.5 */ {15, kWall_mm},
-                    {0},
-                    {0},
-                    {0},
-                    kMissing,
-                    kMissing}});
+  expectMetrics(outcome.metrics, {{{0},
+                                   /* front wall at 20 + 4.183 */ {1},
+                                   {0},
+                                   kMissing,
+                                   {0},
+                                   kMissing,
+                                   /* 30 + 30 mm, 1 s */ {7, kTicks_s},
+                                   {1},
+                                   {0},
+                                   {0},
+                                   {0},
+                                   /* 25 - 7.755 in, 25.3 out */ {25 - kSkin_mm + 25 + kBack_mm, kTurn_mm},
+                                   kMissing,
+                                   kMissing,
+                                   {90, 1},
+                                   {100},
+                                   {100},
+                                   kMissing,
+                                   {0},
+                                   /* artery: the tip at 24.5 is 5 within */ {-5, kWall_mm},
+                                   /* lung: 39.5 - 24.5 */ {15, kWall_mm},
+                                   {0},
+                                   {0},
+                                   {0},
+                                   kMissing,
+                                   kMissing}});
   EXPECT_FALSE(outcome.run.succeeded());
 }
 
@@ -196,32 +170,33 @@ TEST_F(MetricsByHand, UsedNeedle) {
   const double last_mm = kVein_mm - kSkin_mm;                      // 7.278
   const double path_mm = 15 - kSkin_mm + 15 + kBack_mm + last_mm;  // 7.245 + 15.3 + 7.278 = 29.823
   const double toAccess_mm = 15 - kSkin_mm + 20 + 5 + kVein_mm;    // 7.245 + 20 + 20.033 = 47.278
-  expect(outcome, {{{1},
-                    {0},
-                    {0},
-                    {last_mm / 10, kTicks_s},
-                    {1},
-                    {toAccess_mm / 10, kTicks_s},
-                    /* 20 + 20 + 23 mm, 1 s, and a tick as the needle is put down again */ {7.301, kTicks_s},
-                    {2},
-                    {0},
-                    {0},
-                    {0},
-                    {path_mm, kTurn_mm},
-                    /* 100 (29.823 / 7.278 - 1) */ {100 * (path_mm / last_mm - 1), 100 * kTurn_mm / last_mm},
-                    {0, kWay_mm},
-                    {90, 1},
-                    {100},
-                    /* 15.033 of 15 + 15.033 */ {100 * kVein_mm / (15 + kVein_mm), 2 * share(15 + kVein_mm)},
-                    {0, kMiddle_mm},
-                    {1},
-                    {std::hypot(10.5, 2), kEdge_mm},
-                    {22, kWall_mm},
-                    {0},
-                    {0},
-                    {0},
-                    kMissing,
-                    kMissing}});
+  expectMetrics(outcome.metrics,
+                {{{1},
+                  {0},
+                  {0},
+                  {last_mm / 10, kTicks_s},
+                  {1},
+                  {toAccess_mm / 10, kTicks_s},
+                  /* 20 + 20 + 23 mm, 1 s, and a tick as the needle is put down again */ {7.301, kTicks_s},
+                  {2},
+                  {0},
+                  {0},
+                  {0},
+                  {path_mm, kTurn_mm},
+                  /* 100 (29.823 / 7.278 - 1) */ {100 * (path_mm / last_mm - 1), 100 * kTurn_mm / last_mm},
+                  {0, kWay_mm},
+                  {90, 1},
+                  {100},
+                  /* 15.033 of 15 + 15.033 */ {100 * kVein_mm / (15 + kVein_mm), 2 * share(15 + kVein_mm)},
+                  {0, kMiddle_mm},
+                  {1},
+                  {std::hypot(10.5, 2), kEdge_mm},
+                  {22, kWall_mm},
+                  {0},
+                  {0},
+                  {0},
+                  kMissing,
+                  kMissing}});
 }
 
 /// The same with a new needle, and the probe moved by 4 mm at 100 mm/s in between.
@@ -233,32 +208,32 @@ TEST_F(MetricsByHand, TwoPasses) {
   const double last_mm = kVein_mm - kSkin_mm;
   const double path_mm = 15 - kSkin_mm + 15 + kBack_mm + last_mm;
   const double toAccess_mm = 15 - kSkin_mm + 20 + 5 + kVein_mm;
-  expect(outcome, {{{1},
-                    {0},
-                    {0},
-                    {last_mm / 10, kTicks_s},
-                    {0},
-                    /* and 0.04 s of the probe's way */ {toAccess_mm / 10 + 0.04, kTicks_s},
-                    {7.341, kTicks_s},
-                    {2},
-                    {0},
-                    {0},
-                    {0},
-                    {path_mm, kTurn_mm},
-                    {100 * (path_mm / last_mm - 1), 100 * kTurn_mm / last_mm},
-                    {0, kWay_mm},
-                    {90, 1},
-                    {100},
-                    {100 * kVein_mm / (15 + kVein_mm), 2 * share(15 + kVein_mm)},
-                    {0, kMiddle_mm},
-                    {1},
-                    {std::hypot(10.5, 2), kEdge_mm},
-                    {22, kWall_mm},
-                    /* probe's path, in steps of 1 mm */ {4, 1},
-                    /* one fast movement */ {1},
-                    {0},
-                    kMissing,
-                    kMissing}});
+  expectMetrics(outcome.metrics, {{{1},
+                                   {0},
+                                   {0},
+                                   {last_mm / 10, kTicks_s},
+                                   {0},
+                                   /* and 0.04 s of the probe's way */ {toAccess_mm / 10 + 0.04, kTicks_s},
+                                   {7.341, kTicks_s},
+                                   {2},
+                                   {0},
+                                   {0},
+                                   {0},
+                                   {path_mm, kTurn_mm},
+                                   {100 * (path_mm / last_mm - 1), 100 * kTurn_mm / last_mm},
+                                   {0, kWay_mm},
+                                   {90, 1},
+                                   {100},
+                                   {100 * kVein_mm / (15 + kVein_mm), 2 * share(15 + kVein_mm)},
+                                   {0, kMiddle_mm},
+                                   {1},
+                                   {std::hypot(10.5, 2), kEdge_mm},
+                                   {22, kWall_mm},
+                                   /* probe's path, in steps of 1 mm */ {4, 1},
+                                   /* one fast movement */ {1},
+                                   {0},
+                                   kMissing,
+                                   kMissing}});
 }
 
 /// To 12 mm, back by 4, on by 4, and out: one redirection.
@@ -268,32 +243,33 @@ TEST_F(MetricsByHand, Abandoned) {
                                    {"withdraw_mm": 17}, {"probe": null})",
                             R"("abandoned": true, )");
   EXPECT_EQ(outcome.status, AttemptStatus::Abandoned);
-  expect(outcome, {{{0},
-                    {0},
-                    {0},
-                    kMissing,
-                    {0},
-                    kMissing,
-                    /* 17 + 4 + 4 + 17 mm */ {4.2, kTicks_s},
-                    {1},
-                    {1},
-                    {0},
-                    {0},
-                    /* 12 - 7.755, 4, 4, 12.3, with three turns */ {12 - kSkin_mm + 8 + 12 + kBack_mm, 3 * kTurn_mm},
-                    kMissing,
-                    kMissing,
-                    {90, 1},
-                    {100},
-                    {100},
-                    kMissing,
-                    {0},
-                    /* artery: 10.5 aside, 19.5 - 11.5 deeper */ {std::hypot(10.5, 8), kEdge_mm},
-                    /* lung: 39.5 - 11.5 */ {28, kWall_mm},
-                    {0},
-                    {0},
-                    {0},
-                    kMissing,
-                    kMissing}});
+  expectMetrics(outcome.metrics,
+                {{{0},
+                  {0},
+                  {0},
+                  kMissing,
+                  {0},
+                  kMissing,
+                  /* 17 + 4 + 4 + 17 mm */ {4.2, kTicks_s},
+                  {1},
+                  {1},
+                  {0},
+                  {0},
+                  /* 12 - 7.755, 4, 4, 12.3, with three turns */ {12 - kSkin_mm + 8 + 12 + kBack_mm, 3 * kTurn_mm},
+                  kMissing,
+                  kMissing,
+                  {90, 1},
+                  {100},
+                  {100},
+                  kMissing,
+                  {0},
+                  /* artery: 10.5 aside, 19.5 - 11.5 deeper */ {std::hypot(10.5, 8), kEdge_mm},
+                  /* lung: 39.5 - 11.5 */ {28, kWall_mm},
+                  {0},
+                  {0},
+                  {0},
+                  kMissing,
+                  kMissing}});
   EXPECT_EQ(outcome.run.metrics().needle(), NeedlePlace::Used);
 }
 
@@ -302,64 +278,65 @@ TEST_F(MetricsByHand, NeverInThePicture) {
   const auto outcome =
       play(R"({"probe": "across"}, )" + needle(0, 10) + R"(, {"aspirate": true}, {"advance_mm": 23}, {"wait_s": 1})");
   const double toAccess_mm = kVein_mm - kSkin_mm;
-  expect(outcome, {{{1},
-                    {0},
-                    {0},
-                    {toAccess_mm / 10, kTicks_s},
-                    {0},
-                    {toAccess_mm / 10, kTicks_s},
-                    /* 23 mm, 1 s */ {3.3, kTicks_s},
-                    {1},
-                    {0},
-                    {0},
-                    {0},
-                    {toAccess_mm, kWay_mm},
-                    {0, 0.1},
-                    {0, kWay_mm},
-                    {90, 1},
-                    {0},
-                    {100},
-                    {0, kMiddle_mm},
-                    {1},
-                    {std::hypot(10.5, 2), kEdge_mm},
-                    {22, kWall_mm},
-                    {0},
-                    {0},
-                    {0},
-                    kMissing,
-                    kMissing}});
+  expectMetrics(outcome.metrics, {{{1},
+                                   {0},
+                                   {0},
+                                   {toAccess_mm / 10, kTicks_s},
+                                   {0},
+                                   {toAccess_mm / 10, kTicks_s},
+                                   /* 23 mm, 1 s */ {3.3, kTicks_s},
+                                   {1},
+                                   {0},
+                                   {0},
+                                   {0},
+                                   {toAccess_mm, kWay_mm},
+                                   {0, 0.1},
+                                   {0, kWay_mm},
+                                   {90, 1},
+                                   {0},
+                                   {100},
+                                   {0, kMiddle_mm},
+                                   {1},
+                                   {std::hypot(10.5, 2), kEdge_mm},
+                                   {22, kWall_mm},
+                                   {0},
+                                   {0},
+                                   {0},
+                                   kMissing,
+                                   kMissing}});
 }
 
 /// At x = -20, until 2 mm after the bone was met 30 mm deep, and out.
 TEST_F(MetricsByHand, Bone) {
   const auto outcome = play(R"({"probe": "across"}, {"move_probe_mm": [-10, 0, 0]}, )" + needle(-20) +
                             R"(, {"advance_mm": 37}, {"wait_s": 1}, {"withdraw_mm": 37})");
-  expect(outcome, {{{0},
-                    {0},
-                    {0},
-                    kMissing,
-                    {0},
-                    kMissing,
-                    /* 10 + 37 + 37 mm, 1 s; the probe moves before the needle is there */ {9.4, kTicks_s},
-                    {1},
-                    {0},
-                    {0},
-                    {1},
-                    /* 32 - 7.755 in, 32.3 out */ {32 - kSkin_mm + 32 + kBack_mm, kTurn_mm},
-                    kMissing,
-                    kMissing,
-                    {90, 1},
-                    {100},
-                    {0},
-                    kMissing,
-                    {0},
-                    /* artery: 20 + 10.5 aside */ {30.5, kWall_mm},
-                    /* lung: -14.5 + 20 aside, 39.5 - 31.5 deeper */ {std::hypot(5.5, 8), kEdge_mm},
-                    {0},
-                    {0},
-                    {0},
-                    kMissing,
-                    kMissing}});
+  expectMetrics(outcome.metrics,
+                {{{0},
+                  {0},
+                  {0},
+                  kMissing,
+                  {0},
+                  kMissing,
+                  /* 10 + 37 + 37 mm, 1 s; the probe moves before the needle is there */ {9.4, kTicks_s},
+                  {1},
+                  {0},
+                  {0},
+                  {1},
+                  /* 32 - 7.755 in, 32.3 out */ {32 - kSkin_mm + 32 + kBack_mm, kTurn_mm},
+                  kMissing,
+                  kMissing,
+                  {90, 1},
+                  {100},
+                  {0},
+                  kMissing,
+                  {0},
+                  /* artery: 20 + 10.5 aside */ {30.5, kWall_mm},
+                  /* lung: -14.5 + 20 aside, 39.5 - 31.5 deeper */ {std::hypot(5.5, 8), kEdge_mm},
+                  {0},
+                  {0},
+                  {0},
+                  kMissing,
+                  kMissing}});
 }
 
 /// Through the vein and into the lung, 45 mm deep, and out.
@@ -367,33 +344,33 @@ TEST_F(MetricsByHand, Pneumothorax) {
   const auto outcome = play(R"({"probe": "across"}, )" + needle(0) + R"(, {"advance_mm": 50}, {"withdraw_mm": 50})",
                             R"("procedure": "subclavian", )");
   const double toAccess_mm = kVein_mm - kSkin_mm;
-  expect(outcome,
-         {{{1},
-           {0},
-           {1},
-           {toAccess_mm / 10, kTicks_s},
-           {0},
-           {toAccess_mm / 10, kTicks_s},
-           /* 50 + 50 mm */ {10, kTicks_s},
-           {1},
-           {0},
-           /* at 40 + 2.492 */ {1},
-           {0},
-           {toAccess_mm, kWay_mm},
-           {0, 0.1},
-           {0, kWay_mm},
-           {90, 1},
-           {100},
-           {0},
-           /* it never rests: at the puncture, 15.033 deep, with the middle at 18 */ {18 - kVein_mm, kMiddle_mm},
-           {0},
-           {10.5, kWall_mm},
-           /* lung: the tip at 44.5 is 5 within */ {-5, kWall_mm},
-           {0},
-           {0},
-           {0},
-           kMissing,
-           kMissing}});
+  expectMetrics(outcome.metrics,
+                {{{1},
+                  {0},
+                  {1},
+                  {toAccess_mm / 10, kTicks_s},
+                  {0},
+                  {toAccess_mm / 10, kTicks_s},
+                  /* 50 + 50 mm */ {10, kTicks_s},
+                  {1},
+                  {0},
+                  /* at 40 + 2.492 */ {1},
+                  {0},
+                  {toAccess_mm, kWay_mm},
+                  {0, 0.1},
+                  {0, kWay_mm},
+                  {90, 1},
+                  {100},
+                  {0},
+                  /* it never rests: at the puncture, 15.033 deep, with the middle at 18 */ {18 - kVein_mm, kMiddle_mm},
+                  {0},
+                  {10.5, kWall_mm},
+                  /* lung: the tip at 44.5 is 5 within */ {-5, kWall_mm},
+                  {0},
+                  {0},
+                  {0},
+                  kMissing,
+                  kMissing}});
   const auto& rules = outcome.run.procedure().rules;
   EXPECT_TRUE(std::ranges::any_of(outcome.run.findings(), [&](const ProcedureRun::Finding& finding) {
     return rules[finding.rule].name == "lung" && rules[finding.rule].severity == Severity::Critical;
@@ -407,32 +384,32 @@ TEST_F(MetricsByHand, ProbeLifted) {
       play(R"({"probe": "across"}, )" + needle(0) +
            R"(, {"aspirate": true}, {"advance_mm": 15}, {"probe": null}, {"advance_mm": 8}, {"wait_s": 1})");
   const double toAccess_mm = kVein_mm - kSkin_mm;
-  expect(outcome, {{{1},
-                    {0},
-                    {0},
-                    {toAccess_mm / 10, kTicks_s},
-                    {0},
-                    {toAccess_mm / 10, kTicks_s},
-                    {3.3, kTicks_s},
-                    {1},
-                    {0},
-                    {0},
-                    {0},
-                    {toAccess_mm, kWay_mm},
-                    {0, 0.1},
-                    {0, kWay_mm},
-                    {90, 1},
-                    /* 10 of 15.033 */ {100 * 10 / kVein_mm, 2 * share(kVein_mm)},
-                    {100},
-                    {0, kMiddle_mm},
-                    {1},
-                    {std::hypot(10.5, 2), kEdge_mm},
-                    {22, kWall_mm},
-                    {0},
-                    {0},
-                    {0},
-                    kMissing,
-                    kMissing}});
+  expectMetrics(outcome.metrics, {{{1},
+                                   {0},
+                                   {0},
+                                   {toAccess_mm / 10, kTicks_s},
+                                   {0},
+                                   {toAccess_mm / 10, kTicks_s},
+                                   {3.3, kTicks_s},
+                                   {1},
+                                   {0},
+                                   {0},
+                                   {0},
+                                   {toAccess_mm, kWay_mm},
+                                   {0, 0.1},
+                                   {0, kWay_mm},
+                                   {90, 1},
+                                   /* 10 of 15.033 */ {100 * 10 / kVein_mm, 2 * share(kVein_mm)},
+                                   {100},
+                                   {0, kMiddle_mm},
+                                   {1},
+                                   {std::hypot(10.5, 2), kEdge_mm},
+                                   {22, kWall_mm},
+                                   {0},
+                                   {0},
+                                   {0},
+                                   kMissing,
+                                   kMissing}});
 }
 
 }  // namespace

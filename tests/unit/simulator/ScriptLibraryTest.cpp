@@ -56,7 +56,7 @@ const std::vector<Outcome> kOnTheTextbookNeck{
     {"probe-lifted", {"tilt", "entered skin", "entered vein"}, Vein, true, {}},
     // The thesis's figures.
     {"figure-16", {"tilt"}, Clean, false, {}},
-    {"figure-17", {"tilt"}, Clean, false, {}},
+    {"figure-17", {}, Clean, false, {}},
     {"figure-18", {"tilt", "entered skin", "entered vein"}, Vein, true, {}},
     {"figure-19", {"tilt", "entered skin", "entered vein"}, Vein, true, {}},
     {"figure-20", {"tilt", "entered skin", "entered vein", "frozen"}, Vein, true, {}},

@@ -33,6 +33,15 @@ constexpr AttemptEventKind kindOf(NeedleEventKind kind) {
   return AttemptEventKind::Struck;
 }
 
+/// The skin bends far before it gives: the tip is that much deeper than the hole, where skin may face another way.
+Vec3 onSkin(const NeedleEvent& event, const Transform& restFromPatient, const TissueGrid& grid) {
+  constexpr double kStep_mm = 0.25, kMost_mm = 20;
+  const Vec3 tip_mm = restFromPatient * event.tip_mm, axis = normalized(restFromPatient.linear * event.axis);
+  double back_mm = 0;
+  while (back_mm < kMost_mm && grid.at(tip_mm - axis * back_mm).distance_mm[wallIndex(kSkin)] < 0) back_mm += kStep_mm;
+  return tip_mm - axis * back_mm;
+}
+
 }  // namespace
 
 AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, const TissueGrid* grid,
@@ -63,7 +72,7 @@ AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const
   told.wall = event.wall, told.into = event.into;
   told.tip_mm = event.tip_mm, told.axis = event.axis, told.depth_mm = event.depth_mm;
   if (!grid || event.wall != kSkin) return told;
-  const Vec3 outward = grid->outward(context.restFromPatient * event.tip_mm, wallIndex(kSkin));
+  const Vec3 outward = grid->outward(onSkin(event, context.restFromPatient, *grid), wallIndex(kSkin));
   if (norm(outward) > 0.5) told.outward = outward;
   return told;
 }
