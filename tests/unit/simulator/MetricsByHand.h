@@ -29,9 +29,9 @@ struct MetricByHand {
 inline const MetricByHand kMissing{};
 
 /// In the order of Metric.
-using MetricsByHand = std::array<MetricByHand, kMetricCount>;
+using AllByHand = std::array<MetricByHand, kMetricCount>;
 
-inline void expectMetrics(const MetricValues& metrics, const MetricsByHand& byHand) {
+inline void expectMetrics(const MetricValues& metrics, const AllByHand& byHand) {
   for (const MetricDefinition& metric : metricTable()) {
     SCOPED_TRACE(metric.id);
     const MetricByHand& expected = byHand[static_cast<std::size_t>(metric.metric)];
