@@ -81,10 +81,20 @@ void Benchmark::measureLive(bool follows) {
     add(name.arg(QStringLiteral("latency_p95")), rates.p95_ms, QStringLiteral("ms"));
     add(name.arg(QStringLiteral("processor_per_image")), rates.cpu_ms, QStringLiteral("ms"));
     add(name.arg(QStringLiteral("window_thread_per_image")), rates.window_ms, QStringLiteral("ms"));
-    if (follows)
-      measureOrbit();
-    else
-      QTimer::singleShot(0, this, [this] { measureLive(true); });
+    QTimer::singleShot(0, this, [this, follows] { follows ? measureHands() : measureLive(true); });
+  });
+}
+
+void Benchmark::measureHands() {
+  train_.measureHands(plan_.quick ? 0.5 : 6, [this](const train::HandRates& rates) {
+    add(QStringLiteral("hands_images_per_second"), rates.imagesPerSecond, QStringLiteral("1/s"));
+    add(QStringLiteral("servo_ticks"), rates.ticks, {});
+    add(QStringLiteral("servo_ticks_late"), rates.late, {});
+    add(QStringLiteral("servo_tick_median"), rates.p50_us, QStringLiteral("us"));
+    add(QStringLiteral("servo_tick_p99"), rates.p99_us, QStringLiteral("us"));
+    add(QStringLiteral("servo_tick_p99.9"), rates.p999_us, QStringLiteral("us"));
+    add(QStringLiteral("servo_tick_longest"), rates.max_us, QStringLiteral("us"));
+    QTimer::singleShot(0, this, [this] { measureOrbit(); });
   });
 }
 

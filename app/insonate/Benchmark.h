@@ -44,6 +44,7 @@ class Benchmark : public QObject {
   double startOnce(const QString& cache, bool withCase);
   void opened();
   void measureLive(bool follows);
+  void measureHands();
   void measureOrbit();
   void measureVolume();
   void add(const QString& name, double value, const QString& unit) { rows_.push_back({name, unit, value}); }

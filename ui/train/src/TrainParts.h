@@ -86,6 +86,7 @@ class TrainWorkspace::Parts : public QObject {
   void saveScreen(const std::filesystem::path& file);
   void saveClip(const std::filesystem::path& folder);
   void measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done);
+  void measureHands(double seconds, std::function<void(HandRates)> done);
   OrbitRates measureOrbit(int steps);
   void measureVolume(double seconds, std::function<void(VolumeRates)> done);
 

@@ -17,6 +17,17 @@ void TrainWorkspace::Parts::measureLive(double seconds, bool viewsFollow, std::f
                                            });
 }
 
+void TrainWorkspace::Parts::measureHands(double seconds, std::function<void(HandRates)> done) {
+  HandsControl& hands = session.hands();
+  hands.takeNeedle(NeedlePlane::Along);
+  measureLive(seconds, true, [&hands, done = std::move(done)](const LiveRates& live) {
+    const TickTiming ticks = hands.session().timing();
+    hands.layNeedleDown();
+    done({live.imagesPerSecond, double(ticks.ticks), double(ticks.late), ticks.p50_us, ticks.p99_us, ticks.p999_us,
+          ticks.max_us});
+  });
+}
+
 OrbitRates TrainWorkspace::Parts::measureOrbit(int steps) {
   views::SceneView& scene = patient->scene();
   const views::FrameTimes times = views::timeOrbit(scene, steps);

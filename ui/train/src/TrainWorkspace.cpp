@@ -135,6 +135,10 @@ void TrainWorkspace::saveClip(const std::filesystem::path& folder) {
   parts_->saveClip(folder);
 }
 
+void TrainWorkspace::measureHands(double seconds, std::function<void(HandRates)> done) {
+  parts_->measureHands(seconds, std::move(done));
+}
+
 void TrainWorkspace::measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done) {
   parts_->measureLive(seconds, viewsFollow, std::move(done));
 }

@@ -14,6 +14,13 @@ struct LiveRates {
   double window_ms = 0;              ///< of that, the window's own thread
 };
 
+/// The servo of the hands, with a needle in one, while live pictures are shown and 3D follows.
+struct HandRates {
+  double imagesPerSecond = 0;
+  double ticks = 0, late = 0;                              ///< of its ticks, those that began a period late
+  double p50_us = 0, p99_us = 0, p999_us = 0, max_us = 0;  ///< of the work of a tick
+};
+
 /// How fast the patient in 3D turns.
 struct OrbitRates {
   double framesPerSecond = 0, median_ms = 0, p95_ms = 0;

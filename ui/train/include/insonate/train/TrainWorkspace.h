@@ -46,6 +46,8 @@ class TrainWorkspace : public ui::Workspace {
   /// Moves the linear probe with its own settings for a while and times the pictures on the screen, while 3D and CT
   /// follow or stand still. To be called when there is a picture; `done` comes later, unless the workspace goes first.
   void measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done);
+  /// The same with a needle in the hand and 3D following.
+  void measureHands(double seconds, std::function<void(HandRates)> done);
   /// Turns the patient in 3D, which takes its time.
   OrbitRates measureOrbit(int steps);
   /// Shows the CT in 3D and moves there and with the probe, `seconds` each; `done` comes later, unless the workspace
