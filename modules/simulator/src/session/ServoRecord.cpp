@@ -42,6 +42,19 @@ Vec3 onSkin(const NeedleEvent& event, const Transform& restFromPatient, const Ti
   return tip_mm - axis * back_mm;
 }
 
+/// Over some millimetres, as an eye sees how skin lies, and not its unevenness. Length 1 where it is flat.
+Vec3 outwardOfSkin(Vec3 at_mm, const TissueGrid& grid) {
+  constexpr double kStep_mm = 3;
+  Vec3 slope;
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 step_mm;
+    step_mm[axis] = kStep_mm;
+    const auto skin_mm = [&](Vec3 point_mm) { return grid.at(point_mm).distance_mm[wallIndex(kSkin)]; };
+    slope[axis] = (skin_mm(at_mm + step_mm) - skin_mm(at_mm - step_mm)) / (2 * kStep_mm);
+  }
+  return slope;
+}
+
 }  // namespace
 
 AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, const TissueGrid* grid,
@@ -72,8 +85,8 @@ AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const
   told.wall = event.wall, told.into = event.into;
   told.tip_mm = event.tip_mm, told.axis = event.axis, told.depth_mm = event.depth_mm;
   if (!grid || event.wall != kSkin) return told;
-  const Vec3 outward = grid->outward(onSkin(event, context.restFromPatient, *grid), wallIndex(kSkin));
-  if (norm(outward) > 0.5) told.outward = outward;
+  const Vec3 outward = outwardOfSkin(onSkin(event, context.restFromPatient, *grid), *grid);
+  if (norm(outward) > 0.5) told.outward = normalized(outward);
   return told;
 }
 
