@@ -134,6 +134,17 @@ TEST_F(Program, SaysWhyACaseCannotBeReadAndLeavesWhereNobodyLooks) {
   EXPECT_FALSE(QFile::exists(picture));
 }
 
+TEST_F(Program, SaysWhyAnAttemptCannotBeOpened) {
+  QFile file(home.filePath("garbage.attempt"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("words");
+  file.close();
+  const Outcome outcome = run({file.fileName(), "--screenshot", home.filePath("window.png")});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_TRUE(outcome.errors.contains("garbage.attempt is not a recording of an attempt"))
+      << outcome.errors.toStdString();
+}
+
 TEST_F(Program, OpensItsWindowForACaseThatIsNotThere) {
   QProcess program;
   program.start(INSONATE_PROGRAM, {home.filePath("nothing")});

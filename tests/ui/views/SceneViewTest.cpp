@@ -128,6 +128,21 @@ TEST(SceneView, PicksTheFirstVisibleVoxel) {
   EXPECT_FALSE(view.pick({2, 2}));
 }
 
+TEST(SceneView, PathsAreSeenWhereTheyAreUntilOthersAreSet) {
+  SceneView view;
+  view.setSurface(kSoftTissue, surfaceOf(box({0, 0, 0}, {40, 40, 40})));
+  view.setColour(kSoftTissue, {90, 90, 90});
+  Screen screen(view, 400, 400);
+  const auto along = [](double x) { return std::vector<Vec3>{{x, -44, -20}, {x, -44, 0}, {x, -44, 20}}; };
+  view.setPaths({{along(20), {255, 0, 0}}, {along(-20), {0, 0, 255}}, {{{0, -44, 0}}, {255, 0, 0}}});
+  const Picture picture = screen.picture();
+  EXPECT_GT(redAt(picture, view.displayFromPatient({20, -44, 10})), 60);
+  EXPECT_LT(redAt(picture, view.displayFromPatient({-20, -44, 10})), -60) << "the blue one";
+  EXPECT_LT(redAt(picture, view.displayFromPatient({0, -44, 0})), 20) << "one point is no path";
+  view.setPaths({});
+  EXPECT_LT(redAt(screen.picture(), view.displayFromPatient({20, -44, 10})), 20);
+}
+
 TEST(SceneView, HeadCouplingKeepsTheScreenStillAndMovesWhatIsBehind) {
   SceneView view;
   marked(view);

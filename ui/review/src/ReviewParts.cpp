@@ -248,15 +248,17 @@ void ReviewWorkspace::Parts::showNotice() {
   notice_->setVisible(!lines.isEmpty());
 }
 
+/// In place of a picture; empty where there is one.
+QString ReviewWorkspace::Parts::pictureWords() const {
+  if (!session.picture().trouble().isEmpty()) return session.picture().trouble();
+  if (!session.sample()) return tr("This part of the recording is missing.");
+  if (!session.sample()->patientFromProbe) return tr("The probe is not in the hand.");
+  return session.picture().shown() ? QString() : tr("Making the picture.");
+}
+
 void ReviewWorkspace::Parts::showPicture() {
   const auto& frame = session.picture().shown();
-  const bool probe = session.sample() && session.sample()->patientFromProbe;
-  const QString words = !session.fits()                          ? QString()
-                        : !session.picture().trouble().isEmpty() ? session.picture().trouble()
-                        : !session.sample()                      ? tr("This part of the recording is missing.")
-                        : !probe                                 ? tr("The probe is not in the hand.")
-                                                                 : QString();
-  picture_->setNotice(words.toStdString());
+  picture_->setNotice(session.fits() ? pictureWords().toStdString() : std::string());
   if (frame == shown_) return;
   shown_ = frame;
   picture_->setImage(frame ? frame->image : BModeImage{});

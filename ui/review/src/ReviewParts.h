@@ -51,6 +51,7 @@ class ReviewWorkspace::Parts : public QObject {
   void connectParts();
   void showAttempt();
   void showNotice();
+  QString pictureWords() const;
   void showPicture();
   void findCase();
   void refreshReady();

@@ -13,6 +13,8 @@ namespace insonate::review {
 namespace {
 
 constexpr int kMark_px = 20;
+/// Of a row, beside and above its words: the mark, and the style sheet's padding.
+constexpr int kBeside_px = kMark_px + 24, kAround_px = 14;
 
 QIcon markOf(const std::optional<Severity>& severity, double ratio) {
   QPixmap pixmap(QSize(kMark_px, kMark_px) * ratio);
@@ -34,7 +36,6 @@ MomentList::MomentList(ReviewSession& session, QWidget* parent) : QListWidget(pa
   setAccessibleName(tr("Moments that mattered"));
   setToolTip(tr("What happened, and what went wrong; a click goes there"));
   setWordWrap(true);
-  setTextElideMode(Qt::ElideNone);
   setIconSize({kMark_px, kMark_px});
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setResizeMode(QListView::Adjust);
@@ -52,12 +53,6 @@ MomentList::MomentList(ReviewSession& session, QWidget* parent) : QListWidget(pa
   connect(&session_, &ReviewSession::timeChanged, this, [this] { follow(); });
 }
 
-/// Words wrap anew, also where a scroll bar has come.
-void MomentList::resizeEvent(QResizeEvent* event) {
-  QListWidget::resizeEvent(event);
-  scheduleDelayedItemsLayout();
-}
-
 void MomentList::fill() {
   clear();
   if (!session_.attempt()) return;
@@ -69,7 +64,22 @@ void MomentList::fill() {
     if (moment.severity)
       item->setData(Qt::AccessibleTextRole, tr("%1, %2: %3").arg(time, wordsOf(*moment.severity), words));
   }
+  fit();
   follow();
+}
+
+void MomentList::resizeEvent(QResizeEvent* event) {
+  QListWidget::resizeEvent(event);
+  fit();
+}
+
+/// Qt counts rows without the style sheet's padding, and would cut words off.
+void MomentList::fit() {
+  const QRect room(0, 0, std::max(1, viewport()->width() - kBeside_px), QWIDGETSIZE_MAX);
+  for (int row = 0; row < count(); ++row) {
+    const int height = fontMetrics().boundingRect(room, Qt::TextWordWrap, item(row)->text()).height();
+    item(row)->setSizeHint({room.width(), std::max(height, kMark_px) + kAround_px});
+  }
 }
 
 void MomentList::follow() {

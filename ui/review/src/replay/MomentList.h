@@ -23,6 +23,7 @@ class MomentList : public QListWidget {
 
  private:
   void fill();
+  void fit();
   void follow();
 
   ReviewSession& session_;
