@@ -29,7 +29,7 @@ struct Cell {
   double area = 0;            ///< A0, mm2
   Eigen::Matrix4d spring = Eigen::Matrix4d::Zero();
   double mu = 0, bulk = 0, hoop = 0, shut = 0, initial = 0;  ///< kPa
-  double artery = 0, vein = 0;                     ///< shares of the cell that are lumens
+  double artery = 0, vein = 0;                               ///< shares of the cell that are lumens
 };
 
 /// Pushes two nodes apart along an axis once they are nearer than `least_mm`.

@@ -55,8 +55,8 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
     {AspirationWhileAdvancing, "aspiration_while_advancing_percent", 1, "%", Higher,
      "Share of the tip's way forward, until access, with the syringe drawing, in steps of 0.5 mm.", kUnnamed},
     {VeinCentreDistance, "vein_centre_distance_mm", 2, "mm", Lower,
-     "From the tip to the centre line of the vein where the tip last stood in the vein, within 0.5 mm for half a second; "
-     "where it never did, at the vein's puncture.",
+     "From the tip to the centre line of the vein where the tip last stood in the vein, within 0.5 mm for half a "
+     "second; where it never did, at the vein's puncture.",
      kTrainer},
     {TipInVein, "tip_in_vein", 2, "", Higher,
      "1: the attempt ended with the tip in the vein, or with the needle drawn back by the way it came after the "
