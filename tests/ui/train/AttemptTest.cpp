@@ -1,14 +1,21 @@
 #include "NeedleWindow.h"
 #include "attempt/AttemptControl.h"
 #include "attempt/SyringeView.h"
+#include "scene/PatientViews.h"
 
+#include <insonate/cases/Phantom.h>
+#include <insonate/haptics/SimulatedHand.h>
 #include <insonate/procedure/AttemptRecording.h>
+#include <insonate/simulator/AttemptSettings.h>
 #include <insonate/ui/Attempts.h>
 
 #include <gmock/gmock.h>
 
 #include <QDir>
 #include <QLabel>
+#include <atomic>
+#include <chrono>
+#include <cmath>
 
 namespace insonate::train {
 namespace {
@@ -163,6 +170,145 @@ TEST_F(TrainAttempt, AgainBeginsAnotherAndLeavingTheCaseKeepsWhatWasMade) {
   workspace_ = nullptr;
   EXPECT_EQ(files().size(), 3);
   EXPECT_TRUE(files().filter(".part").isEmpty());
+}
+
+/// The product's own neck, with no other help than the keys: in the plane of the picture, aimed under its middle.
+TEST_F(TrainAttempt, OnTheBuiltInNeckByKeysAlone) {
+  auto neck = makePhantom(phantomVariants().front().name, 1);
+  ASSERT_TRUE(neck);
+  workspace_->setCase(std::make_shared<const PatientCase>(std::move(*neck)));
+  ASSERT_TRUE(waitFor([&] { return workspace_->isReady() && session_->handReady(); }));
+  ASSERT_TRUE(waitFor([&] { return hands().session().tissueReady(); }));
+  start();
+  for (int i = 0; i < 6; ++i) key(Qt::Key_Plus);
+  EXPECT_TRUE(waitFor([&] { return attempt_->view().steps[1].state == ProcedureRun::StepState::Done; }));
+  for (int i = 0; i < 6; ++i) key(Qt::Key_Minus);
+  key(Qt::Key_I);
+  key(Qt::Key_B);
+  for (int i = 0; i < 6; ++i) key(Qt::Key_PageDown, Qt::ShiftModifier);
+  for (int i = 0; i < 2; ++i) key(Qt::Key_PageDown);
+  ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Vein; }));
+  EXPECT_TRUE(waitFor([&] { return text("attemptDue").contains("Freeze and look"); }));
+  key(Qt::Key_B);
+  key(Qt::Key_Space);
+  key(Qt::Key_Space);
+  for (int i = 0; i < 7; ++i) key(Qt::Key_PageUp, Qt::ShiftModifier);
+  EXPECT_TRUE(waitFor([&] { return text("attemptDue").contains("All steps are done"); }));
+  finish();
+  const MetricValues& metrics = attempt_->view().metrics;
+  EXPECT_TRUE(attempt_->score().succeeded) << attempt_->score().advice;
+  EXPECT_EQ(metrics[Metric::VeinPunctures], 1);
+  EXPECT_EQ(metrics[Metric::ArteryPunctures], 0);
+  EXPECT_EQ(metrics[Metric::Passes], 1);
+  EXPECT_NEAR(*metrics[Metric::InsertionAngle], 45, 15);
+  EXPECT_EQ(*recorded()->metricsUntil(), metrics);
+}
+
+TEST_F(TrainAttempt, TheSettingsOfThePicturesAreKeptAndEachChangeOfThem) {
+  openWide();
+  start();
+  ImagingSettings brighter = session_->settings();
+  brighter.gain_dB = 7;
+  session_->setSettings(brighter);
+  TissueChoice tilted = session_->tissue();
+  tilted.body.tilt_deg = 10;
+  session_->setTissue(tilted);
+  QTest::qWait(300);
+  finish();
+  const auto recording = recorded();
+  const auto begun = parseAttemptSettings(recording->header().settings);
+  ASSERT_TRUE(begun) << begun.error().message;
+  EXPECT_EQ(begun->setup.settings.gain_dB, brighter.gain_dB - 7);
+  EXPECT_EQ(begun->setup.engine, "cpu");
+  ASSERT_FALSE(recording->settingsChanges().empty());
+  const auto last = parseAttemptSettings(recording->settingsChanges().back().settings);
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->setup.settings.gain_dB, 7);
+  EXPECT_EQ(last->physiology.tilt_deg, 10);
+}
+
+TEST_F(TrainAttempt, TouchingTheTrayTakesANewNeedle) {
+  openWide();
+  start();
+  overTheVein();
+  type("needle_depth", "12");
+  ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Vein; }));
+  type("needle_depth", "-5");
+  ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Used; }));
+  auto* scene = workspace_->findChild<ui::ViewWidget*>("sceneView");
+  const auto& patient = *static_cast<PatientViews*>(scene->parentWidget()->parentWidget());
+  ASSERT_TRUE(patient.tray());
+  EXPECT_TRUE(patient.isOnTray(*patient.tray() * Vec3{50, 10, 3}));
+  EXPECT_FALSE(patient.isOnTray(*patient.tray() * Vec3{50, 30, 3}));
+  EXPECT_FALSE(patient.isOnTray(*patient.tray() * Vec3{0, 0, 60}));
+  const views::DisplayPoint at = const_cast<PatientViews&>(patient).scene().displayFromPatient(patient.tray()->offset);
+  QWidget* canvas = scene->focusProxy();
+  const QPointF where(at.x / canvas->devicePixelRatioF(), at.y / canvas->devicePixelRatioF());
+  EXPECT_TRUE(QRectF(canvas->rect()).contains(where)) << "the tray is in sight";
+  QMouseEvent press(QEvent::MouseButtonPress, where, canvas->mapToGlobal(where.toPoint()), Qt::LeftButton,
+                    Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(canvas, &press);
+  EXPECT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Clean; }));
+  finish();
+  EXPECT_FALSE(patient.tray());
+}
+
+/// A stylus with two buttons, as a test holds it.
+class Stylus final : public HapticDevice {
+ public:
+  Stylus() {
+    info_.id = "stylus", info_.name = "Stylus";
+    info_.limits = deviceProfiles().front().limits;
+  }
+  const DeviceInfo& info() const noexcept override { return info_; }
+  DevicePhase phase() const noexcept override { return DevicePhase::kStreaming; }
+  std::string trouble() const override { return {}; }
+  DeviceCounters counters() const noexcept override { return {}; }
+  bool take(DeviceState& state) noexcept override {
+    const double turn = turn_rad.load();
+    state = {};
+    const Vec3 x{std::cos(turn), 0, -std::sin(turn)}, y{0, 1, 0};
+    state.deviceFromStylus.linear = {{x, y, cross(x, y)}};
+    state.buttons = buttons;
+    state.time_ns = std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+    return true;
+  }
+  void push(const Force&) noexcept override {}
+
+  std::atomic<double> turn_rad = 0;  ///< about the device's y
+  std::atomic<std::uint32_t> buttons = 0;
+
+ private:
+  DeviceInfo info_;
+};
+
+TEST_F(TrainAttempt, ButtonsOfTheNeedlesDeviceTurnThePatientAndDraw) {
+  openWide();
+  const auto stylus = std::make_shared<Stylus>();
+  hands().session().devices().add(stylus);
+  hands().assign(kNeedleHand, "stylus");
+  ASSERT_TRUE(waitFor([&] { return hands().needle().has_value(); }));
+  double across_deg = 0;
+  QObject::connect(&hands(), &HandsControl::anatomyTurned, workspace_.get(),
+                   [&](double across, double) { across_deg += across; });
+  const auto turnBy = [&](double degrees) {
+    for (int i = 0; i < 10; ++i) {
+      stylus->turn_rad = stylus->turn_rad + degrees / 10 * 3.14159265358979 / 180;
+      QTest::qWait(40);
+    }
+    QTest::qWait(100);
+  };
+  turnBy(20);
+  EXPECT_EQ(across_deg, 0) << "no button is down";
+  stylus->buttons = 1;
+  QTest::qWait(100);
+  turnBy(30);
+  EXPECT_NEAR(across_deg, -30, 0.5) << "the patient goes along with the hand";
+  stylus->buttons = 2;
+  EXPECT_TRUE(waitFor([&] { return attempt_->isAspirating(); }));
+  stylus->buttons = 0;
+  EXPECT_TRUE(waitFor([&] { return !attempt_->isAspirating(); }));
+  hands().assign(kNeedleHand, {});
 }
 
 }  // namespace

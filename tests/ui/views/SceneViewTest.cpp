@@ -56,6 +56,26 @@ TEST(SceneView, PatientsLeftIsOnTheRightSeenFromTheFront) {
   EXPECT_LT(redAt(picture, {400 - at.x, at.y}), 20);
 }
 
+TEST(SceneView, TheTrayStandsWhereItIsPutUntilItIsTakenAway) {
+  SceneView view;
+  marked(view);
+  Screen screen(view, 400, 400);
+  screen.picture();
+  // Facing the viewer, before the body.
+  const Transform tray{{{Vec3{1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, -1, 0}}}, {0, -60, -20}};
+  const DisplayPoint floor = view.displayFromPatient(tray * Vec3{0, 15, 0});
+  const auto steel = [&] {
+    const Picture picture = screen.picture();
+    const auto* rgb = picture.at(int(floor.x), int(floor.y));
+    return int(rgb[2]) > int(rgb[0]) + 5;  // its grey is bluish, the body's is not
+  };
+  EXPECT_FALSE(steel());
+  view.setTray(tray);
+  EXPECT_TRUE(steel());
+  view.setTray(std::nullopt);
+  EXPECT_FALSE(steel());
+}
+
 TEST(SceneView, EachViewpointShowsItsSide) {
   SceneView view;
   marked(view);

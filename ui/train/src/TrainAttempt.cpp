@@ -61,6 +61,17 @@ QWidget* TrainWorkspace::Parts::buildLeft() {
 void TrainWorkspace::Parts::connectAttempt() {
   connect(attempt, &AttemptControl::stateChanged, this, [this] { showAttempt(); });
   connect(attempt, &AttemptControl::viewChanged, this, [this] { showAttempt(); });
+  // A new needle is taken by touching the tray, with the pointer or with the needle itself.
+  patient->setTrayTaken([this] { attempt->replaceNeedle(); });
+  connect(&session.hands(), &HandsControl::needleChanged, this, [this] {
+    const auto& held = session.hands().needle();
+    const bool used = attempt->isRunning() && attempt->view().needle == NeedlePlace::Used;
+    if (used && held && patient->isOnTray(held->patientFromNeedle.offset)) attempt->replaceNeedle();
+  });
+  // Buttons of the device that holds the needle.
+  connect(&session.hands(), &HandsControl::anatomyTurned, this,
+          [this](double across_deg, double up_deg) { patient->turn(across_deg, up_deg); });
+  connect(&session.hands(), &HandsControl::drawButton, attempt, &AttemptControl::setAspirating);
   connect(attemptPanel_, &AttemptPanel::reviewWanted, &workspace_, &TrainWorkspace::attemptWanted);
 }
 
@@ -71,6 +82,7 @@ void TrainWorkspace::Parts::showAttempt() {
   const NeedlePlace place = made ? attempt->view().needle : NeedlePlace::Clean;
   patient->setNeedleColour(wordsOf(silent ? plainly(place) : place).colour);
   patient->setSilent(silent);
+  patient->setTrayVisible(attempt->isRunning());
   if (silent && isCtBeside()) setCtBeside(false);
   cine_->setCtBesideOffered(!silent);
   besideAction_->setEnabled(!silent);

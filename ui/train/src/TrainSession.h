@@ -5,6 +5,7 @@
 #include "hands/HandsControl.h"
 #include "tissue/TissueChoice.h"
 
+#include <insonate/simulator/AttemptSettings.h>
 #include <insonate/simulator/LiveImaging.h>
 #include <insonate/surface/Mesh.h>
 #include <insonate/ui/CaseWorker.h>
@@ -51,6 +52,8 @@ class TrainSession : public QObject {
   Result<void> useProbe(const Probe& probe, const std::string& what);
   /// What the probe cannot do is brought to the nearest that it can.
   void setSettings(ImagingSettings settings);
+  /// All that decides the pictures now, for an attempt that is recorded. There must be a picture.
+  AttemptSettings attemptSettings() const;
   /// Shows one effect of EffectLayers.h by itself.
   void setEffect(const std::string& name);
   const std::string& effect() const { return effect_; }

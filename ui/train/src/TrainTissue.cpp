@@ -1,6 +1,8 @@
 // The part of the session that is about tissue and blood.
 #include "TrainSession.h"
 
+#include <insonate/tissue/NeedleTable.h>
+
 #include <utility>
 
 namespace insonate::train {
@@ -38,6 +40,17 @@ void TrainSession::useTissue(const TissueChoice& choice) {
   tellTissue();
   if (otherModel) sendSetup();
   Q_EMIT tissueChanged();
+}
+
+AttemptSettings TrainSession::attemptSettings() const {
+  AttemptSettings all;
+  all.setup = setup();
+  all.setup.engine = shown_->engine;
+  all.physiology = physiologyOf(tissue_);
+  all.pulsating = pulsates();
+  all.bloodTime_s = shown_->time_s;
+  all.needle = needlePresetNames().front();
+  return all;
 }
 
 void TrainSession::setMeshWanted(bool wanted) {

@@ -48,11 +48,24 @@ AttemptControl::AttemptControl(TrainSession& session, QString folder, QObject* p
     const double tilt_deg = session_.tissue().body.tilt_deg;
     if (std::exchange(tilt_deg_, tilt_deg) != tilt_deg && isRunning())
       attempt_->tell(AttemptEventKind::Positioned, tilt_deg);
+    settingsChanged();
   });
+  connect(&session_, &TrainSession::setupChanged, this, [this] { settingsChanged(); });
 }
 
 AttemptControl::~AttemptControl() {
   close();
+}
+
+/// What is dragged changes with each picture: kept ten times a second.
+void AttemptControl::settingsChanged() {
+  if (!isRunning() || !session_.shown()) return;
+  settingsDue_ = sinceSettings_.isValid() && sinceSettings_.elapsed() < kLook_ms;
+  if (settingsDue_) return;
+  sinceSettings_.start();
+  AttemptSettings now = session_.attemptSettings();
+  now.bloodTime_s = bloodTime_s_;
+  attempt_->setSettings(now);
 }
 
 void AttemptControl::choose(const std::string& procedure) {
@@ -124,7 +137,10 @@ void AttemptControl::begin() {
   const QString title = QCoreApplication::applicationName() + QLatin1Char(' ') + QCoreApplication::applicationVersion();
   AttemptHeader header = headerOf(procedure(), *session_.patient(), session_.probe(), title.toStdString());
   header.caseHash = hash_.get();
-  header.engine = session_.shown()->engine;
+  const AttemptSettings settings = session_.attemptSettings();
+  bloodTime_s_ = settings.bloodTime_s;
+  header.engine = settings.setup.engine;
+  header.settings = textOf(settings);
   auto begun = QDir().mkpath(folder_) ? LiveAttempt::start(newFile(), header, procedure())
                                       : fail("The folder " + folder_.toStdString() +
                                              " for attempts cannot be made; check that you may " + "write there.");
@@ -148,6 +164,7 @@ void AttemptControl::begin() {
 void AttemptControl::end(AttemptStatus status) {
   if (!isRunning()) return;
   setAspirating(false);
+  settingsDue_ = false;
   session_.hands().setAttempt(nullptr);
   status_ = status;
   writing_ = std::async(std::launch::async, [attempt = attempt_, status] { return attempt->finish(status); });
@@ -174,6 +191,7 @@ void AttemptControl::look() {
     return isThere(hash_) ? begin() : void();
   }
   if (!attempt_) return;
+  if (settingsDue_) settingsChanged();
   view_ = attempt_->view();
   if (const std::string trouble = attempt_->trouble(); trouble != trouble_) {
     trouble_ = trouble;

@@ -2,6 +2,7 @@
 
 #include <insonate/simulator/LiveAttempt.h>
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QTimer>
@@ -85,6 +86,7 @@ class AttemptControl : public QObject {
  private:
   void hashCase();
   void begin();
+  void settingsChanged();
   void end(AttemptStatus status);
   void look();
   void show(State state);
@@ -104,7 +106,9 @@ class AttemptControl : public QObject {
   AttemptView view_;
   AttemptScore score_;
   bool aspirating_ = false;
-  double tilt_deg_ = 0;
+  double tilt_deg_ = 0, bloodTime_s_ = 0;
+  bool settingsDue_ = false;
+  QElapsedTimer sinceSettings_;
   std::string trouble_;  ///< as last said
   QTimer timer_;
 };

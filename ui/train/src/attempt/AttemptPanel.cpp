@@ -89,8 +89,10 @@ QWidget* AttemptPanel::buildBegin() {
   auto* page = new QWidget;
   auto* box = column(page);
   procedure_ = choice("attemptProcedure", tr("Procedure"), tr("What is to be done, step by step"));
-  for (const Procedure& one : attempt_.procedures())
+  for (const Procedure& one : attempt_.procedures()) {
     procedure_->addItem(QString::fromStdString(one.title), QString::fromStdString(one.name));
+    procedure_->setItemData(procedure_->count() - 1, QString::fromStdString(one.title), Qt::ToolTipRole);
+  }
   mode_ = choice("attemptMode", tr("Practice or test"),
                  tr("Practice says what to do and what went wrong. A test is silent until its end, without CT"));
   mode_->addItem(tr("practice"), int(AttemptMode::Practice));

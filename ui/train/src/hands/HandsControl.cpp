@@ -17,6 +17,9 @@ constexpr int kTick_ms = 16, kSlow_ms = 500;
 /// Of what pushes a needle that is outside: the other tool.
 constexpr double kTouch_N = 0.3;
 constexpr double kStart_mm = 5;  // off the skin
+/// Bits of DeviceState::buttons.
+constexpr std::uint32_t kTurnButton = 1, kDrawButton = 2;
+constexpr double kStill_deg = 0.01;
 
 bool sameNeedle(const NeedleShown& a, const NeedleShown& b) {
   const NeedleState &s = a.state, &t = b.state;
@@ -145,10 +148,24 @@ void HandsControl::look() {
   const ServoSnapshot now = session_->snapshot();
   if (wish_) goIn(now, step_s);
   follow(now);
+  if (now.present[kNeedleHand] && !session_->isMouse(kNeedleHand)) lookAtButtons(now.states[kNeedleHand]);
   for (const NeedleEvent& event : session_->takeEvents())
     if (!silent_) Q_EMIT said(sentenceOf(event));
   for (std::uint32_t down = session_->takePresses(), button = 0; down; down >>= 1, ++button)
     if (down & 1) Q_EMIT pedalPressed(int(button));
+}
+
+void HandsControl::lookAtButtons(const DeviceState& now) {
+  const DeviceState before = std::exchange(stylus_, now);
+  if ((now.buttons ^ before.buttons) & kDrawButton) Q_EMIT drawButton(now.buttons & kDrawButton);
+  if (!(now.buttons & before.buttons & kTurnButton)) return;
+  // For small turns: the sum of the axes' cross products is twice the turn.
+  Vec3 twice;
+  for (int i = 0; i < 3; ++i)
+    twice = twice + cross(before.deviceFromStylus.linear.column[i], now.deviceFromStylus.linear.column[i]);
+  const Vec3 turn_deg = twice * (0.5 * 180 / 3.14159265358979);
+  // The patient goes along with the hand: the view goes the other way round.
+  if (norm(turn_deg) > kStill_deg) Q_EMIT anatomyTurned(-turn_deg.y, turn_deg.x);
 }
 
 void HandsControl::follow(const ServoSnapshot& now) {

@@ -104,6 +104,10 @@ class HandsControl : public QObject {
   void handsChanged();  ///< what is in which hand
   void said(const QString& sentence);
   void pedalPressed(int button);
+  /// While the first button of the device with the needle is held: how far the stylus turned, in degrees, as the view
+  /// is to turn about the patient, to the right and up.
+  void anatomyTurned(double across_deg, double up_deg);
+  void drawButton(bool down);  ///< its second button
   void deviceEvent(const insonate::DeviceEvent& event);
 
  private:
@@ -111,6 +115,7 @@ class HandsControl : public QObject {
   void apply();
   void put(Hand hand);
   void follow(const ServoSnapshot& now);
+  void lookAtButtons(const DeviceState& now);
   void goIn(const ServoSnapshot& now, double step_s);
   void tell(HandMove move);
   void wishMoved();
@@ -132,6 +137,7 @@ class HandsControl : public QObject {
   NeedlePlane plane_ = NeedlePlane::Along;
   std::optional<NeedleShown> needle_;
   Transform driven_;
+  DeviceState stylus_;  ///< of the needle's device, as seen last
   QTimer timer_, slow_;
   QElapsedTimer clock_;
 };

@@ -73,7 +73,7 @@ PatientViews::PatientViews(TrainSession& session, QWidget* parent)
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->addWidget(splitter_);
-  new SceneInput(session_, *scene_, *sceneWidget_->focusProxy(), this);
+  input_ = new SceneInput(session_, *scene_, *sceneWidget_->focusProxy(), this);
 
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, [this] { follow(); });
@@ -267,6 +267,8 @@ void PatientViews::showCase() {
   case_ = session_.patient() ? std::make_shared<views::VtkCase>(session_.patient()) : nullptr;
   for (const LabelInfo& info : labelTable()) scene_->setSurface(info.label, {});
   scene_->setCase(case_);
+  setTrayVisible(false);
+  if (std::exchange(needleCut_, std::nullopt)) scene_->setClipping({});
   scenePanel_->setCase(session_.patient());
   scene_->setProbe(std::nullopt);
   scene_->setImage({});

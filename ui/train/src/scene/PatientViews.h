@@ -28,6 +28,7 @@ class ViewWidget;
 namespace insonate::train {
 
 class FourSlices;
+class SceneInput;
 class SliceMenu;
 class TrainSession;
 
@@ -62,6 +63,15 @@ class PatientViews : public QWidget {
   void setWindowChanged(const std::function<void(views::WindowLevel)>& listener);
   /// Of the needle's shaft in 3D.
   void setNeedleColour(views::Colour colour);
+  /// The view in 3D: to the right and up, in degrees.
+  void turn(double across_deg, double up_deg);
+  /// A tray with a new needle, beside the patient's chest; while there is an attempt.
+  void setTrayVisible(bool visible);
+  const std::optional<Transform>& tray() const { return tray_; }
+  /// Whether a point lies on the tray or just over it, as a tip that touches it.
+  bool isOnTray(Vec3 patient_mm) const;
+  /// Called when the tray is clicked.
+  void setTrayTaken(std::function<void()> listener);
   /// Opens the patient along the needle, toward the viewer, or closes it again.
   void toggleCutAtNeedle();
   /// In a test: no CT, and a skin that hides what is under it.
@@ -109,7 +119,9 @@ class PatientViews : public QWidget {
   Transform pose_;
   std::optional<Transform> needle_;  ///< as drawn
   views::Colour needleColour_ = views::theme::kText;
-  bool needleCut_ = false;
+  std::optional<views::Clipping> needleCut_;
+  std::optional<Transform> tray_;
+  SceneInput* input_ = nullptr;
   struct Looks {
     double skin = 1;
     bool ct = false;

@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QMouseEvent>
 #include <QWheelEvent>
+#include <algorithm>
 
 namespace insonate::train {
 
@@ -45,6 +46,10 @@ bool SceneInput::pressed(const QMouseEvent& event) {
   from_ = last_ = event.localPos();
   begun_ = false;
   const bool left = event.button() == Qt::LeftButton, right = event.button() == Qt::RightButton;
+  if (left && trayTaken_ && isOnTray(event)) {
+    trayTaken_();
+    return true;
+  }
   const auto picked = left || right ? view_.pick(pointer(event).at) : std::nullopt;
   if (picked && left && session_.isUnplaced()) {
     session_.placeOnSkin();
@@ -63,6 +68,21 @@ bool SceneInput::pressed(const QMouseEvent& event) {
   drag_ = Drag::Camera;
   view_.pressed(pointer(event));
   return true;
+}
+
+/// As it is seen: within the rectangle round its corners.
+bool SceneInput::isOnTray(const QMouseEvent& event) {
+  if (!tray_) return false;
+  const Vec3 half = views::SceneView::kTray_mm * 0.5;
+  const views::DisplayPoint at = pointer(event).at;
+  views::DisplayPoint least{1e9, 1e9}, most{-1e9, -1e9};
+  for (const double x : {-half.x, half.x})
+    for (const double y : {-half.y, half.y}) {
+      const views::DisplayPoint corner = view_.displayFromPatient(*tray_ * Vec3{x, y, 0});
+      least = {std::min(least.x, corner.x), std::min(least.y, corner.y)};
+      most = {std::max(most.x, corner.x), std::max(most.y, corner.y)};
+    }
+  return at.x > least.x && at.x < most.x && at.y > least.y && at.y < most.y;
 }
 
 bool SceneInput::moved(const QMouseEvent& event) {

@@ -5,6 +5,9 @@
 #include <QObject>
 #include <QPoint>
 #include <QWidget>
+#include <functional>
+#include <optional>
+#include <utility>
 
 class QMouseEvent;
 class QWheelEvent;
@@ -18,6 +21,11 @@ class TrainSession;
 class SceneInput : public QObject {
  public:
   SceneInput(TrainSession& session, views::SceneView& view, QWidget& canvas, QObject* parent);
+
+  /// Where the tray stands; none for none.
+  void setTray(const std::optional<Transform>& patientFromTray) { tray_ = patientFromTray; }
+  /// Called when it is clicked.
+  void setTrayTaken(std::function<void()> listener) { trayTaken_ = std::move(listener); }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -33,6 +41,9 @@ class SceneInput : public QObject {
   TrainSession& session_;
   views::SceneView& view_;
   QWidget& canvas_;
+  bool isOnTray(const QMouseEvent& event);
+  std::optional<Transform> tray_;
+  std::function<void()> trayTaken_;
   Drag drag_ = Drag::None;
   bool begun_ = false;  ///< far enough to be no click
   QPointF from_, last_;

@@ -55,7 +55,13 @@ bool same(const std::optional<ClippingPlane>& a, const std::optional<ClippingPla
 }  // namespace
 
 SceneStage::SceneStage(vtkRenderer& renderer, std::function<void()> news)
-    : renderer_(renderer), ct_(renderer), plane_(renderer), probe_(renderer), needle_(renderer), path_(renderer) {
+    : renderer_(renderer),
+      ct_(renderer),
+      plane_(renderer),
+      probe_(renderer),
+      needle_(renderer),
+      path_(renderer),
+      tray_(renderer) {
   renderer_.SetBackground(theme::kGround.red / 255.0, theme::kGround.green / 255.0, theme::kGround.blue / 255.0);
   renderer_.SetBackground2(0x20 / 255.0, 0x26 / 255.0, 0x2c / 255.0);
   renderer_.GradientBackgroundOn();
@@ -156,6 +162,7 @@ void SceneStage::showProbe() {
   probe_.setVisible(now_.probe && now_.probeVisible);
   plane_.setVisible(now_.probe && now_.planeVisible);
   if (now_.needleChanges != before_.needleChanges) needle_.set(now_.needle);
+  if (now_.tray != before_.tray) tray_.set(now_.tray);
   if (now_.paths != before_.paths) path_.set(now_.paths ? *now_.paths : std::vector<ScenePath>{});
 }
 

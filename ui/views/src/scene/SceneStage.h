@@ -9,6 +9,7 @@
 #include "ProbeModel.h"
 #include "SceneState.h"
 #include "Structure.h"
+#include "TrayModel.h"
 
 #include <vtkCamera.h>
 
@@ -55,6 +56,7 @@ class SceneStage {
   ProbeModel probe_;
   NeedleModel needle_;
   PathModel path_;
+  TrayModel tray_;
   OrientationCube cube_;
   MovingDetail detail_;
   vtkNew<vtkCamera> usual_, coupled_;

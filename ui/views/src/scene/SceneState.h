@@ -48,6 +48,7 @@ struct SceneState {
   bool probeVisible = true, planeVisible = true;
   BModeImage image;  ///< empty for none of this probe
   std::optional<SceneView::Needle> needle;
+  std::optional<Transform> tray;
   std::shared_ptr<const std::vector<ScenePath>> paths;  ///< null for none
   CameraPlace camera;
   Stereo stereo = Stereo::Off;

@@ -208,6 +208,11 @@ void SceneView::setNeedle(std::optional<Needle> needle) {
   changed();
 }
 
+void SceneView::setTray(const std::optional<Transform>& patientFromTray) {
+  drawing_->state.tray = patientFromTray;
+  changed();
+}
+
 void SceneView::setPaths(std::vector<ScenePath> paths) {
   drawing_->state.paths = std::make_shared<const std::vector<ScenePath>>(std::move(paths));
   changed();

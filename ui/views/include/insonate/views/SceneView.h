@@ -76,6 +76,11 @@ class SceneView final : public View {
   };
   void setNeedle(std::optional<Needle> needle);
 
+  /// A tray with a new needle; none for none. Its frame has its origin in the middle of the floor, x along the tray and
+  /// z up out of it.
+  void setTray(const std::optional<Transform>& patientFromTray);
+  static constexpr Vec3 kTray_mm{120, 40, 10};
+
   /// Lines that stay until others are set, e.g. the way that a needle's tip has gone; none for none.
   void setPaths(std::vector<ScenePath> paths);
 
