@@ -213,7 +213,6 @@ TEST_F(TrainAttempt, TheSettingsOfThePicturesAreKeptAndEachChangeOfThem) {
   TissueChoice tilted = session_->tissue();
   tilted.body.tilt_deg = 10;
   session_->setTissue(tilted);
-  QTest::qWait(300);
   finish();
   const auto recording = recorded();
   const auto begun = parseAttemptSettings(recording->header().settings);

@@ -61,7 +61,11 @@ AttemptControl::~AttemptControl() {
 void AttemptControl::settingsChanged() {
   if (!isRunning() || !session_.shown()) return;
   settingsDue_ = sinceSettings_.isValid() && sinceSettings_.elapsed() < kLook_ms;
-  if (settingsDue_) return;
+  if (!settingsDue_) keepSettings();
+}
+
+void AttemptControl::keepSettings() {
+  settingsDue_ = false;
   sinceSettings_.start();
   AttemptSettings now = session_.attemptSettings();
   now.bloodTime_s = bloodTime_s_;
@@ -164,7 +168,7 @@ void AttemptControl::begin() {
 void AttemptControl::end(AttemptStatus status) {
   if (!isRunning()) return;
   setAspirating(false);
-  settingsDue_ = false;
+  if (settingsDue_) keepSettings();
   session_.hands().setAttempt(nullptr);
   status_ = status;
   writing_ = std::async(std::launch::async, [attempt = attempt_, status] { return attempt->finish(status); });
@@ -191,7 +195,7 @@ void AttemptControl::look() {
     return isThere(hash_) ? begin() : void();
   }
   if (!attempt_) return;
-  if (settingsDue_) settingsChanged();
+  if (settingsDue_) keepSettings();
   view_ = attempt_->view();
   if (const std::string trouble = attempt_->trouble(); trouble != trouble_) {
     trouble_ = trouble;

@@ -87,6 +87,7 @@ class AttemptControl : public QObject {
   void hashCase();
   void begin();
   void settingsChanged();
+  void keepSettings();
   void end(AttemptStatus status);
   void look();
   void show(State state);
