@@ -155,6 +155,7 @@ void Solver::start() {
   elements_.carried = elements_.base;
   caution_ = 0;
   cautiousRounds_ = 0;
+  rounds_ = 0;
   carried_ = false;
 }
 
@@ -164,6 +165,7 @@ void Solver::carry() {
   for (std::size_t n = 0; n < elements_.count(); ++n) elements_.carried[n] = elements_.base[n] + cellPressure_[n];
   caution_ = kBounded;
   cautiousRounds_ = 1;
+  rounds_ = 0;
   carried_ = true;
 }
 
@@ -259,7 +261,6 @@ Solver::Outcome Solver::solve(const FaceProfile& face, Load load, const Patience
   const bool carried = std::exchange(carried_, false);
   float shiftChange = 0, downhill = 0;
   bool toAndFro = false;
-  float last = 0;
   for (; out.iterations < patience.mostIterations && !out.converged; ++out.iterations) {
     pressed(load, out.shift_mm);
     if (toAndFro) drawBack(load, downhill, shiftChange, out.shift_mm);
@@ -276,8 +277,8 @@ Solver::Outcome Solver::solve(const FaceProfile& face, Load load, const Patience
     float share = std::min(1.0f, kLongestStep_mm / std::max(longest, 1e-9f));
     share = std::min(share, allowedShare(elements_, at_, step_));
     toAndFro =
-        out.iterations >= kSettled && share == 1 && longest > 0.5f * last && (longest < kToAndFro_mm || caution_ > 0);
-    last = longest;
+        rounds_++ >= kSettled && share == 1 && longest > 0.5f * last_ && (longest < kToAndFro_mm || caution_ > 0);
+    last_ = longest;
     if (toAndFro) downhill = slope(load, out.shift_mm, shiftChange);
     advance(elements_, at_, step_, share);
     contact_.settle();
