@@ -47,9 +47,12 @@ TEST_F(TrainDevices, SimulatedDevicesAreListedAndHoldProbeAndNeedle) {
   openWide();
   auto* table = panel().findChild<QTableWidget*>("deviceTable");
   const int before = table->rowCount();
+  auto* none = panel().findChild<QLabel*>("noDevices");
+  EXPECT_EQ(none->isVisible(), before == 0) << "says what to do where nothing is there";
   addSimulated(0);
   addSimulated(3);
   EXPECT_TRUE(waitFor([&] { return table->rowCount() == before + 2; }));
+  EXPECT_FALSE(none->isVisible());
   choose(in<QComboBox>("probeHand", "device"), "simulated:omega#2");
   choose(in<QComboBox>("needleHand", "device"), "simulated:Touch#1");
   EXPECT_TRUE(waitFor([&] { return now().present[kProbeHand]; }));

@@ -60,6 +60,14 @@ DeviceList::DeviceList(HandsControl& hands, QWidget* parent) : QWidget(parent), 
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setTabKeyNavigation(false);
   table_->setMinimumHeight(110);
+  none_ =
+      new QLabel(tr("Nothing is plugged in. Mouse and keys hold probe and needle; plug a device in, or add a simulated "
+                    "one to feel how it behaves."));
+  none_->setObjectName("noDevices");
+  none_->setWordWrap(true);
+  none_->setAlignment(Qt::AlignCenter);
+  ui::setRole(none_, "quiet");
+  (new QVBoxLayout(table_->viewport()))->addWidget(none_);
   box->addWidget(table_, 2);
   box->addWidget(buildButtons());
   events_ = new QListWidget(this);
@@ -187,6 +195,7 @@ void DeviceList::refreshPedals() {
 void DeviceList::refresh(const QHash<QString, double>& rates_Hz) {
   const auto devices = hands_.session().devices().devices();
   table_->setRowCount(int(devices.size()));
+  none_->setVisible(devices.empty());
   for (int row = 0; row < int(devices.size()); ++row) {
     const HapticDevice& device = *devices[row];
     const QString trouble = text(device.trouble());

@@ -35,6 +35,7 @@ class DeviceList final : public QWidget {
 
   HandsControl& hands_;
   QTableWidget* table_ = nullptr;
+  QLabel* none_ = nullptr;  ///< in the table, while it is empty
   QComboBox* pedal_ = nullptr;
   QListWidget* events_ = nullptr;
   QPushButton* record_ = nullptr;

@@ -76,7 +76,7 @@ HandPlots::HandPlots(QWidget* parent) : QWidget(parent) {
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kGap);
   force_ = make("forcePlot", tr("force, N"), kUsualForce_N);
-  rate_ = make("ratePlot", tr("states a second"), kUsualRate_Hz);
+  rate_ = make("ratePlot", tr("states/s"), kUsualRate_Hz);
   box->addWidget(force_.plot);
   box->addWidget(rate_.plot);
   clock_.start();
@@ -97,6 +97,8 @@ HandPlots::Shown HandPlots::make(const char* object, const QString& title, doubl
   plot->setAxisTitle(QwtPlot::xBottom, small(tr("s")));
   plot->setAxisScale(QwtPlot::xBottom, -kLast_s, 0);
   plot->setAxisScale(QwtPlot::yLeft, 0, usual);
+  plot->setAxisMaxMajor(QwtPlot::yLeft, 4);  // more would run into each other
+  plot->setAxisMaxMinor(QwtPlot::yLeft, 0);
   plot->insertLegend(new QwtLegend, QwtPlot::TopLegend);
   auto* grid = new QwtPlotGrid;
   grid->setPen(ui::colour(views::theme::kLine), 0, Qt::DotLine);
