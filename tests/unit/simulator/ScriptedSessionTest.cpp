@@ -118,9 +118,16 @@ TEST_F(ScriptedSession, ReplayAndRepetitionGiveTheSame) {
   EXPECT_EQ(second.metrics, first.metrics);
   EXPECT_EQ(second.events, first.events);
   const auto again = AttemptRecording::open(file);
-  ASSERT_EQ(again->stretches(), recording->stretches());
-  for (std::size_t i = 0; i < again->stretches(); ++i)
-    EXPECT_EQ(again->stretch(i)->samples, recording->stretch(i)->samples);
+  // Where stretches end depends on the clock, too: what is open is on the disk within a second.
+  const auto samplesOf = [](const AttemptRecording& from) {
+    std::vector<QuantisedSample> samples;
+    for (std::size_t i = 0; i < from.stretches(); ++i) {
+      const auto part = from.stretch(i);
+      samples.insert(samples.end(), part->samples.begin(), part->samples.end());
+    }
+    return samples;
+  };
+  EXPECT_EQ(samplesOf(*again), samplesOf(*recording));
 }
 
 TEST_F(ScriptedSession, BadScriptsAreToldWhereAndWhatElse) {
