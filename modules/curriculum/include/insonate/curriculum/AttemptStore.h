@@ -1,0 +1,57 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/AttemptFacts.h>
+#include <insonate/curriculum/SignedIn.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace insonate {
+
+/// An attempt with what the store adds to it.
+struct KeptAttempt {
+  AttemptFacts facts{};
+  std::int64_t arrival = 0;  ///< the store's count of attempts begun; orders attempts where clocks cannot
+  bool crashed = false;      ///< told abandoned since its process died; its real end may still come
+  std::string voidReason{};
+
+  bool operator==(const KeptAttempt&) const = default;
+};
+
+/// Attempts: facts that are begun, ended and perhaps voided, and neither changed nor deleted. Trainees see and make
+/// their own, instructors also see and void those of who learns in their cohorts, administrators all. A guest's are
+/// refused.
+class AttemptStore {
+ public:
+  explicit AttemptStore(SignedIn by) : by_(std::move(by)) {}
+
+  /// Writes down that one has begun: of facts up to `begun_us`; person and workstation are those of the session, a
+  /// missing id is made. Gives the id. The same facts once more are no error.
+  Result<std::string> begin(const AttemptFacts& facts) const;
+  /// Completed or Abandoned, with what was measured; values must be finite. The same facts once more are no error, and
+  /// an attempt that was told abandoned after a crash takes its real end later. By who began it.
+  Result<void> end(const AttemptFacts& facts) const;
+  /// Takes an ended attempt out of the count; instructors and administrators, not for their own.
+  Result<void> voidAttempt(const std::string& attempt, const std::string& reason) const;
+
+  Result<KeptAttempt> attempt(const std::string& id) const;
+  /// Newest first, at most `count` (1..1000) that came before `before`; 0: the newest.
+  Result<std::vector<KeptAttempt>> page(const std::string& person, int count, std::int64_t before = 0) const;
+  /// All of a person in the order of arrival, for unlocking and statistics. Without caseHash, workstation, recording
+  /// and recordingHash, which those do not need.
+  Result<std::vector<AttemptFacts>> history(const std::string& person) const;
+  /// The last `count` attempts (1..1000) that count, so ended and not voided, of each who learns in a cohort; grouped
+  /// by person, each in the order of arrival, as history() gives them.
+  Result<std::vector<AttemptFacts>> lastOfCohort(const std::string& cohort, int count) const;
+
+  /// Member::changes of a person, to be asked before the history that a Standing is worked out from.
+  Result<std::int64_t> changes(const std::string& person) const;
+
+ private:
+  SignedIn by_;
+};
+
+}  // namespace insonate

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/SignedIn.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace insonate {
+
+/// One access to others' data, one change, or one refusal.
+struct AuditEntry {
+  std::int64_t number = 0;  ///< 1, 2, 3, ...
+  std::int64_t time_us = 0;
+  std::string actor{};  ///< Person::id; "": nobody was signed in
+  std::string workstation{};
+  std::string act{};     ///< "see attempts", "void attempt", "sign in", ...
+  std::string person{};  ///< whose data; "": no one's in particular
+  std::string detail{};
+  bool allowed = true;
+  std::string hash{};  ///< SHA-256 of this entry and the hash of the one before
+
+  bool operator==(const AuditEntry&) const = default;
+};
+
+/// Where a log ended once; kept elsewhere, it shows later whether the log was cut or written anew.
+struct AuditAnchor {
+  std::int64_t number = 0;
+  std::string hash{};
+
+  bool operator==(const AuditAnchor&) const = default;
+};
+
+/// The log of all that was done to others' data. Administrators only.
+class AuditLog {
+ public:
+  explicit AuditLog(SignedIn by) : by_(std::move(by)) {}
+
+  /// Newest first, at most `count` (1..1000) before number `before`; 0: the newest. `person`: those by or about them;
+  /// "": all.
+  Result<std::vector<AuditEntry>> page(int count, std::int64_t before = 0, const std::string& person = "") const;
+  Result<AuditAnchor> anchor() const;
+  /// Fails with the first entry that does not fit: changed, deleted or moved, the end cut off, or other than it was at
+  /// the anchor. Who can write the database and knows how the hashes are made can write the log anew; only an anchor
+  /// kept elsewhere shows that, and only up to its number.
+  Result<void> verify(const AuditAnchor& anchor = {}) const;
+
+ private:
+  SignedIn by_;
+};
+
+}  // namespace insonate

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/Person.h>
+#include <insonate/curriculum/SignedIn.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace insonate {
+
+/// How far someone is, as worked out from their attempts when it was last asked for.
+struct Standing {
+  std::string curriculum{};
+  int curriculumVersion = 0;
+  std::string level{};       ///< Level::name they are at; "": all are mastered
+  int mastered = 0;          ///< levels
+  std::string sentence{};    ///< why
+  std::int64_t changes = 0;  ///< Member::changes it was worked out from
+
+  bool operator==(const Standing&) const = default;
+};
+
+/// A row of a cohort's list.
+struct Member {
+  Person person{};
+  bool teaches = false;  ///< an instructor of this cohort; the rows of teachers tell no attempts
+  int attempts = 0;      ///< that count: ended and not voided
+  /// Grows with each attempt that is begun, ended or voided, so that a Standing can be told to be old.
+  std::int64_t changes = 0;
+  std::optional<std::int64_t> lastAttempt_us{};  ///< when their newest was begun
+  std::string lastLevel{};                       ///< AttemptFacts::level of it
+  std::optional<Standing> standing{};            ///< none: never worked out, or for another version than the cohort's
+
+  /// Nothing has happened since it was worked out.
+  bool standingIsCurrent() const { return standing && standing->changes == changes; }
+};
+
+/// Cohorts and who is in them. Seen by their instructors and by administrators; a trainee sees the cohorts they are in,
+/// without the people. On a workstation that belongs to a server, cohorts are changed on the server.
+class CohortStore {
+ public:
+  explicit CohortStore(SignedIn by) : by_(std::move(by)) {}
+
+  /// Those that are seen, by name.
+  Result<std::vector<Cohort>> cohorts() const;
+  /// Teachers first, then by full name.
+  Result<std::vector<Member>> members(const std::string& cohort) const;
+
+  /// Administrators only: a name of 1..200 characters that no other has, whatever its case.
+  Result<Cohort> add(const std::string& name) const;
+  Result<void> rename(const std::string& cohort, const std::string& name) const;
+  /// Administrators only, since it opens a person's attempts to the cohort's instructors. Who is in it already changes
+  /// between learning and teaching; trainees do not teach.
+  Result<void> join(const std::string& cohort, const std::string& person, bool teaches) const;
+  /// Administrators, and the cohort's instructors for those who learn in it.
+  Result<void> leave(const std::string& cohort, const std::string& person) const;
+
+  /// The published version by which it is taught; its instructors and administrators.
+  Result<void> setCurriculum(const std::string& cohort, const std::string& curriculum, int version) const;
+
+  /// Keeps how far someone is, so that a class need not be worked out for each look. Of oneself, or of who is seen.
+  Result<void> rememberStanding(const std::string& person, const Standing& standing) const;
+
+ private:
+  SignedIn by_;
+};
+
+}  // namespace insonate

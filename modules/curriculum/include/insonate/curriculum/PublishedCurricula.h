@@ -1,0 +1,48 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/SignedIn.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace insonate {
+
+struct CurriculumEntry {
+  std::string name{};  ///< as in its text
+  int version = 0;
+  std::string hash{};  ///< SHA-256 of its text, hexadecimal
+  std::int64_t published_us = 0;
+  std::string publishedBy{};  ///< full name
+
+  bool operator==(const CurriculumEntry&) const = default;
+};
+
+/// Curricula as JSON texts. A published version is fixed; a change is another version, made from a draft. Everyone
+/// reads what is published; instructors and administrators see drafts and publish. On a workstation that belongs to a
+/// server, they are published on the server.
+class PublishedCurricula {
+ public:
+  explicit PublishedCurricula(SignedIn by) : by_(std::move(by)) {}
+
+  /// By name, newest version first.
+  Result<std::vector<CurriculumEntry>> list() const;
+  /// Fails too where its text is not what was published.
+  Result<std::string> text(const std::string& name, int version) const;
+  /// `text` must be a JSON object of at most 1 MB; it is kept byte for byte. Versions grow; the same text once more is
+  /// no error.
+  Result<CurriculumEntry> publish(const std::string& name, int version, const std::string& text) const;
+
+  /// One a name, shared by instructors, replaced by each saving; any text of at most 1 MB.
+  Result<void> saveDraft(const std::string& name, const std::string& text) const;
+  Result<std::vector<std::string>> drafts() const;
+  Result<std::string> draft(const std::string& name) const;
+  Result<void> discardDraft(const std::string& name) const;
+
+ private:
+  SignedIn by_;
+};
+
+}  // namespace insonate

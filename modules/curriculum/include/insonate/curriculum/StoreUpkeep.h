@@ -1,0 +1,43 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/SignedIn.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+namespace insonate {
+
+struct StoreFacts {
+  std::string place{};  ///< file, or server without the password
+  int schema = 0;       ///< number of the last migration
+  std::int64_t people = 0, cohorts = 0, attempts = 0, forms = 0, auditEntries = 0, pendingUploads = 0;
+};
+
+/// What keeps a store whole. Administrators only.
+class StoreUpkeep {
+ public:
+  explicit StoreUpkeep(SignedIn by) : by_(std::move(by)) {}
+
+  Result<StoreFacts> facts() const;
+  /// Reads all pages, keys and hashes: the database, published texts, attempts and the audit log. Takes seconds.
+  Result<void> verify() const;
+  /// A copy of a file's store as of one moment, while others work; replaces `file` when it is whole. A server's store
+  /// is backed up by pg_dump, and refused here.
+  Result<void> backup(const std::filesystem::path& file) const;
+  /// Everything but passwords, as one JSON object with a list for each table.
+  Result<void> exportJson(const std::filesystem::path& file) const;
+
+ private:
+  SignedIn by_;
+};
+
+/// Puts a backup in the place of a store's file, which may be open, damaged or missing. `administrator` and `password`
+/// are of the backup, which is checked first: its pages, its schema, its audit log. What was there is kept beside it as
+/// FILE.before-restore.
+Result<void> restoreStore(const std::filesystem::path& file, const std::filesystem::path& backup,
+                          const std::string& administrator, const std::string& password);
+
+}  // namespace insonate
