@@ -1,13 +1,11 @@
-#include "JsonEntry.h"
-
+#include <insonate/core/JsonEntry.h>
+#include <insonate/core/Preset.h>
 #include <insonate/core/Words.h>
 #include <insonate/embedded/procedures.h>
 #include <insonate/procedure/Procedure.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <nlohmann/json.hpp>
+
 #include <limits>
 #include <set>
 
@@ -15,7 +13,6 @@ namespace insonate {
 namespace {
 
 using nlohmann::json;
-using procedurefile::JsonEntry;
 
 /// In the order of AttemptEventKind.
 const std::vector<std::string_view> kHappenings{"entered",         "left",   "withdrawn", "struck",
@@ -34,23 +31,6 @@ std::vector<std::string_view> metricNames() {
   std::vector<std::string_view> names;
   for (const MetricDefinition& metric : metricTable()) names.push_back(metric.id);
   return names;
-}
-
-/// Reads the entries of a list with `read`, until one is wrong.
-template <class T, class Read>
-void readList(JsonEntry& file, const char* key, const std::string& noun, std::vector<T>& all, const Read& read) {
-  std::set<std::string> names;
-  for (const json& entry : file.list(key)) {
-    std::string where = noun + " " + std::to_string(all.size() + 1);
-    if (entry.is_object() && entry.contains("name") && entry["name"].is_string())
-      where = noun + " '" + entry["name"].get<std::string>() + "'";
-    std::string trouble;
-    all.push_back(read(entry, where, trouble));
-    if (!trouble.empty()) return file.refuse("cannot be used: " + trouble);
-    if constexpr (requires { all.back().name; })
-      if (!names.insert(all.back().name).second)
-        return file.refuse("cannot be used: " + where + " is there twice; names tell them apart.");
-  }
 }
 
 PatientPosition readPosition(const json& object, const std::string& where, std::string& trouble) {
@@ -141,11 +121,11 @@ Procedure readProcedure(const json& object, std::string& trouble) {
   procedure.name = file.text("name"), procedure.title = file.text("title");
   file.text("description", false);
   procedure.version = static_cast<int>(file.number("version", 1, 1e6));
-  readList(file, "positions", "position", procedure.positions, readPosition);
-  readList(file, "steps", "step", procedure.steps, readStep);
-  readList(file, "rules", "rule", procedure.rules, readRule);
-  readList(file, "success", "condition of success", procedure.success, readSuccess);
-  readList(file, "norms", "norm", procedure.norms, readNorm);
+  procedure.positions = file.list("positions", "position", readPosition);
+  procedure.steps = file.list("steps", "step", readStep);
+  procedure.rules = file.list("rules", "rule", readRule);
+  procedure.success = file.list("success", "condition of success", readSuccess);
+  procedure.norms = file.list("norms", "norm", readNorm);
   std::set<Metric> normed;
   for (const MetricNorm& norm : procedure.norms)
     if (!normed.insert(norm.metric).second)
@@ -162,9 +142,7 @@ Procedure readProcedure(const json& object, std::string& trouble) {
 }  // namespace
 
 std::vector<std::string> procedurePresetNames() {
-  std::vector<std::string> names;
-  for (const auto& file : embedded::procedures::files()) names.emplace_back(file.name);
-  return names;
+  return namesOf(presetsOf(embedded::procedures::files()));
 }
 
 Result<Procedure> parseProcedure(std::string_view text) {
@@ -181,23 +159,10 @@ Result<Procedure> parseProcedure(std::string_view text) {
 }
 
 Result<Procedure> loadProcedure(std::string_view nameOrPath) {
-  std::vector<std::string_view> names;
-  for (const auto& file : embedded::procedures::files()) {
-    if (file.name == nameOrPath) return parseProcedure(file.text);
-    names.push_back(file.name);
-  }
-  const std::filesystem::path path(nameOrPath);
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) {
-    const std::string_view near = nearestWord(nameOrPath, names);
-    return fail("'" + path.string() + "' is neither a procedure (" + joinedWords(names) + ") nor a file" +
-                (near.empty() ? "." : "; did you mean '" + std::string(near) + "'?"));
-  }
-  std::ifstream stream(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) return fail(path.string() + " cannot be read; check its permissions.");
-  auto procedure = parseProcedure(text);
-  if (!procedure) return fail(path.string() + ": " + procedure.error().message);
+  const auto file = presetOrFile("a procedure", nameOrPath, presetsOf(embedded::procedures::files()));
+  if (!file) return tl::unexpected(file.error());
+  auto procedure = parseProcedure(file->text);
+  if (!procedure) return fail(file->where + procedure.error().message);
   return procedure;
 }
 

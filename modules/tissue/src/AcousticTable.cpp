@@ -9,7 +9,7 @@ namespace insonate {
 namespace {
 
 const tissuefile::TableForm<AcousticTable>& form() {
-  static const tissuefile::TableForm<AcousticTable> all{"tissue", tissuefile::presetsOf(embedded::tissues::files()),
+  static const tissuefile::TableForm<AcousticTable> all{"tissue", presetsOf(embedded::tissues::files()),
                                                         tissuefile::readTissue};
   return all;
 }

@@ -10,7 +10,7 @@ namespace {
 
 const tissuefile::TableForm<MechanicalTable>& form() {
   static const tissuefile::TableForm<MechanicalTable> all{
-      "mechanics", tissuefile::presetsOf(embedded::mechanics::files()), tissuefile::readMechanics};
+      "mechanics", presetsOf(embedded::mechanics::files()), tissuefile::readMechanics};
   return all;
 }
 

@@ -72,7 +72,7 @@ Result<void> readNeedle(const json& entry, bool complete, const std::string& whe
 }
 
 const tissuefile::TableForm<NeedleTable>& form() {
-  static const tissuefile::TableForm<NeedleTable> all{"needle", tissuefile::presetsOf(embedded::needles::files()),
+  static const tissuefile::TableForm<NeedleTable> all{"needle", presetsOf(embedded::needles::files()),
                                                       readNeedle};
   return all;
 }

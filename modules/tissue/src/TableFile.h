@@ -2,6 +2,7 @@
 
 #include "JsonFields.h"
 
+#include <insonate/core/Preset.h>
 #include <insonate/core/Words.h>
 
 #include <bitset>
@@ -11,10 +12,6 @@
 
 /// A table of properties by label, as a preset or a file: what resources/tissues and resources/mechanics share.
 namespace insonate::tissuefile {
-
-struct Preset {
-  std::string_view name, text;
-};
 
 /// What sets one kind of table apart. `Table` has a name and `tissues` by label.
 template <class Table>
@@ -44,14 +41,6 @@ struct TableForm {
     return near.empty() ? sentence + "." : sentence.append("; did you mean '").append(near).append("'?");
   }
 };
-
-/// The presets that the build has compiled in.
-template <class Files>
-std::vector<Preset> presetsOf(const Files& files) {
-  std::vector<Preset> presets;
-  for (const auto& file : files) presets.push_back({file.name, file.text});
-  return presets;
-}
 
 /// "name", "description" and "sources" are for readers; they only have to be text.
 Result<void> checkRemarks(const nlohmann::json& file);

@@ -1,17 +1,21 @@
-#include "JsonEntry.h"
-
+#include <insonate/core/JsonEntry.h>
 #include <insonate/core/Words.h>
 
-#include <algorithm>
-#include <cstdio>
+#include <nlohmann/json.hpp>
 
-namespace insonate::procedurefile {
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+namespace insonate {
 namespace {
 
 using nlohmann::json;
 
 std::string shown(const json& value) {
   constexpr std::size_t kMost = 40;
+  if (value.is_structured() && !value.empty()) return value.is_array() ? "[ ... ]" : "{ ... }";
   std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
   return text.size() <= kMost ? text : text.substr(0, kMost) + "...";
 }
@@ -71,6 +75,21 @@ double JsonEntry::number(const char* key, double low, double high) {
   return find(key, true) ? numberIfThere(key, low, high).value_or(0) : 0;
 }
 
+std::optional<int> JsonEntry::wholeIfThere(const char* key, int low, int high) {
+  const std::optional<double> value = numberIfThere(key, low, high);
+  if (value && *value != std::floor(*value))
+    refuse("needs a whole number as '" + std::string(key) + "', not " + shown(*value) + ".");
+  return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
+}
+
+int JsonEntry::whole(const char* key, int low, int high) {
+  return find(key, true) ? wholeIfThere(key, low, high).value_or(low) : low;
+}
+
+bool JsonEntry::has(const char* key) const {
+  return object_.is_object() && object_.contains(key);
+}
+
 bool JsonEntry::flag(const char* key) {
   const json* value = find(key, false);
   if (!value) return false;
@@ -86,12 +105,39 @@ std::size_t JsonEntry::word(const char* key, const std::vector<std::string_view>
   return 0;
 }
 
-const json& JsonEntry::list(const char* key) {
+const json& JsonEntry::array(const char* key) {
   static const json kNone = json::array();
   const json* value = find(key, false);
   if (value && !value->is_array())
     refuse("needs a list [ ... ] as '" + std::string(key) + "', not " + shown(*value) + ".");
   return value && value->is_array() ? *value : kNone;
+}
+
+std::vector<std::string> JsonEntry::texts(const char* key) {
+  std::vector<std::string> all;
+  for (const json& entry : array(key)) {
+    if (!entry.is_string() || entry.get_ref<const std::string&>().empty())
+      refuse("needs texts in the list '" + std::string(key) + "', not " + shown(entry) + ".");
+    else
+      all.push_back(entry);
+  }
+  return all;
+}
+
+void JsonEntry::each(const char* key, const std::string& noun, const Reader& read) {
+  std::set<std::string> names;
+  int number = 0;
+  for (const json& entry : array(key)) {
+    ++number;
+    const bool named = entry.is_object() && entry.contains("name") && entry["name"].is_string();
+    const std::string name = named ? entry["name"].get<std::string>() : "";
+    const std::string where = noun + " " + (named ? "'" + name + "'" : std::to_string(number));
+    std::string trouble;
+    read(entry, where, trouble);
+    if (trouble.empty() && named && !names.insert(name).second)
+      trouble = where + " is there twice; names tell them apart.";
+    if (!trouble.empty()) return refuse("cannot be used: " + trouble);
+  }
 }
 
 const json& JsonEntry::object(const char* key) {
@@ -100,4 +146,4 @@ const json& JsonEntry::object(const char* key) {
   return value ? *value : kNone;
 }
 
-}  // namespace insonate::procedurefile
+}  // namespace insonate
