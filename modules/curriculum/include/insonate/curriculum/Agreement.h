@@ -1,0 +1,29 @@
+#pragma once
+
+#include <insonate/curriculum/Statistics.h>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+/// How well raters agree who judged the same attempts.
+namespace insonate {
+
+/// Share of pairs that are alike, 0 to 1. None for nothing, or lists of unequal length.
+std::optional<double> agreement(std::span<const int> first, std::span<const int> second);
+
+enum class KappaWeights { None, Linear, Quadratic };
+
+/// Cohen's kappa of two raters, (po - pe) / (1 - pe) (Educ Psychol Meas 1960, 20:37; weighted: Psychol Bull 1968,
+/// 70:213). Grades are 0 to grades - 1, in order. None for nothing, unequal lengths, a grade outside, or where chance
+/// alone would agree always.
+std::optional<double> cohenKappa(std::span<const int> first, std::span<const int> second, int grades,
+                                 KappaWeights weights = KappaWeights::None);
+
+/// ICC(2,1) of Shrout and Fleiss (Psychol Bull 1979, 86:420): each subject is rated by each rater, the raters stand for
+/// others, absolute agreement of a single rating. `ratings[subject][rater]`. None for fewer than two subjects or
+/// raters, rows of unequal length, values that are not finite or all alike.
+std::optional<Estimate> intraclassCorrelation(const std::vector<std::vector<double>>& ratings,
+                                              double confidence = 0.95);
+
+}  // namespace insonate

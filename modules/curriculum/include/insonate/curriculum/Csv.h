@@ -1,0 +1,29 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace insonate {
+
+struct CsvRow {
+  int line = 1;  ///< where it begins in the file
+  std::vector<std::string> fields{};
+};
+
+/// RFC 4180: quotes may hold separators, line breaks and doubled quotes. Also read: a byte order mark, any line end,
+/// semicolons or tabs instead of commas (whichever the first line has most of, outside quotes). Empty lines are left
+/// out. Fails where a quote is not closed or text follows one, the text is not UTF-8 or holds NUL, with the line.
+Result<std::vector<CsvRow>> parseCsv(std::string_view text);
+
+/// RFC 4180, with CRLF. A field that a spreadsheet would take for a formula (=, +, -, @, tab or CR in front) gets an
+/// apostrophe before it, unless it is a number.
+std::string csvText(const std::vector<std::vector<std::string>>& rows);
+
+/// As few digits as give the value back, "" for what is missing or not finite.
+std::string csvNumber(std::optional<double> value);
+
+}  // namespace insonate

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <insonate/curriculum/AttemptFacts.h>
+#include <insonate/curriculum/Curriculum.h>
+
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// One attempt beside a level's rule.
+struct Judgement {
+  bool passed = false;
+  std::vector<bool> standardsMet{};  ///< in the order of PassRule::standards
+  int met = 0;                       ///< how many of them
+
+  /// Of the standards; 100 where there are none.
+  double percentMet() const;
+};
+
+/// Whether an attempt is one to judge: completed, or abandoned with the needle in the skin (the metric "passes" above
+/// 0). One that is open or voided is not; nor one that was abandoned before the skin, or of which nothing is known
+/// because the program died: neither says what its trainee can do.
+bool counts(const AttemptFacts& attempt);
+
+Judgement judge(const PassRule& rule, const AttemptFacts& attempt);
+
+/// The attempt's value of a metric, by this version of its definition.
+std::optional<double> valueOf(const AttemptFacts& attempt, std::string_view metric, int version);
+
+/// Why an attempt does not pass, as it follows "failed because": "the artery was punctured (1, at most 0)". The worst
+/// reason alone: a critical error, no success, standards, points. "" where it passes.
+std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt);
+
+}  // namespace insonate

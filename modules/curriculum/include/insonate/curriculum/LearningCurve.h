@@ -1,0 +1,38 @@
+#pragma once
+
+#include <insonate/curriculum/Statistics.h>
+
+#include <array>
+#include <optional>
+#include <span>
+
+namespace insonate {
+
+/// A metric over a person's attempts, 1 being the first.
+struct LearningCurve {
+  enum class Shape {
+    Power,        ///< plateau + gain n^-rate
+    Exponential,  ///< plateau + gain exp(-rate (n - 1))
+  };
+
+  Shape shape = Shape::Power;
+  Estimate plateau{};              ///< where practice leads
+  Estimate gain{};                 ///< how far the first attempt is from it; positive where values fall
+  double rate = 0;                 ///< per attempt, or the power; above 0
+  double residual = 0;             ///< standard deviation about the curve
+  int attempts = 0;                ///< it was fitted to
+  std::array<double, 9> spread{};  ///< covariance of plateau, gain and rate, row by row
+
+  double at(double attempt) const;
+  /// Confidence interval of the curve there (delta method, t with attempts - 3 degrees of freedom).
+  Interval bandAt(double attempt, double confidence = 0.95) const;
+};
+
+/// The curve with the least squares. None where it cannot be told apart from no learning or from learning without end:
+/// fewer than 6 values, one not finite, all alike, a rate at the edge of what so many attempts can show, or a gain
+/// whose 95 % interval holds 0.
+std::optional<LearningCurve> fitLearningCurve(LearningCurve::Shape shape, std::span<const double> values);
+/// Of the two shapes the one that fits better.
+std::optional<LearningCurve> fitLearningCurve(std::span<const double> values);
+
+}  // namespace insonate

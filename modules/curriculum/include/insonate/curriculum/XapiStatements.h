@@ -1,0 +1,34 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/AttemptFacts.h>
+#include <insonate/curriculum/Curriculum.h>
+#include <insonate/curriculum/Person.h>
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// How a site names itself in statements.
+struct XapiSite {
+  std::string homePage{};  ///< IRI of the site: of accounts and activities, "https://training.example.org"
+  bool byMail = false;     ///< actors by e-mail address where they have one, else by account
+};
+
+/// Experience API 1.0.3, one JSON text a statement; to be sent or written as they are.
+///
+/// An attempt that ended passed or failed by its level's rule; one in free practice was completed; one that was given
+/// up was abandoned; one that was voided voids its statement. Open attempts, attempts of others and levels that the
+/// curriculum lacks are left out. Ids are UUIDs of version 5 made from the attempt's, so that what is sent twice is
+/// known to be the same. Nothing is null, what is missing is left out, a time outside the years 1 to 9999 too.
+/// Fails on a home page that is no absolute http address.
+Result<std::vector<std::string>> xapiStatements(const XapiSite& site, const Curriculum& curriculum,
+                                                const Person& person, std::span<const AttemptFacts> attempts);
+
+/// A JSON array of them.
+Result<void> writeXapi(const std::filesystem::path& file, std::span<const std::string> statements);
+
+}  // namespace insonate
