@@ -40,10 +40,6 @@ Result<void> checkTarget(const fs::path& folder) {
   return {};
 }
 
-std::string nameOf(std::uint8_t label) {
-  return label < kLabelCount ? std::string(labelTable()[label].name) : "label " + std::to_string(label);
-}
-
 std::string fileNameOf(std::string name, const std::string& format) {
   for (char& c : name)
     if (c == ' ') c = '-';
@@ -66,9 +62,10 @@ Result<std::vector<WrittenSurface>> writeSurfaces(const LabelMap& labels, const 
       const Progress progress = partOf(terminalProgress(), surfaces.size(), structures.size());
       const auto mesh = extractSurface(labels, label, a.options, progress);
       if (!mesh) return tl::unexpected(mesh.error());
-      const std::string fileName = fileNameOf(nameOf(label), a.format);
+      const std::string fileName = fileNameOf(labelName(label), a.format);
       if (auto ok = writeMesh(beside / fileName, *mesh); !ok) return ok;
-      surfaces.push_back({label, nameOf(label), fileName, mesh->triangleCount(), area_mm2(*mesh), volume_mm3(*mesh)});
+      surfaces.push_back(
+          {label, labelName(label), fileName, mesh->triangleCount(), area_mm2(*mesh), volume_mm3(*mesh)});
     }
     return {};
   });

@@ -25,6 +25,10 @@ const std::array<LabelInfo, kLabelCount>& labelTable() {
   return kTable;
 }
 
+std::string labelName(std::uint8_t label) {
+  return label < kLabelCount ? std::string(labelTable()[label].name) : "label " + std::to_string(label);
+}
+
 std::optional<Label> labelFromName(std::string_view name) {
   for (const LabelInfo& info : labelTable())
     if (info.name == name) return info.label;

@@ -47,6 +47,11 @@ TEST(Labels, EveryStructureHasASnomedCode) {
   }
 }
 
+TEST(Labels, AnUnknownLabelIsNamedByItsNumber) {
+  EXPECT_EQ(labelName(kVein), "vein");
+  EXPECT_EQ(labelName(47), "label 47");
+}
+
 TEST(Labels, VeinAndArteryLookDifferent) {
   EXPECT_NE(labelTable()[kVein].colour, labelTable()[kArtery].colour);
 }

@@ -1,8 +1,9 @@
 #include "CompleteAnatomy.h"
 
 #include "BodyHull.h"
-#include "GaussianBlur.h"
 #include "Noise.h"
+
+#include <insonate/image/GaussianBlur.h>
 
 #include <oneapi/tbb/parallel_for.h>
 

@@ -1,7 +1,7 @@
-#include "GaussianBlur.h"
 #include "Noise.h"
 
 #include <insonate/cases/CtSynthesis.h>
+#include <insonate/image/GaussianBlur.h>
 #include <insonate/tissue/Labels.h>
 
 #include <oneapi/tbb/parallel_for.h>

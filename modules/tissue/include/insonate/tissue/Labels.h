@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace insonate {
@@ -45,6 +46,8 @@ struct LabelInfo {
 };
 
 const std::array<LabelInfo, kLabelCount>& labelTable();
+/// "vein"; "label 47" for one that is not known.
+std::string labelName(std::uint8_t label);
 std::optional<Label> labelFromName(std::string_view name);
 
 }  // namespace insonate

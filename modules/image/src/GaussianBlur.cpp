@@ -1,4 +1,4 @@
-#include "GaussianBlur.h"
+#include <insonate/image/GaussianBlur.h>
 
 #include <oneapi/tbb/parallel_for.h>
 

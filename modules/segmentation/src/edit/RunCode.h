@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace insonate::segmentation {
+
+/// Voxels in a row that an edit changed from one label to another.
+struct ChangedRun {
+  std::size_t begin, length;  ///< voxels of one slice, j * ni + i
+  std::uint8_t before, after;
+};
+
+/// Runs of one slice, by rising begin, packed into four bytes each as a rule: the gap since the last run and the length
+/// in seven bits a byte, then the two labels.
+class RunPacker {
+ public:
+  void add(std::size_t voxel, std::uint8_t before, std::uint8_t after);
+  /// After the last voxel.
+  std::vector<std::uint8_t> take();
+
+ private:
+  void flush();
+  void number(std::size_t value);
+
+  std::vector<std::uint8_t> bytes_;
+  ChangedRun run_{0, 0, 0, 0};
+  std::size_t packed_ = 0;  ///< end of the last run in bytes_
+};
+
+/// Calls `visit(const ChangedRun&)` for each run in order.
+template <class Visit>
+void unpackRuns(const std::vector<std::uint8_t>& bytes, const Visit& visit) {
+  std::size_t at = 0, end = 0;
+  const auto number = [&] {
+    std::size_t value = 0;
+    for (int shift = 0;; shift += 7) {
+      const std::uint8_t byte = bytes[at++];
+      value |= std::size_t(byte & 0x7f) << shift;
+      if (!(byte & 0x80)) return value;
+    }
+  };
+  while (at < bytes.size()) {
+    ChangedRun run{};
+    run.begin = end + number();
+    run.length = number();
+    run.before = bytes[at++], run.after = bytes[at++];
+    end = run.begin + run.length;
+    visit(run);
+  }
+}
+
+}  // namespace insonate::segmentation
