@@ -5,6 +5,11 @@
 
 namespace insonate {
 
+std::array<int, 3> nearestVoxel(Vec3 index) {
+  return {static_cast<int>(std::floor(index.x + 0.5)), static_cast<int>(std::floor(index.y + 0.5)),
+          static_cast<int>(std::floor(index.z + 0.5))};
+}
+
 VoxelBox boxOf(const VolumeGeometry& geometry) {
   return {{0, 0, 0}, geometry.size};
 }

@@ -1,6 +1,8 @@
 #include "Components.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <numeric>
 
 namespace insonate::segmentation {
@@ -88,6 +90,13 @@ std::vector<std::size_t> Components::sizes() const {
   std::vector<std::size_t> sizes(count_, 0);
   for (const Run& run : runs_) sizes[run.component] += run.end - run.begin;
   return sizes;
+}
+
+std::uint32_t Components::componentAt(int i, int j, int k) const {
+  const auto after = std::ranges::upper_bound(runs_, std::array{k, j, i}, {}, [](const Run& run) {
+    return std::array{run.k, run.j, run.begin};
+  });
+  return std::prev(after)->component;
 }
 
 void Components::paint(const std::vector<bool>& chosen, std::uint8_t value, Volume<std::uint8_t>& target) const {

@@ -28,6 +28,9 @@ class Components {
   /// Number of voxels of each.
   std::vector<std::size_t> sizes() const;
 
+  /// Of a voxel that the mask has set.
+  std::uint32_t componentAt(int i, int j, int k) const;
+
   /// Sets the voxels of the chosen components to `value`.
   void paint(const std::vector<bool>& chosen, std::uint8_t value, Volume<std::uint8_t>& target) const;
 

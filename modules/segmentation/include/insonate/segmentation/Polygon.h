@@ -1,0 +1,29 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/segmentation/Region.h>
+
+#include <optional>
+#include <span>
+
+namespace insonate {
+
+/// The voxels of a slice across an axis of the grid (0, 1, 2) whose centres lie in a polygon: what was drawn. Corners
+/// are points of the patient, mm; the slice is that of the first. Where the outline crosses itself, the even-odd rule
+/// holds. Refuses fewer than three corners and a first corner beside the grid.
+Result<Selection> drawn(const VolumeGeometry& geometry, int sliceAxis, std::span<const Vec3> corners_mm);
+
+/// How a polygon on the screen goes into depth.
+struct ScissorsView {
+  Vec3 along{0, 0, 1};           ///< the way one looks, patient, unit
+  std::optional<Vec3> eye_mm{};  ///< of a perspective view; without, all looks are parallel
+  bool outside = false;          ///< choose what lies outside the polygon
+};
+
+/// The voxels of a box that one sees in a polygon, through the whole depth. Corners are points of the patient, mm,
+/// anywhere in the look through the corner; even-odd rule. Refuses fewer than three corners, and corners behind the
+/// eye.
+Result<Selection> scissored(const VolumeGeometry& geometry, const VoxelBox& box, std::span<const Vec3> corners_mm,
+                            const ScissorsView& view);
+
+}  // namespace insonate

@@ -1,0 +1,98 @@
+#include "BlockCount.h"
+#include "Guarded.h"
+#include "Morphology.h"
+
+#include <insonate/image/GaussianBlur.h>
+#include <insonate/segmentation/Smoothing.h>
+#include <insonate/tissue/Labels.h>
+
+#include <algorithm>
+
+namespace insonate {
+namespace {
+
+using segmentation::guarded;
+using segmentation::Work;
+
+Error vanished(const std::string& what) {
+  return {what + " would vanish: it is thinner than what is smoothed away. Use a smaller radius."};
+}
+
+/// `change(mask, work)`, in place.
+template <class Change>
+Result<Selection> changed(const Selection& shape, double passes, const Progress& progress, const Change& change) {
+  if (shape.box.empty()) return shape;
+  auto result = guarded([&] {
+    Work work(progress, passes);
+    work.start("Smoothing");
+    Selection smooth = shape;
+    change(smooth.mask, work);
+    return smooth;
+  });
+  if (result && result->count() == 0 && shape.count() > 0) return tl::unexpected(vanished("The shape"));
+  return result;
+}
+
+Volume<float> shareOf(const Volume<std::uint8_t>& labels, std::uint8_t label) {
+  Volume<float> share(labels.geometry);
+  std::ranges::transform(labels.voxels, share.voxels.begin(),
+                         [=](std::uint8_t voxel) { return voxel == label ? 1.F : 0.F; });
+  return share;
+}
+
+}  // namespace
+
+Result<Selection> medianSmoothed(const Selection& shape, double radius_mm, const Progress& progress) {
+  return changed(shape, 4, progress,
+                 [&](segmentation::Mask& mask, Work& work) { segmentation::majorityInBlock(mask, radius_mm, work); });
+}
+
+Result<Selection> opened(const Selection& shape, double radius_mm, const Progress& progress) {
+  return changed(shape, 6, progress,
+                 [&](segmentation::Mask& mask, Work& work) { segmentation::open(mask, radius_mm, work); });
+}
+
+Result<Selection> closed(const Selection& shape, double radius_mm, const Progress& progress) {
+  return changed(shape, 6, progress,
+                 [&](segmentation::Mask& mask, Work& work) { segmentation::close(mask, radius_mm, work); });
+}
+
+Result<Selection> gaussianSmoothed(const Selection& shape, double sigma_mm, const Progress& progress) {
+  return changed(shape, 3, progress, [&](segmentation::Mask& mask, Work& work) {
+    Volume<float> share = shareOf(mask, 1);
+    work.checkpoint(1);
+    blurGaussian(share, sigma_mm);
+    work.voxels(mask.geometry, [&](std::size_t v) { mask.voxels[v] = share.voxels[v] >= 0.5F; });
+  });
+}
+
+Result<Proposal> jointlySmoothed(const LabelMap& labels, const VoxelBox& box, const LabelSet& which, double sigma_mm,
+                                 const Progress& progress) {
+  if (box.empty()) return Proposal{};
+  LabelSet before, after;
+  auto result = guarded([&] {
+    const LabelMap part = cropped(labels, box);
+    for (const std::uint8_t label : part.voxels) before.set(label);
+    before &= which;
+    Work work(progress, 2.0 * static_cast<double>(before.count()) + 1);
+    work.start("Smoothing labels together");
+    Proposal proposal{box, Volume<std::uint8_t>(part.geometry, Proposal::kKeep)};
+    Volume<float> largest(part.geometry);
+    for (std::size_t label = before._Find_first(); label < before.size(); label = before._Find_next(label)) {
+      Volume<float> share = shareOf(part, static_cast<std::uint8_t>(label));
+      blurGaussian(share, sigma_mm);
+      work.voxels(part.geometry, [&](std::size_t v) {
+        if (!which.test(part.voxels[v]) || share.voxels[v] <= largest.voxels[v]) return;
+        largest.voxels[v] = share.voxels[v];
+        proposal.labels.voxels[v] = static_cast<std::uint8_t>(label);
+      });
+    }
+    for (const std::uint8_t label : proposal.labels.voxels) after.set(label);
+    return proposal;
+  });
+  if (const LabelSet lost = before & ~after; result && lost.any())
+    return tl::unexpected(vanished("The label " + labelName(static_cast<std::uint8_t>(lost._Find_first()))));
+  return result;
+}
+
+}  // namespace insonate
