@@ -23,10 +23,9 @@ class LongVessel : public AnalyticPlane {
 
 class Tube : public testing::Test {
  protected:
-  Deformation ask(const TissuePlane& plane, const BloodPressure& pressure, const char* name = "elastic",
-                  double mesh_mm = 0.5) const {
+  Deformation ask(const TissuePlane& plane, const BloodPressure& pressure) const {
     Deformation answer;
-    const auto model = makeDeformationModel(name, table, {.mesh_mm = mesh_mm}).value();
+    const auto model = makeDeformationModel("elastic", table, {.mesh_mm = 0.5}).value();
     model->solve({.plane = &plane, .face = {}, .pressure = pressure, .patientFromProbe = {}}, answer);
     return answer;
   }
@@ -93,10 +92,17 @@ TEST_F(Tube, TheReferenceAgrees) {
   along.press_mm = 3;
   BloodPressure systole = rest();
   systole.artery_kPa += 3.6;
+  const DeformationInput input{
+      .plane = &along, .face = {}, .pressure = systole, .patientFromProbe = along.patientFromProbe()};
+  const auto elastic = makeDeformationModel("elastic", table, {.mesh_mm = 1, .tolerance_mm = 5e-4}).value();
   // The reference halves the mesh that it is asked for.
-  const Deformation fast = ask(along, systole, "elastic", 1), exact = ask(along, systole, "reference", 2);
+  const auto reference = makeDeformationModel("reference", table, {.mesh_mm = 2}).value();
+  Deformation fast, exact;
+  // Again and again, until the face's profile is met where the skin has moved to.
+  for (int k = 0; k < 8; ++k) elastic->solve(input, fast);
+  reference->solve(input, exact);
   EXPECT_NEAR(areaRatio(fast, kArtery), areaRatio(exact, kArtery), 1e-3);
-  EXPECT_NEAR(fast.force_N, exact.force_N, 0.05 * exact.force_N);
+  EXPECT_NEAR(fast.force_N, exact.force_N, 0.003 * exact.force_N);
 }
 
 }  // namespace

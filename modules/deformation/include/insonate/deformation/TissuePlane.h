@@ -2,6 +2,7 @@
 
 #include <insonate/image/PlanePoint.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -36,7 +37,7 @@ class TissuePlane {
   /// vessels.
   virtual void bend(std::span<const PlanePoint> at, float PlaneTissue::*outline, std::span<OutlineBend> bends) const {
     static_cast<void>(outline);
-    for (std::size_t n = 0; n < at.size(); ++n) bends[n] = {1, 0};
+    std::ranges::fill(bends.first(at.size()), OutlineBend{});
   }
 };
 
