@@ -99,9 +99,8 @@ nlohmann::json scoreReport(const AttemptScore& score) {
   };
   nlohmann::json metrics = nlohmann::json::array();
   for (const MetricScore& metric : score.metrics) {
-    nlohmann::json entry{{"metric", metricTable()[static_cast<std::size_t>(metric.metric)].id},
-                         {"value", orNull(metric.value)},
-                         {"share", orNull(metric.share)}};
+    nlohmann::json entry{
+        {"metric", definitionOf(metric.metric).id}, {"value", orNull(metric.value)}, {"share", orNull(metric.share)}};
     for (const char* key : {"novice", "expert", "source"}) entry[key] = nullptr;
     if (metric.norm)
       entry.update({{"novice", metric.norm->novice}, {"expert", metric.norm->expert}, {"source", metric.norm->source}});

@@ -109,9 +109,8 @@ std::optional<AttemptScore> scoreUntil(const AttemptRecording& recording, std::i
     return std::nullopt;
   }
   ProcedureRun run(std::move(*procedure), recording.header().picture);
-  const auto played = recording.play(until_us, [&](const AttemptRecording::Entry& entry) {
-    std::visit([&](const auto& what) { run.take(what); }, entry);
-  });
+  const auto played = recording.play(
+      until_us, [&](const Stretch::Entry& entry) { std::visit([&](const auto& what) { run.take(what); }, entry); });
   if (!played) return std::nullopt;
   return scoreOf(run);
 }

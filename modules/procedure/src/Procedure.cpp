@@ -104,7 +104,7 @@ MetricNorm readNorm(const json& object, const std::string& where, std::string& t
   norm.metric = static_cast<Metric>(entry.word("metric", metricNames()));
   norm.novice = entry.number("novice", -kAny, kAny), norm.expert = entry.number("expert", -kAny, kAny);
   norm.source = entry.text("source"), norm.advice = entry.text("advice");
-  const Better better = metricTable()[static_cast<std::size_t>(norm.metric)].better;
+  const Better better = definitionOf(norm.metric).better;
   if (better == Better::Neither)
     entry.refuse("is of a metric of which neither less nor more is better; leave it out.");
   else if (better == Better::Lower ? norm.expert >= norm.novice : norm.expert <= norm.novice)
@@ -129,8 +129,7 @@ Procedure readProcedure(const json& object, std::string& trouble) {
   std::set<Metric> normed;
   for (const MetricNorm& norm : procedure.norms)
     if (!normed.insert(norm.metric).second)
-      file.refuse("cannot be used: '" + std::string(metricTable()[static_cast<std::size_t>(norm.metric)].id) +
-                  "' has two norms.");
+      file.refuse("cannot be used: '" + std::string(definitionOf(norm.metric).id) + "' has two norms.");
   if (procedure.steps.empty()) file.refuse("has no steps; list at least one under 'steps'.");
   std::vector<std::string_view> steps;
   for (const ProcedureStep& step : procedure.steps) steps.push_back(step.name);

@@ -82,7 +82,7 @@ void ProcedureRun::watchRules(std::int64_t time_us) {
     const MetricLimit& limit = procedure_.rules[i].limit;
     const auto value = values[limit.metric];
     if (!limit.isBeyond(value)) continue;
-    const bool isCount = metricTable()[static_cast<std::size_t>(limit.metric)].unit.empty();
+    const bool isCount = definitionOf(limit.metric).unit.empty();
     if (told_[i] && !(isCount && *value > *told_[i])) continue;
     told_[i] = value;
     findings_.push_back({i, time_us, *value});

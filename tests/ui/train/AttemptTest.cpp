@@ -108,7 +108,7 @@ TEST_F(TrainAttempt, AWholeOneByKeysIsGuidedScoredAndKept) {
   EXPECT_EQ(recording->header().caseHash.size(), 16U);
   EXPECT_EQ(*recording->metricsUntil(), attempt_->view().metrics) << "replayed to the last bit";
   std::vector<AttemptEvent> events;
-  EXPECT_TRUE(recording->play(recording->end_us(), [&](const AttemptRecording::Entry& entry) {
+  EXPECT_TRUE(recording->play(recording->end_us(), [&](const Stretch::Entry& entry) {
     if (const auto* event = std::get_if<AttemptEvent>(&entry)) events.push_back(*event);
   }));
   EXPECT_EQ(events, attempt_->view().events);

@@ -53,7 +53,7 @@ class AttemptPicturesTest : public testing::Test {
   }
   AttemptSample recordedAt(std::int64_t time_us) const {
     AttemptSample last;
-    EXPECT_TRUE(AttemptRecording::open(folder / "attempt")->play(time_us, [&](const AttemptRecording::Entry& entry) {
+    EXPECT_TRUE(AttemptRecording::open(folder / "attempt")->play(time_us, [&](const Stretch::Entry& entry) {
       if (const auto* sample = std::get_if<AttemptSample>(&entry)) last = *sample;
     }));
     return last;

@@ -43,7 +43,7 @@ struct Replayed {
 
 Replayed replayed(const AttemptRecording& recording, ProcedureRun& run) {
   Replayed all{*recording.metricsUntil(), {}, {}};
-  const auto played = recording.play(recording.end_us(), [&](const AttemptRecording::Entry& entry) {
+  const auto played = recording.play(recording.end_us(), [&](const Stretch::Entry& entry) {
     std::visit([&](const auto& what) { run.take(what); }, entry);
     if (const auto* sample = std::get_if<AttemptSample>(&entry)) all.samples.push_back(*sample);
     if (const auto* event = std::get_if<AttemptEvent>(&entry)) all.events.push_back(*event);

@@ -44,6 +44,19 @@ bool beginsAsRecording(const std::filesystem::path& file) {
   return stream && first == record::kMark;
 }
 
+void Stretch::play(std::int64_t until_us, const std::function<void(const Entry&)>& take) const {
+  auto event = events.begin();
+  const auto takeEvents = [&](std::size_t taken) {
+    for (; event != events.end() && event->afterSamples <= taken; ++event)
+      if (event->event.time_us <= until_us) take(event->event);
+  };
+  for (std::size_t n = 0; n < samples.size() && samples[n].time_us <= until_us; ++n) {
+    takeEvents(n);
+    take(restored(samples[n]));
+  }
+  takeEvents(samples.size());
+}
+
 Result<AttemptRecording> AttemptRecording::open(const std::filesystem::path& file) {
   auto bytes = bytesOf(file);
   if (!bytes) return tl::unexpected(bytes.error());
@@ -150,29 +163,21 @@ Result<Stretch> AttemptRecording::stretch(std::size_t index) const {
   return std::move(*stretch);
 }
 
-Result<void> AttemptRecording::play(std::int64_t until_us, const std::function<void(const Entry&)>& take) const {
+Result<void> AttemptRecording::play(std::int64_t until_us,
+                                    const std::function<void(const Stretch::Entry&)>& take) const {
   if (damaged_) return fail(troubles_.back());
   for (std::size_t i = 0; i < blocks_.size() && blocks_[i].first_us <= until_us; ++i) {
     const auto part = stretch(i);
     if (!part) return tl::unexpected(part.error());
-    auto event = part->events.begin();
-    const auto takeEvents = [&](std::size_t samples) {
-      for (; event != part->events.end() && event->afterSamples <= samples; ++event)
-        if (event->event.time_us <= until_us) take(event->event);
-    };
-    for (std::size_t n = 0; n < part->samples.size() && part->samples[n].time_us <= until_us; ++n) {
-      takeEvents(n);
-      take(restored(part->samples[n]));
-    }
-    takeEvents(part->samples.size());
+    part->play(until_us, take);
   }
   return {};
 }
 
 Result<MetricValues> AttemptRecording::metricsUntil(std::int64_t time_us) const {
   AttemptMetrics metrics(header_.picture);
-  const auto played =
-      play(time_us, [&](const Entry& entry) { std::visit([&](const auto& what) { metrics.take(what); }, entry); });
+  const auto played = play(
+      time_us, [&](const Stretch::Entry& entry) { std::visit([&](const auto& what) { metrics.take(what); }, entry); });
   if (!played) return tl::unexpected(played.error());
   return metrics.values();
 }

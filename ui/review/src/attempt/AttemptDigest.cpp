@@ -1,6 +1,7 @@
 #include "AttemptDigest.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace insonate::review {
 namespace {
@@ -13,15 +14,8 @@ class Pass {
   Pass(AttemptDigest& digest, ProcedureRun run) : digest_(digest), run_(std::move(run)) {}
 
   void take(const Stretch& stretch) {
-    auto event = stretch.events.begin();
-    const auto takeEvents = [&](std::size_t samples) {
-      for (; event != stretch.events.end() && event->afterSamples <= samples; ++event) take(event->event);
-    };
-    for (std::size_t n = 0; n < stretch.samples.size(); ++n) {
-      takeEvents(n);
-      take(restored(stretch.samples[n]));
-    }
-    takeEvents(stretch.samples.size());
+    stretch.play(std::numeric_limits<std::int64_t>::max(),
+                 [&](const Stretch::Entry& entry) { std::visit([&](const auto& what) { take(what); }, entry); });
   }
 
   void end(bool whole) {
@@ -78,7 +72,7 @@ Result<std::shared_ptr<const AttemptDigest>> digestOf(const std::string& file, c
   auto procedure = loadProcedure(recording->header().procedure);
   if (!procedure) digest->troubles.push_back("Steps and rules are not shown: " + procedure.error().message);
   Pass pass(*digest, ProcedureRun(procedure.value_or(Procedure{}), recording->header().picture));
-  // Blocks that cannot be found are no stretches: the recording says that it is damaged by refusing metrics.
+  // Blocks that cannot be found are no stretches.
   bool whole = true;
   for (std::size_t i = 0; i < recording->stretches(); ++i) {
     if (!report(progress, "reading the attempt", double(i) / double(recording->stretches())))
@@ -91,7 +85,7 @@ Result<std::shared_ptr<const AttemptDigest>> digestOf(const std::string& file, c
       whole = false;
     }
   }
-  pass.end(whole && recording->metricsUntil(-1).has_value());
+  pass.end(whole && recording->isWhole());
   return std::shared_ptr<const AttemptDigest>(std::move(digest));
 }
 

@@ -57,6 +57,9 @@ struct MetricDefinition {
 };
 
 std::span<const MetricDefinition, kMetricCount> metricTable();
+inline const MetricDefinition& definitionOf(Metric metric) {
+  return metricTable()[static_cast<std::size_t>(metric)];
+}
 
 /// One value each; what an attempt does not tell is missing, not 0.
 struct MetricValues {

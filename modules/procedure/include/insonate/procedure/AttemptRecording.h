@@ -22,6 +22,7 @@ struct BlockHead;
 
 /// About a second of an attempt.
 struct Stretch {
+  using Entry = std::variant<AttemptSample, AttemptEvent>;
   struct Happened {
     std::uint32_t afterSamples = 0;  ///< of this stretch
     AttemptEvent event;
@@ -29,6 +30,9 @@ struct Stretch {
   std::vector<QuantisedSample> samples;
   std::vector<Happened> events;
   std::uint32_t samplesLost = 0;  ///< that the recorder had no room for, within this stretch or just before
+
+  /// Hands over what happened up to this time, samples and events in their order.
+  void play(std::int64_t until_us, const std::function<void(const Entry&)>& take) const;
 };
 
 /// Whether a file begins as a recording does, whatever follows. False where it cannot be read.
@@ -45,6 +49,8 @@ class AttemptRecording {
   AttemptStatus status() const { return status_; }
   /// What is missing, for people: a file cut short, damaged blocks.
   const std::vector<std::string>& troubles() const { return troubles_; }
+  /// Whether all blocks were found. What is inside them is seen as they are unpacked.
+  bool isWhole() const { return !damaged_; }
 
   /// The settings that held at a time, as in AttemptHeader::settings; "" where the recording has none. Fails where a
   /// change before is damaged, or cannot be ruled out.
@@ -59,10 +65,9 @@ class AttemptRecording {
   /// Fails where the block is damaged.
   Result<Stretch> stretch(std::size_t index) const;
 
-  using Entry = std::variant<AttemptSample, AttemptEvent>;
   /// Hands over all that happened up to this time, in its order, as AttemptMetrics and ProcedureRun took it live. Fails
   /// where something before is damaged: what is computed without it would be wrong.
-  Result<void> play(std::int64_t until_us, const std::function<void(const Entry&)>& take) const;
+  Result<void> play(std::int64_t until_us, const std::function<void(const Stretch::Entry&)>& take) const;
   /// Metrics as they stood after all that happened up to this time; the same as live, to the last bit. Fails as
   /// play() does.
   Result<MetricValues> metricsUntil(std::int64_t time_us = std::numeric_limits<std::int64_t>::max()) const;
