@@ -80,7 +80,7 @@ void TrainWorkspace::Parts::showAttempt() {
   const bool made =
       attempt->state() != AttemptControl::State::Idle && attempt->state() != AttemptControl::State::Starting;
   const NeedlePlace place = made ? attempt->view().needle : NeedlePlace::Clean;
-  patient->setNeedleColour(wordsOf(silent ? plainly(place) : place).colour);
+  patient->setNeedleColour(ui::wordsOf(silent ? plainly(place) : place).colour);
   patient->setSilent(silent);
   patient->setTrayVisible(attempt->isRunning());
   if (silent && isCtBeside()) setCtBeside(false);

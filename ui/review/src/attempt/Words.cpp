@@ -1,13 +1,13 @@
 #include "Words.h"
 
+#include <insonate/procedure/Procedure.h>
+
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
 
 namespace insonate::review {
 namespace {
-
-namespace theme = views::theme;
 
 QString tr(const char* text) {
   return QCoreApplication::translate("Review", text);
@@ -21,48 +21,6 @@ QString clockOf(std::int64_t time_us) {
       .arg(hundredths / 6000)
       .arg(hundredths / 100 % 60, 2, 10, QLatin1Char('0'))
       .arg(hundredths % 100, 2, 10, QLatin1Char('0'));
-}
-
-QString wordsOf(NeedlePlace place) {
-  switch (place) {
-    case NeedlePlace::Clean:
-      return tr("new, outside");
-    case NeedlePlace::Underway:
-      return tr("under the skin");
-    case NeedlePlace::Vein:
-      return tr("in the vein");
-    case NeedlePlace::WrongPlace:
-      return tr("in a wrong place");
-    case NeedlePlace::Used:
-      break;
-  }
-  return tr("used, outside");
-}
-
-views::Colour colourOf(NeedlePlace place) {
-  switch (place) {
-    case NeedlePlace::Vein:
-      return theme::kGood;
-    case NeedlePlace::WrongPlace:
-      return theme::kDanger;
-    case NeedlePlace::Used:
-      return theme::kCaution;
-    case NeedlePlace::Clean:
-    case NeedlePlace::Underway:
-      break;
-  }
-  return theme::kText;
-}
-
-views::Colour colourOf(const std::optional<Severity>& severity) {
-  if (!severity) return theme::kQuiet;
-  return *severity == Severity::Minor   ? theme::kAccent
-         : *severity == Severity::Major ? theme::kCaution
-                                        : theme::kDanger;
-}
-
-QString wordsOf(Severity severity) {
-  return severity == Severity::Minor ? tr("minor") : severity == Severity::Major ? tr("major") : tr("critical");
 }
 
 QString wordsOf(AttemptStatus status) {

@@ -2,6 +2,7 @@
 
 #include "../attempt/Words.h"
 
+#include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Theme.h>
 
 #include <QCoreApplication>
@@ -112,7 +113,7 @@ void LanePaint::depth() {
   for (std::size_t i = 1; i < attempt_.track.size(); ++i) {
     const TrackPoint &a = attempt_.track[i - 1], &b = attempt_.track[i];
     if (!a.needleDepth_mm || !b.needleDepth_mm || b.time_us < first_us_ || a.time_us > last_us_) continue;
-    painter_.setPen(QPen(colour(colourOf(b.place)), 1.8));
+    painter_.setPen(QPen(colour(ui::wordsOf(b.place).colour), 1.8));
     painter_.drawLine(QPointF(x(a.time_us), y(*a.needleDepth_mm)), QPointF(x(b.time_us), y(*b.needleDepth_mm)));
   }
   painter_.setClipping(false);
@@ -157,7 +158,7 @@ void LanePaint::marks() {
     for (const AttemptMoment& moment : attempt_.moments)
       if (moment.severity.has_value() == wrong && moment.time_us >= first_us_ && moment.time_us <= last_us_) {
         const QPointF at(x(moment.time_us), layout_.marks.center().y());
-        painter_.setPen(QPen(colour(colourOf(moment.severity)), 1, Qt::DotLine));
+        painter_.setPen(QPen(colour(ui::colourOf(moment.severity)), 1, Qt::DotLine));
         if (wrong) painter_.drawLine(QPointF(at.x(), layout_.marks.bottom()), QPointF(at.x(), layout_.axis.top()));
         paintMark(painter_, at, moment.severity);
       }
@@ -169,7 +170,7 @@ void LanePaint::marks() {
 
 void paintMark(QPainter& painter, QPointF middle, const std::optional<Severity>& severity) {
   painter.setPen(QPen(colour(theme::kPanel), 1));
-  painter.setBrush(colour(colourOf(severity)));
+  painter.setBrush(colour(ui::colourOf(severity)));
   const double x = middle.x(), y = middle.y();
   if (!severity) {
     painter.drawEllipse(middle, 3.5, 3.5);

@@ -4,6 +4,8 @@
 #include "../attempt/Words.h"
 #include "LanePaint.h"
 
+#include <insonate/ui/AttemptWords.h>
+
 #include <QPainter>
 #include <QPixmap>
 #include <QSignalBlocker>
@@ -62,7 +64,7 @@ void MomentList::fill() {
                                      QStringLiteral("%1   %2").arg(time, words), this);
     item->setData(Qt::UserRole, qlonglong(moment.time_us));
     if (moment.severity)
-      item->setData(Qt::AccessibleTextRole, tr("%1, %2: %3").arg(time, wordsOf(*moment.severity), words));
+      item->setData(Qt::AccessibleTextRole, tr("%1, %2: %3").arg(time, ui::wordOf(*moment.severity), words));
   }
   fit();
   follow();

@@ -1,9 +1,8 @@
 #include "ReplayScene.h"
 
-#include "../attempt/Words.h"
-
 #include <insonate/simulator/AttemptSettings.h>
 #include <insonate/tissue/Labels.h>
+#include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
 #include <insonate/views/VtkCase.h>
@@ -29,7 +28,7 @@ std::vector<views::ScenePath> pathOf(const AttemptDigest& attempt) {
       broken = true;
       continue;
     }
-    const views::Colour colour = colourOf(point.place);
+    const views::Colour colour = ui::wordsOf(point.place).colour;
     if (broken || paths.back().colour != colour) {
       // Pieces of one way meet.
       const auto join = broken ? std::vector<Vec3>{} : std::vector<Vec3>{paths.back().points_mm.back()};
@@ -101,7 +100,7 @@ void ReplayScene::showHands() {
   if (probe) showProbe(*sample);
   const bool needle = sample && sample->patientFromNeedle;
   view_->setNeedle(needle ? std::optional(views::SceneView::Needle{.patientFromNeedle = *sample->patientFromNeedle,
-                                                                   .colour = colourOf(session_.needle())})
+                                                                   .colour = ui::wordsOf(session_.needle()).colour})
                           : std::nullopt);
   if (session_.isPlaying()) view_->setMoving(true);
   rest_.start();

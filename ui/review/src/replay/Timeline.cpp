@@ -4,6 +4,7 @@
 #include "../attempt/Words.h"
 #include "LanePaint.h"
 
+#include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Theme.h>
 
 #include <QHelpEvent>
@@ -159,7 +160,7 @@ bool Timeline::event(QEvent* event) {
     if (number >= 0) {
       const AttemptMoment& moment = session_.attempt()->moments[std::size_t(number)];
       words = tr("%1  %2").arg(clockOf(moment.time_us), QString::fromStdString(moment.say));
-      if (moment.severity) words += tr(" (%1)").arg(wordsOf(*moment.severity));
+      if (moment.severity) words += tr(" (%1)").arg(ui::wordOf(*moment.severity));
     }
     QToolTip::showText(help->globalPos(), words, this);
     return true;

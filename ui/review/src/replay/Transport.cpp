@@ -3,6 +3,7 @@
 #include "../ReviewSession.h"
 #include "../attempt/Words.h"
 
+#include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 
@@ -87,12 +88,9 @@ void Transport::showTime() {
   time_->setText(QStringLiteral("%1 / %2").arg(clockOf(session_.time_us()), clockOf(end_us)));
   const auto& sample = session_.sample();
   const bool needle = sample && sample->patientFromNeedle;
-  const QColor shade = ui::colour(colourOf(session_.needle()));
-  // The sign, too, differs: a filled place in the body, a ring outside.
-  const bool in = needle && sample->needleDepth_mm;
+  const ui::PlaceWords place = ui::wordsOf(session_.needle());
   place_->setText(needle ? QStringLiteral("<span style='color:%1'>%2</span> %3")
-                               .arg(shade.name(), in ? QStringLiteral("●") : QStringLiteral("○"),
-                                    tr("needle %1").arg(wordsOf(session_.needle())))
+                               .arg(ui::colour(place.colour).name(), place.sign, place.words)
                          : QString());
   hands_->setText(handsNow());
 }

@@ -3,6 +3,8 @@
 #include "MetricWords.h"
 #include "NormBar.h"
 
+#include <insonate/ui/AttemptWords.h>
+
 #include <QHeaderView>
 #include <QStyledItemDelegate>
 #include <algorithm>
@@ -67,7 +69,6 @@ void MetricTableView::show(const std::vector<MetricScore>& scores) {
   setRowCount(int(scores_.size()));
   for (int row = 0; row < int(scores_.size()); ++row) {
     const MetricScore& score = scores_[std::size_t(row)];
-    const MetricDefinition& metric = definitionOf(score.metric);
     const auto set = [&](Column column, const QString& text, bool quiet) {
       auto* item = new QTableWidgetItem(text);
       item->setToolTip(explanationOf(score));
@@ -75,9 +76,9 @@ void MetricTableView::show(const std::vector<MetricScore>& scores) {
       if (quiet) item->setForeground(screenInk().quiet);
       setItem(row, column, item);
     };
-    const auto norm = [&](double value) { return normOf(metric, value); };
-    set(kName, titleOf(metric), false);
-    set(kValue, valueOf(metric, score.value), !score.value);
+    const auto norm = [&](double value) { return normOf(score.metric, value); };
+    set(kName, ui::titleOf(score.metric), false);
+    set(kValue, ui::valueOf(score.metric, score.value), !score.value);
     set(kNovice, score.norm ? norm(score.norm->novice) : tr("n/a"), true);
     set(kBar, {}, true);
     set(kExpert, score.norm ? norm(score.norm->expert) : tr("n/a"), true);

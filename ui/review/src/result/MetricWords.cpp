@@ -2,7 +2,6 @@
 
 #include <QCoreApplication>
 #include <QStringList>
-#include <cmath>
 
 namespace insonate::review {
 namespace {
@@ -17,29 +16,12 @@ QString qt(std::string_view text) {
 
 }  // namespace
 
-const MetricDefinition& definitionOf(Metric metric) {
-  return metricTable()[std::size_t(metric)];
-}
-
-QString titleOf(const MetricDefinition& metric) {
-  QStringList words = qt(metric.id).split(QLatin1Char('_'));
-  // The unit stands beside the value.
-  static const QStringList units{QStringLiteral("s"), QStringLiteral("mm"), QStringLiteral("percent"),
-                                 QStringLiteral("deg"), QStringLiteral("N")};
-  if (words.size() > 1 && units.contains(words.last())) words.removeLast();
-  return words.join(QLatin1Char(' '));
-}
-
-QString valueOf(const MetricDefinition& metric, const std::optional<double>& value) {
-  if (!value) return tr("n/a");
-  const bool count = metric.unit.empty() && *value == std::round(*value);
-  const QString number = QString::number(*value, 'f', count ? 0 : metric.unit.empty() ? 2 : 1);
-  return metric.unit.empty() ? number : QStringLiteral("%1 %2").arg(number, qt(metric.unit));
-}
-
-QString normOf(const MetricDefinition& metric, double value) {
+QString normOf(Metric metric, double value) {
   const QString number = QString::number(value, 'g', 4);
-  return metric.unit.empty() ? number : QStringLiteral("%1 %2").arg(number, qt(metric.unit));
+  const std::string_view unit = definitionOf(metric).unit;
+  return unit.empty()    ? number
+         : unit == "deg" ? number + QStringLiteral("°")
+                         : QStringLiteral("%1 %2").arg(number, qt(unit));
 }
 
 QString explanationOf(const MetricScore& score) {

@@ -5,6 +5,8 @@
 #include "MetricWords.h"
 #include "ResultPage.h"
 
+#include <insonate/ui/AttemptWords.h>
+
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QFont>
@@ -140,10 +142,9 @@ void Page::metrics(const QRectF& place) {
   y_ += kRow;
   if (!attempt_.score) return;
   for (const MetricScore& score : ordered(attempt_.score->metrics)) {
-    const MetricDefinition& metric = definitionOf(score.metric);
-    text(QRectF(place.left(), y_, 470, kRow), titleOf(metric), ink_.text);
-    const auto norm = [&](double number) { return normOf(metric, number); };
-    row(valueOf(metric, score.value), score.norm ? norm(score.norm->novice) : tr("n/a"),
+    text(QRectF(place.left(), y_, 470, kRow), ui::titleOf(score.metric), ink_.text);
+    const auto norm = [&](double number) { return normOf(score.metric, number); };
+    row(ui::valueOf(score.metric, score.value), score.norm ? norm(score.norm->novice) : tr("n/a"),
         score.norm ? norm(score.norm->expert) : tr("n/a"), score.value ? ink_.text : ink_.quiet);
     painter_.save();
     painter_.scale(kScreen, kScreen);
@@ -169,7 +170,7 @@ void Page::moments() {
                          : *told[i].severity == Severity::Minor ? ink_.accent
                          : *told[i].severity == Severity::Major ? ink_.caution
                                                                 : ink_.danger;
-    const QString grade = told[i].severity ? tr(" (%1)").arg(wordsOf(*told[i].severity)) : QString();
+    const QString grade = told[i].severity ? tr(" (%1)").arg(ui::wordOf(*told[i].severity)) : QString();
     paragraph(kMargin, kWidth - 2 * kMargin,
               QStringLiteral("%1   %2%3").arg(clockOf(told[i].time_us), QString::fromStdString(told[i].say), grade),
               shade);

@@ -241,7 +241,7 @@ void AttemptPanel::refreshNumbers() {
   QString rows;
   for (const Metric metric : kFurther)
     rows += QStringLiteral("<tr><td>%1</td><td align='right'>&nbsp;&nbsp;%2</td></tr>")
-                .arg(nameOf(metric).toHtmlEscaped(), valueOf(metric, attempt_.view().metrics));
+                .arg(ui::titleOf(metric).toHtmlEscaped(), ui::valueOf(metric, attempt_.view().metrics[metric]));
   const QString table = QStringLiteral("<table width='100%' cellspacing='0'>%1</table>").arg(rows);
   if (numbers_->text() != table) numbers_->setText(table);
 }
@@ -254,7 +254,7 @@ void AttemptPanel::refreshResult() {
   QStringList errors;
   for (const AttemptMoment& moment : score.criticalErrors)
     errors << QStringLiteral("<span style='color:%1'>▲</span>&nbsp; <b>%2, %3.</b> %4")
-                  .arg(ui::colour(colourOf(Severity::Critical)).name(), wordOf(Severity::Critical),
+                  .arg(ui::colour(ui::colourOf(Severity::Critical)).name(), capital(ui::wordOf(Severity::Critical)),
                        clockOf(double(moment.time_us) * 1e-6), QString::fromStdString(moment.say).toHtmlEscaped());
   errors_->setText(errors.join(QStringLiteral("<br>")));
   errors_->setVisible(!errors.isEmpty());

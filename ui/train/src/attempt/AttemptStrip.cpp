@@ -74,18 +74,18 @@ void AttemptStrip::refresh() {
   time_->setVisible(made);
   time_->setText(clockOf(attempt_.view().time_s));
   time_->setAccessibleName(tr("Time %1").arg(time_->text()));
-  vein_->setText(tr("vein %1").arg(valueOf(Metric::VeinPunctures, metrics)));
-  artery_->setText(tr("artery %1").arg(valueOf(Metric::ArteryPunctures, metrics)));
-  double_->setText(tr("double %1").arg(valueOf(Metric::DoublePunctures, metrics)));
-  toVein_->setText(tr("to vein %1").arg(valueOf(Metric::TimeToVein, metrics)));
-  used_->setText(tr("used %1").arg(valueOf(Metric::UsedNeedleInsertions, metrics)));
+  vein_->setText(tr("vein %1").arg(ui::valueOf(Metric::VeinPunctures, metrics[Metric::VeinPunctures])));
+  artery_->setText(tr("artery %1").arg(ui::valueOf(Metric::ArteryPunctures, metrics[Metric::ArteryPunctures])));
+  double_->setText(tr("double %1").arg(ui::valueOf(Metric::DoublePunctures, metrics[Metric::DoublePunctures])));
+  toVein_->setText(tr("to vein %1").arg(ui::valueOf(Metric::TimeToVein, metrics[Metric::TimeToVein])));
+  used_->setText(tr("used %1").arg(ui::valueOf(Metric::UsedNeedleInsertions, metrics[Metric::UsedNeedleInsertions])));
   needle_->setVisible(made);
   refreshNeedle();
 }
 
 void AttemptStrip::refreshNeedle() {
   const NeedlePlace place = attempt_.view().needle;
-  const PlaceWords words = wordsOf(attempt_.isSilent() ? plainly(place) : place);
+  const ui::PlaceWords words = ui::wordsOf(attempt_.isSilent() ? plainly(place) : place);
   // The sign has the colour: words of that colour would be hard to read.
   needle_->setText(QStringLiteral("<span style='color:%1'>%2</span> %3")
                        .arg(ui::colour(words.colour).name(), words.sign, words.words));

@@ -1,28 +1,17 @@
 #pragma once
 
 #include <insonate/procedure/AttemptScore.h>
-#include <insonate/views/Theme.h>
+#include <insonate/ui/AttemptWords.h>
 
 #include <QString>
 
 namespace insonate::train {
 
-/// How the needle's place is told: by a sign and words as well as by the thesis's colour.
-struct PlaceWords {
-  QString sign, words;
-  views::Colour colour;
-};
-PlaceWords wordsOf(NeedlePlace place);
-
 /// What can be seen without a teacher: whether the needle is in the skin, and whether it was.
 NeedlePlace plainly(NeedlePlace place);
 
-/// A metric's name, short enough for a column, and its value with unit; a dash where it is missing.
-QString nameOf(Metric metric);
-QString valueOf(Metric metric, const MetricValues& values);
-
-views::Colour colourOf(Severity severity);
-QString wordOf(Severity severity);
+/// As a sentence begins.
+QString capital(const QString& words);
 
 /// "2:07".
 QString clockOf(double time_s);

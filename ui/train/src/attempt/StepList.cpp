@@ -77,9 +77,10 @@ bool StepList::show(const Procedure& procedure, const AttemptView& view) {
   const std::size_t count = view.findings.size(), first = count - std::min(count, kFindingsShown);
   for (std::size_t i = count; i-- > first;) {
     const ProcedureRule& rule = procedure.rules[view.findings[i].rule];
-    findings << coloured(QStringLiteral("▲"), colourOf(rule.severity)) +
+    findings << coloured(QStringLiteral("▲"), ui::colourOf(rule.severity)) +
                     QStringLiteral("&nbsp; <b>%1, %2.</b> %3")
-                        .arg(wordOf(rule.severity), clockOf(double(view.findings[i].time_us) * 1e-6), plain(rule.say));
+                        .arg(capital(ui::wordOf(rule.severity)), clockOf(double(view.findings[i].time_us) * 1e-6),
+                             plain(rule.say));
   }
   bool other = write(*findings_, findings.join(QStringLiteral("<br>")));
   other |= write(*steps_, before.join(QStringLiteral("<br>")));

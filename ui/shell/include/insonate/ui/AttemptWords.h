@@ -1,0 +1,28 @@
+#pragma once
+
+#include <insonate/procedure/AttemptMetrics.h>
+#include <insonate/procedure/Procedure.h>
+#include <insonate/views/Theme.h>
+
+#include <QString>
+#include <optional>
+
+namespace insonate::ui {
+
+/// How the needle's place is told: by a sign and words as well as by the thesis's colour.
+struct PlaceWords {
+  QString sign, words;
+  views::Colour colour;
+};
+PlaceWords wordsOf(NeedlePlace place);
+
+/// Of what went wrong; quiet where nothing did.
+views::Colour colourOf(const std::optional<Severity>& severity);
+QString wordOf(Severity severity);
+
+/// "needle path", of a metric's id.
+QString titleOf(Metric metric);
+/// "41.2 mm", "34.6°", "2", "n/a".
+QString valueOf(Metric metric, const std::optional<double>& value);
+
+}  // namespace insonate::ui

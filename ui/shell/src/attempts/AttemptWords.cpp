@@ -1,0 +1,66 @@
+#include <insonate/ui/AttemptWords.h>
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <cmath>
+
+namespace insonate::ui {
+namespace {
+
+namespace theme = views::theme;
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("AttemptWords", text);
+}
+
+QString qt(std::string_view text) {
+  return QString::fromUtf8(text.data(), int(text.size()));
+}
+
+}  // namespace
+
+PlaceWords wordsOf(NeedlePlace place) {
+  switch (place) {
+    case NeedlePlace::Clean:
+      return {QStringLiteral("○"), tr("needle new"), theme::kText};
+    case NeedlePlace::Underway:
+      return {QStringLiteral("◐"), tr("in tissue"), theme::kText};
+    case NeedlePlace::Vein:
+      return {QStringLiteral("●"), tr("in the vein"), theme::kGood};
+    case NeedlePlace::WrongPlace:
+      return {QStringLiteral("▲"), tr("wrong place"), theme::kDanger};
+    case NeedlePlace::Used:
+      break;
+  }
+  return {QStringLiteral("■"), tr("needle used"), theme::kCaution};
+}
+
+views::Colour colourOf(const std::optional<Severity>& severity) {
+  if (!severity) return theme::kQuiet;
+  return *severity == Severity::Minor   ? theme::kAccent
+         : *severity == Severity::Major ? theme::kCaution
+                                        : theme::kDanger;
+}
+
+QString wordOf(Severity severity) {
+  return severity == Severity::Minor ? tr("minor") : severity == Severity::Major ? tr("major") : tr("critical");
+}
+
+QString titleOf(Metric metric) {
+  QStringList words = qt(definitionOf(metric).id).split(QLatin1Char('_'));
+  // The unit stands beside the value.
+  static const QStringList units{QStringLiteral("s"), QStringLiteral("mm"), QStringLiteral("percent"),
+                                 QStringLiteral("deg"), QStringLiteral("N")};
+  if (words.size() > 1 && units.contains(words.last())) words.removeLast();
+  return words.join(QLatin1Char(' '));
+}
+
+QString valueOf(Metric metric, const std::optional<double>& value) {
+  if (!value) return tr("n/a");
+  const QString unit = qt(definitionOf(metric).unit);
+  const bool isCount = unit.isEmpty() && *value == std::round(*value);
+  const QString number = QString::number(*value, 'f', isCount ? 0 : unit.isEmpty() ? 2 : 1);
+  return unit.isEmpty() ? number : unit == QLatin1String("deg") ? number + QStringLiteral("°") : number + ' ' + unit;
+}
+
+}  // namespace insonate::ui
