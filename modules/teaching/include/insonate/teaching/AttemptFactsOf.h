@@ -1,0 +1,26 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/AttemptFacts.h>
+#include <insonate/procedure/AttemptHeader.h>
+#include <insonate/procedure/AttemptScore.h>
+
+#include <cstdint>
+#include <filesystem>
+
+namespace insonate {
+
+/// What an attempt's header tells as it begins; id, person, level and recording are the caller's.
+AttemptFacts beginningOf(const AttemptHeader& header);
+
+/// Adds how it ended: Completed, else Abandoned, with the metrics and points of its score.
+void addEnding(AttemptFacts& facts, AttemptStatus status, std::int64_t length_us, const AttemptScore& score);
+
+/// Name and SHA-256 of a recording's file.
+Result<void> addRecording(AttemptFacts& facts, const std::filesystem::path& file);
+
+/// All three, from the recording alone: it is replayed and scored anew. Fails where it cannot be read, where damage
+/// leaves no metrics, and where the rules it was made under are not here.
+Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file);
+
+}  // namespace insonate

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/Curriculum.h>
+#include <insonate/curriculum/MetricMeaning.h>
+#include <insonate/procedure/Procedure.h>
+
+#include <vector>
+
+namespace insonate {
+
+/// What a curriculum can name: the built-in necks, the procedures that come along, and all metrics.
+Result<TeachingNames> teachingNames();
+
+/// All metrics in the order of metricTable(), without what novices and experts reach.
+std::vector<MetricMeaning> metricMeanings();
+/// The same with the procedure's norms.
+std::vector<MetricMeaning> metricMeanings(const Procedure& procedure);
+
+}  // namespace insonate

@@ -1,0 +1,99 @@
+#include <insonate/procedure/AttemptRecording.h>
+#include <insonate/teaching/AttemptFactsOf.h>
+
+#include <sodium/crypto_hash_sha256.h>
+#include <sodium/utils.h>
+
+#include <array>
+#include <ctime>
+#include <fstream>
+#include <limits>
+
+namespace insonate {
+namespace {
+
+/// Of AttemptHeader::begun; 0 where it is none.
+std::int64_t timeOf(const std::string& iso8601) {
+  std::tm utc{};
+  const char* end = ::strptime(iso8601.c_str(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return end && *end == '\0' ? std::int64_t{1'000'000} * ::timegm(&utc) : 0;
+}
+
+Result<std::string> sha256Of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  crypto_hash_sha256_state state;
+  crypto_hash_sha256_init(&state);
+  std::array<char, 65536> part;
+  do {
+    stream.read(part.data(), part.size());
+    crypto_hash_sha256_update(&state, reinterpret_cast<const unsigned char*>(part.data()),
+                              static_cast<unsigned long long>(stream.gcount()));
+  } while (stream);
+  if (!stream.eof()) return fail(file.string() + " cannot be read; check its permissions.");
+  std::array<unsigned char, crypto_hash_sha256_BYTES> hash;
+  crypto_hash_sha256_final(&state, hash.data());
+  std::array<char, 2 * crypto_hash_sha256_BYTES + 1> digits;
+  return std::string(sodium_bin2hex(digits.data(), digits.size(), hash.data(), hash.size()));
+}
+
+Result<Procedure> rulesOf(const std::filesystem::path& file, const AttemptHeader& header) {
+  auto procedure = loadProcedure(header.procedure);
+  if (!procedure)
+    return fail(file.string() +
+                " cannot be scored, since its procedure is not known here: " + procedure.error().message);
+  if (procedure->version != header.procedureVersion)
+    return fail(file.string() + " was made by version " + std::to_string(header.procedureVersion) +
+                " of the procedure '" + header.procedure + "', which is at version " +
+                std::to_string(procedure->version) + " here; score it with the program that made it, " +
+                header.software + ".");
+  return procedure;
+}
+
+}  // namespace
+
+AttemptFacts beginningOf(const AttemptHeader& header) {
+  AttemptFacts facts;
+  facts.procedure = header.procedure, facts.procedureVersion = header.procedureVersion;
+  facts.caseName = header.caseName, facts.caseHash = header.caseHash;
+  facts.begun_us = timeOf(header.begun);
+  return facts;
+}
+
+void addEnding(AttemptFacts& facts, AttemptStatus status, std::int64_t length_us, const AttemptScore& score) {
+  facts.state = status == AttemptStatus::Completed ? AttemptState::Completed : AttemptState::Abandoned;
+  facts.length_us = length_us;
+  facts.succeeded = score.succeeded;
+  facts.criticalErrors = static_cast<int>(score.criticalErrors.size());
+  facts.points = score.points;
+  facts.metrics.clear();
+  for (const MetricScore& metric : score.metrics) {
+    const MetricDefinition& definition = metricTable()[static_cast<std::size_t>(metric.metric)];
+    facts.metrics.push_back({std::string(definition.id), definition.version, metric.value});
+  }
+}
+
+Result<void> addRecording(AttemptFacts& facts, const std::filesystem::path& file) {
+  auto hash = sha256Of(file);
+  if (!hash) return tl::unexpected(hash.error());
+  facts.recording = file.filename().string();
+  facts.recordingHash = std::move(*hash);
+  return {};
+}
+
+Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file) {
+  const auto recording = AttemptRecording::open(file);
+  if (!recording) return tl::unexpected(recording.error());
+  auto procedure = rulesOf(file, recording->header());
+  if (!procedure) return tl::unexpected(procedure.error());
+  ProcedureRun run(std::move(*procedure), recording->header().picture);
+  const auto played = recording->play(
+      std::numeric_limits<std::int64_t>::max(),
+      [&](const AttemptRecording::Entry& entry) { std::visit([&](const auto& what) { run.take(what); }, entry); });
+  if (!played) return tl::unexpected(played.error());
+  AttemptFacts facts = beginningOf(recording->header());
+  addEnding(facts, recording->status(), recording->end_us(), scoreOf(run));
+  if (auto added = addRecording(facts, file); !added) return tl::unexpected(added.error());
+  return facts;
+}
+
+}  // namespace insonate

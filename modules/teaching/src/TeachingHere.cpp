@@ -1,0 +1,69 @@
+#include <insonate/cases/Phantom.h>
+#include <insonate/procedure/AttemptMetrics.h>
+#include <insonate/teaching/TeachingHere.h>
+
+#include <algorithm>
+
+namespace insonate {
+namespace {
+
+/// "artery_punctures" is read as "Artery punctures", without the unit that "time_to_vein_s" ends with.
+std::string titleOf(const MetricDefinition& metric) {
+  std::string title(metric.id);
+  const std::string unit = "_" + std::string(metric.unit == "%" ? "percent" : metric.unit);
+  if (title.ends_with(unit)) title.resize(title.size() - unit.size());
+  std::ranges::replace(title, '_', ' ');
+  title.front() = static_cast<char>(title.front() - 'a' + 'A');
+  return title;
+}
+
+MetricMeaning::Better betterOf(const MetricDefinition& metric) {
+  switch (metric.better) {
+    case Better::Lower:
+      return MetricMeaning::Better::Lower;
+    case Better::Higher:
+      return MetricMeaning::Better::Higher;
+    case Better::Neither:
+      break;
+  }
+  return MetricMeaning::Better::Neither;
+}
+
+}  // namespace
+
+std::vector<MetricMeaning> metricMeanings() {
+  std::vector<MetricMeaning> meanings;
+  for (const MetricDefinition& metric : metricTable()) {
+    MetricMeaning meaning;
+    meaning.id = metric.id, meaning.version = metric.version;
+    meaning.title = titleOf(metric), meaning.unit = metric.unit;
+    meaning.better = betterOf(metric);
+    meanings.push_back(std::move(meaning));
+  }
+  return meanings;
+}
+
+std::vector<MetricMeaning> metricMeanings(const Procedure& procedure) {
+  std::vector<MetricMeaning> meanings = metricMeanings();
+  for (const MetricNorm& norm : procedure.norms) {
+    MetricMeaning& meaning = meanings[static_cast<std::size_t>(norm.metric)];
+    meaning.novice = norm.novice, meaning.expert = norm.expert;
+  }
+  return meanings;
+}
+
+Result<TeachingNames> teachingNames() {
+  TeachingNames names;
+  for (const PhantomVariant& variant : phantomVariants()) names.cases.emplace_back(variant.name);
+  for (const std::string& name : procedurePresetNames()) {
+    const auto procedure = loadProcedure(name);
+    if (!procedure) return tl::unexpected(procedure.error());
+    TeachingNames::Procedure known{name, {}};
+    for (const PatientPosition& position : procedure->positions) known.positions.push_back(position.name);
+    names.procedures.push_back(std::move(known));
+  }
+  names.metrics = metricMeanings();
+  return names;
+}
+
+}  // namespace insonate

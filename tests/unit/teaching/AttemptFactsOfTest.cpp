@@ -1,0 +1,113 @@
+#include "support/TestData.h"
+#include "unit/procedure/ScriptedAttempt.h"
+
+#include <insonate/procedure/AttemptRecorder.h>
+#include <insonate/teaching/AttemptFactsOf.h>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+namespace insonate {
+namespace {
+
+using testing::HasSubstr;
+
+AttemptHeader header() {
+  AttemptHeader header;
+  header.software = "insonate 0.1.0", header.begun = "2026-01-02T03:04:05Z";
+  header.procedure = "internal_jugular", header.procedureVersion = 1;
+  header.caseName = "neck", header.caseHash = "c0ffee";
+  header.picture = test::ScriptedAttempt::picture();
+  return header;
+}
+
+std::optional<double> valueOf(const AttemptFacts& facts, std::string_view id) {
+  const auto found = std::ranges::find(facts.metrics, id, &MetricFact::id);
+  return found == facts.metrics.end() ? std::nullopt : found->value;
+}
+
+class AttemptFactsOfTest : public testing::Test {
+ protected:
+  void record(const test::ScriptedAttempt& attempt, AttemptStatus status, const AttemptHeader& head = header()) const {
+    const auto recorder = AttemptRecorder::start(file, head);
+    ASSERT_TRUE(recorder) << recorder.error().message;
+    for (const auto& entry : attempt.stream) {
+      while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::visit([&](const auto& what) { (*recorder)->put(what); }, entry);
+    }
+    ASSERT_TRUE((*recorder)->finish(status));
+  }
+
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "first.attempt";
+};
+
+TEST_F(AttemptFactsOfTest, ARecordingBecomesFacts) {
+  test::ScriptedAttempt attempt;
+  attempt.aspirating = true;
+  attempt.needleTo(25), attempt.hold(2);
+  record(attempt, AttemptStatus::Completed);
+  const auto facts = factsOfRecording(file);
+  ASSERT_TRUE(facts) << facts.error().message;
+  EXPECT_EQ(facts->procedure, "internal_jugular");
+  EXPECT_EQ(facts->caseName, "neck");
+  EXPECT_EQ(facts->begun_us, 1767323045'000'000) << "20455 days of 86400 s since 1970, and 3 h 4 min 5 s";
+  EXPECT_EQ(facts->length_us, 5'000'000) << "30 mm at 10 mm/s, and 2 s";
+  EXPECT_EQ(facts->state, AttemptState::Completed);
+  EXPECT_TRUE(facts->succeeded);
+  EXPECT_EQ(facts->criticalErrors, 0);
+  EXPECT_TRUE(facts->points);
+  EXPECT_EQ(facts->metrics.size(), std::size_t{kMetricCount});
+  EXPECT_EQ(valueOf(*facts, "vein_punctures"), 1);
+  EXPECT_FALSE(valueOf(*facts, "nearest_artery_mm")) << "there is none: missing, not 0";
+  EXPECT_EQ(facts->recording, "first.attempt");
+  EXPECT_EQ(facts->person, "");
+  EXPECT_EQ(facts->id, "");
+}
+
+TEST_F(AttemptFactsOfTest, HarmIsCounted) {
+  test::ScriptedAttempt attempt;
+  attempt.walls = {{kArtery, 20, 30}};
+  attempt.needleTo(25);
+  record(attempt, AttemptStatus::Abandoned);
+  const auto facts = factsOfRecording(file);
+  ASSERT_TRUE(facts) << facts.error().message;
+  EXPECT_EQ(facts->state, AttemptState::Abandoned);
+  EXPECT_FALSE(facts->succeeded);
+  EXPECT_EQ(facts->criticalErrors, 1);
+  EXPECT_EQ(facts->points, 0);
+}
+
+TEST_F(AttemptFactsOfTest, WhatWasCutShortIsAbandoned) {
+  AttemptFacts facts;
+  addEnding(facts, AttemptStatus::CutShort, 1000, {});
+  EXPECT_EQ(facts.state, AttemptState::Abandoned);
+}
+
+TEST_F(AttemptFactsOfTest, TheHashIsThatOfTheFile) {
+  std::ofstream(file, std::ios::binary) << "abc";
+  AttemptFacts facts;
+  ASSERT_TRUE(addRecording(facts, file));
+  EXPECT_EQ(facts.recordingHash, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad") << "FIPS 180-4";
+  EXPECT_THAT(addRecording(facts, folder / "none").error().message, HasSubstr("cannot be read"));
+}
+
+TEST_F(AttemptFactsOfTest, RulesThatAreNotHereScoreNothing) {
+  test::ScriptedAttempt attempt;
+  attempt.needleTo(5);
+  AttemptHeader other = header();
+  other.procedureVersion = 7;
+  record(attempt, AttemptStatus::Completed, other);
+  EXPECT_THAT(factsOfRecording(file).error().message, HasSubstr("was made by version 7 of the procedure"));
+  std::filesystem::remove(file);
+  other.procedure = "brain_surgery";
+  record(attempt, AttemptStatus::Completed, other);
+  EXPECT_THAT(factsOfRecording(file).error().message, HasSubstr("its procedure is not known here"));
+  EXPECT_THAT(factsOfRecording(folder / "none").error().message, HasSubstr("There is no recording"));
+}
+
+}  // namespace
+}  // namespace insonate
