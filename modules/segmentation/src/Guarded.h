@@ -4,12 +4,13 @@
 
 #include <insonate/core/Result.h>
 
+#include <exception>
 #include <new>
 #include <string>
 
 namespace insonate::segmentation {
 
-/// The result of `work`, a function that may be cancelled or run out of memory.
+/// The result of `work`, a function that may be cancelled, run out of memory, or meet a library's exception.
 template <class Function>
 auto guarded(const Function& work) -> Result<decltype(work())> {
   try {
@@ -18,6 +19,8 @@ auto guarded(const Function& work) -> Result<decltype(work())> {
     return fail(std::string(kCancelled));
   } catch (const std::bad_alloc&) {
     return fail("There is not enough memory for this region. Choose a smaller one or close other programs.");
+  } catch (const std::exception& e) {
+    return fail("This could not be computed: " + std::string(e.what()) + " Try a smaller region.");
   }
 }
 

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "Work.h"
+
+#include <insonate/image/Volume.h>
+
+#include <itkCommand.h>
+#include <itkImage.h>
+#include <itkProcessObject.h>
+
+#include <new>
+
+namespace insonate::segmentation {
+
+/// An image over a volume's voxels, which must outlive it. With their spacing, but without place and direction: filters
+/// work in millimetres along the grid's own axes, whatever its handedness.
+template <class T>
+typename itk::Image<T, 3>::Pointer itkImageOver(Volume<T>& volume) {
+  using Image = itk::Image<T, 3>;
+  const VolumeGeometry& g = volume.geometry;
+  auto image = Image::New();
+  typename Image::SizeType size;
+  typename Image::SpacingType spacing;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    size[axis] = itk::SizeValueType(g.size[axis]);
+    spacing[axis] = g.spacing_mm[int(axis)];
+  }
+  image->SetRegions(size);
+  image->SetSpacing(spacing);
+  image->GetPixelContainer()->SetImportPointer(volume.voxels.data(), volume.voxels.size(), false);
+  return image;
+}
+
+/// Updates a filter and stops it when asked; throws Cancelled then.
+template <class Filter>
+void run(Filter& filter, const Progress& progress, std::string_view doing) {
+  const auto tell = [&](itk::Object*, const itk::EventObject&) {
+    if (!report(progress, doing, std::min<double>(filter.GetProgress(), 0.99))) filter.AbortGenerateDataOn();
+  };
+  filter.AddObserver(itk::ProgressEvent(), [&](const itk::EventObject& event) { tell(&filter, event); });
+  filter.AddObserver(itk::IterationEvent(), [&](const itk::EventObject& event) { tell(&filter, event); });
+  try {
+    filter.Update();
+  } catch (const itk::ProcessAborted&) {
+    throw Cancelled{};
+  } catch (const itk::MemoryAllocationError&) {
+    throw std::bad_alloc{};
+  }
+}
+
+}  // namespace insonate::segmentation
