@@ -16,10 +16,12 @@ class Core;
 /// What a password costs whoever guesses: argon2id by libsodium. `Least` is for tests.
 enum class PasswordCost { Usual, Least };
 
-/// What a store asks of the world around it.
+/// What a store asks of the world around it. Where a function or text is empty, the system's own is taken.
 struct StoreServices {
-  std::function<std::int64_t()> now_us{};  ///< since 1970, UTC; empty: the system's clock
-  std::string workstation{};               ///< unique among those that share a server; "": the computer's name
+  std::function<std::int64_t()> now_us{};     ///< since 1970, UTC; may jump
+  std::function<std::int64_t()> upTime_us{};  ///< since the computer's start; does not jump
+  std::string boot{};                         ///< tells one start of the computer from another
+  std::string workstation{};                  ///< the computer's name; unique among those that share a server
   PasswordCost passwordCost = PasswordCost::Usual;
 };
 

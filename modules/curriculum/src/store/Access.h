@@ -1,0 +1,97 @@
+#pragma once
+
+#include "store/sql/Transaction.h"
+
+#include <insonate/curriculum/Person.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace insonate::store {
+
+/// All that can be asked of a store.
+enum class Act {
+  SeePerson,
+  SeeAllPeople,
+  AddPerson,
+  AddTrainee,
+  ChangePerson,
+  ChangeOwnDetails,
+  ChangeOwnPassword,
+  ResetPassword,
+  SeeOwnCohorts,
+  SeeMembers,
+  ChangeCohorts,
+  RemoveMember,
+  SetCurriculum,
+  RememberStanding,
+  MakeAttempt,
+  SeeAttempts,
+  SeeCohortAttempts,
+  VoidAttempt,
+  ReadCurricula,
+  SeeDrafts,
+  WriteDrafts,
+  Publish,
+  FillForm,
+  SeeForms,
+  SeeCohortForms,
+  SeeAudit,
+  SeeUploads,
+  LookAfterStore
+};
+
+/// How far an act reaches.
+enum class Reach {
+  None,
+  Self,    ///< one's own data
+  Taught,  ///< also of who learns in a cohort that one teaches; of an act on a cohort: one that one teaches
+  All,
+};
+
+/// What else holds for an act.
+enum Condition : unsigned {
+  kUnlogged = 1,      ///< tells nothing about others
+  kNotOneself = 2,    ///< nobody does this to their own data
+  kOnlyTrainees = 4,  ///< an instructor does this to trainees only
+  kOnServer = 8,      ///< done on the server, where the store belongs to one
+};
+
+/// Who may do what: the one place where it is written down.
+struct Rule {
+  Act act;
+  std::string_view words;  ///< as in the audit log: "see attempts"
+  Reach guest, trainee, instructor, administrator;
+  unsigned conditions = 0;
+
+  constexpr bool has(Condition condition) const { return (conditions & condition) != 0; }
+};
+
+std::span<const Rule> rules();
+const Rule& ruleOf(Act act);
+
+/// What someone asks for. An attempt stands for the person whose it is.
+struct Request {
+  Act act;
+  std::string person{}, cohort{}, attempt{};
+  std::string detail{};  ///< for the audit log
+};
+
+struct Actor {
+  std::string id{};  ///< "": a guest
+  std::optional<Role> role{};
+  std::int64_t passwordVersion = 0;  ///< the session's
+};
+
+struct Verdict {
+  std::optional<Error> refusal{};
+  bool logged = false;
+  std::string person{};  ///< whose data it is, the attempt's person found
+};
+
+/// Looks up who the actor is now, what they may do, and to whom the data belongs.
+Verdict decide(Transaction& transaction, Actor& actor, const Request& request);
+
+}  // namespace insonate::store

@@ -1,0 +1,84 @@
+#include "store/AttemptRows.h"
+
+#include "store/Names.h"
+
+#include <nlohmann/json.hpp>
+
+namespace insonate::store {
+namespace {
+
+std::vector<MetricFact> metricsOf(const std::string& text) {
+  std::vector<MetricFact> metrics;
+  const auto json = nlohmann::json::parse(text, nullptr, false);
+  if (!json.is_array()) return metrics;
+  metrics.reserve(json.size());
+  for (const auto& entry : json)
+    metrics.push_back({entry.at(0).get<std::string>(), entry.at(1).get<int>(),
+                       entry.at(2).is_null() ? std::nullopt : std::optional(entry.at(2).get<double>())});
+  return metrics;
+}
+
+}  // namespace
+
+std::string metricsText(const std::vector<MetricFact>& metrics) {
+  nlohmann::json json = nlohmann::json::array();
+  for (const MetricFact& metric : metrics)
+    json.push_back({metric.id, metric.version, metric.value ? nlohmann::json(*metric.value) : nlohmann::json()});
+  return json.dump();
+}
+
+AttemptState stateOfEnd(const Row& row) {
+  return stateNamed(row.text(10));
+}
+
+AttemptFacts factsOf(const Row& row) {
+  return {.id = row.text(1),
+          .person = row.text(2),
+          .curriculum = row.text(3),
+          .curriculumVersion = row.count(4),
+          .level = row.text(5),
+          .procedure = row.text(6),
+          .procedureVersion = row.count(7),
+          .caseName = row.text(8),
+          .begun_us = row.number(9),
+          .length_us = row.number(12),
+          .state = row.isNull(17) ? stateOfEnd(row) : AttemptState::Voided,
+          .succeeded = row.truth(13),
+          .criticalErrors = row.count(14),
+          .points = row.real(15),
+          .metrics = metricsOf(row.text(16))};
+}
+
+KeptAttempt keptOf(const Row& row) {
+  KeptAttempt kept{
+      .facts = factsOf(row), .arrival = row.number(0), .crashed = row.truth(11), .voidReason = row.text(22)};
+  kept.facts.caseHash = row.text(18);
+  kept.facts.workstation = row.text(19);
+  kept.facts.recording = row.text(20);
+  kept.facts.recordingHash = row.text(21);
+  return kept;
+}
+
+std::optional<KeptAttempt> findAttempt(Transaction& transaction, const std::string& id) {
+  const auto row = transaction.row("SELECT " INSONATE_ATTEMPT_COLUMNS " FROM attempts WHERE id = ?", id);
+  return row ? std::optional(keptOf(*row)) : std::nullopt;
+}
+
+void insertAttempt(Transaction& transaction, const AttemptFacts& facts, const std::string& run) {
+  transaction.run(
+      "INSERT INTO attempts SELECT COALESCE(MAX(arrival), 0) + 1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 'open', 0, 0, 0, "
+      "0, "
+      "NULL, '[]', '', '', NULL, NULL, NULL FROM attempts",
+      facts.id, facts.person, run, facts.curriculum, facts.curriculumVersion, facts.level, facts.procedure,
+      facts.procedureVersion, facts.caseName, facts.caseHash, facts.workstation, facts.begun_us);
+}
+
+void endAttempt(Transaction& transaction, const AttemptFacts& facts, bool crashed) {
+  transaction.run(
+      "UPDATE attempts SET state = ?, crashed = ?, length_us = ?, succeeded = ?, critical_errors = ?, points = ?, "
+      "metrics = ?, recording = ?, recording_hash = ? WHERE id = ?",
+      nameOf(facts.state), crashed, facts.length_us, facts.succeeded, facts.criticalErrors, facts.points,
+      metricsText(facts.metrics), facts.recording, facts.recordingHash, facts.id);
+}
+
+}  // namespace insonate::store

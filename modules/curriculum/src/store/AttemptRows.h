@@ -1,0 +1,51 @@
+#pragma once
+
+#include "store/sql/Transaction.h"
+
+#include <insonate/curriculum/AttemptStore.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace insonate::store {
+
+/// Columns of attempts that keptOf() reads.
+#define INSONATE_ATTEMPT_COLUMNS                                                                                    \
+  "arrival, id, person, curriculum, curriculum_version, level, procedure, procedure_version, case_name, begun_us, " \
+  "state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us, case_hash, workstation, "     \
+  "recording, recording_hash, void_reason"
+/// The first of them, which history needs.
+#define INSONATE_HISTORY_COLUMNS                                                                                    \
+  "arrival, id, person, curriculum, curriculum_version, level, procedure, procedure_version, case_name, begun_us, " \
+  "state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us"
+
+/// Member::changes of the attempts that are added up.
+#define INSONATE_CHANGES                                             \
+  "SUM(1 + CASE WHEN state <> 'open' THEN 2 - crashed ELSE 0 END + " \
+  "CASE WHEN voided_us IS NULL THEN 0 ELSE 1 END)"
+
+/// Of INSONATE_HISTORY_COLUMNS.
+AttemptFacts factsOf(const Row& row);
+/// Of INSONATE_ATTEMPT_COLUMNS.
+KeptAttempt keptOf(const Row& row);
+/// Of either: how it ended, whether it was voided or not.
+AttemptState stateOfEnd(const Row& row);
+std::optional<KeptAttempt> findAttempt(Transaction& transaction, const std::string& id);
+
+/// Metrics as JSON: [[id, version, value or null], ...].
+std::string metricsText(const std::vector<MetricFact>& metrics);
+
+/// What is wrong with facts that a caller hands in, before they are kept.
+Result<void> checkBegun(const AttemptFacts& facts);
+Result<void> checkEnded(const AttemptFacts& facts);
+/// The same beginning, whatever came after.
+bool sameBeginning(const AttemptFacts& a, const AttemptFacts& b);
+bool sameEnd(const AttemptFacts& a, const AttemptFacts& b);
+
+/// As it begins; its arrival is found here.
+void insertAttempt(Transaction& transaction, const AttemptFacts& facts, const std::string& run);
+void endAttempt(Transaction& transaction, const AttemptFacts& facts, bool crashed);
+
+}  // namespace insonate::store

@@ -1,0 +1,165 @@
+#include "store/AttemptRows.h"
+#include "store/CrashedAttempts.h"
+#include "store/Outbox.h"
+#include "store/Paging.h"
+#include "store/Session.h"
+#include "store/Texts.h"
+
+#include <insonate/curriculum/AttemptStore.h>
+
+namespace insonate {
+namespace {
+
+using store::Act;
+using store::Actor;
+using store::Core;
+using store::Row;
+using store::Transaction;
+
+tl::unexpected<Error> otherwiseBegun(const std::string& id) {
+  return fail("The attempt " + id +
+              " was begun otherwise (its person, level, procedure, case or time); an attempt does not change. "
+              "Begin another.");
+}
+
+Result<std::string> beginAttempt(Transaction& transaction, const Core& core, const AttemptFacts& facts) {
+  if (const auto kept = store::findAttempt(transaction, facts.id)) {
+    if (!store::sameBeginning(kept->facts, facts)) return otherwiseBegun(facts.id);
+    return facts.id;
+  }
+  store::keepRun(transaction, core);
+  store::insertAttempt(transaction, facts, core.run());
+  store::putIntoOutbox(transaction, core, "attempt", facts.id);
+  return facts.id;
+}
+
+/// A voided attempt has ended, too: what its end was is looked at without the voiding.
+Result<void> endKept(Transaction& transaction, const Core& core, const AttemptFacts& facts) {
+  auto kept = store::findAttempt(transaction, facts.id);
+  if (!kept) return fail("There is no attempt " + facts.id + "; begin it first.");
+  if (!store::sameBeginning(kept->facts, facts)) return otherwiseBegun(facts.id);
+  const bool isVoided = kept->facts.state == AttemptState::Voided;
+  if (isVoided) kept->facts.state = facts.state;
+  if (kept->facts.state != AttemptState::Open && !kept->crashed) {
+    if (store::sameEnd(kept->facts, facts)) return {};
+    return fail("The attempt " + facts.id + " has ended already, and otherwise; an attempt does not change.");
+  }
+  store::endAttempt(transaction, facts, false);
+  store::putIntoOutbox(transaction, core, "attempt", facts.id);
+  return {};
+}
+
+Result<void> voidKept(Transaction& transaction, const Core& core, const std::string& id, const std::string& by,
+                      const std::string& reason) {
+  const auto kept = store::findAttempt(transaction, id);
+  if (kept->facts.state == AttemptState::Open)
+    return fail("The attempt is still open; it can be voided once it has ended.");
+  if (kept->facts.state == AttemptState::Voided) {
+    if (kept->voidReason == reason) return {};
+    return fail("The attempt was voided already: " + kept->voidReason);
+  }
+  transaction.run("UPDATE attempts SET voided_us = ?, voided_by = ?, void_reason = ? WHERE id = ?", core.now_us(), by,
+                  reason, id);
+  store::putIntoOutbox(transaction, core, "attempt", id);
+  return {};
+}
+
+std::vector<AttemptFacts> allFacts(const std::vector<Row>& rows) {
+  std::vector<AttemptFacts> facts;
+  facts.reserve(rows.size());
+  for (const Row& row : rows) facts.push_back(store::factsOf(row));
+  return facts;
+}
+
+/// From the arrival of the attempt with which someone's last so many begin.
+constexpr std::string_view kLastOfCohort =
+    "WITH since AS (SELECT m.person, COALESCE((SELECT arrival FROM attempts AS a WHERE a.person = m.person "
+    "AND state <> 'open' AND voided_us IS NULL ORDER BY arrival DESC LIMIT 1 OFFSET ?), 0) AS first "
+    "FROM memberships AS m WHERE m.cohort = ? AND m.teaches = 0) "
+    "SELECT arrival, id, attempts.person, curriculum, curriculum_version, level, procedure, procedure_version, "
+    "case_name, "
+    "begun_us, state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us "
+    "FROM since JOIN attempts ON attempts.person = since.person AND arrival >= since.first "
+    "WHERE state <> 'open' AND voided_us IS NULL ORDER BY attempts.person, arrival";
+
+}  // namespace
+
+Result<std::string> AttemptStore::begin(const AttemptFacts& facts) const {
+  Core& core = by_.session()->core();
+  AttemptFacts begun = facts;
+  begun.person = by_.person().id;
+  begun.workstation = core.workstation();
+  if (begun.id.empty()) begun.id = store::freshUuid();
+  if (auto ok = store::checkBegun(begun); !ok) return tl::unexpected(ok.error());
+  return by_.session()->write(
+      {.act = Act::MakeAttempt, .person = begun.person},
+      [&](Transaction& transaction, const Actor&) { return beginAttempt(transaction, core, begun); });
+}
+
+Result<void> AttemptStore::end(const AttemptFacts& facts) const {
+  if (auto ok = store::checkEnded(facts); !ok) return ok;
+  AttemptFacts ended = facts;
+  ended.person = by_.person().id;
+  return by_.session()->write(
+      {.act = Act::MakeAttempt, .attempt = facts.id},
+      [&](Transaction& transaction, const Actor&) { return endKept(transaction, by_.session()->core(), ended); });
+}
+
+Result<void> AttemptStore::voidAttempt(const std::string& attempt, const std::string& reason) const {
+  if (auto ok = store::checkText("The reason", reason); !ok) return ok;
+  if (reason.find_first_not_of(" \t\r\n") == std::string::npos)
+    return fail("An attempt is voided for a reason; type it.");
+  return by_.session()->write({.act = Act::VoidAttempt, .attempt = attempt, .detail = reason},
+                              [&](Transaction& transaction, const Actor& actor) {
+                                return voidKept(transaction, by_.session()->core(), attempt, actor.id, reason);
+                              });
+}
+
+Result<KeptAttempt> AttemptStore::attempt(const std::string& id) const {
+  return by_.session()->read({.act = Act::SeeAttempts, .attempt = id},
+                             [&](Transaction& transaction, const Actor&) -> Result<KeptAttempt> {
+                               auto kept = store::findAttempt(transaction, id);
+                               if (!kept) return fail("There is no attempt " + id + "; look at the list again.");
+                               return *kept;
+                             });
+}
+
+Result<std::vector<KeptAttempt>> AttemptStore::page(const std::string& person, int count, std::int64_t before) const {
+  if (auto ok = store::checkPage(count); !ok) return tl::unexpected(ok.error());
+  return by_.session()->read({.act = Act::SeeAttempts, .person = person},
+                             [&](Transaction& transaction, const Actor&) -> Result<std::vector<KeptAttempt>> {
+                               std::vector<KeptAttempt> page;
+                               for (const Row& row : transaction.rows(
+                                        "SELECT " INSONATE_ATTEMPT_COLUMNS
+                                        " FROM attempts WHERE person = ? AND arrival < ? ORDER BY arrival DESC LIMIT ?",
+                                        person, store::endOfPage(before), count))
+                                 page.push_back(store::keptOf(row));
+                               return page;
+                             });
+}
+
+Result<std::vector<AttemptFacts>> AttemptStore::history(const std::string& person) const {
+  return by_.session()->read(
+      {.act = Act::SeeAttempts, .person = person},
+      [&](Transaction& transaction, const Actor&) -> Result<std::vector<AttemptFacts>> {
+        return allFacts(transaction.rows(
+            "SELECT " INSONATE_HISTORY_COLUMNS " FROM attempts WHERE person = ? ORDER BY arrival", person));
+      });
+}
+
+Result<std::vector<AttemptFacts>> AttemptStore::lastOfCohort(const std::string& cohort, int count) const {
+  if (auto ok = store::checkPage(count); !ok) return tl::unexpected(ok.error());
+  return by_.session()->read({.act = Act::SeeCohortAttempts, .cohort = cohort},
+                             [&](Transaction& transaction, const Actor&) -> Result<std::vector<AttemptFacts>> {
+                               return allFacts(transaction.rows(kLastOfCohort, count - 1, cohort));
+                             });
+}
+
+Result<std::int64_t> AttemptStore::changes(const std::string& person) const {
+  return by_.session()->read(
+      {.act = Act::SeeAttempts, .person = person}, [&](Transaction& transaction, const Actor&) -> Result<std::int64_t> {
+        return transaction.number("SELECT " INSONATE_CHANGES " FROM attempts WHERE person = ?", person);
+      });
+}
+
+}  // namespace insonate

@@ -1,0 +1,80 @@
+#include "store/AuditChain.h"
+
+#include "store/Texts.h"
+
+#include <string>
+
+namespace insonate::store {
+namespace {
+
+/// SHA-256 over the hash before and all fields, each with its length before it, so that no two entries read the same.
+std::string hashOf(const AuditEntry& entry, const std::string& before) {
+  std::string bytes;
+  for (const std::string& field :
+       {before, std::to_string(entry.number), std::to_string(entry.time_us), entry.actor, entry.workstation, entry.act,
+        entry.person, entry.detail, std::string(entry.allowed ? "1" : "0")})
+    bytes += std::to_string(field.size()) + ":" + field;
+  return sha256(bytes);
+}
+
+tl::unexpected<Error> broken(std::int64_t number, const std::string& what) {
+  return fail("The audit log does not hold together at entry " + std::to_string(number) + ": " + what +
+              ". Someone has written to the database past this program; compare it with a backup.");
+}
+
+Result<void> checkAgainst(const AuditAnchor& anchor, const AuditEntry& entry) {
+  if (entry.number == anchor.number && entry.hash != anchor.hash)
+    return broken(entry.number, "it is another one than when it was noted");
+  return {};
+}
+
+}  // namespace
+
+AuditEntry auditEntryOf(const Row& row) {
+  return {.number = row.number(0),
+          .time_us = row.number(1),
+          .actor = row.text(2),
+          .workstation = row.text(3),
+          .act = row.text(4),
+          .person = row.text(5),
+          .detail = row.text(6),
+          .allowed = row.truth(7),
+          .hash = row.text(8)};
+}
+
+AuditAnchor auditEnd(Transaction& transaction) {
+  const auto row = transaction.row("SELECT number, hash FROM audit_end");
+  return row ? AuditAnchor{row->number(0), row->text(1)} : AuditAnchor{};
+}
+
+void appendAudit(Transaction& transaction, AuditEntry entry) {
+  const AuditAnchor end = auditEnd(transaction);
+  entry.number = end.number + 1;
+  entry.hash = hashOf(entry, end.hash);
+  transaction.run("INSERT INTO audit VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", entry.number, entry.time_us, entry.actor,
+                  entry.workstation, entry.act, entry.person, entry.detail, entry.allowed, entry.hash);
+  transaction.run("UPDATE audit_end SET number = ?, hash = ?", entry.number, entry.hash);
+}
+
+Result<void> verifyAudit(Transaction& transaction, const AuditAnchor& anchor) {
+  constexpr std::int64_t kAtOnce = 10000;
+  AuditAnchor last;
+  for (;;) {
+    const auto rows =
+        transaction.rows("SELECT * FROM audit WHERE number > ? ORDER BY number LIMIT ?", last.number, kAtOnce);
+    for (const Row& row : rows) {
+      const AuditEntry entry = auditEntryOf(row);
+      if (entry.number != last.number + 1) return broken(last.number + 1, "it is missing");
+      if (entry.hash != hashOf(entry, last.hash)) return broken(entry.number, "it was changed");
+      if (auto ok = checkAgainst(anchor, entry); !ok) return ok;
+      last = {entry.number, entry.hash};
+    }
+    if (rows.empty()) break;
+  }
+  if (transaction.error()) return tl::unexpected(*transaction.error());
+  if (last != auditEnd(transaction) || last.number < anchor.number)
+    return broken(last.number + 1, "the end is missing");
+  return {};
+}
+
+}  // namespace insonate::store

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "store/sql/Transaction.h"
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/AuditLog.h>
+
+namespace insonate::store {
+
+/// Adds an entry, whose number and hash are found here. In a transaction that writes.
+void appendAudit(Transaction& transaction, AuditEntry entry);
+
+AuditAnchor auditEnd(Transaction& transaction);
+
+/// As AuditLog::verify().
+Result<void> verifyAudit(Transaction& transaction, const AuditAnchor& anchor);
+
+AuditEntry auditEntryOf(const Row& row);
+
+}  // namespace insonate::store

@@ -1,0 +1,165 @@
+#include "store/AttemptRows.h"
+#include "store/PeopleRows.h"
+#include "store/Session.h"
+#include "store/Texts.h"
+
+#include <insonate/curriculum/CohortStore.h>
+
+namespace insonate {
+namespace {
+
+using store::Act;
+using store::Actor;
+using store::Row;
+using store::Transaction;
+
+Cohort cohortOf(const Row& row) {
+  return {.id = row.text(0), .name = row.text(1), .curriculum = row.text(2), .curriculumVersion = row.count(3)};
+}
+
+tl::unexpected<Error> unknownCohort() {
+  return fail("There is no such cohort; look at the list again.");
+}
+
+Result<void> checkName(Transaction& transaction, const std::string& id, const std::string& name) {
+  if (auto ok = store::checkTitle("The cohort's name", name); !ok) return ok;
+  if (store::nameKey(name).empty()) return fail("The cohort has no name; type one.");
+  if (transaction.number("SELECT COUNT(*) FROM cohorts WHERE name_key = ? AND id <> ?", store::nameKey(name), id) > 0)
+    return fail("There is a cohort named '" + name + "' already; choose another name.");
+  return {};
+}
+
+/// Persons, what they did, and how far they were when that was last worked out for their cohort's curriculum.
+constexpr std::string_view kMembers =
+    "SELECT " INSONATE_PERSON_COLUMNS
+    ", memberships.teaches, done.attempts, done.changes, last.begun_us, last.level, "
+    "standings.curriculum, standings.curriculum_version, standings.level, standings.mastered, standings.sentence, "
+    "standings.changes "
+    "FROM memberships JOIN people ON people.id = memberships.person JOIN cohorts ON cohorts.id = memberships.cohort "
+    "LEFT JOIN (SELECT attempts.person, MAX(arrival) AS last, "
+    "SUM(CASE WHEN state <> 'open' AND voided_us IS NULL THEN 1 ELSE 0 END) AS attempts, " INSONATE_CHANGES
+    " AS changes "
+    "FROM attempts WHERE attempts.person IN (SELECT person FROM memberships WHERE cohort = ? AND teaches = 0) "
+    "GROUP BY attempts.person) AS done ON done.person = people.id AND memberships.teaches = 0 "
+    "LEFT JOIN attempts AS last ON last.arrival = done.last "
+    "LEFT JOIN standings ON standings.person = people.id AND memberships.teaches = 0 "
+    "AND standings.curriculum = cohorts.curriculum AND standings.curriculum_version = cohorts.curriculum_version "
+    "WHERE memberships.cohort = ? ORDER BY memberships.teaches DESC, people.full_name, people.name_key";
+
+Member memberOf(const Row& row) {
+  Member member{.person = store::personOf(row),
+                .teaches = row.truth(6),
+                .attempts = row.count(7),
+                .changes = row.number(8),
+                .lastAttempt_us = row.time(9),
+                .lastLevel = row.text(10)};
+  if (!row.isNull(11))
+    member.standing = Standing{row.text(11), row.count(12), row.text(13), row.count(14), row.text(15), row.number(16)};
+  return member;
+}
+
+Result<void> putIntoCohort(Transaction& transaction, const std::string& cohort, const std::string& person,
+                           bool teaches) {
+  const auto found = store::findPerson(transaction, person);
+  if (!found) return fail("There is no such person; look at the list again.");
+  if (!transaction.row("SELECT id FROM cohorts WHERE id = ?", cohort)) return unknownCohort();
+  if (teaches && found->role == Role::Trainee)
+    return fail(found->name + " is a trainee and cannot teach; make them an instructor first.");
+  transaction.run(
+      "INSERT INTO memberships VALUES (?, ?, ?) ON CONFLICT (cohort, person) DO UPDATE SET teaches = excluded.teaches",
+      cohort, person, teaches);
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<Cohort>> CohortStore::cohorts() const {
+  return by_.session()->read(
+      {.act = Act::SeeOwnCohorts}, [&](Transaction& transaction, const Actor& actor) -> Result<std::vector<Cohort>> {
+        std::vector<Cohort> cohorts;
+        for (const Row& row :
+             transaction.rows("SELECT id, name, curriculum, curriculum_version FROM cohorts WHERE ? = 1 OR EXISTS "
+                              "(SELECT 1 FROM memberships WHERE cohort = cohorts.id AND person = ?) ORDER BY name_key",
+                              actor.role == Role::Administrator, actor.id))
+          cohorts.push_back(cohortOf(row));
+        return cohorts;
+      });
+}
+
+Result<std::vector<Member>> CohortStore::members(const std::string& cohort) const {
+  return by_.session()->read({.act = Act::SeeMembers, .cohort = cohort},
+                             [&](Transaction& transaction, const Actor&) -> Result<std::vector<Member>> {
+                               std::vector<Member> members;
+                               for (const Row& row : transaction.rows(kMembers, cohort, cohort))
+                                 members.push_back(memberOf(row));
+                               return members;
+                             });
+}
+
+Result<Cohort> CohortStore::add(const std::string& name) const {
+  return by_.session()->write(
+      {.act = Act::ChangeCohorts, .detail = "add"}, [&](Transaction& transaction, const Actor&) -> Result<Cohort> {
+        const Cohort cohort{.id = store::freshUuid(), .name = name};
+        if (auto ok = checkName(transaction, cohort.id, name); !ok) return tl::unexpected(ok.error());
+        transaction.run("INSERT INTO cohorts VALUES (?, ?, ?, '', 0)", cohort.id, name, store::nameKey(name));
+        return cohort;
+      });
+}
+
+Result<void> CohortStore::rename(const std::string& cohort, const std::string& name) const {
+  return by_.session()->write({.act = Act::ChangeCohorts, .cohort = cohort, .detail = "rename"},
+                              [&](Transaction& transaction, const Actor&) -> Result<void> {
+                                if (auto ok = checkName(transaction, cohort, name); !ok) return ok;
+                                if (transaction.run("UPDATE cohorts SET name = ?, name_key = ? WHERE id = ?", name,
+                                                    store::nameKey(name), cohort) != 1)
+                                  return unknownCohort();
+                                return {};
+                              });
+}
+
+Result<void> CohortStore::join(const std::string& cohort, const std::string& person, bool teaches) const {
+  return by_.session()->write(
+      {.act = Act::ChangeCohorts, .person = person, .cohort = cohort, .detail = teaches ? "teaches" : "learns"},
+      [&](Transaction& transaction, const Actor&) { return putIntoCohort(transaction, cohort, person, teaches); });
+}
+
+Result<void> CohortStore::leave(const std::string& cohort, const std::string& person) const {
+  return by_.session()->write(
+      {.act = Act::RemoveMember, .person = person, .cohort = cohort},
+      [&](Transaction& transaction, const Actor&) -> Result<void> {
+        if (transaction.run("DELETE FROM memberships WHERE cohort = ? AND person = ?", cohort, person) != 1)
+          return fail("This person is not in this cohort; look at the list again.");
+        return {};
+      });
+}
+
+Result<void> CohortStore::setCurriculum(const std::string& cohort, const std::string& curriculum, int version) const {
+  return by_.session()->write(
+      {.act = Act::SetCurriculum, .cohort = cohort, .detail = curriculum + " " + std::to_string(version)},
+      [&](Transaction& transaction, const Actor&) -> Result<void> {
+        if (!transaction.row("SELECT 1 FROM curricula WHERE name = ? AND version = ?", curriculum, version))
+          return fail("Version " + std::to_string(version) + " of the curriculum '" + curriculum +
+                      "' is not published; publish it first.");
+        if (transaction.run("UPDATE cohorts SET curriculum = ?, curriculum_version = ? WHERE id = ?", curriculum,
+                            version, cohort) != 1)
+          return unknownCohort();
+        return {};
+      });
+}
+
+Result<void> CohortStore::rememberStanding(const std::string& person, const Standing& standing) const {
+  return by_.session()->write(
+      {.act = Act::RememberStanding, .person = person}, [&](Transaction& transaction, const Actor&) -> Result<void> {
+        if (!store::findPerson(transaction, person)) return fail("There is no such person; look at the list again.");
+        for (const std::string* text : {&standing.curriculum, &standing.level, &standing.sentence})
+          if (auto ok = store::checkText("A text of the standing", *text); !ok) return ok;
+        transaction.run("DELETE FROM standings WHERE person = ? AND curriculum = ? AND curriculum_version = ?", person,
+                        standing.curriculum, standing.curriculumVersion);
+        transaction.run("INSERT INTO standings VALUES (?, ?, ?, ?, ?, ?, ?)", person, standing.curriculum,
+                        standing.curriculumVersion, standing.level, standing.mastered, standing.sentence,
+                        standing.changes);
+        return {};
+      });
+}
+
+}  // namespace insonate

@@ -1,0 +1,107 @@
+#include "store/Core.h"
+
+#include "store/AuditChain.h"
+#include "store/CrashedAttempts.h"
+#include "store/Migrations.h"
+#include "store/StoreChecks.h"
+#include "store/Texts.h"
+
+#include <sodium.h>
+
+#include <QtCore/QSysInfo>
+#include <atomic>
+#include <chrono>
+#include <ctime>
+#include <map>
+
+namespace insonate::store {
+namespace {
+
+std::uint64_t freshKey() {
+  static std::atomic<std::uint64_t> counter{0};
+  return counter++;
+}
+
+/// Of this thread, by the key of their store. Those of other threads end with their thread.
+std::map<std::uint64_t, std::unique_ptr<Connection>>& connectionsOfThread() {
+  thread_local std::map<std::uint64_t, std::unique_ptr<Connection>> connections;
+  return connections;
+}
+
+std::int64_t systemNow_us() {
+  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+/// Goes on while the computer sleeps.
+std::int64_t systemUpTime_us() {
+  timespec time{};
+  ::clock_gettime(CLOCK_BOOTTIME, &time);
+  return std::int64_t{time.tv_sec} * 1'000'000 + time.tv_nsec / 1000;
+}
+
+StoreServices completed(StoreServices services, const Process& process) {
+  if (!services.now_us) services.now_us = systemNow_us;
+  if (!services.upTime_us) services.upTime_us = systemUpTime_us;
+  if (services.boot.empty()) services.boot = process.boot;
+  if (services.workstation.empty()) services.workstation = QSysInfo::machineHostName().toStdString();
+  return services;
+}
+
+/// As the database gives it back, or its hash would not fit.
+std::string forLog(const std::string& text) {
+  constexpr int kMost = 300;
+  return bound(text).toString().left(kMost).toStdString();
+}
+
+}  // namespace
+
+Core::Core(Address address, StoreServices services)
+    : address_(std::move(address)),
+      place_(address_.place()),
+      services_(completed(std::move(services), Process::current())),
+      process_(Process::current()),
+      run_(freshUuid()),
+      key_(freshKey()) {}
+
+Core::~Core() {
+  connectionsOfThread().erase(key_);
+}
+
+Result<std::shared_ptr<Core>> Core::open(const std::string& address, const StoreServices& services) {
+  if (::sodium_init() < 0) return fail("libsodium finds no source of random numbers; passwords cannot be kept.");
+  auto parsed = Address::parse(address);
+  if (!parsed) return tl::unexpected(parsed.error());
+  std::shared_ptr<Core> core(new Core(std::move(*parsed), services));
+  if (auto ok = checkTitle("The workstation's name", core->workstation()); !ok) return tl::unexpected(ok.error());
+  const auto connection = core->connection();
+  if (!connection) return tl::unexpected(connection.error());
+  if (auto ok = checkPages(**connection); !ok) return tl::unexpected(ok.error());
+  if (auto ok = migrate(**connection, core->address_, core->now_us()); !ok) return tl::unexpected(ok.error());
+  if (auto ok = abandonCrashed(*core); !ok) return tl::unexpected(ok.error());
+  return core;
+}
+
+Result<Connection*> Core::connection() {
+  std::unique_ptr<Connection>& own = connectionsOfThread()[key_];
+  if (own && own->isLost()) own.reset();
+  if (!own) {
+    auto opened = Connection::open(address_);
+    if (!opened) return tl::unexpected(opened.error());
+    own = std::move(*opened);
+  }
+  return own.get();
+}
+
+void Core::audit(Transaction& transaction, const std::string& actor, std::string_view act, const std::string& person,
+                 const std::string& detail, bool allowed) const {
+  appendAudit(transaction, {.time_us = now_us(),
+                            .actor = actor,
+                            .workstation = workstation(),
+                            .act = std::string(act),
+                            .person = forLog(person),
+                            .detail = forLog(detail),
+                            .allowed = allowed});
+}
+
+}  // namespace insonate::store

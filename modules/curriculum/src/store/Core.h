@@ -1,0 +1,68 @@
+#pragma once
+
+#include "store/LockOut.h"
+#include "store/Process.h"
+#include "store/sql/Transaction.h"
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/AuditLog.h>
+#include <insonate/curriculum/CurriculumStore.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace insonate::store {
+
+/// An open store: where it is, the clocks, and a connection for each thread that asks.
+class Core {
+ public:
+  /// Checked, at the newest schema, with the attempts of dead processes told abandoned.
+  static Result<std::shared_ptr<Core>> open(const std::string& address, const StoreServices& services);
+  ~Core();
+  Core(const Core&) = delete;
+  Core& operator=(const Core&) = delete;
+
+  /// Of the calling thread; opened anew after the server was lost.
+  Result<Connection*> connection();
+
+  const Address& address() const { return address_; }
+  const std::string& place() const { return place_; }
+  const std::string& workstation() const { return services_.workstation; }
+  PasswordCost passwordCost() const { return services_.passwordCost; }
+  const Process& process() const { return process_; }
+  const std::string& run() const { return run_; }
+  std::int64_t now_us() const { return services_.now_us(); }
+  Moment moment() const { return {services_.now_us(), services_.upTime_us(), services_.boot}; }
+
+  /// An entry of the audit log, of this moment and workstation; in a transaction that writes.
+  void audit(Transaction& transaction, const std::string& actor, std::string_view act, const std::string& person,
+             const std::string& detail, bool allowed = true) const;
+
+ private:
+  Core(Address address, StoreServices services);
+
+  const Address address_;
+  const std::string place_;
+  const StoreServices services_;
+  const Process process_;
+  const std::string run_;    ///< UUID of this use of the store
+  const std::uint64_t key_;  ///< of this store among those that the program has open
+};
+
+/// Does `work`, which takes a Transaction and gives a Result, in one transaction, which is undone where it fails.
+template <class Work>
+auto inTransaction(Core& core, Way way, const Work& work) -> decltype(work(std::declval<Transaction&>())) {
+  const auto connection = core.connection();
+  if (!connection) return tl::unexpected(connection.error());
+  Transaction transaction(**connection, way);
+  auto result =
+      transaction.error() ? decltype(work(transaction))(tl::unexpected(*transaction.error())) : work(transaction);
+  // What a failed statement did not give must not be taken for an answer.
+  if (transaction.error()) return tl::unexpected(*transaction.error());
+  if (!result) return result;
+  if (auto done = transaction.commit(); !done) return tl::unexpected(done.error());
+  return result;
+}
+
+}  // namespace insonate::store

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "store/sql/Transaction.h"
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/PublishedCurricula.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace insonate::store {
+
+struct KeptCurriculum {
+  CurriculumEntry entry{};
+  std::string text{};
+};
+
+/// By name, newest version first.
+std::vector<CurriculumEntry> listCurricula(Transaction& transaction);
+std::optional<KeptCurriculum> findCurriculum(Transaction& transaction, const std::string& name, int version);
+void insertCurriculum(Transaction& transaction, const KeptCurriculum& curriculum);
+/// Fails where the text is not the one that was published.
+Result<void> checkHash(const KeptCurriculum& curriculum);
+
+}  // namespace insonate::store

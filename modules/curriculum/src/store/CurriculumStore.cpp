@@ -1,0 +1,67 @@
+#include "store/PasswordProof.h"
+#include "store/Passwords.h"
+#include "store/PeopleRows.h"
+#include "store/Session.h"
+#include "store/Texts.h"
+
+#include <insonate/curriculum/CurriculumStore.h>
+
+namespace insonate {
+namespace {
+
+using store::Core;
+using store::Transaction;
+using store::Way;
+
+}  // namespace
+
+CurriculumStore::CurriculumStore(std::shared_ptr<store::Core> core) : core_(std::move(core)) {}
+
+Result<CurriculumStore> CurriculumStore::open(const std::string& address, const StoreServices& services) {
+  auto core = Core::open(address, services);
+  if (!core) return tl::unexpected(core.error());
+  return CurriculumStore(std::move(*core));
+}
+
+const std::string& CurriculumStore::place() const {
+  return core_->place();
+}
+
+const std::string& CurriculumStore::workstation() const {
+  return core_->workstation();
+}
+
+Result<bool> CurriculumStore::hasPeople() const {
+  return inTransaction(*core_, Way::Read, [](Transaction& transaction) -> Result<bool> {
+    return transaction.row("SELECT id FROM people LIMIT 1").has_value();
+  });
+}
+
+Result<SignedIn> CurriculumStore::createFirstAdministrator(const NewPerson& first, const std::string& password) const {
+  if (auto ok = store::checkPassword(password); !ok) return tl::unexpected(ok.error());
+  const auto hashed = store::hashedPassword(password, core_->passwordCost());
+  if (!hashed) return tl::unexpected(hashed.error());
+  NewPerson added = first;
+  added.role = Role::Administrator;
+  const auto person = inTransaction(*core_, Way::Write, [&](Transaction& transaction) -> Result<Person> {
+    if (transaction.row("SELECT id FROM people LIMIT 1"))
+      return fail(core_->place() + " has people already; sign in, or ask an administrator to add you.");
+    auto inserted = store::insertPerson(transaction, added, *hashed, false);
+    if (inserted) core_->audit(transaction, inserted->id, "create first administrator", inserted->id, "");
+    return inserted;
+  });
+  if (!person) return tl::unexpected(person.error());
+  return SignedIn(std::make_shared<store::Session>(core_, *person, 1, false));
+}
+
+Result<SignedIn> CurriculumStore::signIn(const std::string& name, const std::string& password) const {
+  const auto known = store::provePassword(*core_, name, password);
+  if (!known) return tl::unexpected(known.error());
+  return SignedIn(std::make_shared<store::Session>(core_, known->person, known->passwordVersion, known->mustChange));
+}
+
+SignedIn CurriculumStore::guest() const {
+  return SignedIn(std::make_shared<store::Session>(core_, Person{}, 0, false));
+}
+
+}  // namespace insonate

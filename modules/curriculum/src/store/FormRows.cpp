@@ -1,0 +1,32 @@
+#include "store/FormRows.h"
+
+#include <optional>
+
+namespace insonate::store {
+
+FilledForm filledOf(const Row& row) {
+  return {row.text(0), row.text(1), row.count(2), row.text(3), row.text(4), row.text(5), row.number(6), row.text(7)};
+}
+
+std::vector<FilledForm> allFilled(const std::vector<Row>& rows) {
+  std::vector<FilledForm> forms;
+  forms.reserve(rows.size());
+  for (const Row& row : rows) forms.push_back(filledOf(row));
+  return forms;
+}
+
+Result<std::string> keepForm(Transaction& transaction, const FilledForm& filled) {
+  if (const auto row = transaction.row("SELECT " INSONATE_FORM_COLUMNS " FROM forms WHERE id = ?", filled.id)) {
+    FilledForm kept = filledOf(*row);
+    kept.filled_us = filled.filled_us;
+    if (kept == filled) return filled.id;
+    return fail("The form " + filled.id + " was filled in otherwise, and does not change; fill in another.");
+  }
+  const auto attempt = filled.attempt.empty() ? std::nullopt : std::optional(filled.attempt);
+  transaction.run("INSERT INTO forms SELECT COALESCE(MAX(arrival), 0) + 1, ?, ?, ?, ?, ?, ?, ?, ? FROM forms",
+                  filled.id, filled.form, filled.formVersion, filled.person, attempt, filled.by, filled.filled_us,
+                  filled.answers);
+  return filled.id;
+}
+
+}  // namespace insonate::store

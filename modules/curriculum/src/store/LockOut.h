@@ -1,0 +1,29 @@
+#pragma once
+
+#include "store/sql/Transaction.h"
+
+#include <cstdint>
+#include <string>
+
+namespace insonate::store {
+
+/// A moment by the clocks that a lock-out asks.
+struct Moment {
+  std::int64_t now_us = 0, up_us = 0;
+  std::string boot{};
+};
+
+/// How long a name is locked after so many failures in a row: 30 s after the fifth, doubled by each further one up to
+/// an hour.
+std::int64_t lockAfter_us(std::int64_t failures);
+
+/// Seconds until a name may be tried again; 0: now, and the try is counted as a failure until forgive(), so that who
+/// tries many times at once gains nothing.
+///
+/// Within one start of the computer time is its up time. After a restart it is the clock's; one that was set back makes
+/// the wait begin anew, so that it stays within an hour.
+std::int64_t countTry(Transaction& transaction, const std::string& name, const Moment& moment);
+
+void forgive(Transaction& transaction, const std::string& name);
+
+}  // namespace insonate::store

@@ -1,0 +1,63 @@
+#include "store/PasswordProof.h"
+
+#include "store/LockOut.h"
+#include "store/Passwords.h"
+#include "store/PeopleRows.h"
+#include "store/Texts.h"
+
+#include <optional>
+
+namespace insonate::store {
+namespace {
+
+constexpr const char* kWrong = "The name or the password is wrong, or the account is disabled.";
+
+std::optional<Known> findByName(Transaction& transaction, const std::string& name) {
+  const auto row = transaction.row("SELECT " INSONATE_PERSON_COLUMNS
+                                   ", password, version, must_change FROM people JOIN credentials ON person = id "
+                                   "WHERE name_key = ?",
+                                   nameKey(name));
+  if (!row) return std::nullopt;
+  return Known{personOf(*row), row->text(6), row->number(7), row->truth(8)};
+}
+
+/// Counts the try before the password is looked at. None: there is no such person.
+Result<std::optional<Known>> beginSigningIn(Core& core, const std::string& name) {
+  std::int64_t wait_s = 0;
+  auto known = inTransaction(core, Way::Write, [&](Transaction& transaction) -> Result<std::optional<Known>> {
+    wait_s = countTry(transaction, name, core.moment());
+    return findByName(transaction, name);
+  });
+  if (known && wait_s > 0)
+    return fail("There were too many wrong passwords for this name. Try again in " + std::to_string(wait_s) +
+                " s, or let an instructor set a new one.");
+  return known;
+}
+
+Result<void> endSigningIn(Core& core, const std::string& name, const std::optional<Known>& known, bool fits) {
+  return inTransaction(core, Way::Write, [&](Transaction& transaction) -> Result<void> {
+    if (fits) forgive(transaction, name);
+    // What was typed in the place of a name may be a password: only people's ids are kept.
+    core.audit(transaction, fits ? known->person.id : "", "sign in", known ? known->person.id : "", "", fits);
+    return {};
+  });
+}
+
+bool isText(const std::string& name, const std::string& password) {
+  return checkText("The name", name) && checkText("The password", password);
+}
+
+}  // namespace
+
+Result<Known> provePassword(Core& core, const std::string& name, const std::string& password) {
+  if (!isText(name, password)) return fail(kWrong);
+  const auto known = beginSigningIn(core, name);
+  if (!known) return tl::unexpected(known.error());
+  const std::string& hashed = *known ? (*known)->hashed : hashOfNobody(core.passwordCost());
+  const bool fits = fitsPassword(password, hashed) && *known && !(*known)->person.disabled;
+  if (auto ended = endSigningIn(core, name, *known, fits); !ended) return tl::unexpected(ended.error());
+  if (!fits) return fail(kWrong);
+  return **known;
+}
+
+}  // namespace insonate::store

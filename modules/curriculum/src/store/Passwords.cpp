@@ -1,0 +1,35 @@
+#include "store/Passwords.h"
+
+#include <sodium.h>
+
+#include <array>
+
+namespace insonate::store {
+
+Result<std::string> hashedPassword(const std::string& password, PasswordCost cost) {
+  const bool usual = cost == PasswordCost::Usual;
+  std::array<char, crypto_pwhash_STRBYTES> hashed{};
+  const int failed = crypto_pwhash_str_alg(hashed.data(), password.data(), password.size(),
+                                           usual ? crypto_pwhash_OPSLIMIT_INTERACTIVE : crypto_pwhash_OPSLIMIT_MIN,
+                                           usual ? crypto_pwhash_MEMLIMIT_INTERACTIVE : crypto_pwhash_MEMLIMIT_MIN,
+                                           crypto_pwhash_ALG_ARGON2ID13);
+  if (failed)
+    return fail("There are no 64 MB of memory to keep the password with; close another program and try again.");
+  return std::string(hashed.data());
+}
+
+bool fitsPassword(const std::string& password, const std::string& hashed) {
+  return crypto_pwhash_str_verify(hashed.c_str(), password.data(), password.size()) == 0;
+}
+
+const std::string& hashOfNobody(PasswordCost cost) {
+  const auto made = [](PasswordCost of) {
+    std::array<char, 32> random{};
+    randombytes_buf(random.data(), random.size());
+    return hashedPassword(std::string(random.data(), random.size()), of).value_or("");
+  };
+  static const std::string usual = made(PasswordCost::Usual), least = made(PasswordCost::Least);
+  return cost == PasswordCost::Usual ? usual : least;
+}
+
+}  // namespace insonate::store

@@ -1,0 +1,51 @@
+#include "store/PeopleRows.h"
+
+#include "store/Names.h"
+#include "store/Texts.h"
+
+namespace insonate::store {
+
+Person personOf(const Row& row, std::size_t first) {
+  return {.id = row.text(first),
+          .name = row.text(first + 1),
+          .fullName = row.text(first + 2),
+          .email = row.text(first + 3),
+          .role = roleNamed(row.text(first + 4)),
+          .disabled = row.truth(first + 5)};
+}
+
+std::optional<Person> findPerson(Transaction& transaction, const std::string& id) {
+  const auto row = transaction.row("SELECT " INSONATE_PERSON_COLUMNS " FROM people WHERE id = ?", id);
+  return row ? std::optional(personOf(*row)) : std::nullopt;
+}
+
+Result<void> checkPerson(const Person& person) {
+  if (auto ok = checkSignInName(person.name); !ok) return ok;
+  if (auto ok = checkTitle("The full name", person.fullName); !ok) return ok;
+  return checkEmail(person.email);
+}
+
+Result<void> checkNameIsFree(Transaction& transaction, const Person& person) {
+  const auto taken =
+      transaction.number("SELECT COUNT(*) FROM people WHERE name_key = ? AND id <> ?", nameKey(person.name), person.id);
+  if (taken > 0) return fail("There is a person named '" + person.name + "' already; choose another name.");
+  return {};
+}
+
+Result<Person> insertPerson(Transaction& transaction, const NewPerson& added, const std::string& hashed,
+                            bool mustChange) {
+  const Person person{freshUuid(), added.name, added.fullName, added.email, added.role, false};
+  if (auto ok = checkPerson(person); !ok) return tl::unexpected(ok.error());
+  if (auto ok = checkNameIsFree(transaction, person); !ok) return tl::unexpected(ok.error());
+  transaction.run("INSERT INTO people VALUES (?, ?, ?, ?, ?, ?, 0)", person.id, person.name, nameKey(person.name),
+                  person.fullName, person.email, nameOf(person.role));
+  transaction.run("INSERT INTO credentials VALUES (?, ?, ?, 1)", person.id, hashed, mustChange);
+  return person;
+}
+
+void setPassword(Transaction& transaction, const std::string& person, const std::string& hashed, bool mustChange) {
+  transaction.run("UPDATE credentials SET password = ?, must_change = ?, version = version + 1 WHERE person = ?",
+                  hashed, mustChange, person);
+}
+
+}  // namespace insonate::store

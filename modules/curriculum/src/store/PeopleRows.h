@@ -1,0 +1,30 @@
+#pragma once
+
+#include "store/Core.h"
+#include "store/sql/Transaction.h"
+
+#include <insonate/curriculum/CurriculumStore.h>
+#include <insonate/curriculum/Person.h>
+
+#include <optional>
+#include <string>
+
+namespace insonate::store {
+
+/// Columns of people that personOf() reads.
+#define INSONATE_PERSON_COLUMNS "people.id, people.name, people.full_name, people.email, people.role, people.disabled"
+
+Person personOf(const Row& row, std::size_t first = 0);
+std::optional<Person> findPerson(Transaction& transaction, const std::string& id);
+
+Result<void> checkPerson(const Person& person);
+/// Fails where another has the name.
+Result<void> checkNameIsFree(Transaction& transaction, const Person& person);
+/// With a password, already hashed; checks both names.
+Result<Person> insertPerson(Transaction& transaction, const NewPerson& person, const std::string& hashed,
+                            bool mustChange);
+
+/// A new password, which ends sessions of the old one.
+void setPassword(Transaction& transaction, const std::string& person, const std::string& hashed, bool mustChange);
+
+}  // namespace insonate::store

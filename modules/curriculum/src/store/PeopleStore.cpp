@@ -1,0 +1,149 @@
+#include "store/Names.h"
+#include "store/Outbox.h"
+#include "store/PasswordProof.h"
+#include "store/Passwords.h"
+#include "store/PeopleRows.h"
+#include "store/Session.h"
+#include "store/Texts.h"
+
+#include <insonate/curriculum/PeopleStore.h>
+
+namespace insonate {
+namespace {
+
+using store::Act;
+using store::Actor;
+using store::Core;
+using store::Transaction;
+
+/// Outside of any transaction: hashing takes its time.
+Result<std::string> checkedAndHashed(const Core& core, const std::string& password) {
+  if (auto ok = store::checkPassword(password); !ok) return tl::unexpected(ok.error());
+  return store::hashedPassword(password, core.passwordCost());
+}
+
+tl::unexpected<Error> unknown() {
+  return fail("There is no such person; look at the list again.");
+}
+
+/// Whether someone else could still sign in as an administrator.
+bool isLastAdministrator(Transaction& transaction, const std::string& person) {
+  return transaction.number("SELECT COUNT(*) FROM people WHERE role = 'administrator' AND disabled = 0 AND id <> ?",
+                            person) == 0;
+}
+
+Result<void> changePerson(Transaction& transaction, const Person& person) {
+  const auto before = store::findPerson(transaction, person.id);
+  if (!before) return unknown();
+  if (auto ok = store::checkNameIsFree(transaction, person); !ok) return ok;
+  const bool staysAdministrator = person.role == Role::Administrator && !person.disabled;
+  if (before->role == Role::Administrator && !before->disabled && !staysAdministrator &&
+      isLastAdministrator(transaction, person.id))
+    return fail(before->name + " is the last administrator; make someone else one first.");
+  transaction.run(
+      "UPDATE people SET name = ?, name_key = ?, full_name = ?, email = ?, role = ?, disabled = ? WHERE id = ?",
+      person.name, store::nameKey(person.name), person.fullName, person.email, store::nameOf(person.role),
+      person.disabled, person.id);
+  // Trainees do not teach: who is made one no longer sees the cohorts they taught.
+  if (person.role == Role::Trainee)
+    transaction.run("DELETE FROM memberships WHERE person = ? AND teaches = 1", person.id);
+  return {};
+}
+
+std::string described(const Person& person) {
+  return person.name + ", " + std::string(store::nameOf(person.role)) + (person.disabled ? ", disabled" : "");
+}
+
+}  // namespace
+
+Result<Person> PeopleStore::person(const std::string& id) const {
+  return by_.session()->read({.act = Act::SeePerson, .person = id},
+                             [&](Transaction& transaction, const Actor&) -> Result<Person> {
+                               const auto found = store::findPerson(transaction, id);
+                               if (!found) return unknown();
+                               return *found;
+                             });
+}
+
+Result<std::vector<Person>> PeopleStore::all() const {
+  return by_.session()->read(
+      {.act = Act::SeeAllPeople}, [&](Transaction& transaction, const Actor&) -> Result<std::vector<Person>> {
+        std::vector<Person> people;
+        for (const auto& row : transaction.rows("SELECT " INSONATE_PERSON_COLUMNS " FROM people ORDER BY name_key"))
+          people.push_back(store::personOf(row));
+        return people;
+      });
+}
+
+Result<Person> PeopleStore::add(const NewPerson& person, const std::string& password, const std::string& cohort) const {
+  store::Session& session = *by_.session();
+  const auto hashed = checkedAndHashed(session.core(), password);
+  if (!hashed) return tl::unexpected(hashed.error());
+  const bool asTrainee = person.role == Role::Trainee && !cohort.empty();
+  const std::string detail = person.name + ", " + std::string(store::nameOf(person.role));
+  return session.write({.act = asTrainee ? Act::AddTrainee : Act::AddPerson, .cohort = cohort, .detail = detail},
+                       [&](Transaction& transaction, const Actor&) -> Result<Person> {
+                         auto added = store::insertPerson(transaction, person, *hashed, true);
+                         if (!added || cohort.empty()) return added;
+                         if (transaction.run("INSERT INTO memberships SELECT id, ?, ? FROM cohorts WHERE id = ?",
+                                             added->id, person.role != Role::Trainee, cohort) != 1)
+                           return fail("There is no such cohort; look at the list again.");
+                         return added;
+                       });
+}
+
+Result<void> PeopleStore::change(const Person& person) const {
+  if (auto ok = store::checkPerson(person); !ok) return ok;
+  return by_.session()->write(
+      {.act = Act::ChangePerson, .person = person.id, .detail = described(person)},
+      [&](Transaction& transaction, const Actor&) { return changePerson(transaction, person); });
+}
+
+Result<void> PeopleStore::changeOwnDetails(const std::string& fullName, const std::string& email) const {
+  const std::string& id = by_.person().id;
+  return by_.session()->write(
+      {.act = Act::ChangeOwnDetails, .person = id}, [&](Transaction& transaction, const Actor&) -> Result<void> {
+        if (auto ok = store::checkTitle("The full name", fullName); !ok) return ok;
+        if (auto ok = store::checkEmail(email); !ok) return ok;
+        transaction.run("UPDATE people SET full_name = ?, email = ? WHERE id = ?", fullName, email, id);
+        return {};
+      });
+}
+
+Result<void> PeopleStore::changeOwnPassword(const std::string& old, const std::string& password) const {
+  store::Session& session = *by_.session();
+  const std::string& id = by_.person().id;
+  if (by_.isGuest()) return fail("Sign in first: a guest has no password.");
+  if (password == old) return fail("The new password is the old one; choose another.");
+  const auto hashed = checkedAndHashed(session.core(), password);
+  if (!hashed) return tl::unexpected(hashed.error());
+  // Who guesses at an open window is locked out as at the door.
+  if (const auto known = store::provePassword(session.core(), by_.person().name, old); !known)
+    return tl::unexpected(known.error());
+  const auto version =
+      session.write({.act = Act::ChangeOwnPassword, .person = id},
+                    [&](Transaction& transaction, const Actor&) -> Result<std::int64_t> {
+                      store::setPassword(transaction, id, *hashed, false);
+                      store::putIntoOutbox(transaction, session.core(), "password", id);
+                      return transaction.number("SELECT version FROM credentials WHERE person = ?", id);
+                    });
+  if (!version) return tl::unexpected(version.error());
+  session.hasPassword(*version);
+  return {};
+}
+
+Result<void> PeopleStore::resetPassword(const std::string& person, const std::string& password) const {
+  store::Session& session = *by_.session();
+  const auto hashed = checkedAndHashed(session.core(), password);
+  if (!hashed) return tl::unexpected(hashed.error());
+  return session.write({.act = Act::ResetPassword, .person = person},
+                       [&](Transaction& transaction, const Actor&) -> Result<void> {
+                         const auto found = store::findPerson(transaction, person);
+                         if (!found) return unknown();
+                         store::setPassword(transaction, person, *hashed, true);
+                         store::forgive(transaction, found->name);
+                         return {};
+                       });
+}
+
+}  // namespace insonate

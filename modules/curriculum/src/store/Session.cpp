@@ -1,0 +1,41 @@
+#include "store/Session.h"
+
+namespace insonate::store {
+namespace {
+
+std::string detailOf(const Request& request) {
+  std::string detail;
+  const auto add = [&](const std::string& what, const std::string& value) {
+    if (!value.empty()) detail += (detail.empty() ? "" : ", ") + what + value;
+  };
+  add("", request.detail);
+  add("cohort ", request.cohort);
+  add("attempt ", request.attempt);
+  return detail;
+}
+
+}  // namespace
+
+void Session::log(Transaction& transaction, const Request& request, const Verdict& verdict) {
+  core_->audit(transaction, person_.id, ruleOf(request.act).words, verdict.person, detailOf(request), !verdict.refusal);
+}
+
+}  // namespace insonate::store
+
+namespace insonate {
+
+SignedIn::SignedIn(std::shared_ptr<store::Session> session) : session_(std::move(session)) {}
+
+bool SignedIn::isGuest() const {
+  return session_->person().id.empty();
+}
+
+const Person& SignedIn::person() const {
+  return session_->person();
+}
+
+bool SignedIn::mustChangePassword() const {
+  return session_->mustChangePassword();
+}
+
+}  // namespace insonate

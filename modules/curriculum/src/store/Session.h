@@ -1,0 +1,78 @@
+#pragma once
+
+#include "store/Access.h"
+#include "store/Core.h"
+
+#include <insonate/curriculum/SignedIn.h>
+
+#include <atomic>
+#include <memory>
+#include <optional>
+
+namespace insonate::store {
+
+/// Someone at a store. All that the public classes do goes through read() and write(), so that it is decided and
+/// logged.
+class Session {
+ public:
+  Session(std::shared_ptr<Core> core, Person person, std::int64_t passwordVersion, bool mustChange)
+      : core_(std::move(core)),
+        person_(std::move(person)),
+        passwordVersion_(passwordVersion),
+        mustChange_(mustChange) {}
+
+  Core& core() const { return *core_; }
+  const Person& person() const { return person_; }
+  bool mustChangePassword() const { return mustChange_; }
+  /// After they chose a password: the session goes on.
+  void hasPassword(std::int64_t version) {
+    passwordVersion_ = version;
+    mustChange_ = false;
+  }
+
+  /// `work` takes a Transaction and the Actor as they are now, and gives a Result. What is to be logged is on the disk
+  /// before anything is handed out.
+  template <class Work>
+  auto read(const Request& request, const Work& work) {
+    auto outcome = attempt(Way::Read, request, work);
+    if (!outcome) outcome = attempt(Way::Write, request, work);
+    return *std::move(outcome);
+  }
+  template <class Work>
+  auto write(const Request& request, const Work& work) {
+    return *attempt(Way::Write, request, work);
+  }
+
+ private:
+  /// None: it must be logged, which needs a transaction that writes.
+  template <class Work>
+  auto attempt(Way way, const Request& request, const Work& work) {
+    using Outcome = decltype(work(std::declval<Transaction&>(), std::declval<const Actor&>()));
+    std::optional<Outcome> outcome;
+    const Result<void> done = inTransaction(*core_, way, [&](Transaction& transaction) -> Result<void> {
+      Actor actor{.id = person_.id, .passwordVersion = passwordVersion_};
+      const Verdict verdict = decide(transaction, actor, request);
+      if (verdict.logged && way == Way::Read) return {};
+      if (verdict.logged) log(transaction, request, verdict);
+      // A refusal is kept in the log, what failed is undone.
+      if (verdict.refusal) {
+        outcome.emplace(tl::unexpected(*verdict.refusal));
+        return {};
+      }
+      outcome.emplace(work(transaction, actor));
+      if (!*outcome) return tl::unexpected(outcome->error());
+      return {};
+    });
+    if (!done) outcome.emplace(tl::unexpected(done.error()));
+    return outcome;
+  }
+
+  void log(Transaction& transaction, const Request& request, const Verdict& verdict);
+
+  const std::shared_ptr<Core> core_;
+  const Person person_;
+  std::atomic<std::int64_t> passwordVersion_;
+  std::atomic<bool> mustChange_;
+};
+
+}  // namespace insonate::store

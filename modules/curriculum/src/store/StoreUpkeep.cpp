@@ -1,0 +1,58 @@
+#include "store/Export.h"
+#include "store/Session.h"
+#include "store/StoreChecks.h"
+#include "store/sql/FileCopy.h"
+
+#include <insonate/core/AtomicFile.h>
+#include <insonate/curriculum/StoreUpkeep.h>
+
+namespace insonate {
+namespace {
+
+using store::Act;
+using store::Actor;
+using store::Transaction;
+
+}  // namespace
+
+Result<StoreFacts> StoreUpkeep::facts() const {
+  return by_.session()->read(
+      {.act = Act::LookAfterStore, .detail = "facts"},
+      [&](Transaction& transaction, const Actor&) -> Result<StoreFacts> {
+        return StoreFacts{.place = transaction.place(),
+                          .schema = static_cast<int>(transaction.number("SELECT MAX(number) FROM schema_migrations")),
+                          .people = transaction.number("SELECT COUNT(*) FROM people"),
+                          .cohorts = transaction.number("SELECT COUNT(*) FROM cohorts"),
+                          .attempts = transaction.number("SELECT COUNT(*) FROM attempts"),
+                          .forms = transaction.number("SELECT COUNT(*) FROM forms"),
+                          .auditEntries = transaction.number("SELECT COUNT(*) FROM audit"),
+                          .pendingUploads = transaction.number("SELECT COUNT(*) FROM outbox")};
+      });
+}
+
+Result<void> StoreUpkeep::verify() const {
+  return by_.session()->read({.act = Act::LookAfterStore, .detail = "verify"},
+                             [](Transaction& transaction, const Actor&) { return store::verifyAll(transaction); });
+}
+
+Result<void> StoreUpkeep::backup(const std::filesystem::path& file) const {
+  store::Core& core = by_.session()->core();
+  // Decided and logged first: what is copied has the entry.
+  const auto allowed = by_.session()->read({.act = Act::LookAfterStore, .detail = "backup to " + file.string()},
+                                           [](Transaction&, const Actor&) -> Result<void> { return {}; });
+  if (!allowed) return allowed;
+  if (core.address().isServer) return fail(core.place() + " is a server; back it up with pg_dump, where it runs.");
+  const auto connection = core.connection();
+  if (!connection) return tl::unexpected(connection.error());
+  return store::copyToFile(**connection, file);
+}
+
+Result<void> StoreUpkeep::exportJson(const std::filesystem::path& file) const {
+  const auto text = by_.session()->read(
+      {.act = Act::LookAfterStore, .detail = "export to " + file.string()},
+      [](Transaction& transaction, const Actor&) -> Result<std::string> { return store::exported(transaction); });
+  if (!text) return tl::unexpected(text.error());
+  return writeAtomically(file, *text);
+}
+
+}  // namespace insonate

@@ -1,0 +1,129 @@
+#include "store/Texts.h"
+
+#include <nlohmann/json.hpp>
+#include <sodium.h>
+
+#include <QtCore/QString>
+#include <QtCore/QUuid>
+#include <QtCore/QVector>
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace insonate::store {
+namespace {
+
+constexpr std::size_t kMostName = 64, kMostTitle = 200, kMostJson = 1'000'000;
+// NIST SP 800-63B asks for 8 at least.
+constexpr int kLeastPassword = 8, kMostPassword = 200;
+
+QString words(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+}
+
+/// Unicode's embeddings, overrides and isolates: they change how the text beside them is read.
+bool turnsDirection(uint letter) {
+  return (letter >= 0x202a && letter <= 0x202e) || (letter >= 0x2066 && letter <= 0x2069);
+}
+
+bool isUnprintable(uint letter) {
+  const auto category = QChar::category(letter);
+  return category == QChar::Other_Control || category == QChar::Separator_Line ||
+         category == QChar::Separator_Paragraph || QChar::isNonCharacter(letter) || turnsDirection(letter);
+}
+
+bool isForSignIn(uint letter) {
+  return QChar::isLetterOrNumber(letter) || QChar::isMark(letter) ||
+         (letter < 128 && std::string_view("._-+@").find(static_cast<char>(letter)) != std::string_view::npos);
+}
+
+}  // namespace
+
+Result<void> checkText(std::string_view what, std::string_view text, std::size_t bytes) {
+  const std::string name(what);
+  if (text.size() > bytes)
+    return fail(name + " is " + std::to_string(text.size()) + " bytes long; at most " + std::to_string(bytes) +
+                " are kept. Shorten it.");
+  if (text.find('\0') != std::string_view::npos) return fail(name + " holds a zero byte; remove it.");
+  if (words(text).toUtf8() != QByteArray::fromRawData(text.data(), static_cast<int>(text.size())))
+    return fail(name + " is not UTF-8; save or type it as Unicode.");
+  return {};
+}
+
+Result<void> checkTitle(std::string_view what, std::string_view text) {
+  if (auto ok = checkText(what, text, 4 * kMostTitle); !ok) return ok;
+  const QVector<uint> letters = words(text).toUcs4();
+  if (static_cast<std::size_t>(letters.size()) > kMostTitle)
+    return fail(std::string(what) + " is longer than " + std::to_string(kMostTitle) + " letters; shorten it.");
+  if (std::any_of(letters.begin(), letters.end(), isUnprintable))
+    return fail(std::string(what) + " holds a line break or another character that cannot be seen; type it anew.");
+  return {};
+}
+
+Result<void> checkSignInName(std::string_view name) {
+  if (auto ok = checkText("The name to sign in", name, 4 * kMostName); !ok) return ok;
+  const QVector<uint> letters = words(name).toUcs4();
+  if (letters.isEmpty() || static_cast<std::size_t>(letters.size()) > kMostName ||
+      !std::all_of(letters.begin(), letters.end(), isForSignIn))
+    return fail("A name to sign in has 1 to 64 letters, digits and . _ - + @, and no spaces; choose another.");
+  std::optional<QChar::Script> script;
+  for (const uint letter : letters) {
+    const QChar::Script own = QChar::script(letter);
+    if (own == QChar::Script_Common || own == QChar::Script_Inherited) continue;
+    if (script && *script != own)
+      return fail(
+          "The name to sign in mixes letters of two alphabets, which look alike; type it with one keyboard layout.");
+    script = own;
+  }
+  return {};
+}
+
+Result<void> checkEmail(std::string_view email) {
+  if (email.empty()) return {};
+  if (auto ok = checkTitle("The e-mail address", email); !ok) return ok;
+  const std::size_t at = email.find('@');
+  if (at == 0 || at == std::string_view::npos || at + 1 == email.size() || email.find(' ') != std::string_view::npos)
+    return fail("'" + std::string(email) + "' is no e-mail address; write it as NAME@PLACE, or leave it empty.");
+  return {};
+}
+
+Result<void> checkPassword(std::string_view password) {
+  if (auto ok = checkText("The password", password, 4 * kMostPassword); !ok) return ok;
+  const auto length = words(password).toUcs4().size();
+  if (length < kLeastPassword || length > kMostPassword)
+    return fail("A password has 8 to 200 characters; choose another, a sentence for instance.");
+  return {};
+}
+
+Result<void> checkJsonObject(std::string_view what, std::string_view text) {
+  if (auto ok = checkText(what, text, kMostJson); !ok) return ok;
+  if (!nlohmann::json::parse(text, nullptr, false).is_object())
+    return fail(std::string(what) + " is not a JSON object; check it with the program that wrote it.");
+  return {};
+}
+
+std::string nameKey(std::string_view name) {
+  return words(name)
+      .normalized(QString::NormalizationForm_KC)
+      .toCaseFolded()
+      .normalized(QString::NormalizationForm_KC)
+      .toStdString();
+}
+
+std::string freshUuid() {
+  return QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
+}
+
+bool isUuid(std::string_view text) {
+  const QUuid uuid = QUuid::fromString(words(text));
+  return !uuid.isNull() && uuid.toString(QUuid::WithoutBraces).toStdString() == text;
+}
+
+std::string sha256(std::string_view bytes) {
+  std::array<unsigned char, crypto_hash_sha256_BYTES> hash{};
+  crypto_hash_sha256(hash.data(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+  std::array<char, 2 * crypto_hash_sha256_BYTES + 1> digits{};
+  return sodium_bin2hex(digits.data(), digits.size(), hash.data(), hash.size());
+}
+
+}  // namespace insonate::store

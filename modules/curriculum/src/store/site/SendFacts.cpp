@@ -1,0 +1,162 @@
+#include "store/AttemptRows.h"
+#include "store/AuditChain.h"
+#include "store/FormRows.h"
+#include "store/site/Up.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace insonate::store {
+namespace {
+
+struct SentAttempt {
+  KeptAttempt kept{};
+  AttemptFacts ended{};  ///< the state below a voiding
+  std::optional<std::int64_t> voided_us{};
+  std::string voidedBy{};
+};
+
+/// What waits, with the fact itself as it is now.
+struct Item {
+  std::int64_t number = 0;
+  std::string kind{}, id{};
+  std::optional<SentAttempt> attempt{};  ///< of a form: the attempt it is about, which has to be there before
+  std::optional<FilledForm> form{};
+  std::string password{};
+  bool mustChange = false;
+  std::int64_t version = 0;
+};
+
+struct Batch {
+  std::vector<Item> items{};
+  std::int64_t waiting = 0;
+  AuditAnchor auditEnd{};
+};
+
+std::optional<SentAttempt> readAttempt(Transaction& here, const std::string& id) {
+  const auto row = here.row("SELECT " INSONATE_ATTEMPT_COLUMNS ", voided_by FROM attempts WHERE id = ?", id);
+  if (!row) return std::nullopt;
+  SentAttempt sent{.kept = keptOf(*row), .voided_us = row->time(17), .voidedBy = row->text(23)};
+  sent.ended = sent.kept.facts;
+  sent.ended.state = stateOfEnd(*row);
+  return sent;
+}
+
+Item readItem(Transaction& here, const Row& row) {
+  Item item{.number = row.number(0), .kind = row.text(1), .id = row.text(2)};
+  if (item.kind == "attempt") item.attempt = readAttempt(here, item.id);
+  if (item.kind == "form")
+    if (const auto form = here.row("SELECT " INSONATE_FORM_COLUMNS " FROM forms WHERE id = ?", item.id)) {
+      item.form = filledOf(*form);
+      if (!item.form->attempt.empty()) item.attempt = readAttempt(here, item.form->attempt);
+    }
+  if (item.kind == "password")
+    if (const auto own = here.row("SELECT password, must_change, version FROM credentials WHERE person = ?", item.id)) {
+      item.password = own->text(0);
+      item.mustChange = own->truth(1);
+      item.version = own->number(2);
+    }
+  return item;
+}
+
+Result<Batch> readBatch(Core& here, std::int64_t after) {
+  constexpr std::int64_t kAtOnce = 200;
+  return inTransaction(here, Way::Read, [&](Transaction& transaction) -> Result<Batch> {
+    Batch batch{.waiting = transaction.number("SELECT COUNT(*) FROM outbox WHERE number > ?", after),
+                .auditEnd = auditEnd(transaction)};
+    for (const Row& row : transaction.rows(
+             "SELECT number, kind, id FROM outbox WHERE number > ? ORDER BY number LIMIT ?", after, kAtOnce))
+      batch.items.push_back(readItem(transaction, row));
+    return batch;
+  });
+}
+
+/// The server's attempt takes what it lacks: its beginning, its end, its voiding. In any order and any number of times
+/// the same comes out. False: it is another attempt there.
+bool mergeAttempt(Transaction& server, const SentAttempt& sent) {
+  const AttemptFacts& facts = sent.ended;
+  auto there = readAttempt(server, facts.id);
+  if (!there) {
+    insertAttempt(server, facts, "");
+    there = SentAttempt{.kept = {.facts = facts}, .ended = facts};
+    there->ended.state = AttemptState::Open;
+  }
+  if (!sameBeginning(there->ended, facts)) return false;
+  const bool awaitsEnd = there->ended.state == AttemptState::Open || (there->kept.crashed && !sent.kept.crashed);
+  if (facts.state != AttemptState::Open && awaitsEnd)
+    endAttempt(server, facts, sent.kept.crashed);
+  else if (facts.state != AttemptState::Open && !sent.kept.crashed && !sameEnd(there->ended, facts))
+    return false;
+  if (sent.voided_us && !there->voided_us)
+    server.run("UPDATE attempts SET voided_us = ?, voided_by = ?, void_reason = ? WHERE id = ?", *sent.voided_us,
+               sent.voidedBy, sent.kept.voidReason, facts.id);
+  return true;
+}
+
+/// The server's password is the newer one where both were changed.
+void mergePassword(Transaction& server, const Item& item) {
+  server.run("UPDATE credentials SET password = ?, must_change = ?, version = ? WHERE person = ? AND version < ?",
+             item.password, item.mustChange, item.version, item.id, item.version);
+}
+
+Result<void> mergeItem(Transaction& server, const Item& item, UploadReport& report) {
+  if (item.attempt && !mergeAttempt(server, *item.attempt))
+    return fail("The attempt " + item.attempt->ended.id +
+                " is another one on the server and stays here; look at both.");
+  if (item.form)
+    if (auto kept = keepForm(server, *item.form); !kept) return tl::unexpected(kept.error());
+  if (item.kind == "password") mergePassword(server, item);
+  report.attempts += item.kind == "attempt";
+  report.forms += item.kind == "form";
+  return {};
+}
+
+/// The numbers that the server has taken.
+Result<std::vector<std::int64_t>> giveBatch(Core& here, Core& server, const Batch& batch, UploadReport& report) {
+  UploadReport counted = report;
+  auto taken = inTransaction(server, Way::Write, [&](Transaction& transaction) -> Result<std::vector<std::int64_t>> {
+    std::vector<std::int64_t> numbers;
+    for (const Item& item : batch.items) {
+      if (auto merged = mergeItem(transaction, item, counted); merged)
+        numbers.push_back(item.number);
+      else
+        counted.troubles.push_back(merged.error().message);
+    }
+    // The end of the workstation's log stands in the server's from now on: cut or written anew, it shows.
+    server.audit(transaction, "", "upload", "",
+                 std::to_string(numbers.size()) + " facts of " + here.workstation() + ", whose log ends at " +
+                     std::to_string(batch.auditEnd.number) + " " + batch.auditEnd.hash);
+    return numbers;
+  });
+  if (taken) report = counted;
+  return taken;
+}
+
+Result<void> waitNoMore(Core& here, const std::vector<std::int64_t>& numbers) {
+  return inTransaction(here, Way::Write, [&](Transaction& transaction) -> Result<void> {
+    for (const std::int64_t number : numbers) transaction.run("DELETE FROM outbox WHERE number = ?", number);
+    return {};
+  });
+}
+
+}  // namespace
+
+Result<void> sendFacts(Core& here, Core& server, UploadReport& report, const Progress& progress) {
+  std::int64_t after = 0, total = 0, sent = 0;
+  for (;;) {
+    const auto batch = readBatch(here, after);
+    if (!batch) return tl::unexpected(batch.error());
+    if (batch->items.empty()) return {};
+    total = std::max(total, batch->waiting);
+    if (!insonate::report(progress, "sending", static_cast<double>(sent) / static_cast<double>(total)))
+      return fail(std::string(kCancelled));
+    const auto taken = giveBatch(here, server, *batch, report);
+    if (!taken) return tl::unexpected(taken.error());
+    if (auto done = waitNoMore(here, *taken); !done) return done;
+    sent += static_cast<std::int64_t>(batch->items.size());
+    after = batch->items.back().number;
+  }
+}
+
+}  // namespace insonate::store

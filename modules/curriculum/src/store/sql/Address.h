@@ -1,0 +1,22 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+
+#include <QtCore/QString>
+#include <string>
+
+namespace insonate::store {
+
+/// Where a store is: a file, or a database on a PostgreSQL server.
+struct Address {
+  bool isServer = false;
+  QString file{};                                  ///< of SQLite
+  QString host{}, database{}, user{}, password{};  ///< of PostgreSQL
+  int port = 5432;
+
+  static Result<Address> parse(const std::string& text);
+  /// For people: without the password.
+  std::string place() const;
+};
+
+}  // namespace insonate::store

@@ -1,0 +1,126 @@
+#include "store/sql/Connection.h"
+
+#include <sqlite3.h>
+
+#include <QtCore/QFileInfo>
+#include <QtSql/QSqlDriver>
+#include <QtSql/QSqlRecord>
+#include <atomic>
+
+namespace insonate::store {
+namespace {
+
+QString freshName() {
+  static std::atomic<unsigned> counter{0};
+  return QString("insonate-%1").arg(counter++);
+}
+
+QString latin(std::string_view text) {
+  return QString::fromLatin1(text.data(), static_cast<int>(text.size()));
+}
+
+}  // namespace
+
+Connection::Connection(const Address& address, QString name)
+    : dialect_(address.isServer ? Dialect::postgresql() : Dialect::sqlite()),
+      place_(address.place()),
+      name_(std::move(name)),
+      database_(QSqlDatabase::addDatabase(latin(dialect_.driver), name_)) {}
+
+Connection::~Connection() {
+  prepared_.clear();
+  database_.close();
+  database_ = {};
+  QSqlDatabase::removeDatabase(name_);
+}
+
+Result<std::unique_ptr<Connection>> Connection::open(const Address& address) {
+  std::unique_ptr<Connection> connection(new Connection(address, freshName()));
+  if (auto ready = connection->setUp(address); !ready) return tl::unexpected(ready.error());
+  return connection;
+}
+
+Result<void> Connection::setUp(const Address& address) {
+  if (!database_.isValid())
+    return fail("Qt's driver " + std::string(dialect_.driver) + " is not installed, which " + place_ +
+                " needs; install it.");
+  database_.setDatabaseName(address.isServer ? address.database : address.file);
+  database_.setHostName(address.host);
+  database_.setUserName(address.user);
+  database_.setPassword(address.password);
+  if (address.isServer) database_.setPort(address.port);
+  database_.setConnectOptions(latin(dialect_.options));
+  if (!address.isServer && QFileInfo(address.file).isDir())
+    return fail(place_ + " is a folder; name a file for the curriculum's store.");
+  if (!database_.open()) return tl::unexpected(failed(database_.lastError()));
+  return script(std::string(dialect_.setUp));
+}
+
+sqlite3* Connection::handle() const {
+  return *static_cast<sqlite3* const*>(database_.driver()->handle().constData());
+}
+
+Error Connection::failed(const QSqlError& error) {
+  lost_ = lost_ || store::isLost(error);
+  return sentenceOf(error, place_);
+}
+
+Result<QSqlQuery*> Connection::executed(std::string_view sql, const std::vector<QVariant>& values) {
+  auto found = prepared_.find(sql);
+  if (found == prepared_.end()) {
+    QSqlQuery query(database_);
+    query.setForwardOnly(true);
+    if (!query.prepare(QString::fromUtf8(sql.data(), static_cast<int>(sql.size()))))
+      return tl::unexpected(failed(query.lastError()));
+    found = prepared_.emplace(sql, std::move(query)).first;
+  }
+  QSqlQuery& query = found->second;
+  for (std::size_t i = 0; i < values.size(); ++i) query.bindValue(static_cast<int>(i), values[i]);
+  if (!query.exec()) {
+    const Error error = failed(query.lastError());
+    prepared_.erase(found);
+    return tl::unexpected(error);
+  }
+  return &query;
+}
+
+Result<std::vector<Row>> Connection::rows(std::string_view sql, const std::vector<QVariant>& values) {
+  const auto query = executed(sql, values);
+  if (!query) return tl::unexpected(query.error());
+  std::vector<Row> rows;
+  const int columns = (*query)->record().count();
+  while ((*query)->next()) {
+    std::vector<QVariant> row;
+    row.reserve(static_cast<std::size_t>(columns));
+    for (int i = 0; i < columns; ++i) row.push_back((*query)->value(i));
+    rows.emplace_back(std::move(row));
+  }
+  const QSqlError error = (*query)->lastError();
+  (*query)->finish();
+  if (error.isValid()) return tl::unexpected(failed(error));
+  return rows;
+}
+
+Result<std::int64_t> Connection::run(std::string_view sql, const std::vector<QVariant>& values) {
+  const auto query = executed(sql, values);
+  if (!query) return tl::unexpected(query.error());
+  const std::int64_t changed = (*query)->numRowsAffected();
+  (*query)->finish();
+  return changed;
+}
+
+Result<void> Connection::script(const std::string& sql) {
+  if (dialect_.name == "sqlite") {
+    char* words = nullptr;
+    if (sqlite3_exec(handle(), sql.c_str(), nullptr, nullptr, &words) == SQLITE_OK) return {};
+    const QSqlError error("", QString::fromUtf8(words), QSqlError::StatementError,
+                          QString::number(sqlite3_extended_errcode(handle())));
+    sqlite3_free(words);
+    return tl::unexpected(failed(error));
+  }
+  QSqlQuery query(database_);
+  if (!query.exec(QString::fromStdString(sql))) return tl::unexpected(failed(query.lastError()));
+  return {};
+}
+
+}  // namespace insonate::store

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "store/sql/Address.h"
+#include "store/sql/Dialect.h"
+#include "store/sql/Row.h"
+
+#include <insonate/core/Result.h>
+
+#include <QtSql/QSqlDatabase>
+#include <QtSql/QSqlQuery>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct sqlite3;
+
+namespace insonate::store {
+
+/// One connection to a store, for one thread.
+class Connection {
+ public:
+  /// A file is created when missing.
+  static Result<std::unique_ptr<Connection>> open(const Address& address);
+  ~Connection();
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  const Dialect& dialect() const { return dialect_; }
+  const std::string& place() const { return place_; }
+  bool isLost() const { return lost_; }
+  /// Of SQLite.
+  sqlite3* handle() const;
+
+  /// A prepared statement, kept for the next time; `sql` lives as long as the program.
+  Result<std::vector<Row>> rows(std::string_view sql, const std::vector<QVariant>& values);
+  /// The number of rows changed.
+  Result<std::int64_t> run(std::string_view sql, const std::vector<QVariant>& values);
+  /// Any number of statements without values.
+  Result<void> script(const std::string& sql);
+
+ private:
+  Connection(const Address& address, QString name);
+  Result<QSqlQuery*> executed(std::string_view sql, const std::vector<QVariant>& values);
+  Result<void> setUp(const Address& address);
+  Error failed(const QSqlError& error);
+
+  const Dialect& dialect_;
+  std::string place_;
+  QString name_;
+  QSqlDatabase database_;
+  std::map<std::string_view, QSqlQuery> prepared_;
+  bool lost_ = false;
+};
+
+}  // namespace insonate::store

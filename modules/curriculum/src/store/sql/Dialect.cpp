@@ -1,0 +1,108 @@
+#include "store/sql/Dialect.h"
+
+#include <sqlite3.h>
+
+#include <QtCore/QString>
+
+namespace insonate::store {
+
+const Dialect& Dialect::sqlite() {
+  static const Dialect dialect{.name = "sqlite",
+                               .driver = "QSQLITE",
+                               .options = "QSQLITE_BUSY_TIMEOUT=10000",
+                               // Recursive triggers: REPLACE would delete a fact without asking its trigger otherwise.
+                               .setUp =
+                                   "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;"
+                                   "PRAGMA recursive_triggers = ON; PRAGMA trusted_schema = OFF",
+                               .beginReading = "BEGIN",
+                               .beginWriting = "BEGIN IMMEDIATE",
+                               .integer = "INTEGER",
+                               .real = "REAL",
+                               .text = "TEXT",
+                               .strict = "STRICT"};
+  return dialect;
+}
+
+const Dialect& Dialect::postgresql() {
+  static const Dialect dialect{
+      .name = "postgresql",
+      .driver = "QPSQL",
+      .options = "connect_timeout=5;application_name=insonate",
+      .setUp =
+          "SET client_min_messages = warning; SET lock_timeout = '10s'; SET statement_timeout = '120s';"
+          "SET idle_in_transaction_session_timeout = '120s'; SET synchronous_commit = on",
+      .beginReading = "BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY",
+      // The number is the store's own, so that it meets no one else's lock in the database ("insonate" in ASCII).
+      .beginWriting = "BEGIN; SELECT pg_advisory_xact_lock(7597132986949923941)",
+      .integer = "BIGINT",
+      .real = "DOUBLE PRECISION",
+      .text = "TEXT COLLATE \"C\"",
+      .strict = ""};
+  return dialect;
+}
+
+std::string Dialect::spelled(std::string_view migration) const {
+  const auto put = [](std::string_view words) {
+    return QString::fromUtf8(words.data(), static_cast<int>(words.size()));
+  };
+  return put(migration)
+      .replace("{INTEGER}", put(integer))
+      .replace("{REAL}", put(real))
+      .replace("{TEXT}", put(text))
+      .replace("{STRICT}", put(strict))
+      .toStdString();
+}
+
+namespace {
+
+/// SQLite's error codes are numbers, PostgreSQL's have five letters or digits.
+Error sqliteSentence(int code, const std::string& words, const std::string& place) {
+  switch (code & 0xff) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return {place + " has been in use by another program for longer than 10 s. Nothing was changed; try again."};
+    case SQLITE_FULL:
+      return {"The disk with " + place + " is full. Nothing of this was kept; free space and try again."};
+    case SQLITE_READONLY:
+      return {place + " cannot be written. Give yourself the right to write the file and its folder."};
+    case SQLITE_CANTOPEN:
+      return {place + " cannot be opened. Check that its folder exists and that you may read and write it."};
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+      return {place + " is damaged or is not a curriculum's database. Put a backup in its place."};
+    case SQLITE_IOERR:
+      return {place + " could not be read or written (" + words +
+              "). Nothing of this was kept; check the disk and try again."};
+    default:
+      return {place + " refused this: " + words + ". Nothing was changed."};
+  }
+}
+
+Error serverSentence(const QString& code, const std::string& words, const std::string& place) {
+  if (code.startsWith("28")) return {place + " does not accept this user or password: " + words};
+  if (code == "53100") return {"The disk of " + place + " is full. Nothing of this was kept; ask who runs the server."};
+  if (code == "55P03")
+    return {place + " has been in use by another workstation for longer than 10 s. Nothing was changed; try again."};
+  if (code == "42501") return {place + " does not give this user the rights for this: " + words};
+  return {place + " refused this: " + words + " Nothing was changed."};
+}
+
+}  // namespace
+
+bool isLost(const QSqlError& error) {
+  const QString code = error.nativeErrorCode();
+  return error.type() == QSqlError::ConnectionError || code.startsWith("08") || code.startsWith("57P");
+}
+
+Error sentenceOf(const QSqlError& error, const std::string& place) {
+  const std::string words = error.databaseText().simplified().toStdString();
+  bool isNumber = false;
+  const QString code = error.nativeErrorCode();
+  const int number = code.toInt(&isNumber);
+  if (isNumber && code.size() < 5) return sqliteSentence(number, words, place);
+  if (isLost(error) || code.isEmpty())
+    return {place + " cannot be reached: " + words + ". Check the network and that the server runs, and try again."};
+  return serverSentence(code, words, place);
+}
+
+}  // namespace insonate::store

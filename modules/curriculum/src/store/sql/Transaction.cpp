@@ -1,0 +1,43 @@
+#include "store/sql/Transaction.h"
+
+namespace insonate::store {
+
+Transaction::Transaction(Connection& connection, Way way) : connection_(connection) {
+  const Dialect& dialect = connection.dialect();
+  script(std::string(way == Way::Read ? dialect.beginReading : dialect.beginWriting));
+  open_ = true;
+}
+
+Transaction::~Transaction() {
+  if (open_) (void)connection_.script("ROLLBACK");
+}
+
+std::vector<Row> Transaction::asked(std::string_view sql, const std::vector<QVariant>& values) {
+  if (error_) return {};
+  auto rows = connection_.rows(sql, values);
+  if (rows) return std::move(*rows);
+  error_ = rows.error();
+  return {};
+}
+
+std::int64_t Transaction::told(std::string_view sql, const std::vector<QVariant>& values) {
+  if (error_) return 0;
+  const auto changed = connection_.run(sql, values);
+  if (changed) return *changed;
+  error_ = changed.error();
+  return 0;
+}
+
+void Transaction::script(const std::string& sql) {
+  if (error_) return;
+  if (auto done = connection_.script(sql); !done) error_ = done.error();
+}
+
+Result<void> Transaction::commit() {
+  script("COMMIT");
+  if (error_) return tl::unexpected(*error_);
+  open_ = false;
+  return {};
+}
+
+}  // namespace insonate::store

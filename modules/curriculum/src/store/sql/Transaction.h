@@ -1,0 +1,57 @@
+#pragma once
+
+#include "store/sql/Connection.h"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace insonate::store {
+
+/// All or nothing. After a failure it does nothing more, gives no rows, and remembers the first error, so that only its
+/// end has to be looked at; what is left without commit() is undone.
+class Transaction {
+ public:
+  Transaction(Connection& connection, Way way);
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+
+  template <class... Values>
+  std::vector<Row> rows(std::string_view sql, const Values&... values) {
+    return asked(sql, {bound(values)...});
+  }
+  template <class... Values>
+  std::optional<Row> row(std::string_view sql, const Values&... values) {
+    std::vector<Row> found = asked(sql, {bound(values)...});
+    return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
+  }
+  /// The number in the first column of the first row; 0 where there is none.
+  template <class... Values>
+  std::int64_t number(std::string_view sql, const Values&... values) {
+    const auto found = row(sql, values...);
+    return found ? found->number(0) : 0;
+  }
+  /// The number of rows changed.
+  template <class... Values>
+  std::int64_t run(std::string_view sql, const Values&... values) {
+    return told(sql, {bound(values)...});
+  }
+  /// Statements from outside the program's text, once.
+  void script(const std::string& sql);
+
+  const std::optional<Error>& error() const { return error_; }
+  const Dialect& dialect() const { return connection_.dialect(); }
+  const std::string& place() const { return connection_.place(); }
+  Result<void> commit();
+
+ private:
+  std::vector<Row> asked(std::string_view sql, const std::vector<QVariant>& values);
+  std::int64_t told(std::string_view sql, const std::vector<QVariant>& values);
+
+  Connection& connection_;
+  std::optional<Error> error_;
+  bool open_ = false;
+};
+
+}  // namespace insonate::store

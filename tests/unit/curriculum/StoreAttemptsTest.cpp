@@ -1,0 +1,205 @@
+#include "StoreRig.h"
+
+#include <insonate/curriculum/AuditLog.h>
+
+#include <cmath>
+#include <limits>
+
+namespace insonate::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class StoreAttempts : public OnBoth {};
+INSONATE_ON_BOTH(StoreAttempts);
+
+TEST_P(StoreAttempts, WhatWasMeasuredComesBackBitForBit) {
+  const School school(rig->open());
+  const SignedIn anna = school.as(school.anna);
+  AttemptFacts facts = endedFacts(begunFacts());
+  facts.metrics = {{"tiny", 1, std::numeric_limits<double>::denorm_min()},
+                   {"large", 1, std::numeric_limits<double>::max()},
+                   {"third", 1, 1.0 / 3},
+                   {"minus nought", 3, -0.0},
+                   {"missing", 1, std::nullopt}};
+  facts.points = 100.0 / 3;
+  facts.begun_us = -1;
+  valueOf(AttemptStore(anna).begin(facts));
+  succeed(AttemptStore(anna).end(facts));
+
+  const KeptAttempt kept = valueOf(AttemptStore(anna).attempt(facts.id));
+  facts.person = school.anna.id;
+  facts.workstation = "ward 7";
+  EXPECT_EQ(kept.facts, facts);
+  EXPECT_TRUE(std::signbit(*kept.facts.metrics[3].value));
+  EXPECT_FALSE(kept.crashed);
+}
+
+TEST_P(StoreAttempts, AnAttemptIsBegunEndedAndVoidedOnce) {
+  const School school(rig->open());
+  const AttemptStore anna(school.as(school.anna)), ina(school.as(school.ina));
+  AttemptFacts facts = begunFacts();
+  EXPECT_EQ(valueOf(anna.begin(facts)), facts.id);
+  EXPECT_EQ(valueOf(anna.begin(facts)), facts.id) << "the same once more";
+  EXPECT_EQ(valueOf(anna.attempt(facts.id)).facts.state, AttemptState::Open);
+  EXPECT_THAT(refusalOf(ina.voidAttempt(facts.id, "device failed")), HasSubstr("still open"));
+
+  AttemptFacts other = facts;
+  other.level = "second";
+  EXPECT_THAT(refusalOf(anna.begin(other)), HasSubstr("begun otherwise"));
+  EXPECT_THAT(refusalOf(anna.end(endedFacts(other))), HasSubstr("begun otherwise"));
+
+  facts = endedFacts(facts);
+  succeed(anna.end(facts));
+  succeed(anna.end(facts));
+  other = facts;
+  other.points = 100;
+  EXPECT_THAT(refusalOf(anna.end(other)), HasSubstr("has ended already"));
+
+  EXPECT_THAT(refusalOf(ina.voidAttempt(facts.id, "  ")), HasSubstr("type it"));
+  succeed(ina.voidAttempt(facts.id, "device failed"));
+  succeed(ina.voidAttempt(facts.id, "device failed"));
+  EXPECT_THAT(refusalOf(ina.voidAttempt(facts.id, "another reason")), HasSubstr("voided already"));
+  succeed(anna.end(facts));
+  const KeptAttempt kept = valueOf(anna.attempt(facts.id));
+  EXPECT_EQ(kept.facts.state, AttemptState::Voided);
+  EXPECT_EQ(kept.voidReason, "device failed");
+  EXPECT_EQ(kept.facts.points, facts.points) << "kept, but not counted";
+}
+
+TEST_P(StoreAttempts, WhatIsNoFactIsRefused) {
+  const School school(rig->open());
+  const AttemptStore anna(school.as(school.anna));
+  const auto beginning = [&](auto change) {
+    AttemptFacts facts = begunFacts();
+    change(facts);
+    return refusalOf(anna.begin(facts));
+  };
+  EXPECT_THAT(beginning([](auto& f) { f.id = "1"; }), HasSubstr("UUID"));
+  EXPECT_THAT(beginning([](auto& f) { f.id = "{" + f.id + "}"; }), HasSubstr("UUID"));
+  EXPECT_THAT(beginning([](auto& f) { f.level = std::string("a\0b", 3); }), HasSubstr("zero byte"));
+  EXPECT_THAT(beginning([](auto& f) { f.caseName = "\xc3\x28"; }), HasSubstr("UTF-8"));
+  EXPECT_THAT(beginning([](auto& f) { f.caseName = std::string(1 << 20, 'x'); }), HasSubstr("Shorten"));
+  EXPECT_THAT(beginning([](auto& f) { f.procedureVersion = -1; }), HasSubstr("negative"));
+
+  const AttemptFacts begun = begunFacts();
+  valueOf(anna.begin(begun));
+  const auto ending = [&](auto change) {
+    AttemptFacts facts = endedFacts(begun);
+    change(facts);
+    return refusalOf(anna.end(facts));
+  };
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(ending([](auto& f) { f.metrics[0].value = std::nan(""); }), HasSubstr("not a finite number"));
+  EXPECT_THAT(ending([](auto& f) { f.metrics[0].value = -kInfinity; }), HasSubstr("not a finite number"));
+  EXPECT_THAT(ending([](auto& f) { f.metrics[1].id = f.metrics[0].id; }), HasSubstr("twice"));
+  EXPECT_THAT(ending([](auto& f) { f.points = std::nan(""); }), HasSubstr("0 and 100"));
+  EXPECT_THAT(ending([](auto& f) { f.points = 100.001; }), HasSubstr("0 and 100"));
+  EXPECT_THAT(ending([](auto& f) { f.length_us = -1; }), HasSubstr("negative"));
+  EXPECT_THAT(ending([](auto& f) { f.state = AttemptState::Open; }), HasSubstr("completed or abandoned"));
+  EXPECT_THAT(ending([](auto& f) { f.state = AttemptState::Voided; }), HasSubstr("completed or abandoned"));
+  EXPECT_THAT(ending([](auto& f) { f.recording = "../../etc/passwd"; }), HasSubstr("no file name"));
+  EXPECT_THAT(ending([](auto& f) { f.recordingHash = "abc"; }), HasSubstr("SHA-256"));
+  EXPECT_EQ(valueOf(anna.attempt(begun.id)).facts.state, AttemptState::Open) << "nothing of it was kept";
+}
+
+TEST_P(StoreAttempts, OrderIsThatOfArrivalWhateverTheClocksSay) {
+  const School school(rig->open());
+  const SignedIn anna = school.as(school.anna);
+  std::vector<std::string> ids;
+  for (const std::int64_t clock_us :
+       {kToday_us, kToday_us - 9000 * kDay_us, kToday_us + 9000 * kDay_us, std::int64_t{0}}) {
+    rig->now_us = clock_us;
+    AttemptFacts facts = begunFacts();
+    facts.begun_us = clock_us;
+    ids.push_back(keepAttempt(anna, facts).id);
+  }
+  std::vector<std::string> history, newestFirst;
+  for (const AttemptFacts& facts : valueOf(AttemptStore(anna).history(school.anna.id))) history.push_back(facts.id);
+  EXPECT_EQ(history, ids);
+
+  const auto first = valueOf(AttemptStore(anna).page(school.anna.id, 3));
+  const auto second = valueOf(AttemptStore(anna).page(school.anna.id, 3, first.back().arrival));
+  for (const auto& page : {first, second})
+    for (const KeptAttempt& kept : page) newestFirst.push_back(kept.facts.id);
+  EXPECT_EQ(first.size(), 3U);
+  EXPECT_EQ(newestFirst, std::vector<std::string>(ids.rbegin(), ids.rend()));
+  EXPECT_THAT(refusalOf(AttemptStore(anna).page(school.anna.id, 0)), HasSubstr("1 to 1000"));
+}
+
+TEST_P(StoreAttempts, AClassIsSeenWithItsLastAttemptsThatCount) {
+  const School school(rig->open());
+  const SignedIn anna = school.as(school.anna), ben = school.as(school.ben), carl = school.as(school.carl);
+  std::vector<std::string> ids;
+  for (int i = 0; i < 4; ++i) ids.push_back(keepAttempt(anna).id);
+  ids.push_back(keepAttempt(ben).id);
+  keepAttempt(carl);
+  const AttemptStore ina(school.as(school.ina));
+  succeed(ina.voidAttempt(ids[3], "device failed"));
+  valueOf(AttemptStore(anna).begin(begunFacts()));
+
+  std::vector<std::string> annas, bens;
+  for (const AttemptFacts& facts : valueOf(ina.lastOfCohort(school.spring.id, 2)))
+    (facts.person == school.anna.id ? annas : bens).push_back(facts.id);
+  EXPECT_EQ(annas, (std::vector<std::string>{ids[1], ids[2]})) << "neither the voided nor the open one";
+  EXPECT_EQ(bens, std::vector<std::string>{ids[4]});
+  EXPECT_TRUE(valueOf(ina.lastOfCohort(school.spring.id, 1000)).front().metrics == endedFacts({}).metrics);
+}
+
+TEST_P(StoreAttempts, AStandingIsToldToBeOldByEachBeginningEndAndVoiding) {
+  const School school(rig->open());
+  const SignedIn anna = school.as(school.anna), ina = school.as(school.ina);
+  succeed(CohortStore(anna).rememberStanding(school.anna.id, {"", 0, "first", 0, "Two of three.", 0}));
+  const auto member = [&] {
+    for (const Member& row : valueOf(CohortStore(ina).members(school.spring.id)))
+      if (row.person.id == school.anna.id) return row;
+    throw std::runtime_error("not in her cohort");
+  };
+  EXPECT_TRUE(member().standingIsCurrent());
+  EXPECT_FALSE(member().lastAttempt_us);
+  const AttemptFacts facts = begunFacts();
+  const auto isOldAfter = [&](auto change) {
+    succeed(CohortStore(anna).rememberStanding(
+        school.anna.id, {"", 0, "first", 0, "", valueOf(AttemptStore(anna).changes(school.anna.id))}));
+    EXPECT_TRUE(member().standingIsCurrent());
+    change();
+    return !member().standingIsCurrent();
+  };
+  EXPECT_TRUE(isOldAfter([&] { valueOf(AttemptStore(anna).begin(facts)); }));
+  EXPECT_EQ(member().attempts, 0);
+  EXPECT_TRUE(isOldAfter([&] { succeed(AttemptStore(anna).end(endedFacts(facts))); }));
+  EXPECT_EQ(member().attempts, 1);
+  EXPECT_EQ(member().lastAttempt_us, facts.begun_us);
+  EXPECT_EQ(member().lastLevel, "first");
+  EXPECT_TRUE(isOldAfter([&] { succeed(AttemptStore(ina).voidAttempt(facts.id, "device failed")); }));
+  EXPECT_EQ(member().attempts, 0);
+  EXPECT_EQ(member().changes, 4);
+}
+
+TEST_P(StoreAttempts, HostileTextsAreKeptAsTexts) {
+  const School school(rig->open());
+  const SignedIn anna = school.as(school.anna);
+  const std::vector<std::string> texts = {"'; DROP TABLE attempts; --",
+                                          "\"nosuch\"",
+                                          "\\'\\\\",
+                                          "?1 :a $1 %s {TEXT}",
+                                          "שלום\u202eعالم",
+                                          "💉\u0301",
+                                          "NULL",
+                                          "a\nb\r\n\tc",
+                                          std::string(1000, '\'')};
+  for (const std::string& text : texts) {
+    AttemptFacts facts = begunFacts();
+    facts.level = facts.caseName = text;
+    facts = keepAttempt(anna, facts);
+    EXPECT_EQ(valueOf(AttemptStore(anna).attempt(facts.id)).facts.level, text);
+    EXPECT_FALSE(AttemptStore(anna).attempt(text));
+    EXPECT_FALSE(AttemptStore(anna).history(text));
+    EXPECT_FALSE(AttemptStore(anna).attempt(facts.id + std::string("\0'", 2)));
+  }
+  EXPECT_EQ(valueOf(AttemptStore(anna).history(school.anna.id)).size(), texts.size());
+  EXPECT_TRUE(AuditLog(school.admin).verify()) << "refusals with such texts are in the log";
+}
+
+}  // namespace
+}  // namespace insonate::test
