@@ -1,0 +1,23 @@
+#pragma once
+
+#include <insonate/ui/Chart.h>
+
+#include <QColor>
+
+class QwtPlot;
+
+namespace insonate::ui {
+
+/// Colours of a chart, for the screen or for paper.
+struct ChartInk {
+  QColor ground, line, text, quiet, accent, good, caution, danger;
+
+  QColor of(ChartPicture::Tone tone) const;
+};
+ChartInk screenChartInk();
+ChartInk paperChartInk();
+
+/// Puts a picture into a plot, in place of what it showed.
+void fillPlot(QwtPlot& plot, const ChartPicture& picture, const ChartInk& ink);
+
+}  // namespace insonate::ui

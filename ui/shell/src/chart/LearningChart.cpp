@@ -1,0 +1,96 @@
+#include <insonate/curriculum/LearningCurve.h>
+#include <insonate/ui/LearningChart.h>
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <vector>
+
+namespace insonate::ui {
+namespace {
+
+constexpr int kWindow = 5;
+constexpr double kRoom = 1.05;
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("LearningChart", text);
+}
+
+using Tone = ChartPicture::Tone;
+
+void addExpertBand(ChartPicture& picture, const MetricMeaning& meaning, double attempts, double least, double most) {
+  if (!meaning.expert || meaning.better == MetricMeaning::Better::Neither) return;
+  const bool lower = meaning.better == MetricMeaning::Better::Lower;
+  const double edge = *meaning.expert;
+  const double low = lower ? std::min({0.0, least, edge}) : edge;
+  const double high = lower ? edge : std::max(most, edge) + (kRoom - 1) * std::max(std::abs(most), std::abs(edge));
+  picture.bands.push_back(
+      {tr("expert"), {{0.5, low}, {attempts + 0.5, low}}, {{0.5, high}, {attempts + 0.5, high}}, Tone::Good});
+}
+
+/// Attempts that tell a value, numbered without gaps, are what a curve is fitted to.
+bool addCurve(ChartPicture& picture, const std::vector<QPointF>& dots) {
+  std::vector<double> told;
+  for (const QPointF& dot : dots) told.push_back(dot.y());
+  const auto curve = fitLearningCurve(told);
+  if (!curve) return false;
+  ChartPicture::Line line{tr("learning curve"), {}, Tone::Accent, Qt::SolidLine};
+  ChartPicture::Band band{tr("95 % interval"), {}, {}, Tone::Accent};
+  for (std::size_t i = 0; i < dots.size(); ++i) {
+    const double attempt = double(i) + 1, x = dots[i].x();
+    const Interval interval = curve->bandAt(attempt);
+    line.points.emplace_back(x, curve->at(attempt));
+    band.low.emplace_back(x, interval.low), band.high.emplace_back(x, interval.high);
+  }
+  picture.bands.push_back(std::move(band));
+  picture.lines.push_back(std::move(line));
+  return true;
+}
+
+}  // namespace
+
+ChartPicture learningPicture(const MetricMeaning& meaning, std::span<const std::optional<double>> values) {
+  ChartPicture picture;
+  picture.title = QString::fromStdString(meaning.title);
+  picture.xTitle = tr("attempt");
+  picture.yTitle = QString::fromStdString(meaning.unit);
+  std::vector<QPointF> dots;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i]) dots.emplace_back(double(i) + 1, *values[i]);
+  if (dots.empty()) {
+    picture.words = values.empty() ? tr("n/a: no attempt counts yet.") : tr("n/a: no attempt tells this value.");
+    return picture;
+  }
+  const auto [least, most] = std::ranges::minmax_element(dots, {}, &QPointF::y);
+  addExpertBand(picture, meaning, double(values.size()), least->y(), most->y());
+  if (!addCurve(picture, dots)) {
+    ChartPicture::Line mean{tr("mean of the last %1").arg(kWindow), {}, Tone::Accent, Qt::DashLine};
+    const auto means = movingMean(values, kWindow);
+    for (std::size_t i = 0; i < means.size(); ++i)
+      if (means[i]) mean.points.emplace_back(double(i) + 1, *means[i]);
+    if (!mean.points.empty()) picture.lines.push_back(std::move(mean));
+  }
+  picture.lines.push_back({tr("attempts"), std::move(dots), Tone::Text, Qt::NoPen, true});
+  return picture;
+}
+
+ChartPicture cusumPicture(std::span<const double> scores, double limit) {
+  ChartPicture picture;
+  picture.title = tr("LC-CUSUM");
+  picture.xTitle = tr("attempt");
+  picture.yTitle = tr("score");
+  if (scores.empty()) {
+    picture.words = tr("n/a: no attempt of this level counts yet.");
+    return picture;
+  }
+  ChartPicture::Line line{tr("score"), {}, Tone::Accent, Qt::SolidLine, scores.size() <= 60};
+  for (std::size_t i = 0; i < scores.size(); ++i) line.points.emplace_back(double(i) + 1, scores[i]);
+  picture.lines.push_back(std::move(line));
+  picture.lines.push_back({tr("limit %1: able").arg(limit),
+                           {{1, limit}, {std::max(2.0, double(scores.size())), limit}},
+                           Tone::Good,
+                           Qt::DashLine});
+  picture.y = Interval{0, limit * kRoom};
+  return picture;
+}
+
+}  // namespace insonate::ui
