@@ -86,9 +86,9 @@ Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file) {
   auto procedure = rulesOf(file, recording->header());
   if (!procedure) return tl::unexpected(procedure.error());
   ProcedureRun run(std::move(*procedure), recording->header().picture);
-  const auto played = recording->play(
-      std::numeric_limits<std::int64_t>::max(),
-      [&](const AttemptRecording::Entry& entry) { std::visit([&](const auto& what) { run.take(what); }, entry); });
+  const auto played = recording->play(std::numeric_limits<std::int64_t>::max(), [&](const Stretch::Entry& entry) {
+    std::visit([&](const auto& what) { run.take(what); }, entry);
+  });
   if (!played) return tl::unexpected(played.error());
   AttemptFacts facts = beginningOf(recording->header());
   addEnding(facts, recording->status(), recording->end_us(), scoreOf(run));
