@@ -10,9 +10,18 @@
 
 namespace insonate::segmentation {
 
+template <class T>
+struct ResultOf {
+  using type = Result<T>;
+};
+template <class T>
+struct ResultOf<Result<T>> {
+  using type = Result<T>;
+};
+
 /// The result of `work`, a function that may be cancelled, run out of memory, or meet a library's exception.
 template <class Function>
-auto guarded(const Function& work) -> Result<decltype(work())> {
+auto guarded(const Function& work) -> typename ResultOf<decltype(work())>::type {
   try {
     return work();
   } catch (const Cancelled&) {

@@ -42,6 +42,9 @@ class SeedFront {
     }
   }
 
+  /// Of a voxel, after the run; the greatest number where none has reached it.
+  std::uint32_t cost(std::size_t v) const { return cost_[v]; }
+
  private:
   static constexpr std::uint32_t kFar = std::numeric_limits<std::uint32_t>::max();
   static constexpr std::size_t kCheck = 1 << 18;

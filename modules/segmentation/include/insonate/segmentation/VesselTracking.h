@@ -1,0 +1,45 @@
+#pragma once
+
+#include <insonate/core/Progress.h>
+#include <insonate/core/Result.h>
+#include <insonate/segmentation/CentreLine.h>
+#include <insonate/segmentation/Region.h>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace insonate {
+
+struct VesselTracking {
+  double largest_mm = 12;     ///< no wall is looked for farther from the middle; 2 to 30
+  double smoothing_mm = 0.6;  ///< standard deviation of the blur of the CT before; 0 to 3
+};
+
+/// A section square to a vessel, in the patient: the wall lies radius_mm[n] from the centre along
+/// right cos(a) + down sin(a), a = 2 pi n / kRays.
+struct VesselOutline {
+  static constexpr int kRays = 36;
+  Vec3 centre_mm, right, down;
+  std::array<double, kRays> radius_mm{};
+
+  double area_mm2() const;
+};
+
+struct TrackedVessel {
+  CentreLine line;                      ///< from the first to the last click
+  std::vector<VesselOutline> outlines;  ///< one for each point of the line
+  Selection lumen;
+};
+
+/// Follows a vessel filled with contrast agent between points that were clicked in it, in this order, and finds its
+/// wall in sections a millimetre apart. Each section takes the star-shaped outline that best parts what looks like
+/// the blood at the nearest clicks from what does not, be it darker (muscle, fat) or brighter (bone), and that changes
+/// little around the vessel and along it; so a vessel that touches bone, or another one, keeps its shape. The vessel
+/// ends flat at the first and last click.
+/// Refuses fewer than two clicks, clicks beside the CT, and clicks whose blood is as dark as what surrounds it, since
+/// there is no wall to be seen then; fails when cancelled.
+Result<TrackedVessel> trackVessel(const CtVolume& ct, std::span<const Vec3> clicks_mm, const VesselTracking& how = {},
+                                  const Progress& progress = {});
+
+}  // namespace insonate

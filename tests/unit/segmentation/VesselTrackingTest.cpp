@@ -1,0 +1,100 @@
+#include "ToolGrids.h"
+
+#include <insonate/core/Hash.h>
+#include <insonate/segmentation/VesselTracking.h>
+
+#include <gmock/gmock.h>
+
+namespace insonate {
+namespace {
+
+using test::difference;
+using testing::HasSubstr;
+
+/// A vessel that bends through the grid, a vertebra that touches it on one side along its whole way, and a brighter
+/// vessel that touches it on the other.
+class VesselsOnGrids : public test::OnGrids {
+ protected:
+  static constexpr double kRadius_mm = 4;
+
+  static Vec3 middle(double z) { return {3 * std::sin(z / 14), 2 * std::cos(z / 11) - 1, z}; }
+  static double fromMiddle_mm(Vec3 p) {
+    double least = 1e9;
+    for (double z = p.z - 8; z <= p.z + 8; z += 0.25) least = std::min(least, norm(p - middle(z)));
+    return least;
+  }
+  Selection vessel() const {
+    return shape([](Vec3 p) { return std::abs(p.z) <= 14 && fromMiddle_mm(p) <= kRadius_mm; });
+  }
+  CtVolume ct(double blood_HU, double noise_HU) const {
+    CtVolume ct(grid());
+    const Selection blood = shape([](Vec3 p) { return fromMiddle_mm(p) <= kRadius_mm; });
+    const Selection bone = shape([](Vec3 p) { return p.x > middle(p.z).x + kRadius_mm - 0.5; });
+    const Selection other =
+        shape([](Vec3 p) { return std::hypot(p.x - middle(p.z).x + 9, p.y - middle(p.z).y) < 5.2; });
+    for (std::size_t v = 0; v < ct.voxels.size(); ++v) {
+      const double u = unitInterval(hashNode(int(v), 1, 2, 3)) + unitInterval(hashNode(int(v), 5, 6, 7)) - 1;
+      const double hu = blood.mask.voxels[v]   ? blood_HU
+                        : bone.mask.voxels[v]  ? 650
+                        : other.mask.voxels[v] ? blood_HU + 90
+                                               : 55;
+      ct.voxels[v] = static_cast<std::int16_t>(std::lround(hu + noise_HU * 2.45 * u));
+    }
+    return ct;
+  }
+  double dice(const Selection& a, const Selection& b) const {
+    return 1 - double(difference(a, b)) / double(a.count() + b.count());
+  }
+};
+INSONATE_ON_GRIDS(VesselsOnGrids);
+
+TEST_P(VesselsOnGrids, TwoClicksFindAVesselBetweenBoneAndAnotherVessel) {
+  const auto tracked = trackVessel(ct(200, 15), std::array{middle(-14), middle(14)});
+  ASSERT_TRUE(tracked) << tracked.error().message;
+  const Vec3& s = grid().spacing_mm;
+  EXPECT_GT(dice(tracked->lumen, vessel()), std::max({s.x, s.y, s.z}) > 1.5 ? 0.85 : 0.9);
+  ASSERT_EQ(tracked->line.size(), tracked->outlines.size());
+  for (const Vec3& p : tracked->line) EXPECT_LT(fromMiddle_mm(p), 0.8) << p.x << ' ' << p.y << ' ' << p.z;
+  EXPECT_LT(norm(tracked->line.front() - middle(-14)), 2.0);
+  EXPECT_LT(norm(tracked->line.back() - middle(14)), 2.0);
+}
+
+TEST_P(VesselsOnGrids, ClicksNeedNotBeInTheMiddle) {
+  const Vec3 aside{-1.4, 0.9, 0};
+  const auto tracked = trackVessel(ct(200, 15), std::array{middle(-14) + aside, middle(0) - aside, middle(14) + aside});
+  ASSERT_TRUE(tracked) << tracked.error().message;
+  const Vec3& s = grid().spacing_mm;
+  EXPECT_GT(dice(tracked->lumen, vessel()), std::max({s.x, s.y, s.z}) > 1.5 ? 0.83 : 0.88);
+}
+
+TEST_P(VesselsOnGrids, OutlinesHaveTheVesselsArea) {
+  const auto tracked = trackVessel(ct(200, 5), std::array{middle(-14), middle(14)});
+  ASSERT_TRUE(tracked);
+  const VesselOutline& half = tracked->outlines[tracked->outlines.size() / 2];
+  EXPECT_NEAR(half.area_mm2(), 50.3, 10) << "pi 4^2";
+  EXPECT_NEAR(norm(half.right), 1, 1e-9);
+  EXPECT_NEAR(dot(half.right, half.down), 0, 1e-9);
+}
+
+TEST_P(VesselsOnGrids, WithoutContrastThereIsNoWallToBeSeen) {
+  const auto refused = trackVessel(ct(60, 5), std::array{middle(-14), middle(14)});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("no contrast between vessel and tissue"));
+}
+
+TEST(VesselTracking, RefusesOneClickAndClicksBesideTheCt) {
+  const CtVolume ct(test::toolGrids()[0].geometry);
+  EXPECT_THAT(trackVessel(ct, std::array{Vec3{}}).error().message, HasSubstr("two clicks or more"));
+  EXPECT_THAT(trackVessel(ct, std::array{Vec3{}, Vec3{0, 0, 500}}).error().message, HasSubstr("beside the CT"));
+}
+
+TEST(VesselTracking, TwoClicksOnOnePointAreNoVesselButDoNoHarm) {
+  CtVolume ct(test::toolGrids()[0].geometry, 50);
+  for (std::size_t v = ct.voxels.size() / 2 - 2000; v < ct.voxels.size() / 2 + 2000; ++v) ct.voxels[v] = 300;
+  const auto tracked = trackVessel(ct, std::array{Vec3{}, Vec3{}});
+  ASSERT_FALSE(tracked);
+  EXPECT_THAT(tracked.error().message, HasSubstr("nearly on one point"));
+}
+
+}  // namespace
+}  // namespace insonate
