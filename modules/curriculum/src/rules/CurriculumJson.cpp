@@ -1,0 +1,188 @@
+#include "LevelOrder.h"
+#include "PlainName.h"
+
+#include <insonate/core/JsonEntry.h>
+#include <insonate/core/Preset.h>
+#include <insonate/core/Words.h>
+#include <insonate/curriculum/Curriculum.h>
+#include <insonate/embedded/curricula.h>
+
+#include <nlohmann/json.hpp>
+
+#include <limits>
+
+namespace insonate {
+namespace {
+
+using nlohmann::json;
+
+/// In the order of Assistance.
+const std::vector<std::string_view> kAssistances{"guided", "hints", "test"};
+
+MetricStandard readStandard(const json& object, const std::string& where, std::string& trouble) {
+  constexpr double kAny = std::numeric_limits<float>::max();
+  JsonEntry entry(object, where, {"metric", "version", "least", "most", "otherwise", "source"});
+  MetricStandard standard;
+  standard.metric = entry.text("metric");
+  standard.version = entry.wholeIfThere("version", 1, 1'000'000).value_or(1);
+  standard.least = entry.numberIfThere("least", -kAny, kAny), standard.most = entry.numberIfThere("most", -kAny, kAny);
+  if (standard.least.has_value() == standard.most.has_value()) entry.refuse("needs one of 'least' and 'most'.");
+  standard.otherwise = entry.text("otherwise"), standard.source = entry.text("source", false);
+  trouble = entry.trouble();
+  return standard;
+}
+
+PassRule readPass(const json& object, const std::string& where, std::string& trouble) {
+  JsonEntry entry(object, where + ", pass,", {"leastPoints", "standards", "mastery_percent"});
+  PassRule rule;
+  rule.leastPoints = entry.numberIfThere("leastPoints", 0, 100);
+  rule.mastery_percent = entry.numberIfThere("mastery_percent", 1, 100).value_or(100);
+  rule.standards = entry.list("standards", where + ", standard", readStandard);
+  trouble = entry.trouble();
+  return rule;
+}
+
+CusumRule readCusum(const json& object, const std::string& where, std::string& trouble) {
+  JsonEntry entry(object, where + ", cusum,", {"acceptable", "unacceptable", "limit"});
+  CusumRule rule{entry.number("acceptable", 0.001, 0.999), entry.number("unacceptable", 0.001, 0.999),
+                 entry.number("limit", 0.01, 100)};
+  if (entry.trouble().empty() && rule.acceptable >= rule.unacceptable)
+    entry.refuse("needs a rate of failure as 'acceptable' that is below the 'unacceptable' one.");
+  trouble = entry.trouble();
+  return rule;
+}
+
+FailureRule readFailures(const json& object, const std::string& where, std::string& trouble) {
+  JsonEntry entry(object, where + ", lapsesAfter,", {"failures", "within"});
+  FailureRule rule{entry.whole("failures", 1, 1000), entry.whole("within", 1, 1000)};
+  if (entry.trouble().empty() && rule.failures > rule.within)
+    entry.refuse("asks for more 'failures' than there are attempts in 'within'; it would never lapse.");
+  trouble = entry.trouble();
+  return rule;
+}
+
+MasteryRule readMastery(const json& object, const std::string& where, std::string& trouble) {
+  JsonEntry entry(object, where + ", mastery,", {"passesInARow", "cusum", "lapsesAfter_days", "lapsesAfter", "source"});
+  MasteryRule rule;
+  rule.passesInARow = entry.whole("passesInARow", 1, 100);
+  rule.lapsesAfter_days = entry.wholeIfThere("lapsesAfter_days", 1, 36'500);
+  rule.source = entry.text("source", false);
+  trouble = entry.trouble();
+  if (trouble.empty() && entry.has("cusum")) rule.cusum = readCusum(entry.object("cusum"), where, trouble);
+  if (trouble.empty() && entry.has("lapsesAfter"))
+    rule.lapsesAfter = readFailures(entry.object("lapsesAfter"), where, trouble);
+  return rule;
+}
+
+Level readLevel(const json& object, const std::string& where, std::string& trouble) {
+  JsonEntry entry(
+      object, where,
+      {"name", "title", "about", "case", "procedure", "position", "assistance", "prerequisites", "pass", "mastery"});
+  Level level;
+  level.name = entry.text("name"), level.title = entry.text("title"), level.about = entry.text("about");
+  level.caseName = entry.text("case"), level.procedure = entry.text("procedure");
+  level.position = entry.text("position", false);
+  level.assistance = static_cast<Assistance>(entry.word("assistance", kAssistances));
+  level.prerequisites = entry.texts("prerequisites");
+  if (!level.name.empty() && !isPlainName(level.name)) entry.refuse(kPlainNameSentence);
+  const json &pass = entry.object("pass"), &mastery = entry.object("mastery");
+  trouble = entry.trouble();
+  if (trouble.empty()) level.pass = readPass(pass, where, trouble);
+  if (trouble.empty()) level.mastery = readMastery(mastery, where, trouble);
+  return level;
+}
+
+template <class T>
+void put(nlohmann::ordered_json& object, const char* key, const std::optional<T>& value) {
+  if (value) object[key] = *value;
+}
+
+void put(nlohmann::ordered_json& object, const char* key, const std::string& value) {
+  if (!value.empty()) object[key] = value;
+}
+
+nlohmann::ordered_json written(const PassRule& rule) {
+  nlohmann::ordered_json object = nlohmann::ordered_json::object();
+  put(object, "leastPoints", rule.leastPoints);
+  object["mastery_percent"] = rule.mastery_percent;
+  object["standards"] = nlohmann::ordered_json::array();
+  for (const MetricStandard& standard : rule.standards) {
+    nlohmann::ordered_json entry{{"metric", standard.metric}, {"version", standard.version}};
+    put(entry, "least", standard.least), put(entry, "most", standard.most);
+    put(entry, "otherwise", standard.otherwise), put(entry, "source", standard.source);
+    object["standards"].push_back(std::move(entry));
+  }
+  return object;
+}
+
+nlohmann::ordered_json written(const MasteryRule& rule) {
+  nlohmann::ordered_json object{{"passesInARow", rule.passesInARow}};
+  if (const auto& cusum = rule.cusum)
+    object["cusum"] = {
+        {"acceptable", cusum->acceptable}, {"unacceptable", cusum->unacceptable}, {"limit", cusum->limit}};
+  put(object, "lapsesAfter_days", rule.lapsesAfter_days);
+  if (const auto& lapse = rule.lapsesAfter)
+    object["lapsesAfter"] = {{"failures", lapse->failures}, {"within", lapse->within}};
+  put(object, "source", rule.source);
+  return object;
+}
+
+nlohmann::ordered_json written(const Level& level) {
+  nlohmann::ordered_json object{{"name", level.name},
+                                {"title", level.title},
+                                {"about", level.about},
+                                {"case", level.caseName},
+                                {"procedure", level.procedure}};
+  put(object, "position", level.position);
+  object["assistance"] = kAssistances[static_cast<std::size_t>(level.assistance)];
+  object["prerequisites"] = level.prerequisites;
+  object["pass"] = written(level.pass), object["mastery"] = written(level.mastery);
+  return object;
+}
+
+}  // namespace
+
+std::vector<std::string> curriculumPresetNames() {
+  return namesOf(presetsOf(embedded::curricula::files()));
+}
+
+Result<Curriculum> parseCurriculum(std::string_view text) {
+  json object;
+  try {
+    object = json::parse(text);
+  } catch (const json::exception& e) {
+    return fail("The curriculum is not JSON: " + jsonTrouble(e.what()));
+  }
+  JsonEntry file(object, "The curriculum", {"name", "title", "about", "version", "levels"});
+  Curriculum curriculum;
+  curriculum.name = file.text("name"), curriculum.title = file.text("title");
+  curriculum.about = file.text("about", false);
+  curriculum.version = file.whole("version", 1, 1'000'000);
+  if (!curriculum.name.empty() && !isPlainName(curriculum.name)) file.refuse(kPlainNameSentence);
+  curriculum.levels = file.list("levels", "level", readLevel);
+  if (curriculum.levels.empty()) file.refuse("has no levels; list at least one under 'levels'.");
+  if (!file.trouble().empty()) return fail(file.trouble());
+  auto ordered = inOrderOfLearning(std::move(curriculum.levels));
+  if (!ordered) return fail("The curriculum cannot be used: " + ordered.error().message);
+  curriculum.levels = std::move(*ordered);
+  return curriculum;
+}
+
+Result<Curriculum> loadCurriculum(std::string_view nameOrPath) {
+  const auto file = presetOrFile("a curriculum", nameOrPath, presetsOf(embedded::curricula::files()));
+  if (!file) return tl::unexpected(file.error());
+  auto curriculum = parseCurriculum(file->text);
+  if (!curriculum) return fail(file->where + curriculum.error().message);
+  return curriculum;
+}
+
+std::string curriculumText(const Curriculum& curriculum) {
+  nlohmann::ordered_json object{{"name", curriculum.name}, {"title", curriculum.title}};
+  put(object, "about", curriculum.about);
+  object["version"] = curriculum.version;
+  object["levels"] = nlohmann::ordered_json::array();
+  for (const Level& level : curriculum.levels) object["levels"].push_back(written(level));
+  return object.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace insonate

@@ -1,0 +1,90 @@
+#include <insonate/curriculum/Judgement.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace insonate {
+namespace {
+
+/// procedure/AttemptMetrics.h: punctures of the skin.
+constexpr std::string_view kSkinPunctures = "passes";
+
+bool isMet(const MetricStandard& standard, std::optional<double> value) {
+  if (!value || !std::isfinite(*value)) return false;
+  return standard.least ? *value >= *standard.least : *value <= standard.most.value_or(*value);
+}
+
+std::string shown(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+std::string reasonOf(const MetricStandard& standard, std::optional<double> value) {
+  const std::string limit = standard.least ? "at least " + shown(*standard.least) : "at most " + shown(*standard.most);
+  return standard.otherwise + " (" + (value ? shown(*value) : "not measured") + ", " + limit + ")";
+}
+
+/// "" where there is nothing worse than standards or points.
+std::string graveReason(const AttemptFacts& attempt) {
+  if (attempt.criticalErrors == 1) return "there was a critical error";
+  if (attempt.criticalErrors > 1) return "there were " + std::to_string(attempt.criticalErrors) + " critical errors";
+  if (attempt.state != AttemptState::Completed) return "it was given up with the needle in the skin";
+  return attempt.succeeded ? "" : "it did not succeed";
+}
+
+/// Of the first standard that is missed, and how many others are.
+std::string standardsReason(const PassRule& rule, const AttemptFacts& attempt, const Judgement& judgement) {
+  const auto missed =
+      static_cast<std::size_t>(std::ranges::find(judgement.standardsMet, false) - judgement.standardsMet.begin());
+  if (missed == rule.standards.size()) return {};
+  const MetricStandard& standard = rule.standards[missed];
+  std::string reason = reasonOf(standard, valueOf(attempt, standard.metric, standard.version));
+  const int others = static_cast<int>(rule.standards.size()) - judgement.met - 1;
+  if (others == 1) reason += " and one more standard was missed";
+  if (others > 1) reason += " and " + std::to_string(others) + " more standards were missed";
+  return reason;
+}
+
+}  // namespace
+
+double Judgement::percentMet() const {
+  return standardsMet.empty() ? 100 : 100.0 * met / static_cast<double>(standardsMet.size());
+}
+
+std::optional<double> valueOf(const AttemptFacts& attempt, std::string_view metric, int version) {
+  for (const MetricFact& fact : attempt.metrics)
+    if (fact.id == metric && fact.version == version) return fact.value;
+  return std::nullopt;
+}
+
+bool counts(const AttemptFacts& attempt) {
+  if (attempt.state == AttemptState::Completed) return true;
+  const auto inSkin = [](const MetricFact& fact) { return fact.id == kSkinPunctures && fact.value.value_or(0) > 0; };
+  return attempt.state == AttemptState::Abandoned && std::ranges::any_of(attempt.metrics, inSkin);
+}
+
+Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
+  Judgement judgement;
+  judgement.standardsMet.reserve(rule.standards.size());
+  for (const MetricStandard& standard : rule.standards) {
+    judgement.standardsMet.push_back(isMet(standard, valueOf(attempt, standard.metric, standard.version)));
+    judgement.met += judgement.standardsMet.back();
+  }
+  const bool pointsReached = !rule.leastPoints || (attempt.points && *attempt.points >= *rule.leastPoints);
+  judgement.passed = graveReason(attempt).empty() && pointsReached && judgement.percentMet() >= rule.mastery_percent;
+  return judgement;
+}
+
+std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt) {
+  const Judgement judgement = judge(rule, attempt);
+  if (judgement.passed) return {};
+  const std::string grave = graveReason(attempt), standards = standardsReason(rule, attempt, judgement);
+  if (!grave.empty()) return standards.empty() ? grave : grave + " and " + standards;
+  if (judgement.percentMet() < rule.mastery_percent) return standards;
+  return "it had " + (attempt.points ? shown(*attempt.points) : "no") + " points and " + shown(*rule.leastPoints) +
+         " are needed";
+}
+
+}  // namespace insonate

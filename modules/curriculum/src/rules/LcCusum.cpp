@@ -1,0 +1,75 @@
+#include <insonate/core/Hash.h>
+#include <insonate/curriculum/LcCusum.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+namespace insonate {
+namespace {
+
+/// The highest score of each career.
+std::vector<double> highestScores(const LcCusum& test, double failureRate, const CusumTrials& trials) {
+  // Standard distributions may differ between libraries; this engine's numbers may not.
+  std::mt19937 random(trials.seed);
+  const double success = test.successWeight(), failure = test.failureWeight();
+  std::vector<double> highest(static_cast<std::size_t>(std::max(trials.careers, 0)));
+  for (double& most : highest) {
+    double score = 0;
+    for (int i = 0; i < trials.trials; ++i) {
+      const bool failed = unitInterval(static_cast<std::uint32_t>(random())) < failureRate;
+      score = std::max(0.0, score + (failed ? failure : success));
+      most = std::max(most, score);
+    }
+  }
+  return highest;
+}
+
+}  // namespace
+
+double LcCusum::successWeight() const {
+  return std::log((1 - acceptable) / (1 - unacceptable));
+}
+
+double LcCusum::failureWeight() const {
+  return std::log(acceptable / unacceptable);
+}
+
+std::vector<double> LcCusum::series(const std::vector<bool>& successes) const {
+  std::vector<double> scores;
+  double score = 0;
+  for (const bool success : successes)
+    scores.push_back(score = std::max(0.0, score + (success ? successWeight() : failureWeight())));
+  return scores;
+}
+
+double signalRate(const LcCusum& test, double limit, double failureRate, const CusumTrials& trials) {
+  const std::vector<double> highest = highestScores(test, failureRate, trials);
+  const auto signals = std::ranges::count_if(highest, [&](double score) { return score >= limit; });
+  return highest.empty() ? 0 : static_cast<double>(signals) / static_cast<double>(highest.size());
+}
+
+Result<double> calibratedLimit(const LcCusum& test, double falseSignals, const CusumTrials& trials) {
+  if (!(test.acceptable > 0 && test.acceptable < test.unacceptable && test.unacceptable < 1))
+    return fail("LC-CUSUM needs rates of failure between 0 and 1, the acceptable one below the unacceptable one.");
+  if (!(falseSignals > 0 && falseSignals < 1))
+    return fail("The share of false signals must lie between 0 and 1, as 0.1.");
+  if (trials.trials < 1 || trials.careers < 1)
+    return fail("A limit is calibrated with at least one trial in at least one career.");
+  std::vector<double> highest = highestScores(test, test.unacceptable, trials);
+  std::ranges::sort(highest, std::greater());
+  const auto allowed = static_cast<std::size_t>(falseSignals * static_cast<double>(highest.size()));
+  // Scores are sums of few weights, so that many careers share one up to rounding: the limit goes between two of them.
+  constexpr double kSame = 1e-9;
+  const double held = highest[allowed];
+  double next = held + test.successWeight();
+  for (std::size_t i = allowed; i-- > 0;)
+    if (highest[i] > held + kSame) {
+      next = highest[i];
+      break;
+    }
+  return (held + next) / 2;
+}
+
+}  // namespace insonate

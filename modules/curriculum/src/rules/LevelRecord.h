@@ -1,0 +1,63 @@
+#pragma once
+
+#include <insonate/curriculum/AttemptFacts.h>
+#include <insonate/curriculum/Curriculum.h>
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+namespace insonate {
+
+inline constexpr std::int64_t kDay_us = 86'400'000'000;
+
+/// What the attempts at one level say by themselves, whatever its prerequisites. Fed in the order of arrival with times
+/// that do not fall.
+class LevelRecord {
+ public:
+  enum class Skill { Never, Mastered, Lapsed };
+  enum class Cause { Days, Failures };
+
+  explicit LevelRecord(const Level& level) : level_(&level) {}
+
+  /// An attempt here that counts; call practised() first.
+  void take(const AttemptFacts& attempt, std::int64_t time_us);
+  /// An attempt here or in a level that builds on this one: what lapsed until then has lapsed, then days count anew.
+  void practised(std::int64_t time_us);
+  void lapseByDays(std::int64_t time_us);
+
+  const Level& level() const { return *level_; }
+  Skill skill() const { return skill_; }
+  Cause cause() const { return cause_; }  ///< of a lapse
+  std::int64_t skillSince_us() const { return skillSince_us_; }
+  std::int64_t firstMastered_us() const { return firstMastered_us_; }
+  std::int64_t lastPractice_us() const { return lastPractice_us_; }
+  const AttemptFacts* last() const { return last_; }  ///< that counts
+
+  int attempts() const { return attempts_; }
+  int passes() const { return passes_; }
+  int passesInARow() const { return passesInARow_; }
+  bool lastPassed() const { return lastPassed_; }
+  int standardsMet() const { return standardsMet_; }
+  const std::vector<double>& cusum() const { return cusum_; }
+  bool cusumSignalled() const { return cusumSignalled_; }
+
+ private:
+  void followCusum(bool passed);
+  void followMastery(bool passed, std::int64_t time_us);
+  void lapse(Cause cause, std::int64_t time_us);
+
+  const Level* level_;
+  Skill skill_ = Skill::Never;
+  Cause cause_ = Cause::Days;
+  std::int64_t skillSince_us_ = 0, firstMastered_us_ = 0, lastPractice_us_ = 0;
+  const AttemptFacts* last_ = nullptr;
+  int attempts_ = 0, passes_ = 0, passesInARow_ = 0, standardsMet_ = 0;
+  bool lastPassed_ = false;
+  std::vector<double> cusum_;
+  bool cusumSignalled_ = false;
+  std::deque<bool> sinceMastery_;  ///< the last attempts of FailureRule::within
+};
+
+}  // namespace insonate

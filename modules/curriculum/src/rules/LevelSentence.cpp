@@ -1,0 +1,110 @@
+#include "LevelSentence.h"
+
+#include <insonate/curriculum/Judgement.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace insonate {
+namespace {
+
+std::string counted(std::int64_t number, const std::string& noun) {
+  return std::to_string(number) + " " + noun + (number == 1 ? "" : noun.ends_with("pass") ? "es" : "s");
+}
+
+std::string inARow(int passes) {
+  return passes == 1 ? "one pass" : counted(passes, "pass") + " in a row";
+}
+
+/// "2 of 3 passes in a row"
+std::string rowSoFar(const LevelRecord& record) {
+  const int needed = record.level().mastery.passesInARow;
+  if (record.passesInARow() >= needed) return inARow(record.passesInARow());
+  return needed == 1 ? "no pass yet" : std::to_string(record.passesInARow()) + " of " + inARow(needed);
+}
+
+std::string score(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", value);
+  return text;
+}
+
+/// "; the learning score (LC-CUSUM) is 1.27 of 2.50", where it is asked for.
+std::string cusumSoFar(const LevelRecord& record) {
+  const auto& rule = record.level().mastery.cusum;
+  if (!rule || record.cusum().empty()) return {};
+  return "; the learning score (LC-CUSUM) " +
+         (record.cusumSignalled() ? "has reached " + score(rule->limit)
+                                  : "is " + score(record.cusum().back()) + " of " + score(rule->limit));
+}
+
+std::string lastAttempt(const LevelRecord& record) {
+  if (!record.last()) return {};
+  if (record.lastPassed()) return "; the last attempt passed";
+  return "; the last attempt failed because " + reasonOfFailure(record.level().pass, *record.last());
+}
+
+std::string lockedSentence(const LevelRecord& record, const std::vector<Obstacle>& obstacles) {
+  std::string first, renewed;
+  for (const Obstacle& obstacle : obstacles) {
+    std::string& names = obstacle.lapsed ? renewed : first;
+    names += (names.empty() ? "'" : ", '") + obstacle.record->level().title + "'";
+    if (!obstacle.lapsed && obstacles.size() == 1) names += " (" + rowSoFar(*obstacle.record) + ")";
+  }
+  std::string text = "Locked: ";
+  if (!first.empty()) text += "master " + first + " first";
+  if (!renewed.empty()) text += (first.empty() ? "renew " : "; renew ") + renewed + " first, which lapsed";
+  if (record.passesInARow() > 0) text += "; " + inARow(record.passesInARow()) + " made here will count then";
+  return text + ".";
+}
+
+std::string openSentence(const LevelRecord& record) {
+  const MasteryRule& rule = record.level().mastery;
+  if (record.attempts() > 0) return "Open: " + rowSoFar(record) + cusumSoFar(record) + lastAttempt(record) + ".";
+  return "Open: no attempt counts yet; " + inARow(rule.passesInARow) +
+         (rule.passesInARow == 1 ? " masters" : " master") + " it" +
+         (rule.cusum ? ", with a learning score (LC-CUSUM) of " + score(rule.cusum->limit) : "") + ".";
+}
+
+std::string masteredSentence(const LevelRecord& record, std::int64_t now_us) {
+  std::string text = "Mastered: " + inARow(record.level().mastery.passesInARow) + cusumSoFar(record);
+  if (!record.lastPassed()) text += lastAttempt(record);
+  if (const auto& days = record.level().mastery.lapsesAfter_days)
+    text += "; it lapses after " + counted(*days, "day") + " without practice, " +
+            counted(*days - (now_us - record.lastPractice_us()) / kDay_us, "day") + " from now";
+  return text + ".";
+}
+
+std::string lapsedSentence(const LevelRecord& record, std::int64_t now_us) {
+  const MasteryRule& rule = record.level().mastery;
+  std::string text = "Lapsed: ";
+  if (record.cause() == LevelRecord::Cause::Failures)
+    text += counted(rule.lapsesAfter->failures, "failure") + " within " +
+            (rule.lapsesAfter->within == 1 ? "one attempt" : counted(rule.lapsesAfter->within, "attempt"));
+  else
+    text += "more than " + counted(*rule.lapsesAfter_days, "day") + " without practice";
+  const bool sinceThen = record.passesInARow() > 0 || record.lastPractice_us() >= record.skillSince_us();
+  if (!sinceThen) text += " (" + counted((now_us - record.lastPractice_us()) / kDay_us, "day") + ")";
+  text += "; " + inARow(rule.passesInARow) + (rule.passesInARow == 1 ? " renews" : " renew") + " it";
+  if (record.passesInARow() > 0) text += ", " + std::to_string(record.passesInARow()) + " so far";
+  return text + (record.lastPassed() ? "" : lastAttempt(record)) + ".";
+}
+
+}  // namespace
+
+std::string levelSentence(const LevelRecord& record, LevelState state, const std::vector<Obstacle>& obstacles,
+                          std::int64_t now_us) {
+  switch (state) {
+    case LevelState::Locked:
+      return lockedSentence(record, obstacles);
+    case LevelState::Open:
+      return openSentence(record);
+    case LevelState::Mastered:
+      return masteredSentence(record, now_us);
+    case LevelState::Lapsed:
+      break;
+  }
+  return lapsedSentence(record, now_us);
+}
+
+}  // namespace insonate

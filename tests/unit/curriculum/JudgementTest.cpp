@@ -1,0 +1,104 @@
+#include "AttemptMaker.h"
+
+#include <insonate/curriculum/Judgement.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace insonate {
+namespace {
+
+using test::failedAttempt;
+using test::passedAttempt;
+
+MetricStandard atMost(const std::string& metric, double most, const std::string& otherwise) {
+  return {metric, 1, std::nullopt, most, otherwise, ""};
+}
+
+AttemptFacts with(AttemptFacts attempt, const std::string& metric, std::optional<double> value, int version = 1) {
+  attempt.metrics.push_back({metric, version, value});
+  return attempt;
+}
+
+TEST(Judgement, AnAttemptWithoutRulesPassesBySucceeding) {
+  EXPECT_TRUE(judge({}, passedAttempt("a")).passed);
+  EXPECT_EQ(judge({}, passedAttempt("a")).percentMet(), 100);
+  EXPECT_FALSE(judge({}, failedAttempt("a")).passed);
+  AttemptFacts critical = passedAttempt("a");
+  critical.criticalErrors = 1;
+  EXPECT_FALSE(judge({}, critical).passed);
+  AttemptFacts abandoned = passedAttempt("a");
+  abandoned.state = AttemptState::Abandoned;
+  EXPECT_FALSE(judge({}, abandoned).passed);
+}
+
+TEST(Judgement, AMissingOrOtherValueDoesNotMeetAStandard) {
+  const PassRule rule{std::nullopt, {atMost("passes", 2, "too many")}, 100};
+  EXPECT_TRUE(judge(rule, with(passedAttempt("a"), "passes", 2)).passed);
+  EXPECT_FALSE(judge(rule, with(passedAttempt("a"), "passes", 3)).passed);
+  EXPECT_FALSE(judge(rule, passedAttempt("a")).passed);
+  EXPECT_FALSE(judge(rule, with(passedAttempt("a"), "passes", std::nullopt)).passed);
+  EXPECT_FALSE(judge(rule, with(passedAttempt("a"), "passes", std::numeric_limits<double>::quiet_NaN())).passed);
+  EXPECT_FALSE(judge(rule, with(passedAttempt("a"), "passes", 1, 2)).passed);
+}
+
+TEST(Judgement, MasteryPercentageLetsSomeStandardsBeMissed) {
+  PassRule rule;
+  for (int i = 0; i < 9; ++i) rule.standards.push_back(atMost("m" + std::to_string(i), 0, "m"));
+  AttemptFacts attempt = passedAttempt("a");
+  for (int i = 0; i < 8; ++i) attempt = with(attempt, "m" + std::to_string(i), 0);
+  rule.mastery_percent = 88;  // 8 of 9 are 88.9 %
+  EXPECT_TRUE(judge(rule, attempt).passed);
+  EXPECT_EQ(judge(rule, attempt).met, 8);
+  rule.mastery_percent = 89;
+  EXPECT_FALSE(judge(rule, attempt).passed);
+}
+
+TEST(Judgement, LeastPointsAreReachedByPointsThatAreThere) {
+  const PassRule rule{60.0, {}, 100};
+  AttemptFacts attempt = passedAttempt("a");
+  EXPECT_EQ(reasonOfFailure(rule, attempt), "it had no points and 60 are needed");
+  attempt.points = 59.5;
+  EXPECT_EQ(reasonOfFailure(rule, attempt), "it had 59.5 points and 60 are needed");
+  attempt.points = 60;
+  EXPECT_EQ(reasonOfFailure(rule, attempt), "");
+}
+
+TEST(Judgement, TheReasonIsTheWorstOne) {
+  const PassRule rule{std::nullopt,
+                      {atMost("artery_punctures", 0, "the artery was punctured"), atMost("passes", 2, "many passes"),
+                       atMost("used_needle_insertions", 0, "a used needle was put in again")},
+                      100};
+  AttemptFacts attempt = with(with(passedAttempt("a"), "artery_punctures", 1), "passes", 2);
+  attempt = with(attempt, "used_needle_insertions", 0);
+  EXPECT_EQ(reasonOfFailure(rule, attempt), "the artery was punctured (1, at most 0)");
+  attempt.criticalErrors = 1;
+  EXPECT_EQ(reasonOfFailure(rule, attempt), "there was a critical error and the artery was punctured (1, at most 0)");
+  attempt.metrics[1].value = 5;
+  EXPECT_EQ(reasonOfFailure(rule, attempt),
+            "there was a critical error and the artery was punctured (1, at most 0) and one more standard was missed");
+  attempt.criticalErrors = 2, attempt.metrics.clear();
+  EXPECT_EQ(reasonOfFailure(rule, attempt),
+            "there were 2 critical errors and the artery was punctured (not measured, at most 0) and 2 more standards "
+            "were missed");
+  EXPECT_EQ(reasonOfFailure({}, failedAttempt("a")), "it did not succeed");
+}
+
+TEST(Judgement, WhatTellsNothingOfTheTraineeDoesNotCount) {
+  AttemptFacts attempt = passedAttempt("a");
+  EXPECT_TRUE(counts(attempt));
+  attempt.state = AttemptState::Open;
+  EXPECT_FALSE(counts(attempt));
+  attempt.state = AttemptState::Voided;
+  EXPECT_FALSE(counts(attempt));
+  attempt.state = AttemptState::Abandoned;
+  EXPECT_FALSE(counts(attempt));
+  EXPECT_FALSE(counts(with(attempt, "passes", 0)));
+  EXPECT_FALSE(counts(with(attempt, "passes", std::nullopt)));
+  EXPECT_TRUE(counts(with(attempt, "passes", 1)));
+  EXPECT_EQ(reasonOfFailure({}, with(attempt, "passes", 1)), "it was given up with the needle in the skin");
+}
+
+}  // namespace
+}  // namespace insonate
