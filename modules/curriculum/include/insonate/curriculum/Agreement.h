@@ -15,8 +15,8 @@ std::optional<double> agreement(std::span<const int> first, std::span<const int>
 enum class KappaWeights { None, Linear, Quadratic };
 
 /// Cohen's kappa of two raters, (po - pe) / (1 - pe) (Educ Psychol Meas 1960, 20:37; weighted: Psychol Bull 1968,
-/// 70:213). Grades are 0 to grades - 1, in order. None for nothing, unequal lengths, a grade outside, or where chance
-/// alone would agree always.
+/// 70:213). Grades are 0 to grades - 1, in order, 1000 at most. None for nothing, unequal lengths, a grade outside, or
+/// where chance alone would agree always.
 std::optional<double> cohenKappa(std::span<const int> first, std::span<const int> second, int grades,
                                  KappaWeights weights = KappaWeights::None);
 

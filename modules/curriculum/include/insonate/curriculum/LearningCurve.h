@@ -29,8 +29,8 @@ struct LearningCurve {
 };
 
 /// The curve with the least squares. None where it cannot be told apart from no learning or from learning without end:
-/// fewer than 6 values, one not finite, all alike, a rate at the edge of what so many attempts can show, or a gain
-/// whose 95 % interval holds 0.
+/// fewer than 6 values, one not finite, a rate at the edge of what so many attempts can show, or squares that an F test
+/// at 5 % does not tell from those about the mean.
 std::optional<LearningCurve> fitLearningCurve(LearningCurve::Shape shape, std::span<const double> values);
 /// Of the two shapes the one that fits better.
 std::optional<LearningCurve> fitLearningCurve(std::span<const double> values);

@@ -1,0 +1,81 @@
+#include <insonate/curriculum/Agreement.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace insonate {
+namespace {
+
+using Grades = std::vector<int>;
+using Ratings = std::vector<std::vector<double>>;
+
+/// Table 2 of Shrout and Fleiss 1979: six subjects, four judges.
+const Ratings kShroutAndFleiss{{9, 2, 5, 8}, {6, 1, 3, 2}, {8, 4, 6, 8}, {7, 1, 2, 6}, {10, 5, 6, 9}, {6, 2, 4, 7}};
+
+TEST(Agreement, IsTheShareOfPairsThatAreAlike) {
+  EXPECT_EQ(agreement(Grades{1, 2, 3, 4}, Grades{1, 2, 3, 5}), 0.75);
+  EXPECT_FALSE(agreement(Grades{}, Grades{}));
+  EXPECT_FALSE(agreement(Grades{1}, Grades{1, 2}));
+}
+
+TEST(Agreement, KappaOfATableOfTwoByTwo) {
+  // 20 yes-yes, 5 yes-no, 10 no-yes, 15 no-no: po = 35 / 50, pe = (25 * 30 + 25 * 20) / 2500 = 0.5, kappa = 0.4.
+  Grades first, second;
+  const auto add = [&](int count, int a, int b) {
+    first.insert(first.end(), static_cast<std::size_t>(count), a);
+    second.insert(second.end(), static_cast<std::size_t>(count), b);
+  };
+  add(20, 1, 1), add(5, 1, 0), add(10, 0, 1), add(15, 0, 0);
+  EXPECT_NEAR(*cohenKappa(first, second, 2), 0.4, 1e-12);
+  // Of two grades, all weights are the same.
+  EXPECT_NEAR(*cohenKappa(first, second, 2, KappaWeights::Quadratic), 0.4, 1e-12);
+}
+
+TEST(Agreement, WeightedKappaByHand) {
+  // Shares of grades 0, 1, 2: 1/4, 1/4, 1/2 and 1/4, 1/2, 1/4; one pair of four differs, by one grade.
+  const Grades first{0, 1, 2, 2}, second{0, 1, 1, 2};
+  // Expected differences: plain 1 - (1 + 2 + 2) / 16 = 11/16, linear 14/16, quadratic 20/16.
+  EXPECT_NEAR(*cohenKappa(first, second, 3), 1 - 4 / 11.0, 1e-12);
+  EXPECT_NEAR(*cohenKappa(first, second, 3, KappaWeights::Linear), 1 - 4 / 14.0, 1e-12);
+  EXPECT_NEAR(*cohenKappa(first, second, 3, KappaWeights::Quadratic), 0.8, 1e-12);
+}
+
+TEST(Agreement, KappaIsOneZeroOrMissing) {
+  EXPECT_EQ(cohenKappa(Grades{0, 1, 2}, Grades{0, 1, 2}, 3), 1);
+  EXPECT_NEAR(*cohenKappa(Grades{0, 0, 1, 1}, Grades{0, 1, 0, 1}, 2), 0, 1e-12);
+  EXPECT_FALSE(cohenKappa(Grades{1, 1}, Grades{1, 1}, 2));
+  EXPECT_FALSE(cohenKappa(Grades{1, 2}, Grades{1, 2}, 2));
+  EXPECT_FALSE(cohenKappa(Grades{-1}, Grades{0}, 2));
+  EXPECT_FALSE(cohenKappa(Grades{0}, Grades{0}, 2'000'000'000));
+}
+
+TEST(Agreement, IntraclassCorrelationOfThePublishedTable) {
+  // Mean squares 11.24 (subjects), 32.49 (judges), 1.02 (rest): (11.24 - 1.02) / (11.24 + 3.06 + 4 * 31.47 / 6) = 0.29.
+  const auto icc = intraclassCorrelation(kShroutAndFleiss);
+  ASSERT_TRUE(icc && icc->interval);
+  EXPECT_NEAR(icc->value, 0.29, 0.005);
+  // 0.02 to 0.76, as the package psych of R gives it for this table.
+  EXPECT_NEAR(icc->interval->low, 0.019, 0.0015);
+  EXPECT_NEAR(icc->interval->high, 0.761, 0.0015);
+}
+
+TEST(Agreement, IntraclassCorrelationOfEqualAndShiftedRaters) {
+  EXPECT_EQ(intraclassCorrelation({{1, 1}, {2, 2}, {3, 3}})->value, 1);
+  // One rater 1 higher: subjects 2 * 1 = 2, raters 1.5, rest 0: 2 / (2 + 2 * 1.5 / 3) = 2/3.
+  EXPECT_NEAR(intraclassCorrelation({{1, 2}, {2, 3}, {3, 4}})->value, 2 / 3.0, 1e-12);
+  EXPECT_FALSE(intraclassCorrelation({{1, 2}, {2, 3}, {3, 4}})->interval);
+}
+
+TEST(Agreement, WhereThereIsNothingThereIsNoValue) {
+  EXPECT_FALSE(intraclassCorrelation({}));
+  EXPECT_FALSE(intraclassCorrelation({{1, 2}}));
+  EXPECT_FALSE(intraclassCorrelation({{1}, {2}}));
+  EXPECT_FALSE(intraclassCorrelation({{1, 2}, {1}}));
+  EXPECT_FALSE(intraclassCorrelation({{3, 3}, {3, 3}}));
+  EXPECT_FALSE(intraclassCorrelation({{1, 2}, {1, std::numeric_limits<double>::infinity()}}));
+  EXPECT_FALSE(intraclassCorrelation(kShroutAndFleiss, 1));
+}
+
+}  // namespace
+}  // namespace insonate
