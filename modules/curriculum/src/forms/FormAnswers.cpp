@@ -1,0 +1,127 @@
+#include <insonate/core/Words.h>
+#include <insonate/curriculum/Form.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace insonate {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kLongestText = 10'000;
+
+const FormOption* optionOf(const FormItem& item, const FormAnswers::mapped_type& answer) {
+  const auto* name = std::get_if<std::string>(&answer);
+  const auto found = name ? std::ranges::find(item.options, *name, &FormOption::name) : item.options.end();
+  return found == item.options.end() ? nullptr : &*found;
+}
+
+std::string shown(double value) {
+  return json(value).dump();
+}
+
+std::string troubleOfNumber(const FormItem& item, const FormAnswers::mapped_type& answer) {
+  const auto* number = std::get_if<double>(&answer);
+  if (number && *number >= item.least && *number <= item.most) return {};
+  return "needs a number from " + shown(item.least) + " to " + shown(item.most) + ".";
+}
+
+std::string troubleOfText(const FormAnswers::mapped_type& answer) {
+  const auto* text = std::get_if<std::string>(&answer);
+  if (!text) return "needs a text.";
+  return text->size() <= kLongestText ? "" : "is too long; shorten it to " + std::to_string(kLongestText) + " bytes.";
+}
+
+std::string troubleOfChoice(const FormItem& item, const FormAnswers::mapped_type& answer) {
+  if (optionOf(item, answer)) return {};
+  std::vector<std::string_view> names;
+  for (const FormOption& option : item.options) names.push_back(option.name);
+  return "needs one of " + joinedWords(names) + ".";
+}
+
+/// What is wrong, after the item's title; "" where nothing is.
+std::string troubleOf(const FormItem& item, const FormAnswers& answers) {
+  const auto answer = answers.find(item.name);
+  if (answer == answers.end()) return item.needed ? "needs an answer." : "";
+  if (item.kind == FormItem::Kind::Number) return troubleOfNumber(item, answer->second);
+  return item.kind == FormItem::Kind::Text ? troubleOfText(answer->second) : troubleOfChoice(item, answer->second);
+}
+
+/// The points of the best option; none where the item is not scored.
+std::optional<double> mostOf(const FormItem& item) {
+  std::optional<double> most;
+  for (const FormOption& option : item.options)
+    if (option.points) most = std::max(most.value_or(*option.points), *option.points);
+  return most;
+}
+
+}  // namespace
+
+const FormItem* Form::item(std::string_view itemName) const {
+  for (const FormSection& section : sections)
+    for (const FormItem& item : section.items)
+      if (item.name == itemName) return &item;
+  return nullptr;
+}
+
+Result<FormAnswers> parseAnswers(std::string_view text) {
+  json object;
+  try {
+    object = json::parse(text);
+  } catch (const json::exception& e) {
+    return fail("The answers are not JSON: " + jsonTrouble(e.what()));
+  }
+  if (!object.is_object()) return fail("The answers must be an object { ... } of texts and numbers.");
+  FormAnswers answers;
+  for (const auto& [name, value] : object.items()) {
+    if (value.is_string())
+      answers.emplace(name, value.get<std::string>());
+    else if (value.is_number())
+      answers.emplace(name, value.get<double>());
+    else
+      return fail("The answer '" + name + "' must be a text or a number.");
+  }
+  return answers;
+}
+
+std::string answersText(const FormAnswers& answers) {
+  json object = json::object();
+  for (const auto& [name, answer] : answers) std::visit([&](const auto& value) { object[name] = value; }, answer);
+  return object.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+std::vector<AnswerTrouble> checkAnswers(const Form& form, const FormAnswers& answers) {
+  std::vector<AnswerTrouble> troubles;
+  for (const FormSection& section : form.sections)
+    for (const FormItem& item : section.items)
+      if (const std::string trouble = troubleOf(item, answers); !trouble.empty())
+        troubles.push_back({item.name, "'" + item.title + "' " + trouble});
+  for (const auto& [name, answer] : answers)
+    if (!form.item(name))
+      troubles.push_back({name, "'" + name + "' is not asked in '" + form.title + "'; leave it out."});
+  return troubles;
+}
+
+FormScore formScore(const Form& form, const FormAnswers& answers) {
+  FormScore score;
+  for (const FormSection& section : form.sections)
+    for (const FormItem& item : section.items) {
+      const auto most = mostOf(item);
+      if (!most) continue;
+      const auto answer = answers.find(item.name);
+      const FormOption* option = answer == answers.end() ? nullptr : optionOf(item, answer->second);
+      if (!option || !option->points) {
+        ++score.unscored;
+        continue;
+      }
+      ++score.scored;
+      score.points += *option->points, score.most += *most;
+    }
+  if (score.most > 0) score.percent = 100 * score.points / score.most;
+  return score;
+}
+
+}  // namespace insonate

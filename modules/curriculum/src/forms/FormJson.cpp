@@ -1,0 +1,131 @@
+#include "rules/PlainName.h"
+
+#include <insonate/core/JsonEntry.h>
+#include <insonate/core/Preset.h>
+#include <insonate/core/Words.h>
+#include <insonate/curriculum/Form.h>
+#include <insonate/embedded/forms.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace insonate {
+namespace {
+
+using nlohmann::json;
+
+/// In the order of Form::Purpose and FormItem::Kind.
+const std::vector<std::string_view> kPurposes{"questionnaire", "checklist", "rating"};
+const std::vector<std::string_view> kKinds{"choice", "number", "text"};
+
+/// Options that items share, by name.
+using OptionSets = std::map<std::string, std::vector<FormOption>, std::less<>>;
+
+FormOption readOption(const json& object, const std::string& where, std::string& trouble) {
+  JsonEntry entry(object, where, {"name", "title", "points"});
+  FormOption option{entry.text("name"), entry.text("title"), entry.numberIfThere("points", -1000, 1000)};
+  trouble = entry.trouble();
+  return option;
+}
+
+void readScale(const json& object, const std::string& where, std::string& trouble, OptionSets& sets) {
+  JsonEntry entry(object, where, {"name", "options"});
+  const std::string name = entry.text("name");
+  sets[name] = entry.list("options", where + ", option", readOption);
+  trouble = entry.trouble();
+}
+
+void readChoice(JsonEntry& entry, FormItem& item, const OptionSets& sets) {
+  if (entry.has("scale") == entry.has("options")) return entry.refuse("needs one of 'scale' and 'options'.");
+  std::vector<std::string_view> names;
+  for (const auto& [name, options] : sets) names.push_back(name);
+  if (entry.has("scale")) {
+    const std::size_t chosen = entry.word("scale", names);
+    if (entry.trouble().empty()) item.options = sets.find(names[chosen])->second;
+  } else {
+    item.options = entry.list("options", entry.where() + ", option", readOption);
+  }
+  if (item.options.size() < 2) entry.refuse("offers fewer than two options to choose from.");
+}
+
+FormItem readItem(const json& object, const std::string& where, std::string& trouble, const OptionSets& sets) {
+  constexpr double kAny = std::numeric_limits<float>::max();
+  JsonEntry entry(object, where, {"name", "title", "about", "kind", "needed", "scale", "options", "least", "most"});
+  FormItem item;
+  item.name = entry.text("name"), item.title = entry.text("title"), item.about = entry.text("about", false);
+  if (!item.name.empty() && !isPlainName(item.name)) entry.refuse(kPlainNameSentence);
+  item.kind = static_cast<FormItem::Kind>(entry.word("kind", kKinds));
+  item.needed = entry.flag("needed");
+  if (item.kind == FormItem::Kind::Choice) readChoice(entry, item, sets);
+  if (item.kind == FormItem::Kind::Number)
+    item.least = entry.number("least", -kAny, kAny), item.most = entry.number("most", item.least, kAny);
+  trouble = entry.trouble();
+  return item;
+}
+
+FormSection readSection(const json& object, const std::string& where, std::string& trouble, const OptionSets& sets) {
+  JsonEntry entry(object, where, {"title", "about", "items"});
+  FormSection section{entry.text("title"), entry.text("about", false), {}};
+  section.items = entry.list("items", "item", [&](const json& item, const std::string& at, std::string& wrong) {
+    return readItem(item, at, wrong, sets);
+  });
+  trouble = entry.trouble();
+  return section;
+}
+
+/// Names tell items apart in a whole form.
+void refuseTwins(JsonEntry& file, const Form& form) {
+  std::set<std::string_view> names;
+  for (const FormSection& section : form.sections)
+    for (const FormItem& item : section.items)
+      if (!names.insert(item.name).second)
+        return file.refuse("cannot be used: item '" + item.name + "' is there twice; names tell them apart.");
+  if (names.empty()) file.refuse("asks nothing; list at least one item in one of its 'sections'.");
+}
+
+}  // namespace
+
+std::vector<std::string> formPresetNames() {
+  return namesOf(presetsOf(embedded::forms::files()));
+}
+
+Result<Form> parseForm(std::string_view text) {
+  json object;
+  try {
+    object = json::parse(text);
+  } catch (const json::exception& e) {
+    return fail("The form is not JSON: " + jsonTrouble(e.what()));
+  }
+  JsonEntry file(object, "The form", {"name", "title", "about", "source", "version", "purpose", "scales", "sections"});
+  Form form;
+  form.name = file.text("name"), form.title = file.text("title");
+  if (!form.name.empty() && !isPlainName(form.name)) file.refuse(kPlainNameSentence);
+  form.about = file.text("about", false), form.source = file.text("source", false);
+  form.version = file.whole("version", 1, 1'000'000);
+  form.purpose = static_cast<Form::Purpose>(file.word("purpose", kPurposes));
+  OptionSets sets;
+  file.list("scales", "scale", [&](const json& scale, const std::string& where, std::string& trouble) {
+    readScale(scale, where, trouble, sets);
+    return 0;
+  });
+  form.sections =
+      file.list("sections", "section", [&](const json& section, const std::string& where, std::string& trouble) {
+        return readSection(section, where, trouble, sets);
+      });
+  refuseTwins(file, form);
+  if (!file.trouble().empty()) return fail(file.trouble());
+  return form;
+}
+
+Result<Form> loadForm(std::string_view nameOrPath) {
+  const auto file = presetOrFile("a form", nameOrPath, presetsOf(embedded::forms::files()));
+  if (!file) return tl::unexpected(file.error());
+  auto form = parseForm(file->text);
+  if (!form) return fail(file->where + form.error().message);
+  return form;
+}
+
+}  // namespace insonate
