@@ -21,10 +21,11 @@ struct XapiSite {
 /// Experience API 1.0.3, one JSON text a statement; to be sent or written as they are.
 ///
 /// An attempt that ended passed or failed by its level's rule; one in free practice was completed; one that was given
-/// up was abandoned; one that was voided voids its statement. Open attempts, attempts of others and levels that the
-/// curriculum lacks are left out. Ids are UUIDs of version 5 made from the attempt's, so that what is sent twice is
-/// known to be the same. Nothing is null, what is missing is left out, a time outside the years 1 to 9999 too.
-/// Fails on a home page that is no absolute http address.
+/// up was abandoned; one that was voided voids its statement. Left out are attempts that do not count (Judgement.h),
+/// those of others, and those of other curricula or versions, since a statement must not change once it is sent. Ids
+/// are UUIDs of version 5 made from the attempt's, so that what is sent twice is known to be the same. Nothing is null,
+/// what is missing is left out, a time outside the years 1 to 9999 too. Fails on a home page that is no absolute http
+/// address.
 Result<std::vector<std::string>> xapiStatements(const XapiSite& site, const Curriculum& curriculum,
                                                 const Person& person, std::span<const AttemptFacts> attempts);
 

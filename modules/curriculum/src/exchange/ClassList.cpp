@@ -1,0 +1,152 @@
+#include "store/Texts.h"
+
+#include <insonate/curriculum/ClassList.h>
+#include <insonate/curriculum/Csv.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace insonate {
+namespace {
+
+using store::nameKey;
+
+std::string trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
+}
+
+std::string sentenceOf(int line, const std::string& what) {
+  return "Line " + std::to_string(line) + ": " + what;
+}
+
+/// Where in a row each thing is; none: there is no such column.
+struct Columns {
+  std::optional<std::size_t> first, last, full, email, userName, idNumber;
+};
+
+Columns columnsOf(const CsvRow& head) {
+  Columns columns;
+  const std::map<std::string, std::optional<std::size_t>*, std::less<>> known{
+      {"first name", &columns.first},  {"firstname", &columns.first},    {"last name", &columns.last},
+      {"lastname", &columns.last},     {"surname", &columns.last},       {"full name", &columns.full},
+      {"fullname", &columns.full},     {"name", &columns.full},          {"email address", &columns.email},
+      {"email", &columns.email},       {"e-mail", &columns.email},       {"e-mail address", &columns.email},
+      {"username", &columns.userName}, {"user name", &columns.userName}, {"id number", &columns.idNumber},
+      {"idnumber", &columns.idNumber}, {"id", &columns.idNumber}};
+  for (std::size_t i = 0; i < head.fields.size(); ++i)
+    if (const auto found = known.find(nameKey(trimmed(head.fields[i]))); found != known.end())
+      if (!*found->second) *found->second = i;
+  return columns;
+}
+
+std::string fieldOf(const CsvRow& row, std::optional<std::size_t> column) {
+  return column && *column < row.fields.size() ? trimmed(row.fields[*column]) : "";
+}
+
+NewPerson personOf(const CsvRow& row, const Columns& columns) {
+  NewPerson person;
+  person.fullName = fieldOf(row, columns.full);
+  if (person.fullName.empty())
+    person.fullName = trimmed(fieldOf(row, columns.first) + " " + fieldOf(row, columns.last));
+  person.email = fieldOf(row, columns.email);
+  for (const auto& column : {columns.userName, columns.idNumber, columns.email})
+    if (person.name.empty()) person.name = fieldOf(row, column);
+  return person;
+}
+
+/// "" where the line is fine by itself.
+std::string troubleOf(const CsvRow& row, std::size_t columns, const NewPerson& person) {
+  if (row.fields.size() > columns)
+    return "There are more fields than in the head line; put what holds commas into quotes.";
+  if (person.fullName.empty()) return "Nobody is named; fill in the name.";
+  if (person.name.empty())
+    return "There is neither user name nor ID number nor e-mail address; one is needed to sign in.";
+  for (const auto& fine : {store::checkTitle("The full name", person.fullName), store::checkEmail(person.email),
+                           store::checkSignInName(person.name)})
+    if (!fine) return fine.error().message;
+  return {};
+}
+
+/// Who is at an e-mail address or a name, whatever the case.
+class Directory {
+ public:
+  explicit Directory(std::span<const Person> people) {
+    for (const Person& person : people) {
+      if (!person.email.empty()) byEmail_.emplace(nameKey(person.email), &person);
+      byName_.emplace(nameKey(person.name), &person);
+    }
+  }
+
+  /// Puts an entry where it belongs.
+  void sort(const ClassListEntry& entry, ClassListMatch& match) const {
+    const auto refuse = [&](const std::string& why) {
+      match.troubles.push_back({entry.line, sentenceOf(entry.line, why)});
+    };
+    const std::string email = nameKey(entry.person.email);
+    if (byEmail_.count(email) > 1) return refuse("Several people have this e-mail address here; correct theirs first.");
+    const auto mail = byEmail_.find(email);
+    const auto name = byName_.find(nameKey(entry.person.name));
+    const Person* byMail = mail == byEmail_.end() ? nullptr : mail->second;
+    const Person* byName = name == byName_.end() ? nullptr : name->second;
+    if (byMail && byName && byMail != byName)
+      return refuse("This is the e-mail address of " + byMail->fullName + ", but the name '" + byName->name + "' of " +
+                    byName->fullName + "; correct one of them.");
+    if (!byMail && byName && !email.empty() && !byName->email.empty())
+      return refuse("This is the name '" + byName->name + "' of " + byName->fullName +
+                    ", who has another e-mail address; correct one of them.");
+    if (const Person* person = byMail ? byMail : byName)
+      match.known.push_back({entry, *person});
+    else
+      match.added.push_back(entry);
+  }
+
+ private:
+  std::multimap<std::string, const Person*> byEmail_;
+  std::map<std::string, const Person*> byName_;
+};
+
+}  // namespace
+
+Result<ClassList> parseClassList(std::string_view csv) {
+  const auto rows = parseCsv(csv);
+  if (!rows) return tl::unexpected(rows.error());
+  if (rows->empty()) return fail("The class list is empty; its first line names the columns.");
+  const Columns columns = columnsOf(rows->front());
+  if (!columns.full && !(columns.first && columns.last))
+    return fail(
+        "The class list names nobody: its first line needs \"First name\" and \"Last name\", or \"Full name\".");
+  if (!columns.email && !columns.userName && !columns.idNumber)
+    return fail(
+        "The class list has no way to tell people apart: its first line needs \"Email address\", \"Username\" "
+        "or \"ID number\".");
+  ClassList list;
+  std::map<std::string, int> lines;
+  for (const CsvRow& row : std::span(*rows).subspan(1)) {
+    const NewPerson person = personOf(row, columns);
+    std::string trouble = troubleOf(row, rows->front().fields.size(), person);
+    for (const std::string& key : {"name " + nameKey(person.name), "mail " + nameKey(person.email)}) {
+      if (!trouble.empty() || key == "mail ") continue;
+      if (const auto [twin, isNew] = lines.emplace(key, row.line); !isNew && twin->second != row.line)
+        trouble = "This is the same person as in line " + std::to_string(twin->second) + "; leave one out.";
+    }
+    if (trouble.empty())
+      list.entries.push_back({row.line, person});
+    else
+      list.troubles.push_back({row.line, sentenceOf(row.line, trouble)});
+  }
+  return list;
+}
+
+ClassListMatch matchClassList(const ClassList& list, std::span<const Person> people) {
+  ClassListMatch match;
+  match.troubles = list.troubles;
+  const Directory directory(people);
+  for (const ClassListEntry& entry : list.entries) directory.sort(entry, match);
+  std::ranges::stable_sort(match.troubles, {}, &ClassListTrouble::line);
+  return match;
+}
+
+}  // namespace insonate

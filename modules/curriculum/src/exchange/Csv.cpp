@@ -1,0 +1,137 @@
+#include "store/Texts.h"
+
+#include <insonate/curriculum/Csv.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace insonate {
+namespace {
+
+constexpr std::size_t kMostBytes = 64U << 20;
+
+char separatorOf(std::string_view text) {
+  constexpr std::string_view kSeparators = ",;\t";
+  std::array<int, kSeparators.size()> counts{};
+  bool quoted = false;
+  for (const char c : text) {
+    if (c == '"') quoted = !quoted;
+    if (!quoted && (c == '\n' || c == '\r')) break;
+    const auto found = kSeparators.find(c);
+    if (!quoted && found != std::string_view::npos) ++counts[found];
+  }
+  return kSeparators[static_cast<std::size_t>(std::ranges::max_element(counts) - counts.begin())];
+}
+
+class Reader {
+ public:
+  explicit Reader(std::string_view text) : text_(text), separator_(separatorOf(text)) {}
+
+  Result<std::vector<CsvRow>> rows() {
+    std::vector<CsvRow> rows;
+    while (at_ < text_.size()) {
+      CsvRow row{line_, {}};
+      do
+        if (auto field = readField())
+          row.fields.push_back(std::move(*field));
+        else
+          return tl::unexpected(field.error());
+      while (skipSeparator());
+      skipLineEnd();
+      if (row.fields.size() > 1 || !row.fields.front().empty()) rows.push_back(std::move(row));
+    }
+    return rows;
+  }
+
+ private:
+  bool isLineEnd() const { return text_[at_] == '\n' || text_[at_] == '\r'; }
+
+  Result<std::string> readField() {
+    if (at_ < text_.size() && text_[at_] == '"') return readQuoted();
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && text_[at_] != separator_ && !isLineEnd()) ++at_;
+    return std::string(text_.substr(begin, at_ - begin));
+  }
+
+  Result<std::string> readQuoted() {
+    const int begunAt = line_;
+    std::string field;
+    bool closed = false;
+    for (++at_; at_ < text_.size() && !closed; ++at_) {
+      closed = text_[at_] == '"' && !text_.substr(at_ + 1).starts_with('"');
+      if (closed) continue;
+      field += text_[at_];
+      at_ += text_[at_] == '"';
+    }
+    if (!closed) return fail("Line " + std::to_string(begunAt) + " opens a quote that is never closed.");
+    const auto breaks = std::ranges::count(field, '\n');
+    line_ += static_cast<int>(breaks > 0 ? breaks : std::ranges::count(field, '\r'));
+    if (at_ < text_.size() && text_[at_] != separator_ && !isLineEnd())
+      return fail("Line " + std::to_string(line_) +
+                  " has text after a closing quote; double the quotes that belong to the text.");
+    return field;
+  }
+
+  bool skipSeparator() {
+    if (at_ >= text_.size() || text_[at_] != separator_) return false;
+    ++at_;
+    return true;
+  }
+
+  void skipLineEnd() {
+    if (at_ >= text_.size()) return;
+    if (text_[at_] == '\r' && at_ + 1 < text_.size() && text_[at_ + 1] == '\n') ++at_;
+    ++at_, ++line_;
+  }
+
+  std::string_view text_;
+  char separator_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+};
+
+bool isNumber(const std::string& field) {
+  double value = 0;
+  const char* end = field.data() + field.size();
+  const auto [stop, error] = std::from_chars(field.data(), end, value);
+  return error == std::errc() && stop == end && std::isfinite(value);
+}
+
+std::string written(std::string field) {
+  constexpr std::string_view kFormula = "=+-@\t\r\n", kQuoted = ",;\t\"\r\n";
+  if (!field.empty() && kFormula.find(field.front()) != std::string_view::npos && !isNumber(field))
+    field.insert(0, "'");
+  if (field.find_first_of(kQuoted) == std::string::npos) return field;
+  std::string quoted = "\"";
+  for (const char c : field) quoted.append(c == '"' ? 2 : 1, c);
+  return quoted + "\"";
+}
+
+}  // namespace
+
+Result<std::vector<CsvRow>> parseCsv(std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  if (auto fine = store::checkText("The file", text, kMostBytes); !fine) return tl::unexpected(fine.error());
+  return Reader(text).rows();
+}
+
+std::string csvText(const std::vector<std::vector<std::string>>& rows) {
+  std::string text;
+  for (const std::vector<std::string>& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) text += (i ? "," : "") + written(row[i]);
+    text += "\r\n";
+  }
+  return text;
+}
+
+std::string csvNumber(std::optional<double> value) {
+  if (!value || !std::isfinite(*value)) return {};
+  std::array<char, 32> digits;
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), *value);
+  return {digits.data(), end};
+}
+
+}  // namespace insonate

@@ -1,0 +1,102 @@
+#include <insonate/curriculum/ClassList.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace insonate {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+ClassList listOf(const std::string& csv) {
+  const auto list = parseClassList(csv);
+  EXPECT_TRUE(list) << (list ? "" : list.error().message);
+  return list ? *list : ClassList{};
+}
+
+TEST(ClassList, IsReadAsMoodleExportsIt) {
+  const ClassList list = listOf(
+      "\xEF\xBB\xBF\"First name\",\"Last name\",\"ID number\",\"Email address\",Groups\r\n"
+      "Ada,Lovelace,M-17,Ada@example.org,\"A, B\"\r\n"
+      "Zo\xC3\xAB,\"van \"\"der\"\" Berg\",,zoe@example.org,\r\n");
+  EXPECT_TRUE(list.troubles.empty());
+  ASSERT_EQ(list.entries.size(), 2U);
+  EXPECT_EQ(list.entries[0].person.fullName, "Ada Lovelace");
+  EXPECT_EQ(list.entries[0].person.name, "M-17");
+  EXPECT_EQ(list.entries[0].person.email, "Ada@example.org");
+  EXPECT_EQ(list.entries[0].person.role, Role::Trainee);
+  EXPECT_EQ(list.entries[1].person.fullName, "Zo\xC3\xAB van \"der\" Berg");
+  EXPECT_EQ(list.entries[1].person.name, "zoe@example.org");
+  EXPECT_EQ(list.entries[1].line, 3);
+}
+
+TEST(ClassList, OtherHeadsAndSemicolonsAreReadToo) {
+  const ClassList list = listOf("USERNAME; full name ;e-mail\nada; Ada Lovelace ;\n");
+  ASSERT_EQ(list.entries.size(), 1U);
+  EXPECT_EQ(list.entries[0].person.name, "ada");
+  EXPECT_EQ(list.entries[0].person.fullName, "Ada Lovelace");
+  EXPECT_EQ(list.entries[0].person.email, "");
+}
+
+TEST(ClassList, EachWrongLineIsToldAndCostsItselfAlone) {
+  const ClassList list = listOf(
+      "name,email,username\n"
+      ",a@x.org,a\n"        // 2
+      "B,b at x.org,b\n"    // 3
+      "C,,\n"               // 4
+      "D,d@x.org,d d\n"     // 5
+      "E,e@x.org,e\n"       // 6
+      "F,E@X.org,f\n"       // 7: the e-mail of 6
+      "G,g@x.org,E\n"       // 8: the name of 6
+      "H,h@x.org,h,more\n"  // 9
+      "I,i@x.org,i\n");     // 10
+  std::vector<std::string> sentences;
+  for (const ClassListTrouble& trouble : list.troubles) sentences.push_back(trouble.sentence);
+  EXPECT_THAT(sentences,
+              ElementsAre(HasSubstr("Line 2: Nobody is named"), HasSubstr("Line 3: 'b at x.org' is no e-mail"),
+                          HasSubstr("Line 4: There is neither user name"), HasSubstr("Line 5: A name to sign in has"),
+                          HasSubstr("Line 7: This is the same person as in line 6"),
+                          HasSubstr("Line 8: This is the same person as in line 6"),
+                          HasSubstr("Line 9: There are more fields")));
+  ASSERT_EQ(list.entries.size(), 2U);
+  EXPECT_EQ(list.entries[0].line, 6);
+  EXPECT_EQ(list.entries[1].line, 10);
+}
+
+TEST(ClassList, WhatIsNoClassListIsRefused) {
+  EXPECT_THAT(parseClassList("").error().message, HasSubstr("is empty"));
+  EXPECT_THAT(parseClassList("email\na@x.org").error().message, HasSubstr("names nobody"));
+  EXPECT_THAT(parseClassList("First name,email\nA,a@x.org").error().message, HasSubstr("names nobody"));
+  EXPECT_THAT(parseClassList("name\nA").error().message, HasSubstr("no way to tell people apart"));
+  EXPECT_THAT(parseClassList("name,email\n\"A").error().message, HasSubstr("never closed"));
+}
+
+TEST(ClassList, PeopleAreFoundByMailOrName) {
+  const std::vector<Person> people{{"1", "ada", "Ada Lovelace", "ada@example.org"},
+                                   {"2", "bob", "Bob", ""},
+                                   {"3", "cyd", "Cyd", "cyd@example.org"},
+                                   {"4", "dee", "Dee", "same@example.org"},
+                                   {"5", "eve", "Eve", "same@example.org"}};
+  const ClassList list = listOf(
+      "name,username,email\n"
+      "A. Lovelace,al,ADA@example.org\n"  // 2: known by mail
+      "Bob,BOB,bob@example.org\n"         // 3: known by name, who has no mail yet
+      "Cyd,cyd,other@example.org\n"       // 4: another mail
+      "Dee,dee,same@example.org\n"        // 5: two people have it
+      "Cyd,ada,cyd@example.org\n"         // 6: the mail of one, the name of another
+      "New,new,new@example.org\n");       // 7
+  const ClassListMatch match = matchClassList(list, people);
+  ASSERT_EQ(match.known.size(), 2U);
+  EXPECT_EQ(match.known[0].person.id, "1");
+  EXPECT_EQ(match.known[1].person.id, "2");
+  ASSERT_EQ(match.added.size(), 1U);
+  EXPECT_EQ(match.added[0].person.name, "new");
+  ASSERT_EQ(match.troubles.size(), 3U);
+  EXPECT_THAT(match.troubles[0].sentence, HasSubstr("Line 4: This is the name 'cyd' of Cyd, who has another e-mail"));
+  EXPECT_THAT(match.troubles[1].sentence, HasSubstr("Line 5: Several people have this e-mail address"));
+  EXPECT_THAT(match.troubles[2].sentence, HasSubstr("of Cyd, but the name 'ada' of Ada Lovelace"));
+}
+
+}  // namespace
+}  // namespace insonate
