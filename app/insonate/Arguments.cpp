@@ -43,6 +43,10 @@ std::variant<Arguments, int> parseArguments(int argc, char** argv) {
           },
           "Size of the screenshot, e.g. 1600x1000")
       ->needs(shot);
+  parser.add_option(
+      "--database", a.database,
+      "Store of people and attempts: a file, or postgresql://USER@HOST/DATABASE; without it, the user's own");
+  parser.add_option("--as", a.person, "Sign in at once, with the password in INSONATE_PASSWORD");
   std::string benchmark;
   auto* bench =
       parser.add_option("--benchmark", benchmark,

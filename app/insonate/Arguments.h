@@ -11,6 +11,8 @@ struct Arguments {
   std::string workspace;             ///< empty for the one shown last
   std::filesystem::path screenshot;  ///< empty: no screenshot
   std::filesystem::path benchmark;   ///< folder for a table of speeds; empty: none
+  std::string database;              ///< empty: the user's own
+  std::string person;                ///< who signs in; empty: nobody
   bool quick = false;                ///< moments of benchmark instead of seconds
   bool untilImage = false;           ///< leave with the first live picture
   int width_px = 1600, height_px = 1000;

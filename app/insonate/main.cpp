@@ -6,6 +6,7 @@
 #include <insonate/prepare/PrepareWorkspace.h>
 #include <insonate/review/ReviewWorkspace.h>
 #include <insonate/train/TrainWorkspace.h>
+#include <insonate/ui/Account.h>
 #include <insonate/ui/CaseLoader.h>
 #include <insonate/ui/MainWindow.h>
 #include <insonate/ui/TaskBar.h>
@@ -61,7 +62,8 @@ int run(QApplication& application, const app::Arguments& arguments) {
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, ownSettings->path());
   }
   int status = 0;
-  ui::MainWindow window;
+  ui::MainWindow window(std::make_unique<ui::Account>(
+      arguments.database.empty() ? ui::usualStore() : QString::fromStdString(arguments.database)));
   addWorkspaces(window);
   window.showWorkspace(QStringLiteral("train"));
   window.restoreLayout();
@@ -107,9 +109,15 @@ int run(QApplication& application, const app::Arguments& arguments) {
         window, *window.findChild<train::TrainWorkspace*>(),
         app::BenchmarkPlan{arguments.benchmark, arguments.caseFolder, arguments.quick}, leave);
   // From within the event loop, which a failure may end.
-  QTimer::singleShot(0, &window, [&window, folder = QString::fromStdString(arguments.caseFolder)] {
+  const auto begin = [&window, folder = QString::fromStdString(arguments.caseFolder)] {
     folder.isEmpty() ? window.openTextbook() : window.open(folder);
-  });
+  };
+  if (arguments.person.empty())
+    QTimer::singleShot(0, &window, begin);
+  else
+    window.account().signIn(
+        QString::fromStdString(arguments.person), qEnvironmentVariable("INSONATE_PASSWORD"),
+        [begin, leave](const Result<void>& in) { in ? begin() : leave(QString::fromStdString(in.error().message)); });
   application.exec();
   return status;
 }

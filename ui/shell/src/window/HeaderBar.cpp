@@ -1,5 +1,7 @@
 #include "HeaderBar.h"
 
+#include "AccountMenu.h"
+
 #include <insonate/ui/Theme.h>
 
 #include <QButtonGroup>
@@ -11,6 +13,8 @@
 
 namespace insonate::ui {
 namespace {
+
+constexpr int kMostName_px = 180;
 
 QToolButton* menuButton(QMenu* menu, const char* iconName, const QString& text, const QString& name, const QString& tip,
                         const QKeySequence& keys) {
@@ -29,7 +33,7 @@ QToolButton* menuButton(QMenu* menu, const char* iconName, const QString& text, 
 
 }  // namespace
 
-HeaderBar::HeaderBar(QMenu* viewMenu, QMenu* caseMenu, QWidget* parent)
+HeaderBar::HeaderBar(QMenu* viewMenu, QMenu* caseMenu, AccountMenu* accountMenu, QWidget* parent)
     : QFrame(parent), tabs_(new QButtonGroup(this)), tabRow_(new QHBoxLayout), case_(new QLabel) {
   setRole(this, "header");
   auto* product = new QLabel(QStringLiteral("Insonate"));
@@ -51,6 +55,13 @@ HeaderBar::HeaderBar(QMenu* viewMenu, QMenu* caseMenu, QWidget* parent)
                             QKeySequence(QStringLiteral("Alt+V"))));
   row->addWidget(menuButton(caseMenu, "folder", tr("Case"), tr("Case menu"), tr("Open, import and save cases"),
                             QKeySequence(QStringLiteral("Alt+C"))));
+  auto* who = menuButton(accountMenu, "person", accountMenu->shortText(), tr("Account menu"),
+                         tr("Who sits here: sign in, sign out, password"), QKeySequence(QStringLiteral("Alt+U")));
+  row->addWidget(who);
+  connect(accountMenu, &AccountMenu::textChanged, who, [who, accountMenu] {
+    QString text = who->fontMetrics().elidedText(accountMenu->shortText(), Qt::ElideRight, kMostName_px);
+    who->setText(QLatin1Char(' ') + text.replace(QLatin1Char('&'), QStringLiteral("&&")));
+  });
   connect(tabs_, &QButtonGroup::idClicked, this, &HeaderBar::tabChosen);
 }
 

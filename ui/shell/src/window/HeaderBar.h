@@ -10,12 +10,14 @@ class QMenu;
 
 namespace insonate::ui {
 
-/// The line on top: the product's name, the workspaces, the case, and its menu.
+class AccountMenu;
+
+/// The line on top: the product's name, the workspaces, the case, its menu, and who sits there.
 class HeaderBar : public QFrame {
   Q_OBJECT
 
  public:
-  explicit HeaderBar(QMenu* viewMenu, QMenu* caseMenu, QWidget* parent = nullptr);
+  explicit HeaderBar(QMenu* viewMenu, QMenu* caseMenu, AccountMenu* accountMenu, QWidget* parent = nullptr);
 
   void addTab(const QString& title, const QString& iconName, const QString& keys);
   void setTab(int index);

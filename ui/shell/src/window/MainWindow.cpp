@@ -1,7 +1,9 @@
+#include "AccountMenu.h"
 #include "HeaderBar.h"
 #include "LossQuestion.h"
 #include "StatusStrip.h"
 
+#include <insonate/ui/Account.h>
 #include <insonate/ui/ErrorPanel.h>
 #include <insonate/ui/MainWindow.h>
 #include <insonate/ui/TaskBar.h>
@@ -26,11 +28,15 @@ const QString kWorkspace = QStringLiteral("window/workspace");
 
 }  // namespace
 
-MainWindow::MainWindow()
-    : menu_(new QMenu(this)),
+MainWindow::MainWindow() : MainWindow(std::make_unique<Account>()) {}
+
+MainWindow::MainWindow(std::unique_ptr<Account> account)
+    : account_(std::move(account)),
+      menu_(new QMenu(this)),
       recent_(new QMenu(tr("Recent"), this)),
       view_(new QMenu(this)),
-      header_(new HeaderBar(view_, menu_)),
+      accountMenu_(new AccountMenu(*account_, this)),
+      header_(new HeaderBar(view_, menu_, accountMenu_)),
       tasks_(new TaskBar),
       errors_(new ErrorPanel),
       stack_(new QStackedWidget),
@@ -47,6 +53,8 @@ MainWindow::MainWindow()
 MainWindow::~MainWindow() {
   // Hiding is news to a workspace, which comes when there is no window any more to be told.
   for (const Room& room : rooms_) room.workspace->disconnect(this);
+  // Workspaces may still have something to write down for who sits here.
+  delete takeCentralWidget();
 }
 
 void MainWindow::arrange() {
@@ -67,6 +75,8 @@ void MainWindow::arrange() {
 
 void MainWindow::connectAll() {
   connect(header_, &HeaderBar::tabChosen, this, &MainWindow::switchTo);
+  connect(account_.get(), &Account::changed, this, &MainWindow::readyChanged);
+  connect(accountMenu_, &AccountMenu::said, this, [this](const QString& sentence) { status_->say(sentence); });
   connect(status_, &StatusStrip::helpWanted, this, [this] { showHelp(false); });
   connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
   connect(view_, &QMenu::aboutToShow, this, &MainWindow::fillView);
@@ -95,6 +105,7 @@ void MainWindow::addWorkspace(const QString& id, const QString& title, const QSt
   const QString keys = QStringLiteral("Ctrl+%1").arg(index + 1);
   rooms_.push_back({id, title, workspace});
   workspace->setTasks(*tasks_);
+  workspace->setAccount(*account_);
   connect(workspace, &Workspace::written, this,
           [this](const QString& sentence, const QString& folder) { status_->say(sentence, folder); });
   stack_->addWidget(workspace);
@@ -150,6 +161,10 @@ void MainWindow::updateStatus() {
 
 bool MainWindow::isReady() const {
   return case_.patient && !tasks_->isRunning() && currentWorkspace() && currentWorkspace()->isReady();
+}
+
+bool MainWindow::isComplete() const {
+  return isReady() && account_->state() != Account::State::Opening && currentWorkspace()->isComplete();
 }
 
 void MainWindow::fail(const QString& what, const QString& advice, const QString& details) {

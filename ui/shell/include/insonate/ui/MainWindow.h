@@ -14,6 +14,8 @@ class QStackedWidget;
 
 namespace insonate::ui {
 
+class Account;
+class AccountMenu;
 class ErrorPanel;
 class HeaderBar;
 class HelpWindow;
@@ -29,7 +31,9 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
+  /// With the store of people at its usual place.
   MainWindow();
+  explicit MainWindow(std::unique_ptr<Account> account);
   ~MainWindow() override;
 
   /// `id` is what settings and the command line call it. The window owns the workspace. Add all before showing.
@@ -57,7 +61,7 @@ class MainWindow : public QMainWindow {
   /// A case is open, nothing is being done, and the workspace shows all of it.
   bool isReady() const;
   /// Nothing more will come by itself.
-  bool isComplete() const { return isReady() && currentWorkspace()->isComplete(); }
+  bool isComplete() const;
 
   QAction* openAction() const { return open_; }
   QAction* importAction() const { return import_; }
@@ -65,6 +69,7 @@ class MainWindow : public QMainWindow {
   QAction* attemptAction() const { return attempt_; }
   QAction* reloadAction() const { return reload_; }
   QAction* saveAction() const { return save_; }
+  Account& account() { return *account_; }
   TaskBar& tasks() { return *tasks_; }
   ErrorPanel& errors() { return *errors_; }
   QString statusText() const;
@@ -116,12 +121,14 @@ class MainWindow : public QMainWindow {
   void chooseTarget();
   void showHelp(bool keys);
 
+  std::unique_ptr<Account> account_;
   std::vector<Room> rooms_;
   LoadedCase case_;
   QMenu *menu_, *recent_;
   QAction *open_ = nullptr, *import_ = nullptr, *textbook_ = nullptr, *reload_ = nullptr, *save_ = nullptr,
           *saveAs_ = nullptr, *attempt_ = nullptr;
   QMenu* view_;
+  AccountMenu* accountMenu_;
   bool sure_ = false;     ///< close, whatever is lost
   bool passing_ = false;  ///< a key goes to the workspace
   HeaderBar* header_;

@@ -13,6 +13,7 @@ class QSettings;
 
 namespace insonate::ui {
 
+class Account;
 class TaskBar;
 
 /// One line of the list under `?`.
@@ -48,6 +49,9 @@ class Workspace : public QWidget {
 
   /// Told before setCase(), and when the case was saved elsewhere.
   virtual void setOrigin(const CaseOrigin&) {}
+
+  /// Who sits at the window, from now on; told once, before the workspace is shown.
+  virtual void setAccount(Account&) {}
 
   /// What was changed here and is not on disk yet; null without changes. The window asks before it would be lost.
   virtual CaseEdit unsavedEdit() const { return {}; }

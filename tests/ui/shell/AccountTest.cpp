@@ -1,0 +1,289 @@
+#include "Waiting.h"
+
+#include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/CohortStore.h>
+#include <insonate/curriculum/PeopleStore.h>
+#include <insonate/ui/Account.h>
+#include <insonate/ui/EmptyWorkspace.h>
+#include <insonate/ui/MainWindow.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSettings>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QtTest/QTest>
+#include <memory>
+
+namespace {
+
+using namespace insonate;
+using test::waitUntil;
+using State = ui::Account::State;
+
+const QString kPassword = "a long sentence";
+
+class AccountWindow : public testing::Test {
+ protected:
+  void SetUp() override {
+    QSettings().clear();
+    open();
+  }
+
+  void open() {
+    window = std::make_unique<ui::MainWindow>(
+        std::make_unique<ui::Account>(file(), StoreServices{.passwordCost = PasswordCost::Least}));
+    window->addWorkspace("train", "Train", "train", new ui::EmptyWorkspace({"train", "Train", {}, {}, {}}));
+    window->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+    QApplication::setActiveWindow(window.get());
+    ASSERT_TRUE(waitUntil([&] { return account().state() != State::Opening; }));
+  }
+
+  QString file() const { return home.filePath("people/curriculum.sqlite"); }
+  ui::Account& account() { return window->account(); }
+  QAction& action(const char* name) { return *window->findChild<QAction*>(name); }
+  QString header() {
+    for (const auto* button : window->findChildren<QToolButton*>())
+      if (button->accessibleName() == "Account menu") return button->text().trimmed();
+    return {};
+  }
+  /// The dialog with this field, which comes up in a moment.
+  QDialog* dialogWith(const char* field) {
+    QDialog* found = nullptr;
+    EXPECT_TRUE(waitUntil([&] {
+      for (auto* dialog : window->findChildren<QDialog*>())
+        if (dialog->isVisible() && dialog->findChild<QWidget*>(field)) found = dialog;
+      return found != nullptr;
+    })) << field;
+    return found;
+  }
+  void type(QDialog* dialog, const char* field, const QString& text) {
+    auto* line = dialog->findChild<QLineEdit*>(field);
+    line->selectAll();
+    line->clear();
+    QTest::keyClicks(line, text);
+  }
+  static void go(QDialog* dialog) { dialog->findChild<QPushButton*>("entryGo")->click(); }
+  static QString trouble(QDialog* dialog) { return dialog->findChild<QLabel*>("entryTrouble")->text(); }
+
+  void setUp() {
+    action("accountSetUp").trigger();
+    QDialog* dialog = dialogWith("setUpName");
+    type(dialog, "setUpName", "ada");
+    type(dialog, "setUpFullName", "Ada L.");
+    type(dialog, "setUpPassword", kPassword);
+    type(dialog, "setUpAgain", kPassword);
+    go(dialog);
+    ASSERT_TRUE(waitUntil([&] { return account().isSignedIn(); }));
+  }
+  void signOut() {
+    account().signOut();
+    ASSERT_TRUE(waitUntil([&] { return account().state() == State::Guest; }));
+  }
+  void signIn(const QString& name, const QString& password) {
+    action("accountSignIn").trigger();
+    QDialog* dialog = dialogWith("signInName");
+    type(dialog, "signInName", name);
+    type(dialog, "signInPassword", password);
+    go(dialog);
+  }
+  template <class T>
+  Result<T> asked(std::function<Result<T>(const SignedIn&)> question) {
+    Result<T> answer = fail("no answer came");
+    bool there = false;
+    account().ask<T>(window.get(), std::move(question),
+                     [&](Result<T> told) { answer = std::move(told), there = true; });
+    EXPECT_TRUE(waitUntil([&] { return there; }));
+    return answer;
+  }
+  QStringList row(const QTableWidget& table, int index) {
+    QStringList texts;
+    for (int column = 0; column < table.columnCount(); ++column) texts << table.item(index, column)->text();
+    return texts;
+  }
+
+  QTemporaryDir home;
+  std::unique_ptr<ui::MainWindow> window;
+};
+
+TEST_F(AccountWindow, NothingIsWrittenBeforeSomebodySetsUp) {
+  EXPECT_EQ(account().state(), State::NobodyYet);
+  EXPECT_EQ(header(), "Guest");
+  EXPECT_TRUE(action("accountSetUp").isVisible());
+  EXPECT_FALSE(action("accountSignIn").isVisible());
+  EXPECT_FALSE(QFile::exists(file()));
+  EXPECT_FALSE(asked<Person>([](const SignedIn& by) { return PeopleStore(by).person("x"); }));
+  EXPECT_FALSE(QFile::exists(file()));
+}
+
+TEST_F(AccountWindow, TheFirstOneIsTheAdministratorAndStaysSo) {
+  action("accountSetUp").trigger();
+  QDialog* dialog = dialogWith("setUpName");
+  type(dialog, "setUpName", "ada");
+  type(dialog, "setUpFullName", "Ada L. & Co");
+  type(dialog, "setUpPassword", kPassword);
+  type(dialog, "setUpAgain", "another sentence");
+  go(dialog);
+  ASSERT_TRUE(waitUntil([&] { return trouble(dialog).contains("differ"); }));
+  EXPECT_FALSE(QFile::exists(file()));
+  type(dialog, "setUpAgain", kPassword);
+  go(dialog);
+  ASSERT_TRUE(waitUntil([&] { return account().isSignedIn(); }));
+  EXPECT_EQ(account().person().role, Role::Administrator);
+  EXPECT_EQ(header(), "Ada L. && Co") << "an ampersand is no key";
+  EXPECT_FALSE(action("accountSetUp").isVisible());
+
+  window.reset();
+  open();
+  EXPECT_EQ(account().state(), State::Guest) << "somebody else may sit there now";
+  signIn("ada", kPassword);
+  EXPECT_TRUE(waitUntil([&] { return account().isSignedIn(); }));
+}
+
+TEST_F(AccountWindow, AWrongPasswordIsSaidInTheDialogWhichStays) {
+  setUp();
+  signOut();
+  signIn("ada", "not the password");
+  QDialog* dialog = dialogWith("signInName");
+  ASSERT_TRUE(waitUntil([&] { return !trouble(dialog).isEmpty(); }));
+  EXPECT_EQ(account().state(), State::Guest);
+  const QString said = trouble(dialog);
+  EXPECT_EQ(dialog->findChild<QLineEdit*>("signInName")->text(), "ada");
+  type(dialog, "signInName", "nobody");
+  type(dialog, "signInPassword", "not the password");
+  go(dialog);
+  ASSERT_TRUE(waitUntil([&] { return dialog->findChild<QPushButton*>("entryGo")->isEnabled(); }));
+  EXPECT_EQ(trouble(dialog), said) << "who guesses names learns nothing";
+  type(dialog, "signInName", "ada");
+  type(dialog, "signInPassword", kPassword);
+  go(dialog);
+  EXPECT_TRUE(waitUntil([&] { return account().isSignedIn(); }));
+}
+
+TEST_F(AccountWindow, AnswersReachNobodyElse) {
+  setUp();
+  Result<Person> told = fail("");
+  bool there = false;
+  account().ask<Person>(
+      window.get(), [](const SignedIn& by) { return PeopleStore(by).person(by.person().id); },
+      [&](const Result<Person>& person) { told = person, there = true; });
+  account().signOut();
+  ASSERT_TRUE(waitUntil([&] { return there && account().state() == State::Guest; }));
+  ASSERT_FALSE(told) << "a guest saw " << told->fullName;
+  EXPECT_THAT(told.error().message, testing::HasSubstr("signed in since"));
+}
+
+TEST_F(AccountWindow, WhatWasAskedIsDoneBeforeTheWindowGoes) {
+  setUp();
+  account().ask<Cohort>(window.get(), [](const SignedIn& by) { return CohortStore(by).add("Autumn"); }, {});
+  window.reset();
+  open();
+  signIn("ada", kPassword);
+  ASSERT_TRUE(waitUntil([&] { return account().isSignedIn(); }));
+  const auto cohorts = asked<std::vector<Cohort>>([](const SignedIn& by) { return CohortStore(by).cohorts(); });
+  ASSERT_TRUE(cohorts && cohorts->size() == 1);
+  EXPECT_EQ(cohorts->front().name, "Autumn");
+}
+
+TEST_F(AccountWindow, AStoreThatCannotBeReadIsSaidAndTriedAgain) {
+  window.reset();
+  QDir(home.path()).mkdir("people");
+  QFile broken(file());
+  ASSERT_TRUE(broken.open(QFile::WriteOnly));
+  broken.write(QByteArray(5000, 'x'));
+  broken.close();
+  open();
+  EXPECT_EQ(account().state(), State::Unreachable);
+  EXPECT_TRUE(account().trouble().contains("curriculum.sqlite")) << account().trouble().toStdString();
+  EXPECT_EQ(window->statusText(), account().trouble());
+  EXPECT_TRUE(action("accountAgain").isVisible());
+  ASSERT_TRUE(QFile::remove(file()));
+  action("accountAgain").trigger();
+  EXPECT_TRUE(waitUntil([&] { return account().state() == State::NobodyYet; }));
+}
+
+TEST_F(AccountWindow, AnAdministratorMakesAClassAndATraineeWhoChoosesAPassword) {
+  setUp();
+  action("accountPeople").trigger();
+  QDialog* people = dialogWith("peopleTable");
+  people->findChild<QPushButton*>("peopleAddClass")->click();
+  QDialog* dialog = dialogWith("className");
+  const QString hostile = "<b>Autumn</b> & '; DROP TABLE person;--";
+  type(dialog, "className", hostile);
+  go(dialog);
+  auto* classes = people->findChild<QListWidget*>("peopleClasses");
+  ASSERT_TRUE(waitUntil([&] { return classes->count() == 2; }));
+  EXPECT_EQ(classes->item(1)->text(), hostile);
+  classes->setCurrentRow(1);
+
+  people->findChild<QPushButton*>("peopleAdd")->click();
+  dialog = dialogWith("personName");
+  type(dialog, "personName", "tim");
+  type(dialog, "personFullName", "Tim T.");
+  const QString handed = dialog->findChild<QLineEdit*>("personPassword")->text();
+  EXPECT_GE(handed.size(), 12);
+  go(dialog);
+  auto* table = people->findChild<QTableWidget*>("peopleTable");
+  ASSERT_TRUE(waitUntil([&] { return table->rowCount() == 1 && table->item(0, 1)->text() == "tim"; }));
+  EXPECT_EQ(row(*table, 0), (QStringList{"Tim T.", "tim", "", "trainee", ""}));
+
+  signOut();
+  EXPECT_TRUE(waitUntil([&] { return window->findChild<QTableWidget*>("peopleTable") == nullptr; }))
+      << "nobody sees what was read for the one before";
+  signIn("tim", handed);
+  dialog = dialogWith("passwordNew");
+  EXPECT_FALSE(action("accountPeople").isVisible());
+  type(dialog, "passwordOld", handed);
+  type(dialog, "passwordNew", "my own sentence");
+  type(dialog, "passwordAgain", "my own sentence");
+  go(dialog);
+  ASSERT_TRUE(waitUntil([&] { return !account().mustChangePassword(); }));
+  EXPECT_TRUE(
+      asked<std::vector<KeptAttempt>>([](const SignedIn& by) { return AttemptStore(by).page(by.person().id, 10); }));
+}
+
+TEST_F(AccountWindow, AnInstructorSeesTheOwnClassOnly) {
+  setUp();
+  const auto made = asked<int>([](const SignedIn& by) -> Result<int> {
+    const PeopleStore people(by);
+    const CohortStore cohorts(by);
+    const auto mine = cohorts.add("Mine"), other = cohorts.add("Other");
+    const auto ivy = people.add({"ivy", "Ivy I.", "", Role::Instructor}, "12345678", "");
+    if (!mine || !other || !ivy) return fail("not added");
+    if (!people.add({"tim", "Tim T.", "", Role::Trainee}, "12345678", mine->id)) return fail("not added");
+    if (!people.add({"una", "Una U.", "", Role::Trainee}, "12345678", other->id)) return fail("not added");
+    return cohorts.join(mine->id, ivy->id, true).map([] { return 0; });
+  });
+  ASSERT_TRUE(made) << made.error().message;
+  signOut();
+  signIn("ivy", "12345678");
+  QDialog* dialog = dialogWith("passwordNew");
+  type(dialog, "passwordOld", "12345678");
+  type(dialog, "passwordNew", "87654321");
+  type(dialog, "passwordAgain", "87654321");
+  go(dialog);
+  ASSERT_TRUE(waitUntil([&] { return !account().mustChangePassword(); }));
+  action("accountPeople").trigger();
+  QDialog* people = dialogWith("peopleTable");
+  auto* classes = people->findChild<QListWidget*>("peopleClasses");
+  auto* table = people->findChild<QTableWidget*>("peopleTable");
+  ASSERT_TRUE(waitUntil([&] { return classes->count() == 1 && table->rowCount() == 2; }));
+  EXPECT_EQ(classes->item(0)->text(), "Mine");
+  EXPECT_EQ(row(*table, 0)[3], "instructor, teaches");
+  EXPECT_FALSE(people->findChild<QPushButton*>("peopleAddClass")->isVisible());
+  EXPECT_FALSE(people->findChild<QPushButton*>("peopleDisable")->isVisible());
+}
+
+}  // namespace

@@ -1,0 +1,155 @@
+#include <insonate/curriculum/PeopleStore.h>
+#include <insonate/ui/Account.h>
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+#include <QUrl>
+
+namespace insonate::ui {
+
+QString usualStore() {
+  const QString named = qEnvironmentVariable("INSONATE_DATABASE");
+  if (!named.isEmpty()) return named;
+  return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/curriculum.sqlite");
+}
+
+namespace {
+
+bool isServer(const QString& address) {
+  return address.startsWith(QLatin1String("postgresql://"));
+}
+
+}  // namespace
+
+Account::Account(QString address, StoreServices services, QObject* parent)
+    : QObject(parent), address_(std::move(address)), services_(std::move(services)) {
+  thread_.setObjectName(QStringLiteral("account"));
+  worker_.moveToThread(&thread_);
+  thread_.start(QThread::LowPriority);
+  reopen();
+}
+
+Account::~Account() {
+  session_.reset();
+  post([this] {
+    store_.reset();
+    thread_.quit();
+  });
+  thread_.wait();
+}
+
+QString Account::place() const {
+  return isServer(address_) ? QUrl(address_).toString(QUrl::RemovePassword) : QDir::toNativeSeparators(address_);
+}
+
+std::string Account::notOpen() {
+  return tr("The store of people and attempts is not open.").toStdString();
+}
+
+std::string Account::notYours() {
+  return tr("Somebody else has signed in since.").toStdString();
+}
+
+void Account::post(std::function<void()> work) {
+  QMetaObject::invokeMethod(&worker_, std::move(work), Qt::QueuedConnection);
+}
+
+void Account::deliver(std::function<void()> news) {
+  QMetaObject::invokeMethod(this, std::move(news), Qt::QueuedConnection);
+}
+
+void Account::reopen() {
+  if (!isServer(address_) && !QFileInfo::exists(address_)) return take(State::NobodyYet, std::nullopt, {});
+  take(State::Opening, std::nullopt, {});
+  open([](const CurriculumStore& store) -> Result<SignedIn> { return store.guest(); }, {});
+}
+
+void Account::setUp(const NewPerson& administrator, const QString& password, Done done) {
+  if (!isServer(address_)) QDir().mkpath(QFileInfo(address_).absolutePath());
+  open([administrator, password = password.toStdString()](
+           const CurriculumStore& store) { return store.createFirstAdministrator(administrator, password); },
+       std::move(done));
+}
+
+void Account::signIn(const QString& name, const QString& password, Done done) {
+  open([name = name.toStdString(),
+        password = password.toStdString()](const CurriculumStore& store) { return store.signIn(name, password); },
+       std::move(done));
+}
+
+void Account::signOut() {
+  if (!isSignedIn()) return;
+  reopen();
+}
+
+void Account::changePassword(const QString& old, const QString& password, Done done) {
+  ask<void>(
+      this,
+      [old = old.toStdString(), password = password.toStdString()](const SignedIn& by) {
+        return PeopleStore(by).changeOwnPassword(old, password);
+      },
+      [this, done = std::move(done)](const Result<void>& result) {
+        done(result);
+        if (result) Q_EMIT changed();
+      });
+}
+
+void Account::changeDetails(const QString& fullName, const QString& email, Done done) {
+  ask<Person>(
+      this,
+      [name = fullName.toStdString(), email = email.toStdString()](const SignedIn& by) -> Result<Person> {
+        const PeopleStore people(by);
+        if (const auto kept = people.changeOwnDetails(name, email); !kept) return tl::unexpected(kept.error());
+        return people.person(by.person().id);
+      },
+      [this, done = std::move(done)](const Result<Person>& person) {
+        done(person ? Result<void>() : fail(person.error().message));
+        if (!person) return;
+        person_ = *person;
+        Q_EMIT changed();
+      });
+}
+
+void Account::open(Entering enter, Done done) {
+  post([this, enter = std::move(enter), done = std::move(done)] {
+    struct Outcome {
+      std::optional<SignedIn> session;
+      bool anybody = true;
+      std::string trouble, refusal;
+    };
+    auto outcome = std::make_shared<Outcome>();
+    if (!store_) {
+      auto opened = CurriculumStore::open(address_.toStdString(), services_);
+      opened ? void(store_ = std::move(*opened)) : void(outcome->trouble = opened.error().message);
+    }
+    if (store_) {
+      auto entered = enter(*store_);
+      const auto anybody = store_->hasPeople();
+      if (!anybody) outcome->trouble = anybody.error().message;
+      outcome->anybody = anybody.value_or(true);
+      entered ? void(outcome->session = std::move(*entered)) : void(outcome->refusal = entered.error().message);
+    }
+    deliver([this, outcome, done] {
+      const QString trouble = QString::fromStdString(outcome->trouble);
+      if (!trouble.isEmpty())
+        take(State::Unreachable, std::nullopt, trouble);
+      else if (!outcome->anybody)
+        take(State::NobodyYet, std::nullopt, {});
+      else if (outcome->session)
+        take(outcome->session->isGuest() ? State::Guest : State::SignedIn, outcome->session, {});
+      if (!done) return;
+      const std::string& why = trouble.isEmpty() ? outcome->refusal : outcome->trouble;
+      done(why.empty() ? Result<void>() : fail(why));
+    });
+  });
+}
+
+void Account::take(State state, std::optional<SignedIn> session, const QString& trouble) {
+  state_ = state, session_ = std::move(session), trouble_ = trouble;
+  person_ = session_ ? session_->person() : Person();
+  ++number_;
+  Q_EMIT changed();
+}
+
+}  // namespace insonate::ui

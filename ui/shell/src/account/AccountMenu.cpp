@@ -1,0 +1,166 @@
+#include "AccountMenu.h"
+
+#include "EntryDialog.h"
+#include "PeopleWindow.h"
+#include "RoleWords.h"
+
+#include <insonate/ui/Account.h>
+#include <insonate/ui/Theme.h>
+
+#include <QAction>
+#include <QSettings>
+
+namespace insonate::ui {
+namespace {
+
+const QString kLastName = QStringLiteral("account/name");
+
+Result<void> same(const QString& password, const QString& again) {
+  if (password == again) return {};
+  return fail(AccountMenu::tr("The two passwords differ; type the new one twice.").toStdString());
+}
+
+}  // namespace
+
+AccountMenu::AccountMenu(Account& account, QWidget* window) : QMenu(window), account_(account), window_(window) {
+  setToolTipsVisible(true);
+  const auto add = [this](const char* name, const QString& words, const QString& tip, auto act) {
+    QAction* action = addAction(words);
+    action->setObjectName(QLatin1String(name));
+    action->setToolTip(tip);
+    connect(action, &QAction::triggered, this, act);
+    return action;
+  };
+  who_ = addAction(QString());
+  who_->setEnabled(false);
+  addSeparator();
+  setUp_ = add("accountSetUp", tr("Set up people and levels ..."),
+               tr("Make yourself the administrator of the people who train here"), [this] { askSetUp(); });
+  signIn_ =
+      add("accountSignIn", tr("Sign in ..."), tr("So that attempts count and levels open"), [this] { askSignIn(); });
+  signIn_->setShortcut(QKeySequence(QStringLiteral("Ctrl+L")));
+  details_ = add("accountDetails", tr("My details ..."), tr("Your name and e-mail address"), [this] { askDetails(); });
+  password_ = add("accountPassword", tr("Change password ..."), tr("Your own"), [this] { askPassword(); });
+  people_ = add("accountPeople", tr("People and classes ..."), tr("Who is here, in which classes, and as what"),
+                [this] { (new PeopleWindow(account_, window_))->show(); });
+  again_ = add("accountAgain", tr("Try again"), tr("Open the store of people and attempts once more"),
+               [this] { account_.reopen(); });
+  signOut_ =
+      add("accountSignOut", tr("Sign out"), tr("Leave the window to the next one"), [this] { account_.signOut(); });
+  signOut_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+L")));
+  // Keys work while the menu is closed.
+  window_->addActions({signIn_, signOut_});
+  connect(&account_, &Account::changed, this, &AccountMenu::refresh);
+  refresh();
+}
+
+QString AccountMenu::shortText() const {
+  switch (account_.state()) {
+    case Account::State::SignedIn:
+      return QString::fromStdString(account_.person().fullName);
+    case Account::State::Opening:
+    case Account::State::NobodyYet:
+    case Account::State::Guest:
+      break;
+    case Account::State::Unreachable:
+      return tr("Guest, no store");
+  }
+  return tr("Guest");
+}
+
+void AccountMenu::refresh() {
+  using State = Account::State;
+  const State state = account_.state();
+  setUp_->setVisible(state == State::NobodyYet);
+  signIn_->setVisible(state == State::Guest);
+  again_->setVisible(state == State::Unreachable);
+  people_->setVisible(state == State::SignedIn && account_.person().role != Role::Trainee);
+  for (QAction* own : {details_, password_, signOut_}) own->setVisible(state == State::SignedIn);
+  QString words = tr("Guest: attempts are recorded, and count for nobody");
+  if (state == State::SignedIn)
+    words = tr("%1, %2").arg(QString::fromStdString(account_.person().fullName), wordOf(account_.person().role));
+  if (state == State::Opening) words = tr("Opening the store of people and attempts ...");
+  if (state == State::Unreachable) words = tr("People and attempts cannot be reached");
+  who_->setText(words.replace(QLatin1Char('&'), QStringLiteral("&&")));
+  who_->setToolTip(state == State::Unreachable ? account_.trouble() : account_.place());
+  Q_EMIT textChanged();
+  if (state == State::Unreachable) Q_EMIT said(account_.trouble());
+}
+
+void AccountMenu::welcome() {
+  QSettings().setValue(kLastName, QString::fromStdString(account_.person().name));
+  Q_EMIT said(tr("Signed in as %1.").arg(QString::fromStdString(account_.person().fullName)));
+  if (account_.mustChangePassword()) askPassword();
+}
+
+void AccountMenu::askSetUp() {
+  const auto act = [this](const QStringList& texts, const Account::Done& done) {
+    if (const auto equal = same(texts[3], texts[4]); !equal) return done(equal);
+    const NewPerson administrator{.name = texts[0].toStdString(),
+                                  .fullName = texts[1].toStdString(),
+                                  .email = texts[2].toStdString(),
+                                  .role = Role::Administrator};
+    account_.setUp(administrator, texts[3], [this, done](const Result<void>& result) {
+      done(result);
+      if (result) welcome();
+    });
+  };
+  (new EntryDialog(tr("Set up people and levels"),
+                   tr("You become the administrator: you add instructors, classes and trainees. Everything is kept in "
+                      "%1. Nobody can read your password; keep it well, since nobody can set it anew.")
+                       .arg(account_.place()),
+                   {{"setUpName", tr("Name to sign in"), tr("Letters, digits and . _ - + @")},
+                    {"setUpFullName", tr("Full name"), tr("As others see it")},
+                    {"setUpEmail", tr("E-mail"), tr("May be empty")},
+                    {"setUpPassword", tr("Password"), tr("At least 8 characters"), {}, true},
+                    {"setUpAgain", tr("Password again"), tr("The same once more"), {}, true}},
+                   tr("Set up"), act, window_))
+      ->open();
+}
+
+void AccountMenu::askSignIn() {
+  const auto act = [this](const QStringList& texts, const Account::Done& done) {
+    account_.signIn(texts[0], texts[1], [this, done](const Result<void>& result) {
+      done(result);
+      if (result) welcome();
+    });
+  };
+  (new EntryDialog(tr("Sign in"), tr("Your attempts then count, and levels open as you master them."),
+                   {{"signInName", tr("Name"), tr("The name you were given"), QSettings().value(kLastName).toString()},
+                    {"signInPassword", tr("Password"), tr("Forgotten: your instructor sets a new one"), {}, true}},
+                   tr("Sign in"), act, window_))
+      ->open();
+}
+
+void AccountMenu::askPassword() {
+  const auto act = [this](const QStringList& texts, const Account::Done& done) {
+    if (const auto equal = same(texts[1], texts[2]); !equal) return done(equal);
+    account_.changePassword(texts[0], texts[1], [this, done](const Result<void>& result) {
+      done(result);
+      if (result) Q_EMIT said(tr("Your password is changed."));
+    });
+  };
+  (new EntryDialog(tr("Change password"),
+                   account_.mustChangePassword()
+                       ? tr("Someone else set your password. Choose your own before you go on.")
+                       : tr("At least 8 characters; a sentence is easier to keep than a riddle."),
+                   {{"passwordOld", tr("Present password"), tr("The one you signed in with"), {}, true},
+                    {"passwordNew", tr("New password"), tr("At least 8 characters"), {}, true},
+                    {"passwordAgain", tr("New password again"), tr("The same once more"), {}, true}},
+                   tr("Change"), act, window_))
+      ->open();
+}
+
+void AccountMenu::askDetails() {
+  const auto act = [this](const QStringList& texts, const Account::Done& done) {
+    account_.changeDetails(texts[0], texts[1], done);
+  };
+  const Person& me = account_.person();
+  (new EntryDialog(tr("My details"), tr("You sign in as %1.").arg(QString::fromStdString(me.name)),
+                   {{"detailsFullName", tr("Full name"), tr("As others see it"), QString::fromStdString(me.fullName)},
+                    {"detailsEmail", tr("E-mail"), tr("May be empty"), QString::fromStdString(me.email)}},
+                   tr("Keep"), act, window_))
+      ->open();
+}
+
+}  // namespace insonate::ui

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QMenu>
+
+class QAction;
+
+namespace insonate::ui {
+
+class Account;
+
+/// Sign in, sign out, the set-up of the first administrator, one's own password and details: what can be done now.
+class AccountMenu : public QMenu {
+  Q_OBJECT
+
+ public:
+  AccountMenu(Account& account, QWidget* window);
+
+  /// Who sits there, for the header: "Sign in", "A. User".
+  QString shortText() const;
+
+  void askSetUp();
+  void askSignIn();
+  void askPassword();
+  void askDetails();
+
+ Q_SIGNALS:
+  void textChanged();
+  void said(const QString& sentence);  ///< for the status line
+
+ private:
+  void refresh();
+  void welcome();
+
+  Account& account_;
+  QWidget* window_;
+  QAction *who_, *setUp_, *signIn_, *password_, *details_, *people_, *again_, *signOut_;
+};
+
+}  // namespace insonate::ui

@@ -1,0 +1,121 @@
+#include "EntryDialog.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPointer>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace insonate::ui {
+namespace {
+
+constexpr int kText_px = 380;
+
+QLabel* paragraph(const QString& text) {
+  auto* label = new QLabel(text);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  label->setMinimumWidth(kText_px);
+  return label;
+}
+
+}  // namespace
+
+EntryDialog::EntryDialog(const QString& title, const QString& explanation, const std::vector<Entry>& entries,
+                         const QString& button, Action action, QWidget* parent)
+    : QDialog(parent), trouble_(paragraph({})), go_(new QPushButton(button)), action_(std::move(action)) {
+  setWindowTitle(title);
+  setAttribute(Qt::WA_DeleteOnClose);
+  auto* heading = new QLabel(title);
+  setRole(heading, "title");
+  auto* about = paragraph(explanation);
+  setRole(about, "quiet");
+  auto* form = new QFormLayout;
+  form->setVerticalSpacing(kGap);
+  for (const Entry& entry : entries) {
+    fields_.push_back(fieldOf(entry));
+    form->addRow(entry.label, fields_.back());
+  }
+  trouble_->setObjectName(QStringLiteral("entryTrouble"));
+  trouble_->hide();
+  go_->setObjectName(QStringLiteral("entryGo"));
+  go_->setToolTip(tr("%1 (Enter)").arg(button));
+  go_->setDefault(true);
+  setRole(go_, "primary");
+  auto* leave = new QPushButton(tr("Cancel"));
+  leave->setToolTip(tr("Back to the window (Esc)"));
+  leave->setAutoDefault(false);
+  connect(go_, &QPushButton::clicked, this, &EntryDialog::act);
+  connect(leave, &QPushButton::clicked, this, &QDialog::reject);
+
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(kGap);
+  buttons->addStretch();
+  buttons->addWidget(leave);
+  buttons->addWidget(go_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(kLargeGap, kLargeGap, kLargeGap, kLargeGap);
+  column->setSpacing(kLargeGap);
+  column->addWidget(heading);
+  column->addWidget(about);
+  column->addLayout(form);
+  column->addWidget(trouble_);
+  column->addLayout(buttons);
+  // Where there is something to be filled in.
+  for (QWidget* field : fields_)
+    if (auto* line = qobject_cast<QLineEdit*>(field); line && line->text().isEmpty()) {
+      line->setFocus();
+      break;
+    }
+}
+
+QWidget* EntryDialog::fieldOf(const Entry& entry) {
+  QWidget* field = nullptr;
+  if (entry.choices.isEmpty()) {
+    auto* line = new QLineEdit(entry.text);
+    if (entry.secret) line->setEchoMode(QLineEdit::Password);
+    field = line;
+  } else {
+    auto* choice = new QComboBox;
+    choice->addItems(entry.choices);
+    choice->setCurrentText(entry.text);
+    field = choice;
+  }
+  field->setObjectName(QLatin1String(entry.name));
+  field->setAccessibleName(entry.label);
+  field->setToolTip(entry.tip);
+  return field;
+}
+
+void EntryDialog::act() {
+  if (!go_->isEnabled()) return;
+  go_->setEnabled(false);
+  trouble_->hide();
+  QStringList texts;
+  for (const QWidget* field : fields_) {
+    const auto* line = qobject_cast<const QLineEdit*>(field);
+    texts << (line ? line->text() : static_cast<const QComboBox*>(field)->currentText());
+  }
+  action_(texts, [dialog = QPointer<EntryDialog>(this)](const Result<void>& result) {
+    if (dialog) result ? dialog->accept() : dialog->refuse(QString::fromStdString(result.error().message));
+  });
+}
+
+void EntryDialog::refuse(const QString& why) {
+  go_->setEnabled(true);
+  trouble_->setText(QStringLiteral("▲  ") + why);
+  trouble_->show();
+  for (QWidget* field : fields_)
+    if (auto* line = qobject_cast<QLineEdit*>(field); line && line->echoMode() == QLineEdit::Password) {
+      line->setFocus();
+      line->selectAll();
+      break;
+    }
+}
+
+}  // namespace insonate::ui

@@ -1,0 +1,148 @@
+// What the buttons of the window of people do.
+#include "EntryDialog.h"
+#include "PeopleWindow.h"
+#include "RoleWords.h"
+
+#include <insonate/curriculum/PeopleStore.h>
+#include <insonate/ui/Account.h>
+
+#include <QComboBox>
+#include <QRandomGenerator>
+
+namespace insonate::ui {
+namespace {
+
+QString qt(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+/// Easy to read out and to type: no letter that looks like a digit. 12 letters of 23 are 54 bits.
+QString madePassword() {
+  static const QString letters = QStringLiteral("abcdefghjkmnpqrstuvwxyz");
+  QString made;
+  for (int n = 0; n < 12; ++n) {
+    if (n > 0 && n % 4 == 0) made += QLatin1Char('-');
+    made += letters[QRandomGenerator::system()->bounded(int(letters.size()))];
+  }
+  return made;
+}
+
+EntryDialog::Entry roleEntry(Role role) {
+  return {.name = "personRole",
+          .label = PeopleWindow::tr("Role"),
+          .tip = PeopleWindow::tr("Instructors see the people of classes that they teach, administrators all"),
+          .text = wordOf(role),
+          .choices = roleWords()};
+}
+
+}  // namespace
+
+/// As EntryDialog's action: asks the store, and reads what is shown anew.
+EntryDialog::Action PeopleWindow::asking(std::function<Result<void>(const SignedIn&, const QStringList&)> what) {
+  return [this, what = std::move(what)](const QStringList& texts, const std::function<void(Result<void>)>& done) {
+    account_.ask<void>(
+        this, [what, texts](const SignedIn& by) { return what(by, texts); },
+        [this, done](const Result<void>& result) {
+          done(result);
+          if (result) read();
+        });
+  };
+}
+
+void PeopleWindow::addClass() {
+  const auto add = [](const SignedIn& by, const QStringList& texts) -> Result<void> {
+    const auto added = CohortStore(by).add(texts[0].toStdString());
+    return added ? Result<void>() : tl::unexpected(added.error());
+  };
+  (new EntryDialog(tr("New class"), tr("People who are taught together, by one curriculum."),
+                   {{"className", tr("Name"), tr("As instructors and trainees see it")}}, tr("Add"), asking(add), this))
+      ->open();
+}
+
+void PeopleWindow::renameClass() {
+  if (!cohort()) return;
+  const auto rename = [id = cohort()->id](const SignedIn& by, const QStringList& texts) {
+    return CohortStore(by).rename(id, texts[0].toStdString());
+  };
+  (new EntryDialog(tr("Rename the class"), tr("Its people and their attempts stay."),
+                   {{"className", tr("Name"), tr("As instructors and trainees see it"), qt(cohort()->name)}},
+                   tr("Rename"), asking(rename), this))
+      ->open();
+}
+
+void PeopleWindow::addPerson() {
+  const std::string into = cohort() ? cohort()->id : "";
+  const auto add = [into](const SignedIn& by, const QStringList& texts) -> Result<void> {
+    const auto added = PeopleStore(by).add({.name = texts[0].toStdString(),
+                                            .fullName = texts[1].toStdString(),
+                                            .email = texts[2].toStdString(),
+                                            .role = roleOf(texts.value(4))},
+                                           texts[3].toStdString(), into);
+    return added ? Result<void>() : tl::unexpected(added.error());
+  };
+  std::vector<EntryDialog::Entry> entries{
+      {"personName", tr("Name to sign in"), tr("Letters, digits and . _ - + @")},
+      {"personFullName", tr("Full name"), tr("As others see it")},
+      {"personEmail", tr("E-mail"), tr("May be empty")},
+      {"personPassword", tr("Password"), tr("Hand it over; they choose their own at the first sign-in"),
+       madePassword()}};
+  if (isAdministrator()) entries.push_back(roleEntry(Role::Trainee));
+  const QString where = cohort() ? tr("They join %1.").arg(qt(cohort()->name)) : tr("They are in no class yet.");
+  (new EntryDialog(tr("Add a person"), where + QLatin1Char(' ') + tr("The password is shown now and never again."),
+                   entries, tr("Add"), asking(add), this))
+      ->open();
+}
+
+void PeopleWindow::editPerson() {
+  if (!chosen() || !isAdministrator()) return;
+  const auto edit = [person = chosen()->person](const SignedIn& by, const QStringList& texts) -> Result<void> {
+    Person changed = person;
+    changed.name = texts[0].toStdString(), changed.fullName = texts[1].toStdString();
+    changed.email = texts[2].toStdString(), changed.role = roleOf(texts[3]);
+    return PeopleStore(by).change(changed);
+  };
+  const Person& person = chosen()->person;
+  (new EntryDialog(tr("Change a person"), tr("Their attempts and classes stay."),
+                   {{"personName", tr("Name to sign in"), tr("Letters, digits and . _ - + @"), qt(person.name)},
+                    {"personFullName", tr("Full name"), tr("As others see it"), qt(person.fullName)},
+                    {"personEmail", tr("E-mail"), tr("May be empty"), qt(person.email)},
+                    roleEntry(person.role)},
+                   tr("Keep"), asking(edit), this))
+      ->open();
+}
+
+void PeopleWindow::setPassword() {
+  if (!chosen()) return;
+  const auto set = [id = chosen()->person.id](const SignedIn& by, const QStringList& texts) {
+    return PeopleStore(by).resetPassword(id, texts[0].toStdString());
+  };
+  (new EntryDialog(tr("New password for %1").arg(qt(chosen()->person.fullName)),
+                   tr("Hand it over: it is shown now and never again. They choose their own at the next sign-in."),
+                   {{"personPassword", tr("Password"), tr("At least 8 characters"), madePassword()}}, tr("Set"),
+                   asking(set), this))
+      ->open();
+}
+
+void PeopleWindow::toggleDisabled() {
+  if (!chosen()) return;
+  Person person = chosen()->person;
+  person.disabled = !person.disabled;
+  change([person](const SignedIn& by) { return PeopleStore(by).change(person); });
+}
+
+void PeopleWindow::join() {
+  if (!chosen()) return;
+  change([cohort = target_->currentData().toString().toStdString(), person = chosen()->person.id,
+          teaches = as_->currentData().toBool()](const SignedIn& by) {
+    return CohortStore(by).join(cohort, person, teaches);
+  });
+}
+
+void PeopleWindow::leave() {
+  if (!chosen() || !cohort()) return;
+  change([cohort = cohort()->id, person = chosen()->person.id](const SignedIn& by) {
+    return CohortStore(by).leave(cohort, person);
+  });
+}
+
+}  // namespace insonate::ui

@@ -1,0 +1,257 @@
+#include "PeopleWindow.h"
+
+#include "RoleWords.h"
+
+#include <insonate/curriculum/PeopleStore.h>
+#include <insonate/ui/Account.h>
+#include <insonate/ui/Theme.h>
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace insonate::ui {
+namespace {
+
+enum Column { kFullName, kName, kEmail, kRole, kState, kColumns };
+
+QString qt(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+QLabel* heading(const QString& words) {
+  auto* label = new QLabel(words);
+  setRole(label, "heading");
+  return label;
+}
+
+/// What an administrator and an instructor see of one class, or of everybody.
+Result<std::vector<Member>> membersOf(const SignedIn& by, const std::string& cohort) {
+  if (!cohort.empty()) return CohortStore(by).members(cohort);
+  const auto all = PeopleStore(by).all();
+  if (!all) return tl::unexpected(all.error());
+  std::vector<Member> members;
+  for (const Person& person : *all) members.push_back({.person = person});
+  return members;
+}
+
+}  // namespace
+
+PeopleWindow::PeopleWindow(Account& account, QWidget* parent)
+    : QDialog(parent),
+      account_(account),
+      classes_(new QListWidget),
+      table_(new QTableWidget(0, kColumns)),
+      target_(new QComboBox),
+      as_(new QComboBox),
+      trouble_(new QLabel) {
+  setWindowTitle(tr("People and classes"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  trouble_->setObjectName(QStringLiteral("peopleTrouble"));
+  trouble_->setTextFormat(Qt::PlainText);
+  trouble_->setWordWrap(true);
+  trouble_->hide();
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(kLargeGap);
+  columns->addWidget(classColumn());
+  columns->addWidget(peopleColumn(), 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(kLargeGap, kLargeGap, kLargeGap, kLargeGap);
+  column->addWidget(trouble_);
+  column->addLayout(columns, 1);
+  resize(1040, 620);
+  connect(classes_, &QListWidget::currentRowChanged, this, &PeopleWindow::readPeople);
+  connect(table_, &QTableWidget::itemSelectionChanged, this, &PeopleWindow::refresh);
+  connect(table_, &QTableWidget::itemActivated, this, &PeopleWindow::editPerson);
+  // Whoever comes next sees nothing of what was read for the one before.
+  connect(&account_, &Account::changed, this, [this, whose = account_.person().id] {
+    if (account_.person().id != whose) close();
+  });
+  refresh();
+  read();
+}
+
+QPushButton* PeopleWindow::button(const char* name, const QString& words, const QString& tip,
+                                  void (PeopleWindow::*act)()) {
+  auto* made = new QPushButton(words);
+  made->setObjectName(QLatin1String(name));
+  made->setToolTip(tip);
+  made->setAutoDefault(false);
+  connect(made, &QPushButton::clicked, this, act);
+  return made;
+}
+
+QWidget* PeopleWindow::classColumn() {
+  auto* side = new QWidget;
+  auto* column = new QVBoxLayout(side);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kGap);
+  classes_->setObjectName(QStringLiteral("peopleClasses"));
+  classes_->setAccessibleName(tr("Classes"));
+  classes_->setToolTip(tr("Whose people are shown"));
+  addClass_ =
+      button("peopleAddClass", tr("New class ..."), tr("People who are taught together"), &PeopleWindow::addClass);
+  renameClass_ =
+      button("peopleRenameClass", tr("Rename ..."), tr("Give the class another name"), &PeopleWindow::renameClass);
+  column->addWidget(heading(tr("Classes")));
+  column->addWidget(classes_, 1);
+  column->addWidget(addClass_);
+  column->addWidget(renameClass_);
+  side->setFixedWidth(220);
+  return side;
+}
+
+QWidget* PeopleWindow::peopleColumn() {
+  table_->setObjectName(QStringLiteral("peopleTable"));
+  table_->setAccessibleName(tr("People"));
+  table_->setToolTip(tr("Enter changes the selected person"));
+  table_->setHorizontalHeaderLabels({tr("Full name"), tr("Signs in as"), tr("E-mail"), tr("Role"), tr("State")});
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setTabKeyNavigation(false);
+  table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  add_ = button("peopleAdd", tr("Add ..."), tr("Someone new, with a password to hand over"), &PeopleWindow::addPerson);
+  edit_ = button("peopleEdit", tr("Change ..."), tr("Name, e-mail and role"), &PeopleWindow::editPerson);
+  password_ = button("peoplePassword", tr("New password ..."),
+                     tr("For who has forgotten theirs, or is locked out; they choose their own at the next sign-in"),
+                     &PeopleWindow::setPassword);
+  disable_ = button("peopleDisable", tr("Disable"), tr("Cannot sign in any more; what they did stays"),
+                    &PeopleWindow::toggleDisabled);
+  target_->setObjectName(QStringLiteral("peopleTarget"));
+  target_->setAccessibleName(tr("Class to join"));
+  target_->setToolTip(tr("The class that the selected person joins"));
+  as_->setObjectName(QStringLiteral("peopleAs"));
+  as_->setAccessibleName(tr("Joins as"));
+  as_->setToolTip(tr("Who teaches sees the attempts of all who learn in the class"));
+  as_->addItem(tr("to learn"), false);
+  as_->addItem(tr("to teach"), true);
+  join_ = button("peopleJoin", tr("Join"), tr("Puts the selected person into that class"), &PeopleWindow::join);
+  leave_ = button("peopleLeave", tr("Leave this class"), tr("Takes the selected person out of the class that is shown"),
+                  &PeopleWindow::leave);
+  auto* first = new QHBoxLayout;
+  first->setSpacing(kGap);
+  for (QPushButton* one : {add_, edit_, password_, disable_}) first->addWidget(one);
+  first->addStretch();
+  auto* second = new QHBoxLayout;
+  second->setSpacing(kGap);
+  second->addWidget(new QLabel(tr("Class")));
+  second->addWidget(target_, 1);
+  second->addWidget(as_);
+  second->addWidget(join_);
+  second->addWidget(leave_);
+  auto* side = new QWidget;
+  auto* column = new QVBoxLayout(side);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kGap);
+  column->addWidget(heading(tr("People")));
+  column->addWidget(table_, 1);
+  column->addLayout(first);
+  column->addLayout(second);
+  return side;
+}
+
+bool PeopleWindow::isAdministrator() const {
+  return account_.person().role == Role::Administrator;
+}
+
+const Cohort* PeopleWindow::cohort() const {
+  const int row = classes_->currentRow() - (isAdministrator() ? 1 : 0);
+  return row >= 0 && row < int(cohorts_.size()) ? &cohorts_[std::size_t(row)] : nullptr;
+}
+
+const PeopleWindow::Shown* PeopleWindow::chosen() const {
+  const int row = table_->currentRow();
+  return !table_->selectedItems().isEmpty() && row < int(people_.size()) ? &people_[std::size_t(row)] : nullptr;
+}
+
+void PeopleWindow::tell(const QString& words) {
+  trouble_->setText(words.isEmpty() ? QString() : QStringLiteral("▲  ") + words);
+  trouble_->setVisible(!words.isEmpty());
+}
+
+void PeopleWindow::read() {
+  account_.ask<std::vector<Cohort>>(
+      this, [](const SignedIn& by) { return CohortStore(by).cohorts(); },
+      [this](const Result<std::vector<Cohort>>& cohorts) {
+        if (!cohorts) return tell(qt(cohorts.error().message));
+        const std::string before = cohort() ? cohort()->id : "";
+        cohorts_ = *cohorts;
+        const QSignalBlocker quiet(classes_);
+        classes_->clear();
+        target_->clear();
+        if (isAdministrator()) classes_->addItem(tr("Everybody"));
+        for (const Cohort& one : cohorts_) {
+          classes_->addItem(qt(one.name));
+          target_->addItem(qt(one.name), qt(one.id));
+        }
+        const auto at = std::ranges::find(cohorts_, before, &Cohort::id);
+        const bool found = at != cohorts_.end();
+        classes_->setCurrentRow(found ? int(at - cohorts_.begin()) + (isAdministrator() ? 1 : 0) : 0);
+        readPeople();
+      });
+}
+
+void PeopleWindow::readPeople() {
+  if (!cohort() && !isAdministrator()) return showPeople({});
+  account_.ask<std::vector<Member>>(
+      this, [id = cohort() ? cohort()->id : std::string()](const SignedIn& by) { return membersOf(by, id); },
+      [this, id = cohort() ? cohort()->id : std::string()](const Result<std::vector<Member>>& members) {
+        if (id != (cohort() ? cohort()->id : std::string())) return;  // another class was chosen meanwhile
+        if (!members) return tell(qt(members.error().message));
+        std::vector<Shown> people;
+        for (const Member& member : *members) people.push_back({member.person, member.teaches});
+        showPeople(people);
+      });
+}
+
+void PeopleWindow::showPeople(const std::vector<Shown>& people) {
+  const std::string before = chosen() ? chosen()->person.id : "";
+  people_ = people;
+  const QSignalBlocker quiet(table_);
+  table_->clearSelection();
+  table_->setRowCount(int(people_.size()));
+  for (int row = 0; row < int(people_.size()); ++row) {
+    const auto& [person, teaches] = people_[std::size_t(row)];
+    const QString role = teaches ? tr("%1, teaches").arg(wordOf(person.role)) : wordOf(person.role);
+    const QString state = person.disabled ? tr("disabled") : QString();
+    const QString texts[kColumns] = {qt(person.fullName), qt(person.name), qt(person.email), role, state};
+    for (int column = 0; column < kColumns; ++column) table_->setItem(row, column, new QTableWidgetItem(texts[column]));
+    if (person.id == before) table_->selectRow(row);
+  }
+  refresh();
+}
+
+void PeopleWindow::refresh() {
+  const bool all = isAdministrator(), someone = chosen() != nullptr;
+  addClass_->setVisible(all);
+  renameClass_->setVisible(all);
+  renameClass_->setEnabled(cohort());
+  add_->setEnabled(all || cohort());
+  edit_->setVisible(all);
+  disable_->setVisible(all);
+  edit_->setEnabled(someone);
+  disable_->setEnabled(someone);
+  disable_->setText(someone && chosen()->person.disabled ? tr("Enable") : tr("Disable"));
+  password_->setEnabled(someone && chosen()->person.id != account_.person().id);
+  target_->setEnabled(all && !cohorts_.empty());
+  as_->setEnabled(target_->isEnabled());
+  join_->setEnabled(target_->isEnabled() && someone);
+  leave_->setEnabled(cohort() && someone);
+}
+
+void PeopleWindow::change(std::function<Result<void>(const SignedIn&)> what) {
+  account_.ask<void>(this, std::move(what), [this](const Result<void>& result) {
+    tell(result ? QString() : qt(result.error().message));
+    read();
+  });
+}
+
+}  // namespace insonate::ui

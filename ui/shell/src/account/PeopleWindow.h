@@ -1,0 +1,69 @@
+#pragma once
+
+#include "EntryDialog.h"
+
+#include <insonate/curriculum/CohortStore.h>
+
+#include <QDialog>
+#include <functional>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QPushButton;
+class QTableWidget;
+
+namespace insonate::ui {
+
+class Account;
+
+/// Who is here, in which classes, and as what: for administrators all people, for instructors those of their classes.
+/// What changes is written at once, and shown as the store then has it.
+class PeopleWindow : public QDialog {
+  Q_OBJECT
+
+ public:
+  PeopleWindow(Account& account, QWidget* parent);
+
+ private:
+  struct Shown {
+    Person person;
+    bool teaches = false;
+  };
+  QWidget* classColumn();
+  QWidget* peopleColumn();
+  QPushButton* button(const char* name, const QString& words, const QString& tip, void (PeopleWindow::*act)());
+  void read();
+  void readPeople();
+  void showPeople(const std::vector<Shown>& people);
+  void refresh();
+  EntryDialog::Action asking(std::function<Result<void>(const SignedIn&, const QStringList&)> what);
+  void change(std::function<Result<void>(const SignedIn&)> what);
+  void tell(const QString& words);
+
+  const Cohort* cohort() const;  ///< null: all people
+  const Shown* chosen() const;   ///< null: nobody
+  bool isAdministrator() const;
+
+  void addClass();
+  void renameClass();
+  void addPerson();
+  void editPerson();
+  void setPassword();
+  void toggleDisabled();
+  void join();
+  void leave();
+
+  Account& account_;
+  std::vector<Cohort> cohorts_;
+  std::vector<Shown> people_;
+  QListWidget* classes_;
+  QTableWidget* table_;
+  QComboBox* target_;  ///< the class that the person joins
+  QComboBox* as_;      ///< as what they join it
+  QLabel* trouble_;
+  QPushButton *addClass_, *renameClass_, *add_, *edit_, *password_, *disable_, *join_, *leave_;
+};
+
+}  // namespace insonate::ui

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <insonate/curriculum/Person.h>
+
+#include <QString>
+#include <QStringList>
+
+namespace insonate::ui {
+
+/// "trainee", "instructor", "administrator".
+QString wordOf(Role role);
+/// In the order of Role.
+QStringList roleWords();
+/// Of its word; a trainee's for any other.
+Role roleOf(const QString& word);
+
+}  // namespace insonate::ui
