@@ -17,7 +17,7 @@ using testing::HasSubstr;
 class SessionCommand : public testing::Test {
  protected:
   void SetUp() override {
-    const auto written = writeCase(smallCase(), folder / "case");
+    const auto written = writeCase(smallAttemptCase(), folder / "case");
     ASSERT_TRUE(written) << written.error().message;
     std::ofstream(folder / "attempt.json") << R"({"acts": [{"probe": "auto"},
       {"needle": {"from_mm": [0, -5, 0], "to": "vein"}}, {"advance_mm": 27}, {"withdraw_mm": 10}]})";
@@ -39,7 +39,7 @@ TEST_F(SessionCommand, AnAttemptAndItsReplayTellTheSame) {
   EXPECT_EQ(told["metrics"]["artery_punctures"], 0);
   EXPECT_EQ(told["metrics"]["used_needle_insertions"], 0);
   EXPECT_GT(told["metrics"]["time_to_vein_s"], 0);
-  EXPECT_TRUE(told["metrics"].at("nearest_artery_mm").is_null()) << "there is none";
+  EXPECT_TRUE(told["metrics"].at("nearest_lung_mm").is_null()) << "there is none";
   EXPECT_EQ(told["events"][2]["kind"], "left");
   EXPECT_EQ(told["events"][2]["wall"], "vein");
   EXPECT_GT(told["events"][2]["t_s"], told["events"][1]["t_s"]);
@@ -61,6 +61,14 @@ TEST_F(SessionCommand, AnAttemptAndItsReplayTellTheSame) {
   EXPECT_EQ(early["metrics"]["vein_punctures"], 0);
   EXPECT_FALSE(json::parse(run("replay " + path("a") + " --json").output).contains("metrics"));
   EXPECT_THAT(run("replay " + path("a") + " --metrics").output, HasSubstr("vein_punctures"));
+}
+
+TEST_F(SessionCommand, AProcedureThatTheCaseIsNotForIsRefusedAndLeavesNothing) {
+  std::ofstream(folder / "below.json") << R"({"procedure": "subclavian", "acts": [{"wait_s": 1}]})";
+  const auto refused = run("session " + path("case") + " --script " + path("below.json") + " --record " + path("a"));
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.errors, HasSubstr("nothing is labelled airway and lung"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "a"));
 }
 
 std::map<std::string, std::string> filesIn(const std::filesystem::path& folder) {

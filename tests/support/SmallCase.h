@@ -29,4 +29,13 @@ inline PatientCase smallCase() {
   return patient;
 }
 
+/// The same with an artery along z, 20 mm beside the vein, so that attempts can be made on it.
+inline PatientCase smallAttemptCase() {
+  PatientCase patient = smallCase();
+  for (int k = 0; k < 17; ++k)
+    for (int j = 16; j < 21; ++j)
+      for (int i = 2; i < 7; ++i) patient.labels.at(i, j, k) = kArtery;
+  return patient;
+}
+
 }  // namespace insonate::test

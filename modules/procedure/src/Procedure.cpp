@@ -40,6 +40,14 @@ PatientPosition readPosition(const json& object, const std::string& where, std::
   return position;
 }
 
+NeededStructure readNeed(const json& object, const std::string& where, std::string& trouble) {
+  JsonEntry entry(object, where, {"label", "why"});
+  const auto label = static_cast<Label>(entry.word("label", labelNames()));
+  NeededStructure need{label, entry.text("why")};
+  trouble = entry.trouble();
+  return need;
+}
+
 std::variant<Happening, Holding> readUntil(const json& object, const std::string& where, std::string& trouble) {
   JsonEntry entry(object, where + ", until,", {"happens", "wall", "holds", "for_s"});
   std::variant<Happening, Holding> until;
@@ -114,13 +122,15 @@ MetricNorm readNorm(const json& object, const std::string& where, std::string& t
 }
 
 Procedure readProcedure(const json& object, std::string& trouble) {
-  JsonEntry file(
-      object, "The procedure",
-      {"name", "title", "version", "description", "positions", "steps", "passBegins", "rules", "success", "norms"});
+  JsonEntry file(object, "The procedure",
+                 {"name", "title", "version", "description", "needs", "target", "positions", "steps", "passBegins",
+                  "rules", "success", "norms"});
   Procedure procedure;
   procedure.name = file.text("name"), procedure.title = file.text("title");
   file.text("description", false);
   procedure.version = static_cast<int>(file.number("version", 1, 1e6));
+  procedure.target = file.text("target", false);
+  procedure.needs = file.list("needs", "need", readNeed);
   procedure.positions = file.list("positions", "position", readPosition);
   procedure.steps = file.list("steps", "step", readStep);
   procedure.rules = file.list("rules", "rule", readRule);

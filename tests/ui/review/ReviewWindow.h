@@ -24,7 +24,7 @@ namespace insonate::review {
 using test::kPatience_ms;
 
 inline std::shared_ptr<const PatientCase> block() {
-  static const auto made = std::make_shared<const PatientCase>(test::smallCase());
+  static const auto made = std::make_shared<const PatientCase>(test::smallAttemptCase());
   return made;
 }
 

@@ -116,6 +116,27 @@ TEST_F(TrainAttempt, AWholeOneByKeysIsGuidedScoredAndKept) {
   EXPECT_TRUE(shown("attemptStart"));
 }
 
+TEST_F(TrainAttempt, AProcedureThatTheCaseIsNotForIsToldAndDoesNotBegin) {
+  openWide();
+  ASSERT_TRUE(waitFor([&] { return child<QPushButton>("attemptStart")->isEnabled(); }));
+  EXPECT_FALSE(shown("attemptUnfit"));
+  auto* procedure = child<QComboBox>("attemptProcedure");
+  const auto choose = [&](const char* name) {
+    procedure->setCurrentIndex(procedure->findData(name));
+    Q_EMIT procedure->activated(procedure->currentIndex());
+  };
+  choose("subclavian");
+  EXPECT_TRUE(shown("attemptUnfit"));
+  EXPECT_TRUE(text("attemptUnfit").contains("nothing is labelled airway and lung"));
+  EXPECT_FALSE(child<QPushButton>("attemptStart")->isEnabled());
+  key(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_EQ(attempt_->state(), State::Idle);
+  EXPECT_TRUE(workspace_->statusText().contains("a pneumothorax would not be noticed"));
+  choose("internal_jugular");
+  EXPECT_FALSE(shown("attemptUnfit"));
+  start();
+}
+
 TEST_F(TrainAttempt, WhatWentWrongIsSaidWithWhatToDo) {
   openWide();
   start();

@@ -24,7 +24,8 @@ class NeedleWindow : public TrainWindow {
         for (int j = 6; j < grid.size[1]; ++j)
           for (int i = 0; i < grid.size[0]; ++i) {
             const bool vein = std::hypot(i - 50, j - 18) < 5;
-            made->labels.at(i, j, k) = j < 8 ? kSkin : vein ? kVein : j >= 32 ? kBone : kSoftTissue;
+            const bool artery = i >= 88 && i < 93 && j >= 16 && j < 21;
+            made->labels.at(i, j, k) = j < 8 ? kSkin : vein ? kVein : artery ? kArtery : j >= 32 ? kBone : kSoftTissue;
             made->ct.at(i, j, k) = 40;
           }
       return std::shared_ptr<const PatientCase>(made);

@@ -17,6 +17,7 @@ TEST(Procedure, PresetsAreFineAndSayEverything) {
     ASSERT_TRUE(procedure) << procedure.error().message;
     EXPECT_EQ(procedure->name, name);
     EXPECT_EQ(procedure->steps.at(procedure->passBegins).name, "skin");
+    EXPECT_FALSE(procedure->needs.empty() || procedure->target.empty());
     EXPECT_FALSE(procedure->rules.empty() || procedure->success.empty() || procedure->positions.empty());
     for (const ProcedureStep& step : procedure->steps) EXPECT_TRUE(step.say.ends_with(".")) << step.name;
     for (const ProcedureRule& rule : procedure->rules) EXPECT_TRUE(rule.say.ends_with(".")) << rule.name;
@@ -27,6 +28,7 @@ TEST(Procedure, PresetsAreFineAndSayEverything) {
 /// A procedure of one step, with a piece of its text replaced.
 std::string with(const std::string& piece, const std::string& other) {
   std::string text = R"({"name": "p", "title": "P", "version": 2,
+    "target": "femoral", "needs": [{"label": "vein", "why": "it is the target"}],
     "positions": [{"name": "supine", "tilt_deg": 0, "head_deg": 0}],
     "steps": [{"name": "skin", "title": "Skin", "say": "Go in.", "until": {"happens": "entered", "wall": "skin"}}],
     "passBegins": "skin",
@@ -42,6 +44,10 @@ TEST(Procedure, IsReadAsItIsWritten) {
   const auto procedure = parseProcedure(with("major", "major"));
   ASSERT_TRUE(procedure) << procedure.error().message;
   EXPECT_EQ(procedure->version, 2);
+  EXPECT_EQ(procedure->target, "femoral");
+  ASSERT_EQ(procedure->needs.size(), 1U);
+  EXPECT_EQ(procedure->needs[0].label, kVein);
+  EXPECT_EQ(procedure->needs[0].why, "it is the target");
   const auto& until = std::get<Happening>(procedure->steps[0].until);
   EXPECT_EQ(until.kind, AttemptEventKind::Entered);
   EXPECT_EQ(until.wall, kSkin);
@@ -65,6 +71,8 @@ TEST(Procedure, BadInputIsToldWhereAndWhatElse) {
            {"\"version\": 2", "\"version\": 0", "needs a number from 1 to 1e+06 as 'version', not 0."},
            {"\"tilt_deg\": 0", "\"tilt_deg\": 90",
             "position 'supine' needs a number from -45 to 45 as 'tilt_deg', not 90."},
+           {"\"label\": \"vein\"", "\"label\": \"vien\"", "need 1 has the unknown label 'vien'; did you mean 'vein'?"},
+           {", \"why\": \"it is the target\"", "", "need 1 has no 'why'."},
            {"entered", "entred", "step 'skin', until, has the unknown happens 'entred'; did you mean 'entered'?"},
            {"\"wall\": \"skin\"", "\"wall\": \"vien\"", "has the unknown wall 'vien'; did you mean 'vein'?"},
            {"\"happens\": \"entered\", \"wall\": \"skin\"", "",

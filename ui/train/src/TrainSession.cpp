@@ -86,7 +86,7 @@ void TrainSession::setCase(std::shared_ptr<const PatientCase> patient) {
   history_.clear();
   start_ = {};
   unplaced_.reset();
-  lacksVessels_ = false;
+  structures_.reset();
   shown_ = nullptr;
   cine_.clear();
   cineIndex_ = 0;
@@ -96,6 +96,10 @@ void TrainSession::setCase(std::shared_ptr<const PatientCase> patient) {
   Q_EMIT caseChanged();
   if (wasFrozen) Q_EMIT frozenChanged();
   if (patient_) startWorker();
+}
+
+bool TrainSession::lacksVessels() const {
+  return structures_ && std::ranges::none_of(*structures_, [](auto one) { return one == kVein || one == kArtery; });
 }
 
 void TrainSession::startWorker() {
@@ -116,7 +120,7 @@ void TrainSession::startWorker() {
     Q_EMIT placingChanged();
   };
   work.structures = [this](const std::vector<std::uint8_t>& labels) {
-    lacksVessels_ = std::ranges::none_of(labels, [](std::uint8_t one) { return one == kVein || one == kArtery; });
+    structures_ = labels;
     Q_EMIT structuresKnown();
   };
   work.surface = [this](std::uint8_t label, std::shared_ptr<const Mesh> mesh) { Q_EMIT surfaceMade(label, mesh); };

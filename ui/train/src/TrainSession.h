@@ -103,8 +103,10 @@ class TrainSession : public QObject {
   bool isUnplaced() const { return unplaced_.has_value(); }
   /// To the skin nearest to the front; moves go on from there.
   void placeOnSkin();
-  /// The labels of the case have been looked through, and no vein or artery is among them.
-  bool lacksVessels() const { return lacksVessels_; }
+  /// The labels of the case; none until they have been looked through.
+  const std::optional<std::vector<std::uint8_t>>& structures() const { return structures_; }
+  /// They have been, and no vein or artery is among them.
+  bool lacksVessels() const;
 
   // Pictures
   bool isFrozen() const { return frozen_; }
@@ -136,7 +138,7 @@ class TrainSession : public QObject {
   void tissueChanged();
   void frozenChanged();
   void placingChanged();   ///< isUnplaced()
-  void structuresKnown();  ///< lacksVessels()
+  void structuresKnown();  ///< structures()
   void messageChanged();
   void surfaceMade(int label, std::shared_ptr<const insonate::Mesh> mesh);
   void surfacesDone();
@@ -187,7 +189,7 @@ class TrainSession : public QObject {
   std::vector<std::shared_ptr<const LiveFrame>> cine_;
   int cineIndex_ = 0;
   std::optional<ProbeHand> unplaced_;
-  bool lacksVessels_ = false;
+  std::optional<std::vector<std::uint8_t>> structures_;
   QString message_, hint_;
   QTimer said_;
   std::string failure_;  ///< of the live probe, as last said

@@ -3,6 +3,7 @@
 #include <insonate/haptics/SimulatedHand.h>
 #include <insonate/simulator/AttemptOrigin.h>
 #include <insonate/simulator/AttemptSettings.h>
+#include <insonate/simulator/ProcedureFit.h>
 #include <insonate/simulator/ScriptedSession.h>
 #include <insonate/simulator/ServoRecord.h>
 
@@ -191,6 +192,7 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
                                   const SessionPictures& pictures) {
   auto procedure = loadProcedure(script.procedure);
   if (!procedure) return tl::unexpected(procedure.error());
+  if (auto ok = checkFits(*procedure, patient); !ok) return tl::unexpected(ok.error());
   auto settings = settingsOf(script);
   if (!settings) return tl::unexpected(settings.error());
   auto grid = TissueGrid::fromLabels(patient.labels, placeOf(script), kReach_mm);

@@ -3,6 +3,7 @@
 #include "../TrainSession.h"
 
 #include <insonate/simulator/AttemptOrigin.h>
+#include <insonate/simulator/ProcedureFit.h>
 #include <insonate/ui/Attempts.h>
 
 #include <QCoreApplication>
@@ -79,6 +80,12 @@ void AttemptControl::choose(const std::string& procedure) {
   Q_EMIT stateChanged();
 }
 
+QString AttemptControl::unfit() const {
+  if (!session_.patient() || !session_.structures()) return {};
+  const auto fits = checkFits(procedure(), session_.patient()->manifest, *session_.structures());
+  return fits ? QString() : QString::fromStdString(fits.error().message);
+}
+
 void AttemptControl::setMode(AttemptMode mode) {
   if (isRunning() || std::exchange(mode_, mode) == mode) return;
   Q_EMIT stateChanged();
@@ -111,8 +118,9 @@ void AttemptControl::show(State state) {
 
 void AttemptControl::start() {
   if (state_ != State::Idle && state_ != State::Over) return;
-  if (!session_.shown() || !session_.handReady())
+  if (!session_.shown() || !session_.handReady() || !session_.structures())
     return session_.say(tr("Wait for the first picture; then the attempt can begin."));
+  if (const QString why = unfit(); !why.isEmpty()) return session_.say(why);
   session_.setFrozen(false);
   // A new needle, ready to be taken up.
   session_.hands().layNeedleDown();

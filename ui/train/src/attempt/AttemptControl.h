@@ -42,6 +42,8 @@ class AttemptControl : public QObject {
   const std::vector<Procedure>& procedures() const { return procedures_; }
   const Procedure& procedure() const { return procedures_[chosen_]; }
   void choose(const std::string& procedure);
+  /// Why the procedure cannot be done on this case; empty: it can, as far as is known.
+  QString unfit() const;
   AttemptMode mode() const { return mode_; }
   void setMode(AttemptMode mode);
 

@@ -70,8 +70,10 @@ AttemptPanel::AttemptPanel(TrainSession& session, AttemptControl& attempt, QWidg
   connect(&attempt_, &AttemptControl::viewChanged, this, [this] { refreshRunning(); });
   connect(&attempt_, &AttemptControl::aspiratingChanged, this, [this] { draw_->setChecked(attempt_.isAspirating()); });
   connect(&session_, &TrainSession::caseChanged, this, [this] { refreshBegin(); });
+  connect(&session_, &TrainSession::structuresKnown, this, [this] { refreshBegin(); });
   connect(&session_, &TrainSession::pictureShown, this, [this] {
-    if (!start_->isEnabled()) refreshBegin();
+    const bool waits = attempt_.state() == State::Idle && !start_->isEnabled() && unfit_->text().isEmpty();
+    if (waits) refreshBegin();
   });
   connect(&session_, &TrainSession::tissueChanged, this, [this] { refreshRunning(); });
   refresh();
@@ -103,7 +105,9 @@ QWidget* AttemptPanel::buildBegin() {
   row->setSpacing(ui::kSmallGap);
   row->addWidget(mode_, 1);
   row->addWidget(start_, 1);
+  unfit_ = words("attemptUnfit", "problem");
   box->addWidget(procedure_);
+  box->addWidget(unfit_);
   box->addLayout(row);
   connect(procedure_, qOverload<int>(&QComboBox::activated), this,
           [this] { attempt_.choose(procedure_->currentData().toString().toStdString()); });
@@ -212,7 +216,10 @@ void AttemptPanel::refresh() {
 void AttemptPanel::refreshBegin() {
   procedure_->setCurrentIndex(procedure_->findData(QString::fromStdString(attempt_.procedure().name)));
   mode_->setCurrentIndex(mode_->findData(int(attempt_.mode())));
-  start_->setEnabled(session_.shown() != nullptr && attempt_.state() == State::Idle);
+  const QString unfit = attempt_.unfit();
+  unfit_->setText(unfit);
+  unfit_->setVisible(!unfit.isEmpty());
+  start_->setEnabled(session_.shown() && session_.structures() && unfit.isEmpty() && attempt_.state() == State::Idle);
   start_->setText(attempt_.state() == State::Starting ? tr("Starting ...") : tr("Start"));
 }
 

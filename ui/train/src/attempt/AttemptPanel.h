@@ -50,7 +50,8 @@ class AttemptPanel final : public QWidget {
   QWidget *begin_ = nullptr, *running_ = nullptr, *result_ = nullptr;
   QComboBox *procedure_ = nullptr, *mode_ = nullptr, *position_ = nullptr;
   QPushButton *start_ = nullptr, *draw_ = nullptr, *review_ = nullptr;
-  QLabel *head_ = nullptr, *numbers_ = nullptr, *headline_ = nullptr, *advice_ = nullptr, *errors_ = nullptr;
+  QLabel *unfit_ = nullptr, *head_ = nullptr, *numbers_ = nullptr, *headline_ = nullptr, *advice_ = nullptr,
+         *errors_ = nullptr;
   QScrollArea* scroll_ = nullptr;
   StepList* steps_ = nullptr;
 };

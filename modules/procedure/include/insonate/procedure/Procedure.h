@@ -67,10 +67,18 @@ struct MetricNorm {
   std::string advice;             ///< how to come nearer to the expert, one sentence
 };
 
+/// A structure that a case must have labelled.
+struct NeededStructure {
+  Label label = kVein;
+  std::string why;  ///< what would be lost without it, the end of a sentence
+};
+
 /// How a procedure goes, as data.
 struct Procedure {
   std::string name, title;
   int version = 1;
+  std::vector<NeededStructure> needs;
+  std::string target;  ///< what a case calls the vein, a part of its target's name; empty: any
   std::vector<PatientPosition> positions;
   std::vector<ProcedureStep> steps;  ///< at least one; in order
   std::size_t passBegins = 0;        ///< the step to which a needle that is pulled out too early goes back

@@ -1,0 +1,52 @@
+#include <insonate/core/Words.h>
+#include <insonate/simulator/ProcedureFit.h>
+
+#include <algorithm>
+#include <array>
+
+namespace insonate {
+namespace {
+
+bool isTargetOf(const Procedure& procedure, const Target& target) {
+  return !procedure.target.empty() && target.name.find(procedure.target) != std::string::npos;
+}
+
+/// The procedure that comes along for what a case has as its target.
+std::optional<Procedure> procedureFor(const CaseManifest& manifest) {
+  for (const std::string& name : procedurePresetNames()) {
+    auto preset = loadProcedure(name);
+    if (preset && std::ranges::any_of(manifest.targets, [&](const Target& one) { return isTargetOf(*preset, one); }))
+      return std::move(*preset);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<void> checkFits(const Procedure& procedure, const CaseManifest& manifest, std::span<const std::uint8_t> labels) {
+  const std::string what = "'" + procedure.title + "' cannot be done on '" + manifest.title + "': ";
+  for (const NeededStructure& need : procedure.needs)
+    if (std::ranges::find(labels, need.label) == labels.end())
+      return fail(what + "nothing is labelled " + std::string(labelTable()[need.label].name) + ", so " + need.why +
+                  ". Label it, or open another case.");
+  if (procedure.target.empty() ||
+      std::ranges::any_of(manifest.targets, [&](const Target& one) { return isTargetOf(procedure, one); }))
+    return {};
+  const auto other = procedureFor(manifest);
+  if (!other) return {};
+  std::vector<std::string_view> names;
+  for (const Target& target : manifest.targets) names.push_back(target.name);
+  return fail(what + "the case is for " + quotedWords(names) + ". Choose '" + other->title +
+              "', or open a case whose target is a " + procedure.target + " vein.");
+}
+
+Result<void> checkFits(const Procedure& procedure, const PatientCase& patient) {
+  std::array<bool, 256> has{};
+  for (const std::uint8_t label : patient.labels.voxels) has[label] = true;
+  std::vector<std::uint8_t> labels;
+  for (std::size_t label = 0; label < has.size(); ++label)
+    if (has[label]) labels.push_back(static_cast<std::uint8_t>(label));
+  return checkFits(procedure, patient.manifest, labels);
+}
+
+}  // namespace insonate
