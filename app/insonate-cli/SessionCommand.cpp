@@ -11,6 +11,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <variant>
 
 namespace insonate::cli {
@@ -62,13 +63,14 @@ Result<nlohmann::json> picturesOf(const ReplayArguments& a, std::shared_ptr<cons
   auto made = AttemptPictures::make(std::move(recording), std::make_shared<const PatientCase>(std::move(*patient)));
   if (!made) return tl::unexpected(made.error());
   const Progress progress = terminalProgress();
+  double last_s = -1;  // a frozen picture is one
   return writeAttemptPictures(a.pictures, [&](const TakeFrame& take) -> Result<void> {
     for (std::int64_t time_us = a.pictures.every_us(); time_us <= until_us; time_us += a.pictures.every_us()) {
       if (!report(progress, "pictures", static_cast<double>(time_us) / static_cast<double>(until_us)))
         return fail(std::string(kCancelled));
       const auto frame = made->at(time_us);
       if (!frame) return tl::unexpected(frame.error());
-      if (!*frame) continue;
+      if (!*frame || std::exchange(last_s, (*frame)->time_s) == (*frame)->time_s) continue;
       if (auto ok = take(**frame); !ok) return ok;
     }
     return {};

@@ -1,20 +1,12 @@
-#include "NeedleWindow.h"
-#include "attempt/AttemptControl.h"
+#include "AttemptWindow.h"
 #include "attempt/SyringeView.h"
 #include "scene/PatientViews.h"
 
 #include <insonate/cases/Phantom.h>
-#include <insonate/haptics/SimulatedHand.h>
-#include <insonate/procedure/AttemptRecording.h>
 #include <insonate/simulator/AttemptSettings.h>
-#include <insonate/ui/Attempts.h>
 
 #include <gmock/gmock.h>
 
-#include <QDir>
-#include <QLabel>
-#include <atomic>
-#include <chrono>
 #include <cmath>
 
 namespace insonate::train {
@@ -22,36 +14,7 @@ namespace {
 
 using State = AttemptControl::State;
 
-/// An attempt as a trainee makes it, by keys and buttons.
-class TrainAttempt : public NeedleWindow {
- protected:
-  void SetUp() override {
-    NeedleWindow::SetUp();
-    QDir(folder()).removeRecursively();
-    attempt_ = workspace_->findChild<AttemptControl*>();
-    ASSERT_TRUE(attempt_);
-  }
-
-  static QString folder() { return ui::attemptsFolder(); }
-  static QStringList files() { return QDir(folder()).entryList(QDir::Files); }
-  Result<AttemptRecording> recorded() {
-    const QStringList all = files();
-    if (all.size() != 1) return fail(std::to_string(all.size()) + " files");
-    return AttemptRecording::open(QDir(folder()).filePath(all.front()).toStdString());
-  }
-  QString text(const char* label) { return child<QLabel>(label)->text(); }
-  bool shown(const char* widget) { return child<QWidget>(widget)->isVisible(); }
-  void start() {
-    key(Qt::Key_Return, Qt::ControlModifier);
-    ASSERT_TRUE(waitFor([&] { return attempt_->isRunning(); })) << workspace_->statusText().toStdString();
-  }
-  void finish() {
-    key(Qt::Key_Return, Qt::ControlModifier);
-    ASSERT_TRUE(waitFor([&] { return attempt_->state() == State::Over; }));
-  }
-
-  AttemptControl* attempt_ = nullptr;
-};
+class TrainAttempt : public AttemptWindow {};
 
 TEST_F(TrainAttempt, AWholeOneByKeysIsGuidedScoredAndKept) {
   openWide();
@@ -271,64 +234,6 @@ TEST_F(TrainAttempt, TouchingTheTrayTakesANewNeedle) {
   EXPECT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Clean; }));
   finish();
   EXPECT_FALSE(patient.tray());
-}
-
-/// A stylus with two buttons, as a test holds it.
-class Stylus final : public HapticDevice {
- public:
-  Stylus() {
-    info_.id = "stylus", info_.name = "Stylus";
-    info_.limits = deviceProfiles().front().limits;
-  }
-  const DeviceInfo& info() const noexcept override { return info_; }
-  DevicePhase phase() const noexcept override { return DevicePhase::kStreaming; }
-  std::string trouble() const override { return {}; }
-  DeviceCounters counters() const noexcept override { return {}; }
-  bool take(DeviceState& state) noexcept override {
-    const double turn = turn_rad.load();
-    state = {};
-    const Vec3 x{std::cos(turn), 0, -std::sin(turn)}, y{0, 1, 0};
-    state.deviceFromStylus.linear = {{x, y, cross(x, y)}};
-    state.buttons = buttons;
-    state.time_ns = std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-    return true;
-  }
-  void push(const Force&) noexcept override {}
-
-  std::atomic<double> turn_rad = 0;  ///< about the device's y
-  std::atomic<std::uint32_t> buttons = 0;
-
- private:
-  DeviceInfo info_;
-};
-
-TEST_F(TrainAttempt, ButtonsOfTheNeedlesDeviceTurnThePatientAndDraw) {
-  openWide();
-  const auto stylus = std::make_shared<Stylus>();
-  hands().session().devices().add(stylus);
-  hands().assign(kNeedleHand, "stylus");
-  ASSERT_TRUE(waitFor([&] { return hands().needle().has_value(); }));
-  double across_deg = 0;
-  QObject::connect(&hands(), &HandsControl::anatomyTurned, workspace_.get(),
-                   [&](double across, double) { across_deg += across; });
-  const auto turnBy = [&](double degrees) {
-    for (int i = 0; i < 10; ++i) {
-      stylus->turn_rad = stylus->turn_rad + degrees / 10 * 3.14159265358979 / 180;
-      QTest::qWait(40);
-    }
-    QTest::qWait(100);
-  };
-  turnBy(20);
-  EXPECT_EQ(across_deg, 0) << "no button is down";
-  stylus->buttons = 1;
-  QTest::qWait(100);
-  turnBy(30);
-  EXPECT_NEAR(across_deg, -30, 0.5) << "the patient goes along with the hand";
-  stylus->buttons = 2;
-  EXPECT_TRUE(waitFor([&] { return attempt_->isAspirating(); }));
-  stylus->buttons = 0;
-  EXPECT_TRUE(waitFor([&] { return !attempt_->isAspirating(); }));
-  hands().assign(kNeedleHand, {});
 }
 
 }  // namespace

@@ -148,6 +148,57 @@ TEST(ToolContact, ANeedleThatIsPushedPastTheAxisStaysOnItsSide) {
   EXPECT_GT(onNeedle.force_N.x, 6);
 }
 
+TEST(Servo, AHeldNeedleStaysAndItsHandIsDrawnBackUntilItIsLetGo) {
+  Held held;
+  held.hold({-80, 0, -20}, {0, 0, 8}, 400);
+  const NeedleState before = held.out.needle;
+  const Transform tool = held.out.hands[kNeedleHand].patientFromTool;
+  ASSERT_TRUE(before.inBody);
+  held.setup.needleHeld = true;
+  held.servo.setup(held.setup);
+  held.hold({-80, 0, -20}, {0, 0, 8}, 1);
+  held.hold({-80, 0, -20}, {0.4, 0, 8.5}, 400);
+  EXPECT_LT(norm(held.out.hands[kNeedleHand].patientFromTool.offset - tool.offset), 1e-3);
+  EXPECT_NEAR(held.out.needle.depth_mm, before.depth_mm, 1e-3);
+  EXPECT_EQ(held.out.eventCount, 0);
+  // Half of what the device can show, 3 N/mm.
+  EXPECT_NEAR(held.out.hands[kNeedleHand].wanted_N.x, -1.5 * 0.4, 0.01);
+  EXPECT_NEAR(held.out.hands[kNeedleHand].wanted_N.z, -1.5 * 0.5, 0.01);
+  held.hold({-80, 0, -20}, {0, 0, 8}, 400);
+  EXPECT_LT(norm(held.out.hands[kNeedleHand].wanted_N), 0.01);
+  held.setup.needleHeld = false;
+  held.servo.setup(held.setup);
+  held.hold({-80, 0, -20}, {0, 0, -20}, 600);
+  EXPECT_FALSE(held.out.needle.inBody) << "and can be drawn out";
+}
+
+TEST(Servo, AHeldNeedleThatIsUnpluggedIsHeldNoMore) {
+  Held held;
+  held.hold({-80, 0, -20}, {0, 0, 8}, 400);
+  held.setup.needleHeld = true;
+  held.servo.setup(held.setup);
+  held.hold({-80, 0, -20}, {0, 0, 8}, 10);
+  held.present[kNeedleHand] = false;
+  held.hold({-80, 0, -20}, {0, 0, -20}, 400);
+  held.present[kNeedleHand] = true;
+  held.hold({-80, 0, -20}, {0, 0, -20}, 10);
+  EXPECT_NEAR(held.out.hands[kNeedleHand].patientFromTool.offset.z, -20, 0.1) << "where it was taken up again";
+  EXPECT_LT(norm(held.out.hands[kNeedleHand].force.force_N), 1e-6);
+}
+
+/// Another place of the tool is no way of the hand: no energy comes of it.
+TEST(Servo, ANewMappingInContactGivesTheHandNoEnergy) {
+  for (const double shift_mm : {-30.0, 30.0}) {
+    Held held;
+    held.hold({-80, 0, 5}, {0, 0, -20}, 400);
+    ASSERT_GT(held.out.hands[kProbeHand].energy_J, 0);
+    held.setup.hands[kProbeHand].patientFromDevice.offset = {0, 0, shift_mm};
+    held.servo.setup(held.setup);
+    held.hold({-80, 0, 5}, {0, 0, -20}, 1);
+    EXPECT_LE(held.out.hands[kProbeHand].energy_J, 1e-6) << shift_mm;
+  }
+}
+
 TEST(Servo, ATickAllocatesNothing) {
   LoopRig rig(deviceProfiles()[0].limits, layerOf(kMuscle));
   RandomHand probe(1, {-30, -5, -15}, {0, 5, 12}), needle(2, {-12, -4, -12}, {12, 4, 40});

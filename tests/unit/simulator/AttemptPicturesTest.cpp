@@ -108,6 +108,32 @@ TEST_F(AttemptPicturesTest, ShowNeedleTiltAndNothingWithoutAProbe) {
   EXPECT_NE(*pictures.at(1'400'900), nullptr) << "between two samples: the one before";
 }
 
+/// Frozen, then moved away and the patient tilted: the picture is that of the moment before.
+TEST_F(AttemptPicturesTest, AFrozenPictureStandsInTheSessionAndInItsReplay) {
+  const auto script = readSessionScript(R"({"acts": [
+    {"probe": {"position_mm": [0, 0, 0], "axial": [0, 1, 0], "lateral": [1, 0, 0]}}, {"wait_s": 0.25}, {"freeze": true},
+    {"tilt_deg": 20}, {"move_probe_mm": [3, 0, 0]}, {"freeze": false}, {"wait_s": 0.2}]})",
+                                        *patient);
+  ASSERT_TRUE(script) << script.error().message;
+  std::map<std::int64_t, Frame> taken;
+  const SessionPictures wanted{.every_us = 100'000, .take = [&](const LiveFrame& frame) -> Result<void> {
+                                 taken[std::llround(frame.time_s * 1e6)] = std::make_shared<LiveFrame>(frame);
+                                 return {};
+                               }};
+  ASSERT_TRUE(runSession(*script, *patient, "insonate test", folder / "frozen", {}, wanted));
+  std::vector<std::int64_t> times_us;
+  for (const auto& [time_us, frame] : taken) times_us.push_back(time_us);
+  EXPECT_THAT(times_us, testing::ElementsAre(100'000, 200'000, 250'000, 600'000, 700'000)) << "moved for 0.3 s";
+  AttemptPictures pictures = open("frozen");
+  for (const std::int64_t frozen_us : {300'000, 400'000, 500'000}) {
+    const auto frame = pictures.at(frozen_us);
+    ASSERT_TRUE(frame && *frame);
+    EXPECT_EQ(std::llround((*frame)->time_s * 1e6), 250'000);
+    expectSame(**frame, *taken[250'000]);
+  }
+  expectSame(**pictures.at(600'000), *taken[600'000]);
+}
+
 /// What any picture of the command line is made of, for a probe that does not press.
 TEST_F(AttemptPicturesTest, ArePicturesOfTheCase) {
   AttemptSettings settings;

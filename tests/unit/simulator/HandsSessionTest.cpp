@@ -106,6 +106,44 @@ TEST(HandsSession, ATypedDepthIsReachedThroughTheWallsAndNotBeyondThem) {
   EXPECT_TRUE(eventually([&] { return bench.hands.snapshot().output.needle.in == kVein; }));
 }
 
+TEST(HandsSession, AHeldNeedleStaysWhateverTheHandDoesAndGoesOnFromThereOnceItIsLetGo) {
+  Bench bench;
+  NeedleHand needle = NeedleHand::beside(bench.probe, 19, NeedlePlane::Along);
+  needle.moveTo({0, -0.5, 0});
+  needle.tilt(90 - needle.state().angle_deg);
+  const auto device = std::make_shared<SimulatedDevice>("needle", deviceProfiles()[3], Grip{}, HandPath::Point{});
+  HandSetup setup;
+  setup.patientFromDevice.offset = needle.patientFromNeedle().offset;
+  setup.stylusFromTool.linear = needle.patientFromNeedle().linear;
+  bench.hands.put(kNeedleHand, device, setup);
+  ASSERT_TRUE(eventually([&] { return bench.hands.snapshot().present[kNeedleHand]; }));
+  bench.push(needle, 14);
+  ASSERT_EQ(bench.hands.snapshot().output.needle.in, kVein);
+  const auto tip = [&] { return bench.hands.snapshot().output.hands[kNeedleHand].patientFromShown.offset; };
+  bench.hands.holdNeedle(true);
+  std::this_thread::sleep_for(100ms);
+  const Vec3 frozen = tip();
+  const auto hand = [&] { return bench.hands.snapshot().states[kNeedleHand].deviceFromStylus.offset; };
+  const Vec3 before = hand();
+  bench.events.clear();
+  // Far through the back wall, and turned.
+  device->want({0, {3, 20, 2}, {{Vec3{1, 0, 0}, Vec3{0, 0.98, 0.199}, Vec3{0, -0.199, 0.98}}}});
+  std::this_thread::sleep_for(500ms);
+  EXPECT_EQ(tip(), frozen);
+  EXPECT_GT(norm(hand() - before), 0.2) << "the hand yields a little";
+  EXPECT_GT(norm(bench.hands.snapshot().output.hands[kNeedleHand].wanted_N), 0.5) << "and is drawn back";
+  const Vec3 axis = bench.hands.snapshot().output.hands[kNeedleHand].patientFromShown.linear.column[2];
+  bench.hands.holdNeedle(false);
+  std::this_thread::sleep_for(50ms);
+  EXPECT_LT(norm(tip() - frozen), 2) << "it went on from there";
+  EXPECT_GT(dot(bench.hands.snapshot().output.hands[kNeedleHand].patientFromShown.linear.column[2], axis), 0.99);
+  for (const NeedleEvent& event : bench.hands.takeEvents()) bench.events.push_back(event);
+  EXPECT_TRUE(bench.events.empty()) << "nothing was punctured while it was held";
+  // Drawn back by the hand, it comes out by the way it went in.
+  device->want({0, {3, -30, 2}, {{Vec3{1, 0, 0}, Vec3{0, 0.98, 0.199}, Vec3{0, -0.199, 0.98}}}});
+  EXPECT_TRUE(eventually([&] { return !bench.hands.snapshot().output.needle.inBody; }));
+}
+
 TEST(HandsSession, ATestForceIsFeltForASecondAndThenTheHandIsTheServosAgain) {
   /// Remembers what it was pushed with.
   class Listener : public HapticDevice {

@@ -105,7 +105,7 @@ TEST_F(ScriptedSession, TheTipIsSeenInThePlaneOfThePicture) {
 
 TEST_F(ScriptedSession, ReplayAndRepetitionGiveTheSame) {
   const std::string acts = straight() + R"(, {"tilt_deg": 15}, {"advance_mm": 27, "speed_mmps": 23}, {"freeze": true},
-    {"withdraw_mm": 12}, {"freeze": false}, {"advance_mm": 6})";
+    {"wait_s": 0.2}, {"freeze": false}, {"withdraw_mm": 12}, {"advance_mm": 6})";
   const auto first = run(acts);
   const auto recording = AttemptRecording::open(file);
   ASSERT_TRUE(recording) << recording.error().message;
@@ -155,6 +155,7 @@ TEST_F(ScriptedSession, BadScriptsAreToldWhereAndWhatElse) {
            {R"({"acts": [{"needle": {"from_mm": [0, 0, 0], "to": "artery"}}]})",
             "targets ('vein') as 'to', not \"artery\"."},
            {R"({"acts": [{"needle": {"from_mm": [0, 12, 0], "to": "vein"}}]})", "less than 1 mm apart"},
+           {R"({"acts": [{"freeze": true}, {"withdraw_mm": 3}]})", "Act 2 moves a needle that is frozen; let it go"},
            {R"({"acts": [{"replace_needle": false}]})", "Act 1 needs true as 'replace_needle'"}}) {
     const auto script = readSessionScript(c.text, patient);
     ASSERT_FALSE(script) << c.text;

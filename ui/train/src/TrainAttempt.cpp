@@ -13,6 +13,7 @@
 #include <QEvent>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <utility>
 
 namespace insonate::train {
 namespace {
@@ -66,7 +67,9 @@ void TrainWorkspace::Parts::connectAttempt() {
   connect(&session.hands(), &HandsControl::needleChanged, this, [this] {
     const auto& held = session.hands().needle();
     const bool used = attempt->isRunning() && attempt->view().needle == NeedlePlace::Used;
-    if (used && held && patient->isOnTray(held->patientFromNeedle.offset)) attempt->replaceNeedle();
+    const bool touches = used && held && patient->isOnTray(held->patientFromNeedle.offset);
+    // Once a touch: the view hears of the new needle a little later.
+    if (!std::exchange(touchesTray_, touches) && touches) attempt->replaceNeedle();
   });
   // Buttons of the device that holds the needle.
   connect(&session.hands(), &HandsControl::anatomyTurned, this,

@@ -144,6 +144,7 @@ class TrainWorkspace::Parts : public QObject {
   std::vector<std::unique_ptr<PictureWriter>> writers_;
   QList<int> widthsBefore_;  ///< of the columns, before the patient's had more room
   bool effectAlone_ = false;
+  bool touchesTray_ = false;  ///< the used needle, in a hand
   std::unique_ptr<LiveMeasure> measure_;
   std::unique_ptr<SceneMeasure> volumeMeasure_;
   QTimer rate_;

@@ -82,6 +82,7 @@ void TrainSession::setCase(std::shared_ptr<const PatientCase> patient) {
   stop();
   patient_ = std::move(patient);
   control_.setHand(std::nullopt);
+  hands_.setHeld(false);
   hands_.setCase(nullptr, nullptr);
   history_.clear();
   start_ = {};
@@ -298,6 +299,7 @@ void TrainSession::rememberSetup() {
 void TrainSession::setFrozen(bool frozen) {
   if (frozen == frozen_ || !feed_.live() || !shown_) return;
   feed_.live()->setFrozen(frozen);
+  hands_.setHeld(frozen);
   frozen_ = frozen;
   cine_ = frozen ? feed_.live()->cine(kCine_s) : decltype(cine_){};
   cineIndex_ = std::max(0, int(cine_.size()) - 1);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace insonate {
 namespace {
@@ -23,6 +24,9 @@ constexpr double kMostSpring_mm = 15;
 double steepest_Npmm(const HandSetup& hand) {
   return hand.limits.maxStiffness_Npmm > 0 ? hand.limits.maxStiffness_Npmm : kUnknownStiffness_Npmm;
 }
+
+/// Of what a device can show, for the spring that holds the hand of a held needle.
+constexpr double kHoldShare = 0.5;
 
 /// Lighter than any device at its stylus.
 constexpr double kLeastMass_kg = 0.03;
@@ -43,12 +47,18 @@ struct HandState {
   EnergyTank tank;
   Transform patientFromStylus, patientFromTool;
   Mat3 attitude;
+  Vec3 device_mm;              // of the stylus, device frame
   Vec3 fromOther_N;            // part of the last force that came from the other tool
   double givenToOther_mJ = 0;  // energy that went into that since, N mm
   bool present = false;
   std::int64_t seen_ns = 0;
 
   void configure(const HandSetup& s) {
+    // Another place of the tool is no way that a hand has gone.
+    if (!(s.patientFromDevice == setup.patientFromDevice) || !(s.apart_mm == setup.apart_mm)) {
+      tank.reset();
+      fromOther_N = {};
+    }
     setup = s;
     GuardLimits limits;
     limits.force_N = std::min(s.limits.maxForce_N, std::max(0.0, s.mostForce_N));
@@ -90,11 +100,20 @@ struct HapticServo::State {
   NeedleMechanics needle;
   ToolContact tools;
   EnergyTank between;  // of the tools' contact, by how they move against each other
+  struct Held {
+    Transform patientFromTool;
+    Vec3 device_mm;  // of the stylus, as it was then
+  };
+  bool holds = false;        // as the setup wants it
+  std::optional<Held> held;  // the needle, from the end of the first tick on
   std::int64_t last_ns = 0;
 
   void takeSetup();
   void place(HandState& hand, const DeviceState& device, bool present);
+  void keepNeedle();
   void touch(const LocalModel& model, double step_s, std::array<Wanted, 2>& wanted, ServoOutput& out);
+  void touchNeedle(const LocalModel& model, double step_s, Wanted& wanted, ServoOutput& out);
+  void touchTools(double step_s, std::array<Wanted, 2>& wanted);
   void send(HandState& hand, const Wanted& wanted, std::int64_t silent_ns, std::int64_t step_ns, HandOutput& out);
 };
 
@@ -105,6 +124,7 @@ void HapticServo::State::takeSetup() {
   for (int i = 0; i < 2; ++i) hands[i].configure(latest.setup.hands[i]);
   shapes = latest.setup.shapes;
   skinFriction = latest.setup.skinFriction;
+  holds = latest.setup.needleHeld;
   const DeviceLimits &a = latest.setup.hands[0].limits, &b = latest.setup.hands[1].limits;
   between.setLimits({.most_J = 0.05,
                      .friction_N = (1 - kOwnShare) * std::min(a.friction_N, b.friction_N),
@@ -123,6 +143,7 @@ void HapticServo::State::place(HandState& hand, const DeviceState& device, bool 
     return;
   }
   hand.seen_ns = device.time_ns;
+  hand.device_mm = device.deviceFromStylus.offset;
   Transform shifted = hand.setup.patientFromDevice;
   shifted.offset = shifted * hand.setup.apart_mm;
   hand.attitude = hand.patientFromStylus.linear;
@@ -132,9 +153,18 @@ void HapticServo::State::place(HandState& hand, const DeviceState& device, bool 
   hand.patientFromTool = hand.patientFromStylus * hand.setup.stylusFromTool;
 }
 
+/// A needle that is gone or let go is held no more.
+void HapticServo::State::keepNeedle() {
+  HandState& hand = hands[kNeedleHand];
+  if (!holds || !hand.present)
+    held.reset();
+  else if (held)
+    hand.patientFromTool = held->patientFromTool;
+}
+
 void HapticServo::State::touch(const LocalModel& model, double step_s, std::array<Wanted, 2>& wanted,
                                ServoOutput& out) {
-  HandState &probe = hands[kProbeHand], &needleHand = hands[kNeedleHand];
+  HandState& probe = hands[kProbeHand];
   if (probe.present) {
     const SkinForce felt = skin.press(model, probe.patientFromTool, steepest_Npmm(probe.setup), skinFriction, step_s);
     wanted[kProbeHand].tissue = felt.force;
@@ -143,33 +173,48 @@ void HapticServo::State::touch(const LocalModel& model, double step_s, std::arra
   } else {
     skin.reset();
   }
-  if (needleHand.present && model.grid) {
+  touchNeedle(model, step_s, wanted[kNeedleHand], out);
+  touchTools(step_s, wanted);
+}
+
+void HapticServo::State::touchNeedle(const LocalModel& model, double step_s, Wanted& wanted, ServoOutput& out) {
+  const HandState& hand = hands[kNeedleHand];
+  if (held) {
+    const Vec3 away_mm = hand.setup.patientFromDevice.linear * (hand.device_mm - held->device_mm);
+    const Vec3 back_N = away_mm * (-kHoldShare * steepest_Npmm(hand.setup));
+    wanted.tissue = about({back_N, {}}, hand.patientFromStylus.offset, hand.patientFromTool.offset);
+  } else if (hand.present && model.grid) {
     NeedleEvents events;
-    const NeedleForce felt = needle.move(*model.grid, model.restFromPatient, needleHand.patientFromTool.offset,
-                                         needleHand.patientFromTool.linear.column[2], step_s, last_ns, events);
-    wanted[kNeedleHand].tissue = {felt.force_N, felt.torque_Nmm};
+    const NeedleForce felt = needle.move(*model.grid, model.restFromPatient, hand.patientFromTool.offset,
+                                         hand.patientFromTool.linear.column[2], step_s, last_ns, events);
+    wanted.tissue = {felt.force_N, felt.torque_Nmm};
     out.events = events.list;
     out.eventCount = events.count;
   } else {
     needle.reset();
   }
-  if (probe.present && needleHand.present) {
-    const double stiffness_Npmm = 0.5 * std::min(steepest_Npmm(probe.setup), steepest_Npmm(needleHand.setup));
-    Force &onProbe = wanted[kProbeHand].tool, &onNeedle = wanted[kNeedleHand].tool;
-    tools.push(probe.patientFromTool, needleHand.patientFromTool, shapes, stiffness_Npmm, onProbe, onNeedle);
-    const Vec3 apart_mm = needleHand.patientFromStylus.offset - probe.patientFromStylus.offset;
-    const double full_N = norm(onNeedle.force_N);
-    const Force paid = between.pass({onNeedle.force_N, {}}, {},
-                                    {apart_mm, {}, probe.givenToOther_mJ + needleHand.givenToOther_mJ}, step_s);
-    // Both get the same, so that neither is pushed by what the other does not feel.
-    const double share = full_N > 0 ? std::min(1.0, norm(paid.force_N) / full_N) : 1;
-    onNeedle = {onNeedle.force_N * share, onNeedle.torque_Nmm * share};
-    onProbe = {onProbe.force_N * share, onProbe.torque_Nmm * share};
-  } else {
+  if (holds && hand.present && !held) held = Held{hand.patientFromTool, hand.device_mm};
+  out.needle = needle.state();
+}
+
+void HapticServo::State::touchTools(double step_s, std::array<Wanted, 2>& wanted) {
+  const HandState &probe = hands[kProbeHand], &needleHand = hands[kNeedleHand];
+  if (!probe.present || !needleHand.present || held) {
     tools.reset();
     between.reset();
+    return;
   }
-  out.needle = needle.state();
+  const double stiffness_Npmm = 0.5 * std::min(steepest_Npmm(probe.setup), steepest_Npmm(needleHand.setup));
+  Force &onProbe = wanted[kProbeHand].tool, &onNeedle = wanted[kNeedleHand].tool;
+  tools.push(probe.patientFromTool, needleHand.patientFromTool, shapes, stiffness_Npmm, onProbe, onNeedle);
+  const Vec3 apart_mm = needleHand.patientFromStylus.offset - probe.patientFromStylus.offset;
+  const double full_N = norm(onNeedle.force_N);
+  const Force paid = between.pass({onNeedle.force_N, {}}, {},
+                                  {apart_mm, {}, probe.givenToOther_mJ + needleHand.givenToOther_mJ}, step_s);
+  // Both get the same, so that neither is pushed by what the other does not feel.
+  const double share = full_N > 0 ? std::min(1.0, norm(paid.force_N) / full_N) : 1;
+  onNeedle = {onNeedle.force_N * share, onNeedle.torque_Nmm * share};
+  onProbe = {onProbe.force_N * share, onProbe.torque_Nmm * share};
 }
 
 void HapticServo::State::send(HandState& hand, const Wanted& wanted, std::int64_t silent_ns, std::int64_t step_ns,
@@ -213,6 +258,7 @@ ServoOutput HapticServo::tick(const ServoInput& input) noexcept {
   const std::int64_t step_ns = s.last_ns > 0 ? std::max<std::int64_t>(input.now_ns - s.last_ns, 0) : 1'000'000;
   s.last_ns = input.now_ns;
   for (int i = 0; i < 2; ++i) s.place(s.hands[i], input.hands[i], input.present[i]);
+  s.keepNeedle();
   ServoOutput out;
   std::array<Wanted, 2> wanted;
   s.touch(model, static_cast<double>(step_ns) * 1e-9, wanted, out);

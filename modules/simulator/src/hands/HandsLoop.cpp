@@ -110,6 +110,25 @@ void HandsSession::Impl::moveMouse(Hand hand, const Transform& before, const Tra
   mice[hand]->placeAt({patientFromTool.linear, {}});
 }
 
+void HandsSession::Impl::holdNeedle(bool held) {
+  const std::lock_guard lock(mutex);
+  if (std::exchange(setup.needleHeld, held) == held || !servo) return;
+  if (!held) regrip(servo->latest());
+  servo->setup(setup);
+}
+
+/// The stylus as it is now holds the needle where it is now. Its ways and turns stay those of the device.
+void HandsSession::Impl::regrip(const ServoSnapshot& now) {
+  // Mouse and keys stood still.
+  if (!now.present[kNeedleHand] || isMouse(kNeedleHand)) return;
+  HandSetup& hand = setup.hands[kNeedleHand];
+  const Transform& needle = now.output.hands[kNeedleHand].patientFromTool;
+  const Transform& stylus = now.states[kNeedleHand].deviceFromStylus;
+  const Mat3 turned = hand.patientFromDevice.linear;
+  hand.stylusFromTool.linear = transposed(turned * stylus.linear) * needle.linear;
+  hand.patientFromDevice.offset = needle.offset - turned * (hand.apart_mm + stylus * hand.stylusFromTool.offset);
+}
+
 void HandsSession::Impl::forgetTissue() {
   grid = nullptr, veins = nullptr;
   frame = nullptr;

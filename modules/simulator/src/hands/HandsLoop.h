@@ -25,6 +25,7 @@ class HandsSession::Impl {
 
   void put(Hand hand, std::shared_ptr<HapticDevice> device, HandSetup setup);
   void testForce(Hand hand, Vec3 force_N);
+  void holdNeedle(bool held);
   void wake();
 
   // With the mutex held.
@@ -67,6 +68,7 @@ class HandsSession::Impl {
   };
 
   void run(const std::stop_token& stop);
+  void regrip(const ServoSnapshot& now);
   void step();
   bool busy() const { return devices[0] || devices[1] || pedal; }
   void takeMade();

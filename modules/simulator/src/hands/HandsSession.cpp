@@ -74,6 +74,10 @@ HandSetup HandsSession::setupOf(Hand hand) const {
   return impl_->setup.hands[hand];
 }
 
+void HandsSession::holdNeedle(bool held) {
+  impl_->holdNeedle(held);
+}
+
 void HandsSession::setPedal(std::shared_ptr<HapticDevice> pedal) {
   {
     const std::lock_guard lock(impl_->mutex);

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <optional>
 #include <thread>
+#include <utility>
 
 namespace insonate {
 namespace {
@@ -83,6 +84,8 @@ class Session {
   void operator()(const SessionAct::Aspirate& act) { aspirating_ = act.on; }
   void operator()(const SessionAct::Tell& act) {
     if (act.kind == AttemptEventKind::Positioned) tilt(act.tilt_deg);
+    if (act.kind == AttemptEventKind::Frozen) freeze();
+    if (act.kind == AttemptEventKind::Released) frozen_ = false;
     tell({.time_us = time_us_, .kind = act.kind, .tip_mm = tip_mm_, .axis = axis_, .tilt_deg = act.tilt_deg});
   }
 
@@ -93,6 +96,17 @@ class Session {
     recorder_.note(SettingsChange{time_us_ + kTick_us, textOf(settings_)});  // what is now was before
     keep(imaging_.use(settings_));
     tissueAt_us_ = 0;
+  }
+  /// The last picture stands until it is let go.
+  void freeze() {
+    frozen_ = true;
+    standing_ = nullptr;
+    if (!pictures_.take || !seen_ || !trouble_) return;
+    auto frame = imaging_.picture(*seen_);
+    if (frame)
+      standing_ = std::move(*frame);
+    else
+      keep(tl::unexpected(frame.error()));
   }
   void keep(const Result<void>& done) {
     if (trouble_ && !done) trouble_ = done;
@@ -112,6 +126,10 @@ class Session {
     if (!pictures_.take || !trouble_ || time_us_ < pictureAt_us_) return;
     pictureAt_us_ += pictures_.every_us;
     if (!sample.patientFromProbe) return;
+    if (frozen_) {
+      if (const auto once = std::exchange(standing_, nullptr)) keep(pictures_.take(*once));
+      return;
+    }
     const auto frame = imaging_.picture(sample);
     keep(frame ? pictures_.take(**frame) : tl::unexpected(frame.error()));
   }
@@ -126,7 +144,8 @@ class Session {
     for (DeviceState& hand : input.hands) hand.time_ns = now_ns;
     const ServoOutput output = servo_.tick(input);
 
-    const TickContext context{time_us_, input.present, probe_ ? settings_.setup.settings.depth_mm : 0, aspirating_,
+    const bool live = probe_ && !frozen_;
+    const TickContext context{time_us_, input.present, live ? settings_.setup.settings.depth_mm : 0, aspirating_,
                               restFromPatient_};
     AttemptSample sample = sampleOf(output, context, grid_.get(), veins_);
     sample.probeForce_N = force_N_;
@@ -134,6 +153,7 @@ class Session {
     recorder_.put(sample);
     const AttemptSample kept = restored(quantised(sample));
     outcome_.run.take(kept);
+    if (live) seen_ = kept;
     makePicture(kept);
     for (int i = 0; i < output.eventCount; ++i) tell(eventOf(output.events[i], context, grid_.get()));
   }
@@ -162,7 +182,9 @@ class Session {
   HapticServo servo_;
   std::int64_t time_us_ = 0;
   std::optional<Transform> probe_;
-  bool holdsNeedle_ = false, aspirating_ = false;
+  bool holdsNeedle_ = false, aspirating_ = false, frozen_ = false;
+  std::optional<AttemptSample> seen_;  ///< the last with a live picture
+  std::shared_ptr<const LiveFrame> standing_;  ///< until it was taken
   Vec3 tip_mm_, axis_{0, 0, 1};
 };
 

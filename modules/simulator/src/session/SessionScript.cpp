@@ -39,6 +39,7 @@ std::optional<Vec3> vectorIn(const json& value) {
 struct Place {
   const PatientCase& patient;
   std::optional<Transform> patientFromProbe{};
+  bool frozen = false;
 };
 
 /// A point as [x, y, z], in the probe's frame, or the name of one of the case's targets.
@@ -101,6 +102,13 @@ Result<bool> flagIn(const json& value, const std::string& name) {
   return fail("needs true or false as '" + name + "', not " + shown(value) + ".");
 }
 
+Result<SessionAct> freezeAct(const json& value, Place& place) {
+  const auto on = flagIn(value, "freeze");
+  if (!on) return tl::unexpected(on.error());
+  place.frozen = *on;
+  return SessionAct{SessionAct::Tell{*on ? AttemptEventKind::Frozen : AttemptEventKind::Released}};
+}
+
 Result<SessionAct> readAct(const json& act, Place& place) {
   const bool moves =
       act.is_object() && (act.contains("advance_mm") || act.contains("withdraw_mm") || act.contains("move_probe_mm"));
@@ -111,16 +119,15 @@ Result<SessionAct> readAct(const json& act, Place& place) {
   const json& value = act[name];
   if (name == "probe") return probeAct(value, place);
   if (name == "move_probe_mm") return moveProbeAct(act, place);
+  if (place.frozen && (name == "needle" || name == "advance_mm" || name == "withdraw_mm"))
+    return fail("moves a needle that is frozen; let it go before, with {\"freeze\": false}.");
   if (name == "needle") return needleAct(value, place);
   if (name == "advance_mm") return moveAct(act, "advance_mm", 1);
   if (name == "withdraw_mm") return moveAct(act, "withdraw_mm", -1);
   if (name == "wait_s")
     return numberIn(value, name, 0, 600).map([](double s) { return SessionAct{SessionAct::Wait{s}}; });
   if (name == "aspirate") return flagIn(value, name).map([](bool on) { return SessionAct{SessionAct::Aspirate{on}}; });
-  if (name == "freeze")
-    return flagIn(value, name).map([](bool on) {
-      return SessionAct{SessionAct::Tell{on ? AttemptEventKind::Frozen : AttemptEventKind::Released}};
-    });
+  if (name == "freeze") return freezeAct(value, place);
   if (name == "tilt_deg")
     return numberIn(value, name, -45, 45).map([](double deg) {
       return SessionAct{SessionAct::Tell{AttemptEventKind::Positioned, deg}};

@@ -224,6 +224,11 @@ void HandsControl::takeNeedle(NeedlePlane plane) {
                   : tr("The needle is there; it feels the patient in a moment."));
 }
 
+void HandsControl::setHeld(bool held) {
+  if (wish_) advance_mm_ = wish_->state().advance_mm;
+  session_->holdNeedle(held);
+}
+
 void HandsControl::layNeedleDown() {
   if (!std::exchange(wish_, std::nullopt)) return;
   apply();

@@ -80,6 +80,9 @@ class HandsControl : public QObject {
   /// The entry to the skin nearest to a point; while the needle is out.
   void needleTo(Vec3 patient_mm);
 
+  /// Frozen with the picture: the needle stays where it is, in whatever hand, until it is let go.
+  void setHeld(bool held);
+
   // Devices
   /// By DeviceInfo::id; empty for mouse and keys. Remembered, also while the device is not there.
   void assign(Hand hand, const QString& device);

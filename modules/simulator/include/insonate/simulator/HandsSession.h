@@ -56,6 +56,10 @@ class HandsSession {
   bool followsMouse(Hand hand) const;
   HandSetup setupOf(Hand hand) const;
 
+  /// While held, the needle stays where it is in the patient and its hand is held there; let go, it goes on from there
+  /// with the hand as it is then. A needle that is taken up meanwhile is held, too.
+  void holdNeedle(bool held);
+
   /// A pedal, or none. Its buttons that went down since the last takePresses(), one bit each.
   void setPedal(std::shared_ptr<HapticDevice> pedal);
   std::uint32_t takePresses();

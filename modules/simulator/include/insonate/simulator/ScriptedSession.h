@@ -71,7 +71,8 @@ struct SessionOutcome {
 /// Pictures on the way, as AttemptPictures makes them of the recording.
 struct SessionPictures {
   std::int64_t every_us = 1'000'000;  ///< of the script's time, a multiple of 1000; the first at the first multiple
-  /// Called where a probe is held; a failure ends the session. None: no pictures are made.
+  /// Called where a probe is held, once for a picture that is frozen; a failure ends the session. None: no pictures
+  /// are made.
   std::function<Result<void>(const LiveFrame&)> take;
 };
 

@@ -1,0 +1,140 @@
+#include "AttemptWindow.h"
+#include "scene/PatientViews.h"
+
+#include <insonate/haptics/SimulatedHand.h>
+
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+
+namespace insonate::train {
+namespace {
+
+/// A stylus with two buttons, as a test holds it.
+class Stylus final : public HapticDevice {
+ public:
+  Stylus() {
+    info_.id = "stylus", info_.name = "Stylus";
+    info_.limits = deviceProfiles().front().limits;
+  }
+  const DeviceInfo& info() const noexcept override { return info_; }
+  DevicePhase phase() const noexcept override { return DevicePhase::kStreaming; }
+  std::string trouble() const override { return {}; }
+  DeviceCounters counters() const noexcept override { return {}; }
+  bool take(DeviceState& state) noexcept override {
+    const double turn = turn_rad.load();
+    state = {};
+    const Vec3 x{std::cos(turn), 0, -std::sin(turn)}, y{0, 1, 0};
+    state.deviceFromStylus = {{{x, y, cross(x, y)}}, {x_mm, y_mm, z_mm}};
+    state.buttons = buttons;
+    state.time_ns = std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+    return true;
+  }
+  void push(const Force&) noexcept override {}
+
+  std::atomic<double> turn_rad = 0;  ///< about the device's y
+  std::atomic<double> x_mm = 0, y_mm = 0, z_mm = 0;
+  std::atomic<std::uint32_t> buttons = 0;
+
+ private:
+  DeviceInfo info_;
+};
+
+class AttemptByDevice : public AttemptWindow {};
+
+TEST_F(AttemptByDevice, ButtonsOfTheNeedlesDeviceTurnThePatientAndDraw) {
+  openWide();
+  const auto stylus = std::make_shared<Stylus>();
+  hands().session().devices().add(stylus);
+  hands().assign(kNeedleHand, "stylus");
+  ASSERT_TRUE(waitFor([&] { return hands().needle().has_value(); }));
+  double across_deg = 0;
+  QObject::connect(&hands(), &HandsControl::anatomyTurned, workspace_.get(),
+                   [&](double across, double) { across_deg += across; });
+  const auto turnBy = [&](double degrees) {
+    for (int i = 0; i < 10; ++i) {
+      stylus->turn_rad = stylus->turn_rad + degrees / 10 * 3.14159265358979 / 180;
+      QTest::qWait(40);
+    }
+    QTest::qWait(100);
+  };
+  turnBy(20);
+  EXPECT_EQ(across_deg, 0) << "no button is down";
+  stylus->buttons = 1;
+  QTest::qWait(100);
+  turnBy(30);
+  EXPECT_NEAR(across_deg, -30, 0.5) << "the patient goes along with the hand";
+  stylus->buttons = 2;
+  EXPECT_TRUE(waitFor([&] { return attempt_->isAspirating(); }));
+  stylus->buttons = 0;
+  EXPECT_TRUE(waitFor([&] { return !attempt_->isAspirating(); }));
+  hands().assign(kNeedleHand, {});
+}
+
+/// In the vein, frozen while the hand goes on, let go, drawn out, and carried to the tray: all by the device.
+TEST_F(AttemptByDevice, ANeedleInADeviceIsFrozenDrawnOutAndReplacedAtTheTray) {
+  openWide();
+  const auto stylus = std::make_shared<Stylus>();
+  hands().session().devices().add(stylus);
+  hands().assign(kNeedleHand, "stylus");
+  start();
+  ASSERT_TRUE(waitFor([&] { return hands().needle().has_value(); }));
+  const auto tip = [&] { return hands().needle()->patientFromNeedle.offset; };
+  // Seen from the patient's head, as devices stand at first: their right is the patient's right, their up the front.
+  const auto moveBy = [&](Vec3 way_mm, double step_mm) {
+    const int steps = int(std::ceil(norm(way_mm) / step_mm));
+    for (int i = 0; i < steps; ++i) {
+      stylus->x_mm = stylus->x_mm - way_mm.x / steps;
+      stylus->y_mm = stylus->y_mm - way_mm.y / steps;
+      stylus->z_mm = stylus->z_mm + way_mm.z / steps;
+      QTest::qWait(10);
+    }
+    QTest::qWait(200);
+  };
+  const Vec3 axis = hands().needle()->patientFromNeedle.linear.column[2];
+  moveBy(axis * -8, 5);
+  const Vec3 middle{0, 12, tip().z + 12};  // of the vein, beside the picture
+  moveBy(middle - axis * 25 - tip(), 5);
+  ASSERT_LT(norm(middle - axis * 25 - tip()), 0.1) << "the device leads the needle";
+  moveBy(axis * 25, 0.5);
+  ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Vein; }));
+
+  key(Qt::Key_Space);
+  ASSERT_TRUE(session_->isFrozen());
+  QTest::qWait(100);
+  const Vec3 frozen = tip();
+  moveBy(axis * 12 + Vec3{0, 0, 4}, 0.5);
+  EXPECT_EQ(tip(), frozen) << "the hand went on through the back wall";
+  EXPECT_EQ(attempt_->view().metrics[Metric::DoublePunctures], 0);
+  key(Qt::Key_Space);
+  QTest::qWait(200);
+  EXPECT_LT(norm(tip() - frozen), 0.1) << "it goes on from where it was frozen";
+  EXPECT_EQ(attempt_->view().needle, NeedlePlace::Vein);
+
+  moveBy(axis * -40, 0.5);
+  EXPECT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Used; }));
+  auto* scene = workspace_->findChild<ui::ViewWidget*>("sceneView");
+  const auto& patient = *static_cast<PatientViews*>(scene->parentWidget()->parentWidget());
+  ASSERT_TRUE(patient.tray());
+  moveBy(Vec3{0, -60, 0}, 10);  // over the patient
+  moveBy(*patient.tray() * Vec3{10, 5, 60} - tip(), 10);
+  EXPECT_EQ(attempt_->view().needle, NeedlePlace::Used) << "not touched yet";
+  moveBy(*patient.tray() * Vec3{10, 5, 3} - tip(), 10);
+  EXPECT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Clean; })) << "touched";
+  finish();
+  const MetricValues& metrics = attempt_->view().metrics;
+  EXPECT_EQ(metrics[Metric::VeinPunctures], 1);
+  EXPECT_EQ(metrics[Metric::DoublePunctures], 0);
+  EXPECT_EQ(metrics[Metric::UsedNeedleInsertions], 0);
+  std::vector<AttemptEventKind> told;
+  for (const AttemptEvent& event : attempt_->view().events)
+    if (event.kind >= AttemptEventKind::NeedleReplaced) told.push_back(event.kind);
+  using enum AttemptEventKind;
+  EXPECT_THAT(told, testing::ElementsAre(Frozen, Released, NeedleReplaced));
+  hands().assign(kNeedleHand, {});
+}
+
+}  // namespace
+}  // namespace insonate::train
