@@ -7,6 +7,9 @@ constexpr std::string_view kThesis =
     "one of the five metrics of Patient-specific Virtual Ultrasound Imagery for Virtual Reality Simulation of Central "
     "Line Placement";
 constexpr std::string_view kTrainer = "used by haptic trainers (Pepley et al., J Surg Educ 2017, 74:1066)";
+constexpr std::string_view kPerkTutor =
+    "19 novices before and after practice: shorter ways, less waste (Xia et al., Proc SPIE Medical Imaging 2018, doi "
+    "10.1117/12.2293789)";
 constexpr std::string_view kUnnamed =
     "used by trainers of the field; a study that shows its worth is not named here yet";
 
@@ -27,7 +30,7 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
     {UsedNeedleInsertions, "used_needle_insertions", 1, "", Lower,
      "Passes with a needle that was out of the skin by 2 mm before and was not replaced.", kThesis},
     {TimeToAccess, "time_to_access_s", 1, "s", Lower, "From the first puncture of the skin to access, over all passes.",
-     "Weinstein et al., J Vasc Interv Radiol 2023, 34:1337: experts are faster; alone it can be gamed"},
+     "Clinkard et al., Acad Emerg Med 2015, 22:212: experts 50 s, others 149 s; alone it can be gamed"},
     {AttemptTime, "attempt_time_s", 1, "s", Lower, "From the first sample to the last.", kUnnamed},
     {Passes, "passes", 1, "", Lower,
      "Punctures of the skin. A tip that has not come out of the hole by 2 mm has not made another.", kTrainer},
@@ -39,9 +42,9 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
     {NeedlePath, "needle_path_mm", 1, "mm", Lower,
      "Way of the tip under the skin over all passes until access, or the end; in steps of at least 0.5 mm, so that a "
      "turn may lose 1 mm.",
-     kTrainer},
+     kPerkTutor},
     {NeedleInefficiency, "needle_inefficiency_percent", 1, "%", Lower,
-     "100 (L / D - 1), L the needle's path until access, D from skin to vein in the pass that reached it.", kUnnamed},
+     "100 (L / D - 1), L the needle's path until access, D from skin to vein in the pass that reached it.", kPerkTutor},
     {PathDeviation, "path_deviation_mm", 1, "mm", Lower,
      "Root mean square distance of the tip from the straight line from skin to vein, in that pass, in steps of at "
      "least 0.5 mm.",
@@ -51,7 +54,7 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
      "30 to 45 degrees are taught (Pepley et al., J Surg Educ 2017, 74:1066); 45 in the thesis"},
     {TipInPicture, "tip_in_picture_percent", 1, "%", Higher,
      "Share of the tip's way forward, until access, that ended within the live picture's slice, in steps of 0.5 mm.",
-     kUnnamed},
+     "Ball et al., Br J Anaesth, doi 10.1093/bja/aer329: 36 % of the time free hand, 90 % with a needle guide"},
     {AspirationWhileAdvancing, "aspiration_while_advancing_percent", 1, "%", Higher,
      "Share of the tip's way forward, until access, with the syringe drawing, in steps of 0.5 mm.", kUnnamed},
     {VeinCentreDistance, "vein_centre_distance_mm", 2, "mm", Lower,
