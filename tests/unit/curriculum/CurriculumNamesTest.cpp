@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace insonate {
 namespace {
 
@@ -40,6 +42,26 @@ TEST(CurriculumNames, LimitsOfThePresetAreThoseThatWereCalibrated) {
     ++tests;
   }
   EXPECT_EQ(tests, 2);
+}
+
+TEST(CurriculumNames, NoStandardOfThePresetAsksForMoreThanExpertsReach) {
+  const auto curriculum = loadCurriculum("central_line");
+  ASSERT_TRUE(curriculum) << curriculum.error().message;
+  int compared = 0;
+  for (const Level& level : curriculum->levels) {
+    const auto procedure = loadProcedure(level.procedure);
+    ASSERT_TRUE(procedure) << procedure.error().message;
+    const auto meanings = metricMeanings(*procedure);
+    for (const MetricStandard& standard : level.pass.standards) {
+      const auto meaning = std::ranges::find(meanings, standard.metric, &MetricMeaning::id);
+      // Norms of counts are shares of attempts; of one attempt, none is asked for.
+      if (!meaning->expert || meaning->unit.empty()) continue;
+      ++compared;
+      EXPECT_GE(standard.most.value_or(*meaning->expert), *meaning->expert) << level.name << ", " << standard.metric;
+      EXPECT_LE(standard.least.value_or(*meaning->expert), *meaning->expert) << level.name << ", " << standard.metric;
+    }
+  }
+  EXPECT_GT(compared, 20);
 }
 
 TEST(CurriculumNames, WhatIsMissingIsNamed) {

@@ -9,6 +9,7 @@
 namespace insonate {
 namespace {
 
+using namespace std::string_literals;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -121,6 +122,15 @@ TEST(Curriculum, LevelsComeInAnOrderInWhichTheyCanBeLearnt) {
   EXPECT_THAT(names, ElementsAre("a", "c", "b", "d"));
   EXPECT_EQ(curriculum->level("b")->name, "b");
   EXPECT_EQ(curriculum->level("e"), nullptr);
+}
+
+TEST(Curriculum, TooManyLevelsAreRefused) {
+  std::string levels;
+  for (int i = 0; i < 201; ++i)
+    levels += (i ? "," : "") + R"({"name": "l)"s + std::to_string(i) + R"(", "title": "T", "about": "A.", "case": "c",
+      "procedure": "p", "assistance": "test", "prerequisites": [], "pass": {}, "mastery": {"passesInARow": 1}})";
+  EXPECT_THAT(refusalOf(R"({"name": "c", "title": "C", "version": 1, "levels": [)" + levels + "]}"),
+              HasSubstr("has 201 levels; 200 are the most."));
 }
 
 TEST(Curriculum, FilesAndNames) {

@@ -156,7 +156,9 @@ TEST(Unlocking, ASkillLapsesByFailuresSinceMastery) {
   EXPECT_EQ(progressOf(course, attemptsAt("a", "FFPP"), kNoon_us)[0].state, LevelState::Mastered);
   auto progress = progressOf(course, attemptsAt("a", "FFPPF"), kNoon_us);
   EXPECT_EQ(progress[0].state, LevelState::Mastered);
-  EXPECT_EQ(progress[0].why, "Mastered: 2 passes in a row; the last attempt failed because it did not succeed.");
+  EXPECT_EQ(progress[0].why,
+            "Mastered: 2 passes in a row; the last attempt failed because it did not succeed; 2 failures within 3 "
+            "attempts let it lapse, 1 so far.");
   EXPECT_EQ(progressOf(course, attemptsAt("a", "PPFPPF"), kNoon_us)[0].state, LevelState::Mastered);
   progress = progressOf(course, attemptsAt("a", "PPFPF"), kNoon_us);
   EXPECT_EQ(progress[0].state, LevelState::Lapsed);
@@ -174,6 +176,32 @@ TEST(Unlocking, WhatWasMasteredStaysSoWhileAPrerequisiteLapses) {
   EXPECT_EQ(progress[0].state, LevelState::Lapsed);
   EXPECT_EQ(progress[1].state, LevelState::Mastered);
   EXPECT_EQ(progress[2].state, LevelState::Open);
+}
+
+/// What a level with 2 passes in a row and a lapse by 2 failures of 3 comes to, read anew from the beginning.
+LevelState plainReading(const std::string& outcomes) {
+  LevelState state = LevelState::Open;
+  std::size_t from = 0;  // where what counts for the next change begins
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const std::string since = outcomes.substr(from, i + 1 - from);
+    const std::string last = since.substr(since.size() - std::min<std::size_t>(since.size(), 3));
+    const bool mastered = state == LevelState::Mastered;
+    if (mastered ? std::ranges::count(last, 'F') < 2 : !since.ends_with("PP")) continue;
+    state = mastered ? LevelState::Lapsed : LevelState::Mastered;
+    from = i + 1;
+  }
+  return state;
+}
+
+TEST(Unlocking, AnyHistoryAgreesWithItsPlainReading) {
+  Curriculum course = courseOf({levelNamed("a", 2)});
+  course.levels[0].mastery.lapsesAfter = FailureRule{2, 3};
+  for (int bits = 0; bits < 1 << 10; ++bits)
+    for (int length = 0; length <= 10; ++length) {
+      std::string outcomes;
+      for (int i = 0; i < length; ++i) outcomes += bits >> i & 1 ? 'P' : 'F';
+      ASSERT_EQ(progressOf(course, attemptsAt("a", outcomes), kNoon_us)[0].state, plainReading(outcomes)) << outcomes;
+    }
 }
 
 TEST(Unlocking, MissingAndLapsedPrerequisitesAreBothNamed) {

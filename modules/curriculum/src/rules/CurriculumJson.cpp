@@ -16,6 +16,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::size_t kMostLevels = 200;
+
 /// In the order of Assistance.
 const std::vector<std::string_view> kAssistances{"guided", "hints", "test"};
 
@@ -160,6 +162,9 @@ Result<Curriculum> parseCurriculum(std::string_view text) {
   curriculum.version = file.whole("version", 1, 1'000'000);
   if (!curriculum.name.empty() && !isPlainName(curriculum.name)) file.refuse(kPlainNameSentence);
   curriculum.levels = file.list("levels", "level", readLevel);
+  if (curriculum.levels.size() > kMostLevels)
+    file.refuse("has " + std::to_string(curriculum.levels.size()) + " levels; " + std::to_string(kMostLevels) +
+                " are the most.");
   if (curriculum.levels.empty()) file.refuse("has no levels; list at least one under 'levels'.");
   if (!file.trouble().empty()) return fail(file.trouble());
   auto ordered = inOrderOfLearning(std::move(curriculum.levels));

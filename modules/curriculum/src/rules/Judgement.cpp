@@ -12,7 +12,7 @@ constexpr std::string_view kSkinPunctures = "passes";
 
 bool isMet(const MetricStandard& standard, std::optional<double> value) {
   if (!value || !std::isfinite(*value)) return false;
-  return standard.least ? *value >= *standard.least : *value <= standard.most.value_or(*value);
+  return standard.least ? *value >= *standard.least : standard.most && *value <= *standard.most;
 }
 
 std::string shown(double value) {

@@ -25,6 +25,10 @@ void LevelRecord::lapse(Cause cause, std::int64_t time_us) {
   passesInARow_ = 0;
 }
 
+int LevelRecord::failuresSinceMastery() const {
+  return static_cast<int>(std::ranges::count(sinceMastery_, false));
+}
+
 void LevelRecord::take(const AttemptFacts& attempt, std::int64_t time_us) {
   const Judgement judgement = judge(level_->pass, attempt);
   last_ = &attempt;
@@ -52,7 +56,7 @@ void LevelRecord::followMastery(bool passed, std::int64_t time_us) {
     if (!rule.lapsesAfter) return;
     sinceMastery_.push_back(passed);
     if (static_cast<int>(sinceMastery_.size()) > rule.lapsesAfter->within) sinceMastery_.pop_front();
-    if (std::ranges::count(sinceMastery_, false) >= rule.lapsesAfter->failures) lapse(Cause::Failures, time_us);
+    if (failuresSinceMastery() >= rule.lapsesAfter->failures) lapse(Cause::Failures, time_us);
     return;
   }
   if (passesInARow_ < rule.passesInARow || (rule.cusum && !cusumSignalled_)) return;

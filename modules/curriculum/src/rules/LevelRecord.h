@@ -40,6 +40,8 @@ class LevelRecord {
   int passesInARow() const { return passesInARow_; }
   bool lastPassed() const { return lastPassed_; }
   int standardsMet() const { return standardsMet_; }
+  /// Within the last attempts that FailureRule looks at.
+  int failuresSinceMastery() const;
   const std::vector<double>& cusum() const { return cusum_; }
   bool cusumSignalled() const { return cusumSignalled_; }
 

@@ -66,9 +66,18 @@ std::string openSentence(const LevelRecord& record) {
          (rule.cusum ? ", with a learning score (LC-CUSUM) of " + score(rule.cusum->limit) : "") + ".";
 }
 
+/// "2 failures within 3 attempts"
+std::string failures(const FailureRule& rule) {
+  return counted(rule.failures, "failure") + " within " +
+         (rule.within == 1 ? "one attempt" : counted(rule.within, "attempt"));
+}
+
 std::string masteredSentence(const LevelRecord& record, std::int64_t now_us) {
   std::string text = "Mastered: " + inARow(record.level().mastery.passesInARow) + cusumSoFar(record);
   if (!record.lastPassed()) text += lastAttempt(record);
+  if (const int failed = record.failuresSinceMastery(); failed > 0)
+    text +=
+        "; " + failures(*record.level().mastery.lapsesAfter) + " let it lapse, " + std::to_string(failed) + " so far";
   if (const auto& days = record.level().mastery.lapsesAfter_days)
     text += "; it lapses after " + counted(*days, "day") + " without practice, " +
             counted(*days - (now_us - record.lastPractice_us()) / kDay_us, "day") + " from now";
@@ -79,8 +88,7 @@ std::string lapsedSentence(const LevelRecord& record, std::int64_t now_us) {
   const MasteryRule& rule = record.level().mastery;
   std::string text = "Lapsed: ";
   if (record.cause() == LevelRecord::Cause::Failures)
-    text += counted(rule.lapsesAfter->failures, "failure") + " within " +
-            (rule.lapsesAfter->within == 1 ? "one attempt" : counted(rule.lapsesAfter->within, "attempt"));
+    text += failures(*rule.lapsesAfter);
   else
     text += "more than " + counted(*rule.lapsesAfter_days, "day") + " without practice";
   const bool sinceThen = record.passesInARow() > 0 || record.lastPractice_us() >= record.skillSince_us();

@@ -93,7 +93,8 @@ std::vector<std::string> curriculumPresetNames();
 /// A preset's name or a JSON file of the same form. Fails with a sentence that names the place, what is wrong and what
 /// is possible.
 Result<Curriculum> loadCurriculum(std::string_view nameOrPath);
-/// Levels may be written in any order; they come back in one in which they can be learnt. Refuses circles.
+/// Levels may be written in any order; they come back in one in which they can be learnt. Refuses circles and
+/// more than 200 levels.
 Result<Curriculum> parseCurriculum(std::string_view json);
 /// What parseCurriculum() reads.
 std::string curriculumText(const Curriculum& curriculum);

@@ -23,6 +23,7 @@ struct LearningCurve {
   int attempts = 0;                ///< it was fitted to
   std::array<double, 9> spread{};  ///< covariance of plateau, gain and rate, row by row
 
+  /// From the first attempt on.
   double at(double attempt) const;
   /// Confidence interval of the curve there (delta method, t with attempts - 3 degrees of freedom).
   Interval bandAt(double attempt, double confidence = 0.95) const;
