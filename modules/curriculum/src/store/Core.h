@@ -56,8 +56,8 @@ auto inTransaction(Core& core, Way way, const Work& work) -> decltype(work(std::
   const auto connection = core.connection();
   if (!connection) return tl::unexpected(connection.error());
   Transaction transaction(**connection, way);
-  auto result =
-      transaction.error() ? decltype(work(transaction))(tl::unexpected(*transaction.error())) : work(transaction);
+  if (transaction.error()) return tl::unexpected(*transaction.error());
+  auto result = work(transaction);
   // What a failed statement did not give must not be taken for an answer.
   if (transaction.error()) return tl::unexpected(*transaction.error());
   if (!result) return result;

@@ -119,7 +119,10 @@ Result<void> Connection::script(const std::string& sql) {
     return tl::unexpected(failed(error));
   }
   QSqlQuery query(database_);
-  if (!query.exec(QString::fromStdString(sql))) return tl::unexpected(failed(query.lastError()));
+  bool done = query.exec(QString::fromStdString(sql));
+  // Each statement gives a result of its own, and only looking at it tells whether it failed.
+  while (done && query.nextResult()) done = !query.lastError().isValid();
+  if (query.lastError().isValid()) return tl::unexpected(failed(query.lastError()));
   return {};
 }
 
