@@ -64,7 +64,7 @@ int PostgresServer::run(const std::string& program) const {
   return std::system(("cd / && " + asUser_ + (kPrograms / program).string() + " >" + "/dev/null 2>&1").c_str());
 }
 
-bool PostgresServer::start() {
+void PostgresServer::start() {
   const std::string command = "cd / && exec " + asUser_ + (kPrograms / "postgres").string() + " -F -D " +
                               (folder_ / "data").string() + " -c listen_addresses=127.0.0.1 -k " +
                               folder_.path().string() + " -p " + std::to_string(port_) + " >/dev/null 2>&1";
@@ -74,17 +74,15 @@ bool PostgresServer::start() {
     ::_exit(127);
   }
   for (int i = 0; i < 200; ++i) {
-    if (run("pg_isready -q -h 127.0.0.1 -p " + std::to_string(port_)) == 0) return true;
+    if (run("pg_isready -q -h 127.0.0.1 -p " + std::to_string(port_)) == 0) return;
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   ADD_FAILURE() << "PostgreSQL does not start";
-  return false;
 }
 
-void PostgresServer::crashAndStart() {
+void PostgresServer::crash() {
   ::kill(process_, SIGQUIT);
   ::waitpid(process_, nullptr, 0);
-  start();
 }
 
 std::string PostgresServer::freshDatabase() {

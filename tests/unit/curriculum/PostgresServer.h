@@ -19,12 +19,12 @@ class PostgresServer {
 
   /// A fresh, empty database, with user and password in it.
   std::string freshDatabase();
-  /// As `kill -9` of the server's process and all it had begun, and a start after it.
-  void crashAndStart();
+  /// It ends at once, in the middle of what it does.
+  void crash();
+  void start();
 
  private:
   PostgresServer();
-  bool start();
   int run(const std::string& program) const;
 
   TemporaryFolder folder_;

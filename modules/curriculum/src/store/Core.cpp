@@ -93,6 +93,16 @@ Result<Connection*> Core::connection() {
   return own.get();
 }
 
+Result<std::unique_ptr<Transaction>> Core::begin(Way way) {
+  for (bool isFirst = true;; isFirst = false) {
+    const auto own = connection();
+    if (!own) return tl::unexpected(own.error());
+    auto transaction = std::make_unique<Transaction>(**own, way);
+    if (!transaction->error()) return transaction;
+    if (!isFirst || !(*own)->isLost()) return tl::unexpected(*transaction->error());
+  }
+}
+
 void Core::audit(Transaction& transaction, const std::string& actor, std::string_view act, const std::string& person,
                  const std::string& detail, bool allowed) const {
   appendAudit(transaction, {.time_us = now_us(),

@@ -26,6 +26,9 @@ class Core {
   /// Of the calling thread; opened anew after the server was lost.
   Result<Connection*> connection();
 
+  /// Begun on the calling thread's connection. A server that was away in between is found again.
+  Result<std::unique_ptr<Transaction>> begin(Way way);
+
   const Address& address() const { return address_; }
   const std::string& place() const { return place_; }
   const std::string& workstation() const { return services_.workstation; }
@@ -53,15 +56,13 @@ class Core {
 /// Does `work`, which takes a Transaction and gives a Result, in one transaction, which is undone where it fails.
 template <class Work>
 auto inTransaction(Core& core, Way way, const Work& work) -> decltype(work(std::declval<Transaction&>())) {
-  const auto connection = core.connection();
-  if (!connection) return tl::unexpected(connection.error());
-  Transaction transaction(**connection, way);
-  if (transaction.error()) return tl::unexpected(*transaction.error());
-  auto result = work(transaction);
+  const auto transaction = core.begin(way);
+  if (!transaction) return tl::unexpected(transaction.error());
+  auto result = work(**transaction);
   // What a failed statement did not give must not be taken for an answer.
-  if (transaction.error()) return tl::unexpected(*transaction.error());
+  if ((*transaction)->error()) return tl::unexpected(*(*transaction)->error());
   if (!result) return result;
-  if (auto done = transaction.commit(); !done) return tl::unexpected(done.error());
+  if (auto done = (*transaction)->commit(); !done) return tl::unexpected(done.error());
   return result;
 }
 

@@ -91,7 +91,8 @@ Error serverSentence(const QString& code, const std::string& words, const std::s
 
 bool isLost(const QSqlError& error) {
   const QString code = error.nativeErrorCode();
-  return error.type() == QSqlError::ConnectionError || code.startsWith("08") || code.startsWith("57P");
+  // Without a code nobody answered.
+  return error.type() == QSqlError::ConnectionError || code.isEmpty() || code.startsWith("08") || code.startsWith("57P");
 }
 
 Error sentenceOf(const QSqlError& error, const std::string& place) {
@@ -100,7 +101,7 @@ Error sentenceOf(const QSqlError& error, const std::string& place) {
   const QString code = error.nativeErrorCode();
   const int number = code.toInt(&isNumber);
   if (isNumber && code.size() < 5) return sqliteSentence(number, words, place);
-  if (isLost(error) || code.isEmpty())
+  if (isLost(error))
     return {place + " cannot be reached: " + words + ". Check the network and that the server runs, and try again."};
   return serverSentence(code, words, place);
 }

@@ -9,7 +9,7 @@ Transaction::Transaction(Connection& connection, Way way) : connection_(connecti
 }
 
 Transaction::~Transaction() {
-  if (open_) (void)connection_.script("ROLLBACK");
+  if (open_ && !connection_.isLost()) (void)connection_.script("ROLLBACK");
 }
 
 std::vector<Row> Transaction::asked(std::string_view sql, const std::vector<QVariant>& values) {

@@ -1,0 +1,230 @@
+#include "StoreRig.h"
+
+#include <insonate/curriculum/AuditLog.h>
+#include <insonate/curriculum/StoreUpkeep.h>
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <functional>
+#include <thread>
+
+namespace insonate::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Another process of this workstation, which does something and then lives until it is killed.
+class OtherProcess {
+ public:
+  explicit OtherProcess(const std::function<void()>& work) {
+    int ends[2];
+    if (::pipe(ends) != 0) throw std::runtime_error("no pipe");
+    child_ = ::fork();
+    if (child_ == 0) {
+      ::close(ends[0]);
+      try {
+        work();
+        (void)!::write(ends[1], "+", 1);
+        ::pause();
+      } catch (const std::exception& e) {
+        std::fprintf(stderr, "%s\n", e.what());
+      }
+      ::_exit(1);
+    }
+    ::close(ends[1]);
+    done_ = ends[0];
+  }
+  ~OtherProcess() {
+    kill();
+    ::close(done_);
+  }
+  OtherProcess(const OtherProcess&) = delete;
+  OtherProcess& operator=(const OtherProcess&) = delete;
+
+  /// False: it failed.
+  bool waitUntilDone() const {
+    char mark = 0;
+    return ::read(done_, &mark, 1) == 1;
+  }
+  void kill() {
+    if (child_ <= 0) return;
+    ::kill(child_, SIGKILL);
+    ::waitpid(child_, nullptr, 0);
+    child_ = 0;
+  }
+
+ private:
+  pid_t child_ = 0;
+  int done_ = -1;
+};
+
+/// Processes are forked before their parent opens anything: connections do not survive a fork.
+class StoreCrash : public OnBoth {
+ protected:
+  void SetUp() override {
+    OnBoth::SetUp();
+    if (IsSkipped()) return;
+    OtherProcess first([&] { School school(rig->open()); });
+    ASSERT_TRUE(first.waitUntilDone());
+  }
+  SignedIn as(const std::string& name) const { return valueOf(rig->open().signIn(name, kPassword)); }
+};
+INSONATE_ON_BOTH(StoreCrash);
+
+TEST_P(StoreCrash, AnAttemptIsToldAbandonedOnceItsProcessHasDied) {
+  const AttemptFacts facts = begunFacts();
+  OtherProcess other([&] { valueOf(AttemptStore(as("anna")).begin(facts)); });
+  ASSERT_TRUE(other.waitUntilDone());
+  EXPECT_EQ(valueOf(AttemptStore(as("anna")).attempt(facts.id)).facts.state, AttemptState::Open) << "it lives";
+  other.kill();
+
+  StoreServices elsewhere = rig->services;
+  elsewhere.workstation = "ward 8";
+  (void)valueOf(CurriculumStore::open(rig->address, elsewhere));
+  const SignedIn admin = as("admin");
+  const KeptAttempt kept = valueOf(AttemptStore(admin).attempt(facts.id));
+  EXPECT_EQ(kept.facts.state, AttemptState::Abandoned);
+  EXPECT_TRUE(kept.crashed);
+
+  const SignedIn anna = as("anna");
+  AttemptFacts late = endedFacts(facts);
+  late.state = AttemptState::Abandoned;
+  succeed(AttemptStore(anna).end(late));
+  EXPECT_EQ(valueOf(AttemptStore(anna).attempt(facts.id)).facts.points, late.points)
+      << "its recording told more, later";
+  EXPECT_FALSE(valueOf(AttemptStore(anna).attempt(facts.id)).crashed);
+  EXPECT_FALSE(AttemptStore(anna).end(endedFacts(facts))) << "once";
+}
+
+TEST_P(StoreCrash, AnotherWorkstationLeavesItOpen) {
+  const AttemptFacts facts = begunFacts();
+  OtherProcess other([&] { valueOf(AttemptStore(as("anna")).begin(facts)); });
+  ASSERT_TRUE(other.waitUntilDone());
+  other.kill();
+  rig->services.workstation = "ward 8";
+  EXPECT_EQ(valueOf(AttemptStore(as("anna")).attempt(facts.id)).facts.state, AttemptState::Open);
+  rig->services.workstation = "ward 7";
+  EXPECT_EQ(valueOf(AttemptStore(as("anna")).attempt(facts.id)).facts.state, AttemptState::Abandoned);
+}
+
+TEST_P(StoreCrash, NothingThatWasSaidToBeKeptIsLostByKillsInTheMiddleOfEverything) {
+  const std::filesystem::path said = rig->folder / "said";
+  const auto writeAway = [&] {
+    const SignedIn anna = as("anna"), ina = as("ina");
+    const int log = ::open(said.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
+    for (;;) {
+      const AttemptFacts facts = keepAttempt(anna);
+      succeed(AttemptStore(ina).voidAttempt(facts.id, "device failed"));
+      const std::string line = facts.id + "\n";
+      if (::write(log, line.data(), line.size()) != static_cast<ssize_t>(line.size())) return;
+    }
+  };
+  for (int round = 0; round < 12; ++round) {
+    OtherProcess writer(writeAway);
+    // At another moment each time; the first are within opening and signing in.
+    std::this_thread::sleep_for(std::chrono::milliseconds(20 + 37 * round));
+  }
+
+  const SignedIn admin = as("admin"), anna = as("anna");
+  succeed(StoreUpkeep(admin).verify());
+  std::ifstream lines(said);
+  int kept = 0;
+  for (std::string id; std::getline(lines, id); ++kept)
+    EXPECT_EQ(valueOf(AttemptStore(anna).attempt(id)).facts.state, AttemptState::Voided) << id;
+  EXPECT_GT(kept, 0);
+  int open = 0;
+  for (const AttemptFacts& facts : valueOf(AttemptStore(anna).history(anna.person().id)))
+    open += facts.state == AttemptState::Open;
+  EXPECT_EQ(open, 0) << "all of the dead are told abandoned";
+}
+
+TEST_P(StoreCrash, TwoWorkstationsAtOnceGetNumbersOfTheirOwnAndLoseNothing) {
+  constexpr int kEach = 40;
+  const auto work = [&](const std::string& name) {
+    return [&, name] {
+      for (int i = 0; i < kEach; ++i) {
+        const SignedIn by = as(name);
+        keepAttempt(by);
+      }
+    };
+  };
+  {
+    OtherProcess one(work("anna")), two(work("ben"));
+    EXPECT_TRUE(one.waitUntilDone());
+    EXPECT_TRUE(two.waitUntilDone());
+  }
+  const SignedIn admin = as("admin");
+  EXPECT_EQ(valueOf(StoreUpkeep(admin).facts()).attempts, 2 * kEach);
+  succeed(StoreUpkeep(admin).verify());
+}
+
+TEST_P(StoreCrash, ThreadsHaveConnectionsOfTheirOwn) {
+  const CurriculumStore store = rig->open();
+  const SignedIn anna = valueOf(store.signIn("anna", kPassword));
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i)
+    threads.emplace_back([&] {
+      for (int j = 0; j < 10; ++j) keepAttempt(anna);
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(valueOf(AttemptStore(anna).history(anna.person().id)).size(), 40U);
+}
+
+class StoreOnNewFile : public OnBoth {};
+INSONATE_ON_BOTH(StoreOnNewFile);
+
+TEST_P(StoreOnNewFile, ManyProcessesThatComeAtOnceMakeOneStore) {
+  const auto open = [&] { (void)rig->open(); };
+  OtherProcess a(open), b(open), c(open), d(open);
+  for (const OtherProcess* process : {&a, &b, &c, &d}) EXPECT_TRUE(process->waitUntilDone());
+  EXPECT_FALSE(valueOf(rig->open().hasPeople()));
+}
+
+TEST_P(StoreOnNewFile, OneAdministratorIsFirst) {
+  const auto first = [&](const std::string& name) {
+    return [&, name] { valueOf(rig->open().createFirstAdministrator({name}, kPassword)); };
+  };
+  OtherProcess a(first("one")), b(first("two"));
+  EXPECT_NE(a.waitUntilDone(), b.waitUntilDone());
+}
+
+/// No disk has to be full for it: the process may not write a larger file.
+TEST(StoreOnFullDisk, RefusesWithASentenceAndKeepsWhatItHad) {
+  StoreRig rig;
+  OtherProcess first([&] {
+    const School school(rig.open());
+    keepAttempt(school.as(school.anna));
+  });
+  ASSERT_TRUE(first.waitUntilDone());
+  OtherProcess writer([&] {
+    ::signal(SIGXFSZ, SIG_IGN);
+    const SignedIn anna = valueOf(rig.open().signIn("anna", kPassword));
+    const auto size = std::filesystem::file_size(rig.address);
+    const rlimit limit{size + 20'000, size + 20'000};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    std::string refusal;
+    for (int i = 0; i < 1000 && refusal.empty(); ++i) {
+      AttemptFacts facts = begunFacts();
+      facts.level = std::string(1000, 'x');
+      if (const auto begun = AttemptStore(anna).begin(facts); !begun) refusal = begun.error().message;
+    }
+    if (refusal.find("Nothing of this was kept") == std::string::npos)
+      throw std::runtime_error("refused by: " + refusal);
+    if (!AttemptStore(anna).history(anna.person().id)) throw std::runtime_error("cannot be read any more");
+  });
+  EXPECT_TRUE(writer.waitUntilDone());
+  writer.kill();
+  first.kill();
+  const CurriculumStore store = rig.open();
+  const SignedIn admin = valueOf(store.signIn("admin", kPassword));
+  succeed(StoreUpkeep(admin).verify());
+  EXPECT_TRUE(AttemptStore(valueOf(store.signIn("anna", kPassword))).begin(begunFacts()))
+      << "and goes on where there is room";
+}
+
+}  // namespace
+}  // namespace insonate::test
