@@ -6,6 +6,7 @@
 #include <insonate/ui/Account.h>
 #include <insonate/ui/EmptyWorkspace.h>
 #include <insonate/ui/MainWindow.h>
+#include <insonate/ui/SiteExchange.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -161,6 +162,8 @@ TEST_F(AccountWindow, AWrongPasswordIsSaidInTheDialogWhichStays) {
   EXPECT_EQ(account().state(), State::Guest);
   const QString said = trouble(dialog);
   EXPECT_EQ(dialog->findChild<QLineEdit*>("signInName")->text(), "ada");
+  for (const auto* line : dialog->findChildren<QLineEdit*>())
+    EXPECT_GE(line->height(), line->sizeHint().height()) << "the sentence takes no room from what is filled in";
   type(dialog, "signInName", "nobody");
   type(dialog, "signInPassword", "not the password");
   go(dialog);
@@ -284,6 +287,34 @@ TEST_F(AccountWindow, AnInstructorSeesTheOwnClassOnly) {
   EXPECT_EQ(row(*table, 0)[3], "instructor, teaches");
   EXPECT_FALSE(people->findChild<QPushButton*>("peopleAddClass")->isVisible());
   EXPECT_FALSE(people->findChild<QPushButton*>("peopleDisable")->isVisible());
+}
+
+TEST_F(AccountWindow, WhatIsDoneHereReachesTheServerAndItsPeopleComeHere) {
+  const std::string server = home.filePath("server.sqlite").toStdString();
+  {
+    const auto store = CurriculumStore::open(server, {.workstation = "server", .passwordCost = PasswordCost::Least});
+    ASSERT_TRUE(store);
+    const auto root = store->createFirstAdministrator({"root", "Root R.", "", Role::Administrator}, "12345678");
+    ASSERT_TRUE(root && CohortStore(*root).add("Everywhere"));
+  }
+  setUp();
+  action("accountServer").trigger();
+  QDialog* dialog = dialogWith("serverAddress");
+  type(dialog, "serverAddress", "postgresql://me:secret@there/db");
+  go(dialog);
+  ASSERT_TRUE(waitUntil([&] { return trouble(dialog).contains(".pgpass"); }));
+  type(dialog, "serverAddress", QString::fromStdString(server));
+  go(dialog);
+  auto* site = window->findChild<ui::SiteExchange*>();
+  ASSERT_TRUE(waitUntil([&] { return !site->outcome().isEmpty(); }));
+  EXPECT_TRUE(site->outcome().startsWith("Sent to the server:")) << site->outcome().toStdString();
+  EXPECT_EQ(window->statusText(), site->outcome());
+  signOut();
+  signIn("root", "12345678");
+  ASSERT_TRUE(waitUntil([&] { return account().isSignedIn(); })) << "people come from the server";
+
+  site->setServer(home.filePath("nowhere/server.sqlite"));
+  EXPECT_TRUE(waitUntil([&] { return site->outcome().contains("not reached"); })) << site->outcome().toStdString();
 }
 
 }  // namespace

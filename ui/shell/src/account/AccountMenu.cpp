@@ -5,10 +5,12 @@
 #include "RoleWords.h"
 
 #include <insonate/ui/Account.h>
+#include <insonate/ui/SiteExchange.h>
 #include <insonate/ui/Theme.h>
 
 #include <QAction>
 #include <QSettings>
+#include <QUrl>
 
 namespace insonate::ui {
 namespace {
@@ -22,7 +24,8 @@ Result<void> same(const QString& password, const QString& again) {
 
 }  // namespace
 
-AccountMenu::AccountMenu(Account& account, QWidget* window) : QMenu(window), account_(account), window_(window) {
+AccountMenu::AccountMenu(Account& account, SiteExchange& site, QWidget* window)
+    : QMenu(window), account_(account), site_(site), window_(window) {
   setToolTipsVisible(true);
   const auto add = [this](const char* name, const QString& words, const QString& tip, auto act) {
     QAction* action = addAction(words);
@@ -43,6 +46,8 @@ AccountMenu::AccountMenu(Account& account, QWidget* window) : QMenu(window), acc
   password_ = add("accountPassword", tr("Change password ..."), tr("Your own"), [this] { askPassword(); });
   people_ = add("accountPeople", tr("People and classes ..."), tr("Who is here, in which classes, and as what"),
                 [this] { (new PeopleWindow(account_, window_))->show(); });
+  server_ = add("accountServer", tr("Server of the site ..."), tr("Where this computer sends attempts to"),
+                [this] { askServer(); });
   again_ = add("accountAgain", tr("Try again"), tr("Open the store of people and attempts once more"),
                [this] { account_.reopen(); });
   signOut_ =
@@ -51,6 +56,7 @@ AccountMenu::AccountMenu(Account& account, QWidget* window) : QMenu(window), acc
   // Keys work while the menu is closed.
   window_->addActions({signIn_, signOut_});
   connect(&account_, &Account::changed, this, &AccountMenu::refresh);
+  connect(&site_, &SiteExchange::exchanged, this, [this] { Q_EMIT said(site_.outcome()); });
   refresh();
 }
 
@@ -74,6 +80,7 @@ void AccountMenu::refresh() {
   setUp_->setVisible(state == State::NobodyYet);
   signIn_->setVisible(state == State::Guest);
   again_->setVisible(state == State::Unreachable);
+  server_->setVisible(state == State::SignedIn && account_.person().role == Role::Administrator);
   people_->setVisible(state == State::SignedIn && account_.person().role != Role::Trainee);
   for (QAction* own : {details_, password_, signOut_}) own->setVisible(state == State::SignedIn);
   QString words = tr("Guest: attempts are recorded, and count for nobody");
@@ -160,6 +167,26 @@ void AccountMenu::askDetails() {
                    {{"detailsFullName", tr("Full name"), tr("As others see it"), QString::fromStdString(me.fullName)},
                     {"detailsEmail", tr("E-mail"), tr("May be empty"), QString::fromStdString(me.email)}},
                    tr("Keep"), act, window_))
+      ->open();
+}
+
+void AccountMenu::askServer() {
+  const auto act = [this](const QStringList& texts, const Account::Done& done) {
+    if (QUrl(texts[0]).password().isEmpty()) {
+      site_.setServer(texts[0]);
+      return done({});
+    }
+    done(fail(
+        tr("Leave the password out: what stands here can be read by others. Write it to ~/.pgpass.").toStdString()));
+  };
+  const QString last = site_.outcome().isEmpty() ? tr("Nothing was sent yet.") : site_.outcome();
+  (new EntryDialog(
+       tr("Server of the site"),
+       tr("Attempts and forms are sent there, people, classes and curricula come from there; without it, all "
+          "stays on this computer. %1")
+           .arg(last),
+       {{"serverAddress", tr("Address"), tr("postgresql://USER@HOST/DATABASE; empty: no server"), site_.server()}},
+       tr("Use it"), act, window_))
       ->open();
 }
 

@@ -7,13 +7,14 @@ class QAction;
 namespace insonate::ui {
 
 class Account;
+class SiteExchange;
 
 /// Sign in, sign out, the set-up of the first administrator, one's own password and details: what can be done now.
 class AccountMenu : public QMenu {
   Q_OBJECT
 
  public:
-  AccountMenu(Account& account, QWidget* window);
+  AccountMenu(Account& account, SiteExchange& site, QWidget* window);
 
   /// Who sits there, for the header: "Sign in", "A. User".
   QString shortText() const;
@@ -22,6 +23,7 @@ class AccountMenu : public QMenu {
   void askSignIn();
   void askPassword();
   void askDetails();
+  void askServer();
 
  Q_SIGNALS:
   void textChanged();
@@ -32,8 +34,9 @@ class AccountMenu : public QMenu {
   void welcome();
 
   Account& account_;
+  SiteExchange& site_;
   QWidget* window_;
-  QAction *who_, *setUp_, *signIn_, *password_, *details_, *people_, *again_, *signOut_;
+  QAction *who_, *setUp_, *signIn_, *password_, *details_, *people_, *server_, *again_, *signOut_;
 };
 
 }  // namespace insonate::ui

@@ -10,6 +10,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace insonate::ui {
 namespace {
@@ -110,6 +111,8 @@ void EntryDialog::refuse(const QString& why) {
   go_->setEnabled(true);
   trouble_->setText(QStringLiteral("▲  ") + why);
   trouble_->show();
+  layout()->activate();
+  resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
   for (QWidget* field : fields_)
     if (auto* line = qobject_cast<QLineEdit*>(field); line && line->echoMode() == QLineEdit::Password) {
       line->setFocus();

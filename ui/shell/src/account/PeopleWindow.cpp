@@ -94,6 +94,7 @@ QWidget* PeopleWindow::classColumn() {
   column->setSpacing(kGap);
   classes_->setObjectName(QStringLiteral("peopleClasses"));
   classes_->setAccessibleName(tr("Classes"));
+  classes_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   classes_->setToolTip(tr("Whose people are shown"));
   addClass_ =
       button("peopleAddClass", tr("New class ..."), tr("People who are taught together"), &PeopleWindow::addClass);

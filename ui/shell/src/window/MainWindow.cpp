@@ -6,6 +6,7 @@
 #include <insonate/ui/Account.h>
 #include <insonate/ui/ErrorPanel.h>
 #include <insonate/ui/MainWindow.h>
+#include <insonate/ui/SiteExchange.h>
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
 
@@ -35,7 +36,8 @@ MainWindow::MainWindow(std::unique_ptr<Account> account)
       menu_(new QMenu(this)),
       recent_(new QMenu(tr("Recent"), this)),
       view_(new QMenu(this)),
-      accountMenu_(new AccountMenu(*account_, this)),
+      site_(new SiteExchange(*account_, this)),
+      accountMenu_(new AccountMenu(*account_, *site_, this)),
       header_(new HeaderBar(view_, menu_, accountMenu_)),
       tasks_(new TaskBar),
       errors_(new ErrorPanel),

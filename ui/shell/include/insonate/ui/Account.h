@@ -43,6 +43,8 @@ class Account : public QObject {
   bool mustChangePassword() const { return session_ && session_->mustChangePassword(); }
   QString trouble() const { return trouble_; }
   QString place() const;  ///< of the store, without a password
+  const QString& address() const { return address_; }
+  const StoreServices& services() const { return services_; }
 
   using Done = std::function<void(Result<void>)>;
   void setUp(const NewPerson& administrator, const QString& password, Done done);

@@ -19,6 +19,7 @@ class AccountMenu;
 class ErrorPanel;
 class HeaderBar;
 class HelpWindow;
+class SiteExchange;
 class StatusStrip;
 class TaskBar;
 struct Loss;
@@ -128,6 +129,7 @@ class MainWindow : public QMainWindow {
   QAction *open_ = nullptr, *import_ = nullptr, *textbook_ = nullptr, *reload_ = nullptr, *save_ = nullptr,
           *saveAs_ = nullptr, *attempt_ = nullptr;
   QMenu* view_;
+  SiteExchange* site_;
   AccountMenu* accountMenu_;
   bool sure_ = false;     ///< close, whatever is lost
   bool passing_ = false;  ///< a key goes to the workspace
