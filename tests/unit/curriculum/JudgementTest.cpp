@@ -41,6 +41,8 @@ TEST(Judgement, AMissingOrOtherValueDoesNotMeetAStandard) {
   EXPECT_FALSE(judge(rule, with(passedAttempt("a"), "passes", std::nullopt)).passed);
   EXPECT_FALSE(judge(rule, with(passedAttempt("a"), "passes", std::numeric_limits<double>::quiet_NaN())).passed);
   EXPECT_FALSE(judge(rule, with(passedAttempt("a"), "passes", 1, 2)).passed);
+  EXPECT_EQ(reasonOfFailure(rule, with(passedAttempt("a"), "passes", std::numeric_limits<double>::quiet_NaN())),
+            "too many (not measured, at most 2)");
 }
 
 TEST(Judgement, MasteryPercentageLetsSomeStandardsBeMissed) {
@@ -59,6 +61,10 @@ TEST(Judgement, LeastPointsAreReachedByPointsThatAreThere) {
   const PassRule rule{60.0, {}, 100};
   AttemptFacts attempt = passedAttempt("a");
   EXPECT_EQ(reasonOfFailure(rule, attempt), "it had no points and 60 are needed");
+  for (const double odd : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    attempt.points = odd;
+    EXPECT_EQ(reasonOfFailure(rule, attempt), "it had no points and 60 are needed");
+  }
   attempt.points = 59.5;
   EXPECT_EQ(reasonOfFailure(rule, attempt), "it had 59.5 points and 60 are needed");
   attempt.points = 60;

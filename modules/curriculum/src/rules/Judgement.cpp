@@ -10,8 +10,13 @@ namespace {
 /// procedure/AttemptMetrics.h: punctures of the skin.
 constexpr std::string_view kSkinPunctures = "passes";
 
+/// What is not finite was not measured.
+std::optional<double> finite(std::optional<double> value) {
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
 bool isMet(const MetricStandard& standard, std::optional<double> value) {
-  if (!value || !std::isfinite(*value)) return false;
+  if (!value) return false;
   return standard.least ? *value >= *standard.least : standard.most && *value <= *standard.most;
 }
 
@@ -55,7 +60,7 @@ double Judgement::percentMet() const {
 
 std::optional<double> valueOf(const AttemptFacts& attempt, std::string_view metric, int version) {
   for (const MetricFact& fact : attempt.metrics)
-    if (fact.id == metric && fact.version == version) return fact.value;
+    if (fact.id == metric && fact.version == version) return finite(fact.value);
   return std::nullopt;
 }
 
@@ -72,7 +77,8 @@ Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
     judgement.standardsMet.push_back(isMet(standard, valueOf(attempt, standard.metric, standard.version)));
     judgement.met += judgement.standardsMet.back();
   }
-  const bool pointsReached = !rule.leastPoints || (attempt.points && *attempt.points >= *rule.leastPoints);
+  const auto points = finite(attempt.points);
+  const bool pointsReached = !rule.leastPoints || (points && *points >= *rule.leastPoints);
   judgement.passed = graveReason(attempt).empty() && pointsReached && judgement.percentMet() >= rule.mastery_percent;
   return judgement;
 }
@@ -80,11 +86,12 @@ Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
 std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt) {
   const Judgement judgement = judge(rule, attempt);
   if (judgement.passed) return {};
-  const std::string grave = graveReason(attempt), standards = standardsReason(rule, attempt, judgement);
+  const std::string grave = graveReason(attempt);
+  std::string standards = standardsReason(rule, attempt, judgement);
   if (!grave.empty()) return standards.empty() ? grave : grave + " and " + standards;
   if (judgement.percentMet() < rule.mastery_percent) return standards;
-  return "it had " + (attempt.points ? shown(*attempt.points) : "no") + " points and " + shown(*rule.leastPoints) +
-         " are needed";
+  const auto points = finite(attempt.points);
+  return "it had " + (points ? shown(*points) : "no") + " points and " + shown(*rule.leastPoints) + " are needed";
 }
 
 }  // namespace insonate

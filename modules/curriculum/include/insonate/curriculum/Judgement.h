@@ -25,7 +25,7 @@ bool counts(const AttemptFacts& attempt);
 
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt);
 
-/// The attempt's value of a metric, by this version of its definition.
+/// The attempt's value of a metric, by this version of its definition; none where it is not finite.
 std::optional<double> valueOf(const AttemptFacts& attempt, std::string_view metric, int version);
 
 /// Why an attempt does not pass, as it follows "failed because": "the artery was punctured (1, at most 0)". The worst

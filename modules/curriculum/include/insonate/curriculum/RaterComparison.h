@@ -1,0 +1,32 @@
+#pragma once
+
+#include <insonate/curriculum/Form.h>
+#include <insonate/curriculum/Statistics.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// One attempt as two raters saw it.
+struct RatedTwice {
+  FormAnswers first{}, second{};
+};
+
+/// How far two raters agree on a form. Missing values as in Agreement.h.
+struct RaterComparison {
+  int pairs = 0;                      ///< answers to one item, both with points
+  std::optional<double> agreement{};  ///< share of pairs that are alike
+  std::optional<double> kappa{};      ///< Cohen's; with quadratic weights where there are more than two grades
+  std::optional<Estimate> scores{};   ///< ICC(2,1) of FormScore::percent over the attempts
+  /// FormItem::name of where they differed, the most frequent first: what to talk about.
+  std::vector<std::string> differing{};
+};
+
+/// Grades are an item's options that have points, by rising points; items with fewer of them than the form's others are
+/// left out, as their grades mean something else.
+RaterComparison compareRaters(const Form& form, std::span<const RatedTwice> attempts);
+
+}  // namespace insonate
