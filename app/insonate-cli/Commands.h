@@ -28,6 +28,7 @@ void addFitCommand(CLI::App& app, Outcome& outcome);
 void addDevicesCommand(CLI::App& app, Outcome& outcome);
 void addSessionCommand(CLI::App& app, Outcome& outcome);
 void addReplayCommand(CLI::App& app, Outcome& outcome);
+void addLabelCommand(CLI::App& app, Outcome& outcome);
 
 /// Prints the error's sentence to standard error, sets the status, and prints {"error": ...} with `fields` where JSON
 /// was asked for.

@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   addPhantomCommand(app, outcome);
   addRenderCommand(app, outcome);
   addImportCommand(app, outcome);
+  addLabelCommand(app, outcome);
   addCheckCommand(app, outcome);
   addBenchCommand(app, outcome);
   addSurfacesCommand(app, outcome);

@@ -78,7 +78,8 @@ LabelEdit::Difference LabelEdit::write(const Proposal& proposal) {
       for (int i = box.first[0]; i < box.end[0]; ++i, ++wanted) {
         std::uint8_t& label = labels_.at(i, j, k);
         if (*wanted == Proposal::kKeep || *wanted == label) continue;
-        if (fixed.test(label) || fixed.test(*wanted) || !editable.contains(ct_.at(i, j, k))) continue;
+        if (fixed.test(label) || fixed.test(*wanted) || !rules.over.test(label) || !editable.contains(ct_.at(i, j, k)))
+          continue;
         packer.add(std::size_t(j) * ni + i, label, *wanted);
         changes[slice].add(i, j, label, *wanted);
         label = *wanted;

@@ -21,6 +21,7 @@ struct EditRules {
   LabelSet locked;                    ///< labels that neither lose nor gain a voxel
   LabelSet hidden;                    ///< the same: what cannot be seen is not edited
   std::optional<HuRange> editable{};  ///< voxels of the CT outside it stay as they are
+  LabelSet over = ~LabelSet();        ///< only voxels of these labels are overwritten
 };
 
 /// What an edit, an undo or a redo has changed, so that slices and surfaces can follow it.

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <insonate/core/Preset.h>
+#include <insonate/segmentation/LabelStep.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace insonate {
+
+/// Steps of labelling, to be replayed: the same CT, labels and recipe give the same voxels, on any number of threads.
+struct Recipe {
+  std::string description;
+  std::vector<LabelStep> steps;
+};
+
+/// A JSON object with `steps` and, if one likes, a `description`. A step names its `tool` and that tool's parameters;
+/// what is missing has its default, points have none. Refuses with the step, what is wrong in it, and what is possible.
+Result<Recipe> readRecipe(std::string_view text);
+
+/// What readRecipe() reads back.
+std::string textOf(const Recipe& recipe);
+
+/// Recipes that are compiled in.
+const std::vector<Preset>& recipePresets();
+
+/// One of these by name, else a file.
+Result<Recipe> loadRecipe(std::string_view nameOrPath);
+
+/// Performs all steps and returns what each has changed. Where one fails, its number and tool are in the sentence;
+/// those before it stay, each to be undone.
+Result<std::vector<LabelChange>> perform(const Recipe& recipe, LabelEdit& edit, const Progress& progress = {});
+
+}  // namespace insonate

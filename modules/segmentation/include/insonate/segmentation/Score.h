@@ -1,0 +1,28 @@
+#pragma once
+
+#include <insonate/core/Progress.h>
+#include <insonate/core/Result.h>
+#include <insonate/image/Volume.h>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace insonate {
+
+/// How well a label agrees with the truth.
+struct LabelScore {
+  std::uint8_t label = 0;
+  std::size_t voxels = 0, trueVoxels = 0;
+  double dice = 0;  ///< 2 |A and B| / (|A| + |B|)
+  /// From the outermost voxels of each to the nearest outermost voxel of the other, both ways; none where one has no
+  /// voxel.
+  std::optional<double> meanSurface_mm, p95Surface_mm;
+};
+
+/// Of these labels, or of all that either has but background. Refuses maps on different grids; fails when cancelled.
+Result<std::vector<LabelScore>> scoreLabels(const LabelMap& found, const LabelMap& truth,
+                                            const std::vector<std::uint8_t>& labels = {},
+                                            const Progress& progress = {});
+
+}  // namespace insonate

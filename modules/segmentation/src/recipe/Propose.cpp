@@ -1,0 +1,182 @@
+#include "StepFields.h"
+
+#include <insonate/segmentation/AutoLabel.h>
+#include <insonate/segmentation/Brush.h>
+#include <insonate/segmentation/FillBetweenSlices.h>
+#include <insonate/segmentation/Islands.h>
+#include <insonate/segmentation/Smoothing.h>
+#include <insonate/segmentation/Threshold.h>
+#include <insonate/tissue/Labels.h>
+
+#include <algorithm>
+
+namespace insonate {
+namespace {
+
+LabelSet setOf(const std::vector<std::uint8_t>& labels) {
+  LabelSet set;
+  for (const std::uint8_t label : labels) set.set(label);
+  return set;
+}
+
+/// Runs one tool of a step: an overload for each.
+class Proposer {
+ public:
+  Proposer(const LabelStep& step, const CtVolume& ct, const LabelMap& labels, const Progress& progress)
+      : step_(step), ct_(ct), labels_(labels), progress_(progress) {}
+
+  Result<Proposal> operator()(const step::Auto& s) const {
+    auto found = autoLabel(ct_, progress_);
+    if (!found) return tl::unexpected(found.error());
+    const LabelSet take = setOf(s.take);
+    if (take.any())
+      for (std::uint8_t& label : found->voxels)
+        if (!take.test(label)) label = Proposal::kKeep;
+    return Proposal{boxOf(ct_.geometry), std::move(*found)};
+  }
+  Result<Proposal> operator()(const step::Threshold& s) const {
+    Selection chosen(ct_.geometry, region());
+    threshold(ct_, s.range_HU, chosen);
+    return painted(std::move(chosen), step_.label);
+  }
+  Result<Proposal> operator()(const step::Paint& s) const {
+    Selection chosen = brushed(ct_.geometry, s.points_mm, {.radius_mm = s.radius_mm, .sliceAxis = s.sliceAxis});
+    if (s.only_HU) limitTo(ct_, *s.only_HU, chosen);
+    return painted(std::move(chosen), step_.label);
+  }
+  Result<Proposal> operator()(const step::Draw& s) const {
+    return write(drawn(ct_.geometry, s.sliceAxis, s.points_mm));
+  }
+  Result<Proposal> operator()(const step::Scissors& s) const {
+    return write(scissored(ct_.geometry, region(), s.points_mm, s.view));
+  }
+  Result<Proposal> operator()(const step::KeepLargest& s) const {
+    return reshape(largestIslands(shape(0), s.islands, progress_));
+  }
+  Result<Proposal> operator()(const step::RemoveSmall& s) const {
+    return reshape(islandsFrom(shape(0), s.least_mm3, progress_));
+  }
+  Result<Proposal> operator()(const step::KeepIsland& s) const {
+    return reshape(islandAt(shape(0), s.points_mm.front(), progress_));
+  }
+  Result<Proposal> operator()(const step::SplitIslands& s) const { return splitIslands(shape(0), s.into, progress_); }
+  Result<Proposal> operator()(const step::Median& s) const {
+    return reshape(medianSmoothed(shape(s.radius_mm), s.radius_mm, progress_));
+  }
+  Result<Proposal> operator()(const step::Opening& s) const {
+    return reshape(opened(shape(s.radius_mm), s.radius_mm, progress_));
+  }
+  Result<Proposal> operator()(const step::Closing& s) const {
+    return reshape(closed(shape(2 * s.radius_mm), s.radius_mm, progress_));
+  }
+  Result<Proposal> operator()(const step::Gaussian& s) const {
+    return reshape(gaussianSmoothed(shape(3 * s.sigma_mm), s.sigma_mm, progress_));
+  }
+  Result<Proposal> operator()(const step::SmoothTogether& s) const {
+    return jointlySmoothed(labels_, extentOfAll(s.labels, 3 * s.sigma_mm), setOf(s.labels), s.sigma_mm, progress_);
+  }
+  Result<Proposal> operator()(const step::Margin& s) const {
+    const Selection before = shape(std::max(s.margin_mm, 0.0));
+    return reshape(s.margin_mm >= 0 ? grownBy(before, s.margin_mm, progress_)
+                                    : shrunkBy(before, -s.margin_mm, progress_));
+  }
+  Result<Proposal> operator()(const step::Hollow& s) const {
+    return reshape(hollowed(shape(s.thickness_mm), s.thickness_mm, s.wall, progress_));
+  }
+  Result<Proposal> operator()(const step::Logical& s) const {
+    const VoxelBox box = extentOfAll({step_.label, s.with}, 0);
+    return reshape(
+        combined(voxelsOf(labels_, step_.label, box), s.operation, voxelsOf(labels_, s.with, box), ct_.geometry));
+  }
+  Result<Proposal> operator()(const step::FillBetween& s) const {
+    return reshape(filledBetween(shape(kAroundShape_mm), s.sliceAxis, progress_));
+  }
+  Result<Proposal> operator()(const step::Connected& s) const {
+    return write(connected(ct_, region(), s.points_mm, s.range_HU, progress_));
+  }
+  Result<Proposal> operator()(const step::ConfidenceConnected& s) const {
+    return write(confidenceConnected(ct_, region(), s.points_mm, s.confidence, progress_));
+  }
+  Result<Proposal> operator()(const step::GrowSeeds& s) const {
+    return grownFromSeeds(ct_, seedsOf(labels_, extentOfAll(s.seeds, kAroundShape_mm), setOf(s.seeds), setOf(s.over)),
+                          s.competition, progress_);
+  }
+  Result<Proposal> operator()(const step::Watershed& s) const {
+    return watershed(ct_, seedsOf(labels_, extentOfAll(s.seeds, kAroundShape_mm), setOf(s.seeds), setOf(s.over)),
+                     s.smoothing_mm, progress_);
+  }
+  Result<Proposal> operator()(const step::March& s) const {
+    const VoxelBox box = step_.box_mm ? region() : boxAround(ct_.geometry, s.points_mm, s.front.reach_mm);
+    return write(marched(ct_, box, s.points_mm, s.front, progress_));
+  }
+  Result<Proposal> operator()(const step::Contour& s) const {
+    return reshape(levelSet(ct_, shape(kAroundLevelSet_mm), s.levelSet, progress_));
+  }
+  Result<Proposal> operator()(const step::Vessel& s) const {
+    auto vessel = trackVessel(ct_, s.points_mm, s.tracking, progress_);
+    if (!vessel) return tl::unexpected(vessel.error());
+    return painted(std::move(vessel->lumen), step_.label);
+  }
+
+ private:
+  static constexpr double kAroundShape_mm = 10, kAroundLevelSet_mm = 20;
+
+  VoxelBox region() const {
+    if (!step_.box_mm) return boxOf(ct_.geometry);
+    const Transform indexFromPatient = ct_.geometry.indexFromPatient();
+    VoxelBox box;
+    for (const Vec3& corner_mm : *step_.box_mm) {
+      const std::array at = nearestVoxel(indexFromPatient * corner_mm);
+      box = united(box, {at, {at[0] + 1, at[1] + 1, at[2] + 1}});
+    }
+    return intersected(box, boxOf(ct_.geometry));
+  }
+  /// The label in the step's region, or where it is and so much around.
+  Selection shape(double margin_mm) const {
+    return voxelsOf(labels_, step_.label, extentOfAll({step_.label}, margin_mm));
+  }
+  VoxelBox extentOfAll(const std::vector<std::uint8_t>& labels, double margin_mm) const {
+    if (step_.box_mm) return region();
+    VoxelBox all;
+    for (const std::uint8_t label : labels) all = united(all, extentOf(labels_, label));
+    return grown(all, ct_.geometry, margin_mm);
+  }
+  Result<Proposal> write(Result<Selection> chosen) const {
+    if (!chosen) return tl::unexpected(chosen.error());
+    return painted(std::move(*chosen), step_.label);
+  }
+  Result<Proposal> reshape(Result<Selection> shape) const {
+    if (!shape) return tl::unexpected(shape.error());
+    return reshaped(std::move(*shape), labels_, step_.label, step_.rest);
+  }
+
+  const LabelStep& step_;
+  const CtVolume& ct_;
+  const LabelMap& labels_;
+  const Progress& progress_;
+};
+
+}  // namespace
+
+LabelStep::LabelStep() : rest(kSoftTissue) {}
+
+std::string_view nameOf(const LabelTool& tool) {
+  return segmentation::kToolNames[tool.index()];
+}
+
+Result<Proposal> propose(const LabelStep& step, const CtVolume& ct, const LabelMap& labels, const Progress& progress) {
+  return std::visit(Proposer(step, ct, labels, progress), step.tool);
+}
+
+Result<LabelChange> perform(const LabelStep& step, LabelEdit& edit, const Progress& progress) {
+  auto proposal = propose(step, edit.ct(), edit.labels(), progress);
+  if (!proposal) return tl::unexpected(proposal.error());
+  EditRules rules{.locked = setOf(step.locked), .hidden = {}, .editable = step.editable_HU};
+  if (step.over) rules.over = setOf(*step.over).set(step.label);
+  std::swap(edit.rules, rules);
+  auto change = edit.apply(*proposal, std::string(nameOf(step.tool)));
+  std::swap(edit.rules, rules);
+  return change;
+}
+
+}  // namespace insonate

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "StepFields.h"
+
+#include <insonate/core/JsonEntry.h>
+
+#include <nlohmann/json.hpp>
+
+namespace insonate::segmentation {
+
+/// Takes a step's fields out of its JSON object; the first thing that is wrong is kept as a sentence.
+class StepReader {
+ public:
+  StepReader(const nlohmann::json& object, const std::string& where, const std::vector<std::string_view>& known)
+      : object_(object), entry_(object, where, known) {}
+
+  void operator()(const char* key, double& value, double low, double high);
+  void operator()(const char* key, int& value, int low, int high);
+  void operator()(const char* key, std::optional<int>& value, int low, int high);
+  void operator()(const char* key, bool& value);
+  void operator()(const char* key, HuRange& value);
+  void operator()(const char* key, std::optional<HuRange>& value);
+  void operator()(const char* key, std::uint8_t& label);
+  void operator()(const char* key, std::vector<std::uint8_t>& labels);
+  void operator()(const char* key, std::optional<std::vector<std::uint8_t>>& labels);
+  void operator()(const char* key, std::vector<Vec3>& points_mm, std::size_t least);
+  void operator()(const char* key, Vec3& direction);
+  void operator()(const char* key, std::optional<Vec3>& point_mm);
+  void operator()(const char* key, std::optional<std::array<Vec3, 2>>& corners_mm);
+  template <class Enumeration>
+  void operator()(const char* key, Enumeration& value, const Words& words) {
+    if (entry_.has(key)) value = static_cast<Enumeration>(entry_.word(key, words));
+  }
+
+  void refuse(const std::string& sentence) { entry_.refuse(sentence); }
+  const std::string& trouble() const { return entry_.trouble(); }
+
+ private:
+  std::optional<std::uint8_t> labelIn(const nlohmann::json& value, const char* key);
+  std::optional<Vec3> pointIn(const nlohmann::json& value);
+  std::vector<Vec3> pointsIn(const char* key);
+
+  const nlohmann::json& object_;
+  JsonEntry entry_;
+};
+
+}  // namespace insonate::segmentation
