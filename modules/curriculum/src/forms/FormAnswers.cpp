@@ -89,7 +89,8 @@ Result<FormAnswers> parseAnswers(std::string_view text) {
 
 std::string answersText(const FormAnswers& answers) {
   json object = json::object();
-  for (const auto& [name, answer] : answers) std::visit([&](const auto& value) { object[name] = value; }, answer);
+  for (const auto& [name, answer] : answers)
+    std::visit([&entry = object[name]](const auto& value) { entry = value; }, answer);
   return object.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
