@@ -2,6 +2,7 @@
 
 #include "Components.h"
 
+#include <insonate/segmentation/Region.h>
 #include <insonate/tissue/Labels.h>
 
 #include <cmath>
@@ -9,12 +10,15 @@
 namespace insonate::segmentation {
 namespace {
 
-constexpr int kFrom_HU = 350, kTo_HU = 700;
-constexpr double kRadius_mm = 3;       // of the thinnest vessel that is found
+/// Blood of a CT angiogram, of a venous phase, of early venous return: windows, so that a vessel does not hang together
+/// with the bone beside it.
+constexpr HuRange kWindows[] = {{351, 700}, {201, 400}, {141, 260}};
+constexpr int kRise_HU = 120;     // the way out of marrow leads up through cortex first, that out of blood does not
+constexpr double kRadius_mm = 3;  // of the thinnest vessel that is found
 constexpr double kSmallest_mm3 = 600;  // two centimetres of carotid
 constexpr double kEven_HU = 55;        // noise of a CT angiogram stays below, trabeculae and cortex do not
-constexpr int kSoft_HU = 180;
-constexpr double kWall_mm = 5;  // beyond the edge of blood it is soft within this; beyond marrow there is cortex
+constexpr double kSoftShare = 0.55;    // of the blood's brightness
+constexpr double kWall_mm = 5;         // beyond the edge of blood it is soft within this; beyond marrow there is cortex
 constexpr double kBordered = 0.45;
 
 struct Step {
@@ -22,13 +26,16 @@ struct Step {
   double length_mm;
 };
 
-/// Whether the CT falls to soft tissue within kWall_mm of a voxel in a direction.
+/// Whether the CT falls to soft tissue within kWall_mm of a voxel in a direction, without rising before.
 bool fallsToSoft(const CtVolume& ct, int i, int j, int k, const Step& step) {
+  const int from_HU = ct.at(i, j, k);
   const int reach = std::max(1, static_cast<int>(kWall_mm / step.length_mm));
   for (int n = 1; n <= reach; ++n) {
     const int x = i + n * step.i, y = j + n * step.j, z = k + n * step.k;
     if (!ct.geometry.contains(x, y, z)) return false;
-    if (ct.at(x, y, z) < kSoft_HU) return true;
+    const int hu = ct.at(x, y, z);
+    if (hu > from_HU + kRise_HU) return false;
+    if (hu < kSoftShare * from_HU) return true;
   }
   return false;
 }
@@ -69,30 +76,38 @@ std::vector<Piece> measure(const Components& components, const CtVolume& ct, con
   return pieces;
 }
 
+/// Adds the blood of one window.
+void findIn(HuRange window, const CtVolume& ct, const LabelMap& body, BrightBlood& blood, Work& work) {
+  Mask bright(ct.geometry);
+  work.voxels(ct.geometry, [&](std::size_t v) {
+    bright.voxels[v] = body.voxels[v] == kSoftTissue && window.contains(ct.voxels[v]);
+  });
+  open(bright, kRadius_mm, work);
+
+  const Components components(bright, Components::Reach::Volume, work);
+  const std::vector<Piece> pieces = measure(components, ct, bright);
+  const auto& s = ct.geometry.spacing_mm;
+  std::vector<bool> removed(pieces.size());
+  bool found = false;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    removed[p] = !pieces[p].isBlood(s.x * s.y * s.z);
+    found = found || !removed[p];
+  }
+  if (!found) return;
+  components.paint(removed, 0, bright);
+  blood.present = true;
+  // The opening took corners and branches.
+  dilate(bright, kRadius_mm, work);
+  work.voxels(ct.geometry, [&](std::size_t v) {
+    blood.mask.voxels[v] |= std::uint8_t(bright.voxels[v] && ct.voxels[v] <= window.high);
+  });
+}
+
 }  // namespace
 
 BrightBlood findBrightBlood(const CtVolume& ct, const LabelMap& body, Work& work) {
-  const auto inRange = [&](std::size_t v) {
-    return body.voxels[v] == kSoftTissue && ct.voxels[v] > kFrom_HU && ct.voxels[v] <= kTo_HU;
-  };
   BrightBlood blood{false, Mask(ct.geometry)};
-  work.voxels(ct.geometry, [&](std::size_t v) { blood.mask.voxels[v] = inRange(v); });
-  open(blood.mask, kRadius_mm, work);
-
-  const Components components(blood.mask, Components::Reach::Volume, work);
-  const std::vector<Piece> pieces = measure(components, ct, blood.mask);
-  const auto& s = ct.geometry.spacing_mm;
-  std::vector<bool> removed(pieces.size());
-  for (std::size_t p = 0; p < pieces.size(); ++p) {
-    removed[p] = !pieces[p].isBlood(s.x * s.y * s.z);
-    if (!removed[p]) blood.present = true;
-  }
-  components.paint(removed, 0, blood.mask);
-  if (!blood.present) return blood;
-
-  // The opening took corners and branches.
-  dilate(blood.mask, kRadius_mm, work);
-  work.voxels(ct.geometry, [&](std::size_t v) { blood.mask.voxels[v] &= std::uint8_t(ct.voxels[v] <= kTo_HU); });
+  for (const HuRange window : kWindows) findIn(window, ct, body, blood, work);
   return blood;
 }
 

@@ -5,21 +5,26 @@
 
 #include <insonate/tissue/Labels.h>
 
+#include <algorithm>
+#include <array>
+
 namespace insonate::segmentation {
 namespace {
 
 // Cores from which bone is grown; higher where a contrast agent brightens blood.
 constexpr int kDense_HU = 250, kDenseWithContrast_HU = 350;
-constexpr int kBoneEdge_HU = 160;  // grown down to here: thin cortex of thick slices, trabeculae
+constexpr int kBoneEdge_HU = 200;  // grown down to here: thin cortex of thick slices, trabeculae
 constexpr double kGrow_mm = 4;     // and only this far, so that a vessel that touches is not followed
 // With contrast, a piece without cortex is a vessel too thin for findBrightBlood.
 constexpr int kCortex_HU = 600;
 constexpr double kCortexShare = 0.01;
 constexpr double kSmallest_mm3 = 60;
-constexpr double kClose_mm = 3;
+constexpr double kClose_mm = 1.5;
+// The scanner's blur makes bone wider: its edge is where the CT falls to half of the bone that is near.
+constexpr double kBlur_mm = 1.2, kTissue_HU = 50;
 // Marrow is what bone surrounds in a slice when it is small, or unlike the spinal cord and brain (20-45 HU).
 constexpr double kMarrow_mm2 = 60, kLargestMarrow_mm2 = 3000;
-constexpr double kTrabecular_HU = 55, kFattyMarrow_HU = 10;
+constexpr double kTrabecular_HU = 55, kFattyMarrow_HU = -15;
 
 void removeVesselsAndSpecks(Mask& dense, const CtVolume& ct, bool contrast, Work& work) {
   const Components pieces(dense, Components::Reach::Volume, work);
@@ -62,6 +67,28 @@ void fillMarrow(Mask& bone, const CtVolume& ct, const LabelMap& body, Work& work
   holes.paint(marrow, 1, bone);
 }
 
+/// Takes from the outermost voxels of bone those that are darker than half-way between tissue and the brightest nearby.
+void takeBlur(Mask& bone, const CtVolume& ct, Work& work) {
+  const auto& g = ct.geometry;
+  std::array<int, 3> reach{};
+  for (int axis = 0; axis < 3; ++axis) reach[axis] = static_cast<int>(kBlur_mm / g.spacing_mm[axis]);
+  Mask inner = bone;
+  erode(inner, kBlur_mm, work);
+  const Mask whole = bone;
+  work.slices(g.size[2], [&](int k) {
+    for (int j = 0; j < g.size[1]; ++j)
+      for (int i = 0; i < g.size[0]; ++i) {
+        if (!whole.at(i, j, k) || inner.at(i, j, k)) continue;
+        int brightest_HU = 0;
+        for (int z = std::max(0, k - reach[2]); z <= std::min(g.size[2] - 1, k + reach[2]); ++z)
+          for (int y = std::max(0, j - reach[1]); y <= std::min(g.size[1] - 1, j + reach[1]); ++y)
+            for (int x = std::max(0, i - reach[0]); x <= std::min(g.size[0] - 1, i + reach[0]); ++x)
+              brightest_HU = std::max<int>(brightest_HU, ct.at(x, y, z));
+        if (ct.at(i, j, k) < (brightest_HU + kTissue_HU) / 2) bone.at(i, j, k) = 0;
+      }
+  });
+}
+
 }  // namespace
 
 Mask findBone(const CtVolume& ct, const LabelMap& body, Work& work) {
@@ -77,6 +104,7 @@ Mask findBone(const CtVolume& ct, const LabelMap& body, Work& work) {
   work.voxels(ct.geometry, [&](std::size_t v) { bone.voxels[v] &= std::uint8_t(above(v, kBoneEdge_HU)); });
   close(bone, kClose_mm, work);
   fillMarrow(bone, ct, body, work);
+  takeBlur(bone, ct, work);
   work.voxels(ct.geometry, [&](std::size_t v) {
     bone.voxels[v] &= std::uint8_t(body.voxels[v] == kSoftTissue && !blood.mask.voxels[v]);
   });
