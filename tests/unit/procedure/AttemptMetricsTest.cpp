@@ -92,6 +92,16 @@ TEST(Attempt, PosteriorWall) {
   EXPECT_THAT(values[Metric::TimeToVein], is(2));
 }
 
+TEST(Attempt, BloodThatIsDrawnInPassingIsNoTipInTheVein) {
+  ScriptedAttempt attempt;
+  attempt.walls = {{kVein, 20, 45}};
+  attempt.aspirating = true;
+  attempt.needleTo(50), attempt.needleTo(-5);
+  EXPECT_EQ(attempt.values()[Metric::TipInVein], 0) << "2.5 s of it, on the way back";
+  attempt.needleTo(50), attempt.needleTo(30), attempt.hold(1.1), attempt.needleTo(-5);
+  EXPECT_EQ(attempt.values()[Metric::TipInVein], 1) << "it stood there, drawn back through the back wall";
+}
+
 TEST(Attempt, DrawnOutAfterBloodWasDrawn) {
   ScriptedAttempt attempt;
   attempt.needleTo(25), attempt.needleTo(-5);

@@ -13,8 +13,9 @@ namespace {
 
 /// Out of the skin and as far from the hole, the needle counts as pulled out; before, it trembles in the hole.
 constexpr double kOut_mm = 2;
-/// Blood drawn for as long tells that the tip is in the vein.
+/// Blood drawn for as long, and as near to one place, tells that the tip stands in the vein and does not pass it.
 constexpr std::int64_t kDrawn_us = 1'000'000;
+constexpr double kDrawn_mm = 1;
 /// As far from where it was struck, bone counts as left.
 constexpr double kOffBone_mm = 1;
 /// As near to one place for as long, the tip rests.
@@ -68,13 +69,17 @@ struct AttemptMetrics::State {
   std::optional<double> timeToVein_s;
   int passes = 0, usedInsertions = 0, boneContacts = 0;
   bool inPass = false, used = false;
-  std::optional<std::int64_t> drawing_us;  ///< since when the syringe draws in the vein
-  bool drawn = false;                      ///< blood of the vein was, and the tip only came back since
-  std::optional<Vec3> out_mm;              ///< where the tip came out of the skin, until it is clear of the hole
-  std::optional<Vec3> rest_mm;             ///< from where the tip in the vein has not moved on
-  std::int64_t rest_us = 0;                ///< since when
-  bool rested = false;                     ///< for long enough
-  std::optional<Vec3> bone_mm;             ///< where it met bone, until it is clear
+  struct Drawing {
+    std::int64_t since_us = 0;
+    Vec3 tip_mm;
+  };
+  std::optional<Drawing> drawing;  ///< blood, with the tip in one place of the vein
+  bool drawn = false;              ///< blood of the vein was, and the tip only came back since
+  std::optional<Vec3> out_mm;      ///< where the tip came out of the skin, until it is clear of the hole
+  std::optional<Vec3> rest_mm;     ///< from where the tip in the vein has not moved on
+  std::int64_t rest_us = 0;        ///< since when
+  bool rested = false;             ///< for long enough
+  std::optional<Vec3> bone_mm;     ///< where it met bone, until it is clear
   std::optional<double> angle_deg, nearestArtery_mm, nearestLung_mm, veinCentre_mm;
 };
 
@@ -112,14 +117,15 @@ void AttemptMetrics::State::followRest(const AttemptSample& sample) {
 }
 
 void AttemptMetrics::State::drawBlood(const AttemptSample& sample) {
-  if (!sample.aspirating || !vein.inside()) return drawing_us.reset();
-  if (!drawing_us) drawing_us = sample.time_us;
-  drawn |= sample.time_us - *drawing_us >= kDrawn_us;
+  if (!sample.aspirating || !vein.inside()) return drawing.reset();
+  const Vec3 tip_mm = sample.patientFromNeedle->offset;
+  if (!drawing || norm(tip_mm - drawing->tip_mm) > kDrawn_mm) drawing = {sample.time_us, tip_mm};
+  drawn |= sample.time_us - drawing->since_us >= kDrawn_us;
 }
 
 void AttemptMetrics::State::beginPass(const AttemptEvent& event) {
   inPass = true;
-  drawn = false, drawing_us.reset();
+  drawn = false, drawing.reset();
   ++passes;
   if (used) ++usedInsertions;
   passSkin_us = event.time_us;

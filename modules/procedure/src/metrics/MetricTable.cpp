@@ -61,10 +61,10 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
      "From the tip to the centre line of the vein where the tip last stood in the vein, within 0.5 mm for half a "
      "second; where it never did, at the vein's puncture.",
      kTrainer},
-    {TipInVein, "tip_in_vein", 2, "", Higher,
+    {TipInVein, "tip_in_vein", 3, "", Higher,
      "1: the attempt ended with the tip in the vein, or with the needle drawn back by the way it came after the "
      "syringe "
-     "had drawn in the vein for 1 s, no further wall or bone met; 0: it did not.",
+     "had drawn in the vein for 1 s with the tip within 1 mm of one place, no further wall or bone met; 0: it did not.",
      "Auyong et al., Anesthesiology 2015, 123:535: 76 % against 97 % with a guided needle"},
     {NearestArtery, "nearest_artery_mm", 1, "mm", Higher,
      "Least distance of the tip from an artery's wall, under the skin; negative inside.", kUnnamed},
