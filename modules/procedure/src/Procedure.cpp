@@ -34,8 +34,8 @@ std::vector<std::string_view> metricNames() {
 }
 
 PatientPosition readPosition(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"name", "tilt_deg", "head_deg"});
-  PatientPosition position{entry.text("name"), entry.number("tilt_deg", -45, 45), entry.number("head_deg", -90, 90)};
+  JsonEntry entry(object, where, {"name", "tilt_deg"});
+  PatientPosition position{entry.text("name"), entry.number("tilt_deg", -45, 45)};
   trouble = entry.trouble();
   return position;
 }

@@ -26,6 +26,7 @@ const PatientCase& phantom(const std::string& variant) {
 struct Blob {
   double area_mm2 = 0;
   Vec3 centre_mm;
+  int first_i = 0, last_i = 0;  ///< voxels along x
 };
 
 std::uint8_t labelAt(const PatientCase& p, Vec3 patient_mm) {
@@ -52,7 +53,8 @@ Blob sliceRegion(const LabelMap& labels, Vec3 seed_mm) {
         open.push_back({a, b});
       }
   }
-  return {double(n) * g.spacing_mm.x * g.spacing_mm.y, g.patientFromIndex() * (sum / double(n))};
+  const auto [first, last] = std::ranges::minmax(open, {}, [](const auto& voxel) { return voxel[0]; });
+  return {double(n) * g.spacing_mm.x * g.spacing_mm.y, g.patientFromIndex() * (sum / double(n)), first[0], last[0]};
 }
 
 /// Common carotid beside a target: the nearest arterial voxel in its slice.
@@ -223,6 +225,22 @@ TEST(Phantom, VariantsDifferInWhatTheyPromise) {
   EXPECT_LT(besideArtery_mm("vein-over-artery"), 3);
   EXPECT_GT(besideArtery_mm("textbook"), besideArtery_mm("vein-over-artery") + 3);
   EXPECT_LT(besideArtery_mm("head-turned"), besideArtery_mm("textbook"));
+}
+
+/// How much of the right common carotid's width the vein covers, seen straight from the front at the target's level.
+double overlap_percent(const PatientCase& p) {
+  const Vec3 target_mm = p.manifest.targets[0].position_mm;
+  const Blob vein = sliceRegion(p.labels, target_mm);
+  const Blob artery = sliceRegion(p.labels, nearestArtery(p.labels, target_mm));
+  const int covered = std::min(vein.last_i, artery.last_i) - std::max(vein.first_i, artery.first_i) + 1;
+  return 100.0 * std::max(0, covered) / (artery.last_i - artery.first_i + 1);
+}
+
+/// Wang et al., J Emerg Med 2006, 31:283: 156 patients, 29 % of the carotid covered with the head straight and 72 %
+/// with it turned by 90 degrees; between them 48 % at 40 degrees.
+TEST(Phantom, TurningTheHeadBringsTheVeinOverTheCarotidAsFarAsItDoesInPatients) {
+  EXPECT_NEAR(overlap_percent(phantom("head-turned")), 29 + (72 - 29) * 40.0 / 90, 10);
+  EXPECT_LT(overlap_percent(phantom("textbook")), 29) << "an easy neck";
 }
 
 /// Means of Galloway and Bodenham, Br J Anaesth 2003;90:589, below the middle of the clavicle: vein 12 mm wide, 19 mm

@@ -29,7 +29,7 @@ TEST(Procedure, PresetsAreFineAndSayEverything) {
 std::string with(const std::string& piece, const std::string& other) {
   std::string text = R"({"name": "p", "title": "P", "version": 2,
     "target": "femoral", "needs": [{"label": "vein", "why": "it is the target"}],
-    "positions": [{"name": "supine", "tilt_deg": 0, "head_deg": 0}],
+    "positions": [{"name": "supine", "tilt_deg": 0}],
     "steps": [{"name": "skin", "title": "Skin", "say": "Go in.", "until": {"happens": "entered", "wall": "skin"}}],
     "passBegins": "skin",
     "rules": [{"name": "r", "metric": "passes", "over": 2, "severity": "major", "say": "Too many."}],
@@ -101,7 +101,7 @@ TEST(Procedure, BadInputIsToldWhereAndWhatElse) {
     EXPECT_THAT(procedure.error().message, HasSubstr(c.sentence));
   }
   EXPECT_THAT(parseProcedure("[]").error().message, HasSubstr("must be an object"));
-  const std::string twice = R"([{"name": "supine", "tilt_deg": 1, "head_deg": 0}, )";
+  const std::string twice = R"([{"name": "supine", "tilt_deg": 1}, )";
   EXPECT_THAT(parseProcedure(with("\"positions\": [", "\"positions\": " + twice)).error().message,
               HasSubstr("position 'supine' is there twice"));
 }

@@ -205,8 +205,7 @@ void AttemptPanel::refresh() {
   if (state == State::Running) {
     position_->clear();
     for (const PatientPosition& one : attempt_.procedure().positions)
-      // Only the table can be turned so far, not the head.
-      if (one.head_deg == 0) position_->addItem(QString::fromStdString(one.name), one.tilt_deg);
+      position_->addItem(QString::fromStdString(one.name), one.tilt_deg);
   }
   refreshRunning();
   if (state == State::Over) refreshResult();

@@ -12,11 +12,10 @@
 
 namespace insonate {
 
-/// How the patient can lie.
+/// How the table can be tilted. A head that is turned moves muscle and vessels: that is another case.
 struct PatientPosition {
   std::string name;
   double tilt_deg = 0;  ///< head down is positive; -45 to 45
-  double head_deg = 0;  ///< turned away from the side of the puncture; -90 to 90
 };
 
 /// An event that ends a step.
