@@ -175,7 +175,7 @@ TEST_F(ReviewWindow, TheResultHasTheRecordingsNumbers) {
   EXPECT_EQ(value("vein punctures"), "2");
   EXPECT_EQ(value("double punctures"), "1");
   EXPECT_EQ(value("attempt time"), "9.1 s");
-  EXPECT_EQ(value("nearest artery"), "n/a") << "the block has none";
+  EXPECT_EQ(value("nearest lung"), "n/a") << "the block has none";
   EXPECT_TRUE(table->item(0, 0)->toolTip().contains("Counted"));
   EXPECT_TRUE(child<QWidget>("pathPane")->isVisible());
 }
@@ -284,6 +284,32 @@ TEST_F(ReviewWindow, AHiddenRoomPlaysNothingAndMakesNoPictures) {
   workspace_->show();
   settle();
   EXPECT_TRUE(session_->picture().shown());
+}
+
+TEST_F(ReviewWindow, The3dIsOpenedByAPanelAndStaysOpenedWhileTheReplayGoesOn) {
+  openAll(recorded(home_.filePath("one.attempt")));
+  auto* scroll = child<QWidget>("scenePanel");
+  EXPECT_FALSE(scroll->isVisible());
+  key(Qt::Key_3);
+  EXPECT_TRUE(scroll->isVisible());
+  EXPECT_TRUE(child<QWidget>("eye6")->isVisible()) << "the vein is in the list";
+  const auto picture = [&] {
+    settle();
+    return child<ui::ViewWidget>("replayScene")->grab().toImage();
+  };
+  const QImage whole = picture();
+  auto* kind = child<QComboBox>("clippingKind");
+  kind->setCurrentIndex(1);
+  Q_EMIT kind->activated(1);
+  QTest::qWait(600);
+  const QImage opened = picture();
+  EXPECT_NE(opened, whole) << "clipped";
+  session_->setTime(session_->attempt()->end_us / 2);
+  settle();
+  EXPECT_EQ(kind->currentIndex(), 1);
+  EXPECT_NE(picture(), opened) << "the hands are elsewhere";
+  key(Qt::Key_3);
+  EXPECT_FALSE(scroll->isVisible());
 }
 
 TEST_F(ReviewWindow, EveryControlHasANameAndATip) {

@@ -22,6 +22,7 @@ constexpr KeyRow kKeys[] = {
     {Qt::Key_Equal, Command::Faster, 0, 0, "", ""},
     {Qt::Key_1, Command::ShowReplay, 0, 0, "1, 2", "the replay, the result"},
     {Qt::Key_2, Command::ShowResult, 0, 0, "", ""},
+    {Qt::Key_3, Command::ShowLook, 0, 0, "3", "what 3D shows: structures, skin, clipping plane; or no longer"},
     {Qt::Key_Backspace, Command::List, 0, 0, "Backspace", "back to the list of attempts"},
     {0, {}, 0, 0, "Ctrl+E", "save the result as PDF or picture"},
     {0, {}, 0, 0, "Click, drag on the timeline", "go to a time, or to the moment of a mark"},

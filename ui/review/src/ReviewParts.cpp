@@ -12,6 +12,7 @@
 
 #include <insonate/cases/Phantom.h>
 #include <insonate/ui/RecentCases.h>
+#include <insonate/ui/ScenePanel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
 
@@ -23,6 +24,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSettings>
 #include <QSplitter>
 #include <QStackedLayout>
@@ -111,6 +113,16 @@ QWidget* ReviewWorkspace::Parts::buildTabs() {
   };
   add(kReplay, "replayTab", tr("Replay"), tr("The ultrasound picture of each moment (1)"));
   add(kResult, "resultTab", tr("Result"), tr("Points, metrics, and the needle's way (2)"));
+  look_ = new QToolButton;
+  look_->setObjectName(QStringLiteral("sceneTab"));
+  look_->setText(tr("3D"));
+  look_->setToolTip(tr("What the 3D view shows: structures, skin, clipping plane (3)"));
+  look_->setCheckable(true);
+  look_->setFocusPolicy(Qt::TabFocus);
+  ui::setRole(look_, "narrowTab");
+  connect(look_, &QToolButton::toggled, this, [this] { showBelow(); });
+  row->addSpacing(ui::kGap);
+  row->addWidget(look_);
   connect(tabs_, &QButtonGroup::idClicked, this, [this](int tab) { showTab(tab); });
   auto* save = new QAction(ui::icon(QStringLiteral("save")), tr("Save result ..."), &workspace_);
   save->setObjectName(QStringLiteral("saveResult"));
@@ -130,7 +142,13 @@ QWidget* ReviewWorkspace::Parts::buildTabs() {
 void ReviewWorkspace::Parts::showTab(int tab) {
   tabs_->button(tab)->setChecked(true);
   centre_->setCurrentIndex(tab);
-  path_->setVisible(tab == kResult);
+  showBelow();
+}
+
+/// Under 3D: what it shows, or with the result the needle's way.
+void ReviewWorkspace::Parts::showBelow() {
+  scene_->panelArea().setVisible(look_->isChecked());
+  path_->setVisible(centre_->currentIndex() == kResult && !look_->isChecked());
 }
 
 void ReviewWorkspace::Parts::exportResult() {
@@ -169,7 +187,8 @@ QWidget* ReviewWorkspace::Parts::buildCentre() {
   right->setChildrenCollapsible(false);
   right->addWidget(&scene_->widget());
   right->addWidget(path_);
-  right->setSizes({600, 400});
+  right->addWidget(&scene_->panelArea());
+  right->setSizes({600, 400, 400});
   columns_->addWidget(centre_);
   columns_->addWidget(right);
   columns_->setStretchFactor(0, 0);
@@ -307,6 +326,9 @@ bool ReviewWorkspace::Parts::key(const QKeyEvent& event, bool act) {
     case Command::ShowResult:
       showTab(row->command == Command::ShowReplay ? kReplay : kResult);
       break;
+    case Command::ShowLook:
+      look_->toggle();
+      break;
     case Command::List:
       session.close();
       break;
@@ -329,10 +351,16 @@ bool ReviewWorkspace::Parts::keyEvent(QEvent* event) {
 
 void ReviewWorkspace::Parts::saveLayout(QSettings& settings) const {
   settings.setValue(QStringLiteral("columns"), columns_->saveState());
+  settings.beginGroup(QStringLiteral("scene"));
+  scene_->panel().save(settings);
+  settings.endGroup();
 }
 
 void ReviewWorkspace::Parts::restoreLayout(QSettings& settings) {
   columns_->restoreState(settings.value(QStringLiteral("columns")).toByteArray());
+  settings.beginGroup(QStringLiteral("scene"));
+  scene_->panel().restore(settings);
+  settings.endGroup();
 }
 
 }  // namespace insonate::review

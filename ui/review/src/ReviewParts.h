@@ -11,6 +11,7 @@ class QSplitter;
 class QButtonGroup;
 class QStackedLayout;
 class QStackedWidget;
+class QToolButton;
 
 namespace insonate::ui {
 class ViewWidget;
@@ -47,6 +48,7 @@ class ReviewWorkspace::Parts : public QObject {
   QWidget* buildCentre();
   QWidget* buildTabs();
   void showTab(int tab);
+  void showBelow();
   void exportResult();
   void connectParts();
   void showAttempt();
@@ -69,6 +71,7 @@ class ReviewWorkspace::Parts : public QObject {
   QStackedWidget* centre_ = nullptr;  ///< picture or result
   PathPane* path_ = nullptr;
   QButtonGroup* tabs_ = nullptr;
+  QToolButton* look_ = nullptr;  ///< whether the panel of 3D is open
 };
 
 }  // namespace insonate::review

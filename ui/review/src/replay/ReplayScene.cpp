@@ -3,10 +3,12 @@
 #include <insonate/simulator/AttemptSettings.h>
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/AttemptWords.h>
+#include <insonate/ui/ScenePanel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
 #include <insonate/views/VtkCase.h>
 
+#include <QScrollArea>
 #include <algorithm>
 
 namespace insonate::review {
@@ -48,6 +50,13 @@ ReplayScene::ReplayScene(ReviewSession& session, QObject* parent)
       widget_(new ui::ViewWidget(view_, tr("Patient, probe and needle in three dimensions"))) {
   widget_->setObjectName(QStringLiteral("replayScene"));
   view_->setSkinOpacity(kSkinOpacity);
+  panel_ = new ui::ScenePanel(view_);
+  panelArea_ = new QScrollArea;
+  panelArea_->setWidget(panel_);
+  panelArea_->setWidgetResizable(true);
+  panelArea_->setFrameShape(QFrame::NoFrame);
+  panelArea_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  panelArea_->setFocusPolicy(Qt::NoFocus);
   follow_.setSingleShot(true);
   rest_.setSingleShot(true);
   rest_.setInterval(kRest_ms);
@@ -82,6 +91,7 @@ void ReplayScene::showCase() {
   case_ = patient ? std::make_shared<views::VtkCase>(patient) : nullptr;
   for (const LabelInfo& info : labelTable()) view_->setSurface(info.label, {});
   view_->setCase(case_);
+  panel_->setCase(patient);
   view_->setProbe(std::nullopt);
   settings_.clear();
   widget_->forget();

@@ -11,9 +11,12 @@
 #include <string>
 #include <vector>
 
+class QScrollArea;
+
 namespace insonate::ui {
+class ScenePanel;
 class ViewWidget;
-}
+}  // namespace insonate::ui
 
 namespace insonate::review {
 
@@ -25,6 +28,9 @@ class ReplayScene : public QObject {
 
   const std::shared_ptr<views::SceneView>& view() const { return view_; }
   ui::ViewWidget& widget() { return *widget_; }
+  /// Structures, CT and clipping plane of the view, and where they scroll.
+  ui::ScenePanel& panel() { return *panel_; }
+  QScrollArea& panelArea() { return *panelArea_; }
   /// Nothing more will be drawn by itself.
   bool isAtRest() const { return !follow_.isActive() && !rest_.isActive(); }
   void setRested(std::function<void()> listener) { rested_ = std::move(listener); }
@@ -39,6 +45,8 @@ class ReplayScene : public QObject {
   ReviewSession& session_;
   std::shared_ptr<views::SceneView> view_;
   ui::ViewWidget* widget_;
+  ui::ScenePanel* panel_;
+  QScrollArea* panelArea_;
   std::shared_ptr<views::VtkCase> case_;
   std::shared_ptr<const PatientCase> shown_;
   std::string settings_;  ///< of the probe as drawn
