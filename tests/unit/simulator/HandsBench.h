@@ -41,10 +41,10 @@ bool eventually(const Holds& holds, std::chrono::milliseconds patience = std::ch
 struct HandsBench {
   std::shared_ptr<const PatientCase> patient = wideCase();
   ProbeHand probe = *ProbeHand::make(patient->labels, pressedBy(-2));
-  Live live{pressedBy(-2), elasticSetup(), {}, patient};
+  Live live;
   HandsSession hands{std::make_shared<NoDevices>()};
 
-  HandsBench() {
+  explicit HandsBench(const LiveOptions& options = {}) : live(pressedBy(-2), elasticSetup(), options, patient) {
     live.frameAt(pressedBy(-2));
     hands.setImaging(live.operator->());
     hands.setCase(patient, &probe);

@@ -1,4 +1,5 @@
 #include "HandsBench.h"
+#include "support/Allocations.h"
 
 #include <gmock/gmock.h>
 
@@ -177,6 +178,41 @@ TEST(HandsSession, ATestForceIsFeltForASecondAndThenTheHandIsTheServosAgain) {
   EXPECT_TRUE(eventually([&] { return device->last_N > 0.9; }));
   EXPECT_TRUE(eventually([&] { return device->last_N == 0 && bench.hands.snapshot().present[kProbeHand]; }));
   EXPECT_NEAR(device->most_N, 1, 1e-9) << "no more than a newton";
+}
+
+/// Both hands move: ticks, the steps that show them the tissue, the picture and its needle. What begins seldom (another
+/// scene) asks for memory, so that the quietest of many rounds tells.
+TEST(HandsSession, StepsOfBothHandsAndTheirPicturesAllocateNothing) {
+  LiveOptions options;
+  options.workAhead = false;    // scenes to come are made of memory
+  options.cineBytes = 300'000;  // some frames, so that they are soon used again
+  Bench bench(options);
+  const auto probe = bench.probeDevice();
+  NeedleHand needle = bench.takeNeedle();
+  bench.push(needle, 12);
+  probe->follow({{{0, {0, 3, 0}, {}}, {1, {0, 5, 0}, {}}, {2, {0, 3, 0}, {}}}});
+  ASSERT_TRUE(eventually([&] { return bench.live->latest()->needle && bench.live->latest()->press.force_N > 0.1; }));
+  const Transform tip = needle.patientFromNeedle();
+  const auto move = [&] {
+    for (int i = 0; i < 20; ++i) {
+      Transform now = tip;
+      now.offset.y += i % 2 ? 0.3 : -0.3;
+      bench.hands.moveByMouse(kNeedleHand, now);
+      std::this_thread::sleep_for(20ms);
+    }
+  };
+  for (int i = 0; i < 5; ++i) move();
+  long least = 1000;
+  std::uint64_t pictures = 0;
+  for (int round = 0; round < 60 && least > 0; ++round) {
+    const std::uint64_t first = bench.live->latest()->number;
+    const long before = test::allocations();
+    move();
+    const long asked = test::allocations() - before;
+    if (asked < least) least = asked, pictures = bench.live->latest()->number - first;
+  }
+  EXPECT_EQ(least, 0);
+  EXPECT_GT(pictures, 3U) << "they followed";
 }
 
 TEST(HandsSession, EmptyHandsCostNothingAndItEndsInTheMiddleOfEverything) {
