@@ -2,6 +2,7 @@
 
 #include "KeyTable.h"
 #include "attempt/Words.h"
+#include "home/ReviewHome.h"
 #include "list/AttemptList.h"
 #include "replay/MomentList.h"
 #include "replay/ReplayScene.h"
@@ -45,6 +46,7 @@ ReviewWorkspace::Parts::Parts(ReviewWorkspace& workspace, ui::TaskBar& taskBar)
   pages_ = new QStackedLayout(&workspace);
   pages_->setContentsMargins(0, 0, 0, 0);
   list = new AttemptList;
+  home = new ReviewHome(*list);
   page_ = new QWidget;
   auto* box = new QVBoxLayout(page_);
   box->setContentsMargins(0, 0, 0, 0);
@@ -60,7 +62,7 @@ ReviewWorkspace::Parts::Parts(ReviewWorkspace& workspace, ui::TaskBar& taskBar)
   box->addWidget(buildCentre(), 1);
   box->addWidget(new Transport(session));
   box->addWidget(timeline_);
-  pages_->addWidget(list);
+  pages_->addWidget(home);
   pages_->addWidget(page_);
   connectParts();
   showTab(kResult);
@@ -77,7 +79,7 @@ QWidget* ReviewWorkspace::Parts::buildBar() {
   row->setSpacing(ui::kGap);
   auto* back = new QPushButton(ui::icon(QStringLiteral("left")), tr("Attempts"));
   back->setObjectName(QStringLiteral("backToList"));
-  back->setToolTip(tr("Back to the list of attempts (Backspace)"));
+  back->setToolTip(tr("Back to where the attempt was chosen (Backspace)"));
   back->setFocusPolicy(Qt::TabFocus);
   connect(back, &QPushButton::clicked, this, [this] { session.close(); });
   row->addWidget(back);
@@ -205,6 +207,11 @@ QWidget* ReviewWorkspace::Parts::buildCentre() {
 void ReviewWorkspace::Parts::connectParts() {
   connect(list, &AttemptList::chosen, this, [this](const QString& file) { session.open(file, tasks); });
   connect(list, &AttemptList::listed, this, [this] { refreshReady(); });
+  connect(home, &ReviewHome::replayWanted, this, [this](const QString& file) { session.open(file, tasks); });
+  connect(home, &ReviewHome::settledChanged, this, [this] { refreshReady(); });
+  connect(home, &ReviewHome::written, &workspace_, &ui::Workspace::written);
+  connect(home, &ReviewHome::failed, this,
+          [this](const QString& what, const QString& advice) { Q_EMIT workspace_.failed(what, advice, {}); });
   connect(&session, &ReviewSession::attemptChanged, this, [this] { showAttempt(); });
   connect(&session, &ReviewSession::openingChanged, this, [this] { refreshReady(); });
   connect(&session, &ReviewSession::caseChanged, this, [this] {
@@ -228,7 +235,7 @@ void ReviewWorkspace::Parts::connectParts() {
 }
 
 void ReviewWorkspace::Parts::showAttempt() {
-  pages_->setCurrentWidget(session.attempt() ? page_ : static_cast<QWidget*>(list));
+  pages_->setCurrentWidget(session.attempt() ? page_ : static_cast<QWidget*>(home));
   if (!session.attempt()) {
     list->refresh();
     return;
@@ -284,7 +291,8 @@ void ReviewWorkspace::Parts::showPicture() {
 }
 
 void ReviewWorkspace::Parts::refreshReady() {
-  const bool now = session.isSettled() && (session.attempt() ? scene_->isAtRest() : !list->isReading());
+  const bool now =
+      session.isSettled() && (session.attempt() ? scene_->isAtRest() : !list->isReading() && home->isSettled());
   if (now == std::exchange(ready, now)) return;
   Q_EMIT workspace_.readyChanged();
 }

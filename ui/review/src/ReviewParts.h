@@ -21,6 +21,7 @@ namespace insonate::review {
 
 class AttemptList;
 class PathPane;
+class ReviewHome;
 class ReplayScene;
 class Timeline;
 
@@ -33,6 +34,7 @@ class ReviewWorkspace::Parts : public QObject {
   ui::TaskBar& tasks;
   ReviewSession& session;  ///< a child of the workspace, gone after its widgets
   AttemptList* list = nullptr;
+  ReviewHome* home = nullptr;
   bool ready = false;
 
   bool key(const QKeyEvent& event, bool act);

@@ -1,5 +1,6 @@
 #include "KeyTable.h"
 #include "ReviewParts.h"
+#include "home/ReviewHome.h"
 #include "list/AttemptList.h"
 
 #include <insonate/review/ReviewWorkspace.h>
@@ -33,9 +34,13 @@ void ReviewWorkspace::setCase(std::shared_ptr<const PatientCase> patient) {
   parts_->session.setPatient(std::move(patient));
 }
 
+void ReviewWorkspace::setAccount(ui::Account& account) {
+  parts_->home->setAccount(account);
+}
+
 QString ReviewWorkspace::statusText() const {
   const QString message = parts_->session.message();
-  return message.isEmpty() ? tr("Choose an attempt; Enter opens it.") : message;
+  return message.isEmpty() ? parts_->home->statusText() : message;
 }
 
 QString ReviewWorkspace::engineText() const {

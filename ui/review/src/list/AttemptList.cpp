@@ -41,8 +41,9 @@ AttemptList::AttemptList(QWidget* parent)
   box->setSpacing(ui::kLargeGap);
   box->addWidget(title);
   box->addWidget(words_);
-  box->addWidget(buildTable(), 1);
+  box->addWidget(buildTable(), 100);
   box->addLayout(row);
+  box->addStretch(1);  // where there is no table
   auto* middle = new QHBoxLayout(this);
   middle->setContentsMargins(ui::kLargeGap, ui::kLargeGap, ui::kLargeGap, ui::kLargeGap);
   middle->addStretch(1);

@@ -143,13 +143,15 @@ class BoxItem final : public Item {
   QColor colour_;
 };
 
-/// Whole numbers, or a name each.
-class CategoryDraw final : public QwtScaleDraw {
+/// Below whole numbers only: themselves, or a name each.
+class CountDraw final : public QwtScaleDraw {
  public:
-  explicit CategoryDraw(QStringList names) : names_(std::move(names)) {}
+  explicit CountDraw(QStringList names) : names_(std::move(names)) {}
   QwtText label(double value) const override {
     const int at = int(std::lround(value));
-    return at == value && at >= 0 && at < names_.size() ? QwtText(names_[at], QwtText::PlainText) : QwtText();
+    if (at != value) return {};
+    if (names_.isEmpty()) return QString::number(at);
+    return at >= 0 && at < names_.size() ? QwtText(names_[at], QwtText::PlainText) : QwtText();
   }
 
  private:
@@ -181,11 +183,10 @@ void setAxes(QwtPlot& plot, const ChartPicture& picture, const ChartInk& ink) {
   }
   if (picture.categories.isEmpty()) {
     plot.setAxisAutoScale(QwtPlot::xBottom);
-    plot.setAxisScaleDraw(QwtPlot::xBottom, new QwtScaleDraw);
   } else {
     plot.setAxisScale(QwtPlot::xBottom, -0.5, picture.categories.size() - 0.5, 1);
-    plot.setAxisScaleDraw(QwtPlot::xBottom, new CategoryDraw(picture.categories));
   }
+  plot.setAxisScaleDraw(QwtPlot::xBottom, new CountDraw(picture.categories));
 }
 
 }  // namespace

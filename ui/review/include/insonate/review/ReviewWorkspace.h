@@ -32,6 +32,7 @@ class ReviewWorkspace : public ui::Workspace {
   bool opensAttempts() const override { return true; }
   void openAttempt(const QString& file) override;
   void setCase(std::shared_ptr<const PatientCase> patient) override;
+  void setAccount(ui::Account& account) override;
   QString statusText() const override;
   QString engineText() const override;
   bool isReady() const override;

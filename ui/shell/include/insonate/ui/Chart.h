@@ -17,7 +17,8 @@ class QwtPlot;
 
 namespace insonate::ui {
 
-/// What a chart shows, as data: drawn alike on the screen and, dark on white, on paper.
+/// What a chart shows over things that are counted (x), as data: drawn alike on the screen and, dark on white, on
+/// paper.
 struct ChartPicture {
   enum class Tone { Text, Quiet, Accent, Good, Caution, Danger };
 

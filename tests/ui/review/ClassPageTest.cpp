@@ -1,0 +1,138 @@
+#include "Classroom.h"
+#include "class/ClassTable.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QTableView>
+
+namespace insonate::review {
+namespace {
+
+QString cell(QTableView& table, int row, int column) {
+  return table.model()->index(row, column).data().toString();
+}
+
+int rowOf(QTableView& table, const QString& person) {
+  for (int row = 0; row < table.model()->rowCount(); ++row)
+    if (cell(table, row, ClassTable::kName) == person) return row;
+  return -1;
+}
+
+class ClassPageTest : public Classroom {
+ protected:
+  QTableView& table() { return *child<QTableView>("classTable"); }
+  int column(const QString& title) {
+    for (int i = 0; i < table().model()->columnCount(); ++i)
+      if (table().model()->headerData(i, Qt::Horizontal).toString().startsWith(title)) return i;
+    ADD_FAILURE() << title.toStdString();
+    return 0;
+  }
+};
+
+TEST_F(ClassPageTest, ShowsWhoIsHowFarAndWhoNeedsHelp) {
+  practise(school_->as(school_->anna), true, 3);
+  practise(school_->as(school_->ben), false, kStuckAfter);
+  enter("ina");
+  EXPECT_TRUE(isSeen("classTab") && isSeen("classTable"));
+  EXPECT_EQ(child<QComboBox>("cohorts")->currentText(), "Spring");
+  ASSERT_EQ(table().model()->rowCount(), 2) << "teachers are no rows";
+  const int ben = rowOf(table(), "Dr ben"), anna = rowOf(table(), "Dr anna");
+  EXPECT_EQ(cell(table(), ben, ClassTable::kNeeds), "stuck");
+  EXPECT_EQ(cell(table(), anna, ClassTable::kNeeds), "");
+  EXPECT_EQ(cell(table(), anna, ClassTable::kAttempts), "3");
+  EXPECT_EQ(cell(table(), ben, column("Artery")), "2");
+  EXPECT_EQ(cell(table(), anna, column("Artery")), "0");
+  EXPECT_EQ(cell(table(), anna, column("Points")), "84");
+  EXPECT_EQ(cell(table(), anna, column("Probe path")), "n/a") << "told by no attempt";
+  auto& concerns = *child<QListWidget>("concerns");
+  ASSERT_EQ(concerns.count(), 1);
+  EXPECT_TRUE(concerns.item(0)->text().contains("Dr ben, stuck:  Open: ")) << concerns.item(0)->text().toStdString();
+  EXPECT_TRUE(concerns.item(0)->text().contains("artery")) << concerns.item(0)->text().toStdString();
+}
+
+TEST_F(ClassPageTest, SortsByAMetricAndByNeed) {
+  practise(school_->as(school_->anna), true, 2);
+  practise(school_->as(school_->ben), false, kStuckAfter);
+  enter("ina");
+  table().sortByColumn(column("Artery"), Qt::AscendingOrder);
+  EXPECT_EQ(cell(table(), 0, ClassTable::kName), "Dr ben") << "worst first";
+  table().sortByColumn(column("Artery"), Qt::DescendingOrder);
+  EXPECT_EQ(cell(table(), 0, ClassTable::kName), "Dr anna");
+  table().sortByColumn(ClassTable::kNeeds, Qt::AscendingOrder);
+  EXPECT_EQ(cell(table(), 0, ClassTable::kName), "Dr ben") << "who needs help first";
+}
+
+TEST_F(ClassPageTest, ColoursAreToldByNumbersToo) {
+  EXPECT_EQ(heatColour(0), QColor(0, 34, 78));
+  EXPECT_EQ(heatColour(100), QColor(254, 232, 56));
+  double before = -1;
+  for (int share = 0; share <= 100; share += 5) {
+    const QColor colour = heatColour(share);
+    const double lightness = 0.2126 * colour.red() + 0.7152 * colour.green() + 0.0722 * colour.blue();
+    EXPECT_GT(lightness, before) << share << ": lighter is better, without any colour";
+    before = lightness;
+  }
+  EXPECT_EQ(inkOn(heatColour(0)), QColor(Qt::white));
+  EXPECT_EQ(inkOn(heatColour(100)), QColor(Qt::black));
+  EXPECT_EQ(heatWords(std::nullopt), "nothing to compare with");
+  EXPECT_EQ(heatWords(70.0), "near expert");
+}
+
+TEST_F(ClassPageTest, EnterShowsThePersonAndEachSeesOnlyOwnClasses) {
+  practise(school_->as(school_->anna), true, 2);
+  enter("ina");
+  table().setFocus();
+  table().setCurrentIndex(table().model()->index(rowOf(table(), "Dr anna"), 0));
+  QTest::keyClick(&table(), Qt::Key_Return);
+  settle();
+  EXPECT_TRUE(isSeen("personName"));
+  EXPECT_EQ(child<QLabel>("personName")->text(), "Dr anna");
+  workspace_.reset();
+  enter("otto");
+  EXPECT_EQ(child<QComboBox>("cohorts")->count(), 1);
+  EXPECT_EQ(rowOf(table(), "Dr anna"), -1);
+  workspace_.reset();
+  enter("admin");
+  EXPECT_EQ(child<QComboBox>("cohorts")->count(), 2) << "an administrator sees all";
+}
+
+TEST_F(ClassPageTest, NothingOfOneIsSeenByTheNext) {
+  practise(school_->as(school_->anna), true, 2);
+  enter("ina");
+  EXPECT_EQ(table().model()->rowCount(), 2);
+  account_->signOut();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return account_->state() == ui::Account::State::Guest; }, kPatience_ms));
+  settle();
+  EXPECT_EQ(table().model()->rowCount(), 0);
+  EXPECT_FALSE(isSeen("classTable"));
+  EXPECT_TRUE(isSeen("accountNotice")) << "says how to sign in";
+  EXPECT_TRUE(isSeen("attemptsWords"));
+  signIn("carl");
+  settle();
+  EXPECT_FALSE(isSeen("classTab"));
+  EXPECT_EQ(child<QLabel>("personName")->text(), "Dr carl");
+}
+
+TEST_F(ClassPageTest, EmptyPlacesSayWhatToDo) {
+  school_->add("nina", Role::Instructor, "");
+  enter("nina");
+  EXPECT_TRUE(child<QLabel>("classWords")->text().contains("No class is yours yet"));
+  workspace_.reset();
+  enter("otto");
+  EXPECT_TRUE(child<QLabel>("classFacts")->text().contains("has no curriculum yet"))
+      << child<QLabel>("classFacts")->text().toStdString();
+}
+
+TEST_F(ClassPageTest, HostileNamesAreNames) {
+  Person anna = school_->anna;
+  anna.fullName = kHostileName;
+  test::succeed(PeopleStore(school_->admin).change(anna));
+  practise(school_->as(school_->anna), false, kStuckAfter);
+  enter("ina");
+  EXPECT_GE(rowOf(table(), QString::fromStdString(kHostileName)), 0);
+  EXPECT_TRUE(child<QListWidget>("concerns")->item(0)->text().contains(QString::fromStdString(kHostileName)));
+}
+
+}  // namespace
+}  // namespace insonate::review

@@ -1,0 +1,168 @@
+#include "Classroom.h"
+#include "class/ClassTable.h"
+#include "person/HistoryTable.h"
+#include "person/PersonCharts.h"
+
+#include <insonate/ui/Attempts.h>
+#include <insonate/ui/Chart.h>
+
+#include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTableWidget>
+
+namespace insonate::review {
+namespace {
+
+class PersonPageTest : public Classroom {
+ protected:
+  /// Ina opens Anna from the class.
+  void showAnna() {
+    enter("ina");
+    auto& table = *child<QTableView>("classTable");
+    for (int row = 0; row < table.model()->rowCount(); ++row)
+      if (table.model()->index(row, 0).data(ClassTable::kPerson).toString().toStdString() == school_->anna.id)
+        table.setCurrentIndex(table.model()->index(row, 0));
+    table.setFocus();
+    QTest::keyClick(&table, Qt::Key_Return);
+    settle();
+  }
+  QTableWidget& history() { return *child<QTableWidget>("history"); }
+  const ui::ChartPicture& chart(const char* name) { return child<ui::Chart>(name)->picture(); }
+  void choose(const char* name, const QString& text) {
+    auto& box = *child<QComboBox>(name);
+    box.setCurrentIndex(box.findText(text));
+    Q_EMIT box.activated(box.currentIndex());
+  }
+};
+
+TEST_F(PersonPageTest, ShowsWhereSomeoneIsAndHowTheyLearn) {
+  practise(school_->as(school_->anna), false, 4);
+  practise(school_->as(school_->anna), true);
+  showAnna();
+  const QString sentence = child<QLabel>("personSentence")->text();
+  EXPECT_TRUE(sentence.contains("First jugular line")) << sentence.toStdString();
+  EXPECT_TRUE(sentence.contains("1 of 2 passes in a row")) << sentence.toStdString();
+  choose("metricShown", "Needle path, mm");
+  ASSERT_FALSE(chart("learningChart").isEmpty());
+  EXPECT_EQ(chart("learningChart").bands.front().name, "expert");
+  EXPECT_EQ(chart("learningChart").lines.back().points.size(), 5U);
+  choose("levelShown", "First jugular line");
+  const auto& cusum = chart("cusumChart").lines;
+  ASSERT_EQ(cusum.size(), 2U) << chart("cusumChart").words.toStdString();
+  ASSERT_EQ(cusum[0].points.size(), 5U);
+  EXPECT_EQ(cusum[0].points[3].y(), 0) << "failures keep it at 0";
+  EXPECT_NEAR(cusum[0].points[4].y(), std::log(0.9 / 0.75), 1e-9) << "one pass";
+  EXPECT_TRUE(chart("placeChart").isEmpty());
+  EXPECT_TRUE(chart("placeChart").words.startsWith("n/a: fewer than 4 people"));
+}
+
+TEST_F(PersonPageTest, StandsBesideTheClass) {
+  PersonFacts facts;
+  facts.person.id = "p2";
+  std::vector<AttemptFacts> last;
+  for (int person = 0; person < 5; ++person) {
+    AttemptFacts one;
+    one.person = "p" + std::to_string(person), one.state = AttemptState::Completed, one.procedure = "internal_jugular";
+    one.metrics = {{"needle_path_mm", 1, 10.0 * person}};
+    last.push_back(one);
+  }
+  const auto& all = MetricBook::here().all();
+  const auto path = *std::ranges::find(all, "needle_path_mm", &MetricMeaning::id);
+  const ui::ChartPicture picture = placeInClass(facts, last, path);
+  ASSERT_EQ(picture.boxes.size(), 1U);
+  EXPECT_EQ(picture.boxes[0].numbers.median, 20);
+  EXPECT_EQ(picture.lines[0].points[0].y(), 20);
+  EXPECT_EQ(picture.lines[0].name, "better than 50 % of the class") << "a short way is a good one";
+}
+
+TEST_F(PersonPageTest, AnAttemptIsVoidedWithAReason) {
+  practise(school_->as(school_->anna), true, 2);
+  showAnna();
+  ASSERT_EQ(history().rowCount(), 2);
+  EXPECT_EQ(history().item(0, 2)->text(), "Passed");
+  QTest::keyClick(&history(), Qt::Key_Delete);
+  auto& reason = *child<QLineEdit>("voidReason");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return reason.isVisible(); }, kPatience_ms));
+  EXPECT_FALSE(child<QPushButton>("voidNow")->isEnabled()) << "not without a reason";
+  QTest::keyClick(&reason, Qt::Key_Return);
+  settle();
+  EXPECT_EQ(history().item(0, 2)->text(), "Passed");
+  QTest::keyClicks(&reason, "<b>wrong</b> patient");
+  QTest::keyClick(&reason, Qt::Key_Return);
+  settle();
+  EXPECT_EQ(history().item(0, 2)->text(), "Voided: <b>wrong</b> patient");
+  EXPECT_EQ(history().item(1, 2)->text(), "Passed");
+  EXPECT_FALSE(child<QPushButton>("voidAttempt")->isEnabled()) << "once only";
+  EXPECT_EQ(test::valueOf(AttemptStore(school_->admin).attempt(last_.id)).voidReason, "<b>wrong</b> patient");
+}
+
+TEST_F(PersonPageTest, EscapeLeavesAnAttemptAlone) {
+  practise(school_->as(school_->anna), true);
+  showAnna();
+  child<QPushButton>("voidAttempt")->click();
+  QTest::keyClick(child<QLineEdit>("voidReason"), Qt::Key_Escape);
+  EXPECT_FALSE(child<QLineEdit>("voidReason")->isVisible());
+  EXPECT_EQ(history().item(0, 2)->text(), "Passed");
+}
+
+TEST_F(PersonPageTest, ReplaysWhatIsHereAndSaysWhereTheRestIs) {
+  practise(school_->as(school_->anna), true);
+  showAnna();
+  EXPECT_FALSE(child<QPushButton>("replayAttempt")->isEnabled());
+  EXPECT_EQ(history().item(0, 5)->text(), "on ward 7");
+  EXPECT_TRUE(child<QLabel>("historyWords")->text().contains("is not on this computer but on ward 7. Copy it"));
+  const QSignalSpy failed(workspace_.get(), &ui::Workspace::failed);
+  QTest::keyClick(&history(), Qt::Key_Return);
+  EXPECT_EQ(failed.count(), 1);
+  ASSERT_TRUE(QDir().mkpath(ui::attemptsFolder()));
+  QFile recording(QDir(ui::attemptsFolder()).filePath(QString::fromStdString(last_.recording)));
+  ASSERT_TRUE(recording.open(QIODevice::WriteOnly));
+  KeptAttempt kept{last_, 1, false, {}};
+  EXPECT_EQ(recordingOf(kept), recording.fileName());
+  kept.facts.recording = "../" + last_.recording;
+  EXPECT_EQ(recordingOf(kept), "") << "never out of the folder";
+  kept.facts.recording = "/etc/passwd";
+  EXPECT_EQ(recordingOf(kept), "");
+  recording.remove();
+}
+
+TEST_F(PersonPageTest, ATraineeSeesThemselvesAndVoidsNothing) {
+  practise(school_->as(school_->anna), true, 2);
+  enter("anna");
+  EXPECT_FALSE(isSeen("classTab"));
+  EXPECT_EQ(child<QLabel>("personName")->text(), "Dr anna");
+  EXPECT_EQ(history().rowCount(), 2);
+  EXPECT_FALSE(child<QPushButton>("voidAttempt")->isVisible());
+  EXPECT_TRUE(chart("placeChart").words.contains("seen by its instructors"));
+  QTest::keyClick(workspace_.get(), Qt::Key_3, Qt::AltModifier);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return isSeen("attemptsWords"); }, kPatience_ms));
+  QTest::keyClick(workspace_.get(), Qt::Key_2, Qt::AltModifier);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return isSeen("history"); }, kPatience_ms));
+}
+
+TEST_F(PersonPageTest, MoreAttemptsThanAPageAreReadWhenWanted) {
+  practise(school_->as(school_->anna), true, kPage + 3);
+  showAnna();
+  EXPECT_EQ(history().rowCount(), kPage);
+  ASSERT_TRUE(isSeen("earlierAttempts"));
+  child<QPushButton>("earlierAttempts")->click();
+  settle();
+  EXPECT_EQ(history().rowCount(), kPage + 3);
+  EXPECT_FALSE(isSeen("earlierAttempts"));
+}
+
+TEST_F(PersonPageTest, WithoutAttemptsEachPlaceSaysWhatToDo) {
+  showAnna();
+  for (const char* name : {"learningChart", "cusumChart", "placeChart"})
+    EXPECT_TRUE(chart(name).words.startsWith("n/a")) << name << ": " << chart(name).words.toStdString();
+  EXPECT_TRUE(child<QLabel>("historyWords")->text().contains("No attempt yet"));
+}
+
+}  // namespace
+}  // namespace insonate::review

@@ -1,0 +1,140 @@
+#include "ClassDesk.h"
+
+#include <insonate/ui/Account.h>
+
+#include <QDateTime>
+#include <algorithm>
+
+namespace insonate::review {
+
+ClassDesk::ClassDesk(QObject* parent) : QObject(parent) {}
+
+void ClassDesk::setAccount(ui::Account& account) {
+  account_ = &account;
+  connect(account_, &ui::Account::changed, this, [this] {
+    forget();
+    refresh();
+  });
+  refresh();
+}
+
+bool ClassDesk::isSomebody() const {
+  return account_ && account_->isSignedIn() && !account_->mustChangePassword();
+}
+
+bool ClassDesk::teaches() const {
+  return isSomebody() && account_->person().role != Role::Trainee;
+}
+
+const Curriculum* ClassDesk::curriculum() const {
+  if (facts_) return facts_->curriculum ? &*facts_->curriculum : nullptr;
+  return own_ ? &*own_ : nullptr;
+}
+
+const PersonStanding* ClassDesk::standing(const std::string& person) const {
+  const auto found = standings_.find(person);
+  return found == standings_.end() ? nullptr : &found->second;
+}
+
+const Member* ClassDesk::member(const std::string& person) const {
+  if (!facts_) return nullptr;
+  const auto found = std::ranges::find_if(facts_->learners, [&](const Member& one) { return one.person.id == person; });
+  return found == facts_->learners.end() ? nullptr : &*found;
+}
+
+/// Whoever sat here before is seen no more.
+void ClassDesk::forget() {
+  cohorts_.clear(), standings_.clear(), heat_.clear(), queue_.clear();
+  facts_.reset(), own_.reset(), trouble_.clear();
+  chosen_ = 0, ++round_;
+  Q_EMIT cohortsChanged();
+  Q_EMIT classChanged();
+}
+
+template <class T, class Question, class Take>
+void ClassDesk::ask(Question question, Take take) {
+  if (asking_++ == 0) Q_EMIT readingChanged();
+  account_->ask<T>(this, std::move(question), [this, take = std::move(take), round = round_](Result<T> answer) {
+    if (round == round_ && !answer) trouble_ = QString::fromStdString(answer.error().message);
+    if (round == round_ && answer) take(std::move(*answer));
+    if (--asking_ == 0) Q_EMIT readingChanged();
+    if (!answer) Q_EMIT classChanged();
+  });
+}
+
+void ClassDesk::refresh() {
+  if (isSomebody()) readCohorts();
+}
+
+void ClassDesk::readCohorts() {
+  trouble_.clear();
+  ask<std::vector<Cohort>>([](const SignedIn& by) { return CohortStore(by).cohorts(); },
+                           [this](std::vector<Cohort> cohorts) {
+                             const std::string before = cohorts_.empty() ? "" : cohorts_[std::size_t(chosen_)].id;
+                             cohorts_ = std::move(cohorts);
+                             const auto same = std::ranges::find(cohorts_, before, &Cohort::id);
+                             chosen_ = same == cohorts_.end() ? 0 : int(same - cohorts_.begin());
+                             Q_EMIT cohortsChanged();
+                             if (cohorts_.empty())
+                               Q_EMIT classChanged();
+                             else
+                               readClass();
+                           });
+}
+
+void ClassDesk::choose(int cohort) {
+  if (cohort < 0 || cohort >= int(cohorts_.size()) || cohort == chosen_) return;
+  chosen_ = cohort, ++round_;
+  facts_.reset(), own_.reset(), heat_.clear(), standings_.clear(), queue_.clear(), trouble_.clear();
+  Q_EMIT classChanged();
+  readClass();
+}
+
+void ClassDesk::readClass() {
+  const Cohort cohort = cohorts_[std::size_t(chosen_)];
+  if (teaches())
+    ask<ClassFacts>([cohort](const SignedIn& by) { return review::readClass(by, cohort); },
+                    [this](ClassFacts facts) { take(std::move(facts)); });
+  else
+    ask<Curriculum>([cohort](const SignedIn& by) { return curriculumOf(by, cohort); },
+                    [this](Curriculum curriculum) {
+                      own_ = std::move(curriculum);
+                      Q_EMIT classChanged();
+                    });
+}
+
+void ClassDesk::take(ClassFacts facts) {
+  facts_ = std::move(facts);
+  heat_ = heatMapOf(facts_->last);
+  const bool idle = queue_.empty();
+  queue_.clear();
+  if (facts_->curriculum)
+    for (const Member& one : facts_->learners) {
+      const PersonStanding* known = standing(one.person.id);
+      if (one.attempts > 0 && (!known || known->standing.changes != one.changes)) queue_.push_back(one.person.id);
+    }
+  std::ranges::reverse(queue_);
+  Q_EMIT classChanged();
+  if (idle) nextStanding();
+}
+
+void ClassDesk::nextStanding() {
+  if (queue_.empty() || !isSomebody()) return;
+  const Member* who = member(queue_.back());
+  if (!who || !facts_->curriculum) return queue_.clear();
+  const std::int64_t now_us = QDateTime::currentMSecsSinceEpoch() * 1000;
+  account_->ask<PersonStanding>(
+      this,
+      [member = *who, curriculum = *facts_->curriculum, now_us](const SignedIn& by) {
+        return readStanding(by, member, curriculum, now_us);
+      },
+      [this, id = who->person.id, round = round_](Result<PersonStanding> standing) {
+        if (round != round_) return nextStanding();
+        std::erase(queue_, id);
+        if (standing) standings_[id] = std::move(*standing);
+        Q_EMIT standingChanged(QString::fromStdString(id));
+        nextStanding();
+      });
+}
+
+}  // namespace insonate::review

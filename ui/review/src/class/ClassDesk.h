@@ -1,0 +1,81 @@
+#pragma once
+
+#include "ClassReading.h"
+#include "HeatMap.h"
+
+#include <QObject>
+#include <QString>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace insonate::ui {
+class Account;
+}
+
+namespace insonate::review {
+
+/// The classes of who is signed in, and the one that is looked at, without a widget. The store is asked on the
+/// account's thread; how far each person is comes one after the other, since all their attempts count for it.
+class ClassDesk : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ClassDesk(QObject* parent = nullptr);
+
+  void setAccount(ui::Account& account);
+  ui::Account* account() const { return account_; }
+  /// Somebody is signed in and may ask.
+  bool isSomebody() const;
+  /// Sees others: an instructor or administrator.
+  bool teaches() const;
+
+  /// Asks anew; what is shown stays until the answer is there.
+  void refresh();
+  const std::vector<Cohort>& cohorts() const { return cohorts_; }
+  int chosen() const { return chosen_; }
+  void choose(int cohort);
+
+  /// Null until it is read; for a trainee always, whose curriculum is curriculum().
+  const ClassFacts* facts() const { return facts_ ? &*facts_ : nullptr; }
+  const Curriculum* curriculum() const;
+  const HeatMap& heat() const { return heat_; }
+  /// As it was worked out now, else null.
+  const PersonStanding* standing(const std::string& person) const;
+  /// Something that was asked is not answered yet; standings do not count.
+  bool isReading() const { return asking_ > 0; }
+  int standingsToCome() const { return int(queue_.size()); }
+  /// Why nothing is there, and what to do; empty where all is well.
+  QString trouble() const { return trouble_; }
+
+ Q_SIGNALS:
+  void cohortsChanged();
+  void classChanged();
+  void standingChanged(const QString& person);
+  void readingChanged();
+
+ private:
+  template <class T, class Question, class Take>
+  void ask(Question question, Take take);
+  void forget();
+  void readCohorts();
+  void readClass();
+  void take(ClassFacts facts);
+  void nextStanding();
+  const Member* member(const std::string& person) const;
+
+  ui::Account* account_ = nullptr;
+  std::vector<Cohort> cohorts_;
+  int chosen_ = 0;
+  std::optional<ClassFacts> facts_;
+  std::optional<Curriculum> own_;  ///< a trainee's
+  HeatMap heat_;
+  std::map<std::string, PersonStanding> standings_;
+  std::vector<std::string> queue_;  ///< whose standing is to be worked out, the last one first
+  int asking_ = 0;
+  int round_ = 0;  ///< answers to questions of an earlier class are not taken
+  QString trouble_;
+};
+
+}  // namespace insonate::review

@@ -1,0 +1,235 @@
+#include "ClassPage.h"
+
+#include "ClassDesk.h"
+#include "ClassTable.h"
+#include "ClassWords.h"
+#include "HeatLegend.h"
+
+#include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/Theme.h>
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSortFilterProxyModel>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QVBoxLayout>
+
+namespace insonate::review {
+namespace {
+
+constexpr int kRow_px = 28, kHead_px = 78, kMetric_px = 96, kName_px = 170, kLevel_px = 184, kNarrow_px = 88,
+              kDay_px = 112, kConcerns_px = 130;
+
+}  // namespace
+
+ClassPage::ClassPage(ClassDesk& desk, QWidget* parent)
+    : QWidget(parent),
+      desk_(desk),
+      model_(new ClassTable(desk, this)),
+      sorted_(new QSortFilterProxyModel(this)),
+      cohorts_(new QComboBox),
+      facts_(new QLabel),
+      words_(new QLabel),
+      concernsTitle_(new QLabel),
+      again_(new QPushButton(ui::icon(QStringLiteral("reload")), tr("Refresh"))),
+      table_(new QTableView),
+      concerns_(new QListWidget),
+      centre_(new QStackedWidget) {
+  words_->setObjectName(QStringLiteral("classWords"));
+  words_->setWordWrap(true);
+  words_->setTextFormat(Qt::PlainText);
+  words_->setAlignment(Qt::AlignCenter);
+  auto* both = new QWidget;
+  auto* column = new QVBoxLayout(both);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(ui::kGap);
+  column->addWidget(buildTable(), 1);
+  column->addWidget(buildConcerns());
+  centre_->addWidget(words_);
+  centre_->addWidget(both);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(ui::kGap, ui::kGap, ui::kGap, ui::kGap);
+  box->setSpacing(ui::kGap);
+  box->addWidget(buildHead());
+  box->addWidget(centre_, 1);
+  connect(&desk_, &ClassDesk::cohortsChanged, this, [this] { showCohorts(); });
+  connect(&desk_, &ClassDesk::classChanged, this, [this] { showClass(); });
+  connect(&desk_, &ClassDesk::readingChanged, this, [this] { showPlace(); });
+  connect(&desk_, &ClassDesk::standingChanged, this, [this](const QString& person) {
+    model_->renewPerson(person);
+    showFacts();
+    showConcerns();
+  });
+  showCohorts();
+  showClass();
+}
+
+QWidget* ClassPage::buildHead() {
+  auto* head = new QWidget;
+  auto* row = new QHBoxLayout(head);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(ui::kGap);
+  cohorts_->setObjectName(QStringLiteral("cohorts"));
+  cohorts_->setAccessibleName(tr("Class"));
+  cohorts_->setToolTip(tr("The class that is looked at"));
+  cohorts_->setMinimumWidth(220);
+  cohorts_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  new ui::QuietWheel(cohorts_);
+  connect(cohorts_, QOverload<int>::of(&QComboBox::activated), this, [this](int at) { desk_.choose(at); });
+  facts_->setObjectName(QStringLiteral("classFacts"));
+  facts_->setTextFormat(Qt::PlainText);
+  facts_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  ui::setRole(facts_, "quiet");
+  again_->setToolTip(tr("Ask for new attempts and people (F5)"));
+  again_->setShortcut(QKeySequence(Qt::Key_F5));
+  connect(again_, &QPushButton::clicked, this, [this] { desk_.refresh(); });
+  row->addWidget(cohorts_);
+  row->addWidget(facts_, 1);
+  row->addWidget(again_);
+  return head;
+}
+
+QWidget* ClassPage::buildTable() {
+  sorted_->setSourceModel(model_);
+  sorted_->setSortRole(ClassTable::kSort);
+  sorted_->setSortCaseSensitivity(Qt::CaseInsensitive);
+  sorted_->setDynamicSortFilter(true);
+  table_->setObjectName(QStringLiteral("classTable"));
+  table_->setAccessibleName(tr("People of the class and how good they are in each metric"));
+  table_->setToolTip(tr("Enter or a double click shows the person"));
+  table_->setModel(sorted_);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setShowGrid(false);
+  table_->setTabKeyNavigation(false);
+  table_->setSortingEnabled(true);
+  table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(kRow_px);
+  QHeaderView* header = table_->horizontalHeader();
+  header->setHighlightSections(false);
+  header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  header->setFixedHeight(kHead_px);
+  header->setMinimumSectionSize(kNarrow_px);
+  header->setSortIndicator(ClassTable::kName, Qt::AscendingOrder);
+  for (int column = 0; column < model_->columnCount(); ++column) {
+    table_->setColumnWidth(column, column == ClassTable::kName         ? kName_px
+                                   : column == ClassTable::kLevel      ? kLevel_px
+                                   : column == ClassTable::kLast       ? kDay_px
+                                   : column < ClassTable::kFirstMetric ? kNarrow_px
+                                                                       : kMetric_px);
+    if (column >= ClassTable::kFirstMetric) table_->setItemDelegateForColumn(column, new HeatDelegate(table_));
+  }
+  connect(table_, &QTableView::activated, this, [this] { chooseRow(); });
+  auto* part = new QWidget;
+  auto* box = new QVBoxLayout(part);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kSmallGap);
+  box->addWidget(table_, 1);
+  box->addWidget(new HeatLegend);
+  return part;
+}
+
+QWidget* ClassPage::buildConcerns() {
+  ui::setRole(concernsTitle_, "heading");
+  concerns_->setObjectName(QStringLiteral("concerns"));
+  concerns_->setAccessibleName(tr("Who needs you, and why"));
+  concerns_->setToolTip(tr("Enter or a double click shows the person"));
+  concerns_->setWordWrap(true);
+  connect(concerns_, &QListWidget::itemActivated, this,
+          [this](const QListWidgetItem* item) { Q_EMIT personChosen(item->data(Qt::UserRole).toString()); });
+  concerns_->setMaximumHeight(kConcerns_px);
+  auto* part = new QWidget;
+  auto* box = new QVBoxLayout(part);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kSmallGap);
+  box->addWidget(concernsTitle_);
+  box->addWidget(concerns_, 1);
+  return part;
+}
+
+void ClassPage::showCohorts() {
+  const QSignalBlocker quiet(cohorts_);
+  cohorts_->clear();
+  for (const Cohort& cohort : desk_.cohorts()) cohorts_->addItem(QString::fromStdString(cohort.name));
+  cohorts_->setCurrentIndex(desk_.cohorts().empty() ? -1 : desk_.chosen());
+  cohorts_->setEnabled(!desk_.cohorts().empty());
+}
+
+void ClassPage::showClass() {
+  const QModelIndex before = table_->currentIndex();
+  const QString person = before.data(ClassTable::kPerson).toString();
+  model_->renew();
+  for (int row = 0; row < sorted_->rowCount(); ++row)
+    if (sorted_->index(row, 0).data(ClassTable::kPerson).toString() == person || row == 0)
+      table_->setCurrentIndex(sorted_->index(row, 0));
+  showPlace();
+  showConcerns();
+}
+
+/// The table, or why there is none.
+void ClassPage::showPlace() {
+  QString words;
+  if (!desk_.trouble().isEmpty())
+    words = desk_.trouble();
+  else if (desk_.isReading() && !desk_.facts())
+    words = tr("Reading the class ...");
+  else if (desk_.cohorts().empty())
+    words =
+        tr("No class is yours yet. An administrator makes classes and their instructors under Account > People "
+           "(Alt+U); then they are here.");
+  else if (desk_.facts() && desk_.facts()->learners.empty())
+    words = tr("Nobody learns in this class yet. Add people under Account > People (Alt+U), or import a class list.");
+  words_->setText(words);
+  centre_->setCurrentIndex(words.isEmpty() ? 1 : 0);
+  showFacts();
+}
+
+void ClassPage::showFacts() {
+  QStringList facts;
+  if (const ClassFacts* now = desk_.facts()) {
+    facts << countOf(int(now->learners.size()), tr("person"), tr("people"));
+    facts << (now->curriculum
+                  ? tr("%1, version %2")
+                        .arg(QString::fromStdString(now->curriculum->title), QString::number(now->curriculum->version))
+                  : QString::fromStdString(now->trouble));
+  }
+  if (desk_.isReading()) facts << tr("reading ...");
+  if (desk_.standingsToCome() > 0)
+    facts << tr("levels of %1 more being worked out").arg(countOf(desk_.standingsToCome(), tr("person"), tr("people")));
+  facts_->setText(facts.join(QStringLiteral("   ·   ")));
+  facts_->setToolTip(plainToolTip(facts_->text()));
+}
+
+void ClassPage::showConcerns() {
+  concerns_->clear();
+  if (const ClassFacts* now = desk_.facts())
+    for (const Member& member : now->learners) {
+      const PersonStanding* standing = desk_.standing(member.person.id);
+      if (!standing || standing->concern == Concern::None) continue;
+      auto* item =
+          new QListWidgetItem(QStringLiteral("▲ %1, %2:  %3")
+                                  .arg(QString::fromStdString(member.person.fullName), concernWord(standing->concern),
+                                       QString::fromStdString(standing->sentence)));
+      item->setData(Qt::UserRole, QString::fromStdString(member.person.id));
+      concerns_->addItem(item);
+    }
+  concernsTitle_->setText(concerns_->count() > 0        ? tr("Who needs you")
+                          : desk_.standingsToCome() > 0 ? tr("Who needs you: not known yet")
+                                                        : tr("Nobody is stuck, and nobody has slipped"));
+  concerns_->setVisible(concerns_->count() > 0);
+}
+
+void ClassPage::chooseRow() {
+  const QString person = table_->currentIndex().data(ClassTable::kPerson).toString();
+  if (!person.isEmpty()) Q_EMIT personChosen(person);
+}
+
+}  // namespace insonate::review

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QPushButton;
+class QSortFilterProxyModel;
+class QStackedWidget;
+class QTableView;
+
+namespace insonate::review {
+
+class ClassDesk;
+class ClassTable;
+
+/// The class at one look: which, how far everyone is and in what they are good, and who needs their instructor.
+class ClassPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ClassPage(ClassDesk& desk, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void personChosen(const QString& person);
+
+ private:
+  QWidget* buildHead();
+  QWidget* buildTable();
+  QWidget* buildConcerns();
+  void showCohorts();
+  void showClass();
+  void showPlace();
+  void showFacts();
+  void showConcerns();
+  void chooseRow();
+
+  ClassDesk& desk_;
+  ClassTable* model_;
+  QSortFilterProxyModel* sorted_;
+  QComboBox* cohorts_;
+  QLabel *facts_, *words_, *concernsTitle_;
+  QPushButton* again_;
+  QTableView* table_;
+  QListWidget* concerns_;
+  QStackedWidget* centre_;
+};
+
+}  // namespace insonate::review

@@ -1,0 +1,133 @@
+#include "ClassTable.h"
+
+#include "ClassDesk.h"
+#include "ClassWords.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QPainter>
+#include <cmath>
+
+namespace insonate::review {
+
+ClassTable::ClassTable(const ClassDesk& desk, QObject* parent) : QAbstractTableModel(parent), desk_(desk) {}
+
+int ClassTable::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() || !desk_.facts() ? 0 : int(desk_.facts()->learners.size());
+}
+
+int ClassTable::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : kFirstMetric + int(MetricBook::here().comparable());
+}
+
+void ClassTable::renew() {
+  beginResetModel();
+  endResetModel();
+}
+
+void ClassTable::renewPerson(const QString& person) {
+  for (int row = 0; row < rowCount(); ++row)
+    if (desk_.facts()->learners[std::size_t(row)].person.id == person.toStdString())
+      Q_EMIT dataChanged(index(row, 0), index(row, columnCount() - 1));
+}
+
+QVariant ClassTable::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (section >= kFirstMetric) {
+    const MetricMeaning& meaning = MetricBook::here().all()[std::size_t(section - kFirstMetric)];
+    if (role == Qt::DisplayRole) return titleWithUnit(meaning);
+    if (role == Qt::ToolTipRole)
+      return tr("%1: mean of the last %2 attempts. Click to sort").arg(titleWithUnit(meaning)).arg(kLastAttempts);
+    if (role == Qt::TextAlignmentRole) return int(Qt::AlignCenter) | Qt::TextWordWrap;
+    return {};
+  }
+  static const QString titles[] = {tr("Person"), tr("Needs you"), tr("Level"), tr("Attempts"), tr("Last attempt")};
+  if (role == Qt::DisplayRole) return titles[section];
+  if (role == Qt::ToolTipRole) return tr("Click to sort");
+  return {};
+}
+
+QVariant ClassTable::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= rowCount()) return {};
+  const Member& member = desk_.facts()->learners[std::size_t(index.row())];
+  if (role == kPerson) return QString::fromStdString(member.person.id);
+  if (index.column() < kFirstMetric) return aboutPerson(member, index.column(), role);
+  return aboutMetric(member, std::size_t(index.column() - kFirstMetric), role);
+}
+
+QString ClassTable::levelOf(const Member& member) const {
+  const PersonStanding* now = desk_.standing(member.person.id);
+  if (!now && !member.standing) return member.attempts == 0 ? tr("not begun") : tr("...");
+  const Standing& standing = now ? now->standing : *member.standing;
+  if (standing.level.empty()) return tr("all mastered");
+  return levelTitle(desk_.curriculum(), standing.level);
+}
+
+QString ClassTable::sentenceOf(const Member& member) const {
+  if (const PersonStanding* now = desk_.standing(member.person.id)) return QString::fromStdString(now->sentence);
+  return member.standing ? QString::fromStdString(member.standing->sentence) : QString();
+}
+
+QVariant ClassTable::aboutPerson(const Member& member, int column, int role) const {
+  const PersonStanding* now = desk_.standing(member.person.id);
+  const Concern concern = now ? now->concern : Concern::None;
+  if (role == Qt::ToolTipRole) return plainToolTip(sentenceOf(member));
+  if (role == Qt::ForegroundRole && column == kNeeds)
+    return ui::colour(concern == Concern::None ? views::theme::kQuiet : views::theme::kCaution);
+  if (role == kSort && column == kNeeds) return -int(concern);
+  if (role == kSort && column == kLevel)
+    return now ? now->standing.mastered : member.standing ? member.standing->mastered : -1;
+  if (role == kSort && column == kAttempts) return member.attempts;
+  if (role == kSort && column == kLast) return qlonglong(member.lastAttempt_us.value_or(0));
+  if (role != Qt::DisplayRole && role != kSort) return {};
+  switch (column) {
+    case kName:
+      return QString::fromStdString(member.person.fullName);
+    case kNeeds:
+      return concernWord(concern);
+    case kLevel:
+      return levelOf(member);
+    case kAttempts:
+      return QString::number(member.attempts);
+    default:
+      return member.lastAttempt_us ? dayOf(*member.lastAttempt_us) : tr("none");
+  }
+}
+
+QVariant ClassTable::aboutMetric(const Member& member, std::size_t metric, int role) const {
+  const auto row = desk_.heat().find(member.person.id);
+  const HeatCell cell = row == desk_.heat().end() ? HeatCell{} : row->second[metric];
+  const MetricMeaning& meaning = MetricBook::here().all()[metric];
+  switch (role) {
+    case Qt::DisplayRole:
+      return cell.value ? numberOf(*cell.value) : tr("n/a");
+    case kSort:  // what is missing comes last where the best are first
+      return cell.share.value_or(-1);
+    case kGround:
+      return cell.share ? QVariant(heatColour(*cell.share)) : QVariant();
+    case Qt::ToolTipRole:
+    case Qt::AccessibleDescriptionRole:
+      if (!cell.value) return tr("No attempt tells it.");
+      return tr("%1: %2, mean of %3, %4")
+          .arg(titleWithUnit(meaning), numberOf(*cell.value), countOf(cell.attempts, tr("attempt"), tr("attempts")),
+               heatWords(cell.share));
+    default:
+      return {};
+  }
+}
+
+void HeatDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  const QVariant ground = index.data(ClassTable::kGround);
+  const QRect cell = option.rect.adjusted(1, 1, -1, -1);
+  const bool chosen = option.state & QStyle::State_Selected;
+  painter->fillRect(option.rect, ui::colour(chosen ? views::theme::kLine : views::theme::kPanel));
+  if (ground.isValid()) painter->fillRect(cell, ground.value<QColor>());
+  painter->setPen(ground.isValid() ? inkOn(ground.value<QColor>()) : ui::colour(views::theme::kQuiet));
+  painter->drawText(cell, Qt::AlignCenter, index.data().toString());
+  if (!chosen) return;
+  painter->setPen(QPen(ui::colour(views::theme::kText), 1));
+  painter->drawLine(option.rect.topLeft(), option.rect.topRight());
+  painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
+}
+
+}  // namespace insonate::review

@@ -1,0 +1,80 @@
+#include "ClassWords.h"
+
+#include <insonate/curriculum/Judgement.h>
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+#include <cmath>
+
+namespace insonate::review {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Review", text);
+}
+
+QDateTime timeOf(std::int64_t time_us) {
+  return QDateTime::fromMSecsSinceEpoch(time_us / 1000);
+}
+
+}  // namespace
+
+QString titleWithUnit(const MetricMeaning& meaning) {
+  const QString title = QString::fromStdString(meaning.title);
+  return meaning.unit.empty() ? title : QStringLiteral("%1, %2").arg(title, QString::fromStdString(meaning.unit));
+}
+
+QString countOf(int count, const QString& one, const QString& many) {
+  return QStringLiteral("%1 %2").arg(QString::number(count), count == 1 ? one : many);
+}
+
+QString numberOf(double value) {
+  const double size = std::abs(value);
+  const int digits = size >= 100 || value == std::round(value) ? 0 : size >= 10 ? 1 : 2;
+  return QString::number(value, 'f', digits);
+}
+
+QString dayOf(std::int64_t time_us) {
+  return QLocale(QLocale::English).toString(timeOf(time_us), QStringLiteral("d MMM yyyy"));
+}
+
+QString dayAndTimeOf(std::int64_t time_us) {
+  return QLocale(QLocale::English).toString(timeOf(time_us), QStringLiteral("d MMM yyyy, HH:mm"));
+}
+
+QString concernWord(Concern concern) {
+  return concern == Concern::Slipped ? tr("slipped") : concern == Concern::Stuck ? tr("stuck") : QString();
+}
+
+QString levelTitle(const Curriculum* curriculum, const std::string& level) {
+  if (level.empty()) return tr("Free practice");
+  const Level* known = curriculum ? curriculum->level(level) : nullptr;
+  return QString::fromStdString(known ? known->title : level);
+}
+
+QString plainToolTip(const QString& text) {
+  return text.isEmpty() ? text : QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped());
+}
+
+QString outcomeOf(const AttemptFacts& attempt, const Curriculum* curriculum) {
+  switch (attempt.state) {
+    case AttemptState::Open:
+      return tr("Not ended");
+    case AttemptState::Voided:
+      return tr("Voided");
+    default:
+      break;
+  }
+  if (!counts(attempt)) return tr("Given up before the skin");
+  const bool ofIt = curriculum && attempt.curriculum == curriculum->name;
+  const Level* level = ofIt ? curriculum->level(attempt.level) : nullptr;
+  if (!level)
+    return attempt.state == AttemptState::Abandoned ? tr("Given up")
+           : attempt.succeeded                      ? tr("Aim reached")
+                                                    : tr("Aim not reached");
+  const std::string reason = reasonOfFailure(level->pass, attempt);
+  return reason.empty() ? tr("Passed") : tr("Failed because %1").arg(QString::fromStdString(reason));
+}
+
+}  // namespace insonate::review

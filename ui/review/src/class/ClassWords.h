@@ -1,0 +1,30 @@
+#pragma once
+
+#include "ClassReading.h"
+#include "MetricBook.h"
+
+#include <QString>
+#include <cstdint>
+#include <string>
+
+namespace insonate::review {
+
+/// "Needle path, mm"
+QString titleWithUnit(const MetricMeaning& meaning);
+/// "1 person", "3 people"
+QString countOf(int count, const QString& one, const QString& many);
+/// With as many digits as a table needs.
+QString numberOf(double value);
+/// "20 Nov 2026" in the user's time zone.
+QString dayOf(std::int64_t time_us);
+QString dayAndTimeOf(std::int64_t time_us);
+/// "slipped", "stuck", or "" for nobody's concern.
+QString concernWord(Concern concern);
+/// The level's title, or its name where the curriculum lacks it or is not known.
+QString levelTitle(const Curriculum* curriculum, const std::string& level);
+/// A tooltip wraps where it is rich text; what stands in it is not.
+QString plainToolTip(const QString& text);
+/// "Passed", "Failed because ...", "Given up", "Voided: ...", with what the level asks, where it is known.
+QString outcomeOf(const AttemptFacts& attempt, const Curriculum* curriculum);
+
+}  // namespace insonate::review

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "MetricBook.h"
+
+#include <insonate/curriculum/AttemptFacts.h>
+
+#include <QColor>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace insonate::review {
+
+/// A person's last attempts in one metric.
+struct HeatCell {
+  std::optional<double> value;  ///< mean, in the metric's unit; none: no attempt tells it
+  std::optional<double> share;  ///< mean of 0 (as a novice) to 100 (as an expert); none: nothing to compare with
+  int attempts = 0;             ///< that tell it
+};
+
+/// By Person::id, a cell for each of MetricBook::all() that can be compared.
+using HeatMap = std::map<std::string, std::vector<HeatCell>>;
+
+/// Of attempts of many people. Those that do not count (Judgement.h) are left out.
+HeatMap heatMapOf(std::span<const AttemptFacts> attempts);
+
+/// From dark blue (novice) over grey to yellow (expert), the colours of cividis (Nunez, Anderton, Renslow, PLoS ONE
+/// 2018, 13:e0199239): they rise in lightness too, and are told apart by all kinds of colour vision.
+QColor heatColour(double share);
+/// Black or white, whichever is read better on it.
+QColor inkOn(const QColor& ground);
+/// "as a novice", "far from expert", "midway", "near expert", "as an expert"; the same thing in words.
+QString heatWords(const std::optional<double>& share);
+
+}  // namespace insonate::review

@@ -1,0 +1,58 @@
+#include "MetricBook.h"
+
+#include <insonate/curriculum/Judgement.h>
+#include <insonate/procedure/Procedure.h>
+#include <insonate/teaching/TeachingHere.h>
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace insonate::review {
+namespace {
+
+constexpr const char* kPoints = "points";
+
+}  // namespace
+
+MetricBook::MetricBook() : all_(metricMeanings()) {
+  for (const std::string& name : procedurePresetNames()) {
+    const auto procedure = loadProcedure(name);
+    if (!procedure) continue;
+    for (MetricMeaning& meaning : metricMeanings(*procedure))
+      byProcedure_[name].emplace(meaning.id, std::move(meaning));
+  }
+  const auto hasNorm = [this](const MetricMeaning& meaning) {
+    return std::ranges::any_of(byProcedure_,
+                               [&](const auto& one) { return one.second.at(meaning.id).expert.has_value(); });
+  };
+  const auto rest = std::ranges::stable_partition(all_, hasNorm);
+  MetricMeaning points;
+  points.id = kPoints, points.better = MetricMeaning::Better::Higher;
+  points.title = QCoreApplication::translate("Review", "Points").toStdString();
+  comparable_ = std::size_t(rest.begin() - all_.begin()) + 1;
+  all_.insert(all_.begin(), std::move(points));
+}
+
+const MetricBook& MetricBook::here() {
+  static const MetricBook book;
+  return book;
+}
+
+const MetricMeaning& MetricBook::in(const std::string& procedure, const MetricMeaning& meaning) const {
+  const auto known = byProcedure_.find(procedure);
+  if (known == byProcedure_.end()) return meaning;
+  const auto found = known->second.find(meaning.id);
+  return found == known->second.end() ? meaning : found->second;
+}
+
+std::optional<double> valueIn(const AttemptFacts& attempt, const MetricMeaning& meaning) {
+  return meaning.id == kPoints ? attempt.points : valueOf(attempt, meaning.id, meaning.version);
+}
+
+std::optional<double> shareIn(const AttemptFacts& attempt, const MetricMeaning& meaning) {
+  if (meaning.id == kPoints) return attempt.points;
+  const auto value = valueIn(attempt, meaning);
+  return value ? MetricBook::here().in(attempt.procedure, meaning).share(*value) : std::nullopt;
+}
+
+}  // namespace insonate::review

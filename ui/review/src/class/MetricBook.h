@@ -1,0 +1,39 @@
+#pragma once
+
+#include <insonate/curriculum/AttemptFacts.h>
+#include <insonate/curriculum/MetricMeaning.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace insonate::review {
+
+/// What metrics mean, and what novices and experts reach, in each procedure that comes along. Points are told among
+/// them, as "points", which is no metric and has no norm.
+class MetricBook {
+ public:
+  static const MetricBook& here();
+
+  /// Points first, then those of which any procedure has a norm, then the others.
+  const std::vector<MetricMeaning>& all() const { return all_; }
+  /// How many of all() have points or a norm.
+  std::size_t comparable() const { return comparable_; }
+  /// With the norms of that procedure; without any where it is not known.
+  const MetricMeaning& in(const std::string& procedure, const MetricMeaning& meaning) const;
+
+ private:
+  MetricBook();
+
+  std::vector<MetricMeaning> all_;
+  std::size_t comparable_ = 0;
+  std::map<std::string, std::map<std::string, MetricMeaning>> byProcedure_;
+};
+
+/// Missing where the attempt does not tell, or told by another definition.
+std::optional<double> valueIn(const AttemptFacts& attempt, const MetricMeaning& meaning);
+/// 0 to 100 from novice to expert in the attempt's own procedure; of points they themselves.
+std::optional<double> shareIn(const AttemptFacts& attempt, const MetricMeaning& meaning);
+
+}  // namespace insonate::review

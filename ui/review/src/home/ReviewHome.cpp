@@ -1,0 +1,148 @@
+#include "ReviewHome.h"
+
+#include "../class/ClassDesk.h"
+#include "../class/ClassPage.h"
+#include "../list/AttemptList.h"
+#include "../person/PersonDesk.h"
+#include "../person/PersonPage.h"
+
+#include <insonate/ui/Account.h>
+#include <insonate/ui/Theme.h>
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace insonate::review {
+
+ReviewHome::ReviewHome(AttemptList& list, QWidget* parent)
+    : QWidget(parent),
+      list_(list),
+      room_(new ClassDesk(this)),
+      person_(new PersonDesk(this)),
+      row_(new QHBoxLayout),
+      bar_(buildTabs()),
+      notice_(new QLabel),
+      tabs_(new QButtonGroup(this)),
+      pages_(new QStackedWidget),
+      classPage_(new ClassPage(*room_)),
+      personPage_(new PersonPage(*person_, *room_)) {
+  addTab(kClass, "classTab", tr("Class"), tr("Everyone of a class at one look (Alt+1)"), QStringLiteral("Alt+1"));
+  addTab(kPerson, "personTab", tr("Person"), tr("How one person learns (Alt+2)"), QStringLiteral("Alt+2"));
+  addTab(kRecordings, "recordingsTab", tr("Recordings"), tr("All recordings of this computer (Alt+3)"),
+         QStringLiteral("Alt+3"));
+  row_->addStretch(1);
+  notice_->setObjectName(QStringLiteral("accountNotice"));
+  notice_->setWordWrap(true);
+  notice_->setTextFormat(Qt::PlainText);
+  notice_->setContentsMargins(ui::kGap, ui::kSmallGap, ui::kGap, ui::kSmallGap);
+  ui::setRole(notice_, "quiet");
+  for (QWidget* page : std::initializer_list<QWidget*>{classPage_, personPage_, &list_}) pages_->addWidget(page);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(0);
+  box->addWidget(bar_);
+  box->addWidget(notice_);
+  box->addWidget(pages_, 1);
+  connectParts();
+  showWho();
+}
+
+QWidget* ReviewHome::buildTabs() {
+  auto* bar = new QFrame;
+  ui::setRole(bar, "bar");
+  bar->setLayout(row_);
+  row_->setContentsMargins(ui::kGap, 0, ui::kGap, 0);
+  row_->setSpacing(0);
+  return bar;
+}
+
+void ReviewHome::addTab(Tab tab, const char* object, const QString& text, const QString& tip, const QString& keys) {
+  auto* button = new QToolButton;
+  button->setObjectName(QLatin1String(object));
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setShortcut(QKeySequence(keys));
+  button->setCheckable(true);
+  button->setFocusPolicy(Qt::TabFocus);
+  ui::setRole(button, "narrowTab");
+  tabs_->addButton(button, tab);
+  row_->addWidget(button);
+}
+
+void ReviewHome::connectParts() {
+  connect(tabs_, &QButtonGroup::idClicked, this, [this](int tab) { showTab(tab); });
+  connect(classPage_, &ClassPage::personChosen, this, [this](const QString& person) { choosePerson(person); });
+  connect(personPage_, &PersonPage::replayWanted, this, &ReviewHome::replayWanted);
+  connect(personPage_, &PersonPage::written, this, &ReviewHome::written);
+  connect(personPage_, &PersonPage::failed, this, &ReviewHome::failed);
+  connect(person_, &PersonDesk::voided, room_, &ClassDesk::refresh);
+  connect(room_, &ClassDesk::readingChanged, this, &ReviewHome::settledChanged);
+  connect(room_, &ClassDesk::standingChanged, this, &ReviewHome::settledChanged);
+  connect(person_, &PersonDesk::readingChanged, this, &ReviewHome::settledChanged);
+  connect(room_, &ClassDesk::classChanged, this, [this] { showSelf(); });
+}
+
+void ReviewHome::setAccount(ui::Account& account) {
+  account_ = &account;
+  person_->setAccount(account);
+  connect(&account, &ui::Account::changed, this, [this] { showWho(); });
+  room_->setAccount(account);
+  showWho();
+}
+
+/// Tabs and pages of who sits here now; nothing of who sat here before.
+void ReviewHome::showWho() {
+  const bool somebody = room_->isSomebody();
+  bar_->setVisible(somebody);
+  tabs_->button(kClass)->setVisible(room_->teaches());
+  const QKeySequence key = tabs_->button(kPerson)->shortcut();
+  tabs_->button(kPerson)->setText(room_->teaches() ? tr("Person") : tr("My attempts"));
+  tabs_->button(kPerson)->setShortcut(key);  // which a new text takes away
+  person_->show({}, std::nullopt);
+  notice_->setVisible(!somebody);
+  notice_->setText(account_ && account_->state() == ui::Account::State::Unreachable
+                       ? tr("People and classes cannot be reached: %1").arg(account_->trouble())
+                       : tr("Classes, people and learning curves are there for who has signed in (Ctrl+L)."));
+  showTab(!somebody ? kRecordings : room_->teaches() ? kClass : kPerson);
+  if (somebody && !room_->teaches()) person_->show(account_->person().id, std::nullopt);
+}
+
+/// A trainee's own page follows the curriculum of their class.
+void ReviewHome::showSelf() {
+  if (room_->isSomebody() && !room_->teaches() && room_->curriculum())
+    person_->show(account_->person().id, *room_->curriculum());
+}
+
+void ReviewHome::showTab(int tab) {
+  tabs_->button(tab)->setChecked(true);
+  pages_->setCurrentIndex(tab);
+  if (tab == kRecordings) list_.refresh();
+}
+
+void ReviewHome::choosePerson(const QString& person) {
+  const Curriculum* curriculum = room_->curriculum();
+  person_->show(person.toStdString(), curriculum ? std::optional(*curriculum) : std::nullopt);
+  showTab(kPerson);
+  personPage_->setFocus();
+}
+
+bool ReviewHome::isSettled() const {
+  return !room_->isReading() && room_->standingsToCome() == 0 && !person_->isReading();
+}
+
+QString ReviewHome::statusText() const {
+  switch (pages_->currentIndex()) {
+    case kClass:
+      return tr("Choose a person; Enter shows them.");
+    case kPerson:
+      return tr("Choose an attempt; Enter replays it.");
+    default:
+      return tr("Choose an attempt; Enter opens it.");
+  }
+}
+
+}  // namespace insonate::review

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <QWidget>
+
+class QButtonGroup;
+class QHBoxLayout;
+class QLabel;
+class QStackedWidget;
+
+namespace insonate::ui {
+class Account;
+}
+
+namespace insonate::review {
+
+class AttemptList;
+class ClassDesk;
+class ClassPage;
+class PersonDesk;
+class PersonPage;
+
+/// Where one is while no attempt is open: class, person and recordings for who is signed in, as far as they may see
+/// them; the recordings of this computer alone for a guest.
+class ReviewHome final : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// The list goes into it.
+  explicit ReviewHome(AttemptList& list, QWidget* parent = nullptr);
+
+  void setAccount(ui::Account& account);
+  /// All that was asked is there.
+  bool isSettled() const;
+  /// The next thing to do.
+  QString statusText() const;
+  ClassDesk& room() { return *room_; }
+
+ Q_SIGNALS:
+  void settledChanged();
+  void replayWanted(const QString& file);
+  void written(const QString& sentence, const QString& folder);
+  void failed(const QString& what, const QString& advice);
+
+ private:
+  enum Tab { kClass, kPerson, kRecordings };
+
+  QWidget* buildTabs();
+  void addTab(Tab tab, const char* object, const QString& text, const QString& tip, const QString& keys);
+  void connectParts();
+  void showWho();
+  void showSelf();
+  void showTab(int tab);
+  void choosePerson(const QString& person);
+
+  ui::Account* account_ = nullptr;
+  AttemptList& list_;
+  ClassDesk* room_;
+  PersonDesk* person_;
+  QHBoxLayout* row_;  ///< of the tabs
+  QWidget* bar_;
+  QLabel* notice_;
+  QButtonGroup* tabs_;
+  QStackedWidget* pages_;
+  ClassPage* classPage_;
+  PersonPage* personPage_;
+};
+
+}  // namespace insonate::review

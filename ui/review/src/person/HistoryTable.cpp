@@ -1,0 +1,238 @@
+#include "HistoryTable.h"
+
+#include "../attempt/Words.h"
+#include "../class/ClassWords.h"
+#include "PersonDesk.h"
+
+#include <insonate/ui/Attempts.h>
+#include <insonate/ui/Theme.h>
+
+#include <QAction>
+#include <QDir>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <cmath>
+
+namespace insonate::review {
+namespace {
+
+constexpr int kRow_px = 26, kDate_px = 172, kLevel_px = 200, kLength_px = 80, kPoints_px = 64, kRecording_px = 150;
+enum Column { kDate, kLevel, kOutcome, kPoints, kLength, kRecording, kColumns };
+
+QString placeOf(const KeptAttempt& attempt) {
+  if (!recordingOf(attempt).isEmpty()) return HistoryTable::tr("here");
+  if (attempt.facts.recording.empty()) return HistoryTable::tr("none");
+  return HistoryTable::tr("on %1").arg(QString::fromStdString(attempt.facts.workstation));
+}
+
+/// The recording of this attempt is not to be had, and what to do.
+QString whyNoReplay(const KeptAttempt& attempt) {
+  if (attempt.facts.recording.empty()) return HistoryTable::tr("Of this attempt nothing was recorded.");
+  return HistoryTable::tr("The recording '%1' is not on this computer but on %2. Copy it from there into %3.")
+      .arg(QString::fromStdString(attempt.facts.recording), QString::fromStdString(attempt.facts.workstation),
+           QDir::toNativeSeparators(ui::attemptsFolder()));
+}
+
+}  // namespace
+
+QString recordingOf(const KeptAttempt& attempt) {
+  const QString name = QString::fromStdString(attempt.facts.recording);
+  // A name from a store is never a way out of the folder.
+  if (name.isEmpty() || QFileInfo(name).fileName() != name) return {};
+  const QString file = QDir(ui::attemptsFolder()).filePath(name);
+  return QFileInfo(file).isFile() ? file : QString();
+}
+
+HistoryTable::HistoryTable(PersonDesk& desk, QWidget* parent)
+    : QWidget(parent),
+      desk_(desk),
+      table_(new QTableWidget),
+      replay_(new QPushButton(ui::icon(QStringLiteral("play")), tr("Replay"))),
+      void_(new QPushButton(tr("Void ..."))),
+      earlier_(new QPushButton(tr("Earlier attempts"))),
+      voidNow_(new QPushButton(tr("Void"))),
+      words_(new QLabel),
+      voiding_(nullptr),
+      reason_(new QLineEdit) {
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kSmallGap);
+  voiding_ = buildVoiding();
+  box->addWidget(buildTable(), 1);
+  box->addWidget(voiding_);
+  box->addWidget(buildButtons());
+  connect(&desk_, &PersonDesk::attemptsChanged, this, [this] { show(); });
+  show();
+}
+
+QWidget* HistoryTable::buildTable() {
+  table_->setObjectName(QStringLiteral("history"));
+  table_->setAccessibleName(tr("Attempts of this person, the latest first"));
+  table_->setColumnCount(kColumns);
+  table_->setHorizontalHeaderLabels(
+      {tr("Attempt"), tr("Level"), tr("Outcome"), tr("Points"), tr("Length"), tr("Recording")});
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setShowGrid(false);
+  table_->setTabKeyNavigation(false);
+  table_->setMinimumHeight(4 * kRow_px);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(kRow_px);
+  QHeaderView* header = table_->horizontalHeader();
+  header->setHighlightSections(false);
+  header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  header->setSectionResizeMode(QHeaderView::Fixed);
+  header->setSectionResizeMode(kOutcome, QHeaderView::Stretch);
+  header->resizeSection(kDate, kDate_px);
+  header->resizeSection(kLevel, kLevel_px);
+  header->resizeSection(kPoints, kPoints_px);
+  header->resizeSection(kLength, kLength_px);
+  header->resizeSection(kRecording, kRecording_px);
+  connect(table_, &QTableWidget::itemActivated, this, [this] { replay(); });
+  connect(table_, &QTableWidget::itemSelectionChanged, this, [this] { showChosen(); });
+  return table_;
+}
+
+QWidget* HistoryTable::buildButtons() {
+  auto* buttons = new QWidget;
+  auto* row = new QHBoxLayout(buttons);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(ui::kGap);
+  replay_->setObjectName(QStringLiteral("replayAttempt"));
+  ui::setRole(replay_, "primary");
+  void_->setObjectName(QStringLiteral("voidAttempt"));
+  void_->setToolTip(tr("Take the attempt out of the count, with a reason; it is kept (Delete)"));
+  void_->setShortcut(QKeySequence(Qt::Key_Delete));
+  earlier_->setObjectName(QStringLiteral("earlierAttempts"));
+  earlier_->setToolTip(tr("List the %1 attempts before these").arg(kPage));
+  words_->setObjectName(QStringLiteral("historyWords"));
+  words_->setTextFormat(Qt::PlainText);
+  words_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  ui::setRole(words_, "quiet");
+  connect(replay_, &QPushButton::clicked, this, [this] { replay(); });
+  connect(void_, &QPushButton::clicked, this, [this] { showVoiding(true); });
+  connect(earlier_, &QPushButton::clicked, this, [this] { desk_.readEarlier(); });
+  row->addWidget(replay_);
+  row->addWidget(void_);
+  row->addWidget(words_, 1);
+  row->addWidget(earlier_);
+  return buttons;
+}
+
+QWidget* HistoryTable::buildVoiding() {
+  auto* part = new QFrame;
+  ui::setRole(part, "panel");
+  auto* row = new QHBoxLayout(part);
+  row->setSpacing(ui::kGap);
+  reason_->setObjectName(QStringLiteral("voidReason"));
+  reason_->setAccessibleName(tr("Why the attempt does not count"));
+  reason_->setPlaceholderText(tr("Why it does not count, for example: the device lost its calibration"));
+  reason_->setToolTip(tr("The trainee reads it, too. Enter voids, Esc leaves it"));
+  voidNow_->setObjectName(QStringLiteral("voidNow"));
+  voidNow_->setToolTip(tr("It cannot be taken back (Enter)"));
+  auto* leave = new QPushButton(tr("Leave it"));
+  leave->setToolTip(tr("The attempt goes on to count (Esc)"));
+  auto* escape = new QAction(part);
+  escape->setShortcut(QKeySequence(Qt::Key_Escape));
+  escape->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  part->addAction(escape);
+  connect(escape, &QAction::triggered, this, [this] { showVoiding(false); });
+  connect(leave, &QPushButton::clicked, this, [this] { showVoiding(false); });
+  connect(voidNow_, &QPushButton::clicked, this, [this] { voidChosen(); });
+  connect(reason_, &QLineEdit::returnPressed, this, [this] { voidChosen(); });
+  connect(reason_, &QLineEdit::textChanged, this,
+          [this](const QString& text) { voidNow_->setEnabled(!text.trimmed().isEmpty()); });
+  voidNow_->setEnabled(false);
+  auto* label = new QLabel(tr("Void this attempt:"));
+  label->setBuddy(reason_);
+  row->addWidget(label);
+  row->addWidget(reason_, 1);
+  row->addWidget(voidNow_);
+  row->addWidget(leave);
+  part->hide();
+  return part;
+}
+
+void HistoryTable::show() {
+  const auto& attempts = desk_.attempts();
+  const int before = table_->currentRow();
+  table_->setRowCount(int(attempts.size()));
+  for (int row = 0; row < int(attempts.size()); ++row) fill(row, attempts[std::size_t(row)]);
+  if (!attempts.empty()) table_->selectRow(std::clamp(before, 0, int(attempts.size()) - 1));
+  earlier_->setVisible(desk_.hasEarlier());
+  showChosen();
+}
+
+void HistoryTable::fill(int row, const KeptAttempt& attempt) {
+  const Curriculum* curriculum = desk_.facts() && desk_.facts()->curriculum ? &*desk_.facts()->curriculum : nullptr;
+  const AttemptFacts& facts = attempt.facts;
+  const auto set = [&](int column, const QString& text) {
+    auto* item = new QTableWidgetItem(text);
+    item->setToolTip(plainToolTip(text));
+    if (facts.state == AttemptState::Voided) item->setForeground(ui::colour(views::theme::kQuiet));
+    table_->setItem(row, column, item);
+  };
+  QString outcome = outcomeOf(facts, curriculum);
+  if (!attempt.voidReason.empty()) outcome += QStringLiteral(": ") + QString::fromStdString(attempt.voidReason);
+  if (attempt.crashed) outcome += tr(" (the program ended)");
+  set(kDate, dayAndTimeOf(facts.begun_us));
+  set(kLevel, levelTitle(curriculum, facts.level));
+  set(kOutcome, outcome);
+  set(kPoints, facts.points ? QString::number(std::lround(*facts.points)) : tr("n/a"));
+  set(kLength, clockOf(facts.length_us));
+  set(kRecording, placeOf(attempt));
+}
+
+const KeptAttempt* HistoryTable::chosen() const {
+  const int row = table_->currentRow();
+  return row < 0 || row >= int(desk_.attempts().size()) ? nullptr : &desk_.attempts()[std::size_t(row)];
+}
+
+void HistoryTable::showChosen() {
+  showVoiding(false);
+  const KeptAttempt* attempt = chosen();
+  const bool here = attempt && !recordingOf(*attempt).isEmpty();
+  replay_->setEnabled(here);
+  replay_->setToolTip(here ? tr("See the attempt again (Enter)") : tr("The recording is not on this computer"));
+  const bool ended =
+      attempt && (attempt->facts.state == AttemptState::Completed || attempt->facts.state == AttemptState::Abandoned);
+  void_->setVisible(desk_.mayVoid());
+  void_->setEnabled(ended);
+  words_->setText(!desk_.facts() ? QString()
+                  : !attempt     ? tr("No attempt yet. Those made under Train (Ctrl+2) while signed in come here.")
+                  : here         ? QString()
+                                 : whyNoReplay(*attempt));
+  words_->setToolTip(plainToolTip(words_->text()));
+}
+
+void HistoryTable::replay() {
+  const KeptAttempt* attempt = chosen();
+  if (!attempt) return;
+  const QString file = recordingOf(*attempt);
+  if (file.isEmpty()) return Q_EMIT failed(whyNoReplay(*attempt), {});
+  Q_EMIT replayWanted(file);
+}
+
+void HistoryTable::showVoiding(bool shown) {
+  voiding_->setVisible(shown);
+  if (!shown) return;
+  reason_->clear();
+  reason_->setFocus();
+}
+
+void HistoryTable::voidChosen() {
+  const KeptAttempt* attempt = chosen();
+  const QString reason = reason_->text().trimmed();
+  if (!attempt || reason.isEmpty()) return;
+  desk_.voidAttempt(attempt->facts.id, reason);
+  showVoiding(false);
+}
+
+}  // namespace insonate::review

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableWidget;
+
+namespace insonate {
+struct KeptAttempt;
+}
+
+namespace insonate::review {
+
+class PersonDesk;
+
+/// A person's attempts, newest first: Enter replays one whose recording is here, and an instructor takes one out of the
+/// count with a reason.
+class HistoryTable final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit HistoryTable(PersonDesk& desk, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void replayWanted(const QString& file);
+  void failed(const QString& what, const QString& advice);
+
+ private:
+  QWidget* buildTable();
+  QWidget* buildButtons();
+  QWidget* buildVoiding();
+  void show();
+  void fill(int row, const KeptAttempt& attempt);
+  void showChosen();
+  const KeptAttempt* chosen() const;
+  void replay();
+  void showVoiding(bool shown);
+  void voidChosen();
+
+  PersonDesk& desk_;
+  QTableWidget* table_;
+  QPushButton *replay_, *void_, *earlier_, *voidNow_;
+  QLabel* words_;
+  QWidget* voiding_;
+  QLineEdit* reason_;
+};
+
+/// Where the attempt's recording lies on this computer; empty where it is not here.
+QString recordingOf(const KeptAttempt& attempt);
+
+}  // namespace insonate::review

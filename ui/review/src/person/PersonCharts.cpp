@@ -1,0 +1,106 @@
+#include "PersonCharts.h"
+
+#include "../class/ClassWords.h"
+#include "../class/HeatMap.h"
+
+#include <insonate/curriculum/Judgement.h>
+#include <insonate/curriculum/LcCusum.h>
+#include <insonate/curriculum/Statistics.h>
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace insonate::review {
+namespace {
+
+constexpr std::size_t kLeastPeople = 4;
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Review", text);
+}
+
+/// Of the procedure that all attempts share; without norms where there are several.
+MetricMeaning sharedMeaning(const std::vector<const AttemptFacts*>& attempts, const MetricMeaning& meaning) {
+  if (attempts.empty()) return meaning;
+  const std::string& procedure = attempts.front()->procedure;
+  const bool same = std::ranges::all_of(attempts, [&](const AttemptFacts* one) { return one->procedure == procedure; });
+  return same ? MetricBook::here().in(procedure, meaning) : meaning;
+}
+
+QString percentileWords(double rank, const MetricMeaning& meaning) {
+  const bool lower = meaning.better == MetricMeaning::Better::Lower;
+  return meaning.better == MetricMeaning::Better::Neither
+             ? tr("percentile %1 of the class").arg(rank, 0, 'f', 0)
+             : tr("better than %1 % of the class").arg(lower ? 100 - rank : rank, 0, 'f', 0);
+}
+
+}  // namespace
+
+std::vector<const AttemptFacts*> attemptsAt(const PersonFacts& facts, const std::string& level) {
+  const Level* known = facts.curriculum ? facts.curriculum->level(level) : nullptr;
+  const auto isOf = [&](const AttemptFacts& one) {
+    return known && one.level == level && one.curriculum == facts.curriculum->name && one.procedure == known->procedure;
+  };
+  std::vector<const AttemptFacts*> attempts;
+  for (const AttemptFacts& one : facts.history)
+    if (counts(one) && (level.empty() || isOf(one))) attempts.push_back(&one);
+  return attempts;
+}
+
+ui::ChartPicture learningOf(const PersonFacts& facts, const std::string& level, const MetricMeaning& meaning) {
+  const auto attempts = attemptsAt(facts, level);
+  std::vector<std::optional<double>> values;
+  for (const AttemptFacts* one : attempts) values.push_back(valueIn(*one, meaning));
+  return ui::learningPicture(sharedMeaning(attempts, meaning), values);
+}
+
+ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level) {
+  const Level* known = facts.curriculum ? facts.curriculum->level(level) : nullptr;
+  if (!known) {
+    ui::ChartPicture picture;
+    picture.title = tr("LC-CUSUM");
+    picture.words = facts.curriculum ? tr("n/a: it is told for one level; choose one above.")
+                                     : tr("n/a: the class has no curriculum, which says what passes.");
+    return picture;
+  }
+  const CusumRule rule = known->mastery.cusum.value_or(CusumRule{});
+  std::vector<bool> passes;
+  for (const AttemptFacts* one : attemptsAt(facts, level)) passes.push_back(judge(known->pass, *one).passed);
+  auto picture = ui::cusumPicture(LcCusum{rule.acceptable, rule.unacceptable}.series(passes), rule.limit);
+  if (!known->mastery.cusum) picture.title = tr("LC-CUSUM, not asked for");
+  return picture;
+}
+
+ui::ChartPicture placeInClass(const PersonFacts& facts, std::span<const AttemptFacts> classLast,
+                              const MetricMeaning& meaning) {
+  ui::ChartPicture picture;
+  picture.title = tr("Beside the class");
+  picture.yTitle = titleWithUnit(meaning);
+  const HeatMap map = heatMapOf(classLast);
+  const auto& all = MetricBook::here().all();
+  const auto column = std::size_t(std::ranges::find(all, meaning.id, &MetricMeaning::id) - all.begin());
+  std::vector<double> means;
+  std::optional<double> own;
+  if (column < MetricBook::here().comparable())
+    for (const auto& [person, row] : map) {
+      if (!row[column].value) continue;
+      means.push_back(*row[column].value);
+      if (person == facts.person.id) own = row[column].value;
+    }
+  if (classLast.empty() || !own || means.size() < kLeastPeople) {
+    picture.words = classLast.empty() ? tr("n/a: the class is seen by its instructors.")
+                    : !own            ? tr("n/a: no attempt of this person tells it.")
+                           : tr("n/a: fewer than %1 people of the class have attempts that tell it.").arg(kLeastPeople);
+    return picture;
+  }
+  picture.boxes.push_back({0, *boxPlotOf(means), ui::ChartPicture::Tone::Quiet});
+  picture.categories = QStringList{tr("class, n = %1").arg(means.size())};
+  picture.lines.push_back({percentileWords(*percentileRank(means, *own), meaning),
+                           {{0, *own}},
+                           ui::ChartPicture::Tone::Caution,
+                           Qt::NoPen,
+                           true});
+  return picture;
+}
+
+}  // namespace insonate::review

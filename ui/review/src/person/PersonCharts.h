@@ -1,0 +1,28 @@
+#pragma once
+
+#include "../class/MetricBook.h"
+#include "PersonReading.h"
+
+#include <insonate/ui/LearningChart.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace insonate::review {
+
+/// Of a person's attempts at a level those that count, in their order; "" is all of them.
+std::vector<const AttemptFacts*> attemptsAt(const PersonFacts& facts, const std::string& level);
+
+/// A metric over those attempts. Norms are those of the procedure, where they all had the same.
+ui::ChartPicture learningOf(const PersonFacts& facts, const std::string& level, const MetricMeaning& meaning);
+/// LC-CUSUM at a level; where its rule has none, with the rates and the limit of
+/// CusumRule, which the title says.
+ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level);
+/// The person's mean of the last kLastAttempts among the means of the class; `classLast` as in ClassFacts::last, empty
+/// for who does not see the class.
+ui::ChartPicture placeInClass(const PersonFacts& facts, std::span<const AttemptFacts> classLast,
+                              const MetricMeaning& meaning);
+
+}  // namespace insonate::review

@@ -1,0 +1,77 @@
+#include "PersonDesk.h"
+
+#include <insonate/ui/Account.h>
+
+#include <QDateTime>
+
+namespace insonate::review {
+
+PersonDesk::PersonDesk(QObject* parent) : QObject(parent) {}
+
+template <class T, class Question, class Take>
+void PersonDesk::ask(Question question, Take take) {
+  if (asking_++ == 0) Q_EMIT readingChanged();
+  account_->ask<T>(this, std::move(question), [this, take = std::move(take), round = round_](Result<T> answer) {
+    if (round == round_) take(std::move(answer));
+    if (--asking_ == 0) Q_EMIT readingChanged();
+  });
+}
+
+void PersonDesk::show(const std::string& person, const std::optional<Curriculum>& curriculum) {
+  ++round_;
+  person_ = person, curriculum_ = curriculum;
+  facts_.reset(), attempts_.clear(), trouble_.clear(), earlier_ = false;
+  Q_EMIT personChanged();
+  Q_EMIT attemptsChanged();
+  refresh();
+}
+
+void PersonDesk::refresh() {
+  if (person_.empty() || !account_) return;
+  const std::int64_t now_us = QDateTime::currentMSecsSinceEpoch() * 1000;
+  ask<PersonFacts>([person = person_, curriculum = curriculum_,
+                    now_us](const SignedIn& by) { return readPerson(by, person, curriculum, now_us); },
+                   [this](Result<PersonFacts> facts) {
+                     trouble_ = facts ? QString() : QString::fromStdString(facts.error().message);
+                     if (facts) {
+                       facts_ = std::move(*facts);
+                       attempts_ = facts_->newest;
+                       earlier_ = int(attempts_.size()) == kPage;
+                     }
+                     Q_EMIT personChanged();
+                     Q_EMIT attemptsChanged();
+                   });
+}
+
+void PersonDesk::readEarlier() {
+  if (!earlier_ || attempts_.empty()) return;
+  earlier_ = false;
+  ask<std::vector<KeptAttempt>>([person = person_, before = attempts_.back().arrival](
+                                    const SignedIn& by) { return AttemptStore(by).page(person, kPage, before); },
+                                [this](Result<std::vector<KeptAttempt>> page) {
+                                  if (!page) return Q_EMIT failed(QString::fromStdString(page.error().message));
+                                  earlier_ = int(page->size()) == kPage;
+                                  attempts_.insert(attempts_.end(), page->begin(), page->end());
+                                  Q_EMIT attemptsChanged();
+                                });
+}
+
+bool PersonDesk::mayVoid() const {
+  return account_ && account_->isSignedIn() && account_->person().role != Role::Trainee &&
+         account_->person().id != person_;
+}
+
+void PersonDesk::voidAttempt(const std::string& attempt, const QString& reason) {
+  ask<bool>(
+      [attempt, reason = reason.toStdString()](const SignedIn& by) -> Result<bool> {
+        if (const auto done = AttemptStore(by).voidAttempt(attempt, reason); !done) return tl::unexpected(done.error());
+        return true;
+      },
+      [this](const Result<bool>& done) {
+        if (!done) return Q_EMIT failed(QString::fromStdString(done.error().message));
+        Q_EMIT voided();
+        refresh();
+      });
+}
+
+}  // namespace insonate::review

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "PersonReading.h"
+
+#include <QObject>
+#include <QString>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace insonate::ui {
+class Account;
+}
+
+namespace insonate::review {
+
+/// The person who is looked at, without a widget.
+class PersonDesk : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit PersonDesk(QObject* parent = nullptr);
+  void setAccount(ui::Account& account) { account_ = &account; }
+
+  /// Asks for all of a person; "" for nobody.
+  void show(const std::string& person, const std::optional<Curriculum>& curriculum);
+  void refresh();
+  /// Null until it is read.
+  const PersonFacts* facts() const { return facts_ ? &*facts_ : nullptr; }
+  /// Newest first, as far as they were asked for.
+  const std::vector<KeptAttempt>& attempts() const { return attempts_; }
+  bool hasEarlier() const { return earlier_; }
+  void readEarlier();
+
+  /// Who is signed in may void this person's attempts.
+  bool mayVoid() const;
+  void voidAttempt(const std::string& attempt, const QString& reason);
+
+  bool isReading() const { return asking_ > 0; }
+  QString trouble() const { return trouble_; }
+
+ Q_SIGNALS:
+  void personChanged();
+  void attemptsChanged();
+  void readingChanged();
+  void voided();
+  void failed(const QString& what);
+
+ private:
+  template <class T, class Question, class Take>
+  void ask(Question question, Take take);
+
+  ui::Account* account_ = nullptr;
+  std::string person_;
+  std::optional<Curriculum> curriculum_;
+  std::optional<PersonFacts> facts_;
+  std::vector<KeptAttempt> attempts_;
+  bool earlier_ = false;
+  int asking_ = 0, round_ = 0;
+  QString trouble_;
+};
+
+}  // namespace insonate::review

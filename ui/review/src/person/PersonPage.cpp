@@ -1,0 +1,152 @@
+#include "PersonPage.h"
+
+#include "../class/ClassDesk.h"
+#include "../class/ClassWords.h"
+#include "HistoryTable.h"
+#include "PersonCharts.h"
+#include "PersonDesk.h"
+
+#include <insonate/ui/Chart.h>
+#include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/Theme.h>
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+namespace insonate::review {
+
+PersonPage::PersonPage(PersonDesk& desk, const ClassDesk& room, QWidget* parent)
+    : QWidget(parent),
+      desk_(desk),
+      room_(room),
+      name_(new QLabel),
+      sentence_(new QLabel),
+      metric_(choice("metricShown", tr("Metric"), tr("What the learning curve and the box plot show"))),
+      level_(choice("levelShown", tr("Level"), tr("Whose attempts are shown"))),
+      learning_(new ui::Chart),
+      cusum_(new ui::Chart),
+      place_(new ui::Chart),
+      history_(new HistoryTable(desk)) {
+  for (const MetricMeaning& meaning : MetricBook::here().all()) metric_->addItem(titleWithUnit(meaning));
+  auto* split = new QSplitter(Qt::Vertical);
+  split->setChildrenCollapsible(false);
+  split->addWidget(buildCharts());
+  split->addWidget(history_);
+  split->setSizes({360, 300});
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(ui::kGap, ui::kGap, ui::kGap, ui::kGap);
+  box->setSpacing(ui::kGap);
+  box->addWidget(buildHead());
+  box->addWidget(sentence_);
+  box->addWidget(split, 1);
+  connect(&desk_, &PersonDesk::personChanged, this, [this] { showPerson(); });
+  connect(&desk_, &PersonDesk::readingChanged, this, [this] { showPerson(); });
+  connect(&desk_, &PersonDesk::failed, this, [this](const QString& what) { Q_EMIT failed(what, {}); });
+  connect(history_, &HistoryTable::replayWanted, this, &PersonPage::replayWanted);
+  connect(history_, &HistoryTable::failed, this, &PersonPage::failed);
+  showPerson();
+}
+
+QComboBox* PersonPage::choice(const char* name, const QString& title, const QString& tip) {
+  auto* box = new QComboBox;
+  box->setObjectName(QLatin1String(name));
+  box->setAccessibleName(title);
+  box->setToolTip(tip);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumWidth(230);
+  new ui::QuietWheel(box);
+  connect(box, QOverload<int>::of(&QComboBox::activated), this, [this] { showCharts(); });
+  return box;
+}
+
+QWidget* PersonPage::buildHead() {
+  auto* head = new QWidget;
+  auto* row = new QHBoxLayout(head);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(ui::kGap);
+  name_->setObjectName(QStringLiteral("personName"));
+  name_->setTextFormat(Qt::PlainText);
+  name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  ui::setRole(name_, "title");
+  sentence_->setObjectName(QStringLiteral("personSentence"));
+  sentence_->setTextFormat(Qt::PlainText);
+  sentence_->setWordWrap(true);
+  row->addWidget(name_, 1);
+  row->addWidget(metric_);
+  row->addWidget(level_);
+  return head;
+}
+
+QWidget* PersonPage::buildCharts() {
+  learning_->setObjectName(QStringLiteral("learningChart"));
+  cusum_->setObjectName(QStringLiteral("cusumChart"));
+  place_->setObjectName(QStringLiteral("placeChart"));
+  auto* charts = new QWidget;
+  auto* row = new QHBoxLayout(charts);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(ui::kGap);
+  row->addWidget(learning_, 5);
+  row->addWidget(cusum_, 3);
+  row->addWidget(place_, 2);
+  for (ui::Chart* chart : {learning_, cusum_, place_}) {
+    connect(chart, &ui::Chart::written, this, &PersonPage::written);
+    connect(chart, &ui::Chart::failed, this, &PersonPage::failed);
+  }
+  return charts;
+}
+
+void PersonPage::showPerson() {
+  const PersonFacts* facts = desk_.facts();
+  name_->setText(facts ? QString::fromStdString(facts->person.fullName) : QString());
+  name_->setToolTip(plainToolTip(name_->text()));
+  QString words;
+  if (!desk_.trouble().isEmpty())
+    words = desk_.trouble();
+  else if (!facts)
+    words = desk_.isReading() ? tr("Reading ...") : tr("Choose a person under Class; Enter shows them.");
+  else if (facts->standing)
+    words = QStringLiteral("%1   ·   %2")
+                .arg(facts->standing->standing.level.empty()
+                         ? tr("all levels")
+                         : levelTitle(&*facts->curriculum, facts->standing->standing.level),
+                     QString::fromStdString(facts->standing->sentence));
+  else
+    words = tr("The class has no curriculum yet; an instructor chooses one under Levels.");
+  sentence_->setText(words);
+  fillLevels();
+  showCharts();
+}
+
+void PersonPage::fillLevels() {
+  const QSignalBlocker quiet(level_);
+  const QVariant before = level_->currentData();
+  level_->clear();
+  level_->addItem(tr("All attempts"), QString());
+  const PersonFacts* facts = desk_.facts();
+  if (!facts || !facts->curriculum) return;
+  for (const Level& level : facts->curriculum->levels)
+    level_->addItem(QString::fromStdString(level.title), QString::fromStdString(level.name));
+  const int kept = level_->findData(before);
+  const QString last = facts->history.empty() ? QString() : QString::fromStdString(facts->history.back().level);
+  level_->setCurrentIndex(before.isValid() && kept > 0 ? kept : std::max(0, level_->findData(last)));
+}
+
+void PersonPage::showCharts() {
+  const PersonFacts* facts = desk_.facts();
+  if (!facts) {
+    for (ui::Chart* chart : {learning_, cusum_, place_}) chart->show({});
+    return;
+  }
+  const MetricMeaning& meaning = MetricBook::here().all()[std::size_t(std::max(0, metric_->currentIndex()))];
+  const std::string level = level_->currentData().toString().toStdString();
+  learning_->show(learningOf(*facts, level, meaning));
+  cusum_->show(cusumOf(*facts, level));
+  const ClassFacts* others = room_.facts();
+  place_->show(placeInClass(*facts, others ? std::span(others->last) : std::span<const AttemptFacts>(), meaning));
+}
+
+}  // namespace insonate::review

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+
+namespace insonate::ui {
+class Chart;
+}
+
+namespace insonate::review {
+
+class ClassDesk;
+class HistoryTable;
+class PersonDesk;
+
+/// One person: where they are and why, how they learn, and what they did.
+class PersonPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  PersonPage(PersonDesk& desk, const ClassDesk& room, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void replayWanted(const QString& file);
+  void written(const QString& sentence, const QString& folder);
+  void failed(const QString& what, const QString& advice);
+
+ private:
+  QWidget* buildHead();
+  QWidget* buildCharts();
+  QComboBox* choice(const char* name, const QString& title, const QString& tip);
+  void showPerson();
+  void fillLevels();
+  void showCharts();
+
+  PersonDesk& desk_;
+  const ClassDesk& room_;
+  QLabel *name_, *sentence_;
+  QComboBox *metric_, *level_;
+  ui::Chart *learning_, *cusum_, *place_;
+  HistoryTable* history_;
+};
+
+}  // namespace insonate::review

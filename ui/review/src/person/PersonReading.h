@@ -1,0 +1,29 @@
+#pragma once
+
+#include "../class/ClassReading.h"
+
+#include <insonate/curriculum/AttemptStore.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace insonate::review {
+
+/// How many attempts are listed at once.
+inline constexpr int kPage = 200;
+
+/// All that Review tells of one person, asked on the account's thread.
+struct PersonFacts {
+  Person person{};
+  std::optional<Curriculum> curriculum{};
+  std::vector<AttemptFacts> history{};  ///< in the order of arrival
+  std::vector<LevelProgress> progress{};
+  std::optional<PersonStanding> standing{};  ///< with a curriculum
+  std::vector<KeptAttempt> newest{};         ///< the first kPage
+};
+Result<PersonFacts> readPerson(const SignedIn& by, const std::string& person,
+                               const std::optional<Curriculum>& curriculum, std::int64_t now_us);
+
+}  // namespace insonate::review
