@@ -38,7 +38,7 @@ struct Target {
     attempt = keepAttempt(anna);
     form = {freshUuid(), "feedback", 1, school.anna.id, attempt.id, "", 0, R"({"secret": "of anna"})"};
     valueOf(FormStore(anna).add(form));
-    valueOf(PublishedCurricula(school.admin).publish("central_line", 1, "{}"));
+    valueOf(PublishedCurricula(school.admin).publish("central_line", 1, curriculumOf(1)));
     succeed(PublishedCurricula(school.admin).saveDraft("draft", "{"));
     leaver = school.add("leaver", Role::Trainee, school.spring.id);
   }
@@ -113,24 +113,25 @@ std::vector<Call> attemptCalls(const Target& target) {
 
 std::vector<Call> storeCalls(const Target& target) {
   const std::string anna = target.school.anna.id;
-  return {{"list curricula", "gabiom", [=](const SignedIn& by) { return outcome(PublishedCurricula(by).list()); }},
-          {"read curriculum", "gabiom",
-           [=](const SignedIn& by) { return outcome(PublishedCurricula(by).text("central_line", 1)); }},
-          {"publish", "iom",
-           [=](const SignedIn& by) { return outcome(PublishedCurricula(by).publish("central_line", 2, "{}")); }},
-          {"list drafts", "iom", [=](const SignedIn& by) { return outcome(PublishedCurricula(by).drafts()); }},
-          {"read draft", "iom", [=](const SignedIn& by) { return outcome(PublishedCurricula(by).draft("draft")); }},
-          {"save draft", "iom",
-           [=](const SignedIn& by) { return outcome(PublishedCurricula(by).saveDraft("draft", "}")); }},
-          {"discard draft", "iom",
-           [=](const SignedIn& by) { return outcome(PublishedCurricula(by).discardDraft("draft")); }},
-          {"see audit log", "m", [=](const SignedIn& by) { return outcome(AuditLog(by).page(10)); }},
-          {"see audit log of person", "m", [=](const SignedIn& by) { return outcome(AuditLog(by).page(10, 0, anna)); }},
-          {"see anchor", "m", [=](const SignedIn& by) { return outcome(AuditLog(by).anchor()); }},
-          {"verify audit log", "m", [=](const SignedIn& by) { return outcome(AuditLog(by).verify()); }},
-          {"see uploads", "iom", [=](const SignedIn& by) { return outcome(pendingUploads(by, 10)); }},
-          {"facts of store", "m", [=](const SignedIn& by) { return outcome(StoreUpkeep(by).facts()); }},
-          {"verify store", "m", [=](const SignedIn& by) { return outcome(StoreUpkeep(by).verify()); }}};
+  return {
+      {"list curricula", "gabiom", [=](const SignedIn& by) { return outcome(PublishedCurricula(by).list()); }},
+      {"read curriculum", "gabiom",
+       [=](const SignedIn& by) { return outcome(PublishedCurricula(by).text("central_line", 1)); }},
+      {"publish", "iom",
+       [=](const SignedIn& by) { return outcome(PublishedCurricula(by).publish("central_line", 2, curriculumOf(2))); }},
+      {"list drafts", "iom", [=](const SignedIn& by) { return outcome(PublishedCurricula(by).drafts()); }},
+      {"read draft", "iom", [=](const SignedIn& by) { return outcome(PublishedCurricula(by).draft("draft")); }},
+      {"save draft", "iom",
+       [=](const SignedIn& by) { return outcome(PublishedCurricula(by).saveDraft("draft", "}")); }},
+      {"discard draft", "iom",
+       [=](const SignedIn& by) { return outcome(PublishedCurricula(by).discardDraft("draft")); }},
+      {"see audit log", "m", [=](const SignedIn& by) { return outcome(AuditLog(by).page(10)); }},
+      {"see audit log of person", "m", [=](const SignedIn& by) { return outcome(AuditLog(by).page(10, 0, anna)); }},
+      {"see anchor", "m", [=](const SignedIn& by) { return outcome(AuditLog(by).anchor()); }},
+      {"verify audit log", "m", [=](const SignedIn& by) { return outcome(AuditLog(by).verify()); }},
+      {"see uploads", "iom", [=](const SignedIn& by) { return outcome(pendingUploads(by, 10)); }},
+      {"facts of store", "m", [=](const SignedIn& by) { return outcome(StoreUpkeep(by).facts()); }},
+      {"verify store", "m", [=](const SignedIn& by) { return outcome(StoreUpkeep(by).verify()); }}};
 }
 
 std::vector<Call> allCalls(const Target& target) {

@@ -79,7 +79,7 @@ TEST_P(StoreAudit, ALogCutWithItsEndIsFoundByAnAnchorOnly) {
 TEST_P(StoreAudit, FactsAreNeitherChangedNorDeletedByWhoeverAsks) {
   const School school(rig->open());
   keepAttempt(school.as(school.anna));
-  valueOf(PublishedCurricula(school.admin).publish("central_line", 1, "{}"));
+  valueOf(PublishedCurricula(school.admin).publish("central_line", 1, curriculumOf(1)));
   for (const std::string sql :
        {"DELETE FROM attempts", "DELETE FROM audit", "DELETE FROM forms WHERE 1 = 0; DELETE FROM curricula",
         "UPDATE curricula SET text = '{\"easier\": true}'", "UPDATE audit SET detail = ''",
@@ -107,7 +107,7 @@ TEST_P(StoreAudit, VoidingChangesNothingElseAndHappensOnce) {
 
 TEST_P(StoreAudit, ACurriculumWrittenPastTheProgramIsNotRead) {
   const School school(rig->open());
-  valueOf(PublishedCurricula(school.admin).publish("central_line", 1, "{}"));
+  valueOf(PublishedCurricula(school.admin).publish("central_line", 1, curriculumOf(1)));
   succeed(tamper(*rig, unguarded(GetParam(), "curricula", "UPDATE curricula SET text = '{\"easier\": true}'")));
   EXPECT_THAT(refusalOf(PublishedCurricula(school.admin).text("central_line", 1)),
               HasSubstr("not the one that was published"));

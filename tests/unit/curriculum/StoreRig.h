@@ -5,6 +5,7 @@
 
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/curriculum/CohortStore.h>
+#include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/CurriculumStore.h>
 #include <insonate/curriculum/PeopleStore.h>
 
@@ -118,6 +119,14 @@ inline AttemptFacts endedFacts(AttemptFacts facts) {
   facts.recording = "2026-11-22.rec";
   facts.recordingHash = std::string(64, 'a');
   return facts;
+}
+
+/// The text of a curriculum named central_line.
+inline std::string curriculumOf(int version, const std::string& title = "Central line") {
+  Curriculum curriculum = valueOf(loadCurriculum("central_line"));
+  curriculum.version = version;
+  curriculum.title = title;
+  return curriculumText(curriculum);
 }
 
 /// Begun and ended.

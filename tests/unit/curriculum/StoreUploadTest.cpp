@@ -120,7 +120,8 @@ TEST_P(StoreUpload, TheServerDecidesRolesAndCohorts) {
   const SignedIn admin = here(school->admin.person());
   EXPECT_THAT(refusalOf(PeopleStore(admin).add({"new"}, kPassword)), HasSubstr("change them there"));
   EXPECT_THAT(refusalOf(PeopleStore(admin).change(school->anna)), HasSubstr("change them there"));
-  EXPECT_THAT(refusalOf(PublishedCurricula(admin).publish("central_line", 1, "{}")), HasSubstr("change them there"));
+  EXPECT_THAT(refusalOf(PublishedCurricula(admin).publish("central_line", 1, curriculumOf(1))),
+              HasSubstr("change them there"));
 }
 
 TEST_P(StoreUpload, NamesThatChangePlacesArrive) {
@@ -152,10 +153,10 @@ TEST_P(StoreUpload, APasswordChangedHereGoesUpAndOneSetOnTheServerWins) {
 }
 
 TEST_P(StoreUpload, CurriculaComeDownAndADifferentOneOfTheSameNumberIsTold) {
-  valueOf(PublishedCurricula(school->admin).publish("central_line", 1, R"({"from": "server"})"));
+  valueOf(PublishedCurricula(school->admin).publish("central_line", 1, curriculumOf(1, "server")));
   succeed(CohortStore(school->admin).setCurriculum(school->spring.id, "central_line", 1));
   EXPECT_EQ(valueOf(upload().exchange()).curricula, 1);
-  EXPECT_EQ(valueOf(PublishedCurricula(near->guest()).text("central_line", 1)), R"({"from": "server"})");
+  EXPECT_EQ(valueOf(PublishedCurricula(near->guest()).text("central_line", 1)), curriculumOf(1, "server"));
   EXPECT_EQ(valueOf(CohortStore(here(school->anna)).cohorts()).front().curriculumVersion, 1);
 }
 
@@ -164,8 +165,8 @@ TEST_P(StoreUpload, WhoWasOnlyHereGoesUpAsADisabledTraineeWithAllTheyDid) {
   lone.services.workstation = "ward 9";
   const CurriculumStore alone = lone.open();
   const SignedIn boss = valueOf(alone.createFirstAdministrator({"anna", "Another Anna"}, kPassword));
-  valueOf(PublishedCurricula(boss).publish("central_line", 1, R"({"from": "ward 9"})"));
-  valueOf(PublishedCurricula(school->admin).publish("central_line", 1, R"({"from": "server"})"));
+  valueOf(PublishedCurricula(boss).publish("central_line", 1, curriculumOf(1, "ward 9")));
+  valueOf(PublishedCurricula(school->admin).publish("central_line", 1, curriculumOf(1, "server")));
   const AttemptFacts facts = keepAttempt(boss);
 
   const UploadReport report = valueOf(SiteUpload(alone, school->store).exchange());

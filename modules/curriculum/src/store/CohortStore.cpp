@@ -44,7 +44,9 @@ constexpr std::string_view kMembers =
     "LEFT JOIN attempts AS last ON last.arrival = done.last "
     "LEFT JOIN standings ON standings.person = people.id AND memberships.teaches = 0 "
     "AND standings.curriculum = cohorts.curriculum AND standings.curriculum_version = cohorts.curriculum_version "
-    "WHERE memberships.cohort = ? ORDER BY memberships.teaches DESC, people.full_name, people.name_key";
+    "WHERE memberships.cohort = ? ORDER BY memberships.teaches DESC, CASE WHEN people.full_name = '' THEN people.name "
+    "ELSE people.full_name "
+    "END, people.name_key";
 
 Member memberOf(const Row& row) {
   Member member{.person = store::personOf(row),

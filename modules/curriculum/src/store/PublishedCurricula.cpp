@@ -2,6 +2,7 @@
 #include "store/Session.h"
 #include "store/Texts.h"
 
+#include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 
 namespace insonate {
@@ -13,13 +14,18 @@ using store::Core;
 using store::Row;
 using store::Transaction;
 
-constexpr std::size_t kMostDraft = 1'000'000;
+constexpr std::size_t kMostText = 1'000'000;
 
 Result<void> checkPublishable(const std::string& name, int version, const std::string& text) {
   if (auto ok = store::checkTitle("The curriculum's name", name); !ok) return ok;
   if (name.empty()) return fail("The curriculum has no name; give it one.");
   if (version < 1) return fail("The curriculum's version is " + std::to_string(version) + "; versions count from 1.");
-  return store::checkJsonObject("The curriculum", text);
+  if (auto ok = store::checkText("The curriculum", text, kMostText); !ok) return ok;
+  const auto curriculum = parseCurriculum(text);
+  if (!curriculum) return tl::unexpected(curriculum.error());
+  if (curriculum->name == name && curriculum->version == version) return {};
+  return fail("The text is version " + std::to_string(curriculum->version) + " of '" + curriculum->name +
+              "', not version " + std::to_string(version) + " of '" + name + "'; publish it as what it says it is.");
 }
 
 Result<CurriculumEntry> publishText(Transaction& transaction, const CurriculumEntry& entry, const std::string& text) {
@@ -39,7 +45,7 @@ Result<CurriculumEntry> publishText(Transaction& transaction, const CurriculumEn
 Result<void> checkDraft(const std::string& name, const std::string& text) {
   if (auto ok = store::checkTitle("The draft's name", name); !ok) return ok;
   if (name.empty()) return fail("The draft has no name; give it one.");
-  return store::checkText("The draft", text, kMostDraft);
+  return store::checkText("The draft", text, kMostText);
 }
 
 tl::unexpected<Error> noDraft(const std::string& name) {

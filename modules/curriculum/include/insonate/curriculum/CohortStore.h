@@ -47,7 +47,7 @@ class CohortStore {
 
   /// Those that are seen, by name.
   Result<std::vector<Cohort>> cohorts() const;
-  /// Teachers first, then by full name.
+  /// Teachers first, then by full name, or name where there is none.
   Result<std::vector<Member>> members(const std::string& cohort) const;
 
   /// Administrators only: a name of 1..200 characters that no other has, whatever its case.

@@ -31,8 +31,8 @@ class PublishedCurricula {
   Result<std::vector<CurriculumEntry>> list() const;
   /// Fails too where its text is not what was published.
   Result<std::string> text(const std::string& name, int version) const;
-  /// `text` must be a JSON object of at most 1 MB; it is kept byte for byte. Versions grow; the same text once more is
-  /// no error.
+  /// `text` is what parseCurriculum() reads, of this name and version and at most 1 MB; it is kept byte for byte.
+  /// Versions grow; the same text once more is no error.
   Result<CurriculumEntry> publish(const std::string& name, int version, const std::string& text) const;
 
   /// One a name, shared by instructors, replaced by each saving; any text of at most 1 MB.

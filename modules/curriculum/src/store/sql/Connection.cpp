@@ -6,6 +6,8 @@
 #include <QtSql/QSqlDriver>
 #include <QtSql/QSqlRecord>
 #include <atomic>
+#include <chrono>
+#include <thread>
 
 namespace insonate::store {
 namespace {
@@ -17,6 +19,15 @@ QString freshName() {
 
 QString latin(std::string_view text) {
   return QString::fromLatin1(text.data(), static_cast<int>(text.size()));
+}
+
+/// Tries again each 2 ms for 10 s. SQLite's own handler sleeps up to 100 ms, and then hardly ever finds the moment
+/// between two transactions of someone who writes one after the other.
+int waitForOthers(void*, int tries) {
+  constexpr int kMostTries = 5000;
+  if (tries >= kMostTries) return 0;
+  std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  return 1;
 }
 
 }  // namespace
@@ -53,6 +64,7 @@ Result<void> Connection::setUp(const Address& address) {
   if (!address.isServer && QFileInfo(address.file).isDir())
     return fail(place_ + " is a folder; name a file for the curriculum's store.");
   if (!database_.open()) return tl::unexpected(failed(database_.lastError()));
+  if (!address.isServer) sqlite3_busy_handler(handle(), waitForOthers, nullptr);
   return script(std::string(dialect_.setUp));
 }
 

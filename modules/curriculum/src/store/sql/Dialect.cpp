@@ -9,7 +9,7 @@ namespace insonate::store {
 const Dialect& Dialect::sqlite() {
   static const Dialect dialect{.name = "sqlite",
                                .driver = "QSQLITE",
-                               .options = "QSQLITE_BUSY_TIMEOUT=10000",
+                               .options = "",
                                // Recursive triggers: REPLACE would delete a fact without asking its trigger otherwise.
                                .setUp =
                                    "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;"
@@ -92,7 +92,8 @@ Error serverSentence(const QString& code, const std::string& words, const std::s
 bool isLost(const QSqlError& error) {
   const QString code = error.nativeErrorCode();
   // Without a code nobody answered.
-  return error.type() == QSqlError::ConnectionError || code.isEmpty() || code.startsWith("08") || code.startsWith("57P");
+  return error.type() == QSqlError::ConnectionError || code.isEmpty() || code.startsWith("08") ||
+         code.startsWith("57P");
 }
 
 Error sentenceOf(const QSqlError& error, const std::string& place) {

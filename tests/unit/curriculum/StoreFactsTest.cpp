@@ -1,0 +1,137 @@
+#include "StoreRig.h"
+
+#include <insonate/curriculum/FormStore.h>
+#include <insonate/curriculum/PublishedCurricula.h>
+
+namespace insonate::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// Curricula, cohorts and forms.
+class StoreFacts : public OnBoth {};
+INSONATE_ON_BOTH(StoreFacts);
+
+TEST_P(StoreFacts, APublishedVersionIsFixedAndLaterOnesGrow) {
+  const School school(rig->open());
+  const PublishedCurricula ina(school.as(school.ina));
+  const CurriculumEntry first = valueOf(ina.publish("central_line", 1, curriculumOf(1)));
+  EXPECT_EQ(first.hash.size(), 64U);
+  EXPECT_EQ(first.publishedBy, "Dr ina");
+  rig->now_us += kDay_us;
+  EXPECT_EQ(valueOf(ina.publish("central_line", 1, curriculumOf(1))), first) << "the same text once more";
+  EXPECT_THAT(refusalOf(ina.publish("central_line", 1, curriculumOf(1, "Easier"))), HasSubstr("does not change"));
+  valueOf(ina.publish("central_line", 3, curriculumOf(3)));
+  EXPECT_THAT(refusalOf(ina.publish("central_line", 2, curriculumOf(2))),
+              HasSubstr("Version 3 of 'central_line' is published"));
+  EXPECT_EQ(valueOf(PublishedCurricula(school.store.guest()).text("central_line", 1)), curriculumOf(1));
+  std::vector<int> versions;
+  for (const CurriculumEntry& entry : valueOf(ina.list())) versions.push_back(entry.version);
+  EXPECT_THAT(versions, ElementsAre(3, 1));
+}
+
+TEST_P(StoreFacts, WhatIsNoCurriculumIsNotPublished) {
+  const School school(rig->open());
+  const PublishedCurricula admin(school.admin);
+  EXPECT_FALSE(admin.publish("central_line", 1, "{}"));
+  EXPECT_FALSE(admin.publish("central_line", 1, "no JSON"));
+  EXPECT_THAT(refusalOf(admin.publish("central_line", 2, curriculumOf(1))), HasSubstr("not version 2"));
+  EXPECT_THAT(refusalOf(admin.publish("other", 1, curriculumOf(1))), HasSubstr("of 'other'"));
+  EXPECT_THAT(refusalOf(admin.publish("central_line", 1, std::string(1'000'001, ' '))), HasSubstr("Shorten"));
+  EXPECT_THAT(valueOf(admin.list()), IsEmpty());
+}
+
+TEST_P(StoreFacts, ADraftIsSharedReplacedAndDiscarded) {
+  const School school(rig->open());
+  const PublishedCurricula ina(school.as(school.ina)), otto(school.as(school.otto));
+  succeed(ina.saveDraft("next year", "{ half of a curriculum"));
+  succeed(otto.saveDraft("next year", curriculumOf(4)));
+  EXPECT_EQ(valueOf(ina.draft("next year")), curriculumOf(4));
+  EXPECT_THAT(valueOf(ina.drafts()), ElementsAre("next year"));
+  succeed(ina.discardDraft("next year"));
+  EXPECT_THAT(refusalOf(otto.draft("next year")), HasSubstr("no draft named"));
+  EXPECT_THAT(refusalOf(otto.discardDraft("next year")), HasSubstr("no draft named"));
+}
+
+TEST_P(StoreFacts, ACohortIsTaughtByAPublishedVersion) {
+  const School school(rig->open());
+  const CohortStore ina(school.as(school.ina));
+  EXPECT_THAT(refusalOf(ina.setCurriculum(school.spring.id, "central_line", 1)), HasSubstr("is not published"));
+  valueOf(PublishedCurricula(school.admin).publish("central_line", 1, curriculumOf(1)));
+  succeed(ina.setCurriculum(school.spring.id, "central_line", 1));
+  EXPECT_THAT(valueOf(ina.cohorts()), ElementsAre(Cohort{school.spring.id, "Spring", "central_line", 1}));
+  EXPECT_EQ(valueOf(CohortStore(school.admin).cohorts()).size(), 2U);
+  EXPECT_THAT(valueOf(CohortStore(school.as(school.carl)).cohorts()), ElementsAre(school.autumn));
+}
+
+TEST_P(StoreFacts, NamesOfCohortsAreTold) {
+  const School school(rig->open());
+  const CohortStore admin(school.admin);
+  EXPECT_THAT(refusalOf(admin.add("SPRING")), HasSubstr("already"));
+  EXPECT_THAT(refusalOf(admin.rename(school.autumn.id, "spring")), HasSubstr("already"));
+  EXPECT_THAT(refusalOf(admin.add("")), HasSubstr("no name"));
+  EXPECT_THAT(refusalOf(admin.add("a\nb")), HasSubstr("line break"));
+  succeed(admin.rename(school.spring.id, "SPRING"));
+  EXPECT_EQ(valueOf(admin.add("'; DROP TABLE cohorts; --")).name, "'; DROP TABLE cohorts; --");
+  for (const std::string& id : {std::string("nosuch"), freshUuid(), std::string(1 << 20, 'x')}) {
+    EXPECT_THAT(refusalOf(admin.rename(id, "Other")), HasSubstr("no such cohort"));
+    EXPECT_THAT(refusalOf(admin.join(id, school.anna.id, false)), HasSubstr("no such cohort"));
+    EXPECT_THAT(refusalOf(admin.join(school.spring.id, id, false)), HasSubstr("no such person"));
+    EXPECT_THAT(refusalOf(PeopleStore(school.admin).add({"new"}, kPassword, id)), HasSubstr("no such cohort"));
+  }
+}
+
+TEST_P(StoreFacts, MembersAreTeachersFirst) {
+  const School school(rig->open());
+  std::vector<std::string> names;
+  for (const Member& member : valueOf(CohortStore(school.as(school.ina)).members(school.spring.id)))
+    names.push_back(member.person.name + (member.teaches ? " teaches" : ""));
+  EXPECT_THAT(names, ElementsAre("ina teaches", "anna", "ben"));
+}
+
+TEST_P(StoreFacts, FormsAreKeptByteForByteOnceAndInTheirOrder) {
+  const School school(rig->open());
+  const SignedIn anna = school.as(school.anna), ina = school.as(school.ina);
+  const AttemptFacts attempt = keepAttempt(anna);
+  const std::string answers = "{ \"comment\": \"it's \\\"fine\\\" 💉\",\n \"realism\": 4 }";
+  FilledForm own{freshUuid(), "feedback", 2, school.anna.id, "", "", 0, answers};
+  EXPECT_EQ(valueOf(FormStore(anna).add(own)), own.id);
+  rig->now_us -= kDay_us;
+  EXPECT_EQ(valueOf(FormStore(anna).add(own)), own.id) << "the same once more";
+  valueOf(FormStore(ina).add({"", "checklist", 1, school.anna.id, attempt.id, "", 0, "{}"}));
+  const auto forms = valueOf(FormStore(anna).ofPerson(school.anna.id));
+  ASSERT_EQ(forms.size(), 2U);
+  own.by = school.anna.id;
+  own.filled_us = rig->now_us + kDay_us;
+  EXPECT_EQ(forms[0], own);
+  EXPECT_EQ(forms[1].by, school.ina.id);
+  EXPECT_EQ(valueOf(FormStore(ina).ofAttempt(attempt.id)).size(), 1U);
+  EXPECT_EQ(valueOf(FormStore(ina).ofCohort(school.spring.id, "feedback")).size(), 1U);
+  own.answers = "{}";
+  EXPECT_THAT(refusalOf(FormStore(anna).add(own)), HasSubstr("does not change"));
+}
+
+TEST_P(StoreFacts, WhatIsNoFormIsRefused) {
+  const School school(rig->open());
+  const FormStore anna(school.as(school.anna));
+  const auto refusal = [&](auto change) {
+    FilledForm form{"", "feedback", 1, school.anna.id, "", "", 0, "{}"};
+    change(form);
+    return refusalOf(anna.add(form));
+  };
+  EXPECT_THAT(refusal([](auto& f) { f.answers = "[]"; }), HasSubstr("not a JSON object"));
+  EXPECT_THAT(refusal([](auto& f) { f.answers = "{"; }), HasSubstr("not a JSON object"));
+  EXPECT_THAT(refusal([](auto& f) { f.answers = "{\"a\": \"" + std::string(1'000'000, 'x') + "\"}"; }),
+              HasSubstr("Shorten"));
+  EXPECT_THAT(refusal([](auto& f) { f.answers = "{\"a\": \"\xff\"}"; }), HasSubstr("UTF-8"));
+  EXPECT_THAT(refusal([](auto& f) { f.answers = std::string("{}\0", 3); }), HasSubstr("zero byte"));
+  EXPECT_THAT(refusal([](auto& f) { f.form = ""; }), HasSubstr("no name"));
+  EXPECT_THAT(refusal([](auto& f) { f.attempt = freshUuid(); }), HasSubstr("not one of the person"));
+  EXPECT_THAT(refusal([](auto& f) { f.id = "7"; }), HasSubstr("UUID"));
+  EXPECT_THAT(valueOf(anna.ofPerson(school.anna.id)), IsEmpty());
+}
+
+}  // namespace
+}  // namespace insonate::test

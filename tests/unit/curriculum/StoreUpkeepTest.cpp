@@ -1,0 +1,214 @@
+#include "StoreRig.h"
+#include "store/Migrations.h"
+#include "store/sql/Connection.h"
+
+#include <insonate/curriculum/AuditLog.h>
+#include <insonate/curriculum/FormStore.h>
+#include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/curriculum/StoreUpkeep.h>
+
+#include <nlohmann/json.hpp>
+
+#include <atomic>
+#include <set>
+#include <thread>
+
+namespace insonate::test {
+namespace {
+namespace fs = std::filesystem;
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+void runSql(const std::string& address, const std::string& sql) {
+  const auto connection = store::Connection::open(valueOf(store::Address::parse(address)));
+  if (!connection) throw std::runtime_error(connection.error().message);
+  succeed((*connection)->script(sql));
+}
+
+std::string refusalToOpen(const std::string& address, const StoreServices& services = {}) {
+  return refusalOf(CurriculumStore::open(address, services));
+}
+
+/// Names in a folder, but for what SQLite keeps beside an open database.
+std::set<std::string> filesIn(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (const std::string name = entry.path().filename(); !name.ends_with("-wal") && !name.ends_with("-shm"))
+      names.insert(name);
+  return names;
+}
+
+class StoreUpkeepOnBoth : public OnBoth {};
+INSONATE_ON_BOTH(StoreUpkeepOnBoth);
+
+TEST_P(StoreUpkeepOnBoth, TheExportHoldsEverythingButPasswords) {
+  const School school(rig->open());
+  const AttemptFacts facts = keepAttempt(school.as(school.anna));
+  valueOf(
+      FormStore(school.as(school.anna)).add({"", "feedback", 1, school.anna.id, facts.id, "", 0, R"({"realism": 4})"}));
+  const fs::path file = rig->folder / "all.json";
+  succeed(StoreUpkeep(school.admin).exportJson(file));
+  const auto json = nlohmann::json::parse(bytesOf(file));
+  EXPECT_EQ(json.at("schema"), store::newestSchema());
+  EXPECT_EQ(json.at("people").size(), 6U);
+  EXPECT_EQ(json.at("attempts").at(0).at("id"), facts.id);
+  EXPECT_EQ(json.at("attempts").at(0).at("points"), 81.2500000000001);
+  EXPECT_EQ(json.at("attempts").at(0).at("metrics").at(1).at(2), 0.1 + 0.2);
+  EXPECT_TRUE(json.at("attempts").at(0).at("voided_us").is_null());
+  EXPECT_EQ(json.at("forms").at(0).at("answers").at("realism"), 4);
+  EXPECT_GT(json.at("audit").size(), 10U);
+  EXPECT_THAT(bytesOf(file), Not(HasSubstr("argon2")));
+}
+
+TEST_P(StoreUpkeepOnBoth, FactsOfTheStoreTellNoPassword) {
+  const School school(rig->open());
+  const insonate::StoreFacts facts = valueOf(StoreUpkeep(school.admin).facts());
+  EXPECT_EQ(facts.people, 6);
+  EXPECT_EQ(facts.cohorts, 2);
+  EXPECT_EQ(facts.schema, store::newestSchema());
+  EXPECT_THAT(facts.place, Not(HasSubstr("a b/c")));
+}
+
+TEST_P(StoreUpkeepOnBoth, ANewerSchemaIsRefusedAndLeftAsItIs) {
+  (void)rig->open();
+  runSql(rig->address, "INSERT INTO schema_migrations VALUES (999, 0)");
+  EXPECT_THAT(refusalToOpen(rig->address), HasSubstr("newer Insonate"));
+  EXPECT_THAT(refusalToOpen(rig->address), HasSubstr("999"));
+}
+
+TEST(StoreUpkeepOfFile, AServerIsBackedUpWhereItRuns) {
+  if (!PostgresServer::shared()) GTEST_SKIP() << "PostgreSQL 15 is not installed";
+  const StoreRig rig(Place::Server);
+  const School school(rig.open());
+  EXPECT_THAT(refusalOf(StoreUpkeep(school.admin).backup(rig.folder / "backup.db")), HasSubstr("pg_dump"));
+}
+
+TEST(StoreUpkeepOfFile, ABackupIsOfOneMomentAndRestoresWhileOthersHaveTheStoreOpen) {
+  const StoreRig rig;
+  const School school(rig.open());
+  const SignedIn anna = school.as(school.anna);
+  keepAttempt(anna);
+  const fs::path backup = rig.folder / "backup.db";
+  succeed(StoreUpkeep(school.admin).backup(backup));
+  keepAttempt(anna);
+
+  EXPECT_THAT(refusalOf(restoreStore(rig.address, backup, "admin", "wrong password")), HasSubstr("was not restored"));
+  EXPECT_THAT(refusalOf(restoreStore(rig.address, backup, "ina", kPassword)), HasSubstr("no administrator"));
+  EXPECT_EQ(valueOf(AttemptStore(anna).history(school.anna.id)).size(), 2U);
+
+  succeed(restoreStore(rig.address, backup, "admin", kPassword));
+  EXPECT_EQ(valueOf(AttemptStore(anna).history(school.anna.id)).size(), 1U) << "in the session that was open";
+  keepAttempt(anna);
+  succeed(StoreUpkeep(school.admin).verify());
+  EXPECT_THAT(filesIn(rig.folder.path()), ElementsAre("backup.db", "curriculum.db", "curriculum.db.before-restore"));
+
+  succeed(restoreStore(rig.address, rig.address + ".before-restore", "admin", kPassword));
+  EXPECT_EQ(valueOf(AttemptStore(anna).history(school.anna.id)).size(), 2U) << "and back";
+}
+
+TEST(StoreUpkeepOfFile, ABackupWhileOthersWriteIsWhole) {
+  const StoreRig rig;
+  const School school(rig.open());
+  const SignedIn anna = school.as(school.anna);
+  std::atomic<bool> stop{false};
+  std::thread writer([&] {
+    while (!stop) keepAttempt(anna);
+  });
+  for (int i = 0; i < 5; ++i) {
+    const std::string backup = rig.folder / ("backup" + std::to_string(i));
+    EXPECT_TRUE(StoreUpkeep(school.admin).backup(backup));
+    const CurriculumStore copy = valueOf(CurriculumStore::open(backup, rig.services));
+    EXPECT_TRUE(StoreUpkeep(valueOf(copy.signIn("admin", kPassword))).verify());
+  }
+  stop = true;
+  writer.join();
+}
+
+TEST(StoreUpkeepOfFile, ADamagedStoreIsRefusedAndABackupTakesItsPlace) {
+  const StoreRig rig;
+  const fs::path backup = rig.folder / "backup.db";
+  {
+    const School school(rig.open());
+    keepAttempt(school.as(school.anna));
+    succeed(StoreUpkeep(school.admin).backup(backup));
+  }
+  const auto size = static_cast<std::streamoff>(fs::file_size(rig.address));
+  {
+    std::fstream file(rig.address, std::ios::in | std::ios::out | std::ios::binary);
+    for (std::streamoff at = 4096; at < size; at += 512) file.seekp(at) << "damage";
+  }
+  EXPECT_THAT(refusalToOpen(rig.address), HasSubstr("Put a backup in its place"));
+  succeed(restoreStore(rig.address, backup, "admin", kPassword));
+  const SignedIn anna = valueOf(rig.open().signIn("anna", kPassword));
+  EXPECT_EQ(valueOf(AttemptStore(anna).history(anna.person().id)).size(), 1U);
+  EXPECT_TRUE(fs::exists(rig.address + ".before-restore"));
+}
+
+TEST(StoreUpkeepOfFile, ABackupThatWasWrittenToIsNotRestored) {
+  const StoreRig rig;
+  const School school(rig.open());
+  const std::string backup = rig.folder / "backup.db";
+  succeed(StoreUpkeep(school.admin).backup(backup));
+  runSql(backup, "DROP TRIGGER audit_fixed; UPDATE audit SET actor = '' WHERE number = 3");
+  EXPECT_THAT(refusalOf(restoreStore(rig.address, backup, "admin", kPassword)), HasSubstr("entry 3: it was changed"));
+  EXPECT_THAT(refusalOf(restoreStore(rig.address, rig.folder / "nosuch.db", "admin", kPassword)),
+              HasSubstr("does not exist"));
+  EXPECT_THAT(refusalOf(restoreStore(rig.address, rig.address, "admin", kPassword)), HasSubstr("the store itself"));
+}
+
+TEST(StoreUpkeepOfFile, WhatIsNoStoreIsRefusedAndLeftAlone) {
+  const TemporaryFolder folder;
+  const std::string text = folder / "letter.txt", other = folder / "photos.db";
+  std::ofstream(text) << std::string(10'000, 'x');
+  runSql(other, "CREATE TABLE photos (id INTEGER)");
+  EXPECT_THAT(refusalToOpen(text), HasSubstr("is damaged or is not a curriculum's database"));
+  EXPECT_THAT(refusalToOpen(other), HasSubstr("another program"));
+  EXPECT_THAT(refusalToOpen(folder / "nosuch/curriculum.db"), HasSubstr("Check that its folder exists"));
+  EXPECT_THAT(refusalToOpen(folder.path()), HasSubstr("is a folder"));
+  EXPECT_THAT(refusalToOpen(""), HasSubstr("is empty"));
+  EXPECT_THAT(refusalToOpen("postgresql://localhost/db"), HasSubstr("does not name a user"));
+  EXPECT_THAT(refusalToOpen("postgresql://me:secret@127.0.0.1:1/db"),
+              AllOf(HasSubstr("cannot be reached"), Not(HasSubstr("secret"))));
+  EXPECT_EQ(bytesOf(text), std::string(10'000, 'x'));
+}
+
+TEST(StoreUpkeepOfFile, AnOddFileNameIsAFileName) {
+  const TemporaryFolder folder;
+  const std::string odd = folder / "klinik ä'\"%20;?#.db";
+  { (void)valueOf(CurriculumStore::open(odd)); }
+  EXPECT_TRUE(fs::exists(odd));
+  EXPECT_EQ(filesIn(folder.path()).size(), 1U);
+}
+
+/// A store that an earlier program left, one file for each schema that was ever published: `sqlite3 FILE .dump`.
+class StoreUpkeepOfEarlier : public ::testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Schemas, StoreUpkeepOfEarlier, ::testing::Range(1, 2));
+
+TEST_P(StoreUpkeepOfEarlier, IsBroughtUpToDateWithAllThatItHeld) {
+  const StoreRig rig;
+  const std::string name = "unit/curriculum/schemas/" + std::to_string(GetParam()) + ".sql";
+  runSql(rig.address, bytesOf(fs::path(INSONATE_SOURCE_DIR) / "tests" / name));
+  const CurriculumStore store = rig.open();
+  const SignedIn admin = valueOf(store.signIn("admin", kPassword));
+  const insonate::StoreFacts facts = valueOf(StoreUpkeep(admin).facts());
+  EXPECT_EQ(facts.schema, store::newestSchema());
+  EXPECT_EQ(facts.people, 6);
+  EXPECT_EQ(facts.attempts, 2);
+  EXPECT_EQ(facts.forms, 1);
+  succeed(StoreUpkeep(admin).verify());
+  const SignedIn anna = valueOf(store.signIn("anna", kPassword));
+  const auto history = valueOf(AttemptStore(anna).history(anna.person().id));
+  EXPECT_EQ(history[0].metrics, endedFacts({}).metrics);
+  EXPECT_EQ(history[1].state, AttemptState::Voided);
+  EXPECT_EQ(fs::exists(store::copyBeforeMigration(rig.address, GetParam())), GetParam() != store::newestSchema());
+}
+
+TEST(StoreUpkeepOfNewest, HasAnEarlierStoreToTestWith) {
+  const std::string name = "unit/curriculum/schemas/" + std::to_string(store::newestSchema()) + ".sql";
+  EXPECT_TRUE(fs::exists(fs::path(INSONATE_SOURCE_DIR) / "tests" / name))
+      << "dump a store of the new schema for later programs";
+}
+
+}  // namespace
+}  // namespace insonate::test
