@@ -1,6 +1,7 @@
 #include "Waiting.h"
 
 #include <insonate/cases/DicomWriter.h>
+#include <insonate/review/ReviewWorkspace.h>
 #include <insonate/train/TrainWorkspace.h>
 #include <insonate/ui/EmptyWorkspace.h>
 #include <insonate/ui/ErrorPanel.h>
@@ -80,6 +81,7 @@ class Accessibility : public testing::Test {
   void SetUp() override {
     window.addWorkspace("prepare", "Prepare", "prepare", new ui::EmptyWorkspace({"prepare", "Prepare", {}, {}, {}}));
     window.addWorkspace("train", "Train", "train", train);
+    window.addWorkspace("review", "Review", "review", new review::ReviewWorkspace(window.tasks()));
     window.showWorkspace("train");
     window.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
@@ -93,7 +95,7 @@ class Accessibility : public testing::Test {
 };
 
 TEST_F(Accessibility, EverythingInTheWindowHasANameAndATooltip) {
-  EXPECT_GT(expectNames(&window, true), 35);
+  EXPECT_GT(expectNames(&window, true), 70);
 }
 
 TEST_F(Accessibility, EverythingInTheWindowIsReachedByKeyboard) {

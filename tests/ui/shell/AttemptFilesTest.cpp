@@ -7,12 +7,14 @@
 #include <insonate/ui/TaskBar.h>
 
 #include <gtest/gtest.h>
+#include <support/SmallCase.h>
 
 #include <QAction>
 #include <QCoreApplication>
 #include <QDropEvent>
 #include <QFile>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
 
@@ -94,6 +96,18 @@ TEST_F(AttemptFiles, AWorkspaceGetsTheCaseThatItWants) {
   window.tasks().cancel();
   Q_EMIT review->caseWanted(home.path());
   EXPECT_TRUE(window.tasks().isRunning());
+}
+
+TEST_F(AttemptFiles, ACaseThatIsNotSavedIsAskedAboutBeforeThatOfAnAttemptTakesItsPlace) {
+  const auto made = std::make_shared<const PatientCase>(test::smallCase());
+  Q_EMIT train->caseMade(made);
+  Q_EMIT review->caseWanted({});
+  EXPECT_FALSE(window.tasks().isRunning());
+  auto* keep = window.findChild<QPushButton*>("keep");
+  ASSERT_TRUE(keep && keep->isVisible());
+  keep->click();
+  EXPECT_FALSE(window.tasks().isRunning());
+  EXPECT_EQ(window.current().patient, made);
 }
 
 TEST(AttemptMenu, IsThereOnlyWhereAttemptsAreShown) {

@@ -10,9 +10,7 @@
 namespace insonate::review {
 
 ReviewWorkspace::ReviewWorkspace(ui::TaskBar& tasks, QWidget* parent)
-    : ui::Workspace(parent), parts_(std::make_unique<Parts>(*this, tasks)) {
-  setFocusPolicy(Qt::StrongFocus);
-}
+    : ui::Workspace(parent), parts_(std::make_unique<Parts>(*this, tasks)) {}
 
 ReviewWorkspace::~ReviewWorkspace() {
   stop();
