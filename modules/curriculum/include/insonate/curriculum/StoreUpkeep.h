@@ -22,7 +22,7 @@ class StoreUpkeep {
   explicit StoreUpkeep(SignedIn by) : by_(std::move(by)) {}
 
   Result<StoreFacts> facts() const;
-  /// Reads all pages, keys and hashes: the database, published texts, attempts and the audit log. Takes seconds.
+  /// Reads all pages and keys, and checks the hashes of published texts and the audit log. Takes seconds.
   Result<void> verify() const;
   /// A copy of a file's store as of one moment, while others work; replaces `file` when it is whole. A server's store
   /// is backed up by pg_dump, and refused here.
