@@ -1,6 +1,7 @@
 #include "StoreRig.h"
 
 #include <insonate/curriculum/AuditLog.h>
+#include <insonate/curriculum/SiteUpload.h>
 #include <insonate/curriculum/StoreUpkeep.h>
 
 #include <fcntl.h>
@@ -10,12 +11,13 @@
 #include <unistd.h>
 
 #include <functional>
+#include <map>
 #include <thread>
 
 namespace insonate::test {
 namespace {
 
-using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 /// Another process of this workstation, which does something and then lives until it is killed.
 class OtherProcess {
@@ -142,6 +144,35 @@ TEST_P(StoreCrash, NothingThatWasSaidToBeKeptIsLostByKillsInTheMiddleOfEverythin
   EXPECT_EQ(open, 0) << "all of the dead are told abandoned";
 }
 
+TEST_P(StoreCrash, AnUploadThatIsKilledLosesAndDoublesNothing) {
+  StoreRig ward;
+  const auto uploadAway = [&] {
+    const CurriculumStore near = ward.open(), server = rig->open();
+    for (;;) {
+      valueOf(SiteUpload(near, server).exchange());
+      const SignedIn anna = valueOf(near.signIn("anna", kPassword));
+      for (int i = 0; i < 5; ++i) keepAttempt(anna);
+    }
+  };
+  for (int round = 0; round < 10; ++round) {
+    OtherProcess uploader(uploadAway);
+    std::this_thread::sleep_for(std::chrono::milliseconds(40 + 53 * round));
+  }
+
+  const CurriculumStore near = ward.open();
+  EXPECT_THAT(valueOf(SiteUpload(near, rig->open()).exchange()).troubles, IsEmpty());
+  const SignedIn there = as("anna"), here = valueOf(near.signIn("anna", kPassword));
+  const auto statesById = [](const SignedIn& anna) {
+    std::map<std::string, AttemptState> states;
+    for (const AttemptFacts& facts : valueOf(AttemptStore(anna).history(anna.person().id)))
+      EXPECT_TRUE(states.emplace(facts.id, facts.state).second);
+    return states;
+  };
+  EXPECT_GT(statesById(here).size(), 5U);
+  EXPECT_EQ(statesById(there), statesById(here));
+  succeed(StoreUpkeep(as("admin")).verify());
+}
+
 TEST_P(StoreCrash, TwoWorkstationsAtOnceGetNumbersOfTheirOwnAndLoseNothing) {
   constexpr int kEach = 40;
   const auto work = [&](const std::string& name) {
@@ -182,6 +213,15 @@ TEST_P(StoreOnNewFile, ManyProcessesThatComeAtOnceMakeOneStore) {
   OtherProcess a(open), b(open), c(open), d(open);
   for (const OtherProcess* process : {&a, &b, &c, &d}) EXPECT_TRUE(process->waitUntilDone());
   EXPECT_FALSE(valueOf(rig->open().hasPeople()));
+}
+
+TEST_P(StoreOnNewFile, AKillWhileItIsMadeLeavesAllOrNothing) {
+  for (int round = 0; round < 12; ++round) {
+    OtherProcess other([&] { (void)rig->open(); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(2 * round));
+  }
+  const School school(rig->open());
+  succeed(StoreUpkeep(school.admin).verify());
 }
 
 TEST_P(StoreOnNewFile, OneAdministratorIsFirst) {

@@ -1,4 +1,5 @@
 #include "StoreRig.h"
+#include "store/Passwords.h"
 
 #include <insonate/curriculum/AuditLog.h>
 
@@ -42,6 +43,13 @@ TEST_P(StoreSignIn, ARefusalDoesNotTellWhatWasWrong) {
   sentences.insert(refusalOf(school.store.signIn(std::string("a\0b", 3), kPassword)));
   sentences.insert(refusalOf(school.store.signIn("anna", "\xff\xfe")));
   EXPECT_EQ(sentences, std::set<std::string>{"The name or the password is wrong, or the account is disabled."});
+}
+
+TEST(StoreSignInCost, WhoIsUnknownCostsAsMuchAsWhoIsKnown) {
+  const auto costOf = [](const std::string& hashed) { return hashed.substr(0, hashed.find('$', hashed.find("m="))); };
+  for (const PasswordCost cost : {PasswordCost::Usual, PasswordCost::Least})
+    EXPECT_EQ(costOf(store::hashOfNobody(cost)), costOf(valueOf(store::hashedPassword(kPassword, cost))));
+  EXPECT_EQ(costOf(store::hashOfNobody(PasswordCost::Usual)), "$argon2id$v=19$m=65536,t=2,p=1");
 }
 
 TEST_P(StoreSignIn, GuessingIsLockedOutLongerAndLongerWhetherTheNameExistsOrNot) {
