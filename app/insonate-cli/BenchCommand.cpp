@@ -2,6 +2,7 @@
 
 #include <insonate/simulator/DeformationBench.h>
 #include <insonate/simulator/HapticsBench.h>
+#include <insonate/simulator/SegmentationBench.h>
 #include <insonate/simulator/UltrasoundBench.h>
 
 #include <nlohmann/json.hpp>
@@ -54,6 +55,15 @@ Result<void> benchHaptics(const BenchOptions& options) {
   return {};
 }
 
+Result<void> benchSegmentation(const BenchOptions& options) {
+  if (auto ok = checkBenchFolder(options.folder); !ok) return ok;
+  const auto results = runSegmentationBench(options.quick, terminalProgress());
+  if (!results) return tl::unexpected(results.error());
+  if (auto ok = writeSegmentationBench(*results, options.folder); !ok) return ok;
+  tell(options, *results, "segmentation.md");
+  return {};
+}
+
 void add(CLI::App& bench, Outcome& outcome, const char* name, const char* description,
          Result<void> (*run)(const BenchOptions&)) {
   auto options = std::make_shared<BenchOptions>();
@@ -75,6 +85,8 @@ void addBenchCommand(CLI::App& app, Outcome& outcome) {
   add(*bench, outcome, "ultrasound", "Frame times and errors of the ultrasound engines, realism", benchUltrasound);
   add(*bench, outcome, "deformation", "Frame times and errors of the models of pressed tissue", benchDeformation);
   add(*bench, outcome, "haptics", "The servo's tick times, stability and force curves", benchHaptics);
+  add(*bench, outcome, "segmentation", "Scores of labelling on the built-in necks, times of its tools",
+      benchSegmentation);
 }
 
 }  // namespace insonate::cli

@@ -1,3 +1,5 @@
+#include "CellTable.h"
+
 #include <insonate/core/AtomicFile.h>
 #include <insonate/simulator/HapticsBench.h>
 #include <insonate/simulator/SvgPlot.h>
@@ -6,38 +8,15 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 namespace insonate {
 namespace {
 
-using Cells = std::vector<std::string>;
-
-std::string fixed(double value, int digits) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
-std::string line(const Cells& cells, const char* begin, const char* between, const char* end) {
-  std::string text = begin;
-  for (std::size_t i = 0; i < cells.size(); ++i) text += (i ? between : "") + cells[i];
-  return text + end;
-}
-
-std::string csv(const std::vector<Cells>& rows) {
-  std::string text;
-  for (const Cells& row : rows) text += line(row, "", ",", "\n");
-  return text;
-}
-
-std::string markdown(const std::vector<Cells>& rows) {
-  std::string text = line(rows.front(), "| ", " | ", " |\n");
-  text += line(Cells(rows.front().size(), "---"), "| ", " | ", " |\n");
-  for (std::size_t i = 1; i < rows.size(); ++i) text += line(rows[i], "| ", " | ", " |\n");
-  return text + "\n";
-}
+using bench::Cells;
+using bench::csv;
+using bench::fixed;
+using bench::markdown;
 
 std::vector<Cells> ticks(const HapticsBench& bench) {
   std::vector<Cells> rows{{"scenario", "ticks", "p50_us", "p99_us", "p999_us", "max_us", "late_ticks", "wake_p99_us",
