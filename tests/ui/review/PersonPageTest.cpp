@@ -74,7 +74,7 @@ TEST_F(PersonPageTest, StandsBesideTheClass) {
   }
   const auto& all = MetricBook::here().all();
   const auto path = *std::ranges::find(all, "needle_path_mm", &MetricMeaning::id);
-  const ui::ChartPicture picture = placeInClass(facts, last, path);
+  const ui::ChartPicture picture = placeInClass(facts, heatMapOf(last), path);
   ASSERT_EQ(picture.boxes.size(), 1U);
   EXPECT_EQ(picture.boxes[0].numbers.median, 20);
   EXPECT_EQ(picture.lines[0].points[0].y(), 20);

@@ -28,7 +28,7 @@ constexpr KeyRow kKeys[] = {
     {0, {}, 0, 0, "F5", "ask for new people and attempts of the class"},
     {0, {}, 0, 0, "Delete", "take a person's attempt out of the count, with a reason"},
     {0, {}, 0, 0, "Ctrl+Shift+E", "save a plot as PNG, SVG or PDF"},
-    {0, {}, 0, 0, "Ctrl+E", "save the result as PDF or picture"},
+    {0, {}, 0, 0, "Ctrl+E", "save the result, the class or the person"},
     {0, {}, 0, 0, "Click, drag on the timeline", "go to a time, or to the moment of a mark"},
     {0, {}, 0, 0, "Wheel on the timeline", "magnify (Shift: move along); double click: all of it"},
     {0, {}, 0, 0, "Left drag in 3D, wheel, R", "turn, come nearer, look from the front"},

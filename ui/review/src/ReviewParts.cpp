@@ -154,7 +154,7 @@ void ReviewWorkspace::Parts::showBelow() {
 }
 
 void ReviewWorkspace::Parts::exportResult() {
-  if (!session.attempt()) return;
+  if (!session.attempt()) return home->showSaving();
   const QString name = QFileInfo(QString::fromStdString(session.attempt()->file)).completeBaseName();
   const QString file = QFileDialog::getSaveFileName(&workspace_, tr("Save the result"),
                                                     QDir::home().filePath(name + QStringLiteral(".pdf")),

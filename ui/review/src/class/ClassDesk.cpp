@@ -36,6 +36,11 @@ const PersonStanding* ClassDesk::standing(const std::string& person) const {
   return found == standings_.end() ? nullptr : &found->second;
 }
 
+const HeatMap& ClassDesk::heat() const {
+  static const HeatMap none;
+  return facts_ ? facts_->heat : none;
+}
+
 const Member* ClassDesk::member(const std::string& person) const {
   if (!facts_) return nullptr;
   const auto found = std::ranges::find_if(facts_->learners, [&](const Member& one) { return one.person.id == person; });
@@ -44,7 +49,7 @@ const Member* ClassDesk::member(const std::string& person) const {
 
 /// Whoever sat here before is seen no more.
 void ClassDesk::forget() {
-  cohorts_.clear(), standings_.clear(), heat_.clear(), queue_.clear();
+  cohorts_.clear(), standings_.clear(), queue_.clear();
   facts_.reset(), own_.reset(), trouble_.clear();
   chosen_ = 0, ++round_;
   Q_EMIT cohortsChanged();
@@ -85,7 +90,7 @@ void ClassDesk::readCohorts() {
 void ClassDesk::choose(int cohort) {
   if (cohort < 0 || cohort >= int(cohorts_.size()) || cohort == chosen_) return;
   chosen_ = cohort, ++round_;
-  facts_.reset(), own_.reset(), heat_.clear(), standings_.clear(), queue_.clear(), trouble_.clear();
+  facts_.reset(), own_.reset(), standings_.clear(), queue_.clear(), trouble_.clear();
   Q_EMIT classChanged();
   readClass();
 }
@@ -105,7 +110,6 @@ void ClassDesk::readClass() {
 
 void ClassDesk::take(ClassFacts facts) {
   facts_ = std::move(facts);
-  heat_ = heatMapOf(facts_->last);
   const bool idle = queue_.empty();
   queue_.clear();
   if (facts_->curriculum)

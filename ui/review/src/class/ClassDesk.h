@@ -40,7 +40,8 @@ class ClassDesk : public QObject {
   /// Null until it is read; for a trainee always, whose curriculum is curriculum().
   const ClassFacts* facts() const { return facts_ ? &*facts_ : nullptr; }
   const Curriculum* curriculum() const;
-  const HeatMap& heat() const { return heat_; }
+  /// Empty until then.
+  const HeatMap& heat() const;
   /// As it was worked out now, else null.
   const PersonStanding* standing(const std::string& person) const;
   /// Something that was asked is not answered yet; standings do not count.
@@ -70,7 +71,6 @@ class ClassDesk : public QObject {
   int chosen_ = 0;
   std::optional<ClassFacts> facts_;
   std::optional<Curriculum> own_;  ///< a trainee's
-  HeatMap heat_;
   std::map<std::string, PersonStanding> standings_;
   std::vector<std::string> queue_;  ///< whose standing is to be worked out, the last one first
   int asking_ = 0;

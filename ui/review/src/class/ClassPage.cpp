@@ -37,6 +37,7 @@ ClassPage::ClassPage(ClassDesk& desk, QWidget* parent)
       facts_(new QLabel),
       words_(new QLabel),
       concernsTitle_(new QLabel),
+      save_(new QPushButton(ui::icon(QStringLiteral("save")), tr("Save"))),
       again_(new QPushButton(ui::icon(QStringLiteral("reload")), tr("Refresh"))),
       table_(new QTableView),
       concerns_(new QListWidget),
@@ -89,9 +90,12 @@ QWidget* ClassPage::buildHead() {
   again_->setToolTip(tr("Ask for new attempts and people (F5)"));
   again_->setShortcut(QKeySequence(Qt::Key_F5));
   connect(again_, &QPushButton::clicked, this, [this] { desk_.refresh(); });
+  save_->setObjectName(QStringLiteral("saveClass"));
+  save_->setToolTip(tr("The class as a page, a table or statements for a learning record store (Ctrl+E)"));
   row->addWidget(cohorts_);
   row->addWidget(facts_, 1);
   row->addWidget(again_);
+  row->addWidget(save_);
   return head;
 }
 
@@ -188,6 +192,7 @@ void ClassPage::showPlace() {
   else if (desk_.facts() && desk_.facts()->learners.empty())
     words = tr("Nobody learns in this class yet. Add people under Account > People (Alt+U), or import a class list.");
   words_->setText(words);
+  save_->setEnabled(words.isEmpty() && desk_.facts());
   centre_->setCurrentIndex(words.isEmpty() ? 1 : 0);
   showFacts();
 }

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <QPushButton>
 #include <QWidget>
 
 class QComboBox;
 class QLabel;
+class QMenu;
 class QListWidget;
-class QPushButton;
 class QSortFilterProxyModel;
 class QStackedWidget;
 class QTableView;
@@ -21,6 +22,12 @@ class ClassPage final : public QWidget {
 
  public:
   explicit ClassPage(ClassDesk& desk, QWidget* parent = nullptr);
+
+  /// What saves the class; it goes behind a button.
+  void setSaving(QMenu* menu) { save_->setMenu(menu); }
+  void openSaving() {
+    if (save_->isEnabled()) save_->showMenu();
+  }
 
  Q_SIGNALS:
   void personChosen(const QString& person);
@@ -41,7 +48,7 @@ class ClassPage final : public QWidget {
   QSortFilterProxyModel* sorted_;
   QComboBox* cohorts_;
   QLabel *facts_, *words_, *concernsTitle_;
-  QPushButton* again_;
+  QPushButton *save_, *again_;
   QTableView* table_;
   QListWidget* concerns_;
   QStackedWidget* centre_;

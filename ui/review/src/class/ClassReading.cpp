@@ -37,9 +37,9 @@ Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort) {
   auto members = CohortStore(by).members(cohort.id);
   if (!members) return tl::unexpected(members.error());
   std::ranges::copy_if(*members, std::back_inserter(facts.learners), [](const Member& one) { return !one.teaches; });
-  auto last = AttemptStore(by).lastOfCohort(cohort.id, kLastAttempts);
+  const auto last = AttemptStore(by).lastOfCohort(cohort.id, kLastAttempts);
   if (!last) return tl::unexpected(last.error());
-  facts.last = std::move(*last);
+  facts.heat = heatMapOf(*last);
   auto curriculum = curriculumOf(by, cohort);
   curriculum ? void(facts.curriculum = std::move(*curriculum)) : void(facts.trouble = curriculum.error().message);
   return facts;

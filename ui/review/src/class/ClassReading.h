@@ -1,5 +1,7 @@
 #pragma once
 
+#include "HeatMap.h"
+
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/SignedIn.h>
@@ -22,7 +24,7 @@ struct ClassFacts {
   std::optional<Curriculum> curriculum{};
   std::string trouble{};  ///< why there is no curriculum, and what to do
   std::vector<Member> learners{};
-  std::vector<AttemptFacts> last{};  ///< kLastAttempts of each learner
+  HeatMap heat{};  ///< of kLastAttempts of each learner
 };
 Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort);
 

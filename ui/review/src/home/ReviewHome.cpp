@@ -5,6 +5,7 @@
 #include "../list/AttemptList.h"
 #include "../person/PersonDesk.h"
 #include "../person/PersonPage.h"
+#include "../reports/SaveMenu.h"
 
 #include <insonate/ui/Account.h>
 #include <insonate/ui/Theme.h>
@@ -29,7 +30,11 @@ ReviewHome::ReviewHome(AttemptList& list, QWidget* parent)
       tabs_(new QButtonGroup(this)),
       pages_(new QStackedWidget),
       classPage_(new ClassPage(*room_)),
-      personPage_(new PersonPage(*person_, *room_)) {
+      personPage_(new PersonPage(*person_, *room_)),
+      saveClass_(new SaveMenu(SaveMenu::Subject::Class, *room_, *person_, this)),
+      savePerson_(new SaveMenu(SaveMenu::Subject::Person, *room_, *person_, this)) {
+  classPage_->setSaving(saveClass_);
+  personPage_->setSaving(savePerson_);
   addTab(kClass, "classTab", tr("Class"), tr("Everyone of a class at one look (Alt+1)"), QStringLiteral("Alt+1"));
   addTab(kPerson, "personTab", tr("Person"), tr("How one person learns (Alt+2)"), QStringLiteral("Alt+2"));
   addTab(kRecordings, "recordingsTab", tr("Recordings"), tr("All recordings of this computer (Alt+3)"),
@@ -79,6 +84,10 @@ void ReviewHome::connectParts() {
   connect(personPage_, &PersonPage::replayWanted, this, &ReviewHome::replayWanted);
   connect(personPage_, &PersonPage::written, this, &ReviewHome::written);
   connect(personPage_, &PersonPage::failed, this, &ReviewHome::failed);
+  for (SaveMenu* menu : {saveClass_, savePerson_}) {
+    connect(menu, &SaveMenu::written, this, &ReviewHome::written);
+    connect(menu, &SaveMenu::failed, this, &ReviewHome::failed);
+  }
   connect(person_, &PersonDesk::voided, room_, &ClassDesk::refresh);
   connect(room_, &ClassDesk::readingChanged, this, &ReviewHome::settledChanged);
   connect(room_, &ClassDesk::standingChanged, this, &ReviewHome::settledChanged);
@@ -128,6 +137,11 @@ void ReviewHome::choosePerson(const QString& person) {
   person_->show(person.toStdString(), curriculum ? std::optional(*curriculum) : std::nullopt);
   showTab(kPerson);
   personPage_->setFocus();
+}
+
+void ReviewHome::showSaving() {
+  if (classPage_->isVisible()) classPage_->openSaving();
+  if (personPage_->isVisible()) personPage_->openSaving();
 }
 
 bool ReviewHome::isSettled() const {

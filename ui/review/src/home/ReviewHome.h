@@ -18,6 +18,7 @@ class ClassDesk;
 class ClassPage;
 class PersonDesk;
 class PersonPage;
+class SaveMenu;
 
 /// Where one is while no attempt is open: class, person and recordings for who is signed in, as far as they may see
 /// them; the recordings of this computer alone for a guest.
@@ -33,7 +34,8 @@ class ReviewHome final : public QWidget {
   bool isSettled() const;
   /// The next thing to do.
   QString statusText() const;
-  ClassDesk& room() { return *room_; }
+  /// Offers to save what is shown.
+  void showSaving();
 
  Q_SIGNALS:
   void settledChanged();
@@ -63,6 +65,7 @@ class ReviewHome final : public QWidget {
   QStackedWidget* pages_;
   ClassPage* classPage_;
   PersonPage* personPage_;
+  SaveMenu *saveClass_, *savePerson_;
 };
 
 }  // namespace insonate::review

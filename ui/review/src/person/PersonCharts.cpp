@@ -71,25 +71,23 @@ ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level) {
   return picture;
 }
 
-ui::ChartPicture placeInClass(const PersonFacts& facts, std::span<const AttemptFacts> classLast,
-                              const MetricMeaning& meaning) {
+ui::ChartPicture placeInClass(const PersonFacts& facts, const HeatMap& heat, const MetricMeaning& meaning) {
   ui::ChartPicture picture;
   picture.title = tr("Beside the class");
   picture.yTitle = titleWithUnit(meaning);
-  const HeatMap map = heatMapOf(classLast);
   const auto& all = MetricBook::here().all();
   const auto column = std::size_t(std::ranges::find(all, meaning.id, &MetricMeaning::id) - all.begin());
   std::vector<double> means;
   std::optional<double> own;
   if (column < MetricBook::here().comparable())
-    for (const auto& [person, row] : map) {
+    for (const auto& [person, row] : heat) {
       if (!row[column].value) continue;
       means.push_back(*row[column].value);
       if (person == facts.person.id) own = row[column].value;
     }
-  if (classLast.empty() || !own || means.size() < kLeastPeople) {
-    picture.words = classLast.empty() ? tr("n/a: the class is seen by its instructors.")
-                    : !own            ? tr("n/a: no attempt of this person tells it.")
+  if (heat.empty() || !own || means.size() < kLeastPeople) {
+    picture.words = heat.empty() ? tr("n/a: the class is seen by its instructors.")
+                    : !own       ? tr("n/a: no attempt of this person tells it.")
                            : tr("n/a: fewer than %1 people of the class have attempts that tell it.").arg(kLeastPeople);
     return picture;
   }

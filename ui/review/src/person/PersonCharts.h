@@ -20,9 +20,8 @@ ui::ChartPicture learningOf(const PersonFacts& facts, const std::string& level, 
 /// LC-CUSUM at a level; where its rule has none, with the rates and the limit of
 /// CusumRule, which the title says.
 ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level);
-/// The person's mean of the last kLastAttempts among the means of the class; `classLast` as in ClassFacts::last, empty
-/// for who does not see the class.
-ui::ChartPicture placeInClass(const PersonFacts& facts, std::span<const AttemptFacts> classLast,
-                              const MetricMeaning& meaning);
+/// The person's mean of the last kLastAttempts among those of the class; an empty `heat` is that of who does not see
+/// the class.
+ui::ChartPicture placeInClass(const PersonFacts& facts, const HeatMap& heat, const MetricMeaning& meaning);
 
 }  // namespace insonate::review

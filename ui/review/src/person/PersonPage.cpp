@@ -25,6 +25,7 @@ PersonPage::PersonPage(PersonDesk& desk, const ClassDesk& room, QWidget* parent)
       room_(room),
       name_(new QLabel),
       sentence_(new QLabel),
+      save_(new QPushButton(ui::icon(QStringLiteral("save")), tr("Save"))),
       metric_(choice("metricShown", tr("Metric"), tr("What the learning curve and the box plot show"))),
       level_(choice("levelShown", tr("Level"), tr("Whose attempts are shown"))),
       learning_(new ui::Chart),
@@ -44,7 +45,7 @@ PersonPage::PersonPage(PersonDesk& desk, const ClassDesk& room, QWidget* parent)
   box->addWidget(sentence_);
   box->addWidget(split, 1);
   connect(&desk_, &PersonDesk::personChanged, this, [this] { showPerson(); });
-  connect(&desk_, &PersonDesk::readingChanged, this, [this] { showPerson(); });
+  connect(&desk_, &PersonDesk::readingChanged, this, [this] { showWhere(); });
   connect(&desk_, &PersonDesk::failed, this, [this](const QString& what) { Q_EMIT failed(what, {}); });
   connect(history_, &HistoryTable::replayWanted, this, &PersonPage::replayWanted);
   connect(history_, &HistoryTable::failed, this, &PersonPage::failed);
@@ -75,9 +76,12 @@ QWidget* PersonPage::buildHead() {
   sentence_->setObjectName(QStringLiteral("personSentence"));
   sentence_->setTextFormat(Qt::PlainText);
   sentence_->setWordWrap(true);
+  save_->setObjectName(QStringLiteral("savePerson"));
+  save_->setToolTip(tr("The person as a page, a table or statements for a learning record store (Ctrl+E)"));
   row->addWidget(name_, 1);
   row->addWidget(metric_);
   row->addWidget(level_);
+  row->addWidget(save_);
   return head;
 }
 
@@ -100,6 +104,13 @@ QWidget* PersonPage::buildCharts() {
 }
 
 void PersonPage::showPerson() {
+  showWhere();
+  fillLevels();
+  showCharts();
+}
+
+/// Who it is, and the level with its sentence.
+void PersonPage::showWhere() {
   const PersonFacts* facts = desk_.facts();
   name_->setText(facts ? QString::fromStdString(facts->person.fullName) : QString());
   name_->setToolTip(plainToolTip(name_->text()));
@@ -117,8 +128,7 @@ void PersonPage::showPerson() {
   else
     words = tr("The class has no curriculum yet; an instructor chooses one under Levels.");
   sentence_->setText(words);
-  fillLevels();
-  showCharts();
+  save_->setEnabled(facts);
 }
 
 void PersonPage::fillLevels() {
@@ -145,8 +155,7 @@ void PersonPage::showCharts() {
   const std::string level = level_->currentData().toString().toStdString();
   learning_->show(learningOf(*facts, level, meaning));
   cusum_->show(cusumOf(*facts, level));
-  const ClassFacts* others = room_.facts();
-  place_->show(placeInClass(*facts, others ? std::span(others->last) : std::span<const AttemptFacts>(), meaning));
+  place_->show(placeInClass(*facts, room_.heat(), meaning));
 }
 
 }  // namespace insonate::review

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <QPushButton>
 #include <QWidget>
 
 class QComboBox;
 class QLabel;
+class QMenu;
 
 namespace insonate::ui {
 class Chart;
@@ -22,6 +24,12 @@ class PersonPage final : public QWidget {
  public:
   PersonPage(PersonDesk& desk, const ClassDesk& room, QWidget* parent = nullptr);
 
+  /// What saves the person; it goes behind a button.
+  void setSaving(QMenu* menu) { save_->setMenu(menu); }
+  void openSaving() {
+    if (save_->isEnabled()) save_->showMenu();
+  }
+
  Q_SIGNALS:
   void replayWanted(const QString& file);
   void written(const QString& sentence, const QString& folder);
@@ -32,12 +40,14 @@ class PersonPage final : public QWidget {
   QWidget* buildCharts();
   QComboBox* choice(const char* name, const QString& title, const QString& tip);
   void showPerson();
+  void showWhere();
   void fillLevels();
   void showCharts();
 
   PersonDesk& desk_;
   const ClassDesk& room_;
   QLabel *name_, *sentence_;
+  QPushButton* save_;
   QComboBox *metric_, *level_;
   ui::Chart *learning_, *cusum_, *place_;
   HistoryTable* history_;

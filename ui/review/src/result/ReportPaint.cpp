@@ -3,40 +3,24 @@
 #include "../attempt/Words.h"
 #include "MetricTable.h"
 #include "MetricWords.h"
+#include "PaperPage.h"
 #include "ResultPage.h"
 
 #include <insonate/ui/AttemptWords.h>
 
-#include <QBuffer>
 #include <QCoreApplication>
-#include <QFont>
-#include <QPageSize>
 #include <QPainter>
-#include <QPdfWriter>
-#include <QSaveFile>
 #include <algorithm>
 
 namespace insonate::review {
 namespace {
 
-/// The page is laid out in these units, tenths of a millimetre.
-constexpr double kWidth = 2100, kHeight = 2970, kMargin = 150;
-constexpr double kRow = 47, kTitle = 64, kText = 36, kSmall = 30;
-/// Of these to a pixel, for what has sizes of a screen.
-constexpr double kScreen = 2.6;
+using namespace paper;
+
 constexpr std::size_t kMostMoments = 9;
-constexpr int kPdf_dpi = 300, kPng_dpi = 150;
-constexpr double kTenths_perInch = 254;
 
 QString tr(const char* text) {
   return QCoreApplication::translate("Review", text);
-}
-
-QFont sized(double height, bool bold = false) {
-  QFont font(QStringLiteral("sans-serif"));
-  font.setPixelSize(int(height));
-  font.setBold(bold);
-  return font;
 }
 
 class Page {
@@ -53,7 +37,7 @@ class Page {
     QRectF plane(left, tableTop + kRow, width, 560);
     painter_.save();
     painter_.scale(kScreen, kScreen);
-    painter_.setFont(sized(kSmall / kScreen));
+    painter_.setFont(paperFont(kSmall / kScreen));
     paintPlane(painter_, QRectF(plane.topLeft() / kScreen, plane.size() / kScreen), attempt_, section, ink_);
     painter_.restore();
     if (!scene.isNull()) {
@@ -71,7 +55,7 @@ class Page {
     painter_.drawText(place, flags | Qt::AlignVCenter, words);
   }
   void heading(const QRectF& place, const QString& words) {
-    painter_.setFont(sized(kText, true));
+    painter_.setFont(paperFont(kText, true));
     text(place, words, ink_.text);
   }
   /// As high as it needs to be; moves down.
@@ -96,10 +80,10 @@ class Page {
 
 void Page::head() {
   const AttemptHeader& header = attempt_.recording->header();
-  painter_.setFont(sized(kTitle, true));
+  painter_.setFont(paperFont(kTitle, true));
   text(QRectF(kMargin, y_, kWidth - 2 * kMargin, 80), titleOf(header), ink_.text);
   y_ += 90;
-  painter_.setFont(sized(kText));
+  painter_.setFont(paperFont(kText));
   const QStringList facts{QString::fromStdString(header.caseName), dateOf(header.begun),
                           tr("length %1").arg(clockOf(attempt_.end_us)), wordsOf(attempt_.recording->status())};
   text(QRectF(kMargin, y_, kWidth - 2 * kMargin, kRow), facts.join(QStringLiteral("   ·   ")), ink_.quiet);
@@ -111,14 +95,14 @@ void Page::head() {
 
 void Page::verdict() {
   const double left = kMargin + 280, width = kWidth - kMargin - left, top = y_;
-  painter_.setFont(sized(170, true));
+  painter_.setFont(paperFont(170, true));
   text(QRectF(kMargin, top, 260, 190), pointsOf(attempt_), ink_.text);
-  painter_.setFont(sized(kText));
+  painter_.setFont(paperFont(kText));
   paragraph(left, width, pointsNoteOf(attempt_), ink_.quiet);
   if (attempt_.score) {
-    painter_.setFont(sized(kText, true));
+    painter_.setFont(paperFont(kText, true));
     paragraph(left, width, QString::fromStdString(attempt_.score->advice), ink_.text);
-    painter_.setFont(sized(kText));
+    painter_.setFont(paperFont(kText));
     for (const AttemptMoment& moment : attempt_.score->criticalErrors)
       paragraph(left, width,
                 QStringLiteral("▲ %1  %2").arg(clockOf(moment.time_us), QString::fromStdString(moment.say)),
@@ -131,7 +115,7 @@ void Page::verdict() {
 
 void Page::metrics(const QRectF& place) {
   heading(QRectF(place.left(), y_, 500, kRow), tr("Metrics"));
-  painter_.setFont(sized(kSmall));
+  painter_.setFont(paperFont(kSmall));
   const double value = place.left() + 500, novice = value + 160, bar = novice + 150, expert = bar + 220;
   const auto row = [&](const QString& v, const QString& n, const QString& e, const QColor& shade) {
     text(QRectF(value - 40, y_, 180, kRow), v, shade, Qt::AlignRight);
@@ -158,7 +142,7 @@ void Page::moments() {
   y_ += 30;
   heading(QRectF(kMargin, y_, 900, kRow), tr("Moments that mattered"));
   y_ += kRow + 6;
-  painter_.setFont(sized(kSmall));
+  painter_.setFont(paperFont(kSmall));
   // Where there is no room for all, what went wrong comes first.
   std::vector<AttemptMoment> told = attempt_.moments;
   std::ranges::stable_partition(told, [](const AttemptMoment& one) { return one.severity.has_value(); });
@@ -180,7 +164,7 @@ void Page::moments() {
 }
 
 void Page::foot() {
-  painter_.setFont(sized(kSmall));
+  painter_.setFont(paperFont(kSmall));
   text(QRectF(kMargin, kHeight - kMargin, kWidth - 2 * kMargin, 40),
        tr("%1. For training; points are no measure of competence.")
            .arg(QString::fromStdString(attempt_.recording->header().software)),
@@ -189,40 +173,10 @@ void Page::foot() {
 
 }  // namespace
 
-void paintReport(QPainter& painter, const QRectF& page, const AttemptDigest& attempt, const PlaneSection& section,
-                 const QImage& scene) {
-  painter.save();
-  painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing | QPainter::SmoothPixmapTransform);
-  painter.fillRect(page, Qt::white);
-  painter.translate(page.topLeft());
-  painter.scale(page.width() / kWidth, page.height() / kHeight);
-  Page(painter, attempt).all(section, scene);
-  painter.restore();
-}
-
 QString writeReport(const QString& file, const AttemptDigest& attempt, const PlaneSection& section,
                     const QImage& scene) {
-  QByteArray bytes;
-  QBuffer buffer(&bytes);
-  buffer.open(QIODevice::WriteOnly);
-  if (file.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive)) {
-    QPdfWriter pdf(&buffer);
-    pdf.setPageSize(QPageSize(QPageSize::A4));
-    pdf.setPageMargins({0, 0, 0, 0});
-    pdf.setResolution(kPdf_dpi);
-    pdf.setTitle(titleOf(attempt.recording->header()));
-    QPainter painter(&pdf);
-    paintReport(painter, QRectF(0, 0, pdf.width(), pdf.height()), attempt, section, scene);
-  } else {
-    QImage picture(QSizeF(kWidth, kHeight).toSize() * (kPng_dpi / kTenths_perInch), QImage::Format_RGB32);
-    QPainter painter(&picture);
-    paintReport(painter, picture.rect(), attempt, section, scene);
-    painter.end();
-    picture.save(&buffer, "PNG");
-  }
-  QSaveFile out(file);
-  if (out.open(QIODevice::WriteOnly) && out.write(bytes) == bytes.size() && out.commit()) return {};
-  return tr("The result could not be written to '%1': %2. Choose another place.").arg(file, out.errorString());
+  return writePage(file, titleOf(attempt.recording->header()),
+                   [&](QPainter& onPaper) { Page(onPaper, attempt).all(section, scene); });
 }
 
 }  // namespace insonate::review

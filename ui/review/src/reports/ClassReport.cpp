@@ -1,0 +1,89 @@
+#include "../class/ClassWords.h"
+#include "ReportPages.h"
+#include "ReportParts.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <vector>
+
+namespace insonate::review {
+namespace {
+
+using namespace paper;
+
+constexpr double kName = 400, kLevel = 370, kNeeds = 120, kHeadHeight = 410;
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Review", text);
+}
+
+QString levelOf(const ClassDesk& desk, const Member& member) {
+  const PersonStanding* now = desk.standing(member.person.id);
+  if (!now && !member.standing) return tr("not begun");
+  const std::string& level = now ? now->standing.level : member.standing->level;
+  return level.empty() ? tr("all mastered") : levelTitle(desk.curriculum(), level);
+}
+
+void tableHead(PaperColumn& page, double cell) {
+  const auto& book = MetricBook::here();
+  QPainter& painter = page.painter;
+  for (std::size_t i = 0; i < book.comparable(); ++i) {
+    painter.save();
+    painter.translate(kMargin + kName + kLevel + kNeeds + cell * (double(i) + 0.5), page.y() + kHeadHeight);
+    painter.rotate(-90);
+    painter.setPen(page.ink.text);
+    painter.drawText(QRectF(8, -cell / 2, kHeadHeight, cell), Qt::AlignLeft | Qt::AlignVCenter,
+                     titleWithUnit(book.all()[i]));
+    painter.restore();
+  }
+  page.skip(kHeadHeight - kRow);
+  page.cell(kMargin, kName, tr("person"), page.ink.quiet);
+  page.cell(kMargin + kName, kLevel, tr("level"), page.ink.quiet);
+  page.cell(kMargin + kName + kLevel, kNeeds, tr("needs"), page.ink.quiet);
+  page.skip(kRow + 4);
+}
+
+void tableRow(PaperColumn& page, const ClassDesk& desk, const Member& member, double cell) {
+  const PersonStanding* now = desk.standing(member.person.id);
+  page.cell(kMargin, kName, QString::fromStdString(member.person.fullName), page.ink.text);
+  page.cell(kMargin + kName, kLevel, levelOf(desk, member), page.ink.text);
+  page.cell(kMargin + kName + kLevel, kNeeds, concernWord(now ? now->concern : Concern::None), page.ink.danger);
+  const auto row = desk.heat().find(member.person.id);
+  for (std::size_t i = 0; i < MetricBook::here().comparable(); ++i) {
+    const HeatCell one = row == desk.heat().end() ? HeatCell{} : row->second[i];
+    const QRectF place(kMargin + kName + kLevel + kNeeds + cell * double(i), page.y() + 2, cell - 3, kRow - 4);
+    const QColor ground = one.share ? heatColour(*one.share) : QColor(Qt::white);
+    page.painter.fillRect(place, ground);
+    page.painter.setPen(one.share ? inkOn(ground) : page.ink.quiet);
+    page.painter.drawText(place, Qt::AlignCenter, one.value ? numberOf(*one.value) : tr("n/a"));
+  }
+  page.skip(kRow);
+}
+
+}  // namespace
+
+void paintClassReport(QPainter& painter, const ClassDesk& desk) {
+  const ClassFacts& facts = *desk.facts();
+  PaperColumn page(painter);
+  page.head(QString::fromStdString(facts.cohort.name),
+            {countOf(int(facts.learners.size()), tr("person"), tr("people")),
+             facts.curriculum ? QString::fromStdString(facts.curriculum->title) : tr("no curriculum yet"),
+             tr("means of the last %1 attempts; light is good").arg(kLastAttempts)});
+  painter.setFont(paperFont(kSmall * 0.9));
+  const double cell = (kWidth - 2 * kMargin - kName - kLevel - kNeeds) / double(MetricBook::here().comparable());
+  tableHead(page, cell);
+  std::vector<const Member*> people;
+  for (const Member& member : facts.learners) people.push_back(&member);
+  std::ranges::stable_partition(people, [&](const Member* one) {
+    const PersonStanding* now = desk.standing(one->person.id);
+    return now && now->concern != Concern::None;
+  });
+  std::size_t told = 0;
+  for (; told < people.size() && page.hasRoom(2 * kRow); ++told) tableRow(page, desk, *people[told], cell);
+  if (told < people.size())
+    page.cell(kMargin, kWidth - 2 * kMargin, tr("and %1 more; the table (CSV) has all").arg(people.size() - told),
+              page.ink.quiet);
+  page.foot();
+}
+
+}  // namespace insonate::review

@@ -1,0 +1,65 @@
+#include "CsvTables.h"
+
+#include "../class/ClassWords.h"
+
+#include <insonate/curriculum/Csv.h>
+
+#include <QDateTime>
+
+namespace insonate::review {
+namespace {
+
+std::string isoOf(std::int64_t time_us) {
+  return QDateTime::fromMSecsSinceEpoch(time_us / 1000, Qt::UTC).toString(Qt::ISODate).toStdString();
+}
+
+}  // namespace
+
+std::string classCsv(const ClassDesk& desk) {
+  const auto& book = MetricBook::here();
+  std::vector<std::vector<std::string>> rows{
+      {"name", "full name", "email", "level", "levels mastered", "needs", "why", "attempts", "last attempt (UTC)"}};
+  for (std::size_t i = 0; i < book.comparable(); ++i) rows[0].push_back(titleWithUnit(book.all()[i]).toStdString());
+  for (const Member& member : desk.facts()->learners) {
+    const PersonStanding* now = desk.standing(member.person.id);
+    const Standing standing = now ? now->standing : member.standing.value_or(Standing{});
+    std::vector<std::string> row{member.person.name,
+                                 member.person.fullName,
+                                 member.person.email,
+                                 standing.level,
+                                 std::to_string(standing.mastered),
+                                 concernWord(now ? now->concern : Concern::None).toStdString(),
+                                 now ? now->sentence : standing.sentence,
+                                 std::to_string(member.attempts),
+                                 member.lastAttempt_us ? isoOf(*member.lastAttempt_us) : ""};
+    const auto cells = desk.heat().find(member.person.id);
+    for (std::size_t i = 0; i < book.comparable(); ++i)
+      row.push_back(cells == desk.heat().end() ? "" : csvNumber(cells->second[i].value));
+    rows.push_back(std::move(row));
+  }
+  return csvText(rows);
+}
+
+std::string attemptsCsv(const PersonFacts& facts) {
+  const auto& book = MetricBook::here();
+  const Curriculum* curriculum = facts.curriculum ? &*facts.curriculum : nullptr;
+  std::vector<std::vector<std::string>> rows{
+      {"attempt", "begun (UTC)", "curriculum", "version", "level", "procedure", "case", "outcome", "length, s"}};
+  for (const MetricMeaning& meaning : book.all()) rows[0].push_back(titleWithUnit(meaning).toStdString());
+  for (const AttemptFacts& one : facts.history) {
+    std::vector<std::string> row{one.id,
+                                 isoOf(one.begun_us),
+                                 one.curriculum,
+                                 std::to_string(one.curriculumVersion),
+                                 one.level,
+                                 one.procedure,
+                                 one.caseName,
+                                 outcomeOf(one, curriculum).toStdString(),
+                                 csvNumber(double(one.length_us) * 1e-6)};
+    for (const MetricMeaning& meaning : book.all()) row.push_back(csvNumber(valueIn(one, meaning)));
+    rows.push_back(std::move(row));
+  }
+  return csvText(rows);
+}
+
+}  // namespace insonate::review

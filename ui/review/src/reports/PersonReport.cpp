@@ -1,0 +1,94 @@
+#include "../class/ClassWords.h"
+#include "../person/PersonCharts.h"
+#include "ReportPages.h"
+#include "ReportParts.h"
+
+#include <QCoreApplication>
+#include <cmath>
+
+namespace insonate::review {
+namespace {
+
+using namespace paper;
+
+constexpr double kChartHeight = 560;
+/// So that three charts stand beside each other, smaller than on the screen.
+constexpr double kChartUnit = kScreen * 0.7;
+constexpr int kMostAttempts = 16;
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Review", text);
+}
+
+QString stateOf(LevelState state) {
+  return state == LevelState::Mastered ? tr("mastered")
+         : state == LevelState::Open   ? tr("open")
+         : state == LevelState::Lapsed ? tr("lapsed")
+                                       : tr("locked");
+}
+
+void chart(PaperColumn& page, double left, double width, const ui::ChartPicture& picture) {
+  const QRectF place(left, page.y(), width - 20, kChartHeight);
+  if (!picture.isEmpty()) return ui::paintChart(page.painter, place, kChartUnit, picture);
+  page.painter.setPen(page.ink.quiet);
+  page.painter.drawText(place, Qt::AlignCenter | Qt::TextWordWrap,
+                        picture.title + QStringLiteral("\n") + picture.words);
+}
+
+void charts(PaperColumn& page, const PersonFacts& facts, const HeatMap& heat) {
+  const MetricMeaning& points = MetricBook::here().all().front();
+  const std::string level = facts.history.empty() ? std::string() : facts.history.back().level;
+  const double width = kWidth - 2 * kMargin;
+  page.heading(tr("How they learn"));
+  chart(page, kMargin, width * 0.45, learningOf(facts, {}, points));
+  chart(page, kMargin + width * 0.45, width * 0.33, cusumOf(facts, level));
+  chart(page, kMargin + width * 0.78, width * 0.22, placeInClass(facts, heat, points));
+  page.skip(kChartHeight);
+}
+
+void levels(PaperColumn& page, const PersonFacts& facts) {
+  page.heading(tr("Levels"));
+  if (!facts.curriculum) page.paragraph(tr("The class has no curriculum yet."), page.ink.quiet);
+  for (const LevelProgress& one : facts.progress) {
+    page.cell(kMargin, 200, stateOf(one.state), one.state == LevelState::Lapsed ? page.ink.danger : page.ink.quiet);
+    page.cell(kMargin + 200, 420, levelTitle(&*facts.curriculum, one.level), page.ink.text);
+    page.cell(kMargin + 620, kWidth - 2 * kMargin - 620, QString::fromStdString(one.why), page.ink.quiet);
+    page.skip(kRow);
+    if (!page.hasRoom(6 * kRow)) return;
+  }
+}
+
+void attempts(PaperColumn& page, const PersonFacts& facts) {
+  page.heading(tr("Last attempts"));
+  if (facts.newest.empty()) page.paragraph(tr("None yet."), page.ink.quiet);
+  const Curriculum* curriculum = facts.curriculum ? &*facts.curriculum : nullptr;
+  int told = 0;
+  for (const KeptAttempt& one : facts.newest) {
+    if (told++ == kMostAttempts || !page.hasRoom(kRow)) return;
+    page.cell(kMargin, 330, dayAndTimeOf(one.facts.begun_us), page.ink.text);
+    page.cell(kMargin + 330, 390, levelTitle(curriculum, one.facts.level), page.ink.text);
+    page.cell(kMargin + 720, 80, one.facts.points ? QString::number(std::lround(*one.facts.points)) : tr("n/a"),
+              page.ink.text, Qt::AlignRight);
+    page.cell(kMargin + 830, kWidth - 2 * kMargin - 830, outcomeOf(one.facts, curriculum), page.ink.quiet);
+    page.skip(kRow);
+  }
+}
+
+}  // namespace
+
+void paintPersonReport(QPainter& painter, const PersonFacts& facts, const HeatMap& heat) {
+  PaperColumn page(painter);
+  page.head(QString::fromStdString(facts.person.fullName),
+            {facts.curriculum ? QString::fromStdString(facts.curriculum->title) : tr("no curriculum yet"),
+             countOf(int(facts.history.size()), tr("attempt"), tr("attempts"))});
+  if (facts.standing) {
+    painter.setFont(paperFont(kText, true));
+    page.paragraph(QString::fromStdString(facts.standing->sentence), page.ink.text);
+  }
+  charts(page, facts, heat);
+  levels(page, facts);
+  attempts(page, facts);
+  page.foot();
+}
+
+}  // namespace insonate::review

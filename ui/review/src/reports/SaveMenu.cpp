@@ -1,0 +1,129 @@
+#include "SaveMenu.h"
+
+#include "../person/PersonDesk.h"
+#include "../result/PaperPage.h"
+#include "CsvTables.h"
+#include "ReportPages.h"
+
+#include <insonate/core/AtomicFile.h>
+#include <insonate/curriculum/XapiStatements.h>
+#include <insonate/ui/Account.h>
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QSettings>
+
+namespace insonate::review {
+namespace {
+
+const QString kHomePage = QStringLiteral("review/xapiHomePage");
+
+/// All statements about these people, written to a file; on the account's thread.
+Result<bool> writeStatements(const SignedIn& by, const std::vector<Person>& people, const Curriculum& curriculum,
+                             const XapiSite& site, const std::string& file) {
+  std::vector<std::string> all;
+  for (const Person& person : people) {
+    const auto history = AttemptStore(by).history(person.id);
+    if (!history) return tl::unexpected(history.error());
+    auto statements = xapiStatements(site, curriculum, person, *history);
+    if (!statements) return tl::unexpected(statements.error());
+    all.insert(all.end(), std::make_move_iterator(statements->begin()), std::make_move_iterator(statements->end()));
+  }
+  if (const auto written = writeXapi(file, all); !written) return tl::unexpected(written.error());
+  return true;
+}
+
+}  // namespace
+
+SaveMenu::SaveMenu(Subject subject, ClassDesk& room, PersonDesk& person, QWidget* parent)
+    : QMenu(parent), subject_(subject), room_(room), person_(person) {
+  setToolTipsVisible(true);
+  add("savePage", tr("Page (PDF or PNG) ..."), tr("One page of A4, to print or send"),
+      QStringLiteral("PDF (*.pdf);;PNG (*.png)"), &SaveMenu::savePage);
+  add("saveTable", tr("Table (CSV) ..."),
+      subject_ == Subject::Class ? tr("A line for each person, for a spreadsheet")
+                                 : tr("A line for each attempt with all metrics, for a spreadsheet"),
+      QStringLiteral("CSV (*.csv)"), &SaveMenu::saveTable);
+  add("saveXapi", tr("Statements (xAPI) ..."), tr("All attempts as xAPI 1.0.3, for a learning record store"),
+      QStringLiteral("JSON (*.json)"), &SaveMenu::askXapi);
+}
+
+void SaveMenu::add(const char* name, const QString& text, const QString& tip, const QString& ending,
+                   void (SaveMenu::*save)(const QString&)) {
+  QAction* action = addAction(text);
+  action->setObjectName(QLatin1String(name));
+  action->setToolTip(tip);
+  connect(action, &QAction::triggered, this, [this, ending, save] {
+    const QString suffix = ending.section(QStringLiteral("*."), 1, 1).section(QLatin1Char(')'), 0, 0);
+    const QString file = QFileDialog::getSaveFileName(
+        parentWidget(), tr("Save"), QDir::home().filePath(fileName() + QLatin1Char('.') + suffix), ending);
+    if (!file.isEmpty()) (this->*save)(file);
+  });
+}
+
+QString SaveMenu::fileName() const {
+  const ClassFacts* room = room_.facts();
+  const PersonFacts* person = person_.facts();
+  QString words = subject_ == Subject::Class ? (room ? QString::fromStdString(room->cohort.name) : QString())
+                                             : (person ? QString::fromStdString(person->person.fullName) : QString());
+  for (QChar& letter : words)
+    if (!letter.isLetterOrNumber()) letter = QLatin1Char('-');
+  return words;
+}
+
+void SaveMenu::savePage(const QString& file) {
+  const ClassFacts* room = room_.facts();
+  const auto paint = [&](QPainter& painter) {
+    if (subject_ == Subject::Class)
+      paintClassReport(painter, room_);
+    else
+      paintPersonReport(painter, *person_.facts(), room_.heat());
+  };
+  if (subject_ == Subject::Class ? !room : !person_.facts()) return;
+  const QString trouble = writePage(file, fileName(), paint);
+  trouble.isEmpty() ? tell(file) : Q_EMIT failed(trouble, {});
+}
+
+void SaveMenu::saveTable(const QString& file) {
+  if (subject_ == Subject::Class ? !room_.facts() : !person_.facts()) return;
+  const std::string text = subject_ == Subject::Class ? classCsv(room_) : attemptsCsv(*person_.facts());
+  const auto written = writeAtomically(file.toStdString(), text);
+  written ? tell(file) : Q_EMIT failed(QString::fromStdString(written.error().message), {});
+}
+
+void SaveMenu::askXapi(const QString& file) {
+  bool sure = false;
+  const QString page = QInputDialog::getText(
+      parentWidget(), tr("Statements (xAPI)"),
+      tr("Home page of your site, by which its people are told apart from others':"), QLineEdit::Normal,
+      QSettings().value(kHomePage, QStringLiteral("https://")).toString(), &sure);
+  if (!sure) return;
+  QSettings().setValue(kHomePage, page);
+  saveXapi(file, page);
+}
+
+void SaveMenu::saveXapi(const QString& file, const QString& homePage) {
+  const Curriculum* curriculum = room_.curriculum();
+  if (!curriculum)
+    return Q_EMIT failed(tr("There is nothing to state: the class has no curriculum yet."),
+                         tr("Choose one for the class first."));
+  std::vector<Person> people;
+  if (subject_ == Subject::Person && person_.facts()) people.push_back(person_.facts()->person);
+  if (subject_ == Subject::Class && room_.facts())
+    for (const Member& member : room_.facts()->learners) people.push_back(member.person);
+  room_.account()->ask<bool>(
+      this,
+      [people, curriculum = *curriculum, site = XapiSite{homePage.toStdString(), false},
+       name = file.toStdString()](const SignedIn& by) { return writeStatements(by, people, curriculum, site, name); },
+      [this, file](const Result<bool>& done) {
+        done ? tell(file) : Q_EMIT failed(QString::fromStdString(done.error().message), {});
+      });
+}
+
+void SaveMenu::tell(const QString& file) {
+  Q_EMIT written(tr("Saved as %1.").arg(QFileInfo(file).fileName()), QFileInfo(file).absolutePath());
+}
+
+}  // namespace insonate::review

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QMenu>
+#include <QString>
+
+namespace insonate::review {
+
+class ClassDesk;
+class PersonDesk;
+
+/// Saves what is told of the class, or of the person: as a page, a table or statements.
+class SaveMenu final : public QMenu {
+  Q_OBJECT
+
+ public:
+  enum class Subject { Class, Person };
+
+  SaveMenu(Subject subject, ClassDesk& room, PersonDesk& person, QWidget* parent);
+
+  void savePage(const QString& file);
+  void saveTable(const QString& file);
+  /// Of all attempts, for a site with this home page; asked and written on the account's thread.
+  void saveXapi(const QString& file, const QString& homePage);
+
+ Q_SIGNALS:
+  void written(const QString& sentence, const QString& folder);
+  void failed(const QString& what, const QString& advice);
+
+ private:
+  void add(const char* name, const QString& text, const QString& tip, const QString& ending,
+           void (SaveMenu::*save)(const QString&));
+  void askXapi(const QString& file);
+  void tell(const QString& file);
+  QString fileName() const;
+
+  const Subject subject_;
+  ClassDesk& room_;
+  PersonDesk& person_;
+};
+
+}  // namespace insonate::review

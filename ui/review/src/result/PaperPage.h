@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QFont>
+#include <QPainter>
+#include <QRectF>
+#include <QString>
+#include <functional>
+
+namespace insonate::review {
+
+/// A page of A4, upright, is laid out in tenths of a millimetre.
+namespace paper {
+inline constexpr double kWidth = 2100, kHeight = 2970, kMargin = 150;
+inline constexpr double kRow = 47, kTitle = 64, kText = 36, kSmall = 30;
+/// Of these to a pixel, for what has sizes of a screen.
+inline constexpr double kScreen = 2.6;
+}  // namespace paper
+
+QFont paperFont(double height, bool bold = false);
+
+/// Paints in tenths of a millimetre, on white.
+using PaperPainter = std::function<void(QPainter&)>;
+
+/// Paints the page into `place`, in whatever unit the painter has.
+void paintPage(QPainter& painter, const QRectF& place, const PaperPainter& paint);
+
+/// Writes a page, as PDF where the file ends in .pdf, else as a PNG of 150 dots an inch; beside its place first, and
+/// moved there. An empty string, or a sentence that says why not.
+QString writePage(const QString& file, const QString& title, const PaperPainter& paint);
+
+}  // namespace insonate::review
