@@ -2,7 +2,6 @@
 
 #include "store/Names.h"
 
-#include <algorithm>
 #include <array>
 
 namespace insonate::store {

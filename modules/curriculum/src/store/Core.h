@@ -5,7 +5,6 @@
 #include "store/sql/Transaction.h"
 
 #include <insonate/core/Result.h>
-#include <insonate/curriculum/AuditLog.h>
 #include <insonate/curriculum/CurriculumStore.h>
 
 #include <cstdint>

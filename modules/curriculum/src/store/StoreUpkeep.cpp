@@ -38,8 +38,8 @@ Result<void> StoreUpkeep::verify() const {
 Result<void> StoreUpkeep::backup(const std::filesystem::path& file) const {
   store::Core& core = by_.session()->core();
   // Decided and logged first: what is copied has the entry.
-  const auto allowed = by_.session()->read({.act = Act::LookAfterStore, .detail = "backup to " + file.string()},
-                                           [](Transaction&, const Actor&) -> Result<void> { return {}; });
+  auto allowed = by_.session()->read({.act = Act::LookAfterStore, .detail = "backup to " + file.string()},
+                                     [](Transaction&, const Actor&) -> Result<void> { return {}; });
   if (!allowed) return allowed;
   if (core.address().isServer) return fail(core.place() + " is a server; back it up with pg_dump, where it runs.");
   const auto connection = core.connection();
