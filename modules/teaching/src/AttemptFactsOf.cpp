@@ -41,11 +41,11 @@ Result<Procedure> rulesOf(const std::filesystem::path& file, const AttemptHeader
   if (!procedure)
     return fail(file.string() +
                 " cannot be scored, since its procedure is not known here: " + procedure.error().message);
-  if (procedure->version != header.procedureVersion)
+  if (procedure->version < header.procedureVersion)
     return fail(file.string() + " was made by version " + std::to_string(header.procedureVersion) +
                 " of the procedure '" + header.procedure + "', which is at version " +
                 std::to_string(procedure->version) + " here; score it with the program that made it, " +
-                header.software + ".");
+                header.software + ", or a newer one.");
   return procedure;
 }
 
@@ -85,12 +85,14 @@ Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file) {
   if (!recording) return tl::unexpected(recording.error());
   auto procedure = rulesOf(file, recording->header());
   if (!procedure) return tl::unexpected(procedure.error());
+  const int version = procedure->version;
   ProcedureRun run(std::move(*procedure), recording->header().picture);
   const auto played = recording->play(std::numeric_limits<std::int64_t>::max(), [&](const Stretch::Entry& entry) {
     std::visit([&](const auto& what) { run.take(what); }, entry);
   });
   if (!played) return tl::unexpected(played.error());
   AttemptFacts facts = beginningOf(recording->header());
+  facts.procedureVersion = version;
   addEnding(facts, recording->status(), recording->end_us(), scoreOf(run));
   if (auto added = addRecording(facts, file); !added) return tl::unexpected(added.error());
   return facts;

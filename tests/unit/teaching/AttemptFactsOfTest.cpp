@@ -95,13 +95,24 @@ TEST_F(AttemptFactsOfTest, TheHashIsThatOfTheFile) {
   EXPECT_THAT(addRecording(facts, folder / "none").error().message, HasSubstr("cannot be read"));
 }
 
+TEST_F(AttemptFactsOfTest, TheRulesThatScoredItAreNamed) {
+  test::ScriptedAttempt attempt;
+  attempt.needleTo(25);
+  AttemptHeader older = header();
+  older.procedureVersion = 0;
+  record(attempt, AttemptStatus::Completed, older);
+  const auto facts = factsOfRecording(file);
+  ASSERT_TRUE(facts) << facts.error().message;
+  EXPECT_EQ(facts->procedureVersion, loadProcedure("internal_jugular")->version);
+}
+
 TEST_F(AttemptFactsOfTest, RulesThatAreNotHereScoreNothing) {
   test::ScriptedAttempt attempt;
   attempt.needleTo(5);
   AttemptHeader other = header();
-  other.procedureVersion = 7;
+  other.procedureVersion = 999;
   record(attempt, AttemptStatus::Completed, other);
-  EXPECT_THAT(factsOfRecording(file).error().message, HasSubstr("was made by version 7 of the procedure"));
+  EXPECT_THAT(factsOfRecording(file).error().message, HasSubstr("was made by version 999 of the procedure"));
   std::filesystem::remove(file);
   other.procedure = "brain_surgery";
   record(attempt, AttemptStatus::Completed, other);

@@ -21,6 +21,17 @@ TEST(TeachingHereTest, NamesWhatComesAlong) {
   EXPECT_EQ(names->metrics.size(), std::size_t{kMetricCount});
 }
 
+TEST(TeachingHereTest, TheCurriculumThatComesAlongCanBeTaught) {
+  const auto names = teachingNames();
+  ASSERT_TRUE(names);
+  for (const std::string& name : curriculumPresetNames()) {
+    const auto curriculum = loadCurriculum(name);
+    ASSERT_TRUE(curriculum) << curriculum.error().message;
+    const auto fine = checkNames(*curriculum, *names);
+    EXPECT_TRUE(fine) << fine.error().message;
+  }
+}
+
 TEST(TeachingHereTest, MetricsAreNamedForPeople) {
   const auto metrics = metricMeanings();
   const auto& time = metrics[static_cast<int>(Metric::TimeToVein)];

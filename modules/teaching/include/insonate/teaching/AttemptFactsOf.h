@@ -19,8 +19,9 @@ void addEnding(AttemptFacts& facts, AttemptStatus status, std::int64_t length_us
 /// Name and SHA-256 of a recording's file.
 Result<void> addRecording(AttemptFacts& facts, const std::filesystem::path& file);
 
-/// All three, from the recording alone: it is replayed and scored anew. Fails where it cannot be read, where damage
-/// leaves no metrics, and where the rules it was made under are not here.
+/// All three, from the recording alone: it is replayed, and scored by the procedure as it is here, whose version the
+/// facts name. Fails where it cannot be read, where damage leaves no metrics, and where its procedure is not here or
+/// older than the recording's.
 Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file);
 
 }  // namespace insonate

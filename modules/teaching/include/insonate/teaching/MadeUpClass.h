@@ -1,0 +1,37 @@
+#pragma once
+
+#include <insonate/core/Progress.h>
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/AttemptFacts.h>
+#include <insonate/curriculum/Curriculum.h>
+#include <insonate/curriculum/CurriculumStore.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// People who do not exist, for demonstrations and benchmarks.
+struct MadeUpPlan {
+  int trainees = 20;
+  int attempts = 50;  ///< of each
+  std::uint32_t seed = 1;
+};
+
+/// A made-up trainee's attempts, in the order in which they were made up, without person and id. Who they are decides
+/// how good they begin, how good they can become and how fast; each metric goes from what novices reach to what experts
+/// reach (the procedure's norms where there are some, else round numbers), and scatters. After each five attempts they
+/// take up the first level that is open to them. The same trainee and seed give the same attempts.
+Result<std::vector<AttemptFacts>> madeUpAttempts(const Curriculum& curriculum, int trainee, const MadeUpPlan& plan);
+
+inline constexpr const char *kMadeUpAdministrator = "made-up-administrator", *kMadeUpTeacher = "made-up-teacher",
+                            *kMadeUpClass = "Made-up class", *kMadeUpHalf = "Made-up class, second half";
+
+/// Fills a store that is empty: an administrator, a teacher, the curriculum published, a class of all trainees and one
+/// of the second half. All are called made-up, and have this password. Fails where there are people, or when cancelled;
+/// what was made up until then stays.
+Result<void> makeUpClass(const CurriculumStore& store, const Curriculum& curriculum, const MadeUpPlan& plan,
+                         const std::string& password, const Progress& progress = {});
+
+}  // namespace insonate

@@ -1,0 +1,89 @@
+#include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/CohortStore.h>
+#include <insonate/curriculum/PeopleStore.h>
+#include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/teaching/MadeUpClass.h>
+
+#include <cstdio>
+
+namespace insonate {
+namespace {
+
+struct Classes {
+  std::string all, half;
+};
+
+/// Someone new, who has chosen the password.
+Result<SignedIn> enrol(const CurriculumStore& store, const SignedIn& administrator, const NewPerson& person,
+                       const std::string& password) {
+  const std::string first = password + ", set by the administrator";
+  const auto added = PeopleStore(administrator).add(person, first);
+  if (!added) return tl::unexpected(added.error());
+  auto by = store.signIn(person.name, first);
+  if (!by) return by;
+  if (auto chosen = PeopleStore(*by).changeOwnPassword(first, password); !chosen) return tl::unexpected(chosen.error());
+  return by;
+}
+
+Result<Classes> makeClasses(const CurriculumStore& store, const SignedIn& administrator, const Curriculum& curriculum,
+                            const std::string& password) {
+  const auto teacher = enrol(store, administrator, {kMadeUpTeacher, "Made-up teacher", "", Role::Instructor}, password);
+  if (!teacher) return tl::unexpected(teacher.error());
+  const auto published =
+      PublishedCurricula(administrator).publish(curriculum.name, curriculum.version, curriculumText(curriculum));
+  if (!published) return tl::unexpected(published.error());
+  const CohortStore cohorts(administrator);
+  std::vector<std::string> ids;
+  for (const char* name : {kMadeUpClass, kMadeUpHalf}) {
+    const auto cohort = cohorts.add(name);
+    if (!cohort) return tl::unexpected(cohort.error());
+    if (auto set = cohorts.setCurriculum(cohort->id, curriculum.name, curriculum.version); !set)
+      return tl::unexpected(set.error());
+    if (auto joined = cohorts.join(cohort->id, teacher->person().id, true); !joined)
+      return tl::unexpected(joined.error());
+    ids.push_back(cohort->id);
+  }
+  return Classes{ids[0], ids[1]};
+}
+
+Result<void> practise(const SignedIn& trainee, const std::vector<AttemptFacts>& attempts) {
+  const AttemptStore store(trainee);
+  for (AttemptFacts facts : attempts) {
+    const auto id = store.begin(facts);
+    if (!id) return tl::unexpected(id.error());
+    facts.id = *id;
+    if (auto ended = store.end(facts); !ended) return ended;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> makeUpClass(const CurriculumStore& store, const Curriculum& curriculum, const MadeUpPlan& plan,
+                         const std::string& password, const Progress& progress) {
+  const auto administrator = store.createFirstAdministrator(
+      {kMadeUpAdministrator, "Made-up administrator", "", Role::Administrator}, password);
+  if (!administrator) return tl::unexpected(administrator.error());
+  const auto classes = makeClasses(store, *administrator, curriculum, password);
+  if (!classes) return tl::unexpected(classes.error());
+  for (int i = 0; i < plan.trainees; ++i) {
+    if (!report(progress, "Making up trainees", static_cast<double>(i) / plan.trainees))
+      return fail(std::string(kCancelled));
+    char number[16];
+    std::snprintf(number, sizeof number, "%03d", i + 1);
+    const auto trainee = enrol(
+        store, *administrator,
+        {std::string("made-up-") + number, std::string("Made-up trainee ") + number, "", Role::Trainee}, password);
+    if (!trainee) return tl::unexpected(trainee.error());
+    for (const std::string& cohort : {classes->all, classes->half})
+      if (cohort == classes->all || 2 * i >= plan.trainees)
+        if (auto joined = CohortStore(*administrator).join(cohort, trainee->person().id, false); !joined) return joined;
+    const auto attempts = madeUpAttempts(curriculum, i, plan);
+    if (!attempts) return tl::unexpected(attempts.error());
+    if (auto practised = practise(*trainee, *attempts); !practised) return practised;
+  }
+  report(progress, "Making up trainees", 1);
+  return {};
+}
+
+}  // namespace insonate

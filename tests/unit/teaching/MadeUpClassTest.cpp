@@ -1,0 +1,109 @@
+#include "support/TestData.h"
+
+#include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/CohortStore.h>
+#include <insonate/curriculum/Statistics.h>
+#include <insonate/curriculum/Unlocking.h>
+#include <insonate/teaching/MadeUpClass.h>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace insonate {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+Curriculum centralLine() {
+  auto curriculum = loadCurriculum("central_line");
+  EXPECT_TRUE(curriculum) << curriculum.error().message;
+  return curriculum ? *curriculum : Curriculum();
+}
+
+std::vector<AttemptFacts> attemptsOf(int trainee, const MadeUpPlan& plan) {
+  const auto attempts = madeUpAttempts(centralLine(), trainee, plan);
+  EXPECT_TRUE(attempts);
+  return *attempts;
+}
+
+double pointsOf(const std::vector<AttemptFacts>& attempts, std::size_t from, std::size_t count) {
+  std::vector<double> points;
+  for (std::size_t i = from; i < from + count; ++i) points.push_back(attempts[i].points.value_or(0));
+  return meanOf(points)->value;
+}
+
+TEST(MadeUpClassTest, TheSameSeedMakesUpTheSame) {
+  const MadeUpPlan plan{.attempts = 40};
+  EXPECT_EQ(attemptsOf(3, plan), attemptsOf(3, plan));
+  EXPECT_NE(attemptsOf(3, plan), attemptsOf(4, plan));
+  EXPECT_NE(attemptsOf(3, plan), attemptsOf(3, {.attempts = 40, .seed = 2}));
+}
+
+TEST(MadeUpClassTest, MostLearnAndLevelsOpen) {
+  const Curriculum curriculum = centralLine();
+  int better = 0, past = 0;
+  for (int trainee = 0; trainee < 20; ++trainee) {
+    const auto attempts = attemptsOf(trainee, {.attempts = 60});
+    better += pointsOf(attempts, 40, 20) > pointsOf(attempts, 0, 20);
+    const auto path = progressOf(curriculum, attempts, std::numeric_limits<std::int64_t>::max());
+    past += path[0].state == LevelState::Mastered || path[0].state == LevelState::Lapsed;
+  }
+  EXPECT_GE(better, 15) << "of 20";
+  EXPECT_GE(past, 10) << "of 20 were through the first level once";
+}
+
+TEST(MadeUpClassTest, ValuesAreOnesThatCouldBe) {
+  std::int64_t before_us = 0;
+  for (const AttemptFacts& facts : attemptsOf(1, {.attempts = 100})) {
+    EXPECT_GT(facts.begun_us, before_us);
+    before_us = facts.begun_us;
+    EXPECT_FALSE(facts.succeeded && facts.criticalErrors > 0);
+    EXPECT_GE(facts.points.value(), 0);
+    EXPECT_LE(facts.points.value(), 100);
+    for (const MetricFact& metric : facts.metrics) {
+      if (!metric.value) continue;
+      EXPECT_TRUE(std::isfinite(*metric.value)) << metric.id;
+      EXPECT_TRUE(!metric.id.ends_with("_punctures") || *metric.value == std::round(*metric.value)) << metric.id;
+      EXPECT_TRUE(!metric.id.ends_with("_percent") || *metric.value >= 0) << metric.id;
+    }
+  }
+}
+
+TEST(MadeUpClassTest, AStoreIsFilledOnceAndSaysThatItIsMadeUp) {
+  const test::TemporaryFolder folder;
+  StoreServices services;
+  services.passwordCost = PasswordCost::Least;
+  const auto store = CurriculumStore::open((folder / "made-up.sqlite").string(), services);
+  ASSERT_TRUE(store) << store.error().message;
+  const MadeUpPlan plan{.trainees = 4, .attempts = 6};
+  const auto made = makeUpClass(*store, centralLine(), plan, "made up");
+  EXPECT_FALSE(made) << "of 7 characters";
+  const auto again = makeUpClass(*store, centralLine(), plan, "made up too");
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_THAT(makeUpClass(*store, centralLine(), plan, "made up too").error().message, HasSubstr("has people already"));
+
+  const auto teacher = store->signIn(kMadeUpTeacher, "made up too");
+  ASSERT_TRUE(teacher);
+  const auto cohorts = CohortStore(*teacher).cohorts();
+  ASSERT_EQ(cohorts->size(), 2u);
+  std::size_t attempts = 0, learners = 0;
+  for (const Cohort& cohort : *cohorts) {
+    EXPECT_THAT(cohort.name, StartsWith("Made-up"));
+    const auto members = CohortStore(*teacher).members(cohort.id);
+    for (const Member& member : *members) {
+      EXPECT_THAT(member.person.fullName, StartsWith("Made-up"));
+      if (member.teaches) continue;
+      ++learners;
+      attempts += AttemptStore(*teacher).history(member.person.id)->size();
+    }
+  }
+  EXPECT_EQ(learners, 6u) << "4, and 2 of them once more";
+  EXPECT_EQ(attempts, 36u);
+}
+
+}  // namespace
+}  // namespace insonate
