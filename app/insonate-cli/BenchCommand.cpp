@@ -1,4 +1,5 @@
 #include "Commands.h"
+#include "curriculum/CurriculumBench.h"
 
 #include <insonate/simulator/DeformationBench.h>
 #include <insonate/simulator/HapticsBench.h>
@@ -64,6 +65,15 @@ Result<void> benchSegmentation(const BenchOptions& options) {
   return {};
 }
 
+Result<void> benchCurriculum(const BenchOptions& options) {
+  if (auto ok = checkBenchFolder(options.folder); !ok) return ok;
+  const auto results = runCurriculumBench(options.quick, terminalProgress());
+  if (!results) return tl::unexpected(results.error());
+  if (auto ok = writeCurriculumBench(*results, options.folder); !ok) return ok;
+  tell(options, *results, "curriculum.md");
+  return {};
+}
+
 void add(CLI::App& bench, Outcome& outcome, const char* name, const char* description,
          Result<void> (*run)(const BenchOptions&)) {
   auto options = std::make_shared<BenchOptions>();
@@ -87,6 +97,7 @@ void addBenchCommand(CLI::App& app, Outcome& outcome) {
   add(*bench, outcome, "haptics", "The servo's tick times, stability and force curves", benchHaptics);
   add(*bench, outcome, "segmentation", "Scores of labelling on the built-in necks, times of its tools",
       benchSegmentation);
+  add(*bench, outcome, "curriculum", "How long screens wait for the store of people and attempts", benchCurriculum);
 }
 
 }  // namespace insonate::cli

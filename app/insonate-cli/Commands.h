@@ -29,6 +29,7 @@ void addDevicesCommand(CLI::App& app, Outcome& outcome);
 void addSessionCommand(CLI::App& app, Outcome& outcome);
 void addReplayCommand(CLI::App& app, Outcome& outcome);
 void addLabelCommand(CLI::App& app, Outcome& outcome);
+void addCurriculumCommand(CLI::App& app, Outcome& outcome);
 
 /// Prints the error's sentence to standard error, sets the status, and prints {"error": ...} with `fields` where JSON
 /// was asked for.

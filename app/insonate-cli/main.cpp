@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
   addDevicesCommand(app, outcome);
   addSessionCommand(app, outcome);
   addReplayCommand(app, outcome);
+  addCurriculumCommand(app, outcome);
 
   if (const std::string unknown = unknownCommand(app, argc, argv); !unknown.empty()) {
     std::cerr << "insonate-cli: " << unknown << '\n';

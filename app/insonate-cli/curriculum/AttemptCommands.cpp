@@ -1,0 +1,175 @@
+#include "Answer.h"
+#include "Groups.h"
+#include "LevelPath.h"
+#include "Lookup.h"
+
+#include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/Judgement.h>
+#include <insonate/teaching/AttemptFactsOf.h>
+
+#include <QtCore/QUuid>
+#include <algorithm>
+#include <memory>
+
+namespace insonate::cli {
+namespace {
+
+struct AddArguments {
+  std::string recording, level, className;
+};
+
+struct ListArguments {
+  std::string person;
+  int count = 20;
+  std::int64_t before = 0;
+};
+
+struct VoidArguments {
+  std::string attempt, reason;
+};
+
+Json factsJson(const AttemptFacts& facts) {
+  Json metrics = Json::object();
+  for (const MetricFact& metric : facts.metrics) metrics[metric.id] = orNull(metric.value);
+  return {{"id", facts.id},
+          {"curriculum", facts.curriculum},
+          {"curriculum_version", facts.curriculumVersion},
+          {"level", facts.level},
+          {"procedure", facts.procedure},
+          {"case", facts.caseName},
+          {"workstation", facts.workstation},
+          {"begun", timeText(facts.begun_us)},
+          {"length_s", static_cast<double>(facts.length_us) * 1e-6},
+          {"state", nameOf(facts.state)},
+          {"succeeded", facts.succeeded},
+          {"critical_errors", facts.criticalErrors},
+          {"points", orNull(facts.points)},
+          {"recording", facts.recording},
+          {"metrics", metrics}};
+}
+
+/// The class by whose curriculum an attempt counts: the one that is named, else the only one that has the level.
+Result<Curriculum> curriculumFor(const SignedIn& by, const AddArguments& a) {
+  const auto classes = classesOf(by, by.person());
+  if (!classes) return tl::unexpected(classes.error());
+  std::vector<Curriculum> found;
+  for (const Cohort& cohort : *classes) {
+    if (cohort.curriculum.empty() || (!a.className.empty() && !sameName(a.className, cohort.name))) continue;
+    auto curriculum = curriculumOf(by, cohort);
+    if (!curriculum) return curriculum;
+    if (curriculum->level(a.level) && std::ranges::find(found, *curriculum) == found.end())
+      found.push_back(std::move(*curriculum));
+  }
+  if (found.empty())
+    return fail("No class of yours has a level '" + a.level + "'; 'curriculum levels' names those that are yours.");
+  if (found.size() > 1)
+    return fail("More than one of your classes has a level '" + a.level + "'; name one with --class.");
+  return std::move(found.front());
+}
+
+/// The same for the same recording of the same person, so that what is added twice is there once.
+std::string idOf(const AttemptFacts& facts, const Person& person) {
+  const QUuid space = QUuid::fromString(QString::fromStdString(person.id));
+  return QUuid::createUuidV5(space, QString::fromStdString(facts.recordingHash))
+      .toString(QUuid::WithoutBraces)
+      .toStdString();
+}
+
+Result<void> keep(const SignedIn& by, const AttemptFacts& facts) {
+  const AttemptStore attempts(by);
+  if (auto begun = attempts.begin(facts); !begun) return tl::unexpected(begun.error());
+  return attempts.end(facts);
+}
+
+Result<Answer> addToLevel(const SignedIn& by, AttemptFacts facts, const AddArguments& a) {
+  const auto curriculum = curriculumFor(by, a);
+  if (!curriculum) return tl::unexpected(curriculum.error());
+  const Level& level = *curriculum->level(a.level);
+  if (level.procedure != facts.procedure)
+    return fail(a.recording + " is an attempt at '" + facts.procedure + "', and level '" + level.name + "' asks for '" +
+                level.procedure + "'; choose another level or recording.");
+  facts.curriculum = curriculum->name, facts.curriculumVersion = curriculum->version, facts.level = level.name;
+  if (auto kept = keep(by, facts); !kept) return tl::unexpected(kept.error());
+  const auto path = levelPath(by, *curriculum, by.person().id);
+  if (!path) return tl::unexpected(path.error());
+  const LevelProgress& progress = *std::ranges::find(*path, level.name, &LevelProgress::level);
+  const bool passed = judge(level.pass, facts).passed;
+  return Answer{{{"attempt", factsJson(facts)},
+                 {"passed", passed},
+                 {"level", level.name},
+                 {"state", nameOf(progress.state)},
+                 {"why", progress.why}},
+                (passed ? "Passed. " : "Not passed: " + reasonOfFailure(level.pass, facts) + ". ") + level.title +
+                    ": " + progress.why + "\nAttempt " + facts.id};
+}
+
+Result<Answer> add(const SignedIn& by, const AddArguments& a) {
+  auto facts = factsOfRecording(a.recording);
+  if (!facts) return tl::unexpected(facts.error());
+  facts->id = idOf(*facts, by.person());
+  facts->person = by.person().id;
+  if (!a.level.empty()) return addToLevel(by, std::move(*facts), a);
+  if (auto kept = keep(by, *facts); !kept) return tl::unexpected(kept.error());
+  return Answer{{{"attempt", factsJson(*facts)}, {"passed", nullptr}, {"level", nullptr}},
+                "Kept as free practice, attempt " + facts->id};
+}
+
+Result<Answer> list(const SignedIn& by, const ListArguments& a) {
+  const auto person = personNamed(by, a.person);
+  if (!person) return tl::unexpected(person.error());
+  const auto page = AttemptStore(by).page(person->id, a.count, a.before);
+  if (!page) return tl::unexpected(page.error());
+  Json rows = Json::array();
+  for (const KeptAttempt& attempt : *page) {
+    rows.push_back(factsJson(attempt.facts));
+    rows.back().update({{"arrival", attempt.arrival},
+                        {"crashed", attempt.crashed},
+                        {"void_reason", attempt.voidReason.empty() ? Json(nullptr) : Json(attempt.voidReason)}});
+  }
+  return Answer{{{"person", toJson(*person)}, {"attempts", rows}},
+                rows.empty() ? "No attempts yet; 'curriculum attempts add' takes a recording."
+                             : tableOf(rows, {{"begun", "begun"},
+                                              {"level", "level"},
+                                              {"state", "state"},
+                                              {"succeeded", "success"},
+                                              {"critical_errors", "critical"},
+                                              {"points", "points"},
+                                              {"id", "attempt"}})};
+}
+
+Result<Answer> voidOne(const SignedIn& by, const VoidArguments& a) {
+  if (auto done = AttemptStore(by).voidAttempt(a.attempt, a.reason); !done) return tl::unexpected(done.error());
+  return Answer{{{"id", a.attempt}, {"state", "voided"}, {"void_reason", a.reason}},
+                "The attempt no longer counts; it is kept, with the reason."};
+}
+
+}  // namespace
+
+void addAttemptCommands(CLI::App& curriculum, Outcome& outcome) {
+  CLI::App& attempts = *curriculum.add_subcommand("attempts", "What people did");
+  attempts.require_subcommand(1);
+  auto added = std::make_shared<AddArguments>();
+  CLI::App* adding = addSignedInCommand(attempts, outcome, "add", "An attempt of yours, from its recording",
+                                        [added](const SignedIn& by) { return add(by, *added); });
+  adding->add_option("RECORDING", added->recording, "File of the window, or of session --record")
+      ->required()
+      ->check(notEmpty());
+  adding->add_option("--level", added->level, "Level that it was made for (else free practice)");
+  adding->add_option("--class", added->className, "Class by whose curriculum it counts, where several have the level");
+
+  auto listed = std::make_shared<ListArguments>();
+  CLI::App* listing = addSignedInCommand(attempts, outcome, "list", "Someone's attempts, newest first",
+                                         [listed](const SignedIn& by) { return list(by, *listed); });
+  listing->add_option("NAME", listed->person, "Whose (else your own)");
+  listing->add_option("--count", listed->count, "How many")->check(CLI::Range(1, 1000))->capture_default_str();
+  listing->add_option("--before", listed->before, "Only those whose arrival (see --json) is below this")
+      ->check(CLI::PositiveNumber);
+
+  auto voided = std::make_shared<VoidArguments>();
+  CLI::App* voiding = addSignedInCommand(attempts, outcome, "void", "Takes an attempt out of the count; it is kept",
+                                         [voided](const SignedIn& by) { return voidOne(by, *voided); });
+  voiding->add_option("ATTEMPT", voided->attempt, "Its id, as 'attempts list' tells it")->required();
+  voiding->add_option("--reason", voided->reason, "Why, for the trainee")->required();
+}
+
+}  // namespace insonate::cli

@@ -1,0 +1,166 @@
+#include "Answer.h"
+#include "Groups.h"
+#include "LevelPath.h"
+#include "Lookup.h"
+
+#include <insonate/curriculum/CohortStore.h>
+
+#include <memory>
+
+namespace insonate::cli {
+namespace {
+
+struct MembershipArguments {
+  std::string className, person;
+  bool teaches = false;
+};
+
+struct CurriculumArguments {
+  std::string className, curriculum;
+  int version = 0;
+};
+
+Json classJson(const Cohort& cohort) {
+  const bool taught = !cohort.curriculum.empty();
+  return {{"id", cohort.id},
+          {"name", cohort.name},
+          {"curriculum", taught ? Json(cohort.curriculum) : Json(nullptr)},
+          {"curriculum_version", taught ? Json(cohort.curriculumVersion) : Json(nullptr)}};
+}
+
+Result<Answer> list(const SignedIn& by) {
+  const auto cohorts = CohortStore(by).cohorts();
+  if (!cohorts) return tl::unexpected(cohorts.error());
+  Json rows = Json::array();
+  for (const Cohort& cohort : *cohorts) rows.push_back(classJson(cohort));
+  const std::string none = "You are in no class yet; an administrator makes them with 'curriculum classes add'.";
+  return Answer{
+      {{"classes", rows}},
+      rows.empty()
+          ? none
+          : tableOf(rows, {{"name", "name"}, {"curriculum", "curriculum"}, {"curriculum_version", "version"}})};
+}
+
+Result<Answer> add(const SignedIn& by, const std::string& name) {
+  const auto cohort = CohortStore(by).add(name);
+  if (!cohort) return tl::unexpected(cohort.error());
+  return Answer{{{"class", classJson(*cohort)}},
+                "The class '" + cohort->name + "' is there; next: 'curriculum classes import' or 'join'."};
+}
+
+Result<Json> rowOf(const SignedIn& by, const Member& member, const std::optional<Curriculum>& curriculum) {
+  Json row = toJson(member.person);
+  row.update({{"teaches", member.teaches},
+              {"attempts", nullptr},
+              {"last_attempt", nullptr},
+              {"level", nullptr},
+              {"mastered", nullptr},
+              {"why", nullptr}});
+  if (member.teaches) return row;
+  row["attempts"] = member.attempts;
+  if (member.lastAttempt_us) row["last_attempt"] = timeText(*member.lastAttempt_us);
+  if (!curriculum) return row;
+  const auto path = levelPath(by, *curriculum, member.person.id);
+  if (!path) return tl::unexpected(path.error());
+  const LevelProgress* at = levelAt(*path);
+  row["mastered"] = std::ranges::count(*path, LevelState::Mastered, &LevelProgress::state);
+  row["level"] = at ? Json(at->level) : Json(nullptr);
+  row["why"] = at ? at->why : "All levels are mastered.";
+  return row;
+}
+
+Result<Answer> members(const SignedIn& by, const std::string& name) {
+  const auto cohort = classNamed(by, name);
+  if (!cohort) return tl::unexpected(cohort.error());
+  const auto members = CohortStore(by).members(cohort->id);
+  if (!members) return tl::unexpected(members.error());
+  std::optional<Curriculum> curriculum;
+  if (!cohort->curriculum.empty()) {
+    auto read = curriculumOf(by, *cohort);
+    if (!read) return tl::unexpected(read.error());
+    curriculum = std::move(*read);
+  }
+  Json rows = Json::array();
+  for (const Member& member : *members) {
+    auto row = rowOf(by, member, curriculum);
+    if (!row) return tl::unexpected(row.error());
+    rows.push_back(std::move(*row));
+  }
+  const std::string none = "Nobody is in '" + cohort->name + "' yet; next: 'curriculum classes import' or 'join'.";
+  return Answer{{{"class", classJson(*cohort)}, {"members", rows}},
+                rows.empty() ? none
+                             : tableOf(rows, {{"name", "name"},
+                                              {"full_name", "full name"},
+                                              {"teaches", "teaches"},
+                                              {"attempts", "attempts"},
+                                              {"level", "level"},
+                                              {"mastered", "mastered"},
+                                              {"why", "why"}})};
+}
+
+Result<Answer> join(const SignedIn& by, const MembershipArguments& a, bool joins) {
+  const auto cohort = classNamed(by, a.className);
+  if (!cohort) return tl::unexpected(cohort.error());
+  const auto person = personNamed(by, a.person);
+  if (!person) return tl::unexpected(person.error());
+  const CohortStore cohorts(by);
+  const auto done = joins ? cohorts.join(cohort->id, person->id, a.teaches) : cohorts.leave(cohort->id, person->id);
+  if (!done) return tl::unexpected(done.error());
+  const std::string verb = joins ? (a.teaches ? " teaches in '" : " learns in '") : " is no longer in '";
+  return Answer{{{"class", classJson(*cohort)}, {"person", toJson(*person)}},
+                person->name + verb + cohort->name + "'."};
+}
+
+Result<Answer> setCurriculum(const SignedIn& by, const CurriculumArguments& a) {
+  auto cohort = classNamed(by, a.className);
+  if (!cohort) return tl::unexpected(cohort.error());
+  const auto curriculum = publishedCurriculum(by, a.curriculum, a.version);
+  if (!curriculum) return tl::unexpected(curriculum.error());
+  const auto done = CohortStore(by).setCurriculum(cohort->id, curriculum->name, curriculum->version);
+  if (!done) return tl::unexpected(done.error());
+  cohort->curriculum = curriculum->name, cohort->curriculumVersion = curriculum->version;
+  return Answer{{{"class", classJson(*cohort)}},
+                "'" + cohort->name + "' is taught by " + curriculum->title + ", version " +
+                    std::to_string(curriculum->version) + "."};
+}
+
+void addMemberships(CLI::App& classes, Outcome& outcome) {
+  const auto add = [&](const char* verb, const char* about, bool joins) {
+    auto a = std::make_shared<MembershipArguments>();
+    CLI::App* command =
+        addSignedInCommand(classes, outcome, verb, about, [=](const SignedIn& by) { return join(by, *a, joins); });
+    command->add_option("CLASS", a->className, "Name of the class")->required();
+    command->add_option("NAME", a->person, "Who")->required();
+    return std::pair(command, a);
+  };
+  const auto [command, a] = add("join", "Someone joins a class, to learn or to teach", true);
+  command->add_flag("--teaches", a->teaches, "As instructor of the class");
+  add("leave", "Someone leaves a class", false);
+}
+
+}  // namespace
+
+void addClassCommands(CLI::App& curriculum, Outcome& outcome) {
+  CLI::App& classes = *curriculum.add_subcommand("classes", "Who is taught together, and by what");
+  classes.require_subcommand(1);
+  addSignedInCommand(classes, outcome, "list", "The classes that you see", list);
+  auto name = std::make_shared<std::string>();
+  addSignedInCommand(classes, outcome, "add", "A new class", [name](const SignedIn& by) { return add(by, *name); })
+      ->add_option("CLASS", *name, "Its name")
+      ->required();
+  auto which = std::make_shared<std::string>();
+  addSignedInCommand(classes, outcome, "members", "Who is in a class, how far they are, and why",
+                     [which](const SignedIn& by) { return members(by, *which); })
+      ->add_option("CLASS", *which, "Name of the class")
+      ->required();
+  addMemberships(classes, outcome);
+  auto a = std::make_shared<CurriculumArguments>();
+  CLI::App* command = addSignedInCommand(classes, outcome, "curriculum", "By which published curriculum it is taught",
+                                         [a](const SignedIn& by) { return setCurriculum(by, *a); });
+  command->add_option("CLASS", a->className, "Name of the class")->required();
+  command->add_option("CURRICULUM", a->curriculum, "As it was published")->required();
+  command->add_option("VERSION", a->version, "Which (else the newest)")->check(CLI::PositiveNumber);
+  addClassImport(classes, outcome);
+}
+
+}  // namespace insonate::cli

@@ -1,0 +1,24 @@
+#include "Groups.h"
+
+namespace insonate::cli {
+
+void addCurriculumCommand(CLI::App& app, Outcome& outcome) {
+  CLI::App& curriculum = *app.add_subcommand("curriculum", "People, classes, levels, attempts and their statistics");
+  curriculum.require_subcommand(1);
+  addPeopleCommands(curriculum, outcome);
+  addClassCommands(curriculum, outcome);
+  addCurriculaCommands(curriculum, outcome);
+  addLevelsCommand(curriculum, outcome);
+  addAttemptCommands(curriculum, outcome);
+  CLI::App& statistics = *curriculum.add_subcommand("statistics", "What the attempts of people and classes tell");
+  statistics.require_subcommand(1);
+  addPersonStatistics(statistics, outcome);
+  addClassStatistics(statistics, outcome);
+  addFormCommands(curriculum, outcome);
+  addExportCommands(curriculum, outcome);
+  addUpkeepCommands(curriculum, outcome);
+  addUploadCommand(curriculum, outcome);
+  addDemoCommand(curriculum, outcome);
+}
+
+}  // namespace insonate::cli

@@ -1,0 +1,164 @@
+#include "Answer.h"
+#include "Groups.h"
+#include "LevelPath.h"
+#include "Lookup.h"
+
+#include <insonate/core/AtomicFile.h>
+#include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/CohortStore.h>
+#include <insonate/curriculum/Csv.h>
+#include <insonate/curriculum/GradeBook.h>
+#include <insonate/curriculum/Judgement.h>
+#include <insonate/curriculum/StoreUpkeep.h>
+#include <insonate/curriculum/XapiStatements.h>
+#include <insonate/teaching/TeachingHere.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+namespace insonate::cli {
+namespace {
+
+struct Arguments {
+  std::string file, className, item = "Insonate";
+  XapiSite site;
+  GradeKey key = GradeKey::Email;
+};
+
+Answer wrote(const std::string& file, Json fields) {
+  fields["file"] = file;
+  return {std::move(fields), "Wrote " + file + "."};
+}
+
+/// Calls `take` for each who learns in a class, with all their attempts.
+Result<Cohort> eachTrainee(const SignedIn& by, const std::string& name,
+                           const std::function<Result<void>(const Person&, const std::vector<AttemptFacts>&)>& take) {
+  auto cohort = classNamed(by, name);
+  if (!cohort) return cohort;
+  const auto members = CohortStore(by).members(cohort->id);
+  if (!members) return tl::unexpected(members.error());
+  for (const Member& member : *members) {
+    if (member.teaches) continue;
+    const auto attempts = AttemptStore(by).history(member.person.id);
+    if (!attempts) return tl::unexpected(attempts.error());
+    if (auto taken = take(member.person, *attempts); !taken) return tl::unexpected(taken.error());
+  }
+  return cohort;
+}
+
+Result<Answer> exportAll(const SignedIn& by, const std::string& file) {
+  if (auto done = StoreUpkeep(by).exportJson(file); !done) return tl::unexpected(done.error());
+  return wrote(file, Json::object());
+}
+
+/// A line an attempt, a column a metric.
+Result<Answer> exportCsv(const SignedIn& by, const Arguments& a) {
+  const auto metrics = metricMeanings();
+  std::vector<std::vector<std::string>> rows{{"name", "full name", "begun", "level", "procedure", "state", "succeeded",
+                                              "critical errors", "points", "length s"}};
+  for (const MetricMeaning& metric : metrics) rows[0].push_back(metric.id);
+  const auto cohort =
+      eachTrainee(by, a.className, [&](const Person& person, const std::vector<AttemptFacts>& attempts) {
+        for (const AttemptFacts& facts : attempts) {
+          std::vector<std::string> row{person.name,
+                                       person.fullName,
+                                       timeText(facts.begun_us),
+                                       facts.level,
+                                       facts.procedure,
+                                       nameOf(facts.state),
+                                       facts.succeeded ? "yes" : "no",
+                                       std::to_string(facts.criticalErrors),
+                                       csvNumber(facts.points),
+                                       csvNumber(static_cast<double>(facts.length_us) * 1e-6)};
+          for (const MetricMeaning& metric : metrics)
+            row.push_back(csvNumber(valueOf(facts, metric.id, metric.version)));
+          rows.push_back(std::move(row));
+        }
+        return Result<void>();
+      });
+  if (!cohort) return tl::unexpected(cohort.error());
+  if (auto written = writeAtomically(a.file, csvText(rows)); !written) return tl::unexpected(written.error());
+  return wrote(a.file, {{"attempts", rows.size() - 1}});
+}
+
+/// The share of levels that each has mastered.
+Result<Answer> exportGrades(const SignedIn& by, const Arguments& a) {
+  const auto cohort = classNamed(by, a.className);
+  if (!cohort) return tl::unexpected(cohort.error());
+  const auto curriculum = curriculumOf(by, *cohort);
+  if (!curriculum) return tl::unexpected(curriculum.error());
+  const auto members = CohortStore(by).members(cohort->id);
+  if (!members) return tl::unexpected(members.error());
+  std::vector<Grade> grades;
+  for (const Member& member : *members) {
+    if (member.teaches) continue;
+    const auto path = levelPath(by, *curriculum, member.person.id);
+    if (!path) return tl::unexpected(path.error());
+    Grade grade{.person = member.person, .percent = std::nullopt, .feedback = ""};
+    const auto mastered = std::ranges::count(*path, LevelState::Mastered, &LevelProgress::state);
+    if (member.attempts > 0) grade.percent = 100.0 * static_cast<double>(mastered) / static_cast<double>(path->size());
+    if (const LevelProgress* at = levelAt(*path)) grade.feedback = at->why;
+    grades.push_back(std::move(grade));
+  }
+  const GradeBook book = gradeBook(a.item, a.key, grades);
+  for (const std::string& name : book.leftOut) std::cerr << "left out, without an attempt or a key: " << name << '\n';
+  if (auto written = writeAtomically(a.file, book.csv); !written) return tl::unexpected(written.error());
+  return wrote(a.file, {{"grades", grades.size() - book.leftOut.size()}, {"left_out", book.leftOut}});
+}
+
+Result<Answer> exportXapi(const SignedIn& by, const Arguments& a) {
+  const auto cohort = classNamed(by, a.className);
+  if (!cohort) return tl::unexpected(cohort.error());
+  const auto curriculum = curriculumOf(by, *cohort);
+  if (!curriculum) return tl::unexpected(curriculum.error());
+  std::vector<std::string> statements;
+  const auto done = eachTrainee(by, a.className,
+                                [&](const Person& person, const std::vector<AttemptFacts>& attempts) -> Result<void> {
+                                  auto some = xapiStatements(a.site, *curriculum, person, attempts);
+                                  if (!some) return tl::unexpected(some.error());
+                                  std::ranges::move(*some, std::back_inserter(statements));
+                                  return {};
+                                });
+  if (!done) return tl::unexpected(done.error());
+  if (auto written = writeXapi(a.file, statements); !written) return tl::unexpected(written.error());
+  return wrote(a.file, {{"statements", statements.size()}});
+}
+
+using Export = Result<Answer> (*)(const SignedIn&, const Arguments&);
+
+std::pair<CLI::App*, std::shared_ptr<Arguments>> addClassExport(CLI::App& exports, Outcome& outcome, const char* name,
+                                                                const char* about, Export run) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App* command =
+      addSignedInCommand(exports, outcome, name, about, [a, run](const SignedIn& by) { return run(by, *a); });
+  command->add_option("CLASS", a->className, "Name of the class")->required();
+  command->add_option("FILE", a->file, "To be written")->required()->check(notEmpty());
+  return {command, a};
+}
+
+}  // namespace
+
+void addExportCommands(CLI::App& curriculum, Outcome& outcome) {
+  CLI::App& exports = *curriculum.add_subcommand("export", "What is kept here, for other programs");
+  exports.require_subcommand(1);
+  auto file = std::make_shared<std::string>();
+  addSignedInCommand(exports, outcome, "json", "Everything but passwords (administrators)",
+                     [file](const SignedIn& by) { return exportAll(by, *file); })
+      ->add_option("FILE", *file, "To be written")
+      ->required()
+      ->check(notEmpty());
+  addClassExport(exports, outcome, "csv", "A class's attempts with their metrics, a line each", exportCsv);
+  const auto [grades, g] = addClassExport(exports, outcome, "grades",
+                                          "The share of levels that each has mastered, for Moodle", exportGrades);
+  grades->add_option("--item", g->item, "Name of what is graded")->capture_default_str();
+  grades->add_option("--by", g->key, "email or name: how Moodle knows people")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, GradeKey>{{"email", GradeKey::Email}, {"name", GradeKey::Name}}));
+  const auto [xapi, x] =
+      addClassExport(exports, outcome, "xapi", "A class's attempts as xAPI 1.0.3 statements", exportXapi);
+  xapi->add_option("--home", x->site.homePage, "Address of your site: https://training.example.org")->required();
+  xapi->add_flag("--by-mail", x->site.byMail, "Name people by their e-mail addresses");
+}
+
+}  // namespace insonate::cli

@@ -1,0 +1,166 @@
+#include "Answer.h"
+#include "Groups.h"
+#include "Lookup.h"
+
+#include <insonate/core/Preset.h>
+#include <insonate/curriculum/Form.h>
+#include <insonate/curriculum/FormStore.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+namespace insonate::cli {
+namespace {
+
+struct FillArguments {
+  std::string form, answers, person, attempt;
+};
+
+const char* wordOf(Form::Purpose purpose) {
+  switch (purpose) {
+    case Form::Purpose::Questionnaire:
+      return "questionnaire";
+    case Form::Purpose::Checklist:
+      return "checklist";
+    case Form::Purpose::Rating:
+      break;
+  }
+  return "rating";
+}
+
+Result<Answer> list() {
+  Json rows = Json::array();
+  for (const std::string& name : formPresetNames()) {
+    const auto form = loadForm(name);
+    if (!form) return tl::unexpected(form.error());
+    rows.push_back({{"form", form->name},
+                    {"form_version", form->version},
+                    {"purpose", wordOf(form->purpose)},
+                    {"title", form->title}});
+  }
+  return Answer{{{"forms", rows}}, tableOf(rows, {{"form", "form"}, {"purpose", "purpose"}, {"title", "title"}})};
+}
+
+/// What an item may be answered with.
+std::string answersOf(const FormItem& item) {
+  if (item.kind == FormItem::Kind::Text) return "text";
+  if (item.kind == FormItem::Kind::Number) return Json(item.least).dump() + " to " + Json(item.most).dump();
+  std::string names;
+  for (const FormOption& option : item.options) names += (names.empty() ? "" : " | ") + option.name;
+  return names;
+}
+
+Result<Answer> show(const std::string& nameOrPath) {
+  const auto form = loadForm(nameOrPath);
+  if (!form) return tl::unexpected(form.error());
+  Json rows = Json::array();
+  for (const FormSection& section : form->sections)
+    for (const FormItem& item : section.items)
+      rows.push_back({{"item", item.name},
+                      {"section", section.title},
+                      {"title", item.title},
+                      {"needed", item.needed},
+                      {"answers", answersOf(item)}});
+  return Answer{
+      {{"form", form->name}, {"form_version", form->version}, {"title", form->title}, {"items", rows}},
+      form->title + "\n" +
+          tableOf(rows, {{"item", "item"}, {"needed", "needed"}, {"answers", "answers"}, {"title", "title"}})};
+}
+
+Json scoreJson(const FormScore& score) {
+  return {{"points", score.points},
+          {"most", score.most},
+          {"percent", orNull(score.percent)},
+          {"scored", score.scored},
+          {"unscored", score.unscored}};
+}
+
+Result<FormAnswers> checkedAnswers(const Form& form, const std::string& file) {
+  const auto text = presetOrFile("a JSON object of answers", file, {});
+  if (!text) return tl::unexpected(text.error());
+  auto answers = parseAnswers(text->text);
+  if (!answers) return fail(text->where + answers.error().message);
+  const auto troubles = checkAnswers(form, *answers);
+  if (troubles.empty()) return answers;
+  std::string sentence = file + " does not fill in '" + form.name + "':";
+  for (const AnswerTrouble& trouble : troubles) sentence += " " + trouble.item + ": " + trouble.sentence;
+  return fail(sentence);
+}
+
+Result<Answer> fill(const SignedIn& by, const FillArguments& a) {
+  const auto form = loadForm(a.form);
+  if (!form) return tl::unexpected(form.error());
+  const auto answers = checkedAnswers(*form, a.answers);
+  if (!answers) return tl::unexpected(answers.error());
+  const auto person = personNamed(by, a.person);
+  if (!person) return tl::unexpected(person.error());
+  const auto id = FormStore(by).add({.form = form->name,
+                                     .formVersion = form->version,
+                                     .person = person->id,
+                                     .attempt = a.attempt,
+                                     .answers = answersText(*answers)});
+  if (!id) return tl::unexpected(id.error());
+  const FormScore score = formScore(*form, *answers);
+  std::string text = "Kept: " + form->title;
+  if (score.percent) text += ", " + Json(score.points).dump() + " of " + Json(score.most).dump() + " points";
+  return Answer{{{"id", *id}, {"score", scoreJson(score)}}, text + "."};
+}
+
+Result<Answer> filled(const SignedIn& by, const std::string& name) {
+  const auto person = personNamed(by, name);
+  if (!person) return tl::unexpected(person.error());
+  const auto forms = FormStore(by).ofPerson(person->id);
+  if (!forms) return tl::unexpected(forms.error());
+  Json rows = Json::array();
+  for (const FilledForm& one : *forms) {
+    Json row{{"id", one.id},
+             {"form", one.form},
+             {"form_version", one.formVersion},
+             {"attempt", one.attempt.empty() ? Json(nullptr) : Json(one.attempt)},
+             {"by", one.by},
+             {"filled", timeText(one.filled_us)},
+             {"answers", Json::parse(one.answers)},
+             {"score", nullptr},
+             {"percent", nullptr}};
+    const auto form = loadForm(one.form);
+    const auto answers = parseAnswers(one.answers);
+    if (form && answers && form->version == one.formVersion) {
+      const FormScore score = formScore(*form, *answers);
+      row["score"] = scoreJson(score), row["percent"] = orNull(score.percent);
+    }
+    rows.push_back(std::move(row));
+  }
+  return Answer{{{"person", toJson(*person)}, {"forms", rows}},
+                rows.empty() ? "No forms yet; 'curriculum forms list' names those that can be filled in."
+                             : tableOf(rows, {{"filled", "filled in"},
+                                              {"form", "form"},
+                                              {"percent", "percent"},
+                                              {"attempt", "attempt"},
+                                              {"by", "by"}})};
+}
+
+}  // namespace
+
+void addFormCommands(CLI::App& curriculum, Outcome& outcome) {
+  CLI::App& forms = *curriculum.add_subcommand("forms", "Questionnaires, checklists and ratings");
+  forms.require_subcommand(1);
+  addAnsweringCommand(forms, outcome, "list", "Forms that can be filled in", list);
+  auto name = std::make_shared<std::string>(), person = std::make_shared<std::string>();
+  addAnsweringCommand(forms, outcome, "show", "A form's items, and what they may be answered with",
+                      [name] { return show(*name); })
+      ->add_option("FORM", *name, "Name, or JSON file")
+      ->required();
+  auto a = std::make_shared<FillArguments>();
+  CLI::App* command = addSignedInCommand(forms, outcome, "fill", "Fills in a form, once and for all",
+                                         [a](const SignedIn& by) { return fill(by, *a); });
+  command->add_option("FORM", a->form, "Its name")->required();
+  command->add_option("ANSWERS", a->answers, "JSON file: {\"item\": \"answer\", ...}")->required()->check(notEmpty());
+  command->add_option("--about", a->person, "Whom (else yourself)");
+  command->add_option("--attempt", a->attempt, "Which of their attempts, by its id");
+  addSignedInCommand(forms, outcome, "filled", "Forms about someone", [person](const SignedIn& by) {
+    return filled(by, *person);
+  })->add_option("NAME", *person, "Whom (else yourself)");
+}
+
+}  // namespace insonate::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "../Commands.h"
+
+namespace insonate::cli {
+
+// What `insonate-cli curriculum` consists of.
+void addPeopleCommands(CLI::App& curriculum, Outcome& outcome);
+void addClassCommands(CLI::App& curriculum, Outcome& outcome);
+void addClassImport(CLI::App& classes, Outcome& outcome);
+void addLevelsCommand(CLI::App& curriculum, Outcome& outcome);
+void addCurriculaCommands(CLI::App& curriculum, Outcome& outcome);
+void addAttemptCommands(CLI::App& curriculum, Outcome& outcome);
+void addPersonStatistics(CLI::App& statistics, Outcome& outcome);
+void addClassStatistics(CLI::App& statistics, Outcome& outcome);
+void addFormCommands(CLI::App& curriculum, Outcome& outcome);
+void addExportCommands(CLI::App& curriculum, Outcome& outcome);
+void addUpkeepCommands(CLI::App& curriculum, Outcome& outcome);
+void addUploadCommand(CLI::App& curriculum, Outcome& outcome);
+void addDemoCommand(CLI::App& curriculum, Outcome& outcome);
+
+}  // namespace insonate::cli

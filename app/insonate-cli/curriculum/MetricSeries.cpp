@@ -1,0 +1,44 @@
+#include "MetricSeries.h"
+
+#include <insonate/curriculum/Judgement.h>
+#include <insonate/teaching/TeachingHere.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace insonate::cli {
+
+std::map<std::string, Attempts> countedByProcedure(std::span<const AttemptFacts> attempts) {
+  std::map<std::string, Attempts> sorted;
+  for (const AttemptFacts& attempt : attempts)
+    if (counts(attempt)) sorted[attempt.procedure].push_back(&attempt);
+  return sorted;
+}
+
+std::vector<MetricMeaning> meaningsFor(const std::string& procedure) {
+  const auto presets = procedurePresetNames();
+  const auto known = std::ranges::find(presets, procedure) == presets.end() ? fail("") : loadProcedure(procedure);
+  return known ? metricMeanings(*known) : metricMeanings();
+}
+
+std::vector<double> valuesOf(const Attempts& attempts, const MetricMeaning& metric) {
+  std::vector<double> values;
+  for (const AttemptFacts* attempt : attempts)
+    if (const auto value = valueOf(*attempt, metric.id, metric.version)) values.push_back(*value);
+  return values;
+}
+
+std::optional<Estimate> successOf(const Attempts& attempts) {
+  return proportion(static_cast<int>(std::ranges::count_if(attempts, &AttemptFacts::succeeded)),
+                    static_cast<int>(attempts.size()));
+}
+
+nlohmann::json toJson(const std::optional<Estimate>& estimate) {
+  if (!estimate) return nullptr;
+  nlohmann::json object{{"value", estimate->value}, {"low", nullptr}, {"high", nullptr}};
+  if (estimate->interval) object.update({{"low", estimate->interval->low}, {"high", estimate->interval->high}});
+  return object;
+}
+
+}  // namespace insonate::cli

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <insonate/curriculum/AttemptFacts.h>
+#include <insonate/curriculum/MetricMeaning.h>
+#include <insonate/curriculum/Statistics.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace insonate::cli {
+
+using Attempts = std::vector<const AttemptFacts*>;
+
+/// Attempts that count, in their order, by procedure: what two procedures measure is not alike.
+std::map<std::string, Attempts> countedByProcedure(std::span<const AttemptFacts> attempts);
+/// With the procedure's norms, where it is one of ours.
+std::vector<MetricMeaning> meaningsFor(const std::string& procedure);
+/// Those that are there.
+std::vector<double> valuesOf(const Attempts& attempts, const MetricMeaning& metric);
+std::optional<Estimate> successOf(const Attempts& attempts);
+
+/// {"value", "low", "high"}, null where there is none.
+nlohmann::json toJson(const std::optional<Estimate>& estimate);
+
+}  // namespace insonate::cli

@@ -1,0 +1,179 @@
+#include "Answer.h"
+#include "Groups.h"
+#include "Lookup.h"
+
+#include <insonate/curriculum/PeopleStore.h>
+
+#include <map>
+#include <memory>
+
+namespace insonate::cli {
+namespace {
+
+const std::map<std::string, Role> kRoles{
+    {"trainee", Role::Trainee}, {"instructor", Role::Instructor}, {"administrator", Role::Administrator}};
+
+struct NewPersonArguments {
+  NewPerson person;
+  std::string className;
+  NewPasswordOption password;
+};
+
+void addPersonOptions(CLI::App& command, NewPersonArguments& a) {
+  command.add_option("NAME", a.person.name, "To sign in with")->required();
+  command.add_option("--full-name", a.person.fullName, "As others see it")->required();
+  command.add_option("--email", a.person.email, "E-mail address");
+  a.password.addTo(command);
+}
+
+Answer toldOf(const Person& person, const std::string& sentence) {
+  return {{{"person", toJson(person)}}, sentence};
+}
+
+Result<Answer> setUp(const StoreOptions& options, const NewPersonArguments& a) {
+  const auto password = a.password.read("A password for " + a.person.name);
+  if (!password) return tl::unexpected(password.error());
+  const auto store = openOrMakeStore(options);
+  if (!store) return tl::unexpected(store.error());
+  const auto by = store->createFirstAdministrator(a.person, *password);
+  if (!by) return tl::unexpected(by.error());
+  Answer answer = toldOf(by->person(), by->person().name + " is the administrator of " + store->place() +
+                                           "; next: insonate-cli curriculum people add, and classes add.");
+  answer.object["database"] = store->place();
+  return answer;
+}
+
+Result<Answer> list(const SignedIn& by) {
+  const auto people = PeopleStore(by).all();
+  if (!people) return tl::unexpected(people.error());
+  Json rows = Json::array();
+  for (const Person& person : *people) rows.push_back(toJson(person));
+  return Answer{{{"people", rows}},
+                tableOf(rows, {{"name", "name"},
+                               {"full_name", "full name"},
+                               {"email", "e-mail"},
+                               {"role", "role"},
+                               {"disabled", "disabled"}})};
+}
+
+Result<Answer> add(const SignedIn& by, const NewPersonArguments& a) {
+  std::string cohort;
+  if (!a.className.empty()) {
+    const auto found = classNamed(by, a.className);
+    if (!found) return tl::unexpected(found.error());
+    cohort = found->id;
+  }
+  const auto password = a.password.read("A first password for " + a.person.name);
+  if (!password) return tl::unexpected(password.error());
+  const auto person = PeopleStore(by).add(a.person, *password, cohort);
+  if (!person) return tl::unexpected(person.error());
+  return toldOf(*person, person->name + " is added as " + nameOf(person->role) +
+                             ", and chooses a password when they first sign in.");
+}
+
+/// `change` alters the person; `done` ends the sentence that begins with their name.
+Result<Answer> change(const SignedIn& by, const std::string& name, const std::function<void(Person&)>& change,
+                      const std::string& done) {
+  auto person = personNamed(by, name);
+  if (!person) return tl::unexpected(person.error());
+  change(*person);
+  if (auto changed = PeopleStore(by).change(*person); !changed) return tl::unexpected(changed.error());
+  return toldOf(*person, person->name + done);
+}
+
+Result<Answer> resetPassword(const SignedIn& by, const std::string& name, const NewPasswordOption& option) {
+  const auto person = personNamed(by, name);
+  if (!person) return tl::unexpected(person.error());
+  const auto password = option.read("A new password for " + person->name);
+  if (!password) return tl::unexpected(password.error());
+  if (auto done = PeopleStore(by).resetPassword(person->id, *password); !done) return tl::unexpected(done.error());
+  return toldOf(*person, person->name + " can sign in with it at once, and chooses their own then.");
+}
+
+Result<Answer> changeOwnPassword(const StoreOptions& options, const NewPasswordOption& option) {
+  const auto store = openStore(options);
+  if (!store) return tl::unexpected(store.error());
+  const auto old = readOwnPassword(options);
+  if (!old) return tl::unexpected(old.error());
+  const auto by = store->signIn(options.name, *old);
+  if (!by) return tl::unexpected(by.error());
+  const auto password = option.read("Your new password");
+  if (!password) return tl::unexpected(password.error());
+  if (auto done = PeopleStore(*by).changeOwnPassword(*old, *password); !done) return tl::unexpected(done.error());
+  return toldOf(by->person(), "Your password is changed.");
+}
+
+void addSetUp(CLI::App& curriculum, Outcome& outcome) {
+  auto a = std::make_shared<NewPersonArguments>();
+  CLI::App* command = addStoreCommand(curriculum, outcome, "setup", "A new store, and its first administrator",
+                                      SigningIn::No, [a](const StoreOptions& options) { return setUp(options, *a); });
+  addPersonOptions(*command, *a);
+}
+
+void addAdd(CLI::App& people, Outcome& outcome) {
+  auto a = std::make_shared<NewPersonArguments>();
+  CLI::App* command =
+      addSignedInCommand(people, outcome, "add", "Someone new", [a](const SignedIn& by) { return add(by, *a); });
+  addPersonOptions(*command, *a);
+  command->add_option("--role", a->person.role, "trainee (as without), instructor or administrator")
+      ->transform(CLI::Transformer(kRoles));
+  command->add_option("--class", a->className, "Class that they join");
+}
+
+void addChanges(CLI::App& people, Outcome& outcome) {
+  const auto add = [&](const char* verb, const char* about, bool disabled, const char* done) {
+    auto name = std::make_shared<std::string>();
+    addSignedInCommand(people, outcome, verb, about,
+                       [=](const SignedIn& by) {
+                         return change(
+                             by, *name, [disabled](Person& person) { person.disabled = disabled; }, done);
+                       })
+        ->add_option("NAME", *name, "Who")
+        ->required();
+  };
+  add("disable", "No longer signs in; what they did stays", true, " can no longer sign in; what they did stays.");
+  add("enable", "Signs in again", false, " can sign in again.");
+  struct Arguments {
+    std::string name;
+    Role role = Role::Trainee;
+  };
+  auto a = std::make_shared<Arguments>();
+  CLI::App* role = addSignedInCommand(people, outcome, "role", "What someone may do", [a](const SignedIn& by) {
+    return change(
+        by, a->name, [a](Person& person) { person.role = a->role; }, std::string(" is now ") + nameOf(a->role) + ".");
+  });
+  role->add_option("NAME", a->name, "Who")->required();
+  role->add_option("ROLE", a->role, "trainee, instructor or administrator")
+      ->required()
+      ->transform(CLI::Transformer(kRoles));
+}
+
+void addPasswords(CLI::App& people, Outcome& outcome) {
+  auto own = std::make_shared<NewPasswordOption>();
+  own->addTo(*addStoreCommand(people, outcome, "password", "Choose your own password", SigningIn::Yes,
+                              [own](const StoreOptions& options) { return changeOwnPassword(options, *own); }));
+  struct Arguments {
+    std::string name;
+    NewPasswordOption password;
+  };
+  auto a = std::make_shared<Arguments>();
+  CLI::App* reset = addSignedInCommand(people, outcome, "reset-password",
+                                       "A new password for someone who forgot theirs or is locked out",
+                                       [a](const SignedIn& by) { return resetPassword(by, a->name, a->password); });
+  reset->add_option("NAME", a->name, "Who")->required();
+  a->password.addTo(*reset);
+}
+
+}  // namespace
+
+void addPeopleCommands(CLI::App& curriculum, Outcome& outcome) {
+  addSetUp(curriculum, outcome);
+  CLI::App& people = *curriculum.add_subcommand("people", "Who trains, teaches and administers");
+  people.require_subcommand(1);
+  addSignedInCommand(people, outcome, "list", "Everyone (administrators)", list);
+  addAdd(people, outcome);
+  addChanges(people, outcome);
+  addPasswords(people, outcome);
+}
+
+}  // namespace insonate::cli

@@ -1,0 +1,140 @@
+#include "Answer.h"
+#include "Groups.h"
+#include "LevelPath.h"
+#include "Lookup.h"
+#include "MetricSeries.h"
+
+#include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/LearningCurve.h>
+#include <insonate/teaching/TeachingHere.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace insonate::cli {
+namespace {
+
+constexpr std::size_t kLast = 5;
+
+Json curveJson(const std::optional<LearningCurve>& curve) {
+  if (!curve) return nullptr;
+  return {{"shape", curve->shape == LearningCurve::Shape::Power ? "power" : "exponential"},
+          {"plateau", toJson(std::optional(curve->plateau))},
+          {"gain", toJson(std::optional(curve->gain))},
+          {"rate", curve->rate},
+          {"residual", curve->residual},
+          {"attempts", curve->attempts}};
+}
+
+/// The figures that a person reads stand in the row itself, the others below it.
+Json rowOf(const MetricMeaning& metric, const std::vector<double>& values) {
+  const auto mean = meanOf(values);
+  const std::span<const double> all(values);
+  const auto last = meanOf(all.subspan(all.size() - std::min(kLast, all.size())));
+  const auto curve = fitLearningCurve(values);
+  const auto inBand = std::ranges::count_if(values, [&](double value) { return metric.inExpertBand(value); });
+  return {{"metric", metric.id},
+          {"unit", metric.unit},
+          {"n", values.size()},
+          {"mean", toJson(mean)},
+          {"mean_value", mean ? Json(mean->value) : Json(nullptr)},
+          {"low", mean && mean->interval ? Json(mean->interval->low) : Json(nullptr)},
+          {"high", mean && mean->interval ? Json(mean->interval->high) : Json(nullptr)},
+          {"median", orNull(median(values))},
+          {"last_5", last ? Json(last->value) : Json(nullptr)},
+          {"expert", orNull(metric.expert)},
+          {"in_expert_band_percent", metric.expert && !values.empty() ? Json(100.0 * static_cast<double>(inBand) /
+                                                                             static_cast<double>(values.size()))
+                                                                      : Json(nullptr)},
+          {"curve", curveJson(curve)},
+          {"plateau", curve ? Json(curve->plateau.value) : Json(nullptr)}};
+}
+
+Json metricsOf(const std::string& procedure, const Attempts& attempts, const std::string& only) {
+  Json rows = Json::array();
+  for (const MetricMeaning& metric : meaningsFor(procedure))
+    if (only.empty() || metric.id == only) rows.push_back(rowOf(metric, valuesOf(attempts, metric)));
+  return rows;
+}
+
+std::string percentText(const Json& estimate) {
+  char text[80];
+  std::snprintf(text, sizeof text, "%.0f %% succeeded (95 %% interval %.0f to %.0f)",
+                100 * estimate["value"].get<double>(), 100 * estimate["low"].get<double>(),
+                100 * estimate["high"].get<double>());
+  return text;
+}
+
+Result<Answer> paths(const SignedIn& by, const Person& person) {
+  Answer answer{Json::array(), ""};
+  const auto classes = classesOf(by, person);
+  if (!classes) return tl::unexpected(classes.error());
+  for (const Cohort& cohort : *classes) {
+    if (cohort.curriculum.empty()) continue;
+    const auto curriculum = curriculumOf(by, cohort);
+    if (!curriculum) return tl::unexpected(curriculum.error());
+    const auto path = levelPath(by, *curriculum, person.id);
+    if (!path) return tl::unexpected(path.error());
+    Json rows = toJson(*curriculum, *path);
+    for (Json& row : rows) row["cusum_score"] = row["cusum"].empty() ? Json(nullptr) : row["cusum"].back();
+    answer.text += "\n" + cohort.name + "\n" +
+                   tableOf(rows, {{"level", "level"},
+                                  {"state", "state"},
+                                  {"attempts", "n"},
+                                  {"passes", "passes"},
+                                  {"cusum_score", "LC-CUSUM"},
+                                  {"cusum_limit", "limit"},
+                                  {"cusum_signalled", "signalled"}});
+    answer.object.push_back({{"class", cohort.name}, {"levels", std::move(rows)}});
+  }
+  return answer;
+}
+
+struct Arguments {
+  std::string person, metric;
+};
+
+Result<Answer> statistics(const SignedIn& by, const Arguments& a) {
+  const auto person = personNamed(by, a.person);
+  if (!person) return tl::unexpected(person.error());
+  const auto history = AttemptStore(by).history(person->id);
+  if (!history) return tl::unexpected(history.error());
+  const auto levels = paths(by, *person);
+  if (!levels) return levels;
+  Answer answer{{{"person", toJson(*person)}, {"procedures", Json::array()}, {"paths", levels->object}}, ""};
+  for (const auto& [procedure, attempts] : countedByProcedure(*history)) {
+    const Json rows = metricsOf(procedure, attempts, a.metric);
+    const Json success = toJson(successOf(attempts));
+    answer.text += procedure + ": " + std::to_string(attempts.size()) + " attempts, " + percentText(success) + "\n" +
+                   tableOf(rows, {{"metric", "metric"},
+                                  {"unit", "unit"},
+                                  {"n", "n"},
+                                  {"mean_value", "mean"},
+                                  {"low", "95 % from"},
+                                  {"high", "to"},
+                                  {"median", "median"},
+                                  {"last_5", "last 5"},
+                                  {"plateau", "plateau"},
+                                  {"expert", "expert"},
+                                  {"in_expert_band_percent", "in expert band, %"}});
+    answer.object["procedures"].push_back(
+        {{"procedure", procedure}, {"attempts", attempts.size()}, {"success", success}, {"metrics", rows}});
+  }
+  answer.text = (answer.text.empty() ? "No attempts that count yet.\n" : answer.text) + levels->text;
+  return answer;
+}
+
+}  // namespace
+
+void addPersonStatistics(CLI::App& group, Outcome& outcome) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App* command =
+      addSignedInCommand(group, outcome, "person", "Someone's metrics with intervals, learning curves and LC-CUSUM",
+                         [a](const SignedIn& by) { return statistics(by, *a); });
+  command->add_option("NAME", a->person, "Whose (else your own)");
+  std::vector<std::string> ids;
+  for (const MetricMeaning& metric : metricMeanings()) ids.push_back(metric.id);
+  command->add_option("--metric", a->metric, "This one alone")->check(CLI::IsMember(ids));
+}
+
+}  // namespace insonate::cli

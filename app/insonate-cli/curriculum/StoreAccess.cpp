@@ -1,0 +1,97 @@
+#include "StoreAccess.h"
+
+#include "../Commands.h"
+#include "Password.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace insonate::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string environment(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value ? value : "";
+}
+
+/// As Qt's AppDataLocation has it for the window.
+fs::path usualFile() {
+  const fs::path home = environment("HOME"), data = environment("XDG_DATA_HOME");
+  return (data.is_absolute() ? data : home / ".local/share") / "Insonate/insonate/curriculum.sqlite";
+}
+
+}  // namespace
+
+void addDatabaseOption(CLI::App& command, StoreOptions& options) {
+  command
+      .add_option("--database", options.database,
+                  "File, or postgresql://USER@HOST/DATABASE (else INSONATE_DATABASE, else the window's own)")
+      ->check(notEmpty());
+}
+
+void addSignInOptions(CLI::App& command, StoreOptions& options) {
+  command.add_option("--as", options.name, "Who signs in")->required()->check(notEmpty());
+  command
+      .add_option(
+          "--password-file", options.passwordFile,
+          "Whose first line is the password; /dev/fd/N is a descriptor (else INSONATE_PASSWORD, else asked for)")
+      ->check(notEmpty());
+}
+
+std::string addressOf(const StoreOptions& options) {
+  if (!options.database.empty()) return options.database;
+  const std::string named = environment("INSONATE_DATABASE");
+  return named.empty() ? usualFile().string() : named;
+}
+
+bool isServer(const std::string& address) {
+  return address.starts_with("postgresql://") || address.starts_with("postgres://");
+}
+
+Result<CurriculumStore> openOrMakeStore(const StoreOptions& options) {
+  const std::string address = addressOf(options);
+  std::error_code error;  // CurriculumStore says what is wrong with the folder
+  if (!isServer(address)) fs::create_directories(fs::absolute(address, error).parent_path(), error);
+  return CurriculumStore::open(address);
+}
+
+Result<CurriculumStore> openStore(const StoreOptions& options) {
+  const std::string address = addressOf(options);
+  std::error_code error;
+  if (!isServer(address) && !fs::exists(address, error))
+    return fail("There is no store of people and attempts at " + address +
+                " yet; make one with 'insonate-cli curriculum setup', or name another with --database.");
+  return CurriculumStore::open(address);
+}
+
+Result<std::string> readOwnPassword(const StoreOptions& options) {
+  return readPassword({options.passwordFile, "INSONATE_PASSWORD", "Password of " + options.name});
+}
+
+Result<SignedIn> signIn(const StoreOptions& options) {
+  const auto store = openStore(options);
+  if (!store) return tl::unexpected(store.error());
+  const auto password = readOwnPassword(options);
+  if (!password) return tl::unexpected(password.error());
+  auto by = store->signIn(options.name, *password);
+  if (by && by->mustChangePassword())
+    return fail(
+        "Someone else has set this password; choose your own first: insonate-cli curriculum people password --as " +
+        options.name);
+  return by;
+}
+
+void NewPasswordOption::addTo(CLI::App& command) {
+  command
+      .add_option("--new-password-file", file,
+                  "Whose first line is the password to be set (else INSONATE_NEW_PASSWORD, else asked for)")
+      ->check(notEmpty());
+}
+
+Result<std::string> NewPasswordOption::read(const std::string& prompt) const {
+  return readPassword({file, "INSONATE_NEW_PASSWORD", prompt, true});
+}
+
+}  // namespace insonate::cli

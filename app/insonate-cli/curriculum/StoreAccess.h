@@ -1,0 +1,42 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/CurriculumStore.h>
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace insonate::cli {
+
+/// Which store, and who signs in.
+struct StoreOptions {
+  std::string database, name, passwordFile;
+};
+
+/// --database
+void addDatabaseOption(CLI::App& command, StoreOptions& options);
+/// --as and --password-file.
+void addSignInOptions(CLI::App& command, StoreOptions& options);
+
+/// What --database names, else INSONATE_DATABASE, else the user's own file, where the window keeps it too.
+std::string addressOf(const StoreOptions& options);
+bool isServer(const std::string& address);
+/// Made where there is none, with its folder.
+Result<CurriculumStore> openOrMakeStore(const StoreOptions& options);
+/// Fails where there is none yet.
+Result<CurriculumStore> openStore(const StoreOptions& options);
+/// Of who signs in.
+Result<std::string> readOwnPassword(const StoreOptions& options);
+/// Fails, too, where they have to choose a password first.
+Result<SignedIn> signIn(const StoreOptions& options);
+
+/// A password to be set: --new-password-file, INSONATE_NEW_PASSWORD, or asked for twice.
+struct NewPasswordOption {
+  std::string file;
+
+  void addTo(CLI::App& command);
+  Result<std::string> read(const std::string& prompt) const;
+};
+
+}  // namespace insonate::cli

@@ -1,0 +1,153 @@
+#include "Answer.h"
+#include "Groups.h"
+#include "Lookup.h"
+
+#include <insonate/curriculum/AuditLog.h>
+#include <insonate/curriculum/StoreUpkeep.h>
+
+#include <charconv>
+#include <filesystem>
+#include <memory>
+
+namespace insonate::cli {
+namespace {
+
+Json toJson(const StoreFacts& facts) {
+  return {{"database", facts.place},
+          {"schema", facts.schema},
+          {"people", facts.people},
+          {"classes", facts.cohorts},
+          {"attempts", facts.attempts},
+          {"forms", facts.forms},
+          {"audit_entries", facts.auditEntries},
+          {"pending_uploads", facts.pendingUploads}};
+}
+
+std::string countsOf(const StoreFacts& facts) {
+  return std::to_string(facts.people) + " people, " + std::to_string(facts.cohorts) + " classes, " +
+         std::to_string(facts.attempts) + " attempts, " + std::to_string(facts.forms) + " forms, " +
+         std::to_string(facts.auditEntries) + " entries in the audit log";
+}
+
+/// Opening a store brings it up to date, whatever is asked of it then.
+Result<Answer> migrate(const SignedIn& by) {
+  const auto facts = StoreUpkeep(by).facts();
+  if (!facts) return tl::unexpected(facts.error());
+  return Answer{toJson(*facts), facts->place + " is at schema " + std::to_string(facts->schema) +
+                                    ", the newest: " + countsOf(*facts) + "."};
+}
+
+/// "NUMBER:HASH", as verify told it.
+Result<AuditAnchor> anchorOf(const std::string& text) {
+  AuditAnchor anchor;
+  const auto end = text.data() + text.size();
+  const auto [rest, trouble] = std::from_chars(text.data(), end, anchor.number);
+  if (trouble != std::errc() || rest == end || *rest != ':')
+    return fail("'" + text + "' is no anchor; it is NUMBER:HASH, as an earlier 'curriculum verify' told it.");
+  anchor.hash.assign(rest + 1, end);
+  return anchor;
+}
+
+Result<Answer> verify(const SignedIn& by, const std::string& anchorText) {
+  if (auto whole = StoreUpkeep(by).verify(); !whole) return tl::unexpected(whole.error());
+  if (!anchorText.empty()) {
+    const auto earlier = anchorOf(anchorText);
+    if (!earlier) return tl::unexpected(earlier.error());
+    if (auto same = AuditLog(by).verify(*earlier); !same) return tl::unexpected(same.error());
+  }
+  const auto facts = StoreUpkeep(by).facts();
+  if (!facts) return tl::unexpected(facts.error());
+  const auto anchor = AuditLog(by).anchor();
+  if (!anchor) return tl::unexpected(anchor.error());
+  const std::string now = std::to_string(anchor->number) + ":" + anchor->hash;
+  Json object = toJson(*facts);
+  object.update({{"whole", true}, {"anchor", now}});
+  return Answer{std::move(object),
+                facts->place + " is whole: " + countsOf(*facts) +
+                    ".\nKeep this elsewhere, to see later that the log was not written anew: --anchor " + now};
+}
+
+Result<Answer> backup(const SignedIn& by, const std::string& file) {
+  if (auto done = StoreUpkeep(by).backup(file); !done) return tl::unexpected(done.error());
+  return Answer{{{"file", file}}, "Wrote " + file + "; 'curriculum restore' checks it and puts it back."};
+}
+
+Result<Answer> restore(const StoreOptions& options, const std::string& backup) {
+  const std::string address = addressOf(options);
+  if (isServer(address))
+    return fail("A server's store is restored by its own tools (pg_restore); name a file with --database.");
+  const auto password = readOwnPassword(options);
+  if (!password) return tl::unexpected(password.error());
+  if (auto done = restoreStore(address, backup, options.name, *password); !done) return tl::unexpected(done.error());
+  return Answer{{{"database", address}, {"backup", backup}},
+                address + " is now as in " + backup + "; what was there is beside it."};
+}
+
+struct AuditArguments {
+  std::string person;
+  int count = 50;
+  std::int64_t before = 0;
+};
+
+Result<Answer> audit(const SignedIn& by, const AuditArguments& a) {
+  std::string person;
+  if (!a.person.empty()) {
+    const auto found = personNamed(by, a.person);
+    if (!found) return tl::unexpected(found.error());
+    person = found->id;
+  }
+  const auto page = AuditLog(by).page(a.count, a.before, person);
+  if (!page) return tl::unexpected(page.error());
+  Json rows = Json::array();
+  for (const AuditEntry& entry : *page)
+    rows.push_back({{"number", entry.number},
+                    {"time", timeText(entry.time_us)},
+                    {"actor", entry.actor},
+                    {"workstation", entry.workstation},
+                    {"act", entry.act},
+                    {"person", entry.person},
+                    {"detail", entry.detail},
+                    {"allowed", entry.allowed},
+                    {"hash", entry.hash}});
+  return Answer{{{"entries", rows}},
+                tableOf(rows, {{"number", "number"},
+                               {"time", "time"},
+                               {"act", "act"},
+                               {"allowed", "allowed"},
+                               {"actor", "by"},
+                               {"person", "about"},
+                               {"detail", "detail"}})};
+}
+
+}  // namespace
+
+void addUpkeepCommands(CLI::App& curriculum, Outcome& outcome) {
+  auto copy = std::make_shared<std::string>(), backedUp = std::make_shared<std::string>();
+  addSignedInCommand(curriculum, outcome, "backup", "A copy of a file's store, while others work",
+                     [copy](const SignedIn& by) { return backup(by, *copy); })
+      ->add_option("FILE", *copy, "To be written")
+      ->required()
+      ->check(notEmpty());
+  addStoreCommand(curriculum, outcome, "restore",
+                  "Puts a backup in the store's place, signed in by the backup's people", SigningIn::Yes,
+                  [backedUp](const StoreOptions& options) { return restore(options, *backedUp); })
+      ->add_option("BACKUP", *backedUp, "File of 'curriculum backup'")
+      ->required()
+      ->check(notEmpty());
+  addSignedInCommand(curriculum, outcome, "migrate",
+                     "Brings a store up to date, after a backup beside it, and tells what it holds", migrate);
+  auto anchor = std::make_shared<std::string>();
+  addSignedInCommand(curriculum, outcome, "verify",
+                     "Whether all pages, keys and hashes of a store are as they should be",
+                     [anchor](const SignedIn& by) { return verify(by, *anchor); })
+      ->add_option("--anchor", *anchor,
+                   "NUMBER:HASH that an earlier verify told: whether the log was written anew since");
+  auto a = std::make_shared<AuditArguments>();
+  CLI::App* log = addSignedInCommand(curriculum, outcome, "audit", "Who did what to others' data, newest first",
+                                     [a](const SignedIn& by) { return audit(by, *a); });
+  log->add_option("--person", a->person, "By or about them alone");
+  log->add_option("--count", a->count, "How many")->check(CLI::Range(1, 1000))->capture_default_str();
+  log->add_option("--before", a->before, "Only those with a lower number")->check(CLI::PositiveNumber);
+}
+
+}  // namespace insonate::cli

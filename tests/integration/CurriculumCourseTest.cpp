@@ -1,0 +1,156 @@
+#include "integration/CurriculumCommands.h"
+
+#include <insonate/curriculum/Csv.h>
+
+#include <algorithm>
+#include <map>
+
+namespace insonate::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class CurriculumCourse : public CurriculumCommands {
+ protected:
+  /// By the file that an import wrote.
+  void choosePasswords(const std::filesystem::path& file) const {
+    const auto rows = parseCsv(bytesOf(file));
+    ASSERT_TRUE(rows);
+    for (std::size_t i = 1; i < rows->size(); ++i)
+      EXPECT_EQ(run("people password --as " + (*rows)[i].fields[0], (*rows)[i].fields[3], kPassword).status, 0);
+  }
+  json levelOf(const std::string& name, std::size_t level) const {
+    return told("levels " + name + " --as " + name)["paths"][0]["levels"][level];
+  }
+};
+
+TEST_F(CurriculumCourse, AClassIsTaughtByCommandsAlone) {
+  setUp();
+  EXPECT_THAT(run("setup other --full-name Other", "", kPassword).errors, HasSubstr("has people already"));
+  add("miller", "--role instructor");
+  told("classes add 'Year 1' --as boss");
+  told("classes join 'Year 1' miller --teaches --as boss");
+
+  std::ofstream(folder / "list.csv") << "First name,Surname,Email address,Username\r\n"
+                                        "Alice,\"A., the first\",alice@example.org,alice\r\n"
+                                        "Bob,B,not-an-address,bob\r\n"
+                                        "=cmd(),C,carol@example.org,carol\r\n";
+  const json imported =
+      told("classes import 'Year 1' " + path("list.csv") + " --passwords " + path("first.csv") + " --as miller");
+  EXPECT_EQ(imported["added"], json({"alice", "carol"}));
+  EXPECT_EQ(imported["troubles"][0]["line"], 3);
+  EXPECT_EQ(std::filesystem::status(folder / "first.csv").permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  EXPECT_THAT(bytesOf(folder / "first.csv"), HasSubstr("'=cmd()")) << "which a spreadsheet would run";
+  choosePasswords(folder / "first.csv");
+
+  EXPECT_THAT(run("check central_line").output, HasSubstr("can be taught here"));
+  publishTwoLevels();
+  told("classes curriculum 'year 1' two --as miller");
+
+  EXPECT_EQ(levelOf("alice", 0)["state"], "open");
+  EXPECT_EQ(levelOf("alice", 1)["state"], "locked");
+  EXPECT_THAT(levelOf("alice", 1)["why"].get<std::string>(), HasSubstr("First line"));
+  const json failed = told("attempts add " + record("harm", Ending::InArtery, 1) + " --level first --as alice");
+  EXPECT_EQ(failed["passed"], false);
+  EXPECT_THAT(failed["why"].get<std::string>(), HasSubstr("artery was punctured"));
+  const json passed = told("attempts add " + record("good", Ending::InVein, 2) + " --level first --as alice");
+  EXPECT_EQ(passed["passed"], true);
+  EXPECT_EQ(passed["state"], "mastered");
+  EXPECT_EQ(levelOf("alice", 1)["state"], "open");
+  told("attempts add " + path("good") + " --level first --as alice");
+  EXPECT_EQ(told("attempts list --as alice")["attempts"].size(), 2u) << "what is added twice is there once";
+
+  const std::string attempt = passed["attempt"]["id"];
+  EXPECT_THAT(refused("attempts void " + attempt + " --reason mine --as alice"), Not(""));
+  told("attempts void " + attempt + " --reason 'made by someone else' --as miller");
+  EXPECT_EQ(levelOf("alice", 0)["state"], "open");
+  EXPECT_EQ(levelOf("alice", 1)["state"], "locked") << "it counts no more";
+  EXPECT_EQ(told("attempts list alice --as miller")["attempts"][0]["void_reason"], "made by someone else");
+  const json members = told("classes members 'Year 1' --as miller")["members"];
+  EXPECT_EQ(members[0]["teaches"], true);
+  EXPECT_EQ(members[2]["name"], "alice") << "by full name";
+  EXPECT_EQ(members[2]["level"], "first");
+  EXPECT_EQ(members[2]["attempts"], 1);
+}
+
+TEST_F(CurriculumCourse, StatisticsSayWhatTheyCannotTell) {
+  makeClass();
+  told("attempts add " + record("a", Ending::InVein, 1) + " --level first --as alice");
+  told("attempts add " + record("b", Ending::InArtery, 1) + " --level first --as alice");
+  told("attempts add " + record("c", Ending::InVein, 3) + " --level first --as bob");
+  const json alice = told("statistics person --as alice")["procedures"][0];
+  EXPECT_EQ(alice["attempts"], 2);
+  EXPECT_EQ(alice["success"]["value"], 0.5);
+  // Wilson: (1/2 + z^2/4 -+ z sqrt(1/8 + z^2/16)) / (1 + z^2/2), z = 1.96, so (1.460 -+ 1.185) / 2.921.
+  EXPECT_NEAR(alice["success"]["low"], 0.0945, 0.0005);
+  const auto& metrics = alice["metrics"];
+  const auto artery =
+      std::ranges::find_if(metrics, [](const json& row) { return row["metric"] == "artery_punctures"; });
+  EXPECT_EQ((*artery)["mean"]["value"], 0.5);
+  EXPECT_TRUE((*artery)["curve"].is_null()) << "two attempts are no curve";
+  const auto force =
+      std::ranges::find_if(metrics, [](const json& row) { return row["metric"] == "nearest_artery_mm"; });
+  EXPECT_TRUE((*force)["median"].is_null());
+  EXPECT_THAT(run("statistics person --as alice").output, HasSubstr("n/a"));
+  EXPECT_EQ(told("statistics person --metric passes --as alice")["procedures"][0]["metrics"].size(), 1u);
+  EXPECT_EQ(run("statistics person --metric none --as alice").status, 2);
+
+  const json all = told("statistics class 'Year 1' --as miller")["procedures"][0];
+  EXPECT_EQ(all["people"].size(), 2u);
+  told("classes add Empty --as boss");
+  EXPECT_THAT(run("statistics class Empty --as boss").output, HasSubstr("no attempts that count yet"));
+  EXPECT_TRUE(told("statistics compare Empty 'Year 1' --as boss")["procedures"].empty());
+  const json same = told("statistics compare 'Year 1' 'Year 1' --as miller")["procedures"][0]["metrics"][0];
+  EXPECT_EQ(same["effect"], 0) << "of a class and itself";
+  EXPECT_EQ(same["n_first"], 2);
+}
+
+TEST_F(CurriculumCourse, FormsAreFilledInOnce) {
+  makeClass();
+  const json forms = told("forms list");
+  EXPECT_EQ(run("forms show " + forms["forms"][0]["form"].get<std::string>()).status, 0);
+  json answers = json::object();
+  const json items = told("forms show global_rating")["items"];
+  for (const json& item : items) {
+    const std::string choices = item["answers"];
+    if (item["needed"] == true) answers[item["item"]] = choices.substr(0, choices.find(" | "));
+  }
+  std::ofstream(folder / "answers.json") << answers;
+  told("forms fill global_rating " + path("answers.json") + " --about alice --as miller");
+  std::ofstream(folder / "wrong.json") << R"({"nothing": "known"})";
+  EXPECT_THAT(refused("forms fill global_rating " + path("wrong.json") + " --about alice --as miller"),
+              HasSubstr("nothing"));
+  const json filled = told("forms filled --as alice")["forms"];
+  ASSERT_EQ(filled.size(), 1u);
+  EXPECT_EQ(filled[0]["answers"], answers);
+  EXPECT_THAT(refused("forms filled alice --as bob"), Not(""));
+}
+
+TEST_F(CurriculumCourse, ExportsAreForOtherPrograms) {
+  makeClass();
+  told("attempts add " + record("a", Ending::InVein, 1) + " --level first --as alice");
+  told("export csv 'Year 1' " + path("attempts.csv") + " --as miller");
+  const auto rows = parseCsv(bytesOf(folder / "attempts.csv"));
+  ASSERT_TRUE(rows);
+  ASSERT_EQ(rows->size(), 2u);
+  EXPECT_EQ((*rows)[1].fields[0], "alice");
+  EXPECT_EQ((*rows)[0].fields[10], "vein_punctures");
+  EXPECT_EQ((*rows)[1].fields[10], "1");
+  told("export grades 'Year 1' " + path("grades.csv") + " --by name --as miller");
+  EXPECT_THAT(bytesOf(folder / "grades.csv"), HasSubstr("50")) << "one of two levels";
+  EXPECT_THAT(bytesOf(folder / "grades.csv"), Not(HasSubstr("bob"))) << "who has no attempt yet";
+  told("export xapi 'Year 1' " + path("x.json") + " --home https://training.example.org --as miller");
+  EXPECT_EQ(json::parse(bytesOf(folder / "x.json")).size(), 1u);
+  EXPECT_THAT(refused("export xapi 'Year 1' " + path("y.json") + " --home training --as miller"), HasSubstr("http"));
+  told("export json " + path("all.json") + " --as boss");
+  const std::string all = bytesOf(folder / "all.json");
+  EXPECT_TRUE(json::accept(all));
+  EXPECT_THAT(all, Not(HasSubstr("argon2")));
+  EXPECT_THAT(refused("export json " + path("mine.json") + " --as alice"), Not(""));
+  EXPECT_FALSE(std::filesystem::exists(folder / "mine.json"));
+}
+
+}  // namespace
+}  // namespace insonate::test

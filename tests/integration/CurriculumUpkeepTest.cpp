@@ -1,0 +1,181 @@
+#include "integration/CurriculumCommands.h"
+
+#include <pty.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <set>
+
+namespace insonate::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class CurriculumUpkeep : public CurriculumCommands {};
+
+TEST_F(CurriculumUpkeep, ATraineeIsRefusedTheDataOfOthers) {
+  makeClass();
+  const std::string attempt = told("attempts add " + record("b", Ending::InVein, 1) + " --as bob")["attempt"]["id"];
+  const std::string bob = idOf("bob");
+  ASSERT_EQ(bob.size(), 36u);
+  for (const std::string& whose : {std::string("bob"), bob})
+    for (const char* command : {"levels ", "attempts list ", "statistics person ", "forms filled "})
+      EXPECT_THAT(refused(std::string(command) + whose + " --as alice"), Not("")) << command << whose;
+  std::ofstream(folder / "list.csv") << "Full name,Username\nDave,dave\n";
+  for (const char* command :
+       {"people list", "audit", "verify", "migrate", "classes members 'Year 1'", "statistics class 'Year 1'",
+        "export csv 'Year 1' x.csv", "export json x.json", "backup x.sqlite", "people add eve --full-name Eve",
+        "people disable bob", "people role alice administrator", "classes add Mine", "publish central_line"})
+    EXPECT_THAT(refused(std::string(command) + " --as alice"), Not("")) << command;
+  EXPECT_THAT(refused("attempts void " + attempt + " --reason spite --as alice"), Not(""));
+  EXPECT_THAT(refused("people reset-password bob --as alice"), Not(""));
+  EXPECT_THAT(refused("classes import 'Year 1' " + path("list.csv") + " --passwords " + path("p.csv") + " --as alice"),
+              Not(""));
+  EXPECT_EQ(told("attempts list bob --as miller")["attempts"][0]["state"], "completed");
+
+  int refusals = 0;
+  const json entries = told("audit --person alice --count 100 --as boss")["entries"];
+  for (const json& entry : entries) refusals += entry["allowed"] == false;
+  EXPECT_GE(refusals, 15) << "what was refused is written down";
+}
+
+TEST_F(CurriculumUpkeep, ABackupIsPutBackAndVerified) {
+  makeClass();
+  told("attempts add " + record("a", Ending::InVein, 1) + " --level first --as alice");
+  told("backup " + path("backup.sqlite") + " --as boss");
+  told("attempts add " + record("b", Ending::InVein, 2) + " --level first --as alice");
+  const json whole = told("verify --as boss");
+  EXPECT_EQ(whole["attempts"], 2);
+  const std::string anchor = whole["anchor"];
+  EXPECT_EQ(run("verify --anchor " + anchor + " --as boss").status, 0);
+  EXPECT_THAT(refused("verify --anchor 3 --as boss"), HasSubstr("is no anchor"));
+
+  EXPECT_THAT(refused("restore " + path("backup.sqlite") + " --as boss", "wrong"), Not(""));
+  EXPECT_THAT(refused("restore " + path("none.sqlite") + " --as boss"), Not(""));
+  EXPECT_EQ(told("migrate --as boss")["attempts"], 2) << "as it was";
+  told("restore " + path("backup.sqlite") + " --as boss");
+  EXPECT_EQ(told("migrate --as boss")["attempts"], 1);
+  EXPECT_EQ(run("verify --as boss").status, 0);
+  EXPECT_THAT(refused("verify --anchor " + anchor + " --as boss"), Not("")) << "the log is shorter than it was";
+}
+
+TEST_F(CurriculumUpkeep, AFileThatWasTamperedWithIsTold) {
+  makeClass();
+  told("attempts add " + record("a", Ending::InArtery, 1) + " --level first --as alice");
+  told("classes leave 'Year 1' bob --as boss");
+  ASSERT_EQ(run("verify --as boss").status, 0);
+  std::string bytes = bytesOf(database);
+  const std::size_t at = bytes.find("create first administrator");
+  ASSERT_NE(at, std::string::npos) << "of the audit log";
+  bytes[at] = 'C';
+  std::ofstream(database, std::ios::binary) << bytes;
+  const auto verified = run("verify --as boss --json");
+  EXPECT_EQ(verified.status, 1);
+  EXPECT_THAT(json::parse(verified.output)["error"].get<std::string>(), HasSubstr("audit"));
+}
+
+TEST_F(CurriculumUpkeep, UploadedTwiceIsThereOnce) {
+  makeClass();
+  const std::string server = database;
+  database = folder / "workstation.sqlite";
+  told("upload " + shellWord(server));
+  told("attempts add " + record("a", Ending::InVein, 1) + " --level first --as alice");
+  EXPECT_EQ(told("upload " + shellWord(server))["attempts"], 1);
+  const json again = told("upload " + shellWord(server));
+  EXPECT_EQ(again["attempts"], 0);
+  EXPECT_EQ(again["pending"], 0);
+  EXPECT_THAT(refused("upload " + path("none.sqlite")), HasSubstr("There is no store"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "none.sqlite"));
+  database = server;
+  EXPECT_EQ(told("attempts list alice --as miller")["attempts"].size(), 1u);
+  EXPECT_EQ(told("levels alice --as miller")["paths"][0]["levels"][0]["state"], "mastered");
+}
+
+TEST_F(CurriculumUpkeep, AnImportThatIsKilledIsBegunAgain) {
+  setUp();
+  told("classes add Large --as boss");
+  constexpr int kPeople = 12;
+  std::ofstream list(folder / "list.csv");
+  list << "Full name,Username\n";
+  for (int i = 0; i < kPeople; ++i) list << "Person " << i << ",person" << i << "\n";
+  list.close();
+  const auto import = [&](int attempt, const std::string& prefix) {
+    return runCommand("curriculum classes import Large " + path("list.csv") + " --passwords " +
+                          path("passwords" + std::to_string(attempt) + ".csv") + " --as boss --json --database " +
+                          shellWord(database),
+                      folder / "errors.txt", "env INSONATE_PASSWORD=" + shellWord(kPassword) + " " + prefix);
+  };
+  for (int kill = 0; kill < 3; ++kill) import(kill, "timeout -s KILL " + std::to_string(0.3 + 0.2 * kill) + " ");
+  const auto last = import(3, "");
+  EXPECT_EQ(last.status, 0) << last.errors;
+  const json members = told("classes members Large --as boss")["members"];
+  std::set<std::string> names;
+  for (const json& member : members) names.insert(member["name"]);
+  EXPECT_EQ(members.size(), std::size_t{kPeople});
+  EXPECT_EQ(names.size(), std::size_t{kPeople});
+  EXPECT_EQ(run("verify --as boss").status, 0);
+  EXPECT_EQ(import(4, "").status, 0) << "nobody is added: no passwords are needed";
+  EXPECT_FALSE(std::filesystem::exists(folder / "passwords4.csv"));
+}
+
+TEST_F(CurriculumUpkeep, WrongUsageAndWhatIsMissing) {
+  EXPECT_EQ(run("").status, 2);
+  EXPECT_EQ(run("people").status, 2);
+  EXPECT_EQ(run("people list").status, 2) << "nobody signs in";
+  EXPECT_EQ(run("people add eve --full-name Eve --role king --as boss").status, 2);
+  EXPECT_EQ(run("people list --as boss --password " + std::string(kPassword)).status, 2) << "others would see it";
+  EXPECT_THAT(refused("people list --as boss"), HasSubstr("There is no store of people and attempts at"));
+  EXPECT_FALSE(std::filesystem::exists(database)) << "asking makes none";
+  setUp();
+  EXPECT_THAT(refused("people list --as boss", "wrong"), Not(""));
+  EXPECT_THAT(refused("classes members None --as boss"), HasSubstr("There is no class 'None'"));
+  EXPECT_THAT(refused("levels eve --as boss"), HasSubstr("There is no 'eve'"));
+  EXPECT_THAT(refused("publish none.json --as boss"), Not(""));
+  EXPECT_EQ(run("people add eve --full-name Eve --as boss").status, 0);
+  EXPECT_THAT(refused("levels --as eve", kFirst), HasSubstr("curriculum people password --as eve"));
+  std::ofstream(folder / "password") << kPassword << "\n";
+  EXPECT_EQ(run("people list --as boss --password-file " + path("password"), "wrong").status, 0);
+  EXPECT_EQ(run("people list --as boss --password-file /dev/fd/3 3<" + path("password"), "wrong").status, 0);
+  EXPECT_THAT(refused("people list --as boss --password-file " + path("none")), HasSubstr("No password can be read"));
+}
+
+/// What someone sees who types a password at the terminal, and how the command ends.
+CommandResult typing(const std::string& database, const std::string& password) {
+  int terminal = -1;
+  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+  if (child == 0) {
+    ::unsetenv("INSONATE_PASSWORD");
+    ::execl(INSONATE_CLI, INSONATE_CLI, "curriculum", "people", "list", "--as", "boss", "--database", database.c_str(),
+            nullptr);
+    ::_exit(127);
+  }
+  CommandResult result;
+  std::array<char, 256> part;
+  bool asked = false;
+  for (ssize_t n; (n = ::read(terminal, part.data(), part.size())) > 0;) {
+    result.output.append(part.data(), static_cast<std::size_t>(n));
+    if (asked || result.output.find("Password of boss: ") == std::string::npos) continue;
+    asked = true;
+    const std::string line = password + "\n";
+    EXPECT_EQ(::write(terminal, line.data(), line.size()), static_cast<ssize_t>(line.size()));
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ::close(terminal);
+  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return result;
+}
+
+TEST_F(CurriculumUpkeep, APasswordThatIsTypedIsNotShown) {
+  setUp();
+  const CommandResult typed = typing(database, kPassword);
+  EXPECT_EQ(typed.status, 0) << typed.output;
+  EXPECT_THAT(typed.output, HasSubstr("The boss"));
+  EXPECT_THAT(typed.output, Not(HasSubstr(kPassword)));
+  EXPECT_EQ(typing(database, "\x03").status, 130) << "Ctrl-C";
+}
+
+}  // namespace
+}  // namespace insonate::test
