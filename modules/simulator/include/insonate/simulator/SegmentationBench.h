@@ -35,7 +35,7 @@ struct SegmentationBench {
   std::vector<std::string> notes;
 };
 
-/// All variants of the built-in neck, 15 minutes on two cores; quick: one, and no CT of full size. Clicks are what an
+/// All variants of the built-in neck and a CT of full size; quick: one variant, and no times. Clicks are what an
 /// author would make: points on the middle of a vessel, from end to end. Fails when cancelled.
 Result<SegmentationBench> runSegmentationBench(bool quick, const Progress& progress = {});
 
