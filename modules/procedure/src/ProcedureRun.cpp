@@ -39,7 +39,8 @@ ProcedureRun::ProcedureRun(Procedure procedure, const PictureField& picture)
 void ProcedureRun::take(const AttemptSample& sample) {
   metrics_.take(sample);
   follow(probeOnSkin_us_, sample.patientFromProbe && sample.probeForce_N > 0, sample.time_us);
-  follow(aspirating_us_, sample.aspirating && metrics_.needle() == NeedlePlace::Vein, sample.time_us);
+  const bool draws = sample.aspirating && metrics_.needle() == NeedlePlace::Vein;
+  aspirating_us_ = draws ? metrics_.drawingBlood_us() : std::nullopt;
   complete(sample.time_us, nullptr);
   watchRules(sample.time_us);
 }

@@ -66,6 +66,18 @@ TEST_F(ProcedureRunTest, FromPositionToWithdrawal) {
   EXPECT_EQ(run.steps()[2].time_us, 2'600'000) << "2.1 s, and 5 mm at 10 mm/s";
 }
 
+/// What the step says is done must be what tip_in_vein counts.
+TEST_F(ProcedureRunTest, BloodIsDrawnOnceTheTipStands) {
+  attempt.walls = {{kVein, 20, 45}};
+  attempt.aspirating = true;
+  attempt.needleTo(40);
+  EXPECT_EQ(due(), "confirm") << "2 s of blood, on the way";
+  attempt.hold(1.1);
+  EXPECT_EQ(due(), "inspect");
+  attempt.needleTo(-5);
+  EXPECT_EQ(attempt.values()[Metric::TipInVein], 1);
+}
+
 TEST_F(ProcedureRunTest, OptionalStepsMayBePassedOver) {
   attempt.needleTo(5);
   EXPECT_EQ(due(), "vein");

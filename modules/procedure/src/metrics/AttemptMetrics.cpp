@@ -212,6 +212,10 @@ NeedlePlace AttemptMetrics::needle() const {
   return s.vein.inside() ? NeedlePlace::Vein : NeedlePlace::Underway;
 }
 
+std::optional<std::int64_t> AttemptMetrics::drawingBlood_us() const {
+  return state_->drawing ? std::optional(state_->drawing->since_us) : std::nullopt;
+}
+
 MetricValues AttemptMetrics::values() const {
   const State& s = *state_;
   const bool pierced = s.passes > 0;

@@ -5,6 +5,7 @@
 #include <insonate/procedure/AttemptSample.h>
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -93,6 +94,9 @@ class AttemptMetrics {
   /// As things stand.
   MetricValues values() const;
   NeedlePlace needle() const;
+  /// Since when the syringe draws blood of the vein with the tip in one place, as tip_in_vein counts it; none: it does
+  /// not.
+  std::optional<std::int64_t> drawingBlood_us() const;
 
  private:
   struct State;
