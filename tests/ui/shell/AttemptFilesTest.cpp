@@ -90,10 +90,11 @@ TEST_F(AttemptFiles, OpenWhereAttemptsAreShown) {
 }
 
 TEST_F(AttemptFiles, AWorkspaceGetsTheCaseThatItWants) {
-  Q_EMIT review->caseWanted({});
+  Q_EMIT review->caseWanted("small-vein");
   EXPECT_TRUE(window.tasks().isRunning());
   EXPECT_EQ(window.tasks().title(), "Opening the built-in neck");
-  window.tasks().cancel();
+  ASSERT_TRUE(test::waitUntil([&] { return !window.tasks().isRunning(); }));
+  EXPECT_EQ(window.caseTitle(), "Small jugular vein");
   Q_EMIT review->caseWanted(home.path());
   EXPECT_TRUE(window.tasks().isRunning());
 }
@@ -101,7 +102,7 @@ TEST_F(AttemptFiles, AWorkspaceGetsTheCaseThatItWants) {
 TEST_F(AttemptFiles, ACaseThatIsNotSavedIsAskedAboutBeforeThatOfAnAttemptTakesItsPlace) {
   const auto made = std::make_shared<const PatientCase>(test::smallCase());
   Q_EMIT train->caseMade(made);
-  Q_EMIT review->caseWanted({});
+  Q_EMIT review->caseWanted("textbook");
   EXPECT_FALSE(window.tasks().isRunning());
   auto* keep = window.findChild<QPushButton*>("keep");
   ASSERT_TRUE(keep && keep->isVisible());

@@ -182,7 +182,7 @@ TEST_F(CaseLoader, TheLaterOfTwoOpensCounts) {
 }
 
 TEST_F(CaseLoader, CancelsTheBuiltInNeckWithinASecond) {
-  loader.openTextbook();
+  loader.openBuiltIn("textbook");
   QTest::qWait(200);
   ASSERT_TRUE(tasks.isRunning());
   tasks.cancel();

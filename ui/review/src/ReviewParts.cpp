@@ -11,8 +11,7 @@
 #include "result/ReportPaint.h"
 #include "result/ResultPage.h"
 
-#include <insonate/cases/Phantom.h>
-#include <insonate/ui/RecentCases.h>
+#include <insonate/ui/KnownCases.h>
 #include <insonate/ui/ScenePanel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
@@ -255,10 +254,7 @@ void ReviewWorkspace::Parts::showAttempt() {
 void ReviewWorkspace::Parts::findCase() {
   if (!session.attempt() || (session.fit() != CaseFit::Missing && session.fit() != CaseFit::Other)) return;
   const QString title = QString::fromStdString(session.attempt()->recording->header().caseName);
-  const auto& builtIn = phantomVariants().front().title;
-  if (title == QString::fromUtf8(builtIn.data(), int(builtIn.size()))) return Q_EMIT workspace_.caseWanted({});
-  for (const ui::RecentCase& one : ui::recentCases())
-    if (one.title == title) return Q_EMIT workspace_.caseWanted(one.folder);
+  if (const auto place = ui::placeOfCase(title)) return Q_EMIT workspace_.caseWanted(*place);
   Q_EMIT workspace_.failed(tr("The case '%1' of this attempt is not among the recent ones.").arg(title),
                            tr("Open it (Ctrl+O) to see hands and pictures; timeline and result are there without it."),
                            {});

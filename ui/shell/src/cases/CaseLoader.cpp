@@ -1,5 +1,5 @@
+#include "BuiltInCase.h"
 #include "SeriesDialog.h"
-#include "TextbookCase.h"
 
 #include <insonate/segmentation/AutoLabel.h>
 #include <insonate/ui/CaseLoader.h>
@@ -156,13 +156,13 @@ void CaseLoader::import(const QString& path, const QString& uid, bool label, std
       TaskBar::WhenClosed::Ask);
 }
 
-void CaseLoader::openTextbook() {
+void CaseLoader::openBuiltIn(const QString& variant) {
   if (dialog_) dialog_->reject();
-  const QString folder = textbookFolder();
+  const QString folder = builtInFolder(variant);
   tasks_.run<LoadedCase>(
       tr("Opening the built-in neck"),
-      [folder](const Progress& progress) -> Result<LoadedCase> {
-        auto made = textbookCase(folder, progress);
+      [variant, folder](const Progress& progress) -> Result<LoadedCase> {
+        auto made = builtInCase(variant, folder, progress);
         if (!made) return tl::unexpected(made.error());
         LoadedCase result;
         result.patient = std::move(*made);

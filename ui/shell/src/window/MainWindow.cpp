@@ -5,6 +5,7 @@
 
 #include <insonate/ui/Account.h>
 #include <insonate/ui/ErrorPanel.h>
+#include <insonate/ui/KnownCases.h>
 #include <insonate/ui/MainWindow.h>
 #include <insonate/ui/SiteExchange.h>
 #include <insonate/ui/TaskBar.h>
@@ -121,7 +122,7 @@ void MainWindow::addWorkspace(const QString& id, const QString& title, const QSt
   connect(workspace, &Workspace::failed, this, &MainWindow::fail);
   connect(workspace, &Workspace::caseMade, this, &MainWindow::takeMade);
   connect(workspace, &Workspace::caseWanted, this,
-          [this](const QString& folder) { folder.isEmpty() ? openTextbook() : open(folder); });
+          [this](const QString& place) { builtInNames().contains(place) ? openBuiltIn(place) : open(place); });
   connect(workspace, &Workspace::attemptWanted, this, &MainWindow::openAttempt);
   attempt_->setVisible(attemptRoom() != nullptr);
   connect(workspace, &Workspace::editsChanged, this, &MainWindow::showTitle);

@@ -4,6 +4,7 @@
 #include "StatusStrip.h"
 
 #include <insonate/ui/Attempts.h>
+#include <insonate/ui/KnownCases.h>
 #include <insonate/ui/MainWindow.h>
 #include <insonate/ui/RecentCases.h>
 #include <insonate/ui/TaskBar.h>
@@ -20,7 +21,11 @@ void MainWindow::open(const QString& path) {
 }
 
 void MainWindow::openTextbook() {
-  whenNothingIsLost(LostBy::Opening, [this] { loader_->openTextbook(); });
+  openBuiltIn(builtInNames().front());
+}
+
+void MainWindow::openBuiltIn(const QString& variant) {
+  whenNothingIsLost(LostBy::Opening, [this, variant] { loader_->openBuiltIn(variant); });
 }
 
 void MainWindow::reload() {

@@ -37,8 +37,8 @@ class CaseLoader : public QObject {
 
   /// A folder or a file, of whatever kind.
   void open(const QString& path);
-  /// The built-in neck. It is made once and kept in the user's cache, so that the next start is quick.
-  void openTextbook();
+  /// A built-in neck (cases/Phantom.h). It is made once and kept in the user's cache, so that the next start is quick.
+  void openBuiltIn(const QString& variant);
   /// Writes a case to a folder, a copy with these edits where there are any; ends in saved(), failed() or cancelled().
   void save(std::shared_ptr<const PatientCase> patient, const QString& folder, std::vector<CaseEdit> edits = {});
 
@@ -62,7 +62,7 @@ class CaseLoader : public QObject {
 };
 
 /// Blocks while a built-in neck that was made is being written for the next start.
-void waitUntilTextbookIsKept();
+void waitUntilBuiltInIsKept();
 
 /// The folder of the case that a path means: the folder itself or, for one of its files, the folder it lies in. Empty
 /// when there is no case.

@@ -51,6 +51,8 @@ class MainWindow : public QMainWindow {
   /// edits or work would be lost; so do the others.
   void open(const QString& path);
   void openTextbook();
+  /// Another built-in neck, by its name.
+  void openBuiltIn(const QString& variant);
   /// A recorded attempt, in the workspace that shows attempts, which comes to the front.
   void openAttempt(const QString& file);
   /// Rereads the case from its folder; nothing for one that is not on disk.

@@ -105,8 +105,8 @@ class Workspace : public QWidget {
   void written(const QString& sentence, const QString& folder);
   /// Another case came of this one, e.g. edited labels: the window gives it to every workspace.
   void caseMade(std::shared_ptr<const insonate::PatientCase> patient);
-  /// A case is needed: the window opens the one in this folder, or the built-in neck where it is empty.
-  void caseWanted(const QString& folder);
+  /// A case is needed: the window opens the one at this place (placeOfCase()).
+  void caseWanted(const QString& place);
   /// A recorded attempt is to be seen: the window opens it in the workspace that shows attempts.
   void attemptWanted(const QString& file);
 

@@ -1,7 +1,8 @@
-#include "TextbookCase.h"
+#include "BuiltInCase.h"
 
 #include <insonate/cases/Phantom.h>
 #include <insonate/ui/CaseLoader.h>
+#include <insonate/ui/KnownCases.h>
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -21,12 +22,18 @@ namespace {
 constexpr std::uint32_t kSeed = 1;
 /// The first picture goes first: packing the CT costs a second.
 constexpr int kNice = 15;
-const QString kPrefix = QStringLiteral("textbook-");
 
-void forgetOthers(const QString& kept) {
-  QDir cache = QFileInfo(kept).dir();
-  for (const QString& name : cache.entryList({kPrefix + QLatin1Char('*')}, QDir::Dirs))
-    if (cache.filePath(name) != kept) QDir(cache.filePath(name)).removeRecursively();
+/// Of this program: other programs make other necks.
+QString version() {
+  const QFileInfo program(QCoreApplication::applicationFilePath());
+  return QString::number(program.lastModified().toSecsSinceEpoch(), 16) + QString::number(program.size(), 16);
+}
+
+void forgetOfOthers(QDir cache) {
+  const QString ours = QLatin1Char('-') + version();
+  for (const QString& neck : builtInNames())
+    for (const QString& name : cache.entryList({neck + QStringLiteral("-*")}, QDir::Dirs))
+      if (!name.endsWith(ours)) QDir(cache.filePath(name)).removeRecursively();
 }
 
 QThreadPool& keeper() {
@@ -39,30 +46,29 @@ void keep(const PatientCase& patient, const QString& folder) {
   setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
   QDir().mkpath(QFileInfo(folder).path());
   const auto goOn = [](std::string_view, double) { return !QCoreApplication::closingDown(); };
-  if (writeCase(patient, folder.toStdString(), goOn)) forgetOthers(folder);
+  if (writeCase(patient, folder.toStdString(), goOn)) forgetOfOthers(QFileInfo(folder).dir());
 }
 
 }  // namespace
 
-void waitUntilTextbookIsKept() {
+void waitUntilBuiltInIsKept() {
   keeper().waitForDone();
 }
 
-QString textbookFolder() {
-  const QFileInfo program(QCoreApplication::applicationFilePath());
-  const QString version =
-      QString::number(program.lastModified().toSecsSinceEpoch(), 16) + QString::number(program.size(), 16);
-  return QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)).filePath(kPrefix + version);
+QString builtInFolder(const QString& variant) {
+  return QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation))
+      .filePath(variant + QLatin1Char('-') + version());
 }
 
-Result<std::shared_ptr<const PatientCase>> textbookCase(const QString& folder, const Progress& progress) {
+Result<std::shared_ptr<const PatientCase>> builtInCase(const QString& variant, const QString& folder,
+                                                       const Progress& progress) {
   const std::filesystem::path place(folder.toStdString());
   std::error_code ignored;
   if (std::filesystem::exists(place / "case.json", ignored)) {
     if (!report(progress, "reading", 0)) return fail(std::string(kCancelled));
     if (auto kept = readCase(place)) return std::make_shared<const PatientCase>(std::move(kept->patient));
   }
-  auto made = makePhantom(phantomVariants().front().name, kSeed, progress);
+  auto made = makePhantom(variant.toStdString(), kSeed, progress);
   if (!made) return tl::unexpected(made.error());
   auto patient = std::make_shared<const PatientCase>(std::move(*made));
   keeper().start([patient, folder] { keep(*patient, folder); });

@@ -1,0 +1,34 @@
+#include <insonate/cases/Phantom.h>
+#include <insonate/ui/KnownCases.h>
+#include <insonate/ui/RecentCases.h>
+
+namespace insonate::ui {
+namespace {
+
+QString qt(std::string_view text) {
+  return QString::fromUtf8(text.data(), int(text.size()));
+}
+
+}  // namespace
+
+QStringList builtInNames() {
+  QStringList names;
+  for (const PhantomVariant& one : phantomVariants()) names << qt(one.name);
+  return names;
+}
+
+std::optional<QString> placeOfCase(const QString& nameOrTitle) {
+  for (const PhantomVariant& one : phantomVariants())
+    if (nameOrTitle == qt(one.name) || nameOrTitle == qt(one.title)) return qt(one.name);
+  for (const RecentCase& one : recentCases())
+    if (one.title == nameOrTitle) return one.folder;
+  return std::nullopt;
+}
+
+QString titleOfCase(const QString& nameOrTitle) {
+  for (const PhantomVariant& one : phantomVariants())
+    if (nameOrTitle == qt(one.name)) return qt(one.title);
+  return nameOrTitle;
+}
+
+}  // namespace insonate::ui
