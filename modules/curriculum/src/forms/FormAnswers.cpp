@@ -1,4 +1,5 @@
 #include <insonate/core/Words.h>
+#include <insonate/curriculum/Csv.h>
 #include <insonate/curriculum/Form.h>
 
 #include <nlohmann/json.hpp>
@@ -19,14 +20,10 @@ const FormOption* optionOf(const FormItem& item, const FormAnswers::mapped_type&
   return found == item.options.end() ? nullptr : &*found;
 }
 
-std::string shown(double value) {
-  return json(value).dump();
-}
-
 std::string troubleOfNumber(const FormItem& item, const FormAnswers::mapped_type& answer) {
   const auto* number = std::get_if<double>(&answer);
   if (number && *number >= item.least && *number <= item.most) return {};
-  return "needs a number from " + shown(item.least) + " to " + shown(item.most) + ".";
+  return "needs a number from " + csvNumber(item.least) + " to " + csvNumber(item.most) + ".";
 }
 
 std::string troubleOfText(const FormAnswers::mapped_type& answer) {

@@ -1,0 +1,103 @@
+#include <insonate/ui/FormSheet.h>
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QRadioButton>
+#include <QSignalSpy>
+#include <QtTest/QTest>
+
+namespace {
+
+using namespace insonate;
+
+Form form() {
+  Form made;
+  made.name = "small", made.title = "Small form";
+  FormItem scale{"scale", "How <b>real</b> & true?", "Look at all of it.", FormItem::Kind::Choice, true, {}, 0, 0};
+  for (const char* one : {"1", "2", "3"}) scale.options.push_back({one, std::string("Option ") + one, std::nullopt});
+  made.sections.push_back({"First", "What it is about.", {scale}});
+  made.sections.push_back({"Second",
+                           "",
+                           {{"years", "Years", "", FormItem::Kind::Number, false, {}, 0, 60},
+                            {"words", "Words", "", FormItem::Kind::Text, false, {}, 0, 0}}});
+  return made;
+}
+
+class FormSheet : public testing::Test {
+ protected:
+  void SetUp() override {
+    sheet.resize(700, 500);
+    sheet.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&sheet));
+    QApplication::setActiveWindow(&sheet);
+  }
+  template <class T>
+  T* child(const char* name) {
+    T* found = sheet.findChild<T*>(name);
+    EXPECT_TRUE(found) << name;
+    return found;
+  }
+  std::string trouble(const char* name) { return child<QLabel>(name)->text().toStdString(); }
+
+  ui::FormSheet sheet{form()};
+};
+
+TEST_F(FormSheet, IsFilledInByTheKeyboardAlone) {
+  QSignalSpy changed(&sheet, &ui::FormSheet::changed);
+  child<QRadioButton>("form_scale_1")->setFocus();
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Right);
+  EXPECT_TRUE(child<QRadioButton>("form_scale_2")->isChecked());
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+  EXPECT_EQ(QApplication::focusWidget()->objectName(), "form_years");
+  QTest::keyClicks(QApplication::focusWidget(), "12.5");
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+  EXPECT_EQ(QApplication::focusWidget()->objectName(), "form_words");
+  QTest::keyClicks(QApplication::focusWidget(), "good");
+  EXPECT_EQ(sheet.answers(), (FormAnswers{{"scale", "2"}, {"years", 12.5}, {"words", "good"}}));
+  EXPECT_GT(changed.count(), 3);
+  EXPECT_TRUE(sheet.check());
+
+  child<QRadioButton>("form_scale_2")->setFocus();
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Delete);
+  EXPECT_FALSE(sheet.answers().contains("scale")) << "taken back";
+}
+
+TEST_F(FormSheet, SaysBesideTheQuestionWhatIsWrong) {
+  child<QLineEdit>("form_years")->setText("many");
+  EXPECT_FALSE(sheet.check());
+  EXPECT_NE(trouble("trouble_scale").find("needs an answer"), std::string::npos) << trouble("trouble_scale");
+  EXPECT_NE(trouble("trouble_years").find("from 0 to 60"), std::string::npos) << trouble("trouble_years");
+  EXPECT_FALSE(child<QLabel>("trouble_words")->isVisible());
+  EXPECT_EQ(QApplication::focusWidget()->objectName(), "form_scale_1") << "the first one that is wrong";
+  child<QRadioButton>("form_scale_3")->click();
+  EXPECT_FALSE(child<QLabel>("trouble_scale")->isVisible()) << "it is being put right";
+  child<QLineEdit>("form_years")->setText("61");
+  EXPECT_FALSE(sheet.check());
+  child<QLineEdit>("form_years")->setText("60");
+  EXPECT_TRUE(sheet.check());
+}
+
+TEST_F(FormSheet, TakesBackWhatItGave) {
+  const FormAnswers answers{{"scale", "3"}, {"years", 0.1}, {"words", "two\nlines"}};
+  QSignalSpy changed(&sheet, &ui::FormSheet::changed);
+  sheet.setAnswers(answers);
+  EXPECT_EQ(sheet.answers(), answers);
+  EXPECT_EQ(changed.count(), 0);
+  sheet.setAnswers({{"scale", "7"}, {"scale", 2.0}, {"unknown", "x"}});
+  EXPECT_TRUE(sheet.answers().empty()) << "an option that is not there, a question that is not asked";
+}
+
+TEST_F(FormSheet, AnswersStandBelowEachOtherWhereThereIsNoRoom) {
+  const auto top = [&](const char* name) { return child<QRadioButton>(name)->y(); };
+  EXPECT_EQ(top("form_scale_1"), top("form_scale_3"));
+  sheet.resize(120, 500);
+  QApplication::processEvents();
+  EXPECT_LT(top("form_scale_1"), top("form_scale_3"));
+}
+
+}  // namespace

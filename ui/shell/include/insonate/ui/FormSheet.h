@@ -1,0 +1,36 @@
+#pragma once
+
+#include <insonate/curriculum/Form.h>
+
+#include <QWidget>
+#include <vector>
+
+namespace insonate::ui {
+
+class FormQuestion;
+
+/// A questionnaire, checklist or rating to fill in, by mouse or keyboard: Tab goes from question to question, arrows
+/// choose among answers, Delete takes a choice back. Where answers are kept is the owner's business.
+class FormSheet final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FormSheet(Form form, QWidget* parent = nullptr);
+
+  const Form& form() const { return form_; }
+  FormAnswers answers() const;
+  /// What the form does not ask, or cannot show, is passed over. Does not tell changed().
+  void setAnswers(const FormAnswers& answers);
+  /// Says beside each question what keeps the answers from being stored, and gives the first of them the keyboard;
+  /// true where nothing does.
+  bool check();
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  Form form_;
+  std::vector<FormQuestion*> questions_;  ///< in the order of the form
+};
+
+}  // namespace insonate::ui

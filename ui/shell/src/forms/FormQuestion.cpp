@@ -1,0 +1,164 @@
+#include "FormQuestion.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QButtonGroup>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPlainTextEdit>
+#include <QRadioButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+namespace insonate::ui {
+namespace {
+
+constexpr int kNumber_px = 120, kTextLines = 3;
+
+QString qt(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+QLabel* paragraph(const QString& text, const char* role) {
+  auto* label = new QLabel(text);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  if (*role) setRole(label, role);
+  return label;
+}
+
+}  // namespace
+
+FormQuestion::FormQuestion(const FormItem& item, QWidget* parent)
+    : QWidget(parent), name_(item.name), trouble_(paragraph({}, "problem")) {
+  trouble_->setObjectName(QStringLiteral("trouble_") + qt(name_));
+  trouble_->hide();
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(kSmallGap);
+  box->addWidget(paragraph(item.needed ? tr("%1 (needed)").arg(qt(item.title)) : qt(item.title), ""));
+  if (!item.about.empty()) box->addWidget(paragraph(qt(item.about), "quiet"));
+  box->addWidget(item.kind == FormItem::Kind::Choice   ? buildChoice(item)
+                 : item.kind == FormItem::Kind::Number ? buildNumber(item)
+                                                       : buildText(item));
+  box->addWidget(trouble_);
+}
+
+QWidget* FormQuestion::buildChoice(const FormItem& item) {
+  auto* room = new QWidget;
+  grid_ = new QGridLayout(room);
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setHorizontalSpacing(kLargeGap);
+  grid_->setVerticalSpacing(kSmallGap);
+  choice_ = new QButtonGroup(this);
+  for (const FormOption& option : item.options) {
+    QString title = qt(option.title);
+    auto* button = new QRadioButton(title.replace(QLatin1Char('&'), QStringLiteral("&&")));
+    button->setObjectName(QStringLiteral("form_%1_%2").arg(qt(name_), qt(option.name)));
+    button->setAccessibleName(tr("%1: %2").arg(qt(item.title), qt(option.title)));
+    button->setToolTip(tr("Arrows choose, Delete takes it back"));
+    button->installEventFilter(this);
+    choice_->addButton(button, int(options_.size()));
+    options_.push_back(option.name);
+  }
+  // As narrow as one answer; the others go below.
+  room->setMinimumWidth(1);
+  grid_->setColumnStretch(int(options_.size()), 1);
+  layOut();
+  connect(choice_, &QButtonGroup::idToggled, this, [this](int, bool on) {
+    if (on) Q_EMIT changed();
+  });
+  return room;
+}
+
+QWidget* FormQuestion::buildNumber(const FormItem& item) {
+  number_ = new QLineEdit;
+  number_->setObjectName(QStringLiteral("form_") + qt(name_));
+  number_->setAccessibleName(qt(item.title));
+  number_->setToolTip(tr("A number from %1 to %2").arg(item.least).arg(item.most));
+  number_->setMaximumWidth(kNumber_px);
+  connect(number_, &QLineEdit::textChanged, this, &FormQuestion::changed);
+  return number_;
+}
+
+QWidget* FormQuestion::buildText(const FormItem& item) {
+  text_ = new QPlainTextEdit;
+  text_->setObjectName(QStringLiteral("form_") + qt(name_));
+  text_->setAccessibleName(qt(item.title));
+  text_->setToolTip(tr("In your words; may be left empty"));
+  text_->setTabChangesFocus(true);
+  text_->setFixedHeight(kTextLines * fontMetrics().lineSpacing() + 2 * kGap);
+  connect(text_, &QPlainTextEdit::textChanged, this, &FormQuestion::changed);
+  return text_;
+}
+
+std::optional<FormQuestion::Answer> FormQuestion::answer() const {
+  if (choice_) {
+    const int option = choice_->checkedId();
+    return option < 0 ? std::nullopt : std::optional<Answer>(options_[std::size_t(option)]);
+  }
+  const QString written = (number_ ? number_->text() : text_->toPlainText()).trimmed();
+  if (written.isEmpty()) return std::nullopt;
+  bool isNumber = false;
+  const double value = number_ ? locale().toDouble(written, &isNumber) : 0;
+  // What is no number is told by checkAnswers().
+  return isNumber ? Answer(value) : Answer(written.toStdString());
+}
+
+void FormQuestion::setAnswer(const std::optional<Answer>& answer) {
+  const QSignalBlocker quiet(this);
+  const auto* words = answer ? std::get_if<std::string>(&*answer) : nullptr;
+  const auto* value = answer ? std::get_if<double>(&*answer) : nullptr;
+  if (choice_) return choose(words ? int(std::ranges::find(options_, *words) - options_.begin()) : -1);
+  const QString text = words ? qt(*words) : value ? locale().toString(*value, 'g', QLocale::FloatingPointShortest) : "";
+  number_ ? number_->setText(text) : text_->setPlainText(text);
+}
+
+/// One that is not there: none.
+void FormQuestion::choose(int option) {
+  choice_->setExclusive(false);
+  for (QAbstractButton* button : choice_->buttons()) button->setChecked(choice_->id(button) == option);
+  choice_->setExclusive(true);
+}
+
+void FormQuestion::setTrouble(const QString& sentence) {
+  trouble_->setText(sentence);
+  trouble_->setVisible(!sentence.isEmpty());
+}
+
+void FormQuestion::takeKeyboard() {
+  QWidget* first = choice_ ? choice_->button(0) : number_ ? static_cast<QWidget*>(number_) : text_;
+  if (first) first->setFocus(Qt::OtherFocusReason);
+}
+
+bool FormQuestion::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::KeyPress || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Delete)
+    return QWidget::eventFilter(watched, event);
+  choose(-1);
+  Q_EMIT changed();
+  return true;
+}
+
+void FormQuestion::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (grid_) layOut();
+}
+
+/// Beside each other as far as there is room, in columns of one width.
+void FormQuestion::layOut() {
+  const QList<QAbstractButton*> buttons = choice_->buttons();
+  int widest_px = 1;
+  for (const QAbstractButton* button : buttons) widest_px = std::max(widest_px, button->sizeHint().width());
+  const int fit = std::max(1, (width() + kLargeGap) / (widest_px + kLargeGap));
+  const int columns = std::min(fit, buttons.size());
+  if (std::exchange(columns_, columns) == columns) return;
+  for (QAbstractButton* button : buttons) grid_->removeWidget(button);
+  for (int i = 0; i < buttons.size(); ++i) grid_->addWidget(buttons[i], i / columns, i % columns, Qt::AlignLeft);
+}
+
+}  // namespace insonate::ui

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <insonate/curriculum/Form.h>
+
+#include <QString>
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+class QAbstractButton;
+class QButtonGroup;
+class QGridLayout;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+
+namespace insonate::ui {
+
+/// One question of a form, with room for its answer and for what is wrong with it.
+class FormQuestion final : public QWidget {
+  Q_OBJECT
+
+ public:
+  using Answer = FormAnswers::mapped_type;
+
+  explicit FormQuestion(const FormItem& item, QWidget* parent = nullptr);
+
+  const std::string& name() const { return name_; }
+  /// None: not answered.
+  std::optional<Answer> answer() const;
+  void setAnswer(const std::optional<Answer>& answer);
+  /// "" where all is well.
+  void setTrouble(const QString& sentence);
+  void takeKeyboard();
+
+ Q_SIGNALS:
+  void changed();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  QWidget* buildChoice(const FormItem& item);
+  QWidget* buildNumber(const FormItem& item);
+  QWidget* buildText(const FormItem& item);
+  void choose(int option);
+  void layOut();
+
+  std::string name_;
+  std::vector<std::string> options_;
+  QButtonGroup* choice_ = nullptr;
+  QGridLayout* grid_ = nullptr;
+  int columns_ = 0;
+  QLineEdit* number_ = nullptr;
+  QPlainTextEdit* text_ = nullptr;
+  QLabel* trouble_;
+};
+
+}  // namespace insonate::ui

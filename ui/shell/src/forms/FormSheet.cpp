@@ -1,0 +1,71 @@
+#include "FormQuestion.h"
+
+#include <insonate/ui/FormSheet.h>
+#include <insonate/ui/Theme.h>
+
+#include <QLabel>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+namespace insonate::ui {
+namespace {
+
+QLabel* paragraph(const std::string& text, const char* role) {
+  auto* label = new QLabel(QString::fromStdString(text));
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  setRole(label, role);
+  return label;
+}
+
+}  // namespace
+
+FormSheet::FormSheet(Form form, QWidget* parent) : QWidget(parent), form_(std::move(form)) {
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(kLargeGap);
+  for (const FormSection& section : form_.sections) {
+    box->addWidget(paragraph(section.title, "heading"));
+    if (!section.about.empty()) box->addWidget(paragraph(section.about, "quiet"));
+    for (const FormItem& item : section.items) {
+      auto* question = new FormQuestion(item);
+      connect(question, &FormQuestion::changed, this, [this, question] {
+        question->setTrouble({});
+        Q_EMIT changed();
+      });
+      questions_.push_back(question);
+      box->addWidget(question);
+    }
+  }
+  box->addStretch(1);
+}
+
+FormAnswers FormSheet::answers() const {
+  FormAnswers all;
+  for (const FormQuestion* question : questions_)
+    if (const auto answer = question->answer()) all.emplace(question->name(), *answer);
+  return all;
+}
+
+void FormSheet::setAnswers(const FormAnswers& answers) {
+  for (FormQuestion* question : questions_) {
+    const auto found = answers.find(question->name());
+    question->setAnswer(found == answers.end() ? std::nullopt : std::optional(found->second));
+    question->setTrouble({});
+  }
+}
+
+bool FormSheet::check() {
+  const std::vector<AnswerTrouble> troubles = checkAnswers(form_, answers());
+  FormQuestion* first = nullptr;
+  for (FormQuestion* question : questions_) {
+    const auto found = std::ranges::find(troubles, question->name(), &AnswerTrouble::item);
+    question->setTrouble(found == troubles.end() ? QString() : QString::fromStdString(found->sentence));
+    if (found != troubles.end() && !first) first = question;
+  }
+  if (first) first->takeKeyboard();
+  return !first;
+}
+
+}  // namespace insonate::ui
