@@ -118,7 +118,7 @@ TEST_F(TrainAttempt, WhatWentWrongIsSaidWithWhatToDo) {
 
 TEST_F(TrainAttempt, ATestIsSilentAndWithoutTheCt) {
   openWide();
-  attempt_->setMode(AttemptMode::Test);
+  attempt_->setAssistance(Assistance::Test);
   start();
   EXPECT_FALSE(shown("attemptDue"));
   EXPECT_FALSE(shown("attemptVein"));

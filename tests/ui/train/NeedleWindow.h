@@ -12,6 +12,8 @@ namespace insonate::train {
 /// The workspace with a patient that has room for a needle beside the probe.
 class NeedleWindow : public TrainWindow {
  protected:
+  static constexpr const char* kWideTitle = "Wide block";
+
   /// As the small case, 100 mm wide and 50 mm long: skin at y = 0, a vein along z at 12 mm, bone from 26 mm on.
   void openWide() {
     static const auto wide = [] {
@@ -19,6 +21,7 @@ class NeedleWindow : public TrainWindow {
       grid.size = {101, 41, 51};
       grid.origin_mm = {-50, -6, -25};
       auto made = std::make_shared<PatientCase>(PatientCase{{}, CtVolume(grid, -1000), LabelMap(grid)});
+      made->manifest.title = kWideTitle;
       made->manifest.startPoses = {{"over the vein", {0, 0, 0}, {0, 1, 0}, {1, 0, 0}}};
       for (int k = 0; k < grid.size[2]; ++k)
         for (int j = 6; j < grid.size[1]; ++j)

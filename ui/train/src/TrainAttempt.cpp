@@ -53,7 +53,7 @@ QWidget* TrainWorkspace::Parts::buildLeft() {
   editor_ = new ProbeEditor(session, *library_);
   left_->addWidget(panel);
   left_->addWidget(editor_);
-  attemptPanel_ = new AttemptPanel(session, *attempt);
+  attemptPanel_ = new AttemptPanel(session, *attempt, *levels_);
   leftColumn_ = new LeftColumn(attemptPanel_, left_);
   leftColumn_->setObjectName("trainPanel");
   return leftColumn_;
@@ -75,6 +75,7 @@ void TrainWorkspace::Parts::connectAttempt() {
   connect(&session.hands(), &HandsControl::anatomyTurned, this,
           [this](double across_deg, double up_deg) { patient->turn(across_deg, up_deg); });
   connect(&session.hands(), &HandsControl::drawButton, attempt, &AttemptControl::setAspirating);
+  connect(attemptPanel_, &AttemptPanel::courseWanted, this, [this] { showCourse(true); });
   connect(attemptPanel_, &AttemptPanel::reviewWanted, &workspace_, &TrainWorkspace::attemptWanted);
 }
 

@@ -56,6 +56,7 @@ TrainWorkspace::Parts::Parts(TrainWorkspace& workspace)
   columns->setChildrenCollapsible(false);
   library_ = new ProbeLibrary({}, this);
   attempt = new AttemptControl(session, {}, &workspace);
+  buildCourse();
   columns->addWidget(buildLeft());
   columns->addWidget(buildCentre());
   patient = new PatientViews(session, columns);
@@ -148,6 +149,8 @@ void TrainWorkspace::Parts::buildActions() {
   leftHanded_ = make(tr("Left-handed layout"), tr("Controls on the right, patient on the left"));
   QAction* panelAction = make(tr("Devices ..."), tr("Haptic devices and pedals: what is there, and what it holds"));
   panelAction->setCheckable(false);
+  courseAction_ = make(tr("Levels and attempts\tJ"), tr("What is to be learnt, how far you are, and what you did"));
+  connect(courseAction_, &QAction::triggered, this, [this](bool on) { showCourse(on); });
   connect(panelAction, &QAction::triggered, this, [this] { showDevices(); });
   connect(besideAction_, &QAction::toggled, this, [this](bool on) { setCtBeside(on); });
   connect(leftHanded_, &QAction::toggled, this, [this](bool on) { setLeftHanded(on); });
@@ -268,7 +271,9 @@ void TrainWorkspace::Parts::showNotice() {
 bool TrainWorkspace::Parts::key(const QKeyEvent& event, bool doIt) {
   const KeyRow* row = rowFor(event);
   // A probe can be edited without a patient.
-  const bool always = row && (row->command == Command::Undo || row->command == Command::Redo);
+  const bool always =
+      row && (row->command == Command::Undo || row->command == Command::Redo || row->command == Command::ShowCourse);
+  if (row && isCourseShown() && row->command != Command::ShowCourse) return false;
   if (!row || (!session.patient() && !always)) return false;
   if (row->command == Command::StopMeasuring && !input_->callipers().kind()) return false;
   if (doIt) act(*row, event.modifiers() & Qt::ShiftModifier, event.isAutoRepeat());
@@ -330,6 +335,8 @@ void TrainWorkspace::Parts::act(const KeyRow& row, bool wide, bool repeated) {
       return repeated ? void() : attempt->setAspirating(!attempt->isAspirating());
     case Command::NewNeedle:
       return repeated ? void() : attempt->replaceNeedle();
+    case Command::ShowCourse:
+      return repeated ? void() : showCourse(!isCourseShown());
     case Command::CutAtNeedle:
       return repeated ? void() : patient->toggleCutAtNeedle();
   }

@@ -17,23 +17,32 @@ class QLabel;
 class QSplitter;
 class QStackedWidget;
 
-namespace insonate::ui {
-class ViewWidget;
+namespace insonate {
+struct AttemptFacts;
 }
+
+namespace insonate::ui {
+class Account;
+class ViewWidget;
+}  // namespace insonate::ui
 
 namespace insonate::train {
 
 struct KeyRow;
 class AttemptControl;
+class AttemptKeeper;
 class AttemptPanel;
 class AttemptStrip;
 class CineBar;
 class ControlsPanel;
+class Course;
+class CoursePage;
 class CtBeside;
 class DevicePanel;
 class EqualPanes;
 class FovHandles;
 class HeldPress;
+class LevelControl;
 class ImageInput;
 class LinkedPointer;
 class LiveMeasure;
@@ -75,6 +84,10 @@ class TrainWorkspace::Parts : public QObject {
   /// To the patient's column, of the picture's; or back.
   void giveRoom(bool more);
 
+  void setAccount(ui::Account& account);
+  /// Levels, attempts and the questionnaire in the place of picture and controls.
+  void showCourse(bool on);
+  bool isCourseShown() const;
   /// One that is being made is kept as abandoned.
   void endAttempt();
   /// While no case is open; empty for nothing that is being opened.
@@ -93,6 +106,8 @@ class TrainWorkspace::Parts : public QObject {
  private:
   QWidget* buildLeft();
   QWidget* buildCentre();
+  void buildCourse();
+  void judgeAttempt(const AttemptFacts& facts);
   void connectAttempt();
   void showAttempt();
   QWidget* buildOffer();
@@ -139,7 +154,12 @@ class TrainWorkspace::Parts : public QObject {
   CtBeside* beside_ = nullptr;
   std::vector<SliceMeasure*> measureSlices_;  ///< one for each slice of the CT, wherever it stands
   LinkedPointer* pointer_ = nullptr;
-  QAction *leftHanded_ = nullptr, *besideAction_ = nullptr;
+  QAction *leftHanded_ = nullptr, *besideAction_ = nullptr, *courseAction_ = nullptr;
+  ui::Account* account_ = nullptr;
+  Course* course_ = nullptr;
+  LevelControl* levels_ = nullptr;
+  AttemptKeeper* keeper_ = nullptr;
+  CoursePage* coursePage_ = nullptr;           ///< once it was asked for
   std::shared_ptr<const ImagingSetup> shape_;  ///< of the picture as laid out
   std::vector<std::unique_ptr<PictureWriter>> writers_;
   QList<int> widthsBefore_;  ///< of the columns, before the patient's had more room

@@ -39,6 +39,10 @@ void TrainWorkspace::setOpening(const QString& what) {
   parts_->showOpening(what);
 }
 
+void TrainWorkspace::setAccount(ui::Account& account) {
+  parts_->setAccount(account);
+}
+
 void TrainWorkspace::setCase(std::shared_ptr<const PatientCase> patient) {
   parts_->session.setCase(std::move(patient));
 }

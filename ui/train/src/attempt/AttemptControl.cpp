@@ -56,6 +56,7 @@ AttemptControl::AttemptControl(TrainSession& session, QString folder, QObject* p
 
 AttemptControl::~AttemptControl() {
   close();
+  if (state_ == State::Writing) conclude(writing_.get());
 }
 
 /// What is dragged changes with each picture: kept ten times a second.
@@ -76,19 +77,24 @@ void AttemptControl::keepSettings() {
 void AttemptControl::choose(const std::string& procedure) {
   const auto found = std::ranges::find(procedures_, procedure, &Procedure::name);
   if (found == procedures_.end() || isRunning()) return;
-  chosen_ = std::size_t(found - procedures_.begin());
+  const auto chosen = std::size_t(found - procedures_.begin());
+  if (std::exchange(chosen_, chosen) != chosen) Q_EMIT stateChanged();
+}
+
+void AttemptControl::setAssistance(Assistance assistance) {
+  if (isRunning() || std::exchange(assistance_, assistance) == assistance) return;
   Q_EMIT stateChanged();
 }
 
 QString AttemptControl::unfit() const {
+  if (!obstacle_.isEmpty()) return obstacle_;
   if (!session_.patient() || !session_.structures()) return {};
   const auto fits = checkFits(procedure(), session_.patient()->manifest, *session_.structures());
   return fits ? QString() : QString::fromStdString(fits.error().message);
 }
 
-void AttemptControl::setMode(AttemptMode mode) {
-  if (isRunning() || std::exchange(mode_, mode) == mode) return;
-  Q_EMIT stateChanged();
+void AttemptControl::setObstacle(const QString& why) {
+  if (std::exchange(obstacle_, why) != why) Q_EMIT stateChanged();
 }
 
 /// After the first picture, which nothing is to delay.
@@ -102,8 +108,8 @@ void AttemptControl::hashCase() {
 void AttemptControl::close() {
   if (isRunning()) {
     session_.hands().setAttempt(nullptr);
-    if (const auto done = attempt_->finish(AttemptStatus::Abandoned); !done)
-      session_.say(QString::fromStdString(done.error().message));
+    status_ = AttemptStatus::Abandoned;
+    conclude(attempt_->finish(status_));
   }
   setAspirating(false);
   if (state_ != State::Idle && state_ != State::Writing) show(State::Idle);
@@ -111,13 +117,14 @@ void AttemptControl::close() {
 
 void AttemptControl::show(State state) {
   state_ = state;
-  state == State::Starting || state == State::Running || state == State::Writing ? timer_.start() : timer_.stop();
+  isBusy() ? timer_.start() : timer_.stop();
   session_.hands().setSilent(isSilent());
   Q_EMIT stateChanged();
 }
 
 void AttemptControl::start() {
-  if (state_ != State::Idle && state_ != State::Over) return;
+  if (isBusy()) return;
+  if (!obstacle_.isEmpty()) return session_.say(obstacle_);
   if (!session_.shown() || !session_.handReady() || !session_.structures())
     return session_.say(tr("Wait for the first picture; then the attempt can begin."));
   if (const QString why = unfit(); !why.isEmpty()) return session_.say(why);
@@ -147,20 +154,20 @@ std::filesystem::path AttemptControl::newFile() const {
 
 void AttemptControl::begin() {
   const QString title = QCoreApplication::applicationName() + QLatin1Char(' ') + QCoreApplication::applicationVersion();
-  AttemptHeader header = headerOf(procedure(), *session_.patient(), session_.probe(), title.toStdString());
-  header.caseHash = hash_.get();
+  header_ = headerOf(procedure(), *session_.patient(), session_.probe(), title.toStdString());
+  header_.caseHash = hash_.get();
   const AttemptSettings settings = session_.attemptSettings();
   bloodTime_s_ = settings.bloodTime_s;
-  header.engine = settings.setup.engine;
-  header.settings = textOf(settings);
-  auto begun = QDir().mkpath(folder_) ? LiveAttempt::start(newFile(), header, procedure())
-                                      : fail("The folder " + folder_.toStdString() +
-                                             " for attempts cannot be made; check that you may " + "write there.");
-  if (!begun) {
+  header_.engine = settings.setup.engine;
+  header_.settings = textOf(settings);
+  auto started = QDir().mkpath(folder_) ? LiveAttempt::start(newFile(), header_, procedure())
+                                        : fail("The folder " + folder_.toStdString() +
+                                               " for attempts cannot be made; check that you may " + "write there.");
+  if (!started) {
     show(State::Idle);
-    return session_.say(QString::fromStdString(begun.error().message));
+    return session_.say(QString::fromStdString(started.error().message));
   }
-  attempt_ = std::move(*begun);
+  attempt_ = std::move(*started);
   trouble_.clear();
   view_ = attempt_->view();
   tilt_deg_ = session_.tissue().body.tilt_deg;
@@ -168,6 +175,7 @@ void AttemptControl::begin() {
   attempt_->setAspirating(aspirating_);
   session_.hands().setAttempt(attempt_);
   show(State::Running);
+  Q_EMIT begun();
   session_.say(isSilent() ? tr("The test has begun. Ctrl+Return finishes it.")
                           : tr("The attempt has begun. Ctrl+Return finishes it."));
   Q_EMIT viewChanged();
@@ -181,6 +189,14 @@ void AttemptControl::end(AttemptStatus status) {
   status_ = status;
   writing_ = std::async(std::launch::async, [attempt = attempt_, status] { return attempt->finish(status); });
   show(State::Writing);
+}
+
+void AttemptControl::conclude(const Result<MetricValues>& kept) {
+  file_ = kept ? QString::fromStdString(attempt_->file().string()) : QString();
+  view_ = attempt_->view();
+  score_ = attempt_->score();
+  if (!kept) session_.say(QString::fromStdString(kept.error().message));
+  Q_EMIT ended();
 }
 
 void AttemptControl::startAgain() {
@@ -210,10 +226,7 @@ void AttemptControl::look() {
     session_.say(QString::fromStdString(trouble));
   }
   if (state_ == State::Writing && isThere(writing_)) {
-    const auto done = writing_.get();
-    file_ = done ? QString::fromStdString(attempt_->file().string()) : QString();
-    score_ = attempt_->score();
-    if (!done) session_.say(QString::fromStdString(done.error().message));
+    conclude(writing_.get());
     show(session_.patient() ? State::Over : State::Idle);
     if (std::exchange(again_, false)) startAgain();
   }
@@ -244,12 +257,12 @@ void AttemptControl::position(double tilt_deg) {
 
 void AttemptControl::save(QSettings& settings) const {
   settings.setValue("procedure", QString::fromStdString(procedure().name));
-  settings.setValue("test", mode_ == AttemptMode::Test);
+  settings.setValue("assistance", int(assistance_));
 }
 
 void AttemptControl::restore(QSettings& settings) {
   choose(settings.value("procedure").toString().toStdString());
-  setMode(settings.value("test", false).toBool() ? AttemptMode::Test : AttemptMode::Practice);
+  setAssistance(Assistance(std::clamp(settings.value("assistance").toInt(), 0, int(Assistance::Test))));
 }
 
 }  // namespace insonate::train

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <insonate/curriculum/Curriculum.h>
 #include <insonate/simulator/LiveAttempt.h>
 
 #include <QElapsedTimer>
@@ -16,9 +17,6 @@ class QSettings;
 namespace insonate::train {
 
 class TrainSession;
-
-/// Practice says what to do and what went wrong; a test is silent until it is over.
-enum class AttemptMode { Practice, Test };
 
 /// An attempt at a procedure, from its start to its result, recorded in the user's folder; one that is left by closing
 /// the case or the program is kept as abandoned. Knows no widget. For the window's thread.
@@ -42,15 +40,19 @@ class AttemptControl : public QObject {
   const std::vector<Procedure>& procedures() const { return procedures_; }
   const Procedure& procedure() const { return procedures_[chosen_]; }
   void choose(const std::string& procedure);
-  /// Why the procedure cannot be done on this case; empty: it can, as far as is known.
+  /// Why none can begin on this case; empty: one can, as far as is known.
   QString unfit() const;
-  AttemptMode mode() const { return mode_; }
-  void setMode(AttemptMode mode);
+  /// What else is in the way, a sentence; empty: nothing.
+  void setObstacle(const QString& why);
+  Assistance assistance() const { return assistance_; }
+  void setAssistance(Assistance assistance);
 
   State state() const { return state_; }
   bool isRunning() const { return state_ == State::Running; }
+  /// From its start until its end is written.
+  bool isBusy() const { return state_ != State::Idle && state_ != State::Over; }
   /// Neither hints nor what only a teacher would know.
-  bool isSilent() const { return mode_ == AttemptMode::Test && (isRunning() || state_ == State::Starting); }
+  bool isSilent() const { return assistance_ == Assistance::Test && (isRunning() || state_ == State::Starting); }
   void start();
   void finish() { end(AttemptStatus::Completed); }
   void abandon() { end(AttemptStatus::Abandoned); }
@@ -61,6 +63,8 @@ class AttemptControl : public QObject {
   /// From Over to Idle.
   void leave();
 
+  /// Of the attempt that was begun last.
+  const AttemptHeader& header() const { return header_; }
   /// As of a tenth of a second ago.
   const AttemptView& view() const { return view_; }
   const AttemptScore& score() const { return score_; }
@@ -80,7 +84,9 @@ class AttemptControl : public QObject {
   void restore(QSettings& settings);
 
  Q_SIGNALS:
-  void stateChanged();  ///< also procedure and mode
+  void stateChanged();  ///< also procedure and assistance
+  void begun();
+  void ended();  ///< view(), score(), status() and file() are of the whole attempt, also where its case is gone
   void viewChanged();
   void aspiratingChanged();
   void needleReplaced();
@@ -91,17 +97,19 @@ class AttemptControl : public QObject {
   void settingsChanged();
   void keepSettings();
   void end(AttemptStatus status);
+  void conclude(const Result<MetricValues>& kept);
   void look();
   void show(State state);
   std::filesystem::path newFile() const;
 
   TrainSession& session_;
-  QString folder_, file_;
+  QString folder_, file_, obstacle_;
   std::vector<Procedure> procedures_;
   std::size_t chosen_ = 0;
-  AttemptMode mode_ = AttemptMode::Practice;
+  Assistance assistance_ = Assistance::Guided;
   State state_ = State::Idle;
   AttemptStatus status_ = AttemptStatus::Completed;
+  AttemptHeader header_;
   std::shared_ptr<LiveAttempt> attempt_;
   std::future<Result<MetricValues>> writing_;
   bool again_ = false;  ///< starts another once this one is written

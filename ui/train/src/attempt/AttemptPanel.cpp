@@ -1,6 +1,9 @@
 #include "AttemptPanel.h"
 
 #include "../TrainSession.h"
+#include "../level/LevelCard.h"
+#include "../level/LevelControl.h"
+#include "../level/VerdictView.h"
 #include "AttemptControl.h"
 #include "AttemptWords.h"
 #include "StepList.h"
@@ -56,8 +59,8 @@ QLabel* words(const char* object, const char* role) {
 
 }  // namespace
 
-AttemptPanel::AttemptPanel(TrainSession& session, AttemptControl& attempt, QWidget* parent)
-    : QWidget(parent), session_(session), attempt_(attempt) {
+AttemptPanel::AttemptPanel(TrainSession& session, AttemptControl& attempt, LevelControl& levels, QWidget* parent)
+    : QWidget(parent), session_(session), attempt_(attempt), levels_(levels) {
   setObjectName("attemptPanel");
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(12, 8, 12, 8);
@@ -69,6 +72,7 @@ AttemptPanel::AttemptPanel(TrainSession& session, AttemptControl& attempt, QWidg
   connect(&attempt_, &AttemptControl::stateChanged, this, [this] { refresh(); });
   connect(&attempt_, &AttemptControl::viewChanged, this, [this] { refreshRunning(); });
   connect(&attempt_, &AttemptControl::aspiratingChanged, this, [this] { draw_->setChecked(attempt_.isAspirating()); });
+  connect(&levels_, &LevelControl::changed, this, [this] { refreshBegin(); });
   connect(&session_, &TrainSession::caseChanged, this, [this] { refreshBegin(); });
   connect(&session_, &TrainSession::structuresKnown, this, [this] { refreshBegin(); });
   connect(&session_, &TrainSession::pictureShown, this, [this] {
@@ -95,24 +99,28 @@ QWidget* AttemptPanel::buildBegin() {
     procedure_->addItem(QString::fromStdString(one.title), QString::fromStdString(one.name));
     procedure_->setItemData(procedure_->count() - 1, QString::fromStdString(one.title), Qt::ToolTipRole);
   }
-  mode_ = choice("attemptMode", tr("Practice or test"),
-                 tr("Practice says what to do and what went wrong. A test is silent until its end, without CT"));
-  mode_->addItem(tr("practice"), int(AttemptMode::Practice));
-  mode_->addItem(tr("test"), int(AttemptMode::Test));
+  assistance_ = choice("attemptAssistance", tr("Assistance"),
+                       tr("Guided: says what to do and what went wrong. Hints: says what went wrong alone. "
+                          "Test: silent until its end, without CT"));
+  for (const Assistance one : {Assistance::Guided, Assistance::Hints, Assistance::Test})
+    assistance_->addItem(wordOf(one), int(one));
   start_ = button("attemptStart", tr("Start"), tr("Begin an attempt, which is recorded and scored (Ctrl+Return)"));
   ui::setRole(start_, "primary");
   auto* row = new QHBoxLayout;
   row->setSpacing(ui::kSmallGap);
-  row->addWidget(mode_, 1);
+  row->addWidget(assistance_, 1);
   row->addWidget(start_, 1);
   unfit_ = words("attemptUnfit", "problem");
+  auto* card = new LevelCard(levels_);
+  box->addWidget(card);
   box->addWidget(procedure_);
   box->addWidget(unfit_);
   box->addLayout(row);
+  connect(card, &LevelCard::courseWanted, this, &AttemptPanel::courseWanted);
   connect(procedure_, qOverload<int>(&QComboBox::activated), this,
           [this] { attempt_.choose(procedure_->currentData().toString().toStdString()); });
-  connect(mode_, qOverload<int>(&QComboBox::activated), this,
-          [this] { attempt_.setMode(AttemptMode(mode_->currentData().toInt())); });
+  connect(assistance_, qOverload<int>(&QComboBox::activated), this,
+          [this] { attempt_.setAssistance(Assistance(assistance_->currentData().toInt())); });
   connect(start_, &QPushButton::clicked, &attempt_, &AttemptControl::start);
   return page;
 }
@@ -178,7 +186,10 @@ QWidget* AttemptPanel::buildResult() {
   advice_ = words("attemptAdvice", "");
   errors_ = words("attemptErrors", "");
   errors_->setTextFormat(Qt::RichText);
-  for (QLabel* one : {headline_, errors_, advice_}) box->addWidget(one);
+  verdict_ = new VerdictView;
+  for (QWidget* one : {static_cast<QWidget*>(headline_), static_cast<QWidget*>(errors_),
+                       static_cast<QWidget*>(verdict_), static_cast<QWidget*>(advice_)})
+    box->addWidget(one);
   review_ = button("attemptReview", tr("Open in Review"), tr("Replay this attempt, with its events and metrics"));
   ui::setRole(review_, "primary");
   box->addWidget(review_);
@@ -186,11 +197,14 @@ QWidget* AttemptPanel::buildResult() {
   row->setSpacing(ui::kSmallGap);
   auto* again = button("attemptNext", tr("Once more"), tr("Another attempt from the beginning"));
   auto* leave = button("attemptLeave", tr("Close"), tr("Back to free scanning; the attempt is kept"));
+  auto* course = button("attemptLevels", tr("Levels"), tr("Levels, your attempts and their curve (J)"));
   row->addWidget(again, 1);
+  row->addWidget(course, 1);
   row->addWidget(leave, 1);
   box->addLayout(row);
   connect(review_, &QPushButton::clicked, this, [this] { Q_EMIT reviewWanted(attempt_.file()); });
   connect(again, &QPushButton::clicked, &attempt_, &AttemptControl::startAgain);
+  connect(course, &QPushButton::clicked, this, &AttemptPanel::courseWanted);
   connect(leave, &QPushButton::clicked, &attempt_, &AttemptControl::leave);
   return page;
 }
@@ -214,7 +228,8 @@ void AttemptPanel::refresh() {
 
 void AttemptPanel::refreshBegin() {
   procedure_->setCurrentIndex(procedure_->findData(QString::fromStdString(attempt_.procedure().name)));
-  mode_->setCurrentIndex(mode_->findData(int(attempt_.mode())));
+  assistance_->setCurrentIndex(assistance_->findData(int(attempt_.assistance())));
+  for (QWidget* one : {procedure_, assistance_}) one->setVisible(!levels_.level());
   const QString unfit = attempt_.unfit();
   unfit_->setText(unfit);
   unfit_->setVisible(!unfit.isEmpty());
@@ -226,20 +241,21 @@ void AttemptPanel::refreshRunning() {
   const AttemptView& view = attempt_.view();
   const State state = attempt_.state();
   const QString procedure = QString::fromStdString(attempt_.procedure().title);
-  const bool silent = attempt_.isSilent();
+  const bool silent = attempt_.isSilent(), guided = attempt_.assistance() == Assistance::Guided;
   if (state == State::Idle || state == State::Starting) head_->setText(tr("Attempt"));
   if (state == State::Over || state == State::Writing) head_->setText(tr("Attempt, %1").arg(clockOf(view.time_s)));
   if (state != State::Running) return;
   const std::size_t step = view.due ? *view.due + 1 : view.steps.size();
-  head_->setText(silent ? tr("Test, %1").arg(clockOf(view.time_s))
-                        : tr("Step %1 of %2, %3").arg(step).arg(view.steps.size()).arg(clockOf(view.time_s)));
+  head_->setText(guided ? tr("Step %1 of %2, %3").arg(step).arg(view.steps.size()).arg(clockOf(view.time_s))
+                        : tr("%1, %2").arg(capital(wordOf(attempt_.assistance())), clockOf(view.time_s)));
   head_->setToolTip(procedure);
   scroll_->setVisible(!silent);
   const double tilt_deg = session_.tissue().body.tilt_deg;
   position_->setCurrentIndex(position_->findData(tilt_deg));
   if (silent) return fit();
-  const bool other = steps_->show(attempt_.procedure(), view);
-  refreshNumbers();
+  const bool other = steps_->show(attempt_.procedure(), view, guided);
+  numbers_->setVisible(guided);
+  if (guided) refreshNumbers();
   if (other) fit();
 }
 

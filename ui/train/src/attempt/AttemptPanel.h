@@ -10,8 +10,10 @@ class QScrollArea;
 namespace insonate::train {
 
 class AttemptControl;
+class LevelControl;
 class StepList;
 class TrainSession;
+class VerdictView;
 
 /// Above the controls: which procedure is begun and how, then the steps with what to do and what went wrong, then the
 /// result. In a test nothing of it is told before the end.
@@ -19,7 +21,10 @@ class AttemptPanel final : public QWidget {
   Q_OBJECT
 
  public:
-  AttemptPanel(TrainSession& session, AttemptControl& attempt, QWidget* parent = nullptr);
+  AttemptPanel(TrainSession& session, AttemptControl& attempt, LevelControl& levels, QWidget* parent = nullptr);
+
+  /// Beside the result.
+  VerdictView& verdict() { return *verdict_; }
 
   /// As high as what it tells, but no higher than this.
   void setMostHeight(int most_px);
@@ -27,6 +32,8 @@ class AttemptPanel final : public QWidget {
  Q_SIGNALS:
   /// A finished attempt's file is to be shown.
   void reviewWanted(const QString& file);
+  /// Levels are to be seen.
+  void courseWanted();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -46,14 +53,16 @@ class AttemptPanel final : public QWidget {
 
   TrainSession& session_;
   AttemptControl& attempt_;
+  LevelControl& levels_;
   int most_px_ = 400;
   QWidget *begin_ = nullptr, *running_ = nullptr, *result_ = nullptr;
-  QComboBox *procedure_ = nullptr, *mode_ = nullptr, *position_ = nullptr;
+  QComboBox *procedure_ = nullptr, *assistance_ = nullptr, *position_ = nullptr;
   QPushButton *start_ = nullptr, *draw_ = nullptr, *review_ = nullptr;
   QLabel *unfit_ = nullptr, *head_ = nullptr, *numbers_ = nullptr, *headline_ = nullptr, *advice_ = nullptr,
          *errors_ = nullptr;
   QScrollArea* scroll_ = nullptr;
   StepList* steps_ = nullptr;
+  VerdictView* verdict_ = nullptr;
 };
 
 }  // namespace insonate::train

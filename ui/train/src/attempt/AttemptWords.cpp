@@ -17,6 +17,10 @@ NeedlePlace plainly(NeedlePlace place) {
   return inside ? NeedlePlace::Underway : place;
 }
 
+QString wordOf(Assistance assistance) {
+  return assistance == Assistance::Guided ? tr("guided") : assistance == Assistance::Hints ? tr("hints") : tr("test");
+}
+
 QString capital(const QString& words) {
   return words.left(1).toUpper() + words.mid(1);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <insonate/curriculum/Curriculum.h>
 #include <insonate/procedure/AttemptScore.h>
 #include <insonate/ui/AttemptWords.h>
 
@@ -9,6 +10,9 @@ namespace insonate::train {
 
 /// What can be seen without a teacher: whether the needle is in the skin, and whether it was.
 NeedlePlace plainly(NeedlePlace place);
+
+/// "guided", "hints", "test".
+QString wordOf(Assistance assistance);
 
 /// As a sentence begins.
 QString capital(const QString& words);

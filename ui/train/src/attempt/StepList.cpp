@@ -62,7 +62,7 @@ StepList::StepList(QWidget* parent) : QWidget(parent) {
   ui::setRole(later_, "quiet");
 }
 
-bool StepList::show(const Procedure& procedure, const AttemptView& view) {
+bool StepList::show(const Procedure& procedure, const AttemptView& view, bool withSteps) {
   QStringList before, after;
   QString due = QObject::tr("<b>All steps are done.</b> Finish the attempt (Ctrl+Return).");
   for (std::size_t i = 0; i < view.steps.size(); ++i) {
@@ -83,6 +83,10 @@ bool StepList::show(const Procedure& procedure, const AttemptView& view) {
                              plain(rule.say));
   }
   bool other = write(*findings_, findings.join(QStringLiteral("<br>")));
+  if (!withSteps) {
+    due = findings.isEmpty() ? QObject::tr("Nothing went wrong so far.") : QString();
+    before.clear(), after.clear();
+  }
   other |= write(*steps_, before.join(QStringLiteral("<br>")));
   other |= write(*say_, due);
   other |= write(*later_, after.join(QStringLiteral("<br>")));

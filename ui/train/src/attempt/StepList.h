@@ -16,8 +16,8 @@ class StepList final : public QWidget {
  public:
   explicit StepList(QWidget* parent = nullptr);
 
-  /// Returns whether it needs another height than before.
-  bool show(const Procedure& procedure, const AttemptView& view);
+  /// Without the steps: what went wrong alone. Returns whether it needs another height than before.
+  bool show(const Procedure& procedure, const AttemptView& view, bool withSteps);
 
  private:
   QLabel *steps_, *say_, *later_, *findings_;

@@ -49,6 +49,7 @@ constexpr KeyRow kKeys[] = {
     plain(Qt::Key_B, Command::Draw, "B", "draw on the syringe, or no longer"),
     plain(Qt::Key_U, Command::NewNeedle, "U", "a new needle, once the old one is out of the skin"),
     plain(Qt::Key_H, Command::CutAtNeedle, "H", "open the patient in 3D along the needle, and back"),
+    plain(Qt::Key_J, Command::ShowCourse, "J", "levels, your attempts and the questionnaire, and back"),
     plain(Qt::Key_I, Command::TakeNeedle, "I", "take up the needle beside the probe, or lay it down"),
     needle(Qt::Key_PageDown, NeedleAxis::Advance, 1, 5, "Page Down, Page Up",
            "advance the needle 1 mm, or withdraw it (Shift 5 mm)", false),

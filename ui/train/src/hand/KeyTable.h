@@ -38,6 +38,7 @@ enum class Command {
   Draw,
   NewNeedle,
   CutAtNeedle,
+  ShowCourse,
 };
 
 /// One row of the only table of keys: it decides what a key does, and lists it for the user.

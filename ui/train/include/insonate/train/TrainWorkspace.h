@@ -20,6 +20,7 @@ class TrainWorkspace : public ui::Workspace {
   ~TrainWorkspace() override;
 
   void setOpening(const QString& what) override;
+  void setAccount(ui::Account& account) override;
   void setCase(std::shared_ptr<const PatientCase> patient) override;
   QString statusText() const override;
   QString engineText() const override;

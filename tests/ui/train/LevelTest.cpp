@@ -1,0 +1,198 @@
+#include "LevelWindow.h"
+
+#include <gmock/gmock.h>
+
+#include <QSignalSpy>
+
+namespace insonate::train {
+namespace {
+
+using State = AttemptControl::State;
+using testing::ElementsAre;
+
+class TrainLevel : public LevelWindow {
+ protected:
+  QListWidget& path() { return *child<QListWidget>("levels"); }
+  /// Opened and chosen by keys alone.
+  void practise(int row) {
+    if (!workspace_->findChild<QWidget*>("course") || !shown("course")) key(Qt::Key_J);
+    path().setFocus();
+    path().setCurrentRow(row);
+    QTest::keyClick(&path(), Qt::Key_Return);
+  }
+};
+
+TEST_F(TrainLevel, AGuestLooksAndPractisesFreelyAndNothingIsStored) {
+  openWide();
+  key(Qt::Key_J);
+  ASSERT_TRUE(shown("course"));
+  EXPECT_FALSE(shown("ultrasoundView"));
+  EXPECT_TRUE(text("courseNote").contains("You are a guest")) << text("courseNote").toStdString();
+  ASSERT_GT(path().count(), 1) << "of the curriculum that comes along";
+  EXPECT_TRUE(path().item(0)->text().contains("open"));
+  path().setCurrentRow(1);
+  EXPECT_TRUE(text("levelWhy").contains("Locked: master")) << text("levelWhy").toStdString();
+  EXPECT_FALSE(child<QPushButton>("levelPractise")->isEnabled());
+  QTest::keyClick(&path(), Qt::Key_Return);
+  EXPECT_FALSE(levels_->level()) << "it can be looked at";
+  EXPECT_TRUE(workspace_->statusText().contains("Locked: master")) << workspace_->statusText().toStdString();
+  QTest::keyClick(&path(), Qt::Key_Escape);
+  EXPECT_FALSE(shown("course"));
+  EXPECT_TRUE(shown("ultrasoundView"));
+
+  makeAttempt();
+  EXPECT_TRUE(text("levelChanges").contains("counts for nobody")) << text("levelChanges").toStdString();
+  EXPECT_TRUE(QFileInfo::exists(attempt_->file()));
+  EXPECT_TRUE(unsent().isEmpty());
+  EXPECT_TRUE(stored().empty());
+}
+
+TEST_F(TrainLevel, AWholeOneFromChoosingItToTheNextThatOpens) {
+  signIn();
+  practise(0);
+  EXPECT_EQ(wanted_, QStringList{home_.filePath("wide")});
+  EXPECT_TRUE(levels_->waitsForCase());
+  EXPECT_TRUE(text("attemptUnfit").contains("waits for its case, 'Wide block'")) << text("attemptUnfit").toStdString();
+  openWide();
+  EXPECT_FALSE(levels_->waitsForCase());
+  EXPECT_EQ(text("levelTitle"), "The first one");
+  EXPECT_TRUE(text("levelRule").contains("without a critical error")) << text("levelRule").toStdString();
+  EXPECT_FALSE(shown("attemptProcedure"));
+  EXPECT_EQ(attempt_->assistance(), Assistance::Guided);
+  EXPECT_EQ(session_->tissue().body.tilt_deg, 15) << "as the level wants it";
+
+  makeAttempt();
+  EXPECT_TRUE(text("levelVerdict").contains("Passed")) << text("levelVerdict").toStdString();
+  EXPECT_TRUE(text("levelStandards").contains("2 of 2 standards met")) << text("levelStandards").toStdString();
+  EXPECT_TRUE(text("levelChanges").contains("'The second one' is open now.")) << text("levelChanges").toStdString();
+  ASSERT_TRUE(waitFor([&] { return unsent().isEmpty() && !stored().empty(); }));
+  const AttemptFacts facts = stored().front().facts;
+  EXPECT_EQ(facts.level, "first");
+  EXPECT_EQ(facts.curriculum, "course");
+  EXPECT_EQ(facts.state, AttemptState::Completed);
+  EXPECT_TRUE(facts.succeeded);
+  EXPECT_EQ(facts.recording, QFileInfo(attempt_->file()).fileName().toStdString());
+  EXPECT_EQ(facts.recordingHash.size(), 64U);
+  EXPECT_EQ(facts.metrics.size(), std::size_t(kMetricCount));
+  EXPECT_GT(facts.length_us, 0);
+
+  practise(1);
+  EXPECT_TRUE(path().item(0)->text().contains("mastered")) << path().item(0)->text().toStdString();
+  EXPECT_EQ(levels_->level()->name, "second");
+  EXPECT_EQ(attempt_->state(), State::Idle) << "the result is left";
+  EXPECT_EQ(attempt_->assistance(), Assistance::Hints);
+  child<QPushButton>("levelLeave")->click();
+  EXPECT_TRUE(shown("attemptProcedure"));
+  makeAttempt();
+  ASSERT_TRUE(waitFor([&] { return stored().size() == 2; }));
+  EXPECT_EQ(stored().front().facts.level, "") << "free practice";
+}
+
+TEST_F(TrainLevel, WhatWasMissedIsSaidWithItsValue) {
+  signIn();
+  practise(0);
+  openWide();
+  key(Qt::Key_Return, Qt::ControlModifier);
+  ASSERT_TRUE(waitFor([&] { return attempt_->isRunning(); }));
+  overTheVein();
+  for (int pass = 0; pass < 2; ++pass) {
+    type("needle_depth", "8");
+    ASSERT_TRUE(waitFor([&] { return attempt_->view().metrics[Metric::Passes] == pass + 1; }));
+    type("needle_depth", "-5");
+    ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Used; }));
+  }
+  finish();
+  EXPECT_TRUE(text("levelVerdict").contains("Not passed")) << text("levelVerdict").toStdString();
+  EXPECT_TRUE(text("levelStandards").contains("passes: 2, at most 1")) << text("levelStandards").toStdString();
+  EXPECT_TRUE(text("levelChanges").contains("Open: no pass yet")) << text("levelChanges").toStdString();
+}
+
+TEST_F(TrainLevel, AttemptsThatAreLeftAreStoredAsAbandoned) {
+  signIn();
+  openWide();
+  const auto begin = [&] {
+    key(Qt::Key_Return, Qt::ControlModifier);
+    ASSERT_TRUE(waitFor([&] { return attempt_->isRunning(); }));
+  };
+  begin();
+  ASSERT_TRUE(waitFor([&] { return stored().size() == 1; }));
+  EXPECT_EQ(stored().front().facts.state, AttemptState::Open) << "it has begun";
+  workspace_->setCase(nullptr);
+  ASSERT_TRUE(waitFor([&] { return stored().front().facts.state == AttemptState::Abandoned; }));
+
+  openWide();
+  begin();
+  account_->signOut();
+  EXPECT_EQ(attempt_->state(), State::Idle) << "who signs out leaves it";
+  ASSERT_TRUE(waitFor([&] { return unsent().size() == 1; })) << "nobody is there to store it";
+  signIn();
+  ASSERT_TRUE(waitFor([&] { return unsent().isEmpty(); }));
+  EXPECT_EQ(stored().size(), 2U);
+  EXPECT_EQ(stored().front().facts.state, AttemptState::Abandoned);
+
+  begin();
+  workspace_ = nullptr;
+  account_ = nullptr;
+  EXPECT_EQ(stored().size(), 3U);
+  EXPECT_EQ(stored().front().facts.state, AttemptState::Abandoned) << "the program was closed";
+  EXPECT_TRUE(unsent().isEmpty());
+}
+
+TEST_F(TrainLevel, WhatTheStoreRefusesIsKeptAndSentLater) {
+  signIn();
+  openWide();
+  const SignedIn admin = at("admin");
+  Person tess = account_->person();
+  tess.disabled = true;
+  ASSERT_TRUE(PeopleStore(admin).change(tess));
+  QStringList said;
+  QObject::connect(workspace_.get(), &ui::Workspace::statusChanged, [&] { said << workspace_->statusText(); });
+  makeAttempt();
+  ASSERT_TRUE(waitFor([&] { return !said.filter("kept on this computer and sent later").isEmpty(); }));
+  EXPECT_EQ(unsent().size(), 1);
+
+  tess.disabled = false;
+  ASSERT_TRUE(PeopleStore(admin).change(tess));
+  account_->signOut();
+  signIn();
+  ASSERT_TRUE(waitFor([&] { return unsent().isEmpty(); }));
+  ASSERT_EQ(stored().size(), 1U);
+  EXPECT_EQ(stored().front().facts.state, AttemptState::Completed);
+}
+
+TEST_F(TrainLevel, AnotherCaseOrPersonLeavesTheLevel) {
+  signIn();
+  openWide();
+  practise(0);
+  ASSERT_TRUE(levels_->level());
+  EXPECT_TRUE(wanted_.isEmpty()) << "its case is there already";
+  workspace_->setCase(patient());
+  EXPECT_FALSE(levels_->level());
+  openWide();
+  practise(0);
+  key(Qt::Key_Return, Qt::ControlModifier);
+  ASSERT_TRUE(waitFor([&] { return attempt_->isRunning(); }));
+  levels_->choose("first");
+  EXPECT_TRUE(workspace_->statusText().contains("Finish the attempt first"));
+  account_->signOut();
+  EXPECT_FALSE(levels_->level());
+}
+
+TEST_F(TrainLevel, HintsSayOnlyWhatWentWrong) {
+  openWide();
+  attempt_->setAssistance(Assistance::Hints);
+  key(Qt::Key_Return, Qt::ControlModifier);
+  ASSERT_TRUE(waitFor([&] { return attempt_->isRunning(); }));
+  EXPECT_TRUE(waitFor([&] { return text("attemptDue").contains("Nothing went wrong"); }));
+  EXPECT_FALSE(shown("attemptNumbers"));
+  EXPECT_FALSE(shown("attemptStepsLater"));
+  EXPECT_TRUE(text("attemptHead").startsWith("Hints"));
+  overTheVein();
+  type("needle_depth", "22");
+  EXPECT_TRUE(waitFor([&] { return text("attemptFindings").contains("through the back wall"); }));
+  EXPECT_FALSE(shown("attemptDue"));
+  attempt_->abandon();
+}
+
+}  // namespace
+}  // namespace insonate::train

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/AttemptFacts.h>
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace insonate {
+struct Curriculum;
+struct Level;
+}  // namespace insonate
+
+namespace insonate::ui {
+class Account;
+}
+
+namespace insonate::train {
+
+class AttemptControl;
+
+/// Which level an attempt is made for; null for free practice.
+struct AttemptAim {
+  const Curriculum* curriculum = nullptr;
+  const Level* level = nullptr;
+};
+
+/// Writes each attempt of who is signed in into the store, as it begins and as it ends. It is first written down on
+/// this computer, so that nothing is lost where the store cannot be reached; what waits is sent again once a minute and
+/// when its person signs in. Who signs out leaves their attempt, which is kept as abandoned. Of guests nothing is kept.
+/// For the window's thread, which waits for nothing.
+class AttemptKeeper final : public QObject {
+  Q_OBJECT
+
+ public:
+  AttemptKeeper(AttemptControl& attempt, QString folder, QObject* parent = nullptr);
+
+  void setAccount(ui::Account& account);
+  /// Asked as an attempt begins.
+  void setAim(std::function<AttemptAim()> aim) { aim_ = std::move(aim); }
+
+ Q_SIGNALS:
+  /// An attempt of who is signed in ended; the store hears of it next.
+  void ended(const insonate::AttemptFacts& facts);
+  /// The store has all that there is of who is signed in.
+  void allSent();
+  /// What is to be known of what could not be sent.
+  void said(const QString& sentence);
+
+ private:
+  void begin();
+  void end();
+  void keep(const AttemptFacts& facts, const QString& recording);
+  void send(std::optional<AttemptFacts> fresh, const QString& recording);
+  void tell(const Result<void>& sent);
+
+  AttemptControl& attempt_;
+  ui::Account* account_ = nullptr;
+  const QString folder_;
+  std::function<AttemptAim()> aim_;
+  std::optional<AttemptFacts> facts_;  ///< of the attempt that runs
+  std::string trouble_;                ///< as last said
+  QTimer again_;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/Curriculum.h>
+#include <insonate/curriculum/SignedIn.h>
+#include <insonate/curriculum/Unlocking.h>
+
+#include <QObject>
+#include <QString>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace insonate::ui {
+class Account;
+}
+
+namespace insonate::train {
+
+/// What whoever sits at the window is to learn, how far they are, and what they did. The curriculum is that of a class
+/// they are in, else the one that comes with the program; of a guest nothing is known. For the window's thread, which
+/// waits for nothing.
+class Course final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Course(QString unsentFolder, QObject* parent = nullptr);
+
+  void setAccount(ui::Account& account);
+  /// Attempts count for somebody.
+  bool isSomebodys() const;
+
+  /// Null until it is known.
+  const Curriculum* curriculum() const { return known_ ? &known_->curriculum : nullptr; }
+  /// As words for people: the class, or that it comes with the program.
+  QString origin() const;
+  /// Where one stands in each level, in the curriculum's order.
+  const std::vector<LevelProgress>& progress() const { return progress_; }
+  /// Null for one that the curriculum lacks.
+  const LevelProgress* progressIn(std::string_view level) const;
+  /// In the order in which the store learnt of them.
+  std::vector<AttemptFacts> history() const { return known_ ? known_->history : std::vector<AttemptFacts>{}; }
+  /// Why nothing is known, or not all, and what to do; empty: all is well.
+  QString trouble() const { return trouble_; }
+
+  /// The curricula of one's classes; more than one leaves a choice.
+  struct Choice {
+    std::string cohort{};  ///< its name; "": the one that comes with the program
+    std::string curriculum{};
+    int version = 0;
+
+    bool operator==(const Choice&) const = default;
+  };
+  std::vector<Choice> choices() const { return known_ ? known_->choices : std::vector<Choice>{}; }
+  int chosen() const { return known_ ? known_->chosen : 0; }
+  void choose(int choice);
+
+  /// Asks the store again; changed() tells when it has answered.
+  void refresh();
+  /// An attempt that ended just now counts before the store has it.
+  void add(const AttemptFacts& ended);
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  struct Known {
+    std::vector<Choice> choices{};
+    int chosen = 0;
+    Curriculum curriculum{};
+    std::vector<AttemptFacts> history{};
+  };
+  static Result<std::vector<Choice>> choicesOf(const SignedIn& by);
+  static Result<Known> ask(const SignedIn& by, const QString& unsent, const std::optional<Choice>& wanted);
+  void take(Result<Known> known);
+  void workOut();
+
+  const QString unsent_;
+  ui::Account* account_ = nullptr;
+  std::string person_;  ///< whose course is known
+  std::optional<Choice> wanted_;
+  std::optional<Known> known_;
+  std::vector<LevelProgress> progress_;
+  QString trouble_;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QWidget>
+
+class QButtonGroup;
+class QStackedWidget;
+
+namespace insonate::ui {
+class Account;
+}
+
+namespace insonate::train {
+
+class Course;
+class LevelControl;
+
+/// In the place of picture and controls: the path of levels, one's attempts with their curve, and the questionnaire.
+class CoursePage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  enum Tab { Levels, Attempts, Questionnaire };
+
+  CoursePage(Course& course, LevelControl& levels, ui::Account* account, QWidget* parent = nullptr);
+
+  void showTab(Tab tab);
+  /// To what is chosen from on the tab.
+  void takeKeyboard();
+
+ Q_SIGNALS:
+  /// Back to the picture.
+  void left();
+  void attemptWanted(const QString& file);
+  void said(const QString& sentence);
+  void written(const QString& sentence, const QString& folder);
+  void failed(const QString& what, const QString& advice);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  QWidget* buildHead();
+
+  QButtonGroup* tabs_;
+  QStackedWidget* pages_;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,66 @@
+#include "CurveChoice.h"
+
+#include <insonate/curriculum/Judgement.h>
+#include <insonate/procedure/Procedure.h>
+#include <insonate/teaching/TeachingHere.h>
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace insonate::train {
+namespace {
+
+const std::string kPoints = "points";
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("CurveChoice", text);
+}
+
+bool isOf(const AttemptFacts& attempt, const Curriculum* curriculum, const CurveChoice& which) {
+  if (attempt.procedure != which.procedure || !counts(attempt)) return false;
+  return which.level.empty() || (curriculum && attempt.curriculum == curriculum->name && attempt.level == which.level);
+}
+
+}  // namespace
+
+std::vector<CurveChoice> curveChoices(const Curriculum* curriculum, std::span<const AttemptFacts> history) {
+  std::vector<std::string> procedures;
+  const auto add = [&](const std::string& name) {
+    if (std::ranges::find(procedures, name) == procedures.end()) procedures.push_back(name);
+  };
+  for (const AttemptFacts& one : history)
+    if (counts(one)) add(one.procedure);
+  if (procedures.empty() && curriculum && !curriculum->levels.empty()) add(curriculum->levels.front().procedure);
+  std::vector<CurveChoice> choices;
+  for (const std::string& name : procedures) {
+    const auto procedure = loadProcedure(name);
+    const QString title = QString::fromStdString(procedure ? procedure->title : name);
+    choices.push_back({tr("All: %1").arg(title), name, {}});
+    if (!curriculum) continue;
+    for (const Level& level : curriculum->levels)
+      if (level.procedure == name) choices.push_back({QString::fromStdString(level.title), name, level.name});
+  }
+  return choices;
+}
+
+std::vector<MetricMeaning> curveMetrics(const std::string& procedure) {
+  MetricMeaning points;
+  points.id = kPoints, points.title = tr("Points, of 100").toStdString();
+  points.better = MetricMeaning::Better::Higher;
+  std::vector<MetricMeaning> all{points};
+  const auto known = loadProcedure(procedure);
+  const auto metrics = known ? metricMeanings(*known) : metricMeanings();
+  all.insert(all.end(), metrics.begin(), metrics.end());
+  return all;
+}
+
+std::vector<std::optional<double>> curveValues(const Curriculum* curriculum, std::span<const AttemptFacts> history,
+                                               const CurveChoice& which, const MetricMeaning& meaning) {
+  std::vector<std::optional<double>> values;
+  for (const AttemptFacts& attempt : history)
+    if (isOf(attempt, curriculum, which))
+      values.push_back(meaning.id == kPoints ? attempt.points : valueOf(attempt, meaning.id, meaning.version));
+  return values;
+}
+
+}  // namespace insonate::train

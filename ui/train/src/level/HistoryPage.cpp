@@ -1,0 +1,249 @@
+#include "HistoryPage.h"
+
+#include "../attempt/AttemptWords.h"
+#include "Course.h"
+#include "CurveChoice.h"
+#include "LevelWords.h"
+
+#include <insonate/ui/Account.h>
+#include <insonate/ui/Attempts.h>
+#include <insonate/ui/LearningChart.h>
+#include <insonate/ui/Theme.h>
+
+#include <QComboBox>
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSplitter>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <cmath>
+#include <utility>
+
+namespace insonate::train {
+namespace {
+
+constexpr int kPage = 200, kRow_px = 28;
+enum Column { kDate, kLevel, kOutcome, kPoints, kLength, kColumns };
+
+QString qt(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+QString dateOf(std::int64_t time_us) {
+  return QDateTime::fromMSecsSinceEpoch(time_us / 1000).toString(QStringLiteral("yyyy-MM-dd  HH:mm"));
+}
+
+QString levelOf(const Curriculum* curriculum, const AttemptFacts& facts) {
+  const Level* level = curriculum && facts.curriculum == curriculum->name ? curriculum->level(facts.level) : nullptr;
+  return level ? qt(level->title) : qt(facts.level.empty() ? facts.caseName : facts.level);
+}
+
+QString tipOf(const KeptAttempt& one) {
+  QStringList parts{HistoryPage::tr("Case: %1").arg(qt(one.facts.caseName))};
+  if (!one.facts.workstation.empty()) parts << HistoryPage::tr("Workstation: %1").arg(qt(one.facts.workstation));
+  if (!one.voidReason.empty()) parts << HistoryPage::tr("Does not count: %1").arg(qt(one.voidReason));
+  if (one.crashed) parts << HistoryPage::tr("The program ended in the middle of it");
+  return QStringLiteral("<p>%1</p>").arg(parts.join(QLatin1Char('\n')).toHtmlEscaped().replace('\n', "<br>"));
+}
+
+QPushButton* button(const char* object, const QString& text, const QString& says) {
+  auto* made = new QPushButton(text);
+  made->setObjectName(QLatin1String(object));
+  made->setToolTip(says);
+  return made;
+}
+
+QComboBox* choice(const char* object, const QString& name, const QString& says) {
+  auto* made = new QComboBox;
+  made->setObjectName(QLatin1String(object));
+  made->setAccessibleName(name);
+  made->setToolTip(says);
+  made->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  made->setMinimumContentsLength(14);
+  return made;
+}
+
+}  // namespace
+
+HistoryPage::HistoryPage(Course& course, ui::Account* account, QWidget* parent)
+    : QWidget(parent), course_(course), account_(account) {
+  auto* columns = new QSplitter(Qt::Horizontal);
+  columns->setChildrenCollapsible(false);
+  columns->addWidget(buildList());
+  columns->addWidget(buildCurve());
+  columns->setSizes({560, 640});
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->addWidget(columns);
+  setFocusProxy(table_);
+  connect(&course_, &Course::changed, this, [this] { refresh(); });
+  refresh();
+}
+
+QWidget* HistoryPage::buildList() {
+  words_ = new QLabel;
+  words_->setObjectName(QStringLiteral("historyWords"));
+  words_->setTextFormat(Qt::PlainText);
+  words_->setWordWrap(true);
+  table_ = new QTableWidget;
+  table_->setObjectName(QStringLiteral("history"));
+  table_->setAccessibleName(tr("Your attempts, the newest first"));
+  table_->setToolTip(tr("Enter opens the attempt in Review"));
+  table_->setColumnCount(kColumns);
+  table_->setHorizontalHeaderLabels({tr("Begun"), tr("Level"), tr("Result"), tr("Points"), tr("Length")});
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setShowGrid(false);
+  table_->setTabKeyNavigation(false);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(kRow_px);
+  QHeaderView* header = table_->horizontalHeader();
+  header->setHighlightSections(false);
+  header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  header->setSectionResizeMode(QHeaderView::Fixed);
+  header->setSectionResizeMode(kLevel, QHeaderView::Stretch);
+  for (const auto& [column, px] : {std::pair{kDate, 158}, {kOutcome, 96}, {kPoints, 58}, {kLength, 62}})
+    header->resizeSection(column, px);
+  open_ = button("historyOpen", tr("Open in Review"), tr("Replay the selected attempt (Enter)"));
+  older_ = button("historyOlder", tr("Older attempts"), tr("Those before the last one of the list"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(open_);
+  row->addWidget(older_);
+  row->addStretch(1);
+  auto* column = new QWidget;
+  auto* box = new QVBoxLayout(column);
+  box->setContentsMargins(0, 0, ui::kGap, 0);
+  box->addWidget(words_);
+  box->addWidget(table_, 1);
+  box->addLayout(row);
+  connect(table_, &QTableWidget::itemActivated, this, [this] { open(); });
+  connect(table_, &QTableWidget::itemSelectionChanged, this,
+          [this] { open_->setEnabled(!table_->selectedItems().isEmpty()); });
+  connect(open_, &QPushButton::clicked, this, [this] { open(); });
+  connect(older_, &QPushButton::clicked, this, [this] { ask(attempts_.back().arrival); });
+  return column;
+}
+
+QWidget* HistoryPage::buildCurve() {
+  of_ = choice("curveOf", tr("Attempts"), tr("Whose curve: the attempts of a level, or all of a procedure"));
+  metric_ = choice("curveMetric", tr("Metric"), tr("What is drawn over the attempts"));
+  chart_ = new ui::Chart;
+  chart_->setObjectName(QStringLiteral("curve"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(of_, 1);
+  row->addWidget(metric_, 1);
+  auto* column = new QWidget;
+  auto* box = new QVBoxLayout(column);
+  box->setContentsMargins(ui::kGap, 0, 0, 0);
+  box->addLayout(row);
+  box->addWidget(chart_, 1);
+  for (const MetricMeaning& one : curveMetrics({})) metric_->addItem(qt(one.title), qt(one.id));
+  for (QComboBox* one : {of_, metric_})
+    connect(one, qOverload<int>(&QComboBox::activated), this, [this] { refreshCurve(); });
+  connect(chart_, &ui::Chart::written, this, &HistoryPage::written);
+  connect(chart_, &ui::Chart::failed, this, &HistoryPage::failed);
+  return column;
+}
+
+void HistoryPage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (!std::exchange(asked_, true)) ask(0);
+}
+
+/// The list is asked anew when somebody looks.
+void HistoryPage::refresh() {
+  refreshChoices();
+  refreshCurve();
+  asked_ = isVisible();
+  if (asked_) ask(0);
+  if (!course_.isSomebodys()) append({});
+}
+
+void HistoryPage::ask(std::int64_t before) {
+  const int asking = ++asking_;
+  if (before == 0) more_ = false;
+  if (!course_.isSomebodys()) return refreshWords();
+  account_->ask<std::vector<KeptAttempt>>(
+      this, [before](const SignedIn& by) { return AttemptStore(by).page(by.person().id, kPage, before); },
+      [this, asking, before](const Result<std::vector<KeptAttempt>>& page) {
+        if (asking != asking_) return;
+        trouble_ = page ? QString() : qt(page.error().message);
+        if (page && before == 0) attempts_.clear();
+        if (page) append(*page);
+        refreshWords();
+      });
+}
+
+void HistoryPage::append(const std::vector<KeptAttempt>& page) {
+  if (!course_.isSomebodys()) attempts_.clear();
+  const bool fresh = attempts_.empty();
+  attempts_.insert(attempts_.end(), page.begin(), page.end());
+  more_ = int(page.size()) == kPage;
+  table_->setRowCount(int(attempts_.size()));
+  for (int row = int(attempts_.size() - page.size()); row < int(attempts_.size()); ++row) {
+    const KeptAttempt& one = attempts_[std::size_t(row)];
+    const AttemptFacts& facts = one.facts;
+    const QString texts[kColumns] = {dateOf(facts.begun_us), levelOf(course_.curriculum(), facts),
+                                     outcomeOf(course_.curriculum(), facts),
+                                     facts.points ? QString::number(std::lround(*facts.points)) : tr("n/a"),
+                                     clockOf(double(facts.length_us) * 1e-6)};
+    for (int column = 0; column < kColumns; ++column) {
+      auto* item = new QTableWidgetItem(texts[column]);
+      item->setToolTip(tipOf(one));
+      table_->setItem(row, column, item);
+    }
+  }
+  open_->setEnabled(!table_->selectedItems().isEmpty());
+  if (fresh && !attempts_.empty()) table_->selectRow(0);
+}
+
+void HistoryPage::refreshWords() {
+  const bool any = !attempts_.empty();
+  for (QWidget* one : {static_cast<QWidget*>(table_), static_cast<QWidget*>(open_)}) one->setVisible(any);
+  older_->setVisible(any && more_);
+  QString words = trouble_;
+  if (words.isEmpty() && !course_.isSomebodys())
+    words = tr("Sign in (Ctrl+L) to see your attempts. Recordings of guests are listed under Review (Ctrl+3).");
+  else if (words.isEmpty() && !any)
+    words = tr("You have no attempts yet. Choose a level and practise it; each attempt is listed here.");
+  words_->setText(words);
+  words_->setVisible(!words.isEmpty());
+}
+
+void HistoryPage::refreshChoices() {
+  const QVariant was = of_->currentData();
+  of_->clear();
+  for (const CurveChoice& one : curveChoices(course_.curriculum(), course_.history()))
+    of_->addItem(one.title, QStringList{qt(one.procedure), qt(one.level)});
+  of_->setCurrentIndex(std::max(0, of_->findData(was)));
+}
+
+void HistoryPage::refreshCurve() {
+  const QStringList of = of_->currentData().toStringList();
+  if (of.size() != 2) return chart_->show({});
+  const CurveChoice which{{}, of[0].toStdString(), of[1].toStdString()};
+  const std::string metric = metric_->currentData().toString().toStdString();
+  for (const MetricMeaning& meaning : curveMetrics(which.procedure))
+    if (meaning.id == metric)
+      chart_->show(ui::learningPicture(meaning, curveValues(course_.curriculum(), course_.history(), which, meaning)));
+}
+
+void HistoryPage::open() {
+  const int row = table_->currentRow();
+  if (row < 0 || row >= int(attempts_.size())) return;
+  const AttemptFacts& facts = attempts_[std::size_t(row)].facts;
+  const QString file = QDir(ui::attemptsFolder()).filePath(QFileInfo(qt(facts.recording)).fileName());
+  if (!facts.recording.empty() && QFileInfo(file).isFile()) return Q_EMIT attemptWanted(file);
+  Q_EMIT said(facts.recording.empty()
+                  ? tr("This attempt has no recording: its file could not be written, or the program ended.")
+                  : tr("Its recording is not on this computer. It was made on the workstation '%1'.")
+                        .arg(qt(facts.workstation)));
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <insonate/curriculum/AttemptStore.h>
+
+#include <QString>
+#include <QWidget>
+#include <cstdint>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace insonate::ui {
+class Account;
+class Chart;
+}  // namespace insonate::ui
+
+namespace insonate::train {
+
+class Course;
+
+/// One's own attempts, the newest first, and how a metric came along over those that count.
+class HistoryPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  HistoryPage(Course& course, ui::Account* account, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void attemptWanted(const QString& file);
+  void said(const QString& sentence);
+  void written(const QString& sentence, const QString& folder);
+  void failed(const QString& what, const QString& advice);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QWidget* buildList();
+  QWidget* buildCurve();
+  void refresh();
+  void ask(std::int64_t before);
+  void append(const std::vector<KeptAttempt>& page);
+  void refreshWords();
+  void refreshChoices();
+  void refreshCurve();
+  void open();
+
+  Course& course_;
+  ui::Account* account_;
+  std::vector<KeptAttempt> attempts_;  ///< a row each
+  bool asked_ = false, more_ = false;
+  int asking_ = 0;  ///< what comes of an earlier question is passed over
+  QString trouble_;
+  QLabel* words_ = nullptr;
+  QTableWidget* table_ = nullptr;
+  QPushButton *open_ = nullptr, *older_ = nullptr;
+  QComboBox *of_ = nullptr, *metric_ = nullptr;
+  ui::Chart* chart_ = nullptr;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,71 @@
+#include "LevelCard.h"
+
+#include "../attempt/AttemptWords.h"
+#include "LevelControl.h"
+#include "LevelWords.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace insonate::train {
+namespace {
+
+QLabel* words(const char* object, const char* role) {
+  auto* label = new QLabel;
+  label->setObjectName(QLatin1String(object));
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  ui::setRole(label, role);
+  return label;
+}
+
+QPushButton* button(const char* object, const QString& text, const QString& says) {
+  auto* made = new QPushButton(text);
+  made->setObjectName(QLatin1String(object));
+  made->setToolTip(says);
+  made->setFocusPolicy(Qt::TabFocus);
+  return made;
+}
+
+}  // namespace
+
+LevelCard::LevelCard(LevelControl& levels, QWidget* parent)
+    : QWidget(parent), levels_(levels), title_(words("levelTitle", "heading")), rule_(words("levelRule", "quiet")) {
+  auto* course = button("levelsOpen", tr("Levels"), tr("Levels, your attempts and their curve, the questionnaire (J)"));
+  open_ = button("levelOpenCase", tr("Open its case"), tr("The level's case in place of the one in the window"));
+  free_ = button("levelLeave", tr("Practise freely"), tr("Leave the level: any case, procedure and assistance"));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(ui::kSmallGap);
+  for (QPushButton* one : {course, open_, free_}) row->addWidget(one, 1);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kSmallGap);
+  box->addWidget(title_);
+  box->addWidget(rule_);
+  box->addLayout(row);
+  connect(course, &QPushButton::clicked, this, &LevelCard::courseWanted);
+  connect(open_, &QPushButton::clicked, &levels_, &LevelControl::openCase);
+  connect(free_, &QPushButton::clicked, &levels_, &LevelControl::leave);
+  connect(&levels_, &LevelControl::changed, this, [this] { refresh(); });
+  refresh();
+}
+
+void LevelCard::refresh() {
+  const Level* level = levels_.level();
+  title_->setVisible(level);
+  rule_->setVisible(level);
+  free_->setVisible(level);
+  open_->setVisible(levels_.waitsForCase());
+  if (!level) return;
+  title_->setText(QString::fromStdString(level->title));
+  rule_->setText(tr("%1. A pass: %2.").arg(capital(wordOf(level->assistance)), passOf(level->pass)));
+  QStringList limits;
+  for (const MetricStandard& standard : level->pass.standards) limits << limitOf(standard);
+  rule_->setToolTip(limits.join(QLatin1Char('\n')));
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,98 @@
+#include "LevelControl.h"
+
+#include "../TrainSession.h"
+#include "../attempt/AttemptControl.h"
+#include "Course.h"
+
+#include <insonate/ui/KnownCases.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace insonate::train {
+namespace {
+
+QString qt(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+}  // namespace
+
+LevelControl::LevelControl(TrainSession& session, AttemptControl& attempt, Course& course, QObject* parent)
+    : QObject(parent), session_(session), attempt_(attempt), course_(course) {
+  connect(&session_, &TrainSession::caseChanged, this, [this] { caseChanged(); });
+  connect(&course_, &Course::changed, this, [this] { courseChanged(); });
+  connect(&attempt_, &AttemptControl::stateChanged, this, [this] {
+    if (attempt_.state() == AttemptControl::State::Starting) arrange();
+  });
+}
+
+bool LevelControl::fits() const {
+  const auto& patient = session_.patient();
+  if (!patient) return false;
+  const QString title = qt(patient->manifest.title);
+  return title == ui::titleOfCase(qt(level_->caseName));
+}
+
+AttemptAim LevelControl::aim() const {
+  if (!level_ || !course_.curriculum()) return {};
+  return {course_.curriculum(), course_.curriculum()->level(level_->name)};
+}
+
+void LevelControl::choose(const std::string& name) {
+  const Level* level = course_.curriculum() ? course_.curriculum()->level(name) : nullptr;
+  const LevelProgress* progress = course_.progressIn(name);
+  if (!level || !progress) return;
+  if (progress->state == LevelState::Locked) return session_.say(qt(progress->why));
+  if (attempt_.isBusy()) return session_.say(tr("Finish the attempt first, or abandon it."));
+  attempt_.leave();
+  level_ = *level;
+  arrange();
+  Q_EMIT changed();
+  if (waitsForCase()) openCase();
+}
+
+void LevelControl::openCase() {
+  if (!level_) return;
+  if (const auto place = ui::placeOfCase(qt(level_->caseName))) return Q_EMIT caseWanted(*place);
+  session_.say(tr("The case '%1' of this level is not known here. Open it once (Ctrl+O).").arg(qt(level_->caseName)));
+}
+
+void LevelControl::leave() {
+  if (!std::exchange(level_, std::nullopt)) return;
+  attempt_.setObstacle({});
+  Q_EMIT changed();
+}
+
+void LevelControl::caseChanged() {
+  if (!level_ || !session_.patient()) return;
+  if (!fits()) {
+    session_.say(tr("'%1' is practised on another case: you practise freely now.").arg(qt(level_->title)));
+    return leave();
+  }
+  arrange();
+  Q_EMIT changed();
+}
+
+/// Somebody else, or another curriculum.
+void LevelControl::courseChanged() {
+  if (!level_) return;
+  const Level* now = course_.curriculum() ? course_.curriculum()->level(level_->name) : nullptr;
+  if (!now || *now != *level_) leave();
+}
+
+/// Procedure, assistance and position are the level's.
+void LevelControl::arrange() {
+  if (!level_) return;
+  attempt_.choose(level_->procedure);
+  attempt_.setAssistance(level_->assistance);
+  attempt_.setObstacle(waitsForCase()
+                           ? tr("This level waits for its case, '%1'.").arg(ui::titleOfCase(qt(level_->caseName)))
+                           : QString());
+  const auto& positions = attempt_.procedure().positions;
+  const auto position = std::ranges::find(positions, level_->position, &PatientPosition::name);
+  if (position != positions.end() && !waitsForCase() && session_.tissue().body.tilt_deg != position->tilt_deg)
+    attempt_.position(position->tilt_deg);
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "AttemptKeeper.h"
+
+#include <insonate/curriculum/Curriculum.h>
+
+#include <QObject>
+#include <QString>
+#include <optional>
+#include <string>
+
+namespace insonate {
+struct PatientCase;
+}
+
+namespace insonate::train {
+
+class AttemptControl;
+class Course;
+class TrainSession;
+
+/// The level that is practised, or none: then one practises freely. A level brings its case, procedure, position and
+/// assistance, and is left when another case is opened. Knows no widget. For the window's thread.
+class LevelControl final : public QObject {
+  Q_OBJECT
+
+ public:
+  LevelControl(TrainSession& session, AttemptControl& attempt, Course& course, QObject* parent = nullptr);
+
+  /// Null while one practises freely.
+  const Level* level() const { return level_ ? &*level_ : nullptr; }
+  /// The level's case is not the one in the window.
+  bool waitsForCase() const { return level_ && !fits(); }
+  /// What the next attempt is made for.
+  AttemptAim aim() const;
+
+  /// One that is locked, or an attempt that runs, refuses with a sentence in the status line.
+  void choose(const std::string& level);
+  void leave();
+  /// Asks the window for the level's case.
+  void openCase();
+
+ Q_SIGNALS:
+  void changed();
+  void caseWanted(const QString& place);
+
+ private:
+  bool fits() const;
+  void caseChanged();
+  void courseChanged();
+  void arrange();
+
+  TrainSession& session_;
+  AttemptControl& attempt_;
+  Course& course_;
+  std::optional<Level> level_;
+};
+
+}  // namespace insonate::train

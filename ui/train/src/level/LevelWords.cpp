@@ -1,0 +1,152 @@
+#include "LevelWords.h"
+
+#include <insonate/curriculum/Judgement.h>
+#include <insonate/procedure/AttemptMetrics.h>
+#include <insonate/ui/AttemptWords.h>
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace insonate::train {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("LevelWords", text);
+}
+
+QString qt(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+const MetricDefinition* definitionOf(const std::string& id) {
+  const auto found = std::ranges::find(metricTable(), id, &MetricDefinition::id);
+  return found == metricTable().end() ? nullptr : &*found;
+}
+
+/// As elsewhere in the window; of a metric that is gone, its name.
+QString nameOf(const MetricStandard& standard) {
+  const MetricDefinition* known = definitionOf(standard.metric);
+  return known ? ui::titleOf(known->metric) : qt(standard.metric);
+}
+
+QString valueFor(const MetricStandard& standard, std::optional<double> value) {
+  const MetricDefinition* known = definitionOf(standard.metric);
+  if (known) return ui::valueOf(known->metric, value);
+  return value ? QString::number(*value) : tr("n/a");
+}
+
+/// With the digits that the curriculum gives it.
+QString boundOf(const MetricStandard& standard) {
+  const MetricDefinition* known = definitionOf(standard.metric);
+  const QString unit = known ? QString::fromUtf8(known->unit.data(), int(known->unit.size())) : QString();
+  const QString number = QString::number(standard.least ? *standard.least : standard.most.value_or(0), 'g', 6);
+  const QString bound = unit.isEmpty()                 ? number
+                        : unit == QLatin1String("deg") ? number + QStringLiteral("°")
+                                                       : number + QLatin1Char(' ') + unit;
+  return standard.least ? tr("at least %1").arg(bound) : tr("at most %1").arg(bound);
+}
+
+const LevelProgress* find(std::span<const LevelProgress> all, const std::string& level) {
+  const auto found = std::ranges::find(all, level, &LevelProgress::level);
+  return found == all.end() ? nullptr : &*found;
+}
+
+/// Standards that were missed are told by themselves.
+QString headlineFor(const PassRule& rule, const AttemptFacts& attempt, bool passed) {
+  if (!counts(attempt)) return tr("Does not count: it was left before the skin");
+  const bool well = attempt.state == AttemptState::Completed && attempt.succeeded && attempt.criticalErrors == 0;
+  if (!passed && well && judge(rule, attempt).percentMet() < rule.mastery_percent) return tr("Not passed");
+  return passed ? tr("Passed") : tr("Not passed: %1").arg(qt(reasonOfFailure(rule, attempt)));
+}
+
+/// Of other levels than the one that was practised.
+QString changeOf(const Level& level, LevelState before, LevelState after) {
+  if (before == after) return {};
+  if (after == LevelState::Locked) return tr("'%1' is locked now.").arg(qt(level.title));
+  if (after == LevelState::Open) return tr("'%1' is open now.").arg(qt(level.title));
+  return after == LevelState::Mastered ? tr("'%1' is mastered now.").arg(qt(level.title))
+                                       : tr("'%1' has lapsed.").arg(qt(level.title));
+}
+
+}  // namespace
+
+StateWords wordsOf(LevelState state) {
+  switch (state) {
+    case LevelState::Locked:
+      return {QStringLiteral("○"), tr("locked"), views::theme::kQuiet};
+    case LevelState::Open:
+      return {QStringLiteral("▶"), tr("open"), views::theme::kAccent};
+    case LevelState::Mastered:
+      return {QStringLiteral("✓"), tr("mastered"), views::theme::kGood};
+    case LevelState::Lapsed:
+      break;
+  }
+  return {QStringLiteral("▲"), tr("lapsed"), views::theme::kCaution};
+}
+
+QString dotsOf(const Level& level, const LevelProgress& progress) {
+  const int needed = level.mastery.passesInARow, made = std::min(progress.passesInARow, needed);
+  constexpr int kMostDots = 10;
+  if (needed > kMostDots) return tr("%1 of %2").arg(made).arg(needed);
+  return QString(made, QChar(0x25CF)) + QString(needed - made, QChar(0x25CB));
+}
+
+QString limitOf(const MetricStandard& standard) {
+  return QStringLiteral("%1: %2").arg(nameOf(standard), boundOf(standard));
+}
+
+QString comparedWith(const MetricStandard& standard, const AttemptFacts& attempt) {
+  const auto value = valueOf(attempt, standard.metric, standard.version);
+  return QStringLiteral("%1: %2, %3").arg(nameOf(standard), valueFor(standard, value), boundOf(standard));
+}
+
+QString masteryOf(const Level& level) {
+  const MasteryRule& rule = level.mastery;
+  QStringList parts{rule.passesInARow == 1 ? tr("one pass") : tr("%1 passes in a row").arg(rule.passesInARow)};
+  if (rule.cusum) parts << tr("the learning score LC-CUSUM reaches %1").arg(rule.cusum->limit, 0, 'f', 2);
+  if (rule.lapsesAfter_days) parts << tr("lapses after %1 days without practice").arg(*rule.lapsesAfter_days);
+  if (rule.lapsesAfter)
+    parts << tr("lapses after %1 failures within %2 attempts")
+                 .arg(rule.lapsesAfter->failures)
+                 .arg(rule.lapsesAfter->within);
+  return parts.join(QStringLiteral("; "));
+}
+
+QString passOf(const PassRule& rule) {
+  QStringList parts{tr("completed with success, without a critical error")};
+  if (rule.leastPoints) parts << tr("at least %1 points").arg(*rule.leastPoints);
+  if (!rule.standards.empty() && rule.mastery_percent < 100)
+    parts << tr("at least %1 % of the standards met").arg(rule.mastery_percent);
+  else if (!rule.standards.empty())
+    parts << tr("all standards met");
+  return parts.join(QStringLiteral(", "));
+}
+
+Verdict verdictOf(const Curriculum& curriculum, const Level& level, const AttemptFacts& attempt,
+                  std::span<const LevelProgress> before, std::span<const LevelProgress> after) {
+  const Judgement judgement = judge(level.pass, attempt);
+  Verdict verdict;
+  verdict.passed = judgement.passed && counts(attempt);
+  verdict.headline = headlineFor(level.pass, attempt, verdict.passed);
+  for (std::size_t i = 0; i < level.pass.standards.size(); ++i)
+    (judgement.standardsMet[i] ? verdict.met : verdict.missed) << comparedWith(level.pass.standards[i], attempt);
+  if (const LevelProgress* now = find(after, level.name)) verdict.changes << qt(now->why);
+  for (const Level& other : curriculum.levels) {
+    const LevelProgress *was = find(before, other.name), *is = find(after, other.name);
+    if (!was || !is || other.name == level.name) continue;
+    if (const QString change = changeOf(other, was->state, is->state); !change.isEmpty()) verdict.changes << change;
+  }
+  return verdict;
+}
+
+QString outcomeOf(const Curriculum* curriculum, const AttemptFacts& attempt) {
+  if (attempt.state == AttemptState::Voided) return tr("voided");
+  if (attempt.state == AttemptState::Open) return tr("not ended");
+  const bool ours = curriculum && attempt.curriculum == curriculum->name && counts(attempt);
+  const Level* level = ours ? curriculum->level(attempt.level) : nullptr;
+  if (level) return judge(level->pass, attempt).passed ? tr("passed") : tr("failed");
+  if (attempt.state == AttemptState::Abandoned) return tr("abandoned");
+  return attempt.level.empty() ? tr("free practice") : tr("completed");
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <insonate/curriculum/AttemptFacts.h>
+#include <insonate/curriculum/Curriculum.h>
+#include <insonate/curriculum/Unlocking.h>
+#include <insonate/views/Theme.h>
+
+#include <QString>
+#include <QStringList>
+#include <span>
+#include <vector>
+
+namespace insonate::train {
+
+/// How a level's state is told: by a sign and a word as well as by a colour.
+struct StateWords {
+  QString sign, word;
+  views::Colour colour;
+};
+StateWords wordsOf(LevelState state);
+
+/// "●●○": passes in a row, and how many there are to be.
+QString dotsOf(const Level& level, const LevelProgress& progress);
+
+/// "artery punctures: at most 0".
+QString limitOf(const MetricStandard& standard);
+/// "artery punctures: 1, at most 0", of an attempt.
+QString comparedWith(const MetricStandard& standard, const AttemptFacts& attempt);
+/// "2 passes in a row; the learning score LC-CUSUM reaches 2.50; lapses after 90 days without practice".
+QString masteryOf(const Level& level);
+/// What one attempt needs, without its standards: "completed, with success, without a critical error, ...".
+QString passOf(const PassRule& rule);
+
+/// An attempt at a level beside its rule, and what it changed.
+struct Verdict {
+  bool passed = false;
+  QString headline{};  ///< "Passed", or why not
+  QStringList met{};   ///< standards, with values
+  QStringList missed{};
+  QStringList changes{};  ///< sentences on the path of levels
+};
+Verdict verdictOf(const Curriculum& curriculum, const Level& level, const AttemptFacts& attempt,
+                  std::span<const LevelProgress> before, std::span<const LevelProgress> after);
+
+/// "passed", "failed", "abandoned", "free practice", "voided", "not ended".
+QString outcomeOf(const Curriculum* curriculum, const AttemptFacts& attempt);
+
+}  // namespace insonate::train

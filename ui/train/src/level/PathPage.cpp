@@ -1,0 +1,251 @@
+#include "PathPage.h"
+
+#include "../attempt/AttemptWords.h"
+#include "Course.h"
+#include "LevelControl.h"
+#include "LevelWords.h"
+
+#include <insonate/curriculum/Judgement.h>
+#include <insonate/procedure/Procedure.h>
+#include <insonate/ui/KnownCases.h>
+#include <insonate/ui/Theme.h>
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace insonate::train {
+namespace {
+
+constexpr int kList_px = 340, kLevel_px = 760;
+
+QString qt(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+QLabel* words(const char* object, const char* role = "") {
+  auto* label = new QLabel;
+  label->setObjectName(QLatin1String(object));
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  if (*role) ui::setRole(label, role);
+  return label;
+}
+
+QString procedureTitle(const std::string& name) {
+  const auto procedure = loadProcedure(name);
+  return qt(procedure ? procedure->title : name);
+}
+
+QString settingOf(const Level& level) {
+  QStringList parts{ui::titleOfCase(qt(level.caseName)), procedureTitle(level.procedure)};
+  if (!level.position.empty()) parts << qt(level.position);
+  parts << wordOf(level.assistance);
+  return parts.join(QStringLiteral("   ·   "));
+}
+
+/// The last attempt of this level that counts; null without one.
+const AttemptFacts* lastOf(const std::vector<AttemptFacts>& history, const Curriculum& curriculum, const Level& level) {
+  const auto last = std::find_if(history.rbegin(), history.rend(), [&](const AttemptFacts& one) {
+    return one.curriculum == curriculum.name && one.level == level.name && one.procedure == level.procedure &&
+           counts(one);
+  });
+  return last == history.rend() ? nullptr : &*last;
+}
+
+/// Each standard, with the sign of the last attempt where there is one.
+QString standardsOf(const Level& level, const AttemptFacts* last) {
+  QStringList lines;
+  const Judgement judgement = last ? judge(level.pass, *last) : Judgement();
+  for (std::size_t i = 0; i < level.pass.standards.size(); ++i) {
+    const MetricStandard& standard = level.pass.standards[i];
+    const QString sign = !last                       ? QStringLiteral("·")
+                         : judgement.standardsMet[i] ? QStringLiteral("✓")
+                                                     : QStringLiteral("✗");
+    lines << sign + QStringLiteral("  ") + (last ? comparedWith(standard, *last) : limitOf(standard));
+  }
+  return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace
+
+PathPage::PathPage(Course& course, LevelControl& levels, QWidget* parent)
+    : QWidget(parent),
+      course_(course),
+      levels_(levels),
+      head_(words("courseHead", "heading")),
+      note_(words("courseNote", "quiet")) {
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(ui::kLargeGap);
+  columns->addWidget(buildList());
+  columns->addWidget(buildLevel(), 1);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kGap);
+  box->addWidget(head_);
+  box->addWidget(note_);
+  box->addLayout(columns, 1);
+  setFocusProxy(list_);
+  connect(&course_, &Course::changed, this, [this] { refresh(); });
+  connect(&levels_, &LevelControl::changed, this, [this] { refresh(); });
+  refresh();
+}
+
+QWidget* PathPage::buildList() {
+  choice_ = new QComboBox;
+  choice_->setObjectName(QStringLiteral("courseChoice"));
+  choice_->setAccessibleName(tr("Class"));
+  choice_->setToolTip(tr("By the curriculum of which class"));
+  connect(choice_, qOverload<int>(&QComboBox::activated), &course_, &Course::choose);
+  list_ = new QListWidget;
+  list_->setObjectName(QStringLiteral("levels"));
+  list_->setAccessibleName(tr("Levels"));
+  list_->setToolTip(tr("Enter practises the level that is marked"));
+  list_->setWordWrap(true);
+  connect(list_, &QListWidget::currentRowChanged, this, [this] { refreshLevel(); });
+  connect(list_, &QListWidget::itemActivated, this, [this] { practise(); });
+  auto* column = new QWidget;
+  column->setFixedWidth(kList_px);
+  auto* box = new QVBoxLayout(column);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->addWidget(choice_);
+  box->addWidget(list_, 1);
+  return column;
+}
+
+QWidget* PathPage::buildLevel() {
+  title_ = words("levelHead", "title");
+  about_ = words("levelAbout");
+  why_ = words("levelWhy", "heading");
+  setting_ = words("levelSetting", "quiet");
+  pass_ = words("levelPass");
+  standards_ = words("levelLimits", "quiet");
+  mastery_ = words("levelMastery");
+  practise_ = new QPushButton(tr("Practise this level"));
+  practise_->setObjectName(QStringLiteral("levelPractise"));
+  practise_->setToolTip(tr("Opens its case and sets procedure, position and assistance (Enter)"));
+  ui::setRole(practise_, "primary");
+  free_ = new QPushButton(tr("Practise freely"));
+  free_->setObjectName(QStringLiteral("courseFree"));
+  free_->setToolTip(tr("Leave the level: any case, procedure and assistance"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(practise_);
+  row->addWidget(free_);
+  row->addStretch(1);
+  level_ = new QWidget;
+  auto* box = new QVBoxLayout(level_);
+  box->setContentsMargins(0, 0, ui::kGap, 0);
+  box->setSpacing(ui::kGap);
+  for (QLabel* one : {title_, setting_, why_, about_}) box->addWidget(one);
+  box->addLayout(row);
+  for (QLabel* one : {pass_, standards_, mastery_}) box->addWidget(one);
+  box->addStretch(1);
+  level_->setMaximumWidth(kLevel_px);
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(level_);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  connect(practise_, &QPushButton::clicked, this, [this] { practise(); });
+  connect(free_, &QPushButton::clicked, this, [this] {
+    levels_.leave();
+    Q_EMIT chosen();
+  });
+  return scroll;
+}
+
+void PathPage::refresh() {
+  refreshHead();
+  refreshList();
+  refreshLevel();
+}
+
+void PathPage::refreshHead() {
+  const Curriculum* curriculum = course_.curriculum();
+  head_->setText(
+      curriculum
+          ? tr("%1, version %2, %3").arg(qt(curriculum->title), QString::number(curriculum->version), course_.origin())
+          : tr("Levels"));
+  QString note = course_.trouble();
+  if (note.isEmpty() && !curriculum) note = tr("Looking up your levels ...");
+  if (note.isEmpty() && !course_.isSomebodys())
+    note = tr("You are a guest: attempts are recorded, and count for nobody. Sign in (Ctrl+L), so that levels open.");
+  note_->setText(note);
+  note_->setVisible(!note.isEmpty());
+  const auto choices = course_.choices();
+  choice_->clear();
+  for (const Course::Choice& one : choices) choice_->addItem(qt(one.cohort));
+  choice_->setCurrentIndex(course_.chosen());
+  choice_->setVisible(choices.size() > 1);
+}
+
+void PathPage::refreshList() {
+  const Level* was = selected();
+  const std::string name = was ? was->name : levels_.level() ? levels_.level()->name : std::string();
+  const QSignalBlocker quiet(list_);
+  list_->clear();
+  const Curriculum* curriculum = course_.curriculum();
+  if (!curriculum) return;
+  int row = -1, firstDue = -1;
+  for (const Level& level : curriculum->levels) {
+    const LevelProgress* progress = course_.progressIn(level.name);
+    if (!progress) continue;
+    const StateWords state = wordsOf(progress->state);
+    QString line = state.word;
+    const bool due = progress->state == LevelState::Open || progress->state == LevelState::Lapsed;
+    if (due) line += QStringLiteral("   ") + dotsOf(level, *progress);
+    if (levels_.level() && levels_.level()->name == level.name) line += tr("   chosen");
+    auto* item = new QListWidgetItem(QStringLiteral("%1  %2\n     %3").arg(state.sign, qt(level.title), line));
+    item->setForeground(ui::colour(progress->state == LevelState::Locked ? views::theme::kQuiet : views::theme::kText));
+    item->setData(Qt::UserRole, qt(level.name));
+    item->setToolTip(qt(progress->why));
+    list_->addItem(item);
+    if (level.name == name) row = list_->count() - 1;
+    if (due && firstDue < 0) firstDue = list_->count() - 1;
+  }
+  list_->setCurrentRow(row >= 0 ? row : std::max(0, firstDue));
+}
+
+const Level* PathPage::selected() const {
+  const QListWidgetItem* item = list_->currentItem();
+  const Curriculum* curriculum = course_.curriculum();
+  return item && curriculum ? curriculum->level(item->data(Qt::UserRole).toString().toStdString()) : nullptr;
+}
+
+void PathPage::refreshLevel() {
+  const Level* level = selected();
+  const LevelProgress* progress = level ? course_.progressIn(level->name) : nullptr;
+  level_->setVisible(progress);
+  if (!progress) return;
+  const bool locked = progress->state == LevelState::Locked;
+  const auto history = course_.history();
+  title_->setText(qt(level->title));
+  setting_->setText(settingOf(*level));
+  why_->setText(wordsOf(progress->state).sign + QStringLiteral("  ") + qt(progress->why));
+  about_->setText(qt(level->about));
+  about_->setVisible(!level->about.empty());
+  pass_->setText(tr("A pass: %1").arg(passOf(level->pass)));
+  const AttemptFacts* last = lastOf(history, *course_.curriculum(), *level);
+  standards_->setText((last ? tr("The last attempt:\n") : QString()) + standardsOf(*level, last));
+  standards_->setVisible(!level->pass.standards.empty());
+  mastery_->setText(tr("Mastery: %1.").arg(masteryOf(*level)));
+  practise_->setEnabled(!locked);
+  practise_->setText(locked ? tr("Locked") : tr("Practise this level"));
+  free_->setVisible(levels_.level());
+}
+
+void PathPage::practise() {
+  const Level* level = selected();
+  if (!level) return;
+  const std::string name = level->name;
+  levels_.choose(name);
+  if (levels_.level() && levels_.level()->name == name) Q_EMIT chosen();
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <insonate/curriculum/Curriculum.h>
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace insonate::train {
+
+class Course;
+class LevelControl;
+
+/// The path of levels: what is open, mastered, lapsed or locked and why, and what a level takes. One that is not locked
+/// can be practised.
+class PathPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  PathPage(Course& course, LevelControl& levels, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  /// A level was chosen: the picture is to be seen.
+  void chosen();
+
+ private:
+  QWidget* buildList();
+  QWidget* buildLevel();
+  void refresh();
+  void refreshHead();
+  void refreshList();
+  void refreshLevel();
+  const Level* selected() const;
+  void practise();
+
+  Course& course_;
+  LevelControl& levels_;
+  QLabel *head_ = nullptr, *note_ = nullptr;
+  QComboBox* choice_ = nullptr;
+  QListWidget* list_ = nullptr;
+  QWidget* level_ = nullptr;
+  QLabel *title_ = nullptr, *about_ = nullptr, *why_ = nullptr, *setting_ = nullptr, *pass_ = nullptr,
+         *standards_ = nullptr, *mastery_ = nullptr;
+  QPushButton *practise_ = nullptr, *free_ = nullptr;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,128 @@
+#include "QuestionnairePage.h"
+
+#include <insonate/curriculum/FormStore.h>
+#include <insonate/ui/Account.h>
+#include <insonate/ui/FormSheet.h>
+#include <insonate/ui/Theme.h>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QUuid>
+#include <QVBoxLayout>
+#include <utility>
+
+namespace insonate::train {
+namespace {
+
+constexpr int kWidest_px = 900, kDraft_ms = 500;
+
+/// It comes with the program.
+Form questionnaire() {
+  for (const std::string& name : formPresetNames())
+    if (auto form = loadForm(name); form && form->purpose == Form::Purpose::Questionnaire) return std::move(*form);
+  return {};
+}
+
+QPushButton* button(const char* object, const QString& text, const QString& says) {
+  auto* made = new QPushButton(text);
+  made->setObjectName(QLatin1String(object));
+  made->setToolTip(says);
+  return made;
+}
+
+}  // namespace
+
+QuestionnairePage::QuestionnairePage(ui::Account* account, QString draftFolder, QWidget* parent)
+    : QWidget(parent),
+      account_(account),
+      draft_(std::move(draftFolder)),
+      words_(new QLabel),
+      sheet_(new ui::FormSheet(questionnaire())),
+      scroll_(new QScrollArea),
+      send_(button("formSend", tr("Send"), tr("Store the answers; they cannot be changed afterwards"))),
+      clear_(button("formClear", tr("Clear"), tr("Take all answers back"))) {
+  ui::setRole(send_, "primary");
+  words_->setObjectName(QStringLiteral("formWords"));
+  words_->setTextFormat(Qt::PlainText);
+  words_->setWordWrap(true);
+  sheet_->setMaximumWidth(kWidest_px);
+  scroll_->setWidget(sheet_);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  auto* row = new QHBoxLayout;
+  row->addWidget(send_);
+  row->addWidget(clear_);
+  row->addStretch(1);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kGap);
+  box->addWidget(words_);
+  box->addWidget(scroll_, 1);
+  box->addLayout(row);
+  keeping_.setSingleShot(true);
+  keeping_.setInterval(kDraft_ms);
+  connect(&keeping_, &QTimer::timeout, this, [this] { keepDraft(); });
+  connect(sheet_, &ui::FormSheet::changed, &keeping_, qOverload<>(&QTimer::start));
+  connect(send_, &QPushButton::clicked, this, [this] { send(); });
+  connect(clear_, &QPushButton::clicked, this, [this] { clear(); });
+  if (account_) connect(account_, &ui::Account::changed, this, [this] { changePerson(); });
+  changePerson();
+}
+
+QuestionnairePage::~QuestionnairePage() {
+  if (keeping_.isActive()) keepDraft();
+}
+
+void QuestionnairePage::changePerson() {
+  if (keeping_.isActive()) keepDraft();
+  const bool somebody = account_ && account_->isSignedIn() && !account_->mustChangePassword();
+  person_ = somebody ? account_->person().id : std::string();
+  const FormAnswers kept = somebody ? draft_.read(person_, sheet_->form()) : FormAnswers{};
+  sheet_->setAnswers(kept);
+  words_->setText(!somebody ? tr("Sign in (Ctrl+L) to answer the questionnaire; your answers are kept with your name.")
+                  : kept.empty() ? QString::fromStdString(sheet_->form().about)
+                                 : tr("These are your answers so far; nothing is sent yet."));
+  for (QWidget* one : {static_cast<QWidget*>(scroll_), static_cast<QWidget*>(send_), static_cast<QWidget*>(clear_)})
+    one->setVisible(somebody);
+}
+
+void QuestionnairePage::keepDraft() {
+  keeping_.stop();
+  if (!person_.empty()) draft_.keep(person_, sheet_->form(), sheet_->answers());
+}
+
+void QuestionnairePage::clear() {
+  sheet_->setAnswers({});
+  keepDraft();
+}
+
+void QuestionnairePage::send() {
+  if (!sheet_->check()) return Q_EMIT said(tr("Some answers cannot be stored; what is wrong is said beside them."));
+  const FormAnswers answers = sheet_->answers();
+  if (answers.empty()) return Q_EMIT said(tr("Nothing is answered yet."));
+  keepDraft();
+  FilledForm filled;
+  filled.id = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
+  filled.form = sheet_->form().name, filled.formVersion = sheet_->form().version;
+  filled.person = person_;
+  filled.answers = answersText(answers);
+  send_->setEnabled(false);
+  account_->ask<std::string>(
+      this, [filled](const SignedIn& by) { return FormStore(by).add(filled); },
+      [this, person = person_](const Result<std::string>& id) {
+        send_->setEnabled(true);
+        if (person == person_) sent(id ? QString() : QString::fromStdString(id.error().message));
+      });
+}
+
+void QuestionnairePage::sent(const QString& trouble) {
+  words_->setText(trouble.isEmpty() ? tr("Thank you. Your answers are stored.")
+                                    : tr("%1 Your answers are kept here; send them again later.").arg(trouble));
+  Q_EMIT said(words_->text());
+  if (trouble.isEmpty()) clear();
+}
+
+}  // namespace insonate::train

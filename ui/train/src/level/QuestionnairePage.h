@@ -1,0 +1,49 @@
+#pragma once
+
+#include "FormDraft.h"
+
+#include <QTimer>
+#include <QWidget>
+#include <string>
+
+class QLabel;
+class QPushButton;
+class QScrollArea;
+
+namespace insonate::ui {
+class Account;
+class FormSheet;
+}  // namespace insonate::ui
+
+namespace insonate::train {
+
+/// What people think of the simulator: the questionnaire that comes along, filled in by who is signed in. What was not
+/// sent yet is kept as a draft.
+class QuestionnairePage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  QuestionnairePage(ui::Account* account, QString draftFolder, QWidget* parent = nullptr);
+  ~QuestionnairePage() override;
+
+ Q_SIGNALS:
+  void said(const QString& sentence);
+
+ private:
+  void changePerson();
+  void keepDraft();
+  void send();
+  void clear();
+  void sent(const QString& trouble);
+
+  ui::Account* account_;
+  FormDraft draft_;
+  QTimer keeping_;
+  std::string person_;  ///< whose answers stand there; "": nobody's
+  QLabel* words_;
+  ui::FormSheet* sheet_;
+  QScrollArea* scroll_;
+  QPushButton *send_, *clear_;
+};
+
+}  // namespace insonate::train
