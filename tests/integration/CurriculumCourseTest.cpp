@@ -102,7 +102,9 @@ TEST_F(CurriculumCourse, StatisticsSayWhatTheyCannotTell) {
   told("classes add Empty --as boss");
   EXPECT_THAT(run("statistics class Empty --as boss").output, HasSubstr("no attempts that count yet"));
   EXPECT_TRUE(told("statistics compare Empty 'Year 1' --as boss")["procedures"].empty());
-  const json same = told("statistics compare 'Year 1' 'Year 1' --as miller")["procedures"][0]["metrics"][0];
+  const json compared = told("statistics compare 'Year 1' 'Year 1' --as miller");
+  EXPECT_EQ(compared["people_in_both"], 2);
+  const json same = compared["procedures"][0]["metrics"][0];
   EXPECT_EQ(same["effect"], 0) << "of a class and itself";
   EXPECT_EQ(same["n_first"], 2);
 }

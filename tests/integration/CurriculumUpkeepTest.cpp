@@ -39,6 +39,7 @@ TEST_F(CurriculumUpkeep, ATraineeIsRefusedTheDataOfOthers) {
   const json entries = told("audit --person alice --count 100 --as boss")["entries"];
   for (const json& entry : entries) refusals += entry["allowed"] == false;
   EXPECT_GE(refusals, 15) << "what was refused is written down";
+  EXPECT_EQ(entries[0]["actor_name"], "alice");
 }
 
 TEST_F(CurriculumUpkeep, ABackupIsPutBackAndVerified) {

@@ -8,6 +8,7 @@
 #include <insonate/curriculum/Comparison.h>
 
 #include <memory>
+#include <set>
 
 namespace insonate::cli {
 namespace {
@@ -126,16 +127,29 @@ Json comparisonRow(const MetricMeaning& metric, const std::vector<double>& first
   return row;
 }
 
+/// Who would be compared with themselves.
+std::size_t peopleInBoth(const ClassAttempts& first, const ClassAttempts& second) {
+  std::set<std::string> people, both;
+  for (const AttemptFacts& facts : first.facts) people.insert(facts.person);
+  for (const AttemptFacts& facts : second.facts)
+    if (people.contains(facts.person)) both.insert(facts.person);
+  return both.size();
+}
+
 Result<Answer> comparison(const SignedIn& by, const Arguments& a) {
   const auto first = attemptsOf(by, a.first, a.last), second = attemptsOf(by, a.second, a.last);
   if (!first) return tl::unexpected(first.error());
   if (!second) return tl::unexpected(second.error());
-  const std::string note =
-      "Mann and Whitney's test of one median a person. Of so many comparisons one in twenty has "
-      "p below 0.05 by chance alone.";
+  std::string note =
+      "Mann and Whitney's test of one median a person. Of so many comparisons one in twenty has p below 0.05 by chance "
+      "alone.";
+  const std::size_t both = peopleInBoth(*first, *second);
+  if (both > 0)
+    note += " People in both classes, whom the test takes for different ones: " + std::to_string(both) + ".";
   Answer answer{{{"first", first->cohort.name},
                  {"second", second->cohort.name},
                  {"last", a.last},
+                 {"people_in_both", both},
                  {"note", note},
                  {"procedures", Json::array()}},
                 ""};

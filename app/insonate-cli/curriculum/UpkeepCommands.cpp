@@ -3,8 +3,10 @@
 #include "Lookup.h"
 
 #include <insonate/curriculum/AuditLog.h>
+#include <insonate/curriculum/PeopleStore.h>
 #include <insonate/curriculum/StoreUpkeep.h>
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <memory>
@@ -98,14 +100,22 @@ Result<Answer> audit(const SignedIn& by, const AuditArguments& a) {
   }
   const auto page = AuditLog(by).page(a.count, a.before, person);
   if (!page) return tl::unexpected(page.error());
+  const auto people = PeopleStore(by).all();
+  if (!people) return tl::unexpected(people.error());
+  const auto nameOfId = [&](const std::string& id) {
+    const auto found = std::ranges::find(*people, id, &Person::id);
+    return found == people->end() ? id : found->name;
+  };
   Json rows = Json::array();
   for (const AuditEntry& entry : *page)
     rows.push_back({{"number", entry.number},
                     {"time", timeText(entry.time_us)},
                     {"actor", entry.actor},
+                    {"actor_name", nameOfId(entry.actor)},
                     {"workstation", entry.workstation},
                     {"act", entry.act},
                     {"person", entry.person},
+                    {"person_name", nameOfId(entry.person)},
                     {"detail", entry.detail},
                     {"allowed", entry.allowed},
                     {"hash", entry.hash}});
@@ -114,8 +124,8 @@ Result<Answer> audit(const SignedIn& by, const AuditArguments& a) {
                                {"time", "time"},
                                {"act", "act"},
                                {"allowed", "allowed"},
-                               {"actor", "by"},
-                               {"person", "about"},
+                               {"actor_name", "by"},
+                               {"person_name", "about"},
                                {"detail", "detail"}})};
 }
 
