@@ -140,7 +140,7 @@ TEST_F(PersonPageTest, ATraineeSeesThemselvesAndVoidsNothing) {
   EXPECT_EQ(history().rowCount(), 2);
   EXPECT_FALSE(child<QPushButton>("voidAttempt")->isVisible());
   EXPECT_TRUE(chart("placeChart").words.contains("seen by its instructors"));
-  QTest::keyClick(workspace_.get(), Qt::Key_3, Qt::AltModifier);
+  QTest::keyClick(workspace_.get(), Qt::Key_4, Qt::AltModifier);
   EXPECT_TRUE(QTest::qWaitFor([&] { return isSeen("attemptsWords"); }, kPatience_ms));
   QTest::keyClick(workspace_.get(), Qt::Key_2, Qt::AltModifier);
   EXPECT_TRUE(QTest::qWaitFor([&] { return isSeen("history"); }, kPatience_ms));

@@ -24,7 +24,7 @@ constexpr KeyRow kKeys[] = {
     {Qt::Key_2, Command::ShowResult, 0, 0, "", ""},
     {Qt::Key_3, Command::ShowLook, 0, 0, "3", "what 3D shows: structures, skin, clipping plane; or no longer"},
     {Qt::Key_Backspace, Command::List, 0, 0, "Backspace", "back to the list of attempts"},
-    {0, {}, 0, 0, "Alt+1, 2, 3", "class, person, recordings, for who has signed in"},
+    {0, {}, 0, 0, "Alt+1 to 4", "class, person, comparison, recordings, for who has signed in"},
     {0, {}, 0, 0, "F5", "ask for new people and attempts of the class"},
     {0, {}, 0, 0, "Delete", "take a person's attempt out of the count, with a reason"},
     {0, {}, 0, 0, "Ctrl+Shift+E", "save a plot as PNG, SVG or PDF"},

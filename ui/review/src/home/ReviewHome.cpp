@@ -2,6 +2,7 @@
 
 #include "../class/ClassDesk.h"
 #include "../class/ClassPage.h"
+#include "../compare/ComparePage.h"
 #include "../list/AttemptList.h"
 #include "../person/PersonDesk.h"
 #include "../person/PersonPage.h"
@@ -31,21 +32,24 @@ ReviewHome::ReviewHome(AttemptList& list, QWidget* parent)
       pages_(new QStackedWidget),
       classPage_(new ClassPage(*room_)),
       personPage_(new PersonPage(*person_, *room_)),
+      comparePage_(new ComparePage(*room_)),
       saveClass_(new SaveMenu(SaveMenu::Subject::Class, *room_, *person_, this)),
       savePerson_(new SaveMenu(SaveMenu::Subject::Person, *room_, *person_, this)) {
   classPage_->setSaving(saveClass_);
   personPage_->setSaving(savePerson_);
   addTab(kClass, "classTab", tr("Class"), tr("Everyone of a class at one look (Alt+1)"), QStringLiteral("Alt+1"));
   addTab(kPerson, "personTab", tr("Person"), tr("How one person learns (Alt+2)"), QStringLiteral("Alt+2"));
-  addTab(kRecordings, "recordingsTab", tr("Recordings"), tr("All recordings of this computer (Alt+3)"),
-         QStringLiteral("Alt+3"));
+  addTab(kCompare, "compareTab", tr("Compare"), tr("The class beside another one (Alt+3)"), QStringLiteral("Alt+3"));
+  addTab(kRecordings, "recordingsTab", tr("Recordings"), tr("All recordings of this computer (Alt+4)"),
+         QStringLiteral("Alt+4"));
   row_->addStretch(1);
   notice_->setObjectName(QStringLiteral("accountNotice"));
   notice_->setWordWrap(true);
   notice_->setTextFormat(Qt::PlainText);
   notice_->setContentsMargins(ui::kGap, ui::kSmallGap, ui::kGap, ui::kSmallGap);
   ui::setRole(notice_, "quiet");
-  for (QWidget* page : std::initializer_list<QWidget*>{classPage_, personPage_, &list_}) pages_->addWidget(page);
+  for (QWidget* page : std::initializer_list<QWidget*>{classPage_, personPage_, comparePage_, &list_})
+    pages_->addWidget(page);
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(0);
@@ -84,6 +88,8 @@ void ReviewHome::connectParts() {
   connect(personPage_, &PersonPage::replayWanted, this, &ReviewHome::replayWanted);
   connect(personPage_, &PersonPage::written, this, &ReviewHome::written);
   connect(personPage_, &PersonPage::failed, this, &ReviewHome::failed);
+  connect(comparePage_, &ComparePage::written, this, &ReviewHome::written);
+  connect(comparePage_, &ComparePage::failed, this, &ReviewHome::failed);
   for (SaveMenu* menu : {saveClass_, savePerson_}) {
     connect(menu, &SaveMenu::written, this, &ReviewHome::written);
     connect(menu, &SaveMenu::failed, this, &ReviewHome::failed);
@@ -107,7 +113,7 @@ void ReviewHome::setAccount(ui::Account& account) {
 void ReviewHome::showWho() {
   const bool somebody = room_->isSomebody();
   bar_->setVisible(somebody);
-  tabs_->button(kClass)->setVisible(room_->teaches());
+  for (const Tab tab : {kClass, kCompare}) tabs_->button(tab)->setVisible(room_->teaches());
   const QKeySequence key = tabs_->button(kPerson)->shortcut();
   tabs_->button(kPerson)->setText(room_->teaches() ? tr("Person") : tr("My attempts"));
   tabs_->button(kPerson)->setShortcut(key);  // which a new text takes away
@@ -154,6 +160,8 @@ QString ReviewHome::statusText() const {
       return tr("Choose a person; Enter shows them.");
     case kPerson:
       return tr("Choose an attempt; Enter replays it.");
+    case kCompare:
+      return tr("Choose another class and a metric.");
     default:
       return tr("Choose an attempt; Enter opens it.");
   }

@@ -16,6 +16,7 @@ namespace insonate::review {
 class AttemptList;
 class ClassDesk;
 class ClassPage;
+class ComparePage;
 class PersonDesk;
 class PersonPage;
 class SaveMenu;
@@ -44,7 +45,7 @@ class ReviewHome final : public QWidget {
   void failed(const QString& what, const QString& advice);
 
  private:
-  enum Tab { kClass, kPerson, kRecordings };
+  enum Tab { kClass, kPerson, kCompare, kRecordings };
 
   QWidget* buildTabs();
   void addTab(Tab tab, const char* object, const QString& text, const QString& tip, const QString& keys);
@@ -65,6 +66,7 @@ class ReviewHome final : public QWidget {
   QStackedWidget* pages_;
   ClassPage* classPage_;
   PersonPage* personPage_;
+  ComparePage* comparePage_;
   SaveMenu *saveClass_, *savePerson_;
 };
 

@@ -1,0 +1,68 @@
+#include "Classroom.h"
+#include "compare/ClassComparison.h"
+
+#include <insonate/ui/Chart.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QToolButton>
+
+namespace insonate::review {
+namespace {
+
+/// People with these points.
+HeatMap classOf(std::initializer_list<double> points) {
+  HeatMap heat;
+  for (const double one : points) {
+    auto& row = heat["p" + std::to_string(heat.size())];
+    row.resize(MetricBook::here().comparable());
+    row[0] = {one, one, 10};
+  }
+  return heat;
+}
+
+class Compare : public Classroom {};
+
+TEST_F(Compare, TwoClassesHaveNumbersAndAnEffectSize) {
+  const HeatMap low = classOf({10, 20, 30, 40}), high = classOf({50, 60, 70, 80, 90});
+  const ClassComparison result = compareClasses({"A %1", low}, {"B %2", high}, 0);
+  ASSERT_EQ(result.picture.boxes.size(), 2U);
+  EXPECT_EQ(result.picture.boxes[0].numbers.median, 25);
+  EXPECT_EQ(result.picture.boxes[1].numbers.median, 70);
+  // s = 12.91, t(0.975, 3) = 3.182: 25 +- 20.5; all 20 pairs lie one way: p = 2 / C(9, 4) = 0.0159.
+  EXPECT_TRUE(result.words.contains("A %1: n = 4, mean 25, 95 % interval 4.46 to 45.5")) << result.words.toStdString();
+  EXPECT_TRUE(
+      result.words.contains("delta) -1.00: someone of A %1 is above someone of B %2 in 0 % of pairs; p = 0.016 "
+                            "(Mann-Whitney, exact)"))
+      << result.words.toStdString();
+}
+
+TEST_F(Compare, TooFewAreNotCompared) {
+  const HeatMap few = classOf({10, 20, 30}), many = classOf({50, 60, 70, 80});
+  const ClassComparison result = compareClasses({"A", few}, {"B", many}, 0);
+  EXPECT_TRUE(result.picture.isEmpty());
+  EXPECT_TRUE(result.words.startsWith("n/a: of A there are 3 people")) << result.words.toStdString();
+}
+
+TEST_F(Compare, OnlyWhoSeesTwoClassesCompares) {
+  practise(school_->as(school_->anna), true, 2);
+  enter("ina");
+  child<QToolButton>("compareTab")->click();
+  EXPECT_TRUE(child<ui::Chart>("comparisonChart")->picture().words.contains("only one class"));
+  workspace_.reset();
+  enter("admin");
+  child<QToolButton>("compareTab")->click();
+  auto& other = *child<QComboBox>("otherClass");
+  other.setCurrentIndex(other.findText("Spring"));
+  Q_EMIT other.activated(other.currentIndex());
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return child<QLabel>("comparisonWords")->text().startsWith("n/a: of Autumn there are 0"); }, kPatience_ms));
+}
+
+TEST_F(Compare, ATraineeHasNoSuchTab) {
+  enter("anna");
+  EXPECT_FALSE(isSeen("compareTab"));
+}
+
+}  // namespace
+}  // namespace insonate::review

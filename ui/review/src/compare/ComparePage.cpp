@@ -1,0 +1,112 @@
+#include "ComparePage.h"
+
+#include "../class/ClassDesk.h"
+#include "../class/ClassWords.h"
+#include "ClassComparison.h"
+
+#include <insonate/ui/Account.h>
+#include <insonate/ui/Chart.h>
+#include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/Theme.h>
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace insonate::review {
+
+ComparePage::ComparePage(const ClassDesk& desk, QWidget* parent)
+    : QWidget(parent),
+      desk_(desk),
+      own_(new QLabel),
+      words_(new QLabel),
+      other_(new QComboBox),
+      metric_(new QComboBox),
+      chart_(new ui::Chart) {
+  own_->setTextFormat(Qt::PlainText);
+  words_->setObjectName(QStringLiteral("comparisonWords"));
+  words_->setTextFormat(Qt::PlainText);
+  words_->setWordWrap(true);
+  other_->setObjectName(QStringLiteral("otherClass"));
+  other_->setAccessibleName(tr("Other class"));
+  other_->setToolTip(tr("The class to compare with"));
+  metric_->setObjectName(QStringLiteral("metricCompared"));
+  metric_->setAccessibleName(tr("Metric"));
+  metric_->setToolTip(tr("In what the classes are compared: the means of each person's last attempts"));
+  for (QComboBox* box : {other_, metric_}) {
+    box->setMinimumWidth(230);
+    new ui::QuietWheel(box);
+  }
+  for (std::size_t i = 0; i < MetricBook::here().comparable(); ++i)
+    metric_->addItem(titleWithUnit(MetricBook::here().all()[i]));
+  chart_->setObjectName(QStringLiteral("comparisonChart"));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(ui::kGap);
+  row->addWidget(own_);
+  row->addWidget(other_);
+  row->addStretch(1);
+  row->addWidget(metric_);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(ui::kGap, ui::kGap, ui::kGap, ui::kGap);
+  box->setSpacing(ui::kGap);
+  box->addLayout(row);
+  box->addWidget(chart_, 1);
+  box->addWidget(words_);
+  connect(other_, QOverload<int>::of(&QComboBox::activated), this, [this] { readOther(); });
+  connect(metric_, QOverload<int>::of(&QComboBox::activated), this, [this] { show(); });
+  connect(chart_, &ui::Chart::written, this, &ComparePage::written);
+  connect(chart_, &ui::Chart::failed, this, &ComparePage::failed);
+  connect(&desk_, &ClassDesk::cohortsChanged, this, [this] { fillClasses(); });
+  connect(&desk_, &ClassDesk::classChanged, this, [this] { show(); });
+  fillClasses();
+}
+
+void ComparePage::fillClasses() {
+  const QSignalBlocker quiet(other_);
+  ++round_;
+  otherFacts_.reset();
+  other_->clear();
+  other_->addItem(tr("with ..."), QString());
+  for (const Cohort& cohort : desk_.cohorts())
+    other_->addItem(QString::fromStdString(cohort.name), QString::fromStdString(cohort.id));
+  show();
+}
+
+void ComparePage::readOther() {
+  ++round_;
+  otherFacts_.reset();
+  const std::string id = other_->currentData().toString().toStdString();
+  const auto cohort = std::ranges::find(desk_.cohorts(), id, &Cohort::id);
+  if (cohort != desk_.cohorts().end())
+    desk_.account()->ask<ClassFacts>(
+        this, [cohort = *cohort](const SignedIn& by) { return readClass(by, cohort); },
+        [this, round = round_](Result<ClassFacts> facts) {
+          if (round != round_) return;
+          if (!facts) return Q_EMIT failed(QString::fromStdString(facts.error().message), {});
+          otherFacts_ = std::move(*facts);
+          show();
+        });
+  show();
+}
+
+void ComparePage::show() {
+  const ClassFacts* own = desk_.facts();
+  own_->setText(own ? QString::fromStdString(own->cohort.name) : QString());
+  words_->clear();
+  if (own && otherFacts_) {
+    const ClassComparison comparison =
+        compareClasses({own_->text(), own->heat}, {QString::fromStdString(otherFacts_->cohort.name), otherFacts_->heat},
+                       std::size_t(std::max(0, metric_->currentIndex())));
+    chart_->show(comparison.picture);
+    return words_->setText(comparison.words);
+  }
+  ui::ChartPicture nothing;
+  nothing.words = desk_.cohorts().size() < 2 ? tr("There is only one class that you see; two are needed to compare.")
+                                             : tr("Choose the class to compare with above.");
+  chart_->show(nothing);
+}
+
+}  // namespace insonate::review
