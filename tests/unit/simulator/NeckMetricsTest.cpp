@@ -194,7 +194,7 @@ TEST_F(NeckMetrics, Pneumothorax) {
                                    {100},
                                    {100},
                                    {fromMiddle_mm, kMiddle_mm},
-                                   /* blood of the vein was drawn for a second on the way out */ {1},
+                                   /* blood of the vein was drawn in passing only */ {0},
                                    {way.nearest_mm(kArtery, in, 58), kVoxels_mm},
                                    /* within the lung by less than the way in it, since its wall is met aslant */
                                    {-0.8 * (58 - lung), 0.2 * (58 - lung) + kVoxels_mm},
