@@ -37,9 +37,8 @@ TEST_F(CurriculumUpkeep, ATraineeIsRefusedTheDataOfOthers) {
 
   int refusals = 0;
   const json entries = told("audit --person alice --count 100 --as boss")["entries"];
-  for (const json& entry : entries) refusals += entry["allowed"] == false;
+  for (const json& entry : entries) refusals += entry["allowed"] == false && entry["actor_name"] == "alice";
   EXPECT_GE(refusals, 15) << "what was refused is written down";
-  EXPECT_EQ(entries[0]["actor_name"], "alice");
 }
 
 TEST_F(CurriculumUpkeep, ABackupIsPutBackAndVerified) {
