@@ -16,6 +16,7 @@ void addCurriculumCommand(CLI::App& app, Outcome& outcome) {
   addClassStatistics(statistics, outcome);
   addFormCommands(curriculum, outcome);
   addExportCommands(curriculum, outcome);
+  addSendCommand(curriculum, outcome);
   addUpkeepCommands(curriculum, outcome);
   addUploadCommand(curriculum, outcome);
   addDemoCommand(curriculum, outcome);

@@ -16,6 +16,7 @@ void addClassStatistics(CLI::App& statistics, Outcome& outcome);
 void addFormCommands(CLI::App& curriculum, Outcome& outcome);
 void addExportCommands(CLI::App& curriculum, Outcome& outcome);
 void addUpkeepCommands(CLI::App& curriculum, Outcome& outcome);
+void addSendCommand(CLI::App& curriculum, Outcome& outcome);
 void addUploadCommand(CLI::App& curriculum, Outcome& outcome);
 void addDemoCommand(CLI::App& curriculum, Outcome& outcome);
 
