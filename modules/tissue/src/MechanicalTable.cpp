@@ -9,8 +9,8 @@ namespace insonate {
 namespace {
 
 const tissuefile::TableForm<MechanicalTable>& form() {
-  static const tissuefile::TableForm<MechanicalTable> all{
-      "mechanics", presetsOf(embedded::mechanics::files()), tissuefile::readMechanics};
+  static const tissuefile::TableForm<MechanicalTable> all{"mechanics", presetsOf(embedded::mechanics::files()),
+                                                          tissuefile::readMechanics};
   return all;
 }
 

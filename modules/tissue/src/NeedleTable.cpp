@@ -72,8 +72,7 @@ Result<void> readNeedle(const json& entry, bool complete, const std::string& whe
 }
 
 const tissuefile::TableForm<NeedleTable>& form() {
-  static const tissuefile::TableForm<NeedleTable> all{"needle", presetsOf(embedded::needles::files()),
-                                                      readNeedle};
+  static const tissuefile::TableForm<NeedleTable> all{"needle", presetsOf(embedded::needles::files()), readNeedle};
   return all;
 }
 

@@ -183,7 +183,7 @@ class Session {
   std::int64_t time_us_ = 0;
   std::optional<Transform> probe_;
   bool holdsNeedle_ = false, aspirating_ = false, frozen_ = false;
-  std::optional<AttemptSample> seen_;  ///< the last with a live picture
+  std::optional<AttemptSample> seen_;          ///< the last with a live picture
   std::shared_ptr<const LiveFrame> standing_;  ///< until it was taken
   Vec3 tip_mm_, axis_{0, 0, 1};
 };

@@ -190,7 +190,9 @@ void ClassPage::showPlace() {
         tr("No class is yours yet. An administrator makes classes and their instructors under Account > People "
            "(Alt+U); then they are here.");
   else if (desk_.facts() && desk_.facts()->learners.empty())
-    words = tr("Nobody learns in this class yet. Add people under Account > People (Alt+U), or import a class list.");
+    words =
+        tr("Nobody learns in this class yet. Add people under People and classes (Alt+U), or a list by insonate-cli "
+           "curriculum.");
   words_->setText(words);
   save_->setEnabled(words.isEmpty() && desk_.facts());
   centre_->setCurrentIndex(words.isEmpty() ? 1 : 0);

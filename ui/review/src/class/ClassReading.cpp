@@ -25,7 +25,7 @@ bool failsOn(const Level& level, const Curriculum& curriculum, std::span<const A
 
 Result<Curriculum> curriculumOf(const SignedIn& by, const Cohort& cohort) {
   if (cohort.curriculum.empty())
-    return fail("The class '" + cohort.name + "' has no curriculum yet; choose one under Levels.");
+    return fail("The class '" + cohort.name + "' has no curriculum yet; choose one under People and classes (Alt+U).");
   const auto text = PublishedCurricula(by).text(cohort.curriculum, cohort.curriculumVersion);
   if (!text) return tl::unexpected(text.error());
   return parseCurriculum(*text);
