@@ -37,7 +37,7 @@ Result<void> checkFits(const Procedure& procedure, const CaseManifest& manifest,
   std::vector<std::string_view> names;
   for (const Target& target : manifest.targets) names.push_back(target.name);
   return fail(what + "the case is for " + quotedWords(names) + ". Choose '" + other->title +
-              "', or open a case whose target is a " + procedure.target + " vein.");
+              "', or open a case that has the " + procedure.target + " vein as its target.");
 }
 
 Result<void> checkFits(const Procedure& procedure, const PatientCase& patient) {
