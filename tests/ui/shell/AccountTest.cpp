@@ -231,6 +231,14 @@ TEST_F(AccountWindow, AnAdministratorMakesAClassAndATraineeWhoChoosesAPassword) 
   EXPECT_EQ(classes->item(1)->text(), hostile);
   classes->setCurrentRow(1);
 
+  auto* curriculum = people->findChild<QComboBox*>("peopleCurriculum");
+  ASSERT_TRUE(waitUntil([&] { return curriculum->count() == 2; }));
+  EXPECT_TRUE(curriculum->itemText(1).contains("comes with Insonate"));
+  curriculum->setFocus();
+  QTest::keyClick(curriculum, Qt::Key_Down);
+  ASSERT_TRUE(waitUntil([&] { return curriculum->currentText() == "central_line, version 1"; }))
+      << "published and set: " << curriculum->currentText().toStdString();
+
   people->findChild<QPushButton*>("peopleAdd")->click();
   dialog = dialogWith("personName");
   type(dialog, "personName", "tim");

@@ -3,7 +3,9 @@
 #include "PeopleWindow.h"
 #include "RoleWords.h"
 
+#include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/PeopleStore.h>
+#include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/ui/Account.h>
 
 #include <QComboBox>
@@ -47,6 +49,21 @@ EntryDialog::Action PeopleWindow::asking(std::function<Result<void>(const Signed
           if (result) read();
         });
   };
+}
+
+/// A preset is published by whoever first teaches by it.
+void PeopleWindow::setCurriculum() {
+  const int index = curriculum_->currentIndex() - 1;
+  if (!cohort() || index < 0 || index >= int(curricula_.size())) return showCurricula();
+  change([one = curricula_[std::size_t(index)], cohort = cohort()->id](const SignedIn& by) -> Result<void> {
+    if (!one.published) {
+      const auto preset = loadCurriculum(one.name);
+      if (!preset) return tl::unexpected(preset.error());
+      const auto published = PublishedCurricula(by).publish(one.name, one.version, curriculumText(*preset));
+      if (!published) return tl::unexpected(published.error());
+    }
+    return CohortStore(by).setCurriculum(cohort, one.name, one.version);
+  });
 }
 
 void PeopleWindow::addClass() {

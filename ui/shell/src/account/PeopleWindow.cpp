@@ -2,7 +2,9 @@
 
 #include "RoleWords.h"
 
+#include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/PeopleStore.h>
+#include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/ui/Account.h>
 #include <insonate/ui/Theme.h>
 
@@ -48,6 +50,7 @@ PeopleWindow::PeopleWindow(Account& account, QWidget* parent)
       account_(account),
       classes_(new QListWidget),
       table_(new QTableWidget(0, kColumns)),
+      curriculum_(new QComboBox),
       target_(new QComboBox),
       as_(new QComboBox),
       trouble_(new QLabel) {
@@ -100,10 +103,18 @@ QWidget* PeopleWindow::classColumn() {
       button("peopleAddClass", tr("New class ..."), tr("People who are taught together"), &PeopleWindow::addClass);
   renameClass_ =
       button("peopleRenameClass", tr("Rename ..."), tr("Give the class another name"), &PeopleWindow::renameClass);
+  curriculum_->setObjectName(QStringLiteral("peopleCurriculum"));
+  curriculum_->setAccessibleName(tr("Curriculum of the class"));
+  curriculum_->setToolTip(
+      tr("The levels that the people of this class learn; a version never changes once it is taught"));
+  curriculum_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  connect(curriculum_, QOverload<int>::of(&QComboBox::activated), this, &PeopleWindow::setCurriculum);
   column->addWidget(heading(tr("Classes")));
   column->addWidget(classes_, 1);
   column->addWidget(addClass_);
   column->addWidget(renameClass_);
+  column->addWidget(heading(tr("Curriculum")));
+  column->addWidget(curriculum_);
   side->setFixedWidth(220);
   return side;
 }
@@ -178,29 +189,56 @@ void PeopleWindow::tell(const QString& words) {
   trouble_->setVisible(!words.isEmpty());
 }
 
+Result<PeopleWindow::Read> PeopleWindow::readFrom(const SignedIn& by) {
+  auto cohorts = CohortStore(by).cohorts();
+  if (!cohorts) return tl::unexpected(cohorts.error());
+  const auto published = PublishedCurricula(by).list();
+  if (!published) return tl::unexpected(published.error());
+  Read read{.cohorts = std::move(*cohorts), .curricula = {}};
+  for (const CurriculumEntry& entry : *published) read.curricula.push_back({entry.name, entry.version, true});
+  for (const std::string& name : curriculumPresetNames()) {
+    const auto preset = loadCurriculum(name);
+    const auto isIt = [&](const Offered& one) { return one.name == name && one.version == preset->version; };
+    if (preset && std::ranges::none_of(read.curricula, isIt)) read.curricula.push_back({name, preset->version, false});
+  }
+  return read;
+}
+
 void PeopleWindow::read() {
-  account_.ask<std::vector<Cohort>>(
-      this, [](const SignedIn& by) { return CohortStore(by).cohorts(); },
-      [this](const Result<std::vector<Cohort>>& cohorts) {
-        if (!cohorts) return tell(qt(cohorts.error().message));
-        const std::string before = cohort() ? cohort()->id : "";
-        cohorts_ = *cohorts;
-        const QSignalBlocker quiet(classes_);
-        classes_->clear();
-        target_->clear();
-        if (isAdministrator()) classes_->addItem(tr("Everybody"));
-        for (const Cohort& one : cohorts_) {
-          classes_->addItem(qt(one.name));
-          target_->addItem(qt(one.name), qt(one.id));
-        }
-        const auto at = std::ranges::find(cohorts_, before, &Cohort::id);
-        const bool found = at != cohorts_.end();
-        classes_->setCurrentRow(found ? int(at - cohorts_.begin()) + (isAdministrator() ? 1 : 0) : 0);
-        readPeople();
-      });
+  account_.ask<Read>(this, &PeopleWindow::readFrom, [this](const Result<Read>& read) {
+    if (!read) return tell(qt(read.error().message));
+    const std::string before = cohort() ? cohort()->id : "";
+    cohorts_ = read->cohorts, curricula_ = read->curricula;
+    const QSignalBlocker quiet(classes_);
+    classes_->clear();
+    target_->clear();
+    if (isAdministrator()) classes_->addItem(tr("Everybody"));
+    for (const Cohort& one : cohorts_) {
+      classes_->addItem(qt(one.name));
+      target_->addItem(qt(one.name), qt(one.id));
+    }
+    const auto at = std::ranges::find(cohorts_, before, &Cohort::id);
+    const bool found = at != cohorts_.end();
+    classes_->setCurrentRow(found ? int(at - cohorts_.begin()) + (isAdministrator() ? 1 : 0) : 0);
+    readPeople();
+  });
+}
+
+void PeopleWindow::showCurricula() {
+  curriculum_->clear();
+  curriculum_->setEnabled(cohort());
+  if (!cohort()) return;
+  curriculum_->addItem(tr("none yet"));
+  for (const Offered& one : curricula_) {
+    const QString version = tr("%1, version %2").arg(qt(one.name)).arg(one.version);
+    curriculum_->addItem(one.published ? version : tr("%1 (comes with Insonate)").arg(version));
+    if (one.name == cohort()->curriculum && one.version == cohort()->curriculumVersion)
+      curriculum_->setCurrentIndex(curriculum_->count() - 1);
+  }
 }
 
 void PeopleWindow::readPeople() {
+  showCurricula();
   if (!cohort() && !isAdministrator()) return showPeople({});
   account_.ask<std::vector<Member>>(
       this, [id = cohort() ? cohort()->id : std::string()](const SignedIn& by) { return membersOf(by, id); },

@@ -36,6 +36,7 @@ class PeopleWindow : public QDialog {
   QPushButton* button(const char* name, const QString& words, const QString& tip, void (PeopleWindow::*act)());
   void read();
   void readPeople();
+  void showCurricula();
   void showPeople(const std::vector<Shown>& people);
   void refresh();
   EntryDialog::Action asking(std::function<Result<void>(const SignedIn&, const QStringList&)> what);
@@ -46,6 +47,7 @@ class PeopleWindow : public QDialog {
   const Shown* chosen() const;   ///< null: nobody
   bool isAdministrator() const;
 
+  void setCurriculum();
   void addClass();
   void renameClass();
   void addPerson();
@@ -56,10 +58,23 @@ class PeopleWindow : public QDialog {
   void leave();
 
   Account& account_;
+  struct Offered {
+    std::string name;
+    int version = 0;
+    bool published = false;  ///< or a preset
+  };
+  struct Read {
+    std::vector<Cohort> cohorts;
+    std::vector<Offered> curricula;
+  };
+  static Result<Read> readFrom(const SignedIn& by);
+
   std::vector<Cohort> cohorts_;
+  std::vector<Offered> curricula_;
   std::vector<Shown> people_;
   QListWidget* classes_;
   QTableWidget* table_;
+  QComboBox* curriculum_;
   QComboBox* target_;  ///< the class that the person joins
   QComboBox* as_;      ///< as what they join it
   QLabel* trouble_;
