@@ -79,6 +79,17 @@ TEST_F(ClassPageTest, ColoursAreToldByNumbersToo) {
   EXPECT_EQ(heatWords(70.0), "near expert");
 }
 
+TEST_F(ClassPageTest, TheTabGoesToWhoseRowIsChosen) {
+  practise(school_->as(school_->anna), true, 2);
+  enter("ina");
+  table().setFocus();
+  table().setCurrentIndex(table().model()->index(rowOf(table(), "Dr anna"), 0));
+  QTest::keyClick(workspace_.get(), Qt::Key_2, Qt::AltModifier);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return isSeen("personName"); }, kPatience_ms));
+  settle();
+  EXPECT_EQ(child<QLabel>("personName")->text(), "Dr anna");
+}
+
 TEST_F(ClassPageTest, EnterShowsThePersonAndEachSeesOnlyOwnClasses) {
   practise(school_->as(school_->anna), true, 2);
   enter("ina");

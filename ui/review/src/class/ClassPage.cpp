@@ -234,9 +234,12 @@ void ClassPage::showConcerns() {
   concerns_->setVisible(concerns_->count() > 0);
 }
 
+QString ClassPage::chosenPerson() const {
+  return table_->currentIndex().data(ClassTable::kPerson).toString();
+}
+
 void ClassPage::chooseRow() {
-  const QString person = table_->currentIndex().data(ClassTable::kPerson).toString();
-  if (!person.isEmpty()) Q_EMIT personChosen(person);
+  if (const QString person = chosenPerson(); !person.isEmpty()) Q_EMIT personChosen(person);
 }
 
 }  // namespace insonate::review

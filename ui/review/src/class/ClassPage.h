@@ -23,6 +23,9 @@ class ClassPage final : public QWidget {
  public:
   explicit ClassPage(ClassDesk& desk, QWidget* parent = nullptr);
 
+  /// Of the row that is chosen: Person::id; empty: none.
+  QString chosenPerson() const;
+
   /// What saves the class; it goes behind a button.
   void setSaving(QMenu* menu) { save_->setMenu(menu); }
   void openSaving() {

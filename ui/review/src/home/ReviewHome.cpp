@@ -83,7 +83,11 @@ void ReviewHome::addTab(Tab tab, const char* object, const QString& text, const 
 }
 
 void ReviewHome::connectParts() {
-  connect(tabs_, &QButtonGroup::idClicked, this, [this](int tab) { showTab(tab); });
+  connect(tabs_, &QButtonGroup::idClicked, this, [this](int tab) {
+    // From the class, to whose row is chosen there.
+    const QString person = tab == kPerson && classPage_->isVisible() ? classPage_->chosenPerson() : QString();
+    person.isEmpty() ? showTab(tab) : choosePerson(person);
+  });
   connect(classPage_, &ClassPage::personChosen, this, [this](const QString& person) { choosePerson(person); });
   connect(personPage_, &PersonPage::replayWanted, this, &ReviewHome::replayWanted);
   connect(personPage_, &PersonPage::written, this, &ReviewHome::written);
