@@ -6,9 +6,9 @@
 #include <insonate/curriculum/ClassList.h>
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/Csv.h>
+#include <insonate/curriculum/FirstPassword.h>
 #include <insonate/curriculum/PeopleStore.h>
 
-#include <QtCore/QRandomGenerator>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -31,15 +31,6 @@ Result<std::string> textOf(const fs::path& file) {
   return text;
 }
 
-/// 12 of 31 letters that are not taken for one another: 59 bits.
-std::string freshPassword() {
-  constexpr std::string_view kLetters = "abcdefghjkmnpqrstuvwxyz23456789";
-  std::string password;
-  for (int i = 0; i < 12; ++i)
-    password += kLetters[QRandomGenerator::system()->bounded(static_cast<quint32>(kLetters.size()))];
-  return password;
-}
-
 /// Before anyone is added, so that nobody is there whose password nobody knows.
 Result<std::vector<std::string>> writePasswords(const fs::path& file, const std::vector<ClassListEntry>& added) {
   if (file.empty()) return fail("New people need first passwords: name a file for them with --passwords.");
@@ -49,7 +40,7 @@ Result<std::vector<std::string>> writePasswords(const fs::path& file, const std:
   std::vector<std::string> passwords;
   std::vector<std::vector<std::string>> rows{{"name", "full name", "e-mail", "first password"}};
   for (const ClassListEntry& entry : added) {
-    passwords.push_back(freshPassword());
+    passwords.push_back(firstPassword());
     rows.push_back({entry.person.name, entry.person.fullName, entry.person.email, passwords.back()});
   }
   const auto written = writeAtomically(file, [&](const fs::path& beside) -> Result<void> {

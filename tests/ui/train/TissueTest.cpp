@@ -96,13 +96,26 @@ TEST_F(TrainTissue, AHeartMovesTheVesselsWhileSomebodyLooks) {
   const auto pictures = [&] { return session_->shown()->number; };
   const auto before = pictures();
   EXPECT_TRUE(waitFor([&] { return pictures() > before + 10; })) << "nobody moves the probe";
+  const auto expectRest = [&](const char* where) {
+    QTest::qWait(300);
+    const auto hidden = pictures();
+    QTest::qWait(500);
+    EXPECT_LE(pictures(), hidden + 2) << where;
+  };
   workspace_->hide();
-  QTest::qWait(300);
-  const auto hidden = pictures();
-  QTest::qWait(500);
-  EXPECT_LE(pictures(), hidden + 2);
+  expectRest("another workspace");
   workspace_->show();
-  EXPECT_TRUE(waitFor([&] { return pictures() > hidden + 10; }));
+  const auto shownAgain = pictures();
+  EXPECT_TRUE(waitFor([&] { return pictures() > shownAgain + 10; }));
+
+  key(Qt::Key_J);
+  expectRest("the levels in the picture's place");
+  workspace_->hide();
+  workspace_->show();
+  expectRest("the levels are still there");
+  key(Qt::Key_J);
+  const auto back = pictures();
+  EXPECT_TRUE(waitFor([&] { return pictures() > back + 10; }));
 }
 
 TEST_F(TrainTissue, GridAndPressureAreAskedForOnlyWhileTheyAreShown) {

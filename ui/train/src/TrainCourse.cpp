@@ -68,6 +68,7 @@ void TrainWorkspace::Parts::showCourse(bool on) {
   columns->setVisible(!on);
   coursePage_->setVisible(on);
   courseAction_->setChecked(on);
+  session.setWatched(!on);
   on ? coursePage_->takeKeyboard() : workspace_.setFocus();
 }
 

@@ -165,7 +165,7 @@ void TrainWorkspace::resizeEvent(QResizeEvent* event) {
 }
 
 void TrainWorkspace::showEvent(QShowEvent* event) {
-  parts_->session.setWatched(true);
+  parts_->session.setWatched(!parts_->isCourseShown());
   ui::Workspace::showEvent(event);
 }
 

@@ -3,6 +3,7 @@
 #include "../attempt/Words.h"
 
 #include <insonate/ui/Attempts.h>
+#include <insonate/ui/RowTable.h>
 #include <insonate/ui/Theme.h>
 
 #include <QAction>
@@ -64,17 +65,8 @@ QWidget* AttemptList::buildTable() {
   table_->setAccessibleName(tr("Attempts, the latest first"));
   table_->setColumnCount(kColumns);
   table_->setHorizontalHeaderLabels({tr("Date"), tr("Case"), tr("Procedure"), tr("Length"), tr("Status")});
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setShowGrid(false);
-  table_->setTabKeyNavigation(false);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(kRow_px);
+  ui::makeRowTable(*table_, kRow_px);
   QHeaderView* header = table_->horizontalHeader();
-  header->setHighlightSections(false);
-  header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  header->setSectionResizeMode(QHeaderView::Fixed);
   header->setSectionResizeMode(kCase, QHeaderView::Stretch);
   header->setSectionResizeMode(kProcedure, QHeaderView::Stretch);
   header->resizeSection(kDate, kDate_px);

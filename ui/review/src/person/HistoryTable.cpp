@@ -5,6 +5,7 @@
 #include "PersonDesk.h"
 
 #include <insonate/ui/Attempts.h>
+#include <insonate/ui/RowTable.h>
 #include <insonate/ui/Theme.h>
 
 #include <QAction>
@@ -77,18 +78,9 @@ QWidget* HistoryTable::buildTable() {
   table_->setColumnCount(kColumns);
   table_->setHorizontalHeaderLabels(
       {tr("Attempt"), tr("Level"), tr("Outcome"), tr("Points"), tr("Length"), tr("Recording")});
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setShowGrid(false);
-  table_->setTabKeyNavigation(false);
+  ui::makeRowTable(*table_, kRow_px);
   table_->setMinimumHeight(4 * kRow_px);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(kRow_px);
   QHeaderView* header = table_->horizontalHeader();
-  header->setHighlightSections(false);
-  header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  header->setSectionResizeMode(QHeaderView::Fixed);
   header->setSectionResizeMode(kOutcome, QHeaderView::Stretch);
   header->resizeSection(kDate, kDate_px);
   header->resizeSection(kLevel, kLevel_px);

@@ -4,29 +4,18 @@
 #include "RoleWords.h"
 
 #include <insonate/curriculum/Curriculum.h>
+#include <insonate/curriculum/FirstPassword.h>
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/ui/Account.h>
 
 #include <QComboBox>
-#include <QRandomGenerator>
 
 namespace insonate::ui {
 namespace {
 
 QString qt(const std::string& text) {
   return QString::fromStdString(text);
-}
-
-/// Easy to read out and to type: no letter that looks like a digit. 12 letters of 23 are 54 bits.
-QString madePassword() {
-  static const QString letters = QStringLiteral("abcdefghjkmnpqrstuvwxyz");
-  QString made;
-  for (int n = 0; n < 12; ++n) {
-    if (n > 0 && n % 4 == 0) made += QLatin1Char('-');
-    made += letters[QRandomGenerator::system()->bounded(int(letters.size()))];
-  }
-  return made;
 }
 
 EntryDialog::Entry roleEntry(Role role) {
@@ -102,7 +91,7 @@ void PeopleWindow::addPerson() {
       {"personFullName", tr("Full name"), tr("As others see it")},
       {"personEmail", tr("E-mail"), tr("May be empty")},
       {"personPassword", tr("Password"), tr("Hand it over; they choose their own at the first sign-in"),
-       madePassword()}};
+       qt(firstPassword())}};
   if (isAdministrator()) entries.push_back(roleEntry(Role::Trainee));
   const QString where = cohort() ? tr("They join %1.").arg(qt(cohort()->name)) : tr("They are in no class yet.");
   (new EntryDialog(tr("Add a person"), where + QLatin1Char(' ') + tr("The password is shown now and never again."),
@@ -135,7 +124,7 @@ void PeopleWindow::setPassword() {
   };
   (new EntryDialog(tr("New password for %1").arg(qt(chosen()->person.fullName)),
                    tr("Hand it over: it is shown now and never again. They choose their own at the next sign-in."),
-                   {{"personPassword", tr("Password"), tr("At least 8 characters"), madePassword()}}, tr("Set"),
+                   {{"personPassword", tr("Password"), tr("At least 8 characters"), qt(firstPassword())}}, tr("Set"),
                    asking(set), this))
       ->open();
 }

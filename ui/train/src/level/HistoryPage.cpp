@@ -8,6 +8,7 @@
 #include <insonate/ui/Account.h>
 #include <insonate/ui/Attempts.h>
 #include <insonate/ui/LearningChart.h>
+#include <insonate/ui/RowTable.h>
 #include <insonate/ui/Theme.h>
 
 #include <QComboBox>
@@ -96,17 +97,8 @@ QWidget* HistoryPage::buildList() {
   table_->setToolTip(tr("Enter opens the attempt in Review"));
   table_->setColumnCount(kColumns);
   table_->setHorizontalHeaderLabels({tr("Begun"), tr("Level"), tr("Result"), tr("Points"), tr("Length")});
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setShowGrid(false);
-  table_->setTabKeyNavigation(false);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(kRow_px);
+  ui::makeRowTable(*table_, kRow_px);
   QHeaderView* header = table_->horizontalHeader();
-  header->setHighlightSections(false);
-  header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  header->setSectionResizeMode(QHeaderView::Fixed);
   header->setSectionResizeMode(kLevel, QHeaderView::Stretch);
   for (const auto& [column, px] : {std::pair{kDate, 158}, {kOutcome, 96}, {kPoints, 58}, {kLength, 62}})
     header->resizeSection(column, px);
