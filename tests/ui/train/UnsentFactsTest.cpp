@@ -57,6 +57,17 @@ TEST_F(UnsentFacts, OfAnAttemptTheLatestCount) {
   EXPECT_EQ(unsentOf(folder(), "tess"), std::vector{facts(kOne, 1)});
 }
 
+TEST_F(UnsentFacts, AnEndOutlivesItsBeginningThatIsForgottenOrWrittenLate) {
+  AttemptFacts begun = facts(kOne, 1);
+  begun.state = AttemptState::Open;
+  ASSERT_TRUE(keepUnsent(folder(), begun));
+  ASSERT_TRUE(keepUnsent(folder(), facts(kOne, 1))) << "while the beginning is on its way to the store";
+  forgetUnsent(folder(), begun);
+  EXPECT_EQ(unsentOf(folder(), "tess"), std::vector{facts(kOne, 1)});
+  ASSERT_TRUE(keepUnsent(folder(), begun));
+  EXPECT_EQ(unsentOf(folder(), "tess"), (std::vector{begun, facts(kOne, 1)})) << "in the order that the store wants";
+}
+
 TEST_F(UnsentFacts, WhatCannotBeReadIsLeftOutAndStays) {
   ASSERT_TRUE(keepUnsent(folder(), facts(kOne, 1)));
   write("cut.json", R"({"id": "x", "person": "tess", "sta)");

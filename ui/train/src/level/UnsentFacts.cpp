@@ -12,6 +12,7 @@
 #include <QUuid>
 #include <algorithm>
 #include <optional>
+#include <tuple>
 
 namespace insonate::train {
 namespace {
@@ -82,9 +83,11 @@ std::optional<AttemptFacts> factsOf(const QJsonObject& object) {
   return facts;
 }
 
-QString fileOf(const QString& folder, const AttemptFacts& facts) {
+/// A begun attempt and its end have a file each, so that who forgets the one that the store took, or writes it late,
+/// does not touch the other.
+QString fileOf(const QString& folder, const AttemptFacts& facts, AttemptState state) {
   return QDir(folder).filePath(QUuid(QString::fromStdString(facts.id)).toString(QUuid::WithoutBraces) +
-                               QStringLiteral(".json"));
+                               (state == AttemptState::Open ? QStringLiteral(".begun.json") : QStringLiteral(".json")));
 }
 
 }  // namespace
@@ -97,7 +100,10 @@ Result<void> keepUnsent(const QString& folder, const AttemptFacts& facts) {
   if (!QDir().mkpath(folder))
     return fail("The folder " + folder.toStdString() + " cannot be made; check that you may write there.");
   const QByteArray bytes = QJsonDocument(objectOf(facts)).toJson();
-  return writeAtomically(fileOf(folder, facts).toStdString(), std::string_view(bytes.constData(), bytes.size()));
+  const auto written = writeAtomically(fileOf(folder, facts, facts.state).toStdString(),
+                                       std::string_view(bytes.constData(), bytes.size()));
+  if (written && facts.state != AttemptState::Open) QFile::remove(fileOf(folder, facts, AttemptState::Open));
+  return written;
 }
 
 std::vector<AttemptFacts> unsentOf(const QString& folder, const std::string& person) {
@@ -109,12 +115,12 @@ std::vector<AttemptFacts> unsentOf(const QString& folder, const std::string& per
     auto facts = factsOf(QJsonDocument::fromJson(file.readAll()).object());
     if (facts && facts->person == person) all.push_back(std::move(*facts));
   }
-  std::ranges::stable_sort(all, {}, &AttemptFacts::begun_us);
+  std::ranges::sort(all, {}, [](const AttemptFacts& f) { return std::tuple(f.begun_us, f.id, f.state); });
   return all;
 }
 
 void forgetUnsent(const QString& folder, const AttemptFacts& facts) {
-  QFile::remove(fileOf(folder, facts));
+  QFile::remove(fileOf(folder, facts, facts.state));
 }
 
 }  // namespace insonate::train
