@@ -118,7 +118,9 @@ TEST_F(TrainLevel, AttemptsThatAreLeftAreStoredAsAbandoned) {
   begin();
   ASSERT_TRUE(waitFor([&] { return stored().size() == 1; }));
   EXPECT_EQ(stored().front().facts.state, AttemptState::Open) << "it has begun";
+  EXPECT_TRUE(workspace_->endsWithTheCase().contains("kept as abandoned")) << "which the window asks about";
   workspace_->setCase(nullptr);
+  EXPECT_EQ(workspace_->endsWithTheCase(), "");
   ASSERT_TRUE(waitFor([&] { return stored().front().facts.state == AttemptState::Abandoned; }));
 
   openWide();

@@ -64,6 +64,11 @@ bool TrainWorkspace::isComplete() const {
   return parts_->ready && parts_->session.surfacesThere();
 }
 
+QString TrainWorkspace::endsWithTheCase() const {
+  if (!parts_->attempt->isRunning()) return {};
+  return tr("An attempt is being made in Train: going on ends it, and it is kept as abandoned.");
+}
+
 bool TrainWorkspace::isReady() const {
   return parts_->ready;
 }

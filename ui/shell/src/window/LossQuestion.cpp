@@ -13,7 +13,7 @@ namespace {
 constexpr int kText_px = 420;
 
 QString headingOf(const Loss& loss) {
-  if (!loss.job.isEmpty()) return LossQuestion::tr("Something is still being done");
+  if (loss.isWork()) return LossQuestion::tr("Something is still being done");
   return loss.nowhere ? LossQuestion::tr("The case is not saved") : LossQuestion::tr("Changes are not saved");
 }
 
@@ -21,6 +21,7 @@ QString sentencesOf(const Loss& loss) {
   QStringList sentences;
   if (!loss.job.isEmpty())
     sentences << LossQuestion::tr("%1: going on stops it, and leaves nothing half done behind.").arg(loss.job);
+  if (!loss.ending.isEmpty()) sentences << loss.ending;
   if (!loss.title.isEmpty() && loss.nowhere)
     sentences << LossQuestion::tr("\"%1\" is not on disk yet. Without saving, it is lost.").arg(loss.title);
   else if (!loss.title.isEmpty())
@@ -31,7 +32,7 @@ QString sentencesOf(const Loss& loss) {
 }  // namespace
 
 LossQuestion::LossQuestion(const Loss& loss, LostBy by, QWidget* parent) : QDialog(parent) {
-  const bool closing = by == LostBy::Closing, working = !loss.job.isEmpty();
+  const bool closing = by == LostBy::Closing, working = loss.isWork();
   setWindowTitle(closing ? tr("Close Insonate") : tr("Open another case"));
   setAttribute(Qt::WA_DeleteOnClose);
   auto* title = new QLabel(headingOf(loss));

@@ -5,13 +5,15 @@
 
 namespace insonate::ui {
 
-/// What would be lost; job or title may be empty.
+/// What would be lost; all may be empty.
 struct Loss {
   QString job;           ///< what is being done: "Importing neck-ct"
+  QString ending;        ///< a sentence on what ends before its time, as an attempt that is being made
   QString title;         ///< of a case that is not on disk as it is in the window
   bool nowhere = false;  ///< that case is not on disk at all
 
-  explicit operator bool() const { return !job.isEmpty() || !title.isEmpty(); }
+  bool isWork() const { return !job.isEmpty() || !ending.isEmpty(); }
+  explicit operator bool() const { return isWork() || !title.isEmpty(); }
 };
 
 enum class LostBy { Closing, Opening };

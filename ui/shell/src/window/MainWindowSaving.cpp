@@ -81,6 +81,8 @@ void MainWindow::showSaved(const QString& folder, const std::shared_ptr<const Pa
 Loss MainWindow::loss() const {
   Loss loss;
   if (tasks_->asksWhenClosed()) loss.job = tasks_->title();
+  for (const Room& room : rooms_)
+    if (loss.ending.isEmpty()) loss.ending = room.workspace->endsWithTheCase();
   loss.nowhere = isNowhere();
   if (loss.nowhere || !unsavedEdits().empty()) loss.title = QString::fromStdString(case_.patient->manifest.title);
   return loss;

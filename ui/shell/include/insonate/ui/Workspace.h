@@ -60,6 +60,10 @@ class Workspace : public QWidget {
   /// The case was written, with every workspace's edit: it is `patient` from now on.
   virtual void caseSaved(std::shared_ptr<const PatientCase> patient) { setCase(std::move(patient)); }
 
+  /// What would end here with another case or with the window, a sentence, e.g. of an attempt that is being made; empty
+  /// for nothing. The window asks before.
+  virtual QString endsWithTheCase() const { return {}; }
+
   /// Whether recorded attempts are shown here; the window hands them to the first workspace of which this is true.
   virtual bool opensAttempts() const { return false; }
   /// Shows a recorded attempt. Returns at once; what goes wrong is told by failed().

@@ -26,6 +26,7 @@ class TrainWorkspace : public ui::Workspace {
   QString engineText() const override;
   QString engineNote() const override;
   /// From the first live picture on.
+  QString endsWithTheCase() const override;
   bool isReady() const override;
   /// Once all surfaces are there.
   bool isComplete() const override;
