@@ -81,5 +81,11 @@ TEST(Csv, NumbersAreShortAndTheSameEverywhere) {
   EXPECT_EQ(csvNumber(-std::numeric_limits<double>::max()), "-1.7976931348623157e+308");
 }
 
+TEST(Csv, WhatSpreadsheetsCallUnicodeIsNamed) {
+  const auto rows = parseCsv(std::string_view("\xFF\xFEn\0a\0", 6));
+  ASSERT_FALSE(rows);
+  EXPECT_THAT(rows.error().message, HasSubstr("UTF-16"));
+}
+
 }  // namespace
 }  // namespace insonate

@@ -110,5 +110,19 @@ TEST(LcCusum, ImpossibleNumbersAreRefused) {
   EXPECT_THAT(calibratedLimit({}, 0.1, {0, 100, 1}).error().message, HasSubstr("at least one trial"));
 }
 
+TEST(LcCusum, CalibrationTellsHowFarItIsAndStops) {
+  std::vector<double> told;
+  const auto limit = calibratedLimit({}, 0.1, {.careers = 5000}, [&](std::string_view, double fraction) {
+    told.push_back(fraction);
+    return true;
+  });
+  EXPECT_EQ(told, (std::vector<double>{0, 0.2, 0.4, 0.6, 0.8}));
+  EXPECT_EQ(*limit, *calibratedLimit({}, 0.1, {.careers = 5000}));
+  const auto stopped =
+      calibratedLimit({}, 0.1, {.careers = 5000}, [](auto, double fraction) { return fraction < 0.5; });
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().message, kCancelled);
+}
+
 }  // namespace
 }  // namespace insonate

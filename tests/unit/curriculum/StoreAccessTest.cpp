@@ -2,6 +2,7 @@
 #include "store/Access.h"
 
 #include <insonate/curriculum/AuditLog.h>
+#include <insonate/curriculum/ClassImport.h>
 #include <insonate/curriculum/FormStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/SiteUpload.h>
@@ -39,7 +40,7 @@ struct Target {
     form = {freshUuid(), "feedback", 1, school.anna.id, attempt.id, "", 0, R"({"secret": "of anna"})"};
     valueOf(FormStore(anna).add(form));
     valueOf(PublishedCurricula(school.admin).publish("central_line", 1, curriculumOf(1)));
-    succeed(PublishedCurricula(school.admin).saveDraft("draft", "{"));
+    succeed(PublishedCurricula(school.admin).saveDraft("draft", "{", ""));
     leaver = school.add("leaver", Role::Trainee, school.spring.id);
   }
 
@@ -51,40 +52,48 @@ struct Target {
 
 std::vector<Call> peopleCalls(const Target& target) {
   const std::string anna = target.school.anna.id, spring = target.school.spring.id;
-  return {{"see person", "aim", [=](const SignedIn& by) { return outcome(PeopleStore(by).person(anna)); }},
-          {"see all people", "m", [=](const SignedIn& by) { return outcome(PeopleStore(by).all()); }},
-          {"add trainee", "im",
-           [=](const SignedIn& by) { return outcome(PeopleStore(by).add({"new1"}, kPassword, spring)); }},
-          {"add person", "m", [=](const SignedIn& by) { return outcome(PeopleStore(by).add({"new2"}, kPassword)); }},
-          {"add instructor", "m",
-           [=](const SignedIn& by) {
-             return outcome(PeopleStore(by).add({"new3", "", "", Role::Instructor}, kPassword, spring));
-           }},
-          {"change person", "m",
-           [=](const SignedIn& by) {
-             return outcome(PeopleStore(by).change({anna, "anna", "Anna", "", Role::Trainee, false}));
-           }},
-          {"change own details", "abiom",
-           [=](const SignedIn& by) { return outcome(PeopleStore(by).changeOwnDetails("Someone", "")); }},
-          {"reset password", "im",
-           [=, id = target.leaver.id](const SignedIn& by) {
-             return outcome(PeopleStore(by).resetPassword(id, "temporary one"));
-           }},
-          {"see own cohorts", "abiom", [=](const SignedIn& by) { return outcome(CohortStore(by).cohorts()); }},
-          {"see members", "im", [=](const SignedIn& by) { return outcome(CohortStore(by).members(spring)); }},
-          {"add cohort", "m", [=](const SignedIn& by) { return outcome(CohortStore(by).add("Winter")); }},
-          {"rename cohort", "m",
-           [=](const SignedIn& by) { return outcome(CohortStore(by).rename(spring, "Early spring")); }},
-          {"join cohort", "m",
-           [=, id = target.school.carl.id](const SignedIn& by) {
-             return outcome(CohortStore(by).join(spring, id, false));
-           }},
-          {"remove member", "im",
-           [=, id = target.leaver.id](const SignedIn& by) { return outcome(CohortStore(by).leave(spring, id)); }},
-          {"set curriculum", "im",
-           [=](const SignedIn& by) { return outcome(CohortStore(by).setCurriculum(spring, "central_line", 1)); }},
-          {"remember standing", "aim",
-           [=](const SignedIn& by) { return outcome(CohortStore(by).rememberStanding(anna, {})); }}};
+  return {
+      {"see person", "aim", [=](const SignedIn& by) { return outcome(PeopleStore(by).person(anna)); }},
+      {"see all people", "m", [=](const SignedIn& by) { return outcome(PeopleStore(by).all()); }},
+      {"add trainee", "im",
+       [=](const SignedIn& by) { return outcome(PeopleStore(by).add({"new1"}, kPassword, spring)); }},
+      {"add person", "m", [=](const SignedIn& by) { return outcome(PeopleStore(by).add({"new2"}, kPassword)); }},
+      {"add instructor", "m",
+       [=](const SignedIn& by) {
+         return outcome(PeopleStore(by).add({"new3", "", "", Role::Instructor}, kPassword, spring));
+       }},
+      {"change person", "m",
+       [=](const SignedIn& by) {
+         return outcome(PeopleStore(by).change({anna, "anna", "Anna", "", Role::Trainee, false}));
+       }},
+      {"change own details", "abiom",
+       [=](const SignedIn& by) { return outcome(PeopleStore(by).changeOwnDetails("Someone", "")); }},
+      {"reset password", "im",
+       [=, id = target.leaver.id](const SignedIn& by) {
+         return outcome(PeopleStore(by).resetPassword(id, "temporary one"));
+       }},
+      {"see own cohorts", "abiom", [=](const SignedIn& by) { return outcome(CohortStore(by).cohorts()); }},
+      {"see members", "im", [=](const SignedIn& by) { return outcome(CohortStore(by).members(spring)); }},
+      {"add cohort", "m", [=](const SignedIn& by) { return outcome(CohortStore(by).add("Winter")); }},
+      {"rename cohort", "m",
+       [=](const SignedIn& by) { return outcome(CohortStore(by).rename(spring, "Early spring")); }},
+      {"join cohort", "m",
+       [=, id = target.school.carl.id](const SignedIn& by) {
+         return outcome(CohortStore(by).join(spring, id, false));
+       }},
+      {"remove member", "im",
+       [=, id = target.leaver.id](const SignedIn& by) { return outcome(CohortStore(by).leave(spring, id)); }},
+      {"set curriculum", "im",
+       [=](const SignedIn& by) { return outcome(CohortStore(by).setCurriculum(spring, "central_line", 1)); }},
+      {"plan class list", "im", [=](const SignedIn& by) { return outcome(ClassImport(by).plan(spring, ClassList{})); }},
+      {"add class list", "im", [=](const SignedIn& by) { return outcome(ClassImport(by).apply(spring, {}, {})); }},
+      {"put class list's known", "m",
+       [=, id = target.school.carl.id](const SignedIn& by) {
+         const ClassImportRow carl{.step = ClassImportRow::Step::Join, .id = id};
+         return outcome(ClassImport(by).apply(spring, {&carl, 1}, {}));
+       }},
+      {"remember standing", "aim",
+       [=](const SignedIn& by) { return outcome(CohortStore(by).rememberStanding(anna, {})); }}};
 }
 
 std::vector<Call> attemptCalls(const Target& target) {
@@ -122,9 +131,9 @@ std::vector<Call> storeCalls(const Target& target) {
       {"list drafts", "iom", [=](const SignedIn& by) { return outcome(PublishedCurricula(by).drafts()); }},
       {"read draft", "iom", [=](const SignedIn& by) { return outcome(PublishedCurricula(by).draft("draft")); }},
       {"save draft", "iom",
-       [=](const SignedIn& by) { return outcome(PublishedCurricula(by).saveDraft("draft", "}")); }},
+       [=](const SignedIn& by) { return outcome(PublishedCurricula(by).saveDraft("draft", "}", "{")); }},
       {"discard draft", "iom",
-       [=](const SignedIn& by) { return outcome(PublishedCurricula(by).discardDraft("draft")); }},
+       [=](const SignedIn& by) { return outcome(PublishedCurricula(by).discardDraft("draft", "}")); }},
       {"see audit log", "m", [=](const SignedIn& by) { return outcome(AuditLog(by).page(10)); }},
       {"see audit log of person", "m", [=](const SignedIn& by) { return outcome(AuditLog(by).page(10, 0, anna)); }},
       {"see anchor", "m", [=](const SignedIn& by) { return outcome(AuditLog(by).anchor()); }},

@@ -46,13 +46,27 @@ TEST_P(StoreFacts, WhatIsNoCurriculumIsNotPublished) {
 TEST_P(StoreFacts, ADraftIsSharedReplacedAndDiscarded) {
   const School school(rig->open());
   const PublishedCurricula ina(school.as(school.ina)), otto(school.as(school.otto));
-  succeed(ina.saveDraft("next year", "{ half of a curriculum"));
-  succeed(otto.saveDraft("next year", curriculumOf(4)));
+  const std::string half = "{ half of a curriculum";
+  succeed(ina.saveDraft("next year", half, ""));
+  succeed(otto.saveDraft("next year", curriculumOf(4), half));
   EXPECT_EQ(valueOf(ina.draft("next year")), curriculumOf(4));
   EXPECT_THAT(valueOf(ina.drafts()), ElementsAre("next year"));
-  succeed(ina.discardDraft("next year"));
+  succeed(ina.discardDraft("next year", curriculumOf(4)));
   EXPECT_THAT(refusalOf(otto.draft("next year")), HasSubstr("no draft named"));
-  EXPECT_THAT(refusalOf(otto.discardDraft("next year")), HasSubstr("no draft named"));
+  EXPECT_THAT(refusalOf(otto.discardDraft("next year", "")), HasSubstr("no draft named"));
+}
+
+TEST_P(StoreFacts, TwoWhoEditADraftDoNotOverwriteEachOther) {
+  const School school(rig->open());
+  const PublishedCurricula ina(school.as(school.ina)), otto(school.as(school.otto));
+  succeed(ina.saveDraft("shared", "one", ""));
+  EXPECT_THAT(refusalOf(otto.saveDraft("shared", "two", "")), HasSubstr("Somebody else has saved"));
+  succeed(otto.saveDraft("shared", "two", "one"));
+  EXPECT_THAT(refusalOf(ina.saveDraft("shared", "three", "one")), HasSubstr("read theirs"));
+  EXPECT_THAT(refusalOf(ina.discardDraft("shared", "one")), HasSubstr("Somebody else has saved"));
+  EXPECT_EQ(valueOf(ina.draft("shared")), "two");
+  succeed(otto.discardDraft("shared", "two"));
+  EXPECT_THAT(refusalOf(ina.saveDraft("shared", "four", "two")), HasSubstr("discarded or published"));
 }
 
 TEST_P(StoreFacts, ACohortIsTaughtByAPublishedVersion) {

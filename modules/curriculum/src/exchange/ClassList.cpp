@@ -83,7 +83,7 @@ class Directory {
   /// Puts an entry where it belongs.
   void sort(const ClassListEntry& entry, ClassListMatch& match) const {
     const auto refuse = [&](const std::string& why) {
-      match.troubles.push_back({entry.line, sentenceOf(entry.line, why)});
+      match.troubles.push_back({entry.line, sentenceOf(entry.line, why), entry.person});
     };
     const std::string email = nameKey(entry.person.email);
     if (byEmail_.count(email) > 1) return refuse("Several people have this e-mail address here; correct theirs first.");
@@ -135,7 +135,7 @@ Result<ClassList> parseClassList(std::string_view csv) {
     if (trouble.empty())
       list.entries.push_back({row.line, person});
     else
-      list.troubles.push_back({row.line, sentenceOf(row.line, trouble)});
+      list.troubles.push_back({row.line, sentenceOf(row.line, trouble), person});
   }
   return list;
 }

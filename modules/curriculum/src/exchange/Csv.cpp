@@ -114,6 +114,8 @@ std::string written(std::string field) {
 Result<std::vector<CsvRow>> parseCsv(std::string_view text) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    return fail("The file is UTF-16, as some spreadsheets save Unicode; save it as \"CSV UTF-8\".");
   if (auto fine = store::checkText("The file", text, kMostBytes); !fine) return tl::unexpected(fine.error());
   return Reader(text).rows();
 }

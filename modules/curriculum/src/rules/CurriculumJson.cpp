@@ -5,6 +5,7 @@
 #include <insonate/core/Preset.h>
 #include <insonate/core/Words.h>
 #include <insonate/curriculum/Curriculum.h>
+#include <insonate/curriculum/CurriculumDraft.h>
 #include <insonate/embedded/curricula.h>
 
 #include <nlohmann/json.hpp>
@@ -21,7 +22,25 @@ constexpr std::size_t kMostLevels = 200;
 /// In the order of Assistance.
 const std::vector<std::string_view> kAssistances{"guided", "hints", "test"};
 
-MetricStandard readStandard(const json& object, const std::string& where, std::string& trouble) {
+/// Of a whole curriculum all has to be there; of a draft what is not yet there is left empty.
+class Reader {
+ public:
+  explicit Reader(bool isWhole) : isWhole_(isWhole) {}
+
+  Curriculum curriculum(JsonEntry& file) const;
+
+ private:
+  Level level(const json& object, const std::string& where, std::string& trouble) const;
+  PassRule pass(const json& object, const std::string& where, std::string& trouble) const;
+  MetricStandard standard(const json& object, const std::string& where, std::string& trouble) const;
+  MasteryRule mastery(const json& object, const std::string& where, std::string& trouble) const;
+  CusumRule cusum(const json& object, const std::string& where, std::string& trouble) const;
+  FailureRule failures(const json& object, const std::string& where, std::string& trouble) const;
+
+  const bool isWhole_;
+};
+
+MetricStandard Reader::standard(const json& object, const std::string& where, std::string& trouble) const {
   constexpr double kAny = std::numeric_limits<float>::max();
   JsonEntry entry(object, where, {"metric", "version", "least", "most", "otherwise", "source"});
   MetricStandard standard;
@@ -29,69 +48,101 @@ MetricStandard readStandard(const json& object, const std::string& where, std::s
   standard.version = entry.wholeIfThere("version", 1, 1'000'000).value_or(1);
   standard.least = entry.numberIfThere("least", -kAny, kAny), standard.most = entry.numberIfThere("most", -kAny, kAny);
   if (standard.least.has_value() == standard.most.has_value()) entry.refuse("needs one of 'least' and 'most'.");
-  standard.otherwise = entry.text("otherwise"), standard.source = entry.text("source", false);
+  standard.otherwise = entry.text("otherwise", isWhole_), standard.source = entry.text("source", false);
   trouble = entry.trouble();
   return standard;
 }
 
-PassRule readPass(const json& object, const std::string& where, std::string& trouble) {
+PassRule Reader::pass(const json& object, const std::string& where, std::string& trouble) const {
   JsonEntry entry(object, where + ", pass,", {"leastPoints", "standards", "mastery_percent"});
   PassRule rule;
   rule.leastPoints = entry.numberIfThere("leastPoints", 0, 100);
   rule.mastery_percent = entry.numberIfThere("mastery_percent", 1, 100).value_or(100);
-  rule.standards = entry.list("standards", where + ", standard", readStandard);
+  rule.standards = entry.list("standards", where + ", standard", [this](const auto& one, const auto& at, auto& wrong) {
+    return standard(one, at, wrong);
+  });
   trouble = entry.trouble();
   return rule;
 }
 
-CusumRule readCusum(const json& object, const std::string& where, std::string& trouble) {
+CusumRule Reader::cusum(const json& object, const std::string& where, std::string& trouble) const {
   JsonEntry entry(object, where + ", cusum,", {"acceptable", "unacceptable", "limit"});
   CusumRule rule{entry.number("acceptable", 0.001, 0.999), entry.number("unacceptable", 0.001, 0.999),
                  entry.number("limit", 0.01, 100)};
-  if (entry.trouble().empty() && rule.acceptable >= rule.unacceptable)
+  if (isWhole_ && entry.trouble().empty() && rule.acceptable >= rule.unacceptable)
     entry.refuse("needs a rate of failure as 'acceptable' that is below the 'unacceptable' one.");
   trouble = entry.trouble();
   return rule;
 }
 
-FailureRule readFailures(const json& object, const std::string& where, std::string& trouble) {
+FailureRule Reader::failures(const json& object, const std::string& where, std::string& trouble) const {
   JsonEntry entry(object, where + ", lapsesAfter,", {"failures", "within"});
   FailureRule rule{entry.whole("failures", 1, 1000), entry.whole("within", 1, 1000)};
-  if (entry.trouble().empty() && rule.failures > rule.within)
+  if (isWhole_ && entry.trouble().empty() && rule.failures > rule.within)
     entry.refuse("asks for more 'failures' than there are attempts in 'within'; it would never lapse.");
   trouble = entry.trouble();
   return rule;
 }
 
-MasteryRule readMastery(const json& object, const std::string& where, std::string& trouble) {
+MasteryRule Reader::mastery(const json& object, const std::string& where, std::string& trouble) const {
   JsonEntry entry(object, where + ", mastery,", {"passesInARow", "cusum", "lapsesAfter_days", "lapsesAfter", "source"});
   MasteryRule rule;
   rule.passesInARow = entry.whole("passesInARow", 1, 100);
   rule.lapsesAfter_days = entry.wholeIfThere("lapsesAfter_days", 1, 36'500);
   rule.source = entry.text("source", false);
   trouble = entry.trouble();
-  if (trouble.empty() && entry.has("cusum")) rule.cusum = readCusum(entry.object("cusum"), where, trouble);
+  if (trouble.empty() && entry.has("cusum")) rule.cusum = cusum(entry.object("cusum"), where, trouble);
   if (trouble.empty() && entry.has("lapsesAfter"))
-    rule.lapsesAfter = readFailures(entry.object("lapsesAfter"), where, trouble);
+    rule.lapsesAfter = failures(entry.object("lapsesAfter"), where, trouble);
   return rule;
 }
 
-Level readLevel(const json& object, const std::string& where, std::string& trouble) {
+Level Reader::level(const json& object, const std::string& where, std::string& trouble) const {
   JsonEntry entry(
       object, where,
       {"name", "title", "about", "case", "procedure", "position", "assistance", "prerequisites", "pass", "mastery"});
   Level level;
-  level.name = entry.text("name"), level.title = entry.text("title"), level.about = entry.text("about");
-  level.caseName = entry.text("case"), level.procedure = entry.text("procedure");
+  level.name = entry.text("name"), level.title = entry.text("title", isWhole_);
+  level.about = entry.text("about", isWhole_);
+  level.caseName = entry.text("case", isWhole_), level.procedure = entry.text("procedure", isWhole_);
   level.position = entry.text("position", false);
   level.assistance = static_cast<Assistance>(entry.word("assistance", kAssistances));
   level.prerequisites = entry.texts("prerequisites");
   if (!level.name.empty() && !isPlainName(level.name)) entry.refuse(kPlainNameSentence);
-  const json &pass = entry.object("pass"), &mastery = entry.object("mastery");
+  const json &passObject = entry.object("pass"), &masteryObject = entry.object("mastery");
   trouble = entry.trouble();
-  if (trouble.empty()) level.pass = readPass(pass, where, trouble);
-  if (trouble.empty()) level.mastery = readMastery(mastery, where, trouble);
+  if (trouble.empty()) level.pass = pass(passObject, where, trouble);
+  if (trouble.empty()) level.mastery = mastery(masteryObject, where, trouble);
   return level;
+}
+
+Curriculum Reader::curriculum(JsonEntry& file) const {
+  Curriculum curriculum;
+  curriculum.name = file.text("name"), curriculum.title = file.text("title", isWhole_);
+  curriculum.about = file.text("about", false);
+  curriculum.version = file.whole("version", 1, 1'000'000);
+  if (!curriculum.name.empty() && !isPlainName(curriculum.name)) file.refuse(kPlainNameSentence);
+  curriculum.levels = file.list("levels", "level",
+                                [this](const auto& one, const auto& at, auto& wrong) { return level(one, at, wrong); });
+  if (curriculum.levels.size() > kMostLevels)
+    file.refuse("has " + std::to_string(curriculum.levels.size()) + " levels; " + std::to_string(kMostLevels) +
+                " are the most.");
+  if (isWhole_ && curriculum.levels.empty()) file.refuse("has no levels; list at least one under 'levels'.");
+  return curriculum;
+}
+
+/// With levels as they are written.
+Result<Curriculum> read(std::string_view text, bool isWhole) {
+  json object;
+  try {
+    object = json::parse(text);
+  } catch (const json::exception& e) {
+    return fail("The curriculum is not JSON: " + jsonTrouble(e.what()));
+  }
+  JsonEntry file(object, "The curriculum", {"name", "title", "about", "version", "levels"});
+  Curriculum curriculum = Reader(isWhole).curriculum(file);
+  if (!file.trouble().empty()) return fail(file.trouble());
+  return curriculum;
 }
 
 template <class T>
@@ -130,11 +181,9 @@ nlohmann::ordered_json written(const MasteryRule& rule) {
 }
 
 nlohmann::ordered_json written(const Level& level) {
-  nlohmann::ordered_json object{{"name", level.name},
-                                {"title", level.title},
-                                {"about", level.about},
-                                {"case", level.caseName},
-                                {"procedure", level.procedure}};
+  nlohmann::ordered_json object{{"name", level.name}};
+  put(object, "title", level.title), put(object, "about", level.about);
+  put(object, "case", level.caseName), put(object, "procedure", level.procedure);
   put(object, "position", level.position);
   object["assistance"] = kAssistances[static_cast<std::size_t>(level.assistance)];
   object["prerequisites"] = level.prerequisites;
@@ -149,28 +198,16 @@ std::vector<std::string> curriculumPresetNames() {
 }
 
 Result<Curriculum> parseCurriculum(std::string_view text) {
-  json object;
-  try {
-    object = json::parse(text);
-  } catch (const json::exception& e) {
-    return fail("The curriculum is not JSON: " + jsonTrouble(e.what()));
-  }
-  JsonEntry file(object, "The curriculum", {"name", "title", "about", "version", "levels"});
-  Curriculum curriculum;
-  curriculum.name = file.text("name"), curriculum.title = file.text("title");
-  curriculum.about = file.text("about", false);
-  curriculum.version = file.whole("version", 1, 1'000'000);
-  if (!curriculum.name.empty() && !isPlainName(curriculum.name)) file.refuse(kPlainNameSentence);
-  curriculum.levels = file.list("levels", "level", readLevel);
-  if (curriculum.levels.size() > kMostLevels)
-    file.refuse("has " + std::to_string(curriculum.levels.size()) + " levels; " + std::to_string(kMostLevels) +
-                " are the most.");
-  if (curriculum.levels.empty()) file.refuse("has no levels; list at least one under 'levels'.");
-  if (!file.trouble().empty()) return fail(file.trouble());
-  auto ordered = inOrderOfLearning(std::move(curriculum.levels));
+  auto curriculum = read(text, true);
+  if (!curriculum) return curriculum;
+  auto ordered = inOrderOfLearning(std::move(curriculum->levels));
   if (!ordered) return fail("The curriculum cannot be used: " + ordered.error().message);
-  curriculum.levels = std::move(*ordered);
+  curriculum->levels = std::move(*ordered);
   return curriculum;
+}
+
+Result<Curriculum> parseDraft(std::string_view text) {
+  return read(text, false);
 }
 
 Result<Curriculum> loadCurriculum(std::string_view nameOrPath) {
@@ -182,8 +219,8 @@ Result<Curriculum> loadCurriculum(std::string_view nameOrPath) {
 }
 
 std::string curriculumText(const Curriculum& curriculum) {
-  nlohmann::ordered_json object{{"name", curriculum.name}, {"title", curriculum.title}};
-  put(object, "about", curriculum.about);
+  nlohmann::ordered_json object{{"name", curriculum.name}};
+  put(object, "title", curriculum.title), put(object, "about", curriculum.about);
   object["version"] = curriculum.version;
   object["levels"] = nlohmann::ordered_json::array();
   for (const Level& level : curriculum.levels) object["levels"].push_back(written(level));

@@ -9,19 +9,26 @@
 namespace insonate {
 namespace {
 
-/// The highest score of each career.
-std::vector<double> highestScores(const LcCusum& test, double failureRate, const CusumTrials& trials) {
+/// The highest score of each career; fewer careers when cancelled.
+std::vector<double> highestScores(const LcCusum& test, double failureRate, const CusumTrials& trials,
+                                  const Progress& progress = {}) {
+  constexpr std::size_t kBetweenReports = 1000;
   // Standard distributions may differ between libraries; this engine's numbers may not.
   std::mt19937 random(trials.seed);
   const double success = test.successWeight(), failure = test.failureWeight();
-  std::vector<double> highest(static_cast<std::size_t>(std::max(trials.careers, 0)));
-  for (double& most : highest) {
-    double score = 0;
+  std::vector<double> highest;
+  const auto careers = static_cast<std::size_t>(std::max(trials.careers, 0));
+  while (highest.size() < careers) {
+    if (highest.size() % kBetweenReports == 0 &&
+        !report(progress, "Simulating careers", static_cast<double>(highest.size()) / static_cast<double>(careers)))
+      break;
+    double score = 0, most = 0;
     for (int i = 0; i < trials.trials; ++i) {
       const bool failed = unitInterval(static_cast<std::uint32_t>(random())) < failureRate;
       score = std::max(0.0, score + (failed ? failure : success));
       most = std::max(most, score);
     }
+    highest.push_back(most);
   }
   return highest;
 }
@@ -50,14 +57,16 @@ double signalRate(const LcCusum& test, double limit, double failureRate, const C
   return highest.empty() ? 0 : static_cast<double>(signals) / static_cast<double>(highest.size());
 }
 
-Result<double> calibratedLimit(const LcCusum& test, double falseSignals, const CusumTrials& trials) {
+Result<double> calibratedLimit(const LcCusum& test, double falseSignals, const CusumTrials& trials,
+                               const Progress& progress) {
   if (!(test.acceptable > 0 && test.acceptable < test.unacceptable && test.unacceptable < 1))
     return fail("LC-CUSUM needs rates of failure between 0 and 1, the acceptable one below the unacceptable one.");
   if (!(falseSignals > 0 && falseSignals < 1))
     return fail("The share of false signals must lie between 0 and 1, as 0.1.");
   if (trials.trials < 1 || trials.careers < 1)
     return fail("A limit is calibrated with at least one trial in at least one career.");
-  std::vector<double> highest = highestScores(test, test.unacceptable, trials);
+  std::vector<double> highest = highestScores(test, test.unacceptable, trials, progress);
+  if (highest.size() < static_cast<std::size_t>(trials.careers)) return fail(std::string(kCancelled));
   std::ranges::sort(highest, std::greater());
   const auto allowed = static_cast<std::size_t>(falseSignals * static_cast<double>(highest.size()));
   // Scores are sums of few weights, so that many careers share one up to rounding: the limit goes between two of them.

@@ -60,19 +60,6 @@ Member memberOf(const Row& row) {
   return member;
 }
 
-Result<void> putIntoCohort(Transaction& transaction, const std::string& cohort, const std::string& person,
-                           bool teaches) {
-  const auto found = store::findPerson(transaction, person);
-  if (!found) return fail("There is no such person; look at the list again.");
-  if (!transaction.row("SELECT id FROM cohorts WHERE id = ?", cohort)) return unknownCohort();
-  if (teaches && found->role == Role::Trainee)
-    return fail(found->name + " is a trainee and cannot teach; make them an instructor first.");
-  transaction.run(
-      "INSERT INTO memberships VALUES (?, ?, ?) ON CONFLICT (cohort, person) DO UPDATE SET teaches = excluded.teaches",
-      cohort, person, teaches);
-  return {};
-}
-
 }  // namespace
 
 Result<std::vector<Cohort>> CohortStore::cohorts() const {
@@ -122,7 +109,11 @@ Result<void> CohortStore::rename(const std::string& cohort, const std::string& n
 Result<void> CohortStore::join(const std::string& cohort, const std::string& person, bool teaches) const {
   return by_.session()->write(
       {.act = Act::ChangeCohorts, .person = person, .cohort = cohort, .detail = teaches ? "teaches" : "learns"},
-      [&](Transaction& transaction, const Actor&) { return putIntoCohort(transaction, cohort, person, teaches); });
+      [&](Transaction& transaction, const Actor&) -> Result<void> {
+        const auto found = store::findPerson(transaction, person);
+        if (!found) return fail("There is no such person; look at the list again.");
+        return store::putIntoCohort(transaction, cohort, *found, teaches);
+      });
 }
 
 Result<void> CohortStore::leave(const std::string& cohort, const std::string& person) const {

@@ -1,9 +1,13 @@
+#include <insonate/core/AtomicFile.h>
+#include <insonate/curriculum/Csv.h>
 #include <insonate/curriculum/FirstPassword.h>
 
 #include <sodium/core.h>
 #include <sodium/randombytes.h>
 
+#include <fstream>
 #include <string_view>
+#include <vector>
 
 namespace insonate {
 
@@ -16,6 +20,22 @@ std::string firstPassword() {
     made += kLetters[randombytes_uniform(kLetters.size())];
   }
   return made;
+}
+
+Result<void> writeFirstPasswords(const std::filesystem::path& file, std::span<const FirstPassword> passwords) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (fs::exists(file, error))
+    return fail(file.string() + " is there already and may hold passwords of an earlier import; name another file.");
+  std::vector<std::vector<std::string>> rows{{"name", "full name", "e-mail", "first password"}};
+  for (const auto& [person, password] : passwords)
+    rows.push_back({person.name, person.fullName, person.email, password});
+  return writeAtomically(file, [&](const fs::path& beside) -> Result<void> {
+    std::ofstream stream(beside, std::ios::binary);
+    fs::permissions(beside, fs::perms::owner_read | fs::perms::owner_write);
+    if (!(stream << csvText(rows) << std::flush)) return fail("Could not write " + beside.string() + ".");
+    return {};
+  });
 }
 
 }  // namespace insonate

@@ -1,5 +1,7 @@
 #include "store/Passwords.h"
 
+#include "store/Texts.h"
+
 #include <sodium.h>
 
 #include <array>
@@ -16,6 +18,11 @@ Result<std::string> hashedPassword(const std::string& password, PasswordCost cos
   if (failed)
     return fail("There are no 64 MB of memory to keep the password with; close another program and try again.");
   return std::string(hashed.data());
+}
+
+Result<std::string> checkedAndHashed(const std::string& password, PasswordCost cost) {
+  if (auto ok = checkPassword(password); !ok) return tl::unexpected(ok.error());
+  return hashedPassword(password, cost);
 }
 
 bool fitsPassword(const std::string& password, const std::string& hashed) {

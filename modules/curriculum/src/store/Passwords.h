@@ -9,6 +9,8 @@ namespace insonate::store {
 
 /// argon2id with its salt and cost, as libsodium writes it. Takes 0.1 s and 64 MB; fails where that is not to be had.
 Result<std::string> hashedPassword(const std::string& password, PasswordCost cost);
+/// The same for a password that someone typed or handed in. Outside of any transaction, since it takes its time.
+Result<std::string> checkedAndHashed(const std::string& password, PasswordCost cost);
 bool fitsPassword(const std::string& password, const std::string& hashed);
 /// What no password fits, at the same cost: asked where there is no such person.
 const std::string& hashOfNobody(PasswordCost cost);

@@ -43,6 +43,17 @@ Result<Person> insertPerson(Transaction& transaction, const NewPerson& added, co
   return person;
 }
 
+Result<void> putIntoCohort(Transaction& transaction, const std::string& cohort, const Person& person, bool teaches) {
+  if (!transaction.row("SELECT id FROM cohorts WHERE id = ?", cohort))
+    return fail("There is no such cohort; look at the list again.");
+  if (teaches && person.role == Role::Trainee)
+    return fail(person.name + " is a trainee and cannot teach; make them an instructor first.");
+  transaction.run(
+      "INSERT INTO memberships VALUES (?, ?, ?) ON CONFLICT (cohort, person) DO UPDATE SET teaches = excluded.teaches",
+      cohort, person.id, teaches);
+  return {};
+}
+
 void setPassword(Transaction& transaction, const std::string& person, const std::string& hashed, bool mustChange) {
   transaction.run("UPDATE credentials SET password = ?, must_change = ?, version = version + 1 WHERE person = ?",
                   hashed, mustChange, person);

@@ -13,14 +13,7 @@ namespace {
 
 using store::Act;
 using store::Actor;
-using store::Core;
 using store::Transaction;
-
-/// Outside of any transaction: hashing takes its time.
-Result<std::string> checkedAndHashed(const Core& core, const std::string& password) {
-  if (auto ok = store::checkPassword(password); !ok) return tl::unexpected(ok.error());
-  return store::hashedPassword(password, core.passwordCost());
-}
 
 tl::unexpected<Error> unknown() {
   return fail("There is no such person; look at the list again.");
@@ -77,7 +70,7 @@ Result<std::vector<Person>> PeopleStore::all() const {
 
 Result<Person> PeopleStore::add(const NewPerson& person, const std::string& password, const std::string& cohort) const {
   store::Session& session = *by_.session();
-  const auto hashed = checkedAndHashed(session.core(), password);
+  const auto hashed = store::checkedAndHashed(password, session.core().passwordCost());
   if (!hashed) return tl::unexpected(hashed.error());
   const bool asTrainee = person.role == Role::Trainee && !cohort.empty();
   const std::string detail = person.name + ", " + std::string(store::nameOf(person.role));
@@ -85,9 +78,9 @@ Result<Person> PeopleStore::add(const NewPerson& person, const std::string& pass
                        [&](Transaction& transaction, const Actor&) -> Result<Person> {
                          auto added = store::insertPerson(transaction, person, *hashed, true);
                          if (!added || cohort.empty()) return added;
-                         if (transaction.run("INSERT INTO memberships SELECT id, ?, ? FROM cohorts WHERE id = ?",
-                                             added->id, person.role != Role::Trainee, cohort) != 1)
-                           return fail("There is no such cohort; look at the list again.");
+                         if (auto in = store::putIntoCohort(transaction, cohort, *added, person.role != Role::Trainee);
+                             !in)
+                           return tl::unexpected(in.error());
                          return added;
                        });
 }
@@ -115,7 +108,7 @@ Result<void> PeopleStore::changeOwnPassword(const std::string& old, const std::s
   const std::string& id = by_.person().id;
   if (by_.isGuest()) return fail("Sign in first: a guest has no password.");
   if (password == old) return fail("The new password is the old one; choose another.");
-  const auto hashed = checkedAndHashed(session.core(), password);
+  const auto hashed = store::checkedAndHashed(password, session.core().passwordCost());
   if (!hashed) return tl::unexpected(hashed.error());
   // Who guesses at an open window is locked out as at the door.
   if (const auto known = store::provePassword(session.core(), by_.person().name, old); !known)
@@ -134,7 +127,7 @@ Result<void> PeopleStore::changeOwnPassword(const std::string& old, const std::s
 
 Result<void> PeopleStore::resetPassword(const std::string& person, const std::string& password) const {
   store::Session& session = *by_.session();
-  const auto hashed = checkedAndHashed(session.core(), password);
+  const auto hashed = store::checkedAndHashed(password, session.core().passwordCost());
   if (!hashed) return tl::unexpected(hashed.error());
   return session.write({.act = Act::ResetPassword, .person = person},
                        [&](Transaction& transaction, const Actor&) -> Result<void> {

@@ -48,6 +48,15 @@ Result<void> checkDraft(const std::string& name, const std::string& text) {
   return store::checkText("The draft", text, kMostText);
 }
 
+/// Whether the draft is still as someone knew it.
+Result<void> checkUntouched(Transaction& transaction, const std::string& name, const std::string& before) {
+  const auto row = transaction.row("SELECT text FROM drafts WHERE name = ?", name);
+  if ((row ? row->text(0) : "") == before) return {};
+  if (!row) return fail("Somebody else has discarded or published the draft '" + name + "' since you read it.");
+  return fail("Somebody else has saved the draft '" + name +
+              "' since you read it; read theirs, or save under another name.");
+}
+
 tl::unexpected<Error> noDraft(const std::string& name) {
   return fail("There is no draft named '" + name + "'; look at the list again.");
 }
@@ -84,10 +93,12 @@ Result<CurriculumEntry> PublishedCurricula::publish(const std::string& name, int
       [&](Transaction& transaction, const Actor&) { return publishText(transaction, entry, text); });
 }
 
-Result<void> PublishedCurricula::saveDraft(const std::string& name, const std::string& text) const {
+Result<void> PublishedCurricula::saveDraft(const std::string& name, const std::string& text,
+                                           const std::string& before) const {
   if (auto ok = checkDraft(name, text); !ok) return ok;
   return by_.session()->write(
       {.act = Act::WriteDrafts, .detail = "save " + name}, [&](Transaction& transaction, const Actor&) -> Result<void> {
+        if (auto ok = checkUntouched(transaction, name, before); !ok) return ok;
         transaction.run("INSERT INTO drafts VALUES (?, ?) ON CONFLICT (name) DO UPDATE SET text = excluded.text", name,
                         text);
         return {};
@@ -113,11 +124,12 @@ Result<std::string> PublishedCurricula::draft(const std::string& name) const {
                              });
 }
 
-Result<void> PublishedCurricula::discardDraft(const std::string& name) const {
+Result<void> PublishedCurricula::discardDraft(const std::string& name, const std::string& before) const {
   return by_.session()->write({.act = Act::WriteDrafts, .detail = "discard " + name},
                               [&](Transaction& transaction, const Actor&) -> Result<void> {
-                                if (transaction.run("DELETE FROM drafts WHERE name = ?", name) != 1)
-                                  return noDraft(name);
+                                if (before.empty()) return noDraft(name);
+                                if (auto ok = checkUntouched(transaction, name, before); !ok) return ok;
+                                transaction.run("DELETE FROM drafts WHERE name = ?", name);
                                 return {};
                               });
 }

@@ -16,6 +16,14 @@ std::string detailOf(const Request& request) {
 
 }  // namespace
 
+Result<void> Session::also(Transaction& transaction, const Request& request) {
+  Actor actor{.id = person_.id, .passwordVersion = passwordVersion_};
+  const Verdict verdict = decide(transaction, actor, request);
+  if (verdict.logged) log(transaction, request, verdict);
+  if (verdict.refusal) return tl::unexpected(*verdict.refusal);
+  return {};
+}
+
 void Session::log(Transaction& transaction, const Request& request, const Verdict& verdict) {
   core_->audit(transaction, person_.id, ruleOf(request.act).words, verdict.person, detailOf(request), !verdict.refusal);
 }

@@ -42,6 +42,8 @@ class Session {
   auto write(const Request& request, const Work& work) {
     return *attempt(Way::Write, request, work);
   }
+  /// One more thing within a write(): decided and logged as if it were asked for by itself.
+  Result<void> also(Transaction& transaction, const Request& request);
 
  private:
   /// None: it must be logged, which needs a transaction that writes.

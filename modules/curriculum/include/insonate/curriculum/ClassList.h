@@ -20,6 +20,7 @@ struct ClassListEntry {
 struct ClassListTrouble {
   int line = 0;
   std::string sentence{};  ///< what is wrong and what to do
+  NewPerson person{};      ///< as far as the line could be read
 };
 
 struct ClassList {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
 
 #include <cstdint>
@@ -30,7 +31,8 @@ struct CusumTrials {
 double signalRate(const LcCusum& test, double limit, double failureRate, const CusumTrials& trials = {});
 
 /// The least limit by which no more than this share of trainees who fail with rate p1 signals. Fails where there is
-/// none, or numbers are impossible, with a sentence.
-Result<double> calibratedLimit(const LcCusum& test, double falseSignals, const CusumTrials& trials = {});
+/// none, or numbers are impossible, with a sentence, or when cancelled.
+Result<double> calibratedLimit(const LcCusum& test, double falseSignals, const CusumTrials& trials = {},
+                               const Progress& progress = {});
 
 }  // namespace insonate

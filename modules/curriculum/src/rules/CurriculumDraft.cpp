@@ -1,0 +1,51 @@
+#include "LevelOrder.h"
+#include "PlainName.h"
+
+#include <insonate/curriculum/CurriculumDraft.h>
+
+#include <optional>
+
+namespace insonate {
+namespace {
+
+Curriculum around(std::vector<Level> levels) {
+  return {.name = "draft", .title = "draft", .levels = std::move(levels)};
+}
+
+/// A level that lacks nothing.
+Level anyLevel() {
+  return {.name = "any", .title = "any", .about = "any", .caseName = "any", .procedure = "any"};
+}
+
+std::optional<std::string> troubleOf(Level level, const TeachingNames& known) {
+  level.prerequisites.clear();
+  const auto alone = parseCurriculum(curriculumText(around({std::move(level)})));
+  if (!alone) return alone.error().message;
+  if (const auto named = checkNames(*alone, known); !named) return named.error().message;
+  return std::nullopt;
+}
+
+std::optional<std::string> troubleOfHead(const Curriculum& draft) {
+  Curriculum head = draft;
+  head.levels = {anyLevel()};
+  const auto read = parseCurriculum(curriculumText(head));
+  return read ? std::nullopt : std::optional(read.error().message);
+}
+
+}  // namespace
+
+std::vector<DraftTrouble> troublesOf(const Curriculum& draft, const TeachingNames& known) {
+  std::vector<DraftTrouble> troubles;
+  for (const Level& level : draft.levels)
+    if (const auto trouble = troubleOf(level, known)) troubles.push_back({level.name, *trouble});
+  if (const auto head = troubleOfHead(draft)) troubles.push_back({"", *head});
+  if (draft.levels.empty()) troubles.push_back({"", "The curriculum has no levels; add the first one."});
+  if (const auto ordered = inOrderOfLearning(draft.levels); !ordered)
+    troubles.push_back({"", "The curriculum cannot be used: " + ordered.error().message});
+  // What is wrong between levels, such as two of one name.
+  if (const auto all = parseCurriculum(curriculumText(draft)); !all && troubles.empty())
+    troubles.push_back({"", all.error().message});
+  return troubles;
+}
+
+}  // namespace insonate

@@ -1,0 +1,137 @@
+#include "store/Passwords.h"
+#include "store/PeopleRows.h"
+#include "store/Session.h"
+
+#include <insonate/curriculum/ClassImport.h>
+
+#include <algorithm>
+#include <set>
+
+namespace insonate {
+namespace {
+
+using store::Act;
+using store::Actor;
+using store::Row;
+using store::Transaction;
+using Step = ClassImportRow::Step;
+
+std::string atLine(int line, const std::string& sentence) {
+  return "Line " + std::to_string(line) + ": " + sentence;
+}
+
+ClassImportRow refused(const ClassListEntry& entry, const std::string& sentence) {
+  return {.line = entry.line, .person = entry.person, .step = Step::Refuse, .why = atLine(entry.line, sentence)};
+}
+
+/// All for an administrator, the people of their own cohorts for an instructor.
+std::vector<Person> peopleSeen(Transaction& transaction, const Actor& actor) {
+  std::vector<Person> people;
+  for (const Row& row :
+       transaction.rows("SELECT " INSONATE_PERSON_COLUMNS
+                        " FROM people WHERE ? = 1 OR id IN (SELECT theirs.person FROM memberships own JOIN memberships "
+                        "theirs ON theirs.cohort = own.cohort WHERE own.person = ? AND own.teaches = 1)",
+                        actor.role == Role::Administrator, actor.id))
+    people.push_back(store::personOf(row));
+  return people;
+}
+
+std::vector<ClassImportRow> planned(Transaction& transaction, const Actor& actor, const std::string& cohort,
+                                    const ClassListMatch& match) {
+  std::vector<ClassImportRow> rows;
+  for (const ClassListTrouble& trouble : match.troubles)
+    rows.push_back({.line = trouble.line, .person = trouble.person, .step = Step::Refuse, .why = trouble.sentence});
+  for (const ClassListEntry& entry : match.added) {
+    // Someone in a class of others is not seen by an instructor, but has the name.
+    const auto free = store::checkNameIsFree(transaction, Person{.name = entry.person.name});
+    rows.push_back(free ? ClassImportRow{.line = entry.line, .person = entry.person, .step = Step::Add}
+                        : refused(entry, free.error().message));
+  }
+  std::set<std::string> there;
+  for (const Row& row : transaction.rows("SELECT person FROM memberships WHERE cohort = ?", cohort))
+    there.insert(row.text(0));
+  for (const auto& [entry, person] : match.known) {
+    if (!there.contains(person.id) && actor.role != Role::Administrator)
+      rows.push_back(refused(entry, person.fullName + " is here already; an administrator puts them into this class."));
+    else
+      rows.push_back({.line = entry.line,
+                      .person = entry.person,
+                      .step = there.contains(person.id) ? Step::AlreadyThere : Step::Join,
+                      .id = person.id});
+  }
+  std::ranges::stable_sort(rows, {}, &ClassImportRow::line);
+  return rows;
+}
+
+Result<std::vector<std::string>> hashesOf(std::span<const FirstPassword> passwords, PasswordCost cost,
+                                          const Progress& progress) {
+  std::vector<std::string> hashes;
+  for (const FirstPassword& one : passwords) {
+    const double done = static_cast<double>(hashes.size()) / static_cast<double>(passwords.size());
+    if (!report(progress, "Keeping first passwords", done)) return fail(std::string(kCancelled));
+    auto hashed = store::checkedAndHashed(one.password, cost);
+    if (!hashed) return tl::unexpected(hashed.error());
+    hashes.push_back(std::move(*hashed));
+  }
+  return hashes;
+}
+
+Result<void> take(store::Session& session, Transaction& transaction, const std::string& cohort,
+                  const ClassImportRow& row, const std::string* hashed) {
+  if (hashed) {
+    const store::Request request{.act = Act::AddTrainee, .cohort = cohort, .detail = row.person.name + ", trainee"};
+    if (auto ok = session.also(transaction, request); !ok) return ok;
+    const auto added = store::insertPerson(transaction, row.person, *hashed, true);
+    return added ? store::putIntoCohort(transaction, cohort, *added, false) : tl::unexpected(added.error());
+  }
+  const store::Request request{.act = Act::ChangeCohorts, .person = row.id, .cohort = cohort, .detail = "learns"};
+  if (auto ok = session.also(transaction, request); !ok) return ok;
+  const auto known = store::findPerson(transaction, row.id);
+  if (!known) return fail("This person is not here any more.");
+  return store::putIntoCohort(transaction, cohort, *known, false);
+}
+
+}  // namespace
+
+Result<std::vector<ClassImportRow>> ClassImport::plan(const std::string& cohort, const ClassList& list) const {
+  return by_.session()->read({.act = Act::SeeMembers, .cohort = cohort},
+                             [&](Transaction& transaction, const Actor& actor) -> Result<std::vector<ClassImportRow>> {
+                               return planned(transaction, actor, cohort,
+                                              matchClassList(list, peopleSeen(transaction, actor)));
+                             });
+}
+
+std::vector<FirstPassword> ClassImport::passwordsFor(std::span<const ClassImportRow> plan) {
+  std::vector<FirstPassword> passwords;
+  for (const ClassImportRow& row : plan)
+    if (row.step == Step::Add) passwords.push_back({row.person, firstPassword()});
+  return passwords;
+}
+
+Result<void> ClassImport::apply(const std::string& cohort, std::span<const ClassImportRow> plan,
+                                std::span<const FirstPassword> passwords, const Progress& progress) const {
+  store::Session& session = *by_.session();
+  const auto adds = std::ranges::count(plan, Step::Add, &ClassImportRow::step);
+  const auto joins = std::ranges::count(plan, Step::Join, &ClassImportRow::step);
+  if (static_cast<std::size_t>(adds) != passwords.size())
+    return fail("There are " + std::to_string(passwords.size()) + " passwords for " + std::to_string(adds) +
+                " new people; make them anew from this plan.");
+  const auto hashes = hashesOf(passwords, session.core().passwordCost(), progress);
+  if (!hashes) return tl::unexpected(hashes.error());
+  const std::string detail = "class list, " + std::to_string(adds) + " new, " + std::to_string(joins) + " known";
+  // Of what it takes the act that fewer may do, so that a refusal stays in the log.
+  return session.write(
+      {.act = joins > 0 ? Act::ChangeCohorts : Act::AddTrainee, .cohort = cohort, .detail = detail},
+      [&](Transaction& transaction, const Actor&) -> Result<void> {
+        auto hashed = hashes->begin();
+        for (const ClassImportRow& row : plan) {
+          if (row.step != Step::Add && row.step != Step::Join) continue;
+          const std::string* own = row.step == Step::Add ? &*hashed++ : nullptr;
+          if (const auto done = take(session, transaction, cohort, row, own); !done)
+            return fail(atLine(row.line, done.error().message) + " Nobody was added; look at the list again.");
+        }
+        return {};
+      });
+}
+
+}  // namespace insonate

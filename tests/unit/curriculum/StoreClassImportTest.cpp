@@ -1,0 +1,118 @@
+#include "StoreRig.h"
+
+#include <insonate/curriculum/AuditLog.h>
+#include <insonate/curriculum/ClassImport.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace insonate::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using enum ClassImportRow::Step;
+
+/// A class list that becomes people of a class.
+class StoreClassImport : public OnBoth {
+ protected:
+  static ClassList listOf(const std::string& lines) {
+    return valueOf(parseClassList("full name,username,e-mail\n" + lines));
+  }
+  static std::vector<ClassImportRow::Step> stepsOf(const std::vector<ClassImportRow>& plan) {
+    std::vector<ClassImportRow::Step> steps;
+    for (const ClassImportRow& row : plan) steps.push_back(row.step);
+    return steps;
+  }
+  static std::vector<std::string> learners(const SignedIn& by, const Cohort& cohort) {
+    std::vector<std::string> names;
+    for (const Member& member : valueOf(CohortStore(by).members(cohort.id)))
+      if (!member.teaches) names.push_back(member.person.name);
+    return names;
+  }
+};
+INSONATE_ON_BOTH(StoreClassImport);
+
+TEST_P(StoreClassImport, APlanTellsWhatBecomesOfEachLineAndChangesNothing) {
+  const School school(rig->open());
+  const ClassImport import(school.admin);
+  const auto plan =
+      valueOf(import.plan(school.spring.id, listOf("Zoe,zoe,\nNobody,,\nDr anna,anna,\nDr carl,carl,\n")));
+  EXPECT_THAT(stepsOf(plan), ElementsAre(Add, Refuse, AlreadyThere, Join));
+  EXPECT_THAT(plan[1].why, HasSubstr("Line 3: There is neither user name"));
+  EXPECT_EQ(plan[1].person.fullName, "Nobody") << "who is refused is named";
+  EXPECT_THAT(learners(school.admin, school.spring), ElementsAre("anna", "ben"));
+}
+
+TEST_P(StoreClassImport, ItIsCarriedOutAndEachMustChooseAPassword) {
+  const School school(rig->open());
+  const ClassImport import(school.admin);
+  const auto plan = valueOf(import.plan(school.spring.id, listOf("Zoe,zoe,\nDr carl,carl,\nYan,yan,\n")));
+  const auto passwords = ClassImport::passwordsFor(plan);
+  ASSERT_EQ(passwords.size(), 2U);
+  succeed(import.apply(school.spring.id, plan, passwords));
+  EXPECT_THAT(learners(school.admin, school.spring), ElementsAre("anna", "ben", "carl", "yan", "zoe"));
+  const SignedIn zoe = valueOf(school.store.signIn("zoe", passwords[0].password));
+  EXPECT_TRUE(zoe.mustChangePassword());
+  EXPECT_EQ(zoe.person().role, Role::Trainee);
+  EXPECT_TRUE(valueOf(school.store.signIn("yan", passwords[1].password)).mustChangePassword());
+  const auto again = valueOf(import.plan(school.spring.id, listOf("Zoe,zoe,\nDr carl,carl,\n")));
+  EXPECT_THAT(stepsOf(again), ElementsAre(AlreadyThere, AlreadyThere));
+  int logged = 0;
+  for (const AuditEntry& entry : valueOf(AuditLog(school.admin).page(100)))
+    logged += entry.detail.starts_with("zoe, trainee") || entry.detail.starts_with("yan, trainee");
+  EXPECT_EQ(logged, 2) << "each person is an entry of the log";
+}
+
+TEST_P(StoreClassImport, AllOrNothing) {
+  const School school(rig->open());
+  const ClassImport import(school.admin);
+  const auto plan = valueOf(import.plan(school.spring.id, listOf("Zoe,zoe,\nYan,yan,\n")));
+  const auto passwords = ClassImport::passwordsFor(plan);
+  school.add("yan", Role::Trainee, school.autumn.id);
+  EXPECT_THAT(refusalOf(import.apply(school.spring.id, plan, passwords)),
+              AllOf(HasSubstr("Line 3"), HasSubstr("'yan' already"), HasSubstr("Nobody was added")));
+  EXPECT_THAT(learners(school.admin, school.spring), ElementsAre("anna", "ben"));
+  EXPECT_FALSE(school.store.signIn("zoe", passwords[0].password));
+  int reports = 0;
+  const auto stop = [&](std::string_view, double) { return ++reports < 2; };
+  const auto fresh = valueOf(import.plan(school.spring.id, listOf("Zoe,zoe,\nXan,xan,\n")));
+  EXPECT_EQ(refusalOf(import.apply(school.spring.id, fresh, ClassImport::passwordsFor(fresh), stop)), kCancelled);
+  EXPECT_THAT(learners(school.admin, school.spring), ElementsAre("anna", "ben"));
+  EXPECT_THAT(refusalOf(import.apply(school.spring.id, fresh, {})), HasSubstr("0 passwords for 2"));
+}
+
+TEST_P(StoreClassImport, AnInstructorAddsToTheOwnClassAndPutsNobodyIntoIt) {
+  const School school(rig->open());
+  const ClassImport ina(school.as(school.ina));
+  const auto plan = valueOf(ina.plan(school.spring.id, listOf("Zoe,zoe,\nDr carl,carl,\nDr ben,ben,\n")));
+  EXPECT_THAT(stepsOf(plan), ElementsAre(Add, Refuse, AlreadyThere));
+  EXPECT_THAT(plan[1].why, HasSubstr("'carl' already")) << "whom ina does not see";
+  succeed(ina.apply(school.spring.id, plan, ClassImport::passwordsFor(plan)));
+  EXPECT_THAT(learners(school.admin, school.spring), ElementsAre("anna", "ben", "zoe"));
+
+  EXPECT_FALSE(ina.plan(school.autumn.id, listOf("Xan,xan,\n")));
+  const auto own = valueOf(ina.plan(school.spring.id, listOf("Xan,xan,\n")));
+  EXPECT_FALSE(ina.apply(school.autumn.id, own, ClassImport::passwordsFor(own))) << "a plan is no right";
+  auto forged = own;
+  forged.front().step = Join, forged.front().id = school.carl.id;
+  EXPECT_THAT(refusalOf(ina.apply(school.spring.id, forged, {})), HasSubstr("may not"));
+  EXPECT_FALSE(ClassImport(school.as(school.anna)).plan(school.spring.id, {}));
+  EXPECT_EQ(std::ranges::count(valueOf(AuditLog(school.admin).page(20)), false, &AuditEntry::allowed), 4)
+      << "each refusal is an entry of the log";
+  EXPECT_THAT(learners(school.admin, school.autumn), ElementsAre("carl"));
+}
+
+TEST(FirstPasswords, AreWrittenOnceForTheOwnerAlone) {
+  const TemporaryFolder folder;
+  const auto file = folder / "first.csv";
+  const std::vector<FirstPassword> passwords{{{.name = "zoe", .fullName = "=cmd()"}, "abcd-efgh-jkmn"}};
+  succeed(writeFirstPasswords(file, passwords));
+  EXPECT_EQ(std::filesystem::status(file).permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  EXPECT_THAT(refusalOf(writeFirstPasswords(file, {})), HasSubstr("is there already"));
+}
+
+}  // namespace
+}  // namespace insonate::test
