@@ -20,6 +20,8 @@ struct Outcome {
 /// A command prints its JSON object when --json was given; messages go to standard error.
 void addPhantomCommand(CLI::App& app, Outcome& outcome);
 void addImportCommand(CLI::App& app, Outcome& outcome);
+void addImportLabelsCommand(CLI::App& app, Outcome& outcome);
+void addExportCommand(CLI::App& app, Outcome& outcome);
 void addCheckCommand(CLI::App& app, Outcome& outcome);
 void addRenderCommand(CLI::App& app, Outcome& outcome);
 void addBenchCommand(CLI::App& app, Outcome& outcome);

@@ -34,6 +34,8 @@ int main(int argc, char** argv) {
   addPhantomCommand(app, outcome);
   addRenderCommand(app, outcome);
   addImportCommand(app, outcome);
+  addImportLabelsCommand(app, outcome);
+  addExportCommand(app, outcome);
   addLabelCommand(app, outcome);
   addCheckCommand(app, outcome);
   addBenchCommand(app, outcome);

@@ -1,5 +1,6 @@
 #include "files/Hounsfield.h"
 #include "files/ItkSnapLabels.h"
+#include "files/LabelGrid.h"
 #include "files/ManifestJson.h"
 #include "files/NrrdWriter.h"
 #include "files/SlicerSegmentation.h"
@@ -126,6 +127,12 @@ Result<CaseReadResult> readCase(const fs::path& folder) {
   auto labels = readLabels(folder, result.notes);
   if (!labels) return tl::unexpected(labels.error());
   LabelMap& map = labels->labels;
+  // 3D Slicer may store no more than the box around the segments.
+  if (!sameGrid(ct->geometry, map.geometry) && isPartOf(map.geometry, ct->geometry)) {
+    auto placed = placeLabels(map, ct->geometry, result.notes);
+    if (!placed) return fail("The labels of " + folder.string() + " do not fit: " + placed.error().message);
+    map = std::move(*placed);
+  }
   if (!sameGrid(ct->geometry, map.geometry))
     return fail("The CT and the labels of " + folder.string() + " are on different grids: " +
                 differenceOf(ct->geometry, map.geometry) + ". Resample the label map to the CT.");

@@ -114,7 +114,7 @@ TEST(SeriesGroups, UnexplainedDuplicateIsRefused) {
   slices.back().sopUid = "other";
   const auto series = groupSlices(slices);
   ASSERT_EQ(series.size(), 1U);
-  EXPECT_THAT(series[0].refusal, HasSubstr("1 slices are at the place of another"));
+  EXPECT_THAT(series[0].refusal, HasSubstr("1 slice is at the place of another"));
 }
 
 TEST(SeriesGroups, IncompleteHeadersAreRefusedWithTheReason) {

@@ -2,8 +2,11 @@
 
 #include <insonate/tissue/Labels.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <fstream>
+#include <sstream>
 
 namespace insonate {
 namespace {
@@ -41,6 +44,33 @@ std::string itkSnapLabelText(const LabelMap& labels, const LabelColours& colours
     if (used[label])
       text += line(label, colourOf(colours, static_cast<std::uint8_t>(label)), 1, "label " + std::to_string(label));
   return text;
+}
+
+Result<std::map<std::int32_t, ItkSnapLabel>> readItkSnapLabels(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) return fail("Could not read the label description " + file.string() + ".");
+  std::map<std::int32_t, ItkSnapLabel> labels;
+  std::string text;
+  for (int number = 1; std::getline(in, text); ++number) {
+    const std::size_t first = text.find_first_not_of(" \t\r");
+    if (first == std::string::npos || text[first] == '#') continue;
+    std::istringstream words(text);
+    std::int32_t index = 0;
+    std::array<int, 3> colour{};
+    double alpha = 0;
+    int visible = 0, mesh = 0;
+    words >> index >> colour[0] >> colour[1] >> colour[2] >> alpha >> visible >> mesh;
+    const std::size_t open = text.find('"'), close = text.rfind('"');
+    const bool inRange = std::ranges::all_of(colour, [](int part) { return part >= 0 && part <= 255; });
+    if (!words || close == open || !inRange)
+      return fail("Line " + std::to_string(number) + " of " + file.string() +
+                  " is no label of ITK-SNAP: seven numbers and a name in quotes are expected.");
+    ItkSnapLabel& label = labels[index];
+    label.name = text.substr(open + 1, close - open - 1);
+    for (int c = 0; c < 3; ++c) label.colour[c] = static_cast<std::uint8_t>(colour[c]);
+  }
+  if (labels.empty()) return fail(file.string() + " describes no labels. Is it a label description of ITK-SNAP?");
+  return labels;
 }
 
 }  // namespace insonate

@@ -1,12 +1,24 @@
 #pragma once
 
 #include <insonate/cases/PatientCase.h>
+#include <insonate/core/Result.h>
 
+#include <cstdint>
+#include <filesystem>
+#include <map>
 #include <string>
 
 namespace insonate {
 
 /// ITK-SNAP's label description file: every known label, and unknown ones that occur in the map.
 std::string itkSnapLabelText(const LabelMap& labels, const LabelColours& colours);
+
+struct ItkSnapLabel {
+  std::string name;
+  LabelColour colour{};
+};
+
+/// By the number in the map. Fails on a file that is none and on a line that is no label, with its number.
+Result<std::map<std::int32_t, ItkSnapLabel>> readItkSnapLabels(const std::filesystem::path& file);
 
 }  // namespace insonate

@@ -24,7 +24,9 @@ struct DicomSlice {
   std::optional<double> slope, intercept;
   std::optional<std::array<int, 2>> padding;  ///< stored values from..to that mean "no picture here"
   bool burnedInText = false;
-  bool cutOff = false;  ///< its pixels are incomplete
+  bool lossy = false;      ///< was compressed with loss at some time
+  bool otherUnit = false;  ///< says that its values are something else than Hounsfield units, or does not say what
+  bool cutOff = false;     ///< its pixels are incomplete
 };
 
 /// The slices of a file, or why it has none.

@@ -1,4 +1,4 @@
-#include "DerivedUid.h"
+#include "DicomEncoding.h"
 
 #include <insonate/cases/DicomWriter.h>
 #include <insonate/core/AtomicFile.h>
@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <sstream>
 #include <utility>
@@ -18,56 +17,11 @@ namespace insonate {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kCtImageStorage = "1.2.840.10008.5.1.4.1.1.2";
-
-struct SeriesUids {
-  std::string study, series, frameOfReference;
-};
-
-/// The most exact text of a number within the 16 characters of a decimal string (DICOM PS3.5, VR DS).
-std::string decimalString(double value) {
-  std::array<char, 40> text;
-  for (int digits = 17; digits > 0; --digits) {
-    std::snprintf(text.data(), text.size(), "%.*g", digits, value);
-    if (std::string_view(text.data()).size() <= 16) break;
-  }
-  return text.data();
-}
-
-std::string decimalStrings(std::initializer_list<double> values) {
-  std::string text;
-  for (double v : values) text += (text.empty() ? "" : "\\") + decimalString(v);
-  return text;
-}
-
-void put(gdcm::DataSet& data, gdcm::Tag tag, gdcm::VR::VRType vr, std::string text) {
-  if (text.size() % 2 != 0) text += vr == gdcm::VR::UI ? '\0' : ' ';
-  gdcm::DataElement element(tag);
-  element.SetVR(vr);
-  element.SetByteValue(text.data(), gdcm::VL(static_cast<std::uint32_t>(text.size())));
-  data.Replace(element);
-}
-
-void putShort(gdcm::DataSet& data, gdcm::Tag tag, std::uint16_t value) {
-  gdcm::DataElement element(tag);
-  element.SetVR(gdcm::VR::US);
-  element.SetByteValue(reinterpret_cast<const char*>(&value), gdcm::VL(2));
-  data.Replace(element);
-}
-
 using gdcm::Tag;
 using gdcm::VR;
 
-/// Patient, study, series, frame of reference and equipment modules (DICOM PS3.3 A.3); type 2 attributes are empty.
+/// Series, frame of reference and equipment modules; type 2 attributes are empty.
 void putSeries(gdcm::DataSet& data, const DicomSeriesIdentity& identity, const SeriesUids& uids) {
-  put(data, Tag(0x0010, 0x0010), VR::PN, identity.patientName);
-  put(data, Tag(0x0010, 0x0020), VR::LO, identity.patientId);
-  put(data, Tag(0x0010, 0x0030), VR::DA, "");
-  put(data, Tag(0x0010, 0x0040), VR::CS, "O");
-  put(data, Tag(0x0020, 0x000d), VR::UI, uids.study);
-  for (const auto& [element, vr] : {std::pair{0x0020, VR::DA}, {0x0030, VR::TM}, {0x0050, VR::SH}, {0x0090, VR::PN}})
-    put(data, Tag(0x0008, static_cast<std::uint16_t>(element)), vr, "");
-  put(data, Tag(0x0020, 0x0010), VR::SH, "1");
   put(data, Tag(0x0008, 0x0060), VR::CS, "CT");
   put(data, Tag(0x0020, 0x000e), VR::UI, uids.series);
   put(data, Tag(0x0020, 0x0011), VR::IS, "1");
@@ -89,7 +43,7 @@ void putSlice(gdcm::DataSet& data, const CtVolume& ct, int k) {
   put(data, Tag(0x0020, 0x0032), VR::DS, decimalStrings({p.x, p.y, p.z}));
   put(data, Tag(0x0020, 0x0037), VR::DS, decimalStrings({i.x, i.y, i.z, j.x, j.y, j.z}));
   put(data, Tag(0x0028, 0x0030), VR::DS, decimalStrings({g.spacing_mm.y, g.spacing_mm.x}));
-  put(data, Tag(0x0018, 0x0050), VR::DS, decimalString(g.spacing_mm.z));
+  put(data, Tag(0x0018, 0x0050), VR::DS, decimalStrings({g.spacing_mm.z}));
   put(data, Tag(0x0008, 0x0008), VR::CS, "ORIGINAL\\PRIMARY\\AXIAL");
   put(data, Tag(0x0018, 0x0060), VR::DS, "120");
   put(data, Tag(0x0028, 0x1052), VR::DS, "0");
@@ -104,7 +58,7 @@ void putSlice(gdcm::DataSet& data, const CtVolume& ct, int k) {
                                        {0x0101, 16},
                                        {0x0102, 15},
                                        {0x0103, 1}})
-    putShort(data, Tag(0x0028, element), value);
+    putShorts(data, Tag(0x0028, element), {value});
   const std::size_t sliceSize = static_cast<std::size_t>(g.size[0]) * g.size[1];
   gdcm::DataElement pixels(Tag(0x7fe0, 0x0010));
   pixels.SetVR(VR::OW);
@@ -119,7 +73,8 @@ Result<std::string> encodeSlice(const CtVolume& ct, int k, const DicomSeriesIden
   gdcm::Writer writer;
   gdcm::DataSet& data = writer.GetFile().GetDataSet();
   put(data, Tag(0x0008, 0x0016), VR::UI, kCtImageStorage);
-  put(data, Tag(0x0008, 0x0018), VR::UI, derivedUid(uids.series + "/" + std::to_string(k)));
+  put(data, Tag(0x0008, 0x0018), VR::UI, sliceUid(uids, k));
+  putPatientAndStudy(data, identity, uids);
   putSeries(data, identity, uids);
   putSlice(data, ct, k);
   gdcm::FileMetaInformation& header = writer.GetFile().GetHeader();
@@ -152,8 +107,7 @@ Result<void> writeDicomSeries(const CtVolume& ct, const fs::path& folder, const 
   if (auto ok = checkTarget(ct, folder); !ok) return ok;
   gdcm::Trace::WarningOff();
   gdcm::Trace::ErrorOff();
-  const SeriesUids uids{derivedUid(identity.seed + "/study"), derivedUid(identity.seed + "/series"),
-                        derivedUid(identity.seed + "/frame of reference")};
+  const SeriesUids uids = uidsOf(identity);
   const int count = ct.geometry.size[2];
   auto written = writeFolderAtomically(folder, [&](const fs::path& beside) -> Result<void> {
     for (int k = 0; k < count; ++k) {

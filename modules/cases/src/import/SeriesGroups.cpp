@@ -131,10 +131,10 @@ std::vector<Part> partsOf(const Slices& kind) {
   std::vector<Slices> split = splitByAcquisition(slices);
   if (split.empty() && duplicates) split = splitByPhase(slices);
   if (split.empty() && duplicates) {
-    const std::size_t places = byPlace(slices).size();
+    const std::size_t more = slices.size() - byPlace(slices).size();
     return {{slices, warnings,
-             std::to_string(slices.size() - places) +
-                 " slices are at the place of another one and nothing tells them apart. Export one series only."}};
+             std::to_string(more) + (more == 1 ? " slice is" : " slices are") +
+                 " at the place of another one and nothing tells them apart. Export one series only."}};
   }
   if (split.empty()) return {{slices, warnings, {}}};
   std::vector<Part> parts;
@@ -173,6 +173,14 @@ void addWarnings(DicomSeries& series) {
   }
   if (std::ranges::any_of(series.slices, [](const DicomSlice& s) { return !s.slope || !s.intercept; }))
     series.warnings.push_back("Slices lack Rescale Slope or Intercept; 1 and 0 are used. Air should be near -1000 HU.");
+  if (std::ranges::any_of(series.slices, &DicomSlice::otherUnit))
+    series.warnings.push_back(
+        "The slices do not call their values Hounsfield units (Rescale Type); check that air is near "
+        "-1000 and water near 0.");
+  if (std::ranges::any_of(series.slices, &DicomSlice::lossy))
+    series.warnings.push_back(
+        "The pictures were compressed with loss: values are not exact. Export the original series if "
+        "there is one.");
   if (std::ranges::any_of(series.slices, &DicomSlice::burnedInText))
     series.warnings.push_back("The pictures may have text burned in; check that it names nobody.");
 }

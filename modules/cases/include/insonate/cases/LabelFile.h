@@ -1,6 +1,7 @@
 #pragma once
 
 #include <insonate/cases/PatientCase.h>
+#include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
 #include <insonate/image/Volume.h>
 
@@ -24,5 +25,24 @@ Result<Volume<std::int32_t>> readLabelValues(const std::filesystem::path& file);
 /// segment's terminology, then by its name; a segment of unknown name becomes soft tissue and is noted. A plain label
 /// map keeps its numbers; above 255 or negative is refused. Layers are flattened, later segments win.
 Result<LabelReadResult> readLabelMap(const std::filesystem::path& file);
+
+/// Reads labels for a case: a DICOM segmentation, or any file of readLabelMap, put on the grid of the case's CT. Labels
+/// of another grid are resampled (nearest voxel) and that is said; labels that lie elsewhere in the patient are
+/// refused. A segment's or label's structure is found by its code, then by its name. Says also where the segmentation
+/// names another CT than the one that the case was imported from.
+Result<LabelReadResult> importLabels(const PatientCase& patient, const std::filesystem::path& file,
+                                     const std::filesystem::path& names = {}, const Progress& progress = {});
+
+/// Puts imported labels into the case they were imported for, and says so in its notes, without the names of segments:
+/// people write anything there.
+void takeLabels(LabelReadResult&& imported, PatientCase& patient);
+
+/// Refuses a name that writeLabelFile does not take.
+Result<void> checkLabelTarget(const std::filesystem::path& file);
+
+/// Writes the labels alone as a 3D Slicer segmentation (NAME.seg.nrrd), and ITK-SNAP's label description
+/// (NAME.label.txt) beside it. Of each file, what was there is untouched on failure.
+Result<void> writeLabelFile(const PatientCase& patient, const std::filesystem::path& file,
+                            const Progress& progress = {});
 
 }  // namespace insonate

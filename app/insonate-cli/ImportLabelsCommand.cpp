@@ -1,0 +1,75 @@
+#include "Commands.h"
+
+#include <insonate/cases/LabelFile.h>
+#include <insonate/cases/PatientCase.h>
+#include <insonate/tissue/Labels.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace insonate::cli {
+namespace {
+
+using nlohmann::json;
+
+struct ImportLabelsArguments {
+  std::string caseFolder, file, names;
+  bool replace = false, json = false;
+};
+
+json structuresOf(const LabelMap& labels, bool print) {
+  std::array<std::size_t, 256> voxels{};
+  for (const std::uint8_t label : labels.voxels) ++voxels[label];
+  json rows = json::array();
+  for (int label = 1; label < 256; ++label) {
+    if (voxels[label] == 0) continue;
+    const std::string name = labelName(static_cast<std::uint8_t>(label));
+    if (print) std::printf("%10zu voxels  %s\n", voxels[label], name.c_str());
+    rows.push_back({{"label", label}, {"name", name}, {"voxels", voxels[label]}});
+  }
+  return rows;
+}
+
+Result<void> importLabelsInto(const ImportLabelsArguments& a) {
+  auto read = readCase(a.caseFolder);
+  if (!read) return tl::unexpected(read.error());
+  PatientCase& patient = read->patient;
+  const bool labelled = std::ranges::any_of(patient.labels.voxels, [](std::uint8_t label) { return label != 0; });
+  if (labelled && !a.replace)
+    return fail("The case " + a.caseFolder + " is labelled already. Add --replace to put these labels in its place.");
+  auto imported = importLabels(patient, a.file, a.names, terminalProgress());
+  if (!imported) return tl::unexpected(imported.error());
+  for (const std::string& note : imported->notes) std::cerr << "note: " << note << '\n';
+  takeLabels(std::move(*imported), patient);
+  if (auto ok = writeCase(patient, a.caseFolder, terminalProgress()); !ok) return ok;
+  const json rows = structuresOf(patient.labels, !a.json);
+  tellNext(a.caseFolder);
+  if (a.json) printJson({{"case", a.caseFolder}, {"structures", rows}, {"notes", imported->notes}});
+  return {};
+}
+
+}  // namespace
+
+void addImportLabelsCommand(CLI::App& app, Outcome& outcome) {
+  auto* command = app.add_subcommand("import-labels", "Put another program's labels into a case");
+  auto a = std::make_shared<ImportLabelsArguments>();
+  command->add_option("CASE", a->caseFolder, "Folder of the case")->required()->check(notEmpty());
+  command->add_option("FILE", a->file, "DICOM segmentation, .seg.nrrd, or a label map (NRRD, NIfTI, MetaImage)")
+      ->required()
+      ->check(notEmpty());
+  command->add_option("--names", a->names, "ITK-SNAP label description of a plain label map's numbers")
+      ->check(notEmpty());
+  command->add_flag("--replace", a->replace, "Put them in the place of the labels that the case has");
+  command->add_flag("--json", a->json, "Print one JSON object");
+  command->callback([a, &outcome] {
+    outcome.json = a->json;
+    if (auto done = importLabelsInto(*a); !done) refuse(outcome, done.error());
+  });
+}
+
+}  // namespace insonate::cli

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <insonate/cases/LabelFile.h>
+#include <insonate/core/Progress.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// A DICOM segmentation as it is stored: frames of one size, each a slice of one segment, in any order.
+struct DicomSegments {
+  struct Frame {
+    Vec3 position_mm;        ///< centre of its first pixel, patient LPS
+    std::uint8_t label = 0;  ///< in this program's numbers
+    std::size_t first = 0;   ///< its first pixel among all
+  };
+  std::vector<Frame> frames;  ///< by segment, as the file numbers them
+  int columns = 0, rows = 0;
+  std::array<Vec3, 2> direction;       ///< of i and j, unit, at right angles
+  std::array<double, 2> spacing_mm{};  ///< along i, along j
+  double step_mm = 0;                  ///< distance of neighbouring slices
+  std::vector<std::uint8_t> pixels;    ///< a bit each, the first in the lowest bit, or a byte each
+  int threshold = 0;                   ///< 0 for bits; of fractions, bytes from here on are inside
+
+  std::string seriesUid;  ///< of the CT it was drawn on, where it says so; identifies, and must not be kept
+  std::vector<std::string> notes;
+  LabelColours colours;
+
+  bool inside(std::size_t pixel) const {
+    return threshold > 0 ? pixels[pixel] >= threshold : (pixels[pixel / 8] >> (pixel % 8) & 1) != 0;
+  }
+};
+
+/// True for a DICOM file that is a segmentation.
+bool isDicomSegmentation(const std::filesystem::path& file);
+
+/// Fails on files that are cut off, hold fewer pixels than they say, name segments or places that are not there, or lie
+/// in more than one orientation.
+Result<DicomSegments> readDicomSegments(const std::filesystem::path& file);
+
+/// Each voxel of `grid` takes the pixel that it lies in; later segments win. Fails where nothing lands in the grid, and
+/// when cancelled.
+Result<LabelReadResult> placeSegments(const DicomSegments& segments, const VolumeGeometry& grid,
+                                      const Progress& progress);
+
+}  // namespace insonate

@@ -1,0 +1,244 @@
+#include "../import/DerivedUid.h"
+#include "../import/DicomEncoding.h"
+#include "CieLab.h"
+#include "SegmentFrames.h"
+
+#include <insonate/cases/DicomSegmentation.h>
+#include <insonate/core/AtomicFile.h>
+#include <insonate/core/Fingerprint.h>
+#include <insonate/tissue/Labels.h>
+
+#include <gdcmTrace.h>
+#include <gdcmWriter.h>
+
+#include <bit>
+#include <cstring>
+#include <ctime>
+#include <limits>
+#include <sstream>
+
+namespace insonate {
+namespace fs = std::filesystem;
+namespace {
+
+using gdcm::DataSet;
+using gdcm::Tag;
+using gdcm::VR;
+
+constexpr const char* kSegmentationStorage = "1.2.840.10008.5.1.4.1.1.66.4";
+
+struct Uids {
+  SeriesUids ct;
+  std::string series, instance, dimensions;
+};
+
+/// A reference by number: an attribute's tag, or several counts.
+void putBinary(DataSet& data, Tag tag, VR::VRType vr, const void* bytes, std::size_t size) {
+  gdcm::DataElement element(tag);
+  element.SetVR(vr);
+  element.SetByteValue(static_cast<const char*>(bytes), gdcm::VL(static_cast<std::uint32_t>(size)));
+  data.Replace(element);
+}
+
+DataSet codeItem(const char* value, const char* scheme, const std::string& meaning) {
+  DataSet item;
+  put(item, Tag(0x0008, 0x0100), VR::SH, value);
+  put(item, Tag(0x0008, 0x0102), VR::SH, scheme);
+  put(item, Tag(0x0008, 0x0104), VR::LO, meaning);
+  return item;
+}
+
+DataSet segmentItem(std::uint8_t label, std::uint16_t number, const LabelColours& colours) {
+  DataSet item;
+  const bool coded = label < kLabelCount && !labelTable()[label].snomedCode.empty();
+  const LabelInfo& info = labelTable()[knownLabel(label)];
+  putSequence(item, Tag(0x0062, 0x0003), {codeItem("85756007", "SCT", "Tissue")});
+  putShorts(item, Tag(0x0062, 0x0004), {number});
+  put(item, Tag(0x0062, 0x0005), VR::LO, labelName(label));
+  put(item, Tag(0x0062, 0x0008), VR::CS, "SEMIAUTOMATIC");
+  put(item, Tag(0x0062, 0x0009), VR::LO, "Insonate");
+  const DicomLab lab = dicomLabOf(colourOf(colours, label));
+  putShorts(item, Tag(0x0062, 0x000d), {lab[0], lab[1], lab[2]});
+  putSequence(item, Tag(0x0062, 0x000f),
+              {coded ? codeItem(std::string(info.snomedCode).c_str(), "SCT", std::string(info.snomedMeaning))
+                     : codeItem("85756007", "SCT", "Tissue")});
+  return item;
+}
+
+DataSet reference(const std::string& instance) {
+  DataSet item;
+  put(item, Tag(0x0008, 0x1150), VR::UI, kCtImageStorage);
+  put(item, Tag(0x0008, 0x1155), VR::UI, instance);
+  return item;
+}
+
+DataSet dimension(const Uids& uids, Tag pointer, Tag group, const char* description) {
+  DataSet item;
+  const auto putTag = [&](Tag tag, Tag value) {
+    const std::uint16_t words[2] = {value.GetGroup(), value.GetElement()};
+    putBinary(item, tag, VR::AT, words, sizeof words);
+  };
+  put(item, Tag(0x0020, 0x9164), VR::UI, uids.dimensions);
+  putTag(Tag(0x0020, 0x9165), pointer);
+  putTag(Tag(0x0020, 0x9167), group);
+  put(item, Tag(0x0020, 0x9421), VR::LO, description);
+  return item;
+}
+
+/// Series and equipment modules, and when it was made (PS3.3 A.51.3).
+void putSeries(DataSet& data, const Uids& uids) {
+  put(data, Tag(0x0008, 0x0016), VR::UI, kSegmentationStorage);
+  put(data, Tag(0x0008, 0x0018), VR::UI, uids.instance);
+  std::array<char, 16> day, time;
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  ::gmtime_r(&now, &utc);
+  std::strftime(day.data(), day.size(), "%Y%m%d", &utc);
+  std::strftime(time.data(), time.size(), "%H%M%S", &utc);
+  for (const std::uint16_t element : {0x0021, 0x0023}) put(data, Tag(0x0008, element), VR::DA, day.data());
+  for (const std::uint16_t element : {0x0031, 0x0033}) put(data, Tag(0x0008, element), VR::TM, time.data());
+  put(data, Tag(0x0008, 0x0060), VR::CS, "SEG");
+  put(data, Tag(0x0008, 0x0070), VR::LO, "Insonate");
+  put(data, Tag(0x0008, 0x103e), VR::LO, "Segmentation");
+  put(data, Tag(0x0008, 0x1090), VR::LO, "Insonate");
+  put(data, Tag(0x0018, 0x1000), VR::LO, "0");
+  put(data, Tag(0x0018, 0x1020), VR::LO, INSONATE_VERSION);
+  put(data, Tag(0x0020, 0x000e), VR::UI, uids.series);
+  put(data, Tag(0x0020, 0x0011), VR::IS, "2");
+  put(data, Tag(0x0020, 0x0013), VR::IS, "1");
+  put(data, Tag(0x0020, 0x0052), VR::UI, uids.ct.frameOfReference);
+  put(data, Tag(0x0020, 0x1040), VR::LO, "");
+}
+
+void putDimensions(DataSet& data, const Uids& uids) {
+  DataSet organization;
+  put(organization, Tag(0x0020, 0x9164), VR::UI, uids.dimensions);
+  putSequence(data, Tag(0x0020, 0x9221), {organization});
+  putSequence(data, Tag(0x0020, 0x9222),
+              {dimension(uids, Tag(0x0062, 0x000b), Tag(0x0062, 0x000a), "ReferencedSegmentNumber"),
+               dimension(uids, Tag(0x0020, 0x0032), Tag(0x0020, 0x9113), "ImagePositionPatient")});
+}
+
+/// Segmentation image module (PS3.3 C.8.20.2).
+void putImage(DataSet& data, const PatientCase& patient, const SegmentFrames& packed) {
+  const VolumeGeometry& g = patient.labels.geometry;
+  put(data, Tag(0x0008, 0x0008), VR::CS, "DERIVED\\PRIMARY");
+  put(data, Tag(0x0028, 0x0004), VR::CS, "MONOCHROME2");
+  put(data, Tag(0x0028, 0x0008), VR::IS, std::to_string(packed.frames.size()));
+  putShorts(data, Tag(0x0028, 0x0002), {1});
+  putShorts(data, Tag(0x0028, 0x0010), {static_cast<std::uint16_t>(g.size[1])});
+  putShorts(data, Tag(0x0028, 0x0011), {static_cast<std::uint16_t>(g.size[0])});
+  for (const auto& [element, value] :
+       {std::pair<std::uint16_t, std::uint16_t>{0x0100, 1}, {0x0101, 1}, {0x0102, 0}, {0x0103, 0}})
+    putShorts(data, Tag(0x0028, element), {value});
+  put(data, Tag(0x0028, 0x2110), VR::CS, "00");
+  put(data, Tag(0x0062, 0x0001), VR::CS, "BINARY");
+  std::vector<DataSet> segments;
+  for (std::size_t n = 0; n < packed.labels.size(); ++n)
+    segments.push_back(segmentItem(packed.labels[n], static_cast<std::uint16_t>(n + 1), patient.colours));
+  putSequence(data, Tag(0x0062, 0x0002), segments);
+  put(data, Tag(0x0070, 0x0080), VR::CS, "SEGMENTATION");
+  put(data, Tag(0x0070, 0x0081), VR::LO, "");
+  put(data, Tag(0x0070, 0x0084), VR::PN, "");
+}
+
+/// The CT that was labelled, as writeDicomSeries calls it.
+void putReferences(DataSet& data, const VolumeGeometry& g, const Uids& uids) {
+  DataSet series;
+  std::vector<DataSet> instances;
+  for (int k = 0; k < g.size[2]; ++k) instances.push_back(reference(sliceUid(uids.ct, k)));
+  putSequence(series, Tag(0x0008, 0x114a), instances);
+  put(series, Tag(0x0020, 0x000e), VR::UI, uids.ct.series);
+  putSequence(data, Tag(0x0008, 0x1115), {series});
+}
+
+DataSet sharedGroups(const VolumeGeometry& g) {
+  const Vec3 i = g.direction.column[0], j = g.direction.column[1];
+  DataSet orientation, measures, shared;
+  put(orientation, Tag(0x0020, 0x0037), VR::DS, decimalStrings({i.x, i.y, i.z, j.x, j.y, j.z}));
+  put(measures, Tag(0x0018, 0x0050), VR::DS, decimalStrings({g.spacing_mm.z}));
+  put(measures, Tag(0x0018, 0x0088), VR::DS, decimalStrings({g.spacing_mm.z}));
+  put(measures, Tag(0x0028, 0x0030), VR::DS, decimalStrings({g.spacing_mm.y, g.spacing_mm.x}));
+  putSequence(shared, Tag(0x0020, 0x9116), {orientation});
+  putSequence(shared, Tag(0x0028, 0x9110), {measures});
+  return shared;
+}
+
+DataSet frameGroups(const VolumeGeometry& g, const SegmentFrame& frame, const Uids& uids) {
+  const Vec3 p = g.patientFromIndex() * Vec3{0, 0, static_cast<double>(frame.k)};
+  DataSet source = reference(sliceUid(uids.ct, frame.k));
+  putSequence(source, Tag(0x0040, 0xa170), {codeItem("121322", "DCM", "Source image for image processing operation")});
+  DataSet derivation, content, position, segment, groups;
+  putSequence(derivation, Tag(0x0008, 0x2112), {source});
+  putSequence(derivation, Tag(0x0008, 0x9215), {codeItem("113076", "DCM", "Segmentation")});
+  const std::uint32_t place[2] = {static_cast<std::uint32_t>(frame.segment + 1),
+                                  static_cast<std::uint32_t>(frame.k + 1)};
+  putBinary(content, Tag(0x0020, 0x9157), VR::UL, place, sizeof place);
+  put(position, Tag(0x0020, 0x0032), VR::DS, decimalStrings({p.x, p.y, p.z}));
+  putShorts(segment, Tag(0x0062, 0x000b), {static_cast<std::uint16_t>(frame.segment + 1)});
+  putSequence(groups, Tag(0x0008, 0x9124), {derivation});
+  putSequence(groups, Tag(0x0020, 0x9111), {content});
+  putSequence(groups, Tag(0x0020, 0x9113), {position});
+  putSequence(groups, Tag(0x0062, 0x000a), {segment});
+  return groups;
+}
+
+Result<std::string> encode(const PatientCase& patient, SegmentFrames packed) {
+  static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
+  const DicomSeriesIdentity identity = dicomIdentityOf(patient);
+  Fingerprint bits;
+  bits.add(std::string_view(reinterpret_cast<const char*>(packed.bits.data()), packed.bits.size()));
+  const std::string seed = identity.seed + "/segmentation/" + bits.text();
+  const Uids uids{uidsOf(identity), derivedUid(seed + "/series"), derivedUid(seed + "/instance"),
+                  derivedUid(seed + "/dimensions")};
+  gdcm::Writer writer;
+  DataSet& data = writer.GetFile().GetDataSet();
+  putPatientAndStudy(data, identity, uids.ct);
+  putSeries(data, uids);
+  putDimensions(data, uids);
+  putImage(data, patient, packed);
+  putReferences(data, patient.labels.geometry, uids);
+  putSequence(data, Tag(0x5200, 0x9229), {sharedGroups(patient.labels.geometry)});
+  std::vector<DataSet> groups;
+  for (const SegmentFrame& frame : packed.frames) groups.push_back(frameGroups(patient.labels.geometry, frame, uids));
+  putSequence(data, Tag(0x5200, 0x9230), groups);
+  if (packed.bits.size() % 2) packed.bits.push_back(0);
+  putBinary(data, Tag(0x7fe0, 0x0010), VR::OB, packed.bits.data(), packed.bits.size());
+  writer.GetFile().GetHeader().SetDataSetTransferSyntax(gdcm::TransferSyntax::ExplicitVRLittleEndian);
+  std::ostringstream bytes;
+  writer.SetStream(bytes);
+  if (!writer.Write()) return fail("The labels could not be encoded as a DICOM segmentation.");
+  return std::move(bytes).str();
+}
+
+}  // namespace
+
+DicomSeriesIdentity dicomIdentityOf(const PatientCase& patient) {
+  Fingerprint print;
+  for (const std::int16_t hu : patient.ct.voxels) print.add(static_cast<std::uint16_t>(hu));
+  const VolumeGeometry& g = patient.ct.geometry;
+  for (const int n : g.size) print.add(static_cast<std::uint64_t>(n));
+  for (const Vec3 v : {g.spacing_mm, g.origin_mm, g.direction.column[0], g.direction.column[1], g.direction.column[2]})
+    for (int a = 0; a < 3; ++a) print.add(std::bit_cast<std::uint64_t>(v[a]));
+  return {.seed = "case/" + print.text(), .patientName = "Insonate^Case", .patientId = print.text()};
+}
+
+Result<void> writeDicomSegmentation(const PatientCase& patient, const fs::path& file, const Progress& progress) {
+  const VolumeGeometry& g = patient.labels.geometry;
+  if (auto ok = validate(g); !ok) return ok;
+  if (g.size[0] > 65535 || g.size[1] > 65535) return fail("A DICOM segmentation holds at most 65535 rows and columns.");
+  gdcm::Trace::WarningOff();
+  gdcm::Trace::ErrorOff();
+  auto packed = framesOfLabels(patient.labels, progress);
+  if (!packed) return tl::unexpected(packed.error());
+  if (packed->labels.empty())
+    return fail("Nothing is labelled, so there is no segmentation to write to " + file.string() + ".");
+  if (packed->bits.size() > std::numeric_limits<std::uint32_t>::max() - 2)
+    return fail("The labels need more than 4 GB as one DICOM segmentation. Crop the case first.");
+  const auto bytes = encode(patient, std::move(*packed));
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (!report(progress, "Writing the segmentation", 1)) return fail(std::string(kCancelled));
+  return writeAtomically(file, *bytes);
+}
+
+}  // namespace insonate

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <insonate/core/Progress.h>
+#include <insonate/core/Result.h>
+#include <insonate/image/Volume.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace insonate {
+
+/// One slice of one structure.
+struct SegmentFrame {
+  int segment = 0;  ///< index among SegmentFrames::labels
+  int k = 0;
+};
+
+/// A label map as DICOM stores it: a bit a voxel, frame after frame without gaps (PS3.5 8.1.1), the first pixel in the
+/// lowest bit.
+struct SegmentFrames {
+  std::vector<std::uint8_t> labels;  ///< those that occur, ascending
+  std::vector<SegmentFrame> frames;  ///< slices in which a structure occurs, by structure, then by k
+  std::vector<std::uint8_t> bits;
+};
+
+/// Fails when cancelled.
+Result<SegmentFrames> framesOfLabels(const LabelMap& labels, const Progress& progress);
+
+}  // namespace insonate

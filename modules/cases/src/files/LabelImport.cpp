@@ -1,0 +1,123 @@
+#include "../dicomseg/SegReader.h"
+#include "../import/DerivedUid.h"
+#include "ItkSnapLabels.h"
+#include "LabelGrid.h"
+#include "LabelNames.h"
+#include "VolumeFile.h"
+
+#include <insonate/cases/LabelFile.h>
+
+#include <map>
+#include <set>
+
+namespace insonate {
+namespace fs = std::filesystem;
+namespace {
+
+/// "a.b" of "a.b.nii.gz" and of "a.b.seg.nrrd".
+fs::path withoutEndings(const fs::path& file) {
+  fs::path name = file;
+  for (const char* ending : {".gz", ".nii", ".nrrd", ".nhdr", ".mha", ".mhd", ".seg"})
+    if (name.extension() == ending) name.replace_extension();
+  return name;
+}
+
+struct Meaning {
+  std::uint8_t label = kSoftTissue;
+  bool known = false;
+};
+
+/// Also of names that this program gives to numbers which it does not know.
+Meaning meaningOf(const std::string& name) {
+  if (const auto known = labelFromAnyName(name)) return {*known, true};
+  for (int number = kLabelCount; number < 256; ++number)
+    if (name == labelName(static_cast<std::uint8_t>(number))) return {static_cast<std::uint8_t>(number), true};
+  return {};
+}
+
+Result<LabelReadResult> mapByNames(const fs::path& file, const fs::path& names) {
+  const auto described = readItkSnapLabels(names);
+  if (!described) return tl::unexpected(described.error());
+  const auto values = readLabelValues(file);
+  if (!values) return tl::unexpected(values.error());
+  LabelReadResult result{LabelMap(values->geometry), {}};
+  result.notes.push_back("The meaning of the numbers was taken from " + names.filename().string() + ".");
+  std::map<std::int32_t, Meaning> meanings;
+  std::set<std::int32_t> undescribed;
+  for (std::size_t v = 0; v < values->voxels.size(); ++v) {
+    const std::int32_t value = values->voxels[v];
+    if (value == 0) continue;
+    const auto found = described->find(value);
+    if (found == described->end()) {
+      undescribed.insert(value);
+      continue;
+    }
+    const auto [meaning, isNew] = meanings.try_emplace(value);
+    if (isNew) {
+      meaning->second = meaningOf(found->second.name);
+      const auto [label, known] = meaning->second;
+      if (!known)
+        result.notes.push_back("The label \"" + found->second.name + "\" (number " + std::to_string(value) +
+                               ") is no structure this program knows and is read as soft tissue; rename it to change "
+                               "that.");
+      else if (found->second.colour != colourOf({}, label))
+        result.colours.try_emplace(label, found->second.colour);
+    }
+    result.labels.voxels[v] = meaning->second.label;
+  }
+  for (const std::int32_t value : undescribed)
+    result.notes.push_back("The number " + std::to_string(value) + " is not described and was ignored.");
+  return result;
+}
+
+/// A segmentation says itself what its numbers mean.
+Result<LabelReadResult> readNamed(const fs::path& file, const fs::path& names) {
+  if (!names.empty()) return mapByNames(file, names);
+  const auto header = readVolumeFile(file, ReadPart::kHeader);
+  if (!header) return tl::unexpected(header.error());
+  const fs::path beside = withoutEndings(file).string() + ".label.txt";
+  std::error_code error;
+  if (!header->metadata.contains("Segment0_ID") && fs::exists(beside, error)) return mapByNames(file, beside);
+  return readLabelMap(file);
+}
+
+tl::unexpected<Error> inFile(const fs::path& file, const Error& error) {
+  return fail(error.message == kCancelled ? error.message : file.string() + ": " + error.message);
+}
+
+Result<LabelReadResult> fromDicom(const PatientCase& patient, const fs::path& file, const Progress& progress) {
+  const auto segments = readDicomSegments(file);
+  if (!segments) return tl::unexpected(segments.error());
+  auto placed = placeSegments(*segments, patient.ct.geometry, progress);
+  if (!placed) return inFile(file, placed.error());
+  const std::string& source = patient.manifest.source;
+  const bool knowsItsSeries = source.find("UID was replaced by 2.25.") != std::string::npos;
+  if (knowsItsSeries && !segments->seriesUid.empty() &&
+      source.find(derivedUid(segments->seriesUid)) == std::string::npos)
+    placed->notes.push_back(
+        "The segmentation names another series than the one this case was imported from; check that it fits.");
+  return placed;
+}
+
+}  // namespace
+
+Result<LabelReadResult> importLabels(const PatientCase& patient, const fs::path& file, const fs::path& names,
+                                     const Progress& progress) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error))
+    return fail("There is no file " + file.string() +
+                " with labels. Name a DICOM segmentation, NRRD, NIfTI or MetaImage.");
+  if (!isVolumeFile(file)) {
+    if (!isDicomSegmentation(file))
+      return fail(file.string() + " holds no labels: it is neither a DICOM segmentation nor NRRD, NIfTI or MetaImage.");
+    return fromDicom(patient, file, progress);
+  }
+  auto read = readNamed(file, names);
+  if (!read) return read;
+  auto placed = placeLabels(read->labels, patient.ct.geometry, read->notes, progress);
+  if (!placed) return inFile(file, placed.error());
+  read->labels = std::move(*placed);
+  return read;
+}
+
+}  // namespace insonate

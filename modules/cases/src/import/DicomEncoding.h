@@ -1,0 +1,35 @@
+#pragma once
+
+#include <insonate/cases/DicomWriter.h>
+
+#include <gdcmDataSet.h>
+
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+inline constexpr const char* kCtImageStorage = "1.2.840.10008.5.1.4.1.1.2";
+
+/// What a written CT series is called; anything that refers to it calls it the same.
+struct SeriesUids {
+  std::string study, series, frameOfReference;
+};
+SeriesUids uidsOf(const DicomSeriesIdentity& identity);
+std::string sliceUid(const SeriesUids& uids, int k);
+
+/// Sets an element's text, padded to even length.
+void put(gdcm::DataSet& data, gdcm::Tag tag, gdcm::VR::VRType vr, std::string text);
+void putShorts(gdcm::DataSet& data, gdcm::Tag tag, std::initializer_list<std::uint16_t> values);
+/// A sequence with one item for each data set.
+void putSequence(gdcm::DataSet& data, gdcm::Tag tag, const std::vector<gdcm::DataSet>& items);
+
+/// The most exact text of numbers within the 16 characters of a decimal string (DICOM PS3.5, VR DS).
+std::string decimalStrings(std::initializer_list<double> values);
+
+/// Patient and study modules (DICOM PS3.3 A.3); type 2 attributes are empty.
+void putPatientAndStudy(gdcm::DataSet& data, const DicomSeriesIdentity& identity, const SeriesUids& uids);
+
+}  // namespace insonate

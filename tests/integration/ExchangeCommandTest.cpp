@@ -1,0 +1,77 @@
+#include "CommandLine.h"
+#include "support/SmallCase.h"
+#include "support/TestData.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace insonate {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::shellWord;
+using testing::HasSubstr;
+
+/// export and import-labels, run as a user would.
+class ExchangeCommands : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto written = writeCase(test::smallCase(), folder_ / "case");
+    ASSERT_TRUE(written) << written.error().message;
+  }
+  test::CommandResult run(const std::string& arguments) const {
+    return test::runCommand(arguments, folder_ / "errors");
+  }
+  std::string at(const std::string& name) const { return shellWord(folder_ / name); }
+  void expectRefusal(const std::string& arguments, const std::string& words, int status = 1) const {
+    const auto result = run(arguments);
+    EXPECT_EQ(result.status, status) << arguments << '\n' << result.errors;
+    EXPECT_THAT(result.errors, HasSubstr(words)) << arguments;
+  }
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(ExchangeCommands, ACaseGoesOutAsDicomAndComesBack) {
+  const auto written = run("export " + at("case") + " --dicom " + at("ct") + " --seg " + at("seg.dcm") + " --labels " +
+                           at("l.seg.nrrd") + " --json");
+  ASSERT_EQ(written.status, 0) << written.errors;
+  EXPECT_EQ(json::parse(written.output)["written"]["seg"], (folder_ / "seg.dcm").string());
+  ASSERT_EQ(run("import " + at("ct") + " " + at("back")).status, 0);
+  const auto labelled = run("import-labels " + at("back") + " " + at("seg.dcm") + " --json");
+  ASSERT_EQ(labelled.status, 0) << labelled.errors;
+  const auto back = readCase(folder_ / "back");
+  ASSERT_TRUE(back) << back.error().message;
+  const PatientCase original = test::smallCase();
+  EXPECT_EQ(back->patient.labels.voxels, original.labels.voxels);
+  EXPECT_EQ(back->patient.ct.voxels, original.ct.voxels);
+  EXPECT_EQ(back->patient.ct.geometry, original.ct.geometry);
+  const json report = json::parse(labelled.output);
+  const auto veins = std::ranges::count(original.labels.voxels, kVein);
+  bool found = false;
+  for (const json& row : report["structures"]) found = found || (row["name"] == "vein" && row["voxels"] == veins);
+  EXPECT_TRUE(found) << labelled.output;
+  EXPECT_TRUE(fs::exists(folder_ / "l.label.txt"));
+}
+
+TEST_F(ExchangeCommands, LabelsAreNotReplacedSilently) {
+  ASSERT_EQ(run("export " + at("case") + " --labels " + at("l.seg.nrrd")).status, 0);
+  expectRefusal("import-labels " + at("case") + " " + at("l.seg.nrrd"), "Add --replace");
+  EXPECT_EQ(run("import-labels " + at("case") + " " + at("l.seg.nrrd") + " --replace").status, 0);
+}
+
+TEST_F(ExchangeCommands, WhatCannotBeIsRefused) {
+  expectRefusal("export " + at("case"), "--dicom, --seg or --labels", 2);
+  expectRefusal("export " + at("none") + " --seg " + at("s.dcm"), "no case folder");
+  expectRefusal("export " + at("case") + " --labels " + at("case/labels.seg.nrrd"), "file of the case itself");
+  expectRefusal("export " + at("case") + " --labels " + at("l.nrrd"), ".seg.nrrd");
+  expectRefusal("export " + at("case") + " --dicom " + at("case"), "not empty");
+  expectRefusal("export " + at("case") + " --seg " + at("no/such/s.dcm"), "no/such");
+  expectRefusal("import-labels " + at("case") + " " + at("none.dcm") + " --replace", "There is no file");
+  expectRefusal("import-labels " + at("case") + " " + at("case/case.json") + " --replace", "holds no labels");
+}
+
+}  // namespace
+}  // namespace insonate

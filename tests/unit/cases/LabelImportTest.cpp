@@ -1,0 +1,150 @@
+#include "CaseSamples.h"
+#include "support/TestData.h"
+
+#include <insonate/cases/LabelFile.h>
+
+#include <gmock/gmock.h>
+
+namespace insonate {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+PatientCase blankCase() {
+  PatientCase patient;
+  patient.ct = CtVolume(test::grid({6, 5, 4}, {1, 1, 2}, {100, 200, -50}), 0);
+  patient.labels = LabelMap(patient.ct.geometry);
+  return patient;
+}
+
+std::string header(const std::string& sizes, const std::string& origin) {
+  return "type: unsigned char\ndimension: 3\nsizes: " + sizes +
+         "\nspace: left-posterior-superior\nspace directions: (1,0,0) (0,1,0) (0,0,2)\nspace origin: " + origin + "\n";
+}
+
+const std::string kVeinSegment = "Segment0_ID:=a\nSegment0_Name:=vein\nSegment0_LabelValue:=1\nSegment0_Layer:=0\n";
+
+TEST(LabelImport, APartOfTheGridKeepsItsPlace) {
+  test::TemporaryFolder folder;
+  // What 3D Slicer writes when it crops to the segments: two voxels at (3, 2, 1) and (4, 2, 1).
+  test::writeRawNrrd(folder / "l.seg.nrrd",
+                     header("2 1 1", "(103,202,-48)") + kVeinSegment +
+                         "Segment0_Extent:=0 1 0 0 0 0\nSegmentation_ReferenceImageExtentOffset:=3 2 1\n",
+                     "\1\1");
+  const auto imported = importLabels(blankCase(), folder / "l.seg.nrrd");
+  ASSERT_TRUE(imported) << imported.error().message;
+  LabelMap expected(blankCase().ct.geometry);
+  expected.at(3, 2, 1) = expected.at(4, 2, 1) = kVein;
+  EXPECT_EQ(imported->labels.voxels, expected.voxels);
+  EXPECT_THAT(imported->notes, Contains(HasSubstr("every voxel kept its place")));
+}
+
+TEST(LabelImport, ACaseWithSuchLabelsIsRead) {
+  test::TemporaryFolder folder;
+  ASSERT_TRUE(writeCase(blankCase(), folder / "case"));
+  test::writeRawNrrd(folder / "case/labels.seg.nrrd", header("2 1 1", "(103,202,-48)") + kVeinSegment, "\1\1");
+  const auto read = readCase(folder / "case");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->patient.labels.at(4, 2, 1), kVein);
+  EXPECT_EQ(read->patient.labels.geometry, read->patient.ct.geometry);
+  EXPECT_THAT(read->notes, Contains(HasSubstr("every voxel kept its place")));
+  // Half a voxel beside: not the CT's voxels.
+  test::writeRawNrrd(folder / "case/labels.seg.nrrd", header("2 1 1", "(103.5,202,-48)") + kVeinSegment, "\1\1");
+  EXPECT_THAT(readCase(folder / "case").error().message, HasSubstr("different grids"));
+}
+
+TEST(LabelImport, ReversedAxesAreTurned) {
+  test::TemporaryFolder folder;
+  std::string voxels(6 * 5 * 4, '\0');
+  voxels[0] = kArtery;
+  test::writeRawNrrd(
+      folder / "l.nrrd",
+      "type: unsigned char\ndimension: 3\nsizes: 6 5 4\nspace: left-posterior-superior\nspace directions: "
+      "(-1,0,0) (0,-1,0) (0,0,2)\nspace origin: (105,204,-50)\n",
+      voxels);
+  const auto imported = importLabels(blankCase(), folder / "l.nrrd");
+  ASSERT_TRUE(imported) << imported.error().message;
+  EXPECT_EQ(imported->labels.at(5, 4, 0), kArtery);
+  EXPECT_EQ(imported->labels.at(0, 0, 0), 0);
+}
+
+TEST(LabelImport, LabelsOfAnotherPlaceAreRefused) {
+  test::TemporaryFolder folder;
+  test::writeRawNrrd(folder / "l.seg.nrrd", header("2 1 1", "(900,202,-48)") + kVeinSegment, "\1\1");
+  EXPECT_THAT(importLabels(blankCase(), folder / "l.seg.nrrd").error().message,
+              testing::AllOf(HasSubstr("l.seg.nrrd"), HasSubstr("drawn on another one")));
+}
+
+TEST(LabelImport, ItkSnapsDescriptionNamesTheNumbers) {
+  test::TemporaryFolder folder;
+  std::string voxels(6 * 5 * 4, '\0');
+  voxels[0] = 1, voxels[1] = 2, voxels[2] = 3, voxels[3] = 9, voxels[4] = 4;
+  test::writeRawNrrd(folder / "seg.nrrd", header("6 5 4", "(100,200,-50)"), voxels);
+  test::writeText(folder / "names.txt",
+                  "# ITK-SnAP Label Description File\n    0     0    0    0        0  0  0    \"Clear Label\"\n"
+                  "    1    10   20   30        1  1  1    \"Internal jugular \"\n"
+                  "    2   216  101   79      0.5  1  1    \"Artery, common carotid\"\n"
+                  "    3   255    0    0        1  1  1    \"Mr Smith's tumour\"\r\n"
+                  "    4   255    0    0        1  1  1    \"label 47\"\n");
+  const auto imported = importLabels(blankCase(), folder / "seg.nrrd", folder / "names.txt");
+  ASSERT_TRUE(imported) << imported.error().message;
+  const auto& found = imported->labels.voxels;
+  EXPECT_EQ((std::vector<int>(found.begin(), found.begin() + 5)),
+            (std::vector<int>{kVein, kArtery, kSoftTissue, 0, 47}));
+  EXPECT_EQ(imported->colours.at(kVein), (LabelColour{10, 20, 30}));
+  EXPECT_FALSE(imported->colours.contains(kArtery)) << "the label table's own colour";
+  EXPECT_THAT(imported->notes, Contains(HasSubstr("The number 9 is not described")));
+  EXPECT_THAT(imported->notes, Contains(HasSubstr("tumour")));
+  PatientCase patient = blankCase();
+  takeLabels(LabelReadResult(*imported), patient);
+  EXPECT_THAT(patient.manifest.importNotes, testing::Each(testing::Not(HasSubstr("Smith"))));
+
+  std::filesystem::rename(folder / "names.txt", folder / "seg.label.txt");
+  const auto beside = importLabels(blankCase(), folder / "seg.nrrd");
+  ASSERT_TRUE(beside) << beside.error().message;
+  EXPECT_EQ(beside->labels.voxels, imported->labels.voxels) << "found beside the map";
+}
+
+TEST(LabelImport, ADamagedDescriptionIsNamedWithItsLine) {
+  test::TemporaryFolder folder;
+  test::writeRawNrrd(folder / "seg.nrrd", header("6 5 4", "(100,200,-50)"), std::string(120, '\1'));
+  const auto refusal = [&](const std::string& text) {
+    test::writeText(folder / "names.txt", text);
+    return importLabels(blankCase(), folder / "seg.nrrd", folder / "names.txt").error().message;
+  };
+  EXPECT_THAT(refusal("# nothing\n"), HasSubstr("describes no labels"));
+  EXPECT_THAT(refusal("\n1 2 3 4 1 1 1 \"vein\"\nvein\n"), HasSubstr("Line 3 of"));
+  EXPECT_THAT(refusal("1 2 3 400 1 1 1 \"vein\"\n"), HasSubstr("Line 1 of"));
+  EXPECT_THAT(refusal("1 2 3 4 1 1 1 vein\"\n"), HasSubstr("in quotes"));
+  EXPECT_THAT(importLabels(blankCase(), folder / "seg.nrrd", folder / "none").error().message,
+              HasSubstr("Could not read"));
+}
+
+TEST(LabelImport, WhatIsWrittenComesBack) {
+  test::TemporaryFolder folder;
+  PatientCase patient = test::noiseCase(test::grid({6, 5, 4}, {1, 1, 2}, {100, 200, -50}));
+  patient.labels.voxels[0] = 200;
+  patient.colours = {{kVein, {1, 2, 3}}};
+  ASSERT_TRUE(writeLabelFile(patient, folder / "a.seg.nrrd"));
+  EXPECT_THAT(test::contentOf(folder / "a.label.txt"), HasSubstr("\"label 200\""));
+  const auto back = importLabels(patient, folder / "a.seg.nrrd");
+  ASSERT_TRUE(back) << back.error().message;
+  // A segment of no known name is soft tissue; all others keep their numbers.
+  patient.labels.voxels[0] = kSoftTissue;
+  EXPECT_EQ(back->labels.voxels, patient.labels.voxels);
+  EXPECT_EQ(back->colours, patient.colours);
+  EXPECT_THAT(writeLabelFile(patient, folder / "a.nrrd").error().message, HasSubstr(".seg.nrrd"));
+  EXPECT_THAT(writeLabelFile(blankCase(), folder / "b.seg.nrrd").error().message, HasSubstr("Nothing is labelled"));
+}
+
+TEST(LabelImport, OtherFilesGetASentence) {
+  test::TemporaryFolder folder;
+  test::writeText(folder / "text", "no labels");
+  EXPECT_THAT(importLabels(blankCase(), folder / "text").error().message, HasSubstr("holds no labels"));
+  EXPECT_THAT(importLabels(blankCase(), folder / "none").error().message, HasSubstr("There is no file"));
+  EXPECT_THAT(importLabels(blankCase(), folder.path()).error().message, HasSubstr("There is no file"));
+}
+
+}  // namespace
+}  // namespace insonate
