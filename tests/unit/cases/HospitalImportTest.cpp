@@ -1,0 +1,178 @@
+#include "HospitalCases.h"
+#include "HospitalSlices.h"
+#include "support/TestData.h"
+
+#include <insonate/cases/Import.h>
+
+#include <gdcmImageChangeTransferSyntax.h>
+#include <gdcmImageReader.h>
+#include <gdcmImageWriter.h>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace insonate {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// To a millionth, without negative zeros.
+json rounded(Vec3 v) {
+  json list = json::array();
+  for (int a = 0; a < 3; ++a) list.push_back(std::round(v[a] * 1e6) / 1e6 + 0.0);
+  return list;
+}
+
+/// What an import would make of a folder, without what identifies: the numbers of DICOM series.
+json dumpOf(const SeriesListing& listing) {
+  json dump{{"series", json::array()}, {"set_aside", json::array()}};
+  for (const SeriesInfo& s : listing.series) {
+    json one{{"modality", s.modality}, {"size", s.geometry.size}};
+    if (s.modality.empty()) one["file"] = s.uid;
+    if (s.geometryKnown) {
+      one["spacing_mm"] = rounded(s.geometry.spacing_mm);
+      one["origin_mm"] = rounded(s.geometry.origin_mm);
+      for (const Vec3 axis : s.geometry.direction.column) one["direction"].push_back(rounded(axis));
+    }
+    if (!s.warnings.empty()) one["warnings"] = s.warnings;
+    if (!s.refusal.empty()) one["refusal"] = s.refusal;
+    dump["series"].push_back(one);
+  }
+  for (const SetAside& s : listing.setAside)
+    dump["set_aside"].push_back({{"file", s.file.filename().string()}, {"reason", s.reason}});
+  return dump;
+}
+
+/// Compares with tests/golden/import/NAME.json, or, with INSONATE_UPDATE_GOLDEN set, writes it to be looked at.
+void expectDump(const std::string& name, const fs::path& input) {
+  const auto listing = listSeries(input);
+  ASSERT_TRUE(listing) << listing.error().message;
+  const json dump = dumpOf(*listing);
+  const fs::path golden = fs::path(INSONATE_SOURCE_DIR) / "tests/golden/import" / (name + ".json");
+  if (std::getenv("INSONATE_UPDATE_GOLDEN")) test::writeText(golden, dump.dump(1) + "\n");
+  ASSERT_TRUE(fs::exists(golden)) << dump.dump(1);
+  EXPECT_EQ(json::parse(test::contentOf(golden)), dump) << dump.dump(1);
+}
+
+class Hospital : public testing::TestWithParam<test::HospitalCase> {};
+
+TEST_P(Hospital, SendsWhatIsListedAsExpected) {
+  test::TemporaryFolder folder;
+  GetParam().write(folder.path());
+  expectDump(GetParam().name, folder.path());
+}
+
+/// Whatever was tilted, missing, uneven or scaled: each voxel that was measured holds what lies at its place.
+TEST_P(Hospital, SendsVoxelsThatComeToTheirPlace) {
+  test::TemporaryFolder folder;
+  GetParam().write(folder.path());
+  const auto listing = listSeries(folder.path());
+  ASSERT_TRUE(listing) << listing.error().message;
+  for (const SeriesInfo& s : listing->series) {
+    const auto imported = importSeries(folder.path(), s.uid);
+    ASSERT_EQ(imported.has_value(), s.refusal.empty()) << (imported ? "" : imported.error().message);
+    if (!imported) continue;
+    const CtVolume& ct = imported->ct;
+    EXPECT_EQ(ct.geometry, s.geometry) << "as listed";
+    EXPECT_GT(determinant(ct.geometry.direction), 0.99);
+    const Transform patientFromIndex = ct.geometry.patientFromIndex();
+    std::size_t compared = 0;
+    for (int k = 0; k < ct.geometry.size[2]; ++k)
+      for (int j = 0; j < ct.geometry.size[1]; ++j)
+        for (int i = 0; i < ct.geometry.size[0]; ++i) {
+          if (ct.at(i, j, k) == -1024) continue;
+          ++compared;
+          const Vec3 p = patientFromIndex * Vec3{double(i), double(j), double(k)};
+          ASSERT_NEAR(ct.at(i, j, k), test::rampHu(p), 1.01) << i << ' ' << j << ' ' << k;
+        }
+    EXPECT_GT(compared, ct.voxels.size() * 3 / 4);
+  }
+}
+
+std::string caseName(const testing::TestParamInfo<test::HospitalCase>& shown) {
+  std::string name = shown.param.name;
+  std::erase(name, '-');
+  return name;
+}
+INSTANTIATE_TEST_SUITE_P(, Hospital, testing::ValuesIn(test::hospitalCases()), caseName);
+
+class SharedSet : public testing::TestWithParam<const char*> {};
+
+TEST_P(SharedSet, IsListedAsExpected) {
+  INSONATE_NEEDS_DATA(GetParam());
+  expectDump(std::string("shared-") + GetParam(), test::testData(GetParam()));
+}
+std::string setName(const testing::TestParamInfo<const char*>& shown) {
+  std::string name = shown.param;
+  std::erase(name, '-');
+  return name;
+}
+INSTANTIATE_TEST_SUITE_P(, SharedSet,
+                         testing::Values("abdomen-ct-dicom", "chest-cta", "head-ct-dicom-small", "neck-atlas-labels",
+                                         "neck-ct-dicom", "neck-ct-mixed", "seg-dicom", "tilted-ct-dicom",
+                                         "transfer-syntaxes"),
+                         setName);
+
+class TransferSyntax : public testing::TestWithParam<std::pair<const char*, gdcm::TransferSyntax::TSType>> {
+ protected:
+  void encode(const fs::path& file) const {
+    test::writeSlices(folder_ / "plain", test::axial({50}));
+    gdcm::ImageReader reader;
+    reader.SetFileName((folder_ / "plain/i1-1-1").c_str());
+    ASSERT_TRUE(reader.Read());
+    gdcm::ImageChangeTransferSyntax change;
+    change.SetTransferSyntax(gdcm::TransferSyntax(GetParam().second));
+    change.SetForce(true);
+    change.SetInput(reader.GetImage());
+    ASSERT_TRUE(change.Change());
+    gdcm::ImageWriter writer;
+    writer.SetFile(reader.GetFile());
+    writer.SetImage(change.GetOutput());
+    writer.SetFileName(file.c_str());
+    ASSERT_TRUE(writer.Write());
+  }
+  test::TemporaryFolder folder_;
+};
+
+TEST_P(TransferSyntax, GivesTheSameVoxels) {
+  encode(folder_ / "encoded.dcm");
+  const auto plain = importSeries(folder_ / "plain"), other = importSeries(folder_ / "encoded.dcm");
+  ASSERT_TRUE(plain) << plain.error().message;
+  ASSERT_TRUE(other) << other.error().message;
+  EXPECT_EQ(other->ct.voxels, plain->ct.voxels);
+  EXPECT_EQ(other->ct.geometry, plain->ct.geometry);
+}
+
+using Syntax = gdcm::TransferSyntax;
+std::string syntaxName(const testing::TestParamInfo<std::pair<const char*, Syntax::TSType>>& shown) {
+  return shown.param.first;
+}
+INSTANTIATE_TEST_SUITE_P(, TransferSyntax,
+                         testing::Values(std::pair{"ImplicitLittleEndian", Syntax::ImplicitVRLittleEndian},
+                                         std::pair{"ExplicitLittleEndian", Syntax::ExplicitVRLittleEndian},
+                                         std::pair{"Deflated", Syntax::DeflatedExplicitVRLittleEndian},
+                                         std::pair{"Rle", Syntax::RLELossless},
+                                         std::pair{"JpegLossless", Syntax::JPEGLosslessProcess14},
+                                         std::pair{"JpegLosslessFirstOrder", Syntax::JPEGLosslessProcess14_1},
+                                         std::pair{"JpegLs", Syntax::JPEGLSLossless},
+                                         std::pair{"Jpeg2000", Syntax::JPEG2000Lossless}),
+                         syntaxName);
+
+TEST(TransferSyntaxUnknown, IsNamedAsThat) {
+  test::TemporaryFolder folder;
+  test::writeSlices(folder / "ct", test::axial({50}));
+  const fs::path file = folder / "ct/i1-1-1";
+  std::string bytes = test::contentOf(file);
+  const std::string known = "1.2.840.10008.1.2.1";
+  bytes.replace(bytes.find(known), known.size(), "1.2.840.10008.1.2.8");
+  test::writeText(file, bytes);
+  const auto imported = importSeries(folder / "ct");
+  ASSERT_FALSE(imported);
+  EXPECT_THAT(imported.error().message, HasSubstr("encoding that is not read here (1.2.840.10008.1.2.8)"));
+}
+
+}  // namespace
+}  // namespace insonate
