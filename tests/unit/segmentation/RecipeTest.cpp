@@ -27,6 +27,7 @@ constexpr const char* kAllTools = R"({
     {"tool": "remove_small_islands", "label": "vein", "least_mm3": 20},
     {"tool": "island", "label": "vein", "points_mm": [[-8, 0, 0]]},
     {"tool": "vessel", "label": "artery", "points_mm": [[-8, 0, -14], [-8, 0, 14]], "largest_mm": 8, "over": ["vein", "soft tissue"]},
+    {"tool": "tube", "label": "nerve", "points_mm": [[-8, 0, -14], [-8, 0, 14]], "largest_mm": 6, "darker_HU": 40, "brighter_HU": 30, "stiffness": 1, "over": ["vein", "soft tissue"]},
     {"tool": "logical", "label": "vein", "operation": "subtract", "with": "artery"},
     {"tool": "paint", "label": "thyroid", "points_mm": [[0, 12, -4], [0, 12, 4]], "radius_mm": 3},
     {"tool": "paint", "label": "fat", "points_mm": [[0, 12, 0]], "radius_mm": 4, "slice_axis": 2, "only_HU": [-200, 90], "comment": "why"},

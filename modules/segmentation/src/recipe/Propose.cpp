@@ -113,9 +113,10 @@ class Proposer {
     return reshape(levelSet(ct_, shape(kAroundLevelSet_mm), s.levelSet, progress_));
   }
   Result<Proposal> operator()(const step::Vessel& s) const {
-    auto vessel = trackVessel(ct_, s.points_mm, s.tracking, progress_);
-    if (!vessel) return tl::unexpected(vessel.error());
-    return painted(std::move(vessel->lumen), step_.label);
+    return lumen(trackVessel(ct_, s.points_mm, s.tracking, progress_));
+  }
+  Result<Proposal> operator()(const step::Tube& s) const {
+    return lumen(trackTube(ct_, s.points_mm, s.tracking, progress_));
   }
 
  private:
@@ -144,6 +145,10 @@ class Proposer {
   Result<Proposal> write(Result<Selection> chosen) const {
     if (!chosen) return tl::unexpected(chosen.error());
     return painted(std::move(*chosen), step_.label);
+  }
+  Result<Proposal> lumen(Result<TrackedVessel> vessel) const {
+    if (!vessel) return tl::unexpected(vessel.error());
+    return painted(std::move(vessel->lumen), step_.label);
   }
   Result<Proposal> reshape(Result<Selection> shape) const {
     if (!shape) return tl::unexpected(shape.error());

@@ -143,6 +143,15 @@ void fields(Io& io, step::Vessel& s) {
   io("smoothing_mm", s.tracking.smoothing_mm, 0, 3);
 }
 
+template <class Io>
+void fields(Io& io, step::Tube& s) {
+  io("points_mm", s.points_mm, 2);
+  io("largest_mm", s.tracking.largest_mm, 2, 30);
+  io("darker_HU", s.tracking.darker_HU, 1, 500);
+  io("brighter_HU", s.tracking.brighter_HU, 1, 500);
+  io("stiffness", s.tracking.stiffness, 0, 10);
+}
+
 /// In the order of LabelTool.
 inline constexpr std::array<std::string_view, std::variant_size_v<LabelTool>> kToolNames{"auto",
                                                                                          "threshold",
@@ -168,6 +177,7 @@ inline constexpr std::array<std::string_view, std::variant_size_v<LabelTool>> kT
                                                                                          "watershed",
                                                                                          "fast_marching",
                                                                                          "level_set",
-                                                                                         "vessel"};
+                                                                                         "vessel",
+                                                                                         "tube"};
 
 }  // namespace insonate::segmentation

@@ -101,7 +101,7 @@ std::vector<Vec3> StepReader::pointsIn(const char* key) {
 
 void StepReader::operator()(const char* key, std::vector<Vec3>& points_mm, std::size_t least) {
   if (entry_.has(key)) points_mm = pointsIn(key);
-  if (points_mm.size() < least)
+  if (points_mm.size() < least && (points_ == Points::kGiven || entry_.has(key)))
     entry_.refuse("needs a list of " + std::to_string(least) + " or more points [x, y, z] of the patient in mm as '" +
                   key + "'.");
 }

@@ -8,11 +8,15 @@
 
 namespace insonate::segmentation {
 
+/// Whether a step must have its points, or gets them later: the clicks of a guide.
+enum class Points { kGiven, kLater };
+
 /// Takes a step's fields out of its JSON object; the first thing that is wrong is kept as a sentence.
 class StepReader {
  public:
-  StepReader(const nlohmann::json& object, const std::string& where, const std::vector<std::string_view>& known)
-      : object_(object), entry_(object, where, known) {}
+  StepReader(const nlohmann::json& object, const std::string& where, const std::vector<std::string_view>& known,
+             Points points)
+      : object_(object), entry_(object, where, known), points_(points) {}
 
   void operator()(const char* key, double& value, double low, double high);
   void operator()(const char* key, int& value, int low, int high);
@@ -42,6 +46,7 @@ class StepReader {
 
   const nlohmann::json& object_;
   JsonEntry entry_;
+  Points points_;
 };
 
 }  // namespace insonate::segmentation

@@ -9,6 +9,7 @@
 #include <insonate/segmentation/Margin.h>
 #include <insonate/segmentation/Polygon.h>
 #include <insonate/segmentation/RegionGrowing.h>
+#include <insonate/segmentation/TubeTracking.h>
 #include <insonate/segmentation/VesselTracking.h>
 
 #include <array>
@@ -111,6 +112,10 @@ struct Vessel {
   std::vector<Vec3> points_mm{};
   VesselTracking tracking{};
 };
+struct Tube {
+  std::vector<Vec3> points_mm{};
+  TubeTracking tracking{};
+};
 
 }  // namespace step
 
@@ -118,7 +123,7 @@ using LabelTool = std::variant<step::Auto, step::Threshold, step::Paint, step::D
                                step::RemoveSmall, step::KeepIsland, step::SplitIslands, step::Median, step::Opening,
                                step::Closing, step::Gaussian, step::SmoothTogether, step::Margin, step::Hollow,
                                step::Logical, step::FillBetween, step::Connected, step::ConfidenceConnected,
-                               step::GrowSeeds, step::Watershed, step::March, step::Contour, step::Vessel>;
+                               step::GrowSeeds, step::Watershed, step::March, step::Contour, step::Vessel, step::Tube>;
 
 /// One step of labelling: a tool, the label it is for, and what it must leave alone. Erasing is painting with what
 /// should be there instead.

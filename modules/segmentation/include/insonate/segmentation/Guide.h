@@ -1,0 +1,61 @@
+#pragma once
+
+#include <insonate/core/Preset.h>
+#include <insonate/segmentation/LabelStep.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace insonate {
+
+/// From one number to another.
+struct GuideRange {
+  double low = 0, high = 0;
+};
+
+/// One way of doing a step of a guide.
+struct GuideWay {
+  std::optional<HuRange> clicks_HU{};  ///< it is for clicks on what is so bright; any without
+  std::optional<double> around_mm{};   ///< its steps stay so near to the clicks
+  std::vector<LabelStep> steps;        ///< without their points: these are the clicks
+};
+
+/// What an author does and looks at, and what is to be expected of it.
+struct GuideStep {
+  std::string name;                 ///< "vein-right"
+  std::string title;                ///< "Jugular vein, right"
+  std::uint8_t label = 0;           ///< what it makes; none for a step that makes several
+  std::string say;                  ///< what to do
+  std::string lookFor, ifWrong;     ///< what a good result looks like, what else to do
+  int leastClicks = 0, clicks = 0;  ///< that it needs, that usually do; none for a step that runs by itself
+  bool optional = false;            ///< not needed for training
+  std::vector<GuideWay> ways;       ///< the first that fits is taken
+  std::vector<std::uint8_t> makes;  ///< labels that should be there after it, beside its own
+  std::vector<std::uint8_t> apart;  ///< labels that should not touch it
+  std::optional<GuideRange> diameter_mm, volume_ml;  ///< of what it makes, with the source in the file
+};
+
+/// Steps through which a CT is labelled, in this order.
+struct Guide {
+  std::string description;
+  std::vector<GuideStep> steps;
+};
+
+/// A JSON object with `steps`. Refuses with the step, what is wrong in it, and what is possible.
+Result<Guide> readGuide(std::string_view text);
+
+/// Guides that are compiled in.
+const std::vector<Preset>& guidePresets();
+
+/// What a recipe would hold for a step of the guide with these clicks (patient, mm): the way that fits them, with its
+/// points. Refuses too few clicks, clicks beside the CT, and clicks that no way is for.
+Result<std::vector<LabelStep>> stepsFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct);
+
+/// What is doubtful about what a step has made, a sentence each: is it where the clicks are, as wide and as large as is
+/// usual, apart from what it must not touch. A fraction of a second. Labels are those of any time after the step.
+std::vector<std::string> doubtsAbout(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels);
+
+}  // namespace insonate

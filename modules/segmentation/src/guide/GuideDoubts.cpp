@@ -1,0 +1,120 @@
+#include "Components.h"
+#include "Guarded.h"
+
+#include <insonate/segmentation/Guide.h>
+#include <insonate/tissue/Labels.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+namespace insonate {
+namespace {
+
+constexpr double kBeside_mm = 2;         // a click so near to a structure is meant for it
+constexpr double kMostOfSurface = 0.02;  // that touches what it should not
+constexpr double kAround_mm = 25;        // of the clicks, where a structure ends that may go on beyond
+
+/// The pieces of a label that clicks lie in or beside, and how many clicks lie beside all.
+struct Found {
+  Selection pieces;
+  int clicksBeside = 0;
+};
+
+Found foundAt(const LabelMap& labels, std::uint8_t label, std::span<const Vec3> clicks_mm) {
+  const VoxelBox box = boxAround(labels.geometry, clicks_mm, kAround_mm);
+  Found found{voxelsOf(labels, label, box)};
+  Selection& chosen = found.pieces;
+  const Progress nobody;
+  segmentation::Work work(nobody, 1);
+  const segmentation::Components pieces(chosen.mask, segmentation::Components::Reach::Volume, work);
+  std::vector<bool> reached(pieces.count(), false);
+  const Transform patientFromIndex = labels.geometry.patientFromIndex();
+  for (const Vec3& click_mm : clicks_mm) {
+    bool inside = false;
+    const VoxelBox near = boxAround(labels.geometry, std::array{click_mm}, kBeside_mm);
+    for (int k = near.first[2]; k < near.end[2]; ++k)
+      for (int j = near.first[1]; j < near.end[1]; ++j)
+        for (int i = near.first[0]; i < near.end[0]; ++i) {
+          if (!chosen.chosen(i, j, k)) continue;
+          if (norm(patientFromIndex * Vec3{double(i), double(j), double(k)} - click_mm) > kBeside_mm) continue;
+          reached[pieces.componentAt(i - box.first[0], j - box.first[1], k - box.first[2])] = inside = true;
+        }
+    found.clicksBeside += !inside;
+  }
+  std::ranges::fill(chosen.mask.voxels, std::uint8_t{0});
+  pieces.paint(reached, 1, chosen.mask);
+  return found;
+}
+
+/// The share of the faces of a shape's surface behind which one of the labels lies.
+double shareTouching(const Selection& shape, const LabelMap& labels, std::uint8_t other) {
+  std::size_t faces = 0, touching = 0;
+  const VoxelBox& box = shape.box;
+  for (int k = box.first[2]; k < box.end[2]; ++k)
+    for (int j = box.first[1]; j < box.end[1]; ++j)
+      for (int i = box.first[0]; i < box.end[0]; ++i) {
+        if (!shape.chosen(i, j, k)) continue;
+        for (int axis = 0; axis < 3; ++axis)
+          for (const int step : {-1, 1}) {
+            std::array at{i, j, k};
+            at[axis] += step;
+            if (!labels.geometry.contains(at[0], at[1], at[2]) || shape.chosen(at[0], at[1], at[2])) continue;
+            ++faces, touching += labels.at(at[0], at[1], at[2]) == other;
+          }
+      }
+  return faces > 0 ? double(touching) / double(faces) : 0;
+}
+
+double length_mm(std::span<const Vec3> line) {
+  double sum = 0;
+  for (std::size_t n = 1; n < line.size(); ++n) sum += norm(line[n] - line[n - 1]);
+  return sum;
+}
+
+std::string number(double value) {
+  std::ostringstream text;
+  text.precision(value < 10 ? 2 : 3);
+  text << value;
+  return text.str();
+}
+
+std::optional<std::string> offRange(const std::optional<GuideRange>& usual, double value, const std::string& of,
+                                    const std::string& unit) {
+  if (!usual || (value >= usual->low && value <= usual->high)) return std::nullopt;
+  return "It has " + of + " of " + number(value) + " " + unit + "; usual are " + number(usual->low) + " to " +
+         number(usual->high) + " " + unit + ".";
+}
+
+}  // namespace
+
+std::vector<std::string> doubtsAbout(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels) {
+  std::vector<std::string> doubts;
+  for (const std::uint8_t label : step.makes)
+    if (extentOf(labels, label).empty())
+      doubts.push_back("There is no " + labelName(label) + "; look whether the CT shows any.");
+  if (clicks_mm.empty() || step.label == 0) return doubts;
+  const Found found = foundAt(labels, step.label, clicks_mm);
+  const std::size_t voxels = found.pieces.count();
+  if (voxels == 0) return {"Nothing is labelled where you clicked."};
+  if (found.clicksBeside > 0)
+    doubts.push_back(found.clicksBeside == 1
+                         ? "A click lies outside of what was found."
+                         : std::to_string(found.clicksBeside) + " clicks lie outside of what was found.");
+  const Vec3& spacing_mm = labels.geometry.spacing_mm;
+  const double volume_mm3 = double(voxels) * spacing_mm.x * spacing_mm.y * spacing_mm.z;
+  const double along_mm = length_mm(clicks_mm);
+  if (along_mm > 0)
+    if (auto doubt = offRange(step.diameter_mm, 2 * std::sqrt(volume_mm3 / along_mm / std::numbers::pi),
+                              "a mean diameter", "mm"))
+      doubts.push_back(std::move(*doubt));
+  if (auto doubt = offRange(step.volume_ml, volume_mm3 / 1000, "a volume", "ml")) doubts.push_back(std::move(*doubt));
+  for (const std::uint8_t other : step.apart)
+    if (const double share = shareTouching(found.pieces, labels, other); share > kMostOfSurface)
+      doubts.push_back(number(100 * share) + " % of its surface touch the " + labelName(other) +
+                       ", from which tissue should part it.");
+  return doubts;
+}
+
+}  // namespace insonate

@@ -1,0 +1,94 @@
+#include "recipe/StepFile.h"
+
+#include <insonate/core/Words.h>
+#include <insonate/embedded/guides.h>
+#include <insonate/segmentation/Guide.h>
+
+namespace insonate {
+namespace {
+
+using nlohmann::json;
+using segmentation::Points;
+using segmentation::StepReader;
+
+std::optional<GuideRange> rangeOf(JsonEntry& entry, const json& object, const char* key) {
+  if (!entry.has(key)) return std::nullopt;
+  const json& range = object[key];
+  if (range.is_array() && range.size() == 2 && range[0].is_number() && range[1].is_number() && range[0] >= 0 &&
+      range[0] < range[1])
+    return GuideRange{range[0], range[1]};
+  entry.refuse("needs [from, to] as '" + std::string(key) + "'.");
+  return std::nullopt;
+}
+
+GuideWay readWay(const json& object, const std::string& where, std::string& trouble) {
+  const std::vector<std::string_view> known{"clicks_HU", "around_mm", "steps", "comment"};
+  JsonEntry entry(object, where, known);
+  GuideWay way;
+  way.around_mm = entry.numberIfThere("around_mm", 1, 100);
+  way.steps = entry.list("steps", "step", [](const json& step, const std::string& whereStep, std::string& wrong) {
+    return segmentation::readStep(step, whereStep, wrong, Points::kLater);
+  });
+  if (entry.trouble().empty() && way.steps.empty()) entry.refuse("has no steps in its list 'steps'.");
+  trouble = entry.trouble();
+  if (!trouble.empty()) return way;
+  StepReader reader(object, where, known, Points::kLater);
+  reader("clicks_HU", way.clicks_HU);
+  trouble = reader.trouble();
+  return way;
+}
+
+GuideStep readGuideStep(const json& object, const std::string& where, std::string& trouble) {
+  const std::vector<std::string_view> known{"name",         "title",     "label",    "say",    "look_for", "if_wrong",
+                                            "least_clicks", "clicks",    "optional", "ways",   "makes",    "apart",
+                                            "diameter_mm",  "volume_ml", "source",   "comment"};
+  JsonEntry entry(object, where, known);
+  GuideStep step;
+  step.name = entry.text("name");
+  step.title = entry.text("title");
+  step.say = entry.text("say");
+  step.lookFor = entry.text("look_for");
+  step.ifWrong = entry.text("if_wrong");
+  step.leastClicks = entry.wholeIfThere("least_clicks", 1, 20).value_or(0);
+  step.clicks = entry.wholeIfThere("clicks", 1, 20).value_or(step.leastClicks);
+  if (step.clicks < step.leastClicks) entry.refuse("needs more clicks in 'least_clicks' than in 'clicks'.");
+  step.optional = entry.has("optional") && entry.flag("optional");
+  step.ways = entry.list("ways", "way", readWay);
+  if (entry.trouble().empty() && step.ways.empty()) entry.refuse("has no way of doing it in its list 'ways'.");
+  step.diameter_mm = rangeOf(entry, object, "diameter_mm");
+  step.volume_ml = rangeOf(entry, object, "volume_ml");
+  trouble = entry.trouble();
+  if (!trouble.empty()) return step;
+  StepReader reader(object, where, known, Points::kLater);
+  reader("label", step.label);
+  reader("makes", step.makes);
+  reader("apart", step.apart);
+  if (step.clicks > 0 && step.label == 0) reader.refuse("has clicks but no 'label': name the one that they are for.");
+  trouble = reader.trouble();
+  return step;
+}
+
+}  // namespace
+
+Result<Guide> readGuide(std::string_view text) {
+  json file;
+  try {
+    file = json::parse(text);
+  } catch (const json::exception& e) {
+    return fail("The guide is not JSON: " + jsonTrouble(e.what()));
+  }
+  JsonEntry entry(file, "The guide", {"description", "steps"});
+  Guide guide;
+  guide.description = entry.text("description", false);
+  guide.steps = entry.list("steps", "step", readGuideStep);
+  if (entry.trouble().empty() && guide.steps.empty()) entry.refuse("has no steps in its list 'steps'.");
+  if (!entry.trouble().empty()) return fail(entry.trouble());
+  return guide;
+}
+
+const std::vector<Preset>& guidePresets() {
+  static const std::vector<Preset> kPresets = presetsOf(embedded::guides::files());
+  return kPresets;
+}
+
+}  // namespace insonate

@@ -1,0 +1,64 @@
+#include "vessel/BloodLevel.h"
+
+#include <insonate/segmentation/Guide.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace insonate {
+namespace {
+
+void setPoints(LabelTool& tool, std::span<const Vec3> points_mm) {
+  std::visit(
+      [&](auto& parameters) {
+        if constexpr (requires { parameters.points_mm; })
+          parameters.points_mm.assign(points_mm.begin(), points_mm.end());
+      },
+      tool);
+}
+
+/// The corners of the block that reaches so far beyond all of the points, along the patient's axes.
+std::array<Vec3, 2> cornersAround(std::span<const Vec3> points_mm, double reach_mm) {
+  std::array<Vec3, 2> corners{points_mm.front(), points_mm.front()};
+  for (const Vec3& p : points_mm)
+    for (int axis = 0; axis < 3; ++axis) {
+      corners[0][axis] = std::min(corners[0][axis], p[axis] - reach_mm);
+      corners[1][axis] = std::max(corners[1][axis], p[axis] + reach_mm);
+    }
+  return corners;
+}
+
+/// The median of what is around the clicks.
+int brightnessAt(const CtVolume& ct, std::span<const Vec3> clicks_mm) {
+  constexpr double kReach_mm = 2;
+  std::vector<double> levels;
+  for (const Vec3& click_mm : clicks_mm) levels.push_back(segmentation::bloodAt(ct, click_mm, kReach_mm).blood_HU);
+  std::ranges::nth_element(levels, levels.begin() + std::ptrdiff_t(levels.size() / 2));
+  return static_cast<int>(std::lround(levels[levels.size() / 2]));
+}
+
+}  // namespace
+
+Result<std::vector<LabelStep>> stepsFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct) {
+  if (step.clicks == 0) return step.ways.front().steps;
+  if (int(clicks_mm.size()) < step.leastClicks)
+    return fail(step.title + " needs " + std::to_string(step.leastClicks) + " clicks or more. " + step.say);
+  const Transform indexFromPatient = ct.geometry.indexFromPatient();
+  for (const Vec3& click_mm : clicks_mm)
+    if (const auto [i, j, k] = nearestVoxel(indexFromPatient * click_mm); !ct.geometry.contains(i, j, k))
+      return fail("A click lies beside the CT; click in the structure.");
+  const int brightness_HU = brightnessAt(ct, clicks_mm);
+  const auto way = std::ranges::find_if(
+      step.ways, [&](const GuideWay& w) { return !w.clicks_HU || w.clicks_HU->contains(brightness_HU); });
+  if (way == step.ways.end())
+    return fail("The clicks lie on " + std::to_string(brightness_HU) + " HU, which is not what is looked for. " +
+                step.say);
+  std::vector<LabelStep> steps = way->steps;
+  for (LabelStep& made : steps) {
+    setPoints(made.tool, clicks_mm);
+    if (way->around_mm) made.box_mm = cornersAround(clicks_mm, *way->around_mm);
+  }
+  return steps;
+}
+
+}  // namespace insonate

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "StepReader.h"
+
+namespace insonate::segmentation {
+
+/// A step of a recipe from its JSON object; what is wrong is left in `trouble`.
+LabelStep readStep(const nlohmann::json& object, const std::string& where, std::string& trouble,
+                   Points points = Points::kGiven);
+
+/// What readStep() reads back.
+nlohmann::json jsonOf(LabelStep step);
+
+}  // namespace insonate::segmentation

@@ -1,0 +1,68 @@
+#include "ClosedWay.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+namespace insonate::segmentation {
+namespace {
+
+constexpr int kRays = VesselOutline::kRays;
+/// From a ray to the next, the wall moves by no more steps than this.
+constexpr int kMostBend = 3;
+/// What a step away from the expected radius costs, at most what a clear wall is worth.
+constexpr double kUnexpected = 0.06, kMostUnexpected = 6;
+constexpr int kLikeNeighbours = 4;  // of which the expected outline is the median
+
+}  // namespace
+
+Radii closedWay(RadialCost wall, double bend, const Radii* expected) {
+  const int steps = wall.steps;
+  if (expected)
+    for (int n = 0; n < kRays; ++n)
+      for (int r = 0; r < steps; ++r) {
+        const double off = (r + 1) - (*expected)[n] / wall.step_mm;
+        wall.at(n, r) += std::min(kUnexpected * off * off, kMostUnexpected);
+      }
+
+  constexpr int kTurns = 2;
+  std::vector<double> cost(wall.cost.begin(), wall.cost.begin() + steps), next(steps);
+  std::vector<std::int16_t> cameFrom(std::size_t(kTurns) * kRays * steps);
+  for (int n = 1; n < kTurns * kRays; ++n) {
+    for (int r = 0; r < steps; ++r) {
+      int best = r;
+      double least = std::numeric_limits<double>::max();
+      for (int from = std::max(0, r - kMostBend); from <= std::min(steps - 1, r + kMostBend); ++from) {
+        const double way = cost[from] + bend * (r - from) * (r - from);
+        if (way < least) least = way, best = from;
+      }
+      next[r] = least + wall.at(n % kRays, r);
+      cameFrom[std::size_t(n) * steps + r] = static_cast<std::int16_t>(best);
+    }
+    cost.swap(next);
+  }
+  Radii radii{};
+  int r = static_cast<int>(std::ranges::min_element(cost) - cost.begin());
+  for (int n = kTurns * kRays - 1; n >= kRays / 2; --n) {
+    if (n < kRays + kRays / 2) radii[n % kRays] = wall.step_mm * (r + 1);
+    r = cameFrom[std::size_t(n) * steps + r];
+  }
+  return radii;
+}
+
+std::vector<Radii> expectedRadii(const std::vector<VesselOutline>& sections) {
+  std::vector<Radii> expected(sections.size());
+  const int count = static_cast<int>(sections.size());
+  std::vector<double> radii;
+  for (int n = 0; n < count; ++n)
+    for (int ray = 0; ray < kRays; ++ray) {
+      radii.clear();
+      for (int m = std::max(0, n - kLikeNeighbours); m <= std::min(count - 1, n + kLikeNeighbours); ++m)
+        radii.push_back(sections[m].radius_mm[ray]);
+      std::ranges::nth_element(radii, radii.begin() + std::ptrdiff_t(radii.size() / 2));
+      expected[n][ray] = radii[radii.size() / 2];
+    }
+  return expected;
+}
+
+}  // namespace insonate::segmentation

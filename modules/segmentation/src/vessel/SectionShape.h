@@ -1,0 +1,34 @@
+#pragma once
+
+#include "ClosedWay.h"
+
+#include <utility>
+
+namespace insonate::segmentation {
+
+/// Of what an outline encloses: its middle, mm, and its second moments about it, mm^2.
+struct SectionMoments {
+  double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+};
+
+/// How a section is stretched so that a flat outline becomes round: a symmetric matrix whose determinant is 1.
+class SectionShape {
+ public:
+  SectionShape() = default;
+  /// Of an ellipse with these second moments, no flatter than 1 to 4.
+  explicit SectionShape(const SectionMoments& moments);
+
+  /// In the section, mm: where a millimetre along this ray leads.
+  std::pair<double, double> along(int ray) const;
+  /// Of the outline with these radii along the stretched rays.
+  SectionMoments momentsOf(const Radii& radii) const;
+  /// The same outline by its radii along rays that are not stretched.
+  Radii unstretched(const Radii& radii) const;
+
+ private:
+  std::array<std::pair<double, double>, VesselOutline::kRays> corners(const Radii& radii) const;
+
+  double xx_ = 1, xy_ = 0, yy_ = 1;
+};
+
+}  // namespace insonate::segmentation

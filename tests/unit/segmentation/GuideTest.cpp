@@ -1,0 +1,161 @@
+#include "ToolGrids.h"
+
+#include <insonate/segmentation/Brush.h>
+#include <insonate/segmentation/Guide.h>
+#include <insonate/segmentation/Recipe.h>
+#include <insonate/tissue/Labels.h>
+
+#include <gmock/gmock.h>
+
+namespace insonate {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Guide neck() {
+  const auto guide = readGuide(guidePresets().front().text);
+  EXPECT_TRUE(guide) << guide.error().message;
+  return guide.value_or(Guide{});
+}
+
+const GuideStep& stepNamed(const Guide& guide, const std::string& name) {
+  return *std::ranges::find(guide.steps, name, &GuideStep::name);
+}
+
+TEST(Guide, TheNecksStepsSayWhatToDoAndMakeWhatARecipeCanHold) {
+  const Guide guide = neck();
+  ASSERT_GE(guide.steps.size(), 5u);
+  EXPECT_EQ(guide.steps.front().clicks, 0) << "it begins with what the CT tells by itself";
+  const CtVolume ct(test::toolGrids()[0].geometry, 150);
+  for (const GuideStep& step : guide.steps) {
+    EXPECT_FALSE(step.say.empty() || step.lookFor.empty() || step.ifWrong.empty()) << step.name;
+    std::vector<Vec3> clicks_mm;
+    for (int n = 0; n < step.clicks; ++n) clicks_mm.push_back({0, 0, -12 + 8.0 * n});
+    const auto steps = stepsFor(step, clicks_mm, ct);
+    ASSERT_TRUE(steps) << steps.error().message;
+    const auto again = readRecipe(textOf({step.title, *steps}));
+    ASSERT_TRUE(again) << step.name << ": " << again.error().message;
+  }
+}
+
+TEST(Guide, WithContrastAVesselIsTrackedAndWithoutATube) {
+  const Guide guide = neck();
+  const GuideStep& vein = stepNamed(guide, "vein-right");
+  const std::array clicks_mm{Vec3{0, 0, -12}, Vec3{0, 0, 12}};
+  const auto with = stepsFor(vein, clicks_mm, CtVolume(test::toolGrids()[0].geometry, 180));
+  const auto without = stepsFor(vein, clicks_mm, CtVolume(test::toolGrids()[0].geometry, 42));
+  ASSERT_TRUE(with && without);
+  EXPECT_EQ(nameOf(with->front().tool), "vessel");
+  EXPECT_EQ(nameOf(without->front().tool), "tube");
+  EXPECT_THAT(std::get<step::Tube>(without->front().tool).points_mm, ElementsAre(clicks_mm[0], clicks_mm[1]));
+  EXPECT_EQ(with->front().label, kVein);
+}
+
+TEST(Guide, StepsThatGrowStayNearTheClicks) {
+  const Guide guide = neck();
+  const auto steps = stepsFor(stepNamed(guide, "thyroid"), std::array{Vec3{1, 2, 3}, Vec3{-4, 5, 6}},
+                              CtVolume(test::toolGrids()[0].geometry, 110));
+  ASSERT_TRUE(steps) << steps.error().message;
+  for (const LabelStep& step : *steps)
+    EXPECT_THAT(step.box_mm, testing::Optional(ElementsAre(Vec3{-19, -13, -12}, Vec3{16, 20, 21})));
+}
+
+TEST(Guide, RefusesTooFewClicksAndClicksBesideTheCt) {
+  const Guide guide = neck();
+  const GuideStep& vein = stepNamed(guide, "vein-right");
+  const CtVolume ct(test::toolGrids()[0].geometry, 42);
+  EXPECT_THAT(stepsFor(vein, std::array{Vec3{}}, ct).error().message,
+              HasSubstr("Jugular vein, right needs 2 clicks or more. Click in"));
+  EXPECT_THAT(stepsFor(vein, std::array{Vec3{}, Vec3{900, 0, 0}}, ct).error().message, HasSubstr("beside the CT"));
+}
+
+TEST(Guide, RefusesClicksThatNoWayIsFor) {
+  const auto guide = readGuide(R"({"steps": [{"name": "v", "title": "Vein", "label": "vein", "say": "Click.",
+    "look_for": "l", "if_wrong": "i", "clicks": 2, "least_clicks": 2,
+    "ways": [{"clicks_HU": [100, 300], "steps": [{"tool": "vessel", "label": "vein"}]}]}]})");
+  ASSERT_TRUE(guide) << guide.error().message;
+  const auto refused =
+      stepsFor(guide->steps[0], std::array{Vec3{}, Vec3{0, 0, 9}}, CtVolume(test::toolGrids()[0].geometry, 42));
+  EXPECT_THAT(refused.error().message, HasSubstr("The clicks lie on 42 HU"));
+}
+
+std::string refusal(const std::string& text) {
+  const auto guide = readGuide(text);
+  return guide ? "accepted" : guide.error().message;
+}
+
+std::string stepRefusal(const std::string& more) {
+  return refusal(R"({"steps": [{"name": "a", "title": "A", "say": "s", "look_for": "l", "if_wrong": "i", )" + more +
+                 "}]}");
+}
+
+TEST(Guide, BadGuidesAreRefusedWithThePlace) {
+  EXPECT_THAT(refusal("{"), HasSubstr("The guide is not JSON"));
+  EXPECT_THAT(refusal("{}"), HasSubstr("has no steps"));
+  EXPECT_THAT(stepRefusal(R"("ways": [])"), HasSubstr("has no way of doing it"));
+  EXPECT_THAT(stepRefusal(R"("ways": [{"steps": []}])"), HasSubstr("has no steps"));
+  EXPECT_THAT(stepRefusal(R"("ways": [{"steps": [{"tool": "vesel", "label": "vein"}]}])"),
+              HasSubstr("did you mean 'vessel'"));
+  EXPECT_THAT(stepRefusal(R"("ways": [{"steps": [{"tool": "vessel", "label": "vein", "points_mm": [[0, 0, 0]]}]}])"),
+              HasSubstr("needs a list of 2 or more points"));
+  EXPECT_THAT(stepRefusal(R"("clicks": 2, "ways": [{"steps": [{"tool": "auto"}]}])"),
+              HasSubstr("has clicks but no 'label'"));
+  EXPECT_THAT(
+      stepRefusal(R"("clicks": 2, "least_clicks": 3, "label": "vein", "ways": [{"steps": [{"tool": "auto"}]}])"),
+      HasSubstr("more clicks in 'least_clicks'"));
+  EXPECT_THAT(stepRefusal(R"("diameter_mm": [9, 3], "ways": [{"steps": [{"tool": "auto"}]}])"),
+              HasSubstr("[from, to]"));
+  EXPECT_THAT(stepRefusal(R"("apart": ["airway and lungs"], "ways": [{"steps": [{"tool": "auto"}]}])"),
+              HasSubstr("did you mean 'airway and lung'"));
+}
+
+/// A straight vein along z, from -14 to 14 mm.
+class GuideDoubts : public test::OnGrids {
+ protected:
+  LabelMap veinOf(double radius_mm) const {
+    LabelMap labels(grid(), kMuscle);
+    const Selection inside = shape([=](Vec3 p) { return std::hypot(p.x, p.y) <= radius_mm && std::abs(p.z) <= 14; });
+    for (std::size_t v = 0; v < labels.voxels.size(); ++v)
+      if (inside.mask.voxels[v]) labels.voxels[v] = kVein;
+    return labels;
+  }
+  const Guide guide = neck();
+  const GuideStep& vein = stepNamed(guide, "vein-right");
+  const std::array<Vec3, 2> clicks_mm{Vec3{0, 0, -14}, Vec3{0, 0, 14}};
+};
+INSONATE_ON_GRIDS(GuideDoubts);
+
+TEST_P(GuideDoubts, AVeinOfUsualWidthIsNotDoubted) {
+  EXPECT_THAT(doubtsAbout(vein, clicks_mm, veinOf(5)), IsEmpty());
+}
+
+TEST_P(GuideDoubts, AThinOneIsDoubtedWithItsDiameter) {
+  EXPECT_THAT(doubtsAbout(vein, clicks_mm, veinOf(1.6)), ElementsAre(HasSubstr("usual are 5 to 25 mm.")));
+}
+
+TEST_P(GuideDoubts, OneThatLiesAgainstTheAirwayIsDoubted) {
+  LabelMap labels = veinOf(5);
+  const Selection airway = shape([](Vec3 p) { return p.x > 5 || (p.x > 2 && std::hypot(p.x, p.y) > 5); });
+  for (std::size_t v = 0; v < labels.voxels.size(); ++v)
+    if (airway.mask.voxels[v] && labels.voxels[v] != kVein) labels.voxels[v] = kAirway;
+  EXPECT_THAT(doubtsAbout(vein, clicks_mm, labels), ElementsAre(HasSubstr("of its surface touch the airway")));
+}
+
+TEST_P(GuideDoubts, ClicksWithoutTheVeinAreDoubted) {
+  EXPECT_THAT(doubtsAbout(vein, clicks_mm, LabelMap(grid(), kMuscle)),
+              ElementsAre("Nothing is labelled where you clicked."));
+  const std::array aside{Vec3{0, 0, -14}, Vec3{12, 0, 0}, Vec3{0, 0, 14}};
+  EXPECT_THAT(doubtsAbout(vein, aside, veinOf(6)), testing::Contains("A click lies outside of what was found."));
+}
+
+TEST(GuideDoubtsOfAll, WhatTheAutomaticStepShouldHaveFoundIsNamed) {
+  const Guide guide = neck();
+  LabelMap labels(test::toolGrids()[0].geometry, kMuscle);
+  labels.voxels[0] = kSkin, labels.voxels[1] = kFat, labels.voxels[2] = kBone;
+  EXPECT_THAT(doubtsAbout(guide.steps.front(), {}, labels), ElementsAre(HasSubstr("There is no airway")));
+}
+
+}  // namespace
+}  // namespace insonate
