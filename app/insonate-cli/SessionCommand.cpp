@@ -1,6 +1,7 @@
 #include "AttemptPictureFiles.h"
 #include "AttemptReport.h"
 #include "Commands.h"
+#include "curriculum/RecordingCheck.h"
 
 #include <insonate/cases/PatientCase.h>
 #include <insonate/simulator/AttemptPictures.h>
@@ -26,6 +27,7 @@ struct SessionArguments {
 struct ReplayArguments {
   std::string recording, caseFolder;
   AttemptPictureOptions pictures;
+  RecordingCheck check;
   double until_s = -1;
   bool metrics = false, json = false;
 };
@@ -118,6 +120,7 @@ std::optional<AttemptScore> scoreUntil(const AttemptRecording& recording, std::i
 }
 
 Result<void> replay(const ReplayArguments& a) {
+  if (auto checked = a.check.check(a.recording); !checked) return checked;
   auto opened = AttemptRecording::open(a.recording);
   if (!opened) return tl::unexpected(opened.error());
   const auto recording = std::make_shared<const AttemptRecording>(std::move(*opened));
@@ -184,6 +187,7 @@ void addReplayCommand(CLI::App& app, Outcome& outcome) {
   command->add_option("RECORDING", a->recording, "File of session --record")->required()->check(notEmpty());
   command->add_option("CASE", a->caseFolder, "Folder of its case, for pictures")->check(notEmpty());
   a->pictures.addTo(*command);
+  a->check.addTo(*command);
   command->add_flag("--metrics", a->metrics, "Metrics and score, too, computed anew");
   command->add_option("--until", a->until_s, "As they stood at this time (s)")->check(CLI::NonNegativeNumber);
   command->add_flag("--json", a->json, "Print one JSON object");

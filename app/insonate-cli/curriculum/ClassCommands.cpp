@@ -1,6 +1,5 @@
 #include "Answer.h"
 #include "Groups.h"
-#include "LevelPath.h"
 #include "Lookup.h"
 
 #include <insonate/curriculum/CohortStore.h>
@@ -48,7 +47,7 @@ Result<Answer> add(const SignedIn& by, const std::string& name) {
                 "The class '" + cohort->name + "' is there; next: 'curriculum classes import' or 'join'."};
 }
 
-Result<Json> rowOf(const SignedIn& by, const Member& member, const std::optional<Curriculum>& curriculum) {
+Json rowOf(const Member& member, const std::map<std::string, PersonStanding>& standings) {
   Json row = toJson(member.person);
   row.update({{"teaches", member.teaches},
               {"attempts", nullptr},
@@ -59,13 +58,12 @@ Result<Json> rowOf(const SignedIn& by, const Member& member, const std::optional
   if (member.teaches) return row;
   row["attempts"] = member.attempts;
   if (member.lastAttempt_us) row["last_attempt"] = timeText(*member.lastAttempt_us);
-  if (!curriculum) return row;
-  const auto path = levelPath(by, *curriculum, member.person.id);
-  if (!path) return tl::unexpected(path.error());
-  const LevelProgress* at = levelAt(*path);
-  row["mastered"] = std::ranges::count(*path, LevelState::Mastered, &LevelProgress::state);
-  row["level"] = at ? Json(at->level) : Json(nullptr);
-  row["why"] = at ? at->why : "All levels are mastered.";
+  const auto found = standings.find(member.person.id);
+  if (found == standings.end()) return row;
+  const Standing& standing = found->second.standing;
+  row["mastered"] = standing.mastered;
+  row["level"] = standing.level.empty() ? Json(nullptr) : Json(standing.level);
+  row["why"] = standing.sentence;
   return row;
 }
 
@@ -74,18 +72,16 @@ Result<Answer> members(const SignedIn& by, const std::string& name) {
   if (!cohort) return tl::unexpected(cohort.error());
   const auto members = CohortStore(by).members(cohort->id);
   if (!members) return tl::unexpected(members.error());
-  std::optional<Curriculum> curriculum;
+  std::map<std::string, PersonStanding> standings;
   if (!cohort->curriculum.empty()) {
-    auto read = curriculumOf(by, *cohort);
-    if (!read) return tl::unexpected(read.error());
-    curriculum = std::move(*read);
+    const auto curriculum = curriculumOf(by, *cohort);
+    if (!curriculum) return tl::unexpected(curriculum.error());
+    auto now = standingsOf(by, *cohort, *curriculum, *members);
+    if (!now) return tl::unexpected(now.error());
+    standings = std::move(*now);
   }
   Json rows = Json::array();
-  for (const Member& member : *members) {
-    auto row = rowOf(by, member, curriculum);
-    if (!row) return tl::unexpected(row.error());
-    rows.push_back(std::move(*row));
-  }
+  for (const Member& member : *members) rows.push_back(rowOf(member, standings));
   const std::string none = "Nobody is in '" + cohort->name + "' yet; next: 'curriculum classes import' or 'join'.";
   return Answer{{{"class", classJson(*cohort)}, {"members", rows}},
                 rows.empty() ? none

@@ -1,6 +1,5 @@
 #include "Answer.h"
 #include "Groups.h"
-#include "LevelPath.h"
 #include "Lookup.h"
 
 #include <insonate/core/AtomicFile.h>
@@ -90,15 +89,16 @@ Result<Answer> exportGrades(const SignedIn& by, const Arguments& a) {
   if (!curriculum) return tl::unexpected(curriculum.error());
   const auto members = CohortStore(by).members(cohort->id);
   if (!members) return tl::unexpected(members.error());
+  const auto standings = standingsOf(by, *cohort, *curriculum, *members);
+  if (!standings) return tl::unexpected(standings.error());
   std::vector<Grade> grades;
   for (const Member& member : *members) {
-    if (member.teaches) continue;
-    const auto path = levelPath(by, *curriculum, member.person.id);
-    if (!path) return tl::unexpected(path.error());
+    const auto found = standings->find(member.person.id);
+    if (found == standings->end()) continue;
+    const Standing& standing = found->second.standing;
     Grade grade{.person = member.person, .percent = std::nullopt, .feedback = ""};
-    const auto mastered = std::ranges::count(*path, LevelState::Mastered, &LevelProgress::state);
-    if (member.attempts > 0) grade.percent = 100.0 * static_cast<double>(mastered) / static_cast<double>(path->size());
-    if (const LevelProgress* at = levelAt(*path)) grade.feedback = at->why;
+    if (member.attempts > 0) grade.percent = 100.0 * standing.mastered / static_cast<double>(curriculum->levels.size());
+    if (!standing.level.empty()) grade.feedback = standing.sentence;
     grades.push_back(std::move(grade));
   }
   const GradeBook book = gradeBook(a.item, a.key, grades);

@@ -1,8 +1,8 @@
 #include "Answer.h"
+#include "FormAnswersFile.h"
 #include "Groups.h"
 #include "Lookup.h"
 
-#include <insonate/core/Preset.h>
 #include <insonate/curriculum/Form.h>
 #include <insonate/curriculum/FormStore.h>
 
@@ -76,22 +76,10 @@ Json scoreJson(const FormScore& score) {
           {"unscored", score.unscored}};
 }
 
-Result<FormAnswers> checkedAnswers(const Form& form, const std::string& file) {
-  const auto text = presetOrFile("a JSON object of answers", file, {});
-  if (!text) return tl::unexpected(text.error());
-  auto answers = parseAnswers(text->text);
-  if (!answers) return fail(text->where + answers.error().message);
-  const auto troubles = checkAnswers(form, *answers);
-  if (troubles.empty()) return answers;
-  std::string sentence = file + " does not fill in '" + form.name + "':";
-  for (const AnswerTrouble& trouble : troubles) sentence += " " + trouble.item + ": " + trouble.sentence;
-  return fail(sentence);
-}
-
 Result<Answer> fill(const SignedIn& by, const FillArguments& a) {
   const auto form = loadForm(a.form);
   if (!form) return tl::unexpected(form.error());
-  const auto answers = checkedAnswers(*form, a.answers);
+  const auto answers = answersFromFile(*form, a.answers);
   if (!answers) return tl::unexpected(answers.error());
   const auto person = personNamed(by, a.person);
   if (!person) return tl::unexpected(person.error());
@@ -107,37 +95,43 @@ Result<Answer> fill(const SignedIn& by, const FillArguments& a) {
   return Answer{{{"id", *id}, {"score", scoreJson(score)}}, text + "."};
 }
 
+Json rowOf(const KeptForm& one) {
+  const FilledForm& filled = one.filled;
+  Json row{{"id", filled.id},
+           {"form", filled.form},
+           {"form_version", filled.formVersion},
+           {"attempt", filled.attempt.empty() ? Json(nullptr) : Json(filled.attempt)},
+           {"by", filled.by},
+           {"rater", one.rater},
+           {"withheld", one.withheld},
+           {"filled", timeText(filled.filled_us)},
+           {"answers", one.withheld ? Json(nullptr) : Json::parse(filled.answers)},
+           {"score", nullptr},
+           {"percent", nullptr}};
+  const auto form = loadForm(filled.form);
+  const auto answers = parseAnswers(filled.answers);
+  if (form && answers && form->version == filled.formVersion) {
+    const FormScore score = formScore(*form, *answers);
+    row["score"] = scoreJson(score), row["percent"] = orNull(score.percent);
+  }
+  return row;
+}
+
 Result<Answer> filled(const SignedIn& by, const std::string& name) {
   const auto person = personNamed(by, name);
   if (!person) return tl::unexpected(person.error());
   const auto forms = FormStore(by).ofPerson(person->id);
   if (!forms) return tl::unexpected(forms.error());
   Json rows = Json::array();
-  for (const FilledForm& one : *forms) {
-    Json row{{"id", one.id},
-             {"form", one.form},
-             {"form_version", one.formVersion},
-             {"attempt", one.attempt.empty() ? Json(nullptr) : Json(one.attempt)},
-             {"by", one.by},
-             {"filled", timeText(one.filled_us)},
-             {"answers", Json::parse(one.answers)},
-             {"score", nullptr},
-             {"percent", nullptr}};
-    const auto form = loadForm(one.form);
-    const auto answers = parseAnswers(one.answers);
-    if (form && answers && form->version == one.formVersion) {
-      const FormScore score = formScore(*form, *answers);
-      row["score"] = scoreJson(score), row["percent"] = orNull(score.percent);
-    }
-    rows.push_back(std::move(row));
-  }
+  for (const KeptForm& one : *forms) rows.push_back(rowOf(one));
   return Answer{{{"person", toJson(*person)}, {"forms", rows}},
                 rows.empty() ? "No forms yet; 'curriculum forms list' names those that can be filled in."
                              : tableOf(rows, {{"filled", "filled in"},
                                               {"form", "form"},
                                               {"percent", "percent"},
                                               {"attempt", "attempt"},
-                                              {"by", "by"}})};
+                                              {"rater", "by"},
+                                              {"withheld", "withheld"}})};
 }
 
 }  // namespace
@@ -155,12 +149,17 @@ void addFormCommands(CLI::App& curriculum, Outcome& outcome) {
   CLI::App* command = addSignedInCommand(forms, outcome, "fill", "Fills in a form, once and for all",
                                          [a](const SignedIn& by) { return fill(by, *a); });
   command->add_option("FORM", a->form, "Its name")->required();
-  command->add_option("ANSWERS", a->answers, "JSON file: {\"item\": \"answer\", ...}")->required()->check(notEmpty());
+  command
+      ->add_option("ANSWERS", a->answers,
+                   "JSON file {\"item\": \"answer\", ...}, or .csv with the columns item,answer,note")
+      ->required()
+      ->check(notEmpty());
   command->add_option("--about", a->person, "Whom (else yourself)");
   command->add_option("--attempt", a->attempt, "Which of their attempts, by its id");
   addSignedInCommand(forms, outcome, "filled", "Forms about someone", [person](const SignedIn& by) {
     return filled(by, *person);
   })->add_option("NAME", *person, "Whom (else yourself)");
+  addJudgementCommands(forms, outcome);
 }
 
 }  // namespace insonate::cli

@@ -14,6 +14,7 @@ void addAttemptCommands(CLI::App& curriculum, Outcome& outcome);
 void addPersonStatistics(CLI::App& statistics, Outcome& outcome);
 void addClassStatistics(CLI::App& statistics, Outcome& outcome);
 void addFormCommands(CLI::App& curriculum, Outcome& outcome);
+void addJudgementCommands(CLI::App& forms, Outcome& outcome);
 void addExportCommands(CLI::App& curriculum, Outcome& outcome);
 void addUpkeepCommands(CLI::App& curriculum, Outcome& outcome);
 void addSendCommand(CLI::App& curriculum, Outcome& outcome);

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,11 @@ Result<std::vector<Cohort>> classesOf(const SignedIn& by, const Person& person);
 Result<Curriculum> publishedCurriculum(const SignedIn& by, const std::string& name, int version);
 /// By which a class is taught; fails where it has none yet.
 Result<Curriculum> curriculumOf(const SignedIn& by, const Cohort& cohort);
+
+/// How far all are who learn in a class: one look, kept in the store.
+Result<std::map<std::string, PersonStanding>> standingsOf(const SignedIn& by, const Cohort& cohort,
+                                                          const Curriculum& curriculum,
+                                                          const std::vector<Member>& members);
 
 /// Whatever the case, and Unicode's ways to write one letter.
 bool sameName(const std::string& one, const std::string& other);

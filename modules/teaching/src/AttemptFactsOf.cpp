@@ -19,7 +19,9 @@ std::int64_t timeOf(const std::string& iso8601) {
   return end && *end == '\0' ? std::int64_t{1'000'000} * ::timegm(&utc) : 0;
 }
 
-Result<std::string> sha256Of(const std::filesystem::path& file) {
+}  // namespace
+
+Result<std::string> recordingHash(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   crypto_hash_sha256_state state;
   crypto_hash_sha256_init(&state);
@@ -35,6 +37,8 @@ Result<std::string> sha256Of(const std::filesystem::path& file) {
   std::array<char, 2 * crypto_hash_sha256_BYTES + 1> digits;
   return std::string(sodium_bin2hex(digits.data(), digits.size(), hash.data(), hash.size()));
 }
+
+namespace {
 
 Result<Procedure> rulesOf(const std::filesystem::path& file, const AttemptHeader& header) {
   auto procedure = loadProcedure(header.procedure);
@@ -73,7 +77,7 @@ void addEnding(AttemptFacts& facts, AttemptStatus status, std::int64_t length_us
 }
 
 Result<void> addRecording(AttemptFacts& facts, const std::filesystem::path& file) {
-  auto hash = sha256Of(file);
+  auto hash = recordingHash(file);
   if (!hash) return tl::unexpected(hash.error());
   facts.recording = file.filename().string();
   facts.recordingHash = std::move(*hash);

@@ -160,7 +160,7 @@ TEST_F(TrainCourse, TheQuestionnaireIsFilledInKeptAsADraftAndStored) {
   const SignedIn tess = at(kTrainee);
   const auto forms = FormStore(tess).ofPerson(tess.person().id);
   ASSERT_TRUE(forms && forms->size() == 1);
-  const auto answers = parseAnswers(forms->front().answers);
+  const auto answers = parseAnswers(forms->front().filled.answers);
   ASSERT_TRUE(answers);
   EXPECT_EQ(
       *answers,

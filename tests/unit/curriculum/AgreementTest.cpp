@@ -32,6 +32,19 @@ TEST(Agreement, KappaOfATableOfTwoByTwo) {
   EXPECT_NEAR(*cohenKappa(first, second, 2, KappaWeights::Quadratic), 0.4, 1e-12);
 }
 
+TEST(Agreement, KappaOfCohensOwnTable) {
+  // Cohen 1960, table 2: 200 patients by two judges; po = 0.70, pe = 0.41, kappa = 0.492.
+  constexpr int kTable[3][3] = {{88, 14, 18}, {10, 40, 10}, {2, 6, 12}};
+  Grades first, second;
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) {
+      first.insert(first.end(), static_cast<std::size_t>(kTable[a][b]), a);
+      second.insert(second.end(), static_cast<std::size_t>(kTable[a][b]), b);
+    }
+  EXPECT_NEAR(*agreement(first, second), 0.70, 1e-12);
+  EXPECT_NEAR(*cohenKappa(first, second, 3), 0.492, 0.0005);
+}
+
 TEST(Agreement, WeightedKappaByHand) {
   // Shares of grades 0, 1, 2: 1/4, 1/4, 1/2 and 1/4, 1/2, 1/4; one pair of four differs, by one grade.
   const Grades first{0, 1, 2, 2}, second{0, 1, 1, 2};

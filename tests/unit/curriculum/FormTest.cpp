@@ -86,6 +86,35 @@ TEST(Form, AnswersAreCheckedItemByItem) {
   EXPECT_EQ(checkAnswers(form(), {{"asepsis", "yes"}, {"comment", std::string(20'000, 'x')}}).size(), 1U);
 }
 
+TEST(Form, RatersWriteNotesToItems) {
+  const Form f = form();
+  EXPECT_TRUE(f.takesNote(*f.item("asepsis")));
+  EXPECT_FALSE(f.takesNote(*f.item("comment")));
+  const std::string hostile = "=cmd|' /C calc'!A0 <b>&amp;</b> \"%1\"\n";
+  FormAnswers answers{{"asepsis", "yes"}, {noteKey(*f.item("asepsis")), hostile}};
+  EXPECT_TRUE(checkAnswers(f, answers).empty());
+  EXPECT_EQ(parseAnswers(answersText(answers)), answers);
+  EXPECT_EQ(noteText(*f.item("asepsis"), answers), hostile);
+  EXPECT_EQ(answerText(*f.item("asepsis"), answers), "Done");
+  EXPECT_EQ(answerText(*f.item("years"), {{"years", 2.5}}), "2.5");
+  EXPECT_EQ(answerText(*f.item("years"), {}), "");
+
+  answers["comment:note"] = "beside a text";
+  answers["nothing:note"] = "beside nothing";
+  answers["years:note"] = 7.0;
+  answers["artery:note"] = std::string(10'001, 'x');
+  const auto troubles = checkAnswers(f, answers);
+  ASSERT_EQ(troubles.size(), 4U);
+  EXPECT_THAT(troubles[0].sentence, HasSubstr("The note 'artery:note' is too long"));
+  EXPECT_THAT(troubles[1].sentence, HasSubstr("'comment:note' is not asked"));
+  EXPECT_THAT(troubles[2].sentence, HasSubstr("'nothing:note' is not asked"));
+  EXPECT_THAT(troubles[3].sentence, HasSubstr("The note 'years:note' needs a text"));
+
+  Form asked = f;
+  asked.purpose = Form::Purpose::Questionnaire;
+  EXPECT_EQ(checkAnswers(asked, {{"asepsis", "yes"}, {"asepsis:note", "x"}}).size(), 1U);
+}
+
 TEST(Form, ScoreIsOfWhatCouldBeSeen) {
   auto score = formScore(form(), {{"asepsis", "yes"}, {"artery", "1"}, {"years", 7.0}});
   EXPECT_EQ(score.points, 2);

@@ -40,6 +40,31 @@ TEST(RaterComparison, ChecklistsByHand) {
   EXPECT_NEAR(*comparison.kappa, 1 / 6.0, 1e-12);
   EXPECT_THAT(comparison.differing, testing::ElementsAre("b"));
   EXPECT_TRUE(comparison.scores);
+  ASSERT_EQ(comparison.items.size(), 3U) << "words have no points";
+  EXPECT_EQ(comparison.items[0].item, "a");
+  EXPECT_EQ(comparison.items[0].agreement, 1);
+  EXPECT_FALSE(comparison.items[0].kappa) << "always yes";
+  // b: yes-no and no-yes. Half and half by chance would agree in half: (0 - 0.5) / 0.5.
+  EXPECT_EQ(comparison.items[1].agreement, 0);
+  EXPECT_NEAR(*comparison.items[1].kappa, -1, 1e-12);
+  EXPECT_EQ(comparison.items[2].pairs, 1);
+}
+
+TEST(RaterComparison, PointsOfAnItemByThePublishedTable) {
+  // The first two judges of table 2 of Shrout and Fleiss 1979, whose mean squares are 4.683 (subjects), 80.083
+  // (judges) and 0.683 (rest): 4 / (5.367 + 2 * 79.4 / 6).
+  std::vector<FormOption> options;
+  for (int points = 1; points <= 10; ++points)
+    options.push_back({std::to_string(points), std::to_string(points), points});
+  Form form;
+  form.sections = {{"S", "", {itemOf("g", options)}}};
+  std::vector<RatedTwice> attempts;
+  for (const auto& [first, second] : std::vector<std::pair<int, int>>{{9, 2}, {6, 1}, {8, 4}, {7, 1}, {10, 5}, {6, 2}})
+    attempts.push_back({{{"g", std::to_string(first)}}, {{"g", std::to_string(second)}}});
+  const ItemAgreement item = compareRaters(form, attempts).items.at(0);
+  ASSERT_TRUE(item.points && item.points->interval);
+  EXPECT_NEAR(item.points->value, 4 / (5 + 11 / 30.0 + 79.4 / 3), 1e-9);
+  EXPECT_LT(item.points->interval->low, item.points->value);
 }
 
 TEST(RaterComparison, ScalesAreWeightedByTheirPoints) {

@@ -74,6 +74,10 @@ std::vector<Call> peopleCalls(const Target& target) {
        }},
       {"see own cohorts", "abiom", [=](const SignedIn& by) { return outcome(CohortStore(by).cohorts()); }},
       {"see members", "im", [=](const SignedIn& by) { return outcome(CohortStore(by).members(spring)); }},
+      {"see standings", "im",
+       [=](const SignedIn& by) {
+         return outcome(CohortStore(by).standings(spring, valueOf(loadCurriculum("central_line")), {{anna}}));
+       }},
       {"add cohort", "m", [=](const SignedIn& by) { return outcome(CohortStore(by).add("Winter")); }},
       {"rename cohort", "m",
        [=](const SignedIn& by) { return outcome(CohortStore(by).rename(spring, "Early spring")); }},
@@ -108,6 +112,12 @@ std::vector<Call> attemptCalls(const Target& target) {
       {"see changes", "aim", [=](const SignedIn& by) { return outcome(AttemptStore(by).changes(anna)); }},
       {"see last of cohort", "im",
        [=](const SignedIn& by) { return outcome(AttemptStore(by).lastOfCohort(spring, 3)); }},
+      {"find recording", "abiom",
+       [=](const SignedIn& by) { return outcome(AttemptStore(by).ofRecording("a.attempt", std::string(64, 'a'))); }},
+      {"see agreement", "im",
+       [=](const SignedIn& by) {
+         return outcome(FormStore(by).agreement(spring, valueOf(loadForm("jugular_checklist"))));
+       }},
       {"see forms", "aim", [=](const SignedIn& by) { return outcome(FormStore(by).ofPerson(anna)); }},
       {"see forms of attempt", "aim", [=](const SignedIn& by) { return outcome(FormStore(by).ofAttempt(attempt)); }},
       {"see forms of cohort", "im",
@@ -211,6 +221,46 @@ TEST_P(StoreAccess, WhatIsDoneToOthersDataIsLoggedAndToOnesOwnIsNot) {
   EXPECT_EQ(log[1].time_us, rig->now_us);
 }
 
+TEST_P(StoreAccess, ALookAtAClassIsOneEntryThatTellsWhoseDataWasSeen) {
+  const School school(rig->open());
+  keepAttempt(school.as(school.anna));
+  const SignedIn ina = school.as(school.ina);
+  const Curriculum curriculum = valueOf(loadCurriculum("central_line"));
+  const std::int64_t before = valueOf(AuditLog(school.admin).anchor()).number;
+  valueOf(CohortStore(ina).members(school.spring.id));
+  const std::vector<std::string> people{school.anna.id, school.ben.id, school.carl.id};
+  const auto standings = valueOf(CohortStore(ina).standings(school.spring.id, curriculum, people));
+  EXPECT_THAT(standings, ::testing::UnorderedElementsAre(::testing::Key(school.anna.id), ::testing::Key(school.ben.id)))
+      << "carl learns elsewhere";
+
+  const auto log = valueOf(AuditLog(school.admin).page(3));
+  EXPECT_EQ(log[2].number, before + 1) << "an entry for each look, not for each person";
+  EXPECT_EQ(log[2].act, "see members");
+  EXPECT_EQ(log[2].detail, "cohort " + school.spring.id + ", learners 2");
+  EXPECT_EQ(log[1].act, "see standings");
+  EXPECT_EQ(log[1].actor, school.ina.id);
+  for (const std::string& part : {school.spring.id, school.anna.id, school.ben.id})
+    EXPECT_THAT(log[1].detail, HasSubstr(part));
+  EXPECT_EQ(valueOf(AuditLog(school.admin).page(2, 0, school.ben.id))[1].number, before + 2)
+      << "who looks for ben finds the looks at his class";
+  EXPECT_TRUE(AuditLog(school.admin).verify());
+}
+
+TEST_P(StoreAccess, AStandingThatWasLookedAtIsKept) {
+  const School school(rig->open());
+  const Curriculum curriculum = valueOf(loadCurriculum("central_line"));
+  valueOf(PublishedCurricula(school.admin).publish(curriculum.name, curriculum.version, curriculumText(curriculum)));
+  const CohortStore ina(school.as(school.ina));
+  succeed(ina.setCurriculum(school.spring.id, curriculum.name, curriculum.version));
+  keepAttempt(school.as(school.anna));
+  const auto standings = valueOf(ina.standings(school.spring.id, curriculum, {{school.anna.id}}));
+  for (const Member& member : valueOf(ina.members(school.spring.id)))
+    if (member.person.id == school.anna.id) {
+      EXPECT_TRUE(member.standingIsCurrent());
+      EXPECT_EQ(member.standing, standings.at(school.anna.id).standing);
+    }
+}
+
 TEST_P(StoreAccess, AnInstructorGainsNothingByACohort) {
   const School school(rig->open());
   const SignedIn ina = school.as(school.ina), otto = school.as(school.otto);
@@ -238,7 +288,8 @@ TEST_P(StoreAccess, AFormIsAboutAnAttemptOfItsPerson) {
               HasSubstr("not one of the person"));
   FilledForm forged{"", "rating", 1, school.ben.id, "", school.ina.id, 5, "{}"};
   valueOf(FormStore(ben).add(forged));
-  EXPECT_EQ(valueOf(FormStore(ben).ofPerson(school.ben.id)).front().by, school.ben.id) << "whoever else was named";
+  EXPECT_EQ(valueOf(FormStore(ben).ofPerson(school.ben.id)).front().filled.by, school.ben.id)
+      << "whoever else was named";
 }
 
 TEST_P(StoreAccess, WhoLeavesACohortIsNoLongerSeen) {

@@ -119,8 +119,8 @@ TEST_P(StoreFacts, FormsAreKeptByteForByteOnceAndInTheirOrder) {
   ASSERT_EQ(forms.size(), 2U);
   own.by = school.anna.id;
   own.filled_us = rig->now_us + kDay_us;
-  EXPECT_EQ(forms[0], own);
-  EXPECT_EQ(forms[1].by, school.ina.id);
+  EXPECT_EQ(forms[0], (KeptForm{own, "Dr anna"}));
+  EXPECT_EQ(forms[1].filled.by, school.ina.id);
   EXPECT_EQ(valueOf(FormStore(ina).ofAttempt(attempt.id)).size(), 1U);
   EXPECT_EQ(valueOf(FormStore(ina).ofCohort(school.spring.id, "feedback")).size(), 1U);
   own.answers = "{}";

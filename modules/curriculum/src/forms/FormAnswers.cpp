@@ -13,6 +13,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kLongestText = 10'000;
+/// Not in plain names.
+constexpr std::string_view kNote = ":note";
 
 const FormOption* optionOf(const FormItem& item, const FormAnswers::mapped_type& answer) {
   const auto* name = std::get_if<std::string>(&answer);
@@ -47,6 +49,13 @@ std::string troubleOf(const FormItem& item, const FormAnswers& answers) {
   return item.kind == FormItem::Kind::Text ? troubleOfText(answer->second) : troubleOfChoice(item, answer->second);
 }
 
+/// Whether a key that is no item's is that of a note that may be written.
+bool isNote(const Form& form, std::string_view key) {
+  if (!key.ends_with(kNote)) return false;
+  const FormItem* item = form.item(key.substr(0, key.size() - kNote.size()));
+  return item && form.takesNote(*item);
+}
+
 /// The points of the best option; none where the item is not scored.
 std::optional<double> mostOf(const FormItem& item) {
   std::optional<double> most;
@@ -62,6 +71,24 @@ const FormItem* Form::item(std::string_view itemName) const {
     for (const FormItem& item : section.items)
       if (item.name == itemName) return &item;
   return nullptr;
+}
+
+std::string noteKey(const FormItem& item) {
+  return item.name + std::string(kNote);
+}
+
+std::string answerText(const FormItem& item, const FormAnswers& answers) {
+  const auto answer = answers.find(item.name);
+  if (answer == answers.end()) return {};
+  if (const auto* number = std::get_if<double>(&answer->second)) return csvNumber(*number);
+  const FormOption* option = optionOf(item, answer->second);
+  return option ? option->title : std::get<std::string>(answer->second);
+}
+
+std::string noteText(const FormItem& item, const FormAnswers& answers) {
+  const auto note = answers.find(noteKey(item));
+  const auto* text = note == answers.end() ? nullptr : std::get_if<std::string>(&note->second);
+  return text ? *text : std::string();
 }
 
 Result<FormAnswers> parseAnswers(std::string_view text) {
@@ -97,9 +124,13 @@ std::vector<AnswerTrouble> checkAnswers(const Form& form, const FormAnswers& ans
     for (const FormItem& item : section.items)
       if (const std::string trouble = troubleOf(item, answers); !trouble.empty())
         troubles.push_back({item.name, "'" + item.title + "' " + trouble});
-  for (const auto& [name, answer] : answers)
-    if (!form.item(name))
+  for (const auto& [name, answer] : answers) {
+    if (form.item(name)) continue;
+    if (!isNote(form, name))
       troubles.push_back({name, "'" + name + "' is not asked in '" + form.title + "'; leave it out."});
+    else if (const std::string trouble = troubleOfText(answer); !trouble.empty())
+      troubles.push_back({name, "The note '" + name + "' " + trouble});
+  }
   return troubles;
 }
 

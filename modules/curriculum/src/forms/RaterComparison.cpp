@@ -25,16 +25,41 @@ std::optional<int> gradeOf(const FormItem& item, const std::vector<FormOption>& 
   return found == grades.end() ? std::nullopt : std::optional(static_cast<int>(found - grades.begin()));
 }
 
-/// Items with the most grades that any of the form has.
-std::vector<const FormItem*> gradedItems(const Form& form, std::size_t& grades) {
-  std::vector<const FormItem*> items;
+/// What both raters gave one item, attempt after attempt, as far as both are grades.
+struct ItemPairs {
+  const FormItem* item = nullptr;
+  std::vector<FormOption> scale{};
+  std::vector<int> first{}, second{};
+};
+
+std::vector<ItemPairs> pairsOf(const Form& form, std::span<const RatedTwice> attempts) {
+  std::vector<ItemPairs> all;
   for (const FormSection& section : form.sections)
     for (const FormItem& item : section.items) {
-      const std::size_t own = gradesOf(item).size();
-      if (own > grades) grades = own, items.clear();
-      if (own == grades && own > 0) items.push_back(&item);
+      ItemPairs pairs{&item, gradesOf(item), {}, {}};
+      if (pairs.scale.empty()) continue;
+      for (const RatedTwice& attempt : attempts) {
+        const auto one = gradeOf(item, pairs.scale, attempt.first), other = gradeOf(item, pairs.scale, attempt.second);
+        if (!one || !other) continue;
+        pairs.first.push_back(*one), pairs.second.push_back(*other);
+      }
+      all.push_back(std::move(pairs));
     }
-  return items;
+  return all;
+}
+
+std::optional<double> kappaOf(std::span<const int> first, std::span<const int> second, std::size_t grades) {
+  return cohenKappa(first, second, static_cast<int>(grades), grades > 2 ? KappaWeights::Quadratic : KappaWeights::None);
+}
+
+ItemAgreement agreementOf(const ItemPairs& pairs) {
+  std::vector<std::vector<double>> points;
+  for (std::size_t i = 0; i < pairs.first.size(); ++i) {
+    const auto pointsOf = [&](int grade) { return *pairs.scale[static_cast<std::size_t>(grade)].points; };
+    points.push_back({pointsOf(pairs.first[i]), pointsOf(pairs.second[i])});
+  }
+  return {pairs.item->name, static_cast<int>(pairs.first.size()), agreement(pairs.first, pairs.second),
+          kappaOf(pairs.first, pairs.second, pairs.scale.size()), intraclassCorrelation(points)};
 }
 
 std::vector<std::string> mostFrequentFirst(const std::vector<std::pair<std::string, int>>& counts) {
@@ -58,24 +83,23 @@ std::optional<Estimate> agreementOfScores(const Form& form, std::span<const Rate
 }  // namespace
 
 RaterComparison compareRaters(const Form& form, std::span<const RatedTwice> attempts) {
+  const std::vector<ItemPairs> all = pairsOf(form, attempts);
   std::size_t grades = 0;
+  for (const ItemPairs& pairs : all) grades = std::max(grades, pairs.scale.size());
+  RaterComparison comparison;
   std::vector<int> first, second;
   std::vector<std::pair<std::string, int>> differing;
-  for (const FormItem* item : gradedItems(form, grades)) {
-    const std::vector<FormOption> scale = gradesOf(*item);
-    differing.emplace_back(item->name, 0);
-    for (const RatedTwice& attempt : attempts) {
-      const auto one = gradeOf(*item, scale, attempt.first), other = gradeOf(*item, scale, attempt.second);
-      if (!one || !other) continue;
-      first.push_back(*one), second.push_back(*other);
-      differing.back().second += *one != *other;
-    }
+  for (const ItemPairs& pairs : all) {
+    comparison.items.push_back(agreementOf(pairs));
+    if (pairs.scale.size() < grades) continue;
+    first.insert(first.end(), pairs.first.begin(), pairs.first.end());
+    second.insert(second.end(), pairs.second.begin(), pairs.second.end());
+    differing.emplace_back(pairs.item->name, 0);
+    for (std::size_t i = 0; i < pairs.first.size(); ++i) differing.back().second += pairs.first[i] != pairs.second[i];
   }
-  RaterComparison comparison;
   comparison.pairs = static_cast<int>(first.size());
   comparison.agreement = agreement(first, second);
-  comparison.kappa =
-      cohenKappa(first, second, static_cast<int>(grades), grades > 2 ? KappaWeights::Quadratic : KappaWeights::None);
+  comparison.kappa = kappaOf(first, second, grades);
   comparison.scores = agreementOfScores(form, attempts);
   comparison.differing = mostFrequentFirst(differing);
   return comparison;

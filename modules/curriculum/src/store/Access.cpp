@@ -22,14 +22,16 @@ constexpr std::array kRules{
     Rule{ChangeOwnPassword, "change own password",    None, Self,   Self,      Self},
     Rule{ResetPassword,     "reset password",         None, None,   Taught,    All, kNotOneself | kOnlyTrainees | kOnServer},
     Rule{SeeOwnCohorts,     "see cohorts",            None, All,    All,       All, kUnlogged},
-    Rule{SeeMembers,        "see members",            None, None,   Taught,    All},
+    Rule{SeeMembers,        "see members",            None, None,   Taught,    All, kWholeCohort},
+    Rule{SeeStandings,      "see standings",          None, None,   Taught,    All},
     Rule{ChangeCohorts,     "change cohorts",         None, None,   None,      All, kOnServer},
     Rule{RemoveMember,      "remove member",          None, None,   Taught,    All, kOnServer},
     Rule{SetCurriculum,     "set curriculum",         None, None,   Taught,    All, kOnServer},
     Rule{RememberStanding,  "remember standing",      None, Self,   Taught,    All, kUnlogged},
     Rule{MakeAttempt,       "make attempt",           None, Self,   Self,      Self},
     Rule{SeeAttempts,       "see attempts",           None, Self,   Taught,    All},
-    Rule{SeeCohortAttempts, "see cohort's attempts",  None, None,   Taught,    All},
+    Rule{SeeCohortAttempts, "see cohort's attempts",  None, None,   Taught,    All, kWholeCohort},
+    Rule{FindRecording,     "find recording",         None, All,    All,       All, kUnlogged},
     Rule{VoidAttempt,       "void attempt",           None, None,   Taught,    All, kNotOneself},
     Rule{ReadCurricula,     "read curricula",         All,  All,    All,       All, kUnlogged},
     Rule{SeeDrafts,         "see drafts",             None, None,   All,       All, kUnlogged},
@@ -37,7 +39,7 @@ constexpr std::array kRules{
     Rule{Publish,           "publish curriculum",     None, None,   All,       All, kOnServer},
     Rule{FillForm,          "fill in form",           None, Self,   Taught,    All},
     Rule{SeeForms,          "see forms",              None, Self,   Taught,    All},
-    Rule{SeeCohortForms,    "see cohort's forms",     None, None,   Taught,    All},
+    Rule{SeeCohortForms,    "see cohort's forms",     None, None,   Taught,    All, kWholeCohort},
     Rule{SeeAudit,          "see audit log",          None, None,   None,      All},
     Rule{SeeUploads,        "see pending uploads",    None, None,   All,       All, kUnlogged},
     Rule{LookAfterStore,    "look after store",       None, None,   None,      All},
@@ -150,6 +152,9 @@ Verdict decide(Transaction& transaction, Actor& actor, const Request& request) {
            rule.has(kOnServer) && site && !site->text(0).empty())
     verdict.refusal = Error{"People, cohorts and curricula are kept on " + site->text(0) + "; change them there."};
   verdict.logged = verdict.refusal || (!rule.has(kUnlogged) && !own);
+  if (!verdict.refusal && rule.has(kWholeCohort))
+    verdict.learners =
+        transaction.number("SELECT COUNT(*) FROM memberships WHERE cohort = ? AND teaches = 0", request.cohort);
   return verdict;
 }
 

@@ -23,6 +23,7 @@ enum class Act {
   ResetPassword,
   SeeOwnCohorts,
   SeeMembers,
+  SeeStandings,
   ChangeCohorts,
   RemoveMember,
   SetCurriculum,
@@ -30,6 +31,7 @@ enum class Act {
   MakeAttempt,
   SeeAttempts,
   SeeCohortAttempts,
+  FindRecording,
   VoidAttempt,
   ReadCurricula,
   SeeDrafts,
@@ -57,6 +59,7 @@ enum Condition : unsigned {
   kNotOneself = 2,    ///< nobody does this to their own data
   kOnlyTrainees = 4,  ///< an instructor does this to trainees only
   kOnServer = 8,      ///< done on the server, where the store belongs to one
+  kWholeCohort = 16,  ///< tells of all who learn in a cohort: their number is logged
 };
 
 /// Who may do what: the one place where it is written down.
@@ -88,7 +91,8 @@ struct Actor {
 struct Verdict {
   std::optional<Error> refusal{};
   bool logged = false;
-  std::string person{};  ///< whose data it is, the attempt's person found
+  std::string person{};                    ///< whose data it is, the attempt's person found
+  std::optional<std::int64_t> learners{};  ///< how many, of a kWholeCohort act
 };
 
 /// Looks up who the actor is now, what they may do, and to whom the data belongs.

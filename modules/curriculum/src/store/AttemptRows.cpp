@@ -59,6 +59,18 @@ KeptAttempt keptOf(const Row& row) {
   return kept;
 }
 
+std::vector<AttemptFacts> allFacts(const std::vector<Row>& rows) {
+  std::vector<AttemptFacts> facts;
+  facts.reserve(rows.size());
+  for (const Row& row : rows) facts.push_back(store::factsOf(row));
+  return facts;
+}
+
+std::vector<AttemptFacts> historyOf(Transaction& transaction, const std::string& person) {
+  return allFacts(
+      transaction.rows("SELECT " INSONATE_HISTORY_COLUMNS " FROM attempts WHERE person = ? ORDER BY arrival", person));
+}
+
 std::optional<KeptAttempt> findAttempt(Transaction& transaction, const std::string& id) {
   const auto row = transaction.row("SELECT " INSONATE_ATTEMPT_COLUMNS " FROM attempts WHERE id = ?", id);
   return row ? std::optional(keptOf(*row)) : std::nullopt;

@@ -30,6 +30,9 @@ namespace insonate::store {
 AttemptFacts factsOf(const Row& row);
 /// Of INSONATE_ATTEMPT_COLUMNS.
 KeptAttempt keptOf(const Row& row);
+std::vector<AttemptFacts> allFacts(const std::vector<Row>& rows);
+/// AttemptStore::history().
+std::vector<AttemptFacts> historyOf(Transaction& transaction, const std::string& person);
 /// Of either: how it ended, whether it was voided or not.
 AttemptState stateOfEnd(const Row& row);
 std::optional<KeptAttempt> findAttempt(Transaction& transaction, const std::string& id);

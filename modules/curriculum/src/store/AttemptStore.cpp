@@ -64,13 +64,6 @@ Result<void> voidKept(Transaction& transaction, const Core& core, const std::str
   return {};
 }
 
-std::vector<AttemptFacts> allFacts(const std::vector<Row>& rows) {
-  std::vector<AttemptFacts> facts;
-  facts.reserve(rows.size());
-  for (const Row& row : rows) facts.push_back(store::factsOf(row));
-  return facts;
-}
-
 /// From the arrival of the attempt with which someone's last so many begin.
 constexpr std::string_view kLastOfCohort =
     "WITH since AS (SELECT m.person, COALESCE((SELECT arrival FROM attempts AS a WHERE a.person = m.person "
@@ -139,20 +132,34 @@ Result<std::vector<KeptAttempt>> AttemptStore::page(const std::string& person, i
 }
 
 Result<std::vector<AttemptFacts>> AttemptStore::history(const std::string& person) const {
-  return by_.session()->read(
-      {.act = Act::SeeAttempts, .person = person},
-      [&](Transaction& transaction, const Actor&) -> Result<std::vector<AttemptFacts>> {
-        return allFacts(transaction.rows(
-            "SELECT " INSONATE_HISTORY_COLUMNS " FROM attempts WHERE person = ? ORDER BY arrival", person));
-      });
+  return by_.session()->read({.act = Act::SeeAttempts, .person = person},
+                             [&](Transaction& transaction, const Actor&) -> Result<std::vector<AttemptFacts>> {
+                               return store::historyOf(transaction, person);
+                             });
 }
 
 Result<std::vector<AttemptFacts>> AttemptStore::lastOfCohort(const std::string& cohort, int count) const {
   if (auto ok = store::checkPage(count); !ok) return tl::unexpected(ok.error());
   return by_.session()->read({.act = Act::SeeCohortAttempts, .cohort = cohort},
                              [&](Transaction& transaction, const Actor&) -> Result<std::vector<AttemptFacts>> {
-                               return allFacts(transaction.rows(kLastOfCohort, count - 1, cohort));
+                               return store::allFacts(transaction.rows(kLastOfCohort, count - 1, cohort));
                              });
+}
+
+Result<std::string> AttemptStore::ofRecording(const std::string& name, const std::string& hash) const {
+  return by_.session()->read(
+      {.act = Act::FindRecording}, [&](Transaction& transaction, const Actor&) -> Result<std::string> {
+        if (const auto same =
+                hash.empty() ? std::nullopt : transaction.row("SELECT id FROM attempts WHERE recording_hash = ?", hash))
+          return same->text(0);
+        const auto named =
+            name.empty()
+                ? std::nullopt
+                : transaction.row(
+                      "SELECT id FROM attempts WHERE recording = ? AND workstation = ? ORDER BY arrival DESC LIMIT 1",
+                      name, by_.session()->core().workstation());
+        return named ? named->text(0) : std::string();
+      });
 }
 
 Result<std::int64_t> AttemptStore::changes(const std::string& person) const {

@@ -15,16 +15,16 @@ using store::Transaction;
 
 Result<std::vector<AuditEntry>> AuditLog::page(int count, std::int64_t before, const std::string& person) const {
   if (auto ok = store::checkPage(count); !ok) return tl::unexpected(ok.error());
-  return by_.session()->read(
-      {.act = Act::SeeAudit, .person = person},
-      [&](Transaction& transaction, const Actor&) -> Result<std::vector<AuditEntry>> {
-        std::vector<AuditEntry> page;
-        for (const auto& row : transaction.rows("SELECT * FROM audit WHERE number < ? AND (? = '' OR person = ? OR "
-                                                "actor = ?) ORDER BY number DESC LIMIT ?",
-                                                store::endOfPage(before), person, person, person, count))
-          page.push_back(store::auditEntryOf(row));
-        return page;
-      });
+  return by_.session()->read({.act = Act::SeeAudit, .person = person},
+                             [&](Transaction& transaction, const Actor&) -> Result<std::vector<AuditEntry>> {
+                               std::vector<AuditEntry> page;
+                               for (const auto& row : transaction.rows(
+                                        "SELECT * FROM audit WHERE number < ? AND (? = '' OR person = ? OR "
+                                        "actor = ? OR detail LIKE ?) ORDER BY number DESC LIMIT ?",
+                                        store::endOfPage(before), person, person, person, "%" + person + "%", count))
+                                 page.push_back(store::auditEntryOf(row));
+                               return page;
+                             });
 }
 
 Result<AuditAnchor> AuditLog::anchor() const {

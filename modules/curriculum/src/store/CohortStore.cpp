@@ -60,6 +60,23 @@ Member memberOf(const Row& row) {
   return member;
 }
 
+Result<void> keepStanding(Transaction& transaction, const std::string& person, const Standing& standing) {
+  for (const std::string* text : {&standing.curriculum, &standing.level, &standing.sentence})
+    if (auto ok = store::checkText("A text of the standing", *text); !ok) return ok;
+  transaction.run("DELETE FROM standings WHERE person = ? AND curriculum = ? AND curriculum_version = ?", person,
+                  standing.curriculum, standing.curriculumVersion);
+  transaction.run("INSERT INTO standings VALUES (?, ?, ?, ?, ?, ?, ?)", person, standing.curriculum,
+                  standing.curriculumVersion, standing.level, standing.mastered, standing.sentence, standing.changes);
+  return {};
+}
+
+PersonStanding workOut(Transaction& transaction, const std::string& person, const Curriculum& curriculum,
+                       std::int64_t now_us) {
+  const std::int64_t changes = transaction.number("SELECT " INSONATE_CHANGES " FROM attempts WHERE person = ?", person);
+  const auto history = store::historyOf(transaction, person);
+  return personStanding(curriculum, history, progressOf(curriculum, history, now_us), changes);
+}
+
 }  // namespace
 
 Result<std::vector<Cohort>> CohortStore::cohorts() const {
@@ -140,19 +157,35 @@ Result<void> CohortStore::setCurriculum(const std::string& cohort, const std::st
       });
 }
 
-Result<void> CohortStore::rememberStanding(const std::string& person, const Standing& standing) const {
+Result<std::map<std::string, PersonStanding>> CohortStore::standings(const std::string& cohort,
+                                                                     const Curriculum& curriculum,
+                                                                     std::span<const std::string> people) const {
+  using Standings = std::map<std::string, PersonStanding>;
+  std::string named = "people";
+  for (const std::string& person : people) named += ' ' + person;
+  const std::int64_t now_us = by_.session()->core().now_us();
   return by_.session()->write(
-      {.act = Act::RememberStanding, .person = person}, [&](Transaction& transaction, const Actor&) -> Result<void> {
-        if (!store::findPerson(transaction, person)) return fail("There is no such person; look at the list again.");
-        for (const std::string* text : {&standing.curriculum, &standing.level, &standing.sentence})
-          if (auto ok = store::checkText("A text of the standing", *text); !ok) return ok;
-        transaction.run("DELETE FROM standings WHERE person = ? AND curriculum = ? AND curriculum_version = ?", person,
-                        standing.curriculum, standing.curriculumVersion);
-        transaction.run("INSERT INTO standings VALUES (?, ?, ?, ?, ?, ?, ?)", person, standing.curriculum,
-                        standing.curriculumVersion, standing.level, standing.mastered, standing.sentence,
-                        standing.changes);
-        return {};
+      {.act = Act::SeeStandings, .cohort = cohort, .detail = named},
+      [&](Transaction& transaction, const Actor&) -> Result<Standings> {
+        Standings standings;
+        for (const std::string& person : people) {
+          if (!transaction.row("SELECT 1 FROM memberships WHERE cohort = ? AND person = ? AND teaches = 0", cohort,
+                               person))
+            continue;
+          const PersonStanding& one = standings[person] = workOut(transaction, person, curriculum, now_us);
+          if (auto kept = keepStanding(transaction, person, one.standing); !kept) return tl::unexpected(kept.error());
+        }
+        return standings;
       });
+}
+
+Result<void> CohortStore::rememberStanding(const std::string& person, const Standing& standing) const {
+  return by_.session()->write({.act = Act::RememberStanding, .person = person},
+                              [&](Transaction& transaction, const Actor&) -> Result<void> {
+                                if (!store::findPerson(transaction, person))
+                                  return fail("There is no such person; look at the list again.");
+                                return keepStanding(transaction, person, standing);
+                              });
 }
 
 }  // namespace insonate

@@ -1,6 +1,8 @@
 #include "store/FormRows.h"
 
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace insonate::store {
 
@@ -8,10 +10,26 @@ FilledForm filledOf(const Row& row) {
   return {row.text(0), row.text(1), row.count(2), row.text(3), row.text(4), row.text(5), row.number(6), row.text(7)};
 }
 
-std::vector<FilledForm> allFilled(const std::vector<Row>& rows) {
-  std::vector<FilledForm> forms;
+KeptForm keptFormOf(const Row& row) {
+  return {.filled = filledOf(row), .rater = row.text(8).empty() ? row.text(9) : row.text(8)};
+}
+
+std::vector<KeptForm> allKept(const std::vector<Row>& rows, const std::string& reader) {
+  std::vector<KeptForm> forms;
+  std::set<std::pair<std::string, std::string>> judged;  // by the reader: attempt and form
   forms.reserve(rows.size());
-  for (const Row& row : rows) forms.push_back(filledOf(row));
+  for (const Row& row : rows) {
+    forms.push_back(keptFormOf(row));
+    const FilledForm& filled = forms.back().filled;
+    if (filled.by == reader) judged.emplace(filled.attempt, filled.form);
+  }
+  for (KeptForm& one : forms) {
+    FilledForm& filled = one.filled;
+    if (filled.attempt.empty() || filled.by == filled.person || filled.by == reader || filled.person == reader)
+      continue;
+    one.withheld = !judged.contains({filled.attempt, filled.form});
+    if (one.withheld) filled.answers.clear();
+  }
   return forms;
 }
 

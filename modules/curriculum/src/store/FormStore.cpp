@@ -36,6 +36,16 @@ Result<std::string> keep(Transaction& transaction, const Core& core, const Fille
   return id;
 }
 
+constexpr std::string_view kKept =
+    "SELECT " INSONATE_KEPT_FORM_COLUMNS " FROM forms JOIN people AS raters ON raters.id = forms.filled_by ";
+
+std::vector<store::Row> rowsOfCohort(Transaction& transaction, const std::string& cohort, const std::string& form) {
+  return transaction.rows(std::string(kKept) +
+                              "JOIN memberships ON memberships.person = forms.person "
+                              "WHERE cohort = ? AND teaches = 0 AND form = ? ORDER BY arrival",
+                          cohort, form);
+}
+
 }  // namespace
 
 Result<std::string> FormStore::add(const FilledForm& filled) const {
@@ -49,33 +59,39 @@ Result<std::string> FormStore::add(const FilledForm& filled) const {
                               [&](Transaction& transaction, const Actor&) { return keep(transaction, core, kept); });
 }
 
-Result<std::vector<FilledForm>> FormStore::ofPerson(const std::string& person) const {
+Result<std::vector<KeptForm>> FormStore::ofPerson(const std::string& person) const {
   return by_.session()->read(
       {.act = Act::SeeForms, .person = person},
-      [&](Transaction& transaction, const Actor&) -> Result<std::vector<FilledForm>> {
-        return store::allFilled(
-            transaction.rows("SELECT " INSONATE_FORM_COLUMNS " FROM forms WHERE person = ? ORDER BY arrival", person));
+      [&](Transaction& transaction, const Actor& actor) -> Result<std::vector<KeptForm>> {
+        return store::allKept(transaction.rows(std::string(kKept) + "WHERE forms.person = ? ORDER BY arrival", person),
+                              actor.id);
       });
 }
 
-Result<std::vector<FilledForm>> FormStore::ofAttempt(const std::string& attempt) const {
-  return by_.session()->read(
-      {.act = Act::SeeForms, .attempt = attempt},
-      [&](Transaction& transaction, const Actor&) -> Result<std::vector<FilledForm>> {
-        return store::allFilled(transaction.rows(
-            "SELECT " INSONATE_FORM_COLUMNS " FROM forms WHERE attempt = ? ORDER BY arrival", attempt));
-      });
+Result<std::vector<KeptForm>> FormStore::ofAttempt(const std::string& attempt) const {
+  return by_.session()->read({.act = Act::SeeForms, .attempt = attempt},
+                             [&](Transaction& transaction, const Actor& actor) -> Result<std::vector<KeptForm>> {
+                               return store::allKept(
+                                   transaction.rows(std::string(kKept) + "WHERE attempt = ? ORDER BY arrival", attempt),
+                                   actor.id);
+                             });
 }
 
-Result<std::vector<FilledForm>> FormStore::ofCohort(const std::string& cohort, const std::string& form) const {
-  return by_.session()->read(
-      {.act = Act::SeeCohortForms, .cohort = cohort},
-      [&](Transaction& transaction, const Actor&) -> Result<std::vector<FilledForm>> {
-        return store::allFilled(transaction.rows("SELECT " INSONATE_FORM_COLUMNS
-                                                 " FROM memberships JOIN forms ON forms.person = memberships.person "
-                                                 "WHERE cohort = ? AND teaches = 0 AND form = ? ORDER BY arrival",
-                                                 cohort, form));
-      });
+Result<std::vector<KeptForm>> FormStore::ofCohort(const std::string& cohort, const std::string& form) const {
+  return by_.session()->read({.act = Act::SeeCohortForms, .cohort = cohort},
+                             [&](Transaction& transaction, const Actor& actor) -> Result<std::vector<KeptForm>> {
+                               return store::allKept(rowsOfCohort(transaction, cohort, form), actor.id);
+                             });
+}
+
+Result<FormAgreement> FormStore::agreement(const std::string& cohort, const Form& form) const {
+  return by_.session()->read({.act = Act::SeeCohortForms, .cohort = cohort, .detail = "agreement"},
+                             [&](Transaction& transaction, const Actor&) -> Result<FormAgreement> {
+                               std::vector<KeptForm> all;
+                               for (const store::Row& row : rowsOfCohort(transaction, cohort, form.name))
+                                 all.push_back(store::keptFormOf(row));
+                               return agreementOf(form, all);
+                             });
 }
 
 }  // namespace insonate

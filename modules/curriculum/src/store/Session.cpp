@@ -3,7 +3,7 @@
 namespace insonate::store {
 namespace {
 
-std::string detailOf(const Request& request) {
+std::string detailOf(const Request& request, const Verdict& verdict) {
   std::string detail;
   const auto add = [&](const std::string& what, const std::string& value) {
     if (!value.empty()) detail += (detail.empty() ? "" : ", ") + what + value;
@@ -11,6 +11,7 @@ std::string detailOf(const Request& request) {
   add("", request.detail);
   add("cohort ", request.cohort);
   add("attempt ", request.attempt);
+  if (verdict.learners) add("learners ", std::to_string(*verdict.learners));
   return detail;
 }
 
@@ -25,7 +26,8 @@ Result<void> Session::also(Transaction& transaction, const Request& request) {
 }
 
 void Session::log(Transaction& transaction, const Request& request, const Verdict& verdict) {
-  core_->audit(transaction, person_.id, ruleOf(request.act).words, verdict.person, detailOf(request), !verdict.refusal);
+  core_->audit(transaction, person_.id, ruleOf(request.act).words, verdict.person, detailOf(request, verdict),
+               !verdict.refusal);
 }
 
 }  // namespace insonate::store

@@ -2,10 +2,17 @@
 
 #include <insonate/ui/Account.h>
 
-#include <QDateTime>
 #include <algorithm>
 
 namespace insonate::review {
+namespace {
+
+using Standings = std::map<std::string, PersonStanding>;
+
+/// Of how many people all attempts are read at once: what else is asked waits so long.
+constexpr std::ptrdiff_t kTogether = 20;
+
+}  // namespace
 
 ClassDesk::ClassDesk(QObject* parent) : QObject(parent) {}
 
@@ -39,12 +46,6 @@ const PersonStanding* ClassDesk::standing(const std::string& person) const {
 const HeatMap& ClassDesk::heat() const {
   static const HeatMap none;
   return facts_ ? facts_->heat : none;
-}
-
-const Member* ClassDesk::member(const std::string& person) const {
-  if (!facts_) return nullptr;
-  const auto found = std::ranges::find_if(facts_->learners, [&](const Member& one) { return one.person.id == person; });
-  return found == facts_->learners.end() ? nullptr : &*found;
 }
 
 /// Whoever sat here before is seen no more.
@@ -119,25 +120,24 @@ void ClassDesk::take(ClassFacts facts) {
     }
   std::ranges::reverse(queue_);
   Q_EMIT classChanged();
-  if (idle) nextStanding();
+  if (idle) nextStandings();
 }
 
-void ClassDesk::nextStanding() {
-  if (queue_.empty() || !isSomebody()) return;
-  const Member* who = member(queue_.back());
-  if (!who || !facts_->curriculum) return queue_.clear();
-  const std::int64_t now_us = QDateTime::currentMSecsSinceEpoch() * 1000;
-  account_->ask<PersonStanding>(
+void ClassDesk::nextStandings() {
+  if (queue_.empty() || !isSomebody() || !facts_->curriculum) return queue_.clear();
+  const std::vector<std::string> some(queue_.end() - std::min(kTogether, std::ssize(queue_)), queue_.end());
+  account_->ask<Standings>(
       this,
-      [member = *who, curriculum = *facts_->curriculum, now_us](const SignedIn& by) {
-        return readStanding(by, member, curriculum, now_us);
+      [some, cohort = facts_->cohort.id, curriculum = *facts_->curriculum](const SignedIn& by) {
+        return CohortStore(by).standings(cohort, curriculum, some);
       },
-      [this, id = who->person.id, round = round_](Result<PersonStanding> standing) {
-        if (round != round_) return nextStanding();
-        std::erase(queue_, id);
-        if (standing) standings_[id] = std::move(*standing);
-        Q_EMIT standingChanged(QString::fromStdString(id));
-        nextStanding();
+      [this, some, round = round_](Result<Standings> standings) {
+        if (round != round_) return nextStandings();
+        std::erase_if(queue_, [&](const std::string& id) { return std::ranges::count(some, id) > 0; });
+        if (standings)
+          for (auto& [id, one] : *standings) standings_[id] = std::move(one);
+        for (const std::string& id : some) Q_EMIT standingChanged(QString::fromStdString(id));
+        nextStandings();
       });
 }
 

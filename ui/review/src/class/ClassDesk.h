@@ -17,7 +17,7 @@ class Account;
 namespace insonate::review {
 
 /// The classes of who is signed in, and the one that is looked at, without a widget. The store is asked on the
-/// account's thread; how far each person is comes one after the other, since all their attempts count for it.
+/// account's thread; how far they are comes for some people after the other, since all their attempts count for it.
 class ClassDesk : public QObject {
   Q_OBJECT
 
@@ -63,8 +63,7 @@ class ClassDesk : public QObject {
   void readCohorts();
   void readClass();
   void take(ClassFacts facts);
-  void nextStanding();
-  const Member* member(const std::string& person) const;
+  void nextStandings();
 
   ui::Account* account_ = nullptr;
   std::vector<Cohort> cohorts_;

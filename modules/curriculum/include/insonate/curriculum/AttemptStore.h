@@ -47,6 +47,10 @@ class AttemptStore {
   /// by person, each in the order of arrival, as history() gives them.
   Result<std::vector<AttemptFacts>> lastOfCohort(const std::string& cohort, int count) const;
 
+  /// The id of the attempt of whose recording this is the hash; else of one made on this workstation whose recording
+  /// has this name; else "". It tells nothing else: what the attempt is, attempt() tells to whom it may.
+  Result<std::string> ofRecording(const std::string& name, const std::string& hash) const;
+
   /// Member::changes of a person, to be asked before the history that a Standing is worked out from.
   Result<std::int64_t> changes(const std::string& person) const;
 

@@ -38,8 +38,8 @@ class AuditLog {
  public:
   explicit AuditLog(SignedIn by) : by_(std::move(by)) {}
 
-  /// Newest first, at most `count` (1..1000) before number `before`; 0: the newest. `person`: those by or about them;
-  /// "": all.
+  /// Newest first, at most `count` (1..1000) before number `before`; 0: the newest. `person`: those by or about them,
+  /// and looks at several people that name them; "": all.
   Result<std::vector<AuditEntry>> page(int count, std::int64_t before = 0, const std::string& person = "") const;
   Result<AuditAnchor> anchor() const;
   /// Fails with the first entry that does not fit: changed, deleted or moved, the end cut off, or other than it was at

@@ -3,26 +3,17 @@
 #include <insonate/core/Result.h>
 #include <insonate/curriculum/Person.h>
 #include <insonate/curriculum/SignedIn.h>
+#include <insonate/curriculum/Standings.h>
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace insonate {
-
-/// How far someone is, as worked out from their attempts when it was last asked for.
-struct Standing {
-  std::string curriculum{};
-  int curriculumVersion = 0;
-  std::string level{};       ///< Level::name they are at; "": all are mastered
-  int mastered = 0;          ///< levels
-  std::string sentence{};    ///< why
-  std::int64_t changes = 0;  ///< Member::changes it was worked out from
-
-  bool operator==(const Standing&) const = default;
-};
 
 /// A row of a cohort's list.
 struct Member {
@@ -62,6 +53,10 @@ class CohortStore {
   /// The published version by which it is taught; its instructors and administrators.
   Result<void> setCurriculum(const std::string& cohort, const std::string& curriculum, int version) const;
 
+  /// How far these are who learn in a cohort, by Person::id: worked out now from all their attempts, and kept. Who is
+  /// not in it any more is left out. One look, and one entry of the log, which names them all.
+  Result<std::map<std::string, PersonStanding>> standings(const std::string& cohort, const Curriculum& curriculum,
+                                                          std::span<const std::string> people) const;
   /// Keeps how far someone is, so that a class need not be worked out for each look. Of oneself, or of who is seen.
   Result<void> rememberStanding(const std::string& person, const Standing& standing) const;
 

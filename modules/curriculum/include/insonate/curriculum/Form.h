@@ -56,6 +56,10 @@ struct Form {
   std::vector<FormSection> sections{};
 
   const FormItem* item(std::string_view itemName) const;
+  /// A rater may write a note to this item: in checklists and ratings, beside what is no text anyway.
+  bool takesNote(const FormItem& item) const {
+    return purpose != Purpose::Questionnaire && item.kind != FormItem::Kind::Text;
+  }
   bool operator==(const Form&) const = default;
 };
 
@@ -65,8 +69,15 @@ std::vector<std::string> formPresetNames();
 Result<Form> loadForm(std::string_view nameOrPath);
 Result<Form> parseForm(std::string_view json);
 
-/// By FormItem::name: an option's name or a text, or a number. What was not answered is not there.
+/// By FormItem::name: an option's name or a text, or a number; by noteKey(): a text. What was not answered is not
+/// there.
 using FormAnswers = std::map<std::string, std::variant<std::string, double>>;
+
+/// Where a rater's note to an item is kept; no item has such a name.
+std::string noteKey(const FormItem& item);
+/// As it is read: an option's title, a number, a text; "" where there is none.
+std::string answerText(const FormItem& item, const FormAnswers& answers);
+std::string noteText(const FormItem& item, const FormAnswers& answers);
 
 /// JSON object, as FilledForm::answers.
 Result<FormAnswers> parseAnswers(std::string_view json);

@@ -15,6 +15,15 @@ struct RatedTwice {
   FormAnswers first{}, second{};
 };
 
+/// How far two raters agree on one item, by its own grades.
+struct ItemAgreement {
+  std::string item{};  ///< FormItem::name
+  int pairs = 0;
+  std::optional<double> agreement{};
+  std::optional<double> kappa{};
+  std::optional<Estimate> points{};  ///< ICC(2,1)
+};
+
 /// How far two raters agree on a form. Missing values as in Agreement.h.
 struct RaterComparison {
   int pairs = 0;                      ///< answers to one item, both with points
@@ -23,6 +32,7 @@ struct RaterComparison {
   std::optional<Estimate> scores{};   ///< ICC(2,1) of FormScore::percent over the attempts
   /// FormItem::name of where they differed, the most frequent first: what to talk about.
   std::vector<std::string> differing{};
+  std::vector<ItemAgreement> items{};  ///< that have points, in the form's order
 };
 
 /// Grades are an item's options that have points, by rising points; items with fewer of them than the form's others are

@@ -16,6 +16,9 @@ AttemptFacts beginningOf(const AttemptHeader& header);
 /// Adds how it ended: Completed, else Abandoned, with the metrics and points of its score.
 void addEnding(AttemptFacts& facts, AttemptStatus status, std::int64_t length_us, const AttemptScore& score);
 
+/// AttemptFacts::recordingHash of a file: what an attempt was recorded as can be told from what it was made into later.
+Result<std::string> recordingHash(const std::filesystem::path& file);
+
 /// Name and SHA-256 of a recording's file.
 Result<void> addRecording(AttemptFacts& facts, const std::filesystem::path& file);
 

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <insonate/curriculum/FilledForm.h>
+#include <insonate/curriculum/Form.h>
+#include <insonate/curriculum/RaterComparison.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// Two raters, by name, and how far they agree on the attempts that both judged.
+struct RaterPair {
+  std::string first{}, second{};
+  int attempts = 0;
+  RaterComparison comparison{};
+};
+
+/// How far those agree who judged attempts by one form. Cohen's kappa is of two raters: of more, each two are compared.
+struct FormAgreement {
+  int judged = 0;                  ///< attempts that somebody judged
+  int judgedTwice = 0;             ///< by two at least
+  int otherVersions = 0;           ///< forms that are left out, since they are of another version of the form
+  std::vector<RaterPair> pairs{};  ///< by their names
+};
+
+/// Of forms in the order in which they came. Of one rater's about one attempt the last counts. What is about no
+/// attempt, by whom it is about, or withheld, is left out.
+FormAgreement agreementOf(const Form& form, std::span<const KeptForm> forms);
+
+/// A line for each two raters and item, and before them one for all items ("total"); what there is not is left empty.
+std::string agreementCsv(const Form& form, const FormAgreement& agreement);
+
+}  // namespace insonate
