@@ -5,7 +5,7 @@
 
 namespace insonate {
 
-Result<CaseStatistics> caseStatistics(const PatientCase& patient, const Progress& progress) {
+Result<CaseStatistics> caseStatistics(const CaseView& patient, const Progress& progress) {
   const VolumeGeometry& grid = patient.ct.geometry;
   const std::size_t slice = std::size_t(grid.size[0]) * grid.size[1], count = patient.ct.voxels.size();
   if (count == 0 || count != grid.voxelCount() || patient.labels.voxels.size() != count)

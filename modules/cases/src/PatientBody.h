@@ -1,16 +1,16 @@
 #pragma once
 
-#include <insonate/cases/PatientCase.h>
+#include <insonate/cases/CaseView.h>
 
 #include <algorithm>
 
 namespace insonate {
 
 /// Answers whether a patient position lies in the body: every labelled voxel, or, where nothing is labelled, what is
-/// denser than air. Refers to the patient, which must outlive it.
+/// denser than air. Refers to the volumes, which must outlive it.
 class PatientBody {
  public:
-  explicit PatientBody(const PatientCase& patient)
+  explicit PatientBody(const CaseView& patient)
       : patient_(patient),
         indexFromPatient_(patient.ct.geometry.indexFromPatient()),
         labelled_(std::ranges::any_of(patient.labels.voxels, [](std::uint8_t v) { return v != 0; })) {}
@@ -31,7 +31,7 @@ class PatientBody {
   double outsideWidth_mm() const { return labelled_ ? 5 : 30; }
 
  private:
-  const PatientCase& patient_;
+  const CaseView& patient_;
   Transform indexFromPatient_;
   bool labelled_;
 };

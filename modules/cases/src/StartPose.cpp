@@ -103,7 +103,7 @@ std::optional<StartPose> onFront(const PatientBody& body, const VolumeGeometry& 
 
 }  // namespace
 
-Result<StartPose> proposeStartPose(const PatientCase& patient) {
+Result<StartPose> proposeStartPose(const CaseView& patient) {
   if (patient.labels.geometry.size != patient.ct.geometry.size)
     return fail("The CT and the labels are on different grids; there is no telling where the skin is.");
   const PatientBody body(patient);
@@ -117,7 +117,7 @@ Result<StartPose> proposeStartPose(const PatientCase& patient) {
   return fail("No skin was found at the front of the volume's middle. Give a start pose in case.json.");
 }
 
-Result<StartPose> autoStartPose(const PatientCase& patient) {
+Result<StartPose> autoStartPose(const CaseView& patient) {
   if (!patient.manifest.startPoses.empty()) return patient.manifest.startPoses.front();
   return proposeStartPose(patient);
 }

@@ -181,6 +181,50 @@ TEST_F(Saving, WhereTheProbeIsBecomesTheStartOfACaseThatHasNone) {
   EXPECT_EQ(session_->live().start()->position_mm, start.position_mm) << "the case opens there";
 }
 
+TEST_F(Saving, EditedLabelsAreAskedAboutWrittenAndReadBack) {
+  LabelSession& labels = session_->labelling();
+  LabelStep step;
+  step.tool = step::Paint{.radius_mm = 3};
+  step.label = kArtery;
+  ASSERT_TRUE(labels.beginStroke(step, "paint"));
+  labels.strokeTo({-10, 10, 0});
+  labels.endStroke();
+  EXPECT_TRUE(edited());
+  EXPECT_TRUE(window_.caseTitle().contains("changed"));
+  EXPECT_FALSE(window_.close());
+  answer("keep");
+  saveAction()->trigger();
+  ASSERT_TRUE(until([this] { return !edited() && !window_.tasks().isRunning(); }));
+  const auto read = readCase(case_);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->patient.labels.voxels, labels.labels().voxels);
+  EXPECT_GT(std::ranges::count(read->patient.labels.voxels, kArtery), 0);
+  EXPECT_EQ(window_.current().patient->labels.voxels, labels.labels().voxels) << "Train has them, too";
+  session_->undoStack().undo();
+  EXPECT_TRUE(edited()) << "taken back after saving is a change again";
+  session_->undoStack().redo();
+  EXPECT_FALSE(edited());
+}
+
+TEST_F(Saving, WhatIsPaintedWhileItIsWrittenIsAChangeAfterwards) {
+  LabelSession& labels = session_->labelling();
+  LabelStep step;
+  step.tool = step::Paint{.radius_mm = 3};
+  step.label = kArtery;
+  const auto paint = [&](Vec3 at_mm) {
+    ASSERT_TRUE(labels.beginStroke(step, "paint"));
+    labels.strokeTo(at_mm);
+    labels.endStroke();
+  };
+  paint({-10, 10, 0});
+  const auto first = labels.labels().voxels;
+  saveAction()->trigger();
+  paint({10, 10, 0});
+  ASSERT_TRUE(until([this] { return !window_.tasks().isRunning(); }));
+  EXPECT_EQ(readCase(case_)->patient.labels.voxels, first);
+  EXPECT_TRUE(edited());
+}
+
 TEST_F(Saving, DiscardLeavesTheFolderAlone) {
   session_->setColour(kVein, kChosen);
   window_.close();

@@ -35,7 +35,7 @@ TEST(CaseStatistics, StopsWhenAskedAndRefusesWhatDoesNotFit) {
   EXPECT_EQ(cancelled.error().message, kCancelled);
   patient.labels.voxels.pop_back();
   EXPECT_FALSE(caseStatistics(patient));
-  EXPECT_FALSE(caseStatistics({}));
+  EXPECT_FALSE(caseStatistics(PatientCase{}));
 }
 
 }  // namespace

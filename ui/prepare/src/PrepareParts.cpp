@@ -161,12 +161,14 @@ void PrepareWorkspace::Parts::connectParts() {
     refreshReady();
     Q_EMIT workspace_.statusChanged();
   });
+  connect(&session.followers(), &LabelFollowers::restChanged, this, [this] { refreshReady(); });
+  connect(&session.labelling(), &LabelSession::busyChanged, this, [this] { refreshReady(); });
   views->setRested([this] { refreshReady(); });
   connect(path, &PathPanel::checkChosen, this, [this] { showFindings(); });
 }
 
 void PrepareWorkspace::Parts::refreshSave() {
-  const bool changed = session.unsavedEdit() || session.quietEdit(), nowhere = session.origin().folder.isEmpty();
+  const bool changed = session.isUnsaved() || session.quietEdit(), nowhere = session.origin().folder.isEmpty();
   save_->setEnabled(session.patient() && (changed || nowhere));
   save_->setToolTip(!session.patient() ? QString()
                     : nowhere          ? tr("Choose a folder and write the case to it (Ctrl+S)")
@@ -178,7 +180,8 @@ void PrepareWorkspace::Parts::refreshReady() {
   using State = CaseMeasuring::State;
   const State state = session.measuring().state();
   const bool now = session.patient() && (state == State::Done || state == State::Stopped) &&
-                   session.live().isSettled() && views->isAtRest();
+                   session.live().isSettled() && views->isAtRest() && session.followers().isAtRest() &&
+                   !session.labelling().isBusy();
   if (now == std::exchange(ready, now)) return;
   Q_EMIT workspace_.readyChanged();
 }

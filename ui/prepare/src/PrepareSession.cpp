@@ -41,7 +41,14 @@ constexpr std::uint8_t kOrder[] = {kVein, kArtery, kSkin, kBone, kAirway, kThyro
 }  // namespace
 
 PrepareSession::PrepareSession(ui::TaskBar& tasks, QObject* parent)
-    : QObject(parent), looks_(usualLooks({})), measuring_(tasks, this), live_(this) {
+    : QObject(parent),
+      looks_(usualLooks({})),
+      measuring_(tasks, this),
+      live_(this),
+      labelling_(tasks, undo_, this),
+      followers_(
+          labelling_, live_, measuring_, [this](const LabelSet& labels) { return changedSurfaces(labels); }, this) {
+  undo_.setUndoLimit(kMostUndo);
   said_.setSingleShot(true);
   said_.setInterval(kSaid_ms);
   connect(&said_, &QTimer::timeout, this, [this] {
@@ -57,6 +64,15 @@ PrepareSession::PrepareSession(ui::TaskBar& tasks, QObject* parent)
     Q_EMIT crosshairMoved();
     Q_EMIT messageChanged();
   });
+  connect(&labelling_, &LabelSession::failed, this, &PrepareSession::say);
+  connect(&labelling_, &LabelSession::changed, this, [this](const LabelChange& change) {
+    const LabelSet before = added_;
+    added_ |= change.labels;
+    added_.reset(kBackground);
+    if (added_ != before) takeMeasures();
+    tellEdits();
+    Q_EMIT messageChanged();
+  });
 }
 
 void PrepareSession::setOrigin(const ui::CaseOrigin& origin) {
@@ -69,6 +85,7 @@ void PrepareSession::setCase(std::shared_ptr<const PatientCase> patient) {
   undo_.clear();
   patient_ = std::move(patient);
   structures_.clear();
+  added_.reset();
   surfaceWanted_ = {};
   selected_ = 0;
   message_.clear();
@@ -81,6 +98,8 @@ void PrepareSession::setCase(std::shared_ptr<const PatientCase> patient) {
   start_.reset(), found_.reset();
   title_ = patient_ ? QString::fromStdString(patient_->manifest.title) : QString();
   crosshair_mm_ = patient_ ? patient_->ct.geometry.centre_mm() : Vec3{};
+  labelling_.setCase(patient_);
+  tellHidden();
   Q_EMIT caseChanged();
   live_.setPatient(patient_, missingSurfaces());
   measuring_.setCase(patient_);
@@ -90,6 +109,7 @@ void PrepareSession::setCase(std::shared_ptr<const PatientCase> patient) {
 
 void PrepareSession::replaceCase(std::shared_ptr<const PatientCase> patient) {
   patient_ = std::move(patient);
+  labelling_.replaceCase(patient_);
   live_.replacePatient(patient_);
   takeShown(patient_->manifest.shown, kept_);
   Q_EMIT startChanged();
@@ -117,11 +137,36 @@ std::vector<ui::SurfaceWish> PrepareSession::missingSurfaces() {
   return wishes;
 }
 
+std::vector<ui::SurfaceWish> PrepareSession::changedSurfaces(const LabelSet& labels) const {
+  std::vector<ui::SurfaceWish> wishes;
+  for (int label = 1; label < 256; ++label) {
+    const auto value = std::uint8_t(label);
+    // The surface of the skin is that of the body: it moves where the outside does.
+    const bool moved = labels.test(value) || (value == kSkin && labels.test(kBackground));
+    if (moved && looks_[value].opacity > 0) wishes.push_back({value, surfaceOptions(value)});
+  }
+  return wishes;
+}
+
+void PrepareSession::tellHidden() {
+  LabelRules rules = labelling_.rules();
+  for (int label = 0; label < 256; ++label) rules.hidden.set(std::size_t(label), !looks_[std::size_t(label)].visible);
+  if (rules.hidden != labelling_.rules().hidden) labelling_.setRules(rules);
+}
+
+void PrepareSession::addStructure(std::uint8_t label) {
+  if (!patient_ || label == kBackground) return;
+  added_.set(label);
+  takeMeasures();
+  select(label);
+}
+
 void PrepareSession::takeMeasures() {
   const auto& measures = measuring_.measures();
   std::vector<std::uint8_t> found;
-  for (int label = 1; measures && label < 256; ++label)
-    if (measures->statistics.voxels[std::size_t(label)] > 0) found.push_back(std::uint8_t(label));
+  for (int label = 1; label < 256; ++label)
+    if (added_.test(std::size_t(label)) || (measures && measures->statistics.voxels[std::size_t(label)] > 0))
+      found.push_back(std::uint8_t(label));
   if (found == structures_) return;
   structures_ = std::move(found);
   if (!structures_.empty() && selected_ == 0) selected_ = structures_.front();
@@ -189,7 +234,11 @@ void PrepareSession::showAll() {
 void PrepareSession::applyLook(std::uint8_t label, const StructureLook& look) {
   looks_[label] = look;
   habits_[label] = {look.opacity, look.visible};
-  for (const ui::SurfaceWish& wish : missingSurfaces()) live_.wantSurface(wish);
+  tellHidden();
+  for (ui::SurfaceWish& wish : missingSurfaces()) {
+    wish.labels = labelling_.snapshot();
+    live_.wantSurface(wish);
+  }
   Q_EMIT lookChanged(label);
   tellEdits();
 }
@@ -225,12 +274,18 @@ void PrepareSession::applyStart(const std::optional<StartPose>& start) {
   tellEdits();
 }
 
-ui::CaseEdit PrepareSession::unsavedEdit() const {
-  if (!patient_) return {};
-  const std::string title = title_.toStdString();
+bool PrepareSession::isUnsaved() const {
+  if (!patient_) return false;
   const bool begins = start_ && patient_->manifest.startPoses.empty();
-  if (title == patient_->manifest.title && !begins && !coloursDiffer(looks_, structures_, patient_->colours)) return {};
-  return [title, looks = looks_, structures = structures_, start = start_](PatientCase& copy) {
+  return title_.toStdString() != patient_->manifest.title || begins || labelling_.isChanged() ||
+         coloursDiffer(looks_, structures_, patient_->colours);
+}
+
+ui::CaseEdit PrepareSession::unsavedEdit() {
+  if (!isUnsaved()) return {};
+  return [title = title_.toStdString(), looks = looks_, structures = structures_, start = start_,
+          labels = labelling_.isChanged() ? labelling_.snapshot() : nullptr](PatientCase& copy) {
+    if (labels) copy.labels = *labels;
     if (start && copy.manifest.startPoses.empty()) copy.manifest.startPoses.push_back(*start);
     copy.manifest.title = title;
     putColours(looks, structures, copy.colours);
@@ -245,7 +300,7 @@ ui::CaseEdit PrepareSession::quietEdit() const {
 }
 
 void PrepareSession::tellEdits() {
-  const std::array<bool, 2> has{unsavedEdit() != nullptr, quietEdit() != nullptr};
+  const std::array<bool, 2> has{isUnsaved(), quietEdit() != nullptr};
   if (has != std::exchange(hadEdits_, has)) Q_EMIT editsChanged();
 }
 
@@ -291,7 +346,7 @@ void PrepareSession::setLabelsShown(bool shown) {
 QString PrepareSession::placeText() const {
   const VolumeGeometry& grid = patient_->ct.geometry;
   const Vec3 index = grid.indexFromPatient() * crosshair_mm_;
-  const std::uint8_t label = sampleNearest(patient_->labels, index);
+  const std::uint8_t label = sampleNearest(labelling_.labels(), index);
   return tr("(%1, %2, %3) mm   %4 HU   %5")
       .arg(crosshair_mm_.x, 0, 'f', 1)
       .arg(crosshair_mm_.y, 0, 'f', 1)

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "edit/Structures.h"
+#include "label/LabelFollowers.h"
+#include "label/LabelSession.h"
 #include "live/LivePatient.h"
 #include "measure/CaseMeasuring.h"
 
@@ -38,14 +40,20 @@ class PrepareSession : public QObject {
 
   CaseMeasuring& measuring() { return measuring_; }
   LivePatient& live() { return live_; }
+  LabelSession& labelling() { return labelling_; }
+  const LabelSession& labelling() const { return labelling_; }
+  const LabelFollowers& followers() const { return followers_; }
 
-  /// Those that occur, in the table's order; none before they are counted.
+  /// Those that occur or were added, in the table's order; none before they are counted.
   const std::vector<std::uint8_t>& structures() const { return structures_; }
   const StructureLook& look(std::uint8_t label) const { return looks_[label]; }
   std::uint8_t selected() const { return selected_; }
   void select(std::uint8_t label);
   /// The next or previous structure of the table.
   void selectNext(int step);
+
+  /// The table lists it, though no voxel has it yet, and it is selected.
+  void addStructure(std::uint8_t label);
 
   // Edits; each can be undone.
   QUndoStack& undoStack() { return undo_; }
@@ -62,7 +70,8 @@ class PrepareSession : public QObject {
   /// The case has no start pose, none is kept, and the probe stands somewhere.
   bool lacksStart() const;
   /// What of these belongs to the case and is not in it; null without.
-  ui::CaseEdit unsavedEdit() const;
+  ui::CaseEdit unsavedEdit();
+  bool isUnsaved() const;
   /// What was made visible, hidden or translucent here and is not in the case; null without.
   ui::CaseEdit quietEdit() const;
 
@@ -92,6 +101,8 @@ class PrepareSession : public QObject {
   /// What just happened, for some seconds.
   void say(const QString& sentence);
   static constexpr int kSaid_ms = 7000;
+  /// As many edits can be undone as LabelEdit remembers steps.
+  static constexpr int kMostUndo = int(LabelEdit::kMostSteps);
 
  Q_SIGNALS:
   void caseChanged();
@@ -116,12 +127,15 @@ class PrepareSession : public QObject {
   void push(std::uint8_t label, const StructureLook& look, const QString& what);
   void takeMeasures();
   std::vector<ui::SurfaceWish> missingSurfaces();
+  std::vector<ui::SurfaceWish> changedSurfaces(const LabelSet& labels) const;
+  void tellHidden();
   void tellEdits();
   QString placeText() const;
 
   ui::CaseOrigin origin_;
   std::shared_ptr<const PatientCase> patient_;
   std::vector<std::uint8_t> structures_;
+  LabelSet added_;               ///< labels that are listed before they are counted
   StructureLooks looks_, kept_;  ///< now, and when the case was opened or saved
   std::map<std::uint8_t, Habit> habits_;
   std::array<bool, 256> surfaceWanted_{};
@@ -138,6 +152,8 @@ class PrepareSession : public QObject {
   QUndoStack undo_;
   CaseMeasuring measuring_;
   LivePatient live_;
+  LabelSession labelling_;
+  LabelFollowers followers_;
 };
 
 }  // namespace insonate::prepare

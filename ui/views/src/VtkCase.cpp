@@ -8,6 +8,9 @@
 namespace insonate::views {
 namespace {
 
+/// A view that has missed more than these is drawn anew.
+constexpr std::size_t kChangesKept = 64;
+
 void point(vtkShortArray& voxels, const CtVolume& ct) {
   // VTK has no arrays of constants; nothing here writes to this one.
   voxels.SetArray(const_cast<std::int16_t*>(ct.voxels.data()), static_cast<vtkIdType>(ct.voxels.size()), 1);
@@ -33,7 +36,7 @@ vtkSmartPointer<vtkImageData> wrapped(const CtVolume& ct) {
 }  // namespace
 
 VtkCase::VtkCase(std::shared_ptr<const PatientCase> patient)
-    : patient_(std::move(patient)), ct_(wrapped(patient_->ct)) {}
+    : patient_(std::move(patient)), ct_(wrapped(patient_->ct)), changes_{{1, boxOf(patient_->labels.geometry)}} {}
 VtkCase::~VtkCase() = default;
 
 bool VtkCase::setPatient(std::shared_ptr<const PatientCase> patient) {
@@ -48,6 +51,19 @@ bool VtkCase::setPatient(std::shared_ptr<const PatientCase> patient) {
 
 vtkImageData* VtkCase::ct() const {
   return ct_;
+}
+
+void VtkCase::labelsChanged(const VoxelBox& box) {
+  changes_.push_back({labelRevision() + 1, box});
+  if (changes_.size() > kChangesKept) changes_.pop_front();
+}
+
+VoxelBox VtkCase::changedSince(std::uint64_t revision) const {
+  if (revision + 1 < changes_.front().revision) return boxOf(patient_->labels.geometry);
+  VoxelBox all;
+  for (const Change& change : changes_)
+    if (change.revision > revision) all = united(all, change.box);
+  return all;
 }
 
 void VtkCase::setEditedLabels(std::shared_ptr<const LabelMap> labels) {

@@ -22,7 +22,7 @@ bool isFit(const std::vector<Finding>& findings) {
   return std::ranges::none_of(findings, [](const Finding& f) { return f.severity == Severity::kError; });
 }
 
-Result<std::vector<Finding>> checkCase(const PatientCase& patient, const Progress& progress) {
+Result<std::vector<Finding>> checkCase(const CaseView& patient, const Progress& progress) {
   using namespace check;
   Findings findings;
   const auto cancelled = [&](double fraction) { return !report(progress, "Checking the case", fraction); };

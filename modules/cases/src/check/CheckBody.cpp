@@ -62,7 +62,7 @@ std::string percent(double share) {
 
 }  // namespace
 
-void checkBody(const PatientCase& patient, Findings& findings) {
+void checkBody(const CaseView& patient, Findings& findings) {
   const LabelMap& labels = patient.labels;
   const int endAxis = headFootAxis(labels.geometry);
   const std::vector<std::uint8_t> outside = floodFromSides(labels, kBackground, endAxis);

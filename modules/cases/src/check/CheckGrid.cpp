@@ -22,7 +22,7 @@ int headFootAxis(const VolumeGeometry& g) {
   return best;
 }
 
-void checkGrid(const PatientCase& patient, const LabelStatistics& s, Findings& findings) {
+void checkGrid(const CaseView& patient, const LabelStatistics& s, Findings& findings) {
   constexpr double kProbeDepth_mm = 30, kCoarse_mm = 3, kUseless_mm = 10;
   const VolumeGeometry& g = patient.ct.geometry;
   const int fewest = std::min({g.size[0], g.size[1], g.size[2]});

@@ -100,7 +100,7 @@ std::size_t LabelStatistics::labelled() const {
   return std::accumulate(voxels.begin() + 1, voxels.end(), std::size_t{0});
 }
 
-LabelStatistics statisticsOf(const PatientCase& patient) {
+LabelStatistics statisticsOf(const CaseView& patient) {
   LabelStatistics s;
   const auto& hu = patient.ct.voxels;
   const auto [lowest, highest] = std::ranges::minmax_element(hu);
@@ -126,7 +126,7 @@ double voxelVolume_mm3(const VolumeGeometry& g) {
   return g.spacing_mm.x * g.spacing_mm.y * g.spacing_mm.z;
 }
 
-void checkLabels(const PatientCase& patient, const LabelStatistics& s, Findings& findings) {
+void checkLabels(const CaseView& patient, const LabelStatistics& s, Findings& findings) {
   checkPresence(s, findings);
   const auto firstOf = [&](int label) {
     const auto at = std::ranges::find(patient.labels.voxels, static_cast<std::uint8_t>(label));

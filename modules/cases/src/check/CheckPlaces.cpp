@@ -16,7 +16,7 @@ bool inVolume(const VolumeGeometry& g, Vec3 p_mm) {
   return true;
 }
 
-void checkTarget(const PatientCase& patient, const Target& target, Findings& findings) {
+void checkTarget(const CaseView& patient, const Target& target, Findings& findings) {
   const VolumeGeometry& g = patient.labels.geometry;
   const std::string what = "The target \"" + target.name + "\" at " + placeText(target.position_mm);
   if (!inVolume(g, target.position_mm)) {
@@ -32,7 +32,7 @@ void checkTarget(const PatientCase& patient, const Target& target, Findings& fin
                         target.position_mm});
 }
 
-void checkPose(const PatientCase& patient, const StartPose& pose, bool labelled, Findings& findings) {
+void checkPose(const CaseView& patient, const StartPose& pose, bool labelled, Findings& findings) {
   const VolumeGeometry& g = patient.labels.geometry;
   const std::string what = "The start pose \"" + pose.name + "\" at " + placeText(pose.position_mm);
   if (!inVolume(g, pose.position_mm)) {
@@ -65,7 +65,7 @@ Vec3 placeOf(const VolumeGeometry& g, std::size_t offset) {
                                      double(row / std::size_t(g.size[1]))};
 }
 
-void checkPlaces(const PatientCase& patient, Findings& findings) {
+void checkPlaces(const CaseView& patient, Findings& findings) {
   const CaseManifest& m = patient.manifest;
   const bool labelled = std::ranges::any_of(patient.labels.voxels, [](std::uint8_t v) { return v != 0; });
   if (m.targets.empty())

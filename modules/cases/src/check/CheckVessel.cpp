@@ -46,7 +46,7 @@ bool isGap(const Part& lower, const Part& upper) {
 
 }  // namespace
 
-void checkVessel(const PatientCase& patient, std::uint8_t label, Findings& findings) {
+void checkVessel(const CaseView& patient, std::uint8_t label, Findings& findings) {
   constexpr double kCrumb_mm3 = 30;  // less than 5 mm of a vessel 3 mm wide
   const std::string name = labelName(label);
   const int axis = headFootAxis(patient.labels.geometry);

@@ -23,7 +23,7 @@ struct LabelStatistics {
   std::size_t labelled() const;
 };
 
-LabelStatistics statisticsOf(const PatientCase& patient);
+LabelStatistics statisticsOf(const CaseView& patient);
 std::string labelName(int label);
 /// "(1.0, -2.0, 3.0) mm"
 std::string placeText(Vec3 patient_mm);
@@ -34,14 +34,14 @@ double voxelVolume_mm3(const VolumeGeometry& geometry);
 int headFootAxis(const VolumeGeometry& geometry);
 
 /// Size and spacing of the volume, and whether there is a picture in it.
-void checkGrid(const PatientCase& patient, const LabelStatistics& statistics, Findings& findings);
+void checkGrid(const CaseView& patient, const LabelStatistics& statistics, Findings& findings);
 /// Missing and unknown labels; HU that a label cannot have; labels in air.
-void checkLabels(const PatientCase& patient, const LabelStatistics& statistics, Findings& findings);
+void checkLabels(const CaseView& patient, const LabelStatistics& statistics, Findings& findings);
 /// Closed skin, background inside the body, body cut by the volume's sides.
-void checkBody(const PatientCase& patient, Findings& findings);
+void checkBody(const CaseView& patient, Findings& findings);
 /// Vein and artery: fragments, thinness.
-void checkVessel(const PatientCase& patient, std::uint8_t label, Findings& findings);
+void checkVessel(const CaseView& patient, std::uint8_t label, Findings& findings);
 /// Targets and start poses.
-void checkPlaces(const PatientCase& patient, Findings& findings);
+void checkPlaces(const CaseView& patient, Findings& findings);
 
 }  // namespace insonate::check

@@ -35,7 +35,7 @@ void join(LabelChange& all, const LabelChange& part) {
 }  // namespace
 
 LabelEdit::LabelEdit(const CtVolume& ct, LabelMap& labels, std::size_t mostBytes)
-    : ct_(ct), labels_(labels), mostBytes_(mostBytes) {}
+    : ct_(&ct), labels_(labels), mostBytes_(mostBytes) {}
 
 Result<LabelChange> LabelEdit::apply(const Proposal& proposal, std::string name) {
   if (auto ok = check(proposal); !ok) return tl::unexpected(ok.error());
@@ -78,7 +78,7 @@ LabelEdit::Difference LabelEdit::write(const Proposal& proposal) {
       for (int i = box.first[0]; i < box.end[0]; ++i, ++wanted) {
         std::uint8_t& label = labels_.at(i, j, k);
         if (*wanted == Proposal::kKeep || *wanted == label) continue;
-        if (fixed.test(label) || fixed.test(*wanted) || !rules.over.test(label) || !editable.contains(ct_.at(i, j, k)))
+        if (fixed.test(label) || fixed.test(*wanted) || !rules.over.test(label) || !editable.contains(ct_->at(i, j, k)))
           continue;
         packer.add(std::size_t(j) * ni + i, label, *wanted);
         changes[slice].add(i, j, label, *wanted);

@@ -173,11 +173,16 @@ Result<Proposal> propose(const LabelStep& step, const CtVolume& ct, const LabelM
   return std::visit(Proposer(step, ct, labels, progress), step.tool);
 }
 
+EditRules rulesOf(const LabelStep& step) {
+  EditRules rules{.locked = setOf(step.locked), .hidden = {}, .editable = step.editable_HU};
+  if (step.over) rules.over = setOf(*step.over).set(step.label);
+  return rules;
+}
+
 Result<LabelChange> perform(const LabelStep& step, LabelEdit& edit, const Progress& progress) {
   auto proposal = propose(step, edit.ct(), edit.labels(), progress);
   if (!proposal) return tl::unexpected(proposal.error());
-  EditRules rules{.locked = setOf(step.locked), .hidden = {}, .editable = step.editable_HU};
-  if (step.over) rules.over = setOf(*step.over).set(step.label);
+  EditRules rules = rulesOf(step);
   std::swap(edit.rules, rules);
   auto change = edit.apply(*proposal, std::string(nameOf(step.tool)));
   std::swap(edit.rules, rules);

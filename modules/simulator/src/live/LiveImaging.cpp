@@ -8,11 +8,11 @@
 namespace insonate {
 namespace {
 
-Result<void> checkCase(const PatientCase* patient) {
-  if (!patient || patient->ct.voxels.empty() || patient->labels.voxels.empty())
+Result<void> checkVolumes(const CaseVolumes& patient) {
+  if (!patient.ct || !patient.labels || patient.ct->voxels.empty() || patient.labels->voxels.empty())
     return fail("There is no case to image; open one first.");
-  if (!sameGrid(patient->ct.geometry, patient->labels.geometry) ||
-      patient->ct.voxels.size() != patient->labels.voxels.size())
+  if (!sameGrid(patient.ct->geometry, patient.labels->geometry) ||
+      patient.ct->voxels.size() != patient.labels->voxels.size())
     return fail("The CT and the label map lie on different grids; resample one to the other.");
   return {};
 }
@@ -86,10 +86,9 @@ LiveStatus LiveImaging::Impl::status() const {
 LiveImaging::LiveImaging(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 LiveImaging::~LiveImaging() = default;
 
-Result<std::unique_ptr<LiveImaging>> LiveImaging::make(std::shared_ptr<const PatientCase> patient,
-                                                       const ImagingSetup& setup, const Transform& patientFromProbe,
-                                                       const LiveOptions& options) {
-  if (auto ok = checkCase(patient.get()); !ok) return tl::unexpected(ok.error());
+Result<std::unique_ptr<LiveImaging>> LiveImaging::make(CaseVolumes patient, const ImagingSetup& setup,
+                                                       const Transform& patientFromProbe, const LiveOptions& options) {
+  if (auto ok = checkVolumes(patient); !ok) return tl::unexpected(ok.error());
   if (!isRigid(patientFromProbe))
     return fail("The probe's pose is not a rotation and a place; take one from patientFromProbe() or a start pose.");
   if (auto ok = checkPhysiology(options.physiology); !ok) return tl::unexpected(ok.error());

@@ -40,14 +40,13 @@ LiveImaging::Impl::Source::Source(std::shared_ptr<const ImagingSetup> of, Imager
       need(*setup, volume),
       framesToSettle(insonate::framesToSettle(setup->settings.persistence)) {}
 
-LiveImaging::Impl::Impl(std::shared_ptr<const PatientCase> patient, std::shared_ptr<const ImagingSetup> setup,
-                        Imager imager, PressedTissue tissue, const Transform& patientFromProbe,
-                        const LiveOptions& options)
+LiveImaging::Impl::Impl(CaseVolumes patient, std::shared_ptr<const ImagingSetup> setup, Imager imager,
+                        PressedTissue tissue, const Transform& patientFromProbe, const LiveOptions& options)
     : patient_(std::move(patient)),
       options_(completed(options)),
       pulsating_(options.pulsating),
       cine_(options.cineBytes),
-      active_(std::move(setup), std::move(imager), std::move(tissue), patient_->labels.geometry),
+      active_(std::move(setup), std::move(imager), std::move(tissue), patient_.labels->geometry),
       pose_(patientFromProbe),
       physiology_(options.physiology),
       builder_(patient_, options_.threads, options_.workAhead, [this] { wake(); }),
@@ -109,7 +108,7 @@ void LiveImaging::Impl::takeInputs() {
     auto imager = Imager::make(**setup);
     auto tissue = PressedTissue::make((*setup)->probe, (*setup)->settings, (*setup)->mechanics, kIterations);
     if (imager && tissue)
-      next_.emplace(std::move(*setup), std::move(*imager), std::move(*tissue), patient_->labels.geometry);
+      next_.emplace(std::move(*setup), std::move(*imager), std::move(*tissue), patient_.labels->geometry);
     else
       setState(LiveState::Failed, imager ? tissue.error().message : imager.error().message);
   }

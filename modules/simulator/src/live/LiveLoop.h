@@ -19,8 +19,8 @@ class LiveImaging::Impl {
  public:
   static constexpr int kIterations = 4;  ///< of the tissue's model, for one picture
 
-  Impl(std::shared_ptr<const PatientCase> patient, std::shared_ptr<const ImagingSetup> setup, Imager imager,
-       PressedTissue tissue, const Transform& patientFromProbe, const LiveOptions& options);
+  Impl(CaseVolumes patient, std::shared_ptr<const ImagingSetup> setup, Imager imager, PressedTissue tissue,
+       const Transform& patientFromProbe, const LiveOptions& options);
   ~Impl();
 
   void setPose(const Transform& patientFromProbe);
@@ -85,7 +85,7 @@ class LiveImaging::Impl {
   static bool suits(const live::SceneJob& job, const Source& source);
   double now_s() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
 
-  const std::shared_ptr<const PatientCase> patient_;
+  const CaseVolumes patient_;
   const LiveOptions options_;
   const Clock::time_point begin_ = Clock::now();
 

@@ -8,8 +8,7 @@
 
 namespace insonate::live {
 
-SceneBuilder::SceneBuilder(std::shared_ptr<const PatientCase> patient, int threads, bool workAhead,
-                           std::function<void()> whenDone)
+SceneBuilder::SceneBuilder(CaseVolumes patient, int threads, bool workAhead, std::function<void()> whenDone)
     : patient_(std::move(patient)),
       threads_(threads),
       workAhead_(workAhead),
@@ -82,7 +81,7 @@ void SceneBuilder::work() {
 /// What scenes share is found with the first of them, so that nobody else waits for it.
 void SceneBuilder::findSource() {
   if (source_) return;
-  auto source = makeSceneSource(*patient_);
+  auto source = SceneSource::make(*patient_.ct, *patient_.labels);
   if (!source) {
     sourceError_ = source.error().message;
     return;

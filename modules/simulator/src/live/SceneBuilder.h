@@ -2,6 +2,7 @@
 
 #include "live/ScenesAhead.h"
 
+#include <insonate/cases/CaseView.h>
 #include <insonate/simulator/Imager.h>
 
 #include <atomic>
@@ -35,7 +36,7 @@ struct BuiltScene {
 class SceneBuilder {
  public:
   /// `whenDone` is called on the worker each time that take() has something.
-  SceneBuilder(std::shared_ptr<const PatientCase> patient, int threads, bool workAhead, std::function<void()> whenDone);
+  SceneBuilder(CaseVolumes patient, int threads, bool workAhead, std::function<void()> whenDone);
   /// Cancels and waits.
   ~SceneBuilder();
 
@@ -52,7 +53,7 @@ class SceneBuilder {
 
   void findSource();
 
-  std::shared_ptr<const PatientCase> patient_;
+  CaseVolumes patient_;
   int threads_;
   bool workAhead_;
   std::function<void()> whenDone_;

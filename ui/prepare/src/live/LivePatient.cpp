@@ -38,6 +38,7 @@ void LivePatient::stop() {
 void LivePatient::setPatient(std::shared_ptr<const PatientCase> patient, std::vector<ui::SurfaceWish> wishes) {
   stop();
   patient_ = std::move(patient);
+  labels_ = nullptr;
   start_.reset(), hand_.reset(), wanted_mm_.reset();
   shown_ = nullptr;
   status_ = {};
@@ -95,9 +96,16 @@ void LivePatient::wantSurface(const ui::SurfaceWish& wish) {
   worker_->want({wish});
 }
 
+void LivePatient::setLabels(std::shared_ptr<const LabelMap> labels, std::vector<ui::SurfaceWish> wishes) {
+  labels_ = std::move(labels);
+  for (const ui::SurfaceWish& wish : wishes) wantSurface(wish);
+  if (feed_.live()) startLive();
+}
+
 void LivePatient::setAwake(bool awake) {
   if (awake == awake_) return;
   awake_ = awake;
+  stale_ = false;
   if (!awake)
     feed_.set(nullptr);
   else
@@ -117,12 +125,13 @@ void LivePatient::startLive() {
   if (!awake_ || !patient_ || !where) return;
   LiveOptions options;
   options.cineBytes = kCineBytes;
-  auto live = LiveImaging::make(patient_, setup_, *where, options);
+  auto live = LiveImaging::make(labels_ ? CaseVolumes(patient_, labels_) : patient_, setup_, *where, options);
   if (!live) {
     trouble_ = QString::fromStdString(live.error().message);
     feed_.set(nullptr);
   } else {
     feed_.set(std::move(*live));
+    stale_ = true;
   }
   Q_EMIT stateChanged();
 }
@@ -133,6 +142,7 @@ void LivePatient::news() {
   auto frame = feed_.live()->latest();
   if (frame && frame != shown_) {
     shown_ = std::move(frame);
+    stale_ = false;
     Q_EMIT pictureShown();
   }
   Q_EMIT stateChanged();
@@ -167,7 +177,7 @@ bool LivePatient::isSettled() const {
   if (!patient_) return true;
   if (!surfacesDone_) return false;
   if (!trouble_.isEmpty() || status_.state == LiveState::Failed) return true;
-  return shown_ && pose() && shown_->patientFromProbe == *pose();
+  return shown_ && !stale_ && pose() && shown_->patientFromProbe == *pose();
 }
 
 QString LivePatient::state() const {

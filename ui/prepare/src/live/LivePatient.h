@@ -28,6 +28,8 @@ class LivePatient : public QObject {
   /// The same voxels in other memory: nothing is made anew but the live probe.
   void replacePatient(std::shared_ptr<const PatientCase> patient);
   void wantSurface(const ui::SurfaceWish& wish);
+  /// Edited labels in place of the patient's: the picture is made of them from now on, and these surfaces.
+  void setLabels(std::shared_ptr<const LabelMap> labels, std::vector<ui::SurfaceWish> wishes);
   /// Asleep, there is no probe and no scene; what was made stays.
   void setAwake(bool awake);
   /// Ends the threads.
@@ -66,6 +68,7 @@ class LivePatient : public QObject {
   void moved();
 
   std::shared_ptr<const PatientCase> patient_;
+  std::shared_ptr<const LabelMap> labels_;  ///< edited; null for the patient's own
   ImagingSetup setup_;
   std::optional<StartPose> start_;
   std::optional<ProbeHand> hand_;
@@ -74,6 +77,7 @@ class LivePatient : public QObject {
   LiveStatus status_;
   QString trouble_;
   bool awake_ = false, surfacesDone_ = true;
+  bool stale_ = false;  ///< a live probe has begun that has not made a picture yet
   ui::LiveFeed feed_;
   std::unique_ptr<ui::CaseWorker> worker_;
 };

@@ -13,7 +13,7 @@ using Measured = std::shared_ptr<const CaseMeasures>;
 /// Counting takes this share of the time; the rest is the check's.
 constexpr double kCounting = 0.2;
 
-Result<Measured> measure(const PatientCase& patient, const Progress& progress) {
+Result<Measured> measure(const CaseView& patient, const Progress& progress) {
   const auto part = [&progress](double from, double to) -> Progress {
     return [&progress, from, to](std::string_view doing, double share) {
       return report(progress, doing, from + share * (to - from));
@@ -37,10 +37,20 @@ CaseMeasuring::CaseMeasuring(ui::TaskBar& tasks, QObject* parent) : QObject(pare
 CaseMeasuring::~CaseMeasuring() = default;
 
 void CaseMeasuring::setCase(std::shared_ptr<const PatientCase> patient) {
+  patient_ = std::move(patient);
+  labels_ = patient_ ? CaseVolumes(patient_).labels : nullptr;
+  measures_ = nullptr;
+  beginAgain();
+}
+
+void CaseMeasuring::setLabels(std::shared_ptr<const LabelMap> labels) {
+  labels_ = std::move(labels);
+  beginAgain();
+}
+
+void CaseMeasuring::beginAgain() {
   ++number_;
   if (state_ == State::Running) tasks_.cancel();
-  patient_ = std::move(patient);
-  measures_ = nullptr;
   trouble_.clear();
   enter(patient_ ? State::Waiting : State::Idle);
   // The window may be in the middle of the job that brought the case.
@@ -62,7 +72,10 @@ void CaseMeasuring::tryToRun() {
   if (state_ != State::Waiting || !allowed_ || tasks_.isRunning()) return;
   enter(State::Running);
   tasks_.run<Measured>(
-      tr("Checking the case"), [patient = patient_](const Progress& progress) { return measure(*patient, progress); },
+      tr("Checking the case"),
+      [patient = patient_, labels = labels_](const Progress& progress) {
+        return measure(CaseView(*patient, *labels), progress);
+      },
       [self = QPointer(this), number = ++number_](Result<Measured> result) {
         if (self) self->ended(number, std::move(result));
       });

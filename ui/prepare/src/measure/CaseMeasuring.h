@@ -33,6 +33,8 @@ class CaseMeasuring : public QObject {
 
   /// Forgets what was measured; null for no case.
   void setCase(std::shared_ptr<const PatientCase> patient);
+  /// Edited labels in place of the case's; what was measured before stays until the new measures are there.
+  void setLabels(std::shared_ptr<const LabelMap> labels);
   /// While not allowed, nothing begins; what runs goes on.
   void setAllowed(bool allowed);
   /// Begins, or begins again after a cancel.
@@ -48,12 +50,14 @@ class CaseMeasuring : public QObject {
   void changed();
 
  private:
+  void beginAgain();
   void tryToRun();
   void ended(int number, Result<std::shared_ptr<const CaseMeasures>> result);
   void enter(State state);
 
   ui::TaskBar& tasks_;
   std::shared_ptr<const PatientCase> patient_;
+  std::shared_ptr<const LabelMap> labels_;
   std::shared_ptr<const CaseMeasures> measures_;
   QString trouble_;
   State state_ = State::Idle;

@@ -48,6 +48,11 @@ CaseViews::CaseViews(PrepareSession& session, QWidget* parent)
   connect(&session_, &PrepareSession::lookChanged, this, [this](int label) { showLook(label); });
   connect(&session_, &PrepareSession::slicesChanged, this, [this] { showSlices(); });
   connect(&session_, &PrepareSession::crosshairMoved, this, [this] { showCrosshair(); });
+  connect(&session_.labelling(), &LabelSession::seenChanged, this, [this] { showSeen(); });
+  connect(&session_.labelling(), &LabelSession::changed, this, [this](const LabelChange& change) {
+    if (case_) case_->labelsChanged(change.box);
+    for (const auto& slice : slices_) slice->wantRender();
+  });
   const LivePatient& live = session_.live();
   connect(&live, &LivePatient::surfaceMade, this,
           [this](int label, const std::shared_ptr<const Mesh>& mesh) { showSurface(label, *mesh); });
@@ -116,8 +121,15 @@ void CaseViews::showCase() {
   for (ui::ViewWidget* view : widgets()) view->forget();
 }
 
+void CaseViews::showSeen() {
+  if (!case_ || case_->shared() != session_.patient()) return;
+  case_->setEditedLabels(session_.labelling().seen());
+}
+
 void CaseViews::replaceCase() {
-  if (case_) case_->setPatient(session_.patient());
+  if (!case_) return;
+  case_->setPatient(session_.patient());
+  showSeen();
 }
 
 void CaseViews::showLook(int label) {

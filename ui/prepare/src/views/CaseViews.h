@@ -50,6 +50,7 @@ class CaseViews : public QWidget {
   void arrange();
   void connectSlices();
   void showCase();
+  void showSeen();
   void showLook(int label);
   void showSlices();
   void showCrosshair();

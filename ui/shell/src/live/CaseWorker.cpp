@@ -28,6 +28,8 @@ class CaseWorker::Job {
   void want(const std::vector<SurfaceWish>& wishes) {
     {
       const std::lock_guard lock(mutex_);
+      for (const SurfaceWish& wish : wishes)
+        if (wish.labels) std::erase_if(wishes_, [&](const SurfaceWish& old) { return old.label == wish.label; });
       wishes_.insert(wishes_.end(), wishes.begin(), wishes.end());
     }
     changed_.notify_all();
@@ -145,7 +147,8 @@ void CaseWorker::Job::makeSurfaces() {
     const SurfaceWish wish = wishes_.front();
     wishes_.pop_front();
     lock.unlock();
-    const bool there = wish.label == kSkin ? !present.empty() : std::ranges::find(present, wish.label) != present.end();
+    const bool there = wish.labels || (wish.label == kSkin ? !present.empty()
+                                                           : std::ranges::find(present, wish.label) != present.end());
     if (there && wanted_.surface) makeSurface(wish);
     lock.lock();
   }
@@ -153,11 +156,12 @@ void CaseWorker::Job::makeSurfaces() {
 
 void CaseWorker::Job::makeSurface(const SurfaceWish& wish) {
   const Progress asked = [this](std::string_view, double) { return !left(); };
-  auto mesh = wish.label == kSkin ? extractBody(patient_->labels, wish.options, asked)
-                                  : extractSurface(patient_->labels, wish.label, wish.options, asked);
+  const LabelMap& labels = wish.labels ? *wish.labels : patient_->labels;
+  auto mesh = wish.label == kSkin ? extractBody(labels, wish.options, asked)
+                                  : extractSurface(labels, wish.label, wish.options, asked);
   // A structure that has no surface is not shown; nothing else depends on it.
-  if (!mesh) return;
-  deliver([label = wish.label, made = std::make_shared<const Mesh>(std::move(*mesh))](CaseWork& work) {
+  if (!mesh && !wish.labels) return;
+  deliver([label = wish.label, made = std::make_shared<const Mesh>(mesh ? std::move(*mesh) : Mesh())](CaseWork& work) {
     work.surface(label, made);
   });
 }

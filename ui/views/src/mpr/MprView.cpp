@@ -43,6 +43,15 @@ bool samePlane(const SlicePlane& a, const SlicePlane& b) {
          a.mm_per_px == b.mm_per_px && a.width_px == b.width_px && a.height_px == b.height_px;
 }
 
+/// Whether the slice shows voxels of a block.
+bool meets(const SlicePlane& plane, const VolumeGeometry& grid, const VoxelBox& box) {
+  if (box.empty()) return false;
+  const VolumeGeometry block = gridOf(grid, box);
+  const Extent extent = extentAlong(block, plane.axes.normal);
+  const double here_mm = dot(plane.centre_mm, plane.axes.normal);
+  return here_mm >= extent.low && here_mm <= extent.high;
+}
+
 }  // namespace
 
 MprView::MprView(SliceKind kind) : kind_(kind), drawing_(std::make_unique<Drawing>(*renderer())) {
@@ -242,7 +251,7 @@ void MprView::sample(const SlicePlane& plane) {
   if (asPicture()) drawing_->mask.apply(fanOn(plane), plane.width_px, plane.height_px, rgb);
   drawing_->quad.pictureChanged();
   drawing_->quad.place({0, 0}, {double(plane.width_px), double(plane.height_px)}, plane.height_px, {});
-  drawing_->sampled = plane, drawing_->sampledLabels = patient_->labelRevision(), drawing_->paintStale = false;
+  drawing_->sampled = plane, drawing_->paintStale = false;
 }
 
 void MprView::layout() {
@@ -253,11 +262,13 @@ void MprView::layout() {
     return;
   }
   const SlicePlane now = plane();
-  if (drawing_->paintStale || drawing_->sampledLabels != patient_->labelRevision() ||
-      !samePlane(now, drawing_->sampled)) {
+  const VoxelBox edited = patient_->changedSince(drawing_->sampledLabels);
+  if (drawing_->paintStale || !samePlane(now, drawing_->sampled) ||
+      meets(now, patient_->patient().ct.geometry, edited)) {
     if (drawing_->paintStale) paintLabels();
     sample(now);
   }
+  drawing_->sampledLabels = patient_->labelRevision();
   MprOverlay overlay;
   overlay.kind = kind_, overlay.windowLevel = windowLevel_;
   overlay.slice = asPicture() ? "CT" : sliceWords(kind_, patient_->patient().ct.geometry, now);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <insonate/cases/PatientCase.h>
+#include <insonate/cases/CaseView.h>
 #include <insonate/core/Progress.h>
 
 #include <optional>
@@ -25,7 +25,7 @@ struct Finding {
 
 /// Looks for everything that would make training on this case fail or mislead. Volumes must be on one grid.
 /// Fails only when cancelled.
-Result<std::vector<Finding>> checkCase(const PatientCase& patient, const Progress& progress = {});
+Result<std::vector<Finding>> checkCase(const CaseView& patient, const Progress& progress = {});
 
 /// True without errors; warnings do not count.
 bool isFit(const std::vector<Finding>& findings);

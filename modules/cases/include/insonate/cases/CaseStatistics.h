@@ -1,6 +1,6 @@
 #pragma once
 
-#include <insonate/cases/PatientCase.h>
+#include <insonate/cases/CaseView.h>
 #include <insonate/core/Progress.h>
 
 #include <array>
@@ -23,6 +23,6 @@ struct CaseStatistics {
 };
 
 /// Goes once over CT and labels, which must be on one grid. Fails on a case without voxels, and when cancelled.
-Result<CaseStatistics> caseStatistics(const PatientCase& patient, const Progress& progress = {});
+Result<CaseStatistics> caseStatistics(const CaseView& patient, const Progress& progress = {});
 
 }  // namespace insonate

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <insonate/cases/PatientCase.h>
+#include <insonate/cases/CaseView.h>
 
 namespace insonate {
 
@@ -11,9 +11,9 @@ namespace insonate {
 /// patient's left
 /// (+x in LPS), which is the right side of a transverse picture by convention. The body is every labelled voxel, or,
 /// where the label map is empty, everything denser than -300 HU. Fails when no skin is met.
-Result<StartPose> proposeStartPose(const PatientCase& patient);
+Result<StartPose> proposeStartPose(const CaseView& patient);
 
 /// The pose that `auto` means: the case's first start pose, else the proposed one.
-Result<StartPose> autoStartPose(const PatientCase& patient);
+Result<StartPose> autoStartPose(const CaseView& patient);
 
 }  // namespace insonate

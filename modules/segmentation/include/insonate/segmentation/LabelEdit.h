@@ -42,7 +42,9 @@ class LabelEdit {
 
   LabelEdit(const CtVolume& ct, LabelMap& labels, std::size_t mostBytes = kMostBytes);
 
-  const CtVolume& ct() const { return ct_; }
+  const CtVolume& ct() const { return *ct_; }
+  /// The same voxels in other memory.
+  void setCt(const CtVolume& ct) { ct_ = &ct; }
   const LabelMap& labels() const { return labels_; }
 
   EditRules rules;
@@ -87,7 +89,7 @@ class LabelEdit {
   void remember(Difference difference, std::string name);
   void forgetOldest();
 
-  const CtVolume& ct_;
+  const CtVolume* ct_;
   LabelMap& labels_;
   std::size_t mostBytes_;
   std::deque<Step> done_;

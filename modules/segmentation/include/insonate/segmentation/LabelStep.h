@@ -147,6 +147,9 @@ std::string_view nameOf(const LabelTool& tool);
 Result<Proposal> propose(const LabelStep& step, const CtVolume& ct, const LabelMap& labels,
                          const Progress& progress = {});
 
+/// What the step must leave alone, for who writes its proposal.
+EditRules rulesOf(const LabelStep& step);
+
 /// The same, written and remembered as one step. The step's own rules hold instead of the edit's.
 Result<LabelChange> perform(const LabelStep& step, LabelEdit& edit, const Progress& progress = {});
 

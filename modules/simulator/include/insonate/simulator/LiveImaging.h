@@ -1,5 +1,6 @@
 #pragma once
 
+#include <insonate/cases/CaseView.h>
 #include <insonate/deformation/Physiology.h>
 #include <insonate/simulator/Imager.h>
 #include <insonate/simulator/Tenting.h>
@@ -89,9 +90,8 @@ struct LiveOptions {
 class LiveImaging {
  public:
   /// Fails on a case without volumes or on differing grids, a setup that is out of range, and a pose that is not rigid.
-  static Result<std::unique_ptr<LiveImaging>> make(std::shared_ptr<const PatientCase> patient,
-                                                   const ImagingSetup& setup, const Transform& patientFromProbe,
-                                                   const LiveOptions& options = {});
+  static Result<std::unique_ptr<LiveImaging>> make(CaseVolumes patient, const ImagingSetup& setup,
+                                                   const Transform& patientFromProbe, const LiveOptions& options = {});
   ~LiveImaging();
   LiveImaging(const LiveImaging&) = delete;
   LiveImaging& operator=(const LiveImaging&) = delete;

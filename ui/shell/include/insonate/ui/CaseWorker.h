@@ -32,6 +32,9 @@ struct CaseWork {
 struct SurfaceWish {
   std::uint8_t label = 0;
   SurfaceOptions options;
+  /// Of these labels in place of the patient's, e.g. while they are edited: a structure that is gone comes as an empty
+  /// mesh, and of wishes for a label that wait, the last counts.
+  std::shared_ptr<const LabelMap> labels{};
 };
 
 /// Computes on a thread of its own. The destructor asks it to stop and drops what was not delivered yet, without

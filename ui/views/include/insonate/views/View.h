@@ -45,6 +45,8 @@ class View {
 
   /// Called when the view wants to be rendered again; called often, so collect before rendering.
   void setRenderWanted(std::function<void()> listener) { renderWanted_ = std::move(listener); }
+  /// For changes that views see by themselves, e.g. of what they share.
+  void wantRender() const;
   /// Called on other threads when they have made something that is to be rendered: pass it on to the window's thread.
   /// After this returns, the listener before is not called any more.
   void setWake(std::function<void()> listener);
@@ -75,8 +77,6 @@ class View {
   virtual void takeOver() {}
   virtual void draw();
   void changed();
-  /// For changes that need no layout.
-  void wantRender() const;
   double scale() const { return scale_; }
   vtkRenderWindow* window();
   /// From any thread.

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <insonate/cases/PatientCase.h>
+#include <insonate/image/VoxelBox.h>
 
 #include <vtkSmartPointer.h>
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 
 class vtkImageData;
@@ -31,15 +33,22 @@ class VtkCase {
   /// patient's own again). Not to be written to while a view renders.
   const LabelMap& labels() const { return edited_ ? *edited_ : patient_->labels; }
   void setEditedLabels(std::shared_ptr<const LabelMap> labels);
-  /// Say so after each change of voxels; then render the views.
-  void labelsChanged() { ++labelRevision_; }
-  std::uint64_t labelRevision() const { return labelRevision_; }
+  /// Say so after each change of voxels, and where they lie; then render the views.
+  void labelsChanged(const VoxelBox& box);
+  void labelsChanged() { labelsChanged(boxOf(patient_->labels.geometry)); }
+  std::uint64_t labelRevision() const { return changes_.back().revision; }
+  /// Holds every voxel that has changed after this revision.
+  VoxelBox changedSince(std::uint64_t revision) const;
 
  private:
   std::shared_ptr<const PatientCase> patient_;
   std::shared_ptr<const LabelMap> edited_;
   vtkSmartPointer<vtkImageData> ct_;
-  std::uint64_t labelRevision_ = 1;
+  struct Change {
+    std::uint64_t revision;
+    VoxelBox box;
+  };
+  std::deque<Change> changes_;  ///< the latest; never empty
 };
 
 /// Row by row, for VTK.

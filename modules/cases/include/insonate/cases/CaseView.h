@@ -1,0 +1,36 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+
+#include <memory>
+#include <utility>
+
+namespace insonate {
+
+/// What is read of a case: its own parts, or other labels in place of its own, e.g. while those are edited. Refers to
+/// what it is made of, which must outlive it.
+struct CaseView {
+  const CaseManifest& manifest;
+  const CtVolume& ct;
+  const LabelMap& labels;
+
+  CaseView(const PatientCase& patient)
+      : CaseView(patient, patient.labels) {}  // a case is seen wherever it is asked for
+  CaseView(const PatientCase& patient, const LabelMap& instead)
+      : manifest(patient.manifest), ct(patient.ct), labels(instead) {}
+};
+
+/// The volumes of a case for who keeps them: its own, or other labels beside its CT, so that nothing is copied where
+/// only labels change. They never change while they are shared.
+struct CaseVolumes {
+  std::shared_ptr<const CtVolume> ct;
+  std::shared_ptr<const LabelMap> labels;
+
+  /// Null where the patient is.
+  CaseVolumes(const std::shared_ptr<const PatientCase>& patient)
+      : CaseVolumes(patient, patient ? std::shared_ptr<const LabelMap>(patient, &patient->labels) : nullptr) {}
+  CaseVolumes(const std::shared_ptr<const PatientCase>& patient, std::shared_ptr<const LabelMap> instead)
+      : ct(patient ? std::shared_ptr<const CtVolume>(patient, &patient->ct) : nullptr), labels(std::move(instead)) {}
+};
+
+}  // namespace insonate

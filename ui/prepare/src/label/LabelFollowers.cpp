@@ -1,0 +1,44 @@
+#include "LabelFollowers.h"
+
+#include <utility>
+
+namespace insonate::prepare {
+namespace {
+
+constexpr int kSoon_ms = 400, kLater_ms = 2000;
+
+}  // namespace
+
+LabelFollowers::LabelFollowers(LabelSession& labels, LivePatient& live, CaseMeasuring& measuring, Wishes wishes,
+                               QObject* parent)
+    : QObject(parent), labels_(labels), live_(live), measuring_(measuring), wishes_(std::move(wishes)) {
+  soon_.setSingleShot(true), soon_.setInterval(kSoon_ms);
+  later_.setSingleShot(true), later_.setInterval(kLater_ms);
+  connect(&soon_, &QTimer::timeout, this, [this] { followSoon(); });
+  connect(&later_, &QTimer::timeout, this, [this] {
+    measuring_.setLabels(labels_.snapshot());
+    Q_EMIT restChanged();
+  });
+  connect(&labels_, &LabelSession::changed, this, [this](const LabelChange& change) {
+    changed_ |= change.labels;
+    soon_.start();
+    later_.start();
+    Q_EMIT restChanged();
+  });
+  // Another case: what was to follow is of the one before.
+  connect(&labels_, &LabelSession::caseSet, this, [this] {
+    changed_.reset();
+    soon_.stop();
+    later_.stop();
+    Q_EMIT restChanged();
+  });
+}
+
+void LabelFollowers::followSoon() {
+  const auto labels = labels_.snapshot();
+  std::vector<ui::SurfaceWish> wishes = wishes_(std::exchange(changed_, {}));
+  for (ui::SurfaceWish& wish : wishes) wish.labels = labels;
+  live_.setLabels(labels, std::move(wishes));
+}
+
+}  // namespace insonate::prepare

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "../live/LivePatient.h"
+#include "../measure/CaseMeasuring.h"
+#include "LabelSession.h"
+
+#include <QObject>
+#include <QTimer>
+#include <functional>
+
+namespace insonate::prepare {
+
+/// What is computed of the labels goes along with every edit, once the author pauses: the surfaces of the labels that
+/// have changed and the live picture soon, volumes and the check later.
+class LabelFollowers : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `wishes` says which of these labels have a surface to be made.
+  using Wishes = std::function<std::vector<ui::SurfaceWish>(const LabelSet& labels)>;
+
+  LabelFollowers(LabelSession& labels, LivePatient& live, CaseMeasuring& measuring, Wishes wishes, QObject* parent);
+
+  /// Nothing is on its way.
+  bool isAtRest() const { return !soon_.isActive() && !later_.isActive(); }
+
+ Q_SIGNALS:
+  void restChanged();
+
+ private:
+  void followSoon();
+
+  LabelSession& labels_;
+  LivePatient& live_;
+  CaseMeasuring& measuring_;
+  Wishes wishes_;
+  LabelSet changed_;
+  QTimer soon_, later_;
+};
+
+}  // namespace insonate::prepare

@@ -1,0 +1,70 @@
+#include "LabelPreview.h"
+
+#include <QFutureWatcher>
+#include <QtConcurrent/QtConcurrentRun>
+#include <exception>
+#include <string>
+#include <utility>
+
+namespace insonate::prepare {
+namespace {
+
+Result<std::shared_ptr<const Proposal>> proposed(const LabelStep& step, const CtVolume& ct, const LabelMap& labels,
+                                                 const std::atomic<bool>& stop) {
+  try {
+    auto made = propose(step, ct, labels, [&stop](std::string_view, double) { return !stop; });
+    if (!made) return tl::unexpected(made.error());
+    return std::make_shared<const Proposal>(std::move(*made));
+  } catch (const std::exception& error) {
+    return fail("There is not enough memory for this preview (" + std::string(error.what()) +
+                "); close other programs.");
+  }
+}
+
+}  // namespace
+
+LabelPreview::~LabelPreview() {
+  if (stop_) *stop_ = true;
+}
+
+void LabelPreview::want(LabelStep step, std::shared_ptr<const CtVolume> ct, std::shared_ptr<const LabelMap> labels) {
+  next_ = Wish{std::move(step), std::move(ct), std::move(labels)};
+  if (stop_)
+    *stop_ = true;
+  else
+    begin(*std::exchange(next_, std::nullopt));
+}
+
+void LabelPreview::clear() {
+  ++number_;
+  next_.reset();
+  if (stop_) *stop_ = true;
+  if (!std::exchange(proposal_, nullptr)) return;
+  Q_EMIT changed();
+}
+
+void LabelPreview::begin(Wish wish) {
+  stop_ = std::make_shared<std::atomic<bool>>(false);
+  auto* watcher = new QFutureWatcher<Made>(this);
+  connect(watcher, &QFutureWatcher<Made>::finished, this, [this, watcher, number = number_] {
+    watcher->deleteLater();
+    take(number, watcher->result());
+  });
+  watcher->setFuture(QtConcurrent::run(
+      [wish = std::move(wish), stop = stop_] { return proposed(wish.step, *wish.ct, *wish.labels, *stop); }));
+}
+
+void LabelPreview::take(int number, const Made& made) {
+  stop_ = nullptr;
+  if (number == number_ && made) {
+    proposal_ = *made;
+    Q_EMIT changed();
+  }
+  if (next_) return begin(*std::exchange(next_, std::nullopt));
+  if (number != number_ || made) return;
+  proposal_ = nullptr;
+  Q_EMIT changed();
+  if (made.error().message != kCancelled) Q_EMIT failed(QString::fromStdString(made.error().message));
+}
+
+}  // namespace insonate::prepare

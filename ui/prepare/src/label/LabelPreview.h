@@ -1,0 +1,53 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/segmentation/LabelStep.h>
+
+#include <QObject>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace insonate::prepare {
+
+/// What a step would write, computed on another thread. The latest step wins: one that is superseded is told to stop,
+/// and is shown only if it was done already, so that a slider that is dragged is followed.
+class LabelPreview : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+  ~LabelPreview() override;
+
+  /// CT and labels never change meanwhile.
+  void want(LabelStep step, std::shared_ptr<const CtVolume> ct, std::shared_ptr<const LabelMap> labels);
+  /// Nothing is shown, and what is computed is dropped.
+  void clear();
+
+  /// Null for none.
+  const std::shared_ptr<const Proposal>& proposal() const { return proposal_; }
+  bool isComputing() const { return stop_ != nullptr; }
+
+ Q_SIGNALS:
+  void changed();
+  /// The step cannot be done: a sentence.
+  void failed(const QString& sentence);
+
+ private:
+  using Made = Result<std::shared_ptr<const Proposal>>;
+  struct Wish {
+    LabelStep step;
+    std::shared_ptr<const CtVolume> ct;
+    std::shared_ptr<const LabelMap> labels;
+  };
+  void begin(Wish wish);
+  void take(int number, const Made& made);
+
+  std::shared_ptr<const Proposal> proposal_;
+  std::shared_ptr<std::atomic<bool>> stop_;  ///< of what is computed; null for nothing
+  std::optional<Wish> next_;
+  int number_ = 0;
+};
+
+}  // namespace insonate::prepare

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <insonate/segmentation/LabelStep.h>
+#include <insonate/tissue/Labels.h>
+
+#include <optional>
+
+namespace insonate::prepare {
+
+/// What the author has said that tools must leave alone; of the whole window, where a step has rules of its own.
+struct LabelRules {
+  /// Which labels may be overwritten, of those that are neither locked nor hidden.
+  enum class Over { Every, Filling };
+
+  LabelSet locked, hidden;
+  Over over = Over::Every;
+  std::optional<HuRange> editable;
+
+  bool mayEdit(std::uint8_t label) const { return !locked.test(label) && !hidden.test(label); }
+};
+
+/// What fills the body between structures that have a name: overwriting nothing else spares what was labelled before.
+inline constexpr std::uint8_t kFilling[] = {kBackground, kFat, kMuscle, kSoftTissue};
+
+/// The step with these rules, but for those it has itself.
+LabelStep withRules(LabelStep step, const LabelRules& rules);
+
+}  // namespace insonate::prepare

@@ -1,0 +1,137 @@
+#pragma once
+
+#include "LabelPreview.h"
+#include "LabelRules.h"
+#include "LabelSnapshots.h"
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/segmentation/Recipe.h>
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace insonate::ui {
+class TaskBar;
+}
+
+namespace insonate::prepare {
+
+/// The labels of the open case while they are edited: tools, brush strokes, undo, what is recorded, what is not saved.
+///
+/// Three maps, and who may touch them. The case's own labels never change while they are shared. The working map is a
+/// copy that is made when the first tool is taken up; brush strokes, undo and redo write it on the window's thread.
+/// Everything on other threads (tools, previews, surfaces, the live picture, the check, saving) reads a snapshot
+/// (LabelSnapshots), which shares the CT of the case and takes as long as what has changed since the last one. While a
+/// tool's result is being written, on another thread, the window reads the snapshot, too. So no map is read and written
+/// at once. Memory beside the case: the working map, as a rule two snapshots, one proposal, and LabelEdit's steps.
+///
+/// For the window's thread.
+class LabelSession : public QObject {
+  Q_OBJECT
+
+ public:
+  using Done = std::function<void(const Result<LabelChange>&)>;
+
+  LabelSession(ui::TaskBar& tasks, QUndoStack& undo, QObject* parent);
+  ~LabelSession() override;
+
+  /// Another case, null for none: edits are forgotten, a tool that runs is stopped.
+  void setCase(std::shared_ptr<const PatientCase> patient);
+  /// The same case, written to disk with labels() as they were then.
+  void replaceCase(std::shared_ptr<const PatientCase> patient);
+
+  /// What is seen now. A case is open.
+  const LabelMap& labels() const { return *seen(); }
+  /// The same, shared with views of this thread; announced by seenChanged() when it is another map.
+  std::shared_ptr<const LabelMap> seen() const;
+  /// labels() as they are now, for other threads.
+  std::shared_ptr<const LabelMap> snapshot();
+  /// They differ from the case's.
+  bool isChanged() const { return state() != saved_; }
+
+  const LabelRules& rules() const { return rules_; }
+  void setRules(const LabelRules& rules);
+
+  /// A tool is at work: nothing else is edited.
+  bool isBusy() const { return busy_; }
+  /// Computes on another thread, as a long job of the window that can be cancelled, and writes what comes of it as one
+  /// step that can be undone and is recorded; rules() are added to the step's own. `done` hears of it, with kCancelled
+  /// where it was cancelled; other failures are told by failed(), too.
+  void run(LabelStep step, const QString& name, Done done = {});
+  /// What run() would write, in preview().
+  void wantPreview(LabelStep step);
+  LabelPreview& preview() { return preview_; }
+
+  /// A stroke of the brush, written at once: one step from its first to its last point. False, and failed(), where
+  /// nothing may be painted.
+  bool beginStroke(LabelStep step, const QString& name);
+  void strokeTo(Vec3 patient_mm);
+  void endStroke();
+
+  /// All steps since the case was opened that are not undone.
+  Recipe recipe() const;
+  /// Memory that undo takes.
+  std::size_t undoBytes() const { return edit_ ? edit_->bytes() : 0; }
+
+ Q_SIGNALS:
+  void caseSet();
+  /// Voxels have changed: by a tool, a stroke, undo or redo.
+  void changed(const insonate::LabelChange& change);
+  void seenChanged();
+  void busyChanged();
+  void rulesChanged();
+  void failed(const QString& sentence);
+
+ private:
+  friend class LabelCommand;
+  struct Writing {
+    LabelStep step;
+    QString name;
+    Done done;
+  };
+
+  /// False where the step was let go.
+  bool undo();
+  void redo();
+  /// Why a label may not be edited now; empty where it may.
+  QString refusal(std::uint8_t label) const;
+  void beginWork();
+  void write(LabelStep step, QString name, std::shared_ptr<const Proposal> proposal, Done done);
+  void finishWriting();
+  void settle();
+  void record(LabelStep step, const QString& name);
+  void announce(const LabelChange& change);
+  void endWriting();
+  void setBusy(bool busy);
+  int state() const { return steps_.empty() ? first_ : steps_.back().state; }
+
+  struct Step {
+    LabelStep step;
+    int state;  ///< a number of the labels after it
+  };
+
+  ui::TaskBar& tasks_;
+  QUndoStack& undo_;
+  std::shared_ptr<const PatientCase> patient_;
+  std::shared_ptr<LabelMap> working_;  ///< null before the first edit
+  std::unique_ptr<LabelEdit> edit_;
+  std::unique_ptr<LabelSnapshots> snapshots_;
+  std::shared_ptr<const LabelMap> before_;  ///< what is seen while a result is being written
+  LabelRules rules_;
+  LabelPreview preview_;
+  std::vector<Step> steps_, undone_;
+  int first_ = 0, saved_ = 0, states_ = 0;
+  bool busy_ = false;
+  std::optional<LabelStep> stroke_;
+  bool strokeRecorded_ = false;
+  QString strokeName_;
+  std::optional<Writing> atWork_;  ///< what is being written
+  QFutureWatcher<Result<LabelChange>> writing_;
+};
+
+}  // namespace insonate::prepare

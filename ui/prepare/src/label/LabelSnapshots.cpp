@@ -1,0 +1,49 @@
+#include "LabelSnapshots.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace insonate::prepare {
+namespace {
+
+void copyBlock(const LabelMap& from, const VoxelBox& box, LabelMap& to) {
+  tbb::parallel_for(box.first[2], box.end[2], [&](int k) {
+    for (int j = box.first[1]; j < box.end[1]; ++j) {
+      const std::uint8_t* const row = &from.at(box.first[0], j, k);
+      std::copy_n(row, box.length(0), &to.at(box.first[0], j, k));
+    }
+  });
+}
+
+}  // namespace
+
+void LabelSnapshots::changed(const VoxelBox& box) {
+  for (const auto& copy : copies_) copy->stale = united(copy->stale, box);
+  latest_.reset();
+}
+
+std::shared_ptr<const LabelMap> LabelSnapshots::take() {
+  if (auto latest = latest_.lock()) return latest;
+  const auto isFree = [](const auto& copy) { return !copy->held.load(std::memory_order_acquire); };
+  // The newest has the least to catch up; of the others, what is free is given back.
+  const auto newest = std::find_if(copies_.rbegin(), copies_.rend(), isFree);
+  std::shared_ptr<Copy> copy = newest == copies_.rend() ? nullptr : *newest;
+  std::erase_if(copies_, [&](const auto& one) { return one == copy || isFree(one); });
+  if (copy) {
+    if (!copy->stale.empty()) copyBlock(labels_, copy->stale, copy->map);
+  } else {
+    copy = std::make_shared<Copy>();
+    copy->map = labels_;
+  }
+  copy->stale = {};
+  copy->held.store(true, std::memory_order_relaxed);
+  copies_.push_back(copy);
+  const LabelMap* const map = &copy->map;
+  std::shared_ptr<const LabelMap> taken(
+      map, [copy](const LabelMap*) { copy->held.store(false, std::memory_order_release); });
+  latest_ = taken;
+  return taken;
+}
+
+}  // namespace insonate::prepare
