@@ -1,31 +1,21 @@
-#include "Waiting.h"
+#include "AccountWindow.h"
 
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/PeopleStore.h>
-#include <insonate/ui/Account.h>
-#include <insonate/ui/EmptyWorkspace.h>
-#include <insonate/ui/MainWindow.h>
 #include <insonate/ui/SiteExchange.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <QAction>
-#include <QApplication>
 #include <QComboBox>
 #include <QDialog>
 #include <QFile>
-#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
-#include <QSettings>
 #include <QTableWidget>
-#include <QTemporaryDir>
-#include <QToolButton>
 #include <QtTest/QTest>
-#include <memory>
 
 namespace {
 
@@ -33,91 +23,8 @@ using namespace insonate;
 using test::waitUntil;
 using State = ui::Account::State;
 
-const QString kPassword = "a long sentence";
-
-class AccountWindow : public testing::Test {
- protected:
-  void SetUp() override {
-    QSettings().clear();
-    open();
-  }
-
-  void open() {
-    window = std::make_unique<ui::MainWindow>(
-        std::make_unique<ui::Account>(file(), StoreServices{.passwordCost = PasswordCost::Least}));
-    window->addWorkspace("train", "Train", "train", new ui::EmptyWorkspace({"train", "Train", {}, {}, {}}));
-    window->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
-    QApplication::setActiveWindow(window.get());
-    ASSERT_TRUE(waitUntil([&] { return account().state() != State::Opening; }));
-  }
-
-  QString file() const { return home.filePath("people/curriculum.sqlite"); }
-  ui::Account& account() { return window->account(); }
-  QAction& action(const char* name) { return *window->findChild<QAction*>(name); }
-  QString header() {
-    for (const auto* button : window->findChildren<QToolButton*>())
-      if (button->accessibleName() == "Account menu") return button->text().trimmed();
-    return {};
-  }
-  /// The dialog with this field, which comes up in a moment.
-  QDialog* dialogWith(const char* field) {
-    QDialog* found = nullptr;
-    EXPECT_TRUE(waitUntil([&] {
-      for (auto* dialog : window->findChildren<QDialog*>())
-        if (dialog->isVisible() && dialog->findChild<QWidget*>(field)) found = dialog;
-      return found != nullptr;
-    })) << field;
-    return found;
-  }
-  void type(QDialog* dialog, const char* field, const QString& text) {
-    auto* line = dialog->findChild<QLineEdit*>(field);
-    line->selectAll();
-    line->clear();
-    QTest::keyClicks(line, text);
-  }
-  static void go(QDialog* dialog) { dialog->findChild<QPushButton*>("entryGo")->click(); }
-  static QString trouble(QDialog* dialog) { return dialog->findChild<QLabel*>("entryTrouble")->text(); }
-
-  void setUp() {
-    action("accountSetUp").trigger();
-    QDialog* dialog = dialogWith("setUpName");
-    type(dialog, "setUpName", "ada");
-    type(dialog, "setUpFullName", "Ada L.");
-    type(dialog, "setUpPassword", kPassword);
-    type(dialog, "setUpAgain", kPassword);
-    go(dialog);
-    ASSERT_TRUE(waitUntil([&] { return account().isSignedIn(); }));
-  }
-  void signOut() {
-    account().signOut();
-    ASSERT_TRUE(waitUntil([&] { return account().state() == State::Guest; }));
-  }
-  void signIn(const QString& name, const QString& password) {
-    action("accountSignIn").trigger();
-    QDialog* dialog = dialogWith("signInName");
-    type(dialog, "signInName", name);
-    type(dialog, "signInPassword", password);
-    go(dialog);
-  }
-  template <class T>
-  Result<T> asked(std::function<Result<T>(const SignedIn&)> question) {
-    Result<T> answer = fail("no answer came");
-    bool there = false;
-    account().ask<T>(window.get(), std::move(question),
-                     [&](Result<T> told) { answer = std::move(told), there = true; });
-    EXPECT_TRUE(waitUntil([&] { return there; }));
-    return answer;
-  }
-  QStringList row(const QTableWidget& table, int index) {
-    QStringList texts;
-    for (int column = 0; column < table.columnCount(); ++column) texts << table.item(index, column)->text();
-    return texts;
-  }
-
-  QTemporaryDir home;
-  std::unique_ptr<ui::MainWindow> window;
-};
+const QString kPassword = test::kAccountPassword;
+using AccountWindow = test::AccountWindow;
 
 TEST_F(AccountWindow, NothingIsWrittenBeforeSomebodySetsUp) {
   EXPECT_EQ(account().state(), State::NobodyYet);

@@ -58,7 +58,7 @@ AttemptFacts failing(const Curriculum& curriculum, const Level& level) {
 int passesFor(const MasteryRule& rule) {
   if (!rule.cusum) return rule.passesInARow;
   const double steps = rule.cusum->limit / LcCusum{rule.cusum->acceptable, rule.cusum->unacceptable}.successWeight();
-  constexpr double kMost = 2000;
+  constexpr double kMost = 600;
   return std::max(rule.passesInARow, static_cast<int>(std::min(std::ceil(steps + 1e-9) + 1, kMost)));
 }
 

@@ -190,9 +190,7 @@ void ClassPage::showPlace() {
         tr("No class is yours yet. An administrator makes classes and their instructors under Account > People "
            "(Alt+U); then they are here.");
   else if (desk_.facts() && desk_.facts()->learners.empty())
-    words =
-        tr("Nobody learns in this class yet. Add people under People and classes (Alt+U), or a list by insonate-cli "
-           "curriculum.");
+    words = tr("Nobody learns in this class yet. Add people, or a class list (CSV), under People and classes (Alt+U).");
   words_->setText(words);
   save_->setEnabled(words.isEmpty() && desk_.facts());
   centre_->setCurrentIndex(words.isEmpty() ? 1 : 0);

@@ -53,10 +53,6 @@ QString levelTitle(const Curriculum* curriculum, const std::string& level) {
   return QString::fromStdString(known ? known->title : level);
 }
 
-QString plainToolTip(const QString& text) {
-  return text.isEmpty() ? text : QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped());
-}
-
 QString outcomeOf(const AttemptFacts& attempt, const Curriculum* curriculum) {
   switch (attempt.state) {
     case AttemptState::Open:

@@ -3,6 +3,8 @@
 #include "ClassReading.h"
 #include "MetricBook.h"
 
+#include <insonate/ui/PlainToolTip.h>
+
 #include <QString>
 #include <cstdint>
 #include <string>
@@ -22,8 +24,7 @@ QString dayAndTimeOf(std::int64_t time_us);
 QString concernWord(Concern concern);
 /// The level's title, or its name where the curriculum lacks it or is not known.
 QString levelTitle(const Curriculum* curriculum, const std::string& level);
-/// A tooltip wraps where it is rich text; what stands in it is not.
-QString plainToolTip(const QString& text);
+using ui::plainToolTip;
 /// "Passed", "Failed because ...", "Given up", "Voided: ...", with what the level asks, where it is known.
 QString outcomeOf(const AttemptFacts& attempt, const Curriculum* curriculum);
 

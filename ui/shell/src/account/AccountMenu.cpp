@@ -1,5 +1,6 @@
 #include "AccountMenu.h"
 
+#include "CurriculumWindow.h"
 #include "EntryDialog.h"
 #include "PeopleWindow.h"
 #include "RoleWords.h"
@@ -46,6 +47,8 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, QWidget* window)
   password_ = add("accountPassword", tr("Change password ..."), tr("Your own"), [this] { askPassword(); });
   people_ = add("accountPeople", tr("People and classes ..."), tr("Who is here, in which classes, and as what"),
                 [this] { (new PeopleWindow(account_, window_))->show(); });
+  levels_ = add("accountLevels", tr("Curricula and levels ..."), tr("What is taught: levels, their rules, versions"),
+                [this] { (new CurriculumWindow(account_, window_))->show(); });
   server_ = add("accountServer", tr("Server of the site ..."), tr("Where this computer sends attempts to"),
                 [this] { askServer(); });
   again_ = add("accountAgain", tr("Try again"), tr("Open the store of people and attempts once more"),
@@ -82,6 +85,7 @@ void AccountMenu::refresh() {
   again_->setVisible(state == State::Unreachable);
   server_->setVisible(state == State::SignedIn && account_.person().role == Role::Administrator);
   people_->setVisible(state == State::SignedIn && account_.person().role != Role::Trainee);
+  levels_->setVisible(people_->isVisible());
   for (QAction* own : {details_, password_, signOut_}) own->setVisible(state == State::SignedIn);
   QString words = tr("Guest: attempts are recorded, and count for nobody");
   if (state == State::SignedIn)

@@ -36,7 +36,7 @@ class AccountMenu : public QMenu {
   Account& account_;
   SiteExchange& site_;
   QWidget* window_;
-  QAction *who_, *setUp_, *signIn_, *password_, *details_, *people_, *server_, *again_, *signOut_;
+  QAction *who_, *setUp_, *signIn_, *password_, *details_, *people_, *levels_, *server_, *again_, *signOut_;
 };
 
 }  // namespace insonate::ui

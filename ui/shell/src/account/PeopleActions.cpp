@@ -1,12 +1,12 @@
 // What the buttons of the window of people do.
+#include "ClassListDialog.h"
+#include "CurriculumWindow.h"
 #include "EntryDialog.h"
 #include "PeopleWindow.h"
 #include "RoleWords.h"
 
-#include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/FirstPassword.h>
 #include <insonate/curriculum/PeopleStore.h>
-#include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/ui/Account.h>
 
 #include <QComboBox>
@@ -40,19 +40,18 @@ EntryDialog::Action PeopleWindow::asking(std::function<Result<void>(const Signed
   };
 }
 
-/// A preset is published by whoever first teaches by it.
 void PeopleWindow::setCurriculum() {
   const int index = curriculum_->currentIndex() - 1;
   if (!cohort() || index < 0 || index >= int(curricula_.size())) return showCurricula();
-  change([one = curricula_[std::size_t(index)], cohort = cohort()->id](const SignedIn& by) -> Result<void> {
-    if (!one.published) {
-      const auto preset = loadCurriculum(one.name);
-      if (!preset) return tl::unexpected(preset.error());
-      const auto published = PublishedCurricula(by).publish(one.name, one.version, curriculumText(*preset));
-      if (!published) return tl::unexpected(published.error());
-    }
-    return CohortStore(by).setCurriculum(cohort, one.name, one.version);
+  change([one = curricula_[std::size_t(index)], cohort = cohort()->id](const SignedIn& by) {
+    return teachBy(by, one, cohort);
   });
+}
+
+void PeopleWindow::editLevels() {
+  auto* levels = new CurriculumWindow(account_, this);
+  connect(levels, &QDialog::finished, this, &PeopleWindow::read);
+  levels->show();
 }
 
 void PeopleWindow::addClass() {
@@ -97,6 +96,13 @@ void PeopleWindow::addPerson() {
   (new EntryDialog(tr("Add a person"), where + QLatin1Char(' ') + tr("The password is shown now and never again."),
                    entries, tr("Add"), asking(add), this))
       ->open();
+}
+
+void PeopleWindow::importList() {
+  if (!cohort()) return;
+  auto* dialog = new ClassListDialog(account_, *cohort(), this);
+  connect(dialog, &ClassListDialog::imported, this, &PeopleWindow::read);
+  dialog->open();
 }
 
 void PeopleWindow::editPerson() {

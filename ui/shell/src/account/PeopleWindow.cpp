@@ -2,9 +2,7 @@
 
 #include "RoleWords.h"
 
-#include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/PeopleStore.h>
-#include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/ui/Account.h>
 #include <insonate/ui/Theme.h>
 
@@ -115,6 +113,8 @@ QWidget* PeopleWindow::classColumn() {
   column->addWidget(renameClass_);
   column->addWidget(heading(tr("Curriculum")));
   column->addWidget(curriculum_);
+  column->addWidget(button("peopleLevels", tr("Levels ..."), tr("Look at curricula and write new versions"),
+                           &PeopleWindow::editLevels));
   side->setFixedWidth(220);
   return side;
 }
@@ -131,6 +131,8 @@ QWidget* PeopleWindow::peopleColumn() {
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   add_ = button("peopleAdd", tr("Add ..."), tr("Someone new, with a password to hand over"), &PeopleWindow::addPerson);
+  import_ = button("peopleImport", tr("Import a list ..."),
+                   tr("Everyone of a class list (CSV) into the class that is shown"), &PeopleWindow::importList);
   edit_ = button("peopleEdit", tr("Change ..."), tr("Name, e-mail and role"), &PeopleWindow::editPerson);
   password_ = button("peoplePassword", tr("New password ..."),
                      tr("For who has forgotten theirs, or is locked out; they choose their own at the next sign-in"),
@@ -150,7 +152,7 @@ QWidget* PeopleWindow::peopleColumn() {
                   &PeopleWindow::leave);
   auto* first = new QHBoxLayout;
   first->setSpacing(kGap);
-  for (QPushButton* one : {add_, edit_, password_, disable_}) first->addWidget(one);
+  for (QPushButton* one : {add_, import_, edit_, password_, disable_}) first->addWidget(one);
   first->addStretch();
   auto* second = new QHBoxLayout;
   second->setSpacing(kGap);
@@ -192,16 +194,9 @@ void PeopleWindow::tell(const QString& words) {
 Result<PeopleWindow::Read> PeopleWindow::readFrom(const SignedIn& by) {
   auto cohorts = CohortStore(by).cohorts();
   if (!cohorts) return tl::unexpected(cohorts.error());
-  const auto published = PublishedCurricula(by).list();
-  if (!published) return tl::unexpected(published.error());
-  Read read{.cohorts = std::move(*cohorts), .curricula = {}};
-  for (const CurriculumEntry& entry : *published) read.curricula.push_back({entry.name, entry.version, true});
-  for (const std::string& name : curriculumPresetNames()) {
-    const auto preset = loadCurriculum(name);
-    const auto isIt = [&](const Offered& one) { return one.name == name && one.version == preset->version; };
-    if (preset && std::ranges::none_of(read.curricula, isIt)) read.curricula.push_back({name, preset->version, false});
-  }
-  return read;
+  auto taught = taughtCurricula(by);
+  if (!taught) return tl::unexpected(taught.error());
+  return Read{std::move(*cohorts), std::move(*taught)};
 }
 
 void PeopleWindow::read() {
@@ -229,9 +224,10 @@ void PeopleWindow::showCurricula() {
   curriculum_->setEnabled(cohort());
   if (!cohort()) return;
   curriculum_->addItem(tr("none yet"));
-  for (const Offered& one : curricula_) {
+  for (const OfferedCurriculum& one : curricula_) {
     const QString version = tr("%1, version %2").arg(qt(one.name)).arg(one.version);
-    curriculum_->addItem(one.published ? version : tr("%1 (comes with Insonate)").arg(version));
+    curriculum_->addItem(one.kind == OfferedCurriculum::Kind::Published ? version
+                                                                        : tr("%1 (comes with Insonate)").arg(version));
     if (one.name == cohort()->curriculum && one.version == cohort()->curriculumVersion)
       curriculum_->setCurrentIndex(curriculum_->count() - 1);
   }
@@ -274,6 +270,7 @@ void PeopleWindow::refresh() {
   renameClass_->setVisible(all);
   renameClass_->setEnabled(cohort());
   add_->setEnabled(all || cohort());
+  import_->setEnabled(cohort());
   edit_->setVisible(all);
   disable_->setVisible(all);
   edit_->setEnabled(someone);

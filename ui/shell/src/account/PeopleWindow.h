@@ -1,5 +1,6 @@
 #pragma once
 
+#include "CurriculumShelf.h"
 #include "EntryDialog.h"
 
 #include <insonate/curriculum/CohortStore.h>
@@ -51,26 +52,23 @@ class PeopleWindow : public QDialog {
   void addClass();
   void renameClass();
   void addPerson();
+  void importList();
   void editPerson();
   void setPassword();
   void toggleDisabled();
   void join();
   void leave();
+  void editLevels();
 
   Account& account_;
-  struct Offered {
-    std::string name;
-    int version = 0;
-    bool published = false;  ///< or a preset
-  };
   struct Read {
     std::vector<Cohort> cohorts;
-    std::vector<Offered> curricula;
+    std::vector<OfferedCurriculum> curricula;
   };
   static Result<Read> readFrom(const SignedIn& by);
 
   std::vector<Cohort> cohorts_;
-  std::vector<Offered> curricula_;
+  std::vector<OfferedCurriculum> curricula_;
   std::vector<Shown> people_;
   QListWidget* classes_;
   QTableWidget* table_;
@@ -78,7 +76,7 @@ class PeopleWindow : public QDialog {
   QComboBox* target_;  ///< the class that the person joins
   QComboBox* as_;      ///< as what they join it
   QLabel* trouble_;
-  QPushButton *addClass_, *renameClass_, *add_, *edit_, *password_, *disable_, *join_, *leave_;
+  QPushButton *addClass_, *renameClass_, *add_, *import_, *edit_, *password_, *disable_, *join_, *leave_;
 };
 
 }  // namespace insonate::ui

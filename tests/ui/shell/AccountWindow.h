@@ -1,0 +1,114 @@
+#pragma once
+
+#include "Waiting.h"
+
+#include <insonate/curriculum/CurriculumStore.h>
+#include <insonate/ui/Account.h>
+#include <insonate/ui/EmptyWorkspace.h>
+#include <insonate/ui/MainWindow.h>
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QtTest/QTest>
+#include <memory>
+
+namespace insonate::test {
+
+inline const QString kAccountPassword = QStringLiteral("a long sentence");
+
+/// The window over a store in a file, which is not there yet.
+class AccountWindow : public testing::Test {
+ protected:
+  void SetUp() override {
+    QSettings().clear();
+    open();
+  }
+
+  void open() {
+    window = std::make_unique<ui::MainWindow>(
+        std::make_unique<ui::Account>(file(), StoreServices{.passwordCost = PasswordCost::Least}));
+    window->addWorkspace("train", "Train", "train", new ui::EmptyWorkspace({"train", "Train", {}, {}, {}}));
+    window->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+    QApplication::setActiveWindow(window.get());
+    ASSERT_TRUE(waitUntil([&] { return account().state() != ui::Account::State::Opening; }));
+  }
+
+  QString file() const { return home.filePath("people/curriculum.sqlite"); }
+  ui::Account& account() { return window->account(); }
+  QAction& action(const char* name) { return *window->findChild<QAction*>(name); }
+  QString header() {
+    for (const auto* button : window->findChildren<QToolButton*>())
+      if (button->accessibleName() == "Account menu") return button->text().trimmed();
+    return {};
+  }
+  /// The dialog with this field, which comes up in a moment.
+  QDialog* dialogWith(const char* field) {
+    QDialog* found = nullptr;
+    EXPECT_TRUE(waitUntil([&] {
+      for (auto* dialog : window->findChildren<QDialog*>())
+        if (dialog->isVisible() && dialog->findChild<QWidget*>(field)) found = dialog;
+      return found != nullptr;
+    })) << field;
+    return found;
+  }
+  void type(QDialog* dialog, const char* field, const QString& text) {
+    auto* line = dialog->findChild<QLineEdit*>(field);
+    line->selectAll();
+    line->clear();
+    QTest::keyClicks(line, text);
+  }
+  static void go(QDialog* dialog) { dialog->findChild<QPushButton*>("entryGo")->click(); }
+  static QString trouble(QDialog* dialog) { return dialog->findChild<QLabel*>("entryTrouble")->text(); }
+
+  void setUp() {
+    action("accountSetUp").trigger();
+    QDialog* dialog = dialogWith("setUpName");
+    type(dialog, "setUpName", "ada");
+    type(dialog, "setUpFullName", "Ada L.");
+    type(dialog, "setUpPassword", kAccountPassword);
+    type(dialog, "setUpAgain", kAccountPassword);
+    go(dialog);
+    ASSERT_TRUE(waitUntil([&] { return account().isSignedIn(); }));
+  }
+  void signOut() {
+    account().signOut();
+    ASSERT_TRUE(waitUntil([&] { return account().state() == ui::Account::State::Guest; }));
+  }
+  void signIn(const QString& name, const QString& password) {
+    action("accountSignIn").trigger();
+    QDialog* dialog = dialogWith("signInName");
+    type(dialog, "signInName", name);
+    type(dialog, "signInPassword", password);
+    go(dialog);
+  }
+  template <class T>
+  Result<T> asked(std::function<Result<T>(const SignedIn&)> question) {
+    Result<T> answer = fail("no answer came");
+    bool there = false;
+    account().ask<T>(window.get(), std::move(question),
+                     [&](Result<T> told) { answer = std::move(told), there = true; });
+    EXPECT_TRUE(waitUntil([&] { return there; }));
+    return answer;
+  }
+  QStringList row(const QTableWidget& table, int index) {
+    QStringList texts;
+    for (int column = 0; column < table.columnCount(); ++column) texts << table.item(index, column)->text();
+    return texts;
+  }
+
+  QTemporaryDir home;
+  std::unique_ptr<ui::MainWindow> window;
+};
+
+}  // namespace insonate::test

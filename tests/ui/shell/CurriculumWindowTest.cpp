@@ -1,0 +1,233 @@
+#include "AccountWindow.h"
+
+#include <insonate/curriculum/CohortStore.h>
+#include <insonate/curriculum/CurriculumDraft.h>
+#include <insonate/curriculum/PublishedCurricula.h>
+
+#include <gmock/gmock.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QListWidget>
+#include <QPlainTextEdit>
+
+namespace {
+
+using namespace insonate;
+using test::waitUntil;
+
+/// An administrator writes the next version of what comes along.
+class CurriculumWindowTest : public test::AccountWindow {
+ protected:
+  void SetUp() override {
+    AccountWindow::SetUp();
+    setUp();
+    openWindow();
+  }
+  void openWindow() {
+    action("accountLevels").trigger();
+    dialog_ = dialogWith("curricula");
+    ASSERT_TRUE(waitUntil([&] { return levels().count() > 0; }));
+  }
+  void beginDraft() {
+    button("curriculumVersion").click();
+    ASSERT_TRUE(waitUntil([&] { return state().startsWith("Draft"); })) << said();
+  }
+  template <class T>
+  T& part(const char* name) {
+    return *dialog_->findChild<T*>(name);
+  }
+  QPushButton& button(const char* name) { return part<QPushButton>(name); }
+  QListWidget& levels() { return part<QListWidget>("curriculumLevels"); }
+  QString state() { return part<QLabel>("curriculumState").text(); }
+  QString story() { return part<QLabel>("levelStory").text(); }
+  QString troubles() { return part<QLabel>("curriculumTroubles").text(); }
+  std::string said() { return part<QLabel>("curriculumWords").text().toStdString(); }
+  std::string draftText() {
+    return asked<std::string>([](const SignedIn& by) { return PublishedCurricula(by).draft("central_line"); })
+        .value_or("");
+  }
+  Curriculum draft() { return parseDraft(draftText()).value_or(Curriculum()); }
+  void untilSaved() {
+    ASSERT_TRUE(waitUntil([&] { return state().endsWith(", saved"); })) << said();
+  }
+
+  QDialog* dialog_ = nullptr;
+};
+
+TEST_F(CurriculumWindowTest, WhatIsPublishedIsLookedAtAndNotChanged) {
+  EXPECT_TRUE(state().contains("is fixed")) << state().toStdString();
+  EXPECT_EQ(levels().item(0)->text(), "1.  First jugular line");
+  EXPECT_FALSE(part<QLineEdit>("levelEditTitle").isEnabled());
+  EXPECT_FALSE(button("levelAdd").isEnabled());
+  EXPECT_FALSE(button("curriculumPublish").isVisible());
+  EXPECT_TRUE(story().contains("At the beginning:  Open: no attempt counts yet; 2 passes in a row master it."))
+      << story().toStdString();
+  levels().setCurrentRow(1);
+  EXPECT_TRUE(story().startsWith("At the beginning:  Locked: master 'First jugular line'")) << story().toStdString();
+}
+
+TEST_F(CurriculumWindowTest, ADraftIsWrittenToldPublishedAndTaught) {
+  ASSERT_TRUE(asked<Cohort>([](const SignedIn& by) { return CohortStore(by).add("Autumn"); }));
+  beginDraft();
+  QTest::keyClicks(&part<QLineEdit>("levelEditTitle"), " & <b>%1</b>");
+  EXPECT_EQ(levels().item(0)->text(), "1.  First jugular line & <b>%1</b>");
+  part<QSpinBox>("passesInARow").setValue(4);
+  EXPECT_TRUE(story().contains("4 passes in a row master it")) << story().toStdString();
+  part<QComboBox>("levelEditAssistance").setFocus();
+  QTest::keyClick(&part<QComboBox>("levelEditAssistance"), Qt::Key_End);
+  part<QCheckBox>("lapseDaysOn").click();
+  EXPECT_TRUE(story().contains("Without practice:  Lapsed: more than 180 days")) << story().toStdString();
+  part<QDoubleSpinBox>("masteryPercent").setValue(98);
+  untilSaved();
+  const Curriculum kept = draft();
+  const Level& level = kept.levels.front();
+  EXPECT_EQ(kept.version, 2);
+  EXPECT_EQ(level.title, "First jugular line & <b>%1</b>");
+  EXPECT_EQ(level.mastery.passesInARow, 4);
+  EXPECT_EQ(level.assistance, Assistance::Test);
+  EXPECT_EQ(level.mastery.lapsesAfter_days, 180);
+  EXPECT_EQ(level.pass.mastery_percent, 98);
+
+  button("curriculumPublish").click();
+  dialogWith("entryGo")->findChild<QPushButton*>("entryGo")->click();
+  ASSERT_TRUE(waitUntil([&] {
+    return state() == "central_line, version 2 is fixed. To change it, begin a new version.";
+  })) << state().toStdString()
+      << said();
+  EXPECT_EQ(draftText(), "") << "it is no draft any more";
+  EXPECT_FALSE(part<QLineEdit>("levelEditTitle").isEnabled());
+  ASSERT_TRUE(waitUntil([&] { return part<QComboBox>("curriculumCohort").count() == 1; }));
+  button("curriculumTeach").click();
+  ASSERT_TRUE(waitUntil([&] { return part<QComboBox>("curriculumCohort").currentText().endsWith("version 2)"); }))
+      << said();
+}
+
+TEST_F(CurriculumWindowTest, WhatIsWrongIsToldWhereItIsAndKeepsItFromBeingPublished) {
+  beginDraft();
+  part<QListWidget>("levelEditNeeds").item(0)->setCheckState(Qt::Checked);
+  EXPECT_TRUE(troubles().contains("in a circle")) << troubles().toStdString();
+  EXPECT_FALSE(button("curriculumPublish").isEnabled());
+  button("curriculumUndo").click();
+  EXPECT_TRUE(button("curriculumPublish").isEnabled());
+  auto& title = part<QLineEdit>("levelEditTitle");
+  title.setFocus();
+  title.selectAll();
+  QTest::keyClick(&title, Qt::Key_Delete);
+  EXPECT_TRUE(troubles().contains("has no 'title'")) << troubles().toStdString();
+  EXPECT_TRUE(levels().item(0)->text().startsWith("▲")) << levels().item(0)->text().toStdString();
+  untilSaved();
+  EXPECT_EQ(draft().levels.front().title, "") << "what is not finished is kept as well";
+  levels().setCurrentRow(3);
+  EXPECT_TRUE(troubles().contains("1 more, in levels marked")) << troubles().toStdString();
+}
+
+TEST_F(CurriculumWindowTest, ItSurvivesClosingAndStepsAreTakenBack) {
+  beginDraft();
+  const int before = levels().count();
+  button("levelAdd").click();
+  EXPECT_EQ(levels().count(), before + 1);
+  EXPECT_EQ(levels().currentRow(), before);
+  QTest::keyClicks(&part<QLineEdit>("levelEditTitle"), "New");
+  QTest::keyClicks(&part<QPlainTextEdit>("levelEditAbout"), "About it");
+  button("curriculumUndo").click();
+  EXPECT_EQ(part<QPlainTextEdit>("levelEditAbout").toPlainText(), "") << "one field is one step";
+  button("curriculumUndo").click();
+  button("curriculumRedo").click();
+  EXPECT_EQ(part<QLineEdit>("levelEditTitle").text(), "New");
+  button("levelUp").click();
+  dialog_->close();
+  ASSERT_TRUE(waitUntil([&] { return !window->findChild<QListWidget*>("curricula"); }));
+  EXPECT_EQ(draft().levels[std::size_t(before - 1)].title, "New");
+  openWindow();
+  EXPECT_TRUE(state().startsWith("Draft of central_line, version 2")) << "drafts come first: " << state().toStdString();
+  levels().setCurrentRow(before - 1);
+  button("levelRemove").click();
+  EXPECT_EQ(levels().count(), before);
+  button("curriculumDiscard").click();
+  dialogWith("entryGo")->findChild<QPushButton*>("entryGo")->click();
+  ASSERT_TRUE(waitUntil([&] { return state().contains("version 1 is fixed"); })) << state().toStdString();
+  EXPECT_EQ(draftText(), "");
+}
+
+TEST_F(CurriculumWindowTest, TwoWhoWriteAtOnceDoNotOverwriteEachOther) {
+  beginDraft();
+  const auto otherSaves = [&](const std::string& title) {
+    Curriculum theirs = draft();
+    theirs.title = title;
+    const auto saved = asked<int>([text = curriculumText(theirs), before = draftText()](const SignedIn& by) {
+      return PublishedCurricula(by).saveDraft("central_line", text, before).map([] { return 0; });
+    });
+    ASSERT_TRUE(saved) << saved.error().message;
+  };
+  otherSaves("Theirs");
+  part<QSpinBox>("passesInARow").setValue(7);
+  ASSERT_TRUE(waitUntil([&] { return button("curriculumMine").isVisible(); }));
+  EXPECT_EQ(draft().title, "Theirs");
+  button("curriculumTheirs").click();
+  ASSERT_TRUE(waitUntil([&] { return part<QLineEdit>("curriculumTitle").text() == "Theirs"; }));
+  EXPECT_FALSE(button("curriculumMine").isVisible());
+  EXPECT_EQ(part<QSpinBox>("passesInARow").value(), 2);
+
+  otherSaves("Theirs again");
+  part<QSpinBox>("passesInARow").setValue(8);
+  ASSERT_TRUE(waitUntil([&] { return button("curriculumMine").isVisible(); }));
+  button("curriculumMine").click();
+  untilSaved();
+  EXPECT_EQ(draft().title, "Theirs");
+  EXPECT_EQ(draft().levels.front().mastery.passesInARow, 8);
+}
+
+TEST_F(CurriculumWindowTest, TheLimitOfLcCusumIsCalibrated) {
+  beginDraft();
+  EXPECT_FALSE(button("cusumCalibrate").isEnabled());
+  part<QCheckBox>("cusumOn").click();
+  part<QDoubleSpinBox>("cusumAcceptable").setValue(10);
+  part<QDoubleSpinBox>("cusumUnacceptable").setValue(25);
+  part<QDoubleSpinBox>("cusumFalse").setValue(10);
+  button("cusumCalibrate").click();
+  ASSERT_TRUE(waitUntil([&] { return part<QLabel>("cusumCalibrated").isVisible(); }));
+  EXPECT_DOUBLE_EQ(part<QDoubleSpinBox>("cusumLimit").value(), 3.10) << "3.097, upward";
+  EXPECT_TRUE(part<QLabel>("cusumCalibrated").text().contains("within 50 attempts"));
+  EXPECT_TRUE(story().contains("a learning score (LC-CUSUM) of 3.10")) << story().toStdString();
+  part<QDoubleSpinBox>("cusumUnacceptable").setValue(5);
+  EXPECT_TRUE(troubles().contains("below the 'unacceptable'")) << troubles().toStdString();
+  button("cusumCalibrate").click();
+  EXPECT_TRUE(waitUntil([&] { return part<QLabel>("cusumCalibrated").text().contains("needs rates of failure"); }));
+}
+
+TEST_F(CurriculumWindowTest, StandardsAreAddedChangedAndRemoved) {
+  beginDraft();
+  auto& table = part<QTableWidget>("standards");
+  const int before = table.rowCount();
+  button("standardAdd").click();
+  ASSERT_EQ(table.rowCount(), before + 1);
+  EXPECT_EQ(table.currentRow(), before);
+  EXPECT_TRUE(troubles().contains("has no 'otherwise'")) << troubles().toStdString();
+  QTest::keyClicks(&part<QLineEdit>("standardOtherwise"), "it was <i>late</i>");
+  part<QDoubleSpinBox>("standardLimit").setValue(5);
+  EXPECT_EQ(row(table, before)[2], "it was <i>late</i>");
+  EXPECT_EQ(row(table, before)[1], "at most 5");
+  EXPECT_EQ(table.currentRow(), before) << "the choice stays while it is changed";
+  button("standardRemove").click();
+  EXPECT_EQ(table.rowCount(), before);
+}
+
+TEST_F(CurriculumWindowTest, ANewOneBeginsWithALevelThatIsToBeWritten) {
+  button("curriculumNew").click();
+  QDialog* entry = dialogWith("curriculumName");
+  type(entry, "curriculumName", "a b");
+  go(entry);
+  ASSERT_TRUE(waitUntil([&] { return trouble(entry).contains("at most 64 letters"); })) << trouble(entry).toStdString();
+  type(entry, "curriculumName", "central_line");
+  go(entry);
+  ASSERT_TRUE(waitUntil([&] { return trouble(entry).contains("already"); }));
+  type(entry, "curriculumName", "pleural_taps");
+  go(entry);
+  ASSERT_TRUE(waitUntil([&] { return state().startsWith("Draft of pleural_taps, version 1"); })) << said();
+  EXPECT_EQ(levels().count(), 1);
+  EXPECT_FALSE(button("curriculumPublish").isEnabled());
+}
+
+}  // namespace

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <insonate/curriculum/ClassImport.h>
+#include <insonate/curriculum/Person.h>
+
+#include <QDialog>
+#include <QString>
+#include <QTimer>
+#include <atomic>
+#include <memory>
+#include <vector>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTableWidget;
+
+namespace insonate::ui {
+
+class Account;
+
+/// A class list (CSV) becomes people of a class: what would become of each line is shown first, then done at once or
+/// not at all. The first passwords are shown here, once, to be saved or printed.
+class ClassListDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  ClassListDialog(Account& account, Cohort cohort, QWidget* parent);
+  ~ClassListDialog() override;
+
+  /// Reads a file and shows what would become of its lines.
+  void open(const QString& file);
+  using QDialog::open;
+
+  void reject() override;
+
+ Q_SIGNALS:
+  void imported();  ///< the class has new people
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  /// Crosses to the account's thread.
+  struct Work {
+    std::atomic<double> done = 0;
+    std::atomic<bool> stopped = false;
+  };
+  QPushButton* button(const char* name, const QString& words, const QString& tip, void (ClassListDialog::*act)());
+  void choose();
+  void takePlan(Result<std::vector<ClassImportRow>> plan);
+  void showRows();
+  void apply();
+  void takeOutcome(const Result<void>& outcome);
+  void savePasswords();
+  void printPasswords();
+  void say(const QString& words, bool isTrouble);
+  bool isWorking() const { return work_ != nullptr; }
+
+  Account& account_;
+  const Cohort cohort_;
+  std::vector<ClassImportRow> plan_;
+  std::vector<FirstPassword> passwords_;  ///< of who was added
+  bool handedOut_ = false;                ///< saved or printed
+  int round_ = 0;                         ///< a file that was chosen earlier is not shown
+  std::shared_ptr<Work> work_;
+  QTimer looking_;
+  QLabel *file_, *words_;
+  QTableWidget* table_;
+  QProgressBar* bar_;
+  QPushButton *choose_, *go_, *save_, *print_, *close_;
+};
+
+}  // namespace insonate::ui

@@ -1,0 +1,54 @@
+#include "PasswordPaper.h"
+
+#include <QCoreApplication>
+#include <QPrintDialog>
+#include <QPrinter>
+#include <QTextCursor>
+#include <QTextDocument>
+#include <QTextTable>
+
+namespace insonate::ui {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("PasswordPaper", text);
+}
+
+QString qt(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+}  // namespace
+
+void fillPasswordPaper(QTextDocument& paper, const QString& cohort, const std::vector<FirstPassword>& passwords) {
+  constexpr double kLine_pt = 1, kPadding_pt = 6;
+  QTextCursor cursor(&paper);
+  cursor.insertText(tr("First passwords, %1. Everyone chooses their own at the first sign-in.").arg(cohort));
+  QTextTableFormat format;
+  format.setBorder(kLine_pt);
+  format.setBorderStyle(QTextFrameFormat::BorderStyle_Dashed);
+  format.setCellPadding(kPadding_pt);
+  format.setWidth(QTextLength(QTextLength::PercentageLength, 100));
+  QTextTable* table = cursor.insertTable(int(passwords.size()), 3, format);
+  for (int row = 0; row < int(passwords.size()); ++row) {
+    const auto& [person, password] = passwords[std::size_t(row)];
+    const QString texts[] = {qt(person.fullName), qt(person.name), qt(password)};
+    for (int column = 0; column < 3; ++column)
+      table->cellAt(row, column).firstCursorPosition().insertText(texts[column]);
+  }
+}
+
+Result<bool> printPasswordPaper(const QString& cohort, const std::vector<FirstPassword>& passwords, QWidget* parent) {
+  QPrinter printer(QPrinter::HighResolution);
+  printer.setDocName(tr("First passwords"));
+  QPrintDialog dialog(&printer, parent);
+  if (dialog.exec() != QDialog::Accepted) return false;
+  QTextDocument paper;
+  fillPasswordPaper(paper, cohort, passwords);
+  paper.print(&printer);
+  if (printer.printerState() == QPrinter::Error)
+    return fail(tr("The printer took nothing; try another one, or save the passwords.").toStdString());
+  return true;
+}
+
+}  // namespace insonate::ui

@@ -1,0 +1,255 @@
+#include "CurriculumDesk.h"
+
+#include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/teaching/TeachingHere.h>
+#include <insonate/ui/Account.h>
+#include <insonate/ui/RecentCases.h>
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <utility>
+
+namespace insonate::ui {
+namespace {
+
+using Kind = OfferedCurriculum::Kind;
+
+constexpr int kSoon_ms = 1500, kAgain_ms = 15'000;
+constexpr std::size_t kMostSteps = 200;
+
+/// The built-in necks and the cases that were opened here.
+TeachingNames namesHere() {
+  TeachingNames names = teachingNames().value_or(TeachingNames());
+  for (const RecentCase& one : recentCases()) names.cases.push_back(one.title.toStdString());
+  return names;
+}
+
+}  // namespace
+
+CurriculumDesk::CurriculumDesk(Account& account, QObject* parent)
+    : QObject(parent), account_(&account), known_(namesHere()) {
+  soon_.setSingleShot(true);
+  connect(&soon_, &QTimer::timeout, this, &CurriculumDesk::save);
+  connect(QCoreApplication::instance(), &QCoreApplication::aboutToQuit, this, &CurriculumDesk::save);
+  refresh();
+}
+
+CurriculumDesk::~CurriculumDesk() {
+  if (account_) save();
+}
+
+void CurriculumDesk::refresh() {
+  account_->ask<Shelf>(
+      this,
+      [](const SignedIn& by) -> Result<Shelf> {
+        auto offers = allCurricula(by);
+        if (!offers) return tl::unexpected(offers.error());
+        auto cohorts = CohortStore(by).cohorts();
+        if (!cohorts) return tl::unexpected(cohorts.error());
+        return Shelf{std::move(*offers), std::move(*cohorts)};
+      },
+      [this](Result<Shelf> shelf) {
+        if (!shelf) return Q_EMIT said(QString::fromStdString(shelf.error().message), true);
+        offers_ = std::move(shelf->offers), cohorts_ = std::move(shelf->cohorts);
+        Q_EMIT offersChanged();
+        if (!chosen_ && !offers_.empty()) choose(offers_.front());
+      });
+}
+
+void CurriculumDesk::choose(const OfferedCurriculum& offer) {
+  if (chosen_ == offer) return;
+  save();
+  account_->ask<std::string>(
+      this, [offer](const SignedIn& by) { return textOf(by, offer); },
+      [this, offer, round = ++round_](const Result<std::string>& text) {
+        if (round == round_) take(offer, text);
+      });
+}
+
+void CurriculumDesk::take(const OfferedCurriculum& offer, const Result<std::string>& text) {
+  auto curriculum = text ? parseDraft(*text) : tl::unexpected(text.error());
+  if (!curriculum) return Q_EMIT said(QString::fromStdString(curriculum.error().message), true);
+  chosen_ = offer, kept_ = sent_ = *text;
+  saved_ = true, contested_ = false;
+  past_.clear(), future_.clear(), field_.clear();
+  soon_.stop();
+  show(std::move(*curriculum));
+  Q_EMIT savingChanged();
+}
+
+void CurriculumDesk::takeDraft(const Result<KeptDraft>& draft) {
+  if (!draft) return Q_EMIT said(QString::fromStdString(draft.error().message), true);
+  ++round_;
+  take({draft->name, 0, Kind::Draft}, draft->text);
+  refresh();
+}
+
+void CurriculumDesk::show(Curriculum curriculum) {
+  curriculum_ = std::move(curriculum);
+  troubles_ = isDraft() ? troublesOf(*curriculum_, known_) : std::vector<DraftTrouble>();
+  Q_EMIT curriculumChanged();
+}
+
+void CurriculumDesk::changed() {
+  saved_ = false;
+  if (!contested_) soon_.start(kSoon_ms);
+  Q_EMIT savingChanged();
+}
+
+void CurriculumDesk::edit(const QString& field, const std::function<void(Curriculum&)>& change) {
+  if (!isDraft()) return;
+  Curriculum edited = *curriculum_;
+  change(edited);
+  if (edited == *curriculum_) return;
+  if (field.isEmpty() || field != field_ || past_.empty()) past_.push_back(*curriculum_);
+  if (past_.size() > kMostSteps) past_.erase(past_.begin());
+  field_ = field;
+  future_.clear();
+  show(std::move(edited));
+  changed();
+}
+
+void CurriculumDesk::undo() {
+  if (past_.empty()) return;
+  future_.push_back(std::move(*curriculum_));
+  field_.clear();
+  Curriculum earlier = std::move(past_.back());
+  past_.pop_back();
+  show(std::move(earlier));
+  changed();
+}
+
+void CurriculumDesk::redo() {
+  if (future_.empty()) return;
+  past_.push_back(std::move(*curriculum_));
+  field_.clear();
+  Curriculum later = std::move(future_.back());
+  future_.pop_back();
+  show(std::move(later));
+  changed();
+}
+
+/// The account answers in turn, so that the next may be sent before the last is answered; where that one is refused, so
+/// is the next.
+void CurriculumDesk::save() {
+  if (saved_ || contested_ || !isDraft()) return;
+  soon_.stop();
+  const std::string text = curriculumText(*curriculum_);
+  account_->ask<void>(
+      this,
+      [name = curriculum_->name, text, before = std::exchange(sent_, text)](const SignedIn& by) {
+        return PublishedCurricula(by).saveDraft(name, text, before);
+      },
+      [this, text, name = curriculum_->name, round = round_](const Result<void>& done) {
+        if (round == round_) return takeSaved(text, done);
+        if (!done)
+          Q_EMIT said(tr("The last changes of the draft %1 were not saved. ").arg(QString::fromStdString(name)) +
+                          QString::fromStdString(done.error().message),
+                      true);
+      });
+}
+
+void CurriculumDesk::takeSaved(const std::string& text, const Result<void>& done) {
+  if (!done) return contest(done.error().message);
+  kept_ = text;
+  saved_ = isDraft() && text == curriculumText(*curriculum_);
+  Q_EMIT savingChanged();
+}
+
+/// Refused: either somebody else has saved, or the store does not take it now and is tried again.
+void CurriculumDesk::contest(const std::string& refusal) {
+  account_->ask<std::string>(
+      this, [name = curriculum_->name](const SignedIn& by) { return PublishedCurricula(by).draft(name); },
+      [this, refusal, round = round_](const Result<std::string>& theirs) {
+        if (round != round_) return;
+        contested_ = theirs && *theirs != kept_;
+        sent_ = kept_;
+        if (!contested_) soon_.start(kAgain_ms);
+        Q_EMIT savingChanged();
+        Q_EMIT said(QString::fromStdString(refusal), true);
+      });
+}
+
+void CurriculumDesk::readTheirs() {
+  const OfferedCurriculum offer = *chosen_;
+  saved_ = true;
+  chosen_.reset();
+  choose(offer);
+}
+
+void CurriculumDesk::keepMine() {
+  account_->ask<std::string>(
+      this, [name = curriculum_->name](const SignedIn& by) { return PublishedCurricula(by).draft(name); },
+      [this, round = round_](const Result<std::string>& theirs) {
+        if (round != round_) return;
+        kept_ = sent_ = theirs ? *theirs : std::string();
+        contested_ = false;
+        save();
+        Q_EMIT savingChanged();
+      });
+}
+
+void CurriculumDesk::begin(const QString& name, std::function<void(Result<void>)> done) {
+  save();
+  account_->ask<KeptDraft>(
+      this, [name = name.trimmed().toStdString()](const SignedIn& by) { return newDraft(by, name); },
+      [this, done = std::move(done)](const Result<KeptDraft>& draft) {
+        done(draft ? Result<void>() : fail(draft.error().message));
+        if (draft) takeDraft(draft);
+      });
+}
+
+void CurriculumDesk::beginVersion() {
+  if (!chosen_) return;
+  account_->ask<KeptDraft>(
+      this, [offer = *chosen_](const SignedIn& by) { return draftFrom(by, offer); },
+      [this](const Result<KeptDraft>& draft) { takeDraft(draft); });
+}
+
+void CurriculumDesk::discard() {
+  if (!isDraft()) return;
+  soon_.stop();
+  account_->ask<void>(
+      this,
+      [name = curriculum_->name, before = sent_](const SignedIn& by) {
+        return PublishedCurricula(by).discardDraft(name, before);
+      },
+      [this](const Result<void>& done) {
+        if (!done) return Q_EMIT said(QString::fromStdString(done.error().message), true);
+        chosen_.reset(), curriculum_.reset(), saved_ = true;
+        Q_EMIT curriculumChanged();
+        Q_EMIT savingChanged();
+        Q_EMIT said(tr("The draft is gone; what is published stays."), false);
+        refresh();
+      });
+}
+
+void CurriculumDesk::publish(std::function<void(Result<void>)> done) {
+  if (!isDraft()) return;
+  soon_.stop();
+  account_->ask<void>(
+      this, [draft = *curriculum_, before = sent_](const SignedIn& by) { return publishDraft(by, draft, before); },
+      [this, done = std::move(done),
+       now = OfferedCurriculum{curriculum_->name, curriculum_->version, Kind::Published}](const Result<void>& outcome) {
+        done(outcome);
+        if (!outcome) return contest(outcome.error().message);
+        saved_ = true;
+        choose(now);
+        refresh();
+        Q_EMIT said(tr("Published. Choose a class below to teach it by this version."), false);
+      });
+}
+
+void CurriculumDesk::teach(const std::string& cohort) {
+  if (!chosen_ || isDraft()) return;
+  account_->ask<void>(
+      this, [offer = *chosen_, cohort](const SignedIn& by) { return teachBy(by, offer, cohort); },
+      [this](const Result<void>& done) {
+        Q_EMIT said(done ? tr("The class is taught by this version from now on.")
+                         : QString::fromStdString(done.error().message),
+                    !done);
+        refresh();
+      });
+}
+
+}  // namespace insonate::ui

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "CurriculumShelf.h"
+
+#include <insonate/curriculum/CurriculumDraft.h>
+
+#include <QObject>
+#include <QPointer>
+#include <QString>
+#include <QTimer>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace insonate::ui {
+
+class Account;
+
+/// The curricula of the store, and the one that is looked at or written, without a widget. A draft is saved in the
+/// store a moment after each change and when it is left. For the window's thread.
+class CurriculumDesk : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit CurriculumDesk(Account& account, QObject* parent = nullptr);
+  /// Saves what is not saved yet, where the account is still there; the end of the program saves it, too.
+  ~CurriculumDesk() override;
+
+  const std::vector<OfferedCurriculum>& offers() const { return offers_; }
+  const std::vector<Cohort>& cohorts() const { return cohorts_; }
+  /// Null: none.
+  const OfferedCurriculum* chosen() const { return chosen_ ? &*chosen_ : nullptr; }
+  void choose(const OfferedCurriculum& offer);
+
+  /// Null while none is read.
+  const Curriculum* curriculum() const { return curriculum_ ? &*curriculum_ : nullptr; }
+  bool isDraft() const { return curriculum_ && chosen_->kind == OfferedCurriculum::Kind::Draft; }
+  /// Of a draft.
+  const std::vector<DraftTrouble>& troubles() const { return troubles_; }
+  /// What a curriculum can name on this computer.
+  const TeachingNames& known() const { return known_; }
+
+  /// One step of undo; changes of one field after the other are one, unless `field` is empty.
+  void edit(const QString& field, const std::function<void(Curriculum&)>& change);
+  void undo();
+  void redo();
+  bool canUndo() const { return !past_.empty(); }
+  bool canRedo() const { return !future_.empty(); }
+
+  /// Whether the draft is in the store as it is here.
+  bool isSaved() const { return saved_; }
+  /// Somebody else has saved another: nothing is saved until one of these is called.
+  bool isContested() const { return contested_; }
+  void readTheirs();
+  void keepMine();
+
+  void begin(const QString& name, std::function<void(Result<void>)> done);
+  /// A draft of the next version of the one that is looked at.
+  void beginVersion();
+  void discard();
+  void publish(std::function<void(Result<void>)> done);
+  void teach(const std::string& cohort);
+
+ Q_SIGNALS:
+  void offersChanged();      ///< offers() or cohorts()
+  void curriculumChanged();  ///< all that is told of the one that is looked at
+  void savingChanged();
+  void said(const QString& sentence, bool isTrouble);
+
+ private:
+  struct Shelf {
+    std::vector<OfferedCurriculum> offers;
+    std::vector<Cohort> cohorts;
+  };
+  void refresh();
+  void take(const OfferedCurriculum& offer, const Result<std::string>& text);
+  void takeDraft(const Result<KeptDraft>& draft);
+  void show(Curriculum curriculum);
+  void changed();
+  void save();
+  void takeSaved(const std::string& text, const Result<void>& done);
+  void contest(const std::string& refusal);
+
+  QPointer<Account> account_;
+  TeachingNames known_;
+  std::vector<OfferedCurriculum> offers_;
+  std::vector<Cohort> cohorts_;
+  std::optional<OfferedCurriculum> chosen_;
+  std::optional<Curriculum> curriculum_;
+  std::vector<DraftTrouble> troubles_;
+  std::vector<Curriculum> past_, future_;
+  QString field_;     ///< that was changed last
+  std::string kept_;  ///< the draft as the store is known to have it
+  std::string sent_;  ///< as it has it once all that was sent is done
+  bool saved_ = true, contested_ = false;
+  int round_ = 0;  ///< of choosing: answers about another are not taken
+  QTimer soon_;
+};
+
+}  // namespace insonate::ui

@@ -1,0 +1,312 @@
+#include "CurriculumWindow.h"
+
+#include "../account/EntryDialog.h"
+#include "CurriculumDesk.h"
+#include "LevelForm.h"
+#include "LevelList.h"
+#include "LevelStoryView.h"
+
+#include <insonate/ui/Account.h>
+#include <insonate/ui/Theme.h>
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+namespace insonate::ui {
+namespace {
+
+using Kind = OfferedCurriculum::Kind;
+
+constexpr int kSide_px = 320, kShelf_px = 150;
+
+QString qt(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+QString wordsOf(const OfferedCurriculum& offer) {
+  if (offer.kind == Kind::Draft) return CurriculumWindow::tr("%1: draft").arg(qt(offer.name));
+  const QString version = CurriculumWindow::tr("%1, version %2").arg(qt(offer.name), QString::number(offer.version));
+  return offer.kind == Kind::Published ? version : CurriculumWindow::tr("%1 (comes with Insonate)").arg(version);
+}
+
+QLabel* plain(const char* object) {
+  auto* label = new QLabel;
+  label->setObjectName(QLatin1String(object));
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  return label;
+}
+
+}  // namespace
+
+CurriculumWindow::CurriculumWindow(Account& account, QWidget* parent)
+    : QDialog(parent),
+      desk_(new CurriculumDesk(account, this)),
+      shelf_(new QListWidget),
+      levels_(new LevelList),
+      form_(new LevelForm(desk_->known())),
+      story_(new LevelStoryView),
+      cohort_(new QComboBox),
+      state_(plain("curriculumState")),
+      words_(plain("curriculumWords")) {
+  setWindowTitle(tr("Curricula and levels"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(form_);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  auto* side = new QWidget;
+  side->setFixedWidth(kSide_px);
+  auto* left = new QVBoxLayout(side);
+  left->setContentsMargins(0, 0, 0, 0);
+  left->setSpacing(kLargeGap);
+  left->addWidget(buildShelf());
+  left->addWidget(levels_, 1);
+  auto* right = new QVBoxLayout;
+  right->setSpacing(kGap);
+  right->addWidget(buildBar());
+  right->addWidget(contest_ = buildContest());
+  right->addWidget(teaching_ = buildTeaching());
+  right->addWidget(words_);
+  right->addWidget(scroll, 1);
+  right->addWidget(story_);
+  auto* columns = new QHBoxLayout(this);
+  columns->setContentsMargins(kLargeGap, kLargeGap, kLargeGap, kLargeGap);
+  columns->setSpacing(kLargeGap);
+  columns->addWidget(side);
+  columns->addLayout(right, 1);
+  resize(1240, 760);
+  connectParts();
+  // Whoever comes next sees nothing of what was read for the one before.
+  connect(&account, &Account::changed, this, [this, &account, whose = account.person().id] {
+    if (account.person().id != whose) close();
+  });
+  words_->hide();
+  showCurriculum();
+  showSaving();
+}
+
+QPushButton* CurriculumWindow::button(const char* name, const QString& words, const QString& tip,
+                                      void (CurriculumWindow::*act)()) {
+  auto* made = named(new QPushButton(words), name, words, tip);
+  made->setAutoDefault(false);
+  connect(made, &QPushButton::clicked, this, act);
+  return made;
+}
+
+QWidget* CurriculumWindow::buildShelf() {
+  named(shelf_, "curricula", tr("Curricula"), tr("Drafts, what is published, and what comes with Insonate"));
+  shelf_->setFixedHeight(kShelf_px);
+  new_ = button("curriculumNew", tr("New ..."), tr("A draft with nothing in it"), &CurriculumWindow::begin);
+  version_ =
+      button("curriculumVersion", tr("New version"),
+             tr("A draft made from the one that is shown, which stays as it is"), &CurriculumWindow::beginVersion);
+  discard_ = button("curriculumDiscard", tr("Discard ..."), tr("What is published stays"), &CurriculumWindow::discard);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kSmallGap);
+  for (QPushButton* one : {new_, version_, discard_}) row->addWidget(one);
+  auto* heading = new QLabel(tr("Curricula"));
+  setRole(heading, "heading");
+  auto* part = new QWidget;
+  auto* box = new QVBoxLayout(part);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(kGap);
+  box->addWidget(heading);
+  box->addWidget(shelf_);
+  box->addLayout(row);
+  return part;
+}
+
+QWidget* CurriculumWindow::buildBar() {
+  undo_ = named(new QPushButton(tr("Undo")), "curriculumUndo", tr("Undo"), tr("Takes the last change back (Ctrl+Z)"));
+  redo_ = named(new QPushButton(tr("Redo")), "curriculumRedo", tr("Redo"), tr("Does it again (Ctrl+Y)"));
+  undo_->setShortcut(QKeySequence::Undo);
+  redo_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Y")));
+  for (QPushButton* one : {undo_, redo_}) one->setAutoDefault(false);
+  connect(undo_, &QPushButton::clicked, desk_, &CurriculumDesk::undo);
+  connect(redo_, &QPushButton::clicked, desk_, &CurriculumDesk::redo);
+  publish_ = button("curriculumPublish", tr("Publish ..."), tr("Makes the draft a version that is fixed from then on"),
+                    &CurriculumWindow::publish);
+  setRole(publish_, "primary");
+  setRole(state_, "quiet");
+  auto* bar = new QWidget;
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kGap);
+  row->addWidget(state_, 1);
+  for (QPushButton* one : {undo_, redo_, publish_}) row->addWidget(one);
+  return bar;
+}
+
+QWidget* CurriculumWindow::buildContest() {
+  auto* theirs = named(new QPushButton(tr("Read theirs")), "curriculumTheirs", tr("Read theirs"),
+                       tr("Shows the draft as it was saved; what you changed since is lost"));
+  auto* mine = named(new QPushButton(tr("Keep mine")), "curriculumMine", tr("Keep mine"),
+                     tr("Saves yours in its place; what they changed is lost"));
+  for (QPushButton* one : {theirs, mine}) one->setAutoDefault(false);
+  connect(theirs, &QPushButton::clicked, desk_, &CurriculumDesk::readTheirs);
+  connect(mine, &QPushButton::clicked, desk_, &CurriculumDesk::keepMine);
+  auto* label = plain("curriculumContest");
+  label->setText(tr("Somebody else has saved this draft while you wrote. Yours is not saved until you choose."));
+  setRole(label, "problem");
+  auto* part = new QWidget;
+  auto* row = new QHBoxLayout(part);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(label, 1);
+  row->addWidget(theirs);
+  row->addWidget(mine);
+  return part;
+}
+
+QWidget* CurriculumWindow::buildTeaching() {
+  named(cohort_, "curriculumCohort", tr("Class"), tr("The class that is taught by this version"));
+  auto* part = new QWidget;
+  auto* row = new QHBoxLayout(part);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kGap);
+  row->addWidget(new QLabel(tr("Class")));
+  row->addWidget(cohort_, 1);
+  row->addWidget(button("curriculumTeach", tr("Teach by this version"),
+                        tr("The levels of the class are these from now on; attempts stay"), &CurriculumWindow::teach));
+  return part;
+}
+
+void CurriculumWindow::connectParts() {
+  connect(desk_, &CurriculumDesk::offersChanged, this, &CurriculumWindow::showShelf);
+  connect(desk_, &CurriculumDesk::curriculumChanged, this, &CurriculumWindow::showCurriculum);
+  connect(desk_, &CurriculumDesk::savingChanged, this, &CurriculumWindow::showSaving);
+  connect(desk_, &CurriculumDesk::said, this, &CurriculumWindow::say);
+  connect(shelf_, &QListWidget::currentRowChanged, this, &CurriculumWindow::choose);
+  connect(levels_, &LevelList::chosenChanged, this, &CurriculumWindow::showLevel);
+  connect(levels_, &LevelList::edited, desk_, &CurriculumDesk::edit);
+  connect(form_, &LevelForm::edited, this, [this](const QString& field, const LevelEdit& change) {
+    const std::string name = levels_->chosen();
+    desk_->edit(field.isEmpty() ? field : qt(name) + QLatin1Char(' ') + field, [&](Curriculum& all) {
+      for (Level& level : all.levels)
+        if (level.name == name) change(level);
+    });
+  });
+}
+
+void CurriculumWindow::say(const QString& words, bool isTrouble) {
+  words_->setText(isTrouble && !words.isEmpty() ? QStringLiteral("▲  ") + words : words);
+  words_->setVisible(!words.isEmpty());
+}
+
+void CurriculumWindow::showShelf() {
+  const QSignalBlocker quiet(shelf_);
+  shelf_->clear();
+  for (const OfferedCurriculum& offer : desk_->offers()) {
+    shelf_->addItem(wordsOf(offer));
+    if (desk_->chosen() && offer == *desk_->chosen()) shelf_->setCurrentRow(shelf_->count() - 1);
+  }
+  const QString before = cohort_->currentText();
+  cohort_->clear();
+  for (const Cohort& one : desk_->cohorts()) {
+    const QString now =
+        one.curriculum.empty() ? tr("none yet") : wordsOf({one.curriculum, one.curriculumVersion, Kind::Published});
+    cohort_->addItem(QStringLiteral("%1  (%2)").arg(qt(one.name), now), qt(one.id));
+  }
+  cohort_->setEnabled(cohort_->count() > 0);
+}
+
+void CurriculumWindow::choose() {
+  const int row = shelf_->currentRow();
+  if (row < 0 || row >= int(desk_->offers().size())) return;
+  say({}, false);
+  desk_->choose(desk_->offers()[std::size_t(row)]);
+}
+
+void CurriculumWindow::showCurriculum() {
+  const Curriculum* now = desk_->curriculum();
+  const bool draft = desk_->isDraft();
+  levels_->show(now ? *now : Curriculum(), desk_->troubles(), draft);
+  teaching_->setVisible(now && !draft);
+  version_->setEnabled(now && !draft);
+  discard_->setEnabled(draft);
+  undo_->setVisible(draft);
+  redo_->setVisible(draft);
+  publish_->setVisible(draft);
+  undo_->setEnabled(desk_->canUndo());
+  redo_->setEnabled(desk_->canRedo());
+  publish_->setEnabled(desk_->troubles().empty());
+  if (const OfferedCurriculum* chosen = desk_->chosen())
+    for (int row = 0; row < shelf_->count(); ++row)
+      if (desk_->offers()[std::size_t(row)] == *chosen) {
+        const QSignalBlocker quiet(shelf_);
+        shelf_->setCurrentRow(row);
+      }
+  showLevel();
+}
+
+void CurriculumWindow::showLevel() {
+  const Curriculum* now = desk_->curriculum();
+  const std::string name = levels_->chosen();
+  const Level* level = now ? now->level(name) : nullptr;
+  form_->setVisible(level);
+  story_->setVisible(now);
+  if (level) form_->show(*now, *level, desk_->isDraft());
+  if (now) story_->show(*now, name, desk_->troubles());
+}
+
+void CurriculumWindow::showSaving() {
+  contest_->setVisible(desk_->isContested());
+  const Curriculum* now = desk_->curriculum();
+  if (!now) return state_->setText(tr("Choose a curriculum, or begin a new one."));
+  const QString version = tr("%1, version %2").arg(qt(now->name), QString::number(now->version));
+  if (!desk_->isDraft()) return state_->setText(tr("%1 is fixed. To change it, begin a new version.").arg(version));
+  state_->setText(desk_->isSaved() ? tr("Draft of %1, saved").arg(version)
+                                   : tr("Draft of %1, not saved yet").arg(version));
+}
+
+void CurriculumWindow::begin() {
+  (new EntryDialog(
+       tr("New curriculum"), tr("A draft, seen by instructors, until it is published."),
+       {{"curriculumName", tr("Short name"), tr("At most 64 letters (a to z), digits, '_', '-' and '.'")}}, tr("Begin"),
+       [this](const QStringList& texts, const std::function<void(Result<void>)>& done) {
+         desk_->begin(texts[0], done);
+       },
+       this))
+      ->open();
+}
+
+void CurriculumWindow::beginVersion() {
+  desk_->beginVersion();
+}
+
+void CurriculumWindow::discard() {
+  (new EntryDialog(
+       tr("Discard the draft?"), tr("All that was written since the last version is lost, also to others."), {},
+       tr("Discard it"),
+       [this](const QStringList&, const std::function<void(Result<void>)>& done) {
+         desk_->discard();
+         done({});
+       },
+       this))
+      ->open();
+}
+
+void CurriculumWindow::publish() {
+  if (!desk_->isDraft()) return;
+  const Curriculum& draft = *desk_->curriculum();
+  (new EntryDialog(
+       tr("Publish %1, version %2?").arg(qt(draft.name), QString::number(draft.version)),
+       tr("It is fixed from then on, so that attempts can be judged by it for ever; changes are another "
+          "version. Classes keep theirs until they are given this one."),
+       {}, tr("Publish"),
+       [this](const QStringList&, const std::function<void(Result<void>)>& done) { desk_->publish(done); }, this))
+      ->open();
+}
+
+void CurriculumWindow::teach() {
+  if (cohort_->currentIndex() >= 0) desk_->teach(cohort_->currentData().toString().toStdString());
+}
+
+}  // namespace insonate::ui

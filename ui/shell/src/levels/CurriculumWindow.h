@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QDialog>
+
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QPushButton;
+class QWidget;
+
+namespace insonate::ui {
+
+class Account;
+class CurriculumDesk;
+class LevelForm;
+class LevelList;
+class LevelStoryView;
+
+/// The curricula: what is published is looked at and given to classes, drafts are written and published. For
+/// instructors and administrators.
+class CurriculumWindow : public QDialog {
+  Q_OBJECT
+
+ public:
+  CurriculumWindow(Account& account, QWidget* parent);
+
+ private:
+  QPushButton* button(const char* name, const QString& words, const QString& tip, void (CurriculumWindow::*act)());
+  QWidget* buildShelf();
+  QWidget* buildBar();
+  QWidget* buildContest();
+  QWidget* buildTeaching();
+  void connectParts();
+  void showShelf();
+  void showCurriculum();
+  void showLevel();
+  void showSaving();
+  void say(const QString& words, bool isTrouble);
+  void choose();
+  void begin();
+  void beginVersion();
+  void discard();
+  void publish();
+  void teach();
+
+  CurriculumDesk* desk_;
+  QListWidget* shelf_;
+  LevelList* levels_;
+  LevelForm* form_;
+  LevelStoryView* story_;
+  QWidget *contest_, *teaching_;
+  QComboBox* cohort_;
+  QLabel *state_, *words_;
+  QPushButton *new_, *version_, *discard_, *undo_, *redo_, *publish_;
+};
+
+}  // namespace insonate::ui

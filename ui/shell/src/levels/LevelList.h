@@ -1,0 +1,51 @@
+#pragma once
+
+#include <insonate/curriculum/CurriculumDraft.h>
+
+#include <QWidget>
+#include <functional>
+#include <string>
+#include <vector>
+
+class QLineEdit;
+class QListWidget;
+class QPlainTextEdit;
+class QPushButton;
+
+namespace insonate::ui {
+
+/// A curriculum's title and about, and its levels in their order, to be added, copied, removed and moved.
+class LevelList final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LevelList(QWidget* parent = nullptr);
+
+  void show(const Curriculum& curriculum, const std::vector<DraftTrouble>& troubles, bool editable);
+  using QWidget::show;
+  /// Level::name of the one that is chosen; "": none.
+  std::string chosen() const;
+
+ Q_SIGNALS:
+  void edited(const QString& field, const std::function<void(insonate::Curriculum&)>& change);
+  void chosenChanged();
+
+ private:
+  QPushButton* button(const char* object, const QString& words, const QString& tip, void (LevelList::*act)());
+  void add();
+  void copy();
+  void remove();
+  void move(int by);
+  void moveUp() { move(-1); }
+  void moveDown() { move(1); }
+  void choose(int row);
+  void refresh();
+
+  QLineEdit* title_;
+  QPlainTextEdit* about_;
+  QListWidget* list_;
+  QPushButton *add_, *copy_, *remove_, *up_, *down_;
+  bool editable_ = false;
+};
+
+}  // namespace insonate::ui

@@ -1,0 +1,72 @@
+#include "LevelStoryView.h"
+
+#include <insonate/curriculum/LevelStory.h>
+#include <insonate/ui/Theme.h>
+
+#include <QLabel>
+#include <QStringList>
+#include <QVBoxLayout>
+
+namespace insonate::ui {
+namespace {
+
+QString wordsOf(StoryTurn::When when) {
+  switch (when) {
+    case StoryTurn::When::Beginning:
+      return LevelStoryView::tr("At the beginning");
+    case StoryTurn::When::Reached:
+      return LevelStoryView::tr("Once it is reached");
+    case StoryTurn::When::AfterFailure:
+      return LevelStoryView::tr("After a failure");
+    case StoryTurn::When::AfterPass:
+      return LevelStoryView::tr("After a pass");
+    case StoryTurn::When::Mastered:
+      return LevelStoryView::tr("Later");
+    case StoryTurn::When::Lapsed:
+      break;
+  }
+  return LevelStoryView::tr("Without practice");
+}
+
+QLabel* words(const char* object, const char* role) {
+  auto* label = new QLabel;
+  label->setObjectName(QLatin1String(object));
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  setRole(label, role);
+  return label;
+}
+
+}  // namespace
+
+LevelStoryView::LevelStoryView(QWidget* parent)
+    : QFrame(parent),
+      troubles_(words("curriculumTroubles", "problem")),
+      heading_(words("levelStoryHeading", "heading")),
+      story_(words("levelStory", "quiet")) {
+  setRole(this, "panel");
+  heading_->setText(tr("What a trainee reads"));
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(kGap, kGap, kGap, kGap);
+  box->setSpacing(kSmallGap);
+  for (QLabel* one : {troubles_, heading_, story_}) box->addWidget(one);
+}
+
+void LevelStoryView::show(const Curriculum& curriculum, const std::string& level,
+                          const std::vector<DraftTrouble>& troubles) {
+  QStringList wrong, turns;
+  for (const DraftTrouble& one : troubles)
+    if (one.level.empty() || one.level == level) wrong << QStringLiteral("▲  ") + QString::fromStdString(one.sentence);
+  const auto others = qsizetype(troubles.size()) - wrong.size();
+  if (others > 0) wrong << tr("▲  %1 more, in levels marked with ▲").arg(others);
+  troubles_->setText(wrong.join(QLatin1Char('\n')));
+  troubles_->setVisible(!wrong.isEmpty());
+  // Levels of a draft may be written in any order.
+  const auto whole = parseCurriculum(curriculumText(curriculum));
+  if (whole && whole->level(level))
+    for (const StoryTurn& turn : levelStory(*whole, level))
+      turns << QStringLiteral("%1:  %2").arg(wordsOf(turn.when), QString::fromStdString(turn.sentence));
+  story_->setText(turns.isEmpty() ? tr("It is told once nothing is wrong any more.") : turns.join(QLatin1Char('\n')));
+}
+
+}  // namespace insonate::ui

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <insonate/curriculum/CurriculumDraft.h>
+
+#include <QFrame>
+#include <string>
+#include <vector>
+
+class QLabel;
+
+namespace insonate::ui {
+
+/// What keeps a curriculum from being taught, and what a trainee would read of one of its levels at each turn.
+class LevelStoryView final : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit LevelStoryView(QWidget* parent = nullptr);
+
+  void show(const Curriculum& curriculum, const std::string& level, const std::vector<DraftTrouble>& troubles);
+  using QWidget::show;
+
+ private:
+  QLabel *troubles_, *heading_, *story_;
+};
+
+}  // namespace insonate::ui

@@ -1,0 +1,213 @@
+#include "MasteryEditor.h"
+
+#include "../controls/NumberBox.h"
+
+#include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/TaskBar.h>
+#include <insonate/ui/Theme.h>
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QVBoxLayout>
+#include <cmath>
+#include <utility>
+
+namespace insonate::ui {
+namespace {
+
+constexpr double kPercent = 100;
+
+template <class Box, class Value>
+Box* number(const char* object, const QString& name, const QString& tip, Value low, Value high, const QString& suffix) {
+  auto* box = named(new NumberBox<Box>(name), object, name, tip);
+  box->setRange(low, high);
+  box->setSuffix(suffix);
+  box->setKeyboardTracking(false);
+  new QuietWheel(box);
+  return box;
+}
+
+QDoubleSpinBox* share(const char* object, const QString& name, const QString& tip) {
+  auto* box = number<QDoubleSpinBox>(object, name, tip, 0.1, 99.9, QStringLiteral(" %"));
+  box->setDecimals(1);
+  return box;
+}
+
+QWidget* lineOf(std::initializer_list<QWidget*> parts) {
+  auto* line = new QWidget;
+  auto* row = new QHBoxLayout(line);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kGap);
+  for (QWidget* part : parts) row->addWidget(part);
+  row->addStretch(1);
+  return line;
+}
+
+/// The limit, and how many of those who are able reach it.
+struct Calibrated {
+  double limit = 0, power = 0;
+};
+
+Result<Calibrated> calibratedFor(const LcCusum& test, double falseSignals, const CusumTrials& trials,
+                                 const Progress& progress) {
+  const auto exact = calibratedLimit(test, falseSignals, trials, progress);
+  if (!exact) return tl::unexpected(exact.error());
+  // With two digits, as it is kept: upward, so that the share still holds.
+  const double limit = std::ceil(100 * *exact) / 100;
+  return Calibrated{limit, signalRate(test, limit, test.acceptable, trials)};
+}
+
+}  // namespace
+
+MasteryEditor::MasteryEditor(QWidget* parent) : QWidget(parent), tasks_(new TaskBar) {
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(kGap);
+  for (QWidget* part : {buildRow(), buildCusum(), buildCalibration(), buildLapses()}) box->addWidget(part);
+}
+
+QWidget* MasteryEditor::buildRow() {
+  passes_ = number<QSpinBox>("passesInARow", tr("Passes in a row"), tr("So many attempts pass one after the other"), 1,
+                             100, tr(" in a row"));
+  connect(passes_, QOverload<int>::of(&QSpinBox::valueChanged), this, [this](int passes) {
+    Q_EMIT edited(QStringLiteral("passes"), [passes](Level& level) { level.mastery.passesInARow = passes; });
+  });
+  return lineOf({new QLabel(tr("Passes")), passes_});
+}
+
+QWidget* MasteryEditor::buildCusum() {
+  cusum_ = named(new QCheckBox(tr("LC-CUSUM")), "cusumOn", tr("Learning curve test LC-CUSUM"),
+                 tr("Mastery also waits until the learning curve test signals that someone is able"));
+  acceptable_ = share("cusumAcceptable", tr("Acceptable failures"), tr("Who is able fails no more often than this"));
+  unacceptable_ = share("cusumUnacceptable", tr("Unacceptable failures"), tr("Who is not able fails as often as this"));
+  limit_ = number<QDoubleSpinBox>("cusumLimit", tr("Limit h"), tr("The score that has to be reached"), 0.01, 100.0,
+                                  QString());
+  connect(cusum_, &QCheckBox::clicked, this, [this](bool on) {
+    Q_EMIT edited({}, [on](Level& level) { level.mastery.cusum = on ? std::optional(CusumRule()) : std::nullopt; });
+  });
+  for (QDoubleSpinBox* one : {acceptable_, unacceptable_, limit_})
+    connect(one, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &MasteryEditor::tellCusum);
+  return lineOf({cusum_, new QLabel(tr("able")), acceptable_, new QLabel(tr("not able")), unacceptable_,
+                 new QLabel(tr("limit h")), limit_});
+}
+
+QWidget* MasteryEditor::buildCalibration() {
+  falseSignals_ = share("cusumFalse", tr("False signals"), tr("So many of those who are not able may pass for able"));
+  falseSignals_->setValue(10);
+  trials_ = number<QSpinBox>("cusumTrials", tr("Attempts"), tr("Within so many attempts"), 1, 1000, tr(" attempts"));
+  trials_->setValue(CusumTrials().trials);
+  calibrate_ = named(new QPushButton(tr("Calibrate")), "cusumCalibrate", tr("Calibrate the limit"),
+                     tr("Simulates careers, the same each time, and sets the limit"));
+  calibrate_->setAutoDefault(false);
+  connect(calibrate_, &QPushButton::clicked, this, &MasteryEditor::calibrate);
+  calibrated_ = new QLabel;
+  calibrated_->setObjectName(QStringLiteral("cusumCalibrated"));
+  calibrated_->setTextFormat(Qt::PlainText);
+  calibrated_->setWordWrap(true);
+  setRole(calibrated_, "quiet");
+  auto* part = new QWidget;
+  auto* column = new QVBoxLayout(part);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kSmallGap);
+  column->addWidget(lineOf({new QLabel(tr("Limit for a false signal rate of")), falseSignals_, new QLabel(tr("within")),
+                            trials_, calibrate_}));
+  column->addWidget(tasks_);
+  column->addWidget(calibrated_);
+  return part;
+}
+
+QWidget* MasteryEditor::buildLapses() {
+  byDays_ = named(new QCheckBox(tr("lapses after")), "lapseDaysOn", tr("Lapses without practice"),
+                  tr("What is not practised for so long is to be renewed"));
+  days_ = number<QSpinBox>("lapseDays", tr("Days"), tr("Days without an attempt here or at what builds on it"), 1,
+                           36500, tr(" days without practice"));
+  byFailures_ = named(new QCheckBox(tr("lapses after")), "lapseFailuresOn", tr("Lapses by failures"),
+                      tr("Who fails again and again is to renew it"));
+  failures_ = number<QSpinBox>("lapseFailures", tr("Failures"), tr("So many failures"), 1, 1000, tr(" failures"));
+  within_ = number<QSpinBox>("lapseWithin", tr("Within"), tr("Among so many last attempts"), 1, 1000, tr(" attempts"));
+  for (QCheckBox* one : {byDays_, byFailures_}) connect(one, &QCheckBox::clicked, this, &MasteryEditor::tellLapses);
+  for (QSpinBox* one : {days_, failures_, within_})
+    connect(one, QOverload<int>::of(&QSpinBox::valueChanged), this, &MasteryEditor::tellLapses);
+  days_->setValue(180), failures_->setValue(FailureRule().failures), within_->setValue(FailureRule().within);
+  auto* part = new QWidget;
+  auto* column = new QVBoxLayout(part);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kGap);
+  column->addWidget(lineOf({byDays_, days_}));
+  column->addWidget(lineOf({byFailures_, failures_, new QLabel(tr("within")), within_}));
+  return part;
+}
+
+void MasteryEditor::show(const Level& level) {
+  const MasteryRule& rule = level.mastery;
+  // What is calibrated for one level is not another's.
+  if (std::exchange(level_, level.name) != level.name) tasks_->cancel(), calibrated_->clear();
+  const QSignalBlocker a(passes_), b(acceptable_), c(unacceptable_), d(limit_), e(days_), f(failures_), g(within_);
+  passes_->setValue(rule.passesInARow);
+  cusum_->setChecked(rule.cusum.has_value());
+  for (QWidget* one :
+       std::initializer_list<QWidget*>{acceptable_, unacceptable_, limit_, falseSignals_, trials_, calibrate_})
+    one->setEnabled(rule.cusum.has_value());
+  const CusumRule cusum = rule.cusum.value_or(CusumRule());
+  if (cusum != rule_ || !rule.cusum) calibrated_->clear();
+  rule_ = cusum;
+  calibrated_->setVisible(!calibrated_->text().isEmpty());
+  acceptable_->setValue(kPercent * cusum.acceptable);
+  unacceptable_->setValue(kPercent * cusum.unacceptable);
+  limit_->setValue(cusum.limit);
+  byDays_->setChecked(rule.lapsesAfter_days.has_value());
+  days_->setEnabled(rule.lapsesAfter_days.has_value());
+  if (rule.lapsesAfter_days) days_->setValue(*rule.lapsesAfter_days);
+  byFailures_->setChecked(rule.lapsesAfter.has_value());
+  failures_->setEnabled(rule.lapsesAfter.has_value());
+  within_->setEnabled(rule.lapsesAfter.has_value());
+  if (rule.lapsesAfter) failures_->setValue(rule.lapsesAfter->failures), within_->setValue(rule.lapsesAfter->within);
+}
+
+void MasteryEditor::tellCusum() {
+  const CusumRule rule{acceptable_->value() / kPercent, unacceptable_->value() / kPercent, limit_->value()};
+  Q_EMIT edited(QStringLiteral("cusum"), [rule](Level& level) {
+    if (level.mastery.cusum) level.mastery.cusum = rule;
+  });
+}
+
+void MasteryEditor::tellLapses() {
+  const auto days = byDays_->isChecked() ? std::optional(days_->value()) : std::nullopt;
+  const auto failures =
+      byFailures_->isChecked() ? std::optional(FailureRule{failures_->value(), within_->value()}) : std::nullopt;
+  Q_EMIT edited(QStringLiteral("lapse"), [days, failures](Level& level) {
+    level.mastery.lapsesAfter_days = days;
+    level.mastery.lapsesAfter = failures;
+  });
+}
+
+void MasteryEditor::calibrate() {
+  const LcCusum test{acceptable_->value() / kPercent, unacceptable_->value() / kPercent};
+  const double share = falseSignals_->value() / kPercent;
+  CusumTrials trials;
+  trials.trials = trials_->value();
+  tasks_->run<Calibrated>(
+      tr("Simulating %L1 careers of %2 attempts").arg(trials.careers).arg(trials.trials),
+      [=](const Progress& progress) { return calibratedFor(test, share, trials, progress); },
+      [this, test, share, trials](const Result<Calibrated>& done) {
+        QString words = done ? tr("h %1: %2 % of those who fail %3 % of the time signal falsely within %4 attempts, at "
+                                  "most; %5 % of those who fail %6 % of the time signal.")
+                                   .arg(done->limit, 0, 'f', 2)
+                                   .arg(kPercent * share)
+                                   .arg(kPercent * test.unacceptable)
+                                   .arg(trials.trials)
+                                   .arg(kPercent * done->power, 0, 'f', 0)
+                                   .arg(kPercent * test.acceptable)
+                             : QString::fromStdString(done.error().message);
+        if (done) limit_->setValue(done->limit);
+        calibrated_->setText(words);
+        calibrated_->setVisible(true);
+      });
+}
+
+}  // namespace insonate::ui

@@ -1,0 +1,220 @@
+#include "StandardsEditor.h"
+
+#include "../controls/NumberBox.h"
+
+#include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/RowTable.h>
+#include <insonate/ui/Theme.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace insonate::ui {
+namespace {
+
+enum Column { kMetric, kLimit, kOtherwise, kColumns };
+constexpr int kRow_px = 26, kTable_px = 190, kMetric_px = 250, kLimit_px = 110;
+constexpr double kAnyLimit = 1e6;
+
+QString qt(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+QDoubleSpinBox* number(const QString& name, double low, double high, int decimals, const QString& suffix) {
+  auto* box = new NumberBox<QDoubleSpinBox>(name);
+  box->setRange(low, high);
+  box->setDecimals(decimals);
+  box->setSuffix(suffix);
+  box->setKeyboardTracking(false);
+  new QuietWheel(box);
+  return box;
+}
+
+QPushButton* button(const char* object, const QString& words, const QString& tip) {
+  auto* made = named(new QPushButton(words), object, words, tip);
+  made->setAutoDefault(false);
+  return made;
+}
+
+}  // namespace
+
+StandardsEditor::StandardsEditor(const std::vector<MetricMeaning>& metrics, QWidget* parent)
+    : QWidget(parent), metrics_(metrics) {
+  auto* always = new QLabel(tr("It was completed, with success, without a critical error, and:"));
+  setRole(always, "quiet");
+  table_ = named(new QTableWidget(0, kColumns), "standards", tr("Standards"),
+                 tr("What metrics have to reach; the chosen one is changed below"));
+  table_->setHorizontalHeaderLabels({tr("Metric"), tr("Limit"), tr("Said where it is missed")});
+  makeRowTable(*table_, kRow_px);
+  table_->setColumnWidth(kMetric, kMetric_px);
+  table_->setColumnWidth(kLimit, kLimit_px);
+  table_->horizontalHeader()->setSectionResizeMode(kOtherwise, QHeaderView::Stretch);
+  table_->setFixedHeight(kTable_px);
+  connect(table_, &QTableWidget::itemSelectionChanged, this, &StandardsEditor::showStandard);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(kGap);
+  box->addWidget(always);
+  box->addWidget(buildRule());
+  box->addWidget(table_);
+  box->addWidget(buildStandard());
+}
+
+QWidget* StandardsEditor::buildRule() {
+  points_ = named(new QCheckBox(tr("At least")), "leastPointsOn", tr("At least so many points"),
+                  tr("Ask for a number of points, of 100"));
+  leastPoints_ = named(number(tr("Points"), 0, 100, 0, tr(" points")), "leastPoints", tr("Points"),
+                       tr("Points of 100 that an attempt has to reach"));
+  percent_ = named(number(tr("Mastery"), 1, 100, 0, tr(" %")), "masteryPercent", tr("Mastery percentage"),
+                   tr("Of the standards below, so many have to be met; 100 %: all of them"));
+  const auto tell = [this] {
+    const auto least = points_->isChecked() ? std::optional(leastPoints_->value()) : std::nullopt;
+    Q_EMIT edited(QStringLiteral("points"), [least](Level& level) { level.pass.leastPoints = least; });
+  };
+  connect(points_, &QCheckBox::clicked, this, tell);
+  connect(leastPoints_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, tell);
+  connect(percent_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double value) {
+    Q_EMIT edited(QStringLiteral("percent"), [value](Level& level) { level.pass.mastery_percent = value; });
+  });
+  auto* line = new QWidget;
+  auto* row = new QHBoxLayout(line);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kGap);
+  row->addWidget(points_);
+  row->addWidget(leastPoints_);
+  row->addSpacing(kLargeGap);
+  row->addWidget(new QLabel(tr("Of the standards")));
+  row->addWidget(percent_);
+  row->addStretch(1);
+  return line;
+}
+
+QWidget* StandardsEditor::buildStandard() {
+  metric_ = named(new QComboBox, "standardMetric", tr("Metric"), tr("What is measured"));
+  new QuietWheel(metric_);
+  for (const MetricMeaning& one : metrics_) metric_->addItem(titleOf({.metric = one.id}), qt(one.id));
+  bound_ = named(new QComboBox, "standardBound", tr("At least or at most"), tr("Which side of the limit is good"));
+  new QuietWheel(bound_);
+  bound_->addItems({tr("at least"), tr("at most")});
+  limit_ = named(number(tr("The limit"), -kAnyLimit, kAnyLimit, 2, QString()), "standardLimit", tr("Limit"),
+                 tr("In the metric's unit"));
+  otherwise_ = named(new QLineEdit, "standardOtherwise", tr("Said where it is missed"),
+                     tr("It follows \"failed because\": \"the artery was punctured\""));
+  otherwise_->setPlaceholderText(tr("the artery was punctured"));
+  add_ = button("standardAdd", tr("Add"), tr("Another standard"));
+  remove_ = button("standardRemove", tr("Remove"), tr("Takes the chosen standard away"));
+  connect(add_, &QPushButton::clicked, this, &StandardsEditor::add);
+  connect(remove_, &QPushButton::clicked, this, &StandardsEditor::remove);
+  connect(metric_, QOverload<int>::of(&QComboBox::activated), this, [this](int at) {
+    const MetricMeaning& meaning = metrics_[std::size_t(at)];
+    change(QStringLiteral("metric"),
+           [&](MetricStandard& one) { one.metric = meaning.id, one.version = meaning.version; });
+  });
+  const auto tellLimit = [this] {
+    change(QStringLiteral("limit"), [this](MetricStandard& one) {
+      one.least.reset(), one.most.reset();
+      (bound_->currentIndex() == 0 ? one.least : one.most) = limit_->value();
+    });
+  };
+  connect(bound_, QOverload<int>::of(&QComboBox::activated), this, tellLimit);
+  connect(limit_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, tellLimit);
+  connect(otherwise_, &QLineEdit::textEdited, this, [this](const QString& text) {
+    change(QStringLiteral("otherwise"), [&](MetricStandard& one) { one.otherwise = text.toStdString(); });
+  });
+  auto* line = new QWidget;
+  auto* column = new QVBoxLayout(line);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto *first = new QHBoxLayout, *second = new QHBoxLayout;
+  for (QWidget* one : std::initializer_list<QWidget*>{metric_, bound_, limit_}) first->addWidget(one, one == metric_);
+  second->addWidget(otherwise_, 1);
+  second->addWidget(add_);
+  second->addWidget(remove_);
+  column->addLayout(first);
+  column->addLayout(second);
+  return line;
+}
+
+QString StandardsEditor::titleOf(const MetricStandard& standard) const {
+  const auto known = std::ranges::find(metrics_, standard.metric, &MetricMeaning::id);
+  if (known == metrics_.end()) return tr("%1 (not known here)").arg(qt(standard.metric));
+  return known->unit.empty() ? qt(known->title) : QStringLiteral("%1, %2").arg(qt(known->title), qt(known->unit));
+}
+
+void StandardsEditor::show(const PassRule& rule) {
+  rule_ = rule;
+  const QSignalBlocker a(points_), b(leastPoints_), c(percent_);
+  points_->setChecked(rule.leastPoints.has_value());
+  leastPoints_->setEnabled(rule.leastPoints.has_value());
+  if (rule.leastPoints) leastPoints_->setValue(*rule.leastPoints);
+  percent_->setValue(rule.mastery_percent);
+  const int row = table_->currentRow();
+  {
+    const QSignalBlocker quiet(table_);
+    table_->setRowCount(int(rule.standards.size()));
+    for (int at = 0; at < table_->rowCount(); ++at) {
+      const MetricStandard& one = rule.standards[std::size_t(at)];
+      const QString limit = one.least ? tr("at least %1").arg(*one.least) : tr("at most %1").arg(one.most.value_or(0));
+      const QString texts[kColumns] = {titleOf(one), limit, qt(one.otherwise)};
+      for (int column = 0; column < kColumns; ++column)
+        table_->setItem(at, column, new QTableWidgetItem(texts[column]));
+    }
+    if (table_->rowCount() > 0) table_->selectRow(std::clamp(row, 0, table_->rowCount() - 1));
+  }
+  showStandard();
+}
+
+void StandardsEditor::showStandard() {
+  const int row = table_->currentRow();
+  const bool is = row >= 0 && row < int(rule_.standards.size());
+  for (QWidget* one : std::initializer_list<QWidget*>{metric_, bound_, limit_, otherwise_, remove_})
+    one->setEnabled(is);
+  if (!is) return;
+  const MetricStandard& one = rule_.standards[std::size_t(row)];
+  const QSignalBlocker quiet(limit_);
+  metric_->setCurrentIndex(metric_->findData(qt(one.metric)));
+  bound_->setCurrentIndex(one.least ? 0 : 1);
+  limit_->setValue(one.least ? *one.least : one.most.value_or(0));
+  showText(*otherwise_, qt(one.otherwise));
+  otherwise_->setCursorPosition(std::min(otherwise_->cursorPosition(), otherwise_->text().size()));
+}
+
+void StandardsEditor::change(const QString& field, const std::function<void(MetricStandard&)>& what) {
+  const int row = table_->currentRow();
+  if (row < 0 || row >= int(rule_.standards.size())) return;
+  MetricStandard changed = rule_.standards[std::size_t(row)];
+  what(changed);
+  Q_EMIT edited(QStringLiteral("standard %1 %2").arg(row).arg(field), [row, changed](Level& level) {
+    if (row < int(level.pass.standards.size())) level.pass.standards[std::size_t(row)] = changed;
+  });
+}
+
+void StandardsEditor::add() {
+  if (metrics_.empty()) return;
+  const MetricMeaning& first = metrics_.front();
+  Q_EMIT edited({}, [&](Level& level) {
+    level.pass.standards.push_back({.metric = first.id, .version = first.version, .most = 0});
+  });
+  table_->selectRow(table_->rowCount() - 1);
+  metric_->setFocus();
+}
+
+void StandardsEditor::remove() {
+  const int row = table_->currentRow();
+  Q_EMIT edited({}, [row](Level& level) {
+    auto& all = level.pass.standards;
+    if (row >= 0 && row < int(all.size())) all.erase(all.begin() + row);
+  });
+}
+
+}  // namespace insonate::ui
