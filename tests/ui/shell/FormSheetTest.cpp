@@ -8,6 +8,7 @@
 #include <QPlainTextEdit>
 #include <QRadioButton>
 #include <QSignalSpy>
+#include <QToolButton>
 #include <QtTest/QTest>
 
 namespace {
@@ -98,6 +99,38 @@ TEST_F(FormSheet, AnswersStandBelowEachOtherWhereThereIsNoRoom) {
   sheet.resize(120, 500);
   QApplication::processEvents();
   EXPECT_LT(top("form_scale_1"), top("form_scale_3"));
+}
+
+TEST(FormNotes, StandBesideTheItemsOfAChecklist) {
+  Form checklist = form();
+  checklist.purpose = Form::Purpose::Checklist;
+  ui::FormSheet sheet(checklist);
+  sheet.resize(700, 500);
+  sheet.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&sheet));
+  QApplication::setActiveWindow(&sheet);
+  auto* button = sheet.findChild<QToolButton*>("noteButton_scale");
+  auto* note = sheet.findChild<QLineEdit*>("note_scale");
+  ASSERT_TRUE(button && note);
+  EXPECT_FALSE(sheet.findChild<QToolButton*>("noteButton_words")) << "a text needs none";
+  EXPECT_FALSE(note->isVisible());
+  button->setFocus();
+  QTest::keyClick(button, Qt::Key_Space);
+  EXPECT_TRUE(note->hasFocus());
+  QTest::keyClicks(note, "  at 0:42, <b>& %1  ");
+  EXPECT_EQ(sheet.answers(), (FormAnswers{{"scale:note", "at 0:42, <b>& %1"}}));
+  button->click();
+  EXPECT_TRUE(note->isVisible()) << "what is written is not hidden";
+
+  const FormAnswers kept{{"scale", "2"}, {"scale:note", "kept"}};
+  sheet.setAnswers(kept);
+  EXPECT_EQ(sheet.answers(), kept);
+  EXPECT_TRUE(note->isVisible());
+  note->setText(QString(10'001, 'x'));
+  EXPECT_FALSE(sheet.check());
+  EXPECT_TRUE(sheet.findChild<QLabel*>("trouble_scale")->text().contains("too long"));
+  sheet.setAnswers({});
+  EXPECT_FALSE(note->isVisible());
 }
 
 }  // namespace

@@ -7,7 +7,20 @@ class QKeyEvent;
 namespace insonate::review {
 
 /// What a key does in this workspace.
-enum class Command { Play, Step, StepMoment, Begin, End, Slower, Faster, ShowReplay, ShowResult, ShowLook, List };
+enum class Command {
+  Play,
+  Step,
+  StepMoment,
+  Begin,
+  End,
+  Slower,
+  Faster,
+  ShowReplay,
+  ShowResult,
+  ShowLook,
+  ShowJudging,
+  List
+};
 
 /// One row of the only table of keys: it decides what a key does, and lists it for the user. Rows without a key are
 /// listed only: the views do them.

@@ -1,8 +1,9 @@
 #include "ReviewParts.h"
 
-#include "KeyTable.h"
 #include "attempt/Words.h"
 #include "home/ReviewHome.h"
+#include "judge/JudgeDesk.h"
+#include "judge/JudgePane.h"
 #include "list/AttemptList.h"
 #include "replay/MomentList.h"
 #include "replay/ReplayScene.h"
@@ -11,6 +12,7 @@
 #include "result/ReportPaint.h"
 #include "result/ResultPage.h"
 
+#include <insonate/ui/Attempts.h>
 #include <insonate/ui/KnownCases.h>
 #include <insonate/ui/ScenePanel.h>
 #include <insonate/ui/Theme.h>
@@ -21,7 +23,6 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -36,12 +37,14 @@ namespace insonate::review {
 namespace {
 
 constexpr int kMoments_px = 270, kScene_px = 460;
-enum Tab { kReplay, kResult };
 
 }  // namespace
 
 ReviewWorkspace::Parts::Parts(ReviewWorkspace& workspace, ui::TaskBar& taskBar)
-    : tasks(taskBar), session(*new ReviewSession(&workspace)), workspace_(workspace) {
+    : tasks(taskBar),
+      session(*new ReviewSession(&workspace)),
+      judging(new JudgeDesk(session, this)),
+      workspace_(workspace) {
   pages_ = new QStackedLayout(&workspace);
   pages_->setContentsMargins(0, 0, 0, 0);
   list = new AttemptList;
@@ -64,7 +67,7 @@ ReviewWorkspace::Parts::Parts(ReviewWorkspace& workspace, ui::TaskBar& taskBar)
   pages_->addWidget(home);
   pages_->addWidget(page_);
   connectParts();
-  showTab(kResult);
+  showTab(kResultTab);
   refreshReady();
 }
 
@@ -101,7 +104,7 @@ QWidget* ReviewWorkspace::Parts::buildTabs() {
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
   tabs_ = new QButtonGroup(this);
-  const auto add = [&](Tab id, const char* object, const QString& text, const QString& tip) {
+  const auto addTab = [&](const char* object, const QString& text, const QString& tip) {
     auto* button = new QToolButton;
     button->setObjectName(QLatin1String(object));
     button->setText(text);
@@ -109,21 +112,19 @@ QWidget* ReviewWorkspace::Parts::buildTabs() {
     button->setCheckable(true);
     button->setFocusPolicy(Qt::TabFocus);
     ui::setRole(button, "narrowTab");
-    tabs_->addButton(button, id);
     row->addWidget(button);
+    return button;
   };
-  add(kReplay, "replayTab", tr("Replay"), tr("The ultrasound picture of each moment (1)"));
-  add(kResult, "resultTab", tr("Result"), tr("Points, metrics, and the needle's way (2)"));
-  look_ = new QToolButton;
-  look_->setObjectName(QStringLiteral("sceneTab"));
-  look_->setText(tr("3D"));
-  look_->setToolTip(tr("What the 3D view shows: structures, skin, clipping plane (3)"));
-  look_->setCheckable(true);
-  look_->setFocusPolicy(Qt::TabFocus);
-  ui::setRole(look_, "narrowTab");
-  connect(look_, &QToolButton::toggled, this, [this] { showBelow(); });
+  tabs_->addButton(addTab("replayTab", tr("Replay"), tr("The ultrasound picture of each moment (1)")), kReplayTab);
+  tabs_->addButton(addTab("resultTab", tr("Result"), tr("Points, metrics, and the needle's way (2)")), kResultTab);
   row->addSpacing(ui::kGap);
-  row->addWidget(look_);
+  look_ = addTab("sceneTab", tr("3D"), tr("What the 3D view shows: structures, skin, clipping plane (3)"));
+  judge_ = addTab("judgeTab", tr("Judge"), tr("Checklists and ratings of this attempt, in the place of 3D (4)"));
+  connect(look_, &QToolButton::toggled, this, [this] { showBelow(); });
+  connect(judge_, &QToolButton::toggled, this, [this](bool judges) {
+    // It is the replay that is judged.
+    judges ? showTab(kReplayTab) : showBelow();
+  });
   connect(tabs_, &QButtonGroup::idClicked, this, [this](int tab) { showTab(tab); });
   auto* save = new QAction(ui::icon(QStringLiteral("save")), tr("Save result ..."), &workspace_);
   save->setObjectName(QStringLiteral("saveResult"));
@@ -146,10 +147,11 @@ void ReviewWorkspace::Parts::showTab(int tab) {
   showBelow();
 }
 
-/// Under 3D: what it shows, or with the result the needle's way.
+/// Under 3D: what it shows, or with the result the needle's way. In its place, while one judges, the forms.
 void ReviewWorkspace::Parts::showBelow() {
+  right_->setCurrentIndex(judge_->isChecked() ? 1 : 0);
   scene_->panelArea().setVisible(look_->isChecked());
-  path_->setVisible(centre_->currentIndex() == kResult && !look_->isChecked());
+  path_->setVisible(centre_->currentIndex() == kResultTab && !look_->isChecked());
 }
 
 void ReviewWorkspace::Parts::exportResult() {
@@ -178,7 +180,7 @@ QWidget* ReviewWorkspace::Parts::buildCentre() {
   pictureWidget_ = new ui::ViewWidget(picture_, tr("Ultrasound picture of that moment"));
   pictureWidget_->setObjectName(QStringLiteral("replayPicture"));
   scene_ = new ReplayScene(session, this);
-  connect(moments, &MomentList::entered, this, [this] { showTab(kReplay); });
+  connect(moments, &MomentList::entered, this, [this] { showTab(kReplayTab); });
   columns_->addWidget(moments);
   centre_ = new QStackedWidget;
   centre_->addWidget(pictureWidget_);
@@ -190,8 +192,16 @@ QWidget* ReviewWorkspace::Parts::buildCentre() {
   right->addWidget(path_);
   right->addWidget(&scene_->panelArea());
   right->setSizes({600, 400, 400});
+  auto* pane = new JudgePane(*judging, ui::formDraftsFolder());
+  connect(pane, &JudgePane::said, &workspace_, [this](const QString& sentence) {
+    said_ = sentence;
+    Q_EMIT workspace_.statusChanged();
+  });
+  right_ = new QStackedWidget;
+  right_->addWidget(right);
+  right_->addWidget(pane);
   columns_->addWidget(centre_);
-  columns_->addWidget(right);
+  columns_->addWidget(right_);
   columns_->setStretchFactor(0, 0);
   columns_->setStretchFactor(1, 3);
   columns_->setStretchFactor(2, 2);
@@ -206,7 +216,16 @@ QWidget* ReviewWorkspace::Parts::buildCentre() {
 void ReviewWorkspace::Parts::connectParts() {
   connect(list, &AttemptList::chosen, this, [this](const QString& file) { session.open(file, tasks); });
   connect(list, &AttemptList::listed, this, [this] { refreshReady(); });
-  connect(home, &ReviewHome::replayWanted, this, [this](const QString& file) { session.open(file, tasks); });
+  connect(home, &ReviewHome::replayWanted, this, [this](const QString& file, const QString& attempt) {
+    judging->expect(file, attempt);
+    session.open(file, tasks);
+  });
+  connect(judging, &JudgeDesk::changed, this, [this] {
+    showNotice();
+    refreshReady();
+  });
+  connect(judging, &JudgeDesk::failed, this,
+          [this](const QString& what, const QString& advice) { Q_EMIT workspace_.failed(what, advice, {}); });
   connect(home, &ReviewHome::settledChanged, this, [this] { refreshReady(); });
   connect(home, &ReviewHome::written, &workspace_, &ui::Workspace::written);
   connect(home, &ReviewHome::failed, this,
@@ -218,6 +237,7 @@ void ReviewWorkspace::Parts::connectParts() {
     refreshReady();
   });
   connect(&session, &ReviewSession::timeChanged, this, [this] {
+    if (!said_.isEmpty()) said_.clear(), Q_EMIT workspace_.statusChanged();
     showPicture();
     refreshReady();
   });
@@ -266,6 +286,7 @@ void ReviewWorkspace::Parts::showNotice() {
     for (const std::string& trouble : session.attempt()->troubles) lines << QString::fromStdString(trouble);
   if (session.attempt() && (session.fit() == CaseFit::Other || session.fit() == CaseFit::Changed))
     lines.prepend(session.message());
+  if (session.attempt() && judging->isOther()) lines.prepend(judging->words());
   notice_->setText(lines.join(QLatin1Char('\n')));
   notice_->setVisible(!lines.isEmpty());
 }
@@ -287,70 +308,10 @@ void ReviewWorkspace::Parts::showPicture() {
 }
 
 void ReviewWorkspace::Parts::refreshReady() {
-  const bool now =
-      session.isSettled() && (session.attempt() ? scene_->isAtRest() : !list->isReading() && home->isSettled());
+  const bool now = session.isSettled() && !judging->isReading() &&
+                   (session.attempt() ? scene_->isAtRest() : !list->isReading() && home->isSettled());
   if (now == std::exchange(ready, now)) return;
   Q_EMIT workspace_.readyChanged();
-}
-
-bool ReviewWorkspace::Parts::key(const QKeyEvent& event, bool act) {
-  const KeyRow* row = rowFor(event);
-  if (!row || !session.attempt()) return false;
-  if (!act) return true;
-  const auto faster = [this](int by) {
-    const auto* at = std::ranges::find(ReviewSession::kSpeeds, session.speed());
-    const auto index = std::clamp<std::ptrdiff_t>(at - std::begin(ReviewSession::kSpeeds) + by, 0,
-                                                  std::ssize(ReviewSession::kSpeeds) - 1);
-    session.setSpeed(ReviewSession::kSpeeds[index]);
-  };
-  switch (row->command) {
-    case Command::Play:
-      session.setPlaying(!session.isPlaying());
-      break;
-    case Command::Step:
-      session.setPlaying(false);
-      session.step(event.modifiers().testFlag(Qt::ShiftModifier) ? row->wide : row->by);
-      break;
-    case Command::StepMoment:
-      session.stepMoment(int(row->by));
-      break;
-    case Command::Begin:
-      session.setTime(0);
-      break;
-    case Command::End:
-      session.setTime(session.attempt()->end_us);
-      break;
-    case Command::Slower:
-      faster(-1);
-      break;
-    case Command::Faster:
-      faster(1);
-      break;
-    case Command::ShowReplay:
-    case Command::ShowResult:
-      showTab(row->command == Command::ShowReplay ? kReplay : kResult);
-      break;
-    case Command::ShowLook:
-      look_->toggle();
-      break;
-    case Command::List:
-      session.close();
-      break;
-  }
-  return true;
-}
-
-bool ReviewWorkspace::Parts::keyEvent(QEvent* event) {
-  switch (event->type()) {
-    case QEvent::ShortcutOverride:
-      if (!key(*static_cast<QKeyEvent*>(event), false)) return false;
-      event->accept();
-      return true;
-    case QEvent::KeyPress:
-      return key(*static_cast<QKeyEvent*>(event), true);
-    default:
-      return false;
-  }
 }
 
 void ReviewWorkspace::Parts::saveLayout(QSettings& settings) const {

@@ -20,6 +20,7 @@ class ViewWidget;
 namespace insonate::review {
 
 class AttemptList;
+class JudgeDesk;
 class PathPane;
 class ReviewHome;
 class ReplayScene;
@@ -33,9 +34,12 @@ class ReviewWorkspace::Parts : public QObject {
 
   ui::TaskBar& tasks;
   ReviewSession& session;  ///< a child of the workspace, gone after its widgets
+  JudgeDesk* judging;      ///< whose attempt is open
   AttemptList* list = nullptr;
   ReviewHome* home = nullptr;
   bool ready = false;
+  /// What was just done, until the attempt or the time is another; empty for nothing.
+  const QString& said() const { return said_; }
 
   bool key(const QKeyEvent& event, bool act);
   /// The open attempt's result, as a page.
@@ -46,6 +50,8 @@ class ReviewWorkspace::Parts : public QObject {
   void restoreLayout(QSettings& settings);
 
  private:
+  enum Tab { kReplayTab, kResultTab };
+
   QWidget* buildBar();
   QWidget* buildCentre();
   QWidget* buildTabs();
@@ -61,6 +67,7 @@ class ReviewWorkspace::Parts : public QObject {
   void refreshReady();
 
   ReviewWorkspace& workspace_;
+  QString said_;
   QStackedLayout* pages_;
   QWidget* page_;
   QLabel *title_ = nullptr, *facts_ = nullptr, *notice_ = nullptr;
@@ -73,7 +80,9 @@ class ReviewWorkspace::Parts : public QObject {
   QStackedWidget* centre_ = nullptr;  ///< picture or result
   PathPane* path_ = nullptr;
   QButtonGroup* tabs_ = nullptr;
-  QToolButton* look_ = nullptr;  ///< whether the panel of 3D is open
+  QToolButton* look_ = nullptr;      ///< whether the panel of 3D is open
+  QToolButton* judge_ = nullptr;     ///< whether forms stand in the place of 3D
+  QStackedWidget* right_ = nullptr;  ///< 3D or forms
 };
 
 }  // namespace insonate::review

@@ -1,6 +1,7 @@
 #include "KeyTable.h"
 #include "ReviewParts.h"
 #include "home/ReviewHome.h"
+#include "judge/JudgeDesk.h"
 #include "list/AttemptList.h"
 
 #include <insonate/review/ReviewWorkspace.h>
@@ -34,9 +35,11 @@ void ReviewWorkspace::setCase(std::shared_ptr<const PatientCase> patient) {
 
 void ReviewWorkspace::setAccount(ui::Account& account) {
   parts_->home->setAccount(account);
+  parts_->judging->setAccount(account);
 }
 
 QString ReviewWorkspace::statusText() const {
+  if (!parts_->said().isEmpty()) return parts_->said();
   const QString message = parts_->session.message();
   return message.isEmpty() ? parts_->home->statusText() : message;
 }

@@ -3,6 +3,7 @@
 #include "../class/ClassDesk.h"
 #include "../class/ClassPage.h"
 #include "../compare/ComparePage.h"
+#include "../judge/RatersPage.h"
 #include "../list/AttemptList.h"
 #include "../person/PersonDesk.h"
 #include "../person/PersonPage.h"
@@ -33,6 +34,7 @@ ReviewHome::ReviewHome(AttemptList& list, QWidget* parent)
       classPage_(new ClassPage(*room_)),
       personPage_(new PersonPage(*person_, *room_)),
       comparePage_(new ComparePage(*room_)),
+      ratersPage_(new RatersPage(*room_)),
       saveClass_(new SaveMenu(SaveMenu::Subject::Class, *room_, *person_, this)),
       savePerson_(new SaveMenu(SaveMenu::Subject::Person, *room_, *person_, this)) {
   classPage_->setSaving(saveClass_);
@@ -42,13 +44,15 @@ ReviewHome::ReviewHome(AttemptList& list, QWidget* parent)
   addTab(kCompare, "compareTab", tr("Compare"), tr("The class beside another one (Alt+3)"), QStringLiteral("Alt+3"));
   addTab(kRecordings, "recordingsTab", tr("Recordings"), tr("All recordings of this computer (Alt+4)"),
          QStringLiteral("Alt+4"));
+  addTab(kRaters, "ratersTab", tr("Raters"), tr("How far those agree who judge the attempts of the class (Alt+5)"),
+         QStringLiteral("Alt+5"));
   row_->addStretch(1);
   notice_->setObjectName(QStringLiteral("accountNotice"));
   notice_->setWordWrap(true);
   notice_->setTextFormat(Qt::PlainText);
   notice_->setContentsMargins(ui::kGap, ui::kSmallGap, ui::kGap, ui::kSmallGap);
   ui::setRole(notice_, "quiet");
-  for (QWidget* page : std::initializer_list<QWidget*>{classPage_, personPage_, comparePage_, &list_})
+  for (QWidget* page : std::initializer_list<QWidget*>{classPage_, personPage_, comparePage_, &list_, ratersPage_})
     pages_->addWidget(page);
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
@@ -94,6 +98,8 @@ void ReviewHome::connectParts() {
   connect(personPage_, &PersonPage::failed, this, &ReviewHome::failed);
   connect(comparePage_, &ComparePage::written, this, &ReviewHome::written);
   connect(comparePage_, &ComparePage::failed, this, &ReviewHome::failed);
+  connect(ratersPage_, &RatersPage::written, this, &ReviewHome::written);
+  connect(ratersPage_, &RatersPage::failed, this, &ReviewHome::failed);
   for (SaveMenu* menu : {saveClass_, savePerson_}) {
     connect(menu, &SaveMenu::written, this, &ReviewHome::written);
     connect(menu, &SaveMenu::failed, this, &ReviewHome::failed);
@@ -117,7 +123,7 @@ void ReviewHome::setAccount(ui::Account& account) {
 void ReviewHome::showWho() {
   const bool somebody = room_->isSomebody();
   bar_->setVisible(somebody);
-  for (const Tab tab : {kClass, kCompare}) tabs_->button(tab)->setVisible(room_->teaches());
+  for (const Tab tab : {kClass, kCompare, kRaters}) tabs_->button(tab)->setVisible(room_->teaches());
   const QKeySequence key = tabs_->button(kPerson)->shortcut();
   tabs_->button(kPerson)->setText(room_->teaches() ? tr("Person") : tr("My attempts"));
   tabs_->button(kPerson)->setShortcut(key);  // which a new text takes away
@@ -166,6 +172,8 @@ QString ReviewHome::statusText() const {
       return tr("Choose an attempt; Enter replays it.");
     case kCompare:
       return tr("Choose another class and a metric.");
+    case kRaters:
+      return tr("Choose a form, and two raters to see them item by item.");
     default:
       return tr("Choose an attempt; Enter opens it.");
   }

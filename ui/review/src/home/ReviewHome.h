@@ -19,6 +19,7 @@ class ClassPage;
 class ComparePage;
 class PersonDesk;
 class PersonPage;
+class RatersPage;
 class SaveMenu;
 
 /// Where one is while no attempt is open: class, person and recordings for who is signed in, as far as they may see
@@ -40,12 +41,13 @@ class ReviewHome final : public QWidget {
 
  Q_SIGNALS:
   void settledChanged();
-  void replayWanted(const QString& file);
+  /// The recording of this attempt of the store.
+  void replayWanted(const QString& file, const QString& attempt);
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice);
 
  private:
-  enum Tab { kClass, kPerson, kCompare, kRecordings };
+  enum Tab { kClass, kPerson, kCompare, kRecordings, kRaters };
 
   QWidget* buildTabs();
   void addTab(Tab tab, const char* object, const QString& text, const QString& tip, const QString& keys);
@@ -67,6 +69,7 @@ class ReviewHome final : public QWidget {
   ClassPage* classPage_;
   PersonPage* personPage_;
   ComparePage* comparePage_;
+  RatersPage* ratersPage_;
   SaveMenu *saveClass_, *savePerson_;
 };
 

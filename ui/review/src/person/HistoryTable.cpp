@@ -209,7 +209,7 @@ void HistoryTable::replay() {
   if (!attempt) return;
   const QString file = recordingOf(*attempt);
   if (file.isEmpty()) return Q_EMIT failed(whyNoReplay(*attempt), {});
-  Q_EMIT replayWanted(file);
+  Q_EMIT replayWanted(file, QString::fromStdString(attempt->facts.id));
 }
 
 void HistoryTable::showVoiding(bool shown) {

@@ -24,7 +24,8 @@ class HistoryTable final : public QWidget {
   explicit HistoryTable(PersonDesk& desk, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  void replayWanted(const QString& file);
+  /// The recording of this attempt of the store.
+  void replayWanted(const QString& file, const QString& attempt);
   void failed(const QString& what, const QString& advice);
 
  private:

@@ -31,7 +31,8 @@ class PersonPage final : public QWidget {
   }
 
  Q_SIGNALS:
-  void replayWanted(const QString& file);
+  /// The recording of this attempt of the store.
+  void replayWanted(const QString& file, const QString& attempt);
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice);
 

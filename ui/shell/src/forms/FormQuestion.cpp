@@ -4,6 +4,7 @@
 
 #include <QButtonGroup>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -11,6 +12,7 @@
 #include <QPlainTextEdit>
 #include <QRadioButton>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -34,18 +36,26 @@ QLabel* paragraph(const QString& text, const char* role) {
 
 }  // namespace
 
-FormQuestion::FormQuestion(const FormItem& item, QWidget* parent)
-    : QWidget(parent), name_(item.name), trouble_(paragraph({}, "problem")) {
+FormQuestion::FormQuestion(const FormItem& item, bool takesNote, QWidget* parent)
+    : QWidget(parent), name_(item.name), noteKey_(insonate::noteKey(item)), trouble_(paragraph({}, "problem")) {
   trouble_->setObjectName(QStringLiteral("trouble_") + qt(name_));
   trouble_->hide();
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(kSmallGap);
-  box->addWidget(paragraph(item.needed ? tr("%1 (needed)").arg(qt(item.title)) : qt(item.title), ""));
+  auto* head = new QHBoxLayout;
+  head->setSpacing(kGap);
+  head->addWidget(paragraph(item.needed ? tr("%1 (needed)").arg(qt(item.title)) : qt(item.title), ""), 1);
+  box->addLayout(head);
   if (!item.about.empty()) box->addWidget(paragraph(qt(item.about), "quiet"));
   box->addWidget(item.kind == FormItem::Kind::Choice   ? buildChoice(item)
                  : item.kind == FormItem::Kind::Number ? buildNumber(item)
                                                        : buildText(item));
+  if (takesNote) {
+    buildNote(item);
+    head->addWidget(noteButton_, 0, Qt::AlignTop);
+    box->addWidget(note_);
+  }
   box->addWidget(trouble_);
 }
 
@@ -95,6 +105,39 @@ QWidget* FormQuestion::buildText(const FormItem& item) {
   text_->setFixedHeight(kTextLines * fontMetrics().lineSpacing() + 2 * kGap);
   connect(text_, &QPlainTextEdit::textChanged, this, &FormQuestion::changed);
   return text_;
+}
+
+/// A line that opens by a button.
+void FormQuestion::buildNote(const FormItem& item) {
+  noteButton_ = new QToolButton;
+  noteButton_->setObjectName(QStringLiteral("noteButton_") + qt(name_));
+  noteButton_->setText(tr("Note"));
+  noteButton_->setAccessibleName(tr("Note to: %1").arg(qt(item.title)));
+  noteButton_->setToolTip(tr("Write what the answer alone does not say"));
+  noteButton_->setCheckable(true);
+  noteButton_->setFocusPolicy(Qt::TabFocus);
+  note_ = new QLineEdit;
+  note_->setObjectName(QStringLiteral("note_") + qt(name_));
+  note_->setAccessibleName(noteButton_->accessibleName());
+  note_->setToolTip(tr("Read by the trainee, and by other raters once they have judged"));
+  note_->hide();
+  connect(noteButton_, &QToolButton::toggled, note_, &QWidget::setVisible);
+  connect(noteButton_, &QToolButton::clicked, note_, [this] {
+    if (!note().isEmpty()) noteButton_->setChecked(true);  // what is written is not hidden
+    note_->setFocus(Qt::OtherFocusReason);
+  });
+  connect(note_, &QLineEdit::textChanged, this, &FormQuestion::changed);
+}
+
+QString FormQuestion::note() const {
+  return note_ ? note_->text().trimmed() : QString();
+}
+
+void FormQuestion::setNote(const QString& note) {
+  if (!note_) return;
+  const QSignalBlocker quiet(this);
+  note_->setText(note);
+  noteButton_->setChecked(!note.isEmpty());
 }
 
 std::optional<FormQuestion::Answer> FormQuestion::answer() const {

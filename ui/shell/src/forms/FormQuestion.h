@@ -13,6 +13,7 @@ class QGridLayout;
 class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
+class QToolButton;
 
 namespace insonate::ui {
 
@@ -23,12 +24,17 @@ class FormQuestion final : public QWidget {
  public:
   using Answer = FormAnswers::mapped_type;
 
-  explicit FormQuestion(const FormItem& item, QWidget* parent = nullptr);
+  /// `takesNote`: with room for a note, behind a button.
+  FormQuestion(const FormItem& item, bool takesNote, QWidget* parent = nullptr);
 
   const std::string& name() const { return name_; }
   /// None: not answered.
   std::optional<Answer> answer() const;
   void setAnswer(const std::optional<Answer>& answer);
+  /// Where it is kept among the answers, and what it says; "" where there is none.
+  const std::string& noteKey() const { return noteKey_; }
+  QString note() const;
+  void setNote(const QString& note);
   /// "" where all is well.
   void setTrouble(const QString& sentence);
   void takeKeyboard();
@@ -44,16 +50,19 @@ class FormQuestion final : public QWidget {
   QWidget* buildChoice(const FormItem& item);
   QWidget* buildNumber(const FormItem& item);
   QWidget* buildText(const FormItem& item);
+  void buildNote(const FormItem& item);
   void choose(int option);
   void layOut();
 
-  std::string name_;
+  std::string name_, noteKey_;
   std::vector<std::string> options_;
   QButtonGroup* choice_ = nullptr;
   QGridLayout* grid_ = nullptr;
   int columns_ = 0;
   QLineEdit* number_ = nullptr;
   QPlainTextEdit* text_ = nullptr;
+  QToolButton* noteButton_ = nullptr;
+  QLineEdit* note_ = nullptr;
   QLabel* trouble_;
 };
 

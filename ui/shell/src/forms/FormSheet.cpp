@@ -29,7 +29,7 @@ FormSheet::FormSheet(Form form, QWidget* parent) : QWidget(parent), form_(std::m
     box->addWidget(paragraph(section.title, "heading"));
     if (!section.about.empty()) box->addWidget(paragraph(section.about, "quiet"));
     for (const FormItem& item : section.items) {
-      auto* question = new FormQuestion(item);
+      auto* question = new FormQuestion(item, form_.takesNote(item));
       connect(question, &FormQuestion::changed, this, [this, question] {
         question->setTrouble({});
         Q_EMIT changed();
@@ -43,8 +43,10 @@ FormSheet::FormSheet(Form form, QWidget* parent) : QWidget(parent), form_(std::m
 
 FormAnswers FormSheet::answers() const {
   FormAnswers all;
-  for (const FormQuestion* question : questions_)
+  for (const FormQuestion* question : questions_) {
     if (const auto answer = question->answer()) all.emplace(question->name(), *answer);
+    if (const QString note = question->note(); !note.isEmpty()) all.emplace(question->noteKey(), note.toStdString());
+  }
   return all;
 }
 
@@ -52,6 +54,8 @@ void FormSheet::setAnswers(const FormAnswers& answers) {
   for (FormQuestion* question : questions_) {
     const auto found = answers.find(question->name());
     question->setAnswer(found == answers.end() ? std::nullopt : std::optional(found->second));
+    const FormItem* item = form_.item(question->name());
+    question->setNote(item ? QString::fromStdString(noteText(*item, answers)) : QString());
     question->setTrouble({});
   }
 }
@@ -60,7 +64,9 @@ bool FormSheet::check() {
   const std::vector<AnswerTrouble> troubles = checkAnswers(form_, answers());
   FormQuestion* first = nullptr;
   for (FormQuestion* question : questions_) {
-    const auto found = std::ranges::find(troubles, question->name(), &AnswerTrouble::item);
+    const auto found = std::ranges::find_if(troubles, [question](const AnswerTrouble& one) {
+      return one.item == question->name() || one.item == question->noteKey();
+    });
     question->setTrouble(found == troubles.end() ? QString() : QString::fromStdString(found->sentence));
     if (found != troubles.end() && !first) first = question;
   }

@@ -22,7 +22,7 @@ CoursePage::CoursePage(Course& course, LevelControl& levels, ui::Account* accoun
   setObjectName(QStringLiteral("course"));
   auto* path = new PathPage(course, levels);
   auto* history = new HistoryPage(course, account);
-  auto* questions = new QuestionnairePage(account, ui::attemptsFolder() + QStringLiteral("/drafts"));
+  auto* questions = new QuestionnairePage(account, ui::formDraftsFolder());
   for (QWidget* page : {static_cast<QWidget*>(path), static_cast<QWidget*>(history), static_cast<QWidget*>(questions)})
     pages_->addWidget(page);
   auto* box = new QVBoxLayout(this);

@@ -80,7 +80,7 @@ void QuestionnairePage::changePerson() {
   if (keeping_.isActive()) keepDraft();
   const bool somebody = account_ && account_->isSignedIn() && !account_->mustChangePassword();
   person_ = somebody ? account_->person().id : std::string();
-  const FormAnswers kept = somebody ? draft_.read(person_, sheet_->form()) : FormAnswers{};
+  const FormAnswers kept = somebody ? draft_.read({person_}, sheet_->form()) : FormAnswers{};
   sheet_->setAnswers(kept);
   words_->setText(!somebody ? tr("Sign in (Ctrl+L) to answer the questionnaire; your answers are kept with your name.")
                   : kept.empty() ? QString::fromStdString(sheet_->form().about)
@@ -91,7 +91,7 @@ void QuestionnairePage::changePerson() {
 
 void QuestionnairePage::keepDraft() {
   keeping_.stop();
-  if (!person_.empty()) draft_.keep(person_, sheet_->form(), sheet_->answers());
+  if (!person_.empty()) draft_.keep({person_}, sheet_->form(), sheet_->answers());
 }
 
 void QuestionnairePage::clear() {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "FormDraft.h"
+#include <insonate/ui/FormDraft.h>
 
 #include <QTimer>
 #include <QWidget>
@@ -37,7 +37,7 @@ class QuestionnairePage final : public QWidget {
   void sent(const QString& trouble);
 
   ui::Account* account_;
-  FormDraft draft_;
+  ui::FormDraft draft_;
   QTimer keeping_;
   std::string person_;  ///< whose answers stand there; "": nobody's
   QLabel* words_;

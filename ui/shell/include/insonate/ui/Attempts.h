@@ -8,6 +8,11 @@ namespace insonate::ui {
 /// yet.
 QString attemptsFolder();
 
+/// Where forms about them lie that were not handed in yet.
+inline QString formDraftsFolder() {
+  return attemptsFolder() + QStringLiteral("/drafts");
+}
+
 /// What recordings are called by: "2026-11-20 Textbook neck.attempt".
 inline const QString kAttemptSuffix = QStringLiteral(".attempt");
 

@@ -10,7 +10,8 @@ namespace insonate::ui {
 class FormQuestion;
 
 /// A questionnaire, checklist or rating to fill in, by mouse or keyboard: Tab goes from question to question, arrows
-/// choose among answers, Delete takes a choice back. Where answers are kept is the owner's business.
+/// choose among answers, Delete takes a choice back. Checklists and ratings have room for a note to each item. Where
+/// answers are kept is the owner's business.
 class FormSheet final : public QWidget {
   Q_OBJECT
 

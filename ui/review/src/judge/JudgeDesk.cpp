@@ -1,0 +1,100 @@
+#include "JudgeDesk.h"
+
+#include "../ReviewSession.h"
+#include "../class/ClassWords.h"
+
+#include <insonate/ui/Account.h>
+
+#include <utility>
+
+namespace insonate::review {
+
+JudgeDesk::JudgeDesk(const ReviewSession& session, QObject* parent) : QObject(parent), session_(session) {
+  connect(&session, &ReviewSession::attemptChanged, this, [this] { look(); });
+}
+
+void JudgeDesk::setAccount(ui::Account& account) {
+  account_ = &account;
+  connect(account_, &ui::Account::changed, this, [this] { look(); });
+  look();
+}
+
+void JudgeDesk::expect(const QString& file, const QString& attempt) {
+  expectedFile_ = file, expectedAttempt_ = attempt;
+}
+
+void JudgeDesk::look() {
+  ++round_;
+  origin_.reset(), trouble_.clear();
+  reading_ = session_.attempt() && account_ && account_->isSignedIn() && !account_->mustChangePassword();
+  Q_EMIT changed();
+  if (!reading_) return;
+  const std::string file = session_.attempt()->file;
+  const bool chosen = file == expectedFile_.toStdString();
+  account_->ask<RecordingOrigin>(
+      this,
+      [file, expected = chosen ? expectedAttempt_.toStdString() : std::string()](const SignedIn& by) {
+        return readOrigin(by, file, expected);
+      },
+      [this, round = round_](Result<RecordingOrigin> origin) {
+        if (round != round_) return;
+        reading_ = false;
+        if (origin)
+          origin_ = std::move(*origin);
+        else
+          trouble_ = QString::fromStdString(origin.error().message);
+        Q_EMIT changed();
+      });
+}
+
+QString JudgeDesk::nameOfPerson() const {
+  const Person& person = origin_->person;
+  return QString::fromStdString(person.fullName.empty() ? person.name : person.fullName);
+}
+
+QString JudgeDesk::words() const {
+  if (!trouble_.isEmpty()) return trouble_;
+  if (reading_) return tr("Looking for whose attempt this is ...");
+  if (!origin_) return tr("Checklists and ratings of attempts are there for who has signed in (Ctrl+L).");
+  if (!origin_->attempt)
+    return tr(
+        "This recording is of no attempt that is kept here: it was practice without a level or a name. It can be "
+        "replayed, and not judged.");
+  const AttemptFacts& attempt = *origin_->attempt;
+  const QString when = dayAndTimeOf(attempt.begun_us);
+  if (!origin_->same)
+    return tr("This is not the recording of the attempt of %1, %2: the file is another one, or was changed since. What "
+              "it shows is not theirs, and is not judged. Look for the recording that was made on %3.")
+        .arg(nameOfPerson(), when, QString::fromStdString(attempt.workstation));
+  if (mayJudge()) return tr("%1, attempt of %2").arg(nameOfPerson(), when);
+  return tr("Your attempt of %1. What your instructors hand in about it is read here.").arg(when);
+}
+
+bool JudgeDesk::mayJudge() const {
+  return origin_ && origin_->attempt && origin_->same && account_->isSignedIn() &&
+         account_->person().role != Role::Trainee && account_->person().id != origin_->person.id;
+}
+
+ui::FormSubject JudgeDesk::subject() const {
+  if (!mayJudge()) return {};
+  return {account_->person().id, origin_->attempt->id};
+}
+
+void JudgeDesk::handIn(const Form& form, const FormAnswers& answers) {
+  if (!mayJudge()) return;
+  FilledForm filled;
+  filled.form = form.name, filled.formVersion = form.version;
+  filled.person = origin_->person.id, filled.attempt = origin_->attempt->id;
+  filled.answers = answersText(answers);
+  account_->ask<std::string>(
+      this, [filled](const SignedIn& by) { return FormStore(by).add(filled); },
+      [this](const Result<std::string>& id) {
+        if (!id)
+          return Q_EMIT failed(QString::fromStdString(id.error().message),
+                               tr("Your answers are kept here; hand them in again later."));
+        Q_EMIT handedIn();
+        look();
+      });
+}
+
+}  // namespace insonate::review

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "RecordingOrigin.h"
+
+#include <insonate/ui/FormDraft.h>
+
+#include <QObject>
+#include <QString>
+#include <optional>
+#include <string>
+
+namespace insonate::ui {
+class Account;
+}
+
+namespace insonate::review {
+
+class ReviewSession;
+
+/// Whose attempt is replayed, and what raters say of it, without a widget. The store is asked on the account's thread.
+class JudgeDesk : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit JudgeDesk(const ReviewSession& session, QObject* parent = nullptr);
+  void setAccount(ui::Account& account);
+
+  /// The recording that is about to be opened was chosen as that of an attempt.
+  void expect(const QString& file, const QString& attempt);
+
+  /// None until it is known.
+  const std::optional<RecordingOrigin>& origin() const { return origin_; }
+  bool isReading() const { return reading_; }
+  /// The file is not what the attempt was recorded as: what is replayed is not theirs.
+  bool isOther() const { return origin_ && origin_->attempt && !origin_->same; }
+  /// Whose attempt it is, or why nobody's is told.
+  QString words() const;
+  /// Who is signed in may hand in judgements of this attempt: it is a trainee's of theirs, and the recording is.
+  bool mayJudge() const;
+  /// What drafts of who is signed in are kept by.
+  ui::FormSubject subject() const;
+
+  /// Once and for all; tells handedIn() or failed().
+  void handIn(const Form& form, const FormAnswers& answers);
+
+ Q_SIGNALS:
+  void changed();
+  void handedIn();
+  void failed(const QString& what, const QString& advice);
+
+ private:
+  void look();
+  QString nameOfPerson() const;
+
+  const ReviewSession& session_;
+  ui::Account* account_ = nullptr;
+  QString expectedFile_, expectedAttempt_;
+  std::optional<RecordingOrigin> origin_;
+  QString trouble_;
+  bool reading_ = false;
+  int round_ = 0;  ///< answers about another attempt are not taken
+};
+
+}  // namespace insonate::review

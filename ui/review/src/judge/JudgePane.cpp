@@ -1,0 +1,220 @@
+#include "JudgePane.h"
+
+#include "JudgeDesk.h"
+#include "JudgeWords.h"
+#include "JudgementTable.h"
+
+#include <insonate/ui/FormSheet.h>
+#include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/Theme.h>
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+namespace insonate::review {
+namespace {
+
+constexpr int kDraft_ms = 500;
+
+std::vector<Form> formsOfRaters() {
+  std::vector<Form> forms;
+  for (const std::string& name : formPresetNames())
+    if (auto form = loadForm(name); form && form->purpose != Form::Purpose::Questionnaire)
+      forms.push_back(std::move(*form));
+  return forms;
+}
+
+QLabel* plain(const char* object, const char* role) {
+  auto* label = new QLabel;
+  label->setObjectName(QLatin1String(object));
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  ui::setRole(label, role);
+  return label;
+}
+
+}  // namespace
+
+JudgePane::JudgePane(JudgeDesk& desk, const QString& draftFolder, QWidget* parent)
+    : QWidget(parent),
+      desk_(desk),
+      forms_(formsOfRaters()),
+      draft_(draftFolder),
+      tabs_(new QButtonGroup(this)),
+      choice_(new QComboBox),
+      words_(plain("judgeWords", "quiet")),
+      progress_(plain("judgeProgress", "quiet")),
+      pages_(new QStackedWidget),
+      scroll_(new QScrollArea),
+      handIn_(new QPushButton(tr("Hand in"))),
+      table_(new JudgementTable) {
+  keeping_.setSingleShot(true);
+  keeping_.setInterval(kDraft_ms);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(ui::kGap, ui::kSmallGap, ui::kGap, ui::kGap);
+  box->setSpacing(ui::kGap);
+  box->addWidget(buildHead());
+  box->addWidget(choice_);
+  box->addWidget(words_);
+  box->addWidget(pages_, 1);
+  pages_->addWidget(buildSheet());
+  pages_->addWidget(table_);
+  connect(tabs_, &QButtonGroup::idClicked, this, [this](int page) { showPage(page); });
+  connect(choice_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
+    showSheet();
+    showDesk();
+  });
+  connect(&keeping_, &QTimer::timeout, this, [this] { keepDraft(); });
+  connect(handIn_, &QPushButton::clicked, this, [this] { handIn(); });
+  connect(&desk_, &JudgeDesk::changed, this, [this] { showDesk(); });
+  connect(&desk_, &JudgeDesk::handedIn, this, [this] { handedIn(); });
+  connect(&desk_, &JudgeDesk::failed, this, [this] { handIn_->setEnabled(true); });
+  showSheet();
+  showDesk();
+}
+
+JudgePane::~JudgePane() {
+  if (keeping_.isActive()) keepDraft();
+}
+
+QWidget* JudgePane::buildHead() {
+  auto* head = new QWidget;
+  auto* row = new QHBoxLayout(head);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  addTab(*row, kFill, "fillForm", tr("Fill in"), tr("Judge this attempt"));
+  addTab(*row, kRead, "readForms", tr("Handed in"),
+         tr("What was handed in about this attempt, and where raters differ"));
+  row->addStretch(1);
+  choice_->setObjectName(QStringLiteral("judgeForm"));
+  choice_->setAccessibleName(tr("Form"));
+  choice_->setToolTip(tr("The checklist or rating to fill in or to read"));
+  choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  new ui::QuietWheel(choice_);
+  for (const Form& one : forms_) choice_->addItem(QString::fromStdString(one.title));
+  return head;
+}
+
+void JudgePane::addTab(QHBoxLayout& row, Page page, const char* object, const QString& text, const QString& tip) {
+  auto* button = new QToolButton;
+  button->setObjectName(QLatin1String(object));
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setCheckable(true);
+  button->setFocusPolicy(Qt::TabFocus);
+  ui::setRole(button, "narrowTab");
+  tabs_->addButton(button, page);
+  row.addWidget(button);
+}
+
+QWidget* JudgePane::buildSheet() {
+  auto* part = new QWidget;
+  auto* box = new QVBoxLayout(part);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kGap);
+  scroll_->setObjectName(QStringLiteral("judgeSheet"));
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  handIn_->setObjectName(QStringLiteral("handIn"));
+  handIn_->setToolTip(
+      tr("Store the answers under your name: the trainee reads them, and they do not change afterwards"));
+  ui::setRole(handIn_, "primary");
+  auto* row = new QHBoxLayout;
+  row->setSpacing(ui::kGap);
+  row->addWidget(handIn_);
+  row->addWidget(progress_, 1);
+  box->addWidget(scroll_, 1);
+  box->addLayout(row);
+  return part;
+}
+
+const Form& JudgePane::form() const {
+  return forms_[std::size_t(choice_->currentIndex())];
+}
+
+/// The chosen form's, with what was answered before.
+void JudgePane::showSheet() {
+  if (keeping_.isActive()) keepDraft();
+  sheet_ = new ui::FormSheet(form());
+  scroll_->setWidget(sheet_);  // deletes the one before
+  subject_ = desk_.subject();
+  if (!subject_.by.empty()) sheet_->setAnswers(draft_.read(subject_, form()));
+  connect(sheet_, &ui::FormSheet::changed, &keeping_, qOverload<>(&QTimer::start));
+  connect(sheet_, &ui::FormSheet::changed, this, [this] { showProgress(); });
+  showProgress();
+}
+
+void JudgePane::showDesk() {
+  const auto& origin = desk_.origin();
+  const bool readable = origin && origin->attempt;
+  words_->setText(desk_.words());
+  for (QWidget* one : std::initializer_list<QWidget*>{pages_, tabs_->button(kRead), choice_}) one->setVisible(readable);
+  tabs_->button(kFill)->setVisible(desk_.mayJudge());
+  handIn_->setEnabled(desk_.mayJudge());
+  if (desk_.isReading()) return;
+  const bool isAnother = subject_ != desk_.subject();
+  if (isAnother) showSheet();
+  const std::vector<KeptForm> forms = readable ? origin->forms : std::vector<KeptForm>();
+  table_->show(form(), forms);
+  const auto many = std::ranges::count_if(forms, [&](const KeptForm& one) { return one.filled.form == form().name; });
+  tabs_->button(kRead)->setText(many > 0 ? tr("Handed in (%1)").arg(many) : tr("Handed in"));
+  if (!desk_.mayJudge())
+    showPage(kRead);
+  else if (isAnother)
+    showPage(kFill);
+}
+
+void JudgePane::showPage(int page) {
+  tabs_->button(page)->setChecked(true);
+  pages_->setCurrentIndex(page);
+}
+
+void JudgePane::showProgress() {
+  const FormAnswers answers = sheet_->answers();
+  const FormScore score = formScore(form(), answers);
+  progress_->setText(answers.empty() ? QString::fromStdString(form().about)
+                                     : tr("So far %1; kept as a draft").arg(scoreWords(score)));
+}
+
+void JudgePane::keepDraft() {
+  keeping_.stop();
+  if (!subject_.by.empty()) draft_.keep(subject_, sheet_->form(), sheet_->answers());
+}
+
+void JudgePane::handIn() {
+  if (!sheet_->check()) return Q_EMIT said(tr("Some answers cannot be stored; what is wrong is said beside them."));
+  keepDraft();
+  handIn_->setEnabled(false);
+  handing_ = {subject_, form()};
+  desk_.handIn(form(), sheet_->answers());
+}
+
+/// Meanwhile another form or attempt may have been chosen.
+void JudgePane::handedIn() {
+  const auto& [subject, form] = handing_;
+  draft_.keep(subject, form, {});
+  Q_EMIT said(tr("Handed in. It can be read beside the attempt from now on."));
+  if (subject != subject_ || form.name != sheet_->form().name) return;
+  keeping_.stop();
+  sheet_->setAnswers({});
+  showProgress();
+  showPage(kRead);
+}
+
+void JudgePane::keyPressEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Backspace) QWidget::keyPressEvent(event);
+}
+
+}  // namespace insonate::review

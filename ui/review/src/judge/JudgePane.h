@@ -1,0 +1,75 @@
+#pragma once
+
+#include <insonate/curriculum/Form.h>
+#include <insonate/ui/FormDraft.h>
+
+#include <QTimer>
+#include <QWidget>
+#include <utility>
+#include <vector>
+
+class QButtonGroup;
+class QComboBox;
+class QHBoxLayout;
+class QLabel;
+class QPushButton;
+class QScrollArea;
+class QStackedWidget;
+
+namespace insonate::ui {
+class FormSheet;
+}
+
+namespace insonate::review {
+
+class JudgeDesk;
+class JudgementTable;
+
+/// Checklists and ratings beside a replay: to fill in, and to read what was handed in. What is half filled in is kept
+/// as a draft while one scrubs, leaves the attempt, signs out or closes the window, and stands there again.
+class JudgePane final : public QWidget {
+  Q_OBJECT
+
+ public:
+  JudgePane(JudgeDesk& desk, const QString& draftFolder, QWidget* parent = nullptr);
+  ~JudgePane() override;
+
+ Q_SIGNALS:
+  void said(const QString& sentence);
+
+ protected:
+  /// Backspace in a sheet takes nothing back, and does not leave the attempt either.
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  enum Page { kFill, kRead };
+
+  QWidget* buildHead();
+  QWidget* buildSheet();
+  void addTab(QHBoxLayout& row, Page page, const char* object, const QString& text, const QString& tip);
+  void showDesk();
+  void showPage(int page);
+  void showSheet();
+  void showProgress();
+  void keepDraft();
+  void handIn();
+  void handedIn();
+  const Form& form() const;
+
+  JudgeDesk& desk_;
+  const std::vector<Form> forms_;
+  ui::FormDraft draft_;
+  ui::FormSubject subject_;                   ///< of what stands in the sheet
+  std::pair<ui::FormSubject, Form> handing_;  ///< what was handed in last
+  QTimer keeping_;
+  QButtonGroup* tabs_;
+  QComboBox* choice_;
+  QLabel *words_, *progress_;
+  QStackedWidget* pages_;
+  QScrollArea* scroll_;
+  ui::FormSheet* sheet_ = nullptr;
+  QPushButton* handIn_;
+  JudgementTable* table_;
+};
+
+}  // namespace insonate::review

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <insonate/curriculum/FilledForm.h>
+#include <insonate/curriculum/Form.h>
+
+#include <QWidget>
+#include <vector>
+
+class QCheckBox;
+class QLabel;
+class QTableWidget;
+
+namespace insonate::review {
+
+/// What was handed in about an attempt by one form: item by item, a column for each, where raters differ, their notes,
+/// and how far they agree.
+class JudgementTable final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit JudgementTable(QWidget* parent = nullptr);
+
+  void show(const Form& form, const std::vector<KeptForm>& forms);
+
+ private:
+  struct Column {
+    QString title;
+    FormAnswers answers;
+  };
+  void fill();
+  void fillRow(int row, const FormItem& item, bool differs);
+  QString wordsAbove() const;
+  QString agreementWords() const;
+
+  Form form_;
+  std::vector<KeptForm> forms_;
+  std::vector<Column> columns_;  ///< of what may be read
+  QLabel *words_, *agreement_;
+  QCheckBox* onlyDiffering_;
+  QTableWidget* table_;
+};
+
+}  // namespace insonate::review

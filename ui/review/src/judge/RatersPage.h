@@ -1,0 +1,54 @@
+#pragma once
+
+#include <insonate/curriculum/FormAgreement.h>
+
+#include <QWidget>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace insonate::review {
+
+class ClassDesk;
+
+/// How far those agree who judged the attempts of a class by one form: each two raters, and item by item. Asked for
+/// when it is looked at.
+class RatersPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit RatersPage(const ClassDesk& desk, QWidget* parent = nullptr);
+
+  /// The figures as CSV.
+  void saveTable(const QString& file);
+
+ Q_SIGNALS:
+  void written(const QString& sentence, const QString& folder);
+  void failed(const QString& what, const QString& advice);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QWidget* buildHead();
+  void read();
+  void show();
+  void showItems();
+  QString words() const;
+
+  const ClassDesk& desk_;
+  std::vector<Form> forms_;
+  FormAgreement agreement_;
+  QString trouble_;
+  bool known_ = false;
+  int round_ = 0;  ///< answers about another class or form are not taken
+  QComboBox* choice_;
+  QPushButton* save_;
+  QLabel* words_;
+  QTableWidget *pairs_, *items_;
+};
+
+}  // namespace insonate::review

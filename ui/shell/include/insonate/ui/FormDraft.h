@@ -1,0 +1,39 @@
+#pragma once
+
+#include <insonate/curriculum/Form.h>
+
+#include <QString>
+#include <QThreadPool>
+#include <string>
+
+namespace insonate::ui {
+
+/// Whose answers they are, and about what; both ids are UUIDs.
+struct FormSubject {
+  std::string by{};
+  std::string attempt{};  ///< "": about none in particular
+
+  bool operator==(const FormSubject&) const = default;
+};
+
+/// Answers that were not sent yet, in a file of the user's for each subject and form, so that they outlive the program.
+/// For the window's thread; what is written, is written by another.
+class FormDraft {
+ public:
+  explicit FormDraft(QString folder);
+  /// Waits until what was kept is written.
+  ~FormDraft();
+
+  /// What was kept; empty without.
+  FormAnswers read(const FormSubject& subject, const Form& form) const;
+  /// Empty answers forget.
+  void keep(const FormSubject& subject, const Form& form, const FormAnswers& answers);
+
+ private:
+  QString fileOf(const FormSubject& subject, const Form& form) const;
+
+  const QString folder_;
+  QThreadPool writer_;  ///< of one thread: the later answers are written later
+};
+
+}  // namespace insonate::ui
