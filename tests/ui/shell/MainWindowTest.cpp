@@ -20,7 +20,6 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
-#include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTextBrowser>
@@ -45,7 +44,6 @@ class FakeWorkspace final : public ui::Workspace {
   QString engineText() const override { return "processor   62 images/s"; }
   QString engineNote() const override { return "There is no graphics card."; }
   std::vector<ui::Shortcut> shortcuts() const override { return {{"Space", "freeze the picture"}}; }
-  QString endsWithTheCase() const override { return ending; }
   void stop() override { stopped = true; }
   void keyPressEvent(QKeyEvent* event) override {
     if (event->key() == Qt::Key_Space)
@@ -57,7 +55,7 @@ class FakeWorkspace final : public ui::Workspace {
   void restoreLayout(QSettings& settings) override { probe = settings.value("probe", probe).toString(); }
 
   std::shared_ptr<const PatientCase> shown;
-  QString probe = "linear", opening, ending;
+  QString probe = "linear", opening;
   bool stopped = false;
   int spaces = 0;
 };
@@ -156,32 +154,6 @@ TEST_F(MainWindow, SaysTheSameEverywhereWhileTheFirstCaseIsBeingOpened) {
   w.window.openTextbook();
   EXPECT_EQ(w.window.caseTitle(), "Small block") << "which is what is on the screen";
   w.window.tasks().cancel();
-}
-
-TEST_F(MainWindow, AsksBeforeAnotherCaseEndsWhatIsUnderWay) {
-  Window w;
-  w.window.open(test::writtenSmallCase(home, "block"));
-  ASSERT_TRUE(waitUntil([&] { return w.train->shown != nullptr; }));
-  w.train->ending = "An attempt is being made.";
-  const auto before = w.train->shown;
-  const auto question = [&] { return w.window.findChild<QDialog*>(); };
-  const auto answer = [&](const char* button) {
-    QTest::mouseClick(question()->findChild<QPushButton*>(button), Qt::LeftButton);
-    return waitUntil([&] { return !question(); });
-  };
-  Q_EMIT w.train->caseWanted(home.filePath("block"));
-  ASSERT_TRUE(question()) << "another workspace may not end it unasked either";
-  bool said = false;
-  for (const QLabel* label : question()->findChildren<QLabel*>()) said |= label->text() == w.train->ending;
-  EXPECT_TRUE(said);
-  EXPECT_FALSE(question()->findChild<QPushButton*>("save")) << "there is nothing to save";
-  ASSERT_TRUE(answer("keep"));
-  EXPECT_FALSE(w.window.close());
-  ASSERT_TRUE(question() && answer("keep"));
-  EXPECT_EQ(w.train->shown, before);
-  w.window.open(home.filePath("block"));
-  ASSERT_TRUE(question() && answer("goOn"));
-  EXPECT_TRUE(waitUntil([&] { return w.train->shown != before; }));
 }
 
 TEST_F(MainWindow, SaysThatThereIsNothingUnderAPath) {

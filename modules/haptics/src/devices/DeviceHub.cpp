@@ -23,10 +23,19 @@ std::string kindOf(const HidFound& found) {
   return found.serial.empty() ? id : id + ("/" + found.serial);
 }
 
-bool matches(const DeviceMatch& m, std::uint16_t vendor, std::uint16_t product, std::uint16_t page,
-             std::uint16_t usage) {
-  return m.vendor == vendor && m.product == product && m.usagePage.value_or(page) == page &&
-         m.usage.value_or(usage) == usage;
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  const auto isSame = [](char a, char b) { return lower(a) == lower(b); };
+  return std::search(text.begin(), text.end(), part.begin(), part.end(), isSame) != text.end() || part.empty();
+}
+
+bool matches(const DeviceMatch& m, const HidFound& found) {
+  return m.vendor == found.vendor && m.product == found.product &&
+         m.usagePage.value_or(found.usagePage) == found.usagePage && m.usage.value_or(found.usage) == found.usage &&
+         holds(found.name, m.name);
 }
 
 }  // namespace
@@ -58,11 +67,10 @@ void DeviceHub::start() {
   });
 }
 
-const DeviceTable* DeviceHub::tableFor(std::uint16_t vendor, std::uint16_t product, std::uint16_t page,
-                                       std::uint16_t usage) const {
+const DeviceTable* DeviceHub::tableFor(const HidFound& found) const {
   for (const DeviceTable& table : options_.tables)
     for (const DeviceMatch& match : table.matches)
-      if (matches(match, vendor, product, page, usage)) return &table;
+      if (matches(match, found)) return &table;
   return nullptr;
 }
 
@@ -88,7 +96,7 @@ void DeviceHub::scanOnce() {
   std::set<std::string> seen;        // an interface is listed once for each of its usages
   std::set<const HidDevice*> tried;  // of two alike that cannot be opened, one tells it for both
   for (const HidFound& found : all) {
-    const DeviceTable* table = tableFor(found.vendor, found.product, found.usagePage, found.usage);
+    const DeviceTable* table = tableFor(found);
     if (!table || !seen.insert(found.path).second) continue;
     const bool held = std::any_of(slots_.begin(), slots_.end(), [&](const Slot& slot) {
       return slot.device->attached() && slot.device->path() == found.path;

@@ -237,6 +237,7 @@ void readMatches(const Json& list, DeviceTable& table, Fields& fields, std::stri
     m.product = match.id("product");
     m.usagePage = match.optionalId("usage_page");
     m.usage = match.optionalId("usage");
+    if (match.has("name")) m.name = match.text("name");
     table.matches.push_back(m);
   }
 }

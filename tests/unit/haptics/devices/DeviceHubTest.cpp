@@ -12,7 +12,7 @@ using testing::HasSubstr;
 
 namespace {
 
-const haptics::HidFound kArm{"/dev/hidraw0", "Polhem", "Arm", "7", 0x16c0, 0x0486, 0xffab, 0x0200};
+const haptics::HidFound kArm{"/dev/hidraw0", "Maker", "Arm", "7", 0x16c0, 0x0486, 0xffab, 0x0200};
 const haptics::HidFound kPedal{"/dev/hidraw1", "VEC", "", "", 0x05f3, 0x00ff, 1, 0};
 
 class DeviceHubTest : public testing::Test {
@@ -109,6 +109,17 @@ TEST_F(DeviceHubTest, StrangersAreLeftAlone) {
   ports_->plug(mouse);
   std::this_thread::sleep_for(50ms);
   EXPECT_TRUE(hub_.devices().empty());
+}
+
+TEST_F(DeviceHubTest, ControllersThatShareAnIdAreToldApartByTheirName) {
+  haptics::HidFound polhem = kArm;
+  polhem.name = "POLHEM haptics", polhem.serial = "8";
+  polhem.path = "/dev/hidraw7";
+  const auto cable = ports_->plug(kArm), other = ports_->plug(polhem);
+  inPhase("16c0:0486/7", DevicePhase::kReady);
+  inPhase("16c0:0486/8", DevicePhase::kReady);
+  EXPECT_EQ(device("16c0:0486/7")->info().limits.maxStiffness_Npmm, 1);
+  EXPECT_EQ(device("16c0:0486/8")->info().limits.maxStiffness_Npmm, 0.8) << "the Polhem's";
 }
 
 TEST_F(DeviceHubTest, TwoAlikeAreTwoDevices) {

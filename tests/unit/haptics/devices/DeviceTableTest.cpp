@@ -59,7 +59,7 @@ TEST(DeviceTable, EveryBuiltInTableIsUsable) {
   std::vector<std::string> names;
   for (const DeviceTable& table : builtInDeviceTables()) names.push_back(table.name);
   // A table that cannot be read is missing here.
-  EXPECT_THAT(names, testing::ElementsAre("Insonate home-built device", "WoodenHaptics", "SpaceMouse",
+  EXPECT_THAT(names, testing::ElementsAre("Insonate home-built device", "Polhem v1", "WoodenHaptics", "SpaceMouse",
                                           "VEC Infinity IN-USB-2", "X-keys XK-3 foot pedal", "Keyboard-class pedal"));
 }
 

@@ -60,8 +60,7 @@ class DeviceHub {
     std::shared_ptr<haptics::HidDevice> device;
   };
 
-  const DeviceTable* tableFor(std::uint16_t vendor, std::uint16_t product, std::uint16_t page,
-                              std::uint16_t usage) const;
+  const DeviceTable* tableFor(const haptics::HidFound& found) const;
   haptics::HidDevice& slotFor(const haptics::HidFound& found, const DeviceTable& table);
 
   std::shared_ptr<haptics::HidBus> bus_;

@@ -60,6 +60,7 @@ struct ReportLayout {
 struct DeviceMatch {
   std::uint16_t vendor = 0, product = 0;
   std::optional<std::uint16_t> usagePage, usage;
+  std::string name;  ///< a part of the device's USB product string, in any case; for controllers that share an id
 };
 
 /// Three motors and three bodies: a turret, and on it two bars whose angles are each measured against the vertical.

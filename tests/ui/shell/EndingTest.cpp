@@ -1,0 +1,72 @@
+#include "Waiting.h"
+
+#include <insonate/ui/MainWindow.h>
+
+#include <gtest/gtest.h>
+#include <support/SmallCase.h>
+
+#include <QDialog>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QtTest/QTest>
+
+namespace insonate {
+namespace {
+
+class Busy final : public ui::Workspace {
+ public:
+  void setCase(std::shared_ptr<const PatientCase> patient) override { shown = std::move(patient); }
+  QString endsWithTheCase() const override { return ending; }
+  std::shared_ptr<const PatientCase> shown;
+  QString ending;
+};
+
+class Ending : public testing::Test {
+ protected:
+  void SetUp() override {
+    QSettings().clear();
+    window.addWorkspace("train", "Train", "train", train);
+    window.show();
+    window.open(test::writtenSmallCase(home, "block"));
+    ASSERT_TRUE(test::waitUntil([&] { return train->shown != nullptr; }));
+  }
+  QDialog* question() { return window.findChild<QDialog*>(); }
+  bool answer(const char* button) {
+    QTest::mouseClick(question()->findChild<QPushButton*>(button), Qt::LeftButton);
+    return test::waitUntil([&] { return !question(); });
+  }
+
+  QTemporaryDir home;
+  ui::MainWindow window;
+  Busy* train = new Busy;
+};
+
+TEST_F(Ending, IsAskedBeforeAnotherCaseOrTheWindowClosing) {
+  const auto before = train->shown;
+  train->ending = "An attempt is being made.";
+  Q_EMIT train->caseWanted(home.filePath("block"));
+  ASSERT_TRUE(question()) << "another workspace may not end it unasked either";
+  bool said = false;
+  for (const QLabel* label : question()->findChildren<QLabel*>()) said |= label->text() == train->ending;
+  EXPECT_TRUE(said);
+  EXPECT_FALSE(question()->findChild<QPushButton*>("save")) << "there is nothing to save";
+  ASSERT_TRUE(answer("keep"));
+  EXPECT_FALSE(window.close());
+  ASSERT_TRUE(question() && answer("keep"));
+  EXPECT_EQ(train->shown, before);
+  window.open(home.filePath("block"));
+  ASSERT_TRUE(question() && answer("goOn"));
+  EXPECT_TRUE(test::waitUntil([&] { return train->shown != before; }));
+}
+
+TEST_F(Ending, IsNotAskedWhereNothingEnds) {
+  const auto before = train->shown;
+  window.open(home.filePath("block"));
+  EXPECT_FALSE(question());
+  EXPECT_TRUE(test::waitUntil([&] { return train->shown != before; }));
+}
+
+}  // namespace
+}  // namespace insonate
