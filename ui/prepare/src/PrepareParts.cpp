@@ -1,6 +1,8 @@
 #include "PrepareParts.h"
 
 #include "KeyTable.h"
+#include "guide/GuidePointer.h"
+#include "guide/GuideSession.h"
 #include "live/UltrasoundPane.h"
 #include "panel/CaseFacts.h"
 #include "panel/FindingsList.h"
@@ -34,14 +36,16 @@ constexpr int kLeft_px = 284, kRight_px = 362, kUltrasound_px = 250;
 }  // namespace
 
 PrepareWorkspace::Parts::Parts(PrepareWorkspace& workspace, ui::TaskBar& tasks)
-    : session(*new PrepareSession(tasks, &workspace)), workspace_(workspace) {
+    : session(*new PrepareSession(tasks, &workspace)),
+      guide(*new GuideSession(session, &workspace)),
+      workspace_(workspace) {
   pages_ = new QStackedLayout(&workspace);
   pages_->setContentsMargins(0, 0, 0, 0);
   buildEmpty();
   columns = new QSplitter(Qt::Horizontal, &workspace);
   columns->setObjectName(QStringLiteral("prepareColumns"));
   columns->setChildrenCollapsible(false);
-  path = new PathPanel(session);
+  path = new PathPanel(session, guide);
   path->setMinimumWidth(kLeft_px);
   views = new CaseViews(session);
   columns->addWidget(path);
@@ -138,6 +142,8 @@ void PrepareWorkspace::Parts::makeActions() {
 void PrepareWorkspace::Parts::connectParts() {
   for (ui::ViewWidget* view : views->widgets()) view->focusProxy()->installEventFilter(&workspace_);
   ultrasound_->widget().focusProxy()->installEventFilter(&workspace_);
+  auto* pointer = new GuidePointer(guide, session, this);
+  for (int n = 0; n < CaseViews::kSlices; ++n) pointer->watch(*views->widgets()[std::size_t(n)], views->slice(n));
   connect(&session, &PrepareSession::caseChanged, this, [this] {
     pages_->setCurrentWidget(session.patient() ? static_cast<QWidget*>(columns) : empty);
     scene_->setCase(session.patient());

@@ -20,6 +20,7 @@ class ScenePanel;
 namespace insonate::prepare {
 
 class CaseViews;
+class GuideSession;
 class PathPanel;
 class Section;
 class UltrasoundPane;
@@ -31,6 +32,7 @@ class PrepareWorkspace::Parts : public QObject {
   ~Parts() override;
 
   PrepareSession& session;  ///< a child of the workspace, gone after its widgets
+  GuideSession& guide;      ///< the same
   ui::EmptyWorkspace* empty = nullptr;
   QSplitter* columns = nullptr;
   PathPanel* path = nullptr;

@@ -1,5 +1,6 @@
 #include "KeyTable.h"
 #include "PrepareParts.h"
+#include "guide/GuideSession.h"
 #include "panel/PathPanel.h"
 #include "views/CaseViews.h"
 
@@ -54,6 +55,11 @@ ui::CaseEdit PrepareWorkspace::quietEdit() const {
 void PrepareWorkspace::caseSaved(std::shared_ptr<const PatientCase> patient) {
   parts_->session.replaceCase(std::move(patient));
   parts_->views->replaceCase();
+  const QString folder = parts_->session.origin().folder;
+  if (folder.isEmpty()) return;
+  if (auto ok = parts_->guide.saveRecipe(folder.toStdString()); !ok)
+    parts_->session.say(
+        tr("The case is saved, but not what made its labels: %1").arg(QString::fromStdString(ok.error().message)));
 }
 
 QString PrepareWorkspace::statusText() const {

@@ -1,35 +1,39 @@
 #include "PathPanel.h"
 
 #include "../PrepareSession.h"
+#include "../guide/GuidePage.h"
 #include "../table/StructureTable.h"
 #include "FindingsList.h"
 
+#include <insonate/tissue/Labels.h>
 #include <insonate/ui/Theme.h>
 
 #include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QStackedWidget>
+#include <QTabBar>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
 namespace insonate::prepare {
 
-PathPanel::PathPanel(PrepareSession& session, QWidget* parent)
+PathPanel::PathPanel(PrepareSession& session, GuideSession& guide, QWidget* parent)
     : QWidget(parent),
       session_(session),
       caseRow_(new QHBoxLayout),
       editRow_(new QHBoxLayout),
       table_(new StructureTable(session)),
+      tabs_(new QTabBar),
+      labelling_(new QStackedWidget),
       check_(new QPushButton(tr("Findings"))) {
   for (QHBoxLayout* row : {caseRow_, editRow_}) {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(ui::kSmallGap);
   }
-  auto* elsewhere = new QLabel(
-      tr("Labelling is done in 3D Slicer or ITK-SNAP for now: save the labels there, then reload the case here (F5)."));
-  elsewhere->setWordWrap(true);
-  ui::setRole(elsewhere, "quiet");
   check_->setToolTip(tr("Go to what the check found"));
   check_->setObjectName(QStringLiteral("toFindings"));
   auto* box = new QVBoxLayout(this);
@@ -39,8 +43,8 @@ PathPanel::PathPanel(PrepareSession& session, QWidget* parent)
   box->addLayout(caseRow_);
   box->addSpacing(ui::kSmallGap);
   box->addWidget(step(tr("2  Label"), labelMark_));
-  box->addWidget(table_, 1);
-  box->addWidget(elsewhere);
+  box->addWidget(buildLabelling(guide));
+  box->addWidget(labelling_, 1);
   box->addSpacing(ui::kSmallGap);
   box->addWidget(step(tr("3  Check"), checkMark_));
   box->addWidget(check_);
@@ -48,9 +52,33 @@ PathPanel::PathPanel(PrepareSession& session, QWidget* parent)
   box->addLayout(editRow_);
   connect(check_, &QPushButton::clicked, this, &PathPanel::checkChosen);
   connect(&session_, &PrepareSession::originChanged, this, [this] { refresh(); });
-  connect(&session_, &PrepareSession::caseChanged, this, [this] { refresh(); });
+  connect(&session_, &PrepareSession::caseChanged, this, [this] {
+    chosen_ = false;
+    refresh();
+  });
   connect(&session_.measuring(), &CaseMeasuring::changed, this, [this] { refresh(); });
   refresh();
+}
+
+/// Two ways to look at what is labelled, one at a time: both need the column's height.
+QWidget* PathPanel::buildLabelling(GuideSession& guide) {
+  labelling_->addWidget(new GuidePage(guide));
+  labelling_->addWidget(table_);
+  tabs_->setObjectName(QStringLiteral("labelling"));
+  tabs_->setAccessibleName(tr("Labelling"));
+  tabs_->setDrawBase(false);
+  tabs_->setTabToolTip(tabs_->addTab(tr("Guide")), tr("Step by step through the structures of a neck"));
+  tabs_->setTabToolTip(tabs_->addTab(tr("Structures")), tr("All structures of the case, with colour and visibility"));
+  connect(tabs_, &QTabBar::currentChanged, labelling_, &QStackedWidget::setCurrentIndex);
+  tabs_->setCurrentIndex(1);
+  return tabs_;
+}
+
+/// A neck without a vein is to be labelled first.
+void PathPanel::chooseLabelling() {
+  if (std::exchange(chosen_, true)) return;
+  const bool vein = std::ranges::find(session_.structures(), kVein) != session_.structures().end();
+  tabs_->setCurrentIndex(vein ? 1 : 0);
 }
 
 QWidget* PathPanel::step(const QString& title, QLabel*& mark) {
@@ -106,6 +134,7 @@ void PathPanel::refresh() {
     checkMark_->setText(stopped ? tr("not checked") : tr("checking ..."));
     return;
   }
+  chooseLabelling();
   const int count = int(session_.structures().size());
   labelMark_->setText(count == 0 ? tr("nothing yet") : count == 1 ? tr("1 structure") : tr("%1 structures").arg(count));
   checkMark_->setText(findingCount(measures->findings));

@@ -6,19 +6,22 @@ class QAction;
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
+class QStackedWidget;
+class QTabBar;
 class QToolButton;
 
 namespace insonate::prepare {
 
+class GuideSession;
 class PrepareSession;
 class StructureTable;
 
-/// The way of a case: import, label, check; with the table of structures, and what keeps the changes.
+/// The way of a case: import, label, check; with the guide or the table of structures, and what keeps the changes.
 class PathPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit PathPanel(PrepareSession& session, QWidget* parent = nullptr);
+  PathPanel(PrepareSession& session, GuideSession& guide, QWidget* parent = nullptr);
 
   void setCaseActions(QAction* open, QAction* import, QAction* reload);
   void setEditActions(QAction* undo, QAction* redo, QAction* save);
@@ -28,6 +31,8 @@ class PathPanel : public QWidget {
   void checkChosen();
 
  private:
+  QWidget* buildLabelling(GuideSession& guide);
+  void chooseLabelling();
   QWidget* step(const QString& title, QLabel*& mark);
   QToolButton* button(QAction* action, bool withText);
   void refresh();
@@ -36,6 +41,9 @@ class PathPanel : public QWidget {
   QLabel *importMark_ = nullptr, *labelMark_ = nullptr, *checkMark_ = nullptr;
   QHBoxLayout *caseRow_, *editRow_;
   StructureTable* table_;
+  QTabBar* tabs_;
+  QStackedWidget* labelling_;
+  bool chosen_ = true;  ///< between guide and table, for this case
   QPushButton* check_;
 };
 

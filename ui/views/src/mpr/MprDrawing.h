@@ -19,6 +19,7 @@ struct MprOverlay {
   std::vector<DisplayPoint> fan;                    ///< outline, once round
   std::string slice;                                ///< "axial 42 / 120"
   std::vector<std::pair<int, Calliper>> callipers;  ///< number, and as it lies in the plane
+  std::vector<std::pair<int, Vec3>> marks_mm;       ///< number, and place
   WindowLevel windowLevel;
 };
 

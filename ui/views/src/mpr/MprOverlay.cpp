@@ -50,6 +50,15 @@ void drawCrosshair(Vec3 position_mm, const SlicePlane& plane, double scale, Line
   }
 }
 
+void drawMarks(const MprOverlay& overlay, const SlicePlane& plane, double scale, Lines& lines, Texts& texts) {
+  for (const auto& [number, position_mm] : overlay.marks_mm) {
+    const DisplayPoint at = plane.displayFromPatient(position_mm);
+    drawPointerMark(at, scale, lines);
+    texts.put({at.x + 9 * scale, at.y - 7 * scale}, std::to_string(number),
+              {13 * scale, theme::kText, true, Across::Left, Along::Bottom});
+  }
+}
+
 void drawCallipers(const MprOverlay& overlay, const SlicePlane& plane, double scale, Lines& lines, Texts& texts) {
   const auto toDisplay = [&plane](PicturePoint point) {
     return plane.displayFromPatient(fromSlice(point, plane.axes, plane.centre_mm));
@@ -82,6 +91,7 @@ void drawMprOverlay(const MprOverlay& overlay, const SlicePlane& plane, double s
   }
   if (overlay.crosshair_mm) drawCrosshair(*overlay.crosshair_mm, plane, scale, lines);
   if (overlay.pointer_mm) drawPointerMark(plane.displayFromPatient(*overlay.pointer_mm), scale, lines);
+  drawMarks(overlay, plane, scale, lines, texts);
   drawCallipers(overlay, plane, scale, lines, texts);
   drawLetters(plane, scale, texts);
   drawScaleBar(plane, scale, lines, texts);

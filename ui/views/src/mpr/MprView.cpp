@@ -100,6 +100,18 @@ void MprView::setPointer(std::optional<Vec3> position_mm) {
   changed();
 }
 
+void MprView::setMarks(std::vector<Vec3> positions_mm) {
+  if (positions_mm == marks_mm_) return;
+  marks_mm_ = std::move(positions_mm);
+  changed();
+}
+
+bool MprView::showsMark(Vec3 position_mm) const {
+  constexpr double kReach_mm = 3;
+  const SlicePlane now = plane();
+  return std::abs(dot(position_mm - now.centre_mm, now.axes.normal)) <= kReach_mm;
+}
+
 void MprView::setCallipers(std::vector<SliceCalliper> callipers) {
   callipers_ = std::move(callipers);
   changed();
@@ -279,6 +291,8 @@ void MprView::layout() {
     if (std::ranges::all_of(callipers_[k].points_mm, [&](Vec3 point_mm) { return passesThrough(point_mm, now); }))
       overlay.callipers.emplace_back(int(k) + 1, onSlice(callipers_[k], now.axes));
   overlay.fan = fanOn(now);
+  for (std::size_t k = 0; k < marks_mm_.size(); ++k)
+    if (showsMark(marks_mm_[k])) overlay.marks_mm.emplace_back(int(k) + 1, marks_mm_[k]);
   drawMprOverlay(overlay, now, scale(), drawing_->lines, drawing_->texts);
 }
 

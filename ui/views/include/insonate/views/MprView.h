@@ -41,6 +41,9 @@ class MprView final : public View {
   void setPicture(std::optional<PictureBounds> bounds);
   /// Marks the place that is pointed at in another view, where the slice passes through it; none for no mark.
   void setPointer(std::optional<Vec3> position_mm);
+  /// Numbered points, shown where the slice passes by within 3 mm.
+  void setMarks(std::vector<Vec3> positions_mm);
+  bool showsMark(Vec3 position_mm) const;
   /// Drawn with their values where the slice passes through them, numbered in this order.
   void setCallipers(std::vector<SliceCalliper> callipers);
 
@@ -105,6 +108,7 @@ class MprView final : public View {
   std::optional<PictureBounds> picture_;
   std::optional<Vec3> pointer_mm_;
   std::vector<SliceCalliper> callipers_;
+  std::vector<Vec3> marks_mm_;
   Vec3 crosshair_mm_;
   bool crosshairVisible_ = true;
   std::function<void(Vec3)> crosshairMoved_;

@@ -1,0 +1,195 @@
+#include "GuidePage.h"
+
+#include "GuideSession.h"
+
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/ValueSlider.h>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QShortcut>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+namespace insonate::prepare {
+namespace {
+
+constexpr int kListRows = 6;
+
+QString stateWord(GuideSession::State state, bool optional) {
+  switch (state) {
+    case GuideSession::State::ToDo:
+      return optional ? GuidePage::tr("if wanted") : GuidePage::tr("to do");
+    case GuideSession::State::Working:
+      return GuidePage::tr("working");
+    case GuideSession::State::Done:
+      return GuidePage::tr("done");
+    case GuideSession::State::Doubtful:
+      return GuidePage::tr("doubtful");
+    case GuideSession::State::Skipped:
+      return GuidePage::tr("skipped");
+  }
+  return {};
+}
+
+QColor stateColour(GuideSession::State state) {
+  switch (state) {
+    case GuideSession::State::Done:
+      return ui::colour(views::theme::kGood);
+    case GuideSession::State::Doubtful:
+      return ui::colour(views::theme::kCaution);
+    case GuideSession::State::Working:
+      return ui::colour(views::theme::kAccent);
+    default:
+      return ui::colour(views::theme::kText);
+  }
+}
+
+QLabel* paragraph(const char* name, const char* role = nullptr) {
+  auto* label = new QLabel;
+  label->setObjectName(QLatin1String(name));
+  label->setWordWrap(true);
+  if (role) ui::setRole(label, role);
+  return label;
+}
+
+}  // namespace
+
+GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), guide_(guide), list_(new QListWidget) {
+  setObjectName(QStringLiteral("guide"));
+  list_->setObjectName(QStringLiteral("guideSteps"));
+  list_->setAccessibleName(tr("Steps of labelling"));
+  list_->setToolTip(tr("What there is to do, in this order; go back to a step to do it again"));
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  for (const GuideStep& step : guide_.steps()) list_->addItem(QString::fromStdString(step.title));
+  list_->setMinimumHeight(kListRows * list_->sizeHintForRow(0));
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kGap);
+  box->addWidget(list_, 1);
+  box->addWidget(buildStep());
+  connect(list_, &QListWidget::currentRowChanged, &guide_, &GuideSession::go);
+  connect(&guide_, &GuideSession::changed, this, &GuidePage::refresh);
+  connect(&guide_, &GuideSession::clicksChanged, this, &GuidePage::refresh);
+  connect(&guide_, &GuideSession::told, this, [this](const QString& sentence) { told_->setText(sentence); });
+  for (const int key : {Qt::Key_Return, Qt::Key_Enter}) {
+    auto* enter = new QShortcut(key, this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
+    connect(enter, &QShortcut::activated, &guide_, &GuideSession::proceed);
+  }
+  refresh();
+}
+
+QWidget* GuidePage::buildStep() {
+  title_ = paragraph("guideTitle", "heading");
+  say_ = paragraph("guideSay");
+  clicks_ = paragraph("guideClicks", "quiet");
+  result_ = paragraph("guideResult");
+  told_ = paragraph("guideTold");
+  const auto button = [](const char* name, const QString& text, const QString& tip) {
+    auto* made = new QPushButton(text);
+    made->setObjectName(QLatin1String(name));
+    made->setToolTip(tip);
+    return made;
+  };
+  run_ = button("guideRun", tr("Run"), tr("Make this structure out of the clicks (Enter)"));
+  accept_ = button("guideAccept", tr("Looks right"), tr("Go on to the next step (Enter)"));
+  correct_ =
+      button("guideCorrect", tr("Correct it"), tr("Paint and erase this structure in the slices; others are spared"));
+  correct_->setCheckable(true);
+  skip_ = button("guideSkip", tr("Skip"), tr("Go on without this structure"));
+  ui::setRole(run_, "primary");
+  ui::setRole(accept_, "primary");
+  auto* radius = new ui::ValueSlider(tr("Brush"), tr("mm"), {0.5, 15, guide_.brush_mm(), 0.5, 1},
+                                     tr("Radius of the ball that paints and erases"));
+  radius->setObjectName(QStringLiteral("guideBrush"));
+  connect(radius, &ui::ValueSlider::valueChanged, &guide_, &GuideSession::setBrush);
+  brush_ = new QWidget;
+  auto* brushBox = new QVBoxLayout(brush_);
+  brushBox->setContentsMargins(0, 0, 0, 0);
+  brushBox->addWidget(new QLabel(tr("Drag in a slice paints, with Ctrl erases.")));
+  brushBox->addWidget(radius);
+  connect(run_, &QPushButton::clicked, &guide_, &GuideSession::run);
+  connect(accept_, &QPushButton::clicked, &guide_, &GuideSession::accept);
+  connect(correct_, &QPushButton::clicked, &guide_, &GuideSession::setCorrecting);
+  connect(skip_, &QPushButton::clicked, &guide_, &GuideSession::skip);
+  auto* panel = new QWidget;
+  auto* box = new QVBoxLayout(panel);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kSmallGap);
+  for (QLabel* label : {title_, say_, clicks_, result_, told_}) box->addWidget(label);
+  box->addWidget(brush_);
+  for (const auto& [left, right] : {std::pair{accept_, correct_}, {run_, skip_}}) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(ui::kSmallGap);
+    row->addWidget(left);
+    row->addWidget(right);
+    box->addLayout(row);
+  }
+  return panel;
+}
+
+void GuidePage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  guide_.setShown(true);
+}
+
+void GuidePage::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  guide_.setShown(false);
+}
+
+void GuidePage::refreshList() {
+  const QSignalBlocker quiet(list_);
+  for (int n = 0; n < list_->count(); ++n) {
+    const GuideStep& step = guide_.steps()[std::size_t(n)];
+    const GuideSession::State state = guide_.state(n);
+    list_->item(n)->setText(QString::fromStdString(step.title) + QStringLiteral("   ") +
+                            stateWord(state, step.optional));
+    list_->item(n)->setForeground(stateColour(state));
+  }
+  list_->setCurrentRow(guide_.current());
+}
+
+void GuidePage::refreshButtons() {
+  const GuideSession::State state = guide_.state(guide_.current());
+  const bool made = state == GuideSession::State::Done || state == GuideSession::State::Doubtful;
+  const bool busy = guide_.isBusy();
+  run_->setText(made ? tr("Again") : tr("Run"));
+  run_->setEnabled(guide_.canRun());
+  accept_->setVisible(made);
+  accept_->setEnabled(!busy);
+  correct_->setVisible(made && guide_.step().label != 0);
+  correct_->setEnabled(!busy);
+  correct_->setChecked(guide_.isCorrecting());
+  skip_->setVisible(!made);
+  skip_->setEnabled(!busy);
+  brush_->setVisible(guide_.isCorrecting());
+}
+
+void GuidePage::refresh() {
+  const GuideStep& step = guide_.step();
+  const int index = guide_.current();
+  const GuideSession::State state = guide_.state(index);
+  const bool made = state == GuideSession::State::Done || state == GuideSession::State::Doubtful;
+  refreshList();
+  if (title_->text() != QString::fromStdString(step.title)) told_->clear();
+  title_->setText(QString::fromStdString(step.title));
+  say_->setText(QString::fromStdString(made ? step.lookFor : step.say));
+  const int count = int(guide_.clicks_mm().size());
+  clicks_->setVisible(step.clicks > 0 && !guide_.isCorrecting());
+  clicks_->setText(tr("%1 of %2 clicks. Drag a point to move it; the right button or Delete removes it.")
+                       .arg(count)
+                       .arg(step.clicks));
+  const QStringList remarks = guide_.remarks(index);
+  QString result = remarks.join(QLatin1Char(' '));
+  if (state == GuideSession::State::Doubtful) result += QLatin1Char(' ') + QString::fromStdString(step.ifWrong);
+  result_->setVisible(!result.isEmpty());
+  result_->setText(result);
+  result_->setStyleSheet(QStringLiteral("color: %1").arg(stateColour(state).name()));
+  told_->setVisible(!told_->text().isEmpty());
+  refreshButtons();
+}
+
+}  // namespace insonate::prepare

@@ -1,0 +1,141 @@
+#include "GuidePointer.h"
+
+#include "../PrepareSession.h"
+#include "GuideSession.h"
+
+#include <insonate/ui/ViewWidget.h>
+#include <insonate/views/MprView.h>
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace insonate::prepare {
+namespace {
+
+constexpr double kNear_px = 9;  // of a point, in logical pixels
+
+}  // namespace
+
+GuidePointer::GuidePointer(GuideSession& guide, PrepareSession& session, QObject* parent)
+    : QObject(parent), guide_(guide), session_(session) {
+  connect(&guide_, &GuideSession::clicksChanged, this, [this] { showClicks(); });
+}
+
+void GuidePointer::watch(ui::ViewWidget& widget, views::MprView& slice) {
+  watched_.push_back({&widget, &slice});
+  widget.focusProxy()->installEventFilter(this);
+}
+
+void GuidePointer::showClicks() {
+  const bool shown = guide_.takesClicks() || guide_.isBusy();
+  for (const Watched& each : watched_) each.slice->setMarks(shown ? guide_.clicks_mm() : std::vector<Vec3>{});
+}
+
+Vec3 GuidePointer::patientAt(const Watched& where, QPoint at) const {
+  const double ratio = where.widget->devicePixelRatioF();
+  return where.slice->patientFromDisplay({(at.x() + 0.5) * ratio, (at.y() + 0.5) * ratio});
+}
+
+std::optional<std::size_t> GuidePointer::clickAt(const Watched& where, QPoint at) const {
+  const double ratio = where.widget->devicePixelRatioF();
+  for (std::size_t n = 0; n < guide_.clicks_mm().size(); ++n) {
+    if (!where.slice->showsMark(guide_.clicks_mm()[n])) continue;
+    const views::DisplayPoint p = where.slice->displayFromPatient(guide_.clicks_mm()[n]);
+    if (std::hypot(p.x / ratio - at.x(), p.y / ratio - at.y()) <= kNear_px) return n;
+  }
+  return std::nullopt;
+}
+
+bool GuidePointer::press(const Watched& where, QPoint at, Qt::MouseButton button, Qt::KeyboardModifiers keys) {
+  if (guide_.isCorrecting() && button == Qt::LeftButton) {
+    const std::uint8_t label = guide_.step().label;
+    const bool erases = keys & Qt::ControlModifier;
+    LabelStep stroke;
+    stroke.tool = step::Paint{.radius_mm = guide_.brush_mm()};
+    stroke.label = erases ? stroke.rest : label;
+    if (erases) stroke.over = {{label}};
+    const QString name = (erases ? tr("erase %1") : tr("paint %1")).arg(structureName(label));
+    painting_ = session_.labelling().beginStroke(std::move(stroke), name);
+    if (painting_) session_.labelling().strokeTo(patientAt(where, at));
+    return true;
+  }
+  if (!guide_.takesClicks()) return false;
+  const auto near = clickAt(where, at);
+  if (button == Qt::RightButton && near) {
+    guide_.removeClick(*near);
+    return true;
+  }
+  if (button != Qt::LeftButton || keys != Qt::NoModifier) return false;
+  dragged_ = near;
+  pressed_ = at;
+  return near.has_value();
+}
+
+bool GuidePointer::move(const Watched& where, QPoint at) {
+  if (painting_) session_.labelling().strokeTo(patientAt(where, at));
+  if (dragged_) guide_.moveClick(*dragged_, patientAt(where, at));
+  return painting_ || dragged_;
+}
+
+bool GuidePointer::release(const Watched& where, QPoint at) {
+  if (std::exchange(painting_, false)) {
+    session_.labelling().endStroke();
+    return true;
+  }
+  const auto from = std::exchange(pressed_, std::nullopt);
+  if (std::exchange(dragged_, std::nullopt)) return true;
+  // A longer way is a drag of the crosshair.
+  if (from && (at - *from).manhattanLength() < QApplication::startDragDistance())
+    guide_.addClick(patientAt(where, *from));
+  return false;
+}
+
+bool GuidePointer::key(int key, bool act) {
+  const auto& clicks_mm = guide_.clicks_mm();
+  switch (key) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (!guide_.isShown() || guide_.isBusy()) return false;
+      if (act) guide_.proceed();
+      return true;
+    case Qt::Key_Delete:
+    case Qt::Key_Backspace:
+      if (!guide_.takesClicks() || clicks_mm.empty()) return false;
+      if (act) guide_.removeClick(clicks_mm.size() - 1);
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool GuidePointer::eventFilter(QObject* watched, QEvent* event) {
+  const auto where =
+      std::ranges::find_if(watched_, [&](const Watched& w) { return w.widget->focusProxy() == watched; });
+  if (where == watched_.end()) return false;
+  const auto* mouse = static_cast<QMouseEvent*>(event);
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+      return press(*where, mouse->pos(), mouse->button(), mouse->modifiers());
+    case QEvent::MouseMove:
+      return move(*where, mouse->pos());
+    case QEvent::MouseButtonRelease:
+      return release(*where, mouse->pos());
+    case QEvent::MouseButtonDblClick:
+      // Two quick clicks are two clicks.
+      return guide_.takesClicks() || guide_.isCorrecting();
+    case QEvent::ShortcutOverride:
+      if (!key(static_cast<QKeyEvent*>(event)->key(), false)) return false;
+      event->accept();
+      return true;
+    case QEvent::KeyPress:
+      return key(static_cast<QKeyEvent*>(event)->key(), true);
+    default:
+      return false;
+  }
+}
+
+}  // namespace insonate::prepare

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <insonate/image/Volume.h>
+
+#include <QObject>
+#include <QPoint>
+#include <optional>
+#include <vector>
+
+namespace insonate::ui {
+class ViewWidget;
+}
+namespace insonate::views {
+class MprView;
+}
+
+namespace insonate::prepare {
+
+class GuideSession;
+class PrepareSession;
+
+/// The mouse in slices while the guide wants clicks: a click puts a point, a point is dragged, the right button or the
+/// Delete key removes one, Enter goes on. While a label is corrected, the left button paints it, with Control erases.
+/// Everything else is the slice's own.
+class GuidePointer : public QObject {
+ public:
+  GuidePointer(GuideSession& guide, PrepareSession& session, QObject* parent);
+
+  void watch(ui::ViewWidget& widget, views::MprView& slice);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  struct Watched {
+    ui::ViewWidget* widget;
+    views::MprView* slice;
+  };
+  bool press(const Watched& where, QPoint at, Qt::MouseButton button, Qt::KeyboardModifiers keys);
+  bool move(const Watched& where, QPoint at);
+  bool release(const Watched& where, QPoint at);
+  bool key(int key, bool act);
+  Vec3 patientAt(const Watched& where, QPoint at) const;
+  std::optional<std::size_t> clickAt(const Watched& where, QPoint at) const;
+  void showClicks();
+
+  GuideSession& guide_;
+  PrepareSession& session_;
+  std::vector<Watched> watched_;
+  std::optional<std::size_t> dragged_;
+  std::optional<QPoint> pressed_;
+  bool painting_ = false;
+};
+
+}  // namespace insonate::prepare

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <insonate/segmentation/Recipe.h>
+
+#include <QString>
+#include <deque>
+#include <functional>
+#include <vector>
+
+class QUndoStack;
+
+namespace insonate::prepare {
+
+class LabelSession;
+
+/// Performs steps of labelling one after the other, each off the window's thread, and puts them between others that
+/// were made before: those after them are taken back first and made again.
+class GuideReplay {
+ public:
+  /// Where each of the steps that were made again begins among all recorded steps, and where the last ends; and whether
+  /// all went well: else everything is as it was before.
+  using Done = std::function<void(const std::vector<std::size_t>& places, bool well)>;
+
+  GuideReplay(LabelSession& labels, QUndoStack& undo) : labels_(labels), undo_(undo) {}
+
+  /// Instead of the recorded steps [first, end). False where they cannot be taken back any more; nothing has changed
+  /// then.
+  bool run(std::vector<LabelStep> steps, std::size_t first, std::size_t end, const QString& name, Done done);
+  bool isRunning() const { return running_; }
+  /// Of another case.
+  void forget() { ++number_, running_ = false; }
+
+ private:
+  bool takeBackTo(std::size_t count);
+  void next();
+  void fail();
+
+  LabelSession& labels_;
+  QUndoStack& undo_;
+  std::vector<LabelStep> before_;  ///< what was there
+  std::deque<LabelStep> todo_;
+  std::size_t first_ = 0, again_ = 0;  ///< of todo_, those at its end that are made again
+  std::vector<std::size_t> places_;
+  QString name_;
+  Done done_;
+  bool running_ = false, restoring_ = false;
+  int number_ = 0;
+};
+
+}  // namespace insonate::prepare

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "GuideReplay.h"
+
+#include <insonate/segmentation/Guide.h>
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <filesystem>
+#include <vector>
+
+namespace insonate::prepare {
+
+class PrepareSession;
+
+/// What an author is led through: the steps of a guide, how far each of them is, and what was clicked for it. Runs
+/// tools through the labels' session, so that everything is recorded and can be undone. Knows no widget.
+class GuideSession : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class State { ToDo, Working, Done, Doubtful, Skipped };
+
+  GuideSession(PrepareSession& session, QObject* parent);
+
+  const std::vector<GuideStep>& steps() const { return guide_.steps; }
+  int current() const { return current_; }
+  const GuideStep& step() const { return guide_.steps[std::size_t(current_)]; }
+  void go(int index);
+  State state(int index) const;
+  /// Why a step is doubtful, or what else is to be said of its state.
+  QStringList remarks(int index) const;
+
+  /// While the page is seen, clicks in slices belong to the current step.
+  void setShown(bool shown);
+  bool isShown() const { return shown_; }
+  bool takesClicks() const { return shown_ && !correcting_ && step().clicks > 0 && !isBusy(); }
+  const std::vector<Vec3>& clicks_mm() const { return progress_[std::size_t(current_)].clicks_mm; }
+  void addClick(Vec3 patient_mm);
+  void moveClick(std::size_t index, Vec3 patient_mm);
+  void removeClick(std::size_t index);
+
+  bool isBusy() const;
+  /// There are clicks enough, and nothing is at work.
+  bool canRun() const;
+  /// The current step; what was made before for it is taken back first, and what came after it is made again.
+  void run();
+  /// The result is right: on to the next step that is to do.
+  void accept();
+  /// On without the current step.
+  void skip();
+  /// What Enter does: run, then accept.
+  void proceed();
+
+  /// The current step's label is painted and erased in the slices; other structures are spared.
+  bool isCorrecting() const { return shown_ && correcting_; }
+  void setCorrecting(bool on);
+  double brush_mm() const { return brush_mm_; }
+  void setBrush(double radius_mm) { brush_mm_ = radius_mm; }
+
+  /// Beside a case that was saved: everything that made its labels since the CT was imported, to be replayed.
+  Result<void> saveRecipe(const std::filesystem::path& folder) const;
+
+ Q_SIGNALS:
+  void changed();
+  void clicksChanged();
+  /// A sentence for the author.
+  void told(const QString& sentence);
+
+ private:
+  /// Which of the recorded steps a step of the guide has made.
+  struct Made {
+    std::size_t first = 0, count = 0;
+    std::string text;
+  };
+  struct StepProgress {
+    std::vector<Vec3> clicks_mm{};
+    std::optional<Made> made{};
+    bool restored = false;  ///< made before the case was opened
+    bool accepted = false, skipped = false;
+    QStringList doubts{};
+  };
+
+  void beginCase();
+  void takeUpRecipe();
+  bool isMade(int index) const;
+  std::string textOfSteps(std::size_t first, std::size_t count) const;
+  void finished(int index, std::size_t first, const std::vector<std::size_t>& places, bool well);
+  void goToNext();
+  void lookForDoubts(int index);
+
+  PrepareSession& session_;
+  Guide guide_;
+  GuideReplay replay_;
+  std::vector<StepProgress> progress_;
+  Recipe before_;  ///< saved with the case when it was opened
+  Recipe recipe_;  ///< since then
+  int current_ = 0, working_ = -1;
+  bool shown_ = false, correcting_ = false;
+  double brush_mm_ = 2;
+};
+
+}  // namespace insonate::prepare
