@@ -1,6 +1,10 @@
 #include "Classroom.h"
 #include "class/ClassTable.h"
 
+#include <insonate/ui/DayWatch.h>
+
+#include <ui/support/AccessibleNames.h>
+
 #include <QComboBox>
 #include <QLabel>
 #include <QListWidget>
@@ -143,6 +147,38 @@ TEST_F(ClassPageTest, HostileNamesAreNames) {
   enter("ina");
   EXPECT_GE(rowOf(table(), QString::fromStdString(kHostileName)), 0);
   EXPECT_TRUE(child<QListWidget>("concerns")->item(0)->text().contains(QString::fromStdString(kHostileName)));
+}
+
+TEST_F(ClassPageTest, WhatLapsesByDaysIsSeenWhileTheWindowStaysOpen) {
+  Curriculum shortLived = curriculum_;
+  shortLived.version = 2;
+  shortLived.levels.front().mastery.lapsesAfter_days = 30;
+  test::valueOf(PublishedCurricula(school_->admin).publish(shortLived.name, 2, curriculumText(shortLived)));
+  test::succeed(CohortStore(school_->admin).setCurriculum(school_->spring.id, shortLived.name, 2));
+  practise(school_->as(school_->anna), true, 3);
+  enter("ina");
+  EXPECT_EQ(cell(table(), rowOf(table(), "Dr anna"), ClassTable::kNeeds), "");
+  later_us_ = 365 * test::kDay_us;
+  QDate today(2026, 11, 22);
+  auto* desk = workspace_->findChild<ClassDesk*>();
+  ui::DayWatch midnight([&] { desk->newDay(); }, nullptr, [&] { return today; });
+  midnight.look();
+  settle();
+  EXPECT_EQ(cell(table(), rowOf(table(), "Dr anna"), ClassTable::kNeeds), "") << "the same day";
+  today = today.addDays(365);
+  midnight.look();
+  settle();
+  EXPECT_EQ(cell(table(), rowOf(table(), "Dr anna"), ClassTable::kNeeds), "slipped");
+  EXPECT_TRUE(child<QListWidget>("concerns")->item(0)->text().contains("without practice"));
+}
+
+TEST_F(ClassPageTest, EverythingOfWhoIsSignedInHasANameAndATooltip) {
+  practise(school_->as(school_->anna), true, 2);
+  enter("ina");
+  table().setCurrentIndex(table().model()->index(0, 0));
+  QTest::keyClick(workspace_.get(), Qt::Key_2, Qt::AltModifier);
+  settle();
+  EXPECT_GT(test::expectNames(workspace_.get(), true), 30);
 }
 
 }  // namespace

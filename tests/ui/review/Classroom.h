@@ -12,8 +12,10 @@
 #include <ui/support/Patience.h>
 #include <unit/curriculum/StoreRig.h>
 
+#include <QDateTime>
 #include <QTemporaryDir>
 #include <QtTest/QTest>
+#include <atomic>
 #include <memory>
 #include <string>
 
@@ -43,7 +45,12 @@ class Classroom : public testing::Test {
   }
 
   QString file() const { return home_.filePath("people.sqlite"); }
-  static StoreServices services() { return {.workstation = "ward 7", .passwordCost = PasswordCost::Least}; }
+  /// By the clock of this computer, or later.
+  StoreServices services() {
+    return {.now_us = [this] { return QDateTime::currentMSecsSinceEpoch() * 1000 + later_us_; },
+            .workstation = "ward 7",
+            .passwordCost = PasswordCost::Least};
+  }
 
   /// An attempt at the first level that passes, or fails by the artery.
   void practise(const SignedIn& by, bool well, int times = 1) {
@@ -110,6 +117,7 @@ class Classroom : public testing::Test {
   Curriculum curriculum_;
   AttemptFacts last_;
   int made_ = 0;
+  std::atomic<std::int64_t> later_us_ = 0;
   ui::TaskBar tasks_;
   std::unique_ptr<ui::Account> account_;
   std::unique_ptr<ReviewWorkspace> workspace_;

@@ -6,75 +6,27 @@
 #include <insonate/ui/EmptyWorkspace.h>
 #include <insonate/ui/ErrorPanel.h>
 #include <insonate/ui/MainWindow.h>
-#include <insonate/ui/ViewWidget.h>
 
 #include <gtest/gtest.h>
 #include <support/SmallCase.h>
+#include <ui/support/AccessibleNames.h>
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
-#include <QAbstractSlider>
-#include <QAccessible>
 #include <QApplication>
-#include <QComboBox>
 #include <QDialog>
-#include <QDialogButtonBox>
-#include <QLineEdit>
-#include <QScrollBar>
 #include <QTableWidget>
 #include <QTemporaryDir>
-#include <QTextBrowser>
 #include <QtTest/QTest>
 #include <memory>
 
 namespace {
 
 using namespace insonate;
+using test::expectNames;
+using test::isInteractive;
 using test::waitUntil;
-
-/// What a user can act on with mouse or keyboard, without the inner parts of Qt's own widgets.
-bool isInteractive(const QWidget* widget) {
-  if (qobject_cast<const QScrollBar*>(widget)) return false;
-  const QByteArray name = widget->objectName().toLatin1();
-  if (name.startsWith("qt_") || widget->inherits("QTableCornerButton") || widget->inherits("QHeaderView")) return false;
-  for (const QWidget* outer = widget->parentWidget(); outer; outer = outer->parentWidget())
-    if (qobject_cast<const QComboBox*>(outer)) return false;
-  if (qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QAbstractSlider*>(widget) ||
-      qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QComboBox*>(widget) ||
-      qobject_cast<const QAbstractItemView*>(widget))
-    return true;
-  return widget->focusPolicy() & Qt::TabFocus && !widget->focusProxy() && !widget->isWindow();
-}
-
-QString nameOf(QWidget* widget) {
-  QAccessibleInterface* said = QAccessible::queryAccessibleInterface(widget);
-  return said ? said->text(QAccessible::Name) : QString();
-}
-
-/// Of the widget, or of the control that it is a part of.
-bool hasToolTip(const QWidget* widget) {
-  for (const QWidget* at = widget; at && !at->isWindow(); at = at->parentWidget())
-    if (!at->toolTip().isEmpty()) return true;
-  return false;
-}
-
-std::string what(const QWidget* widget) {
-  return std::string(widget->metaObject()->className()) + " '" + widget->objectName().toStdString() + "' in " +
-         (widget->parentWidget() ? widget->parentWidget()->metaObject()->className() : "nothing");
-}
-
-int expectNames(QWidget* root, bool toolTips) {
-  int seen = 0;
-  for (QWidget* widget : root->findChildren<QWidget*>()) {
-    if (!isInteractive(widget)) continue;
-    ++seen;
-    EXPECT_FALSE(nameOf(widget).trimmed().isEmpty()) << what(widget) << " has no name for a screen reader";
-    const bool view = widget->parentWidget() && qobject_cast<ui::ViewWidget*>(widget->parentWidget());
-    const bool text = qobject_cast<QTextBrowser*>(widget) || qobject_cast<QAbstractItemView*>(widget);
-    EXPECT_TRUE(!toolTips || view || text || hasToolTip(widget)) << what(widget) << " has no tooltip";
-  }
-  return seen;
-}
+using test::what;
 
 class Accessibility : public testing::Test {
  protected:

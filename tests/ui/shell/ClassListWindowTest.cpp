@@ -4,6 +4,7 @@
 #include <insonate/curriculum/PeopleStore.h>
 
 #include <gmock/gmock.h>
+#include <ui/support/AccessibleNames.h>
 
 #include <QDropEvent>
 #include <QFile>
@@ -131,6 +132,12 @@ TEST_F(ClassListWindow, AListThatNoLongerFitsAddsNobody) {
   EXPECT_FALSE(button("listSave").isVisible());
   const auto people = asked<std::vector<Person>>([](const SignedIn& by) { return PeopleStore(by).all(); });
   EXPECT_EQ(people->size(), 2U);
+}
+
+TEST_F(ClassListWindow, EverythingHasANameAndATooltip) {
+  drop("Full name,Username\nZoe,zoe\n");
+  EXPECT_GT(test::expectNames(dialog_, true), 4);
+  EXPECT_GT(test::expectNames(people_, true), 12);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <insonate/curriculum/PublishedCurricula.h>
 
 #include <gmock/gmock.h>
+#include <ui/support/AccessibleNames.h>
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -228,6 +229,12 @@ TEST_F(CurriculumWindowTest, ANewOneBeginsWithALevelThatIsToBeWritten) {
   ASSERT_TRUE(waitUntil([&] { return state().startsWith("Draft of pleural_taps, version 1"); })) << said();
   EXPECT_EQ(levels().count(), 1);
   EXPECT_FALSE(button("curriculumPublish").isEnabled());
+}
+
+TEST_F(CurriculumWindowTest, EverythingHasANameAndATooltip) {
+  beginDraft();
+  part<QCheckBox>("cusumOn").click();
+  EXPECT_GT(test::expectNames(dialog_, true), 40);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "StoreRig.h"
+#include "store/MetricsText.h"
 
 #include <insonate/curriculum/AuditLog.h>
 
@@ -9,6 +10,7 @@ namespace insonate::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 class StoreAttempts : public OnBoth {};
 INSONATE_ON_BOTH(StoreAttempts);
@@ -199,6 +201,16 @@ TEST_P(StoreAttempts, HostileTextsAreKeptAsTexts) {
   }
   EXPECT_EQ(valueOf(AttemptStore(anna).history(school.anna.id)).size(), texts.size());
   EXPECT_TRUE(AuditLog(school.admin).verify()) << "refusals with such texts are in the log";
+}
+
+TEST_P(StoreAttempts, MetricsAreReadAsTheyWereWrittenAndOtherTextsAsNone) {
+  const std::vector<MetricFact> metrics{
+      {"whole", 1, 3.0}, {"a \"quoted\" \u00e9", 2, -0.1}, {"missing", 7, std::nullopt}, {"small", 1, 1e-300}};
+  EXPECT_EQ(store::metricsOf(store::metricsText(metrics)), metrics);
+  EXPECT_THAT(store::metricsOf(store::metricsText({})), IsEmpty());
+  for (const char* text : {"", "{}", "7", "[", "[1]", "[[]]", "[[\"a\",1]]", "[[\"a\",1,2,3]]", "[[\"a\",\"b\",1]]",
+                           "[[1,1,1]]", "[[\"a\",1,[2]]]", "[[\"a\",1,true]]", "[[\"a\",1,2]", "[[\"a\",1,2]] x"})
+    EXPECT_THAT(store::metricsOf(text), IsEmpty()) << text;
 }
 
 }  // namespace

@@ -1,31 +1,9 @@
 #include "store/AttemptRows.h"
 
+#include "store/MetricsText.h"
 #include "store/Names.h"
 
-#include <nlohmann/json.hpp>
-
 namespace insonate::store {
-namespace {
-
-std::vector<MetricFact> metricsOf(const std::string& text) {
-  std::vector<MetricFact> metrics;
-  const auto json = nlohmann::json::parse(text, nullptr, false);
-  if (!json.is_array()) return metrics;
-  metrics.reserve(json.size());
-  for (const auto& entry : json)
-    metrics.push_back({entry.at(0).get<std::string>(), entry.at(1).get<int>(),
-                       entry.at(2).is_null() ? std::nullopt : std::optional(entry.at(2).get<double>())});
-  return metrics;
-}
-
-}  // namespace
-
-std::string metricsText(const std::vector<MetricFact>& metrics) {
-  nlohmann::json json = nlohmann::json::array();
-  for (const MetricFact& metric : metrics)
-    json.push_back({metric.id, metric.version, metric.value ? nlohmann::json(*metric.value) : nlohmann::json()});
-  return json.dump();
-}
 
 AttemptState stateOfEnd(const Row& row) {
   return stateNamed(row.text(10));

@@ -37,9 +37,6 @@ std::vector<AttemptFacts> historyOf(Transaction& transaction, const std::string&
 AttemptState stateOfEnd(const Row& row);
 std::optional<KeptAttempt> findAttempt(Transaction& transaction, const std::string& id);
 
-/// Metrics as JSON: [[id, version, value or null], ...].
-std::string metricsText(const std::vector<MetricFact>& metrics);
-
 /// What is wrong with facts that a caller hands in, before they are kept.
 Result<void> checkBegun(const AttemptFacts& facts);
 Result<void> checkEnded(const AttemptFacts& facts);

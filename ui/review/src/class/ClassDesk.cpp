@@ -1,6 +1,7 @@
 #include "ClassDesk.h"
 
 #include <insonate/ui/Account.h>
+#include <insonate/ui/DayWatch.h>
 
 #include <algorithm>
 
@@ -14,7 +15,9 @@ constexpr std::ptrdiff_t kTogether = 20;
 
 }  // namespace
 
-ClassDesk::ClassDesk(QObject* parent) : QObject(parent) {}
+ClassDesk::ClassDesk(QObject* parent) : QObject(parent) {
+  new ui::DayWatch([this] { newDay(); }, this);
+}
 
 void ClassDesk::setAccount(ui::Account& account) {
   account_ = &account;
@@ -72,6 +75,11 @@ void ClassDesk::refresh() {
   if (isSomebody()) readCohorts();
 }
 
+void ClassDesk::newDay() {
+  daysHavePassed_ = true;
+  refresh();
+}
+
 void ClassDesk::readCohorts() {
   trouble_.clear();
   ask<std::vector<Cohort>>([](const SignedIn& by) { return CohortStore(by).cohorts(); },
@@ -116,8 +124,10 @@ void ClassDesk::take(ClassFacts facts) {
   if (facts_->curriculum)
     for (const Member& one : facts_->learners) {
       const PersonStanding* known = standing(one.person.id);
-      if (one.attempts > 0 && (!known || known->standing.changes != one.changes)) queue_.push_back(one.person.id);
+      const bool isOld = daysHavePassed_ || !known || known->standing.changes != one.changes;
+      if (one.attempts > 0 && isOld) queue_.push_back(one.person.id);
     }
+  daysHavePassed_ = false;
   std::ranges::reverse(queue_);
   Q_EMIT classChanged();
   if (idle) nextStandings();

@@ -33,6 +33,8 @@ class ClassDesk : public QObject {
 
   /// Asks anew; what is shown stays until the answer is there.
   void refresh();
+  /// The date is another one: levels that lapse by days are worked out anew.
+  void newDay();
   const std::vector<Cohort>& cohorts() const { return cohorts_; }
   int chosen() const { return chosen_; }
   void choose(int cohort);
@@ -71,6 +73,7 @@ class ClassDesk : public QObject {
   std::optional<ClassFacts> facts_;
   std::optional<Curriculum> own_;  ///< a trainee's
   std::map<std::string, PersonStanding> standings_;
+  bool daysHavePassed_ = false;     ///< since standings_ were worked out
   std::vector<std::string> queue_;  ///< whose standing is to be worked out, the last one first
   int asking_ = 0;
   int round_ = 0;  ///< answers to questions of an earlier class are not taken

@@ -1,12 +1,15 @@
 #include "PersonDesk.h"
 
 #include <insonate/ui/Account.h>
+#include <insonate/ui/DayWatch.h>
 
 #include <QDateTime>
 
 namespace insonate::review {
 
-PersonDesk::PersonDesk(QObject* parent) : QObject(parent) {}
+PersonDesk::PersonDesk(QObject* parent) : QObject(parent) {
+  new ui::DayWatch([this] { refresh(); }, this);
+}
 
 template <class T, class Question, class Take>
 void PersonDesk::ask(Question question, Take take) {

@@ -7,6 +7,7 @@
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/Standings.h>
 #include <insonate/ui/Account.h>
+#include <insonate/ui/DayWatch.h>
 
 #include <QDateTime>
 #include <algorithm>
@@ -31,7 +32,9 @@ void merge(std::vector<AttemptFacts>& history, const AttemptFacts& facts) {
 
 }  // namespace
 
-Course::Course(QString unsentFolder, QObject* parent) : QObject(parent), unsent_(std::move(unsentFolder)) {}
+Course::Course(QString unsentFolder, QObject* parent) : QObject(parent), unsent_(std::move(unsentFolder)) {
+  new ui::DayWatch([this] { workOut(); }, this);
+}
 
 void Course::setAccount(ui::Account& account) {
   account_ = &account;

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <insonate/curriculum/AttemptFacts.h>
+
+#include <string>
+#include <vector>
+
+namespace insonate::store {
+
+/// Metrics as JSON: [[id, version, value or null], ...].
+std::string metricsText(const std::vector<MetricFact>& metrics);
+/// Of what metricsText() wrote; of any other text none.
+std::vector<MetricFact> metricsOf(const std::string& text);
+
+}  // namespace insonate::store
