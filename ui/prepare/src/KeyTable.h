@@ -14,7 +14,14 @@ enum class Command {
   PreviousStructure,
   NextStructure,
   ToggleStructure,
-  Start
+  Start,
+  Tool,  ///< of the row's key
+  LastTool,
+  ApplyTool,
+  LeaveTool,
+  LargerBrush,
+  SmallerBrush,
+  LockStructure
 };
 
 /// One row of the only table of keys: it decides what a key does, and lists it for the user. Rows without a key are

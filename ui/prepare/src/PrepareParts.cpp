@@ -9,6 +9,9 @@
 #include "panel/PathPanel.h"
 #include "panel/Section.h"
 #include "panel/SliceControls.h"
+#include "tool/SliceTools.h"
+#include "tool/ToolBar.h"
+#include "tool/ToolPanel.h"
 #include "views/CaseViews.h"
 
 #include <insonate/ui/EmptyWorkspace.h>
@@ -49,7 +52,7 @@ PrepareWorkspace::Parts::Parts(PrepareWorkspace& workspace, ui::TaskBar& tasks)
   path->setMinimumWidth(kLeft_px);
   views = new CaseViews(session);
   columns->addWidget(path);
-  columns->addWidget(views);
+  columns->addWidget(buildMiddle());
   columns->addWidget(buildRight());
   columns->setStretchFactor(0, 0);
   columns->setStretchFactor(1, 1);
@@ -75,6 +78,17 @@ void PrepareWorkspace::Parts::buildEmpty() {
   empty->setObjectName(QStringLiteral("prepareEmpty"));
 }
 
+QWidget* PrepareWorkspace::Parts::buildMiddle() {
+  tools_ = new ToolSession(session, &session);
+  auto* middle = new QWidget;
+  auto* box = new QVBoxLayout(middle);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(0);
+  box->addWidget(new ToolBar(*tools_));
+  box->addWidget(views, 1);
+  return middle;
+}
+
 QWidget* PrepareWorkspace::Parts::buildRight() {
   auto* inner = new QWidget;
   auto* box = new QVBoxLayout(inner);
@@ -88,6 +102,9 @@ QWidget* PrepareWorkspace::Parts::buildRight() {
               new Section(QStringLiteral("slices"), tr("Slices"), new SliceControls(session)), check_,
               new Section(QStringLiteral("scene"), tr("3D"), scene_)};
   sections.back()->setOpen(false);
+  tool_ = new Section(QStringLiteral("tool"), tr("Tool"), new ToolPanel(session, *tools_));
+  tool_->hide();
+  box->addWidget(tool_);
   for (Section* section : sections) box->addWidget(section);
   box->addStretch(1);
   scroll_ = new QScrollArea;
@@ -144,6 +161,8 @@ void PrepareWorkspace::Parts::connectParts() {
   ultrasound_->widget().focusProxy()->installEventFilter(&workspace_);
   auto* pointer = new GuidePointer(guide, session, this);
   for (int n = 0; n < CaseViews::kSlices; ++n) pointer->watch(*views->widgets()[std::size_t(n)], views->slice(n));
+  // Of filters, the last comes first: a tool in hand has the mouse before the guide.
+  new SliceTools(*views, *tools_, session.labelling().preview(), views);
   connect(&session, &PrepareSession::caseChanged, this, [this] {
     pages_->setCurrentWidget(session.patient() ? static_cast<QWidget*>(columns) : empty);
     scene_->setCase(session.patient());
@@ -170,6 +189,7 @@ void PrepareWorkspace::Parts::connectParts() {
   connect(&session.followers(), &LabelFollowers::restChanged, this, [this] { refreshReady(); });
   connect(&session.labelling(), &LabelSession::busyChanged, this, [this] { refreshReady(); });
   views->setRested([this] { refreshReady(); });
+  connect(tools_, &ToolSession::toolChanged, this, [this] { showTool(); });
   connect(path, &PathPanel::checkChosen, this, [this] { showFindings(); });
 }
 
@@ -199,6 +219,13 @@ void PrepareWorkspace::Parts::showFindings() {
       this, [this] { scroll_->verticalScrollBar()->setValue(check_->y()); }, Qt::QueuedConnection);
 }
 
+/// What the tool needs is seen at once; the rest of the column lies below it.
+void PrepareWorkspace::Parts::showTool() {
+  tool_->setVisible(tools_->tool() != nullptr);
+  tool_->setOpen(true);
+  scroll_->verticalScrollBar()->setValue(0);
+}
+
 QString PrepareWorkspace::Parts::engineText() const {
   if (!session.patient() || !session.live().shown()) return {};
   const bool onCard = session.live().shown()->engine == "glsl";
@@ -209,13 +236,17 @@ QString PrepareWorkspace::Parts::engineText() const {
 bool PrepareWorkspace::Parts::key(const QKeyEvent& event, bool doIt) {
   const KeyRow* row = rowFor(event);
   if (!row || !session.patient()) return false;
-  if (doIt) act(int(row->command));
+  // Without a tool, these are the window's.
+  const bool ofTool = row->command == Command::ApplyTool || row->command == Command::LeaveTool;
+  if (ofTool && !tools_->tool()) return false;
+  if (doIt) act(*row);
   return true;
 }
 
-void PrepareWorkspace::Parts::act(int command) {
+void PrepareWorkspace::Parts::act(const KeyRow& row) {
   const std::uint8_t label = session.selected();
-  switch (Command(command)) {
+  constexpr double kBrushStep = 1.15;
+  switch (row.command) {
     case Command::LabelsFainter:
       return session.setLabelOpacity(session.labelOpacity() - kOpacityStep);
     case Command::LabelsStronger:
@@ -230,6 +261,20 @@ void PrepareWorkspace::Parts::act(int command) {
       return session.setVisible(label, !session.look(label).visible);
     case Command::Start:
       return session.goToStart();
+    case Command::Tool:
+      return tools_->choose(toolOfKey(row.key, tools_->tool() ? tools_->tool()->id : QString()));
+    case Command::LastTool:
+      return tools_->chooseLast();
+    case Command::ApplyTool:
+      return tools_->apply();
+    case Command::LeaveTool:
+      return tools_->leave();
+    case Command::LargerBrush:
+      return tools_->scaleBrush(kBrushStep);
+    case Command::SmallerBrush:
+      return tools_->scaleBrush(1 / kBrushStep);
+    case Command::LockStructure:
+      return session.setLocked(label, !session.labelling().rules().locked.test(label));
   }
 }
 

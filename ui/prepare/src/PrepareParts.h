@@ -23,7 +23,9 @@ class CaseViews;
 class GuideSession;
 class PathPanel;
 class Section;
+class ToolSession;
 class UltrasoundPane;
+struct KeyRow;
 
 /// What the workspace is made of, and how the parts act on each other.
 class PrepareWorkspace::Parts : public QObject {
@@ -52,7 +54,9 @@ class PrepareWorkspace::Parts : public QObject {
   QWidget* buildRight();
   void makeActions();
   void connectParts();
-  void act(int command);
+  void act(const KeyRow& row);
+  QWidget* buildMiddle();
+  void showTool();
   void refreshSave();
   void refreshReady();
   void showFindings();
@@ -60,7 +64,8 @@ class PrepareWorkspace::Parts : public QObject {
   PrepareWorkspace& workspace_;
   QStackedLayout* pages_ = nullptr;
   QScrollArea* scroll_ = nullptr;
-  Section* check_ = nullptr;
+  ToolSession* tools_ = nullptr;
+  Section *check_ = nullptr, *tool_ = nullptr;
   ui::ScenePanel* scene_ = nullptr;
   UltrasoundPane* ultrasound_ = nullptr;
   QAction* save_ = nullptr;

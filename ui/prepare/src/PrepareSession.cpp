@@ -161,6 +161,20 @@ void PrepareSession::addStructure(std::uint8_t label) {
   select(label);
 }
 
+void PrepareSession::setLocked(std::uint8_t label, bool locked) {
+  LabelRules rules = labelling_.rules();
+  rules.locked.set(label, locked);
+  labelling_.setRules(rules);
+}
+
+void PrepareSession::removeVoxels(std::uint8_t label) {
+  LabelStep step;
+  step.label = label;
+  step.tool = step::Logical{LogicalOperation::kSubtract, label};
+  if (label == step.rest) step.rest = kBackground;
+  labelling_.run(std::move(step), tr("remove %1").arg(structureName(label)));
+}
+
 void PrepareSession::takeMeasures() {
   const auto& measures = measuring_.measures();
   std::vector<std::uint8_t> found;

@@ -55,6 +55,11 @@ class PrepareSession : public QObject {
   /// The table lists it, though no voxel has it yet, and it is selected.
   void addStructure(std::uint8_t label);
 
+  /// Tools leave a locked label as it is.
+  void setLocked(std::uint8_t label, bool locked);
+  /// All its voxels become soft tissue.
+  void removeVoxels(std::uint8_t label);
+
   // Edits; each can be undone.
   QUndoStack& undoStack() { return undo_; }
   void setColour(std::uint8_t label, views::Colour colour);

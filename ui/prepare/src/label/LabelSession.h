@@ -63,6 +63,8 @@ class LabelSession : public QObject {
   /// step that can be undone and is recorded; rules() are added to the step's own. `done` hears of it, with kCancelled
   /// where it was cancelled; other failures are told by failed(), too.
   void run(LabelStep step, const QString& name, Done done = {});
+  /// Stops the tool that run() began; nothing is changed.
+  void cancel() { settle(); }
   /// What run() would write, in preview().
   void wantPreview(LabelStep step);
   LabelPreview& preview() { return preview_; }

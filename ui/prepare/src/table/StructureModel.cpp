@@ -30,6 +30,8 @@ QPixmap swatch(views::Colour colour) {
 StructureModel::StructureModel(PrepareSession& session, QObject* parent)
     : QAbstractTableModel(parent),
       session_(session),
+      locked_(ui::icon(QStringLiteral("lock"))),
+      unlocked_(ui::icon(QStringLiteral("unlock"), views::theme::kQuiet)),
       shown_(ui::icon(QStringLiteral("eye"))),
       unseen_(ui::icon(QStringLiteral("eye"), views::theme::kQuiet)),
       hidden_(ui::icon(QStringLiteral("eye-off"), views::theme::kQuiet)) {
@@ -40,6 +42,12 @@ StructureModel::StructureModel(PrepareSession& session, QObject* parent)
   connect(&session_, &PrepareSession::lookChanged, this, [this](int label) {
     const int row = rowOf(std::uint8_t(label));
     if (row >= 0) Q_EMIT dataChanged(index(row, 0), index(row, kColumns - 1));
+  });
+  connect(&session_.labelling(), &LabelSession::rulesChanged, this, [this] {
+    if (rowCount() > 0) Q_EMIT dataChanged(index(0, kLock), index(rowCount() - 1, kLock));
+  });
+  connect(&session_.measuring(), &CaseMeasuring::changed, this, [this] {
+    if (rowCount() > 0) Q_EMIT dataChanged(index(0, kVolume), index(rowCount() - 1, kVolume));
   });
 }
 
@@ -79,6 +87,9 @@ QVariant StructureModel::tip(Column column, std::uint8_t label) const {
                                           : tr("Show %1 in 3D and on the slices (Space)").arg(name);
     case kColour:
       return tr("Colour of %1 (Enter); saved with the case").arg(name);
+    case kLock:
+      return session_.labelling().rules().locked.test(label) ? tr("Let tools change %1 again (L)").arg(name)
+                                                             : tr("Lock %1: tools leave it as it is (L)").arg(name);
     case kVolume:
       return tr("Volume of %1 in millilitres").arg(name);
     default:
@@ -96,6 +107,7 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const {
       return column == kName ? structureName(label) : column == kVolume ? volume(label) : QVariant();
     case Qt::DecorationRole:
       if (column == kEye) return !look.visible ? hidden_ : look.opacity > 0 ? shown_ : unseen_;
+      if (column == kLock) return session_.labelling().rules().locked.test(label) ? locked_ : unlocked_;
       return column == kColour ? QVariant(swatch(look.colour)) : QVariant();
     case Qt::TextAlignmentRole:
       return column == kVolume ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
@@ -107,6 +119,9 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const {
       if (column == kEye)
         return look.visible ? tr("%1 is shown").arg(structureName(label))
                             : tr("%1 is hidden").arg(structureName(label));
+      if (column == kLock)
+        return session_.labelling().rules().locked.test(label) ? tr("%1 is locked").arg(structureName(label))
+                                                               : tr("%1 is not locked").arg(structureName(label));
       if (column == kColour) return tr("colour %1").arg(ui::colour(look.colour).name());
       return data(index, Qt::DisplayRole);
     default:

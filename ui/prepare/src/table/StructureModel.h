@@ -7,10 +7,10 @@ namespace insonate::prepare {
 
 class PrepareSession;
 
-/// The structures of a case as rows: an eye, a colour, a name, a volume.
+/// The structures of a case as rows: an eye, a colour, a name, a volume, a lock.
 class StructureModel : public QAbstractTableModel {
  public:
-  enum Column { kEye, kColour, kName, kVolume, kColumns };
+  enum Column { kEye, kColour, kName, kVolume, kLock, kColumns };
 
   StructureModel(PrepareSession& session, QObject* parent);
 
@@ -27,6 +27,7 @@ class StructureModel : public QAbstractTableModel {
   QString volume(std::uint8_t label) const;
 
   PrepareSession& session_;
+  QIcon locked_, unlocked_;
   QIcon shown_, unseen_, hidden_;  ///< unseen: shown, but of no opacity
 };
 

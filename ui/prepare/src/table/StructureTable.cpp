@@ -3,13 +3,15 @@
 #include "../PrepareSession.h"
 #include "StructureModel.h"
 
+#include <insonate/tissue/Labels.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 
 #include <QColorDialog>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QPushButton>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -68,6 +70,8 @@ void StructureTable::buildTable() {
   header->resizeSection(StructureModel::kEye, kIconColumn_px);
   header->resizeSection(StructureModel::kColour, kIconColumn_px);
   header->resizeSection(StructureModel::kVolume, kVolumeColumn_px);
+  header->resizeSection(StructureModel::kLock, kIconColumn_px);
+  header->moveSection(StructureModel::kLock, StructureModel::kColour);
   table_->installEventFilter(this);
   connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) { clicked(index); });
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& index) {
@@ -77,19 +81,32 @@ void StructureTable::buildTable() {
 
 QWidget* StructureTable::buildButtons() {
   auto* row = new QWidget;
-  auto* box = new QHBoxLayout(row);
+  auto* box = new QGridLayout(row);
   box->setContentsMargins(0, 0, 0, 0);
-  box->setSpacing(ui::kGap);
+  box->setSpacing(ui::kSmallGap);
   only_ = new QPushButton(tr("Only this"));
   only_->setObjectName(QStringLiteral("showOnly"));
   only_->setToolTip(tr("Hide every structure but the selected one"));
   all_ = new QPushButton(tr("Show all"));
   all_->setObjectName(QStringLiteral("showAll"));
   all_->setToolTip(tr("Show every structure"));
+  auto* add = new QPushButton(tr("Add"));
+  add->setObjectName(QStringLiteral("addLabel"));
+  add->setToolTip(tr("List another structure, to be labelled"));
+  auto* menu = new QMenu(add);
+  menu->setToolTipsVisible(true);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillAdd(*menu); });
+  add->setMenu(menu);
+  remove_ = new QPushButton(tr("Clear"));
+  remove_->setObjectName(QStringLiteral("clearLabel"));
+  remove_->setToolTip(tr("All voxels of the selected structure become soft tissue; Ctrl+Z takes it back"));
+  connect(remove_, &QPushButton::clicked, this, [this] { session_.removeVoxels(session_.selected()); });
+  box->addWidget(add, 0, 0);
+  box->addWidget(remove_, 0, 1);
   connect(only_, &QPushButton::clicked, this, [this] { session_.showOnly(session_.selected()); });
   connect(all_, &QPushButton::clicked, this, [this] { session_.showAll(); });
-  box->addWidget(only_, 1);
-  box->addWidget(all_, 1);
+  box->addWidget(only_, 1, 0);
+  box->addWidget(all_, 1, 1);
   return row;
 }
 
@@ -98,6 +115,27 @@ void StructureTable::clicked(const QModelIndex& index) {
   session_.select(label);
   if (index.column() == StructureModel::kEye) session_.setVisible(label, !session_.look(label).visible);
   if (index.column() == StructureModel::kColour) chooseColour();
+  if (index.column() == StructureModel::kLock)
+    session_.setLocked(label, !session_.labelling().rules().locked.test(label));
+}
+
+void StructureTable::fillAdd(QMenu& menu) {
+  menu.clear();
+  const auto& there = session_.structures();
+  for (const LabelInfo& info : labelTable()) {
+    if (info.label == kBackground || std::ranges::find(there, info.label) != there.end()) continue;
+    QAction* action =
+        menu.addAction(structureName(info.label), this, [this, label = info.label] { session_.addStructure(label); });
+    action->setToolTip(tr("SNOMED CT %1, %2")
+                           .arg(QString::fromUtf8(info.snomedCode.data(), int(info.snomedCode.size())),
+                                QString::fromUtf8(info.snomedMeaning.data(), int(info.snomedMeaning.size()))));
+  }
+  int next = kLabelCount;
+  while (std::ranges::find(there, std::uint8_t(next)) != there.end()) ++next;
+  if (next >= Proposal::kKeep) return;
+  menu.addSeparator();
+  menu.addAction(tr("Another structure: label %1").arg(next), this,
+                 [this, next] { session_.addStructure(std::uint8_t(next)); });
 }
 
 void StructureTable::chooseColour() {
@@ -121,7 +159,8 @@ void StructureTable::showSelected() {
   const std::uint8_t label = session_.selected();
   const int row = model_->rowOf(label);
   if (row >= 0) table_->setCurrentIndex(model_->index(row, StructureModel::kName));
-  for (QWidget* one : {static_cast<QWidget*>(opacity_), static_cast<QWidget*>(only_), static_cast<QWidget*>(all_)})
+  for (QWidget* one : {static_cast<QWidget*>(opacity_), static_cast<QWidget*>(only_), static_cast<QWidget*>(all_),
+                       static_cast<QWidget*>(remove_)})
     one->setEnabled(row >= 0);
   if (row >= 0) {
     opacity_->setRange({0, kPercent, kPercent * usualOpacity(label), 5, 0});

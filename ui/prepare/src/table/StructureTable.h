@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+class QMenu;
 class QPushButton;
 class QTableView;
 
@@ -29,13 +30,14 @@ class StructureTable : public QWidget {
   void buildTable();
   QWidget* buildButtons();
   void clicked(const QModelIndex& index);
+  void fillAdd(QMenu& menu);
   void showSelected();
 
   PrepareSession& session_;
   StructureModel* model_;
   QTableView* table_;
   ui::ValueSlider* opacity_;
-  QPushButton *only_ = nullptr, *all_ = nullptr;
+  QPushButton *only_ = nullptr, *all_ = nullptr, *remove_ = nullptr;
   bool showing_ = false;
 };
 

@@ -20,6 +20,7 @@ struct MprOverlay {
   std::string slice;                                ///< "axial 42 / 120"
   std::vector<std::pair<int, Calliper>> callipers;  ///< number, and as it lies in the plane
   std::vector<std::pair<int, Vec3>> marks_mm;       ///< number, and place
+  const SliceMarks* toolMarks = nullptr;            ///< of a tool
   WindowLevel windowLevel;
 };
 

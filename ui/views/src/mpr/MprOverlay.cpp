@@ -8,6 +8,8 @@
 namespace insonate::views {
 namespace {
 
+/// A tool's point belongs to the slices that are nearer than this.
+constexpr double kMarkNear_mm = 1;
 constexpr Stroke kHalo{theme::kBlack, 3, 0.45};
 
 void drawLetters(const SlicePlane& plane, double scale, Texts& texts) {
@@ -73,6 +75,36 @@ void drawCallipers(const MprOverlay& overlay, const SlicePlane& plane, double sc
   }
 }
 
+/// The section of a ball with the slice; of a flat brush, its circle.
+void drawBrush(const SliceMarks::Brush& brush, const SlicePlane& plane, double scale, Lines& lines) {
+  const double off_mm = std::abs(plane.distance_mm(brush.centre_mm));
+  if (off_mm >= (brush.flat ? kMarkNear_mm : brush.radius_mm)) return;
+  const double radius_mm =
+      brush.flat ? brush.radius_mm : std::sqrt(brush.radius_mm * brush.radius_mm - off_mm * off_mm);
+  const double radius_px = std::max(2 * scale, radius_mm / plane.mm_per_px);
+  const DisplayPoint at = plane.displayFromPatient(brush.centre_mm);
+  lines.circle(at, radius_px, {theme::kBlack, 3 * scale, 0.45});
+  lines.circle(at, radius_px, {theme::kText, 1.2 * scale, 0.95});
+}
+
+void drawToolMarks(const SliceMarks& marks, const SlicePlane& plane, double scale, Lines& lines) {
+  const auto isNear = [&](Vec3 point_mm) { return std::abs(plane.distance_mm(point_mm)) < kMarkNear_mm; };
+  std::vector<DisplayPoint> line;
+  for (const Vec3& point_mm : marks.line_mm)
+    if (isNear(point_mm)) line.push_back(plane.displayFromPatient(point_mm));
+  if (line.size() > 1) {
+    lines.polyline(line, {theme::kBlack, 3.5 * scale, 0.45});
+    lines.polyline(line, {theme::kAccent, 1.5 * scale, 1});
+  }
+  for (const Vec3& point_mm : marks.points_mm) {
+    if (!isNear(point_mm)) continue;
+    const DisplayPoint at = plane.displayFromPatient(point_mm);
+    lines.disc(at, 5 * scale, theme::kBlack, 0.6);
+    lines.disc(at, 3.5 * scale, theme::kAccent);
+  }
+  if (marks.brush) drawBrush(*marks.brush, plane, scale, lines);
+}
+
 }  // namespace
 
 double roundLength_mm(double longest_mm) {
@@ -93,6 +125,7 @@ void drawMprOverlay(const MprOverlay& overlay, const SlicePlane& plane, double s
   if (overlay.pointer_mm) drawPointerMark(plane.displayFromPatient(*overlay.pointer_mm), scale, lines);
   drawMarks(overlay, plane, scale, lines, texts);
   drawCallipers(overlay, plane, scale, lines, texts);
+  if (overlay.toolMarks) drawToolMarks(*overlay.toolMarks, plane, scale, lines);
   drawLetters(plane, scale, texts);
   drawScaleBar(plane, scale, lines, texts);
   const double margin = 10 * scale;

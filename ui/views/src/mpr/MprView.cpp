@@ -160,6 +160,18 @@ void MprView::setLabelOutlines(bool only) {
   changed();
 }
 
+void MprView::setProposal(const VoxelBox& box, std::shared_ptr<const LabelMap> labels) {
+  proposalBox_ = box;
+  proposal_ = std::move(labels);
+  drawing_->paintStale = true;
+  changed();
+}
+
+void MprView::setToolMarks(SliceMarks marks) {
+  toolMarks_ = std::move(marks);
+  changed();
+}
+
 void MprView::setLabelOpacity(double opacity) {
   labelOpacity_ = std::clamp(opacity, 0.0, 1.0);
   drawing_->paintStale = true;
@@ -259,6 +271,7 @@ std::vector<DisplayPoint> MprView::fanOn(const SlicePlane& plane) const {
 
 void MprView::sample(const SlicePlane& plane) {
   const auto rgb = drawing_->quad.picture(plane.width_px, plane.height_px);
+  drawing_->sampler.setProposal(proposalBox_, proposal_.get());
   drawing_->sampler.sample(patient_->patient().ct, patient_->labels(), plane, rgb);
   if (asPicture()) drawing_->mask.apply(fanOn(plane), plane.width_px, plane.height_px, rgb);
   drawing_->quad.pictureChanged();
@@ -290,6 +303,7 @@ void MprView::layout() {
   for (std::size_t k = 0; k < callipers_.size(); ++k)
     if (std::ranges::all_of(callipers_[k].points_mm, [&](Vec3 point_mm) { return passesThrough(point_mm, now); }))
       overlay.callipers.emplace_back(int(k) + 1, onSlice(callipers_[k], now.axes));
+  overlay.toolMarks = &toolMarks_;
   overlay.fan = fanOn(now);
   for (std::size_t k = 0; k < marks_mm_.size(); ++k)
     if (showsMark(marks_mm_[k])) overlay.marks_mm.emplace_back(int(k) + 1, marks_mm_[k]);

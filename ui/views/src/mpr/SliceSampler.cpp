@@ -10,6 +10,8 @@ namespace insonate::views {
 namespace {
 
 constexpr int kLowestHu = -32768;
+constexpr std::uint8_t kNothing = 255;  ///< is proposed
+constexpr double kProposalFill = 0.5;
 
 /// The cell of a continuous index within [-0.5, size - 0.5), clamped to voxel centres.
 struct Cell {
@@ -52,6 +54,11 @@ void SliceSampler::setWindowLevel(const WindowLevel& value) {
   for (int hu = kLowestHu; hu < -kLowestHu; ++hu) greyOfHu_[hu - kLowestHu] = value.grey(hu);
 }
 
+std::uint8_t SliceSampler::proposedAt(int i, int j, int k) const {
+  if (!proposalBox_.contains(i, j, k)) return kNothing;
+  return proposal_->at(i - proposalBox_.first[0], j - proposalBox_.first[1], k - proposalBox_.first[2]);
+}
+
 void SliceSampler::sampleRow(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane, int row,
                              std::uint8_t* rgb) {
   const VolumeGeometry& grid = ct.geometry;
@@ -59,6 +66,7 @@ void SliceSampler::sampleRow(const CtVolume& ct, const LabelMap& labels, const S
   const Vec3 first = indexFromPatient * plane.patientFromDisplay({0.5, row + 0.5});
   const Vec3 step = indexFromPatient.linear * (plane.axes.right * plane.mm_per_px);
   std::uint8_t* label = rowLabels_.data() + std::size_t(row) * plane.width_px;
+  std::uint8_t* proposed = proposal_ ? rowProposed_.data() + std::size_t(row) * plane.width_px : nullptr;
   for (int column = 0; column < plane.width_px; ++column, rgb += 3) {
     const Vec3 index = first + step * column;
     bool inside = true;
@@ -66,21 +74,32 @@ void SliceSampler::sampleRow(const CtVolume& ct, const LabelMap& labels, const S
     if (!inside) {
       rgb[0] = rgb[1] = rgb[2] = 0;
       label[column] = 0;
+      if (proposal_) proposed[column] = kNothing;
       continue;
     }
     const Cell i(index.x, grid.size[0]), j(index.y, grid.size[1]), k(index.z, grid.size[2]);
     const auto hu = static_cast<int>(std::floor(trilinear(ct, i, j, k) + 0.5F));
     rgb[0] = rgb[1] = rgb[2] = greyOfHu_[hu - kLowestHu];
-    label[column] =
-        labels.at(static_cast<int>(index.x + 0.5), static_cast<int>(index.y + 0.5), static_cast<int>(index.z + 0.5));
+    const auto ni = static_cast<int>(index.x + 0.5), nj = static_cast<int>(index.y + 0.5),
+               nk = static_cast<int>(index.z + 0.5);
+    label[column] = labels.at(ni, nj, nk);
+    if (proposal_) proposed[column] = proposedAt(ni, nj, nk);
   }
 }
 
 void SliceSampler::paintRow(const SlicePlane& plane, int row, std::uint8_t* rgb) const {
   const std::uint8_t* label = rowLabels_.data() + std::size_t(row) * plane.width_px;
   const std::uint8_t* below = row + 1 < plane.height_px ? label + plane.width_px : label;
+  const std::uint8_t* proposed = proposal_ ? rowProposed_.data() + (label - rowLabels_.data()) : nullptr;
+  const std::uint8_t* proposedBelow = proposal_ ? proposed + (below - label) : nullptr;
   for (int column = 0; column < plane.width_px; ++column, rgb += 3) {
     const std::uint8_t own = label[column];
+    if (proposal_ && proposed[column] != kNothing) {
+      const bool rim = proposed[std::min(plane.width_px - 1, column + 1)] != proposed[column] ||
+                       proposedBelow[column] != proposed[column];
+      blend(rgb, paint_[proposed[column]].colour, rim ? 1 : kProposalFill);
+      continue;
+    }
     const LabelPaint& paint = paint_[own];
     if (paint.fill <= 0 && paint.outline <= 0) continue;
     // Looking one way only makes the line one pixel wide.
@@ -93,6 +112,7 @@ void SliceSampler::sample(const CtVolume& ct, const LabelMap& labels, const Slic
                           std::span<std::uint8_t> rgb) {
   const std::size_t stride = std::size_t(plane.width_px) * 3;
   rowLabels_.resize(std::size_t(plane.width_px) * plane.height_px);
+  if (proposal_) rowProposed_.resize(rowLabels_.size());
   const tbb::blocked_range<int> rows(0, plane.height_px, 16);
   tbb::parallel_for(rows, [&](const auto& range) {
     for (int row = range.begin(); row < range.end(); ++row)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <insonate/image/Volume.h>
+#include <insonate/image/VoxelBox.h>
 #include <insonate/views/SlicePlane.h>
 #include <insonate/views/Theme.h>
 #include <insonate/views/WindowLevel.h>
@@ -25,6 +25,10 @@ class SliceSampler {
   void setWindowLevel(const WindowLevel& value);
   void setPaint(std::uint8_t label, const LabelPaint& paint) { paint_[label] = paint; }
 
+  /// Labels that are proposed in a block of the grid, 255 for none; laid over the others in their colours. Null
+  /// without.
+  void setProposal(const VoxelBox& box, const LabelMap* labels) { proposalBox_ = box, proposal_ = labels; }
+
   /// Fills width * height * 3 bytes, top row first. Uses TBB.
   void sample(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane, std::span<std::uint8_t> rgb);
 
@@ -34,7 +38,11 @@ class SliceSampler {
 
   std::array<LabelPaint, 256> paint_{};
   std::vector<std::uint8_t> greyOfHu_;  ///< of every int16
-  std::vector<std::uint8_t> rowLabels_;
+  std::uint8_t proposedAt(int i, int j, int k) const;
+
+  VoxelBox proposalBox_;
+  const LabelMap* proposal_ = nullptr;
+  std::vector<std::uint8_t> rowLabels_, rowProposed_;
   WindowLevel windowLevel_{0, 0};
 };
 

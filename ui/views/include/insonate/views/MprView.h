@@ -3,6 +3,7 @@
 #include <insonate/ultrasound/ImagingSettings.h>
 #include <insonate/views/PictureBounds.h>
 #include <insonate/views/SliceCalliper.h>
+#include <insonate/views/SliceMarks.h>
 #include <insonate/views/SlicePlane.h>
 #include <insonate/views/Theme.h>
 #include <insonate/views/View.h>
@@ -67,6 +68,12 @@ class MprView final : public View {
   void setLabelOpacity(double opacity);
   double labelOpacity() const { return labelOpacity_; }
 
+  /// What a tool would write into a block of the patient's grid, over the labels; kNoProposal where it writes nothing.
+  /// Null for none.
+  static constexpr std::uint8_t kNoProposal = 255;
+  void setProposal(const VoxelBox& box, std::shared_ptr<const LabelMap> labels);
+  void setToolMarks(SliceMarks marks);
+
   /// Steps of whole slices along the normal; stops at the volume's ends.
   void stepSlices(int slices);
   void zoom(double factor);
@@ -116,6 +123,9 @@ class MprView final : public View {
   std::function<void(WindowLevel)> windowLevelChanged_;
   std::array<Colour, 256> colours_{};
   std::array<bool, 256> visible_{};
+  VoxelBox proposalBox_;
+  std::shared_ptr<const LabelMap> proposal_;
+  SliceMarks toolMarks_;
   bool labelsVisible_ = true, outlinesOnly_ = false;
   double labelOpacity_ = 0.25;
   Vec3 middle_mm_;  ///< once zoomed or panned: the patient point at the middle, but for its place along the normal

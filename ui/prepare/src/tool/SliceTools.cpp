@@ -1,0 +1,140 @@
+#include "SliceTools.h"
+
+#include "../views/CaseViews.h"
+
+#include <insonate/ui/ViewWidget.h>
+
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+namespace insonate::prepare {
+namespace {
+
+constexpr double kBrushStep = 1.15;
+
+bool isPlain(const QMouseEvent& event) {
+  return !(event.modifiers() & (Qt::ControlModifier | Qt::ShiftModifier));
+}
+
+}  // namespace
+
+SliceTools::SliceTools(CaseViews& views, ToolSession& tools, LabelPreview& preview, QObject* parent)
+    : QObject(parent), views_(views), tools_(tools), preview_(preview) {
+  for (int slice = 0; slice < CaseViews::kSlices; ++slice)
+    views_.widgets()[std::size_t(slice)]->focusProxy()->installEventFilter(this);
+  connect(&tools_, &ToolSession::toolChanged, this, [this] { showMarks(); });
+  connect(&tools_, &ToolSession::pointsChanged, this, [this] { showMarks(); });
+  connect(&tools_, &ToolSession::parametersChanged, this, [this] { showMarks(); });
+  connect(&preview_, &LabelPreview::changed, this, [this] { showPreview(); });
+}
+
+int SliceTools::sliceOf(const QObject* canvas) const {
+  for (int slice = 0; slice < CaseViews::kSlices; ++slice)
+    if (views_.widgets()[std::size_t(slice)]->focusProxy() == canvas) return slice;
+  return -1;
+}
+
+Vec3 SliceTools::placeOf(int slice, QPointF at) const {
+  const double ratio = views_.widgets()[std::size_t(slice)]->devicePixelRatioF();
+  return views_.slice(slice).patientFromDisplay({(at.x() + 0.5) * ratio, (at.y() + 0.5) * ratio});
+}
+
+bool SliceTools::eventFilter(QObject* watched, QEvent* event) {
+  const int slice = sliceOf(watched);
+  if (slice < 0 || !tools_.tool()) return false;
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    // The second press of a double click is a press, where clicks set points.
+    case QEvent::MouseButtonDblClick:
+      return pressed(slice, *static_cast<QMouseEvent*>(event));
+    case QEvent::MouseMove:
+      return moved(slice, *static_cast<QMouseEvent*>(event));
+    case QEvent::MouseButtonRelease:
+      return released(*static_cast<QMouseEvent*>(event));
+    case QEvent::Wheel:
+      return wheel(*static_cast<QWheelEvent*>(event));
+    case QEvent::Leave:
+      pointer_mm_.reset();
+      showMarks();
+      return false;
+    default:
+      return false;
+  }
+}
+
+bool SliceTools::pressed(int slice, const QMouseEvent& event) {
+  const ToolInput input = tools_.tool()->input;
+  if (input == ToolInput::Nothing || !isPlain(event)) return false;
+  views_.widgets()[std::size_t(slice)]->focusProxy()->setFocus(Qt::MouseFocusReason);
+  const Vec3 at_mm = placeOf(slice, event.localPos());
+  const views::SliceKind kind = views_.slice(slice).kind();
+  if (event.button() == Qt::RightButton && !tools_.points().empty()) {
+    tools_.removeNearest(at_mm);
+    return true;
+  }
+  if (event.button() != Qt::LeftButton) return false;
+  held_ = true;
+  if (input == ToolInput::Brush)
+    held_ = tools_.beginStroke(at_mm, kind);
+  else if (input == ToolInput::Range)
+    tools_.takeRange(at_mm);
+  else
+    tools_.addPoint(at_mm, kind);
+  return true;
+}
+
+bool SliceTools::moved(int slice, const QMouseEvent& event) {
+  const Vec3 at_mm = placeOf(slice, event.localPos());
+  pointer_mm_ = at_mm, under_ = slice;
+  const ToolInput input = tools_.tool()->input;
+  if (held_ && input == ToolInput::Brush) tools_.strokeTo(at_mm);
+  if (held_ && input == ToolInput::Range) tools_.takeRange(at_mm);
+  // A freehand outline has a corner every few pixels.
+  constexpr double kCorner_px = 3;
+  if (held_ && input == ToolInput::Outline && !tools_.points().empty() &&
+      norm(at_mm - tools_.points().back()) > kCorner_px * views_.slice(slice).plane().mm_per_px)
+    tools_.addPoint(at_mm, views_.slice(slice).kind());
+  showMarks();
+  return held_;
+}
+
+bool SliceTools::released(const QMouseEvent& event) {
+  if (!held_ || event.button() != Qt::LeftButton) return false;
+  held_ = false;
+  tools_.endStroke();
+  return true;
+}
+
+bool SliceTools::wheel(const QWheelEvent& event) {
+  if (!(event.modifiers() & Qt::ShiftModifier) || tools_.tool()->input != ToolInput::Brush) return false;
+  const QPoint turned = event.angleDelta();
+  tools_.scaleBrush(turned.y() + turned.x() > 0 ? kBrushStep : 1 / kBrushStep);
+  return true;
+}
+
+void SliceTools::showMarks() {
+  const Tool* const tool = tools_.tool();
+  for (int slice = 0; slice < CaseViews::kSlices; ++slice) {
+    views::SliceMarks marks;
+    const auto& points = tools_.points();
+    if (tool && tool->input == ToolInput::Outline) {
+      marks.line_mm = points;
+      if (!points.empty()) marks.line_mm.push_back(points.front());
+    } else {
+      marks.points_mm = points;
+    }
+    const bool flat = tools_.brushIsFlat();
+    if (tool && tool->input == ToolInput::Brush && pointer_mm_ && (!flat || slice == under_))
+      marks.brush = {*pointer_mm_, tools_.brushRadius_mm(), flat};
+    views_.slice(slice).setToolMarks(std::move(marks));
+  }
+}
+
+void SliceTools::showPreview() {
+  const auto& proposal = preview_.proposal();
+  for (int slice = 0; slice < CaseViews::kSlices; ++slice)
+    views_.slice(slice).setProposal(proposal ? proposal->box : VoxelBox{},
+                                    proposal ? std::shared_ptr<const LabelMap>(proposal, &proposal->labels) : nullptr);
+}
+
+}  // namespace insonate::prepare

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "../label/LabelPreview.h"
+#include "ToolSession.h"
+
+#include <QObject>
+#include <array>
+
+class QMouseEvent;
+class QWheelEvent;
+
+namespace insonate::prepare {
+
+class CaseViews;
+
+/// The tool on the slices: takes the mouse from them where the tool wants it (not with Ctrl or Shift, which stay the
+/// slice's own), and shows points, outline, brush and preview over all three.
+class SliceTools : public QObject {
+ public:
+  SliceTools(CaseViews& views, ToolSession& tools, LabelPreview& preview, QObject* parent);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  int sliceOf(const QObject* canvas) const;
+  Vec3 placeOf(int slice, QPointF at) const;
+  bool pressed(int slice, const QMouseEvent& event);
+  bool moved(int slice, const QMouseEvent& event);
+  bool released(const QMouseEvent& event);
+  bool wheel(const QWheelEvent& event);
+  void showMarks();
+  void showPreview();
+
+  CaseViews& views_;
+  ToolSession& tools_;
+  LabelPreview& preview_;
+  std::optional<Vec3> pointer_mm_;
+  int under_ = 0;  ///< slice the pointer is over
+  bool held_ = false;
+};
+
+}  // namespace insonate::prepare

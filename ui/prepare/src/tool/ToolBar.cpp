@@ -1,0 +1,85 @@
+#include "ToolBar.h"
+
+#include "ToolSession.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QKeySequence>
+#include <QMenu>
+#include <QToolButton>
+#include <algorithm>
+
+namespace insonate::prepare {
+
+ToolBar::ToolBar(ToolSession& tools, QWidget* parent) : QWidget(parent), tools_(tools) {
+  setObjectName(QStringLiteral("toolBar"));
+  auto* box = new QHBoxLayout(this);
+  box->setContentsMargins(ui::kSmallGap, ui::kSmallGap, ui::kSmallGap, ui::kSmallGap);
+  box->setSpacing(0);
+  // All fit beside each other where the window is 1366 pixels wide.
+  setStyleSheet(QStringLiteral("QToolButton { font-size: 8pt; padding: 4px 3px; }"));
+  QToolButton* look = add({}, tr("Look"), tr("Esc"), tr("No tool: the left button moves the crosshair (Esc)"));
+  connect(look, &QToolButton::clicked, this, [this] { tools_.choose({}); });
+  entries_.push_back({look, {}});
+  for (const Tool& tool : toolTable()) {
+    const QString keys = QKeySequence(tool.key).toString();
+    const bool alone = tool.group.isEmpty();
+    const QString name = alone ? tool.name : tool.group;
+    auto found = std::ranges::find_if(entries_, [&](const Entry& e) { return e.button->accessibleName() == name; });
+    if (found == entries_.end()) {
+      QToolButton* made = add(alone ? tool.id : tool.group.toLower(), name, keys,
+                              QStringLiteral("%1 (%2)").arg(alone ? tool.advice : name, keys));
+      found = entries_.insert(found, {made, {}});
+      if (!alone) {
+        made->setMenu(new QMenu(made));
+        made->menu()->setToolTipsVisible(true);
+        made->setPopupMode(QToolButton::InstantPopup);
+      }
+    }
+    found->ids << tool.id;
+    QToolButton* button = found->button;
+    if (alone) {
+      connect(button, &QToolButton::clicked, this, [this, id = tool.id] { tools_.choose(id); });
+      continue;
+    }
+    QAction* action = button->menu()->addAction(tool.name, this, [this, id = tool.id] { tools_.choose(id); });
+    action->setObjectName(QStringLiteral("tool-") + tool.id);
+    action->setToolTip(tool.advice);
+  }
+  box->addStretch(1);
+  connect(&tools_, &ToolSession::toolChanged, this, [this] { refresh(); });
+  refresh();
+}
+
+QToolButton* ToolBar::add(const QString& id, const QString& name, const QString& key, const QString& tip) {
+  auto* button = new QToolButton;
+  button->setObjectName(QStringLiteral("tool-") + (id.isEmpty() ? QStringLiteral("none") : id));
+  button->setIcon(ui::icon(id.isEmpty() ? QStringLiteral("view") : QStringLiteral("tool-") + id));
+  button->setIconSize({20, 20});
+  button->setText(QStringLiteral("%1 %2").arg(name, key));
+  button->setAccessibleName(name);
+  button->setToolTip(tip);
+  button->setCheckable(true);
+  button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+  button->setFocusPolicy(Qt::TabFocus);
+  static_cast<QHBoxLayout*>(layout())->addWidget(button);
+  return button;
+}
+
+void ToolBar::refresh() {
+  const QString id = tools_.tool() ? tools_.tool()->id : QString();
+  for (const Entry& entry : entries_)
+    entry.button->setChecked(id.isEmpty() ? entry.ids.isEmpty() : entry.ids.contains(id));
+}
+
+QString toolOfKey(int key, const QString& inHand) {
+  QStringList ids;
+  for (const Tool& tool : toolTable())
+    if (tool.key == key) ids << tool.id;
+  if (ids.isEmpty()) return {};
+  return ids[(ids.indexOf(inHand) + 1) % ids.size()];
+}
+
+}  // namespace insonate::prepare

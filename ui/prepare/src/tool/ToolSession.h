@@ -1,0 +1,71 @@
+#pragma once
+
+#include "Tool.h"
+
+#include <insonate/views/MprView.h>
+
+#include <QObject>
+#include <map>
+
+namespace insonate::prepare {
+
+class PrepareSession;
+
+/// The tool that is in the author's hand: its parameters, the points that were clicked for it, its preview. Preview,
+/// Enter and Esc mean the same for all tools. For the window's thread.
+class ToolSession : public QObject {
+  Q_OBJECT
+
+ public:
+  ToolSession(PrepareSession& session, QObject* parent);
+
+  /// Null where none is in hand: the mouse moves the crosshair then.
+  const Tool* tool() const { return tool_; }
+  /// By its id; an empty one lays it away. What was clicked for another is forgotten.
+  void choose(const QString& id);
+  /// The one before.
+  void chooseLast();
+  const LabelTool& parameters() const { return parameters_; }
+  void setNumber(const ToolNumber& number, double value);
+  void setChoice(const ToolChoice& choice, int index);
+
+  const std::vector<Vec3>& points() const;
+  void addPoint(Vec3 patient_mm, views::SliceKind slice);
+  void removeNearest(Vec3 patient_mm);
+  /// The Hounsfield units around a place become the range.
+  void takeRange(Vec3 patient_mm);
+
+  bool beginStroke(Vec3 patient_mm, views::SliceKind slice);
+  void strokeTo(Vec3 patient_mm);
+  void endStroke();
+  double brushRadius_mm() const;
+  bool brushIsFlat() const;
+  void scaleBrush(double factor);
+
+  /// Enough is clicked, and nothing else is at work.
+  bool isComplete() const;
+  void preview();
+  void apply();
+  /// Esc: stops what runs, else forgets what was clicked, else lays the tool away.
+  void leave();
+
+ Q_SIGNALS:
+  void toolChanged();
+  void parametersChanged();
+  void pointsChanged();
+
+ private:
+  LabelStep step() const;
+  void fillIn(LabelTool& tool) const;
+  int axisOf(views::SliceKind slice) const;
+  void changed();
+
+  PrepareSession& session_;
+  const Tool* tool_ = nullptr;
+  LabelTool parameters_;
+  std::map<QString, LabelTool> kept_;  ///< parameters of tools that were used
+  QString last_;
+  views::SliceKind slice_ = views::SliceKind::Axial;  ///< that was used last
+};
+
+}  // namespace insonate::prepare

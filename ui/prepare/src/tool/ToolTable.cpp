@@ -1,0 +1,341 @@
+#include "Tool.h"
+
+#include <QCoreApplication>
+#include <array>
+#include <utility>
+
+namespace insonate::prepare {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("insonate::prepare::Tool", text);
+}
+
+/// `field` gives the number's place in the tool's own parameters.
+template <class Step, class Field>
+ToolNumber number(const char* name, const char* unit, ui::ValueRange range, const char* hint, Field field) {
+  return {tr(name),
+          tr(unit),
+          range,
+          tr(hint),
+          [field](const LabelTool& tool) { return double(field(std::get<Step>(tool))); },
+          [field](LabelTool& tool, double value) {
+            auto& place = field(std::get<Step>(tool));
+            place = std::remove_reference_t<decltype(place)>(value);
+          }};
+}
+
+/// Words in the order of an enumeration.
+template <class Step, class Field>
+ToolChoice choice(const char* name, QStringList words, const char* hint, Field field) {
+  return {tr(name), std::move(words), tr(hint),
+          [field](const LabelTool& tool) { return int(field(std::get<Step>(tool))); },
+          [field](LabelTool& tool, int index) {
+            auto& place = field(std::get<Step>(tool));
+            place = std::remove_reference_t<decltype(place)>(index);
+          }};
+}
+
+constexpr ui::ValueRange kHu{-1024, 3071, 0, 5, 0}, kBlur{0, 3, 0, 0.1, 1}, kRadius{0.3, 20, 0, 0.1, 1},
+    kEdge{1, 500, 0, 5, 0};
+
+template <class Step>
+std::vector<ToolNumber> range() {
+  return {number<Step>(
+              "from", "HU", kHu, "the darkest that is taken", [](auto& s) -> auto& { return s.range_HU.low; }),
+          number<Step>(
+              "to", "HU", kHu, "the brightest that is taken", [](auto& s) -> auto& { return s.range_HU.high; })};
+}
+
+/// Blood with contrast agent, to begin with.
+constexpr HuRange kUsualRange{150, 600};
+
+Tool brush(const char* id, const char* name, int key, const char* advice, bool erases) {
+  using S = step::Paint;
+  return {.id = id,
+          .name = tr(name),
+          .group = {},
+          .key = key,
+          .input = ToolInput::Brush,
+          .advice = tr(advice),
+          .usual = S{},
+          .numbers = {number<S>(
+              "radius", "mm", {0.3, 40, 0, 0.5, 1}, "of the brush; + and -, or Shift and the wheel",
+              [](auto& s) -> auto& { return s.radius_mm; })},
+          .choices = {{tr("shape"),
+                       {tr("circle in the slice"), tr("sphere")},
+                       tr("of the brush"),
+                       [](const LabelTool& t) { return std::get<S>(t).sliceAxis ? 0 : 1; },
+                       [](LabelTool& t, int n) {
+                         auto& axis = std::get<S>(t).sliceAxis;
+                         n == 0 ? axis.emplace(2) : (axis.reset(), 0);
+                       }},
+                      {tr("only"),
+                       {tr("any brightness"), tr("contrast, 150 to 600 HU"), tr("soft tissue, 0 to 100 HU"),
+                        tr("bone, above 200 HU")},
+                       tr("what the brush takes of the CT"),
+                       [](const LabelTool& t) {
+                         const auto& only = std::get<S>(t).only_HU;
+                         return !only ? 0 : only->low == 150 ? 1 : only->low == 0 ? 2 : 3;
+                       },
+                       [](LabelTool& t, int n) {
+                         constexpr std::array<HuRange, 3> kRanges{{{150, 600}, {0, 100}, {200, 3071}}};
+                         auto& only = std::get<S>(t).only_HU;
+                         only.reset();
+                         if (n > 0) only = kRanges[std::size_t(n - 1)];
+                       }}},
+          .erases = erases};
+}
+
+std::vector<Tool> drawing() {
+  return {
+      brush("paint", "Paint", Qt::Key_1, "Drag on a slice.", false),
+      brush("erase", "Erase", Qt::Key_2, "Drag on a slice; only the current label is taken away.", true),
+      {.id = "draw",
+       .name = tr("Draw"),
+       .group = {},
+       .key = Qt::Key_3,
+       .input = ToolInput::Outline,
+       .advice = tr("Drag around the structure on a slice, or click its corners; Enter fills the outline."),
+       .usual = step::Draw{},
+       .leastPoints = 3},
+      {.id = "scissors",
+       .name = tr("Scissors"),
+       .group = {},
+       .key = Qt::Key_4,
+       .input = ToolInput::Outline,
+       .advice = tr("Draw around a part on a slice; Enter gives the label what lies within, through all slices."),
+       .usual = step::Scissors{},
+       .choices = {choice<step::Scissors>(
+           "take", {tr("inside"), tr("outside")}, "of the outline", [](auto& s) -> auto& { return s.view.outside; })},
+       .leastPoints = 3}};
+}
+
+std::vector<Tool> growing() {
+  using F = step::March;
+  using L = step::Contour;
+  using C = step::ConfidenceConnected;
+  const QString group = tr("Grow");
+  const auto edge = [](auto& s) -> auto& {
+    return s.front.edge_HUpmm;
+  };
+  return {{.id = "connected",
+           .name = tr("Connected"),
+           .group = group,
+           .key = Qt::Key_6,
+           .input = ToolInput::Points,
+           .advice = tr("Click in the structure; what hangs together with it in the range is taken."),
+           .usual = step::Connected{{}, kUsualRange},
+           .numbers = range<step::Connected>(),
+           .leastPoints = 1},
+          {.id = "confidence",
+           .name = tr("Confidence"),
+           .group = group,
+           .key = Qt::Key_6,
+           .input = ToolInput::Points,
+           .advice = tr("Click in the structure; the range is learned from around the clicks."),
+           .usual = C{},
+           .numbers = {number<C>(
+                           "spread", "", {0.5, 10, 0, 0.1, 1}, "standard deviations on either side of the mean",
+                           [](auto& s) -> auto& { return s.confidence.deviations; }),
+                       number<C>(
+                           "seed", "mm", {0.5, 20, 0, 0.5, 1}, "radius around each click that is learned from",
+                           [](auto& s) -> auto& { return s.confidence.seed_mm; })},
+           .leastPoints = 1},
+          {.id = "seeds",
+           .name = tr("From seeds"),
+           .group = group,
+           .key = Qt::Key_6,
+           .input = ToolInput::Nothing,
+           .advice =
+               tr("Paint a little of each structure first; all visible, unlocked labels then share what lies between."),
+           .usual = step::GrowSeeds{},
+           .numbers = {number<step::GrowSeeds>(
+               "blur", "mm", kBlur, "of the CT before", [](auto& s) -> auto& { return s.competition.smoothing_mm; })}},
+          {.id = "watershed",
+           .name = tr("Watershed"),
+           .group = group,
+           .key = Qt::Key_6,
+           .input = ToolInput::Nothing,
+           .advice = tr("Paint a little of each structure first; borders settle where the CT is steepest."),
+           .usual = step::Watershed{},
+           .numbers = {number<step::Watershed>(
+               "blur", "mm", kBlur, "of the CT before", [](auto& s) -> auto& { return s.smoothing_mm; })}},
+          {.id = "march",
+           .name = tr("Fast marching"),
+           .group = group,
+           .key = Qt::Key_6,
+           .input = ToolInput::Points,
+           .advice = tr("Click in the structure; a front runs until it meets edges."),
+           .usual = F{},
+           .numbers = {number<F>(
+                           "reach", "mm", {1, 60, 0, 1, 0}, "how far it runs",
+                           [](auto& s) -> auto& { return s.front.reach_mm; }),
+                       number<F>("edge", "HU/mm", kEdge, "the steepness that halves its speed", edge)},
+           .leastPoints = 1},
+          {.id = "levelset",
+           .name = tr("Level set"),
+           .group = group,
+           .key = Qt::Key_6,
+           .input = ToolInput::Nothing,
+           .advice = tr("Begins with what the label has, and moves its surface to the edges of the CT."),
+           .usual = L{},
+           .numbers = {number<L>(
+                           "edge", "HU/mm", kEdge, "the steepness that halves its speed",
+                           [](auto& s) -> auto& { return s.levelSet.edge_HUpmm; }),
+                       number<L>(
+                           "outward", "", {-3, 3, 0, 0.1, 1}, "how strongly it grows; below 0 it shrinks",
+                           [](auto& s) -> auto& { return s.levelSet.propagation; }),
+                       number<L>(
+                           "smoothness", "", {0, 3, 0, 0.1, 1}, "how much it is kept smooth",
+                           [](auto& s) -> auto& { return s.levelSet.curvature; }),
+                       number<L>(
+                           "rounds", "", {1, 1000, 0, 10, 0}, "at most; it stops earlier where it rests",
+                           [](auto& s) -> auto& { return s.levelSet.rounds; })}}};
+}
+
+Tool vessel() {
+  using V = step::Vessel;
+  return {.id = "vessel",
+          .name = tr("Vessel"),
+          .group = {},
+          .key = Qt::Key_7,
+          .input = ToolInput::Points,
+          .advice = tr("Click along a vessel with contrast agent, from one end to the other, on any slices."),
+          .usual = V{},
+          .numbers = {number<V>(
+                          "largest", "mm", {2, 30, 0, 0.5, 1}, "no wall is looked for farther from the middle",
+                          [](auto& s) -> auto& { return s.tracking.largest_mm; }),
+                      number<V>(
+                          "blur", "mm", kBlur, "of the CT before",
+                          [](auto& s) -> auto& { return s.tracking.smoothing_mm; })},
+          .leastPoints = 2};
+}
+
+template <class Step>
+Tool smoothing(const char* id, const char* name, const char* advice, double Step::*size) {
+  return {.id = id,
+          .name = tr(name),
+          .group = tr("Smooth"),
+          .key = Qt::Key_8,
+          .advice = tr(advice),
+          .usual = Step{},
+          .numbers = {number<Step>(
+              "size", "mm", kRadius, "of what is smoothed away", [size](auto& s) -> auto& { return s.*size; })}};
+}
+
+std::vector<Tool> shaping() {
+  using I = step::KeepLargest;
+  using R = step::RemoveSmall;
+  using M = step::Margin;
+  using H = step::Hollow;
+  const QString islands = tr("Islands"), shape = tr("Shape");
+  return {
+      smoothing("median", "Median", "Takes bumps and fills dents of the label.", &step::Median::radius_mm),
+      smoothing("opening", "Opening", "Removes thin bridges and spikes.", &step::Opening::radius_mm),
+      smoothing("closing", "Closing", "Fills gaps and pits.", &step::Closing::radius_mm),
+      smoothing("gaussian", "Gaussian", "Rounds the label.", &step::Gaussian::sigma_mm),
+      smoothing("joint", "Together", "Smooths all visible, unlocked labels without gaps between them.",
+                &step::SmoothTogether::sigma_mm),
+      {.id = "largest",
+       .name = tr("Largest"),
+       .group = islands,
+       .key = Qt::Key_9,
+       .advice = tr("Keeps the largest parts of the label; the rest becomes soft tissue."),
+       .usual = I{},
+       .numbers = {number<I>(
+           "parts", "", {1, 50, 0, 1, 0}, "that are kept", [](auto& s) -> auto& { return s.islands; })}},
+      {.id = "small",
+       .name = tr("Remove small"),
+       .group = islands,
+       .key = Qt::Key_9,
+       .advice = tr("Parts of the label that are smaller become soft tissue."),
+       .usual = R{},
+       .numbers = {number<R>(
+           "least", "mm\u00b3", {1, 10000, 0, 10, 0}, "volume of parts that are kept",
+           [](auto& s) -> auto& { return s.least_mm3; })}},
+      {.id = "island",
+       .name = tr("This one"),
+       .group = islands,
+       .key = Qt::Key_9,
+       .input = ToolInput::Points,
+       .advice = tr("Click the part of the label that is kept."),
+       .usual = step::KeepIsland{},
+       .leastPoints = 1},
+      {.id = "margin",
+       .name = tr("Margin"),
+       .group = shape,
+       .key = Qt::Key_0,
+       .advice = tr("Makes the label larger on all sides, or smaller below 0."),
+       .usual = M{},
+       .numbers = {number<M>(
+           "margin", "mm", {-20, 20, 0, 0.5, 1}, "above 0 larger", [](auto& s) -> auto& { return s.margin_mm; })}},
+      {.id = "hollow",
+       .name = tr("Hollow"),
+       .group = shape,
+       .key = Qt::Key_0,
+       .advice = tr("Leaves the wall of the label."),
+       .usual = H{},
+       .numbers = {number<H>(
+           "wall", "mm", kRadius, "its thickness", [](auto& s) -> auto& { return s.thickness_mm; })},
+       .choices = {choice<H>(
+           "lies", {tr("inside"), tr("half and half"), tr("outside")}, "of the surface",
+           [](auto& s) -> auto& { return s.wall; })}},
+      {.id = "logical",
+       .name = tr("Combine"),
+       .group = shape,
+       .key = Qt::Key_0,
+       .advice = tr("Adds another label to this one, takes it away, or leaves what both have."),
+       .usual = step::Logical{LogicalOperation::kAdd, 0},
+       .numbers = {number<step::Logical>(
+           "with label", "", {0, 254, 0, 1, 0}, "its number, as the table's tooltip says",
+           [](auto& s) -> auto& { return s.with; })},
+       .choices = {choice<step::Logical>(
+           "do", {tr("add"), tr("subtract"), tr("intersect")}, "with the other label",
+           [](auto& s) -> auto& { return s.operation; })}},
+      {.id = "fill",
+       .name = tr("Fill between"),
+       .group = shape,
+       .key = Qt::Key_0,
+       .advice = tr("Draws the label in the slices between those where it was drawn; made along the slices used last."),
+       .usual = step::FillBetween{}}};
+}
+
+std::vector<Tool> all() {
+  std::vector<Tool> tools = drawing();
+  tools.push_back(
+      {.id = "threshold",
+       .name = tr("Threshold"),
+       .group = {},
+       .key = Qt::Key_5,
+       .input = ToolInput::Range,
+       .advice = tr("Everything in the range gets the label. A click on a slice takes the brightness there."),
+       .usual = step::Threshold{kUsualRange},
+       .numbers = range<step::Threshold>()});
+  for (auto part : {growing(), std::vector<Tool>{vessel()}, shaping()})
+    tools.insert(tools.end(), part.begin(), part.end());
+  // Resetting gives back what the tool begins with.
+  for (Tool& tool : tools)
+    for (ToolNumber& one : tool.numbers) one.range.usual = one.get(tool.usual);
+  return tools;
+}
+
+}  // namespace
+
+const std::vector<Tool>& toolTable() {
+  static const std::vector<Tool> table = all();
+  return table;
+}
+
+std::vector<Vec3>* pointsOf(LabelTool& tool) {
+  return std::visit(
+      [](auto& step) -> std::vector<Vec3>* {
+        if constexpr (requires { step.points_mm; })
+          return &step.points_mm;
+        else
+          return nullptr;
+      },
+      tool);
+}
+
+}  // namespace insonate::prepare
