@@ -13,7 +13,7 @@ constexpr double kBlood_mm = 1.2;     // the ball whose median is the blood's
 constexpr int kTissueFrom_HU = -120;  // air and lung say nothing about where blood ends
 constexpr int kTissueBelowBlood_HU = 30;
 constexpr double kUsualTissue_HU = 50;  // muscle, where nothing darker than blood is near
-constexpr double kUpperShare = 0.6;     // of the lower limit's distance
+constexpr double kLimit = 0.6;          // of the way to half
 constexpr double kMost = 4;
 
 std::vector<std::int16_t> ball(const CtVolume& ct, Vec3 patient_mm, double radius_mm) {
@@ -41,17 +41,19 @@ double BloodLevel::unlikeness(double hu) const {
 }
 
 BloodLevel bloodAt(const CtVolume& ct, Vec3 patient_mm, double reach_mm) {
-  std::vector<std::int16_t> inside = ball(ct, patient_mm, kBlood_mm), around = ball(ct, patient_mm, reach_mm);
+  const Vec3& s = ct.geometry.spacing_mm;
+  const double radius_mm = std::max(kBlood_mm, 1.01 * std::min({s.x, s.y, s.z}));  // a voxel and its neighbours
+  std::vector<std::int16_t> inside = ball(ct, patient_mm, radius_mm), around = ball(ct, patient_mm, reach_mm);
   const double blood_HU = median(inside);
   std::erase_if(around, [=](std::int16_t hu) { return hu < kTissueFrom_HU || hu > blood_HU - kTissueBelowBlood_HU; });
   const double tissue_HU = around.empty() ? kUsualTissue_HU : median(around);
   const double half_HU = (blood_HU - tissue_HU) / 2;
-  return {blood_HU - half_HU, blood_HU, blood_HU + kUpperShare * half_HU};
+  return {blood_HU - kLimit * half_HU, blood_HU, blood_HU + kLimit * half_HU, blood_HU - half_HU};
 }
 
 BloodLevel mixed(const BloodLevel& a, const BloodLevel& b, double share) {
   const auto mix = [=](double from, double to) { return from + (to - from) * share; };
-  return {mix(a.low_HU, b.low_HU), mix(a.blood_HU, b.blood_HU), mix(a.high_HU, b.high_HU)};
+  return {mix(a.low_HU, b.low_HU), mix(a.blood_HU, b.blood_HU), mix(a.high_HU, b.high_HU), mix(a.half_HU, b.half_HU)};
 }
 
 }  // namespace insonate::segmentation

@@ -21,6 +21,7 @@ constexpr int kRays = VesselOutline::kRays;
 constexpr double kStation_mm = 1;
 constexpr int kSmoothPath = 4, kSmoothLine = 3;  // stations to both sides
 constexpr int kLikeNeighbours = 4;               // of which the expected outline is the median
+constexpr int kEven = 1;                         // of which the refined outline is the median
 constexpr double kLeastContrast_HU = 40, kLeastBetween_mm = 5;
 constexpr double kAround_mm = 30;
 
@@ -104,15 +105,15 @@ Vec3 centroid(const VesselOutline& outline) {
   return outline.centre_mm + outline.right * (x / area) + outline.down * (y / area);
 }
 
-/// Of each ray, the median of its radii in the sections around.
-std::vector<std::array<double, kRays>> expectedRadii(const std::vector<VesselOutline>& sections) {
+/// Of each ray, the median of its radii in so many sections to both sides.
+std::vector<std::array<double, kRays>> likeNeighbours(const std::vector<VesselOutline>& sections, int reach) {
   std::vector<std::array<double, kRays>> expected(sections.size());
   const int count = static_cast<int>(sections.size());
   std::vector<double> radii;
   for (int n = 0; n < count; ++n)
     for (int ray = 0; ray < kRays; ++ray) {
       radii.clear();
-      for (int m = std::max(0, n - kLikeNeighbours); m <= std::min(count - 1, n + kLikeNeighbours); ++m)
+      for (int m = std::max(0, n - reach); m <= std::min(count - 1, n + reach); ++m)
         radii.push_back(sections[m].radius_mm[ray]);
       std::ranges::nth_element(radii, radii.begin() + std::ptrdiff_t(radii.size() / 2));
       expected[n][ray] = radii[radii.size() / 2];
@@ -120,10 +121,10 @@ std::vector<std::array<double, kRays>> expectedRadii(const std::vector<VesselOut
   return expected;
 }
 
-TrackedVessel track(const CtVolume& ct, std::span<const Vec3> clicks_mm, double largest_mm, Work& work) {
-  Stations stations = pathThrough(ct, clicks_mm, largest_mm, work);
+TrackedVessel track(const CtVolume& ct, std::span<const Vec3> clicks_mm, const VesselTracking& how, Work& work) {
+  Stations stations = pathThrough(ct, clicks_mm, how.largest_mm, work);
   work.start("Finding the vessel's wall");
-  const OutlineFit wall(ct, largest_mm);
+  const OutlineFit wall(ct, how.smoothing_mm, how.largest_mm);
   const auto fitAll = [&](const std::vector<std::array<double, kRays>>* expected) {
     std::vector<VesselOutline> sections = sectionsAlong(stations.line);
     work.slices(static_cast<int>(sections.size()),
@@ -135,9 +136,12 @@ TrackedVessel track(const CtVolume& ct, std::span<const Vec3> clicks_mm, double 
     for (std::size_t n = 0; n < sections.size(); ++n) stations.line[n] = centroid(sections[n]);
     stations.line = smoothed(stations.line, kSmoothLine);
   }
-  const auto expected = expectedRadii(fitAll(nullptr));
+  const auto expected = likeNeighbours(fitAll(nullptr), kLikeNeighbours);
   TrackedVessel vessel;
   vessel.outlines = fitAll(&expected);
+  for (std::size_t n = 0; n < vessel.outlines.size(); ++n) wall.refine(vessel.outlines[n], stations.levels[n]);
+  const auto even = likeNeighbours(vessel.outlines, kEven);
+  for (std::size_t n = 0; n < vessel.outlines.size(); ++n) vessel.outlines[n].radius_mm = even[n];
   vessel.line = stations.line;
   return vessel;
 }
@@ -176,14 +180,14 @@ Result<TrackedVessel> trackVessel(const CtVolume& ct, std::span<const Vec3> clic
     const CtVolume near = blurredAround(ct, clicks_mm, how.smoothing_mm);
     for (const Vec3& click_mm : clicks_mm) {
       const BloodLevel level = segmentation::bloodAt(near, click_mm, how.largest_mm);
-      if (2 * (level.blood_HU - level.low_HU) < kLeastContrast_HU)
+      if (2 * (level.blood_HU - level.half_HU) < kLeastContrast_HU)
         return fail("There is no contrast between vessel and tissue at a click (" +
                     std::to_string(std::lround(level.blood_HU)) +
                     " HU); click in blood with contrast agent, or draw the vessel and fill between slices.");
     }
     Work work(progress, 5 + 1.1 * double(clicks_mm.size()));
     work.start("Following the vessel");
-    TrackedVessel vessel = track(near, clicks_mm, how.largest_mm, work);
+    TrackedVessel vessel = track(near, clicks_mm, how, work);
     vessel.lumen = segmentation::fillLumen(ct.geometry, vessel.outlines);
     return vessel;
   });

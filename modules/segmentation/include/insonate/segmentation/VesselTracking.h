@@ -35,8 +35,8 @@ struct TrackedVessel {
 /// Follows a vessel filled with contrast agent between points that were clicked in it, in this order, and finds its
 /// wall in sections a millimetre apart. Each section takes the star-shaped outline that best parts what looks like
 /// the blood at the nearest clicks from what does not, be it darker (muscle, fat) or brighter (bone), and that changes
-/// little around the vessel and along it; so a vessel that touches bone, or another one, keeps its shape. The vessel
-/// ends flat at the first and last click.
+/// little around the vessel and along it; so a vessel that touches bone, or another one, keeps its shape. On each ray
+/// the wall is half-way from the blood to what lies behind it. The vessel ends flat at the first and last click.
 /// Refuses fewer than two clicks, clicks beside the CT, and clicks whose blood is as dark as what surrounds it, since
 /// there is no wall to be seen then; fails when cancelled.
 Result<TrackedVessel> trackVessel(const CtVolume& ct, std::span<const Vec3> clicks_mm, const VesselTracking& how = {},
