@@ -1,5 +1,6 @@
 #include "Body.h"
 #include "Bone.h"
+#include "Calm.h"
 
 #include <insonate/segmentation/AutoLabel.h>
 #include <insonate/tissue/Labels.h>
@@ -13,7 +14,10 @@ namespace {
 
 constexpr int kFatBelow_HU = -30;        // half-way between fat (-100) and muscle (50)
 constexpr int kPaddingBelow_HU = -1500;  // no scanner measures this: outside its field of view
-constexpr double kSkin_mm = 2;
+constexpr double kSkin_mm = 2, kBlurredSkin_mm = 1;
+// Noise above the first hides where skin (30 HU) ends and fat begins, above the second it turns blood into bone; it is
+// smoothed then, though that widens bone a little.
+constexpr double kSkinHidden_HU = 24, kLoud_HU = 28;
 constexpr double kStrand_mm = 1.6;  // tissue thinner than twice this is no muscle
 constexpr double kPasses = 60;      // of Work::slices below, for the progress
 
@@ -48,18 +52,26 @@ void labelFatAndMuscle(LabelMap& labels, const CtVolume& ct, Work& work) {
   });
 }
 
-/// Padding is no air that touches the patient, so there is no skin at it.
-void labelSkin(LabelMap& labels, const CtVolume& ct, Work& work) {
-  Mask shell(ct.geometry), neighbours(ct.geometry);
+/// Padding is no air that touches the patient, so there is no skin at it. Where fat can be seen it is no skin, unless
+/// it lies so near to the air that the scanner's blur has mixed them.
+void labelSkin(LabelMap& labels, const CtVolume& ct, bool fatIsSeen, Work& work) {
+  Mask shell(ct.geometry), rim(ct.geometry);
   work.voxels(ct.geometry, [&](std::size_t v) {
     shell.voxels[v] = labels.voxels[v] == kBackground && ct.voxels[v] > kPaddingBelow_HU;
-    neighbours.voxels[v] = shell.voxels[v];
+    rim.voxels[v] = shell.voxels[v];
   });
   dilate(shell, kSkin_mm, work);
-  dilateToNeighbours(neighbours, work);
+  if (fatIsSeen) {
+    dilate(rim, kBlurredSkin_mm, work);
+    work.voxels(ct.geometry, [&](std::size_t v) {
+      shell.voxels[v] &= std::uint8_t(rim.voxels[v] || labels.voxels[v] != kFat);
+      rim.voxels[v] = labels.voxels[v] == kBackground && ct.voxels[v] > kPaddingBelow_HU;
+    });
+  }
+  dilateToNeighbours(rim, work);
   work.voxels(ct.geometry, [&](std::size_t v) {
     const std::uint8_t label = labels.voxels[v];
-    if (label != kBackground && label != kAirway && (shell.voxels[v] || neighbours.voxels[v])) labels.voxels[v] = kSkin;
+    if (label != kBackground && label != kAirway && (shell.voxels[v] || rim.voxels[v])) labels.voxels[v] = kSkin;
   });
 }
 
@@ -103,11 +115,15 @@ Result<LabelMap> autoLabel(const CtVolume& ct, const Progress& progress) {
           "No body was found in this CT: nothing in it is denser than air and thicker than a couch. Check that its "
           "values are Hounsfield units.");
     work.start("Finding bone");
-    labelBone(*labels, ct, work);
+    const double noise_HU = noiseInBody_HU(ct, *labels, work);
+    const bool isLoud = noise_HU > kLoud_HU;
+    const CtVolume calm = isLoud ? calmed(ct, work) : CtVolume();
+    const CtVolume& hu = isLoud ? calm : ct;
+    labelBone(*labels, hu, work);
     work.start("Finding fat and muscle");
-    labelFatAndMuscle(*labels, ct, work);
+    labelFatAndMuscle(*labels, hu, work);
     work.start("Finding skin");
-    labelSkin(*labels, ct, work);
+    labelSkin(*labels, ct, noise_HU < kSkinHidden_HU, work);
     if (auto ok = checkIsMixed(*labels); !ok) return tl::unexpected(ok.error());
     return std::move(*labels);
   } catch (const Cancelled&) {

@@ -1,82 +1,110 @@
 #include "Morphology.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
 
 namespace insonate::segmentation {
 namespace {
 
-constexpr int kFar = 255;
+/// Squared distances in parts of the squared radius, so that sums of two fit 16 bits and eight are handled at once.
+using Square = std::int16_t;
+constexpr double kRadiusSquare = 16000;
+constexpr Square kWithin = 16001;  // each of three distances is rounded, and those of the radius itself count
+constexpr Square kFar = kWithin + 1;
 
-/// A row of the ball: offset in j and k, and how far the ball reaches along i, in voxels.
-struct Chord {
-  int j, k;
-  std::uint8_t reach;
-};
-
-std::vector<Chord> ball(const Vec3& spacing_mm, double radius_mm) {
-  std::vector<Chord> chords;
-  const int nj = static_cast<int>(radius_mm / spacing_mm.y), nk = static_cast<int>(radius_mm / spacing_mm.z);
-  for (int k = -nk; k <= nk; ++k)
-    for (int j = -nj; j <= nj; ++j) {
-      const double y = j * spacing_mm.y, z = k * spacing_mm.z;
-      const double left = radius_mm * radius_mm - y * y - z * z;
-      if (left < 0) continue;
-      chords.push_back({j, k, static_cast<std::uint8_t>(std::min(std::sqrt(left) / spacing_mm.x, kFar - 1.0))});
-    }
-  return chords;
+/// Of the distances of 0, 1, ... voxels, as many as lie within the radius.
+std::vector<Square> squares(double spacing_mm, double radius_mm) {
+  std::vector<Square> squares{0};
+  while (true) {
+    const double share = double(squares.size()) * spacing_mm / radius_mm, square = kRadiusSquare * share * share;
+    if (!(square < kWithin + 0.5)) return squares;
+    squares.push_back(static_cast<Square>(std::lround(square)));
+  }
 }
 
-/// Voxels along the row to the nearest set voxel, at most kFar. False, and nothing written, when none is set.
-bool distancesAlongRow(const std::uint8_t* set, std::uint8_t* distance, int n) {
-  if (std::find(set, set + n, 1) == set + n) return false;
-  int d = kFar;
+/// Along a row, to the nearest voxel of this value. False, and nothing written, when there is none.
+bool squaresAlongRow(const std::uint8_t* row, std::uint8_t value, const std::vector<Square>& squares, Square* to,
+                     int n) {
+  if (std::find(row, row + n, value) == row + n) return false;
+  const int far = static_cast<int>(squares.size());
+  const auto squareOf = [&](int voxels) { return voxels < far ? squares[voxels] : kFar; };
+  int d = far;
   for (int i = 0; i < n; ++i) {
-    d = set[i] ? 0 : std::min(d + 1, kFar);
-    distance[i] = static_cast<std::uint8_t>(d);
+    d = row[i] == value ? 0 : std::min(d + 1, far);
+    to[i] = squareOf(d);
   }
-  d = kFar;
+  d = far;
   for (int i = n - 1; i >= 0; --i) {
-    d = std::min<int>(d + 1, distance[i]);
-    distance[i] = static_cast<std::uint8_t>(d);
+    d = row[i] == value ? 0 : std::min(d + 1, far);
+    to[i] = std::min(to[i], squareOf(d));
   }
   return true;
 }
 
-void dilateWith(Mask& mask, const std::vector<Chord>& chords, Work& work) {
+/// In one slice, to the nearest voxel of this value. False, and nothing written, when there is none.
+bool squaresInSlice(const Mask& mask, int k, std::uint8_t value, const std::array<std::vector<Square>, 3>& along,
+                    Square* to) {
   const auto [ni, nj, nk] = mask.geometry.size;
-  Mask distance(mask.geometry);
-  std::vector<std::uint8_t> rowHasAny(std::size_t(nj) * nk);
-  work.slices(nk, [&, ni = ni, nj = nj](int k) {
-    for (int j = 0; j < nj; ++j)
-      rowHasAny[std::size_t(k) * nj + j] = distancesAlongRow(&mask.at(0, j, k), &distance.at(0, j, k), ni);
-  });
-  work.slices(nk, [&, ni = ni, nj = nj, nk = nk](int k) {
-    for (int j = 0; j < nj; ++j) {
-      std::uint8_t* out = &mask.at(0, j, k);
-      for (const Chord& chord : chords) {
-        const int y = j + chord.j, z = k + chord.k;
-        if (y < 0 || z < 0 || y >= nj || z >= nk || !rowHasAny[std::size_t(z) * nj + y]) continue;
-        const std::uint8_t* in = &distance.at(0, y, z);
-        for (int i = 0; i < ni; ++i) out[i] |= static_cast<std::uint8_t>(in[i] <= chord.reach);
-      }
+  std::vector<Square> rows(std::size_t(ni) * nj);
+  std::vector<bool> rowHasAny(nj);
+  for (int j = 0; j < nj; ++j)
+    rowHasAny[j] = squaresAlongRow(&mask.at(0, j, k), value, along[0], &rows[std::size_t(j) * ni], ni);
+  if (std::find(rowHasAny.begin(), rowHasAny.end(), true) == rowHasAny.end()) return false;
+  const int reach = static_cast<int>(along[1].size()) - 1;
+  for (int j = 0; j < nj; ++j) {
+    Square* out = to + std::size_t(j) * ni;
+    std::fill(out, out + ni, kFar);
+    for (int y = std::max(0, j - reach); y <= std::min(nj - 1, j + reach); ++y) {
+      if (!rowHasAny[y]) continue;
+      const Square* in = &rows[std::size_t(y) * ni];
+      const Square aside = along[1][std::abs(y - j)];
+      for (int i = 0; i < ni; ++i) out[i] = std::min(out[i], static_cast<Square>(in[i] + aside));
     }
-  });
+  }
+  return true;
 }
 
-void complement(Mask& mask, Work& work) {
-  work.voxels(mask.geometry, [&](std::size_t v) { mask.voxels[v] ^= 1; });
+/// Voxels within the radius of one of this value take it: first the distances in each slice, then across slices. Only
+/// the slices that the ones at work can see are held.
+void spread(Mask& mask, std::uint8_t value, double radius_mm, Work& work) {
+  const auto [ni, nj, nk] = mask.geometry.size;
+  std::array<std::vector<Square>, 3> along;
+  for (int axis = 0; axis < 3; ++axis) along[axis] = squares(mask.geometry.spacing_mm[axis], radius_mm);
+  constexpr int kBatch = 32;
+  const int reach = static_cast<int>(std::min<std::size_t>(along[2].size() - 1, nk)), held = 2 * reach + kBatch;
+  const std::size_t voxels = std::size_t(ni) * nj;
+  std::vector<Square> slices(std::min(held, nk) * voxels);
+  const auto sliceOf = [&](int k) { return &slices[std::size_t(k % held) * voxels]; };
+  std::vector<std::uint8_t> hasAny(nk);
+  int measured = 0;
+  for (int begin = 0; begin < nk; begin += kBatch) {
+    const int end = std::min<int>(nk, begin + kBatch), seen = std::min<int>(nk, end + reach);
+    work.part(measured, seen, nk, [&](int k) { hasAny[k] = squaresInSlice(mask, k, value, along, sliceOf(k)); });
+    measured = seen;
+    work.part(begin, end, nk, [&, nk = nk](int k) {
+      std::uint8_t* out = &mask.at(0, 0, k);
+      for (int z = std::max(0, k - reach); z <= std::min(nk - 1, k + reach); ++z) {
+        if (!hasAny[z]) continue;
+        const Square* in = sliceOf(z);
+        const auto within = static_cast<Square>(kWithin - along[2][std::abs(z - k)]);
+        for (std::size_t v = 0; v < voxels; ++v) out[v] = in[v] <= within ? value : out[v];
+      }
+    });
+  }
 }
 
 }  // namespace
 
 void dilate(Mask& mask, double radius_mm, Work& work) {
-  dilateWith(mask, ball(mask.geometry.spacing_mm, radius_mm), work);
+  spread(mask, 1, radius_mm, work);
 }
 
 void erode(Mask& mask, double radius_mm, Work& work) {
-  complement(mask, work);
-  dilate(mask, radius_mm, work);
-  complement(mask, work);
+  spread(mask, 0, radius_mm, work);
 }
 
 void open(Mask& mask, double radius_mm, Work& work) {
@@ -90,7 +118,21 @@ void close(Mask& mask, double radius_mm, Work& work) {
 }
 
 void dilateToNeighbours(Mask& mask, Work& work) {
-  dilateWith(mask, {{0, 0, 1}, {-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}}, work);
+  const auto [ni, nj, nk] = mask.geometry.size;
+  const Mask before = mask;
+  work.slices(nk, [&, ni = ni, nj = nj, nk = nk](int k) {
+    for (int j = 0; j < nj; ++j) {
+      std::uint8_t* out = &mask.at(0, j, k);
+      const auto add = [&](int y, int z) {
+        if (y < 0 || z < 0 || y >= nj || z >= nk) return;
+        const std::uint8_t* in = &before.at(0, y, z);
+        for (int i = 0; i < ni; ++i) out[i] |= in[i];
+      };
+      add(j - 1, k), add(j + 1, k), add(j, k - 1), add(j, k + 1);
+      const std::uint8_t* row = &before.at(0, j, k);
+      for (int i = 1; i < ni; ++i) out[i] |= row[i - 1], out[i - 1] |= row[i];
+    }
+  });
 }
 
 void majorityInSlice(Mask& mask, Work& work) {

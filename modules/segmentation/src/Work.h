@@ -32,6 +32,14 @@ class Work {
     passes_ += 1;
   }
 
+  /// A part of a pass: body(k) for each of these of `count` slices, which take far less than a second.
+  template <class Body>
+  void part(int begin, int end, int count, const Body& body) {
+    tbb::parallel_for(begin, end, body);
+    passes_ += double(end - begin) / count;
+    checkpoint();
+  }
+
   /// One pass over the voxels of a grid: function(v) for each, in any order.
   template <class Function>
   void voxels(const VolumeGeometry& g, const Function& function) {

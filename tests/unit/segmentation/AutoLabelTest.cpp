@@ -108,6 +108,32 @@ TEST(AutoLabel, VolumesAreThoseOfTheSolids) {
   EXPECT_NEAR(cm3[kFat], (disc(5.8) - disc(5)) * kLength_cm, 0.07 * (disc(5.8) - disc(5)) * kLength_cm);
 }
 
+TEST(AutoLabel, SkinEndsWhereFatBegins) {
+  SimpleNeck thin;
+  thin.skin_mm = 1.2, thin.noise_HU = 5;
+  const auto labels = autoLabel(thin.sampledOn(test::gridOver(kAxial, {0.8, 0.8, 3})), {});
+  ASSERT_TRUE(labels);
+  EXPECT_EQ(labelAt(*labels, {-59.5, 0, 0}), kSkin);
+  EXPECT_EQ(labelAt(*labels, {-58.2, 0, 0}), kFat) << "within 2 mm of the surface";
+}
+
+TEST(AutoLabel, StrongNoiseIsNoBone) {
+  SimpleNeck noisy;
+  noisy.noise_HU = 60;
+  const VolumeGeometry grid = test::gridOver(kAxial, {1, 1, 2});
+  const auto labels = autoLabel(noisy.sampledOn(grid), {});
+  ASSERT_TRUE(labels);
+  double bone_mm3 = 0;
+  const Transform patientFromIndex = grid.patientFromIndex();
+  for (int k = 0; k < grid.size[2]; ++k)
+    for (int j = 0; j < grid.size[1]; ++j)
+      for (int i = 0; i < grid.size[0]; ++i)
+        if (const Vec3 p = patientFromIndex * Vec3{double(i), double(j), double(k)}; std::abs(p.z) < 20)
+          bone_mm3 += labels->at(i, j, k) == kBone ? 2 : 0;
+  const double ring_mm3 = M_PI * (15 * 15 - 6 * 6) * 38;
+  EXPECT_NEAR(bone_mm3, ring_mm3, 0.12 * ring_mm3);
+}
+
 TEST(AutoLabel, BrightBloodIsNotBone) {
   SimpleNeck neck;
   neck.contrast = true;
@@ -132,14 +158,20 @@ TEST(AutoLabel, PaddingIsACutNotSkin) {
   EXPECT_EQ(labelAt(*labels, {-38.5, 0, 0}), kMuscle);
 }
 
-TEST(AutoLabel, ThreadsDoNotChangeTheLabels) {
-  const CtVolume ct = SimpleNeck{}.sampledOn(test::gridOver(kAxial, {2, 2, 3}));
+class AutoLabelThreads : public testing::TestWithParam<double> {};
+
+TEST_P(AutoLabelThreads, DoNotChangeTheLabels) {
+  SimpleNeck neck;
+  neck.noise_HU = GetParam();
+  const CtVolume ct = neck.sampledOn(test::gridOver(kAxial, {2, 2, 3}));
   const auto onMany = autoLabel(ct, {});
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   const auto onOne = autoLabel(ct, {});
   ASSERT_TRUE(onMany && onOne);
   EXPECT_EQ(onMany->voxels, onOne->voxels);
 }
+
+INSTANTIATE_TEST_SUITE_P(Noise, AutoLabelThreads, testing::Values(15.0, 60.0));
 
 }  // namespace
 }  // namespace insonate

@@ -9,11 +9,13 @@
 namespace insonate::test {
 
 /// A neck of simple solids, defined in patient space (mm, LPS, z head-foot), so that any grid can sample it:
-/// a cylinder of 60 mm radius with 10 mm of fat, a bone ring with marrow and, beside it, a canal, an airway that leaves
-/// through a nostril, an arm 14 mm away from the neck but joined at the shoulder, a couch, and noise.
+/// a cylinder of 60 mm radius with 8 mm of fat and skin over it, a bone ring with marrow and, beside it, a canal, an
+/// airway that leaves through a nostril, an arm 14 mm away from the neck but joined at the shoulder, a couch, and
+/// noise.
 struct SimpleNeck {
   bool contrast = false;  ///< a vessel of 12 mm as bright as bone
   double noise_HU = 15;
+  double skin_mm = 2;
 
   static constexpr double kRadius_mm = 60;
   static constexpr Vec3 kAirway{0, -25, 0}, kVertebra{0, 25, 0}, kVessel{-28, -10, 0}, kArm{105, 0, 0};
@@ -29,9 +31,9 @@ struct SimpleNeck {
       if (vertebra < 6) return 30;  // canal
       if (vertebra < 15) return vertebra < 9 || vertebra > 12 ? 900 : 250;
       if (contrast && fromAxis(kVessel) < 6) return 480;
-      return neck < kRadius_mm - 10 ? 55 : -100;
+      return neck < kRadius_mm - 10 ? 55 : neck < kRadius_mm - skin_mm ? -100 : 35;
     }
-    if (arm < 31 || shoulder) return arm < 20 ? 55 : -100;
+    if (arm < 31 || shoulder) return arm < 20 ? 55 : arm < 29 || shoulder ? -100 : 35;
     if (p.y > 75 && p.y < 78) return 100;  // couch
     return -1000;
   }

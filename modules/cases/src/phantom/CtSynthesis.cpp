@@ -20,6 +20,9 @@ constexpr double kAir_HU = -1000;
 constexpr double kCompactBone_HU = 950, kTrabecularBone_HU = 260;
 /// Bone blurred with this width tells the compact shell (share below kShell) from the inside (above kInside).
 constexpr double kShellBlur_mm = 1.3, kShell = 0.80, kInside = 0.93;
+/// Air that is wider than any airway is lung: blurred with this width it is air nearly alone (above kWide) in its
+/// middle, and the blurred middle reaches its rim (above kNearWide_permille).
+constexpr double kWideBlur_mm = 9, kWide = 0.8, kNearWide_permille = 80, kCoarse_mm = 2;
 constexpr double kFwhmPerSigma = 2.354820045;
 
 /// CT number of a tissue: mean, and standard deviation and cell of its own smooth texture (beside scanner noise).
@@ -46,6 +49,8 @@ constexpr std::array<TissueHu, kLabelCount> kTissueHu{{
     {25, 60, 12, 2.5},  // salivary gland
 }};
 
+constexpr TissueHu kLung{-830, -820, 25, 4};  // at full inspiration
+
 Result<void> checkOptions(const LabelMap& labels, const CtSynthesisOptions& o) {
   if (auto valid = validate(labels.geometry); !valid) return valid;
   if (labels.voxels.size() != labels.geometry.voxelCount())
@@ -68,6 +73,29 @@ Volume<float> boneShare(const LabelMap& labels) {
   return share;
 }
 
+/// Where lung is: above kNearWide_permille. On a coarse grid over the same voxels, since it changes slowly.
+CtVolume lungNearness(const LabelMap& labels) {
+  VolumeGeometry g = labels.geometry;
+  std::array<int, 3> stride{};
+  for (int a = 0; a < 3; ++a) {
+    stride[a] = std::max(1, static_cast<int>(kCoarse_mm / g.spacing_mm[a]));
+    g.size[a] = (g.size[a] - 1) / stride[a] + 1;
+    g.spacing_mm[a] *= stride[a];
+  }
+  Volume<float> nearness(g);
+  for (int k = 0; k < g.size[2]; ++k)
+    for (int j = 0; j < g.size[1]; ++j)
+      for (int i = 0; i < g.size[0]; ++i)
+        nearness.at(i, j, k) = labels.at(i * stride[0], j * stride[1], k * stride[2]) == kAirway ? 1.f : 0.f;
+  blurGaussian(nearness, kWideBlur_mm);
+  for (float& v : nearness.voxels) v = v > kWide ? 1.f : 0.f;
+  blurGaussian(nearness, kWideBlur_mm);
+  CtVolume permille(g);
+  std::transform(nearness.voxels.begin(), nearness.voxels.end(), permille.voxels.begin(),
+                 [](float v) { return static_cast<std::int16_t>(std::lround(1000 * v)); });
+  return permille;
+}
+
 double boneHu(double share, double texture_HU) {
   const double t = std::clamp((share - kShell) / (kInside - kShell), 0.0, 1.0), inside = t * t * (3 - 2 * t);
   return kCompactBone_HU + (kTrabecularBone_HU - kCompactBone_HU) * inside + texture_HU * (0.6 + 0.4 * inside);
@@ -75,13 +103,19 @@ double boneHu(double share, double texture_HU) {
 
 Volume<float> tissueHu(const LabelMap& labels, const CtSynthesisOptions& o) {
   Volume<float> hu = boneShare(labels);
+  const CtVolume lung = lungNearness(labels);
   const Transform patientFromIndex = labels.geometry.patientFromIndex();
+  const Transform lungFromPatient = lung.geometry.indexFromPatient();
   const auto& size = labels.geometry.size;
   tbb::parallel_for(0, size[2], [&](int k) {
     for (int j = 0; j < size[1]; ++j)
       for (int i = 0; i < size[0]; ++i) {
         const std::uint8_t label = labels.at(i, j, k);
-        const TissueHu& tissue = kTissueHu[label < kLabelCount ? label : std::uint8_t(kSoftTissue)];
+        const bool isLung =
+            label == kAirway &&
+            sampleLinear(lung, lungFromPatient * (patientFromIndex * Vec3{double(i), double(j), double(k)})) >
+                kNearWide_permille;
+        const TissueHu& tissue = isLung ? kLung : kTissueHu[label < kLabelCount ? label : std::uint8_t(kSoftTissue)];
         double texture = 0;
         if (tissue.texture > 0) {
           const Vec3 p = patientFromIndex * Vec3{double(i), double(j), double(k)};

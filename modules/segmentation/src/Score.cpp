@@ -1,53 +1,78 @@
 #include "Guarded.h"
-#include "ItkRun.h"
+#include "Work.h"
 
 #include <insonate/segmentation/LabelEdit.h>
 #include <insonate/segmentation/Score.h>
 #include <insonate/tissue/Labels.h>
 
-#include <itkSignedMaurerDistanceMapImageFilter.h>
+#include <nanoflann.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
 namespace insonate {
 namespace {
 
-/// The voxels of a selection that have a face outside it.
-std::vector<std::size_t> surfaceOf(const Selection& shape) {
-  std::vector<std::size_t> surface;
-  const auto [ni, nj, nk] = shape.mask.geometry.size;
-  const auto outside = [&](int i, int j, int k) {
-    return !shape.mask.geometry.contains(i, j, k) || !shape.mask.at(i, j, k);
-  };
-  for (int k = 0; k < nk; ++k)
-    for (int j = 0; j < nj; ++j)
-      for (int i = 0; i < ni; ++i)
-        if (shape.mask.at(i, j, k) && (outside(i - 1, j, k) || outside(i + 1, j, k) || outside(i, j - 1, k) ||
-                                       outside(i, j + 1, k) || outside(i, j, k - 1) || outside(i, j, k + 1)))
-          surface.push_back(shape.mask.geometry.offset(i, j, k));
-  return surface;
-}
+using segmentation::Work;
 
-/// Of each voxel of the box to the surface of a shape, mm.
-itk::Image<float, 3>::Pointer distancesTo(Selection& shape, const Progress& progress) {
-  auto maurer = itk::SignedMaurerDistanceMapImageFilter<itk::Image<std::uint8_t, 3>, itk::Image<float, 3>>::New();
-  maurer->SetInput(segmentation::itkImageOver(shape.mask));
-  maurer->SetUseImageSpacing(true);
-  maurer->SetSquaredDistance(false);
-  segmentation::run(*maurer, progress, "Measuring distances");
-  return maurer->GetOutput();
-}
+/// The middles of a shape's outermost voxels, in mm along the axes of the grid.
+class Surface {
+ public:
+  explicit Surface(const Selection& shape) {
+    const VolumeGeometry& g = shape.mask.geometry;
+    const auto outside = [&](int i, int j, int k) { return !g.contains(i, j, k) || !shape.mask.at(i, j, k); };
+    for (int k = 0; k < g.size[2]; ++k)
+      for (int j = 0; j < g.size[1]; ++j)
+        for (int i = 0; i < g.size[0]; ++i)
+          if (shape.mask.at(i, j, k) && (outside(i - 1, j, k) || outside(i + 1, j, k) || outside(i, j - 1, k) ||
+                                         outside(i, j + 1, k) || outside(i, j, k - 1) || outside(i, j, k + 1)))
+            points_.push_back({i * g.spacing_mm.x, j * g.spacing_mm.y, k * g.spacing_mm.z});
+    tree_.buildIndex();
+  }
+  Surface(const Surface&) = delete;
+  Surface& operator=(const Surface&) = delete;
 
-void measureSurfaces(LabelScore& score, Selection found, Selection truth, const Progress& progress) {
-  std::vector<double> distances_mm;
-  const auto collect = [&](Selection& from, Selection& to) {
-    const auto image = distancesTo(to, progress);
-    for (const std::size_t v : surfaceOf(from)) distances_mm.push_back(std::abs(image->GetBufferPointer()[v]));
+  double distanceTo_mm(const std::array<double, 3>& point) const {
+    std::size_t nearest = 0;
+    double square_mm2 = 0;
+    tree_.knnSearch(point.data(), 1, &nearest, &square_mm2);
+    return std::sqrt(square_mm2);
+  }
+  const std::vector<std::array<double, 3>>& points() const { return points_; }
+
+  // What nanoflann asks of a set of points.
+  std::size_t kdtree_get_point_count() const { return points_.size(); }
+  double kdtree_get_pt(std::size_t n, std::size_t axis) const { return points_[n][axis]; }
+  template <class Box>
+  bool kdtree_get_bbox(Box&) const {
+    return false;
+  }
+
+ private:
+  using Tree =
+      nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Surface>, Surface, 3, std::size_t>;
+
+  std::vector<std::array<double, 3>> points_;
+  Tree tree_{3, *this, nanoflann::KDTreeSingleIndexAdaptorParams(10)};
+};
+
+void measureSurfaces(LabelScore& score, const Selection& found, const Selection& truth, const Progress& progress) {
+  const Surface a(found), b(truth);
+  std::vector<double> distances_mm(a.points().size() + b.points().size());
+  Work work(progress, 2);
+  work.start("Measuring distances");
+  constexpr int kPart = 1000;
+  const auto measure = [&](const Surface& from, const Surface& to, std::size_t first) {
+    const std::size_t count = from.points().size();
+    work.slices(static_cast<int>(count / kPart) + 1, [&](int part) {
+      const std::size_t begin = std::size_t(part) * kPart, end = std::min(count, begin + kPart);
+      for (std::size_t n = begin; n < end; ++n) distances_mm[first + n] = to.distanceTo_mm(from.points()[n]);
+    });
   };
-  collect(found, truth);
-  collect(truth, found);
+  measure(a, b, 0);
+  measure(b, a, a.points().size());
   std::ranges::sort(distances_mm);
   score.meanSurface_mm = std::accumulate(distances_mm.begin(), distances_mm.end(), 0.0) / double(distances_mm.size());
   score.p95Surface_mm = distances_mm[std::size_t(0.95 * double(distances_mm.size() - 1))];

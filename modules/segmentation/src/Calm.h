@@ -1,0 +1,16 @@
+#pragma once
+
+#include "Work.h"
+
+#include <insonate/image/Volume.h>
+
+namespace insonate::segmentation {
+
+/// How much the CT varies in the body (kSoftTissue) between voxels that are just too far apart for their noise to be
+/// alike, as a standard deviation: its noise, and some ten HU of anatomy.
+double noiseInBody_HU(const CtVolume& ct, const LabelMap& body, Work& work);
+
+/// Smoothed a little along each axis whose voxels are not wider than the scanner's blur, so that little is lost.
+CtVolume calmed(const CtVolume& ct, Work& work);
+
+}  // namespace insonate::segmentation
