@@ -1,6 +1,7 @@
 #include "Commands.h"
 #include "curriculum/CurriculumBench.h"
 
+#include <insonate/cases/Phantom.h>
 #include <insonate/simulator/DeformationBench.h>
 #include <insonate/simulator/HapticsBench.h>
 #include <insonate/simulator/SegmentationBench.h>
@@ -56,9 +57,20 @@ Result<void> benchHaptics(const BenchOptions& options) {
   return {};
 }
 
-Result<void> benchSegmentation(const BenchOptions& options) {
+struct SegmentationOptions : BenchOptions {
+  SegmentationBenchPlan plan;
+  std::string only;
+};
+
+Result<void> benchSegmentation(SegmentationOptions options) {
   if (auto ok = checkBenchFolder(options.folder); !ok) return ok;
-  const auto results = runSegmentationBench(options.quick, terminalProgress());
+  SegmentationBenchPlan& plan = options.plan;
+  plan.quick = options.quick;
+  if (plan.necks.empty() && (options.only.empty() || options.only == "necks"))
+    for (const PhantomVariant& neck : phantomVariants().first(plan.quick ? 1 : phantomVariants().size()))
+      plan.necks.emplace_back(neck.name);
+  plan.speed = options.only == "speed" || (options.only.empty() && !options.quick);
+  const auto results = runSegmentationBench(plan, terminalProgress());
   if (!results) return tl::unexpected(results.error());
   if (auto ok = writeSegmentationBench(*results, options.folder); !ok) return ok;
   tell(options, *results, "segmentation.md");
@@ -74,16 +86,43 @@ Result<void> benchCurriculum(const BenchOptions& options) {
   return {};
 }
 
+CLI::App* addCommand(CLI::App& bench, const char* name, const char* description, BenchOptions& options) {
+  CLI::App* command = bench.add_subcommand(name, description);
+  command->add_option("--out", options.folder, "Folder for tables and plots; created when missing")->required();
+  command->add_flag("--quick", options.quick, "Fewer settings and pictures");
+  command->add_flag("--json", options.json, "Print the tables as one JSON object");
+  return command;
+}
+
 void add(CLI::App& bench, Outcome& outcome, const char* name, const char* description,
          Result<void> (*run)(const BenchOptions&)) {
   auto options = std::make_shared<BenchOptions>();
-  CLI::App* command = bench.add_subcommand(name, description);
-  command->add_option("--out", options->folder, "Folder for tables and plots; created when missing")->required();
-  command->add_flag("--quick", options->quick, "Fewer settings and pictures");
-  command->add_flag("--json", options->json, "Print the tables as one JSON object");
-  command->callback([options, &outcome, run] {
+  addCommand(bench, name, description, *options)->callback([options, &outcome, run] {
     outcome.json = options->json;
     if (auto ok = run(*options); !ok) refuse(outcome, ok.error());
+  });
+}
+
+void addSegmentation(CLI::App& bench, Outcome& outcome) {
+  auto options = std::make_shared<SegmentationOptions>();
+  CLI::App* command =
+      addCommand(bench, "segmentation", "Scores of labelling against known truth, times of its tools", *options);
+  command->add_option("--chest-cta", options->plan.chestCta, "Folder of an angiogram of the chest with vessel masks")
+      ->check(CLI::ExistingDirectory);
+  CLI::Option* atlas =
+      command->add_option("--atlas", options->plan.atlas, "Label file of an atlas, see phantom --from-labels")
+          ->check(CLI::ExistingFile);
+  CLI::Option* map = command->add_option("--map", options->plan.atlasMap, "What the atlas's numbers mean")
+                         ->check(CLI::ExistingFile)
+                         ->needs(atlas);
+  atlas->needs(map);
+  command->add_option("--neck", options->plan.necks,
+                      "A built-in neck, see phantom --list; otherwise all, or one with --quick");
+  command->add_option("--only", options->only, "necks or speed alone; none: neither, but the data that is given")
+      ->check(CLI::IsMember({"necks", "speed", "none"}));
+  command->callback([options, &outcome] {
+    outcome.json = options->json;
+    if (auto ok = benchSegmentation(*options); !ok) refuse(outcome, ok.error());
   });
 }
 
@@ -95,8 +134,7 @@ void addBenchCommand(CLI::App& app, Outcome& outcome) {
   add(*bench, outcome, "ultrasound", "Frame times and errors of the ultrasound engines, realism", benchUltrasound);
   add(*bench, outcome, "deformation", "Frame times and errors of the models of pressed tissue", benchDeformation);
   add(*bench, outcome, "haptics", "The servo's tick times, stability and force curves", benchHaptics);
-  add(*bench, outcome, "segmentation", "Scores of labelling on the built-in necks, times of its tools",
-      benchSegmentation);
+  addSegmentation(*bench, outcome);
   add(*bench, outcome, "curriculum", "How long screens wait for the store of people and attempts", benchCurriculum);
 }
 

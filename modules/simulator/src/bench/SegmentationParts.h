@@ -4,19 +4,21 @@
 #include <insonate/cases/PatientCase.h>
 #include <insonate/simulator/SegmentationBench.h>
 
+#include <span>
+
 namespace insonate::bench {
 
-/// What a row is of: a built-in neck and how its CT was made.
-struct NeckScan {
-  std::string variant;
-  CtContrast contrast = CtContrast::kNative;
-  double noise_HU = 10;
-};
+using ScoreRows = std::vector<SegmentationScoreRow>;
 
-/// Structures that are found by themselves, then vessels from clicks where there is contrast in them.
-Result<std::vector<SegmentationScoreRow>> scoreNeck(const NeckScan& scan, const Progress& progress);
+/// Scores of a patient whose labels are the truth, in CTs synthesised from them, without contrast and with, for each
+/// noise: structures that are found by themselves, and vessels from clicks where there is contrast in them.
+Result<ScoreRows> scoreTruth(const PatientCase& truth, const std::string& variant, std::span<const double> noises_HU,
+                             double resolution_FWHM_mm, const Progress& progress);
+
+/// Vessels of an angiogram from clicks, against masks that others have drawn.
+Result<ScoreRows> scoreChestCta(const std::filesystem::path& folder, const Progress& progress);
 
 /// Tools on a neck that is resampled to `size` voxels along its axes.
-Result<std::vector<SegmentationTimeRow>> timeTools(const std::array<int, 3>& size, const Progress& progress);
+Result<void> timeTools(const std::array<int, 3>& size, SegmentationBench& bench, const Progress& progress);
 
 }  // namespace insonate::bench

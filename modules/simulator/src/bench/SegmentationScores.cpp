@@ -1,121 +1,90 @@
 #include "SegmentationParts.h"
+#include "VesselScore.h"
 
-#include <insonate/cases/Phantom.h>
 #include <insonate/segmentation/AutoLabel.h>
-#include <insonate/segmentation/CentreLine.h>
 #include <insonate/segmentation/Score.h>
-#include <insonate/segmentation/VesselTracking.h>
 #include <insonate/tissue/Labels.h>
-
-#include <algorithm>
-#include <functional>
-#include <span>
 
 namespace insonate::bench {
 namespace {
 
 constexpr std::size_t kVesselsEach = 2;  // of a kind, the largest
 constexpr double kShortest_mm = 40;
+constexpr double kAutomaticBar = 0.95, kVesselBar = 0.90;
 
-/// A vessel of the truth: its middle, and its voxels.
-struct TrueVessel {
-  CentreLine line;
-  std::vector<std::array<int, 3>> voxels;
+std::optional<double> barOf(std::uint8_t label) {
+  const bool aimedAt = label == kBone || label == kAirway || label == kSkin;
+  return aimedAt ? std::optional(kAutomaticBar) : std::nullopt;
+}
+
+Result<void> scoreAutomatic(const CtVolume& ct, const LabelMap& truth, const SegmentationScoreRow& about,
+                            ScoreRows& rows, const Progress& progress) {
+  const auto labels = autoLabel(ct, progress);
+  if (!labels) return tl::unexpected(labels.error());
+  const auto scores = scoreLabels(*labels, truth, {kBone, kAirway, kSkin, kFat, kMuscle}, progress);
+  if (!scores) return tl::unexpected(scores.error());
+  for (const LabelScore& score : *scores) {
+    SegmentationScoreRow row = about;
+    row.structure = labelName(score.label);
+    row.dice = score.dice, row.meanSurface_mm = score.meanSurface_mm, row.p95Surface_mm = score.p95Surface_mm;
+    row.bar = barOf(score.label);
+    rows.push_back(row);
+  }
+  return {};
+}
+
+/// A vessel's kind, and its number by falling volume.
+struct NamedVessel {
+  std::string name;
+  TrueVessel vessel;
 };
 
-/// Voxels go to the line that is nearest, vessels come by falling volume.
-std::vector<TrueVessel> vesselsOf(const LabelMap& labels, std::uint8_t label, std::vector<CentreLine> lines) {
-  std::vector<TrueVessel> vessels;
-  for (CentreLine& line : lines) vessels.push_back({std::move(line), {}});
-  const Transform patientFromIndex = labels.geometry.patientFromIndex();
-  const auto& [ni, nj, nk] = labels.geometry.size;
-  for (int k = 0; k < nk; ++k)
-    for (int j = 0; j < nj; ++j)
-      for (int i = 0; i < ni; ++i) {
-        if (labels.at(i, j, k) != label) continue;
-        const Vec3 p = patientFromIndex * Vec3{double(i), double(j), double(k)};
-        const auto nearest = std::ranges::min_element(
-            vessels, {}, [&](const TrueVessel& vessel) { return *distanceToCentre_mm(std::span(&vessel.line, 1), p); });
-        if (nearest != vessels.end()) nearest->voxels.push_back({i, j, k});
-      }
-  std::erase_if(vessels, [](const TrueVessel& v) { return double(v.line.size()) < kShortest_mm; });
-  std::ranges::stable_sort(vessels, std::greater<>(), [](const TrueVessel& v) { return v.voxels.size(); });
-  vessels.resize(std::min(vessels.size(), kVesselsEach));
-  return vessels;
-}
-
-/// Between the planes square to a line at its ends.
-bool isBetweenEnds(const CentreLine& line, Vec3 p) {
-  const std::size_t inward = std::min<std::size_t>(4, line.size() - 1);
-  return dot(p - line.front(), line[inward] - line.front()) >= 0 &&
-         dot(p - line.back(), line[line.size() - 1 - inward] - line.back()) >= 0;
-}
-
-double diceOf(const TrackedVessel& found, const TrueVessel& truth, const VolumeGeometry& g) {
-  const Transform patientFromIndex = g.patientFromIndex();
-  const auto counts = [&](int i, int j, int k) {
-    return isBetweenEnds(truth.line, patientFromIndex * Vec3{double(i), double(j), double(k)});
-  };
-  std::size_t both = 0, voxels = 0, trueVoxels = 0;
-  for (const auto& [i, j, k] : truth.voxels)
-    if (counts(i, j, k)) ++trueVoxels, both += found.lumen.chosen(i, j, k);
-  const VoxelBox& box = found.lumen.box;
-  for (int k = box.first[2]; k < box.end[2]; ++k)
-    for (int j = box.first[1]; j < box.end[1]; ++j)
-      for (int i = box.first[0]; i < box.end[0]; ++i) voxels += found.lumen.chosen(i, j, k) && counts(i, j, k);
-  return voxels + trueVoxels > 0 ? 2.0 * double(both) / double(voxels + trueVoxels) : 0;
-}
-
-Result<void> scoreVessels(const PatientCase& patient, std::uint8_t label, const SegmentationScoreRow& about,
-                          std::vector<SegmentationScoreRow>& rows, const Progress& progress) {
-  auto lines = centreLines(patient.labels, label, progress);
-  if (!lines) return tl::unexpected(lines.error());
-  int number = 0;
-  for (const TrueVessel& vessel : vesselsOf(patient.labels, label, std::move(*lines))) {
-    ++number;
-    for (const int clicks : {2, 4}) {
-      std::vector<Vec3> clicks_mm;
-      for (int n = 0; n < clicks; ++n)
-        clicks_mm.push_back(vessel.line[(vessel.line.size() - 1) * std::size_t(n) / std::size_t(clicks - 1)]);
-      const auto tracked = trackVessel(patient.ct, clicks_mm, {}, progress);
-      if (!tracked && tracked.error().message == kCancelled) return tl::unexpected(tracked.error());
-      SegmentationScoreRow row = about;
-      row.structure = labelName(label) + " " + std::to_string(number);
-      row.clicks = clicks;
-      row.dice = tracked ? diceOf(*tracked, vessel, patient.ct.geometry) : 0;
-      rows.push_back(row);
-    }
+Result<std::vector<NamedVessel>> namedVessels(const LabelMap& truth, const Progress& progress) {
+  std::vector<NamedVessel> named;
+  for (const Label label : {kVein, kArtery}) {
+    auto vessels = trueVessels(truth, label, kVesselsEach, kShortest_mm, progress);
+    if (!vessels) return tl::unexpected(vessels.error());
+    for (std::size_t n = 0; n < vessels->size(); ++n)
+      named.push_back({labelName(label) + " " + std::to_string(n + 1), std::move((*vessels)[n])});
   }
+  return named;
+}
+
+Result<void> scoreVessels(const CtVolume& ct, const std::vector<NamedVessel>& vessels,
+                          const SegmentationScoreRow& about, ScoreRows& rows, const Progress& progress) {
+  for (const auto& [name, vessel] : vessels)
+    for (const int clicks : {2, 4}) {
+      SegmentationScoreRow row = about;
+      row.structure = name;
+      if (clicks == 4) row.bar = kVesselBar;
+      auto scored = scoreClicks(ct, vessel, clicks, {}, row, progress);
+      if (!scored) return tl::unexpected(scored.error());
+      rows.push_back(std::move(*scored));
+    }
   return {};
 }
 
 }  // namespace
 
-Result<std::vector<SegmentationScoreRow>> scoreNeck(const NeckScan& scan, const Progress& progress) {
-  auto patient = makePhantom(scan.variant, 1, progress, scan.contrast);
-  if (!patient) return tl::unexpected(patient.error());
-  auto ct = synthesiseCt(patient->labels, {.seed = 1, .contrast = scan.contrast, .noise_HU = scan.noise_HU}, progress);
-  if (!ct) return tl::unexpected(ct.error());
-  patient->ct = std::move(*ct);
-  const auto labels = autoLabel(patient->ct, progress);
-  if (!labels) return tl::unexpected(labels.error());
-  const auto scores = scoreLabels(*labels, patient->labels, {kBone, kAirway, kSkin, kFat, kMuscle}, progress);
-  if (!scores) return tl::unexpected(scores.error());
-
-  SegmentationScoreRow about;
-  about.variant = scan.variant;
-  about.contrast = scan.contrast == CtContrast::kNative ? "native" : "arterial";
-  about.noise_HU = scan.noise_HU;
-  std::vector<SegmentationScoreRow> rows;
-  for (const LabelScore& score : *scores) {
-    SegmentationScoreRow row = about;
-    row.structure = labelName(score.label);
-    row.dice = score.dice, row.meanSurface_mm = score.meanSurface_mm, row.p95Surface_mm = score.p95Surface_mm;
-    rows.push_back(row);
-  }
-  if (scan.contrast == CtContrast::kNative) return rows;
-  for (const Label label : {kVein, kArtery})
-    if (auto ok = scoreVessels(*patient, label, about, rows, progress); !ok) return tl::unexpected(ok.error());
+Result<ScoreRows> scoreTruth(const PatientCase& truth, const std::string& variant, std::span<const double> noises_HU,
+                             double resolution_FWHM_mm, const Progress& progress) {
+  const auto vessels = namedVessels(truth.labels, progress);
+  if (!vessels) return tl::unexpected(vessels.error());
+  ScoreRows rows;
+  for (const CtContrast contrast : {CtContrast::kNative, CtContrast::kArterial})
+    for (const double noise_HU : noises_HU) {
+      const CtSynthesisOptions how{
+          .seed = 1, .contrast = contrast, .noise_HU = noise_HU, .resolution_FWHM_mm = resolution_FWHM_mm};
+      const auto ct = synthesiseCt(truth.labels, how, progress);
+      if (!ct) return tl::unexpected(ct.error());
+      SegmentationScoreRow about;
+      about.variant = variant;
+      about.contrast = contrast == CtContrast::kNative ? "native" : "arterial";
+      about.noise_HU = noise_HU;
+      if (auto ok = scoreAutomatic(*ct, truth.labels, about, rows, progress); !ok) return tl::unexpected(ok.error());
+      if (contrast == CtContrast::kNative) continue;
+      if (auto ok = scoreVessels(*ct, *vessels, about, rows, progress); !ok) return tl::unexpected(ok.error());
+    }
   return rows;
 }
 

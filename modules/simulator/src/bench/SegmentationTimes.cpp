@@ -1,4 +1,5 @@
 #include "SegmentationParts.h"
+#include "TaskTimer.h"
 
 #include <insonate/cases/Phantom.h>
 #include <insonate/segmentation/AutoLabel.h>
@@ -13,13 +14,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 
 namespace insonate::bench {
 namespace {
 
 constexpr double kRegion_mm = 30;  // from a click to the edge of the region of growing and level set
+constexpr double kFrame_ms = 33, kPreview_ms = 100, kRegion_ms = 3000, kAutomatic_ms = 60000;  // that are aimed at
 
 /// The textbook neck with contrast, on a grid of this size over the same part of the patient.
 Result<PatientCase> largeNeck(const std::array<int, 3>& size, const Progress& progress) {
@@ -43,66 +44,73 @@ Result<PatientCase> largeNeck(const std::array<int, 3>& size, const Progress& pr
   return patient;
 }
 
-SegmentationTimeRow timed(const std::string& task, double voxels, int repeats, const std::function<void()>& work) {
-  std::vector<double> ms;
-  for (int n = 0; n < repeats; ++n) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-  }
-  std::ranges::sort(ms);
-  return {task, voxels, ms[ms.size() / 2], ms.back()};
-}
-
 double voxelsIn(const VoxelBox& box) {
   return double(box.length(0)) * box.length(1) * box.length(2);
 }
 
-}  // namespace
+/// A ball in the vein, as a click gives it.
+Selection ballIn(const VolumeGeometry& geometry, const VoxelBox& region, Vec3 centre_mm) {
+  Selection chosen(geometry, region);
+  const Selection ball = brushed(geometry, std::array{centre_mm}, {.radius_mm = 3});
+  for (int k = ball.box.first[2]; k < ball.box.end[2]; ++k)
+    for (int j = ball.box.first[1]; j < ball.box.end[1]; ++j)
+      for (int i = ball.box.first[0]; i < ball.box.end[0]; ++i)
+        chosen.mask.at(i - region.first[0], j - region.first[1], k - region.first[2]) = ball.chosen(i, j, k);
+  return chosen;
+}
 
-Result<std::vector<SegmentationTimeRow>> timeTools(const std::array<int, 3>& size, const Progress& progress) {
-  auto patient = largeNeck(size, progress);
-  if (!patient) return tl::unexpected(patient.error());
-  const CtVolume& ct = patient->ct;
+void timeWholeCt(PatientCase& patient, Vec3 vein_mm, TaskTimer& timer) {
+  const CtVolume& ct = patient.ct;
   const auto all = double(ct.voxels.size());
-  const Vec3 vein_mm = patient->manifest.targets.front().position_mm;
-  const VoxelBox region = boxAround(ct.geometry, std::array{vein_mm}, kRegion_mm);
-  std::vector<SegmentationTimeRow> rows;
-
-  LabelEdit edit(ct, patient->labels);
+  LabelEdit edit(ct, patient.labels);
   int dab = 0;
-  rows.push_back(timed("brush stroke with a sphere of 5 mm radius", all, 50, [&] {
+  timer.time({"brush stroke with a sphere of 5 mm radius", all, kFrame_ms}, 50, [&](const Progress&) {
     const std::array stroke{vein_mm + Vec3{0.5 * dab, 0, 0}, vein_mm + Vec3{0.5 * dab + 4, 0, 0}};
     ++dab;
     static_cast<void>(edit.apply(painted(brushed(ct.geometry, stroke, {.radius_mm = 5}), kVein), "paint"));
-  }));
+  });
   Selection preview(ct.geometry, boxOf(ct.geometry));
-  rows.push_back(timed("threshold preview on whole CT", all, 9, [&] { threshold(ct, {150, 3000}, preview); }));
-  rows.push_back(timed("threshold written on whole CT", all, 1,
-                       [&] { static_cast<void>(edit.apply(painted(std::move(preview), kBone), "threshold")); }));
-  rows.push_back(timed("undo of it", all, 1, [&] { edit.undo(); }));
-  rows.push_back(timed("connected growing on region", voxelsIn(region), 3, [&] {
+  timer.time({"threshold preview on whole CT", all, kPreview_ms}, 9, [&](const Progress&) {
+    threshold(ct, {150, 3000}, preview);
+  });
+  timer.time({"threshold written on whole CT", all, {}}, 1,
+             [&](const Progress&) { static_cast<void>(edit.apply(painted(std::move(preview), kBone), "threshold")); });
+  timer.time({"undo of it", all, {}}, 1, [&](const Progress&) { edit.undo(); });
+}
+
+void timeRegion(const PatientCase& patient, Vec3 vein_mm, TaskTimer& timer) {
+  const CtVolume& ct = patient.ct;
+  const VoxelBox region = boxAround(ct.geometry, std::array{vein_mm}, kRegion_mm);
+  timer.time({"connected growing on region", voxelsIn(region), kRegion_ms}, 3, [&](const Progress& progress) {
     static_cast<void>(connected(ct, region, std::array{vein_mm}, {120, 240}, progress));
-  }));
-  const Selection start = [&] {
-    Selection chosen(ct.geometry, region);
-    const Selection ball = brushed(ct.geometry, std::array{vein_mm}, {.radius_mm = 3});
-    for (int k = ball.box.first[2]; k < ball.box.end[2]; ++k)
-      for (int j = ball.box.first[1]; j < ball.box.end[1]; ++j)
-        for (int i = ball.box.first[0]; i < ball.box.end[0]; ++i)
-          chosen.mask.at(i - region.first[0], j - region.first[1], k - region.first[2]) = ball.chosen(i, j, k);
-    return chosen;
-  }();
-  rows.push_back(timed("geodesic level set on region", voxelsIn(region), 1,
-                       [&] { static_cast<void>(levelSet(ct, start, {}, progress)); }));
-  Seeds seeds = seedsOf(patient->labels, region, LabelSet().set(kVein).set(kFat), LabelSet().set(kSoftTissue));
+  });
+  const Selection start = ballIn(ct.geometry, region, vein_mm);
+  timer.time({"geodesic level set on region", voxelsIn(region), kRegion_ms}, 3,
+             [&](const Progress& progress) { static_cast<void>(levelSet(ct, start, {}, progress)); });
+  Seeds seeds = seedsOf(patient.labels, region, LabelSet().set(kVein).set(kFat), LabelSet().set(kSoftTissue));
   seeds.painted.labels.voxels.front() = kFat;
-  rows.push_back(timed("growing from seeds on region", voxelsIn(region), 1,
-                       [&] { static_cast<void>(grownFromSeeds(ct, seeds, {}, progress)); }));
+  timer.time({"growing from seeds on region", voxelsIn(region), kRegion_ms}, 3,
+             [&](const Progress& progress) { static_cast<void>(grownFromSeeds(ct, seeds, {}, progress)); });
+}
+
+}  // namespace
+
+Result<void> timeTools(const std::array<int, 3>& size, SegmentationBench& bench, const Progress& progress) {
+  auto patient = largeNeck(size, progress);
+  if (!patient) return tl::unexpected(patient.error());
+  const Vec3 vein_mm = patient->manifest.targets.front().position_mm;
+  TaskTimer timer(bench, progress);
+  timeWholeCt(*patient, vein_mm, timer);
+  timeRegion(*patient, vein_mm, timer);
+  const auto voxels = double(patient->ct.voxels.size());
   Result<LabelMap> labels = fail("");
-  rows.push_back(timed("automatic part on whole CT", all, 1, [&] { labels = autoLabel(ct, progress); }));
+  forgetPeakMemory();
+  timer.time({"automatic part on whole CT", voxels, kAutomatic_ms}, 1,
+             [&](const Progress& ofTask) { labels = autoLabel(patient->ct, ofTask); });
   if (!labels) return tl::unexpected(labels.error());
-  return rows;
+  if (const auto peak = peakMemory_bytes()) bench.memory = {*peak * 1e-6, *peak / voxels};
+  bench.notes.push_back(machineNote());
+  return {};
 }
 
 }  // namespace insonate::bench

@@ -12,14 +12,29 @@
 
 namespace insonate {
 
-/// How well a structure of a built-in neck is found in its CT.
+/// What a bench of segmentation does. Real data is scored where its place is given.
+struct SegmentationBenchPlan {
+  std::vector<std::string> necks;  ///< built-in ones
+  bool speed = true;               ///< times and memory on a CT of 512 x 512 x 300
+  bool quick = false;              ///< necks and atlas with one noise
+  /// An angiogram of the chest: `ct_cropped.nii.gz`, and the masks of its vessels beside it.
+  std::filesystem::path chestCta;
+  /// Labels of an atlas and the map that translates and completes them, see caseFromLabels; both or none.
+  std::filesystem::path atlas, atlasMap;
+};
+
+/// How well a structure is found in a CT.
 struct SegmentationScoreRow {
-  std::string variant, contrast;  ///< `native` or `arterial`
-  double noise_HU = 0;
+  std::string variant;             ///< of the built-in neck; or `atlas`, `chest CTA`
+  std::string contrast;            ///< `native` or `arterial`
+  std::optional<double> noise_HU;  ///< what a synthetic CT has
   std::string structure;
   int clicks = 0;  ///< 0: found by itself
   double dice = 0;
-  std::optional<double> meanSurface_mm, p95Surface_mm;  ///< not of single vessels
+  std::optional<double> meanSurface_mm, p95Surface_mm;
+  std::optional<double> bar;  ///< the Dice that is aimed at, where there is one
+  /// Of a mask drawn by others: the best Dice of any threshold within two voxels of it, chosen by the mask itself.
+  std::optional<double> reachable;
 };
 
 /// How long a tool takes on a CT of 512 x 512 x 300.
@@ -27,17 +42,26 @@ struct SegmentationTimeRow {
   std::string task;
   double voxels = 0;  ///< of its region
   double median_ms = 0, most_ms = 0;
+  double cpu_ms = 0;             ///< processor time of all threads, once
+  std::optional<double> bar_ms;  ///< for the median
+  double silence_ms = 0;         ///< the longest time in which it did not ask whether to go on
+};
+
+/// What the process holds at most while the automatic part runs.
+struct SegmentationMemory {
+  double peak_MB = 0, bytesPerVoxel = 0;
 };
 
 struct SegmentationBench {
   std::vector<SegmentationScoreRow> rows;
   std::vector<SegmentationTimeRow> times;
+  std::optional<SegmentationMemory> memory;
   std::vector<std::string> notes;
 };
 
-/// All variants of the built-in neck and a CT of full size; quick: one variant, and no times. Clicks are what an
-/// author would make: points on the middle of a vessel, from end to end. Fails when cancelled.
-Result<SegmentationBench> runSegmentationBench(bool quick, const Progress& progress = {});
+/// Clicks are what an author would make: points on the middle of a vessel, from end to end. Refuses data that is not
+/// there or cannot be read; fails when cancelled.
+Result<SegmentationBench> runSegmentationBench(const SegmentationBenchPlan& plan, const Progress& progress = {});
 
 nlohmann::json toJson(const SegmentationBench& bench);
 

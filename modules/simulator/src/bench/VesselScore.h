@@ -1,0 +1,28 @@
+#pragma once
+
+#include <insonate/segmentation/CentreLine.h>
+#include <insonate/segmentation/VesselTracking.h>
+#include <insonate/simulator/SegmentationBench.h>
+
+namespace insonate::bench {
+
+/// A vessel of the truth: its middle, and its voxels.
+struct TrueVessel {
+  CentreLine line;
+  Selection voxels;
+};
+
+/// The `most` largest vessels of a label whose lines are not shorter than this, the largest first. Voxels go to the
+/// line that is nearest.
+Result<std::vector<TrueVessel>> trueVessels(const LabelMap& labels, std::uint8_t label, std::size_t most,
+                                            double shortest_mm, const Progress& progress);
+
+/// Tracks the vessel from clicks on its middle and scores the lumen between the first and the last; a vessel that
+/// cannot be tracked scores 0. `row` says what of; it gets the scores.
+Result<SegmentationScoreRow> scoreClicks(const CtVolume& ct, const TrueVessel& truth, int clicks,
+                                         const VesselTracking& how, SegmentationScoreRow row, const Progress& progress);
+
+/// What lies between the planes square to the vessel at its ends.
+Selection betweenEnds(const Selection& shape, const CentreLine& line);
+
+}  // namespace insonate::bench
