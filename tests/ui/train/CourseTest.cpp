@@ -4,6 +4,8 @@
 #include <insonate/curriculum/FormStore.h>
 #include <insonate/ui/Chart.h>
 
+#include <ui/support/AccessibleNames.h>
+
 #include <QApplication>
 #include <QPlainTextEdit>
 #include <QRadioButton>
@@ -216,6 +218,14 @@ TEST_F(HostileCourse, NamesAreShownAsTheyAre) {
       << text("levelChanges").toStdString();
   EXPECT_EQ(child<QLabel>("levelChanges")->textFormat(), Qt::PlainText);
   ASSERT_TRUE(waitFor([&] { return stored().size() == 1; }));
+}
+
+TEST_F(TrainCourse, EveryPageHasNamesAndTooltips) {
+  signIn();
+  for (const char* tab : {"courseLevels", "courseAttempts", "courseQuestionnaire"}) {
+    open(tab);
+    EXPECT_GT(test::expectNames(child<QWidget>("course"), true), 8) << tab;
+  }
 }
 
 }  // namespace
