@@ -1,4 +1,5 @@
 #include "MeshParts.h"
+#include "MeshVtp.h"
 
 #include <insonate/core/AtomicFile.h>
 #include <insonate/surface/MeshFile.h>
@@ -123,12 +124,19 @@ Result<void> writeMesh(const fs::path& file, const Mesh& mesh) {
                                         : extension == ".ply" ? writePly
                                         : extension == ".obj" ? writeObj
                                                               : nullptr;
-  if (!write) return fail(file.string() + " is not a kind of mesh file known here; name it .stl, .ply or .obj.");
+  if (!write && extension != ".vtp")
+    return fail(file.string() + " is not a kind of mesh file known here; name it .stl, .ply, .obj or .vtp.");
   if (auto ok = checkMesh(file, mesh); !ok) return ok;
   return writeAtomically(file, [&](const fs::path& beside) -> Result<void> {
-    Output out(beside);
-    write(mesh, out);
-    if (!out.close())
+    bool written = false;
+    if (write) {
+      Output out(beside);
+      write(mesh, out);
+      written = out.close();
+    } else {
+      written = writeVtp(mesh, beside);
+    }
+    if (!written)
       return fail("Could not write " + file.string() +
                   ": the disk is full or the folder cannot be written. Free space or choose another folder.");
     return {};

@@ -4,6 +4,14 @@
 #include <insonate/surface/MeshFile.h>
 
 #include <gmock/gmock.h>
+#include <vtkCell.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkXMLPolyDataReader.h>
 
 #include <cstring>
 #include <fstream>
@@ -104,6 +112,26 @@ TEST_F(MeshFile, ObjReadsBackAsItsPointsNormalsAndTriangles) {
   EXPECT_EQ(read.triangles, mesh_.triangles);
 }
 
+TEST_F(MeshFile, VtpReadsBackAsItsPointsNormalsAndTriangles) {
+  ASSERT_TRUE(writeMesh(file("a.vtp"), mesh_));
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file("a.vtp").c_str());
+  reader->Update();
+  vtkPolyData& read = *reader->GetOutput();
+  ASSERT_EQ(read.GetNumberOfPoints(), static_cast<vtkIdType>(mesh_.pointCount()));
+  ASSERT_EQ(read.GetNumberOfCells(), static_cast<vtkIdType>(mesh_.triangleCount()));
+  for (std::size_t c = 0; c < mesh_.points_mm.size(); ++c) {
+    const auto at = static_cast<vtkIdType>(c / 3);
+    EXPECT_EQ(static_cast<float>(read.GetPoint(at)[c % 3]), mesh_.points_mm[c]);
+    EXPECT_EQ(static_cast<float>(read.GetPointData()->GetNormals()->GetTuple(at)[c % 3]), mesh_.normals[c]);
+  }
+  for (std::size_t c = 0; c < mesh_.triangles.size(); ++c)
+    EXPECT_EQ(read.GetCell(static_cast<vtkIdType>(c / 3))->GetPointId(static_cast<int>(c % 3)), mesh_.triangles[c]);
+  auto* space = vtkStringArray::SafeDownCast(read.GetFieldData()->GetAbstractArray("SPACE"));
+  ASSERT_TRUE(space);
+  EXPECT_EQ(space->GetValue(0), "LPS");
+}
+
 TEST_F(MeshFile, RefusalsLeaveWhatWasThere) {
   std::ofstream(file("old.stl")) << "old";
   Mesh broken = mesh_;
@@ -115,7 +143,7 @@ TEST_F(MeshFile, RefusalsLeaveWhatWasThere) {
   };
   EXPECT_THAT(refusal("old.stl", broken), HasSubstr("inconsistent"));
   EXPECT_THAT(refusal("old.stl", Mesh{}), HasSubstr("no triangles"));
-  EXPECT_THAT(refusal("a.vtk", mesh_), HasSubstr(".stl, .ply or .obj"));
+  EXPECT_THAT(refusal("a.vtk", mesh_), HasSubstr(".stl, .ply, .obj or .vtp"));
   EXPECT_THAT(refusal("none/a.stl", mesh_), HasSubstr("does not exist"));
   EXPECT_EQ(bytesOf(file("old.stl")), "old");
   EXPECT_THAT(files(), ElementsAre("old.stl"));
