@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
   addImportCommand(app, outcome);
   addImportLabelsCommand(app, outcome);
   addExportCommand(app, outcome);
+  addCropCommand(app, outcome);
   addLabelCommand(app, outcome);
   addCheckCommand(app, outcome);
   addBenchCommand(app, outcome);

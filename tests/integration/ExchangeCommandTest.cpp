@@ -62,6 +62,23 @@ TEST_F(ExchangeCommands, LabelsAreNotReplacedSilently) {
   EXPECT_EQ(run("import-labels " + at("case") + " " + at("l.seg.nrrd") + " --replace").status, 0);
 }
 
+TEST_F(ExchangeCommands, APartOfACaseOnAnotherSpacing) {
+  const auto done =
+      run("crop " + at("case") + " " + at("part") + " --from -10 -6 -8 --to 10 20 8 --spacing 0.5 --json");
+  ASSERT_EQ(done.status, 0) << done.errors;
+  EXPECT_EQ(json::parse(done.output)["size"], json({42, 54, 34}));
+  const auto part = readCase(folder_ / "part");
+  ASSERT_TRUE(part) << part.error().message;
+  EXPECT_EQ(part->patient.manifest.targets.size(), 1U);
+  EXPECT_EQ(part->patient.manifest.startPoses.size(), 1U);
+  const auto& g = part->patient.ct.geometry;
+  EXPECT_EQ(sampleNearest(part->patient.labels, g.indexFromPatient() * Vec3{0, 12, 0}), kVein);
+  expectRefusal("crop " + at("case") + " " + at("part") + " --spacing 1", "already holds a case");
+  expectRefusal("crop " + at("case") + " " + at("other"), "--from and --to, or --spacing", 2);
+  expectRefusal("crop " + at("case") + " " + at("other") + " --from 900 0 0 --to 950 1 1", "holds no voxel");
+  expectRefusal("crop " + at("case") + " " + at("other") + " --spacing 0.001", "mm");
+}
+
 TEST_F(ExchangeCommands, WhatCannotBeIsRefused) {
   expectRefusal("export " + at("case"), "--dicom, --seg or --labels", 2);
   expectRefusal("export " + at("none") + " --seg " + at("s.dcm"), "no case folder");

@@ -30,6 +30,8 @@ std::string notASlice(const std::string& sopClass, const std::string& modality, 
   if (storage("11") || modality == "PR") return "a presentation state without pictures";
   if (storage("481") || modality.starts_with("RT")) return "a radiotherapy object";
   if (storage("7")) return "a secondary capture (screenshot), not a slice";
+  // GDCM ends the program on some recognition codes.
+  if (data.FindDataElement(Tag(0x0008, 0x0010))) return "a picture of ACR-NEMA, which is older than DICOM";
   if (!data.FindDataElement(kPixelData))
     return modality == "CT" ? "DICOM that is a CT slice without pixel data" : "DICOM without pixel data";
   const std::string type = upper(textOf(data, Tag(0x0008, 0x0008)));

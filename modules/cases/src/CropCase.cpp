@@ -1,0 +1,173 @@
+#include <insonate/cases/CropCase.h>
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace insonate {
+namespace {
+
+/// A point between two samples of one axis: the lower one, and the weight of the upper one.
+struct Tap {
+  int low = 0, high = 0;
+  float share = 0;
+};
+
+/// Points that stand for one new voxel along one axis, spread evenly over it.
+using Taps = std::vector<Tap>;
+
+std::vector<Taps> tapsAlong(int axis, const VolumeGeometry& from, const VolumeGeometry& to) {
+  const Vec3 first = from.indexFromPatient() * to.origin_mm;
+  const double step = to.spacing_mm[axis] / from.spacing_mm[axis];
+  const int points = std::max(1, static_cast<int>(std::lround(std::ceil(step - 1e-9))));
+  std::vector<Taps> taps;
+  for (int n = 0; n < to.size[axis]; ++n) {
+    taps.emplace_back();
+    for (int p = 0; p < points; ++p) {
+      const double within = (p + 0.5) / points - 0.5;
+      const double at = std::clamp(first[axis] + (n + within) * step, 0.0, from.size[axis] - 1.0);
+      // What falls on a voxel takes that one alone, whatever rounding says.
+      const double whole = std::round(at);
+      const double index = std::abs(at - whole) < 1e-6 ? whole : at;
+      const int low = static_cast<int>(index);
+      taps.back().push_back({low, std::min(low + 1, from.size[axis] - 1), static_cast<float>(index - low)});
+    }
+  }
+  return taps;
+}
+
+struct AllTaps {
+  std::array<std::vector<Taps>, 3> along;
+
+  /// Calls `take` with each voxel that has a share in a new one, and its weight.
+  template <class Take>
+  void each(int i, int j, int k, Take take) const {
+    for (const Tap& z : along[2][static_cast<std::size_t>(k)])
+      for (const Tap& y : along[1][static_cast<std::size_t>(j)])
+        for (const Tap& x : along[0][static_cast<std::size_t>(i)])
+          for (int corner = 0; corner < 8; ++corner) {
+            const bool right = corner & 1, below = corner & 2, above = corner & 4;
+            const float weight =
+                (right ? x.share : 1 - x.share) * (below ? y.share : 1 - y.share) * (above ? z.share : 1 - z.share);
+            if (weight > 0) take(right ? x.high : x.low, below ? y.high : y.low, above ? z.high : z.low, weight);
+          }
+  }
+};
+
+std::int16_t meanHu(const CtVolume& ct, const AllTaps& taps, int i, int j, int k) {
+  double sum = 0, weights = 0;
+  taps.each(i, j, k, [&](int x, int y, int z, float weight) {
+    sum += double(weight) * ct.at(x, y, z);
+    weights += weight;
+  });
+  return static_cast<std::int16_t>(std::lround(sum / weights));
+}
+
+/// The lowest number where two labels have the same share.
+std::uint8_t largestLabel(const LabelMap& labels, const AllTaps& taps, int i, int j, int k,
+                          std::array<float, 256>& shares) {
+  std::array<std::uint8_t, 256> seen{};
+  std::size_t count = 0;
+  taps.each(i, j, k, [&](int x, int y, int z, float weight) {
+    const std::uint8_t label = labels.at(x, y, z);
+    if (shares[label] == 0) seen[count++] = label;
+    shares[label] += weight;
+  });
+  std::uint8_t best = seen[0];
+  for (std::size_t n = 1; n < count; ++n)
+    if (shares[seen[n]] > shares[best] || (shares[seen[n]] == shares[best] && seen[n] < best)) best = seen[n];
+  for (std::size_t n = 0; n < count; ++n) shares[seen[n]] = 0;
+  return best;
+}
+
+std::string text(const VolumeGeometry& g) {
+  const auto number = [](double value) {
+    std::string digits = std::to_string(value);
+    while (digits.ends_with('0')) digits.pop_back();
+    if (digits.ends_with('.')) digits.pop_back();
+    return digits;
+  };
+  return std::to_string(g.size[0]) + "x" + std::to_string(g.size[1]) + "x" + std::to_string(g.size[2]) + " voxels of " +
+         number(g.spacing_mm.x) + "x" + number(g.spacing_mm.y) + "x" + number(g.spacing_mm.z) + " mm";
+}
+
+/// Drops targets that are not in the grid any more.
+void keepInside(CaseManifest& manifest, const VolumeGeometry& grid) {
+  std::erase_if(manifest.targets, [&](const Target& target) {
+    const auto [i, j, k] = nearestVoxel(grid.indexFromPatient() * target.position_mm);
+    if (grid.contains(i, j, k)) return false;
+    manifest.importNotes.push_back("The target \"" + target.name + "\" lay outside what was kept and was dropped.");
+    return true;
+  });
+}
+
+}  // namespace
+
+VoxelBox boxBetween(const VolumeGeometry& geometry, Vec3 corner_mm, Vec3 opposite_mm) {
+  const Transform indexFromPatient = geometry.indexFromPatient();
+  Vec3 low = indexFromPatient * corner_mm, high = low;
+  // All eight corners: the grid may be oblique to the patient's axes.
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p =
+        indexFromPatient * Vec3{corner & 1 ? opposite_mm.x : corner_mm.x, corner & 2 ? opposite_mm.y : corner_mm.y,
+                                corner & 4 ? opposite_mm.z : corner_mm.z};
+    for (int a = 0; a < 3; ++a) low[a] = std::min(low[a], p[a]), high[a] = std::max(high[a], p[a]);
+  }
+  VoxelBox box;
+  for (int a = 0; a < 3; ++a) {
+    box.first[a] = static_cast<int>(std::clamp(std::ceil(low[a] - 1e-6), 0.0, double(geometry.size[a])));
+    box.end[a] = static_cast<int>(std::clamp(std::floor(high[a] + 1e-6) + 1, 0.0, double(geometry.size[a])));
+  }
+  return box;
+}
+
+Result<VolumeGeometry> croppedGrid(const VolumeGeometry& geometry, const CropOptions& options) {
+  if (options.box.empty() || intersected(options.box, boxOf(geometry)) != options.box)
+    return fail("What should be kept holds no voxel of the case, or reaches beyond it. Choose a region within the CT.");
+  VolumeGeometry grid = gridOf(geometry, options.box);
+  if (!options.spacing_mm) return grid;
+  if (auto ok = checkVoxelSize(*options.spacing_mm); !ok) return tl::unexpected(ok.error());
+  Vec3 shift;
+  for (int a = 0; a < 3; ++a) {
+    const double length_mm = grid.size[a] * grid.spacing_mm[a], step_mm = (*options.spacing_mm)[a];
+    grid.size[a] = std::max(1, static_cast<int>(std::lround(length_mm / step_mm)));
+    // Both grids are centred on the same place.
+    shift[a] = (length_mm - grid.spacing_mm[a]) / 2 - (grid.size[a] - 1) * step_mm / 2;
+    grid.spacing_mm[a] = step_mm;
+  }
+  grid.origin_mm = grid.origin_mm + grid.direction * shift;
+  constexpr double kMostVoxels = 2e9;
+  if (double(grid.size[0]) * grid.size[1] * grid.size[2] > kMostVoxels)
+    return fail("That would be " + text(grid) + ", more than this program can hold. Choose a larger spacing.");
+  if (auto ok = validate(grid); !ok) return tl::unexpected(ok.error());
+  return grid;
+}
+
+Result<PatientCase> cropCase(const PatientCase& patient, const CropOptions& options, const Progress& progress) {
+  const auto grid = croppedGrid(patient.ct.geometry, options);
+  if (!grid) return tl::unexpected(grid.error());
+  PatientCase part{patient.manifest, CtVolume(*grid), LabelMap(*grid), patient.colours};
+  AllTaps taps;
+  for (int a = 0; a < 3; ++a) taps.along[a] = tapsAlong(a, patient.ct.geometry, *grid);
+  for (int k = 0; k < grid->size[2]; ++k) {
+    if (!report(progress, "Cropping", double(k) / grid->size[2])) return fail(std::string(kCancelled));
+    tbb::parallel_for(0, grid->size[1], [&](int j) {
+      std::array<float, 256> shares{};
+      for (int i = 0; i < grid->size[0]; ++i) {
+        part.ct.at(i, j, k) = meanHu(patient.ct, taps, i, j, k);
+        part.labels.at(i, j, k) = largestLabel(patient.labels, taps, i, j, k, shares);
+      }
+    });
+  }
+  part.manifest.importNotes.push_back((options.spacing_mm ? "Cropped and resampled from " : "Cropped from ") +
+                                      text(patient.ct.geometry) + " to " + text(*grid) + ".");
+  keepInside(part.manifest, *grid);
+  report(progress, "Cropping", 1);
+  return part;
+}
+
+}  // namespace insonate
