@@ -12,6 +12,8 @@
 #include <QDialog>
 #include <QDir>
 #include <QFile>
+#include <QLabel>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -110,6 +112,24 @@ TEST_F(CaseLoader, ImportsTheChosenSeries) {
   loader.save(loaded->patient, home.filePath("kept"));
   ASSERT_TRUE(waitUntil([this] { return !saved.isEmpty() || !failed.isEmpty(); }));
   EXPECT_EQ(ui::caseFolderOf(home.filePath("kept")), home.filePath("kept")) << failed.toStdString();
+}
+
+TEST_F(CaseLoader, ShowsWhatIsMadeAndWhatIsLeftOut) {
+  const QString folder = writtenDicom("dicom");
+  QFile stray(folder + "/notes.txt");
+  ASSERT_TRUE(stray.open(QIODevice::WriteOnly));
+  stray.close();
+  loader.open(folder);
+  QDialog* choice = dialog();
+  ASSERT_TRUE(choice) << failed.toStdString();
+  const QString notes = choice->findChild<QLabel*>("importNotes")->text();
+  EXPECT_TRUE(notes.contains("49.0 x 41.0 x 17.0 mm, axes to L, P, S, from -24.0, -6.0, -8.0 mm"))
+      << notes.toStdString();
+  auto* leftOut = choice->findChild<QPlainTextEdit*>("leftOut");
+  EXPECT_TRUE(leftOut->isVisible());
+  EXPECT_EQ(leftOut->toPlainText(), "notes.txt: neither DICOM nor a volume");
+  EXPECT_TRUE(leftOut->focusPolicy() & Qt::TabFocus);
+  choice->reject();
 }
 
 TEST_F(CaseLoader, KeepsWhatTheImportSaidInTheCase) {

@@ -16,7 +16,7 @@ bool waitUntil(const std::function<bool()>& condition, int longest_ms = kPatienc
 /// Writes tests/support/SmallCase.h to a folder of that name in `home`; the folder's path.
 QString writtenSmallCase(const QTemporaryDir& home, const QString& name);
 
-/// Types this name into the next dialog of `window` that asks where to save, and accepts it.
+/// Types this name into the next dialog of `window` that asks for a file or folder, and accepts it.
 void answerSaveDialog(QWidget& window, const QString& name);
 
 }  // namespace insonate::test

@@ -1,4 +1,5 @@
 #include "BuiltInCase.h"
+#include "CaseEdits.h"
 #include "SeriesDialog.h"
 
 #include <insonate/segmentation/AutoLabel.h>
@@ -181,12 +182,7 @@ void CaseLoader::save(std::shared_ptr<const PatientCase> patient, const QString&
       tr("Saving to %1").arg(QFileInfo(folder).fileName()),
       [patient = std::move(patient), folder, edits = std::move(edits)](const Progress& progress) -> Result<Written> {
         if (auto ok = checkCaseTarget(folder.toStdString(), true); !ok) return tl::unexpected(ok.error());
-        Written written = patient;
-        if (!edits.empty()) {
-          auto copy = std::make_shared<PatientCase>(*patient);
-          for (const CaseEdit& edit : edits) edit(*copy);
-          written = std::move(copy);
-        }
+        const Written written = withEdits(patient, edits);
         if (auto ok = writeCase(*written, folder.toStdString(), progress); !ok) return tl::unexpected(ok.error());
         return written;
       },

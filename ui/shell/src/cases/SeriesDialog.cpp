@@ -4,6 +4,7 @@
 
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/views/SlicePlane.h>
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -12,6 +13,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTableWidget>
 #include <algorithm>
@@ -20,7 +22,7 @@
 namespace insonate::ui {
 namespace {
 
-constexpr int kPicture_px = 260, kSeriesColumn = 3;
+constexpr int kPicture_px = 260, kLeftOut_px = 72, kSeriesColumn = 3;
 
 QString sizeOf(const VolumeGeometry& grid) {
   return QStringLiteral("%1 x %2 x %3").arg(grid.size[0]).arg(grid.size[1]).arg(grid.size[2]);
@@ -47,12 +49,25 @@ QString stateOf(const SeriesInfo& series) {
   return count == 1 ? SeriesDialog::tr("1 warning") : SeriesDialog::tr("%1 warnings").arg(count);
 }
 
+/// Where the volume lies that an import makes.
+QString placeOf(const SeriesInfo& series) {
+  const VolumeGeometry& g = series.geometry;
+  QStringList axes;
+  for (const Vec3& axis : g.direction.column) axes << QString::fromStdString(views::orientationLetters(axis));
+  const auto number = [](double value) { return QString::number(value, 'f', 1); };
+  return SeriesDialog::tr("%1 x %2 x %3 mm, axes to %4, from %5, %6, %7 mm.")
+      .arg(number(g.size[0] * g.spacing_mm.x), number(g.size[1] * g.spacing_mm.y), number(g.size[2] * g.spacing_mm.z),
+           axes.join(QStringLiteral(", ")), number(g.origin_mm.x), number(g.origin_mm.y), number(g.origin_mm.z));
+}
+
 QString notesOf(const SeriesInfo& series) {
   QStringList lines;
+  if (series.geometryKnown) lines << placeOf(series);
   if (!series.refusal.empty()) lines << QString::fromStdString(series.refusal);
   for (const std::string& warning : series.warnings) lines << QString::fromStdString(warning);
-  return lines.isEmpty() ? SeriesDialog::tr("Nothing has to be changed to import this series.")
-                         : lines.join(QLatin1Char('\n'));
+  if (series.refusal.empty() && series.warnings.empty())
+    lines << SeriesDialog::tr("Nothing has to be changed to import this series.");
+  return lines.join(QLatin1Char('\n'));
 }
 
 }  // namespace
@@ -104,6 +119,7 @@ void SeriesDialog::fill() {
   table_->setTextElideMode(Qt::ElideMiddle);
   table_->setTabKeyNavigation(false);
   table_->setAccessibleName(tr("Series"));
+  table_->setToolTip(tr("Arrows choose a series, Enter imports it"));
 }
 
 void SeriesDialog::arrange() {
@@ -116,8 +132,18 @@ void SeriesDialog::arrange() {
   aside->setVisible(!listing_->setAside.empty());
   QStringList reasons;
   for (const SetAside& file : listing_->setAside)
-    if (reasons.size() < 12) reasons << QString::fromStdString(file.file.filename().string() + ": " + file.reason);
-  aside->setToolTip(reasons.join(QLatin1Char('\n')));
+    reasons << QString::fromStdString(file.file.filename().string() + ": " + file.reason);
+  auto* leftOut = new QPlainTextEdit(reasons.join(QLatin1Char('\n')));
+  leftOut->setReadOnly(true);
+  leftOut->setTabChangesFocus(true);
+  leftOut->setMaximumHeight(kLeftOut_px);
+  leftOut->setVisible(!reasons.isEmpty());
+  leftOut->setObjectName(QStringLiteral("leftOut"));
+  leftOut->setAccessibleName(tr("Files that are left out, and why"));
+  leftOut->setToolTip(leftOut->accessibleName());
+  notes_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  notes_->setObjectName(QStringLiteral("importNotes"));
+  notes_->setAccessibleName(tr("What is made of the series, and what is changed"));
   notes_->setWordWrap(true);
   notes_->setAlignment(Qt::AlignTop);
   notes_->setTextFormat(Qt::PlainText);
@@ -131,6 +157,7 @@ void SeriesDialog::arrange() {
   picture_->setAccessibleName(tr("Middle slice of the chosen series"));
   label_->setChecked(true);
   label_->setToolTip(tr("From Hounsfield units; vessels, glands and nerves need an author"));
+  import_->setToolTip(tr("Makes a case of the chosen series; nothing that names the patient is kept"));
   setRole(import_, "primary");
   import_->setDefault(true);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
@@ -145,11 +172,12 @@ void SeriesDialog::arrange() {
   grid->addWidget(picture_, 1, 1, Qt::AlignTop);
   grid->addWidget(notes_, 2, 0, 1, 2);
   grid->addWidget(aside, 3, 0, 1, 2);
-  grid->addWidget(tasks_, 4, 0, 1, 2);
+  grid->addWidget(leftOut, 4, 0, 1, 2);
+  grid->addWidget(tasks_, 5, 0, 1, 2);
   auto* last = new QHBoxLayout;
   last->addWidget(label_, 1);
   last->addWidget(buttons);
-  grid->addLayout(last, 5, 0, 1, 2);
+  grid->addLayout(last, 6, 0, 1, 2);
   grid->setRowStretch(1, 1);
   grid->setColumnStretch(0, 1);
   resize(980, 480);

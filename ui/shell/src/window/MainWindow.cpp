@@ -1,4 +1,5 @@
 #include "AccountMenu.h"
+#include "CaseExchange.h"
 #include "HeaderBar.h"
 #include "LossQuestion.h"
 #include "StatusStrip.h"
@@ -44,7 +45,13 @@ MainWindow::MainWindow(std::unique_ptr<Account> account)
       errors_(new ErrorPanel),
       stack_(new QStackedWidget),
       status_(new StatusStrip),
-      loader_(new CaseLoader(*tasks_, this)) {
+      loader_(new CaseLoader(*tasks_, this)),
+      exchange_(new CaseExchange(
+          *tasks_,
+          [this] {
+            return OpenCase{case_.patient, unsavedEdits()};
+          },
+          this)) {
   setWindowTitle(QStringLiteral("Insonate"));
   setAcceptDrops(true);
   makeActions();
@@ -95,6 +102,18 @@ void MainWindow::connectAll() {
     status_->say(tr("Cancelled; nothing was changed."));
   });
   connect(loader_, &CaseLoader::saved, this, &MainWindow::showSaved);
+  connect(exchange_, &CaseExchange::made, this,
+          [this](const std::shared_ptr<const PatientCase>& patient, const QString& sentence) {
+            const auto go = [this, patient, sentence] {
+              takeMade(patient);
+              status_->say(sentence);
+            };
+            // Edits are in it, and what is on disk stays; only what ends with the case is asked about.
+            loss().ending.isEmpty() ? go() : whenNothingIsLost(LostBy::Opening, go);
+          });
+  connect(exchange_, &CaseExchange::written, this,
+          [this](const QString& sentence, const QString& folder) { status_->say(sentence, folder); });
+  connect(exchange_, &CaseExchange::failed, this, &MainWindow::fail);
   connect(tasks_, &TaskBar::runningChanged, this, [this](bool running) {
     if (running) errors_->dismiss();
     showTitle();

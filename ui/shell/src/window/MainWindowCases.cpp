@@ -1,5 +1,6 @@
 // The part of the window that brings cases in and out.
 #include "AboutDialog.h"
+#include "CaseExchange.h"
 #include "HeaderBar.h"
 #include "HelpWindow.h"
 #include "LossQuestion.h"
@@ -80,6 +81,7 @@ void MainWindow::makeActions() {
   menu_->addSeparator();
   menu_->addAction(save_);
   menu_->addAction(saveAs_);
+  exchange_->addTo(*menu_);
   menu_->addSeparator();
   auto* about = make("help", tr("About Insonate"), tr("Version, licences, and what it is not"), {});
   for (QAction* action : {full, page, keys, about, quit}) menu_->addAction(action);

@@ -1,4 +1,5 @@
 // The part of the window that keeps edits: saving, and asking before they would be lost.
+#include "CaseExchange.h"
 #include "HeaderBar.h"
 #include "LossQuestion.h"
 #include "StatusStrip.h"
@@ -115,6 +116,7 @@ void MainWindow::showTitle() {
   const bool toWrite = changed || case_.folder.isEmpty() || !quietEdits().empty();
   save_->setEnabled(case_.patient && !tasks_->isRunning() && toWrite);
   saveAs_->setEnabled(case_.patient && !tasks_->isRunning());
+  exchange_->setEnabled(case_.patient && !tasks_->isRunning());
   reload_->setEnabled(!case_.folder.isEmpty());
   if (!case_.patient) return;
   const CaseManifest& manifest = case_.patient->manifest;

@@ -16,6 +16,7 @@ namespace insonate::ui {
 
 class Account;
 class AccountMenu;
+class CaseExchange;
 class ErrorPanel;
 class HeaderBar;
 class HelpWindow;
@@ -141,6 +142,7 @@ class MainWindow : public QMainWindow {
   QStackedWidget* stack_;
   StatusStrip* status_;
   CaseLoader* loader_;
+  CaseExchange* exchange_;
   HelpWindow* help_ = nullptr;
   std::function<void()> afterSaving_;  ///< what waits for the save that was asked for
 };

@@ -1,0 +1,113 @@
+#include "Waiting.h"
+
+#include <insonate/cases/DicomSegmentation.h>
+#include <insonate/tissue/Labels.h>
+#include <insonate/ui/EmptyWorkspace.h>
+#include <insonate/ui/ErrorPanel.h>
+#include <insonate/ui/MainWindow.h>
+
+#include <gtest/gtest.h>
+#include <support/SmallCase.h>
+
+#include <QAction>
+#include <QCheckBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QtTest/QTest>
+
+namespace {
+
+using namespace insonate;
+using test::waitUntil;
+
+/// The window with a small case, its menu, and a folder for what goes out.
+class CaseExchange : public testing::Test {
+ protected:
+  CaseExchange() {
+    window.show();
+    window.open(test::writtenSmallCase(home, "block"));
+    EXPECT_TRUE(waitUntil([this] { return action("cropCase")->isEnabled(); }));
+  }
+  ~CaseExchange() override { window.closeAtOnce(); }
+  QAction* action(const char* name) { return window.findChild<QAction*>(name); }
+  bool idle() { return action("cropCase")->isEnabled(); }
+  void exportTo(const char* way, const QString& target, const QString& written) {
+    test::answerSaveDialog(window, target);
+    action(way)->trigger();
+    EXPECT_TRUE(waitUntil([&] { return QFile::exists(written) && idle(); })) << way;
+  }
+
+  QTemporaryDir home;
+  ui::MainWindow window;
+};
+
+TEST_F(CaseExchange, ACaseGoesOutInEveryWay) {
+  exportTo("exportDicom", home.filePath("series"), home.filePath("series/slice00017.dcm"));
+  exportTo("exportSeg", home.filePath("labels"), home.filePath("labels.dcm"));
+  exportTo("exportLabels", home.filePath("labels"), home.filePath("labels.seg.nrrd"));
+  EXPECT_TRUE(QFile::exists(home.filePath("labels.label.txt")));
+  exportTo("exportStl", home.filePath("stl"), home.filePath("stl/vein.stl"));
+  exportTo("exportVtp", home.filePath("vtp"), home.filePath("vtp/vein.vtp"));
+  EXPECT_TRUE(window.statusText().isEmpty() || !window.errors().isVisible());
+}
+
+TEST_F(CaseExchange, WhatCannotBeWrittenIsSaid) {
+  test::answerSaveDialog(window, home.filePath("missing/stl"));
+  action("exportStl")->trigger();
+  EXPECT_TRUE(waitUntil([this] { return window.errors().isVisible(); }));
+  EXPECT_FALSE(QFile::exists(home.filePath("missing")));
+}
+
+TEST_F(CaseExchange, ImportedLabelsMakeACaseThatIsNotSaved) {
+  PatientCase other = test::smallCase();
+  for (std::uint8_t& label : other.labels.voxels)
+    if (label == kVein) label = kArtery;
+  const QString file = home.filePath("other.dcm");
+  ASSERT_TRUE(writeDicomSegmentation(other, file.toStdString()));
+  const auto before = window.current().patient;
+  test::answerSaveDialog(window, file);
+  action("importLabels")->trigger();
+  ASSERT_TRUE(waitUntil([&] { return window.current().patient != before; }));
+  EXPECT_EQ(window.current().patient->labels.voxels, other.labels.voxels);
+  EXPECT_TRUE(window.current().folder.isEmpty()) << "what is on disk keeps its labels";
+  EXPECT_TRUE(window.caseTitle().contains("not saved")) << window.caseTitle().toStdString();
+  EXPECT_TRUE(window.saveAction()->isEnabled());
+}
+
+TEST_F(CaseExchange, APartIsCroppedAndResampled) {
+  action("cropCase")->trigger();
+  ASSERT_TRUE(waitUntil([this] { return window.findChild<QDialog*>() != nullptr; }));
+  auto* dialog = window.findChild<QDialog*>();
+  const auto field = [&](const QString& name) {
+    for (auto* box : dialog->findChildren<QDoubleSpinBox*>())
+      if (box->accessibleName() == name) return box;
+    return static_cast<QDoubleSpinBox*>(nullptr);
+  };
+  for (auto* box : dialog->findChildren<QDoubleSpinBox*>()) EXPECT_FALSE(box->toolTip().isEmpty());
+  QPushButton* crop = nullptr;
+  for (auto* button : dialog->findChildren<QPushButton*>())
+    if (button->text().remove('&') == "Crop") crop = button;
+  ASSERT_TRUE(crop);
+  const auto* result = dialog->findChild<QLabel*>("cropResult");
+  EXPECT_TRUE(result->text().contains("49 x 41 x 17 voxels become 49 x 41 x 17")) << result->text().toStdString();
+  field("From, right to left")->setValue(-10);
+  field("To, right to left")->setValue(-10.5);
+  EXPECT_TRUE(crop->isEnabled()) << "either corner may come first";
+  field("To, right to left")->setValue(10);
+  dialog->findChild<QCheckBox*>()->setChecked(true);
+  for (const char* axis : {"first", "second", "third"})
+    field(QString("Spacing along the grid's %1 axis").arg(axis))->setValue(0.5);
+  EXPECT_TRUE(result->text().contains("become 42 x 82 x 34 voxels")) << result->text().toStdString();
+  const auto before = window.current().patient;
+  QTest::mouseClick(crop, Qt::LeftButton);
+  ASSERT_TRUE(waitUntil([&] { return window.current().patient != before; }));
+  EXPECT_EQ(window.current().patient->ct.geometry.size, (std::array{42, 82, 34}));
+  EXPECT_EQ(window.current().patient->manifest.targets.size(), 1U);
+  EXPECT_TRUE(window.current().folder.isEmpty());
+}
+
+}  // namespace

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <insonate/ui/Workspace.h>
+
+namespace insonate::ui {
+
+/// The case itself, or a copy with these edits where there are any. For another thread.
+inline std::shared_ptr<const PatientCase> withEdits(std::shared_ptr<const PatientCase> patient,
+                                                    const std::vector<CaseEdit>& edits) {
+  if (edits.empty()) return patient;
+  auto copy = std::make_shared<PatientCase>(*patient);
+  for (const CaseEdit& edit : edits) edit(*copy);
+  return copy;
+}
+
+}  // namespace insonate::ui

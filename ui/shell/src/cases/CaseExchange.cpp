@@ -1,0 +1,185 @@
+#include "CaseExchange.h"
+
+#include "CaseEdits.h"
+#include "CropDialog.h"
+
+#include <insonate/cases/DicomSegmentation.h>
+#include <insonate/cases/DicomWriter.h>
+#include <insonate/cases/LabelFile.h>
+#include <insonate/surface/SurfaceFiles.h>
+#include <insonate/ui/TaskBar.h>
+
+#include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QSettings>
+#include <utility>
+
+namespace insonate::ui {
+namespace {
+
+const QString kLastExport = QStringLiteral("lastExport");
+
+using Made = std::shared_ptr<const PatientCase>;
+
+Result<void> writeSeries(const PatientCase& patient, const std::string& folder, const Progress& progress) {
+  return writeDicomSeries(patient.ct, folder, dicomIdentityOf(patient), progress);
+}
+
+std::function<Result<void>(const PatientCase&, const std::string&, const Progress&)> writeMeshes(const char* format) {
+  return [format](const PatientCase& patient, const std::string& folder, const Progress& progress) -> Result<void> {
+    const auto written = writeSurfaces(patient.labels, folder, format, {}, progress);
+    if (!written) return tl::unexpected(written.error());
+    return {};
+  };
+}
+
+}  // namespace
+
+CaseExchange::CaseExchange(TaskBar& tasks, std::function<OpenCase()> open, QWidget* window)
+    : QObject(window), tasks_(tasks), open_(std::move(open)), window_(window) {
+  ways_ = {add(tr("Import labels ..."), tr("Labels of another program in the place of this case's"), "importLabels",
+               [this] { chooseLabels(); }),
+           add(tr("Crop and resample ..."), tr("A part of this case, also on another spacing"), "cropCase",
+               [this] { chooseCrop(); })};
+  exports_ = {
+      addExport(tr("CT as DICOM series ..."), tr("To a new folder, one file a slice"), "exportDicom", {}, writeSeries),
+      addExport(tr("Labels as DICOM segmentation ..."), tr("Of the slices that the DICOM series holds"), "exportSeg",
+                QStringLiteral(".dcm"),
+                [](const PatientCase& patient, const std::string& file, const Progress& progress) {
+                  return writeDicomSegmentation(patient, file, progress);
+                }),
+      addExport(tr("Labels for 3D Slicer and ITK-SNAP ..."), tr("With ITK-SNAP's label description beside them"),
+                "exportLabels", QStringLiteral(".seg.nrrd"),
+                [](const PatientCase& patient, const std::string& file, const Progress& progress) {
+                  return writeLabelFile(patient, file, progress);
+                }),
+      addExport(tr("Meshes, STL ..."), tr("Each structure's surface, to a new folder; patient LPS, mm"), "exportStl",
+                {}, writeMeshes("stl")),
+      addExport(tr("Meshes, OBJ ..."), tr("Each structure's surface, to a new folder; patient LPS, mm"), "exportObj",
+                {}, writeMeshes("obj")),
+      addExport(tr("Meshes, VTP ..."), tr("Each structure's surface, to a new folder; patient LPS, mm"), "exportVtp",
+                {}, writeMeshes("vtp"))};
+  setEnabled(false);
+}
+
+QAction* CaseExchange::add(const QString& text, const QString& tip, const char* name, std::function<void()> go) {
+  auto* action = new QAction(text, this);
+  action->setToolTip(tip);
+  action->setObjectName(QLatin1String(name));
+  connect(action, &QAction::triggered, this, std::move(go));
+  return action;
+}
+
+QAction* CaseExchange::addExport(const QString& text, const QString& tip, const char* name, const QString& ending,
+                                 Write write) {
+  return add(text, tip, name,
+             [this, title = QString(text).remove(QStringLiteral(" ...")), ending, write = std::move(write)] {
+               chooseTarget(title, ending, write);
+             });
+}
+
+void CaseExchange::addTo(QMenu& menu) {
+  for (QAction* action : ways_) menu.addAction(action);
+  QMenu* out = menu.addMenu(tr("Export"));
+  out->setToolTipsVisible(true);
+  for (QAction* action : exports_) out->addAction(action);
+}
+
+void CaseExchange::setEnabled(bool enabled) {
+  for (QAction* action : ways_) action->setEnabled(enabled);
+  for (QAction* action : exports_) action->setEnabled(enabled);
+}
+
+void CaseExchange::chooseLabels() {
+  const QString file = QFileDialog::getOpenFileName(
+      window_, tr("Import labels"), QSettings().value(kLastExport, QDir::homePath()).toString(),
+      tr("Labels (*.dcm *.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd);;All files (*)"));
+  if (file.isEmpty()) return;
+  QSettings().setValue(kLastExport, QFileInfo(file).absolutePath());
+  importLabels(file);
+}
+
+void CaseExchange::importLabels(const QString& file) {
+  struct Labelled {
+    Made patient;
+    QStringList notes;
+  };
+  tasks_.run<Labelled>(
+      tr("Importing labels"),
+      [open = open_(), file](const Progress& progress) -> Result<Labelled> {
+        auto copy = std::make_shared<PatientCase>(*withEdits(open.patient, open.edits));
+        auto labels = insonate::importLabels(*copy, file.toStdString(), {}, progress);
+        if (!labels) return tl::unexpected(labels.error());
+        QStringList notes;
+        for (const std::string& note : labels->notes) notes << QString::fromStdString(note);
+        takeLabels(std::move(*labels), *copy);
+        return Labelled{std::move(copy), std::move(notes)};
+      },
+      [this](Result<Labelled> labelled) {
+        if (!labelled) return refuse(labelled.error(), tr("The case keeps its own labels."));
+        Q_EMIT made(labelled->patient, tr("Labels imported. %1").arg(labelled->notes.join(QLatin1Char(' '))));
+      },
+      TaskBar::WhenClosed::Ask);
+}
+
+void CaseExchange::chooseCrop() {
+  auto* dialog = new CropDialog(open_().patient->ct.geometry, window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] { crop(dialog->options()); });
+  dialog->open();
+}
+
+void CaseExchange::crop(const CropOptions& options) {
+  tasks_.run<Made>(
+      tr("Cropping"),
+      [open = open_(), options](const Progress& progress) -> Result<Made> {
+        auto part = cropCase(*withEdits(open.patient, open.edits), options, progress);
+        if (!part) return tl::unexpected(part.error());
+        return std::make_shared<const PatientCase>(std::move(*part));
+      },
+      [this](Result<Made> part) {
+        if (!part) return refuse(part.error(), tr("The case is as it was."));
+        Q_EMIT made(*part, QString::fromStdString((*part)->manifest.importNotes.back()));
+      },
+      TaskBar::WhenClosed::Ask);
+}
+
+void CaseExchange::chooseTarget(const QString& title, const QString& ending, const Write& write) {
+  QFileDialog dialog(window_, title, QSettings().value(kLastExport, QDir::homePath()).toString());
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  if (ending.isEmpty()) {
+    dialog.setOption(QFileDialog::ShowDirsOnly);
+    dialog.setLabelText(QFileDialog::FileName, tr("New folder:"));
+  } else {
+    dialog.setNameFilter(tr("%1 (*%2)").arg(title, ending));
+    dialog.setDefaultSuffix(ending.mid(1));
+  }
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return;
+  const QString target = dialog.selectedFiles().first();
+  QSettings().setValue(kLastExport, QFileInfo(target).absolutePath());
+  this->write(target, write);
+}
+
+void CaseExchange::write(const QString& target, const Write& write) {
+  tasks_.run<bool>(
+      tr("Exporting to %1").arg(QFileInfo(target).fileName()),
+      [open = open_(), target, write](const Progress& progress) -> Result<bool> {
+        if (auto ok = write(*withEdits(open.patient, open.edits), target.toStdString(), progress); !ok)
+          return tl::unexpected(ok.error());
+        return true;
+      },
+      [this, target](Result<bool> done) {
+        if (!done) return refuse(done.error(), tr("Nothing was exported; choose another place or name."));
+        Q_EMIT written(tr("Exported to %1.").arg(target), QFileInfo(target).absolutePath());
+      },
+      TaskBar::WhenClosed::Ask);
+}
+
+void CaseExchange::refuse(const Error& error, const QString& advice) {
+  if (error.message != kCancelled) Q_EMIT failed(QString::fromStdString(error.message), advice, {});
+}
+
+}  // namespace insonate::ui

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <insonate/cases/CropCase.h>
+#include <insonate/ui/Workspace.h>
+
+#include <QObject>
+#include <functional>
+#include <memory>
+#include <vector>
+
+class QAction;
+class QMenu;
+
+namespace insonate::ui {
+
+class TaskBar;
+
+/// A case as it is open: what is kept, and what was changed since.
+struct OpenCase {
+  std::shared_ptr<const PatientCase> patient;
+  std::vector<CaseEdit> edits;
+};
+
+/// The ways of an open case to other programs, of their labels into it, and of a part of it to a case of its own, as
+/// actions of a menu. All works on a copy with what is not saved yet.
+class CaseExchange : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `open` is asked when an action is chosen; the task bar belongs to the window.
+  CaseExchange(TaskBar& tasks, std::function<OpenCase()> open, QWidget* window);
+
+  void addTo(QMenu& menu);
+  void setEnabled(bool enabled);
+
+  /// The labels of a file take the place of the case's.
+  void importLabels(const QString& file);
+  void crop(const CropOptions& options);
+
+ Q_SIGNALS:
+  /// Another case came of the open one; it is not saved anywhere.
+  void made(const std::shared_ptr<const insonate::PatientCase>& patient, const QString& sentence);
+  void written(const QString& sentence, const QString& folder);
+  void failed(const QString& what, const QString& advice, const QString& details);
+
+ private:
+  using Write = std::function<Result<void>(const PatientCase&, const std::string&, const Progress&)>;
+  QAction* add(const QString& text, const QString& tip, const char* name, std::function<void()> go);
+  QAction* addExport(const QString& text, const QString& tip, const char* name, const QString& ending, Write write);
+  void chooseLabels();
+  void chooseCrop();
+  void chooseTarget(const QString& title, const QString& ending, const Write& write);
+  void write(const QString& target, const Write& write);
+  void refuse(const Error& error, const QString& advice);
+
+  TaskBar& tasks_;
+  std::function<OpenCase()> open_;
+  QWidget* window_;
+  std::vector<QAction*> ways_, exports_;
+};
+
+}  // namespace insonate::ui

@@ -1,0 +1,139 @@
+#include "CropDialog.h"
+
+#include "../controls/NumberBox.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace insonate::ui {
+namespace {
+
+/// The patient coordinates that a grid reaches, to the centres of its outermost voxels.
+std::array<Vec3, 2> reachOf(const VolumeGeometry& g) {
+  std::array<Vec3, 2> reach{g.origin_mm, g.origin_mm};
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p = g.patientFromIndex() * Vec3{corner & 1 ? g.size[0] - 1.0 : 0, corner & 2 ? g.size[1] - 1.0 : 0,
+                                               corner & 4 ? g.size[2] - 1.0 : 0};
+    for (int a = 0; a < 3; ++a) {
+      reach[0][a] = std::min(reach[0][a], p[a]);
+      reach[1][a] = std::max(reach[1][a], p[a]);
+    }
+  }
+  return reach;
+}
+
+QString textOf(const VolumeGeometry& g) {
+  return CropDialog::tr("%1 x %2 x %3 voxels").arg(g.size[0]).arg(g.size[1]).arg(g.size[2]);
+}
+
+}  // namespace
+
+CropDialog::CropDialog(const VolumeGeometry& geometry, QWidget* parent)
+    : QDialog(parent),
+      geometry_(geometry),
+      resample_(new QCheckBox(tr("Another spacing"))),
+      result_(new QLabel),
+      crop_(new QPushButton(tr("Crop"))) {
+  setWindowTitle(tr("Crop and resample"));
+  auto* title = new QLabel(tr("Keep a part of the case"));
+  setRole(title, "title");
+  auto* about = new QLabel(
+      tr("CT and labels together; targets and start poses keep their places. What is open stays on disk as it is; the "
+         "part is a case of its own."));
+  about->setWordWrap(true);
+  setRole(about, "quiet");
+  auto* grid = new QGridLayout;
+  grid->setSpacing(kGap);
+  addRegion(*grid);
+  addSpacing(*grid);
+  result_->setWordWrap(true);
+  result_->setObjectName(QStringLiteral("cropResult"));
+  setRole(crop_, "primary");
+  crop_->setDefault(true);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+  buttons->addButton(crop_, QDialogButtonBox::AcceptRole);
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(kLargeGap, kLargeGap, kLargeGap, kLargeGap);
+  box->setSpacing(kGap);
+  box->addWidget(title);
+  box->addWidget(about);
+  box->addLayout(grid);
+  box->addWidget(result_);
+  box->addStretch(1);
+  box->addWidget(buttons);
+  resize(460, sizeHint().height());
+  refresh();
+}
+
+QDoubleSpinBox* CropDialog::field(const QString& name, double least, double most, int decimals) {
+  auto* box = new NumberBox<QDoubleSpinBox>(name);
+  box->setDecimals(decimals);
+  box->setRange(least, most);
+  box->setSuffix(tr(" mm"));
+  box->setAccessibleName(name);
+  box->setToolTip(name);
+  connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &CropDialog::refresh);
+  return box;
+}
+
+void CropDialog::addRegion(QGridLayout& grid) {
+  const auto [low, high] = reachOf(geometry_);
+  const QString axes[] = {tr("right to left"), tr("front to back"), tr("feet to head")};
+  for (int a = 0; a < 3; ++a) {
+    // A tenth of a millimetre beyond, so that rounding cuts no voxel off.
+    const double least = std::floor(low[a] * 10) / 10, most = std::ceil(high[a] * 10) / 10;
+    from_[a] = field(tr("From, %1").arg(axes[a]), least, most, 1);
+    to_[a] = field(tr("To, %1").arg(axes[a]), least, most, 1);
+    from_[a]->setValue(least);
+    to_[a]->setValue(most);
+    grid.addWidget(new QLabel(axes[a]), a, 0);
+    grid.addWidget(from_[a], a, 1);
+    grid.addWidget(to_[a], a, 2);
+  }
+}
+
+void CropDialog::addSpacing(QGridLayout& grid) {
+  resample_->setToolTip(tr("Coarser takes less memory and time; finer makes nothing sharper"));
+  grid.addWidget(resample_, 3, 0, 1, 3);
+  const QString axes[] = {tr("first axis"), tr("second axis"), tr("third axis")};
+  for (int a = 0; a < 3; ++a) {
+    spacing_[a] = field(tr("Spacing along the grid's %1").arg(axes[a]), 0.05, 25, 3);
+    spacing_[a]->setSingleStep(0.1);
+    spacing_[a]->setValue(geometry_.spacing_mm[a]);
+    spacing_[a]->setEnabled(false);
+    grid.addWidget(spacing_[a], 4, a);
+    connect(resample_, &QCheckBox::toggled, spacing_[a], &QWidget::setEnabled);
+  }
+  connect(resample_, &QCheckBox::toggled, this, &CropDialog::refresh);
+}
+
+CropOptions CropDialog::options() const {
+  const auto values = [](const std::array<QDoubleSpinBox*, 3>& fields) {
+    return Vec3{fields[0]->value(), fields[1]->value(), fields[2]->value()};
+  };
+  CropOptions options{boxBetween(geometry_, values(from_), values(to_)), {}};
+  if (resample_->isChecked()) options.spacing_mm = values(spacing_);
+  return options;
+}
+
+void CropDialog::refresh() {
+  if (!spacing_[2]) return;  // not all there yet
+  const auto grid = croppedGrid(geometry_, options());
+  crop_->setEnabled(grid.has_value());
+  if (!grid) return result_->setText(QString::fromStdString(grid.error().message));
+  constexpr double kBytes = 3, kMega = 1e6;  // of a voxel: HU and label
+  result_->setText(tr("%1 become %2, %3 MB.")
+                       .arg(textOf(geometry_), textOf(*grid))
+                       .arg(double(grid->voxelCount()) * kBytes / kMega, 0, 'f', 1));
+}
+
+}  // namespace insonate::ui

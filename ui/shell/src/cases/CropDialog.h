@@ -1,0 +1,38 @@
+#pragma once
+
+#include <insonate/cases/CropCase.h>
+
+#include <QDialog>
+#include <array>
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace insonate::ui {
+
+/// Which part of a case to keep, in patient millimetres, and on which spacing; says what that makes.
+class CropDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  CropDialog(const VolumeGeometry& geometry, QWidget* parent);
+
+  CropOptions options() const;
+
+ private:
+  QDoubleSpinBox* field(const QString& name, double least, double most, int decimals);
+  void addRegion(QGridLayout& grid);
+  void addSpacing(QGridLayout& grid);
+  void refresh();
+
+  VolumeGeometry geometry_;
+  std::array<QDoubleSpinBox*, 3> from_{}, to_{}, spacing_{};
+  QCheckBox* resample_;
+  QLabel* result_;
+  QPushButton* crop_;
+};
+
+}  // namespace insonate::ui
