@@ -149,7 +149,7 @@ TEST_P(GuideScores, ANeckFromAFewClicksEach) {
 
   for (const auto& [what, score] : found) {
     std::printf("%s: %.3f\n", what.c_str(), score);
-    // The artery is aimed at 0.9, too, and reaches it with clicks on its middle.
+    // The artery is aimed at 0.9, too, and does not reach it from clicks beside its middle.
     EXPECT_GT(score, what.starts_with("vein") ? 0.94 : what.starts_with("artery") ? 0.88 : 0.85) << what;
   }
 }
