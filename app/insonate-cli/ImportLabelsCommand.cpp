@@ -1,5 +1,6 @@
 #include "Commands.h"
 
+#include <insonate/cases/CaseVersions.h>
 #include <insonate/cases/LabelFile.h>
 #include <insonate/cases/PatientCase.h>
 #include <insonate/tissue/Labels.h>
@@ -46,7 +47,8 @@ Result<void> importLabelsInto(const ImportLabelsArguments& a) {
   if (!imported) return tl::unexpected(imported.error());
   for (const std::string& note : imported->notes) std::cerr << "note: " << note << '\n';
   takeLabels(std::move(*imported), patient);
-  if (auto ok = writeCase(patient, a.caseFolder, terminalProgress()); !ok) return ok;
+  if (auto version = saveCaseVersion(patient, a.caseFolder, today(), {}, terminalProgress()); !version)
+    return tl::unexpected(version.error());
   const json rows = structuresOf(patient.labels, !a.json);
   tellNext(a.caseFolder);
   if (a.json) printJson({{"case", a.caseFolder}, {"structures", rows}, {"notes", imported->notes}});

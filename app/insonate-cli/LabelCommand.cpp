@@ -1,5 +1,6 @@
 #include "Commands.h"
 
+#include <insonate/cases/CaseVersions.h>
 #include <insonate/cases/LabelFile.h>
 #include <insonate/cases/PatientCase.h>
 #include <insonate/segmentation/Recipe.h>
@@ -99,7 +100,9 @@ Result<void> label(const LabelArguments& a) {
     object["scores"] = std::move(*rows);
   }
   if (!a.recipe.empty()) {
-    if (auto written = writeCase(patient, target, terminalProgress()); !written) return written;
+    const auto version = saveCaseVersion(patient, target, today(), {}, terminalProgress());
+    if (!version) return tl::unexpected(version.error());
+    object["case_version"] = version->number;
     tellNext(target);
   }
   if (a.asJson) printJson(std::move(object));

@@ -1,3 +1,4 @@
+#include "files/CaseFiles.h"
 #include "files/Hounsfield.h"
 #include "files/ItkSnapLabels.h"
 #include "files/LabelGrid.h"
@@ -17,12 +18,6 @@
 namespace insonate {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr const char* kCtFile = "ct.nrrd";
-constexpr const char* kLabelFile = "labels.seg.nrrd";
-constexpr const char* kPlainLabelFile = "labels.nrrd";
-constexpr const char* kManifestFile = "case.json";
-constexpr const char* kSnapFile = "labels.label.txt";
 
 std::string text(const std::array<int, 3>& size) {
   return std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" + std::to_string(size[2]);
@@ -71,6 +66,28 @@ Result<LabelReadResult> readLabels(const fs::path& folder, std::vector<std::stri
   return read;
 }
 
+}  // namespace
+
+Result<void> writeCaseFiles(const PatientCase& patient, const CaseManifest& manifest, const fs::path& folder,
+                            const fs::path& sameCt, const Progress& progress) {
+  const auto& ct = patient.ct;
+  const auto& labels = patient.labels;
+  std::error_code error;
+  if (!sameCt.empty()) fs::create_hard_link(sameCt, folder / kCtFile, error);
+  if (sameCt.empty() || error)
+    if (auto ok = writeNrrd(folder / kCtFile, ct.geometry, "short", std::as_bytes(std::span(ct.voxels)), {}, progress);
+        !ok)
+      return ok;
+  if (auto ok = writeNrrd(folder / kLabelFile, labels.geometry, "unsigned char",
+                          std::as_bytes(std::span(labels.voxels)), slicerFields(labels, patient.colours), progress);
+      !ok)
+    return ok;
+  if (auto ok = writeAtomically(folder / kSnapFile, itkSnapLabelText(labels, patient.colours)); !ok) return ok;
+  if (auto ok = writeAtomically(folder / kManifestFile, manifestToJson(manifest)); !ok) return ok;
+  if (!report(progress, "Writing the case", 1)) return fail(std::string(kCancelled));
+  return {};
+}
+
 Result<CaseManifest> readManifest(const fs::path& file, std::vector<std::string>& notes) {
   std::error_code error;
   if (!fs::exists(file, error)) {
@@ -86,24 +103,6 @@ Result<CaseManifest> readManifest(const fs::path& file, std::vector<std::string>
   if (!manifest) return fail(file.parent_path().string() + ": " + manifest.error().message);
   return manifest;
 }
-
-Result<void> writeFiles(const PatientCase& patient, const fs::path& folder, const Progress& progress) {
-  const auto& ct = patient.ct;
-  const auto& labels = patient.labels;
-  if (auto ok = writeNrrd(folder / kCtFile, ct.geometry, "short", std::as_bytes(std::span(ct.voxels)), {}, progress);
-      !ok)
-    return ok;
-  if (auto ok = writeNrrd(folder / kLabelFile, labels.geometry, "unsigned char",
-                          std::as_bytes(std::span(labels.voxels)), slicerFields(labels, patient.colours), progress);
-      !ok)
-    return ok;
-  if (auto ok = writeAtomically(folder / kSnapFile, itkSnapLabelText(labels, patient.colours)); !ok) return ok;
-  if (auto ok = writeAtomically(folder / kManifestFile, manifestToJson(patient.manifest)); !ok) return ok;
-  if (!report(progress, "Writing the case", 1)) return fail(std::string(kCancelled));
-  return {};
-}
-
-}  // namespace
 
 LabelColour colourOf(const LabelColours& colours, std::uint8_t label) {
   constexpr LabelColour kUnknown{128, 128, 128};
@@ -166,14 +165,20 @@ bool isCaseFile(const fs::path& folder, const fs::path& file) {
   return false;
 }
 
-Result<void> writeCase(const PatientCase& patient, const fs::path& folder, const Progress& progress) {
+Result<void> checkVolumes(const PatientCase& patient) {
   for (const VolumeGeometry& g : {patient.ct.geometry, patient.labels.geometry})
     if (auto ok = validate(g); !ok) return ok;
   if (!sameGrid(patient.ct.geometry, patient.labels.geometry))
     return fail("The CT and the labels are on different grids: " +
                 differenceOf(patient.ct.geometry, patient.labels.geometry) + ". Nothing was written.");
-  return writeFolderAtomically(folder, [&](const fs::path& beside) { return writeFiles(patient, beside, progress); },
-                               {kPlainLabelFile});
+  return {};
+}
+
+Result<void> writeCase(const PatientCase& patient, const fs::path& folder, const Progress& progress) {
+  if (auto ok = checkVolumes(patient); !ok) return ok;
+  return writeFolderAtomically(
+      folder, [&](const fs::path& beside) { return writeCaseFiles(patient, patient.manifest, beside, {}, progress); },
+      {kPlainLabelFile});
 }
 
 }  // namespace insonate

@@ -103,16 +103,17 @@ std::optional<StartPose> onFront(const PatientBody& body, const VolumeGeometry& 
 
 }  // namespace
 
+Result<StartPose> poseOver(const CaseView& patient, const Target& target) {
+  if (auto pose = overTarget(PatientBody(patient), target, diagonal_mm(patient.ct.geometry))) return *pose;
+  return fail("No skin was found in front of the target \"" + target.name +
+              "\" within the volume. Correct its position or give a start pose in case.json.");
+}
+
 Result<StartPose> proposeStartPose(const CaseView& patient) {
   if (patient.labels.geometry.size != patient.ct.geometry.size)
     return fail("The CT and the labels are on different grids; there is no telling where the skin is.");
+  if (!patient.manifest.targets.empty()) return poseOver(patient, patient.manifest.targets.front());
   const PatientBody body(patient);
-  if (!patient.manifest.targets.empty()) {
-    const Target& target = patient.manifest.targets.front();
-    if (auto pose = overTarget(body, target, diagonal_mm(patient.ct.geometry))) return *pose;
-    return fail("No skin was found in front of the target \"" + target.name +
-                "\" within the volume. Correct its position or give a start pose in case.json.");
-  }
   if (auto pose = onFront(body, patient.ct.geometry)) return *pose;
   return fail("No skin was found at the front of the volume's middle. Give a start pose in case.json.");
 }

@@ -111,6 +111,38 @@ const Defect kDefects[] = {
      [](PatientCase& p) {
        p.manifest.startPoses[0].position_mm = {0, -90, 0};
      }},
+    {"vein_short", Severity::kWarning,
+     [](PatientCase& p) {
+       fillVein(p, 0, 27, kMuscle);
+       fillVein(p, 34, 61, kMuscle);
+     }},
+    {"no_wall", Severity::kWarning,
+     [](PatientCase& p) {
+       for (int k = 20; k < 40; ++k)
+         for (int j = 38; j < 42; ++j)
+           for (int i = 36; i < 42; ++i)
+             if (p.labels.at(i, j, k) == kMuscle) p.labels.at(i, j, k) = kArtery;
+     }},
+    {"label_outside", Severity::kWarning,
+     [](PatientCase& p) {
+       for (int i = 0; i < 30; ++i) p.labels.at(i, 2, 30) = kMuscle;
+     }},
+    {"islands", Severity::kInfo,
+     [](PatientCase& p) {
+       for (int i = 40; i < 80; i += 2)
+         for (int k = 2; k < 60; k += 4) p.labels.at(i, 90, k) = kThyroid;
+     }},
+    {"landmarks_missing", Severity::kInfo, [](PatientCase& p) { p.manifest.landmarks.pop_back(); }},
+    {"landmark_outside", Severity::kWarning,
+     [](PatientCase& p) {
+       p.manifest.landmarks[1].position_mm = {0, 0, 300};
+     }},
+    {"landmark_off_skin", Severity::kWarning,
+     [](PatientCase& p) {
+       p.manifest.landmarks[0].position_mm = {0, 0, 0};
+     }},
+    {"difficulty_ungraded", Severity::kInfo, [](PatientCase& p) { p.manifest.difficulty.clear(); }},
+    {"difficulty_differs", Severity::kInfo, [](PatientCase& p) { p.manifest.difficulty = "hard"; }},
     {"spacing_coarse", Severity::kWarning,
      [](PatientCase& p) { p.ct.geometry.spacing_mm.z = p.labels.geometry.spacing_mm.z = 4.25; }},
     {"spacing_coarse", Severity::kError,
@@ -134,6 +166,15 @@ TEST(CaseCheck, FindingsSayWhereTheyAre) {
   EXPECT_EQ(placeOf("target_label"), (Vec3{1, 2, 3}));
   EXPECT_EQ(placeOf("background_inside"), (Vec3{0, -30, -10}));
   EXPECT_EQ(placeOf("unknown_label"), (Vec3{1, -29, -9}));
+}
+
+TEST(CaseCheck, FindingsNameTheirStructure) {
+  PatientCase patient = test::cylinderNeck();
+  fillVein(patient, 10, 14, kMuscle);
+  for (const Finding& finding : findingsOf(patient)) {
+    EXPECT_EQ(finding.code, "vein_broken");
+    EXPECT_EQ(finding.label, kVein);
+  }
 }
 
 TEST(CaseCheck, OneSliceIsTooThin) {

@@ -60,7 +60,7 @@ inline PatientCase cylinderNeck() {
     std::int16_t hu;
   };
   const Rod rods[] = {{0, 0, 50, kSkin, 20},       {0, 0, 48, kMuscle, 55},    {0, 25, 12, kBone, 600},
-                      {0, -25, 8, kAirway, -1000}, {-22, -20, 4, kArtery, 45}, {-30, -22, 7, kVein, 45}};
+                      {0, -25, 8, kAirway, -1000}, {-16, -20, 4, kArtery, 45}, {-30, -22, 7, kVein, 45}};
   for (int k = 0; k < 61; ++k)
     for (int j = 0; j < 121; ++j)
       for (int i = 0; i < 121; ++i)
@@ -71,6 +71,10 @@ inline PatientCase cylinderNeck() {
           }
   patient.manifest.targets = {{"right internal jugular vein", kVein, {-30, -22, 0}}};
   patient.manifest.startPoses = {{"front", {0, -50, 0}, {0, 1, 0}, {1, 0, 0}}};
+  patient.manifest.difficulty = "easy";
+  patient.manifest.landmarks = {{"puncture_site", "puncture site", {-30, -40, 0}},
+                                {"cricoid", "cricoid", {0, -34, 0}},
+                                {"clavicle_right", "clavicle", {-20, -30, -29}}};
   return patient;
 }
 

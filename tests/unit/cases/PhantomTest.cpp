@@ -305,6 +305,22 @@ TEST(Phantom, AnotherSeedIsAnotherNeck) {
       kVein);
 }
 
+TEST(Phantom, LandmarksLieInWhatTheyName) {
+  for (const char* variant : {"textbook", "head-turned", "subclavian"}) {
+    SCOPED_TRACE(variant);
+    const PatientCase& p = phantom(variant);
+    std::map<std::string, int> count;
+    for (const Landmark& mark : p.manifest.landmarks) {
+      ++count[mark.code];
+      if (mark.code == "puncture_site") continue;
+      EXPECT_EQ(labelAt(p, mark.position_mm), mark.code == "cricoid" ? kCartilage : kBone) << mark.code;
+    }
+    EXPECT_EQ(count["cricoid"], 1);
+    EXPECT_EQ(count["clavicle_right"] + count["clavicle_left"], 2);
+    EXPECT_EQ(count["puncture_site"], int(p.manifest.targets.size()));
+  }
+}
+
 TEST(Phantom, UnknownVariantIsRefusedWithTheList) {
   const auto none = makePhantom("no-such-neck", 1);
   ASSERT_FALSE(none);

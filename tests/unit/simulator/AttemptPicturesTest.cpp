@@ -2,6 +2,7 @@
 #include "support/TestData.h"
 #include "unit/simulator/LiveProbe.h"
 
+#include <insonate/cases/CaseVersions.h>
 #include <insonate/procedure/AttemptRecorder.h>
 #include <insonate/simulator/AttemptOrigin.h>
 #include <insonate/simulator/AttemptPictures.h>
@@ -139,7 +140,7 @@ TEST_F(AttemptPicturesTest, ArePicturesOfTheCase) {
   AttemptSettings settings;
   settings.setup = {*loadProbe("linear"), settingsFor(*loadProbe("linear")), *loadAcousticTable("neck"), "cpu"};
   const Transform pose = *patientFromProbe({1, -0.6, 0}, {0, 1, 0}, {1, 0, 0});
-  AttemptHeader header{.caseHash = caseHashOf(*patient), .settings = textOf(settings)};
+  AttemptHeader header{.caseHash = voxelHashOf(*patient), .settings = textOf(settings)};
   auto recorder = AttemptRecorder::start(folder / "still", header);
   (*recorder)->put(AttemptSample{.time_us = 1000, .patientFromProbe = pose, .pictureDepth_mm = 40});
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
@@ -173,7 +174,7 @@ TEST_F(AttemptPicturesTest, LiveOnesAreNear) {
   ASSERT_GT(seen->press.force_N, 0.1);
 
   auto recorder =
-      AttemptRecorder::start(folder / "live", {.caseHash = caseHashOf(*wide), .settings = textOf(settings)});
+      AttemptRecorder::start(folder / "live", {.caseHash = voxelHashOf(*wide), .settings = textOf(settings)});
   (*recorder)->put(AttemptSample{.time_us = 1000, .patientFromProbe = seen->patientFromProbe, .pictureDepth_mm = 25});
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
   const Frame again = *open("live", wide).at(1000);
@@ -211,7 +212,7 @@ TEST_F(AttemptPicturesTest, AreRefusedWithASentence) {
   other->labels.at(0, 10, 0) = kFat;
   EXPECT_THAT(AttemptPictures::make(recording, other).error().message,
               HasSubstr("was made on another case, 'Small block'"));
-  auto recorder = AttemptRecorder::start(folder / "unset", {.caseHash = caseHashOf(*patient)});
+  auto recorder = AttemptRecorder::start(folder / "unset", {.caseHash = voxelHashOf(*patient)});
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
   const auto unset = std::make_shared<const AttemptRecording>(*AttemptRecording::open(folder / "unset"));
   EXPECT_THAT(AttemptPictures::make(unset, patient).error().message, HasSubstr("does not say how the picture was set"));

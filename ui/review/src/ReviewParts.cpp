@@ -12,6 +12,7 @@
 #include "result/ReportPaint.h"
 #include "result/ResultPage.h"
 
+#include <insonate/cases/CaseVersions.h>
 #include <insonate/ui/Attempts.h>
 #include <insonate/ui/KnownCases.h>
 #include <insonate/ui/ScenePanel.h>
@@ -270,6 +271,15 @@ void ReviewWorkspace::Parts::showAttempt() {
       this, [this] { findCase(); }, Qt::QueuedConnection);
 }
 
+/// Where the version of its case that an attempt was made on is kept, a sentence; none: it is not.
+QStringList ReviewWorkspace::Parts::keptVersion(const AttemptHeader& header) {
+  const auto place = ui::placeOfCase(QString::fromStdString(header.caseName));
+  const auto kept = place ? findVersion(place->toStdString(), header.caseHash) : std::nullopt;
+  if (!kept) return {};
+  return {tr("The version that it was made on is kept: open %1 (Ctrl+O) for its pictures.")
+              .arg(QString::fromStdString(kept->string()))};
+}
+
 /// Among the built-in and the recent ones, by its title.
 void ReviewWorkspace::Parts::findCase() {
   if (!session.attempt() || (session.fit() != CaseFit::Missing && session.fit() != CaseFit::Other)) return;
@@ -286,6 +296,8 @@ void ReviewWorkspace::Parts::showNotice() {
     for (const std::string& trouble : session.attempt()->troubles) lines << QString::fromStdString(trouble);
   if (session.attempt() && (session.fit() == CaseFit::Other || session.fit() == CaseFit::Changed))
     lines.prepend(session.message());
+  if (session.attempt() && session.fit() == CaseFit::Changed)
+    lines << keptVersion(session.attempt()->recording->header());
   if (session.attempt() && judging->isOther()) lines.prepend(judging->words());
   notice_->setText(lines.join(QLatin1Char('\n')));
   notice_->setVisible(!lines.isEmpty());

@@ -5,6 +5,8 @@
 #include <insonate/review/ReviewWorkspace.h>
 #include <insonate/views/UltrasoundView.h>
 
+#include <QStringList>
+
 class QKeyEvent;
 class QLabel;
 class QSplitter;
@@ -61,6 +63,7 @@ class ReviewWorkspace::Parts : public QObject {
   void connectParts();
   void showAttempt();
   void showNotice();
+  static QStringList keptVersion(const AttemptHeader& header);
   QString pictureWords() const;
   void showPicture();
   void findCase();

@@ -1,5 +1,6 @@
 #include "ReviewSession.h"
 
+#include <insonate/cases/CaseVersions.h>
 #include <insonate/simulator/AttemptOrigin.h>
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/TaskBar.h>
@@ -92,7 +93,7 @@ void ReviewSession::match() {
     if (before == CaseFit::Looking) return;
     QPointer<ReviewSession> self(this);
     (void)QtConcurrent::run([self, patient = patient_] {
-      const QString hash = QString::fromStdString(caseHashOf(*patient));
+      const QString hash = QString::fromStdString(voxelHashOf(*patient));
       QMetaObject::invokeMethod(qApp, [self, patient, hash] {
         if (self) self->hashed(patient, hash);
       });

@@ -37,8 +37,13 @@ Result<std::vector<Finding>> checkCase(const CaseView& patient, const Progress& 
   if (cancelled(0.7)) return stop();
   for (const std::uint8_t vessel : {kVein, kArtery})
     if (statistics.has(vessel)) checkVessel(patient, vessel, findings);
+  if (statistics.has(kVein) && statistics.has(kArtery)) checkWall(patient, findings);
+  if (cancelled(0.8)) return stop();
+  checkIslands(patient, findings);
   if (cancelled(0.9)) return stop();
   checkPlaces(patient, findings);
+  checkLandmarks(patient, findings);
+  checkDifficulty(patient, findings);
   if (cancelled(1)) return stop();
   std::ranges::stable_sort(findings, {}, &Finding::severity);
   return findings;

@@ -86,12 +86,15 @@ void checkHu(const LabelStatistics& s, int label, Findings& findings) {
   const double total = static_cast<double>(s.voxels[label]);
   const double outside = 1 - static_cast<double>(countIn(s.histogram[label], *range)) / total;
   if (outside <= 0.25) return;
-  findings.push_back({outside > 0.75 ? Severity::kError : Severity::kWarning, "hu_implausible",
+  findings.push_back({outside > 0.75 ? Severity::kError : Severity::kWarning,
+                      "hu_implausible",
                       percent(outside) + " of the voxels labelled " + labelName(label) +
                           " have Hounsfield units that " + labelName(label) + " cannot have (median " +
                           std::to_string(medianHu(s.histogram[label], s.voxels[label])) + ", expected " +
                           std::to_string(range->low) + " to " + std::to_string(range->high) +
-                          "). The label or its place is wrong."});
+                          "). The label or its place is wrong.",
+                      {},
+                      static_cast<std::uint8_t>(label)});
 }
 
 }  // namespace
@@ -139,7 +142,7 @@ void checkLabels(const CaseView& patient, const LabelStatistics& s, Findings& fi
                           std::to_string(s.voxels[label]) + " voxels have the label " + std::to_string(label) +
                               ", which means nothing here (0 to " + std::to_string(kLabelCount - 1) +
                               " do). Renumber or erase them.",
-                          firstOf(label)});
+                          firstOf(label), static_cast<std::uint8_t>(label)});
     checkHu(s, label, findings);
     if (label != kAirway && label != kSkin && label != kOesophagus) inAir += s.inAir[label];
   }

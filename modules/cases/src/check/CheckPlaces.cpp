@@ -9,13 +9,6 @@
 namespace insonate::check {
 namespace {
 
-bool inVolume(const VolumeGeometry& g, Vec3 p_mm) {
-  const Vec3 index = g.indexFromPatient() * p_mm;
-  for (int a = 0; a < 3; ++a)
-    if (!(index[a] >= -0.5 && index[a] <= g.size[a] - 0.5)) return false;
-  return true;
-}
-
 void checkTarget(const CaseView& patient, const Target& target, Findings& findings) {
   const VolumeGeometry& g = patient.labels.geometry;
   const std::string what = "The target \"" + target.name + "\" at " + placeText(target.position_mm);
@@ -29,7 +22,7 @@ void checkTarget(const CaseView& patient, const Target& target, Findings& findin
     findings.push_back({Severity::kError, "target_label",
                         what + " should be in " + labelName(target.label) + ", but the label there is " +
                             labelName(label) + ". Correct its position or the label map.",
-                        target.position_mm});
+                        target.position_mm, target.label});
 }
 
 void checkPose(const CaseView& patient, const StartPose& pose, bool labelled, Findings& findings) {
@@ -52,6 +45,13 @@ void checkPose(const CaseView& patient, const StartPose& pose, bool labelled, Fi
 }
 
 }  // namespace
+
+bool inVolume(const VolumeGeometry& g, Vec3 p_mm) {
+  const Vec3 index = g.indexFromPatient() * p_mm;
+  for (int a = 0; a < 3; ++a)
+    if (!(index[a] >= -0.5 && index[a] <= g.size[a] - 0.5)) return false;
+  return true;
+}
 
 std::string placeText(Vec3 p) {
   std::array<char, 96> text;

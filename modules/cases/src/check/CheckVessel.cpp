@@ -4,6 +4,7 @@
 #include <insonate/tissue/Labels.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace insonate::check {
 namespace {
@@ -44,7 +45,46 @@ bool isGap(const Part& lower, const Part& upper) {
   return upper.low > lower.high && norm(upper.lowEnd_mm - lower.highEnd_mm) < kLongest_mm;
 }
 
+/// What is to be punctured is followed up and down with the probe.
+void checkPieceOf(const CaseView& patient, const Target& target, Findings& findings) {
+  constexpr double kLeast_mm = 20;
+  const VolumeGeometry& g = patient.labels.geometry;
+  if (sampleNearest(patient.labels, g.indexFromPatient() * target.position_mm) != target.label) return;
+  const double long_mm = pieceLength_mm(patient.labels, g.indexFromPatient() * target.position_mm);
+  if (long_mm >= kLeast_mm) return;
+  findings.push_back({Severity::kWarning, labelName(target.label) + "_short",
+                      "The piece of " + labelName(target.label) + " that holds the target \"" + target.name +
+                          "\" is only " + std::to_string(std::lround(long_mm)) +
+                          " mm long; it cannot be followed with the probe. Join it to the rest of the vessel.",
+                      target.position_mm, target.label});
+}
+
 }  // namespace
+
+void checkWall(const CaseView& patient, Findings& findings) {
+  constexpr std::size_t kFew = 10;
+  const LabelMap& labels = patient.labels;
+  const VolumeGeometry& g = labels.geometry;
+  std::size_t faces = 0, first = 0;
+  const std::array<std::size_t, 3> step{1, std::size_t(g.size[0]), std::size_t(g.size[0]) * std::size_t(g.size[1])};
+  for (int k = 0; k < g.size[2]; ++k)
+    for (int j = 0; j < g.size[1]; ++j)
+      for (int i = 0; i < g.size[0]; ++i) {
+        const std::size_t v = g.offset(i, j, k);
+        const std::uint8_t label = labels.voxels[v];
+        if (label != kVein && label != kArtery) continue;
+        const std::uint8_t other = label == kVein ? kArtery : kVein;
+        const std::array<bool, 3> more{i + 1 < g.size[0], j + 1 < g.size[1], k + 1 < g.size[2]};
+        for (std::size_t a = 0; a < 3; ++a)
+          if (more[a] && labels.voxels[v + step[a]] == other && faces++ == 0) first = v;
+      }
+  if (faces < kFew) return;
+  findings.push_back({Severity::kWarning, "no_wall",
+                      "Vein and artery touch over " + std::to_string(faces) + " faces of voxels, first at " +
+                          placeText(placeOf(g, first)) +
+                          ": there is no wall between them to see or to feel. Leave a voxel of soft tissue between.",
+                      placeOf(g, first), kVein});
+}
 
 void checkVessel(const CaseView& patient, std::uint8_t label, Findings& findings) {
   constexpr double kCrumb_mm3 = 30;  // less than 5 mm of a vessel 3 mm wide
@@ -65,17 +105,22 @@ void checkVessel(const CaseView& patient, std::uint8_t label, Findings& findings
         findings.push_back({Severity::kWarning, name + "_broken",
                             "The " + name + " ends at " + placeText(lower.highEnd_mm) + " and goes on at " +
                                 placeText(upper.lowEnd_mm) + ". Join the pieces, or it will end in the picture.",
-                            lower.highEnd_mm});
+                            lower.highEnd_mm, label});
   if (crumbs > 0)
     findings.push_back({Severity::kWarning, name + "_fragments",
                         "The " + name + " has " + std::to_string(crumbs) +
                             " crumbs apart from the vessels. Erase them, or they will be punctured by mistake.",
-                        firstCrumb_mm});
+                        firstCrumb_mm, label});
   const double solid = solidShare(patient.labels, label);
   if (solid < 0.5)
-    findings.push_back({Severity::kWarning, name + "_thin",
+    findings.push_back({Severity::kWarning,
+                        name + "_thin",
                         "Most of the " + name +
-                            " is only one voxel thin; it has no lumen to show or to hit. Label it on a finer grid."});
+                            " is only one voxel thin; it has no lumen to show or to hit. Label it on a finer grid.",
+                        {},
+                        label});
+  for (const Target& target : patient.manifest.targets)
+    if (target.label == label) checkPieceOf(patient, target, findings);
 }
 
 }  // namespace insonate::check

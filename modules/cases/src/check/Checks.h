@@ -39,9 +39,19 @@ void checkGrid(const CaseView& patient, const LabelStatistics& statistics, Findi
 void checkLabels(const CaseView& patient, const LabelStatistics& statistics, Findings& findings);
 /// Closed skin, background inside the body, body cut by the volume's sides.
 void checkBody(const CaseView& patient, Findings& findings);
-/// Vein and artery: fragments, thinness.
+/// Vein and artery: fragments, thinness, and whether what is to be punctured can be followed.
 void checkVessel(const CaseView& patient, std::uint8_t label, Findings& findings);
+/// Vein and artery that touch each other.
+void checkWall(const CaseView& patient, Findings& findings);
+/// What is labelled outside the body, and crumbs.
+void checkIslands(const CaseView& patient, Findings& findings);
 /// Targets and start poses.
 void checkPlaces(const CaseView& patient, Findings& findings);
+/// Landmarks: which are missing, and whether they can be where they are.
+void checkLandmarks(const CaseView& patient, Findings& findings);
+/// No grade, or one that the labels contradict.
+void checkDifficulty(const CaseView& patient, Findings& findings);
+
+bool inVolume(const VolumeGeometry& geometry, Vec3 patient_mm);
 
 }  // namespace insonate::check

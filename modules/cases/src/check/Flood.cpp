@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 
 namespace insonate::check {
@@ -92,6 +93,20 @@ std::vector<std::uint8_t> floodFromSides(const LabelMap& labels, std::uint8_t la
   }
   flood.growByFaces();
   return std::move(flood.visited);
+}
+
+double pieceLength_mm(const LabelMap& labels, Vec3 index) {
+  const VolumeGeometry& g = labels.geometry;
+  const Index at{int(std::lround(index.x)), int(std::lround(index.y)), int(std::lround(index.z))};
+  if (!g.contains(at[0], at[1], at[2])) return 0;
+  Flood flood(labels, labels.at(at[0], at[1], at[2]));
+  flood.seed(at);
+  Vec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
+  for (const Index& p : flood.growByCorners())
+    for (int a = 0; a < 3; ++a) low[a] = std::min(low[a], double(p[a])), high[a] = std::max(high[a], double(p[a]));
+  double longest_mm = 0;
+  for (int a = 0; a < 3; ++a) longest_mm = std::max(longest_mm, (high[a] - low[a] + 1) * g.spacing_mm[a]);
+  return longest_mm;
 }
 
 std::vector<Part> partsOf(const LabelMap& labels, std::uint8_t label, int axis) {

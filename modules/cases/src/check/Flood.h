@@ -20,4 +20,7 @@ struct Part {
 /// All parts of a label, largest first.
 std::vector<Part> partsOf(const LabelMap& labels, std::uint8_t label, int axis);
 
+/// Longest side of the box around what hangs together with a voxel (continuous index) of its label; 0 outside the grid.
+double pieceLength_mm(const LabelMap& labels, Vec3 index);
+
 }  // namespace insonate::check

@@ -42,6 +42,18 @@ json toJson(const StartPose& pose) {
           {"lateral", toJson(pose.lateral)}};
 }
 
+json toJson(const Landmark& landmark) {
+  return {{"code", landmark.code}, {"name", landmark.name}, {"position_mm", toJson(landmark.position_mm)}};
+}
+
+json toJson(const CaseVersion& version) {
+  return {{"number", version.number},
+          {"content", version.content},
+          {"voxels", version.voxels},
+          {"date", version.date},
+          {"author", version.author}};
+}
+
 /// Thrown within this file only: where in the document, and what is expected there.
 struct Wrong {
   std::string where, expected;
@@ -114,6 +126,19 @@ StartPose poseFrom(const json& object, const std::string& where, std::vector<std
   return pose;
 }
 
+CaseVersion versionFrom(const json& document) {
+  if (!document.contains("version")) return {};
+  const json& object = document["version"];
+  if (!object.is_object()) throw Wrong{"version", "an object"};
+  CaseVersion version;
+  if (!object.contains("number") || !object["number"].is_number_integer() || object["number"] < 0)
+    throw Wrong{"version.number", "a whole number from 0"};
+  version.number = object["number"];
+  version.content = textAt(object, "content", "version."), version.voxels = textAt(object, "voxels", "version.");
+  version.date = textAt(object, "date", "version."), version.author = textAt(object, "author", "version.");
+  return version;
+}
+
 std::vector<std::string> textsAt(const json& object, const char* key) {
   std::vector<std::string> texts;
   if (!object.contains(key)) return texts;
@@ -155,10 +180,15 @@ CaseManifest manifestFrom(const json& document, std::vector<std::string>& notes)
   forEach(document, "targets", [&](const json& o, const std::string& w) { m.targets.push_back(targetFrom(o, w)); });
   forEach(document, "start_poses",
           [&](const json& o, const std::string& w) { m.startPoses.push_back(poseFrom(o, w, notes)); });
+  forEach(document, "landmarks", [&](const json& o, const std::string& w) {
+    m.landmarks.push_back({textAt(o, "code", w), textAt(o, "name", w), vectorAt(o, "position_mm", w)});
+  });
+  m.version = versionFrom(document);
   forEach(document, "structures",
           [&](const json& o, const std::string& w) { m.shown[labelAt(o, w)] = shownFrom(o, w); });
-  constexpr std::array<std::string_view, 9> kFields{"schema_version", "title",   "description", "difficulty", "source",
-                                                    "import_notes",   "targets", "start_poses", "structures"};
+  constexpr std::array<std::string_view, 11> kFields{"version",    "schema_version", "title",     "description",
+                                                     "difficulty", "source",         "landmarks", "import_notes",
+                                                     "targets",    "start_poses",    "structures"};
   for (const auto& [key, value] : document.items())
     if (std::ranges::find(kFields, key) == kFields.end())
       notes.push_back("case.json has a field \"" + key + "\" that is not known here; it was ignored.");
@@ -168,9 +198,10 @@ CaseManifest manifestFrom(const json& document, std::vector<std::string>& notes)
 }  // namespace
 
 std::string manifestToJson(const CaseManifest& m) {
-  json targets = json::array(), poses = json::array();
+  json targets = json::array(), poses = json::array(), landmarks = json::array();
   for (const Target& t : m.targets) targets.push_back(toJson(t));
   for (const StartPose& p : m.startPoses) poses.push_back(toJson(p));
+  for (const Landmark& l : m.landmarks) landmarks.push_back(toJson(l));
   const json document{{"schema_version", CaseManifest::kSchemaVersion},
                       {"title", m.title},
                       {"description", m.description},
@@ -179,6 +210,8 @@ std::string manifestToJson(const CaseManifest& m) {
                       {"import_notes", m.importNotes},
                       {"targets", targets},
                       {"start_poses", poses},
+                      {"landmarks", landmarks},
+                      {"version", toJson(m.version)},
                       {"structures", toJson(m.shown)}};
   // Text from anywhere may not be UTF-8; writing must not throw for it.
   return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";

@@ -100,10 +100,8 @@ std::optional<Vec3> centreOf(const Numbers& numbers, const TargetPlan& target) {
 
 /// A transverse pose over each target, and the same turned along the body with the feet to the marker's side.
 void addStartPoses(PatientCase& patient, std::vector<std::string>& notes) {
-  const std::vector<Target> targets = patient.manifest.targets;
-  for (const Target& target : targets) {
-    patient.manifest.targets = {target};
-    const auto pose = proposeStartPose(patient);
+  for (const Target& target : patient.manifest.targets) {
+    const auto pose = poseOver(patient, target);
     if (!pose) {
       notes.push_back("No start pose over the " + target.name + ": " + pose.error().message);
       continue;
@@ -116,7 +114,6 @@ void addStartPoses(PatientCase& patient, std::vector<std::string>& notes) {
     patient.manifest.startPoses.push_back(transverse);
     patient.manifest.startPoses.push_back(longitudinal);
   }
-  patient.manifest.targets = targets;
 }
 
 }  // namespace

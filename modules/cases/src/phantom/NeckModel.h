@@ -23,10 +23,10 @@ class NeckModel {
   Vec3 jugularCentre_mm(Side side, double z_mm) const;
   /// Centre of an axillary vein as far from the midline, patient mm.
   Vec3 axillaryCentre_mm(Side side, double lateral_mm) const;
+  Vec3 patientFromModel(Vec3 model_mm) const;
 
  private:
   Vec3 modelFromPatient(Vec3 patient_mm) const;
-  Vec3 patientFromModel(Vec3 model_mm) const;
   /// Turn of the head at a level, radians.
   double twist(double z_mm) const;
 

@@ -63,6 +63,7 @@ Result<PatientCase> makePhantom(std::string_view variant, std::uint32_t seed, co
   const bool chest = model->parameters.chest;
   patient.manifest.targets = chest ? axillaryTargets(neck) : jugularTargets(neck);
   patient.manifest.startPoses = chest ? axillaryStartPoses(neck) : jugularStartPoses(neck);
+  patient.manifest.landmarks = landmarks(neck, patient.manifest.startPoses);
   patient.ct = std::move(*ct);
   patient.labels = std::move(*labels);
   return patient;

@@ -1,5 +1,7 @@
 #include "Poses.h"
 
+#include <insonate/cases/Landmarks.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -89,6 +91,21 @@ std::vector<StartPose> jugularStartPoses(const NeckModel& neck) {
     poses.push_back({neckSide + ", longitudinal", skin, axial, orthogonalTo(axial, towardFeet)});
   }
   return poses;
+}
+
+std::vector<Landmark> landmarks(const NeckModel& neck, const std::vector<StartPose>& poses) {
+  constexpr double kArch_mm = -6;  // middle of the cricoid's arch, whose front is half an airway and a shell away
+  const auto mark = [&](const char* code, Vec3 model_mm) {
+    return Landmark{code, std::string(landmarkKind(code)->name), neck.patientFromModel(model_mm)};
+  };
+  std::vector<Landmark> marks{mark("cricoid", {0, airwayCentre_mm(kArch_mm) - 10.4, kArch_mm}),
+                              mark("sternal_notch", {0, -2, -54}),
+                              mark("clavicle_right", {patientX(Side::kRight, 22), 3.5, -50}),
+                              mark("clavicle_left", {patientX(Side::kLeft, 22), 3.5, -51.5})};
+  for (const StartPose& pose : poses)
+    if (const auto comma = pose.name.rfind(", transverse"); comma != std::string::npos)
+      marks.push_back({"puncture_site", "puncture site, " + pose.name.substr(0, comma), pose.position_mm});
+  return marks;
 }
 
 }  // namespace insonate::phantom

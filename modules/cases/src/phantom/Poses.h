@@ -19,4 +19,7 @@ std::vector<Target> axillaryTargets(const NeckModel& neck);
 /// Across the vein, the marker toward the head, and along it, the marker toward the heart.
 std::vector<StartPose> axillaryStartPoses(const NeckModel& neck);
 
+/// Cricoid, sternal notch, both clavicles, and a puncture site for each pose that looks across a vein.
+std::vector<Landmark> landmarks(const NeckModel& neck, const std::vector<StartPose>& poses);
+
 }  // namespace insonate::phantom

@@ -1,4 +1,3 @@
-#include <insonate/core/Fingerprint.h>
 #include <insonate/simulator/AttemptOrigin.h>
 #include <insonate/simulator/ServoRecord.h>
 
@@ -18,14 +17,6 @@ std::string now() {
 }
 
 }  // namespace
-
-std::string caseHashOf(const PatientCase& patient) {
-  Fingerprint fingerprint;
-  for (const int size : patient.labels.geometry.size) fingerprint.add(static_cast<std::uint64_t>(size));
-  for (const auto label : patient.labels.voxels) fingerprint.add(std::uint64_t{label});
-  for (const auto hu : patient.ct.voxels) fingerprint.add(std::uint64_t{static_cast<std::uint16_t>(hu)});
-  return fingerprint.text();
-}
 
 AttemptHeader headerOf(const Procedure& procedure, const PatientCase& patient, const Probe& probe,
                        std::string_view software) {

@@ -1,6 +1,7 @@
 #include "live/ScenesAhead.h"
 #include "session/MomentImaging.h"
 
+#include <insonate/cases/CaseVersions.h>
 #include <insonate/simulator/AttemptOrigin.h>
 #include <insonate/simulator/AttemptPictures.h>
 
@@ -92,7 +93,7 @@ Result<AttemptPictures> AttemptPictures::make(std::shared_ptr<const AttemptRecor
   const AttemptHeader& header = recording->header();
   if (header.settings.empty())
     return fail("The recording does not say how the picture was set; its pictures cannot be made again.");
-  if (header.caseHash != caseHashOf(*patient))
+  if (header.caseHash != voxelHashOf(*patient))
     return fail("The recording was made on another case, '" + header.caseName + "', than '" + patient->manifest.title +
                 "', or that one was changed since; open the case as it was.");
   auto source = makeSceneSource(*patient);

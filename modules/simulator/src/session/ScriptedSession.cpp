@@ -1,5 +1,6 @@
 #include "session/MomentImaging.h"
 
+#include <insonate/cases/CaseVersions.h>
 #include <insonate/haptics/SimulatedHand.h>
 #include <insonate/simulator/AttemptOrigin.h>
 #include <insonate/simulator/AttemptSettings.h>
@@ -222,7 +223,7 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
   auto veins = centreLines(patient.labels, kVein, progress);
   if (!veins) return tl::unexpected(veins.error());
   AttemptHeader header = headerOf(*procedure, patient, settings->setup.probe, software);
-  header.caseHash = caseHashOf(patient);
+  header.caseHash = voxelHashOf(patient);
   header.engine = settings->setup.engine;
   header.settings = textOf(*settings);
   auto source = makeSceneSource(patient);

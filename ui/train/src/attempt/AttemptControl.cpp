@@ -2,6 +2,7 @@
 
 #include "../TrainSession.h"
 
+#include <insonate/cases/CaseVersions.h>
 #include <insonate/simulator/AttemptOrigin.h>
 #include <insonate/simulator/ProcedureFit.h>
 #include <insonate/ui/Attempts.h>
@@ -100,7 +101,7 @@ void AttemptControl::setObstacle(const QString& why) {
 /// After the first picture, which nothing is to delay.
 void AttemptControl::hashCase() {
   const auto task = std::make_shared<std::packaged_task<std::string()>>(
-      [patient = session_.patient()] { return caseHashOf(*patient); });
+      [patient = session_.patient()] { return voxelHashOf(*patient); });
   hash_ = task->get_future().share();
   QThreadPool::globalInstance()->start([task] { (*task)(); });
 }

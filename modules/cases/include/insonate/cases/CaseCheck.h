@@ -21,6 +21,7 @@ struct Finding {
   std::string code;                ///< stable, for scripts, e.g. "no_vein"
   std::string text;                ///< a sentence: what, where, what to do
   std::optional<Vec3> place_mm{};  ///< patient LPS, where it has one place; may lie outside the volume
+  std::uint8_t label = 0;          ///< the structure it is about; 0 for none
 };
 
 /// Looks for everything that would make training on this case fail or mislead. Volumes must be on one grid.

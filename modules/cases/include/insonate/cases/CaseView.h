@@ -16,8 +16,9 @@ struct CaseView {
 
   CaseView(const PatientCase& patient)
       : CaseView(patient, patient.labels) {}  // a case is seen wherever it is asked for
-  CaseView(const PatientCase& patient, const LabelMap& instead)
-      : manifest(patient.manifest), ct(patient.ct), labels(instead) {}
+  CaseView(const PatientCase& patient, const LabelMap& instead) : CaseView(patient.manifest, patient.ct, instead) {}
+  CaseView(const CaseManifest& about, const CtVolume& volume, const LabelMap& map)
+      : manifest(about), ct(volume), labels(map) {}
 };
 
 /// The volumes of a case for who keeps them: its own, or other labels beside its CT, so that nothing is copied where

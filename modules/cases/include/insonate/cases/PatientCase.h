@@ -28,6 +28,22 @@ struct Target {
   Vec3 position_mm;
 };
 
+/// A place that instructions refer to, e.g. the cricoid. Codes are those of cases/Landmarks.h, others are kept.
+struct Landmark {
+  std::string code;  ///< for programs, e.g. "clavicle_right"; empty for a place of the author's own
+  std::string name;
+  Vec3 position_mm;
+};
+
+/// What a case was when it was saved (see cases/CaseVersions.h).
+struct CaseVersion {
+  int number = 0;       ///< 1 for the first; 0 for a case that has never been saved as a version
+  std::string content;  ///< contentHashOf() the case then
+  std::string voxels;   ///< and voxelHashOf()
+  std::string date;     ///< of the day on which it was saved, e.g. "2026-11-22"
+  std::string author;   ///< may be empty
+};
+
 /// How a structure's surface is shown in three dimensions.
 struct StructureShown {
   double opacity = 1;  ///< 0..1
@@ -41,9 +57,11 @@ struct CaseManifest {
   int schemaVersion = kSchemaVersion;
   std::string title = "Untitled case";
   std::string description;
-  std::string difficulty;  ///< "easy", "moderate", "hard" or empty
+  std::string difficulty;  ///< the author's grade: "easy", "moderate", "hard" or empty (see cases/Difficulty.h)
   std::vector<Target> targets;
-  std::vector<StartPose> startPoses;
+  std::vector<StartPose> startPoses;  ///< the first is where a case begins
+  std::vector<Landmark> landmarks;
+  CaseVersion version;
   std::map<std::uint8_t, StructureShown> shown;  ///< by label, where the author chose it
   std::string source;                    ///< how the case came to be, without anything that identifies a patient
   std::vector<std::string> importNotes;  ///< what was changed or doubtful on the way from the CT, one sentence each

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/core/Result.h>
+
+#include <filesystem>
+#include <string>
+
+namespace insonate {
+
+/// What case.json of a folder says, without its volumes; that of an empty one where there is none. Fails like
+/// readCase().
+Result<CaseManifest> readManifestOf(const std::filesystem::path& folder);
+
+/// Tells states of a case on disk apart without reading volumes: a Fingerprint of case.json and of the sizes and times
+/// of the volumes. What was computed from a case may be kept under it.
+std::string diskStateOf(const std::filesystem::path& folder);
+
+}  // namespace insonate

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/core/Progress.h>
+#include <insonate/core/Result.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// Of what an attempt on this case is computed from, a Fingerprint of sizes, labels and CT; recorded attempts name it.
+/// Some tenths of a second for a large CT.
+std::string voxelHashOf(const PatientCase& patient);
+
+/// Of all that makes another case for a trainee: voxels, targets and start poses. Titles, colours and what is shown may
+/// change without.
+std::string contentHashOf(const PatientCase& patient);
+
+/// The day of today here, for a version: "2026-11-22".
+std::string today();
+
+/// Writes a case where it is kept, like writeCase(), and says which version it has become. Where the folder holds
+/// another content, that stays under `versions/NUMBER` in it, so that attempts on it can be replayed; the number goes
+/// up by one. The same content keeps its number and date. Whoever has the old case open keeps what was read. Two who
+/// save at once, also from two programs, come one after the other, and neither's version is lost. `date` is a day
+/// without a time, `author` may be empty.
+Result<CaseVersion> saveCaseVersion(const PatientCase& patient, const std::filesystem::path& folder,
+                                    const std::string& date, const std::string& author, const Progress& progress = {});
+
+/// The folder, of a case and its earlier versions, that says that its CT and labels have this voxelHashOf(): a case
+/// that readCase() reads. None: that version is not kept here.
+std::optional<std::filesystem::path> findVersion(const std::filesystem::path& folder, const std::string& voxelHash);
+
+/// Versions that are kept, the latest first; empty for a case that has none. Reads no volumes.
+std::vector<CaseVersion> versionsOf(const std::filesystem::path& folder);
+
+}  // namespace insonate

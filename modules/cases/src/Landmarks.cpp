@@ -1,0 +1,24 @@
+#include <insonate/cases/Landmarks.h>
+
+#include <algorithm>
+
+namespace insonate {
+
+std::span<const LandmarkKind> landmarkKinds() {
+  static constexpr LandmarkKind kKinds[] = {{"puncture_site", "puncture site", true},
+                                            {"cricoid", "cricoid cartilage", false},
+                                            {"sternal_notch", "sternal notch", false},
+                                            {"clavicle_right", "inner end of the right clavicle", false},
+                                            {"clavicle_left", "inner end of the left clavicle", false},
+                                            {"mastoid_right", "right mastoid process", false},
+                                            {"mastoid_left", "left mastoid process", false}};
+  return kKinds;
+}
+
+const LandmarkKind* landmarkKind(std::string_view code) {
+  const auto kinds = landmarkKinds();
+  const auto found = std::ranges::find(kinds, code, &LandmarkKind::code);
+  return found == kinds.end() ? nullptr : &*found;
+}
+
+}  // namespace insonate

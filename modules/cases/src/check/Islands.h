@@ -1,0 +1,22 @@
+#pragma once
+
+#include <insonate/image/Volume.h>
+
+#include <vector>
+
+namespace insonate::check {
+
+/// Voxels that hang together by faces.
+struct Island {
+  std::uint8_t label = 0;  ///< of its first voxel
+  std::size_t voxels = 0;
+  std::size_t first = 0;  ///< offset of its first voxel
+};
+
+/// What hangs together: voxels of one label, or whatever is labelled.
+enum class Joining { kOneLabel, kAnyLabel };
+
+/// All islands of what is labelled, in the order of their first voxels. Needs memory for rows of equal voxels only.
+std::vector<Island> islandsOf(const LabelMap& labels, Joining joining);
+
+}  // namespace insonate::check

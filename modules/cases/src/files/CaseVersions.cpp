@@ -1,0 +1,198 @@
+#include "CaseFiles.h"
+#include "ManifestJson.h"
+
+#include <insonate/cases/CaseVersions.h>
+#include <insonate/core/AtomicFile.h>
+#include <insonate/core/Fingerprint.h>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <thread>
+
+namespace insonate {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kVersions = "versions";
+
+/// One save at a time among the cases of one folder, by whichever program; goes with the program that holds it. Where
+/// the file system has no locks, there is none.
+class SavingTurn {
+ public:
+  explicit SavingTurn(const fs::path& parent) : file_(::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {}
+  ~SavingTurn() {
+    if (file_ >= 0) ::close(file_);
+  }
+  SavingTurn(const SavingTurn&) = delete;
+  SavingTurn& operator=(const SavingTurn&) = delete;
+
+  Result<void> wait(const Progress& progress) {
+    while (file_ >= 0 && ::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      if (!report(progress, "Waiting for another save", 0)) return fail(std::string(kCancelled));
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return {};
+  }
+
+ private:
+  int file_;
+};
+
+void add(Fingerprint& fingerprint, Vec3 v) {
+  // Reading straightens directions, which must not count as a change.
+  constexpr double kGrain = 1e4;
+  for (int a = 0; a < 3; ++a) fingerprint.add(static_cast<std::uint64_t>(std::llround(v[a] * kGrain)));
+}
+
+CaseVersion versionOf(const PatientCase& patient) {
+  CaseVersion version = patient.manifest.version;
+  version.content = contentHashOf(patient), version.voxels = voxelHashOf(patient);
+  return version;
+}
+
+std::string folderName(int number) {
+  std::string digits = std::to_string(number);
+  return std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
+}
+
+std::vector<std::pair<CaseVersion, fs::path>> keptIn(const fs::path& folder) {
+  std::vector<std::pair<CaseVersion, fs::path>> kept;
+  const auto look = [&](const fs::path& place) {
+    std::error_code error;
+    std::vector<std::string> notes;
+    if (!fs::exists(place / kManifestFile, error)) return;
+    if (const auto manifest = readManifest(place / kManifestFile, notes); manifest && manifest->version.number > 0)
+      kept.emplace_back(manifest->version, place);
+  };
+  look(folder);
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder / kVersions, error)) look(entry.path());
+  std::ranges::sort(kept, std::greater{}, [](const auto& one) { return one.first.number; });
+  return kept;
+}
+
+/// The files of a folder under a second name in another one.
+Result<void> link(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  const auto options = fs::copy_options::recursive;
+  fs::copy(from, to, options | fs::copy_options::create_hard_links, error);
+  if (error) {  // a file system without hard links
+    fs::remove_all(to, error);
+    fs::copy(from, to, options, error);
+  }
+  if (error) return fail("Could not keep the earlier version of " + from.string() + ": " + error.message() + ".");
+  return {};
+}
+
+/// The case that is there, as a version of its own in the new folder.
+Result<void> keepEarlier(const PatientCase& earlier, const fs::path& folder, const fs::path& beside) {
+  const fs::path place = beside / kVersions / folderName(earlier.manifest.version.number);
+  std::error_code error;
+  fs::create_directories(place, error);
+  for (const char* name : {kCtFile, kLabelFile, kPlainLabelFile, kSnapFile})
+    if (fs::exists(folder / name, error))
+      if (auto ok = link(folder / name, place / name); !ok) return ok;
+  return writeAtomically(place / kManifestFile, manifestToJson(earlier.manifest));
+}
+
+bool isSame(const CtVolume& a, const CtVolume& b) {
+  return sameGrid(a.geometry, b.geometry) && a.voxels == b.voxels;
+}
+
+}  // namespace
+
+std::string voxelHashOf(const PatientCase& patient) {
+  Fingerprint fingerprint;
+  for (const int size : patient.labels.geometry.size) fingerprint.add(static_cast<std::uint64_t>(size));
+  for (const auto label : patient.labels.voxels) fingerprint.add(std::uint64_t{label});
+  for (const auto hu : patient.ct.voxels) fingerprint.add(std::uint64_t{static_cast<std::uint16_t>(hu)});
+  return fingerprint.text();
+}
+
+std::string contentHashOf(const PatientCase& patient) {
+  Fingerprint fingerprint;
+  fingerprint.add(voxelHashOf(patient));
+  const VolumeGeometry& g = patient.ct.geometry;
+  add(fingerprint, g.origin_mm), add(fingerprint, g.spacing_mm);
+  for (const Vec3& axis : g.direction.column) add(fingerprint, axis);
+  for (const Target& target : patient.manifest.targets) {
+    fingerprint.add(target.name), fingerprint.add(std::uint64_t{target.label});
+    add(fingerprint, target.position_mm);
+  }
+  for (const StartPose& pose : patient.manifest.startPoses) {
+    fingerprint.add(pose.name);
+    add(fingerprint, pose.position_mm), add(fingerprint, pose.axial), add(fingerprint, pose.lateral);
+  }
+  return fingerprint.text();
+}
+
+std::string today() {
+  const std::time_t seconds = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&seconds, &local);
+  std::array<char, 16> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%d", &local);
+  return text.data();
+}
+
+Result<CaseVersion> saveCaseVersion(const PatientCase& patient, const fs::path& folder, const std::string& date,
+                                    const std::string& author, const Progress& progress) {
+  if (auto ok = checkVolumes(patient); !ok) return tl::unexpected(ok.error());
+  if (auto ok = checkFolderTarget(folder); !ok) return tl::unexpected(ok.error());
+  const fs::path named = folder.has_filename() ? folder : folder.parent_path();
+  SavingTurn turn(named.has_parent_path() ? named.parent_path() : fs::path("."));
+  if (auto ok = turn.wait(progress); !ok) return tl::unexpected(ok.error());
+
+  auto there = readCase(named);  // one that cannot be read is no version of anything
+  CaseVersion version = versionOf(patient);
+  bool keep = false;
+  if (there) {
+    CaseVersion& old = there->patient.manifest.version;
+    const auto kept = keptIn(named);
+    const int latest = kept.empty() ? 0 : kept.front().first.number;
+    // What another program has changed in the folder is another version than the one it names.
+    const std::string content = contentHashOf(there->patient);
+    if (old.number == 0 || old.content != content) old.number = latest + 1;
+    old.content = content, old.voxels = voxelHashOf(there->patient);
+    keep = content != version.content;
+    version.number = keep ? std::max(latest, old.number) + 1 : old.number;
+    version.date = keep || old.date.empty() ? date : old.date;
+    version.author = keep ? author : old.author;
+  } else {
+    version.number = 1, version.date = date, version.author = author;
+  }
+  CaseManifest manifest = patient.manifest;
+  manifest.version = version;
+  const auto write = [&](const fs::path& beside) -> Result<void> {
+    std::error_code error;
+    const bool sameCt = there && isSame(there->patient.ct, patient.ct);
+    if (auto ok = writeCaseFiles(patient, manifest, beside, sameCt ? named / kCtFile : fs::path(), progress); !ok)
+      return ok;
+    if (fs::exists(named / kVersions, error))
+      if (auto ok = link(named / kVersions, beside / kVersions); !ok) return ok;
+    return keep ? keepEarlier(there->patient, named, beside) : Result<void>{};
+  };
+  if (auto ok = writeFolderAtomically(named, write, {kPlainLabelFile}); !ok) return tl::unexpected(ok.error());
+  return version;
+}
+
+std::optional<fs::path> findVersion(const fs::path& folder, const std::string& voxelHash) {
+  for (const auto& [version, place] : keptIn(folder))
+    if (!voxelHash.empty() && version.voxels == voxelHash) return place;
+  return std::nullopt;
+}
+
+std::vector<CaseVersion> versionsOf(const fs::path& folder) {
+  std::vector<CaseVersion> versions;
+  for (auto& [version, place] : keptIn(folder)) versions.push_back(version);
+  return versions;
+}
+
+}  // namespace insonate

@@ -1,0 +1,172 @@
+#include "CaseSamples.h"
+
+#include <insonate/cases/CaseVersions.h>
+
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <thread>
+
+namespace insonate {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CaseVersions : public testing::Test {
+ protected:
+  void SetUp() override {
+    root_ = fs::temp_directory_path() / ("insonate-versions-" + std::to_string(::getpid()));
+    fs::remove_all(root_);
+    fs::create_directories(root_);
+    folder_ = root_ / "case";
+  }
+  void TearDown() override { fs::remove_all(root_); }
+
+  CaseVersion save(const PatientCase& patient, const std::string& date = "2026-11-22") {
+    const auto version = saveCaseVersion(patient, folder_, date, "");
+    EXPECT_TRUE(version) << version.error().message;
+    return version.value_or(CaseVersion{});
+  }
+  PatientCase read(const fs::path& folder) {
+    auto result = readCase(folder);
+    EXPECT_TRUE(result) << result.error().message;
+    return result ? std::move(result->patient) : PatientCase{};
+  }
+  static PatientCase relabelled(std::uint8_t label) {
+    PatientCase patient = test::noiseCase(test::grid({12, 11, 10}));
+    patient.labels.voxels[5] = label;
+    return patient;
+  }
+
+  fs::path root_, folder_;
+};
+
+TEST_F(CaseVersions, FirstSaveIsTheFirstVersion) {
+  const CaseVersion version = save(relabelled(kVein));
+  EXPECT_EQ(version.number, 1);
+  EXPECT_EQ(version.date, "2026-11-22");
+  EXPECT_EQ(version.content, contentHashOf(relabelled(kVein)));
+  EXPECT_EQ(read(folder_).manifest.version.number, 1);
+  EXPECT_FALSE(fs::exists(folder_ / "versions"));
+}
+
+TEST_F(CaseVersions, OtherLabelsAreAnotherVersionAndTheEarlierOneStays) {
+  save(relabelled(kVein));
+  EXPECT_EQ(save(relabelled(kArtery)).number, 2);
+  EXPECT_EQ(save(relabelled(kBone)).number, 3);
+  EXPECT_EQ(read(folder_).labels.voxels, relabelled(kBone).labels.voxels);
+  for (const auto& [label, number] : {std::pair{kVein, 1}, {kArtery, 2}, {kBone, 3}}) {
+    const auto place = findVersion(folder_, voxelHashOf(relabelled(label)));
+    ASSERT_TRUE(place) << number;
+    const PatientCase found = read(*place);
+    EXPECT_EQ(found.labels.voxels, relabelled(label).labels.voxels) << number;
+    EXPECT_EQ(found.ct.voxels, relabelled(label).ct.voxels) << number;
+    EXPECT_EQ(found.manifest.version.number, number);
+  }
+  const auto versions = versionsOf(folder_);
+  ASSERT_EQ(versions.size(), 3u);
+  EXPECT_EQ(versions.front().number, 3);
+  EXPECT_FALSE(findVersion(folder_, voxelHashOf(relabelled(kFat))));
+}
+
+TEST_F(CaseVersions, WhatDoesNotMatterForATraineeKeepsTheVersion) {
+  PatientCase patient = relabelled(kVein);
+  save(patient, "2026-11-20");
+  patient.manifest.title = "Another title";
+  patient.colours[kVein] = {1, 2, 3};
+  patient.manifest.shown[kSkin] = {0.5, false};
+  const CaseVersion version = save(patient, "2026-11-22");
+  EXPECT_EQ(version.number, 1);
+  EXPECT_EQ(version.date, "2026-11-20");
+  EXPECT_EQ(read(folder_).manifest.title, "Another title");
+}
+
+TEST_F(CaseVersions, TargetsAndStartPosesAreContent) {
+  PatientCase patient = relabelled(kVein);
+  save(patient);
+  patient.manifest.targets = {{"vein", kVein, {1, 2, 3}}};
+  EXPECT_EQ(save(patient).number, 2);
+  patient.manifest.startPoses = {{"front", {1, 2, 3}, {0, 1, 0}, {1, 0, 0}}};
+  EXPECT_EQ(save(patient).number, 3);
+  // Saved as it was read, it is the same.
+  EXPECT_EQ(save(read(folder_)).number, 3);
+}
+
+TEST_F(CaseVersions, CaseOfAnotherToolBecomesAVersionBeforeItIsReplaced) {
+  ASSERT_TRUE(writeCase(relabelled(kVein), folder_));
+  ASSERT_EQ(read(folder_).manifest.version.number, 0);
+  EXPECT_EQ(save(relabelled(kArtery)).number, 2);
+  const auto first = findVersion(folder_, voxelHashOf(relabelled(kVein)));
+  ASSERT_TRUE(first);
+  EXPECT_EQ(read(*first).manifest.version.number, 1);
+}
+
+TEST_F(CaseVersions, LabelsChangedByAnotherToolAreAVersionOfTheirOwn) {
+  save(relabelled(kVein));
+  // 3D Slicer saves its labels and leaves case.json alone.
+  ASSERT_TRUE(writeCase(relabelled(kArtery), root_ / "slicer"));
+  fs::copy_file(root_ / "slicer/labels.seg.nrrd", folder_ / "labels.seg.nrrd", fs::copy_options::overwrite_existing);
+  EXPECT_EQ(save(relabelled(kBone)).number, 3);
+  EXPECT_TRUE(findVersion(folder_, voxelHashOf(relabelled(kArtery))));
+}
+
+TEST_F(CaseVersions, OtherFilesAndTheCtOfAnEarlierVersionStay) {
+  save(relabelled(kVein));
+  test::writeText(folder_ / "notes.txt", "mine");
+  save(relabelled(kArtery));
+  save(relabelled(kBone));
+  EXPECT_EQ(test::contentOf(folder_ / "notes.txt"), "mine");
+  // One CT for all: it costs the disk nothing to keep versions of labels.
+  EXPECT_EQ(fs::hard_link_count(folder_ / "ct.nrrd"), 3u);
+}
+
+TEST_F(CaseVersions, WhoHasTheCaseOpenKeepsItsFiles) {
+  save(relabelled(kVein));
+  std::ifstream open(folder_ / "labels.seg.nrrd", std::ios::binary);
+  const std::string before = test::contentOf(folder_ / "labels.seg.nrrd");
+  save(relabelled(kArtery));
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(open), {}), before);
+}
+
+TEST_F(CaseVersions, CancelledSaveChangesNothing) {
+  save(relabelled(kVein));
+  const auto cancelled =
+      saveCaseVersion(relabelled(kArtery), folder_, "2026-11-22", "", [](std::string_view, double) { return false; });
+  ASSERT_FALSE(cancelled);
+  EXPECT_EQ(read(folder_).labels.voxels, relabelled(kVein).labels.voxels);
+  EXPECT_FALSE(fs::exists(folder_ / "versions"));
+}
+
+TEST_F(CaseVersions, OfTwoProgramsThatSaveAtOnceNoVersionIsLost) {
+  save(relabelled(1));
+  constexpr int kSaves = 6;
+  const pid_t other = ::fork();
+  if (other == 0) {
+    bool all = true;
+    for (int n = 0; n < kSaves; ++n)
+      all = saveCaseVersion(relabelled(std::uint8_t(2 + n)), folder_, "2026-11-22", "").has_value() && all;
+    ::_exit(all ? 0 : 1);
+  }
+  ASSERT_GT(other, 0);
+  for (int n = 0; n < kSaves; ++n) save(relabelled(std::uint8_t(8 + n)));
+  int status = -1;
+  ::waitpid(other, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(versionsOf(folder_).size(), 2u * kSaves + 1);
+  for (int n = 0; n < kSaves; ++n) {
+    EXPECT_TRUE(findVersion(folder_, voxelHashOf(relabelled(std::uint8_t(2 + n))))) << n;
+    EXPECT_TRUE(findVersion(folder_, voxelHashOf(relabelled(std::uint8_t(8 + n))))) << n;
+  }
+}
+
+TEST_F(CaseVersions, DamagedVersionEntryIsRefusedWithItsPlace) {
+  save(relabelled(kVein));
+  test::writeText(folder_ / "case.json", R"({"schema_version": 1, "version": {"number": "three"}})");
+  const auto result = readCase(folder_);
+  ASSERT_FALSE(result);
+  EXPECT_THAT(result.error().message, testing::HasSubstr("version.number"));
+}
+
+}  // namespace
+}  // namespace insonate
