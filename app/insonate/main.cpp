@@ -41,6 +41,7 @@ void addWorkspaces(ui::MainWindow& window) {
   auto* prepare = new prepare::PrepareWorkspace(window.tasks());
   prepare->offer(window.openAction());
   prepare->offer(window.importAction());
+  prepare->offer(window.libraryAction());
   prepare->offer(window.textbookAction());
   prepare->setCaseActions(window.openAction(), window.importAction(), window.reloadAction());
   window.addWorkspace(QStringLiteral("prepare"), QObject::tr("Prepare"), QStringLiteral("prepare"), prepare);

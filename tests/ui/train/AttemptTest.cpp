@@ -2,11 +2,14 @@
 #include "attempt/SyringeView.h"
 #include "scene/PatientViews.h"
 
+#include <insonate/cases/CaseVersions.h>
 #include <insonate/cases/Phantom.h>
 #include <insonate/simulator/AttemptSettings.h>
+#include <insonate/tissue/Labels.h>
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace insonate::train {
@@ -98,6 +101,24 @@ TEST_F(TrainAttempt, AProcedureThatTheCaseIsNotForIsToldAndDoesNotBegin) {
   choose("internal_jugular");
   EXPECT_FALSE(shown("attemptUnfit"));
   start();
+}
+
+TEST_F(TrainAttempt, ACaseThatIsSavedMeanwhileComesAfterTheAttempt) {
+  openWide();
+  start();
+  const auto before = session_->patient();
+  auto edited = std::make_shared<PatientCase>(*before);
+  std::ranges::replace(edited->labels.voxels, std::uint8_t{kVein}, std::uint8_t{kMuscle});
+  workspace_->caseSaved(edited);
+  EXPECT_EQ(session_->patient(), before);
+  EXPECT_TRUE(workspace_->statusText().contains("as it was")) << workspace_->statusText().toStdString();
+  QTest::qWait(300);
+  EXPECT_TRUE(attempt_->isRunning());
+  finish();
+  EXPECT_EQ(session_->patient(), before) << "its result still stands there";
+  child<QPushButton>("attemptLeave")->click();
+  ASSERT_TRUE(waitFor([&] { return session_->patient() == edited; }));
+  EXPECT_EQ(recorded()->header().caseHash, voxelHashOf(*before));
 }
 
 TEST_F(TrainAttempt, WhatWentWrongIsSaidWithWhatToDo) {

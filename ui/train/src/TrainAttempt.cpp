@@ -4,6 +4,7 @@
 #include "attempt/AttemptPanel.h"
 #include "attempt/AttemptWords.h"
 #include "image/CineBar.h"
+#include "level/LevelControl.h"
 #include "panel/ControlsPanel.h"
 #include "probe/ProbeEditor.h"
 #include "scene/PatientViews.h"
@@ -59,8 +60,30 @@ QWidget* TrainWorkspace::Parts::buildLeft() {
   return leftColumn_;
 }
 
+void TrainWorkspace::Parts::setCase(std::shared_ptr<const PatientCase> opened) {
+  saved_ = nullptr;
+  session.setCase(std::move(opened));
+}
+
+void TrainWorkspace::Parts::takeSaved(std::shared_ptr<const PatientCase> edited) {
+  saved_ = std::move(edited);
+  takeWaiting();
+  if (saved_) session.say(tr("The case was saved in Prepare; this goes on with the case as it was."));
+}
+
+void TrainWorkspace::Parts::takeWaiting() {
+  if (!saved_ || attempt->state() != AttemptControl::State::Idle || (levels_ && levels_->level())) return;
+  session.setCase(std::exchange(saved_, nullptr));
+}
+
 void TrainWorkspace::Parts::connectAttempt() {
-  connect(attempt, &AttemptControl::stateChanged, this, [this] { showAttempt(); });
+  connect(attempt, &AttemptControl::stateChanged, this, [this] {
+    showAttempt();
+    // Not from within the change itself: the case goes with what belongs to it.
+    if (saved_)
+      QMetaObject::invokeMethod(
+          this, [this] { takeWaiting(); }, Qt::QueuedConnection);
+  });
   connect(attempt, &AttemptControl::viewChanged, this, [this] { showAttempt(); });
   // A new needle is taken by touching the tray, with the pointer or with the needle itself.
   patient->setTrayTaken([this] { attempt->replaceNeedle(); });

@@ -84,6 +84,9 @@ class TrainWorkspace::Parts : public QObject {
   /// To the patient's column, of the picture's; or back.
   void giveRoom(bool more);
 
+  void setCase(std::shared_ptr<const PatientCase> opened);
+  /// The same case as its author has saved it: now, or once nobody is at an attempt or in a level any more.
+  void takeSaved(std::shared_ptr<const PatientCase> edited);
   void setAccount(ui::Account& account);
   /// Levels, attempts and the questionnaire in the place of picture and controls.
   void showCourse(bool on);
@@ -109,6 +112,7 @@ class TrainWorkspace::Parts : public QObject {
   void buildCourse();
   void judgeAttempt(const AttemptFacts& facts);
   void connectAttempt();
+  void takeWaiting();
   void showAttempt();
   QWidget* buildOffer();
   void showOffer();
@@ -162,7 +166,8 @@ class TrainWorkspace::Parts : public QObject {
   CoursePage* coursePage_ = nullptr;           ///< once it was asked for
   std::shared_ptr<const ImagingSetup> shape_;  ///< of the picture as laid out
   std::vector<std::unique_ptr<PictureWriter>> writers_;
-  QList<int> widthsBefore_;  ///< of the columns, before the patient's had more room
+  std::shared_ptr<const PatientCase> saved_;  ///< waits for the end of what a trainee does
+  QList<int> widthsBefore_;                   ///< of the columns, before the patient's had more room
   bool effectAlone_ = false;
   bool touchesTray_ = false;  ///< the used needle, in a hand
   std::unique_ptr<LiveMeasure> measure_;

@@ -44,7 +44,11 @@ void TrainWorkspace::setAccount(ui::Account& account) {
 }
 
 void TrainWorkspace::setCase(std::shared_ptr<const PatientCase> patient) {
-  parts_->session.setCase(std::move(patient));
+  parts_->setCase(std::move(patient));
+}
+
+void TrainWorkspace::caseSaved(std::shared_ptr<const PatientCase> patient) {
+  parts_->takeSaved(std::move(patient));
 }
 
 QString TrainWorkspace::statusText() const {

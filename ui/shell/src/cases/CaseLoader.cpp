@@ -2,6 +2,7 @@
 #include "CaseEdits.h"
 #include "SeriesDialog.h"
 
+#include <insonate/cases/CaseVersions.h>
 #include <insonate/segmentation/AutoLabel.h>
 #include <insonate/ui/CaseLoader.h>
 #include <insonate/ui/TaskBar.h>
@@ -183,7 +184,9 @@ void CaseLoader::save(std::shared_ptr<const PatientCase> patient, const QString&
       [patient = std::move(patient), folder, edits = std::move(edits)](const Progress& progress) -> Result<Written> {
         if (auto ok = checkCaseTarget(folder.toStdString(), true); !ok) return tl::unexpected(ok.error());
         const Written written = withEdits(patient, edits);
-        if (auto ok = writeCase(*written, folder.toStdString(), progress); !ok) return tl::unexpected(ok.error());
+        const auto version =
+            saveCaseVersion(*written, folder.toStdString(), today(), written->manifest.version.author, progress);
+        if (!version) return tl::unexpected(version.error());
         return written;
       },
       [this, folder](Result<Written> written) {

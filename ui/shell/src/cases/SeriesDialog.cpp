@@ -243,7 +243,7 @@ void SeriesDialog::preview() {
         // Only now it is known what the voxels say.
         notes_->setText(notesOf(read_->series));
         table_->item(chosenRow(), table_->columnCount() - 1)->setText(stateOf(read_->series));
-        picture_->setPixmap(slicePreview(read_->ct, kPicture_px));
+        picture_->setPixmap(QPixmap::fromImage(slicePreview(read_->ct, kPicture_px)));
       });
 }
 

@@ -2,12 +2,11 @@
 
 #include <insonate/views/WindowLevel.h>
 
-#include <QImage>
 #include <cmath>
 
 namespace insonate::ui {
 
-QPixmap slicePreview(const CtVolume& ct, int side) {
+QImage slicePreview(const CtVolume& ct, int side) {
   const auto& size = ct.geometry.size;
   const auto& axes = ct.geometry.direction.column;
   const views::WindowLevel softTissue;
@@ -19,9 +18,8 @@ QPixmap slicePreview(const CtVolume& ct, int side) {
   }
   const double width_mm = size[0] * ct.geometry.spacing_mm.x, height_mm = size[1] * ct.geometry.spacing_mm.y;
   const double scale = side / std::max(width_mm, height_mm);
-  return QPixmap::fromImage(slice.scaled(std::max(1, int(std::lround(width_mm * scale))),
-                                         std::max(1, int(std::lround(height_mm * scale))), Qt::IgnoreAspectRatio,
-                                         Qt::SmoothTransformation));
+  return slice.scaled(std::max(1, int(std::lround(width_mm * scale))), std::max(1, int(std::lround(height_mm * scale))),
+                      Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
 }
 
 }  // namespace insonate::ui

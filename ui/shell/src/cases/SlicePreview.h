@@ -2,12 +2,12 @@
 
 #include <insonate/image/Volume.h>
 
-#include <QPixmap>
+#include <QImage>
 
 namespace insonate::ui {
 
 /// The middle slice across k in a soft tissue window, not larger than `side` pixels, with the patient's left on the
-/// right where i or j run that way.
-QPixmap slicePreview(const CtVolume& ct, int side);
+/// right where i or j run that way. For any thread.
+QImage slicePreview(const CtVolume& ct, int side);
 
 }  // namespace insonate::ui

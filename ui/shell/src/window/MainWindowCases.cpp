@@ -3,10 +3,12 @@
 #include "CaseExchange.h"
 #include "HeaderBar.h"
 #include "HelpWindow.h"
+#include "LibraryWindow.h"
 #include "LossQuestion.h"
 #include "StatusStrip.h"
 
 #include <insonate/ui/Attempts.h>
+#include <insonate/ui/KnownCases.h>
 #include <insonate/ui/MainWindow.h>
 #include <insonate/ui/RecentCases.h>
 #include <insonate/ui/TaskBar.h>
@@ -64,6 +66,8 @@ void MainWindow::makeActions() {
   open_ = make("folder", tr("Open case ..."), tr("A case folder, or a folder of DICOM files"), QKeySequence::Open);
   import_ = make("import", tr("Import file ..."), tr("A DICOM, NRRD, NIfTI or MetaImage file"), tr("Ctrl+I"));
   textbook_ = make("neck", tr("Built-in neck"), tr("The textbook neck that comes with Insonate"), tr("Ctrl+T"));
+  library_ = make("folder", tr("Case library ..."),
+                  tr("All your cases and the built-in ones: what they show, how hard"), tr("Ctrl+L"));
   attempt_ = make("review", tr("Open attempt ..."), tr("A recorded attempt, to be replayed"), tr("Ctrl+Shift+O"));
   attempt_->setVisible(false);
   reload_ = make("reload", tr("Reload"), tr("Read the case from its folder again"), QKeySequence(Qt::Key_F5));
@@ -75,7 +79,7 @@ void MainWindow::makeActions() {
   auto* keys = make("help", tr("Keys"), tr("All keys"), QKeySequence(Qt::Key_Question));
   keys->setShortcuts({QKeySequence(Qt::Key_Question), QKeySequence(QStringLiteral("Shift+?"))});
   auto* full = make("", tr("Full screen"), tr("Full screen and back"), QKeySequence(Qt::Key_F11));
-  for (QAction* action : {open_, import_, textbook_, attempt_}) menu_->addAction(action);
+  for (QAction* action : {library_, open_, import_, textbook_, attempt_}) menu_->addAction(action);
   menu_->addMenu(recent_);
   menu_->addAction(reload_);
   menu_->addSeparator();
@@ -90,6 +94,7 @@ void MainWindow::makeActions() {
 
   connect(open_, &QAction::triggered, this, &MainWindow::chooseCase);
   connect(import_, &QAction::triggered, this, &MainWindow::chooseImport);
+  connect(library_, &QAction::triggered, this, &MainWindow::showLibrary);
   connect(textbook_, &QAction::triggered, this, &MainWindow::openTextbook);
   connect(attempt_, &QAction::triggered, this, &MainWindow::chooseAttempt);
   connect(reload_, &QAction::triggered, this, &MainWindow::reload);
@@ -100,6 +105,16 @@ void MainWindow::makeActions() {
   connect(page, &QAction::triggered, this, [this] { showHelp(false); });
   connect(about, &QAction::triggered, this, [this] { (new AboutDialog(this))->open(); });
   connect(keys, &QAction::triggered, this, [this] { showHelp(true); });
+}
+
+void MainWindow::showLibrary() {
+  if (auto* shown = findChild<LibraryWindow*>()) return shown->raise();
+  auto* library = new LibraryWindow(this);
+  connect(library, &LibraryWindow::caseChosen, this, [this](const QString& place, const QString& workspace) {
+    showWorkspace(workspace);
+    builtInNames().contains(place) ? openBuiltIn(place) : open(place);
+  });
+  library->show();
 }
 
 void MainWindow::fillRecent() {

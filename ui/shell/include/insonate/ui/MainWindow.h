@@ -52,6 +52,8 @@ class MainWindow : public QMainWindow {
   /// edits or work would be lost; so do the others.
   void open(const QString& path);
   void openTextbook();
+  /// All cases at hand, to choose one.
+  void showLibrary();
   /// Another built-in neck, by its name.
   void openBuiltIn(const QString& variant);
   /// A recorded attempt, in the workspace that shows attempts, which comes to the front.
@@ -70,6 +72,7 @@ class MainWindow : public QMainWindow {
   QAction* openAction() const { return open_; }
   QAction* importAction() const { return import_; }
   QAction* textbookAction() const { return textbook_; }
+  QAction* libraryAction() const { return library_; }
   QAction* attemptAction() const { return attempt_; }
   QAction* reloadAction() const { return reload_; }
   QAction* saveAction() const { return save_; }
@@ -129,8 +132,8 @@ class MainWindow : public QMainWindow {
   std::vector<Room> rooms_;
   LoadedCase case_;
   QMenu *menu_, *recent_;
-  QAction *open_ = nullptr, *import_ = nullptr, *textbook_ = nullptr, *reload_ = nullptr, *save_ = nullptr,
-          *saveAs_ = nullptr, *attempt_ = nullptr;
+  QAction *open_ = nullptr, *import_ = nullptr, *textbook_ = nullptr, *library_ = nullptr, *reload_ = nullptr,
+          *save_ = nullptr, *saveAs_ = nullptr, *attempt_ = nullptr;
   QMenu* view_;
   SiteExchange* site_;
   AccountMenu* accountMenu_;

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <QStyledItemDelegate>
+
+namespace insonate::ui {
+
+class LibraryFilter;
+
+/// One case as a row: CT and ultrasound, title, grade and why, version, and whether it is fit.
+class LibraryCard final : public QStyledItemDelegate {
+ public:
+  LibraryCard(const LibraryFilter& cases, QObject* parent);
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+ private:
+  const LibraryFilter& cases_;
+};
+
+}  // namespace insonate::ui

@@ -1,0 +1,263 @@
+#include "LibraryWindow.h"
+
+#include "JobThreads.h"
+#include "LibraryCard.h"
+#include "LibraryModel.h"
+#include "LibraryReader.h"
+
+#include <insonate/ui/KnownCases.h>
+#include <insonate/ui/Theme.h>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QPointer>
+#include <QPushButton>
+#include <QSettings>
+#include <QVBoxLayout>
+
+namespace insonate::ui {
+namespace {
+
+const QString kFolders = QStringLiteral("library/folders");
+
+QComboBox* choice(const char* name, const QString& spoken, const QString& tip,
+                  std::initializer_list<std::pair<QString, QVariant>> choices) {
+  auto* box = new QComboBox;
+  box->setObjectName(QLatin1String(name));
+  box->setAccessibleName(spoken);
+  box->setToolTip(tip);
+  for (const auto& [words, value] : choices) box->addItem(words, value);
+  return box;
+}
+
+QPushButton* button(const char* name, const QString& words, const QString& tip) {
+  auto* made = new QPushButton(words);
+  made->setObjectName(QLatin1String(name));
+  made->setToolTip(tip);
+  made->setAutoDefault(false);
+  return made;
+}
+
+}  // namespace
+
+LibraryWindow::LibraryWindow(QWidget* parent)
+    : QDialog(parent),
+      model_(new LibraryModel(this)),
+      filter_(new LibraryFilter(*model_, this)),
+      search_(new QLineEdit),
+      grade_(choice("libraryGrade", tr("Difficulty"), tr("Show cases of this difficulty"),
+                    {{tr("every difficulty"), QString()},
+                     {tr("easy"), QStringLiteral("easy")},
+                     {tr("moderate"), QStringLiteral("moderate")},
+                     {tr("hard"), QStringLiteral("hard")}})),
+      fitness_(choice("libraryFitness", tr("Fitness"), tr("Show cases that are fit for training, or that are not"),
+                      {{tr("fit or not"), int(LibraryFilter::Fitness::All)},
+                       {tr("fit for training"), int(LibraryFilter::Fitness::Fit)},
+                       {tr("not fit"), int(LibraryFilter::Fitness::Unfit)}})),
+      order_(choice("libraryOrder", tr("Order"), tr("In which order cases are listed"),
+                    {{tr("easy first"), int(LibraryFilter::Order::Difficulty)},
+                     {tr("by title"), int(LibraryFilter::Order::Title)},
+                     {tr("newest first"), int(LibraryFilter::Order::Newest)}})),
+      list_(new QListView),
+      state_(new QLabel),
+      empty_(new QLabel),
+      train_(button("libraryTrain", tr("Open in Train"), tr("Practise on the chosen case (Enter, double click)"))),
+      prepare_(button("libraryPrepare", tr("Open in Prepare"), tr("Look at or edit the chosen case (Ctrl+Enter)"))),
+      add_(button("libraryAdd", tr("Add folder ..."), tr("A folder with cases in it, or in its folders"))),
+      remove_(button("libraryRemove", tr("Remove folder"),
+                     tr("Take the folder of the chosen case off this list; nothing on the disk is changed"))) {
+  setWindowTitle(tr("Case library"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  arrange();
+  connectAll();
+  look();
+}
+
+LibraryWindow::~LibraryWindow() {
+  *stopped_ = true;
+}
+
+void LibraryWindow::arrange() {
+  search_->setObjectName(QStringLiteral("librarySearch"));
+  search_->setPlaceholderText(tr("Search title, structures, difficulty"));
+  search_->setAccessibleName(tr("Search"));
+  search_->setToolTip(tr("Words that title, description, structures or difficulty must hold"));
+  search_->setClearButtonEnabled(true);
+  search_->installEventFilter(this);
+  list_->setObjectName(QStringLiteral("libraryList"));
+  list_->setAccessibleName(tr("Cases"));
+  list_->setModel(filter_);
+  list_->setItemDelegate(new LibraryCard(*filter_, list_));
+  list_->setUniformItemSizes(true);
+  list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  list_->installEventFilter(this);
+  empty_->setWordWrap(true);
+  empty_->setObjectName(QStringLiteral("libraryEmpty"));
+  for (QLabel* words : {state_, empty_}) setRole(words, "quiet");
+  setRole(train_, "primary");
+
+  auto* first = new QHBoxLayout;
+  first->setSpacing(kGap);
+  first->addWidget(search_, 1);
+  for (QWidget* one : {grade_, fitness_, order_}) first->addWidget(one);
+  auto* last = new QHBoxLayout;
+  last->setSpacing(kGap);
+  last->addWidget(add_);
+  last->addWidget(remove_);
+  last->addWidget(state_, 1);
+  last->addWidget(prepare_);
+  last->addWidget(train_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(kLargeGap, kLargeGap, kLargeGap, kLargeGap);
+  column->setSpacing(kGap);
+  column->addLayout(first);
+  column->addWidget(list_, 1);
+  column->addWidget(empty_);
+  column->addLayout(last);
+  resize(980, 640);
+}
+
+void LibraryWindow::connectAll() {
+  connect(search_, &QLineEdit::textChanged, this, [this](const QString& words) {
+    filter_->setWords(words);
+    showState();
+  });
+  connect(grade_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
+    filter_->setGrade(grade_->currentData().toString());
+    showState();
+  });
+  connect(fitness_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
+    filter_->setFitness(LibraryFilter::Fitness(fitness_->currentData().toInt()));
+    showState();
+  });
+  connect(order_, qOverload<int>(&QComboBox::currentIndexChanged), this,
+          [this] { filter_->setOrder(LibraryFilter::Order(order_->currentData().toInt())); });
+  connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] { showState(); });
+  connect(list_, &QListView::doubleClicked, this, [this] { open(QStringLiteral("train")); });
+  connect(train_, &QPushButton::clicked, this, [this] { open(QStringLiteral("train")); });
+  connect(prepare_, &QPushButton::clicked, this, [this] { open(QStringLiteral("prepare")); });
+  connect(add_, &QPushButton::clicked, this, &LibraryWindow::addFolder);
+  connect(remove_, &QPushButton::clicked, this, &LibraryWindow::removeFolder);
+}
+
+bool LibraryWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::KeyPress) return QDialog::eventFilter(watched, event);
+  const auto& key = *static_cast<QKeyEvent*>(event);
+  if (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter) {
+    open(key.modifiers() & Qt::ControlModifier ? QStringLiteral("prepare") : QStringLiteral("train"));
+    return true;
+  }
+  if (watched == search_ && (key.key() == Qt::Key_Down || key.key() == Qt::Key_Up)) {
+    list_->setFocus();
+    QCoreApplication::sendEvent(list_, event);
+    return true;
+  }
+  return QDialog::eventFilter(watched, event);
+}
+
+QStringList LibraryWindow::folders() {
+  return QSettings().value(kFolders).toStringList();
+}
+
+void LibraryWindow::setFolders(const QStringList& folders) {
+  QSettings().setValue(kFolders, folders);
+  look();
+}
+
+/// Titles first, then one case after the other.
+void LibraryWindow::look() {
+  if (stopped_) *stopped_ = true;
+  stopped_ = std::make_shared<std::atomic<bool>>(false);
+  done_ = false;
+  const auto tell = [self = QPointer(this), stopped = stopped_](std::function<void(LibraryWindow&)> what) {
+    QMetaObject::invokeMethod(qApp, [self, stopped, what = std::move(what)] {
+      if (self && !*stopped) what(*self);
+    });
+  };
+  runUnseen([tell, stopped = stopped_, folders = folders(), builtIn = builtInNames(), cache = libraryCache()] {
+    std::vector<LibraryEntry> listed;
+    // One's own first: a built-in neck may have to be made, which takes seconds.
+    for (const QString& folder : casesIn(folders)) listed.push_back(listedCase(folder, false));
+    for (const QString& name : builtIn) listed.push_back(listedCase(name, true));
+    tell([listed](LibraryWindow& window) { window.take(listed); });
+    const Progress goOn = [stopped](std::string_view, double) { return !*stopped; };
+    for (const LibraryEntry& one : listed) {
+      if (*stopped) return;
+      tell([known = knownCase(one, cache, goOn)](LibraryWindow& window) {
+        window.model_->update(known);
+        --window.left_;
+        window.showState();
+      });
+    }
+    tell([](LibraryWindow& window) {
+      window.done_ = true;
+      window.showState();
+    });
+  });
+  showState();
+}
+
+void LibraryWindow::take(std::vector<LibraryEntry> listed) {
+  left_ = int(listed.size());
+  model_->setEntries(std::move(listed));
+  list_->setCurrentIndex(filter_->index(0, 0));
+  showState();
+}
+
+const LibraryEntry* LibraryWindow::chosen() const {
+  const QModelIndex index = list_->currentIndex();
+  return index.isValid() ? &filter_->entry(index) : nullptr;
+}
+
+void LibraryWindow::showState() {
+  const LibraryEntry* one = chosen();
+  const bool opens = one && one->state != LibraryEntry::State::Broken;
+  train_->setEnabled(opens);
+  prepare_->setEnabled(opens);
+  remove_->setEnabled(one && !one->builtIn);
+  const int shown = filter_->rowCount(), all = model_->rowCount();
+  QString words = shown == all ? tr("%1 cases").arg(all) : tr("%1 of %2 cases").arg(shown).arg(all);
+  if (left_ > 0) words += tr(", looking at %1 more").arg(left_);
+  state_->setText(words);
+  const bool none = shown == 0 && all > 0, onlyBuiltIn = folders().isEmpty();
+  empty_->setVisible(none || onlyBuiltIn);
+  empty_->setText(none ? tr("No case is like that. Search for less, or show every difficulty, fit or not.")
+                       : tr("These necks are built in. Add the folder in which your own cases are kept."));
+}
+
+void LibraryWindow::addFolder() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Add a folder with cases"), QDir::homePath());
+  if (folder.isEmpty()) return;
+  QStringList all = folders();
+  if (!all.contains(folder)) setFolders(all << folder);
+}
+
+void LibraryWindow::removeFolder() {
+  const LibraryEntry* one = chosen();
+  if (!one) return;
+  QStringList all = folders();
+  all.erase(std::remove_if(all.begin(), all.end(),
+                           [&](const QString& folder) {
+                             return one->place == folder || one->place.startsWith(folder + QLatin1Char('/'));
+                           }),
+            all.end());
+  setFolders(all);
+}
+
+void LibraryWindow::open(const QString& workspace) {
+  const LibraryEntry* one = chosen();
+  if (!one || one->state == LibraryEntry::State::Broken) return;
+  Q_EMIT caseChosen(one->place, workspace);
+  close();
+}
+
+}  // namespace insonate::ui
