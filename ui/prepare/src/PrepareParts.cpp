@@ -1,11 +1,13 @@
 #include "PrepareParts.h"
 
 #include "KeyTable.h"
+#include "check/DifficultyBox.h"
+#include "check/FindingsList.h"
+#include "check/PlacesBox.h"
 #include "guide/GuidePointer.h"
 #include "guide/GuideSession.h"
 #include "live/UltrasoundPane.h"
 #include "panel/CaseFacts.h"
-#include "panel/FindingsList.h"
 #include "panel/PathPanel.h"
 #include "panel/Section.h"
 #include "panel/SliceControls.h"
@@ -34,7 +36,7 @@ namespace insonate::prepare {
 namespace {
 
 constexpr double kOpacityStep = 0.05;
-constexpr int kLeft_px = 284, kRight_px = 362, kUltrasound_px = 250;
+constexpr int kLeft_px = 284, kRight_px = 362, kUltrasound_px = 310;
 
 }  // namespace
 
@@ -99,7 +101,10 @@ QWidget* PrepareWorkspace::Parts::buildRight() {
   scene_->layout()->setContentsMargins(0, 0, 0, 0);
   check_ = new Section(QStringLiteral("check"), tr("Check"), new FindingsList(session));
   sections = {new Section(QStringLiteral("case"), tr("Case"), new CaseFacts(session)),
-              new Section(QStringLiteral("slices"), tr("Slices"), new SliceControls(session)), check_,
+              new Section(QStringLiteral("slices"), tr("Slices"), new SliceControls(session)),
+              check_,
+              new Section(QStringLiteral("difficulty"), tr("Difficulty"), new DifficultyBox(session)),
+              new Section(QStringLiteral("places"), tr("Targets and landmarks"), new PlacesBox(session)),
               new Section(QStringLiteral("scene"), tr("3D"), scene_)};
   sections.back()->setOpen(false);
   tool_ = new Section(QStringLiteral("tool"), tr("Tool"), new ToolPanel(session, *tools_));

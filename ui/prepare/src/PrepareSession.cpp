@@ -2,7 +2,6 @@
 
 #include "edit/Edits.h"
 
-#include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/Labels.h>
 
 #include <algorithm>
@@ -35,6 +34,9 @@ SurfaceOptions surfaceOptions(std::uint8_t label) {
   }
 }
 
+/// After the last of several edits.
+constexpr int kRecheck_ms = 700;
+
 /// What one looks for first comes first.
 constexpr std::uint8_t kOrder[] = {kVein, kArtery, kSkin, kBone, kAirway, kThyroid, kCartilage, kSternocleidomastoid};
 
@@ -51,6 +53,11 @@ PrepareSession::PrepareSession(ui::TaskBar& tasks, QObject* parent)
   undo_.setUndoLimit(kMostUndo);
   said_.setSingleShot(true);
   said_.setInterval(kSaid_ms);
+  recheck_.setSingleShot(true);
+  recheck_.setInterval(kRecheck_ms);
+  connect(&recheck_, &QTimer::timeout, this, [this] {
+    if (patient_) measuring_.setPlaces(places_);
+  });
   connect(&said_, &QTimer::timeout, this, [this] {
     message_.clear();
     Q_EMIT messageChanged();
@@ -95,7 +102,9 @@ void PrepareSession::setCase(std::shared_ptr<const PatientCase> patient) {
     looks_[label].opacity = habit.opacity, looks_[label].visible = habit.visible || label == kSkin;
   if (patient_) takeShown(patient_->manifest.shown, looks_);
   kept_ = looks_;
-  start_.reset(), found_.reset();
+  recheck_.stop();
+  places_ = patient_ ? placesOf(patient_->manifest) : CasePlaces{};
+  found_.reset();
   title_ = patient_ ? QString::fromStdString(patient_->manifest.title) : QString();
   crosshair_mm_ = patient_ ? patient_->ct.geometry.centre_mm() : Vec3{};
   labelling_.setCase(patient_);
@@ -112,7 +121,7 @@ void PrepareSession::replaceCase(std::shared_ptr<const PatientCase> patient) {
   labelling_.replaceCase(patient_);
   live_.replacePatient(patient_);
   takeShown(patient_->manifest.shown, kept_);
-  Q_EMIT startChanged();
+  Q_EMIT placesChanged();
   tellEdits();
 }
 
@@ -269,38 +278,18 @@ void PrepareSession::applyTitle(const QString& title) {
   tellEdits();
 }
 
-bool PrepareSession::lacksStart() const {
-  return patient_ && patient_->manifest.startPoses.empty() && !start_ && live_.pose();
-}
-
-void PrepareSession::keepStart() {
-  if (!lacksStart()) return;
-  StartPose start = poseOf(*live_.pose());
-  start.name = tr("start").toStdString();
-  undo_.push(new StartEdit(*this, start));
-  say(tr("The case begins here; Ctrl+S saves it."));
-}
-
-void PrepareSession::applyStart(const std::optional<StartPose>& start) {
-  start_ = start;
-  live_.setStart(start ? start : found_);
-  Q_EMIT startChanged();
-  tellEdits();
-}
-
 bool PrepareSession::isUnsaved() const {
   if (!patient_) return false;
-  const bool begins = start_ && patient_->manifest.startPoses.empty();
-  return title_.toStdString() != patient_->manifest.title || begins || labelling_.isChanged() ||
-         coloursDiffer(looks_, structures_, patient_->colours);
+  return title_.toStdString() != patient_->manifest.title || !samePlaces(places_, placesOf(patient_->manifest)) ||
+         labelling_.isChanged() || coloursDiffer(looks_, structures_, patient_->colours);
 }
 
 ui::CaseEdit PrepareSession::unsavedEdit() {
   if (!isUnsaved()) return {};
-  return [title = title_.toStdString(), looks = looks_, structures = structures_, start = start_,
+  return [title = title_.toStdString(), looks = looks_, structures = structures_, places = places_,
           labels = labelling_.isChanged() ? labelling_.snapshot() : nullptr](PatientCase& copy) {
     if (labels) copy.labels = *labels;
-    if (start && copy.manifest.startPoses.empty()) copy.manifest.startPoses.push_back(*start);
+    putPlaces(places, copy.manifest);
     copy.manifest.title = title;
     putColours(looks, structures, copy.colours);
   };
@@ -333,9 +322,12 @@ void PrepareSession::setCrosshair(Vec3 patient_mm) {
 }
 
 void PrepareSession::goToStart() {
-  if (!live_.start()) return;
-  setCrosshair(live_.start()->position_mm);
-  live_.goToStart();
+  if (live_.start()) goTo(*live_.start());
+}
+
+void PrepareSession::goTo(const StartPose& pose) {
+  setCrosshair(pose.position_mm);
+  live_.goTo(pose);
 }
 
 void PrepareSession::setWindowLevel(views::WindowLevel value) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "check/CasePlaces.h"
 #include "edit/Structures.h"
 #include "label/LabelFollowers.h"
 #include "label/LabelSession.h"
@@ -70,6 +71,9 @@ class PrepareSession : public QObject {
   void showAll();
   const QString& title() const { return title_; }
   void setTitle(const QString& title);
+  /// Targets, landmarks, start poses and grade as they are now.
+  const CasePlaces& places() const { return places_; }
+  void setPlaces(CasePlaces places, const QString& what);
   /// Where the probe is becomes the case's start pose, if it has none; saved with the case.
   void keepStart();
   /// The case has no start pose, none is kept, and the probe stands somewhere.
@@ -86,6 +90,8 @@ class PrepareSession : public QObject {
   void setCrosshair(Vec3 patient_mm);
   /// To where the case begins.
   void goToStart();
+  /// Crosshair and probe to a pose.
+  void goTo(const StartPose& pose);
   const views::WindowLevel& windowLevel() const { return windowLevel_; }
   void setWindowLevel(views::WindowLevel value);
   double labelOpacity() const { return labelOpacity_; }
@@ -116,7 +122,7 @@ class PrepareSession : public QObject {
   void lookChanged(int label);
   void selectedChanged();
   void titleChanged();
-  void startChanged();
+  void placesChanged();
   void editsChanged();
   void crosshairMoved();
   void slicesChanged();  ///< window, level, opacity or visibility of labels
@@ -125,8 +131,8 @@ class PrepareSession : public QObject {
  private:
   friend class LookEdit;
   friend class TitleEdit;
-  friend class StartEdit;
-  void applyStart(const std::optional<StartPose>& start);
+  friend class PlacesEdit;
+  void applyPlaces(const CasePlaces& places);
   void applyLook(std::uint8_t label, const StructureLook& look);
   void applyTitle(const QString& title);
   void push(std::uint8_t label, const StructureLook& look, const QString& what);
@@ -146,14 +152,15 @@ class PrepareSession : public QObject {
   std::array<bool, 256> surfaceWanted_{};
   std::uint8_t selected_ = 0;
   QString title_;
-  std::optional<StartPose> start_, found_;  ///< kept here; of the case, or found by itself
+  CasePlaces places_;
+  std::optional<StartPose> found_;  ///< where the probe began when the case was opened
   Vec3 crosshair_mm_;
   views::WindowLevel windowLevel_;
   double labelOpacity_ = 0.25;
   bool labelsShown_ = true;
   std::array<bool, 2> hadEdits_{};  ///< unsaved, quiet
   QString message_;
-  QTimer said_;
+  QTimer said_, recheck_;
   QUndoStack undo_;
   CaseMeasuring measuring_;
   LivePatient live_;

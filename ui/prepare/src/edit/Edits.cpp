@@ -45,15 +45,15 @@ void TitleEdit::redo() {
   session_.applyTitle(after_);
 }
 
-StartEdit::StartEdit(PrepareSession& session, StartPose after)
-    : QUndoCommand(PrepareSession::tr("start of the case")), session_(session), after_(std::move(after)) {}
+PlacesEdit::PlacesEdit(PrepareSession& session, CasePlaces after, const QString& what)
+    : QUndoCommand(what), session_(session), before_(session.places()), after_(std::move(after)) {}
 
-void StartEdit::undo() {
-  session_.applyStart(std::nullopt);
+void PlacesEdit::undo() {
+  session_.applyPlaces(before_);
 }
 
-void StartEdit::redo() {
-  session_.applyStart(after_);
+void PlacesEdit::redo() {
+  session_.applyPlaces(after_);
 }
 
 }  // namespace insonate::prepare

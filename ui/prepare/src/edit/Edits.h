@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../check/CasePlaces.h"
 #include "Structures.h"
 
 #include <insonate/cases/PatientCase.h>
@@ -41,16 +42,16 @@ class TitleEdit : public QUndoCommand {
   QString before_, after_;
 };
 
-/// Where the case begins.
-class StartEdit : public QUndoCommand {
+/// Other targets, landmarks, start poses, or another grade.
+class PlacesEdit : public QUndoCommand {
  public:
-  StartEdit(PrepareSession& session, StartPose after);
+  PlacesEdit(PrepareSession& session, CasePlaces after, const QString& what);
   void undo() override;
   void redo() override;
 
  private:
   PrepareSession& session_;
-  StartPose after_;
+  CasePlaces before_, after_;
 };
 
 }  // namespace insonate::prepare

@@ -40,6 +40,7 @@ void LivePatient::setPatient(std::shared_ptr<const PatientCase> patient, std::ve
   patient_ = std::move(patient);
   labels_ = nullptr;
   start_.reset(), hand_.reset(), wanted_mm_.reset();
+  press_mm_ = 0;
   shown_ = nullptr;
   status_ = {};
   trouble_.clear();
@@ -114,6 +115,12 @@ void LivePatient::setAwake(bool awake) {
 }
 
 std::optional<Transform> LivePatient::pose() const {
+  auto pose = standing();
+  if (pose) pose->offset = pose->offset + press_mm_ * pose->linear.column[2];
+  return pose;
+}
+
+std::optional<Transform> LivePatient::standing() const {
   if (hand_) return hand_->pose();
   if (!start_) return std::nullopt;
   const auto pose = patientFromProbe(start_->position_mm, start_->axial, start_->lateral);
@@ -156,20 +163,25 @@ void LivePatient::follow(Vec3 patient_mm) {
   moved();
 }
 
+void LivePatient::setPress(double mm) {
+  press_mm_ = mm;
+  if (hand_) moved();
+}
+
 void LivePatient::setStart(std::optional<StartPose> start) {
   start_ = std::move(start);
   Q_EMIT stateChanged();
 }
 
-void LivePatient::goToStart() {
+void LivePatient::goTo(const StartPose& place) {
   wanted_mm_.reset();
-  if (!hand_ || !start_) return;
-  if (const auto pose = patientFromProbe(start_->position_mm, start_->axial, start_->lateral)) hand_->setPose(*pose);
+  if (!hand_) return;
+  if (const auto pose = patientFromProbe(place.position_mm, place.axial, place.lateral)) hand_->setPose(*pose);
   moved();
 }
 
 void LivePatient::moved() {
-  if (feed_.live()) feed_.live()->setPose(hand_->pose());
+  if (feed_.live()) feed_.live()->setPose(*pose());
   Q_EMIT poseChanged();
 }
 

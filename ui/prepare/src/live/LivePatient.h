@@ -37,13 +37,18 @@ class LivePatient : public QObject {
 
   /// The probe goes to the skin nearest to a patient point.
   void follow(Vec3 patient_mm);
-  /// The probe goes where the case begins.
-  void goToStart();
+  /// The probe is put at a pose.
+  void goTo(const StartPose& pose);
   void setStart(std::optional<StartPose> start);
+  /// How far the probe is pushed into the skin, from where it stands on it.
+  void setPress(double mm);
+  double press_mm() const { return press_mm_; }
   /// Where the case begins, once known.
   const std::optional<StartPose>& start() const { return start_; }
   /// patientFromProbe; none before it is known.
   std::optional<Transform> pose() const;
+  /// The same where it stands on the skin, before it is pressed.
+  std::optional<Transform> standing() const;
 
   const ImagingSetup& setup() const { return setup_; }
   /// Null before the first picture.
@@ -76,6 +81,7 @@ class LivePatient : public QObject {
   std::shared_ptr<const LiveFrame> shown_;
   LiveStatus status_;
   QString trouble_;
+  double press_mm_ = 0;
   bool awake_ = false, surfacesDone_ = true;
   bool stale_ = false;  ///< a live probe has begun that has not made a picture yet
   ui::LiveFeed feed_;

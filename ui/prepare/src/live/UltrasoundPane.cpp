@@ -3,6 +3,7 @@
 #include "../PrepareSession.h"
 
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/ValueSlider.h>
 #include <insonate/ui/ViewWidget.h>
 #include <insonate/ultrasound/BeamGrid.h>
 
@@ -23,7 +24,10 @@ UltrasoundPane::UltrasoundPane(PrepareSession& session, QWidget* parent)
       session_(session),
       view_(std::make_shared<views::UltrasoundView>()),
       widget_(new ui::ViewWidget(view_, tr("Ultrasound of this label map"), this)),
+      press_(new ui::ValueSlider(tr("press"), tr("mm"), {0, 15, 0, 0.5, 1},
+                                 tr("how far the probe is pushed in; the tissue gives way as in Train"))),
       state_(new QLabel),
+      pressed_(new QLabel),
       start_(new QPushButton(tr("Start"))),
       keep_(new QPushButton(tr("Begin here"))) {
   // The column is too small a room to fill, and the picture has no more to show when larger.
@@ -51,12 +55,20 @@ UltrasoundPane::UltrasoundPane(PrepareSession& session, QWidget* parent)
   box->setSpacing(ui::kSmallGap);
   box->addLayout(row);
   box->addWidget(widget_, 1);
+  box->addWidget(press_);
+  box->addWidget(pressed_);
   box->addWidget(state_);
+  press_->setObjectName(QStringLiteral("press"));
+  pressed_->setObjectName(QStringLiteral("pressed"));
+  ui::setRole(pressed_, "quiet");
+  connect(press_, &ui::ValueSlider::valueChanged, this, [this](double mm) { session_.live().setPress(mm); });
   connect(start_, &QPushButton::clicked, this, [this] { session_.goToStart(); });
   connect(keep_, &QPushButton::clicked, this, [this] { session_.keepStart(); });
-  connect(&session_, &PrepareSession::startChanged, this, [this] { showState(); });
+  connect(&session_, &PrepareSession::placesChanged, this, [this] { showState(); });
   connect(&session_, &PrepareSession::caseChanged, this, [this] {
     shape_ = nullptr;
+    press_->reset();
+    pressed_->clear();
     view_->setImage({});
     showState();
   });
@@ -68,12 +80,24 @@ UltrasoundPane::UltrasoundPane(PrepareSession& session, QWidget* parent)
 void UltrasoundPane::showPicture() {
   const LiveFrame& frame = *session_.live().shown();
   view_->setImage(frame.image);
+  showPress();
   if (frame.setup == shape_) return;
   shape_ = frame.setup;
   const BeamGrid grid(frame.setup->probe, frame.setup->settings);
   view_->setBounds(
       views::PictureBounds{grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()});
   view_->setFocus(frame.setup->settings.focus_mm);
+}
+
+void UltrasoundPane::showPress() {
+  const LivePress& press = session_.live().shown()->press;
+  QStringList words;
+  if (session_.live().press_mm() > 0) words << tr("%1 N").arg(press.force_N, 0, 'f', 1);
+  for (const LumenArea& lumen : press.lumens)
+    if (lumen.rest_mm2 > 0 && session_.live().press_mm() > 0)
+      words << tr("%1 %2 % open").arg(structureName(lumen.label)).arg(100 * lumen.area_mm2 / lumen.rest_mm2, 0, 'f', 0);
+  pressed_->setText(words.isEmpty() ? tr("Press to see whether the vein gives way.")
+                                    : words.join(QStringLiteral("   ")));
 }
 
 void UltrasoundPane::showState() {

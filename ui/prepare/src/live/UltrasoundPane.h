@@ -9,8 +9,9 @@ class QLabel;
 class QPushButton;
 
 namespace insonate::ui {
+class ValueSlider;
 class ViewWidget;
-}
+}  // namespace insonate::ui
 
 namespace insonate::prepare {
 
@@ -26,12 +27,14 @@ class UltrasoundPane : public QWidget {
  private:
   void showPicture();
   void showState();
+  void showPress();
 
   PrepareSession& session_;
   std::shared_ptr<views::UltrasoundView> view_;
   std::shared_ptr<const void> shape_;  ///< setup of the picture as laid out
   ui::ViewWidget* widget_;
-  QLabel* state_;
+  ui::ValueSlider* press_;
+  QLabel *state_, *pressed_;
   QPushButton *start_, *keep_;
 };
 

@@ -23,7 +23,8 @@ Result<Measured> measure(const CaseView& patient, const Progress& progress) {
   if (!statistics) return tl::unexpected(statistics.error());
   auto findings = checkCase(patient, part(kCounting, 1));
   if (!findings) return tl::unexpected(findings.error());
-  return std::make_shared<const CaseMeasures>(CaseMeasures{std::move(*statistics), std::move(*findings)});
+  return std::make_shared<const CaseMeasures>(
+      CaseMeasures{std::move(*statistics), std::move(*findings), estimateDifficulty(patient)});
 }
 
 }  // namespace
@@ -39,12 +40,20 @@ CaseMeasuring::~CaseMeasuring() = default;
 void CaseMeasuring::setCase(std::shared_ptr<const PatientCase> patient) {
   patient_ = std::move(patient);
   labels_ = patient_ ? CaseVolumes(patient_).labels : nullptr;
+  manifest_ = patient_ ? std::shared_ptr<const CaseManifest>(patient_, &patient_->manifest) : nullptr;
   measures_ = nullptr;
   beginAgain();
 }
 
 void CaseMeasuring::setLabels(std::shared_ptr<const LabelMap> labels) {
   labels_ = std::move(labels);
+  beginAgain();
+}
+
+void CaseMeasuring::setPlaces(const CasePlaces& places) {
+  auto manifest = std::make_shared<CaseManifest>(*manifest_);
+  putPlaces(places, *manifest);
+  manifest_ = std::move(manifest);
   beginAgain();
 }
 
@@ -73,8 +82,8 @@ void CaseMeasuring::tryToRun() {
   enter(State::Running);
   tasks_.run<Measured>(
       tr("Checking the case"),
-      [patient = patient_, labels = labels_](const Progress& progress) {
-        return measure(CaseView(*patient, *labels), progress);
+      [patient = patient_, labels = labels_, manifest = manifest_](const Progress& progress) {
+        return measure(CaseView(*manifest, patient->ct, *labels), progress);
       },
       [self = QPointer(this), number = ++number_](Result<Measured> result) {
         if (self) self->ended(number, std::move(result));

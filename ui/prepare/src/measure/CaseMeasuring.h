@@ -1,7 +1,10 @@
 #pragma once
 
+#include "../check/CasePlaces.h"
+
 #include <insonate/cases/CaseCheck.h>
 #include <insonate/cases/CaseStatistics.h>
+#include <insonate/cases/Difficulty.h>
 #include <insonate/cases/PatientCase.h>
 
 #include <QObject>
@@ -18,6 +21,7 @@ namespace insonate::prepare {
 struct CaseMeasures {
   CaseStatistics statistics;
   std::vector<Finding> findings;
+  Result<DifficultyEstimate> difficulty;
 };
 
 /// Measures and checks a case as a long job of the window, while it is allowed to. Another job of the window takes its
@@ -35,6 +39,8 @@ class CaseMeasuring : public QObject {
   void setCase(std::shared_ptr<const PatientCase> patient);
   /// Edited labels in place of the case's; what was measured before stays until the new measures are there.
   void setLabels(std::shared_ptr<const LabelMap> labels);
+  /// The same for targets, landmarks and start poses.
+  void setPlaces(const CasePlaces& places);
   /// While not allowed, nothing begins; what runs goes on.
   void setAllowed(bool allowed);
   /// Begins, or begins again after a cancel.
@@ -58,6 +64,7 @@ class CaseMeasuring : public QObject {
   ui::TaskBar& tasks_;
   std::shared_ptr<const PatientCase> patient_;
   std::shared_ptr<const LabelMap> labels_;
+  std::shared_ptr<const CaseManifest> manifest_;
   std::shared_ptr<const CaseMeasures> measures_;
   QString trouble_;
   State state_ = State::Idle;

@@ -1,9 +1,9 @@
 #include "PathPanel.h"
 
 #include "../PrepareSession.h"
+#include "../check/FindingsList.h"
 #include "../guide/GuidePage.h"
 #include "../table/StructureTable.h"
-#include "FindingsList.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/Theme.h>

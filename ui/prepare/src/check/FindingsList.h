@@ -15,7 +15,8 @@ class PrepareSession;
 /// "2 errors, 1 doubt", "no findings".
 QString findingCount(const std::vector<Finding>& findings);
 
-/// What the check found, the worst first; a finding with a place brings the crosshair there.
+/// The verdict, and what the check found: missing or wrong, doubtful, noted. A finding brings the crosshair to its
+/// place and selects its structure. The last findings stay while the check runs again.
 class FindingsList : public QWidget {
  public:
   explicit FindingsList(PrepareSession& session, QWidget* parent = nullptr);

@@ -9,6 +9,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace insonate::prepare {
 namespace {
@@ -18,19 +20,27 @@ namespace theme = views::theme;
 struct Sign {
   const char* icon;
   views::Colour colour;
-  QString word;
+  QString word, group;
 };
 
 Sign signOf(Severity severity) {
   switch (severity) {
     case Severity::kError:
-      return {"close", theme::kDanger, FindingsList::tr("Error")};
+      return {"close", theme::kDanger, FindingsList::tr("Error"), FindingsList::tr("Missing or wrong")};
     case Severity::kWarning:
-      return {"warning", theme::kCaution, FindingsList::tr("Doubt")};
+      return {"warning", theme::kCaution, FindingsList::tr("Doubt"), FindingsList::tr("Doubtful")};
     case Severity::kInfo:
       break;
   }
-  return {"help", theme::kQuiet, FindingsList::tr("Note")};
+  return {"help", theme::kQuiet, FindingsList::tr("Note"), FindingsList::tr("Noted")};
+}
+
+QString verdict(const std::vector<Finding>& findings) {
+  if (!isFit(findings)) return FindingsList::tr("Not fit for training: what is missing or wrong comes first.");
+  if (findings.empty()) return FindingsList::tr("Fit for training. Nothing stands against it.");
+  const bool doubts = findings.front().severity == Severity::kWarning;
+  return doubts ? FindingsList::tr("Fit for training, with doubts that may mislead a trainee.")
+                : FindingsList::tr("Fit for training.");
 }
 
 }  // namespace
@@ -52,7 +62,7 @@ FindingsList::FindingsList(PrepareSession& session, QWidget* parent)
       box_(new QVBoxLayout(this)) {
   setObjectName(QStringLiteral("findings"));
   state_->setWordWrap(true);
-  ui::setRole(state_, "quiet");
+  state_->setObjectName(QStringLiteral("checkVerdict"));
   again_->setObjectName(QStringLiteral("checkAgain"));
   again_->setToolTip(tr("Measure the structures and check the case"));
   box_->setContentsMargins(0, 0, 0, 0);
@@ -78,12 +88,17 @@ QWidget* FindingsList::row(const Finding& finding) {
   auto* words = new QVBoxLayout;
   words->setSpacing(ui::kSmallGap);
   words->addWidget(text);
-  if (finding.place_mm) {
-    auto* go = new QPushButton(tr("Show the place"));
+  if (finding.place_mm || finding.label) {
+    auto* go =
+        new QPushButton(finding.place_mm ? tr("Show the place") : tr("Select %1").arg(structureName(finding.label)));
     go->setObjectName(QStringLiteral("place-") + QString::fromStdString(finding.code));
-    go->setToolTip(tr("Bring the crosshair there"));
+    go->setToolTip(finding.place_mm ? tr("Bring the crosshair there and select the structure")
+                                    : tr("Select the structure in the table"));
     go->setAccessibleDescription(QString::fromStdString(finding.text));
-    connect(go, &QPushButton::clicked, this, [this, place_mm = *finding.place_mm] { session_.setCrosshair(place_mm); });
+    connect(go, &QPushButton::clicked, this, [this, place_mm = finding.place_mm, label = finding.label] {
+      if (label) session_.select(label);
+      if (place_mm) session_.setCrosshair(*place_mm);
+    });
     words->addWidget(go, 0, Qt::AlignLeft);
   }
   auto* box = new QHBoxLayout(row);
@@ -95,25 +110,34 @@ QWidget* FindingsList::row(const Finding& finding) {
 }
 
 void FindingsList::refresh() {
-  // A button of the list may be what called this.
-  if (list_) list_->deleteLater();
-  list_ = nullptr;
   const CaseMeasuring& measuring = session_.measuring();
   using State = CaseMeasuring::State;
   again_->setVisible(measuring.state() == State::Stopped);
   const auto& measures = measuring.measures();
   if (!measures) {
+    if (list_) list_->deleteLater();
+    list_ = nullptr;
     state_->setVisible(true);
     state_->setText(measuring.state() == State::Stopped ? measuring.trouble() : tr("Checking ..."));
     return;
   }
-  state_->setVisible(measures->findings.empty());
-  state_->setText(tr("Nothing stands against training on this case."));
+  state_->setVisible(true);
+  state_->setText(verdict(measures->findings));
+  // A button of the list may be what called this.
+  if (list_) list_->deleteLater();
   list_ = new QWidget;
   auto* rows = new QVBoxLayout(list_);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(ui::kGap);
-  for (const Finding& finding : measures->findings) rows->addWidget(row(finding));
+  std::optional<Severity> group;
+  for (const Finding& finding : measures->findings) {
+    if (std::exchange(group, finding.severity) != finding.severity) {
+      auto* heading = new QLabel(signOf(finding.severity).group);
+      ui::setRole(heading, "heading");
+      rows->addWidget(heading);
+    }
+    rows->addWidget(row(finding));
+  }
   box_->addWidget(list_);
 }
 

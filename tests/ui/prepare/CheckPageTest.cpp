@@ -1,0 +1,155 @@
+#include "PrepareWindow.h"
+
+#include <insonate/simulator/ProbePose.h>
+
+#include <QTreeWidget>
+
+namespace insonate::prepare {
+namespace {
+
+class CheckPage : public PrepareWindow {
+ protected:
+  QTreeWidget* places() { return child<QTreeWidget>("places"); }
+  QTreeWidgetItem* item(const QString& name) {
+    const auto found = places()->findItems(name, Qt::MatchExactly | Qt::MatchRecursive);
+    EXPECT_EQ(found.size(), 1) << name.toStdString();
+    return found.isEmpty() ? nullptr : found.front();
+  }
+  void press(const char* button) { child<QPushButton>(button)->click(); }
+  void mark(const QString& kind) {
+    auto* kinds = child<QComboBox>("placeKind");
+    const int row = kinds->findText(kind);
+    ASSERT_GE(row, 0) << kind.toStdString();
+    kinds->setCurrentIndex(row);
+    press("placeAdd");
+  }
+  bool checkedAgain(const std::function<bool()>& condition) {
+    return QTest::qWaitFor([&] { return workspace_->isReady() && condition(); }, kPatience_ms);
+  }
+  bool finds(const std::string& code) {
+    const auto& measures = session_->measuring().measures();
+    return measures && std::ranges::any_of(measures->findings, [&](const Finding& f) { return f.code == code; });
+  }
+  QString text(const char* label) { return child<QLabel>(label)->text(); }
+};
+
+TEST_F(CheckPage, VerdictAndGroupsSayWhatIsMissing) {
+  openCase();
+  EXPECT_TRUE(text("checkVerdict").startsWith("Not fit for training")) << "no artery";
+  QStringList headings;
+  for (const QLabel* label : child<QWidget>("findings")->findChildren<QLabel*>())
+    if (label->property("role") == "heading" || label->text().startsWith("Missing")) headings << label->text();
+  EXPECT_TRUE(headings.contains("Missing or wrong")) << headings.join(", ").toStdString();
+}
+
+TEST_F(CheckPage, ALandmarkIsMarkedShownMovedNamedAndRemoved) {
+  openCase();
+  session_->setCrosshair({5, 6, 1});
+  mark("cricoid cartilage");
+  ASSERT_EQ(session_->places().landmarks.size(), 1u);
+  EXPECT_EQ(session_->places().landmarks[0].code, "cricoid");
+  EXPECT_EQ(session_->places().landmarks[0].position_mm, (Vec3{5, 6, 1}));
+  EXPECT_TRUE(workspace_->unsavedEdit());
+
+  session_->setCrosshair({-5, 8, 2});
+  places()->setCurrentItem(item("cricoid cartilage"));
+  press("placeShow");
+  EXPECT_EQ(session_->crosshair_mm(), (Vec3{5, 6, 1}));
+  session_->setCrosshair({-5, 8, 2});
+  press("placePut");
+  EXPECT_EQ(session_->places().landmarks[0].position_mm, (Vec3{-5, 8, 2}));
+  item("cricoid cartilage")->setText(0, "cricoid, front");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return session_->places().landmarks[0].name == "cricoid, front"; }));
+  places()->setCurrentItem(item("cricoid, front"));
+  press("placeRemove");
+  EXPECT_TRUE(session_->places().landmarks.empty());
+  for (int n = 0; n < 4; ++n) session_->undoStack().undo();
+  EXPECT_FALSE(workspace_->unsavedEdit()) << "each was taken back";
+}
+
+TEST_F(CheckPage, ATargetGoesIntoAVesselOnlyAndTheCheckFollows) {
+  auto without = std::make_shared<PatientCase>(*patient());
+  without->manifest.targets.clear();
+  openCase(without);
+  EXPECT_TRUE(finds("no_target"));
+  session_->setCrosshair({20, 20, 0});
+  mark("target: what is punctured");
+  EXPECT_TRUE(session_->places().targets.empty());
+  EXPECT_TRUE(workspace_->statusText().contains("vein or an artery"));
+  session_->setCrosshair({0, 12, 0});
+  mark("target: what is punctured");
+  ASSERT_EQ(session_->places().targets.size(), 1u);
+  EXPECT_EQ(session_->places().targets[0].label, kVein);
+  EXPECT_TRUE(checkedAgain([this] { return !finds("no_target"); })) << "without being asked";
+}
+
+TEST_F(CheckPage, StartPosesAreSeveralAndOneIsTheFirst) {
+  openCase();
+  session_->setCrosshair({10, 1, 0});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workspace_->isReady(); }, kPatience_ms));
+  mark("start pose of the probe");
+  ASSERT_EQ(session_->places().startPoses.size(), 2u);
+  EXPECT_NEAR(session_->places().startPoses[1].position_mm.x, 10, 1.5);
+  places()->setCurrentItem(item("start 2"));
+  press("placeFirst");
+  EXPECT_EQ(session_->places().startPoses[0].name, "start 2");
+  EXPECT_EQ(session_->live().start()->name, "start 2");
+  PatientCase copy = *patient();
+  workspace_->unsavedEdit()(copy);
+  EXPECT_EQ(copy.manifest.startPoses[0].name, "start 2");
+  EXPECT_EQ(copy.manifest.startPoses[1].name, "over the vein");
+  session_->setCrosshair({-10, 1, 0});
+  session_->goToStart();
+  EXPECT_NEAR(session_->live().standing()->offset.x, 10, 1.5);
+}
+
+TEST_F(CheckPage, DifficultyShowsItsMeasuresAndTheAuthorsGradeGoesBefore) {
+  openCase();
+  EXPECT_TRUE(text("gradeSentence").startsWith("Estimated. ")) << text("gradeSentence").toStdString();
+  // Skin from -0.5 mm, vein from 7.5 mm: voxels begin half before their middles.
+  EXPECT_TRUE(text("gradeMeasures").contains("depth of the vein: 8.0 mm")) << text("gradeMeasures").toStdString();
+  auto* grade = child<QComboBox>("grade");
+  EXPECT_EQ(grade->currentText(), "as estimated");
+  grade->setCurrentIndex(grade->findText("hard"));
+  Q_EMIT grade->activated(grade->currentIndex());
+  EXPECT_EQ(session_->places().difficulty, "hard");
+  EXPECT_TRUE(checkedAgain([this] { return finds("difficulty_differs"); }));
+  session_->undoStack().undo();
+  EXPECT_EQ(grade->currentText(), "as estimated");
+}
+
+TEST_F(CheckPage, PressingFlattensTheVeinAndIsNotKeptAsTheStart) {
+  auto without = std::make_shared<PatientCase>(*patient());
+  without->manifest.startPoses.clear();
+  openCase(without);
+  ASSERT_TRUE(session_->live().standing());
+  child<ui::ValueSlider>("press")->setValue(6);
+  const auto pressed = [&] {
+    const auto frame = session_->live().shown();
+    if (!frame || frame->press.force_N <= 0) return false;
+    return std::ranges::any_of(frame->press.lumens, [](const LumenArea& lumen) {
+      return lumen.label == kVein && lumen.area_mm2 < 0.8 * lumen.rest_mm2;
+    });
+  };
+  EXPECT_TRUE(QTest::qWaitFor(pressed, kPatience_ms)) << text("pressed").toStdString();
+  EXPECT_TRUE(text("pressed").contains("vein")) << text("pressed").toStdString();
+  EXPECT_TRUE(text("pressed").contains(" N"));
+  press("keepStart");
+  ASSERT_EQ(session_->places().startPoses.size(), 1u);
+  EXPECT_NEAR(session_->places().startPoses[0].position_mm.y, 0, 1) << "on the skin, not in it";
+  openCase();
+  EXPECT_EQ(child<ui::ValueSlider>("press")->value(), 0) << "another case is not pressed";
+}
+
+TEST_F(CheckPage, AFindingSelectsItsStructure) {
+  auto crumbs = std::make_shared<PatientCase>(*patient());
+  crumbs->labels.at(40, 30, 8) = kVein;
+  openCase(crumbs);
+  session_->select(kBone);
+  press("place-vein_fragments");
+  EXPECT_EQ(session_->selected(), kVein);
+  EXPECT_EQ(session_->crosshair_mm(), (Vec3{16, 24, 0}));
+}
+
+}  // namespace
+}  // namespace insonate::prepare

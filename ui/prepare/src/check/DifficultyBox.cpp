@@ -1,0 +1,69 @@
+#include "DifficultyBox.h"
+
+#include "../PrepareSession.h"
+
+#include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/Theme.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace insonate::prepare {
+namespace {
+
+QString measuresText(const DifficultyEstimate& estimate) {
+  QStringList lines;
+  for (const DifficultyShare& share : estimate.shares)
+    lines << QStringLiteral("%1: %2 (%3)")
+                 .arg(QString::fromStdString(share.what), QString::fromStdString(share.value))
+                 .arg(share.points, 0, 'f', 2);
+  lines << DifficultyBox::tr("Together %1 points; moderate from 0.25, hard from 1 (formula %2).")
+               .arg(estimate.points, 0, 'f', 2)
+               .arg(DifficultyEstimate::kVersion);
+  return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace
+
+DifficultyBox::DifficultyBox(PrepareSession& session, QWidget* parent)
+    : QWidget(parent), session_(session), grade_(new QComboBox), sentence_(new QLabel), measures_(new QLabel) {
+  new ui::QuietWheel(grade_);
+  grade_->setObjectName(QStringLiteral("grade"));
+  grade_->setAccessibleName(tr("Difficulty of the case"));
+  grade_->setToolTip(tr("Your own grade goes before the estimate; saved with the case"));
+  grade_->addItem(tr("as estimated"), QString());
+  for (const QString& grade : {QStringLiteral("easy"), QStringLiteral("moderate"), QStringLiteral("hard")})
+    grade_->addItem(grade, grade);
+  sentence_->setObjectName(QStringLiteral("gradeSentence"));
+  measures_->setObjectName(QStringLiteral("gradeMeasures"));
+  ui::setRole(measures_, "quiet");
+  for (QLabel* label : {sentence_, measures_}) label->setWordWrap(true);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kSmallGap);
+  box->addWidget(grade_);
+  box->addWidget(sentence_);
+  box->addWidget(measures_);
+  connect(grade_, qOverload<int>(&QComboBox::activated), this, [this] {
+    CasePlaces places = session_.places();
+    places.difficulty = grade_->currentData().toString().toStdString();
+    session_.setPlaces(std::move(places), tr("difficulty"));
+  });
+  connect(&session_, &PrepareSession::caseChanged, this, [this] { refresh(); });
+  connect(&session_, &PrepareSession::placesChanged, this, [this] { refresh(); });
+  connect(&session_.measuring(), &CaseMeasuring::changed, this, [this] { refresh(); });
+  refresh();
+}
+
+void DifficultyBox::refresh() {
+  grade_->setCurrentIndex(std::max(0, grade_->findData(QString::fromStdString(session_.places().difficulty))));
+  const auto& measures = session_.measuring().measures();
+  measures_->setVisible(measures && measures->difficulty);
+  if (!measures) return sentence_->setText(tr("Measuring ..."));
+  if (!measures->difficulty) return sentence_->setText(QString::fromStdString(measures->difficulty.error().message));
+  sentence_->setText(tr("Estimated. %1").arg(QString::fromStdString(measures->difficulty->sentence)));
+  measures_->setText(measuresText(*measures->difficulty));
+}
+
+}  // namespace insonate::prepare

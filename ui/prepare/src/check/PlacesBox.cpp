@@ -1,0 +1,251 @@
+#include "PlacesBox.h"
+
+#include "../PrepareSession.h"
+
+#include <insonate/cases/Landmarks.h>
+#include <insonate/simulator/ProbePose.h>
+#include <insonate/tissue/Labels.h>
+#include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/Theme.h>
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace insonate::prepare {
+namespace {
+
+constexpr int kKindRole = Qt::UserRole, kIndexRole = Qt::UserRole + 1;
+constexpr int kListHeight_px = 190;
+const QString kTarget = QStringLiteral("target"), kStartPose = QStringLiteral("start pose");
+
+QString qt(std::string_view text) {
+  return QString::fromUtf8(text.data(), int(text.size()));
+}
+
+QPushButton* button(const char* name, const QString& words, const QString& tip) {
+  auto* made = new QPushButton(words);
+  made->setObjectName(QLatin1String(name));
+  made->setToolTip(tip);
+  return made;
+}
+
+}  // namespace
+
+PlacesBox::PlacesBox(PrepareSession& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      list_(new QTreeWidget),
+      kind_(new QComboBox),
+      add_(button("placeAdd", tr("Mark"), tr("Mark it at the crosshair; a start pose where the probe is"))),
+      show_(button("placeShow", tr("Show"), tr("Crosshair or probe to the chosen place (Enter)"))),
+      put_(button("placePut", tr("Put here"), tr("Move the chosen place to the crosshair, a start pose to the probe"))),
+      first_(button("placeFirst", tr("Begin there"),
+                    tr("The chosen start pose is where the case begins; the chosen "
+                       "target is what it is about"))),
+      remove_(button("placeRemove", tr("Remove"), tr("Remove the chosen place"))) {
+  arrange();
+  connect(add_, &QPushButton::clicked, this, [this] { add(); });
+  connect(show_, &QPushButton::clicked, this, [this] { show(); });
+  connect(put_, &QPushButton::clicked, this, [this] { putHere(); });
+  connect(first_, &QPushButton::clicked, this, [this] { makeFirst(); });
+  connect(remove_, &QPushButton::clicked, this, [this] { remove(); });
+  connect(list_, &QTreeWidget::itemActivated, this, [this] { show(); });
+  connect(list_, &QTreeWidget::currentItemChanged, this, [this] { refreshButtons(); });
+  connect(list_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
+    if (!showing_) rename(item);
+  });
+  connect(&session_, &PrepareSession::caseChanged, this, [this] { refresh(); });
+  connect(&session_, &PrepareSession::placesChanged, this, [this] { refresh(); });
+  refresh();
+}
+
+void PlacesBox::arrange() {
+  new ui::QuietWheel(kind_);
+  kind_->setObjectName(QStringLiteral("placeKind"));
+  kind_->setAccessibleName(tr("What to mark"));
+  kind_->setToolTip(tr("What to mark: click on it in a slice or in 3D first"));
+  for (const LandmarkKind& kind : landmarkKinds()) kind_->addItem(qt(kind.name), qt(kind.code));
+  kind_->addItem(tr("another landmark"), QString());
+  kind_->addItem(tr("target: what is punctured"), kTarget);
+  kind_->addItem(tr("start pose of the probe"), kStartPose);
+  list_->setObjectName(QStringLiteral("places"));
+  list_->setAccessibleName(tr("Targets, landmarks and start poses"));
+  list_->setToolTip(tr("F2 names the chosen one, Enter shows it"));
+  list_->setHeaderHidden(true);
+  list_->setRootIsDecorated(false);
+  list_->setIndentation(ui::kGap);
+  list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
+  list_->setFixedHeight(kListHeight_px);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* marking = new QHBoxLayout;
+  marking->setSpacing(ui::kSmallGap);
+  marking->addWidget(kind_, 1);
+  marking->addWidget(add_);
+  auto* acting = new QGridLayout;
+  acting->setSpacing(ui::kSmallGap);
+  acting->addWidget(show_, 0, 0);
+  acting->addWidget(put_, 0, 1);
+  acting->addWidget(first_, 1, 0);
+  acting->addWidget(remove_, 1, 1);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kSmallGap);
+  box->addLayout(marking);
+  box->addWidget(list_);
+  box->addLayout(acting);
+}
+
+void PlacesBox::refresh() {
+  Chosen before{};
+  const bool had = chosen(before);
+  showing_ = true;
+  list_->clear();
+  const CasePlaces& places = session_.places();
+  const auto heading = [this](const QString& words) {
+    auto* item = new QTreeWidgetItem(list_, {words});
+    item->setFlags(Qt::ItemIsEnabled);
+    return item;
+  };
+  const auto add = [&](QTreeWidgetItem* under, Kind kind, std::size_t index, const QString& name) {
+    auto* item = new QTreeWidgetItem(under, {name.isEmpty() ? tr("without a name") : name});
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable);
+    item->setData(0, kKindRole, int(kind));
+    item->setData(0, kIndexRole, int(index));
+    if (had && before.kind == kind && before.index == index) list_->setCurrentItem(item);
+  };
+  auto* targets = heading(places.targets.empty() ? tr("Targets: none yet") : tr("Targets, the first is practised"));
+  for (std::size_t n = 0; n < places.targets.size(); ++n)
+    add(targets, Kind::Target, n, QString::fromStdString(places.targets[n].name));
+  auto* poses = heading(places.startPoses.empty() ? tr("Start poses: none yet")
+                                                  : tr("Start poses, the case begins at the first"));
+  for (std::size_t n = 0; n < places.startPoses.size(); ++n)
+    add(poses, Kind::StartPose, n, QString::fromStdString(places.startPoses[n].name));
+  auto* landmarks = heading(places.landmarks.empty() ? tr("Landmarks: none yet") : tr("Landmarks"));
+  for (std::size_t n = 0; n < places.landmarks.size(); ++n)
+    add(landmarks, Kind::Landmark, n, QString::fromStdString(places.landmarks[n].name));
+  list_->expandAll();
+  showing_ = false;
+  refreshButtons();
+}
+
+bool PlacesBox::chosen(Chosen& one) const {
+  const QTreeWidgetItem* item = list_->currentItem();
+  if (!item || !item->parent()) return false;
+  one = {Kind(item->data(0, kKindRole).toInt()), std::size_t(item->data(0, kIndexRole).toInt())};
+  return true;
+}
+
+void PlacesBox::refreshButtons() {
+  Chosen one{};
+  const bool any = chosen(one);
+  for (QPushButton* each : {show_, put_, remove_}) each->setEnabled(any);
+  first_->setEnabled(any && one.kind != Kind::Landmark && one.index > 0);
+  add_->setEnabled(session_.patient() != nullptr);
+}
+
+void PlacesBox::change(const QString& what, const std::function<void(CasePlaces&)>& how) {
+  CasePlaces places = session_.places();
+  how(places);
+  session_.setPlaces(std::move(places), what);
+}
+
+void PlacesBox::add() {
+  const QString what = kind_->currentData().toString(), name = kind_->currentText();
+  const Vec3 here_mm = session_.crosshair_mm();
+  if (what == kStartPose) {
+    const auto pose = session_.live().standing();
+    if (!pose) return session_.say(tr("The probe stands nowhere yet. Click on the skin first."));
+    return change(tr("start pose"), [&](CasePlaces& places) {
+      places.startPoses.push_back(poseOf(*pose));
+      places.startPoses.back().name = tr("start %1").arg(places.startPoses.size()).toStdString();
+    });
+  }
+  if (what != kTarget)
+    return change(tr("landmark"), [&](CasePlaces& places) {
+      places.landmarks.push_back({what.toStdString(), name.toStdString(), here_mm});
+    });
+  const LabelMap& labels = session_.labelling().labels();
+  const std::uint8_t label = sampleNearest(labels, labels.geometry.indexFromPatient() * here_mm);
+  if (label != kVein && label != kArtery)
+    return session_.say(tr("A target lies in a vein or an artery. Put the crosshair into the vessel first."));
+  change(tr("target"), [&](CasePlaces& places) {
+    places.targets.push_back({structureName(label).toStdString(), label, here_mm});
+  });
+}
+
+void PlacesBox::show() {
+  Chosen one{};
+  if (!chosen(one)) return;
+  const CasePlaces& places = session_.places();
+  switch (one.kind) {
+    case Kind::Target:
+      session_.select(places.targets[one.index].label);
+      return session_.setCrosshair(places.targets[one.index].position_mm);
+    case Kind::Landmark:
+      return session_.setCrosshair(places.landmarks[one.index].position_mm);
+    case Kind::StartPose:
+      return session_.goTo(places.startPoses[one.index]);
+  }
+}
+
+void PlacesBox::putHere() {
+  Chosen one{};
+  if (!chosen(one)) return;
+  const auto pose = session_.live().standing();
+  change(tr("place"), [&](CasePlaces& places) {
+    const Vec3 here_mm = session_.crosshair_mm();
+    if (one.kind == Kind::Target) places.targets[one.index].position_mm = here_mm;
+    if (one.kind == Kind::Landmark) places.landmarks[one.index].position_mm = here_mm;
+    if (one.kind != Kind::StartPose || !pose) return;
+    StartPose moved = poseOf(*pose);
+    moved.name = places.startPoses[one.index].name;
+    places.startPoses[one.index] = std::move(moved);
+  });
+}
+
+void PlacesBox::makeFirst() {
+  Chosen one{};
+  if (!chosen(one)) return;
+  change(tr("what comes first"), [&](CasePlaces& places) {
+    const auto toFront = [&](auto& list) {
+      std::rotate(list.begin(), list.begin() + std::ptrdiff_t(one.index), list.begin() + std::ptrdiff_t(one.index) + 1);
+    };
+    one.kind == Kind::Target ? toFront(places.targets) : toFront(places.startPoses);
+  });
+}
+
+void PlacesBox::remove() {
+  Chosen one{};
+  if (!chosen(one)) return;
+  change(tr("place removed"), [&](CasePlaces& places) {
+    const auto erase = [&](auto& list) { list.erase(list.begin() + std::ptrdiff_t(one.index)); };
+    if (one.kind == Kind::Target) erase(places.targets);
+    if (one.kind == Kind::Landmark) erase(places.landmarks);
+    if (one.kind == Kind::StartPose) erase(places.startPoses);
+  });
+}
+
+void PlacesBox::rename(QTreeWidgetItem* item) {
+  const auto index = std::size_t(item->data(0, kIndexRole).toInt());
+  const std::string name = item->text(0).simplified().toStdString();
+  // The list is built anew, which must not happen under the item that tells of its change.
+  QMetaObject::invokeMethod(
+      this,
+      [this, index, name, kind = Kind(item->data(0, kKindRole).toInt())] {
+        change(tr("name"), [&](CasePlaces& places) {
+          if (name.empty()) return;
+          if (kind == Kind::Target) places.targets[index].name = name;
+          if (kind == Kind::Landmark) places.landmarks[index].name = name;
+          if (kind == Kind::StartPose) places.startPoses[index].name = name;
+        });
+      },
+      Qt::QueuedConnection);
+}
+
+}  // namespace insonate::prepare

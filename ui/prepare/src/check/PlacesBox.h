@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QWidget>
+#include <functional>
+
+class QComboBox;
+class QPushButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace insonate::prepare {
+
+class PrepareSession;
+struct CasePlaces;
+
+/// Targets, landmarks and start poses of the case, to be placed where the crosshair or the probe is, shown, named,
+/// moved and removed. The first start pose is the one where a case begins.
+class PlacesBox : public QWidget {
+ public:
+  explicit PlacesBox(PrepareSession& session, QWidget* parent = nullptr);
+
+ private:
+  enum class Kind { Target, Landmark, StartPose };
+  struct Chosen {
+    Kind kind;
+    std::size_t index;
+  };
+
+  void arrange();
+  void refresh();
+  void refreshButtons();
+  void add();
+  void show();
+  void putHere();
+  void makeFirst();
+  void remove();
+  void rename(QTreeWidgetItem* item);
+  void change(const QString& what, const std::function<void(CasePlaces&)>& how);
+  bool chosen(Chosen& one) const;
+
+  PrepareSession& session_;
+  QTreeWidget* list_;
+  QComboBox* kind_;
+  QPushButton *add_, *show_, *put_, *first_, *remove_;
+  bool showing_ = false;
+};
+
+}  // namespace insonate::prepare
