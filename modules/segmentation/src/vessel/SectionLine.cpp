@@ -6,6 +6,11 @@
 #include <cmath>
 
 namespace insonate::segmentation {
+namespace {
+
+constexpr double kStation_mm = 1, kLeastBetweenClicks_mm = 5;
+
+}  // namespace
 
 std::vector<Vec3> smoothed(const std::vector<Vec3>& line, int reach) {
   std::vector<Vec3> smooth(line.size());

@@ -6,14 +6,10 @@
 
 namespace insonate::segmentation {
 
-/// Sections of a tracked vessel lie this far apart.
-constexpr double kStation_mm = 1;
-constexpr double kLeastBetweenClicks_mm = 5;
-
 /// Means over so many neighbours on both sides, as many on one side as on the other, so that the ends stay.
 std::vector<Vec3> smoothed(const std::vector<Vec3>& line, int reach);
 
-/// Points a station apart on a polyline.
+/// Points a millimetre apart on a polyline.
 std::vector<Vec3> resampled(const std::vector<Vec3>& line);
 
 /// Sections square to a line, turned as little as can be from one to the next, so that a ray stays on its side.

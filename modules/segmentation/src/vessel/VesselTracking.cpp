@@ -1,9 +1,9 @@
 #include "Guarded.h"
 #include "LumenFill.h"
 #include "OutlineFit.h"
+#include "SectionLine.h"
 #include "VesselPath.h"
 
-#include <insonate/image/GaussianBlur.h>
 #include <insonate/segmentation/VesselTracking.h>
 
 #include <algorithm>
@@ -18,11 +18,10 @@ using segmentation::OutlineFit;
 using segmentation::Work;
 
 constexpr int kRays = VesselOutline::kRays;
-constexpr double kStation_mm = 1;
 constexpr int kSmoothPath = 4, kSmoothLine = 3;  // stations to both sides
 constexpr int kLikeNeighbours = 4;               // of which the expected outline is the median
 constexpr int kEven = 1;                         // of which the refined outline is the median
-constexpr double kLeastContrast_HU = 40, kLeastBetween_mm = 5;
+constexpr double kLeastContrast_HU = 40;
 constexpr double kAround_mm = 30;
 
 /// Where a vessel is cut, and how bright its blood is there.
@@ -31,41 +30,13 @@ struct Stations {
   std::vector<BloodLevel> levels;
 };
 
-/// Means over so many neighbours on both sides, as many on one side as on the other, so that the ends stay.
-std::vector<Vec3> smoothed(const std::vector<Vec3>& line, int reach) {
-  std::vector<Vec3> smooth(line.size());
-  const int count = static_cast<int>(line.size());
-  for (int n = 0; n < count; ++n) {
-    const int here = std::min({reach, n, count - 1 - n});
-    for (int m = n - here; m <= n + here; ++m) smooth[n] = smooth[n] + line[m] / (2.0 * here + 1);
-  }
-  return smooth;
-}
-
-/// Points a station apart on a polyline.
-std::vector<Vec3> resampled(const std::vector<Vec3>& line) {
-  std::vector<Vec3> points{line.front()};
-  double left_mm = kStation_mm;
-  for (std::size_t n = 1; n < line.size(); ++n) {
-    Vec3 from = line[n - 1];
-    for (double length = norm(line[n] - from); length >= left_mm; length = norm(line[n] - from)) {
-      from = from + (line[n] - from) * (left_mm / length);
-      points.push_back(from);
-      left_mm = kStation_mm;
-    }
-    left_mm -= norm(line[n] - from);
-  }
-  if (norm(points.back() - line.back()) > kStation_mm / 4) points.push_back(line.back());
-  return points;
-}
-
 Stations pathThrough(const CtVolume& ct, std::span<const Vec3> clicks_mm, double reach_mm, Work& work) {
   Stations stations;
   BloodLevel from = segmentation::bloodAt(ct, clicks_mm[0], reach_mm);
   for (std::size_t n = 1; n < clicks_mm.size(); ++n) {
     const BloodLevel to = segmentation::bloodAt(ct, clicks_mm[n], reach_mm);
     const auto path = pathThroughBlood(ct, clicks_mm[n - 1], clicks_mm[n], mixed(from, to, 0.5), work);
-    const auto line = resampled(smoothed(path, kSmoothPath));
+    const auto line = segmentation::resampled(segmentation::smoothed(path, kSmoothPath));
     for (std::size_t m = n > 1; m < line.size(); ++m) {
       stations.line.push_back(line[m]);
       stations.levels.push_back(mixed(from, to, double(m) / double(std::max<std::size_t>(line.size() - 1, 1))));
@@ -73,23 +44,6 @@ Stations pathThrough(const CtVolume& ct, std::span<const Vec3> clicks_mm, double
     from = to;
   }
   return stations;
-}
-
-/// Sections square to a line, turned as little as can be from one to the next, so that a ray stays on its side.
-std::vector<VesselOutline> sectionsAlong(const std::vector<Vec3>& line) {
-  constexpr std::size_t kBaseline = 3;
-  std::vector<VesselOutline> sections(line.size());
-  Vec3 right{1, 0, 0};
-  for (std::size_t n = 0; n < line.size(); ++n) {
-    const std::size_t on = std::min(n + kBaseline, line.size() - 1), back = n > kBaseline ? n - kBaseline : 0;
-    const Vec3 axis = normalized(line[on] - line[back]);
-    if (n == 0 && std::abs(axis.x) > 0.9) right = {0, 1, 0};
-    right = normalized(right - axis * dot(right, axis));
-    sections[n].centre_mm = line[n];
-    sections[n].right = right;
-    sections[n].down = cross(axis, right);
-  }
-  return sections;
 }
 
 Vec3 centroid(const VesselOutline& outline) {
@@ -126,7 +80,7 @@ TrackedVessel track(const CtVolume& ct, std::span<const Vec3> clicks_mm, const V
   work.start("Finding the vessel's wall");
   const OutlineFit wall(ct, how.smoothing_mm, how.largest_mm);
   const auto fitAll = [&](const std::vector<std::array<double, kRays>>* expected) {
-    std::vector<VesselOutline> sections = sectionsAlong(stations.line);
+    std::vector<VesselOutline> sections = segmentation::sectionsAlong(stations.line);
     work.slices(static_cast<int>(sections.size()),
                 [&](int n) { wall.fit(sections[n], stations.levels[n], expected ? &(*expected)[n] : nullptr); });
     return sections;
@@ -134,7 +88,7 @@ TrackedVessel track(const CtVolume& ct, std::span<const Vec3> clicks_mm, const V
   for (int pass = 0; pass < 2; ++pass) {
     const auto sections = fitAll(nullptr);
     for (std::size_t n = 0; n < sections.size(); ++n) stations.line[n] = centroid(sections[n]);
-    stations.line = smoothed(stations.line, kSmoothLine);
+    stations.line = segmentation::smoothed(stations.line, kSmoothLine);
   }
   const auto expected = likeNeighbours(fitAll(nullptr), kLikeNeighbours);
   TrackedVessel vessel;
@@ -144,18 +98,6 @@ TrackedVessel track(const CtVolume& ct, std::span<const Vec3> clicks_mm, const V
   for (std::size_t n = 0; n < vessel.outlines.size(); ++n) vessel.outlines[n].radius_mm = even[n];
   vessel.line = stations.line;
   return vessel;
-}
-
-/// The part of the CT around the clicks, blurred.
-CtVolume blurredAround(const CtVolume& ct, std::span<const Vec3> clicks_mm, double sigma_mm) {
-  CtVolume part = cropped(ct, boxAround(ct.geometry, clicks_mm, kAround_mm));
-  Volume<float> smooth;
-  smooth.geometry = part.geometry;
-  smooth.voxels.assign(part.voxels.begin(), part.voxels.end());
-  if (sigma_mm > 0) blurGaussian(smooth, sigma_mm);
-  std::ranges::transform(smooth.voxels, part.voxels.begin(),
-                         [](float hu) { return static_cast<std::int16_t>(std::lround(hu)); });
-  return part;
 }
 
 }  // namespace
@@ -168,16 +110,10 @@ double VesselOutline::area_mm2() const {
 
 Result<TrackedVessel> trackVessel(const CtVolume& ct, std::span<const Vec3> clicks_mm, const VesselTracking& how,
                                   const Progress& progress) {
-  if (clicks_mm.size() < 2) return fail("A vessel is tracked between two clicks or more; click along it.");
-  for (std::size_t n = 1; n < clicks_mm.size(); ++n)
-    if (norm(clicks_mm[n] - clicks_mm[n - 1]) < kLeastBetween_mm)
-      return fail("Two clicks lie nearly on one point; click at the ends of the vessel, 5 mm apart or more.");
-  const Transform indexFromPatient = ct.geometry.indexFromPatient();
-  for (const Vec3& click_mm : clicks_mm)
-    if (const auto [i, j, k] = nearestVoxel(indexFromPatient * click_mm); !ct.geometry.contains(i, j, k))
-      return fail("A click lies beside the CT; click in the vessel.");
+  if (auto ok = segmentation::checkClicks(ct, clicks_mm); !ok) return tl::unexpected(ok.error());
   return segmentation::guarded([&]() -> Result<TrackedVessel> {
-    const CtVolume near = blurredAround(ct, clicks_mm, how.smoothing_mm);
+    const auto around = boxAround(ct.geometry, clicks_mm, kAround_mm);
+    const CtVolume near = segmentation::blurredPart(ct, around, how.smoothing_mm);
     for (const Vec3& click_mm : clicks_mm) {
       const BloodLevel level = segmentation::bloodAt(near, click_mm, how.largest_mm);
       if (2 * (level.blood_HU - level.half_HU) < kLeastContrast_HU)
