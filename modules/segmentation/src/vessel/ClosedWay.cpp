@@ -8,15 +8,12 @@ namespace insonate::segmentation {
 namespace {
 
 constexpr int kRays = VesselOutline::kRays;
-/// From a ray to the next, the wall moves by no more steps than this.
-constexpr int kMostBend = 3;
 /// What a step away from the expected radius costs, at most what a clear wall is worth.
 constexpr double kUnexpected = 0.06, kMostUnexpected = 6;
-constexpr int kLikeNeighbours = 4;  // of which the expected outline is the median
 
 }  // namespace
 
-Radii closedWay(RadialCost wall, double bend, const Radii* expected) {
+Radii closedWay(RadialCost wall, const std::function<Bend(int)>& bendAt, const Radii* expected) {
   const int steps = wall.steps;
   if (expected)
     for (int n = 0; n < kRays; ++n)
@@ -25,6 +22,8 @@ Radii closedWay(RadialCost wall, double bend, const Radii* expected) {
         wall.at(n, r) += std::min(kUnexpected * off * off, kMostUnexpected);
       }
 
+  std::vector<Bend> bends;
+  for (int r = 0; r < steps; ++r) bends.push_back(bendAt(r));
   constexpr int kTurns = 2;
   std::vector<double> cost(wall.cost.begin(), wall.cost.begin() + steps), next(steps);
   std::vector<std::int16_t> cameFrom(std::size_t(kTurns) * kRays * steps);
@@ -32,8 +31,9 @@ Radii closedWay(RadialCost wall, double bend, const Radii* expected) {
     for (int r = 0; r < steps; ++r) {
       int best = r;
       double least = std::numeric_limits<double>::max();
-      for (int from = std::max(0, r - kMostBend); from <= std::min(steps - 1, r + kMostBend); ++from) {
-        const double way = cost[from] + bend * (r - from) * (r - from);
+      const auto [most, stiffness] = bends[r];
+      for (int from = std::max(0, r - most); from <= std::min(steps - 1, r + most); ++from) {
+        const double way = cost[from] + stiffness * (r - from) * (r - from);
         if (way < least) least = way, best = from;
       }
       next[r] = least + wall.at(n % kRays, r);
@@ -50,14 +50,14 @@ Radii closedWay(RadialCost wall, double bend, const Radii* expected) {
   return radii;
 }
 
-std::vector<Radii> expectedRadii(const std::vector<VesselOutline>& sections) {
+std::vector<Radii> likeNeighbours(const std::vector<VesselOutline>& sections, int reach) {
   std::vector<Radii> expected(sections.size());
   const int count = static_cast<int>(sections.size());
   std::vector<double> radii;
   for (int n = 0; n < count; ++n)
     for (int ray = 0; ray < kRays; ++ray) {
       radii.clear();
-      for (int m = std::max(0, n - kLikeNeighbours); m <= std::min(count - 1, n + kLikeNeighbours); ++m)
+      for (int m = std::max(0, n - reach); m <= std::min(count - 1, n + reach); ++m)
         radii.push_back(sections[m].radius_mm[ray]);
       std::ranges::nth_element(radii, radii.begin() + std::ptrdiff_t(radii.size() / 2));
       expected[n][ray] = radii[radii.size() / 2];

@@ -3,6 +3,7 @@
 #include <insonate/segmentation/VesselTracking.h>
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace insonate::segmentation {
@@ -21,12 +22,18 @@ struct RadialCost {
   std::vector<double> cost;
 };
 
-/// The cheapest closed way around, where a wall that moves by n steps from a ray to the next costs bend n^2 more; with
-/// `expected`, radii that are not like it cost more, too (dynamic programming over two turns, of which the middle is
-/// free of where it began).
-Radii closedWay(RadialCost cost, double bend, const Radii* expected);
+/// How a wall may move from a ray to the next: by so many steps at most, of which n cost stiffness n^2.
+struct Bend {
+  int most = 3;
+  double stiffness = 0;
+};
 
-/// Of each ray, the median of its radii in the sections around.
-std::vector<Radii> expectedRadii(const std::vector<VesselOutline>& sections);
+/// The cheapest closed way around, where wall r bends from the ray before as `bendAt(r)` says; with `expected`, radii
+/// that are not like it cost more, too (dynamic programming over two turns, of which the middle is free of where it
+/// began).
+Radii closedWay(RadialCost cost, const std::function<Bend(int)>& bendAt, const Radii* expected);
+
+/// Of each ray, the median of its radii in so many sections to both sides.
+std::vector<Radii> likeNeighbours(const std::vector<VesselOutline>& sections, int reach);
 
 }  // namespace insonate::segmentation

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace insonate::segmentation {
@@ -14,8 +14,6 @@ constexpr int kRays = VesselOutline::kRays;
 /// costs, less where the vessel is wider, so that the outline of a flat vein is as cheap on any scale.
 constexpr double kMostBend = 0.25, kBend = 0.4;
 constexpr int kLeastBend = 3, kBendRadius = 12;
-/// What a step away from the expected radius costs, at most what a clear wall is worth.
-constexpr double kUnexpected = 0.06, kMostUnexpected = 6;
 /// Behind the wall the CT falls or rises to the next tissue within so many standard deviations of the blur; less of a
 /// change than this share of the contrast is none, and noise turns the way back by no more than that one.
 constexpr double kEdge = 2, kLeastChange = 0.3, kNoise = 0.1;
@@ -75,10 +73,9 @@ void OutlineFit::refine(VesselOutline& outline, const BloodLevel& level) const {
 }
 
 /// Along each ray, what lies inside the wall should look like blood: the sum of unlikeness - 1 up to the wall is
-/// smallest. The walls of all rays together are the cheapest closed way (dynamic programming over two turns, of which
-/// the middle is free of where it began).
-void OutlineFit::fit(VesselOutline& outline, const BloodLevel& level, const std::array<double, kRays>* expected) const {
-  std::vector<double> wall(std::size_t(kRays) * steps_);
+/// smallest.
+void OutlineFit::fit(VesselOutline& outline, const BloodLevel& level, const Radii* expected) const {
+  RadialCost wall(steps_, kStep_mm);
   const Vec3 centre = indexFromPatient_ * outline.centre_mm;
   for (int n = 0; n < kRays; ++n) {
     const Vec3 step = stepAlong(outline, n);
@@ -86,34 +83,13 @@ void OutlineFit::fit(VesselOutline& outline, const BloodLevel& level, const std:
     for (int r = 0; r < steps_; ++r) {
       // Wall r lies behind sample r.
       sum += level.unlikeness(sampleLinear(ct_, centre + step * (r + 0.5))) - 1;
-      const double off = expected ? (r + 1) - (*expected)[n] / kStep_mm : 0;
-      wall[std::size_t(n) * steps_ + r] = sum + std::min(kUnexpected * off * off, kMostUnexpected);
+      wall.at(n, r) = sum;
     }
   }
-
-  constexpr int kTurns = 2;
-  std::vector<double> cost(wall.begin(), wall.begin() + steps_), next(steps_);
-  std::vector<std::int16_t> cameFrom(std::size_t(kTurns) * kRays * steps_);
-  for (int n = 1; n < kTurns * kRays; ++n) {
-    for (int r = 0; r < steps_; ++r) {
-      int best = r;
-      double least = std::numeric_limits<double>::max();
-      const int reach = std::max(kLeastBend, static_cast<int>(kMostBend * r));
-      const double perStep = kBend * kBendRadius / std::max(r, kBendRadius);
-      for (int from = std::max(0, r - reach); from <= std::min(steps_ - 1, r + reach); ++from) {
-        const double way = cost[from] + perStep * (r - from) * (r - from);
-        if (way < least) least = way, best = from;
-      }
-      next[r] = least + wall[std::size_t(n % kRays) * steps_ + r];
-      cameFrom[std::size_t(n) * steps_ + r] = static_cast<std::int16_t>(best);
-    }
-    cost.swap(next);
-  }
-  int r = static_cast<int>(std::ranges::min_element(cost) - cost.begin());
-  for (int n = kTurns * kRays - 1; n >= kRays / 2; --n) {
-    if (n < kRays + kRays / 2) outline.radius_mm[n % kRays] = kStep_mm * (r + 1);
-    r = cameFrom[std::size_t(n) * steps_ + r];
-  }
+  const auto bendAt = [](int r) {
+    return Bend{std::max(kLeastBend, static_cast<int>(kMostBend * r)), kBend * kBendRadius / std::max(r, kBendRadius)};
+  };
+  outline.radius_mm = closedWay(std::move(wall), bendAt, expected);
 }
 
 }  // namespace insonate::segmentation

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "BloodLevel.h"
+#include "ClosedWay.h"
 
 #include <insonate/segmentation/VesselTracking.h>
 
@@ -14,8 +15,7 @@ class OutlineFit {
   OutlineFit(const CtVolume& blurred, double smoothing_mm, double largest_mm);
 
   /// The best radii about the outline's centre, in its plane. Where `expected` is given, radii like its cost less.
-  void fit(VesselOutline& outline, const BloodLevel& level,
-           const std::array<double, VesselOutline::kRays>* expected) const;
+  void fit(VesselOutline& outline, const BloodLevel& level, const Radii* expected) const;
 
   /// Moves radii that fit() has found to where the CT is half-way from the blood to what lies behind the wall there.
   void refine(VesselOutline& outline, const BloodLevel& level) const;

@@ -21,6 +21,7 @@ constexpr int kRays = VesselOutline::kRays;
 constexpr double kStep_mm = 0.25;
 constexpr int kRounds = 6;
 constexpr int kAveraged = 4, kSmoothLine = 3, kSmoothShape = 5;  // stations to both sides
+constexpr int kLikeNeighbours = 4;                               // of which the expected outline is the median
 constexpr double kMostUnlike = 4;
 constexpr double kClick_mm = 1.5;  // the ball that says what is followed
 
@@ -127,15 +128,16 @@ class TubeFit {
   }
 
   void fit() {
+    const auto bendAt = [this](int) { return segmentation::Bend{.stiffness = how_.stiffness}; };
     std::vector<RadialCost> walls(sections_.size(), RadialCost(0, kStep_mm));
     work_.slices(static_cast<int>(sections_.size()), [&](int n) {
       walls[n] = costAt(n);
-      sections_[n].radius_mm = segmentation::closedWay(walls[n], how_.stiffness, nullptr);
+      sections_[n].radius_mm = segmentation::closedWay(walls[n], bendAt, nullptr);
     });
     for (int again = 0; again < 2; ++again) {
-      const auto expected = segmentation::expectedRadii(sections_);
+      const auto expected = segmentation::likeNeighbours(sections_, kLikeNeighbours);
       for (std::size_t n = 0; n < sections_.size(); ++n)
-        sections_[n].radius_mm = segmentation::closedWay(walls[n], how_.stiffness, &expected[n]);
+        sections_[n].radius_mm = segmentation::closedWay(walls[n], bendAt, &expected[n]);
     }
   }
 

@@ -59,27 +59,11 @@ Vec3 centroid(const VesselOutline& outline) {
   return outline.centre_mm + outline.right * (x / area) + outline.down * (y / area);
 }
 
-/// Of each ray, the median of its radii in so many sections to both sides.
-std::vector<std::array<double, kRays>> likeNeighbours(const std::vector<VesselOutline>& sections, int reach) {
-  std::vector<std::array<double, kRays>> expected(sections.size());
-  const int count = static_cast<int>(sections.size());
-  std::vector<double> radii;
-  for (int n = 0; n < count; ++n)
-    for (int ray = 0; ray < kRays; ++ray) {
-      radii.clear();
-      for (int m = std::max(0, n - reach); m <= std::min(count - 1, n + reach); ++m)
-        radii.push_back(sections[m].radius_mm[ray]);
-      std::ranges::nth_element(radii, radii.begin() + std::ptrdiff_t(radii.size() / 2));
-      expected[n][ray] = radii[radii.size() / 2];
-    }
-  return expected;
-}
-
 TrackedVessel track(const CtVolume& ct, std::span<const Vec3> clicks_mm, const VesselTracking& how, Work& work) {
   Stations stations = pathThrough(ct, clicks_mm, how.largest_mm, work);
   work.start("Finding the vessel's wall");
   const OutlineFit wall(ct, how.smoothing_mm, how.largest_mm);
-  const auto fitAll = [&](const std::vector<std::array<double, kRays>>* expected) {
+  const auto fitAll = [&](const std::vector<segmentation::Radii>* expected) {
     std::vector<VesselOutline> sections = segmentation::sectionsAlong(stations.line);
     work.slices(static_cast<int>(sections.size()),
                 [&](int n) { wall.fit(sections[n], stations.levels[n], expected ? &(*expected)[n] : nullptr); });
@@ -90,11 +74,11 @@ TrackedVessel track(const CtVolume& ct, std::span<const Vec3> clicks_mm, const V
     for (std::size_t n = 0; n < sections.size(); ++n) stations.line[n] = centroid(sections[n]);
     stations.line = segmentation::smoothed(stations.line, kSmoothLine);
   }
-  const auto expected = likeNeighbours(fitAll(nullptr), kLikeNeighbours);
+  const auto expected = segmentation::likeNeighbours(fitAll(nullptr), kLikeNeighbours);
   TrackedVessel vessel;
   vessel.outlines = fitAll(&expected);
   for (std::size_t n = 0; n < vessel.outlines.size(); ++n) wall.refine(vessel.outlines[n], stations.levels[n]);
-  const auto even = likeNeighbours(vessel.outlines, kEven);
+  const auto even = segmentation::likeNeighbours(vessel.outlines, kEven);
   for (std::size_t n = 0; n < vessel.outlines.size(); ++n) vessel.outlines[n].radius_mm = even[n];
   vessel.line = stations.line;
   return vessel;
