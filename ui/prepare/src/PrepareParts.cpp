@@ -107,7 +107,8 @@ QWidget* PrepareWorkspace::Parts::buildRight() {
               new Section(QStringLiteral("places"), tr("Targets and landmarks"), new PlacesBox(session)),
               new Section(QStringLiteral("scene"), tr("3D"), scene_)};
   sections.back()->setOpen(false);
-  tool_ = new Section(QStringLiteral("tool"), tr("Tool"), new ToolPanel(session, *tools_));
+  toolPanel_ = new ToolPanel(session, *tools_);
+  tool_ = new Section(QStringLiteral("tool"), tr("Tool"), toolPanel_);
   tool_->hide();
   box->addWidget(tool_);
   for (Section* section : sections) box->addWidget(section);
@@ -194,6 +195,8 @@ void PrepareWorkspace::Parts::connectParts() {
   connect(&session.followers(), &LabelFollowers::restChanged, this, [this] { refreshReady(); });
   connect(&session.labelling(), &LabelSession::busyChanged, this, [this] { refreshReady(); });
   views->setRested([this] { refreshReady(); });
+  connect(&scene_->histogram(), &ui::HistogramEditor::counted, this,
+          [this] { toolPanel_->setHistogram(scene_->histogram().histogram()); });
   connect(tools_, &ToolSession::toolChanged, this, [this] { showTool(); });
   connect(path, &PathPanel::checkChosen, this, [this] { showFindings(); });
 }

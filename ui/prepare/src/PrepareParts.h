@@ -23,6 +23,7 @@ class CaseViews;
 class GuideSession;
 class PathPanel;
 class Section;
+class ToolPanel;
 class ToolSession;
 class UltrasoundPane;
 struct KeyRow;
@@ -65,6 +66,7 @@ class PrepareWorkspace::Parts : public QObject {
   QStackedLayout* pages_ = nullptr;
   QScrollArea* scroll_ = nullptr;
   ToolSession* tools_ = nullptr;
+  ToolPanel* toolPanel_ = nullptr;
   Section *check_ = nullptr, *tool_ = nullptr;
   ui::ScenePanel* scene_ = nullptr;
   UltrasoundPane* ultrasound_ = nullptr;

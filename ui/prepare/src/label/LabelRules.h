@@ -10,10 +10,16 @@ namespace insonate::prepare {
 /// What the author has said that tools must leave alone; of the whole window, where a step has rules of its own.
 struct LabelRules {
   /// Which labels may be overwritten, of those that are neither locked nor hidden.
-  enum class Over { Every, Filling };
+  enum class Over {
+    Every,
+    Filling,     ///< what lies between structures that have a name
+    Unlabelled,  ///< what has no label yet
+    Inside       ///< one label
+  };
 
   LabelSet locked, hidden;
   Over over = Over::Every;
+  std::uint8_t inside = kBackground;  ///< the label of Over::Inside
   std::optional<HuRange> editable;
 
   bool mayEdit(std::uint8_t label) const { return !locked.test(label) && !hidden.test(label); }
@@ -21,6 +27,9 @@ struct LabelRules {
 
 /// What fills the body between structures that have a name: overwriting nothing else spares what was labelled before.
 inline constexpr std::uint8_t kFilling[] = {kBackground, kFat, kMuscle, kSoftTissue};
+
+/// Soft tissue is everything else, as is what is not in the patient.
+inline constexpr std::uint8_t kUnlabelled[] = {kBackground, kSoftTissue};
 
 /// The step with these rules, but for those it has itself.
 LabelStep withRules(LabelStep step, const LabelRules& rules);

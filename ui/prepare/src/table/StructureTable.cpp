@@ -19,7 +19,7 @@
 namespace insonate::prepare {
 namespace {
 
-constexpr int kRow_px = 26, kIconColumn_px = 28, kVolumeColumn_px = 60;
+constexpr int kRow_px = 26, kIconColumn_px = 25, kVolumeColumn_px = 54;
 constexpr double kPercent = 100;
 
 }  // namespace
@@ -181,10 +181,11 @@ bool StructureTable::eventFilter(QObject* watched, QEvent* event) {
     chooseColour();
     return true;
   }
-  // The table would search names by letters, which are keys of the room.
-  const bool letter = key >= Qt::Key_A && key <= Qt::Key_Z;
-  if (letter) event->ignore();
-  return letter;
+  // The table would search names by what is typed, which are keys of the room.
+  const QString typed = static_cast<QKeyEvent*>(event)->text();
+  const bool printable = !typed.isEmpty() && typed.front().isPrint();
+  if (printable) event->ignore();
+  return printable;
 }
 
 }  // namespace insonate::prepare

@@ -6,6 +6,7 @@
 #include <QString>
 #include <QStringList>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace insonate::prepare {
@@ -17,6 +18,20 @@ struct ToolNumber {
   QString hint;
   std::function<double(const LabelTool&)> get;
   std::function<void(LabelTool&, double)> set;
+  bool ofVoxels = false;  ///< its range follows the CT's voxels and extent
+};
+
+/// The Hounsfield units that a tool takes.
+struct ToolRange {
+  std::function<HuRange(const LabelTool&)> get;
+  std::function<void(LabelTool&, HuRange)> set;
+};
+
+/// Another label that a tool needs.
+struct ToolLabel {
+  QString name, hint;
+  std::function<std::uint8_t(const LabelTool&)> get;
+  std::function<void(LabelTool&, std::uint8_t)> set;
 };
 
 /// One of a few words of a tool.
@@ -47,6 +62,8 @@ struct Tool {
   LabelTool usual;
   std::vector<ToolNumber> numbers{};
   std::vector<ToolChoice> choices{};
+  std::optional<ToolRange> range{};
+  std::optional<ToolLabel> other{};
   int leastPoints = 0;
   bool erases = false;  ///< the label loses what is painted
 };

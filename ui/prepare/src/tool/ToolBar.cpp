@@ -19,8 +19,8 @@ ToolBar::ToolBar(ToolSession& tools, QWidget* parent) : QWidget(parent), tools_(
   box->setContentsMargins(ui::kSmallGap, ui::kSmallGap, ui::kSmallGap, ui::kSmallGap);
   box->setSpacing(0);
   // All fit beside each other where the window is 1366 pixels wide.
-  setStyleSheet(QStringLiteral("QToolButton { font-size: 8pt; padding: 4px 3px; }"));
-  QToolButton* look = add({}, tr("Look"), tr("Esc"), tr("No tool: the left button moves the crosshair (Esc)"));
+  setStyleSheet(QStringLiteral("QToolButton { padding: 4px 3px; }"));
+  QToolButton* look = add({}, tr("Look"), tr("No tool: the left button moves the crosshair (Esc)"));
   connect(look, &QToolButton::clicked, this, [this] { tools_.choose({}); });
   entries_.push_back({look, {}});
   for (const Tool& tool : toolTable()) {
@@ -29,7 +29,7 @@ ToolBar::ToolBar(ToolSession& tools, QWidget* parent) : QWidget(parent), tools_(
     const QString name = alone ? tool.name : tool.group;
     auto found = std::ranges::find_if(entries_, [&](const Entry& e) { return e.button->accessibleName() == name; });
     if (found == entries_.end()) {
-      QToolButton* made = add(alone ? tool.id : tool.group.toLower(), name, keys,
+      QToolButton* made = add(alone ? tool.id : tool.group.toLower(), name,
                               QStringLiteral("%1 (%2)").arg(alone ? tool.advice : name, keys));
       found = entries_.insert(found, {made, {}});
       if (!alone) {
@@ -53,12 +53,12 @@ ToolBar::ToolBar(ToolSession& tools, QWidget* parent) : QWidget(parent), tools_(
   refresh();
 }
 
-QToolButton* ToolBar::add(const QString& id, const QString& name, const QString& key, const QString& tip) {
+QToolButton* ToolBar::add(const QString& id, const QString& name, const QString& tip) {
   auto* button = new QToolButton;
   button->setObjectName(QStringLiteral("tool-") + (id.isEmpty() ? QStringLiteral("none") : id));
   button->setIcon(ui::icon(id.isEmpty() ? QStringLiteral("view") : QStringLiteral("tool-") + id));
   button->setIconSize({20, 20});
-  button->setText(QStringLiteral("%1 %2").arg(name, key));
+  button->setText(name);
   button->setAccessibleName(name);
   button->setToolTip(tip);
   button->setCheckable(true);

@@ -15,7 +15,7 @@ class ToolBar : public QWidget {
   explicit ToolBar(ToolSession& tools, QWidget* parent = nullptr);
 
  private:
-  QToolButton* add(const QString& id, const QString& name, const QString& key, const QString& tip);
+  QToolButton* add(const QString& id, const QString& name, const QString& tip);
   void refresh();
 
   ToolSession& tools_;

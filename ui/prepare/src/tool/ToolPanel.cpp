@@ -1,6 +1,9 @@
 #include "ToolPanel.h"
 
 #include "../PrepareSession.h"
+#include "LabelBox.h"
+#include "RangeField.h"
+#include "RulesBox.h"
 #include "ToolSession.h"
 
 #include <insonate/ui/QuietWheel.h>
@@ -29,36 +32,112 @@ ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* paren
     : QWidget(parent),
       session_(session),
       tools_(tools),
-      label_(new QLabel),
+      name_(new QLabel),
       advice_(new QLabel),
-      preview_(button("toolPreview", tr("Preview"), tr("Show on the slices what would be written"))),
+      label_(new LabelBox(session, tr("Label the tool is for"), tr("The label that the tool writes (Q, W)"))),
+      rules_(new RulesBox(session)),
+      histogram_(std::make_unique<views::HuHistogram>()),
+      preview_(button("toolPreview", tr("Preview"), tr("Show on the slices and in 3D what would be written"))),
       apply_(button("toolApply", tr("Apply"), tr("Write it to the labels (Enter); Ctrl+Z takes it back"))),
       leave_(button("toolLeave", tr("Cancel"), tr("Stop, forget what was clicked, or lay the tool away (Esc)"))),
       box_(new QVBoxLayout(this)) {
-  label_->setObjectName(QStringLiteral("toolLabel"));
+  name_->setObjectName(QStringLiteral("toolLabel"));
+  ui::setRole(name_, "heading");
+  label_->setObjectName(QStringLiteral("toolFor"));
   advice_->setWordWrap(true);
   ui::setRole(advice_, "quiet");
   ui::setRole(apply_, "primary");
-  auto* row = new QHBoxLayout;
-  row->setContentsMargins(0, 0, 0, 0);
-  for (QPushButton* one : {preview_, apply_, leave_}) row->addWidget(one, 1);
-  box_->setContentsMargins(0, 0, 0, 0);
-  box_->setSpacing(ui::kSmallGap);
-  box_->addWidget(label_);
-  box_->addWidget(advice_);
-  box_->addLayout(row);
+  arrange();
   connect(preview_, &QPushButton::clicked, this, [this] { tools_.preview(); });
   connect(apply_, &QPushButton::clicked, this, [this] { tools_.apply(); });
   connect(leave_, &QPushButton::clicked, this, [this] { tools_.leave(); });
+  connect(label_, &LabelBox::chosen, this, [this](std::uint8_t label) { session_.select(label); });
   connect(&tools_, &ToolSession::toolChanged, this, [this] { build(); });
   connect(&tools_, &ToolSession::parametersChanged, this, [this] { refresh(); });
   connect(&tools_, &ToolSession::pointsChanged, this, [this] { refresh(); });
   connect(&session_, &PrepareSession::selectedChanged, this, [this] { refresh(); });
+  connect(&session_, &PrepareSession::lookChanged, this, [this] { refresh(); });
   build();
+}
+
+ToolPanel::~ToolPanel() = default;
+
+void ToolPanel::arrange() {
+  auto* head = new QHBoxLayout;
+  head->addWidget(name_);
+  head->addWidget(label_, 1);
+  auto* row = new QHBoxLayout;
+  for (QPushButton* one : {preview_, apply_, leave_}) row->addWidget(one, 1);
+  box_->setContentsMargins(0, 0, 0, 0);
+  box_->setSpacing(ui::kSmallGap);
+  box_->addLayout(head);
+  box_->addWidget(advice_);
+  box_->addWidget(rules_);
+  box_->addLayout(row);
+}
+
+void ToolPanel::setHistogram(const views::HuHistogram& histogram) {
+  *histogram_ = histogram;
+  rules_->setHistogram(histogram);
+  if (range_) range_->setHistogram(histogram);
+}
+
+void ToolPanel::addNumber(QVBoxLayout& box, const ToolNumber& number) {
+  auto* field = new ui::ValueSlider(number.name, number.unit, tools_.rangeOf(number), number.hint);
+  field->setObjectName(QStringLiteral("tool-") + number.name);
+  box.addWidget(field);
+  connect(field, &ui::ValueSlider::valueChanged, this, [this, &number](double value) {
+    if (!showing_) tools_.setNumber(number, value);
+  });
+  shown_.push_back([this, field, &number] { field->setValue(number.get(tools_.parameters())); });
+}
+
+void ToolPanel::addChoice(QVBoxLayout& box, const ToolChoice& choice) {
+  auto* row = new QHBoxLayout;
+  auto* name = new QLabel(choice.name);
+  auto* field = new QComboBox;
+  new ui::QuietWheel(field);
+  field->setObjectName(QStringLiteral("tool-") + choice.name);
+  field->setAccessibleName(choice.name);
+  field->setToolTip(choice.hint);
+  field->addItems(choice.words);
+  name->setBuddy(field);
+  row->addWidget(name);
+  row->addWidget(field, 1);
+  box.addLayout(row);
+  connect(field, qOverload<int>(&QComboBox::activated), this,
+          [this, &choice](int index) { tools_.setChoice(choice, index); });
+  shown_.push_back([this, field, &choice] { field->setCurrentIndex(choice.get(tools_.parameters())); });
+}
+
+void ToolPanel::addRange(QVBoxLayout& box) {
+  range_ = new RangeField(QStringLiteral("tool"));
+  range_->setHistogram(*histogram_);
+  box.addWidget(range_);
+  connect(range_, &RangeField::edited, &tools_, &ToolSession::setRange);
+  shown_.push_back([this] {
+    range_->setRange(tools_.tool()->range->get(tools_.parameters()));
+    range_->setColour(session_.look(session_.selected()).colour);
+  });
+}
+
+void ToolPanel::addOther(QVBoxLayout& box) {
+  const ToolLabel& other = *tools_.tool()->other;
+  auto* row = new QHBoxLayout;
+  auto* name = new QLabel(other.name);
+  auto* field = new LabelBox(session_, other.hint, other.hint);
+  field->setObjectName(QStringLiteral("toolOther"));
+  name->setBuddy(field);
+  row->addWidget(name);
+  row->addWidget(field, 1);
+  box.addLayout(row);
+  connect(field, &LabelBox::chosen, &tools_, &ToolSession::setOther);
+  shown_.push_back([this, field, &other] { field->show(other.get(tools_.parameters())); });
 }
 
 void ToolPanel::build() {
   delete fields_;
+  range_ = nullptr;
   shown_.clear();
   fields_ = new QWidget;
   auto* box = new QVBoxLayout(fields_);
@@ -66,32 +145,10 @@ void ToolPanel::build() {
   box->setSpacing(ui::kSmallGap);
   box_->insertWidget(2, fields_);
   if (const Tool* const tool = tools_.tool()) {
-    for (const ToolNumber& number : tool->numbers) {
-      auto* field = new ui::ValueSlider(number.name, number.unit, number.range, number.hint);
-      field->setObjectName(QStringLiteral("tool-") + number.name);
-      box->addWidget(field);
-      connect(field, &ui::ValueSlider::valueChanged, this, [this, &number](double value) {
-        if (!showing_) tools_.setNumber(number, value);
-      });
-      shown_.push_back([this, field, &number] { field->setValue(number.get(tools_.parameters())); });
-    }
-    for (const ToolChoice& choice : tool->choices) {
-      auto* row = new QHBoxLayout;
-      auto* name = new QLabel(choice.name);
-      auto* field = new QComboBox;
-      new ui::QuietWheel(field);
-      field->setObjectName(QStringLiteral("tool-") + choice.name);
-      field->setAccessibleName(choice.name);
-      field->setToolTip(choice.hint);
-      field->addItems(choice.words);
-      name->setBuddy(field);
-      row->addWidget(name);
-      row->addWidget(field, 1);
-      box->addLayout(row);
-      connect(field, qOverload<int>(&QComboBox::activated), this,
-              [this, &choice](int index) { tools_.setChoice(choice, index); });
-      shown_.push_back([this, field, &choice] { field->setCurrentIndex(choice.get(tools_.parameters())); });
-    }
+    for (const ToolNumber& number : tool->numbers) addNumber(*box, number);
+    if (tool->range) addRange(*box);
+    for (const ToolChoice& choice : tool->choices) addChoice(*box, choice);
+    if (tool->other) addOther(*box);
   }
   refresh();
 }
@@ -102,8 +159,8 @@ void ToolPanel::refresh() {
   showing_ = true;
   for (const auto& show : shown_) show();
   showing_ = false;
-  label_->setText(session_.selected() == 0 ? tr("<b>%1</b>: choose a label on the left").arg(tool->name)
-                                           : tr("<b>%1</b>: %2").arg(tool->name, structureName(session_.selected())));
+  name_->setText(tool->name);
+  label_->show(session_.selected());
   const int missing = tool->leastPoints - int(tools_.points().size());
   advice_->setText(tool->advice);
   const bool brush = tool->input == ToolInput::Brush;

@@ -2,29 +2,52 @@
 
 #include <QWidget>
 #include <functional>
+#include <memory>
 #include <vector>
 
 class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
+namespace insonate::views {
+struct HuHistogram;
+}
+
 namespace insonate::prepare {
 
+class LabelBox;
 class PrepareSession;
+class RangeField;
+class RulesBox;
 class ToolSession;
+struct ToolChoice;
+struct ToolNumber;
 
 /// The tool in hand, and nothing of others: what to do, its parameters, preview and apply.
 class ToolPanel : public QWidget {
  public:
   ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* parent = nullptr);
+  ~ToolPanel() override;
+
+  /// Of the case's CT.
+  void setHistogram(const views::HuHistogram& histogram);
 
  private:
+  void arrange();
   void build();
+  void addNumber(QVBoxLayout& box, const ToolNumber& number);
+  void addChoice(QVBoxLayout& box, const ToolChoice& choice);
+  void addRange(QVBoxLayout& box);
+  void addOther(QVBoxLayout& box);
   void refresh();
 
   PrepareSession& session_;
   ToolSession& tools_;
-  QLabel *label_, *advice_;
+  QLabel *name_, *advice_;
+  LabelBox* label_;
+  RulesBox* rules_;
+  RangeField* range_ = nullptr;  ///< of the tool in hand, where it has one
+  std::unique_ptr<views::HuHistogram> histogram_;
   QPushButton *preview_, *apply_, *leave_;
   QWidget* fields_ = nullptr;
   QVBoxLayout* box_;

@@ -11,7 +11,8 @@
 namespace insonate::prepare {
 namespace {
 
-constexpr double kLeastRadius_mm = 0.3, kMostRadius_mm = 40;
+/// Of voxels, and of the CT's longest side.
+constexpr double kLeastOfVoxel = 0.5, kMostOfSide = 0.2;
 /// Around the voxel that was clicked.
 constexpr int kAround_HU = 60;
 
@@ -21,6 +22,8 @@ ToolSession::ToolSession(PrepareSession& session, QObject* parent) : QObject(par
   connect(&session_, &PrepareSession::caseChanged, this, [this] { choose({}); });
   connect(&session_, &PrepareSession::selectedChanged, this, [this] { changed(); });
   connect(&session_.labelling(), &LabelSession::busyChanged, this, &ToolSession::pointsChanged);
+  // What is shown must be what Enter would write.
+  connect(&session_.labelling(), &LabelSession::rulesChanged, this, [this] { changed(); });
 }
 
 void ToolSession::choose(const QString& id) {
@@ -39,9 +42,13 @@ void ToolSession::choose(const QString& id) {
   if (tool_) {
     const auto kept = kept_.find(id);
     parameters_ = kept == kept_.end() ? tool_->usual : kept->second;
+    for (const ToolNumber& number : tool_->numbers)
+      if (const ui::ValueRange range = rangeOf(number); number.ofVoxels)
+        number.set(parameters_, std::clamp(number.get(parameters_), range.least, range.most));
   }
   Q_EMIT toolChanged();
   Q_EMIT pointsChanged();
+  changed();
 }
 
 void ToolSession::chooseLast() {
@@ -68,6 +75,36 @@ void ToolSession::setChoice(const ToolChoice& choice, int index) {
   choice.set(parameters_, index);
   Q_EMIT parametersChanged();
   changed();
+}
+
+void ToolSession::setRange(HuRange range) {
+  if (!tool_ || !tool_->range) return;
+  tool_->range->set(parameters_, range);
+  Q_EMIT parametersChanged();
+  changed();
+}
+
+void ToolSession::setOther(std::uint8_t label) {
+  if (!tool_ || !tool_->other) return;
+  tool_->other->set(parameters_, label);
+  Q_EMIT parametersChanged();
+  changed();
+}
+
+ui::ValueRange ToolSession::rangeOf(const ToolNumber& number) const {
+  ui::ValueRange range = number.range;
+  if (!number.ofVoxels || !session_.patient()) return range;
+  const VolumeGeometry& grid = session_.patient()->ct.geometry;
+  const Vec3& voxel_mm = grid.spacing_mm;
+  const double finest_mm = std::min({voxel_mm.x, voxel_mm.y, voxel_mm.z});
+  double longest_mm = 0;
+  for (int axis = 0; axis < 3; ++axis) longest_mm = std::max(longest_mm, grid.size[axis] * voxel_mm[axis]);
+  // To what is shown, one digit.
+  const auto tenths = [](double mm) { return std::max(0.1, std::round(10 * mm) / 10); };
+  range.least = tenths(kLeastOfVoxel * finest_mm);
+  range.most = std::max(tenths(kMostOfSide * longest_mm), range.least + 1);
+  range.usual = std::clamp(range.usual, range.least, range.most);
+  return range;
 }
 
 const std::vector<Vec3>& ToolSession::points() const {
@@ -176,14 +213,16 @@ bool ToolSession::brushIsFlat() const {
 }
 
 void ToolSession::scaleBrush(double factor) {
-  auto* brush = tool_ ? std::get_if<step::Paint>(&parameters_) : nullptr;
-  if (!brush) return;
-  brush->radius_mm = std::clamp(brush->radius_mm * factor, kLeastRadius_mm, kMostRadius_mm);
+  if (!tool_ || tool_->input != ToolInput::Brush) return;
+  const ToolNumber& radius = tool_->numbers.front();
+  const ui::ValueRange range = rangeOf(radius);
+  radius.set(parameters_, std::clamp(radius.get(parameters_) * factor, range.least, range.most));
   Q_EMIT parametersChanged();
 }
 
 bool ToolSession::isComplete() const {
-  return tool_ && tool_->input != ToolInput::Brush && session_.selected() != kBackground &&
+  const bool lacksOther = tool_ && tool_->other && tool_->other->get(parameters_) == kBackground;
+  return tool_ && !lacksOther && tool_->input != ToolInput::Brush && session_.selected() != kBackground &&
          !session_.labelling().isBusy() && int(points().size()) >= tool_->leastPoints;
 }
 

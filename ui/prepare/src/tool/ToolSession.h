@@ -28,6 +28,10 @@ class ToolSession : public QObject {
   const LabelTool& parameters() const { return parameters_; }
   void setNumber(const ToolNumber& number, double value);
   void setChoice(const ToolChoice& choice, int index);
+  void setRange(HuRange range);
+  void setOther(std::uint8_t label);
+  /// Of this case.
+  ui::ValueRange rangeOf(const ToolNumber& number) const;
 
   const std::vector<Vec3>& points() const;
   void addPoint(Vec3 patient_mm, views::SliceKind slice);

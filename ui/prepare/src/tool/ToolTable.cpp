@@ -36,15 +36,12 @@ ToolChoice choice(const char* name, QStringList words, const char* hint, Field f
           }};
 }
 
-constexpr ui::ValueRange kHu{-1024, 3071, 0, 5, 0}, kBlur{0, 3, 0, 0.1, 1}, kRadius{0.3, 20, 0, 0.1, 1},
-    kEdge{1, 500, 0, 5, 0};
+constexpr ui::ValueRange kBlur{0, 3, 0, 0.1, 1}, kRadius{0.3, 20, 0, 0.1, 1}, kEdge{1, 500, 0, 5, 0};
 
 template <class Step>
-std::vector<ToolNumber> range() {
-  return {number<Step>(
-              "from", "HU", kHu, "the darkest that is taken", [](auto& s) -> auto& { return s.range_HU.low; }),
-          number<Step>(
-              "to", "HU", kHu, "the brightest that is taken", [](auto& s) -> auto& { return s.range_HU.high; })};
+ToolRange range() {
+  return {[](const LabelTool& tool) { return std::get<Step>(tool).range_HU; },
+          [](LabelTool& tool, HuRange value) { std::get<Step>(tool).range_HU = value; }};
 }
 
 /// Blood with contrast agent, to begin with.
@@ -52,6 +49,10 @@ constexpr HuRange kUsualRange{150, 600};
 
 Tool brush(const char* id, const char* name, int key, const char* advice, bool erases) {
   using S = step::Paint;
+  ToolNumber radius = number<S>(
+      "radius", "mm", {0.3, 40, 0, 0.5, 1}, "of the brush; + and -, [ and ], or Shift and the wheel",
+      [](auto& s) -> auto& { return s.radius_mm; });
+  radius.ofVoxels = true;
   return {.id = id,
           .name = tr(name),
           .group = {},
@@ -59,9 +60,7 @@ Tool brush(const char* id, const char* name, int key, const char* advice, bool e
           .input = ToolInput::Brush,
           .advice = tr(advice),
           .usual = S{},
-          .numbers = {number<S>(
-              "radius", "mm", {0.3, 40, 0, 0.5, 1}, "of the brush; + and -, or Shift and the wheel",
-              [](auto& s) -> auto& { return s.radius_mm; })},
+          .numbers = {radius},
           .choices = {{tr("shape"),
                        {tr("circle in the slice"), tr("sphere")},
                        tr("of the brush"),
@@ -69,22 +68,24 @@ Tool brush(const char* id, const char* name, int key, const char* advice, bool e
                        [](LabelTool& t, int n) {
                          auto& axis = std::get<S>(t).sliceAxis;
                          n == 0 ? axis.emplace(2) : (axis.reset(), 0);
-                       }},
-                      {tr("only"),
-                       {tr("any brightness"), tr("contrast, 150 to 600 HU"), tr("soft tissue, 0 to 100 HU"),
-                        tr("bone, above 200 HU")},
-                       tr("what the brush takes of the CT"),
-                       [](const LabelTool& t) {
-                         const auto& only = std::get<S>(t).only_HU;
-                         return !only ? 0 : only->low == 150 ? 1 : only->low == 0 ? 2 : 3;
-                       },
-                       [](LabelTool& t, int n) {
-                         constexpr std::array<HuRange, 3> kRanges{{{150, 600}, {0, 100}, {200, 3071}}};
-                         auto& only = std::get<S>(t).only_HU;
-                         only.reset();
-                         if (n > 0) only = kRanges[std::size_t(n - 1)];
                        }}},
           .erases = erases};
+}
+
+Tool scissors(const char* id, const char* name, const char* advice, bool erases) {
+  using S = step::Scissors;
+  return {
+      .id = id,
+      .name = tr(name),
+      .group = tr("Scissors"),
+      .key = Qt::Key_4,
+      .input = ToolInput::Outline,
+      .advice = tr(advice),
+      .usual = S{},
+      .choices = {choice<S>(
+          "take", {tr("inside"), tr("outside")}, "of the outline", [](auto& s) -> auto& { return s.view.outside; })},
+      .leastPoints = 3,
+      .erases = erases};
 }
 
 std::vector<Tool> drawing() {
@@ -99,16 +100,13 @@ std::vector<Tool> drawing() {
        .advice = tr("Drag around the structure on a slice, or click its corners; Enter fills the outline."),
        .usual = step::Draw{},
        .leastPoints = 3},
-      {.id = "scissors",
-       .name = tr("Scissors"),
-       .group = {},
-       .key = Qt::Key_4,
-       .input = ToolInput::Outline,
-       .advice = tr("Draw around a part on a slice; Enter gives the label what lies within, through all slices."),
-       .usual = step::Scissors{},
-       .choices = {choice<step::Scissors>(
-           "take", {tr("inside"), tr("outside")}, "of the outline", [](auto& s) -> auto& { return s.view.outside; })},
-       .leastPoints = 3}};
+      scissors(
+          "cut", "Cut away",
+          "Draw around a part, on a slice or in 3D; Enter takes from the label what lies within, as deep as one looks.",
+          true),
+      scissors("scissors", "Fill",
+               "Draw around a part, on a slice or in 3D; Enter gives the label what lies within, as deep as one looks.",
+               false)};
 }
 
 std::vector<Tool> growing() {
@@ -126,7 +124,7 @@ std::vector<Tool> growing() {
            .input = ToolInput::Points,
            .advice = tr("Click in the structure; what hangs together with it in the range is taken."),
            .usual = step::Connected{{}, kUsualRange},
-           .numbers = range<step::Connected>(),
+           .range = range<step::Connected>(),
            .leastPoints = 1},
           {.id = "confidence",
            .name = tr("Confidence"),
@@ -194,22 +192,46 @@ std::vector<Tool> growing() {
                            [](auto& s) -> auto& { return s.levelSet.rounds; })}}};
 }
 
-Tool vessel() {
+std::vector<Tool> vessels() {
   using V = step::Vessel;
-  return {.id = "vessel",
-          .name = tr("Vessel"),
-          .group = {},
-          .key = Qt::Key_7,
-          .input = ToolInput::Points,
-          .advice = tr("Click along a vessel with contrast agent, from one end to the other, on any slices."),
-          .usual = V{},
-          .numbers = {number<V>(
-                          "largest", "mm", {2, 30, 0, 0.5, 1}, "no wall is looked for farther from the middle",
-                          [](auto& s) -> auto& { return s.tracking.largest_mm; }),
-                      number<V>(
-                          "blur", "mm", kBlur, "of the CT before",
-                          [](auto& s) -> auto& { return s.tracking.smoothing_mm; })},
-          .leastPoints = 2};
+  using T = step::Tube;
+  const QString group = tr("Vessel");
+  return {
+      {.id = "vessel",
+       .name = tr("With contrast"),
+       .group = group,
+       .key = Qt::Key_7,
+       .input = ToolInput::Points,
+       .advice = tr("Click along a vessel with contrast agent, from one end to the other, on any slices."),
+       .usual = V{},
+       .numbers = {number<V>(
+                       "largest", "mm", {2, 30, 0, 0.5, 1}, "no wall is looked for farther from the middle",
+                       [](auto& s) -> auto& { return s.tracking.largest_mm; }),
+                   number<V>(
+                       "blur", "mm", kBlur, "of the CT before",
+                       [](auto& s) -> auto& { return s.tracking.smoothing_mm; })},
+       .leastPoints = 2},
+      {.id = "tube",
+       .name = tr("Without contrast"),
+       .group = group,
+       .key = Qt::Key_7,
+       .input = ToolInput::Points,
+       .advice = tr("Click in the middle of a vessel or muscle that differs little from what is around it, from one "
+                    "end to the other."),
+       .usual = T{},
+       .numbers = {number<T>(
+                       "largest", "mm", {2, 30, 0, 0.5, 1}, "no wall is looked for farther from the middle",
+                       [](auto& s) -> auto& { return s.tracking.largest_mm; }),
+                   number<T>(
+                       "darker", "HU", kEdge, "how much darker than its middle it may be",
+                       [](auto& s) -> auto& { return s.tracking.darker_HU; }),
+                   number<T>(
+                       "brighter", "HU", kEdge, "how much brighter than its middle it may be",
+                       [](auto& s) -> auto& { return s.tracking.brighter_HU; }),
+                   number<T>(
+                       "stiffness", "", {0, 10, 0, 0.1, 1}, "how much its outline resists dents and bumps",
+                       [](auto& s) -> auto& { return s.tracking.stiffness; })},
+       .leastPoints = 2}};
 }
 
 template <class Step>
@@ -287,12 +309,12 @@ std::vector<Tool> shaping() {
        .key = Qt::Key_0,
        .advice = tr("Adds another label to this one, takes it away, or leaves what both have."),
        .usual = step::Logical{LogicalOperation::kAdd, 0},
-       .numbers = {number<step::Logical>(
-           "with label", "", {0, 254, 0, 1, 0}, "its number, as the table's tooltip says",
-           [](auto& s) -> auto& { return s.with; })},
        .choices = {choice<step::Logical>(
            "do", {tr("add"), tr("subtract"), tr("intersect")}, "with the other label",
-           [](auto& s) -> auto& { return s.operation; })}},
+           [](auto& s) -> auto& { return s.operation; })},
+       .other = ToolLabel{tr("with"), tr("the other label"),
+                          [](const LabelTool& t) { return std::get<step::Logical>(t).with; },
+                          [](LabelTool& t, std::uint8_t label) { std::get<step::Logical>(t).with = label; }}},
       {.id = "fill",
        .name = tr("Fill between"),
        .group = shape,
@@ -311,9 +333,8 @@ std::vector<Tool> all() {
        .input = ToolInput::Range,
        .advice = tr("Everything in the range gets the label. A click on a slice takes the brightness there."),
        .usual = step::Threshold{kUsualRange},
-       .numbers = range<step::Threshold>()});
-  for (auto part : {growing(), std::vector<Tool>{vessel()}, shaping()})
-    tools.insert(tools.end(), part.begin(), part.end());
+       .range = range<step::Threshold>()});
+  for (auto part : {growing(), vessels(), shaping()}) tools.insert(tools.end(), part.begin(), part.end());
   // Resetting gives back what the tool begins with.
   for (Tool& tool : tools)
     for (ToolNumber& one : tool.numbers) one.range.usual = one.get(tool.usual);

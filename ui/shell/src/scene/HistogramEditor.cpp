@@ -84,6 +84,7 @@ HistogramEditor::HistogramEditor(QWidget* parent)
   connect(plot_, &HistogramPlot::colourWanted, this, &HistogramEditor::chooseColour);
   connect(&counting_, &QFutureWatcher<views::HuHistogram>::finished, this, [this] {
     plot_->setHistogram(counting_.future().resultCount() > 0 ? counting_.result() : views::HuHistogram{});
+    Q_EMIT counted();
   });
   plot_->setFunction(views::transferPresets().front().function);
   refresh();
@@ -179,10 +180,15 @@ void HistogramEditor::setCase(std::shared_ptr<const PatientCase> patient) {
   if (stop_) *stop_ = true;
   patient_ = std::move(patient);
   plot_->setHistogram({});
+  Q_EMIT counted();
   if (!patient_) return counting_.setFuture({});
   stop_ = std::make_shared<std::atomic<bool>>(false);
   counting_.setFuture(QtConcurrent::run(
       [counted = patient_, stop = stop_] { return views::huHistogram(counted->ct, 256, stop.get()); }));
+}
+
+const views::HuHistogram& HistogramEditor::histogram() const {
+  return plot_->histogram();
 }
 
 void HistogramEditor::setWindowLevel(std::optional<views::WindowLevel> window) {

@@ -1,5 +1,6 @@
 #include "HistogramPlot.h"
 
+#include <insonate/ui/HistogramBars.h>
 #include <insonate/ui/Theme.h>
 
 #include <QLinearGradient>
@@ -29,17 +30,18 @@ double tickStep(double range) {
 
 }  // namespace
 
-void HistogramPlot::paintHistogram(QPainter& painter, const QRectF& area) const {
-  if (histogram_.counts.empty()) return;
-  const auto most = double(*std::max_element(histogram_.counts.begin(), histogram_.counts.end()));
+void paintBars(QPainter& painter, const views::HuHistogram& histogram, const QRectF& area,
+               const std::function<double(double hu)>& placeOf) {
+  if (histogram.counts.empty()) return;
+  const auto most = double(*std::max_element(histogram.counts.begin(), histogram.counts.end()));
   const double full = std::log1p(std::max(1.0, most));
   painter.setPen(Qt::NoPen);
   painter.setBrush(colour(theme::kLine));
-  const double bin_HU = histogram_.binWidth_HU();
-  for (std::size_t bin = 0; bin < histogram_.counts.size(); ++bin) {
-    const double left = placeOf(histogram_.least_HU + double(bin) * bin_HU, 0).x();
-    const double right = placeOf(histogram_.least_HU + double(bin + 1) * bin_HU, 0).x();
-    const double high = area.height() * std::log1p(double(histogram_.counts[bin])) / full;
+  const double bin_HU = histogram.binWidth_HU();
+  for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
+    const double left = placeOf(histogram.least_HU + double(bin) * bin_HU);
+    const double right = placeOf(histogram.least_HU + double(bin + 1) * bin_HU);
+    const double high = area.height() * std::log1p(double(histogram.counts[bin])) / full;
     painter.drawRect(QRectF(left, area.bottom() - high, std::max(0.75, right - left), high));
   }
 }
@@ -114,7 +116,7 @@ void HistogramPlot::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const QRectF area = field();
   painter.fillRect(area, colour(theme::kGround));
-  paintHistogram(painter, area);
+  paintBars(painter, histogram_, area, [this](double hu) { return placeOf(hu, 0).x(); });
   paintWindow(painter, area);
   painter.setRenderHint(QPainter::Antialiasing);
   paintAxes(painter, area);

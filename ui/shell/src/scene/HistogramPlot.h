@@ -21,6 +21,7 @@ class HistogramPlot : public QWidget {
   void setFunction(const views::TransferFunction& function);
   void setWindowLevel(std::optional<views::WindowLevel> window);
 
+  const views::HuHistogram& histogram() const { return histogram_; }
   const views::TransferFunction& function() const { return function_; }
   int selected() const { return selected_; }
   void select(int node);
@@ -61,7 +62,6 @@ class HistogramPlot : public QWidget {
   void remove(int node);
   void moveSelected(double hu, double opacity, int gesture);
   void fitRange();
-  void paintHistogram(QPainter& painter, const QRectF& area) const;
   void paintWindow(QPainter& painter, const QRectF& area) const;
   void paintAxes(QPainter& painter, const QRectF& area) const;
   void paintFunction(QPainter& painter, const QRectF& area) const;

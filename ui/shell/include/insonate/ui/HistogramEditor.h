@@ -35,6 +35,8 @@ class HistogramEditor : public QWidget {
 
   /// Its histogram is counted on another thread and appears when it is there. Null for none.
   void setCase(std::shared_ptr<const PatientCase> patient);
+  /// Of the case; empty before it is counted.
+  const views::HuHistogram& histogram() const;
   /// The 8-bit display window, drawn as a band; none for no band.
   void setWindowLevel(std::optional<views::WindowLevel> window);
 
@@ -53,6 +55,8 @@ class HistogramEditor : public QWidget {
   QUndoStack& undoStack() { return *undo_; }
 
  Q_SIGNALS:
+  /// histogram() is another one.
+  void counted();
   /// After each change, also within a drag.
   void functionChanged(const insonate::views::TransferFunction& function);
   /// True while a node is dragged.

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QComboBox>
+
+namespace insonate::prepare {
+
+class PrepareSession;
+
+/// One of the case's structures, by name and colour.
+class LabelBox : public QComboBox {
+  Q_OBJECT
+
+ public:
+  LabelBox(PrepareSession& session, const QString& name, const QString& hint);
+
+  /// Shows a label; nothing where the case has none of it.
+  void show(std::uint8_t label);
+
+ Q_SIGNALS:
+  /// By the user.
+  void chosen(std::uint8_t label);
+
+ private:
+  void fill();
+
+  PrepareSession& session_;
+  std::uint8_t label_ = 0;
+};
+
+}  // namespace insonate::prepare

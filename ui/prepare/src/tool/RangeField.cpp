@@ -1,0 +1,114 @@
+#include "RangeField.h"
+
+#include <insonate/segmentation/HistogramThreshold.h>
+#include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/Theme.h>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace insonate::prepare {
+namespace {
+
+constexpr int kLeast_HU = -1024, kMost_HU = 3071, kStep_HU = 5, kNumber_px = 88;
+
+QSpinBox* number(const QString& objectName, const QString& name, const QString& tip) {
+  auto* made = new QSpinBox;
+  new ui::QuietWheel(made);
+  made->setObjectName(objectName);
+  made->setAccessibleName(name);
+  made->setToolTip(tip);
+  made->setRange(kLeast_HU, kMost_HU);
+  made->setSingleStep(kStep_HU);
+  made->setSuffix(RangeField::tr(" HU"));
+  made->setKeyboardTracking(false);
+  made->setFixedWidth(kNumber_px);
+  return made;
+}
+
+}  // namespace
+
+RangeField::RangeField(const QString& name, QWidget* parent)
+    : QWidget(parent),
+      strip_(new RangeStrip),
+      from_(number(name + QStringLiteral("-from"), tr("from"), tr("The darkest that is taken"))),
+      to_(number(name + QStringLiteral("-to"), tr("to"), tr("The brightest that is taken"))) {
+  strip_->setObjectName(name + QStringLiteral("-strip"));
+  auto* numbers = new QHBoxLayout;
+  numbers->addWidget(from_);
+  numbers->addWidget(new QLabel(QStringLiteral("\u2013")), 1, Qt::AlignCenter);
+  numbers->addWidget(to_);
+  auto* parts = new QHBoxLayout;
+  auto* darker = button(tr("Darker"), name + QStringLiteral("-darker"),
+                        tr("The darker of the two parts that the histogram in the range has, by Otsu's method"));
+  auto* brighter =
+      button(tr("Brighter"), name + QStringLiteral("-brighter"),
+             tr("The brighter of the two parts that the histogram in the range has, by Otsu's method; again "
+                "parts what is left"));
+  auto* whole = button(tr("All"), name + QStringLiteral("-all"), tr("Everything in the CT"));
+  for (QPushButton* one : {darker, brighter, whole}) parts->addWidget(one, 1);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kSmallGap);
+  box->addWidget(strip_);
+  box->addLayout(numbers);
+  box->addLayout(parts);
+  connect(strip_, &RangeStrip::dragged, this, &RangeField::edit);
+  const auto typed = [this] {
+    if (!showing_) edit({std::min(from_->value(), to_->value()), std::max(from_->value(), to_->value())});
+  };
+  connect(from_, qOverload<int>(&QSpinBox::valueChanged), this, typed);
+  connect(to_, qOverload<int>(&QSpinBox::valueChanged), this, typed);
+  connect(darker, &QPushButton::clicked, this, [this] { part(false); });
+  connect(brighter, &QPushButton::clicked, this, [this] { part(true); });
+  connect(whole, &QPushButton::clicked, this, [this] { edit({kLeast_HU, kMost_HU}); });
+}
+
+QPushButton* RangeField::button(const QString& text, const QString& name, const QString& tip) {
+  auto* made = new QPushButton(text);
+  made->setObjectName(name);
+  made->setToolTip(tip);
+  return made;
+}
+
+void RangeField::setHistogram(const views::HuHistogram& histogram) {
+  histogram_ = histogram;
+  strip_->setHistogram(histogram);
+}
+
+void RangeField::setRange(HuRange range) {
+  range_ = range;
+  showing_ = true;
+  strip_->setRange(range);
+  from_->setValue(range.low);
+  to_->setValue(range.high);
+  showing_ = false;
+}
+
+void RangeField::edit(HuRange range) {
+  setRange(range);
+  Q_EMIT edited(range);
+}
+
+void RangeField::part(bool brighter) {
+  if (histogram_.counts.empty()) return;
+  const double bin_HU = histogram_.binWidth_HU();
+  const auto bins = double(histogram_.counts.size());
+  const auto binOf = [&](double hu) {
+    return std::size_t(std::clamp(std::floor((hu - histogram_.least_HU) / bin_HU), 0.0, bins - 1));
+  };
+  const std::size_t first = binOf(range_.low), last = binOf(range_.high);
+  const auto parted = otsuBin(std::span(histogram_.counts).subspan(first, last - first + 1));
+  if (!parted) return;
+  const int edge_HU = int(std::lround(histogram_.least_HU + double(first + *parted) * bin_HU));
+  edit(brighter ? HuRange{std::min(edge_HU, range_.high), range_.high}
+                : HuRange{range_.low, std::max(edge_HU - 1, range_.low)});
+}
+
+}  // namespace insonate::prepare

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "RangeStrip.h"
+
+class QPushButton;
+class QSpinBox;
+
+namespace insonate::prepare {
+
+/// A range of Hounsfield units: on the histogram, as two numbers, and parted where the histogram parts best.
+class RangeField : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Its parts are called `name`-from, `name`-to, `name`-strip, `name`-darker, `name`-brighter and `name`-all.
+  explicit RangeField(const QString& name, QWidget* parent = nullptr);
+
+  void setHistogram(const views::HuHistogram& histogram);
+  void setColour(views::Colour colour) { strip_->setColour(colour); }
+  HuRange range() const { return range_; }
+  void setRange(HuRange range);
+
+ Q_SIGNALS:
+  /// By the user.
+  void edited(insonate::HuRange range);
+
+ private:
+  QPushButton* button(const QString& text, const QString& name, const QString& tip);
+  void edit(HuRange range);
+  /// Otsu's method within the range.
+  void part(bool brighter);
+
+  RangeStrip* strip_;
+  QSpinBox *from_, *to_;
+  views::HuHistogram histogram_;
+  HuRange range_{0, 100};
+  bool showing_ = false;
+};
+
+}  // namespace insonate::prepare

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <insonate/segmentation/Region.h>
+#include <insonate/views/HuHistogram.h>
+#include <insonate/views/Theme.h>
+
+#include <QWidget>
+
+namespace insonate::prepare {
+
+/// A range of Hounsfield units over the CT's histogram: either end is dragged, or both by the band between them.
+class RangeStrip : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit RangeStrip(QWidget* parent = nullptr);
+
+  void setHistogram(const views::HuHistogram& histogram);
+  void setRange(HuRange range);
+  void setColour(views::Colour colour);
+  /// Where a Hounsfield unit is drawn, and what a place means.
+  double placeOf(double hu) const;
+  double huAt(double x) const;
+
+  QSize sizeHint() const override { return {280, 64}; }
+  QSize minimumSizeHint() const override { return {160, 56}; }
+
+ Q_SIGNALS:
+  /// By the user's drag.
+  void dragged(insonate::HuRange range);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+
+ private:
+  enum class Part { None, Low, High, Both };
+  Part partAt(double x) const;
+  QRectF field() const;
+
+  views::HuHistogram histogram_;
+  HuRange range_{0, 100}, before_;
+  views::Colour colour_ = views::theme::kAccent;
+  Part held_ = Part::None;
+  double from_HU_ = 0;  ///< where the drag began
+};
+
+}  // namespace insonate::prepare

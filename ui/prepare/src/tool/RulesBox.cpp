@@ -1,0 +1,98 @@
+#include "RulesBox.h"
+
+#include "../PrepareSession.h"
+#include "LabelBox.h"
+#include "RangeField.h"
+
+#include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/Theme.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace insonate::prepare {
+namespace {
+
+/// From fat to soft tissue with contrast agent: what is labelled by hand most.
+constexpr HuRange kUsual_HU{-20, 300};
+
+}  // namespace
+
+RulesBox::RulesBox(PrepareSession& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      over_(new QComboBox),
+      inside_(new LabelBox(session, tr("Label that is overwritten"), tr("Nothing but this label is overwritten"))),
+      limited_(new QCheckBox(tr("only where the CT is"))),
+      range_(new RangeField(QStringLiteral("editable"))) {
+  new ui::QuietWheel(over_);
+  over_->setObjectName(QStringLiteral("ruleOver"));
+  over_->setAccessibleName(tr("What may be overwritten"));
+  over_->setToolTip(tr("Which labels tools may overwrite; locked and hidden ones they always leave as they are"));
+  // In the order of LabelRules::Over.
+  over_->addItems({tr("all but locked and hidden"), tr("fat, muscle, soft tissue"), tr("what has no label"),
+                   tr("only inside ...")});
+  inside_->setObjectName(QStringLiteral("ruleInside"));
+  limited_->setObjectName(QStringLiteral("ruleLimited"));
+  limited_->setToolTip(tr("Voxels of another brightness stay as they are, whatever the tool"));
+  auto* row = new QHBoxLayout;
+  auto* name = new QLabel(tr("overwrites"));
+  name->setBuddy(over_);
+  row->addWidget(name);
+  row->addWidget(over_, 1);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kSmallGap);
+  box->addLayout(row);
+  for (QWidget* one : {static_cast<QWidget*>(inside_), static_cast<QWidget*>(limited_), static_cast<QWidget*>(range_)})
+    box->addWidget(one);
+  connectParts();
+  refresh();
+}
+
+void RulesBox::connectParts() {
+  LabelSession& labels = session_.labelling();
+  connect(over_, qOverload<int>(&QComboBox::activated), this, [this, &labels](int index) {
+    LabelRules rules = labels.rules();
+    rules.over = LabelRules::Over(index);
+    if (rules.inside == kBackground) rules.inside = session_.selected();
+    labels.setRules(rules);
+  });
+  connect(inside_, &LabelBox::chosen, this, [&labels](std::uint8_t label) {
+    LabelRules rules = labels.rules();
+    rules.inside = label;
+    labels.setRules(rules);
+  });
+  connect(limited_, &QCheckBox::clicked, this, [this, &labels](bool on) {
+    LabelRules rules = labels.rules();
+    rules.editable.reset();
+    if (on) rules.editable = range_->range();
+    labels.setRules(rules);
+  });
+  connect(range_, &RangeField::edited, this, [&labels](HuRange range) {
+    LabelRules rules = labels.rules();
+    rules.editable = range;
+    labels.setRules(rules);
+  });
+  range_->setRange(kUsual_HU);
+  connect(&labels, &LabelSession::rulesChanged, this, [this] { refresh(); });
+}
+
+void RulesBox::setHistogram(const views::HuHistogram& histogram) {
+  range_->setHistogram(histogram);
+}
+
+void RulesBox::refresh() {
+  const LabelRules& rules = session_.labelling().rules();
+  over_->setCurrentIndex(int(rules.over));
+  inside_->setVisible(rules.over == LabelRules::Over::Inside);
+  inside_->show(rules.inside);
+  limited_->setChecked(rules.editable.has_value());
+  range_->setVisible(rules.editable.has_value());
+  if (rules.editable) range_->setRange(*rules.editable);
+}
+
+}  // namespace insonate::prepare
