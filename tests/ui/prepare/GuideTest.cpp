@@ -1,93 +1,7 @@
-#include "PrepareWindow.h"
-#include "guide/GuideSession.h"
-
-#include <gmock/gmock.h>
-
-#include <QListWidget>
-#include <QTabBar>
+#include "GuideWindow.h"
 
 namespace insonate::prepare {
 namespace {
-
-using State = GuideSession::State;
-using testing::HasSubstr;
-
-constexpr double kArtery_x = -14;
-
-/// The small block with contrast agent in a vein and an artery that nobody has labelled.
-std::shared_ptr<const PatientCase> unlabelled() {
-  static const auto made = [] {
-    auto patient = std::make_shared<PatientCase>(test::smallCase());
-    const VolumeGeometry& grid = patient->ct.geometry;
-    for (int k = 0; k < grid.size[2]; ++k)
-      for (int j = 8; j < grid.size[1]; ++j)
-        for (int i = 0; i < grid.size[0]; ++i) {
-          const Vec3 p = grid.patientFromIndex() * Vec3{double(i), double(j), double(k)};
-          const bool vein = std::hypot(p.x, p.y - 12) < 5, artery = std::hypot(p.x - kArtery_x, p.y - 12) < 2.2;
-          if (patient->labels.at(i, j, k) != kBone) patient->labels.at(i, j, k) = kSoftTissue;
-          patient->ct.at(i, j, k) = vein ? 180 : artery ? 260 : 45;
-        }
-    return patient;
-  }();
-  return made;
-}
-
-class Guiding : public PrepareWindow {
- protected:
-  void SetUp() override {
-    PrepareWindow::SetUp();
-    openCase(unlabelled());
-    child<QTabBar>("labelling")->setCurrentIndex(0);
-    guide_ = workspace_->findChild<GuideSession*>();
-    ASSERT_TRUE(guide_);
-  }
-  void choose(const char* name) {
-    auto* list = child<QListWidget>("guideSteps");
-    for (std::size_t n = 0; n < guide_->steps().size(); ++n)
-      if (guide_->steps()[n].name == name)
-        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(int(n))).center());
-    ASSERT_EQ(guide_->step().name, name);
-  }
-  QPoint placeOf(Vec3 patient_mm) {
-    session_->setCrosshair(patient_mm);
-    const views::DisplayPoint at = axial().displayFromPatient(patient_mm);
-    const double ratio = canvas("Axial slice")->devicePixelRatioF();
-    return {int(at.x / ratio), int(at.y / ratio)};
-  }
-  void click(Vec3 patient_mm, Qt::MouseButton button = Qt::LeftButton) {
-    QTest::mouseClick(canvas("Axial slice"), button, {}, placeOf(patient_mm));
-  }
-  void drag(Vec3 from_mm, Vec3 to_mm, Qt::KeyboardModifiers keys = Qt::NoModifier) {
-    QWidget* slice = canvas("Axial slice");
-    const QPoint from = placeOf(from_mm), to = placeOf(to_mm);
-    QTest::mousePress(slice, Qt::LeftButton, keys, from);
-    QMouseEvent move(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton, keys);
-    QCoreApplication::sendEvent(slice, &move);
-    QTest::mouseRelease(slice, Qt::LeftButton, keys, to);
-  }
-  void run() {
-    child<QPushButton>("guideRun")->click();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !guide_->isBusy(); }, kPatience_ms));
-  }
-  void makeVein(double aside = 0) {
-    choose("vein-right");
-    click({aside, 12, -7});
-    click({aside, 12, 7});
-    run();
-  }
-  void makeArtery() {
-    choose("artery-right");
-    click({kArtery_x, 12, -7});
-    click({kArtery_x, 12, 7});
-    run();
-  }
-  std::size_t count(std::uint8_t label) {
-    return std::size_t(std::ranges::count(session_->labelling().labels().voxels, label));
-  }
-  const std::vector<std::uint8_t>& voxels() { return session_->labelling().labels().voxels; }
-
-  GuideSession* guide_ = nullptr;
-};
 
 TEST_F(Guiding, SaysWhatToDoBeforeAnythingIsClicked) {
   choose("vein-right");
@@ -193,15 +107,7 @@ TEST_F(Guiding, WhatIsSavedReplaysToTheSameVoxelsAndIsTakenUpAgain) {
   drag({kArtery_x, 12, 0}, {kArtery_x - 4, 12, 0});
   const std::vector<std::uint8_t> made = voxels();
 
-  auto saved = std::make_shared<PatientCase>(*unlabelled());
-  workspace_->unsavedEdit()(*saved);
-  ASSERT_EQ(saved->labels.voxels, made);
-  ASSERT_TRUE(writeCase(*saved, folder.path() / "case"));
-  ui::CaseOrigin origin;
-  origin.folder = QString::fromStdString((folder.path() / "case").string());
-  workspace_->setOrigin(origin);
-  workspace_->caseSaved(saved);
-
+  save(folder.path() / "case");
   const auto recipe = loadRecipe((folder.path() / "case" / "recipe.json").string());
   ASSERT_TRUE(recipe) << recipe.error().message;
   PatientCase imported = *unlabelled();
@@ -231,6 +137,71 @@ TEST_F(Guiding, AStepThatFailsLeavesWhatWasThere) {
   run();
   EXPECT_THAT(child<QLabel>("guideTold")->text().toStdString(), HasSubstr("nearly on one point"));
   EXPECT_EQ(voxels(), before);
+}
+
+TEST_F(Guiding, DoingAnEarlierStepAgainKeepsColoursTitleAndPlaces) {
+  makeVein(2.5);
+  session_->setColour(kVein, {1, 2, 3});
+  session_->setTitle("Mine");
+  CasePlaces places = session_->places();
+  places.difficulty = "hard";
+  session_->setPlaces(places, "difficulty");
+  makeArtery();
+  session_->setVisible(kBone, false);
+  choose("vein-right");
+  click({2.5, 12, -7}, Qt::RightButton);
+  click({0, 12, -2});
+  run();
+  EXPECT_EQ(session_->look(kVein).colour, (views::Colour{1, 2, 3}));
+  EXPECT_FALSE(session_->look(kBone).visible);
+  EXPECT_EQ(session_->title(), "Mine");
+  EXPECT_EQ(session_->places().difficulty, "hard");
+  EXPECT_EQ(guide_->state(2), State::Done);
+  child<QAction>("undo")->trigger();
+  EXPECT_NE(session_->title(), "Mine") << "and it is one step to take back";
+}
+
+TEST_F(Guiding, WhatWasPaintedIsMadeAgainThoughItIsLockedNow) {
+  makeVein(2.5);
+  child<QPushButton>("guideCorrect")->click();
+  drag({2.5, 12, 0}, {8, 20, 0});
+  makeArtery();
+  session_->setLocked(kArtery, true);
+  const std::size_t artery = count(kArtery);
+  choose("vein-right");
+  drag({2.5, 12, -7}, {1.5, 12, -7});
+  run();
+  EXPECT_EQ(count(kArtery), artery) << "made again, with the rules of its time";
+  EXPECT_EQ(session_->labelling().recipe().steps.size(), 3u);
+  EXPECT_EQ(session_->labelling().labels().at(session_->labelling().labels().geometry.size[0] / 2, 0, 0),
+            unlabelled()->labels.at(unlabelled()->labels.geometry.size[0] / 2, 0, 0));
+  EXPECT_TRUE(session_->labelling().rules().locked.test(kArtery));
+}
+
+TEST_F(Guiding, ClicksOnTheOtherSideAreDoubted) {
+  choose("vein-left");
+  click({kArtery_x, 12, -6});
+  click({kArtery_x, 12, 6});
+  run();
+  const int left = guide_->current();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return guide_->state(left) == State::Doubtful; }, kPatience_ms));
+  EXPECT_THAT(child<QLabel>("guideResult")->text().toStdString(), HasSubstr("on the patient's right"));
+}
+
+TEST_F(Guiding, LeftAndRightAreToldApartOnAnotherDay) {
+  const test::TemporaryFolder folder;
+  choose("vein-left");
+  click({0, 12, -7});
+  click({0, 12, 7});
+  run();
+  saveAndOpenAgain(folder.path() / "case");
+  choose("vein-left");
+  EXPECT_EQ(guide_->state(guide_->current()), State::Done);
+  EXPECT_EQ(guide_->clicks_mm().size(), 2u);
+  choose("vein-right");
+  EXPECT_EQ(guide_->state(guide_->current()), State::ToDo);
+  EXPECT_TRUE(guide_->clicks_mm().empty());
+  EXPECT_THAT(child<QLabel>("guideSay")->text().toStdString(), HasSubstr("on the left of the slices"));
 }
 
 TEST_F(Guiding, AnotherCaseWhileAToolRunsBeginsAnew) {

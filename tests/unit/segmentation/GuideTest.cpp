@@ -143,6 +143,19 @@ TEST_P(GuideDoubts, OneThatLiesAgainstTheAirwayIsDoubted) {
   EXPECT_THAT(doubtsAbout(vein, clicks_mm, labels), ElementsAre(HasSubstr("of its surface touch the airway")));
 }
 
+TEST_P(GuideDoubts, ClicksOnTheOtherSideOfTheAirwayAreDoubted) {
+  const auto withAirway = [this](double side) {
+    LabelMap labels = veinOf(5);
+    const Selection there = shape([=](Vec3 p) { return std::hypot(p.x - side * 12, p.y - 4) <= 3; });
+    for (std::size_t v = 0; v < labels.voxels.size(); ++v)
+      if (there.mask.voxels[v]) labels.voxels[v] = kAirway;
+    return labels;
+  };
+  EXPECT_THAT(doubtsAbout(vein, clicks_mm, withAirway(1)), IsEmpty()) << "the airway is to the left of a right vein";
+  EXPECT_THAT(doubtsAbout(vein, clicks_mm, withAirway(-1)),
+              ElementsAre(HasSubstr("on the patient's left; this step is for the right")));
+}
+
 TEST_P(GuideDoubts, ClicksWithoutTheVeinAreDoubted) {
   EXPECT_THAT(doubtsAbout(vein, clicks_mm, LabelMap(grid(), kMuscle)),
               ElementsAre("Nothing is labelled where you clicked."));

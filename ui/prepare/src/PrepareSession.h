@@ -74,6 +74,15 @@ class PrepareSession : public QObject {
   /// Targets, landmarks, start poses and grade as they are now.
   const CasePlaces& places() const { return places_; }
   void setPlaces(CasePlaces places, const QString& what);
+  /// How structures look, the title and the places: what is edited beside voxels.
+  struct Said {
+    StructureLooks looks;
+    QString title;
+    CasePlaces places;
+  };
+  Said said() const { return {looks_, title_, places_}; }
+  /// Edits what differs from it, as one step.
+  void sayAgain(const Said& said);
   /// Where the probe is becomes the case's start pose, if it has none; saved with the case.
   void keepStart();
   /// The case has no start pose, none is kept, and the probe stands somewhere.

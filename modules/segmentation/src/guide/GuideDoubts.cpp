@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kBeside_mm = 2;         // a click so near to a structure is meant for it
 constexpr double kMostOfSurface = 0.02;  // that touches what it should not
+constexpr double kAside_mm = 5;          // nearer to the middle, no side is meant
 constexpr double kAround_mm = 25;        // of the clicks, where a structure ends that may go on beyond
 
 /// The pieces of a label that clicks lie in or beside, and how many clicks lie beside all.
@@ -67,6 +68,38 @@ double shareTouching(const Selection& shape, const LabelMap& labels, std::uint8_
   return faces > 0 ? double(touching) / double(faces) : 0;
 }
 
+/// Where the middle of the patient is beside the clicks, to the left in mm: the airway's, else the body's.
+std::optional<double> middle_mm(const LabelMap& labels, std::span<const Vec3> clicks_mm) {
+  const VoxelBox near = boxAround(labels.geometry, clicks_mm, kAround_mm);
+  const Transform patientFromIndex = labels.geometry.patientFromIndex();
+  double airway_mm = 0, body_mm = 0;
+  std::size_t airway = 0, body = 0;
+  for (int k = near.first[2]; k < near.end[2]; ++k)
+    for (int j = 0; j < labels.geometry.size[1]; ++j)
+      for (int i = 0; i < labels.geometry.size[0]; ++i) {
+        const std::uint8_t label = labels.at(i, j, k);
+        if (label == kBackground) continue;
+        const double left_mm = (patientFromIndex * Vec3{double(i), double(j), double(k)}).x;
+        body_mm += left_mm, ++body;
+        if (label == kAirway) airway_mm += left_mm, ++airway;
+      }
+  if (airway > 0) return airway_mm / double(airway);
+  return body > 0 ? std::optional(body_mm / double(body)) : std::nullopt;
+}
+
+/// The picture shows the patient's right on its left, which beginners take for the left.
+std::optional<std::string> offSide(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels) {
+  const auto middle = step.side ? middle_mm(labels, clicks_mm) : std::nullopt;
+  if (!middle) return std::nullopt;
+  Vec3 sum;
+  for (const Vec3& click_mm : clicks_mm) sum = sum + click_mm;
+  const double aside_mm = sum.x / double(clicks_mm.size()) - *middle;
+  const bool left = aside_mm > 0;
+  if (std::abs(aside_mm) < kAside_mm || left == (*step.side == GuideSide::Left)) return std::nullopt;
+  return left ? "The clicks lie on the patient's left; this step is for the right, which slices show on their left."
+              : "The clicks lie on the patient's right; this step is for the left, which slices show on their right.";
+}
+
 double length_mm(std::span<const Vec3> line) {
   double sum = 0;
   for (std::size_t n = 1; n < line.size(); ++n) sum += norm(line[n] - line[n - 1]);
@@ -95,9 +128,13 @@ std::vector<std::string> doubtsAbout(const GuideStep& step, std::span<const Vec3
     if (extentOf(labels, label).empty())
       doubts.push_back("There is no " + labelName(label) + "; look whether the CT shows any.");
   if (clicks_mm.empty() || step.label == 0) return doubts;
+  if (auto doubt = offSide(step, clicks_mm, labels)) doubts.push_back(std::move(*doubt));
   const Found found = foundAt(labels, step.label, clicks_mm);
   const std::size_t voxels = found.pieces.count();
-  if (voxels == 0) return {"Nothing is labelled where you clicked."};
+  if (voxels == 0) {
+    doubts.push_back("Nothing is labelled where you clicked.");
+    return doubts;
+  }
   if (found.clicksBeside > 0)
     doubts.push_back(found.clicksBeside == 1
                          ? "A click lies outside of what was found."

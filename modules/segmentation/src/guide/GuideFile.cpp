@@ -39,9 +39,9 @@ GuideWay readWay(const json& object, const std::string& where, std::string& trou
 }
 
 GuideStep readGuideStep(const json& object, const std::string& where, std::string& trouble) {
-  const std::vector<std::string_view> known{"name",         "title",     "label",    "say",    "look_for", "if_wrong",
-                                            "least_clicks", "clicks",    "optional", "ways",   "makes",    "apart",
-                                            "diameter_mm",  "volume_ml", "source",   "comment"};
+  const std::vector<std::string_view> known{"name",  "title",        "label",     "say",      "look_for", "if_wrong",
+                                            "side",  "least_clicks", "clicks",    "optional", "ways",     "makes",
+                                            "apart", "diameter_mm",  "volume_ml", "source",   "comment"};
   JsonEntry entry(object, where, known);
   GuideStep step;
   step.name = entry.text("name");
@@ -52,6 +52,7 @@ GuideStep readGuideStep(const json& object, const std::string& where, std::strin
   step.leastClicks = entry.wholeIfThere("least_clicks", 1, 20).value_or(0);
   step.clicks = entry.wholeIfThere("clicks", 1, 20).value_or(step.leastClicks);
   if (step.clicks < step.leastClicks) entry.refuse("needs more clicks in 'least_clicks' than in 'clicks'.");
+  if (entry.has("side")) step.side = static_cast<GuideSide>(entry.word("side", {"right", "left"}));
   step.optional = entry.has("optional") && entry.flag("optional");
   step.ways = entry.list("ways", "way", readWay);
   if (entry.trouble().empty() && step.ways.empty()) entry.refuse("has no way of doing it in its list 'ways'.");

@@ -16,6 +16,7 @@ void commonFields(Io& io, LabelStep& s) {
   io("over", s.over);
   io("editable_HU", s.editable_HU);
   io("box_mm", s.box_mm);
+  io("of", s.of);
 }
 
 /// The names of a step's fields.

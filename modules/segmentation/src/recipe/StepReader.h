@@ -22,6 +22,9 @@ class StepReader {
   void operator()(const char* key, int& value, int low, int high);
   void operator()(const char* key, std::optional<int>& value, int low, int high);
   void operator()(const char* key, bool& value);
+  void operator()(const char* key, std::string& value) {
+    if (entry_.has(key)) value = entry_.text(key);
+  }
   void operator()(const char* key, HuRange& value);
   void operator()(const char* key, std::optional<HuRange>& value);
   void operator()(const char* key, std::uint8_t& label);

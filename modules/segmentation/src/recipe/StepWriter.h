@@ -18,6 +18,9 @@ class StepWriter {
   void operator()(const char* key, Number value, Number, Number) { object_[key] = value; }
   void operator()(const char* key, double value, int, int) { object_[key] = value; }
   void operator()(const char* key, bool value) { object_[key] = value; }
+  void operator()(const char* key, const std::string& value) {
+    if (!value.empty()) object_[key] = value;
+  }
   void operator()(const char* key, std::uint8_t label) { object_[key] = text(label); }
   void operator()(const char* key, const HuRange& range) { object_[key] = {range.low, range.high}; }
   void operator()(const char* key, Vec3 direction) { object_[key] = text(direction); }

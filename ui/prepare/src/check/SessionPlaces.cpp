@@ -24,6 +24,16 @@ void PrepareSession::setPlaces(CasePlaces places, const QString& what) {
   undo_.push(new PlacesEdit(*this, std::move(places), what));
 }
 
+void PrepareSession::sayAgain(const Said& said) {
+  auto all = std::make_unique<QUndoCommand>(tr("colours, title and places, as before"));
+  for (int label = 1; label < 256; ++label)
+    if (said.looks[std::size_t(label)] != looks_[std::size_t(label)])
+      new LookEdit(*this, std::uint8_t(label), said.looks[std::size_t(label)], {}, all.get());
+  if (said.title != title_) new TitleEdit(*this, said.title, all.get());
+  if (!samePlaces(said.places, places_)) new PlacesEdit(*this, said.places, {}, all.get());
+  if (all->childCount() > 0) undo_.push(all.release());
+}
+
 void PrepareSession::applyPlaces(const CasePlaces& places) {
   places_ = places;
   live_.setStart(places_.startPoses.empty() ? found_ : places_.startPoses.front());

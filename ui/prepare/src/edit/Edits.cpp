@@ -34,8 +34,8 @@ bool LookEdit::mergeWith(const QUndoCommand* other) {
   return true;
 }
 
-TitleEdit::TitleEdit(PrepareSession& session, const QString& after)
-    : QUndoCommand(PrepareSession::tr("title")), session_(session), before_(session.title()), after_(after) {}
+TitleEdit::TitleEdit(PrepareSession& session, const QString& after, QUndoCommand* parent)
+    : QUndoCommand(PrepareSession::tr("title"), parent), session_(session), before_(session.title()), after_(after) {}
 
 void TitleEdit::undo() {
   session_.applyTitle(before_);
@@ -45,8 +45,8 @@ void TitleEdit::redo() {
   session_.applyTitle(after_);
 }
 
-PlacesEdit::PlacesEdit(PrepareSession& session, CasePlaces after, const QString& what)
-    : QUndoCommand(what), session_(session), before_(session.places()), after_(std::move(after)) {}
+PlacesEdit::PlacesEdit(PrepareSession& session, CasePlaces after, const QString& what, QUndoCommand* parent)
+    : QUndoCommand(what, parent), session_(session), before_(session.places()), after_(std::move(after)) {}
 
 void PlacesEdit::undo() {
   session_.applyPlaces(before_);

@@ -33,7 +33,7 @@ class LookEdit : public QUndoCommand {
 /// Another title of the case.
 class TitleEdit : public QUndoCommand {
  public:
-  TitleEdit(PrepareSession& session, const QString& after);
+  TitleEdit(PrepareSession& session, const QString& after, QUndoCommand* parent = nullptr);
   void undo() override;
   void redo() override;
 
@@ -45,7 +45,7 @@ class TitleEdit : public QUndoCommand {
 /// Other targets, landmarks, start poses, or another grade.
 class PlacesEdit : public QUndoCommand {
  public:
-  PlacesEdit(PrepareSession& session, CasePlaces after, const QString& what);
+  PlacesEdit(PrepareSession& session, CasePlaces after, const QString& what, QUndoCommand* parent = nullptr);
   void undo() override;
   void redo() override;
 

@@ -6,11 +6,12 @@
 #include <insonate/ui/ValueSlider.h>
 
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
-#include <QListWidget>
 #include <QPushButton>
 #include <QShortcut>
 #include <QSignalBlocker>
+#include <QTreeWidget>
 #include <QVBoxLayout>
 
 namespace insonate::prepare {
@@ -57,20 +58,30 @@ QLabel* paragraph(const char* name, const char* role = nullptr) {
 
 }  // namespace
 
-GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), guide_(guide), list_(new QListWidget) {
+GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), guide_(guide), list_(new QTreeWidget) {
   setObjectName(QStringLiteral("guide"));
   list_->setObjectName(QStringLiteral("guideSteps"));
   list_->setAccessibleName(tr("Steps of labelling"));
   list_->setToolTip(tr("What there is to do, in this order; go back to a step to do it again"));
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  for (const GuideStep& step : guide_.steps()) list_->addItem(QString::fromStdString(step.title));
+  list_->setColumnCount(2);
+  list_->setHeaderHidden(true);
+  list_->setRootIsDecorated(false);
+  list_->setUniformRowHeights(true);
+  // How far a step is, is read whole.
+  list_->header()->setStretchLastSection(false);
+  list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  for (const GuideStep& step : guide_.steps())
+    new QTreeWidgetItem(list_, {QString::fromStdString(step.title), QString()});
   list_->setMinimumHeight(kListRows * list_->sizeHintForRow(0));
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kGap);
   box->addWidget(list_, 1);
   box->addWidget(buildStep());
-  connect(list_, &QListWidget::currentRowChanged, &guide_, &GuideSession::go);
+  connect(list_, &QTreeWidget::currentItemChanged, this,
+          [this](QTreeWidgetItem* item) { guide_.go(list_->indexOfTopLevelItem(item)); });
   connect(&guide_, &GuideSession::changed, this, &GuidePage::refresh);
   connect(&guide_, &GuideSession::clicksChanged, this, &GuidePage::refresh);
   connect(&guide_, &GuideSession::told, this, [this](const QString& sentence) { told_->setText(sentence); });
@@ -93,14 +104,12 @@ QWidget* GuidePage::buildStep() {
     made->setToolTip(tip);
     return made;
   };
-  run_ = button("guideRun", tr("Run"), tr("Make this structure out of the clicks (Enter)"));
+  run_ = button("guideRun", tr("Run"), {});
   accept_ = button("guideAccept", tr("Looks right"), tr("Go on to the next step (Enter)"));
   correct_ =
       button("guideCorrect", tr("Correct it"), tr("Paint and erase this structure in the slices; others are spared"));
   correct_->setCheckable(true);
   skip_ = button("guideSkip", tr("Skip"), tr("Go on without this structure"));
-  ui::setRole(run_, "primary");
-  ui::setRole(accept_, "primary");
   auto* radius = new ui::ValueSlider(tr("Brush"), tr("mm"), {0.5, 15, guide_.brush_mm(), 0.5, 1},
                                      tr("Radius of the ball that paints and erases"));
   radius->setObjectName(QStringLiteral("guideBrush"));
@@ -110,7 +119,8 @@ QWidget* GuidePage::buildStep() {
   brushBox->setContentsMargins(0, 0, 0, 0);
   brushBox->addWidget(new QLabel(tr("Drag in a slice paints, with Ctrl erases.")));
   brushBox->addWidget(radius);
-  connect(run_, &QPushButton::clicked, &guide_, &GuideSession::run);
+  connect(run_, &QPushButton::clicked, this,
+          [this] { guide_.state(guide_.current()) == GuideSession::State::Working ? guide_.cancel() : guide_.run(); });
   connect(accept_, &QPushButton::clicked, &guide_, &GuideSession::accept);
   connect(correct_, &QPushButton::clicked, &guide_, &GuideSession::setCorrecting);
   connect(skip_, &QPushButton::clicked, &guide_, &GuideSession::skip);
@@ -142,22 +152,30 @@ void GuidePage::hideEvent(QHideEvent* event) {
 
 void GuidePage::refreshList() {
   const QSignalBlocker quiet(list_);
-  for (int n = 0; n < list_->count(); ++n) {
+  for (int n = 0; n < list_->topLevelItemCount(); ++n) {
     const GuideStep& step = guide_.steps()[std::size_t(n)];
     const GuideSession::State state = guide_.state(n);
-    list_->item(n)->setText(QString::fromStdString(step.title) + QStringLiteral("   ") +
-                            stateWord(state, step.optional));
-    list_->item(n)->setForeground(stateColour(state));
+    QTreeWidgetItem* item = list_->topLevelItem(n);
+    item->setText(1, stateWord(state, step.optional));
+    item->setForeground(1, stateColour(state));
+    item->setData(0, Qt::AccessibleTextRole, item->text(0) + QStringLiteral(", ") + item->text(1));
   }
-  list_->setCurrentRow(guide_.current());
+  list_->setCurrentItem(list_->topLevelItem(guide_.current()));
 }
 
 void GuidePage::refreshButtons() {
   const GuideSession::State state = guide_.state(guide_.current());
   const bool made = state == GuideSession::State::Done || state == GuideSession::State::Doubtful;
   const bool busy = guide_.isBusy();
-  run_->setText(made ? tr("Again") : tr("Run"));
-  run_->setEnabled(guide_.canRun());
+  const bool working = state == GuideSession::State::Working;
+  run_->setText(working ? tr("Cancel") : made ? tr("Again") : tr("Run"));
+  run_->setToolTip(working                    ? tr("Stop; the labels are as they were before")
+                   : guide_.step().clicks > 0 ? tr("Make this structure out of the clicks (Enter)")
+                                              : tr("Make these structures (Enter)"));
+  run_->setEnabled(working || guide_.canRun());
+  // One thing to do next.
+  ui::setRole(run_, state == GuideSession::State::Done ? "" : "primary");
+  ui::setRole(accept_, state == GuideSession::State::Done ? "primary" : "");
   accept_->setVisible(made);
   accept_->setEnabled(!busy);
   correct_->setVisible(made && guide_.step().label != 0);
@@ -188,6 +206,7 @@ void GuidePage::refresh() {
   result_->setVisible(!result.isEmpty());
   result_->setText(result);
   result_->setStyleSheet(QStringLiteral("color: %1").arg(stateColour(state).name()));
+  if (state == GuideSession::State::Working) result_->hide();
   told_->setVisible(!told_->text().isEmpty());
   refreshButtons();
 }

@@ -3,8 +3,8 @@
 #include <QWidget>
 
 class QLabel;
-class QListWidget;
 class QPushButton;
+class QTreeWidget;
 
 namespace insonate::prepare {
 
@@ -29,7 +29,7 @@ class GuidePage : public QWidget {
   void refreshButtons();
 
   GuideSession& guide_;
-  QListWidget* list_;
+  QTreeWidget* list_;
   QLabel *title_, *say_, *clicks_, *result_, *told_;
   QPushButton *run_, *accept_, *correct_, *skip_;
   QWidget* brush_;

@@ -2,21 +2,27 @@
 
 #include "../label/LabelSession.h"
 
+#include <QTimer>
 #include <QUndoStack>
 #include <utility>
 
 namespace insonate::prepare {
+namespace {
+
+constexpr int kUntilFree_ms = 50;
+
+}  // namespace
 
 bool GuideReplay::run(std::vector<LabelStep> steps, std::size_t first, std::size_t end, const QString& name,
                       Done done) {
   const std::vector<LabelStep> all = labels_.recipe().steps;
+  here_ = undo_.index();
   if (!takeBackTo(first)) return false;
   const auto at = [&](std::size_t index) { return all.begin() + std::ptrdiff_t(index); };
   before_.assign(at(first), all.end());
   todo_.assign(steps.begin(), steps.end());
   todo_.insert(todo_.end(), at(end), all.end());
   again_ = all.size() - end, first_ = first;
-  places_.clear();
   name_ = name, done_ = std::move(done);
   running_ = true, restoring_ = false;
   ++number_;
@@ -37,33 +43,48 @@ bool GuideReplay::takeBackTo(std::size_t count) {
 }
 
 void GuideReplay::next() {
-  const std::size_t recorded = labels_.recipe().steps.size();
-  if (todo_.size() <= again_) places_.push_back(recorded);
-  if (todo_.empty()) {
-    running_ = false;
-    return std::exchange(done_, {})(places_, !restoring_);
-  }
+  if (todo_.empty()) return end(!restoring_);
+  const bool again = todo_.size() <= again_;
   LabelStep step = std::move(todo_.front());
   todo_.pop_front();
-  labels_.run(std::move(step), name_, [this, number = number_](const Result<LabelChange>& change) {
+  const auto done = [this, number = number_](const Result<LabelChange>& change) {
     if (number != number_) return;
-    if (change) return next();
-    fail();
-  });
+    change ? next() : fail();
+  };
+  again ? labels_.runAgain(std::move(step), name_, done) : labels_.run(std::move(step), name_, done);
+}
+
+/// Where nothing new was recorded, what was taken back still waits to be done again.
+bool GuideReplay::doneAgainByRedo() {
+  if (labels_.recipe().steps.size() != first_) return false;
+  while (undo_.index() < here_ && undo_.canRedo()) undo_.redo();
+  return labels_.recipe().steps.size() == first_ + before_.size();
 }
 
 void GuideReplay::fail() {
-  // What was there is made again; if that fails, too, as much is there as could be made.
-  if (restoring_ || before_.empty() || !takeBackTo(first_)) {
-    if (!restoring_) takeBackTo(first_);
-    running_ = false;
-    return std::exchange(done_, {})({}, false);
-  }
+  if (restoring_ || doneAgainByRedo()) return end(false);
   restoring_ = true;
+  restoreSoon();
+}
+
+/// Who has cancelled may be about to begin something else, which comes first.
+void GuideReplay::restoreSoon() {
+  QTimer::singleShot(kUntilFree_ms, this, [this, number = number_] {
+    if (number == number_) labels_.isFree() ? restore() : restoreSoon();
+  });
+}
+
+void GuideReplay::restore() {
+  // If that fails, too, as much is there as could be made.
+  if (!takeBackTo(first_)) return end(false);
   todo_.assign(before_.begin(), before_.end());
   again_ = todo_.size();
-  places_.clear();
   next();
+}
+
+void GuideReplay::end(bool well) {
+  running_ = false;
+  std::exchange(done_, {})(well);
 }
 
 }  // namespace insonate::prepare

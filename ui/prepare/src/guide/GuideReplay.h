@@ -2,6 +2,7 @@
 
 #include <insonate/segmentation/Recipe.h>
 
+#include <QObject>
 #include <QString>
 #include <deque>
 #include <functional>
@@ -14,14 +15,14 @@ namespace insonate::prepare {
 class LabelSession;
 
 /// Performs steps of labelling one after the other, each off the window's thread, and puts them between others that
-/// were made before: those after them are taken back first and made again.
-class GuideReplay {
+/// were made before: those after them are taken back first and made again, with the rules that they had.
+class GuideReplay : public QObject {
  public:
-  /// Where each of the steps that were made again begins among all recorded steps, and where the last ends; and whether
-  /// all went well: else everything is as it was before.
-  using Done = std::function<void(const std::vector<std::size_t>& places, bool well)>;
+  /// Whether all went well: else the labels are as they were before.
+  using Done = std::function<void(bool well)>;
 
-  GuideReplay(LabelSession& labels, QUndoStack& undo) : labels_(labels), undo_(undo) {}
+  GuideReplay(LabelSession& labels, QUndoStack& undo, QObject* parent)
+      : QObject(parent), labels_(labels), undo_(undo) {}
 
   /// Instead of the recorded steps [first, end). False where they cannot be taken back any more; nothing has changed
   /// then.
@@ -32,15 +33,19 @@ class GuideReplay {
 
  private:
   bool takeBackTo(std::size_t count);
+  bool doneAgainByRedo();
   void next();
   void fail();
+  void restoreSoon();
+  void restore();
+  void end(bool well);
 
   LabelSession& labels_;
   QUndoStack& undo_;
   std::vector<LabelStep> before_;  ///< what was there
   std::deque<LabelStep> todo_;
   std::size_t first_ = 0, again_ = 0;  ///< of todo_, those at its end that are made again
-  std::vector<std::size_t> places_;
+  int here_ = 0;                       ///< in the undo stack
   QString name_;
   Done done_;
   bool running_ = false, restoring_ = false;

@@ -35,7 +35,7 @@ GuideSession::GuideSession(PrepareSession& session, QObject* parent)
     : QObject(parent),
       session_(session),
       guide_(neckGuide()),
-      replay_(session.labelling(), session.undoStack()),
+      replay_(*new GuideReplay(session.labelling(), session.undoStack(), this)),
       progress_(guide_.steps.size()) {
   const LabelSession& labels = session_.labelling();
   connect(&session_, &PrepareSession::caseChanged, this, [this] { beginCase(); });
@@ -44,6 +44,7 @@ GuideSession::GuideSession(PrepareSession& session, QObject* parent)
     recipe_ = session_.labelling().recipe();
     Q_EMIT changed();
   });
+  connect(&session_.measuring(), &CaseMeasuring::changed, this, [this] { beginAtFirstToDo(); });
   connect(&labels, &LabelSession::busyChanged, this, &GuideSession::changed);
   connect(&labels, &LabelSession::failed, this, &GuideSession::told);
 }
@@ -51,7 +52,7 @@ GuideSession::GuideSession(PrepareSession& session, QObject* parent)
 void GuideSession::beginCase() {
   replay_.forget();
   progress_.assign(guide_.steps.size(), {});
-  before_ = recipe_ = {}, working_ = -1, current_ = 0, correcting_ = false;
+  before_ = recipe_ = {}, working_ = -1, current_ = 0, correcting_ = begun_ = false;
   takeUpRecipe();
   goToNext();
 }
@@ -65,19 +66,20 @@ void GuideSession::takeUpRecipe() {
   auto read = loadRecipe(file.string());
   if (!read) return Q_EMIT told(QString::fromStdString(read.error().message));
   before_ = std::move(*read);
-  std::vector<bool> taken(before_.steps.size(), false);
-  for (std::size_t n = 0; n < guide_.steps.size(); ++n)
-    for (std::size_t m = 0; m < taken.size(); ++m) {
-      const LabelStep& made = before_.steps[m];
-      const auto fits = [&](const GuideWay& way) {
-        return way.steps.front().tool.index() == made.tool.index() && way.steps.front().label == made.label;
-      };
-      if (taken[m] || !std::ranges::any_of(guide_.steps[n].ways, fits)) continue;
-      taken[m] = progress_[n].restored = true;
-      if (const auto* points_mm = pointsOf(made.tool)) progress_[n].clicks_mm = *points_mm;
-      break;
-    }
+  for (const LabelStep& made : before_.steps) {
+    const auto step = std::ranges::find(guide_.steps, made.of, &GuideStep::name);
+    if (made.of.empty() || step == guide_.steps.end()) continue;
+    StepProgress& p = progress_[std::size_t(step - guide_.steps.begin())];
+    p.restored = true;
+    if (const auto* points_mm = pointsOf(made.tool); points_mm && p.clicks_mm.empty()) p.clicks_mm = *points_mm;
+  }
   goToNext();
+}
+
+/// What the import has labelled is known only once the case is measured.
+void GuideSession::beginAtFirstToDo() {
+  if (!session_.measuring().measures() || std::exchange(begun_, true)) return Q_EMIT changed();
+  if (recipe_.steps.empty() && clicks_mm().empty()) goToNext();
 }
 
 void GuideSession::go(int index) {
@@ -88,30 +90,48 @@ void GuideSession::go(int index) {
   Q_EMIT clicksChanged();
 }
 
-std::string GuideSession::textOfSteps(std::size_t first, std::size_t count) const {
-  if (first + count > recipe_.steps.size()) return {};
-  const auto begin = recipe_.steps.begin() + std::ptrdiff_t(first);
-  return textOf(Recipe{{}, {begin, begin + std::ptrdiff_t(count)}});
+GuideSession::Span GuideSession::spanOf(int index) const {
+  const std::string& name = guide_.steps[std::size_t(index)].name;
+  const auto& all = recipe_.steps;
+  const auto first = std::ranges::find(all, name, &LabelStep::of);
+  const auto last = std::find_if(first, all.end(), [&](const LabelStep& step) { return step.of != name; });
+  return {std::size_t(first - all.begin()), std::size_t(last - first)};
 }
 
 /// Undone and redone, a step's result goes and comes.
 bool GuideSession::isMade(int index) const {
-  const StepProgress& p = progress_[std::size_t(index)];
-  return p.made && p.made->count > 0 && textOfSteps(p.made->first, p.made->count) == p.made->text;
+  const std::size_t made = progress_[std::size_t(index)].made;
+  return made > 0 && spanOf(index).count == made;
+}
+
+bool GuideSession::hasVoxels(std::uint8_t label) const {
+  const auto& measures = session_.measuring().measures();
+  return measures && measures->statistics.voxels[label] > 0;
+}
+
+/// The import has made it.
+bool GuideSession::isThere(int index) const {
+  const auto& makes = guide_.steps[std::size_t(index)].makes;
+  return !makes.empty() && std::ranges::all_of(makes, [this](std::uint8_t label) { return hasVoxels(label); });
 }
 
 GuideSession::State GuideSession::state(int index) const {
   const StepProgress& p = progress_[std::size_t(index)];
   if (index == working_) return State::Working;
   if (isMade(index)) return p.doubts.isEmpty() || p.accepted ? State::Done : State::Doubtful;
-  if (p.restored) return State::Done;
+  if (p.restored || isThere(index)) return State::Done;
   return p.skipped ? State::Skipped : State::ToDo;
 }
 
 QStringList GuideSession::remarks(int index) const {
   const StepProgress& p = progress_[std::size_t(index)];
   if (isMade(index)) return p.doubts;
-  return p.restored ? QStringList{tr("Made when the case was saved.")} : QStringList{};
+  if (p.restored) return {tr("Made when the case was saved.")};
+  if (isThere(index)) return {tr("The case has these labels already.")};
+  const std::uint8_t label = guide_.steps[std::size_t(index)].label;
+  if (hasVoxels(label) && before_.steps.empty() && recipe_.steps.empty())
+    return {tr("The case has %1 already: look whether this is labelled before you run.").arg(structureName(label))};
+  return {};
 }
 
 void GuideSession::setShown(bool shown) {
@@ -153,18 +173,19 @@ void GuideSession::run() {
   if (!session_.patient() || isBusy()) return;
   auto steps = stepsFor(step(), clicks_mm(), session_.patient()->ct);
   if (!steps) return Q_EMIT told(QString::fromStdString(steps.error().message));
+  for (LabelStep& made : *steps) made.of = step().name;
   setCorrecting(false);
+  Q_EMIT told({});
   const int index = current_;
-  const StepProgress& p = progress_[std::size_t(index)];
-  const std::size_t end = recipe_.steps.size();
-  const bool again = isMade(index);
-  const std::size_t first = again ? p.made->first : end;
+  const Span before = isMade(index) ? spanOf(index) : Span{recipe_.steps.size(), 0};
   working_ = index;
-  const QString name = QString::fromStdString(step().title);
-  const bool begun = replay_.run(std::move(*steps), first, again ? first + p.made->count : end, name,
-                                 [this, index, first](const std::vector<std::size_t>& places, bool well) {
-                                   finished(index, first, places, well);
-                                 });
+  // What is taken back to get at an earlier step takes along what was said meanwhile.
+  const bool begun =
+      replay_.run(std::move(*steps), before.first, before.first + before.count, QString::fromStdString(step().title),
+                  [this, index, said = session_.said()](bool well) {
+                    session_.sayAgain(said);
+                    finished(index, well);
+                  });
   if (!begun) {
     working_ = -1;
     Q_EMIT told(tr("This step lies too far back to be done again; correct its result with the brush."));
@@ -172,25 +193,21 @@ void GuideSession::run() {
   Q_EMIT changed();
 }
 
-void GuideSession::finished(int index, std::size_t first, const std::vector<std::size_t>& places, bool well) {
+void GuideSession::cancel() {
+  if (working_ >= 0) session_.labelling().cancel();
+}
+
+void GuideSession::finished(int index, bool well) {
   working_ = -1;
   recipe_ = session_.labelling().recipe();
-  StepProgress& p = progress_[std::size_t(index)];
   if (well) {
-    const std::size_t oldEnd = p.made && p.made->first == first ? first + p.made->count : first;
-    // Steps of the guide that were made again lie elsewhere now.
-    for (StepProgress& other : progress_) {
-      if (&other == &p || !other.made || other.made->first < oldEnd) continue;
-      const std::size_t from = other.made->first - oldEnd, to = from + other.made->count;
-      if (to >= places.size()) continue;
-      other.made->first = places[from], other.made->count = places[to] - places[from];
-      other.made->text = textOfSteps(other.made->first, other.made->count);
-    }
-    const std::size_t count = places.front() - first;
-    p.made = Made{first, count, textOfSteps(first, count)};
+    StepProgress& p = progress_[std::size_t(index)];
+    p.made = spanOf(index).count;
     p.accepted = p.skipped = false;
     p.doubts.clear();
-    if (count == 0) Q_EMIT told(tr("Nothing has changed: look whether the clicks lie in the structure."));
+    if (p.made == 0)
+      Q_EMIT told(p.clicks_mm.empty() ? tr("Nothing has changed: all of it was labelled so.")
+                                      : tr("Nothing has changed: look whether the clicks lie in the structure."));
     lookForDoubts(index);
   }
   Q_EMIT changed();
@@ -198,16 +215,15 @@ void GuideSession::finished(int index, std::size_t first, const std::vector<std:
 
 void GuideSession::lookForDoubts(int index) {
   const GuideStep& about = guide_.steps[std::size_t(index)];
-  const auto clicks_mm = progress_[std::size_t(index)].clicks_mm;
-  const std::string text = progress_[std::size_t(index)].made->text;
-  QtConcurrent::run([self = QPointer(this), about, clicks_mm, labels = session_.labelling().snapshot(), index, text] {
+  StepProgress& p = progress_[std::size_t(index)];
+  p.look = ++looks_;
+  QtConcurrent::run([self = QPointer(this), about, clicks_mm = p.clicks_mm, labels = session_.labelling().snapshot(),
+                     index, look = p.look] {
     QStringList doubts;
     for (const std::string& doubt : doubtsAbout(about, clicks_mm, *labels)) doubts << QString::fromStdString(doubt);
-    QMetaObject::invokeMethod(qApp, [self, doubts, index, text] {
-      if (!self) return;
-      StepProgress& p = self->progress_[std::size_t(index)];
-      if (!p.made || p.made->text != text) return;
-      p.doubts = doubts;
+    QMetaObject::invokeMethod(qApp, [self, doubts, index, look] {
+      if (!self || look != self->progress_[std::size_t(index)].look) return;
+      self->progress_[std::size_t(index)].doubts = doubts;
       Q_EMIT self->changed();
     });
   });
@@ -224,7 +240,7 @@ void GuideSession::goToNext() {
 }
 
 void GuideSession::accept() {
-  if (!isMade(current_) && !progress_[std::size_t(current_)].restored) return;
+  if (const State now = state(current_); now != State::Done && now != State::Doubtful) return;
   progress_[std::size_t(current_)].accepted = true;
   goToNext();
 }

@@ -46,6 +46,8 @@ class GuideSession : public QObject {
   bool canRun() const;
   /// The current step; what was made before for it is taken back first, and what came after it is made again.
   void run();
+  /// Stops it; the labels are as they were before.
+  void cancel();
   /// The result is right: on to the next step that is to do.
   void accept();
   /// On without the current step.
@@ -69,35 +71,40 @@ class GuideSession : public QObject {
   void told(const QString& sentence);
 
  private:
-  /// Which of the recorded steps a step of the guide has made.
-  struct Made {
+  /// Of the recorded steps, those that a step of the guide has made.
+  struct Span {
     std::size_t first = 0, count = 0;
-    std::string text;
   };
   struct StepProgress {
     std::vector<Vec3> clicks_mm{};
-    std::optional<Made> made{};
+    std::size_t made = 0;   ///< recorded steps that it came to
     bool restored = false;  ///< made before the case was opened
     bool accepted = false, skipped = false;
     QStringList doubts{};
+    int look = 0;  ///< for doubts: of several, the last counts
   };
 
   void beginCase();
   void takeUpRecipe();
+  void beginAtFirstToDo();
+  Span spanOf(int index) const;
   bool isMade(int index) const;
-  std::string textOfSteps(std::size_t first, std::size_t count) const;
-  void finished(int index, std::size_t first, const std::vector<std::size_t>& places, bool well);
+  bool isThere(int index) const;
+  bool hasVoxels(std::uint8_t label) const;
+  void finished(int index, bool well);
   void goToNext();
   void lookForDoubts(int index);
 
   PrepareSession& session_;
   Guide guide_;
-  GuideReplay replay_;
+  GuideReplay& replay_;
   std::vector<StepProgress> progress_;
   Recipe before_;  ///< saved with the case when it was opened
   Recipe recipe_;  ///< since then
   int current_ = 0, working_ = -1;
+  int looks_ = 0;
   bool shown_ = false, correcting_ = false;
+  bool begun_ = false;  ///< it is known what the case has, and the first step to do is shown
   double brush_mm_ = 2;
 };
 

@@ -84,11 +84,22 @@ void LabelSession::run(LabelStep step, const QString& name, Done done) {
     if (done) done(fail(why.toStdString()));
     return;
   }
+  start(withRules(std::move(step), rules_), name, std::move(done));
+}
+
+void LabelSession::runAgain(LabelStep step, const QString& name, Done done) {
+  start(std::move(step), name, std::move(done));
+}
+
+bool LabelSession::isFree() const {
+  return !busy_ && !tasks_.isRunning();
+}
+
+void LabelSession::start(LabelStep step, const QString& name, Done done) {
   endStroke();
   preview_.clear();
   beginWork();
   setBusy(true);
-  step = withRules(std::move(step), rules_);
   using Made = std::shared_ptr<const Proposal>;
   tasks_.run<Made>(
       name,

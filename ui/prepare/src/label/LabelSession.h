@@ -63,6 +63,10 @@ class LabelSession : public QObject {
   /// step that can be undone and is recorded; rules() are added to the step's own. `done` hears of it, with kCancelled
   /// where it was cancelled; other failures are told by failed(), too.
   void run(LabelStep step, const QString& name, Done done = {});
+  /// The same for a step of a recipe(), which has the rules of its time: not rules(), so that it does the same again.
+  void runAgain(LabelStep step, const QString& name, Done done);
+  /// Nothing is at work that a tool would end.
+  bool isFree() const;
   /// Stops the tool that run() began; nothing is changed.
   void cancel() { settle(); }
   /// What run() would write, in preview().
@@ -102,6 +106,7 @@ class LabelSession : public QObject {
   void redo();
   /// Why a label may not be edited now; empty where it may.
   QString refusal(std::uint8_t label) const;
+  void start(LabelStep step, const QString& name, Done done);
   void beginWork();
   void write(LabelStep step, QString name, std::shared_ptr<const Proposal> proposal, Done done);
   void finishWriting();

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QFont>
 #include <QPalette>
+#include <QStyle>
 #include <QStyleFactory>
 #include <QVariant>
 #include <QWidget>
@@ -62,7 +63,11 @@ QColor colour(views::Colour c) {
 }
 
 void setRole(QWidget* widget, const char* role) {
-  widget->setProperty("role", QLatin1String(role));
+  const QVariant before = widget->property("role"), now = QLatin1String(role);
+  if (before == now) return;
+  widget->setProperty("role", now);
+  // The style sheet is asked once only.
+  if (before.isValid()) widget->style()->unpolish(widget), widget->style()->polish(widget);
 }
 
 void applyTheme(QApplication& application) {

@@ -16,6 +16,9 @@ struct GuideRange {
   double low = 0, high = 0;
 };
 
+/// Of the patient.
+enum class GuideSide { Right, Left };
+
 /// One way of doing a step of a guide.
 struct GuideWay {
   std::optional<HuRange> clicks_HU{};  ///< it is for clicks on what is so bright; any without
@@ -27,6 +30,7 @@ struct GuideWay {
 struct GuideStep {
   std::string name;                 ///< "vein-right"
   std::string title;                ///< "Jugular vein, right"
+  std::optional<GuideSide> side;    ///< on which its clicks are
   std::uint8_t label = 0;           ///< what it makes; none for a step that makes several
   std::string say;                  ///< what to do
   std::string lookFor, ifWrong;     ///< what a good result looks like, what else to do

@@ -135,6 +135,7 @@ struct LabelStep {
   std::optional<std::vector<std::uint8_t>> over{};  ///< where given, only voxels of these labels are overwritten
   std::optional<HuRange> editable_HU{};
   std::optional<std::array<Vec3, 2>> box_mm{};  ///< two corners of the region, else what the tool needs
+  std::string of{};                             ///< the step of a guide that it was made for; tools do not ask
 
   LabelStep();
 };

@@ -1,0 +1,115 @@
+#include "GuideWindow.h"
+
+#include <insonate/cases/Phantom.h>
+#include <insonate/segmentation/AutoLabel.h>
+
+#include <integration/CommandLine.h>
+
+#include <QElapsedTimer>
+
+namespace insonate::prepare {
+namespace {
+
+/// The built-in neck as it comes from a hospital: its CT, and what an import labels of it.
+class GuidingANeck : public Guiding {
+ protected:
+  static std::shared_ptr<const PatientCase> neck() {
+    static const auto made = [] {
+      auto patient = std::make_shared<PatientCase>(*makePhantom("textbook", 1, {}, CtContrast::kArterial));
+      patient->manifest.startPoses.clear(), patient->manifest.targets.clear();
+      patient->labels = LabelMap(patient->ct.geometry);
+      return patient;
+    }();
+    return made;
+  }
+  std::shared_ptr<const PatientCase> imported() {
+    auto patient = std::make_shared<PatientCase>(*neck());
+    patient->labels = *autoLabel(patient->ct, {});
+    return patient;
+  }
+};
+
+TEST_F(GuidingANeck, TheAutomaticStepRunsAndIsCancelledWithinASecond) {
+  openCase(neck());
+  EXPECT_EQ(guide_->step().name, "automatic");
+  auto* run = child<QPushButton>("guideRun");
+  run->click();
+  EXPECT_EQ(guide_->state(0), State::Working);
+  EXPECT_EQ(run->text(), "Cancel");
+  EXPECT_TRUE(tasks_.isRunning());
+  QTest::qWait(150);
+  QElapsedTimer clock;
+  clock.start();
+  run->click();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !guide_->isBusy(); }, 1000));
+  std::printf("cancelled after %lld ms\n", static_cast<long long>(clock.elapsed()));
+  EXPECT_EQ(guide_->state(0), State::ToDo);
+  EXPECT_EQ(voxels(), neck()->labels.voxels) << "as before";
+
+  this->run();
+  EXPECT_EQ(guide_->state(0), State::Done) << guide_->remarks(0).join(' ').toStdString();
+  EXPECT_EQ(voxels(), autoLabel(neck()->ct, {})->voxels);
+  EXPECT_EQ(child<QTreeWidget>("guideSteps")->topLevelItem(0)->text(1), "done");
+  child<QPushButton>("guideAccept")->click();
+  EXPECT_EQ(guide_->step().name, "vein-right");
+}
+
+TEST_F(GuidingANeck, WhatTheImportHasLabelledIsDoneAlready) {
+  openCase(imported());
+  EXPECT_EQ(guide_->state(0), State::Done);
+  EXPECT_EQ(guide_->step().name, "vein-right") << "the first thing to do";
+  choose("automatic");
+  EXPECT_THAT(child<QLabel>("guideResult")->text().toStdString(), HasSubstr("already"));
+  run();
+  EXPECT_EQ(guide_->state(0), State::Done) << "it comes to the same";
+  EXPECT_THAT(child<QLabel>("guideTold")->text().toStdString(), testing::Not(HasSubstr("clicks")));
+}
+
+TEST_F(GuidingANeck, DoneThroughTheWindowItReplaysByTheCommandToEveryVoxel) {
+  const test::TemporaryFolder folder;
+  const auto begun = imported();
+  ASSERT_TRUE(writeCase(*begun, folder.path() / "imported"));
+  openCase(begun);
+  // Where the textbook neck has them.
+  const auto whole = makePhantom("textbook", 1, {}, CtContrast::kArterial);
+  const auto middleAt = [&](std::uint8_t label, double z_mm) {
+    const Transform patientFromIndex = whole->labels.geometry.patientFromIndex();
+    Vec3 sum;
+    double n = 0;
+    const int k = int(std::lround((whole->labels.geometry.indexFromPatient() * Vec3{0, 0, z_mm}).z));
+    for (int j = 0; j < whole->labels.geometry.size[1]; ++j)
+      for (int i = 0; i < whole->labels.geometry.size[0]; ++i) {
+        const Vec3 p = patientFromIndex * Vec3{double(i), double(j), double(k)};
+        if (whole->labels.at(i, j, k) == label && p.x < 0) sum = sum + p, ++n;
+      }
+    return sum / n;
+  };
+  const Vec3 target_mm = whole->manifest.targets.front().position_mm;
+  for (const auto& [step, label] : {std::pair{"vein-right", kVein}, {"artery-right", kArtery}}) {
+    choose(step);
+    for (const double z : {-12.0, 0.0, 12.0}) click(middleAt(label, target_mm.z + z));
+    run();
+    EXPECT_GT(count(label), 200u) << step << ": " << child<QLabel>("guideTold")->text().toStdString();
+  }
+  choose("vein-right");
+  child<QPushButton>("guideCorrect")->click();
+  drag(middleAt(kVein, target_mm.z), middleAt(kVein, target_mm.z) + Vec3{-6, 0, 0});
+  choose("automatic");
+  run();  // all that was made after it is made again
+  EXPECT_EQ(session_->labelling().recipe().steps.size(), 3u) << "the CT tells what is there already";
+  save(folder.path() / "made");
+
+  ASSERT_TRUE(readCase(folder.path() / "made"));
+  const auto path = [&](const char* name) { return test::shellWord((folder.path() / name).string()); };
+  const auto command =
+      test::runCommand("label " + path("imported") + " " + path("made/recipe.json") + " --out " + path("replayed"),
+                       (folder.path() / "errors").string());
+  ASSERT_EQ(command.status, 0) << command.errors;
+  const auto made = readCase(folder.path() / "made"), replayed = readCase(folder.path() / "replayed");
+  ASSERT_TRUE(made && replayed);
+  EXPECT_TRUE(made->patient.labels.voxels == replayed->patient.labels.voxels) << "every voxel";
+  EXPECT_GT(std::ranges::count(made->patient.labels.voxels, std::uint8_t{kVein}), 200);
+}
+
+}  // namespace
+}  // namespace insonate::prepare
