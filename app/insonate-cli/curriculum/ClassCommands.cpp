@@ -47,7 +47,7 @@ Result<Answer> add(const SignedIn& by, const std::string& name) {
                 "The class '" + cohort->name + "' is there; next: 'curriculum classes import' or 'join'."};
 }
 
-Json rowOf(const Member& member, const std::map<std::string, PersonStanding>& standings) {
+Json rowOf(const Member& member, const std::map<std::string, Standing>& standings) {
   Json row = toJson(member.person);
   row.update({{"teaches", member.teaches},
               {"attempts", nullptr},
@@ -60,7 +60,7 @@ Json rowOf(const Member& member, const std::map<std::string, PersonStanding>& st
   if (member.lastAttempt_us) row["last_attempt"] = timeText(*member.lastAttempt_us);
   const auto found = standings.find(member.person.id);
   if (found == standings.end()) return row;
-  const Standing& standing = found->second.standing;
+  const Standing& standing = found->second;
   row["mastered"] = standing.mastered;
   row["level"] = standing.level.empty() ? Json(nullptr) : Json(standing.level);
   row["why"] = standing.sentence;
@@ -72,11 +72,9 @@ Result<Answer> members(const SignedIn& by, const std::string& name) {
   if (!cohort) return tl::unexpected(cohort.error());
   const auto members = CohortStore(by).members(cohort->id);
   if (!members) return tl::unexpected(members.error());
-  std::map<std::string, PersonStanding> standings;
+  std::map<std::string, Standing> standings;
   if (!cohort->curriculum.empty()) {
-    const auto curriculum = curriculumOf(by, *cohort);
-    if (!curriculum) return tl::unexpected(curriculum.error());
-    auto now = standingsOf(by, *cohort, *curriculum, *members);
+    auto now = standingsOf(by, *cohort, *members);
     if (!now) return tl::unexpected(now.error());
     standings = std::move(*now);
   }

@@ -89,13 +89,13 @@ Result<Answer> exportGrades(const SignedIn& by, const Arguments& a) {
   if (!curriculum) return tl::unexpected(curriculum.error());
   const auto members = CohortStore(by).members(cohort->id);
   if (!members) return tl::unexpected(members.error());
-  const auto standings = standingsOf(by, *cohort, *curriculum, *members);
+  const auto standings = standingsOf(by, *cohort, *members);
   if (!standings) return tl::unexpected(standings.error());
   std::vector<Grade> grades;
   for (const Member& member : *members) {
     const auto found = standings->find(member.person.id);
     if (found == standings->end()) continue;
-    const Standing& standing = found->second.standing;
+    const Standing& standing = found->second;
     Grade grade{.person = member.person, .percent = std::nullopt, .feedback = ""};
     if (member.attempts > 0) grade.percent = 100.0 * standing.mastered / static_cast<double>(curriculum->levels.size());
     if (!standing.level.empty()) grade.feedback = standing.sentence;

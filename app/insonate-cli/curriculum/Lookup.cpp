@@ -95,13 +95,12 @@ Result<Curriculum> curriculumOf(const SignedIn& by, const Cohort& cohort) {
   return publishedCurriculum(by, cohort.curriculum, cohort.curriculumVersion);
 }
 
-Result<std::map<std::string, PersonStanding>> standingsOf(const SignedIn& by, const Cohort& cohort,
-                                                          const Curriculum& curriculum,
-                                                          const std::vector<Member>& members) {
+Result<std::map<std::string, Standing>> standingsOf(const SignedIn& by, const Cohort& cohort,
+                                                    const std::vector<Member>& members) {
   std::vector<std::string> learners;
   for (const Member& member : members)
     if (!member.teaches) learners.push_back(member.person.id);
-  return CohortStore(by).standings(cohort.id, curriculum, learners);
+  return CohortStore(by).standings(cohort.id, learners);
 }
 
 const char* nameOf(Role role) {

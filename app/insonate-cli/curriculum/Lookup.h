@@ -30,9 +30,8 @@ Result<Curriculum> publishedCurriculum(const SignedIn& by, const std::string& na
 Result<Curriculum> curriculumOf(const SignedIn& by, const Cohort& cohort);
 
 /// How far all are who learn in a class: one look, kept in the store.
-Result<std::map<std::string, PersonStanding>> standingsOf(const SignedIn& by, const Cohort& cohort,
-                                                          const Curriculum& curriculum,
-                                                          const std::vector<Member>& members);
+Result<std::map<std::string, Standing>> standingsOf(const SignedIn& by, const Cohort& cohort,
+                                                    const std::vector<Member>& members);
 
 /// Whatever the case, and Unicode's ways to write one letter.
 bool sameName(const std::string& one, const std::string& other);

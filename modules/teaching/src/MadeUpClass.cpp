@@ -75,12 +75,13 @@ Result<void> makeUpClass(const CurriculumStore& store, const Curriculum& curricu
         store, *administrator,
         {std::string("made-up-") + number, std::string("Made-up trainee ") + number, "", Role::Trainee}, password);
     if (!trainee) return tl::unexpected(trainee.error());
-    for (const std::string& cohort : {classes->all, classes->half})
-      if (cohort == classes->all || 2 * i >= plan.trainees)
-        if (auto joined = CohortStore(*administrator).join(cohort, trainee->person().id, false); !joined) return joined;
     const auto attempts = madeUpAttempts(curriculum, i, plan);
     if (!attempts) return tl::unexpected(attempts.error());
     if (auto practised = practise(*trainee, *attempts); !practised) return practised;
+    // Now, or the store would work out after each attempt how far they are.
+    for (const std::string& cohort : {classes->all, classes->half})
+      if (cohort == classes->all || 2 * i >= plan.trainees)
+        if (auto joined = CohortStore(*administrator).join(cohort, trainee->person().id, false); !joined) return joined;
   }
   report(progress, "Making up trainees", 1);
   return {};

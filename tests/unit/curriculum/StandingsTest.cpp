@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace insonate {
 namespace {
 
@@ -17,8 +19,9 @@ TEST(Standings, NameTheFirstLevelThatIsDueAndWhy) {
   Curriculum course = courseOf({levelNamed("a", 1), levelNamed("b", 2, {"a"})});
   course.levels[0].mastery.lapsesAfter_days = 30;
   auto history = attemptsAt("a", "P");
-  auto progress = progressOf(course, history, kNoon_us + kDay_us);
-  Standing standing = standingOf(course, progress, 5);
+  std::int64_t now_us = kNoon_us + kDay_us;
+  auto progress = progressOf(course, history, now_us);
+  Standing standing = standingOf(course, history, progress, now_us, 5);
   EXPECT_EQ(standing.curriculum, course.name);
   EXPECT_EQ(standing.curriculumVersion, course.version);
   EXPECT_EQ(standing.changes, 5);
@@ -26,17 +29,55 @@ TEST(Standings, NameTheFirstLevelThatIsDueAndWhy) {
   EXPECT_EQ(standing.mastered, 1);
   EXPECT_EQ(standing.sentence, progress[1].why);
 
-  progress = progressOf(course, history, kNoon_us + 60 * kDay_us);
-  standing = standingOf(course, progress, 5);
+  now_us = kNoon_us + 60 * kDay_us;
+  progress = progressOf(course, history, now_us);
+  standing = standingOf(course, history, progress, now_us, 5);
   EXPECT_EQ(standing.level, "a") << "it has lapsed";
   EXPECT_EQ(standing.mastered, 0);
 
   course = courseOf({levelNamed("a", 1)});
-  progress = progressOf(course, history, kNoon_us);
-  standing = standingOf(course, progress, 5);
+  now_us = kNoon_us;
+  progress = progressOf(course, history, now_us);
+  standing = standingOf(course, history, progress, now_us, 5);
   EXPECT_EQ(standing.level, "");
   EXPECT_EQ(standing.mastered, 1);
   EXPECT_EQ(standing.sentence, "All levels are mastered.");
+}
+
+TEST(Standings, HoldUntilTheySay) {
+  Curriculum course = courseOf({levelNamed("a", 2), levelNamed("b", 1, {"a"}), levelNamed("c", 1)});
+  course.levels[0].mastery.lapsesAfter_days = 3;
+  course.levels[0].mastery.lapsesAfter = FailureRule{2, 3};
+  course.levels[2].mastery.lapsesAfter_days = 7;
+  std::mt19937 random(8);
+  const auto below = [&](std::int64_t most) { return std::int64_t(random() % std::uint64_t(most)); };
+  int ended = 0;
+  for (int career = 0; career < 2000; ++career) {
+    std::vector<AttemptFacts> history;
+    for (std::int64_t i = below(9); i > 0; --i) {
+      const std::string level(1, char('a' + below(3)));
+      const std::int64_t begun_us = kNoon_us + below(20 * 24) * (kDay_us / 24) - 5 * kDay_us;
+      history.push_back(below(4) > 0 ? test::passedAttempt(level, begun_us) : test::failedAttempt(level, begun_us));
+      if (below(8) == 0) history.back().state = AttemptState::Open;
+    }
+    const auto at = [&](std::int64_t now_us) {
+      return standingOf(course, history, progressOf(course, history, now_us), now_us, 1);
+    };
+    const std::int64_t now_us = kNoon_us + below(15 * kDay_us);
+    const Standing kept = at(now_us);
+    ASSERT_LT(now_us, kept.until_us);
+    for (int i = 0; i < 5; ++i) {
+      const std::int64_t most_us = std::min(kept.until_us, now_us + 40 * kDay_us) - now_us;
+      Standing later = at(i == 0 ? now_us + most_us - 1 : now_us + below(most_us));
+      later.from_us = kept.from_us, later.until_us = kept.until_us;
+      ASSERT_EQ(later, kept) << kept.sentence << " became " << later.sentence;
+    }
+    if (kept.until_us == kForever_us) continue;
+    Standing after = at(kept.until_us);
+    after.from_us = kept.from_us, after.until_us = kept.until_us;
+    ended += after != kept;
+  }
+  EXPECT_GT(ended, 200) << "or nothing ever ends, and this shows nothing";
 }
 
 }  // namespace

@@ -148,36 +148,6 @@ TEST_P(StoreAttempts, AClassIsSeenWithItsLastAttemptsThatCount) {
   EXPECT_TRUE(valueOf(ina.lastOfCohort(school.spring.id, 1000)).front().metrics == endedFacts({}).metrics);
 }
 
-TEST_P(StoreAttempts, AStandingIsToldToBeOldByEachBeginningEndAndVoiding) {
-  const School school(rig->open());
-  const SignedIn anna = school.as(school.anna), ina = school.as(school.ina);
-  succeed(CohortStore(anna).rememberStanding(school.anna.id, {"", 0, "first", 0, "Two of three.", 0}));
-  const auto member = [&] {
-    for (const Member& row : valueOf(CohortStore(ina).members(school.spring.id)))
-      if (row.person.id == school.anna.id) return row;
-    throw std::runtime_error("not in her cohort");
-  };
-  EXPECT_TRUE(member().standingIsCurrent());
-  EXPECT_FALSE(member().lastAttempt_us);
-  const AttemptFacts facts = begunFacts();
-  const auto isOldAfter = [&](auto change) {
-    succeed(CohortStore(anna).rememberStanding(
-        school.anna.id, {"", 0, "first", 0, "", valueOf(AttemptStore(anna).changes(school.anna.id))}));
-    EXPECT_TRUE(member().standingIsCurrent());
-    change();
-    return !member().standingIsCurrent();
-  };
-  EXPECT_TRUE(isOldAfter([&] { valueOf(AttemptStore(anna).begin(facts)); }));
-  EXPECT_EQ(member().attempts, 0);
-  EXPECT_TRUE(isOldAfter([&] { succeed(AttemptStore(anna).end(endedFacts(facts))); }));
-  EXPECT_EQ(member().attempts, 1);
-  EXPECT_EQ(member().lastAttempt_us, facts.begun_us);
-  EXPECT_EQ(member().lastLevel, "first");
-  EXPECT_TRUE(isOldAfter([&] { succeed(AttemptStore(ina).voidAttempt(facts.id, "device failed")); }));
-  EXPECT_EQ(member().attempts, 0);
-  EXPECT_EQ(member().changes, 4);
-}
-
 TEST_P(StoreAttempts, HostileTextsAreKeptAsTexts) {
   const School school(rig->open());
   const SignedIn anna = school.as(school.anna);

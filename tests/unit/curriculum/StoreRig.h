@@ -1,5 +1,6 @@
 #pragma once
 
+#include "AttemptMaker.h"
 #include "PostgresServer.h"
 #include "support/TestData.h"
 
@@ -17,7 +18,7 @@
 
 namespace insonate::test {
 
-constexpr std::int64_t kSecond_us = 1'000'000, kDay_us = 24 * 3600 * kSecond_us;
+constexpr std::int64_t kSecond_us = 1'000'000;
 /// 22 November 2026.
 constexpr std::int64_t kToday_us = 1'795'305'600 * kSecond_us;
 inline const std::string kPassword = "correct horse battery";

@@ -183,7 +183,7 @@ TEST(StoreUpkeepOfFile, AnOddFileNameIsAFileName) {
 
 /// A store that an earlier program left, one file for each schema that was ever published: `sqlite3 FILE .dump`.
 class StoreUpkeepOfEarlier : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Schemas, StoreUpkeepOfEarlier, ::testing::Range(1, 2));
+INSTANTIATE_TEST_SUITE_P(Schemas, StoreUpkeepOfEarlier, ::testing::Range(1, 3));
 
 TEST_P(StoreUpkeepOfEarlier, IsBroughtUpToDateWithAllThatItHeld) {
   const StoreRig rig;

@@ -17,35 +17,46 @@ bool failsOn(const Level& level, const Curriculum& curriculum, std::span<const A
   return failed == kStuckAfter;
 }
 
-}  // namespace
-
-Standing standingOf(const Curriculum& curriculum, std::span<const LevelProgress> progress, std::int64_t changes) {
-  Standing standing{curriculum.name, curriculum.version, "", 0, "All levels are mastered.", changes};
-  const auto isDue = [](LevelState state) { return state == LevelState::Open || state == LevelState::Lapsed; };
-  standing.mastered = static_cast<int>(std::ranges::count(progress, LevelState::Mastered, &LevelProgress::state));
-  if (const auto due = std::ranges::find_if(progress, isDue, &LevelProgress::state); due != progress.end())
-    standing.level = due->level, standing.sentence = due->why;
-  return standing;
+/// A clock that goes on makes believable what was not (Unlocking.h).
+std::int64_t nextBelieved_us(std::span<const AttemptFacts> history, std::int64_t now_us) {
+  std::int64_t next_us = kForever_us;
+  for (const AttemptFacts& attempt : history)
+    if (attempt.begun_us > now_us) next_us = std::min(next_us, attempt.begun_us);
+  return next_us;
 }
 
-PersonStanding personStanding(const Curriculum& curriculum, std::span<const AttemptFacts> history,
-                              std::span<const LevelProgress> progress, std::int64_t changes) {
-  PersonStanding result{standingOf(curriculum, progress, changes), Concern::None, {}};
-  result.sentence = result.standing.sentence;
-  const auto lapsed = std::ranges::find(progress, LevelState::Lapsed, &LevelProgress::state);
-  if (lapsed != progress.end()) {
-    result.concern = Concern::Slipped;
-    result.sentence = lapsed->why;
-    return result;
+void findConcern(Standing& standing, const Curriculum& curriculum, std::span<const AttemptFacts> history,
+                 std::span<const LevelProgress> progress) {
+  if (const auto lapsed = std::ranges::find(progress, LevelState::Lapsed, &LevelProgress::state);
+      lapsed != progress.end()) {
+    standing.concern = Concern::Slipped, standing.sentence = lapsed->why;
+    return;
   }
   for (const LevelProgress& one : progress) {
     const Level* level = curriculum.level(one.level);
     if (one.state != LevelState::Open || !level || !failsOn(*level, curriculum, history)) continue;
-    result.concern = Concern::Stuck;
-    result.sentence = one.why;
-    break;
+    standing.concern = Concern::Stuck, standing.sentence = one.why;
+    return;
   }
-  return result;
+}
+
+}  // namespace
+
+Standing standingOf(const Curriculum& curriculum, std::span<const AttemptFacts> history,
+                    std::span<const LevelProgress> progress, std::int64_t now_us, std::int64_t changes) {
+  Standing standing{.curriculum = curriculum.name,
+                    .curriculumVersion = curriculum.version,
+                    .sentence = "All levels are mastered.",
+                    .changes = changes,
+                    .from_us = now_us,
+                    .until_us = nextBelieved_us(history, now_us)};
+  const auto isDue = [](LevelState state) { return state == LevelState::Open || state == LevelState::Lapsed; };
+  standing.mastered = static_cast<int>(std::ranges::count(progress, LevelState::Mastered, &LevelProgress::state));
+  if (const auto due = std::ranges::find_if(progress, isDue, &LevelProgress::state); due != progress.end())
+    standing.level = due->level, standing.sentence = due->why;
+  findConcern(standing, curriculum, history, progress);
+  for (const LevelProgress& one : progress) standing.until_us = std::min(standing.until_us, one.until_us);
+  return standing;
 }
 
 }  // namespace insonate

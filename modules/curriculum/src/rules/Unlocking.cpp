@@ -36,7 +36,7 @@ std::vector<std::vector<std::size_t>> foundations(const Curriculum& curriculum, 
 std::vector<std::int64_t> believedTimes(std::span<const AttemptFacts> history, std::int64_t now_us) {
   std::vector<std::int64_t> times;
   const auto believable = [&](const AttemptFacts& attempt) {
-    return attempt.begun_us >= 0 && attempt.begun_us <= now_us;
+    return attempt.state != AttemptState::Open && attempt.begun_us >= 0 && attempt.begun_us <= now_us;
   };
   const auto first = std::ranges::find_if(history, believable);
   std::int64_t time = first == history.end() ? std::max<std::int64_t>(now_us, 0) : first->begun_us;
@@ -105,6 +105,15 @@ std::optional<std::int64_t> sinceOf(const LevelRecord& record, LevelState state,
   return std::nullopt;
 }
 
+/// When days alone change the state, or the days without practice that a lapsed level's sentence tells.
+std::int64_t untilOf(const LevelRecord& record, std::int64_t now_us) {
+  const auto& days = record.level().mastery.lapsesAfter_days;
+  const std::int64_t last_us = record.lastPractice_us();
+  if (!days || record.skill() == LevelRecord::Skill::Never) return kForever_us;
+  if (record.skill() == LevelRecord::Skill::Mastered) return last_us + *days * kDay_us + 1;
+  return last_us + ((now_us - last_us) / kDay_us + 1) * kDay_us;
+}
+
 LevelProgress progressFrom(const LevelRecord& record) {
   LevelProgress progress;
   progress.level = record.level().name;
@@ -129,6 +138,7 @@ std::vector<LevelProgress> progressOf(const Curriculum& curriculum, std::span<co
     progress.state = stateOf(record.skill(), needed.all);
     progress.since_us = sinceOf(record, progress.state, needed);
     progress.why = levelSentence(record, progress.state, needed.missing, now_us);
+    progress.until_us = untilOf(record, now_us);
     gates.push_back({needed.all.reached && record.skill() != LevelRecord::Skill::Never,
                      std::max(record.firstMastered_us(), needed.all.reachedSince_us),
                      progress.state == LevelState::Mastered, progress.since_us.value_or(0)});

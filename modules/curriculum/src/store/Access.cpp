@@ -27,7 +27,6 @@ constexpr std::array kRules{
     Rule{ChangeCohorts,     "change cohorts",         None, None,   None,      All, kOnServer},
     Rule{RemoveMember,      "remove member",          None, None,   Taught,    All, kOnServer},
     Rule{SetCurriculum,     "set curriculum",         None, None,   Taught,    All, kOnServer},
-    Rule{RememberStanding,  "remember standing",      None, Self,   Taught,    All, kUnlogged},
     Rule{MakeAttempt,       "make attempt",           None, Self,   Self,      Self},
     Rule{SeeAttempts,       "see attempts",           None, Self,   Taught,    All},
     Rule{SeeCohortAttempts, "see cohort's attempts",  None, None,   Taught,    All, kWholeCohort},

@@ -27,7 +27,6 @@ enum class Act {
   ChangeCohorts,
   RemoveMember,
   SetCurriculum,
-  RememberStanding,
   MakeAttempt,
   SeeAttempts,
   SeeCohortAttempts,
@@ -79,7 +78,8 @@ const Rule& ruleOf(Act act);
 struct Request {
   Act act;
   std::string person{}, cohort{}, attempt{};
-  std::string detail{};  ///< for the audit log
+  std::string detail{};                   ///< for the audit log
+  std::span<const std::string> people{};  ///< who else it is about; all are named in the audit log
 };
 
 struct Actor {

@@ -22,8 +22,8 @@ namespace insonate::store {
   "state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us"
 
 /// Member::changes of the attempts that are added up.
-#define INSONATE_CHANGES                                             \
-  "SUM(1 + CASE WHEN state <> 'open' THEN 2 - crashed ELSE 0 END + " \
+#define INSONATE_CHANGES                                         \
+  "SUM(CASE WHEN state <> 'open' THEN 2 - crashed ELSE 0 END + " \
   "CASE WHEN voided_us IS NULL THEN 0 ELSE 1 END)"
 
 /// Of INSONATE_HISTORY_COLUMNS.

@@ -3,6 +3,7 @@
 #include "store/Outbox.h"
 #include "store/Paging.h"
 #include "store/Session.h"
+#include "store/StandingRows.h"
 #include "store/Texts.h"
 
 #include <insonate/curriculum/AttemptStore.h>
@@ -45,6 +46,7 @@ Result<void> endKept(Transaction& transaction, const Core& core, const AttemptFa
     return fail("The attempt " + facts.id + " has ended already, and otherwise; an attempt does not change.");
   }
   store::endAttempt(transaction, facts, false);
+  store::renewStandings(transaction, facts.person, core.now_us());
   store::putIntoOutbox(transaction, core, "attempt", facts.id);
   return {};
 }
@@ -60,6 +62,7 @@ Result<void> voidKept(Transaction& transaction, const Core& core, const std::str
   }
   transaction.run("UPDATE attempts SET voided_us = ?, voided_by = ?, void_reason = ? WHERE id = ?", core.now_us(), by,
                   reason, id);
+  store::renewStandings(transaction, kept->facts.person, core.now_us());
   store::putIntoOutbox(transaction, core, "attempt", id);
   return {};
 }

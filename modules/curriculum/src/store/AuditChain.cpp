@@ -30,6 +30,11 @@ Result<void> checkAgainst(const AuditAnchor& anchor, const AuditEntry& entry) {
 
 }  // namespace
 
+std::string forLog(const std::string& text) {
+  constexpr int kMost = 300;
+  return bound(text).toString().left(kMost).toStdString();
+}
+
 AuditEntry auditEntryOf(const Row& row) {
   return {.number = row.number(0),
           .time_us = row.number(1),

@@ -15,6 +15,9 @@ AuditAnchor auditEnd(Transaction& transaction);
 /// As AuditLog::verify().
 Result<void> verifyAudit(Transaction& transaction, const AuditAnchor& anchor);
 
+/// Another's words, cut to what an entry holds of each.
+std::string forLog(const std::string& text);
+
 AuditEntry auditEntryOf(const Row& row);
 
 }  // namespace insonate::store

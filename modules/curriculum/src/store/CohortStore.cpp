@@ -1,6 +1,8 @@
 #include "store/AttemptRows.h"
+#include "store/CurriculumRows.h"
 #include "store/PeopleRows.h"
 #include "store/Session.h"
+#include "store/StandingRows.h"
 #include "store/Texts.h"
 
 #include <insonate/curriculum/CohortStore.h>
@@ -32,10 +34,8 @@ Result<void> checkName(Transaction& transaction, const std::string& id, const st
 /// Persons, what they did, and how far they were when that was last worked out for their cohort's curriculum.
 constexpr std::string_view kMembers =
     "SELECT " INSONATE_PERSON_COLUMNS
-    ", memberships.teaches, done.attempts, done.changes, last.begun_us, last.level, "
-    "standings.curriculum, standings.curriculum_version, standings.level, standings.mastered, standings.sentence, "
-    "standings.changes "
-    "FROM memberships JOIN people ON people.id = memberships.person JOIN cohorts ON cohorts.id = memberships.cohort "
+    ", memberships.teaches, done.attempts, done.changes, last.begun_us, last.level, " INSONATE_STANDING_COLUMNS
+    " FROM memberships JOIN people ON people.id = memberships.person JOIN cohorts ON cohorts.id = memberships.cohort "
     "LEFT JOIN (SELECT attempts.person, MAX(arrival) AS last, "
     "SUM(CASE WHEN state <> 'open' AND voided_us IS NULL THEN 1 ELSE 0 END) AS attempts, " INSONATE_CHANGES
     " AS changes "
@@ -48,33 +48,18 @@ constexpr std::string_view kMembers =
     "ELSE people.full_name "
     "END, people.name_key";
 
-Member memberOf(const Row& row) {
+Member memberOf(const Row& row, std::int64_t now_us) {
+  constexpr std::size_t kStanding = 11;
   Member member{.person = store::personOf(row),
                 .teaches = row.truth(6),
                 .attempts = row.count(7),
                 .changes = row.number(8),
                 .lastAttempt_us = row.time(9),
                 .lastLevel = row.text(10)};
-  if (!row.isNull(11))
-    member.standing = Standing{row.text(11), row.count(12), row.text(13), row.count(14), row.text(15), row.number(16)};
+  if (row.isNull(kStanding)) return member;
+  member.standing = store::standingFrom(row, kStanding);
+  member.standingIsCurrent = store::isCurrent(row, kStanding, member.changes, now_us);
   return member;
-}
-
-Result<void> keepStanding(Transaction& transaction, const std::string& person, const Standing& standing) {
-  for (const std::string* text : {&standing.curriculum, &standing.level, &standing.sentence})
-    if (auto ok = store::checkText("A text of the standing", *text); !ok) return ok;
-  transaction.run("DELETE FROM standings WHERE person = ? AND curriculum = ? AND curriculum_version = ?", person,
-                  standing.curriculum, standing.curriculumVersion);
-  transaction.run("INSERT INTO standings VALUES (?, ?, ?, ?, ?, ?, ?)", person, standing.curriculum,
-                  standing.curriculumVersion, standing.level, standing.mastered, standing.sentence, standing.changes);
-  return {};
-}
-
-PersonStanding workOut(Transaction& transaction, const std::string& person, const Curriculum& curriculum,
-                       std::int64_t now_us) {
-  const std::int64_t changes = transaction.number("SELECT " INSONATE_CHANGES " FROM attempts WHERE person = ?", person);
-  const auto history = store::historyOf(transaction, person);
-  return personStanding(curriculum, history, progressOf(curriculum, history, now_us), changes);
 }
 
 }  // namespace
@@ -95,9 +80,10 @@ Result<std::vector<Cohort>> CohortStore::cohorts() const {
 Result<std::vector<Member>> CohortStore::members(const std::string& cohort) const {
   return by_.session()->read({.act = Act::SeeMembers, .cohort = cohort},
                              [&](Transaction& transaction, const Actor&) -> Result<std::vector<Member>> {
+                               const std::int64_t now_us = by_.session()->core().now_us();
                                std::vector<Member> members;
                                for (const Row& row : transaction.rows(kMembers, cohort, cohort))
-                                 members.push_back(memberOf(row));
+                                 members.push_back(memberOf(row, now_us));
                                return members;
                              });
 }
@@ -157,35 +143,27 @@ Result<void> CohortStore::setCurriculum(const std::string& cohort, const std::st
       });
 }
 
-Result<std::map<std::string, PersonStanding>> CohortStore::standings(const std::string& cohort,
-                                                                     const Curriculum& curriculum,
-                                                                     std::span<const std::string> people) const {
-  using Standings = std::map<std::string, PersonStanding>;
-  std::string named = "people";
-  for (const std::string& person : people) named += ' ' + person;
+Result<std::map<std::string, Standing>> CohortStore::standings(const std::string& cohort,
+                                                               std::span<const std::string> people) const {
+  using Standings = std::map<std::string, Standing>;
   const std::int64_t now_us = by_.session()->core().now_us();
   return by_.session()->write(
-      {.act = Act::SeeStandings, .cohort = cohort, .detail = named},
+      {.act = Act::SeeStandings, .cohort = cohort, .people = people},
       [&](Transaction& transaction, const Actor&) -> Result<Standings> {
+        const auto row =
+            transaction.row("SELECT id, name, curriculum, curriculum_version FROM cohorts WHERE id = ?", cohort);
+        if (!row) return unknownCohort();
+        const Cohort taught = cohortOf(*row);
+        if (taught.curriculum.empty()) return fail("The cohort '" + taught.name + "' has no curriculum; set one.");
+        const auto curriculum = store::publishedCurriculum(transaction, taught.curriculum, taught.curriculumVersion);
+        if (!curriculum) return tl::unexpected(curriculum.error());
         Standings standings;
-        for (const std::string& person : people) {
-          if (!transaction.row("SELECT 1 FROM memberships WHERE cohort = ? AND person = ? AND teaches = 0", cohort,
-                               person))
-            continue;
-          const PersonStanding& one = standings[person] = workOut(transaction, person, curriculum, now_us);
-          if (auto kept = keepStanding(transaction, person, one.standing); !kept) return tl::unexpected(kept.error());
-        }
+        for (const std::string& person : people)
+          if (transaction.row("SELECT 1 FROM memberships WHERE cohort = ? AND person = ? AND teaches = 0", cohort,
+                              person))
+            standings[person] = store::currentStanding(transaction, person, *curriculum, now_us);
         return standings;
       });
-}
-
-Result<void> CohortStore::rememberStanding(const std::string& person, const Standing& standing) const {
-  return by_.session()->write({.act = Act::RememberStanding, .person = person},
-                              [&](Transaction& transaction, const Actor&) -> Result<void> {
-                                if (!store::findPerson(transaction, person))
-                                  return fail("There is no such person; look at the list again.");
-                                return keepStanding(transaction, person, standing);
-                              });
 }
 
 }  // namespace insonate

@@ -48,12 +48,6 @@ StoreServices completed(StoreServices services, const Process& process) {
   return services;
 }
 
-/// As the database gives it back, or its hash would not fit.
-std::string forLog(const std::string& text) {
-  constexpr int kMost = 300;
-  return bound(text).toString().left(kMost).toStdString();
-}
-
 }  // namespace
 
 Core::Core(Address address, StoreServices services)
@@ -110,7 +104,8 @@ void Core::audit(Transaction& transaction, const std::string& actor, std::string
                             .workstation = workstation(),
                             .act = std::string(act),
                             .person = forLog(person),
-                            .detail = forLog(detail),
+                            // As the database gives it back, or its hash would not fit.
+                            .detail = bound(detail).toString().toStdString(),
                             .allowed = allowed});
 }
 

@@ -39,4 +39,17 @@ Result<void> checkHash(const KeptCurriculum& curriculum) {
               "with a backup.");
 }
 
+Result<std::string> publishedText(Transaction& transaction, const std::string& name, int version) {
+  const auto kept = findCurriculum(transaction, name, version);
+  if (!kept) return fail("Version " + std::to_string(version) + " of the curriculum '" + name + "' is not published.");
+  if (auto ok = checkHash(*kept); !ok) return tl::unexpected(ok.error());
+  return kept->text;
+}
+
+Result<Curriculum> publishedCurriculum(Transaction& transaction, const std::string& name, int version) {
+  const auto text = publishedText(transaction, name, version);
+  if (!text) return tl::unexpected(text.error());
+  return parseCurriculum(*text);
+}
+
 }  // namespace insonate::store

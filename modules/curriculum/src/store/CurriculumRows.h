@@ -3,6 +3,7 @@
 #include "store/sql/Transaction.h"
 
 #include <insonate/core/Result.h>
+#include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 
 #include <optional>
@@ -22,5 +23,8 @@ std::optional<KeptCurriculum> findCurriculum(Transaction& transaction, const std
 void insertCurriculum(Transaction& transaction, const KeptCurriculum& curriculum);
 /// Fails where the text is not the one that was published.
 Result<void> checkHash(const KeptCurriculum& curriculum);
+/// Found, with its hash checked, and read.
+Result<Curriculum> publishedCurriculum(Transaction& transaction, const std::string& name, int version);
+Result<std::string> publishedText(Transaction& transaction, const std::string& name, int version);
 
 }  // namespace insonate::store

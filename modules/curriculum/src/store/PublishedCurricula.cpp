@@ -71,14 +71,9 @@ Result<std::vector<CurriculumEntry>> PublishedCurricula::list() const {
 }
 
 Result<std::string> PublishedCurricula::text(const std::string& name, int version) const {
-  return by_.session()->read(
-      {.act = Act::ReadCurricula}, [&](Transaction& transaction, const Actor&) -> Result<std::string> {
-        const auto kept = store::findCurriculum(transaction, name, version);
-        if (!kept)
-          return fail("Version " + std::to_string(version) + " of the curriculum '" + name + "' is not published.");
-        if (auto ok = store::checkHash(*kept); !ok) return tl::unexpected(ok.error());
-        return kept->text;
-      });
+  return by_.session()->read({.act = Act::ReadCurricula}, [&](Transaction& transaction, const Actor&) {
+    return store::publishedText(transaction, name, version);
+  });
 }
 
 Result<CurriculumEntry> PublishedCurricula::publish(const std::string& name, int version,

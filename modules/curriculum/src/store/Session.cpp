@@ -1,14 +1,18 @@
 #include "store/Session.h"
 
+#include "store/AuditChain.h"
+
 namespace insonate::store {
 namespace {
 
 std::string detailOf(const Request& request, const Verdict& verdict) {
   std::string detail;
   const auto add = [&](const std::string& what, const std::string& value) {
-    if (!value.empty()) detail += (detail.empty() ? "" : ", ") + what + value;
+    if (!value.empty()) detail += (detail.empty() ? "" : ", ") + what + forLog(value);
   };
   add("", request.detail);
+  if (!request.people.empty()) detail += "people";
+  for (const std::string& person : request.people) detail += ' ' + forLog(person);
   add("cohort ", request.cohort);
   add("attempt ", request.attempt);
   if (verdict.learners) add("learners ", std::to_string(*verdict.learners));

@@ -8,7 +8,7 @@
 namespace insonate::review {
 namespace {
 
-using Standings = std::map<std::string, PersonStanding>;
+using Standings = std::map<std::string, Standing>;
 
 /// Of how many people all attempts are read at once: what else is asked waits so long.
 constexpr std::ptrdiff_t kTogether = 20;
@@ -16,7 +16,7 @@ constexpr std::ptrdiff_t kTogether = 20;
 }  // namespace
 
 ClassDesk::ClassDesk(QObject* parent) : QObject(parent) {
-  new ui::DayWatch([this] { newDay(); }, this);
+  new ui::DayWatch([this] { refresh(); }, this);
 }
 
 void ClassDesk::setAccount(ui::Account& account) {
@@ -41,11 +41,6 @@ const Curriculum* ClassDesk::curriculum() const {
   return own_ ? &*own_ : nullptr;
 }
 
-const PersonStanding* ClassDesk::standing(const std::string& person) const {
-  const auto found = standings_.find(person);
-  return found == standings_.end() ? nullptr : &found->second;
-}
-
 const HeatMap& ClassDesk::heat() const {
   static const HeatMap none;
   return facts_ ? facts_->heat : none;
@@ -53,7 +48,7 @@ const HeatMap& ClassDesk::heat() const {
 
 /// Whoever sat here before is seen no more.
 void ClassDesk::forget() {
-  cohorts_.clear(), standings_.clear(), queue_.clear();
+  cohorts_.clear(), queue_.clear();
   facts_.reset(), own_.reset(), trouble_.clear();
   chosen_ = 0, ++round_;
   Q_EMIT cohortsChanged();
@@ -75,11 +70,6 @@ void ClassDesk::refresh() {
   if (isSomebody()) readCohorts();
 }
 
-void ClassDesk::newDay() {
-  daysHavePassed_ = true;
-  refresh();
-}
-
 void ClassDesk::readCohorts() {
   trouble_.clear();
   ask<std::vector<Cohort>>([](const SignedIn& by) { return CohortStore(by).cohorts(); },
@@ -99,7 +89,7 @@ void ClassDesk::readCohorts() {
 void ClassDesk::choose(int cohort) {
   if (cohort < 0 || cohort >= int(cohorts_.size()) || cohort == chosen_) return;
   chosen_ = cohort, ++round_;
-  facts_.reset(), own_.reset(), standings_.clear(), queue_.clear(), trouble_.clear();
+  facts_.reset(), own_.reset(), queue_.clear(), trouble_.clear();
   Q_EMIT classChanged();
   readClass();
 }
@@ -122,30 +112,30 @@ void ClassDesk::take(ClassFacts facts) {
   const bool idle = queue_.empty();
   queue_.clear();
   if (facts_->curriculum)
-    for (const Member& one : facts_->learners) {
-      const PersonStanding* known = standing(one.person.id);
-      const bool isOld = daysHavePassed_ || !known || known->standing.changes != one.changes;
-      if (one.attempts > 0 && isOld) queue_.push_back(one.person.id);
-    }
-  daysHavePassed_ = false;
+    for (const Member& one : facts_->learners)
+      if (one.attempts > 0 && !one.standingIsCurrent) queue_.push_back(one.person.id);
   std::ranges::reverse(queue_);
   Q_EMIT classChanged();
   if (idle) nextStandings();
+}
+
+void ClassDesk::take(const std::string& person, Standing standing) {
+  const auto member = std::ranges::find(facts_->learners, person, [](const Member& one) { return one.person.id; });
+  if (member == facts_->learners.end()) return;
+  member->standingIsCurrent = standing.changes == member->changes;
+  member->standing = std::move(standing);
 }
 
 void ClassDesk::nextStandings() {
   if (queue_.empty() || !isSomebody() || !facts_->curriculum) return queue_.clear();
   const std::vector<std::string> some(queue_.end() - std::min(kTogether, std::ssize(queue_)), queue_.end());
   account_->ask<Standings>(
-      this,
-      [some, cohort = facts_->cohort.id, curriculum = *facts_->curriculum](const SignedIn& by) {
-        return CohortStore(by).standings(cohort, curriculum, some);
-      },
+      this, [some, cohort = facts_->cohort.id](const SignedIn& by) { return CohortStore(by).standings(cohort, some); },
       [this, some, round = round_](Result<Standings> standings) {
         if (round != round_) return nextStandings();
         std::erase_if(queue_, [&](const std::string& id) { return std::ranges::count(some, id) > 0; });
         if (standings)
-          for (auto& [id, one] : *standings) standings_[id] = std::move(one);
+          for (auto& [id, one] : *standings) take(id, std::move(one));
         for (const std::string& id : some) Q_EMIT standingChanged(QString::fromStdString(id));
         nextStandings();
       });

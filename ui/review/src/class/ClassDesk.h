@@ -5,7 +5,6 @@
 
 #include <QObject>
 #include <QString>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +16,8 @@ class Account;
 namespace insonate::review {
 
 /// The classes of who is signed in, and the one that is looked at, without a widget. The store is asked on the
-/// account's thread; how far they are comes for some people after the other, since all their attempts count for it.
+/// account's thread; how far they are who are not known to be where they were comes for some people after the other,
+/// since all their attempts count for it.
 class ClassDesk : public QObject {
   Q_OBJECT
 
@@ -33,8 +33,6 @@ class ClassDesk : public QObject {
 
   /// Asks anew; what is shown stays until the answer is there.
   void refresh();
-  /// The date is another one: levels that lapse by days are worked out anew.
-  void newDay();
   const std::vector<Cohort>& cohorts() const { return cohorts_; }
   int chosen() const { return chosen_; }
   void choose(int cohort);
@@ -44,8 +42,6 @@ class ClassDesk : public QObject {
   const Curriculum* curriculum() const;
   /// Empty until then.
   const HeatMap& heat() const;
-  /// As it was worked out now, else null.
-  const PersonStanding* standing(const std::string& person) const;
   /// Something that was asked is not answered yet; standings do not count.
   bool isReading() const { return asking_ > 0; }
   int standingsToCome() const { return int(queue_.size()); }
@@ -65,15 +61,14 @@ class ClassDesk : public QObject {
   void readCohorts();
   void readClass();
   void take(ClassFacts facts);
+  void take(const std::string& person, Standing standing);
   void nextStandings();
 
   ui::Account* account_ = nullptr;
   std::vector<Cohort> cohorts_;
   int chosen_ = 0;
   std::optional<ClassFacts> facts_;
-  std::optional<Curriculum> own_;  ///< a trainee's
-  std::map<std::string, PersonStanding> standings_;
-  bool daysHavePassed_ = false;     ///< since standings_ were worked out
+  std::optional<Curriculum> own_;   ///< a trainee's
   std::vector<std::string> queue_;  ///< whose standing is to be worked out, the last one first
   int asking_ = 0;
   int round_ = 0;  ///< answers to questions of an earlier class are not taken

@@ -217,12 +217,11 @@ void ClassPage::showConcerns() {
   concerns_->clear();
   if (const ClassFacts* now = desk_.facts())
     for (const Member& member : now->learners) {
-      const PersonStanding* standing = desk_.standing(member.person.id);
-      if (!standing || standing->concern == Concern::None) continue;
+      if (concernOf(member) == Concern::None) continue;
       auto* item =
           new QListWidgetItem(QStringLiteral("▲ %1, %2:  %3")
-                                  .arg(QString::fromStdString(member.person.fullName), concernWord(standing->concern),
-                                       QString::fromStdString(standing->sentence)));
+                                  .arg(QString::fromStdString(member.person.fullName), concernWord(concernOf(member)),
+                                       QString::fromStdString(member.standing->sentence)));
       item->setData(Qt::UserRole, QString::fromStdString(member.person.id));
       concerns_->addItem(item);
     }

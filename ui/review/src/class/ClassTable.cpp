@@ -56,27 +56,19 @@ QVariant ClassTable::data(const QModelIndex& index, int role) const {
 }
 
 QString ClassTable::levelOf(const Member& member) const {
-  const PersonStanding* now = desk_.standing(member.person.id);
-  if (!now && !member.standing) return member.attempts == 0 ? tr("not begun") : tr("...");
-  const Standing& standing = now ? now->standing : *member.standing;
-  if (standing.level.empty()) return tr("all mastered");
-  return levelTitle(desk_.curriculum(), standing.level);
-}
-
-QString ClassTable::sentenceOf(const Member& member) const {
-  if (const PersonStanding* now = desk_.standing(member.person.id)) return QString::fromStdString(now->sentence);
-  return member.standing ? QString::fromStdString(member.standing->sentence) : QString();
+  if (!member.standing) return member.attempts == 0 ? tr("not begun") : tr("...");
+  if (member.standing->level.empty()) return tr("all mastered");
+  return levelTitle(desk_.curriculum(), member.standing->level);
 }
 
 QVariant ClassTable::aboutPerson(const Member& member, int column, int role) const {
-  const PersonStanding* now = desk_.standing(member.person.id);
-  const Concern concern = now ? now->concern : Concern::None;
-  if (role == Qt::ToolTipRole) return plainToolTip(sentenceOf(member));
+  const Concern concern = concernOf(member);
+  if (role == Qt::ToolTipRole)
+    return member.standing ? plainToolTip(QString::fromStdString(member.standing->sentence)) : QString();
   if (role == Qt::ForegroundRole && column == kNeeds)
     return ui::colour(concern == Concern::None ? views::theme::kQuiet : views::theme::kCaution);
   if (role == kSort && column == kNeeds) return -int(concern);
-  if (role == kSort && column == kLevel)
-    return now ? now->standing.mastered : member.standing ? member.standing->mastered : -1;
+  if (role == kSort && column == kLevel) return member.standing ? member.standing->mastered : -1;
   if (role == kSort && column == kAttempts) return member.attempts;
   if (role == kSort && column == kLast) return qlonglong(member.lastAttempt_us.value_or(0));
   if (role != Qt::DisplayRole && role != kSort) return {};

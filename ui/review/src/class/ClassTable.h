@@ -38,7 +38,6 @@ class ClassTable final : public QAbstractTableModel {
   QVariant aboutPerson(const Member& member, int column, int role) const;
   QVariant aboutMetric(const Member& member, std::size_t metric, int role) const;
   QString levelOf(const Member& member) const;
-  QString sentenceOf(const Member& member) const;
 
   const ClassDesk& desk_;
 };

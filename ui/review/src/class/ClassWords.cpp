@@ -47,6 +47,10 @@ QString concernWord(Concern concern) {
   return concern == Concern::Slipped ? tr("slipped") : concern == Concern::Stuck ? tr("stuck") : QString();
 }
 
+Concern concernOf(const Member& member) {
+  return member.standingIsCurrent ? member.standing->concern : Concern::None;
+}
+
 QString levelTitle(const Curriculum* curriculum, const std::string& level) {
   if (level.empty()) return tr("Free practice");
   const Level* known = curriculum ? curriculum->level(level) : nullptr;

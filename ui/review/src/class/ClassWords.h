@@ -22,6 +22,8 @@ QString dayOf(std::int64_t time_us);
 QString dayAndTimeOf(std::int64_t time_us);
 /// "slipped", "stuck", or "" for nobody's concern.
 QString concernWord(Concern concern);
+/// None while it is not known.
+Concern concernOf(const Member& member);
 /// The level's title, or its name where the curriculum lacks it or is not known.
 QString levelTitle(const Curriculum* curriculum, const std::string& level);
 using ui::plainToolTip;

@@ -121,9 +121,8 @@ void PersonPage::showWhere() {
     words = desk_.isReading() ? tr("Reading ...") : tr("Choose a person under Class; Enter shows them.");
   else if (facts->standing)
     words = QStringLiteral("%1   ·   %2")
-                .arg(facts->standing->standing.level.empty()
-                         ? tr("all levels")
-                         : levelTitle(&*facts->curriculum, facts->standing->standing.level),
+                .arg(facts->standing->level.empty() ? tr("all levels")
+                                                    : levelTitle(&*facts->curriculum, facts->standing->level),
                      QString::fromStdString(facts->standing->sentence));
   else
     words = tr("The class has no curriculum yet; an instructor chooses one under People and classes (Alt+U).");

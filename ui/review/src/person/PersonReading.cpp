@@ -22,7 +22,7 @@ Result<PersonFacts> readPerson(const SignedIn& by, const std::string& person,
   facts.newest = std::move(*newest);
   if (!curriculum) return facts;
   facts.progress = progressOf(*curriculum, facts.history, now_us);
-  facts.standing = personStanding(*curriculum, facts.history, facts.progress, *changes);
+  facts.standing = standingOf(*curriculum, facts.history, facts.progress, now_us, *changes);
   return facts;
 }
 

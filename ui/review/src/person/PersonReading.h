@@ -20,8 +20,8 @@ struct PersonFacts {
   std::optional<Curriculum> curriculum{};
   std::vector<AttemptFacts> history{};  ///< in the order of arrival
   std::vector<LevelProgress> progress{};
-  std::optional<PersonStanding> standing{};  ///< with a curriculum
-  std::vector<KeptAttempt> newest{};         ///< the first kPage
+  std::optional<Standing> standing{};  ///< with a curriculum
+  std::vector<KeptAttempt> newest{};   ///< the first kPage
 };
 Result<PersonFacts> readPerson(const SignedIn& by, const std::string& person,
                                const std::optional<Curriculum>& curriculum, std::int64_t now_us);

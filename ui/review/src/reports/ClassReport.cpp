@@ -18,9 +18,8 @@ QString tr(const char* text) {
 }
 
 QString levelOf(const ClassDesk& desk, const Member& member) {
-  const PersonStanding* now = desk.standing(member.person.id);
-  if (!now && !member.standing) return tr("not begun");
-  const std::string& level = now ? now->standing.level : member.standing->level;
+  if (!member.standing) return tr("not begun");
+  const std::string& level = member.standing->level;
   return level.empty() ? tr("all mastered") : levelTitle(desk.curriculum(), level);
 }
 
@@ -44,10 +43,9 @@ void tableHead(PaperColumn& page, double cell) {
 }
 
 void tableRow(PaperColumn& page, const ClassDesk& desk, const Member& member, double cell) {
-  const PersonStanding* now = desk.standing(member.person.id);
   page.cell(kMargin, kName, QString::fromStdString(member.person.fullName), page.ink.text);
   page.cell(kMargin + kName, kLevel, levelOf(desk, member), page.ink.text);
-  page.cell(kMargin + kName + kLevel, kNeeds, concernWord(now ? now->concern : Concern::None), page.ink.danger);
+  page.cell(kMargin + kName + kLevel, kNeeds, concernWord(concernOf(member)), page.ink.danger);
   const auto row = desk.heat().find(member.person.id);
   for (std::size_t i = 0; i < MetricBook::here().comparable(); ++i) {
     const HeatCell one = row == desk.heat().end() ? HeatCell{} : row->second[i];
@@ -74,10 +72,7 @@ void paintClassReport(QPainter& painter, const ClassDesk& desk) {
   tableHead(page, cell);
   std::vector<const Member*> people;
   for (const Member& member : facts.learners) people.push_back(&member);
-  std::ranges::stable_partition(people, [&](const Member* one) {
-    const PersonStanding* now = desk.standing(one->person.id);
-    return now && now->concern != Concern::None;
-  });
+  std::ranges::stable_partition(people, [](const Member* one) { return concernOf(*one) != Concern::None; });
   std::size_t told = 0;
   for (; told < people.size() && page.hasRoom(2 * kRow); ++told) tableRow(page, desk, *people[told], cell);
   if (told < people.size())

@@ -21,15 +21,14 @@ std::string classCsv(const ClassDesk& desk) {
       {"name", "full name", "email", "level", "levels mastered", "needs", "why", "attempts", "last attempt (UTC)"}};
   for (std::size_t i = 0; i < book.comparable(); ++i) rows[0].push_back(titleWithUnit(book.all()[i]).toStdString());
   for (const Member& member : desk.facts()->learners) {
-    const PersonStanding* now = desk.standing(member.person.id);
-    const Standing standing = now ? now->standing : member.standing.value_or(Standing{});
+    const Standing standing = member.standing.value_or(Standing{});
     std::vector<std::string> row{member.person.name,
                                  member.person.fullName,
                                  member.person.email,
                                  standing.level,
-                                 std::to_string(standing.mastered),
-                                 concernWord(now ? now->concern : Concern::None).toStdString(),
-                                 now ? now->sentence : standing.sentence,
+                                 member.standing ? std::to_string(standing.mastered) : "",
+                                 concernWord(concernOf(member)).toStdString(),
+                                 standing.sentence,
                                  std::to_string(member.attempts),
                                  member.lastAttempt_us ? isoOf(*member.lastAttempt_us) : ""};
     const auto cells = desk.heat().find(member.person.id);

@@ -5,7 +5,6 @@
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>
-#include <insonate/curriculum/Standings.h>
 #include <insonate/ui/Account.h>
 #include <insonate/ui/DayWatch.h>
 
@@ -112,15 +111,10 @@ Result<Course::Known> Course::ask(const SignedIn& by, const QString& unsent, con
   if (!curriculum) return tl::unexpected(curriculum.error());
   known.curriculum = std::move(*curriculum);
 
-  const AttemptStore attempts(by);
   const std::string& person = by.person().id;
-  const auto changes = attempts.changes(person);
-  auto history = attempts.history(person);
+  auto history = AttemptStore(by).history(person);
   if (!history) return tl::unexpected(history.error());
   known.history = std::move(*history);
-  if (changes)
-    (void)CohortStore(by).rememberStanding(
-        person, standingOf(known.curriculum, progressOf(known.curriculum, known.history, now_us()), *changes));
   for (const AttemptFacts& facts : unsentOf(unsent, person)) merge(known.history, facts);
   return known;
 }

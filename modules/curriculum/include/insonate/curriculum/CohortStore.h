@@ -20,14 +20,12 @@ struct Member {
   Person person{};
   bool teaches = false;  ///< an instructor of this cohort; the rows of teachers tell no attempts
   int attempts = 0;      ///< that count: ended and not voided
-  /// Grows with each attempt that is begun, ended or voided, so that a Standing can be told to be old.
+  /// Grows with each attempt that is ended or voided, so that a Standing can be told to be old.
   std::int64_t changes = 0;
   std::optional<std::int64_t> lastAttempt_us{};  ///< when their newest was begun
   std::string lastLevel{};                       ///< AttemptFacts::level of it
   std::optional<Standing> standing{};            ///< none: never worked out, or for another version than the cohort's
-
-  /// Nothing has happened since it was worked out.
-  bool standingIsCurrent() const { return standing && standing->changes == changes; }
+  bool standingIsCurrent = false;                ///< it would be worked out the same now
 };
 
 /// Cohorts and who is in them. Seen by their instructors and by administrators; a trainee sees the cohorts they are in,
@@ -53,12 +51,12 @@ class CohortStore {
   /// The published version by which it is taught; its instructors and administrators.
   Result<void> setCurriculum(const std::string& cohort, const std::string& curriculum, int version) const;
 
-  /// How far these are who learn in a cohort, by Person::id: worked out now from all their attempts, and kept. Who is
-  /// not in it any more is left out. One look, and one entry of the log, which names them all.
-  Result<std::map<std::string, PersonStanding>> standings(const std::string& cohort, const Curriculum& curriculum,
-                                                          std::span<const std::string> people) const;
-  /// Keeps how far someone is, so that a class need not be worked out for each look. Of oneself, or of who is seen.
-  Result<void> rememberStanding(const std::string& person, const Standing& standing) const;
+  /// How far these are who learn in a cohort by its curriculum, by Person::id: as kept where that is current, else
+  /// worked out now from all their attempts and kept. The end of an attempt and its voiding do so by themselves; what
+  /// is left are days that pass, another curriculum, and who has joined since. Who is not in it any more is left out.
+  /// One look, and one entry of the log, which names them all.
+  Result<std::map<std::string, Standing>> standings(const std::string& cohort,
+                                                    std::span<const std::string> people) const;
 
  private:
   SignedIn by_;

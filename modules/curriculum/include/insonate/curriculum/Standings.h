@@ -10,22 +10,6 @@
 
 namespace insonate {
 
-/// How far someone is, as worked out from their attempts when it was last asked for.
-struct Standing {
-  std::string curriculum{};
-  int curriculumVersion = 0;
-  std::string level{};       ///< Level::name they are at; "": all are mastered
-  int mastered = 0;          ///< levels
-  std::string sentence{};    ///< why
-  std::int64_t changes = 0;  ///< Member::changes it was worked out from
-
-  bool operator==(const Standing&) const = default;
-};
-
-/// Someone's progress as a class list shows it: the first level in the curriculum's order that is open or lapsed.
-/// `changes` is Member::changes, asked before the history that the progress was worked out from.
-Standing standingOf(const Curriculum& curriculum, std::span<const LevelProgress> progress, std::int64_t changes);
-
 /// Who needs their instructor.
 enum class Concern {
   None,
@@ -34,13 +18,28 @@ enum class Concern {
 };
 inline constexpr int kStuckAfter = 5;
 
-/// Where someone is, from all their attempts.
-struct PersonStanding {
-  Standing standing{};
+/// How far someone is, from all their attempts.
+struct Standing {
+  std::string curriculum{};
+  int curriculumVersion = 0;
+  std::string level{};  ///< Level::name they are at; "": all are mastered
+  int mastered = 0;     ///< levels
   Concern concern = Concern::None;
-  std::string sentence{};  ///< of the level that is of concern, else of the one they are at
+  std::string sentence{};     ///< why: of the level that is of concern, else of the one they are at
+  std::int64_t changes = 0;   ///< Member::changes it was worked out from
+  std::int64_t from_us = 0;   ///< when it was worked out
+  std::int64_t until_us = 0;  ///< from then on it may be another one though nothing was done
+
+  bool operator==(const Standing&) const = default;
 };
-PersonStanding personStanding(const Curriculum& curriculum, std::span<const AttemptFacts> history,
-                              std::span<const LevelProgress> progress, std::int64_t changes);
+
+/// The rules that a Standing follows, as a number: raised with each change of what standingOf() tells of the same
+/// history, so that what was kept by an older program is worked out anew.
+inline constexpr int kStandingRules = 1;
+
+/// Someone's progress as a class list shows it: the first level in the curriculum's order that is open or lapsed.
+/// `progress` is progressOf() of the history at `now_us`; `changes` is Member::changes, asked before the history.
+Standing standingOf(const Curriculum& curriculum, std::span<const AttemptFacts> history,
+                    std::span<const LevelProgress> progress, std::int64_t now_us, std::int64_t changes);
 
 }  // namespace insonate

@@ -4,6 +4,7 @@
 #include <insonate/curriculum/Curriculum.h>
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,6 +18,8 @@ enum class LevelState {
   Mastered,  ///< and may be practised
   Lapsed,    ///< was mastered; to be renewed now
 };
+
+inline constexpr std::int64_t kForever_us = std::numeric_limits<std::int64_t>::max();
 
 /// Where a person stands in one level, and why.
 struct LevelProgress {
@@ -32,6 +35,8 @@ struct LevelProgress {
   int standardsMet = 0;         ///< in the last attempt that counts
   std::vector<double> cusum{};  ///< LC-CUSUM score after each attempt; empty where the level has no such rule
   bool cusumSignalled = false;
+  /// Until then the state stays as it is if nothing is done, and so does the sentence unless it is of a mastered level.
+  std::int64_t until_us = kForever_us;
 };
 
 /// Where a person stands in each level, in the curriculum's order. Pure: the same input gives the same output.
@@ -39,7 +44,7 @@ struct LevelProgress {
 /// An attempt counts (Judgement.h) for the level of its name, in any version of the curriculum, if its procedure is the
 /// level's. It is judged by this curriculum's rules. `history` is in the order in which attempts arrived; their times
 /// only tell days without practice. Clocks jump: a time later than `now_us` or before 1970 is not believed, and none is
-/// taken to be earlier than those before it.
+/// taken to be earlier than those before it. An open attempt tells nothing, not even a time.
 ///
 /// Mastered: the passes in a row are reached, and LC-CUSUM has signalled at some time, where it is asked for. A lapse
 /// asks for the passes in a row anew, not for another signal; failures that lead to it are counted from mastery on.

@@ -1,9 +1,11 @@
 #include "store/AttemptRows.h"
 #include "store/AuditChain.h"
 #include "store/FormRows.h"
+#include "store/StandingRows.h"
 #include "store/site/Up.h"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -117,12 +119,15 @@ Result<std::vector<std::int64_t>> giveBatch(Core& here, Core& server, const Batc
   UploadReport counted = report;
   auto taken = inTransaction(server, Way::Write, [&](Transaction& transaction) -> Result<std::vector<std::int64_t>> {
     std::vector<std::int64_t> numbers;
+    std::set<std::string> people;
     for (const Item& item : batch.items) {
+      if (item.kind == "attempt" && item.attempt) people.insert(item.attempt->ended.person);
       if (auto merged = mergeItem(transaction, item, counted); merged)
         numbers.push_back(item.number);
       else
         counted.troubles.push_back(merged.error().message);
     }
+    for (const std::string& person : people) renewStandings(transaction, person, server.now_us());
     // The end of the workstation's log stands in the server's from now on: cut or written anew, it shows.
     server.audit(transaction, "", "upload", "",
                  std::to_string(numbers.size()) + " facts of " + here.workstation() + ", whose log ends at " +
