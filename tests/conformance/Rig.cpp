@@ -30,17 +30,8 @@ ImagingSettings silentSettings(const Probe& probe, int scanlines, int samples, i
   settings.scanlines = scanlines, settings.samples = samples, settings.elevationPlanes = elevationPlanes;
   settings.looks = 1;
   settings.conformingContact = false;
-  settings.effects = {.scattering = false,
-                      .reflection = false,
-                      .attenuation = false,
-                      .transmission = false,
-                      .speckle = false,
-                      .layers = false,
-                      .texture = false,
-                      .beam = true,
-                      .reverberation = false,
-                      .edgeShadow = false,
-                      .clutter = false};
+  settings.effects = Effects::none();
+  settings.effects.beam = true;
   return settings;
 }
 

@@ -3,20 +3,8 @@
 namespace insonate {
 namespace {
 
-constexpr Effects kNone{.scattering = false,
-                        .reflection = false,
-                        .attenuation = false,
-                        .transmission = false,
-                        .speckle = false,
-                        .layers = false,
-                        .texture = false,
-                        .beam = false,
-                        .reverberation = false,
-                        .edgeShadow = false,
-                        .clutter = false};
-
 constexpr Effects with(std::initializer_list<bool Effects::*> parts) {
-  Effects effects = kNone;
+  Effects effects = Effects::none();
   for (const auto part : parts) effects.*part = true;
   return effects;
 }

@@ -91,7 +91,7 @@ TEST_P(ThesisLook, LayersAloneAreWhatTheySay) {
   ImagingSettings settings = fullSettings(probe, 128, 500);
   const BeamGrid grid(probe, settings);
   const auto frameWith = [&](std::initializer_list<bool Effects::*> parts) {
-    settings.effects = kNoEffects;
+    settings.effects = Effects::none();
     for (const auto part : parts) settings.effects.*part = true;
     return thesisFrame(GetParam(), probe, settings, *scene);
   };

@@ -13,18 +13,6 @@
 
 namespace insonate::test {
 
-inline constexpr Effects kNoEffects{.scattering = false,
-                                    .reflection = false,
-                                    .attenuation = false,
-                                    .transmission = false,
-                                    .speckle = false,
-                                    .layers = false,
-                                    .texture = false,
-                                    .beam = false,
-                                    .reverberation = false,
-                                    .edgeShadow = false,
-                                    .clutter = false};
-
 /// Every tissue alike: 1.6 MRayl, nothing absorbed, 0 dB.
 inline AcousticTable plainTissues() {
   AcousticTable table;
@@ -38,7 +26,7 @@ inline ImagingSettings thesisSettings(const Probe& probe, int scanlines = 64, in
   settings.look = Look::Thesis;
   settings.scanlines = scanlines, settings.samples = samples, settings.elevationPlanes = 1;
   settings.conformingContact = false;
-  settings.effects = kNoEffects;
+  settings.effects = Effects::none();
   return settings;
 }
 

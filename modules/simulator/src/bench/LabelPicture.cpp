@@ -14,16 +14,8 @@ constexpr double kMark_dB = 0.002;  ///< per label
 ImagingSettings markedSettings(ImagingSettings settings) {
   settings.elevationPlanes = 1;
   settings.looks = 1;
-  settings.effects = {.reflection = false,
-                      .attenuation = false,
-                      .transmission = false,
-                      .speckle = false,
-                      .layers = false,
-                      .texture = false,
-                      .beam = false,
-                      .reverberation = false,
-                      .edgeShadow = false,
-                      .clutter = false};
+  settings.effects = Effects::none();
+  settings.effects.scattering = true;
   return settings;
 }
 

@@ -31,7 +31,12 @@ struct Effects {
   bool reverberation = true;  ///< behind air
   bool edgeShadow = true;     ///< refraction at the sides of vessels
   bool clutter = true;        ///< haze in lumens (display path)
+
+  static constexpr Effects none() {
+    return {false, false, false, false, false, false, false, false, false, false, false};
+  }
 };
+static_assert(sizeof(Effects) == 11, "Effects::none() switches off every one");
 
 /// What the operator and the renderer may set. Defaults suit the linear probe on a neck; see settingsFor().
 struct ImagingSettings {
