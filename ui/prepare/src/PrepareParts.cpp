@@ -18,6 +18,7 @@
 
 #include <insonate/ui/EmptyWorkspace.h>
 #include <insonate/ui/HistogramEditor.h>
+#include <insonate/ui/KeyOffer.h>
 #include <insonate/ui/ScenePanel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
@@ -287,16 +288,7 @@ void PrepareWorkspace::Parts::act(const KeyRow& row) {
 }
 
 bool PrepareWorkspace::Parts::canvasEvent(QEvent* event) {
-  switch (event->type()) {
-    case QEvent::ShortcutOverride:
-      if (!key(*static_cast<QKeyEvent*>(event), false)) return false;
-      event->accept();
-      return true;
-    case QEvent::KeyPress:
-      return key(*static_cast<QKeyEvent*>(event), true);
-    default:
-      return false;
-  }
+  return ui::offerKey(*event, [this](const QKeyEvent& pressed, bool act) { return key(pressed, act); });
 }
 
 void PrepareWorkspace::Parts::saveLayout(QSettings& settings) const {

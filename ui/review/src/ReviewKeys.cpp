@@ -1,6 +1,8 @@
 #include "KeyTable.h"
 #include "ReviewParts.h"
 
+#include <insonate/ui/KeyOffer.h>
+
 #include <QKeyEvent>
 #include <QToolButton>
 #include <algorithm>
@@ -59,16 +61,7 @@ bool ReviewWorkspace::Parts::key(const QKeyEvent& event, bool act) {
 }
 
 bool ReviewWorkspace::Parts::keyEvent(QEvent* event) {
-  switch (event->type()) {
-    case QEvent::ShortcutOverride:
-      if (!key(*static_cast<QKeyEvent*>(event), false)) return false;
-      event->accept();
-      return true;
-    case QEvent::KeyPress:
-      return key(*static_cast<QKeyEvent*>(event), true);
-    default:
-      return false;
-  }
+  return ui::offerKey(*event, [this](const QKeyEvent& pressed, bool act) { return key(pressed, act); });
 }
 
 }  // namespace insonate::review

@@ -23,6 +23,7 @@
 #include "tissue/TissueShown.h"
 #include "tissue/TissueStrip.h"
 
+#include <insonate/ui/KeyOffer.h>
 #include <insonate/ui/ViewWidget.h>
 #include <insonate/ultrasound/BeamGrid.h>
 
@@ -373,23 +374,12 @@ bool TrainWorkspace::Parts::sliceKey(const QObject* canvas, const QKeyEvent& eve
 }
 
 bool TrainWorkspace::Parts::canvasEvent(QObject* canvas, QEvent* event) {
-  switch (event->type()) {
-    case QEvent::Enter:
-      takeKeyboard(canvas);
-      return false;
-    case QEvent::ShortcutOverride:
-      if (sliceKey(canvas, *static_cast<QKeyEvent*>(event))) {
-        event->accept();
-        return true;
-      }
-      if (!key(*static_cast<QKeyEvent*>(event), false)) return false;
-      event->accept();
-      return true;
-    case QEvent::KeyPress:
-      return !sliceKey(canvas, *static_cast<QKeyEvent*>(event)) && key(*static_cast<QKeyEvent*>(event), true);
-    default:
-      return false;
-  }
+  if (event->type() == QEvent::Enter) takeKeyboard(canvas);
+  return ui::offerKey(*event, [&](const QKeyEvent& pressed, bool act) {
+    // The slice's own keys stay with the slice, and away from the window's shortcuts.
+    if (sliceKey(canvas, pressed)) return !act;
+    return key(pressed, act);
+  });
 }
 
 }  // namespace insonate::train

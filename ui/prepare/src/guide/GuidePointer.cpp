@@ -3,6 +3,7 @@
 #include "../PrepareSession.h"
 #include "GuideSession.h"
 
+#include <insonate/ui/KeyOffer.h>
 #include <insonate/ui/ViewWidget.h>
 #include <insonate/views/MprView.h>
 
@@ -127,14 +128,8 @@ bool GuidePointer::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonDblClick:
       // Two quick clicks are two clicks.
       return guide_.takesClicks() || guide_.isCorrecting();
-    case QEvent::ShortcutOverride:
-      if (!key(static_cast<QKeyEvent*>(event)->key(), false)) return false;
-      event->accept();
-      return true;
-    case QEvent::KeyPress:
-      return key(static_cast<QKeyEvent*>(event)->key(), true);
     default:
-      return false;
+      return ui::offerKey(*event, [this](const QKeyEvent& pressed, bool act) { return key(pressed.key(), act); });
   }
 }
 

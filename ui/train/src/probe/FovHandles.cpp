@@ -2,6 +2,8 @@
 
 #include "../TrainSession.h"
 
+#include <insonate/ui/KeyOffer.h>
+
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <algorithm>
@@ -194,12 +196,6 @@ bool FovHandles::key(const QKeyEvent& event, bool act) {
 bool FovHandles::eventFilter(QObject* watched, QEvent* event) {
   if (!active_ || watched != &canvas_) return false;
   switch (event->type()) {
-    case QEvent::ShortcutOverride:
-      if (!key(*static_cast<QKeyEvent*>(event), false)) return false;
-      event->accept();
-      return true;
-    case QEvent::KeyPress:
-      return key(*static_cast<QKeyEvent*>(event), true);
     case QEvent::MouseButtonPress: {
       const auto& mouse = *static_cast<QMouseEvent*>(event);
       const Handle handle = mouse.button() == Qt::LeftButton ? nearest(mouse) : Handle::None;
@@ -224,7 +220,7 @@ bool FovHandles::eventFilter(QObject* watched, QEvent* event) {
       Q_EMIT released();
       return true;
     default:
-      return false;
+      return ui::offerKey(*event, [this](const QKeyEvent& pressed, bool act) { return key(pressed, act); });
   }
 }
 
