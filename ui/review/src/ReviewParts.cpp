@@ -18,6 +18,7 @@
 #include <insonate/ui/ScenePanel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QAction>
 #include <QButtonGroup>
@@ -106,13 +107,7 @@ QWidget* ReviewWorkspace::Parts::buildTabs() {
   row->setSpacing(0);
   tabs_ = new QButtonGroup(this);
   const auto addTab = [&](const char* object, const QString& text, const QString& tip) {
-    auto* button = new QToolButton;
-    button->setObjectName(QLatin1String(object));
-    button->setText(text);
-    button->setToolTip(tip);
-    button->setCheckable(true);
-    button->setFocusPolicy(Qt::TabFocus);
-    ui::setRole(button, "narrowTab");
+    auto* button = ui::tabButton(object, text, tip);
     row->addWidget(button);
     return button;
   };

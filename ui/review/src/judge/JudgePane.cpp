@@ -7,16 +7,15 @@
 #include <insonate/ui/FormSheet.h>
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -34,15 +33,6 @@ std::vector<Form> formsOfRaters() {
   return forms;
 }
 
-QLabel* plain(const char* object, const char* role) {
-  auto* label = new QLabel;
-  label->setObjectName(QLatin1String(object));
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  ui::setRole(label, role);
-  return label;
-}
-
 }  // namespace
 
 JudgePane::JudgePane(JudgeDesk& desk, const QString& draftFolder, QWidget* parent)
@@ -52,8 +42,8 @@ JudgePane::JudgePane(JudgeDesk& desk, const QString& draftFolder, QWidget* paren
       draft_(draftFolder),
       tabs_(new QButtonGroup(this)),
       choice_(new QComboBox),
-      words_(plain("judgeWords", "quiet")),
-      progress_(plain("judgeProgress", "quiet")),
+      words_(ui::paragraph("judgeWords", "quiet")),
+      progress_(ui::paragraph("judgeProgress", "quiet")),
       pages_(new QStackedWidget),
       scroll_(new QScrollArea),
       handIn_(new QPushButton(tr("Hand in"))),
@@ -106,13 +96,7 @@ QWidget* JudgePane::buildHead() {
 }
 
 void JudgePane::addTab(QHBoxLayout& row, Page page, const char* object, const QString& text, const QString& tip) {
-  auto* button = new QToolButton;
-  button->setObjectName(QLatin1String(object));
-  button->setText(text);
-  button->setToolTip(tip);
-  button->setCheckable(true);
-  button->setFocusPolicy(Qt::TabFocus);
-  ui::setRole(button, "narrowTab");
+  auto* button = ui::tabButton(object, text, tip);
   tabs_->addButton(button, page);
   row.addWidget(button);
 }

@@ -6,6 +6,7 @@
 #include <insonate/curriculum/FormAgreement.h>
 #include <insonate/ui/RowTable.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QCheckBox>
 #include <QHeaderView>
@@ -27,11 +28,8 @@ QString cellOf(const FormItem& item, const FormAnswers& answers) {
   return answer.isEmpty() ? note : QStringLiteral("%1: %2").arg(answer, note);
 }
 
-QLabel* paragraph(const char* object) {
-  auto* label = new QLabel;
-  label->setObjectName(QLatin1String(object));
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
+QLabel* lowParagraph(const char* object) {
+  auto* label = ui::paragraph(object);
   label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   return label;
 }
@@ -40,8 +38,8 @@ QLabel* paragraph(const char* object) {
 
 JudgementTable::JudgementTable(QWidget* parent)
     : QWidget(parent),
-      words_(paragraph("judgementWords")),
-      agreement_(paragraph("judgementAgreement")),
+      words_(lowParagraph("judgementWords")),
+      agreement_(lowParagraph("judgementAgreement")),
       onlyDiffering_(new QCheckBox(tr("Only where raters differ"))),
       table_(new QTableWidget) {
   onlyDiffering_->setObjectName(QStringLiteral("onlyDiffering"));

@@ -7,8 +7,8 @@
 #include "PersonDesk.h"
 
 #include <insonate/ui/Chart.h>
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -53,13 +53,8 @@ PersonPage::PersonPage(PersonDesk& desk, const ClassDesk& room, QWidget* parent)
 }
 
 QComboBox* PersonPage::choice(const char* name, const QString& title, const QString& tip) {
-  auto* box = new QComboBox;
-  box->setObjectName(QLatin1String(name));
-  box->setAccessibleName(title);
-  box->setToolTip(tip);
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  auto* box = ui::choiceBox(name, title, tip);
   box->setMinimumWidth(230);
-  new ui::QuietWheel(box);
   connect(box, QOverload<int>::of(&QComboBox::activated), this, [this] { showCharts(); });
   return box;
 }

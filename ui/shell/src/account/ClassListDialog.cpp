@@ -7,6 +7,7 @@
 #include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/RowTable.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QDir>
 #include <QDragEnterEvent>
@@ -147,10 +148,7 @@ ClassListDialog::~ClassListDialog() {
 
 QPushButton* ClassListDialog::button(const char* name, const QString& words, const QString& tip,
                                      void (ClassListDialog::*act)()) {
-  auto* made = new QPushButton(words);
-  made->setObjectName(QLatin1String(name));
-  made->setToolTip(tip);
-  made->setAutoDefault(false);
+  auto* made = pushButton(name, words, tip);
   connect(made, &QPushButton::clicked, this, act);
   return made;
 }

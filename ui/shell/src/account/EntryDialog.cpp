@@ -1,6 +1,7 @@
 #include "EntryDialog.h"
 
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -17,10 +18,8 @@ namespace {
 
 constexpr int kText_px = 380;
 
-QLabel* paragraph(const QString& text) {
-  auto* label = new QLabel(text);
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
+QLabel* wideParagraph(const QString& text) {
+  auto* label = paragraph("", "", text);
   label->setMinimumWidth(kText_px);
   return label;
 }
@@ -29,12 +28,12 @@ QLabel* paragraph(const QString& text) {
 
 EntryDialog::EntryDialog(const QString& title, const QString& explanation, const std::vector<Entry>& entries,
                          const QString& button, Action action, QWidget* parent)
-    : QDialog(parent), trouble_(paragraph({})), go_(new QPushButton(button)), action_(std::move(action)) {
+    : QDialog(parent), trouble_(wideParagraph({})), go_(new QPushButton(button)), action_(std::move(action)) {
   setWindowTitle(title);
   setAttribute(Qt::WA_DeleteOnClose);
   auto* heading = new QLabel(title);
   setRole(heading, "title");
-  auto* about = paragraph(explanation);
+  auto* about = wideParagraph(explanation);
   setRole(about, "quiet");
   auto* form = new QFormLayout;
   form->setVerticalSpacing(kGap);

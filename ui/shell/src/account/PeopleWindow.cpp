@@ -5,6 +5,7 @@
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/ui/Account.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -23,12 +24,6 @@ enum Column { kFullName, kName, kEmail, kRole, kState, kColumns };
 
 QString qt(const std::string& text) {
   return QString::fromStdString(text);
-}
-
-QLabel* heading(const QString& words) {
-  auto* label = new QLabel(words);
-  setRole(label, "heading");
-  return label;
 }
 
 /// What an administrator and an instructor see of one class, or of everybody.
@@ -80,10 +75,7 @@ PeopleWindow::PeopleWindow(Account& account, QWidget* parent)
 
 QPushButton* PeopleWindow::button(const char* name, const QString& words, const QString& tip,
                                   void (PeopleWindow::*act)()) {
-  auto* made = new QPushButton(words);
-  made->setObjectName(QLatin1String(name));
-  made->setToolTip(tip);
-  made->setAutoDefault(false);
+  auto* made = pushButton(name, words, tip);
   connect(made, &QPushButton::clicked, this, act);
   return made;
 }

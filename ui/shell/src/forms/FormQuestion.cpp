@@ -1,12 +1,12 @@
 #include "FormQuestion.h"
 
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QButtonGroup>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QPlainTextEdit>
@@ -26,18 +26,10 @@ QString qt(const std::string& text) {
   return QString::fromStdString(text);
 }
 
-QLabel* paragraph(const QString& text, const char* role) {
-  auto* label = new QLabel(text);
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  if (*role) setRole(label, role);
-  return label;
-}
-
 }  // namespace
 
 FormQuestion::FormQuestion(const FormItem& item, bool takesNote, QWidget* parent)
-    : QWidget(parent), name_(item.name), noteKey_(insonate::noteKey(item)), trouble_(paragraph({}, "problem")) {
+    : QWidget(parent), name_(item.name), noteKey_(insonate::noteKey(item)), trouble_(paragraph("", "problem")) {
   trouble_->setObjectName(QStringLiteral("trouble_") + qt(name_));
   trouble_->hide();
   auto* box = new QVBoxLayout(this);
@@ -45,9 +37,9 @@ FormQuestion::FormQuestion(const FormItem& item, bool takesNote, QWidget* parent
   box->setSpacing(kSmallGap);
   auto* head = new QHBoxLayout;
   head->setSpacing(kGap);
-  head->addWidget(paragraph(item.needed ? tr("%1 (needed)").arg(qt(item.title)) : qt(item.title), ""), 1);
+  head->addWidget(paragraph("", "", item.needed ? tr("%1 (needed)").arg(qt(item.title)) : qt(item.title)), 1);
   box->addLayout(head);
-  if (!item.about.empty()) box->addWidget(paragraph(qt(item.about), "quiet"));
+  if (!item.about.empty()) box->addWidget(paragraph("", "quiet", qt(item.about)));
   box->addWidget(item.kind == FormItem::Kind::Choice   ? buildChoice(item)
                  : item.kind == FormItem::Kind::Number ? buildNumber(item)
                                                        : buildText(item));

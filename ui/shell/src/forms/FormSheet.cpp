@@ -2,32 +2,22 @@
 
 #include <insonate/ui/FormSheet.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
-#include <QLabel>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
 namespace insonate::ui {
-namespace {
-
-QLabel* paragraph(const std::string& text, const char* role) {
-  auto* label = new QLabel(QString::fromStdString(text));
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  setRole(label, role);
-  return label;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 FormSheet::FormSheet(Form form, QWidget* parent) : QWidget(parent), form_(std::move(form)) {
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(kLargeGap);
   for (const FormSection& section : form_.sections) {
-    box->addWidget(paragraph(section.title, "heading"));
-    if (!section.about.empty()) box->addWidget(paragraph(section.about, "quiet"));
+    box->addWidget(paragraph("", "heading", QString::fromStdString(section.title)));
+    if (!section.about.empty()) box->addWidget(paragraph("", "quiet", QString::fromStdString(section.about)));
     for (const FormItem& item : section.items) {
       auto* question = new FormQuestion(item, form_.takesNote(item));
       connect(question, &FormQuestion::changed, this, [this, question] {

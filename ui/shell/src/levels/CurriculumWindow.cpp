@@ -8,6 +8,7 @@
 
 #include <insonate/ui/Account.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -35,14 +36,6 @@ QString wordsOf(const OfferedCurriculum& offer) {
   return offer.kind == Kind::Published ? version : CurriculumWindow::tr("%1 (comes with Insonate)").arg(version);
 }
 
-QLabel* plain(const char* object) {
-  auto* label = new QLabel;
-  label->setObjectName(QLatin1String(object));
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  return label;
-}
-
 }  // namespace
 
 CurriculumWindow::CurriculumWindow(Account& account, QWidget* parent)
@@ -53,8 +46,8 @@ CurriculumWindow::CurriculumWindow(Account& account, QWidget* parent)
       form_(new LevelForm(desk_->known())),
       story_(new LevelStoryView),
       cohort_(new QComboBox),
-      state_(plain("curriculumState")),
-      words_(plain("curriculumWords")) {
+      state_(paragraph("curriculumState")),
+      words_(paragraph("curriculumWords")) {
   setWindowTitle(tr("Curricula and levels"));
   setAttribute(Qt::WA_DeleteOnClose);
   auto* scroll = new QScrollArea;
@@ -95,8 +88,7 @@ CurriculumWindow::CurriculumWindow(Account& account, QWidget* parent)
 
 QPushButton* CurriculumWindow::button(const char* name, const QString& words, const QString& tip,
                                       void (CurriculumWindow::*act)()) {
-  auto* made = named(new QPushButton(words), name, words, tip);
-  made->setAutoDefault(false);
+  auto* made = pushButton(name, words, tip);
   connect(made, &QPushButton::clicked, this, act);
   return made;
 }
@@ -153,7 +145,7 @@ QWidget* CurriculumWindow::buildContest() {
   for (QPushButton* one : {theirs, mine}) one->setAutoDefault(false);
   connect(theirs, &QPushButton::clicked, desk_, &CurriculumDesk::readTheirs);
   connect(mine, &QPushButton::clicked, desk_, &CurriculumDesk::keepMine);
-  auto* label = plain("curriculumContest");
+  auto* label = paragraph("curriculumContest");
   label->setText(tr("Somebody else has saved this draft while you wrote. Yours is not saved until you choose."));
   setRole(label, "problem");
   auto* part = new QWidget;

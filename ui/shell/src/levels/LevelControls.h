@@ -1,6 +1,7 @@
 #pragma once
 
 #include <insonate/curriculum/Curriculum.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QString>
 #include <functional>
@@ -9,15 +10,6 @@ namespace insonate::ui {
 
 /// A change of one level. It is told with the field it is of, as in CurriculumDesk::edit().
 using LevelEdit = std::function<void(Level&)>;
-
-/// For tests, screen readers and the pointer.
-template <class Widget>
-Widget* named(Widget* widget, const char* object, const QString& name, const QString& tip) {
-  widget->setObjectName(QLatin1String(object));
-  widget->setAccessibleName(name);
-  widget->setToolTip(tip);
-  return widget;
-}
 
 /// Sets a text without moving the cursor of who is typing it.
 template <class Field>

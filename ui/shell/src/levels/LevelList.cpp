@@ -3,6 +3,7 @@
 #include "LevelControls.h"
 
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -76,8 +77,7 @@ LevelList::LevelList(QWidget* parent)
 }
 
 QPushButton* LevelList::button(const char* object, const QString& words, const QString& tip, void (LevelList::*act)()) {
-  auto* made = named(new QPushButton(words), object, words, tip);
-  made->setAutoDefault(false);
+  auto* made = pushButton(object, words, tip);
   connect(made, &QPushButton::clicked, this, act);
   return made;
 }

@@ -2,6 +2,7 @@
 
 #include <insonate/curriculum/LevelStory.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QLabel>
 #include <QStringList>
@@ -28,22 +29,13 @@ QString wordsOf(StoryTurn::When when) {
   return LevelStoryView::tr("Without practice");
 }
 
-QLabel* words(const char* object, const char* role) {
-  auto* label = new QLabel;
-  label->setObjectName(QLatin1String(object));
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  setRole(label, role);
-  return label;
-}
-
 }  // namespace
 
 LevelStoryView::LevelStoryView(QWidget* parent)
     : QFrame(parent),
-      troubles_(words("curriculumTroubles", "problem")),
-      heading_(words("levelStoryHeading", "heading")),
-      story_(words("levelStory", "quiet")) {
+      troubles_(paragraph("curriculumTroubles", "problem")),
+      heading_(paragraph("levelStoryHeading", "heading")),
+      story_(paragraph("levelStory", "quiet")) {
   setRole(this, "panel");
   heading_->setText(tr("What a trainee reads"));
   auto* box = new QVBoxLayout(this);

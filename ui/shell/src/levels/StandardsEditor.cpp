@@ -5,6 +5,7 @@
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/RowTable.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -39,12 +40,6 @@ QDoubleSpinBox* number(const QString& name, double low, double high, int decimal
   box->setKeyboardTracking(false);
   new QuietWheel(box);
   return box;
-}
-
-QPushButton* button(const char* object, const QString& words, const QString& tip) {
-  auto* made = named(new QPushButton(words), object, words, tip);
-  made->setAutoDefault(false);
-  return made;
 }
 
 }  // namespace
@@ -112,8 +107,8 @@ QWidget* StandardsEditor::buildStandard() {
   otherwise_ = named(new QLineEdit, "standardOtherwise", tr("Said where it is missed"),
                      tr("It follows \"failed because\": \"the artery was punctured\""));
   otherwise_->setPlaceholderText(tr("the artery was punctured"));
-  add_ = button("standardAdd", tr("Add"), tr("Another standard"));
-  remove_ = button("standardRemove", tr("Remove"), tr("Takes the chosen standard away"));
+  add_ = pushButton("standardAdd", tr("Add"), tr("Another standard"));
+  remove_ = pushButton("standardRemove", tr("Remove"), tr("Takes the chosen standard away"));
   connect(add_, &QPushButton::clicked, this, &StandardsEditor::add);
   connect(remove_, &QPushButton::clicked, this, &StandardsEditor::remove);
   connect(metric_, QOverload<int>::of(&QComboBox::activated), this, [this](int at) {

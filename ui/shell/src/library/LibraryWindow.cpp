@@ -7,6 +7,7 @@
 
 #include <insonate/ui/KnownCases.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QApplication>
 #include <QComboBox>
@@ -29,20 +30,9 @@ const QString kFolders = QStringLiteral("library/folders");
 
 QComboBox* choice(const char* name, const QString& spoken, const QString& tip,
                   std::initializer_list<std::pair<QString, QVariant>> choices) {
-  auto* box = new QComboBox;
-  box->setObjectName(QLatin1String(name));
-  box->setAccessibleName(spoken);
-  box->setToolTip(tip);
+  auto* box = choiceBox(name, spoken, tip);
   for (const auto& [words, value] : choices) box->addItem(words, value);
   return box;
-}
-
-QPushButton* button(const char* name, const QString& words, const QString& tip) {
-  auto* made = new QPushButton(words);
-  made->setObjectName(QLatin1String(name));
-  made->setToolTip(tip);
-  made->setAutoDefault(false);
-  return made;
 }
 
 }  // namespace
@@ -68,11 +58,11 @@ LibraryWindow::LibraryWindow(QWidget* parent)
       list_(new QListView),
       state_(new QLabel),
       empty_(new QLabel),
-      train_(button("libraryTrain", tr("Open in Train"), tr("Practise on the chosen case (Enter, double click)"))),
-      prepare_(button("libraryPrepare", tr("Open in Prepare"), tr("Look at or edit the chosen case (Ctrl+Enter)"))),
-      add_(button("libraryAdd", tr("Add folder ..."), tr("A folder with cases in it, or in its folders"))),
-      remove_(button("libraryRemove", tr("Remove folder"),
-                     tr("Take the folder of the chosen case off this list; nothing on the disk is changed"))) {
+      train_(pushButton("libraryTrain", tr("Open in Train"), tr("Practise on the chosen case (Enter, double click)"))),
+      prepare_(pushButton("libraryPrepare", tr("Open in Prepare"), tr("Look at or edit the chosen case (Ctrl+Enter)"))),
+      add_(pushButton("libraryAdd", tr("Add folder ..."), tr("A folder with cases in it, or in its folders"))),
+      remove_(pushButton("libraryRemove", tr("Remove folder"),
+                         tr("Take the folder of the chosen case off this list; nothing on the disk is changed"))) {
   setWindowTitle(tr("Case library"));
   setAttribute(Qt::WA_DeleteOnClose);
   arrange();

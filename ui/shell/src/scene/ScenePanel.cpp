@@ -7,10 +7,10 @@
 #include <insonate/ui/ScenePanel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QCheckBox>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QScrollArea>
 #include <QSettings>
 #include <QToolButton>
@@ -32,12 +32,6 @@ QVBoxLayout* column(QWidget* widget) {
 /// A case that was saved, or edited, is still the same patient.
 bool samePatient(const PatientCase& a, const PatientCase& b) {
   return a.ct.geometry == b.ct.geometry && a.manifest.source == b.manifest.source;
-}
-
-QLabel* heading(const QString& text) {
-  auto* label = new QLabel(text);
-  setRole(label, "heading");
-  return label;
 }
 
 }  // namespace

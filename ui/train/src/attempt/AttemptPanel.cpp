@@ -8,12 +8,11 @@
 #include "AttemptWords.h"
 #include "StepList.h"
 
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QComboBox>
 #include <QGridLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -38,23 +37,9 @@ QVBoxLayout* column(QWidget* widget) {
 }
 
 QComboBox* choice(const char* object, const QString& name, const QString& says) {
-  auto* combo = new QComboBox;
-  combo->setObjectName(QLatin1String(object));
-  combo->setAccessibleName(name);
-  combo->setToolTip(says);
-  combo->setFocusPolicy(Qt::TabFocus);
-  combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  auto* combo = ui::choiceBox(object, name, says, Qt::TabFocus);
   combo->setMinimumContentsLength(6);
-  new ui::QuietWheel(combo);
   return combo;
-}
-
-QLabel* words(const char* object, const char* role) {
-  auto* label = new QLabel;
-  label->setObjectName(QLatin1String(object));
-  label->setWordWrap(true);
-  if (*role) ui::setRole(label, role);
-  return label;
 }
 
 }  // namespace
@@ -65,7 +50,7 @@ AttemptPanel::AttemptPanel(TrainSession& session, AttemptControl& attempt, Level
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(12, 8, 12, 8);
   box->setSpacing(ui::kSmallGap);
-  head_ = words("attemptHead", "heading");
+  head_ = ui::paragraph("attemptHead", "heading");
   box->addWidget(head_);
   for (QWidget* page : {begin_ = buildBegin(), running_ = buildRunning(), result_ = buildResult()})
     box->addWidget(page);
@@ -84,10 +69,7 @@ AttemptPanel::AttemptPanel(TrainSession& session, AttemptControl& attempt, Level
 }
 
 QPushButton* AttemptPanel::button(const char* object, const QString& text, const QString& says) {
-  auto* made = new QPushButton(text);
-  made->setObjectName(QLatin1String(object));
-  made->setToolTip(says);
-  made->setFocusPolicy(Qt::TabFocus);
+  auto* made = ui::pushButton(object, text, says, Qt::TabFocus);
   return made;
 }
 
@@ -110,7 +92,7 @@ QWidget* AttemptPanel::buildBegin() {
   row->setSpacing(ui::kSmallGap);
   row->addWidget(assistance_, 1);
   row->addWidget(start_, 1);
-  unfit_ = words("attemptUnfit", "problem");
+  unfit_ = ui::paragraph("attemptUnfit", "problem");
   auto* card = new LevelCard(levels_);
   box->addWidget(card);
   box->addWidget(procedure_);
@@ -152,7 +134,7 @@ QWidget* AttemptPanel::buildRunning() {
   auto* inner = new QWidget;
   auto* told = column(inner);
   steps_ = new StepList;
-  numbers_ = words("attemptNumbers", "");
+  numbers_ = ui::paragraph("attemptNumbers", "");
   numbers_->setTextFormat(Qt::RichText);
   numbers_->setToolTip(tr("Further metrics of the attempt so far"));
   told->addWidget(steps_);
@@ -182,9 +164,9 @@ QWidget* AttemptPanel::buildRunning() {
 QWidget* AttemptPanel::buildResult() {
   auto* page = new QWidget;
   auto* box = column(page);
-  headline_ = words("attemptHeadline", "title");
-  advice_ = words("attemptAdvice", "");
-  errors_ = words("attemptErrors", "");
+  headline_ = ui::paragraph("attemptHeadline", "title");
+  advice_ = ui::paragraph("attemptAdvice", "");
+  errors_ = ui::paragraph("attemptErrors", "");
   errors_->setTextFormat(Qt::RichText);
   verdict_ = new VerdictView;
   for (QWidget* one : {static_cast<QWidget*>(headline_), static_cast<QWidget*>(errors_),

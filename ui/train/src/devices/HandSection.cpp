@@ -2,9 +2,9 @@
 
 #include "../panel/NumberField.h"
 
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QComboBox>
 #include <QGridLayout>
@@ -21,21 +21,11 @@ constexpr double kTest_N = 0.8;
 const char* const kStands[] = {"the patient's head", "the patient's right", "the patient's left", "the patient's feet"};
 
 QPushButton* button(const char* object, const QString& text, const QString& says) {
-  auto* made = new QPushButton(text);
-  made->setObjectName(QLatin1String(object));
-  made->setToolTip(says);
-  made->setFocusPolicy(Qt::TabFocus);
-  made->setAutoDefault(false);  // Enter is the number's
-  return made;
+  return ui::pushButton(object, text, says, Qt::TabFocus);
 }
 
 QComboBox* combo(const char* object, const QString& says) {
-  auto* made = new QComboBox;
-  made->setObjectName(QLatin1String(object));
-  made->setToolTip(says);
-  made->setFocusPolicy(Qt::TabFocus);
-  new ui::QuietWheel(made);
-  return made;
+  return ui::choiceBox(object, {}, says, Qt::TabFocus);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "NeedleWords.h"
 
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QGridLayout>
 #include <QLabel>
@@ -33,11 +34,8 @@ constexpr Row kRows[] = {
 };
 
 QPushButton* choice(const char* object, const QString& text, const QString& says) {
-  auto* button = new QPushButton(text);
-  button->setObjectName(QLatin1String(object));
+  auto* button = ui::pushButton(object, text, says, Qt::TabFocus);
   button->setCheckable(true);
-  button->setToolTip(says);
-  button->setFocusPolicy(Qt::TabFocus);
   return button;
 }
 

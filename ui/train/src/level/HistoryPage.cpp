@@ -10,6 +10,7 @@
 #include <insonate/ui/LearningChart.h>
 #include <insonate/ui/RowTable.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QComboBox>
 #include <QDateTime>
@@ -52,19 +53,8 @@ QString tipOf(const KeptAttempt& one) {
   return QStringLiteral("<p>%1</p>").arg(parts.join(QLatin1Char('\n')).toHtmlEscaped().replace('\n', "<br>"));
 }
 
-QPushButton* button(const char* object, const QString& text, const QString& says) {
-  auto* made = new QPushButton(text);
-  made->setObjectName(QLatin1String(object));
-  made->setToolTip(says);
-  return made;
-}
-
 QComboBox* choice(const char* object, const QString& name, const QString& says) {
-  auto* made = new QComboBox;
-  made->setObjectName(QLatin1String(object));
-  made->setAccessibleName(name);
-  made->setToolTip(says);
-  made->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  auto* made = ui::choiceBox(object, name, says);
   made->setMinimumContentsLength(14);
   return made;
 }
@@ -102,8 +92,8 @@ QWidget* HistoryPage::buildList() {
   header->setSectionResizeMode(kLevel, QHeaderView::Stretch);
   for (const auto& [column, px] : {std::pair{kDate, 158}, {kOutcome, 96}, {kPoints, 58}, {kLength, 62}})
     header->resizeSection(column, px);
-  open_ = button("historyOpen", tr("Open in Review"), tr("Replay the selected attempt (Enter)"));
-  older_ = button("historyOlder", tr("Older attempts"), tr("Those before the last one of the list"));
+  open_ = ui::pushButton("historyOpen", tr("Open in Review"), tr("Replay the selected attempt (Enter)"));
+  older_ = ui::pushButton("historyOlder", tr("Older attempts"), tr("Those before the last one of the list"));
   auto* row = new QHBoxLayout;
   row->addWidget(open_);
   row->addWidget(older_);

@@ -5,36 +5,26 @@
 #include "LevelWords.h"
 
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 namespace insonate::train {
 namespace {
 
-QLabel* words(const char* object, const char* role) {
-  auto* label = new QLabel;
-  label->setObjectName(QLatin1String(object));
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  ui::setRole(label, role);
-  return label;
-}
-
 QPushButton* button(const char* object, const QString& text, const QString& says) {
-  auto* made = new QPushButton(text);
-  made->setObjectName(QLatin1String(object));
-  made->setToolTip(says);
-  made->setFocusPolicy(Qt::TabFocus);
-  return made;
+  return ui::pushButton(object, text, says, Qt::TabFocus);
 }
 
 }  // namespace
 
 LevelCard::LevelCard(LevelControl& levels, QWidget* parent)
-    : QWidget(parent), levels_(levels), title_(words("levelTitle", "heading")), rule_(words("levelRule", "quiet")) {
+    : QWidget(parent),
+      levels_(levels),
+      title_(ui::paragraph("levelTitle", "heading")),
+      rule_(ui::paragraph("levelRule", "quiet")) {
   auto* course = button("levelsOpen", tr("Levels"), tr("Levels, your attempts and their curve, the questionnaire (J)"));
   open_ = button("levelOpenCase", tr("Open its case"), tr("The level's case in place of the one in the window"));
   free_ = button("levelLeave", tr("Practise freely"), tr("Leave the level: any case, procedure and assistance"));

@@ -9,6 +9,7 @@
 #include <insonate/procedure/Procedure.h>
 #include <insonate/ui/KnownCases.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -27,15 +28,6 @@ constexpr int kList_px = 340, kLevel_px = 760;
 
 QString qt(const std::string& text) {
   return QString::fromStdString(text);
-}
-
-QLabel* words(const char* object, const char* role = "") {
-  auto* label = new QLabel;
-  label->setObjectName(QLatin1String(object));
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  if (*role) ui::setRole(label, role);
-  return label;
 }
 
 QString procedureTitle(const std::string& name) {
@@ -79,8 +71,8 @@ PathPage::PathPage(Course& course, LevelControl& levels, QWidget* parent)
     : QWidget(parent),
       course_(course),
       levels_(levels),
-      head_(words("courseHead", "heading")),
-      note_(words("courseNote", "quiet")) {
+      head_(ui::paragraph("courseHead", "heading")),
+      note_(ui::paragraph("courseNote", "quiet")) {
   auto* columns = new QHBoxLayout;
   columns->setSpacing(ui::kLargeGap);
   columns->addWidget(buildList());
@@ -120,13 +112,13 @@ QWidget* PathPage::buildList() {
 }
 
 QWidget* PathPage::buildLevel() {
-  title_ = words("levelHead", "title");
-  about_ = words("levelAbout");
-  why_ = words("levelWhy", "heading");
-  setting_ = words("levelSetting", "quiet");
-  pass_ = words("levelPass");
-  standards_ = words("levelLimits", "quiet");
-  mastery_ = words("levelMastery");
+  title_ = ui::paragraph("levelHead", "title");
+  about_ = ui::paragraph("levelAbout");
+  why_ = ui::paragraph("levelWhy", "heading");
+  setting_ = ui::paragraph("levelSetting", "quiet");
+  pass_ = ui::paragraph("levelPass");
+  standards_ = ui::paragraph("levelLimits", "quiet");
+  mastery_ = ui::paragraph("levelMastery");
   practise_ = new QPushButton(tr("Practise this level"));
   practise_->setObjectName(QStringLiteral("levelPractise"));
   practise_->setToolTip(tr("Opens its case and sets procedure, position and assistance (Enter)"));

@@ -4,6 +4,7 @@
 #include <insonate/ui/Account.h>
 #include <insonate/ui/FormSheet.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -25,13 +26,6 @@ Form questionnaire() {
   return {};
 }
 
-QPushButton* button(const char* object, const QString& text, const QString& says) {
-  auto* made = new QPushButton(text);
-  made->setObjectName(QLatin1String(object));
-  made->setToolTip(says);
-  return made;
-}
-
 }  // namespace
 
 QuestionnairePage::QuestionnairePage(ui::Account* account, QString draftFolder, QWidget* parent)
@@ -41,8 +35,8 @@ QuestionnairePage::QuestionnairePage(ui::Account* account, QString draftFolder, 
       words_(new QLabel),
       sheet_(new ui::FormSheet(questionnaire())),
       scroll_(new QScrollArea),
-      send_(button("formSend", tr("Send"), tr("Store the answers; they cannot be changed afterwards"))),
-      clear_(button("formClear", tr("Clear"), tr("Take all answers back"))) {
+      send_(ui::pushButton("formSend", tr("Send"), tr("Store the answers; they cannot be changed afterwards"))),
+      clear_(ui::pushButton("formClear", tr("Clear"), tr("Take all answers back"))) {
   ui::setRole(send_, "primary");
   words_->setObjectName(QStringLiteral("formWords"));
   words_->setTextFormat(Qt::PlainText);

@@ -3,19 +3,13 @@
 #include "LevelWords.h"
 
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QLabel>
 #include <QVBoxLayout>
 
 namespace insonate::train {
 namespace {
-
-QLabel* words(const char* object) {
-  auto* label = new QLabel;
-  label->setObjectName(QLatin1String(object));
-  label->setWordWrap(true);
-  return label;
-}
 
 QString coloured(const QString& sign, views::Colour colour) {
   return QStringLiteral("<span style='color:%1'>%2</span>").arg(ui::colour(colour).name(), sign);
@@ -30,9 +24,9 @@ void write(QLabel& label, const QString& text) {
 
 VerdictView::VerdictView(QWidget* parent)
     : QWidget(parent),
-      headline_(words("levelVerdict")),
-      standards_(words("levelStandards")),
-      changes_(words("levelChanges")) {
+      headline_(ui::paragraph("levelVerdict")),
+      standards_(ui::paragraph("levelStandards")),
+      changes_(ui::paragraph("levelChanges")) {
   ui::setRole(headline_, "heading");
   headline_->setTextFormat(Qt::RichText);
   standards_->setTextFormat(Qt::RichText);

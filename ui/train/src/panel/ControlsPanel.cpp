@@ -13,6 +13,7 @@
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -62,12 +63,6 @@ ui::ValueRange rangeOf(double Settings::*field, const Probe& probe, const Settin
   return range(0, 0.95);
 }
 
-QLabel* heading(const QString& text) {
-  auto* label = new QLabel(text);
-  ui::setRole(label, "heading");
-  return label;
-}
-
 QVBoxLayout* column(QWidget* widget) {
   auto* box = new QVBoxLayout(widget);
   box->setContentsMargins(0, 0, 0, 0);
@@ -112,7 +107,7 @@ QWidget* ControlsPanel::buildPlace() {
   numbers_->setTyped([this](HandAxis axis, double value) { session_.typed(axis, value); });
   numbers_->setPlaced([this](Vec3 patient_mm) { session_.placed(patient_mm); });
   numbers_->setRefused([this](const QString& sentence) { session_.say(sentence); });
-  box->addWidget(heading(tr("Position")));
+  box->addWidget(ui::heading(tr("Position")));
   box->addWidget(positions_);
   box->addSpacing(4);
   box->addWidget(numbers_);
@@ -149,7 +144,7 @@ QWidget* ControlsPanel::labelled(const QString& name, QWidget* widget) {
 QWidget* ControlsPanel::buildPicture() {
   auto* picture = new QWidget;
   auto* box = column(picture);
-  box->addWidget(heading(tr("Picture")));
+  box->addWidget(ui::heading(tr("Picture")));
   probe_ = new ProbeChooser(session_, library_);
   box->addWidget(labelled(tr("probe"), probe_));
   addSliders(*box, 0, kBeforeTgc);

@@ -5,6 +5,7 @@
 
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QComboBox>
 #include <QGridLayout>
@@ -60,11 +61,7 @@ const char* presetOf(ProbeShape shape) {
 }
 
 QPushButton* button(const QString& text, const char* object, const QString& tip) {
-  auto* made = new QPushButton(text);
-  made->setObjectName(object);
-  made->setToolTip(tip);
-  made->setFocusPolicy(Qt::TabFocus);
-  return made;
+  return ui::pushButton(object, text, tip, Qt::TabFocus);
 }
 
 }  // namespace

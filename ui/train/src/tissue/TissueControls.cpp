@@ -4,9 +4,9 @@
 #include "../panel/NumberField.h"
 
 #include <insonate/simulator/TissueMechanics.h>
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -75,13 +75,7 @@ TissueControls::TissueControls(TrainSession& session, QWidget* parent) : QWidget
 }
 
 QComboBox* TissueControls::choice(const char* object, const QString& says) {
-  auto* combo = new QComboBox(this);
-  combo->setObjectName(QLatin1String(object));
-  combo->setToolTip(says);
-  new ui::QuietWheel(combo);
-  combo->setFocusPolicy(Qt::TabFocus);
-  combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  return combo;
+  return ui::choiceBox(object, {}, says, Qt::TabFocus);
 }
 
 QWidget* TissueControls::labelled(const QString& name, QWidget* widget) {
