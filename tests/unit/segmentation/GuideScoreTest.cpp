@@ -8,15 +8,17 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <set>
 
 namespace insonate {
 namespace {
 
-/// A piece of a structure in an axial slice: how many voxels, and their middle.
+/// A piece of a structure in an axial slice: its voxels, and their middle.
 struct Piece {
-  std::size_t voxels = 0;
+  std::vector<std::size_t> offsets;
   Vec3 sum;
-  Vec3 middle() const { return sum / double(voxels); }
+  std::size_t voxels() const { return offsets.size(); }
+  Vec3 middle() const { return sum / double(voxels()); }
 };
 
 /// The pieces of a label in each slice on one side of the patient (-1: right), those next to the middle first.
@@ -39,11 +41,11 @@ std::vector<std::vector<Piece>> piecesOf(const LabelMap& labels, std::uint8_t la
           todo.pop_back();
           if (!wanted(a, b) || seen[std::size_t(b) * g.size[0] + a]) continue;
           seen[std::size_t(b) * g.size[0] + a] = true;
-          ++piece.voxels;
+          piece.offsets.push_back(g.offset(a, b, k));
           piece.sum = piece.sum + patientFromIndex * Vec3{double(a), double(b), double(k)};
           for (const auto& [da, db] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) todo.emplace_back(a + da, b + db);
         }
-        if (piece.voxels > 20) slices[std::size_t(k)].push_back(piece);
+        if (piece.voxels() > 20) slices[std::size_t(k)].push_back(piece);
       }
     std::ranges::sort(slices[std::size_t(k)], {}, [](const Piece& p) { return std::abs(p.middle().x); });
   }
@@ -98,17 +100,25 @@ class GuideScores : public testing::TestWithParam<CtContrast> {
         }
     return 2.0 * double(both) / double(found + there);
   }
-  /// A vessel on the patient's right from `low` to `high`, against what lies within 10 mm of its middle.
+  /// A vessel on the patient's right from `low` to `high`, against what lies within 10 mm of its middle, without the
+  /// thin branches there.
   double vessel(std::uint8_t label, const std::string& name, double low, double high) {
     std::vector<Vec3> line;
+    std::set<std::size_t> own;
     for (const auto& pieces : piecesOf(truth_, label, -1)) {
       if (pieces.empty()) continue;
-      const Vec3 middle = std::ranges::max_element(pieces, {}, &Piece::voxels)->middle();
-      if (middle.z >= low && middle.z <= high) line.push_back(middle);
+      const auto largest = std::ranges::max_element(pieces, {}, &Piece::voxels);
+      const Vec3 middle = largest->middle();
+      if (middle.z < low || middle.z > high) continue;
+      line.push_back(middle);
+      own.insert(largest->offsets.begin(), largest->offsets.end());
     }
     const auto clicks_mm = clicksOn(line, 4);
     perform(name, clicks_mm);
+    const Transform indexFromPatient = truth_.geometry.indexFromPatient();
     return dice(label, [&](Vec3 p) {
+      const auto [i, j, k] = nearestVoxel(indexFromPatient * p);
+      if (truth_.at(i, j, k) == label && !own.contains(truth_.geometry.offset(i, j, k))) return false;
       const bool between = (p.z - clicks_mm.front().z) * (p.z - clicks_mm.back().z) < 0;
       return between && std::ranges::any_of(line, [&](Vec3 m) { return norm(p - m) < 10; });
     });
@@ -149,8 +159,7 @@ TEST_P(GuideScores, ANeckFromAFewClicksEach) {
 
   for (const auto& [what, score] : found) {
     std::printf("%s: %.3f\n", what.c_str(), score);
-    // The artery is aimed at 0.9, too, and does not reach it from clicks beside its middle.
-    EXPECT_GT(score, what.starts_with("vein") ? 0.94 : what.starts_with("artery") ? 0.88 : 0.85) << what;
+    EXPECT_GT(score, what.starts_with("vein") ? 0.94 : what.starts_with("artery") ? 0.9 : 0.85) << what;
   }
 }
 

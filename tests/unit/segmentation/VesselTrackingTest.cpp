@@ -1,9 +1,12 @@
 #include "ToolGrids.h"
 
 #include <insonate/core/Hash.h>
+#include <insonate/image/GaussianBlur.h>
 #include <insonate/segmentation/VesselTracking.h>
 
 #include <gmock/gmock.h>
+
+#include <numbers>
 
 namespace insonate {
 namespace {
@@ -83,10 +86,48 @@ TEST_P(VesselsOnGrids, OutlinesHaveTheVesselsArea) {
   EXPECT_NEAR(dot(half.right, half.down), 0, 1e-9);
 }
 
+TEST_P(VesselsOnGrids, ABranchDoesNotRunOutIntoTheVesselThatItLeaves) {
+  const auto inBranch = [](Vec3 p) { return p.z > -8 && p.z < 16 && std::hypot(p.x, p.y) <= 3.5; };
+  const Selection branch = shape(inBranch);
+  const Selection arch = shape([](Vec3 p) { return std::hypot(p.y, p.z + 18) <= 11; });
+  CtVolume ct(grid(), 50);
+  for (std::size_t v = 0; v < ct.voxels.size(); ++v)
+    if (branch.mask.voxels[v] || arch.mask.voxels[v]) ct.voxels[v] = 350;
+  const auto tracked = trackVessel(ct, std::array{Vec3{0, 0, -10}, Vec3{0, 0, 14}});
+  ASSERT_TRUE(tracked) << tracked.error().message;
+  EXPECT_LT(tracked->outlines.front().area_mm2(), 2 * 38.5) << "pi 3.5^2";
+  EXPECT_GT(tracked->outlines.front().area_mm2(), 0.7 * 38.5);
+}
+
 TEST_P(VesselsOnGrids, WithoutContrastThereIsNoWallToBeSeen) {
   const auto refused = trackVessel(ct(60, 5), std::array{middle(-14), middle(14)});
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, HasSubstr("no contrast between vessel and tissue"));
+}
+
+/// A tube in fat, as a scanner shows it: its edge is a step that has been blurred.
+TEST(VesselTracking, AThinVesselIsNeitherWidenedNorNarrowedByBlur) {
+  VolumeGeometry g;
+  g.spacing_mm = {0.5, 0.5, 0.75};
+  g.size = {61, 61, 41};
+  g.origin_mm = -g.centre_mm();
+  for (const double radius_mm : {1.5, 2.0, 3.0}) {
+    Volume<float> sharp(g, 0);
+    for (int k = 0; k < g.size[2]; ++k)
+      for (int j = 0; j < g.size[1]; ++j)
+        for (int i = 0; i < g.size[0]; ++i) {
+          const Vec3 p = g.patientFromIndex() * Vec3{double(i), double(j), double(k)};
+          const double inside = (radius_mm - std::hypot(p.x, p.y)) / g.spacing_mm.x + 0.5;  // a voxel is a mean
+          sharp.at(i, j, k) = float(250 * std::clamp(inside, 0.0, 1.0));
+        }
+    blurGaussian(sharp, 0.4);
+    CtVolume ct(g);
+    std::ranges::transform(sharp.voxels, ct.voxels.begin(), [](float hu) { return std::int16_t(std::lround(hu)); });
+    const auto tracked = trackVessel(ct, std::array{Vec3{0, 0, -12}, Vec3{0, 0, 12}});
+    ASSERT_TRUE(tracked) << tracked.error().message;
+    const double area_mm2 = tracked->outlines[tracked->outlines.size() / 2].area_mm2();
+    EXPECT_NEAR(std::sqrt(area_mm2 / std::numbers::pi), radius_mm, 0.15) << radius_mm;
+  }
 }
 
 TEST(VesselTracking, RefusesOneClickAndClicksBesideTheCt) {

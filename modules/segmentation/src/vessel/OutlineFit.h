@@ -5,31 +5,36 @@
 
 #include <insonate/segmentation/VesselTracking.h>
 
+#include <span>
 #include <vector>
 
 namespace insonate::segmentation {
 
-/// Finds the wall of a vessel in sections.
+/// Finds the wall of a vessel in sections along it. The CT is averaged over the sections around instead of blurred.
 class OutlineFit {
  public:
-  OutlineFit(const CtVolume& blurred, double smoothing_mm, double largest_mm);
+  OutlineFit(const CtVolume& ct, double largest_mm);
 
-  /// The best radii about the outline's centre, in its plane. Where `expected` is given, radii like its cost less.
-  void fit(VesselOutline& outline, const BloodLevel& level, const Radii* expected) const;
+  /// The best radii about the n-th section's centre, in its plane. Where `expected` is given, radii like its cost less.
+  Radii fitted(const std::vector<VesselOutline>& sections, int n, const BloodLevel& level, const Radii* expected) const;
 
-  /// Moves radii that fit() has found to where the CT is half-way from the blood to what lies behind the wall there.
-  void refine(VesselOutline& outline, const BloodLevel& level) const;
+  /// The n-th section's radii that fitted() has found, moved to where the CT is half-way from the blood to what lies
+  /// behind the wall there.
+  Radii refined(const std::vector<VesselOutline>& sections, int n, const BloodLevel& level) const;
 
  private:
   static constexpr double kStep_mm = 0.25;
 
   Vec3 stepAlong(const VesselOutline& outline, int ray) const;
-  std::vector<double> profile(const VesselOutline& outline, int ray, int samples) const;
+  /// Along a ray of the n-th section, from `first` steps on.
+  std::vector<double> profile(const std::vector<VesselOutline>& sections, int n, int ray, double first,
+                              int samples) const;
 
   const CtVolume& ct_;
   Transform indexFromPatient_;
   int steps_;
   double blur_mm2_;  ///< variance of all blur that is known
+  int reach_;        ///< walls are moved by so many steps at most
 };
 
 }  // namespace insonate::segmentation

@@ -15,12 +15,15 @@ namespace {
 
 using segmentation::BloodLevel;
 using segmentation::OutlineFit;
+using segmentation::Radii;
 using segmentation::Work;
 
 constexpr int kRays = VesselOutline::kRays;
 constexpr int kSmoothPath = 4, kSmoothLine = 3;  // stations to both sides
 constexpr int kLikeNeighbours = 4;               // of which the expected outline is the median
+constexpr int kCalibre = 15;                     // of which the area is the median that a vessel has here
 constexpr int kEven = 1;                         // of which the refined outline is the median
+constexpr double kOpens = 2;                     // times the area that it has here: it opens into another vessel
 constexpr double kLeastContrast_HU = 40;
 constexpr double kAround_mm = 30;
 
@@ -59,14 +62,42 @@ Vec3 centroid(const VesselOutline& outline) {
   return outline.centre_mm + outline.right * (x / area) + outline.down * (y / area);
 }
 
-TrackedVessel track(const CtVolume& ct, std::span<const Vec3> clicks_mm, const VesselTracking& how, Work& work) {
-  Stations stations = pathThrough(ct, clicks_mm, how.largest_mm, work);
+/// Where a vessel opens into another, its section runs out into that one: it takes the outline of the nearest that
+/// does not.
+void closeOrigins(std::vector<VesselOutline>& sections) {
+  const int count = static_cast<int>(sections.size());
+  std::vector<double> areas, around;
+  for (const VesselOutline& section : sections) areas.push_back(section.area_mm2());
+  std::vector<bool> open;
+  for (int n = 0; n < count; ++n) {
+    around.assign(areas.begin() + std::max(0, n - kCalibre), areas.begin() + std::min(count, n + kCalibre + 1));
+    const auto middle = around.begin() + std::ptrdiff_t(around.size() / 2);
+    std::ranges::nth_element(around, middle);
+    open.push_back(areas[n] > kOpens * *middle);
+  }
+  for (int n = 0; n < count; ++n)
+    for (int away = 1; open[n] && away <= kCalibre; ++away) {
+      const int before = n - away, behind = n + away;
+      const int nearest = before >= 0 && !open[before] ? before : behind < count && !open[behind] ? behind : -1;
+      if (nearest < 0) continue;
+      sections[n].radius_mm = sections[nearest].radius_mm;
+      break;
+    }
+}
+
+TrackedVessel track(const CtVolume& ct, Stations stations, const VesselTracking& how, Work& work) {
   work.start("Finding the vessel's wall");
-  const OutlineFit wall(ct, how.smoothing_mm, how.largest_mm);
-  const auto fitAll = [&](const std::vector<segmentation::Radii>* expected) {
+  const OutlineFit wall(ct, how.largest_mm);
+  const auto forAll = [&](std::vector<VesselOutline>& sections, const auto& radiiOf) {
+    std::vector<Radii> radii(sections.size());
+    work.slices(static_cast<int>(sections.size()), [&](int n) { radii[n] = radiiOf(n); });
+    for (std::size_t n = 0; n < sections.size(); ++n) sections[n].radius_mm = radii[n];
+  };
+  const auto fitAll = [&](const std::vector<Radii>* expected) {
     std::vector<VesselOutline> sections = segmentation::sectionsAlong(stations.line);
-    work.slices(static_cast<int>(sections.size()),
-                [&](int n) { wall.fit(sections[n], stations.levels[n], expected ? &(*expected)[n] : nullptr); });
+    forAll(sections,
+           [&](int n) { return wall.fitted(sections, n, stations.levels[n], expected ? &(*expected)[n] : nullptr); });
+    closeOrigins(sections);
     return sections;
   };
   for (int pass = 0; pass < 2; ++pass) {
@@ -77,7 +108,7 @@ TrackedVessel track(const CtVolume& ct, std::span<const Vec3> clicks_mm, const V
   const auto expected = segmentation::likeNeighbours(fitAll(nullptr), kLikeNeighbours);
   TrackedVessel vessel;
   vessel.outlines = fitAll(&expected);
-  for (std::size_t n = 0; n < vessel.outlines.size(); ++n) wall.refine(vessel.outlines[n], stations.levels[n]);
+  forAll(vessel.outlines, [&](int n) { return wall.refined(vessel.outlines, n, stations.levels[n]); });
   const auto even = segmentation::likeNeighbours(vessel.outlines, kEven);
   for (std::size_t n = 0; n < vessel.outlines.size(); ++n) vessel.outlines[n].radius_mm = even[n];
   vessel.line = stations.line;
@@ -105,9 +136,9 @@ Result<TrackedVessel> trackVessel(const CtVolume& ct, std::span<const Vec3> clic
                     std::to_string(std::lround(level.blood_HU)) +
                     " HU); click in blood with contrast agent, or draw the vessel and fill between slices.");
     }
-    Work work(progress, 5 + 1.1 * double(clicks_mm.size()));
+    Work work(progress, 6 + 1.1 * double(clicks_mm.size()));
     work.start("Following the vessel");
-    TrackedVessel vessel = track(near, clicks_mm, how, work);
+    TrackedVessel vessel = track(cropped(ct, around), pathThrough(near, clicks_mm, how.largest_mm, work), how, work);
     vessel.lumen = segmentation::fillLumen(ct.geometry, vessel.outlines);
     return vessel;
   });

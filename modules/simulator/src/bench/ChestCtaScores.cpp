@@ -50,7 +50,7 @@ Result<double> reachable(const CtVolume& ct, const Selection& mask, const Progre
 
 /// Where a mask is too stout for a centre line, the middles of its axial slices.
 TrueVessel stoutVessel(const LabelMap& labels) {
-  TrueVessel vessel{{}, voxelsOf(labels, 1, extentOf(labels, 1))};
+  TrueVessel vessel{{}, voxelsOf(labels, 1, extentOf(labels, 1)), {}};
   const VoxelBox& box = vessel.voxels.box;
   const Transform patientFromIndex = labels.geometry.patientFromIndex();
   for (int k = box.first[2]; k < box.end[2]; ++k) {

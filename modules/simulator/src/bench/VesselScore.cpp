@@ -3,6 +3,7 @@
 #include <insonate/segmentation/Score.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <span>
 
@@ -21,6 +22,28 @@ LabelMap placed(const Selection& shape, const VolumeGeometry& geometry, const Vo
   return map;
 }
 
+/// Whether nothing but the label lies between a point and the nearest one of the middle.
+bool seesMiddle(const LabelMap& labels, std::uint8_t label, Vec3 point_mm, const CentreLine& line) {
+  const Vec3 middle_mm = *std::ranges::min_element(line, {}, [&](Vec3 m) { return norm(m - point_mm); });
+  const Transform indexFromPatient = labels.geometry.indexFromPatient();
+  const Vec3& s = labels.geometry.spacing_mm;
+  const int steps = static_cast<int>(std::ceil(norm(middle_mm - point_mm) / (std::min({s.x, s.y, s.z}) / 2)));
+  for (int n = 1; n < steps; ++n) {
+    const auto [i, j, k] = nearestVoxel(indexFromPatient * (point_mm + (middle_mm - point_mm) * (double(n) / steps)));
+    if (labels.at(i, j, k) != label) return false;
+  }
+  return true;
+}
+
+Selection without(Selection shape, const Selection& others) {
+  const VoxelBox& box = shape.box;
+  for (int k = box.first[2]; k < box.end[2]; ++k)
+    for (int j = box.first[1]; j < box.end[1]; ++j)
+      for (int i = box.first[0]; i < box.end[0]; ++i)
+        if (others.chosen(i, j, k)) shape.mask.at(i - box.first[0], j - box.first[1], k - box.first[2]) = 0;
+  return shape;
+}
+
 }  // namespace
 
 Result<std::vector<TrueVessel>> trueVessels(const LabelMap& labels, std::uint8_t label, std::size_t most,
@@ -29,7 +52,8 @@ Result<std::vector<TrueVessel>> trueVessels(const LabelMap& labels, std::uint8_t
   if (!lines) return tl::unexpected(lines.error());
   const VoxelBox box = extentOf(labels, label);
   std::vector<TrueVessel> vessels;
-  for (CentreLine& line : *lines) vessels.push_back({std::move(line), Selection(labels.geometry, box)});
+  for (CentreLine& line : *lines)
+    vessels.push_back({std::move(line), Selection(labels.geometry, box), voxelsOf(labels, label, box)});
   const Transform patientFromIndex = labels.geometry.patientFromIndex();
   for (int k = box.first[2]; k < box.end[2]; ++k)
     for (int j = box.first[1]; j < box.end[1]; ++j)
@@ -38,7 +62,9 @@ Result<std::vector<TrueVessel>> trueVessels(const LabelMap& labels, std::uint8_t
         const Vec3 p = patientFromIndex * Vec3{double(i), double(j), double(k)};
         const auto nearest = std::ranges::min_element(
             vessels, {}, [&](const TrueVessel& vessel) { return *distanceToCentre_mm(std::span(&vessel.line, 1), p); });
-        if (nearest != vessels.end()) nearest->voxels.mask.at(i - box.first[0], j - box.first[1], k - box.first[2]) = 1;
+        if (nearest == vessels.end() || !seesMiddle(labels, label, p, nearest->line)) continue;
+        nearest->voxels.mask.at(i - box.first[0], j - box.first[1], k - box.first[2]) = 1;
+        nearest->others.mask.at(i - box.first[0], j - box.first[1], k - box.first[2]) = 0;
       }
   std::erase_if(vessels, [&](const TrueVessel& v) { return double(v.line.size()) < shortest_mm; });
   std::ranges::stable_sort(vessels, std::greater<>(), [](const TrueVessel& v) { return v.voxels.count(); });
@@ -74,8 +100,9 @@ Result<SegmentationScoreRow> scoreClicks(const CtVolume& ct, const TrueVessel& t
     return row;
   }
   const VoxelBox box = united(tracked->lumen.box, truth.voxels.box);
-  const auto scores = scoreLabels(placed(betweenEnds(tracked->lumen, truth.line), ct.geometry, box),
-                                  placed(betweenEnds(truth.voxels, truth.line), ct.geometry, box), {kVessel}, progress);
+  const auto scores =
+      scoreLabels(placed(betweenEnds(without(tracked->lumen, truth.others), truth.line), ct.geometry, box),
+                  placed(betweenEnds(truth.voxels, truth.line), ct.geometry, box), {kVessel}, progress);
   if (!scores) return tl::unexpected(scores.error());
   row.dice = scores->front().dice;
   row.meanSurface_mm = scores->front().meanSurface_mm, row.p95Surface_mm = scores->front().p95Surface_mm;
