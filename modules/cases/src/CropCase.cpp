@@ -95,13 +95,17 @@ std::string text(const VolumeGeometry& g) {
          number(g.spacing_mm.x) + "x" + number(g.spacing_mm.y) + "x" + number(g.spacing_mm.z) + " mm";
 }
 
-/// Drops targets that are not in the grid any more.
+/// Drops targets and landmarks that are not in the grid any more.
 void keepInside(CaseManifest& manifest, const VolumeGeometry& grid) {
-  std::erase_if(manifest.targets, [&](const Target& target) {
-    const auto [i, j, k] = nearestVoxel(grid.indexFromPatient() * target.position_mm);
+  const auto drop = [&](const std::string& kind, const std::string& name, Vec3 place_mm) {
+    const auto [i, j, k] = nearestVoxel(grid.indexFromPatient() * place_mm);
     if (grid.contains(i, j, k)) return false;
-    manifest.importNotes.push_back("The target \"" + target.name + "\" lay outside what was kept and was dropped.");
+    manifest.importNotes.push_back("The " + kind + " \"" + name + "\" lay outside what was kept and was dropped.");
     return true;
+  };
+  std::erase_if(manifest.targets, [&](const Target& one) { return drop("target", one.name, one.position_mm); });
+  std::erase_if(manifest.landmarks, [&](const Landmark& one) {
+    return drop("landmark", one.name.empty() ? one.code : one.name, one.position_mm);
   });
 }
 

@@ -90,9 +90,10 @@ TEST(CropCase, ACoarserCtIsAMeanNotASample) {
   EXPECT_EQ(coarse->ct.voxels[1], 500);
 }
 
-TEST(CropCase, TargetsOutsideAreDroppedAndSaid) {
+TEST(CropCase, TargetsAndLandmarksOutsideAreDroppedAndSaid) {
   PatientCase patient = test::cylinderNeck();
   patient.manifest.targets.push_back({"left vein", kVein, {30, -22, 0}});
+  patient.manifest.landmarks = {{"cricoid", "", {-5, -30, 0}}, {"puncture_site", "left site", {30, -30, 0}}};
   const VoxelBox left = boxBetween(patient.ct.geometry, {-60, -60, -10}, {0.2, 60, 10});
   EXPECT_EQ(left, (VoxelBox{{0, 0, 20}, {61, 121, 41}}));
   const auto part = cropCase(patient, {left, {}});
@@ -100,6 +101,9 @@ TEST(CropCase, TargetsOutsideAreDroppedAndSaid) {
   ASSERT_EQ(part->manifest.targets.size(), 1U);
   EXPECT_EQ(part->manifest.targets[0].position_mm, (Vec3{-30, -22, 0}));
   EXPECT_THAT(part->manifest.importNotes, testing::Contains(HasSubstr("\"left vein\" lay outside")));
+  ASSERT_EQ(part->manifest.landmarks.size(), 1U);
+  EXPECT_EQ(part->manifest.landmarks[0].code, "cricoid");
+  EXPECT_THAT(part->manifest.importNotes, testing::Contains(HasSubstr("landmark \"left site\" lay outside")));
 }
 
 TEST(CropCase, ImpossibleRegionsAndSpacingsAreRefused) {
