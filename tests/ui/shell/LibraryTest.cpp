@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 #include <support/SmallCase.h>
+#include <ui/support/PlainTexts.h>
 
 #include <QComboBox>
 #include <QDir>
@@ -131,6 +132,18 @@ TEST_F(Library, ListsFoldersAndBuiltInNecksWithWhatTheyShow) {
   EXPECT_EQ(place_, folder);
   EXPECT_EQ(room_, "prepare");
   EXPECT_FALSE(window_->isVisible());
+  closeWindow();
+}
+
+TEST_F(Library, HostileTitlesAreTexts) {
+  PatientCase patient = test::smallCase();
+  patient.manifest.title = patient.manifest.description = test::endlessText().toStdString();
+  write(patient, "hostile");
+  openWindow();
+  const QString title = QString::fromStdString(patient.manifest.title);
+  ASSERT_TRUE(waitUntil([&] { return find(title) && find(title)->state == LibraryEntry::State::Known; }));
+  choose(title);
+  test::expectPlain(*window_);
   closeWindow();
 }
 

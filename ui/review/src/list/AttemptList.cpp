@@ -3,6 +3,7 @@
 #include "../attempt/Words.h"
 
 #include <insonate/ui/Attempts.h>
+#include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/RowTable.h>
 #include <insonate/ui/Theme.h>
 
@@ -96,7 +97,7 @@ void AttemptList::show(const std::vector<ListedAttempt>& attempts) {
     const auto set = [&](int column, const QString& text) {
       auto* item = new QTableWidgetItem(text);
       item->setData(Qt::UserRole, one.file);
-      item->setToolTip(one.file);
+      item->setToolTip(ui::plainToolTip(one.file));
       table_->setItem(row, column, item);
     };
     set(kDate, dateOf(one.header.begun));

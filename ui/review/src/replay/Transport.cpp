@@ -28,6 +28,7 @@ Transport::Transport(ReviewSession& session, QWidget* parent)
       time_(new QLabel(this)),
       place_(new QLabel(this)),
       hands_(new QLabel(this)) {
+  place_->setTextFormat(Qt::RichText);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(ui::kGap, ui::kSmallGap, ui::kGap, ui::kSmallGap);
   row->setSpacing(ui::kGap);

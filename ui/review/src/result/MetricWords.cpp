@@ -1,5 +1,7 @@
 #include "MetricWords.h"
 
+#include <insonate/ui/PlainToolTip.h>
+
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -32,8 +34,7 @@ QString explanationOf(const MetricScore& score) {
   else
     parts << tr("Novice and expert: no values are known.");
   if (!metric.evidence.empty()) parts << tr("Evidence: %1").arg(qt(metric.evidence));
-  // A paragraph each, so that the tooltip wraps.
-  return QStringLiteral("<p>") + parts.join(QStringLiteral("</p><p>")) + QStringLiteral("</p>");
+  return ui::plainToolTip(parts.join(QStringLiteral("\n\n")));
 }
 
 }  // namespace insonate::review

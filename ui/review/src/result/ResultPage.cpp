@@ -73,6 +73,7 @@ ResultPage::ResultPage(ReviewSession& session, QWidget* parent)
   box->setSpacing(ui::kGap);
   box->addLayout(top);
   box->addWidget(metrics_, 1);
+  errors_->setTextFormat(Qt::RichText);
   connect(&session_, &ReviewSession::attemptChanged, this, [this] { show(); });
 }
 

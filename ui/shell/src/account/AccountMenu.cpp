@@ -6,6 +6,7 @@
 #include "RoleWords.h"
 
 #include <insonate/ui/Account.h>
+#include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/SiteExchange.h>
 #include <insonate/ui/Theme.h>
 
@@ -93,7 +94,7 @@ void AccountMenu::refresh() {
   if (state == State::Opening) words = tr("Opening the store of people and attempts ...");
   if (state == State::Unreachable) words = tr("People and attempts cannot be reached");
   who_->setText(words.replace(QLatin1Char('&'), QStringLiteral("&&")));
-  who_->setToolTip(state == State::Unreachable ? account_.trouble() : account_.place());
+  who_->setToolTip(plainToolTip(state == State::Unreachable ? account_.trouble() : account_.place()));
   Q_EMIT textChanged();
   if (state == State::Unreachable) Q_EMIT said(account_.trouble());
 }

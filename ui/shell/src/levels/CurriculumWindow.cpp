@@ -163,6 +163,7 @@ QWidget* CurriculumWindow::buildTeaching() {
   auto* row = new QHBoxLayout(part);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(kGap);
+  cohort_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   row->addWidget(new QLabel(tr("Class")));
   row->addWidget(cohort_, 1);
   row->addWidget(button("curriculumTeach", tr("Teach by this version"),

@@ -1,3 +1,5 @@
+#include "PlainStyle.h"
+
 #include <insonate/embedded/stylesheets.h>
 #include <insonate/ui/Theme.h>
 
@@ -72,7 +74,7 @@ void setRole(QWidget* widget, const char* role) {
 
 void applyTheme(QApplication& application) {
   useResources();
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new PlainStyle(QStyleFactory::create(QStringLiteral("Fusion"))));
   QApplication::setPalette(palette());
   QFont font = QApplication::font();
   font.setPointSizeF(10);

@@ -2,6 +2,7 @@
 
 #include "AccountMenu.h"
 
+#include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/Theme.h>
 
 #include <QButtonGroup>
@@ -86,7 +87,7 @@ void HeaderBar::setTab(int index) {
 
 void HeaderBar::setCaseTitle(const QString& title, const QString& hint) {
   title_ = title.isEmpty() ? tr("no case") : title;
-  case_->setToolTip(hint.isEmpty() ? title_ : title_ + QLatin1Char('\n') + hint);
+  case_->setToolTip(plainToolTip(hint.isEmpty() ? title_ : title_ + QLatin1Char('\n') + hint));
   case_->setAccessibleName(title_);
   elide();
 }

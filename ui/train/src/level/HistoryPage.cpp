@@ -8,6 +8,7 @@
 #include <insonate/ui/Account.h>
 #include <insonate/ui/Attempts.h>
 #include <insonate/ui/LearningChart.h>
+#include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/RowTable.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
@@ -50,7 +51,7 @@ QString tipOf(const KeptAttempt& one) {
   if (!one.facts.workstation.empty()) parts << HistoryPage::tr("Workstation: %1").arg(qt(one.facts.workstation));
   if (!one.voidReason.empty()) parts << HistoryPage::tr("Does not count: %1").arg(qt(one.voidReason));
   if (one.crashed) parts << HistoryPage::tr("The program ended in the middle of it");
-  return QStringLiteral("<p>%1</p>").arg(parts.join(QLatin1Char('\n')).toHtmlEscaped().replace('\n', "<br>"));
+  return ui::plainToolTip(parts.join(QLatin1Char('\n')));
 }
 
 QComboBox* choice(const char* object, const QString& name, const QString& says) {

@@ -4,6 +4,7 @@
 #include "LevelControl.h"
 #include "LevelWords.h"
 
+#include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -55,7 +56,7 @@ void LevelCard::refresh() {
   rule_->setText(tr("%1. A pass: %2.").arg(capital(wordOf(level->assistance)), passOf(level->pass)));
   QStringList limits;
   for (const MetricStandard& standard : level->pass.standards) limits << limitOf(standard);
-  rule_->setToolTip(limits.join(QLatin1Char('\n')));
+  rule_->setToolTip(ui::plainToolTip(limits.join(QLatin1Char('\n'))));
 }
 
 }  // namespace insonate::train

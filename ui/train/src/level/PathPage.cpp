@@ -8,6 +8,7 @@
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/procedure/Procedure.h>
 #include <insonate/ui/KnownCases.h>
+#include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -196,7 +197,7 @@ void PathPage::refreshList() {
     auto* item = new QListWidgetItem(QStringLiteral("%1  %2\n     %3").arg(state.sign, qt(level.title), line));
     item->setForeground(ui::colour(progress->state == LevelState::Locked ? views::theme::kQuiet : views::theme::kText));
     item->setData(Qt::UserRole, qt(level.name));
-    item->setToolTip(qt(progress->why));
+    item->setToolTip(ui::plainToolTip(qt(progress->why)));
     list_->addItem(item);
     if (level.name == name) row = list_->count() - 1;
     if (due && firstDue < 0) firstDue = list_->count() - 1;

@@ -4,11 +4,7 @@
 
 namespace insonate::ui {
 
-/// A tooltip wraps where it is rich text; what stands in it is not: names are shown as they are.
-inline QString plainToolTip(const QString& text) {
-  return text.isEmpty()
-             ? text
-             : QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")));
-}
+/// In lines that a screen has room for, since a tooltip wraps nothing but rich text, and cut where it is endless.
+QString plainToolTip(const QString& text);
 
 }  // namespace insonate::ui

@@ -1,0 +1,30 @@
+#include <insonate/ui/PlainToolTip.h>
+
+#include <QStringList>
+
+namespace insonate::ui {
+namespace {
+
+constexpr int kColumns = 90, kMost = 2000;
+
+/// At spaces; where a word is longer than a line, within it.
+QStringList wrapped(QString line) {
+  QStringList lines;
+  while (line.size() > kColumns) {
+    const int space = line.lastIndexOf(QLatin1Char(' '), kColumns);
+    lines << line.left(space > 0 ? space : kColumns);
+    line.remove(0, space > 0 ? space + 1 : kColumns);
+  }
+  return lines << line;
+}
+
+}  // namespace
+
+QString plainToolTip(const QString& text) {
+  QStringList lines;
+  for (const QString& line : text.left(kMost).split(QLatin1Char('\n'))) lines << wrapped(line);
+  if (text.size() > kMost) lines.back() += QStringLiteral(" ...");
+  return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace insonate::ui
