@@ -14,7 +14,9 @@ namespace {
 
 constexpr int kFatBelow_HU = -30;        // half-way between fat (-100) and muscle (50)
 constexpr int kPaddingBelow_HU = -1500;  // no scanner measures this: outside its field of view
-constexpr double kSkin_mm = 2, kBlurredSkin_mm = 1;
+// Air is mixed with skin so that it looks like fat within two and a half standard deviations of the blur: of the
+// scanner's (0.4 mm), and of that with the smoothing of a noisy CT.
+constexpr double kSkin_mm = 2, kBlurredSkin_mm = 1, kCalmedSkin_mm = 1.6;
 // Noise above the first hides where skin (30 HU) ends and fat begins, above the second it turns blood into bone; it is
 // smoothed then, though that widens bone a little.
 constexpr double kSkinHidden_HU = 24, kLoud_HU = 28;
@@ -52,22 +54,26 @@ void labelFatAndMuscle(LabelMap& labels, const CtVolume& ct, Work& work) {
   });
 }
 
+/// How near to the air fat is not told from skin.
+double skinThatLooksLikeFat_mm(double noise_HU, const VolumeGeometry& geometry) {
+  if (noise_HU < kSkinHidden_HU) return kBlurredSkin_mm;
+  return noise_HU > kLoud_HU && canBeCalmed(geometry) ? kCalmedSkin_mm : kSkin_mm;
+}
+
 /// Padding is no air that touches the patient, so there is no skin at it. Where fat can be seen it is no skin, unless
-/// it lies so near to the air that the scanner's blur has mixed them.
-void labelSkin(LabelMap& labels, const CtVolume& ct, bool fatIsSeen, Work& work) {
+/// it lies so near to the air that blur has mixed them.
+void labelSkin(LabelMap& labels, const CtVolume& ct, double blurred_mm, Work& work) {
   Mask shell(ct.geometry), rim(ct.geometry);
   work.voxels(ct.geometry, [&](std::size_t v) {
     shell.voxels[v] = labels.voxels[v] == kBackground && ct.voxels[v] > kPaddingBelow_HU;
     rim.voxels[v] = shell.voxels[v];
   });
   dilate(shell, kSkin_mm, work);
-  if (fatIsSeen) {
-    dilate(rim, kBlurredSkin_mm, work);
-    work.voxels(ct.geometry, [&](std::size_t v) {
-      shell.voxels[v] &= std::uint8_t(rim.voxels[v] || labels.voxels[v] != kFat);
-      rim.voxels[v] = labels.voxels[v] == kBackground && ct.voxels[v] > kPaddingBelow_HU;
-    });
-  }
+  dilate(rim, blurred_mm, work);
+  work.voxels(ct.geometry, [&](std::size_t v) {
+    shell.voxels[v] &= std::uint8_t(rim.voxels[v] || labels.voxels[v] != kFat);
+    rim.voxels[v] = labels.voxels[v] == kBackground && ct.voxels[v] > kPaddingBelow_HU;
+  });
   dilateToNeighbours(rim, work);
   work.voxels(ct.geometry, [&](std::size_t v) {
     const std::uint8_t label = labels.voxels[v];
@@ -123,7 +129,7 @@ Result<LabelMap> autoLabel(const CtVolume& ct, const Progress& progress) {
     work.start("Finding fat and muscle");
     labelFatAndMuscle(*labels, hu, work);
     work.start("Finding skin");
-    labelSkin(*labels, ct, noise_HU < kSkinHidden_HU, work);
+    labelSkin(*labels, ct, skinThatLooksLikeFat_mm(noise_HU, ct.geometry), work);
     if (auto ok = checkIsMixed(*labels); !ok) return tl::unexpected(ok.error());
     return std::move(*labels);
   } catch (const Cancelled&) {

@@ -43,6 +43,11 @@ double noiseInBody_HU(const CtVolume& ct, const LabelMap& body, Work& work) {
   return kSdOfMedian * median / std::sqrt(2);
 }
 
+bool canBeCalmed(const VolumeGeometry& geometry) {
+  const Vec3& s = geometry.spacing_mm;
+  return (s.x <= kSmall_mm) + (s.y <= kSmall_mm) + (s.z <= kSmall_mm) >= 2;
+}
+
 CtVolume calmed(const CtVolume& ct, Work& work) {
   const auto [ni, nj, nk] = ct.geometry.size;
   const auto sideOf = [&](int axis) { return ct.geometry.spacing_mm[axis] <= kSmall_mm ? 1 : 0; };

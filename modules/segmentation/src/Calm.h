@@ -10,6 +10,9 @@ namespace insonate::segmentation {
 /// alike, as a standard deviation: its noise, and some ten HU of anatomy.
 double noiseInBody_HU(const CtVolume& ct, const LabelMap& body, Work& work);
 
+/// Whether calmed() takes most of the noise: along two axes or more, voxels are not wider than the scanner's blur.
+bool canBeCalmed(const VolumeGeometry& geometry);
+
 /// Smoothed a little along each axis whose voxels are not wider than the scanner's blur, so that little is lost.
 CtVolume calmed(const CtVolume& ct, Work& work);
 

@@ -1,3 +1,4 @@
+#include <insonate/cases/CtSynthesis.h>
 #include <insonate/cases/Phantom.h>
 #include <insonate/segmentation/AutoLabel.h>
 #include <insonate/segmentation/CentreLine.h>
@@ -23,6 +24,18 @@ TEST_P(PhantomScores, BoneAirwayAndSkinAreFoundByThemselves) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Contrast, PhantomScores, testing::Values(CtContrast::kNative, CtContrast::kArterial));
+
+TEST(PhantomScores, StrongNoiseHidesNeitherSkinNorBone) {
+  const auto patient = makePhantom("textbook", 1);
+  ASSERT_TRUE(patient) << patient.error().message;
+  const auto ct = synthesiseCt(patient->labels, {.seed = 1, .noise_HU = 40});
+  ASSERT_TRUE(ct) << ct.error().message;
+  const auto labels = autoLabel(*ct, {});
+  ASSERT_TRUE(labels) << labels.error().message;
+  const auto scores = scoreLabels(*labels, patient->labels, {kBone, kAirway, kSkin});
+  ASSERT_TRUE(scores) << scores.error().message;
+  for (const LabelScore& score : *scores) EXPECT_GT(score.dice, 0.95) << labelName(score.label);
+}
 
 TEST(PhantomScores, ALongVesselWithContrastTakesFourClicks) {
   const auto patient = makePhantom("textbook", 1, {}, CtContrast::kArterial);
