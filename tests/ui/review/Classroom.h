@@ -44,7 +44,8 @@ class Classroom : public testing::Test {
     account_.reset();
   }
 
-  QString file() const { return home_.filePath("people.sqlite"); }
+  /// Or a server's address.
+  virtual QString file() const { return home_.filePath("people.sqlite"); }
   /// By the clock of this computer, or later.
   StoreServices services() {
     return {.now_us = [this] { return QDateTime::currentMSecsSinceEpoch() * 1000 + later_us_; },
