@@ -147,6 +147,19 @@ TEST_F(JudgeTest, TwoInstructorsJudgeAReplayBlindlyAndSeeWhereTheyDiffer) {
   EXPECT_EQ(forms[1].filled.by, uta_.id);
 }
 
+TEST_F(JudgeTest, WhoSignsOutWhileHandingInFindsNoDraft) {
+  enter("ina");
+  openAndJudge();
+  fillIn("done");
+  child<QPushButton>("handIn")->click();
+  account_->signOut();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !account_->isSignedIn(); }, kPatience_ms));
+  signIn("ina");
+  settle();
+  EXPECT_EQ(test::valueOf(FormStore(school_->admin).ofAttempt(attempt_)).size(), 1U) << "it was handed in";
+  EXPECT_FALSE(child<QRadioButton>("form_consent_done")->isChecked()) << "and would be handed in twice";
+}
+
 TEST_F(JudgeTest, WhatIsHalfFilledInIsNotLost) {
   enter("ina");
   openAndJudge();

@@ -170,6 +170,21 @@ TEST_F(TrainCourse, TheQuestionnaireIsFilledInKeptAsADraftAndStored) {
   EXPECT_FALSE(child<QRadioButton>("form_head_realism_4")->isChecked()) << "sent once";
 }
 
+TEST_F(TrainCourse, WhoSignsOutWhileSendingTheQuestionnaireFindsNoDraft) {
+  open("courseQuestionnaire");
+  signIn();
+  ASSERT_TRUE(shown("formSend"));
+  child<QRadioButton>("form_head_realism_4")->click();
+  child<QPushButton>("formSend")->click();
+  account_->signOut();
+  ASSERT_TRUE(waitFor([&] { return !shown("formSend"); }));
+  signIn();
+  ASSERT_TRUE(waitFor([&] { return shown("formSend"); }));
+  const SignedIn tess = at(kTrainee);
+  EXPECT_EQ(FormStore(tess).ofPerson(tess.person().id)->size(), 1U);
+  EXPECT_FALSE(child<QRadioButton>("form_head_realism_4")->isChecked()) << "it would be sent twice";
+}
+
 TEST_F(TrainCourse, KeysGoToThePageWhileItIsShown) {
   openWide();
   const Transform before = session_->pose();

@@ -80,14 +80,19 @@ ui::FormSubject JudgeDesk::subject() const {
   return {account_->person().id, origin_->attempt->id};
 }
 
-void JudgeDesk::handIn(const Form& form, const FormAnswers& answers) {
+void JudgeDesk::handIn(const Form& form, const FormAnswers& answers, std::function<void()> stored) {
   if (!mayJudge()) return;
   FilledForm filled;
   filled.form = form.name, filled.formVersion = form.version;
   filled.person = origin_->person.id, filled.attempt = origin_->attempt->id;
   filled.answers = answersText(answers);
   account_->ask<std::string>(
-      this, [filled](const SignedIn& by) { return FormStore(by).add(filled); },
+      this,
+      [filled, stored = std::move(stored)](const SignedIn& by) {
+        auto id = FormStore(by).add(filled);
+        if (id) stored();
+        return id;
+      },
       [this](const Result<std::string>& id) {
         if (!id)
           return Q_EMIT failed(QString::fromStdString(id.error().message),

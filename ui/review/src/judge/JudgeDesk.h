@@ -6,6 +6,7 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -41,7 +42,8 @@ class JudgeDesk : public QObject {
   ui::FormSubject subject() const;
 
   /// Once and for all; tells handedIn() or failed().
-  void handIn(const Form& form, const FormAnswers& answers);
+  /// `stored` is called on the account's thread once the store has them, whoever sits here by then.
+  void handIn(const Form& form, const FormAnswers& answers, std::function<void()> stored);
 
  Q_SIGNALS:
   void changed();

@@ -39,7 +39,7 @@ JudgePane::JudgePane(JudgeDesk& desk, const QString& draftFolder, QWidget* paren
     : QWidget(parent),
       desk_(desk),
       forms_(formsOfRaters()),
-      draft_(draftFolder),
+      draft_(std::make_shared<ui::FormDraft>(draftFolder)),
       tabs_(new QButtonGroup(this)),
       choice_(new QComboBox),
       words_(ui::paragraph("judgeWords", "quiet")),
@@ -134,7 +134,7 @@ void JudgePane::showSheet() {
   sheet_ = new ui::FormSheet(form());
   scroll_->setWidget(sheet_);  // deletes the one before
   subject_ = desk_.subject();
-  if (!subject_.by.empty()) sheet_->setAnswers(draft_.read(subject_, form()));
+  if (!subject_.by.empty()) sheet_->setAnswers(draft_->read(subject_, form()));
   connect(sheet_, &ui::FormSheet::changed, &keeping_, qOverload<>(&QTimer::start));
   connect(sheet_, &ui::FormSheet::changed, this, [this] { showProgress(); });
   showProgress();
@@ -174,7 +174,7 @@ void JudgePane::showProgress() {
 
 void JudgePane::keepDraft() {
   keeping_.stop();
-  if (!subject_.by.empty()) draft_.keep(subject_, sheet_->form(), sheet_->answers());
+  if (!subject_.by.empty()) draft_->keep(subject_, sheet_->form(), sheet_->answers());
 }
 
 void JudgePane::handIn() {
@@ -182,17 +182,18 @@ void JudgePane::handIn() {
   keepDraft();
   handIn_->setEnabled(false);
   handing_ = {subject_, form()};
-  desk_.handIn(form(), sheet_->answers());
+  // Forgotten with the store's yes, not with ours: who has signed out by then does not find a draft of what is stored.
+  desk_.handIn(form(), sheet_->answers(),
+               [draft = draft_, subject = subject_, form = form()] { draft->keep(subject, form, {}); });
 }
 
 /// Meanwhile another form or attempt may have been chosen.
 void JudgePane::handedIn() {
   const auto& [subject, form] = handing_;
-  draft_.keep(subject, form, {});
   Q_EMIT said(tr("Handed in. It can be read beside the attempt from now on."));
   if (subject != subject_ || form.name != sheet_->form().name) return;
-  keeping_.stop();
   sheet_->setAnswers({});
+  keepDraft();
   showProgress();
   showPage(kRead);
 }

@@ -5,6 +5,7 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -58,7 +59,7 @@ class JudgePane final : public QWidget {
 
   JudgeDesk& desk_;
   const std::vector<Form> forms_;
-  ui::FormDraft draft_;
+  const std::shared_ptr<ui::FormDraft> draft_;
   ui::FormSubject subject_;                   ///< of what stands in the sheet
   std::pair<ui::FormSubject, Form> handing_;  ///< what was handed in last
   QTimer keeping_;

@@ -31,7 +31,7 @@ Form questionnaire() {
 QuestionnairePage::QuestionnairePage(ui::Account* account, QString draftFolder, QWidget* parent)
     : QWidget(parent),
       account_(account),
-      draft_(std::move(draftFolder)),
+      draft_(std::make_shared<ui::FormDraft>(std::move(draftFolder))),
       words_(new QLabel),
       sheet_(new ui::FormSheet(questionnaire())),
       scroll_(new QScrollArea),
@@ -74,7 +74,7 @@ void QuestionnairePage::changePerson() {
   if (keeping_.isActive()) keepDraft();
   const bool somebody = account_ && account_->isSignedIn() && !account_->mustChangePassword();
   person_ = somebody ? account_->person().id : std::string();
-  const FormAnswers kept = somebody ? draft_.read({person_}, sheet_->form()) : FormAnswers{};
+  const FormAnswers kept = somebody ? draft_->read({person_}, sheet_->form()) : FormAnswers{};
   sheet_->setAnswers(kept);
   words_->setText(!somebody ? tr("Sign in (Ctrl+L) to answer the questionnaire; your answers are kept with your name.")
                   : kept.empty() ? QString::fromStdString(sheet_->form().about)
@@ -85,7 +85,7 @@ void QuestionnairePage::changePerson() {
 
 void QuestionnairePage::keepDraft() {
   keeping_.stop();
-  if (!person_.empty()) draft_.keep({person_}, sheet_->form(), sheet_->answers());
+  if (!person_.empty()) draft_->keep({person_}, sheet_->form(), sheet_->answers());
 }
 
 void QuestionnairePage::clear() {
@@ -105,7 +105,13 @@ void QuestionnairePage::send() {
   filled.answers = answersText(answers);
   send_->setEnabled(false);
   account_->ask<std::string>(
-      this, [filled](const SignedIn& by) { return FormStore(by).add(filled); },
+      this,
+      [filled, draft = draft_, form = sheet_->form()](const SignedIn& by) {
+        auto id = FormStore(by).add(filled);
+        // Here, since who has signed out by then hears nothing of it.
+        if (id) draft->keep({filled.person}, form, {});
+        return id;
+      },
       [this, person = person_](const Result<std::string>& id) {
         send_->setEnabled(true);
         if (person == person_) sent(id ? QString() : QString::fromStdString(id.error().message));

@@ -4,6 +4,7 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <memory>
 #include <string>
 
 class QLabel;
@@ -37,7 +38,7 @@ class QuestionnairePage final : public QWidget {
   void sent(const QString& trouble);
 
   ui::Account* account_;
-  ui::FormDraft draft_;
+  const std::shared_ptr<ui::FormDraft> draft_;
   QTimer keeping_;
   std::string person_;  ///< whose answers stand there; "": nobody's
   QLabel* words_;

@@ -17,7 +17,7 @@ struct FormSubject {
 };
 
 /// Answers that were not sent yet, in a file of the user's for each subject and form, so that they outlive the program.
-/// For the window's thread; what is written, is written by another.
+/// Any thread; what is written, is written by another, one after the other.
 class FormDraft {
  public:
   explicit FormDraft(QString folder);
