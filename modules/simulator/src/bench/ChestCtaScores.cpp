@@ -48,6 +48,22 @@ Result<double> reachable(const CtVolume& ct, const Selection& mask, const Progre
   return best;
 }
 
+/// The mask's Dice with itself, on voxels of half the size, of which the outermost layer is missing.
+Result<double> halfVoxelOff(const Selection& mask, const Progress& progress) {
+  VolumeGeometry fine = mask.mask.geometry;
+  fine.spacing_mm = fine.spacing_mm * 0.5;
+  for (int& length : fine.size) length = 2 * length + 2;  // and a margin
+  Selection whole(fine, boxOf(fine));
+  for (int k = 1; k + 1 < fine.size[2]; ++k)
+    for (int j = 1; j + 1 < fine.size[1]; ++j)
+      for (int i = 1; i + 1 < fine.size[0]; ++i)
+        whole.mask.at(i, j, k) = mask.mask.at((i - 1) / 2, (j - 1) / 2, (k - 1) / 2);
+  const Vec3& s = fine.spacing_mm;
+  const auto inner = shrunkBy(whole, std::max({s.x, s.y, s.z}), progress);
+  if (!inner) return tl::unexpected(inner.error());
+  return 2 * double(inner->count()) / double(inner->count() + whole.count());
+}
+
 /// Where a mask is too stout for a centre line, the middles of its axial slices.
 TrueVessel stoutVessel(const LabelMap& labels) {
   TrueVessel vessel{{}, voxelsOf(labels, 1, extentOf(labels, 1)), {}};
@@ -77,10 +93,12 @@ Result<void> scoreMask(const CtVolume& ct, const std::filesystem::path& folder, 
   const TrueVessel vessel = vessels->empty() ? stoutVessel(labels) : vessels->front();
   const auto best = reachable(ct, betweenEnds(vessel.voxels, vessel.line), progress);
   if (!best) return tl::unexpected(best.error());
+  const auto halfOff = halfVoxelOff(betweenEnds(vessel.voxels, vessel.line), progress);
+  if (!halfOff) return tl::unexpected(halfOff.error());
   for (const int clicks : {2, 4}) {
     SegmentationScoreRow row;
     row.variant = "chest CTA", row.contrast = "arterial", row.structure = mask.name;
-    row.reachable = *best;
+    row.reachable = *best, row.halfVoxelOff = *halfOff;
     if (clicks == 4) row.bar = kVesselBar;
     auto scored = scoreClicks(ct, vessel, clicks, {.largest_mm = mask.largest_mm}, row, progress);
     if (!scored) return tl::unexpected(scored.error());

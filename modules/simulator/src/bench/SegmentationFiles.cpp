@@ -29,12 +29,12 @@ std::string against(bool met) {
 
 std::vector<Cells> scores(const SegmentationBench& results) {
   std::vector<Cells> rows{{"variant", "contrast", "noise_HU", "structure", "clicks", "dice", "mean_surface_mm",
-                           "p95_surface_mm", "aimed_at", "bar", "best_threshold"}};
+                           "p95_surface_mm", "aimed_at", "bar", "best_threshold", "half_voxel_off"}};
   for (const SegmentationScoreRow& r : results.rows)
     rows.push_back({r.variant, r.contrast, r.noise_HU ? fixed(*r.noise_HU, 0) : "", r.structure,
                     std::to_string(r.clicks), fixed(r.dice, 3), orNothing(r.meanSurface_mm), orNothing(r.p95Surface_mm),
-                    orNothing(r.bar), r.bar ? against(r.dice >= *r.bar) : "",
-                    r.reachable ? fixed(*r.reachable, 3) : ""});
+                    orNothing(r.bar), r.bar ? against(r.dice >= *r.bar) : "", r.reachable ? fixed(*r.reachable, 3) : "",
+                    r.halfVoxelOff ? fixed(*r.halfVoxelOff, 3) : ""});
   return rows;
 }
 
@@ -119,7 +119,8 @@ nlohmann::json toJson(const SegmentationBench& results) {
                     {"mean_surface_mm", orNull(r.meanSurface_mm)},
                     {"p95_surface_mm", orNull(r.p95Surface_mm)},
                     {"aimed_at", orNull(r.bar)},
-                    {"best_threshold", orNull(r.reachable)}});
+                    {"best_threshold", orNull(r.reachable)},
+                    {"half_voxel_off", orNull(r.halfVoxelOff)}});
   for (const SegmentationTimeRow& r : results.times)
     tasks.push_back({{"task", r.task},
                      {"voxels", r.voxels},

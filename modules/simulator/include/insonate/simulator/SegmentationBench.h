@@ -35,6 +35,8 @@ struct SegmentationScoreRow {
   std::optional<double> bar;  ///< the Dice that is aimed at, where there is one
   /// Of a mask drawn by others: the best Dice of any threshold within two voxels of it, chosen by the mask itself.
   std::optional<double> reachable;
+  /// And its Dice with itself where its surface lies half a voxel farther in: what voxels that are partly vessel weigh.
+  std::optional<double> halfVoxelOff;
 };
 
 /// How long a tool takes on a CT of 512 x 512 x 300.
