@@ -43,6 +43,8 @@ double median(std::vector<double> values) {
 TubeLevel levelAt(const CtVolume& ct, std::span<const Vec3> clicks_mm, const TubeTracking& how) {
   constexpr double kSdPerDeviation = 1.48;  // of a bell from the median of the absolute deviations
   constexpr double kQuiet_HU = 12, kVoxelsPerNoise = 1.0 / 20, kMostVoxels = 1.2;  // of blur
+  // The noise that averaging along the line leaves grows as slices are fewer: it counts as that of usual slices.
+  constexpr double kUsualSlice_mm = 0.75;
   constexpr double kDarkerNoise = 0.6, kBrighterNoise = 0.4;
   std::vector<double> all, deviations;
   for (const Vec3& click_mm : clicks_mm) {
@@ -56,11 +58,13 @@ TubeLevel levelAt(const CtVolume& ct, std::span<const Vec3> clicks_mm, const Tub
     const double middle = median(here);
     for (const double hu : here) deviations.push_back(std::abs(hu - middle));
   }
-  const double noise_HU = kSdPerDeviation * median(deviations);
   const Vec3& spacing_mm = ct.geometry.spacing_mm;
+  const double thick_mm = std::max({spacing_mm.x, spacing_mm.y, spacing_mm.z});
+  const double noise_HU = kSdPerDeviation * median(deviations);
+  const double left_HU = noise_HU * std::sqrt(thick_mm / kUsualSlice_mm);
   const double voxel_mm = std::min({spacing_mm.x, spacing_mm.y, spacing_mm.z});
-  return {median(all), std::max(how.darker_HU, kDarkerNoise * noise_HU),
-          std::max(how.brighter_HU, kBrighterNoise * noise_HU),
+  return {median(all), std::max(how.darker_HU, kDarkerNoise * left_HU),
+          std::max(how.brighter_HU, kBrighterNoise * left_HU),
           std::clamp((noise_HU - kQuiet_HU) * kVoxelsPerNoise, 0.0, kMostVoxels) * voxel_mm};
 }
 
