@@ -18,6 +18,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QtTest/QTest>
+#include <algorithm>
 
 namespace {
 
@@ -88,6 +89,11 @@ TEST_F(CaseExchange, APartIsCroppedAndResampled) {
     return static_cast<QDoubleSpinBox*>(nullptr);
   };
   for (auto* box : dialog->findChildren<QDoubleSpinBox*>()) EXPECT_FALSE(box->toolTip().isEmpty());
+  const auto labels = dialog->findChildren<QLabel*>();
+  for (const char* axis : {"first", "second", "third"})
+    EXPECT_TRUE(std::ranges::any_of(labels, [&](const QLabel* label) {
+      return label->isVisible() && label->buddy() == field(QString("Spacing along the grid's %1 axis").arg(axis));
+    })) << axis;
   QPushButton* crop = nullptr;
   for (auto* button : dialog->findChildren<QPushButton*>())
     if (button->text().remove('&') == "Crop") crop = button;

@@ -241,7 +241,7 @@ TEST_F(MainWindow, TakesNothingButFiles) {
 TEST_F(MainWindow, EscapeCancelsWhatIsBeingDone) {
   Window w;
   w.window.openTextbook();
-  EXPECT_TRUE(w.window.tasks().isVisible());
+  EXPECT_TRUE(waitUntil([&] { return w.window.tasks().isVisible(); }));
   QTest::qWait(100);
   QTest::keyClick(&w.window, Qt::Key_Escape);
   EXPECT_FALSE(w.window.tasks().isRunning());

@@ -33,6 +33,12 @@ QString textOf(const VolumeGeometry& g) {
   return CropDialog::tr("%1 x %2 x %3 voxels").arg(g.size[0]).arg(g.size[1]).arg(g.size[2]);
 }
 
+QLabel* headingOf(const QString& words) {
+  auto* label = new QLabel(words);
+  setRole(label, "quiet");
+  return label;
+}
+
 }  // namespace
 
 CropDialog::CropDialog(const VolumeGeometry& geometry, QWidget* parent)
@@ -88,6 +94,8 @@ QDoubleSpinBox* CropDialog::field(const QString& name, double least, double most
 void CropDialog::addRegion(QGridLayout& grid) {
   const auto [low, high] = reachOf(geometry_);
   const QString axes[] = {tr("right to left"), tr("front to back"), tr("feet to head")};
+  grid.addWidget(headingOf(tr("from")), 0, 1);
+  grid.addWidget(headingOf(tr("to")), 0, 2);
   for (int a = 0; a < 3; ++a) {
     // A tenth of a millimetre beyond, so that rounding cuts no voxel off.
     const double least = std::floor(low[a] * 10) / 10, most = std::ceil(high[a] * 10) / 10;
@@ -95,22 +103,25 @@ void CropDialog::addRegion(QGridLayout& grid) {
     to_[a] = field(tr("To, %1").arg(axes[a]), least, most, 1);
     from_[a]->setValue(least);
     to_[a]->setValue(most);
-    grid.addWidget(new QLabel(axes[a]), a, 0);
-    grid.addWidget(from_[a], a, 1);
-    grid.addWidget(to_[a], a, 2);
+    grid.addWidget(new QLabel(axes[a]), a + 1, 0);
+    grid.addWidget(from_[a], a + 1, 1);
+    grid.addWidget(to_[a], a + 1, 2);
   }
 }
 
 void CropDialog::addSpacing(QGridLayout& grid) {
   resample_->setToolTip(tr("Coarser takes less memory and time; finer makes nothing sharper"));
-  grid.addWidget(resample_, 3, 0, 1, 3);
+  grid.addWidget(resample_, 4, 0, 1, 3);
   const QString axes[] = {tr("first axis"), tr("second axis"), tr("third axis")};
   for (int a = 0; a < 3; ++a) {
     spacing_[a] = field(tr("Spacing along the grid's %1").arg(axes[a]), 0.05, 25, 3);
     spacing_[a]->setSingleStep(0.1);
     spacing_[a]->setValue(geometry_.spacing_mm[a]);
     spacing_[a]->setEnabled(false);
-    grid.addWidget(spacing_[a], 4, a);
+    QLabel* name = headingOf(axes[a]);
+    name->setBuddy(spacing_[a]);
+    grid.addWidget(name, 5, a);
+    grid.addWidget(spacing_[a], 6, a);
     connect(resample_, &QCheckBox::toggled, spacing_[a], &QWidget::setEnabled);
   }
   connect(resample_, &QCheckBox::toggled, this, &CropDialog::refresh);

@@ -3,6 +3,7 @@
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
 
+#include <QElapsedTimer>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -15,11 +16,14 @@ namespace insonate::ui {
 namespace {
 
 constexpr int kLook_ms = 30;
+/// What is done sooner is not announced: everything below would move down and up again.
+constexpr int kUnseen_ms = 600;
 constexpr int kFine = 1000;  // of the progress bar
 
 }  // namespace
 
 struct TaskBar::Job {
+  QElapsedTimer since;  ///< of the window's thread
   std::atomic<bool> cancelled = false;
   std::mutex mutex;
   // Guarded by the mutex.
@@ -81,8 +85,8 @@ void TaskBar::start(const QString& title, std::function<Deliver(const Progress&)
   title_->setText(title);
   doing_->clear();
   progress_->setValue(0);
+  job_->since.start();
   timer_->start();
-  show();
   Q_EMIT runningChanged(true);
 }
 
@@ -94,6 +98,7 @@ void TaskBar::look() {
     progress_->setValue(int(job_->fraction * kFine));
     deliver = std::move(job_->deliver);
   }
+  if (!deliver && isHidden() && job_->since.hasExpired(kUnseen_ms)) show();
   if (!deliver) return;
   end();
   deliver();
