@@ -223,5 +223,28 @@ TEST(Region, ExtentIsTheSmallestBox) {
   EXPECT_EQ(extentOf(d.labels, kSoftTissue), boxOf(d.labels.geometry));
 }
 
+TEST(LabelEdit, WhatIsLeftOfAProposalIsWhatWouldBeWritten) {
+  Desk desk;
+  desk.edit.apply(noise(grid(20), boxOf(grid(20)), 5), "before");
+  for (std::size_t v = 0; v < desk.ct.voxels.size(); ++v) desk.ct.voxels[v] = std::int16_t(v % 97);
+  EditRules rules;
+  rules.locked.set(1), rules.hidden.set(2);
+  rules.editable = HuRange{10, 60};
+  rules.over.reset(3);
+  const VoxelBox part{{2, 3, 4}, {17, 19, 21}};
+  Proposal left = noise(grid(20), part, 6);
+  restrictTo(rules, desk.ct, desk.labels, left);
+  LabelMap painted = desk.labels;
+  for (int k = part.first[2]; k < part.end[2]; ++k)
+    for (int j = part.first[1]; j < part.end[1]; ++j)
+      for (int i = part.first[0]; i < part.end[0]; ++i) {
+        const std::uint8_t label = left.labels.at(i - part.first[0], j - part.first[1], k - part.first[2]);
+        if (label != Proposal::kKeep) painted.at(i, j, k) = label;
+      }
+  desk.edit.rules = rules;
+  ASSERT_TRUE(desk.edit.apply(noise(grid(20), part, 6), "all"));
+  EXPECT_EQ(desk.labels.voxels, painted.voxels);
+}
+
 }  // namespace
 }  // namespace insonate

@@ -172,6 +172,33 @@ TEST_P(PolygonOnGrids, ScissorsCutAPyramidInAPerspectiveView) {
   EXPECT_EQ(difference(*cut, expected), 0u);
 }
 
+TEST_P(PolygonOnGrids, ScissorsGoAsDeepAsTheyShould) {
+  const Vec3 along = normalized(Vec3{0.1, 0.2, 1}), eye = along * -60;
+  const std::array corners{Vec3{-30, -30, 0}, Vec3{30, -30, 0}, Vec3{30, 30, 0}, Vec3{-30, 30, 0}};
+  const Vec3 surface = along * -3.1;
+  ScissorsView view{.along = along, .eye_mm = eye};
+  const auto all = scissored(grid(), boxOf(grid()), corners, view);
+  view.depth_mm = 5.3, view.surface_mm = surface;
+  const auto some = scissored(grid(), boxOf(grid()), corners, view);
+  ASSERT_TRUE(all && some);
+  const Selection expected = shape([&](Vec3 p) {
+    const auto [i, j, k] = nearestVoxel(grid().indexFromPatient() * p);
+    return all->chosen(i, j, k) && dot(along, p - surface) <= 5.3;
+  });
+  EXPECT_GT(expected.count(), 100u);
+  EXPECT_LT(expected.count(), all->count());
+  EXPECT_EQ(difference(*some, expected), 0u);
+  // Of parallel looks to either side of the first corner.
+  const auto slab = scissored(grid(), boxOf(grid()), corners, {.along = along, .depth_mm = 4.2});
+  ASSERT_TRUE(slab);
+  const auto whole = scissored(grid(), boxOf(grid()), corners, {.along = along});
+  const Selection between = shape([&](Vec3 p) {
+    const auto [i, j, k] = nearestVoxel(grid().indexFromPatient() * p);
+    return whole->chosen(i, j, k) && std::abs(dot(along, p - corners[0])) <= 4.2;
+  });
+  EXPECT_EQ(difference(*slab, between), 0u);
+}
+
 TEST_P(PolygonOnGrids, ScissorsCutAlongTheRowsOfTheGrid) {
   const Mat3& d = grid().direction;
   const Vec3 a = d.column[1] * -9.13 + d.column[2] * -8.27, b = d.column[1] * 11.31 + d.column[2] * 1.19,

@@ -34,6 +34,20 @@ void join(LabelChange& all, const LabelChange& part) {
 
 }  // namespace
 
+void restrictTo(const EditRules& rules, const CtVolume& ct, const LabelMap& labels, Proposal& proposal) {
+  const VoxelBox& box = proposal.box;
+  tbb::parallel_for(box.first[2], box.end[2], [&](int k) {
+    for (int j = box.first[1]; j < box.end[1]; ++j) {
+      std::uint8_t* wanted = &proposal.labels.at(0, j - box.first[1], k - box.first[2]);
+      for (int i = box.first[0]; i < box.end[0]; ++i, ++wanted) {
+        const std::uint8_t label = labels.at(i, j, k);
+        if (*wanted == Proposal::kKeep || *wanted == label) continue;
+        if (!rules.allow(label, *wanted, ct.at(i, j, k))) *wanted = Proposal::kKeep;
+      }
+    }
+  });
+}
+
 LabelEdit::LabelEdit(const CtVolume& ct, LabelMap& labels, std::size_t mostBytes)
     : ct_(&ct), labels_(labels), mostBytes_(mostBytes) {}
 
@@ -64,8 +78,6 @@ Result<void> LabelEdit::check(const Proposal& proposal) const {
 
 LabelEdit::Difference LabelEdit::write(const Proposal& proposal) {
   const VoxelBox& box = proposal.box;
-  const LabelSet fixed = rules.locked | rules.hidden;
-  const HuRange editable = rules.editable.value_or(HuRange{});
   const int ni = labels_.geometry.size[0];
   Difference difference;
   difference.slices.resize(box.length(2));
@@ -78,8 +90,7 @@ LabelEdit::Difference LabelEdit::write(const Proposal& proposal) {
       for (int i = box.first[0]; i < box.end[0]; ++i, ++wanted) {
         std::uint8_t& label = labels_.at(i, j, k);
         if (*wanted == Proposal::kKeep || *wanted == label) continue;
-        if (fixed.test(label) || fixed.test(*wanted) || !rules.over.test(label) || !editable.contains(ct_->at(i, j, k)))
-          continue;
+        if (!rules.allow(label, *wanted, ct_->at(i, j, k))) continue;
         packer.add(std::size_t(j) * ni + i, label, *wanted);
         changes[slice].add(i, j, label, *wanted);
         label = *wanted;

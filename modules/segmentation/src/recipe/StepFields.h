@@ -39,6 +39,8 @@ void fields(Io& io, step::Scissors& s) {
   io("along", s.view.along);
   io("eye_mm", s.view.eye_mm);
   io("outside", s.view.outside);
+  io("depth_mm", s.view.depth_mm, 0, 2000);
+  io("surface_mm", s.view.surface_mm);
 }
 template <class Io>
 void fields(Io& io, step::KeepLargest& s) {

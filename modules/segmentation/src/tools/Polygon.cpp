@@ -88,6 +88,7 @@ Result<Selection> scissored(const VolumeGeometry& geometry, const VoxelBox& box,
   if (!outline.allInFront()) return fail("A corner of the outline lies behind the eye; draw it on what is seen.");
   Selection chosen(geometry, box);
   if (box.empty()) return chosen;
+  const Vec3 surface_mm = view.surface_mm.value_or(corners_mm.front());
   const Transform patientFromIndex = geometry.patientFromIndex();
   tbb::parallel_for(box.first[2], box.end[2], [&](int k) {
     std::vector<double> crossings;
@@ -98,6 +99,12 @@ Result<Selection> scissored(const VolumeGeometry& geometry, const VoxelBox& box,
       outline.fill(from, next - from, row, crossings);
       if (view.outside)
         for (std::uint8_t& voxel : row) voxel ^= 1;
+      if (view.depth_mm <= 0) continue;
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        const Vec3 voxel_mm = patientFromIndex * Vec3{box.first[0] + double(i), double(j), double(k)};
+        const double depth_mm = dot(view.along, voxel_mm - surface_mm);
+        if ((view.eye_mm ? depth_mm : std::abs(depth_mm)) > view.depth_mm) row[i] = 0;
+      }
     }
   });
   return chosen;

@@ -22,7 +22,16 @@ struct EditRules {
   LabelSet hidden;                    ///< the same: what cannot be seen is not edited
   std::optional<HuRange> editable{};  ///< voxels of the CT outside it stay as they are
   LabelSet over = ~LabelSet();        ///< only voxels of these labels are overwritten
+
+  /// Whether a voxel of this brightness may become another label.
+  bool allow(std::uint8_t before, std::uint8_t after, int hu) const {
+    const auto isFixed = [this](std::uint8_t label) { return locked.test(label) || hidden.test(label); };
+    return !isFixed(before) && !isFixed(after) && over.test(before) && (!editable || editable->contains(hu));
+  }
 };
+
+/// Leaves of a proposal what the rules allow, and what is so already: a preview then shows what apply() would write.
+void restrictTo(const EditRules& rules, const CtVolume& ct, const LabelMap& labels, Proposal& proposal);
 
 /// What an edit, an undo or a redo has changed, so that slices and surfaces can follow it.
 struct LabelChange {

@@ -15,12 +15,14 @@ Result<Selection> drawn(const VolumeGeometry& geometry, int sliceAxis, std::span
 
 /// How a polygon on the screen goes into depth.
 struct ScissorsView {
-  Vec3 along{0, 0, 1};           ///< the way one looks, patient, unit
-  std::optional<Vec3> eye_mm{};  ///< of a perspective view; without, all looks are parallel
-  bool outside = false;          ///< choose what lies outside the polygon
+  Vec3 along{0, 0, 1};               ///< the way one looks, patient, unit
+  std::optional<Vec3> eye_mm{};      ///< of a perspective view; without, all looks are parallel
+  bool outside = false;              ///< choose what lies outside the polygon
+  double depth_mm = 0;               ///< how deep, of parallel looks to either side; 0 for through everything
+  std::optional<Vec3> surface_mm{};  ///< where the depth begins, patient; without, at the first corner
 };
 
-/// The voxels of a box that one sees in a polygon, through the whole depth. Corners are points of the patient, mm,
+/// The voxels of a box that one sees in a polygon, as deep as the view says. Corners are points of the patient, mm,
 /// anywhere in the look through the corner; even-odd rule. Refuses fewer than three corners, and corners behind the
 /// eye.
 Result<Selection> scissored(const VolumeGeometry& geometry, const VoxelBox& box, std::span<const Vec3> corners_mm,
