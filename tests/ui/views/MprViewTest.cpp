@@ -178,5 +178,35 @@ TEST(MprView, Golden) {
   }
 }
 
+TEST(MprView, OutlinesAreAsThickAsWantedAndFillGoesWithout) {
+  VolumeGeometry grid;
+  grid.size = {40, 40, 3};
+  PatientCase patient{{}, CtVolume(grid, -1000), LabelMap(grid)};
+  for (int j = 10; j < 30; ++j)
+    for (int i = 10; i < 30; ++i) patient.labels.at(i, j, 1) = kVein;
+  MprView view(SliceKind::Axial);
+  view.setCase(std::make_shared<VtkCase>(std::make_shared<const PatientCase>(std::move(patient))));
+  view.setCrosshairVisible(false);
+  view.setLabelColour(kVein, {0, 255, 0});
+  Screen screen(view, 400, 400);
+  // Along a line through the middle, where no words are.
+  const auto painted = [&](LabelStyle style) {
+    view.setLabelStyle(style);
+    const Picture picture = screen.picture();
+    int pixels = 0;
+    for (int x = 60; x < 340; ++x) pixels += picture.at(x, 170)[1] > 40 && picture.at(x, 170)[0] < 20;
+    return pixels;
+  };
+  const int one = painted({.fill = false, .thickness_px = 1});
+  EXPECT_NEAR(one, 2, 1) << "either side";
+  EXPECT_NEAR(painted({.fill = false, .thickness_px = 4}), 4 * one, 3);
+  const int filled = painted({.outline = false});
+  EXPECT_GT(filled, 100);
+  view.setLabelShare(kVein, 0);
+  EXPECT_EQ(painted({}), 0);
+  view.setLabelShare(kVein, 1);
+  EXPECT_EQ(painted({}), filled);
+}
+
 }  // namespace
 }  // namespace insonate::views

@@ -21,6 +21,7 @@ struct MprOverlay {
   std::vector<std::pair<int, Calliper>> callipers;  ///< number, and as it lies in the plane
   std::vector<std::pair<int, Vec3>> marks_mm;       ///< number, and place
   const SliceMarks* toolMarks = nullptr;            ///< of a tool
+  std::vector<const NamedPlace*> places;            ///< near the slice
   WindowLevel windowLevel;
 };
 

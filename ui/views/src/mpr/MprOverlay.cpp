@@ -87,6 +87,18 @@ void drawBrush(const SliceMarks::Brush& brush, const SlicePlane& plane, double s
   lines.circle(at, radius_px, {theme::kText, 1.2 * scale, 0.95});
 }
 
+/// A diamond beside its name.
+void drawPlaces(const MprOverlay& overlay, const SlicePlane& plane, double scale, Lines& lines, Texts& texts) {
+  for (const NamedPlace* place : overlay.places) {
+    const DisplayPoint at = plane.displayFromPatient(place->position_mm);
+    const double r = 6 * scale;
+    const DisplayPoint diamond[4] = {{at.x, at.y - r}, {at.x + r, at.y}, {at.x, at.y + r}, {at.x - r, at.y}};
+    lines.polyline(diamond, {kHalo.colour, kHalo.width_px * scale, kHalo.opacity}, true);
+    lines.polyline(diamond, {place->colour, 1.5 * scale, 1}, true);
+    texts.put({at.x + 10 * scale, at.y}, place->name, {12 * scale, place->colour, false, Across::Left, Along::Centre});
+  }
+}
+
 void drawToolMarks(const SliceMarks& marks, const SlicePlane& plane, double scale, Lines& lines) {
   const auto isNear = [&](Vec3 point_mm) { return std::abs(plane.distance_mm(point_mm)) < kMarkNear_mm; };
   std::vector<DisplayPoint> line;
@@ -123,6 +135,7 @@ void drawMprOverlay(const MprOverlay& overlay, const SlicePlane& plane, double s
   }
   if (overlay.crosshair_mm) drawCrosshair(*overlay.crosshair_mm, plane, scale, lines);
   if (overlay.pointer_mm) drawPointerMark(plane.displayFromPatient(*overlay.pointer_mm), scale, lines);
+  drawPlaces(overlay, plane, scale, lines, texts);
   drawMarks(overlay, plane, scale, lines, texts);
   drawCallipers(overlay, plane, scale, lines, texts);
   if (overlay.toolMarks) drawToolMarks(*overlay.toolMarks, plane, scale, lines);

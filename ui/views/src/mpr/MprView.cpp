@@ -59,6 +59,7 @@ MprView::MprView(SliceKind kind) : kind_(kind), drawing_(std::make_unique<Drawin
     colours_[info.label] = {info.colour[0], info.colour[1], info.colour[2]};
     visible_[info.label] = info.label != kBackground;
   }
+  shares_.fill(1);
 }
 
 MprView::~MprView() = default;
@@ -154,8 +155,14 @@ void MprView::setLabelsVisible(bool visible) {
   changed();
 }
 
-void MprView::setLabelOutlines(bool only) {
-  outlinesOnly_ = only;
+void MprView::setLabelStyle(const LabelStyle& style) {
+  labelStyle_ = style;
+  drawing_->paintStale = true;
+  changed();
+}
+
+void MprView::setLabelShare(std::uint8_t label, double share) {
+  shares_[label] = std::clamp(share, 0.0, 1.0);
   drawing_->paintStale = true;
   changed();
 }
@@ -169,6 +176,11 @@ void MprView::setProposal(const VoxelBox& box, std::shared_ptr<const LabelMap> l
 
 void MprView::setToolMarks(SliceMarks marks) {
   toolMarks_ = std::move(marks);
+  changed();
+}
+
+void MprView::setPlaces(std::vector<NamedPlace> places) {
+  places_ = std::move(places);
   changed();
 }
 
@@ -245,11 +257,13 @@ void MprView::stepSlices(int slices) {
 
 void MprView::paintLabels() {
   drawing_->sampler.setWindowLevel(windowLevel_);
+  drawing_->sampler.setOutlineWidth(std::max(1, int(std::lround(labelStyle_.thickness_px * scale()))));
   for (int label = 0; label < 256; ++label) {
-    const bool shown = labelsVisible_ && visible_[label];
-    const double fill = shown && !outlinesOnly_ ? labelOpacity_ : 0;
-    const double outline = shown && outlinesOnly_ ? kOutlineAlone : std::min(1.0, 2 * fill);
-    drawing_->sampler.setPaint(static_cast<std::uint8_t>(label), {colours_[label], fill, outline});
+    const double share = labelsVisible_ && visible_[label] ? shares_[std::size_t(label)] : 0;
+    const double fill = labelStyle_.fill ? share * labelOpacity_ : 0;
+    const double alone = labelStyle_.fill ? std::min(1.0, 2 * fill) : share * kOutlineAlone;
+    drawing_->sampler.setPaint(static_cast<std::uint8_t>(label),
+                               {colours_[label], fill, labelStyle_.outline ? alone : 0});
   }
 }
 
@@ -304,6 +318,8 @@ void MprView::layout() {
     if (std::ranges::all_of(callipers_[k].points_mm, [&](Vec3 point_mm) { return passesThrough(point_mm, now); }))
       overlay.callipers.emplace_back(int(k) + 1, onSlice(callipers_[k], now.axes));
   overlay.toolMarks = &toolMarks_;
+  for (const NamedPlace& place : places_)
+    if (showsMark(place.position_mm)) overlay.places.push_back(&place);
   overlay.fan = fanOn(now);
   for (std::size_t k = 0; k < marks_mm_.size(); ++k)
     if (showsMark(marks_mm_[k])) overlay.marks_mm.emplace_back(int(k) + 1, marks_mm_[k]);

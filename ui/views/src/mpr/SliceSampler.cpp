@@ -87,6 +87,21 @@ void SliceSampler::sampleRow(const CtVolume& ct, const LabelMap& labels, const S
   }
 }
 
+bool SliceSampler::isEdge(const SlicePlane& plane, int row, int column) const {
+  const std::uint8_t* label = rowLabels_.data() + std::size_t(row) * plane.width_px + column;
+  const auto differs = [&](int across, int down) {
+    const bool seen =
+        column + across >= 0 && column + across < plane.width_px && row + down >= 0 && row + down < plane.height_px;
+    return seen && label[std::ptrdiff_t(down) * plane.width_px + across] != *label;
+  };
+  // Looking one way only makes the line one pixel wide; each further pixel lies on the other side in turn.
+  for (int n = 0; n < outline_px_; ++n) {
+    const int away = n % 2 == 0 ? n / 2 + 1 : -(n / 2 + 1);
+    if (differs(away, 0) || differs(0, away)) return true;
+  }
+  return false;
+}
+
 void SliceSampler::paintRow(const SlicePlane& plane, int row, std::uint8_t* rgb) const {
   const std::uint8_t* label = rowLabels_.data() + std::size_t(row) * plane.width_px;
   const std::uint8_t* below = row + 1 < plane.height_px ? label + plane.width_px : label;
@@ -102,9 +117,7 @@ void SliceSampler::paintRow(const SlicePlane& plane, int row, std::uint8_t* rgb)
     }
     const LabelPaint& paint = paint_[own];
     if (paint.fill <= 0 && paint.outline <= 0) continue;
-    // Looking one way only makes the line one pixel wide.
-    const bool edge = label[std::min(plane.width_px - 1, column + 1)] != own || below[column] != own;
-    blend(rgb, paint.colour, edge ? std::max(paint.fill, paint.outline) : paint.fill);
+    blend(rgb, paint.colour, isEdge(plane, row, column) ? std::max(paint.fill, paint.outline) : paint.fill);
   }
 }
 

@@ -23,6 +23,8 @@ struct LabelPaint {
 class SliceSampler {
  public:
   void setWindowLevel(const WindowLevel& value);
+  /// In pixels, at least 1; half of a line between two labels lies in each.
+  void setOutlineWidth(int width_px) { outline_px_ = width_px; }
   void setPaint(std::uint8_t label, const LabelPaint& paint) { paint_[label] = paint; }
 
   /// Labels that are proposed in a block of the grid, 255 for none; laid over the others in their colours. Null
@@ -35,6 +37,7 @@ class SliceSampler {
  private:
   void sampleRow(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane, int row, std::uint8_t* rgb);
   void paintRow(const SlicePlane& plane, int row, std::uint8_t* rgb) const;
+  bool isEdge(const SlicePlane& plane, int row, int column) const;
 
   std::array<LabelPaint, 256> paint_{};
   std::vector<std::uint8_t> greyOfHu_;  ///< of every int16
@@ -43,6 +46,7 @@ class SliceSampler {
   VoxelBox proposalBox_;
   const LabelMap* proposal_ = nullptr;
   std::vector<std::uint8_t> rowLabels_, rowProposed_;
+  int outline_px_ = 1;
   WindowLevel windowLevel_{0, 0};
 };
 

@@ -58,22 +58,35 @@ DisplayPoint SceneView::displayFromPatient(Vec3 point_mm) {
   return {(seen[0] / seen[3] + 1) / 2 * width_px(), (1 - seen[1] / seen[3]) / 2 * height_px()};
 }
 
-std::optional<ScenePick> SceneView::pick(DisplayPoint at) {
-  if (!drawing_->patient) return std::nullopt;
+Vec3 SceneView::along(DisplayPoint at, double depth) {
   vtkNew<vtkMatrix4x4> patientFromSeen;
   vtkMatrix4x4::Invert(aimed().GetCompositeProjectionTransformMatrix(double(width_px()) / height_px(), -1, 1),
                        patientFromSeen);
-  const auto along = [&](double depth) {
-    const double seen[4] = {2 * at.x / width_px() - 1, 1 - 2 * at.y / height_px(), depth, 1};
-    double point[4];
-    patientFromSeen->MultiplyPoint(seen, point);
-    return Vec3{point[0], point[1], point[2]} / point[3];
-  };
+  const double seen[4] = {2 * at.x / width_px() - 1, 1 - 2 * at.y / height_px(), depth, 1};
+  double point[4];
+  patientFromSeen->MultiplyPoint(seen, point);
+  return Vec3{point[0], point[1], point[2]} / point[3];
+}
+
+std::optional<ScenePick> SceneView::pick(DisplayPoint at) {
+  if (!drawing_->patient) return std::nullopt;
   std::array<bool, 256> visible{};
   for (int label = 1; label < 256; ++label)
     visible[label] =
         drawing_->state.looks[std::size_t(label)].visible && drawing_->state.looks[std::size_t(label)].opacity > 0;
-  return firstVisible(drawing_->patient->labels(), along(-1), along(1), visible, drawing_->state.cut);
+  return firstVisible(drawing_->patient->labels(), along(at, -1), along(at, 1), visible, drawing_->state.cut);
+}
+
+Vec3 SceneView::frontOf(DisplayPoint at) {
+  // As near as may be without being cut by the near plane.
+  constexpr double kBehindNear = 0.02;
+  const Vec3 near_mm = along(at, -1);
+  return near_mm + (along(at, 1) - near_mm) * kBehindNear;
+}
+
+Vec3 SceneView::eye_mm() {
+  const double* at = aimed().GetPosition();
+  return {at[0], at[1], at[2]};
 }
 
 bool SceneView::pressed(const Pointer& pointer) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <insonate/ultrasound/ImagingSettings.h>
+#include <insonate/views/LabelStyle.h>
+#include <insonate/views/NamedPlace.h>
 #include <insonate/views/PictureBounds.h>
 #include <insonate/views/SliceCalliper.h>
 #include <insonate/views/SliceMarks.h>
@@ -63,9 +65,12 @@ class MprView final : public View {
   void setLabelVisible(std::uint8_t label, bool visible);
   void setLabelsVisible(bool visible);
   /// Only their outlines, whatever the opacity.
-  void setLabelOutlines(bool only);
+  void setLabelOutlines(bool only) { setLabelStyle({.fill = !only, .outline = true}); }
+  void setLabelStyle(const LabelStyle& style);
   /// Of the fill, 0..1; outlines are stronger.
   void setLabelOpacity(double opacity);
+  /// Of one label, as a share of what all have, 0..1.
+  void setLabelShare(std::uint8_t label, double share);
   double labelOpacity() const { return labelOpacity_; }
 
   /// What a tool would write into a block of the patient's grid, over the labels; kNoProposal where it writes nothing.
@@ -73,6 +78,8 @@ class MprView final : public View {
   static constexpr std::uint8_t kNoProposal = 255;
   void setProposal(const VoxelBox& box, std::shared_ptr<const LabelMap> labels);
   void setToolMarks(SliceMarks marks);
+  /// Named places, shown where the slice passes by as near as showsMark() says.
+  void setPlaces(std::vector<NamedPlace> places);
 
   /// Steps of whole slices along the normal; stops at the volume's ends.
   void stepSlices(int slices);
@@ -126,7 +133,10 @@ class MprView final : public View {
   VoxelBox proposalBox_;
   std::shared_ptr<const LabelMap> proposal_;
   SliceMarks toolMarks_;
-  bool labelsVisible_ = true, outlinesOnly_ = false;
+  std::vector<NamedPlace> places_;
+  std::array<double, 256> shares_{};
+  LabelStyle labelStyle_;
+  bool labelsVisible_ = true;
   double labelOpacity_ = 0.25;
   Vec3 middle_mm_;  ///< once zoomed or panned: the patient point at the middle, but for its place along the normal
   double mm_per_px_ = 0.5;

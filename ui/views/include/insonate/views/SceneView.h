@@ -116,6 +116,10 @@ class SceneView final : public View {
   /// The first visible labelled voxel of the case under a display point; nothing is rendered for it.
   std::optional<ScenePick> pick(DisplayPoint at);
   DisplayPoint displayFromPatient(Vec3 point_mm);
+  /// Just before everything that is drawn, under a display point: for lines that are drawn over the scene.
+  Vec3 frontOf(DisplayPoint at);
+  /// Where the eye is.
+  Vec3 eye_mm();
 
   /// How long VTK took over the last picture, in seconds.
   double renderTime_s() const;
@@ -145,6 +149,8 @@ class SceneView final : public View {
   struct Drawing;
   void frame();
   vtkCamera& aimed();
+  /// Under a display point, from the near plane (-1) to the far one (1).
+  Vec3 along(DisplayPoint at, double depth);
   void clip();
   void structuresChanged();
 

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace insonate::views {
+
+/// How labels lie over a slice.
+struct LabelStyle {
+  bool fill = true, outline = true;
+  int thickness_px = 1;  ///< of outlines, device-independent, 1..8
+  bool operator==(const LabelStyle&) const = default;
+};
+
+}  // namespace insonate::views
