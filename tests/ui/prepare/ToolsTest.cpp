@@ -1,7 +1,9 @@
 #include "ToolsWindow.h"
 #include "tool/Tool.h"
 
+#include <QListWidget>
 #include <QMenu>
+#include <QTabBar>
 
 namespace insonate::prepare {
 namespace {
@@ -132,6 +134,35 @@ TEST_F(Tools, TheTableAddsLocksAndClearsLabels) {
   child<QPushButton>("clearLabel")->click();
   ASSERT_TRUE(done());
   EXPECT_EQ(count(kVein), 0u);
+}
+
+TEST_F(Tools, AToolInHandHasMouseAndKeysBeforeTheGuideAndSaysSo) {
+  auto* tabs = child<QTabBar>("labelling");
+  tabs->setCurrentIndex(0);
+  child<QListWidget>("guideSteps")->setCurrentRow(1);
+  auto* clicks = child<QLabel>("guideClicks");
+  QApplication::processEvents();
+  ASSERT_TRUE(clicks->text().startsWith("0 of"));
+  const QString step = child<QLabel>("guideTitle")->text();
+  key(Qt::Key_6);
+  click({0, 30, 0});
+  EXPECT_TRUE(clicks->text().startsWith("0 of")) << "the tool has the mouse";
+  EXPECT_TRUE(child<QPushButton>("toolApply")->isEnabled());
+  const auto remarks = workspace_->findChildren<QLabel*>();
+  EXPECT_TRUE(std::ranges::any_of(
+      remarks, [](const QLabel* label) { return label->isVisible() && label->text().contains("the guide waits"); }));
+  key(Qt::Key_Backspace);
+  EXPECT_FALSE(child<QPushButton>("toolApply")->isEnabled()) << "its last click is taken back";
+  session_->addStructure(kCartilage);
+  click({0, 30, 0});
+  child<QSpinBox>("tool-to")->setValue(1000);
+  key(Qt::Key_Return);
+  ASSERT_TRUE(done());
+  EXPECT_GT(count(kCartilage), 0u) << "Enter applies the tool";
+  EXPECT_EQ(child<QLabel>("guideTitle")->text(), step);
+  key(Qt::Key_Escape);
+  click({0, 12, 0});
+  EXPECT_TRUE(clicks->text().startsWith("1 of")) << "the guide has it again";
 }
 
 }  // namespace

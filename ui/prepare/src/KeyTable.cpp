@@ -28,6 +28,7 @@ constexpr KeyRow kKeys[] = {
     {Qt::Key_Return, Command::ApplyTool, "Enter, Esc", "apply the tool; forget its clicks, lay it away"},
     {Qt::Key_Enter, Command::ApplyTool},
     {Qt::Key_Escape, Command::LeaveTool},
+    {0, {}, "Delete, Backspace", "take back the tool's last click"},
     {Qt::Key_Plus, Command::LargerBrush, "+, -, [, ], Shift + wheel", "size of the brush"},
     {Qt::Key_Minus, Command::SmallerBrush},
     {Qt::Key_BracketRight, Command::LargerBrush},
@@ -35,11 +36,13 @@ constexpr KeyRow kKeys[] = {
     {Qt::Key_Home, Command::Start, "Home", "crosshair and probe to where the case begins"},
     {0, {}, "Ctrl+Z, Ctrl+Y", "take back a change, do it again"},
     {0, {}, "Arrows, wheel, Page up and down", "go through the slices"},
+    {0, {}, "M, double click", "one view fills the room, and back"},
     {0, {}, "R", "fit the slice into its view; 3D from the front"},
     {0, {}, "Left drag on a slice", "crosshair (with Shift without a button)"},
     {0, {}, "Right drag on a slice", "window (across) and level (along)"},
     {0, {}, "Ctrl + wheel, middle drag", "zoom, pan"},
     {0, {}, "Click on a structure in 3D", "crosshair there"},
+    {0, {}, "Left drag in 3D with scissors", "draws what is cut along the view; with Ctrl it turns"},
 };
 
 }  // namespace

@@ -11,6 +11,8 @@
 #include "panel/PathPanel.h"
 #include "panel/Section.h"
 #include "panel/SliceControls.h"
+#include "recipe/RecipeBox.h"
+#include "tool/SceneTools.h"
 #include "tool/SliceTools.h"
 #include "tool/ToolBar.h"
 #include "tool/ToolPanel.h"
@@ -106,6 +108,7 @@ QWidget* PrepareWorkspace::Parts::buildRight() {
               check_,
               new Section(QStringLiteral("difficulty"), tr("Difficulty"), new DifficultyBox(session)),
               new Section(QStringLiteral("places"), tr("Targets and landmarks"), new PlacesBox(session)),
+              new Section(QStringLiteral("recipe"), tr("Steps"), new RecipeBox(session)),
               new Section(QStringLiteral("scene"), tr("3D"), scene_)};
   sections.back()->setOpen(false);
   toolPanel_ = new ToolPanel(session, *tools_);
@@ -170,6 +173,7 @@ void PrepareWorkspace::Parts::connectParts() {
   for (int n = 0; n < CaseViews::kSlices; ++n) pointer->watch(*views->widgets()[std::size_t(n)], views->slice(n));
   // Of filters, the last comes first: a tool in hand has the mouse before the guide.
   new SliceTools(*views, *tools_, session.labelling().preview(), views);
+  new SceneTools(*views, *tools_, views);
   connect(&session, &PrepareSession::caseChanged, this, [this] {
     pages_->setCurrentWidget(session.patient() ? static_cast<QWidget*>(columns) : empty);
     scene_->setCase(session.patient());
@@ -199,6 +203,7 @@ void PrepareWorkspace::Parts::connectParts() {
   connect(&scene_->histogram(), &ui::HistogramEditor::counted, this,
           [this] { toolPanel_->setHistogram(scene_->histogram().histogram()); });
   connect(tools_, &ToolSession::toolChanged, this, [this] { showTool(); });
+  connect(&guide, &GuideSession::changed, this, [this] { showWhoHasMouse(); });
   connect(path, &PathPanel::checkChosen, this, [this] { showFindings(); });
 }
 
@@ -230,9 +235,14 @@ void PrepareWorkspace::Parts::showFindings() {
 
 /// What the tool needs is seen at once; the rest of the column lies below it.
 void PrepareWorkspace::Parts::showTool() {
+  showWhoHasMouse();
   tool_->setVisible(tools_->tool() != nullptr);
   tool_->setOpen(true);
   scroll_->verticalScrollBar()->setValue(0);
+}
+
+void PrepareWorkspace::Parts::showWhoHasMouse() {
+  tool_->setRemark(guide.isShown() ? tr("has the mouse, the guide waits") : QString());
 }
 
 QString PrepareWorkspace::Parts::engineText() const {
@@ -301,6 +311,10 @@ void PrepareWorkspace::Parts::saveLayout(QSettings& settings) const {
   settings.setValue(QStringLiteral("level"), session.windowLevel().level_HU);
   settings.setValue(QStringLiteral("labelOpacity"), session.labelOpacity());
   settings.setValue(QStringLiteral("labelsShown"), session.labelsShown());
+  settings.setValue(QStringLiteral("labelFill"), session.labelStyle().fill);
+  settings.setValue(QStringLiteral("labelOutline"), session.labelStyle().outline);
+  settings.setValue(QStringLiteral("outlineWidth"), session.labelStyle().thickness_px);
+  settings.setValue(QStringLiteral("placesShown"), session.placesShown());
   settings.beginGroup(QStringLiteral("scene"));
   scene_->save(settings);
   settings.endGroup();
@@ -311,6 +325,7 @@ void PrepareWorkspace::Parts::saveLayout(QSettings& settings) const {
     settings.setValue(QStringLiteral("label"), int(label));
     settings.setValue(QStringLiteral("opacity"), habit.opacity);
     settings.setValue(QStringLiteral("visible"), habit.visible);
+    settings.setValue(QStringLiteral("onSlices"), habit.onSlices);
   }
   settings.endArray();
 }
@@ -330,6 +345,10 @@ void PrepareWorkspace::Parts::restoreLayout(QSettings& settings) {
                           std::clamp(number("level", usual.level_HU), -5000.0, 10000.0)});
   session.setLabelOpacity(number("labelOpacity", session.labelOpacity()));
   session.setLabelsShown(settings.value(QStringLiteral("labelsShown"), true).toBool());
+  session.setLabelStyle({settings.value(QStringLiteral("labelFill"), true).toBool(),
+                         settings.value(QStringLiteral("labelOutline"), true).toBool(),
+                         int(std::clamp(number("outlineWidth", 1), 1.0, 8.0))});
+  session.setPlacesShown(settings.value(QStringLiteral("placesShown"), true).toBool());
   settings.beginGroup(QStringLiteral("scene"));
   scene_->restore(settings);
   settings.endGroup();
@@ -340,7 +359,8 @@ void PrepareWorkspace::Parts::restoreLayout(QSettings& settings) {
     const int label = settings.value(QStringLiteral("label")).toInt();
     if (label < 1 || label > 255) continue;
     habits[std::uint8_t(label)] = {std::clamp(number("opacity", 1), 0.0, 1.0),
-                                   settings.value(QStringLiteral("visible"), true).toBool()};
+                                   settings.value(QStringLiteral("visible"), true).toBool(),
+                                   std::clamp(number("onSlices", 1), 0.0, 1.0)};
   }
   settings.endArray();
   session.setHabits(std::move(habits));

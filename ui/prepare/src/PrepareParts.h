@@ -58,6 +58,7 @@ class PrepareWorkspace::Parts : public QObject {
   void act(const KeyRow& row);
   QWidget* buildMiddle();
   void showTool();
+  void showWhoHasMouse();
   void refreshSave();
   void refreshReady();
   void showFindings();

@@ -99,7 +99,8 @@ void PrepareSession::setCase(std::shared_ptr<const PatientCase> patient) {
   looks_ = usualLooks(patient_ ? patient_->colours : LabelColours{});
   for (const auto& [label, habit] : habits_)
     // Without skin, another patient would look broken.
-    looks_[label].opacity = habit.opacity, looks_[label].visible = habit.visible || label == kSkin;
+    looks_[label].opacity = habit.opacity, looks_[label].visible = habit.visible || label == kSkin,
+    looks_[label].onSlices = habit.onSlices;
   if (patient_) takeShown(patient_->manifest.shown, looks_);
   kept_ = looks_;
   recheck_.stop();
@@ -228,6 +229,12 @@ void PrepareSession::setOpacity(std::uint8_t label, double opacity) {
   push(label, look, tr("opacity of %1").arg(structureName(label)));
 }
 
+void PrepareSession::setShareOnSlices(std::uint8_t label, double share) {
+  StructureLook look = looks_[label];
+  look.onSlices = std::clamp(share, 0.0, 1.0);
+  push(label, look, tr("opacity of %1").arg(structureName(label)));
+}
+
 void PrepareSession::setVisible(std::uint8_t label, bool visible) {
   StructureLook look = looks_[label];
   look.visible = visible;
@@ -256,7 +263,7 @@ void PrepareSession::showAll() {
 
 void PrepareSession::applyLook(std::uint8_t label, const StructureLook& look) {
   looks_[label] = look;
-  habits_[label] = {look.opacity, look.visible};
+  habits_[label] = {look.opacity, look.visible, look.onSlices};
   tellHidden();
   for (ui::SurfaceWish& wish : missingSurfaces()) {
     wish.labels = labelling_.snapshot();
@@ -346,6 +353,18 @@ void PrepareSession::setLabelOpacity(double opacity) {
 void PrepareSession::setLabelsShown(bool shown) {
   if (shown == labelsShown_) return;
   labelsShown_ = shown;
+  Q_EMIT slicesChanged();
+}
+
+void PrepareSession::setLabelStyle(const views::LabelStyle& style) {
+  if (style == labelStyle_) return;
+  labelStyle_ = style;
+  Q_EMIT slicesChanged();
+}
+
+void PrepareSession::setPlacesShown(bool shown) {
+  if (shown == placesShown_) return;
+  placesShown_ = shown;
   Q_EMIT slicesChanged();
 }
 

@@ -8,6 +8,7 @@
 #include "measure/CaseMeasuring.h"
 
 #include <insonate/ui/Workspace.h>
+#include <insonate/views/LabelStyle.h>
 #include <insonate/views/WindowLevel.h>
 
 #include <QObject>
@@ -66,6 +67,7 @@ class PrepareSession : public QObject {
   void setColour(std::uint8_t label, views::Colour colour);
   /// Of one drag, the last counts.
   void setOpacity(std::uint8_t label, double opacity);
+  void setShareOnSlices(std::uint8_t label, double share);
   void setVisible(std::uint8_t label, bool visible);
   void showOnly(std::uint8_t label);
   void showAll();
@@ -107,11 +109,17 @@ class PrepareSession : public QObject {
   void setLabelOpacity(double opacity);
   bool labelsShown() const { return labelsShown_; }
   void setLabelsShown(bool shown);
+  const views::LabelStyle& labelStyle() const { return labelStyle_; }
+  void setLabelStyle(const views::LabelStyle& style);
+  /// Targets, landmarks and start poses, on slices and in 3D.
+  bool placesShown() const { return placesShown_; }
+  void setPlacesShown(bool shown);
 
   /// What the user chose for structures in other cases; taken over by the next case.
   struct Habit {
     double opacity = 1;
     bool visible = true;
+    double onSlices = 1;
   };
   const std::map<std::uint8_t, Habit>& habits() const { return habits_; }
   void setHabits(std::map<std::uint8_t, Habit> habits) { habits_ = std::move(habits); }
@@ -134,7 +142,7 @@ class PrepareSession : public QObject {
   void placesChanged();
   void editsChanged();
   void crosshairMoved();
-  void slicesChanged();  ///< window, level, opacity or visibility of labels
+  void slicesChanged();  ///< window, level, how labels lie on slices, and whether places are marked
   void messageChanged();
 
  private:
@@ -166,7 +174,8 @@ class PrepareSession : public QObject {
   Vec3 crosshair_mm_;
   views::WindowLevel windowLevel_;
   double labelOpacity_ = 0.25;
-  bool labelsShown_ = true;
+  bool labelsShown_ = true, placesShown_ = true;
+  views::LabelStyle labelStyle_;
   std::array<bool, 2> hadEdits_{};  ///< unsaved, quiet
   QString message_;
   QTimer said_, recheck_;

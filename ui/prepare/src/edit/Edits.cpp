@@ -27,7 +27,7 @@ void LookEdit::redo() {
 bool LookEdit::mergeWith(const QUndoCommand* other) {
   const auto& next = static_cast<const LookEdit&>(*other);
   StructureLook onlyOpacity = before_;
-  onlyOpacity.opacity = next.after_.opacity;
+  onlyOpacity.opacity = next.after_.opacity, onlyOpacity.onSlices = next.after_.onSlices;
   if (next.label_ != label_ || onlyOpacity != next.after_ || next.when_ - when_ > kOneDrag) return false;
   after_ = next.after_, when_ = next.when_;
   setObsolete(before_ == after_);

@@ -24,7 +24,7 @@ StructureLooks usualLooks(const LabelColours& colours) {
   StructureLooks looks;
   for (int label = 0; label < 256; ++label) {
     const auto value = std::uint8_t(label);
-    looks[value] = {viewColour(colourOf(colours, value)), usualOpacity(value), true};
+    looks[value] = {viewColour(colourOf(colours, value)), usualOpacity(value)};
   }
   return looks;
 }

@@ -16,6 +16,7 @@ struct StructureLook {
   views::Colour colour;
   double opacity = 1;   ///< of its surface in 3D, 0..1
   bool visible = true;  ///< in 3D and over the slices
+  double onSlices = 1;  ///< opacity over the slices, as a share of what all labels have, 0..1
   bool operator==(const StructureLook&) const = default;
 };
 

@@ -14,6 +14,7 @@ Result<std::shared_ptr<const Proposal>> proposed(const LabelStep& step, const Ct
   try {
     auto made = propose(step, ct, labels, [&stop](std::string_view, double) { return !stop; });
     if (!made) return tl::unexpected(made.error());
+    restrictTo(rulesOf(step), ct, labels, *made);
     return std::make_shared<const Proposal>(std::move(*made));
   } catch (const std::exception& error) {
     return fail("There is not enough memory for this preview (" + std::string(error.what()) +
@@ -46,18 +47,19 @@ void LabelPreview::clear() {
 void LabelPreview::begin(Wish wish) {
   stop_ = std::make_shared<std::atomic<bool>>(false);
   auto* watcher = new QFutureWatcher<Made>(this);
-  connect(watcher, &QFutureWatcher<Made>::finished, this, [this, watcher, number = number_] {
+  connect(watcher, &QFutureWatcher<Made>::finished, this, [this, watcher, number = number_, label = wish.step.label] {
     watcher->deleteLater();
-    take(number, watcher->result());
+    take(number, label, watcher->result());
   });
   watcher->setFuture(QtConcurrent::run(
       [wish = std::move(wish), stop = stop_] { return proposed(wish.step, *wish.ct, *wish.labels, *stop); }));
 }
 
-void LabelPreview::take(int number, const Made& made) {
+void LabelPreview::take(int number, std::uint8_t label, const Made& made) {
   stop_ = nullptr;
   if (number == number_ && made) {
     proposal_ = *made;
+    label_ = label;
     Q_EMIT changed();
   }
   if (next_) return begin(*std::exchange(next_, std::nullopt));

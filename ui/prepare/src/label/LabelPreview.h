@@ -27,6 +27,8 @@ class LabelPreview : public QObject {
 
   /// Null for none.
   const std::shared_ptr<const Proposal>& proposal() const { return proposal_; }
+  /// What its step is for: the proposal may have others, too.
+  std::uint8_t label() const { return label_; }
   bool isComputing() const { return stop_ != nullptr; }
 
  Q_SIGNALS:
@@ -42,11 +44,12 @@ class LabelPreview : public QObject {
     std::shared_ptr<const LabelMap> labels;
   };
   void begin(Wish wish);
-  void take(int number, const Made& made);
+  void take(int number, std::uint8_t label, const Made& made);
 
   std::shared_ptr<const Proposal> proposal_;
   std::shared_ptr<std::atomic<bool>> stop_;  ///< of what is computed; null for nothing
   std::optional<Wish> next_;
+  std::uint8_t label_ = 0;
   int number_ = 0;
 };
 

@@ -27,6 +27,7 @@ void LabelSession::setCase(std::shared_ptr<const PatientCase> patient) {
   preview_.clear();
   endStroke();
   edit_ = nullptr, snapshots_ = nullptr, working_ = nullptr, before_ = nullptr;
+  ready_.reset();
   steps_.clear(), undone_.clear();
   first_ = saved_ = ++states_;
   patient_ = std::move(patient);
@@ -65,11 +66,21 @@ void LabelSession::setBusy(bool busy) {
   Q_EMIT busyChanged();
 }
 
+void LabelSession::getReady() {
+  if (!patient_ || working_ || ready_) return;
+  ready_ = QtConcurrent::run([patient = patient_] {
+    return std::make_shared<Copies>(std::make_shared<LabelMap>(patient->labels), patient->labels);
+  });
+}
+
 void LabelSession::beginWork() {
   if (working_) return;
-  working_ = std::make_shared<LabelMap>(patient_->labels);
+  getReady();
+  const std::shared_ptr<Copies> copies = ready_->result();
+  ready_.reset();
+  working_ = std::move(copies->first);
   edit_ = std::make_unique<LabelEdit>(patient_->ct, *working_);
-  snapshots_ = std::make_unique<LabelSnapshots>(*working_);
+  snapshots_ = std::make_unique<LabelSnapshots>(*working_, std::move(copies->second));
   Q_EMIT seenChanged();
 }
 

@@ -7,12 +7,15 @@
 #include <insonate/cases/PatientCase.h>
 #include <insonate/segmentation/Recipe.h>
 
+#include <QFuture>
 #include <QFutureWatcher>
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace insonate::ui {
@@ -24,11 +27,12 @@ namespace insonate::prepare {
 /// The labels of the open case while they are edited: tools, brush strokes, undo, what is recorded, what is not saved.
 ///
 /// Three maps, and who may touch them. The case's own labels never change while they are shared. The working map is a
-/// copy that is made when the first tool is taken up; brush strokes, undo and redo write it on the window's thread.
-/// Everything on other threads (tools, previews, surfaces, the live picture, the check, saving) reads a snapshot
-/// (LabelSnapshots), which shares the CT of the case and takes as long as what has changed since the last one. While a
-/// tool's result is being written, on another thread, the window reads the snapshot, too. So no map is read and written
-/// at once. Memory beside the case: the working map, as a rule two snapshots, one proposal, and LabelEdit's steps.
+/// copy that is made when the first tool is taken up (getReady); brush strokes, undo and redo write it on the window's
+/// thread. Everything on other threads (tools, previews, surfaces, the live picture, the check, saving) reads a
+/// snapshot (LabelSnapshots), which shares the CT of the case and takes as long as what has changed since the last one.
+/// While a tool's result is being written, on another thread, the window reads the snapshot, too. So no map is read and
+/// written at once. Memory beside the case: the working map, as a rule two snapshots, one proposal, and LabelEdit's
+/// steps.
 ///
 /// For the window's thread.
 class LabelSession : public QObject {
@@ -56,6 +60,9 @@ class LabelSession : public QObject {
 
   const LabelRules& rules() const { return rules_; }
   void setRules(const LabelRules& rules);
+
+  /// Copies what the first edit needs on another thread, so that it does not wait for it.
+  void getReady();
 
   /// A tool is at work: nothing else is edited.
   bool isBusy() const { return busy_; }
@@ -101,6 +108,9 @@ class LabelSession : public QObject {
     Done done;
   };
 
+  /// The working map and the first snapshot's memory.
+  using Copies = std::pair<std::shared_ptr<LabelMap>, LabelMap>;
+
   /// False where the step was let go.
   bool undo();
   void redo();
@@ -125,7 +135,8 @@ class LabelSession : public QObject {
   ui::TaskBar& tasks_;
   QUndoStack& undo_;
   std::shared_ptr<const PatientCase> patient_;
-  std::shared_ptr<LabelMap> working_;  ///< null before the first edit
+  std::optional<QFuture<std::shared_ptr<Copies>>> ready_;  ///< copies of the case's labels
+  std::shared_ptr<LabelMap> working_;                      ///< null before the first edit
   std::unique_ptr<LabelEdit> edit_;
   std::unique_ptr<LabelSnapshots> snapshots_;
   std::shared_ptr<const LabelMap> before_;  ///< what is seen while a result is being written

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace insonate::prepare {
 namespace {
@@ -17,6 +18,11 @@ void copyBlock(const LabelMap& from, const VoxelBox& box, LabelMap& to) {
 }
 
 }  // namespace
+
+LabelSnapshots::LabelSnapshots(const LabelMap& labels, LabelMap copy) : labels_(labels) {
+  copies_.push_back(std::make_shared<Copy>());
+  copies_.back()->map = std::move(copy);
+}
 
 void LabelSnapshots::changed(const VoxelBox& box) {
   for (const auto& copy : copies_) copy->stale = united(copy->stale, box);
@@ -34,7 +40,9 @@ std::shared_ptr<const LabelMap> LabelSnapshots::take() {
     if (!copy->stale.empty()) copyBlock(labels_, copy->stale, copy->map);
   } else {
     copy = std::make_shared<Copy>();
-    copy->map = labels_;
+    copy->map.geometry = labels_.geometry;
+    copy->map.voxels.resize(labels_.voxels.size());
+    copyBlock(labels_, boxOf(labels_.geometry), copy->map);
   }
   copy->stale = {};
   copy->held.store(true, std::memory_order_relaxed);

@@ -13,8 +13,8 @@ namespace insonate::prepare {
 /// no more than the changes as a rule. For the thread that writes to the map.
 class LabelSnapshots {
  public:
-  /// The map lives longer, what was taken need not.
-  explicit LabelSnapshots(const LabelMap& labels) : labels_(labels) {}
+  /// The map lives longer, what was taken need not. `copy` is equal to it.
+  LabelSnapshots(const LabelMap& labels, LabelMap copy);
 
   /// Say so after each change of voxels.
   void changed(const VoxelBox& box);

@@ -9,6 +9,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QVBoxLayout>
+#include <array>
 
 namespace insonate::prepare {
 namespace {
@@ -20,6 +21,18 @@ QString presetText(const views::WindowLevelPreset& preset) {
       .arg(QString::fromUtf8(preset.name.data(), int(preset.name.size())))
       .arg(preset.value.window_HU, 0, 'f', 0)
       .arg(preset.value.level_HU, 0, 'f', 0);
+}
+
+struct Style {
+  QString name;
+  bool fill, outline;
+};
+
+const std::array<Style, 3>& styles() {
+  static const std::array<Style, 3> all{{{SliceControls::tr("fill and outline"), true, true},
+                                         {SliceControls::tr("outline"), false, true},
+                                         {SliceControls::tr("fill"), true, false}}};
+  return all;
 }
 
 }  // namespace
@@ -34,7 +47,10 @@ SliceControls::SliceControls(PrepareSession& session, QWidget* parent)
                                  tr("Hounsfield units that are mid grey; right drag along a slice"))),
       opacity_(new ui::ValueSlider(tr("label opacity"), QStringLiteral("%"), {0, kPercent, 25, 5, 0},
                                    tr("how strongly labels colour the slices (A, D)"))),
-      labels_(new QCheckBox(tr("labels on slices"))) {
+      style_(new QComboBox),
+      width_(new ui::ValueSlider(tr("outline"), tr("px"), {1, 6, 1, 1, 0}, tr("how thick outlines of labels are"))),
+      labels_(new QCheckBox(tr("labels on slices"))),
+      places_(new QCheckBox(tr("targets, landmarks, start poses"))) {
   new ui::QuietWheel(preset_);
   preset_->setObjectName(QStringLiteral("windowPreset"));
   preset_->setAccessibleName(tr("Window and level of the CT"));
@@ -44,14 +60,23 @@ SliceControls::SliceControls(PrepareSession& session, QWidget* parent)
   window_->setObjectName(QStringLiteral("window"));
   level_->setObjectName(QStringLiteral("level"));
   opacity_->setObjectName(QStringLiteral("labelOpacity"));
+  new ui::QuietWheel(style_);
+  style_->setObjectName(QStringLiteral("labelStyle"));
+  style_->setAccessibleName(tr("How labels lie on slices"));
+  style_->setToolTip(tr("How labels lie on slices"));
+  for (const Style& style : styles()) style_->addItem(style.name);
+  width_->setObjectName(QStringLiteral("outlineWidth"));
+  places_->setObjectName(QStringLiteral("placesShown"));
+  places_->setToolTip(tr("Mark targets, landmarks and start poses on the slices and in 3D"));
   labels_->setObjectName(QStringLiteral("labelsShown"));
   labels_->setToolTip(tr("Show or hide the labels over the slices (G)"));
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kSmallGap);
   box->addWidget(preset_);
-  for (QWidget* part : {static_cast<QWidget*>(window_), static_cast<QWidget*>(level_), static_cast<QWidget*>(opacity_),
-                        static_cast<QWidget*>(labels_)})
+  for (QWidget* part : {static_cast<QWidget*>(window_), static_cast<QWidget*>(level_), static_cast<QWidget*>(labels_),
+                        static_cast<QWidget*>(style_), static_cast<QWidget*>(opacity_), static_cast<QWidget*>(width_),
+                        static_cast<QWidget*>(places_)})
     box->addWidget(part);
 
   connect(preset_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
@@ -66,6 +91,16 @@ SliceControls::SliceControls(PrepareSession& session, QWidget* parent)
   connect(opacity_, &ui::ValueSlider::valueChanged, this, [this](double percent) {
     if (!showing_) session_.setLabelOpacity(percent / kPercent);
   });
+  connect(style_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
+    const Style& chosen = styles()[std::size_t(index)];
+    session_.setLabelStyle({chosen.fill, chosen.outline, session_.labelStyle().thickness_px});
+  });
+  connect(width_, &ui::ValueSlider::valueChanged, this, [this](double px) {
+    views::LabelStyle style = session_.labelStyle();
+    style.thickness_px = int(px);
+    if (!showing_) session_.setLabelStyle(style);
+  });
+  connect(places_, &QCheckBox::toggled, this, [this](bool on) { session_.setPlacesShown(on); });
   connect(labels_, &QCheckBox::toggled, this, [this](bool on) { session_.setLabelsShown(on); });
   connect(&session_, &PrepareSession::slicesChanged, this, [this] { refresh(); });
   refresh();
@@ -82,6 +117,13 @@ void SliceControls::refresh() {
   level_->setValue(value.level_HU);
   opacity_->setValue(kPercent * session_.labelOpacity());
   labels_->setChecked(session_.labelsShown());
+  const views::LabelStyle& style = session_.labelStyle();
+  for (std::size_t n = 0; n < styles().size(); ++n)
+    if (styles()[n].fill == style.fill && styles()[n].outline == style.outline) style_->setCurrentIndex(int(n));
+  opacity_->setEnabled(style.fill);
+  width_->setValue(style.thickness_px);
+  width_->setEnabled(style.outline);
+  places_->setChecked(session_.placesShown());
   showing_ = false;
 }
 

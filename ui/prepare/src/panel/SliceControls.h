@@ -24,7 +24,9 @@ class SliceControls : public QWidget {
   PrepareSession& session_;
   QComboBox* preset_;
   ui::ValueSlider *window_, *level_, *opacity_;
-  QCheckBox* labels_;
+  QComboBox* style_;
+  ui::ValueSlider* width_;
+  QCheckBox *labels_, *places_;
   bool showing_ = false;
 };
 

@@ -30,17 +30,25 @@ StructureTable::StructureTable(PrepareSession& session, QWidget* parent)
       model_(new StructureModel(session, this)),
       table_(new QTableView),
       opacity_(new ui::ValueSlider(tr("opacity in 3D"), QStringLiteral("%"), {0, kPercent, kPercent, 5, 0},
-                                   tr("how much the selected structure hides what is behind it"))) {
+                                   tr("how much the selected structure hides what is behind it"))),
+      onSlices_(new ui::ValueSlider(tr("on slices"), QStringLiteral("%"), {0, kPercent, kPercent, 5, 0},
+                                    tr("how strongly the selected structure colours the slices, of what all labels "
+                                       "have"))) {
   buildTable();
   opacity_->setObjectName(QStringLiteral("structureOpacity"));
+  onSlices_->setObjectName(QStringLiteral("structureOnSlices"));
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kGap);
   box->addWidget(table_, 1);
   box->addWidget(opacity_);
+  box->addWidget(onSlices_);
   box->addWidget(buildButtons());
   connect(opacity_, &ui::ValueSlider::valueChanged, this, [this](double percent) {
     if (!showing_) session_.setOpacity(session_.selected(), percent / kPercent);
+  });
+  connect(onSlices_, &ui::ValueSlider::valueChanged, this, [this](double percent) {
+    if (!showing_) session_.setShareOnSlices(session_.selected(), percent / kPercent);
   });
   connect(&session_, &PrepareSession::structuresChanged, this, [this] { showSelected(); });
   connect(&session_, &PrepareSession::selectedChanged, this, [this] { showSelected(); });
@@ -159,12 +167,13 @@ void StructureTable::showSelected() {
   const std::uint8_t label = session_.selected();
   const int row = model_->rowOf(label);
   if (row >= 0) table_->setCurrentIndex(model_->index(row, StructureModel::kName));
-  for (QWidget* one : {static_cast<QWidget*>(opacity_), static_cast<QWidget*>(only_), static_cast<QWidget*>(all_),
-                       static_cast<QWidget*>(remove_)})
+  for (QWidget* one : {static_cast<QWidget*>(opacity_), static_cast<QWidget*>(onSlices_), static_cast<QWidget*>(only_),
+                       static_cast<QWidget*>(all_), static_cast<QWidget*>(remove_)})
     one->setEnabled(row >= 0);
   if (row >= 0) {
     opacity_->setRange({0, kPercent, kPercent * usualOpacity(label), 5, 0});
     opacity_->setValue(kPercent * session_.look(label).opacity);
+    onSlices_->setValue(kPercent * session_.look(label).onSlices);
   }
   showing_ = false;
 }

@@ -36,7 +36,7 @@ class StructureTable : public QWidget {
   PrepareSession& session_;
   StructureModel* model_;
   QTableView* table_;
-  ui::ValueSlider* opacity_;
+  ui::ValueSlider *opacity_, *onSlices_;
   QPushButton *only_ = nullptr, *all_ = nullptr, *remove_ = nullptr;
   bool showing_ = false;
 };

@@ -3,6 +3,7 @@
 #include <insonate/segmentation/HistogramThreshold.h>
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -45,13 +46,16 @@ RangeField::RangeField(const QString& name, QWidget* parent)
   numbers->addWidget(new QLabel(QStringLiteral("\u2013")), 1, Qt::AlignCenter);
   numbers->addWidget(to_);
   auto* parts = new QHBoxLayout;
-  auto* darker = button(tr("Darker"), name + QStringLiteral("-darker"),
+  const auto button = [&name](const char* what, const QString& words, const QString& tip) {
+    return ui::pushButton((name + QLatin1String(what)).toUtf8(), words, tip);
+  };
+  auto* darker = button("-darker", tr("Darker"),
                         tr("The darker of the two parts that the histogram in the range has, by Otsu's method"));
   auto* brighter =
-      button(tr("Brighter"), name + QStringLiteral("-brighter"),
+      button("-brighter", tr("Brighter"),
              tr("The brighter of the two parts that the histogram in the range has, by Otsu's method; again "
                 "parts what is left"));
-  auto* whole = button(tr("All"), name + QStringLiteral("-all"), tr("Everything in the CT"));
+  auto* whole = button("-all", tr("All"), tr("Everything in the CT"));
   for (QPushButton* one : {darker, brighter, whole}) parts->addWidget(one, 1);
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
@@ -68,13 +72,6 @@ RangeField::RangeField(const QString& name, QWidget* parent)
   connect(darker, &QPushButton::clicked, this, [this] { part(false); });
   connect(brighter, &QPushButton::clicked, this, [this] { part(true); });
   connect(whole, &QPushButton::clicked, this, [this] { edit({kLeast_HU, kMost_HU}); });
-}
-
-QPushButton* RangeField::button(const QString& text, const QString& name, const QString& tip) {
-  auto* made = new QPushButton(text);
-  made->setObjectName(name);
-  made->setToolTip(tip);
-  return made;
 }
 
 void RangeField::setHistogram(const views::HuHistogram& histogram) {

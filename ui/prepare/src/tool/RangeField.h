@@ -2,7 +2,6 @@
 
 #include "RangeStrip.h"
 
-class QPushButton;
 class QSpinBox;
 
 namespace insonate::prepare {
@@ -25,7 +24,6 @@ class RangeField : public QWidget {
   void edited(insonate::HuRange range);
 
  private:
-  QPushButton* button(const QString& text, const QString& name, const QString& tip);
   void edit(HuRange range);
   /// Otsu's method within the range.
   void part(bool brighter);

@@ -4,8 +4,8 @@
 #include "LabelBox.h"
 #include "RangeField.h"
 
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -24,14 +24,12 @@ constexpr HuRange kUsual_HU{-20, 300};
 RulesBox::RulesBox(PrepareSession& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
-      over_(new QComboBox),
+      over_(
+          ui::choiceBox("ruleOver", tr("What may be overwritten"),
+                        tr("Which labels tools may overwrite; locked and hidden ones they always leave as they are"))),
       inside_(new LabelBox(session, tr("Label that is overwritten"), tr("Nothing but this label is overwritten"))),
       limited_(new QCheckBox(tr("only where the CT is"))),
       range_(new RangeField(QStringLiteral("editable"))) {
-  new ui::QuietWheel(over_);
-  over_->setObjectName(QStringLiteral("ruleOver"));
-  over_->setAccessibleName(tr("What may be overwritten"));
-  over_->setToolTip(tr("Which labels tools may overwrite; locked and hidden ones they always leave as they are"));
   // In the order of LabelRules::Over.
   over_->addItems({tr("all but locked and hidden"), tr("fat, muscle, soft tissue"), tr("what has no label"),
                    tr("only inside ...")});

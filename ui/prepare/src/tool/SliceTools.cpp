@@ -4,6 +4,7 @@
 
 #include <insonate/ui/ViewWidget.h>
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
@@ -53,6 +54,12 @@ bool SliceTools::eventFilter(QObject* watched, QEvent* event) {
       return released(*static_cast<QMouseEvent*>(event));
     case QEvent::Wheel:
       return wheel(*static_cast<QWheelEvent*>(event));
+    case QEvent::ShortcutOverride:
+      if (!key(static_cast<QKeyEvent*>(event)->key(), false)) return false;
+      event->accept();
+      return true;
+    case QEvent::KeyPress:
+      return key(static_cast<QKeyEvent*>(event)->key(), true);
     case QEvent::Leave:
       pointer_mm_.reset();
       showMarks();
@@ -102,7 +109,25 @@ bool SliceTools::released(const QMouseEvent& event) {
   if (!held_ || event.button() != Qt::LeftButton) return false;
   held_ = false;
   tools_.endStroke();
+  if (tools_.tool()->input == ToolInput::Outline) tools_.preview();
   return true;
+}
+
+/// Those that the guide has, too: while a tool is in hand they are the tool's.
+bool SliceTools::key(int key, bool act) {
+  switch (key) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (act) tools_.apply();
+      return true;
+    case Qt::Key_Delete:
+    case Qt::Key_Backspace:
+      if (tools_.points().empty()) return false;
+      if (act) tools_.removeNearest(tools_.points().back());
+      return true;
+    default:
+      return false;
+  }
 }
 
 bool SliceTools::wheel(const QWheelEvent& event) {
@@ -118,8 +143,8 @@ void SliceTools::showMarks() {
     views::SliceMarks marks;
     const auto& points = tools_.points();
     if (tool && tool->input == ToolInput::Outline) {
-      marks.line_mm = points;
-      if (!points.empty()) marks.line_mm.push_back(points.front());
+      if (!tools_.isDrawnInScene()) marks.line_mm = points;
+      if (!marks.line_mm.empty()) marks.line_mm.push_back(points.front());
     } else {
       marks.points_mm = points;
     }

@@ -13,8 +13,8 @@ namespace insonate::prepare {
 
 class CaseViews;
 
-/// The tool on the slices: takes the mouse from them where the tool wants it (not with Ctrl or Shift, which stay the
-/// slice's own), and shows points, outline, brush and preview over all three.
+/// The tool on the slices: takes the mouse from them, and from the guide, where the tool wants it (not with Ctrl or
+/// Shift, which stay the slice's own), and shows points, outline, brush and preview over all three.
 class SliceTools : public QObject {
  public:
   SliceTools(CaseViews& views, ToolSession& tools, LabelPreview& preview, QObject* parent);
@@ -29,6 +29,7 @@ class SliceTools : public QObject {
   bool moved(int slice, const QMouseEvent& event);
   bool released(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
+  bool key(int key, bool act);
   void showMarks();
   void showPreview();
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace insonate::prepare {
 namespace {
@@ -38,8 +39,10 @@ void ToolSession::choose(const QString& id) {
     if (auto* points = pointsOf(parameters_)) points->clear();
     kept_[tool_->id] = parameters_;
   }
+  sceneLook_.reset();
   tool_ = next;
   if (tool_) {
+    session_.labelling().getReady();
     const auto kept = kept_.find(id);
     parameters_ = kept == kept_.end() ? tool_->usual : kept->second;
     for (const ToolNumber& number : tool_->numbers)
@@ -117,9 +120,26 @@ void ToolSession::addPoint(Vec3 patient_mm, views::SliceKind slice) {
   auto* points = tool_ ? pointsOf(parameters_) : nullptr;
   if (!points || !isFinite(patient_mm)) return;
   slice_ = slice;
+  if (std::exchange(sceneLook_, std::nullopt)) points->clear();
   // An island is one.
   if (std::holds_alternative<step::KeepIsland>(parameters_)) points->clear();
   points->push_back(patient_mm);
+  Q_EMIT pointsChanged();
+  changed();
+}
+
+bool ToolSession::cutsScene() const {
+  return tool_ && std::holds_alternative<step::Scissors>(parameters_);
+}
+
+void ToolSession::addScenePoint(Vec3 patient_mm, const ScissorsView& look) {
+  if (!cutsScene() || !isFinite(patient_mm)) return;
+  auto& points = *pointsOf(parameters_);
+  // Seen from elsewhere, or on a slice, what was drawn means another thing.
+  if (!sceneLook_ || sceneLook_->eye_mm != look.eye_mm) points.clear();
+  if (points.empty()) sceneLook_ = look;
+  if (!sceneLook_->surface_mm) sceneLook_->surface_mm = look.surface_mm;
+  points.push_back(patient_mm);
   Q_EMIT pointsChanged();
   changed();
 }
@@ -160,7 +180,11 @@ void ToolSession::fillIn(LabelTool& tool) const {
   if (auto* s = std::get_if<step::Paint>(&tool); s && s->sliceAxis) s->sliceAxis = axisOf(slice_);
   if (auto* s = std::get_if<step::Draw>(&tool)) s->sliceAxis = axisOf(slice_);
   if (auto* s = std::get_if<step::FillBetween>(&tool)) s->sliceAxis = axisOf(slice_);
-  if (auto* s = std::get_if<step::Scissors>(&tool)) s->view.along = views::sliceAxes(slice_).normal;
+  if (auto* s = std::get_if<step::Scissors>(&tool)) {
+    s->view.along = sceneLook_ ? sceneLook_->along : views::sliceAxes(slice_).normal;
+    s->view.eye_mm = sceneLook_ ? sceneLook_->eye_mm : std::nullopt;
+    s->view.surface_mm = sceneLook_ ? sceneLook_->surface_mm : std::nullopt;
+  }
   if (auto* s = std::get_if<step::GrowSeeds>(&tool)) s->seeds = structures, s->over = filling;
   if (auto* s = std::get_if<step::Watershed>(&tool)) s->seeds = structures, s->over = filling;
   if (auto* s = std::get_if<step::SmoothTogether>(&tool)) {
@@ -232,14 +256,15 @@ void ToolSession::preview() {
 
 void ToolSession::apply() {
   if (!isComplete()) return;
-  session_.labelling().run(
-      step(), tr("%1 %2").arg(tool_->name, structureName(session_.selected())),
-      [this](const Result<LabelChange>& change) {
-        if (!change) return;
-        if (auto* points = pointsOf(parameters_)) points->clear();
-        Q_EMIT pointsChanged();
-        session_.say(change->voxels > 0 ? tr("Done; Ctrl+Z takes it back.") : tr("Nothing had to be changed."));
-      });
+  session_.labelling().run(step(), tr("%1 %2").arg(tool_->name, structureName(session_.selected())),
+                           [this](const Result<LabelChange>& change) {
+                             if (!change) return;
+                             if (auto* points = pointsOf(parameters_)) points->clear();
+                             Q_EMIT pointsChanged();
+                             session_.say(change->voxels > 0
+                                              ? tr("Done; Ctrl+Z takes it back.")
+                                              : tr("Nothing had to be changed, or it may not be overwritten."));
+                           });
 }
 
 void ToolSession::leave() {

@@ -6,6 +6,7 @@
 
 #include <QObject>
 #include <map>
+#include <optional>
 
 namespace insonate::prepare {
 
@@ -35,6 +36,12 @@ class ToolSession : public QObject {
 
   const std::vector<Vec3>& points() const;
   void addPoint(Vec3 patient_mm, views::SliceKind slice);
+  /// The tool is drawn over 3D, too.
+  bool cutsScene() const;
+  /// Its points lie before 3D, and not on a slice.
+  bool isDrawnInScene() const { return sceneLook_.has_value() && !points().empty(); }
+  /// A corner drawn over 3D; what is cut begins at the first corner's surface.
+  void addScenePoint(Vec3 patient_mm, const ScissorsView& look);
   void removeNearest(Vec3 patient_mm);
   /// The Hounsfield units around a place become the range.
   void takeRange(Vec3 patient_mm);
@@ -69,6 +76,7 @@ class ToolSession : public QObject {
   LabelTool parameters_;
   std::map<QString, LabelTool> kept_;  ///< parameters of tools that were used
   QString last_;
+  std::optional<ScissorsView> sceneLook_;             ///< of the outline's first corner, where it is drawn over 3D
   views::SliceKind slice_ = views::SliceKind::Axial;  ///< that was used last
 };
 

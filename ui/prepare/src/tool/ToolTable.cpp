@@ -82,6 +82,10 @@ Tool scissors(const char* id, const char* name, const char* advice, bool erases)
       .input = ToolInput::Outline,
       .advice = tr(advice),
       .usual = S{},
+      .numbers = {number<S>(
+          "depth", "mm", {0, 300, 0, 5, 0},
+          "from the surface under the first corner, on slices to either side; 0 cuts through",
+          [](auto& s) -> auto& { return s.view.depth_mm; })},
       .choices = {choice<S>(
           "take", {tr("inside"), tr("outside")}, "of the outline", [](auto& s) -> auto& { return s.view.outside; })},
       .leastPoints = 3,

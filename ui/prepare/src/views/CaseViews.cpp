@@ -1,6 +1,7 @@
 #include "CaseViews.h"
 
 #include "../PrepareSession.h"
+#include "MarkedPlaces.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/Theme.h>
@@ -31,7 +32,10 @@ constexpr std::array<Slice, CaseViews::kSlices> kKinds{
 }  // namespace
 
 CaseViews::CaseViews(PrepareSession& session, QWidget* parent)
-    : QWidget(parent), session_(session), scene_(std::make_shared<views::SceneView>()) {
+    : QWidget(parent),
+      session_(session),
+      previewSurface_(session.labelling().preview(), this),
+      scene_(std::make_shared<views::SceneView>()) {
   setObjectName(QStringLiteral("caseViews"));
   arrange();
   connectSlices();
@@ -48,6 +52,9 @@ CaseViews::CaseViews(PrepareSession& session, QWidget* parent)
   connect(&session_, &PrepareSession::lookChanged, this, [this](int label) { showLook(label); });
   connect(&session_, &PrepareSession::slicesChanged, this, [this] { showSlices(); });
   connect(&session_, &PrepareSession::crosshairMoved, this, [this] { showCrosshair(); });
+  connect(&session_, &PrepareSession::placesChanged, this, [this] { showPlaces(); });
+  connect(&previewSurface_, &PreviewSurface::made, this,
+          [this](const std::shared_ptr<const Mesh>& mesh) { showPreview(mesh.get()); });
   connect(&session_.labelling(), &LabelSession::seenChanged, this, [this] { showSeen(); });
   connect(&session_.labelling(), &LabelSession::changed, this, [this](const LabelChange& change) {
     if (case_) case_->labelsChanged(change.box);
@@ -141,6 +148,7 @@ void CaseViews::showLook(int label) {
   for (const auto& slice : slices_) {
     slice->setLabelColour(value, look.colour);
     slice->setLabelVisible(value, look.visible);
+    slice->setLabelShare(value, look.onSlices);
   }
 }
 
@@ -149,7 +157,9 @@ void CaseViews::showSlices() {
     if (slice->windowLevel() != session_.windowLevel()) slice->setWindowLevel(session_.windowLevel());
     slice->setLabelOpacity(session_.labelOpacity());
     slice->setLabelsVisible(session_.labelsShown());
+    slice->setLabelStyle(session_.labelStyle());
   }
+  showPlaces();
 }
 
 void CaseViews::showCrosshair() {
@@ -159,6 +169,35 @@ void CaseViews::showCrosshair() {
 void CaseViews::showSurface(int label, const Mesh& mesh) {
   scene_->setSurface(std::uint8_t(label), {mesh.points_mm, mesh.normals, mesh.triangles});
   if (label == kSkin || !cameraPlaced_) placeCamera();
+}
+
+void CaseViews::showPreview(const Mesh* mesh) {
+  // No label has this number.
+  constexpr std::uint8_t kPreview = Proposal::kKeep;
+  constexpr double kFaded = 0.35;
+  // One surface would hide the other.
+  if (faded_ != 0) showLook(faded_);
+  faded_ = mesh ? session_.selected() : std::uint8_t{0};
+  if (faded_ != 0) scene_->setOpacity(faded_, kFaded * session_.look(faded_).opacity);
+  if (!mesh) return scene_->setSurface(kPreview, {});
+  scene_->setColour(kPreview, views::theme::kAccent);
+  scene_->setOpacity(kPreview, 1);
+  scene_->setVisible(kPreview, true);
+  scene_->setSurface(kPreview, {mesh->points_mm, mesh->normals, mesh->triangles});
+}
+
+void CaseViews::setSceneLine(std::vector<Vec3> line_mm) {
+  if (line_mm.empty() && sceneLine_mm_.empty()) return;
+  sceneLine_mm_ = std::move(line_mm);
+  showPlaces();
+}
+
+void CaseViews::showPlaces() {
+  const MarkedPlaces marked = session_.placesShown() ? markedPlaces(session_.places()) : MarkedPlaces{};
+  for (const auto& slice : slices_) slice->setPlaces(marked.places);
+  std::vector<views::ScenePath> paths = marked.paths;
+  paths.push_back({sceneLine_mm_, views::theme::kCaution});
+  scene_->setPaths(std::move(paths));
 }
 
 void CaseViews::placeCamera() {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "../label/PreviewSurface.h"
+
 #include <insonate/surface/Mesh.h>
 #include <insonate/views/MprView.h>
 #include <insonate/views/SceneView.h>
@@ -10,6 +12,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <vector>
 
 class QSplitter;
 
@@ -40,6 +43,9 @@ class CaseViews : public QWidget {
   /// The same voxels in other memory.
   void replaceCase();
 
+  /// A line that is drawn over 3D.
+  void setSceneLine(std::vector<Vec3> line_mm);
+
   QByteArray saveState() const;
   void restoreState(const QByteArray& state);
 
@@ -55,11 +61,16 @@ class CaseViews : public QWidget {
   void showSlices();
   void showCrosshair();
   void showSurface(int label, const Mesh& mesh);
+  void showPreview(const Mesh* mesh);
+  void showPlaces();
   void followProbe();
   void placeCamera();
   void pickAt(QPoint at);
 
   PrepareSession& session_;
+  PreviewSurface previewSurface_;
+  std::uint8_t faded_ = 0;  ///< label that is drawn fainter beside its preview; 0 for none
+  std::vector<Vec3> sceneLine_mm_;
   std::shared_ptr<views::VtkCase> case_;
   std::array<std::shared_ptr<views::MprView>, kSlices> slices_;
   std::shared_ptr<views::SceneView> scene_;

@@ -1,0 +1,124 @@
+#include "RecipeBox.h"
+
+#include "../PrepareSession.h"
+
+#include <insonate/core/AtomicFile.h>
+#include <insonate/segmentation/Recipe.h>
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
+
+#include <QDir>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace insonate::prepare {
+namespace {
+
+constexpr int kRows = 5;
+
+QString wordsOf(const LabelStep& step) {
+  const std::string_view name = nameOf(step.tool);
+  QString words = QString::fromUtf8(name.data(), int(name.size())).replace(QLatin1Char('_'), QLatin1Char(' '));
+  if (step.label != 0) words += QStringLiteral(": ") + structureName(step.label);
+  return words;
+}
+
+/// Not modal: the window goes on.
+template <class Chosen>
+void ask(QWidget* parent, const char* name, const QString& title, QFileDialog::AcceptMode mode, Chosen chosen) {
+  auto* dialog = new QFileDialog(parent, title, QDir::homePath(), RecipeBox::tr("Recipes (*.json)"));
+  dialog->setObjectName(QLatin1String(name));
+  dialog->setOption(QFileDialog::DontUseNativeDialog);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(mode);
+  dialog->setFileMode(mode == QFileDialog::AcceptSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
+  dialog->setDefaultSuffix(QStringLiteral("json"));
+  QObject::connect(dialog, &QFileDialog::fileSelected, parent, chosen);
+  dialog->open();
+}
+
+}  // namespace
+
+RecipeBox::RecipeBox(PrepareSession& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      replay_(session.labelling(), session.undoStack(), this),
+      none_(ui::paragraph(
+          "recipeNone", "quiet",
+          tr("Each step of a tool is listed here; saved as a recipe, it can be replayed on another case."))),
+      steps_(new QListWidget),
+      save_(ui::pushButton("recipeSave", tr("Save ..."), tr("Write the steps so far to a file"))),
+      load_(ui::pushButton("recipeReplay", tr("Replay ..."),
+                           tr("Do the steps of a file on this case; locked and hidden labels stay as they are"))) {
+  steps_->setObjectName(QStringLiteral("recipeSteps"));
+  steps_->setAccessibleName(tr("Steps of labelling so far"));
+  steps_->setToolTip(tr("What was done to the labels since the case was opened, and is not taken back"));
+  steps_->setFixedHeight(kRows * steps_->fontMetrics().lineSpacing() * 3 / 2);
+  auto* row = new QHBoxLayout;
+  row->addWidget(save_, 1);
+  row->addWidget(load_, 1);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kSmallGap);
+  for (QWidget* one : {static_cast<QWidget*>(none_), static_cast<QWidget*>(steps_)}) box->addWidget(one);
+  box->addLayout(row);
+  connect(save_, &QPushButton::clicked, this, [this] { askSave(); });
+  connect(load_, &QPushButton::clicked, this, [this] { askReplay(); });
+  const LabelSession& labels = session_.labelling();
+  connect(&labels, &LabelSession::changed, this, [this] { refresh(); });
+  connect(&labels, &LabelSession::busyChanged, this, [this] { refresh(); });
+  connect(&labels, &LabelSession::caseSet, this, [this] {
+    replay_.forget();
+    refresh();
+  });
+  refresh();
+}
+
+void RecipeBox::refresh() {
+  const Recipe made = session_.labelling().recipe();
+  steps_->clear();
+  for (const LabelStep& step : made.steps)
+    steps_->addItem(QStringLiteral("%1  %2").arg(steps_->count() + 1).arg(wordsOf(step)));
+  steps_->scrollToBottom();
+  none_->setVisible(made.steps.empty());
+  steps_->setVisible(!made.steps.empty());
+  const bool free = session_.patient() && !session_.labelling().isBusy() && !replay_.isRunning();
+  save_->setEnabled(free && !made.steps.empty());
+  load_->setEnabled(free);
+}
+
+void RecipeBox::askSave() {
+  ask(this, "recipeSaveDialog", tr("Save the steps so far"), QFileDialog::AcceptSave,
+      [this](const QString& file) { save(file); });
+}
+
+void RecipeBox::askReplay() {
+  ask(this, "recipeReplayDialog", tr("Replay a recipe"), QFileDialog::AcceptOpen,
+      [this](const QString& file) { replay(file); });
+}
+
+void RecipeBox::save(const QString& file) {
+  Recipe made = session_.labelling().recipe();
+  made.description = "Steps of labelling, in this order.";
+  const auto ok = writeAtomically(file.toStdString(), textOf(made));
+  session_.say(ok ? tr("The steps are saved; the same file can be replayed on another case.")
+                  : QString::fromStdString(ok.error().message));
+}
+
+void RecipeBox::replay(const QString& file) {
+  const auto recipe = loadRecipe(file.toStdString());
+  if (!recipe) return session_.say(QString::fromStdString(recipe.error().message));
+  const std::size_t here = session_.labelling().recipe().steps.size();
+  replay_.run(recipe->steps, here, here, tr("Replaying a recipe"), [this](bool well) {
+    session_.say(well ? tr("The recipe is replayed; Ctrl+Z takes back its steps.")
+                      : tr("The recipe was not replayed; the labels are as they were."));
+    refresh();
+  });
+  refresh();
+}
+
+}  // namespace insonate::prepare

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+
+class QMouseEvent;
+
+namespace insonate::prepare {
+
+class CaseViews;
+class ToolSession;
+
+/// Scissors over 3D: a left drag, or clicks, draw a line around what is cut along the view (not with Ctrl or Shift,
+/// which stay the view's own: turn and shift).
+class SceneTools : public QObject {
+ public:
+  SceneTools(CaseViews& views, ToolSession& tools, QObject* parent);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  bool pressed(const QMouseEvent& event);
+  bool moved(const QMouseEvent& event);
+  bool released(const QMouseEvent& event);
+  void add(QPointF at);
+  void showLine();
+
+  CaseViews& views_;
+  ToolSession& tools_;
+  QPointF last_;
+  bool held_ = false;
+};
+
+}  // namespace insonate::prepare

@@ -1,0 +1,31 @@
+#include "MarkedPlaces.h"
+
+namespace insonate::prepare {
+namespace {
+
+/// Of a cross in 3D, from its middle; and of a start pose, half the face of a linear probe and the way it looks.
+constexpr double kArm_mm = 5, kHalfFace_mm = 19, kLook_mm = 25;
+
+void mark(MarkedPlaces& all, Vec3 at_mm, const std::string& name, views::Colour colour) {
+  all.places.push_back({at_mm, name, colour});
+  for (const Vec3 arm : {Vec3{kArm_mm, 0, 0}, Vec3{0, kArm_mm, 0}, Vec3{0, 0, kArm_mm}})
+    all.paths.push_back({{at_mm - arm, at_mm + arm}, colour});
+}
+
+}  // namespace
+
+MarkedPlaces markedPlaces(const CasePlaces& places) {
+  namespace theme = views::theme;
+  MarkedPlaces all;
+  for (const Target& target : places.targets) mark(all, target.position_mm, target.name, theme::kCaution);
+  for (const Landmark& landmark : places.landmarks) mark(all, landmark.position_mm, landmark.name, theme::kText);
+  for (const StartPose& pose : places.startPoses) {
+    const Vec3 at_mm = pose.position_mm, half_mm = pose.lateral * kHalfFace_mm;
+    all.places.push_back({at_mm, pose.name, theme::kGood});
+    all.paths.push_back({{at_mm - half_mm, at_mm + half_mm}, theme::kGood});
+    all.paths.push_back({{at_mm, at_mm + pose.axial * kLook_mm}, theme::kGood});
+  }
+  return all;
+}
+
+}  // namespace insonate::prepare

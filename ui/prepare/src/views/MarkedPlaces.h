@@ -1,0 +1,18 @@
+#pragma once
+
+#include "../check/CasePlaces.h"
+
+#include <insonate/views/NamedPlace.h>
+#include <insonate/views/SceneOptions.h>
+
+namespace insonate::prepare {
+
+/// What an author says about places, as it is drawn.
+struct MarkedPlaces {
+  std::vector<views::NamedPlace> places;  ///< on slices, with their names
+  std::vector<views::ScenePath> paths;    ///< in 3D: crosses, and of a start pose the probe's face and the way it looks
+};
+
+MarkedPlaces markedPlaces(const CasePlaces& places);
+
+}  // namespace insonate::prepare
