@@ -1,9 +1,9 @@
 #include "ToolsWindow.h"
 #include "tool/Tool.h"
 
-#include <QListWidget>
 #include <QMenu>
 #include <QTabBar>
+#include <QTreeWidget>
 
 namespace insonate::prepare {
 namespace {
@@ -139,7 +139,8 @@ TEST_F(Tools, TheTableAddsLocksAndClearsLabels) {
 TEST_F(Tools, AToolInHandHasMouseAndKeysBeforeTheGuideAndSaysSo) {
   auto* tabs = child<QTabBar>("labelling");
   tabs->setCurrentIndex(0);
-  child<QListWidget>("guideSteps")->setCurrentRow(1);
+  auto* steps = child<QTreeWidget>("guideSteps");
+  steps->setCurrentItem(steps->topLevelItem(1));
   auto* clicks = child<QLabel>("guideClicks");
   QApplication::processEvents();
   ASSERT_TRUE(clicks->text().startsWith("0 of"));
