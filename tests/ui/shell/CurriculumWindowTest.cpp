@@ -12,6 +12,7 @@
 #include <QDoubleSpinBox>
 #include <QListWidget>
 #include <QPlainTextEdit>
+#include <algorithm>
 
 namespace {
 
@@ -50,6 +51,11 @@ class CurriculumWindowTest : public test::AccountWindow {
         .value_or("");
   }
   Curriculum draft() { return parseDraft(draftText()).value_or(Curriculum()); }
+  std::vector<std::string> titles() {
+    std::vector<std::string> all;
+    for (const Level& level : draft().levels) all.push_back(level.title);
+    return all;
+  }
   void untilSaved() {
     ASSERT_TRUE(waitUntil([&] { return state().endsWith(", saved"); })) << said();
   }
@@ -103,6 +109,23 @@ TEST_F(CurriculumWindowTest, ADraftIsWrittenToldPublishedAndTaught) {
   button("curriculumTeach").click();
   ASSERT_TRUE(waitUntil([&] { return part<QComboBox>("curriculumCohort").currentText().endsWith("version 2)"); }))
       << said();
+}
+
+TEST_F(CurriculumWindowTest, KeysMoveALevel) {
+  beginDraft();
+  QApplication::setActiveWindow(dialog_);
+  levels().setFocus();
+  const std::vector<std::string> before = titles();
+  ASSERT_GE(before.size(), 3U);
+  QTest::keyClick(&levels(), Qt::Key_Down, Qt::ControlModifier);
+  // A button is seen to go down for a moment before it acts.
+  ASSERT_TRUE(waitUntil([&] { return levels().currentRow() == 1; })) << "the chosen level stays chosen";
+  QTest::keyClick(&levels(), Qt::Key_Down, Qt::ControlModifier);
+  ASSERT_TRUE(waitUntil([&] { return levels().currentRow() == 2; }));
+  untilSaved();
+  std::vector<std::string> moved = before;
+  std::rotate(moved.begin(), moved.begin() + 1, moved.begin() + 3);
+  EXPECT_EQ(titles(), moved);
 }
 
 TEST_F(CurriculumWindowTest, WhatIsWrongIsToldWhereItIsAndKeepsItFromBeingPublished) {
