@@ -85,7 +85,9 @@ void JudgeDesk::handIn(const Form& form, const FormAnswers& answers, std::functi
   FilledForm filled;
   filled.form = form.name, filled.formVersion = form.version;
   filled.person = origin_->person.id, filled.attempt = origin_->attempt->id;
+  filled.by = account_->person().id;
   filled.answers = answersText(answers);
+  filled = sending_.identified(std::move(filled));
   account_->ask<std::string>(
       this,
       [filled, stored = std::move(stored)](const SignedIn& by) {
@@ -97,6 +99,7 @@ void JudgeDesk::handIn(const Form& form, const FormAnswers& answers, std::functi
         if (!id)
           return Q_EMIT failed(QString::fromStdString(id.error().message),
                                tr("Your answers are kept here; hand them in again later."));
+        sending_.stored();
         Q_EMIT handedIn();
         look();
       });

@@ -3,6 +3,7 @@
 #include "RecordingOrigin.h"
 
 #include <insonate/ui/FormDraft.h>
+#include <insonate/ui/FormSending.h>
 
 #include <QObject>
 #include <QString>
@@ -58,6 +59,7 @@ class JudgeDesk : public QObject {
   ui::Account* account_ = nullptr;
   QString expectedFile_, expectedAttempt_;
   std::optional<RecordingOrigin> origin_;
+  ui::FormSending sending_;
   QString trouble_;
   bool reading_ = false;
   int round_ = 0;  ///< answers about another attempt are not taken

@@ -10,7 +10,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QUuid>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -99,10 +98,10 @@ void QuestionnairePage::send() {
   if (answers.empty()) return Q_EMIT said(tr("Nothing is answered yet."));
   keepDraft();
   FilledForm filled;
-  filled.id = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
   filled.form = sheet_->form().name, filled.formVersion = sheet_->form().version;
-  filled.person = person_;
+  filled.person = filled.by = person_;
   filled.answers = answersText(answers);
+  filled = sending_.identified(std::move(filled));
   send_->setEnabled(false);
   account_->ask<std::string>(
       this,
@@ -114,6 +113,7 @@ void QuestionnairePage::send() {
       },
       [this, person = person_](const Result<std::string>& id) {
         send_->setEnabled(true);
+        if (id) sending_.stored();
         if (person == person_) sent(id ? QString() : QString::fromStdString(id.error().message));
       });
 }

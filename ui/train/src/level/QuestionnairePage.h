@@ -1,6 +1,7 @@
 #pragma once
 
 #include <insonate/ui/FormDraft.h>
+#include <insonate/ui/FormSending.h>
 
 #include <QTimer>
 #include <QWidget>
@@ -39,6 +40,7 @@ class QuestionnairePage final : public QWidget {
 
   ui::Account* account_;
   const std::shared_ptr<ui::FormDraft> draft_;
+  ui::FormSending sending_;
   QTimer keeping_;
   std::string person_;  ///< whose answers stand there; "": nobody's
   QLabel* words_;
