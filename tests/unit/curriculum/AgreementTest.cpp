@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <random>
 
 namespace insonate {
 namespace {
@@ -78,6 +80,42 @@ TEST(Agreement, IntraclassCorrelationOfEqualAndShiftedRaters) {
   // One rater 1 higher: subjects 2 * 1 = 2, raters 1.5, rest 0: 2 / (2 + 2 * 1.5 / 3) = 2/3.
   EXPECT_NEAR(intraclassCorrelation({{1, 2}, {2, 3}, {3, 4}})->value, 2 / 3.0, 1e-12);
   EXPECT_FALSE(intraclassCorrelation({{1, 2}, {2, 3}, {3, 4}})->interval);
+}
+
+TEST(Agreement, RoundingIsNoDifferenceBetweenAttempts) {
+  // Scores of a checklist, all alike: means of such numbers are not quite the numbers.
+  for (std::size_t attempts = 2; attempts < 12; ++attempts)
+    for (int points = 0; points <= 44; ++points) {
+      const double percent = 100.0 * points / 44;
+      EXPECT_FALSE(intraclassCorrelation(Ratings(attempts, {percent, percent}))) << attempts << ", " << points;
+    }
+  const auto shifted = intraclassCorrelation({{0.1, 0.2}, {0.2, 0.3}, {0.3, 0.4}});
+  EXPECT_NEAR(shifted->value, 2 / 3.0, 1e-12);
+  EXPECT_FALSE(shifted->interval) << "as of whole numbers";
+}
+
+TEST(Agreement, AnyRatingsGiveFiniteIntervalsAboutTheirValue) {
+  std::mt19937 random(1);
+  const auto below = [&](unsigned end) { return static_cast<std::size_t>(random() % end); };
+  int without = 0;
+  for (int run = 0; run < 5000; ++run) {
+    Ratings ratings(2 + below(4), std::vector<double>(2 + below(2)));
+    for (auto& row : ratings)
+      for (double& rating : row) rating = static_cast<double>(1 + below(5));
+    const auto icc = intraclassCorrelation(ratings);
+    if (!icc || !icc->interval) {
+      ++without;
+      continue;
+    }
+    EXPECT_LE(icc->interval->low, icc->value + 1e-9) << testing::PrintToString(ratings);
+    EXPECT_GE(icc->interval->high, icc->value - 1e-9) << testing::PrintToString(ratings);
+    EXPECT_TRUE(std::isfinite(icc->interval->low) && icc->interval->high < 1 + 1e-9) << testing::PrintToString(ratings);
+  }
+  EXPECT_LT(without, 5000 / 2);
+  // Raters who contradict each other, their attempts all alike on average: -4.67 / (4.67 - 2 / 3 * 4.5).
+  const auto opposed = intraclassCorrelation({{1, 4}, {4, 1}, {2, 3}});
+  EXPECT_NEAR(opposed->value, -2.8, 1e-12);
+  EXPECT_FALSE(opposed->interval);
 }
 
 TEST(Agreement, WhereThereIsNothingThereIsNoValue) {

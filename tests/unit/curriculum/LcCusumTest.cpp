@@ -97,6 +97,23 @@ TEST(LcCusum, ALimitHoldsItsRateAndIsTheLeastThatDoes) {
   }
 }
 
+TEST(LcCusum, AnySeedsLimitHoldsItsRateWithinTheErrorOfItsSimulation) {
+  for (const LcCusum& test : {LcCusum{0.10, 0.25}, LcCusum{0.10, 0.40}, LcCusum{0.05, 0.20}})
+    for (const double allowed : {0.05, 0.1})
+      for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+        const CusumTrials trials{.careers = 10'000, .seed = seed};
+        const double exact =
+            exactSignalRate(test, *calibratedLimit(test, allowed, trials), test.unacceptable, trials.trials);
+        EXPECT_LE(exact, allowed + 4 * std::sqrt(allowed * (1 - allowed) / trials.careers)) << seed;
+      }
+}
+
+TEST(LcCusum, TheLimitOfTheCurriculumHoldsByAddingUpAllWays) {
+  // resources/curricula/central_line.json
+  EXPECT_LE(exactSignalRate({0.10, 0.40}, 4.07, 0.40, 50), 0.1);
+  EXPECT_GT(exactSignalRate({0.10, 0.40}, 4.05, 0.40, 50), 0.1);
+}
+
 TEST(LcCusum, TheSameSeedGivesTheSameLimit) {
   const LcCusum test{0.05, 0.2};
   EXPECT_EQ(*calibratedLimit(test, 0.1, {50, 5000, 7}), *calibratedLimit(test, 0.1, {50, 5000, 7}));

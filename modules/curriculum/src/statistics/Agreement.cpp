@@ -11,6 +11,7 @@ namespace insonate {
 namespace {
 
 constexpr int kMostGrades = 1000;
+constexpr double kLeastFreedom = 0.1;
 
 /// How much two grades differ; 0 for the same.
 double difference(int a, int b, KappaWeights weights) {
@@ -42,16 +43,23 @@ MeanSquares meanSquaresOf(const std::vector<std::vector<double>>& ratings) {
       const double rest = ratings[i][j] - subjectMeans[i] - raterMeans[j] + mean;
       squares.error += rest * rest / ((n - 1) * (k - 1));
     }
+  // What rounding leaves of squares that are 0 is no difference between subjects or raters.
+  double all = 0;
+  for (const std::vector<double>& row : ratings)
+    for (const double rating : row) all += rating * rating;
+  for (double* square : {&squares.subjects, &squares.raters, &squares.error})
+    if (*square < 1e-20 * all) *square = 0;
   return squares;
 }
 
 /// Shrout and Fleiss 1979, page 424.
 std::optional<Interval> intervalOf(double icc, const MeanSquares& squares, double n, double k, double confidence) {
-  if (!(squares.error > 0)) return std::nullopt;
+  if (!(squares.error > 0 && squares.subjects > 0)) return std::nullopt;
   const double fRaters = squares.raters / squares.error;
   const double a = k * icc * fRaters, b = n * (1 + (k - 1) * icc) - k * icc;
   const double freedom = (k - 1) * (n - 1) * (a + b) * (a + b) / ((n - 1) * a * a + b * b);
-  if (!(freedom > 0) || !std::isfinite(freedom)) return std::nullopt;
+  // Far below one degree of freedom quantiles of F leave the numbers, and an interval says nothing.
+  if (!(freedom >= kLeastFreedom) || !std::isfinite(freedom)) return std::nullopt;
   const double share = (1 + confidence) / 2;
   const double upper = boost::math::quantile(boost::math::fisher_f(n - 1, freedom), share);
   const double lower = boost::math::quantile(boost::math::fisher_f(freedom, n - 1), share);
