@@ -58,6 +58,15 @@ TEST(Csv, FormulasAreDefused) {
   EXPECT_EQ(csvText({{"-3.5", "1e-7", "-inf", "a=b", ""}}), "-3.5,1e-7,'-inf,a=b,\r\n");
 }
 
+TEST(Csv, FormulasAreDefusedForOtherSeparatorsToo) {
+  // Where fields are separated by semicolons or tabs, a quote within a field is text and a line's end ends a row.
+  EXPECT_EQ(csvText({{"a", "x;=1+1;y"}}), "a,\"x;'=1+1;y\"\r\n");
+  EXPECT_EQ(csvText({{"a", "x\t@y"}}), "a,\"x\t'@y\"\r\n");
+  EXPECT_EQ(csvText({{"a", "x\r\n=1+1\n-z"}}), "a,\"x\r\n'=1+1\n'-z\"\r\n");
+  EXPECT_EQ(csvText({{"\uFF1D1+1", "\uFF0Bx", "\uFF0Dx", "\uFF20x"}}), "'\uFF1D1+1,'\uFF0Bx,'\uFF0Dx,'\uFF20x\r\n");
+  EXPECT_EQ(csvText({{"a=b", "well-made", "a; b", "x\r\n\r\ny"}}), "a=b,well-made,\"a; b\",\"x\r\n\r\ny\"\r\n");
+}
+
 TEST(Csv, WhatIsWrittenIsReadAsTheSame) {
   std::mt19937 random(3);
   const std::vector<std::string> letters{"a", ",", ";", "\t", "\"", "\r", "\n", "'", " ", "\xC3\xA4"};

@@ -117,6 +117,16 @@ TEST(XapiStatements, ActorsByMailWhereTheyHaveOne) {
   EXPECT_FALSE(s["actor"].contains("account"));
 }
 
+TEST(XapiStatements, MailAddressesAreWrittenAsAddresses) {
+  // RFC 6068, 2: % and what means something in an address of the web is written as %HH.
+  Person odd = ada();
+  odd.email = "a+b%c?d&\xC3\xA9'@example.org";
+  const auto texts = xapiStatements({"https://training.example.org", true}, test::courseOf({test::levelNamed("a", 1)}),
+                                    odd, std::vector<AttemptFacts>{attempt()});
+  ASSERT_TRUE(texts);
+  EXPECT_EQ(json::parse(texts->at(0))["actor"]["mbox"], "mailto:a+b%25c%3Fd%26%C3%A9'@example.org");
+}
+
 TEST(XapiStatements, OddFactsStayWithinTheStandard) {
   for (const std::int64_t time : {INT64_MIN, INT64_MAX, std::int64_t{0}})
     for (const double points : {-1.0, 101.0, std::numeric_limits<double>::quiet_NaN()}) {
@@ -134,8 +144,8 @@ TEST(XapiStatements, OddFactsStayWithinTheStandard) {
 }
 
 TEST(XapiStatements, HomePagesAreAddresses) {
-  for (const char* page :
-       {"", "training.example.org", "https://", "ftp://x", "https://a b", "https://a\"b", "http:///"})
+  for (const char* page : {"", "training.example.org", "https://", "ftp://x", "https://a b", "https://a\"b", "http:///",
+                           "https://a\\b", "https://{a}", "https://a|b", "https://a`b^"})
     EXPECT_THAT(xapiStatements({page, false}, {}, ada(), {}).error().message, HasSubstr("is no home page")) << page;
 }
 

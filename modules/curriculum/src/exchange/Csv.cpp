@@ -99,13 +99,32 @@ bool isNumber(const std::string& field) {
   return error == std::errc() && stop == end && std::isfinite(value);
 }
 
-std::string written(std::string field) {
-  constexpr std::string_view kFormula = "=+-@\t\r\n", kQuoted = ",;\t\"\r\n";
-  if (!field.empty() && kFormula.find(field.front()) != std::string_view::npos && !isNumber(field))
-    field.insert(0, "'");
-  if (field.find_first_of(kQuoted) == std::string::npos) return field;
+/// Whether a spreadsheet would compute what begins here. Some take the full-width forms of the signs for the signs.
+bool beginsFormula(std::string_view text) {
+  return std::ranges::any_of(std::array{"=", "+", "-", "@", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"},
+                             [&](const char* sign) { return text.starts_with(sign); });
+}
+
+/// A spreadsheet that expects another separator, semicolons in much of Europe, does not see that this field is quoted,
+/// and begins new fields within it.
+std::string defused(std::string_view field) {
+  constexpr std::string_view kBlanks = "\t\r\n", kBreaks = ";\t\r\n";
+  std::string text;
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const bool begins = i == 0 || kBreaks.find(field[i - 1]) != std::string_view::npos;
+    if ((begins && beginsFormula(field.substr(i))) || (i == 0 && kBlanks.find(field[0]) != std::string_view::npos))
+      text += '\'';
+    text += field[i];
+  }
+  return text;
+}
+
+std::string written(const std::string& field) {
+  constexpr std::string_view kQuoted = ",;\t\"\r\n";
+  const std::string text = isNumber(field) ? field : defused(field);
+  if (text.find_first_of(kQuoted) == std::string::npos) return text;
   std::string quoted = "\"";
-  for (const char c : field) quoted.append(c == '"' ? 2 : 1, c);
+  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
   return quoted + "\"";
 }
 

@@ -22,13 +22,15 @@ std::string text(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// A part of an address (RFC 3986, 2.1).
-std::string encoded(const std::string& part) {
+/// A part of an address (RFC 3986, 2.1); the marks in `plainToo` may stand in it, too.
+std::string encoded(const std::string& part, std::string_view plainToo = "") {
+  constexpr std::string_view kPlain = "-._~";
   std::string text;
   for (const unsigned char c : part) {
     char escape[4];
     std::snprintf(escape, sizeof escape, "%%%02X", c);
-    const bool plain = c < 0x80 && (std::isalnum(c) || c == '-' || c == '.' || c == '_' || c == '~');
+    const bool plain = (c < 0x80 && std::isalnum(c)) || kPlain.find(static_cast<char>(c)) != std::string_view::npos ||
+                       plainToo.find(static_cast<char>(c)) != std::string_view::npos;
     text += plain ? std::string(1, static_cast<char>(c)) : escape;
   }
   return text;
@@ -37,7 +39,11 @@ std::string encoded(const std::string& part) {
 Result<std::string> homeOf(const XapiSite& site) {
   std::string home = site.homePage;
   while (home.ends_with('/')) home.pop_back();
-  const auto isOdd = [](unsigned char c) { return c <= ' ' || c == 0x7f || c == '"' || c == '<' || c == '>'; };
+  // RFC 3987, 2.2
+  const auto isOdd = [](unsigned char c) {
+    return c <= ' ' || c == 0x7f ||
+           std::string_view("\"<>\\^`{|}").find(static_cast<char>(c)) != std::string_view::npos;
+  };
   const std::size_t host = home.starts_with("https://") ? 8 : home.starts_with("http://") ? 7 : 0;
   if (host == 0 || home.size() == host || std::any_of(home.begin(), home.end(), isOdd))
     return fail("'" + site.homePage +
@@ -78,7 +84,7 @@ class Writer {
     Json agent{{"objectType", "Agent"}};
     if (!person_.fullName.empty()) agent["name"] = person_.fullName;
     if (byMail_ && !person_.email.empty())
-      agent["mbox"] = "mailto:" + person_.email;
+      agent["mbox"] = "mailto:" + encoded(person_.email, "@+!$'*,");  // RFC 6068, 2
     else
       agent["account"] = {{"homePage", home_}, {"name", person_.id}};
     return agent;
