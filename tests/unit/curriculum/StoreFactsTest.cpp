@@ -1,4 +1,5 @@
 #include "StoreRig.h"
+#include "store/sql/Connection.h"
 
 #include <insonate/curriculum/FormStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>
@@ -13,6 +14,16 @@ using ::testing::IsEmpty;
 /// Curricula, cohorts and forms.
 class StoreFacts : public OnBoth {};
 INSONATE_ON_BOTH(StoreFacts);
+
+TEST_P(StoreFacts, AStatementIsKnownByItsTextAndNotByWhereThatLies) {
+  rig->open();
+  const auto connection = store::Connection::open(valueOf(store::Address::parse(rig->address)));
+  ASSERT_TRUE(connection);
+  std::string sql = "SELECT 1";
+  EXPECT_EQ(valueOf((*connection)->rows(sql, {})).at(0).number(0), 1);
+  sql.back() = '2';
+  EXPECT_EQ(valueOf((*connection)->rows(sql, {})).at(0).number(0), 2);
+}
 
 TEST_P(StoreFacts, APublishedVersionIsFixedAndLaterOnesGrow) {
   const School school(rig->open());

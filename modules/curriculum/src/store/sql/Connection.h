@@ -8,6 +8,7 @@
 
 #include <QtSql/QSqlDatabase>
 #include <QtSql/QSqlQuery>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -33,7 +34,7 @@ class Connection {
   /// Of SQLite.
   sqlite3* handle() const;
 
-  /// A prepared statement, kept for the next time; `sql` lives as long as the program.
+  /// A prepared statement, kept for the next time.
   Result<std::vector<Row>> rows(std::string_view sql, const std::vector<QVariant>& values);
   /// The number of rows changed.
   Result<std::int64_t> run(std::string_view sql, const std::vector<QVariant>& values);
@@ -50,7 +51,7 @@ class Connection {
   std::string place_;
   QString name_;
   QSqlDatabase database_;
-  std::map<std::string_view, QSqlQuery> prepared_;
+  std::map<std::string, QSqlQuery, std::less<>> prepared_;
   bool lost_ = false;
 };
 
