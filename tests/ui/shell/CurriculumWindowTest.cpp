@@ -209,6 +209,7 @@ TEST_F(CurriculumWindowTest, TheLimitOfLcCusumIsCalibrated) {
   part<QCheckBox>("cusumOn").click();
   part<QDoubleSpinBox>("cusumAcceptable").setValue(10);
   part<QDoubleSpinBox>("cusumUnacceptable").setValue(25);
+  part<QDoubleSpinBox>("cusumLimit").setValue(5);
   part<QDoubleSpinBox>("cusumFalse").setValue(10);
   button("cusumCalibrate").click();
   ASSERT_TRUE(waitUntil([&] { return part<QLabel>("cusumCalibrated").isVisible(); }));

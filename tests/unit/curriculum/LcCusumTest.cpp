@@ -1,3 +1,4 @@
+#include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/LcCusum.h>
 
 #include <gmock/gmock.h>
@@ -112,6 +113,11 @@ TEST(LcCusum, TheLimitOfTheCurriculumHoldsByAddingUpAllWays) {
   // resources/curricula/central_line.json
   EXPECT_LE(exactSignalRate({0.10, 0.40}, 4.07, 0.40, 50), 0.1);
   EXPECT_GT(exactSignalRate({0.10, 0.40}, 4.05, 0.40, 50), 0.1);
+}
+
+TEST(LcCusum, TheRuleThatANewLevelBeginsWithHoldsOneInTen) {
+  const CusumRule rule;
+  EXPECT_NEAR(exactSignalRate({rule.acceptable, rule.unacceptable}, rule.limit, rule.unacceptable, 50), 0.089, 0.001);
 }
 
 TEST(LcCusum, TheSameSeedGivesTheSameLimit) {
