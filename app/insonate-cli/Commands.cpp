@@ -2,6 +2,8 @@
 
 #include "Interrupt.h"
 
+#include <insonate/cases/CaseVersions.h>
+
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
@@ -28,6 +30,13 @@ void refuse(Outcome& outcome, const Error& error) {
 void printJson(nlohmann::json object) {
   object["version"] = INSONATE_VERSION;
   std::cout << object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+}
+
+Result<void> writeOrReplace(const PatientCase& patient, const std::string& caseFolder) {
+  if (checkCaseTarget(caseFolder, false)) return writeCase(patient, caseFolder, terminalProgress());
+  const auto version = saveCaseVersion(patient, caseFolder, today(), {}, terminalProgress());
+  if (!version) return tl::unexpected(version.error());
+  return {};
 }
 
 void tellNext(const std::string& caseFolder) {

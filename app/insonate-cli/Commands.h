@@ -1,5 +1,6 @@
 #pragma once
 
+#include <insonate/cases/PatientCase.h>
 #include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
 
@@ -40,6 +41,8 @@ void refuse(Outcome& outcome, const Error& error, const nlohmann::json& fields);
 void refuse(Outcome& outcome, const Error& error);
 /// Prints one JSON object, with the program's version added, to standard output. Names need not be UTF-8.
 void printJson(nlohmann::json object);
+/// Writes a case; where one is there already, that stays as an earlier version, for attempts that were made on it.
+Result<void> writeOrReplace(const PatientCase& patient, const std::string& caseFolder);
 /// What can be done with a case that was just written, to standard error.
 void tellNext(const std::string& caseFolder);
 /// Refuses an empty name as wrong usage.

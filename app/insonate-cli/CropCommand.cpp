@@ -43,7 +43,7 @@ Result<void> crop(const CropArguments& a) {
   const auto& notes = part->manifest.importNotes;
   for (std::size_t n = read->patient.manifest.importNotes.size(); n < notes.size(); ++n)
     std::cerr << "note: " << notes[n] << '\n';
-  if (auto ok = writeCase(*part, a.folder, terminalProgress()); !ok) return ok;
+  if (auto ok = writeOrReplace(*part, a.folder); !ok) return ok;
   tellNext(a.folder);
   const VolumeGeometry& g = part->ct.geometry;
   if (a.json)
@@ -69,7 +69,7 @@ void addCropCommand(CLI::App& app, Outcome& outcome) {
   auto* spacing =
       command->add_option("--spacing", a->spacing_mm, "New distance of voxels (mm): one number, or x y z of the grid")
           ->expected(1, 3);
-  command->add_flag("--replace", a->replace, "Write over a case that OUT holds already");
+  command->add_flag("--replace", a->replace, "Replace a case that OUT holds already; it stays as an earlier version");
   command->add_flag("--json", a->json, "Print one JSON object");
   command->callback([a, from, spacing, &outcome] {
     outcome.json = a->json;

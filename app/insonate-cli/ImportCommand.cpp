@@ -92,7 +92,7 @@ Result<void> importCase(const ImportArguments& a) {
     patient.labels = LabelMap(patient.ct.geometry);
     std::cerr << "note: Nothing is labelled yet; --auto-label would label what Hounsfield units tell.\n";
   }
-  if (auto written = writeCase(patient, a.folder, terminalProgress()); !written) return written;
+  if (auto written = writeOrReplace(patient, a.folder); !written) return written;
   tellPose(patient);
   tellNext(a.folder);
   if (a.asJson) printJson({{"series", json::array({toJson(imported->series)})}, {"case", a.folder}});
@@ -113,7 +113,8 @@ void addImportCommand(CLI::App& app, Outcome& outcome) {
   command->add_option("--series", a->series, "UID of the series to import, as listed")->excludes(listOnly);
   command->add_flag("--auto-label", a->autoLabel, "Label air, fat, muscle, bone and skin from Hounsfield units")
       ->excludes(listOnly);
-  command->add_flag("--replace", a->replace, "Write over a case that CASE holds already")->excludes(listOnly);
+  command->add_flag("--replace", a->replace, "Replace a case that CASE holds already; it stays as an earlier version")
+      ->excludes(listOnly);
   command->add_flag("--json", a->asJson, "Print one JSON object");
   command->callback([a, folder, &outcome] {
     outcome.json = a->asJson;

@@ -53,11 +53,11 @@ Result<void> checkTargets(const PhantomArguments& a) {
 
 /// The series and the case, or neither.
 Result<void> write(const PatientCase& patient, const PhantomArguments& a) {
-  if (a.dicomFolder.empty()) return writeCase(patient, a.folder, terminalProgress());
+  if (a.dicomFolder.empty()) return writeOrReplace(patient, a.folder);
   const bool wasThere = fs::exists(a.dicomFolder);
   const DicomSeriesIdentity identity{.seed = patient.manifest.source, .description = "Synthetic neck CT"};
   if (auto ok = writeDicomSeries(patient.ct, a.dicomFolder, identity, terminalProgress()); !ok) return ok;
-  auto written = writeCase(patient, a.folder, terminalProgress());
+  auto written = writeOrReplace(patient, a.folder);
   if (written) return written;
   std::error_code error;
   if (!wasThere) {
@@ -95,7 +95,7 @@ void addPhantomCommand(CLI::App& app, Outcome& outcome) {
   command->add_flag("--contrast", a->contrast, "Iodine in the vessels of the CT");
   command->add_option("--dicom", a->dicomFolder, "Also write the CT as a DICOM series, into a new or empty folder")
       ->check(notEmpty());
-  command->add_flag("--replace", a->replace, "Write over a case that CASE holds already");
+  command->add_flag("--replace", a->replace, "Replace a case that CASE holds already; it stays as an earlier version");
   auto* labels =
       command->add_option("--from-labels", a->labelFile, "A label map to make the case of, instead")->check(notEmpty());
   auto* map =

@@ -1,7 +1,12 @@
 #include "PrepareWindow.h"
+#include "guide/GuideSession.h"
 
+#include <insonate/cases/CaseVersions.h>
+#include <insonate/cases/Phantom.h>
 #include <insonate/simulator/ProbePose.h>
+#include <insonate/ui/KnownCases.h>
 
+#include <QTabBar>
 #include <QTreeWidget>
 
 namespace insonate::prepare {
@@ -139,6 +144,102 @@ TEST_F(CheckPage, PressingFlattensTheVeinAndIsNotKeptAsTheStart) {
   EXPECT_NEAR(session_->places().startPoses[0].position_mm.y, 0, 1) << "on the skin, not in it";
   openCase();
   EXPECT_EQ(child<ui::ValueSlider>("press")->value(), 0) << "another case is not pressed";
+}
+
+TEST_F(CheckPage, AKeyAndThePathOfStepsLeadToItAndBack) {
+  openCase();
+  EXPECT_FALSE(child<QWidget>("checkVerdict")->isVisible());
+  EXPECT_TRUE(child<QLineEdit>("caseTitle")->isVisible());
+  key(Qt::Key_C);
+  EXPECT_TRUE(child<QWidget>("checkVerdict")->isVisible());
+  EXPECT_FALSE(child<QLineEdit>("caseTitle")->isVisible());
+  key(Qt::Key_C);
+  EXPECT_TRUE(child<QLineEdit>("caseTitle")->isVisible());
+  press("toFindings");
+  EXPECT_TRUE(child<QWidget>("checkVerdict")->isVisible());
+  EXPECT_EQ(child<QTabBar>("rightPages")->currentIndex(), 1);
+}
+
+TEST_F(CheckPage, WhatIsMissingLeadsToWhereItIsMade) {
+  auto without = std::make_shared<PatientCase>(*patient());
+  without->manifest.targets.clear();
+  openCase(without);
+  press("toFindings");
+  child<QTabBar>("labelling")->setCurrentIndex(1);
+  press("place-no_artery");
+  EXPECT_EQ(child<QTabBar>("labelling")->currentIndex(), 0) << "the guide";
+  EXPECT_EQ(workspace_->findChild<GuideSession*>()->step().name, "artery-right");
+  press("place-no_target");
+  EXPECT_EQ(child<QComboBox>("placeKind")->currentText(), "target: what is punctured");
+}
+
+class Publish : public CheckPage {
+ protected:
+  /// Of a size that is fit for training.
+  static std::shared_ptr<const PatientCase> fit() {
+    static const auto made = std::make_shared<const PatientCase>(*makePhantom("textbook", 1));
+    return made;
+  }
+  QString why() { return child<QPushButton>("publish")->toolTip(); }
+  bool enabled() { return child<QPushButton>("publish")->isEnabled(); }
+  void setFolder(const std::filesystem::path& folder) {
+    ui::CaseOrigin origin;
+    origin.folder = QString::fromStdString(folder.string());
+    workspace_->setOrigin(origin);
+  }
+};
+
+TEST_F(Publish, WhatStandsAgainstItIsSaid) {
+  EXPECT_FALSE(enabled());
+  openCase();
+  EXPECT_TRUE(why().contains("Save the case first")) << why().toStdString();
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(writeCase(*patient(), folder.path() / "case"));
+  setFolder(folder.path() / "case");
+  EXPECT_TRUE(why().contains("not fit for training")) << why().toStdString();
+  EXPECT_FALSE(enabled());
+  ui::CaseOrigin kept;
+  kept.versionOf = "/somewhere";
+  workspace_->setOrigin(kept);
+  EXPECT_TRUE(why().contains("kept")) << why().toStdString();
+}
+
+TEST_F(Publish, TraineesGetWhatWasPublishedWhateverIsSavedLater) {
+  const test::TemporaryFolder folder;
+  const auto place = folder.path() / "case";
+  ASSERT_TRUE(saveCaseVersion(*fit(), place, "2026-11-22", ""));
+  setFolder(place);
+  openCase(fit());
+  ASSERT_TRUE(enabled()) << why().toStdString();
+  press("publish");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return publishedVersion(place) == 1; }, kPatience_ms));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().contains("version 1"); }, kPatience_ms));
+
+  session_->removeVoxels(kThyroid);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workspace_->unsavedEdit() && workspace_->isReady(); }, kPatience_ms));
+  EXPECT_FALSE(enabled()) << "not saved";
+  PatientCase changed = *fit();
+  workspace_->unsavedEdit()(changed);
+  ASSERT_TRUE(saveCaseVersion(changed, place, "2026-11-23", ""));
+  const auto trained = readCase(ui::placeForTraining(QString::fromStdString(place.string())).toStdString());
+  ASSERT_TRUE(trained) << trained.error().message;
+  EXPECT_TRUE(trained->patient.labels.voxels == fit()->labels.voxels);
+}
+
+TEST_F(CheckPage, TheProbeStandsOnTheSkinAsItIsEdited) {
+  openCase();
+  ASSERT_TRUE(session_->live().standing());
+  const Vec3 before_mm = session_->live().standing()->offset;
+  LabelStep cut;
+  cut.tool = step::Paint{.points_mm = {before_mm - Vec3{0, 12, 0}}, .radius_mm = 18};
+  cut.label = kBackground;
+  std::optional<Result<LabelChange>> made;
+  session_->labelling().run(std::move(cut), "cut", [&](const Result<LabelChange>& change) { made = change; });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return made.has_value(); }, kPatience_ms));
+  ASSERT_TRUE(*made) << made->error().message;
+  ASSERT_TRUE((*made)->labels.test(kBackground)) << (*made)->voxels;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session_->live().standing()->offset.y > before_mm.y + 3; }, kPatience_ms))
+      << session_->live().standing()->offset.y;
 }
 
 TEST_F(CheckPage, AFindingSelectsItsStructure) {

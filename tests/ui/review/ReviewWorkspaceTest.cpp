@@ -1,6 +1,8 @@
 #include "ReviewWindow.h"
 
+#include <insonate/cases/CaseVersions.h>
 #include <insonate/cases/Phantom.h>
+#include <insonate/tissue/Labels.h>
 #include <insonate/ui/Attempts.h>
 #include <insonate/ui/RecentCases.h>
 
@@ -236,6 +238,36 @@ TEST_F(ReviewWindow, ACaseThatHasChangedIsSaid) {
   EXPECT_EQ(session_->fit(), CaseFit::Other);
   EXPECT_FALSE(session_->picture().shown());
   EXPECT_TRUE(child<QLabel>("attemptNotice")->text().contains("not on the case that is open"));
+}
+
+TEST_F(ReviewWindow, TheVersionThatAnAttemptWasMadeOnIsAskedForByItself) {
+  const auto folder = std::filesystem::path(home_.filePath("block").toStdString());
+  ASSERT_TRUE(saveCaseVersion(*block(), folder, "2026-11-22", ""));
+  auto later = std::make_shared<PatientCase>(*block());
+  later->labels.voxels.front() = kBone;
+  ASSERT_TRUE(saveCaseVersion(*later, folder, "2026-11-23", ""));
+  ui::rememberCase({home_.filePath("block"), "Small block"});
+  QSignalSpy wanted(workspace_.get(), &ui::Workspace::caseWanted);
+  const std::string kept = (folder / "versions" / "001").string();
+  // Over the case as it is now.
+  workspace_->setCase(later);
+  const QString file = recorded(home_.filePath("two"));
+  open(file);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return wanted.size() == 1; }, kPatience_ms));
+  EXPECT_EQ(wanted[0][0].toString().toStdString(), kept);
+  EXPECT_TRUE(child<QLabel>("attemptNotice")->text().contains("is kept")) << "for who stays with the case";
+  settle();
+  EXPECT_EQ(wanted.size(), 1) << "asked once";
+  workspace_->setCase(block());
+  settle();
+  EXPECT_EQ(session_->fit(), CaseFit::Same);
+  // Over another case.
+  auto other = std::make_shared<PatientCase>(*block());
+  other->manifest.title = "Another";
+  workspace_->setCase(other);
+  open(file);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return wanted.size() == 2; }, kPatience_ms));
+  EXPECT_EQ(wanted[1][0].toString().toStdString(), kept);
 }
 
 TEST_F(ReviewWindow, WhatIsMissingIsSaidAndARefusedFileLeavesWhatWasOpen) {

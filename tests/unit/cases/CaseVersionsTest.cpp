@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <fstream>
 #include <thread>
 
 namespace insonate {
@@ -158,6 +159,43 @@ TEST_F(CaseVersions, OfTwoProgramsThatSaveAtOnceNoVersionIsLost) {
     EXPECT_TRUE(findVersion(folder_, voxelHashOf(relabelled(std::uint8_t(2 + n))))) << n;
     EXPECT_TRUE(findVersion(folder_, voxelHashOf(relabelled(std::uint8_t(8 + n))))) << n;
   }
+}
+
+TEST_F(CaseVersions, WhatIsPublishedStaysWhatTraineesGet) {
+  save(relabelled(kVein));
+  EXPECT_EQ(publishedVersion(folder_), 0);
+  EXPECT_EQ(caseForTraining(folder_), folder_) << "nothing is published: the case as it is";
+  const auto first = publishCase(folder_, "2026-11-23");
+  ASSERT_TRUE(first) << first.error().message;
+  EXPECT_EQ(first->number, 1);
+  EXPECT_EQ(first->date, "2026-11-22") << "of the day on which it was saved";
+  EXPECT_EQ(versionsOf(folder_).size(), 1u);
+
+  save(relabelled(kArtery));
+  save(relabelled(kBone));
+  EXPECT_EQ(publishedVersion(folder_), 1);
+  EXPECT_EQ(read(caseForTraining(folder_)).labels.voxels, relabelled(kVein).labels.voxels);
+  EXPECT_EQ(caseOfVersion(caseForTraining(folder_)), folder_);
+  EXPECT_EQ(caseOfVersion(folder_), std::nullopt);
+  // Another program writes over the labels of the folder.
+  const auto second = publishCase(folder_, "2026-11-23");
+  ASSERT_TRUE(second && writeCase(relabelled(kThyroid), folder_));
+  EXPECT_EQ(second->number, 3);
+  EXPECT_EQ(read(caseForTraining(folder_)).labels.voxels, relabelled(kBone).labels.voxels);
+  EXPECT_EQ(versionsOf(folder_).size(), 3u);
+  EXPECT_EQ(save(relabelled(kSkin)).number, 5) << "the other program's is the fourth";
+  EXPECT_EQ(read(caseForTraining(folder_)).labels.voxels, relabelled(kBone).labels.voxels);
+}
+
+TEST_F(CaseVersions, APointerToNothingPublishesNothing) {
+  save(relabelled(kVein));
+  ASSERT_TRUE(publishCase(folder_, "2026-11-23"));
+  for (const char* text : {"", "{", "{\"version\": 7}", "{\"version\": \"../..\"}", "[]"}) {
+    std::ofstream(folder_ / "versions" / "published.json") << text;
+    EXPECT_EQ(caseForTraining(folder_), folder_) << text;
+  }
+  const auto none = publishCase(root_ / "nowhere", "2026-11-23");
+  ASSERT_FALSE(none);
 }
 
 TEST_F(CaseVersions, DamagedVersionEntryIsRefusedWithItsPlace) {

@@ -33,6 +33,7 @@ constexpr KeyRow kKeys[] = {
     {Qt::Key_Minus, Command::SmallerBrush},
     {Qt::Key_BracketRight, Command::LargerBrush},
     {Qt::Key_BracketLeft, Command::SmallerBrush},
+    {Qt::Key_C, Command::CheckPage, "C", "the check beside the slices, and back to the case"},
     {Qt::Key_Home, Command::Start, "Home", "crosshair and probe to where the case begins"},
     {0, {}, "Ctrl+Z, Ctrl+Y", "take back a change, do it again"},
     {0, {}, "Arrows, wheel, Page up and down", "go through the slices"},

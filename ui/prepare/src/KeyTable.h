@@ -14,6 +14,7 @@ enum class Command {
   PreviousStructure,
   NextStructure,
   ToggleStructure,
+  CheckPage,
   Start,
   Tool,  ///< of the row's key
   LastTool,

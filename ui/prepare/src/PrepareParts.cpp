@@ -1,21 +1,15 @@
 #include "PrepareParts.h"
 
 #include "KeyTable.h"
-#include "check/DifficultyBox.h"
 #include "check/FindingsList.h"
-#include "check/PlacesBox.h"
 #include "guide/GuidePointer.h"
 #include "guide/GuideSession.h"
 #include "live/UltrasoundPane.h"
-#include "panel/CaseFacts.h"
 #include "panel/PathPanel.h"
-#include "panel/Section.h"
-#include "panel/SliceControls.h"
-#include "recipe/RecipeBox.h"
+#include "panel/RightColumn.h"
 #include "tool/SceneTools.h"
 #include "tool/SliceTools.h"
 #include "tool/ToolBar.h"
-#include "tool/ToolPanel.h"
 #include "views/CaseViews.h"
 
 #include <insonate/ui/EmptyWorkspace.h>
@@ -27,8 +21,6 @@
 
 #include <QAction>
 #include <QKeyEvent>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QSettings>
 #include <QSplitter>
 #include <QStackedLayout>
@@ -39,7 +31,7 @@ namespace insonate::prepare {
 namespace {
 
 constexpr double kOpacityStep = 0.05;
-constexpr int kLeft_px = 284, kRight_px = 362, kUltrasound_px = 310;
+constexpr int kLeft_px = 284, kRight_px = 362;
 
 }  // namespace
 
@@ -53,12 +45,13 @@ PrepareWorkspace::Parts::Parts(PrepareWorkspace& workspace, ui::TaskBar& tasks)
   columns = new QSplitter(Qt::Horizontal, &workspace);
   columns->setObjectName(QStringLiteral("prepareColumns"));
   columns->setChildrenCollapsible(false);
-  path = new PathPanel(session, guide);
+  path = new PathPanel(session, guide, tasks);
   path->setMinimumWidth(kLeft_px);
   views = new CaseViews(session);
   columns->addWidget(path);
   columns->addWidget(buildMiddle());
-  columns->addWidget(buildRight());
+  right_ = new RightColumn(session, *tools_, views->sharedScene());
+  columns->addWidget(right_);
   columns->setStretchFactor(0, 0);
   columns->setStretchFactor(1, 1);
   columns->setStretchFactor(2, 0);
@@ -76,8 +69,9 @@ void PrepareWorkspace::Parts::buildEmpty() {
       {QStringLiteral("prepare"),
        tr("Prepare a case"),
        {tr("Drop a case folder, a folder of DICOM files, or an NRRD, NIfTI or MetaImage file here."),
-        tr("An imported CT is labelled by its Hounsfield units and can be saved as a case. Here you look at it, choose "
-           "colours, and see what stands against training on it.")},
+        tr("A guide leads from an imported CT to a labelled neck. The check says what stands against training on it; "
+           "when "
+           "nothing does, publish the case for trainees.")},
        {},
        {}});
   empty->setObjectName(QStringLiteral("prepareEmpty"));
@@ -92,52 +86,6 @@ QWidget* PrepareWorkspace::Parts::buildMiddle() {
   box->addWidget(new ToolBar(*tools_));
   box->addWidget(views, 1);
   return middle;
-}
-
-QWidget* PrepareWorkspace::Parts::buildRight() {
-  auto* inner = new QWidget;
-  auto* box = new QVBoxLayout(inner);
-  box->setContentsMargins(12, ui::kGap, 12, ui::kGap);
-  box->setSpacing(ui::kGap);
-  scene_ = new ui::ScenePanel(views->sharedScene(), nullptr, ui::ScenePanel::Structures::Elsewhere);
-  // Its margins are those of a column by itself.
-  scene_->layout()->setContentsMargins(0, 0, 0, 0);
-  check_ = new Section(QStringLiteral("check"), tr("Check"), new FindingsList(session));
-  sections = {new Section(QStringLiteral("case"), tr("Case"), new CaseFacts(session)),
-              new Section(QStringLiteral("slices"), tr("Slices"), new SliceControls(session)),
-              check_,
-              new Section(QStringLiteral("difficulty"), tr("Difficulty"), new DifficultyBox(session)),
-              new Section(QStringLiteral("places"), tr("Targets and landmarks"), new PlacesBox(session)),
-              new Section(QStringLiteral("recipe"), tr("Steps"), new RecipeBox(session)),
-              new Section(QStringLiteral("scene"), tr("3D"), scene_)};
-  sections.back()->setOpen(false);
-  toolPanel_ = new ToolPanel(session, *tools_);
-  tool_ = new Section(QStringLiteral("tool"), tr("Tool"), toolPanel_);
-  tool_->hide();
-  box->addWidget(tool_);
-  for (Section* section : sections) box->addWidget(section);
-  box->addStretch(1);
-  scroll_ = new QScrollArea;
-  scroll_->setWidget(inner);
-  scroll_->setWidgetResizable(true);
-  scroll_->setFrameShape(QFrame::NoFrame);
-  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll_->setFocusPolicy(Qt::NoFocus);
-  ultrasound_ = new UltrasoundPane(session);
-  auto* foot = new QWidget;
-  auto* footBox = new QVBoxLayout(foot);
-  footBox->setContentsMargins(12, ui::kGap, 12, ui::kGap);
-  footBox->addWidget(ultrasound_);
-  auto* right = new QSplitter(Qt::Vertical);
-  right->setObjectName(QStringLiteral("prepareRight"));
-  right->setChildrenCollapsible(false);
-  right->addWidget(scroll_);
-  right->addWidget(foot);
-  right->setStretchFactor(0, 1);
-  right->setStretchFactor(1, 0);
-  right->setSizes({1000, kUltrasound_px});
-  right->setMinimumWidth(kRight_px);
-  return right;
 }
 
 void PrepareWorkspace::Parts::makeActions() {
@@ -168,7 +116,7 @@ void PrepareWorkspace::Parts::makeActions() {
 
 void PrepareWorkspace::Parts::connectParts() {
   for (ui::ViewWidget* view : views->widgets()) view->focusProxy()->installEventFilter(&workspace_);
-  ultrasound_->widget().focusProxy()->installEventFilter(&workspace_);
+  right_->ultrasound().widget().focusProxy()->installEventFilter(&workspace_);
   auto* pointer = new GuidePointer(guide, session, this);
   for (int n = 0; n < CaseViews::kSlices; ++n) pointer->watch(*views->widgets()[std::size_t(n)], views->slice(n));
   // Of filters, the last comes first: a tool in hand has the mouse before the guide.
@@ -176,12 +124,12 @@ void PrepareWorkspace::Parts::connectParts() {
   new SceneTools(*views, *tools_, views);
   connect(&session, &PrepareSession::caseChanged, this, [this] {
     pages_->setCurrentWidget(session.patient() ? static_cast<QWidget*>(columns) : empty);
-    scene_->setCase(session.patient());
+    right_->scene().setCase(session.patient());
     refreshSave();
     refreshReady();
   });
   connect(&session, &PrepareSession::slicesChanged, this,
-          [this] { scene_->histogram().setWindowLevel(session.windowLevel()); });
+          [this] { right_->scene().histogram().setWindowLevel(session.windowLevel()); });
   connect(&session, &PrepareSession::editsChanged, this, [this] {
     refreshSave();
     Q_EMIT workspace_.editsChanged();
@@ -190,7 +138,7 @@ void PrepareWorkspace::Parts::connectParts() {
   connect(&session, &PrepareSession::messageChanged, this, [this] { Q_EMIT workspace_.statusChanged(); });
   connect(&session.measuring(), &CaseMeasuring::changed, this, [this] {
     const auto& measures = session.measuring().measures();
-    check_->setRemark(measures ? findingCount(measures->findings) : QString());
+    right_->setCheckRemark(measures ? findingCount(measures->findings) : QString());
     refreshReady();
   });
   connect(&session.live(), &LivePatient::stateChanged, this, [this] {
@@ -200,11 +148,10 @@ void PrepareWorkspace::Parts::connectParts() {
   connect(&session.followers(), &LabelFollowers::restChanged, this, [this] { refreshReady(); });
   connect(&session.labelling(), &LabelSession::busyChanged, this, [this] { refreshReady(); });
   views->setRested([this] { refreshReady(); });
-  connect(&scene_->histogram(), &ui::HistogramEditor::counted, this,
-          [this] { toolPanel_->setHistogram(scene_->histogram().histogram()); });
   connect(tools_, &ToolSession::toolChanged, this, [this] { showTool(); });
   connect(&guide, &GuideSession::changed, this, [this] { showWhoHasMouse(); });
-  connect(path, &PathPanel::checkChosen, this, [this] { showFindings(); });
+  connect(path, &PathPanel::checkChosen, this, [this] { right_->setCheckShown(true); });
+  connect(right_, &RightColumn::labelWanted, this, [this](int label) { makeStructure(std::uint8_t(label)); });
 }
 
 void PrepareWorkspace::Parts::refreshSave() {
@@ -226,23 +173,20 @@ void PrepareWorkspace::Parts::refreshReady() {
   Q_EMIT workspace_.readyChanged();
 }
 
-void PrepareWorkspace::Parts::showFindings() {
-  check_->setOpen(true);
-  // Its height is known after the next layout only.
-  QMetaObject::invokeMethod(
-      this, [this] { scroll_->verticalScrollBar()->setValue(check_->y()); }, Qt::QueuedConnection);
-}
-
-/// What the tool needs is seen at once; the rest of the column lies below it.
 void PrepareWorkspace::Parts::showTool() {
   showWhoHasMouse();
-  tool_->setVisible(tools_->tool() != nullptr);
-  tool_->setOpen(true);
-  scroll_->verticalScrollBar()->setValue(0);
+  right_->setToolShown(tools_->tool() != nullptr);
+}
+
+/// With the guide, where it has a step for it.
+void PrepareWorkspace::Parts::makeStructure(std::uint8_t label) {
+  if (guide.goToStepFor(label)) return path->showGuide(true);
+  session.addStructure(label);
+  path->showGuide(false);
 }
 
 void PrepareWorkspace::Parts::showWhoHasMouse() {
-  tool_->setRemark(guide.isShown() ? tr("has the mouse, the guide waits") : QString());
+  right_->setToolRemark(guide.isShown() ? tr("has the mouse, the guide waits") : QString());
 }
 
 QString PrepareWorkspace::Parts::engineText() const {
@@ -278,6 +222,8 @@ void PrepareWorkspace::Parts::act(const KeyRow& row) {
       return session.selectNext(1);
     case Command::ToggleStructure:
       return session.setVisible(label, !session.look(label).visible);
+    case Command::CheckPage:
+      return right_->setCheckShown(!right_->showsCheck());
     case Command::Start:
       return session.goToStart();
     case Command::Tool:
@@ -303,10 +249,8 @@ bool PrepareWorkspace::Parts::canvasEvent(QEvent* event) {
 
 void PrepareWorkspace::Parts::saveLayout(QSettings& settings) const {
   settings.setValue(QStringLiteral("columns"), columns->saveState());
-  settings.setValue(QStringLiteral("right"), static_cast<QSplitter*>(columns->widget(2))->saveState());
   settings.setValue(QStringLiteral("views"), views->saveState());
-  for (const Section* section : sections)
-    settings.setValue(QStringLiteral("open-") + section->key(), section->isOpen());
+  right_->save(settings);
   settings.setValue(QStringLiteral("window"), session.windowLevel().window_HU);
   settings.setValue(QStringLiteral("level"), session.windowLevel().level_HU);
   settings.setValue(QStringLiteral("labelOpacity"), session.labelOpacity());
@@ -316,7 +260,7 @@ void PrepareWorkspace::Parts::saveLayout(QSettings& settings) const {
   settings.setValue(QStringLiteral("outlineWidth"), session.labelStyle().thickness_px);
   settings.setValue(QStringLiteral("placesShown"), session.placesShown());
   settings.beginGroup(QStringLiteral("scene"));
-  scene_->save(settings);
+  right_->scene().save(settings);
   settings.endGroup();
   settings.beginWriteArray(QStringLiteral("structures"));
   int index = 0;
@@ -332,10 +276,8 @@ void PrepareWorkspace::Parts::saveLayout(QSettings& settings) const {
 
 void PrepareWorkspace::Parts::restoreLayout(QSettings& settings) {
   columns->restoreState(settings.value(QStringLiteral("columns")).toByteArray());
-  static_cast<QSplitter*>(columns->widget(2))->restoreState(settings.value(QStringLiteral("right")).toByteArray());
   views->restoreState(settings.value(QStringLiteral("views")).toByteArray());
-  for (Section* section : sections)
-    section->setOpen(settings.value(QStringLiteral("open-") + section->key(), section->isOpen()).toBool());
+  right_->restore(settings);
   const auto number = [&settings](const char* key, double otherwise) {
     const double value = settings.value(QLatin1String(key), otherwise).toDouble();
     return std::isfinite(value) ? value : otherwise;
@@ -350,7 +292,7 @@ void PrepareWorkspace::Parts::restoreLayout(QSettings& settings) {
                          int(std::clamp(number("outlineWidth", 1), 1.0, 8.0))});
   session.setPlacesShown(settings.value(QStringLiteral("placesShown"), true).toBool());
   settings.beginGroup(QStringLiteral("scene"));
-  scene_->restore(settings);
+  right_->scene().restore(settings);
   settings.endGroup();
   std::map<std::uint8_t, PrepareSession::Habit> habits;
   const int count = settings.beginReadArray(QStringLiteral("structures"));

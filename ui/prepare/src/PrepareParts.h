@@ -4,28 +4,22 @@
 
 #include <insonate/prepare/PrepareWorkspace.h>
 
-#include <vector>
-
 class QAction;
 class QKeyEvent;
-class QScrollArea;
 class QSplitter;
 class QStackedLayout;
 
 namespace insonate::ui {
 class EmptyWorkspace;
-class ScenePanel;
-}  // namespace insonate::ui
+}
 
 namespace insonate::prepare {
 
 class CaseViews;
 class GuideSession;
 class PathPanel;
-class Section;
-class ToolPanel;
+class RightColumn;
 class ToolSession;
-class UltrasoundPane;
 struct KeyRow;
 
 /// What the workspace is made of, and how the parts act on each other.
@@ -40,7 +34,6 @@ class PrepareWorkspace::Parts : public QObject {
   QSplitter* columns = nullptr;
   PathPanel* path = nullptr;
   CaseViews* views = nullptr;
-  std::vector<Section*> sections;
   bool ready = false;
 
   bool key(const QKeyEvent& event, bool act);
@@ -52,7 +45,6 @@ class PrepareWorkspace::Parts : public QObject {
 
  private:
   void buildEmpty();
-  QWidget* buildRight();
   void makeActions();
   void connectParts();
   void act(const KeyRow& row);
@@ -61,16 +53,12 @@ class PrepareWorkspace::Parts : public QObject {
   void showWhoHasMouse();
   void refreshSave();
   void refreshReady();
-  void showFindings();
+  void makeStructure(std::uint8_t label);
 
   PrepareWorkspace& workspace_;
   QStackedLayout* pages_ = nullptr;
-  QScrollArea* scroll_ = nullptr;
   ToolSession* tools_ = nullptr;
-  ToolPanel* toolPanel_ = nullptr;
-  Section *check_ = nullptr, *tool_ = nullptr;
-  ui::ScenePanel* scene_ = nullptr;
-  UltrasoundPane* ultrasound_ = nullptr;
+  RightColumn* right_ = nullptr;
   QAction* save_ = nullptr;
 };
 

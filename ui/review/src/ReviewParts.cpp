@@ -229,6 +229,8 @@ void ReviewWorkspace::Parts::connectParts() {
   connect(&session, &ReviewSession::attemptChanged, this, [this] { showAttempt(); });
   connect(&session, &ReviewSession::openingChanged, this, [this] { refreshReady(); });
   connect(&session, &ReviewSession::caseChanged, this, [this] {
+    QMetaObject::invokeMethod(
+        this, [this] { openKeptVersion(); }, Qt::QueuedConnection);
     showNotice();
     refreshReady();
   });
@@ -261,25 +263,31 @@ void ReviewWorkspace::Parts::showAttempt() {
                               clockOf(recording.end_us()), wordsOf(recording.status())}
                       .join(QStringLiteral("   ·   ")));
   timeline_->setFocus();
+  keptWanted_ = false;
   // Once the session knows whether the window's case is the one.
   QMetaObject::invokeMethod(
       this, [this] { findCase(); }, Qt::QueuedConnection);
 }
 
-/// Where the version of its case that an attempt was made on is kept, a sentence; none: it is not.
-QStringList ReviewWorkspace::Parts::keptVersion(const AttemptHeader& header) {
+/// Where the version of its case is kept that an attempt was made on; none: it is not.
+std::optional<QString> ReviewWorkspace::Parts::keptVersion(const AttemptHeader& header) {
   const auto place = ui::placeOfCase(QString::fromStdString(header.caseName));
   const auto kept = place ? findVersion(place->toStdString(), header.caseHash) : std::nullopt;
-  if (!kept) return {};
-  return {tr("The version that it was made on is kept: open %1 (Ctrl+O) for its pictures.")
-              .arg(QString::fromStdString(kept->string()))};
+  return kept ? std::optional(QString::fromStdString(kept->string())) : std::nullopt;
+}
+
+/// Once for an attempt: who keeps the case that is open is not asked again.
+void ReviewWorkspace::Parts::openKeptVersion() {
+  if (session.fit() != CaseFit::Changed || std::exchange(keptWanted_, true)) return;
+  if (const auto kept = keptVersion(session.attempt()->recording->header())) Q_EMIT workspace_.caseWanted(*kept);
 }
 
 /// Among the built-in and the recent ones, by its title.
 void ReviewWorkspace::Parts::findCase() {
   if (!session.attempt() || (session.fit() != CaseFit::Missing && session.fit() != CaseFit::Other)) return;
   const QString title = QString::fromStdString(session.attempt()->recording->header().caseName);
-  if (const auto place = ui::placeOfCase(title)) return Q_EMIT workspace_.caseWanted(*place);
+  const auto kept = keptVersion(session.attempt()->recording->header());
+  if (const auto place = kept ? kept : ui::placeOfCase(title)) return Q_EMIT workspace_.caseWanted(*place);
   Q_EMIT workspace_.failed(tr("The case '%1' of this attempt is not among the recent ones.").arg(title),
                            tr("Open it (Ctrl+O) to see hands and pictures; timeline and result are there without it."),
                            {});
@@ -292,7 +300,8 @@ void ReviewWorkspace::Parts::showNotice() {
   if (session.attempt() && (session.fit() == CaseFit::Other || session.fit() == CaseFit::Changed))
     lines.prepend(session.message());
   if (session.attempt() && session.fit() == CaseFit::Changed)
-    lines << keptVersion(session.attempt()->recording->header());
+    if (const auto kept = keptVersion(session.attempt()->recording->header()))
+      lines << tr("The version that it was made on is kept: open %1 (Ctrl+O) for its pictures.").arg(*kept);
   if (session.attempt() && judging->isOther()) lines.prepend(judging->words());
   notice_->setText(lines.join(QLatin1Char('\n')));
   notice_->setVisible(!lines.isEmpty());

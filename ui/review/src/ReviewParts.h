@@ -6,6 +6,7 @@
 #include <insonate/views/UltrasoundView.h>
 
 #include <QStringList>
+#include <optional>
 
 class QKeyEvent;
 class QLabel;
@@ -63,7 +64,8 @@ class ReviewWorkspace::Parts : public QObject {
   void connectParts();
   void showAttempt();
   void showNotice();
-  static QStringList keptVersion(const AttemptHeader& header);
+  static std::optional<QString> keptVersion(const AttemptHeader& header);
+  void openKeptVersion();
   QString pictureWords() const;
   void showPicture();
   void findCase();
@@ -86,6 +88,7 @@ class ReviewWorkspace::Parts : public QObject {
   QToolButton* look_ = nullptr;      ///< whether the panel of 3D is open
   QToolButton* judge_ = nullptr;     ///< whether forms stand in the place of 3D
   QStackedWidget* right_ = nullptr;  ///< 3D or forms
+  bool keptWanted_ = false;          ///< of this attempt: the version that it was made on was asked for
 };
 
 }  // namespace insonate::review

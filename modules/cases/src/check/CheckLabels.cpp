@@ -70,8 +70,11 @@ void checkPresence(const LabelStatistics& s, Findings& findings) {
   }
   const auto require = [&](int label, Severity severity, const char* code, const std::string& why) {
     if (!s.has(label))
-      findings.push_back(
-          {severity, code, "No voxel is labelled " + labelName(label) + " (" + std::to_string(label) + "): " + why});
+      findings.push_back({severity,
+                          code,
+                          "No voxel is labelled " + labelName(label) + " (" + std::to_string(label) + "): " + why,
+                          {},
+                          static_cast<std::uint8_t>(label)});
   };
   require(kVein, Severity::kError, "no_vein", "there is no vessel to puncture. Label the internal jugular vein.");
   require(kArtery, Severity::kError, "no_artery",

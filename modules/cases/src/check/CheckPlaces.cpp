@@ -70,18 +70,18 @@ void checkPlaces(const CaseView& patient, Findings& findings) {
   const bool labelled = std::ranges::any_of(patient.labels.voxels, [](std::uint8_t v) { return v != 0; });
   if (m.targets.empty())
     findings.push_back({Severity::kWarning, "no_target",
-                        "case.json names no target, so a session cannot tell what is to be punctured. Add one."});
+                        "No target is named, so a session cannot tell what is to be punctured. Mark one in the vein."});
   for (const Target& target : m.targets) checkTarget(patient, target, findings);
   for (const StartPose& pose : m.startPoses) checkPose(patient, pose, labelled, findings);
   if (!m.startPoses.empty()) return;
   if (const auto proposed = proposeStartPose(patient))
     findings.push_back({Severity::kInfo, "no_start_pose",
-                        "case.json has no start pose; \"auto\" will be " + proposed->name + " at " +
+                        "The case has no start pose; \"auto\" will be " + proposed->name + " at " +
                             placeText(proposed->position_mm) + ".",
                         proposed->position_mm});
   else
     findings.push_back(
-        {Severity::kWarning, "no_start_pose", "case.json has no start pose. " + proposed.error().message});
+        {Severity::kWarning, "no_start_pose", "The case has no start pose. " + proposed.error().message});
 }
 
 }  // namespace insonate::check

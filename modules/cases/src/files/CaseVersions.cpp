@@ -6,6 +6,7 @@
 #include <insonate/core/Fingerprint.h>
 
 #include <fcntl.h>
+#include <nlohmann/json.hpp>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -14,13 +15,14 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <fstream>
 #include <thread>
 
 namespace insonate {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kVersions = "versions";
+constexpr const char *kVersions = "versions", *kPublished = "published.json";
 
 /// One save at a time among the cases of one folder, by whichever program; goes with the program that holds it. Where
 /// the file system has no locks, there is none.
@@ -95,7 +97,7 @@ Result<void> link(const fs::path& from, const fs::path& to) {
 Result<void> keepEarlier(const PatientCase& earlier, const fs::path& folder, const fs::path& beside) {
   const fs::path place = beside / kVersions / folderName(earlier.manifest.version.number);
   std::error_code error;
-  fs::create_directories(place, error);
+  if (!fs::create_directories(place, error)) return {};  // it was published, and is kept since
   for (const char* name : {kCtFile, kLabelFile, kPlainLabelFile, kSnapFile})
     if (fs::exists(folder / name, error))
       if (auto ok = link(folder / name, place / name); !ok) return ok;
@@ -191,8 +193,45 @@ std::optional<fs::path> findVersion(const fs::path& folder, const std::string& v
 
 std::vector<CaseVersion> versionsOf(const fs::path& folder) {
   std::vector<CaseVersion> versions;
-  for (auto& [version, place] : keptIn(folder)) versions.push_back(version);
+  for (auto& [version, place] : keptIn(folder))
+    // What is published and not changed since is there twice.
+    if (versions.empty() || versions.back().number != version.number) versions.push_back(version);
   return versions;
+}
+
+Result<CaseVersion> publishCase(const fs::path& folder, const std::string& date, const Progress& progress) {
+  auto there = readCase(folder);
+  if (!there) return tl::unexpected(there.error());
+  const auto version = saveCaseVersion(there->patient, folder, date, there->patient.manifest.version.author, progress);
+  if (!version) return version;
+  there->patient.manifest.version = *version;
+  if (auto ok = keepEarlier(there->patient, folder, folder); !ok) return tl::unexpected(ok.error());
+  const nlohmann::json pointer{{"version", version->number}};
+  if (auto ok = writeAtomically(folder / kVersions / kPublished, pointer.dump(2) + '\n'); !ok)
+    return tl::unexpected(ok.error());
+  return version;
+}
+
+int publishedVersion(const fs::path& folder) {
+  std::ifstream file(folder / kVersions / kPublished);
+  const auto pointer = nlohmann::json::parse(file, nullptr, false);
+  const bool known = pointer.is_object() && pointer.contains("version") && pointer["version"].is_number_integer();
+  const int number = known ? pointer["version"].get<int>() : 0;
+  std::error_code error;
+  return number > 0 && fs::exists(folder / kVersions / folderName(number) / kManifestFile, error) ? number : 0;
+}
+
+fs::path caseForTraining(const fs::path& folder) {
+  const int number = publishedVersion(folder);
+  return number > 0 ? folder / kVersions / folderName(number) : folder;
+}
+
+std::optional<fs::path> caseOfVersion(const fs::path& folder) {
+  const fs::path place = folder.has_filename() ? folder : folder.parent_path();
+  std::error_code error;
+  if (place.parent_path().filename() != kVersions) return std::nullopt;
+  const fs::path whole = place.parent_path().parent_path();
+  return fs::exists(whole / kCtFile, error) ? std::optional(whole) : std::nullopt;
 }
 
 }  // namespace insonate

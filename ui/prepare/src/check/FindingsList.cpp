@@ -1,6 +1,7 @@
 #include "FindingsList.h"
 
 #include "../PrepareSession.h"
+#include "PlacesBox.h"
 
 #include <insonate/ui/Theme.h>
 
@@ -9,6 +10,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -74,6 +76,41 @@ FindingsList::FindingsList(PrepareSession& session, QWidget* parent)
   refresh();
 }
 
+/// To where the finding is, or is mended; none where it is about the whole case.
+QPushButton* FindingsList::way(const Finding& finding) {
+  const auto button = [](const QString& words, const QString& tip) {
+    auto* made = new QPushButton(words);
+    made->setToolTip(tip);
+    return made;
+  };
+  const std::uint8_t label = finding.label;
+  const auto& there = session_.structures();
+  if (label && !finding.place_mm && std::ranges::find(there, label) == there.end()) {
+    auto* make = button(tr("Label %1").arg(structureName(label)), tr("Go to where it is labelled"));
+    connect(make, &QPushButton::clicked, this, [this, label] { Q_EMIT labelWanted(label); });
+    return make;
+  }
+  static const std::map<std::string, QString> kMissing{
+      {"no_target", kTargetKind}, {"no_start_pose", kStartPoseKind}, {"landmarks_missing", QString()}};
+  if (const auto missing = kMissing.find(finding.code); missing != kMissing.end()) {
+    auto* mark = button(tr("Mark it"), tr("Go to where targets, start poses and landmarks are marked"));
+    connect(mark, &QPushButton::clicked, this, [this, finding, kind = missing->second] {
+      if (finding.place_mm) session_.setCrosshair(*finding.place_mm);
+      Q_EMIT placeWanted(kind);
+    });
+    return mark;
+  }
+  if (!finding.place_mm && !label) return nullptr;
+  auto* go = button(finding.place_mm ? tr("Show the place") : tr("Select %1").arg(structureName(label)),
+                    finding.place_mm ? tr("Bring the crosshair there and select the structure")
+                                     : tr("Select the structure in the table"));
+  connect(go, &QPushButton::clicked, this, [this, place_mm = finding.place_mm, label] {
+    if (label) session_.select(label);
+    if (place_mm) session_.setCrosshair(*place_mm);
+  });
+  return go;
+}
+
 QWidget* FindingsList::row(const Finding& finding) {
   const Sign sign = signOf(finding.severity);
   auto* row = new QWidget;
@@ -88,17 +125,9 @@ QWidget* FindingsList::row(const Finding& finding) {
   auto* words = new QVBoxLayout;
   words->setSpacing(ui::kSmallGap);
   words->addWidget(text);
-  if (finding.place_mm || finding.label) {
-    auto* go =
-        new QPushButton(finding.place_mm ? tr("Show the place") : tr("Select %1").arg(structureName(finding.label)));
+  if (QPushButton* go = way(finding)) {
     go->setObjectName(QStringLiteral("place-") + QString::fromStdString(finding.code));
-    go->setToolTip(finding.place_mm ? tr("Bring the crosshair there and select the structure")
-                                    : tr("Select the structure in the table"));
     go->setAccessibleDescription(QString::fromStdString(finding.text));
-    connect(go, &QPushButton::clicked, this, [this, place_mm = finding.place_mm, label = finding.label] {
-      if (label) session_.select(label);
-      if (place_mm) session_.setCrosshair(*place_mm);
-    });
     words->addWidget(go, 0, Qt::AlignLeft);
   }
   auto* box = new QHBoxLayout(row);

@@ -15,15 +15,24 @@ class PrepareSession;
 /// "2 errors, 1 doubt", "no findings".
 QString findingCount(const std::vector<Finding>& findings);
 
-/// The verdict, and what the check found: missing or wrong, doubtful, noted. A finding brings the crosshair to its
-/// place and selects its structure. The last findings stay while the check runs again.
+/// The verdict, and what the check found: missing or wrong, doubtful, noted. A finding leads to its
+/// place and structure, or to where what is missing is made. The last findings stay while the check runs again.
 class FindingsList : public QWidget {
+  Q_OBJECT
+
  public:
   explicit FindingsList(PrepareSession& session, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  /// A structure that is missing is to be made.
+  void labelWanted(int label);
+  /// A place that is missing is to be marked: a kind of PlacesBox.
+  void placeWanted(const QString& kind);
 
  private:
   void refresh();
   QWidget* row(const Finding& finding);
+  QPushButton* way(const Finding& finding);
 
   PrepareSession& session_;
   QLabel* state_;

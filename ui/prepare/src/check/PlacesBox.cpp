@@ -22,7 +22,6 @@ namespace {
 
 constexpr int kKindRole = Qt::UserRole, kIndexRole = Qt::UserRole + 1;
 constexpr int kListHeight_px = 190;
-const QString kTarget = QStringLiteral("target"), kStartPose = QStringLiteral("start pose");
 
 QString qt(std::string_view text) {
   return QString::fromUtf8(text.data(), int(text.size()));
@@ -72,8 +71,8 @@ void PlacesBox::arrange() {
   kind_->setToolTip(tr("What to mark: click on it in a slice or in 3D first"));
   for (const LandmarkKind& kind : landmarkKinds()) kind_->addItem(qt(kind.name), qt(kind.code));
   kind_->addItem(tr("another landmark"), QString());
-  kind_->addItem(tr("target: what is punctured"), kTarget);
-  kind_->addItem(tr("start pose of the probe"), kStartPose);
+  kind_->addItem(tr("target: what is punctured"), kTargetKind);
+  kind_->addItem(tr("start pose of the probe"), kStartPoseKind);
   list_->setObjectName(QStringLiteral("places"));
   list_->setAccessibleName(tr("Targets, landmarks and start poses"));
   list_->setToolTip(tr("F2 names the chosen one, Enter shows it"));
@@ -99,6 +98,11 @@ void PlacesBox::arrange() {
   box->addLayout(marking);
   box->addWidget(list_);
   box->addLayout(acting);
+}
+
+void PlacesBox::offer(const QString& kind) {
+  kind_->setCurrentIndex(std::max(0, kind_->findData(kind)));
+  kind_->setFocus();
 }
 
 void PlacesBox::refresh() {
@@ -158,7 +162,7 @@ void PlacesBox::change(const QString& what, const std::function<void(CasePlaces&
 void PlacesBox::add() {
   const QString what = kind_->currentData().toString(), name = kind_->currentText();
   const Vec3 here_mm = session_.crosshair_mm();
-  if (what == kStartPose) {
+  if (what == kStartPoseKind) {
     const auto pose = session_.live().standing();
     if (!pose) return session_.say(tr("The probe stands nowhere yet. Click on the skin first."));
     return change(tr("start pose"), [&](CasePlaces& places) {
@@ -166,7 +170,7 @@ void PlacesBox::add() {
       places.startPoses.back().name = tr("start %1").arg(places.startPoses.size()).toStdString();
     });
   }
-  if (what != kTarget)
+  if (what != kTargetKind)
     return change(tr("landmark"), [&](CasePlaces& places) {
       places.landmarks.push_back({what.toStdString(), name.toStdString(), here_mm});
     });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QString>
 #include <QWidget>
 #include <functional>
 
@@ -13,11 +14,16 @@ namespace insonate::prepare {
 class PrepareSession;
 struct CasePlaces;
 
+/// What PlacesBox marks beside landmarks, whose kinds are their codes.
+inline const QString kTargetKind = QStringLiteral("target"), kStartPoseKind = QStringLiteral("start pose");
+
 /// Targets, landmarks and start poses of the case, to be placed where the crosshair or the probe is, shown, named,
 /// moved and removed. The first start pose is the one where a case begins.
 class PlacesBox : public QWidget {
  public:
   explicit PlacesBox(PrepareSession& session, QWidget* parent = nullptr);
+  /// This kind is to be marked next.
+  void offer(const QString& kind);
 
  private:
   enum class Kind { Target, Landmark, StartPose };

@@ -68,6 +68,7 @@ GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), gu
   list_->setHeaderHidden(true);
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
+  list_->setTextElideMode(Qt::ElideMiddle);  // the side comes last
   // How far a step is, is read whole.
   list_->header()->setStretchLastSection(false);
   list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);

@@ -90,6 +90,15 @@ void GuideSession::go(int index) {
   Q_EMIT clicksChanged();
 }
 
+bool GuideSession::goToStepFor(std::uint8_t label) {
+  const auto step = std::ranges::find_if(guide_.steps, [label](const GuideStep& one) {
+    return one.label == label || std::ranges::find(one.makes, label) != one.makes.end();
+  });
+  if (step == guide_.steps.end()) return false;
+  go(int(step - guide_.steps.begin()));
+  return true;
+}
+
 GuideSession::Span GuideSession::spanOf(int index) const {
   const std::string& name = guide_.steps[std::size_t(index)].name;
   const auto& all = recipe_.steps;

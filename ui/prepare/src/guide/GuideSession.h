@@ -28,6 +28,8 @@ class GuideSession : public QObject {
   int current() const { return current_; }
   const GuideStep& step() const { return guide_.steps[std::size_t(current_)]; }
   void go(int index);
+  /// To the first step that makes a label; false where none does.
+  bool goToStepFor(std::uint8_t label);
   State state(int index) const;
   /// Why a step is doubtful, or what else is to be said of its state.
   QStringList remarks(int index) const;

@@ -1,5 +1,7 @@
 #include "LabelFollowers.h"
 
+#include <insonate/tissue/Labels.h>
+
 #include <utility>
 
 namespace insonate::prepare {
@@ -36,9 +38,10 @@ LabelFollowers::LabelFollowers(LabelSession& labels, LivePatient& live, CaseMeas
 
 void LabelFollowers::followSoon() {
   const auto labels = labels_.snapshot();
+  const bool outsideMoved = changed_.test(kBackground);
   std::vector<ui::SurfaceWish> wishes = wishes_(std::exchange(changed_, {}));
   for (ui::SurfaceWish& wish : wishes) wish.labels = labels;
-  live_.setLabels(labels, std::move(wishes));
+  live_.setLabels(labels, std::move(wishes), outsideMoved);
 }
 
 }  // namespace insonate::prepare

@@ -3,6 +3,9 @@
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/AcousticTable.h>
 
+#include <QFutureWatcher>
+#include <QtConcurrent/QtConcurrentRun>
+
 namespace insonate::prepare {
 namespace {
 
@@ -39,6 +42,7 @@ void LivePatient::setPatient(std::shared_ptr<const PatientCase> patient, std::ve
   stop();
   patient_ = std::move(patient);
   labels_ = nullptr;
+  ++skin_;
   start_.reset(), hand_.reset(), wanted_mm_.reset();
   press_mm_ = 0;
   shown_ = nullptr;
@@ -97,8 +101,29 @@ void LivePatient::wantSurface(const ui::SurfaceWish& wish) {
   worker_->want({wish});
 }
 
-void LivePatient::setLabels(std::shared_ptr<const LabelMap> labels, std::vector<ui::SurfaceWish> wishes) {
+/// Some tenths of a second, on another thread; until then the probe stands on the skin as it was.
+void LivePatient::findSkin() {
+  using Hand = std::shared_ptr<const ProbeHand>;
+  auto* found = new QFutureWatcher<Hand>(this);
+  connect(found, &QFutureWatcher<Hand>::finished, this, [this, found, number = ++skin_] {
+    found->deleteLater();
+    const Hand hand = found->result();
+    if (number != skin_ || !hand || !hand_) return;
+    const Vec3 there_mm = hand_->pose().offset;
+    hand_ = *hand;
+    hand_->moveTo(wanted_mm_.value_or(there_mm));
+    moved();
+  });
+  found->setFuture(QtConcurrent::run([labels = labels_, pose = hand_->pose()]() -> Hand {
+    auto hand = ProbeHand::make(*labels, pose);
+    return hand ? std::make_shared<const ProbeHand>(std::move(*hand)) : nullptr;
+  }));
+}
+
+void LivePatient::setLabels(std::shared_ptr<const LabelMap> labels, std::vector<ui::SurfaceWish> wishes,
+                            bool outsideMoved) {
   labels_ = std::move(labels);
+  if (outsideMoved && hand_) findSkin();
   for (const ui::SurfaceWish& wish : wishes) wantSurface(wish);
   if (feed_.live()) startLive();
 }

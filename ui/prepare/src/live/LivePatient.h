@@ -29,7 +29,8 @@ class LivePatient : public QObject {
   void replacePatient(std::shared_ptr<const PatientCase> patient);
   void wantSurface(const ui::SurfaceWish& wish);
   /// Edited labels in place of the patient's: the picture is made of them from now on, and these surfaces.
-  void setLabels(std::shared_ptr<const LabelMap> labels, std::vector<ui::SurfaceWish> wishes);
+  /// `outsideMoved`: the probe stands on another skin.
+  void setLabels(std::shared_ptr<const LabelMap> labels, std::vector<ui::SurfaceWish> wishes, bool outsideMoved);
   /// Asleep, there is no probe and no scene; what was made stays.
   void setAwake(bool awake);
   /// Ends the threads.
@@ -69,6 +70,7 @@ class LivePatient : public QObject {
  private:
   void makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand);
   void startLive();
+  void findSkin();
   void news();
   void moved();
 
@@ -83,6 +85,7 @@ class LivePatient : public QObject {
   QString trouble_;
   double press_mm_ = 0;
   bool awake_ = false, surfacesDone_ = true;
+  int skin_ = 0;        ///< of several that are looked for, the last counts
   bool stale_ = false;  ///< a live probe has begun that has not made a picture yet
   ui::LiveFeed feed_;
   std::unique_ptr<ui::CaseWorker> worker_;

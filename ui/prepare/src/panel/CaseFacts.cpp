@@ -106,10 +106,12 @@ void CaseFacts::showCase() {
 
 void CaseFacts::showOrigin() {
   const ui::CaseOrigin& origin = session_.origin();
-  place_->setText(origin.builtIn            ? tr("comes with Insonate")
+  place_->setText(origin.builtIn ? tr("comes with Insonate")
+                  : !origin.versionOf.isEmpty()
+                      ? tr("a version of %1, kept as it was").arg(QDir(origin.versionOf).dirName())
                   : origin.folder.isEmpty() ? tr("not saved yet")
                                             : QDir(origin.folder).dirName());
-  place_->setToolTip(origin.folder);
+  place_->setToolTip(origin.versionOf.isEmpty() ? origin.folder : origin.versionOf);
   QStringList notes = origin.notes;
   if (session_.patient())
     for (const std::string& note : session_.patient()->manifest.importNotes) notes << QString::fromStdString(note);

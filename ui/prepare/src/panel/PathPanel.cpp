@@ -4,6 +4,7 @@
 #include "../check/FindingsList.h"
 #include "../guide/GuidePage.h"
 #include "../table/StructureTable.h"
+#include "PublishStep.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/Theme.h>
@@ -21,7 +22,7 @@
 
 namespace insonate::prepare {
 
-PathPanel::PathPanel(PrepareSession& session, GuideSession& guide, QWidget* parent)
+PathPanel::PathPanel(PrepareSession& session, GuideSession& guide, ui::TaskBar& tasks, QWidget* parent)
     : QWidget(parent),
       session_(session),
       caseRow_(new QHBoxLayout),
@@ -34,7 +35,7 @@ PathPanel::PathPanel(PrepareSession& session, GuideSession& guide, QWidget* pare
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(ui::kSmallGap);
   }
-  check_->setToolTip(tr("Go to what the check found"));
+  check_->setToolTip(tr("What is missing or doubtful, difficulty and places (C)"));
   check_->setObjectName(QStringLiteral("toFindings"));
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(12, ui::kGap, 12, ui::kGap);
@@ -48,6 +49,9 @@ PathPanel::PathPanel(PrepareSession& session, GuideSession& guide, QWidget* pare
   box->addSpacing(ui::kSmallGap);
   box->addWidget(step(tr("3  Check"), checkMark_));
   box->addWidget(check_);
+  box->addSpacing(ui::kSmallGap);
+  box->addWidget(step(tr("4  Publish"), publishMark_));
+  box->addWidget(new PublishStep(session, tasks, *publishMark_));
   box->addSpacing(ui::kGap);
   box->addLayout(editRow_);
   connect(check_, &QPushButton::clicked, this, &PathPanel::checkChosen);
@@ -78,7 +82,11 @@ QWidget* PathPanel::buildLabelling(GuideSession& guide) {
 void PathPanel::chooseLabelling() {
   if (std::exchange(chosen_, true)) return;
   const bool vein = std::ranges::find(session_.structures(), kVein) != session_.structures().end();
-  tabs_->setCurrentIndex(vein ? 1 : 0);
+  showGuide(!vein);
+}
+
+void PathPanel::showGuide(bool guide) {
+  tabs_->setCurrentIndex(guide ? 0 : 1);
 }
 
 QWidget* PathPanel::step(const QString& title, QLabel*& mark) {
@@ -126,7 +134,10 @@ void PathPanel::setEditActions(QAction* undo, QAction* redo, QAction* save) {
 
 void PathPanel::refresh() {
   const ui::CaseOrigin& origin = session_.origin();
-  importMark_->setText(origin.builtIn ? tr("built in") : origin.folder.isEmpty() ? tr("not saved") : tr("done"));
+  importMark_->setText(origin.builtIn                ? tr("built in")
+                       : !origin.versionOf.isEmpty() ? tr("a kept version")
+                       : origin.folder.isEmpty()     ? tr("not saved")
+                                                     : tr("done"));
   const auto& measures = session_.measuring().measures();
   if (!measures) {
     const bool stopped = session_.measuring().state() == CaseMeasuring::State::Stopped;

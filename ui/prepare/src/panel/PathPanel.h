@@ -10,22 +10,29 @@ class QStackedWidget;
 class QTabBar;
 class QToolButton;
 
+namespace insonate::ui {
+class TaskBar;
+}
+
 namespace insonate::prepare {
 
 class GuideSession;
 class PrepareSession;
 class StructureTable;
 
-/// The way of a case: import, label, check; with the guide or the table of structures, and what keeps the changes.
+/// The way of a case: import, label, check, publish; with the guide or the table of structures, and what keeps the
+/// changes.
 class PathPanel : public QWidget {
   Q_OBJECT
 
  public:
-  PathPanel(PrepareSession& session, GuideSession& guide, QWidget* parent = nullptr);
+  PathPanel(PrepareSession& session, GuideSession& guide, ui::TaskBar& tasks, QWidget* parent = nullptr);
 
   void setCaseActions(QAction* open, QAction* import, QAction* reload);
   void setEditActions(QAction* undo, QAction* redo, QAction* save);
   StructureTable& table() { return *table_; }
+  /// The guide, or else the table of structures.
+  void showGuide(bool guide);
 
  Q_SIGNALS:
   void checkChosen();
@@ -38,7 +45,7 @@ class PathPanel : public QWidget {
   void refresh();
 
   PrepareSession& session_;
-  QLabel *importMark_ = nullptr, *labelMark_ = nullptr, *checkMark_ = nullptr;
+  QLabel *importMark_ = nullptr, *labelMark_ = nullptr, *checkMark_ = nullptr, *publishMark_ = nullptr;
   QHBoxLayout *caseRow_, *editRow_;
   StructureTable* table_;
   QTabBar* tabs_;

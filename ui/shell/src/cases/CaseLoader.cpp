@@ -107,7 +107,11 @@ void CaseLoader::readFolder(const QString& folder) {
         report(progress, "reading CT and labels", 0);
         auto read = readCase(folder.toStdString());
         if (!read) return tl::unexpected(read.error());
-        return LoadedCase{std::make_shared<PatientCase>(std::move(read->patient)), folder, qt(read->notes)};
+        LoadedCase result{std::make_shared<PatientCase>(std::move(read->patient)), folder, qt(read->notes)};
+        // A version stays what it is.
+        if (const auto whole = caseOfVersion(folder.toStdString()))
+          result.versionOf = QString::fromStdString(whole->string()), result.folder.clear();
+        return result;
       },
       [this](Result<LoadedCase> read) {
         if (!read) return refuse(read.error(), tr("The case was not opened; what was open stays open."));

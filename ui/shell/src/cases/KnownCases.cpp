@@ -1,3 +1,4 @@
+#include <insonate/cases/CaseVersions.h>
 #include <insonate/cases/Phantom.h>
 #include <insonate/ui/KnownCases.h>
 #include <insonate/ui/RecentCases.h>
@@ -23,6 +24,10 @@ std::optional<QString> placeOfCase(const QString& nameOrTitle) {
   for (const RecentCase& one : recentCases())
     if (one.title == nameOrTitle) return one.folder;
   return std::nullopt;
+}
+
+QString placeForTraining(const QString& place) {
+  return builtInNames().contains(place) ? place : QString::fromStdString(caseForTraining(place.toStdString()).string());
 }
 
 QString titleOfCase(const QString& nameOrTitle) {

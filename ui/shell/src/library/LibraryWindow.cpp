@@ -6,6 +6,7 @@
 #include "LibraryReader.h"
 
 #include <insonate/ui/KnownCases.h>
+#include <insonate/ui/RecentCases.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -22,6 +23,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace insonate::ui {
 namespace {
@@ -33,6 +35,17 @@ QComboBox* choice(const char* name, const QString& spoken, const QString& tip,
   auto* box = choiceBox(name, spoken, tip);
   for (const auto& [words, value] : choices) box->addItem(words, value);
   return box;
+}
+
+/// What was opened or saved here belongs to one's cases, wherever it is.
+QStringList recentFolders() {
+  QStringList folders;
+  for (const RecentCase& one : recentCases()) folders << QDir(one.folder).absolutePath();
+  return folders;
+}
+
+bool lies(const QString& place, const QString& folder) {
+  return place == folder || place.startsWith(folder + QLatin1Char('/'));
 }
 
 }  // namespace
@@ -173,7 +186,8 @@ void LibraryWindow::look() {
       if (self && !*stopped) what(*self);
     });
   };
-  runUnseen([tell, stopped = stopped_, folders = folders(), builtIn = builtInNames(), cache = libraryCache()] {
+  runUnseen([tell, stopped = stopped_, folders = folders() + recentFolders(), builtIn = builtInNames(),
+             cache = libraryCache()] {
     std::vector<LibraryEntry> listed;
     // One's own first: a built-in neck may have to be made, which takes seconds.
     for (const QString& folder : casesIn(folders)) listed.push_back(listedCase(folder, false));
@@ -213,12 +227,13 @@ void LibraryWindow::showState() {
   const bool opens = one && one->state != LibraryEntry::State::Broken;
   train_->setEnabled(opens);
   prepare_->setEnabled(opens);
-  remove_->setEnabled(one && !one->builtIn);
-  const int shown = filter_->rowCount(), all = model_->rowCount();
-  QString words = shown == all ? tr("%1 cases").arg(all) : tr("%1 of %2 cases").arg(shown).arg(all);
+  const QStringList all = folders();
+  remove_->setEnabled(one && std::ranges::any_of(all, [&](const QString& folder) { return lies(one->place, folder); }));
+  const int shown = filter_->rowCount(), count = model_->rowCount();
+  QString words = shown == count ? tr("%1 cases").arg(count) : tr("%1 of %2 cases").arg(shown).arg(count);
   if (left_ > 0) words += tr(", looking at %1 more").arg(left_);
   state_->setText(words);
-  const bool none = shown == 0 && all > 0, onlyBuiltIn = folders().isEmpty();
+  const bool none = shown == 0 && count > 0, onlyBuiltIn = all.isEmpty();
   empty_->setVisible(none || onlyBuiltIn);
   empty_->setText(none ? tr("No case is like that. Search for less, or show every difficulty, fit or not.")
                        : tr("These necks are built in. Add the folder in which your own cases are kept."));
@@ -235,10 +250,7 @@ void LibraryWindow::removeFolder() {
   const LibraryEntry* one = chosen();
   if (!one) return;
   QStringList all = folders();
-  all.erase(std::remove_if(all.begin(), all.end(),
-                           [&](const QString& folder) {
-                             return one->place == folder || one->place.startsWith(folder + QLatin1Char('/'));
-                           }),
+  all.erase(std::remove_if(all.begin(), all.end(), [&](const QString& folder) { return lies(one->place, folder); }),
             all.end());
   setFolders(all);
 }

@@ -112,7 +112,8 @@ void MainWindow::showLibrary() {
   auto* library = new LibraryWindow(this);
   connect(library, &LibraryWindow::caseChosen, this, [this](const QString& place, const QString& workspace) {
     showWorkspace(workspace);
-    builtInNames().contains(place) ? openBuiltIn(place) : open(place);
+    if (builtInNames().contains(place)) return openBuiltIn(place);
+    open(workspace == QLatin1String("train") ? placeForTraining(place) : place);
   });
   library->show();
 }
@@ -193,7 +194,8 @@ void MainWindow::chooseTarget() {
 void MainWindow::take(const LoadedCase& loaded) {
   case_ = loaded;
   const QString title = QString::fromStdString(case_.patient->manifest.title);
-  if (!case_.folder.isEmpty()) rememberCase({case_.folder, title});
+  const QString& home = case_.versionOf.isEmpty() ? case_.folder : case_.versionOf;
+  if (!home.isEmpty()) rememberCase({home, title});
   handOut();
   if (!case_.notes.isEmpty())
     status_->say(case_.notes.join(QLatin1Char(' ')));
@@ -205,6 +207,7 @@ void MainWindow::takeMade(std::shared_ptr<const PatientCase> patient) {
   case_.patient = std::move(patient);
   case_.folder.clear();
   case_.builtIn = false;
+  case_.versionOf.clear();
   handOut();
 }
 
@@ -218,9 +221,13 @@ void MainWindow::showOpening() {
   for (const Room& room : rooms_) room.workspace->setOpening(what);
 }
 
+CaseOrigin MainWindow::origin() const {
+  return {case_.folder, case_.notes, case_.builtIn, case_.versionOf};
+}
+
 void MainWindow::handOut() {
   for (const Room& room : rooms_) {
-    room.workspace->setOrigin({case_.folder, case_.notes, case_.builtIn});
+    room.workspace->setOrigin(origin());
     room.workspace->setCase(case_.patient);
   }
   showTitle();

@@ -34,7 +34,7 @@ void MainWindow::reload() {
 }
 
 bool MainWindow::isNowhere() const {
-  return case_.patient && case_.folder.isEmpty() && !case_.builtIn;
+  return case_.patient && case_.folder.isEmpty() && !case_.builtIn && case_.versionOf.isEmpty();
 }
 
 std::vector<CaseEdit> MainWindow::unsavedEdits() const {
@@ -68,10 +68,11 @@ void MainWindow::saveTo(const QString& folder) {
 void MainWindow::showSaved(const QString& folder, const std::shared_ptr<const PatientCase>& patient) {
   case_.folder = folder;
   case_.builtIn = false;
+  case_.versionOf.clear();
   const bool edited = patient != std::exchange(case_.patient, patient);
   rememberCase({folder, QString::fromStdString(patient->manifest.title)});
   for (const Room& room : rooms_) {
-    room.workspace->setOrigin({case_.folder, case_.notes, case_.builtIn});
+    room.workspace->setOrigin(origin());
     if (edited) room.workspace->caseSaved(patient);
   }
   showTitle();

@@ -54,7 +54,7 @@ void LevelControl::choose(const std::string& name) {
 
 void LevelControl::openCase() {
   if (!level_) return;
-  if (const auto place = ui::placeOfCase(qt(level_->caseName))) return Q_EMIT caseWanted(*place);
+  if (const auto place = ui::placeOfCase(qt(level_->caseName))) return Q_EMIT caseWanted(ui::placeForTraining(*place));
   session_.say(tr("The case '%1' of this level is not known here. Open it once (Ctrl+O).").arg(qt(level_->caseName)));
 }
 

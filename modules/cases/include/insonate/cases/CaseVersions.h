@@ -37,4 +37,18 @@ std::optional<std::filesystem::path> findVersion(const std::filesystem::path& fo
 /// Versions that are kept, the latest first; empty for a case that has none. Reads no volumes.
 std::vector<CaseVersion> versionsOf(const std::filesystem::path& folder);
 
+/// Freezes the case of a folder as a version of its own under `versions/NUMBER`, which trainees get from now on,
+/// whatever is saved in the folder later, until another one is published. Does not ask whether it is fit.
+Result<CaseVersion> publishCase(const std::filesystem::path& folder, const std::string& date,
+                                const Progress& progress = {});
+
+/// The number of the version that trainees get; 0 where none is published.
+int publishedVersion(const std::filesystem::path& folder);
+
+/// Where the published version of a case is; the folder itself where none is.
+std::filesystem::path caseForTraining(const std::filesystem::path& folder);
+
+/// The case of which this folder is a kept version; none for any other folder.
+std::optional<std::filesystem::path> caseOfVersion(const std::filesystem::path& folder);
+
 }  // namespace insonate

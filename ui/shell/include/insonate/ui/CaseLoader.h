@@ -22,6 +22,7 @@ struct LoadedCase {
   QString folder;     ///< where it is kept; empty for one that was imported and not saved yet
   QStringList notes;  ///< what was missing or changed on the way, one sentence each
   bool builtIn = false;
+  QString versionOf{};  ///< as in CaseOrigin
 };
 
 /// Brings cases into the window without holding it: from a case folder, from DICOM, NRRD, NIfTI or MetaImage (asking

@@ -13,6 +13,9 @@ QStringList builtInNames();
 /// among the built-in and the recent ones; none: it is not known here.
 std::optional<QString> placeOfCase(const QString& nameOrTitle);
 
+/// Where a trainee gets the case of this place: its published version, else what is there.
+QString placeForTraining(const QString& place);
+
 /// The title of the built-in neck of this name; of others, what was given.
 QString titleOfCase(const QString& nameOrTitle);
 

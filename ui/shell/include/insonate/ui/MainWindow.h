@@ -109,6 +109,7 @@ class MainWindow : public QMainWindow {
   void switchTo(int index);
   void take(const LoadedCase& loaded);
   void takeMade(std::shared_ptr<const PatientCase> patient);
+  CaseOrigin origin() const;
   void handOut();
   void showTitle();
   void showOpening();

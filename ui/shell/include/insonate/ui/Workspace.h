@@ -27,6 +27,7 @@ struct CaseOrigin {
   QString folder;     ///< where it is kept; empty for one that is not on disk
   QStringList notes;  ///< what was missing or changed on the way, one sentence each
   bool builtIn = false;
+  QString versionOf{};  ///< of an earlier or published version: the folder of its case, where edits do not go
 };
 
 /// Changes a copy of a case, on another thread.

@@ -1,0 +1,70 @@
+#include "PublishStep.h"
+
+#include "../PrepareSession.h"
+
+#include <insonate/cases/CaseVersions.h>
+#include <insonate/ui/TaskBar.h>
+
+#include <QLabel>
+#include <QPointer>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace insonate::prepare {
+
+PublishStep::PublishStep(PrepareSession& session, ui::TaskBar& tasks, QLabel& mark, QWidget* parent)
+    : QWidget(parent), session_(session), tasks_(tasks), mark_(mark), publish_(new QPushButton(tr("Publish"))) {
+  publish_->setObjectName(QStringLiteral("publish"));
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->addWidget(publish_);
+  connect(publish_, &QPushButton::clicked, this, [this] { publish(); });
+  for (const auto news : {&PrepareSession::originChanged, &PrepareSession::caseChanged, &PrepareSession::editsChanged})
+    connect(&session_, news, this, [this] { refresh(); });
+  connect(&session_.measuring(), &CaseMeasuring::changed, this, [this] { refresh(); });
+  refresh();
+}
+
+/// Why the case cannot be published now, with what to do; empty where it can.
+QString PublishStep::obstacle() const {
+  if (!session_.patient()) return tr("There is no case.");
+  const ui::CaseOrigin& origin = session_.origin();
+  if (origin.builtIn) return tr("This neck comes with Insonate: trainees have it already.");
+  if (!origin.versionOf.isEmpty()) return tr("This is a version that was kept: open its case to publish another one.");
+  if (origin.folder.isEmpty() || session_.isUnsaved()) return tr("Save the case first (Ctrl+S).");
+  const auto& measures = session_.measuring().measures();
+  if (!measures || session_.measuring().state() != CaseMeasuring::State::Done)
+    return tr("The case is not checked yet.");
+  if (!isFit(measures->findings)) return tr("The case is not fit for training: see the check (C).");
+  return {};
+}
+
+void PublishStep::refresh() {
+  const QString why = obstacle();
+  publish_->setEnabled(why.isEmpty());
+  publish_->setToolTip(why.isEmpty() ? tr("Trainees get the case as it is now, until you publish again") : why);
+  const QString& folder = session_.origin().folder;
+  const int number = folder.isEmpty() ? 0 : publishedVersion(folder.toStdString());
+  if (number == 0) return mark_.setText(session_.origin().builtIn ? tr("built in") : tr("not yet"));
+  const auto all = versionsOf(folder.toStdString());
+  const bool latest = !all.empty() && all.front().number == number && !session_.isUnsaved();
+  mark_.setText(latest ? tr("version %1").arg(number) : tr("version %1, not the latest").arg(number));
+}
+
+void PublishStep::publish() {
+  using Published = CaseVersion;
+  tasks_.run<Published>(
+      tr("Publishing"),
+      [folder = session_.origin().folder.toStdString()](const Progress& progress) {
+        return publishCase(folder, today(), progress);
+      },
+      [self = QPointer(this)](Result<Published> version) {
+        if (!self) return;
+        self->session_.say(version ? tr("Trainees get version %1 from now on.").arg(version->number)
+                                   : QString::fromStdString(version.error().message));
+        self->refresh();
+      },
+      ui::TaskBar::WhenClosed::Ask);
+}
+
+}  // namespace insonate::prepare

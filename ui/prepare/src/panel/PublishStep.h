@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+
+namespace insonate::ui {
+class TaskBar;
+}
+
+namespace insonate::prepare {
+
+class PrepareSession;
+
+/// The last step of a case: what was saved and is fit becomes the version that trainees get, and stays it until another
+/// one is published.
+class PublishStep : public QWidget {
+ public:
+  /// What is published shows in `mark`.
+  PublishStep(PrepareSession& session, ui::TaskBar& tasks, QLabel& mark, QWidget* parent = nullptr);
+
+ private:
+  QString obstacle() const;
+  void publish();
+  void refresh();
+
+  PrepareSession& session_;
+  ui::TaskBar& tasks_;
+  QLabel& mark_;
+  QPushButton* publish_;
+};
+
+}  // namespace insonate::prepare

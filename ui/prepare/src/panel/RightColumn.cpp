@@ -1,0 +1,157 @@
+#include "RightColumn.h"
+
+#include "../PrepareSession.h"
+#include "../check/DifficultyBox.h"
+#include "../check/FindingsList.h"
+#include "../check/PlacesBox.h"
+#include "../live/UltrasoundPane.h"
+#include "../recipe/RecipeBox.h"
+#include "../tool/ToolPanel.h"
+#include "../tool/ToolSession.h"
+#include "CaseFacts.h"
+#include "Section.h"
+#include "SliceControls.h"
+
+#include <insonate/ui/HistogramEditor.h>
+#include <insonate/ui/ScenePanel.h>
+#include <insonate/ui/Theme.h>
+
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSettings>
+#include <QTabBar>
+#include <QVBoxLayout>
+
+namespace insonate::prepare {
+namespace {
+
+constexpr int kWidth_px = 362, kUltrasound_px = 310;
+enum Page { kLook, kCheck };
+
+}  // namespace
+
+RightColumn::RightColumn(PrepareSession& session, ToolSession& tools, std::shared_ptr<views::SceneView> scene,
+                         QWidget* parent)
+    : QSplitter(Qt::Vertical, parent),
+      tabs_(new QTabBar),
+      scroll_(new QScrollArea),
+      scene_(new ui::ScenePanel(std::move(scene), nullptr, ui::ScenePanel::Structures::Elsewhere)),
+      ultrasound_(new UltrasoundPane(session)) {
+  auto* toolPanel = new ToolPanel(session, tools);
+  tool_ = new Section(QStringLiteral("tool"), tr("Tool"), toolPanel);
+  connect(&scene_->histogram(), &ui::HistogramEditor::counted, toolPanel,
+          [this, toolPanel] { toolPanel->setHistogram(scene_->histogram().histogram()); });
+  setObjectName(QStringLiteral("prepareRight"));
+  setChildrenCollapsible(false);
+  // Its margins are those of a column by itself.
+  scene_->layout()->setContentsMargins(0, 0, 0, 0);
+  tabs_->setObjectName(QStringLiteral("rightPages"));
+  tabs_->setAccessibleName(tr("Beside the slices"));
+  tabs_->setDrawBase(false);
+  tabs_->setTabToolTip(tabs_->addTab(tr("Case")), tr("What one looks at: facts, slices, 3D (C)"));
+  tabs_->setTabToolTip(tabs_->addTab(tr("Check")), tr("What is missing or doubtful, difficulty and places (C)"));
+  look_ = buildPage({new Section(QStringLiteral("case"), tr("Case"), new CaseFacts(session)),
+                     new Section(QStringLiteral("slices"), tr("Slices"), new SliceControls(session)),
+                     new Section(QStringLiteral("recipe"), tr("Steps"), new RecipeBox(session)),
+                     new Section(QStringLiteral("scene"), tr("3D"), scene_)});
+  all_.back()->setOpen(false);
+  checkPage_ = buildPage(buildCheck(session));
+  auto* inner = new QWidget;
+  auto* box = new QVBoxLayout(inner);
+  box->setContentsMargins(12, ui::kGap, 12, ui::kGap);
+  box->setSpacing(ui::kGap);
+  for (QWidget* each : {static_cast<QWidget*>(tool_), look_, checkPage_}) box->addWidget(each);
+  box->addStretch(1);
+  tool_->hide();
+  scroll_->setWidget(inner);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  auto* head = new QWidget;
+  auto* headBox = new QVBoxLayout(head);
+  headBox->setContentsMargins(0, ui::kGap, 0, 0);
+  headBox->setSpacing(0);
+  headBox->addWidget(tabs_);
+  headBox->addWidget(scroll_, 1);
+  auto* foot = new QWidget;
+  auto* footBox = new QVBoxLayout(foot);
+  footBox->setContentsMargins(12, ui::kGap, 12, ui::kGap);
+  footBox->addWidget(ultrasound_);
+  addWidget(head);
+  addWidget(foot);
+  setStretchFactor(0, 1);
+  setStretchFactor(1, 0);
+  setSizes({1000, kUltrasound_px});
+  setMinimumWidth(kWidth_px);
+  connect(tabs_, &QTabBar::currentChanged, this, [this] { showPage(); });
+  showPage();
+}
+
+std::vector<Section*> RightColumn::buildCheck(PrepareSession& session) {
+  auto* findings = new FindingsList(session);
+  auto* places = new PlacesBox(session);
+  check_ = new Section(QStringLiteral("check"), tr("Findings"), findings);
+  auto* placesSection = new Section(QStringLiteral("places"), tr("Targets and landmarks"), places);
+  connect(findings, &FindingsList::labelWanted, this, &RightColumn::labelWanted);
+  connect(findings, &FindingsList::placeWanted, this, [this, places, placesSection](const QString& kind) {
+    placesSection->setOpen(true);
+    places->offer(kind);
+    // Its place is known after the next layout only.
+    QMetaObject::invokeMethod(
+        this, [this, places] { scroll_->ensureWidgetVisible(places); }, Qt::QueuedConnection);
+  });
+  return {check_, new Section(QStringLiteral("difficulty"), tr("Difficulty"), new DifficultyBox(session)),
+          placesSection};
+}
+
+QWidget* RightColumn::buildPage(const std::vector<Section*>& sections) {
+  auto* page = new QWidget;
+  auto* box = new QVBoxLayout(page);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kGap);
+  for (Section* section : sections) box->addWidget(section), all_.push_back(section);
+  return page;
+}
+
+void RightColumn::showPage() {
+  look_->setVisible(!showsCheck());
+  checkPage_->setVisible(showsCheck());
+  scroll_->verticalScrollBar()->setValue(0);
+}
+
+bool RightColumn::showsCheck() const {
+  return tabs_->currentIndex() == kCheck;
+}
+
+void RightColumn::setCheckShown(bool shown) {
+  tabs_->setCurrentIndex(shown ? kCheck : kLook);
+  if (shown) check_->setOpen(true);
+}
+
+void RightColumn::setToolShown(bool shown) {
+  tool_->setVisible(shown);
+  tool_->setOpen(true);
+  scroll_->verticalScrollBar()->setValue(0);
+}
+
+void RightColumn::setToolRemark(const QString& remark) {
+  tool_->setRemark(remark);
+}
+
+void RightColumn::setCheckRemark(const QString& remark) {
+  check_->setRemark(remark);
+}
+
+void RightColumn::save(QSettings& settings) const {
+  settings.setValue(QStringLiteral("right"), saveState());
+  for (const Section* section : all_) settings.setValue(QStringLiteral("open-") + section->key(), section->isOpen());
+}
+
+void RightColumn::restore(QSettings& settings) {
+  restoreState(settings.value(QStringLiteral("right")).toByteArray());
+  for (Section* section : all_)
+    section->setOpen(settings.value(QStringLiteral("open-") + section->key(), section->isOpen()).toBool());
+}
+
+}  // namespace insonate::prepare
