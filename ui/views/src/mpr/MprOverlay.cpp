@@ -1,3 +1,4 @@
+#include "../overlay/NameRows.h"
 #include "../overlay/PointerMark.h"
 #include "../ultrasound/CalliperDrawing.h"
 #include "MprDrawing.h"
@@ -89,13 +90,17 @@ void drawBrush(const SliceMarks::Brush& brush, const SlicePlane& plane, double s
 
 /// A diamond beside its name.
 void drawPlaces(const MprOverlay& overlay, const SlicePlane& plane, double scale, Lines& lines, Texts& texts) {
+  const double size_px = 12 * scale;
+  NameRows rows(plane.width_px, size_px);
   for (const NamedPlace* place : overlay.places) {
     const DisplayPoint at = plane.displayFromPatient(place->position_mm);
     const double r = 6 * scale;
     const DisplayPoint diamond[4] = {{at.x, at.y - r}, {at.x + r, at.y}, {at.x, at.y + r}, {at.x - r, at.y}};
     lines.polyline(diamond, {kHalo.colour, kHalo.width_px * scale, kHalo.opacity}, true);
     lines.polyline(diamond, {place->colour, 1.5 * scale, 1}, true);
-    texts.put({at.x + 10 * scale, at.y}, place->name, {12 * scale, place->colour, false, Across::Left, Along::Centre});
+    if (const auto name = rows.put(at, place->name.size()))
+      texts.put(name->at, place->name,
+                {size_px, place->colour, false, name->before ? Across::Right : Across::Left, Along::Centre});
   }
 }
 

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <insonate/views/Input.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace insonate::views {
+
+/// Where names beside marks stand, so that none covers another: in rows above each other, or not at all where too many
+/// marks lie together. Whoever comes first has the row of the mark. Logical and device pixels alike.
+class NameRows {
+ public:
+  NameRows(double width_px, double size_px) : width_px_(width_px), size_px_(size_px) {}
+
+  struct Place {
+    DisplayPoint at;  ///< the end of the name that is nearer to its mark, half way up
+    bool before;      ///< the name ends there, since behind the mark the view does
+  };
+
+  /// None where the name finds no room.
+  std::optional<Place> put(DisplayPoint mark, std::size_t letters) {
+    constexpr double kLetter = 0.53, kRow = 1.25, kGap = 0.85;  // of the size
+    const double length = kLetter * size_px_ * double(letters), gap = kGap * size_px_;
+    const bool before = mark.x + gap + length > width_px_ && mark.x > gap + length;
+    for (const int row : {0, 1, -1, 2, -2}) {
+      const DisplayPoint at{before ? mark.x - gap : mark.x + gap, mark.y + row * kRow * size_px_};
+      const Name name{before ? at.x - length : at.x, before ? at.x : at.x + length, at.y};
+      if (covers(name, kRow * size_px_)) continue;
+      taken_.push_back(name);
+      return Place{at, before};
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Name {
+    double left, right, y;
+  };
+  bool covers(const Name& name, double row) const {
+    return std::ranges::any_of(taken_, [&](const Name& other) {
+      return std::abs(other.y - name.y) < 0.99 * row && name.left < other.right && other.left < name.right;
+    });
+  }
+
+  double width_px_, size_px_;
+  std::vector<Name> taken_;
+};
+
+}  // namespace insonate::views
