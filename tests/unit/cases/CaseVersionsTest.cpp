@@ -187,6 +187,22 @@ TEST_F(CaseVersions, WhatIsPublishedStaysWhatTraineesGet) {
   EXPECT_EQ(read(caseForTraining(folder_)).labels.voxels, relabelled(kBone).labels.voxels);
 }
 
+TEST_F(CaseVersions, WhatAnInterruptedPublishingLeftIsMadeWhole) {
+  const int number = save(relabelled(kVein)).number;
+  fs::create_directories(folder_ / "versions" / "001");
+  ASSERT_EQ(number, 1);
+  ASSERT_TRUE(publishCase(folder_, "2026-11-23"));
+  EXPECT_EQ(publishedVersion(folder_), 1);
+  EXPECT_EQ(read(caseForTraining(folder_)).labels.voxels, relabelled(kVein).labels.voxels);
+}
+
+TEST_F(CaseVersions, AVersionThatCannotBeKeptIsNotPublished) {
+  save(relabelled(kVein));
+  test::writeText(folder_ / "versions", "a file in its place");
+  EXPECT_FALSE(publishCase(folder_, "2026-11-23"));
+  EXPECT_EQ(publishedVersion(folder_), 0);
+}
+
 TEST_F(CaseVersions, APointerToNothingPublishesNothing) {
   save(relabelled(kVein));
   ASSERT_TRUE(publishCase(folder_, "2026-11-23"));

@@ -47,6 +47,11 @@ class SavingTurn {
   int file_;
 };
 
+fs::path parentOf(const fs::path& folder) {
+  const fs::path named = folder.has_filename() ? folder : folder.parent_path();
+  return named.has_parent_path() ? named.parent_path() : fs::path(".");
+}
+
 void add(Fingerprint& fingerprint, Vec3 v) {
   // Reading straightens directions, which must not count as a change.
   constexpr double kGrain = 1e4;
@@ -93,15 +98,21 @@ Result<void> link(const fs::path& from, const fs::path& to) {
   return {};
 }
 
-/// The case that is there, as a version of its own in the new folder.
-Result<void> keepEarlier(const PatientCase& earlier, const fs::path& folder, const fs::path& beside) {
-  const fs::path place = beside / kVersions / folderName(earlier.manifest.version.number);
+/// The case of `folder`, as a version of its own among `versions`: there as a whole, or not at all.
+Result<void> keepVersion(const PatientCase& patient, const fs::path& folder, const fs::path& versions) {
+  const fs::path place = versions / folderName(patient.manifest.version.number);
   std::error_code error;
-  if (!fs::create_directories(place, error)) return {};  // it was published, and is kept since
-  for (const char* name : {kCtFile, kLabelFile, kPlainLabelFile, kSnapFile})
-    if (fs::exists(folder / name, error))
-      if (auto ok = link(folder / name, place / name); !ok) return ok;
-  return writeAtomically(place / kManifestFile, manifestToJson(earlier.manifest));
+  if (fs::exists(place / kManifestFile, error)) return {};  // it was published, and is kept since
+  fs::create_directories(versions, error);
+  if (error) return fail("Could not write " + versions.string() + ": " + error.message() + ".");
+  return writeFolderAtomically(place,
+                               [&](const fs::path& beside) -> Result<void> {
+                                 for (const char* name : {kCtFile, kLabelFile, kPlainLabelFile, kSnapFile})
+                                   if (fs::exists(folder / name, error))
+                                     if (auto ok = link(folder / name, beside / name); !ok) return ok;
+                                 return writeAtomically(beside / kManifestFile, manifestToJson(patient.manifest));
+                               },
+                               {});
 }
 
 bool isSame(const CtVolume& a, const CtVolume& b) {
@@ -149,7 +160,7 @@ Result<CaseVersion> saveCaseVersion(const PatientCase& patient, const fs::path& 
   if (auto ok = checkVolumes(patient); !ok) return tl::unexpected(ok.error());
   if (auto ok = checkFolderTarget(folder); !ok) return tl::unexpected(ok.error());
   const fs::path named = folder.has_filename() ? folder : folder.parent_path();
-  SavingTurn turn(named.has_parent_path() ? named.parent_path() : fs::path("."));
+  SavingTurn turn(parentOf(folder));
   if (auto ok = turn.wait(progress); !ok) return tl::unexpected(ok.error());
 
   auto there = readCase(named);  // one that cannot be read is no version of anything
@@ -179,7 +190,7 @@ Result<CaseVersion> saveCaseVersion(const PatientCase& patient, const fs::path& 
       return ok;
     if (fs::exists(named / kVersions, error))
       if (auto ok = link(named / kVersions, beside / kVersions); !ok) return ok;
-    return keep ? keepEarlier(there->patient, named, beside) : Result<void>{};
+    return keep ? keepVersion(there->patient, named, beside / kVersions) : Result<void>{};
   };
   if (auto ok = writeFolderAtomically(named, write, {kPlainLabelFile}); !ok) return tl::unexpected(ok.error());
   return version;
@@ -205,7 +216,13 @@ Result<CaseVersion> publishCase(const fs::path& folder, const std::string& date,
   const auto version = saveCaseVersion(there->patient, folder, date, there->patient.manifest.version.author, progress);
   if (!version) return version;
   there->patient.manifest.version = *version;
-  if (auto ok = keepEarlier(there->patient, folder, folder); !ok) return tl::unexpected(ok.error());
+  SavingTurn turn(parentOf(folder));
+  if (auto ok = turn.wait(progress); !ok) return tl::unexpected(ok.error());
+  std::vector<std::string> notes;
+  const auto now = readManifest(folder / kManifestFile, notes);
+  if (!now || now->version.content != version->content)
+    return fail("Another program has saved " + folder.string() + " meanwhile. Look at it and publish it again.");
+  if (auto ok = keepVersion(there->patient, folder, folder / kVersions); !ok) return tl::unexpected(ok.error());
   const nlohmann::json pointer{{"version", version->number}};
   if (auto ok = writeAtomically(folder / kVersions / kPublished, pointer.dump(2) + '\n'); !ok)
     return tl::unexpected(ok.error());
