@@ -9,6 +9,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <utility>
 
 namespace insonate::prepare {
 
@@ -19,10 +20,15 @@ PublishStep::PublishStep(PrepareSession& session, ui::TaskBar& tasks, QLabel& ma
   box->setContentsMargins(0, 0, 0, 0);
   box->addWidget(publish_);
   connect(publish_, &QPushButton::clicked, this, [this] { publish(); });
-  for (const auto news : {&PrepareSession::originChanged, &PrepareSession::caseChanged, &PrepareSession::editsChanged})
-    connect(&session_, news, this, [this] { refresh(); });
+  for (const auto news : {&PrepareSession::originChanged, &PrepareSession::caseChanged})
+    connect(&session_, news, this, [this] { readVersions(); });
+  // The folder is read where something was saved, not with each edit.
+  connect(&session_, &PrepareSession::editsChanged, this, [this] {
+    const bool saved = std::exchange(wasUnsaved_, session_.isUnsaved()) && !wasUnsaved_;
+    saved ? readVersions() : refresh();
+  });
   connect(&session_.measuring(), &CaseMeasuring::changed, this, [this] { refresh(); });
-  refresh();
+  readVersions();
 }
 
 /// Why the case cannot be published now, with what to do; empty where it can.
@@ -43,12 +49,17 @@ void PublishStep::refresh() {
   const QString why = obstacle();
   publish_->setEnabled(why.isEmpty());
   publish_->setToolTip(why.isEmpty() ? tr("Trainees get the case as it is now, until you publish again") : why);
-  const QString& folder = session_.origin().folder;
-  const int number = folder.isEmpty() ? 0 : publishedVersion(folder.toStdString());
-  if (number == 0) return mark_.setText(session_.origin().builtIn ? tr("built in") : tr("not yet"));
-  const auto all = versionsOf(folder.toStdString());
-  const bool latest = !all.empty() && all.front().number == number && !session_.isUnsaved();
-  mark_.setText(latest ? tr("version %1").arg(number) : tr("version %1, not the latest").arg(number));
+  if (published_ == 0) return mark_.setText(session_.origin().builtIn ? tr("built in") : tr("not yet"));
+  const bool latest = isLatest_ && !session_.isUnsaved();
+  mark_.setText(latest ? tr("version %1").arg(published_) : tr("version %1, not the latest").arg(published_));
+}
+
+void PublishStep::readVersions() {
+  const std::string folder = session_.origin().folder.toStdString();
+  published_ = folder.empty() ? 0 : publishedVersion(folder);
+  const auto all = published_ == 0 ? std::vector<CaseVersion>() : versionsOf(folder);
+  isLatest_ = !all.empty() && all.front().number == published_;
+  refresh();
 }
 
 void PublishStep::publish() {
@@ -62,7 +73,7 @@ void PublishStep::publish() {
         if (!self) return;
         self->session_.say(version ? tr("Trainees get version %1 from now on.").arg(version->number)
                                    : QString::fromStdString(version.error().message));
-        self->refresh();
+        self->readVersions();
       },
       ui::TaskBar::WhenClosed::Ask);
 }

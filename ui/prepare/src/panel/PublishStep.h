@@ -24,11 +24,15 @@ class PublishStep : public QWidget {
   QString obstacle() const;
   void publish();
   void refresh();
+  void readVersions();
 
   PrepareSession& session_;
   ui::TaskBar& tasks_;
   QLabel& mark_;
   QPushButton* publish_;
+  int published_ = 0;  ///< number of that version; 0 for none
+  bool isLatest_ = false;
+  bool wasUnsaved_ = false;
 };
 
 }  // namespace insonate::prepare
