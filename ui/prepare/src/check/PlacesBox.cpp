@@ -7,6 +7,7 @@
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QComboBox>
 #include <QGridLayout>
@@ -27,13 +28,6 @@ QString qt(std::string_view text) {
   return QString::fromUtf8(text.data(), int(text.size()));
 }
 
-QPushButton* button(const char* name, const QString& words, const QString& tip) {
-  auto* made = new QPushButton(words);
-  made->setObjectName(QLatin1String(name));
-  made->setToolTip(tip);
-  return made;
-}
-
 }  // namespace
 
 PlacesBox::PlacesBox(PrepareSession& session, QWidget* parent)
@@ -41,13 +35,14 @@ PlacesBox::PlacesBox(PrepareSession& session, QWidget* parent)
       session_(session),
       list_(new QTreeWidget),
       kind_(new QComboBox),
-      add_(button("placeAdd", tr("Mark"), tr("Mark it at the crosshair; a start pose where the probe is"))),
-      show_(button("placeShow", tr("Show"), tr("Crosshair or probe to the chosen place (Enter)"))),
-      put_(button("placePut", tr("Put here"), tr("Move the chosen place to the crosshair, a start pose to the probe"))),
-      first_(button("placeFirst", tr("Begin there"),
-                    tr("The chosen start pose is where the case begins; the chosen "
-                       "target is what it is about"))),
-      remove_(button("placeRemove", tr("Remove"), tr("Remove the chosen place"))) {
+      add_(ui::pushButton("placeAdd", tr("Mark"), tr("Mark it at the crosshair; a start pose where the probe is"))),
+      show_(ui::pushButton("placeShow", tr("Show"), tr("Crosshair or probe to the chosen place (Enter)"))),
+      put_(ui::pushButton("placePut", tr("Put here"),
+                          tr("Move the chosen place to the crosshair, a start pose to the probe"))),
+      first_(ui::pushButton("placeFirst", tr("Begin there"),
+                            tr("The chosen start pose is where the case begins; the chosen "
+                               "target is what it is about"))),
+      remove_(ui::pushButton("placeRemove", tr("Remove"), tr("Remove the chosen place"))) {
   arrange();
   connect(add_, &QPushButton::clicked, this, [this] { add(); });
   connect(show_, &QPushButton::clicked, this, [this] { show(); });

@@ -4,6 +4,7 @@
 
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -48,14 +49,6 @@ QColor stateColour(GuideSession::State state) {
   }
 }
 
-QLabel* paragraph(const char* name, const char* role = nullptr) {
-  auto* label = new QLabel;
-  label->setObjectName(QLatin1String(name));
-  label->setWordWrap(true);
-  if (role) ui::setRole(label, role);
-  return label;
-}
-
 }  // namespace
 
 GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), guide_(guide), list_(new QTreeWidget) {
@@ -94,11 +87,11 @@ GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), gu
 }
 
 QWidget* GuidePage::buildStep() {
-  title_ = paragraph("guideTitle", "heading");
-  say_ = paragraph("guideSay");
-  clicks_ = paragraph("guideClicks", "quiet");
-  result_ = paragraph("guideResult");
-  told_ = paragraph("guideTold");
+  title_ = ui::paragraph("guideTitle", "heading");
+  say_ = ui::paragraph("guideSay");
+  clicks_ = ui::paragraph("guideClicks", "quiet");
+  result_ = ui::paragraph("guideResult");
+  told_ = ui::paragraph("guideTold");
   const auto button = [](const char* name, const QString& text, const QString& tip) {
     auto* made = new QPushButton(text);
     made->setObjectName(QLatin1String(name));

@@ -9,6 +9,7 @@
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -17,17 +18,6 @@
 #include <QVBoxLayout>
 
 namespace insonate::prepare {
-namespace {
-
-QPushButton* button(const char* name, const QString& text, const QString& tip) {
-  auto* made = new QPushButton(text);
-  made->setObjectName(QLatin1String(name));
-  made->setToolTip(tip);
-  return made;
-}
-
-}  // namespace
-
 ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* parent)
     : QWidget(parent),
       session_(session),
@@ -37,9 +27,10 @@ ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* paren
       label_(new LabelBox(session, tr("Label the tool is for"), tr("The label that the tool writes (Q, W)"))),
       rules_(new RulesBox(session)),
       histogram_(std::make_unique<views::HuHistogram>()),
-      preview_(button("toolPreview", tr("Preview"), tr("Show on the slices and in 3D what would be written"))),
-      apply_(button("toolApply", tr("Apply"), tr("Write it to the labels (Enter); Ctrl+Z takes it back"))),
-      leave_(button("toolLeave", tr("Cancel"), tr("Stop, forget what was clicked, or lay the tool away (Esc)"))),
+      preview_(ui::pushButton("toolPreview", tr("Preview"), tr("Show on the slices and in 3D what would be written"))),
+      apply_(ui::pushButton("toolApply", tr("Apply"), tr("Write it to the labels (Enter); Ctrl+Z takes it back"))),
+      leave_(
+          ui::pushButton("toolLeave", tr("Cancel"), tr("Stop, forget what was clicked, or lay the tool away (Esc)"))),
       box_(new QVBoxLayout(this)) {
   name_->setObjectName(QStringLiteral("toolLabel"));
   ui::setRole(name_, "heading");
