@@ -1,12 +1,6 @@
-#include "CaseSamples.h"
-#include "DicomFiles.h"
-#include "support/TestData.h"
+#include "SegmentationFiles.h"
 
-#include <insonate/cases/DicomSegmentation.h>
 #include <insonate/cases/Import.h>
-#include <insonate/cases/LabelFile.h>
-
-#include <gmock/gmock.h>
 
 #include <algorithm>
 
@@ -17,71 +11,17 @@ namespace fs = std::filesystem;
 using gdcm::DataSet;
 using gdcm::Tag;
 using gdcm::VR;
+using test::bytesIn;
+using test::DicomSegmentation;
+using test::items;
+using test::kFrames;
+using test::kPixels;
+using test::kSegments;
+using test::kShared;
+using test::setBytes;
+using test::twoVessels;
 using testing::Contains;
 using testing::HasSubstr;
-
-const Tag kFrames(0x5200, 0x9230), kShared(0x5200, 0x9229), kPixels(0x7fe0, 0x0010), kSegments(0x0062, 0x0002);
-
-std::vector<DataSet> items(const DataSet& data, Tag tag) {
-  std::vector<DataSet> found;
-  const auto sequence = data.GetDataElement(tag).GetValueAsSQ();
-  for (std::size_t n = 1; n <= sequence->GetNumberOfItems(); ++n)
-    found.push_back(sequence->GetItem(n).GetNestedDataSet());
-  return found;
-}
-
-void setBytes(DataSet& data, Tag tag, VR::VRType vr, const std::string& bytes) {
-  gdcm::DataElement element(tag);
-  element.SetVR(vr);
-  element.SetByteValue(bytes.data(), gdcm::VL(static_cast<std::uint32_t>(bytes.size())));
-  data.Replace(element);
-}
-
-std::string bytesIn(const DataSet& data, Tag tag) {
-  const gdcm::ByteValue* value = data.GetDataElement(tag).GetByteValue();
-  return {value->GetPointer(), value->GetLength()};
-}
-
-/// 8x8 pixels, so that frames are whole bytes: a vein in slices 1 and 2, an artery in slice 3 of five.
-PatientCase twoVessels() {
-  PatientCase patient;
-  patient.ct = CtVolume(test::grid({8, 8, 5}, {0.5, 0.75, 2}, {10, -20, 30}), 40);
-  patient.labels = LabelMap(patient.ct.geometry);
-  for (const int k : {1, 2}) patient.labels.at(2, 3, k) = kVein;
-  patient.labels.at(3, 3, 2) = kVein;
-  patient.labels.at(5, 6, 3) = kArtery;
-  return patient;
-}
-
-class DicomSegmentation : public testing::Test {
- protected:
-  void write(PatientCase made) {
-    patient = std::move(made);
-    const auto written = writeDicomSegmentation(patient, file);
-    ASSERT_TRUE(written) << written.error().message;
-  }
-  LabelReadResult read() {
-    auto result = importLabels(patient, file);
-    EXPECT_TRUE(result) << result.error().message;
-    return result ? std::move(*result) : LabelReadResult{};
-  }
-  std::string refusal() {
-    const auto result = importLabels(patient, file);
-    EXPECT_FALSE(result);
-    return result ? "" : result.error().message;
-  }
-  /// Changes the items of a sequence.
-  void editItems(Tag tag, const std::function<void(std::vector<DataSet>&)>& edit) {
-    test::editDicom(file, [&](DataSet& data) {
-      std::vector<DataSet> all = items(data, tag);
-      edit(all);
-      test::setSequence(data, tag, all);
-    });
-  }
-  test::TemporaryFolder folder;
-  const fs::path file = folder / "labels.dcm";
-  PatientCase patient;
-};
 
 TEST_F(DicomSegmentation, ComesBackBitForBitOnAnyGrid) {
   VolumeGeometry oblique = test::grid({7, 5, 6}, {0.7, 0.9, 2.3}, {-123.4, 56.7, 8.9});
@@ -157,6 +97,25 @@ TEST_F(DicomSegmentation, FractionsAreInsideFromOneHalf) {
   });
   EXPECT_EQ(read().labels.voxels, patient.labels.voxels);
   EXPECT_THAT(read().notes, Contains(HasSubstr("fractions")));
+}
+
+TEST_F(DicomSegmentation, SlicesThatAreFarApartStayAsThickAsTheFileSays) {
+  PatientCase made = twoVessels();
+  made.labels.at(2, 3, 2) = made.labels.at(3, 3, 2) = 0;  // slices 1 and 3 are left
+  write(made);
+  const auto edit = [&](const std::function<void(DataSet&)>& change) {
+    editItems(kShared, [&](auto& shared) {
+      std::vector<DataSet> measures = items(shared[0], Tag(0x0028, 0x9110));
+      change(measures[0]);
+      test::setSequence(shared[0], Tag(0x0028, 0x9110), measures);
+    });
+  };
+  edit([](DataSet& measures) { measures.Remove(Tag(0x0018, 0x0088)); });
+  EXPECT_EQ(read().labels.voxels, patient.labels.voxels);
+  // Frames that lie closer than the file says are believed.
+  write(twoVessels());
+  edit([](DataSet& measures) { test::setText(measures, Tag(0x0018, 0x0088), VR::DS, "4"); });
+  EXPECT_EQ(read().labels.voxels, patient.labels.voxels);
 }
 
 TEST_F(DicomSegmentation, TheLaterOfOverlappingSegmentsWinsAndThatIsSaid) {
@@ -244,9 +203,9 @@ TEST_F(DicomSegmentation, WhatItLacksIsNamed) {
                 });
               }),
               HasSubstr("does not describe the segment"));
-  EXPECT_THAT(
-      refusalAfter([&] { edit([](DataSet& d) { test::setText(d, Tag(0x0062, 0x0001), VR::CS, "LABELMAP"); }); }),
-      HasSubstr("LABELMAP"));
+  for (const char* type : {"LABELMAP", "ANOTHER"})
+    EXPECT_THAT(refusalAfter([&] { edit([&](DataSet& d) { test::setText(d, Tag(0x0062, 0x0001), VR::CS, type); }); }),
+                HasSubstr(std::string(type) + ", 1 bits"));
   EXPECT_THAT(refusalAfter([&] {
                 edit([](DataSet& d) { test::setText(d, Tag(0x0008, 0x0016), VR::UI, "1.2.840.10008.5.1.4.1.1.2"); });
               }),

@@ -1,6 +1,7 @@
 #include "CaseSamples.h"
 #include "support/TestData.h"
 
+#include <insonate/cases/DicomSegmentation.h>
 #include <insonate/cases/LabelFile.h>
 
 #include <gmock/gmock.h>
@@ -67,6 +68,66 @@ TEST(LabelImport, ReversedAxesAreTurned) {
   ASSERT_TRUE(imported) << imported.error().message;
   EXPECT_EQ(imported->labels.at(5, 4, 0), kArtery);
   EXPECT_EQ(imported->labels.at(0, 0, 0), 0);
+}
+
+/// Two segments in two layers of six voxels in a row: the vein (segment 1) in the first, the artery (segment 0) in the
+/// second; they share the third voxel.
+std::string layered(bool named) {
+  const std::string layer[2] = {named ? "Segment0_Layer:=1\nSegment0_LabelValue:=1\n" : "",
+                                named ? "Segment1_Layer:=0\nSegment1_LabelValue:=1\n" : ""};
+  return "type: unsigned char\ndimension: 4\nsizes: 2 6 1 1\nspace: left-posterior-superior\nspace directions: none "
+         "(1,0,0) (0,1,0) (0,0,2)\nspace origin: (100,200,-50)\nkinds: list domain domain domain\n"
+         "Segment0_ID:=a\nSegment0_Name:=artery\n" +
+         layer[0] + "Segment1_ID:=b\nSegment1_Name:=vein\n" + layer[1];
+}
+
+TEST(LabelImport, TheLaterOfOverlappingSegmentsWinsInWhicheverLayerItIs) {
+  test::TemporaryFolder folder;
+  test::writeRawNrrd(folder / "l.seg.nrrd", layered(true), std::string("\1\0\1\0\1\1\0\1\0\0\0\0", 12));
+  const auto imported = importLabels(blankCase(), folder / "l.seg.nrrd");
+  ASSERT_TRUE(imported) << imported.error().message;
+  const auto& found = imported->labels.voxels;
+  EXPECT_EQ((std::vector<int>(found.begin(), found.begin() + 5)),
+            (std::vector<int>{kVein, kVein, kVein, kArtery, kBackground}));
+  EXPECT_THAT(imported->notes, Contains(HasSubstr("1 voxels belong to several segments")));
+}
+
+TEST(LabelImport, LayersWithoutANameBelongToTheSegmentsInTheirOrder) {
+  test::TemporaryFolder folder;
+  test::writeRawNrrd(folder / "l.seg.nrrd", layered(false), std::string("\1\0\0\1\0\0\0\0\0\0\0\0", 12));
+  const auto imported = importLabels(blankCase(), folder / "l.seg.nrrd");
+  ASSERT_TRUE(imported) << imported.error().message;
+  EXPECT_EQ(imported->labels.at(0, 0, 0), kArtery);
+  EXPECT_EQ(imported->labels.at(1, 0, 0), kVein);
+}
+
+TEST(LabelImport, PlacesBetweenTwoVoxelsAllTakeTheSameSide) {
+  test::TemporaryFolder folder;
+  PatientCase patient;
+  VolumeGeometry g = test::grid({8, 8, 7}, {0.7, 0.9, 1.25}, {-123.4, 56.7, 8.9});
+  g.direction = test::obliqueDirection();
+  patient.ct = CtVolume(g, 0);
+  patient.labels = LabelMap(g);
+  // Every second voxel, as a program keeps them that works at half the resolution.
+  PatientCase coarse;
+  VolumeGeometry half = g;
+  half.size = {4, 4, 4};
+  half.spacing_mm = 2.0 * g.spacing_mm;
+  coarse.ct = CtVolume(half, 0);
+  coarse.labels = LabelMap(half);
+  for (int n = 0; n < 64; ++n) coarse.labels.voxels[n] = static_cast<std::uint8_t>(1 + n % 15);
+  const auto check = [&](const std::filesystem::path& file) {
+    const auto imported = importLabels(patient, file);
+    ASSERT_TRUE(imported) << imported.error().message;
+    for (int k = 0; k < 7; ++k)
+      for (int j = 0; j < 8; ++j)
+        for (int i = 0; i < 8; ++i)
+          ASSERT_EQ(imported->labels.at(i, j, k), coarse.labels.at(i / 2, j / 2, k / 2)) << i << ' ' << j << ' ' << k;
+  };
+  ASSERT_TRUE(writeLabelFile(coarse, folder / "a.seg.nrrd"));
+  check(folder / "a.seg.nrrd");
+  ASSERT_TRUE(writeDicomSegmentation(coarse, folder / "a.dcm"));
+  check(folder / "a.dcm");
 }
 
 TEST(LabelImport, LabelsOfAnotherPlaceAreRefused) {

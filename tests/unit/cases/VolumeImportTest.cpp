@@ -82,6 +82,34 @@ TEST(VolumeImport, SkewedRowsAreRefused) {
   EXPECT_THAT(importSeries(folder / "a.nrrd").error().message, HasSubstr("right angles"));
 }
 
+TEST(VolumeImport, EachSpaceOfNrrdIsTurnedToLps) {
+  test::TemporaryFolder folder;
+  struct Space {
+    const char *name, *directions, *origin;
+    bool patient;
+  };
+  const Space spaces[] = {
+      {"left-posterior-superior", "(0.8,0.6,0) (-0.6,0.8,0) (0,0,2)", "(10,20,30)", true},
+      {"right-anterior-superior", "(-0.8,-0.6,0) (0.6,-0.8,0) (0,0,2)", "(-10,-20,30)", true},
+      {"left-anterior-superior", "(0.8,-0.6,0) (-0.6,-0.8,0) (0,0,2)", "(10,-20,30)", true},
+      {"scanner-xyz", "(0.8,0.6,0) (-0.6,0.8,0) (0,0,2)", "(10,20,30)", false},
+  };
+  for (const Space& space : spaces) {
+    test::writeRawNrrd(folder / "a.nrrd",
+                       std::string("type: short\ndimension: 3\nsizes: 4 4 4\nspace: ") + space.name +
+                           "\nspace directions: " + space.directions + "\nspace origin: " + space.origin + "\n",
+                       test::bytesOf(std::vector<short>(64)));
+    const auto imported = importSeries(folder / "a.nrrd");
+    ASSERT_TRUE(imported) << imported.error().message;
+    const Transform patientFromIndex = imported->ct.geometry.patientFromIndex();
+    const Vec3 corner = patientFromIndex * Vec3{3, 1, 2};
+    EXPECT_LT(norm(corner - Vec3{10 + 3 * 0.8 - 0.6, 20 + 3 * 0.6 + 0.8, 34}), 1e-9) << space.name;
+    EXPECT_EQ(testing::Value(imported->series.warnings, testing::Contains(HasSubstr("does not say how it lies"))),
+              !space.patient)
+        << space.name;
+  }
+}
+
 TEST(VolumeImport, DamagedFilesGetASentence) {
   test::TemporaryFolder folder;
   for (const char* name : {"a.nrrd", "a.nii", "a.nii.gz", "a.mha"}) {

@@ -44,17 +44,18 @@ class Placer {
 
   /// The last segment that holds a place; 0 for none. `overlaps` counts places in several structures.
   std::uint8_t labelAt(Vec3 p_mm, std::size_t& overlaps) const {
-    const Plane* plane = planeAt(dot(p_mm, normal_));
+    const Plane* plane = planeAt(dot(p_mm, normal_) - kOffTheBorder * s_.step_mm);
     std::uint8_t label = 0;
     if (!plane) return label;
     for (const Frame* frame : plane->frames) {
       const Vec3 from = p_mm - frame->position_mm;
-      const long i = std::lround(dot(from, s_.direction[0]) / s_.spacing_mm[0]);
-      const long j = std::lround(dot(from, s_.direction[1]) / s_.spacing_mm[1]);
+      const long i = std::lround(dot(from, s_.direction[0]) / s_.spacing_mm[0] - kOffTheBorder);
+      const long j = std::lround(dot(from, s_.direction[1]) / s_.spacing_mm[1] - kOffTheBorder);
       if (i < 0 || j < 0 || i >= s_.columns || j >= s_.rows) continue;
-      if (!s_.inside(frame->first + static_cast<std::size_t>(j * s_.columns + i))) continue;
-      overlaps += label != 0 && label != frame->label;
-      label = frame->label;
+      const std::uint8_t found = s_.labelAt(*frame, static_cast<std::size_t>(j * s_.columns + i));
+      if (found == 0) continue;
+      overlaps += label != 0 && label != found;
+      label = found;
     }
     return label;
   }
@@ -65,7 +66,7 @@ class Placer {
     for (const Frame& frame : s_.frames)
       for (int j = 0; j < s_.rows; ++j)
         for (int i = 0; i < s_.columns; ++i) {
-          if (!s_.inside(frame.first + static_cast<std::size_t>(j) * s_.columns + i)) continue;
+          if (s_.labelAt(frame, static_cast<std::size_t>(j) * s_.columns + i) == 0) continue;
           const auto [x, y, z] = nearestVoxel(indexFromPatient * placeOf(frame, i, j));
           lost += !grid.contains(x, y, z);
         }
@@ -84,7 +85,8 @@ class Placer {
     const Plane* nearest = above == planes_.end() ? &planes_.back() : &*above;
     if (above != planes_.begin() && z_mm - std::prev(above)->z_mm < std::abs(nearest->z_mm - z_mm))
       nearest = &*std::prev(above);
-    const double reach_mm = 0.5 * s_.step_mm * (1 + 1e-6);
+    // Positions and their step are decimals of a few digits: no crack may open between two slices.
+    const double reach_mm = 0.5 * s_.step_mm * (1 + 1e-3);
     return std::abs(nearest->z_mm - z_mm) <= reach_mm ? nearest : nullptr;
   }
   Vec3 placeOf(const Frame& frame, int i, int j) const {

@@ -6,14 +6,15 @@
 #include "../import/DicomLayout.h"
 #include "CieLab.h"
 
+#include <gdcmBitmap.h>
 #include <gdcmByteValue.h>
-#include <gdcmImageReader.h>
 #include <gdcmReader.h>
 #include <gdcmTrace.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <set>
 
 namespace insonate {
@@ -46,6 +47,12 @@ std::optional<Label> labelOf(const DataSet& item) {
   return std::nullopt;
 }
 
+/// What a label map may describe of the pixels that are in no segment.
+bool isBackground(const DataSet& item) {
+  const Tag type(0x0062, 0x000f);
+  return firstCode(item, type, Tag(0x0008, 0x0102)) == "DCM" && firstCode(item, type, Tag(0x0008, 0x0100)) == "125040";
+}
+
 std::optional<LabelColour> colourOf(const DataSet& item) {
   const Tag tag(0x0062, 0x000d);
   if (!item.FindDataElement(tag)) return std::nullopt;
@@ -61,6 +68,10 @@ Segments segmentsOf(const DataSet& data, DicomSegments& result) {
   for (const DataSet& item : itemsOf(data, Tag(0x0062, 0x0002))) {
     const auto number = shortOf(item, Tag(0x0062, 0x0004));
     if (!number) continue;
+    if (isBackground(item)) {
+      segments[*number] = {};
+      continue;
+    }
     const auto known = labelOf(item);
     const std::string what =
         "The segment \"" + textOf(item, Tag(0x0062, 0x0005)) + "\" (number " + std::to_string(*number) + ")";
@@ -74,36 +85,79 @@ Segments segmentsOf(const DataSet& data, DicomSegments& result) {
   return segments;
 }
 
-Result<void> readPixels(const fs::path& file, const DataSet& data, std::size_t count, DicomSegments& result) {
+/// The bytes of all pixels: as stored, or decompressed.
+Result<std::vector<std::uint8_t>> pixelBytes(const fs::path& file, const gdcm::File& dicom, unsigned bits,
+                                             const DicomSegments& segments) {
   const std::string cutOff = " holds fewer pixels than it says: it is cut off or damaged. Copy or export it again.";
+  const DataSet& data = dicom.GetDataSet();
+  if (!data.FindDataElement(kPixelData)) return fail(file.string() + cutOff);
+  const std::size_t count = static_cast<std::size_t>(segments.columns) * segments.rows * segments.frames.size();
+  const std::size_t needed = (count * bits + 7) / 8;
+  if (const gdcm::ByteValue* bytes = data.GetDataElement(kPixelData).GetByteValue()) {
+    if (bytes->GetLength() < needed) return fail(file.string() + cutOff);
+    return std::vector<std::uint8_t>(bytes->GetPointer(), bytes->GetPointer() + needed);
+  }
+  if (bits == 1) return fail(file.string() + " is compressed in a way that is not read here. Save it uncompressed.");
+  // Not by ImageReader, which knows no label maps.
+  gdcm::Bitmap picture;
+  picture.SetNumberOfDimensions(3);
+  const std::array<unsigned, 3> size{static_cast<unsigned>(segments.columns), static_cast<unsigned>(segments.rows),
+                                     static_cast<unsigned>(segments.frames.size())};
+  picture.SetDimensions(size.data());
+  const auto width = static_cast<unsigned short>(bits);
+  picture.SetPixelFormat(gdcm::PixelFormat(1, width, width, static_cast<unsigned short>(width - 1), 0));
+  picture.SetPhotometricInterpretation(gdcm::PhotometricInterpretation::MONOCHROME2);
+  picture.SetTransferSyntax(dicom.GetHeader().GetDataSetTransferSyntax());
+  picture.SetDataElement(data.GetDataElement(kPixelData));
+  std::vector<std::uint8_t> decoded(needed);
+  if (picture.GetBufferLength() != needed || !picture.GetBuffer(reinterpret_cast<char*>(decoded.data())))
+    return fail(file.string() + cutOff);
+  return decoded;
+}
+
+/// A label map's pixels are numbers of segments (PS3.3 C.8.20.2.3.3), and 0 or the padding value where none is.
+void numbersToLabels(const std::vector<std::uint8_t>& bytes, unsigned bits, const Segments& segments,
+                     std::optional<unsigned> padding, DicomSegments& result) {
+  std::set<unsigned> unknown;
+  const std::size_t width = bits / 8;
+  result.pixels.resize(bytes.size() / width);
+  for (std::size_t p = 0; p < result.pixels.size(); ++p) {
+    const unsigned number = width == 1 ? bytes[p] : bytes[2 * p] | unsigned{bytes[2 * p + 1]} << 8;
+    if (number == padding) continue;
+    if (const auto segment = segments.find(number); segment != segments.end())
+      result.pixels[p] = segment->second.label;
+    else if (number != 0)
+      unknown.insert(number);
+  }
+  for (const unsigned number : unknown)
+    result.notes.push_back("The number " + std::to_string(number) + " belongs to no segment and was ignored.");
+}
+
+Result<void> readPixels(const fs::path& file, const gdcm::File& dicom, const Segments& segments,
+                        DicomSegments& result) {
+  const DataSet& data = dicom.GetDataSet();
   const unsigned bits = shortOf(data, Tag(0x0028, 0x0100)).value_or(0);
   const std::string type = upper(textOf(data, Tag(0x0062, 0x0001)));
-  if (!(type == "BINARY" && bits == 1) && !(type == "FRACTIONAL" && bits == 8))
+  if (!(type == "BINARY" && bits == 1) && !(type == "FRACTIONAL" && bits == 8) &&
+      !(result.isLabelMap && (bits == 8 || bits == 16)))
     return fail(file.string() + " is a segmentation of a kind that is not read here (" + type + ", " +
                 std::to_string(bits) + " bits). Save it as a binary segmentation.");
-  const std::size_t needed = bits == 1 ? (count + 7) / 8 : count;
+  auto bytes = pixelBytes(file, dicom, bits, result);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (result.isLabelMap) {
+    numbersToLabels(*bytes, bits, segments, shortOf(data, Tag(0x0028, 0x0120)), result);
+    return {};
+  }
+  result.pixels = std::move(*bytes);
   if (bits == 8) {
     const unsigned most = shortOf(data, Tag(0x0062, 0x000e)).value_or(255);
     result.threshold = static_cast<int>(std::clamp((most + 1) / 2, 1U, 255U));
     result.notes.push_back("The segments are fractions; voxels of which at least half belongs to a segment are in it.");
   }
-  const gdcm::ByteValue* bytes =
-      data.FindDataElement(kPixelData) ? data.GetDataElement(kPixelData).GetByteValue() : nullptr;
-  if (bytes) {
-    if (bytes->GetLength() < needed) return fail(file.string() + cutOff);
-    result.pixels.assign(bytes->GetPointer(), bytes->GetPointer() + needed);
-    return {};
-  }
-  if (bits == 1) return fail(file.string() + " is compressed in a way that is not read here. Save it uncompressed.");
-  gdcm::ImageReader reader;
-  reader.SetFileName(file.c_str());
-  if (!reader.Read() || reader.GetImage().GetBufferLength() < needed) return fail(file.string() + cutOff);
-  result.pixels.resize(reader.GetImage().GetBufferLength());
-  if (!reader.GetImage().GetBuffer(reinterpret_cast<char*>(result.pixels.data()))) return fail(file.string() + cutOff);
   return {};
 }
 
-/// Which segment each frame is of; a frame that says nothing is of the only one.
+/// Which segment each frame names.
 std::vector<std::optional<unsigned>> segmentNumbers(const DataSet& data, std::size_t frames) {
   const auto numberIn = [](const DataSet& groups) -> std::optional<unsigned> {
     for (const DataSet& item : itemsOf(groups, Tag(0x0062, 0x000a))) return shortOf(item, Tag(0x0062, 0x000b));
@@ -118,51 +172,65 @@ std::vector<std::optional<unsigned>> segmentNumbers(const DataSet& data, std::si
   return numbers;
 }
 
-/// Distance of neighbouring slices: what the file says, else the smallest one between its frames.
+/// Distance of neighbouring slices: what the file says, or how thick they are, unless frames lie closer.
 double stepOf(const DataSet& data, const DicomSlice& first, const std::vector<DicomSegments::Frame>& frames,
               Vec3 normal) {
+  std::optional<double> step = first.thickness_mm;
   for (const DataSet& groups : itemsOf(data, Tag(0x5200, 0x9229)))
     for (const DataSet& measures : itemsOf(groups, Tag(0x0028, 0x9110)))
-      if (const auto step = numberOf(measures, Tag(0x0018, 0x0088)); step && std::abs(*step) > 0)
-        return std::abs(*step);
+      if (const auto between = numberOf(measures, Tag(0x0018, 0x0088)); between && *between != 0) step = between;
+  const double said = step && *step != 0 ? std::abs(*step) : std::numeric_limits<double>::max();
   std::set<double> places;
   for (const auto& frame : frames) places.insert(dot(frame.position_mm, normal));
-  double smallest = 0;
-  for (auto at = places.begin(); at != places.end() && std::next(at) != places.end(); ++at) {
-    const double distance = *std::next(at) - *at;
-    if (distance > 0.01 && (smallest == 0 || distance < smallest)) smallest = distance;
-  }
-  return smallest > 0 ? smallest : first.thickness_mm.value_or(1);
+  double smallest = said;
+  for (auto at = places.begin(); at != places.end() && std::next(at) != places.end(); ++at)
+    // Frames of several segments lie at the same place but for rounding.
+    if (const double distance = *std::next(at) - *at; distance > std::min(0.01, 0.1 * said))
+      smallest = std::min(smallest, distance);
+  return smallest < std::numeric_limits<double>::max() ? smallest : 1;
 }
 
-Result<void> readFrames(const fs::path& file, const DataSet& data, DicomSegments& result) {
+/// The segment of each frame, none for those of a label map; a frame that names none is of the only one.
+Result<std::vector<Segment>> frameSegments(const fs::path& file, const DataSet& data, std::size_t frames,
+                                           const Segments& segments, bool isLabelMap) {
+  std::vector<Segment> all(frames);
+  if (isLabelMap) return all;
+  const auto numbers = segmentNumbers(data, frames);
+  for (std::size_t f = 0; f < frames; ++f) {
+    const auto segment = numbers[f]             ? segments.find(*numbers[f])
+                         : segments.size() == 1 ? segments.begin()
+                                                : segments.end();
+    if (segment == segments.end())
+      return fail(file.string() + " does not describe the segment of its frame " + std::to_string(f + 1) + ".");
+    all[f] = segment->second;
+  }
+  return all;
+}
+
+Result<void> readFrames(const fs::path& file, const gdcm::File& dicom, DicomSegments& result) {
+  const DataSet& data = dicom.GetDataSet();
   const std::vector<DicomSlice> slices = framesOf(file, data);
   const DicomSlice& first = slices.front();
   const int announced = integerOf(data, Tag(0x0028, 0x0008)).value_or(1);
   if (announced != static_cast<int>(slices.size()) || first.columns < 1 || first.rows < 1)
     return fail(file.string() + " does not say for each of its " + std::to_string(announced) +
                 " frames where it lies.");
-  Segments segments = segmentsOf(data, result);
-  const auto numbers = segmentNumbers(data, slices.size());
+  result.isLabelMap = upper(textOf(data, Tag(0x0062, 0x0001))) == "LABELMAP";
+  const Segments segments = segmentsOf(data, result);
+  const auto ofFrame = frameSegments(file, data, slices.size(), segments, result.isLabelMap);
+  if (!ofFrame) return tl::unexpected(ofFrame.error());
   const std::size_t area = static_cast<std::size_t>(first.columns) * first.rows;
-  std::vector<std::size_t> order;
   for (std::size_t f = 0; f < slices.size(); ++f) {
     const DicomSlice& s = slices[f];
     if (!s.position_mm || !s.orientation || !s.pixelSpacing_mm)
       return fail(file.string() + " does not say where its frame " + std::to_string(f + 1) + " lies in the patient.");
-    const auto segment = numbers[f]             ? segments.find(*numbers[f])
-                         : segments.size() == 1 ? segments.begin()
-                                                : segments.end();
-    if (segment == segments.end())
-      return fail(file.string() + " does not describe the segment of its frame " + std::to_string(f + 1) + ".");
     constexpr double kSame = 1e-3;
     for (int axis = 0; axis < 2; ++axis)
       if (norm((*s.orientation)[axis] - (*first.orientation)[axis]) > kSame ||
           std::abs((*s.pixelSpacing_mm)[axis] - (*first.pixelSpacing_mm)[axis]) > kSame)
         return fail(file.string() +
                     " has frames in several orientations or pixel sizes. Save one segmentation for each.");
-    result.frames.push_back({*s.position_mm, segment->second.label, f * area});
-    order.push_back(segment->second.order);
+    result.frames.push_back({*s.position_mm, (*ofFrame)[f].label, f * area});
   }
   result.columns = first.columns;
   result.rows = first.rows;
@@ -174,15 +242,16 @@ Result<void> readFrames(const fs::path& file, const DataSet& data, DicomSegments
   result.step_mm = stepOf(data, first, result.frames, cross(result.direction[0], result.direction[1]));
   if (auto ok = checkVoxelSize({result.spacing_mm[0], result.spacing_mm[1], result.step_mm}); !ok)
     return fail(file.string() + ": " + ok.error().message);
-  std::ranges::stable_sort(result.frames, {}, [&](const DicomSegments::Frame& f) { return order[f.first / area]; });
-  return readPixels(file, data, area * slices.size(), result);
+  std::ranges::stable_sort(result.frames, {},
+                           [&](const DicomSegments::Frame& f) { return (*ofFrame)[f.first / area].order; });
+  return readPixels(file, dicom, segments, result);
 }
 
-std::string sopClassOf(const gdcm::Reader& reader) {
-  return textOf(reader.GetFile().GetDataSet(), Tag(0x0008, 0x0016));
+/// Of segmentations and of those that are label maps (PS3.6 A).
+bool isSegmentation(const gdcm::Reader& reader) {
+  const std::string sopClass = textOf(reader.GetFile().GetDataSet(), Tag(0x0008, 0x0016));
+  return sopClass == "1.2.840.10008.5.1.4.1.1.66.4" || sopClass == "1.2.840.10008.5.1.4.1.1.66.7";
 }
-
-constexpr const char* kSegmentation = "1.2.840.10008.5.1.4.1.1.66.4";
 
 Result<DicomSegments> read(const fs::path& file) {
   if (layoutOf(file) != DicomLayout::kWhole)
@@ -190,12 +259,11 @@ Result<DicomSegments> read(const fs::path& file) {
   gdcm::Reader reader;
   reader.SetFileName(file.c_str());
   if (!reader.Read()) return fail(file.string() + " could not be read as DICOM. Copy or export it again.");
-  const DataSet& data = reader.GetFile().GetDataSet();
-  if (sopClassOf(reader) != kSegmentation)
+  if (!isSegmentation(reader))
     return fail(file.string() + " is DICOM, but no segmentation of voxels. Choose the file of the segmentation.");
   DicomSegments result;
-  if (auto ok = readFrames(file, data, result); !ok) return tl::unexpected(ok.error());
-  result.seriesUid = firstCode(data, Tag(0x0008, 0x1115), Tag(0x0020, 0x000e));
+  if (auto ok = readFrames(file, reader.GetFile(), result); !ok) return tl::unexpected(ok.error());
+  result.seriesUid = firstCode(reader.GetFile().GetDataSet(), Tag(0x0008, 0x1115), Tag(0x0020, 0x000e));
   return result;
 }
 
@@ -208,7 +276,7 @@ bool isDicomSegmentation(const fs::path& file) {
     gdcm::Reader reader;
     reader.SetFileName(file.c_str());
     const std::set<Tag> skip;
-    return reader.ReadUpToTag(Tag(0x0008, 0x0018), skip) && sopClassOf(reader) == kSegmentation;
+    return reader.ReadUpToTag(Tag(0x0008, 0x0018), skip) && isSegmentation(reader);
   } catch (const std::exception&) {
     return false;
   }

@@ -12,11 +12,12 @@
 
 namespace insonate {
 
-/// A DICOM segmentation as it is stored: frames of one size, each a slice of one segment, in any order.
+/// A DICOM segmentation as it is stored: frames of one size in any order, each a slice of one segment, or of all where
+/// the segmentation is a label map.
 struct DicomSegments {
   struct Frame {
     Vec3 position_mm;        ///< centre of its first pixel, patient LPS
-    std::uint8_t label = 0;  ///< in this program's numbers
+    std::uint8_t label = 0;  ///< in this program's numbers; that of a label map is in its pixels
     std::size_t first = 0;   ///< its first pixel among all
   };
   std::vector<Frame> frames;  ///< by segment, as the file numbers them
@@ -25,14 +26,19 @@ struct DicomSegments {
   std::array<double, 2> spacing_mm{};  ///< along i, along j
   double step_mm = 0;                  ///< distance of neighbouring slices
   std::vector<std::uint8_t> pixels;    ///< a bit each, the first in the lowest bit, or a byte each
+  bool isLabelMap = false;             ///< bytes are labels, in this program's numbers
   int threshold = 0;                   ///< 0 for bits; of fractions, bytes from here on are inside
 
   std::string seriesUid;  ///< of the CT it was drawn on, where it says so; identifies, and must not be kept
   std::vector<std::string> notes;
   LabelColours colours;
 
-  bool inside(std::size_t pixel) const {
-    return threshold > 0 ? pixels[pixel] >= threshold : (pixels[pixel / 8] >> (pixel % 8) & 1) != 0;
+  /// Of a pixel that is counted from the frame's first; 0 where no segment is.
+  std::uint8_t labelAt(const Frame& frame, std::size_t pixel) const {
+    const std::size_t at = frame.first + pixel;
+    if (isLabelMap) return pixels[at];
+    const bool inside = threshold > 0 ? pixels[at] >= threshold : (pixels[at / 8] >> (at % 8) & 1) != 0;
+    return inside ? frame.label : std::uint8_t{0};
   }
 };
 

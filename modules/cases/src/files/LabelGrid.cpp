@@ -79,7 +79,8 @@ Result<LabelMap> placeLabels(const LabelMap& labels, const VolumeGeometry& grid,
     placed.voxels = labels.voxels;
     return placed;
   }
-  const Transform labelsFromGrid = labels.geometry.indexFromPatient() * grid.patientFromIndex();
+  Transform labelsFromGrid = labels.geometry.indexFromPatient() * grid.patientFromIndex();
+  labelsFromGrid.offset = labelsFromGrid.offset - Vec3{kOffTheBorder, kOffTheBorder, kOffTheBorder};
   for (int k = 0; k < grid.size[2]; ++k) {
     if (!report(progress, "Placing labels", double(k) / grid.size[2])) return fail(std::string(kCancelled));
     tbb::parallel_for(0, grid.size[1], [&](int j) {

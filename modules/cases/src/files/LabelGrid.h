@@ -10,6 +10,10 @@
 
 namespace insonate {
 
+/// In voxels. Places exactly between two voxels, as grids of twice the spacing have them, are moved by so much, or
+/// rounding would choose now one and now the other.
+inline constexpr double kOffTheBorder = 1e-4;
+
 /// True where a voxel of another grid at this place, and its neighbours one step away, are centred on voxels of `grid`
 /// or of its continuation beyond the border.
 bool fallsOnVoxels(const VolumeGeometry& grid, Vec3 place_mm, std::span<const Vec3> steps_mm);

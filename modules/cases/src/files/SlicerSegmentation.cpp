@@ -90,7 +90,9 @@ std::string typeCodeOf(const std::string& tags) {
   return end == std::string::npos ? std::string{} : tags.substr(code + 1, end - code - 1);
 }
 
-std::vector<Segment> segmentsOf(const std::map<std::string, std::string>& metadata, std::vector<std::string>& notes) {
+/// A file of several layers that names none of them has a layer for each segment, in their order.
+std::vector<Segment> segmentsOf(const RawVolume& raw, std::vector<std::string>& notes) {
+  const auto& metadata = raw.metadata;
   std::vector<Segment> segments;
   for (int n = 0; metadata.contains("Segment" + std::to_string(n) + "_ID"); ++n) {
     const std::string key = "Segment" + std::to_string(n) + "_";
@@ -98,7 +100,7 @@ std::vector<Segment> segmentsOf(const std::map<std::string, std::string>& metada
       const auto found = metadata.find(key + field);
       return found == metadata.end() ? std::string{} : found->second;
     };
-    Segment s{text("Name"), static_cast<int>(integerOf(metadata, key + "Layer", 0)),
+    Segment s{text("Name"), static_cast<int>(integerOf(metadata, key + "Layer", raw.components > 1 ? n : 0)),
               integerOf(metadata, key + "LabelValue", 1), 0};
     auto label = labelFromSnomed(typeCodeOf(text("Tags")));
     if (!label) label = labelFromAnyName(s.name);
@@ -155,18 +157,20 @@ bool isSlicerSegmentation(const std::map<std::string, std::string>& metadata) {
 
 Result<LabelReadResult> fromSlicerSegmentation(const RawVolume& raw, const VolumeGeometry& geometry) {
   LabelReadResult result{LabelMap(geometry), {}};
-  const std::vector<Segment> segments = segmentsOf(raw.metadata, result.notes);
+  const std::vector<Segment> segments = segmentsOf(raw, result.notes);
   result.colours = coloursOf(segments, raw.metadata);
   std::set<std::pair<int, long>> orphans;
   std::size_t overlaps = 0;
-  std::vector<std::map<long, std::uint8_t>> layers(raw.components);
+  std::vector<std::map<long, const Segment*>> layers(raw.components);
   for (const Segment& s : segments) {
     if (s.layer < 0 || s.layer >= raw.components)
       return fail("The segment \"" + s.name + "\" is in layer " + std::to_string(s.layer) + ", but the file has " +
                   std::to_string(raw.components) + ". Save the segmentation again.");
-    layers[s.layer][s.value] = s.label;
+    layers[s.layer][s.value] = &s;
   }
   for (std::size_t v = 0; v < result.labels.voxels.size(); ++v) {
+    const Segment* last = nullptr;
+    bool overlap = false;
     for (int layer = 0; layer < raw.components; ++layer) {
       const long value = static_cast<long>(raw.values[v * raw.components + layer]);
       if (value == 0) continue;
@@ -175,14 +179,16 @@ Result<LabelReadResult> fromSlicerSegmentation(const RawVolume& raw, const Volum
         orphans.insert({layer, value});
         continue;
       }
-      overlaps += result.labels.voxels[v] != 0;
-      result.labels.voxels[v] = found->second;
+      overlap = overlap || (last && last->label != found->second->label);
+      if (!last || found->second > last) last = found->second;
     }
+    overlaps += overlap;
+    if (last) result.labels.voxels[v] = last->label;
   }
   for (const auto& [layer, value] : orphans)
     result.notes.push_back("The number " + std::to_string(value) + " belongs to no segment and was ignored.");
   if (overlaps > 0)
-    result.notes.push_back(std::to_string(overlaps) + " voxels belong to several segments; the last layer wins.");
+    result.notes.push_back(std::to_string(overlaps) + " voxels belong to several segments; the last one wins.");
   return result;
 }
 

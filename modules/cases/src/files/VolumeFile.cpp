@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
 #include <new>
 
 namespace insonate {
@@ -17,10 +18,13 @@ namespace {
 
 using Io = itk::ImageIOBase;
 
+std::string lower(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
 std::string lowerName(const fs::path& file) {
-  std::string name = file.filename().string();
-  std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return name;
+  return lower(file.filename().string());
 }
 
 bool endsWith(const std::string& name, std::initializer_list<const char*> endings) {
@@ -55,6 +59,29 @@ std::string innermost(std::string text) {
   return text;
 }
 
+/// The text of a header's field, in small letters.
+std::string nrrdField(const fs::path& file, const std::string& name) {
+  std::ifstream in(file, std::ios::binary);
+  for (std::string line; std::getline(in, line) && !line.empty() && line != "\r";) {
+    if (!line.starts_with(name + ":")) continue;
+    const std::size_t first = line.find_first_not_of(" \t", name.size() + 1);
+    const std::size_t last = line.find_last_not_of(" \t\r");
+    return first == std::string::npos ? std::string{} : lower(line.substr(first, last - first + 1));
+  }
+  return {};
+}
+
+/// ITK turns the three spaces of NRRD that name the patient's directions to LPS and calls them so, but ITK 5.2 turns
+/// "left-anterior-superior" about the wrong axis: its first, where its second points the other way.
+void takeNrrdSpace(const fs::path& file, RawVolume& raw) {
+  const auto said = raw.metadata.find("NRRD_space");
+  raw.oriented = said != raw.metadata.end() && said->second == "left-posterior-superior";
+  const std::string space = nrrdField(file, "space");
+  if (space != "left-anterior-superior" && space != "las") return;
+  const Mat3 halfTurn{{{{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}}}};
+  raw.patientFromIndex = Transform{halfTurn, {}} * raw.patientFromIndex;
+}
+
 Result<RawVolume> headerOf(const Io& io, const fs::path& file) {
   RawVolume raw;
   const unsigned dimensions = io.GetNumberOfDimensions();
@@ -79,7 +106,7 @@ Result<RawVolume> headerOf(const Io& io, const fs::path& file) {
     std::string value;
     if (itk::ExposeMetaData(io.GetMetaDataDictionary(), key, value)) raw.metadata[key] = value;
   }
-  if (isNrrd(lowerName(file))) raw.oriented = raw.metadata.contains("NRRD_space");
+  if (isNrrd(lowerName(file))) takeNrrdSpace(file, raw);
   if (isNifti(lowerName(file)))
     if (const auto nifti = readNiftiHeader(file)) raw.oriented = nifti->oriented;
   return raw;
