@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <thread>
 
 namespace insonate::app {
@@ -22,6 +23,15 @@ namespace {
 constexpr int kPatience_ms = 180'000;
 /// Surfaces and what is computed ahead of need are there after this.
 constexpr int kSettle_ms = 12'000;
+constexpr int kSettlePrepare_ms = 60'000;
+
+/// A line of proc(5), /proc/self/status, e.g. "VmRSS".
+double memory_MB(const std::string& key) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with(key)) return std::stod(line.substr(key.size() + 1)) / 1024;
+  return 0;
+}
 
 }  // namespace
 
@@ -122,7 +132,18 @@ void Benchmark::measureVolume() {
       add(QString::fromLatin1(name).arg(QStringLiteral("processor_longest")), holds.processor_ms, QStringLiteral("ms"));
     }
     // Not from within what is being measured.
-    QTimer::singleShot(0, this, [this] { write(); });
+    QTimer::singleShot(0, this, [this] { measureMemory(); });
+  });
+}
+
+/// Of Train, and of Prepare with its own ultrasound while Train is hidden.
+void Benchmark::measureMemory() {
+  add(QStringLiteral("memory_train"), memory_MB("VmRSS"), QStringLiteral("MB"));
+  window_.showWorkspace(QStringLiteral("prepare"));
+  QTimer::singleShot(plan_.quick ? 0 : kSettlePrepare_ms, this, [this] {
+    add(QStringLiteral("memory_prepare"), memory_MB("VmRSS"), QStringLiteral("MB"));
+    add(QStringLiteral("memory_peak"), memory_MB("VmHWM"), QStringLiteral("MB"));
+    write();
   });
 }
 

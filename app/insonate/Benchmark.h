@@ -27,7 +27,7 @@ struct BenchmarkPlan {
 };
 
 /// Measures the real window: how long it takes to the first picture, how many live pictures it shows, how fast 3D
-/// turns, with the CT cast in it, too. Writes and prints a table.
+/// turns, with the CT cast in it, too, and how much memory it takes. Writes and prints a table.
 class Benchmark : public QObject {
  public:
   /// The window is to be shown with Train in it, and opens its case after this. `done` gets an empty string, or a
@@ -47,6 +47,7 @@ class Benchmark : public QObject {
   void measureHands();
   void measureOrbit();
   void measureVolume();
+  void measureMemory();
   void add(const QString& name, double value, const QString& unit) { rows_.push_back({name, unit, value}); }
   void write();
 

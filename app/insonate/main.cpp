@@ -13,6 +13,8 @@
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
 
+#include <malloc.h>
+
 #include <QApplication>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -52,6 +54,14 @@ void addWorkspaces(ui::MainWindow& window) {
   auto* review = new review::ReviewWorkspace(window.tasks());
   review->offer(window.attemptAction());
   window.addWorkspace(QStringLiteral("review"), QObject::tr("Review"), QStringLiteral("review"), review);
+}
+
+/// Volumes, scenes and surfaces come and go by tens of megabytes. Left to itself, glibc takes more and more of them
+/// into its heaps, whose holes stay the program's: some gigabytes after a minute. Whatever is large is the system's
+/// again at once. See mallopt(3), M_MMAP_THRESHOLD.
+void giveMemoryBack() {
+  constexpr int kLarge_bytes = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, kLarge_bytes);
 }
 
 int run(QApplication& application, const app::Arguments& arguments) {
@@ -128,6 +138,7 @@ int run(QApplication& application, const app::Arguments& arguments) {
 int main(int argc, char** argv) {
   const auto arguments = app::parseArguments(argc, argv);
   if (const int* status = std::get_if<int>(&arguments)) return *status;
+  giveMemoryBack();
   qInstallMessageHandler(tell);
   ui::prepareGraphics();
   QApplication application(argc, argv);

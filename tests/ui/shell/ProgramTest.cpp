@@ -102,7 +102,10 @@ TEST_F(Program, MeasuresItsSpeed) {
                            "volume_hold_at_rest_median",
                            "volume_hold_at_rest_least",
                            "volume_hold_at_rest_longest",
-                           "volume_hold_at_rest_processor_longest"})
+                           "volume_hold_at_rest_processor_longest",
+                           "memory_train",
+                           "memory_prepare",
+                           "memory_peak"})
     EXPECT_EQ(names.count(name), 1) << name;
   QFile csv(folder + "/window.csv");
   ASSERT_TRUE(csv.open(QIODevice::ReadOnly));

@@ -299,5 +299,47 @@ TEST(LiveImaging, RefusesWhatItCannotImage) {
   EXPECT_THAT(refusal(wideCase(), smallSetup(), sick), HasSubstr("pose"));
 }
 
+TEST(LiveImaging, AtRestNoPicturesAreMadeAndTheSameComeAfterwards) {
+  Live live;
+  const Frame before = live.frameAt(poseAt(0));
+  ASSERT_TRUE(before);
+  live.settle();
+  live->setResting(true);
+  const int scenes = live->status().scenesBuilt;
+  live->setPose(poseAt(4));
+  std::this_thread::sleep_for(100ms);
+  EXPECT_EQ(live->latest()->patientFromProbe, poseAt(0)) << "the last picture stays";
+  EXPECT_EQ(live->status().scenesBuilt, scenes);
+  EXPECT_FALSE(live->status().buildingScene);
+  live->setResting(false);
+  ASSERT_TRUE(live.until([&] { return live->latest()->patientFromProbe == poseAt(4); }));
+  EXPECT_GT(live->status().scenesBuilt, scenes) << "its scene had been given back";
+  live->setPose(poseAt(0));
+  const Frame again = live.frameAt(poseAt(0));
+  ASSERT_TRUE(again);
+  EXPECT_EQ(greatestDifference(before->image, again->image), 0);
+}
+
+TEST(LiveImaging, BegunAtRestItMakesItsFirstPictureWhenWoken) {
+  LiveOptions options;
+  options.resting = true;
+  Live live(poseAt(0), smallSetup(), options);
+  std::this_thread::sleep_for(100ms);
+  EXPECT_EQ(live->latest(), nullptr);
+  EXPECT_EQ(live->status().scenesBuilt, 0);
+  live->setResting(false);
+  EXPECT_TRUE(live.until([&] { return live->latest() != nullptr; }));
+}
+
+TEST(LiveImaging, RestAndWakingInQuickSuccessionLeaveAPicture) {
+  Live live;
+  for (int i = 0; i < 60; ++i) {
+    live->setPose(poseAt(0.5 * i));
+    live->setResting(i % 2 == 0);
+    if (i % 7 == 0) std::this_thread::sleep_for(5ms);
+  }
+  ASSERT_TRUE(live.frameAt(poseAt(29.5)));
+}
+
 }  // namespace
 }  // namespace insonate

@@ -68,6 +68,8 @@ class TrainSession : public QObject {
   void setMeshWanted(bool wanted);
   /// While nobody looks, the vessels do not move: a probe held still then costs nothing.
   void setWatched(bool watched);
+  /// Asleep, the last picture stays, and no others are made; their scenes are given back.
+  void setAwake(bool awake);
 
   /// Needle, devices and pedal.
   HandsControl& hands() { return hands_; }
@@ -173,7 +175,7 @@ class TrainSession : public QObject {
   AcousticTable tissues_;
   std::string effect_ = kWholeModel;
   TissueChoice tissue_;
-  bool meshWanted_ = false, watched_ = true;
+  bool meshWanted_ = false, watched_ = true, awake_ = true;
   ProbeControl control_;
   History history_;
   struct Chosen {

@@ -15,6 +15,7 @@ LiveOptions TrainSession::liveOptions() const {
   LiveOptions options;
   options.physiology = physiologyOf(tissue_);
   options.pulsating = pulsates();
+  options.resting = !awake_;
   return options;
 }
 
@@ -60,6 +61,11 @@ void TrainSession::setMeshWanted(bool wanted) {
 void TrainSession::setWatched(bool watched) {
   hands_.setWatched(watched);
   if (std::exchange(watched_, watched) != watched) tellTissue();
+}
+
+void TrainSession::setAwake(bool awake) {
+  awake_ = awake;
+  if (feed_.live()) feed_.live()->setResting(!awake);
 }
 
 void TrainSession::tellTissue() {

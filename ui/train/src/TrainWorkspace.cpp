@@ -24,6 +24,7 @@ constexpr int kRoomy_px = 1260;
 
 TrainWorkspace::TrainWorkspace(QWidget* parent) : ui::Workspace(parent), parts_(std::make_unique<Parts>(*this)) {
   setObjectName("train");
+  parts_->session.setAwake(false);
 }
 
 TrainWorkspace::~TrainWorkspace() {
@@ -174,12 +175,14 @@ void TrainWorkspace::resizeEvent(QResizeEvent* event) {
 }
 
 void TrainWorkspace::showEvent(QShowEvent* event) {
+  parts_->session.setAwake(true);
   parts_->session.setWatched(!parts_->isCourseShown());
   ui::Workspace::showEvent(event);
 }
 
 void TrainWorkspace::hideEvent(QHideEvent* event) {
   parts_->session.setWatched(false);
+  parts_->session.setAwake(parts_->attempt->isRunning());
   ui::Workspace::hideEvent(event);
 }
 

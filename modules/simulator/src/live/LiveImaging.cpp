@@ -55,6 +55,10 @@ void LiveImaging::Impl::setFrozen(bool frozen) {
   wake();
 }
 
+void LiveImaging::Impl::setResting(bool resting) {
+  if (resting_.exchange(resting) != resting) wake();
+}
+
 std::shared_ptr<const LiveFrame> LiveImaging::Impl::latest() const {
   const std::lock_guard lock(mutex_);
   return cine_.latest();
@@ -131,6 +135,10 @@ void LiveImaging::setKeepMesh(bool keep) {
 
 void LiveImaging::setFrozen(bool frozen) {
   impl_->setFrozen(frozen);
+}
+
+void LiveImaging::setResting(bool resting) {
+  impl_->setResting(resting);
 }
 
 std::shared_ptr<const LiveFrame> LiveImaging::latest() const {

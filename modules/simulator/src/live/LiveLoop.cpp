@@ -45,6 +45,7 @@ LiveImaging::Impl::Impl(CaseVolumes patient, std::shared_ptr<const ImagingSetup>
     : patient_(std::move(patient)),
       options_(completed(options)),
       pulsating_(options.pulsating),
+      resting_(options.resting),
       cine_(options.cineBytes),
       active_(std::move(setup), std::move(imager), std::move(tissue), patient_.labels->geometry),
       pose_(patientFromProbe),
@@ -85,16 +86,30 @@ void LiveImaging::Impl::run() {
     double due_s = kNever_s;
     try {
       takeInputs();
-      takeScene();
-      activateNext();
-      followProbe();
-      due_s = makePicture();
+      if (resting_) {
+        rest();
+      } else {
+        takeScene();
+        activateNext();
+        followProbe();
+        due_s = makePicture();
+      }
     } catch (const std::exception& error) {
       next_.reset();
       setState(LiveState::Failed, "The picture could not be made (" + std::string(error.what()) + ").");
     }
     waitFor(due_s);
   }
+}
+
+/// A setup that waits for its scene goes on waiting.
+void LiveImaging::Impl::rest() {
+  if (!scene_.scene && !job_) return;
+  builder_.rest();
+  job_.reset();
+  scene_ = {};
+  const std::lock_guard lock(mutex_);
+  status_.buildingScene = false;
 }
 
 void LiveImaging::Impl::takeInputs() {

@@ -30,6 +30,7 @@ class LiveImaging::Impl {
   void setPulsating(bool pulsating);
   void setKeepMesh(bool keep);
   void setFrozen(bool frozen);
+  void setResting(bool resting);
   std::shared_ptr<const LiveFrame> latest() const;
   std::vector<std::shared_ptr<const LiveFrame>> cine(double seconds) const;
   void onFrame(std::function<void()> listener);
@@ -63,6 +64,7 @@ class LiveImaging::Impl {
   void wake();
   void waitFor(double seconds);
   void run();
+  void rest();
   void takeInputs();
   void takeScene();
   void activateNext();
@@ -97,7 +99,7 @@ class LiveImaging::Impl {
   std::mutex wakeMutex_;
   std::condition_variable waking_;
   bool woken_ = false;  ///< guarded by wakeMutex_
-  std::atomic<bool> stopping_{false};
+  std::atomic<bool> stopping_{false}, resting_;
 
   mutable std::mutex mutex_;  ///< of the following
   bool frozen_ = false;

@@ -42,6 +42,15 @@ void SceneBuilder::cancel() {
   done_.reset();
 }
 
+void SceneBuilder::rest() {
+  cancel();
+  {
+    const std::lock_guard lock(mutex_);
+    dropping_ = true;
+  }
+  changed_.notify_one();
+}
+
 void SceneBuilder::expect(const Region& region_mm, double detail_mm) {
   const std::lock_guard lock(mutex_);
   if (ahead_) ahead_->want(region_mm, detail_mm);
@@ -60,8 +69,13 @@ void SceneBuilder::work() {
     std::uint64_t ticket = 0;
     {
       std::unique_lock lock(mutex_);
-      changed_.wait(lock, [this] { return stopping_ || next_; });
+      changed_.wait(lock, [this] { return stopping_ || dropping_ || next_; });
       if (stopping_) return;
+      if (std::exchange(dropping_, false)) {
+        lock.unlock();
+        dropSource();
+        continue;
+      }
       job = *std::exchange(next_, std::nullopt);
       ticket = ticket_;
     }
@@ -89,6 +103,16 @@ void SceneBuilder::findSource() {
   source_ = std::move(*source);
   const std::lock_guard lock(mutex_);
   if (workAhead_ && !stopping_) ahead_ = std::make_unique<ScenesAhead>(source_);
+}
+
+void SceneBuilder::dropSource() {
+  std::unique_ptr<ScenesAhead> ahead;
+  {
+    const std::lock_guard lock(mutex_);
+    ahead = std::move(ahead_);
+  }
+  ahead = nullptr;
+  source_ = nullptr;
 }
 
 BuiltScene SceneBuilder::build(const SceneJob& job, std::uint64_t ticket) const {

@@ -43,6 +43,8 @@ class SceneBuilder {
   /// Cancels what is being built: its result never comes.
   void begin(SceneJob job);
   void cancel();
+  /// Cancels, and gives back what scenes are made of, until the next job.
+  void rest();
   /// Scenes to come will lie here. Computed in idle time, after the first scene.
   void expect(const Region& region_mm, double detail_mm);
   std::optional<BuiltScene> take();
@@ -52,6 +54,7 @@ class SceneBuilder {
   BuiltScene build(const SceneJob& job, std::uint64_t ticket) const;
 
   void findSource();
+  void dropSource();
 
   CaseVolumes patient_;
   int threads_;
@@ -61,6 +64,7 @@ class SceneBuilder {
   std::condition_variable changed_;
   std::atomic<std::uint64_t> ticket_{0};  ///< of the job that is wanted; another one cancels
   bool stopping_ = false;
+  bool dropping_ = false;  ///< the source is to be given back before the next job
   std::optional<SceneJob> next_;
   std::optional<BuiltScene> done_;
   std::unique_ptr<ScenesAhead> ahead_;

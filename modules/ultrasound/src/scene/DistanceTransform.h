@@ -33,8 +33,9 @@ class DistanceTransform {
  private:
   struct Structure {
     std::uint8_t label;
-    std::vector<float> outside2;         ///< squared distance to it; 0 on its own nodes
-    std::vector<std::int16_t> distance;  ///< signed, rounded
+    NodeBox near;                        ///< what may be within reach of it; nodes beyond are out of reach
+    std::vector<float> outside2;         ///< squared distance to it; 0 on its own nodes; [near]
+    std::vector<std::int16_t> distance;  ///< signed, rounded; [near]
   };
   /// Buffers of one thread.
   struct Scratch {
@@ -43,13 +44,15 @@ class DistanceTransform {
     std::vector<const float*> window;
     OutlineSmoothing smoothing;
   };
-  bool measure(std::uint8_t label, Scratch& scratch, std::vector<float>& outside2) const;
-  void alongX(std::uint8_t label, Scratch& scratch) const;
-  void alongY(Scratch& scratch) const;
-  void alongZ(Scratch& scratch, std::vector<float>& outside2) const;
+  NodeBox boundsOf(std::uint8_t label) const;
+  void measure(Structure& structure, Scratch& scratch) const;
+  void alongX(const Structure& structure, const NodeBox& bounds, Scratch& scratch) const;
+  void alongY(const NodeBox& near, const NodeBox& bounds, Scratch& scratch) const;
+  void alongZ(const NodeBox& bounds, Scratch& scratch, Structure& structure) const;
   void markDecisive();
   NodeBox decisivePart(const Structure& structure) const;
   void round(Structure& structure, Scratch& scratch) const;
+  std::vector<std::int16_t> leastDistances() const;
   void keepThinStructures();
   Result blockOf() const;
 

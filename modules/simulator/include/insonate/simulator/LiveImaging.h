@@ -78,6 +78,7 @@ struct LiveOptions {
   bool keepEnvelopes = false;         ///< LiveFrame::envelope too, about six times the memory
   Physiology physiology = {};         ///< see setPhysiology()
   bool pulsating = false;             ///< see setPulsating()
+  bool resting = false;               ///< see setResting()
 };
 
 /// A probe over a patient, imaged as it moves. A pose whose face lies inside the skin presses: tissue gives way as the
@@ -121,6 +122,10 @@ class LiveImaging {
 
   /// Once this returns, latest() and cine() stay as they are. Poses and setups are kept for later.
   void setFrozen(bool frozen);
+
+  /// At rest, no pictures are made, and a scene and what scenes are made of (some hundred megabytes) are given back.
+  /// Pictures, pose and setups are kept, and the next picture comes as soon as a scene is built anew.
+  void setResting(bool resting);
 
   /// Null until the first picture is there.
   std::shared_ptr<const LiveFrame> latest() const;
