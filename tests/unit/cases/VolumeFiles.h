@@ -2,6 +2,7 @@
 
 #include "CaseSamples.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <string>
@@ -36,6 +37,39 @@ inline std::string niftiOf(const CtVolume& ct, std::array<std::array<float, 4>, 
   putAt<std::int16_t>(header, 254, 1);  // sform: scanner
   for (int row = 0; row < 3; ++row) std::memcpy(header.data() + 280 + 16 * row, sform[row].data(), 16);
   std::memcpy(header.data() + 344, "n+1", 4);
+  return header + bytesOf(ct.voxels);
+}
+
+/// The same picture as another machine writes it, in the other byte order.
+inline std::string swappedNifti(std::string bytes) {
+  const auto swap = [&](std::size_t from, std::size_t count, std::size_t width) {
+    for (std::size_t n = 0; n < count; ++n)
+      std::reverse(bytes.begin() + static_cast<long>(from + n * width),
+                   bytes.begin() + static_cast<long>(from + (n + 1) * width));
+  };
+  swap(0, 1, 4);
+  swap(40, 8, 2);
+  swap(70, 2, 2);
+  swap(76, 11, 4);  // pixdim, vox_offset, slope, intercept
+  swap(252, 2, 2);
+  swap(256, 18, 4);
+  swap(352, (bytes.size() - 352) / 2, 2);
+  return bytes;
+}
+
+/// NIfTI-2, with wider fields at other places.
+inline std::string secondNiftiOf(const CtVolume& ct, const std::array<std::array<float, 4>, 3>& sform) {
+  std::string header(544, '\0');
+  putAt<std::int32_t>(header, 0, 540);
+  std::memcpy(header.data() + 4, "n+2\0\r\n\x1a\n", 8);
+  putAt<std::int16_t>(header, 12, 4);
+  putAt<std::int16_t>(header, 14, 16);
+  putAt<std::int64_t>(header, 16, 3);
+  for (int n = 0; n < 3; ++n) putAt<std::int64_t>(header, 24 + 8 * static_cast<std::size_t>(n), ct.geometry.size[n]);
+  putAt<std::int64_t>(header, 168, 544);
+  putAt<std::int32_t>(header, 348, 1);
+  for (std::size_t n = 0; n < 12; ++n) putAt<double>(header, 400 + 8 * n, sform[n / 4][n % 4]);
+  putAt<std::int32_t>(header, 500, 2);
   return header + bytesOf(ct.voxels);
 }
 

@@ -6,6 +6,8 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
+
 namespace insonate {
 namespace {
 
@@ -31,6 +33,116 @@ TEST(VolumeImport, NiftiSlopeAndIntercept) {
   const auto imported = importSeries(folder / "a.nii");
   ASSERT_TRUE(imported) << imported.error().message;
   EXPECT_EQ(imported->ct.at(1, 1, 1), -800);
+}
+
+/// As nibabel writes it: a rotated grid, its directions rounded to floats, in an sform alone.
+TEST(VolumeImport, ObliqueNiftiIsRead) {
+  test::TemporaryFolder folder;
+  VolumeGeometry g = kGrid;
+  g.direction = test::obliqueDirection();
+  g.direction.column[2] = -1.0 * g.direction.column[2];
+  const CtVolume ct = test::noiseCt(g);
+  const Transform t = g.patientFromIndex();
+  std::array<std::array<float, 4>, 3> sform;
+  for (int row = 0; row < 3; ++row) {
+    const double sign = row < 2 ? -1 : 1;
+    for (int column = 0; column < 3; ++column) sform[row][column] = float(sign * t.linear.column[column][row]);
+    sform[row][3] = float(sign * t.offset[row]);
+  }
+  test::writeText(folder / "a.nii", test::niftiOf(ct, sform, 1, 0));
+  const auto imported = importSeries(folder / "a.nii");
+  ASSERT_TRUE(imported) << imported.error().message;
+  EXPECT_EQ(imported->ct.voxels, ct.voxels);
+  for (const Vec3 corner : {Vec3{0, 0, 0}, Vec3{4, 3, 2}})
+    EXPECT_LT(norm(imported->ct.geometry.patientFromIndex() * corner - t * corner), 1e-4);
+}
+
+/// A half turn about z that only the qform says; the third axis is turned by the sign in pixdim[0].
+std::string qformOnly(const CtVolume& ct) {
+  std::string bytes = test::niftiOf(ct, {}, 1, 0);
+  test::putAt<std::int16_t>(bytes, 254, 0);
+  test::putAt<std::int16_t>(bytes, 252, 1);
+  test::putAt<float>(bytes, 76, -1);
+  const float quaternion[3] = {0, 0, 1}, offset[3] = {10, -20, 30};
+  std::memcpy(bytes.data() + 256, quaternion, sizeof quaternion);
+  std::memcpy(bytes.data() + 268, offset, sizeof offset);
+  return bytes;
+}
+
+TEST(VolumeImport, NiftisQformAndUnits) {
+  test::TemporaryFolder folder;
+  const CtVolume ct = test::noiseCt(kGrid);
+  std::string bytes = qformOnly(ct);
+  const auto cornerOf = [&] {
+    test::writeText(folder / "a.nii", bytes);
+    const auto imported = importSeries(folder / "a.nii");
+    EXPECT_TRUE(imported) << imported.error().message;
+    return imported ? imported->ct.geometry.patientFromIndex() * Vec3{4, 3, 2} : Vec3{};
+  };
+  const Vec3 corner{-10 + 4 * 0.5, 20 + 3 * 0.75, 30 - 2 * 2};
+  EXPECT_LT(norm(cornerOf() - corner), 1e-4);
+  test::putAt<std::int16_t>(bytes, 254, 2);  // an sform that leads elsewhere
+  EXPECT_LT(norm(cornerOf() - corner), 1e-4);
+  bytes = test::niftiOf(ct, {{{-500, 0, 0, 10000}, {0, -750, 0, -20000}, {0, 0, 2000, 30000}}}, 1, 0);
+  test::putAt<char>(bytes, 123, 3);  // micrometres
+  EXPECT_LT(norm(cornerOf() - Vec3{-10 + 4 * 0.5, 20 + 3 * 0.75, 30 + 2 * 2}), 1e-4);
+}
+
+TEST(VolumeImport, NiftisNumbersInEitherByteOrder) {
+  test::TemporaryFolder folder;
+  const CtVolume ct = test::noiseCt(kGrid);
+  const std::string header = test::niftiOf(ct, test::kRas, 1, 0).substr(0, 352);
+  const auto imported = [&](std::int16_t datatype, const std::string& voxels, bool swap) {
+    std::string bytes = header + voxels;
+    test::putAt<std::int16_t>(bytes, 70, datatype);
+    if (swap) bytes = test::swappedNifti(bytes);
+    test::writeText(folder / "a.nii", bytes);
+    const auto read = importSeries(folder / "a.nii");
+    EXPECT_TRUE(read) << read.error().message;
+    return read ? read->ct : CtVolume{};
+  };
+  const auto as = [&]<class T>(T) { return test::bytesOf(std::vector<T>(ct.voxels.begin(), ct.voxels.end())); };
+  for (const auto& [datatype, voxels] : {std::pair<std::int16_t, std::string>{8, as(std::int32_t{})},
+                                         {16, as(float{})},
+                                         {64, as(double{})},
+                                         {1024, as(std::int64_t{})}})
+    EXPECT_EQ(imported(datatype, voxels, false).voxels, ct.voxels) << datatype;
+  const CtVolume swapped = imported(4, as(std::int16_t{}), true);
+  EXPECT_EQ(swapped.voxels, ct.voxels);
+  EXPECT_TRUE(sameGrid(swapped.geometry, kGrid));
+}
+
+TEST(VolumeImport, TheSecondNiftiIsRead) {
+  test::TemporaryFolder folder;
+  const CtVolume ct = test::noiseCt(kGrid);
+  test::writeText(folder / "a.nii", test::secondNiftiOf(ct, test::kRas));
+  const auto imported = importSeries(folder / "a.nii");
+  ASSERT_TRUE(imported) << imported.error().message;
+  EXPECT_TRUE(sameGrid(imported->ct.geometry, kGrid));
+  EXPECT_EQ(imported->ct.voxels, ct.voxels);
+}
+
+TEST(VolumeImport, OfANiftiWhatIsNoVolumeIsRefused) {
+  test::TemporaryFolder folder;
+  const std::string whole = test::niftiOf(test::noiseCt(kGrid), test::kRas, 1, 0);
+  const auto refusal = [&](const std::function<void(std::string&)>& edit) {
+    std::string bytes = whole;
+    edit(bytes);
+    test::writeText(folder / "a.nii", bytes);
+    const auto imported = importSeries(folder / "a.nii");
+    EXPECT_FALSE(imported);
+    return imported ? "" : imported.error().message;
+  };
+  EXPECT_THAT(refusal([](std::string& b) { b[345] = 'x'; }), HasSubstr("no NIfTI file"));
+  EXPECT_THAT(refusal([](std::string& b) { test::putAt<float>(b, 108, 1e30F); }), HasSubstr("no NIfTI file"));
+  EXPECT_THAT(refusal([](std::string& b) { test::putAt<std::int16_t>(b, 70, 32); }), HasSubstr("of a kind"));
+  EXPECT_THAT(refusal([](std::string& b) { test::putAt<std::int16_t>(b, 70, 128); }), HasSubstr("3 values per voxel"));
+  EXPECT_THAT(refusal([](std::string& b) { test::putAt<std::int16_t>(b, 42, -5); }), HasSubstr("-5 voxels"));
+  EXPECT_THAT(refusal([](std::string& b) {
+                test::putAt<std::int16_t>(b, 40, 4);
+                test::putAt<std::int16_t>(b, 48, 7);
+              }),
+              HasSubstr("4 dimensions"));
 }
 
 TEST(VolumeImport, MetaImageKeepsItsDirections) {

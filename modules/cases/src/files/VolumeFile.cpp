@@ -1,10 +1,10 @@
 #include "VolumeFile.h"
 
+#include "NiftiFile.h"
 #include "WholeFile.h"
 
 #include <itkMetaDataObject.h>
 #include <itkMetaImageIO.h>
-#include <itkNiftiImageIO.h>
 #include <itkNrrdImageIO.h>
 
 #include <algorithm>
@@ -44,7 +44,6 @@ bool isMeta(const std::string& name) {
 Io::Pointer makeIo(const fs::path& file) {
   const std::string name = lowerName(file);
   if (isNrrd(name)) return itk::NrrdImageIO::New().GetPointer();
-  if (isNifti(name)) return itk::NiftiImageIO::New().GetPointer();
   return itk::MetaImageIO::New().GetPointer();
 }
 
@@ -107,8 +106,6 @@ Result<RawVolume> headerOf(const Io& io, const fs::path& file) {
     if (itk::ExposeMetaData(io.GetMetaDataDictionary(), key, value)) raw.metadata[key] = value;
   }
   if (isNrrd(lowerName(file))) takeNrrdSpace(file, raw);
-  if (isNifti(lowerName(file)))
-    if (const auto nifti = readNiftiHeader(file)) raw.oriented = nifti->oriented;
   return raw;
 }
 
@@ -161,14 +158,10 @@ bool convert(Io::IOComponentEnum type, const std::vector<char>& bytes, std::vect
   }
 }
 
-/// NRRD's reader notices by itself that voxels are missing; those of the other formats take them for zeros.
+/// NRRD's reader notices by itself that voxels are missing; MetaImage's takes them for zeros.
 Result<void> checkWhole(const Io& io, const fs::path& file) {
-  const std::string name = lowerName(file);
-  if (isMeta(name)) return checkWholeMetaImage(file, static_cast<double>(io.GetImageSizeInBytes()));
-  if (!isNifti(name)) return {};
-  const auto header = readNiftiHeader(file);
-  if (!header) return fail("Could not read " + file.string() + ": it is no NIfTI file. Copy or export it again.");
-  return checkWholeNifti(file, *header);
+  if (!isMeta(lowerName(file))) return {};
+  return checkWholeMetaImage(file, static_cast<double>(io.GetImageSizeInBytes()));
 }
 
 Result<void> readValues(Io& io, const fs::path& file, RawVolume& raw) {
@@ -181,7 +174,6 @@ Result<void> readValues(Io& io, const fs::path& file, RawVolume& raw) {
   std::vector<char> bytes(static_cast<std::size_t>(count) * io.GetComponentSize());
   io.Read(bytes.data());
   raw.values.resize(static_cast<std::size_t>(count));
-  // Read() may change the component type, e.g. where NIfTI's own slope and intercept were applied.
   if (!convert(io.GetComponentType(), bytes, raw.values))
     return fail(file.string() + " holds numbers of a kind that is not supported.");
   return {};
@@ -202,6 +194,7 @@ Result<RawVolume> readVolumeFile(const fs::path& file, ReadPart part) {
   const std::string sentence =
       "Could not read " + file.string() + ": it may be damaged or cut off; copy or export it again. The reader says: ";
   try {
+    if (isNifti(lowerName(file))) return readNifti(file, part);
     const Io::Pointer io = makeIo(file);
     io->SetFileName(file.string());
     io->ReadImageInformation();

@@ -28,7 +28,7 @@ bool isVolumeFile(const std::filesystem::path& file);
 
 enum class ReadPart { kHeader, kAll };
 
-/// Reads through ITK, which converts every format's frame to LPS. Fails with a sentence on unreadable or 4-D files and,
+/// Every format's frame is turned to LPS. Fails with a sentence on unreadable or 4-D files and,
 /// where voxels are read, on truncated ones and voxels of a size that no scanner has, before decoding them.
 Result<RawVolume> readVolumeFile(const std::filesystem::path& file, ReadPart part = ReadPart::kAll);
 

@@ -2,17 +2,11 @@
 
 #include <insonate/core/Result.h>
 
-#include <cstdint>
 #include <filesystem>
-#include <optional>
+#include <memory>
+#include <span>
 
 namespace insonate {
-
-/// What a NIfTI file's header says; the library behind ITK fills missing voxels with zeros and says nothing of frames.
-struct NiftiHeader {
-  double promised_bytes = 0;  ///< header and voxels together, decompressed
-  bool oriented = false;      ///< has an sform or a qform
-};
 
 /// What was found, decompressed.
 struct HeldBytes {
@@ -20,17 +14,31 @@ struct HeldBytes {
   bool streamBreaks = false;  ///< a compressed stream ended early or did not match its check sum
 };
 
+/// A file's bytes from its beginning, decompressed where it is a gzip file.
+class GzipReader {
+ public:
+  explicit GzipReader(const std::filesystem::path& file);
+  ~GzipReader();
+  /// As many as there are, at most as many as `bytes` holds.
+  std::size_t read(std::span<char> bytes);
+  /// False where fewer are left.
+  bool skip(std::size_t count);
+  /// True where reading met a damaged stream.
+  bool broken() const;
+
+ private:
+  struct File;
+  std::unique_ptr<File> file_;
+};
+
+/// Reads to the end, where the check sum stands.
+HeldBytes decompressedBytes(const std::filesystem::path& file);
+
 /// Fails with a sentence where less was found than promised.
 Result<void> checkHeld(const std::filesystem::path& file, double promised_bytes, HeldBytes held);
 
-/// Of a NIfTI-1 or NIfTI-2 file, compressed or not, in either byte order; nothing when it is neither.
-std::optional<NiftiHeader> readNiftiHeader(const std::filesystem::path& file);
-
-/// Fails with a sentence when a NIfTI file ends, or its compressed stream breaks, before its last promised byte.
-Result<void> checkWholeNifti(const std::filesystem::path& file, const NiftiHeader& header);
-
-/// The same for MetaImage with its voxels inside, in one other file or in a list of files, compressed or not.
-/// `promised_bytes` are those of all voxels, decompressed.
+/// Fails with a sentence when a MetaImage with its voxels inside, in one other file or in a list of files, compressed
+/// or not, ends or breaks before its last promised byte. `promised_bytes` are those of all voxels, decompressed.
 Result<void> checkWholeMetaImage(const std::filesystem::path& file, double promised_bytes);
 
 }  // namespace insonate

@@ -1,0 +1,199 @@
+#include "NiftiFile.h"
+
+#include "WholeFile.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <span>
+
+namespace insonate {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::int32_t kSize1 = 348, kSize2 = 540;
+
+/// Where the fields of NIfTI-1 and of NIfTI-2 lie (nifti.nimh.nih.gov, nifti1.h and nifti2.h), and in which widths.
+class HeaderBytes {
+ public:
+  explicit HeaderBytes(std::string bytes) : bytes_(std::move(bytes)) {
+    if (bytes_.size() < kSize1) return;
+    swapped_ = !isSize(at<std::int32_t>(0));
+    const std::int32_t size = at<std::int32_t>(0);
+    second_ = size == kSize2;
+    valid_ = isSize(size) && bytes_.size() >= static_cast<std::size_t>(size) &&
+             bytes_.compare(second_ ? 4 : 344, 3, second_ ? "n+2" : "n+1") == 0;
+  }
+  bool valid() const { return valid_; }
+  bool swapped() const { return swapped_; }
+  double headerSize() const { return second_ ? kSize2 : kSize1; }
+
+  double dimension(int n) const {
+    return second_ ? double(at<std::int64_t>(16 + 8 * n)) : at<std::int16_t>(40 + 2 * n);
+  }
+  int datatype() const { return at<std::int16_t>(second_ ? 12 : 70); }
+  double pixelSize(int n) const { return real(76 + 4 * n, 104 + 8 * n); }
+  double offset() const { return second_ ? double(at<std::int64_t>(168)) : at<float>(108); }
+  double slope() const { return real(112, 176); }
+  double intercept() const { return real(116, 184); }
+  int units() const { return second_ ? at<std::int32_t>(500) : at<std::uint8_t>(123); }
+  int qformCode() const { return second_ ? at<std::int32_t>(344) : at<std::int16_t>(252); }
+  int sformCode() const { return second_ ? at<std::int32_t>(348) : at<std::int16_t>(254); }
+  /// Quaternion b, c, d, then the offset x, y, z.
+  double qform(int n) const { return real(256 + 4 * n, 352 + 8 * n); }
+  double sform(int row, int column) const { return real(280 + 16 * row + 4 * column, 400 + 32 * row + 8 * column); }
+
+ private:
+  static bool isSize(std::int32_t size) { return size == kSize1 || size == kSize2; }
+  double real(int first, int second) const { return second_ ? at<double>(second) : at<float>(first); }
+  template <class T>
+  T at(int offset) const {
+    std::array<char, sizeof(T)> bytes;
+    std::memcpy(bytes.data(), bytes_.data() + offset, sizeof(T));
+    if (swapped_) std::ranges::reverse(bytes);
+    return std::bit_cast<T>(bytes);
+  }
+
+  std::string bytes_;
+  bool swapped_ = false, second_ = false, valid_ = false;
+};
+
+/// nifti1.h, "METHOD 2": a rotation as a quaternion, and the sign of the third axis in pixdim[0].
+Transform qformOf(const HeaderBytes& header) {
+  const double b = header.qform(0), c = header.qform(1), d = header.qform(2);
+  const double a = std::sqrt(std::max(0.0, 1 - b * b - c * c - d * d));
+  Transform t;
+  t.linear.column[0] = {a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)};
+  t.linear.column[1] = {2 * (b * c - a * d), a * a + c * c - b * b - d * d, 2 * (c * d + a * b)};
+  t.linear.column[2] = {2 * (b * d + a * c), 2 * (c * d - a * b), a * a + d * d - c * c - b * b};
+  for (int n = 0; n < 3; ++n) t.linear.column[n] = t.linear.column[n] * header.pixelSize(n + 1);
+  if (header.pixelSize(0) < 0) t.linear.column[2] = -1.0 * t.linear.column[2];
+  t.offset = {header.qform(3), header.qform(4), header.qform(5)};
+  return t;
+}
+
+Transform sformOf(const HeaderBytes& header) {
+  Transform t;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) t.linear.column[column][row] = header.sform(row, column);
+    t.offset[row] = header.sform(row, 3);
+  }
+  return t;
+}
+
+double millimetresOf(int units) {
+  constexpr int kSpace = 7, kMetre = 1, kMicrometre = 3;
+  return (units & kSpace) == kMetre ? 1000 : (units & kSpace) == kMicrometre ? 0.001 : 1;
+}
+
+/// NIfTI's frame is right-anterior-superior.
+Transform patientFromIndex(const HeaderBytes& header) {
+  constexpr int kScanner = 1;
+  const bool q = header.qformCode() > 0, s = header.sformCode() > 0;
+  Transform t = s && (!q || header.sformCode() == kScanner) ? sformOf(header) : qformOf(header);
+  if (!q && !s) {
+    t = {};
+    for (int n = 0; n < 3; ++n) t.linear.column[n] = t.linear.column[n] * std::abs(header.pixelSize(n + 1));
+    return t;
+  }
+  const double scale = millimetresOf(header.units());
+  const Mat3 lpsFromRas{{{{-scale, 0, 0}, {0, -scale, 0}, {0, 0, scale}}}};
+  return Transform{lpsFromRas, {}} * t;
+}
+
+struct Datatype {
+  int bytesEach = 0, components = 1;
+  void (*copy)(std::span<char> bytes, bool swapped, float* values) = nullptr;
+};
+
+template <class T>
+void copyAs(std::span<char> bytes, bool swapped, float* values) {
+  for (std::size_t n = 0; n < bytes.size() / sizeof(T); ++n) {
+    char* const from = bytes.data() + n * sizeof(T);
+    if (swapped) std::reverse(from, from + sizeof(T));
+    T value;
+    std::memcpy(&value, from, sizeof(T));
+    values[n] = static_cast<float>(value);
+  }
+}
+
+/// None for complex numbers and other things that are no picture.
+Datatype datatypeOf(int code) {
+  static const std::map<int, Datatype> known{
+      {2, {1, 1, copyAs<std::uint8_t>}},     {4, {2, 1, copyAs<std::int16_t>}},
+      {8, {4, 1, copyAs<std::int32_t>}},     {16, {4, 1, copyAs<float>}},
+      {64, {8, 1, copyAs<double>}},          {128, {1, 3, copyAs<std::uint8_t>}},
+      {256, {1, 1, copyAs<std::int8_t>}},    {512, {2, 1, copyAs<std::uint16_t>}},
+      {768, {4, 1, copyAs<std::uint32_t>}},  {1024, {8, 1, copyAs<std::int64_t>}},
+      {1280, {8, 1, copyAs<std::uint64_t>}}, {2304, {1, 4, copyAs<std::uint8_t>}}};
+  const auto found = known.find(code);
+  return found == known.end() ? Datatype{} : found->second;
+}
+
+/// The grid; sizes as they are said.
+Result<RawVolume> describe(const fs::path& file, const HeaderBytes& header, const Datatype& type) {
+  RawVolume raw;
+  const double axes = header.dimension(0);
+  for (int n = 1; n <= std::min(axes, 7.0); ++n) {
+    const double size = header.dimension(n);
+    if (n > 3 && size > 1)
+      return fail(file.string() + " has " + std::to_string(static_cast<int>(axes)) +
+                  " dimensions, e.g. time; export one three-dimensional volume of it.");
+    if (n > 3) continue;
+    if (size < 1 || size > 100000)
+      return fail(file.string() + " says it has " + std::to_string(static_cast<long long>(size)) +
+                  " voxels along one axis.");
+    raw.size[n - 1] = static_cast<int>(size);
+  }
+  raw.patientFromIndex = patientFromIndex(header);
+  raw.oriented = header.qformCode() > 0 || header.sformCode() > 0;
+  raw.components = type.components;
+  raw.eightBit = type.bytesEach == 1;
+  return raw;
+}
+
+Result<void> readVoxels(const fs::path& file, const HeaderBytes& header, const Datatype& type, RawVolume& raw) {
+  constexpr double kMaxValues = 4e9;
+  const double count = double(raw.size[0]) * raw.size[1] * raw.size[2] * raw.components;
+  if (count > kMaxValues) return fail(file.string() + " says it holds more voxels than this program can.");
+  const double from = std::max(header.offset(), header.headerSize());
+  // Before memory is asked for.
+  if (auto ok = checkHeld(file, from + count * type.bytesEach, decompressedBytes(file)); !ok) return ok;
+  raw.values.resize(static_cast<std::size_t>(count));
+  std::vector<char> chunk(std::size_t{1} << 20);
+  GzipReader in(file);
+  if (!in.skip(static_cast<std::size_t>(from))) return checkHeld(file, from, {});
+  for (std::size_t done = 0; done < raw.values.size();) {
+    const std::size_t some = std::min(chunk.size() / type.bytesEach, raw.values.size() - done);
+    const std::span<char> bytes(chunk.data(), some * type.bytesEach);
+    if (in.read(bytes) != bytes.size()) return checkHeld(file, count, {});
+    type.copy(bytes, header.swapped(), raw.values.data() + done);
+    done += some;
+  }
+  const double slope = header.slope(), intercept = header.intercept();
+  if (std::isfinite(slope) && slope != 0 && std::isfinite(intercept) && (slope != 1 || intercept != 0))
+    for (float& value : raw.values) value = static_cast<float>(value * slope + intercept);
+  return {};
+}
+
+}  // namespace
+
+Result<RawVolume> readNifti(const fs::path& file, ReadPart part) {
+  std::string bytes(kSize2, '\0');
+  bytes.resize(GzipReader(file).read({bytes.data(), bytes.size()}));
+  const HeaderBytes header(std::move(bytes));
+  constexpr double kFarthest = 1e9;
+  if (!header.valid() || !(header.offset() < kFarthest))
+    return fail("Could not read " + file.string() + ": it is no NIfTI file. Copy or export it again.");
+  const Datatype type = datatypeOf(header.datatype());
+  if (!type.copy) return fail(file.string() + " holds numbers of a kind that is not supported.");
+  auto raw = describe(file, header, type);
+  if (!raw || part == ReadPart::kHeader) return raw;
+  if (auto ok = checkVoxelSize(spacingOf(*raw)); !ok) return fail(file.string() + ": " + ok.error().message);
+  if (auto ok = readVoxels(file, header, type, *raw); !ok) return tl::unexpected(ok.error());
+  return raw;
+}
+
+}  // namespace insonate
