@@ -181,5 +181,21 @@ TEST_F(CurriculumUpkeep, APasswordThatIsTypedIsNotShown) {
   EXPECT_EQ(typing(database, "\x03").status, 130) << "Ctrl-C";
 }
 
+TEST_F(CurriculumUpkeep, ADemonstrationHasAnAttemptToReplay) {
+  const CommandResult demo =
+      run("demo " + path("demo.sqlite") + " --trainees 2 --attempts 3 --recorded 1 --json", {}, kPassword);
+  ASSERT_EQ(demo.status, 0) << demo.errors;
+  const json made = json::parse(demo.output);
+  ASSERT_EQ(made["recordings"].size(), 1u);
+  const std::string file = made["recordings"][0];
+  EXPECT_EQ(file, folder / "attempts/demo clean-success.attempt");
+  const json newest =
+      told("attempts list made-up-001 --as made-up-teacher --database " + path("demo.sqlite"))["attempts"][0];
+  const CommandResult replay = runCommand("replay " + shellWord(file) + " --metrics --json", folder / "errors.txt");
+  ASSERT_EQ(replay.status, 0) << replay.errors;
+  EXPECT_EQ(newest["metrics"], json::parse(replay.output)["metrics"]);
+  EXPECT_EQ(newest["succeeded"], true);
+}
+
 }  // namespace
 }  // namespace insonate::test

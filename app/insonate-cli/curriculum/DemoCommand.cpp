@@ -1,8 +1,11 @@
 #include "Answer.h"
+#include "DemoRecordings.h"
 #include "Groups.h"
 
 #include <insonate/teaching/MadeUpClass.h>
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 
@@ -12,8 +15,30 @@ namespace {
 struct Arguments {
   std::string database;
   MadeUpPlan plan;
+  int recorded = kDemonstrations;
   NewPasswordOption password;
 };
+
+/// Where the window looks for recordings of what is in this store.
+std::filesystem::path recordingsOf(const std::string& database) {
+  return (isServer(database) ? usualStoreFile() : std::filesystem::path(database)).parent_path() / "attempts";
+}
+
+Result<std::vector<std::filesystem::path>> makeUp(const CurriculumStore& store, const Curriculum& curriculum,
+                                                  const Arguments& a, const std::string& password) {
+  const Progress progress = terminalProgress();
+  MadeUpPlan plan = a.plan;
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  plan.until_us = std::chrono::duration_cast<std::chrono::microseconds>(now).count();
+  if (auto made = makeUpClass(store, curriculum, plan, password, progress); !made) return tl::unexpected(made.error());
+  const std::string name = isServer(a.database) ? "made-up" : std::filesystem::path(a.database).stem().string();
+  auto recordings = recordDemonstrations(curriculum.levels.front(), recordingsOf(a.database), name,
+                                         std::min(a.recorded, plan.trainees), progress);
+  if (!recordings) return recordings;
+  if (auto added = addRecordedAttempts(store, curriculum, *recordings, password); !added)
+    return tl::unexpected(added.error());
+  return recordings;
+}
 
 Result<Answer> demonstrate(const Arguments& a) {
   std::error_code error;
@@ -25,21 +50,26 @@ Result<Answer> demonstrate(const Arguments& a) {
   if (!password) return tl::unexpected(password.error());
   const auto store = CurriculumStore::open(a.database);
   if (!store) return tl::unexpected(store.error());
-  if (auto made = makeUpClass(*store, *curriculum, a.plan, *password, terminalProgress()); !made) {
+  const auto recordings = makeUp(*store, *curriculum, a, *password);
+  if (!recordings) {
     // "Nothing was written" would not be true.
-    if (made.error().message == kCancelled) return fail("Cancelled; " + a.database + " holds a part, delete it.");
-    return tl::unexpected(made.error());
+    if (recordings.error().message == kCancelled) return fail("Cancelled; " + a.database + " holds a part, delete it.");
+    return tl::unexpected(recordings.error());
   }
+  Json files = Json::array();
+  for (const std::filesystem::path& file : *recordings) files.push_back(file.string());
   return Answer{{{"database", store->place()},
                  {"trainees", a.plan.trainees},
-                 {"attempts", a.plan.trainees * a.plan.attempts},
+                 {"attempts", a.plan.trainees * a.plan.attempts + static_cast<int>(recordings->size())},
+                 {"recordings", files},
                  {"seed", a.plan.seed},
                  {"made_up", true},
                  {"administrator", kMadeUpAdministrator},
                  {"teacher", kMadeUpTeacher},
                  {"classes", {kMadeUpClass, kMadeUpHalf}}},
                 std::to_string(a.plan.trainees) + " made-up trainees with " + std::to_string(a.plan.attempts) +
-                    " attempts each are in " + store->place() + "; next: insonate-cli curriculum classes members '" +
+                    " attempts each are in " + store->place() + ", and " + std::to_string(recordings->size()) +
+                    " that were recorded, to be replayed in Review; next: insonate-cli curriculum classes members '" +
                     kMadeUpClass + "' --as " + kMadeUpTeacher + " --database " + a.database};
 }
 
@@ -54,6 +84,11 @@ void addDemoCommand(CLI::App& curriculum, Outcome& outcome) {
   command->add_option("--trainees", a->plan.trainees, "How many")->check(CLI::Range(1, 999))->capture_default_str();
   command->add_option("--attempts", a->plan.attempts, "Of each")->check(CLI::Range(0, 10000))->capture_default_str();
   command->add_option("--seed", a->plan.seed, "The same seed makes up the same attempts")->capture_default_str();
+  command
+      ->add_option("--recorded", a->recorded,
+                   "How many trainees have a recorded attempt as their newest, to be replayed; ten seconds each")
+      ->check(CLI::Range(0, kDemonstrations))
+      ->capture_default_str();
   a->password.addTo(*command);
 }
 

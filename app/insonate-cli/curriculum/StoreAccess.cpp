@@ -16,12 +16,6 @@ std::string environment(const char* variable) {
   return value ? value : "";
 }
 
-/// As Qt's AppDataLocation has it for the window.
-fs::path usualFile() {
-  const fs::path home = environment("HOME"), data = environment("XDG_DATA_HOME");
-  return (data.is_absolute() ? data : home / ".local/share") / "Insonate/insonate/curriculum.sqlite";
-}
-
 }  // namespace
 
 void addDatabaseOption(CLI::App& command, StoreOptions& options) {
@@ -40,10 +34,15 @@ void addSignInOptions(CLI::App& command, StoreOptions& options) {
       ->check(notEmpty());
 }
 
+fs::path usualStoreFile() {
+  const fs::path home = environment("HOME"), data = environment("XDG_DATA_HOME");
+  return (data.is_absolute() ? data : home / ".local/share") / "Insonate/insonate/curriculum.sqlite";
+}
+
 std::string addressOf(const StoreOptions& options) {
   if (!options.database.empty()) return options.database;
   const std::string named = environment("INSONATE_DATABASE");
-  return named.empty() ? usualFile().string() : named;
+  return named.empty() ? usualStoreFile().string() : named;
 }
 
 bool isServer(const std::string& address) {

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <string>
 
 namespace insonate::cli {
@@ -19,6 +20,8 @@ void addDatabaseOption(CLI::App& command, StoreOptions& options);
 /// --as and --password-file.
 void addSignInOptions(CLI::App& command, StoreOptions& options);
 
+/// The user's own, as Qt's AppDataLocation has it for the window.
+std::filesystem::path usualStoreFile();
 /// What --database names, else INSONATE_DATABASE, else the user's own file, where the window keeps it too.
 std::string addressOf(const StoreOptions& options);
 bool isServer(const std::string& address);

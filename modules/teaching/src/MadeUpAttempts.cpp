@@ -14,8 +14,8 @@ namespace insonate {
 namespace {
 
 constexpr int kSession = 5;  // attempts of an afternoon
-constexpr std::int64_t kMinute_us = 60'000'000, kDay_us = 24 * 60 * kMinute_us;
-constexpr std::int64_t kFirstDay_us = 1'756'717'200'000'000;  // 1 September 2025, 9:00 UTC
+constexpr std::int64_t kMinute_us = 60'000'000, kDay_us = 24 * 60 * kMinute_us,
+                       kMorning_us = 9 * 60 * kMinute_us;  // UTC
 
 /// Numbers that look random, and are the same on any computer.
 class Dice {
@@ -131,7 +131,7 @@ Result<std::vector<AttemptFacts>> madeUpAttempts(const Curriculum& curriculum, i
   Dice dice(plan.seed, trainee);
   const Trainee who{dice.between(-0.3, 0.4), dice.between(0.7, 1.2), dice.between(0.2, 0.7)};
   std::vector<AttemptFacts> attempts;
-  std::int64_t time_us = kFirstDay_us;
+  std::int64_t time_us = kMorning_us;
   const Level* level = nullptr;
   for (int i = 0; i < plan.attempts; ++i) {
     if (i % kSession == 0) {
@@ -141,6 +141,10 @@ Result<std::vector<AttemptFacts>> madeUpAttempts(const Curriculum& curriculum, i
     attempts.push_back(attemptOf(courses.at(level->procedure), *level, curriculum, who.skill(i + 1), dice));
     attempts.back().begun_us = time_us + (i % kSession) * 10 * kMinute_us;
   }
+  if (attempts.empty()) return attempts;
+  const std::int64_t lastDay = plan.until_us / kDay_us - static_cast<int>(dice.between(1, 10));
+  const std::int64_t later_us = (lastDay - attempts.back().begun_us / kDay_us) * kDay_us;
+  for (AttemptFacts& facts : attempts) facts.begun_us += later_us;
   return attempts;
 }
 

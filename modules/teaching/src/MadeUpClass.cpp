@@ -2,12 +2,21 @@
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/teaching/AttemptFactsOf.h>
 #include <insonate/teaching/MadeUpClass.h>
 
 #include <cstdio>
 
 namespace insonate {
 namespace {
+
+const std::string kMadeUpName = "made-up-";
+
+std::string numberOf(int trainee) {
+  char number[16];
+  std::snprintf(number, sizeof number, "%03d", trainee + 1);
+  return number;
+}
 
 struct Classes {
   std::string all, half;
@@ -69,11 +78,9 @@ Result<void> makeUpClass(const CurriculumStore& store, const Curriculum& curricu
   for (int i = 0; i < plan.trainees; ++i) {
     if (!report(progress, "Making up trainees", static_cast<double>(i) / plan.trainees))
       return fail(std::string(kCancelled));
-    char number[16];
-    std::snprintf(number, sizeof number, "%03d", i + 1);
-    const auto trainee = enrol(
-        store, *administrator,
-        {std::string("made-up-") + number, std::string("Made-up trainee ") + number, "", Role::Trainee}, password);
+    const std::string number = numberOf(i);
+    const auto trainee =
+        enrol(store, *administrator, {kMadeUpName + number, "Made-up trainee " + number, "", Role::Trainee}, password);
     if (!trainee) return tl::unexpected(trainee.error());
     const auto attempts = madeUpAttempts(curriculum, i, plan);
     if (!attempts) return tl::unexpected(attempts.error());
@@ -84,6 +91,24 @@ Result<void> makeUpClass(const CurriculumStore& store, const Curriculum& curricu
         if (auto joined = CohortStore(*administrator).join(cohort, trainee->person().id, false); !joined) return joined;
   }
   report(progress, "Making up trainees", 1);
+  return {};
+}
+
+Result<void> addRecordedAttempts(const CurriculumStore& store, const Curriculum& curriculum,
+                                 const std::vector<std::filesystem::path>& recordings, const std::string& password) {
+  const Level& level = curriculum.levels.front();
+  int trainee = 0;
+  for (const std::filesystem::path& recording : recordings) {
+    auto facts = factsOfRecording(recording);
+    if (!facts) return tl::unexpected(facts.error());
+    if (facts->procedure != level.procedure)
+      return fail(recording.string() + " is an attempt at '" + facts->procedure + "', and level '" + level.name +
+                  "' asks for '" + level.procedure + "'; record another one.");
+    facts->curriculum = curriculum.name, facts->curriculumVersion = curriculum.version, facts->level = level.name;
+    const auto by = store.signIn(kMadeUpName + numberOf(trainee++), password);
+    if (!by) return tl::unexpected(by.error());
+    if (auto kept = practise(*by, {std::move(*facts)}); !kept) return kept;
+  }
   return {};
 }
 

@@ -123,12 +123,9 @@ TEST_F(PersonPageTest, ReplaysWhatIsHereAndSaysWhereTheRestIs) {
   ASSERT_TRUE(QDir().mkpath(ui::attemptsFolder()));
   QFile recording(QDir(ui::attemptsFolder()).filePath(QString::fromStdString(last_.recording)));
   ASSERT_TRUE(recording.open(QIODevice::WriteOnly));
-  KeptAttempt kept{last_, 1, false, {}};
-  EXPECT_EQ(recordingOf(kept), recording.fileName());
-  kept.facts.recording = "../" + last_.recording;
-  EXPECT_EQ(recordingOf(kept), "") << "never out of the folder";
-  kept.facts.recording = "/etc/passwd";
-  EXPECT_EQ(recordingOf(kept), "");
+  EXPECT_EQ(ui::recordingHere(last_.recording, file()), recording.fileName());
+  EXPECT_EQ(ui::recordingHere("../" + last_.recording, file()), "") << "never out of the folder";
+  EXPECT_EQ(ui::recordingHere("/etc/passwd", file()), "");
   recording.remove();
 }
 

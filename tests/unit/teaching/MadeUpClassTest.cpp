@@ -1,16 +1,21 @@
 #include "support/TestData.h"
+#include "unit/procedure/ScriptedAttempt.h"
 
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/Statistics.h>
 #include <insonate/curriculum/Unlocking.h>
+#include <insonate/procedure/AttemptRecorder.h>
+#include <insonate/teaching/AttemptFactsOf.h>
 #include <insonate/teaching/MadeUpClass.h>
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 namespace insonate {
 namespace {
@@ -103,6 +108,69 @@ TEST(MadeUpClassTest, AStoreIsFilledOnceAndSaysThatItIsMadeUp) {
   }
   EXPECT_EQ(learners, 6u) << "4, and 2 of them once more";
   EXPECT_EQ(attempts, 36u);
+}
+
+TEST(MadeUpClassTest, EachMadeTheirLastAttemptBeforeTheTimeThatIsAskedFor) {
+  constexpr std::int64_t kDay_us = 86'400'000'000;
+  for (int trainee = 0; trainee < 20; ++trainee) {
+    const std::int64_t last_us = attemptsOf(trainee, {.attempts = 7, .until_us = 300 * kDay_us}).back().begun_us;
+    EXPECT_LT(last_us, 300 * kDay_us);
+    EXPECT_GE(last_us, 290 * kDay_us);
+  }
+}
+
+class MadeUpRecordings : public testing::Test {
+ protected:
+  void SetUp() override { ASSERT_TRUE(makeUpClass(store, curriculum, {.trainees = 2, .attempts = 6}, kPassword)); }
+
+  std::filesystem::path record(const std::string& procedure) const {
+    test::ScriptedAttempt attempt;
+    attempt.aspirating = true;
+    attempt.needleTo(25), attempt.hold(2);
+    AttemptHeader header;
+    header.software = "insonate 0.1.0", header.begun = "2026-01-02T03:04:05Z";
+    header.procedure = procedure, header.procedureVersion = 1;
+    header.caseName = "neck", header.caseHash = "c0ffee", header.picture = test::ScriptedAttempt::picture();
+    const std::filesystem::path file = folder / (procedure + ".attempt");
+    const auto recorder = AttemptRecorder::start(file, header);
+    for (const auto& entry : attempt.stream) {
+      while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::visit([&](const auto& what) { (*recorder)->put(what); }, entry);
+    }
+    EXPECT_TRUE((*recorder)->finish(AttemptStatus::Completed));
+    return file;
+  }
+
+  static constexpr const char* kPassword = "made up too";
+  const test::TemporaryFolder folder;
+  const Curriculum curriculum = centralLine();
+  const CurriculumStore store =
+      *CurriculumStore::open((folder / "made-up.sqlite").string(), {.passwordCost = PasswordCost::Least});
+};
+
+TEST_F(MadeUpRecordings, AreNewestAttemptsWithTheirOwnMetrics) {
+  const auto file = record("internal_jugular");
+  const auto added = addRecordedAttempts(store, curriculum, {file}, kPassword);
+  ASSERT_TRUE(added) << added.error().message;
+  const auto trainee = store.signIn("made-up-001", kPassword);
+  const auto attempts = AttemptStore(*trainee).page(trainee->person().id, 10);
+  ASSERT_EQ(attempts->size(), 7u);
+  const AttemptFacts& kept = attempts->front().facts;
+  const auto told = factsOfRecording(file);
+  EXPECT_EQ(kept.recording, "internal_jugular.attempt");
+  EXPECT_EQ(kept.recordingHash, told->recordingHash);
+  EXPECT_EQ(kept.metrics, told->metrics);
+  EXPECT_EQ(kept.points, told->points);
+  EXPECT_EQ(kept.begun_us, told->begun_us);
+  EXPECT_EQ(kept.level, curriculum.levels.front().name);
+  const auto other = store.signIn("made-up-002", kPassword);
+  EXPECT_EQ(AttemptStore(*other).page(other->person().id, 10)->front().facts.recording, "");
+}
+
+TEST_F(MadeUpRecordings, OfAnotherProcedureAreRefused) {
+  const auto added = addRecordedAttempts(store, curriculum, {record("subclavian")}, kPassword);
+  ASSERT_FALSE(added);
+  EXPECT_THAT(added.error().message, HasSubstr("asks for 'internal_jugular'"));
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 
 #include <QAction>
 #include <QDir>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -26,8 +25,8 @@ namespace {
 constexpr int kRow_px = 26, kDate_px = 172, kLevel_px = 200, kLength_px = 80, kPoints_px = 64, kRecording_px = 150;
 enum Column { kDate, kLevel, kOutcome, kPoints, kLength, kRecording, kColumns };
 
-QString placeOf(const KeptAttempt& attempt) {
-  if (!recordingOf(attempt).isEmpty()) return HistoryTable::tr("here");
+QString placeOf(const KeptAttempt& attempt, const QString& recording) {
+  if (!recording.isEmpty()) return HistoryTable::tr("here");
   if (attempt.facts.recording.empty()) return HistoryTable::tr("none");
   return HistoryTable::tr("on %1").arg(QString::fromStdString(attempt.facts.workstation));
 }
@@ -41,14 +40,6 @@ QString whyNoReplay(const KeptAttempt& attempt) {
 }
 
 }  // namespace
-
-QString recordingOf(const KeptAttempt& attempt) {
-  const QString name = QString::fromStdString(attempt.facts.recording);
-  // A name from a store is never a way out of the folder.
-  if (name.isEmpty() || QFileInfo(name).fileName() != name) return {};
-  const QString file = QDir(ui::attemptsFolder()).filePath(name);
-  return QFileInfo(file).isFile() ? file : QString();
-}
 
 HistoryTable::HistoryTable(PersonDesk& desk, QWidget* parent)
     : QWidget(parent),
@@ -179,7 +170,11 @@ void HistoryTable::fill(int row, const KeptAttempt& attempt) {
   set(kOutcome, outcome);
   set(kPoints, facts.points ? QString::number(std::lround(*facts.points)) : tr("n/a"));
   set(kLength, clockOf(facts.length_us));
-  set(kRecording, placeOf(attempt));
+  set(kRecording, placeOf(attempt, recordingOf(attempt)));
+}
+
+QString HistoryTable::recordingOf(const KeptAttempt& attempt) const {
+  return ui::recordingHere(attempt.facts.recording, desk_.store());
 }
 
 const KeptAttempt* HistoryTable::chosen() const {

@@ -35,6 +35,8 @@ class HistoryTable final : public QWidget {
   void show();
   void fill(int row, const KeptAttempt& attempt);
   void showChosen();
+  /// Empty where it is not on this computer.
+  QString recordingOf(const KeptAttempt& attempt) const;
   const KeptAttempt* chosen() const;
   void replay();
   void showVoiding(bool shown);
@@ -47,8 +49,5 @@ class HistoryTable final : public QWidget {
   QWidget* voiding_;
   QLineEdit* reason_;
 };
-
-/// Where the attempt's recording lies on this computer; empty where it is not here.
-QString recordingOf(const KeptAttempt& attempt);
 
 }  // namespace insonate::review

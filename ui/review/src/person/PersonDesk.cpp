@@ -59,6 +59,10 @@ void PersonDesk::readEarlier() {
                                 });
 }
 
+QString PersonDesk::store() const {
+  return account_ ? account_->address() : QString();
+}
+
 bool PersonDesk::mayVoid() const {
   return account_ && account_->isSignedIn() && account_->person().role != Role::Trainee &&
          account_->person().id != person_;

@@ -36,6 +36,8 @@ class PersonDesk : public QObject {
   bool mayVoid() const;
   void voidAttempt(const std::string& attempt, const QString& reason);
 
+  /// Account::address()
+  QString store() const;
   bool isReading() const { return asking_ > 0; }
   QString trouble() const { return trouble_; }
 

@@ -2,6 +2,7 @@
 #include <insonate/procedure/AttemptRecording.h>
 #include <insonate/ui/Attempts.h>
 
+#include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
 
@@ -9,6 +10,15 @@ namespace insonate::ui {
 
 QString attemptsFolder() {
   return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/attempts");
+}
+
+QString recordingHere(const std::string& recording, const QString& store) {
+  const QString name = QString::fromStdString(recording);
+  // A name from a store is never a way out of the folders.
+  if (name.isEmpty() || QFileInfo(name).fileName() != name) return {};
+  for (const QString& folder : {attemptsFolder(), QFileInfo(store).absolutePath() + QStringLiteral("/attempts")})
+    if (const QString file = QDir(folder).filePath(name); QFileInfo(file).isFile()) return file;
+  return {};
 }
 
 bool isAttemptFile(const QString& path) {

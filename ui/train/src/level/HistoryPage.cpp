@@ -15,8 +15,6 @@
 
 #include <QComboBox>
 #include <QDateTime>
-#include <QDir>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -221,8 +219,8 @@ void HistoryPage::open() {
   const int row = table_->currentRow();
   if (row < 0 || row >= int(attempts_.size())) return;
   const AttemptFacts& facts = attempts_[std::size_t(row)].facts;
-  const QString file = QDir(ui::attemptsFolder()).filePath(QFileInfo(qt(facts.recording)).fileName());
-  if (!facts.recording.empty() && QFileInfo(file).isFile()) return Q_EMIT attemptWanted(file);
+  const QString file = ui::recordingHere(facts.recording, account_->address());
+  if (!file.isEmpty()) return Q_EMIT attemptWanted(file);
   Q_EMIT said(facts.recording.empty()
                   ? tr("This attempt has no recording: its file could not be written, or the program ended.")
                   : tr("Its recording is not on this computer. It was made on the workstation '%1'.")

@@ -7,6 +7,7 @@
 #include <insonate/curriculum/CurriculumStore.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct MadeUpPlan {
   int trainees = 20;
   int attempts = 50;  ///< of each
   std::uint32_t seed = 1;
+  /// Since 1970, UTC; each made their last in the ten days before.
+  std::int64_t until_us = 1'767'258'000'000'000;
 };
 
 /// A made-up trainee's attempts, in the order in which they were made up, without person and id. Who they are decides
@@ -33,5 +36,11 @@ inline constexpr const char *kMadeUpAdministrator = "made-up-administrator", *kM
 /// what was made up until then stays.
 Result<void> makeUpClass(const CurriculumStore& store, const Curriculum& curriculum, const MadeUpPlan& plan,
                          const std::string& password, const Progress& progress = {});
+
+/// Each recording becomes the newest attempt of a trainee of makeUpClass(), from the first one on, at the curriculum's
+/// first level: metrics and points are those of the recording. Fails where there are fewer trainees, where a recording
+/// cannot be scored, and where it is of another procedure than the level's.
+Result<void> addRecordedAttempts(const CurriculumStore& store, const Curriculum& curriculum,
+                                 const std::vector<std::filesystem::path>& recordings, const std::string& password);
 
 }  // namespace insonate

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <string>
 
 namespace insonate::ui {
 
@@ -15,6 +16,10 @@ inline QString formDraftsFolder() {
 
 /// What recordings are called by: "2026-11-20 Textbook neck.attempt".
 inline const QString kAttemptSuffix = QStringLiteral(".attempt");
+
+/// Where the recording that a store names lies on this computer: in attemptsFolder(), else in `attempts` beside the
+/// store's file, whose address is `store`. Empty where it is in neither, and where the name leads out of them.
+QString recordingHere(const std::string& name, const QString& store);
 
 /// Whether a path is that of a recorded attempt: by its name, also that of the part of one that was cut short, or by
 /// how the file begins.
