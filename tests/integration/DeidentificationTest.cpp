@@ -2,6 +2,7 @@
 #include "support/ByteSearch.h"
 #include "support/MarkedSeries.h"
 #include "support/TestData.h"
+#include "unit/cases/VolumeFiles.h"
 
 #include <insonate/cases/PatientCase.h>
 
@@ -63,6 +64,30 @@ TEST_F(Deidentification, NothingOfWhatVolumeFilesSayIsWritten) {
   const auto imported = run("import " + shellWord(input_.path()) + " " + shellWord(written_ / "case"));
   ASSERT_EQ(imported.status, 0) << imported.errors;
   expectNoMarks(4);
+}
+
+TEST_F(Deidentification, NothingOfNiftiMetaImageOrItkSnapIsWritten) {
+  const CtVolume ct = test::noiseCt(test::grid({12, 10, 12}));
+  std::string nifti = test::niftiOf(ct, {{{-1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, 1, 0}}}, 1, 0);
+  const std::string mark = "ZQXMARK";
+  for (const std::size_t at : {14, 148, 228, 328}) nifti.replace(at, mark.size(), mark);  // db_name to intent_name
+  test::writeText(input_ / "ZQXMARK.nii", nifti);
+  test::writeText(input_ / "ZQXMARK.mha",
+                  "Comment = ZQXMARK\nPatientName = ZQXMARK\n" + test::metaImage(ct, "1 0 0 0 1 0 0 0 1"));
+  test::writeText(input_ / "ZQXMARK.label.txt", "# of ZQXMARK\n 1 1 2 3 1 1 1 \"ZQXMARK's tumour\"\n");
+  test::writeText(input_ / "ZQXMARK_labels.mha", "Name = ZQXMARK\n" +
+                                                     test::metaHeader(ct.geometry, "1 0 0 0 1 0 0 0 1", "MET_UCHAR") +
+                                                     "ElementDataFile = LOCAL\n" + std::string(12 * 10 * 12, '\1'));
+  for (const char* file : {"ZQXMARK.nii", "ZQXMARK.mha"}) {
+    const fs::path folder = written_ / fs::path(file).extension().string().substr(1);
+    const auto imported = run("import " + shellWord(input_ / file) + " " + shellWord(folder));
+    ASSERT_EQ(imported.status, 0) << imported.errors;
+    const auto labelled = run("import-labels " + shellWord(folder) + " " + shellWord(input_ / "ZQXMARK_labels.mha") +
+                              " --names " + shellWord(input_ / "ZQXMARK.label.txt"));
+    ASSERT_EQ(labelled.status, 0) << labelled.errors;
+    ASSERT_EQ(run("export " + shellWord(folder) + " --seg " + shellWord(folder.string() + ".dcm")).status, 0);
+  }
+  expectNoMarks(10);
 }
 
 TEST_F(Deidentification, NothingOfASegmentationIsWritten) {

@@ -85,6 +85,11 @@ inline int plantMarks(gdcm::DataSet& data) {
   }
   setText(data, Tag(0x0009, 0x0010), VR::LO, "ZQXMARK PRIVATE");
   setText(data, Tag(0x0009, 0x1001), VR::UT, "ZQXMARK private text");
+  setText(data, Tag(0x0028, 0x1055), VR::LO, "ZQXMARK window");
+  gdcm::DataSet lut;
+  setText(lut, Tag(0x0028, 0x3003), VR::LO, "ZQXMARK lookup table");
+  setSequence(data, Tag(0x0028, 0x3010), {lut});
+  setText(data, Tag(0xfffc, 0xfffc), VR::OB, "ZQXMARK padding");
   setText(data, Tag(0x6000, 0x0022), VR::LO, "ZQXMARK overlay");
   setText(data, Tag(0x6000, 0x1500), VR::LO, "ZQXMARK overlay label");
   gdcm::DataSet functional = nested;

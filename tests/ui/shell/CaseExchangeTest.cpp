@@ -37,7 +37,7 @@ class CaseExchange : public testing::Test {
   QAction* action(const char* name) { return window.findChild<QAction*>(name); }
   bool idle() { return action("cropCase")->isEnabled(); }
   void exportTo(const char* way, const QString& target, const QString& written) {
-    test::answerSaveDialog(window, target);
+    test::answerFileDialog(window, target);
     action(way)->trigger();
     EXPECT_TRUE(waitUntil([&] { return QFile::exists(written) && idle(); })) << way;
   }
@@ -57,7 +57,7 @@ TEST_F(CaseExchange, ACaseGoesOutInEveryWay) {
 }
 
 TEST_F(CaseExchange, WhatCannotBeWrittenIsSaid) {
-  test::answerSaveDialog(window, home.filePath("missing/stl"));
+  test::answerFileDialog(window, home.filePath("missing/stl"));
   action("exportStl")->trigger();
   EXPECT_TRUE(waitUntil([this] { return window.errors().isVisible(); }));
   EXPECT_FALSE(QFile::exists(home.filePath("missing")));
@@ -70,7 +70,7 @@ TEST_F(CaseExchange, ImportedLabelsMakeACaseThatIsNotSaved) {
   const QString file = home.filePath("other.dcm");
   ASSERT_TRUE(writeDicomSegmentation(other, file.toStdString()));
   const auto before = window.current().patient;
-  test::answerSaveDialog(window, file);
+  test::answerFileDialog(window, file);
   action("importLabels")->trigger();
   ASSERT_TRUE(waitUntil([&] { return window.current().patient != before; }));
   EXPECT_EQ(window.current().patient->labels.voxels, other.labels.voxels);

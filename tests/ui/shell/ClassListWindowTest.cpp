@@ -86,7 +86,7 @@ TEST_F(ClassListWindow, ShowsWhatBecomesOfEachLineThenDoesItAndHandsPasswordsOut
   EXPECT_TRUE(dialog_->isVisible());
   question->reject();
   const QString file = home.filePath("first.csv");
-  test::answerSaveDialog(*dialog_, file);
+  test::answerFileDialog(*dialog_, file);
   button("listSave").click();
   ASSERT_TRUE(words().startsWith("Saved as")) << words().toStdString();
   QFile passwords(file);

@@ -159,7 +159,7 @@ TEST_F(ClosingAtWork, AnUnsavedCaseIsSavedBeforeAnotherTakesItsPlace) {
   Q_EMIT train->caseMade(std::make_shared<const PatientCase>(imported));
   window->open(other);
   ASSERT_TRUE(question());
-  test::answerSaveDialog(*window, target);
+  test::answerFileDialog(*window, target);
   press("Save case as ...");
   EXPECT_TRUE(test::waitUntil([&] { return window->current().folder == other; }, test::kPatience_ms));
   const auto kept = readCase(target.toStdString());
@@ -184,7 +184,7 @@ TEST_F(ClosingAtWork, ControlSSavesInEveryWorkspace) {
     Q_EMIT train->caseMade(std::make_shared<const PatientCase>(test::smallCase()));
     window->showWorkspace(room);
     const QString target = home.filePath(room);
-    test::answerSaveDialog(*window, target);
+    test::answerFileDialog(*window, target);
     ASSERT_TRUE(test::waitUntil([&] { return window->saveAction()->isEnabled(); }));
     QTest::keyClick(window->focusWidget() ? window->focusWidget() : window.get(), Qt::Key_S, Qt::ControlModifier);
     EXPECT_TRUE(test::waitUntil([&] { return window->current().folder == target; }, test::kPatience_ms)) << room;

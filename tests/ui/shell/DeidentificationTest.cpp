@@ -3,6 +3,7 @@
 #include <insonate/ui/EmptyWorkspace.h>
 #include <insonate/ui/MainWindow.h>
 #include <insonate/ui/RecentCases.h>
+#include <insonate/ui/TaskBar.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +12,8 @@
 
 #include <QAction>
 #include <QDialog>
+#include <QFile>
+#include <QFileDialog>
 #include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
@@ -21,6 +24,18 @@ namespace {
 
 using namespace insonate;
 using test::waitUntil;
+
+/// What the program keeps for its user: settings, cache, data.
+void expectNoMarksInWhatIsKept() {
+  QSettings().sync();
+  int files = 0;
+  for (const auto place : {QStandardPaths::GenericConfigLocation, QStandardPaths::GenericCacheLocation,
+                           QStandardPaths::GenericDataLocation}) {
+    const std::string folder = QStandardPaths::writableLocation(place).toStdString();
+    if (!std::filesystem::exists(folder)) continue;
+    EXPECT_THAT(test::marksBelow(folder, test::kMarks, files), testing::IsEmpty()) << folder;
+  }
+}
 
 /// A case that came in through the window: its folder, and all that the program keeps for its user.
 TEST(WindowDeidentification, NothingOfADicomSeriesIsWritten) {
@@ -38,22 +53,46 @@ TEST(WindowDeidentification, NothingOfADicomSeriesIsWritten) {
     ASSERT_TRUE(import && import->isEnabled());
     QTest::mouseClick(import, Qt::LeftButton);
     ASSERT_TRUE(waitUntil([&] { return window.current().patient && window.saveAction()->isEnabled(); }));
-    test::answerSaveDialog(window, target);
+    test::answerFileDialog(window, target);
     window.saveAction()->trigger();
     ASSERT_TRUE(waitUntil([&] { return window.current().folder == target; }));
     window.closeAtOnce();
   }
-  QSettings().sync();
   ASSERT_FALSE(ui::recentCases().empty());
   int files = 0;
   EXPECT_THAT(test::marksBelow(kept.path().toStdString(), test::kMarks, files), testing::IsEmpty());
   EXPECT_GE(files, 4);
-  for (const auto place : {QStandardPaths::GenericConfigLocation, QStandardPaths::GenericCacheLocation,
-                           QStandardPaths::GenericDataLocation}) {
-    const std::string folder = QStandardPaths::writableLocation(place).toStdString();
-    if (!std::filesystem::exists(folder)) continue;
-    EXPECT_THAT(test::marksBelow(folder, test::kMarks, files), testing::IsEmpty()) << folder;
-  }
+  expectNoMarksInWhatIsKept();
+}
+
+/// The folders of hospitals are named after patients, and files in them are chosen in dialogs.
+TEST(WindowDeidentification, WherePatientsFilesLieIsNotKept) {
+  QTemporaryDir input;
+  test::writeMarkedSeries(input.path().toStdString(), 5);
+  const QString series = input.path() + QStringLiteral("/ZQXMARK^Jane 19470311");
+  ui::MainWindow window;
+  window.show();
+  test::answerFileDialog(window, series + QStringLiteral("/ZQXMARK slice 0.dcm"));
+  for (auto* action : window.actions())
+    if (action->text() == QStringLiteral("Import file ...")) action->trigger();
+  ASSERT_TRUE(waitUntil([&] { return window.findChild<QDialog*>() || window.current().patient; }));
+  EXPECT_EQ(window.findChild<QFileDialog*>(), nullptr);
+  if (auto* dialog = window.findChild<QDialog*>()) dialog->reject();
+  QTemporaryDir home;
+  window.open(test::writtenSmallCase(home, "case"));
+  ASSERT_TRUE(waitUntil([&] { return window.current().patient && !window.findChild<ui::TaskBar*>()->isRunning(); }));
+  const QString labels = series + QStringLiteral("/ZQXMARK.nrrd");
+  test::answerFileDialog(window, labels);
+  ASSERT_TRUE(QFile::copy(series + QStringLiteral("/ZQXMARK slice 0.dcm"), labels));
+  window.findChild<QAction*>("importLabels")->trigger();
+  ASSERT_TRUE(waitUntil([&] { return !window.findChild<ui::TaskBar*>()->isRunning(); }));
+  // Nor by a dialog that comes later.
+  QTemporaryDir out;
+  test::answerFileDialog(window, out.filePath("labels.seg.nrrd"));
+  window.findChild<QAction*>("exportLabels")->trigger();
+  ASSERT_TRUE(waitUntil([&] { return QFile::exists(out.filePath("labels.seg.nrrd")); }));
+  window.closeAtOnce();
+  expectNoMarksInWhatIsKept();
 }
 
 }  // namespace

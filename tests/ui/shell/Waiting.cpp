@@ -22,7 +22,7 @@ QString writtenSmallCase(const QTemporaryDir& home, const QString& name) {
   return folder;
 }
 
-void answerSaveDialog(QWidget& window, const QString& name) {
+void answerFileDialog(QWidget& window, const QString& name) {
   auto* looking = new QTimer(&window);
   QObject::connect(looking, &QTimer::timeout, &window, [looking, &window, name] {
     auto* dialog = window.findChild<QFileDialog*>();

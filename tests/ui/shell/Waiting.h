@@ -17,6 +17,6 @@ bool waitUntil(const std::function<bool()>& condition, int longest_ms = kPatienc
 QString writtenSmallCase(const QTemporaryDir& home, const QString& name);
 
 /// Types this name into the next dialog of `window` that asks for a file or folder, and accepts it.
-void answerSaveDialog(QWidget& window, const QString& name);
+void answerFileDialog(QWidget& window, const QString& name);
 
 }  // namespace insonate::test

@@ -2,6 +2,7 @@
 
 #include "CaseEdits.h"
 #include "CropDialog.h"
+#include "SourceDialog.h"
 
 #include <insonate/cases/DicomSegmentation.h>
 #include <insonate/cases/DicomWriter.h>
@@ -94,12 +95,9 @@ void CaseExchange::setEnabled(bool enabled) {
 }
 
 void CaseExchange::chooseLabels() {
-  const QString file = QFileDialog::getOpenFileName(
-      window_, tr("Import labels"), QSettings().value(kLastExport, QDir::homePath()).toString(),
-      tr("Labels (*.dcm *.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd);;All files (*)"));
-  if (file.isEmpty()) return;
-  QSettings().setValue(kLastExport, QFileInfo(file).absolutePath());
-  importLabels(file);
+  const QString file = askForSourceFile(window_, tr("Import labels"),
+                                        tr("Labels (*.dcm *.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd);;All files (*)"));
+  if (!file.isEmpty()) importLabels(file);
 }
 
 void CaseExchange::importLabels(const QString& file) {

@@ -5,6 +5,7 @@
 #include "HelpWindow.h"
 #include "LibraryWindow.h"
 #include "LossQuestion.h"
+#include "SourceDialog.h"
 #include "StatusStrip.h"
 
 #include <insonate/ui/Attempts.h>
@@ -28,21 +29,13 @@
 namespace insonate::ui {
 namespace {
 
-const QString kLastFolder = QStringLiteral("lastFolder"), kLastTarget = QStringLiteral("lastTarget");
+const QString kLastTarget = QStringLiteral("lastTarget");
 
 /// The first local file or folder that is carried; empty when there is none.
 QString carriedPath(const QMimeData* data) {
   for (const QUrl& url : data->urls())
     if (url.isLocalFile()) return url.toLocalFile();
   return {};
-}
-
-QString startFolder() {
-  return QSettings().value(kLastFolder, QDir::homePath()).toString();
-}
-
-void keepStartFolder(const QString& chosen) {
-  QSettings().setValue(kLastFolder, QFileInfo(chosen).absolutePath());
 }
 
 /// A name that every file system takes.
@@ -136,20 +129,15 @@ void MainWindow::fillRecent() {
 }
 
 void MainWindow::chooseCase() {
-  const QString folder =
-      QFileDialog::getExistingDirectory(this, tr("Open a case folder, or a folder of DICOM files"), startFolder());
-  if (folder.isEmpty()) return;
-  keepStartFolder(folder);
-  open(folder);
+  if (const QString folder = askForSourceFolder(this, tr("Open a case folder, or a folder of DICOM files"));
+      !folder.isEmpty())
+    open(folder);
 }
 
 void MainWindow::chooseImport() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Import a DICOM, NRRD, NIfTI or MetaImage file"), startFolder(),
-                                   tr("Volumes (*.dcm *.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd);;All files (*)"));
-  if (file.isEmpty()) return;
-  keepStartFolder(file);
-  open(file);
+  const QString file = askForSourceFile(this, tr("Import a DICOM, NRRD, NIfTI or MetaImage file"),
+                                        tr("Volumes (*.dcm *.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd);;All files (*)"));
+  if (!file.isEmpty()) open(file);
 }
 
 void MainWindow::chooseAttempt() {
