@@ -76,6 +76,27 @@ TEST_P(FrontsOnGrids, LevelSetShrinksToABallFromOutside) {
   EXPECT_GT(dice(*shrunk, bright), 0.88);
 }
 
+TEST_P(FrontsOnGrids, LevelSetAsksBetweenTheStepsOfItsPreparation) {
+  const CtVolume ct = ctOf(ball({}, 10));
+  const Selection start = ball({1, 0, 0}, 5);
+  const GeodesicLevelSet parameters{.rounds = 20};
+  int asked = 0, steps = 0;
+  ASSERT_TRUE(levelSet(ct, start, parameters, [&](std::string_view doing, double share) {
+    ++asked;
+    steps += doing == "Moving the surface" && share == 0;
+    return true;
+  }));
+  EXPECT_GE(steps, 4) << "speed, advection, zero crossing, layers";
+  ASSERT_GT(asked, steps + 20);
+  for (int last = 0; last < asked - 20; ++last) {
+    int n = 0;
+    const auto stopped = levelSet(ct, start, parameters, [&](std::string_view, double) { return n++ != last; });
+    ASSERT_FALSE(stopped) << last;
+    EXPECT_EQ(stopped.error().message, kCancelled);
+    EXPECT_LE(n, last + 4) << "it goes on for more than a round when told to stop";
+  }
+}
+
 TEST_P(FrontsOnGrids, FillingDrawsAnObliqueTubeBetweenItsSlices) {
   for (int axis = 0; axis < 3; ++axis) {
     const Mat3& d = grid().direction;

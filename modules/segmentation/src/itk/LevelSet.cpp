@@ -12,7 +12,39 @@ namespace insonate {
 namespace {
 
 using Image = itk::Image<float, 3>;
-using Contour = itk::GeodesicActiveContourLevelSetImageFilter<Image, Image>;
+
+/// Asks also between the steps of its preparation, which tell nothing by themselves.
+class Contour final : public itk::GeodesicActiveContourLevelSetImageFilter<Image, Image> {
+ public:
+  using Self = Contour;
+  using Base = itk::GeodesicActiveContourLevelSetImageFilter<Image, Image>;
+  using Pointer = itk::SmartPointer<Self>;
+  itkFactorylessNewMacro(Self);
+
+ protected:
+  Contour() { AutoGenerateSpeedAdvectionOff(); }
+  void GenerateData() override {
+    GenerateSpeedImage();
+    ask();
+    if (GetAdvectionScaling() != 0) GenerateAdvectionImage();
+    ask();
+    Base::GenerateData();
+  }
+  void CopyInputToOutput() override {
+    Base::CopyInputToOutput();
+    ask();
+  }
+  void Initialize() override {
+    Base::Initialize();
+    ask();
+  }
+
+ private:
+  void ask() {
+    InvokeEvent(itk::ProgressEvent());
+    if (GetAbortGenerateData()) throw itk::ProcessAborted(__FILE__, __LINE__);
+  }
+};
 
 /// Root mean square change of a round below which the surface rests.
 constexpr double kRest = 0.005;
