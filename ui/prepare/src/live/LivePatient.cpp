@@ -5,6 +5,7 @@
 
 #include <QFutureWatcher>
 #include <QtConcurrent/QtConcurrentRun>
+#include <algorithm>
 
 namespace insonate::prepare {
 namespace {
@@ -65,11 +66,13 @@ void LivePatient::makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand)
     work.hand = [this](ProbeHand hand) {
       hand_ = std::move(hand);
       // It stands on the skin, which the start may miss by a little.
+      rememberPlace();
       moved();
       if (wanted_mm_) follow(*wanted_mm_);
     };
     work.unplaced = [this](ProbeHand hand, const QString&) {
       hand_ = std::move(hand);
+      rememberPlace();
       startLive();
       Q_EMIT poseChanged();
       if (wanted_mm_) follow(*wanted_mm_);
@@ -109,12 +112,13 @@ void LivePatient::findSkin() {
     found->deleteLater();
     const Hand hand = found->result();
     if (number != skin_ || !hand || !hand_) return;
-    const Vec3 there_mm = hand_->pose().offset;
     hand_ = *hand;
-    hand_->moveTo(wanted_mm_.value_or(there_mm));
+    // It keeps its direction, and comes down on the skin that is there now. It may have been moved meanwhile.
+    hand_->setPose(chosen_->pose);
+    hand_->press(chosen_->press_mm - std::max(hand_->state().press_mm, 0.0));
     moved();
   });
-  found->setFuture(QtConcurrent::run([labels = labels_, pose = hand_->pose()]() -> Hand {
+  found->setFuture(QtConcurrent::run([labels = labels_, pose = chosen_->pose]() -> Hand {
     auto hand = ProbeHand::make(*labels, pose);
     return hand ? std::make_shared<const ProbeHand>(std::move(*hand)) : nullptr;
   }));
@@ -185,6 +189,7 @@ void LivePatient::follow(Vec3 patient_mm) {
   if (!hand_) return;
   // Where it stops, it stands as near as it can.
   hand_->moveTo(patient_mm);
+  rememberPlace();
   moved();
 }
 
@@ -202,7 +207,12 @@ void LivePatient::goTo(const StartPose& place) {
   wanted_mm_.reset();
   if (!hand_) return;
   if (const auto pose = patientFromProbe(place.position_mm, place.axial, place.lateral)) hand_->setPose(*pose);
+  rememberPlace();
   moved();
+}
+
+void LivePatient::rememberPlace() {
+  chosen_ = Chosen{hand_->pose(), std::max(hand_->state().press_mm, 0.0)};
 }
 
 void LivePatient::moved() {

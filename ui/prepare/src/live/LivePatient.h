@@ -72,6 +72,7 @@ class LivePatient : public QObject {
   void startLive();
   void findSkin();
   void news();
+  void rememberPlace();
   void moved();
 
   std::shared_ptr<const PatientCase> patient_;
@@ -80,6 +81,11 @@ class LivePatient : public QObject {
   std::optional<StartPose> start_;
   std::optional<ProbeHand> hand_;
   std::optional<Vec3> wanted_mm_;  ///< where to go when there is a hand
+  struct Chosen {
+    Transform pose;
+    double press_mm;
+  };
+  std::optional<Chosen> chosen_;  ///< where the author put it, once there is a hand; edits may take the skin from it
   std::shared_ptr<const LiveFrame> shown_;
   LiveStatus status_;
   QString trouble_;

@@ -1,0 +1,50 @@
+#include "live/LivePatient.h"
+
+#include <insonate/tissue/Labels.h>
+
+#include <gtest/gtest.h>
+#include <support/SmallCase.h>
+#include <ui/support/Patience.h>
+
+#include <QTest>
+#include <cmath>
+
+namespace insonate::prepare {
+namespace {
+
+using test::kPatience_ms;
+
+/// The same without what lies less than `radius_mm` from a point.
+std::shared_ptr<const LabelMap> hollowed(const LabelMap& labels, Vec3 centre_mm, double radius_mm) {
+  auto cut = std::make_shared<LabelMap>(labels);
+  const auto& size = labels.geometry.size;
+  const Transform patientFromIndex = labels.geometry.patientFromIndex();
+  for (int k = 0; k < size[2]; ++k)
+    for (int j = 0; j < size[1]; ++j)
+      for (int i = 0; i < size[0]; ++i)
+        if (norm(patientFromIndex * Vec3{double(i), double(j), double(k)} - centre_mm) < radius_mm)
+          cut->at(i, j, k) = kBackground;
+  return cut;
+}
+
+TEST(LivePatient, AnUndoneCutOfTheSkinPutsTheProbeBackWhereItStood) {
+  const auto patient = std::make_shared<const PatientCase>(test::smallCase());
+  LivePatient live(nullptr);
+  live.setPatient(patient, {});
+  live.setAwake(true);
+  live.follow({3, 0, 2});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return live.isSettled() && live.shown(); }, kPatience_ms));
+  const Transform before = *live.standing();
+
+  live.setLabels(hollowed(patient->labels, before.offset + Vec3{4, 0, 3}, 9), {}, true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return norm(live.standing()->offset - before.offset) > 2; }, kPatience_ms))
+      << "it sinks into the hole";
+  live.setLabels(std::make_shared<const LabelMap>(patient->labels), {}, true);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return norm(live.standing()->offset - before.offset) < 0.1; }, kPatience_ms))
+      << "off by " << norm(live.standing()->offset - before.offset) << " mm";
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_GT(dot(live.standing()->linear.column[axis], before.linear.column[axis]), 0.9999) << axis;
+}
+
+}  // namespace
+}  // namespace insonate::prepare
