@@ -1,6 +1,9 @@
 #include <insonate/ui/Chart.h>
 
 #include <gtest/gtest.h>
+#include <qwt_plot.h>
+#include <qwt_scale_draw.h>
+#include <qwt_scale_widget.h>
 
 #include <QAction>
 #include <QDir>
@@ -125,6 +128,28 @@ TEST_F(ChartTest, BoxesStandOverTheirNames) {
   EXPECT_GT(pixelsOf(image.copy(30, 0, 185, 300), QColor(0x1b, 0x6a, 0xa5)), 100);
   EXPECT_EQ(pixelsOf(image.copy(30, 0, 185, 300), QColor(0xb3, 0x26, 0x1e)), 0);
   EXPECT_GT(pixelsOf(image.copy(215, 0, 185, 150), QColor(0xb3, 0x26, 0x1e)), 100) << "higher values are above";
+}
+
+TEST_F(ChartTest, OfAnySizeBoxesStandOverTheirNames) {
+  Chart chart;
+  chart.resize(300, 200);
+  ChartPicture picture;
+  picture.categories = QStringList{QStringLiteral("A class with quite a long name"), QStringLiteral("Another")};
+  picture.boxes.push_back({0, {1, 2, 3, 4, 5, {}}, Tone::Caution});
+  picture.boxes.push_back({1, {1, 2, 3, 4, 5, {}}, Tone::Accent});
+  chart.show(picture);
+  chart.QWidget::show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&chart));
+  auto& plot = *chart.findChild<QwtPlot*>();
+  const QWidget& axis = *plot.axisWidget(QwtPlot::xBottom);
+  for (const int width : {300, 1400, 700}) {
+    chart.resize(width, 500);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return plot.width() > width - 20 && plot.width() < width; }));
+    for (const double x : {0.0, 1.0})
+      EXPECT_NEAR(plot.transform(QwtPlot::xBottom, x) + plot.canvas()->x(),
+                  plot.axisScaleDraw(QwtPlot::xBottom)->scaleMap().transform(x) + axis.x(), 1)
+          << "of " << width << " px";
+  }
 }
 
 }  // namespace

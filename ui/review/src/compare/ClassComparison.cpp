@@ -6,6 +6,8 @@
 #include <insonate/curriculum/Statistics.h>
 
 #include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace insonate::review {
@@ -31,6 +33,21 @@ QString meanWords(const QString& name, std::span<const double> values) {
            numberOf(mean->interval->high));
 }
 
+/// A dot for each person, beside the box at x; strewn so that dots of one height lie apart.
+ui::ChartPicture::Line peopleBeside(double x, std::span<const double> values, ui::ChartPicture::Tone tone) {
+  constexpr double kNear = 0.14, kWide = 0.12, kGolden = 0.618034;
+  ui::ChartPicture::Line dots{.name = {}, .points = {}, .tone = tone, .pen = Qt::NoPen, .dots = true};
+  for (std::size_t i = 0; i < values.size(); ++i)
+    dots.points.emplace_back(x + kNear + kWide * std::fmod(double(i) * kGolden, 1), values[i]);
+  return dots;
+}
+
+/// Who is in both is on both sides, which the p-value does not know of.
+std::size_t inBoth(const ComparedClass& first, const ComparedClass& second) {
+  return std::size_t(
+      std::ranges::count_if(first.heat, [&](const auto& one) { return second.heat.contains(one.first); }));
+}
+
 }  // namespace
 
 ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& second, std::size_t metric) {
@@ -50,6 +67,8 @@ ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& 
   result.picture.categories = QStringList{first.name, second.name};
   result.picture.boxes.push_back({0, *boxPlotOf(a), ui::ChartPicture::Tone::Accent});
   result.picture.boxes.push_back({1, *boxPlotOf(b), ui::ChartPicture::Tone::Caution});
+  result.picture.lines.push_back(peopleBeside(0, a, ui::ChartPicture::Tone::Accent));
+  result.picture.lines.push_back(peopleBeside(1, b, ui::ChartPicture::Tone::Caution));
   result.words =
       QStringList{meanWords(first.name, a), meanWords(second.name, b),
                   tr("Effect size (Cliff's delta) %1: someone of %2 is above someone of %3 in %4 % of pairs; p = %5 "
@@ -58,6 +77,9 @@ ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& 
                            QString::number(100 * ranks->superiority, 'f', 0), QString::number(ranks->p, 'g', 2),
                            ranks->exact ? tr("exact") : tr("approximate"))}
           .join(QLatin1Char('\n'));
+  if (const std::size_t both = inBoth(first, second); both > 0)
+    result.words += QLatin1Char(' ') + tr("%1 are in both classes: interval and p take them for different people.")
+                                           .arg(countOf(both, tr("person"), tr("people")));
   return result;
 }
 

@@ -60,7 +60,7 @@ ComparePage::ComparePage(const ClassDesk& desk, QWidget* parent)
   connect(chart_, &ui::Chart::written, this, &ComparePage::written);
   connect(chart_, &ui::Chart::failed, this, &ComparePage::failed);
   connect(&desk_, &ClassDesk::cohortsChanged, this, [this] { fillClasses(); });
-  connect(&desk_, &ClassDesk::classChanged, this, [this] { show(); });
+  connect(&desk_, &ClassDesk::classChanged, this, [this] { takeClass(); });
   fillClasses();
 }
 
@@ -68,11 +68,28 @@ void ComparePage::fillClasses() {
   const QSignalBlocker quiet(other_);
   ++round_;
   otherFacts_.reset();
+  ownId_ = ownClass();
+  const QVariant before = other_->currentData();
   other_->clear();
   other_->addItem(tr("with ..."), QString());
   for (const Cohort& cohort : desk_.cohorts())
-    other_->addItem(QString::fromStdString(cohort.name), QString::fromStdString(cohort.id));
-  show();
+    if (cohort.id != ownId_) other_->addItem(QString::fromStdString(cohort.name), QString::fromStdString(cohort.id));
+  // Where there is but one other class, it is that.
+  other_->setCurrentIndex(other_->count() == 2 ? 1 : std::max(0, other_->findData(before)));
+  isVisible() ? readOther() : show();
+}
+
+std::string ComparePage::ownClass() const {
+  return desk_.cohorts().empty() ? std::string() : desk_.cohorts()[std::size_t(desk_.chosen())].id;
+}
+
+void ComparePage::takeClass() {
+  ownClass() == ownId_ ? show() : fillClasses();
+}
+
+void ComparePage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (!otherFacts_) readOther();
 }
 
 void ComparePage::readOther() {

@@ -4,6 +4,7 @@
 
 #include <QWidget>
 #include <optional>
+#include <string>
 
 class QComboBox;
 class QLabel;
@@ -27,8 +28,13 @@ class ComparePage final : public QWidget {
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   void fillClasses();
+  void takeClass();
+  std::string ownClass() const;
   void readOther();
   void show();
 
@@ -36,6 +42,7 @@ class ComparePage final : public QWidget {
   QLabel *own_, *words_;
   QComboBox *other_, *metric_;
   ui::Chart* chart_;
+  std::string ownId_;  ///< Cohort::id of the class that is compared
   std::optional<ClassFacts> otherFacts_;
   int round_ = 0;  ///< answers to earlier questions are not shown
 };

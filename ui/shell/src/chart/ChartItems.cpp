@@ -19,7 +19,9 @@
 namespace insonate::ui {
 namespace {
 
-constexpr double kDot_px = 3, kBox_px = 34, kBandOpacity = 0.22;
+constexpr double kDot_px = 3, kBandOpacity = 0.22;
+/// Of a box: half its share of the axis, between these.
+constexpr double kHalfBox = 0.08, kLeastHalf_px = 17, kMostHalf_px = 48;
 
 QPolygonF onCanvas(const std::vector<QPointF>& points, const QwtScaleMap& x, const QwtScaleMap& y) {
   QPolygonF polygon;
@@ -117,7 +119,8 @@ class BoxItem final : public Item {
   }
   void draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& y, const QRectF&) const override {
     const BoxPlot& n = box_.numbers;
-    const double x = xMap.transform(box_.x), half = kBox_px / 2;
+    const double x = xMap.transform(box_.x);
+    const double half = std::clamp(xMap.transform(box_.x + kHalfBox) - x, kLeastHalf_px, kMostHalf_px);
     const auto across = [&](double value, double width) {
       painter->drawLine(QPointF(x - width, y.transform(value)), QPointF(x + width, y.transform(value)));
     };
@@ -147,6 +150,8 @@ class BoxItem final : public Item {
 class CountDraw final : public QwtScaleDraw {
  public:
   explicit CountDraw(QStringList names) : names_(std::move(names)) {}
+  /// Qwt's own leaves no room for what hangs below the line.
+  double extent(const QFont& font) const override { return QwtScaleDraw::extent(font) + QFontMetricsF(font).descent(); }
   QwtText label(double value) const override {
     const int at = int(std::lround(value));
     if (at != value) return {};
@@ -187,6 +192,14 @@ void setAxes(QwtPlot& plot, const ChartPicture& picture, const ChartInk& ink) {
     plot.setAxisScale(QwtPlot::xBottom, -0.5, picture.categories.size() - 0.5, 1);
   }
   plot.setAxisScaleDraw(QwtPlot::xBottom, new CountDraw(picture.categories));
+  // Qwt asks but once how far names reach past the ends of the axis, which depends on its length; with room for half of
+  // the widest at both ends the answer stays the same, and boxes stand over their names whatever the size.
+  double widest = 0;
+  for (const QString& name : picture.categories)
+    widest =
+        std::max(widest, QwtText(name, QwtText::PlainText).textSize(plot.axisWidget(QwtPlot::xBottom)->font()).width());
+  const int room = int(std::ceil(widest / 2));
+  plot.axisWidget(QwtPlot::xBottom)->setMinBorderDist(room, room);
 }
 
 }  // namespace
