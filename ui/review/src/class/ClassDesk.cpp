@@ -36,6 +36,10 @@ bool ClassDesk::teaches() const {
   return isSomebody() && account_->person().role != Role::Trainee;
 }
 
+bool ClassDesk::administers() const {
+  return isSomebody() && account_->person().role == Role::Administrator;
+}
+
 const Curriculum* ClassDesk::curriculum() const {
   if (facts_) return facts_->curriculum ? &*facts_->curriculum : nullptr;
   return own_ ? &*own_ : nullptr;

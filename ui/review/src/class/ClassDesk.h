@@ -30,6 +30,7 @@ class ClassDesk : public QObject {
   bool isSomebody() const;
   /// Sees others: an instructor or administrator.
   bool teaches() const;
+  bool administers() const;
 
   /// Asks anew; what is shown stays until the answer is there.
   void refresh();

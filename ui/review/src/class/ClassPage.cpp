@@ -147,6 +147,7 @@ QWidget* ClassPage::buildConcerns() {
   concerns_->setAccessibleName(tr("Who needs you, and why"));
   concerns_->setToolTip(tr("Enter or a double click shows the person"));
   concerns_->setWordWrap(true);
+  concerns_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   connect(concerns_, &QListWidget::itemActivated, this,
           [this](const QListWidgetItem* item) { Q_EMIT personChosen(item->data(Qt::UserRole).toString()); });
   concerns_->setMaximumHeight(kConcerns_px);
@@ -164,7 +165,7 @@ void ClassPage::showCohorts() {
   cohorts_->clear();
   for (const Cohort& cohort : desk_.cohorts()) cohorts_->addItem(QString::fromStdString(cohort.name));
   cohorts_->setCurrentIndex(desk_.cohorts().empty() ? -1 : desk_.chosen());
-  cohorts_->setEnabled(!desk_.cohorts().empty());
+  cohorts_->setVisible(!desk_.cohorts().empty());
 }
 
 void ClassPage::showClass() {
@@ -187,8 +188,11 @@ void ClassPage::showPlace() {
     words = tr("Reading the class ...");
   else if (desk_.cohorts().empty())
     words =
-        tr("No class is yours yet. An administrator makes classes and their instructors under Account > People "
-           "(Alt+U); then they are here.");
+        desk_.administers()
+            ? tr("There is no class yet. Make one, and add its instructors and trainees, under your name at the top "
+                 "right (Alt+U): People and classes.")
+            : tr("No class is yours yet. An administrator makes classes and says who teaches them; then they are "
+                 "here.");
   else if (desk_.facts() && desk_.facts()->learners.empty())
     words = tr("Nobody learns in this class yet. Add people, or a class list (CSV), under People and classes (Alt+U).");
   words_->setText(words);

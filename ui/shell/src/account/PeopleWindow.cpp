@@ -4,6 +4,8 @@
 
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/ui/Account.h>
+#include <insonate/ui/PlainToolTip.h>
+#include <insonate/ui/RowTable.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -16,10 +18,12 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 namespace insonate::ui {
 namespace {
 
+constexpr int kRow_px = 28;
 enum Column { kFullName, kName, kEmail, kRole, kState, kColumns };
 
 QString qt(const std::string& text) {
@@ -116,12 +120,11 @@ QWidget* PeopleWindow::peopleColumn() {
   table_->setAccessibleName(tr("People"));
   table_->setToolTip(tr("Enter changes the selected person"));
   table_->setHorizontalHeaderLabels({tr("Full name"), tr("Signs in as"), tr("E-mail"), tr("Role"), tr("State")});
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setTabKeyNavigation(false);
-  table_->verticalHeader()->hide();
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  makeRowTable(*table_, kRow_px);
+  QHeaderView* header = table_->horizontalHeader();
+  for (const int column : {kFullName, kEmail}) header->setSectionResizeMode(column, QHeaderView::Stretch);
+  for (const auto& [column, px] : {std::pair{kName, 150}, {kRole, 150}, {kState, 110}})
+    header->resizeSection(column, px);
   add_ = button("peopleAdd", tr("Add ..."), tr("Someone new, with a password to hand over"), &PeopleWindow::addPerson);
   import_ = button("peopleImport", tr("Import a list ..."),
                    tr("Everyone of a class list (CSV) into the class that is shown"), &PeopleWindow::importList);
@@ -250,7 +253,11 @@ void PeopleWindow::showPeople(const std::vector<Shown>& people) {
     const QString role = teaches ? tr("%1, teaches").arg(wordOf(person.role)) : wordOf(person.role);
     const QString state = person.disabled ? tr("disabled") : QString();
     const QString texts[kColumns] = {qt(person.fullName), qt(person.name), qt(person.email), role, state};
-    for (int column = 0; column < kColumns; ++column) table_->setItem(row, column, new QTableWidgetItem(texts[column]));
+    for (int column = 0; column < kColumns; ++column) {
+      auto* item = new QTableWidgetItem(texts[column]);
+      item->setToolTip(plainToolTip(texts[column]));
+      table_->setItem(row, column, item);
+    }
     if (person.id == before) table_->selectRow(row);
   }
   refresh();
