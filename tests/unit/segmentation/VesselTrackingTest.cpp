@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace insonate {
@@ -68,6 +69,20 @@ TEST_P(VesselsOnGrids, ClicksNeedNotBeInTheMiddle) {
   ASSERT_TRUE(tracked) << tracked.error().message;
   const Vec3& s = grid().spacing_mm;
   EXPECT_GT(dice(tracked->lumen, vessel()), std::max({s.x, s.y, s.z}) > 1.5 ? 0.83 : 0.88);
+}
+
+/// What a few voxels of noise do to the level of blood there.
+TEST_P(VesselsOnGrids, AClickOnDarkNoiseDoesNotSetTheBloodsLevel) {
+  const std::array clicks{middle(-14), middle(0), middle(14)};
+  CtVolume noisy = ct(200, 40);
+  const auto near = [&](Vec3 p) { return std::ranges::any_of(clicks, [&](Vec3 c) { return norm(p - c) < 1.8; }); };
+  const Selection dark = shape(near);
+  for (std::size_t v = 0; v < noisy.voxels.size(); ++v)
+    if (dark.mask.voxels[v]) noisy.voxels[v] = static_cast<std::int16_t>(noisy.voxels[v] - 55);
+  const auto tracked = trackVessel(noisy, clicks);
+  ASSERT_TRUE(tracked) << tracked.error().message;
+  const Vec3& s = grid().spacing_mm;
+  EXPECT_GT(dice(tracked->lumen, vessel()), std::max({s.x, s.y, s.z}) > 1.5 ? 0.75 : 0.85);
 }
 
 TEST_P(VesselsOnGrids, AVeinBesideAnArteryIsNotTakenForIt) {

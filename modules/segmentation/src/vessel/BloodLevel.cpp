@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
+#include <cmath>
 
 namespace insonate::segmentation {
 namespace {
@@ -15,6 +15,9 @@ constexpr int kTissueBelowBlood_HU = 30;
 constexpr double kUsualTissue_HU = 50;  // muscle, where nothing darker than blood is near
 constexpr double kLimit = 0.6;          // of the way to half
 constexpr double kMost = 4;
+constexpr std::size_t kSameBlood = 5;  // stations to both sides of a click, of which its level is the median
+constexpr double kOtherBlood = 4.5;    // standard deviations that a click's own level may be off by noise
+constexpr double kSigma = 1.4826;      // of the median absolute deviation of what is normally distributed
 
 std::vector<std::int16_t> ball(const CtVolume& ct, Vec3 patient_mm, double radius_mm) {
   const Selection chosen = brushed(ct.geometry, std::array{patient_mm}, {.radius_mm = radius_mm});
@@ -27,10 +30,26 @@ std::vector<std::int16_t> ball(const CtVolume& ct, Vec3 patient_mm, double radiu
   return values;
 }
 
-double median(std::vector<std::int16_t>& values) {
+template <class T>
+double median(std::vector<T>& values) {
   const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
   std::ranges::nth_element(values, middle);
   return *middle;
+}
+
+BloodLevel levelOf(double blood_HU, double half_HU) {
+  return {blood_HU - kLimit * half_HU, blood_HU, blood_HU + kLimit * half_HU, blood_HU - half_HU};
+}
+
+/// The medians of what is found around a station.
+BloodLevel middleAround(const std::vector<BloodLevel>& found, std::size_t station) {
+  const std::size_t from = station > kSameBlood ? station - kSameBlood : 0;
+  std::vector<double> blood, half;
+  for (std::size_t n = from; n < std::min(station + kSameBlood + 1, found.size()); ++n) {
+    blood.push_back(found[n].blood_HU);
+    half.push_back(found[n].blood_HU - found[n].half_HU);
+  }
+  return levelOf(median(blood), median(half));
 }
 
 }  // namespace
@@ -48,12 +67,29 @@ BloodLevel bloodAt(const CtVolume& ct, Vec3 patient_mm, double reach_mm) {
   std::erase_if(around, [=](std::int16_t hu) { return hu < kTissueFrom_HU || hu > blood_HU - kTissueBelowBlood_HU; });
   const double tissue_HU = around.empty() ? kUsualTissue_HU : median(around);
   const double half_HU = (blood_HU - tissue_HU) / 2;
-  return {blood_HU - kLimit * half_HU, blood_HU, blood_HU + kLimit * half_HU, blood_HU - half_HU};
+  return levelOf(blood_HU, half_HU);
 }
 
 BloodLevel mixed(const BloodLevel& a, const BloodLevel& b, double share) {
   const auto mix = [=](double from, double to) { return from + (to - from) * share; };
   return {mix(a.low_HU, b.low_HU), mix(a.blood_HU, b.blood_HU), mix(a.high_HU, b.high_HU), mix(a.half_HU, b.half_HU)};
+}
+
+std::vector<BloodLevel> levelsAtClicks(const CtVolume& ct, std::span<const Vec3> clicks_mm,
+                                       std::span<const Vec3> way_mm, std::span<const std::size_t> clickOnWay,
+                                       double reach_mm, Work& work) {
+  std::vector<BloodLevel> found(way_mm.size());
+  work.slices(static_cast<int>(found.size()), [&](int n) { found[n] = bloodAt(ct, way_mm[n], reach_mm); });
+  std::vector<double> off;
+  for (std::size_t n = 0; n < found.size(); ++n)
+    off.push_back(std::abs(found[n].blood_HU - middleAround(found, n).blood_HU));
+  const double scatter_HU = kSigma * median(off);
+  std::vector<BloodLevel> levels;
+  for (std::size_t n = 0; n < clicks_mm.size(); ++n) {
+    const BloodLevel own = bloodAt(ct, clicks_mm[n], reach_mm), middle = middleAround(found, clickOnWay[n]);
+    levels.push_back(std::abs(own.blood_HU - middle.blood_HU) > kOtherBlood * scatter_HU ? own : middle);
+  }
+  return levels;
 }
 
 }  // namespace insonate::segmentation

@@ -1,6 +1,11 @@
 #pragma once
 
+#include "Work.h"
+
 #include <insonate/image/Volume.h>
+
+#include <span>
+#include <vector>
 
 namespace insonate::segmentation {
 
@@ -19,5 +24,13 @@ BloodLevel bloodAt(const CtVolume& ct, Vec3 patient_mm, double reach_mm);
 
 /// `share` from a to b.
 BloodLevel mixed(const BloodLevel& a, const BloodLevel& b, double share);
+
+/// At each click, which is a point `clickOnWay` of a way through the blood in steps of a millimetre. A click's ball is
+/// a few voxels, whose noise would be the level's as far as the next click, and blood changes little along a vessel: so
+/// it is the median of what is found on the way to and from there, unless the click's own differs by more than the
+/// scatter along the way explains, as at a thin end.
+std::vector<BloodLevel> levelsAtClicks(const CtVolume& ct, std::span<const Vec3> clicks_mm,
+                                       std::span<const Vec3> way_mm, std::span<const std::size_t> clickOnWay,
+                                       double reach_mm, Work& work);
 
 }  // namespace insonate::segmentation

@@ -35,17 +35,22 @@ struct Stations {
 
 Stations pathThrough(const CtVolume& ct, std::span<const Vec3> clicks_mm, double reach_mm, Work& work) {
   Stations stations;
+  std::vector<std::size_t> clicks{0};
   BloodLevel from = segmentation::bloodAt(ct, clicks_mm[0], reach_mm);
   for (std::size_t n = 1; n < clicks_mm.size(); ++n) {
     const BloodLevel to = segmentation::bloodAt(ct, clicks_mm[n], reach_mm);
     const auto path = pathThroughBlood(ct, clicks_mm[n - 1], clicks_mm[n], mixed(from, to, 0.5), work);
     const auto line = segmentation::resampled(segmentation::smoothed(path, kSmoothPath));
-    for (std::size_t m = n > 1; m < line.size(); ++m) {
-      stations.line.push_back(line[m]);
-      stations.levels.push_back(mixed(from, to, double(m) / double(std::max<std::size_t>(line.size() - 1, 1))));
-    }
+    stations.line.insert(stations.line.end(), line.begin() + (n > 1), line.end());
+    clicks.push_back(stations.line.size() - 1);
     from = to;
   }
+  const auto levels = segmentation::levelsAtClicks(ct, clicks_mm, stations.line, clicks, reach_mm, work);
+  stations.levels.push_back(levels.front());
+  for (std::size_t n = 1; n < clicks.size(); ++n)
+    for (std::size_t m = clicks[n - 1] + 1; m <= clicks[n]; ++m)
+      stations.levels.push_back(
+          mixed(levels[n - 1], levels[n], double(m - clicks[n - 1]) / double(clicks[n] - clicks[n - 1])));
   return stations;
 }
 
@@ -136,7 +141,7 @@ Result<TrackedVessel> trackVessel(const CtVolume& ct, std::span<const Vec3> clic
                     std::to_string(std::lround(level.blood_HU)) +
                     " HU); click in blood with contrast agent, or draw the vessel and fill between slices.");
     }
-    Work work(progress, 6 + 1.1 * double(clicks_mm.size()));
+    Work work(progress, 7 + 1.1 * double(clicks_mm.size()));
     work.start("Following the vessel");
     TrackedVessel vessel = track(cropped(ct, around), pathThrough(near, clicks_mm, how.largest_mm, work), how, work);
     vessel.lumen = segmentation::fillLumen(ct.geometry, vessel.outlines);
