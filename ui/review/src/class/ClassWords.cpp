@@ -39,10 +39,6 @@ QString dayOf(std::int64_t time_us) {
   return QLocale(QLocale::English).toString(timeOf(time_us), QStringLiteral("d MMM yyyy"));
 }
 
-QString dayAndTimeOf(std::int64_t time_us) {
-  return QLocale(QLocale::English).toString(timeOf(time_us), QStringLiteral("d MMM yyyy, HH:mm"));
-}
-
 QString concernWord(Concern concern) {
   return concern == Concern::Slipped ? tr("slipped") : concern == Concern::Stuck ? tr("stuck") : QString();
 }

@@ -19,7 +19,6 @@ QString countOf(int count, const QString& one, const QString& many);
 QString numberOf(double value);
 /// "20 Nov 2026" in the user's time zone.
 QString dayOf(std::int64_t time_us);
-QString dayAndTimeOf(std::int64_t time_us);
 /// "slipped", "stuck", or "" for nobody's concern.
 QString concernWord(Concern concern);
 /// None while it is not known.

@@ -4,6 +4,7 @@
 #include "../class/ClassWords.h"
 
 #include <insonate/ui/Account.h>
+#include <insonate/ui/AttemptWords.h>
 
 #include <utility>
 
@@ -61,7 +62,7 @@ QString JudgeDesk::words() const {
         "This recording is of no attempt that is kept here: it was practice without a level or a name. It can be "
         "replayed, and not judged.");
   const AttemptFacts& attempt = *origin_->attempt;
-  const QString when = dayAndTimeOf(attempt.begun_us);
+  const QString when = ui::dayAndTimeOf(attempt.begun_us);
   if (!origin_->same)
     return tr("This is not the recording of the attempt of %1, %2: the file is another one, or was changed since. What "
               "it shows is not theirs, and is not judged. Look for the recording that was made on %3.")

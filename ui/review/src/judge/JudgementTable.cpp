@@ -4,6 +4,7 @@
 #include "JudgeWords.h"
 
 #include <insonate/curriculum/FormAgreement.h>
+#include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/RowTable.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
@@ -121,7 +122,7 @@ QString JudgementTable::wordsAbove() const {
   QStringList lines;
   for (const KeptForm& one : forms_) {
     const QString who =
-        QStringLiteral("%1, %2").arg(QString::fromStdString(one.rater), dayAndTimeOf(one.filled.filled_us));
+        QStringLiteral("%1, %2").arg(QString::fromStdString(one.rater), ui::dayAndTimeOf(one.filled.filled_us));
     const auto answers = parseAnswers(one.filled.answers);
     if (one.withheld)
       lines << tr("%1: read once you have handed in yours").arg(who);

@@ -4,6 +4,7 @@
 #include "../class/ClassWords.h"
 #include "PersonDesk.h"
 
+#include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Attempts.h>
 #include <insonate/ui/RowTable.h>
 #include <insonate/ui/Theme.h>
@@ -165,7 +166,7 @@ void HistoryTable::fill(int row, const KeptAttempt& attempt) {
   QString outcome = outcomeOf(facts, curriculum);
   if (!attempt.voidReason.empty()) outcome += QStringLiteral(": ") + QString::fromStdString(attempt.voidReason);
   if (attempt.crashed) outcome += tr(" (the program ended)");
-  set(kDate, dayAndTimeOf(facts.begun_us));
+  set(kDate, ui::dayAndTimeOf(facts.begun_us));
   set(kLevel, levelTitle(curriculum, facts.level));
   set(kOutcome, outcome);
   set(kPoints, facts.points ? QString::number(std::lround(*facts.points)) : tr("n/a"));

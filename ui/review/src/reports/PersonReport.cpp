@@ -3,6 +3,8 @@
 #include "ReportPages.h"
 #include "ReportParts.h"
 
+#include <insonate/ui/AttemptWords.h>
+
 #include <QCoreApplication>
 #include <cmath>
 
@@ -65,7 +67,7 @@ void attempts(PaperColumn& page, const PersonFacts& facts) {
   int told = 0;
   for (const KeptAttempt& one : facts.newest) {
     if (told++ == kMostAttempts || !page.hasRoom(kRow)) return;
-    page.cell(kMargin, 330, dayAndTimeOf(one.facts.begun_us), page.ink.text);
+    page.cell(kMargin, 330, ui::dayAndTimeOf(one.facts.begun_us), page.ink.text);
     page.cell(kMargin + 330, 390, levelTitle(curriculum, one.facts.level), page.ink.text);
     page.cell(kMargin + 720, 80, one.facts.points ? QString::number(std::lround(*one.facts.points)) : tr("n/a"),
               page.ink.text, Qt::AlignRight);

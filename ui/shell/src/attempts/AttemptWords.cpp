@@ -1,6 +1,8 @@
 #include <insonate/ui/AttemptWords.h>
 
 #include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
 #include <QStringList>
 #include <cmath>
 
@@ -61,6 +63,11 @@ QString valueOf(Metric metric, const std::optional<double>& value) {
   const bool isCount = unit.isEmpty() && *value == std::round(*value);
   const QString number = QString::number(*value, 'f', isCount ? 0 : unit.isEmpty() ? 2 : 1);
   return unit.isEmpty() ? number : unit == QLatin1String("deg") ? number + QStringLiteral("°") : number + ' ' + unit;
+}
+
+QString dayAndTimeOf(std::int64_t time_us) {
+  return QLocale(QLocale::English)
+      .toString(QDateTime::fromMSecsSinceEpoch(time_us / 1000), QStringLiteral("d MMM yyyy, HH:mm"));
 }
 
 }  // namespace insonate::ui

@@ -6,6 +6,7 @@
 #include "LevelWords.h"
 
 #include <insonate/ui/Account.h>
+#include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Attempts.h>
 #include <insonate/ui/LearningChart.h>
 #include <insonate/ui/PlainToolTip.h>
@@ -14,7 +15,6 @@
 #include <insonate/ui/Widgets.h>
 
 #include <QComboBox>
-#include <QDateTime>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -33,10 +33,6 @@ enum Column { kDate, kLevel, kOutcome, kPoints, kLength, kColumns };
 
 QString qt(const std::string& text) {
   return QString::fromStdString(text);
-}
-
-QString dateOf(std::int64_t time_us) {
-  return QDateTime::fromMSecsSinceEpoch(time_us / 1000).toString(QStringLiteral("yyyy-MM-dd  HH:mm"));
 }
 
 QString levelOf(const Curriculum* curriculum, const AttemptFacts& facts) {
@@ -170,7 +166,7 @@ void HistoryPage::append(const std::vector<KeptAttempt>& page) {
   for (int row = int(attempts_.size() - page.size()); row < int(attempts_.size()); ++row) {
     const KeptAttempt& one = attempts_[std::size_t(row)];
     const AttemptFacts& facts = one.facts;
-    const QString texts[kColumns] = {dateOf(facts.begun_us), levelOf(course_.curriculum(), facts),
+    const QString texts[kColumns] = {ui::dayAndTimeOf(facts.begun_us), levelOf(course_.curriculum(), facts),
                                      outcomeOf(course_.curriculum(), facts),
                                      facts.points ? QString::number(std::lround(*facts.points)) : tr("n/a"),
                                      clockOf(double(facts.length_us) * 1e-6)};

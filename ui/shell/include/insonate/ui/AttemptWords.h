@@ -5,6 +5,7 @@
 #include <insonate/views/Theme.h>
 
 #include <QString>
+#include <cstdint>
 #include <optional>
 
 namespace insonate::ui {
@@ -24,5 +25,8 @@ QString wordOf(Severity severity);
 QString titleOf(Metric metric);
 /// "41.2 mm", "34.6°", "2", "n/a".
 QString valueOf(Metric metric, const std::optional<double>& value);
+
+/// "20 Nov 2026, 14:05", here, of AttemptFacts::begun_us.
+QString dayAndTimeOf(std::int64_t time_us);
 
 }  // namespace insonate::ui
