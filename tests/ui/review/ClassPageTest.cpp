@@ -133,10 +133,22 @@ TEST_F(ClassPageTest, EmptyPlacesSayWhatToDo) {
   school_->add("nina", Role::Instructor, "");
   enter("nina");
   EXPECT_TRUE(child<QLabel>("classWords")->text().contains("No class is yours yet"));
+  EXPECT_FALSE(isSeen("cohorts")) << "nothing to choose from";
   workspace_.reset();
   enter("otto");
   EXPECT_TRUE(child<QLabel>("classFacts")->text().contains("has no curriculum yet"))
       << child<QLabel>("classFacts")->text().toStdString();
+}
+
+TEST_F(ClassPageTest, FollowsWhatIsChangedInTheWindowOfPeople) {
+  enter("otto");
+  EXPECT_EQ(table().model()->rowCount(), 1);
+  school_->add("dora", Role::Trainee, school_->autumn.id);
+  test::succeed(CohortStore(school_->admin).setCurriculum(school_->autumn.id, curriculum_.name, curriculum_.version));
+  Q_EMIT account_->peopleChanged();
+  settle();
+  EXPECT_EQ(table().model()->rowCount(), 2);
+  EXPECT_TRUE(child<QLabel>("classFacts")->text().contains("version 1"));
 }
 
 TEST_F(ClassPageTest, HostileNamesAreNames) {

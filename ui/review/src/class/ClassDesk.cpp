@@ -25,6 +25,7 @@ void ClassDesk::setAccount(ui::Account& account) {
     forget();
     refresh();
   });
+  connect(account_, &ui::Account::peopleChanged, this, &ClassDesk::refresh);
   refresh();
 }
 

@@ -47,9 +47,9 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, QWidget* window)
   details_ = add("accountDetails", tr("My details ..."), tr("Your name and e-mail address"), [this] { askDetails(); });
   password_ = add("accountPassword", tr("Change password ..."), tr("Your own"), [this] { askPassword(); });
   people_ = add("accountPeople", tr("People and classes ..."), tr("Who is here, in which classes, and as what"),
-                [this] { (new PeopleWindow(account_, window_))->show(); });
+                [this] { showPeople(); });
   levels_ = add("accountLevels", tr("Curricula and levels ..."), tr("What is taught: levels, their rules, versions"),
-                [this] { (new CurriculumWindow(account_, window_))->show(); });
+                [this] { showCurricula(); });
   server_ = add("accountServer", tr("Server of the site ..."), tr("Where this computer sends attempts to"),
                 [this] { askServer(); });
   again_ = add("accountAgain", tr("Try again"), tr("Open the store of people and attempts once more"),
@@ -103,6 +103,18 @@ void AccountMenu::welcome() {
   QSettings().setValue(kLastName, QString::fromStdString(account_.person().name));
   Q_EMIT said(tr("Signed in as %1.").arg(QString::fromStdString(account_.person().fullName)));
   if (account_.mustChangePassword()) askPassword();
+}
+
+void AccountMenu::showPeople() {
+  auto* people = new PeopleWindow(account_, window_);
+  connect(people, &PeopleWindow::changed, &account_, &Account::peopleChanged);
+  people->show();
+}
+
+void AccountMenu::showCurricula() {
+  auto* curricula = new CurriculumWindow(account_, window_);
+  connect(curricula, &QDialog::finished, &account_, &Account::peopleChanged);
+  curricula->show();
 }
 
 void AccountMenu::askSetUp() {

@@ -19,6 +19,8 @@ class AccountMenu : public QMenu {
   /// Who sits there, for the header: "Sign in", "A. User".
   QString shortText() const;
 
+  void showPeople();
+  void showCurricula();
   void askSetUp();
   void askSignIn();
   void askPassword();

@@ -59,8 +59,16 @@ void PeopleWindow::addClass() {
     const auto added = CohortStore(by).add(texts[0].toStdString());
     return added ? Result<void>() : tl::unexpected(added.error());
   };
-  (new EntryDialog(tr("New class"), tr("People who are taught together, by one curriculum."),
-                   {{"className", tr("Name"), tr("As instructors and trainees see it")}}, tr("Add"), asking(add), this))
+  (new EntryDialog(
+       tr("New class"), tr("People who are taught together, by one curriculum."),
+       {{"className", tr("Name"), tr("As instructors and trainees see it")}}, tr("Add"),
+       [this, act = asking(add)](const QStringList& texts, const std::function<void(Result<void>)>& done) {
+         act(texts, [this, name = texts[0], done](const Result<void>& added) {
+           if (added) newClass_ = name;
+           done(added);
+         });
+       },
+       this))
       ->open();
 }
 

@@ -195,6 +195,7 @@ Result<PeopleWindow::Read> PeopleWindow::readFrom(const SignedIn& by) {
 }
 
 void PeopleWindow::read() {
+  Q_EMIT changed();
   account_.ask<Read>(this, &PeopleWindow::readFrom, [this](const Result<Read>& read) {
     if (!read) return tell(qt(read.error().message));
     const std::string before = cohort() ? cohort()->id : "";
@@ -207,7 +208,9 @@ void PeopleWindow::read() {
       classes_->addItem(qt(one.name));
       target_->addItem(qt(one.name), qt(one.id));
     }
-    const auto at = std::ranges::find(cohorts_, before, &Cohort::id);
+    const std::string added = std::exchange(newClass_, QString()).toStdString();
+    const auto at = std::ranges::find_if(
+        cohorts_, [&](const Cohort& one) { return added.empty() ? one.id == before : one.name == added; });
     const bool found = at != cohorts_.end();
     classes_->setCurrentRow(found ? int(at - cohorts_.begin()) + (isAdministrator() ? 1 : 0) : 0);
     readPeople();

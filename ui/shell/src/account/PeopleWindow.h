@@ -27,6 +27,10 @@ class PeopleWindow : public QDialog {
  public:
   PeopleWindow(Account& account, QWidget* parent);
 
+ Q_SIGNALS:
+  /// Something that is shown was changed here.
+  void changed();
+
  private:
   struct Shown {
     Person person;
@@ -70,6 +74,7 @@ class PeopleWindow : public QDialog {
   std::vector<Cohort> cohorts_;
   std::vector<OfferedCurriculum> curricula_;
   std::vector<Shown> people_;
+  QString newClass_;  ///< its name: it is chosen once it is there
   QListWidget* classes_;
   QTableWidget* table_;
   QComboBox* curriculum_;

@@ -46,6 +46,7 @@ void Course::setAccount(ui::Account& account) {
     }
     refresh();
   });
+  connect(account_, &ui::Account::peopleChanged, this, &Course::refresh);
   person_ = account_->person().id;
   refresh();
 }

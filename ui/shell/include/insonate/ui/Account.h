@@ -72,7 +72,8 @@ class Account : public QObject {
   }
 
  Q_SIGNALS:
-  void changed();  ///< state() or person()
+  void changed();        ///< state() or person()
+  void peopleChanged();  ///< people, classes or what they are taught, in a window of this program
 
  private:
   template <class T>
