@@ -182,6 +182,17 @@ TEST_F(DicomSegmentation, EveryCutIsRefused) {
   }
 }
 
+TEST_F(DicomSegmentation, ADamagedRepresentationInItsMetaInformationIsRefused) {
+  write(twoVessels());
+  std::string bytes = test::contentOf(file);
+  const std::size_t first = bytes.find("UI", 132);
+  ASSERT_LT(first, 250U);
+  bytes[first + 1] = 'D';
+  test::writeText(file, bytes);
+  EXPECT_THAT(refusal(), HasSubstr("holds no labels"));
+  EXPECT_FALSE(importSeries(file));
+}
+
 TEST_F(DicomSegmentation, WhatItLacksIsNamed) {
   const auto refusalAfter = [&](const std::function<void()>& damage) {
     write(twoVessels());

@@ -1,5 +1,6 @@
 #include "DicomLayout.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdint>
@@ -120,6 +121,9 @@ class Walker {
       if (number(group, false) != 2) return true;
       Element element;
       if (!next({true, false}, element)) return false;
+      // All that PS3.10 7.1 has there; of others GDCM 3.0 ends the program.
+      constexpr std::array<std::string_view, 7> kRepresentations{"UL", "OB", "UI", "SH", "AE", "UR", "UN"};
+      if (std::ranges::find(kRepresentations, element.vr) == kRepresentations.end()) return false;
       if (element.tag == 0x00020010) {
         syntax = peek(position_, std::min<std::uint32_t>(element.length, 64));
         while (!syntax.empty() && (syntax.back() == '\0' || syntax.back() == ' ')) syntax.pop_back();
