@@ -192,6 +192,7 @@ TEST_F(TrainCourse, KeysGoToThePageWhileItIsShown) {
   ASSERT_TRUE(shown("course"));
   auto* levels = child<QListWidget>("levels");
   EXPECT_TRUE(levels->hasFocus()) << QApplication::focusWidget()->objectName().toStdString();
+  EXPECT_TRUE(workspace_->statusText().startsWith("Enter practises")) << workspace_->statusText().toStdString();
   QTest::keyClick(levels, Qt::Key_Down);
   EXPECT_EQ(levels->currentRow(), 1);
   QTest::keyClick(workspace_.get(), Qt::Key_Left);

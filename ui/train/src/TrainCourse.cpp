@@ -70,8 +70,8 @@ void TrainWorkspace::Parts::showCourse(bool on) {
   coursePage_->setVisible(on);
   courseAction_->setChecked(on);
   session.setWatched(!on);
-  session.setHint(on ? tr("Enter practises the level that is marked. J goes back to the picture.") : QString());
   on ? coursePage_->takeKeyboard() : workspace_.setFocus();
+  session.setHint(on ? tr("Enter practises the level that is marked. J goes back to the picture.") : QString());
 }
 
 }  // namespace insonate::train
