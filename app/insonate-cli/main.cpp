@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
   addCropCommand(app, outcome);
   addLabelCommand(app, outcome);
   addCheckCommand(app, outcome);
+  addPublishCommand(app, outcome);
   addBenchCommand(app, outcome);
   addSurfacesCommand(app, outcome);
   addFitCommand(app, outcome);

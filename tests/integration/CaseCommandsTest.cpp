@@ -59,6 +59,45 @@ TEST_F(CaseCommands, ImportWritesACaseAndSaysWhatIsNext) {
   EXPECT_TRUE(json::parse(checked.output).contains("fit"));
 }
 
+TEST_F(CaseCommands, WhatIsPublishedStaysWhileTheCaseIsSavedAgain) {
+  ASSERT_EQ(run("phantom " + at("case")).status, 0);
+  const auto published = run("publish " + at("case") + " --json");
+  ASSERT_EQ(published.status, 0) << published.errors;
+  const json answer = json::parse(published.output);
+  EXPECT_EQ(answer["published"], 1);
+  EXPECT_EQ(answer["folder"], (folder_ / "case/versions/001").string());
+  const std::string labels = bytesOf(folder_ / "case/versions/001/labels.seg.nrrd");
+  ASSERT_EQ(run("phantom " + at("case") + " --variant collapsed-vein --replace").status, 0);
+  EXPECT_EQ(bytesOf(folder_ / "case/versions/001/labels.seg.nrrd"), labels);
+  EXPECT_NE(bytesOf(folder_ / "case/labels.seg.nrrd"), labels);
+  expectRefusal("publish " + at("case/versions/001"), "is a version that was kept of");
+  EXPECT_THAT(run("publish " + at("case")).output, HasSubstr("Trainees get version 2"));
+  EXPECT_EQ(bytesOf(folder_ / "case/versions/001/labels.seg.nrrd"), labels) << "for attempts that were made on it";
+}
+
+TEST_F(CaseCommands, WhatIsReplacedStaysAsAVersion) {
+  makeSeries();
+  ASSERT_EQ(run("import " + at("series") + " " + at("case")).status, 0);
+  const std::string imported = bytesOf(folder_ / "case/ct.nrrd");
+  ASSERT_EQ(run("phantom " + at("case") + " --replace").status, 0);
+  EXPECT_EQ(bytesOf(folder_ / "case/versions/001/ct.nrrd"), imported);
+  const std::string made = bytesOf(folder_ / "case/labels.seg.nrrd");
+  ASSERT_EQ(run("import " + at("series") + " " + at("case") + " --replace").status, 0);
+  EXPECT_EQ(bytesOf(folder_ / "case/versions/001/ct.nrrd"), imported);
+  EXPECT_EQ(bytesOf(folder_ / "case/versions/002/labels.seg.nrrd"), made);
+  EXPECT_EQ(bytesOf(folder_ / "case/ct.nrrd"), imported);
+}
+
+TEST_F(CaseCommands, WhatIsNotFitIsNotPublished) {
+  makeSeries();
+  ASSERT_EQ(run("import " + at("series") + " " + at("case")).status, 0);
+  expectRefusal("publish " + at("case"), "is not fit for training, and is not published");
+  EXPECT_THAT(run("publish " + at("case")).errors, HasSubstr("nothing is labelled"));
+  EXPECT_FALSE(fs::exists(folder_ / "case/versions"));
+  expectRefusal("publish " + at("nowhere"), "There is no case folder");
+  expectRefusal("publish ''", "the name is empty", 2);
+}
+
 TEST_F(CaseCommands, ACaseIsNotOverwrittenSilently) {
   makeSeries();
   fs::create_directory(folder_ / "case");

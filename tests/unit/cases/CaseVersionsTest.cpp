@@ -34,6 +34,8 @@ class CaseVersions : public testing::Test {
     EXPECT_TRUE(result) << result.error().message;
     return result ? std::move(result->patient) : PatientCase{};
   }
+  /// By who has looked at what is there.
+  Result<CaseVersion> publish() { return publishCase(read(folder_), folder_, "2026-11-23"); }
   static PatientCase relabelled(std::uint8_t label) {
     PatientCase patient = test::noiseCase(test::grid({12, 11, 10}));
     patient.labels.voxels[5] = label;
@@ -165,7 +167,7 @@ TEST_F(CaseVersions, WhatIsPublishedStaysWhatTraineesGet) {
   save(relabelled(kVein));
   EXPECT_EQ(publishedVersion(folder_), 0);
   EXPECT_EQ(caseForTraining(folder_), folder_) << "nothing is published: the case as it is";
-  const auto first = publishCase(folder_, "2026-11-23");
+  const auto first = publish();
   ASSERT_TRUE(first) << first.error().message;
   EXPECT_EQ(first->number, 1);
   EXPECT_EQ(first->date, "2026-11-22") << "of the day on which it was saved";
@@ -178,7 +180,7 @@ TEST_F(CaseVersions, WhatIsPublishedStaysWhatTraineesGet) {
   EXPECT_EQ(caseOfVersion(caseForTraining(folder_)), folder_);
   EXPECT_EQ(caseOfVersion(folder_), std::nullopt);
   // Another program writes over the labels of the folder.
-  const auto second = publishCase(folder_, "2026-11-23");
+  const auto second = publish();
   ASSERT_TRUE(second && writeCase(relabelled(kThyroid), folder_));
   EXPECT_EQ(second->number, 3);
   EXPECT_EQ(read(caseForTraining(folder_)).labels.voxels, relabelled(kBone).labels.voxels);
@@ -187,11 +189,27 @@ TEST_F(CaseVersions, WhatIsPublishedStaysWhatTraineesGet) {
   EXPECT_EQ(read(caseForTraining(folder_)).labels.voxels, relabelled(kBone).labels.voxels);
 }
 
+TEST_F(CaseVersions, WhatAnotherProgramSavedMeanwhileIsNotPublishedUnseen) {
+  save(relabelled(kVein));
+  ASSERT_TRUE(publish());
+  save(relabelled(kArtery));
+  const PatientCase seen = read(folder_);
+  save(relabelled(kBone));
+  const auto published = publishCase(seen, folder_, "2026-11-23");
+  ASSERT_FALSE(published);
+  EXPECT_THAT(published.error().message,
+              testing::AllOf(testing::HasSubstr("Another program has saved"), testing::HasSubstr("publish it again")));
+  EXPECT_EQ(publishedVersion(folder_), 1) << "trainees keep what they had";
+  EXPECT_EQ(read(folder_).labels.voxels, relabelled(kBone).labels.voxels) << "and nobody's work is undone";
+  ASSERT_TRUE(publish());
+  EXPECT_EQ(read(caseForTraining(folder_)).labels.voxels, relabelled(kBone).labels.voxels);
+}
+
 TEST_F(CaseVersions, WhatAnInterruptedPublishingLeftIsMadeWhole) {
   const int number = save(relabelled(kVein)).number;
   fs::create_directories(folder_ / "versions" / "001");
   ASSERT_EQ(number, 1);
-  ASSERT_TRUE(publishCase(folder_, "2026-11-23"));
+  ASSERT_TRUE(publish());
   EXPECT_EQ(publishedVersion(folder_), 1);
   EXPECT_EQ(read(caseForTraining(folder_)).labels.voxels, relabelled(kVein).labels.voxels);
 }
@@ -199,18 +217,18 @@ TEST_F(CaseVersions, WhatAnInterruptedPublishingLeftIsMadeWhole) {
 TEST_F(CaseVersions, AVersionThatCannotBeKeptIsNotPublished) {
   save(relabelled(kVein));
   test::writeText(folder_ / "versions", "a file in its place");
-  EXPECT_FALSE(publishCase(folder_, "2026-11-23"));
+  EXPECT_FALSE(publish());
   EXPECT_EQ(publishedVersion(folder_), 0);
 }
 
 TEST_F(CaseVersions, APointerToNothingPublishesNothing) {
   save(relabelled(kVein));
-  ASSERT_TRUE(publishCase(folder_, "2026-11-23"));
+  ASSERT_TRUE(publish());
   for (const char* text : {"", "{", "{\"version\": 7}", "{\"version\": \"../..\"}", "[]"}) {
     std::ofstream(folder_ / "versions" / "published.json") << text;
     EXPECT_EQ(caseForTraining(folder_), folder_) << text;
   }
-  const auto none = publishCase(root_ / "nowhere", "2026-11-23");
+  const auto none = publishCase(PatientCase{}, root_ / "nowhere", "2026-11-23");
   ASSERT_FALSE(none);
 }
 

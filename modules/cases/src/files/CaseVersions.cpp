@@ -119,6 +119,42 @@ bool isSame(const CtVolume& a, const CtVolume& b) {
   return sameGrid(a.geometry, b.geometry) && a.voxels == b.voxels;
 }
 
+/// saveCaseVersion() for who has the turn.
+Result<CaseVersion> saveInTurn(const PatientCase& patient, const fs::path& named, const std::string& date,
+                               const std::string& author, const Progress& progress) {
+  auto there = readCase(named);  // one that cannot be read is no version of anything
+  CaseVersion version = versionOf(patient);
+  bool keep = false;
+  if (there) {
+    CaseVersion& old = there->patient.manifest.version;
+    const auto kept = keptIn(named);
+    const int latest = kept.empty() ? 0 : kept.front().first.number;
+    // What another program has changed in the folder is another version than the one it names.
+    const std::string content = contentHashOf(there->patient);
+    if (old.number == 0 || old.content != content) old.number = latest + 1;
+    old.content = content, old.voxels = voxelHashOf(there->patient);
+    keep = content != version.content;
+    version.number = keep ? std::max(latest, old.number) + 1 : old.number;
+    version.date = keep || old.date.empty() ? date : old.date;
+    version.author = keep ? author : old.author;
+  } else {
+    version.number = 1, version.date = date, version.author = author;
+  }
+  CaseManifest manifest = patient.manifest;
+  manifest.version = version;
+  const auto write = [&](const fs::path& beside) -> Result<void> {
+    std::error_code error;
+    const bool sameCt = there && isSame(there->patient.ct, patient.ct);
+    if (auto ok = writeCaseFiles(patient, manifest, beside, sameCt ? named / kCtFile : fs::path(), progress); !ok)
+      return ok;
+    if (fs::exists(named / kVersions, error))
+      if (auto ok = link(named / kVersions, beside / kVersions); !ok) return ok;
+    return keep ? keepVersion(there->patient, named, beside / kVersions) : Result<void>{};
+  };
+  if (auto ok = writeFolderAtomically(named, write, {kPlainLabelFile}); !ok) return tl::unexpected(ok.error());
+  return version;
+}
+
 }  // namespace
 
 std::string voxelHashOf(const PatientCase& patient) {
@@ -159,41 +195,9 @@ Result<CaseVersion> saveCaseVersion(const PatientCase& patient, const fs::path& 
                                     const std::string& author, const Progress& progress) {
   if (auto ok = checkVolumes(patient); !ok) return tl::unexpected(ok.error());
   if (auto ok = checkFolderTarget(folder); !ok) return tl::unexpected(ok.error());
-  const fs::path named = folder.has_filename() ? folder : folder.parent_path();
   SavingTurn turn(parentOf(folder));
   if (auto ok = turn.wait(progress); !ok) return tl::unexpected(ok.error());
-
-  auto there = readCase(named);  // one that cannot be read is no version of anything
-  CaseVersion version = versionOf(patient);
-  bool keep = false;
-  if (there) {
-    CaseVersion& old = there->patient.manifest.version;
-    const auto kept = keptIn(named);
-    const int latest = kept.empty() ? 0 : kept.front().first.number;
-    // What another program has changed in the folder is another version than the one it names.
-    const std::string content = contentHashOf(there->patient);
-    if (old.number == 0 || old.content != content) old.number = latest + 1;
-    old.content = content, old.voxels = voxelHashOf(there->patient);
-    keep = content != version.content;
-    version.number = keep ? std::max(latest, old.number) + 1 : old.number;
-    version.date = keep || old.date.empty() ? date : old.date;
-    version.author = keep ? author : old.author;
-  } else {
-    version.number = 1, version.date = date, version.author = author;
-  }
-  CaseManifest manifest = patient.manifest;
-  manifest.version = version;
-  const auto write = [&](const fs::path& beside) -> Result<void> {
-    std::error_code error;
-    const bool sameCt = there && isSame(there->patient.ct, patient.ct);
-    if (auto ok = writeCaseFiles(patient, manifest, beside, sameCt ? named / kCtFile : fs::path(), progress); !ok)
-      return ok;
-    if (fs::exists(named / kVersions, error))
-      if (auto ok = link(named / kVersions, beside / kVersions); !ok) return ok;
-    return keep ? keepVersion(there->patient, named, beside / kVersions) : Result<void>{};
-  };
-  if (auto ok = writeFolderAtomically(named, write, {kPlainLabelFile}); !ok) return tl::unexpected(ok.error());
-  return version;
+  return saveInTurn(patient, folder.has_filename() ? folder : folder.parent_path(), date, author, progress);
 }
 
 std::optional<fs::path> findVersion(const fs::path& folder, const std::string& voxelHash) {
@@ -210,21 +214,22 @@ std::vector<CaseVersion> versionsOf(const fs::path& folder) {
   return versions;
 }
 
-Result<CaseVersion> publishCase(const fs::path& folder, const std::string& date, const Progress& progress) {
-  auto there = readCase(folder);
-  if (!there) return tl::unexpected(there.error());
-  const auto version = saveCaseVersion(there->patient, folder, date, there->patient.manifest.version.author, progress);
-  if (!version) return version;
-  there->patient.manifest.version = *version;
+Result<CaseVersion> publishCase(const PatientCase& seen, const fs::path& folder, const std::string& date,
+                                const Progress& progress) {
+  if (auto ok = checkFolderTarget(folder); !ok) return tl::unexpected(ok.error());
+  const fs::path named = folder.has_filename() ? folder : folder.parent_path();
   SavingTurn turn(parentOf(folder));
   if (auto ok = turn.wait(progress); !ok) return tl::unexpected(ok.error());
-  std::vector<std::string> notes;
-  const auto now = readManifest(folder / kManifestFile, notes);
-  if (!now || now->version.content != version->content)
-    return fail("Another program has saved " + folder.string() + " meanwhile. Look at it and publish it again.");
-  if (auto ok = keepVersion(there->patient, folder, folder / kVersions); !ok) return tl::unexpected(ok.error());
+  auto there = readCase(named);
+  if (!there) return tl::unexpected(there.error());
+  if (contentHashOf(there->patient) != contentHashOf(seen))
+    return fail("Another program has saved " + named.string() + " meanwhile. Look at it and publish it again.");
+  const auto version = saveInTurn(there->patient, named, date, there->patient.manifest.version.author, progress);
+  if (!version) return version;
+  there->patient.manifest.version = *version;
+  if (auto ok = keepVersion(there->patient, named, named / kVersions); !ok) return tl::unexpected(ok.error());
   const nlohmann::json pointer{{"version", version->number}};
-  if (auto ok = writeAtomically(folder / kVersions / kPublished, pointer.dump(2) + '\n'); !ok)
+  if (auto ok = writeAtomically(named / kVersions / kPublished, pointer.dump(2) + '\n'); !ok)
     return tl::unexpected(ok.error());
   return version;
 }

@@ -66,8 +66,8 @@ void PublishStep::publish() {
   using Published = CaseVersion;
   tasks_.run<Published>(
       tr("Publishing"),
-      [folder = session_.origin().folder.toStdString()](const Progress& progress) {
-        return publishCase(folder, today(), progress);
+      [folder = session_.origin().folder.toStdString(), patient = session_.patient()](const Progress& progress) {
+        return publishCase(*patient, folder, today(), progress);
       },
       [self = QPointer(this)](Result<Published> version) {
         if (!self) return;

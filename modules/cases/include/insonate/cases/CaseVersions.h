@@ -38,8 +38,9 @@ std::optional<std::filesystem::path> findVersion(const std::filesystem::path& fo
 std::vector<CaseVersion> versionsOf(const std::filesystem::path& folder);
 
 /// Freezes the case of a folder as a version of its own under `versions/NUMBER`, which trainees get from now on,
-/// whatever is saved in the folder later, until another one is published. Does not ask whether it is fit.
-Result<CaseVersion> publishCase(const std::filesystem::path& folder, const std::string& date,
+/// whatever is saved in the folder later, until another one is published. Refuses where the folder holds another
+/// content than `seen`, what its author has looked at. Does not ask whether it is fit.
+Result<CaseVersion> publishCase(const PatientCase& seen, const std::filesystem::path& folder, const std::string& date,
                                 const Progress& progress = {});
 
 /// The number of the version that trainees get; 0 where none is published.
