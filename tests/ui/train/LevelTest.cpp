@@ -1,5 +1,7 @@
 #include "LevelWindow.h"
 
+#include <insonate/cases/CaseVersions.h>
+
 #include <gmock/gmock.h>
 
 #include <QRegularExpression>
@@ -182,6 +184,45 @@ TEST_F(TrainLevel, AnotherCaseOrPersonLeavesTheLevel) {
   EXPECT_TRUE(workspace_->statusText().contains("Finish the attempt first"));
   account_->signOut();
   EXPECT_FALSE(levels_->level());
+}
+
+TEST_F(TrainLevel, ACaseThatIsSavedMeanwhileDoesNotChangeUnderALevel) {
+  signIn();
+  openWide();
+  practise(0);
+  ASSERT_TRUE(levels_->level());
+  const auto before = session_->patient();
+  auto edited = std::make_shared<PatientCase>(*before);
+  std::ranges::replace(edited->labels.voxels, std::uint8_t{kVein}, std::uint8_t{kMuscle});
+  workspace_->caseSaved(edited);
+  EXPECT_EQ(session_->patient(), before) << "nobody is at an attempt, but the level is begun";
+  EXPECT_TRUE(workspace_->statusText().contains("as it was")) << workspace_->statusText().toStdString();
+  levels_->leave();
+  EXPECT_TRUE(levels_->level() == nullptr);
+}
+
+TEST_F(TrainLevel, AnAuthorsDraftOfTheSameTitleIsNotTheLevelsCase) {
+  const auto folder = std::filesystem::path(home_.filePath("wide").toStdString());
+  openWide();
+  const PatientCase wide = *session_->patient();
+  ASSERT_TRUE(saveCaseVersion(wide, folder, "2026-11-22", ""));
+  ASSERT_TRUE(publishCase(wide, folder, "2026-11-22"));
+  signIn();
+  practise(0);
+  EXPECT_TRUE(levels_->waitsForCase()) << "open is the author's folder, which may change";
+  ASSERT_EQ(wanted_.size(), 1);
+  EXPECT_EQ(wanted_[0].toStdString(), (folder / "versions" / "001").string());
+  auto draft = std::make_shared<PatientCase>(wide);
+  draft->labels.voxels[0] = kVein;
+  workspace_->setOrigin({});  // not saved anywhere
+  workspace_->setCase(draft);
+  EXPECT_FALSE(levels_->level()) << "practised freely";
+  practise(0);
+  EXPECT_TRUE(levels_->waitsForCase());
+  workspace_->setOrigin({wanted_[0], {}, false, home_.filePath("wide")});
+  workspace_->setCase(std::make_shared<const PatientCase>(wide));
+  EXPECT_TRUE(levels_->level());
+  EXPECT_FALSE(levels_->waitsForCase()) << "what was published";
 }
 
 TEST_F(TrainLevel, HintsSayOnlyWhatWentWrong) {

@@ -62,7 +62,7 @@ QWidget* TrainWorkspace::Parts::buildLeft() {
 
 void TrainWorkspace::Parts::setCase(std::shared_ptr<const PatientCase> opened) {
   saved_ = nullptr;
-  session.setCase(std::move(opened));
+  session.setCase(std::move(opened), origin);
 }
 
 void TrainWorkspace::Parts::takeSaved(std::shared_ptr<const PatientCase> edited) {
@@ -73,7 +73,7 @@ void TrainWorkspace::Parts::takeSaved(std::shared_ptr<const PatientCase> edited)
 
 void TrainWorkspace::Parts::takeWaiting() {
   if (!saved_ || attempt->state() != AttemptControl::State::Idle || (levels_ && levels_->level())) return;
-  session.setCase(std::exchange(saved_, nullptr));
+  session.setCase(std::exchange(saved_, nullptr), origin);
 }
 
 void TrainWorkspace::Parts::connectAttempt() {

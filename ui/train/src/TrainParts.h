@@ -84,6 +84,7 @@ class TrainWorkspace::Parts : public QObject {
   /// To the patient's column, of the picture's; or back.
   void giveRoom(bool more);
 
+  ui::CaseOrigin origin;  ///< of the case that comes next
   void setCase(std::shared_ptr<const PatientCase> opened);
   /// The same case as its author has saved it: now, or once nobody is at an attempt or in a level any more.
   void takeSaved(std::shared_ptr<const PatientCase> edited);

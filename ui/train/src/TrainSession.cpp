@@ -78,9 +78,10 @@ void TrainSession::stop() {
   feed_.set(nullptr);
 }
 
-void TrainSession::setCase(std::shared_ptr<const PatientCase> patient) {
+void TrainSession::setCase(std::shared_ptr<const PatientCase> patient, const ui::CaseOrigin& origin) {
   stop();
   patient_ = std::move(patient);
+  origin_ = origin;
   control_.setHand(std::nullopt);
   hands_.setHeld(false);
   hands_.setCase(nullptr, nullptr);

@@ -10,6 +10,7 @@
 #include <insonate/surface/Mesh.h>
 #include <insonate/ui/CaseWorker.h>
 #include <insonate/ui/LiveFeed.h>
+#include <insonate/ui/Workspace.h>
 
 #include <QObject>
 #include <QString>
@@ -35,8 +36,9 @@ class TrainSession : public QObject {
   explicit TrainSession(QObject* parent = nullptr);
   ~TrainSession() override;
 
-  /// Stops everything that belongs to the case before. Null for none.
-  void setCase(std::shared_ptr<const PatientCase> patient);
+  /// Stops everything that belongs to the case before. Null for none. `origin`: where it is kept.
+  void setCase(std::shared_ptr<const PatientCase> patient, const ui::CaseOrigin& origin);
+  const ui::CaseOrigin& origin() const { return origin_; }
   const std::shared_ptr<const PatientCase>& patient() const { return patient_; }
   /// Ends the threads; within a second.
   void stop();
@@ -170,6 +172,7 @@ class TrainSession : public QObject {
   void tookBack(History::Outcome outcome, const QString& done, const QString& nothing);
 
   std::shared_ptr<const PatientCase> patient_;
+  ui::CaseOrigin origin_;
   Probe probe_;
   ImagingSettings settings_;
   AcousticTable tissues_;

@@ -44,6 +44,10 @@ void TrainWorkspace::setAccount(ui::Account& account) {
   parts_->setAccount(account);
 }
 
+void TrainWorkspace::setOrigin(const ui::CaseOrigin& origin) {
+  parts_->origin = origin;
+}
+
 void TrainWorkspace::setCase(std::shared_ptr<const PatientCase> patient) {
   parts_->setCase(std::move(patient));
 }

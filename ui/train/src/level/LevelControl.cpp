@@ -6,6 +6,7 @@
 
 #include <insonate/ui/KnownCases.h>
 
+#include <QFileInfo>
 #include <algorithm>
 #include <utility>
 
@@ -31,7 +32,13 @@ bool LevelControl::fits() const {
   const auto& patient = session_.patient();
   if (!patient) return false;
   const QString title = qt(patient->manifest.title);
-  return title == ui::titleOfCase(qt(level_->caseName));
+  if (title != ui::titleOfCase(qt(level_->caseName))) return false;
+  // Of the same title there may be an author's draft: a level is practised on what was published.
+  const auto place = ui::placeOfCase(qt(level_->caseName));
+  if (!place) return true;
+  const ui::CaseOrigin& origin = session_.origin();
+  if (ui::builtInNames().contains(*place)) return origin.builtIn;
+  return QFileInfo(origin.folder) == QFileInfo(ui::placeForTraining(*place));
 }
 
 AttemptAim LevelControl::aim() const {

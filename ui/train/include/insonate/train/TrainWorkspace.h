@@ -21,6 +21,7 @@ class TrainWorkspace : public ui::Workspace {
 
   void setOpening(const QString& what) override;
   void setAccount(ui::Account& account) override;
+  void setOrigin(const ui::CaseOrigin& origin) override;
   void setCase(std::shared_ptr<const PatientCase> patient) override;
   /// An attempt and a level go on with the case as it was; the saved one comes after them.
   void caseSaved(std::shared_ptr<const PatientCase> patient) override;
