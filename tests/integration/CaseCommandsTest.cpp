@@ -98,6 +98,14 @@ TEST_F(CaseCommands, WhatIsNotFitIsNotPublished) {
   expectRefusal("publish ''", "the name is empty", 2);
 }
 
+TEST_F(CaseCommands, ASliceThatIsChosenStandsForItsSeries) {
+  makeSeries();
+  const auto slice = fs::directory_iterator(folder_ / "series")->path();
+  ASSERT_EQ(run("import " + shellWord(slice) + " " + at("one")).status, 0);
+  ASSERT_EQ(run("import " + at("series") + " " + at("all")).status, 0);
+  EXPECT_EQ(bytesOf(folder_ / "one/ct.nrrd"), bytesOf(folder_ / "all/ct.nrrd"));
+}
+
 TEST_F(CaseCommands, ACaseIsNotOverwrittenSilently) {
   makeSeries();
   fs::create_directory(folder_ / "case");

@@ -250,6 +250,33 @@ TEST_F(DicomImport, SeveralSeriesAreListedNotGuessed) {
   EXPECT_THAT(importSeries(series, "1.2.3").error().message, HasSubstr("no series 1.2.3"));
 }
 
+TEST_F(DicomImport, ASliceThatIsChosenStandsForItsSeries) {
+  write(test::noiseCt(test::grid({6, 6, 7}, {1, 1, 2})));
+  const ImportedCt whole = imported();
+  // Another series, a copy of the slice and something else in the same folder.
+  ASSERT_TRUE(writeDicomSeries(test::noiseCt(test::grid({4, 4, 5})), folder / "other", {.seed = "other"}));
+  const fs::path chosen = files()[3];
+  for (const auto& entry : fs::directory_iterator(folder / "other"))
+    fs::copy_file(entry.path(), series / ("other-" + entry.path().filename().string()));
+  fs::copy_file(chosen, series / "copy.dcm");
+  test::writeText(series / "readme.txt", "no slice");
+
+  const auto one = importSeries(chosen);
+  ASSERT_TRUE(one) << one.error().message;
+  EXPECT_EQ(one->ct.geometry, whole.ct.geometry);
+  EXPECT_EQ(one->ct.voxels, whole.ct.voxels);
+  EXPECT_THAT(one->series.warnings, testing::IsEmpty());
+  const auto listing = listSeries(chosen);
+  ASSERT_TRUE(listing);
+  EXPECT_EQ(listing->series.size(), 1U);
+
+  fs::create_directory(folder / "alone");
+  fs::copy_file(chosen, folder / "alone/slice.dcm");
+  const auto alone = importSeries(folder / "alone/slice.dcm");
+  ASSERT_TRUE(alone) << alone.error().message;
+  EXPECT_EQ(alone->ct.geometry.size[2], 1) << "the folder has just that";
+}
+
 TEST_F(DicomImport, NothingIdentifyingEntersTheCase) {
   write(test::noiseCt(test::grid({6, 6, 3})));
   for (const fs::path& file : files())

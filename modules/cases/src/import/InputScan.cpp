@@ -135,6 +135,39 @@ std::string unreadableText(const std::vector<SetAside>& unreadable) {
   return text;
 }
 
+namespace {
+
+bool sameSlice(const DicomSlice& a, const DicomSlice& b) {
+  return a.sopUid == b.sopUid || (a.position_mm && b.position_mm && norm(*a.position_mm - *b.position_mm) < 1e-3);
+}
+
+/// Who chooses a slice means its series: what lies beside it of that. Copies of the slice itself stay out.
+Result<void> addSeriesOf(const DicomSlice& chosen, InputScan& scan, std::vector<DicomSlice>& slices,
+                         const Progress& progress) {
+  const fs::path folder = chosen.file.has_parent_path() ? chosen.file.parent_path() : fs::path(".");
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error))
+    if (std::error_code ignored;
+        entry->is_regular_file(ignored) && !fs::equivalent(entry->path(), chosen.file, ignored))
+      files.push_back(entry->path());
+  std::ranges::sort(files);
+  for (std::size_t n = 0; n < files.size(); ++n) {
+    if (!report(progress, "Looking for its series", static_cast<double>(n) / static_cast<double>(files.size())))
+      return fail(std::string(kCancelled));
+    if (isVolumeFile(files[n])) continue;
+    if (const std::string why = whyClosed(files[n]); !why.empty()) {
+      addUnreadable(files[n], why, scan);
+      continue;
+    }
+    for (DicomSlice& slice : scanDicom(files[n]).slices)
+      if (slice.seriesUid == chosen.seriesUid && !sameSlice(slice, chosen)) slices.push_back(std::move(slice));
+  }
+  return {};
+}
+
+}  // namespace
+
 Result<InputScan> scanInput(const fs::path& input, const Progress& progress) {
   InputScan scan;
   const auto files = filesOf(input, scan);
@@ -152,6 +185,10 @@ Result<InputScan> scanInput(const fs::path& input, const Progress& progress) {
     if (!dicom.setAside.empty()) scan.setAside.push_back({file, dicom.setAside});
     std::ranges::move(dicom.slices, std::back_inserter(slices));
   }
+  std::error_code error;
+  if (slices.size() == 1 && fs::is_regular_file(input, error))
+    if (auto ok = addSeriesOf(DicomSlice(slices.front()), scan, slices, progress); !ok)
+      return tl::unexpected(ok.error());
   addDicom(slices, scan);
   return scan;
 }

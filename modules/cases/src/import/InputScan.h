@@ -33,7 +33,8 @@ struct InputScan {
 /// "FILE cannot be read (why), and so are 2 more"; the list is not empty.
 std::string unreadableText(const std::vector<SetAside>& unreadable);
 
-/// Reads the headers of a folder with its subfolders, or of one file. Fails on a missing or unreadable input.
+/// Reads the headers of a folder with its subfolders, or of one file; of a DICOM slice, those of its series beside it,
+/// too. Fails on a missing or unreadable input.
 Result<InputScan> scanInput(const std::filesystem::path& input, const Progress& progress);
 
 }  // namespace insonate

@@ -39,7 +39,8 @@ struct ImportedCt {
   std::string source;  ///< for CaseManifest::source; holds a one-way hash of the UID, no names, dates or file names
 };
 
-/// Lists what a folder (searched with its subfolders) or a single file holds, from the headers only.
+/// Lists what a folder (searched with its subfolders) or a single file holds, from the headers only. A DICOM slice
+/// stands for its series, as far as that lies in the same folder.
 /// Fails when the input does not exist, cannot be read, or holds no series at all.
 Result<SeriesListing> listSeries(const std::filesystem::path& input, const Progress& progress = {});
 
