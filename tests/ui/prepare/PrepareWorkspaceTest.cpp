@@ -221,5 +221,22 @@ TEST_F(PrepareWindow, GoesAtAnyMoment) {
   }
 }
 
+TEST_F(PrepareWindow, ThePaletteHasWholeNamesOrNone) {
+  openCase();
+  auto* palette = child<QWidget>("toolBar");
+  const auto names = [&] { return child<QToolButton>("tool-threshold")->toolButtonStyle(); };
+  const auto isWhole = [](const QToolButton* button) { return button->width() >= button->sizeHint().width(); };
+  workspace_->resize(1600, 760);
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        return names() == Qt::ToolButtonTextUnderIcon &&
+               std::ranges::all_of(palette->findChildren<QToolButton*>(), isWhole);
+      },
+      kPatience_ms));
+  workspace_->resize(1000, 760);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return names() == Qt::ToolButtonIconOnly; }, kPatience_ms));
+  EXPECT_FALSE(child<QToolButton>("tool-threshold")->toolTip().isEmpty());
+}
+
 }  // namespace
 }  // namespace insonate::prepare

@@ -249,6 +249,18 @@ TEST_F(MainWindow, EscapeCancelsWhatIsBeingDone) {
   EXPECT_TRUE(ui::waitForJobs(std::chrono::milliseconds(1000)));
 }
 
+TEST_F(MainWindow, NothingMovesWhileALongJobShows) {
+  Window w;
+  QApplication::processEvents();
+  const QRect before(w.train->parentWidget()->mapTo(&w.window, QPoint()), w.train->parentWidget()->size());
+  w.window.openTextbook();
+  ASSERT_TRUE(waitUntil([&] { return w.window.tasks().isVisible(); }));
+  QApplication::processEvents();
+  EXPECT_EQ(QRect(w.train->parentWidget()->mapTo(&w.window, QPoint()), w.train->parentWidget()->size()), before);
+  w.window.tasks().cancel();
+  EXPECT_TRUE(ui::waitForJobs(std::chrono::milliseconds(1000)));
+}
+
 TEST_F(MainWindow, RemembersWorkspaceLayoutAndRecentCases) {
   {
     Window w;

@@ -18,7 +18,6 @@ ToolBar::ToolBar(ToolSession& tools, QWidget* parent) : QWidget(parent), tools_(
   auto* box = new QHBoxLayout(this);
   box->setContentsMargins(ui::kSmallGap, ui::kSmallGap, ui::kSmallGap, ui::kSmallGap);
   box->setSpacing(0);
-  // All fit beside each other where the window is 1366 pixels wide.
   setStyleSheet(QStringLiteral("QToolButton { padding: 4px 3px; }"));
   QToolButton* look = add({}, tr("Look"), tr("No tool: the left button moves the crosshair (Esc)"));
   connect(look, &QToolButton::clicked, this, [this] { tools_.choose({}); });
@@ -66,6 +65,18 @@ QToolButton* ToolBar::add(const QString& id, const QString& name, const QString&
   button->setFocusPolicy(Qt::TabFocus);
   static_cast<QHBoxLayout*>(layout())->addWidget(button);
   return button;
+}
+
+/// A name that is cut off tells nothing; the tooltip has it whole.
+void ToolBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  int words_px = 2 * ui::kSmallGap;
+  for (const Entry& entry : entries_) {
+    entry.button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    words_px += entry.button->sizeHint().width();
+  }
+  if (words_px <= width()) return;
+  for (const Entry& entry : entries_) entry.button->setToolButtonStyle(Qt::ToolButtonIconOnly);
 }
 
 void ToolBar::refresh() {

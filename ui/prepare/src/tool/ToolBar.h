@@ -9,10 +9,16 @@ namespace insonate::prepare {
 
 class ToolSession;
 
-/// The palette: one button for each tool, or for a group of them, which unfolds. The tool in hand is marked.
+/// The palette: one button for each tool, or for a group of them, which unfolds. The tool in hand is marked. Where
+/// there is no room for all names, icons stand alone.
 class ToolBar : public QWidget {
  public:
   explicit ToolBar(ToolSession& tools, QWidget* parent = nullptr);
+  /// Names give way, so that the views beside it need not.
+  QSize minimumSizeHint() const override { return {0, QWidget::minimumSizeHint().height()}; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QToolButton* add(const QString& id, const QString& name, const QString& tip);

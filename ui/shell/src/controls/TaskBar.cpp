@@ -16,9 +16,10 @@ namespace insonate::ui {
 namespace {
 
 constexpr int kLook_ms = 30;
-/// What is done sooner is not announced: everything below would move down and up again.
+/// What is done sooner is not announced.
 constexpr int kUnseen_ms = 600;
 constexpr int kFine = 1000;  // of the progress bar
+constexpr int kDoing_px = 180, kProgress_px = 140;
 
 }  // namespace
 
@@ -42,18 +43,19 @@ TaskBar::TaskBar(QWidget* parent)
   setObjectName(QStringLiteral("taskBar"));
   setRole(title_, "heading");
   setRole(doing_, "quiet");
-  doing_->setMinimumWidth(240);
+  doing_->setFixedWidth(kDoing_px);  // words change, the bar stays where it is
   progress_->setRange(0, kFine);
   progress_->setTextVisible(false);
+  progress_->setFixedWidth(kProgress_px);
   progress_->setAccessibleName(tr("Progress"));
   cancel_->setToolTip(tr("Stop this within a second (Esc)"));
 
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(kLargeGap, kGap, kLargeGap, kGap);
-  row->setSpacing(kLargeGap);
+  row->setContentsMargins(kLargeGap, 2, kLargeGap, 2);
+  row->setSpacing(kGap);
   row->addWidget(title_);
   row->addWidget(doing_);
-  row->addWidget(progress_, 1);
+  row->addWidget(progress_);
   row->addWidget(cancel_);
   timer_->setInterval(kLook_ms);
   connect(timer_, &QTimer::timeout, this, &TaskBar::look);

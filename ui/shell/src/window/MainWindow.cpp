@@ -14,12 +14,14 @@
 
 #include <QCloseEvent>
 #include <QGuiApplication>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace insonate::ui {
 namespace {
@@ -73,10 +75,18 @@ void MainWindow::arrange() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(header_);
-  column->addWidget(tasks_);
   column->addWidget(errors_);
   column->addWidget(stack_, 1);
-  column->addWidget(status_);
+  // A long job shows beside the status line: nothing above it moves when it comes and goes.
+  auto* foot = new QWidget;
+  foot->setObjectName(QStringLiteral("foot"));
+  auto* row = new QHBoxLayout(foot);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  row->addWidget(status_, 1);
+  row->addWidget(tasks_);
+  foot->setFixedHeight(std::max(status_->sizeHint().height(), tasks_->sizeHint().height()));
+  column->addWidget(foot);
   setCentralWidget(centre);
   setMinimumSize(kLeast);
   const QSize screen = QGuiApplication::primaryScreen() ? QGuiApplication::primaryScreen()->availableSize() : QSize();
