@@ -92,6 +92,8 @@ Result<void> label(const LabelArguments& a) {
     LabelEdit edit(patient.ct, patient.labels);
     const auto changes = perform(*recipe, edit, terminalProgress());
     if (!changes) return tl::unexpected(changes.error());
+    // What the case calls a label goes before what the recipe calls it.
+    patient.manifest.ownLabels.insert(recipe->labels.begin(), recipe->labels.end());
     object["steps"] = toJson(*recipe, *changes);
   }
   if (!a.truth.empty()) {

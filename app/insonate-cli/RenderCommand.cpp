@@ -4,7 +4,7 @@
 #include "Presser.h"
 #include "RenderOutputs.h"
 
-#include <insonate/cases/PatientCase.h>
+#include <insonate/cases/TissueLabels.h>
 #include <insonate/simulator/DisplacementFile.h>
 #include <insonate/simulator/EffectLayers.h>
 #include <insonate/simulator/Imager.h>
@@ -71,6 +71,7 @@ Result<RenderJob> readJob(const RenderOptions& options) {
   if (!needle) return tl::unexpected(needle.error());
   auto read = readCase(options.caseFolder);
   if (!read) return tl::unexpected(read.error());
+  putTissues(read->patient);
   auto path = readPoses(options.pose, read->patient);
   if (!path) return tl::unexpected(path.error());
   RenderJob job{std::move(read->patient), std::move(*setup),  std::move(*path),

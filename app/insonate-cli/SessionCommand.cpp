@@ -3,7 +3,7 @@
 #include "Commands.h"
 #include "curriculum/RecordingCheck.h"
 
-#include <insonate/cases/PatientCase.h>
+#include <insonate/cases/TissueLabels.h>
 #include <insonate/simulator/AttemptPictures.h>
 #include <insonate/simulator/ScriptedSession.h>
 
@@ -36,6 +36,7 @@ Result<PatientCase> caseOf(const std::string& folder) {
   auto read = readCase(folder);
   if (!read) return tl::unexpected(read.error());
   for (const std::string& note : read->notes) std::cerr << "note: " << note << '\n';
+  putTissues(read->patient);
   return std::move(read->patient);
 }
 

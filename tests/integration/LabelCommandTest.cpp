@@ -82,6 +82,17 @@ TEST_F(LabelCommand, WithOutTheCaseStaysAsItIs) {
   EXPECT_THAT(again.errors, HasSubstr("already holds a case"));
 }
 
+TEST_F(LabelCommand, ARecipeBringsTheNamesOfItsLabels) {
+  write("recipe.json", R"({"labels": [{"label": 20, "name": "port", "tissue": "bone"}],
+    "steps": [{"tool": "paint", "label": 20, "points_mm": [[0, 12, 0]], "radius_mm": 5}]})");
+  const CommandResult done = run("label " + at("case") + " " + at("recipe.json"));
+  ASSERT_EQ(done.status, 0) << done.errors;
+  const auto read = readCase(folder_ / "case");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->patient.manifest.ownLabels, (OwnLabels{{20, {"port", kBone}}}));
+  EXPECT_TRUE(std::ranges::count(read->patient.labels.voxels, 20));
+}
+
 TEST_F(LabelCommand, ScoresWithoutARecipeAndWritesNothing) {
   const std::string before = test::bytesOf(folder_ / "case/labels.seg.nrrd");
   const CommandResult done = run("label " + at("case") + " --score " + at("truth/labels.seg.nrrd"));

@@ -79,13 +79,23 @@ Result<void> writeCaseFiles(const PatientCase& patient, const CaseManifest& mani
         !ok)
       return ok;
   if (auto ok = writeNrrd(folder / kLabelFile, labels.geometry, "unsigned char",
-                          std::as_bytes(std::span(labels.voxels)), slicerFields(labels, patient.colours), progress);
+                          std::as_bytes(std::span(labels.voxels)), slicerFields(patient), progress);
       !ok)
     return ok;
-  if (auto ok = writeAtomically(folder / kSnapFile, itkSnapLabelText(labels, patient.colours)); !ok) return ok;
+  if (auto ok = writeAtomically(folder / kSnapFile, itkSnapLabelText(patient)); !ok) return ok;
   if (auto ok = writeAtomically(folder / kManifestFile, manifestToJson(manifest)); !ok) return ok;
   if (!report(progress, "Writing the case", 1)) return fail(std::string(kCancelled));
   return {};
+}
+
+std::string_view nameOf(LabelState state) {
+  constexpr std::array<std::string_view, 4> kNames{"not started", "in progress", "completed", "flagged"};
+  return kNames[static_cast<std::size_t>(state)];
+}
+
+LabelState stateOf(const LabelStates& states, std::uint8_t label, bool hasVoxels) {
+  const auto found = states.find(label);
+  return found != states.end() ? found->second : hasVoxels ? LabelState::InProgress : LabelState::NotStarted;
 }
 
 Result<CaseManifest> readManifest(const fs::path& file, std::vector<std::string>& notes) {
@@ -138,6 +148,10 @@ Result<CaseReadResult> readCase(const fs::path& folder) {
   map.geometry = ct->geometry;
   auto manifest = readManifest(folder / kManifestFile, result.notes);
   if (!manifest) return tl::unexpected(manifest.error());
+  // Another program that has edited the labels knows better than case.json, if it says anything.
+  for (auto& [label, own] : labels->own) manifest->ownLabels[label] = std::move(own);
+  for (const auto& [label, state] : labels->states)
+    if (state != stateOf(manifest->states, label, true)) manifest->states[label] = state;
   result.patient = {std::move(*manifest), std::move(*ct), std::move(map), std::move(labels->colours)};
   return result;
 }

@@ -35,6 +35,15 @@ TEST(CaseCheck, GoodCaseHasNoFindings) {
   EXPECT_EQ(codes(findings), "");
 }
 
+TEST(CaseCheck, LabelsOfTheAuthorsOwnAreWhatTheyAreMadeOf) {
+  PatientCase patient = test::cylinderNeck();
+  for (std::uint8_t& label : patient.labels.voxels)
+    if (label == kVein) label = 100;
+  EXPECT_TRUE(has(findingsOf(patient), "no_vein", Severity::kError));
+  patient.manifest.ownLabels = {{100, {"right jugular", kVein}}};
+  EXPECT_EQ(codes(findingsOf(patient)), "") << "the same case to a trainee";
+}
+
 /// One thing wrong with a good case, and what must be found.
 struct Defect {
   const char* code;

@@ -38,6 +38,9 @@ TEST_P(CaseRoundTrip, KeepsVoxelsGridAndManifest) {
   patient.manifest.title = "Ä \"quoted\" title";
   patient.manifest.difficulty = "hard";
   patient.manifest.shown = {{kVein, {0.4, true}}, {kBone, {1, false}}};
+  patient.labels.voxels[0] = 100;
+  patient.manifest.ownLabels = {{100, {"left \u00c4ste", kVein}}, {101, {"nothing yet", kBone}}};
+  patient.manifest.states = {{kVein, LabelState::Completed}, {101, LabelState::Flagged}};
   patient.manifest.importNotes = {"The slices were tilted.", "Padding was named."};
   patient.manifest.targets = {{"vein", kVein, {1.5, -2.25, 1e-3}}};
   patient.manifest.startPoses = {{"start", {0, 1, 2}, {0, 0.6, 0.8}, {1, 0, 0}}};
@@ -60,6 +63,9 @@ TEST_P(CaseRoundTrip, KeepsVoxelsGridAndManifest) {
   EXPECT_EQ(m.title, patient.manifest.title);
   EXPECT_EQ(m.difficulty, "hard");
   EXPECT_EQ(m.shown, patient.manifest.shown);
+  EXPECT_EQ(m.ownLabels, patient.manifest.ownLabels);
+  EXPECT_EQ(m.states.at(kVein), LabelState::Completed);
+  EXPECT_EQ(m.states.at(101), LabelState::Flagged);
   EXPECT_EQ(m.importNotes, patient.manifest.importNotes);
   ASSERT_EQ(m.targets.size(), 1U);
   EXPECT_EQ(m.targets[0].label, kVein);
@@ -104,6 +110,68 @@ TEST(CaseFiles, ColoursOfTheAuthorAreKeptInTheSegmentation) {
   EXPECT_EQ(colourOf(read->patient.colours, kVein), (LabelColour{1, 128, 254}));
   EXPECT_EQ(colourOf(read->patient.colours, kArtery), labelTable()[kArtery].colour);
   EXPECT_THAT(test::contentOf(folder / "case/labels.label.txt"), HasSubstr("    6     1  128  254"));
+}
+
+/// A case whose author called a label so.
+PatientCase caseWithName(const std::string& name) {
+  PatientCase patient = test::noiseCase(test::grid({6, 5, 4}));
+  patient.labels.voxels[0] = 16;
+  patient.manifest.ownLabels = {{16, {tidyLabelName(name), kVein}}};
+  return patient;
+}
+
+TEST(CaseFiles, ANameInSlicersFileGoesBeforeThatOfTheManifest) {
+  test::TemporaryFolder folder;
+  ASSERT_TRUE(writeCase(caseWithName("before"), folder / "case"));
+  const auto file = folder / "case/labels.seg.nrrd";
+  std::string bytes = test::contentOf(file);
+  const std::size_t at = bytes.find("Name:=before");
+  ASSERT_NE(at, std::string::npos);
+  test::writeText(file, bytes.replace(at, 12, "Name:=after "));
+  EXPECT_EQ(readCase(folder / "case")->patient.manifest.ownLabels, (OwnLabels{{16, {"after", kVein}}}));
+}
+
+TEST(CaseFiles, WhereItkSnapHasDroppedNamesTheManifestHasThem) {
+  test::TemporaryFolder folder;
+  const PatientCase patient = caseWithName("kept");
+  ASSERT_TRUE(writeCase(patient, folder / "case"));
+  std::filesystem::remove(folder / "case/labels.seg.nrrd");
+  std::string plain = "type: unsigned char\ndimension: 3\nsizes: 6 5 4\nspace: left-posterior-superior\n";
+  plain += "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\n";
+  test::writeRawNrrd(folder / "case/labels.nrrd", plain, test::bytesOf(patient.labels.voxels));
+  const auto read = readCase(folder / "case");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->patient.manifest.ownLabels, patient.manifest.ownLabels);
+}
+
+TEST(CaseFiles, HostileNamesDoNoHarm) {
+  test::TemporaryFolder folder;
+  for (const std::string& name :
+       {std::string(10'000, 'x'), std::string("a\nSegment0_LabelValue:=9\nb"), std::string("<img src=x> & \"q\" \\n"),
+        std::string("\xff\xfe"), std::string(":=|~^")}) {
+    const PatientCase patient = caseWithName(name);
+    ASSERT_TRUE(writeCase(patient, folder / "case"));
+    const auto read = readCase(folder / "case");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->patient.labels.voxels, patient.labels.voxels) << name.substr(0, 20);
+    EXPECT_EQ(read->patient.manifest.ownLabels, patient.manifest.ownLabels) << name.substr(0, 20);
+  }
+}
+
+TEST(CaseFiles, HostileEntriesOfLabelsAreRefusedOrTidied) {
+  test::TemporaryFolder folder;
+  ASSERT_TRUE(writeCase(test::noiseCase(test::grid({6, 5, 4})), folder / "case"));
+  const auto read = [&](const std::string& structure) {
+    test::writeText(folder / "case/case.json",
+                    R"({"schema_version": 1, "structures": [{"label": 20, )" + structure + "}]}");
+    return readCase(folder / "case");
+  };
+  EXPECT_EQ(read(R"("name": "a\nb")")->patient.manifest.ownLabels, (OwnLabels{{20, {"a b", kSoftTissue}}}));
+  EXPECT_EQ(read(R"("opacity": 0.5)")->patient.manifest.ownLabels, OwnLabels{}) << "of a case of earlier programs";
+  EXPECT_THAT(read(R"("name": 7)").error().message, HasSubstr("structures[0].name must be text"));
+  EXPECT_THAT(read(R"("tissue": "stone")").error().message, HasSubstr("structures[0].tissue must be"));
+  EXPECT_THAT(read(R"("tissue": "background")").error().message, HasSubstr("structures[0].tissue must be"));
+  EXPECT_THAT(read(R"("state": "done")").error().message, HasSubstr("\"completed\""));
 }
 
 TEST(CaseFiles, SameCaseSameBytes) {

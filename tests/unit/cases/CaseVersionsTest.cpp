@@ -1,6 +1,7 @@
 #include "CaseSamples.h"
 
 #include <insonate/cases/CaseVersions.h>
+#include <insonate/cases/TissueLabels.h>
 
 #include <gmock/gmock.h>
 #include <sys/wait.h>
@@ -83,6 +84,20 @@ TEST_F(CaseVersions, WhatDoesNotMatterForATraineeKeepsTheVersion) {
   EXPECT_EQ(version.number, 1);
   EXPECT_EQ(version.date, "2026-11-20");
   EXPECT_EQ(read(folder_).manifest.title, "Another title");
+}
+
+TEST_F(CaseVersions, WhatALabelIsMadeOfIsContentAndItsNameIsNot) {
+  PatientCase patient = test::noiseCase(test::grid({6, 5, 4}));
+  patient.labels.voxels[0] = 20;
+  const std::string before = voxelHashOf(patient);
+  patient.manifest.ownLabels = {{20, {"a", kBone}}};
+  EXPECT_NE(voxelHashOf(patient), before);
+  const std::string bone = voxelHashOf(patient);
+  patient.manifest.ownLabels[20].name = "b";
+  EXPECT_EQ(voxelHashOf(patient), bone);
+  putTissues(patient);
+  EXPECT_EQ(patient.labels.voxels[0], kBone);
+  EXPECT_EQ(voxelHashOf(patient), bone) << "as a trainee has it";
 }
 
 TEST_F(CaseVersions, TargetsAndStartPosesAreContent) {

@@ -140,14 +140,46 @@ TEST_F(DicomSegmentation, NamesWhereTheCodeIsAnotherSchemes) {
       test::setText(code, Tag(0x0008, 0x0100), VR::SH, "T-48170");
       test::setText(code, Tag(0x0008, 0x0102), VR::SH, "SRT");
       test::setSequence(segment, Tag(0x0062, 0x000f), {code});
+      test::setText(segment, Tag(0x0062, 0x0009), VR::LO, "of another program");
     }
     test::setText(segments[0], Tag(0x0062, 0x0005), VR::LO, "Thing");
     test::setText(segments[1], Tag(0x0062, 0x0005), VR::LO, "Left jugular vein");
   });
   const LabelReadResult back = read();
   EXPECT_EQ(back.labels.at(2, 3, 1), kVein);
-  EXPECT_EQ(back.labels.at(5, 6, 3), kSoftTissue);
+  EXPECT_EQ(back.labels.at(5, 6, 3), kLabelCount);
+  EXPECT_EQ(back.own, (OwnLabels{{kLabelCount, {"", kSoftTissue}}})) << "kept apart, without a name that may identify";
   EXPECT_THAT(back.notes, Contains(HasSubstr("\"Thing\" (number 1) is no structure this program knows")));
+}
+
+TEST_F(DicomSegmentation, LabelsOfTheAuthorsOwnKeepNameAndTissue) {
+  PatientCase made = twoVessels();
+  made.labels.at(1, 1, 1) = 40, made.labels.at(1, 2, 1) = 200, made.labels.at(1, 3, 1) = 201;
+  made.manifest.ownLabels = {{40, {"Vena jugularis externa, Äste", kVein}}, {200, {"", kSoftTissue}}};
+  made.colours = {{40, {1, 2, 3}}};
+  write(made);
+  const LabelReadResult back = read();
+  // DICOM numbers segments by itself; what has no name but its number keeps that.
+  EXPECT_EQ(back.own, (OwnLabels{{16, {"Vena jugularis externa, Äste", kVein}}, {200, {"", kSoftTissue}}}))
+      << "and nobody said what 201 is";
+  EXPECT_EQ(back.labels.at(1, 1, 1), 16);
+  EXPECT_EQ(back.labels.at(1, 2, 1), 200);
+  EXPECT_EQ(back.labels.at(1, 3, 1), 201);
+  EXPECT_EQ(back.labels.at(2, 3, 1), kVein) << "named as the table does";
+  EXPECT_EQ(back.colours, (LabelColours{{16, {1, 2, 3}}}));
+}
+
+TEST_F(DicomSegmentation, TheCodeIsOfTheTissueAndTheNameTheAuthors) {
+  PatientCase made = twoVessels();
+  made.manifest.ownLabels = {{100, {"left clavicle", kBone}}};
+  made.labels.at(1, 1, 1) = 100;
+  write(made);
+  gdcm::Reader reader;
+  reader.SetFileName(file.c_str());
+  ASSERT_TRUE(reader.Read());
+  const DataSet segment = items(reader.GetFile().GetDataSet(), kSegments).back();
+  EXPECT_EQ(bytesIn(segment, Tag(0x0062, 0x0005)), "left clavicle ");
+  EXPECT_EQ(bytesIn(items(segment, Tag(0x0062, 0x000f)).front(), Tag(0x0008, 0x0100)), "272673000 ");
 }
 
 TEST_F(DicomSegmentation, OnAnotherGridEachVoxelTakesThePixelItLiesIn) {

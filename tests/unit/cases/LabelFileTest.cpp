@@ -33,8 +33,9 @@ TEST(LabelFile, SlicerSegmentsAreMappedByTerminologyThenName) {
                      std::string("\0\1\2\3\4", 5));
   const auto read = readLabelMap(file);
   ASSERT_TRUE(read) << read.error().message;
-  EXPECT_THAT(read->labels.voxels, testing::ElementsAre(kBackground, kVein, kArtery, kSoftTissue, kBackground));
+  EXPECT_THAT(read->labels.voxels, testing::ElementsAre(kBackground, kVein, kArtery, kLabelCount, kBackground));
   EXPECT_THAT(read->notes, testing::Contains(HasSubstr("\"Tumour\"")));
+  EXPECT_EQ(read->own, (OwnLabels{{kLabelCount, {"Tumour", kSoftTissue}}})) << "kept apart, under its name";
   EXPECT_THAT(read->notes, testing::Contains(HasSubstr("4 belongs to no segment")));
 }
 

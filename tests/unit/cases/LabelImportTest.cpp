@@ -152,7 +152,7 @@ TEST(LabelImport, ItkSnapsDescriptionNamesTheNumbers) {
   ASSERT_TRUE(imported) << imported.error().message;
   const auto& found = imported->labels.voxels;
   EXPECT_EQ((std::vector<int>(found.begin(), found.begin() + 5)),
-            (std::vector<int>{kVein, kArtery, kSoftTissue, 0, 47}));
+            (std::vector<int>{kVein, kArtery, kLabelCount, 0, 47}));
   EXPECT_EQ(imported->colours.at(kVein), (LabelColour{10, 20, 30}));
   EXPECT_FALSE(imported->colours.contains(kArtery)) << "the label table's own colour";
   EXPECT_THAT(imported->notes, Contains(HasSubstr("The number 9 is not described")));
@@ -160,6 +160,7 @@ TEST(LabelImport, ItkSnapsDescriptionNamesTheNumbers) {
   PatientCase patient = blankCase();
   takeLabels(LabelReadResult(*imported), patient);
   EXPECT_THAT(patient.manifest.importNotes, testing::Each(testing::Not(HasSubstr("Smith"))));
+  EXPECT_EQ(patient.manifest.ownLabels, (OwnLabels{{kLabelCount, {"", kSoftTissue}}})) << "a name identifies";
 
   std::filesystem::rename(folder / "names.txt", folder / "seg.label.txt");
   const auto beside = importLabels(blankCase(), folder / "seg.nrrd");
@@ -185,15 +186,20 @@ TEST(LabelImport, ADamagedDescriptionIsNamedWithItsLine) {
 TEST(LabelImport, WhatIsWrittenComesBack) {
   test::TemporaryFolder folder;
   PatientCase patient = test::noiseCase(test::grid({6, 5, 4}, {1, 1, 2}, {100, 200, -50}));
-  patient.labels.voxels[0] = 200;
-  patient.colours = {{kVein, {1, 2, 3}}};
+  patient.labels.voxels[0] = 200, patient.labels.voxels[1] = 254;
+  patient.manifest.ownLabels = {{254, {"vein for later", kArtery}}};
+  patient.manifest.states = {{kVein, LabelState::Flagged}, {254, LabelState::NotStarted}};
+  patient.colours = {{kVein, {1, 2, 3}}, {254, {4, 5, 6}}};
   ASSERT_TRUE(writeLabelFile(patient, folder / "a.seg.nrrd"));
-  EXPECT_THAT(test::contentOf(folder / "a.label.txt"), HasSubstr("\"label 200\""));
+  EXPECT_THAT(test::contentOf(folder / "a.label.txt"),
+              testing::AllOf(HasSubstr("\"label 200\""), HasSubstr("\"vein for later\"")));
   const auto back = importLabels(patient, folder / "a.seg.nrrd");
   ASSERT_TRUE(back) << back.error().message;
-  // A segment of no known name is soft tissue; all others keep their numbers.
-  patient.labels.voxels[0] = kSoftTissue;
   EXPECT_EQ(back->labels.voxels, patient.labels.voxels);
+  EXPECT_EQ(back->own.at(254), patient.manifest.ownLabels.at(254)) << "written here, by an author";
+  EXPECT_EQ(back->states.at(kVein), LabelState::Flagged);
+  EXPECT_EQ(back->states.at(254), LabelState::NotStarted);
+  EXPECT_EQ(back->states.at(kArtery), LabelState::InProgress) << "what nobody said is what can be seen";
   EXPECT_EQ(back->colours, patient.colours);
   EXPECT_THAT(writeLabelFile(patient, folder / "a.nrrd").error().message, HasSubstr(".seg.nrrd"));
   EXPECT_THAT(writeLabelFile(blankCase(), folder / "b.seg.nrrd").error().message, HasSubstr("Nothing is labelled"));

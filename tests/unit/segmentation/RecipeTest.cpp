@@ -136,6 +136,25 @@ TEST(Recipe, OnlyLabelsThatAreNamedAreOverwritten) {
   EXPECT_TRUE(edit.rules.locked.test(kVein)) << "the edit's own rules are back";
 }
 
+TEST(Recipe, LabelsOfTheAuthorsOwnKeepTheirNames) {
+  Recipe recipe;
+  recipe.labels = {{16, {"left \u00c4ste", kVein}}, {17, {"", kBone}}, {18, {"", kSoftTissue}}};
+  recipe.steps.push_back({.tool = step::Logical{}, .label = 16});
+  const auto read = readRecipe(textOf(recipe));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->labels, recipe.labels);
+  EXPECT_EQ(read->steps[0].label, 16);
+
+  const auto with = [](const std::string& label) {
+    return readRecipe(R"({"labels": [)" + label + R"(], "steps": [{"tool": "auto"}]})");
+  };
+  EXPECT_EQ(with(R"({"label": 16, "name": "a\nb"})")->labels, (OwnLabels{{16, {"a b", kSoftTissue}}}));
+  EXPECT_EQ(with(R"({"label": 16, "name": ")" + std::string(10'000, 'x') + "\"}")->labels[16].name.size(), 64U);
+  EXPECT_THAT(with(R"({"label": 6, "name": "x"})").error().message, HasSubstr("'label'"));
+  EXPECT_THAT(with(R"({"label": 16, "tissue": "stone"})").error().message, HasSubstr("not 'stone'"));
+  EXPECT_THAT(with(R"({"label": 16, "tissue": "background"})").error().message, HasSubstr("'tissue'"));
+}
+
 TEST(Recipe, PresetsCanBeRead) {
   ASSERT_FALSE(recipePresets().empty());
   for (const Preset& preset : recipePresets()) {

@@ -1,5 +1,6 @@
 #include "TrainSession.h"
 
+#include <insonate/cases/TissueLabels.h>
 #include <insonate/simulator/EffectLayers.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/AcousticTable.h>
@@ -80,7 +81,7 @@ void TrainSession::stop() {
 
 void TrainSession::setCase(std::shared_ptr<const PatientCase> patient, const ui::CaseOrigin& origin) {
   stop();
-  patient_ = std::move(patient);
+  patient_ = inTissues(std::move(patient));
   origin_ = origin;
   control_.setHand(std::nullopt);
   hands_.setHeld(false);

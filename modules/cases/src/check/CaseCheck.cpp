@@ -1,5 +1,6 @@
 #include "Checks.h"
 
+#include <insonate/cases/TissueLabels.h>
 #include <insonate/tissue/Labels.h>
 
 #include <algorithm>
@@ -22,13 +23,16 @@ bool isFit(const std::vector<Finding>& findings) {
   return std::ranges::none_of(findings, [](const Finding& f) { return f.severity == Severity::kError; });
 }
 
-Result<std::vector<Finding>> checkCase(const CaseView& patient, const Progress& progress) {
+Result<std::vector<Finding>> checkCase(const CaseView& authors, const Progress& progress) {
   using namespace check;
   Findings findings;
   const auto cancelled = [&](double fraction) { return !report(progress, "Checking the case", fraction); };
   const auto stop = [] { return fail(std::string(kCancelled)); };
 
   if (cancelled(0)) return stop();
+  // What trainees meet.
+  const auto tissues = inTissues(authors.manifest.ownLabels, authors.labels);
+  const CaseView patient(authors.manifest, authors.ct, tissues ? *tissues : authors.labels);
   const LabelStatistics statistics = statisticsOf(patient);
   checkGrid(patient, statistics, findings);
   checkLabels(patient, statistics, findings);

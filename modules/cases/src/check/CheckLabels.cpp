@@ -144,7 +144,7 @@ void checkLabels(const CaseView& patient, const LabelStatistics& s, Findings& fi
       findings.push_back({Severity::kError, "unknown_label",
                           std::to_string(s.voxels[label]) + " voxels have the label " + std::to_string(label) +
                               ", which means nothing here (0 to " + std::to_string(kLabelCount - 1) +
-                              " do). Renumber or erase them.",
+                              " do). Say in the table of structures what it is made of, renumber or erase them.",
                           firstOf(label), static_cast<std::uint8_t>(label)});
     checkHu(s, label, findings);
     if (label != kAirway && label != kSkin && label != kOesophagus) inAir += s.inAir[label];

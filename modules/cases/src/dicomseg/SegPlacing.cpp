@@ -102,7 +102,7 @@ class Placer {
 
 Result<LabelReadResult> placeSegments(const DicomSegments& segments, const VolumeGeometry& grid,
                                       const Progress& progress) {
-  LabelReadResult result{LabelMap(grid), segments.notes, segments.colours};
+  LabelReadResult result{LabelMap(grid), segments.notes, segments.colours, segments.own, segments.foreign};
   const Placer placer(segments);
   const Transform patientFromIndex = grid.patientFromIndex();
   std::atomic<std::size_t> overlaps = 0;

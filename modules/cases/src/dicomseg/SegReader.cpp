@@ -1,6 +1,7 @@
 #include "SegReader.h"
 
 #include "../files/LabelNames.h"
+#include "../files/OwnNumbers.h"
 #include "../import/DicomElements.h"
 #include "../import/DicomFrames.h"
 #include "../import/DicomLayout.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <limits>
 #include <set>
@@ -24,7 +26,7 @@ namespace {
 using gdcm::DataSet;
 using gdcm::Tag;
 
-const Tag kPixelData(0x7fe0, 0x0010);
+const Tag kPixelData(0x7fe0, 0x0010), kLabel(0x0062, 0x0005), kType(0x0062, 0x000f);
 
 struct Segment {
   std::uint8_t label = 0;
@@ -37,20 +39,43 @@ std::string firstCode(const DataSet& data, Tag sequence, Tag part) {
   return items.empty() ? std::string{} : textOf(items.front(), part);
 }
 
+std::optional<Label> labelOfCode(const DataSet& item) {
+  const bool snomed = firstCode(item, kType, Tag(0x0008, 0x0102)) == "SCT";
+  return snomed ? labelFromSnomed(firstCode(item, kType, Tag(0x0008, 0x0100))) : std::nullopt;
+}
+
 /// By the code, then by the names that the file gives.
 std::optional<Label> labelOf(const DataSet& item) {
-  const Tag type(0x0062, 0x000f);
-  if (firstCode(item, type, Tag(0x0008, 0x0102)) == "SCT")
-    if (const auto known = labelFromSnomed(firstCode(item, type, Tag(0x0008, 0x0100)))) return known;
-  for (const std::string& name : {textOf(item, Tag(0x0062, 0x0005)), firstCode(item, type, Tag(0x0008, 0x0104))})
+  if (const auto known = labelOfCode(item)) return known;
+  for (const std::string& name : {textOf(item, kLabel), firstCode(item, kType, Tag(0x0008, 0x0104))})
     if (const auto known = labelFromAnyName(name)) return known;
   return std::nullopt;
 }
 
 /// What a label map may describe of the pixels that are in no segment.
 bool isBackground(const DataSet& item) {
-  const Tag type(0x0062, 0x000f);
-  return firstCode(item, type, Tag(0x0008, 0x0102)) == "DCM" && firstCode(item, type, Tag(0x0008, 0x0100)) == "125040";
+  return firstCode(item, kType, Tag(0x0008, 0x0102)) == "DCM" &&
+         firstCode(item, kType, Tag(0x0008, 0x0100)) == "125040";
+}
+
+struct Given {
+  std::uint8_t label = 0;
+  std::optional<OwnLabel> own;
+};
+
+/// What this program wrote of a label that the label table does not know: the author's name, the code of what it is
+/// made of, and, where there is no name, the number. None for what the table knows, and of other programs.
+std::optional<Given> givenHere(const DataSet& item, OwnNumbers& numbers) {
+  if (textOf(item, Tag(0x0062, 0x0009)) != kAlgorithm) return std::nullopt;
+  const std::string name = tidyLabelName(textOf(item, kLabel));
+  if (labelFromName(name)) return std::nullopt;
+  int number = 0;
+  std::sscanf(name.c_str(), "label %d", &number);
+  Given given{numbers.take(number), std::nullopt};
+  const bool named = name != labelName(given.label);
+  const auto tissue = labelOfCode(item);
+  if (isOwnLabel(given.label) && (named || tissue)) given.own = {named ? name : "", tissue.value_or(kSoftTissue)};
+  return given;
 }
 
 std::optional<LabelColour> colourOf(const DataSet& item) {
@@ -63,8 +88,31 @@ std::optional<LabelColour> colourOf(const DataSet& item) {
   return colourOfDicomLab(lab);
 }
 
+std::uint8_t giveLabel(const DataSet& item, unsigned number, OwnNumbers& numbers, DicomSegments& result) {
+  const std::string what = "The segment \"" + textOf(item, kLabel) + "\" (number " + std::to_string(number) + ")";
+  std::uint8_t label = kSoftTissue;
+  bool known = true;
+  if (auto given = givenHere(item, numbers)) {
+    label = given->label;
+    if (given->own) result.own[label] = std::move(*given->own);
+  } else if (const auto found = labelOf(item)) {
+    label = *found;
+  } else {
+    label = numbers.take(0);
+    known = isOwnLabel(label);
+    if (known) result.own[label] = {tidyLabelName(textOf(item, kLabel)), kSoftTissue}, result.foreign.insert(label);
+    result.notes.push_back(unknownStructure(what, label));
+  }
+  if (!result.foreign.contains(label) && known)
+    result.notes.push_back(what + " is read as " + labelName(label) + " (" + std::to_string(label) + ").");
+  if (const auto colour = colourOf(item); colour && known && *colour != insonate::colourOf({}, label))
+    result.colours.try_emplace(label, *colour);
+  return label;
+}
+
 Segments segmentsOf(const DataSet& data, DicomSegments& result) {
   Segments segments;
+  OwnNumbers numbers;
   for (const DataSet& item : itemsOf(data, Tag(0x0062, 0x0002))) {
     const auto number = shortOf(item, Tag(0x0062, 0x0004));
     if (!number) continue;
@@ -72,15 +120,7 @@ Segments segmentsOf(const DataSet& data, DicomSegments& result) {
       segments[*number] = {};
       continue;
     }
-    const auto known = labelOf(item);
-    const std::string what =
-        "The segment \"" + textOf(item, Tag(0x0062, 0x0005)) + "\" (number " + std::to_string(*number) + ")";
-    result.notes.push_back(
-        known ? what + " is read as " + labelName(*known) + " (" + std::to_string(*known) + ")."
-              : what + " is no structure this program knows and is read as soft tissue; rename it to change that.");
-    segments[*number] = {known.value_or(kSoftTissue), segments.size()};
-    if (const auto colour = colourOf(item); colour && known && *colour != labelTable()[*known].colour)
-      result.colours.try_emplace(*known, *colour);
+    segments[*number] = {giveLabel(item, *number, numbers, result), segments.size()};
   }
   return segments;
 }

@@ -7,10 +7,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace insonate {
+
+/// How segments of this program name their algorithm.
+inline constexpr const char* kAlgorithm = "Insonate";
 
 /// A DICOM segmentation as it is stored: frames of one size in any order, each a slice of one segment, or of all where
 /// the segmentation is a label map.
@@ -32,6 +36,8 @@ struct DicomSegments {
   std::string seriesUid;  ///< of the CT it was drawn on, where it says so; identifies, and must not be kept
   std::vector<std::string> notes;
   LabelColours colours;
+  OwnLabels own;
+  std::set<std::uint8_t> foreign;  ///< of these, whose names another program's user wrote
 
   /// Of a pixel that is counted from the frame's first; 0 where no segment is.
   std::uint8_t labelAt(const Frame& frame, std::size_t pixel) const {

@@ -1,6 +1,7 @@
 #include "../import/DerivedUid.h"
 #include "../import/DicomEncoding.h"
 #include "CieLab.h"
+#include "SegReader.h"
 #include "SegmentFrames.h"
 
 #include <insonate/cases/DicomSegmentation.h>
@@ -48,16 +49,19 @@ DataSet codeItem(const char* value, const char* scheme, const std::string& meani
   return item;
 }
 
-DataSet segmentItem(std::uint8_t label, std::uint16_t number, const LabelColours& colours) {
+/// A label of the author's own has its name, and the code of what it is made of.
+DataSet segmentItem(std::uint8_t label, std::uint16_t number, const PatientCase& patient) {
   DataSet item;
-  const bool coded = label < kLabelCount && !labelTable()[label].snomedCode.empty();
-  const LabelInfo& info = labelTable()[knownLabel(label)];
+  const OwnLabels& own = patient.manifest.ownLabels;
+  const std::uint8_t tissue = tissueOf(own, label);
+  const bool coded = tissue < kLabelCount;
+  const LabelInfo& info = labelTable()[knownLabel(tissue)];
   putSequence(item, Tag(0x0062, 0x0003), {codeItem("85756007", "SCT", "Tissue")});
   putShorts(item, Tag(0x0062, 0x0004), {number});
-  put(item, Tag(0x0062, 0x0005), VR::LO, labelName(label));
+  put(item, Tag(0x0062, 0x0005), VR::LO, labelName(own, label));
   put(item, Tag(0x0062, 0x0008), VR::CS, "SEMIAUTOMATIC");
-  put(item, Tag(0x0062, 0x0009), VR::LO, "Insonate");
-  const DicomLab lab = dicomLabOf(colourOf(colours, label));
+  put(item, Tag(0x0062, 0x0009), VR::LO, kAlgorithm);
+  const DicomLab lab = dicomLabOf(colourOf(patient.colours, label));
   putShorts(item, Tag(0x0062, 0x000d), {lab[0], lab[1], lab[2]});
   putSequence(item, Tag(0x0062, 0x000f),
               {coded ? codeItem(std::string(info.snomedCode).c_str(), "SCT", std::string(info.snomedMeaning))
@@ -87,6 +91,7 @@ DataSet dimension(const Uids& uids, Tag pointer, Tag group, const char* descript
 
 /// Series and equipment modules, and when it was made (PS3.3 A.51.3).
 void putSeries(DataSet& data, const Uids& uids) {
+  put(data, Tag(0x0008, 0x0005), VR::CS, "ISO_IR 192");  // UTF-8, for names
   put(data, Tag(0x0008, 0x0016), VR::UI, kSegmentationStorage);
   put(data, Tag(0x0008, 0x0018), VR::UI, uids.instance);
   std::array<char, 16> day, time;
@@ -135,7 +140,7 @@ void putImage(DataSet& data, const PatientCase& patient, const SegmentFrames& pa
   put(data, Tag(0x0062, 0x0001), VR::CS, "BINARY");
   std::vector<DataSet> segments;
   for (std::size_t n = 0; n < packed.labels.size(); ++n)
-    segments.push_back(segmentItem(packed.labels[n], static_cast<std::uint16_t>(n + 1), patient.colours));
+    segments.push_back(segmentItem(packed.labels[n], static_cast<std::uint16_t>(n + 1), patient));
   putSequence(data, Tag(0x0062, 0x0002), segments);
   put(data, Tag(0x0070, 0x0080), VR::CS, "SEGMENTATION");
   put(data, Tag(0x0070, 0x0081), VR::LO, "");

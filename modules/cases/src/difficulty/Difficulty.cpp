@@ -1,4 +1,5 @@
 #include <insonate/cases/Difficulty.h>
+#include <insonate/cases/TissueLabels.h>
 
 #include <algorithm>
 #include <array>
@@ -69,7 +70,9 @@ std::string sentenceOf(std::string_view grade, const std::vector<DifficultyShare
 
 }  // namespace
 
-Result<DifficultyEstimate> estimateDifficulty(const CaseView& patient) {
+Result<DifficultyEstimate> estimateDifficulty(const CaseView& authors) {
+  const auto tissues = inTissues(authors.manifest.ownLabels, authors.labels);
+  const CaseView patient(authors.manifest, authors.ct, tissues ? *tissues : authors.labels);
   if (patient.manifest.targets.empty())
     return fail("The difficulty cannot be estimated: the case names no target. Mark the vein to be punctured.");
   auto measures = measureVein(patient, patient.manifest.targets.front());

@@ -160,7 +160,10 @@ Result<CaseVersion> saveInTurn(const PatientCase& patient, const fs::path& named
 std::string voxelHashOf(const PatientCase& patient) {
   Fingerprint fingerprint;
   for (const int size : patient.labels.geometry.size) fingerprint.add(static_cast<std::uint64_t>(size));
-  for (const auto label : patient.labels.voxels) fingerprint.add(std::uint64_t{label});
+  std::array<std::uint64_t, 256> tissue{};
+  for (int label = 0; label < 256; ++label)
+    tissue[label] = tissueOf(patient.manifest.ownLabels, static_cast<std::uint8_t>(label));
+  for (const auto label : patient.labels.voxels) fingerprint.add(tissue[label]);
   for (const auto hu : patient.ct.voxels) fingerprint.add(std::uint64_t{static_cast<std::uint16_t>(hu)});
   return fingerprint.text();
 }

@@ -20,9 +20,11 @@ std::string line(int label, const std::array<std::uint8_t, 3>& colour, int visib
 
 }  // namespace
 
-std::string itkSnapLabelText(const LabelMap& labels, const LabelColours& colours) {
+std::string itkSnapLabelText(const PatientCase& patient) {
   std::array<bool, 256> used{};
-  for (const std::uint8_t v : labels.voxels) used[v] = true;
+  for (const std::uint8_t v : patient.labels.voxels) used[v] = true;
+  const OwnLabels& own = patient.manifest.ownLabels;
+  for (const auto& [label, meaning] : own) used[label] = true;
   const std::string rule = "################################################\n";
   std::string text = rule +
                      "# ITK-SnAP Label Description File\n"
@@ -39,10 +41,12 @@ std::string itkSnapLabelText(const LabelMap& labels, const LabelColours& colours
                      "#  LABEL:   Label description \n" +
                      rule + line(0, {0, 0, 0}, 0, "Clear Label");
   for (const LabelInfo& info : labelTable())
-    if (info.label != kBackground) text += line(info.label, colourOf(colours, info.label), 1, std::string(info.name));
-  for (int label = kLabelCount; label < 256; ++label)
-    if (used[label])
-      text += line(label, colourOf(colours, static_cast<std::uint8_t>(label)), 1, "label " + std::to_string(label));
+    if (info.label != kBackground)
+      text += line(info.label, colourOf(patient.colours, info.label), 1, std::string(info.name));
+  for (int number = kLabelCount; number < 256; ++number) {
+    const auto label = static_cast<std::uint8_t>(number);
+    if (used[label]) text += line(label, colourOf(patient.colours, label), 1, labelName(own, label));
+  }
   return text;
 }
 

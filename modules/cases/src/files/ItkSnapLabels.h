@@ -10,8 +10,8 @@
 
 namespace insonate {
 
-/// ITK-SNAP's label description file: every known label, and unknown ones that occur in the map.
-std::string itkSnapLabelText(const LabelMap& labels, const LabelColours& colours);
+/// ITK-SNAP's label description file: every known label, and others that have a name or occur in the map.
+std::string itkSnapLabelText(const PatientCase& patient);
 
 struct ItkSnapLabel {
   std::string name;

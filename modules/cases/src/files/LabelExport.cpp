@@ -29,17 +29,19 @@ Result<void> writeLabelFile(const PatientCase& patient, const fs::path& file, co
     return fail("Nothing is labelled, so there are no labels to write to " + file.string() + ".");
   const auto write = [&](const fs::path& beside) {
     return writeNrrd(beside, labels.geometry, "unsigned char", std::as_bytes(std::span(labels.voxels)),
-                     slicerFields(labels, patient.colours), progress);
+                     slicerFields(patient), progress);
   };
   if (auto ok = writeAtomically(file, write); !ok) return ok;
   std::string names = file.string();
   names.resize(names.size() - kEnding.size());
-  return writeAtomically(names + ".label.txt", itkSnapLabelText(labels, patient.colours));
+  return writeAtomically(names + ".label.txt", itkSnapLabelText(patient));
 }
 
 void takeLabels(LabelReadResult&& imported, PatientCase& patient) {
   patient.labels = std::move(imported.labels);
   patient.colours = std::move(imported.colours);
+  patient.manifest.ownLabels = std::move(imported.own);
+  patient.manifest.states = std::move(imported.states);
   patient.manifest.importNotes.push_back("The labels were imported from a file of another program.");
 }
 

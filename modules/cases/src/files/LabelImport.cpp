@@ -3,11 +3,13 @@
 #include "ItkSnapLabels.h"
 #include "LabelGrid.h"
 #include "LabelNames.h"
+#include "OwnNumbers.h"
 #include "VolumeFile.h"
 
 #include <insonate/cases/LabelFile.h>
 
 #include <map>
+#include <optional>
 #include <set>
 
 namespace insonate {
@@ -22,17 +24,26 @@ fs::path withoutEndings(const fs::path& file) {
   return name;
 }
 
-struct Meaning {
-  std::uint8_t label = kSoftTissue;
-  bool known = false;
-};
-
 /// Also of names that this program gives to numbers which it does not know.
-Meaning meaningOf(const std::string& name) {
-  if (const auto known = labelFromAnyName(name)) return {*known, true};
+std::optional<std::uint8_t> meaningOf(const std::string& name) {
+  if (const auto known = labelFromAnyName(name)) return *known;
   for (int number = kLabelCount; number < 256; ++number)
-    if (name == labelName(static_cast<std::uint8_t>(number))) return {static_cast<std::uint8_t>(number), true};
-  return {};
+    if (name == labelName(static_cast<std::uint8_t>(number))) return static_cast<std::uint8_t>(number);
+  return std::nullopt;
+}
+
+std::uint8_t labelFor(std::int32_t value, const ItkSnapLabel& described, OwnNumbers& numbers, LabelReadResult& result) {
+  std::optional<std::uint8_t> label = meaningOf(described.name);
+  if (!label) {
+    label = numbers.take(value);
+    result.notes.push_back(
+        unknownStructure("The label \"" + described.name + "\" (number " + std::to_string(value) + ")", *label));
+    if (!isOwnLabel(*label)) return *label;
+    result.own[*label] = {tidyLabelName(described.name), kSoftTissue};
+    result.foreign.insert(*label);
+  }
+  if (described.colour != colourOf({}, *label)) result.colours.try_emplace(*label, described.colour);
+  return *label;
 }
 
 Result<LabelReadResult> mapByNames(const fs::path& file, const fs::path& names) {
@@ -42,7 +53,10 @@ Result<LabelReadResult> mapByNames(const fs::path& file, const fs::path& names) 
   if (!values) return tl::unexpected(values.error());
   LabelReadResult result{LabelMap(values->geometry), {}};
   result.notes.push_back("The meaning of the numbers was taken from " + names.filename().string() + ".");
-  std::map<std::int32_t, Meaning> meanings;
+  OwnNumbers numbers;
+  for (const auto& [value, label] : *described)
+    if (const auto meaning = meaningOf(label.name)) numbers.keep(*meaning);
+  std::map<std::int32_t, std::uint8_t> meanings;
   std::set<std::int32_t> undescribed;
   for (std::size_t v = 0; v < values->voxels.size(); ++v) {
     const std::int32_t value = values->voxels[v];
@@ -53,17 +67,8 @@ Result<LabelReadResult> mapByNames(const fs::path& file, const fs::path& names) 
       continue;
     }
     const auto [meaning, isNew] = meanings.try_emplace(value);
-    if (isNew) {
-      meaning->second = meaningOf(found->second.name);
-      const auto [label, known] = meaning->second;
-      if (!known)
-        result.notes.push_back("The label \"" + found->second.name + "\" (number " + std::to_string(value) +
-                               ") is no structure this program knows and is read as soft tissue; rename it to change "
-                               "that.");
-      else if (found->second.colour != colourOf({}, label))
-        result.colours.try_emplace(label, found->second.colour);
-    }
-    result.labels.voxels[v] = meaning->second.label;
+    if (isNew) meaning->second = labelFor(value, found->second, numbers, result);
+    result.labels.voxels[v] = meaning->second;
   }
   for (const std::int32_t value : undescribed)
     result.notes.push_back("The number " + std::to_string(value) + " is not described and was ignored.");
@@ -79,6 +84,11 @@ Result<LabelReadResult> readNamed(const fs::path& file, const fs::path& names) {
   std::error_code error;
   if (!header->metadata.contains("Segment0_ID") && fs::exists(beside, error)) return mapByNames(file, beside);
   return readLabelMap(file);
+}
+
+/// A case holds nothing that identifies anybody.
+void forgetForeignNames(LabelReadResult& read) {
+  for (const std::uint8_t label : read.foreign) read.own[label].name.clear();
 }
 
 tl::unexpected<Error> inFile(const fs::path& file, const Error& error) {
@@ -110,13 +120,16 @@ Result<LabelReadResult> importLabels(const PatientCase& patient, const fs::path&
   if (!isVolumeFile(file)) {
     if (!isDicomSegmentation(file))
       return fail(file.string() + " holds no labels: it is neither a DICOM segmentation nor NRRD, NIfTI or MetaImage.");
-    return fromDicom(patient, file, progress);
+    auto read = fromDicom(patient, file, progress);
+    if (read) forgetForeignNames(*read);
+    return read;
   }
   auto read = readNamed(file, names);
   if (!read) return read;
   auto placed = placeLabels(read->labels, patient.ct.geometry, read->notes, progress);
   if (!placed) return inFile(file, placed.error());
   read->labels = std::move(*placed);
+  forgetForeignNames(*read);
   return read;
 }
 

@@ -28,10 +28,19 @@ json toJson(const Target& target) {
   return {{"name", target.name}, {"label", labelToJson(target.label)}, {"position_mm", toJson(target.position_mm)}};
 }
 
-json toJson(const std::map<std::uint8_t, StructureShown>& shown) {
+/// All that is said of each label.
+json structuresOf(const CaseManifest& m) {
+  std::map<std::uint8_t, json> structures;
+  for (const auto& [label, how] : m.shown)
+    structures[label].update({{"opacity", how.opacity}, {"visible", how.visible}});
+  for (const auto& [label, own] : m.ownLabels)
+    structures[label].update({{"name", own.name}, {"tissue", labelTable()[own.tissue].name}});
+  for (const auto& [label, state] : m.states) structures[label]["state"] = nameOf(state);
   json list = json::array();
-  for (const auto& [label, how] : shown)
-    list.push_back({{"label", labelToJson(label)}, {"opacity", how.opacity}, {"visible", how.visible}});
+  for (auto& [label, said] : structures) {
+    said["label"] = labelToJson(label);
+    list.push_back(std::move(said));
+  }
   return list;
 }
 
@@ -109,6 +118,28 @@ StructureShown shownFrom(const json& object, const std::string& where) {
   return shown;
 }
 
+OwnLabel ownFrom(const json& object, const std::string& where) {
+  const auto tissue = object.contains("tissue") ? labelFromName(textAt(object, "tissue", where)) : kSoftTissue;
+  if (!tissue || *tissue == kBackground) throw Wrong{where + "tissue", "a structure's name, e.g. \"vein\""};
+  return {tidyLabelName(textAt(object, "name", where)), *tissue};
+}
+
+LabelState stateFrom(const json& object, const std::string& where) {
+  const std::string text = textAt(object, "state", where);
+  for (const LabelState state :
+       {LabelState::NotStarted, LabelState::InProgress, LabelState::Completed, LabelState::Flagged})
+    if (text == nameOf(state)) return state;
+  throw Wrong{where + "state", "\"not started\", \"in progress\", \"completed\" or \"flagged\""};
+}
+
+void readStructure(const json& object, const std::string& where, CaseManifest& m) {
+  const std::uint8_t label = labelAt(object, where);
+  if (object.contains("opacity") || object.contains("visible")) m.shown[label] = shownFrom(object, where);
+  if (isOwnLabel(label) && (object.contains("name") || object.contains("tissue")))
+    m.ownLabels[label] = ownFrom(object, where);
+  if (object.contains("state")) m.states[label] = stateFrom(object, where);
+}
+
 StartPose poseFrom(const json& object, const std::string& where, std::vector<std::string>& notes) {
   StartPose pose{textAt(object, "name", where), vectorAt(object, "position_mm", where),
                  vectorAt(object, "axial", where), vectorAt(object, "lateral", where)};
@@ -184,8 +215,7 @@ CaseManifest manifestFrom(const json& document, std::vector<std::string>& notes)
     m.landmarks.push_back({textAt(o, "code", w), textAt(o, "name", w), vectorAt(o, "position_mm", w)});
   });
   m.version = versionFrom(document);
-  forEach(document, "structures",
-          [&](const json& o, const std::string& w) { m.shown[labelAt(o, w)] = shownFrom(o, w); });
+  forEach(document, "structures", [&](const json& o, const std::string& w) { readStructure(o, w, m); });
   constexpr std::array<std::string_view, 11> kFields{"version",    "schema_version", "title",     "description",
                                                      "difficulty", "source",         "landmarks", "import_notes",
                                                      "targets",    "start_poses",    "structures"};
@@ -212,7 +242,7 @@ std::string manifestToJson(const CaseManifest& m) {
                       {"start_poses", poses},
                       {"landmarks", landmarks},
                       {"version", toJson(m.version)},
-                      {"structures", toJson(m.shown)}};
+                      {"structures", structuresOf(m)}};
   // Text from anywhere may not be UTF-8; writing must not throw for it.
   return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }

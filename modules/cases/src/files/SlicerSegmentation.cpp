@@ -2,9 +2,11 @@
 
 #include "LabelNames.h"
 #include "NrrdWriter.h"
+#include "OwnNumbers.h"
 
 #include <insonate/tissue/Labels.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -19,8 +21,11 @@ struct Segment {
   int layer = 0;
   long value = 0;
   std::uint8_t label = 0;
-  bool known = true;
+  bool lost = false;  ///< no number was left for it
 };
+
+constexpr std::string_view kOwnTag = "Insonate.Label:", kStatusTag = "Segmentation.Status:";
+constexpr std::array<std::string_view, 4> kStatus{"notstarted", "inprogress", "completed", "flagged"};
 
 std::string colourText(const LabelColour& colour) {
   std::string text;
@@ -50,19 +55,23 @@ LabelColours coloursOf(const std::vector<Segment>& segments, const std::map<std:
   for (std::size_t n = 0; n < segments.size(); ++n) {
     const auto found = metadata.find("Segment" + std::to_string(n) + "_Color");
     const auto colour = found == metadata.end() ? std::nullopt : colourFromText(found->second);
-    if (colour && segments[n].known) all.try_emplace(segments[n].label, *colour);
+    if (colour && !segments[n].lost) all.try_emplace(segments[n].label, *colour);
   }
   std::erase_if(all, [](const auto& one) { return one.second == colourOf({}, one.first); });
   return all;
 }
 
-std::string tagsOfLabel(int label) {
-  std::string tags = "Segmentation.Status:completed|";
-  if (label < kLabelCount && !labelTable()[label].snomedCode.empty())
+/// A label of the author's own has the code of what it is made of.
+std::string tagsOfLabel(const CaseManifest& manifest, std::uint8_t label) {
+  const LabelState state = stateOf(manifest.states, label, true);
+  std::string tags = std::string(kStatusTag) + std::string(kStatus[static_cast<std::size_t>(state)]) + "|";
+  if (manifest.ownLabels.contains(label)) tags += std::string(kOwnTag) + std::to_string(label) + "|";
+  const std::uint8_t tissue = tissueOf(manifest.ownLabels, label);
+  if (tissue < kLabelCount)
     tags +=
         "TerminologyEntry:Segmentation category and type - 3D Slicer General Anatomy list"
         "~SCT^85756007^Tissue~SCT^" +
-        std::string(labelTable()[label].snomedCode) + "^" + std::string(labelTable()[label].snomedMeaning) +
+        std::string(labelTable()[tissue].snomedCode) + "^" + std::string(labelTable()[tissue].snomedMeaning) +
         "~^^~Anatomic codes - DICOM master list~^^~^^|";
   return tags;
 }
@@ -90,57 +99,95 @@ std::string typeCodeOf(const std::string& tags) {
   return end == std::string::npos ? std::string{} : tags.substr(code + 1, end - code - 1);
 }
 
-/// A file of several layers that names none of them has a layer for each segment, in their order.
-std::vector<Segment> segmentsOf(const RawVolume& raw, std::vector<std::string>& notes) {
-  const auto& metadata = raw.metadata;
-  std::vector<Segment> segments;
-  for (int n = 0; metadata.contains("Segment" + std::to_string(n) + "_ID"); ++n) {
-    const std::string key = "Segment" + std::to_string(n) + "_";
-    const auto text = [&](const char* field) {
-      const auto found = metadata.find(key + field);
-      return found == metadata.end() ? std::string{} : found->second;
-    };
-    Segment s{text("Name"), static_cast<int>(integerOf(metadata, key + "Layer", raw.components > 1 ? n : 0)),
-              integerOf(metadata, key + "LabelValue", 1), 0};
-    auto label = labelFromSnomed(typeCodeOf(text("Tags")));
-    if (!label) label = labelFromAnyName(s.name);
-    s.label = label.value_or(kSoftTissue);
-    s.known = label.has_value();
-    const std::string what = "The segment \"" + s.name + "\" (number " + std::to_string(s.value) + ")";
-    if (!label) {
-      notes.push_back(what +
-                      " is no structure this program knows and is read as soft tissue; rename it to change that.");
-    } else if (s.label != s.value) {
-      notes.push_back(what + " is read as " + labelName(s.label) + " (" + std::to_string(s.label) + ").");
-    }
-    segments.push_back(s);
+/// What stands behind this in the tags, up to their separator.
+std::string_view tagIn(std::string_view tags, std::string_view tag) {
+  const std::size_t at = tags.find(tag);
+  if (at == std::string_view::npos) return {};
+  tags.remove_prefix(at + tag.size());
+  return tags.substr(0, tags.find('|'));
+}
+
+/// The number of a label that an author of this program has named.
+std::optional<std::uint8_t> ownLabelOf(std::string_view tags) {
+  const std::string_view text = tagIn(tags, kOwnTag);
+  int label = 0;
+  std::from_chars(text.data(), text.data() + text.size(), label);
+  return label > 0 && label < 256 && isOwnLabel(static_cast<std::uint8_t>(label))
+             ? std::optional(static_cast<std::uint8_t>(label))
+             : std::nullopt;
+}
+
+/// By the author's number, by terminology, by name; else a number of its own.
+void giveLabel(Segment& s, const std::string& tags, OwnNumbers& numbers, LabelReadResult& result) {
+  const auto code = labelFromSnomed(typeCodeOf(tags));
+  const auto own = ownLabelOf(tags);
+  const std::string what = "The segment \"" + s.name + "\" (number " + std::to_string(s.value) + ")";
+  if (own) {
+    s.label = *own;
+    const std::string name = tidyLabelName(s.name);
+    result.own[s.label] = {name == labelName(s.label) ? "" : name, code.value_or(kSoftTissue)};
+  } else if (const auto known = code ? code : labelFromAnyName(s.name)) {
+    s.label = *known;
+    if (s.label != s.value)
+      result.notes.push_back(what + " is read as " + labelName(s.label) + " (" + std::to_string(s.label) + ").");
+  } else if (s.value >= kLabelCount && s.value <= kLastOwnLabel && s.name == "label " + std::to_string(s.value)) {
+    s.label = numbers.take(s.value);  // nobody said what it is
+  } else {
+    s.label = numbers.take(s.value);
+    s.lost = !isOwnLabel(s.label);
+    result.notes.push_back(unknownStructure(what, s.label));
+    if (s.lost) return;
+    result.own[s.label] = {tidyLabelName(s.name), kSoftTissue};
+    result.foreign.insert(s.label);
   }
+  const auto status = std::ranges::find(kStatus, tagIn(tags, kStatusTag));
+  if (status != kStatus.end()) result.states.try_emplace(s.label, static_cast<LabelState>(status - kStatus.begin()));
+}
+
+/// A file of several layers that names none of them has a layer for each segment, in their order.
+std::vector<Segment> segmentsOf(const RawVolume& raw, LabelReadResult& result) {
+  const auto& metadata = raw.metadata;
+  const auto text = [&](std::size_t n, const char* field) {
+    const auto found = metadata.find("Segment" + std::to_string(n) + "_" + field);
+    return found == metadata.end() ? std::string{} : found->second;
+  };
+  std::vector<Segment> segments;
+  OwnNumbers numbers;
+  for (std::size_t n = 0; metadata.contains("Segment" + std::to_string(n) + "_ID"); ++n) {
+    const std::string key = "Segment" + std::to_string(n) + "_";
+    segments.push_back({text(n, "Name"),
+                        static_cast<int>(integerOf(metadata, key + "Layer", raw.components > 1 ? long(n) : 0)),
+                        integerOf(metadata, key + "LabelValue", 1)});
+    if (const auto own = ownLabelOf(text(n, "Tags"))) numbers.keep(*own);
+  }
+  for (std::size_t n = 0; n < segments.size(); ++n) giveLabel(segments[n], text(n, "Tags"), numbers, result);
   return segments;
 }
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> slicerFields(const LabelMap& labels, const LabelColours& colours) {
+std::vector<std::pair<std::string, std::string>> slicerFields(const PatientCase& patient) {
   std::array<bool, 256> used{};
-  for (const std::uint8_t v : labels.voxels) used[v] = true;
+  for (const std::uint8_t v : patient.labels.voxels) used[v] = true;
   // The whole grid as every segment's extent: segments that share a layer must share it.
   std::string extent;
-  for (int n : labels.geometry.size) extent += (extent.empty() ? "0 " : " 0 ") + std::to_string(n - 1);
+  for (int n : patient.labels.geometry.size) extent += (extent.empty() ? "0 " : " 0 ") + std::to_string(n - 1);
 
   std::vector<std::pair<std::string, std::string>> fields;
   int segment = 0;
-  for (int label = 1; label < 256; ++label) {
-    if (!used[label]) continue;
+  for (int number = 1; number < 256; ++number) {
+    if (!used[number]) continue;
+    const auto label = static_cast<std::uint8_t>(number);
     const std::string key = "Segment" + std::to_string(segment++) + "_";
     fields.insert(fields.end(), {{key + "ID", "Segment_" + std::to_string(label)},
-                                 {key + "Name", labelName(label)},
+                                 {key + "Name", labelName(patient.manifest.ownLabels, label)},
                                  {key + "NameAutoGenerated", "0"},
-                                 {key + "Color", colourText(colourOf(colours, static_cast<std::uint8_t>(label)))},
+                                 {key + "Color", colourText(colourOf(patient.colours, label))},
                                  {key + "ColorAutoGenerated", "0"},
                                  {key + "Extent", extent},
                                  {key + "Layer", "0"},
                                  {key + "LabelValue", std::to_string(label)},
-                                 {key + "Tags", tagsOfLabel(label)}});
+                                 {key + "Tags", tagsOfLabel(patient.manifest, label)}});
   }
   fields.insert(fields.end(), {{"Segmentation_ContainedRepresentationNames", "Binary labelmap|"},
                                {"Segmentation_ConversionParameters", ""},
@@ -157,7 +204,7 @@ bool isSlicerSegmentation(const std::map<std::string, std::string>& metadata) {
 
 Result<LabelReadResult> fromSlicerSegmentation(const RawVolume& raw, const VolumeGeometry& geometry) {
   LabelReadResult result{LabelMap(geometry), {}};
-  const std::vector<Segment> segments = segmentsOf(raw, result.notes);
+  const std::vector<Segment> segments = segmentsOf(raw, result);
   result.colours = coloursOf(segments, raw.metadata);
   std::set<std::pair<int, long>> orphans;
   std::size_t overlaps = 0;

@@ -12,7 +12,7 @@
 namespace insonate {
 
 /// The header fields that make an NRRD a 3D Slicer segmentation: one segment for each label that occurs.
-std::vector<std::pair<std::string, std::string>> slicerFields(const LabelMap& labels, const LabelColours& colours);
+std::vector<std::pair<std::string, std::string>> slicerFields(const PatientCase& patient);
 
 /// True when the header names segments.
 bool isSlicerSegmentation(const std::map<std::string, std::string>& metadata);

@@ -64,6 +64,8 @@ Result<PatientCase> makePhantom(std::string_view variant, std::uint32_t seed, co
   patient.manifest.targets = chest ? axillaryTargets(neck) : jugularTargets(neck);
   patient.manifest.startPoses = chest ? axillaryStartPoses(neck) : jugularStartPoses(neck);
   patient.manifest.landmarks = landmarks(neck, patient.manifest.startPoses);
+  for (int label = kSkin; label < kLabelCount; ++label)
+    patient.manifest.states[static_cast<std::uint8_t>(label)] = LabelState::Completed;
   patient.ct = std::move(*ct);
   patient.labels = std::move(*labels);
   return patient;

@@ -4,9 +4,35 @@
 #include <insonate/embedded/recipes.h>
 #include <insonate/segmentation/Recipe.h>
 
+#include <utility>
+
 namespace insonate {
 
 using nlohmann::json;
+
+namespace {
+
+std::pair<std::uint8_t, OwnLabel> readOwnLabel(const json& object, const std::string& where, std::string& trouble) {
+  JsonEntry entry(object, where, {"label", "name", "tissue"});
+  const auto label = static_cast<std::uint8_t>(entry.whole("label", kLabelCount, kLastOwnLabel));
+  const std::string name = tidyLabelName(entry.text("name", false)), tissue = entry.text("tissue", false);
+  const auto made = tissue.empty() ? kSoftTissue : labelFromName(tissue);
+  if (!made || *made == kBackground)
+    entry.refuse("needs a structure of the label table as 'tissue', not '" + tissue + "'.");
+  trouble = entry.trouble();
+  return {label, {name, made.value_or(kSoftTissue)}};
+}
+
+json jsonOf(const OwnLabels& labels) {
+  json list = json::array();
+  for (const auto& [label, own] : labels) {
+    list.push_back({{"label", label}, {"tissue", labelTable()[own.tissue].name}});
+    if (!own.name.empty()) list.back()["name"] = own.name;
+  }
+  return list;
+}
+
+}  // namespace
 
 Result<Recipe> readRecipe(std::string_view text) {
   json file;
@@ -15,9 +41,10 @@ Result<Recipe> readRecipe(std::string_view text) {
   } catch (const json::exception& e) {
     return fail("The recipe is not JSON: " + jsonTrouble(e.what()));
   }
-  JsonEntry entry(file, "The recipe", {"description", "steps"});
+  JsonEntry entry(file, "The recipe", {"description", "labels", "steps"});
   Recipe recipe;
   recipe.description = entry.text("description", false);
+  for (auto& [label, own] : entry.list("labels", "label", readOwnLabel)) recipe.labels[label] = std::move(own);
   recipe.steps = entry.list("steps", "step", [](const json& object, const std::string& where, std::string& trouble) {
     return segmentation::readStep(object, where, trouble);
   });
@@ -30,6 +57,7 @@ std::string textOf(const Recipe& recipe) {
   json steps = json::array();
   for (const LabelStep& step : recipe.steps) steps.push_back(segmentation::jsonOf(step));
   json file{{"steps", std::move(steps)}};
+  if (!recipe.labels.empty()) file["labels"] = jsonOf(recipe.labels);
   if (!recipe.description.empty()) file["description"] = recipe.description;
   return file.dump(2, ' ', false, json::error_handler_t::replace) + '\n';
 }

@@ -2,6 +2,7 @@
 #include "session/MomentImaging.h"
 
 #include <insonate/cases/CaseVersions.h>
+#include <insonate/cases/TissueLabels.h>
 #include <insonate/simulator/AttemptOrigin.h>
 #include <insonate/simulator/AttemptPictures.h>
 
@@ -96,6 +97,7 @@ Result<AttemptPictures> AttemptPictures::make(std::shared_ptr<const AttemptRecor
   if (header.caseHash != voxelHashOf(*patient))
     return fail("The recording was made on another case, '" + header.caseName + "', than '" + patient->manifest.title +
                 "', or that one was changed since; open the case as it was.");
+  patient = inTissues(std::move(patient));
   auto source = makeSceneSource(*patient);
   if (!source) return tl::unexpected(source.error());
   auto state = std::make_unique<State>(std::move(recording), std::move(patient), std::move(*source));

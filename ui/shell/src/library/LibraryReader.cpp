@@ -70,7 +70,7 @@ void findOut(const PatientCase& patient, LibraryEntry& entry, const Progress& pr
   entry.fit = isFit(*findings);
   for (int label = 1; label < 256; ++label)
     if (statistics->voxels[std::size_t(label)] > 0)
-      entry.structures << QString::fromStdString(labelName(std::uint8_t(label)));
+      entry.structures << QString::fromStdString(labelName(patient.manifest.ownLabels, std::uint8_t(label)));
   const auto estimate = estimateDifficulty(patient);
   entry.graded = !patient.manifest.difficulty.empty();
   entry.grade = QString::fromStdString(gradeOf(patient));

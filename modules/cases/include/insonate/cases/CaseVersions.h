@@ -11,7 +11,8 @@
 
 namespace insonate {
 
-/// Of what an attempt on this case is computed from, a Fingerprint of sizes, labels and CT; recorded attempts name it.
+/// Of what an attempt on this case is computed from, a Fingerprint of sizes, tissues (see cases/TissueLabels.h) and CT;
+/// recorded attempts name it.
 /// Some tenths of a second for a large CT.
 std::string voxelHashOf(const PatientCase& patient);
 

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,27 +15,31 @@ namespace insonate {
 
 struct LabelReadResult {
   LabelMap labels;
-  std::vector<std::string> notes;  ///< what was mapped, flattened or ignored, one sentence each
-  LabelColours colours{};          ///< of a 3D Slicer segmentation's known segments, where not the label table's
+  std::vector<std::string> notes;    ///< what was mapped, flattened or ignored, one sentence each
+  LabelColours colours{};            ///< of the file's structures, where not the label table's
+  OwnLabels own{};                   ///< structures that this program does not know, under numbers of their own
+  std::set<std::uint8_t> foreign{};  ///< of these, whose names another program's user wrote
+  LabelStates states{};              ///< where the file says so
 };
 
 /// Reads a label map file (NRRD, NIfTI, MetaImage; 3-D, whole numbers) with its own numbers, whatever they mean.
 Result<Volume<std::int32_t>> readLabelValues(const std::filesystem::path& file);
 
 /// Reads a label map in this program's numbers (insonate/tissue/Labels.h). A 3D Slicer segmentation is mapped by each
-/// segment's terminology, then by its name; a segment of unknown name becomes soft tissue and is noted. A plain label
-/// map keeps its numbers; above 255 or negative is refused. Layers are flattened, later segments win.
+/// segment's terminology, then by its name; a segment of unknown name becomes a label of its own (OwnLabels) with that
+/// name and is noted. A plain label map keeps its numbers; above 255 or negative is refused. Layers are flattened,
+/// later segments win.
 Result<LabelReadResult> readLabelMap(const std::filesystem::path& file);
 
 /// Reads labels for a case: a DICOM segmentation, or any file of readLabelMap, put on the grid of the case's CT. Labels
 /// of another grid are resampled (nearest voxel) and that is said; labels that lie elsewhere in the patient are
-/// refused. A segment's or label's structure is found by its code, then by its name. Says also where the segmentation
+/// refused. A segment's or label's structure is found by its code, then by its name; what is not known becomes a label
+/// of its own, without the name that somebody gave it: people write anything there. Says also where the segmentation
 /// names another CT than the one that the case was imported from.
 Result<LabelReadResult> importLabels(const PatientCase& patient, const std::filesystem::path& file,
                                      const std::filesystem::path& names = {}, const Progress& progress = {});
 
-/// Puts imported labels into the case they were imported for, and says so in its notes, without the names of segments:
-/// people write anything there.
+/// Puts imported labels into the case they were imported for, and says so in its notes, without the names of segments.
 void takeLabels(LabelReadResult&& imported, PatientCase& patient);
 
 /// Refuses a name that writeLabelFile does not take.

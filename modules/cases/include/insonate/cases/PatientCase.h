@@ -3,12 +3,14 @@
 #include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
 #include <insonate/image/Volume.h>
+#include <insonate/tissue/OwnLabels.h>
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace insonate {
@@ -51,6 +53,18 @@ struct StructureShown {
   bool operator==(const StructureShown&) const = default;
 };
 
+/// How far the author is with a structure, as 3D Slicer has it.
+enum class LabelState : std::uint8_t { NotStarted, InProgress, Completed, Flagged };
+
+/// "not started", "in progress", "completed", "flagged".
+std::string_view nameOf(LabelState state);
+
+/// By label.
+using LabelStates = std::map<std::uint8_t, LabelState>;
+
+/// The author's word, else what can be seen: begun, or not.
+LabelState stateOf(const LabelStates& states, std::uint8_t label, bool hasVoxels);
+
 /// case.json. Every field but the version may be missing: defaults are used and said.
 struct CaseManifest {
   static constexpr int kSchemaVersion = 1;
@@ -63,6 +77,8 @@ struct CaseManifest {
   std::vector<Landmark> landmarks;
   CaseVersion version;
   std::map<std::uint8_t, StructureShown> shown;  ///< by label, where the author chose it
+  OwnLabels ownLabels;                           ///< what labels mean that the label table does not know
+  LabelStates states;                            ///< where the author said one
   std::string source;                    ///< how the case came to be, without anything that identifies a patient
   std::vector<std::string> importNotes;  ///< what was changed or doubtful on the way from the CT, one sentence each
 };

@@ -2,6 +2,7 @@
 
 #include <insonate/core/Preset.h>
 #include <insonate/segmentation/LabelStep.h>
+#include <insonate/tissue/OwnLabels.h>
 
 #include <string>
 #include <string_view>
@@ -13,10 +14,12 @@ namespace insonate {
 struct Recipe {
   std::string description;
   std::vector<LabelStep> steps;
+  OwnLabels labels{};  ///< what numbers mean that steps name and the label table does not know
 };
 
-/// A JSON object with `steps` and, if one likes, a `description`. A step names its `tool` and that tool's parameters;
-/// what is missing has its default, points have none. Refuses with the step, what is wrong in it, and what is possible.
+/// A JSON object with `steps` and, if one likes, a `description` and `labels` of the author's own. A step names its
+/// `tool` and that tool's parameters; what is missing has its default, points have none. Refuses with the step, what is
+/// wrong in it, and what is possible.
 Result<Recipe> readRecipe(std::string_view text);
 
 /// What readRecipe() reads back.

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <insonate/tissue/OwnLabels.h>
+
+#include <bitset>
+#include <cstdint>
+
+namespace insonate {
+
+/// Gives labels of their own to structures of another program that this one does not know.
+class OwnNumbers {
+ public:
+  void keep(std::uint8_t label) { taken_.set(label); }
+  /// `wanted` where it is free, else the first number that is; kSoftTissue where all are taken.
+  std::uint8_t take(long wanted) {
+    if (wanted < kLabelCount || wanted > kLastOwnLabel || taken_.test(static_cast<std::size_t>(wanted)))
+      for (wanted = kLabelCount; wanted <= kLastOwnLabel && taken_.test(static_cast<std::size_t>(wanted));) ++wanted;
+    if (wanted > kLastOwnLabel) return kSoftTissue;
+    taken_.set(static_cast<std::size_t>(wanted));
+    return static_cast<std::uint8_t>(wanted);
+  }
+
+ private:
+  std::bitset<256> taken_;
+};
+
+/// What an author is told of it.
+inline std::string unknownStructure(const std::string& what, std::uint8_t label) {
+  return what + " is no structure this program knows and is read as " +
+         (isOwnLabel(label) ? labelName(label) + ", of soft tissue; say in the table of structures what it is."
+                            : "soft tissue, since no number is left for it.");
+}
+
+}  // namespace insonate
