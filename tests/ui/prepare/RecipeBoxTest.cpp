@@ -67,6 +67,40 @@ TEST_F(RecipeWindow, AStepThatCannotBeDoneLeavesTheLabelsAsTheyWere) {
   EXPECT_TRUE(workspace_->statusText().contains("as they were")) << workspace_->statusText().toStdString();
 }
 
+TEST_F(RecipeWindow, ACancelLeavesTheLabelsAsTheyWere) {
+  Recipe recipe;
+  recipe.labels = {{kLabelCount, {"port", kBone}}};
+  LabelStep paint;
+  paint.label = kLabelCount, paint.tool = step::Paint{{{0, 20, 0}}, 3};
+  recipe.steps.assign(200, paint);
+  for (std::size_t n = 0; n < recipe.steps.size(); ++n)
+    std::get<step::Paint>(recipe.steps[n].tool).points_mm[0].x = double(n) / 20;
+  std::ofstream(file("long.json").toStdString()) << textOf(recipe);
+  choose("recipeReplay", "recipeReplayDialog", file("long.json"));
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return labels().voxels != patient()->labels.voxels && tasks_.isRunning(); }, kPatience_ms));
+  tasks_.cancel();
+  ASSERT_TRUE(replayed());
+  EXPECT_EQ(labels().voxels, patient()->labels.voxels);
+  EXPECT_TRUE(session_->terms().own.empty()) << "nor are its names";
+  EXPECT_TRUE(workspace_->statusText().contains("as they were")) << workspace_->statusText().toStdString();
+}
+
+TEST_F(RecipeWindow, NamesOfItsLabelsComeWithARecipe) {
+  Recipe recipe;
+  recipe.labels = {{kLabelCount, {"port", kBone}}};
+  LabelStep paint;
+  paint.label = kLabelCount, paint.tool = step::Paint{{{0, 20, 0}}, 3};
+  recipe.steps = {paint};
+  std::ofstream(file("port.json").toStdString()) << textOf(recipe);
+  choose("recipeReplay", "recipeReplayDialog", file("port.json"));
+  ASSERT_TRUE(replayed());
+  EXPECT_EQ(session_->terms().own, recipe.labels);
+  EXPECT_TRUE(child<QListWidget>("recipeSteps")->item(0)->text().contains("port"));
+  choose("recipeSave", "recipeSaveDialog", file("again.json"));
+  EXPECT_EQ(loadRecipe(file("again.json").toStdString())->labels, recipe.labels);
+}
+
 TEST_F(RecipeWindow, AFileThatIsNoRecipeGivesASentence) {
   std::ofstream(file("no.json").toStdString()) << "{\"steps\": [{\"tool\": \"nosuch\"}]}";
   choose("recipeReplay", "recipeReplayDialog", file("no.json"));

@@ -14,6 +14,8 @@ constexpr KeyRow kKeys[] = {
     {Qt::Key_D, Command::LabelsStronger},
     {Qt::Key_G, Command::ToggleLabels, "G", "hide or show all labels on the slices"},
     {Qt::Key_L, Command::LockStructure, "L", "lock or unlock the selected structure"},
+    {Qt::Key_S, Command::NextState, "S", "next state of the selected structure, e.g. completed"},
+    {0, {}, "F2 in the table", "name of a structure of your own"},
     {Qt::Key_1, Command::Tool, "1 to 9, 0", "tools of the palette; again for the next of a group"},
     {Qt::Key_2, Command::Tool},
     {Qt::Key_3, Command::Tool},

@@ -22,7 +22,8 @@ enum class Command {
   LeaveTool,
   LargerBrush,
   SmallerBrush,
-  LockStructure
+  LockStructure,
+  NextState
 };
 
 /// One row of the only table of keys: it decides what a key does, and lists it for the user. Rows without a key are

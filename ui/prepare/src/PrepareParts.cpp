@@ -238,6 +238,8 @@ void PrepareWorkspace::Parts::act(const KeyRow& row) {
       return tools_->scaleBrush(kBrushStep);
     case Command::SmallerBrush:
       return tools_->scaleBrush(1 / kBrushStep);
+    case Command::NextState:
+      return session.toNextState(label);
     case Command::LockStructure:
       return session.setLocked(label, !session.labelling().rules().locked.test(label));
   }

@@ -56,13 +56,13 @@ PrepareSession::PrepareSession(ui::TaskBar& tasks, QObject* parent)
   recheck_.setSingleShot(true);
   recheck_.setInterval(kRecheck_ms);
   connect(&recheck_, &QTimer::timeout, this, [this] {
-    if (patient_) measuring_.setPlaces(places_);
+    if (patient_) measuring_.setWords(places_, terms_);
   });
   connect(&said_, &QTimer::timeout, this, [this] {
     message_.clear();
     Q_EMIT messageChanged();
   });
-  connect(&measuring_, &CaseMeasuring::changed, this, [this] { takeMeasures(); });
+  connect(&measuring_, &CaseMeasuring::changed, this, [this] { listStructures(); });
   connect(&live_, &LivePatient::started, this, [this] {
     // Where the case begins is where one wants to look first.
     const auto& start = *live_.start();
@@ -71,12 +71,13 @@ PrepareSession::PrepareSession(ui::TaskBar& tasks, QObject* parent)
     Q_EMIT crosshairMoved();
     Q_EMIT messageChanged();
   });
+  labelling_.setNames([this](std::uint8_t label) { return nameOf(label); });
   connect(&labelling_, &LabelSession::failed, this, &PrepareSession::say);
   connect(&labelling_, &LabelSession::changed, this, [this](const LabelChange& change) {
     const LabelSet before = added_;
     added_ |= change.labels;
     added_.reset(kBackground);
-    if (added_ != before) takeMeasures();
+    if (added_ != before) listStructures();
     tellEdits();
     Q_EMIT messageChanged();
   });
@@ -105,6 +106,7 @@ void PrepareSession::setCase(std::shared_ptr<const PatientCase> patient) {
   kept_ = looks_;
   recheck_.stop();
   places_ = patient_ ? placesOf(patient_->manifest) : CasePlaces{};
+  terms_ = patient_ ? termsOf(patient_->manifest) : LabelTerms{};
   found_.reset();
   title_ = patient_ ? QString::fromStdString(patient_->manifest.title) : QString();
   crosshair_mm_ = patient_ ? patient_->ct.geometry.centre_mm() : Vec3{};
@@ -112,6 +114,7 @@ void PrepareSession::setCase(std::shared_ptr<const PatientCase> patient) {
   tellHidden();
   Q_EMIT caseChanged();
   live_.setPatient(patient_, missingSurfaces());
+  live_.setOwnLabels(terms_.own);
   measuring_.setCase(patient_);
   tellEdits();
   Q_EMIT messageChanged();
@@ -164,54 +167,6 @@ void PrepareSession::tellHidden() {
   if (rules.hidden != labelling_.rules().hidden) labelling_.setRules(rules);
 }
 
-void PrepareSession::addStructure(std::uint8_t label) {
-  if (!patient_ || label == kBackground) return;
-  added_.set(label);
-  takeMeasures();
-  select(label);
-}
-
-void PrepareSession::setLocked(std::uint8_t label, bool locked) {
-  LabelRules rules = labelling_.rules();
-  rules.locked.set(label, locked);
-  labelling_.setRules(rules);
-}
-
-void PrepareSession::removeVoxels(std::uint8_t label) {
-  LabelStep step;
-  step.label = label;
-  step.tool = step::Logical{LogicalOperation::kSubtract, label};
-  if (label == step.rest) step.rest = kBackground;
-  labelling_.run(std::move(step), tr("remove %1").arg(structureName(label)));
-}
-
-void PrepareSession::takeMeasures() {
-  const auto& measures = measuring_.measures();
-  std::vector<std::uint8_t> found;
-  for (int label = 1; label < 256; ++label)
-    if (added_.test(std::size_t(label)) || (measures && measures->statistics.voxels[std::size_t(label)] > 0))
-      found.push_back(std::uint8_t(label));
-  if (found == structures_) return;
-  structures_ = std::move(found);
-  if (!structures_.empty() && selected_ == 0) selected_ = structures_.front();
-  Q_EMIT structuresChanged();
-  Q_EMIT selectedChanged();
-}
-
-void PrepareSession::select(std::uint8_t label) {
-  if (label == selected_) return;
-  selected_ = label;
-  Q_EMIT selectedChanged();
-}
-
-void PrepareSession::selectNext(int step) {
-  if (structures_.empty()) return;
-  const auto here = std::ranges::find(structures_, selected_);
-  const int last = int(structures_.size()) - 1;
-  const int index = here == structures_.end() ? 0 : int(here - structures_.begin()) + step;
-  select(structures_[std::size_t(std::clamp(index, 0, last))]);
-}
-
 void PrepareSession::push(std::uint8_t label, const StructureLook& look, const QString& what) {
   if (!patient_ || look == looks_[label]) return;
   undo_.push(new LookEdit(*this, label, look, what));
@@ -220,29 +175,29 @@ void PrepareSession::push(std::uint8_t label, const StructureLook& look, const Q
 void PrepareSession::setColour(std::uint8_t label, views::Colour colour) {
   StructureLook look = looks_[label];
   look.colour = colour;
-  push(label, look, tr("colour of %1").arg(structureName(label)));
+  push(label, look, tr("colour of %1").arg(nameOf(label)));
 }
 
 void PrepareSession::setOpacity(std::uint8_t label, double opacity) {
   StructureLook look = looks_[label];
   look.opacity = std::clamp(opacity, 0.0, 1.0);
-  push(label, look, tr("opacity of %1").arg(structureName(label)));
+  push(label, look, tr("opacity of %1").arg(nameOf(label)));
 }
 
 void PrepareSession::setShareOnSlices(std::uint8_t label, double share) {
   StructureLook look = looks_[label];
   look.onSlices = std::clamp(share, 0.0, 1.0);
-  push(label, look, tr("opacity of %1").arg(structureName(label)));
+  push(label, look, tr("opacity of %1").arg(nameOf(label)));
 }
 
 void PrepareSession::setVisible(std::uint8_t label, bool visible) {
   StructureLook look = looks_[label];
   look.visible = visible;
-  push(label, look, (visible ? tr("show %1") : tr("hide %1")).arg(structureName(label)));
+  push(label, look, (visible ? tr("show %1") : tr("hide %1")).arg(nameOf(label)));
 }
 
 void PrepareSession::showOnly(std::uint8_t label) {
-  auto all = std::make_unique<QUndoCommand>(tr("show only %1").arg(structureName(label)));
+  auto all = std::make_unique<QUndoCommand>(tr("show only %1").arg(nameOf(label)));
   for (const std::uint8_t one : structures_) {
     StructureLook look = looks_[one];
     look.visible = one == label;
@@ -288,15 +243,17 @@ void PrepareSession::applyTitle(const QString& title) {
 bool PrepareSession::isUnsaved() const {
   if (!patient_) return false;
   return title_.toStdString() != patient_->manifest.title || !samePlaces(places_, placesOf(patient_->manifest)) ||
-         labelling_.isChanged() || coloursDiffer(looks_, structures_, patient_->colours);
+         terms_ != termsOf(patient_->manifest) || labelling_.isChanged() ||
+         coloursDiffer(looks_, structures_, patient_->colours);
 }
 
 ui::CaseEdit PrepareSession::unsavedEdit() {
   if (!isUnsaved()) return {};
-  return [title = title_.toStdString(), looks = looks_, structures = structures_, places = places_,
+  return [title = title_.toStdString(), looks = looks_, structures = structures_, places = places_, terms = terms_,
           labels = labelling_.isChanged() ? labelling_.snapshot() : nullptr](PatientCase& copy) {
     if (labels) copy.labels = *labels;
     putPlaces(places, copy.manifest);
+    putTerms(terms, copy.manifest);
     copy.manifest.title = title;
     putColours(looks, structures, copy.colours);
   };
@@ -377,7 +334,7 @@ QString PrepareSession::placeText() const {
       .arg(crosshair_mm_.y, 0, 'f', 1)
       .arg(crosshair_mm_.z, 0, 'f', 1)
       .arg(std::lround(sampleLinear(patient_->ct, index)))
-      .arg(label == kBackground ? tr("outside the patient") : structureName(label));
+      .arg(label == kBackground ? tr("outside the patient") : nameOf(label));
 }
 
 QString PrepareSession::message() const {

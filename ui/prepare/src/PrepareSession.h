@@ -6,6 +6,7 @@
 #include "label/LabelSession.h"
 #include "live/LivePatient.h"
 #include "measure/CaseMeasuring.h"
+#include "table/LabelTerms.h"
 
 #include <insonate/ui/Workspace.h>
 #include <insonate/views/LabelStyle.h>
@@ -54,12 +55,17 @@ class PrepareSession : public QObject {
   /// The next or previous structure of the table.
   void selectNext(int step);
 
-  /// The table lists it, though no voxel has it yet, and it is selected.
+  /// The author's name of it, or the label table's.
+  QString nameOf(std::uint8_t label) const;
+  LabelState stateOf(std::uint8_t label) const;
+  bool hasVoxels(std::uint8_t label) const;
+
+  /// The table lists it, though no voxel has it yet, and it is selected. One of the author's own can be taken back.
   void addStructure(std::uint8_t label);
 
   /// Tools leave a locked label as it is.
   void setLocked(std::uint8_t label, bool locked);
-  /// All its voxels become soft tissue.
+  /// All its voxels become soft tissue; one of the author's own that has none is forgotten.
   void removeVoxels(std::uint8_t label);
 
   // Edits; each can be undone.
@@ -76,13 +82,22 @@ class PrepareSession : public QObject {
   /// Targets, landmarks, start poses and grade as they are now.
   const CasePlaces& places() const { return places_; }
   void setPlaces(CasePlaces places, const QString& what);
-  /// How structures look, the title and the places: what is edited beside voxels.
+  /// What labels of the author's own mean, and how far each label is.
+  const LabelTerms& terms() const { return terms_; }
+  void setTerms(LabelTerms terms, const QString& what);
+  /// Of one of the author's own. A name that another structure has is refused, with a sentence.
+  void setName(std::uint8_t label, const QString& name);
+  void setTissue(std::uint8_t label, std::uint8_t tissue);
+  void setState(std::uint8_t label, LabelState state);
+  void toNextState(std::uint8_t label);
+  /// How structures look, what is said of them, the title and the places: what is edited beside voxels.
   struct Said {
     StructureLooks looks;
     QString title;
     CasePlaces places;
+    LabelTerms terms;
   };
-  Said said() const { return {looks_, title_, places_}; }
+  Said said() const { return {looks_, title_, places_, terms_}; }
   /// Edits what differs from it, as one step.
   void sayAgain(const Said& said);
   /// Where the probe is becomes the case's start pose, if it has none; saved with the case.
@@ -140,6 +155,7 @@ class PrepareSession : public QObject {
   void selectedChanged();
   void titleChanged();
   void placesChanged();
+  void termsChanged();
   void editsChanged();
   void crosshairMoved();
   void slicesChanged();  ///< window, level, how labels lie on slices, and whether places are marked
@@ -149,11 +165,13 @@ class PrepareSession : public QObject {
   friend class LookEdit;
   friend class TitleEdit;
   friend class PlacesEdit;
+  friend class TermsEdit;
   void applyPlaces(const CasePlaces& places);
+  void applyTerms(const LabelTerms& terms);
   void applyLook(std::uint8_t label, const StructureLook& look);
   void applyTitle(const QString& title);
   void push(std::uint8_t label, const StructureLook& look, const QString& what);
-  void takeMeasures();
+  void listStructures();
   std::vector<ui::SurfaceWish> missingSurfaces();
   std::vector<ui::SurfaceWish> changedSurfaces(const LabelSet& labels) const;
   void tellHidden();
@@ -170,6 +188,7 @@ class PrepareSession : public QObject {
   std::uint8_t selected_ = 0;
   QString title_;
   CasePlaces places_;
+  LabelTerms terms_;
   std::optional<StartPose> found_;  ///< where the probe began when the case was opened
   Vec3 crosshair_mm_;
   views::WindowLevel windowLevel_;

@@ -86,7 +86,7 @@ QPushButton* FindingsList::way(const Finding& finding) {
   const std::uint8_t label = finding.label;
   const auto& there = session_.structures();
   if (label && !finding.place_mm && std::ranges::find(there, label) == there.end()) {
-    auto* make = button(tr("Label %1").arg(structureName(label)), tr("Go to where it is labelled"));
+    auto* make = button(tr("Label %1").arg(session_.nameOf(label)), tr("Go to where it is labelled"));
     connect(make, &QPushButton::clicked, this, [this, label] { Q_EMIT labelWanted(label); });
     return make;
   }
@@ -101,7 +101,7 @@ QPushButton* FindingsList::way(const Finding& finding) {
     return mark;
   }
   if (!finding.place_mm && !label) return nullptr;
-  auto* go = button(finding.place_mm ? tr("Show the place") : tr("Select %1").arg(structureName(label)),
+  auto* go = button(finding.place_mm ? tr("Show the place") : tr("Select %1").arg(session_.nameOf(label)),
                     finding.place_mm ? tr("Bring the crosshair there and select the structure")
                                      : tr("Select the structure in the table"));
   connect(go, &QPushButton::clicked, this, [this, place_mm = finding.place_mm, label] {

@@ -170,7 +170,8 @@ void PlacesBox::add() {
       places.landmarks.push_back({what.toStdString(), name.toStdString(), here_mm});
     });
   const LabelMap& labels = session_.labelling().labels();
-  const std::uint8_t label = sampleNearest(labels, labels.geometry.indexFromPatient() * here_mm);
+  const std::uint8_t label =
+      tissueOf(session_.terms().own, sampleNearest(labels, labels.geometry.indexFromPatient() * here_mm));
   if (label != kVein && label != kArtery)
     return session_.say(tr("A target lies in a vein or an artery. Put the crosshair into the vessel first."));
   change(tr("target"), [&](CasePlaces& places) {

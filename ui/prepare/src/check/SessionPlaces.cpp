@@ -31,6 +31,7 @@ void PrepareSession::sayAgain(const Said& said) {
       new LookEdit(*this, std::uint8_t(label), said.looks[std::size_t(label)], {}, all.get());
   if (said.title != title_) new TitleEdit(*this, said.title, all.get());
   if (!samePlaces(said.places, places_)) new PlacesEdit(*this, said.places, {}, all.get());
+  if (said.terms != terms_) new TermsEdit(*this, said.terms, {}, all.get());
   if (all->childCount() > 0) undo_.push(all.release());
 }
 

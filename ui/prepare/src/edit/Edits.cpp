@@ -56,4 +56,15 @@ void PlacesEdit::redo() {
   session_.applyPlaces(after_);
 }
 
+TermsEdit::TermsEdit(PrepareSession& session, LabelTerms after, const QString& what, QUndoCommand* parent)
+    : QUndoCommand(what, parent), session_(session), before_(session.terms()), after_(std::move(after)) {}
+
+void TermsEdit::undo() {
+  session_.applyTerms(before_);
+}
+
+void TermsEdit::redo() {
+  session_.applyTerms(after_);
+}
+
 }  // namespace insonate::prepare

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../check/CasePlaces.h"
+#include "../table/LabelTerms.h"
 #include "Structures.h"
 
 #include <insonate/cases/PatientCase.h>
@@ -52,6 +53,18 @@ class PlacesEdit : public QUndoCommand {
  private:
   PrepareSession& session_;
   CasePlaces before_, after_;
+};
+
+/// Other words of the author about labels.
+class TermsEdit : public QUndoCommand {
+ public:
+  TermsEdit(PrepareSession& session, LabelTerms after, const QString& what, QUndoCommand* parent = nullptr);
+  void undo() override;
+  void redo() override;
+
+ private:
+  PrepareSession& session_;
+  LabelTerms before_, after_;
 };
 
 }  // namespace insonate::prepare

@@ -59,7 +59,7 @@ bool GuidePointer::press(const Watched& where, QPoint at, Qt::MouseButton button
     stroke.tool = step::Paint{.radius_mm = guide_.brush_mm()};
     stroke.label = erases ? stroke.rest : label;
     if (erases) stroke.over = {{label}};
-    const QString name = (erases ? tr("erase %1") : tr("paint %1")).arg(structureName(label));
+    const QString name = (erases ? tr("erase %1") : tr("paint %1")).arg(session_.nameOf(label));
     painting_ = session_.labelling().beginStroke(std::move(stroke), name);
     if (painting_) session_.labelling().strokeTo(patientAt(where, at));
     return true;

@@ -113,15 +113,10 @@ bool GuideSession::isMade(int index) const {
   return made > 0 && spanOf(index).count == made;
 }
 
-bool GuideSession::hasVoxels(std::uint8_t label) const {
-  const auto& measures = session_.measuring().measures();
-  return measures && measures->statistics.voxels[label] > 0;
-}
-
 /// The import has made it.
 bool GuideSession::isThere(int index) const {
   const auto& makes = guide_.steps[std::size_t(index)].makes;
-  return !makes.empty() && std::ranges::all_of(makes, [this](std::uint8_t label) { return hasVoxels(label); });
+  return !makes.empty() && std::ranges::all_of(makes, [this](std::uint8_t label) { return session_.hasVoxels(label); });
 }
 
 GuideSession::State GuideSession::state(int index) const {
@@ -138,8 +133,8 @@ QStringList GuideSession::remarks(int index) const {
   if (p.restored) return {tr("Made when the case was saved.")};
   if (isThere(index)) return {tr("The case has these labels already.")};
   const std::uint8_t label = guide_.steps[std::size_t(index)].label;
-  if (hasVoxels(label) && before_.steps.empty() && recipe_.steps.empty())
-    return {tr("The case has %1 already: look whether this is labelled before you run.").arg(structureName(label))};
+  if (session_.hasVoxels(label) && before_.steps.empty() && recipe_.steps.empty())
+    return {tr("The case has %1 already: look whether this is labelled before you run.").arg(session_.nameOf(label))};
   return {};
 }
 
@@ -286,6 +281,7 @@ Result<void> GuideSession::saveRecipe(const std::filesystem::path& folder) const
   if (made.steps.empty()) return {};
   Recipe all = before_;
   all.description = "What made the labels of this case out of those that its import gave, in this order.";
+  all.labels = session_.terms().own;
   all.steps.insert(all.steps.end(), made.steps.begin(), made.steps.end());
   return writeAtomically(folder / kRecipeFile, textOf(all));
 }

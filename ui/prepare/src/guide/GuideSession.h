@@ -92,7 +92,6 @@ class GuideSession : public QObject {
   Span spanOf(int index) const;
   bool isMade(int index) const;
   bool isThere(int index) const;
-  bool hasVoxels(std::uint8_t label) const;
   void finished(int index, bool well);
   void goToNext();
   void lookForDoubts(int index);

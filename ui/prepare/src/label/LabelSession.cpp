@@ -1,6 +1,5 @@
 #include "LabelSession.h"
 
-#include "../edit/Structures.h"
 #include "LabelCommand.h"
 
 #include <insonate/ui/TaskBar.h>
@@ -208,8 +207,8 @@ void LabelSession::redo() {
 QString LabelSession::refusal(std::uint8_t label) const {
   if (!patient_) return tr("There is no case to label; open one first.");
   if (busy_) return tr("A tool is at work; wait for it or cancel it first.");
-  if (rules_.locked.test(label)) return tr("The label %1 is locked; unlock it to edit it.").arg(structureName(label));
-  if (rules_.hidden.test(label)) return tr("The label %1 is hidden; show it to edit it.").arg(structureName(label));
+  if (rules_.locked.test(label)) return tr("The label %1 is locked; unlock it to edit it.").arg(names_(label));
+  if (rules_.hidden.test(label)) return tr("The label %1 is hidden; show it to edit it.").arg(names_(label));
   return {};
 }
 

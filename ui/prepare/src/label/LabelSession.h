@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../edit/Structures.h"
 #include "LabelPreview.h"
 #include "LabelRules.h"
 #include "LabelSnapshots.h"
@@ -42,6 +43,8 @@ class LabelSession : public QObject {
   using Done = std::function<void(const Result<LabelChange>&)>;
 
   LabelSession(ui::TaskBar& tasks, QUndoStack& undo, QObject* parent);
+  /// How labels are called in sentences; without, as the label table has them.
+  void setNames(std::function<QString(std::uint8_t)> names) { names_ = std::move(names); }
   ~LabelSession() override;
 
   /// Another case, null for none: edits are forgotten, a tool that runs is stopped.
@@ -133,6 +136,7 @@ class LabelSession : public QObject {
   };
 
   ui::TaskBar& tasks_;
+  std::function<QString(std::uint8_t)> names_ = structureName;
   QUndoStack& undo_;
   std::shared_ptr<const PatientCase> patient_;
   std::optional<QFuture<std::shared_ptr<Copies>>> ready_;  ///< copies of the case's labels

@@ -1,11 +1,13 @@
 #include "LivePatient.h"
 
+#include <insonate/cases/TissueLabels.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/AcousticTable.h>
 
 #include <QFutureWatcher>
 #include <QtConcurrent/QtConcurrentRun>
 #include <algorithm>
+#include <ranges>
 
 namespace insonate::prepare {
 namespace {
@@ -132,6 +134,14 @@ void LivePatient::setLabels(std::shared_ptr<const LabelMap> labels, std::vector<
   if (feed_.live()) startLive();
 }
 
+void LivePatient::setOwnLabels(const OwnLabels& own) {
+  const bool otherTissues = std::ranges::any_of(std::views::iota(int{kLabelCount}, 256), [&](int label) {
+    return tissueOf(own, std::uint8_t(label)) != tissueOf(own_, std::uint8_t(label));
+  });
+  own_ = own;
+  if (otherTissues && feed_.live()) startLive();
+}
+
 void LivePatient::setAwake(bool awake) {
   if (awake == awake_) return;
   awake_ = awake;
@@ -161,7 +171,8 @@ void LivePatient::startLive() {
   if (!awake_ || !patient_ || !where) return;
   LiveOptions options;
   options.cineBytes = kCineBytes;
-  auto live = LiveImaging::make(labels_ ? CaseVolumes(patient_, labels_) : patient_, setup_, *where, options);
+  const auto labels = labels_ ? labels_ : CaseVolumes(patient_).labels;
+  auto live = LiveImaging::make(CaseVolumes(patient_, inTissues(own_, labels)), setup_, *where, options);
   if (!live) {
     trouble_ = QString::fromStdString(live.error().message);
     feed_.set(nullptr);

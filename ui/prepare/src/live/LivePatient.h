@@ -30,6 +30,8 @@ class LivePatient : public QObject {
   void wantSurface(const ui::SurfaceWish& wish);
   /// Edited labels in place of the patient's: the picture is made of them from now on, and these surfaces.
   /// `outsideMoved`: the probe stands on another skin.
+  /// What labels of the author's own are made of.
+  void setOwnLabels(const OwnLabels& own);
   void setLabels(std::shared_ptr<const LabelMap> labels, std::vector<ui::SurfaceWish> wishes, bool outsideMoved);
   /// Asleep, there is no probe and no scene; what was made stays.
   void setAwake(bool awake);
@@ -77,6 +79,7 @@ class LivePatient : public QObject {
 
   std::shared_ptr<const PatientCase> patient_;
   std::shared_ptr<const LabelMap> labels_;  ///< edited; null for the patient's own
+  OwnLabels own_;
   ImagingSetup setup_;
   std::optional<StartPose> start_;
   std::optional<ProbeHand> hand_;

@@ -50,9 +50,10 @@ void CaseMeasuring::setLabels(std::shared_ptr<const LabelMap> labels) {
   beginAgain();
 }
 
-void CaseMeasuring::setPlaces(const CasePlaces& places) {
+void CaseMeasuring::setWords(const CasePlaces& places, const LabelTerms& terms) {
   auto manifest = std::make_shared<CaseManifest>(*manifest_);
   putPlaces(places, *manifest);
+  putTerms(terms, *manifest);
   manifest_ = std::move(manifest);
   beginAgain();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../check/CasePlaces.h"
+#include "../table/LabelTerms.h"
 
 #include <insonate/cases/CaseCheck.h>
 #include <insonate/cases/CaseStatistics.h>
@@ -39,8 +40,8 @@ class CaseMeasuring : public QObject {
   void setCase(std::shared_ptr<const PatientCase> patient);
   /// Edited labels in place of the case's; what was measured before stays until the new measures are there.
   void setLabels(std::shared_ptr<const LabelMap> labels);
-  /// The same for targets, landmarks and start poses.
-  void setPlaces(const CasePlaces& places);
+  /// The same for targets, landmarks and start poses, and for what labels mean.
+  void setWords(const CasePlaces& places, const LabelTerms& terms);
   /// While not allowed, nothing begins; what runs goes on.
   void setAllowed(bool allowed);
   /// Begins, or begins again after a cancel.

@@ -20,10 +20,10 @@ namespace {
 
 constexpr int kRows = 5;
 
-QString wordsOf(const LabelStep& step) {
+QString wordsOf(const LabelStep& step, const PrepareSession& session) {
   const std::string_view name = nameOf(step.tool);
   QString words = QString::fromUtf8(name.data(), int(name.size())).replace(QLatin1Char('_'), QLatin1Char(' '));
-  if (step.label != 0) words += QStringLiteral(": ") + structureName(step.label);
+  if (step.label != 0) words += QStringLiteral(": ") + session.nameOf(step.label);
   return words;
 }
 
@@ -82,7 +82,7 @@ void RecipeBox::refresh() {
   const Recipe made = session_.labelling().recipe();
   steps_->clear();
   for (const LabelStep& step : made.steps)
-    steps_->addItem(QStringLiteral("%1  %2").arg(steps_->count() + 1).arg(wordsOf(step)));
+    steps_->addItem(QStringLiteral("%1  %2").arg(steps_->count() + 1).arg(wordsOf(step, session_)));
   steps_->scrollToBottom();
   none_->setVisible(made.steps.empty());
   steps_->setVisible(!made.steps.empty());
@@ -104,6 +104,7 @@ void RecipeBox::askReplay() {
 void RecipeBox::save(const QString& file) {
   Recipe made = session_.labelling().recipe();
   made.description = "Steps of labelling, in this order.";
+  made.labels = session_.terms().own;
   const auto ok = writeAtomically(file.toStdString(), textOf(made));
   session_.say(ok ? tr("The steps are saved; the same file can be replayed on another case.")
                   : QString::fromStdString(ok.error().message));
@@ -113,7 +114,10 @@ void RecipeBox::replay(const QString& file) {
   const auto recipe = loadRecipe(file.toStdString());
   if (!recipe) return session_.say(QString::fromStdString(recipe.error().message));
   const std::size_t here = session_.labelling().recipe().steps.size();
-  replay_.run(recipe->steps, here, here, tr("Replaying a recipe"), [this](bool well) {
+  replay_.run(recipe->steps, here, here, tr("Replaying a recipe"), [this, names = recipe->labels](bool well) {
+    LabelTerms terms = session_.terms();
+    terms.own.insert(names.begin(), names.end());
+    if (well && terms != session_.terms()) session_.setTerms(std::move(terms), tr("names of the recipe's labels"));
     session_.say(well ? tr("The recipe is replayed; Ctrl+Z takes back its steps.")
                       : tr("The recipe was not replayed; the labels are as they were."));
     refresh();

@@ -3,7 +3,11 @@
 #include "../PrepareSession.h"
 #include "Swatch.h"
 
+#include <insonate/tissue/Labels.h>
 #include <insonate/ui/Theme.h>
+
+#include <QLocale>
+#include <utility>
 
 namespace insonate::prepare {
 StructureModel::StructureModel(PrepareSession& session, QObject* parent)
@@ -14,10 +18,15 @@ StructureModel::StructureModel(PrepareSession& session, QObject* parent)
       shown_(ui::icon(QStringLiteral("eye"))),
       unseen_(ui::icon(QStringLiteral("eye"), views::theme::kQuiet)),
       hidden_(ui::icon(QStringLiteral("eye-off"), views::theme::kQuiet)) {
+  for (const LabelState state : kLabelStates) states_[std::size_t(state)] = stateIcon(state);
   connect(&session_, &PrepareSession::structuresChanged, this, [this] {
     beginResetModel();
     endResetModel();
   });
+  const auto refresh = [this] {
+    if (rowCount() > 0) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+  };
+  connect(&session_, &PrepareSession::termsChanged, this, refresh);
   connect(&session_, &PrepareSession::lookChanged, this, [this](int label) {
     const int row = rowOf(std::uint8_t(label));
     if (row >= 0) Q_EMIT dataChanged(index(row, 0), index(row, kColumns - 1));
@@ -25,9 +34,7 @@ StructureModel::StructureModel(PrepareSession& session, QObject* parent)
   connect(&session_.labelling(), &LabelSession::rulesChanged, this, [this] {
     if (rowCount() > 0) Q_EMIT dataChanged(index(0, kLock), index(rowCount() - 1, kLock));
   });
-  connect(&session_.measuring(), &CaseMeasuring::changed, this, [this] {
-    if (rowCount() > 0) Q_EMIT dataChanged(index(0, kVolume), index(rowCount() - 1, kVolume));
-  });
+  connect(&session_.measuring(), &CaseMeasuring::changed, this, refresh);
 }
 
 int StructureModel::rowCount(const QModelIndex& parent) const {
@@ -56,8 +63,29 @@ QString StructureModel::volume(std::uint8_t label) const {
   return QString::number(ml, 'f', ml < 10 ? 2 : ml < 100 ? 1 : 0);
 }
 
+QString StructureModel::voxels(std::uint8_t label) const {
+  const auto& measures = session_.measuring().measures();
+  return measures ? QLocale().toString(qulonglong(measures->statistics.voxels[label])) : QString();
+}
+
+void StructureModel::setRoomy(bool roomy) {
+  if (std::exchange(roomy_, roomy) != roomy && rowCount() > 0)
+    Q_EMIT dataChanged(index(0, kState), index(rowCount() - 1, kState));
+}
+
+Qt::ItemFlags StructureModel::flags(const QModelIndex& index) const {
+  const bool editable = index.column() == kName && isOwnLabel(labelAt(index.row()));
+  return QAbstractTableModel::flags(index) | (editable ? Qt::ItemIsEditable : Qt::NoItemFlags);
+}
+
+bool StructureModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable)) return false;
+  session_.setName(labelAt(index.row()), value.toString());
+  return true;
+}
+
 QVariant StructureModel::tip(Column column, std::uint8_t label) const {
-  const QString name = structureName(label);
+  const QString name = session_.nameOf(label);
   switch (column) {
     case kEye:
       if (session_.look(label).visible && session_.look(label).opacity <= 0)
@@ -69,10 +97,70 @@ QVariant StructureModel::tip(Column column, std::uint8_t label) const {
     case kLock:
       return session_.labelling().rules().locked.test(label) ? tr("Let tools change %1 again (L)").arg(name)
                                                              : tr("Lock %1: tools leave it as it is (L)").arg(name);
+    case kState:
+      return tr("%1: %2. A click or S goes to the next state").arg(name, stateWord(session_.stateOf(label)));
     case kVolume:
       return tr("Volume of %1 in millilitres").arg(name);
+    case kTissue:
+      return tr("What %1 is made of, in ultrasound, under the probe and for the needle").arg(name);
+    case kVoxels:
+      return tr("Voxels of %1").arg(name);
     default:
-      return tr("%1, label %2").arg(name).arg(int(label));
+      return isOwnLabel(label) ? tr("%1, label %2; a double click or F2 gives it a name").arg(name).arg(int(label))
+                               : tr("%1, label %2").arg(name).arg(int(label));
+  }
+}
+
+QVariant StructureModel::textOf(Column column, std::uint8_t label) const {
+  const std::uint8_t tissue = tissueOf(session_.terms().own, label);
+  switch (column) {
+    case kName:
+      return session_.nameOf(label);
+    case kState:
+      return roomy_ ? stateWord(session_.stateOf(label)) : QString();
+    case kVolume:
+      return volume(label);
+    case kTissue:
+      return structureName(knownLabel(tissue));
+    case kTerm:
+      return termOf(tissue);
+    case kVoxels:
+      return voxels(label);
+    default:
+      return {};
+  }
+}
+
+QVariant StructureModel::iconOf(Column column, std::uint8_t label) const {
+  const StructureLook& look = session_.look(label);
+  switch (column) {
+    case kEye:
+      return !look.visible ? hidden_ : look.opacity > 0 ? shown_ : unseen_;
+    case kLock:
+      return session_.labelling().rules().locked.test(label) ? locked_ : unlocked_;
+    case kColour:
+      return swatch(look.colour);
+    case kState:
+      return states_[std::size_t(session_.stateOf(label))];
+    default:
+      return {};
+  }
+}
+
+QVariant StructureModel::spoken(Column column, std::uint8_t label) const {
+  const QString name = session_.nameOf(label);
+  switch (column) {
+    case kEye:
+      return session_.look(label).visible ? tr("%1 is shown").arg(name) : tr("%1 is hidden").arg(name);
+    case kLock:
+      return session_.labelling().rules().locked.test(label) ? tr("%1 is locked").arg(name)
+                                                             : tr("%1 is not locked").arg(name);
+    case kColour:
+      return tr("colour %1").arg(ui::colour(session_.look(label).colour).name());
+    case kState:
+      return tr("%1: %2").arg(name, stateWord(session_.stateOf(label)));
+    default:
+      return textOf(column, label);
   }
 }
 
@@ -80,29 +168,21 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const auto column = Column(index.column());
   const std::uint8_t label = labelAt(index.row());
-  const StructureLook& look = session_.look(label);
   switch (role) {
     case Qt::DisplayRole:
-      return column == kName ? structureName(label) : column == kVolume ? volume(label) : QVariant();
+      return textOf(column, label);
+    case Qt::EditRole:
+      return QString::fromStdString(labelName(session_.terms().own, label));
     case Qt::DecorationRole:
-      if (column == kEye) return !look.visible ? hidden_ : look.opacity > 0 ? shown_ : unseen_;
-      if (column == kLock) return session_.labelling().rules().locked.test(label) ? locked_ : unlocked_;
-      return column == kColour ? QVariant(swatch(look.colour)) : QVariant();
+      return iconOf(column, label);
     case Qt::TextAlignmentRole:
-      return column == kVolume ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
+      return column == kVolume || column == kVoxels ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
     case Qt::ForegroundRole:
-      return look.visible ? QVariant() : QVariant(ui::colour(views::theme::kQuiet));
+      return session_.look(label).visible ? QVariant() : QVariant(ui::colour(views::theme::kQuiet));
     case Qt::ToolTipRole:
       return tip(column, label);
     case Qt::AccessibleTextRole:
-      if (column == kEye)
-        return look.visible ? tr("%1 is shown").arg(structureName(label))
-                            : tr("%1 is hidden").arg(structureName(label));
-      if (column == kLock)
-        return session_.labelling().rules().locked.test(label) ? tr("%1 is locked").arg(structureName(label))
-                                                               : tr("%1 is not locked").arg(structureName(label));
-      if (column == kColour) return tr("colour %1").arg(ui::colour(look.colour).name());
-      return data(index, Qt::DisplayRole);
+      return spoken(column, label);
     default:
       return {};
   }
@@ -110,10 +190,25 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const {
 
 QVariant StructureModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::TextAlignmentRole)
-    return section == kVolume ? int(Qt::AlignRight | Qt::AlignVCenter) : int(Qt::AlignLeft | Qt::AlignVCenter);
+  const bool number = section == kVolume || section == kVoxels;
+  if (role == Qt::TextAlignmentRole) return int((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
-  return section == kName ? tr("structure") : section == kVolume ? tr("ml") : QString();
+  switch (section) {
+    case kName:
+      return tr("structure");
+    case kState:
+      return roomy_ ? tr("state") : QString();
+    case kVolume:
+      return tr("ml");
+    case kTissue:
+      return tr("tissue");
+    case kTerm:
+      return tr("term");
+    case kVoxels:
+      return tr("voxels");
+    default:
+      return {};
+  }
 }
 
 }  // namespace insonate::prepare

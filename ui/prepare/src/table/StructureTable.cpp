@@ -1,14 +1,15 @@
 #include "StructureTable.h"
 
 #include "../PrepareSession.h"
+#include "LabelDetails.h"
 #include "StructureModel.h"
 
-#include <insonate/tissue/Labels.h>
+#include <insonate/tissue/OwnLabels.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 
 #include <QColorDialog>
-#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
@@ -19,7 +20,10 @@
 namespace insonate::prepare {
 namespace {
 
-constexpr int kRow_px = 26, kIconColumn_px = 25, kVolumeColumn_px = 54;
+constexpr int kRow_px = 26, kIconColumn_px = 25, kVolumeColumn_px = 58;
+/// What the columns beside those of a narrow table take, and from which width on there is room for them.
+constexpr int kStateColumn_px = 104, kTissueColumn_px = 130, kTermColumn_px = 250, kVoxelsColumn_px = 84;
+constexpr int kRoomForState_px = 380, kRoomForTissue_px = 500, kRoomForAll_px = 840;
 constexpr double kPercent = 100;
 
 }  // namespace
@@ -29,7 +33,7 @@ StructureTable::StructureTable(PrepareSession& session, QWidget* parent)
       session_(session),
       model_(new StructureModel(session, this)),
       table_(new QTableView),
-      opacity_(new ui::ValueSlider(tr("opacity in 3D"), QStringLiteral("%"), {0, kPercent, kPercent, 5, 0},
+      opacity_(new ui::ValueSlider(tr("in 3D"), QStringLiteral("%"), {0, kPercent, kPercent, 5, 0},
                                    tr("how much the selected structure hides what is behind it"))),
       onSlices_(new ui::ValueSlider(tr("on slices"), QStringLiteral("%"), {0, kPercent, kPercent, 5, 0},
                                     tr("how strongly the selected structure colours the slices, of what all labels "
@@ -41,8 +45,12 @@ StructureTable::StructureTable(PrepareSession& session, QWidget* parent)
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kGap);
   box->addWidget(table_, 1);
-  box->addWidget(opacity_);
-  box->addWidget(onSlices_);
+  box->addWidget(new LabelDetails(session_));
+  auto* opacities = new QHBoxLayout;
+  opacities->setSpacing(ui::kGap);
+  opacities->addWidget(opacity_);
+  opacities->addWidget(onSlices_);
+  box->addLayout(opacities);
   box->addWidget(buildButtons());
   connect(opacity_, &ui::ValueSlider::valueChanged, this, [this](double percent) {
     if (!showing_) session_.setOpacity(session_.selected(), percent / kPercent);
@@ -75,11 +83,14 @@ void StructureTable::buildTable() {
   header->setMinimumSectionSize(kIconColumn_px);
   header->setSectionResizeMode(QHeaderView::Fixed);
   header->setSectionResizeMode(StructureModel::kName, QHeaderView::Stretch);
-  header->resizeSection(StructureModel::kEye, kIconColumn_px);
-  header->resizeSection(StructureModel::kColour, kIconColumn_px);
+  for (const auto column : {StructureModel::kEye, StructureModel::kLock, StructureModel::kColour})
+    header->resizeSection(column, kIconColumn_px);
   header->resizeSection(StructureModel::kVolume, kVolumeColumn_px);
-  header->resizeSection(StructureModel::kLock, kIconColumn_px);
-  header->moveSection(StructureModel::kLock, StructureModel::kColour);
+  header->resizeSection(StructureModel::kTissue, kTissueColumn_px);
+  header->resizeSection(StructureModel::kTerm, kTermColumn_px);
+  header->resizeSection(StructureModel::kVoxels, kVoxelsColumn_px);
+  table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  showColumns();
   table_->installEventFilter(this);
   connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) { clicked(index); });
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& index) {
@@ -87,15 +98,31 @@ void StructureTable::buildTable() {
   });
 }
 
+/// As many as there is room for; what a narrow table does not show stands below it in words.
+void StructureTable::showColumns() {
+  const int room_px = width();
+  model_->setRoomy(room_px >= kRoomForState_px);
+  table_->horizontalHeader()->resizeSection(StructureModel::kState,
+                                            room_px >= kRoomForState_px ? kStateColumn_px : kIconColumn_px);
+  table_->setColumnHidden(StructureModel::kTissue, room_px < kRoomForTissue_px);
+  for (const auto column : {StructureModel::kTerm, StructureModel::kVoxels})
+    table_->setColumnHidden(column, room_px < kRoomForAll_px);
+}
+
+void StructureTable::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  showColumns();
+}
+
 QWidget* StructureTable::buildButtons() {
   auto* row = new QWidget;
-  auto* box = new QGridLayout(row);
+  auto* box = new QHBoxLayout(row);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kSmallGap);
-  only_ = new QPushButton(tr("Only this"));
+  only_ = new QPushButton(tr("Only"));
   only_->setObjectName(QStringLiteral("showOnly"));
   only_->setToolTip(tr("Hide every structure but the selected one"));
-  all_ = new QPushButton(tr("Show all"));
+  all_ = new QPushButton(tr("All"));
   all_->setObjectName(QStringLiteral("showAll"));
   all_->setToolTip(tr("Show every structure"));
   auto* add = new QPushButton(tr("Add"));
@@ -107,14 +134,16 @@ QWidget* StructureTable::buildButtons() {
   add->setMenu(menu);
   remove_ = new QPushButton(tr("Clear"));
   remove_->setObjectName(QStringLiteral("clearLabel"));
-  remove_->setToolTip(tr("All voxels of the selected structure become soft tissue; Ctrl+Z takes it back"));
+  remove_->setToolTip(
+      tr("All voxels of the selected structure become soft tissue; one of your own that has none "
+         "leaves the list. Ctrl+Z takes it back"));
   connect(remove_, &QPushButton::clicked, this, [this] { session_.removeVoxels(session_.selected()); });
-  box->addWidget(add, 0, 0);
-  box->addWidget(remove_, 0, 1);
   connect(only_, &QPushButton::clicked, this, [this] { session_.showOnly(session_.selected()); });
   connect(all_, &QPushButton::clicked, this, [this] { session_.showAll(); });
-  box->addWidget(only_, 1, 0);
-  box->addWidget(all_, 1, 1);
+  for (QPushButton* button : {add, remove_, only_, all_}) {
+    button->setMinimumWidth(0);
+    box->addWidget(button, 1);
+  }
   return row;
 }
 
@@ -123,6 +152,7 @@ void StructureTable::clicked(const QModelIndex& index) {
   session_.select(label);
   if (index.column() == StructureModel::kEye) session_.setVisible(label, !session_.look(label).visible);
   if (index.column() == StructureModel::kColour) chooseColour();
+  if (index.column() == StructureModel::kState) session_.toNextState(label);
   if (index.column() == StructureModel::kLock)
     session_.setLocked(label, !session_.labelling().rules().locked.test(label));
 }
@@ -133,17 +163,27 @@ void StructureTable::fillAdd(QMenu& menu) {
   for (const LabelInfo& info : labelTable()) {
     if (info.label == kBackground || std::ranges::find(there, info.label) != there.end()) continue;
     QAction* action =
-        menu.addAction(structureName(info.label), this, [this, label = info.label] { session_.addStructure(label); });
+        menu.addAction(session_.nameOf(info.label), this, [this, label = info.label] { session_.addStructure(label); });
     action->setToolTip(tr("SNOMED CT %1, %2")
                            .arg(QString::fromUtf8(info.snomedCode.data(), int(info.snomedCode.size())),
                                 QString::fromUtf8(info.snomedMeaning.data(), int(info.snomedMeaning.size()))));
   }
   int next = kLabelCount;
   while (std::ranges::find(there, std::uint8_t(next)) != there.end()) ++next;
-  if (next >= Proposal::kKeep) return;
+  if (next > kLastOwnLabel) return;
   menu.addSeparator();
-  menu.addAction(tr("Another structure: label %1").arg(next), this,
-                 [this, next] { session_.addStructure(std::uint8_t(next)); });
+  QAction* another = menu.addAction(tr("Another structure ..."), this, [this, next] {
+    session_.addStructure(std::uint8_t(next));
+    rename();
+  });
+  another->setToolTip(tr("One of your own, with a name, a colour and a tissue: label %1").arg(next));
+}
+
+void StructureTable::rename() {
+  const int row = model_->rowOf(session_.selected());
+  if (row < 0) return;
+  table_->setFocus();
+  table_->edit(model_->index(row, StructureModel::kName));
 }
 
 void StructureTable::chooseColour() {
@@ -151,7 +191,7 @@ void StructureTable::chooseColour() {
   if (model_->rowOf(label) < 0) return;
   auto* dialog = new QColorDialog(ui::colour(session_.look(label).colour), this);
   dialog->setObjectName(QStringLiteral("structureColour"));
-  dialog->setWindowTitle(tr("Colour of %1").arg(structureName(label)));
+  dialog->setWindowTitle(tr("Colour of %1").arg(session_.nameOf(label)));
   dialog->setOption(QColorDialog::DontUseNativeDialog);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QColorDialog::colorSelected, this, [this, label](const QColor& c) {

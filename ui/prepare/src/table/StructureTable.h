@@ -15,7 +15,8 @@ namespace insonate::prepare {
 class PrepareSession;
 class StructureModel;
 
-/// The table of structures with what can be done to one of them. Space shows or hides, Enter chooses a colour.
+/// The table of structures with what can be done to one of them. Space shows or hides, Enter chooses a colour, F2 names
+/// one of the author's own. Where it is wide, it shows tissue, term and voxels, too.
 class StructureTable : public QWidget {
  public:
   explicit StructureTable(PrepareSession& session, QWidget* parent = nullptr);
@@ -25,9 +26,13 @@ class StructureTable : public QWidget {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void buildTable();
+  void showColumns();
+  /// Begins to edit the selected structure's name.
+  void rename();
   QWidget* buildButtons();
   void clicked(const QModelIndex& index);
   void fillAdd(QMenu& menu);

@@ -15,6 +15,7 @@ LabelBox::LabelBox(PrepareSession& session, const QString& name, const QString& 
   setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   setMinimumContentsLength(8);
   connect(&session_, &PrepareSession::structuresChanged, this, [this] { fill(); });
+  connect(&session_, &PrepareSession::termsChanged, this, [this] { fill(); });
   connect(&session_, &PrepareSession::lookChanged, this, [this](int label) {
     const int row = findData(label);
     if (row >= 0) setItemIcon(row, swatch(session_.look(std::uint8_t(label)).colour));
@@ -29,7 +30,7 @@ LabelBox::LabelBox(PrepareSession& session, const QString& name, const QString& 
 void LabelBox::fill() {
   clear();
   for (const std::uint8_t label : session_.structures())
-    addItem(swatch(session_.look(label).colour), structureName(label), int(label));
+    addItem(swatch(session_.look(label).colour), session_.nameOf(label), int(label));
   show(label_);
 }
 

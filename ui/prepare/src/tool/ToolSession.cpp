@@ -212,7 +212,7 @@ bool ToolSession::beginStroke(Vec3 patient_mm, views::SliceKind slice) {
     return false;
   }
   slice_ = slice;
-  if (!session_.labelling().beginStroke(step(), tr("%1 %2").arg(tool_->name, structureName(session_.selected()))))
+  if (!session_.labelling().beginStroke(step(), tr("%1 %2").arg(tool_->name, session_.nameOf(session_.selected()))))
     return false;
   strokeTo(patient_mm);
   return true;
@@ -256,7 +256,7 @@ void ToolSession::preview() {
 
 void ToolSession::apply() {
   if (!isComplete()) return;
-  session_.labelling().run(step(), tr("%1 %2").arg(tool_->name, structureName(session_.selected())),
+  session_.labelling().run(step(), tr("%1 %2").arg(tool_->name, session_.nameOf(session_.selected())),
                            [this](const Result<LabelChange>& change) {
                              if (!change) return;
                              if (auto* points = pointsOf(parameters_)) points->clear();

@@ -1,0 +1,135 @@
+#include "PrepareWindow.h"
+
+#include <insonate/cases/CaseVersions.h>
+
+#include <QAbstractItemDelegate>
+#include <QMenu>
+
+namespace insonate::prepare {
+namespace {
+
+/// What an author says of labels: names, tissues and states, in the table and below it.
+class LabelTable : public PrepareWindow {
+ protected:
+  static constexpr std::uint8_t kOwn = kLabelCount;
+
+  QString cell(std::uint8_t label, int column, int role = Qt::DisplayRole) {
+    return table()->model()->index(rowOf(label), column).data(role).toString();
+  }
+  void choose(const char* box, int row) {
+    auto* combo = child<QComboBox>(box);
+    ASSERT_TRUE(combo->isEnabled());
+    combo->setCurrentIndex(row);
+    Q_EMIT combo->activated(row);
+  }
+  void addOwn() {
+    auto* menu = child<QPushButton>("addLabel")->menu();
+    Q_EMIT menu->aboutToShow();
+    ASSERT_TRUE(menu->actions().back()->text().contains("Another structure"));
+    menu->actions().back()->trigger();
+  }
+  /// Typed into the cell that is being edited.
+  void type(const QString& name) {
+    auto* line = table()->viewport()->findChild<QLineEdit*>();
+    ASSERT_TRUE(line);
+    line->setText(name);
+    QTest::keyClick(line, Qt::Key_Return);
+    QApplication::processEvents();
+  }
+  PatientCase saved() {
+    PatientCase copy = *session_->patient();
+    if (const ui::CaseEdit edit = workspace_->unsavedEdit()) edit(copy);
+    return copy;
+  }
+};
+
+TEST_F(LabelTable, AStructureOfOnesOwnIsNamedAtOnceAndCanBeTakenBack) {
+  openCase();
+  const std::size_t before = session_->structures().size();
+  addOwn();
+  EXPECT_EQ(session_->selected(), kOwn);
+  type("left  external\njugular");
+  EXPECT_EQ(cell(kOwn, kName), "left external jugular");
+  EXPECT_EQ(session_->stateOf(kOwn), LabelState::NotStarted);
+  EXPECT_EQ(saved().manifest.ownLabels, (OwnLabels{{kOwn, {"left external jugular", kSoftTissue}}}));
+  child<QAction>("undo")->trigger();
+  EXPECT_EQ(cell(kOwn, kName), "label 16");
+  child<QAction>("undo")->trigger();
+  EXPECT_EQ(session_->structures().size(), before);
+  EXPECT_FALSE(workspace_->unsavedEdit());
+  child<QAction>("redo")->trigger();
+  child<QAction>("redo")->trigger();
+  EXPECT_EQ(cell(kOwn, kName), "left external jugular");
+}
+
+TEST_F(LabelTable, ATissueIsChosenForOnesOwnOnly) {
+  openCase();
+  session_->select(kVein);
+  EXPECT_FALSE(child<QComboBox>("labelTissue")->isEnabled());
+  EXPECT_EQ(child<QComboBox>("labelTissue")->currentText(), "vein");
+  EXPECT_TRUE(child<QLabel>("labelTerm")->text().startsWith("SNOMED CT 29092000, Vein;"));
+  session_->addStructure(kOwn);
+  choose("labelTissue", child<QComboBox>("labelTissue")->findText("bone"));
+  EXPECT_EQ(saved().manifest.ownLabels.at(kOwn).tissue, kBone);
+  EXPECT_EQ(cell(kOwn, kTissue), "bone");
+  EXPECT_TRUE(child<QLabel>("labelTerm")->text().startsWith("SNOMED CT 272673000, Bone;"));
+  EXPECT_NE(contentHashOf(saved()), "") << "and is part of what trainees get";
+  child<QAction>("undo")->trigger();
+  EXPECT_EQ(child<QComboBox>("labelTissue")->currentText(), "soft tissue");
+}
+
+TEST_F(LabelTable, StatesAreChangedByClickKeyAndChoice) {
+  openCase();
+  EXPECT_EQ(session_->stateOf(kVein), LabelState::InProgress) << "nobody has said so, but it is begun";
+  EXPECT_FALSE(workspace_->unsavedEdit());
+  clickCell(kVein, kState);
+  EXPECT_EQ(session_->stateOf(kVein), LabelState::Completed);
+  EXPECT_EQ(cell(kVein, kState, Qt::AccessibleTextRole), "vein: completed") << "a word beside the glyph";
+  EXPECT_TRUE(workspace_->statusText().contains("vein: completed"));
+  key(Qt::Key_S);
+  EXPECT_EQ(child<QComboBox>("labelState")->currentText(), "flagged");
+  choose("labelState", 0);
+  EXPECT_EQ(saved().manifest.states, (LabelStates{{kVein, LabelState::NotStarted}}));
+  for (int n = 0; n < 3; ++n) child<QAction>("undo")->trigger();
+  EXPECT_EQ(session_->stateOf(kVein), LabelState::InProgress);
+  EXPECT_FALSE(workspace_->unsavedEdit());
+}
+
+TEST_F(LabelTable, HostileNamesDoNoHarm) {
+  openCase();
+  session_->addStructure(kOwn);
+  session_->setName(kOwn, QString(10'000, QLatin1Char('x')));
+  EXPECT_EQ(cell(kOwn, kName).size(), 64);
+  session_->setName(kOwn, "<img src='x'><b>a</b>\n\"\\");
+  EXPECT_EQ(cell(kOwn, kName), "<img src='x'><b>a</b> '/");
+  session_->setName(kOwn, "vein");
+  EXPECT_EQ(cell(kOwn, kName), "<img src='x'><b>a</b> '/") << "two of one name";
+  EXPECT_TRUE(workspace_->statusText().contains("with the name vein already"))
+      << workspace_->statusText().toStdString();
+  session_->setName(kVein, "artery");
+  EXPECT_EQ(cell(kVein, kName), "vein") << "the label table's names stay";
+}
+
+TEST_F(LabelTable, AWideTableShowsTissueTermAndVoxels) {
+  openCase();
+  EXPECT_TRUE(table()->isColumnHidden(kTissue));
+  EXPECT_EQ(cell(kVein, kState), "") << "no room for the word beside the glyph";
+  table()->parentWidget()->setFixedWidth(900);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !table()->isColumnHidden(kTissue); }, kPatience_ms));
+  EXPECT_EQ(cell(kVein, kState), "in progress");
+  EXPECT_EQ(cell(kVein, kTissue + 1), "SNOMED CT 29092000, Vein");
+  EXPECT_FALSE(table()->isColumnHidden(kTissue + 2));
+}
+
+TEST_F(LabelTable, ClearForgetsOneOfOnesOwnThatHasNoVoxels) {
+  openCase();
+  session_->addStructure(kOwn);
+  child<QPushButton>("clearLabel")->click();
+  EXPECT_TRUE(session_->terms().own.empty());
+  EXPECT_NE(session_->selected(), kOwn);
+  child<QAction>("undo")->trigger();
+  EXPECT_TRUE(session_->terms().own.contains(kOwn));
+}
+
+}  // namespace
+}  // namespace insonate::prepare

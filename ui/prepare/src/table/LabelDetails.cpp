@@ -1,0 +1,81 @@
+#include "LabelDetails.h"
+
+#include "../PrepareSession.h"
+#include "Swatch.h"
+
+#include <insonate/tissue/Labels.h>
+#include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <algorithm>
+
+namespace insonate::prepare {
+namespace {
+
+QComboBox* choice(const char* object, const QString& name, const QString& tip) {
+  auto* box = new QComboBox;
+  new ui::QuietWheel(box);
+  box->setObjectName(QLatin1String(object));
+  box->setAccessibleName(name);
+  box->setToolTip(tip);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(6);
+  return box;
+}
+
+}  // namespace
+
+LabelDetails::LabelDetails(PrepareSession& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      state_(choice("labelState", tr("State of the selected structure"),
+                    tr("How far the selected structure is (S goes to the next); kept with the case"))),
+      tissue_(choice("labelTissue", tr("Tissue of the selected structure"), {})),
+      term_(ui::paragraph("labelTerm", "quiet")) {
+  for (const LabelState state : kLabelStates) state_->addItem(stateIcon(state), stateWord(state));
+  for (const LabelInfo& info : labelTable())
+    if (info.label != kBackground)
+      tissue_->addItem(swatch(viewColour(info.colour)), structureName(info.label), int(info.label));
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(ui::kSmallGap);
+  grid->addWidget(state_, 0, 0);
+  grid->addWidget(tissue_, 0, 1);
+  grid->addWidget(term_, 1, 0, 1, 2);
+  grid->setColumnStretch(0, 6);  // "in progress" is longer than most tissues
+  grid->setColumnStretch(1, 5);
+  connect(state_, qOverload<int>(&QComboBox::activated), this,
+          [this](int row) { session_.setState(session_.selected(), kLabelStates[row]); });
+  connect(tissue_, qOverload<int>(&QComboBox::activated), this,
+          [this](int row) { session_.setTissue(session_.selected(), std::uint8_t(tissue_->itemData(row).toInt())); });
+  connect(&session_, &PrepareSession::structuresChanged, this, [this] { refresh(); });
+  connect(&session_, &PrepareSession::selectedChanged, this, [this] { refresh(); });
+  connect(&session_, &PrepareSession::termsChanged, this, [this] { refresh(); });
+  connect(&session_.measuring(), &CaseMeasuring::changed, this, [this] { refresh(); });
+  refresh();
+}
+
+void LabelDetails::refresh() {
+  const std::uint8_t label = session_.selected();
+  const auto& there = session_.structures();
+  const bool any = std::ranges::find(there, label) != there.end();
+  state_->setEnabled(any);
+  tissue_->setEnabled(any && isOwnLabel(label));
+  tissue_->setToolTip(tissue_->isEnabled()
+                          ? tr("What it is made of: so it looks in ultrasound, gives way and feels under the needle")
+                          : tr("Structures of the label table are their own tissue; Add makes one of your own"));
+  if (!any) return term_->setText(tr("Choose a structure, or add one."));
+  const std::uint8_t tissue = tissueOf(session_.terms().own, label);
+  state_->setCurrentIndex(int(session_.stateOf(label)));
+  tissue_->setCurrentIndex(tissue_->findData(int(knownLabel(tissue))));
+  const auto& measures = session_.measuring().measures();
+  const qulonglong voxels = measures ? measures->statistics.voxels[label] : 0;
+  term_->setText(tr("%1; %2 voxels").arg(termOf(tissue), QLocale().toString(voxels)));
+}
+
+}  // namespace insonate::prepare
