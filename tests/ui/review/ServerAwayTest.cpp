@@ -1,14 +1,13 @@
 #include "Classroom.h"
 #include "class/ClassTable.h"
 
+#include <ui/support/Beat.h>
 #include <unit/curriculum/PostgresServer.h>
 
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableView>
 #include <QTableWidget>
-#include <QTimer>
 #include <QToolButton>
 
 namespace insonate::review {
@@ -23,12 +22,11 @@ class ServerAway : public Classroom {
     address_ = QString::fromStdString(server_->freshDatabase());
     Classroom::SetUp();
     practise(school_->as(school_->anna), true, 3);
-    beat_.setInterval(1);
-    QObject::connect(&beat_, &QTimer::timeout, [this] { longest_ms_ = std::max(longest_ms_, since_.restart()); });
   }
   void TearDown() override {
     Classroom::TearDown();
     store_.reset(), school_.reset();
+    if (server_) server_->start();
   }
   QString file() const override { return address_; }
   void refresh() {
@@ -37,25 +35,18 @@ class ServerAway : public Classroom {
   }
   ClassDesk& desk() { return *workspace_->findChild<ClassDesk*>(); }
   QString words() { return child<QLabel>("classWords")->text(); }
-  void startBeat() {
-    beat_.start();
-    since_.start();
-    longest_ms_ = 0;
-  }
 
   test::PostgresServer* server_ = nullptr;
   QString address_;
-  QTimer beat_;
-  QElapsedTimer since_;
-  qint64 longest_ms_ = 0;
+  test::Beat beat_;
 };
 
 TEST_F(ServerAway, EachPageSaysSoAndComesBackByItself) {
   enter("ina");
   auto& table = *child<QTableView>("classTable");
   ASSERT_EQ(table.model()->rowCount(), 2);
-  startBeat();
-  server_->crash();
+  beat_.start();
+  server_->fallSilent();
   refresh();
   EXPECT_TRUE(words().contains("cannot be reached")) << words().toStdString();
   EXPECT_TRUE(words().contains("try again")) << "and what to do";
@@ -65,11 +56,11 @@ TEST_F(ServerAway, EachPageSaysSoAndComesBackByItself) {
     child<QToolButton>(tab)->click();
     settle();
   }
-  EXPECT_LT(longest_ms_, 1000) << "the window's thread waits for no server";
+  EXPECT_LT(beat_.longest_ms(), 1000) << "the window's thread waits for no server";
 
   server_->start();
-  refresh();
-  EXPECT_TRUE(isSeen("classTable")) << words().toStdString();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return isSeen("classTable"); }, kPatience_ms)) << words().toStdString();
+  settle();
   EXPECT_EQ(table.model()->rowCount(), 2);
   EXPECT_TRUE(account_->isSignedIn()) << "nobody has to sign in again";
 }

@@ -44,7 +44,8 @@ class AccountWindow : public testing::Test {
     ASSERT_TRUE(waitUntil([&] { return account().state() != ui::Account::State::Opening; }));
   }
 
-  QString file() const { return home.filePath("people/curriculum.sqlite"); }
+  /// Or a server's address.
+  virtual QString file() const { return home.filePath("people/curriculum.sqlite"); }
   ui::Account& account() { return window->account(); }
   QAction& action(const char* name) { return *window->findChild<QAction*>(name); }
   QString header() {

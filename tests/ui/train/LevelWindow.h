@@ -52,7 +52,8 @@ class LevelWindow : public NeedleWindow {
     account_ = nullptr;
   }
 
-  QString storeFile() const { return home_.filePath("people.sqlite"); }
+  /// Or a server's address.
+  virtual QString storeFile() const { return home_.filePath("people.sqlite"); }
   static StoreServices cheap() { return {.passwordCost = PasswordCost::Least}; }
 
   /// "first" is passed once without a puncture of the artery; "second" builds on it.

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <thread>
+#include <utility>
 
 namespace insonate::test {
 namespace {
@@ -20,13 +21,22 @@ namespace fs = std::filesystem;
 const fs::path kPrograms = "/usr/lib/postgresql/15/bin";
 constexpr const char* kPassword = "a b/c@d:e";
 
-int freePort() {
-  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+/// Of loopback; 0: a free one.
+int boundTo(int port) {
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0), on = 1;
+  ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   sockaddr_in address{};
   address.sin_family = AF_INET;
+  address.sin_port = htons(std::uint16_t(port));
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  ::bind(socket, reinterpret_cast<sockaddr*>(&address), sizeof address);
+  return socket;
+}
+
+int freePort() {
+  const int socket = boundTo(0);
+  sockaddr_in address{};
   socklen_t size = sizeof address;
-  ::bind(socket, reinterpret_cast<sockaddr*>(&address), size);
   ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size);
   ::close(socket);
   return ntohs(address.sin_port);
@@ -65,6 +75,8 @@ int PostgresServer::run(const std::string& program) const {
 }
 
 void PostgresServer::start() {
+  if (std::exchange(runs_, true)) return;
+  if (silent_ >= 0) ::close(std::exchange(silent_, -1));
   const std::string command = "cd / && exec " + asUser_ + (kPrograms / "postgres").string() + " -F -D " +
                               (folder_ / "data").string() + " -c listen_addresses=127.0.0.1 -k " +
                               folder_.path().string() + " -p " + std::to_string(port_) + " >/dev/null 2>&1";
@@ -83,6 +95,13 @@ void PostgresServer::start() {
 void PostgresServer::crash() {
   ::kill(process_, SIGQUIT);
   ::waitpid(process_, nullptr, 0);
+  runs_ = false;
+}
+
+void PostgresServer::fallSilent() {
+  crash();
+  silent_ = boundTo(port_);
+  if (::listen(silent_, 16) != 0) ADD_FAILURE() << "the server's port is not free";
 }
 
 std::string PostgresServer::freshDatabase() {

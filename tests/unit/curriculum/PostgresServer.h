@@ -21,6 +21,9 @@ class PostgresServer {
   std::string freshDatabase();
   /// It ends at once, in the middle of what it does.
   void crash();
+  /// It ends, and who asks now is connected and hears nothing, as behind a network that was cut.
+  void fallSilent();
+  /// Unless it runs.
   void start();
 
  private:
@@ -31,6 +34,8 @@ class PostgresServer {
   std::string asUser_;
   int port_ = 0;
   int process_ = -1;
+  bool runs_ = false;
+  int silent_ = -1;  ///< what listens in its place
   int databases_ = 0;
 };
 

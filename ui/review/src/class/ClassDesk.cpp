@@ -26,6 +26,7 @@ void ClassDesk::setAccount(ui::Account& account) {
     refresh();
   });
   connect(account_, &ui::Account::peopleChanged, this, &ClassDesk::refresh);
+  connect(account_, &ui::Account::cameBack, this, &ClassDesk::refresh);
   refresh();
 }
 

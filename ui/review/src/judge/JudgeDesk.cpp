@@ -17,6 +17,9 @@ JudgeDesk::JudgeDesk(const ReviewSession& session, QObject* parent) : QObject(pa
 void JudgeDesk::setAccount(ui::Account& account) {
   account_ = &account;
   connect(account_, &ui::Account::changed, this, [this] { look(); });
+  connect(account_, &ui::Account::cameBack, this, [this] {
+    if (!trouble_.isEmpty()) look();
+  });
   look();
 }
 

@@ -11,6 +11,11 @@ PersonDesk::PersonDesk(QObject* parent) : QObject(parent) {
   new ui::DayWatch([this] { refresh(); }, this);
 }
 
+void PersonDesk::setAccount(ui::Account& account) {
+  account_ = &account;
+  connect(account_, &ui::Account::cameBack, this, &PersonDesk::refresh);
+}
+
 template <class T, class Question, class Take>
 void PersonDesk::ask(Question question, Take take) {
   if (asking_++ == 0) Q_EMIT readingChanged();

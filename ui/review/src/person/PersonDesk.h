@@ -20,7 +20,7 @@ class PersonDesk : public QObject {
 
  public:
   explicit PersonDesk(QObject* parent = nullptr);
-  void setAccount(ui::Account& account) { account_ = &account; }
+  void setAccount(ui::Account& account);
 
   /// Asks for all of a person; "" for nobody.
   void show(const std::string& person, const std::optional<Curriculum>& curriculum);

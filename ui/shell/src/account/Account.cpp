@@ -16,6 +16,8 @@ QString usualStore() {
 
 namespace {
 
+constexpr int kAgain_ms = 5000;
+
 bool isServer(const QString& address) {
   return address.startsWith(QLatin1String("postgresql://"));
 }
@@ -24,6 +26,9 @@ bool isServer(const QString& address) {
 
 Account::Account(QString address, StoreServices services, QObject* parent)
     : QObject(parent), address_(std::move(address)), services_(std::move(services)) {
+  again_.setInterval(kAgain_ms);
+  again_.setSingleShot(true);
+  connect(&again_, &QTimer::timeout, this, &Account::look);
   thread_.setObjectName(QStringLiteral("account"));
   worker_.moveToThread(&thread_);
   thread_.start(QThread::LowPriority);
@@ -111,6 +116,34 @@ void Account::changeDetails(const QString& fullName, const QString& email, Done 
       });
 }
 
+/// On the thread.
+Result<void> Account::reachStore() {
+  if (store_) return {};
+  auto opened = CurriculumStore::open(address_.toStdString(), services_);
+  if (!opened) return tl::unexpected(opened.error());
+  store_ = std::move(*opened);
+  return {};
+}
+
+/// A question failed: it was refused, or nobody answered.
+void Account::lookWhetherAway() {
+  if (isServer(address_) && session_ && !away_) look();
+}
+
+void Account::look() {
+  if (std::exchange(looking_, true)) return;
+  post([this] {
+    const bool isThere = reachStore() && store_->hasPeople();
+    deliver([this, isThere] {
+      looking_ = false;
+      const bool wasAway = std::exchange(away_, !isThere);
+      if (!isThere) return again_.start();
+      if (state_ == State::Unreachable) return reopen();
+      if (wasAway) Q_EMIT cameBack();
+    });
+  });
+}
+
 void Account::open(Entering enter, Done done) {
   post([this, enter = std::move(enter), done = std::move(done)] {
     struct Outcome {
@@ -119,11 +152,9 @@ void Account::open(Entering enter, Done done) {
       std::string trouble, refusal;
     };
     auto outcome = std::make_shared<Outcome>();
-    if (!store_) {
-      auto opened = CurriculumStore::open(address_.toStdString(), services_);
-      opened ? void(store_ = std::move(*opened)) : void(outcome->trouble = opened.error().message);
-    }
-    if (store_) {
+    if (const auto reached = reachStore(); !reached) {
+      outcome->trouble = reached.error().message;
+    } else {
       auto entered = enter(*store_);
       const auto anybody = store_->hasPeople();
       if (!anybody) outcome->trouble = anybody.error().message;
@@ -132,6 +163,9 @@ void Account::open(Entering enter, Done done) {
     }
     deliver([this, outcome, done] {
       const QString trouble = QString::fromStdString(outcome->trouble);
+      away_ = isServer(address_) && !trouble.isEmpty();
+      if (away_) again_.start();
+      if (!done && isSignedIn()) return;  // while the store was opened for a guest
       if (!trouble.isEmpty())
         take(State::Unreachable, std::nullopt, trouble);
       else if (!outcome->anybody)

@@ -137,6 +137,9 @@ ClassListDialog::ClassListDialog(Account& account, Cohort cohort, QWidget* paren
   column->addWidget(words_);
   column->addLayout(buttons);
   resize(1000, 560);
+  connect(&account_, &Account::cameBack, this, [this] {
+    if (!path_.isEmpty() && !isWorking() && passwords_.empty()) open(path_);
+  });
   looking_.setInterval(kLook_ms);
   connect(&looking_, &QTimer::timeout, this, [this] { bar_->setValue(int(100 * work_->done)); });
   showRows();
@@ -172,6 +175,7 @@ void ClassListDialog::dropEvent(QDropEvent* event) {
 }
 
 void ClassListDialog::open(const QString& file) {
+  path_ = file;
   file_->setText(QFileInfo(file).fileName());
   plan_.clear();
   showRows();

@@ -60,6 +60,7 @@ class ClassListDialog : public QDialog {
 
   Account& account_;
   const Cohort cohort_;
+  QString path_;  ///< of the list
   std::vector<ClassImportRow> plan_;
   std::vector<FirstPassword> passwords_;  ///< of who was added
   bool handedOut_ = false;                ///< saved or printed

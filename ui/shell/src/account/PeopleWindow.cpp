@@ -73,6 +73,10 @@ PeopleWindow::PeopleWindow(Account& account, QWidget* parent)
   connect(&account_, &Account::changed, this, [this, whose = account_.person().id] {
     if (account_.person().id != whose) close();
   });
+  connect(&account_, &Account::cameBack, this, [this] {
+    tell({});
+    read();
+  });
   refresh();
   read();
 }

@@ -31,6 +31,11 @@ CurriculumDesk::CurriculumDesk(Account& account, QObject* parent)
   soon_.setSingleShot(true);
   connect(&soon_, &QTimer::timeout, this, &CurriculumDesk::save);
   connect(QCoreApplication::instance(), &QCoreApplication::aboutToQuit, this, &CurriculumDesk::save);
+  connect(account_, &Account::cameBack, this, [this] {
+    Q_EMIT said({}, false);
+    save();
+    refresh();
+  });
   refresh();
 }
 
@@ -58,7 +63,16 @@ void CurriculumDesk::refresh() {
 
 void CurriculumDesk::choose(const OfferedCurriculum& offer) {
   if (chosen_ == offer) return;
+  afterSaving([this, offer] { read(offer); }, [this] { Q_EMIT curriculumChanged(); });
+}
+
+void CurriculumDesk::afterSaving(std::function<void()> go, std::function<void()> refused) {
+  if (saved_ || contested_ || !isDraft()) return go();
+  go_ = std::move(go), refused_ = std::move(refused);
   save();
+}
+
+void CurriculumDesk::read(const OfferedCurriculum& offer) {
   account_->ask<std::string>(
       this, [offer](const SignedIn& by) { return textOf(by, offer); },
       [this, offer, round = ++round_](const Result<std::string>& text) {
@@ -68,7 +82,10 @@ void CurriculumDesk::choose(const OfferedCurriculum& offer) {
 
 void CurriculumDesk::take(const OfferedCurriculum& offer, const Result<std::string>& text) {
   auto curriculum = text ? parseDraft(*text) : tl::unexpected(text.error());
-  if (!curriculum) return Q_EMIT said(QString::fromStdString(curriculum.error().message), true);
+  if (!curriculum) {
+    Q_EMIT curriculumChanged();  // the one that is looked at stays chosen
+    return Q_EMIT said(QString::fromStdString(curriculum.error().message), true);
+  }
   chosen_ = offer, kept_ = sent_ = *text;
   saved_ = true, contested_ = false;
   past_.clear(), future_.clear(), field_.clear();
@@ -154,6 +171,9 @@ void CurriculumDesk::takeSaved(const std::string& text, const Result<void>& done
   kept_ = text;
   saved_ = isDraft() && text == curriculumText(*curriculum_);
   Q_EMIT savingChanged();
+  if (!go_) return;
+  if (!saved_) return save();
+  std::exchange(go_, {})();
 }
 
 /// Refused: either somebody else has saved, or the store does not take it now and is tried again.
@@ -166,6 +186,7 @@ void CurriculumDesk::contest(const std::string& refusal) {
         sent_ = kept_;
         if (!contested_) soon_.start(kAgain_ms);
         Q_EMIT savingChanged();
+        if (std::exchange(go_, {})) refused_();
         Q_EMIT said(QString::fromStdString(refusal), true);
       });
 }

@@ -31,7 +31,11 @@ class CurriculumDesk : public QObject {
   const std::vector<Cohort>& cohorts() const { return cohorts_; }
   /// Null: none.
   const OfferedCurriculum* chosen() const { return chosen_ ? &*chosen_ : nullptr; }
+  /// Once what was written is in the store; where that does not take it, the one that is looked at stays.
   void choose(const OfferedCurriculum& offer);
+  /// `go` once all that was written is in the store, or somebody else has saved another; `refused` where the store does
+  /// not take it.
+  void afterSaving(std::function<void()> go, std::function<void()> refused);
 
   /// Null while none is read.
   const Curriculum* curriculum() const { return curriculum_ ? &*curriculum_ : nullptr; }
@@ -74,6 +78,7 @@ class CurriculumDesk : public QObject {
     std::vector<Cohort> cohorts;
   };
   void refresh();
+  void read(const OfferedCurriculum& offer);
   void take(const OfferedCurriculum& offer, const Result<std::string>& text);
   void takeDraft(const Result<KeptDraft>& draft);
   void show(Curriculum curriculum);
@@ -94,7 +99,8 @@ class CurriculumDesk : public QObject {
   std::string kept_;  ///< the draft as the store is known to have it
   std::string sent_;  ///< as it has it once all that was sent is done
   bool saved_ = true, contested_ = false;
-  int round_ = 0;  ///< of choosing: answers about another are not taken
+  std::function<void()> go_, refused_;  ///< what waits for saving
+  int round_ = 0;                       ///< of choosing: answers about another are not taken
   QTimer soon_;
 };
 

@@ -79,7 +79,7 @@ CurriculumWindow::CurriculumWindow(Account& account, QWidget* parent)
   connectParts();
   // Whoever comes next sees nothing of what was read for the one before.
   connect(&account, &Account::changed, this, [this, &account, whose = account.person().id] {
-    if (account.person().id != whose) close();
+    if (account.person().id != whose) QDialog::reject();
   });
   words_->hide();
   showCurriculum();
@@ -295,6 +295,23 @@ void CurriculumWindow::publish() {
           "version. Classes keep theirs until they are given this one."),
        {}, tr("Publish"),
        [this](const QStringList&, const std::function<void(Result<void>)>& done) { desk_->publish(done); }, this))
+      ->open();
+}
+
+void CurriculumWindow::reject() {
+  desk_->afterSaving([this] { QDialog::reject(); }, [this] { askToClose(); });
+}
+
+void CurriculumWindow::askToClose() {
+  (new EntryDialog(
+       tr("Close without the last changes?"),
+       tr("The draft cannot be saved now. While this window stays open it is saved as soon as it can be."), {},
+       tr("Close without them"),
+       [this](const QStringList&, const std::function<void(Result<void>)>& done) {
+         done({});
+         QDialog::reject();
+       },
+       this))
       ->open();
 }
 

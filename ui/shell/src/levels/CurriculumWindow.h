@@ -24,6 +24,9 @@ class CurriculumWindow : public QDialog {
  public:
   CurriculumWindow(Account& account, QWidget* parent);
 
+  /// Once what was written is saved; where it cannot be, who closes is asked.
+  void reject() override;
+
  private:
   QPushButton* button(const char* name, const QString& words, const QString& tip, void (CurriculumWindow::*act)());
   QWidget* buildShelf();
@@ -41,6 +44,7 @@ class CurriculumWindow : public QDialog {
   void beginVersion();
   void discard();
   void publish();
+  void askToClose();
   void teach();
 
   CurriculumDesk* desk_;

@@ -29,11 +29,12 @@ Result<void> keepHere(const QString& folder, AttemptFacts& facts, const QString&
   return keepUnsent(folder, facts);
 }
 
-/// One that the store refuses keeps no other from it.
+/// One that the store refuses keeps no other from it. A server that is away is not waited for once for each.
 Result<void> sendAll(const SignedIn& by, const QString& folder, std::optional<AttemptFacts> fresh,
-                     const QString& recording) {
+                     const QString& recording, bool isAway) {
   const AttemptStore attempts(by);
   if (fresh && !keepHere(folder, *fresh, recording)) return store(attempts, *fresh);
+  if (isAway) return fail(AttemptKeeper::tr("The server is still away.").toStdString());
   Result<void> first;
   for (const AttemptFacts& facts : unsentOf(folder, by.person().id)) {
     const auto stored = store(attempts, facts);
@@ -61,6 +62,7 @@ void AttemptKeeper::setAccount(ui::Account& account) {
     send(std::nullopt, {});
   };
   connect(account_, &ui::Account::changed, this, changed);
+  connect(account_, &ui::Account::cameBack, this, [this] { send(std::nullopt, {}); });
   changed();
 }
 
@@ -93,25 +95,26 @@ void AttemptKeeper::keep(const AttemptFacts& facts, const QString& recording) {
 
 void AttemptKeeper::send(std::optional<AttemptFacts> fresh, const QString& recording) {
   if (!account_ || !account_->isSignedIn() || account_->mustChangePassword()) return;
+  const bool isFresh = fresh.has_value();
   account_->ask<void>(
       this,
-      [folder = folder_, fresh = std::move(fresh), recording](const SignedIn& by) {
-        return sendAll(by, folder, fresh, recording);
+      [folder = folder_, fresh = std::move(fresh), recording, isAway = account_->isAway()](const SignedIn& by) {
+        return sendAll(by, folder, fresh, recording, isAway);
       },
-      [this, person = account_->person().id](const Result<void>& sent) {
-        if (person == account_->person().id) tell(sent);
+      [this, isFresh, person = account_->person().id](const Result<void>& sent) {
+        if (person == account_->person().id) tell(sent, isFresh);
       });
 }
 
-/// The same trouble once.
-void AttemptKeeper::tell(const Result<void>& sent) {
+/// The same trouble once for each beginning and end.
+void AttemptKeeper::tell(const Result<void>& sent, bool isFresh) {
   const std::string trouble = std::exchange(trouble_, sent ? std::string() : sent.error().message);
   if (sent) {
     again_.stop();
     return Q_EMIT allSent();
   }
   again_.start();
-  if (trouble != trouble_)
+  if (isFresh || trouble != trouble_)
     Q_EMIT said(tr("%1 Your attempts are kept on this computer and sent later.").arg(QString::fromStdString(trouble_)));
 }
 

@@ -30,9 +30,9 @@ struct AttemptAim {
 };
 
 /// Writes each attempt of who is signed in into the store, as it begins and as it ends. It is first written down on
-/// this computer, so that nothing is lost where the store cannot be reached; what waits is sent again once a minute and
-/// when its person signs in. Who signs out leaves their attempt, which is kept as abandoned. Of guests nothing is kept.
-/// For the window's thread, which waits for nothing.
+/// this computer, so that nothing is lost where the store cannot be reached; what waits is sent again once a minute,
+/// when a server is back and when its person signs in. Who signs out leaves their attempt, which is kept as abandoned.
+/// Of guests nothing is kept. For the window's thread, which waits for nothing.
 class AttemptKeeper final : public QObject {
   Q_OBJECT
 
@@ -56,7 +56,7 @@ class AttemptKeeper final : public QObject {
   void end();
   void keep(const AttemptFacts& facts, const QString& recording);
   void send(std::optional<AttemptFacts> fresh, const QString& recording);
-  void tell(const Result<void>& sent);
+  void tell(const Result<void>& sent, bool isFresh);
 
   AttemptControl& attempt_;
   ui::Account* account_ = nullptr;

@@ -47,6 +47,7 @@ void Course::setAccount(ui::Account& account) {
     refresh();
   });
   connect(account_, &ui::Account::peopleChanged, this, &Course::refresh);
+  connect(account_, &ui::Account::cameBack, this, &Course::refresh);
   person_ = account_->person().id;
   refresh();
 }

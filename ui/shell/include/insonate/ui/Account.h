@@ -6,6 +6,7 @@
 #include <QPointer>
 #include <QString>
 #include <QThread>
+#include <QTimer>
 #include <exception>
 #include <functional>
 #include <memory>
@@ -42,6 +43,8 @@ class Account : public QObject {
   const Person& person() const { return person_; }
   bool mustChangePassword() const { return session_ && session_->mustChangePassword(); }
   QString trouble() const { return trouble_; }
+  /// A server that did not answer when it was last asked. It is looked for each few seconds.
+  bool isAway() const { return away_; }
   QString place() const;  ///< of the store, without a password
   const QString& address() const { return address_; }
   const StoreServices& services() const { return services_; }
@@ -65,6 +68,7 @@ class Account : public QObject {
           question = std::move(question), done = std::move(done)]() mutable {
       auto answer = std::make_shared<Result<T>>(session ? guarded<T>(question, *session) : fail(notOpen()));
       deliver([this, number, asker, answer, done = std::move(done)] {
+        if (!*answer) lookWhetherAway();
         if (!asker || !done) return;
         done(number == number_ ? std::move(*answer) : fail(notYours()));
       });
@@ -74,6 +78,7 @@ class Account : public QObject {
  Q_SIGNALS:
   void changed();        ///< state() or person()
   void peopleChanged();  ///< people, classes or what they are taught, in a window of this program
+  void cameBack();       ///< a server answers again: what it was asked in vain is asked again
 
  private:
   template <class T>
@@ -87,6 +92,9 @@ class Account : public QObject {
   using Entering = std::function<Result<SignedIn>(const CurriculumStore&)>;
   static std::string notOpen();
   static std::string notYours();
+  Result<void> reachStore();
+  void lookWhetherAway();
+  void look();
   void post(std::function<void()> work);
   void deliver(std::function<void()> news);
   void open(Entering enter, Done done);
@@ -98,7 +106,9 @@ class Account : public QObject {
   std::optional<SignedIn> session_;
   Person person_;
   QString trouble_;
-  int number_ = 0;                        ///< of the session
+  int number_ = 0;  ///< of the session
+  bool away_ = false, looking_ = false;
+  QTimer again_;
   std::optional<CurriculumStore> store_;  ///< touched by the thread only
   QThread thread_;
   QObject worker_;  ///< lives on the thread

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <algorithm>
+
+namespace insonate::test {
+
+/// How long the window's thread was away from its events at most.
+class Beat {
+ public:
+  Beat() {
+    beat_.setInterval(1);
+    QObject::connect(&beat_, &QTimer::timeout, [this] { longest_ms_ = std::max(longest_ms_, since_.restart()); });
+  }
+  void start() {
+    beat_.start();
+    since_.start();
+    longest_ms_ = 0;
+  }
+  qint64 longest_ms() const { return longest_ms_; }
+
+ private:
+  QTimer beat_;
+  QElapsedTimer since_;
+  qint64 longest_ms_ = 0;
+};
+
+}  // namespace insonate::test
