@@ -235,4 +235,22 @@ TEST_F(AccountWindow, WhatIsDoneHereReachesTheServerAndItsPeopleComeHere) {
   EXPECT_TRUE(waitUntil([&] { return site->outcome().contains("not reached"); })) << site->outcome().toStdString();
 }
 
+TEST_F(AccountWindow, NoKeyMeansTwoThings) {
+  setUp();
+  const auto expectOne = [&] {
+    QStringList keys;
+    for (const QAction* one : window->actions())
+      if (one->isVisible() && one->isEnabled())
+        for (const QKeySequence& key : one->shortcuts()) keys << key.toString();
+    EXPECT_GT(keys.size(), 8);
+    EXPECT_EQ(keys.removeDuplicates(), 0) << keys.join(' ').toStdString();
+  };
+  expectOne();
+  signOut();
+  expectOne();
+  QApplication::setActiveWindow(window.get());
+  QTest::keyClick(window.get(), Qt::Key_L, Qt::ControlModifier);
+  EXPECT_TRUE(dialogWith("signInName"));
+}
+
 }  // namespace

@@ -60,7 +60,7 @@ void MainWindow::makeActions() {
   import_ = make("import", tr("Import file ..."), tr("A DICOM, NRRD, NIfTI or MetaImage file"), tr("Ctrl+I"));
   textbook_ = make("neck", tr("Built-in neck"), tr("The textbook neck that comes with Insonate"), tr("Ctrl+T"));
   library_ = make("folder", tr("Case library ..."),
-                  tr("All your cases and the built-in ones: what they show, how hard"), tr("Ctrl+L"));
+                  tr("All your cases and the built-in ones: what they show, how hard"), tr("Ctrl+B"));
   attempt_ = make("review", tr("Open attempt ..."), tr("A recorded attempt, to be replayed"), tr("Ctrl+Shift+O"));
   attempt_->setVisible(false);
   reload_ = make("reload", tr("Reload"), tr("Read the case from its folder again"), QKeySequence(Qt::Key_F5));
