@@ -10,6 +10,7 @@
 namespace insonate::test {
 namespace {
 
+using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -39,6 +40,30 @@ TEST_F(CurriculumUpkeep, ATraineeIsRefusedTheDataOfOthers) {
   const json entries = told("audit --person alice --count 100 --as boss")["entries"];
   for (const json& entry : entries) refusals += entry["allowed"] == false && entry["actor_name"] == "alice";
   EXPECT_GE(refusals, 15) << "what was refused is written down";
+}
+
+TEST_F(CurriculumUpkeep, AnInstructorIsRefusedTheLogAndOtherClasses) {
+  makeClass();
+  told("classes add 'Year 2' --as boss");
+  add("carol", "--class 'Year 2'");
+  const std::string carol = idOf("carol");
+  std::ofstream(folder / "list.csv") << "Full name,Username\nDave,dave\n";
+  const std::string list = path("list.csv") + " --passwords " + path("p.csv");
+  for (const std::string& command :
+       {std::string("audit"), "audit --person " + carol, std::string("verify"), "backup " + path("x.sqlite"),
+        "export json " + path("x.json"), std::string("classes members 'Year 2'"),
+        std::string("statistics class 'Year 2'"), "export csv 'Year 2' " + path("x.csv"), "levels " + carol,
+        "attempts list " + carol, "forms filled " + carol, std::string("forms agreement jugular_checklist 'Year 2'"),
+        "classes import 'Year 2' " + list})
+    EXPECT_THAT(refused(command + " --as miller"),
+                AnyOf(HasSubstr("You may not do this"), HasSubstr("among those that miller sees")))
+        << command;
+  told("statistics class 'Year 1' --as miller");
+  int refusals = 0;
+  const json entries = told("audit --count 100 --as boss")["entries"];
+  for (const json& entry : entries) refusals += entry["allowed"] == false && entry["actor_name"] == "miller";
+  EXPECT_GE(refusals, 7) << "what was refused is written down";
+  EXPECT_FALSE(std::filesystem::exists(folder / "p.csv") || std::filesystem::exists(folder / "x.json"));
 }
 
 TEST_F(CurriculumUpkeep, ABackupIsPutBackAndVerified) {

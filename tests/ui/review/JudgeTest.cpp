@@ -198,6 +198,34 @@ TEST_F(JudgeTest, TheTraineeReadsAndFillsInNothing) {
   EXPECT_FALSE(table().isVisible());
 }
 
+TEST_F(JudgeTest, WhoTeachesAnotherClassReadsAndJudgesNothing) {
+  judge(school_->ina, attempt_, "not_done", "between us");
+  enter("otto");
+  openAndJudge();
+  EXPECT_TRUE(text("judgeWords").startsWith("You may not do this")) << text("judgeWords").toStdString();
+  EXPECT_FALSE(isSeen("handIn"));
+  EXPECT_FALSE(table().isVisible());
+  child<QPushButton>("backToList")->click();
+  child<QToolButton>("ratersTab")->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return text("raterWords").contains("in 'Autumn'"); }, kPatience_ms))
+      << text("raterWords").toStdString();
+  EXPECT_TRUE(text("raterWords").startsWith("0 attempts")) << text("raterWords").toStdString();
+  EXPECT_FALSE(isSeen("raterPairs"));
+}
+
+TEST_F(JudgeTest, AnAdministratorJudgesInAnyClass) {
+  judge(school_->ina, attempt_, "not_done");
+  enter("admin");
+  openAndJudge();
+  EXPECT_TRUE(text("judgeWords").contains("Dr anna")) << text("judgeWords").toStdString();
+  child<QToolButton>("readForms")->click();
+  EXPECT_TRUE(text("judgementWords").contains("read once you have handed in yours")) << "whoever it is";
+  child<QToolButton>("fillForm")->click();
+  fillIn("done");
+  handIn();
+  EXPECT_EQ(table().columnCount(), 3);
+}
+
 TEST_F(JudgeTest, AGuestIsAskedToSignIn) {
   enter("");
   openAndJudge();

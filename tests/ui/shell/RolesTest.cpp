@@ -1,10 +1,12 @@
 #include "AccountWindow.h"
+#include "account/ClassListDialog.h"
 
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 
 #include <QComboBox>
+#include <QFile>
 #include <QListWidget>
 
 namespace {
@@ -66,6 +68,21 @@ class Roles : public test::AccountWindow {
     return names;
   }
 
+  /// The window of a class list with this one in it, for the class that is shown first.
+  QDialog* openList(const QByteArray& text) {
+    action("accountPeople").trigger();
+    auto* import = dialogWith("peopleTable")->findChild<QPushButton*>("peopleImport");
+    EXPECT_TRUE(waitUntil([&] { return import->isEnabled(); }));
+    import->click();
+    QDialog* dialog = dialogWith("listTable");
+    QFile list(home.filePath("list.csv"));
+    EXPECT_TRUE(list.open(QFile::WriteOnly) && list.write(text) == text.size());
+    list.close();
+    qobject_cast<ui::ClassListDialog*>(dialog)->open(list.fileName());
+    return dialog;
+  }
+  static QString wordsOf(QDialog* dialog) { return dialog->findChild<QLabel*>("listWords")->text(); }
+
   static constexpr const char* kFirst = "12345678";
 };
 
@@ -96,6 +113,53 @@ TEST_F(Roles, ATraineeHasNoneOfTheseWindows) {
       asked<std::vector<std::string>>([](const SignedIn& by) { return PublishedCurricula(by).drafts(); });
   ASSERT_FALSE(drafts);
   EXPECT_TRUE(QString::fromStdString(drafts.error().message).startsWith("You may not do this"));
+}
+
+TEST_F(Roles, AnInstructorImportsIntoTheOwnClassAndTakesNobodyFromAnother) {
+  become("ivy");
+  QDialog* dialog = openList("Full name,Username\nNew One,newone\nUna,una\n");
+  auto* table = dialog->findChild<QTableWidget*>("listTable");
+  ASSERT_TRUE(waitUntil([&] { return table->rowCount() == 2; })) << wordsOf(dialog).toStdString();
+  EXPECT_EQ(row(*table, 0)[4], "+  new");
+  EXPECT_TRUE(row(*table, 1)[4].startsWith("▲")) << row(*table, 1)[4].toStdString();
+  dialog->findChild<QPushButton*>("listGo")->click();
+  ASSERT_TRUE(waitUntil([&] { return dialog->findChild<QPushButton*>("listSave")->isVisible(); }))
+      << wordsOf(dialog).toStdString();
+  const auto mine = asked<std::vector<Cohort>>([](const SignedIn& by) { return CohortStore(by).cohorts(); });
+  ASSERT_TRUE(mine && mine->size() == 1);
+  const auto members =
+      asked<std::vector<Member>>([id = mine->front().id](const SignedIn& by) { return CohortStore(by).members(id); });
+  EXPECT_EQ(members->size(), 3U) << "ivy, tim and the new one";
+}
+
+TEST_F(Roles, WhoDoesNotTeachTheClassAnyMoreIsRefusedInTheOpenWindow) {
+  become("ivy");
+  QDialog* dialog = openList("Full name,Username\nNew One,newone\n");
+  auto* table = dialog->findChild<QTableWidget*>("listTable");
+  ASSERT_TRUE(waitUntil([&] { return table->rowCount() == 1; })) << wordsOf(dialog).toStdString();
+  const auto store = CurriculumStore::open(file().toStdString(), {.passwordCost = PasswordCost::Least});
+  const auto ada = store->signIn("ada", test::kAccountPassword.toStdString());
+  ASSERT_TRUE(ada) << ada.error().message;
+  const auto cohorts = CohortStore(*ada).cohorts();
+  for (const Cohort& one : *cohorts) {
+    if (one.name != "Mine") continue;
+    ASSERT_TRUE(CohortStore(*ada).leave(one.id, account().person().id));
+  }
+  dialog->findChild<QPushButton*>("listGo")->click();
+  ASSERT_TRUE(waitUntil([&] { return wordsOf(dialog).contains("You may not do this"); }))
+      << wordsOf(dialog).toStdString();
+  EXPECT_FALSE(dialog->findChild<QPushButton*>("listSave")->isVisible());
+  const auto people = PeopleStore(*ada).all();
+  for (const Person& one : *people) EXPECT_NE(one.name, "newone");
+}
+
+TEST_F(Roles, AGuestHasNoneOfTheseWindows) {
+  signOut();
+  for (const char* name : {"accountPeople", "accountLevels", "accountServer", "accountDetails", "accountPassword"})
+    EXPECT_FALSE(action(name).isVisible()) << name;
+  const auto cohorts = asked<std::vector<Cohort>>([](const SignedIn& by) { return CohortStore(by).cohorts(); });
+  ASSERT_FALSE(cohorts);
+  EXPECT_TRUE(QString::fromStdString(cohorts.error().message).startsWith("Sign in first")) << cohorts.error().message;
 }
 
 TEST_F(Roles, WindowsOfOneCloseForTheNext) {
