@@ -58,8 +58,12 @@ const json* JsonEntry::find(const char* key, bool needed) {
 std::string JsonEntry::text(const char* key, bool needed) {
   const json* value = find(key, needed);
   if (!value) return {};
-  if (value->is_string() && !value->get<std::string>().empty()) return *value;
-  refuse("needs a text as '" + std::string(key) + "', not " + shown(*value) + ".");
+  const std::string text = value->is_string() ? value->get<std::string>() : std::string();
+  if (!text.empty() && text.find('\0') == std::string::npos) return text;
+  if (!text.empty())
+    refuse("holds a zero byte (\\u0000) in its '" + std::string(key) + "'; remove it.");
+  else
+    refuse("needs a text as '" + std::string(key) + "', not " + shown(*value) + ".");
   return {};
 }
 

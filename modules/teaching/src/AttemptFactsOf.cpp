@@ -4,6 +4,7 @@
 #include <sodium/crypto_hash_sha256.h>
 #include <sodium/utils.h>
 
+#include <algorithm>
 #include <array>
 #include <ctime>
 #include <fstream>
@@ -40,6 +41,18 @@ Result<std::string> recordingHash(const std::filesystem::path& file) {
 
 namespace {
 
+/// As much of a case's title, which may be any text, as the store takes: an attempt is not lost for its case's name.
+std::string keptName(std::string title) {
+  constexpr std::size_t kMost = 1000;
+  std::ranges::replace(title, '\0', ' ');
+  if (title.size() <= kMost) return title;
+  std::size_t end = kMost;
+  const auto isWithinLetter = [&](std::size_t at) { return (static_cast<unsigned char>(title[at]) & 0xc0) == 0x80; };
+  while (end > 0 && isWithinLetter(end)) --end;
+  title.resize(end);
+  return title;
+}
+
 Result<Procedure> rulesOf(const std::filesystem::path& file, const AttemptHeader& header) {
   auto procedure = loadProcedure(header.procedure);
   if (!procedure)
@@ -58,7 +71,7 @@ Result<Procedure> rulesOf(const std::filesystem::path& file, const AttemptHeader
 AttemptFacts beginningOf(const AttemptHeader& header) {
   AttemptFacts facts;
   facts.procedure = header.procedure, facts.procedureVersion = header.procedureVersion;
-  facts.caseName = header.caseName, facts.caseHash = header.caseHash;
+  facts.caseName = keptName(header.caseName), facts.caseHash = header.caseHash;
   facts.begun_us = timeOf(header.begun);
   return facts;
 }

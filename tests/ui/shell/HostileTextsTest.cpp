@@ -1,15 +1,19 @@
 #include "AccountWindow.h"
+#include "cases/SeriesDialog.h"
 
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/ui/PlainToolTip.h>
+#include <insonate/ui/RecentCases.h>
 
 #include <support/SmallCase.h>
 #include <ui/support/PlainTexts.h>
 
+#include <QDir>
 #include <QListWidget>
+#include <QMenu>
 #include <QMessageBox>
 #include <QToolTip>
 
@@ -78,6 +82,55 @@ TEST_F(HostileTexts, InTheTitleOfTheCaseAreTexts) {
   test::expectPlain(*window);
 }
 
+TEST_F(HostileTexts, InMenusMarkNoKeys) {
+  const QString title = test::endlessText() + "\tCtrl+Q";
+  ASSERT_TRUE(QDir(home.path()).mkdir("<b>bold"));
+  ui::rememberCase({home.filePath("<b>bold"), title});
+  ASSERT_TRUE(asked<int>(
+      [](const SignedIn& by) { return PeopleStore(by).changeOwnDetails("A&da & &Co", "").map([] { return 0; }); }));
+  signOut();
+  signIn("ada", test::kAccountPassword);
+  ASSERT_TRUE(waitUntil([&] { return header().contains("A&&da"); })) << header().toStdString();
+  for (const auto* button : window->findChildren<QToolButton*>()) {
+    if (button->accessibleName() != "Account menu") continue;
+    EXPECT_EQ(button->shortcut(), QKeySequence("Alt+U"));
+  }
+  int seen = 0;
+  for (QMenu* menu : window->findChildren<QMenu*>()) {
+    Q_EMIT menu->aboutToShow();
+    for (const QAction* entry : menu->actions()) {
+      if (!entry->text().contains("da &&") && !entry->text().contains("<b>bold")) continue;
+      ++seen;
+      EXPECT_FALSE(QString(entry->text()).remove("&&").contains('&')) << entry->text().toStdString();
+      EXPECT_FALSE(entry->text().contains('\t')) << "what follows it stands where keys do";
+      EXPECT_LE(menu->sizeHint().width(), 1366);
+    }
+  }
+  EXPECT_EQ(seen, 2) << "who is signed in, and the recent case";
+}
+
+TEST_F(HostileTexts, InTheImportOfASeriesAreTexts) {
+  const std::string hostile = test::kHostileText.toStdString(), endless = test::endlessText().toStdString();
+  const std::string zero = hostile + std::string(1, '\0') + "after";
+  auto listing = std::make_shared<SeriesListing>();
+  for (const std::string& one : {hostile, endless, zero}) {
+    SeriesInfo series;
+    series.uid = series.modality = series.refusal = one;
+    series.warnings = {one, one};
+    listing->series.push_back(series);
+  }
+  listing->setAside.push_back({hostile + "/x.dcm", endless});
+  const QString folder = QDir(home.path()).filePath("<b>bold &File " + QString(230, 'W'));
+  ui::SeriesDialog dialog(folder, listing, window.get());
+  dialog.show();
+  auto* table = dialog.findChild<QTableWidget*>();
+  for (int row = 0; row < table->rowCount(); ++row) {
+    table->selectRow(row);
+    EXPECT_GE(test::expectPlain(dialog), 2) << "the folder's name, and what is noted";
+    for (const QString& line : table->item(row, 0)->toolTip().split('\n')) EXPECT_LE(line.size(), 100);
+  }
+}
+
 TEST_F(HostileTexts, InMessagesAndTooltipsAreTexts) {
   QMessageBox box(QMessageBox::Question, "Title", test::kHostileText, QMessageBox::Ok, window.get());
   box.show();
@@ -90,6 +143,11 @@ TEST_F(HostileTexts, InMessagesAndTooltipsAreTexts) {
   EXPECT_EQ(tip->textFormat(), Qt::PlainText);
   EXPECT_LE(tip->width(), 1366) << "it is wrapped";
   EXPECT_LE(tip->height(), 768) << "and cut";
+}
+
+TEST(PlainCaption, IsOneLineWithoutKeys) {
+  EXPECT_EQ(ui::plainCaption("A & B\tC\nD"), "A && B C D");
+  EXPECT_EQ(ui::plainCaption(QString(200, 'x')), QString(90, 'x') + " ...");
 }
 
 TEST(PlainToolTip, WrapsAtSpacesAndKeepsLines) {

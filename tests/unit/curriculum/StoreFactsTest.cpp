@@ -1,6 +1,8 @@
 #include "StoreRig.h"
 #include "store/sql/Connection.h"
 
+#include <insonate/curriculum/AuditLog.h>
+#include <insonate/curriculum/ClassImport.h>
 #include <insonate/curriculum/FormStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 
@@ -156,6 +158,49 @@ TEST_P(StoreFacts, WhatIsNoFormIsRefused) {
   EXPECT_THAT(refusal([](auto& f) { f.attempt = freshUuid(); }), HasSubstr("not one of the person"));
   EXPECT_THAT(refusal([](auto& f) { f.id = "7"; }), HasSubstr("UUID"));
   EXPECT_THAT(valueOf(anna.ofPerson(school.anna.id)), IsEmpty());
+}
+
+TEST_P(StoreFacts, AZeroByteIsRefusedOrKeptOutWhereverATextIsTaken) {
+  const School school(rig->open());
+  const std::string zero("a\0b", 3), mail("a@b\0", 4), password("12345678\0", 9);
+  const PeopleStore people(school.admin);
+  const CohortStore cohorts(school.admin);
+  const SignedIn anna = school.as(school.anna);
+  const AttemptFacts kept = keepAttempt(anna);
+  const auto expectRefused = [](const auto& result, const char* what) {
+    EXPECT_THAT(refusalOf(result), HasSubstr("zero byte")) << what;
+  };
+  expectRefused(people.add({zero, "X"}, kPassword), "name");
+  expectRefused(people.add({"x", zero}, kPassword), "full name");
+  expectRefused(people.add({"x", "X", mail}, kPassword), "e-mail");
+  expectRefused(people.add({"x", "X"}, password), "password");
+  expectRefused(PeopleStore(anna).changeOwnDetails(zero, ""), "own name");
+  expectRefused(PeopleStore(anna).changeOwnPassword(kPassword, password), "own password");
+  expectRefused(cohorts.add(zero), "class");
+  expectRefused(cohorts.rename(school.spring.id, zero), "class's name");
+  AttemptFacts attempt = begunFacts();
+  attempt.caseName = zero;
+  expectRefused(AttemptStore(anna).begin(attempt), "case");
+  attempt.caseName = "neck";
+  valueOf(AttemptStore(anna).begin(attempt));
+  attempt = endedFacts(attempt);
+  attempt.recording = zero;
+  expectRefused(AttemptStore(anna).end(attempt), "recording");
+  attempt.recording = "a.rec", attempt.metrics.front().id = zero;
+  expectRefused(AttemptStore(anna).end(attempt), "metric");
+  expectRefused(AttemptStore(school.admin).voidAttempt(kept.id, zero), "reason");
+  expectRefused(FormStore(anna).add({"", "feedback", 1, school.anna.id, "", "", 0, R"({"a": "x\u0000y"})"}), "answer");
+  expectRefused(FormStore(anna).add({"", "feedback", 1, school.anna.id, "", "", 0, R"({"a\u0000": "x"})"}), "key");
+  const PublishedCurricula curricula(school.admin);
+  expectRefused(curricula.publish("central_line", 1, curriculumOf(1) + zero), "curriculum");
+  expectRefused(curricula.publish("central_line", 1, curriculumOf(1, zero)), "its title");
+  expectRefused(curricula.saveDraft("next", zero, ""), "draft");
+  const std::vector<ClassImportRow> plan{{2, {"zoe", zero}, ClassImportRow::Step::Add}};
+  expectRefused(ClassImport(school.admin).apply(school.spring.id, plan, ClassImport::passwordsFor(plan)), "class list");
+  // What is looked for reaches a server without one.
+  EXPECT_FALSE(people.person(zero));
+  EXPECT_EQ(valueOf(AuditLog(school.admin).page(10, 0, zero)).size(), 1U) << "that somebody looked";
+  succeed(AuditLog(school.admin).verify());
 }
 
 }  // namespace

@@ -45,6 +45,16 @@ class AttemptFactsOfTest : public testing::Test {
   const std::filesystem::path file = folder / "first.attempt";
 };
 
+TEST(AttemptFactsOf, AnyTitleOfACaseIsKeptAsFarAsTheStoreTakesIt) {
+  AttemptHeader head = header();
+  head.caseName = std::string("a\0b", 3);
+  EXPECT_EQ(beginningOf(head).caseName, "a b");
+  head.caseName = std::string(999, 'x') + "\u00fc and more";
+  EXPECT_EQ(beginningOf(head).caseName, std::string(999, 'x')) << "no half of a letter";
+  head.caseName = std::string(1000, 'x');
+  EXPECT_EQ(beginningOf(head).caseName, head.caseName);
+}
+
 TEST_F(AttemptFactsOfTest, ARecordingBecomesFacts) {
   test::ScriptedAttempt attempt;
   attempt.aspirating = true;

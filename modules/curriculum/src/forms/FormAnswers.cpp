@@ -31,6 +31,7 @@ std::string troubleOfNumber(const FormItem& item, const FormAnswers::mapped_type
 std::string troubleOfText(const FormAnswers::mapped_type& answer) {
   const auto* text = std::get_if<std::string>(&answer);
   if (!text) return "needs a text.";
+  if (text->find('\0') != std::string::npos) return "holds a zero byte, which cannot be seen; type it anew.";
   return text->size() <= kLongestText ? "" : "is too long; shorten it to " + std::to_string(kLongestText) + " bytes.";
 }
 

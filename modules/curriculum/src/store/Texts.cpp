@@ -97,8 +97,15 @@ Result<void> checkPassword(std::string_view password) {
 
 Result<void> checkJsonObject(std::string_view what, std::string_view text) {
   if (auto ok = checkText(what, text, kMostJson); !ok) return ok;
-  if (!nlohmann::json::parse(text, nullptr, false).is_object())
-    return fail(std::string(what) + " is not a JSON object; check it with the program that wrote it.");
+  using nlohmann::json;
+  bool hasZero = false;
+  const auto look = [&hasZero](int, json::parse_event_t, const json& value) {
+    hasZero = hasZero || (value.is_string() && value.get_ref<const std::string&>().find('\0') != std::string::npos);
+    return true;
+  };
+  const bool isObject = json::parse(text, look, false).is_object();
+  if (hasZero) return fail(std::string(what) + " hold a zero byte (\\u0000) in a text; remove it.");
+  if (!isObject) return fail(std::string(what) + " is not a JSON object; check it with the program that wrote it.");
   return {};
 }
 

@@ -17,7 +17,7 @@ Result<void> checkTitle(std::string_view what, std::string_view text);
 Result<void> checkSignInName(std::string_view name);
 Result<void> checkEmail(std::string_view email);
 Result<void> checkPassword(std::string_view password);
-/// A JSON object of at most 1 MB.
+/// A JSON object of at most 1 MB, without zero bytes in its texts either.
 Result<void> checkJsonObject(std::string_view what, std::string_view text);
 
 /// What two names have in common that differ by case or by Unicode's ways to write one letter (NFKC, case folding).

@@ -93,7 +93,7 @@ void AccountMenu::refresh() {
     words = tr("%1, %2").arg(QString::fromStdString(account_.person().fullName), wordOf(account_.person().role));
   if (state == State::Opening) words = tr("Opening the store of people and attempts ...");
   if (state == State::Unreachable) words = tr("People and attempts cannot be reached");
-  who_->setText(words.replace(QLatin1Char('&'), QStringLiteral("&&")));
+  who_->setText(plainCaption(words));
   who_->setToolTip(plainToolTip(state == State::Unreachable ? account_.trouble() : account_.place()));
   Q_EMIT textChanged();
   if (state == State::Unreachable) Q_EMIT said(account_.trouble());

@@ -2,6 +2,7 @@
 
 #include "SlicePreview.h"
 
+#include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/views/SlicePlane.h>
@@ -102,7 +103,7 @@ void SeriesDialog::fill() {
     const QStringList cells{modality, sizeOf(series.geometry), spacingOf(series), nameOf(series), stateOf(series)};
     for (int column = 0; column < cells.size(); ++column) {
       auto* item = new QTableWidgetItem(cells[column]);
-      item->setToolTip(QString::fromStdString(series.uid));
+      item->setToolTip(plainToolTip(QString::fromStdString(series.uid)));
       item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
       if (!series.refusal.empty()) item->setForeground(colour(views::theme::kQuiet));
       table_->setItem(row, column, item);
@@ -125,6 +126,7 @@ void SeriesDialog::fill() {
 void SeriesDialog::arrange() {
   auto* title = new QLabel(tr("Series in %1").arg(QFileInfo(path_).fileName()));
   setRole(title, "title");
+  title->setWordWrap(true);  // a folder's name may be long
   auto* aside = new QLabel(listing_->setAside.size() == 1
                                ? tr("1 file belongs to no series and is left out.")
                                : tr("%1 files belong to no series and are left out.").arg(listing_->setAside.size()));

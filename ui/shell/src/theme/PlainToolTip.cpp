@@ -27,4 +27,10 @@ QString plainToolTip(const QString& text) {
   return lines.join(QLatin1Char('\n'));
 }
 
+QString plainCaption(const QString& text) {
+  const QString line = text.left(kMost).simplified();
+  QString caption = line.size() > kColumns ? line.left(kColumns) + QStringLiteral(" ...") : line;
+  return caption.replace(QLatin1Char('&'), QStringLiteral("&&"));
+}
+
 }  // namespace insonate::ui

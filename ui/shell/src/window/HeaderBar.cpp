@@ -60,8 +60,10 @@ HeaderBar::HeaderBar(QMenu* viewMenu, QMenu* caseMenu, AccountMenu* accountMenu,
                          tr("Who sits here: sign in, sign out, password"), QKeySequence(QStringLiteral("Alt+U")));
   row->addWidget(who);
   connect(accountMenu, &AccountMenu::textChanged, who, [who, accountMenu] {
-    QString text = who->fontMetrics().elidedText(accountMenu->shortText(), Qt::ElideRight, kMostName_px);
-    who->setText(QLatin1Char(' ') + text.replace(QLatin1Char('&'), QStringLiteral("&&")));
+    const QKeySequence keys = who->shortcut();
+    const QString text = who->fontMetrics().elidedText(accountMenu->shortText(), Qt::ElideRight, kMostName_px);
+    who->setText(QLatin1Char(' ') + plainCaption(text));
+    who->setShortcut(keys);  // which a new text takes away
   });
   connect(tabs_, &QButtonGroup::idClicked, this, &HeaderBar::tabChosen);
 }

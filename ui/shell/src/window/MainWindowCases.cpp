@@ -11,6 +11,7 @@
 #include <insonate/ui/Attempts.h>
 #include <insonate/ui/KnownCases.h>
 #include <insonate/ui/MainWindow.h>
+#include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/RecentCases.h>
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
@@ -115,9 +116,8 @@ void MainWindow::fillRecent() {
   recent_->clear();
   const std::vector<RecentCase> cases = recentCases();
   for (const RecentCase& one : cases) {
-    QString title = one.title;
-    QAction* action = recent_->addAction(title.replace(QLatin1Char('&'), QLatin1String("&&")));
-    action->setToolTip(one.folder);
+    QAction* action = recent_->addAction(plainCaption(one.title));
+    action->setToolTip(plainToolTip(one.folder));
     connect(action, &QAction::triggered, this, [this, folder = one.folder] { open(folder); });
   }
   if (cases.empty()) {
