@@ -21,6 +21,11 @@ std::vector<std::vector<std::string>> fieldsOf(const std::string& text) {
   return fields;
 }
 
+/// Without the byte order mark.
+std::string plainText(const std::vector<std::vector<std::string>>& rows) {
+  return csvText(rows).substr(3);
+}
+
 TEST(Csv, QuotesHoldSeparatorsBreaksAndQuotes) {
   EXPECT_THAT(fieldsOf("a,\"b,\"\"c\"\"\",d\r\n1,\"two\nlines\",\r\n"),
               ElementsAre(ElementsAre("a", "b,\"c\"", "d"), ElementsAre("1", "two\nlines", "")));
@@ -52,19 +57,26 @@ TEST(Csv, WhatIsNoCsvIsRefusedWithItsLine) {
   EXPECT_THAT(parseCsv(std::string("a\0b", 3)).error().message, HasSubstr("zero byte"));
 }
 
+TEST(Csv, ByteOrderMarkIsWrittenAndReadBack) {
+  const std::string text = csvText({{"J\u00fcrgen"}, {"\uFEFFx"}});
+  EXPECT_EQ(text, "\xEF\xBB\xBFJ\u00fcrgen\r\n\uFEFFx\r\n");
+  EXPECT_THAT(fieldsOf(text), ElementsAre(ElementsAre("J\u00fcrgen"), ElementsAre("\uFEFFx"))) << "the first one only";
+}
+
 TEST(Csv, FormulasAreDefused) {
-  EXPECT_EQ(csvText({{"=1+1", "+49 30", "-cmd", "@x", "\tx", "\rx"}}), "'=1+1,'+49 30,'-cmd,'@x,\"'\tx\",\"'\rx\"\r\n");
-  EXPECT_EQ(csvText({{"=HYPERLINK(\"http://x\",\"y\")"}}), "\"'=HYPERLINK(\"\"http://x\"\",\"\"y\"\")\"\r\n");
-  EXPECT_EQ(csvText({{"-3.5", "1e-7", "-inf", "a=b", ""}}), "-3.5,1e-7,'-inf,a=b,\r\n");
+  EXPECT_EQ(plainText({{"=1+1", "+49 30", "-cmd", "@x", "\tx", "\rx"}}),
+            "'=1+1,'+49 30,'-cmd,'@x,\"'\tx\",\"'\rx\"\r\n");
+  EXPECT_EQ(plainText({{"=HYPERLINK(\"http://x\",\"y\")"}}), "\"'=HYPERLINK(\"\"http://x\"\",\"\"y\"\")\"\r\n");
+  EXPECT_EQ(plainText({{"-3.5", "1e-7", "-inf", "a=b", ""}}), "-3.5,1e-7,'-inf,a=b,\r\n");
 }
 
 TEST(Csv, FormulasAreDefusedForOtherSeparatorsToo) {
   // Where fields are separated by semicolons or tabs, a quote within a field is text and a line's end ends a row.
-  EXPECT_EQ(csvText({{"a", "x;=1+1;y"}}), "a,\"x;'=1+1;y\"\r\n");
-  EXPECT_EQ(csvText({{"a", "x\t@y"}}), "a,\"x\t'@y\"\r\n");
-  EXPECT_EQ(csvText({{"a", "x\r\n=1+1\n-z"}}), "a,\"x\r\n'=1+1\n'-z\"\r\n");
-  EXPECT_EQ(csvText({{"\uFF1D1+1", "\uFF0Bx", "\uFF0Dx", "\uFF20x"}}), "'\uFF1D1+1,'\uFF0Bx,'\uFF0Dx,'\uFF20x\r\n");
-  EXPECT_EQ(csvText({{"a=b", "well-made", "a; b", "x\r\n\r\ny"}}), "a=b,well-made,\"a; b\",\"x\r\n\r\ny\"\r\n");
+  EXPECT_EQ(plainText({{"a", "x;=1+1;y"}}), "a,\"x;'=1+1;y\"\r\n");
+  EXPECT_EQ(plainText({{"a", "x\t@y"}}), "a,\"x\t'@y\"\r\n");
+  EXPECT_EQ(plainText({{"a", "x\r\n=1+1\n-z"}}), "a,\"x\r\n'=1+1\n'-z\"\r\n");
+  EXPECT_EQ(plainText({{"\uFF1D1+1", "\uFF0Bx", "\uFF0Dx", "\uFF20x"}}), "'\uFF1D1+1,'\uFF0Bx,'\uFF0Dx,'\uFF20x\r\n");
+  EXPECT_EQ(plainText({{"a=b", "well-made", "a; b", "x\r\n\r\ny"}}), "a=b,well-made,\"a; b\",\"x\r\n\r\ny\"\r\n");
 }
 
 TEST(Csv, WhatIsWrittenIsReadAsTheSame) {

@@ -16,9 +16,9 @@ TEST(GradeBook, HasKeyAndGrade) {
   const std::vector<Grade> grades{{personNamed("ada", "ada@example.org"), 87.654, ""},
                                   {personNamed("bob", "bob@example.org"), 100.0, ""}};
   EXPECT_EQ(gradeBook("Jugular test", GradeKey::Email, grades).csv,
-            "Email address,Jugular test\r\nada@example.org,87.65\r\nbob@example.org,100\r\n");
+            "\uFEFFEmail address,Jugular test\r\nada@example.org,87.65\r\nbob@example.org,100\r\n");
   EXPECT_EQ(gradeBook("Jugular test", GradeKey::Name, grades).csv,
-            "ID number,Jugular test\r\nada,87.65\r\nbob,100\r\n");
+            "\uFEFFID number,Jugular test\r\nada,87.65\r\nbob,100\r\n");
 }
 
 TEST(GradeBook, FeedbackNeverComesWithoutItsGrade) {
@@ -28,10 +28,11 @@ TEST(GradeBook, FeedbackNeverComesWithoutItsGrade) {
                                   {personNamed("dee", "d@x.org"), std::numeric_limits<double>::quiet_NaN(), "?"},
                                   {personNamed("eve", "e@x.org"), 0.0, ""}};
   const GradeBook book = gradeBook("T", GradeKey::Email, grades);
-  EXPECT_EQ(book.csv, "Email address,T,T (feedback)\r\na@x.org,80,'=Good\r\ne@x.org,0,\r\n");
+  EXPECT_EQ(book.csv, "\uFEFFEmail address,T,T (feedback)\r\na@x.org,80,'=Good\r\ne@x.org,0,\r\n");
   EXPECT_THAT(book.leftOut, testing::ElementsAre("Full bob", "Full cyd", "Full dee"));
   // Where only those who are left out have feedback there is no such column.
-  EXPECT_EQ(gradeBook("T", GradeKey::Email, std::span(grades).subspan(1)).csv, "Email address,T\r\ne@x.org,0\r\n");
+  EXPECT_EQ(gradeBook("T", GradeKey::Email, std::span(grades).subspan(1)).csv,
+            "\uFEFFEmail address,T\r\ne@x.org,0\r\n");
 }
 
 }  // namespace

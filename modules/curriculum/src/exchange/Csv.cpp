@@ -11,6 +11,7 @@ namespace insonate {
 namespace {
 
 constexpr std::size_t kMostBytes = 64U << 20;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 char separatorOf(std::string_view text) {
   constexpr std::string_view kSeparators = ",;\t";
@@ -131,7 +132,6 @@ std::string written(const std::string& field) {
 }  // namespace
 
 Result<std::vector<CsvRow>> parseCsv(std::string_view text) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     return fail("The file is UTF-16, as some spreadsheets save Unicode; save it as \"CSV UTF-8\".");
@@ -140,7 +140,7 @@ Result<std::vector<CsvRow>> parseCsv(std::string_view text) {
 }
 
 std::string csvText(const std::vector<std::vector<std::string>>& rows) {
-  std::string text;
+  std::string text(kByteOrderMark);
   for (const std::vector<std::string>& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) text += (i ? "," : "") + written(row[i]);
     text += "\r\n";

@@ -19,9 +19,10 @@ struct CsvRow {
 /// out. Fails where a quote is not closed or text follows one, the text is not UTF-8 or holds NUL, with the line.
 Result<std::vector<CsvRow>> parseCsv(std::string_view text);
 
-/// RFC 4180, with CRLF. A field that a spreadsheet would take for a formula (=, +, -, @ or a break in front) gets an
-/// apostrophe before it, unless it is a number; so does each place in it where a spreadsheet that separates by
-/// semicolons or tabs would see one begin.
+/// RFC 4180, with CRLF. A byte order mark begins it: without one Excel reads UTF-8 in the computer's old code page and
+/// shows umlauts wrong; LibreOffice, Moodle and parseCsv() take it away. A field that a spreadsheet would take for a
+/// formula (=, +, -, @ or a break in front) gets an apostrophe before it, unless it is a number; so does each place in
+/// it where a spreadsheet that separates by semicolons or tabs would see one begin.
 std::string csvText(const std::vector<std::vector<std::string>>& rows);
 
 /// As few digits as give the value back, "" for what is missing or not finite.
