@@ -63,22 +63,29 @@ TEST_F(PersonPageTest, ShowsWhereSomeoneIsAndHowTheyLearn) {
 }
 
 TEST_F(PersonPageTest, StandsBesideTheClass) {
-  PersonFacts facts;
-  facts.person.id = "p2";
-  std::vector<AttemptFacts> last;
-  for (int person = 0; person < 5; ++person) {
-    AttemptFacts one;
-    one.person = "p" + std::to_string(person), one.state = AttemptState::Completed, one.procedure = "internal_jugular";
-    one.metrics = {{"needle_path_mm", 1, 10.0 * person}};
-    last.push_back(one);
-  }
   const auto& all = MetricBook::here().all();
   const auto path = *std::ranges::find(all, "needle_path_mm", &MetricMeaning::id);
-  const ui::ChartPicture picture = placeInClass(facts, heatMapOf(last), path);
+  /// Of the third of these people.
+  const auto placeAmong = [&](const std::vector<double>& paths_mm) {
+    PersonFacts facts;
+    facts.person.id = "p2";
+    std::vector<AttemptFacts> last;
+    for (const double path_mm : paths_mm) {
+      AttemptFacts one;
+      one.person = "p" + std::to_string(last.size()), one.state = AttemptState::Completed;
+      one.procedure = "internal_jugular", one.metrics = {{"needle_path_mm", 1, path_mm}};
+      last.push_back(one);
+    }
+    return placeInClass(facts, heatMapOf(last), path);
+  };
+  const ui::ChartPicture picture = placeAmong({0, 10, 20, 30, 40});
   ASSERT_EQ(picture.boxes.size(), 1U);
   EXPECT_EQ(picture.boxes[0].numbers.median, 20);
   EXPECT_EQ(picture.lines[0].points[0].y(), 20);
-  EXPECT_EQ(picture.lines[0].name, "better than 50 % of the class") << "a short way is a good one";
+  EXPECT_EQ(picture.lines[0].name, "better than 50 % of the others") << "a short way is a good one";
+  EXPECT_EQ(placeAmong({30, 30, 10, 30, 30}).lines[0].name, "better than 100 % of the others");
+  EXPECT_EQ(placeAmong({20, 10, 20, 30, 20}).lines[0].name, "better than 25 % of the others, as good as 50 %");
+  EXPECT_EQ(placeAmong({20, 20, 20, 20, 20}).lines[0].name, "as good as all the others") << "and better than nobody";
 }
 
 TEST_F(PersonPageTest, AnAttemptIsVoidedWithAReason) {

@@ -27,11 +27,18 @@ MetricMeaning sharedMeaning(const std::vector<const AttemptFacts*>& attempts, co
   return same ? MetricBook::here().in(procedure, meaning) : meaning;
 }
 
-QString percentileWords(double rank, const MetricMeaning& meaning) {
-  const bool lower = meaning.better == MetricMeaning::Better::Lower;
-  return meaning.better == MetricMeaning::Better::Neither
-             ? tr("percentile %1 of the class").arg(rank, 0, 'f', 0)
-             : tr("better than %1 % of the class").arg(lower ? 100 - rank : rank, 0, 'f', 0);
+/// Among the others of the class; those who are as good are not outdone.
+QString placeWords(const std::vector<double>& all, double own, const MetricMeaning& meaning) {
+  const double others = double(all.size() - 1);
+  const auto percentOf = [others](auto people) { return QString::number(100 * double(people) / others, 'f', 0); };
+  if (meaning.better == MetricMeaning::Better::Neither)
+    return tr("percentile %1 of the class").arg(*percentileRank(all, own), 0, 'f', 0);
+  const bool isLowerBetter = meaning.better == MetricMeaning::Better::Lower;
+  const auto outdone = std::ranges::count_if(all, [&](double one) { return isLowerBetter ? one > own : one < own; });
+  const auto alike = std::ranges::count(all, own) - 1;
+  if (alike == std::ssize(all) - 1) return tr("as good as all the others");
+  const QString better = tr("better than %1 % of the others").arg(percentOf(outdone));
+  return alike == 0 ? better : tr("%1, as good as %2 %").arg(better, percentOf(alike));
 }
 
 }  // namespace
@@ -93,11 +100,8 @@ ui::ChartPicture placeInClass(const PersonFacts& facts, const HeatMap& heat, con
   }
   picture.boxes.push_back({0, *boxPlotOf(means), ui::ChartPicture::Tone::Quiet});
   picture.categories = QStringList{tr("class, n = %1").arg(means.size())};
-  picture.lines.push_back({percentileWords(*percentileRank(means, *own), meaning),
-                           {{0, *own}},
-                           ui::ChartPicture::Tone::Caution,
-                           Qt::NoPen,
-                           true});
+  picture.lines.push_back(
+      {placeWords(means, *own, meaning), {{0, *own}}, ui::ChartPicture::Tone::Caution, Qt::NoPen, true});
   return picture;
 }
 
