@@ -12,6 +12,7 @@
 #include <QDoubleSpinBox>
 #include <QListWidget>
 #include <QPlainTextEdit>
+#include <QRegularExpression>
 #include <algorithm>
 
 namespace {
@@ -214,7 +215,14 @@ TEST_F(CurriculumWindowTest, TheLimitOfLcCusumIsCalibrated) {
   button("cusumCalibrate").click();
   ASSERT_TRUE(waitUntil([&] { return part<QLabel>("cusumCalibrated").isVisible(); }));
   EXPECT_DOUBLE_EQ(part<QDoubleSpinBox>("cusumLimit").value(), 3.10) << "3.097, upward";
-  EXPECT_TRUE(part<QLabel>("cusumCalibrated").text().contains("within 50 attempts"));
+  const QString told = part<QLabel>("cusumCalibrated").text();
+  EXPECT_TRUE(told.contains("within 50 attempts"));
+  // By adding up all ways it is 8.9 % (LcCusumTest), which an interval of simulated careers holds.
+  const QRegularExpressionMatch share =
+      QRegularExpression("about ([0-9.]+) % \\(([0-9.]+) to ([0-9.]+) %\\) of those who fail 25 %").match(told);
+  ASSERT_TRUE(share.hasMatch()) << told.toStdString();
+  EXPECT_LT(share.captured(2).toDouble(), 8.9);
+  EXPECT_GT(share.captured(3).toDouble(), 8.9);
   EXPECT_TRUE(story().contains("a learning score (LC-CUSUM) of 3.10")) << story().toStdString();
   part<QDoubleSpinBox>("cusumUnacceptable").setValue(5);
   EXPECT_TRUE(troubles().contains("below the 'unacceptable'")) << troubles().toStdString();

@@ -2,6 +2,8 @@
 
 #include "../controls/NumberBox.h"
 
+#include <insonate/curriculum/LcCusum.h>
+#include <insonate/curriculum/Statistics.h>
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
@@ -50,7 +52,8 @@ QWidget* lineOf(std::initializer_list<QWidget*> parts) {
 
 /// The limit, and how many of those who are able reach it.
 struct Calibrated {
-  double limit = 0, power = 0;
+  double limit = 0;
+  Estimate falseSignals{}, power{};
 };
 
 Result<Calibrated> calibratedFor(const LcCusum& test, double falseSignals, const CusumTrials& trials,
@@ -59,7 +62,31 @@ Result<Calibrated> calibratedFor(const LcCusum& test, double falseSignals, const
   if (!exact) return tl::unexpected(exact.error());
   // With two digits, as it is kept: upward, so that the share still holds.
   const double limit = std::ceil(100 * *exact) / 100;
-  return Calibrated{limit, signalRate(test, limit, test.acceptable, trials)};
+  // By careers that the limit was not fitted to.
+  CusumTrials others = trials;
+  ++others.seed;
+  const auto share = [&](double failureRate) {
+    const double rate = signalRate(test, limit, failureRate, others);
+    return proportion(int(std::lround(rate * others.careers)), others.careers).value_or(Estimate{rate});
+  };
+  return Calibrated{limit, share(test.unacceptable), share(test.acceptable)};
+}
+
+/// "9.9 % (9.5 to 10.3 %)", of a share that was simulated.
+QString simulatedPercent(const Estimate& share) {
+  const auto percent = [](double value) { return QString::number(kPercent * value, 'f', 1); };
+  const Interval interval = share.interval.value_or(Interval{share.value, share.value});
+  return MasteryEditor::tr("%1 % (%2 to %3 %)")
+      .arg(percent(share.value), percent(interval.low), percent(interval.high));
+}
+
+QString wordsOf(const Calibrated& done, const LcCusum& test, const CusumTrials& trials) {
+  return MasteryEditor::tr(
+             "h %1: about %2 of those who fail %3 % of the time signal falsely within %4 attempts; about %5 of those "
+             "who fail %6 % of the time signal. Simulated, with intervals of 95 %.")
+      .arg(QString::number(done.limit, 'f', 2), simulatedPercent(done.falseSignals),
+           QString::number(kPercent * test.unacceptable), QString::number(trials.trials), simulatedPercent(done.power),
+           QString::number(kPercent * test.acceptable));
 }
 
 }  // namespace
@@ -194,16 +221,8 @@ void MasteryEditor::calibrate() {
   tasks_->run<Calibrated>(
       tr("Simulating %L1 careers of %2 attempts").arg(trials.careers).arg(trials.trials),
       [=](const Progress& progress) { return calibratedFor(test, share, trials, progress); },
-      [this, test, share, trials](const Result<Calibrated>& done) {
-        QString words = done ? tr("h %1: %2 % of those who fail %3 % of the time signal falsely within %4 attempts, at "
-                                  "most; %5 % of those who fail %6 % of the time signal.")
-                                   .arg(done->limit, 0, 'f', 2)
-                                   .arg(kPercent * share)
-                                   .arg(kPercent * test.unacceptable)
-                                   .arg(trials.trials)
-                                   .arg(kPercent * done->power, 0, 'f', 0)
-                                   .arg(kPercent * test.acceptable)
-                             : QString::fromStdString(done.error().message);
+      [this, test, trials](const Result<Calibrated>& done) {
+        const QString words = done ? wordsOf(*done, test, trials) : QString::fromStdString(done.error().message);
         if (done) limit_->setValue(done->limit);
         calibrated_->setText(words);
         calibrated_->setVisible(true);
