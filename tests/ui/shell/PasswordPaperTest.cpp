@@ -4,9 +4,13 @@
 #include <ui/support/PlainTexts.h>
 
 #include <QFile>
+#include <QLineEdit>
+#include <QPrintDialog>
 #include <QPrinter>
+#include <QPrinterInfo>
 #include <QTemporaryDir>
 #include <QTextDocument>
+#include <QTimer>
 
 namespace {
 
@@ -34,6 +38,42 @@ TEST(PasswordPaper, HasAStripForEachWithNamesAsTheyAre) {
   const QByteArray bytes = pdf.readAll();
   EXPECT_TRUE(bytes.startsWith("%PDF"));
   EXPECT_GT(bytes.count("/Type /Page\n"), 1) << "60 strips go on to another page";
+}
+
+/// Without a printer the dialog writes a file, whose name stands in its only line of text.
+void answerPrintDialog(QWidget& window, const QString& file) {
+  auto* looking = new QTimer(&window);
+  QObject::connect(looking, &QTimer::timeout, &window, [looking, &window, file] {
+    auto* dialog = window.findChild<QPrintDialog*>();
+    if (!dialog || !dialog->isVisible()) return;
+    looking->deleteLater();
+    if (file.isEmpty()) return dialog->reject();
+    dialog->printer()->setOutputFileName(file);
+    for (auto* line : dialog->findChildren<QLineEdit*>())
+      if (line->objectName() == "filename") line->setText(file);
+    dialog->accept();
+  });
+  looking->start(20);
+}
+
+TEST(PasswordPaper, GoesWhereTheDialogOfPrintersSays) {
+  if (!QPrinterInfo::availablePrinterNames().isEmpty()) GTEST_SKIP() << "there is a printer, which would print";
+  const QTemporaryDir home;
+  QWidget window;
+  window.show();
+  const std::vector<FirstPassword> passwords{{{}, "first password"}};
+  const QString file = home.filePath("paper.pdf");
+  answerPrintDialog(window, file);
+  const auto printed = ui::printPasswordPaper("Autumn", passwords, &window);
+  ASSERT_TRUE(printed) << printed.error().message;
+  EXPECT_TRUE(printed->startsWith("Saved as " + file)) << printed->toStdString();
+  QFile pdf(file);
+  ASSERT_TRUE(pdf.open(QFile::ReadOnly));
+  EXPECT_TRUE(pdf.read(4) == "%PDF");
+  EXPECT_EQ(pdf.permissions() & (QFile::ReadGroup | QFile::ReadOther), 0) << "it holds passwords";
+
+  answerPrintDialog(window, {});
+  EXPECT_EQ(ui::printPasswordPaper("Autumn", passwords, &window).value_or("x"), QString()) << "thought better of it";
 }
 
 }  // namespace

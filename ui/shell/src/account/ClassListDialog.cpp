@@ -286,11 +286,11 @@ void ClassListDialog::savePasswords() {
 }
 
 void ClassListDialog::printPasswords() {
-  const Result<bool> printed = printPasswordPaper(qt(cohort_.name), passwords_, this);
+  const Result<QString> printed = printPasswordPaper(qt(cohort_.name), passwords_, this);
   if (!printed) return say(qt(printed.error().message), true);
-  if (!*printed) return;
+  if (printed->isEmpty()) return;
   handedOut_ = true;
-  say(tr("Sent to the printer. Cut the page and hand it out."), false);
+  say(*printed, false);
 }
 
 /// What is at work is stopped and waited for; passwords that nobody has seen are asked about.

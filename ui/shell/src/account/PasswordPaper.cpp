@@ -1,6 +1,7 @@
 #include "PasswordPaper.h"
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QTextCursor>
@@ -16,6 +17,12 @@ QString tr(const char* text) {
 
 QString qt(const std::string& text) {
   return QString::fromStdString(text);
+}
+
+/// There before anything is written into it, for its owner's eyes alone.
+bool beginsPrivate(const QString& name) {
+  QFile file(name);
+  return file.open(QFile::WriteOnly) && file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
 }
 
 }  // namespace
@@ -38,17 +45,22 @@ void fillPasswordPaper(QTextDocument& paper, const QString& cohort, const std::v
   }
 }
 
-Result<bool> printPasswordPaper(const QString& cohort, const std::vector<FirstPassword>& passwords, QWidget* parent) {
+Result<QString> printPasswordPaper(const QString& cohort, const std::vector<FirstPassword>& passwords,
+                                   QWidget* parent) {
   QPrinter printer(QPrinter::HighResolution);
   printer.setDocName(tr("First passwords"));
   QPrintDialog dialog(&printer, parent);
-  if (dialog.exec() != QDialog::Accepted) return false;
+  if (dialog.exec() != QDialog::Accepted) return QString();
+  const QString file = printer.outputFileName();
+  if (!file.isEmpty() && !beginsPrivate(file))
+    return fail(tr("%1 cannot be written; choose another folder, or save the passwords.").arg(file).toStdString());
   QTextDocument paper;
   fillPasswordPaper(paper, cohort, passwords);
   paper.print(&printer);
   if (printer.printerState() == QPrinter::Error)
     return fail(tr("The printer took nothing; try another one, or save the passwords.").toStdString());
-  return true;
+  return file.isEmpty() ? tr("Sent to the printer. Cut the page and hand it out.")
+                        : tr("Saved as %1, which you alone can read. Delete it once it is printed.").arg(file);
 }
 
 }  // namespace insonate::ui
