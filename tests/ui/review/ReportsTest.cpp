@@ -1,5 +1,6 @@
 #include "Classroom.h"
 #include "class/ClassTable.h"
+#include "reports/ReportParts.h"
 #include "reports/SaveMenu.h"
 
 #include <insonate/curriculum/Csv.h>
@@ -9,6 +10,7 @@
 #include <QFile>
 #include <QImage>
 #include <QMenu>
+#include <QPainter>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
@@ -88,6 +90,25 @@ TEST_F(ReportsTest, StatementsAreWrittenForAllWhoLearn) {
   menu("saveClass").saveXapi(home_.filePath("none.json"), "somewhere");
   ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() == 1; }, kPatience_ms));
   EXPECT_FALSE(QFile::exists(home_.filePath("none.json")));
+}
+
+TEST(PaperColumn, ReasonsGoOnInFurtherLinesInsteadOfBeingCut) {
+  QImage paper(int(paper::kWidth), int(paper::kHeight), QImage::Format_RGB32);
+  paper.fill(Qt::white);
+  QPainter painter(&paper);
+  PaperColumn page(painter);
+  painter.setFont(paperFont(paper::kSmall));
+  constexpr double kColumn = 400;
+  const QString reason = QStringLiteral("Voided: the device lost its calibration. ").repeated(6);
+  const double height = page.heightOf(kColumn, reason);
+  EXPECT_GT(height, 5 * paper::kRow);
+  EXPECT_EQ(page.heightOf(kColumn, "Passed"), paper::kRow);
+  page.lines(paper::kMargin, kColumn, reason, Qt::black);
+  bool isInked = false;
+  for (int y = int(page.y() + height - paper::kRow); y < int(page.y() + height); ++y)
+    for (int x = int(paper::kMargin); x < int(paper::kMargin + kColumn); ++x)
+      isInked = isInked || qGray(paper.pixel(x, y)) < 128;
+  EXPECT_TRUE(isInked) << "up to the last line";
 }
 
 TEST_F(ReportsTest, WhatCannotBeWrittenIsSaid) {

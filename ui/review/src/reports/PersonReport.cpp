@@ -17,6 +17,7 @@ constexpr double kChartHeight = 560;
 /// So that three charts stand beside each other, smaller than on the screen.
 constexpr double kChartUnit = kScreen * 0.7;
 constexpr int kMostAttempts = 16;
+constexpr double kOutcomeLeft = 830, kOutcomeWidth = kWidth - 2 * kMargin - kOutcomeLeft;
 
 QString tr(const char* text) {
   return QCoreApplication::translate("Review", text);
@@ -54,8 +55,9 @@ void levels(PaperColumn& page, const PersonFacts& facts) {
   for (const LevelProgress& one : facts.progress) {
     page.cell(kMargin, 200, stateOf(one.state), one.state == LevelState::Lapsed ? page.ink.danger : page.ink.quiet);
     page.cell(kMargin + 200, 420, levelTitle(&*facts.curriculum, one.level), page.ink.text);
-    page.cell(kMargin + 620, kWidth - 2 * kMargin - 620, QString::fromStdString(one.why), page.ink.quiet);
-    page.skip(kRow);
+    const QString why = QString::fromStdString(one.why);
+    page.lines(kMargin + 620, kWidth - 2 * kMargin - 620, why, page.ink.quiet);
+    page.skip(page.heightOf(kWidth - 2 * kMargin - 620, why));
     if (!page.hasRoom(6 * kRow)) return;
   }
 }
@@ -66,13 +68,15 @@ void attempts(PaperColumn& page, const PersonFacts& facts) {
   const Curriculum* curriculum = facts.curriculum ? &*facts.curriculum : nullptr;
   int told = 0;
   for (const KeptAttempt& one : facts.newest) {
-    if (told++ == kMostAttempts || !page.hasRoom(kRow)) return;
+    const QString outcome = outcomeOf(one.facts, curriculum);
+    const double height = page.heightOf(kOutcomeWidth, outcome);
+    if (told++ == kMostAttempts || !page.hasRoom(height)) return;
     page.cell(kMargin, 330, ui::dayAndTimeOf(one.facts.begun_us), page.ink.text);
     page.cell(kMargin + 330, 390, levelTitle(curriculum, one.facts.level), page.ink.text);
     page.cell(kMargin + 720, 80, one.facts.points ? QString::number(std::lround(*one.facts.points)) : tr("n/a"),
               page.ink.text, Qt::AlignRight);
-    page.cell(kMargin + 830, kWidth - 2 * kMargin - 830, outcomeOf(one.facts, curriculum), page.ink.quiet);
-    page.skip(kRow);
+    page.lines(kMargin + kOutcomeLeft, kOutcomeWidth, outcome, page.ink.quiet);
+    page.skip(height);
   }
 }
 

@@ -9,6 +9,12 @@ namespace insonate::review {
 
 using namespace paper;
 
+namespace {
+
+constexpr int kWrapped = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+
+}  // namespace
+
 PaperColumn::PaperColumn(QPainter& on) : painter(on) {}
 
 void PaperColumn::head(const QString& title, const QStringList& facts) {
@@ -45,6 +51,15 @@ void PaperColumn::cell(double left, double width, const QString& words, const QC
   const double height = std::max(kRow, metrics.height());
   painter.drawText(QRectF(left, y_, width, height), align | Qt::AlignVCenter | Qt::TextSingleLine,
                    metrics.elidedText(words, Qt::ElideRight, width - 8));
+}
+
+void PaperColumn::lines(double left, double width, const QString& words, const QColor& colour) {
+  painter.setPen(colour);
+  painter.drawText(QRectF(left, y_, width, heightOf(width, words)), kWrapped, words);
+}
+
+double PaperColumn::heightOf(double width, const QString& words) const {
+  return std::max(kRow, painter.boundingRect(QRectF(0, 0, width, kHeight), kWrapped, words).height());
 }
 
 void PaperColumn::foot() {
