@@ -27,6 +27,27 @@ TEST_P(StoreFacts, AStatementIsKnownByItsTextAndNotByWhereThatLies) {
   EXPECT_EQ(valueOf((*connection)->rows(sql, {})).at(0).number(0), 2);
 }
 
+TEST_P(StoreFacts, WhatIsKeptIsOnTheDiskOfItsTypeAndPointsSomewhere) {
+  rig->open();
+  const auto connection = store::Connection::open(valueOf(store::Address::parse(rig->address)));
+  ASSERT_TRUE(connection);
+  const auto told = [&](const std::string& sql) { return valueOf((*connection)->rows(sql, {})).at(0).text(0); };
+  if (GetParam() == Place::Server) {
+    EXPECT_EQ(told("SELECT current_setting('synchronous_commit')"), "on");
+  } else {
+    EXPECT_EQ(told("PRAGMA journal_mode"), "wal");
+    EXPECT_EQ(told("PRAGMA synchronous"), "2") << "full";
+    EXPECT_EQ(told("PRAGMA foreign_keys"), "1");
+    EXPECT_EQ(told("SELECT COUNT(*) FROM pragma_table_list WHERE schema = 'main' AND type = 'table' AND strict = 0 "
+                   "AND name NOT LIKE 'sqlite%'"),
+              "0")
+        << "every table is STRICT";
+    EXPECT_GT(std::stoi(told("SELECT COUNT(*) FROM pragma_table_list WHERE strict = 1")), 10);
+  }
+  EXPECT_FALSE((*connection)->run("INSERT INTO memberships (cohort, person, teaches) VALUES ('x', 'y', 0)", {}))
+      << "of nobody";
+}
+
 TEST_P(StoreFacts, APublishedVersionIsFixedAndLaterOnesGrow) {
   const School school(rig->open());
   const PublishedCurricula ina(school.as(school.ina));
