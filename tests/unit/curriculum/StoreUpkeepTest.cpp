@@ -185,11 +185,37 @@ TEST(StoreUpkeepOfFile, AnOddFileNameIsAFileName) {
 class StoreUpkeepOfEarlier : public ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Schemas, StoreUpkeepOfEarlier, ::testing::Range(1, 3));
 
-TEST_P(StoreUpkeepOfEarlier, IsBroughtUpToDateWithAllThatItHeld) {
-  const StoreRig rig;
-  const std::string name = "unit/curriculum/schemas/" + std::to_string(GetParam()) + ".sql";
-  runSql(rig.address, bytesOf(fs::path(INSONATE_SOURCE_DIR) / "tests" / name));
-  const CurriculumStore store = rig.open();
+std::string dumpOf(int schema) {
+  return bytesOf(fs::path(INSONATE_SOURCE_DIR) / "tests/unit/curriculum/schemas" / (std::to_string(schema) + ".sql"));
+}
+
+/// What such a store is on a server: the steps up to then, and the rows of the file. Writes past triggers and keys.
+void copyToServer(const std::string& file, const std::string& server, int schema) {
+  const auto from = store::Connection::open(valueOf(store::Address::parse(file))).value();
+  const auto to = store::Connection::open(valueOf(store::Address::parse(server))).value();
+  succeed(
+      to->script("CREATE TABLE schema_migrations (number BIGINT NOT NULL PRIMARY KEY, applied_us BIGINT NOT NULL)"));
+  std::set<fs::path> steps;
+  for (const auto& entry : fs::directory_iterator(fs::path(INSONATE_SOURCE_DIR) / "resources/migrations"))
+    steps.insert(entry.path());
+  for (const fs::path& step : steps) {
+    if (step.stem().string().ends_with("_sqlite") || std::stoi(step.filename()) > schema) continue;
+    succeed(to->script(to->dialect().spelled(bytesOf(step))));
+  }
+  succeed(to->script("SET session_replication_role = replica"));
+  for (const store::Row& table : valueOf(from->rows("SELECT name FROM sqlite_master WHERE type = 'table'", {}))) {
+    const std::string name = table.text(0);
+    succeed(to->script("DELETE FROM " + name));  // what the steps themselves put there
+    for (const store::Row& row : valueOf(from->rows("SELECT * FROM " + name, {}))) {
+      std::string places;
+      std::vector<QVariant> values;
+      for (std::size_t i = 0; i < row.size(); ++i) values.push_back(row.value(i)), places += i ? ", ?" : "?";
+      valueOf(to->run("INSERT INTO " + name + " VALUES (" + places + ")", values));
+    }
+  }
+}
+
+void expectAllThatItHeld(const CurriculumStore& store) {
   const SignedIn admin = valueOf(store.signIn("admin", kPassword));
   const insonate::StoreFacts facts = valueOf(StoreUpkeep(admin).facts());
   EXPECT_EQ(facts.schema, store::newestSchema());
@@ -201,7 +227,21 @@ TEST_P(StoreUpkeepOfEarlier, IsBroughtUpToDateWithAllThatItHeld) {
   const auto history = valueOf(AttemptStore(anna).history(anna.person().id));
   EXPECT_EQ(history[0].metrics, endedFacts({}).metrics);
   EXPECT_EQ(history[1].state, AttemptState::Voided);
+}
+
+TEST_P(StoreUpkeepOfEarlier, IsBroughtUpToDateWithAllThatItHeld) {
+  const StoreRig rig;
+  runSql(rig.address, dumpOf(GetParam()));
+  expectAllThatItHeld(rig.open());
   EXPECT_EQ(fs::exists(store::copyBeforeMigration(rig.address, GetParam())), GetParam() != store::newestSchema());
+}
+
+TEST_P(StoreUpkeepOfEarlier, IsBroughtUpToDateOnAServerToo) {
+  if (!PostgresServer::shared()) GTEST_SKIP() << "PostgreSQL 15 is not installed";
+  const StoreRig file, server(Place::Server);
+  runSql(file.address, dumpOf(GetParam()));
+  copyToServer(file.address, server.address, GetParam());
+  expectAllThatItHeld(server.open());
 }
 
 TEST(StoreUpkeepOfNewest, HasAnEarlierStoreToTestWith) {
