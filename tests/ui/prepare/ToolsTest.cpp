@@ -129,7 +129,7 @@ TEST_F(Tools, TheTableAddsLocksAndClearsLabels) {
   child<QPushButton>("clearLabel")->click();
   ASSERT_TRUE(done());
   EXPECT_GT(count(kVein), 0u) << "it is locked";
-  clickCell(kVein, 4);
+  clickCell(kVein, kLock);
   EXPECT_FALSE(session_->labelling().rules().locked.test(kVein));
   child<QPushButton>("clearLabel")->click();
   ASSERT_TRUE(done());
