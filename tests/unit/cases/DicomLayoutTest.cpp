@@ -6,6 +6,8 @@
 #include <insonate/cases/DicomWriter.h>
 #include <insonate/cases/Import.h>
 
+#include <random>
+
 namespace insonate {
 namespace {
 
@@ -29,6 +31,56 @@ TEST(DicomLayout, EveryCutIsNoticed) {
     else  // a cut between two elements leaves a valid file without pixels
       ASSERT_NE(layout, DicomLayout::kNotDicom) << "cut at " << length;
     ASSERT_FALSE(importSeries(file));
+  }
+}
+
+std::string littleEndian(std::uint32_t value, int bytes) {
+  std::string text;
+  for (int n = 0; n < bytes; ++n) text += static_cast<char>(value >> (8 * n));
+  return text;
+}
+
+/// A sequence of one item, which some writers give lengths and others delimiters.
+std::string sequenceOf(const std::string& item, bool withLengths) {
+  const std::string head = littleEndian(0x0040, 2) + littleEndian(0xa730, 2) + "SQ" + littleEndian(0, 2);
+  const std::string itemTag = littleEndian(0xfffe, 2) + littleEndian(0xe000, 2);
+  const auto length = [withLengths](std::size_t bytes) {
+    return littleEndian(withLengths ? static_cast<std::uint32_t>(bytes) : 0xffffffff, 4);
+  };
+  const auto end = [withLengths](std::uint32_t element) {
+    return withLengths ? "" : littleEndian(0xfffe, 2) + littleEndian(element, 2) + littleEndian(0, 4);
+  };
+  return head + length(item.size() + 8) + itemTag + length(item.size()) + item + end(0xe00d) + end(0xe0dd);
+}
+
+/// GDCM 3.0 ends the program on broken headers, as those of items whose elements do not fill them.
+TEST(DicomLayout, ChangedBytesEndNoProgram) {
+  test::TemporaryFolder folder;
+  ASSERT_TRUE(writeDicomSeries(test::noiseCt(test::grid({5, 4, 1})), folder / "s", {.seed = "s"}));
+  const auto file = folder / "s/slice00001.dcm";
+  const std::string plain = test::contentOf(file);
+  const std::size_t pixels = plain.size() - 5 * 4 * 2 - 12;
+  const std::string code = littleEndian(0x0008, 2) + littleEndian(0x0100, 2) + "SH" + littleEndian(4, 2) + "code";
+  for (const bool withLengths : {true, false}) {
+    const std::string inner = sequenceOf(code + code, withLengths);
+    const std::string sequence = sequenceOf(code + inner, withLengths);
+    const std::string whole = plain.substr(0, pixels) + sequence + plain.substr(pixels);
+    test::writeText(file, whole);
+    ASSERT_EQ(layoutOf(file), DicomLayout::kWhole);
+    const std::size_t modality = whole.find("CS\2", 132);
+    ASSERT_LT(modality, pixels);
+    std::mt19937 random(1);
+    const auto somewhere = [&](std::size_t from, std::size_t to) { return from + random() % (to - from); };
+    for (int n = 0; n < 1000; ++n) {
+      std::string changed = whole;
+      for (int changes = 1 << (n % 5); changes > 0; --changes)
+        changed[somewhere(132, changed.size())] = static_cast<char>(random());
+      // Sequences are short, and rarely hit otherwise.
+      if (n % 2) changed[somewhere(pixels, pixels + sequence.size())] = static_cast<char>(random());
+      if (n % 3 == 0) changed[modality] = 'v';
+      test::writeText(folder / "changed.dcm", changed);
+      (void)importSeries(folder / "changed.dcm");
+    }
   }
 }
 

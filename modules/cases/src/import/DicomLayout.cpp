@@ -12,7 +12,19 @@ namespace insonate {
 namespace {
 
 constexpr std::uint32_t kUndefinedLength = 0xffffffff;
+constexpr std::uint32_t kDelimiters = 0xfffe;  // their group
+constexpr std::uint64_t kUntilDelimiter = ~std::uint64_t{0};
 constexpr std::uint32_t kPixelData = 0x7fe00010, kItem = 0xfffee000, kItemEnd = 0xfffee00d, kSequenceEnd = 0xfffee0dd;
+
+/// PS3.5 table 6.2-1: those with two bytes of length, and those with four.
+constexpr std::array<std::string_view, 21> kShort{"AE", "AS", "AT", "CS", "DA", "DS", "DT", "FL", "FD", "IS", "LO",
+                                                  "LT", "PN", "SH", "SL", "SS", "ST", "TM", "UI", "UL", "US"};
+constexpr std::array<std::string_view, 13> kLong{"OB", "OW", "OF", "OD", "OL", "OV", "SQ",
+                                                 "UT", "UN", "UC", "UR", "SV", "UV"};
+
+bool isAmong(std::string_view vr, const auto& all) {
+  return std::ranges::find(all, vr) != all.end();
+}
 
 struct Encoding {
   bool explicitVr = false, bigEndian = false;
@@ -81,7 +93,8 @@ class Walker {
            std::isupper(static_cast<unsigned char>(bytes[5]));
   }
 
-  /// Reads a tag, a representation and a length, and moves behind them; false at the end of the file.
+  /// Reads a tag, a representation and a length, and moves behind them; false at the end of the file, and where the
+  /// representation is none: GDCM 3.0 then guesses lengths, and ends the program on what comes next.
   bool next(Encoding encoding, Element& element) {
     const std::string bytes = peek(position_, 12);
     if (bytes.size() < 8) return false;
@@ -89,22 +102,19 @@ class Walker {
     element.tag = number(view.substr(0, 2), encoding.bigEndian) << 16 | number(view.substr(2, 2), encoding.bigEndian);
     element.vr.clear();
     position_ += 8;
-    if (!encoding.explicitVr || element.tag >> 16 == 0xfffe) {
+    if (!encoding.explicitVr || element.tag >> 16 == kDelimiters) {
       element.length = number(view.substr(4, 4), encoding.bigEndian);
       return true;
     }
     element.vr = bytes.substr(4, 2);
-    constexpr std::array<std::string_view, 13> kLong{"OB", "OW", "OF", "OD", "OL", "OV", "SQ",
-                                                     "UT", "UN", "UC", "UR", "SV", "UV"};
-    for (std::string_view vr : kLong) {
-      if (element.vr != vr) continue;
+    if (isAmong(element.vr, kLong)) {
       if (bytes.size() < 12) return false;
       element.length = number(view.substr(8, 4), encoding.bigEndian);
       position_ += 4;
       return true;
     }
     element.length = number(view.substr(6, 2), encoding.bigEndian);
-    return true;
+    return isAmong(element.vr, kShort);
   }
 
   bool skip(std::uint32_t length) {
@@ -123,7 +133,7 @@ class Walker {
       if (!next({true, false}, element)) return false;
       // All that PS3.10 7.1 has there; of others GDCM 3.0 ends the program.
       constexpr std::array<std::string_view, 7> kRepresentations{"UL", "OB", "UI", "SH", "AE", "UR", "UN"};
-      if (std::ranges::find(kRepresentations, element.vr) == kRepresentations.end()) return false;
+      if (!isAmong(element.vr, kRepresentations)) return false;
       if (element.tag == 0x00020010) {
         syntax = peek(position_, std::min<std::uint32_t>(element.length, 64));
         while (!syntax.empty() && (syntax.back() == '\0' || syntax.back() == ' ')) syntax.pop_back();
@@ -139,27 +149,33 @@ class Walker {
       Element element;
       if (depth == 0 && size_ - position_ < 8) return pixelsBegan_;  // trailing padding
       if (!next(encoding, element)) return false;
-      if (element.tag == kItemEnd) return depth > 0;
+      if (element.tag == kItemEnd) return depth > 0 && element.length == 0;
+      if (element.tag >> 16 == kDelimiters) return false;
       if (depth == 0 && element.tag == kPixelData) pixelsBegan_ = true;
       if (element.length != kUndefinedLength) {
-        if (!skip(element.length)) return false;
+        if (element.length > end - position_) return false;
+        const std::uint64_t behind = position_ + element.length;
+        if (element.vr == "SQ" ? !items(encoding, behind, depth) : !skip(element.length)) return false;
       } else if (element.tag == kPixelData) {
         if (!fragments(encoding)) return false;
-      } else if (!items(element.vr == "UN" ? Encoding{false, false} : encoding, depth)) {
+      } else if (!items(element.vr == "UN" ? Encoding{false, false} : encoding, kUntilDelimiter, depth)) {
         return false;  // PS3.5 6.2.2: UN of undefined length is implicit little endian
       }
     }
-    return depth == 0 || end != size_;
+    return position_ == end;
   }
 
-  bool items(Encoding encoding, int depth) {
-    for (;;) {
+  /// Of a sequence, to its end or its delimiter.
+  bool items(Encoding encoding, std::uint64_t end, int depth) {
+    while (position_ < end) {
       Element item;
       if (!next(encoding, item)) return false;
-      if (item.tag == kSequenceEnd) return true;
+      if (item.tag == kSequenceEnd) return item.length == 0;
       if (item.tag != kItem) return false;
-      if (item.length == kUndefinedLength ? !elements(encoding, size_, depth + 1) : !skip(item.length)) return false;
+      const std::uint64_t itemEnd = item.length == kUndefinedLength ? kUntilDelimiter : position_ + item.length;
+      if (!elements(encoding, itemEnd, depth + 1)) return false;
     }
+    return position_ == end;
   }
 
   /// Some writers forget the delimiter after the last fragment.
@@ -171,7 +187,7 @@ class Walker {
         return count > 1;
       }
       if (!next(encoding, item)) return false;
-      if (item.tag == kSequenceEnd) return true;
+      if (item.tag == kSequenceEnd) return item.length == 0;
       if (item.tag != kItem || item.length == kUndefinedLength || !skip(item.length)) return false;
     }
   }
