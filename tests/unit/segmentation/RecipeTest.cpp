@@ -139,7 +139,10 @@ TEST(Recipe, OnlyLabelsThatAreNamedAreOverwritten) {
 TEST(Recipe, LabelsOfTheAuthorsOwnKeepTheirNames) {
   Recipe recipe;
   recipe.labels = {{16, {"left \u00c4ste", kVein}}, {17, {"", kBone}}, {18, {"", kSoftTissue}}};
-  recipe.steps.push_back({.tool = step::Logical{}, .label = 16});
+  LabelStep step;
+  step.tool = step::Logical{};
+  step.label = 16;
+  recipe.steps.push_back(step);
   const auto read = readRecipe(textOf(recipe));
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->labels, recipe.labels);
