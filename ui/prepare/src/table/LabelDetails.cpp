@@ -47,8 +47,8 @@ LabelDetails::LabelDetails(PrepareSession& session, QWidget* parent)
   grid->addWidget(state_, 0, 0);
   grid->addWidget(tissue_, 0, 1);
   grid->addWidget(term_, 1, 0, 1, 2);
-  grid->setColumnStretch(0, 6);  // "in progress" is longer than most tissues
-  grid->setColumnStretch(1, 5);
+  state_->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // each is read whole; the tissue gets what is left
+  grid->setColumnStretch(1, 1);
   connect(state_, qOverload<int>(&QComboBox::activated), this,
           [this](int row) { session_.setState(session_.selected(), kLabelStates[row]); });
   connect(tissue_, qOverload<int>(&QComboBox::activated), this,
