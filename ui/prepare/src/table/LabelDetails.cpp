@@ -47,7 +47,8 @@ LabelDetails::LabelDetails(PrepareSession& session, QWidget* parent)
   grid->addWidget(state_, 0, 0);
   grid->addWidget(tissue_, 0, 1);
   grid->addWidget(term_, 1, 0, 1, 2);
-  state_->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // each is read whole; the tissue gets what is left
+  state_->setMinimumContentsLength(11);  // "in progress" is read whole; the tissue gets what is left
+  tissue_->setMinimumContentsLength(3);
   grid->setColumnStretch(1, 1);
   connect(state_, qOverload<int>(&QComboBox::activated), this,
           [this](int row) { session_.setState(session_.selected(), kLabelStates[row]); });
