@@ -6,6 +6,7 @@
 
 #include <QRegularExpression>
 #include <QSignalSpy>
+#include <future>
 
 namespace insonate::train {
 namespace {
@@ -163,6 +164,24 @@ TEST_F(TrainLevel, WhatTheStoreRefusesIsKeptAndSentLater) {
   ASSERT_TRUE(PeopleStore(admin).change(tess));
   account_->signOut();
   signIn();
+  ASSERT_TRUE(waitFor([&] { return unsent().isEmpty(); }));
+  ASSERT_EQ(stored().size(), 1U);
+  EXPECT_EQ(stored().front().facts.state, AttemptState::Completed);
+}
+
+TEST_F(TrainLevel, AnEndIsOnDiskWhileAServerIsWaitedFor) {
+  signIn();
+  openWide();
+  std::promise<void> answer;
+  account_->ask<void>(workspace_.get(),
+                      [lost = answer.get_future().share()](const SignedIn&) -> Result<void> {
+                        lost.wait();
+                        return {};
+                      },
+                      {});
+  makeAttempt();
+  EXPECT_TRUE(waitFor([&] { return !unsent().filter(QRegularExpression("^[^.]*\\.json$")).isEmpty(); }));
+  answer.set_value();
   ASSERT_TRUE(waitFor([&] { return unsent().isEmpty(); }));
   ASSERT_EQ(stored().size(), 1U);
   EXPECT_EQ(stored().front().facts.state, AttemptState::Completed);

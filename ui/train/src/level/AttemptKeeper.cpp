@@ -8,8 +8,8 @@
 #include <insonate/teaching/AttemptFactsOf.h>
 #include <insonate/ui/Account.h>
 
-#include <QThreadPool>
 #include <QUuid>
+#include <QtConcurrent/QtConcurrentRun>
 #include <utility>
 
 namespace insonate::train {
@@ -22,18 +22,22 @@ Result<void> store(const AttemptStore& attempts, const AttemptFacts& facts) {
   return facts.state == AttemptState::Open ? Result<void>() : attempts.end(facts);
 }
 
-/// On this computer first. What cannot even be written there may still reach the store.
-Result<void> keepHere(const QString& folder, AttemptFacts& facts, const QString& recording) {
-  if (!recording.isEmpty())
-    if (const auto added = addRecording(facts, recording.toStdString()); !added) facts.recording.clear();
-  return keepUnsent(folder, facts);
+/// On this computer, and at once: a question to a lost server may keep the account waiting. What cannot even be written
+/// here may still reach the store.
+KeptFacts keepHere(const QString& folder, const AttemptFacts& facts, const QString& recording) {
+  return QtConcurrent::run([folder, facts = AttemptFacts(facts), recording]() mutable -> std::optional<AttemptFacts> {
+    if (!recording.isEmpty())
+      if (const auto added = addRecording(facts, recording.toStdString()); !added) facts.recording.clear();
+    if (keepUnsent(folder, facts)) return std::nullopt;
+    return facts;
+  });
 }
 
 /// One that the store refuses keeps no other from it. A server that is away is not waited for once for each.
-Result<void> sendAll(const SignedIn& by, const QString& folder, std::optional<AttemptFacts> fresh,
-                     const QString& recording, bool isAway) {
+Result<void> sendAll(const SignedIn& by, const QString& folder, const std::optional<KeptFacts>& fresh, bool isAway) {
   const AttemptStore attempts(by);
-  if (fresh && !keepHere(folder, *fresh, recording)) return store(attempts, *fresh);
+  if (fresh)
+    if (const auto unwritten = fresh->result()) return store(attempts, *unwritten);
   if (isAway) return fail(AttemptKeeper::tr("The server is still away.").toStdString());
   Result<void> first;
   for (const AttemptFacts& facts : unsentOf(folder, by.person().id)) {
@@ -52,17 +56,17 @@ AttemptKeeper::AttemptKeeper(AttemptControl& attempt, QString folder, QObject* p
   connect(&attempt_, &AttemptControl::ended, this, [this] { end(); });
   again_.setInterval(kAgain_ms);
   again_.setSingleShot(true);
-  connect(&again_, &QTimer::timeout, this, [this] { send(std::nullopt, {}); });
+  connect(&again_, &QTimer::timeout, this, [this] { send(std::nullopt); });
 }
 
 void AttemptKeeper::setAccount(ui::Account& account) {
   account_ = &account;
   const auto changed = [this] {
     if (facts_ && facts_->person != account_->person().id) attempt_.close();
-    send(std::nullopt, {});
+    send(std::nullopt);
   };
   connect(account_, &ui::Account::changed, this, changed);
-  connect(account_, &ui::Account::cameBack, this, [this] { send(std::nullopt, {}); });
+  connect(account_, &ui::Account::cameBack, this, [this] { send(std::nullopt); });
   changed();
 }
 
@@ -88,20 +92,18 @@ void AttemptKeeper::end() {
 }
 
 void AttemptKeeper::keep(const AttemptFacts& facts, const QString& recording) {
-  if (account_->isSignedIn() && account_->person().id == facts.person) return send(facts, recording);
-  QThreadPool::globalInstance()->start(
-      [folder = folder_, late = AttemptFacts(facts), recording]() mutable { (void)keepHere(folder, late, recording); });
+  const KeptFacts kept = keepHere(folder_, facts, recording);
+  if (account_->isSignedIn() && account_->person().id == facts.person) send(kept);
 }
 
-void AttemptKeeper::send(std::optional<AttemptFacts> fresh, const QString& recording) {
+void AttemptKeeper::send(const std::optional<KeptFacts>& fresh) {
   if (!account_ || !account_->isSignedIn() || account_->mustChangePassword()) return;
-  const bool isFresh = fresh.has_value();
   account_->ask<void>(
       this,
-      [folder = folder_, fresh = std::move(fresh), recording, isAway = account_->isAway()](const SignedIn& by) {
-        return sendAll(by, folder, fresh, recording, isAway);
+      [folder = folder_, fresh, isAway = account_->isAway()](const SignedIn& by) {
+        return sendAll(by, folder, fresh, isAway);
       },
-      [this, isFresh, person = account_->person().id](const Result<void>& sent) {
+      [this, isFresh = fresh.has_value(), person = account_->person().id](const Result<void>& sent) {
         if (person == account_->person().id) tell(sent, isFresh);
       });
 }

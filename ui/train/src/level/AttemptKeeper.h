@@ -3,6 +3,7 @@
 #include <insonate/core/Result.h>
 #include <insonate/curriculum/AttemptFacts.h>
 
+#include <QFuture>
 #include <QObject>
 #include <QString>
 #include <QTimer>
@@ -28,6 +29,9 @@ struct AttemptAim {
   const Curriculum* curriculum = nullptr;
   const Level* level = nullptr;
 };
+
+/// What could not be written down on this computer; none where it was.
+using KeptFacts = QFuture<std::optional<AttemptFacts>>;
 
 /// Writes each attempt of who is signed in into the store, as it begins and as it ends. It is first written down on
 /// this computer, so that nothing is lost where the store cannot be reached; what waits is sent again once a minute,
@@ -55,7 +59,7 @@ class AttemptKeeper final : public QObject {
   void begin();
   void end();
   void keep(const AttemptFacts& facts, const QString& recording);
-  void send(std::optional<AttemptFacts> fresh, const QString& recording);
+  void send(const std::optional<KeptFacts>& fresh);
   void tell(const Result<void>& sent, bool isFresh);
 
   AttemptControl& attempt_;
