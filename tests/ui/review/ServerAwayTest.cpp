@@ -56,7 +56,8 @@ TEST_F(ServerAway, EachPageSaysSoAndComesBackByItself) {
     child<QToolButton>(tab)->click();
     settle();
   }
-  EXPECT_LT(beat_.longest_ms(), 1000) << "the window's thread waits for no server";
+  // A silent server is waited for 10 s; a busy machine pauses a window for one.
+  EXPECT_LT(beat_.longest_ms(), 3000) << "the window's thread waits for no server";
 
   server_->start();
   ASSERT_TRUE(QTest::qWaitFor([&] { return isSeen("classTable"); }, kPatience_ms)) << words().toStdString();

@@ -56,7 +56,8 @@ class ServerAwayWindows : public test::AccountWindow {
     QDropEvent dropped({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(dialog, &dropped);
   }
-  void expectNoPause() { EXPECT_LT(beat_.longest_ms(), 1000) << "the window's thread waits for no server"; }
+  /// A silent server is waited for 10 s; a busy machine pauses a window for one.
+  void expectNoPause() { EXPECT_LT(beat_.longest_ms(), 3000) << "the window's thread waits for no server"; }
 
   test::PostgresServer* server_ = nullptr;
   QString address_;

@@ -50,7 +50,8 @@ TEST_F(ServerAwayCourse, AnAttemptIsKeptHereAndHandedInByItselfOnceItIsBack) {
   course_->refresh();
   ASSERT_TRUE(waitFor([&] { return text("courseNote").contains("cannot be reached"); }));
   EXPECT_TRUE(child<QListWidget>("levels")->item(0)->text().contains("mastered")) << "what is known is shown";
-  EXPECT_LT(beat.longest_ms(), 1000) << "the window's thread waits for no server";
+  // A silent server is waited for 10 s; a busy machine pauses a window for one.
+  EXPECT_LT(beat.longest_ms(), 3000) << "the window's thread waits for no server";
 
   server_->start();
   ASSERT_TRUE(waitFor([&] { return unsent().isEmpty(); }));
