@@ -17,14 +17,14 @@
 namespace insonate::prepare {
 namespace {
 
-QComboBox* choice(const char* object, const QString& name, const QString& tip) {
+QComboBox* choice(const char* object, const QString& name, int letters, const QString& tip) {
   auto* box = new QComboBox;
   new ui::QuietWheel(box);
   box->setObjectName(QLatin1String(object));
   box->setAccessibleName(name);
   box->setToolTip(tip);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  box->setMinimumContentsLength(6);
+  box->setMinimumContentsLength(letters);
   return box;
 }
 
@@ -33,9 +33,10 @@ QComboBox* choice(const char* object, const QString& name, const QString& tip) {
 LabelDetails::LabelDetails(PrepareSession& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
-      state_(choice("labelState", tr("State of the selected structure"),
+      // "in progress" is read whole; the tissue gets what is left.
+      state_(choice("labelState", tr("State of the selected structure"), 11,
                     tr("How far the selected structure is (S goes to the next); kept with the case"))),
-      tissue_(choice("labelTissue", tr("Tissue of the selected structure"), {})),
+      tissue_(choice("labelTissue", tr("Tissue of the selected structure"), 3, {})),
       term_(ui::paragraph("labelTerm", "quiet")) {
   for (const LabelState state : kLabelStates) state_->addItem(stateIcon(state), stateWord(state));
   for (const LabelInfo& info : labelTable())
@@ -47,8 +48,6 @@ LabelDetails::LabelDetails(PrepareSession& session, QWidget* parent)
   grid->addWidget(state_, 0, 0);
   grid->addWidget(tissue_, 0, 1);
   grid->addWidget(term_, 1, 0, 1, 2);
-  state_->setMinimumContentsLength(11);  // "in progress" is read whole; the tissue gets what is left
-  tissue_->setMinimumContentsLength(3);
   grid->setColumnStretch(1, 1);
   connect(state_, qOverload<int>(&QComboBox::activated), this,
           [this](int row) { session_.setState(session_.selected(), kLabelStates[row]); });

@@ -164,9 +164,7 @@ void StructureTable::fillAdd(QMenu& menu) {
     if (info.label == kBackground || std::ranges::find(there, info.label) != there.end()) continue;
     QAction* action =
         menu.addAction(session_.nameOf(info.label), this, [this, label = info.label] { session_.addStructure(label); });
-    action->setToolTip(tr("SNOMED CT %1, %2")
-                           .arg(QString::fromUtf8(info.snomedCode.data(), int(info.snomedCode.size())),
-                                QString::fromUtf8(info.snomedMeaning.data(), int(info.snomedMeaning.size()))));
+    action->setToolTip(termOf(info.label));
   }
   int next = kLabelCount;
   while (std::ranges::find(there, std::uint8_t(next)) != there.end()) ++next;
