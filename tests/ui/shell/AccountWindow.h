@@ -12,13 +12,17 @@
 #include <QAction>
 #include <QApplication>
 #include <QDialog>
+#include <QDropEvent>
+#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QToolButton>
+#include <QUrl>
 #include <QtTest/QTest>
 #include <memory>
 
@@ -106,6 +110,19 @@ class AccountWindow : public testing::Test {
     QStringList texts;
     for (int column = 0; column < table.columnCount(); ++column) texts << table.item(index, column)->text();
     return texts;
+  }
+  /// A class list as a file that is dropped on a window.
+  void drop(QDialog* dialog, const QByteArray& list) {
+    QFile file(home.filePath("list.csv"));
+    ASSERT_TRUE(file.open(QFile::WriteOnly));
+    file.write(list);
+    file.close();
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(file.fileName())});
+    QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(dialog, &enter);
+    QDropEvent dropped({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(dialog, &dropped);
   }
 
   QTemporaryDir home;

@@ -37,16 +37,7 @@ class ClassListWindow : public test::AccountWindow {
   }
 
   void drop(const QByteArray& list) {
-    QFile file(home.filePath("list.csv"));
-    ASSERT_TRUE(file.open(QFile::WriteOnly));
-    file.write(list);
-    file.close();
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(file.fileName())});
-    QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(dialog_, &enter);
-    QDropEvent dropped({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(dialog_, &dropped);
+    AccountWindow::drop(dialog_, list);
     ASSERT_TRUE(waitUntil([&] { return !words().startsWith("Reading"); }));
   }
   QString words() { return dialog_->findChild<QLabel*>("listWords")->text(); }

@@ -44,18 +44,6 @@ class ServerAwayWindows : public test::AccountWindow {
     EXPECT_TRUE(waitUntil([&] { return people->findChild<QListWidget*>("peopleClasses")->count() == 2; }));
     return people;
   }
-  void drop(QDialog* dialog, const QByteArray& list) {
-    QFile file(home.filePath("list.csv"));
-    ASSERT_TRUE(file.open(QFile::WriteOnly));
-    file.write(list);
-    file.close();
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(file.fileName())});
-    QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(dialog, &enter);
-    QDropEvent dropped({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(dialog, &dropped);
-  }
   /// A silent server is waited for 10 s; a busy machine pauses a window for one.
   void expectNoPause() { EXPECT_LT(beat_.longest_ms(), 3000) << "the window's thread waits for no server"; }
 
