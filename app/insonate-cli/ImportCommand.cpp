@@ -1,5 +1,6 @@
 #include "Commands.h"
 
+#include <insonate/cases/CaseTitle.h>
 #include <insonate/cases/Import.h>
 #include <insonate/cases/PatientCase.h>
 #include <insonate/cases/StartPose.h>
@@ -79,13 +80,15 @@ Result<void> importCase(const ImportArguments& a) {
   for (const std::string& warning : imported->series.warnings) std::cerr << "note: " << warning << '\n';
 
   PatientCase patient;
-  patient.manifest.title = "Imported CT";
+  patient.manifest.title = kImportedTitle;
+  nameAfterFolder(patient.manifest, a.folder);
   patient.manifest.source = imported->source;
   patient.manifest.importNotes = imported->series.warnings;
   patient.ct = std::move(imported->ct);
   if (a.autoLabel) {
     auto labels = autoLabel(patient.ct, terminalProgress());
-    if (!labels) return tl::unexpected(labels.error());
+    if (!labels && labels.error().message == kCancelled) return tl::unexpected(labels.error());
+    if (!labels) return fail(labels.error().message + " Without --auto-label it can be imported.");
     patient.labels = std::move(*labels);
     patient.manifest.source += " Labelled automatically from Hounsfield units.";
   } else {

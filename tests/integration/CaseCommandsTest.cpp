@@ -57,6 +57,7 @@ TEST_F(CaseCommands, ImportWritesACaseAndSaysWhatIsNext) {
   const auto checked = run("check " + at("case") + " --json");
   EXPECT_EQ(checked.status, 0) << checked.errors;
   EXPECT_TRUE(json::parse(checked.output).contains("fit"));
+  EXPECT_EQ(json::parse(bytesOf(folder_ / "case/case.json"))["title"], "case") << "imports are told apart in lists";
 }
 
 TEST_F(CaseCommands, WhatIsPublishedStaysWhileTheCaseIsSavedAgain) {

@@ -1,5 +1,6 @@
 #include "PrepareSession.h"
 
+#include <insonate/cases/CaseTitle.h>
 #include <insonate/prepare/PrepareWorkspace.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/Labels.h>
@@ -85,6 +86,20 @@ TEST_F(Saving, WritesColoursAndTitleToTheCasesFolder) {
   EXPECT_TRUE(session_->undoStack().canUndo());
   session_->undoStack().undo(), session_->undoStack().undo();
   EXPECT_TRUE(edited()) << "taken back after saving is a change again";
+}
+
+TEST_F(Saving, ACaseThatNobodyNamedIsCalledAsItsFolder) {
+  PatientCase imported = test::smallCase();
+  imported.manifest.title = kImportedTitle;
+  const fs::path folder = home_ / "short neck.case";
+  ASSERT_TRUE(writeCase(imported, folder));
+  window_.open(QString::fromStdString(folder.string()));
+  ASSERT_TRUE(until([this] { return window_.caseTitle() == "Imported CT"; }));
+  session_->setColour(kVein, kChosen);
+  window_.saveCase();
+  ASSERT_TRUE(until([this] { return window_.caseTitle() == "short neck"; }));
+  EXPECT_EQ(session_->title(), "short neck");
+  EXPECT_FALSE(edited());
 }
 
 TEST_F(Saving, ClosesAtOnceWithoutChangesAndAsksWithThem) {

@@ -198,6 +198,9 @@ TEST_F(MainWindow, TakesADroppedDicomFolder) {
   w.window.findChild<QDialog*>()->accept();
   EXPECT_TRUE(waitUntil([&] { return w.window.current().patient != nullptr; }));
   EXPECT_EQ(w.window.caseTitle(), "Imported CT (not saved)");
+  test::answerFileDialog(w.window, home.filePath("short neck"));
+  w.window.saveCase();
+  EXPECT_TRUE(waitUntil([&] { return w.window.caseTitle() == "short neck"; })) << w.window.caseTitle().toStdString();
 }
 
 TEST_F(MainWindow, SaysWhatToDoWithADroppedPictureOrNonsense) {

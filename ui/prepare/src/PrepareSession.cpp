@@ -121,6 +121,11 @@ void PrepareSession::setCase(std::shared_ptr<const PatientCase> patient) {
 }
 
 void PrepareSession::replaceCase(std::shared_ptr<const PatientCase> patient) {
+  // An import is named as it is saved.
+  if (patient_ && title_.toStdString() == patient_->manifest.title) {
+    title_ = QString::fromStdString(patient->manifest.title);
+    Q_EMIT titleChanged();
+  }
   patient_ = std::move(patient);
   labelling_.replaceCase(patient_);
   live_.replacePatient(patient_);

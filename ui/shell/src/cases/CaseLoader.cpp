@@ -2,6 +2,7 @@
 #include "CaseEdits.h"
 #include "SeriesDialog.h"
 
+#include <insonate/cases/CaseTitle.h>
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/segmentation/AutoLabel.h>
 #include <insonate/ui/CaseLoader.h>
@@ -45,7 +46,7 @@ Result<LoadedCase> importCase(const fs::path& input, const std::string& uid, boo
   if (!imported) return tl::unexpected(imported.error());
   LoadedCase result;
   auto patient = std::make_shared<PatientCase>();
-  patient->manifest.title = "Imported CT";
+  patient->manifest.title = kImportedTitle;
   patient->manifest.source = imported->source;
   patient->manifest.importNotes = imported->series.warnings;
   patient->ct = std::move(imported->ct);
@@ -183,6 +184,8 @@ void CaseLoader::openBuiltIn(const QString& variant) {
 
 void CaseLoader::save(std::shared_ptr<const PatientCase> patient, const QString& folder, std::vector<CaseEdit> edits) {
   using Written = std::shared_ptr<const PatientCase>;
+  if (patient->manifest.title == kImportedTitle)
+    edits.push_back([folder](PatientCase& copy) { nameAfterFolder(copy.manifest, folder.toStdString()); });
   tasks_.run<Written>(
       tr("Saving to %1").arg(QFileInfo(folder).fileName()),
       [patient = std::move(patient), folder, edits = std::move(edits)](const Progress& progress) -> Result<Written> {

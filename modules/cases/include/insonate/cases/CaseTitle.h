@@ -1,0 +1,17 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+
+#include <filesystem>
+#include <string_view>
+
+namespace insonate {
+
+/// What an imported CT is called until somebody names it: nothing of the patient may become a title by itself.
+inline constexpr std::string_view kImportedTitle = "Imported CT";
+
+/// A case that nobody has named takes the name its author chose for its folder ("neck" of `/cases/neck.case`): lists,
+/// levels and recordings tell cases apart by their titles.
+void nameAfterFolder(CaseManifest& manifest, const std::filesystem::path& folder);
+
+}  // namespace insonate
