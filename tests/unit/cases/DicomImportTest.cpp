@@ -208,6 +208,13 @@ TEST_F(DicomImport, PixelsFewerThanTheHeaderSaysAreRefused) {
   EXPECT_THAT(refusal(), HasSubstr("cut off or damaged"));
 }
 
+TEST_F(DicomImport, InvertedPicturesAreRefused) {
+  write(test::noiseCt(test::grid({6, 5, 2})));
+  for (const auto& file : files())
+    test::editDicom(file, [](DataSet& data) { test::setText(data, Tag(0x0028, 0x0004), VR::CS, "MONOCHROME1"); });
+  EXPECT_THAT(refusal(), testing::AllOf(HasSubstr("MONOCHROME1"), HasSubstr("inverted")));
+}
+
 TEST_F(DicomImport, StrayFilesAreSetAsideWithAReason) {
   write(test::noiseCt(test::grid({6, 6, 3})));
   test::writeText(series / "notes.dcm", "not DICOM");

@@ -31,6 +31,11 @@ void tilted(const fs::path& folder, double degrees) {
   editAll(folder, [](DataSet& data) { setText(data, Tag(0x0018, 0x1120), VR::DS, "0"); });
 }
 
+void tiltedWithGap(const fs::path& folder) {
+  tilted(folder, 15);
+  fs::remove(folder / "i1-1-3");
+}
+
 void withThickness(const fs::path& folder, const char* thickness, const char* between) {
   auto slices = plain();
   for (HospitalSlice& s : slices) s.thickness = thickness;
@@ -59,6 +64,8 @@ void mixedFolder(const fs::path& folder) {
   PatientCase labelled = noiseCase(grid({8, 8, 2}));
   if (auto ok = writeDicomSegmentation(labelled, folder / "seg.dcm"); !ok) throw std::runtime_error(ok.error().message);
   writeText(folder / "README.TXT", "Viewer on this disk");
+  writeText(folder / "study.zip", std::string("PK\3\4", 4) + "and so on");
+  writeText(folder / "slice.dcm.gz", "\x1f\x8b and so on");
   writeText(folder / "broken.dcm", "not DICOM");
 }
 
@@ -67,6 +74,34 @@ void duplicates(const fs::path& folder, bool explained) {
   HospitalSlice again = plain()[2];
   again.instanceUid = explained ? "1.2.3.1.1.3" : "1.2.3.9";
   writeSlice(folder / "again", again);
+}
+
+void oneInstanceUid(const fs::path& folder) {
+  auto slices = plain();
+  for (HospitalSlice& s : slices) s.instanceUid = "1.2.3.9";
+  writeSlices(folder, slices);
+}
+
+/// The same slices once more under the same numbers; their names on the disk are in another order.
+void reconstructedTwice(const fs::path& folder, bool named) {
+  for (const bool sharp : {false, true}) {
+    auto slices = plain();
+    fs::create_directories(folder);
+    for (HospitalSlice& s : slices) {
+      s.instanceUid = (sharp ? "1.2.3.8." : "1.2.3.7.") + std::to_string(s.instance);
+      if (sharp) s.intercept = -1024;
+      const fs::path file = folder / (std::to_string(s.instance) + (sharp == (s.instance % 2 == 0) ? "a" : "b"));
+      writeSlice(file, s);
+      if (named)
+        editDicom(file, [&](DataSet& data) { setText(data, Tag(0x0018, 0x1210), VR::SH, sharp ? "B70f" : "B30f"); });
+    }
+  }
+}
+
+void sharperAbove(const fs::path& folder) {
+  writeSlices(folder, plain());
+  for (const char* name : {"i1-1-5", "i1-1-6"})
+    editDicom(folder / name, [](DataSet& data) { setText(data, Tag(0x0018, 0x1210), VR::SH, "B70f"); });
 }
 
 void twoSeriesOneNumber(const fs::path& folder) {
@@ -146,6 +181,25 @@ void slopeOfEachSlice(const fs::path& folder) {
   writeSlices(folder, slices);
 }
 
+void withoutRescaleInOne(const fs::path& folder) {
+  withRescale(folder, 1, -1024, false);
+  editDicom(folder / "i1-1-2", [](DataSet& data) { data.Remove(Tag(0x0028, 0x1052)); });
+}
+
+void withSlopeOfZero(const fs::path& folder) {
+  writeSlices(folder, plain());
+  editAll(folder, [](DataSet& data) { setText(data, Tag(0x0028, 0x1053), VR::DS, "0"); });
+}
+
+void withLookupTable(const fs::path& folder) {
+  writeSlices(folder, plain());
+  editAll(folder, [](DataSet& data) {
+    DataSet table;
+    setText(table, Tag(0x0028, 0x3004), VR::LO, "HU");
+    setSequence(data, Tag(0x0028, 0x3000), {table});
+  });
+}
+
 void withoutPixelSpacing(const fs::path& folder) {
   writeSlices(folder, plain());
   editAll(folder, [](DataSet& data) {
@@ -181,6 +235,7 @@ const std::vector<HospitalCase>& hospitalCases() {
   static const std::vector<HospitalCase> kCases{
       {"tilt-plus-15", [](const fs::path& f) { tilted(f, 15); }},
       {"tilt-minus-15", [](const fs::path& f) { tilted(f, -15); }},
+      {"tilt-and-gap", tiltedWithGap},
       {"variable-spacing",
        [](const fs::path& f) {
          writeSlices(f, axial({0, 3, 6, 9, 10.3, 11.6, 12.9}));
@@ -200,6 +255,10 @@ const std::vector<HospitalCase>& hospitalCases() {
       {"mixed-folder", mixedFolder},
       {"copied-slice", [](const fs::path& f) { duplicates(f, true); }},
       {"unexplained-duplicate", [](const fs::path& f) { duplicates(f, false); }},
+      {"one-instance-uid", oneInstanceUid},
+      {"kernels-under-one-uid", [](const fs::path& f) { reconstructedTwice(f, true); }},
+      {"numbers-twice", [](const fs::path& f) { reconstructedTwice(f, false); }},
+      {"kernel-changes-within", sharperAbove},
       {"interleaved-blocks", interleaved},
       {"unsorted-names", unsortedNames},
       {"one-slice", [](const fs::path& f) { writeSlices(f, plain(1)); }},
@@ -212,6 +271,9 @@ const std::vector<HospitalCase>& hospitalCases() {
       {"intercept-minus-1024", [](const fs::path& f) { withRescale(f, 1, -1024, false); }},
       {"padding-minus-3024", padded},
       {"slope-of-each-slice", slopeOfEachSlice},
+      {"rescale-missing-in-one", withoutRescaleInOne},
+      {"slope-of-zero", withSlopeOfZero},
+      {"lookup-table", withLookupTable},
       {"no-pixel-spacing", withoutPixelSpacing},
       {"non-square-pixels", nonSquare},
       {"non-ascii-path", [](const fs::path& f) { writeSlices(f / "Größe 患者 ёж", plain()); }},

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace insonate {
 namespace {
 
@@ -65,6 +68,39 @@ TEST(SeriesGroups, OrientationNoiseIsOneStack) {
   auto slices = stackOf("1", 8);
   for (std::size_t n = 0; n < slices.size(); ++n) (*slices[n].orientation)[0].y = n % 2 ? 1e-4 : -1e-4;
   EXPECT_EQ(groupSlices(slices).size(), 1U);
+}
+
+TEST(SeriesGroups, ReconstructionsUnderOneUidAreKeptApart) {
+  auto soft = stackOf("1", 6), sharp = stackOf("1", 6);
+  std::vector<DicomSlice> all;
+  for (std::size_t n = 0; n < soft.size(); ++n) {
+    soft[n].kernel = "B30f";
+    sharp[n].kernel = "B70f";
+    sharp[n].sopUid += "s";
+    // The order of a folder must not decide.
+    all.push_back(n % 2 ? soft[n] : sharp[n]);
+    all.push_back(n % 2 ? sharp[n] : soft[n]);
+  }
+  const auto series = groupSlices(all);
+  ASSERT_EQ(series.size(), 2U);
+  for (const DicomSeries& s : series) {
+    EXPECT_EQ(s.slices.size(), 6U);
+    EXPECT_TRUE(std::ranges::all_of(s.slices, [&](const DicomSlice& x) { return x.kernel == s.slices[0].kernel; }));
+  }
+}
+
+TEST(SeriesGroups, SlicesThatAreNotQuiteParallelAreSaid) {
+  auto slices = stackOf("1", 8);
+  for (std::size_t n = 0; n < slices.size(); ++n) {
+    const double angle = n % 2 ? 0.006 : 0;  // too little for another stack
+    slices[n].columns = slices[n].rows = 512;
+    (*slices[n].orientation)[1] = {0, std::cos(angle), std::sin(angle)};
+  }
+  const auto series = groupSlices(slices);
+  ASSERT_EQ(series.size(), 1U);
+  // 512 rows of 0.8 mm, a mean of 0.003 beside each: 1.2 mm.
+  EXPECT_THAT(series[0].warnings, testing::Contains(HasSubstr("not quite parallel but were taken as such; corners lie "
+                                                              "up to 2 mm")));
 }
 
 TEST(SeriesGroups, StudiesUnderOneUidAreKeptApart) {

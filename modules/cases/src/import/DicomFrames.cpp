@@ -20,11 +20,13 @@ void readPlane(const DataSet& plane, DicomSlice& slice) {
   if (const auto t = numberOf(plane, Tag(0x0018, 0x0050))) slice.thickness_mm = t;
   if (const auto s = numberOf(plane, Tag(0x0028, 0x1053))) slice.slope = s;
   if (const auto i = numberOf(plane, Tag(0x0028, 0x1052))) slice.intercept = i;
+  if (std::string k = textOf(plane, Tag(0x0018, 0x1210)); !k.empty()) slice.kernel = std::move(k);
 }
 
 /// DICOM PS3.3 C.7.6.16: the same attributes as in a plain CT file, but inside functional groups.
 void readFunctionalGroups(const DataSet& groups, DicomSlice& slice) {
-  for (const Tag& tag : {Tag(0x0020, 0x9113), Tag(0x0020, 0x9116), Tag(0x0028, 0x9110), Tag(0x0028, 0x9145)})
+  for (const Tag& tag :
+       {Tag(0x0020, 0x9113), Tag(0x0020, 0x9116), Tag(0x0028, 0x9110), Tag(0x0028, 0x9145), Tag(0x0018, 0x9314)})
     for (const DataSet& item : itemsOf(groups, tag)) readPlane(item, slice);
 }
 
@@ -61,6 +63,7 @@ std::vector<DicomSlice> framesOf(const std::filesystem::path& file, const DataSe
   slice.lossy = textOf(data, Tag(0x0028, 0x2110)) == "01";
   const std::string unit = upper(textOf(data, Tag(0x0028, 0x1054)));
   slice.otherUnit = !unit.empty() && unit != "HU";
+  slice.lookupTable = !itemsOf(data, Tag(0x0028, 0x3000)).empty();
   readPlane(data, slice);
   const auto frames = itemsOf(data, Tag(0x5200, 0x9230));
   if (frames.empty()) return {slice};

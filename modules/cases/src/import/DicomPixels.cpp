@@ -60,6 +60,10 @@ Result<StoredPixels> decode(const std::filesystem::path& file) {
   if (!reader.Read()) return refuseFile(file, cutOff);
   const gdcm::Image& image = reader.GetImage();
   const gdcm::PixelFormat format = image.GetPixelFormat();
+  if (image.GetPhotometricInterpretation() == gdcm::PhotometricInterpretation::MONOCHROME1)
+    return refuseFile(file,
+                      "shows high values dark (MONOCHROME1), as scanners do not; they may have been inverted and be no "
+                      "Hounsfield units. Export the original series.");
   if (format.GetSamplesPerPixel() != 1 ||
       image.GetPhotometricInterpretation() != gdcm::PhotometricInterpretation::MONOCHROME2)
     return refuseFile(file, "is not a plain grey picture (MONOCHROME2), as a CT slice is. Export the original series.");

@@ -5,6 +5,8 @@
 #include <gdcmReader.h>
 #include <gdcmTrace.h>
 
+#include <array>
+#include <fstream>
 #include <set>
 #include <string_view>
 
@@ -24,7 +26,8 @@ std::string notASlice(const std::string& sopClass, const std::string& modality, 
     const std::string full = std::string(kStorage) + std::string(suffix);
     return sopClass == full || sopClass.starts_with(full + ".");
   };
-  if (sopClass == "1.2.840.10008.1.3.10") return "a DICOM directory: an index without pictures";
+  if (sopClass == "1.2.840.10008.1.3.10")
+    return "a DICOM directory: an index without pictures, which lie in the folders beside it";
   if (storage("66") || modality == "SEG") return "a DICOM segmentation; only the CT is imported";
   if (storage("88") || modality == "SR") return "a structured report without pictures";
   if (storage("11") || modality == "PR") return "a presentation state without pictures";
@@ -47,6 +50,16 @@ bool namedLikeDicom(const fs::path& file) {
   return extension == ".DCM" || extension == ".DICOM" || extension == ".IMA";
 }
 
+/// Why a file that is no DICOM stays out.
+std::string notDicom(const fs::path& file) {
+  std::array<char, 4> start{};
+  std::ifstream(file, std::ios::binary).read(start.data(), start.size());
+  const std::string_view bytes(start.data(), start.size());
+  if (bytes == "PK\3\4") return "a ZIP archive; unpack it and import the folder";
+  if (bytes.starts_with("\x1f\x8b")) return "compressed by gzip; unpack it and import the folder";
+  return namedLikeDicom(file) ? "named like DICOM, but it is none" : "neither DICOM nor a volume";
+}
+
 /// Why a header that is whole could not be read.
 std::string whyUnread(const gdcm::FileMetaInformation& header) {
   const std::string syntax = textOf(header, Tag(0x0002, 0x0010));
@@ -57,8 +70,7 @@ std::string whyUnread(const gdcm::FileMetaInformation& header) {
 
 DicomScan scan(const fs::path& file) {
   const DicomLayout layout = layoutOf(file);
-  if (layout == DicomLayout::kNotDicom)
-    return {{}, namedLikeDicom(file) ? "named like DICOM, but it is none" : "neither DICOM nor a volume"};
+  if (layout == DicomLayout::kNotDicom) return {{}, notDicom(file)};
   if (layout == DicomLayout::kCutInHeader) return {{}, "DICOM that is cut off or damaged in its header"};
   gdcm::Reader reader;
   reader.SetFileName(file.c_str());

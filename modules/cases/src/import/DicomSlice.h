@@ -22,6 +22,8 @@ struct DicomSlice {
   std::optional<std::array<double, 2>> pixelSpacing_mm;  ///< as in DICOM: between rows, then between columns
   std::optional<double> thickness_mm;
   std::optional<double> slope, intercept;
+  bool lookupTable = false;                   ///< its values go through a table instead
+  std::string kernel;                         ///< of the reconstruction
   std::optional<std::array<int, 2>> padding;  ///< stored values from..to that mean "no picture here"
   bool burnedInText = false;
   bool lossy = false;      ///< was compressed with loss at some time

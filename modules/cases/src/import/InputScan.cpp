@@ -138,7 +138,8 @@ std::string unreadableText(const std::vector<SetAside>& unreadable) {
 namespace {
 
 bool sameSlice(const DicomSlice& a, const DicomSlice& b) {
-  return a.sopUid == b.sopUid || (a.position_mm && b.position_mm && norm(*a.position_mm - *b.position_mm) < 1e-3);
+  if (a.position_mm && b.position_mm) return norm(*a.position_mm - *b.position_mm) < 1e-3;
+  return a.sopUid == b.sopUid;
 }
 
 /// Who chooses a slice means its series: what lies beside it of that. Copies of the slice itself stay out.

@@ -80,10 +80,13 @@ bool hasDuplicates(const Slices& slices) {
 }
 
 Slices withoutCopies(const Slices& slices, std::vector<std::string>& warnings) {
-  std::set<std::string> seen;
+  // Some writers give all slices one UID: a copy has the place, too.
+  std::set<std::tuple<std::string, double, double, double>> seen;
   Slices unique;
-  for (const DicomSlice& s : slices)
-    if (s.sopUid.empty() || seen.insert(s.sopUid).second) unique.push_back(s);
+  for (const DicomSlice& s : slices) {
+    const auto [x, y, z] = *s.position_mm;
+    if (s.sopUid.empty() || seen.emplace(s.sopUid, x, y, z).second) unique.push_back(s);
+  }
   const std::size_t copies = slices.size() - unique.size();
   if (copies > 0)
     warnings.push_back(std::to_string(copies) + (copies == 1 ? " slice is" : " slices are") +
@@ -103,14 +106,24 @@ std::vector<Slices> splitByAcquisition(const Slices& slices) {
   return parts.size() > 1 ? parts : std::vector<Slices>{};
 }
 
-/// Phases of one scan under one UID: every place is there equally often; the n-th by instance number is phase n.
+std::vector<Slices> splitByKernel(const Slices& slices) {
+  std::map<std::string, Slices> byName;
+  for (const DicomSlice& s : slices) byName[s.kernel].push_back(s);
+  std::vector<Slices> parts;
+  for (auto& [name, part] : byName) parts.push_back(std::move(part));
+  return parts;
+}
+
+/// Phases of one scan under one UID: every place is there equally often; the n-th by instance number is phase n. Where
+/// numbers are there twice, slices of different phases could be mixed up.
 std::vector<Slices> splitByPhase(const Slices& slices) {
   std::vector<Slices> places = byPlace(slices);
   const std::size_t phases = places.front().size();
   std::vector<Slices> parts(phases);
   for (Slices& place : places) {
-    if (place.size() != phases) return {};
-    std::ranges::stable_sort(place, {}, [](const DicomSlice& s) { return s.instance.value_or(0); });
+    const auto number = [](const DicomSlice& s) { return s.instance.value_or(0); };
+    std::ranges::stable_sort(place, {}, number);
+    if (place.size() != phases || std::ranges::adjacent_find(place, {}, number) != place.end()) return {};
     for (std::size_t p = 0; p < phases; ++p) parts[p].push_back(place[p]);
   }
   return parts;
@@ -127,6 +140,15 @@ std::vector<Part> partsOf(const Slices& kind) {
   std::vector<std::string> warnings;
   const Slices slices = withoutCopies(kind, warnings);
   const bool duplicates = hasDuplicates(slices);
+  std::vector<Part> parts;
+  if (const auto kernels = splitByKernel(slices); duplicates && kernels.size() > 1) {
+    for (const Slices& ofOne : kernels)
+      for (Part& part : partsOf(ofOne)) {
+        part.warnings.insert(part.warnings.end(), warnings.begin(), warnings.end());
+        parts.push_back(std::move(part));
+      }
+    return parts;
+  }
   if (!duplicates && isRegular(stackOf(slices))) return {{slices, warnings, {}}};
   std::vector<Slices> split = splitByAcquisition(slices);
   if (split.empty() && duplicates) split = splitByPhase(slices);
@@ -137,7 +159,6 @@ std::vector<Part> partsOf(const Slices& kind) {
                  " at the place of another one and nothing tells them apart. Export one series only."}};
   }
   if (split.empty()) return {{slices, warnings, {}}};
-  std::vector<Part> parts;
   for (Slices& s : split) parts.push_back({std::move(s), warnings, {}});
   return parts;
 }
@@ -154,10 +175,39 @@ std::string whyNot(const DicomSlice& s) {
     return "Its slices do not say where they lie (Image Position and Orientation). Export the original series.";
   if (s.cutOff)
     return "The slice " + s.file.filename().string() + " is cut off: it ends before its picture does. Copy it again.";
+  if (s.slope == 0.0) return "Its Rescale Slope is 0: every voxel would have one value. Export the original series.";
+  if (s.lookupTable)
+    return "Its values are Hounsfield units only after a lookup table (Modality LUT), which is not read here. Export "
+           "it "
+           "with Rescale Slope and Intercept.";
   const auto& [i, j] = *s.orientation;
   if (!(std::abs(norm(i) - 1) < 0.01 && std::abs(norm(j) - 1) < 0.01))
     return "The Image Orientation of its slices is no pair of unit vectors.";
   return {};
+}
+
+bool isScaled(const DicomSlice& s) {
+  return s.slope && s.intercept;
+}
+
+/// What stands against slices together; empty for nothing.
+std::string whyNotTogether(const Slices& slices) {
+  const auto scaled = static_cast<std::size_t>(std::ranges::count_if(slices, isScaled));
+  if (scaled == 0 || scaled == slices.size()) return {};
+  return std::to_string(slices.size() - scaled) + " of its " + std::to_string(slices.size()) +
+         " slices lack Rescale Slope or Intercept, which the others have: their values do not compare. Export the "
+         "original series.";
+}
+
+/// How far the far corner of a slice may lie from where its own header puts it, all being taken as parallel.
+double unparallel_mm(const DicomSeries& series) {
+  const SliceStack& stack = series.stack;
+  double worst_mm = 0;
+  for (const DicomSlice& s : series.slices) {
+    const Vec3 i = (*s.orientation)[0] - stack.direction[0], j = (*s.orientation)[1] - stack.direction[1];
+    worst_mm = std::max(worst_mm, norm(stack.columns * stack.spacing_mm[0] * i + stack.rows * stack.spacing_mm[1] * j));
+  }
+  return worst_mm;
 }
 
 void addWarnings(DicomSeries& series) {
@@ -171,7 +221,13 @@ void addWarnings(DicomSeries& series) {
       series.warnings.push_back(
           "The slices are much thicker than their distance: fine detail along the stack is blurred.");
   }
-  if (std::ranges::any_of(series.slices, [](const DicomSlice& s) { return !s.slope || !s.intercept; }))
+  if (const double worst_mm = unparallel_mm(series); worst_mm > 0.5 * series.plan.grid.spacing_mm.x)
+    series.warnings.push_back("The slices are not quite parallel but were taken as such; corners lie up to " +
+                              std::to_string(static_cast<int>(std::ceil(worst_mm))) +
+                              " mm beside where their headers put them.");
+  if (splitByKernel(series.slices).size() > 1)
+    series.warnings.push_back("The slices were reconstructed in several ways (kernels): sharpness and noise differ.");
+  if (!std::ranges::all_of(series.slices, isScaled))
     series.warnings.push_back("Slices lack Rescale Slope or Intercept; 1 and 0 are used. Air should be near -1000 HU.");
   if (std::ranges::any_of(series.slices, &DicomSlice::otherUnit))
     series.warnings.push_back(
@@ -190,6 +246,7 @@ DicomSeries finish(Part part, std::string uid) {
   for (const DicomSlice& s : part.slices)
     if (series.refusal.empty()) series.refusal = whyNot(s);
   if (series.refusal.empty()) series.refusal = part.refusal;
+  if (series.refusal.empty()) series.refusal = whyNotTogether(part.slices);
   if (series.refusal.empty()) {
     series.stack = stackOf(part.slices);
     series.plan = planStack(series.stack);

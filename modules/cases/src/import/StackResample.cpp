@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace insonate {
 namespace {
@@ -22,7 +23,7 @@ Cell cellOf(double index, int size) {
   return {low, clamped - low, true};
 }
 
-/// Adds weight * (slice shifted by its offset) to a plane of the grid, -1024 HU beside it.
+/// Adds weight * (slice shifted by its offset) to a plane of the grid; beside it the plane is no number.
 void addSlice(const StackPlan& plan, const SliceStack& stack, const std::int16_t* slice, Vec3 offset_mm, double weight,
               std::vector<double>& plane) {
   std::vector<Cell> columns(plan.grid.size[0]);
@@ -34,7 +35,7 @@ void addSlice(const StackPlan& plan, const SliceStack& stack, const std::int16_t
     const std::int16_t* high = y.low + 1 < stack.rows ? low + stack.columns : low;
     for (int i = 0; i < plan.grid.size[0]; ++i) {
       const Cell x = columns[i];
-      double hu = kAirHu;
+      double hu = std::numeric_limits<double>::quiet_NaN();
       if (x.inside && y.inside) {
         const int right = std::min(x.low + 1, stack.columns - 1);
         const double upper = low[x.low] * (1 - x.fraction) + low[right] * x.fraction;
@@ -72,7 +73,7 @@ CtVolume resampleStack(const StackPlan& plan, const SliceStack& stack, const std
       addSlice(plan, stack, &slices[(z.low + side) * sliceSize], plan.offset_mm[z.low + side], weight, plane);
     }
     std::transform(plane.begin(), plane.end(), ct.voxels.begin() + static_cast<std::ptrdiff_t>(k * planeSize),
-                   [](double hu) { return static_cast<std::int16_t>(std::lround(hu)); });
+                   [](double hu) { return static_cast<std::int16_t>(std::isnan(hu) ? kAirHu : std::lround(hu)); });
   }
   return ct;
 }
