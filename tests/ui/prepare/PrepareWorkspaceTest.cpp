@@ -1,5 +1,7 @@
 #include "PrepareWindow.h"
 
+#include <ui/support/WholeWords.h>
+
 namespace insonate::prepare {
 namespace {
 
@@ -218,6 +220,16 @@ TEST_F(PrepareWindow, GoesAtAnyMoment) {
     workspace->stop();
     workspace.reset();
     QTest::qWait(20);
+  }
+}
+
+TEST_F(PrepareWindow, NoWordIsCut) {
+  openCase();
+  for (const int width : {1600, 1440, 1366, 1270, 1100}) {
+    SCOPED_TRACE(width);
+    workspace_->resize(width, 760);
+    QTest::qWait(50);
+    EXPECT_GT(test::expectWholeWords(workspace_.get()), 10);
   }
 }
 

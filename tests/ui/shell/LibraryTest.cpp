@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <support/SmallCase.h>
 #include <ui/support/PlainTexts.h>
+#include <ui/support/WholeWords.h>
 
 #include <QComboBox>
 #include <QDir>
@@ -123,6 +124,7 @@ TEST_F(Library, ListsFoldersAndBuiltInNecksWithWhatTheyShow) {
   EXPECT_FALSE(one.slice.isNull());
   EXPECT_FALSE(one.ultrasound.isNull());
   EXPECT_EQ(cases().rowCount(), builtInNames().size() + 1);
+  EXPECT_EQ(test::expectWholeWords(window_), 7);
 
   // Search as one types, then Enter.
   QTest::keyClicks(child<QLineEdit>("librarySearch"), "block");
@@ -195,6 +197,20 @@ TEST_F(Library, WhatIsKeptHoldsNoNameAndIsUsedAgain) {
   const LibraryEntry changed = knownCase(listedCase(folder, false), cache, {});
   EXPECT_FALSE(changed.structures.contains("artery"));
   EXPECT_EQ(changed.version, 2);
+}
+
+/// Where the disk is full, say: what was found out about one neck was taken for every other.
+TEST_F(Library, NecksThatCannotBeKeptAreToldApart) {
+  QFile none(home_.filePath("no folder"));
+  ASSERT_TRUE(none.open(QIODevice::WriteOnly));
+  const QByteArray before = qgetenv("XDG_CACHE_HOME");
+  qputenv("XDG_CACHE_HOME", none.fileName().toUtf8());
+  const QString cache = home_.filePath("cache");
+  const LibraryEntry textbook = knownCase(listedCase("textbook", true), cache, {});
+  const LibraryEntry collapsed = knownCase(listedCase("collapsed-vein", true), cache, {});
+  qputenv("XDG_CACHE_HOME", before);
+  ASSERT_EQ(collapsed.state, LibraryEntry::State::Known);
+  EXPECT_NE(collapsed.reason, textbook.reason);
 }
 
 TEST_F(Library, TwoHundredCasesAreListedAndReachedByKeys) {

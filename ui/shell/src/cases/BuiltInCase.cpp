@@ -23,10 +23,13 @@ constexpr std::uint32_t kSeed = 1;
 /// The first picture goes first: packing the CT costs a second.
 constexpr int kNice = 15;
 
-/// Of this program: other programs make other necks.
-QString version() {
-  const QFileInfo program(QCoreApplication::applicationFilePath());
-  return QString::number(program.lastModified().toSecsSinceEpoch(), 16) + QString::number(program.size(), 16);
+/// Of this program: other programs make other necks. Asked once: its file may be replaced while it runs.
+const QString& version() {
+  static const QString once = [] {
+    const QFileInfo program(QCoreApplication::applicationFilePath());
+    return QString::number(program.lastModified().toSecsSinceEpoch(), 16) + QString::number(program.size(), 16);
+  }();
+  return once;
 }
 
 void forgetOfOthers(QDir cache) {

@@ -80,7 +80,9 @@ void findOut(const PatientCase& patient, LibraryEntry& entry, const Progress& pr
   entry.state = LibraryEntry::State::Known;
 }
 
+/// Empty for a neck that is not on disk: nothing tells what was found out about it from what was about others.
 QString keptFile(const QString& cache, const LibraryEntry& entry, const QString& folder) {
+  if (!QFileInfo::exists(folder)) return {};
   const std::string state = diskStateOf(folder.toStdString());
   return QDir(cache).filePath(
       QStringLiteral("%1%2-%3").arg(entry.builtIn ? QStringLiteral("b") : QString(), QString::fromStdString(state),
@@ -88,6 +90,7 @@ QString keptFile(const QString& cache, const LibraryEntry& entry, const QString&
 }
 
 void keep(const LibraryEntry& entry, const QString& file) {
+  if (file.isEmpty()) return;
   const QJsonObject object{{"grade", entry.grade},   {"graded", entry.graded},
                            {"reason", entry.reason}, {"structures", QJsonArray::fromStringList(entry.structures)},
                            {"fit", entry.fit},       {"errors", QJsonArray::fromStringList(entry.errors)},
@@ -101,6 +104,7 @@ void keep(const LibraryEntry& entry, const QString& file) {
 }
 
 bool takeKept(LibraryEntry& entry, const QString& file) {
+  if (file.isEmpty()) return false;
   QFile in(file + QStringLiteral(".json"));
   if (!in.open(QIODevice::ReadOnly)) return false;
   const QJsonObject object = QJsonDocument::fromJson(in.readAll()).object();

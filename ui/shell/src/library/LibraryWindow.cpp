@@ -33,6 +33,7 @@ const QString kFolders = QStringLiteral("library/folders");
 QComboBox* choice(const char* name, const QString& spoken, const QString& tip,
                   std::initializer_list<std::pair<QString, QVariant>> choices) {
   auto* box = choiceBox(name, spoken, tip);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   for (const auto& [words, value] : choices) box->addItem(words, value);
   return box;
 }

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QStyle>
+#include <QStyleOptionComboBox>
+#include <QToolButton>
+#include <string>
+
+namespace insonate::test {
+
+/// What a choice has room for; what it shows is longer where its words are cut.
+inline int roomForWords(const QComboBox& box) {
+  QStyleOptionComboBox option;
+  option.initFrom(&box);
+  option.editable = box.isEditable();
+  return box.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box).width();
+}
+
+/// No choice and no button that is seen in `root` cuts its words; how many were looked at.
+inline int expectWholeWords(QWidget* root) {
+  int seen = 0;
+  for (auto* box : root->findChildren<QComboBox*>()) {
+    if (!box->isVisible() || box->currentText().isEmpty()) continue;
+    ++seen;
+    EXPECT_GE(roomForWords(*box), box->fontMetrics().horizontalAdvance(box->currentText()))
+        << box->objectName().toStdString() << ": " << box->currentText().toStdString();
+  }
+  for (auto* button : root->findChildren<QAbstractButton*>()) {
+    if (!button->isVisible() || button->text().isEmpty()) continue;
+    if (auto* tool = qobject_cast<QToolButton*>(button); tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly)
+      continue;
+    ++seen;
+    EXPECT_GE(button->width(), button->fontMetrics().horizontalAdvance(button->text()) + 4)
+        << button->objectName().toStdString() << ": " << button->text().toStdString();
+  }
+  return seen;
+}
+
+}  // namespace insonate::test
