@@ -119,13 +119,16 @@ CentreLine VesselTracer::follow(const VesselSection& start, Vec3 axis) {
     const Vec3 expected_mm = last.centre_mm + axis * kStep_mm;
     const auto section = finder_.find(expected_mm, axis);
     if (!section) break;
-    if (section->cut && !start.cut) {
+    // What the volume's edge cuts has lost area: a section that has grown reaches the edge through another vessel.
+    const bool atEdge = section->cut && !start.cut;
+    if (section->area_mm2 > (atEdge ? 1 : kGrowth) * usual_mm2 + kLeastGrowth_mm2) break;
+    if (atEdge) {
       followToEdge(line, last, axis);
       break;
     }
     const double jump_mm = norm(section->centre_mm - expected_mm);
     if (jump_mm > std::max(kLeastJump_mm, kJump * last.reach_mm) || isDone(section->centre_mm) ||
-        section->area_mm2 > kGrowth * usual_mm2 + kLeastGrowth_mm2 || section->area_mm2 < kShrinking * usual_mm2)
+        section->area_mm2 < kShrinking * usual_mm2)
       break;
     usual_mm2 += kForget * (section->area_mm2 - usual_mm2);
     last = *section;
@@ -143,7 +146,7 @@ CentreLine VesselTracer::follow(const VesselSection& start, Vec3 axis) {
 void VesselTracer::followToEdge(CentreLine& line, VesselSection last, Vec3 axis) {
   for (;;) {
     last.centre_mm = last.centre_mm + axis * kStep_mm;
-    if (sampleNearest(labels_, indexFromPatient_ * last.centre_mm) != label_) return;
+    if (sampleNearest(labels_, indexFromPatient_ * last.centre_mm) != label_ || isDone(last.centre_mm)) return;
     line.push_back(last.centre_mm);
     trail_.push_back(last);
   }

@@ -197,6 +197,24 @@ TEST(CentreLine, OfTheBuiltInNeck) {
   }
 }
 
+/// Carotid and subclavian artery join where one of them leaves the volume: a section there reaches the edge, but a line
+/// that went straight on would leave its vessel through the wall.
+TEST(CentreLine, OfArteriesThatJoinBesideTheVolumesEdge) {
+  const auto patient = makePhantom("subclavian", 1);
+  const LabelMap& labels = patient->labels;
+  const Transform indexFromPatient = labels.geometry.indexFromPatient();
+  const auto lines = centreLines(labels, kArtery);
+  std::size_t wide = 0;
+  for (const CentreLine& line : *lines) {
+    if (line.size() < 20) continue;  // thin branches among them
+    ++wide;
+    for (const Vec3 p : line)
+      for (const Vec3 aside : {Vec3{0.5, 0, 0}, Vec3{-0.5, 0, 0}, Vec3{0, 0.5, 0}, Vec3{0, -0.5, 0}})
+        EXPECT_EQ(sampleNearest(labels, indexFromPatient * (p + aside)), kArtery) << p.x << ' ' << p.y << ' ' << p.z;
+  }
+  EXPECT_GE(wide, 6U);
+}
+
 TEST(CentreLine, OfCrumbsAndOfNothing) {
   EXPECT_TRUE(linesOf(LabelMap(grid(), kSoftTissue)).empty());
   EXPECT_EQ(distanceToCentre_mm({}, {0, 0, 0}), std::nullopt);
