@@ -3,6 +3,7 @@
 
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/simulator/TissueMechanics.h>
+#include <insonate/ui/Text.h>
 
 namespace insonate::train {
 
@@ -71,7 +72,7 @@ void TrainSession::typedNeedle(NeedleAxis axis, double value) {
 }
 
 void TrainSession::moved(HandMove result) {
-  if (!result.done()) say(QString::fromUtf8(result.stopped.data(), int(result.stopped.size())));
+  if (!result.done()) say(ui::qt(result.stopped));
   if (!control_.ready()) return;
   if (feed_.live() && !hands_.drivesProbe()) feed_.live()->setPose(pose());
   giveProbe();

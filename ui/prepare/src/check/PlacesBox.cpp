@@ -6,6 +6,7 @@
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -23,10 +24,6 @@ namespace {
 
 constexpr int kKindRole = Qt::UserRole, kIndexRole = Qt::UserRole + 1;
 constexpr int kListHeight_px = 190;
-
-QString qt(std::string_view text) {
-  return QString::fromUtf8(text.data(), int(text.size()));
-}
 
 }  // namespace
 
@@ -64,7 +61,7 @@ void PlacesBox::arrange() {
   kind_->setObjectName(QStringLiteral("placeKind"));
   kind_->setAccessibleName(tr("What to mark"));
   kind_->setToolTip(tr("What to mark: click on it in a slice or in 3D first"));
-  for (const LandmarkKind& kind : landmarkKinds()) kind_->addItem(qt(kind.name), qt(kind.code));
+  for (const LandmarkKind& kind : landmarkKinds()) kind_->addItem(ui::qt(kind.name), ui::qt(kind.code));
   kind_->addItem(tr("another landmark"), QString());
   kind_->addItem(tr("target: what is punctured"), kTargetKind);
   kind_->addItem(tr("start pose of the probe"), kStartPoseKind);

@@ -1,6 +1,7 @@
 #include "Structures.h"
 
 #include <insonate/tissue/Labels.h>
+#include <insonate/ui/Text.h>
 
 #include <algorithm>
 
@@ -62,7 +63,7 @@ void putShown(const StructureLooks& looks, const std::vector<std::uint8_t>& stru
 QString structureName(std::uint8_t label) {
   if (label >= kLabelCount) return QStringLiteral("label %1").arg(int(label));
   const std::string_view name = labelTable()[label].name;
-  return QString::fromUtf8(name.data(), int(name.size()));
+  return ui::qt(name);
 }
 
 }  // namespace insonate::prepare

@@ -3,6 +3,7 @@
 #include "../PrepareSession.h"
 
 #include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 
@@ -18,7 +19,7 @@ constexpr double kPercent = 100;
 
 QString presetText(const views::WindowLevelPreset& preset) {
   return QStringLiteral("%1   %2 / %3")
-      .arg(QString::fromUtf8(preset.name.data(), int(preset.name.size())))
+      .arg(ui::qt(preset.name))
       .arg(preset.value.window_HU, 0, 'f', 0)
       .arg(preset.value.level_HU, 0, 'f', 0);
 }

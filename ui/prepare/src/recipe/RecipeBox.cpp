@@ -4,6 +4,7 @@
 
 #include <insonate/core/AtomicFile.h>
 #include <insonate/segmentation/Recipe.h>
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -22,7 +23,7 @@ constexpr int kRows = 5;
 
 QString wordsOf(const LabelStep& step, const PrepareSession& session) {
   const std::string_view name = nameOf(step.tool);
-  QString words = QString::fromUtf8(name.data(), int(name.size())).replace(QLatin1Char('_'), QLatin1Char(' '));
+  QString words = ui::qt(name).replace(QLatin1Char('_'), QLatin1Char(' '));
   if (step.label != 0) words += QStringLiteral(": ") + session.nameOf(step.label);
   return words;
 }

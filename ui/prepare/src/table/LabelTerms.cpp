@@ -1,6 +1,7 @@
 #include "LabelTerms.h"
 
 #include <insonate/tissue/Labels.h>
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 
 #include <QCoreApplication>
@@ -9,7 +10,7 @@ namespace insonate::prepare {
 namespace {
 
 QString text(std::string_view words) {
-  return QString::fromUtf8(words.data(), int(words.size()));
+  return ui::qt(words);
 }
 
 }  // namespace

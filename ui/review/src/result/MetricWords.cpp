@@ -1,6 +1,7 @@
 #include "MetricWords.h"
 
 #include <insonate/ui/PlainToolTip.h>
+#include <insonate/ui/Text.h>
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -12,10 +13,6 @@ QString tr(const char* text) {
   return QCoreApplication::translate("Review", text);
 }
 
-QString qt(std::string_view text) {
-  return QString::fromUtf8(text.data(), int(text.size()));
-}
-
 }  // namespace
 
 QString normOf(Metric metric, double value) {
@@ -23,17 +20,17 @@ QString normOf(Metric metric, double value) {
   const std::string_view unit = definitionOf(metric).unit;
   return unit.empty()    ? number
          : unit == "deg" ? number + QStringLiteral("°")
-                         : QStringLiteral("%1 %2").arg(number, qt(unit));
+                         : QStringLiteral("%1 %2").arg(number, ui::qt(unit));
 }
 
 QString explanationOf(const MetricScore& score) {
   const MetricDefinition& metric = definitionOf(score.metric);
-  QStringList parts{tr("Counted: %1").arg(qt(metric.definition))};
+  QStringList parts{tr("Counted: %1").arg(ui::qt(metric.definition))};
   if (score.norm)
     parts << tr("Novice and expert: %1").arg(QString::fromStdString(score.norm->source));
   else
     parts << tr("Novice and expert: no values are known.");
-  if (!metric.evidence.empty()) parts << tr("Evidence: %1").arg(qt(metric.evidence));
+  if (!metric.evidence.empty()) parts << tr("Evidence: %1").arg(ui::qt(metric.evidence));
   return ui::plainToolTip(parts.join(QStringLiteral("\n\n")));
 }
 

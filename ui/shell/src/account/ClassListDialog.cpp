@@ -6,6 +6,7 @@
 #include <insonate/ui/Account.h>
 #include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/RowTable.h>
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -31,10 +32,6 @@ using Step = ClassImportRow::Step;
 enum Column { kLine, kFullName, kName, kEmail, kOutcome, kColumns };
 constexpr int kRow_px = 28, kLook_ms = 50;
 constexpr int kWidths_px[kOutcome] = {52, 170, 140, 180};
-
-QString qt(const std::string& text) {
-  return QString::fromStdString(text);
-}
 
 QString countOf(const std::vector<ClassImportRow>& plan, Step step, const char* words) {
   return QStringLiteral("%1 %2")

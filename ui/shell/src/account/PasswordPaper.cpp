@@ -1,5 +1,7 @@
 #include "PasswordPaper.h"
 
+#include <insonate/ui/Text.h>
+
 #include <QCoreApplication>
 #include <QFile>
 #include <QPrintDialog>
@@ -13,10 +15,6 @@ namespace {
 
 QString tr(const char* text) {
   return QCoreApplication::translate("PasswordPaper", text);
-}
-
-QString qt(const std::string& text) {
-  return QString::fromStdString(text);
 }
 
 /// There before anything is written into it, for its owner's eyes alone.

@@ -8,15 +8,12 @@
 #include <insonate/curriculum/FirstPassword.h>
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/ui/Account.h>
+#include <insonate/ui/Text.h>
 
 #include <QComboBox>
 
 namespace insonate::ui {
 namespace {
-
-QString qt(const std::string& text) {
-  return QString::fromStdString(text);
-}
 
 EntryDialog::Entry roleEntry(Role role) {
   return {.name = "personRole",

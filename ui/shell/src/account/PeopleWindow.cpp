@@ -6,6 +6,7 @@
 #include <insonate/ui/Account.h>
 #include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/RowTable.h>
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -25,10 +26,6 @@ namespace {
 
 constexpr int kRow_px = 28;
 enum Column { kFullName, kName, kEmail, kRole, kState, kColumns };
-
-QString qt(const std::string& text) {
-  return QString::fromStdString(text);
-}
 
 /// What an administrator and an instructor see of one class, or of everybody.
 Result<std::vector<Member>> membersOf(const SignedIn& by, const std::string& cohort) {

@@ -1,4 +1,5 @@
 #include <insonate/ui/AttemptWords.h>
+#include <insonate/ui/Text.h>
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -13,10 +14,6 @@ namespace theme = views::theme;
 
 QString tr(const char* text) {
   return QCoreApplication::translate("AttemptWords", text);
-}
-
-QString qt(std::string_view text) {
-  return QString::fromUtf8(text.data(), int(text.size()));
 }
 
 }  // namespace

@@ -2,16 +2,9 @@
 #include <insonate/cases/Phantom.h>
 #include <insonate/ui/KnownCases.h>
 #include <insonate/ui/RecentCases.h>
+#include <insonate/ui/Text.h>
 
 namespace insonate::ui {
-namespace {
-
-QString qt(std::string_view text) {
-  return QString::fromUtf8(text.data(), int(text.size()));
-}
-
-}  // namespace
-
 QStringList builtInNames() {
   QStringList names;
   for (const PhantomVariant& one : phantomVariants()) names << qt(one.name);

@@ -1,5 +1,6 @@
 #include "FormQuestion.h"
 
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -21,10 +22,6 @@ namespace insonate::ui {
 namespace {
 
 constexpr int kNumber_px = 120, kTextLines = 3;
-
-QString qt(const std::string& text) {
-  return QString::fromStdString(text);
-}
 
 }  // namespace
 

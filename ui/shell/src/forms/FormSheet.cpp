@@ -9,8 +9,6 @@
 #include <utility>
 
 namespace insonate::ui {
-namespace {}  // namespace
-
 FormSheet::FormSheet(Form form, QWidget* parent) : QWidget(parent), form_(std::move(form)) {
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);

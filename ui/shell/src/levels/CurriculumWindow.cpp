@@ -7,6 +7,7 @@
 #include "LevelStoryView.h"
 
 #include <insonate/ui/Account.h>
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -25,10 +26,6 @@ namespace {
 using Kind = OfferedCurriculum::Kind;
 
 constexpr int kSide_px = 320, kShelf_px = 150;
-
-QString qt(const std::string& text) {
-  return QString::fromStdString(text);
-}
 
 QString wordsOf(const OfferedCurriculum& offer) {
   if (offer.kind == Kind::Draft) return CurriculumWindow::tr("%1: draft").arg(qt(offer.name));

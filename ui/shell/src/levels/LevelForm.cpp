@@ -6,6 +6,7 @@
 #include <insonate/procedure/Procedure.h>
 #include <insonate/ui/KnownCases.h>
 #include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 
 #include <QComboBox>
@@ -22,10 +23,6 @@ namespace insonate::ui {
 namespace {
 
 constexpr int kAbout_px = 58, kPrerequisites_px = 96;
-
-QString qt(const std::string& text) {
-  return QString::fromStdString(text);
-}
 
 QString procedureTitle(const std::string& name) {
   const auto procedure = loadProcedure(name);

@@ -4,6 +4,7 @@
 
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/RowTable.h>
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -27,10 +28,6 @@ namespace {
 enum Column { kMetric, kLimit, kOtherwise, kColumns };
 constexpr int kRow_px = 26, kTable_px = 190, kMetric_px = 250, kLimit_px = 110;
 constexpr double kAnyLimit = 1e6;
-
-QString qt(const std::string& text) {
-  return QString::fromStdString(text);
-}
 
 QDoubleSpinBox* number(const QString& name, double low, double high, int decimals, const QString& suffix) {
   auto* box = new NumberBox<QDoubleSpinBox>(name);

@@ -13,6 +13,7 @@
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/CaseLoader.h>
+#include <insonate/ui/Text.h>
 
 #include <QDir>
 #include <QFile>
@@ -30,10 +31,6 @@ namespace {
 constexpr int kPicture_px = 160;
 /// Of what is kept; raised when something else is to be found out.
 constexpr int kFormat = 1;
-
-QString qt(std::string_view text) {
-  return QString::fromUtf8(text.data(), int(text.size()));
-}
 
 QImage ultrasoundOf(const PatientCase& patient) {
   const auto start = autoStartPose(patient);

@@ -1,6 +1,7 @@
 #include "PlainStyle.h"
 
 #include <insonate/embedded/stylesheets.h>
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 
 #include <QApplication>
@@ -47,8 +48,7 @@ QPalette palette() {
 /// The style sheet names colours by "@name".
 QString styleSheet() {
   QString sheet;
-  for (const auto& file : embedded::stylesheets::files())
-    sheet += QString::fromUtf8(file.text.data(), int(file.text.size()));
+  for (const auto& file : embedded::stylesheets::files()) sheet += qt(file.text);
   constexpr std::pair<const char*, views::Colour> kNames[] = {
       {"@ground", theme::kGround}, {"@panel", theme::kPanel},     {"@raised", theme::kRaised},
       {"@line", theme::kLine},     {"@text", theme::kText},       {"@quiet", theme::kQuiet},

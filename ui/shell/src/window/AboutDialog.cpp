@@ -1,6 +1,7 @@
 #include "AboutDialog.h"
 
 #include <insonate/embedded/help.h>
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 
 #include <QCoreApplication>
@@ -16,8 +17,7 @@ namespace {
 /// The help page without its heading, which stands above it.
 QString aboutText() {
   for (const auto& file : embedded::help::files())
-    if (file.name == "about")
-      return QString::fromUtf8(file.text.data(), int(file.text.size())).section(QLatin1Char('\n'), 1);
+    if (file.name == "about") return qt(file.text).section(QLatin1Char('\n'), 1);
   return {};
 }
 

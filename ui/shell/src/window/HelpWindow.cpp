@@ -1,6 +1,7 @@
 #include "HelpWindow.h"
 
 #include <insonate/embedded/help.h>
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 
 #include <QHBoxLayout>
@@ -13,7 +14,7 @@ namespace {
 constexpr int kList_px = 200;
 
 QString textOf(const embedded::help::File& file) {
-  return QString::fromUtf8(file.text.data(), int(file.text.size()));
+  return qt(file.text);
 }
 
 /// The first line, without its "# ".

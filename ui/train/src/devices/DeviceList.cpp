@@ -5,6 +5,7 @@
 #include <insonate/haptics/ReportRecording.h>
 #include <insonate/haptics/SimulatedDevice.h>
 #include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 
 #include <QComboBox>
@@ -102,8 +103,7 @@ QWidget* DeviceList::buildButtons() {
   auto* menu = new QMenu(simulated);
   for (std::size_t n = 0; n < deviceProfiles().size(); ++n) {
     const std::string_view name = deviceProfiles()[n].name;
-    connect(menu->addAction(QString::fromUtf8(name.data(), int(name.size()))), &QAction::triggered, this,
-            [this, n] { addSimulated(int(n)); });
+    connect(menu->addAction(ui::qt(name)), &QAction::triggered, this, [this, n] { addSimulated(int(n)); });
   }
   simulated->setMenu(menu);
   auto* replayed = new QPushButton(tr("Replay ..."));

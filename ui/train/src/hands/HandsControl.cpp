@@ -4,6 +4,7 @@
 
 #include <insonate/haptics/SimulatedDevice.h>
 #include <insonate/haptics/VendorKit.h>
+#include <insonate/ui/Text.h>
 
 #include <QSettings>
 #include <algorithm>
@@ -236,7 +237,7 @@ void HandsControl::layNeedleDown() {
 }
 
 void HandsControl::tell(HandMove move) {
-  if (!move.done()) Q_EMIT said(QString::fromUtf8(move.stopped.data(), int(move.stopped.size())));
+  if (!move.done()) Q_EMIT said(ui::qt(move.stopped));
   wishMoved();
   Q_EMIT needleChanged();
 }

@@ -1,5 +1,7 @@
 #include "NeedleWords.h"
 
+#include <insonate/ui/Text.h>
+
 #include <QCoreApplication>
 
 namespace insonate::train {
@@ -28,7 +30,7 @@ QString wall(Label label) {
 
 QString tissue(Label label) {
   for (const LabelInfo& info : labelTable())
-    if (info.label == label) return QString::fromUtf8(info.name.data(), int(info.name.size()));
+    if (info.label == label) return ui::qt(info.name);
   return tr("soft tissue");
 }
 

@@ -11,6 +11,7 @@
 #include <insonate/ui/LearningChart.h>
 #include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/RowTable.h>
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -31,19 +32,15 @@ namespace {
 constexpr int kPage = 200, kRow_px = 28;
 enum Column { kDate, kLevel, kOutcome, kPoints, kLength, kColumns };
 
-QString qt(const std::string& text) {
-  return QString::fromStdString(text);
-}
-
 QString levelOf(const Curriculum* curriculum, const AttemptFacts& facts) {
   const Level* level = curriculum && facts.curriculum == curriculum->name ? curriculum->level(facts.level) : nullptr;
-  return level ? qt(level->title) : qt(facts.level.empty() ? facts.caseName : facts.level);
+  return level ? ui::qt(level->title) : ui::qt(facts.level.empty() ? facts.caseName : facts.level);
 }
 
 QString tipOf(const KeptAttempt& one) {
-  QStringList parts{HistoryPage::tr("Case: %1").arg(qt(one.facts.caseName))};
-  if (!one.facts.workstation.empty()) parts << HistoryPage::tr("Workstation: %1").arg(qt(one.facts.workstation));
-  if (!one.voidReason.empty()) parts << HistoryPage::tr("Does not count: %1").arg(qt(one.voidReason));
+  QStringList parts{HistoryPage::tr("Case: %1").arg(ui::qt(one.facts.caseName))};
+  if (!one.facts.workstation.empty()) parts << HistoryPage::tr("Workstation: %1").arg(ui::qt(one.facts.workstation));
+  if (!one.voidReason.empty()) parts << HistoryPage::tr("Does not count: %1").arg(ui::qt(one.voidReason));
   if (one.crashed) parts << HistoryPage::tr("The program ended in the middle of it");
   return ui::plainToolTip(parts.join(QLatin1Char('\n')));
 }
@@ -120,7 +117,7 @@ QWidget* HistoryPage::buildCurve() {
   box->setContentsMargins(ui::kGap, 0, 0, 0);
   box->addLayout(row);
   box->addWidget(chart_, 1);
-  for (const MetricMeaning& one : curveMetrics({})) metric_->addItem(qt(one.title), qt(one.id));
+  for (const MetricMeaning& one : curveMetrics({})) metric_->addItem(ui::qt(one.title), ui::qt(one.id));
   for (QComboBox* one : {of_, metric_})
     connect(one, qOverload<int>(&QComboBox::activated), this, [this] { refreshCurve(); });
   connect(chart_, &ui::Chart::written, this, &HistoryPage::written);
@@ -150,7 +147,7 @@ void HistoryPage::ask(std::int64_t before) {
       this, [before](const SignedIn& by) { return AttemptStore(by).page(by.person().id, kPage, before); },
       [this, asking, before](const Result<std::vector<KeptAttempt>>& page) {
         if (asking != asking_) return;
-        trouble_ = page ? QString() : qt(page.error().message);
+        trouble_ = page ? QString() : ui::qt(page.error().message);
         if (page && before == 0) attempts_.clear();
         if (page) append(*page);
         refreshWords();
@@ -197,7 +194,7 @@ void HistoryPage::refreshChoices() {
   const QVariant was = of_->currentData();
   of_->clear();
   for (const CurveChoice& one : curveChoices(course_.curriculum(), course_.history()))
-    of_->addItem(one.title, QStringList{qt(one.procedure), qt(one.level)});
+    of_->addItem(one.title, QStringList{ui::qt(one.procedure), ui::qt(one.level)});
   of_->setCurrentIndex(std::max(0, of_->findData(was)));
 }
 
@@ -220,7 +217,7 @@ void HistoryPage::open() {
   Q_EMIT said(facts.recording.empty()
                   ? tr("This attempt has no recording: its file could not be written, or the program ended.")
                   : tr("Its recording is not on this computer. It was made on the workstation '%1'.")
-                        .arg(qt(facts.workstation)));
+                        .arg(ui::qt(facts.workstation)));
 }
 
 }  // namespace insonate::train

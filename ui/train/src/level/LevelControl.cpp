@@ -5,20 +5,13 @@
 #include "Course.h"
 
 #include <insonate/ui/KnownCases.h>
+#include <insonate/ui/Text.h>
 
 #include <QFileInfo>
 #include <algorithm>
 #include <utility>
 
 namespace insonate::train {
-namespace {
-
-QString qt(const std::string& text) {
-  return QString::fromStdString(text);
-}
-
-}  // namespace
-
 LevelControl::LevelControl(TrainSession& session, AttemptControl& attempt, Course& course, QObject* parent)
     : QObject(parent), session_(session), attempt_(attempt), course_(course) {
   connect(&session_, &TrainSession::caseChanged, this, [this] { caseChanged(); });
@@ -31,10 +24,10 @@ LevelControl::LevelControl(TrainSession& session, AttemptControl& attempt, Cours
 bool LevelControl::fits() const {
   const auto& patient = session_.patient();
   if (!patient) return false;
-  const QString title = qt(patient->manifest.title);
-  if (title != ui::titleOfCase(qt(level_->caseName))) return false;
+  const QString title = ui::qt(patient->manifest.title);
+  if (title != ui::titleOfCase(ui::qt(level_->caseName))) return false;
   // Of the same title there may be an author's draft: a level is practised on what was published.
-  const auto place = ui::placeOfCase(qt(level_->caseName));
+  const auto place = ui::placeOfCase(ui::qt(level_->caseName));
   if (!place) return true;
   const ui::CaseOrigin& origin = session_.origin();
   if (ui::builtInNames().contains(*place)) return origin.builtIn;
@@ -50,7 +43,7 @@ void LevelControl::choose(const std::string& name) {
   const Level* level = course_.curriculum() ? course_.curriculum()->level(name) : nullptr;
   const LevelProgress* progress = course_.progressIn(name);
   if (!level || !progress) return;
-  if (progress->state == LevelState::Locked) return session_.say(qt(progress->why));
+  if (progress->state == LevelState::Locked) return session_.say(ui::qt(progress->why));
   if (attempt_.isBusy()) return session_.say(tr("Finish the attempt first, or abandon it."));
   attempt_.leave();
   level_ = *level;
@@ -61,8 +54,10 @@ void LevelControl::choose(const std::string& name) {
 
 void LevelControl::openCase() {
   if (!level_) return;
-  if (const auto place = ui::placeOfCase(qt(level_->caseName))) return Q_EMIT caseWanted(ui::placeForTraining(*place));
-  session_.say(tr("The case '%1' of this level is not known here. Open it once (Ctrl+O).").arg(qt(level_->caseName)));
+  if (const auto place = ui::placeOfCase(ui::qt(level_->caseName)))
+    return Q_EMIT caseWanted(ui::placeForTraining(*place));
+  session_.say(
+      tr("The case '%1' of this level is not known here. Open it once (Ctrl+O).").arg(ui::qt(level_->caseName)));
 }
 
 void LevelControl::leave() {
@@ -74,7 +69,7 @@ void LevelControl::leave() {
 void LevelControl::caseChanged() {
   if (!level_ || !session_.patient()) return;
   if (!fits()) {
-    session_.say(tr("'%1' is practised on another case: you practise freely now.").arg(qt(level_->title)));
+    session_.say(tr("'%1' is practised on another case: you practise freely now.").arg(ui::qt(level_->title)));
     return leave();
   }
   arrange();
@@ -94,7 +89,7 @@ void LevelControl::arrange() {
   attempt_.choose(level_->procedure);
   attempt_.setAssistance(level_->assistance);
   attempt_.setObstacle(waitsForCase()
-                           ? tr("This level waits for its case, '%1'.").arg(ui::titleOfCase(qt(level_->caseName)))
+                           ? tr("This level waits for its case, '%1'.").arg(ui::titleOfCase(ui::qt(level_->caseName)))
                            : QString());
   const auto& positions = attempt_.procedure().positions;
   const auto position = std::ranges::find(positions, level_->position, &PatientPosition::name);

@@ -3,6 +3,7 @@
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/procedure/AttemptMetrics.h>
 #include <insonate/ui/AttemptWords.h>
+#include <insonate/ui/Text.h>
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -14,10 +15,6 @@ QString tr(const char* text) {
   return QCoreApplication::translate("LevelWords", text);
 }
 
-QString qt(const std::string& text) {
-  return QString::fromStdString(text);
-}
-
 const MetricDefinition* definitionOf(const std::string& id) {
   const auto found = std::ranges::find(metricTable(), id, &MetricDefinition::id);
   return found == metricTable().end() ? nullptr : &*found;
@@ -26,7 +23,7 @@ const MetricDefinition* definitionOf(const std::string& id) {
 /// As elsewhere in the window; of a metric that is gone, its name.
 QString nameOf(const MetricStandard& standard) {
   const MetricDefinition* known = definitionOf(standard.metric);
-  return known ? ui::titleOf(known->metric) : qt(standard.metric);
+  return known ? ui::titleOf(known->metric) : ui::qt(standard.metric);
 }
 
 QString valueFor(const MetricStandard& standard, std::optional<double> value) {
@@ -38,7 +35,7 @@ QString valueFor(const MetricStandard& standard, std::optional<double> value) {
 /// With the digits that the curriculum gives it.
 QString boundOf(const MetricStandard& standard) {
   const MetricDefinition* known = definitionOf(standard.metric);
-  const QString unit = known ? QString::fromUtf8(known->unit.data(), int(known->unit.size())) : QString();
+  const QString unit = known ? ui::qt(known->unit) : QString();
   const QString number = QString::number(standard.least ? *standard.least : standard.most.value_or(0), 'g', 6);
   const QString bound = unit.isEmpty()                 ? number
                         : unit == QLatin1String("deg") ? number + QStringLiteral("°")
@@ -56,16 +53,16 @@ QString headlineFor(const PassRule& rule, const AttemptFacts& attempt, bool pass
   if (!counts(attempt)) return tr("Does not count: it was left before the skin");
   const bool well = attempt.state == AttemptState::Completed && attempt.succeeded && attempt.criticalErrors == 0;
   if (!passed && well && judge(rule, attempt).percentMet() < rule.mastery_percent) return tr("Not passed");
-  return passed ? tr("Passed") : tr("Not passed: %1").arg(qt(reasonOfFailure(rule, attempt)));
+  return passed ? tr("Passed") : tr("Not passed: %1").arg(ui::qt(reasonOfFailure(rule, attempt)));
 }
 
 /// Of other levels than the one that was practised.
 QString changeOf(const Level& level, LevelState before, LevelState after) {
   if (before == after) return {};
-  if (after == LevelState::Locked) return tr("'%1' is locked now.").arg(qt(level.title));
-  if (after == LevelState::Open) return tr("'%1' is open now.").arg(qt(level.title));
-  return after == LevelState::Mastered ? tr("'%1' is mastered now.").arg(qt(level.title))
-                                       : tr("'%1' has lapsed.").arg(qt(level.title));
+  if (after == LevelState::Locked) return tr("'%1' is locked now.").arg(ui::qt(level.title));
+  if (after == LevelState::Open) return tr("'%1' is open now.").arg(ui::qt(level.title));
+  return after == LevelState::Mastered ? tr("'%1' is mastered now.").arg(ui::qt(level.title))
+                                       : tr("'%1' has lapsed.").arg(ui::qt(level.title));
 }
 
 }  // namespace
@@ -130,7 +127,7 @@ Verdict verdictOf(const Curriculum& curriculum, const Level& level, const Attemp
   verdict.headline = headlineFor(level.pass, attempt, verdict.passed);
   for (std::size_t i = 0; i < level.pass.standards.size(); ++i)
     (judgement.standardsMet[i] ? verdict.met : verdict.missed) << comparedWith(level.pass.standards[i], attempt);
-  if (const LevelProgress* now = find(after, level.name)) verdict.changes << qt(now->why);
+  if (const LevelProgress* now = find(after, level.name)) verdict.changes << ui::qt(now->why);
   for (const Level& other : curriculum.levels) {
     const LevelProgress *was = find(before, other.name), *is = find(after, other.name);
     if (!was || !is || other.name == level.name) continue;

@@ -9,6 +9,7 @@
 #include <insonate/procedure/Procedure.h>
 #include <insonate/ui/KnownCases.h>
 #include <insonate/ui/PlainToolTip.h>
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -27,18 +28,14 @@ namespace {
 
 constexpr int kList_px = 340, kLevel_px = 760;
 
-QString qt(const std::string& text) {
-  return QString::fromStdString(text);
-}
-
 QString procedureTitle(const std::string& name) {
   const auto procedure = loadProcedure(name);
-  return qt(procedure ? procedure->title : name);
+  return ui::qt(procedure ? procedure->title : name);
 }
 
 QString settingOf(const Level& level) {
-  QStringList parts{ui::titleOfCase(qt(level.caseName)), procedureTitle(level.procedure)};
-  if (!level.position.empty()) parts << qt(level.position);
+  QStringList parts{ui::titleOfCase(ui::qt(level.caseName)), procedureTitle(level.procedure)};
+  if (!level.position.empty()) parts << ui::qt(level.position);
   parts << wordOf(level.assistance);
   return parts.join(QStringLiteral("   ·   "));
 }
@@ -161,10 +158,10 @@ void PathPage::refresh() {
 
 void PathPage::refreshHead() {
   const Curriculum* curriculum = course_.curriculum();
-  head_->setText(
-      curriculum
-          ? tr("%1, version %2, %3").arg(qt(curriculum->title), QString::number(curriculum->version), course_.origin())
-          : tr("Levels"));
+  head_->setText(curriculum
+                     ? tr("%1, version %2, %3")
+                           .arg(ui::qt(curriculum->title), QString::number(curriculum->version), course_.origin())
+                     : tr("Levels"));
   QString note = course_.trouble();
   if (note.isEmpty() && !curriculum) note = tr("Looking up your levels ...");
   if (note.isEmpty() && !course_.isSomebodys())
@@ -173,7 +170,7 @@ void PathPage::refreshHead() {
   note_->setVisible(!note.isEmpty());
   const auto choices = course_.choices();
   choice_->clear();
-  for (const Course::Choice& one : choices) choice_->addItem(qt(one.cohort));
+  for (const Course::Choice& one : choices) choice_->addItem(ui::qt(one.cohort));
   choice_->setCurrentIndex(course_.chosen());
   choice_->setVisible(choices.size() > 1);
 }
@@ -194,10 +191,10 @@ void PathPage::refreshList() {
     const bool due = progress->state == LevelState::Open || progress->state == LevelState::Lapsed;
     if (due) line += QStringLiteral("   ") + dotsOf(level, *progress);
     if (levels_.level() && levels_.level()->name == level.name) line += tr("   chosen");
-    auto* item = new QListWidgetItem(QStringLiteral("%1  %2\n     %3").arg(state.sign, qt(level.title), line));
+    auto* item = new QListWidgetItem(QStringLiteral("%1  %2\n     %3").arg(state.sign, ui::qt(level.title), line));
     item->setForeground(ui::colour(progress->state == LevelState::Locked ? views::theme::kQuiet : views::theme::kText));
-    item->setData(Qt::UserRole, qt(level.name));
-    item->setToolTip(ui::plainToolTip(qt(progress->why)));
+    item->setData(Qt::UserRole, ui::qt(level.name));
+    item->setToolTip(ui::plainToolTip(ui::qt(progress->why)));
     list_->addItem(item);
     if (level.name == name) row = list_->count() - 1;
     if (due && firstDue < 0) firstDue = list_->count() - 1;
@@ -218,10 +215,10 @@ void PathPage::refreshLevel() {
   if (!progress) return;
   const bool locked = progress->state == LevelState::Locked;
   const auto history = course_.history();
-  title_->setText(qt(level->title));
+  title_->setText(ui::qt(level->title));
   setting_->setText(settingOf(*level));
-  why_->setText(wordsOf(progress->state).sign + QStringLiteral("  ") + qt(progress->why));
-  about_->setText(qt(level->about));
+  why_->setText(wordsOf(progress->state).sign + QStringLiteral("  ") + ui::qt(progress->why));
+  about_->setText(ui::qt(level->about));
   about_->setVisible(!level->about.empty());
   pass_->setText(tr("A pass: %1").arg(passOf(level->pass)));
   const AttemptFacts* last = lastOf(history, *course_.curriculum(), *level);

@@ -1,5 +1,6 @@
 #include "SliceMenu.h"
 
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 
@@ -13,7 +14,7 @@ namespace {
 constexpr int kSlider_px = 220;
 
 QString words(const views::WindowLevelPreset& preset) {
-  return QString::fromUtf8(preset.name.data(), int(preset.name.size()));
+  return ui::qt(preset.name);
 }
 
 }  // namespace
