@@ -84,6 +84,32 @@ TEST(DicomLayout, ChangedBytesEndNoProgram) {
   }
 }
 
+/// GDCM 3.0 ends the program where what describes a picture is given in another way than the dictionary's.
+TEST(DicomLayout, AnotherRepresentationOfWhatDescribesThePictureIsRefused) {
+  test::TemporaryFolder folder;
+  ASSERT_TRUE(writeDicomSeries(test::noiseCt(test::grid({5, 4, 1})), folder / "s", {.seed = "s"}));
+  const auto file = folder / "s/slice00001.dcm";
+  const std::string whole = test::contentOf(file);
+  const auto given = [](std::uint16_t group, std::uint16_t element, const char* representation) {
+    return littleEndian(group, 2) + littleEndian(element, 2) + representation;
+  };
+  for (const auto& [place, instead] : {std::pair{given(0x0028, 0x1052, "DS"), "IS"},
+                                       {given(0x0020, 0x0037, "DS"), "LO"},
+                                       {given(0x0020, 0x0032, "DS"), "SH"},
+                                       {given(0x0028, 0x0010, "US"), "SS"},
+                                       {given(0x0028, 0x0030, "DS"), "ST"},
+                                       {given(0x0018, 0x0050, "DS"), "CS"}}) {
+    const std::size_t at = whole.find(place);
+    ASSERT_NE(at, std::string::npos);
+    std::string changed = whole;
+    changed.replace(at + 4, 2, instead);
+    test::writeText(file, changed);
+    const auto imported = importSeries(file);
+    ASSERT_FALSE(imported) << instead;
+    EXPECT_NE(imported.error().message.find("damaged in its header"), std::string::npos) << imported.error().message;
+  }
+}
+
 TEST(DicomLayout, OtherFilesAreNoDicom) {
   test::TemporaryFolder folder;
   for (const std::string& text :
