@@ -1,12 +1,16 @@
 #include "CommandLine.h"
 #include "support/ByteSearch.h"
 #include "support/MarkedSeries.h"
+#include "support/SmallCase.h"
 #include "support/TestData.h"
 #include "unit/cases/VolumeFiles.h"
 
+#include <insonate/cases/CaseVersions.h>
 #include <insonate/cases/PatientCase.h>
 
 #include <gmock/gmock.h>
+
+#include <algorithm>
 
 namespace insonate {
 namespace {
@@ -17,9 +21,37 @@ using test::shellWord;
 /// What the command line writes of a patient whose name stands everywhere it can.
 class Deidentification : public testing::Test {
  protected:
-  test::CommandResult run(const std::string& arguments) const {
-    return test::runCommand(arguments, errors_ / "stderr",
-                            "HOME=" + shellWord(written_.path()) + " XDG_CONFIG_HOME= XDG_CACHE_HOME= XDG_DATA_HOME= ");
+  test::CommandResult run(const std::string& arguments, const std::string& before = "") const {
+    const std::string home = shellWord(written_.path());
+    return test::runCommand(
+        arguments, errors_ / "stderr",
+        before + "HOME=" + home + " TMPDIR=" + home + " XDG_CONFIG_HOME= XDG_CACHE_HOME= XDG_DATA_HOME= ");
+  }
+  PatientCase imported() const {
+    const auto read = readCase(written_ / "case");
+    EXPECT_TRUE(read) << read.error().message;
+    return read ? read->patient : PatientCase{};
+  }
+  /// A marked series becomes a case that attempts can be made on, with its labels from elsewhere; and a script of one.
+  void writeImportedBlock() {
+    const PatientCase block = test::smallAttemptCase();
+    const VolumeGeometry& grid = block.ct.geometry;
+    std::vector<test::HospitalSlice> slices;
+    for (int k = 0; k < grid.size[2]; ++k) {
+      slices.push_back({grid.origin_mm + Vec3{0, 0, double(k)}});
+      slices.back().columns = grid.size[0], slices.back().rows = grid.size[1];
+    }
+    test::writeMarkedSeries(input_.path(), slices);
+    const auto done = run("import " + shellWord(input_.path()) + " " + case_);
+    ASSERT_EQ(done.status, 0) << done.errors;
+    PatientCase patient = imported();
+    ASSERT_TRUE(sameGrid(patient.ct.geometry, grid));
+    patient.labels = block.labels;
+    patient.manifest.targets = block.manifest.targets;
+    patient.manifest.startPoses = block.manifest.startPoses;
+    ASSERT_TRUE(saveCaseVersion(patient, written_ / "case", "2026-11-23", ""));
+    test::writeText(written_ / "script.json", R"({"acts": [{"probe": "auto"},
+      {"needle": {"from_mm": [0, -5, 0], "to": "vein"}}, {"advance_mm": 27}, {"withdraw_mm": 10}]})");
   }
   void expectNoMarks(int atLeastFiles) const {
     int files = 0;
@@ -27,6 +59,7 @@ class Deidentification : public testing::Test {
     EXPECT_GE(files, atLeastFiles);
   }
   test::TemporaryFolder input_, written_, errors_;
+  const std::string case_ = shellWord(written_ / "case");
 };
 
 TEST_F(Deidentification, TheSearchFindsWhatIsThere) {
@@ -38,6 +71,9 @@ TEST_F(Deidentification, TheSearchFindsWhatIsThere) {
   const std::string text = "a ZQXMARK b";
   EXPECT_FALSE(test::marksIn(test::wide(text, false), test::kMarks).empty());
   EXPECT_FALSE(test::marksIn(test::wide(text, true), test::kMarks).empty());
+  // "ZQXMARK b" behind none, one and two letters.
+  for (const char* base64 : {"WlFYTUFSSyBi", "YVpRWE1BUksgYg==", "YSBaUVhNQVJLIGI="})
+    EXPECT_FALSE(test::marksIn(base64, test::kMarks).empty()) << base64;
   std::string packed(200, '\0');
   uLongf size = packed.size();
   ASSERT_EQ(::compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
@@ -52,6 +88,47 @@ TEST_F(Deidentification, NothingOfADicomSeriesIsWritten) {
   ASSERT_EQ(imported.status, 0) << imported.errors;
   ASSERT_EQ(run("export " + shellWord(written_ / "case") + " --dicom " + shellWord(written_ / "out")).status, 0);
   expectNoMarks(9);
+}
+
+TEST_F(Deidentification, NothingOfWhatBecomesOfACaseNamesAnybody) {
+  writeImportedBlock();
+  ASSERT_TRUE(publishCase(imported(), written_ / "case", "2026-11-24"));
+  PatientCase later = imported();
+  later.labels.voxels.front() = kBone;
+  ASSERT_TRUE(saveCaseVersion(later, written_ / "case", "2026-11-24", ""));
+  EXPECT_TRUE(fs::exists(written_ / "case/versions/001/ct.nrrd"));
+  const auto under = [&](const char* name) { return " " + shellWord(written_ / name); };
+  const auto session = run("session " + case_ + " --script" + under("script.json") + " --record" + under("attempt") +
+                           " --pictures" + under("seen") + " --json");
+  ASSERT_EQ(session.status, 0) << session.errors;
+  const auto replay = run("replay" + under("attempt") + " " + case_ + " --metrics --json");
+  ASSERT_EQ(replay.status, 0) << replay.errors;
+  for (const std::string& told : {session.output, replay.output, run("check " + case_ + " --json").output})
+    EXPECT_THAT(test::marksIn(told, test::kMarks), testing::IsEmpty());
+  for (const std::string& command :
+       {"export " + case_ + " --dicom" + under("series") + " --seg" + under("seg.dcm") + " --labels" +
+            under("l.seg.nrrd"),
+        "surfaces " + case_ + under("meshes"), "crop " + case_ + under("smaller") + " --from 2 2 2 --to 40 36 14",
+        "render " + case_ + " --probe linear --pose auto --out" + under("picture.png")})
+    EXPECT_EQ(run(command).status, 0) << command;
+  expectNoMarks(45);
+}
+
+/// A program is ended in the middle of a file that grows longer than it may: as a kill, but always at the same place.
+TEST_F(Deidentification, NothingOfAPatientIsLeftByAProgramThatIsEnded) {
+  writeImportedBlock();
+  const auto ended = [&](const std::string& arguments) {
+    return run(arguments, "trap '' TERM; ulimit -f 3; ").status != 0;
+  };
+  EXPECT_TRUE(ended("import " + shellWord(input_.path()) + " " + shellWord(written_ / "again")));
+  EXPECT_FALSE(fs::exists(written_ / "again"));
+  EXPECT_TRUE(ended("session " + case_ + " --script " + shellWord(written_ / "script.json") + " --record " +
+                    shellWord(written_ / "attempt")));
+  const auto left = std::ranges::count_if(fs::directory_iterator(written_.path()), [](const auto& entry) {
+    return entry.path().filename().string().find(".part-") != std::string::npos;
+  });
+  EXPECT_GT(left, 0);
+  expectNoMarks(6);
 }
 
 TEST_F(Deidentification, NothingOfWhatVolumeFilesSayIsWritten) {

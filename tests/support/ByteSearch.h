@@ -36,12 +36,26 @@ inline std::string wide(const std::string& text, bool bigEndian) {
   return result;
 }
 
-/// The marks that occur in some bytes, as ASCII or UTF-16, also in what is packed within.
+/// What base64 (RFC 4648) makes of a text wherever it begins among others: without the letters that hold neighbours.
+inline std::string inBase64(const std::string& text, std::size_t place) {
+  const std::string bytes = std::string(place, '\0') + text;
+  const std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string code;
+  for (std::size_t bit = 0; bit + 6 <= 8 * bytes.size(); bit += 6) {
+    const auto byte = [&](std::size_t n) { return n < bytes.size() ? static_cast<unsigned char>(bytes[n]) : 0U; };
+    const unsigned pair = byte(bit / 8) << 8 | byte(bit / 8 + 1);
+    code += letters[pair >> (10 - bit % 8) & 63];
+  }
+  return code.substr((8 * place + 5) / 6);
+}
+
+/// The marks that occur in some bytes, as ASCII, UTF-16 or base64, also in what is packed within.
 inline std::vector<std::string> marksIn(const std::string& bytes, const std::vector<std::string>& marks) {
   std::vector<std::string> found;
   const auto look = [&](const std::string& text) {
     for (const std::string& mark : marks)
-      for (const std::string& form : {mark, wide(mark, false), wide(mark, true)})
+      for (const std::string& form :
+           {mark, wide(mark, false), wide(mark, true), inBase64(mark, 0), inBase64(mark, 1), inBase64(mark, 2)})
         if (text.find(form) != std::string::npos) found.push_back(mark);
   };
   look(bytes);

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,7 @@ inline bool mayBeMarked(gdcm::Tag tag) {
   return true;
 }
 
-/// The mark of a representation of values; empty for binary ones.
+/// The mark of a representation of values; empty for binary numbers.
 inline std::string markFor(gdcm::VR vr, gdcm::Tag tag) {
   const std::string place = std::to_string(tag.GetElementTag());
   switch (static_cast<gdcm::VR::VRType>(vr)) {
@@ -49,6 +50,12 @@ inline std::string markFor(gdcm::VR vr, gdcm::Tag tag) {
     case gdcm::VR::CS:
     case gdcm::VR::SH:
       return "ZQXMARK" + place.substr(0, 8);
+    case gdcm::VR::IS:
+      return "819470311";
+    case gdcm::VR::OB:
+    case gdcm::VR::OB_OW:
+    case gdcm::VR::OW:
+    case gdcm::VR::UN:
     case gdcm::VR::LO:
     case gdcm::VR::LT:
     case gdcm::VR::ST:
@@ -98,20 +105,24 @@ inline int plantMarks(gdcm::DataSet& data) {
   return planted;
 }
 
-/// A series whose every attribute, file and folder names a patient. `count` slices.
-inline int writeMarkedSeries(const std::filesystem::path& folder, int count) {
+/// A series whose every attribute, file and folder names a patient.
+inline int writeMarkedSeries(const std::filesystem::path& folder, std::vector<HospitalSlice> slices) {
   const std::filesystem::path named = folder / "ZQXMARK^Jane 19470311";
   std::filesystem::create_directories(named);
   int planted = 0;
-  for (int n = 0; n < count; ++n) {
-    HospitalSlice slice{{-10, -20, 50 + 2.0 * n}};
-    slice.instanceUid = "1.2.999.31337.8." + std::to_string(n + 1);
-    slice.instance = n + 1;
+  for (std::size_t n = 0; n < slices.size(); ++n) {
+    slices[n].instanceUid = "1.2.999.31337.8." + std::to_string(n + 1);
+    slices[n].instance = static_cast<int>(n) + 1;
     const std::filesystem::path file = named / ("ZQXMARK slice " + std::to_string(n) + ".dcm");
-    writeSlice(file, slice);
+    writeSlice(file, slices[n]);
     editDicom(file, [&](gdcm::DataSet& data) { planted = plantMarks(data); });
+    std::fstream(file, std::ios::in | std::ios::out | std::ios::binary) << "ZQXMARK in the preamble";
   }
   return planted;
+}
+
+inline int writeMarkedSeries(const std::filesystem::path& folder, int count) {
+  return writeMarkedSeries(folder, axial(levels(count, 2)));
 }
 
 }  // namespace insonate::test

@@ -5,9 +5,9 @@
 #include "../import/DicomElements.h"
 #include "../import/DicomFrames.h"
 #include "../import/DicomLayout.h"
+#include "../import/DicomPicture.h"
 #include "CieLab.h"
 
-#include <gdcmBitmap.h>
 #include <gdcmByteValue.h>
 #include <gdcmReader.h>
 #include <gdcmTrace.h>
@@ -132,27 +132,20 @@ Result<std::vector<std::uint8_t>> pixelBytes(const fs::path& file, const gdcm::F
   const DataSet& data = dicom.GetDataSet();
   if (!data.FindDataElement(kPixelData)) return fail(file.string() + cutOff);
   const std::size_t count = static_cast<std::size_t>(segments.columns) * segments.rows * segments.frames.size();
-  const std::size_t needed = (count * bits + 7) / 8;
-  if (const gdcm::ByteValue* bytes = data.GetDataElement(kPixelData).GetByteValue()) {
+  if (bits == 1) {
+    const gdcm::ByteValue* bytes = data.GetDataElement(kPixelData).GetByteValue();
+    if (!bytes) return fail(file.string() + " is compressed in a way that is not read here. Save it uncompressed.");
+    const std::size_t needed = (count + 7) / 8;
     if (bytes->GetLength() < needed) return fail(file.string() + cutOff);
     return std::vector<std::uint8_t>(bytes->GetPointer(), bytes->GetPointer() + needed);
   }
-  if (bits == 1) return fail(file.string() + " is compressed in a way that is not read here. Save it uncompressed.");
-  // Not by ImageReader, which knows no label maps.
-  gdcm::Bitmap picture;
-  picture.SetNumberOfDimensions(3);
-  const std::array<unsigned, 3> size{static_cast<unsigned>(segments.columns), static_cast<unsigned>(segments.rows),
-                                     static_cast<unsigned>(segments.frames.size())};
-  picture.SetDimensions(size.data());
   const auto width = static_cast<unsigned short>(bits);
-  picture.SetPixelFormat(gdcm::PixelFormat(1, width, width, static_cast<unsigned short>(width - 1), 0));
-  picture.SetPhotometricInterpretation(gdcm::PhotometricInterpretation::MONOCHROME2);
-  picture.SetTransferSyntax(dicom.GetHeader().GetDataSetTransferSyntax());
-  picture.SetDataElement(data.GetDataElement(kPixelData));
-  std::vector<std::uint8_t> decoded(needed);
-  if (picture.GetBufferLength() != needed || !picture.GetBuffer(reinterpret_cast<char*>(decoded.data())))
-    return fail(file.string() + cutOff);
-  return decoded;
+  const auto pixels = storedPixels(dicom,
+                                   {static_cast<unsigned>(segments.columns), static_cast<unsigned>(segments.rows),
+                                    static_cast<unsigned>(segments.frames.size())},
+                                   gdcm::PixelFormat(1, width, width, static_cast<unsigned short>(width - 1), 0));
+  if (!pixels) return fail(file.string() + cutOff);
+  return std::vector<std::uint8_t>(pixels->begin(), pixels->end());
 }
 
 /// A label map's pixels are numbers of segments (PS3.3 C.8.20.2.3.3), and 0 or the padding value where none is.

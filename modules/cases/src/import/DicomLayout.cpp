@@ -1,9 +1,5 @@
 #include "DicomLayout.h"
 
-#include <gdcmDict.h>
-#include <gdcmDicts.h>
-#include <gdcmGlobal.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -33,18 +29,6 @@ bool isAmong(const auto& one, const auto& all) {
 struct Encoding {
   bool explicitVr = false, bigEndian = false;
 };
-
-/// What describes a picture is read by GDCM 3.0 in the representation of the dictionary, and the program ended where a
-/// file has another one.
-bool endsGdcm(std::uint32_t tag, const std::string& vr) {
-  const std::uint32_t group = tag >> 16;
-  constexpr std::array<std::uint32_t, 6> kPicture{0x0018, 0x0020, 0x0028, 0x0040, 0x0054, 0x3004};
-  const bool overlay = group >= 0x6000 && group < 0x6100 && group % 2 == 0;
-  if (!overlay && !isAmong(group, kPicture)) return false;
-  const gdcm::Tag known(overlay ? tag & 0xff00ffff : tag);
-  const gdcm::VR expected = gdcm::Global::GetInstance().GetDicts().GetPublicDict().GetDictEntry(known).GetVR();
-  return expected != gdcm::VR::INVALID && !expected.Compatible(gdcm::VR::GetVRTypeFromFile(vr.c_str()));
-}
 
 /// DICOM PS3.5 section 7: data elements, sequences of items, and encapsulated pixel fragments.
 class Walker {
@@ -166,7 +150,7 @@ class Walker {
       if (depth == 0 && size_ - position_ < 8) return pixelsBegan_;  // trailing padding
       if (!next(encoding, element)) return false;
       if (element.tag == kItemEnd) return depth > 0 && element.length == 0;
-      if (element.tag >> 16 == kDelimiters || (encoding.explicitVr && endsGdcm(element.tag, element.vr))) return false;
+      if (element.tag >> 16 == kDelimiters) return false;
       if (depth == 0 && element.tag == kPixelData) pixelsBegan_ = true;
       if (element.length != kUndefinedLength) {
         if (element.length > end - position_) return false;

@@ -1,10 +1,10 @@
 #include "DicomPixels.h"
 
 #include "../files/Hounsfield.h"
+#include "DicomElements.h"
+#include "DicomPicture.h"
 
-#include <gdcmByteValue.h>
-#include <gdcmImageReader.h>
-#include <gdcmSequenceOfFragments.h>
+#include <gdcmReader.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,47 +43,46 @@ tl::unexpected<Error> refuseFile(const std::filesystem::path& file, const std::s
   return fail("The slice " + file.string() + " " + why);
 }
 
-/// Length check of uncompressed pixels: GDCM fills what is missing.
-bool isCutOff(const gdcm::File& file, std::size_t expected) {
-  const gdcm::Tag pixelData(0x7fe0, 0x0010);
-  if (!file.GetDataSet().FindDataElement(pixelData)) return true;
-  const gdcm::DataElement& element = file.GetDataSet().GetDataElement(pixelData);
-  if (element.GetSequenceOfFragments()) return element.GetSequenceOfFragments()->GetNumberOfFragments() == 0;
-  const gdcm::ByteValue* bytes = element.GetByteValue();
-  return !bytes || bytes->GetLength() < expected;
+/// How the pixels are stored; fails on what no CT has.
+Result<gdcm::PixelFormat> formatOf(const std::filesystem::path& file, const gdcm::DataSet& data) {
+  const std::string shown = textOf(data, gdcm::Tag(0x0028, 0x0004));
+  const auto number = [&](std::uint16_t element) { return shortOf(data, gdcm::Tag(0x0028, element)).value_or(0); };
+  if (shown == "MONOCHROME1")
+    return refuseFile(file,
+                      "shows high values dark (MONOCHROME1), as scanners do not; they may have been inverted and be no "
+                      "Hounsfield units. Export the original series.");
+  if (number(0x0002) > 1 || (!shown.empty() && shown != "MONOCHROME2"))
+    return refuseFile(file, "is not a plain grey picture (MONOCHROME2), as a CT slice is. Export the original series.");
+  const unsigned allocated = number(0x0100), stored = number(0x0101), high = number(0x0102);
+  if ((allocated != 8 && allocated != 16 && allocated != 32) || stored < 1 || high + 1 < stored || high >= allocated)
+    return refuseFile(file, "has pixels of " + std::to_string(allocated) + " bits, " + std::to_string(stored) +
+                                " of them used, which no CT has.");
+  const auto narrow = [](unsigned value) { return static_cast<unsigned short>(value); };
+  return gdcm::PixelFormat(1, narrow(allocated), narrow(stored), narrow(high), narrow(number(0x0103) == 1));
 }
 
 Result<StoredPixels> decode(const std::filesystem::path& file) {
   const std::string cutOff = "holds no complete picture: it is cut off or damaged. Copy or export it again.";
-  gdcm::ImageReader reader;
+  gdcm::Reader reader;
   reader.SetFileName(file.c_str());
   if (!reader.Read()) return refuseFile(file, cutOff);
-  const gdcm::Image& image = reader.GetImage();
-  const gdcm::PixelFormat format = image.GetPixelFormat();
-  if (image.GetPhotometricInterpretation() == gdcm::PhotometricInterpretation::MONOCHROME1)
-    return refuseFile(file,
-                      "shows high values dark (MONOCHROME1), as scanners do not; they may have been inverted and be no "
-                      "Hounsfield units. Export the original series.");
-  if (format.GetSamplesPerPixel() != 1 ||
-      image.GetPhotometricInterpretation() != gdcm::PhotometricInterpretation::MONOCHROME2)
-    return refuseFile(file, "is not a plain grey picture (MONOCHROME2), as a CT slice is. Export the original series.");
+  const gdcm::DataSet& data = reader.GetFile().GetDataSet();
+  const auto format = formatOf(file, data);
+  if (!format) return tl::unexpected(format.error());
   StoredPixels pixels;
-  pixels.bytesEach = format.GetBitsAllocated() / 8;
-  pixels.bits = format.GetBitsStored();
-  pixels.shift = format.GetHighBit() + 1 - format.GetBitsStored();
-  pixels.isSigned = format.GetPixelRepresentation() == 1;
-  if ((pixels.bytesEach != 1 && pixels.bytesEach != 2 && pixels.bytesEach != 4) || pixels.bits < 1 ||
-      pixels.shift < 0 || pixels.bits + pixels.shift > format.GetBitsAllocated())
-    return refuseFile(file, "has pixels of " + std::to_string(format.GetBitsAllocated()) + " bits, " +
-                                std::to_string(format.GetBitsStored()) + " of them used, which no CT has.");
-  pixels.columns = static_cast<int>(image.GetDimension(0));
-  pixels.rows = static_cast<int>(image.GetDimension(1));
-  pixels.frames = image.GetNumberOfDimensions() > 2 ? static_cast<int>(image.GetDimension(2)) : 1;
-  const std::size_t expected =
-      static_cast<std::size_t>(pixels.columns) * pixels.rows * pixels.frames * pixels.bytesEach;
-  if (isCutOff(reader.GetFile(), expected) || image.GetBufferLength() < expected) return refuseFile(file, cutOff);
-  pixels.bytes.resize(image.GetBufferLength());
-  if (!image.GetBuffer(pixels.bytes.data())) return refuseFile(file, cutOff);
+  pixels.bytesEach = format->GetBitsAllocated() / 8;
+  pixels.bits = format->GetBitsStored();
+  pixels.shift = format->GetHighBit() + 1 - format->GetBitsStored();
+  pixels.isSigned = format->GetPixelRepresentation() == 1;
+  pixels.columns = static_cast<int>(shortOf(data, gdcm::Tag(0x0028, 0x0011)).value_or(0));
+  pixels.rows = static_cast<int>(shortOf(data, gdcm::Tag(0x0028, 0x0010)).value_or(0));
+  pixels.frames = std::max(1, integerOf(data, gdcm::Tag(0x0028, 0x0008)).value_or(1));
+  auto bytes = storedPixels(
+      reader.GetFile(),
+      {static_cast<unsigned>(pixels.columns), static_cast<unsigned>(pixels.rows), static_cast<unsigned>(pixels.frames)},
+      *format);
+  if (!bytes) return refuseFile(file, cutOff);
+  pixels.bytes = std::move(*bytes);
   return pixels;
 }
 
@@ -120,13 +119,14 @@ void toHu(const StoredPixels& pixels, const DicomSlice& slice, std::int16_t* out
 Result<std::vector<std::int16_t>> readSlices(const DicomSeries& series, std::vector<std::string>& notes,
                                              const Progress& progress) {
   const std::size_t sliceSize = static_cast<std::size_t>(series.stack.columns) * series.stack.rows;
-  std::vector<std::int16_t> hu(sliceSize * series.slices.size());
+  const std::size_t size = sliceSize * series.slices.size();
+  std::vector<std::int16_t> hu;  // made when a first slice is as large as its header says
   std::map<std::filesystem::path, std::vector<std::size_t>> slicesOfFile;
   for (std::size_t n = 0; n < series.slices.size(); ++n) slicesOfFile[series.slices[n].file].push_back(n);
   Changes changes;
   std::size_t done = 0;
   for (const auto& [file, slices] : slicesOfFile) {
-    if (!report(progress, "Reading slices", static_cast<double>(done) / static_cast<double>(hu.size() / sliceSize)))
+    if (!report(progress, "Reading slices", static_cast<double>(done) / static_cast<double>(series.slices.size())))
       return fail(std::string(kCancelled));
     const auto pixels = decodeSafely(file);
     if (!pixels) return tl::unexpected(pixels.error());
@@ -134,6 +134,7 @@ Result<std::vector<std::int16_t>> readSlices(const DicomSeries& series, std::vec
       if (pixels->columns != series.stack.columns || pixels->rows != series.stack.rows ||
           series.slices[n].frame >= pixels->frames)
         return refuseFile(file, "has a picture of another size than its header says.");
+      hu.resize(size);
       toHu(*pixels, series.slices[n], &hu[n * sliceSize], changes);
     }
     done += slices.size();
