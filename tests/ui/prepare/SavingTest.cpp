@@ -1,6 +1,7 @@
 #include "PrepareSession.h"
 
 #include <insonate/cases/CaseTitle.h>
+#include <insonate/cases/CaseVersions.h>
 #include <insonate/prepare/PrepareWorkspace.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/Labels.h>
@@ -100,6 +101,23 @@ TEST_F(Saving, ACaseThatNobodyNamedIsCalledAsItsFolder) {
   ASSERT_TRUE(until([this] { return window_.caseTitle() == "short neck"; }));
   EXPECT_EQ(session_->title(), "short neck");
   EXPECT_FALSE(edited());
+}
+
+TEST_F(Saving, WhatSomebodyElseSavedMeanwhileIsKeptAndSaid) {
+  PatientCase theirs = test::smallCase();
+  theirs.labels.voxels[0] = kVein;
+  ASSERT_TRUE(saveCaseVersion(theirs, case_, "2026-11-22", ""));
+  const auto save = [&](views::Colour colour) {
+    session_->setColour(kVein, colour);
+    window_.saveCase();
+    EXPECT_TRUE(until([this] { return !edited(); }));
+    return window_.statusText();
+  };
+  EXPECT_TRUE(save(kChosen).contains("Somebody else had saved it meanwhile"));
+  const auto kept = findVersion(case_, voxelHashOf(theirs));
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(readCase(*kept)->patient.labels.voxels[0], kVein);
+  EXPECT_FALSE(save({65, 43, 21}).contains("Somebody")) << "said once";
 }
 
 TEST_F(Saving, ClosesAtOnceWithoutChangesAndAsksWithThem) {

@@ -32,7 +32,7 @@ class CaseLoader : public testing::Test {
     QObject::connect(&loader, &ui::CaseLoader::loaded, [this](const ui::LoadedCase& one) { loaded = one; });
     QObject::connect(&loader, &ui::CaseLoader::failed, [this](const QString& what) { failed = what; });
     QObject::connect(&loader, &ui::CaseLoader::cancelled, [this] { ++cancelled; });
-    QObject::connect(&loader, &ui::CaseLoader::saved, [this](const QString& folder) { saved = folder; });
+    QObject::connect(&loader, &ui::CaseLoader::saved, [this](const ui::SavedCase& one) { saved = one.folder; });
     window.show();
   }
   bool ended() const { return loaded || !failed.isEmpty() || cancelled > 0 || !saved.isEmpty(); }

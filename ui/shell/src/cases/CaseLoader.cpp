@@ -2,6 +2,7 @@
 #include "CaseEdits.h"
 #include "SeriesDialog.h"
 
+#include <insonate/cases/CaseListing.h>
 #include <insonate/cases/CaseTitle.h>
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/segmentation/AutoLabel.h>
@@ -106,9 +107,11 @@ void CaseLoader::readFolder(const QString& folder) {
       tr("Opening %1").arg(QFileInfo(folder).fileName()),
       [folder](const Progress& progress) -> Result<LoadedCase> {
         report(progress, "reading CT and labels", 0);
+        const std::string onDisk = diskStateOf(folder.toStdString());
         auto read = readCase(folder.toStdString());
         if (!read) return tl::unexpected(read.error());
         LoadedCase result{std::make_shared<PatientCase>(std::move(read->patient)), folder, qt(read->notes)};
+        result.onDisk = onDisk;
         // A version stays what it is.
         if (const auto whole = caseOfVersion(folder.toStdString()))
           result.versionOf = QString::fromStdString(whole->string()), result.folder.clear();
@@ -182,23 +185,26 @@ void CaseLoader::openBuiltIn(const QString& variant) {
       });
 }
 
-void CaseLoader::save(std::shared_ptr<const PatientCase> patient, const QString& folder, std::vector<CaseEdit> edits) {
-  using Written = std::shared_ptr<const PatientCase>;
+void CaseLoader::save(std::shared_ptr<const PatientCase> patient, const QString& folder, std::vector<CaseEdit> edits,
+                      const std::string& onDisk) {
   if (patient->manifest.title == kImportedTitle)
     edits.push_back([folder](PatientCase& copy) { nameAfterFolder(copy.manifest, folder.toStdString()); });
-  tasks_.run<Written>(
+  tasks_.run<SavedCase>(
       tr("Saving to %1").arg(QFileInfo(folder).fileName()),
-      [patient = std::move(patient), folder, edits = std::move(edits)](const Progress& progress) -> Result<Written> {
-        if (auto ok = checkCaseTarget(folder.toStdString(), true); !ok) return tl::unexpected(ok.error());
-        const Written written = withEdits(patient, edits);
+      [patient = std::move(patient), folder, edits = std::move(edits),
+       onDisk](const Progress& progress) -> Result<SavedCase> {
+        const fs::path target = folder.toStdString();
+        if (auto ok = checkCaseTarget(target, true); !ok) return tl::unexpected(ok.error());
+        SavedCase saved{folder, withEdits(patient, edits), {}, !onDisk.empty() && diskStateOf(target) != onDisk};
         const auto version =
-            saveCaseVersion(*written, folder.toStdString(), today(), written->manifest.version.author, progress);
+            saveCaseVersion(*saved.patient, target, today(), saved.patient->manifest.version.author, progress);
         if (!version) return tl::unexpected(version.error());
-        return written;
+        saved.onDisk = diskStateOf(target);
+        return saved;
       },
-      [this, folder](Result<Written> written) {
+      [this](Result<SavedCase> written) {
         if (!written) return refuse(written.error(), tr("The case is still open; save it to another place."));
-        Q_EMIT saved(folder, *written);
+        Q_EMIT saved(*written);
       },
       TaskBar::WhenClosed::Ask);
 }

@@ -62,21 +62,23 @@ void MainWindow::saveCase() {
 void MainWindow::saveTo(const QString& folder) {
   std::vector<CaseEdit> edits = unsavedEdits();
   for (CaseEdit& edit : quietEdits()) edits.push_back(std::move(edit));
-  loader_->save(case_.patient, folder, std::move(edits));
+  loader_->save(case_.patient, folder, std::move(edits), folder == case_.folder ? case_.onDisk : std::string());
 }
 
-void MainWindow::showSaved(const QString& folder, const std::shared_ptr<const PatientCase>& patient) {
-  case_.folder = folder;
+void MainWindow::showSaved(const SavedCase& saved) {
+  case_.folder = saved.folder;
   case_.builtIn = false;
   case_.versionOf.clear();
-  const bool edited = patient != std::exchange(case_.patient, patient);
-  rememberCase({folder, QString::fromStdString(patient->manifest.title)});
+  case_.onDisk = saved.onDisk;
+  const bool edited = saved.patient != std::exchange(case_.patient, saved.patient);
+  rememberCase({saved.folder, QString::fromStdString(saved.patient->manifest.title)});
   for (const Room& room : rooms_) {
     room.workspace->setOrigin(origin());
-    if (edited) room.workspace->caseSaved(patient);
+    if (edited) room.workspace->caseSaved(saved.patient);
   }
   showTitle();
-  status_->say(tr("Saved to %1.").arg(folder));
+  const QString also = tr(" Somebody else had saved it meanwhile; theirs is kept as an earlier version.");
+  status_->say(tr("Saved to %1.").arg(saved.folder) + (saved.overAnother ? also : QString()));
   if (const auto go = std::exchange(afterSaving_, {})) QTimer::singleShot(0, this, go);
 }
 

@@ -9,6 +9,7 @@
 #include <QString>
 #include <QStringList>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace insonate::ui {
@@ -22,7 +23,16 @@ struct LoadedCase {
   QString folder;     ///< where it is kept; empty for one that was imported and not saved yet
   QStringList notes;  ///< what was missing or changed on the way, one sentence each
   bool builtIn = false;
-  QString versionOf{};  ///< as in CaseOrigin
+  QString versionOf{};   ///< as in CaseOrigin
+  std::string onDisk{};  ///< diskStateOf() its folder when it was read
+};
+
+/// A case that was written.
+struct SavedCase {
+  QString folder;
+  std::shared_ptr<const PatientCase> patient;  ///< the same object as was given where there were no edits
+  std::string onDisk;                          ///< diskStateOf() its folder now
+  bool overAnother = false;  ///< somebody else had saved there meanwhile; theirs stays as an earlier version
 };
 
 /// Brings cases into the window without holding it: from a case folder, from DICOM, NRRD, NIfTI or MetaImage (asking
@@ -41,12 +51,13 @@ class CaseLoader : public QObject {
   /// A built-in neck (cases/Phantom.h). It is made once and kept in the user's cache, so that the next start is quick.
   void openBuiltIn(const QString& variant);
   /// Writes a case to a folder, a copy with these edits where there are any; ends in saved(), failed() or cancelled().
-  void save(std::shared_ptr<const PatientCase> patient, const QString& folder, std::vector<CaseEdit> edits = {});
+  /// `onDisk` is what the folder was when the case was read from it or written to it, empty for another folder.
+  void save(std::shared_ptr<const PatientCase> patient, const QString& folder, std::vector<CaseEdit> edits = {},
+            const std::string& onDisk = {});
 
  Q_SIGNALS:
   void loaded(const insonate::ui::LoadedCase& loaded);
-  /// `patient` is what was written: the same object as was given where there were no edits.
-  void saved(const QString& folder, const std::shared_ptr<const insonate::PatientCase>& patient);
+  void saved(const insonate::ui::SavedCase& written);
   void failed(const QString& what, const QString& advice, const QString& details);
   void cancelled();
 

@@ -113,7 +113,7 @@ class MainWindow : public QMainWindow {
   void handOut();
   void showTitle();
   void showOpening();
-  void showSaved(const QString& folder, const std::shared_ptr<const PatientCase>& patient);
+  void showSaved(const SavedCase& saved);
   std::vector<CaseEdit> unsavedEdits() const;
   std::vector<CaseEdit> quietEdits() const;
   bool isNowhere() const;
