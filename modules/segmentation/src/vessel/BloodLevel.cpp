@@ -75,6 +75,17 @@ BloodLevel mixed(const BloodLevel& a, const BloodLevel& b, double share) {
   return {mix(a.low_HU, b.low_HU), mix(a.blood_HU, b.blood_HU), mix(a.high_HU, b.high_HU), mix(a.half_HU, b.half_HU)};
 }
 
+std::vector<BloodLevel> measured(const std::vector<BloodLevel>& levels, const std::vector<double>& blood_HU) {
+  std::vector<BloodLevel> now;
+  for (std::size_t n = 0; n < levels.size(); ++n) {
+    const double tissue_HU = 2 * levels[n].half_HU - levels[n].blood_HU;
+    now.push_back(levelOf(blood_HU[n], std::max(blood_HU[n] - tissue_HU, double(kTissueBelowBlood_HU)) / 2));
+  }
+  std::vector<BloodLevel> even;
+  for (std::size_t n = 0; n < now.size(); ++n) even.push_back(middleAround(now, n));
+  return even;
+}
+
 std::vector<BloodLevel> levelsAtClicks(const CtVolume& ct, std::span<const Vec3> clicks_mm,
                                        std::span<const Vec3> way_mm, std::span<const std::size_t> clickOnWay,
                                        double reach_mm, Work& work) {

@@ -17,8 +17,9 @@ constexpr int kLeastBend = 3, kBendRadius = 12;
 /// Behind the wall the CT falls or rises to the next tissue within so many standard deviations of the blur; less of a
 /// change than this share of the contrast is none, and noise turns the way back by no more than that one.
 constexpr double kEdge = 2, kLeastChange = 0.3, kNoise = 0.1;
-constexpr int kAveraged = 2;         // sections to both sides
-constexpr double kScanner_mm = 0.4;  // standard deviation of a CT scanner's blur, 0.9 mm in full width at half maximum
+constexpr double kFullWidth = 2.355;  // at half maximum, of a Gaussian, by its standard deviation
+constexpr int kAveraged = 2;          // sections to both sides
+constexpr double kScanner_mm = 0.4;   // standard deviation of a CT scanner's blur, 0.9 mm in full width at half maximum
 
 /// Between samples of a profile, where it passes a value on its way from `from` on; negative where it does not.
 double crossing(const std::vector<double>& profile, int from, int to, double value) {
@@ -38,62 +39,88 @@ OutlineFit::OutlineFit(const CtVolume& ct, double largest_mm)
       blur_mm2_(kScanner_mm * kScanner_mm + dot(ct.geometry.spacing_mm, ct.geometry.spacing_mm) / 12),
       reach_(static_cast<int>(std::ceil(kEdge * std::sqrt(blur_mm2_) / kStep_mm))) {}
 
-Vec3 OutlineFit::stepAlong(const VesselOutline& outline, int ray) const {
-  const double angle = 2 * std::numbers::pi * ray / kRays;
-  return indexFromPatient_.linear * (outline.right * std::cos(angle) + outline.down * std::sin(angle)) * kStep_mm;
-}
-
-std::vector<double> OutlineFit::profile(const std::vector<VesselOutline>& sections, int n, int ray, double first,
-                                        int samples) const {
+std::vector<double> OutlineFit::profile(const std::vector<VesselOutline>& sections, int n,
+                                        std::pair<double, double> step, double first, int samples) const {
   const int from = std::max(0, n - kAveraged), to = std::min(int(sections.size()) - 1, n + kAveraged);
   std::vector<double> values(samples);
   for (int m = from; m <= to; ++m) {
-    const Vec3 centre = indexFromPatient_ * sections[m].centre_mm, step = stepAlong(sections[m], ray);
+    const Vec3 centre = indexFromPatient_ * sections[m].centre_mm;
+    const Vec3 along = indexFromPatient_.linear * (sections[m].right * step.first + sections[m].down * step.second);
     for (int at = 0; at < samples; ++at)
-      values[at] += sampleLinear(ct_, centre + step * (first + at)) / (to - from + 1);
+      values[at] += sampleLinear(ct_, centre + along * (first + at)) / (to - from + 1);
   }
   return values;
+}
+
+double OutlineFit::bloodIn(const VesselOutline& section, const SectionShape& shape) const {
+  std::vector<double> hu;
+  for (int ray = 0; ray < kRays; ++ray) {
+    const auto [x, y] = shape.along(ray);
+    const Vec3 wall_mm = (section.right * x + section.down * y) * section.radius_mm[ray];
+    for (const double share : {0.2, 0.35, 0.5})
+      hu.push_back(sampleLinear(ct_, indexFromPatient_ * (section.centre_mm + wall_mm * share)));
+  }
+  const auto middle = hu.begin() + std::ptrdiff_t(hu.size() / 2);
+  std::ranges::nth_element(hu, middle);
+  return *middle;
+}
+
+/// How much nearer blur shows either side of a layer (a stent, a plaque, what parts two vessels) that is seen this wide
+/// at half its height: widths add up as squares.
+double OutlineFit::widening_mm(double seen_mm) const {
+  const double blur_mm = kFullWidth * std::sqrt(blur_mm2_);
+  return (seen_mm - std::sqrt(std::max(0.0, seen_mm * seen_mm - blur_mm * blur_mm))) / 2;
 }
 
 /// Blur moves the half-way line of a round vessel inward, by the heat equation d r / d variance = -1 / (2 r); and where
 /// the vessel is thin it takes exp(-r^2 / (2 variance)) from its middle, which moves the line outward by half of that
 /// over the slope of the edge, 1 / sqrt(2 pi variance).
-Radii OutlineFit::refined(const std::vector<VesselOutline>& sections, int n, const BloodLevel& level) const {
+Radii OutlineFit::refined(const std::vector<VesselOutline>& sections, int n, const SectionShape& shape,
+                          const BloodLevel& level) const {
   const double contrast_HU = 2 * (level.blood_HU - level.half_HU);
   const double least_HU = kLeastChange * contrast_HU, noise_HU = kNoise * contrast_HU;
   Radii radii = sections[n].radius_mm;
   for (int ray = 0; ray < kRays; ++ray) {
-    double& radius_mm = radii[ray];
+    const auto [x, y] = shape.along(ray);
+    const double stretch = std::hypot(x, y);
+    double radius_mm = radii[ray] * stretch;
     const int wall = static_cast<int>(std::lround(radius_mm / kStep_mm));
     const int inner = std::max(0, wall - reach_), outer = wall + reach_;
-    const std::vector<double> hu = profile(sections, n, ray, 0, outer + 1);
+    const std::vector<double> hu =
+        profile(sections, n, {x / stretch * kStep_mm, y / stretch * kStep_mm}, 0, outer + reach_ + 1);
     // The tissue behind the wall: where the CT stops to fall, or to rise, but for noise.
     const double way = hu[std::min(wall + 1, outer)] < level.blood_HU ? -1 : 1;
     int behind = wall;
     for (int at = wall + 1; at <= outer && way * (hu[behind] - hu[at]) < noise_HU; ++at)
       if (way * hu[at] > way * hu[behind]) behind = at;
     if (std::abs(hu[behind] - level.blood_HU) < least_HU) continue;
-    const double found = crossing(hu, inner, behind, (level.blood_HU + hu[behind]) / 2);
+    const double half_HU = (level.blood_HU + hu[behind]) / 2;
+    const double found = crossing(hu, inner, behind, half_HU);
     if (found < 0) continue;
     radius_mm = found * kStep_mm;
+    if (const double far = crossing(hu, behind, int(hu.size()) - 1, half_HU); far > 0)
+      radius_mm += widening_mm((far - found) * kStep_mm);
     const double true_mm = std::max(radius_mm, std::sqrt(blur_mm2_));
     radius_mm += blur_mm2_ / (2 * true_mm) -
                  std::sqrt(std::numbers::pi / 2 * blur_mm2_) * std::exp(-true_mm * true_mm / (2 * blur_mm2_));
+    radii[ray] = radius_mm / stretch;
   }
   return radii;
 }
 
 /// Along each ray, what lies inside the wall should look like blood: the sum of unlikeness - 1 up to the wall is
 /// smallest.
-Radii OutlineFit::fitted(const std::vector<VesselOutline>& sections, int n, const BloodLevel& level,
-                         const Radii* expected) const {
+Radii OutlineFit::fitted(const std::vector<VesselOutline>& sections, int n, const SectionShape& shape,
+                         const BloodLevel& level, const Radii* expected) const {
   RadialCost wall(steps_, kStep_mm);
   for (int ray = 0; ray < kRays; ++ray) {
+    const auto [x, y] = shape.along(ray);
+    const double stretch = std::hypot(x, y);
     // Wall r lies behind sample r.
-    const std::vector<double> hu = profile(sections, n, ray, 0.5, steps_);
+    const std::vector<double> hu = profile(sections, n, {x * kStep_mm, y * kStep_mm}, 0.5, steps_);
     double sum = 0;
     for (int r = 0; r < steps_; ++r) {
-      sum += level.unlikeness(hu[r]) - 1;
+      sum += (level.unlikeness(hu[r]) - 1) * stretch;
       wall.at(ray, r) = sum;
     }
   }

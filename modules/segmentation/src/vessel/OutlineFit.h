@@ -2,6 +2,7 @@
 
 #include "BloodLevel.h"
 #include "ClosedWay.h"
+#include "SectionShape.h"
 
 #include <insonate/segmentation/VesselTracking.h>
 
@@ -15,20 +16,27 @@ class OutlineFit {
  public:
   OutlineFit(const CtVolume& ct, double largest_mm);
 
-  /// The best radii about the n-th section's centre, in its plane. Where `expected` is given, radii like its cost less.
-  Radii fitted(const std::vector<VesselOutline>& sections, int n, const BloodLevel& level, const Radii* expected) const;
+  /// The best radii about the n-th section's centre, in its plane, along the rays of `shape`. Where `expected` is
+  /// given, radii like its cost less.
+  Radii fitted(const std::vector<VesselOutline>& sections, int n, const SectionShape& shape, const BloodLevel& level,
+               const Radii* expected) const;
+
+  /// The median in the inner half of a section whose radii fitted() has found.
+  double bloodIn(const VesselOutline& section, const SectionShape& shape) const;
 
   /// The n-th section's radii that fitted() has found, moved to where the CT is half-way from the blood to what lies
   /// behind the wall there.
-  Radii refined(const std::vector<VesselOutline>& sections, int n, const BloodLevel& level) const;
+  Radii refined(const std::vector<VesselOutline>& sections, int n, const SectionShape& shape,
+                const BloodLevel& level) const;
 
  private:
   static constexpr double kStep_mm = 0.25;
 
-  Vec3 stepAlong(const VesselOutline& outline, int ray) const;
-  /// Along a ray of the n-th section, from `first` steps on.
-  std::vector<double> profile(const std::vector<VesselOutline>& sections, int n, int ray, double first,
-                              int samples) const;
+  /// In steps of x and y mm in the plane of the n-th section, from `first` steps on.
+  std::vector<double> profile(const std::vector<VesselOutline>& sections, int n, std::pair<double, double> step,
+                              double first, int samples) const;
+
+  double widening_mm(double seen_mm) const;
 
   const CtVolume& ct_;
   Transform indexFromPatient_;

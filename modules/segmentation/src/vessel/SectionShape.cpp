@@ -17,6 +17,18 @@ std::pair<double, double> direction(int ray) {
 
 }  // namespace
 
+SectionMoments meanMoments(const std::vector<SectionMoments>& sections, int n, int reach) {
+  const int first = std::max(0, n - reach), last = std::min(int(sections.size()) - 1, n + reach);
+  SectionMoments mean;
+  for (int m = first; m <= last; ++m) {
+    const auto& [x, y, xx, xy, yy] = sections[m];
+    const double share = 1.0 / (last - first + 1);
+    mean.x += x * share, mean.y += y * share;
+    mean.xx += xx * share, mean.xy += xy * share, mean.yy += yy * share;
+  }
+  return mean;
+}
+
 SectionShape::SectionShape(const SectionMoments& m) {
   const double angle = 0.5 * std::atan2(2 * m.xy, m.xx - m.yy);
   const double mean = (m.xx + m.yy) / 2, half = std::hypot((m.xx - m.yy) / 2, m.xy);

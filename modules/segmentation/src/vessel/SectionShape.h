@@ -3,6 +3,7 @@
 #include "ClosedWay.h"
 
 #include <utility>
+#include <vector>
 
 namespace insonate::segmentation {
 
@@ -10,6 +11,9 @@ namespace insonate::segmentation {
 struct SectionMoments {
   double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
 };
+
+/// Of the sections up to `reach` to both sides.
+SectionMoments meanMoments(const std::vector<SectionMoments>& sections, int n, int reach);
 
 /// How a section is stretched so that a flat outline becomes round: a symmetric matrix whose determinant is 1.
 class SectionShape {

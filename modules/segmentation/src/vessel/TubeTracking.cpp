@@ -155,12 +155,7 @@ class TubeFit {
       line.push_back(sections_[n].centre_mm + sections_[n].right * moments[n].x + sections_[n].down * moments[n].y);
     }
     sections_ = segmentation::sectionsAlong(segmentation::smoothed(line, kSmoothLine));
-    for (int n = 0; n < count; ++n) {
-      segmentation::SectionMoments sum;
-      for (int m = std::max(0, n - kSmoothShape); m <= std::min(count - 1, n + kSmoothShape); ++m)
-        sum.xx += moments[m].xx, sum.xy += moments[m].xy, sum.yy += moments[m].yy;
-      shapes_[n] = SectionShape(sum);
-    }
+    for (int n = 0; n < count; ++n) shapes_[n] = SectionShape(segmentation::meanMoments(moments, n, kSmoothShape));
   }
 
   const CtVolume& ct_;

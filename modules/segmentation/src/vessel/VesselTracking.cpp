@@ -2,6 +2,7 @@
 #include "LumenFill.h"
 #include "OutlineFit.h"
 #include "SectionLine.h"
+#include "SectionShape.h"
 #include "VesselPath.h"
 
 #include <insonate/segmentation/VesselTracking.h>
@@ -16,14 +17,16 @@ namespace {
 using segmentation::BloodLevel;
 using segmentation::OutlineFit;
 using segmentation::Radii;
+using segmentation::SectionShape;
 using segmentation::Work;
 
 constexpr int kRays = VesselOutline::kRays;
-constexpr int kSmoothPath = 4, kSmoothLine = 3;  // stations to both sides
-constexpr int kLikeNeighbours = 4;               // of which the expected outline is the median
-constexpr int kCalibre = 15;                     // of which the area is the median that a vessel has here
-constexpr int kEven = 1;                         // of which the refined outline is the median
-constexpr double kOpens = 2;                     // times the area that it has here: it opens into another vessel
+constexpr int kCentred = 4;  // times: so many lead to the middle of a flat vessel from its edge
+constexpr int kSmoothPath = 4, kSmoothLine = 3, kSmoothShape = 5;  // stations to both sides
+constexpr int kLikeNeighbours = 4;                                 // of which the expected outline is the median
+constexpr int kCalibre = 15;  // of which the area is the median that a vessel has here
+constexpr int kEven = 1;      // of which the refined outline is the median
+constexpr double kOpens = 2;  // times the area that it has here: it opens into another vessel
 constexpr double kLeastContrast_HU = 40;
 constexpr double kAround_mm = 30;
 
@@ -54,19 +57,6 @@ Stations pathThrough(const CtVolume& ct, std::span<const Vec3> clicks_mm, double
   return stations;
 }
 
-Vec3 centroid(const VesselOutline& outline) {
-  // Of the triangles between the centre and two rays: each has its middle at two thirds of their mean.
-  double area = 0, x = 0, y = 0;
-  for (int n = 0; n < kRays; ++n) {
-    const double a = 2 * std::numbers::pi * n / kRays, b = 2 * std::numbers::pi * (n + 1) / kRays;
-    const double ra = outline.radius_mm[n], rb = outline.radius_mm[(n + 1) % kRays], weight = ra * rb;
-    area += weight;
-    x += weight * (ra * std::cos(a) + rb * std::cos(b)) / 3;
-    y += weight * (ra * std::sin(a) + rb * std::sin(b)) / 3;
-  }
-  return outline.centre_mm + outline.right * (x / area) + outline.down * (y / area);
-}
-
 /// Where a vessel opens into another, its section runs out into that one: it takes the outline of the nearest that
 /// does not.
 void closeOrigins(std::vector<VesselOutline>& sections) {
@@ -93,6 +83,7 @@ void closeOrigins(std::vector<VesselOutline>& sections) {
 TrackedVessel track(const CtVolume& ct, Stations stations, const VesselTracking& how, Work& work) {
   work.start("Finding the vessel's wall");
   const OutlineFit wall(ct, how.largest_mm);
+  std::vector<SectionShape> shapes(stations.line.size());
   const auto forAll = [&](std::vector<VesselOutline>& sections, const auto& radiiOf) {
     std::vector<Radii> radii(sections.size());
     work.slices(static_cast<int>(sections.size()), [&](int n) { radii[n] = radiiOf(n); });
@@ -100,22 +91,33 @@ TrackedVessel track(const CtVolume& ct, Stations stations, const VesselTracking&
   };
   const auto fitAll = [&](const std::vector<Radii>* expected) {
     std::vector<VesselOutline> sections = segmentation::sectionsAlong(stations.line);
-    forAll(sections,
-           [&](int n) { return wall.fitted(sections, n, stations.levels[n], expected ? &(*expected)[n] : nullptr); });
+    forAll(sections, [&](int n) {
+      return wall.fitted(sections, n, shapes[n], stations.levels[n], expected ? &(*expected)[n] : nullptr);
+    });
     closeOrigins(sections);
     return sections;
   };
-  for (int pass = 0; pass < 2; ++pass) {
+  for (int pass = 0; pass < kCentred; ++pass) {
     const auto sections = fitAll(nullptr);
-    for (std::size_t n = 0; n < sections.size(); ++n) stations.line[n] = centroid(sections[n]);
+    std::vector<segmentation::SectionMoments> moments;
+    std::vector<double> blood_HU;
+    for (std::size_t n = 0; n < sections.size(); ++n) {
+      blood_HU.push_back(wall.bloodIn(sections[n], shapes[n]));
+      const auto& m = moments.emplace_back(shapes[n].momentsOf(sections[n].radius_mm));
+      stations.line[n] = sections[n].centre_mm + sections[n].right * m.x + sections[n].down * m.y;
+    }
     stations.line = segmentation::smoothed(stations.line, kSmoothLine);
+    stations.levels = segmentation::measured(stations.levels, blood_HU);
+    for (std::size_t n = 0; n < sections.size(); ++n)
+      shapes[n] = SectionShape(segmentation::meanMoments(moments, int(n), kSmoothShape));
   }
   const auto expected = segmentation::likeNeighbours(fitAll(nullptr), kLikeNeighbours);
   TrackedVessel vessel;
   vessel.outlines = fitAll(&expected);
-  forAll(vessel.outlines, [&](int n) { return wall.refined(vessel.outlines, n, stations.levels[n]); });
+  forAll(vessel.outlines, [&](int n) { return wall.refined(vessel.outlines, n, shapes[n], stations.levels[n]); });
   const auto even = segmentation::likeNeighbours(vessel.outlines, kEven);
-  for (std::size_t n = 0; n < vessel.outlines.size(); ++n) vessel.outlines[n].radius_mm = even[n];
+  for (std::size_t n = 0; n < vessel.outlines.size(); ++n)
+    vessel.outlines[n].radius_mm = shapes[n].unstretched(even[n]);
   vessel.line = stations.line;
   return vessel;
 }
@@ -141,7 +143,7 @@ Result<TrackedVessel> trackVessel(const CtVolume& ct, std::span<const Vec3> clic
                     std::to_string(std::lround(level.blood_HU)) +
                     " HU); click in blood with contrast agent, or draw the vessel and fill between slices.");
     }
-    Work work(progress, 7 + 1.1 * double(clicks_mm.size()));
+    Work work(progress, kCentred + 5 + 1.1 * double(clicks_mm.size()));
     work.start("Following the vessel");
     TrackedVessel vessel = track(cropped(ct, around), pathThrough(near, clicks_mm, how.largest_mm, work), how, work);
     vessel.lumen = segmentation::fillLumen(ct.geometry, vessel.outlines);

@@ -12,7 +12,7 @@
 namespace insonate {
 
 struct VesselTracking {
-  double largest_mm = 12;     ///< no wall is looked for farther from the middle; 2 to 30
+  double largest_mm = 12;     ///< no wall is looked for farther from the middle, of a flat vessel twice as far; 2 to 30
   double smoothing_mm = 0.6;  ///< standard deviation of the blur of the CT in which the way is found; 0 to 3
 };
 
@@ -35,9 +35,11 @@ struct TrackedVessel {
 /// Follows a vessel filled with contrast agent between points that were clicked in it, in this order, and finds its
 /// wall in sections a millimetre apart. Each section takes the star-shaped outline that best parts what looks like
 /// the blood at the nearest clicks from what does not, be it darker (muscle, fat) or brighter (bone), and that changes
-/// little around the vessel and along it; so a vessel that touches bone, or another one, keeps its shape. On each ray
-/// the wall is half-way from the blood to what lies behind it. For that, the CT is averaged along the vessel. Where it
-/// opens into a wider one, it keeps the outline that it has beside. It ends flat at the first and last click.
+/// little around the vessel and along it; so a vessel that touches bone, or another one, keeps its shape. Rays
+/// are stretched as the vessel is flat, and how bright its blood is gets measured in the sections. On each ray the wall
+/// is half-way from the blood to what lies behind it; where that is thin, as a stent or what parts two vessels, blur is
+/// taken off its width. For that, the CT is averaged along the vessel. Where it opens into a wider one, it keeps the
+/// outline that it has beside. It ends flat at the first and last click.
 /// Refuses fewer than two clicks, clicks beside the CT, and clicks whose blood is as dark as what surrounds it, since
 /// there is no wall to be seen then; fails when cancelled.
 Result<TrackedVessel> trackVessel(const CtVolume& ct, std::span<const Vec3> clicks_mm, const VesselTracking& how = {},
