@@ -59,6 +59,9 @@ Result<void> checkVoxelSize(Vec3 spacing_mm) {
   for (int a = 0; a < 3; ++a) {
     const double size_mm = spacing_mm[a];
     if (size_mm >= kSmallest_mm && size_mm <= kLargest_mm) continue;
+    if (!std::isfinite(size_mm))
+      return fail("The distance of voxels along axis " + std::to_string(a + 1) +
+                  " is no number. Correct the spacing in the file.");
     std::array<char, 32> text;
     std::snprintf(text.data(), text.size(), "%.4g mm", size_mm);
     return fail("Voxels are " + std::string(text.data()) + " apart along axis " + std::to_string(a + 1) +

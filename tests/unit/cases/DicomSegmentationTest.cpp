@@ -221,7 +221,7 @@ TEST_F(DicomSegmentation, ADamagedRepresentationInItsMetaInformationIsRefused) {
   ASSERT_LT(first, 250U);
   bytes[first + 1] = 'D';
   test::writeText(file, bytes);
-  EXPECT_THAT(refusal(), HasSubstr("holds no labels"));
+  EXPECT_THAT(refusal(), HasSubstr("no whole DICOM file"));
   EXPECT_FALSE(importSeries(file));
 }
 
@@ -252,7 +252,7 @@ TEST_F(DicomSegmentation, WhatItLacksIsNamed) {
   EXPECT_THAT(refusalAfter([&] {
                 edit([](DataSet& d) { test::setText(d, Tag(0x0008, 0x0016), VR::UI, "1.2.840.10008.5.1.4.1.1.2"); });
               }),
-              HasSubstr("neither a DICOM segmentation"));
+              HasSubstr("is DICOM, but no segmentation of voxels"));
 }
 
 TEST_F(DicomSegmentation, NothingLabelledIsNotWritten) {

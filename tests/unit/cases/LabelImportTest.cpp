@@ -92,6 +92,26 @@ TEST(LabelImport, TheLaterOfOverlappingSegmentsWinsInWhicheverLayerItIs) {
   EXPECT_THAT(imported->notes, Contains(HasSubstr("1 voxels belong to several segments")));
 }
 
+TEST(LabelImport, TheListOfLayersMayBeAnyAxis) {
+  test::TemporaryFolder folder;
+  // The same layers as above, one behind the other: their list is the last axis, the slowest.
+  std::string header = layered(true);
+  const auto instead = [&](const std::string& what, const std::string& with) {
+    ASSERT_NE(header.find(what), std::string::npos) << what;
+    header.replace(header.find(what), what.size(), with);
+  };
+  instead("sizes: 2 6 1 1", "sizes: 6 1 1 2");
+  instead("space directions: none (1,0,0) (0,1,0) (0,0,2)", "space directions: (1,0,0) (0,1,0) (0,0,2) none");
+  instead("kinds: list domain domain domain", "kinds: domain domain domain list");
+  test::writeRawNrrd(folder / "first.seg.nrrd", layered(true), std::string("\1\0\1\0\1\1\0\1\0\0\0\0", 12));
+  test::writeRawNrrd(folder / "last.seg.nrrd", header, std::string("\1\1\1\0\0\0\0\0\1\1\0\0", 12));
+  const auto first = readLabelMap(folder / "first.seg.nrrd"), last = readLabelMap(folder / "last.seg.nrrd");
+  ASSERT_TRUE(first) << first.error().message;
+  ASSERT_TRUE(last) << last.error().message;
+  EXPECT_EQ(last->labels.voxels, first->labels.voxels);
+  EXPECT_EQ(last->labels.geometry, first->labels.geometry);
+}
+
 TEST(LabelImport, LayersWithoutANameBelongToTheSegmentsInTheirOrder) {
   test::TemporaryFolder folder;
   test::writeRawNrrd(folder / "l.seg.nrrd", layered(false), std::string("\1\0\0\1\0\0\0\0\0\0\0\0", 12));

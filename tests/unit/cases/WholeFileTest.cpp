@@ -92,8 +92,12 @@ TEST_F(WholeFile, OfADamagedNrrdTheInnermostReasonIsTold) {
   test::writeText(folder / "a.nrrd", header + data.substr(0, data.size() / 2));
   const auto cut = importSeries(folder / "a.nrrd");
   ASSERT_FALSE(cut);
-  EXPECT_THAT(cut.error().message, AllOf(HasSubstr("a.nrrd"), HasSubstr("expected"), HasSubstr("bytes")));
-  EXPECT_THAT(cut.error().message, Not(AnyOf(HasSubstr("0x"), HasSubstr("[nrrd]"), HasSubstr("ERROR"))));
+  EXPECT_THAT(cut.error().message, AllOf(HasSubstr("a.nrrd"), HasSubstr("promises 7200 bytes")));
+  test::writeText(folder / "a.nrrd", "NRRD0004\ntype: sort" + header.substr(header.find("\ndim")) + data);
+  const auto damaged = importSeries(folder / "a.nrrd");
+  ASSERT_FALSE(damaged);
+  EXPECT_THAT(damaged.error().message, AllOf(HasSubstr("a.nrrd"), HasSubstr("couldn't parse type \"sort\"")));
+  EXPECT_THAT(damaged.error().message, Not(AnyOf(HasSubstr("0x"), HasSubstr("[nrrd]"), HasSubstr("ERROR"))));
 }
 
 TEST_F(WholeFile, MetaImageInOneFile) {

@@ -302,19 +302,6 @@ Result<DicomSegments> read(const fs::path& file) {
 
 }  // namespace
 
-bool isDicomSegmentation(const fs::path& file) {
-  const DicomLayout layout = layoutOf(file);
-  if (layout == DicomLayout::kNotDicom || layout == DicomLayout::kCutInHeader) return false;
-  try {
-    gdcm::Reader reader;
-    reader.SetFileName(file.c_str());
-    const std::set<Tag> skip;
-    return reader.ReadUpToTag(Tag(0x0008, 0x0018), skip) && isSegmentation(reader);
-  } catch (const std::exception&) {
-    return false;
-  }
-}
-
 Result<DicomSegments> readDicomSegments(const fs::path& file) {
   gdcm::Trace::WarningOff();
   gdcm::Trace::ErrorOff();

@@ -48,9 +48,6 @@ struct DicomSegments {
   }
 };
 
-/// True for a DICOM file that is a segmentation.
-bool isDicomSegmentation(const std::filesystem::path& file);
-
 /// Fails on files that are cut off, hold fewer pixels than they say, name segments or places that are not there, or lie
 /// in more than one orientation.
 Result<DicomSegments> readDicomSegments(const std::filesystem::path& file);

@@ -1,5 +1,6 @@
 #include "../dicomseg/SegReader.h"
 #include "../import/DerivedUid.h"
+#include "../import/DicomLayout.h"
 #include "ItkSnapLabels.h"
 #include "LabelGrid.h"
 #include "LabelNames.h"
@@ -118,7 +119,7 @@ Result<LabelReadResult> importLabels(const PatientCase& patient, const fs::path&
     return fail("There is no file " + file.string() +
                 " with labels. Name a DICOM segmentation, NRRD, NIfTI or MetaImage.");
   if (!isVolumeFile(file)) {
-    if (!isDicomSegmentation(file))
+    if (layoutOf(file) == DicomLayout::kNotDicom)
       return fail(file.string() + " holds no labels: it is neither a DICOM segmentation nor NRRD, NIfTI or MetaImage.");
     auto read = fromDicom(patient, file, progress);
     if (read) forgetForeignNames(*read);

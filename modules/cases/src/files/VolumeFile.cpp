@@ -1,6 +1,7 @@
 #include "VolumeFile.h"
 
 #include "NiftiFile.h"
+#include "NrrdField.h"
 #include "WholeFile.h"
 
 #include <itkMetaDataObject.h>
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <new>
 
 namespace insonate {
@@ -52,22 +52,12 @@ std::string innermost(std::string text) {
   std::ranges::replace(text, '\n', ' ');
   while (!text.empty() && text.back() == ' ') text.pop_back();
   const std::size_t teem = text.rfind("[nrrd] ");
+  // Of whatever MetaIO does not understand.
+  if (text.find("No such file") != std::string::npos) return "its header is not understood";
   const std::size_t from = text.find(": ", teem == std::string::npos ? text.rfind("0x") : teem);
   if (from != std::string::npos) text.erase(0, from + 2);
   if (text.size() > 200) text = text.substr(0, 200) + "...";
   return text;
-}
-
-/// The text of a header's field, in small letters.
-std::string nrrdField(const fs::path& file, const std::string& name) {
-  std::ifstream in(file, std::ios::binary);
-  for (std::string line; std::getline(in, line) && !line.empty() && line != "\r";) {
-    if (!line.starts_with(name + ":")) continue;
-    const std::size_t first = line.find_first_not_of(" \t", name.size() + 1);
-    const std::size_t last = line.find_last_not_of(" \t\r");
-    return first == std::string::npos ? std::string{} : lower(line.substr(first, last - first + 1));
-  }
-  return {};
 }
 
 /// ITK turns the three spaces of NRRD that name the patient's directions to LPS and calls them so, but ITK 5.2 turns
@@ -75,7 +65,7 @@ std::string nrrdField(const fs::path& file, const std::string& name) {
 void takeNrrdSpace(const fs::path& file, RawVolume& raw) {
   const auto said = raw.metadata.find("NRRD_space");
   raw.oriented = said != raw.metadata.end() && said->second == "left-posterior-superior";
-  const std::string space = nrrdField(file, "space");
+  const std::string space = lower(nrrdField(file, "space"));
   if (space != "left-anterior-superior" && space != "las") return;
   const Mat3 halfTurn{{{{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}}}};
   raw.patientFromIndex = Transform{halfTurn, {}} * raw.patientFromIndex;
@@ -99,6 +89,10 @@ Result<RawVolume> headerOf(const Io& io, const fs::path& file) {
     raw.patientFromIndex.linear.column[a] = direction * io.GetSpacing(a);
     raw.patientFromIndex.offset[static_cast<int>(a)] = io.GetOrigin(a);
   }
+  constexpr unsigned kMostComponents = 10000;
+  if (io.GetNumberOfComponents() > kMostComponents)
+    return fail(file.string() + " says it has " + std::to_string(io.GetNumberOfComponents()) +
+                " values per voxel; it is damaged, or its axes are in another order than they are called.");
   raw.components = static_cast<int>(io.GetNumberOfComponents());
   raw.eightBit = io.GetComponentSize() == 1;
   for (const std::string& key : io.GetMetaDataDictionary().GetKeys()) {
@@ -158,10 +152,10 @@ bool convert(Io::IOComponentEnum type, const std::vector<char>& bytes, std::vect
   }
 }
 
-/// NRRD's reader notices by itself that voxels are missing; MetaImage's takes them for zeros.
-Result<void> checkWhole(const Io& io, const fs::path& file) {
-  if (!isMeta(lowerName(file))) return {};
-  return checkWholeMetaImage(file, static_cast<double>(io.GetImageSizeInBytes()));
+/// MetaImage's reader takes missing voxels for zeros, and NRRD's asks for the memory of all that a header promises.
+Result<void> checkWhole(const RawVolume& raw, const Io& io, const fs::path& file) {
+  const double promised = double(raw.size[0]) * raw.size[1] * raw.size[2] * raw.components * io.GetComponentSize();
+  return isMeta(lowerName(file)) ? checkWholeMetaImage(file, promised) : checkWholeNrrd(file, promised);
 }
 
 Result<void> readValues(Io& io, const fs::path& file, RawVolume& raw) {
@@ -195,13 +189,15 @@ Result<RawVolume> readVolumeFile(const fs::path& file, ReadPart part) {
       "Could not read " + file.string() + ": it may be damaged or cut off; copy or export it again. The reader says: ";
   try {
     if (isNifti(lowerName(file))) return readNifti(file, part);
+    if (isMeta(lowerName(file)))
+      if (auto ok = checkMetaImageHeader(file); !ok) return tl::unexpected(ok.error());
     const Io::Pointer io = makeIo(file);
     io->SetFileName(file.string());
     io->ReadImageInformation();
     auto raw = headerOf(*io, file);
     if (!raw || part == ReadPart::kHeader) return raw;
     if (auto ok = checkVoxelSize(spacingOf(*raw)); !ok) return fail(file.string() + ": " + ok.error().message);
-    if (auto ok = checkWhole(*io, file); !ok) return tl::unexpected(ok.error());
+    if (auto ok = checkWhole(*raw, *io, file); !ok) return tl::unexpected(ok.error());
     if (auto ok = readValues(*io, file, *raw); !ok) return tl::unexpected(ok.error());
     return raw;
   } catch (const itk::ExceptionObject& e) {

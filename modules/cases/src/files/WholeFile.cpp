@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,38 @@ HeldBytes decompressedBytes(const fs::path& file) {
   while (const std::size_t n = in.read(buffer)) held.count += static_cast<double>(n);
   held.streamBreaks = in.broken();
   return held;
+}
+
+HeldBytes inflatedBytes(const fs::path& file, std::uint64_t offset) {
+  std::ifstream in(file, std::ios::binary);
+  in.seekg(static_cast<std::streamoff>(offset));
+  z_stream stream{};
+  constexpr int kZlibOrGzip = 47;
+  HeldBytes held{0, true};
+  if (::inflateInit2(&stream, kZlibOrGzip) != Z_OK) return held;
+  std::vector<char> input(1U << 16), output(1U << 16);
+  int state = Z_OK;
+  while (state == Z_OK) {
+    if (stream.avail_in == 0) {
+      in.read(input.data(), static_cast<std::streamsize>(input.size()));
+      stream.next_in = reinterpret_cast<Bytef*>(input.data());
+      stream.avail_in = static_cast<uInt>(in.gcount());
+      if (stream.avail_in == 0) break;
+    }
+    stream.next_out = reinterpret_cast<Bytef*>(output.data());
+    stream.avail_out = static_cast<uInt>(output.size());
+    state = ::inflate(&stream, Z_NO_FLUSH);
+    held.count += static_cast<double>(output.size() - stream.avail_out);
+  }
+  ::inflateEnd(&stream);
+  held.streamBreaks = state != Z_STREAM_END;
+  return held;
+}
+
+double bytesFrom(const fs::path& file, std::uint64_t offset) {
+  std::error_code error;
+  const auto size = fs::file_size(file, error);
+  return error || size < offset ? 0 : static_cast<double>(size - offset);
 }
 
 Result<void> checkHeld(const fs::path& file, double promised_bytes, HeldBytes held) {

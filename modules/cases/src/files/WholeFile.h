@@ -2,6 +2,7 @@
 
 #include <insonate/core/Result.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -34,8 +35,21 @@ class GzipReader {
 /// Reads to the end, where the check sum stands.
 HeldBytes decompressedBytes(const std::filesystem::path& file);
 
+/// What the zlib or gzip stream at `offset` of a file yields.
+HeldBytes inflatedBytes(const std::filesystem::path& file, std::uint64_t offset);
+
+/// How much of a file lies behind `offset`.
+double bytesFrom(const std::filesystem::path& file, std::uint64_t offset);
+
 /// Fails with a sentence where less was found than promised.
 Result<void> checkHeld(const std::filesystem::path& file, double promised_bytes, HeldBytes held);
+
+/// Refuses a number of dimensions for which ITK 5.2 would look without end.
+Result<void> checkMetaImageHeader(const std::filesystem::path& file);
+
+/// Fails with a sentence when an NRRD with its voxels inside or in one other file holds fewer bytes than promised,
+/// before memory is asked for. Of numbers written as text, each is taken for the shortest.
+Result<void> checkWholeNrrd(const std::filesystem::path& file, double promised_bytes);
 
 /// Fails with a sentence when a MetaImage with its voxels inside, in one other file or in a list of files, compressed
 /// or not, ends or breaks before its last promised byte. `promised_bytes` are those of all voxels, decompressed.

@@ -1,8 +1,7 @@
 #include "WholeFile.h"
 
-#include <zlib.h>
-
 #include <algorithm>
+#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -50,44 +49,11 @@ MetaHeader readHeader(const fs::path& file) {
   return header;
 }
 
-/// What the zlib or gzip stream at `offset` yields.
-HeldBytes inflatedBytes(const fs::path& file, std::uint64_t offset) {
-  std::ifstream in(file, std::ios::binary);
-  in.seekg(static_cast<std::streamoff>(offset));
-  z_stream stream{};
-  constexpr int kZlibOrGzip = 47;
-  HeldBytes held{0, true};
-  if (::inflateInit2(&stream, kZlibOrGzip) != Z_OK) return held;
-  std::vector<char> input(1U << 16), output(1U << 16);
-  int state = Z_OK;
-  while (state == Z_OK) {
-    if (stream.avail_in == 0) {
-      in.read(input.data(), static_cast<std::streamsize>(input.size()));
-      stream.next_in = reinterpret_cast<Bytef*>(input.data());
-      stream.avail_in = static_cast<uInt>(in.gcount());
-      if (stream.avail_in == 0) break;
-    }
-    stream.next_out = reinterpret_cast<Bytef*>(output.data());
-    stream.avail_out = static_cast<uInt>(output.size());
-    state = ::inflate(&stream, Z_NO_FLUSH);
-    held.count += static_cast<double>(output.size() - stream.avail_out);
-  }
-  ::inflateEnd(&stream);
-  held.streamBreaks = state != Z_STREAM_END;
-  return held;
-}
-
 /// Numbers written as text: as many as voxels are needed, and each counts as its binary size would.
 double wordsFrom(const fs::path& file, std::uint64_t offset) {
   std::ifstream in(file, std::ios::binary);
   in.seekg(static_cast<std::streamoff>(offset));
   return static_cast<double>(std::distance(std::istream_iterator<std::string>(in), {}));
-}
-
-double bytesFrom(const fs::path& file, std::uint64_t offset) {
-  std::error_code error;
-  const auto size = fs::file_size(file, error);
-  return error || size < offset ? 0 : static_cast<double>(size - offset);
 }
 
 std::uint64_t headerSizeOf(const MetaHeader& header) {
@@ -120,6 +86,16 @@ HeldBytes heldBytes(const MetaHeader& header, const fs::path& file, std::uint64_
 }
 
 }  // namespace
+
+Result<void> checkMetaImageHeader(const fs::path& file) {
+  const std::string text = readHeader(file).of("NDims");
+  int dimensions = 0;
+  std::from_chars(text.data(), text.data() + text.size(), dimensions);
+  constexpr int kMost = 10;  // MetaIO's
+  if (dimensions >= 1 && dimensions <= kMost) return {};
+  return fail("Could not read " + file.string() + ": its header says that it has '" + text +
+              "' dimensions (NDims). It is damaged or no MetaImage; copy or export it again.");
+}
 
 Result<void> checkWholeMetaImage(const fs::path& file, double promised) {
   const MetaHeader header = readHeader(file);

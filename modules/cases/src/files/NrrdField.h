@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace insonate {
+
+/// The text of a field in an NRRD's header; empty when there is none.
+inline std::string nrrdField(const std::filesystem::path& file, const std::string& name) {
+  std::ifstream in(file, std::ios::binary);
+  for (std::string line; std::getline(in, line) && !line.empty() && line != "\r";) {
+    if (!line.starts_with(name + ":")) continue;
+    const std::size_t first = line.find_first_not_of(" \t", name.size() + 1);
+    const std::size_t last = line.find_last_not_of(" \t\r");
+    return first == std::string::npos ? std::string{} : line.substr(first, last - first + 1);
+  }
+  return {};
+}
+
+}  // namespace insonate
