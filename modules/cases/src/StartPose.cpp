@@ -106,7 +106,7 @@ std::optional<StartPose> onFront(const PatientBody& body, const VolumeGeometry& 
 Result<StartPose> poseOver(const CaseView& patient, const Target& target) {
   if (auto pose = overTarget(PatientBody(patient), target, diagonal_mm(patient.ct.geometry))) return *pose;
   return fail("No skin was found in front of the target \"" + target.name +
-              "\" within the volume. Correct its position or give a start pose in case.json.");
+              "\" within the volume. Correct its position or mark a start pose.");
 }
 
 Result<StartPose> proposeStartPose(const CaseView& patient) {
@@ -115,7 +115,7 @@ Result<StartPose> proposeStartPose(const CaseView& patient) {
   if (!patient.manifest.targets.empty()) return poseOver(patient, patient.manifest.targets.front());
   const PatientBody body(patient);
   if (auto pose = onFront(body, patient.ct.geometry)) return *pose;
-  return fail("No skin was found at the front of the volume's middle. Give a start pose in case.json.");
+  return fail("No skin was found at the front of the volume's middle. Mark a start pose.");
 }
 
 Result<StartPose> autoStartPose(const CaseView& patient) {

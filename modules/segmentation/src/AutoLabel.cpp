@@ -87,8 +87,8 @@ Result<void> checkHasAir(const CtVolume& ct) {
   if (std::ranges::any_of(ct.voxels, [](std::int16_t hu) { return hu < kAirBelow_HU; })) return {};
   return fail(
       "There is no air in this CT (nothing below -300 HU), so its skin cannot be found: it is probably a label map, "
-      "not "
-      "in Hounsfield units, or cut out of the middle of a body.");
+      "not in Hounsfield units, or cut out of the middle of a body. Import a series whose air is near -1000 HU, or "
+      "label this one by hand, e.g. with a threshold.");
 }
 
 Result<void> checkIsMixed(const LabelMap& labels) {

@@ -317,6 +317,23 @@ TEST_F(TrainWindow, AProbeWithoutAStartIsPlacedByTheUser) {
   EXPECT_FALSE(session_->isUnplaced());
 }
 
+TEST_F(TrainWindow, WhatACaseLacksIsToldOnceTrainIsSeen) {
+  QStringList failures;
+  QObject::connect(workspace_.get(), &ui::Workspace::failed, [&](const QString& what) { failures << what; });
+  workspace_->hide();
+  auto bare = std::make_shared<PatientCase>(test::smallCase());
+  std::ranges::fill(bare->labels.voxels, kBackground);
+  workspace_->setCase(bare);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().contains("no skin"); }, kPatience_ms));
+  EXPECT_TRUE(failures.isEmpty()) << failures.join(' ').toStdString();
+  workspace_->show();
+  ASSERT_EQ(failures.size(), 1);
+  EXPECT_TRUE(failures.front().contains("no skin")) << failures.front().toStdString();
+  workspace_->hide();
+  workspace_->show();
+  EXPECT_EQ(failures.size(), 1) << "once is enough";
+}
+
 TEST_F(TrainWindow, SaysThatACaseHasNoVessels) {
   openCase();
   auto* note = child<QLabel>("vesselNote");

@@ -64,11 +64,13 @@ PrepareSession::PrepareSession(ui::TaskBar& tasks, QObject* parent)
   });
   connect(&measuring_, &CaseMeasuring::changed, this, [this] { listStructures(); });
   connect(&live_, &LivePatient::started, this, [this] {
-    // Where the case begins is where one wants to look first.
     const auto& start = *live_.start();
     found_ = start;
-    crosshair_mm_ = start.position_mm;
-    Q_EMIT crosshairMoved();
+    // Where the case begins is where one wants to look first; who looks elsewhere already stays there.
+    if (crosshair_mm_ == patient_->ct.geometry.centre_mm()) {
+      crosshair_mm_ = start.position_mm;
+      Q_EMIT crosshairMoved();
+    }
     Q_EMIT messageChanged();
   });
   labelling_.setNames([this](std::uint8_t label) { return nameOf(label); });
@@ -339,7 +341,7 @@ QString PrepareSession::placeText() const {
       .arg(crosshair_mm_.y, 0, 'f', 1)
       .arg(crosshair_mm_.z, 0, 'f', 1)
       .arg(std::lround(sampleLinear(patient_->ct, index)))
-      .arg(label == kBackground ? tr("outside the patient") : nameOf(label));
+      .arg(label == kBackground ? tr("not labelled") : nameOf(label));
 }
 
 QString PrepareSession::message() const {

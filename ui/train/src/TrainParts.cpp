@@ -157,17 +157,26 @@ void TrainWorkspace::Parts::buildActions() {
   connect(leftHanded_, &QAction::toggled, this, [this](bool on) { setLeftHanded(on); });
 }
 
+void TrainWorkspace::Parts::tellTrouble() {
+  if (trouble_.isEmpty() || !workspace_.isVisible()) return;
+  Q_EMIT workspace_.failed(std::exchange(trouble_, {}), tr("Check the case in Prepare, or open another one."), {});
+}
+
 void TrainWorkspace::Parts::connectParts() {
   for (ui::ViewWidget* view : {imageWidget_, &beside_->widget(), &patient->sceneWidget(), &patient->mprWidget()})
     view->focusProxy()->installEventFilter(&workspace_);
-  connect(&session, &TrainSession::caseChanged, this, [this] { showCase(); });
+  connect(&session, &TrainSession::caseChanged, this, [this] {
+    trouble_.clear();
+    showCase();
+  });
   connect(&session, &TrainSession::pictureShown, this, [this] { showPicture(); });
   connect(&session, &TrainSession::structuresKnown, this, [this] { showVesselNote(); });
   connect(&session, &TrainSession::placingChanged, this, [this] { showOffer(); });
   connect(&session, &TrainSession::surfacesDone, this, [this] { Q_EMIT workspace_.readyChanged(); });
   connect(&session, &TrainSession::messageChanged, this, [this] { Q_EMIT workspace_.statusChanged(); });
   connect(&session, &TrainSession::failed, this, [this](const QString& what) {
-    Q_EMIT workspace_.failed(what, tr("Check the case in Prepare, or open another one."), {});
+    trouble_ = what;
+    tellTrouble();
   });
   connect(&session, &TrainSession::frozenChanged, this, [this] {
     image_->setFrozen(session.isFrozen());

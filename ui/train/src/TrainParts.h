@@ -94,6 +94,8 @@ class TrainWorkspace::Parts : public QObject {
   bool isCourseShown() const;
   /// One that is being made is kept as abandoned.
   void endAttempt();
+  /// Why there is no picture, once the trainee sees the workspace: while a case is labelled, it is none of Train's.
+  void tellTrouble();
   /// While no case is open; empty for nothing that is being opened.
   void showOpening(const QString& what);
   bool key(const QKeyEvent& event, bool act);
@@ -168,6 +170,7 @@ class TrainWorkspace::Parts : public QObject {
   std::shared_ptr<const ImagingSetup> shape_;  ///< of the picture as laid out
   std::vector<std::unique_ptr<PictureWriter>> writers_;
   std::shared_ptr<const PatientCase> saved_;  ///< waits for the end of what a trainee does
+  QString trouble_;                           ///< that was not told yet
   QList<int> widthsBefore_;                   ///< of the columns, before the patient's had more room
   bool effectAlone_ = false;
   bool touchesTray_ = false;  ///< the used needle, in a hand

@@ -182,6 +182,7 @@ void TrainWorkspace::showEvent(QShowEvent* event) {
   parts_->session.setAwake(true);
   parts_->session.setWatched(!parts_->isCourseShown());
   ui::Workspace::showEvent(event);
+  parts_->tellTrouble();
 }
 
 void TrainWorkspace::hideEvent(QHideEvent* event) {

@@ -64,8 +64,8 @@ std::string percent(double share) {
 void checkPresence(const LabelStatistics& s, Findings& findings) {
   if (s.labelled() == 0) {
     findings.push_back({Severity::kError, "labels_empty",
-                        "The label map is all background: nothing is labelled. Import with --auto-label or label the "
-                        "CT, e.g. in 3D Slicer."});
+                        "Nothing is labelled yet. Run the first step of the guide in Prepare, import with "
+                        "--auto-label, or label the CT in another program, e.g. 3D Slicer."});
     return;
   }
   const auto require = [&](int label, Severity severity, const char* code, const std::string& why) {

@@ -133,7 +133,7 @@ QStringList GuideSession::remarks(int index) const {
   if (p.restored) return {tr("Made when the case was saved.")};
   if (isThere(index)) return {tr("The case has these labels already.")};
   const std::uint8_t label = guide_.steps[std::size_t(index)].label;
-  if (session_.hasVoxels(label) && before_.steps.empty() && recipe_.steps.empty())
+  if (label != kBackground && session_.hasVoxels(label) && before_.steps.empty() && recipe_.steps.empty())
     return {tr("The case has %1 already: look whether this is labelled before you run.").arg(session_.nameOf(label))};
   return {};
 }
@@ -205,6 +205,8 @@ void GuideSession::finished(int index, bool well) {
   working_ = -1;
   recipe_ = session_.labelling().recipe();
   if (well) {
+    // Who hid the labels to find the structure in the CT is to see the result.
+    session_.setLabelsShown(true);
     StepProgress& p = progress_[std::size_t(index)];
     p.made = spanOf(index).count;
     p.accepted = p.skipped = false;

@@ -60,6 +60,7 @@ void LivePatient::makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand)
   ui::CaseWork work;
   if (withHand) {
     work.start = [this](StartPose pose) {
+      if (start_) return;
       start_ = std::move(pose);
       startLive();
       Q_EMIT started();
@@ -67,6 +68,7 @@ void LivePatient::makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand)
     };
     work.hand = [this](ProbeHand hand) {
       hand_ = std::move(hand);
+      trouble_.clear();
       // It stands on the skin, which the start may miss by a little.
       rememberPlace();
       moved();
@@ -74,6 +76,7 @@ void LivePatient::makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand)
     };
     work.unplaced = [this](ProbeHand hand, const QString&) {
       hand_ = std::move(hand);
+      trouble_.clear();
       rememberPlace();
       startLive();
       Q_EMIT poseChanged();
@@ -96,7 +99,7 @@ void LivePatient::makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand)
 void LivePatient::replacePatient(std::shared_ptr<const PatientCase> patient) {
   patient_ = std::move(patient);
   // A worker in the middle of something keeps the old voxels until it is done.
-  if (surfacesDone_ && worker_) makeWorker({}, false);
+  if (surfacesDone_ && worker_) makeWorker({}, !hand_);
   if (feed_.live()) startLive();
 }
 
@@ -130,6 +133,10 @@ void LivePatient::setLabels(std::shared_ptr<const LabelMap> labels, std::vector<
                             bool outsideMoved) {
   labels_ = std::move(labels);
   if (outsideMoved && hand_) findSkin();
+  if (outsideMoved && !hand_ && worker_) {
+    surfacesDone_ = false;
+    worker_->place(labels_);
+  }
   for (const ui::SurfaceWish& wish : wishes) wantSurface(wish);
   if (feed_.live()) startLive();
 }

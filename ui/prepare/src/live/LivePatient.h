@@ -28,10 +28,10 @@ class LivePatient : public QObject {
   /// The same voxels in other memory: nothing is made anew but the live probe.
   void replacePatient(std::shared_ptr<const PatientCase> patient);
   void wantSurface(const ui::SurfaceWish& wish);
-  /// Edited labels in place of the patient's: the picture is made of them from now on, and these surfaces.
-  /// `outsideMoved`: the probe stands on another skin.
   /// What labels of the author's own are made of.
   void setOwnLabels(const OwnLabels& own);
+  /// Edited labels in place of the patient's: the picture is made of them from now on, and these surfaces.
+  /// `outsideMoved`: the probe stands on another skin, or on the first that there is.
   void setLabels(std::shared_ptr<const LabelMap> labels, std::vector<ui::SurfaceWish> wishes, bool outsideMoved);
   /// Asleep, there is no probe and no scene; what was made stays.
   void setAwake(bool awake);

@@ -25,6 +25,13 @@ class CaseWorker::Job {
   Job(CaseWorker& worker, std::shared_ptr<const PatientCase> patient, Wanted wanted, std::vector<SurfaceWish> wishes)
       : worker_(&worker), patient_(std::move(patient)), wanted_(wanted), wishes_(wishes.begin(), wishes.end()) {}
 
+  void place(std::shared_ptr<const LabelMap> labels) {
+    {
+      const std::lock_guard lock(mutex_);
+      skin_ = std::move(labels);
+    }
+    changed_.notify_all();
+  }
   void want(const std::vector<SurfaceWish>& wishes) {
     {
       const std::lock_guard lock(mutex_);
@@ -42,7 +49,7 @@ class CaseWorker::Job {
     changed_.notify_all();
   }
   void run() {
-    if (wanted_.start || wanted_.hand) placeProbe();
+    if (wanted_.start || wanted_.hand) placeProbe(patient_->labels);
     makeSurfaces();
   }
 
@@ -55,8 +62,8 @@ class CaseWorker::Job {
     post(std::move(call));
   }
   void post(Call call);  ///< with the mutex held
-  void placeProbe();
-  bool offerSkin(const Error& why);
+  void placeProbe(const LabelMap& labels);
+  bool offerSkin(const LabelMap& labels, const Error& why);
   void makeSurfaces();
   void makeSurface(const SurfaceWish& wish);
 
@@ -66,7 +73,8 @@ class CaseWorker::Job {
   std::atomic<bool> left_{false};
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<SurfaceWish> wishes_;  ///< guarded by the mutex
+  std::deque<SurfaceWish> wishes_;        ///< guarded by the mutex
+  std::shared_ptr<const LabelMap> skin_;  ///< to put the probe on; guarded by the mutex
 };
 
 CaseWorker::CaseWorker(std::shared_ptr<const PatientCase> patient, CaseWork work, std::vector<SurfaceWish> wishes)
@@ -83,6 +91,10 @@ CaseWorker::~CaseWorker() {
   runUnseen([thread = std::make_shared<std::thread>(std::move(thread_))] { thread->join(); });
 }
 
+void CaseWorker::place(std::shared_ptr<const LabelMap> labels) {
+  job_->place(std::move(labels));
+}
+
 void CaseWorker::want(const std::vector<SurfaceWish>& wishes) {
   job_->want(wishes);
 }
@@ -94,31 +106,31 @@ void CaseWorker::Job::post(Call call) {
       worker_, [worker = worker_, call = std::move(call)] { call(worker->work_); }, Qt::QueuedConnection);
 }
 
-void CaseWorker::Job::placeProbe() {
+void CaseWorker::Job::placeProbe(const LabelMap& labels) {
   const auto failed = [this](const Error& error) {
     if (wanted_.failed) deliver([text = QString::fromStdString(error.message)](CaseWork& work) { work.failed(text); });
   };
-  const auto start = autoStartPose(*patient_);
+  const auto start = autoStartPose(CaseView(*patient_, labels));
   if (!start) {
-    if (!offerSkin(start.error())) failed(start.error());
+    if (!offerSkin(labels, start.error())) failed(start.error());
     return;
   }
   if (wanted_.start) deliver([pose = *start](CaseWork& work) { work.start(pose); });
   const auto pose = patientFromProbe(start->position_mm, start->axial, start->lateral);
   if (!pose) return failed(pose.error());
   if (left() || !wanted_.hand) return;
-  auto hand = ProbeHand::make(patient_->labels, *pose);
+  auto hand = ProbeHand::make(labels, *pose);
   if (!hand) return failed(hand.error());
   deliver([made = std::move(*hand)](CaseWork& work) { work.hand(made); });
 }
 
 /// From before the patient, the nearest skin is that of the front, wherever the scan cuts it.
-bool CaseWorker::Job::offerSkin(const Error& why) {
+bool CaseWorker::Job::offerSkin(const LabelMap& labels, const Error& why) {
   if (!wanted_.unplaced) return false;
-  const VolumeGeometry& grid = patient_->labels.geometry;
+  const VolumeGeometry& grid = labels.geometry;
   const Vec3 centre_mm = grid.centre_mm();
   const auto pose = patientFromProbe(centre_mm, {0, 1, 0}, {1, 0, 0});
-  auto hand = pose ? ProbeHand::make(patient_->labels, *pose) : Result<ProbeHand>(tl::unexpected(pose.error()));
+  auto hand = pose ? ProbeHand::make(labels, *pose) : Result<ProbeHand>(tl::unexpected(pose.error()));
   if (!hand) return false;
   const double ahead_mm = 0.5 * grid.size[1] * grid.spacing_mm.y;
   hand->moveTo(centre_mm - Vec3{0, ahead_mm, 0});
@@ -139,9 +151,15 @@ void CaseWorker::Job::makeSurfaces() {
     });
   std::unique_lock lock(mutex_);
   while (!left()) {
+    if (const auto skin = std::exchange(skin_, nullptr)) {
+      lock.unlock();
+      placeProbe(*skin);
+      lock.lock();
+      continue;
+    }
     if (wishes_.empty()) {
       if (wanted_.surfacesDone) post([](CaseWork& work) { work.surfacesDone(); });
-      changed_.wait(lock, [this] { return left() || !wishes_.empty(); });
+      changed_.wait(lock, [this] { return left() || skin_ || !wishes_.empty(); });
       continue;
     }
     const SurfaceWish wish = wishes_.front();

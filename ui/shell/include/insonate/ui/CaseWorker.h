@@ -44,6 +44,9 @@ class CaseWorker : public QObject {
   CaseWorker(std::shared_ptr<const PatientCase> patient, CaseWork work, std::vector<SurfaceWish> wishes);
   ~CaseWorker() override;
 
+  /// The probe is put on these labels in place of the patient's, e.g. when there is skin at last: what comes is as in
+  /// the beginning. Of several that wait, the last counts.
+  void place(std::shared_ptr<const LabelMap> labels);
   /// Further surfaces, after those that were wanted before.
   void want(const std::vector<SurfaceWish>& wishes);
 
