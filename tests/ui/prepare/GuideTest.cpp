@@ -22,6 +22,50 @@ TEST_F(Guiding, TwoClicksInASliceMakeTheVein) {
   EXPECT_EQ(guide_->step().name, "artery-right") << "Enter goes on to what is to do";
 }
 
+TEST_F(Guiding, TheKeyboardStaysWithTheGuideWhenItsButtonGoes) {
+  makeVein();
+  auto* accept = child<QPushButton>("guideAccept");
+  accept->setFocus();
+  accept->click();
+  ASSERT_FALSE(accept->isVisible());
+  auto* list = child<QTreeWidget>("guideSteps");
+  EXPECT_EQ(workspace_->focusWidget(), list);
+  const int step = guide_->current();
+  QTest::keyClick(list, Qt::Key_G);
+  QTest::keyClick(list, Qt::Key_C);
+  EXPECT_FALSE(session_->labelsShown()) << "letters are keys of the room";
+  EXPECT_EQ(guide_->current(), step) << "and look for no step";
+}
+
+TEST_F(Guiding, LabelsThatWereHiddenToFindTheVeinComeBackWithIt) {
+  choose("vein-right");
+  key(Qt::Key_G);
+  ASSERT_FALSE(session_->labelsShown());
+  makeVein();
+  EXPECT_TRUE(session_->labelsShown());
+  EXPECT_TRUE(workspace_->statusText().endsWith("vein")) << workspace_->statusText().toStdString();
+}
+
+/// An import of which nothing is labelled yet.
+TEST_F(Guiding, ABareImportIsToldOfNoLabelsAndItsUltrasoundComesWithTheSkin) {
+  auto bare = std::make_shared<PatientCase>(*unlabelled());
+  std::ranges::fill(bare->labels.voxels, kBackground);
+  bare->manifest.targets.clear(), bare->manifest.startPoses.clear();
+  openCase(bare);
+  ASSERT_EQ(guide_->current(), 0);
+  EXPECT_TRUE(guide_->remarks(0).isEmpty()) << guide_->remarks(0).join(' ').toStdString();
+  EXPECT_THAT(child<QLabel>("ultrasoundState")->text().toStdString(), HasSubstr("no skin"));
+  session_->setCrosshair({9, 12, 3});
+  run();
+  const auto stands = [&] { return session_->live().standing() && session_->live().shown(); };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return stands() && session_->live().state().isEmpty(); }, kPatience_ms))
+      << session_->live().state().toStdString();
+  EXPECT_LT(norm(session_->live().standing()->offset - Vec3{9, 0, 3}), 2) << "on the skin nearest to the crosshair";
+  EXPECT_EQ(session_->crosshair_mm(), (Vec3{9, 12, 3})) << "nobody is taken away from where he looks";
+  session_->setCrosshair({-9, 12, -3});
+  EXPECT_LT(norm(session_->live().standing()->offset - Vec3{-9, 0, -3}), 2) << "and it follows";
+}
+
 TEST_F(Guiding, ClicksAreShownMovedAndRemoved) {
   choose("vein-right");
   click({0, 12, 0});

@@ -5,6 +5,7 @@
 #include <insonate/cases/Landmarks.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/Labels.h>
+#include <insonate/ui/PassLetters.h>
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
@@ -68,6 +69,7 @@ void PlacesBox::arrange() {
   list_->setObjectName(QStringLiteral("places"));
   list_->setAccessibleName(tr("Targets, landmarks and start poses"));
   list_->setToolTip(tr("F2 names the chosen one, Enter shows it"));
+  new ui::PassLetters(list_);
   list_->setHeaderHidden(true);
   list_->setRootIsDecorated(false);
   list_->setIndentation(ui::kGap);

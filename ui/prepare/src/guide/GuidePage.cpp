@@ -2,6 +2,7 @@
 
 #include "GuideSession.h"
 
+#include <insonate/ui/PassLetters.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 #include <insonate/ui/Widgets.h>
@@ -56,6 +57,7 @@ GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), gu
   list_->setObjectName(QStringLiteral("guideSteps"));
   list_->setAccessibleName(tr("Steps of labelling"));
   list_->setToolTip(tr("What there is to do, in this order; go back to a step to do it again"));
+  new ui::PassLetters(list_);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setColumnCount(2);
   list_->setHeaderHidden(true);
@@ -115,7 +117,11 @@ QWidget* GuidePage::buildStep() {
   brushBox->addWidget(radius);
   connect(run_, &QPushButton::clicked, this,
           [this] { guide_.state(guide_.current()) == GuideSession::State::Working ? guide_.cancel() : guide_.run(); });
-  connect(accept_, &QPushButton::clicked, &guide_, &GuideSession::accept);
+  connect(accept_, &QPushButton::clicked, this, [this] {
+    // The button goes, and would leave the keyboard to whatever comes after it.
+    list_->setFocus();
+    guide_.accept();
+  });
   connect(correct_, &QPushButton::clicked, &guide_, &GuideSession::setCorrecting);
   connect(skip_, &QPushButton::clicked, &guide_, &GuideSession::skip);
   auto* panel = new QWidget;

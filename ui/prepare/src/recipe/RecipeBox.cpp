@@ -4,6 +4,7 @@
 
 #include <insonate/core/AtomicFile.h>
 #include <insonate/segmentation/Recipe.h>
+#include <insonate/ui/PassLetters.h>
 #include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
@@ -59,6 +60,7 @@ RecipeBox::RecipeBox(PrepareSession& session, QWidget* parent)
   steps_->setAccessibleName(tr("Steps of labelling so far"));
   steps_->setToolTip(tr("What was done to the labels since the case was opened, and is not taken back"));
   steps_->setFixedHeight(kRows * steps_->fontMetrics().lineSpacing() * 3 / 2);
+  new ui::PassLetters(steps_);
   auto* row = new QHBoxLayout;
   row->addWidget(save_, 1);
   row->addWidget(load_, 1);

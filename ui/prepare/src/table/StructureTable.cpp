@@ -5,6 +5,7 @@
 #include "StructureModel.h"
 
 #include <insonate/tissue/OwnLabels.h>
+#include <insonate/ui/PassLetters.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 
@@ -91,6 +92,7 @@ void StructureTable::buildTable() {
   header->resizeSection(StructureModel::kVoxels, kVoxelsColumn_px);
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   showColumns();
+  new ui::PassLetters(table_);
   table_->installEventFilter(this);
   connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) { clicked(index); });
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& index) {
@@ -211,6 +213,7 @@ void StructureTable::showSelected() {
   if (row >= 0) {
     opacity_->setRange({0, kPercent, kPercent * usualOpacity(label), 5, 0});
     opacity_->setValue(kPercent * session_.look(label).opacity);
+    onSlices_->setRange({0, kPercent, kPercent * usualShareOnSlices(label), 5, 0});
     onSlices_->setValue(kPercent * session_.look(label).onSlices);
   }
   showing_ = false;
@@ -228,11 +231,7 @@ bool StructureTable::eventFilter(QObject* watched, QEvent* event) {
     chooseColour();
     return true;
   }
-  // The table would search names by what is typed, which are keys of the room.
-  const QString typed = static_cast<QKeyEvent*>(event)->text();
-  const bool printable = !typed.isEmpty() && typed.front().isPrint();
-  if (printable) event->ignore();
-  return printable;
+  return false;
 }
 
 }  // namespace insonate::prepare
