@@ -90,6 +90,30 @@ TEST_F(Labelling, UndoTakesStrokesToolsAndColoursInTheOrderInWhichTheyCame) {
   EXPECT_EQ(voxels(), thresholded);
 }
 
+TEST_F(Labelling, WhatAStepOfTheGuideHasComeToIsTakenBackAsOne) {
+  const auto before = voxels();
+  const auto of = [](LabelStep step, const char* name) {
+    step.of = name;
+    return step;
+  };
+  LabelStep wider;
+  wider.tool = step::Margin{1};
+  wider.label = kThyroid;
+  ASSERT_TRUE(runToEnd(of(thresholdOf(kThyroid, 44, 46), "thyroid")));
+  ASSERT_TRUE(runToEnd(of(wider, "thyroid")));
+  const auto thyroid = voxels();
+  ASSERT_TRUE(runToEnd(of(thresholdOf(kCartilage, 800, 1000), "cartilage")));
+  ASSERT_EQ(labels_->recipe().steps.size(), 3u);
+  child<QAction>("undo")->trigger();
+  EXPECT_EQ(voxels(), thyroid) << "another step of the guide is one of its own";
+  child<QAction>("undo")->trigger();
+  EXPECT_EQ(voxels(), before);
+  EXPECT_TRUE(labels_->recipe().steps.empty());
+  child<QAction>("redo")->trigger();
+  EXPECT_EQ(voxels(), thyroid);
+  EXPECT_EQ(labels_->recipe().steps.size(), 2u);
+}
+
 TEST_F(Labelling, SixtyStepsGoBackAndForth) {
   std::vector<std::vector<std::uint8_t>> states{voxels()};
   std::mt19937 random(7);

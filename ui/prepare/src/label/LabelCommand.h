@@ -1,20 +1,28 @@
 #pragma once
 
 #include <QUndoCommand>
+#include <string>
 
 namespace insonate::prepare {
 
 class LabelSession;
 
-/// A step of labelling among the window's edits. What it has changed lies in LabelEdit, in the same order.
+/// A step of labelling among the window's edits; those that a step of the guide has come to are one. What they have
+/// changed lies in LabelEdit, in the same order.
 class LabelCommand : public QUndoCommand {
  public:
-  LabelCommand(LabelSession& session, const QString& name) : QUndoCommand(name), session_(session) {}
+  /// `of`: the step of the guide; empty for none.
+  LabelCommand(LabelSession& session, const QString& name, std::string of)
+      : QUndoCommand(name), session_(session), of_(std::move(of)) {}
   void undo() override;
   void redo() override;
+  int id() const override { return 2; }
+  bool mergeWith(const QUndoCommand* next) override;
 
  private:
   LabelSession& session_;
+  std::string of_;
+  int steps_ = 1;
   bool isDone_ = true;  ///< by the tool, before the command was made
 };
 

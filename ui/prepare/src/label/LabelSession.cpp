@@ -174,8 +174,9 @@ void LabelSession::settle() {
 
 void LabelSession::record(LabelStep step, const QString& name) {
   undone_.clear();
+  auto* made = new LabelCommand(*this, name, step.of);
   steps_.push_back({std::move(step), ++states_});
-  undo_.push(new LabelCommand(*this, name));
+  undo_.push(made);
 }
 
 void LabelSession::announce(const LabelChange& change) {
