@@ -1,6 +1,8 @@
 #include "ToolsWindow.h"
 #include "tool/Tool.h"
 
+#include <gmock/gmock.h>
+
 #include <QMenu>
 #include <QTabBar>
 #include <QTreeWidget>
@@ -58,6 +60,19 @@ TEST_F(Tools, ConnectedGrowingFromAClickIsShownAppliedAndTakenBack) {
   EXPECT_FALSE(session_->labelling().preview().proposal());
   child<QAction>("undo")->trigger();
   EXPECT_EQ(labels().voxels, patient()->labels.voxels);
+}
+
+TEST_F(Tools, WhyNothingCameOfAToolIsReadWholeInItsPanel) {
+  key(Qt::Key_6);
+  click({20, 12, 0});
+  key(Qt::Key_Return);
+  ASSERT_TRUE(done());
+  auto* told = child<QLabel>("toolTold");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return told->isVisible(); }, kPatience_ms));
+  EXPECT_THAT(told->text().toStdString(), testing::HasSubstr("from 150 to 600 HU"));
+  EXPECT_GE(told->height(), told->heightForWidth(told->width()));
+  child<QSpinBox>("tool-from")->setValue(0);
+  EXPECT_FALSE(told->isVisible()) << "another range is another try";
 }
 
 TEST_F(Tools, ThresholdFollowsItsSlidersAndAClick) {

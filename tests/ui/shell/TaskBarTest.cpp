@@ -66,6 +66,15 @@ TEST(TaskBar, ShowsWhatIsDoneAndHowFarItIs) {
   EXPECT_TRUE(texts.contains("turning"));
 }
 
+TEST(TaskBar, AJobThatIsOneStepIsNamedOnce) {
+  TaskBar bar;
+  bar.run<int>("turning", endless, [](Result<int>) {});
+  ASSERT_TRUE(waitUntil([&] { return bar.isVisible(); }));
+  int said = 0;
+  for (const QLabel* label : bar.findChildren<QLabel*>()) said += label->isVisible() && label->text() == "turning";
+  EXPECT_EQ(said, 1);
+}
+
 TEST(TaskBar, CancelAnswersAtOnceAndEndsTheWork) {
   TaskBar bar;
   std::optional<std::string> answer;

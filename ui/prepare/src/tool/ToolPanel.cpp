@@ -24,6 +24,7 @@ ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* paren
       tools_(tools),
       name_(new QLabel),
       advice_(new QLabel),
+      told_(ui::paragraph("toolTold")),
       label_(new LabelBox(session, tr("Label the tool is for"), tr("The label that the tool writes (Q, W)"))),
       rules_(new RulesBox(session)),
       histogram_(std::make_unique<views::HuHistogram>()),
@@ -38,6 +39,8 @@ ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* paren
   advice_->setWordWrap(true);
   ui::setRole(advice_, "quiet");
   ui::setRole(apply_, "primary");
+  told_->setStyleSheet(QStringLiteral("color: %1").arg(ui::colour(views::theme::kCaution).name()));
+  told_->hide();
   arrange();
   connect(preview_, &QPushButton::clicked, this, [this] { tools_.preview(); });
   connect(apply_, &QPushButton::clicked, this, [this] { tools_.apply(); });
@@ -46,6 +49,10 @@ ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* paren
   connect(&tools_, &ToolSession::toolChanged, this, [this] { build(); });
   connect(&tools_, &ToolSession::parametersChanged, this, [this] { refresh(); });
   connect(&tools_, &ToolSession::pointsChanged, this, [this] { refresh(); });
+  connect(&tools_, &ToolSession::told, this, [this](const QString& sentence) {
+    told_->setText(sentence);
+    told_->setVisible(!sentence.isEmpty());
+  });
   connect(&session_, &PrepareSession::selectedChanged, this, [this] { refresh(); });
   connect(&session_, &PrepareSession::lookChanged, this, [this] { refresh(); });
   build();
@@ -64,6 +71,7 @@ void ToolPanel::arrange() {
   box_->addLayout(head);
   box_->addWidget(advice_);
   box_->addWidget(rules_);
+  box_->addWidget(told_);
   box_->addLayout(row);
 }
 

@@ -44,6 +44,7 @@ class ToolPanel : public QWidget {
   PrepareSession& session_;
   ToolSession& tools_;
   QLabel *name_, *advice_;
+  QLabel* told_;  ///< why nothing came of it, whole: the status bar shares its room with jobs
   LabelBox* label_;
   RulesBox* rules_;
   RangeField* range_ = nullptr;  ///< of the tool in hand, where it has one

@@ -23,6 +23,7 @@ ToolSession::ToolSession(PrepareSession& session, QObject* parent) : QObject(par
   connect(&session_, &PrepareSession::caseChanged, this, [this] { choose({}); });
   connect(&session_, &PrepareSession::selectedChanged, this, [this] { changed(); });
   connect(&session_.labelling(), &LabelSession::busyChanged, this, &ToolSession::pointsChanged);
+  connect(&session_.labelling(), &LabelSession::failed, this, &ToolSession::told);
   // What is shown must be what Enter would write.
   connect(&session_.labelling(), &LabelSession::rulesChanged, this, [this] { changed(); });
 }
@@ -60,6 +61,7 @@ void ToolSession::chooseLast() {
 
 void ToolSession::changed() {
   if (!tool_) return;
+  Q_EMIT told({});
   // What is shown must be what Enter would write.
   const bool shown = session_.labelling().preview().proposal() || session_.labelling().preview().isComputing();
   if (isComplete() && (shown || tool_->input == ToolInput::Range))
@@ -256,14 +258,14 @@ void ToolSession::preview() {
 
 void ToolSession::apply() {
   if (!isComplete()) return;
+  Q_EMIT told({});
   session_.labelling().run(step(), tr("%1 %2").arg(tool_->name, session_.nameOf(session_.selected())),
                            [this](const Result<LabelChange>& change) {
                              if (!change) return;
                              if (auto* points = pointsOf(parameters_)) points->clear();
                              Q_EMIT pointsChanged();
-                             session_.say(change->voxels > 0
-                                              ? tr("Done; Ctrl+Z takes it back.")
-                                              : tr("Nothing had to be changed, or it may not be overwritten."));
+                             if (change->voxels > 0) return session_.say(tr("Done; Ctrl+Z takes it back."));
+                             Q_EMIT told(tr("Nothing had to be changed, or it may not be overwritten."));
                            });
 }
 

@@ -64,6 +64,8 @@ class ToolSession : public QObject {
   void toolChanged();
   void parametersChanged();
   void pointsChanged();
+  /// Why nothing came of it, until something else is done; empty then.
+  void told(const QString& sentence);
 
  private:
   LabelStep step() const;

@@ -96,7 +96,10 @@ void TaskBar::look() {
   Deliver deliver;
   {
     const std::lock_guard lock(job_->mutex);
-    doing_->setText(QString::fromStdString(job_->doing));
+    const QString doing = QString::fromStdString(job_->doing);
+    doing_->setText(doing);
+    // What is done in one go is said once; the sentence beside the bar has the room.
+    doing_->setVisible(doing != title_->text());
     progress_->setValue(int(job_->fraction * kFine));
     deliver = std::move(job_->deliver);
   }
