@@ -85,6 +85,20 @@ TEST_F(PrepareWindow, OpacityOfADragIsOneStep) {
   EXPECT_EQ(slider->value(), 100);
 }
 
+/// In the label table their colours are neighbours.
+TEST_F(PrepareWindow, AnArteryIsToldFromTheMuscleAroundItOnEveryGrey) {
+  openCase();
+  const auto over = [&](std::uint8_t label, double grey) {
+    const StructureLook& look = session_->look(label);
+    const double share = session_->labelOpacity() * look.onSlices;
+    const auto mixed = [&](std::uint8_t part) { return (1 - share) * grey + share * part; };
+    return Vec3{mixed(look.colour.red), mixed(look.colour.green), mixed(look.colour.blue)};
+  };
+  for (const double grey : {0.0, 60.0, 128.0, 255.0})
+    for (const std::uint8_t other : {kMuscle, kFat, kSoftTissue})
+      EXPECT_GT(norm(over(kArtery, grey) - over(other, grey)), 15) << grey << ", " << int(other);
+}
+
 TEST_F(PrepareWindow, ASurfaceIsMadeWhenItBeginsToBeSeen) {
   openCase();
   const auto has = [&](std::uint8_t label) {

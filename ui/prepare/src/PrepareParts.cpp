@@ -304,7 +304,7 @@ void PrepareWorkspace::Parts::restoreLayout(QSettings& settings) {
     if (label < 1 || label > 255) continue;
     habits[std::uint8_t(label)] = {std::clamp(number("opacity", 1), 0.0, 1.0),
                                    settings.value(QStringLiteral("visible"), true).toBool(),
-                                   std::clamp(number("onSlices", 1), 0.0, 1.0)};
+                                   std::clamp(number("onSlices", usualShareOnSlices(std::uint8_t(label))), 0.0, 1.0)};
   }
   settings.endArray();
   session.setHabits(std::move(habits));

@@ -21,11 +21,16 @@ double usualOpacity(std::uint8_t label) {
   }
 }
 
+double usualShareOnSlices(std::uint8_t label) {
+  constexpr double kFillingShare = 0.3;
+  return label == kFat || label == kMuscle || label == kSoftTissue ? kFillingShare : 1;
+}
+
 StructureLooks usualLooks(const LabelColours& colours) {
   StructureLooks looks;
   for (int label = 0; label < 256; ++label) {
     const auto value = std::uint8_t(label);
-    looks[value] = {viewColour(colourOf(colours, value)), usualOpacity(value)};
+    looks[value] = {viewColour(colourOf(colours, value)), usualOpacity(value), true, usualShareOnSlices(value)};
   }
   return looks;
 }

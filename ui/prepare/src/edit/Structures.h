@@ -26,6 +26,8 @@ using StructureLooks = std::array<StructureLook, 256>;
 /// The case's colours; opacity so that one looks through the skin and whatever fills the patient.
 StructureLooks usualLooks(const LabelColours& colours);
 double usualOpacity(std::uint8_t label);
+/// What fills the patient lies fainter on the slices: an artery has nearly the colour of the muscle around it.
+double usualShareOnSlices(std::uint8_t label);
 
 /// True where a structure's colour is not the case's.
 bool coloursDiffer(const StructureLooks& looks, const std::vector<std::uint8_t>& structures,
