@@ -186,6 +186,16 @@ TEST(CaseCheck, FindingsNameTheirStructure) {
   }
 }
 
+TEST(CaseCheck, AHeapOfPiecesIsOneFinding) {
+  PatientCase patient = test::cylinderNeck();
+  for (int k = 4; k + 2 < patient.labels.geometry.size[2]; k += 6) fillVein(patient, k, k + 2, kMuscle);
+  const auto findings = findingsOf(patient);
+  EXPECT_EQ(std::ranges::count(findings, "vein_broken", &Finding::code), 1) << codes(findings);
+  const auto broken = std::ranges::find(findings, "vein_broken", &Finding::code);
+  EXPECT_THAT(broken->text, testing::HasSubstr("pieces"));
+  EXPECT_TRUE(broken->place_mm);
+}
+
 TEST(CaseCheck, OneSliceIsTooThin) {
   PatientCase patient;
   patient.ct = CtVolume(test::grid({64, 64, 1}), 40);

@@ -45,6 +45,27 @@ bool isGap(const Part& lower, const Part& upper) {
   return upper.low > lower.high && norm(upper.lowEnd_mm - lower.highEnd_mm) < kLongest_mm;
 }
 
+/// Each is told by itself, unless there are so many that it is no vessel with gaps but a heap of pieces.
+void checkGaps(const std::vector<Part>& parts, std::uint8_t label, Findings& findings) {
+  constexpr std::size_t kMost = 5;
+  const std::string name = labelName(label);
+  std::vector<Finding> gaps;
+  for (const Part& lower : parts)
+    for (const Part& upper : parts)
+      if (isGap(lower, upper))
+        gaps.push_back({Severity::kWarning, name + "_broken",
+                        "The " + name + " ends at " + placeText(lower.highEnd_mm) + " and goes on at " +
+                            placeText(upper.lowEnd_mm) + ". Join the pieces, or it will end in the picture.",
+                        lower.highEnd_mm, label});
+  if (gaps.size() > kMost)
+    gaps = {{Severity::kWarning, name + "_broken",
+             "The " + name + " is in " + std::to_string(parts.size()) + " pieces that end near each other, first at " +
+                 placeText(*gaps.front().place_mm) +
+                 ". Keep those that are vessels (Islands in Prepare), and join them, or they will end in the picture.",
+             gaps.front().place_mm, label}};
+  findings.insert(findings.end(), gaps.begin(), gaps.end());
+}
+
 /// What is to be punctured is followed up and down with the probe.
 void checkPieceOf(const CaseView& patient, const Target& target, Findings& findings) {
   constexpr double kLeast_mm = 20;
@@ -99,13 +120,7 @@ void checkVessel(const CaseView& patient, std::uint8_t label, Findings& findings
   const std::size_t crumbs = static_cast<std::size_t>(parts.end() - crumb);
   const Vec3 firstCrumb_mm = crumbs > 0 ? crumb->lowEnd_mm : Vec3{};
   parts.erase(crumb, parts.end());
-  for (const Part& lower : parts)
-    for (const Part& upper : parts)
-      if (isGap(lower, upper))
-        findings.push_back({Severity::kWarning, name + "_broken",
-                            "The " + name + " ends at " + placeText(lower.highEnd_mm) + " and goes on at " +
-                                placeText(upper.lowEnd_mm) + ". Join the pieces, or it will end in the picture.",
-                            lower.highEnd_mm, label});
+  checkGaps(parts, label, findings);
   if (crumbs > 0)
     findings.push_back({Severity::kWarning, name + "_fragments",
                         "The " + name + " has " + std::to_string(crumbs) +
