@@ -47,6 +47,20 @@ TEST_F(ValueSlider, ShowsNameValueAndUnit) {
   EXPECT_TRUE(slider.toolTip().contains("20.0 mm to 90.0 mm"));
 }
 
+TEST_F(ValueSlider, NumberAndUnitAreReadWholeInHalfAColumn) {
+  constexpr int kHalf_px = 130;
+  insonate::ui::ValueSlider half("on slices", "%", {0, 100, 100, 5, 0});
+  EXPECT_LE(half.minimumSizeHint().width(), kHalf_px);
+  half.resize(kHalf_px, 48);
+  half.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&half));
+  const auto* text = half.findChild<QLineEdit*>();
+  ASSERT_EQ(text->text(), "100 %");
+  constexpr int kFrame_px = 14;  // what the line takes of its width on both sides
+  EXPECT_GE(text->width() - kFrame_px, text->fontMetrics().horizontalAdvance(text->text()));
+  EXPECT_LE(text->geometry().right(), half.width());
+}
+
 TEST_F(ValueSlider, TakesTypedNumbers) {
   QSignalSpy changes(&slider, &insonate::ui::ValueSlider::valueChanged);
   type("52.5");

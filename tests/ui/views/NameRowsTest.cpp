@@ -11,6 +11,7 @@ TEST(NameRows, NamesOfOnePlaceStandInRowsUntilThereAreTooMany) {
   for (int n = 0; n < 5; ++n) {
     const auto placed = rows.put({100, 200}, 20);
     ASSERT_TRUE(placed) << n;
+    EXPECT_EQ(placed->letters, 20u);
     EXPECT_GT(placed->at.x, 100);
     EXPECT_FALSE(placed->before);
     at.push_back(placed->at);
@@ -24,11 +25,24 @@ TEST(NameRows, NamesOfOnePlaceStandInRowsUntilThereAreTooMany) {
 
 TEST(NameRows, ANameAtTheRightEdgeStandsBeforeItsMark) {
   NameRows rows(300, 12);
-  const auto placed = rows.put({280, 50}, 20);
+  const auto placed = rows.put({280, 50}, 12);
   ASSERT_TRUE(placed);
   EXPECT_TRUE(placed->before);
   EXPECT_LT(placed->at.x, 280);
-  EXPECT_FALSE(rows.put({280, 150}, 60)->before) << "no room on either side: its beginning is seen";
+}
+
+TEST(NameRows, ALongNameCrossesNeitherThePictureNorItsEdge) {
+  constexpr double kWidth = 360, kSize = 12;
+  for (const double x : {2.0, 90.0, 180.0, 300.0, 358.0}) {
+    const auto placed = NameRows(kWidth, kSize).put({x, 150}, 60);
+    ASSERT_TRUE(placed) << x;
+    EXPECT_GE(placed->letters, 10u) << x;
+    const double length = 0.6 * kSize * double(placed->letters);
+    EXPECT_LT(length, kWidth / 3) << x;
+    EXPECT_GE(placed->before ? placed->at.x - length : placed->at.x, -5) << x;
+    EXPECT_LE(placed->before ? placed->at.x : placed->at.x + length, kWidth + 5) << x;
+  }
+  EXPECT_FALSE(NameRows(30, kSize).put({15, 10}, 60)) << "a mark in a sliver of a view has no name";
 }
 
 }  // namespace

@@ -92,7 +92,6 @@ ValueSlider::ValueSlider(const QString& name, const QString& unit, const ValueRa
   setRole(number_, "value");
   number_->setAlignment(Qt::AlignRight);
   number_->setFrame(false);
-  number_->setFixedWidth(84);
   label_->installEventFilter(this);
   number_->installEventFilter(this);
   connect(number_, &QLineEdit::editingFinished, this, &ValueSlider::typed);
@@ -107,6 +106,7 @@ ValueSlider::ValueSlider(const QString& name, const QString& unit, const ValueRa
   grid->setColumnStretch(0, 1);
   setFocusProxy(track_);
   describe();
+  fitNumber();
   showValue();
 }
 
@@ -123,6 +123,15 @@ void ValueSlider::describe() {
     part->setAccessibleName(unit_.isEmpty() ? name_ : tr("%1 in %2").arg(name_, unit_));
     part->setAccessibleDescription(hint_);
   }
+}
+
+/// For the longest number and its unit, no wider: two sliders stand side by side in a narrow column.
+void ValueSlider::fitNumber() {
+  constexpr int kFrame_px = 16;  // padding and border of the theme, and the text cursor
+  number_->ensurePolished();
+  const QFontMetrics& font = number_->fontMetrics();
+  number_->setFixedWidth(
+      std::max(font.horizontalAdvance(text(range_.least)), font.horizontalAdvance(text(range_.most))) + kFrame_px);
 }
 
 void ValueSlider::showValue() {
@@ -144,6 +153,7 @@ void ValueSlider::setValue(double value) {
 void ValueSlider::setRange(const ValueRange& range) {
   range_ = range;
   describe();
+  fitNumber();
   setValue(value_);
 }
 

@@ -3,6 +3,7 @@
 #include "../ultrasound/CalliperDrawing.h"
 #include "MprDrawing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -88,6 +89,17 @@ void drawBrush(const SliceMarks::Brush& brush, const SlicePlane& plane, double s
   lines.circle(at, radius_px, {theme::kText, 1.2 * scale, 0.95});
 }
 
+/// The first letters of a UTF-8 text, the last of them a sign that there are more.
+std::string shortened(const std::string& words, std::size_t letters) {
+  const auto begins = [](char c) { return (c & 0xC0) != 0x80; };
+  if (std::size_t(std::ranges::count_if(words, begins)) <= letters) return words;
+  std::size_t seen = 0;
+  const auto end = std::ranges::find_if(words, [&](char c) { return begins(c) && ++seen == letters; });
+  std::string first(words.begin(), end);
+  while (first.ends_with(' ')) first.pop_back();
+  return first + "\u2026";
+}
+
 /// A diamond beside its name.
 void drawPlaces(const MprOverlay& overlay, const SlicePlane& plane, double scale, Lines& lines, Texts& texts) {
   const double size_px = 12 * scale;
@@ -99,7 +111,7 @@ void drawPlaces(const MprOverlay& overlay, const SlicePlane& plane, double scale
     lines.polyline(diamond, {kHalo.colour, kHalo.width_px * scale, kHalo.opacity}, true);
     lines.polyline(diamond, {place->colour, 1.5 * scale, 1}, true);
     if (const auto name = rows.put(at, place->name.size()))
-      texts.put(name->at, place->name,
+      texts.put(name->at, shortened(place->name, name->letters),
                 {size_px, place->colour, false, name->before ? Across::Right : Across::Left, Along::Centre});
   }
 }

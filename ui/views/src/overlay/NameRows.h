@@ -10,27 +10,36 @@
 namespace insonate::views {
 
 /// Where names beside marks stand, so that none covers another: in rows above each other, or not at all where too many
-/// marks lie together. Whoever comes first has the row of the mark. Logical and device pixels alike.
+/// marks lie together. Whoever comes first has the row of the mark. A long name is cut, so that it crosses neither the
+/// picture nor its edge. Logical and device pixels alike.
 class NameRows {
  public:
   NameRows(double width_px, double size_px) : width_px_(width_px), size_px_(size_px) {}
 
   struct Place {
-    DisplayPoint at;  ///< the end of the name that is nearer to its mark, half way up
-    bool before;      ///< the name ends there, since behind the mark the view does
+    DisplayPoint at;      ///< the end of the name that is nearer to its mark, half way up
+    bool before;          ///< the name ends there, since behind the mark the view does
+    std::size_t letters;  ///< that there is room for
   };
 
   /// None where the name finds no room.
   std::optional<Place> put(DisplayPoint mark, std::size_t letters) {
-    constexpr double kLetter = 0.53, kRow = 1.25, kGap = 0.85;  // of the size
-    const double length = kLetter * size_px_ * double(letters), gap = kGap * size_px_;
-    const bool before = mark.x + gap + length > width_px_ && mark.x > gap + length;
+    constexpr double kLetter = 0.58, kRow = 1.25, kGap = 0.85;  // of the size
+    constexpr double kShare = 0.3;                              // of the view, for one name
+    constexpr double kFewest = 4;                               // letters that still say something
+    const double letter = kLetter * size_px_, gap = kGap * size_px_;
+    const double wanted = std::min(letter * double(letters), std::max(kShare * width_px_, kFewest * letter));
+    const double behind = width_px_ - mark.x - gap, ahead = mark.x - gap;
+    const bool before = behind < wanted && ahead > behind;
+    const double length = std::min(wanted, before ? ahead : behind);
+    const auto fitting = std::min(letters, std::size_t(std::max(0.0, length / letter + 1e-9)));
+    if (double(fitting) < std::min(kFewest, double(letters))) return std::nullopt;
     for (const int row : {0, 1, -1, 2, -2}) {
       const DisplayPoint at{before ? mark.x - gap : mark.x + gap, mark.y + row * kRow * size_px_};
       const Name name{before ? at.x - length : at.x, before ? at.x : at.x + length, at.y};
       if (covers(name, kRow * size_px_)) continue;
       taken_.push_back(name);
-      return Place{at, before};
+      return Place{at, before, fitting};
     }
     return std::nullopt;
   }

@@ -43,6 +43,7 @@ class ValueSlider : public QWidget {
   class Track;
   void typed();
   void showValue();
+  void fitNumber();
   void describe();
   QString text(double value) const;
 
