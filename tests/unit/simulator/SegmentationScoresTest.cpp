@@ -14,7 +14,7 @@ std::map<std::string, SegmentationScoreRow> byStructure(const SegmentationBench&
   return rows;
 }
 
-// The masks are of voxels of 1.5 mm: no threshold comes closer to them than 0.83 to 0.89, and 0.90 is aimed at.
+// The masks are of voxels of 1.5 mm and hold walls: a lumen found exactly scores 0.83 to 0.94, and 0.90 is aimed at.
 TEST(SegmentationScores, BranchesOfTheAortaOnAChestCta) {
   INSONATE_NEEDS_DATA("chest-cta");
   SegmentationBenchPlan plan;
@@ -27,8 +27,12 @@ TEST(SegmentationScores, BranchesOfTheAortaOnAChestCta) {
     ASSERT_TRUE(rows.contains(name)) << name;
     EXPECT_GT(rows.at(name).dice, 0.8) << name;
     EXPECT_LT(rows.at(name).meanSurface_mm, 1.5) << name << ": a voxel";
-    EXPECT_GT(rows.at(name).reachable, 0.8) << name;
+    ASSERT_TRUE(rows.at(name).exactLumen) << name;
+    EXPECT_GT(rows.at(name).exactLumen->front(), 0.8) << name;
+    EXPECT_LT(rows.at(name).exactLumen->back(), rows.at(name).exactLumen->front()) << name << ": 1.5 mm more";
   }
+  for (const char* name : {"left common carotid", "left subclavian"})
+    EXPECT_GT(rows.at(name).dice, rows.at(name).exactLumen->front() - 0.02) << name;
 }
 
 TEST(SegmentationScores, TheAtlasWithASyntheticCt) {

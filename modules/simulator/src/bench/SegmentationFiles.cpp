@@ -27,14 +27,21 @@ std::string against(bool met) {
   return met ? "met" : "missed";
 }
 
+/// "0 mm 0.810, 0.5 mm 0.860, ...": a wall, and the Dice with it.
+std::string withWalls(const std::optional<WallScores>& scores) {
+  std::string text;
+  for (std::size_t n = 0; scores && n < kWalls_mm.size(); ++n)
+    text += (n ? "; " : "") + fixed(kWalls_mm[n], 1) + " mm " + fixed((*scores)[n], 3);
+  return text;
+}
+
 std::vector<Cells> scores(const SegmentationBench& results) {
   std::vector<Cells> rows{{"variant", "contrast", "noise_HU", "structure", "clicks", "dice", "mean_surface_mm",
-                           "p95_surface_mm", "aimed_at", "bar", "best_threshold", "half_voxel_off"}};
+                           "p95_surface_mm", "aimed_at", "bar", "exact_lumen_and_wall"}};
   for (const SegmentationScoreRow& r : results.rows)
     rows.push_back({r.variant, r.contrast, r.noise_HU ? fixed(*r.noise_HU, 0) : "", r.structure,
                     std::to_string(r.clicks), fixed(r.dice, 3), orNothing(r.meanSurface_mm), orNothing(r.p95Surface_mm),
-                    orNothing(r.bar), r.bar ? against(r.dice >= *r.bar) : "", r.reachable ? fixed(*r.reachable, 3) : "",
-                    r.halfVoxelOff ? fixed(*r.halfVoxelOff, 3) : ""});
+                    orNothing(r.bar), r.bar ? against(r.dice >= *r.bar) : "", withWalls(r.exactLumen)});
   return rows;
 }
 
@@ -90,6 +97,13 @@ nlohmann::json orNull(const std::optional<double>& value) {
   return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
 }
 
+nlohmann::json walls(const std::optional<WallScores>& scores) {
+  if (!scores) return nullptr;
+  nlohmann::json all = nlohmann::json::array();
+  for (std::size_t n = 0; n < kWalls_mm.size(); ++n) all.push_back({{"wall_mm", kWalls_mm[n]}, {"dice", (*scores)[n]}});
+  return all;
+}
+
 std::string pageOf(const SegmentationBench& results) {
   std::string page = "# Segmentation: scores against known truth, and how long tools take\n\n";
   if (!results.rows.empty())
@@ -119,8 +133,7 @@ nlohmann::json toJson(const SegmentationBench& results) {
                     {"mean_surface_mm", orNull(r.meanSurface_mm)},
                     {"p95_surface_mm", orNull(r.p95Surface_mm)},
                     {"aimed_at", orNull(r.bar)},
-                    {"best_threshold", orNull(r.reachable)},
-                    {"half_voxel_off", orNull(r.halfVoxelOff)}});
+                    {"exact_lumen", walls(r.exactLumen)}});
   for (const SegmentationTimeRow& r : results.times)
     tasks.push_back({{"task", r.task},
                      {"voxels", r.voxels},

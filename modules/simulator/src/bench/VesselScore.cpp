@@ -35,15 +35,6 @@ bool seesMiddle(const LabelMap& labels, std::uint8_t label, Vec3 point_mm, const
   return true;
 }
 
-Selection without(Selection shape, const Selection& others) {
-  const VoxelBox& box = shape.box;
-  for (int k = box.first[2]; k < box.end[2]; ++k)
-    for (int j = box.first[1]; j < box.end[1]; ++j)
-      for (int i = box.first[0]; i < box.end[0]; ++i)
-        if (others.chosen(i, j, k)) shape.mask.at(i - box.first[0], j - box.first[1], k - box.first[2]) = 0;
-  return shape;
-}
-
 }  // namespace
 
 Result<std::vector<TrueVessel>> trueVessels(const LabelMap& labels, std::uint8_t label, std::size_t most,
@@ -70,6 +61,15 @@ Result<std::vector<TrueVessel>> trueVessels(const LabelMap& labels, std::uint8_t
   std::ranges::stable_sort(vessels, std::greater<>(), [](const TrueVessel& v) { return v.voxels.count(); });
   vessels.resize(std::min(vessels.size(), most));
   return vessels;
+}
+
+Selection without(Selection shape, const Selection& others) {
+  const VoxelBox& box = shape.box;
+  for (int k = box.first[2]; k < box.end[2]; ++k)
+    for (int j = box.first[1]; j < box.end[1]; ++j)
+      for (int i = box.first[0]; i < box.end[0]; ++i)
+        if (others.chosen(i, j, k)) shape.mask.at(i - box.first[0], j - box.first[1], k - box.first[2]) = 0;
+  return shape;
 }
 
 Selection betweenEnds(const Selection& shape, const CentreLine& line) {

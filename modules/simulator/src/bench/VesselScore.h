@@ -23,6 +23,9 @@ Result<std::vector<TrueVessel>> trueVessels(const LabelMap& labels, std::uint8_t
 Result<SegmentationScoreRow> scoreClicks(const CtVolume& ct, const TrueVessel& truth, int clicks,
                                          const VesselTracking& how, SegmentationScoreRow row, const Progress& progress);
 
+/// `shape` without what `others` cover of it.
+Selection without(Selection shape, const Selection& others);
+
 /// What lies between the planes square to the vessel at its ends.
 Selection betweenEnds(const Selection& shape, const CentreLine& line);
 

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -23,6 +24,10 @@ struct SegmentationBenchPlan {
   std::filesystem::path atlas, atlasMap;
 };
 
+/// Walls that a mask of a vessel may hold, and a Dice for each.
+constexpr std::array kWalls_mm{0.0, 0.5, 1.0, 1.5};
+using WallScores = std::array<double, kWalls_mm.size()>;
+
 /// How well a structure is found in a CT.
 struct SegmentationScoreRow {
   std::string variant;             ///< of the built-in neck; or `atlas`, `chest CTA`
@@ -33,10 +38,8 @@ struct SegmentationScoreRow {
   double dice = 0;
   std::optional<double> meanSurface_mm, p95Surface_mm;
   std::optional<double> bar;  ///< the Dice that is aimed at, where there is one
-  /// Of a mask drawn by others: the best Dice of any threshold within two voxels of it, chosen by the mask itself.
-  std::optional<double> reachable;
-  /// And its Dice with itself where its surface lies half a voxel farther in: what voxels that are partly vessel weigh.
-  std::optional<double> halfVoxelOff;
+  /// Of a mask drawn by others: what a lumen found exactly would score, alone and with walls around it.
+  std::optional<WallScores> exactLumen;
 };
 
 /// How long a tool takes on a CT of 512 x 512 x 300.
