@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <random>
 
 namespace insonate {
 namespace {
@@ -144,6 +145,27 @@ TEST_P(TransferSyntax, GivesTheSameVoxels) {
   ASSERT_TRUE(other) << other.error().message;
   EXPECT_EQ(other->ct.voxels, plain->ct.voxels);
   EXPECT_EQ(other->ct.geometry, plain->ct.geometry);
+}
+
+/// GDCM ends the program on some broken streams.
+TEST_P(TransferSyntax, CutOrChangedIsReadOrRefused) {
+  encode(folder_ / "encoded.dcm");
+  const std::string whole = test::contentOf(folder_ / "encoded.dcm");
+  const fs::path file = folder_ / "changed/slice.dcm";
+  fs::create_directories(file.parent_path());
+  for (std::size_t cut = 1; cut < whole.size() - 132; cut += 1 + cut / 50) {
+    test::writeText(file, whole.substr(0, whole.size() - cut));
+    // Some writers leave out the delimiter of eight bytes behind the last fragment.
+    EXPECT_FALSE(importSeries(file).has_value() && cut > 16) << cut << " bytes less";
+  }
+  std::mt19937 random(1);
+  for (int n = 0; n < 300; ++n) {
+    std::string changed = whole;
+    for (int changes = 1 << n % 4; changes > 0; --changes)
+      changed[132 + random() % (changed.size() - 132)] = static_cast<char>(random());
+    test::writeText(file, changed);
+    (void)importSeries(file);
+  }
 }
 
 using Syntax = gdcm::TransferSyntax;

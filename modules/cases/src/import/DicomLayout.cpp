@@ -1,10 +1,14 @@
 #include "DicomLayout.h"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdint>
 #include <fstream>
+#include <memory>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -34,7 +38,8 @@ struct Encoding {
 class Walker {
  public:
   explicit Walker(const std::filesystem::path& file)
-      : in_(file, std::ios::binary), size_(in_ ? std::filesystem::file_size(file) : 0) {}
+      : in_(std::make_unique<std::ifstream>(file, std::ios::binary)),
+        size_(*in_ ? std::filesystem::file_size(file) : 0) {}
 
   DicomLayout walk() {
     const std::string start = peek(0, 132);
@@ -44,7 +49,7 @@ class Walker {
     position_ = part10 ? 132 : 0;
     std::string syntax;
     if (!readMeta(syntax)) return DicomLayout::kCutInHeader;
-    if (syntax == "1.2.840.10008.1.2.1.99") return DicomLayout::kWhole;  // deflated: zlib notices its own end
+    if (syntax == "1.2.840.10008.1.2.1.99" && !inflate()) return DicomLayout::kCutInHeader;
     Encoding encoding{syntax != "1.2.840.10008.1.2", syntax == "1.2.840.10008.1.2.2"};
     if (syntax.empty()) encoding.explicitVr = looksExplicit();
     const bool whole = elements(encoding, size_, 0);
@@ -72,10 +77,32 @@ class Walker {
   std::string peek(std::uint64_t at, std::size_t count) {
     if (at >= size_) return {};
     std::string bytes(std::min<std::uint64_t>(count, size_ - at), '\0');
-    in_.clear();
-    in_.seekg(static_cast<std::streamoff>(at));
-    in_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    return in_ ? bytes : std::string{};
+    in_->clear();
+    in_->seekg(static_cast<std::streamoff>(at));
+    in_->read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    return *in_ ? bytes : std::string{};
+  }
+
+  /// PS3.5 A.5: from here on, a stream of RFC 1951. GDCM takes what a broken one yields for the whole.
+  bool inflate() {
+    std::string packed = peek(position_, size_ - position_), all, piece(1U << 20, '\0');
+    z_stream stream{};
+    if (::inflateInit2(&stream, -MAX_WBITS) != Z_OK) return false;
+    stream.next_in = reinterpret_cast<Bytef*>(packed.data());
+    stream.avail_in = static_cast<uInt>(packed.size());
+    int state = Z_OK;
+    constexpr std::size_t kMost = std::size_t{1} << 31;
+    while (state == Z_OK && all.size() < kMost) {
+      stream.next_out = reinterpret_cast<Bytef*>(piece.data());
+      stream.avail_out = static_cast<uInt>(piece.size());
+      state = ::inflate(&stream, Z_NO_FLUSH);
+      all.append(piece, 0, piece.size() - stream.avail_out);
+    }
+    ::inflateEnd(&stream);
+    size_ = all.size();
+    position_ = 0;
+    in_ = std::make_unique<std::istringstream>(std::move(all));
+    return state == Z_STREAM_END;
   }
 
   static std::uint32_t number(std::string_view bytes, bool bigEndian) {
@@ -194,7 +221,7 @@ class Walker {
     }
   }
 
-  std::ifstream in_;
+  std::unique_ptr<std::istream> in_;
   std::uint64_t size_ = 0, position_ = 0;
   bool pixelsBegan_ = false;
 };

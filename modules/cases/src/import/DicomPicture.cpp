@@ -4,7 +4,114 @@
 #include <gdcmByteValue.h>
 #include <gdcmSequenceOfFragments.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+
 namespace insonate {
+namespace {
+
+/// PS3.5 G.3.1: whether runs and copies from here on make this many bytes, and not more.
+bool unpacksTo(std::size_t wanted, std::string_view packed) {
+  std::size_t made = 0;
+  while (made < wanted && !packed.empty()) {
+    const int first = static_cast<signed char>(packed.front());
+    const std::size_t taken = first >= 0 ? static_cast<std::size_t>(first) + 2 : first == -128 ? 1 : 2;
+    if (taken > packed.size()) return false;
+    made += first >= 0 ? static_cast<std::size_t>(first) + 1 : first == -128 ? 0 : static_cast<std::size_t>(1 - first);
+    packed.remove_prefix(taken);
+  }
+  return made == wanted;
+}
+
+/// PS3.5 G.5: a frame is a header of 64 bytes, then a segment for each byte of a pixel.
+bool holdsFrame(std::string_view frame, std::size_t pixels, std::size_t bytesEach) {
+  std::array<std::uint32_t, 16> header{};
+  if (frame.size() < sizeof header) return false;
+  std::memcpy(header.data(), frame.data(), sizeof header);
+  if (header[0] != bytesEach) return false;
+  return std::all_of(header.begin() + 1, header.begin() + 1 + static_cast<std::ptrdiff_t>(bytesEach),
+                     [&](std::uint32_t from) {
+                       return from >= sizeof header && from < frame.size() && unpacksTo(pixels, frame.substr(from));
+                     });
+}
+
+/// GDCM 3.0 ends the program where a frame of run lengths makes fewer bytes than it has pixels, or more.
+bool holdsRunLengths(const gdcm::SequenceOfFragments& fragments, const std::array<unsigned, 3>& size,
+                     std::size_t bytesEach) {
+  if (fragments.GetNumberOfFragments() != size[2]) return false;
+  for (unsigned f = 0; f < size[2]; ++f) {
+    const gdcm::ByteValue* bytes = fragments.GetFragment(f).GetByteValue();
+    if (!bytes || !holdsFrame({bytes->GetPointer(), bytes->GetLength()}, std::size_t{size[0]} * size[1], bytesEach))
+      return false;
+  }
+  return true;
+}
+
+/// Of one frame, or of all fragments where there is one frame.
+std::string streamOf(const gdcm::SequenceOfFragments& fragments, unsigned frame, bool only) {
+  std::string stream;
+  for (unsigned f = only ? 0 : frame; f < (only ? fragments.GetNumberOfFragments() : frame + 1U); ++f)
+    if (const gdcm::ByteValue* bytes = fragments.GetFragment(f).GetByteValue())
+      stream.append(bytes->GetPointer(), bytes->GetLength());
+  return stream;
+}
+
+/// T.81 B.2.4.2 and C.2: whether the tables give no more codes of a length than there are.
+bool areHuffmanTables(std::string_view tables) {
+  while (!tables.empty()) {
+    constexpr std::size_t kCounts = 16;
+    if (tables.size() < 1 + kCounts) return false;
+    std::size_t values = 0, codes = 0;
+    for (std::size_t length = 1; length <= kCounts; ++length) {
+      const auto count = static_cast<unsigned char>(tables[length]);
+      values += count;
+      codes = 2 * codes + count;
+      if (codes > std::size_t{1} << length) return false;
+    }
+    if (values > 256 || tables.size() < 1 + kCounts + values) return false;
+    tables.remove_prefix(1 + kCounts + values);
+  }
+  return true;
+}
+
+/// Whether what stands before the scan of a JPEG or JPEG-LS stream (ITU-T T.81 B.2, T.87 C.2) is of one such picture.
+bool isOfSize(std::string_view stream, const std::array<unsigned, 3>& size, unsigned mostBits) {
+  const auto byte = [&](std::size_t at) { return at < stream.size() ? static_cast<unsigned char>(stream[at]) : 0U; };
+  const auto pair = [&](std::size_t at) { return byte(at) << 8 | byte(at + 1); };
+  bool fits = false;
+  for (std::size_t at = 2; at + 9 < stream.size() && byte(at) == 0xff; at += 2 + pair(at + 2)) {
+    const unsigned marker = byte(at + 1);
+    constexpr unsigned kTables = 0xc4, kScan = 0xda, kJpegLs = 0xf7;
+    if (pair(at + 2) < 2) return false;
+    if (marker == kScan) return fits;
+    if (marker == kTables && !areHuffmanTables(stream.substr(at + 4, pair(at + 2) - 2U))) return false;
+    if (marker != kJpegLs && (marker < 0xc0 || marker > 0xcf || marker == kTables)) continue;
+    fits = !fits && byte(at + 4) <= mostBits && pair(at + 5) == size[1] && pair(at + 7) == size[0] && byte(at + 9) == 1;
+    if (!fits) return false;
+  }
+  return false;
+}
+
+/// GDCM 3.0 writes the picture that a stream describes beyond memory for the one that the file describes.
+bool holdsJpegs(const gdcm::SequenceOfFragments& fragments, const std::array<unsigned, 3>& size, unsigned mostBits) {
+  if (size[2] > 1 && fragments.GetNumberOfFragments() != size[2]) return false;
+  for (unsigned f = 0; f < size[2]; ++f)
+    if (!isOfSize(streamOf(fragments, f, size[2] == 1), size, mostBits)) return false;
+  return true;
+}
+
+bool isJpeg(const gdcm::TransferSyntax& syntax) {
+  using Syntax = gdcm::TransferSyntax;
+  for (const auto one : {Syntax::JPEGBaselineProcess1, Syntax::JPEGExtendedProcess2_4, Syntax::JPEGLosslessProcess14,
+                         Syntax::JPEGLosslessProcess14_1, Syntax::JPEGLSLossless, Syntax::JPEGLSNearLossless})
+    if (syntax == one) return true;
+  return false;
+}
+
+}  // namespace
 
 std::optional<std::vector<char>> storedPixels(const gdcm::File& file, const std::array<unsigned, 3>& size,
                                               const gdcm::PixelFormat& format) {
@@ -18,6 +125,10 @@ std::optional<std::vector<char>> storedPixels(const gdcm::File& file, const std:
   const gdcm::SequenceOfFragments* fragments = pixels.GetSequenceOfFragments();
   if (plain ? plain->GetLength() < needed : !fragments || fragments->GetNumberOfFragments() == 0) return std::nullopt;
   const gdcm::TransferSyntax syntax = file.GetHeader().GetDataSetTransferSyntax();
+  if (fragments && syntax == gdcm::TransferSyntax::RLELossless &&
+      !holdsRunLengths(*fragments, size, format.GetBitsAllocated() / 8))
+    return std::nullopt;
+  if (fragments && isJpeg(syntax) && !holdsJpegs(*fragments, size, format.GetBitsAllocated())) return std::nullopt;
   gdcm::Bitmap picture;
   // All fragments belong to a picture that is the only one.
   picture.SetNumberOfDimensions(size[2] > 1 ? 3 : 2);

@@ -21,7 +21,7 @@ constexpr std::string_view kStorage = "1.2.840.10008.5.1.4.1.1.";
 const Tag kPixelData(0x7fe0, 0x0010);
 
 /// Why an object that is no slice stays out; empty for slices.
-std::string notASlice(const std::string& sopClass, const std::string& modality, const DataSet& data) {
+std::string notASlice(const std::string& sopClass, const std::string& modality, const DataSet& data, bool hasPixels) {
   const auto storage = [&](std::string_view suffix) {
     const std::string full = std::string(kStorage) + std::string(suffix);
     return sopClass == full || sopClass.starts_with(full + ".");
@@ -35,8 +35,7 @@ std::string notASlice(const std::string& sopClass, const std::string& modality, 
   if (storage("7")) return "a secondary capture (screenshot), not a slice";
   // GDCM ends the program on some recognition codes.
   if (data.FindDataElement(Tag(0x0008, 0x0010))) return "a picture of ACR-NEMA, which is older than DICOM";
-  if (!data.FindDataElement(kPixelData))
-    return modality == "CT" ? "DICOM that is a CT slice without pixel data" : "DICOM without pixel data";
+  if (!hasPixels) return modality == "CT" ? "DICOM that is a CT slice without pixel data" : "DICOM without pixel data";
   const std::string type = upper(textOf(data, Tag(0x0008, 0x0008)));
   for (const char* scout : {"LOCALIZER", "SCOUT", "TOPOGRAM"})
     if (type.find(scout) != std::string::npos) return "a scout (localizer), not a slice";
@@ -74,15 +73,19 @@ DicomScan scan(const fs::path& file) {
   if (layout == DicomLayout::kCutInHeader) return {{}, "DICOM that is cut off or damaged in its header"};
   gdcm::Reader reader;
   reader.SetFileName(file.c_str());
+  const bool cut = layout == DicomLayout::kCutInPixels;
   std::set<Tag> skip;
+  // GDCM ends the program where compressed pixels end early.
+  if (cut) skip.insert(kPixelData);
   if (!reader.ReadUpToTag(kPixelData, skip)) return {{}, whyUnread(reader.GetFile().GetHeader())};
   const DataSet& data = reader.GetFile().GetDataSet();
   const std::string modality = textOf(data, Tag(0x0008, 0x0060));
   std::string sopClass = textOf(data, Tag(0x0008, 0x0016));
   if (sopClass.empty()) sopClass = textOf(reader.GetFile().GetHeader(), Tag(0x0002, 0x0002));
-  if (auto reason = notASlice(sopClass, modality, data); !reason.empty()) return {{}, reason};
+  if (auto reason = notASlice(sopClass, modality, data, cut || data.FindDataElement(kPixelData)); !reason.empty())
+    return {{}, reason};
   DicomScan result{framesOf(file, data), {}};
-  for (DicomSlice& slice : result.slices) slice.cutOff = layout == DicomLayout::kCutInPixels;
+  for (DicomSlice& slice : result.slices) slice.cutOff = cut;
   return result;
 }
 
