@@ -84,9 +84,12 @@ bool isOfSize(std::string_view stream, const std::array<unsigned, 3>& size, unsi
   bool fits = false;
   for (std::size_t at = 2; at + 9 < stream.size() && byte(at) == 0xff; at += 2 + pair(at + 2)) {
     const unsigned marker = byte(at + 1);
-    constexpr unsigned kTables = 0xc4, kScan = 0xda, kJpegLs = 0xf7;
+    constexpr unsigned kTables = 0xc4, kScan = 0xda, kApplication = 0xe0, kJpegLs = 0xf7;
     if (pair(at + 2) < 2) return false;
     if (marker == kScan) return fits;
+    const bool otherJfif =
+        stream.substr(at + 4, 4) == "JFIF" && byte(at + 9) != 1;  // a revision that meets an assertion
+    if (marker == kApplication && otherJfif) return false;
     if (marker == kTables && !areHuffmanTables(stream.substr(at + 4, pair(at + 2) - 2U))) return false;
     if (marker != kJpegLs && (marker < 0xc0 || marker > 0xcf || marker == kTables)) continue;
     fits = !fits && byte(at + 4) <= mostBits && pair(at + 5) == size[1] && pair(at + 7) == size[0] && byte(at + 9) == 1;
