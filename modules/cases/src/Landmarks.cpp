@@ -8,8 +8,8 @@ std::span<const LandmarkKind> landmarkKinds() {
   static constexpr LandmarkKind kKinds[] = {{"puncture_site", "puncture site", true},
                                             {"cricoid", "cricoid cartilage", false},
                                             {"sternal_notch", "sternal notch", false},
-                                            {"clavicle_right", "inner end of the right clavicle", false},
-                                            {"clavicle_left", "inner end of the left clavicle", false},
+                                            {"clavicle_right", "right clavicle, inner end", false},
+                                            {"clavicle_left", "left clavicle, inner end", false},
                                             {"mastoid_right", "right mastoid process", false},
                                             {"mastoid_left", "left mastoid process", false}};
   return kKinds;

@@ -38,7 +38,7 @@ TEST(NameRows, ALongNameCrossesNeitherThePictureNorItsEdge) {
     ASSERT_TRUE(placed) << x;
     EXPECT_GE(placed->letters, 10u) << x;
     const double length = 0.6 * kSize * double(placed->letters);
-    EXPECT_LT(length, kWidth / 3) << x;
+    EXPECT_LT(length, kWidth / 2) << x;
     EXPECT_GE(placed->before ? placed->at.x - length : placed->at.x, -5) << x;
     EXPECT_LE(placed->before ? placed->at.x : placed->at.x + length, kWidth + 5) << x;
   }

@@ -96,7 +96,7 @@ std::string shortened(const std::string& words, std::size_t letters) {
   std::size_t seen = 0;
   const auto end = std::ranges::find_if(words, [&](char c) { return begins(c) && ++seen == letters; });
   std::string first(words.begin(), end);
-  while (first.ends_with(' ')) first.pop_back();
+  while (first.ends_with(' ') || first.ends_with(',')) first.pop_back();
   return first + "\u2026";
 }
 

@@ -25,7 +25,7 @@ class NameRows {
   /// None where the name finds no room.
   std::optional<Place> put(DisplayPoint mark, std::size_t letters) {
     constexpr double kLetter = 0.58, kRow = 1.25, kGap = 0.85;  // of the size
-    constexpr double kShare = 0.3;                              // of the view, for one name
+    constexpr double kShare = 0.4;                              // of the view, for one name
     constexpr double kFewest = 4;                               // letters that still say something
     const double letter = kLetter * size_px_, gap = kGap * size_px_;
     const double wanted = std::min(letter * double(letters), std::max(kShare * width_px_, kFewest * letter));
