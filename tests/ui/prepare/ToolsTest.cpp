@@ -75,6 +75,15 @@ TEST_F(Tools, WhyNothingCameOfAToolIsReadWholeInItsPanel) {
   EXPECT_FALSE(told->isVisible()) << "another range is another try";
 }
 
+TEST_F(Tools, WithoutALabelThePanelSaysWhereToGetOne) {
+  session_->select(kBackground);
+  key(Qt::Key_5);
+  EXPECT_FALSE(child<QPushButton>("toolApply")->isEnabled());
+  EXPECT_THAT(child<QLabel>("toolAdvice")->text().toStdString(), testing::HasSubstr("or add one"));
+  session_->select(kVein);
+  EXPECT_THAT(child<QLabel>("toolAdvice")->text().toStdString(), testing::HasSubstr("in the range"));
+}
+
 TEST_F(Tools, ThresholdFollowsItsSlidersAndAClick) {
   key(Qt::Key_5);
   click({0, 30, 0});

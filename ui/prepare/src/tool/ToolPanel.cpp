@@ -6,6 +6,7 @@
 #include "RulesBox.h"
 #include "ToolSession.h"
 
+#include <insonate/tissue/Labels.h>
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
@@ -36,6 +37,7 @@ ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* paren
   name_->setObjectName(QStringLiteral("toolLabel"));
   ui::setRole(name_, "heading");
   label_->setObjectName(QStringLiteral("toolFor"));
+  advice_->setObjectName(QStringLiteral("toolAdvice"));
   advice_->setWordWrap(true);
   ui::setRole(advice_, "quiet");
   ui::setRole(apply_, "primary");
@@ -161,7 +163,9 @@ void ToolPanel::refresh() {
   name_->setText(tool->name);
   label_->show(session_.selected());
   const int missing = tool->leastPoints - int(tools_.points().size());
-  advice_->setText(tool->advice);
+  advice_->setText(session_.selected() == kBackground
+                       ? tr("Choose a label in the table on the left first, or add one there.")
+                       : tool->advice);
   const bool brush = tool->input == ToolInput::Brush;
   preview_->setVisible(!brush);
   apply_->setVisible(!brush);
