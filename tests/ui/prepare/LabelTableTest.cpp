@@ -110,6 +110,8 @@ TEST_F(LabelTable, HostileNamesDoNoHarm) {
   EXPECT_EQ(cell(kVein, kName), "vein") << "the label table's names stay";
 }
 
+constexpr int kIcon_px = 16;
+
 TEST_F(LabelTable, AWideTableShowsTissueTermAndVoxels) {
   openCase();
   EXPECT_TRUE(table()->isColumnHidden(kTissue));
@@ -119,6 +121,11 @@ TEST_F(LabelTable, AWideTableShowsTissueTermAndVoxels) {
   EXPECT_EQ(cell(kVein, kState), "in progress");
   EXPECT_EQ(cell(kVein, kTissue + 1), "SNOMED CT 29092000, Vein");
   EXPECT_FALSE(table()->isColumnHidden(kTissue + 2));
+  const int padding = 16;
+  for (const char* word : {"not started", "in progress", "completed"})
+    EXPECT_LE(table()->fontMetrics().horizontalAdvance(word) + kIcon_px + padding, table()->columnWidth(kState))
+        << word;
+  EXPECT_LE(table()->fontMetrics().horizontalAdvance("12,345,678") + padding, table()->columnWidth(kTissue + 2));
 }
 
 TEST_F(LabelTable, ClearForgetsOneOfOnesOwnThatHasNoVoxels) {

@@ -23,8 +23,8 @@ namespace {
 
 constexpr int kRow_px = 26, kIconColumn_px = 25, kVolumeColumn_px = 58;
 /// What the columns beside those of a narrow table take, and from which width on there is room for them.
-constexpr int kStateColumn_px = 104, kTissueColumn_px = 130, kTermColumn_px = 250, kVoxelsColumn_px = 84;
-constexpr int kRoomForState_px = 380, kRoomForTissue_px = 500, kRoomForAll_px = 840;
+constexpr int kStateColumn_px = 128, kTissueColumn_px = 130, kVoxelsColumn_px = 108;
+constexpr int kRoomForState_px = 380, kRoomForTissue_px = 500, kRoomForAll_px = 880;
 constexpr double kPercent = 100;
 
 }  // namespace
@@ -88,7 +88,8 @@ void StructureTable::buildTable() {
     header->resizeSection(column, kIconColumn_px);
   header->resizeSection(StructureModel::kVolume, kVolumeColumn_px);
   header->resizeSection(StructureModel::kTissue, kTissueColumn_px);
-  header->resizeSection(StructureModel::kTerm, kTermColumn_px);
+  // Names and terms share what the others leave.
+  header->setSectionResizeMode(StructureModel::kTerm, QHeaderView::Stretch);
   header->resizeSection(StructureModel::kVoxels, kVoxelsColumn_px);
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   showColumns();
