@@ -22,7 +22,7 @@ double usualOpacity(std::uint8_t label) {
 }
 
 double usualShareOnSlices(std::uint8_t label) {
-  constexpr double kFillingShare = 0.3;
+  constexpr double kFillingShare = 0.4;
   return label == kFat || label == kMuscle || label == kSoftTissue ? kFillingShare : 1;
 }
 
