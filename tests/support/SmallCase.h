@@ -3,6 +3,7 @@
 #include <insonate/cases/PatientCase.h>
 #include <insonate/tissue/Labels.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace insonate::test {
@@ -35,6 +36,17 @@ inline PatientCase smallAttemptCase() {
   for (int k = 0; k < 17; ++k)
     for (int j = 16; j < 21; ++j)
       for (int i = 2; i < 7; ++i) patient.labels.at(i, j, k) = kArtery;
+  return patient;
+}
+
+/// A label of an author's own.
+inline constexpr std::uint8_t kOwnLabel = kLabelCount;
+
+/// The block with its bone as a label of the author's own, said to be made of this.
+inline PatientCase smallCaseWithOwnLabel(Label tissue) {
+  PatientCase patient = smallCase();
+  std::ranges::replace(patient.labels.voxels, std::uint8_t{kBone}, kOwnLabel);
+  patient.manifest.ownLabels = {{kOwnLabel, {"rib", tissue}}};
   return patient;
 }
 

@@ -23,14 +23,6 @@ std::shared_ptr<const LabelMap> inTissues(const OwnLabels& own, std::shared_ptr<
   return map ? std::make_shared<const LabelMap>(std::move(*map)) : labels;
 }
 
-std::shared_ptr<const PatientCase> inTissues(std::shared_ptr<const PatientCase> patient) {
-  if (!patient) return patient;
-  auto map = inTissues(patient->manifest.ownLabels, patient->labels);
-  if (!map) return patient;
-  return std::make_shared<const PatientCase>(
-      PatientCase{patient->manifest, patient->ct, std::move(*map), patient->colours});
-}
-
 void putTissues(PatientCase& patient) {
   if (auto map = inTissues(patient.manifest.ownLabels, patient.labels)) patient.labels = std::move(*map);
 }

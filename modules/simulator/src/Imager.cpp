@@ -119,11 +119,11 @@ std::vector<SceneRun> sceneRuns(const ImagingSetup& setup, std::span<const Trans
   return runs;
 }
 
-Result<std::shared_ptr<const SceneSource>> makeSceneSource(const PatientCase& patient) {
+Result<std::shared_ptr<const SceneSource>> makeSceneSource(const CaseView& patient) {
   return SceneSource::make(patient.ct, patient.labels);
 }
 
-Result<std::shared_ptr<const AcousticScene>> makeScene(const PatientCase& patient, const ImagingSetup& setup,
+Result<std::shared_ptr<const AcousticScene>> makeScene(const CaseView& patient, const ImagingSetup& setup,
                                                        const Region& region, const Progress& progress) {
   const auto source = makeSceneSource(patient);
   if (!source) return tl::unexpected(source.error());

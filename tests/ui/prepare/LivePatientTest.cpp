@@ -46,5 +46,19 @@ TEST(LivePatient, AnUndoneCutOfTheSkinPutsTheProbeBackWhereItStood) {
     EXPECT_GT(dot(live.standing()->linear.column[axis], before.linear.column[axis]), 0.9999) << axis;
 }
 
+TEST(LivePatient, DrawsALabelOfTheAuthorsOwnAsItsTissue) {
+  LivePatient live(nullptr);
+  live.setAwake(true);
+  const auto pictureOf = [&](const PatientCase& patient) {
+    live.setPatient(std::make_shared<const PatientCase>(patient), {});
+    live.setOwnLabels(patient.manifest.ownLabels);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return live.isSettled() && live.shown(); }, kPatience_ms));
+    return live.shown()->image.grey;
+  };
+  const auto bone = pictureOf(test::smallCase());
+  EXPECT_NE(pictureOf(test::smallCaseWithOwnLabel(kSoftTissue)), bone);
+  EXPECT_EQ(pictureOf(test::smallCaseWithOwnLabel(kBone)), bone);
+}
+
 }  // namespace
 }  // namespace insonate::prepare

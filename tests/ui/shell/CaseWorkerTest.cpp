@@ -6,6 +6,7 @@
 #include <insonate/ui/LiveFeed.h>
 #include <insonate/ui/TaskBar.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <support/SmallCase.h>
 
@@ -40,6 +41,24 @@ TEST(CaseWorker, DeliversInOrderOnTheWindowsThread) {
   EXPECT_EQ(order, "start hand " + std::to_string(kVein) + " done");
   worker.want({{kBone, {}}});
   EXPECT_TRUE(test::waitUntil([&] { return order.ends_with(std::to_string(kBone) + " done"); })) << order;
+}
+
+TEST(CaseWorker, MakesAllOfTissuesWhereTheyAreWanted) {
+  const auto patient = std::make_shared<const PatientCase>(test::smallCaseWithOwnLabel(kBone));
+  std::vector<std::uint8_t> structures;
+  std::shared_ptr<const LabelMap> tissues;
+  ui::CaseWork work;
+  work.structures = [&](const std::vector<std::uint8_t>& labels) { structures = labels; };
+  const auto madeOf = [&] {
+    structures.clear();
+    const ui::CaseWorker worker(patient, work, {});
+    EXPECT_TRUE(test::waitUntil([&] { return !structures.empty(); }));
+    return structures;
+  };
+  EXPECT_THAT(madeOf(), testing::AllOf(testing::Contains(test::kOwnLabel), testing::Not(testing::Contains(kBone))));
+  work.tissues = [&](std::shared_ptr<const LabelMap> labels) { tissues = std::move(labels); };
+  EXPECT_THAT(madeOf(), testing::AllOf(testing::Contains(kBone), testing::Not(testing::Contains(test::kOwnLabel))));
+  EXPECT_EQ(tissues->voxels, test::smallCase().labels.voxels);
 }
 
 TEST(CaseWorker, GoesWithoutWaitingForItsStepAndNothingComesLater) {

@@ -213,6 +213,17 @@ TEST_F(Library, NecksThatCannotBeKeptAreToldApart) {
   EXPECT_NE(collapsed.reason, textbook.reason);
 }
 
+TEST_F(Library, DrawsALabelOfTheAuthorsOwnAsItsTissue) {
+  const auto ultrasoundOf = [this](const PatientCase& patient, const QString& name) {
+    const QString folder = write(patient, name);
+    return knownCase(listedCase(folder, false), home_.filePath("cache"), {}).ultrasound;
+  };
+  const QImage bone = ultrasoundOf(test::smallCase(), "bone");
+  EXPECT_FALSE(bone.isNull());
+  EXPECT_NE(ultrasoundOf(test::smallCaseWithOwnLabel(kSoftTissue), "soft"), bone);
+  EXPECT_EQ(ultrasoundOf(test::smallCaseWithOwnLabel(kBone), "rib"), bone);
+}
+
 TEST_F(Library, TwoHundredCasesAreListedAndReachedByKeys) {
   for (int n = 0; n < 200; ++n) {
     const QString folder = home_.filePath(QStringLiteral("cases/case%1").arg(n, 3, 10, QLatin1Char('0')));

@@ -148,7 +148,7 @@ TEST(MprView, EditedLabelsAreDrawnAtTheNextRendering) {
   grid.size = {21, 21, 3};
   const auto shown = std::make_shared<VtkCase>(test::oneVoxel(grid, 0, 0, 0));
   const auto edited = std::make_shared<LabelMap>(grid);
-  shown->setEditedLabels(edited);
+  shown->setLabels(edited);
   MprView view(SliceKind::Axial);
   view.setCase(shown);
   view.setCrosshairVisible(false);

@@ -47,7 +47,7 @@ struct HandsBench {
   explicit HandsBench(const LiveOptions& options = {}) : live(pressedBy(-2), elasticSetup(), options, patient) {
     live.frameAt(pressedBy(-2));
     hands.setImaging(live.operator->());
-    hands.setCase(patient, &probe);
+    hands.setCase(CaseVolumes(patient).labels, &probe);
     EXPECT_TRUE(eventually([&] { return hands.tissueReady(); }));
   }
   ~HandsBench() { hands.setImaging(nullptr); }

@@ -223,7 +223,7 @@ TEST(HandsSession, EmptyHandsCostNothingAndItEndsInTheMiddleOfEverything) {
   NeedleHand needle = NeedleHand::beside(bench->probe, 19, NeedlePlane::Across);
   bench->hands.putMouse(kNeedleHand, needle.patientFromNeedle());
   ASSERT_TRUE(eventually([&] { return bench->hands.timing().ticks > 20; }));
-  bench->hands.setCase(bench->patient, &bench->probe);  // tissue in the making
+  bench->hands.setCase(CaseVolumes(bench->patient).labels, &bench->probe);  // tissue in the making
   bench = nullptr;
 }
 

@@ -1,6 +1,6 @@
 #include "TrainSession.h"
 
-#include <insonate/cases/TissueLabels.h>
+#include <insonate/cases/CaseView.h>
 #include <insonate/simulator/EffectLayers.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/AcousticTable.h>
@@ -81,7 +81,8 @@ void TrainSession::stop() {
 
 void TrainSession::setCase(std::shared_ptr<const PatientCase> patient, const ui::CaseOrigin& origin) {
   stop();
-  patient_ = inTissues(std::move(patient));
+  patient_ = std::move(patient);
+  tissueLabels_ = nullptr;
   origin_ = origin;
   control_.setHand(std::nullopt);
   hands_.setHeld(false);
@@ -107,6 +108,10 @@ bool TrainSession::lacksVessels() const {
 
 void TrainSession::startWorker() {
   ui::CaseWork work;
+  work.tissues = [this](std::shared_ptr<const LabelMap> labels) {
+    tissueLabels_ = std::move(labels);
+    Q_EMIT tissuesKnown();
+  };
   work.start = [this](StartPose pose) {
     start_ = std::move(pose);
     startLive();
@@ -163,7 +168,7 @@ ImagingSetup TrainSession::setup() const {
 void TrainSession::startLive() {
   const auto pose = patientFromProbe(start_.position_mm, start_.axial, start_.lateral);
   if (!pose) return say(QString::fromStdString(pose.error().message));
-  auto live = LiveImaging::make(patient_, setup(), *pose, liveOptions());
+  auto live = LiveImaging::make(CaseVolumes(patient_, tissueLabels_), setup(), *pose, liveOptions());
   if (!live) {
     const QString text = QString::fromStdString(live.error().message);
     say(text);

@@ -40,6 +40,8 @@ class TrainSession : public QObject {
   void setCase(std::shared_ptr<const PatientCase> patient, const ui::CaseOrigin& origin);
   const ui::CaseOrigin& origin() const { return origin_; }
   const std::shared_ptr<const PatientCase>& patient() const { return patient_; }
+  /// What is trained on: the patient's labels as tissues (cases/TissueLabels.h). Null until tissuesKnown().
+  const std::shared_ptr<const LabelMap>& tissueLabels() const { return tissueLabels_; }
   /// Ends the threads; within a second.
   void stop();
 
@@ -136,6 +138,7 @@ class TrainSession : public QObject {
 
  Q_SIGNALS:
   void caseChanged();
+  void tissuesKnown();  ///< tissueLabels()
   void pictureShown();
   void handMoved();  ///< also when it is there for the first time
   void setupChanged();
@@ -172,6 +175,7 @@ class TrainSession : public QObject {
   void tookBack(History::Outcome outcome, const QString& done, const QString& nothing);
 
   std::shared_ptr<const PatientCase> patient_;
+  std::shared_ptr<const LabelMap> tissueLabels_;
   ui::CaseOrigin origin_;
   Probe probe_;
   ImagingSettings settings_;

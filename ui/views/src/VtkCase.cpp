@@ -66,8 +66,8 @@ VoxelBox VtkCase::changedSince(std::uint64_t revision) const {
   return all;
 }
 
-void VtkCase::setEditedLabels(std::shared_ptr<const LabelMap> labels) {
-  edited_ = std::move(labels);
+void VtkCase::setLabels(std::shared_ptr<const LabelMap> labels) {
+  instead_ = std::move(labels);
   labelsChanged();
 }
 

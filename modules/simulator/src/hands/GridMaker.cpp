@@ -13,10 +13,10 @@ GridMaker::~GridMaker() {
   changed_.notify_all();
 }
 
-void GridMaker::want(std::shared_ptr<const PatientCase> patient, Vec3 centre_mm) {
+void GridMaker::want(std::shared_ptr<const LabelMap> labels, Vec3 centre_mm) {
   {
     const std::lock_guard lock(mutex_);
-    wish_ = {std::move(patient), centre_mm, wish_.number + 1};
+    wish_ = {std::move(labels), centre_mm, wish_.number + 1};
     made_.reset();
   }
   changed_.notify_all();
@@ -36,25 +36,25 @@ void GridMaker::run(const std::stop_token& stop) {
   while (changed_.wait(lock, stop, [this] { return begun_ != wish_.number; })) {
     const Wish wish = wish_;
     begun_ = wish.number;
-    if (!wish.patient) continue;
+    if (!wish.labels) continue;
     lock.unlock();
     const Progress asked = [&](std::string_view, double) {
       const std::lock_guard again(mutex_);
       return !stop.stop_requested() && wish_.number == wish.number;
     };
-    findVeins(wish.patient, asked);
-    const auto grid = TissueGrid::fromLabels(wish.patient->labels, wish.centre_mm, kReach_mm, asked);
+    findVeins(wish.labels, asked);
+    const auto grid = TissueGrid::fromLabels(*wish.labels, wish.centre_mm, kReach_mm, asked);
     lock.lock();
     if (wish_.number == wish.number && !stop.stop_requested())
       made_ = Made{grid ? *grid : nullptr, veins_, wish.centre_mm};
   }
 }
 
-void GridMaker::findVeins(const std::shared_ptr<const PatientCase>& patient, const Progress& progress) {
-  if (veinsOf_.lock() == patient) return;
-  auto lines = centreLines(patient->labels, kVein, progress);
+void GridMaker::findVeins(const std::shared_ptr<const LabelMap>& labels, const Progress& progress) {
+  if (veinsOf_.lock() == labels) return;
+  auto lines = centreLines(*labels, kVein, progress);
   if (!lines) return;
-  veinsOf_ = patient;
+  veinsOf_ = labels;
   veins_ = std::make_shared<const std::vector<CentreLine>>(std::move(*lines));
 }
 

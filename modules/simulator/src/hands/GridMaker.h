@@ -1,7 +1,7 @@
 #pragma once
 
-#include <insonate/cases/PatientCase.h>
 #include <insonate/haptics/TissueGrid.h>
+#include <insonate/image/Volume.h>
 #include <insonate/segmentation/CentreLine.h>
 
 #include <condition_variable>
@@ -28,17 +28,17 @@ class GridMaker {
     Vec3 centre_mm;
   };
   /// Round this point; what was wanted before is given up.
-  void want(std::shared_ptr<const PatientCase> patient, Vec3 centre_mm);
+  void want(std::shared_ptr<const LabelMap> labels, Vec3 centre_mm);
   void forget();
   /// What was wanted last, once.
   std::optional<Made> take();
 
  private:
   void run(const std::stop_token& stop);
-  void findVeins(const std::shared_ptr<const PatientCase>& patient, const Progress& progress);
+  void findVeins(const std::shared_ptr<const LabelMap>& labels, const Progress& progress);
 
   struct Wish {
-    std::shared_ptr<const PatientCase> patient;
+    std::shared_ptr<const LabelMap> labels;
     Vec3 centre_mm;
     int number = 0;
   };
@@ -48,7 +48,7 @@ class GridMaker {
   int begun_ = 0;
   std::optional<Made> made_;
   // Of the thread alone: once a case.
-  std::weak_ptr<const PatientCase> veinsOf_;
+  std::weak_ptr<const LabelMap> veinsOf_;
   std::shared_ptr<const std::vector<CentreLine>> veins_;
   std::jthread thread_;  // last: it uses the others
 };

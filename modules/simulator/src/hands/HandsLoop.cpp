@@ -139,7 +139,7 @@ void HandsSession::Impl::forgetTissue() {
 
 void HandsSession::Impl::wantTissue(const Transform& patientFromTool) {
   centre_mm_ = patientFromTool * Vec3{0, 0, kAhead_mm};
-  maker_.want(patient, centre_mm_);
+  maker_.want(labels, centre_mm_);
   making_ = true;
 }
 
@@ -153,7 +153,7 @@ void HandsSession::Impl::takeMade() {
 void HandsSession::Impl::takeTissue(const ServoSnapshot& now) {
   takeMade();
   const int tool = now.present[kNeedleHand] ? kNeedleHand : kProbeHand;
-  if (!patient || making_ || !now.present[tool] || now.output.needle.inBody) return;
+  if (!labels || making_ || !now.present[tool] || now.output.needle.inBody) return;
   const Transform& held = now.output.hands[tool].patientFromTool;
   if (norm(held * Vec3{0, 0, kAhead_mm} - centre_mm_) > kElsewhere_mm) wantTissue(held);
 }

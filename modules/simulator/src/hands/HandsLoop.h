@@ -45,7 +45,7 @@ class HandsSession::Impl {
   std::array<Transform, 2> mouseAt;
   std::array<std::shared_ptr<HapticDevice>, 2> devices;
   ServoSetup setup;
-  std::shared_ptr<const PatientCase> patient;
+  std::shared_ptr<const LabelMap> labels;
   std::shared_ptr<const SkinSurface> skin;
   LiveImaging* imaging = nullptr;
   std::shared_ptr<const LiveFrame> frame;  ///< the last that was learned from

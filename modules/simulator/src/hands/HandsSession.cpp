@@ -12,13 +12,13 @@ DeviceHub& HandsSession::devices() {
   return impl_->hub;
 }
 
-void HandsSession::setCase(std::shared_ptr<const PatientCase> patient, const ProbeHand* hand) {
+void HandsSession::setCase(std::shared_ptr<const LabelMap> labels, const ProbeHand* hand) {
   {
     const std::lock_guard lock(impl_->mutex);
-    impl_->patient = std::move(patient);
+    impl_->labels = std::move(labels);
     impl_->skin = hand ? hand->skin_ : nullptr;
     impl_->forgetTissue();
-    if (impl_->patient && hand) impl_->wantTissue(hand->pose());
+    if (impl_->labels && hand) impl_->wantTissue(hand->pose());
   }
   impl_->wake();
 }

@@ -13,9 +13,11 @@
 namespace insonate {
 
 struct AttemptPictures::State {
-  State(std::shared_ptr<const AttemptRecording> of, std::shared_ptr<const PatientCase> its,
-        std::shared_ptr<const SceneSource> scenes)
-      : recording(std::move(of)), patient(std::move(its)), source(std::move(scenes)), imaging(*patient, source) {}
+  State(std::shared_ptr<const AttemptRecording> of, CaseVolumes its, std::shared_ptr<const SceneSource> scenes)
+      : recording(std::move(of)),
+        patient(std::move(its)),
+        source(std::move(scenes)),
+        imaging(patient.labels->geometry, source) {}
 
   Result<const Stretch*> stretchOf(std::size_t index);
   /// The last sample until this time for which `wanted` holds; none where there is none.
@@ -25,7 +27,7 @@ struct AttemptPictures::State {
   void workAhead();
 
   std::shared_ptr<const AttemptRecording> recording;
-  std::shared_ptr<const PatientCase> patient;
+  CaseVolumes patient;
   std::shared_ptr<const SceneSource> source;
   MomentImaging imaging;
   std::string used;  ///< settings of `imaging`
@@ -97,10 +99,10 @@ Result<AttemptPictures> AttemptPictures::make(std::shared_ptr<const AttemptRecor
   if (header.caseHash != voxelHashOf(*patient))
     return fail("The recording was made on another case, '" + header.caseName + "', than '" + patient->manifest.title +
                 "', or that one was changed since; open the case as it was.");
-  patient = inTissues(std::move(patient));
-  auto source = makeSceneSource(*patient);
+  CaseVolumes volumes(patient, inTissues(patient->manifest.ownLabels, CaseVolumes(patient).labels));
+  auto source = makeSceneSource(CaseView(*patient, *volumes.labels));
   if (!source) return tl::unexpected(source.error());
-  auto state = std::make_unique<State>(std::move(recording), std::move(patient), std::move(*source));
+  auto state = std::make_unique<State>(std::move(recording), std::move(volumes), std::move(*source));
   if (workAhead) state->workAhead();
   return AttemptPictures(std::move(state));
 }

@@ -43,8 +43,8 @@ std::optional<Needle> needleOf(const AttemptSample& sample, const AttemptSetting
 
 }  // namespace
 
-MomentImaging::MomentImaging(const PatientCase& patient, std::shared_ptr<const SceneSource> source)
-    : patient_(patient), source_(std::move(source)) {}
+MomentImaging::MomentImaging(const VolumeGeometry& grid, std::shared_ptr<const SceneSource> source)
+    : grid_(grid), source_(std::move(source)) {}
 MomentImaging::~MomentImaging() = default;
 
 Result<void> MomentImaging::use(const AttemptSettings& settings) {
@@ -54,7 +54,7 @@ Result<void> MomentImaging::use(const AttemptSettings& settings) {
   auto imager = Imager::make(setup);
   if (!imager) return tl::unexpected(imager.error());
   if (auto ok = validate(setup.mechanics); !ok) return ok;
-  const live::SceneNeed need(setup, patient_.labels.geometry);
+  const live::SceneNeed need(setup, grid_);
   if (!setup_ || setup_->tissues.tissues != setup.tissues.tissues || need_->detail_mm() != need.detail_mm())
     scenes_.clear();
   need_ = need;

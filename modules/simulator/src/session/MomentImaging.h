@@ -17,8 +17,8 @@ namespace insonate {
 /// before. Not for concurrent use; uses the calling thread's TBB arena.
 class MomentImaging {
  public:
-  /// `source` is the case's, which must outlive both.
-  MomentImaging(const PatientCase& patient, std::shared_ptr<const SceneSource> source);
+  /// `source` is of a case with this grid, whose volumes must outlive both.
+  MomentImaging(const VolumeGeometry& grid, std::shared_ptr<const SceneSource> source);
   ~MomentImaging();
 
   /// What holds from now on. Fails where no picture can be made of it.
@@ -46,7 +46,7 @@ class MomentImaging {
   const AcousticScene& scene() const { return *scenes_.front().scene; }
   void tellPress(LiveFrame& frame) const;
 
-  const PatientCase& patient_;
+  const VolumeGeometry grid_;
   const std::shared_ptr<const SceneSource> source_;
   std::optional<AttemptSettings> settings_;
   std::shared_ptr<const ImagingSetup> setup_;

@@ -38,6 +38,7 @@ LivePatient::~LivePatient() {
 
 void LivePatient::stop() {
   worker_ = nullptr;
+  forgetTissues();
   feed_.set(nullptr);
 }
 
@@ -153,10 +154,12 @@ void LivePatient::setAwake(bool awake) {
   if (awake == awake_) return;
   awake_ = awake;
   stale_ = false;
-  if (!awake)
-    feed_.set(nullptr);
-  else
+  if (awake) {
     startLive();
+  } else {
+    forgetTissues();
+    feed_.set(nullptr);
+  }
   Q_EMIT stateChanged();
 }
 
@@ -173,13 +176,33 @@ std::optional<Transform> LivePatient::standing() const {
   return pose ? std::optional(*pose) : std::nullopt;
 }
 
+void LivePatient::forgetTissues() {
+  ++tissues_;
+  tissuesDue_ = false;
+}
+
 void LivePatient::startLive() {
-  const auto where = pose();
-  if (!awake_ || !patient_ || !where) return;
+  if (!awake_ || !patient_ || !pose()) return;
+  forgetTissues();
+  auto labels = labels_ ? labels_ : CaseVolumes(patient_).labels;
+  if (own_.empty()) return startLiveOf(std::move(labels));
+  // A map of the whole case: some tenths of a second on a busy machine.
+  tissuesDue_ = true;
+  using Map = std::shared_ptr<const LabelMap>;
+  auto* made = new QFutureWatcher<Map>(this);
+  connect(made, &QFutureWatcher<Map>::finished, this, [this, made, number = tissues_] {
+    made->deleteLater();
+    if (number != tissues_) return;
+    tissuesDue_ = false;
+    startLiveOf(made->result());
+  });
+  made->setFuture(QtConcurrent::run([own = own_, labels = std::move(labels)] { return inTissues(own, labels); }));
+}
+
+void LivePatient::startLiveOf(std::shared_ptr<const LabelMap> tissues) {
   LiveOptions options;
   options.cineBytes = kCineBytes;
-  const auto labels = labels_ ? labels_ : CaseVolumes(patient_).labels;
-  auto live = LiveImaging::make(CaseVolumes(patient_, inTissues(own_, labels)), setup_, *where, options);
+  auto live = LiveImaging::make(CaseVolumes(patient_, std::move(tissues)), setup_, *pose(), options);
   if (!live) {
     trouble_ = QString::fromStdString(live.error().message);
     feed_.set(nullptr);
@@ -240,7 +263,7 @@ void LivePatient::moved() {
 
 bool LivePatient::isSettled() const {
   if (!patient_) return true;
-  if (!surfacesDone_) return false;
+  if (!surfacesDone_ || tissuesDue_) return false;
   if (!trouble_.isEmpty() || status_.state == LiveState::Failed) return true;
   return shown_ && !stale_ && pose() && shown_->patientFromProbe == *pose();
 }

@@ -72,6 +72,8 @@ class LivePatient : public QObject {
  private:
   void makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand);
   void startLive();
+  void startLiveOf(std::shared_ptr<const LabelMap> tissues);
+  void forgetTissues();
   void findSkin();
   void news();
   void rememberPlace();
@@ -94,7 +96,9 @@ class LivePatient : public QObject {
   QString trouble_;
   double press_mm_ = 0;
   bool awake_ = false, surfacesDone_ = true;
-  int skin_ = 0;        ///< of several that are looked for, the last counts
+  int skin_ = 0;     ///< of several that are looked for, the last counts
+  int tissues_ = 0;  ///< of several maps that are made of labels, too
+  bool tissuesDue_ = false;
   bool stale_ = false;  ///< a live probe has begun that has not made a picture yet
   ui::LiveFeed feed_;
   std::unique_ptr<ui::CaseWorker> worker_;

@@ -130,7 +130,7 @@ void CaseViews::showCase() {
 
 void CaseViews::showSeen() {
   if (!case_ || case_->shared() != session_.patient()) return;
-  case_->setEditedLabels(session_.labelling().seen());
+  case_->setLabels(session_.labelling().seen());
 }
 
 void CaseViews::replaceCase() {

@@ -9,6 +9,7 @@
 #include <insonate/cases/Difficulty.h>
 #include <insonate/cases/Phantom.h>
 #include <insonate/cases/StartPose.h>
+#include <insonate/cases/TissueLabels.h>
 #include <insonate/simulator/Imager.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/Labels.h>
@@ -30,9 +31,9 @@ namespace {
 
 constexpr int kPicture_px = 160;
 /// Of what is kept; raised when something else is to be found out.
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 
-QImage ultrasoundOf(const PatientCase& patient) {
+QImage ultrasoundOf(const CaseView& patient) {
   const auto start = autoStartPose(patient);
   const auto probe = loadProbe("linear");
   const auto tissues = loadAcousticTable(acousticPresetNames().front());
@@ -73,7 +74,8 @@ void findOut(const PatientCase& patient, LibraryEntry& entry, const Progress& pr
   entry.grade = QString::fromStdString(gradeOf(patient));
   entry.reason = QString::fromStdString(estimate ? estimate->sentence : estimate.error().message);
   entry.slice = slicePreview(patient.ct, kPicture_px);
-  entry.ultrasound = ultrasoundOf(patient);
+  const auto tissues = inTissues(patient.manifest.ownLabels, patient.labels);
+  entry.ultrasound = ultrasoundOf(tissues ? CaseView(patient, *tissues) : CaseView(patient));
   entry.state = LibraryEntry::State::Known;
 }
 

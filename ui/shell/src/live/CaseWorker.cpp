@@ -1,6 +1,8 @@
 #include "JobThreads.h"
 
+#include <insonate/cases/CaseView.h>
 #include <insonate/cases/StartPose.h>
+#include <insonate/cases/TissueLabels.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/CaseWorker.h>
@@ -19,11 +21,15 @@ class CaseWorker::Job {
  public:
   /// What is computed; known here so that nothing else of the worker is needed.
   struct Wanted {
-    bool start, hand, unplaced, structures, surface, surfacesDone, failed;
+    bool tissues, start, hand, unplaced, structures, surface, surfacesDone, failed;
   };
 
   Job(CaseWorker& worker, std::shared_ptr<const PatientCase> patient, Wanted wanted, std::vector<SurfaceWish> wishes)
-      : worker_(&worker), patient_(std::move(patient)), wanted_(wanted), wishes_(wishes.begin(), wishes.end()) {}
+      : worker_(&worker),
+        patient_(std::move(patient)),
+        labels_(CaseVolumes(patient_).labels),
+        wanted_(wanted),
+        wishes_(wishes.begin(), wishes.end()) {}
 
   void place(std::shared_ptr<const LabelMap> labels) {
     {
@@ -49,7 +55,8 @@ class CaseWorker::Job {
     changed_.notify_all();
   }
   void run() {
-    if (wanted_.start || wanted_.hand) placeProbe(patient_->labels);
+    if (wanted_.tissues) putTissues();
+    if (wanted_.start || wanted_.hand) placeProbe(*labels_);
     makeSurfaces();
   }
 
@@ -62,6 +69,7 @@ class CaseWorker::Job {
     post(std::move(call));
   }
   void post(Call call);  ///< with the mutex held
+  void putTissues();
   void placeProbe(const LabelMap& labels);
   bool offerSkin(const LabelMap& labels, const Error& why);
   void makeSurfaces();
@@ -69,6 +77,7 @@ class CaseWorker::Job {
 
   CaseWorker* worker_;  ///< there until it is left, which the mutex guards
   std::shared_ptr<const PatientCase> patient_;
+  std::shared_ptr<const LabelMap> labels_;  ///< of which all is made
   Wanted wanted_;
   std::atomic<bool> left_{false};
   std::mutex mutex_;
@@ -79,11 +88,12 @@ class CaseWorker::Job {
 
 CaseWorker::CaseWorker(std::shared_ptr<const PatientCase> patient, CaseWork work, std::vector<SurfaceWish> wishes)
     : work_(std::move(work)),
-      job_(std::make_shared<Job>(*this, std::move(patient),
-                                 Job::Wanted{work_.start != nullptr, work_.hand != nullptr, work_.unplaced != nullptr,
-                                             work_.structures != nullptr, work_.surface != nullptr,
-                                             work_.surfacesDone != nullptr, work_.failed != nullptr},
-                                 std::move(wishes))),
+      job_(std::make_shared<Job>(
+          *this, std::move(patient),
+          Job::Wanted{work_.tissues != nullptr, work_.start != nullptr, work_.hand != nullptr,
+                      work_.unplaced != nullptr, work_.structures != nullptr, work_.surface != nullptr,
+                      work_.surfacesDone != nullptr, work_.failed != nullptr},
+          std::move(wishes))),
       thread_([job = job_] { job->run(); }) {}
 
 CaseWorker::~CaseWorker() {
@@ -104,6 +114,11 @@ void CaseWorker::Job::post(Call call) {
   // Queued to the worker: gone with it, if it goes first.
   QMetaObject::invokeMethod(
       worker_, [worker = worker_, call = std::move(call)] { call(worker->work_); }, Qt::QueuedConnection);
+}
+
+void CaseWorker::Job::putTissues() {
+  labels_ = inTissues(patient_->manifest.ownLabels, labels_);
+  deliver([labels = labels_](CaseWork& work) { work.tissues(labels); });
 }
 
 void CaseWorker::Job::placeProbe(const LabelMap& labels) {
@@ -144,7 +159,7 @@ bool CaseWorker::Job::offerSkin(const LabelMap& labels, const Error& why) {
 }
 
 void CaseWorker::Job::makeSurfaces() {
-  const auto present = structuresIn(patient_->labels);
+  const auto present = structuresIn(*labels_);
   if (wanted_.structures)
     deliver([labels = std::vector<std::uint8_t>(present.begin(), present.end())](CaseWork& work) {
       work.structures(labels);
@@ -174,7 +189,7 @@ void CaseWorker::Job::makeSurfaces() {
 
 void CaseWorker::Job::makeSurface(const SurfaceWish& wish) {
   const Progress asked = [this](std::string_view, double) { return !left(); };
-  const LabelMap& labels = wish.labels ? *wish.labels : patient_->labels;
+  const LabelMap& labels = wish.labels ? *wish.labels : *labels_;
   auto mesh = wish.label == kSkin ? extractBody(labels, wish.options, asked)
                                   : extractSurface(labels, wish.label, wish.options, asked);
   // A structure that has no surface is not shown; nothing else depends on it.

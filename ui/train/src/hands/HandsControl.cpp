@@ -41,12 +41,12 @@ HandsControl::HandsControl(QObject* parent) : QObject(parent), session_(std::mak
 
 HandsControl::~HandsControl() = default;
 
-void HandsControl::setCase(std::shared_ptr<const PatientCase> patient, const ProbeHand* hand) {
+void HandsControl::setCase(std::shared_ptr<const LabelMap> labels, const ProbeHand* hand) {
   layNeedleDown();
-  if (patient) session_->devices();  // begins to look for them
-  patient_ = std::move(patient);
+  if (labels) session_->devices();  // begins to look for them
+  labels_ = std::move(labels);
   probe_ = hand ? std::optional(*hand) : std::nullopt;
-  session_->setCase(patient_, hand);
+  session_->setCase(labels_, hand);
   apply();
 }
 
@@ -92,7 +92,7 @@ Transform HandsControl::startOf(Hand hand) const {
 
 /// What belongs into a hand now, where something else is there.
 void HandsControl::put(Hand hand) {
-  const bool ready = patient_ && probe_;
+  const bool ready = labels_ && probe_;
   std::shared_ptr<HapticDevice> device = inMouse(hand) ? nullptr : deviceOf(wanted_[hand]);
   const bool simulated = dynamic_cast<SimulatedDevice*>(device.get()) != nullptr;
   // A real needle is there as soon as its device is; that of mouse and keys is taken up. Nobody feels a force without
@@ -210,7 +210,7 @@ void HandsControl::wishMoved() {
 }
 
 void HandsControl::takeNeedle(NeedlePlane plane) {
-  if (!patient_ || !probe_) return Q_EMIT said(tr("There is no patient for the needle yet."));
+  if (!labels_ || !probe_) return Q_EMIT said(tr("There is no patient for the needle yet."));
   plane_ = plane;
   if (!inMouse(kNeedleHand) && !dynamic_cast<SimulatedDevice*>(deviceOf(wanted_[kNeedleHand]).get()))
     return Q_EMIT said(tr("The needle is in the hand of a device."));
@@ -319,7 +319,7 @@ void HandsControl::setMapping(const QString& device, const HandMapping& mapping)
 
 void HandsControl::beginHere(Hand hand) {
   const ServoSnapshot now = session_->snapshot();
-  if (!patient_ || !probe_ || inMouse(hand) || !now.present[hand])
+  if (!labels_ || !probe_ || inMouse(hand) || !now.present[hand])
     return Q_EMIT said(tr("Put a device that tells its place into this hand first."));
   HandMapping mapping = mappings_.value(wanted_[hand]);
   mapping.begin = now.states[hand].deviceFromStylus;

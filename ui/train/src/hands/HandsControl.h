@@ -42,8 +42,8 @@ class HandsControl : public QObject {
 
   HandsSession& session() { return *session_; }
 
-  /// A patient, once there is a hand on the skin; null for none. Lays the needle down.
-  void setCase(std::shared_ptr<const PatientCase> patient, const ProbeHand* hand);
+  /// A patient's tissues, once there is a hand on the skin; null for none. Lays the needle down.
+  void setCase(std::shared_ptr<const LabelMap> labels, const ProbeHand* hand);
   /// Hears of each tick of the hands; meanwhile the probe is in one, also without a needle. Null for none.
   void setAttempt(std::shared_ptr<LiveAttempt> attempt);
   /// In a test nobody says what the needle meets.
@@ -131,7 +131,7 @@ class HandsControl : public QObject {
   QString pedal_;
   std::shared_ptr<HapticDevice> pedalDevice_;
   QHash<QString, HandMapping> mappings_;
-  std::shared_ptr<const PatientCase> patient_;
+  std::shared_ptr<const LabelMap> labels_;
   std::optional<ProbeHand> probe_;
   double halfWidth_mm_ = 19;
   bool watched_ = true, attempted_ = false, silent_ = false;

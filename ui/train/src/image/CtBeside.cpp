@@ -32,6 +32,7 @@ CtBeside::CtBeside(TrainSession& session, QWidget* parent)
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, [this] { follow(); });
   connect(&session_, &TrainSession::caseChanged, this, [this] { showCase(); });
+  connect(&session_, &TrainSession::tissuesKnown, this, [this] { showCase(); });
   connect(&session_, &TrainSession::pictureShown, this, [this] { want(); });
 }
 
@@ -44,7 +45,13 @@ void CtBeside::showCase() {
   timer_.stop();
   shape_ = nullptr;
   const bool there = shown_ && session_.patient();
-  view_->setCase(there ? std::make_shared<views::VtkCase>(session_.patient()) : nullptr);
+  // What it draws is known before the first picture.
+  std::shared_ptr<views::VtkCase> tissues;
+  if (there && session_.tissueLabels()) {
+    tissues = std::make_shared<views::VtkCase>(session_.patient());
+    tissues->setLabels(session_.tissueLabels());
+  }
+  view_->setCase(tissues);
   view_->setPicture(std::nullopt);
   widget_->setVisible(there);
   if (there) follow();

@@ -81,6 +81,7 @@ PatientViews::PatientViews(TrainSession& session, QWidget* parent)
   rest_.setInterval(kRest_ms);
   connect(&rest_, &QTimer::timeout, this, [this] { scene_->setMoving(false); });
   connect(&session_, &TrainSession::caseChanged, this, [this] { showCase(); });
+  connect(&session_, &TrainSession::tissuesKnown, this, [this] { case_->setLabels(session_.tissueLabels()); });
   connect(&session_, &TrainSession::surfaceMade, this,
           [this](int label, const std::shared_ptr<const Mesh>& mesh) { showSurface(label, *mesh); });
   connect(&session_, &TrainSession::pictureShown, this, [this] { want(); });

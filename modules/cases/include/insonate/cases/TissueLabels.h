@@ -14,9 +14,6 @@ std::optional<LabelMap> inTissues(const OwnLabels& own, const LabelMap& labels);
 /// The same map where nothing is to be changed.
 std::shared_ptr<const LabelMap> inTissues(const OwnLabels& own, std::shared_ptr<const LabelMap> labels);
 
-/// The same case where nothing is to be changed, else a copy.
-std::shared_ptr<const PatientCase> inTissues(std::shared_ptr<const PatientCase> patient);
-
 /// In its place.
 void putTissues(PatientCase& patient);
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <insonate/cases/PatientCase.h>
 #include <insonate/haptics/DeviceHub.h>
 #include <insonate/haptics/InputHand.h>
 #include <insonate/haptics/ServoThread.h>
+#include <insonate/image/Volume.h>
 #include <insonate/simulator/LiveImaging.h>
 #include <insonate/simulator/ProbeHand.h>
 
@@ -32,9 +32,9 @@ class HandsSession {
 
   DeviceHub& devices();
 
-  /// The patient, and a hand on that patient's skin; none for none. The needle's tissue is prepared in the background
-  /// round the probe, and again where the hands have gone elsewhere with the needle outside.
-  void setCase(std::shared_ptr<const PatientCase> patient, const ProbeHand* hand);
+  /// The patient's tissues, and a hand on that patient's skin; none for none. The needle's tissue is prepared in the
+  /// background round the probe, and again where the hands have gone elsewhere with the needle outside.
+  void setCase(std::shared_ptr<const LabelMap> labels, const ProbeHand* hand);
   /// Whose pictures tell how the tissue presses back, and which follows a device. Once it returns, the one before is
   /// used no more.
   void setImaging(LiveImaging* imaging);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <insonate/cases/PatientCase.h>
+#include <insonate/cases/CaseView.h>
 #include <insonate/core/Progress.h>
 #include <insonate/simulator/TissueMechanics.h>
 #include <insonate/tissue/AcousticTable.h>
@@ -72,10 +72,10 @@ Region sceneRegion(const ImagingSetup& setup, const Transform& patientFromProbe,
 std::vector<SceneRun> sceneRuns(const ImagingSetup& setup, std::span<const Transform> path, double further_mm = 0);
 
 /// Of a case that has more than one scene: what they share is computed once. It must not outlive the case.
-Result<std::shared_ptr<const SceneSource>> makeSceneSource(const PatientCase& patient);
+Result<std::shared_ptr<const SceneSource>> makeSceneSource(const CaseView& patient);
 
 /// The part of the patient that a region needs. Fails on a region that misses the patient's volume.
-Result<std::shared_ptr<const AcousticScene>> makeScene(const PatientCase& patient, const ImagingSetup& setup,
+Result<std::shared_ptr<const AcousticScene>> makeScene(const CaseView& patient, const ImagingSetup& setup,
                                                        const Region& region, const Progress& progress = {});
 Result<std::shared_ptr<const AcousticScene>> makeScene(const SceneSource& source, const ImagingSetup& setup,
                                                        const Region& region, const Progress& progress = {});

@@ -17,6 +17,9 @@ namespace insonate::ui {
 /// What a case needs before a hand can move over it and 3D can show it, in the order in which it comes. All are called
 /// on the window's thread; what is left empty is not computed.
 struct CaseWork {
+  /// The labels as tissues (cases/TissueLabels.h), of which all that follows is made then; where this is left empty,
+  /// all is made of the author's own.
+  std::function<void(std::shared_ptr<const LabelMap>)> tissues;
   std::function<void(StartPose)> start;  ///< where the probe begins
   std::function<void(ProbeHand)> hand;
   /// In place of both, where the case has no start pose and none is found: a hand on the skin that is nearest to the

@@ -29,10 +29,10 @@ class VtkCase {
   /// Hounsfield units; origin, spacing and direction of the patient's grid (LPS mm), oblique and left-handed ones too.
   vtkImageData* ct() const;
 
-  /// What is drawn as labels: the patient's own, or a map that is being edited instead of them (same grid; null for the
-  /// patient's own again). Not to be written to while a view renders.
-  const LabelMap& labels() const { return edited_ ? *edited_ : patient_->labels; }
-  void setEditedLabels(std::shared_ptr<const LabelMap> labels);
+  /// What is drawn as labels: the patient's own, or another map instead of them, e.g. one that is being edited (same
+  /// grid; null for the patient's own again). Not to be written to while a view renders.
+  const LabelMap& labels() const { return instead_ ? *instead_ : patient_->labels; }
+  void setLabels(std::shared_ptr<const LabelMap> labels);
   /// Say so after each change of voxels, and where they lie; then render the views.
   void labelsChanged(const VoxelBox& box);
   void labelsChanged() { labelsChanged(boxOf(patient_->labels.geometry)); }
@@ -42,7 +42,7 @@ class VtkCase {
 
  private:
   std::shared_ptr<const PatientCase> patient_;
-  std::shared_ptr<const LabelMap> edited_;
+  std::shared_ptr<const LabelMap> instead_;
   vtkSmartPointer<vtkImageData> ct_;
   struct Change {
     std::uint64_t revision;
