@@ -1,21 +1,16 @@
 #include "bench/FrameTimer.h"
 
+#include <insonate/core/ProcessorTime.h>
+
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 
 namespace insonate::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double processorTime_ms() {
-  timespec t{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
-}
 
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;
@@ -31,12 +26,12 @@ FrameTimes timeFrames(const Patience& patience, const std::function<void(int fra
   std::vector<double> wall_ms, cpu_ms;
   const auto begin = Clock::now();
   for (int i = 0; i < patience.most; ++i) {
-    const double cpu = processorTime_ms();
+    const double cpu = processTime_ms();
     const auto start = Clock::now();
     frame(patience.warmUp + i);
     const auto end = Clock::now();
     wall_ms.push_back(std::chrono::duration<double, std::milli>(end - start).count());
-    cpu_ms.push_back(processorTime_ms() - cpu);
+    cpu_ms.push_back(processTime_ms() - cpu);
     if (i + 1 >= patience.least && std::chrono::duration<double>(end - begin).count() > patience.seconds) break;
   }
   return {static_cast<int>(wall_ms.size()), quantile(wall_ms, 0.5), quantile(wall_ms, 0.95), quantile(wall_ms, 0),

@@ -2,11 +2,11 @@
 
 #include "../TrainSession.h"
 
+#include <insonate/core/ProcessorTime.h>
 #include <insonate/ui/ViewWidget.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <numbers>
 
 namespace insonate::train {
@@ -17,12 +17,6 @@ constexpr int kHand_ms = 8;  // a mouse reports about as often
 constexpr std::size_t kFirst = 5;
 constexpr double kPatience_s = 30;
 constexpr double kReach_mm = 20, kTurn_deg = 15, kPeriod_s = 3;
-
-double processorTime_ms(clockid_t clock) {
-  timespec now{};
-  clock_gettime(clock, &now);
-  return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
-}
 
 double quantile(std::vector<double>& values, double share) {
   if (values.empty()) return 0;
@@ -50,8 +44,8 @@ void LiveMeasure::begin() {
   begun_ = true;
   begun_ms_ = double(clock_.nsecsElapsed()) / 1e6;
   latency_ms_.clear();
-  cpu_ms_ = processorTime_ms(CLOCK_PROCESS_CPUTIME_ID);
-  window_ms_ = processorTime_ms(CLOCK_THREAD_CPUTIME_ID);
+  cpu_ms_ = processTime_ms();
+  window_ms_ = threadTime_ms();
 }
 
 /// Back and forth along a sine: 42 mm/s at most.
@@ -89,8 +83,8 @@ void LiveMeasure::finish() {
   rates.images = int(latency_ms_.size());
   rates.imagesPerSecond = rates.images / rates.seconds;
   const int images = std::max(1, rates.images);
-  rates.cpu_ms = (processorTime_ms(CLOCK_PROCESS_CPUTIME_ID) - cpu_ms_) / images;
-  rates.window_ms = (processorTime_ms(CLOCK_THREAD_CPUTIME_ID) - window_ms_) / images;
+  rates.cpu_ms = (processTime_ms() - cpu_ms_) / images;
+  rates.window_ms = (threadTime_ms() - window_ms_) / images;
   rates.median_ms = quantile(latency_ms_, 0.5);
   rates.p95_ms = quantile(latency_ms_, 0.95);
   disconnect();

@@ -2,12 +2,12 @@
 
 #include "../TrainSession.h"
 
+#include <insonate/core/ProcessorTime.h>
 #include <insonate/ui/ViewWidget.h>
 #include <insonate/views/SceneView.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <numbers>
 #include <utility>
 
@@ -20,12 +20,6 @@ constexpr double kPatience_s = 30;
 /// A probe counts as moving until now after it came to rest.
 constexpr double kLeastRest_s = 0.6;
 constexpr double kTurn_degps = 60, kPeriod_s = 2, kNearer = 0.3, kReach_mm = 10;
-
-double processorTime_ms() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
-}
 
 double wave(double t_s) {
   return std::sin(2 * std::numbers::pi * t_s / kPeriod_s);
@@ -73,7 +67,7 @@ void SceneMeasure::move(double part_s) {
 void SceneMeasure::tick() {
   const double hold_ms = double(sinceBeat_.nsecsElapsed()) / 1e6 - kBeat_ms;
   sinceBeat_.start();
-  const double before_ms = std::exchange(beatProcessor_ms_, processorTime_ms());
+  const double before_ms = std::exchange(beatProcessor_ms_, threadTime_ms());
   if (part_ != Part::Warm) {
     VolumeRates::Holds& holds = rests() ? rates_.rest : rates_.moving;
     holds.longest_ms = std::max(holds.longest_ms, hold_ms);

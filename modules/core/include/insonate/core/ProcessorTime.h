@@ -1,0 +1,25 @@
+#pragma once
+
+#include <ctime>
+
+namespace insonate {
+
+namespace detail {
+inline double processorTime_ms(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec);
+}
+}  // namespace detail
+
+/// What this thread has worked so far, whatever else the machine does.
+inline double threadTime_ms() {
+  return detail::processorTime_ms(CLOCK_THREAD_CPUTIME_ID);
+}
+
+/// What all threads of this process have worked together.
+inline double processTime_ms() {
+  return detail::processorTime_ms(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+}  // namespace insonate
