@@ -1,8 +1,12 @@
 #include "Benchmark.h"
 
+#include <insonate/cases/CropCase.h>
+#include <insonate/cases/Phantom.h>
 #include <insonate/core/AtomicFile.h>
+#include <insonate/prepare/PrepareWorkspace.h>
 #include <insonate/train/TrainWorkspace.h>
 #include <insonate/ui/MainWindow.h>
+#include <insonate/ui/TaskBar.h>
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -12,6 +16,7 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -24,6 +29,9 @@ constexpr int kPatience_ms = 180'000;
 /// Surfaces and what is computed ahead of need are there after this.
 constexpr int kSettle_ms = 12'000;
 constexpr int kSettlePrepare_ms = 60'000;
+constexpr int kLook_ms = 100;
+constexpr std::array<int, 3> kLarge{512, 512, 300}, kQuick{64, 64, 40};
+constexpr int kRepeats = 15;
 
 /// A line of proc(5), /proc/self/status, e.g. "VmRSS".
 double memory_MB(const std::string& key) {
@@ -33,16 +41,34 @@ double memory_MB(const std::string& key) {
   return 0;
 }
 
+/// From here on, "VmHWM" is of what comes: proc(5), clear_refs.
+void forgetPeakMemory() {
+  std::ofstream("/proc/self/clear_refs") << 5;
+}
+
+/// The textbook neck with contrast on a grid of this size.
+Result<std::shared_ptr<const PatientCase>> neckOf(const std::array<int, 3>& size, const Progress& progress) {
+  auto neck = makePhantom("textbook", 1, progress, CtContrast::kArterial);
+  if (!neck) return tl::unexpected(neck.error());
+  const VolumeGeometry& grid = neck->ct.geometry;
+  Vec3 spacing_mm = grid.spacing_mm;
+  for (int axis = 0; axis < 3; ++axis) spacing_mm[axis] *= double(grid.size[axis]) / size[axis];
+  auto large = cropCase(*neck, {boxOf(grid), spacing_mm}, progress);
+  if (!large) return tl::unexpected(large.error());
+  return std::make_shared<const PatientCase>(std::move(*large));
+}
+
 }  // namespace
 
-Benchmark::Benchmark(ui::MainWindow& window, train::TrainWorkspace& train, BenchmarkPlan plan,
-                     std::function<void(const QString&)> done)
-    : window_(window), train_(train), plan_(std::move(plan)), done_(std::move(done)) {
+Benchmark::Benchmark(ui::MainWindow& window, train::TrainWorkspace& train, prepare::PrepareWorkspace& prepare,
+                     BenchmarkPlan plan, std::function<void(const QString&)> done)
+    : window_(window), train_(train), prepare_(prepare), plan_(std::move(plan)), done_(std::move(done)) {
   double load[1] = {0};
   if (getloadavg(load, 1) != 1) load[0] = -1;
   add(QStringLiteral("logical_cores"), std::thread::hardware_concurrency(), {});
   add(QStringLiteral("load_average_at_start"), load[0], {});
   timeStarts();
+  empty_MB_ = memory_MB("VmRSS");
   first_ = std::make_unique<FirstImage>(window_, [this] { opened(); });
   opening_.start();
 }
@@ -143,8 +169,50 @@ void Benchmark::measureMemory() {
   QTimer::singleShot(plan_.quick ? 0 : kSettlePrepare_ms, this, [this] {
     add(QStringLiteral("memory_prepare"), memory_MB("VmRSS"), QStringLiteral("MB"));
     add(QStringLiteral("memory_peak"), memory_MB("VmHWM"), QStringLiteral("MB"));
-    write();
+    openLarge();
   });
+}
+
+/// In every workspace, as any case.
+void Benchmark::openLarge() {
+  using Made = std::shared_ptr<const PatientCase>;
+  window_.tasks().run<Made>(
+      tr("Making a large neck"),
+      [size = plan_.quick ? kQuick : kLarge](const Progress& progress) { return neckOf(size, progress); },
+      [this](Result<Made> made) {
+        if (!made) {
+          trouble_ = QString::fromStdString(made.error().message);
+          return write();
+        }
+        forgetPeakMemory();
+        Q_EMIT prepare_.caseMade(*made);
+        whenReady([this] {
+          prepare_.measureLabelling(plan_.quick ? 2 : kRepeats, [this](const auto& times) { labelled(times); });
+        });
+      });
+}
+
+void Benchmark::whenReady(std::function<void()> go) {
+  QTimer::singleShot(kLook_ms, this, [this, go = std::move(go)] { prepare_.isReady() ? go() : whenReady(go); });
+}
+
+void Benchmark::labelled(const std::vector<prepare::LabellingTime>& times) {
+  for (const prepare::LabellingTime& time : times) {
+    const QString name = QStringLiteral("labelling_%1_%2").arg(time.name);
+    add(name.arg(QStringLiteral("median")), time.median_ms, QStringLiteral("ms"));
+    add(name.arg(QStringLiteral("longest")), time.longest_ms, QStringLiteral("ms"));
+    add(name.arg(QStringLiteral("window_pause")), time.pause_ms, QStringLiteral("ms"));
+    add(name.arg(QStringLiteral("window_work")), time.work_ms, QStringLiteral("ms"));
+  }
+  const PatientCase& patient = *window_.current().patient;
+  const double volumes_MB =
+      double(patient.ct.voxels.size() * sizeof(std::int16_t) + patient.labels.voxels.size()) / (1 << 20);
+  const double held_MB = memory_MB("VmHWM") - empty_MB_;
+  add(QStringLiteral("memory_labelling_volumes"), volumes_MB, QStringLiteral("MB"));
+  add(QStringLiteral("memory_labelling_peak"), held_MB, QStringLiteral("MB"));
+  add(QStringLiteral("memory_labelling_times_volumes"), held_MB / volumes_MB, {});
+  // Not from within what was measured.
+  QTimer::singleShot(0, this, [this] { write(); });
 }
 
 void Benchmark::write() {

@@ -117,7 +117,7 @@ int run(QApplication& application, const app::Arguments& arguments) {
   std::unique_ptr<app::Benchmark> benchmark;
   if (!arguments.benchmark.empty())
     benchmark = std::make_unique<app::Benchmark>(
-        window, *window.findChild<train::TrainWorkspace*>(),
+        window, *window.findChild<train::TrainWorkspace*>(), *window.findChild<prepare::PrepareWorkspace*>(),
         app::BenchmarkPlan{arguments.benchmark, arguments.caseFolder, arguments.quick}, leave);
   // From within the event loop, which a failure may end.
   const auto begin = [&window, folder = QString::fromStdString(arguments.caseFolder)] {

@@ -1,20 +1,16 @@
 #include "ToolsWindow.h"
 
+#include <insonate/core/ProcessorTime.h>
+
+#include <ui/support/Pauses.h>
+
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <fstream>
 #include <string>
 
 namespace insonate::prepare {
 namespace {
-
-/// Processor time of all threads, ms: others may be at work beside this.
-double processor_ms() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return 1e3 * double(now.tv_sec) + double(now.tv_nsec) / 1e6;
-}
 
 double median(std::vector<double> values) {
   std::ranges::nth_element(values, values.begin() + std::ptrdiff_t(values.size() / 2));
@@ -54,10 +50,10 @@ class LabelSpeed : public Tools {
   double cost_ms(Action action) {
     QTest::qWait(30);
     const int before = renderings();
-    const double start_ms = processor_ms();
+    const double start_ms = processTime_ms();
     action();
     EXPECT_TRUE(QTest::qWaitFor([&] { return renderings() > before; }, kPatience_ms));
-    return processor_ms() - start_ms;
+    return processTime_ms() - start_ms;
   }
 };
 
@@ -93,10 +89,10 @@ TEST_F(LabelSpeed, OfALargeCase) {
   for (int n = 0; n < 9; ++n) {
     QTest::qWait(1500);
     const auto shown = preview.proposal();
-    const double start_ms = processor_ms();
+    const double start_ms = processTime_ms();
     child<QSpinBox>("tool-from")->setValue(300 + 5 * n);
     ASSERT_TRUE(QTest::qWaitFor([&] { return preview.proposal() != shown; }, kPatience_ms));
-    previews.push_back(processor_ms() - start_ms);
+    previews.push_back(processTime_ms() - start_ms);
   }
   key(Qt::Key_Return);
   ASSERT_TRUE(done());
@@ -104,6 +100,79 @@ TEST_F(LabelSpeed, OfALargeCase) {
       "512x512x300, processor time: change of all slices %.0f ms, first dab %.0f ms, dab %.0f ms, threshold "
       "preview %.0f ms; memory %.1f times the volumes\n",
       median(slices), first, median(dabs), median(previews), (memory_MB("VmHWM:") - before_MB) / volumes_MB);
+}
+
+/// Ten tools that shape what is labelled, one after the other.
+std::vector<LabelTool> filters() {
+  return {step::Median{1},      step::Opening{1},
+          step::Closing{1},     step::Gaussian{1},
+          step::Margin{1},      step::Margin{-1},
+          step::Hollow{1},      step::Closing{2},
+          step::KeepLargest{1}, step::SmoothTogether{1, {kBone, kArtery}}};
+}
+
+/// Everything that follows edits is on.
+class LongEditing : public LabelSpeed {
+ protected:
+  void stroke(int number) {
+    const auto at = [&](int n) {
+      return pointOf(session_->crosshair_mm() + Vec3{-50 + 5.0 * (number % 20) + n, -30 + 6.0 * (number / 20), 0});
+    };
+    QWidget* axialCanvas = canvas("Axial slice");
+    QTest::mousePress(axialCanvas, Qt::LeftButton, {}, at(0));
+    for (int n = 1; n < kDabs; ++n) {
+      QMouseEvent move(QEvent::MouseMove, at(n), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+      QApplication::sendEvent(axialCanvas, &move);
+      QTest::qWait(5);
+    }
+    QTest::mouseRelease(axialCanvas, Qt::LeftButton, {}, at(kDabs - 1));
+  }
+  void filter(const LabelTool& tool) {
+    LabelStep step;
+    step.tool = tool;
+    step.label = kArtery;
+    session_->labelling().run(step, "filter");
+    ASSERT_TRUE(done());
+    QTest::qWait(1000);
+  }
+  /// Times the volumes, once surfaces, picture and check have followed.
+  double held(double volumes_MB) {
+    EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->isReady(); }, kPatience_ms));
+    return memory_MB("VmRSS:") / volumes_MB;
+  }
+
+ private:
+  static constexpr int kDabs = 5;
+};
+
+TEST_F(LongEditing, KeepsItsMemory) {
+  constexpr int kStrokes = 200, kUndos = 50;
+  const auto patient = large();
+  const double volumes_MB = double(patient->ct.voxels.size()) * 3 / (1 << 20);
+  openCase(patient);
+  session_->addStructure(kArtery);
+  key(Qt::Key_1);
+  const double opened = held(volumes_MB);
+  test::Pauses pauses;
+  for (int n = 0; n < kStrokes / 2; ++n) stroke(n);
+  const double early = held(volumes_MB);
+  for (int n = kStrokes / 2; n < kStrokes; ++n) stroke(n);
+  const double painted = held(volumes_MB), strokes_ms = pauses.longest_ms();
+  for (int n = 0; n < kUndos; ++n) {
+    session_->undoStack().undo();
+    QTest::qWait(20);
+  }
+  const double undone = held(volumes_MB), undos_ms = pauses.longest_ms();
+  EXPECT_GT(count(kArtery), 1000u);
+  for (const LabelTool& tool : filters()) filter(tool);
+  const double end = held(volumes_MB), filters_ms = pauses.longest_ms();
+  const double undo_MB = double(session_->labelling().undoBytes()) / (1 << 20);
+  std::printf(
+      "512x512x300, longest work of the window's thread: %d strokes %.0f ms, %d undos %.0f ms, ten filters %.0f ms; "
+      "memory in times the volumes: opened %.1f, after 100 strokes %.1f, 200 %.1f, undone %.1f, filtered %.1f; undo "
+      "%.1f MB\n",
+      kStrokes, strokes_ms, kUndos, undos_ms, filters_ms, opened, early, painted, undone, end, undo_MB);
+  EXPECT_LT(std::max({painted, undone, end}), early + 0.5) << "it grows with what is done";
 }
 
 }  // namespace

@@ -55,6 +55,38 @@ TEST(Threshold, FollowsASliderInTheSameMemoryAndKnowsRangesBeyondSixteenBits) {
   EXPECT_EQ(chosen.mask.voxels.data(), memory);
 }
 
+TEST(Threshold, ProposesWhatTheRulesAllowInOnePassAndInTheSameMemory) {
+  const CtVolume ct = noisyCt(test::toolGrids()[2].geometry);
+  LabelMap labels(ct.geometry);
+  for (std::size_t v = 0; v < labels.voxels.size(); ++v) labels.voxels[v] = std::uint8_t(v % 7);
+  EditRules locked, limited;
+  locked.locked.set(3), locked.hidden.set(5);
+  limited.over = LabelSet().set(2).set(4), limited.editable = HuRange{0, 300};
+  EditRules none;
+  none.locked.set(2);
+  Proposal made;
+  const std::uint8_t* memory = nullptr;
+  for (const EditRules& rules : {EditRules{}, locked, limited, none})
+    for (const HuRange range : {HuRange{-20, 431}, {100, 50}, {-100000, 100000}}) {
+      const VoxelBox box{{3, 4, 2}, {20, 30, 15}};
+      Selection chosen(ct.geometry, box);
+      threshold(ct, range, chosen);
+      Proposal expected = painted(std::move(chosen), 2);
+      restrictTo(rules, ct, labels, expected);
+      proposeThreshold(ct, range, 2, rules, labels, box, made);
+      EXPECT_EQ(made.box, expected.box);
+      EXPECT_EQ(made.labels.geometry, expected.labels.geometry);
+      EXPECT_EQ(made.labels.voxels, expected.labels.voxels);
+      EXPECT_TRUE(!memory || made.labels.voxels.data() == memory);
+      memory = made.labels.voxels.data();
+    }
+  proposeThreshold(ct, {}, 2, {}, labels, boxOf(ct.geometry), made);
+  EXPECT_EQ(made.labels.voxels.size(), ct.voxels.size()) << "of another box";
+  proposeThreshold(ct, {}, 2, {}, labels, {}, made);
+  EXPECT_TRUE(made.box.empty());
+  EXPECT_TRUE(made.labels.voxels.empty());
+}
+
 TEST_P(BrushOnGrids, DabOfASphereIsTheBallInThePatient) {
   const Vec3 at{3.3, -2.1, 4.2};
   const Selection dab = brushed(grid(), std::array{at}, {.radius_mm = 7});

@@ -5,6 +5,7 @@
 #include "guide/GuidePointer.h"
 #include "guide/GuideSession.h"
 #include "live/UltrasoundPane.h"
+#include "measure/LabellingMeasure.h"
 #include "panel/PathPanel.h"
 #include "panel/RightColumn.h"
 #include "tool/SceneTools.h"

@@ -17,6 +17,7 @@ namespace insonate::prepare {
 
 class CaseViews;
 class GuideSession;
+class LabellingMeasure;
 class PathPanel;
 class RightColumn;
 class ToolSession;
@@ -42,6 +43,7 @@ class PrepareWorkspace::Parts : public QObject {
   void saveLayout(QSettings& settings) const;
   void restoreLayout(QSettings& settings);
   QString engineText() const;
+  void measureLabelling(int repeats, std::function<void(std::vector<LabellingTime>)> done);
 
  private:
   void buildEmpty();
@@ -60,6 +62,7 @@ class PrepareWorkspace::Parts : public QObject {
   ToolSession* tools_ = nullptr;
   RightColumn* right_ = nullptr;
   QAction* save_ = nullptr;
+  std::unique_ptr<LabellingMeasure> measure_;
 };
 
 }  // namespace insonate::prepare

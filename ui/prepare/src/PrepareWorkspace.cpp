@@ -89,6 +89,10 @@ void PrepareWorkspace::restoreLayout(QSettings& settings) {
   parts_->restoreLayout(settings);
 }
 
+void PrepareWorkspace::measureLabelling(int repeats, std::function<void(std::vector<LabellingTime>)> done) {
+  parts_->measureLabelling(repeats, std::move(done));
+}
+
 void PrepareWorkspace::stop() {
   parts_->session.stop();
 }

@@ -19,6 +19,18 @@ LabelSet setOf(const std::vector<std::uint8_t>& labels) {
   return set;
 }
 
+/// Where a step may write: all of the grid, unless it says otherwise.
+VoxelBox regionOf(const LabelStep& step, const VolumeGeometry& grid) {
+  if (!step.box_mm) return boxOf(grid);
+  const Transform indexFromPatient = grid.indexFromPatient();
+  VoxelBox box;
+  for (const Vec3& corner_mm : *step.box_mm) {
+    const std::array at = nearestVoxel(indexFromPatient * corner_mm);
+    box = united(box, {at, {at[0] + 1, at[1] + 1, at[2] + 1}});
+  }
+  return intersected(box, boxOf(grid));
+}
+
 /// Runs one tool of a step: an overload for each.
 class Proposer {
  public:
@@ -122,16 +134,7 @@ class Proposer {
  private:
   static constexpr double kAroundShape_mm = 10, kAroundLevelSet_mm = 20;
 
-  VoxelBox region() const {
-    if (!step_.box_mm) return boxOf(ct_.geometry);
-    const Transform indexFromPatient = ct_.geometry.indexFromPatient();
-    VoxelBox box;
-    for (const Vec3& corner_mm : *step_.box_mm) {
-      const std::array at = nearestVoxel(indexFromPatient * corner_mm);
-      box = united(box, {at, {at[0] + 1, at[1] + 1, at[2] + 1}});
-    }
-    return intersected(box, boxOf(ct_.geometry));
-  }
+  VoxelBox region() const { return regionOf(step_, ct_.geometry); }
   /// The label in the step's region, or where it is and so much around.
   Selection shape(double margin_mm) const {
     return voxelsOf(labels_, step_.label, extentOfAll({step_.label}, margin_mm));
@@ -171,6 +174,20 @@ std::string_view nameOf(const LabelTool& tool) {
 
 Result<Proposal> propose(const LabelStep& step, const CtVolume& ct, const LabelMap& labels, const Progress& progress) {
   return std::visit(Proposer(step, ct, labels, progress), step.tool);
+}
+
+Result<void> preview(const LabelStep& step, const CtVolume& ct, const LabelMap& labels, Proposal& into,
+                     const Progress& progress) {
+  const EditRules rules = rulesOf(step);
+  if (const auto* s = std::get_if<step::Threshold>(&step.tool)) {
+    proposeThreshold(ct, s->range_HU, step.label, rules, labels, regionOf(step, ct.geometry), into);
+    return {};
+  }
+  auto made = propose(step, ct, labels, progress);
+  if (!made) return tl::unexpected(made.error());
+  restrictTo(rules, ct, labels, *made);
+  into = std::move(*made);
+  return {};
 }
 
 EditRules rulesOf(const LabelStep& step) {

@@ -10,12 +10,11 @@ namespace insonate::prepare {
 namespace {
 
 Result<std::shared_ptr<const Proposal>> proposed(const LabelStep& step, const CtVolume& ct, const LabelMap& labels,
-                                                 const std::atomic<bool>& stop) {
+                                                 std::shared_ptr<Proposal> into, const std::atomic<bool>& stop) {
   try {
-    auto made = propose(step, ct, labels, [&stop](std::string_view, double) { return !stop; });
+    const auto made = preview(step, ct, labels, *into, [&stop](std::string_view, double) { return !stop; });
     if (!made) return tl::unexpected(made.error());
-    restrictTo(rulesOf(step), ct, labels, *made);
-    return std::make_shared<const Proposal>(std::move(*made));
+    return into;
   } catch (const std::exception& error) {
     return fail("There is not enough memory for this preview (" + std::string(error.what()) +
                 "); close other programs.");
@@ -40,6 +39,7 @@ void LabelPreview::clear() {
   ++number_;
   next_.reset();
   if (stop_) *stop_ = true;
+  store_.forget();
   if (!std::exchange(proposal_, nullptr)) return;
   Q_EMIT changed();
 }
@@ -51,8 +51,9 @@ void LabelPreview::begin(Wish wish) {
     watcher->deleteLater();
     take(number, label, watcher->result());
   });
-  watcher->setFuture(QtConcurrent::run(
-      [wish = std::move(wish), stop = stop_] { return proposed(wish.step, *wish.ct, *wish.labels, *stop); }));
+  watcher->setFuture(QtConcurrent::run([wish = std::move(wish), into = store_.take(), stop = stop_] {
+    return proposed(wish.step, *wish.ct, *wish.labels, into, *stop);
+  }));
 }
 
 void LabelPreview::take(int number, std::uint8_t label, const Made& made) {

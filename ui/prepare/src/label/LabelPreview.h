@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ProposalStore.h"
+
 #include <insonate/core/Result.h>
 #include <insonate/segmentation/LabelStep.h>
 
@@ -46,6 +48,7 @@ class LabelPreview : public QObject {
   void begin(Wish wish);
   void take(int number, std::uint8_t label, const Made& made);
 
+  ProposalStore store_;
   std::shared_ptr<const Proposal> proposal_;
   std::shared_ptr<std::atomic<bool>> stop_;  ///< of what is computed; null for nothing
   std::optional<Wish> next_;

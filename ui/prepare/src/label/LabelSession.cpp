@@ -4,6 +4,8 @@
 
 #include <insonate/ui/TaskBar.h>
 
+#include <tbb/parallel_for_each.h>
+
 #include <QPointer>
 #include <QtConcurrent/QtConcurrentRun>
 #include <utility>
@@ -68,7 +70,11 @@ void LabelSession::setBusy(bool busy) {
 void LabelSession::getReady() {
   if (!patient_ || working_ || ready_) return;
   ready_ = QtConcurrent::run([patient = patient_] {
-    return std::make_shared<Copies>(std::make_shared<LabelMap>(patient->labels), patient->labels);
+    auto copies = std::make_shared<Copies>(Copies{std::make_shared<LabelMap>(), {}});
+    std::vector<LabelMap*> all{copies->working.get()};
+    for (LabelMap& snapshot : copies->snapshots) all.push_back(&snapshot);
+    tbb::parallel_for_each(all, [&](LabelMap* copy) { *copy = patient->labels; });
+    return copies;
   });
 }
 
@@ -77,9 +83,9 @@ void LabelSession::beginWork() {
   getReady();
   const std::shared_ptr<Copies> copies = ready_->result();
   ready_.reset();
-  working_ = std::move(copies->first);
+  working_ = std::move(copies->working);
   edit_ = std::make_unique<LabelEdit>(patient_->ct, *working_);
-  snapshots_ = std::make_unique<LabelSnapshots>(*working_, std::move(copies->second));
+  snapshots_ = std::make_unique<LabelSnapshots>(*working_, std::move(copies->snapshots));
   Q_EMIT seenChanged();
 }
 

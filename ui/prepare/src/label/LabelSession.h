@@ -32,8 +32,8 @@ namespace insonate::prepare {
 /// thread. Everything on other threads (tools, previews, surfaces, the live picture, the check, saving) reads a
 /// snapshot (LabelSnapshots), which shares the CT of the case and takes as long as what has changed since the last one.
 /// While a tool's result is being written, on another thread, the window reads the snapshot, too. So no map is read and
-/// written at once. Memory beside the case: the working map, as a rule two snapshots, one proposal, and LabelEdit's
-/// steps.
+/// written at once. Memory beside the case: the working map, as a rule three snapshots, two proposals while a slider is
+/// dragged, and LabelEdit's steps.
 ///
 /// For the window's thread.
 class LabelSession : public QObject {
@@ -82,6 +82,7 @@ class LabelSession : public QObject {
   /// What run() would write, in preview().
   void wantPreview(LabelStep step);
   LabelPreview& preview() { return preview_; }
+  const LabelPreview& preview() const { return preview_; }
 
   /// A stroke of the brush, written at once: one step from its first to its last point. False, and failed(), where
   /// nothing may be painted.
@@ -111,8 +112,11 @@ class LabelSession : public QObject {
     Done done;
   };
 
-  /// The working map and the first snapshot's memory.
-  using Copies = std::pair<std::shared_ptr<LabelMap>, LabelMap>;
+  /// Of the case's labels, for the working map and its snapshots.
+  struct Copies {
+    std::shared_ptr<LabelMap> working;
+    LabelSnapshots::Copies snapshots;
+  };
 
   /// False where the step was let go.
   bool undo();
@@ -139,8 +143,8 @@ class LabelSession : public QObject {
   std::function<QString(std::uint8_t)> names_ = structureName;
   QUndoStack& undo_;
   std::shared_ptr<const PatientCase> patient_;
-  std::optional<QFuture<std::shared_ptr<Copies>>> ready_;  ///< copies of the case's labels
-  std::shared_ptr<LabelMap> working_;                      ///< null before the first edit
+  std::optional<QFuture<std::shared_ptr<Copies>>> ready_;
+  std::shared_ptr<LabelMap> working_;  ///< null before the first edit
   std::unique_ptr<LabelEdit> edit_;
   std::unique_ptr<LabelSnapshots> snapshots_;
   std::shared_ptr<const LabelMap> before_;  ///< what is seen while a result is being written

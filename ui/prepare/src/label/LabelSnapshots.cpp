@@ -19,9 +19,11 @@ void copyBlock(const LabelMap& from, const VoxelBox& box, LabelMap& to) {
 
 }  // namespace
 
-LabelSnapshots::LabelSnapshots(const LabelMap& labels, LabelMap copy) : labels_(labels) {
-  copies_.push_back(std::make_shared<Copy>());
-  copies_.back()->map = std::move(copy);
+LabelSnapshots::LabelSnapshots(const LabelMap& labels, Copies copies) : labels_(labels) {
+  for (LabelMap& copy : copies) {
+    copies_.push_back(std::make_shared<Copy>());
+    copies_.back()->map = std::move(copy);
+  }
 }
 
 void LabelSnapshots::changed(const VoxelBox& box) {
@@ -32,10 +34,12 @@ void LabelSnapshots::changed(const VoxelBox& box) {
 std::shared_ptr<const LabelMap> LabelSnapshots::take() {
   if (auto latest = latest_.lock()) return latest;
   const auto isFree = [](const auto& copy) { return !copy->held.load(std::memory_order_acquire); };
-  // The newest has the least to catch up; of the others, what is free is given back.
+  // The newest has the least to catch up.
   const auto newest = std::find_if(copies_.rbegin(), copies_.rend(), isFree);
   std::shared_ptr<Copy> copy = newest == copies_.rend() ? nullptr : *newest;
-  std::erase_if(copies_, [&](const auto& one) { return one == copy || isFree(one); });
+  std::erase(copies_, copy);
+  const auto oldest = std::ranges::find_if(copies_, isFree);
+  if (copies_.size() >= kUsual && oldest != copies_.end()) copies_.erase(oldest);
   if (copy) {
     if (!copy->stale.empty()) copyBlock(labels_, copy->stale, copy->map);
   } else {

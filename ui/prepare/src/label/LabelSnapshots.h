@@ -2,6 +2,7 @@
 
 #include <insonate/image/VoxelBox.h>
 
+#include <array>
 #include <atomic>
 #include <memory>
 #include <vector>
@@ -13,8 +14,13 @@ namespace insonate::prepare {
 /// no more than the changes as a rule. For the thread that writes to the map.
 class LabelSnapshots {
  public:
-  /// The map lives longer, what was taken need not. `copy` is equal to it.
-  LabelSnapshots(const LabelMap& labels, LabelMap copy);
+  /// As many are held at once as a rule: by the live picture, by the check, and by who takes the next. A further one is
+  /// made on the spot, which takes some hundredths of a second for a large map, and given back when it is let go.
+  static constexpr int kUsual = 3;
+  using Copies = std::array<LabelMap, kUsual>;
+
+  /// The map lives longer, what was taken need not. `copies` are equal to it.
+  LabelSnapshots(const LabelMap& labels, Copies copies);
 
   /// Say so after each change of voxels.
   void changed(const VoxelBox& box);

@@ -6,6 +6,8 @@
 
 #include <QFutureWatcher>
 #include <QtConcurrent/QtConcurrentRun>
+#include <algorithm>
+#include <array>
 #include <exception>
 #include <string_view>
 #include <utility>
@@ -15,10 +17,35 @@ namespace {
 
 /// So that it follows a slider: a preview is looked at, not kept.
 constexpr SurfaceOptions kCoarse{.smoothing_mm = 0, .detail_mm = 3};
+/// Of the voxels that are looked at.
+constexpr double kVoxel_mm = 1;
+
+/// One voxel of each block that is not larger than kVoxel_mm, near its middle.
+LabelMap thinned(const LabelMap& labels) {
+  std::array<int, 3> step{};
+  VolumeGeometry grid = labels.geometry;
+  Vec3 first;
+  for (int axis = 0; axis < 3; ++axis) {
+    step[axis] = std::clamp(int(kVoxel_mm / grid.spacing_mm[axis]), 1, grid.size[axis]);
+    grid.size[axis] /= step[axis];
+    grid.spacing_mm[axis] *= step[axis];
+    first[axis] = step[axis] / 2;
+  }
+  grid.origin_mm = labels.geometry.patientFromIndex() * first;
+  LabelMap thin(grid);
+  for (int k = 0; k < grid.size[2]; ++k)
+    for (int j = 0; j < grid.size[1]; ++j) {
+      const std::uint8_t* voxel = &labels.at(step[0] / 2, j * step[1] + step[1] / 2, k * step[2] + step[2] / 2);
+      for (int i = 0; i < grid.size[0]; ++i, voxel += step[0]) thin.at(i, j, k) = *voxel;
+    }
+  return thin;
+}
 
 std::shared_ptr<const Mesh> surfaceOf(const Proposal& proposal, std::uint8_t label, const std::atomic<bool>& stop) {
   try {
-    auto mesh = extractSurface(proposal.labels, label, kCoarse, [&stop](std::string_view, double) { return !stop; });
+    if (proposal.box.empty()) return nullptr;
+    auto mesh =
+        extractSurface(thinned(proposal.labels), label, kCoarse, [&stop](std::string_view, double) { return !stop; });
     return mesh ? std::make_shared<const Mesh>(std::move(*mesh)) : nullptr;
   } catch (const std::exception&) {
     // The slices show the preview all the same.

@@ -37,6 +37,7 @@ class CaseViews : public QWidget {
   views::MprView& slice(int index) { return *slices_[std::size_t(index)]; }
   /// The slices first, 3D last.
   const std::array<ui::ViewWidget*, kSlices + 1>& widgets() const { return widgets_; }
+  const PreviewSurface& previewSurface() const { return previewSurface_; }
   /// 3D shows what there is, in full detail.
   bool isAtRest() const { return !follow_.isActive() && !rest_.isActive(); }
   void setRested(std::function<void()> listener) { rested_ = std::move(listener); }

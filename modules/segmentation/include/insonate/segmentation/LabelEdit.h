@@ -30,7 +30,7 @@ struct EditRules {
   }
 };
 
-/// Leaves of a proposal what the rules allow, and what is so already: a preview then shows what apply() would write.
+/// Leaves of a proposal what the rules allow, and what is so already: it then shows what apply() would write.
 void restrictTo(const EditRules& rules, const CtVolume& ct, const LabelMap& labels, Proposal& proposal);
 
 /// What an edit, an undo or a redo has changed, so that slices and surfaces can follow it.

@@ -143,10 +143,15 @@ struct LabelStep {
 /// "threshold", "paint", ...: the name of a step's tool in a recipe.
 std::string_view nameOf(const LabelTool& tool);
 
-/// What the step would write: a window's preview. Runs on the caller's thread. Fails with the tool's sentence and when
+/// What the step would write, its rules aside. Runs on the caller's thread. Fails with the tool's sentence and when
 /// cancelled.
 Result<Proposal> propose(const LabelStep& step, const CtVolume& ct, const LabelMap& labels,
                          const Progress& progress = {});
+
+/// What perform() would write: a window's preview. A threshold uses the proposal's memory again, so that it can follow
+/// a slider. Where it fails, as propose() does, the proposal holds nothing of use.
+Result<void> preview(const LabelStep& step, const CtVolume& ct, const LabelMap& labels, Proposal& into,
+                     const Progress& progress = {});
 
 /// What the step must leave alone, for who writes its proposal.
 EditRules rulesOf(const LabelStep& step);

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <insonate/prepare/LabellingTime.h>
 #include <insonate/ui/Workspace.h>
 
+#include <functional>
 #include <memory>
+#include <vector>
 
 class QAction;
 
@@ -44,6 +47,10 @@ class PrepareWorkspace : public ui::Workspace {
   void saveLayout(QSettings& settings) const override;
   void restoreLayout(QSettings& settings) override;
   void stop() override;
+
+  /// Looks at the open case and labels in it as an author does, `repeats` times each, while the workspace is shown;
+  /// tools but the brush are taken back. `done` comes later, unless the workspace goes first.
+  void measureLabelling(int repeats, std::function<void(std::vector<LabellingTime>)> done);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,0 +1,193 @@
+#include "LabellingMeasure.h"
+
+#include "../PrepareSession.h"
+#include "../tool/ToolSession.h"
+#include "../views/CaseViews.h"
+
+#include <insonate/core/ProcessorTime.h>
+#include <insonate/tissue/Labels.h>
+#include <insonate/ui/ViewWidget.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace insonate::prepare {
+namespace {
+
+constexpr int kTick_ms = 1;
+/// Between two: longer than an edit is followed by surfaces and check.
+constexpr double kRest_ms = 1000;
+/// Then a time that has not come is given up, and counts as this long.
+constexpr double kPatience_ms = 180'000;
+constexpr double kRegion_mm = 30;  // from a click to the edge of the region of growing and level set
+constexpr HuRange kBlood{120, 240};
+
+double ms(const QElapsedTimer& clock) {
+  return double(clock.nsecsElapsed()) / 1e6;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Vec3 placeIn(const PatientCase& patient) {
+  const auto& targets = patient.manifest.targets;
+  return targets.empty() ? patient.ct.geometry.centre_mm() : targets.front().position_mm;
+}
+
+}  // namespace
+
+LabellingMeasure::LabellingMeasure(PrepareSession& session, ToolSession& tools, CaseViews& views, int repeats,
+                                   std::function<void(std::vector<LabellingTime>)> done)
+    : session_(session), tools_(tools), views_(views), done_(std::move(done)) {
+  addViewTasks(repeats);
+  addToolTasks(repeats);
+  connect(&session_.labelling().preview(), &LabelPreview::changed, this, [this] {
+    if (!acting_ || !session_.labelling().preview().proposal()) return;
+    remember();
+    slicesKnow_ = true;
+  });
+  connect(&views_.previewSurface(), &PreviewSurface::made, this, [this] {
+    if (!acting_ || !slicesKnow_) return;
+    renderings_.back() = views_.widgets().back()->renderings();
+    sceneKnows_ = true;
+  });
+  connect(&timer_, &QTimer::timeout, this, [this] { look(); });
+  timer_.setTimerType(Qt::PreciseTimer);
+  clock_.start();
+  tick_.start();
+  timer_.start(kTick_ms);
+}
+
+void LabellingMeasure::addViewTasks(int repeats) {
+  const Vec3 middle_mm = placeIn(*session_.patient());
+  const Vec3 step_mm = session_.patient()->ct.geometry.spacing_mm;
+  const auto painted = [this] { return slicesPainted(); };
+  const auto along = [=](int n) { return middle_mm + Vec3{n * step_mm.x, n * step_mm.y, n * step_mm.z}; };
+  tasks_.push_back({repeats,
+                    {},
+                    [this, along](int n) {
+                      slicesKnow_ = true;
+                      session_.setCrosshair(along(n + 1));
+                    },
+                    {{QStringLiteral("slice_change"), painted}}});
+  tasks_.push_back({repeats,
+                    [this, middle_mm] {
+                      session_.setCrosshair(middle_mm);
+                      session_.addStructure(kArtery);
+                      tools_.choose(QStringLiteral("paint"));
+                    },
+                    [this, along](int n) {
+                      slicesKnow_ = true;
+                      n == 0 ? void(tools_.beginStroke(along(0), views::SliceKind::Axial)) : tools_.strokeTo(along(n));
+                    },
+                    {{QStringLiteral("brush_stroke"), painted}}});
+  tasks_.push_back({repeats,
+                    [this] {
+                      tools_.endStroke();
+                      tools_.choose(QStringLiteral("threshold"));
+                    },
+                    [this](int n) {
+                      tools_.setRange({kBlood.low + 5 * (n % 8), 3000});
+                    },
+                    {{QStringLiteral("threshold_slices"), painted},
+                     {QStringLiteral("threshold_with_3d"), [this] { return slicesPainted() && scenePainted(); }}}});
+}
+
+void LabellingMeasure::addToolTasks(int repeats) {
+  const Vec3 middle_mm = placeIn(*session_.patient());
+  LabelStep grow;
+  grow.tool = step::Connected{{middle_mm}, kBlood};
+  grow.label = kVein;
+  const Vec3 reach_mm{kRegion_mm, kRegion_mm, kRegion_mm};
+  grow.box_mm = std::array{middle_mm - reach_mm, middle_mm + reach_mm};
+  LabelStep contour = grow;
+  contour.tool = step::Contour{};
+  LabelStep automatic;
+  automatic.tool = step::Auto{};
+  tasks_.push_back(tool(QStringLiteral("growing_on_region"), grow, std::min(repeats, 3)));
+  tasks_.push_back(tool(QStringLiteral("level_set_on_region"), contour, std::min(repeats, 3)));
+  tasks_.push_back(tool(QStringLiteral("automatic_part"), automatic, 1));
+}
+
+LabellingMeasure::Task LabellingMeasure::tool(const QString& name, const LabelStep& step, int repeats) {
+  const auto run = [this, step, name](int) {
+    session_.labelling().run(step, name, [this](const Result<LabelChange>&) {
+      remember();
+      slicesKnow_ = true;
+    });
+  };
+  const auto undo = [this] { session_.undoStack().undo(); };
+  return {repeats, [this] { tools_.choose({}); }, run, {{name, [this] { return slicesPainted(); }}}, undo};
+}
+
+void LabellingMeasure::remember() {
+  for (std::size_t view = 0; view < renderings_.size(); ++view)
+    renderings_[view] = views_.widgets()[view]->renderings();
+}
+
+bool LabellingMeasure::slicesPainted() const {
+  if (!slicesKnow_) return false;
+  for (std::size_t view = 0; view < CaseViews::kSlices; ++view)
+    if (views_.widgets()[view]->renderings() <= renderings_[view]) return false;
+  return true;
+}
+
+bool LabellingMeasure::scenePainted() const {
+  const ui::ViewWidget& scene = *views_.widgets().back();
+  return sceneKnows_ && scene.renderings() > renderings_.back() && !scene.isDrawing();
+}
+
+/// What was rendered before a tick of the timer has been painted by then.
+void LabellingMeasure::look() {
+  const double since_ms = ms(tick_), before_ms = std::exchange(tickWork_ms_, threadTime_ms());
+  tick_.start();
+  if (task_ == tasks_.size()) {
+    timer_.stop();
+    if (const auto done = std::exchange(done_, nullptr)) done(times_);
+    return;
+  }
+  Task& task = tasks_[task_];
+  if (!acting_) {
+    const LabelSession& labelling = session_.labelling();
+    if (ms(clock_) >= kRest_ms && !labelling.isBusy() && !labelling.preview().isComputing()) begin();
+    return;
+  }
+  task.pause_ms = std::max(task.pause_ms, since_ms);
+  task.work_ms = std::max(task.work_ms, tickWork_ms_ - before_ms);
+  const auto missing = [&](const Sight& sight) { return int(sight.took_ms.size()) <= repeat_; };
+  for (Sight& sight : task.sights)
+    if (missing(sight) && (sight.there() || ms(clock_) > kPatience_ms)) sight.took_ms.push_back(ms(clock_));
+  if (std::ranges::any_of(task.sights, missing)) return;
+  acting_ = false;
+  if (task.putBack) task.putBack();
+  if (++repeat_ == task.repeats) endTask();
+  clock_.start();
+}
+
+void LabellingMeasure::begin() {
+  Task& task = tasks_[task_];
+  if (repeat_ == 0)
+    if (const auto takeUp = std::exchange(task.takeUp, nullptr)) {
+      takeUp();
+      clock_.start();
+      return;
+    }
+  slicesKnow_ = sceneKnows_ = false;
+  remember();
+  acting_ = true;
+  clock_.start();
+  task.act(repeat_);
+}
+
+void LabellingMeasure::endTask() {
+  const Task& task = tasks_[task_++];
+  repeat_ = 0;
+  for (const Sight& sight : task.sights)
+    times_.push_back(
+        {sight.name, median(sight.took_ms), *std::ranges::max_element(sight.took_ms), task.pause_ms, task.work_ms});
+}
+
+}  // namespace insonate::prepare
