@@ -2,6 +2,7 @@
 
 #include <insonate/core/ProcessorTime.h>
 
+#include <malloc.h>
 #include <ui/support/Pauses.h>
 
 #include <algorithm>
@@ -114,6 +115,11 @@ std::vector<LabelTool> filters() {
 /// Everything that follows edits is on.
 class LongEditing : public LabelSpeed {
  protected:
+  void SetUp() override {
+    // As the program has it: what is large is the system's again at once.
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);
+    LabelSpeed::SetUp();
+  }
   void stroke(int number) {
     const auto at = [&](int n) {
       return pointOf(session_->crosshair_mm() + Vec3{-50 + 5.0 * (number % 20) + n, -30 + 6.0 * (number / 20), 0});
@@ -172,7 +178,8 @@ TEST_F(LongEditing, KeepsItsMemory) {
       "memory in times the volumes: opened %.1f, after 100 strokes %.1f, 200 %.1f, undone %.1f, filtered %.1f; undo "
       "%.1f MB\n",
       kStrokes, strokes_ms, kUndos, undos_ms, filters_ms, opened, early, painted, undone, end, undo_MB);
-  EXPECT_LT(std::max({painted, undone, end}), early + 0.5) << "it grows with what is done";
+  // A map that was kept by each tool would make it 3.3 more.
+  EXPECT_LT(std::max({painted, undone, end}), early + 1) << "it grows with what is done";
 }
 
 }  // namespace
