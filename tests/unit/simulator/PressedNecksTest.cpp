@@ -108,7 +108,8 @@ class PressedNecks : public testing::Test {
     asked_ += within;
     notConverged_ += within && !d.converged;
     ASSERT_TRUE(std::isfinite(d.force_N) && d.force_N >= 0) << where() << how << d.force_N;
-    ASSERT_LT(within ? d.force_N : 0, 100) << where() << how << ' ' << tissue.indentation_mm();
+    // On its way to an answer, a large force is told nobody (LivePress::settled).
+    ASSERT_LT(within && d.converged ? d.force_N : 0, 100) << where() << how << ' ' << tissue.indentation_mm();
     for (const LumenArea& lumen : d.lumens) {
       ASSERT_TRUE(std::isfinite(lumen.area_mm2) && lumen.area_mm2 >= 0) << where() << how;
       // 12 mmHg and head down double a vein; an artery under pulse pressure widens by some per cent.
