@@ -118,6 +118,8 @@ TEST_F(Saving, WhatSomebodyElseSavedMeanwhileIsKeptAndSaid) {
   ASSERT_TRUE(kept);
   EXPECT_EQ(readCase(*kept)->patient.labels.voxels[0], kVein);
   EXPECT_FALSE(save({65, 43, 21}).contains("Somebody")) << "said once";
+  ASSERT_TRUE(publishCase(readCase(case_)->patient, case_, "2026-11-22"));
+  EXPECT_FALSE(save({1, 2, 3}).contains("Somebody")) << "publishing writes the same again";
 }
 
 TEST_F(Saving, ClosesAtOnceWithoutChangesAndAsksWithThem) {

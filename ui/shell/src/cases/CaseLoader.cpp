@@ -67,6 +67,13 @@ Result<LoadedCase> importCase(const fs::path& input, const std::string& uid, boo
   return result;
 }
 
+/// Whether somebody has saved another content there. A case that was no version yet becomes one where it is published.
+bool holdsAnother(const fs::path& folder, const std::string& known, const PatientCase& patient) {
+  const auto there = readManifestOf(folder);
+  if (!there || there->version.content.empty() || there->version.content == known) return false;
+  return !known.empty() || there->version.content != contentHashOf(patient);
+}
+
 }  // namespace
 
 QString caseFolderOf(const QString& path) {
@@ -107,11 +114,10 @@ void CaseLoader::readFolder(const QString& folder) {
       tr("Opening %1").arg(QFileInfo(folder).fileName()),
       [folder](const Progress& progress) -> Result<LoadedCase> {
         report(progress, "reading CT and labels", 0);
-        const std::string onDisk = diskStateOf(folder.toStdString());
         auto read = readCase(folder.toStdString());
         if (!read) return tl::unexpected(read.error());
         LoadedCase result{std::make_shared<PatientCase>(std::move(read->patient)), folder, qt(read->notes)};
-        result.onDisk = onDisk;
+        result.content = result.patient->manifest.version.content;
         // A version stays what it is.
         if (const auto whole = caseOfVersion(folder.toStdString()))
           result.versionOf = QString::fromStdString(whole->string()), result.folder.clear();
@@ -186,20 +192,20 @@ void CaseLoader::openBuiltIn(const QString& variant) {
 }
 
 void CaseLoader::save(std::shared_ptr<const PatientCase> patient, const QString& folder, std::vector<CaseEdit> edits,
-                      const std::string& onDisk) {
+                      const std::optional<std::string>& content) {
   if (patient->manifest.title == kImportedTitle)
     edits.push_back([folder](PatientCase& copy) { nameAfterFolder(copy.manifest, folder.toStdString()); });
   tasks_.run<SavedCase>(
       tr("Saving to %1").arg(QFileInfo(folder).fileName()),
       [patient = std::move(patient), folder, edits = std::move(edits),
-       onDisk](const Progress& progress) -> Result<SavedCase> {
+       content](const Progress& progress) -> Result<SavedCase> {
         const fs::path target = folder.toStdString();
         if (auto ok = checkCaseTarget(target, true); !ok) return tl::unexpected(ok.error());
-        SavedCase saved{folder, withEdits(patient, edits), {}, !onDisk.empty() && diskStateOf(target) != onDisk};
+        SavedCase saved{folder, withEdits(patient, edits), {}, content && holdsAnother(target, *content, *patient)};
         const auto version =
             saveCaseVersion(*saved.patient, target, today(), saved.patient->manifest.version.author, progress);
         if (!version) return tl::unexpected(version.error());
-        saved.onDisk = diskStateOf(target);
+        saved.content = version->content;
         return saved;
       },
       [this](Result<SavedCase> written) {

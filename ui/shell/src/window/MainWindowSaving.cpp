@@ -62,14 +62,15 @@ void MainWindow::saveCase() {
 void MainWindow::saveTo(const QString& folder) {
   std::vector<CaseEdit> edits = unsavedEdits();
   for (CaseEdit& edit : quietEdits()) edits.push_back(std::move(edit));
-  loader_->save(case_.patient, folder, std::move(edits), folder == case_.folder ? case_.onDisk : std::string());
+  const bool kept = folder == case_.folder;
+  loader_->save(case_.patient, folder, std::move(edits), kept ? std::optional(case_.content) : std::nullopt);
 }
 
 void MainWindow::showSaved(const SavedCase& saved) {
   case_.folder = saved.folder;
   case_.builtIn = false;
   case_.versionOf.clear();
-  case_.onDisk = saved.onDisk;
+  case_.content = saved.content;
   const bool edited = saved.patient != std::exchange(case_.patient, saved.patient);
   rememberCase({saved.folder, QString::fromStdString(saved.patient->manifest.title)});
   for (const Room& room : rooms_) {

@@ -9,6 +9,7 @@
 #include <QString>
 #include <QStringList>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,15 +24,15 @@ struct LoadedCase {
   QString folder;     ///< where it is kept; empty for one that was imported and not saved yet
   QStringList notes;  ///< what was missing or changed on the way, one sentence each
   bool builtIn = false;
-  QString versionOf{};   ///< as in CaseOrigin
-  std::string onDisk{};  ///< diskStateOf() its folder when it was read
+  QString versionOf{};    ///< as in CaseOrigin
+  std::string content{};  ///< CaseVersion::content in its folder, as it was read or written here
 };
 
 /// A case that was written.
 struct SavedCase {
   QString folder;
   std::shared_ptr<const PatientCase> patient;  ///< the same object as was given where there were no edits
-  std::string onDisk;                          ///< diskStateOf() its folder now
+  std::string content;                         ///< CaseVersion::content of it
   bool overAnother = false;  ///< somebody else had saved there meanwhile; theirs stays as an earlier version
 };
 
@@ -51,9 +52,9 @@ class CaseLoader : public QObject {
   /// A built-in neck (cases/Phantom.h). It is made once and kept in the user's cache, so that the next start is quick.
   void openBuiltIn(const QString& variant);
   /// Writes a case to a folder, a copy with these edits where there are any; ends in saved(), failed() or cancelled().
-  /// `onDisk` is what the folder was when the case was read from it or written to it, empty for another folder.
+  /// `content` is LoadedCase's where the case is kept in this folder; none for another one.
   void save(std::shared_ptr<const PatientCase> patient, const QString& folder, std::vector<CaseEdit> edits = {},
-            const std::string& onDisk = {});
+            const std::optional<std::string>& content = {});
 
  Q_SIGNALS:
   void loaded(const insonate::ui::LoadedCase& loaded);
