@@ -7,14 +7,6 @@
 #include <QCoreApplication>
 
 namespace insonate::prepare {
-namespace {
-
-QString text(std::string_view words) {
-  return ui::qt(words);
-}
-
-}  // namespace
-
 QString stateWord(LabelState state) {
   return QCoreApplication::translate("LabelTerms", std::string(nameOf(state)).c_str());
 }
@@ -34,7 +26,7 @@ QIcon stateIcon(LabelState state) {
 
 QString termOf(std::uint8_t tissue) {
   const LabelInfo& info = labelTable()[knownLabel(tissue)];
-  return QStringLiteral("SNOMED CT %1, %2").arg(text(info.snomedCode), text(info.snomedMeaning));
+  return QStringLiteral("SNOMED CT %1, %2").arg(ui::qt(info.snomedCode), ui::qt(info.snomedMeaning));
 }
 
 }  // namespace insonate::prepare

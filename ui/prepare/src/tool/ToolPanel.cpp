@@ -25,7 +25,7 @@ ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* paren
       tools_(tools),
       name_(new QLabel),
       advice_(new QLabel),
-      told_(ui::paragraph("toolTold")),
+      told_(ui::paragraph("toolTold", "problem")),
       label_(new LabelBox(session, tr("Label the tool is for"), tr("The label that the tool writes (Q, W)"))),
       rules_(new RulesBox(session)),
       histogram_(std::make_unique<views::HuHistogram>()),
@@ -41,7 +41,6 @@ ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* paren
   advice_->setWordWrap(true);
   ui::setRole(advice_, "quiet");
   ui::setRole(apply_, "primary");
-  told_->setStyleSheet(QStringLiteral("color: %1").arg(ui::colour(views::theme::kCaution).name()));
   told_->hide();
   arrange();
   connect(preview_, &QPushButton::clicked, this, [this] { tools_.preview(); });
