@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 
 namespace insonate::prepare {
+
 QString stateWord(LabelState state) {
   return QCoreApplication::translate("LabelTerms", std::string(nameOf(state)).c_str());
 }
