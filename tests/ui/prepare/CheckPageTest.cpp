@@ -72,6 +72,22 @@ TEST_F(CheckPage, ALandmarkIsMarkedShownMovedNamedAndRemoved) {
   EXPECT_FALSE(workspace_->unsavedEdit()) << "each was taken back";
 }
 
+TEST_F(CheckPage, ALandmarkThatIsMarkedAgainMovesAndAnotherOneIsAnother) {
+  openCase();
+  for (const char* kind : {"cricoid cartilage", "right clavicle, inner end"}) mark(kind);
+  session_->setCrosshair({-5, 8, 2});
+  mark("cricoid cartilage");
+  ASSERT_EQ(session_->places().landmarks.size(), 2u) << "a neck has one cricoid";
+  EXPECT_EQ(session_->places().landmarks[0].position_mm, (Vec3{-5, 8, 2}));
+  EXPECT_EQ(session_->message(),
+            "\"cricoid cartilage\" was marked before and has moved to the crosshair; Ctrl+Z takes it back.");
+  session_->undoStack().undo();
+  ASSERT_EQ(session_->places().landmarks.size(), 2u);
+  EXPECT_NE(session_->places().landmarks[0].position_mm, (Vec3{-5, 8, 2}));
+  for (int n = 0; n < 2; ++n) mark("another landmark");
+  EXPECT_EQ(session_->places().landmarks.size(), 4u) << "what the author names may be there twice";
+}
+
 TEST_F(CheckPage, ATargetGoesIntoAVesselOnlyAndTheCheckFollows) {
   auto without = std::make_shared<PatientCase>(*patient());
   without->manifest.targets.clear();

@@ -1,4 +1,5 @@
 #include "Waiting.h"
+#include "cases/CropDialog.h"
 
 #include <insonate/cases/DicomSegmentation.h>
 #include <insonate/tissue/Labels.h>
@@ -19,6 +20,7 @@
 #include <QTemporaryDir>
 #include <QtTest/QTest>
 #include <algorithm>
+#include <cmath>
 
 namespace {
 
@@ -90,9 +92,9 @@ TEST_F(CaseExchange, APartIsCroppedAndResampled) {
   };
   for (auto* box : dialog->findChildren<QDoubleSpinBox*>()) EXPECT_FALSE(box->toolTip().isEmpty());
   const auto labels = dialog->findChildren<QLabel*>();
-  for (const char* axis : {"first", "second", "third"})
+  for (const char* axis : {"right to left", "front to back", "feet to head"})
     EXPECT_TRUE(std::ranges::any_of(labels, [&](const QLabel* label) {
-      return label->isVisible() && label->buddy() == field(QString("Spacing along the grid's %1 axis").arg(axis));
+      return label->isVisible() && label->buddy() == field(QString("Spacing, %1").arg(axis));
     })) << axis;
   QPushButton* crop = nullptr;
   for (auto* button : dialog->findChildren<QPushButton*>())
@@ -105,8 +107,8 @@ TEST_F(CaseExchange, APartIsCroppedAndResampled) {
   EXPECT_TRUE(crop->isEnabled()) << "either corner may come first";
   field("To, right to left")->setValue(10);
   dialog->findChild<QCheckBox*>()->setChecked(true);
-  for (const char* axis : {"first", "second", "third"})
-    field(QString("Spacing along the grid's %1 axis").arg(axis))->setValue(0.5);
+  for (const char* axis : {"right to left", "front to back", "feet to head"})
+    field(QString("Spacing, %1").arg(axis))->setValue(0.5);
   EXPECT_TRUE(result->text().contains("become 42 x 82 x 34 voxels")) << result->text().toStdString();
   const auto before = window.current().patient;
   QTest::mouseClick(crop, Qt::LeftButton);
@@ -114,6 +116,23 @@ TEST_F(CaseExchange, APartIsCroppedAndResampled) {
   EXPECT_EQ(window.current().patient->ct.geometry.size, (std::array{42, 82, 34}));
   EXPECT_EQ(window.current().patient->manifest.targets.size(), 1U);
   EXPECT_TRUE(window.current().folder.isEmpty());
+}
+
+TEST_F(CaseExchange, SpacingIsNamedByThePatientsDirectionsOnAnyGrid) {
+  const auto names = [this](const std::array<Vec3, 3>& axes) {
+    VolumeGeometry grid = window.current().patient->ct.geometry;
+    for (int a = 0; a < 3; ++a) grid.direction.column[a] = axes[a];
+    const ui::CropDialog dialog(grid, &window);
+    QStringList found;
+    for (const auto* box : dialog.findChildren<QDoubleSpinBox*>())
+      if (box->accessibleName().startsWith("Spacing")) found << box->accessibleName();
+    return found;
+  };
+  EXPECT_EQ(names({Vec3{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}),
+            QStringList({"Spacing, feet to head", "Spacing, right to left", "Spacing, front to back"}));
+  const double turned = std::sqrt(0.5);
+  EXPECT_EQ(names({Vec3{turned, turned, 0}, {-turned, turned, 0}, {0, 0, 1}}),
+            QStringList({"Spacing, RA to LP", "Spacing, LA to RP", "Spacing, feet to head"}));
 }
 
 }  // namespace

@@ -61,6 +61,28 @@ TEST_F(ValueSlider, NumberAndUnitAreReadWholeInHalfAColumn) {
   EXPECT_LE(text->geometry().right(), half.width());
 }
 
+/// Enter means "apply" in the window around it.
+TEST(ValueSliderInAWindow, EnterEndsTheNumberAndNothingElse) {
+  struct Window : QWidget {
+    int keys = 0;
+    void keyPressEvent(QKeyEvent*) override { ++keys; }
+  } window;
+  auto* slider = new insonate::ui::ValueSlider("size", "mm", {0, 20, 0, 1, 1}, {}, &window);
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  auto* number = slider->findChild<QLineEdit*>();
+  number->setFocus();
+  for (const auto enter : {Qt::Key_Return, Qt::Key_Enter}) {
+    number->selectAll();
+    QTest::keyClicks(number, "3");
+    QTest::keyClick(number, enter);
+    EXPECT_EQ(slider->value(), 3);
+    EXPECT_EQ(number->selectedText(), "3.0 mm") << "the next number takes its place";
+    slider->setValue(1);
+  }
+  EXPECT_EQ(window.keys, 0);
+}
+
 TEST_F(ValueSlider, TakesTypedNumbers) {
   QSignalSpy changes(&slider, &insonate::ui::ValueSlider::valueChanged);
   type("52.5");

@@ -164,10 +164,7 @@ void PlacesBox::add() {
       places.startPoses.back().name = tr("start %1").arg(places.startPoses.size()).toStdString();
     });
   }
-  if (what != kTargetKind)
-    return change(tr("landmark"), [&](CasePlaces& places) {
-      places.landmarks.push_back({what.toStdString(), name.toStdString(), here_mm});
-    });
+  if (what != kTargetKind) return addLandmark(what.toStdString(), name);
   const LabelMap& labels = session_.labelling().labels();
   const std::uint8_t label =
       tissueOf(session_.terms().own, sampleNearest(labels, labels.geometry.indexFromPatient() * here_mm));
@@ -176,6 +173,21 @@ void PlacesBox::add() {
   change(tr("target"), [&](CasePlaces& places) {
     places.targets.push_back({structureName(label).toStdString(), label, here_mm});
   });
+}
+
+/// A neck has one of each that is known; marked again, it moves.
+void PlacesBox::addLandmark(const std::string& code, const QString& name) {
+  const Vec3 here_mm = session_.crosshair_mm();
+  const auto& before = session_.places().landmarks;
+  const auto same = code.empty() ? before.end() : std::ranges::find(before, code, &Landmark::code);
+  if (same == before.end())
+    return change(tr("landmark"), [&](CasePlaces& places) {
+      places.landmarks.push_back({code, name.toStdString(), here_mm});
+    });
+  const auto index = same - before.begin();
+  const QString told = ui::qt(same->name);
+  change(tr("landmark"), [&](CasePlaces& places) { places.landmarks[std::size_t(index)].position_mm = here_mm; });
+  session_.say(tr("\"%1\" was marked before and has moved to the crosshair; Ctrl+Z takes it back.").arg(told));
 }
 
 void PlacesBox::show() {

@@ -36,6 +36,7 @@ class PlacesBox : public QWidget {
   void refresh();
   void refreshButtons();
   void add();
+  void addLandmark(const std::string& code, const QString& name);
   void show();
   void putHere();
   void makeFirst();

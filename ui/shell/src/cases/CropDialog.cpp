@@ -2,7 +2,9 @@
 
 #include "../controls/NumberBox.h"
 
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/views/SlicePlane.h>
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -31,6 +33,20 @@ std::array<Vec3, 2> reachOf(const VolumeGeometry& g) {
 
 QString textOf(const VolumeGeometry& g) {
   return CropDialog::tr("%1 x %2 x %3 voxels").arg(g.size[0]).arg(g.size[1]).arg(g.size[2]);
+}
+
+/// Patient directions, the first three axes of LPS.
+QString directionWords(int axis) {
+  const QString words[] = {CropDialog::tr("right to left"), CropDialog::tr("front to back"),
+                           CropDialog::tr("feet to head")};
+  return words[axis];
+}
+
+/// Along which way of the patient an axis of the grid runs; oblique, e.g. "RA to LP".
+QString directionOf(Vec3 axis) {
+  const std::string to = views::orientationLetters(axis);
+  if (to.size() > 1) return CropDialog::tr("%1 to %2").arg(qt(views::orientationLetters(-axis)), qt(to));
+  return directionWords(to == "L" || to == "R" ? 0 : to == "P" || to == "A" ? 1 : 2);
 }
 
 QLabel* headingOf(const QString& words) {
@@ -93,17 +109,16 @@ QDoubleSpinBox* CropDialog::field(const QString& name, double least, double most
 
 void CropDialog::addRegion(QGridLayout& grid) {
   const auto [low, high] = reachOf(geometry_);
-  const QString axes[] = {tr("right to left"), tr("front to back"), tr("feet to head")};
   grid.addWidget(headingOf(tr("from")), 0, 1);
   grid.addWidget(headingOf(tr("to")), 0, 2);
   for (int a = 0; a < 3; ++a) {
     // A tenth of a millimetre beyond, so that rounding cuts no voxel off.
     const double least = std::floor(low[a] * 10) / 10, most = std::ceil(high[a] * 10) / 10;
-    from_[a] = field(tr("From, %1").arg(axes[a]), least, most, 1);
-    to_[a] = field(tr("To, %1").arg(axes[a]), least, most, 1);
+    from_[a] = field(tr("From, %1").arg(directionWords(a)), least, most, 1);
+    to_[a] = field(tr("To, %1").arg(directionWords(a)), least, most, 1);
     from_[a]->setValue(least);
     to_[a]->setValue(most);
-    grid.addWidget(new QLabel(axes[a]), a + 1, 0);
+    grid.addWidget(new QLabel(directionWords(a)), a + 1, 0);
     grid.addWidget(from_[a], a + 1, 1);
     grid.addWidget(to_[a], a + 1, 2);
   }
@@ -112,13 +127,13 @@ void CropDialog::addRegion(QGridLayout& grid) {
 void CropDialog::addSpacing(QGridLayout& grid) {
   resample_->setToolTip(tr("Coarser takes less memory and time; finer makes nothing sharper"));
   grid.addWidget(resample_, 4, 0, 1, 3);
-  const QString axes[] = {tr("first axis"), tr("second axis"), tr("third axis")};
   for (int a = 0; a < 3; ++a) {
-    spacing_[a] = field(tr("Spacing along the grid's %1").arg(axes[a]), 0.05, 25, 3);
+    const QString direction = directionOf(geometry_.direction.column[a]);
+    spacing_[a] = field(tr("Spacing, %1").arg(direction), 0.05, 25, 3);
     spacing_[a]->setSingleStep(0.1);
     spacing_[a]->setValue(geometry_.spacing_mm[a]);
     spacing_[a]->setEnabled(false);
-    QLabel* name = headingOf(axes[a]);
+    QLabel* name = headingOf(direction);
     name->setBuddy(spacing_[a]);
     grid.addWidget(name, 5, a);
     grid.addWidget(spacing_[a], 6, a);

@@ -187,6 +187,12 @@ bool ValueSlider::eventFilter(QObject* watched, QEvent* event) {
       track_->setFocus();
       return true;
     }
+    // It ends the number alone: a window's own Enter, which may write, is another.
+    if (press->key() == Qt::Key_Return || press->key() == Qt::Key_Enter) {
+      typed();
+      number_->selectAll();
+      return true;
+    }
     if (press->key() == Qt::Key_Up || press->key() == Qt::Key_Down) {
       typed();
       setValue(value_ + (press->key() == Qt::Key_Up ? range_.step : -range_.step));
