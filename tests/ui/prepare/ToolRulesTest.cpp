@@ -2,7 +2,9 @@
 #include "tool/RangeStrip.h"
 #include "tool/Tool.h"
 
+#include <QMenu>
 #include <QSpinBox>
+#include <QTimer>
 
 namespace insonate::prepare {
 namespace {
@@ -168,6 +170,27 @@ TEST_F(ToolRules, KeysOfToolsWorkFromTheTable) {
 
 TEST_F(ToolRules, ThePaletteIsWrittenInTheWindowsOwnSize) {
   EXPECT_GE(child<QToolButton>("tool-paint")->font().pointSizeF(), workspace_->font().pointSizeF());
+}
+
+TEST_F(ToolRules, ThePaletteShowsWhichToolIsInHand) {
+  const auto ground = [this](const char* tool) { return child<QToolButton>(tool)->grab().toImage().pixelColor(4, 4); };
+  const QColor idle = ground("tool-paint");
+  key(Qt::Key_1);
+  EXPECT_NE(ground("tool-paint"), idle);
+  EXPECT_EQ(ground("tool-grow"), idle);
+  key(Qt::Key_6);
+  EXPECT_EQ(ground("tool-paint"), idle);
+  EXPECT_NE(ground("tool-grow"), idle) << "one of a group";
+}
+
+TEST_F(ToolRules, AGroupWhoseMenuIsClosedLooksAsIfNobodyPointedAtIt) {
+  auto* grow = child<QToolButton>("tool-grow");
+  const QColor idle = grow->grab().toImage().pixelColor(4, 4);
+  grow->setAttribute(Qt::WA_UnderMouse);
+  EXPECT_NE(grow->grab().toImage().pixelColor(4, 4), idle);
+  QTimer::singleShot(0, grow->menu(), &QMenu::close);
+  grow->showMenu();
+  EXPECT_EQ(grow->grab().toImage().pixelColor(4, 4), idle);
 }
 
 }  // namespace

@@ -18,7 +18,6 @@ ToolBar::ToolBar(ToolSession& tools, QWidget* parent) : QWidget(parent), tools_(
   auto* box = new QHBoxLayout(this);
   box->setContentsMargins(ui::kSmallGap, ui::kSmallGap, ui::kSmallGap, ui::kSmallGap);
   box->setSpacing(0);
-  setStyleSheet(QStringLiteral("QToolButton { padding: 4px 3px; }"));
   QToolButton* look = add({}, tr("Look"), tr("No tool: the left button moves the crosshair (Esc)"));
   connect(look, &QToolButton::clicked, this, [this] { tools_.choose({}); });
   entries_.push_back({look, {}});
@@ -28,13 +27,18 @@ ToolBar::ToolBar(ToolSession& tools, QWidget* parent) : QWidget(parent), tools_(
     const QString name = alone ? tool.name : tool.group;
     auto found = std::ranges::find_if(entries_, [&](const Entry& e) { return e.button->accessibleName() == name; });
     if (found == entries_.end()) {
-      QToolButton* made = add(alone ? tool.id : tool.group.toLower(), name,
-                              QStringLiteral("%1 (%2)").arg(alone ? tool.advice : name, keys));
+      QToolButton* made =
+          add(alone ? tool.id : tool.group.toLower(), name, QStringLiteral("%1 (%2)").arg(tool.advice, keys));
       found = entries_.insert(found, {made, {}});
       if (!alone) {
         made->setMenu(new QMenu(made));
         made->menu()->setToolTipsVisible(true);
         made->setPopupMode(QToolButton::InstantPopup);
+        // Qt does not tell a button whose menu took the mouse that the pointer is elsewhere.
+        connect(made->menu(), &QMenu::aboutToHide, made, [made] {
+          made->setAttribute(Qt::WA_UnderMouse, false);
+          made->update();
+        });
       }
     }
     found->ids << tool.id;
@@ -46,6 +50,9 @@ ToolBar::ToolBar(ToolSession& tools, QWidget* parent) : QWidget(parent), tools_(
     QAction* action = button->menu()->addAction(tool.name, this, [this, id = tool.id] { tools_.choose(id); });
     action->setObjectName(QStringLiteral("tool-") + tool.id);
     action->setToolTip(tool.advice);
+    QStringList names;
+    for (const QAction* one : button->menu()->actions()) names << one->text();
+    button->setToolTip(tr("%1 (%2, again for the next): %3").arg(name, keys, names.join(QStringLiteral(", "))));
   }
   box->addStretch(1);
   connect(&tools_, &ToolSession::toolChanged, this, [this] { refresh(); });
@@ -54,6 +61,7 @@ ToolBar::ToolBar(ToolSession& tools, QWidget* parent) : QWidget(parent), tools_(
 
 QToolButton* ToolBar::add(const QString& id, const QString& name, const QString& tip) {
   auto* button = new QToolButton;
+  ui::setRole(button, "palette");
   button->setObjectName(QStringLiteral("tool-") + (id.isEmpty() ? QStringLiteral("none") : id));
   button->setIcon(ui::icon(id.isEmpty() ? QStringLiteral("view") : QStringLiteral("tool-") + id));
   button->setIconSize({20, 20});
