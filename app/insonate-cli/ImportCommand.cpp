@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace insonate::cli {
 namespace {
@@ -19,6 +20,7 @@ using nlohmann::json;
 
 struct ImportArguments {
   std::string input, folder, series;
+  std::optional<int> shift_HU;
   bool list = false, autoLabel = false, replace = false, asJson = false;
 };
 
@@ -77,7 +79,11 @@ Result<void> importCase(const ImportArguments& a) {
   if (auto ok = checkCaseTarget(a.folder, a.replace); !ok) return ok;
   auto imported = importSeries(a.input, a.series, terminalProgress());
   if (!imported) return tl::unexpected(imported.error());
+  if (a.shift_HU) shiftValues(*imported, *a.shift_HU);
   for (const std::string& warning : imported->series.warnings) std::cerr << "note: " << warning << '\n';
+  const std::string advice =
+      imported->likelyShift_HU ? " --shift " + std::to_string(*imported->likelyShift_HU) + " puts it right." : "";
+  if (!advice.empty()) std::cerr << "note: Nothing was added to the values;" << advice << '\n';
 
   PatientCase patient;
   patient.manifest.title = kImportedTitle;
@@ -88,7 +94,8 @@ Result<void> importCase(const ImportArguments& a) {
   if (a.autoLabel) {
     auto labels = autoLabel(patient.ct, terminalProgress());
     if (!labels && labels.error().message == kCancelled) return tl::unexpected(labels.error());
-    if (!labels) return fail(labels.error().message + " Without --auto-label it can be imported.");
+    if (!labels)
+      return fail(labels.error().message + (advice.empty() ? " Without --auto-label it can be imported." : advice));
     patient.labels = std::move(*labels);
     patient.manifest.source += " Labelled automatically from Hounsfield units.";
   } else {
@@ -114,6 +121,11 @@ void addImportCommand(CLI::App& app, Outcome& outcome) {
   auto* listOnly = command->add_flag("--list", a->list, "List the series in INPUT and stop");
   folder->excludes(listOnly);
   command->add_option("--series", a->series, "UID of the series to import, as listed")->excludes(listOnly);
+  command
+      ->add_option("--shift", a->shift_HU,
+                   "Added to every value, e.g. -1024 where air is at 0 instead of -1024 HU; never done by itself")
+      ->check(CLI::Range(-4096, 4096))
+      ->excludes(listOnly);
   command->add_flag("--auto-label", a->autoLabel, "Label air, fat, muscle, bone and skin from Hounsfield units")
       ->excludes(listOnly);
   command->add_flag("--replace", a->replace, "Replace a case that CASE holds already; it stays as an earlier version")

@@ -60,6 +60,16 @@ TEST_F(CaseCommands, ImportWritesACaseAndSaysWhatIsNext) {
   EXPECT_EQ(json::parse(bytesOf(folder_ / "case/case.json"))["title"], "case") << "imports are told apart in lists";
 }
 
+TEST_F(CaseCommands, ValuesWithoutTheirOffsetAreShiftedWhenAskedFor) {
+  INSONATE_NEEDS_DATA("head-ct-dicom-small");
+  const std::string series = test::testData("head-ct-dicom-small").string();
+  expectRefusal("import " + series + " " + at("case") + " --auto-label", "--shift -1024 puts it right");
+  const auto result = run("import " + series + " " + at("case") + " --auto-label --shift -1024 --json");
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(json::parse(result.output)["series"][0]["warnings"].dump(), HasSubstr("-1024 was added to every value"));
+  expectRefusal("import " + series + " " + at("other") + " --shift 1e9", "--shift", 2);
+}
+
 TEST_F(CaseCommands, WhatIsPublishedStaysWhileTheCaseIsSavedAgain) {
   ASSERT_EQ(run("phantom " + at("case")).status, 0);
   const auto published = run("publish " + at("case") + " --json");

@@ -51,6 +51,21 @@ class CaseLoader : public testing::Test {
     return folder;
   }
 
+  /// The choice in the dialog, once the series was read; null where there is none.
+  QCheckBox* shiftOfferedFor(const QString& path) {
+    if (QDialog* before = window.findChild<QDialog*>()) before->reject();
+    EXPECT_TRUE(waitUntil([this] { return !window.findChild<QDialog*>(); }));
+    cancelled = 0;
+    loaded.reset();
+    loader.open(path);
+    QDialog* choice = dialog();
+    if (!choice) return nullptr;
+    const auto* running = choice->findChild<ui::TaskBar*>();
+    EXPECT_TRUE(waitUntil([&] { return !running->isRunning(); }));
+    auto* shift = choice->findChild<QCheckBox*>("shiftValues");
+    return shift->isVisible() ? shift : nullptr;
+  }
+
   QTemporaryDir home;
   QWidget window;
   ui::TaskBar tasks;
@@ -112,6 +127,35 @@ TEST_F(CaseLoader, ImportsTheChosenSeries) {
   loader.save(loaded->patient, home.filePath("kept"));
   ASSERT_TRUE(waitUntil([this] { return !saved.isEmpty() || !failed.isEmpty(); }));
   EXPECT_EQ(ui::caseFolderOf(home.filePath("kept")), home.filePath("kept")) << failed.toStdString();
+}
+
+/// HU + 1024 as scanners store it, without saying so.
+TEST_F(CaseLoader, OffersHounsfieldUnitsWhereTheirOffsetIsMissing) {
+  EXPECT_FALSE(shiftOfferedFor(writtenDicom("right")));
+  CtVolume stored = test::smallCase().ct;
+  for (std::int16_t& value : stored.voxels) value = std::int16_t(value + 1024);
+  const QString folder = home.filePath("stored");
+  ASSERT_TRUE(writeDicomSeries(stored, folder.toStdString(), {.seed = "stored"}));
+  for (const bool wanted : {false, true}) {
+    auto* shift = shiftOfferedFor(folder);
+    ASSERT_TRUE(shift);
+    EXPECT_EQ(shift->text(), "Add -1024 to every value, so that air is at -1024 HU");
+    EXPECT_TRUE(shift->isChecked());
+    const auto picture = [&] {
+      for (const auto* label : dialog()->findChildren<QLabel*>())
+        if (label->pixmap(Qt::ReturnByValue).width() > 0) return label->pixmap(Qt::ReturnByValue).toImage();
+      return QImage();
+    };
+    const QImage shifted = picture();
+    shift->setChecked(false);
+    EXPECT_NE(picture(), shifted) << "it is seen which is right";
+    shift->setChecked(wanted);
+    QTest::mouseClick(button(dialog(), "Import"), Qt::LeftButton);
+    ASSERT_TRUE(waitUntil([this] { return ended(); }));
+    ASSERT_TRUE(loaded) << failed.toStdString();
+    EXPECT_EQ(loaded->patient->ct.voxels, wanted ? test::smallCase().ct.voxels : stored.voxels);
+    EXPECT_EQ(loaded->notes.join(" ").contains("-1024 was added to every value"), wanted);
+  }
 }
 
 TEST_F(CaseLoader, ShowsWhatIsMadeAndWhatIsLeftOut) {

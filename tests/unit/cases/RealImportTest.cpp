@@ -59,6 +59,7 @@ TEST(RealImport, SmallHead) {
   const ImportedCt head = importedFrom(test::testData("head-ct-dicom-small"));
   EXPECT_EQ(head.ct.geometry.size, (std::array{64, 64, 93}));
   EXPECT_EQ(head.ct.geometry.spacing_mm, (Vec3{3.2, 3.2, 1.5}));
+  EXPECT_EQ(head.likelyShift_HU, -1024) << "its air is at 0";
 }
 
 TEST(RealImport, TiltIsUndoneAndTheScoutLeftOut) {
@@ -72,6 +73,7 @@ TEST(RealImport, TiltIsUndoneAndTheScoutLeftOut) {
   EXPECT_THAT(tilted.series.warnings, testing::Contains(HasSubstr("tilted by 18.5 degrees")));
   EXPECT_NEAR(tilted.ct.geometry.spacing_mm.z, 2.5 * 0.9483237, 1e-3) << "distance of the planes, not of the table";
   EXPECT_TRUE(validate(tilted.ct.geometry));
+  EXPECT_FALSE(tilted.likelyShift_HU);
 }
 
 TEST(RealImport, CompressedAbdomen) {
@@ -79,6 +81,7 @@ TEST(RealImport, CompressedAbdomen) {
   const ImportedCt abdomen = importedFrom(test::testData("abdomen-ct-dicom"));
   EXPECT_EQ(abdomen.ct.geometry.size, (std::array{512, 512, 20}));
   EXPECT_EQ(abdomen.ct.geometry.spacing_mm.z, 2);
+  EXPECT_FALSE(abdomen.likelyShift_HU);
 }
 
 TEST(RealImport, EveryTransferSyntaxGivesTheSamePicture) {

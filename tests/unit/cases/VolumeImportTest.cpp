@@ -1,5 +1,6 @@
 #include "CaseSamples.h"
 #include "VolumeFiles.h"
+#include "import/ValueShift.h"
 #include "support/TestData.h"
 
 #include <insonate/cases/Import.h>
@@ -33,6 +34,58 @@ TEST(VolumeImport, NiftiSlopeAndIntercept) {
   const auto imported = importSeries(folder / "a.nii");
   ASSERT_TRUE(imported) << imported.error().message;
   EXPECT_EQ(imported->ct.at(1, 1, 1), -800);
+}
+
+/// Of a body in air as a scanner of 12 bits stores it: HU + 1024, nothing below 0.
+CtVolume storedWithOffset() {
+  CtVolume ct(test::grid({20, 20, 10}, {2, 2, 2}, {0, 0, 0}), 0);
+  for (int k = 0; k < 10; ++k)
+    for (int j = 0; j < 20; ++j)
+      for (int i = 0; i < 20; ++i) {
+        const int noise = (31 * i + 17 * j + 7 * k) % 150;
+        const bool body = i >= 4 && i < 16 && j >= 4 && j < 16;
+        ct.at(i, j, k) = std::int16_t(!body ? noise : i == 4 ? 924 : i == 8 && j == 8 ? 1900 : 985 + noise);
+      }
+  return ct;
+}
+
+TEST(VolumeImport, ValuesWhoseOffsetIsMissingAreSeenAndShiftedOnlyWhenAsked) {
+  test::TemporaryFolder folder;
+  const CtVolume stored = storedWithOffset();
+  test::writeText(folder / "a.nii", test::niftiOf(stored, test::kRas, 1, 0));
+  auto imported = importSeries(folder / "a.nii");
+  ASSERT_TRUE(imported) << imported.error().message;
+  EXPECT_EQ(imported->ct.voxels, stored.voxels) << "never by itself";
+  ASSERT_EQ(imported->likelyShift_HU, -1024);
+  EXPECT_THAT(imported->series.warnings, testing::Contains(HasSubstr("to which 1024 was added")));
+
+  imported->ct.voxels[0] = -1024;  // padding
+  imported->ct.voxels[1] = 0;
+  shiftValues(*imported, -1024);
+  EXPECT_EQ(imported->ct.voxels[0], -1024);
+  EXPECT_EQ(imported->ct.voxels[1], -1024);
+  EXPECT_EQ(imported->ct.at(4, 4, 0), -100);
+  EXPECT_THAT(imported->series.warnings.back(), HasSubstr("-1024 was added to every value"));
+  EXPECT_FALSE(imported->likelyShift_HU);
+  shiftValues(*imported, 4000);
+  EXPECT_EQ(imported->ct.voxels[0], -1024) << "padding is nothing that was measured";
+}
+
+TEST(VolumeImport, NoOffsetIsSeenWhereThereIsNone) {
+  const auto likely = [](const std::function<int(int)>& valueOf) {
+    CtVolume ct = storedWithOffset();
+    for (std::int16_t& value : ct.voxels) value = std::int16_t(valueOf(value));
+    return likelyShift(ct).has_value();
+  };
+  EXPECT_FALSE(likely([](int v) { return v - 1024; })) << "Hounsfield units";
+  EXPECT_FALSE(likely([](int v) { return std::max(0, v - 1024); })) << "cut off at 0";
+  EXPECT_FALSE(likely([](int v) { return v + 1000; })) << "no air at 0";
+  EXPECT_FALSE(likely([](int v) { return v / 4; })) << "another scale";
+  // A cloud of values as bone has, behind air and muscle that were cut off.
+  EXPECT_FALSE(likely([n = 0](int v) mutable { return v < 900 ? 0 : 200 + 37 * n++ % 1500; }));
+  EXPECT_FALSE(likely([](int) { return -1024; })) << "nothing but padding";
+  EXPECT_TRUE(likely([](int v) { return v; }));
+  EXPECT_TRUE(likely([](int v) { return v < 20 ? -1024 : v; })) << "padding is no value";
 }
 
 /// As nibabel writes it: a rotated grid, its directions rounded to floats, in an sform alone.

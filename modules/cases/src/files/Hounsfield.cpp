@@ -13,13 +13,11 @@ Result<CtVolume> toHounsfield(const RawVolume& raw, const VolumeGeometry& geomet
   constexpr float kMaxHu = std::numeric_limits<std::int16_t>::max();
   CtVolume ct(geometry);
   std::size_t notNumbers = 0, padding = 0, tooDense = 0;
-  float lowest = std::numeric_limits<float>::max();
   for (std::size_t v = 0; v < ct.voxels.size(); ++v) {
     float hu = raw.values[v];
     notNumbers += std::isnan(hu);
     padding += hu < kAirHu;
     tooDense += hu > kMaxHu;
-    if (hu < lowest) lowest = hu;
     hu = std::isnan(hu) ? kAirHu : std::clamp(hu, float(kAirHu), kMaxHu);
     ct.voxels[v] = static_cast<std::int16_t>(std::lround(hu));
   }
@@ -29,8 +27,6 @@ Result<CtVolume> toHounsfield(const RawVolume& raw, const VolumeGeometry& geomet
   note(notNumbers, "were not a number and became -1024 HU (air).");
   note(padding, "were below -1024 HU (padding) and became -1024 HU (air).");
   note(tooDense, "were above 32767 HU and became 32767 HU.");
-  if (lowest >= 0)
-    notes.push_back("No value of the CT is below 0: it may not be in Hounsfield units; air should be near -1000.");
   return ct;
 }
 

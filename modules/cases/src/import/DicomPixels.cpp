@@ -142,8 +142,6 @@ Result<std::vector<std::int16_t>> readSlices(const DicomSeries& series, std::vec
   if (changes.padding > 0)
     notes.push_back(std::to_string(changes.padding) +
                     " voxels were padding or below -1024 HU and became -1024 HU (air).");
-  if (*std::ranges::min_element(hu) >= 0)
-    notes.push_back("No value of the CT is below 0: it may not be in Hounsfield units; air should be near -1000.");
   if (changes.tooDense > 0)
     notes.push_back(std::to_string(changes.tooDense) + " voxels were above 32767 HU and became 32767 HU.");
   return hu;

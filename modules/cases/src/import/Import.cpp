@@ -2,6 +2,7 @@
 #include "DerivedUid.h"
 #include "DicomPixels.h"
 #include "InputScan.h"
+#include "ValueShift.h"
 
 #include <insonate/cases/Import.h>
 
@@ -100,6 +101,17 @@ Result<void> checkIsNoLabelMap(const CtVolume& ct) {
       "CT it was drawn on.");
 }
 
+void judgeValues(ImportedCt& imported) {
+  imported.likelyShift_HU = likelyShift(imported.ct);
+  if (imported.likelyShift_HU)
+    imported.series.warnings.push_back(
+        "Air lies near 0 and soft tissue near 1024: the values look like Hounsfield "
+        "units to which 1024 was added when they were stored.");
+  else if (hasNothingBelowZero(imported.ct))
+    imported.series.warnings.push_back(
+        "No value of the CT is below 0: it may not be in Hounsfield units; air should be near -1000.");
+}
+
 /// Slices lost at an end of the stack leave no gap; only the damaged files tell.
 void warnOfDamagedFiles(const InputScan& scan, std::vector<std::string>& warnings) {
   const auto damaged =
@@ -162,6 +174,7 @@ Result<ImportedCt> importSeries(const fs::path& input, const std::string& uid, c
   if (auto ok = dicom ? Result<void>{} : checkIsNoLabelMap(*ct); !ok)
     return fail("The file " + found.info.uid + " cannot be imported: " + ok.error().message);
   imported.ct = std::move(*ct);
+  judgeValues(imported);
   imported.source = dicom ? "Imported from a DICOM CT series of " + std::to_string(dicom->slices.size()) +
                                 " slices; its UID was replaced by " + derivedUid(dicom->uid) + "."
                           : "Imported from a volume file.";

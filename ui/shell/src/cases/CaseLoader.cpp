@@ -40,11 +40,12 @@ Progress part(const Progress& whole, int index, int count) {
   };
 }
 
-Result<LoadedCase> importCase(const fs::path& input, const std::string& uid, bool label,
-                              const std::shared_ptr<ImportedCt>& read, const Progress& progress) {
-  const int parts = label ? 2 : 1;
-  Result<ImportedCt> imported = read ? Result<ImportedCt>(*read) : importSeries(input, uid, part(progress, 0, parts));
+Result<LoadedCase> importCase(const fs::path& input, const ImportChoice& choice, const Progress& progress) {
+  const int parts = choice.label ? 2 : 1;
+  Result<ImportedCt> imported =
+      choice.read ? Result<ImportedCt>(*choice.read) : importSeries(input, choice.uid, part(progress, 0, parts));
   if (!imported) return tl::unexpected(imported.error());
+  if (choice.shift_HU) shiftValues(*imported, *choice.shift_HU);
   LoadedCase result;
   auto patient = std::make_shared<PatientCase>();
   patient->manifest.title = kImportedTitle;
@@ -52,7 +53,7 @@ Result<LoadedCase> importCase(const fs::path& input, const std::string& uid, boo
   patient->manifest.importNotes = imported->series.warnings;
   patient->ct = std::move(imported->ct);
   patient->labels = LabelMap(patient->ct.geometry);
-  if (label) {
+  if (choice.label) {
     auto labels = autoLabel(patient->ct, part(progress, 1, parts));
     if (!labels && labels.error().message == kCancelled) return tl::unexpected(labels.error());
     if (labels) {
@@ -153,18 +154,15 @@ void CaseLoader::list(const QString& path) {
 void CaseLoader::choose(const QString& path, std::shared_ptr<const SeriesListing> listing) {
   dialog_ = new SeriesDialog(path, std::move(listing), dialogParent_);
   dialog_->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog_, &SeriesDialog::accepted, this,
-          [this, path] { import(path, dialog_->chosenUid(), dialog_->labelsWanted(), dialog_->readAlready()); });
+  connect(dialog_, &SeriesDialog::accepted, this, [this, path] { import(path, dialog_->choice()); });
   connect(dialog_, &SeriesDialog::rejected, this, &CaseLoader::cancelled);
   dialog_->open();
 }
 
-void CaseLoader::import(const QString& path, const QString& uid, bool label, std::shared_ptr<ImportedCt> read) {
+void CaseLoader::import(const QString& path, const ImportChoice& choice) {
   tasks_.run<LoadedCase>(
       tr("Importing %1").arg(QFileInfo(path).fileName()),
-      [path, uid, label, read](const Progress& progress) {
-        return importCase(path.toStdString(), uid.toStdString(), label, read, progress);
-      },
+      [path, choice](const Progress& progress) { return importCase(path.toStdString(), choice, progress); },
       [this](Result<LoadedCase> imported) {
         if (!imported) return refuse(imported.error(), tr("Nothing was imported; what was open stays open."));
         Q_EMIT loaded(*imported);

@@ -81,6 +81,7 @@ SeriesDialog::SeriesDialog(const QString& path, std::shared_ptr<const SeriesList
       notes_(new QLabel),
       picture_(new QLabel),
       label_(new QCheckBox(tr("Label air, fat, muscle, bone and skin automatically"))),
+      shift_(new QCheckBox),
       import_(new QPushButton(tr("Import"))),
       tasks_(new TaskBar) {
   setWindowTitle(tr("Import"));
@@ -88,6 +89,7 @@ SeriesDialog::SeriesDialog(const QString& path, std::shared_ptr<const SeriesList
   arrange();
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SeriesDialog::showChosen);
   connect(table_, &QTableWidget::itemActivated, import_, &QPushButton::click);
+  connect(shift_, &QCheckBox::toggled, this, &SeriesDialog::showPicture);
   connect(import_, &QPushButton::clicked, this, [this] {
     // Enter in the table comes here by two ways.
     if (result() != Accepted) accept();
@@ -159,6 +161,9 @@ void SeriesDialog::arrange() {
   picture_->setAccessibleName(tr("Middle slice of the chosen series"));
   label_->setChecked(true);
   label_->setToolTip(tr("From Hounsfield units; vessels, glands and nerves need an author"));
+  shift_->setObjectName(QStringLiteral("shiftValues"));
+  shift_->setToolTip(tr("Picture, automatic labels and ultrasound need Hounsfield units: air at -1000, water at 0"));
+  shift_->hide();
   import_->setToolTip(tr("Makes a case of the chosen series; nothing that names the patient is kept"));
   setRole(import_, "primary");
   import_->setDefault(true);
@@ -175,11 +180,12 @@ void SeriesDialog::arrange() {
   grid->addWidget(notes_, 2, 0, 1, 2);
   grid->addWidget(aside, 3, 0, 1, 2);
   grid->addWidget(leftOut, 4, 0, 1, 2);
-  grid->addWidget(tasks_, 5, 0, 1, 2);
+  grid->addWidget(shift_, 5, 0, 1, 2);
+  grid->addWidget(tasks_, 6, 0, 1, 2);
   auto* last = new QHBoxLayout;
   last->addWidget(label_, 1);
   last->addWidget(buttons);
-  grid->addLayout(last, 6, 0, 1, 2);
+  grid->addLayout(last, 7, 0, 1, 2);
   grid->setRowStretch(1, 1);
   grid->setColumnStretch(0, 1);
   resize(980, 480);
@@ -209,12 +215,16 @@ int SeriesDialog::chosenRow() const {
   return table_->currentRow() >= 0 ? table_->currentRow() : 0;
 }
 
-QString SeriesDialog::chosenUid() const {
-  return QString::fromStdString(listing_->series[std::size_t(chosenRow())].uid);
+std::string SeriesDialog::chosenUid() const {
+  return listing_->series[std::size_t(chosenRow())].uid;
 }
 
-bool SeriesDialog::labelsWanted() const {
-  return label_->isChecked();
+std::optional<int> SeriesDialog::wantedShift() const {
+  return read_ && shift_->isChecked() ? read_->likelyShift_HU : std::nullopt;
+}
+
+ImportChoice SeriesDialog::choice() const {
+  return {chosenUid(), label_->isChecked(), wantedShift(), read_};
 }
 
 void SeriesDialog::showChosen() {
@@ -223,6 +233,7 @@ void SeriesDialog::showChosen() {
   notes_->setText(notesOf(series));
   import_->setEnabled(series.refusal.empty());
   picture_->setPixmap({});
+  shift_->hide();
   if (series.refusal.empty())
     preview();
   else
@@ -234,7 +245,7 @@ void SeriesDialog::preview() {
   picture_->setText(tr("reading ..."));
   tasks_->run<Read>(
       tr("Preview"),
-      [path = path_.toStdString(), uid = chosenUid().toStdString()](const Progress& progress) -> Result<Read> {
+      [path = path_.toStdString(), uid = chosenUid()](const Progress& progress) -> Result<Read> {
         auto imported = importSeries(path, uid, progress);
         if (!imported) return tl::unexpected(imported.error());
         return std::make_shared<ImportedCt>(std::move(*imported));
@@ -242,11 +253,22 @@ void SeriesDialog::preview() {
       [this](Result<Read> read) {
         if (!read) return noPicture(read.error());
         read_ = *read;
-        // Only now it is known what the voxels say.
-        notes_->setText(notesOf(read_->series));
-        table_->item(chosenRow(), table_->columnCount() - 1)->setText(stateOf(read_->series));
-        picture_->setPixmap(QPixmap::fromImage(slicePreview(read_->ct, kPicture_px)));
+        showRead();
       });
+}
+
+void SeriesDialog::showRead() {
+  notes_->setText(notesOf(read_->series));
+  table_->item(chosenRow(), table_->columnCount() - 1)->setText(stateOf(read_->series));
+  const std::optional<int> likely = read_->likelyShift_HU;
+  shift_->setVisible(likely.has_value());
+  if (likely) shift_->setText(tr("Add %1 to every value, so that air is at %1 HU").arg(*likely));
+  shift_->setChecked(likely.has_value());
+  showPicture();
+}
+
+void SeriesDialog::showPicture() {
+  if (read_) picture_->setPixmap(QPixmap::fromImage(slicePreview(read_->ct, kPicture_px, wantedShift().value_or(0))));
 }
 
 }  // namespace insonate::ui

@@ -4,6 +4,8 @@
 
 #include <QDialog>
 #include <memory>
+#include <optional>
+#include <string>
 
 class QCheckBox;
 class QLabel;
@@ -14,6 +16,14 @@ namespace insonate::ui {
 
 class TaskBar;
 
+/// What is imported, and how.
+struct ImportChoice {
+  std::string uid;
+  bool label = true;                   ///< automatically
+  std::optional<int> shift_HU{};       ///< for shiftValues(), where it was offered and wanted
+  std::shared_ptr<ImportedCt> read{};  ///< the series, where it was read for the preview
+};
+
 /// Which of the series in a folder to import: modality, size, spacing, warnings, and the middle slice of the chosen
 /// one.
 class SeriesDialog : public QDialog {
@@ -22,16 +32,18 @@ class SeriesDialog : public QDialog {
  public:
   SeriesDialog(const QString& path, std::shared_ptr<const SeriesListing> listing, QWidget* parent);
 
-  QString chosenUid() const;
-  bool labelsWanted() const;
-  /// The chosen series, where it was read for the preview; null where it was not.
-  std::shared_ptr<ImportedCt> readAlready() const { return read_; }
+  ImportChoice choice() const;
 
  private:
   void fill();
   void arrange();
   void showChosen();
   void preview();
+  /// Only now it is known what the voxels say.
+  void showRead();
+  void showPicture();
+  std::string chosenUid() const;
+  std::optional<int> wantedShift() const;
   int likeliestRow() const;
   int chosenRow() const;
   void noPicture(const Error& error);
@@ -41,7 +53,7 @@ class SeriesDialog : public QDialog {
   std::shared_ptr<ImportedCt> read_;
   QTableWidget* table_;
   QLabel *notes_, *picture_;
-  QCheckBox* label_;
+  QCheckBox *label_, *shift_;
   QPushButton* import_;
   TaskBar* tasks_;
 };

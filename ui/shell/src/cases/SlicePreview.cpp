@@ -6,7 +6,7 @@
 
 namespace insonate::ui {
 
-QImage slicePreview(const CtVolume& ct, int side) {
+QImage slicePreview(const CtVolume& ct, int side, int shift_HU) {
   const auto& size = ct.geometry.size;
   const auto& axes = ct.geometry.direction.column;
   const views::WindowLevel softTissue;
@@ -14,7 +14,8 @@ QImage slicePreview(const CtVolume& ct, int side) {
   QImage slice(size[0], size[1], QImage::Format_Grayscale8);
   for (int j = 0; j < size[1]; ++j) {
     uchar* line = slice.scanLine(upsideDown ? size[1] - 1 - j : j);
-    for (int i = 0; i < size[0]; ++i) line[mirrored ? size[0] - 1 - i : i] = softTissue.grey(ct.at(i, j, size[2] / 2));
+    for (int i = 0; i < size[0]; ++i)
+      line[mirrored ? size[0] - 1 - i : i] = softTissue.grey(ct.at(i, j, size[2] / 2) + shift_HU);
   }
   const double width_mm = size[0] * ct.geometry.spacing_mm.x, height_mm = size[1] * ct.geometry.spacing_mm.y;
   const double scale = side / std::max(width_mm, height_mm);

@@ -5,6 +5,7 @@
 #include <insonate/image/Volume.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,10 @@ struct ImportedCt {
   CtVolume ct;
   SeriesInfo series;   ///< its warnings say everything that was changed on the way: for CaseManifest::importNotes
   std::string source;  ///< for CaseManifest::source; holds a one-way hash of the UID, no names, dates or file names
+  /// What seems to be missing from every value to make Hounsfield units of them, for shiftValues(); -1024 where air
+  /// lies at 0 and soft tissue above 1000. Never added without being asked for. Empty where the values look right, or
+  /// like nothing known.
+  std::optional<int> likelyShift_HU{};
 };
 
 /// Lists what a folder (searched with its subfolders) or a single file holds, from the headers only. A DICOM slice
@@ -52,6 +57,9 @@ Result<SeriesListing> listSeries(const std::filesystem::path& input, const Progr
 /// Blocking; `progress` is called on the calling thread.
 Result<ImportedCt> importSeries(const std::filesystem::path& input, const std::string& uid = {},
                                 const Progress& progress = {});
+
+/// Adds to every value but padding (-1024), limited to -1024..32767 HU, and says so in the warnings.
+void shiftValues(ImportedCt& imported, int shift_HU);
 
 /// The list as lines of text, e.g. for the error of an ambiguous import.
 std::string describe(const SeriesListing& listing);

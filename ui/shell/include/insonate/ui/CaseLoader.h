@@ -16,6 +16,7 @@
 namespace insonate::ui {
 
 class SeriesDialog;
+struct ImportChoice;
 class TaskBar;
 
 /// A case that came into the window.
@@ -66,7 +67,7 @@ class CaseLoader : public QObject {
   void readFolder(const QString& folder);
   void list(const QString& path);
   void choose(const QString& path, std::shared_ptr<const SeriesListing> listing);
-  void import(const QString& path, const QString& uid, bool label, std::shared_ptr<ImportedCt> read);
+  void import(const QString& path, const ImportChoice& choice);
   void refuse(const Error& error, const QString& advice);
 
   TaskBar& tasks_;

@@ -1,0 +1,62 @@
+#include "ValueShift.h"
+
+#include "../files/Hounsfield.h"
+
+#include <insonate/cases/Import.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace insonate {
+namespace {
+
+/// Scanners of 12 bits store HU + 1024.
+constexpr int kStoredOffset_HU = 1024;
+
+/// Shares of the voxels that are no padding, as they would be named if HU + 1024 were stored.
+struct Shares {
+  double air = 0, between = 0, softTissue = 0, bone = 0, belowZero = 0;
+};
+
+Shares sharesOf(const CtVolume& ct) {
+  constexpr int kMostAir = 250, kLeastBetween = 400, kLeastSoft = 900, kMostSoft = 1150;
+  std::size_t all = 0, air = 0, between = 0, soft = 0, bone = 0, below = 0;
+  for (const std::int16_t value : ct.voxels) {
+    all += value != kAirHu;
+    below += value != kAirHu && value < 0;
+    air += value >= 0 && value < kMostAir;
+    between += value >= kLeastBetween && value < kLeastSoft;
+    soft += value >= kLeastSoft && value <= kMostSoft;
+    bone += value > kMostSoft;
+  }
+  const auto share = [&](std::size_t count) { return all > 0 ? double(count) / double(all) : 0.0; };
+  return {share(air), share(between), share(soft), share(bone), share(below)};
+}
+
+}  // namespace
+
+bool hasNothingBelowZero(const CtVolume& ct) {
+  return std::ranges::none_of(ct.voxels, [](std::int16_t value) { return value < 0 && value != kAirHu; });
+}
+
+std::optional<int> likelyShift(const CtVolume& ct) {
+  // Where padding meets the picture, resampling makes a few values between.
+  constexpr double kFew = 0.01, kMuch = 0.05;
+  const Shares shares = sharesOf(ct);
+  // Cut off at 0, a CT in Hounsfield units has bone there, which is spread evenly; fat, muscle and organs are a peak.
+  const bool softTissueIsAPeak =
+      shares.softTissue > kMuch && shares.softTissue > 2 * shares.between && shares.softTissue > shares.bone;
+  if (shares.belowZero > kFew || shares.air < kMuch || !softTissueIsAPeak) return std::nullopt;
+  return -kStoredOffset_HU;
+}
+
+void shiftValues(ImportedCt& imported, int shift_HU) {
+  constexpr int kMostHu = std::numeric_limits<std::int16_t>::max();
+  for (std::int16_t& value : imported.ct.voxels)
+    if (value != kAirHu) value = static_cast<std::int16_t>(std::clamp(value + shift_HU, kAirHu, kMostHu));
+  imported.likelyShift_HU.reset();
+  imported.series.warnings.push_back("As was asked, " + std::to_string(shift_HU) +
+                                     " was added to every value to make Hounsfield units of it.");
+}
+
+}  // namespace insonate
