@@ -1,4 +1,5 @@
 #include "Waiting.h"
+#include "cases/CaseExchange.h"
 #include "cases/CropDialog.h"
 
 #include <insonate/cases/DicomSegmentation.h>
@@ -6,6 +7,7 @@
 #include <insonate/ui/EmptyWorkspace.h>
 #include <insonate/ui/ErrorPanel.h>
 #include <insonate/ui/MainWindow.h>
+#include <insonate/ui/TaskBar.h>
 
 #include <gtest/gtest.h>
 #include <support/SmallCase.h>
@@ -116,6 +118,36 @@ TEST_F(CaseExchange, APartIsCroppedAndResampled) {
   EXPECT_EQ(window.current().patient->ct.geometry.size, (std::array{42, 82, 34}));
   EXPECT_EQ(window.current().patient->manifest.targets.size(), 1U);
   EXPECT_TRUE(window.current().folder.isEmpty());
+}
+
+TEST_F(CaseExchange, OnlyTheAxisWhoseSpacingIsChangedIsResampled) {
+  VolumeGeometry grid = window.current().patient->ct.geometry;
+  grid.spacing_mm = {0.9765625, 0.9765625, 4.25};
+  const ui::CropDialog dialog(grid, &window);
+  dialog.findChild<QCheckBox*>()->setChecked(true);
+  for (auto* box : dialog.findChildren<QDoubleSpinBox*>())
+    if (box->accessibleName() == "Spacing, feet to head") box->setValue(1);
+  EXPECT_EQ(dialog.options().spacing_mm, (Vec3{0.9765625, 0.9765625, 1})) << "0.977 would blur what was not asked for";
+}
+
+/// What was labelled outside of the part, or never saved, is not in it.
+TEST_F(CaseExchange, APartTakesThePlaceOfWhatIsNotSavedOnlyWhenAllowed) {
+  auto* exchange = window.findChild<ui::CaseExchange*>();
+  const auto cropTo = [&](int size) {
+    exchange->crop({{{0, 0, 0}, {size, size, size}}, {}});
+    ASSERT_TRUE(waitUntil([this] { return !window.tasks().isRunning(); }));
+  };
+  const auto width = [this] { return window.current().patient->ct.geometry.size[0]; };
+  cropTo(16);
+  ASSERT_TRUE(waitUntil([&] { return width() == 16; })) << "all of the open case is on disk";
+  for (const char* answer : {"keep", "goOn"}) {
+    cropTo(8);
+    ASSERT_TRUE(waitUntil([this] { return window.findChild<QDialog*>() != nullptr; })) << "the first part is nowhere";
+    EXPECT_EQ(width(), 16);
+    window.findChild<QDialog*>()->findChild<QPushButton*>(answer)->click();
+    ASSERT_TRUE(waitUntil([this] { return window.findChild<QDialog*>() == nullptr; }));
+  }
+  EXPECT_TRUE(waitUntil([&] { return width() == 8; }));
 }
 
 TEST_F(CaseExchange, SpacingIsNamedByThePatientsDirectionsOnAnyGrid) {

@@ -118,7 +118,7 @@ void CaseExchange::importLabels(const QString& file) {
       },
       [this](Result<Labelled> labelled) {
         if (!labelled) return refuse(labelled.error(), tr("The case keeps its own labels."));
-        Q_EMIT made(labelled->patient, tr("Labels imported. %1").arg(labelled->notes.join(QLatin1Char(' '))));
+        Q_EMIT made(labelled->patient, tr("Labels imported. %1").arg(labelled->notes.join(QLatin1Char(' '))), true);
       },
       TaskBar::WhenClosed::Ask);
 }
@@ -140,7 +140,7 @@ void CaseExchange::crop(const CropOptions& options) {
       },
       [this](Result<Made> part) {
         if (!part) return refuse(part.error(), tr("The case is as it was."));
-        Q_EMIT made(*part, QString::fromStdString((*part)->manifest.importNotes.back()));
+        Q_EMIT made(*part, QString::fromStdString((*part)->manifest.importNotes.back()), false);
       },
       TaskBar::WhenClosed::Ask);
 }

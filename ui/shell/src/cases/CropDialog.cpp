@@ -132,6 +132,7 @@ void CropDialog::addSpacing(QGridLayout& grid) {
     spacing_[a] = field(tr("Spacing, %1").arg(direction), 0.05, 25, 3);
     spacing_[a]->setSingleStep(0.1);
     spacing_[a]->setValue(geometry_.spacing_mm[a]);
+    rounded_mm_[a] = spacing_[a]->value();
     spacing_[a]->setEnabled(false);
     QLabel* name = headingOf(direction);
     name->setBuddy(spacing_[a]);
@@ -147,7 +148,12 @@ CropOptions CropDialog::options() const {
     return Vec3{fields[0]->value(), fields[1]->value(), fields[2]->value()};
   };
   CropOptions options{boxBetween(geometry_, values(from_), values(to_)), {}};
-  if (resample_->isChecked()) options.spacing_mm = values(spacing_);
+  if (resample_->isChecked()) {
+    options.spacing_mm = values(spacing_);
+    // A field that nobody changed holds a rounded number, which would resample, and blur, that axis, too.
+    for (int a = 0; a < 3; ++a)
+      if ((*options.spacing_mm)[a] == rounded_mm_[a]) (*options.spacing_mm)[a] = geometry_.spacing_mm[a];
+  }
   return options;
 }
 

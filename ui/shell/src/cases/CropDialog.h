@@ -29,6 +29,7 @@ class CropDialog : public QDialog {
   void refresh();
 
   VolumeGeometry geometry_;
+  Vec3 rounded_mm_;  ///< its spacing as the fields show it
   std::array<QDoubleSpinBox*, 3> from_{}, to_{}, spacing_{};
   QCheckBox* resample_;
   QLabel* result_;

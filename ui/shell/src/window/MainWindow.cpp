@@ -113,13 +113,13 @@ void MainWindow::connectAll() {
   });
   connect(loader_, &CaseLoader::saved, this, &MainWindow::showSaved);
   connect(exchange_, &CaseExchange::made, this,
-          [this](const std::shared_ptr<const PatientCase>& patient, const QString& sentence) {
+          [this](const std::shared_ptr<const PatientCase>& patient, const QString& sentence, bool whole) {
             const auto go = [this, patient, sentence] {
               takeMade(patient);
               status_->say(sentence);
             };
-            // Edits are in it, and what is on disk stays; only what ends with the case is asked about.
-            loss().ending.isEmpty() ? go() : whenNothingIsLost(LostBy::Opening, go);
+            // Where all edits are in it, only what ends with the case is asked about; what is on disk stays.
+            whole&& loss().ending.isEmpty() ? go() : whenNothingIsLost(LostBy::Opening, go);
           });
   connect(exchange_, &CaseExchange::written, this,
           [this](const QString& sentence, const QString& folder) { status_->say(sentence, folder); });
