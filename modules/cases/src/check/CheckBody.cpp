@@ -15,7 +15,7 @@ struct Surface {
   std::size_t open = 0;   ///< of these, those whose body side is neither skin nor airway
 };
 
-Surface surfaceOf(const LabelMap& labels, const std::vector<std::uint8_t>& outside) {
+Surface surfaceOf(const LabelMap& labels, const VoxelSet& outside) {
   const VolumeGeometry& g = labels.geometry;
   Surface surface;
   std::size_t v = 0;
@@ -65,7 +65,7 @@ std::string percent(double share) {
 void checkBody(const CaseView& patient, Findings& findings) {
   const LabelMap& labels = patient.labels;
   const int endAxis = headFootAxis(labels.geometry);
-  const std::vector<std::uint8_t> outside = floodFromSides(labels, kBackground, endAxis);
+  const VoxelSet outside = floodFromSides(labels, kBackground, endAxis);
 
   const Surface surface = surfaceOf(labels, outside);
   const double open = surface.faces ? static_cast<double>(surface.open) / static_cast<double>(surface.faces) : 0;

@@ -4,80 +4,107 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <utility>
 
 namespace insonate::check {
 namespace {
 
 using Index = std::array<int, 3>;
 
-/// Depth-first growth over the voxels of one label; each voxel is visited once.
+/// Growth over the voxels of one label, each of which is visited once. What waits is kept as one voxel of each run
+/// along a row, or a bright CT's background alone would take hundreds of megabytes.
 class Flood {
  public:
-  Flood(const LabelMap& labels, std::uint8_t label)
-      : labels_(labels), label_(label), visited(labels.voxels.size(), 0) {}
+  Flood(const LabelMap& labels, std::uint8_t label) : labels_(labels), label_(label), visited_(labels.voxels.size()) {}
 
-  void seed(Index at) {
-    const VolumeGeometry& g = labels_.geometry;
-    if (!g.contains(at[0], at[1], at[2])) return;
-    const std::size_t v = g.offset(at[0], at[1], at[2]);
-    if (visited[v] || labels_.voxels[v] != label_) return;
-    visited[v] = 1;
-    stack_.push_back(at);
+  void seed(const Index& at) {
+    if (isOpen(at)) waiting_.push_back(at);
   }
-  void growByFaces() {
-    while (!stack_.empty()) {
-      const Index p = pop();
-      for (int a = 0; a < 3; ++a)
-        for (int step : {-1, 1}) {
-          Index q = p;
-          q[a] += step;
-          seed(q);
-        }
+  /// Visits all that hangs together with the seeds: by faces (`reach` 0), or by edges and corners, too (1). Calls
+  /// `visit` with the first voxel of each run, and how many it has.
+  template <class Visit>
+  void grow(int reach, const Visit& visit) {
+    while (!waiting_.empty()) {
+      Index first = waiting_.back();
+      waiting_.pop_back();
+      if (!isOpen(first)) continue;
+      int end = first[0];
+      while (isOpen({first[0] - 1, first[1], first[2]})) --first[0];
+      while (isOpen({end, first[1], first[2]})) ++end;
+      const auto row = visited_.begin() + std::ptrdiff_t(labels_.geometry.offset(0, first[1], first[2]));
+      std::fill(row + first[0], row + end, true);
+      visit(first, end - first[0]);
+      for (int k = -1; k <= 1; ++k)
+        for (int j = -1; j <= 1; ++j)
+          if (std::abs(j) + std::abs(k) == 1 || (reach > 0 && j != 0))
+            seedRow(first[0] - reach, end + reach, first[1] + j, first[2] + k);
     }
   }
-  std::vector<Index> growByCorners() {
-    std::vector<Index> grown;
-    while (!stack_.empty()) {
-      const Index p = pop();
-      grown.push_back(p);
-      for (int n = 0; n < 27; ++n) seed({p[0] + n % 3 - 1, p[1] + n / 3 % 3 - 1, p[2] + n / 9 - 1});
-    }
-    return grown;
-  }
+
+  VoxelSet visited() && { return std::move(visited_); }
 
  private:
-  Index pop() {
-    const Index p = stack_.back();
-    stack_.pop_back();
-    return p;
+  bool isOpen(const Index& at) const {
+    const VolumeGeometry& g = labels_.geometry;
+    if (!g.contains(at[0], at[1], at[2])) return false;
+    const std::size_t v = g.offset(at[0], at[1], at[2]);
+    return labels_.voxels[v] == label_ && !visited_[v];
+  }
+  void seedRow(int from, int end, int j, int k) {
+    bool before = false;
+    for (int i = from; i < end; ++i) {
+      const bool open = isOpen({i, j, k});
+      if (open && !before) waiting_.push_back({i, j, k});
+      before = open;
+    }
   }
 
   const LabelMap& labels_;
   std::uint8_t label_;
-  std::vector<Index> stack_;
-
- public:
-  std::vector<std::uint8_t> visited;
+  std::vector<Index> waiting_;
+  VoxelSet visited_;
 };
 
-Part partOf(const std::vector<Index>& voxels, const Transform& patientFromIndex, int axis) {
-  const auto [lowest, highest] = std::ranges::minmax(voxels, {}, [&](const Index& p) { return p[axis]; });
-  Part part{voxels.size(), lowest[axis], highest[axis], {}, {}};
-  Vec3 lowSum, highSum;
-  double lowCount = 0, highCount = 0;
-  for (const Index& p : voxels) {
-    const Vec3 index{double(p[0]), double(p[1]), double(p[2])};
-    if (p[axis] == part.low) lowSum = lowSum + index, ++lowCount;
-    if (p[axis] == part.high) highSum = highSum + index, ++highCount;
+/// What becomes a part, run by run.
+struct Growing {
+  /// Of the voxels at one index of the axis.
+  struct End {
+    int at;
+    Vec3 sum;
+    double count = 0;
+
+    void add(int index, const Vec3& sumOfRun, double voxels, bool further) {
+      if (further) at = index, sum = {}, count = 0;
+      if (index == at) sum = sum + sumOfRun, count += voxels;
+    }
+  };
+  int axis;
+  std::size_t voxels = 0;
+  End low{std::numeric_limits<int>::max(), {}}, high{-1, {}};
+
+  void add(const Index& first, int length) {
+    voxels += std::size_t(length);
+    if (axis == 0) {
+      for (int i = first[0]; i < first[0] + length; ++i) addAt(i, {double(i), double(first[1]), double(first[2])}, 1);
+    } else {
+      const Vec3 middle{first[0] + 0.5 * (length - 1), double(first[1]), double(first[2])};
+      addAt(first[axis], middle * length, length);
+    }
   }
-  part.lowEnd_mm = patientFromIndex * (lowSum / lowCount);
-  part.highEnd_mm = patientFromIndex * (highSum / highCount);
-  return part;
-}
+  void addAt(int index, const Vec3& sum, double count) {
+    low.add(index, sum, count, index < low.at);
+    high.add(index, sum, count, index > high.at);
+  }
+  Part part(const Transform& patientFromIndex) const {
+    return {voxels, low.at, high.at, patientFromIndex * (low.sum / low.count),
+            patientFromIndex * (high.sum / high.count)};
+  }
+};
 
 }  // namespace
 
-std::vector<std::uint8_t> floodFromSides(const LabelMap& labels, std::uint8_t label, int endAxis) {
+VoxelSet floodFromSides(const LabelMap& labels, std::uint8_t label, int endAxis) {
   Flood flood(labels, label);
   const auto& size = labels.geometry.size;
   for (int side = 0; side < 3; ++side) {
@@ -89,10 +116,10 @@ std::vector<std::uint8_t> floodFromSides(const LabelMap& labels, std::uint8_t la
           Index at;
           at[side] = face, at[u] = a, at[v] = b;
           flood.seed(at);
+          flood.grow(0, [](const Index&, int) {});
         }
   }
-  flood.growByFaces();
-  return std::move(flood.visited);
+  return std::move(flood).visited();
 }
 
 double pieceLength_mm(const LabelMap& labels, Vec3 index) {
@@ -101,9 +128,11 @@ double pieceLength_mm(const LabelMap& labels, Vec3 index) {
   if (!g.contains(at[0], at[1], at[2])) return 0;
   Flood flood(labels, labels.at(at[0], at[1], at[2]));
   flood.seed(at);
-  Vec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
-  for (const Index& p : flood.growByCorners())
-    for (int a = 0; a < 3; ++a) low[a] = std::min(low[a], double(p[a])), high[a] = std::max(high[a], double(p[a]));
+  Index low = at, high = at;
+  flood.grow(1, [&](const Index& first, int length) {
+    const Index last{first[0] + length - 1, first[1], first[2]};
+    for (int a = 0; a < 3; ++a) low[a] = std::min(low[a], first[a]), high[a] = std::max(high[a], last[a]);
+  });
   double longest_mm = 0;
   for (int a = 0; a < 3; ++a) longest_mm = std::max(longest_mm, (high[a] - low[a] + 1) * g.spacing_mm[a]);
   return longest_mm;
@@ -118,8 +147,9 @@ std::vector<Part> partsOf(const LabelMap& labels, std::uint8_t label, int axis) 
     for (int j = 0; j < size[1]; ++j)
       for (int i = 0; i < size[0]; ++i) {
         flood.seed({i, j, k});
-        if (const auto grown = flood.growByCorners(); !grown.empty())
-          parts.push_back(partOf(grown, patientFromIndex, axis));
+        Growing growing{axis};
+        flood.grow(1, [&](const Index& first, int length) { growing.add(first, length); });
+        if (growing.voxels > 0) parts.push_back(growing.part(patientFromIndex));
       }
   std::ranges::stable_sort(parts, std::greater{}, &Part::voxels);
   return parts;

@@ -6,9 +6,12 @@
 
 namespace insonate::check {
 
-/// 1 for each voxel of `label` that a path of face neighbours of that label joins to a side of the volume, where the
+/// One bit for each voxel.
+using VoxelSet = std::vector<bool>;
+
+/// The voxels of `label` that a path of face neighbours of that label joins to a side of the volume, where the
 /// sides are the four faces that `endAxis` does not cross.
-std::vector<std::uint8_t> floodFromSides(const LabelMap& labels, std::uint8_t label, int endAxis);
+VoxelSet floodFromSides(const LabelMap& labels, std::uint8_t label, int endAxis);
 
 /// Voxels of a label that hang together by faces, edges or corners.
 struct Part {
