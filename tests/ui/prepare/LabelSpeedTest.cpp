@@ -175,11 +175,13 @@ TEST_F(LongEditing, KeepsItsMemory) {
   const double undo_MB = double(session_->labelling().undoBytes()) / (1 << 20);
   std::printf(
       "512x512x300, longest work of the window's thread: %d strokes %.0f ms, %d undos %.0f ms, ten filters %.0f ms; "
-      "memory in times the volumes: opened %.1f, after 100 strokes %.1f, 200 %.1f, undone %.1f, filtered %.1f; undo "
-      "%.1f MB\n",
-      kStrokes, strokes_ms, kUndos, undos_ms, filters_ms, opened, early, painted, undone, end, undo_MB);
+      "memory in times the volumes: opened %.1f, after 100 strokes %.1f, 200 %.1f, undone %.1f, filtered %.1f, at "
+      "most %.1f; undo %.1f MB\n",
+      kStrokes, strokes_ms, kUndos, undos_ms, filters_ms, opened, early, painted, undone, end,
+      memory_MB("VmHWM:") / volumes_MB, undo_MB);
   // A map that was kept by each tool would make it 3.3 more.
-  EXPECT_LT(std::max({painted, undone, end}), early + 1) << "it grows with what is done";
+  // The program and its libraries are counted, too, which take 0.6; a map more is 0.3.
+  EXPECT_LT(std::max({early, painted, undone, end}), 4);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <QtTest/QTest>
 #include <algorithm>
 #include <thread>
+#include <utility>
 
 namespace insonate::prepare {
 namespace {
@@ -98,6 +99,23 @@ TEST(Measuring, TheUsersCancelEndsItUntilAsked) {
   QTest::qWait(50);
   EXPECT_EQ(b.measuring.state(), State::Stopped);
   b.measuring.start();
+  EXPECT_TRUE(b.reaches(State::Done));
+}
+
+TEST(Measuring, LetsGoOfLabelsThatAreEdited) {
+  Bench b;
+  b.measuring.setAllowed(true);
+  const auto block = patient();
+  b.measuring.setCase(block);
+  auto labels = std::make_shared<const LabelMap>(block->labels);
+  b.measuring.setLabels(labels);
+  ASSERT_TRUE(b.reaches(State::Running));
+  const std::weak_ptr<const LabelMap> held = std::exchange(labels, nullptr);
+  b.measuring.awaitLabels();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return held.expired(); }, kPatience_ms));
+  QTest::qWait(50);
+  EXPECT_EQ(b.measuring.state(), State::Waiting);
+  b.measuring.setLabels(std::make_shared<const LabelMap>(block->labels));
   EXPECT_TRUE(b.reaches(State::Done));
 }
 

@@ -23,6 +23,8 @@ LabelFollowers::LabelFollowers(LabelSession& labels, LivePatient& live, CaseMeas
   });
   connect(&labels_, &LabelSession::changed, this, [this](const LabelChange& change) {
     changed_ |= change.labels;
+    // Its snapshot is wanted for the next ones.
+    measuring_.awaitLabels();
     soon_.start();
     later_.start();
     Q_EMIT restChanged();

@@ -14,9 +14,10 @@ namespace insonate::prepare {
 /// no more than the changes as a rule. For the thread that writes to the map.
 class LabelSnapshots {
  public:
-  /// As many are held at once as a rule: by the live picture, by the check, and by who takes the next. A further one is
-  /// made on the spot, which takes some hundredths of a second for a large map, and given back when it is let go.
-  static constexpr int kUsual = 3;
+  /// As many are held at once as a rule: by what is computed still of earlier labels, and by who takes the next. A
+  /// further one is made on the spot, which takes some hundredths of a second for a large map, and given back when it
+  /// is let go.
+  static constexpr int kUsual = 2;
   using Copies = std::array<LabelMap, kUsual>;
 
   /// The map lives longer, what was taken need not. `copies` are equal to it.

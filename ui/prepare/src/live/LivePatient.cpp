@@ -202,6 +202,8 @@ void LivePatient::startLive() {
 void LivePatient::startLiveOf(std::shared_ptr<const LabelMap> tissues) {
   LiveOptions options;
   options.cineBytes = kCineBytes;
+  // Each edit would throw it away; a small scene is there soon enough without.
+  options.workAhead = false;
   auto live = LiveImaging::make(CaseVolumes(patient_, std::move(tissues)), setup_, *pose(), options);
   if (!live) {
     trouble_ = QString::fromStdString(live.error().message);

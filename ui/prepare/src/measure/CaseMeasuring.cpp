@@ -4,6 +4,7 @@
 
 #include <QPointer>
 #include <QTimer>
+#include <utility>
 
 namespace insonate::prepare {
 namespace {
@@ -50,6 +51,11 @@ void CaseMeasuring::setLabels(std::shared_ptr<const LabelMap> labels) {
   beginAgain();
 }
 
+void CaseMeasuring::awaitLabels() {
+  if (!std::exchange(labels_, nullptr)) return;
+  beginAgain();
+}
+
 void CaseMeasuring::setWords(const CasePlaces& places, const LabelTerms& terms) {
   auto manifest = std::make_shared<CaseManifest>(*manifest_);
   putPlaces(places, *manifest);
@@ -79,7 +85,7 @@ void CaseMeasuring::start() {
 }
 
 void CaseMeasuring::tryToRun() {
-  if (state_ != State::Waiting || !allowed_ || tasks_.isRunning()) return;
+  if (state_ != State::Waiting || !labels_ || !allowed_ || tasks_.isRunning()) return;
   enter(State::Running);
   tasks_.run<Measured>(
       tr("Checking the case"),

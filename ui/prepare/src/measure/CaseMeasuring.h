@@ -40,7 +40,9 @@ class CaseMeasuring : public QObject {
   void setCase(std::shared_ptr<const PatientCase> patient);
   /// Edited labels in place of the case's; what was measured before stays until the new measures are there.
   void setLabels(std::shared_ptr<const LabelMap> labels);
-  /// The same for targets, landmarks and start poses, and for what labels mean.
+  /// Labels are being edited: what runs ends and lets go of them, and nothing begins before setLabels().
+  void awaitLabels();
+  /// Edited targets, landmarks and start poses, and what labels mean, likewise.
   void setWords(const CasePlaces& places, const LabelTerms& terms);
   /// While not allowed, nothing begins; what runs goes on.
   void setAllowed(bool allowed);
@@ -64,7 +66,7 @@ class CaseMeasuring : public QObject {
 
   ui::TaskBar& tasks_;
   std::shared_ptr<const PatientCase> patient_;
-  std::shared_ptr<const LabelMap> labels_;
+  std::shared_ptr<const LabelMap> labels_;  ///< null while they are awaited
   std::shared_ptr<const CaseManifest> manifest_;
   std::shared_ptr<const CaseMeasures> measures_;
   QString trouble_;
