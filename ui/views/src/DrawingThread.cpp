@@ -1,3 +1,4 @@
+#include <insonate/core/ThreadPriority.h>
 #include <insonate/views/DrawingThread.h>
 #include <insonate/views/View.h>
 
@@ -36,14 +37,17 @@ DrawingThread::~DrawingThread() {
   thread_.join();
 }
 
-/// OpenGL's functions are looked up here: that writes to what all windows of a program share.
+/// OpenGL's functions are looked up here: that writes to what all windows of a program share. A driver without a card
+/// has threads of its own, which have the priority of the one that makes the context.
 void DrawingThread::start() {
   const auto alone = pause();
   window_->SetSize(view_.width_px(), view_.height_px());
-  if (auto* graphics = vtkOpenGLRenderWindow::SafeDownCast(window_)) {
-    graphics->Initialize();
-    graphics->ReleaseCurrent();
-  }
+  if (auto* graphics = vtkOpenGLRenderWindow::SafeDownCast(window_))
+    std::thread([graphics] {
+      comeBehindOthers();
+      graphics->Initialize();
+      graphics->ReleaseCurrent();
+    }).join();
   thread_ = std::thread([this] { run(); });
 }
 
@@ -74,6 +78,7 @@ bool DrawingThread::take(Drawn& drawn) {
 }
 
 void DrawingThread::run() {
+  comeBehindOthers();
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [this] { return ends_ || done_ < wanted_; });

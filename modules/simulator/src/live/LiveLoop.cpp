@@ -1,5 +1,6 @@
 #include "live/LiveLoop.h"
 
+#include <insonate/core/ThreadPriority.h>
 #include <insonate/ultrasound/Display.h>
 
 #include <tbb/info.h>
@@ -50,8 +51,9 @@ LiveImaging::Impl::Impl(CaseVolumes patient, std::shared_ptr<const ImagingSetup>
       active_(std::move(setup), std::move(imager), std::move(tissue), patient_.labels->geometry),
       pose_(patientFromProbe),
       physiology_(options.physiology),
-      builder_(patient_, options_.threads, options_.workAhead, [this] { wake(); }),
+      builder_(patient_, options_, [this] { wake(); }),
       thread_([this] {
+        if (options_.background) comeBehindOthers();
         tbb::task_arena arena(options_.threads);
         arena.execute([this] { run(); });
       }) {}

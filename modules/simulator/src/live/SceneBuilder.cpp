@@ -1,5 +1,7 @@
 #include "live/SceneBuilder.h"
 
+#include <insonate/core/ThreadPriority.h>
+
 #include <tbb/task_arena.h>
 
 #include <chrono>
@@ -8,10 +10,11 @@
 
 namespace insonate::live {
 
-SceneBuilder::SceneBuilder(CaseVolumes patient, int threads, bool workAhead, std::function<void()> whenDone)
+SceneBuilder::SceneBuilder(CaseVolumes patient, const LiveOptions& options, std::function<void()> whenDone)
     : patient_(std::move(patient)),
-      threads_(threads),
-      workAhead_(workAhead),
+      threads_(options.threads),
+      workAhead_(options.workAhead),
+      background_(options.background),
       whenDone_(std::move(whenDone)),
       thread_([this] { work(); }) {}
 
@@ -62,6 +65,7 @@ std::optional<BuiltScene> SceneBuilder::take() {
 }
 
 void SceneBuilder::work() {
+  if (background_) comeBehindOthers();
   // Pictures come first: while one is in work, its arena gets the processors.
   tbb::task_arena arena(threads_, 1, tbb::task_arena::priority::low);
   for (;;) {

@@ -4,6 +4,7 @@
 
 #include <insonate/cases/CaseView.h>
 #include <insonate/simulator/Imager.h>
+#include <insonate/simulator/LiveImaging.h>
 
 #include <atomic>
 #include <condition_variable>
@@ -36,7 +37,7 @@ struct BuiltScene {
 class SceneBuilder {
  public:
   /// `whenDone` is called on the worker each time that take() has something.
-  SceneBuilder(CaseVolumes patient, int threads, bool workAhead, std::function<void()> whenDone);
+  SceneBuilder(CaseVolumes patient, const LiveOptions& options, std::function<void()> whenDone);
   /// Cancels and waits.
   ~SceneBuilder();
 
@@ -58,7 +59,7 @@ class SceneBuilder {
 
   CaseVolumes patient_;
   int threads_;
-  bool workAhead_;
+  bool workAhead_, background_;
   std::function<void()> whenDone_;
   std::mutex mutex_;
   std::condition_variable changed_;

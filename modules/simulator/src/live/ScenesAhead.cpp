@@ -1,18 +1,12 @@
 #include "live/ScenesAhead.h"
 
-#include <sys/resource.h>
+#include <insonate/core/ThreadPriority.h>
+
 #include <tbb/task_arena.h>
-#include <unistd.h>
 
 #include <new>
 
 namespace insonate::live {
-namespace {
-
-/// Behind pictures and window, but not so far that it could not end when told to.
-constexpr int kNice = 10;
-
-}  // namespace
 
 ScenesAhead::ScenesAhead(std::shared_ptr<const SceneSource> source)
     : source_(std::move(source)), thread_([this] { work(); }) {}
@@ -36,7 +30,7 @@ void ScenesAhead::want(const Region& region_mm, double detail_mm) {
 }
 
 void ScenesAhead::work() {
-  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
+  comeBehindOthers();
   tbb::task_arena arena(1);  // this thread alone: workers would have the priority of pictures
   for (;;) {
     Wanted wanted;

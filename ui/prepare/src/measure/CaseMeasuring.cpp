@@ -1,5 +1,6 @@
 #include "CaseMeasuring.h"
 
+#include <insonate/core/ThreadPriority.h>
 #include <insonate/ui/TaskBar.h>
 
 #include <QPointer>
@@ -90,6 +91,7 @@ void CaseMeasuring::tryToRun() {
   tasks_.run<Measured>(
       tr("Checking the case"),
       [patient = patient_, labels = labels_, manifest = manifest_](const Progress& progress) {
+        comeBehindOthers();
         return measure(CaseView(*manifest, patient->ct, *labels), progress);
       },
       [self = QPointer(this), number = ++number_](Result<Measured> result) {

@@ -1,11 +1,9 @@
 #include "BuiltInCase.h"
 
 #include <insonate/cases/Phantom.h>
+#include <insonate/core/ThreadPriority.h>
 #include <insonate/ui/CaseLoader.h>
 #include <insonate/ui/KnownCases.h>
-
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -20,8 +18,6 @@ namespace insonate::ui {
 namespace {
 
 constexpr std::uint32_t kSeed = 1;
-/// The first picture goes first: packing the CT costs a second.
-constexpr int kNice = 15;
 
 /// Of this program: other programs make other necks. Asked once: its file may be replaced while it runs.
 const QString& version() {
@@ -46,7 +42,7 @@ QThreadPool& keeper() {
 
 /// Given up when the program ends: nothing half written is left. For a thread of its own, which stays slow.
 void keep(const PatientCase& patient, const QString& folder) {
-  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
+  comeBehindOthers();  // the first picture goes first: packing the CT costs a second
   QDir().mkpath(QFileInfo(folder).path());
   const auto goOn = [](std::string_view, double) { return !QCoreApplication::closingDown(); };
   if (writeCase(patient, folder.toStdString(), goOn)) forgetOfOthers(QFileInfo(folder).dir());

@@ -1,7 +1,6 @@
 #include "Refiner.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
+#include <insonate/core/ThreadPriority.h>
 
 #include <algorithm>
 #include <utility>
@@ -9,8 +8,6 @@
 namespace insonate::views {
 namespace {
 
-/// Live pictures go first.
-constexpr int kNice = 10;
 /// Rows that a thread takes at a time.
 constexpr int kRows = 2;
 
@@ -84,7 +81,7 @@ int Refiner::eyeInWork() const {
 }
 
 void Refiner::run() {
-  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
+  comeBehindOthers();  // live pictures go first
   std::unique_lock lock(mutex_);
   while (!ends_) {
     if (auto patient = std::exchange(unprepared_, nullptr)) {
