@@ -13,23 +13,7 @@ constexpr int kLowestHu = -32768;
 constexpr std::uint8_t kNothing = 255;  ///< is proposed
 constexpr double kProposalFill = 0.5;
 
-/// The cell of a continuous index within [-0.5, size - 0.5), clamped to voxel centres.
-struct Cell {
-  int low, high;
-  float share;
-  Cell(double index, int size) {
-    const double inside = std::clamp(index, 0.0, size - 1.0);
-    low = static_cast<int>(inside);
-    high = std::min(low + 1, size - 1);
-    share = static_cast<float>(inside - low);
-  }
-};
-
-float between(float a, float b, float share) {
-  return a + (b - a) * share;
-}
-
-float trilinear(const CtVolume& ct, const Cell& i, const Cell& j, const Cell& k) {
+float trilinear(const CtVolume& ct, const SliceCell& i, const SliceCell& j, const SliceCell& k) {
   const auto& grid = ct.geometry;
   const std::int16_t* rows[4] = {
       ct.voxels.data() + grid.offset(0, j.low, k.low), ct.voxels.data() + grid.offset(0, j.high, k.low),
@@ -59,8 +43,34 @@ std::uint8_t SliceSampler::proposedAt(int i, int j, int k) const {
   return proposal_->at(i - proposalBox_.first[0], j - proposalBox_.first[1], k - proposalBox_.first[2]);
 }
 
-void SliceSampler::sampleRow(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane, int row,
-                             std::uint8_t* rgb) {
+void SliceSampler::sampleAlignedRow(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane, int row,
+                                    std::uint8_t* rgb) {
+  thread_local std::vector<float> line;
+  std::uint8_t* label = rowLabels_.data() + std::size_t(row) * plane.width_px;
+  std::uint8_t* proposed = proposal_ ? rowProposed_.data() + std::size_t(row) * plane.width_px : nullptr;
+  std::fill_n(rgb, 3 * std::size_t(plane.width_px), std::uint8_t{0});
+  std::fill_n(label, plane.width_px, std::uint8_t{0});
+  if (proposal_) std::fill_n(proposed, plane.width_px, kNothing);
+  const auto across = columns_.row(ct.geometry, plane, row);
+  if (!across) return;
+  columns_.mix(ct, *across, line);
+  const auto [i, j, k] = across->nearest;
+  const std::uint8_t* labelled = labels.voxels.data() + labels.geometry.offset(i, j, k);
+  for (int column = columns_.first(); column < columns_.end(); ++column) {
+    std::uint8_t* pixel = rgb + 3 * std::size_t(column);
+    pixel[0] = pixel[1] = pixel[2] = greyOfHu_[columns_.hu(line, column) - kLowestHu];
+    label[column] = labelled[columns_.column(column).offset];
+  }
+  if (!proposal_) return;
+  std::array<int, 3> at = across->nearest;
+  for (int column = columns_.first(); column < columns_.end(); ++column) {
+    at[std::size_t(columns_.axis())] = columns_.column(column).nearest;
+    proposed[column] = proposedAt(at[0], at[1], at[2]);
+  }
+}
+
+void SliceSampler::sampleObliqueRow(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane, int row,
+                                    std::uint8_t* rgb) {
   const VolumeGeometry& grid = ct.geometry;
   const Transform indexFromPatient = grid.indexFromPatient();
   const Vec3 first = indexFromPatient * plane.patientFromDisplay({0.5, row + 0.5});
@@ -77,7 +87,7 @@ void SliceSampler::sampleRow(const CtVolume& ct, const LabelMap& labels, const S
       if (proposal_) proposed[column] = kNothing;
       continue;
     }
-    const Cell i(index.x, grid.size[0]), j(index.y, grid.size[1]), k(index.z, grid.size[2]);
+    const SliceCell i(index.x, grid.size[0]), j(index.y, grid.size[1]), k(index.z, grid.size[2]);
     const auto hu = static_cast<int>(std::floor(trilinear(ct, i, j, k) + 0.5F));
     rgb[0] = rgb[1] = rgb[2] = greyOfHu_[hu - kLowestHu];
     const auto ni = static_cast<int>(index.x + 0.5), nj = static_cast<int>(index.y + 0.5),
@@ -126,10 +136,12 @@ void SliceSampler::sample(const CtVolume& ct, const LabelMap& labels, const Slic
   const std::size_t stride = std::size_t(plane.width_px) * 3;
   rowLabels_.resize(std::size_t(plane.width_px) * plane.height_px);
   if (proposal_) rowProposed_.resize(rowLabels_.size());
+  const auto sampleRow =
+      columns_.place(ct.geometry, plane) ? &SliceSampler::sampleAlignedRow : &SliceSampler::sampleObliqueRow;
   const tbb::blocked_range<int> rows(0, plane.height_px, 16);
   tbb::parallel_for(rows, [&](const auto& range) {
     for (int row = range.begin(); row < range.end(); ++row)
-      sampleRow(ct, labels, plane, row, rgb.data() + row * stride);
+      (this->*sampleRow)(ct, labels, plane, row, rgb.data() + row * stride);
   });
   // Outlines look at the rows above and below.
   tbb::parallel_for(rows, [&](const auto& range) {

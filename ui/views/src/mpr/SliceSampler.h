@@ -1,5 +1,7 @@
 #pragma once
 
+#include "AlignedColumns.h"
+
 #include <insonate/image/VoxelBox.h>
 #include <insonate/views/SlicePlane.h>
 #include <insonate/views/Theme.h>
@@ -35,7 +37,10 @@ class SliceSampler {
   void sample(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane, std::span<std::uint8_t> rgb);
 
  private:
-  void sampleRow(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane, int row, std::uint8_t* rgb);
+  void sampleAlignedRow(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane, int row,
+                        std::uint8_t* rgb);
+  void sampleObliqueRow(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane, int row,
+                        std::uint8_t* rgb);
   void paintRow(const SlicePlane& plane, int row, std::uint8_t* rgb) const;
   bool isEdge(const SlicePlane& plane, int row, int column) const;
 
@@ -43,6 +48,7 @@ class SliceSampler {
   std::vector<std::uint8_t> greyOfHu_;  ///< of every int16
   std::uint8_t proposedAt(int i, int j, int k) const;
 
+  AlignedColumns columns_;
   VoxelBox proposalBox_;
   const LabelMap* proposal_ = nullptr;
   std::vector<std::uint8_t> rowLabels_, rowProposed_;
