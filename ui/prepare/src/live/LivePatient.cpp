@@ -14,6 +14,8 @@ namespace {
 
 /// Of the small picture: as many scanlines as it has columns to show them.
 constexpr int kScanlines = 160, kSamples = 500, kWidth = 410, kHeight = 308;
+/// The slices are painted by then: on two processors they would wait for the picture, and for the probe in 3D.
+constexpr int kAfterSlices_ms = 40;
 /// The latest picture is enough.
 constexpr std::size_t kCineBytes = std::size_t{4} << 20;
 
@@ -30,7 +32,11 @@ ImagingSetup smallSetup() {
 
 }  // namespace
 
-LivePatient::LivePatient(QObject* parent) : QObject(parent), setup_(smallSetup()), feed_([this] { news(); }) {}
+LivePatient::LivePatient(QObject* parent) : QObject(parent), setup_(smallSetup()), feed_([this] { news(); }) {
+  following_.setSingleShot(true);
+  following_.setInterval(kAfterSlices_ms);
+  following_.callOnTimeout(this, [this] { moveToWanted(); });
+}
 
 LivePatient::~LivePatient() {
   stop();
@@ -38,6 +44,7 @@ LivePatient::~LivePatient() {
 
 void LivePatient::stop() {
   worker_ = nullptr;
+  following_.stop();
   forgetTissues();
   feed_.set(nullptr);
 }
@@ -204,6 +211,7 @@ void LivePatient::startLiveOf(std::shared_ptr<const LabelMap> tissues) {
   options.cineBytes = kCineBytes;
   // Each edit would throw it away; a small scene is there soon enough without.
   options.workAhead = false;
+  options.background = true;  // slices go first
   auto live = LiveImaging::make(CaseVolumes(patient_, std::move(tissues)), setup_, *pose(), options);
   if (!live) {
     trouble_ = QString::fromStdString(live.error().message);
@@ -229,9 +237,14 @@ void LivePatient::news() {
 
 void LivePatient::follow(Vec3 patient_mm) {
   wanted_mm_ = patient_mm;
-  if (!hand_) return;
+  // While a hand drags, it is not put off again by each move.
+  if (hand_ && !following_.isActive()) following_.start();
+}
+
+void LivePatient::moveToWanted() {
+  if (!hand_ || !wanted_mm_) return;
   // Where it stops, it stands as near as it can.
-  hand_->moveTo(patient_mm);
+  hand_->moveTo(*wanted_mm_);
   rememberPlace();
   moved();
 }
@@ -248,6 +261,7 @@ void LivePatient::setStart(std::optional<StartPose> start) {
 
 void LivePatient::goTo(const StartPose& place) {
   wanted_mm_.reset();
+  following_.stop();
   if (!hand_) return;
   if (const auto pose = patientFromProbe(place.position_mm, place.axial, place.lateral)) hand_->setPose(*pose);
   rememberPlace();
@@ -265,7 +279,7 @@ void LivePatient::moved() {
 
 bool LivePatient::isSettled() const {
   if (!patient_) return true;
-  if (!surfacesDone_ || tissuesDue_) return false;
+  if (!surfacesDone_ || tissuesDue_ || following_.isActive()) return false;
   if (!trouble_.isEmpty() || status_.state == LiveState::Failed) return true;
   return shown_ && !stale_ && pose() && shown_->patientFromProbe == *pose();
 }

@@ -15,8 +15,7 @@ namespace insonate::prepare {
 namespace {
 
 constexpr int kTick_ms = 1;
-/// Between two: longer than an edit is followed by surfaces and check.
-constexpr double kRest_ms = 1000;
+constexpr int kDragged = 4;  // times as often as the rest
 /// Then a time that has not come is given up, and counts as this long.
 constexpr double kPatience_ms = 180'000;
 constexpr double kRegion_mm = 30;  // from a click to the edge of the region of growing and level set
@@ -73,6 +72,16 @@ void LabellingMeasure::addViewTasks(int repeats) {
                       session_.setCrosshair(along(n + 1));
                     },
                     {{QStringLiteral("slice_change"), painted}}});
+  // Without a rest: each as soon as the one before has been painted.
+  tasks_.push_back({kDragged * repeats,
+                    {},
+                    [this, along](int n) {
+                      slicesKnow_ = true;
+                      session_.setCrosshair(along(-(n + 1)));
+                    },
+                    {{QStringLiteral("slice_drag"), painted}},
+                    {},
+                    0});
   tasks_.push_back({repeats,
                     [this, middle_mm] {
                       session_.setCrosshair(middle_mm);
@@ -152,7 +161,7 @@ void LabellingMeasure::look() {
   Task& task = tasks_[task_];
   if (!acting_) {
     const LabelSession& labelling = session_.labelling();
-    if (ms(clock_) >= kRest_ms && !labelling.isBusy() && !labelling.preview().isComputing()) begin();
+    if (ms(clock_) >= task.rest_ms && !labelling.isBusy() && !labelling.preview().isComputing()) begin();
     return;
   }
   task.pause_ms = std::max(task.pause_ms, since_ms);

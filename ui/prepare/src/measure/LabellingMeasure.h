@@ -30,12 +30,15 @@ class LabellingMeasure : public QObject {
     std::function<bool()> there;
     std::vector<double> took_ms{};
   };
+  /// Between two: longer than an edit is followed by surfaces and check.
+  static constexpr double kRest_ms = 1000;
   struct Task {
     int repeats = 1;
     std::function<void()> takeUp;  ///< once before, not timed; may be empty
     std::function<void(int)> act;
     std::vector<Sight> sights;
     std::function<void()> putBack{};  ///< after each, not timed
+    double rest_ms = kRest_ms;        ///< before each
     double pause_ms = 0, work_ms = 0;
   };
   void addViewTasks(int repeats);

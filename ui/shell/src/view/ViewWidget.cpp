@@ -81,8 +81,10 @@ void ViewWidget::want() {
   // One wish is enough while a thread draws.
   if (canvas_->isDrawing()) wantedAgain_ = true;
   if (timer_->isActive() || canvas_->isDrawing()) return;
-  const double rest_ms = kFrame_ms - lastRender_ms_;
-  timer_->start(int(std::max(rest_ms, view_->mayDrawElsewhere() ? 0 : lastRender_ms_ * kShareForOthers)));
+  const double since_ms = sinceRender_.isValid() ? double(sinceRender_.nsecsElapsed()) / 1e6 : kFrame_ms;
+  const double wait_ms =
+      std::max(kFrame_ms - lastRender_ms_, view_->mayDrawElsewhere() ? 0 : lastRender_ms_ * kShareForOthers);
+  timer_->start(int(std::max(0.0, wait_ms - since_ms)));
 }
 
 void ViewWidget::renderNow() {
@@ -102,6 +104,7 @@ void ViewWidget::showEvent(QShowEvent* event) {
 
 void ViewWidget::drawn(double took_ms) {
   lastRender_ms_ = took_ms;
+  sinceRender_.start();
   ++renderings_;
   if (std::exchange(wantedAgain_, false)) want();
   Q_EMIT rendered();

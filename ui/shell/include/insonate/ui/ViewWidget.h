@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QFrame>
 #include <QPointer>
 #include <memory>
@@ -67,6 +68,7 @@ class ViewWidget : public QFrame {
   bool missed_ = false;  ///< it wanted to be rendered while nobody saw it
   int renderings_ = 0;
   double lastRender_ms_ = 0;
+  QElapsedTimer sinceRender_;
 };
 
 /// Names the widget within which a view is maximised.
