@@ -8,10 +8,14 @@
 #include <insonate/views/SceneView.h>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <semaphore>
+#include <set>
 #include <thread>
 
 namespace insonate::views {
@@ -74,6 +78,28 @@ TEST(DrawingThread, NobodyWaitsAndTheLatestWishCounts) {
   ASSERT_TRUE(thread.take(drawn));
   EXPECT_EQ(drawn.wish, 8U);
   EXPECT_EQ(view.drawn, (std::vector{1, 8}));
+}
+
+std::set<int> threads() {
+  std::set<int> ids;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/task"))
+    ids.insert(std::stoi(entry.path().filename()));
+  return ids;
+}
+
+TEST(DrawingThread, ItsThreadsComeBehindTheWindows) {
+  const std::set<int> before = threads();
+  Slow view;
+  DrawingThread thread(view, [] {});
+  view.go.release();
+  view.render();
+  int more = 0;
+  for (const int id : threads()) {
+    if (before.contains(id)) continue;
+    ++more;
+    EXPECT_GT(getpriority(PRIO_PROCESS, id_t(id)), getpriority(PRIO_PROCESS, id_t(gettid()))) << id;
+  }
+  EXPECT_GE(more, 1);
 }
 
 TEST(DrawingThread, RenderingWaitsForIt) {

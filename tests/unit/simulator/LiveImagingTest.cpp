@@ -1,6 +1,8 @@
 #include "LiveProbe.h"
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <set>
@@ -269,6 +271,19 @@ TEST(LiveImaging, GoesAtAnyMoment) {
     std::this_thread::sleep_for(std::chrono::microseconds(700 * i));
     (*live)->setPose(poseAt(40 * (i % 3)));
     if (i % 2) std::this_thread::sleep_for(std::chrono::microseconds(300 * i));
+  }
+}
+
+TEST(LiveImaging, InTheBackgroundItComesBehindOthers) {
+  for (const bool background : {false, true}) {
+    LiveOptions options;
+    options.background = background;
+    Live live(poseAt(0), smallSetup(), options);
+    std::atomic<int> nice{-1};
+    live->onFrame([&] { nice = getpriority(PRIO_PROCESS, id_t(gettid())); });
+    ASSERT_TRUE(live.until([&] { return nice >= 0 && live->latest(); }));
+    live->onFrame({});
+    EXPECT_EQ(nice > getpriority(PRIO_PROCESS, id_t(gettid())), background);
   }
 }
 

@@ -33,9 +33,9 @@ ImagingSetup smallSetup() {
 }  // namespace
 
 LivePatient::LivePatient(QObject* parent) : QObject(parent), setup_(smallSetup()), feed_([this] { news(); }) {
-  following_.setSingleShot(true);
-  following_.setInterval(kAfterSlices_ms);
-  following_.callOnTimeout(this, [this] { moveToWanted(); });
+  showing_.setSingleShot(true);
+  showing_.setInterval(kAfterSlices_ms);
+  showing_.callOnTimeout(this, [this] { moved(); });
 }
 
 LivePatient::~LivePatient() {
@@ -44,7 +44,7 @@ LivePatient::~LivePatient() {
 
 void LivePatient::stop() {
   worker_ = nullptr;
-  following_.stop();
+  showing_.stop();
   forgetTissues();
   feed_.set(nullptr);
 }
@@ -237,16 +237,12 @@ void LivePatient::news() {
 
 void LivePatient::follow(Vec3 patient_mm) {
   wanted_mm_ = patient_mm;
-  // While a hand drags, it is not put off again by each move.
-  if (hand_ && !following_.isActive()) following_.start();
-}
-
-void LivePatient::moveToWanted() {
-  if (!hand_ || !wanted_mm_) return;
+  if (!hand_) return;
   // Where it stops, it stands as near as it can.
-  hand_->moveTo(*wanted_mm_);
+  hand_->moveTo(patient_mm);
   rememberPlace();
-  moved();
+  // While the crosshair is dragged, each move does not put it off again.
+  if (!showing_.isActive()) showing_.start();
 }
 
 void LivePatient::setPress(double mm) {
@@ -261,7 +257,6 @@ void LivePatient::setStart(std::optional<StartPose> start) {
 
 void LivePatient::goTo(const StartPose& place) {
   wanted_mm_.reset();
-  following_.stop();
   if (!hand_) return;
   if (const auto pose = patientFromProbe(place.position_mm, place.axial, place.lateral)) hand_->setPose(*pose);
   rememberPlace();
@@ -273,13 +268,14 @@ void LivePatient::rememberPlace() {
 }
 
 void LivePatient::moved() {
+  showing_.stop();
   if (feed_.live()) feed_.live()->setPose(*pose());
   Q_EMIT poseChanged();
 }
 
 bool LivePatient::isSettled() const {
   if (!patient_) return true;
-  if (!surfacesDone_ || tissuesDue_ || following_.isActive()) return false;
+  if (!surfacesDone_ || tissuesDue_ || showing_.isActive()) return false;
   if (!trouble_.isEmpty() || status_.state == LiveState::Failed) return true;
   return shown_ && !stale_ && pose() && shown_->patientFromProbe == *pose();
 }

@@ -39,7 +39,7 @@ class LivePatient : public QObject {
   /// Ends the threads.
   void stop();
 
-  /// The probe goes to the skin nearest to a patient point, as soon as the slices have had time to show it.
+  /// The probe goes to the skin nearest to a patient point; pictures follow when the slices have had time to.
   void follow(Vec3 patient_mm);
   /// The probe is put at a pose.
   void goTo(const StartPose& pose);
@@ -77,7 +77,6 @@ class LivePatient : public QObject {
   void forgetTissues();
   void findSkin();
   void news();
-  void moveToWanted();
   void rememberPlace();
   void moved();
 
@@ -88,7 +87,7 @@ class LivePatient : public QObject {
   std::optional<StartPose> start_;
   std::optional<ProbeHand> hand_;
   std::optional<Vec3> wanted_mm_;  ///< where to go when there is a hand
-  QTimer following_;
+  QTimer showing_;                 ///< until pictures follow the crosshair
   struct Chosen {
     Transform pose;
     double press_mm;
