@@ -143,6 +143,54 @@ TEST_F(ToolRules, CombiningTakesTheOtherLabelByName) {
   EXPECT_EQ(count(kVein), was(kVein) + was(kBone));
 }
 
+/// A radius below a voxel would change nothing, and look broken.
+TEST_F(ToolRules, SmoothingBeginsAtAVoxelAndSaysHowMuchItChanged) {
+  auto coarse = std::make_shared<PatientCase>(*patient());
+  coarse->ct.geometry.spacing_mm = coarse->labels.geometry.spacing_mm = {3.21, 3.21, 5};
+  coarse->labels.at(5, 20, 8) = kVein;  // a speck
+  openCase(coarse);
+  session_->select(kVein);
+  child<QAction>("tool-median")->trigger();
+  auto* radius = child<ui::ValueSlider>("tool-radius");
+  EXPECT_DOUBLE_EQ(radius->range().least, 3.3);
+  EXPECT_DOUBLE_EQ(radius->value(), 3.3);
+  child<QPushButton>("toolApply")->click();
+  ASSERT_TRUE(done());
+  std::size_t changed = 0;
+  for (std::size_t v = 0; v < labels().voxels.size(); ++v) changed += labels().voxels[v] != coarse->labels.voxels[v];
+  ASSERT_GT(changed, 0u);
+  const QString volume = QString::number(double(changed) * 3.21 * 3.21 * 5 / 1000, 'f', 2);
+  EXPECT_EQ(session_->message(), "Median vein: " + volume + " ml changed; Ctrl+Z takes it back.");
+}
+
+TEST_F(ToolRules, WhatIsStoppedChangesNothingAndSaysSo) {
+  const auto before = labels().voxels;
+  const int steps = session_->undoStack().count();
+  child<QAction>("tool-levelset")->trigger();
+  child<ui::ValueSlider>("tool-rounds")->setValue(1000);
+  child<QPushButton>("toolApply")->click();
+  child<QPushButton>("toolLeave")->click();
+  ASSERT_TRUE(done());
+  EXPECT_EQ(labels().voxels, before);
+  EXPECT_EQ(session_->undoStack().count(), steps);
+  EXPECT_EQ(session_->message(), "Level set vein: stopped; no label was changed.");
+}
+
+TEST_F(ToolRules, WhatLiesNearAnotherLabelIsTakenAway) {
+  child<QAction>("tool-logical")->trigger();
+  choose("toolOther", structureName(kSoftTissue));
+  choose("tool-do", "subtract");
+  child<QPushButton>("toolApply")->click();
+  ASSERT_TRUE(done());
+  EXPECT_TRUE(child<QLabel>("toolTold")->text().contains("reach")) << "it says what is missing";
+  EXPECT_EQ(count(kVein), was(kVein));
+  child<ui::ValueSlider>("tool-reach")->setValue(1);
+  child<QPushButton>("toolApply")->click();
+  ASSERT_TRUE(done());
+  EXPECT_GT(count(kVein), 0u);
+  EXPECT_LT(count(kVein), was(kVein)) << "its rim, which touches soft tissue";
+}
+
 TEST_F(ToolRules, TheBrushIsSizedByKeysAndWheelWithinWhatTheVoxelsAllow) {
   key(Qt::Key_1);
   auto* radius = child<ui::ValueSlider>("tool-radius");

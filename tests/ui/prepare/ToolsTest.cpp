@@ -50,6 +50,7 @@ TEST_F(Tools, ConnectedGrowingFromAClickIsShownAppliedAndTakenBack) {
   click({10, 10, 0});
   click({10, 10, 0}, Qt::RightButton);
   ASSERT_TRUE(apply->isEnabled());
+  EXPECT_TRUE(child<QLabel>("toolAdvice")->text().endsWith("Clicks so far: 1."));
   child<QSpinBox>("tool-to")->setValue(1000);
   child<QPushButton>("toolPreview")->click();
   ASSERT_TRUE(QTest::qWaitFor([&] { return session_->labelling().preview().proposal() != nullptr; }, kPatience_ms));
@@ -60,6 +61,16 @@ TEST_F(Tools, ConnectedGrowingFromAClickIsShownAppliedAndTakenBack) {
   EXPECT_FALSE(session_->labelling().preview().proposal());
   child<QAction>("undo")->trigger();
   EXPECT_EQ(labels().voxels, patient()->labels.voxels);
+}
+
+TEST_F(Tools, EnterInTheTableAppliesTheToolWhoseLabelWasChosenThere) {
+  auto* table = child<QTableView>("structures");
+  table->setFocus();
+  QTest::keyClick(table, Qt::Key_0);  // Margin
+  QTest::keyClick(table, Qt::Key_Return);
+  EXPECT_FALSE(QApplication::activeModalWidget()) << "no colour is asked for";
+  ASSERT_TRUE(done());
+  EXPECT_GT(count(kVein), std::size_t(std::ranges::count(patient()->labels.voxels, kVein)));
 }
 
 TEST_F(Tools, WhyNothingCameOfAToolIsReadWholeInItsPanel) {

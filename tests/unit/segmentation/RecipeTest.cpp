@@ -28,7 +28,7 @@ constexpr const char* kAllTools = R"({
     {"tool": "island", "label": "vein", "points_mm": [[-8, 0, 0]]},
     {"tool": "vessel", "label": "artery", "points_mm": [[-8, 0, -14], [-8, 0, 14]], "largest_mm": 8, "over": ["vein", "soft tissue"]},
     {"tool": "tube", "label": "nerve", "points_mm": [[-8, 0, -14], [-8, 0, 14]], "largest_mm": 6, "darker_HU": 40, "brighter_HU": 30, "stiffness": 1, "over": ["vein", "soft tissue"]},
-    {"tool": "logical", "label": "vein", "operation": "subtract", "with": "artery"},
+    {"tool": "logical", "label": "vein", "operation": "subtract", "with": "artery", "reach_mm": 1},
     {"tool": "paint", "label": "thyroid", "points_mm": [[0, 12, -4], [0, 12, 4]], "radius_mm": 3},
     {"tool": "paint", "label": "fat", "points_mm": [[0, 12, 0]], "radius_mm": 4, "slice_axis": 2, "only_HU": [-200, 90], "comment": "why"},
     {"tool": "margin", "label": "thyroid", "margin_mm": 1.5, "locked": ["vein", "artery"]},
@@ -134,6 +134,47 @@ TEST(Recipe, OnlyLabelsThatAreNamedAreOverwritten) {
   edit.rules.locked.set(kVein);
   EXPECT_EQ(perform(*recipe, edit)->front().voxels, 1u);
   EXPECT_TRUE(edit.rules.locked.test(kVein)) << "the edit's own rules are back";
+}
+
+/// Bone in the left half, vein in the right, on a row of voxels of 1 mm.
+TEST(Recipe, LabelsThatNeverOverlapAreCombinedWithinAReach) {
+  const VolumeGeometry g{{12, 1, 1}, {1, 1, 1}, {0, 0, 0}, {}};
+  const auto after = [&](LogicalOperation operation, double reach_mm) {
+    LabelMap labels(g, kVein);
+    for (int i = 0; i < 6; ++i) labels.at(i, 0, 0) = kBone;
+    const CtVolume ct(g, 0);
+    LabelEdit edit(ct, labels);
+    LabelStep step;
+    step.label = kVein;
+    step.tool = step::Logical{operation, kBone, reach_mm};
+    const auto done = perform(step, edit);
+    EXPECT_EQ(bool(done), reach_mm > 0) << (done ? "" : done.error().message);
+    return std::pair(labels, done ? std::string() : done.error().message);
+  };
+  for (int i = 0; i < 12; ++i) {
+    const bool bone = i < 6, near = !bone && i < 8;
+    EXPECT_EQ(after(LogicalOperation::kSubtract, 2).first.at(i, 0, 0), bone ? kBone : near ? kSoftTissue : kVein) << i;
+    EXPECT_EQ(after(LogicalOperation::kIntersect, 2).first.at(i, 0, 0), bone ? kBone : near ? kVein : kSoftTissue) << i;
+    EXPECT_EQ(after(LogicalOperation::kAdd, 2).first.at(i, 0, 0), kVein) << i;
+  }
+  for (const auto operation : {LogicalOperation::kSubtract, LogicalOperation::kIntersect}) {
+    const auto [labels, why] = after(operation, 0);
+    EXPECT_THAT(why, HasSubstr("No voxel has two labels"));
+    EXPECT_EQ(labels.at(11, 0, 0), kVein) << "a label does not vanish";
+  }
+}
+
+TEST(Recipe, ALabelIsClearedByTakingItFromItself) {
+  Scene scene(test::toolGrids()[0].geometry);
+  scene.labels.at(20, 20, 20) = kVein;
+  LabelEdit edit(scene.ct, scene.labels);
+  LabelStep step;
+  step.label = kVein;
+  step.tool = step::Logical{LogicalOperation::kSubtract, kVein};
+  const auto change = perform(step, edit);
+  ASSERT_TRUE(change) << change.error().message;
+  EXPECT_EQ(scene.labels.at(20, 20, 20), kSoftTissue);
+  EXPECT_EQ(std::ranges::count(scene.labels.voxels, kVein), 0);
 }
 
 TEST(Recipe, LabelsOfTheAuthorsOwnKeepTheirNames) {

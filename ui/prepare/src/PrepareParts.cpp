@@ -8,6 +8,7 @@
 #include "measure/LabellingMeasure.h"
 #include "panel/PathPanel.h"
 #include "panel/RightColumn.h"
+#include "table/StructureTable.h"
 #include "tool/SceneTools.h"
 #include "tool/SliceTools.h"
 #include "tool/ToolBar.h"
@@ -176,7 +177,9 @@ void PrepareWorkspace::Parts::refreshReady() {
 
 void PrepareWorkspace::Parts::showTool() {
   showWhoHasMouse();
-  right_->setToolShown(tools_->tool() != nullptr);
+  const bool inHand = tools_->tool() != nullptr;
+  right_->setToolShown(inHand);
+  path->table().setToolInHand(inHand);
 }
 
 /// With the guide, where it has a step for it.

@@ -96,9 +96,20 @@ class Proposer {
     return reshape(hollowed(shape(s.thickness_mm), s.thickness_mm, s.wall, progress_));
   }
   Result<Proposal> operator()(const step::Logical& s) const {
-    const VoxelBox box = extentOfAll({step_.label, s.with}, 0);
-    return reshape(
-        combined(voxelsOf(labels_, step_.label, box), s.operation, voxelsOf(labels_, s.with, box), ct_.geometry));
+    // Subtracted from itself a label is cleared, as is meant.
+    const bool mayVanish = s.operation == LogicalOperation::kAdd || s.with == step_.label;
+    if (!mayVanish && s.reach_mm == 0)
+      return fail(
+          "No voxel has two labels, so there is nothing that both have. Give a reach above 0 mm: what lies so near the "
+          "other label counts as that label.");
+    const VoxelBox box = extentOfAll({step_.label, s.with}, s.reach_mm);
+    const auto other = grownBy(voxelsOf(labels_, s.with, box), s.reach_mm, progress_);
+    if (!other) return tl::unexpected(other.error());
+    const Selection before = voxelsOf(labels_, step_.label, box);
+    Selection after = combined(before, s.operation, *other, ct_.geometry);
+    if (!mayVanish && after.count() == 0 && before.count() > 0)
+      return fail("Nothing would be left of the label. Use another reach, or another label to combine with.");
+    return reshape(std::move(after));
   }
   Result<Proposal> operator()(const step::FillBetween& s) const {
     return reshape(filledBetween(shape(kAroundShape_mm), s.sliceAxis, progress_));

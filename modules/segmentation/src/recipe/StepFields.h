@@ -92,6 +92,7 @@ template <class Io>
 void fields(Io& io, step::Logical& s) {
   io("operation", s.operation, Words{"add", "subtract", "intersect"});
   io("with", s.with);
+  io("reach_mm", s.reach_mm, 0, kMostMm);
 }
 template <class Io>
 void fields(Io& io, step::FillBetween& s) {

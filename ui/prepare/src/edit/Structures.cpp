@@ -71,4 +71,8 @@ QString structureName(std::uint8_t label) {
   return ui::qt(name);
 }
 
+QString volumeText(double volume_ml) {
+  return QString::number(volume_ml, 'f', volume_ml < 10 ? 2 : volume_ml < 100 ? 1 : 0);
+}
+
 }  // namespace insonate::prepare

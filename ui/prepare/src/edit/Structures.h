@@ -44,6 +44,8 @@ void putShown(const StructureLooks& looks, const std::vector<std::uint8_t>& stru
 
 /// "vein"; "label 37" for one that means nothing here.
 QString structureName(std::uint8_t label);
+/// With as many digits as one reads.
+QString volumeText(double volume_ml);
 
 inline views::Colour viewColour(const LabelColour& c) {
   return {c[0], c[1], c[2]};

@@ -58,9 +58,7 @@ int StructureModel::rowOf(std::uint8_t label) const {
 
 QString StructureModel::volume(std::uint8_t label) const {
   const auto& measures = session_.measuring().measures();
-  if (!measures) return {};
-  const double ml = measures->statistics.volume_ml(label);
-  return QString::number(ml, 'f', ml < 10 ? 2 : ml < 100 ? 1 : 0);
+  return measures ? volumeText(measures->statistics.volume_ml(label)) : QString();
 }
 
 QString StructureModel::voxels(std::uint8_t label) const {

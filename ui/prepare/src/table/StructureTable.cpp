@@ -228,7 +228,7 @@ bool StructureTable::eventFilter(QObject* watched, QEvent* event) {
     session_.setVisible(label, !session_.look(label).visible);
     return true;
   }
-  if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+  if ((key == Qt::Key_Return || key == Qt::Key_Enter) && !toolInHand_) {
     chooseColour();
     return true;
   }

@@ -15,14 +15,16 @@ namespace insonate::prepare {
 class PrepareSession;
 class StructureModel;
 
-/// The table of structures with what can be done to one of them. Space shows or hides, Enter chooses a colour, F2 names
-/// one of the author's own. Where it is wide, it shows tissue, term and voxels, too.
+/// The table of structures with what can be done to one of them. Space shows or hides, Enter chooses a colour (unless a
+/// tool is in hand), F2 names one of the author's own. Where it is wide, it shows tissue, term and voxels, too.
 class StructureTable : public QWidget {
  public:
   explicit StructureTable(PrepareSession& session, QWidget* parent = nullptr);
 
   /// Asks for a colour of the selected structure.
   void chooseColour();
+  /// Enter is a tool's while one is in hand: who chooses its label here wants to apply it.
+  void setToolInHand(bool inHand) { toolInHand_ = inHand; }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -43,7 +45,7 @@ class StructureTable : public QWidget {
   QTableView* table_;
   ui::ValueSlider *opacity_, *onSlices_;
   QPushButton *only_ = nullptr, *all_ = nullptr, *remove_ = nullptr;
-  bool showing_ = false;
+  bool showing_ = false, toolInHand_ = false;
 };
 
 }  // namespace insonate::prepare

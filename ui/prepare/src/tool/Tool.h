@@ -18,7 +18,8 @@ struct ToolNumber {
   QString hint;
   std::function<double(const LabelTool&)> get;
   std::function<void(LabelTool&, double)> set;
-  bool ofVoxels = false;  ///< its range follows the CT's voxels and extent
+  bool ofVoxels = false;    ///< its range follows the CT's voxels and extent
+  bool fromAVoxel = false;  ///< its range begins at the finest voxel: below, it does nothing
 };
 
 /// The Hounsfield units that a tool takes.

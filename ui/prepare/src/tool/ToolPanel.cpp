@@ -162,9 +162,12 @@ void ToolPanel::refresh() {
   name_->setText(tool->name);
   label_->show(session_.selected());
   const int missing = tool->leastPoints - int(tools_.points().size());
+  // Those on other slices are not seen.
+  const bool clicked = tool->input == ToolInput::Points && !tools_.points().empty();
   advice_->setText(session_.selected() == kBackground
                        ? tr("Choose a label in the table on the left first, or add one there.")
-                       : tool->advice);
+                   : clicked ? tr("%1 Clicks so far: %2.").arg(tool->advice).arg(tools_.points().size())
+                             : tool->advice);
   const bool brush = tool->input == ToolInput::Brush;
   preview_->setVisible(!brush);
   apply_->setVisible(!brush);

@@ -17,6 +17,10 @@ constexpr double kLeastOfVoxel = 0.5, kMostOfSide = 0.2;
 /// Around the voxel that was clicked.
 constexpr int kAround_HU = 60;
 
+double ml(std::size_t voxels, Vec3 spacing_mm) {
+  return double(voxels) * spacing_mm.x * spacing_mm.y * spacing_mm.z / 1000;
+}
+
 }  // namespace
 
 ToolSession::ToolSession(PrepareSession& session, QObject* parent) : QObject(parent), session_(session) {
@@ -47,7 +51,7 @@ void ToolSession::choose(const QString& id) {
     const auto kept = kept_.find(id);
     parameters_ = kept == kept_.end() ? tool_->usual : kept->second;
     for (const ToolNumber& number : tool_->numbers)
-      if (const ui::ValueRange range = rangeOf(number); number.ofVoxels)
+      if (const ui::ValueRange range = rangeOf(number); number.ofVoxels || number.fromAVoxel)
         number.set(parameters_, std::clamp(number.get(parameters_), range.least, range.most));
   }
   Q_EMIT toolChanged();
@@ -98,10 +102,15 @@ void ToolSession::setOther(std::uint8_t label) {
 
 ui::ValueRange ToolSession::rangeOf(const ToolNumber& number) const {
   ui::ValueRange range = number.range;
-  if (!number.ofVoxels || !session_.patient()) return range;
+  if (!session_.patient()) return range;
   const VolumeGeometry& grid = session_.patient()->ct.geometry;
   const Vec3& voxel_mm = grid.spacing_mm;
   const double finest_mm = std::min({voxel_mm.x, voxel_mm.y, voxel_mm.z});
+  if (number.fromAVoxel) {
+    range.least = std::clamp(std::ceil(10 * finest_mm) / 10, range.least, range.most);
+    range.usual = std::max(range.usual, range.least);
+  }
+  if (!number.ofVoxels) return range;
   double longest_mm = 0;
   for (int axis = 0; axis < 3; ++axis) longest_mm = std::max(longest_mm, grid.size[axis] * voxel_mm[axis]);
   // To what is shown, one digit.
@@ -259,14 +268,17 @@ void ToolSession::preview() {
 void ToolSession::apply() {
   if (!isComplete()) return;
   Q_EMIT told({});
-  session_.labelling().run(step(), tr("%1 %2").arg(tool_->name, session_.nameOf(session_.selected())),
-                           [this](const Result<LabelChange>& change) {
-                             if (!change) return;
-                             if (auto* points = pointsOf(parameters_)) points->clear();
-                             Q_EMIT pointsChanged();
-                             if (change->voxels > 0) return session_.say(tr("Done; Ctrl+Z takes it back."));
-                             Q_EMIT told(tr("Nothing had to be changed, or it may not be overwritten."));
-                           });
+  const QString what = tr("%1 %2").arg(tool_->name, session_.nameOf(session_.selected()));
+  session_.labelling().run(step(), what, [this, what](const Result<LabelChange>& change) {
+    if (!change && change.error().message == kCancelled)
+      return session_.say(tr("%1: stopped; no label was changed.").arg(what));
+    if (!change) return;
+    if (auto* points = pointsOf(parameters_)) points->clear();
+    Q_EMIT pointsChanged();
+    if (change->voxels == 0) return Q_EMIT told(tr("Nothing had to be changed, or it may not be overwritten."));
+    const QString volume = volumeText(ml(change->voxels, session_.patient()->ct.geometry.spacing_mm));
+    session_.say(tr("%1: %2 ml changed; Ctrl+Z takes it back.").arg(what, volume));
+  });
 }
 
 void ToolSession::leave() {

@@ -239,15 +239,31 @@ std::vector<Tool> vessels() {
 }
 
 template <class Step>
-Tool smoothing(const char* id, const char* name, const char* advice, double Step::*size) {
+Tool smoothing(const char* id, const char* name, const char* advice, ToolNumber number) {
   return {.id = id,
           .name = tr(name),
           .group = tr("Smooth"),
           .key = Qt::Key_8,
           .advice = tr(advice),
           .usual = Step{},
-          .numbers = {number<Step>(
-              "size", "mm", kRadius, "of what is smoothed away", [size](auto& s) -> auto& { return s.*size; })}};
+          .numbers = {std::move(number)}};
+}
+
+/// 3D Slicer has the whole width, its kernel size.
+template <class Step>
+Tool smoothingInReach(const char* id, const char* name, const char* advice, const char* hint) {
+  ToolNumber radius = number<Step>(
+      "radius", "mm", kRadius, hint, [](auto& s) -> auto& { return s.radius_mm; });
+  radius.fromAVoxel = true;
+  return smoothing<Step>(id, name, advice, std::move(radius));
+}
+
+template <class Step>
+Tool blurring(const char* id, const char* name, const char* advice) {
+  return smoothing<Step>(id, name, advice,
+                         number<Step>(
+                             "sigma", "mm", kRadius, "standard deviation of the blur; what is smaller goes",
+                             [](auto& s) -> auto& { return s.sigma_mm; }));
 }
 
 std::vector<Tool> shaping() {
@@ -257,12 +273,15 @@ std::vector<Tool> shaping() {
   using H = step::Hollow;
   const QString islands = tr("Islands"), shape = tr("Shape");
   return {
-      smoothing("median", "Median", "Takes bumps and fills dents of the label.", &step::Median::radius_mm),
-      smoothing("opening", "Opening", "Removes thin bridges and spikes.", &step::Opening::radius_mm),
-      smoothing("closing", "Closing", "Fills gaps and pits.", &step::Closing::radius_mm),
-      smoothing("gaussian", "Gaussian", "Rounds the label.", &step::Gaussian::sigma_mm),
-      smoothing("joint", "Together", "Smooths all visible, unlocked labels without gaps between them.",
-                &step::SmoothTogether::sigma_mm),
+      smoothingInReach<step::Median>("median", "Median", "Takes bumps and fills dents of the label.",
+                                     "of the block around each voxel that decides; half of Slicer's kernel size"),
+      smoothingInReach<step::Opening>("opening", "Opening", "Removes thin bridges and spikes.",
+                                      "what is narrower than twice this goes; half of Slicer's kernel size"),
+      smoothingInReach<step::Closing>("closing", "Closing", "Fills gaps and pits.",
+                                      "what is narrower than twice this is filled; half of Slicer's kernel size"),
+      blurring<step::Gaussian>("gaussian", "Gaussian", "Rounds the label."),
+      blurring<step::SmoothTogether>("joint", "Together",
+                                     "Smooths all visible, unlocked labels without gaps between them."),
       {.id = "largest",
        .name = tr("Largest"),
        .group = islands,
@@ -311,8 +330,11 @@ std::vector<Tool> shaping() {
        .name = tr("Combine"),
        .group = shape,
        .key = Qt::Key_0,
-       .advice = tr("Adds another label to this one, takes it away, or leaves what both have."),
+       .advice = tr("Adds another label to this one, takes away what lies near it, or leaves only that."),
        .usual = step::Logical{LogicalOperation::kAdd, 0},
+       .numbers = {number<step::Logical>(
+           "reach", "mm", {0, 20, 0, 0.5, 1}, "around the other label, counted as part of it",
+           [](auto& s) -> auto& { return s.reach_mm; })},
        .choices = {choice<step::Logical>(
            "do", {tr("add"), tr("subtract"), tr("intersect")}, "with the other label",
            [](auto& s) -> auto& { return s.operation; })},

@@ -81,6 +81,8 @@ struct Hollow {
 struct Logical {
   LogicalOperation operation = LogicalOperation::kAdd;
   std::uint8_t with = 0;
+  double reach_mm = 0;  ///< what lies so near the other label counts as that label; above 0 but for kAdd, since no
+                        ///< voxel has two labels
 };
 struct FillBetween {
   int sliceAxis = 2;
