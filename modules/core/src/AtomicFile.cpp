@@ -1,25 +1,17 @@
+#include "FolderPart.h"
+
 #include <insonate/core/AtomicFile.h>
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
 #include <fstream>
 
 namespace insonate {
 namespace fs = std::filesystem;
 namespace {
-
-fs::path besideOf(const fs::path& target) {
-  static std::atomic<unsigned> counter{0};
-  const std::string tag = ".part-" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
-  std::string name = target.stem().string();
-  std::string extension = target.extension().string();
-  // "labels.seg.nrrd" must keep ".nrrd" last: writers choose their format by it.
-  return target.parent_path() / ("." + name + tag + extension);
-}
 
 // Data must be on the disk before the name is: a crash in between would leave an empty file under the final name.
 bool flushToDisk(const fs::path& file) {
@@ -49,21 +41,6 @@ Result<void> guarded(const fs::path& beside, const fs::path& target, const Write
   }
 }
 
-/// Removes what was begun, however the function is left.
-class Leftover {
- public:
-  explicit Leftover(fs::path path) : path_(std::move(path)) {}
-  ~Leftover() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-  }
-  Leftover(const Leftover&) = delete;
-  Leftover& operator=(const Leftover&) = delete;
-
- private:
-  fs::path path_;
-};
-
 tl::unexpected<Error> couldNotWrite(const fs::path& target, const std::error_code& error) {
   return fail("Could not write " + target.string() + ": " + error.message() + ".");
 }
@@ -80,7 +57,7 @@ Result<void> parentExists(const fs::path& target) {
 
 Result<void> writeAtomically(const fs::path& target, const std::function<Result<void>(const fs::path&)>& write) {
   if (auto ok = parentExists(target); !ok) return ok;
-  const fs::path beside = besideOf(target);
+  const fs::path beside = partBeside(target);
   Result<void> written = guarded(beside, target, write);
   std::error_code error;
   if (written && !flushToDisk(beside)) written = fail("Could not write " + target.string() + " to the disk.");
@@ -152,7 +129,7 @@ std::error_code carryOver(const fs::path& folder, const fs::path& beside,
 std::error_code swapFolders(const fs::path& beside, const fs::path& folder) {
   if (::renameat2(AT_FDCWD, beside.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) return {};
   std::error_code error;
-  const fs::path old = besideOf(folder);
+  const fs::path old = oldBeside(folder);
   fs::rename(folder, old, error);
   if (error) return error;
   fs::rename(beside, folder, error);
@@ -195,10 +172,10 @@ Result<void> writeFolderAtomically(const fs::path& target, const std::function<R
   // A link keeps pointing to the folder that is written.
   const fs::path folder = fs::exists(named, error) ? fs::canonical(named, error) : named;
   if (error) return couldNotWrite(named, error);
-  const fs::path beside = besideOf(folder);
-  fs::create_directory(beside, error);
-  if (error) return couldNotWrite(named, error);
-  const Leftover leftover(beside);
+  removeAbandonedParts(folder.has_parent_path() ? folder.parent_path() : fs::path("."), folder.filename().string());
+  const FolderPart part(folder);
+  if (part.error()) return couldNotWrite(named, part.error());
+  const fs::path& beside = part.path();
   if (auto written = guarded(beside, named, write); !written) return written;
   for (const auto& file : fs::recursive_directory_iterator(beside, error))
     if (file.is_regular_file() && !flushToDisk(file.path()))

@@ -14,6 +14,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
@@ -105,6 +106,14 @@ class Library : public testing::Test {
   LibraryWindow* window_ = nullptr;
   QString place_, room_;
 };
+
+TEST_F(Library, RemovesWhatKilledProgramsLeftHalfWritten) {
+  const QString left = home_.filePath("cases/deeper/.neck.part-1-2.case");
+  QDir().mkpath(left + "/half");
+  openWindow();
+  EXPECT_TRUE(waitUntil([&] { return !QFileInfo::exists(left); }));
+  closeWindow();
+}
 
 TEST_F(Library, ListsFoldersAndBuiltInNecksWithWhatTheyShow) {
   PatientCase patient = test::smallAttemptCase();

@@ -3,9 +3,12 @@
 #include <insonate/core/AtomicFile.h>
 
 #include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <csignal>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -220,6 +223,96 @@ TEST(AtomicFolder, ALinkToAFolderStaysALink) {
   ASSERT_TRUE(writeFolderAtomically(folder / "link", [](const fs::path& beside) { return put(beside / "a", "new"); }));
   EXPECT_TRUE(fs::is_symlink(folder / "link"));
   EXPECT_EQ(contents(folder / "real" / "a"), "new");
+}
+
+/// Another program that is in the middle of writing a folder.
+class Writer {
+ public:
+  explicit Writer(const fs::path& target) {
+    int ready[2];
+    if (::pipe(ready) != 0) return;
+    child_ = ::fork();
+    if (child_ == 0) {
+      const auto held = writeFolderAtomically(target, [&](const fs::path& beside) -> Result<void> {
+        ::mkdir((beside / "half").c_str(), 0700);
+        if (::write(ready[1], "x", 1) == 1)
+          for (;;) ::pause();
+        return fail("nobody listens");
+      });
+      ::_exit(held ? 0 : 1);
+    }
+    char told = 0;
+    EXPECT_EQ(::read(ready[0], &told, 1), 1);
+    ::close(ready[0]);
+    ::close(ready[1]);
+  }
+  ~Writer() { kill(); }
+  void kill() {
+    if (child_ <= 0) return;
+    ::kill(child_, SIGKILL);
+    ::waitpid(child_, nullptr, 0);
+    child_ = 0;
+  }
+
+ private:
+  pid_t child_ = 0;
+};
+
+Result<void> writeCase(const fs::path& target) {
+  return writeFolderAtomically(target, [](const fs::path& beside) { return put(beside / "a", "new"); });
+}
+
+TEST(AbandonedParts, GoWhenTheSamePlaceIsWrittenNext) {
+  const test::TemporaryFolder folder;
+  Writer first(folder / "neck.case"), other(folder / "other.case");
+  first.kill(), other.kill();
+  ASSERT_EQ(names(folder.path()).size(), 2u) << "what a kill leaves";
+  ASSERT_TRUE(writeCase(folder / "neck.case"));
+  const auto left = names(folder.path());
+  ASSERT_EQ(left.size(), 2u);
+  EXPECT_TRUE(left.contains("neck.case"));
+  EXPECT_TRUE(left.begin()->starts_with(".other.part-")) << "that of another place stays";
+  removeAbandonedParts(folder.path());
+  EXPECT_EQ(names(folder.path()), std::set<std::string>{"neck.case"});
+}
+
+TEST(AbandonedParts, StayWhileAProgramWritesThem) {
+  const test::TemporaryFolder folder;
+  Writer writer(folder / "neck.case");
+  const auto before = names(folder.path());
+  ASSERT_EQ(before.size(), 1u);
+  removeAbandonedParts(folder.path());
+  EXPECT_EQ(names(folder.path()), before);
+  ASSERT_TRUE(writeCase(folder / "neck.case"));
+  EXPECT_TRUE(names(folder.path()).contains(*before.begin()));
+  EXPECT_TRUE(fs::exists(folder / *before.begin() / "half"));
+  writer.kill();
+  removeAbandonedParts(folder.path());
+  EXPECT_EQ(names(folder.path()), std::set<std::string>{"neck.case"});
+}
+
+TEST(AbandonedParts, AreNothingElseThatIsHidden) {
+  const test::TemporaryFolder folder;
+  const std::set<std::string> hidden{".part-1-2",       ".neck.part-", ".neck.part-x-1.case", ".neck.part-1.case",
+                                     ".neck.part-1-2x", ".neck.case",  "neck.part-1-2.case",  ".neck.part-1-.case"};
+  for (const std::string& name : hidden) fs::create_directory(folder / name);
+  removeAbandonedParts(folder.path());
+  EXPECT_EQ(names(folder.path()), hidden);
+  std::ofstream(folder / ".file.part-1-2.json") << "x";
+  fs::create_directory_symlink(folder / ".neck.case", folder / ".link.part-1-2.case");
+  removeAbandonedParts(folder.path());
+  EXPECT_EQ(names(folder.path()).size(), hidden.size() + 2) << "a file or a link is no part of a folder";
+  removeAbandonedParts(folder / "nowhere");
+}
+
+TEST(AbandonedParts, StayBesideATargetThatWasLostBetweenTwoSteps) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {".neck.part-1-2.case", ".neck.old-1-3.case"}) fs::create_directory(folder / name);
+  removeAbandonedParts(folder.path());
+  EXPECT_EQ(names(folder.path()).size(), 2u);
+  fs::remove(folder / ".neck.old-1-3.case");
+  removeAbandonedParts(folder.path());
+  EXPECT_TRUE(names(folder.path()).empty());
 }
 
 TEST(AtomicFolder, ErrorsNameTheTarget) {

@@ -10,6 +10,7 @@
 #include <insonate/cases/Phantom.h>
 #include <insonate/cases/StartPose.h>
 #include <insonate/cases/TissueLabels.h>
+#include <insonate/core/AtomicFile.h>
 #include <insonate/simulator/Imager.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/Labels.h>
@@ -136,6 +137,7 @@ void addCases(const QString& folder, int deeper, QStringList& into) {
     return;
   }
   if (deeper == 0) return;
+  removeAbandonedParts(folder.toStdString());
   const QDir dir(folder);
   for (const QString& name : dir.entryList(QDir::Dirs | QDir::NoDotAndDotDot | QDir::Readable))
     addCases(dir.filePath(name), deeper - 1, into);

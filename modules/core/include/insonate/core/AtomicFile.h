@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,5 +32,10 @@ Result<void> checkFolderTarget(const std::filesystem::path& target);
 Result<void> writeFolderAtomically(const std::filesystem::path& target,
                                    const std::function<Result<void>(const std::filesystem::path& beside)>& write,
                                    const std::vector<std::string_view>& superseded = {});
+
+/// Removes the hidden folders that writeFolderAtomically() was filling in `parent` when its program was killed, for
+/// one target's name or for all; each write does so for its own target. What any program is still writing stays, and
+/// what lies beside a target that was lost between two steps.
+void removeAbandonedParts(const std::filesystem::path& parent, const std::string& target = {});
 
 }  // namespace insonate

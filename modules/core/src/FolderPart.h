@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+namespace insonate {
+
+/// A hidden name beside a target that no other writer uses; its extension is that of the target.
+std::filesystem::path partBeside(const std::filesystem::path& target);
+
+/// A folder that is filled beside its target. A lock says to other programs that it is: it goes with this process,
+/// however that ends. Where the file system has no locks, there is none, and what is left is never taken for abandoned.
+class FolderPart {
+ public:
+  explicit FolderPart(const std::filesystem::path& target);
+  /// Removes what was begun.
+  ~FolderPart();
+  FolderPart(const FolderPart&) = delete;
+  FolderPart& operator=(const FolderPart&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  /// Why it could not be made.
+  const std::error_code& error() const { return error_; }
+
+ private:
+  std::filesystem::path path_;
+  std::error_code error_;
+  int lock_ = -1;
+};
+
+/// What the one step is in two steps: the old folder's name between them. Nothing beside it is abandoned.
+std::filesystem::path oldBeside(const std::filesystem::path& target);
+
+}  // namespace insonate
