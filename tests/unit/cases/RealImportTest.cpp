@@ -74,6 +74,8 @@ TEST(RealImport, TiltIsUndoneAndTheScoutLeftOut) {
   EXPECT_NEAR(tilted.ct.geometry.spacing_mm.z, 2.5 * 0.9483237, 1e-3) << "distance of the planes, not of the table";
   EXPECT_TRUE(validate(tilted.ct.geometry));
   EXPECT_FALSE(tilted.likelyShift_HU);
+  // The grid begins with the first row of the highest slice, which is measured.
+  for (int i = 0; i < 512; ++i) EXPECT_GT(tilted.ct.at(i, 0, 9), -1024) << i;
 }
 
 TEST(RealImport, CompressedAbdomen) {

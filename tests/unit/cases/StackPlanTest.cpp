@@ -134,6 +134,23 @@ TEST_P(Tilt, IsFoundFromPositionsAndUndone) {
 
 INSTANTIATE_TEST_SUITE_P(EitherSign, Tilt, testing::Values(-18.5, -3.0, 7.0, 25.0));
 
+TEST(StackResample, RoundingCostsATiltedSliceNoEdge) {
+  // Each slice lies one row further; their distance is no decimal number.
+  constexpr int kSlices = 60;
+  SliceStack stack{9, 12, {1, 1}, {Vec3{1, 0, 0}, Vec3{0, 1, 0}}, {}, 2};
+  std::vector<std::int16_t> slices;
+  for (int n = 0; n < kSlices; ++n) {
+    stack.positions_mm.push_back({0, double(n), n * 7.0 / 3});
+    slices.insert(slices.end(), std::size_t(stack.columns) * stack.rows, std::int16_t(100 + n));
+  }
+  const StackPlan plan = planStack(stack);
+  ASSERT_EQ(plan.refusal, "");
+  const CtVolume ct = resampleStack(plan, stack, slices);
+  for (int k = 0; k < kSlices; ++k)
+    for (int j = 0; j < ct.geometry.size[1]; ++j)
+      EXPECT_EQ(ct.at(4, j, k), j >= k && j < k + stack.rows ? 100 + k : -1024) << "row " << j << " of slice " << k;
+}
+
 TEST(StackResample, GapIsFilledLinearly) {
   SliceStack stack = axialStack({0, 2.5, 7.5, 10});
   const StackPlan plan = planStack(stack);

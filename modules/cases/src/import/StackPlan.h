@@ -39,7 +39,7 @@ StackPlan planStack(const SliceStack& stack);
 bool isRegular(const SliceStack& stack);
 
 /// Puts the slices of `stack` (voxels in the plan's order, kept along k) onto the plan's grid: linear within each slice
-/// and between neighbours, -1024 HU where one of them does not reach.
+/// and between neighbours, -1024 HU where one of them does not reach that counts for a twentieth or more.
 CtVolume resampleStack(const StackPlan& plan, const SliceStack& stack, const std::vector<std::int16_t>& slices);
 
 }  // namespace insonate

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace insonate {
 namespace {
@@ -23,26 +22,39 @@ Cell cellOf(double index, int size) {
   return {low, clamped - low, true};
 }
 
-/// Adds weight * (slice shifted by its offset) to a plane of the grid; beside it the plane is no number.
+/// A plane of the grid while slices are added to it.
+struct Plane {
+  explicit Plane(std::size_t size) : sum(size), weight(size) {}
+
+  std::int16_t hu(std::size_t n) const {
+    // A plane that is moved by a twentieth of the spacing cannot be told from it (see planStack): rounding must not
+    // cost a slice its edge.
+    constexpr double kEnough = 0.95;
+    return static_cast<std::int16_t>(weight[n] < kEnough ? kAirHu : std::lround(sum[n] / weight[n]));
+  }
+
+  std::vector<double> sum, weight;  ///< of the slices that reach each place
+};
+
+/// Adds weight * (slice shifted by its offset), as far as the slice reaches.
 void addSlice(const StackPlan& plan, const SliceStack& stack, const std::int16_t* slice, Vec3 offset_mm, double weight,
-              std::vector<double>& plane) {
+              Plane& plane) {
   std::vector<Cell> columns(plan.grid.size[0]);
   for (int i = 0; i < plan.grid.size[0]; ++i) columns[i] = cellOf(i - offset_mm.x / stack.spacing_mm[0], stack.columns);
   for (int j = 0; j < plan.grid.size[1]; ++j) {
     const Cell y = cellOf(j - offset_mm.y / stack.spacing_mm[1], stack.rows);
-    double* out = &plane[static_cast<std::size_t>(j) * plan.grid.size[0]];
+    if (!y.inside) continue;
+    const std::size_t row = static_cast<std::size_t>(j) * plan.grid.size[0];
     const std::int16_t* low = slice + static_cast<std::size_t>(y.low) * stack.columns;
     const std::int16_t* high = y.low + 1 < stack.rows ? low + stack.columns : low;
     for (int i = 0; i < plan.grid.size[0]; ++i) {
       const Cell x = columns[i];
-      double hu = std::numeric_limits<double>::quiet_NaN();
-      if (x.inside && y.inside) {
-        const int right = std::min(x.low + 1, stack.columns - 1);
-        const double upper = low[x.low] * (1 - x.fraction) + low[right] * x.fraction;
-        const double lower = high[x.low] * (1 - x.fraction) + high[right] * x.fraction;
-        hu = upper * (1 - y.fraction) + lower * y.fraction;
-      }
-      out[i] += weight * hu;
+      if (!x.inside) continue;
+      const int right = std::min(x.low + 1, stack.columns - 1);
+      const double upper = low[x.low] * (1 - x.fraction) + low[right] * x.fraction;
+      const double lower = high[x.low] * (1 - x.fraction) + high[right] * x.fraction;
+      plane.sum[row + i] += weight * (upper * (1 - y.fraction) + lower * y.fraction);
+      plane.weight[row + i] += weight;
     }
   }
 }
@@ -63,17 +75,15 @@ CtVolume resampleStack(const StackPlan& plan, const SliceStack& stack, const std
   CtVolume ct(plan.grid, kAirHu);
   const std::size_t sliceSize = static_cast<std::size_t>(stack.columns) * stack.rows;
   const std::size_t planeSize = static_cast<std::size_t>(plan.grid.size[0]) * plan.grid.size[1];
-  std::vector<double> plane(planeSize);
   for (int k = 0; k < plan.grid.size[2]; ++k) {
     const Cell z = sliceCell(plan.offset_mm, k * plan.grid.spacing_mm.z);
-    std::ranges::fill(plane, 0.0);
+    Plane plane(planeSize);
     for (int side = 0; side < 2; ++side) {
       const double weight = side ? z.fraction : 1 - z.fraction;
       if (weight < 1e-6) continue;
       addSlice(plan, stack, &slices[(z.low + side) * sliceSize], plan.offset_mm[z.low + side], weight, plane);
     }
-    std::transform(plane.begin(), plane.end(), ct.voxels.begin() + static_cast<std::ptrdiff_t>(k * planeSize),
-                   [](double hu) { return static_cast<std::int16_t>(std::isnan(hu) ? kAirHu : std::lround(hu)); });
+    for (std::size_t n = 0; n < planeSize; ++n) ct.voxels[k * planeSize + n] = plane.hu(n);
   }
   return ct;
 }
