@@ -36,6 +36,7 @@ json toJson(const SeriesInfo& s) {
     for (Vec3 axis : g.direction.column) directions.push_back(toJson(axis));
   return {{"uid", s.uid},
           {"modality", s.modality.empty() ? json(nullptr) : json(s.modality)},
+          {"kernel", s.kernel.empty() ? json(nullptr) : json(s.kernel)},
           {"size", g.size},
           {"spacing_mm", s.geometryKnown ? toJson(g.spacing_mm) : json(nullptr)},
           {"origin_mm", s.geometryKnown ? toJson(g.origin_mm) : json(nullptr)},
@@ -114,7 +115,8 @@ Result<void> importCase(const ImportArguments& a) {
 void addImportCommand(CLI::App& app, Outcome& outcome) {
   auto* command = app.add_subcommand("import", "Make a case from a CT: DICOM, NRRD, NIfTI or MetaImage");
   auto a = std::make_shared<ImportArguments>();
-  command->add_option("INPUT", a->input, "A folder, searched with its subfolders, or a file")
+  command
+      ->add_option("INPUT", a->input, "A folder, searched with its subfolders, or a file; a DICOMDIR means its folder")
       ->required()
       ->check(notEmpty());
   auto* folder = command->add_option("CASE", a->folder, "Folder to write the case to")->check(notEmpty());

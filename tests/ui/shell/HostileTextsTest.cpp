@@ -115,7 +115,7 @@ TEST_F(HostileTexts, InTheImportOfASeriesAreTexts) {
   auto listing = std::make_shared<SeriesListing>();
   for (const std::string& one : {hostile, endless, zero}) {
     SeriesInfo series;
-    series.uid = series.modality = series.refusal = one;
+    series.uid = series.modality = series.kernel = series.refusal = one;
     series.warnings = {one, one};
     listing->series.push_back(series);
   }

@@ -26,8 +26,6 @@ std::string notASlice(const std::string& sopClass, const std::string& modality, 
     const std::string full = std::string(kStorage) + std::string(suffix);
     return sopClass == full || sopClass.starts_with(full + ".");
   };
-  if (sopClass == "1.2.840.10008.1.3.10")
-    return "a DICOM directory: an index without pictures, which lie in the folders beside it";
   if (storage("66") || modality == "SEG") return "a DICOM segmentation; only the CT is imported";
   if (storage("88") || modality == "SR") return "a structured report without pictures";
   if (storage("11") || modality == "PR") return "a presentation state without pictures";
@@ -82,9 +80,11 @@ DicomScan scan(const fs::path& file) {
   const std::string modality = textOf(data, Tag(0x0008, 0x0060));
   std::string sopClass = textOf(data, Tag(0x0008, 0x0016));
   if (sopClass.empty()) sopClass = textOf(reader.GetFile().GetHeader(), Tag(0x0002, 0x0002));
+  if (sopClass == "1.2.840.10008.1.3.10")
+    return {{}, "a DICOM directory: an index without pictures, which lie in the folders beside it", true};
   if (auto reason = notASlice(sopClass, modality, data, cut || data.FindDataElement(kPixelData)); !reason.empty())
     return {{}, reason};
-  DicomScan result{framesOf(file, data), {}};
+  DicomScan result{framesOf(file, data), {}, false};
   for (DicomSlice& slice : result.slices) slice.cutOff = cut;
   return result;
 }

@@ -35,6 +35,7 @@ struct DicomSlice {
 struct DicomScan {
   std::vector<DicomSlice> slices;
   std::string setAside;
+  bool isDirectory = false;  ///< an index of the pictures in the folders beside it (DICOMDIR)
 };
 
 /// Reads a file's header. Scouts, screenshots, segmentations, reports, indexes and files that are no DICOM are set

@@ -127,7 +127,7 @@ std::string describe(const SeriesListing& listing) {
   std::string text;
   for (const SeriesInfo& s : listing.series) {
     text += "  " + s.uid + "  " + (s.modality.empty() ? "-" : s.modality) + "  " +
-            sizeText(s.geometry, s.geometryKnown) + "\n";
+            sizeText(s.geometry, s.geometryKnown) + (s.kernel.empty() ? "" : "  kernel " + s.kernel) + "\n";
     for (const std::string& warning : s.warnings) text += "    note: " + warning + "\n";
     if (!s.refusal.empty()) text += "    cannot be imported: " + s.refusal + "\n";
   }

@@ -112,10 +112,17 @@ void addVolume(const fs::path& file, const fs::path& input, InputScan& scan) {
   scan.series.push_back(std::move(found));
 }
 
+std::string kernelOf(const DicomSeries& series) {
+  const std::string& first = series.slices.front().kernel;
+  const bool same = std::ranges::all_of(series.slices, [&](const DicomSlice& s) { return s.kernel == first; });
+  return same ? first : std::string{};
+}
+
 void addDicom(const std::vector<DicomSlice>& slices, InputScan& scan) {
   for (DicomSeries& series : groupSlices(slices)) {
     const bool known = series.refusal.empty() || !series.plan.order.empty();
-    FoundSeries found{{series.uid, series.modality, series.plan.grid, known, series.warnings, series.refusal}, {}};
+    FoundSeries found{
+        {series.uid, series.modality, kernelOf(series), series.plan.grid, known, series.warnings, series.refusal}, {}};
     if (!scan.unreadable.empty())
       found.info.warnings.push_back(std::to_string(scan.unreadable.size()) +
                                     (scan.unreadable.size() == 1 ? " file or folder" : " files or folders") +
@@ -142,13 +149,17 @@ bool sameSlice(const DicomSlice& a, const DicomSlice& b) {
   return a.sopUid == b.sopUid;
 }
 
+fs::path folderOf(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
 /// Who chooses a slice means its series: what lies beside it of that. Copies of the slice itself stay out.
 Result<void> addSeriesOf(const DicomSlice& chosen, InputScan& scan, std::vector<DicomSlice>& slices,
                          const Progress& progress) {
-  const fs::path folder = chosen.file.has_parent_path() ? chosen.file.parent_path() : fs::path(".");
   std::error_code error;
   std::vector<fs::path> files;
-  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error))
+  for (fs::directory_iterator entry(folderOf(chosen.file), error); !error && entry != fs::directory_iterator();
+       entry.increment(error))
     if (std::error_code ignored;
         entry->is_regular_file(ignored) && !fs::equivalent(entry->path(), chosen.file, ignored))
       files.push_back(entry->path());
@@ -183,6 +194,7 @@ Result<InputScan> scanInput(const fs::path& input, const Progress& progress) {
       continue;
     }
     DicomScan dicom = scanDicom(file);
+    if (dicom.isDirectory && file == input) return scanInput(folderOf(input), progress);
     if (!dicom.setAside.empty()) scan.setAside.push_back({file, dicom.setAside});
     std::ranges::move(dicom.slices, std::back_inserter(slices));
   }

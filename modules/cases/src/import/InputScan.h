@@ -34,7 +34,7 @@ struct InputScan {
 std::string unreadableText(const std::vector<SetAside>& unreadable);
 
 /// Reads the headers of a folder with its subfolders, or of one file; of a DICOM slice, those of its series beside it,
-/// too. Fails on a missing or unreadable input.
+/// too; a DICOM directory stands for its folder. Fails on a missing or unreadable input.
 Result<InputScan> scanInput(const std::filesystem::path& input, const Progress& progress);
 
 }  // namespace insonate

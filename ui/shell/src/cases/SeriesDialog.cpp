@@ -23,7 +23,7 @@
 namespace insonate::ui {
 namespace {
 
-constexpr int kPicture_px = 260, kLeftOut_px = 72, kSeriesColumn = 3;
+constexpr int kPicture_px = 260, kLeftOut_px = 72, kKernelColumn = 3, kSeriesColumn = 4;
 
 QString sizeOf(const VolumeGeometry& grid) {
   return QStringLiteral("%1 x %2 x %3").arg(grid.size[0]).arg(grid.size[1]).arg(grid.size[2]);
@@ -77,7 +77,7 @@ SeriesDialog::SeriesDialog(const QString& path, std::shared_ptr<const SeriesList
     : QDialog(parent),
       path_(path),
       listing_(std::move(listing)),
-      table_(new QTableWidget(int(listing_->series.size()), 5)),
+      table_(new QTableWidget(int(listing_->series.size()), 6)),
       notes_(new QLabel),
       picture_(new QLabel),
       label_(new QCheckBox(tr("Label air, fat, muscle, bone and skin automatically"))),
@@ -98,11 +98,14 @@ SeriesDialog::SeriesDialog(const QString& path, std::shared_ptr<const SeriesList
 }
 
 void SeriesDialog::fill() {
-  table_->setHorizontalHeaderLabels({tr("Modality"), tr("Voxels"), tr("Spacing, mm"), tr("Series"), tr("Notes")});
+  table_->setHorizontalHeaderLabels(
+      {tr("Modality"), tr("Voxels"), tr("Spacing, mm"), tr("Kernel"), tr("Series"), tr("Notes")});
   for (int row = 0; row < table_->rowCount(); ++row) {
     const SeriesInfo& series = listing_->series[std::size_t(row)];
     const QString modality = series.modality.empty() ? tr("not told") : QString::fromStdString(series.modality);
-    const QStringList cells{modality, sizeOf(series.geometry), spacingOf(series), nameOf(series), stateOf(series)};
+    const QStringList cells{modality,          sizeOf(series.geometry),
+                            spacingOf(series), QString::fromStdString(series.kernel),
+                            nameOf(series),    stateOf(series)};
     for (int column = 0; column < cells.size(); ++column) {
       auto* item = new QTableWidgetItem(cells[column]);
       item->setToolTip(plainToolTip(QString::fromStdString(series.uid)));
@@ -111,6 +114,8 @@ void SeriesDialog::fill() {
       table_->setItem(row, column, item);
     }
   }
+  table_->setColumnHidden(kKernelColumn,
+                          std::ranges::all_of(listing_->series, &std::string::empty, &SeriesInfo::kernel));
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setShowGrid(false);

@@ -135,8 +135,9 @@ void MainWindow::chooseCase() {
 }
 
 void MainWindow::chooseImport() {
-  const QString file = askForSourceFile(this, tr("Import a DICOM, NRRD, NIfTI or MetaImage file"),
-                                        tr("Volumes (*.dcm *.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd);;All files (*)"));
+  const QString file =
+      askForSourceFile(this, tr("Import a DICOM, NRRD, NIfTI or MetaImage file"),
+                       tr("Volumes (*.dcm DICOMDIR *.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd);;All files (*)"));
   if (!file.isEmpty()) open(file);
 }
 

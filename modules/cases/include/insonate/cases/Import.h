@@ -16,6 +16,8 @@ struct SeriesInfo {
   std::string uid;       ///< names the series for importSeries: DICOM Series Instance UID, with "#2" when one UID holds
                          ///< several stacks; the file's name for NRRD, NIfTI and MetaImage
   std::string modality;  ///< as in DICOM ("CT", "MR", ...); empty when the file does not say
+  std::string kernel;  ///< of the reconstruction, in the scanner's own word, which never enters a case; empty when the
+                       ///< slices do not say, or not the same
   VolumeGeometry geometry;    ///< the orthogonal grid that an import produces, patient LPS mm
   bool geometryKnown = true;  ///< false for a refused series that does not say; only the size is meaningful then
   std::vector<std::string> warnings;  ///< a sentence each, without names of files
@@ -45,7 +47,7 @@ struct ImportedCt {
 };
 
 /// Lists what a folder (searched with its subfolders) or a single file holds, from the headers only. A DICOM slice
-/// stands for its series, as far as that lies in the same folder.
+/// stands for its series, as far as that lies in the same folder, and a DICOM directory (DICOMDIR) for its folder.
 /// Fails when the input does not exist, cannot be read, or holds no series at all.
 Result<SeriesListing> listSeries(const std::filesystem::path& input, const Progress& progress = {});
 
