@@ -1,4 +1,5 @@
 #include "Waiting.h"
+#include "cases/SeriesDialog.h"
 
 #include <insonate/cases/DicomWriter.h>
 #include <insonate/ui/CaseLoader.h>
@@ -116,7 +117,8 @@ TEST_F(CaseLoader, ImportsTheChosenSeries) {
   EXPECT_EQ(table->item(0, 0)->text(), "CT");
   EXPECT_EQ(table->item(0, 1)->text(), "49 x 41 x 17");
   EXPECT_EQ(table->item(0, 2)->text(), "1.00 x 1.00 x 1.00");
-  EXPECT_TRUE(table->item(0, 3)->text().startsWith("... ")) << "which of several";
+  EXPECT_TRUE(table->isColumnHidden(3)) << "no kernel is told";
+  EXPECT_TRUE(table->item(0, 4)->text().startsWith("... ")) << "which of several";
   choice->findChild<QCheckBox*>()->setChecked(false);
   QTest::mouseClick(button(choice, "Import"), Qt::LeftButton);
   ASSERT_TRUE(waitUntil([this] { return ended(); }));
@@ -252,6 +254,25 @@ TEST_F(CaseLoader, CancelsTheBuiltInNeckWithinASecond) {
   tasks.cancel();
   EXPECT_EQ(cancelled, 1);
   EXPECT_TRUE(ui::waitForJobs(std::chrono::milliseconds(1000)));
+}
+
+TEST(SeriesDialog, NamesTheKernelsThatTellReconstructionsApart) {
+  auto listing = std::make_shared<SeriesListing>();
+  for (const char* kernel : {"B30f", "B70f"}) {
+    SeriesInfo series;
+    series.uid = "1.2.840.113619.2.55.3.2831184641.5";
+    series.modality = "CT";
+    series.kernel = kernel;
+    series.geometry.size = {512, 512, 300};
+    listing->series.push_back(series);
+  }
+  ui::SeriesDialog dialog("neck", listing, nullptr);
+  dialog.show();
+  const auto* table = dialog.findChild<QTableWidget*>();
+  ASSERT_FALSE(table->isColumnHidden(3));
+  EXPECT_EQ(table->horizontalHeaderItem(3)->text(), "Kernel");
+  EXPECT_EQ(table->item(0, 3)->text(), "B30f");
+  EXPECT_EQ(table->item(1, 3)->text(), "B70f");
 }
 
 }  // namespace
