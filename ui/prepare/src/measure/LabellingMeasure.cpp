@@ -1,6 +1,7 @@
 #include "LabellingMeasure.h"
 
 #include "../PrepareSession.h"
+#include "../live/LivePatient.h"
 #include "../tool/ToolSession.h"
 #include "../views/CaseViews.h"
 
@@ -71,7 +72,8 @@ void LabellingMeasure::addViewTasks(int repeats) {
                       slicesKnow_ = true;
                       session_.setCrosshair(along(n + 1));
                     },
-                    {{QStringLiteral("slice_change"), painted}}});
+                    {{QStringLiteral("slice_change"), painted},
+                     {QStringLiteral("ultrasound_follows"), [this] { return session_.live().isSettled(); }}}});
   // Without a rest: each as soon as the one before has been painted.
   tasks_.push_back({kDragged * repeats,
                     {},
