@@ -220,6 +220,23 @@ TEST_F(ToolRules, ThePaletteIsWrittenInTheWindowsOwnSize) {
   EXPECT_GE(child<QToolButton>("tool-paint")->font().pointSizeF(), workspace_->font().pointSizeF());
 }
 
+TEST_F(ToolRules, EnterInARangeEndsTheNumberAndTheWindowHasItsKeysAgain) {
+  session_->addStructure(kArtery);
+  key(Qt::Key_5);
+  auto* from = child<QSpinBox>("tool-from");
+  from->setFocus();
+  from->selectAll();
+  QTest::keyClicks(from, "800");
+  QTest::keyClick(from, Qt::Key_Return);
+  EXPECT_EQ(from->value(), 800) << "what is typed stays";
+  EXPECT_EQ(child<QSpinBox>("tool-to")->value(), 800) << "and the other end gives way";
+  EXPECT_FALSE(session_->labelling().isBusy());
+  EXPECT_EQ(count(kArtery), 0u) << "nothing is written yet";
+  EXPECT_FALSE(from->hasFocus());
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_1);
+  EXPECT_TRUE(child<QToolButton>("tool-paint")->isChecked());
+}
+
 TEST_F(ToolRules, ThePaletteShowsWhichToolIsInHand) {
   const auto ground = [this](const char* tool) { return child<QToolButton>(tool)->grab().toImage().pixelColor(4, 4); };
   const QColor idle = ground("tool-paint");

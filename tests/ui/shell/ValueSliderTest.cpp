@@ -4,6 +4,7 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QShortcut>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QToolTip>
@@ -81,6 +82,25 @@ TEST(ValueSliderInAWindow, EnterEndsTheNumberAndNothingElse) {
     slider->setValue(1);
   }
   EXPECT_EQ(window.keys, 0);
+}
+
+TEST(ValueSliderInAWindow, TakingBackIsTheWindowsOnceTheNumberIsTaken) {
+  QWidget window;
+  auto* slider = new insonate::ui::ValueSlider("size", "mm", {0, 20, 0, 1, 1}, {}, &window);
+  QShortcut undo(QKeySequence::Undo, &window);
+  QSignalSpy taken(&undo, &QShortcut::activated);
+  window.show();
+  window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+  auto* number = slider->findChild<QLineEdit*>();
+  number->setFocus();
+  number->selectAll();
+  QTest::keyClicks(number, "3");
+  QTest::keyClick(number, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(taken.count(), 0) << "of what is being typed";
+  QTest::keyClick(number, Qt::Key_Return);
+  QTest::keyClick(number, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(taken.count(), 1);
 }
 
 TEST_F(ValueSlider, TakesTypedNumbers) {

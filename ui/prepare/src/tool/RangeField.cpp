@@ -6,6 +6,7 @@
 #include <insonate/ui/Widgets.h>
 
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
@@ -64,11 +65,13 @@ RangeField::RangeField(const QString& name, QWidget* parent)
   box->addLayout(numbers);
   box->addLayout(parts);
   connect(strip_, &RangeStrip::dragged, this, &RangeField::edit);
-  const auto typed = [this] {
-    if (!showing_) edit({std::min(from_->value(), to_->value()), std::max(from_->value(), to_->value())});
-  };
-  connect(from_, qOverload<int>(&QSpinBox::valueChanged), this, typed);
-  connect(to_, qOverload<int>(&QSpinBox::valueChanged), this, typed);
+  // The end that is typed stays; the other gives way.
+  connect(from_, qOverload<int>(&QSpinBox::valueChanged), this, [this](int low) {
+    if (!showing_) edit({low, std::max(low, to_->value())});
+  });
+  connect(to_, qOverload<int>(&QSpinBox::valueChanged), this, [this](int high) {
+    if (!showing_) edit({std::min(high, from_->value()), high});
+  });
   connect(darker, &QPushButton::clicked, this, [this] { part(false); });
   connect(brighter, &QPushButton::clicked, this, [this] { part(true); });
   connect(whole, &QPushButton::clicked, this, [this] { edit({kLeast_HU, kMost_HU}); });
@@ -91,6 +94,13 @@ void RangeField::setRange(HuRange range) {
 void RangeField::edit(HuRange range) {
   setRange(range);
   Q_EMIT edited(range);
+}
+
+/// Enter ends the number alone, and the window has its keys again.
+void RangeField::keyPressEvent(QKeyEvent* event) {
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (!enter || !(from_->hasFocus() || to_->hasFocus())) return QWidget::keyPressEvent(event);
+  setFocus();
 }
 
 void RangeField::part(bool brighter) {

@@ -23,6 +23,9 @@ class RangeField : public QWidget {
   /// By the user.
   void edited(insonate::HuRange range);
 
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
  private:
   void edit(HuRange range);
   /// Otsu's method within the range.

@@ -180,6 +180,12 @@ bool ValueSlider::eventFilter(QObject* watched, QEvent* event) {
     reset();
     return true;
   }
+  // A number that is taken has nothing to take back: the window may have.
+  if (watched == number_ && event->type() == QEvent::ShortcutOverride && !number_->isUndoAvailable() &&
+      static_cast<QKeyEvent*>(event)->matches(QKeySequence::Undo)) {
+    event->ignore();
+    return true;
+  }
   if (watched == number_ && event->type() == QEvent::KeyPress) {
     const auto* press = static_cast<QKeyEvent*>(event);
     if (press->key() == Qt::Key_Escape) {
