@@ -14,7 +14,6 @@ TEST_F(Tools, APaintedStrokeIsExactlyTheCircleAlongItInItsSlice) {
   session_->addStructure(kArtery);
   key(Qt::Key_1);
   const Vec3 a = placeOf({-14, 12, 0}), b = placeOf({-8, 14, 0});
-  drag({-14, 12, 0}, {-8, 14, 0});
   LabelMap expected = patient()->labels;
   const int slice = 8;  // z = 0
   for (int j = 0; j < 41; ++j)
@@ -23,14 +22,23 @@ TEST_F(Tools, APaintedStrokeIsExactlyTheCircleAlongItInItsSlice) {
       const double along = std::clamp(dot(at - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
       if (norm(at - (a + (b - a) * along)) <= 4) expected.at(i, j, slice) = kArtery;
     }
-  // The brush is a sphere at first, as the engine's is; the circle is chosen.
+  drag({-14, 12, 0}, {-8, 14, 0});
+  EXPECT_EQ(labels().voxels, expected.voxels);
   session_->undoStack().undo();
   EXPECT_EQ(labels().voxels, patient()->labels.voxels);
   auto* shape = child<QComboBox>("tool-shape");
-  shape->setCurrentIndex(0);
-  Q_EMIT shape->activated(0);
+  shape->setCurrentIndex(shape->findText("sphere"));
+  Q_EMIT shape->activated(shape->currentIndex());
   drag({-14, 12, 0}, {-8, 14, 0});
-  EXPECT_EQ(labels().voxels, expected.voxels);
+  EXPECT_EQ(labels().at(24 - 11, 6 + 13, slice + 2), kArtery) << "a sphere reaches into other slices";
+}
+
+TEST_F(Tools, WhatPaintsAtOnceIsDoneAndNotCancelled) {
+  auto* leave = child<QPushButton>("toolLeave");
+  key(Qt::Key_1);
+  EXPECT_EQ(leave->text(), "Done");
+  key(Qt::Key_6);
+  EXPECT_EQ(leave->text(), "Cancel");
 }
 
 TEST_F(Tools, ErasingTakesOnlyTheCurrentLabelAndLeavesTissue) {
@@ -71,6 +79,33 @@ TEST_F(Tools, EnterInTheTableAppliesTheToolWhoseLabelWasChosenThere) {
   EXPECT_FALSE(QApplication::activeModalWidget()) << "no colour is asked for";
   ASSERT_TRUE(done());
   EXPECT_GT(count(kVein), std::size_t(std::ranges::count(patient()->labels.voxels, kVein)));
+}
+
+TEST_F(Tools, AClickShowsAtOnceWhatComesOfIt) {
+  const auto shown = [&] { return session_->labelling().preview().proposal() != nullptr; };
+  session_->addStructure(kCartilage);
+  child<QAction>("tool-march")->trigger();
+  click({0, 30, 0});
+  EXPECT_TRUE(QTest::qWaitFor(shown, kPatience_ms));
+  EXPECT_EQ(labels().voxels, patient()->labels.voxels) << "only shown";
+  click({0, 30, 0}, Qt::RightButton);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !shown(); }, kPatience_ms)) << "its last click is taken back";
+}
+
+TEST_F(Tools, APreviewThatTakesAWhileSaysSoAndEscapeEndsIt) {
+  session_->select(kSoftTissue);
+  child<QAction>("tool-levelset")->trigger();
+  child<ui::ValueSlider>("tool-rounds")->setValue(1000);
+  auto* preview = child<QPushButton>("toolPreview");
+  preview->click();
+  ASSERT_TRUE(session_->labelling().preview().isComputing());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return preview->text() == "Computing ..."; }, kPatience_ms));
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(session_->labelling().preview().isComputing());
+  EXPECT_EQ(preview->text(), "Preview");
+  EXPECT_TRUE(child<QToolButton>("tool-grow")->isChecked()) << "the tool stays in hand";
+  key(Qt::Key_7);
+  EXPECT_FALSE(session_->labelling().preview().isComputing()) << "another tool shows nothing that nobody asked for";
 }
 
 TEST_F(Tools, WhyNothingCameOfAToolIsReadWholeInItsPanel) {

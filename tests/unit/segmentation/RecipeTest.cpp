@@ -124,6 +124,20 @@ TEST_P(RecipesOnGrids, APreviewChangesNothingAndSaysWhatWillBeWritten) {
   EXPECT_EQ(std::size_t(std::ranges::count(preview->labels.voxels, std::uint8_t(kBone))), change->voxels);
 }
 
+TEST(Recipe, APreviewOfWhatIsErasedShowsNothingElse) {
+  const CtVolume ct(test::toolGrids()[0].geometry);
+  LabelMap labels(ct.geometry, kSoftTissue);
+  labels.at(3, 3, 3) = labels.at(4, 3, 3) = kVein;
+  labels.at(5, 3, 3) = kBone;
+  LabelStep step;
+  step.tool = step::Paint{{ct.geometry.patientFromIndex() * Vec3{3, 3, 3}}, 8};
+  step.label = step.rest;
+  step.over = std::vector<std::uint8_t>{kVein};
+  Proposal shown;
+  ASSERT_TRUE(preview(step, ct, labels, shown));
+  EXPECT_EQ(std::ranges::count(shown.labels.voxels, kSoftTissue), 2) << "of what is soft tissue already, nothing";
+}
+
 TEST(Recipe, OnlyLabelsThatAreNamedAreOverwritten) {
   Scene scene(test::toolGrids()[0].geometry);
   scene.labels.at(20, 20, 20) = kVein;

@@ -31,6 +31,17 @@ VoxelBox regionOf(const LabelStep& step, const VolumeGeometry& grid) {
   return intersected(box, boxOf(grid));
 }
 
+/// Erasing is painting with the rest: what is taken is seen where the rest that was there before is not.
+void leaveWhatIsSo(const LabelMap& labels, Proposal& proposal) {
+  const VoxelBox& box = proposal.box;
+  for (int k = box.first[2]; k < box.end[2]; ++k)
+    for (int j = box.first[1]; j < box.end[1]; ++j) {
+      std::uint8_t* wanted = &proposal.labels.at(0, j - box.first[1], k - box.first[2]);
+      for (int i = box.first[0]; i < box.end[0]; ++i, ++wanted)
+        if (*wanted == labels.at(i, j, k)) *wanted = Proposal::kKeep;
+    }
+}
+
 /// Runs one tool of a step: an overload for each.
 class Proposer {
  public:
@@ -197,6 +208,7 @@ Result<void> preview(const LabelStep& step, const CtVolume& ct, const LabelMap& 
   auto made = propose(step, ct, labels, progress);
   if (!made) return tl::unexpected(made.error());
   restrictTo(rules, ct, labels, *made);
+  if (step.label == step.rest) leaveWhatIsSo(labels, *made);
   into = std::move(*made);
   return {};
 }

@@ -33,6 +33,7 @@ void LabelPreview::want(LabelStep step, std::shared_ptr<const CtVolume> ct, std:
     *stop_ = true;
   else
     begin(*std::exchange(next_, std::nullopt));
+  setComputing(true);
 }
 
 void LabelPreview::clear() {
@@ -40,8 +41,13 @@ void LabelPreview::clear() {
   next_.reset();
   if (stop_) *stop_ = true;
   store_.forget();
+  setComputing(false);
   if (!std::exchange(proposal_, nullptr)) return;
   Q_EMIT changed();
+}
+
+void LabelPreview::setComputing(bool computing) {
+  if (computing != std::exchange(computing_, computing)) Q_EMIT computingChanged();
 }
 
 void LabelPreview::begin(Wish wish) {
@@ -64,6 +70,7 @@ void LabelPreview::take(int number, std::uint8_t label, const Made& made) {
     Q_EMIT changed();
   }
   if (next_) return begin(*std::exchange(next_, std::nullopt));
+  setComputing(false);
   if (number != number_ || made) return;
   proposal_ = nullptr;
   Q_EMIT changed();

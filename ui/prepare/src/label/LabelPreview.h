@@ -31,10 +31,12 @@ class LabelPreview : public QObject {
   const std::shared_ptr<const Proposal>& proposal() const { return proposal_; }
   /// What its step is for: the proposal may have others, too.
   std::uint8_t label() const { return label_; }
-  bool isComputing() const { return stop_ != nullptr; }
+  /// The latest step is at work.
+  bool isComputing() const { return computing_; }
 
  Q_SIGNALS:
   void changed();
+  void computingChanged();
   /// The step cannot be done: a sentence.
   void failed(const QString& sentence);
 
@@ -46,6 +48,7 @@ class LabelPreview : public QObject {
     std::shared_ptr<const LabelMap> labels;
   };
   void begin(Wish wish);
+  void setComputing(bool computing);
   void take(int number, std::uint8_t label, const Made& made);
 
   ProposalStore store_;
@@ -54,6 +57,7 @@ class LabelPreview : public QObject {
   std::optional<Wish> next_;
   std::uint8_t label_ = 0;
   int number_ = 0;
+  bool computing_ = false;
 };
 
 }  // namespace insonate::prepare

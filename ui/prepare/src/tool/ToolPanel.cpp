@@ -19,6 +19,12 @@
 #include <QVBoxLayout>
 
 namespace insonate::prepare {
+namespace {
+
+constexpr int kSlow_ms = 400;
+
+}  // namespace
+
 ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* parent)
     : QWidget(parent),
       session_(session),
@@ -31,8 +37,7 @@ ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* paren
       histogram_(std::make_unique<views::HuHistogram>()),
       preview_(ui::pushButton("toolPreview", tr("Preview"), tr("Show on the slices and in 3D what would be written"))),
       apply_(ui::pushButton("toolApply", tr("Apply"), tr("Write it to the labels (Enter); Ctrl+Z takes it back"))),
-      leave_(
-          ui::pushButton("toolLeave", tr("Cancel"), tr("Stop, forget what was clicked, or lay the tool away (Esc)"))),
+      leave_(ui::pushButton("toolLeave", tr("Cancel"), {})),
       box_(new QVBoxLayout(this)) {
   name_->setObjectName(QStringLiteral("toolLabel"));
   ui::setRole(name_, "heading");
@@ -43,6 +48,10 @@ ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* paren
   ui::setRole(apply_, "primary");
   told_->hide();
   arrange();
+  slow_.setSingleShot(true);
+  slow_.setInterval(kSlow_ms);
+  connect(&slow_, &QTimer::timeout, this, [this] { preview_->setText(tr("Computing ...")); });
+  connect(&session_.labelling().preview(), &LabelPreview::computingChanged, this, [this] { tellComputing(); });
   connect(preview_, &QPushButton::clicked, this, [this] { tools_.preview(); });
   connect(apply_, &QPushButton::clicked, this, [this] { tools_.apply(); });
   connect(leave_, &QPushButton::clicked, this, [this] { tools_.leave(); });
@@ -60,6 +69,13 @@ ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* paren
 }
 
 ToolPanel::~ToolPanel() = default;
+
+/// Of a preview that takes a while: nothing flickers while a slider is followed.
+void ToolPanel::tellComputing() {
+  if (session_.labelling().preview().isComputing()) return slow_.start();
+  slow_.stop();
+  preview_->setText(tr("Preview"));
+}
 
 void ToolPanel::arrange() {
   auto* head = new QHBoxLayout;
@@ -169,6 +185,9 @@ void ToolPanel::refresh() {
                    : clicked ? tr("%1 Clicks so far: %2.").arg(tool->advice).arg(tools_.points().size())
                              : tool->advice);
   const bool brush = tool->input == ToolInput::Brush;
+  leave_->setText(brush ? tr("Done") : tr("Cancel"));
+  leave_->setToolTip(brush ? tr("Lay the tool away (Esc)")
+                           : tr("Stop, forget what was clicked, or lay the tool away (Esc)"));
   preview_->setVisible(!brush);
   apply_->setVisible(!brush);
   preview_->setEnabled(tools_.isComplete());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 #include <functional>
 #include <memory>
@@ -40,6 +41,7 @@ class ToolPanel : public QWidget {
   void addRange(QVBoxLayout& box);
   void addOther(QVBoxLayout& box);
   void refresh();
+  void tellComputing();
 
   PrepareSession& session_;
   ToolSession& tools_;
@@ -53,6 +55,7 @@ class ToolPanel : public QWidget {
   QWidget* fields_ = nullptr;
   QVBoxLayout* box_;
   std::vector<std::function<void()>> shown_;  ///< bring the fields up to date
+  QTimer slow_;                               ///< a preview has been computed for so long
   bool showing_ = false;
 };
 

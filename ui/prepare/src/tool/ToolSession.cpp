@@ -66,12 +66,17 @@ void ToolSession::chooseLast() {
 void ToolSession::changed() {
   if (!tool_) return;
   Q_EMIT told({});
-  // What is shown must be what Enter would write.
-  const bool shown = session_.labelling().preview().proposal() || session_.labelling().preview().isComputing();
-  if (isComplete() && (shown || tool_->input == ToolInput::Range))
+  // What is shown must be what Enter would write. A click asks to see what comes of it.
+  const bool clicked = tool_->input == ToolInput::Range || tool_->input == ToolInput::Points;
+  if (isComplete() && (clicked || isPreviewWanted()))
     preview();
   else
     session_.labelling().preview().clear();
+}
+
+bool ToolSession::isPreviewWanted() const {
+  const LabelPreview& preview = session_.labelling().preview();
+  return preview.proposal() || preview.isComputing();
 }
 
 void ToolSession::setNumber(const ToolNumber& number, double value) {
@@ -284,8 +289,7 @@ void ToolSession::apply() {
 void ToolSession::leave() {
   if (session_.labelling().isBusy()) return session_.labelling().cancel();
   auto* points = tool_ ? pointsOf(parameters_) : nullptr;
-  const bool shown = session_.labelling().preview().proposal() != nullptr;
-  if ((points && !points->empty()) || shown) {
+  if ((points && !points->empty()) || isPreviewWanted()) {
     if (points) points->clear();
     session_.labelling().preview().clear();
     Q_EMIT pointsChanged();

@@ -72,6 +72,8 @@ class ToolSession : public QObject {
   void fillIn(LabelTool& tool) const;
   int axisOf(views::SliceKind slice) const;
   void changed();
+  /// One is shown, or will be.
+  bool isPreviewWanted() const;
 
   PrepareSession& session_;
   const Tool* tool_ = nullptr;

@@ -150,8 +150,9 @@ std::string_view nameOf(const LabelTool& tool);
 Result<Proposal> propose(const LabelStep& step, const CtVolume& ct, const LabelMap& labels,
                          const Progress& progress = {});
 
-/// What perform() would write: a window's preview. A threshold uses the proposal's memory again, so that it can follow
-/// a slider. Where it fails, as propose() does, the proposal holds nothing of use.
+/// What perform() would write: a window's preview. It shows the label's whole shape; of what is erased, only what is
+/// taken. A threshold uses the proposal's memory again, so that it can follow a slider. Where it fails, as propose()
+/// does, the proposal holds nothing of use.
 Result<void> preview(const LabelStep& step, const CtVolume& ct, const LabelMap& labels, Proposal& into,
                      const Progress& progress = {});
 
