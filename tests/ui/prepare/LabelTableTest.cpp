@@ -4,6 +4,7 @@
 
 #include <QAbstractItemDelegate>
 #include <QMenu>
+#include <QTabBar>
 
 namespace insonate::prepare {
 namespace {
@@ -60,6 +61,19 @@ TEST_F(LabelTable, AStructureOfOnesOwnIsNamedAtOnceAndCanBeTakenBack) {
   child<QAction>("redo")->trigger();
   child<QAction>("redo")->trigger();
   EXPECT_EQ(cell(kOwn, kName), "left external jugular");
+}
+
+TEST_F(LabelTable, WhoChoseTheTableWhileItIsMeasuredStaysThere) {
+  PatientCase bare = test::smallCase();
+  std::ranges::replace(bare.labels.voxels, std::uint8_t{kVein}, std::uint8_t{kSoftTissue});
+  const auto without = std::make_shared<const PatientCase>(std::move(bare));
+  auto* tabs = child<QTabBar>("labelling");
+  openCase(without);
+  ASSERT_EQ(tabs->currentIndex(), 0) << "a neck without a vein is to be labelled: the guide comes";
+  workspace_->setCase(without);
+  QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(1).center());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workspace_->isReady(); }, kPatience_ms));
+  EXPECT_EQ(tabs->currentIndex(), 1);
 }
 
 TEST_F(LabelTable, ATissueIsChosenForOnesOwnOnly) {

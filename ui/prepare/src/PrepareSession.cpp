@@ -37,6 +37,12 @@ SurfaceOptions surfaceOptions(std::uint8_t label) {
 /// After the last of several edits.
 constexpr int kRecheck_ms = 700;
 
+/// Of the middle voxel: between two, slices blend both, and the labels are of one side.
+Vec3 middleOf(const VolumeGeometry& grid) {
+  const auto [i, j, k] = nearestVoxel(grid.indexFromPatient() * grid.centre_mm());
+  return grid.patientFromIndex() * Vec3{double(i), double(j), double(k)};
+}
+
 /// What one looks for first comes first.
 constexpr std::uint8_t kOrder[] = {kVein, kArtery, kSkin, kBone, kAirway, kThyroid, kCartilage, kSternocleidomastoid};
 
@@ -67,7 +73,7 @@ PrepareSession::PrepareSession(ui::TaskBar& tasks, QObject* parent)
     const auto& start = *live_.start();
     found_ = start;
     // Where the case begins is where one wants to look first; who looks elsewhere already stays there.
-    if (crosshair_mm_ == patient_->ct.geometry.centre_mm()) {
+    if (crosshair_mm_ == middleOf(patient_->ct.geometry)) {
       crosshair_mm_ = start.position_mm;
       Q_EMIT crosshairMoved();
     }
@@ -111,7 +117,8 @@ void PrepareSession::setCase(std::shared_ptr<const PatientCase> patient) {
   terms_ = patient_ ? termsOf(patient_->manifest) : LabelTerms{};
   found_.reset();
   title_ = patient_ ? QString::fromStdString(patient_->manifest.title) : QString();
-  crosshair_mm_ = patient_ ? patient_->ct.geometry.centre_mm() : Vec3{};
+  crosshair_mm_ = patient_ ? middleOf(patient_->ct.geometry) : Vec3{};
+  pointer_mm_.reset();
   labelling_.setCase(patient_);
   tellHidden();
   Q_EMIT caseChanged();
@@ -332,14 +339,19 @@ void PrepareSession::setPlacesShown(bool shown) {
   Q_EMIT slicesChanged();
 }
 
+void PrepareSession::pointAt(std::optional<Vec3> patient_mm) {
+  if (patient_mm == std::exchange(pointer_mm_, patient_mm) || !message_.isEmpty()) return;
+  Q_EMIT messageChanged();
+}
+
 QString PrepareSession::placeText() const {
-  const VolumeGeometry& grid = patient_->ct.geometry;
-  const Vec3 index = grid.indexFromPatient() * crosshair_mm_;
+  const Vec3 at_mm = pointer_mm_.value_or(crosshair_mm_);
+  const Vec3 index = patient_->ct.geometry.indexFromPatient() * at_mm;
   const std::uint8_t label = sampleNearest(labelling_.labels(), index);
   return tr("(%1, %2, %3) mm   %4 HU   %5")
-      .arg(crosshair_mm_.x, 0, 'f', 1)
-      .arg(crosshair_mm_.y, 0, 'f', 1)
-      .arg(crosshair_mm_.z, 0, 'f', 1)
+      .arg(at_mm.x, 0, 'f', 1)
+      .arg(at_mm.y, 0, 'f', 1)
+      .arg(at_mm.z, 0, 'f', 1)
       .arg(std::lround(sampleLinear(patient_->ct, index)))
       .arg(label == kBackground ? tr("not labelled") : nameOf(label));
 }

@@ -139,7 +139,10 @@ class PrepareSession : public QObject {
   const std::map<std::uint8_t, Habit>& habits() const { return habits_; }
   void setHabits(std::map<std::uint8_t, Habit> habits) { habits_ = std::move(habits); }
 
-  /// A sentence; where the crosshair is, where nothing has happened.
+  /// Where a tool points, which message() tells of instead of the crosshair; none while it points nowhere.
+  void pointAt(std::optional<Vec3> patient_mm);
+
+  /// A sentence; what is under the tool or the crosshair, where nothing has happened.
   QString message() const;
   /// What just happened, for some seconds.
   void say(const QString& sentence);
@@ -191,6 +194,7 @@ class PrepareSession : public QObject {
   LabelTerms terms_;
   std::optional<StartPose> found_;  ///< where the probe began when the case was opened
   Vec3 crosshair_mm_;
+  std::optional<Vec3> pointer_mm_;
   views::WindowLevel windowLevel_;
   double labelOpacity_ = 0.25;
   bool labelsShown_ = true, placesShown_ = true;

@@ -74,6 +74,7 @@ QWidget* PathPanel::buildLabelling(GuideSession& guide) {
   tabs_->setTabToolTip(tabs_->addTab(tr("Guide")), tr("Step by step through the structures of a neck"));
   tabs_->setTabToolTip(tabs_->addTab(tr("Structures")), tr("All structures of the case, with colour and visibility"));
   connect(tabs_, &QTabBar::currentChanged, labelling_, &QStackedWidget::setCurrentIndex);
+  connect(tabs_, &QTabBar::tabBarClicked, this, [this] { chosen_ = true; });
   tabs_->setCurrentIndex(1);
   return tabs_;
 }

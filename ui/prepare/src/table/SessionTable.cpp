@@ -35,6 +35,7 @@ void PrepareSession::applyTerms(const LabelTerms& terms) {
     listStructures();
   }
   Q_EMIT termsChanged();
+  Q_EMIT messageChanged();
   tellEdits();
 }
 

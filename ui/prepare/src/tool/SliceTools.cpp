@@ -1,5 +1,6 @@
 #include "SliceTools.h"
 
+#include "../PrepareSession.h"
 #include "../views/CaseViews.h"
 
 #include <insonate/ui/ViewWidget.h>
@@ -19,11 +20,13 @@ bool isPlain(const QMouseEvent& event) {
 
 }  // namespace
 
-SliceTools::SliceTools(CaseViews& views, ToolSession& tools, LabelPreview& preview, QObject* parent)
-    : QObject(parent), views_(views), tools_(tools), preview_(preview) {
+SliceTools::SliceTools(CaseViews& views, ToolSession& tools, PrepareSession& session, QObject* parent)
+    : QObject(parent), views_(views), tools_(tools), session_(session), preview_(session.labelling().preview()) {
   for (int slice = 0; slice < CaseViews::kSlices; ++slice)
     views_.widgets()[std::size_t(slice)]->focusProxy()->installEventFilter(this);
-  connect(&tools_, &ToolSession::toolChanged, this, [this] { showMarks(); });
+  connect(&tools_, &ToolSession::toolChanged, this, [this] { pointAt(tools_.tool() ? pointer_ : std::nullopt); });
+  // Another slice has come under the pointer.
+  connect(&session_, &PrepareSession::crosshairMoved, this, [this] { pointAt(pointer_); });
   connect(&tools_, &ToolSession::pointsChanged, this, [this] { showMarks(); });
   connect(&tools_, &ToolSession::parametersChanged, this, [this] { showMarks(); });
   connect(&preview_, &LabelPreview::changed, this, [this] { showPreview(); });
@@ -61,8 +64,7 @@ bool SliceTools::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::KeyPress:
       return key(static_cast<QKeyEvent*>(event)->key(), true);
     case QEvent::Leave:
-      pointer_mm_.reset();
-      showMarks();
+      pointAt({});
       return false;
     default:
       return false;
@@ -91,8 +93,10 @@ bool SliceTools::pressed(int slice, const QMouseEvent& event) {
 }
 
 bool SliceTools::moved(int slice, const QMouseEvent& event) {
-  const Vec3 at_mm = placeOf(slice, event.localPos());
-  pointer_mm_ = at_mm, under_ = slice;
+  under_ = slice;
+  pointAt(event.localPos());
+  if (!pointer_mm_) return false;
+  const Vec3 at_mm = *pointer_mm_;
   const ToolInput input = tools_.tool()->input;
   if (held_ && input == ToolInput::Brush) tools_.strokeTo(at_mm);
   if (held_ && input == ToolInput::Range) tools_.takeRange(at_mm);
@@ -101,7 +105,6 @@ bool SliceTools::moved(int slice, const QMouseEvent& event) {
   if (held_ && input == ToolInput::Outline && !tools_.points().empty() &&
       norm(at_mm - tools_.points().back()) > kCorner_px * views_.slice(slice).plane().mm_per_px)
     tools_.addPoint(at_mm, views_.slice(slice).kind());
-  showMarks();
   return held_;
 }
 
@@ -135,6 +138,14 @@ bool SliceTools::wheel(const QWheelEvent& event) {
   const QPoint turned = event.angleDelta();
   tools_.scaleBrush(turned.y() + turned.x() > 0 ? kBrushStep : 1 / kBrushStep);
   return true;
+}
+
+void SliceTools::pointAt(std::optional<QPointF> at) {
+  pointer_ = at;
+  pointer_mm_.reset();
+  if (at && session_.patient()) pointer_mm_ = placeOf(under_, *at);
+  session_.pointAt(pointer_mm_);
+  showMarks();
 }
 
 void SliceTools::showMarks() {

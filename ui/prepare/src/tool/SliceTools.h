@@ -1,6 +1,5 @@
 #pragma once
 
-#include "../label/LabelPreview.h"
 #include "ToolSession.h"
 
 #include <QObject>
@@ -12,12 +11,14 @@ class QWheelEvent;
 namespace insonate::prepare {
 
 class CaseViews;
+class LabelPreview;
 
 /// The tool on the slices: takes the mouse from them, and from the guide, where the tool wants it (not with Ctrl or
-/// Shift, which stay the slice's own), and shows points, outline, brush and preview over all three.
+/// Shift, which stay the slice's own), and shows points, outline, brush and preview over all three. The
+/// status line tells what the tool points at.
 class SliceTools : public QObject {
  public:
-  SliceTools(CaseViews& views, ToolSession& tools, LabelPreview& preview, QObject* parent);
+  SliceTools(CaseViews& views, ToolSession& tools, PrepareSession& session, QObject* parent);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -30,12 +31,16 @@ class SliceTools : public QObject {
   bool released(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
   bool key(int key, bool act);
+  /// Nothing is pointed at where it is not given.
+  void pointAt(std::optional<QPointF> at);
   void showMarks();
   void showPreview();
 
   CaseViews& views_;
   ToolSession& tools_;
-  LabelPreview& preview_;
+  PrepareSession& session_;
+  const LabelPreview& preview_;
+  std::optional<QPointF> pointer_;
   std::optional<Vec3> pointer_mm_;
   int under_ = 0;  ///< slice the pointer is over
   bool held_ = false;
