@@ -47,9 +47,10 @@ QStringList titles(const LibraryFilter& filter) {
 TEST(LibraryFilter, SearchesFiltersAndSorts) {
   LibraryModel model;
   LibraryFilter filter(model, nullptr);
-  model.setEntries(
-      {entry("Hard one", "hard", true), entry("Easy two", "easy", false), entry("An easy one", "easy", true)});
-  EXPECT_EQ(titles(filter), (QStringList{"An easy one", "Easy two", "Hard one"})) << "easy first, then by title";
+  model.setEntries({entry("A new import", "", false), entry("Hard one", "hard", true), entry("Easy two", "easy", false),
+                    entry("An easy one", "easy", true)});
+  EXPECT_EQ(titles(filter), (QStringList{"An easy one", "Easy two", "Hard one", "A new import"}))
+      << "easy first, then by title; what has no difficulty comes last, as the choice of orders says";
   filter.setWords("ONE ea");
   EXPECT_EQ(titles(filter), (QStringList{"An easy one"}));
   filter.setWords("vein nothing");

@@ -340,6 +340,7 @@ TEST_F(TrainWindow, SaysThatACaseHasNoVessels) {
   EXPECT_FALSE(note->isVisible());
   workspace_->setCase(cutCase());
   EXPECT_TRUE(QTest::qWaitFor([&] { return note->isVisible(); }, kPatience_ms));
+  EXPECT_TRUE(note->text().contains("Label them under Prepare")) << note->text().toStdString();
   workspace_->setCase(patient());
   EXPECT_FALSE(note->isVisible());
 }

@@ -47,7 +47,7 @@ QString stateOf(const SeriesInfo& series) {
   if (!series.refusal.empty()) return SeriesDialog::tr("cannot be imported");
   if (series.warnings.empty()) return SeriesDialog::tr("fine");
   const auto count = series.warnings.size();
-  return count == 1 ? SeriesDialog::tr("1 warning") : SeriesDialog::tr("%1 warnings").arg(count);
+  return count == 1 ? SeriesDialog::tr("1 note") : SeriesDialog::tr("%1 notes").arg(count);
 }
 
 /// Where the volume lies that an import makes.

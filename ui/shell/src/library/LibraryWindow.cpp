@@ -66,7 +66,7 @@ LibraryWindow::LibraryWindow(QWidget* parent)
                        {tr("fit for training"), int(LibraryFilter::Fitness::Fit)},
                        {tr("not fit"), int(LibraryFilter::Fitness::Unfit)}})),
       order_(choice("libraryOrder", tr("Order"), tr("In which order cases are listed"),
-                    {{tr("easy first"), int(LibraryFilter::Order::Difficulty)},
+                    {{tr("easy first, ungraded last"), int(LibraryFilter::Order::Difficulty)},
                      {tr("by title"), int(LibraryFilter::Order::Title)},
                      {tr("newest first"), int(LibraryFilter::Order::Newest)}})),
       list_(new QListView),

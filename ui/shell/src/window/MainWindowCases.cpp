@@ -58,7 +58,9 @@ void MainWindow::makeActions() {
     return action;
   };
   open_ = make("folder", tr("Open case ..."), tr("A case folder, or a folder of DICOM files"), QKeySequence::Open);
-  import_ = make("import", tr("Import file ..."), tr("A DICOM, NRRD, NIfTI or MetaImage file"), tr("Ctrl+I"));
+  import_ =
+      make("import", tr("Import file ..."),
+           tr("Any file of a DICOM series, which comes whole; or an NRRD, NIfTI or MetaImage file"), tr("Ctrl+I"));
   textbook_ = make("neck", tr("Built-in neck"), tr("The textbook neck that comes with Insonate"), tr("Ctrl+T"));
   library_ = make("folder", tr("Case library ..."),
                   tr("All your cases and the built-in ones: what they show, how hard"), tr("Ctrl+B"));
@@ -136,8 +138,9 @@ void MainWindow::chooseCase() {
 
 void MainWindow::chooseImport() {
   const QString file =
-      askForSourceFile(this, tr("Import a DICOM, NRRD, NIfTI or MetaImage file"),
-                       tr("Volumes (*.dcm DICOMDIR *.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd);;All files (*)"));
+      askForSourceFile(this, tr("Import a CT: any file of a DICOM series, or a volume file"),
+                       // Hospitals' DICOM files often have no ending.
+                       tr("DICOM and volumes (*);;Volumes (*.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd)"));
   if (!file.isEmpty()) open(file);
 }
 
