@@ -1,5 +1,7 @@
 #include "GuideWindow.h"
 
+#include <QRegularExpression>
+
 namespace insonate::prepare {
 namespace {
 
@@ -9,6 +11,78 @@ TEST_F(Guiding, SaysWhatToDoBeforeAnythingIsClicked) {
   EXPECT_FALSE(child<QPushButton>("guideRun")->isEnabled()) << "no clicks yet";
   EXPECT_FALSE(child<QPushButton>("guideAccept")->isVisible());
   EXPECT_EQ(guide_->state(guide_->current()), State::ToDo);
+}
+
+TEST_F(Guiding, WhatIsEnoughIsSaidWithEveryClick) {
+  choose("vein-right");
+  const auto said = [this] { return child<QLabel>("guideClicks")->text().toStdString(); };
+  EXPECT_THAT(said(), HasSubstr("2 are enough, 4 where it is hard to see"));
+  click({0, 12, -7});
+  EXPECT_THAT(said(), HasSubstr("1 click; 1 more needed"));
+  EXPECT_FALSE(child<QPushButton>("guideRun")->isEnabled());
+  click({0, 12, 7});
+  EXPECT_THAT(said(), HasSubstr("2 clicks, enough; 4 where it is hard to see"));
+  EXPECT_TRUE(child<QPushButton>("guideRun")->isEnabled());
+  click({0, 12, 0});
+  click({6, 12, 0});
+  EXPECT_THAT(said(), HasSubstr("4 clicks, enough."));
+}
+
+TEST_F(Guiding, ADoubleClickEnlargesTheViewAndLeavesNoPoint) {
+  choose("vein-right");
+  click({0, 12, -7});
+  auto* axialView = child<ui::ViewWidget>("Axial slice");
+  const QPoint at = placeOf({9, 20, 0});
+  const auto doubleClick = [&] {
+    QTest::mouseClick(canvas("Axial slice"), Qt::LeftButton, {}, at);
+    QTest::mouseDClick(canvas("Axial slice"), Qt::LeftButton, {}, at);
+  };
+  doubleClick();
+  EXPECT_TRUE(axialView->isMaximised());
+  EXPECT_EQ(guide_->clicks_mm().size(), 1u) << "what was clicked before stays";
+  doubleClick();
+  EXPECT_FALSE(axialView->isMaximised());
+  ASSERT_EQ(guide_->clicks_mm().size(), 1u);
+  EXPECT_LT(norm(guide_->clicks_mm()[0] - Vec3{0, 12, -7}), 0.5);
+}
+
+TEST_F(Guiding, AClickIsSeenUnderTheCrosshairAndIn3D) {
+  choose("vein-right");
+  const auto isWhite = [](const QColor& c) { return std::min({c.red(), c.green(), c.blue()}) > 95; };
+  const auto near = [&](const char* view, QPoint at) {
+    const QImage picture = canvas(view)->grab().toImage();
+    for (int y = -2; y <= 2; ++y)
+      for (int x = -2; x <= 2; ++x)
+        if (picture.rect().contains(at + QPoint(x, y)) && isWhite(picture.pixelColor(at + QPoint(x, y)))) return true;
+    return false;
+  };
+  // In the air, where nothing else is; the probe stands beside the crosshair.
+  const Vec3 at_mm{20, -8, 0}, above_mm{0, 12, 25};
+  const QPoint ring = placeOf(at_mm) + QPoint(5, 0);
+  const auto inScene = [&] {
+    const views::DisplayPoint at = scene().displayFromPatient(above_mm);
+    return QPoint(int(at.x), int(at.y)) / canvas("Scene")->devicePixelRatioF();
+  };
+  EXPECT_FALSE(near("Axial slice", ring));
+  EXPECT_FALSE(near("Scene", inScene()));
+  click(at_mm);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return near("Axial slice", ring); }, kPatience_ms));
+  guide_->addClick(above_mm);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return near("Scene", inScene()); }, kPatience_ms));
+  key(Qt::Key_Delete);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !near("Scene", inScene()); }, kPatience_ms));
+}
+
+TEST_F(Guiding, WithoutContrastAgentItsResultIsToBeLookedThrough) {
+  auto pale = std::make_shared<PatientCase>(*unlabelled());
+  for (std::int16_t& voxel : pale->ct.voxels)
+    if (voxel == 180 || voxel == 260) voxel = 75;
+  openCase(pale);
+  makeVein();
+  EXPECT_THAT(child<QLabel>("guideResult")->text().toStdString(), HasSubstr("no contrast agent"));
+  openCase(unlabelled());
+  makeVein();
+  EXPECT_THAT(child<QLabel>("guideResult")->text().toStdString(), testing::Not(HasSubstr("contrast")));
 }
 
 TEST_F(Guiding, TwoClicksInASliceMakeTheVein) {
@@ -55,10 +129,13 @@ TEST_F(Guiding, ABareImportIsToldOfNoLabelsAndItsUltrasoundComesWithTheSkin) {
   openCase(bare);
   ASSERT_EQ(guide_->current(), 0);
   EXPECT_TRUE(guide_->remarks(0).isEmpty()) << guide_->remarks(0).join(' ').toStdString();
+  EXPECT_TRUE(child<QLabel>("sceneEmpty")->isVisible()) << "3D says what to do";
+  EXPECT_THAT(child<QLabel>("sceneEmpty")->text().toStdString(), HasSubstr("guide's first step"));
   EXPECT_THAT(child<QLabel>("ultrasoundState")->text().toStdString(), HasSubstr("no skin"));
   session_->setCrosshair({9, 12, 3});
   run();
   const auto stands = [&] { return session_->live().standing() && session_->live().shown(); };
+  EXPECT_FALSE(child<QLabel>("sceneEmpty")->isVisible());
   ASSERT_TRUE(QTest::qWaitFor([&] { return stands() && session_->live().state().isEmpty(); }, kPatience_ms))
       << session_->live().state().toStdString();
   EXPECT_LT(norm(session_->live().standing()->offset - Vec3{9, 0, 3}), 2) << "on the skin nearest to the crosshair";
@@ -96,6 +173,30 @@ TEST_F(Guiding, WhatIsTooThinForAVeinIsDoubtful) {
   EXPECT_THAT(child<QLabel>("guideResult")->text().toStdString(), HasSubstr("a mean diameter of"));
   child<QPushButton>("guideAccept")->click();
   EXPECT_EQ(guide_->state(1), State::Done) << "the author has looked";
+}
+
+TEST_F(Guiding, OnALowScreenItsWordsAreScrolledAndNeverCut) {
+  workspace_->resize(1280, 640);  // what a window of 1280 x 720 leaves
+  makeVein(kArtery_x);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return guide_->state(1) == State::Doubtful; }, kPatience_ms));
+  auto* page = child<QWidget>("guide");
+  const auto whole = [&] {
+    const auto labels = page->findChildren<QLabel*>(QRegularExpression("^guide"));
+    return std::ranges::all_of(labels, [](const QLabel* label) {
+      return !label->isVisible() || label->height() >= label->heightForWidth(label->width());
+    });
+  };
+  for (const bool corrects : {false, true}) {
+    guide_->setCorrecting(corrects);
+    EXPECT_TRUE(QTest::qWaitFor(whole, kPatience_ms)) << corrects;
+    auto* words = child<QWidget>("guideWords");
+    for (const char* name : {"guideAccept", "guideCorrect", "guideRun"}) {
+      auto* button = child<QPushButton>(name);
+      EXPECT_TRUE(page->rect().contains(QRect(button->mapTo(page, {}), button->size()))) << name;
+      EXPECT_GE(button->mapTo(page, {}).y(), words->mapTo(page, {}).y() + words->height()) << name;
+      EXPECT_GE(button->height(), button->minimumSizeHint().height()) << name;
+    }
+  }
 }
 
 TEST_F(Guiding, UndoMakesAStepToDoAgainAndRedoDone) {
@@ -170,6 +271,7 @@ TEST_F(Guiding, WhatIsSavedReplaysToTheSameVoxelsAndIsTakenUpAgain) {
   ASSERT_EQ(guide_->clicks_mm().size(), 2u);
   EXPECT_LT(norm(guide_->clicks_mm()[0] - Vec3{0, 12, -7}), 0.5);
   EXPECT_EQ(guide_->state(0), State::ToDo);
+  EXPECT_EQ(child<QTabBar>("labelling")->currentIndex(), 0) << "the guide, where there is more to do";
 }
 
 TEST_F(Guiding, AStepThatFailsLeavesWhatWasThere) {

@@ -65,6 +65,14 @@ TEST_F(GuidingANeck, WhatTheImportHasLabelledIsDoneAlready) {
   EXPECT_THAT(child<QLabel>("guideTold")->text().toStdString(), testing::Not(HasSubstr("clicks")));
 }
 
+TEST_F(GuidingANeck, ABareImportAfterALabelledCaseBeginsAtTheFirstStep) {
+  openCase(imported());
+  ASSERT_EQ(guide_->step().name, "vein-right");
+  openCase(neck());
+  EXPECT_EQ(guide_->step().name, "automatic");
+  EXPECT_EQ(guide_->state(0), State::ToDo);
+}
+
 TEST_F(GuidingANeck, DoneThroughTheWindowItReplaysByTheCommandToEveryVoxel) {
   const test::TemporaryFolder folder;
   const auto begun = imported();

@@ -140,6 +140,10 @@ TEST(SceneView, PicksTheFirstVisibleVoxel) {
   ASSERT_TRUE(skin);
   EXPECT_EQ(skin->label, kSkin);
   EXPECT_LT(skin->position_mm.y, vein.y);
+  const auto through = view.pick(view.displayFromPatient(vein), 0.5);
+  ASSERT_TRUE(through);
+  EXPECT_NE(through->label, kSkin) << "is translucent";
+  EXPECT_GT(through->position_mm.y, skin->position_mm.y);
   for (int label = 1; label < kLabelCount; ++label) view.setVisible(static_cast<std::uint8_t>(label), label == kVein);
   const auto inside = view.pick(view.displayFromPatient(vein));
   ASSERT_TRUE(inside);

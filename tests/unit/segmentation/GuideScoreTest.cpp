@@ -79,9 +79,9 @@ class GuideScores : public testing::TestWithParam<CtContrast> {
     return *std::ranges::find(guide_.steps, name, &GuideStep::name);
   }
   void perform(const std::string& name, const std::vector<Vec3>& clicks_mm) {
-    const auto steps = stepsFor(step(name), clicks_mm, patient_.ct);
-    ASSERT_TRUE(steps) << steps.error().message;
-    const auto done = insonate::perform(Recipe{name, *steps}, *edit_);
+    const auto way = wayFor(step(name), clicks_mm, patient_.ct);
+    ASSERT_TRUE(way) << way.error().message;
+    const auto done = insonate::perform(Recipe{name, way->steps}, *edit_);
     ASSERT_TRUE(done) << done.error().message;
     EXPECT_THAT(doubtsAbout(step(name), clicks_mm, patient_.labels), testing::IsEmpty()) << name;
   }

@@ -33,9 +33,9 @@ TEST(Guide, TheNecksStepsSayWhatToDoAndMakeWhatARecipeCanHold) {
     EXPECT_FALSE(step.say.empty() || step.lookFor.empty() || step.ifWrong.empty()) << step.name;
     std::vector<Vec3> clicks_mm;
     for (int n = 0; n < step.clicks; ++n) clicks_mm.push_back({0, 0, -12 + 8.0 * n});
-    const auto steps = stepsFor(step, clicks_mm, ct);
-    ASSERT_TRUE(steps) << steps.error().message;
-    const auto again = readRecipe(textOf({step.title, *steps}));
+    const auto way = wayFor(step, clicks_mm, ct);
+    ASSERT_TRUE(way) << way.error().message;
+    const auto again = readRecipe(textOf({step.title, way->steps}));
     ASSERT_TRUE(again) << step.name << ": " << again.error().message;
   }
 }
@@ -44,21 +44,23 @@ TEST(Guide, WithContrastAVesselIsTrackedAndWithoutATube) {
   const Guide guide = neck();
   const GuideStep& vein = stepNamed(guide, "vein-right");
   const std::array clicks_mm{Vec3{0, 0, -12}, Vec3{0, 0, 12}};
-  const auto with = stepsFor(vein, clicks_mm, CtVolume(test::toolGrids()[0].geometry, 180));
-  const auto without = stepsFor(vein, clicks_mm, CtVolume(test::toolGrids()[0].geometry, 42));
+  const auto with = wayFor(vein, clicks_mm, CtVolume(test::toolGrids()[0].geometry, 180));
+  const auto without = wayFor(vein, clicks_mm, CtVolume(test::toolGrids()[0].geometry, 42));
   ASSERT_TRUE(with && without);
-  EXPECT_EQ(nameOf(with->front().tool), "vessel");
-  EXPECT_EQ(nameOf(without->front().tool), "tube");
-  EXPECT_THAT(std::get<step::Tube>(without->front().tool).points_mm, ElementsAre(clicks_mm[0], clicks_mm[1]));
-  EXPECT_EQ(with->front().label, kVein);
+  EXPECT_EQ(nameOf(with->steps.front().tool), "vessel");
+  EXPECT_EQ(nameOf(without->steps.front().tool), "tube");
+  EXPECT_THAT(std::get<step::Tube>(without->steps.front().tool).points_mm, ElementsAre(clicks_mm[0], clicks_mm[1]));
+  EXPECT_EQ(with->steps.front().label, kVein);
+  EXPECT_THAT(with->caution, IsEmpty());
+  EXPECT_THAT(without->caution, HasSubstr("no contrast agent"));
 }
 
 TEST(Guide, StepsThatGrowStayNearTheClicks) {
   const Guide guide = neck();
-  const auto steps = stepsFor(stepNamed(guide, "thyroid"), std::array{Vec3{1, 2, 3}, Vec3{-4, 5, 6}},
-                              CtVolume(test::toolGrids()[0].geometry, 110));
-  ASSERT_TRUE(steps) << steps.error().message;
-  for (const LabelStep& step : *steps)
+  const auto way = wayFor(stepNamed(guide, "thyroid"), std::array{Vec3{1, 2, 3}, Vec3{-4, 5, 6}},
+                          CtVolume(test::toolGrids()[0].geometry, 110));
+  ASSERT_TRUE(way) << way.error().message;
+  for (const LabelStep& step : way->steps)
     EXPECT_THAT(step.box_mm, testing::Optional(ElementsAre(Vec3{-19, -13, -12}, Vec3{16, 20, 21})));
 }
 
@@ -66,9 +68,9 @@ TEST(Guide, RefusesTooFewClicksAndClicksBesideTheCt) {
   const Guide guide = neck();
   const GuideStep& vein = stepNamed(guide, "vein-right");
   const CtVolume ct(test::toolGrids()[0].geometry, 42);
-  EXPECT_THAT(stepsFor(vein, std::array{Vec3{}}, ct).error().message,
+  EXPECT_THAT(wayFor(vein, std::array{Vec3{}}, ct).error().message,
               HasSubstr("Jugular vein, right needs 2 clicks or more. Click in"));
-  EXPECT_THAT(stepsFor(vein, std::array{Vec3{}, Vec3{900, 0, 0}}, ct).error().message, HasSubstr("beside the CT"));
+  EXPECT_THAT(wayFor(vein, std::array{Vec3{}, Vec3{900, 0, 0}}, ct).error().message, HasSubstr("beside the CT"));
 }
 
 TEST(Guide, RefusesClicksThatNoWayIsFor) {
@@ -77,7 +79,7 @@ TEST(Guide, RefusesClicksThatNoWayIsFor) {
     "ways": [{"clicks_HU": [100, 300], "steps": [{"tool": "vessel", "label": "vein"}]}]}]})");
   ASSERT_TRUE(guide) << guide.error().message;
   const auto refused =
-      stepsFor(guide->steps[0], std::array{Vec3{}, Vec3{0, 0, 9}}, CtVolume(test::toolGrids()[0].geometry, 42));
+      wayFor(guide->steps[0], std::array{Vec3{}, Vec3{0, 0, 9}}, CtVolume(test::toolGrids()[0].geometry, 42));
   EXPECT_THAT(refused.error().message, HasSubstr("The clicks lie on 42 HU"));
 }
 

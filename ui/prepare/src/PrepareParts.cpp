@@ -121,6 +121,7 @@ void PrepareWorkspace::Parts::connectParts() {
   right_->ultrasound().widget().focusProxy()->installEventFilter(&workspace_);
   auto* pointer = new GuidePointer(guide, session, this);
   for (int n = 0; n < CaseViews::kSlices; ++n) pointer->watch(*views->widgets()[std::size_t(n)], views->slice(n));
+  connect(&guide, &GuideSession::clicksChanged, views, [this] { views->setClicks(guide.shownClicks_mm()); });
   // Of filters, the last comes first: a tool in hand has the mouse before the guide.
   new SliceTools(*views, *tools_, session, views);
   new SceneTools(*views, *tools_, views);

@@ -120,11 +120,12 @@ void PrepareSession::setCase(std::shared_ptr<const PatientCase> patient) {
   crosshair_mm_ = patient_ ? middleOf(patient_->ct.geometry) : Vec3{};
   pointer_mm_.reset();
   labelling_.setCase(patient_);
+  // Before anybody asks what the case has.
+  measuring_.setCase(patient_);
   tellHidden();
   Q_EMIT caseChanged();
   live_.setPatient(patient_, missingSurfaces());
   live_.setOwnLabels(terms_.own);
-  measuring_.setCase(patient_);
   tellEdits();
   Q_EMIT messageChanged();
 }

@@ -22,10 +22,11 @@ std::optional<GuideRange> rangeOf(JsonEntry& entry, const json& object, const ch
 }
 
 GuideWay readWay(const json& object, const std::string& where, std::string& trouble) {
-  const std::vector<std::string_view> known{"clicks_HU", "around_mm", "steps", "comment"};
+  const std::vector<std::string_view> known{"clicks_HU", "around_mm", "steps", "caution", "comment"};
   JsonEntry entry(object, where, known);
   GuideWay way;
   way.around_mm = entry.numberIfThere("around_mm", 1, 100);
+  way.caution = entry.text("caution", false);
   way.steps = entry.list("steps", "step", [](const json& step, const std::string& whereStep, std::string& wrong) {
     return segmentation::readStep(step, whereStep, wrong, Points::kLater);
   });

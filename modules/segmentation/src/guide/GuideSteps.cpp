@@ -39,8 +39,8 @@ int brightnessAt(const CtVolume& ct, std::span<const Vec3> clicks_mm) {
 
 }  // namespace
 
-Result<std::vector<LabelStep>> stepsFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct) {
-  if (step.clicks == 0) return step.ways.front().steps;
+Result<GuideWay> wayFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct) {
+  if (step.clicks == 0) return step.ways.front();
   if (int(clicks_mm.size()) < step.leastClicks)
     return fail(step.title + " needs " + std::to_string(step.leastClicks) + " clicks or more. " + step.say);
   const Transform indexFromPatient = ct.geometry.indexFromPatient();
@@ -48,17 +48,17 @@ Result<std::vector<LabelStep>> stepsFor(const GuideStep& step, std::span<const V
     if (const auto [i, j, k] = nearestVoxel(indexFromPatient * click_mm); !ct.geometry.contains(i, j, k))
       return fail("A click lies beside the CT; click in the structure.");
   const int brightness_HU = brightnessAt(ct, clicks_mm);
-  const auto way = std::ranges::find_if(
+  const auto fits = std::ranges::find_if(
       step.ways, [&](const GuideWay& w) { return !w.clicks_HU || w.clicks_HU->contains(brightness_HU); });
-  if (way == step.ways.end())
+  if (fits == step.ways.end())
     return fail("The clicks lie on " + std::to_string(brightness_HU) + " HU, which is not what is looked for. " +
                 step.say);
-  std::vector<LabelStep> steps = way->steps;
-  for (LabelStep& made : steps) {
+  GuideWay way = *fits;
+  for (LabelStep& made : way.steps) {
     setPoints(made.tool, clicks_mm);
-    if (way->around_mm) made.box_mm = cornersAround(clicks_mm, *way->around_mm);
+    if (way.around_mm) made.box_mm = cornersAround(clicks_mm, *way.around_mm);
   }
-  return steps;
+  return way;
 }
 
 }  // namespace insonate

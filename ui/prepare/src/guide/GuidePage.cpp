@@ -1,6 +1,7 @@
 #include "GuidePage.h"
 
 #include "GuideSession.h"
+#include "WordsArea.h"
 
 #include <insonate/ui/PassLetters.h>
 #include <insonate/ui/Theme.h>
@@ -11,6 +12,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QTreeWidget>
@@ -19,7 +21,7 @@
 namespace insonate::prepare {
 namespace {
 
-constexpr int kListRows = 6;
+constexpr int kListRows = 3, kWordsLines = 4;  // at least
 
 QString stateWord(GuideSession::State state, bool optional) {
   switch (state) {
@@ -35,6 +37,24 @@ QString stateWord(GuideSession::State state, bool optional) {
       return GuidePage::tr("skipped");
   }
   return {};
+}
+
+/// Whether it is enough, and how one gets there.
+QString clicksWords(const GuideStep& step, int count) {
+  QStringList words;
+  if (count == 0)
+    words << GuidePage::tr(
+                 "No click yet; %1 are enough, %2 where it is hard to see. Ctrl + wheel zooms, a double click "
+                 "enlarges a view, G hides the labels.")
+                 .arg(step.leastClicks)
+                 .arg(step.clicks);
+  else
+    words << (count == 1 ? GuidePage::tr("1 click") : GuidePage::tr("%1 clicks").arg(count)) +
+                 (count < step.leastClicks ? GuidePage::tr("; %1 more needed.").arg(step.leastClicks - count)
+                  : count < step.clicks    ? GuidePage::tr(", enough; %1 where it is hard to see.").arg(step.clicks)
+                                           : GuidePage::tr(", enough."))
+          << GuidePage::tr("Drag a point to move it; the right button or Delete removes it.");
+  return words.join(QLatin1Char(' '));
 }
 
 QColor stateColour(GuideSession::State state) {
@@ -75,7 +95,8 @@ GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), gu
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kGap);
   box->addWidget(list_, 1);
-  box->addWidget(buildStep());
+  box->addWidget(buildWords());
+  box->addWidget(buildButtons());
   connect(list_, &QTreeWidget::currentItemChanged, this,
           [this](QTreeWidgetItem* item) { guide_.go(list_->indexOfTopLevelItem(item)); });
   connect(&guide_, &GuideSession::changed, this, &GuidePage::refresh);
@@ -88,12 +109,27 @@ GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), gu
   refresh();
 }
 
-QWidget* GuidePage::buildStep() {
+QWidget* GuidePage::buildWords() {
   title_ = ui::paragraph("guideTitle", "heading");
   say_ = ui::paragraph("guideSay");
   clicks_ = ui::paragraph("guideClicks", "quiet");
   result_ = ui::paragraph("guideResult");
   told_ = ui::paragraph("guideTold");
+  auto* panel = new QWidget;
+  auto* box = new QVBoxLayout(panel);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kSmallGap);
+  for (QLabel* label : {title_, say_, result_, told_, clicks_}) box->addWidget(label);
+  box->addStretch(1);
+  words_ = new WordsArea(panel);
+  words_->setObjectName(QStringLiteral("guideWords"));
+  words_->setAccessibleName(tr("What to do in this step"));
+  words_->setToolTip(tr("What to do in this step, and what came out"));
+  words_->setMinimumHeight(kWordsLines * fontMetrics().lineSpacing());
+  return words_;
+}
+
+QWidget* GuidePage::buildButtons() {
   const auto button = [](const char* name, const QString& text, const QString& tip) {
     auto* made = new QPushButton(text);
     made->setObjectName(QLatin1String(name));
@@ -113,7 +149,9 @@ QWidget* GuidePage::buildStep() {
   brush_ = new QWidget;
   auto* brushBox = new QVBoxLayout(brush_);
   brushBox->setContentsMargins(0, 0, 0, 0);
-  brushBox->addWidget(new QLabel(tr("Drag in a slice paints, with Ctrl erases.")));
+  QLabel* paints = ui::paragraph("guidePaints");
+  paints->setText(tr("Drag in a slice to paint, with Ctrl to erase."));
+  brushBox->addWidget(paints);
   brushBox->addWidget(radius);
   connect(run_, &QPushButton::clicked, this,
           [this] { guide_.state(guide_.current()) == GuideSession::State::Working ? guide_.cancel() : guide_.run(); });
@@ -128,7 +166,6 @@ QWidget* GuidePage::buildStep() {
   auto* box = new QVBoxLayout(panel);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kSmallGap);
-  for (QLabel* label : {title_, say_, clicks_, result_, told_}) box->addWidget(label);
   box->addWidget(brush_);
   for (const auto& [left, right] : {std::pair{accept_, correct_}, {run_, skip_}}) {
     auto* row = new QHBoxLayout;
@@ -192,20 +229,22 @@ void GuidePage::refresh() {
   const GuideSession::State state = guide_.state(index);
   const bool made = state == GuideSession::State::Done || state == GuideSession::State::Doubtful;
   refreshList();
-  if (title_->text() != QString::fromStdString(step.title)) told_->clear();
+  if (title_->text() != QString::fromStdString(step.title)) {
+    told_->clear();
+    words_->verticalScrollBar()->setValue(0);
+  }
   title_->setText(QString::fromStdString(step.title));
   say_->setText(QString::fromStdString(made ? step.lookFor : step.say));
-  const int count = int(guide_.clicks_mm().size());
   clicks_->setVisible(step.clicks > 0 && !guide_.isCorrecting());
-  clicks_->setText(tr("%1 of %2 clicks. Drag a point to move it; the right button or Delete removes it.")
-                       .arg(count)
-                       .arg(step.clicks));
+  clicks_->setText(clicksWords(step, int(guide_.clicks_mm().size())));
+  const bool doubtful = state == GuideSession::State::Doubtful;
   const QStringList remarks = guide_.remarks(index);
   QString result = remarks.join(QLatin1Char(' '));
-  if (state == GuideSession::State::Doubtful) result += QLatin1Char(' ') + QString::fromStdString(step.ifWrong);
+  if (doubtful) result += QLatin1Char(' ') + QString::fromStdString(step.ifWrong);
   result_->setVisible(!result.isEmpty());
   result_->setText(result);
-  result_->setStyleSheet(QStringLiteral("color: %1").arg(stateColour(state).name()));
+  result_->setStyleSheet(
+      QStringLiteral("color: %1").arg(ui::colour(doubtful ? views::theme::kCaution : views::theme::kText).name()));
   if (state == GuideSession::State::Working) result_->hide();
   told_->setVisible(!told_->text().isEmpty());
   refreshButtons();

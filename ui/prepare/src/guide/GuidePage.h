@@ -9,6 +9,7 @@ class QTreeWidget;
 namespace insonate::prepare {
 
 class GuideSession;
+class WordsArea;
 
 /// The steps of the guide with their states, and of the current one what to do, what came of it, and what can be done
 /// about it.
@@ -23,7 +24,8 @@ class GuidePage : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
-  QWidget* buildStep();
+  QWidget* buildWords();
+  QWidget* buildButtons();
   void refresh();
   void refreshList();
   void refreshButtons();
@@ -33,6 +35,7 @@ class GuidePage : public QWidget {
   QLabel *title_, *say_, *clicks_, *result_, *told_;
   QPushButton *run_, *accept_, *correct_, *skip_;
   QWidget* brush_;
+  WordsArea* words_;
 };
 
 }  // namespace insonate::prepare

@@ -22,18 +22,11 @@ constexpr double kNear_px = 9;  // of a point, in logical pixels
 }  // namespace
 
 GuidePointer::GuidePointer(GuideSession& guide, PrepareSession& session, QObject* parent)
-    : QObject(parent), guide_(guide), session_(session) {
-  connect(&guide_, &GuideSession::clicksChanged, this, [this] { showClicks(); });
-}
+    : QObject(parent), guide_(guide), session_(session) {}
 
 void GuidePointer::watch(ui::ViewWidget& widget, views::MprView& slice) {
   watched_.push_back({&widget, &slice});
   widget.focusProxy()->installEventFilter(this);
-}
-
-void GuidePointer::showClicks() {
-  const bool shown = guide_.takesClicks() || guide_.isBusy();
-  for (const Watched& each : watched_) each.slice->setMarks(shown ? guide_.clicks_mm() : std::vector<Vec3>{});
 }
 
 Vec3 GuidePointer::patientAt(const Watched& where, QPoint at) const {
@@ -73,6 +66,7 @@ bool GuidePointer::press(const Watched& where, QPoint at, Qt::MouseButton button
   if (button != Qt::LeftButton || keys != Qt::NoModifier) return false;
   dragged_ = near;
   pressed_ = at;
+  added_ = false;
   return near.has_value();
 }
 
@@ -90,8 +84,16 @@ bool GuidePointer::release(const Watched& where, QPoint at) {
   const auto from = std::exchange(pressed_, std::nullopt);
   if (std::exchange(dragged_, std::nullopt)) return true;
   // A longer way is a drag of the crosshair.
-  if (from && (at - *from).manhattanLength() < QApplication::startDragDistance())
-    guide_.addClick(patientAt(where, *from));
+  added_ = from && (at - *from).manhattanLength() < QApplication::startDragDistance();
+  if (added_) guide_.addClick(patientAt(where, *from));
+  return false;
+}
+
+/// A double click is for the view: the point that its first half has put goes.
+bool GuidePointer::doubleClick(Qt::MouseButton button) {
+  if (guide_.isCorrecting()) return true;
+  if (button == Qt::LeftButton && std::exchange(added_, false) && !guide_.clicks_mm().empty())
+    guide_.removeClick(guide_.clicks_mm().size() - 1);
   return false;
 }
 
@@ -126,8 +128,7 @@ bool GuidePointer::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonRelease:
       return release(*where, mouse->pos());
     case QEvent::MouseButtonDblClick:
-      // Two quick clicks are two clicks.
-      return guide_.takesClicks() || guide_.isCorrecting();
+      return doubleClick(mouse->button());
     default:
       return ui::offerKey(*event, [this](const QKeyEvent& pressed, bool act) { return key(pressed.key(), act); });
   }

@@ -39,10 +39,10 @@ class GuidePointer : public QObject {
   bool press(const Watched& where, QPoint at, Qt::MouseButton button, Qt::KeyboardModifiers keys);
   bool move(const Watched& where, QPoint at);
   bool release(const Watched& where, QPoint at);
+  bool doubleClick(Qt::MouseButton button);
   bool key(int key, bool act);
   Vec3 patientAt(const Watched& where, QPoint at) const;
   std::optional<std::size_t> clickAt(const Watched& where, QPoint at) const;
-  void showClicks();
 
   GuideSession& guide_;
   PrepareSession& session_;
@@ -50,6 +50,7 @@ class GuidePointer : public QObject {
   std::optional<std::size_t> dragged_;
   std::optional<QPoint> pressed_;
   bool painting_ = false;
+  bool added_ = false;  ///< a point, by the last click
 };
 
 }  // namespace insonate::prepare

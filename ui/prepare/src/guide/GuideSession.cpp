@@ -127,9 +127,16 @@ GuideSession::State GuideSession::state(int index) const {
   return p.skipped ? State::Skipped : State::ToDo;
 }
 
+bool GuideSession::goesOn() const {
+  const bool led = std::ranges::any_of(progress_, &StepProgress::restored);
+  for (int n = 0; led && n < int(progress_.size()); ++n)
+    if (!guide_.steps[std::size_t(n)].optional && state(n) == State::ToDo) return true;
+  return false;
+}
+
 QStringList GuideSession::remarks(int index) const {
   const StepProgress& p = progress_[std::size_t(index)];
-  if (isMade(index)) return p.doubts;
+  if (isMade(index)) return p.caution.isEmpty() ? p.doubts : p.doubts + QStringList{p.caution};
   if (p.restored) return {tr("Made when the case was saved.")};
   if (isThere(index)) return {tr("The case has these labels already.")};
   const std::uint8_t label = guide_.steps[std::size_t(index)].label;
@@ -141,6 +148,10 @@ QStringList GuideSession::remarks(int index) const {
 void GuideSession::setShown(bool shown) {
   if (shown == std::exchange(shown_, shown)) return;
   Q_EMIT clicksChanged();
+}
+
+std::vector<Vec3> GuideSession::shownClicks_mm() const {
+  return takesClicks() || isBusy() ? clicks_mm() : std::vector<Vec3>{};
 }
 
 void GuideSession::addClick(Vec3 patient_mm) {
@@ -175,21 +186,22 @@ bool GuideSession::canRun() const {
 
 void GuideSession::run() {
   if (!session_.patient() || isBusy()) return;
-  auto steps = stepsFor(step(), clicks_mm(), session_.patient()->ct);
-  if (!steps) return Q_EMIT told(QString::fromStdString(steps.error().message));
-  for (LabelStep& made : *steps) made.of = step().name;
+  auto way = wayFor(step(), clicks_mm(), session_.patient()->ct);
+  if (!way) return Q_EMIT told(QString::fromStdString(way.error().message));
+  for (LabelStep& made : way->steps) made.of = step().name;
   setCorrecting(false);
   Q_EMIT told({});
   const int index = current_;
   const Span before = isMade(index) ? spanOf(index) : Span{recipe_.steps.size(), 0};
   working_ = index;
   // What is taken back to get at an earlier step takes along what was said meanwhile.
-  const bool begun =
-      replay_.run(std::move(*steps), before.first, before.first + before.count, QString::fromStdString(step().title),
-                  [this, index, said = session_.said()](bool well) {
-                    session_.sayAgain(said);
-                    finished(index, well);
-                  });
+  const bool begun = replay_.run(
+      std::move(way->steps), before.first, before.first + before.count, QString::fromStdString(step().title),
+      [this, index, said = session_.said(), caution = QString::fromStdString(way->caution)](bool well) {
+        session_.sayAgain(said);
+        if (well) progress_[std::size_t(index)].caution = caution;
+        finished(index, well);
+      });
   if (!begun) {
     working_ = -1;
     Q_EMIT told(tr("This step lies too far back to be done again; correct its result with the brush."));

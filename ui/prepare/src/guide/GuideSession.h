@@ -31,6 +31,8 @@ class GuideSession : public QObject {
   /// To the first step that makes a label; false where none does.
   bool goToStepFor(std::uint8_t label);
   State state(int index) const;
+  /// Its author was led by it when the case was saved, and what training needs is not all there.
+  bool goesOn() const;
   /// Why a step is doubtful, or what else is to be said of its state.
   QStringList remarks(int index) const;
 
@@ -39,6 +41,8 @@ class GuideSession : public QObject {
   bool isShown() const { return shown_; }
   bool takesClicks() const { return shown_ && !correcting_ && step().clicks > 0 && !isBusy(); }
   const std::vector<Vec3>& clicks_mm() const { return progress_[std::size_t(current_)].clicks_mm; }
+  /// Its clicks while they can be seen.
+  std::vector<Vec3> shownClicks_mm() const;
   void addClick(Vec3 patient_mm);
   void moveClick(std::size_t index, Vec3 patient_mm);
   void removeClick(std::size_t index);
@@ -83,7 +87,8 @@ class GuideSession : public QObject {
     bool restored = false;  ///< made before the case was opened
     bool accepted = false, skipped = false;
     QStringList doubts{};
-    int look = 0;  ///< for doubts: of several, the last counts
+    QString caution{};  ///< of the way in which it was made
+    int look = 0;       ///< for doubts: of several, the last counts
   };
 
   void beginCase();

@@ -3,6 +3,7 @@
 #include "../PrepareSession.h"
 #include "../check/FindingsList.h"
 #include "../guide/GuidePage.h"
+#include "../guide/GuideSession.h"
 #include "../table/StructureTable.h"
 #include "PublishStep.h"
 
@@ -25,6 +26,7 @@ namespace insonate::prepare {
 PathPanel::PathPanel(PrepareSession& session, GuideSession& guide, ui::TaskBar& tasks, QWidget* parent)
     : QWidget(parent),
       session_(session),
+      guide_(guide),
       caseRow_(new QHBoxLayout),
       editRow_(new QHBoxLayout),
       table_(new StructureTable(session)),
@@ -44,7 +46,7 @@ PathPanel::PathPanel(PrepareSession& session, GuideSession& guide, ui::TaskBar& 
   box->addLayout(caseRow_);
   box->addSpacing(ui::kSmallGap);
   box->addWidget(step(tr("2  Label"), labelMark_));
-  box->addWidget(buildLabelling(guide));
+  box->addWidget(buildLabelling());
   box->addWidget(labelling_, 1);
   box->addSpacing(ui::kSmallGap);
   box->addWidget(step(tr("3  Check"), checkMark_));
@@ -65,8 +67,8 @@ PathPanel::PathPanel(PrepareSession& session, GuideSession& guide, ui::TaskBar& 
 }
 
 /// Two ways to look at what is labelled, one at a time: both need the column's height.
-QWidget* PathPanel::buildLabelling(GuideSession& guide) {
-  labelling_->addWidget(new GuidePage(guide));
+QWidget* PathPanel::buildLabelling() {
+  labelling_->addWidget(new GuidePage(guide_));
   labelling_->addWidget(table_);
   tabs_->setObjectName(QStringLiteral("labelling"));
   tabs_->setAccessibleName(tr("Labelling"));
@@ -79,11 +81,11 @@ QWidget* PathPanel::buildLabelling(GuideSession& guide) {
   return tabs_;
 }
 
-/// A neck without a vein is to be labelled first.
+/// A neck without a vein is to be labelled first, and who has begun with the guide goes on with it.
 void PathPanel::chooseLabelling() {
   if (std::exchange(chosen_, true)) return;
   const bool vein = std::ranges::find(session_.structures(), kVein) != session_.structures().end();
-  showGuide(!vein);
+  showGuide(!vein || guide_.goesOn());
 }
 
 void PathPanel::showGuide(bool guide) {

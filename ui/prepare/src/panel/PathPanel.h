@@ -38,13 +38,14 @@ class PathPanel : public QWidget {
   void checkChosen();
 
  private:
-  QWidget* buildLabelling(GuideSession& guide);
+  QWidget* buildLabelling();
   void chooseLabelling();
   QWidget* step(const QString& title, QLabel*& mark);
   QToolButton* button(QAction* action, bool withText);
   void refresh();
 
   PrepareSession& session_;
+  GuideSession& guide_;
   QLabel *importMark_ = nullptr, *labelMark_ = nullptr, *checkMark_ = nullptr, *publishMark_ = nullptr;
   QHBoxLayout *caseRow_, *editRow_;
   StructureTable* table_;

@@ -6,9 +6,11 @@
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QApplication>
 #include <QDataStream>
+#include <QLabel>
 #include <QMouseEvent>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -38,6 +40,7 @@ CaseViews::CaseViews(PrepareSession& session, QWidget* parent)
       scene_(std::make_shared<views::SceneView>()) {
   setObjectName(QStringLiteral("caseViews"));
   arrange();
+  buildEmpty();
   connectSlices();
   widgets_[kSlices]->focusProxy()->installEventFilter(this);
   follow_.setSingleShot(true);
@@ -105,6 +108,28 @@ void CaseViews::arrange() {
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->addWidget(rows_);
+}
+
+void CaseViews::buildEmpty() {
+  empty_ = ui::paragraph("sceneEmpty", "quiet",
+                         tr("Nothing is labelled yet. Run the guide's first step, on the left: skin, bone and airway "
+                            "appear here."));
+  empty_->setAlignment(Qt::AlignCenter);
+  empty_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  auto* box = new QVBoxLayout(widgets_[kSlices]->focusProxy());
+  box->addWidget(empty_);
+  empty_->hide();
+  const auto refresh = [this] {
+    if (isUnlabelled() == !empty_->isHidden()) return;
+    empty_->setVisible(isUnlabelled());
+    followProbe();
+  };
+  connect(&session_.measuring(), &CaseMeasuring::changed, this, refresh);
+  connect(&session_, &PrepareSession::structuresChanged, this, refresh);
+}
+
+bool CaseViews::isUnlabelled() const {
+  return session_.measuring().measures() && session_.structures().empty();
 }
 
 void CaseViews::connectSlices() {
@@ -192,10 +217,18 @@ void CaseViews::setSceneLine(std::vector<Vec3> line_mm) {
   showPlaces();
 }
 
+void CaseViews::setClicks(const std::vector<Vec3>& clicks_mm) {
+  if (clicks_mm == clicks_mm_) return;
+  clicks_mm_ = clicks_mm;
+  for (const auto& slice : slices_) slice->setMarks(clicks_mm_);
+  showPlaces();
+}
+
 void CaseViews::showPlaces() {
   const MarkedPlaces marked = session_.placesShown() ? markedPlaces(session_.places()) : MarkedPlaces{};
   for (const auto& slice : slices_) slice->setPlaces(marked.places);
   std::vector<views::ScenePath> paths = marked.paths;
+  for (const Vec3& click_mm : clicks_mm_) addCross(paths, click_mm, views::theme::kText);
   paths.push_back({sceneLine_mm_, views::theme::kCaution});
   scene_->setPaths(std::move(paths));
 }
@@ -213,6 +246,11 @@ void CaseViews::followProbe() {
   const LivePatient& live = session_.live();
   const auto pose = live.pose();
   if (!session_.patient() || !pose) return;
+  // There is no skin for it to stand on.
+  if (isUnlabelled()) {
+    scene_->setProbe(std::nullopt);
+    return rest_.start();
+  }
   if (*pose != pose_) scene_->setMoving(true);
   pose_ = *pose;
   rest_.start();
@@ -223,8 +261,12 @@ void CaseViews::followProbe() {
 
 void CaseViews::pickAt(QPoint at) {
   const double ratio = widgets_[kSlices]->devicePixelRatioF();
-  if (const auto picked = scene_->pick({(at.x() + 0.5) * ratio, (at.y() + 0.5) * ratio}))
-    session_.setCrosshair(picked->position_mm);
+  const views::DisplayPoint point{(at.x() + 0.5) * ratio, (at.y() + 0.5) * ratio};
+  // Who clicks on a vein that shines through the skin means the vein.
+  constexpr double kSeenThrough = 0.5;
+  auto picked = scene_->pick(point, kSeenThrough);
+  if (!picked) picked = scene_->pick(point);
+  if (picked) session_.setCrosshair(picked->position_mm);
 }
 
 bool CaseViews::eventFilter(QObject* watched, QEvent* event) {

@@ -14,6 +14,7 @@
 #include <memory>
 #include <vector>
 
+class QLabel;
 class QSplitter;
 
 namespace insonate::ui {
@@ -46,6 +47,8 @@ class CaseViews : public QWidget {
 
   /// A line that is drawn over 3D.
   void setSceneLine(std::vector<Vec3> line_mm);
+  /// Points that were clicked, numbered in slices and crosses in 3D.
+  void setClicks(const std::vector<Vec3>& clicks_mm);
 
   QByteArray saveState() const;
   void restoreState(const QByteArray& state);
@@ -66,17 +69,21 @@ class CaseViews : public QWidget {
   void showPlaces();
   void followProbe();
   void placeCamera();
+  void buildEmpty();
+  /// The case is known to have no labels.
+  bool isUnlabelled() const;
   void pickAt(QPoint at);
 
   PrepareSession& session_;
   PreviewSurface previewSurface_;
   std::uint8_t faded_ = 0;  ///< label that is drawn fainter beside its preview; 0 for none
-  std::vector<Vec3> sceneLine_mm_;
+  std::vector<Vec3> sceneLine_mm_, clicks_mm_;
   std::shared_ptr<views::VtkCase> case_;
   std::array<std::shared_ptr<views::MprView>, kSlices> slices_;
   std::shared_ptr<views::SceneView> scene_;
   std::array<ui::ViewWidget*, kSlices + 1> widgets_{};
   QSplitter* rows_ = nullptr;
+  QLabel* empty_ = nullptr;  ///< over 3D while there is nothing to show
   std::array<QSplitter*, 2> columns_{};
   QTimer follow_, rest_;
   std::function<void()> rested_;

@@ -8,11 +8,15 @@ constexpr double kArm_mm = 5, kHalfFace_mm = 19, kLook_mm = 25;
 
 void mark(MarkedPlaces& all, Vec3 at_mm, const std::string& name, views::Colour colour) {
   all.places.push_back({at_mm, name, colour});
-  for (const Vec3 arm : {Vec3{kArm_mm, 0, 0}, Vec3{0, kArm_mm, 0}, Vec3{0, 0, kArm_mm}})
-    all.paths.push_back({{at_mm - arm, at_mm + arm}, colour});
+  addCross(all.paths, at_mm, colour);
 }
 
 }  // namespace
+
+void addCross(std::vector<views::ScenePath>& paths, Vec3 at_mm, views::Colour colour) {
+  for (const Vec3 arm : {Vec3{kArm_mm, 0, 0}, Vec3{0, kArm_mm, 0}, Vec3{0, 0, kArm_mm}})
+    paths.push_back({{at_mm - arm, at_mm + arm}, colour});
+}
 
 MarkedPlaces markedPlaces(const CasePlaces& places) {
   namespace theme = views::theme;

@@ -15,4 +15,7 @@ struct MarkedPlaces {
 
 MarkedPlaces markedPlaces(const CasePlaces& places);
 
+/// A cross in 3D, of three lines.
+void addCross(std::vector<views::ScenePath>& paths, Vec3 at_mm, views::Colour colour);
+
 }  // namespace insonate::prepare

@@ -55,9 +55,13 @@ void drawCrosshair(Vec3 position_mm, const SlicePlane& plane, double scale, Line
 }
 
 void drawMarks(const MprOverlay& overlay, const SlicePlane& plane, double scale, Lines& lines, Texts& texts) {
+  constexpr double kRing_px = 5;
   for (const auto& [number, position_mm] : overlay.marks_mm) {
     const DisplayPoint at = plane.displayFromPatient(position_mm);
     drawPointerMark(at, scale, lines);
+    // The crosshair is often there, too, and has its colour.
+    lines.circle(at, kRing_px * scale, {theme::kBlack, 3.5 * scale, 0.6});
+    lines.circle(at, kRing_px * scale, {theme::kText, 1.5 * scale, 1});
     texts.put({at.x + 9 * scale, at.y - 7 * scale}, std::to_string(number),
               {13 * scale, theme::kText, true, Across::Left, Along::Bottom});
   }

@@ -68,12 +68,13 @@ Vec3 SceneView::along(DisplayPoint at, double depth) {
   return Vec3{point[0], point[1], point[2]} / point[3];
 }
 
-std::optional<ScenePick> SceneView::pick(DisplayPoint at) {
+std::optional<ScenePick> SceneView::pick(DisplayPoint at, double leastOpacity) {
   if (!drawing_->patient) return std::nullopt;
   std::array<bool, 256> visible{};
-  for (int label = 1; label < 256; ++label)
-    visible[label] =
-        drawing_->state.looks[std::size_t(label)].visible && drawing_->state.looks[std::size_t(label)].opacity > 0;
+  for (std::size_t label = 1; label < 256; ++label) {
+    const auto& look = drawing_->state.looks[label];
+    visible[label] = look.visible && look.opacity > 0 && look.opacity >= leastOpacity;
+  }
   return firstVisible(drawing_->patient->labels(), along(at, -1), along(at, 1), visible, drawing_->state.cut);
 }
 

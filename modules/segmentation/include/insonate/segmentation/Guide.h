@@ -24,6 +24,7 @@ struct GuideWay {
   std::optional<HuRange> clicks_HU{};  ///< it is for clicks on what is so bright; any without
   std::optional<double> around_mm{};   ///< its steps stay so near to the clicks
   std::vector<LabelStep> steps;        ///< without their points: these are the clicks
+  std::string caution{};               ///< what to be aware of in what it makes
 };
 
 /// What an author does and looks at, and what is to be expected of it.
@@ -54,9 +55,9 @@ Result<Guide> readGuide(std::string_view text);
 /// Guides that are compiled in.
 const std::vector<Preset>& guidePresets();
 
-/// What a recipe would hold for a step of the guide with these clicks (patient, mm): the way that fits them, with its
-/// points. Refuses too few clicks, clicks beside the CT, and clicks that no way is for.
-Result<std::vector<LabelStep>> stepsFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct);
+/// The way of doing a step of the guide that fits these clicks (patient, mm), its steps with their points as a recipe
+/// would hold them. Refuses too few clicks, clicks beside the CT, and clicks that no way is for.
+Result<GuideWay> wayFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct);
 
 /// What is doubtful about what a step has made, a sentence each: is it where the clicks are, as wide and as large as is
 /// usual, apart from what it must not touch. A fraction of a second. Labels are those of any time after the step.

@@ -113,8 +113,9 @@ class SceneView final : public View {
   /// Patient LPS mm, toward the viewer: what a plane square to the view has as its normal.
   Vec3 towardViewer() const;
 
-  /// The first visible labelled voxel of the case under a display point; nothing is rendered for it.
-  std::optional<ScenePick> pick(DisplayPoint at);
+  /// The first labelled voxel of the case under a display point that is visible, and as opaque as this; nothing is
+  /// rendered for it.
+  std::optional<ScenePick> pick(DisplayPoint at, double leastOpacity = 0);
   DisplayPoint displayFromPatient(Vec3 point_mm);
   /// Just before everything that is drawn, under a display point: for lines that are drawn over the scene.
   Vec3 frontOf(DisplayPoint at);
