@@ -186,6 +186,7 @@ TEST_F(CheckPage, WhatIsMissingLeadsToWhereItIsMade) {
   EXPECT_EQ(child<QTabBar>("labelling")->currentIndex(), 0) << "the guide";
   EXPECT_EQ(workspace_->findChild<GuideSession*>()->step().name, "artery-right");
   press("place-no_target");
+  EXPECT_EQ(child<QTabBar>("labelling")->currentIndex(), 1) << "the guide would take the clicks that say where";
   EXPECT_EQ(child<QComboBox>("placeKind")->currentText(), "target: what is punctured");
 }
 

@@ -155,6 +155,8 @@ void PrepareWorkspace::Parts::connectParts() {
   connect(&guide, &GuideSession::changed, this, [this] { showWhoHasMouse(); });
   connect(path, &PathPanel::checkChosen, this, [this] { right_->setCheckShown(true); });
   connect(right_, &RightColumn::labelWanted, this, [this](int label) { makeStructure(std::uint8_t(label)); });
+  // The guide would take the clicks that say where a place is.
+  connect(right_, &RightColumn::markingBegun, this, [this] { path->showGuide(false); });
 }
 
 void PrepareWorkspace::Parts::refreshSave() {

@@ -76,8 +76,7 @@ void checkPlaces(const CaseView& patient, Findings& findings) {
   if (!m.startPoses.empty()) return;
   if (const auto proposed = proposeStartPose(patient))
     findings.push_back({Severity::kInfo, "no_start_pose",
-                        "The case has no start pose; \"auto\" will be " + proposed->name + " at " +
-                            placeText(proposed->position_mm) + ".",
+                        "The case has no start pose; the probe begins here: " + proposed->name + ".",
                         proposed->position_mm});
   else
     findings.push_back(

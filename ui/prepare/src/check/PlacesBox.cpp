@@ -15,6 +15,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLabel>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -37,11 +38,12 @@ PlacesBox::PlacesBox(PrepareSession& session, QWidget* parent)
       show_(ui::pushButton("placeShow", tr("Show"), tr("Crosshair or probe to the chosen place (Enter)"))),
       put_(ui::pushButton("placePut", tr("Put here"),
                           tr("Move the chosen place to the crosshair, a start pose to the probe"))),
-      first_(ui::pushButton("placeFirst", tr("Begin there"),
+      first_(ui::pushButton("placeFirst", tr("Make first"),
                             tr("The chosen start pose is where the case begins; the chosen "
                                "target is what it is about"))),
       remove_(ui::pushButton("placeRemove", tr("Remove"), tr("Remove the chosen place"))) {
   arrange();
+  connect(kind_, qOverload<int>(&QComboBox::activated), this, &PlacesBox::markingBegun);
   connect(add_, &QPushButton::clicked, this, [this] { add(); });
   connect(show_, &QPushButton::clicked, this, [this] { show(); });
   connect(put_, &QPushButton::clicked, this, [this] { putHere(); });
@@ -76,6 +78,8 @@ void PlacesBox::arrange() {
   list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
   list_->setFixedHeight(kListHeight_px);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  QLabel* how =
+      ui::paragraph("placeHow", "quiet", tr("Click on the place in a slice or in 3D, choose what it is, and mark it."));
   auto* marking = new QHBoxLayout;
   marking->setSpacing(ui::kSmallGap);
   marking->addWidget(kind_, 1);
@@ -89,6 +93,7 @@ void PlacesBox::arrange() {
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kSmallGap);
+  box->addWidget(how);
   box->addLayout(marking);
   box->addWidget(list_);
   box->addLayout(acting);
@@ -97,6 +102,7 @@ void PlacesBox::arrange() {
 void PlacesBox::offer(const QString& kind) {
   kind_->setCurrentIndex(std::max(0, kind_->findData(kind)));
   kind_->setFocus();
+  Q_EMIT markingBegun();
 }
 
 void PlacesBox::refresh() {

@@ -20,10 +20,16 @@ inline const QString kTargetKind = QStringLiteral("target"), kStartPoseKind = QS
 /// Targets, landmarks and start poses of the case, to be placed where the crosshair or the probe is, shown, named,
 /// moved and removed. The first start pose is the one where a case begins.
 class PlacesBox : public QWidget {
+  Q_OBJECT
+
  public:
   explicit PlacesBox(PrepareSession& session, QWidget* parent = nullptr);
   /// This kind is to be marked next.
   void offer(const QString& kind);
+
+ Q_SIGNALS:
+  /// It is chosen what to mark: the next click says where.
+  void markingBegun();
 
  private:
   enum class Kind { Target, Landmark, StartPose };

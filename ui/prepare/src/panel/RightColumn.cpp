@@ -94,6 +94,7 @@ std::vector<Section*> RightColumn::buildCheck(PrepareSession& session) {
   check_ = new Section(QStringLiteral("check"), tr("Findings"), findings);
   auto* placesSection = new Section(QStringLiteral("places"), tr("Targets and landmarks"), places);
   connect(findings, &FindingsList::labelWanted, this, &RightColumn::labelWanted);
+  connect(places, &PlacesBox::markingBegun, this, &RightColumn::markingBegun);
   connect(findings, &FindingsList::placeWanted, this, [this, places, placesSection](const QString& kind) {
     placesSection->setOpen(true);
     places->offer(kind);

@@ -46,6 +46,8 @@ class RightColumn : public QSplitter {
  Q_SIGNALS:
   /// A structure that the check misses is to be made.
   void labelWanted(int label);
+  /// It is chosen what to mark: the next click says where.
+  void markingBegun();
 
  private:
   QWidget* buildPage(const std::vector<Section*>& sections);
