@@ -143,6 +143,20 @@ TEST(MprView, ZoomKeepsWhatIsUnderThePointer) {
   EXPECT_NEAR(norm(view.patientFromDisplay(pointer.at) - before), 0, 1e-9);
 }
 
+TEST(MprView, WhatIsZoomedInOnStaysInSightWhenTheViewShrinks) {
+  MprView view(SliceKind::Axial);
+  view.setCase(test::neck().shown);
+  view.resize(800, 800);
+  view.zoom(4);
+  const Vec3 corner_mm = view.patientFromDisplay({20, 20});
+  view.resize(400, 400);
+  const DisplayPoint at = view.displayFromPatient(corner_mm);
+  EXPECT_NEAR(at.x, 10, 0.01);
+  EXPECT_NEAR(at.y, 10, 0.01);
+  view.resize(800, 800);
+  EXPECT_LT(norm(view.patientFromDisplay({20, 20}) - corner_mm), 1e-6) << "and back";
+}
+
 TEST(MprView, EditedLabelsAreDrawnAtTheNextRendering) {
   VolumeGeometry grid;
   grid.size = {21, 21, 3};

@@ -218,7 +218,9 @@ void MprView::fitTo(SlicePlane& plane) const {
 }
 
 SlicePlane MprView::plane() const {
-  SlicePlane plane{sliceAxes(kind_, patientFromProbe_), middle_mm_, mm_per_px_, width_px(), height_px()};
+  // As much is seen when the view fills its room, and when it has gone back.
+  const double zoom = fitted_ ? 1 : double(zoomedIn_px_) / std::min(width_px(), height_px());
+  SlicePlane plane{sliceAxes(kind_, patientFromProbe_), middle_mm_, mm_per_px_ * zoom, width_px(), height_px()};
   if ((fitted_ || asPicture()) && (patient_ || overFan())) fitTo(plane);
   const Vec3 through_mm = kind_ == SliceKind::Oblique ? patientFromProbe_.offset : crosshair_mm_;
   plane.centre_mm = plane.centre_mm + plane.axes.normal * dot(through_mm - plane.centre_mm, plane.axes.normal);
@@ -227,7 +229,7 @@ SlicePlane MprView::plane() const {
 
 void MprView::stopFitting() {
   const SlicePlane now = plane();
-  middle_mm_ = now.centre_mm, mm_per_px_ = now.mm_per_px;
+  middle_mm_ = now.centre_mm, mm_per_px_ = now.mm_per_px, zoomedIn_px_ = std::min(width_px(), height_px());
   fitted_ = false;
 }
 

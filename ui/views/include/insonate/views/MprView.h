@@ -140,6 +140,7 @@ class MprView final : public View {
   double labelOpacity_ = 0.25;
   Vec3 middle_mm_;  ///< once zoomed or panned: the patient point at the middle, but for its place along the normal
   double mm_per_px_ = 0.5;
+  int zoomedIn_px_ = 0;  ///< the view's shorter side when it was zoomed or panned
   bool fitted_ = true;
   Button held_ = Button::None;
   DisplayPoint last_;
