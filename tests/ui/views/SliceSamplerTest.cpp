@@ -88,7 +88,7 @@ class Slices : public testing::Test {
   void expectAsDefined(const SlicePlane& plane) {
     std::vector<std::uint8_t> rgb(std::size_t(plane.width_px) * plane.height_px * 3, 99);
     sampler.setProposal(kProposed, &proposal);
-    sampler.sample(ct, labels, plane, rgb);
+    sampler.sample(ct, labels, plane, {0, plane.height_px}, rgb);
     for (int row = 0; row < plane.height_px; ++row)
       for (int column = 0; column < plane.width_px; ++column) {
         const std::uint8_t* pixel = rgb.data() + 3 * (std::size_t(row) * plane.width_px + column);
@@ -126,6 +126,26 @@ TEST_F(Slices, AreTrilinearWhateverTheGridsAxes) {
         }
   }
   EXPECT_GT(seen, 100'000);
+}
+
+TEST_F(Slices, OfEditedVoxelsOnlyRowsThatTheyTouchAreSampledAgain) {
+  for (const Mat3& direction : directions())
+    for (const SliceKind kind : {SliceKind::Axial, SliceKind::Coronal, SliceKind::Sagittal})
+      for (const int outline_px : {1, 3}) {
+        fill(gridAlong(direction));
+        sampler.setOutlineWidth(outline_px);
+        sampler.setPaint(1, {{255, 0, 0}, 0.3, 1});
+        const SlicePlane plane{sliceAxes(kind), ct.geometry.centre_mm(), 0.11, 97, 151};
+        std::vector<std::uint8_t> kept(std::size_t(plane.width_px) * plane.height_px * 3), whole(kept.size());
+        sampler.sample(ct, labels, plane, {0, plane.height_px}, kept);
+        const VoxelBox edited{{6, 5, 4}, {8, 6, 5}};
+        for (int i = edited.first[0]; i < edited.end[0]; ++i) labels.at(i, 5, 4) ^= 1;
+        const SliceSampler::Rows rows = sampler.rowsOf(labels.geometry, edited, plane);
+        EXPECT_LT(rows.end - rows.first, plane.height_px);
+        sampler.sample(ct, labels, plane, rows, kept);
+        sampler.sample(ct, labels, plane, {0, plane.height_px}, whole);
+        EXPECT_EQ(kept, whole);
+      }
 }
 
 }  // namespace

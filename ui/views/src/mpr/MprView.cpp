@@ -285,10 +285,10 @@ std::vector<DisplayPoint> MprView::fanOn(const SlicePlane& plane) const {
   return fan;
 }
 
-void MprView::sample(const SlicePlane& plane) {
+void MprView::sample(const SlicePlane& plane, int firstRow, int endRow) {
   const auto rgb = drawing_->quad.picture(plane.width_px, plane.height_px);
   drawing_->sampler.setProposal(proposalBox_, proposal_.get());
-  drawing_->sampler.sample(patient_->patient().ct, patient_->labels(), plane, rgb);
+  drawing_->sampler.sample(patient_->patient().ct, patient_->labels(), plane, {firstRow, endRow}, rgb);
   if (asPicture()) drawing_->mask.apply(fanOn(plane), plane.width_px, plane.height_px, rgb);
   drawing_->quad.pictureChanged();
   drawing_->quad.place({0, 0}, {double(plane.width_px), double(plane.height_px)}, plane.height_px, {});
@@ -304,10 +304,13 @@ void MprView::layout() {
   }
   const SlicePlane now = plane();
   const VoxelBox edited = patient_->changedSince(drawing_->sampledLabels);
-  if (drawing_->paintStale || !samePlane(now, drawing_->sampled) ||
-      meets(now, patient_->patient().ct.geometry, edited)) {
-    if (drawing_->paintStale) paintLabels();
-    sample(now);
+  const VolumeGeometry& grid = patient_->patient().ct.geometry;
+  if (drawing_->paintStale) paintLabels();
+  if (drawing_->paintStale || !samePlane(now, drawing_->sampled)) {
+    sample(now, 0, now.height_px);
+  } else if (meets(now, grid, edited)) {
+    const auto [first, end] = drawing_->sampler.rowsOf(grid, edited, now);
+    sample(now, first, end);
   }
   drawing_->sampledLabels = patient_->labelRevision();
   MprOverlay overlay;

@@ -131,14 +131,29 @@ void SliceSampler::paintRow(const SlicePlane& plane, int row, std::uint8_t* rgb)
   }
 }
 
-void SliceSampler::sample(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane,
+SliceSampler::Rows SliceSampler::rowsOf(const VolumeGeometry& grid, const VoxelBox& edited,
+                                        const SlicePlane& plane) const {
+  double top = plane.height_px, bottom = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec3 index;
+    for (int axis = 0; axis < 3; ++axis) index[axis] = (corner >> axis & 1 ? edited.end : edited.first)[axis] - 0.5;
+    const double y = plane.displayFromPatient(grid.patientFromIndex() * index).y;
+    top = std::min(top, y), bottom = std::max(bottom, y);
+  }
+  const int rim = outline_px_ + 1;
+  return {std::max(0, static_cast<int>(std::floor(top)) - rim),
+          std::min(plane.height_px, static_cast<int>(std::ceil(bottom)) + rim)};
+}
+
+void SliceSampler::sample(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane, Rows wanted,
                           std::span<std::uint8_t> rgb) {
+  if (wanted.first >= wanted.end) return;
   const std::size_t stride = std::size_t(plane.width_px) * 3;
   rowLabels_.resize(std::size_t(plane.width_px) * plane.height_px);
   if (proposal_) rowProposed_.resize(rowLabels_.size());
   const auto sampleRow =
       columns_.place(ct.geometry, plane) ? &SliceSampler::sampleAlignedRow : &SliceSampler::sampleObliqueRow;
-  const tbb::blocked_range<int> rows(0, plane.height_px, 16);
+  const tbb::blocked_range<int> rows(wanted.first, wanted.end, 16);
   tbb::parallel_for(rows, [&](const auto& range) {
     for (int row = range.begin(); row < range.end(); ++row)
       (this->*sampleRow)(ct, labels, plane, row, rgb.data() + row * stride);

@@ -33,8 +33,17 @@ class SliceSampler {
   /// without.
   void setProposal(const VoxelBox& box, const LabelMap* labels) { proposalBox_ = box, proposal_ = labels; }
 
-  /// Fills width * height * 3 bytes, top row first. Uses TBB.
-  void sample(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane, std::span<std::uint8_t> rgb);
+  /// Rows of the display, from the top; the last one is not among them.
+  struct Rows {
+    int first = 0, end = 0;
+  };
+  /// Those that edited voxels may have changed, outlines included.
+  Rows rowsOf(const VolumeGeometry& grid, const VoxelBox& edited, const SlicePlane& plane) const;
+
+  /// Fills these rows of width * height * 3 bytes, top row first; the others are as the last call left them, which must
+  /// have been of the same plane. Uses TBB.
+  void sample(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane, Rows rows,
+              std::span<std::uint8_t> rgb);
 
  private:
   void sampleAlignedRow(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane, int row,

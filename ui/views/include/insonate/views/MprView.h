@@ -112,7 +112,7 @@ class MprView final : public View {
   bool asPicture() const { return overFan() && picture_; }
   bool passesThrough(Vec3 point_mm, const SlicePlane& plane) const;
   std::vector<DisplayPoint> fanOn(const SlicePlane& plane) const;
-  void sample(const SlicePlane& plane);
+  void sample(const SlicePlane& plane, int firstRow, int endRow);
 
   SliceKind kind_;
   std::shared_ptr<const VtkCase> patient_;
