@@ -43,8 +43,8 @@ void DrawingThread::start() {
   const auto alone = pause();
   window_->SetSize(view_.width_px(), view_.height_px());
   if (auto* graphics = vtkOpenGLRenderWindow::SafeDownCast(window_))
-    std::thread([graphics] {
-      comeBehindOthers();
+    std::thread([this, graphics] {
+      if (view_.comesBehindOthers()) comeBehindOthers();
       graphics->Initialize();
       graphics->ReleaseCurrent();
     }).join();
@@ -78,7 +78,7 @@ bool DrawingThread::take(Drawn& drawn) {
 }
 
 void DrawingThread::run() {
-  comeBehindOthers();
+  if (view_.comesBehindOthers()) comeBehindOthers();
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [this] { return ends_ || done_ < wanted_; });

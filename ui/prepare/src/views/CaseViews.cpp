@@ -38,6 +38,7 @@ CaseViews::CaseViews(PrepareSession& session, QWidget* parent)
       session_(session),
       previewSurface_(session.labelling().preview(), this),
       scene_(std::make_shared<views::SceneView>()) {
+  scene_->comeBehindOthers();
   setObjectName(QStringLiteral("caseViews"));
   arrange();
   buildEmpty();

@@ -42,6 +42,9 @@ class View {
   void finish();
   /// Whether a DrawingThread can draw it.
   virtual bool mayDrawElsewhere() const { return false; }
+  /// Has a DrawingThread come behind the window's: where other views are what one looks at. Before it is first drawn.
+  void comeBehindOthers() { behind_ = true; }
+  bool comesBehindOthers() const { return behind_; }
 
   /// Called when the view wants to be rendered again; called often, so collect before rendering.
   void setRenderWanted(std::function<void()> listener) { renderWanted_ = std::move(listener); }
@@ -88,6 +91,7 @@ class View {
 
   vtkNew<vtkRenderer> renderer_;
   vtkSmartPointer<vtkRenderWindow> window_;
+  bool behind_ = false;
   std::function<void()> renderWanted_;
   std::mutex waking_;
   std::function<void()> wake_;  ///< guarded by the mutex
