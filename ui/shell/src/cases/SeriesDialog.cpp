@@ -168,6 +168,8 @@ void SeriesDialog::arrange() {
   label_->setToolTip(tr("From Hounsfield units; vessels, glands and nerves need an author"));
   shift_->setObjectName(QStringLiteral("shiftValues"));
   shift_->setToolTip(tr("Picture, automatic labels and ultrasound need Hounsfield units: air at -1000, water at 0"));
+  // Its text says how much, which the file has to be read for.
+  shift_->setAccessibleName(tr("Make Hounsfield units of the values"));
   shift_->hide();
   import_->setToolTip(tr("Makes a case of the chosen series; nothing that names the patient is kept"));
   setRole(import_, "primary");
