@@ -9,6 +9,7 @@
 #include <QGridLayout>
 #include <QImage>
 #include <QSplitter>
+#include <QTimer>
 #include <QWheelEvent>
 #include <QtTest/QTest>
 #include <atomic>
@@ -126,6 +127,16 @@ TEST_F(ViewWidget, CollectsWishesToBeRendered) {
   for (int i = 0; i < 1000; ++i) view->want();
   ASSERT_TRUE(waitUntil([&] { return widget->renderings() > before; }));
   EXPECT_EQ(widget->renderings(), before + 1);
+}
+
+TEST_F(ViewWidget, AfterARestItIsRenderedAtOnce) {
+  const auto* timer = widget->findChild<QTimer*>(QString(), Qt::FindDirectChildrenOnly);
+  ASSERT_TRUE(timer);
+  ASSERT_TRUE(waitUntil([&] { return !timer->isActive(); }));
+  QTest::qWait(300);
+  view->want();
+  EXPECT_TRUE(timer->isActive());
+  EXPECT_EQ(timer->interval(), 0) << "the rest of a frame that is long over";
 }
 
 TEST_F(ViewWidget, DoubleClickFillsTheRoomAndGivesItBack) {
