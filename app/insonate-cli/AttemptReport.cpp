@@ -62,7 +62,14 @@ nlohmann::json jsonOf(Vec3 v) {
   return {v.x, v.y, v.z};
 }
 
-nlohmann::json jsonOf(const AttemptEvent& event) {
+/// Name of the vein whose wall the event is at; empty where that is no vein or the case names none.
+std::string vesselOf(const AttemptEvent& event, const std::vector<std::string>& vessels) {
+  if (!isOfWall(event) || event.wall != kVein || vessels.empty()) return {};
+  if (event.vessel == 0 || event.vessel > vessels.size()) return "another vein";
+  return vessels[event.vessel - 1U];
+}
+
+nlohmann::json jsonOf(const AttemptEvent& event, const std::vector<std::string>& vessels) {
   nlohmann::json object{{"t_s", static_cast<double>(event.time_us) * 1e-6}, {"kind", nameOf(event.kind)}};
   if (event.kind == AttemptEventKind::Positioned) object["tilt_deg"] = event.tilt_deg;
   if (isOfWall(event))
@@ -71,20 +78,24 @@ nlohmann::json jsonOf(const AttemptEvent& event) {
                    {"depth_mm", event.depth_mm},
                    {"tip_mm", jsonOf(event.tip_mm)},
                    {"axis", jsonOf(event.axis)}});
+  if (const std::string vessel = vesselOf(event, vessels); !vessel.empty()) object["vessel"] = vessel;
   return object;
 }
 
 }  // namespace
 
-nlohmann::json attemptReport(AttemptStatus status, const MetricValues& metrics,
-                             const std::vector<AttemptEvent>& events) {
+nlohmann::json attemptReport(AttemptStatus status, const MetricValues& metrics, const std::vector<AttemptEvent>& events,
+                             const std::vector<std::string>& vessels) {
   nlohmann::json values = nlohmann::json::object(), list = nlohmann::json::array();
   for (const MetricDefinition& metric : metricTable()) {
     const auto value = metrics[metric.metric];
     values[std::string(metric.id)] = value ? nlohmann::json(*value) : nlohmann::json(nullptr);
   }
-  for (const AttemptEvent& event : events) list.push_back(jsonOf(event));
-  return {{"status", nameOf(status)}, {"metrics", values}, {"events", list}};
+  for (const AttemptEvent& event : events) list.push_back(jsonOf(event, vessels));
+  return {{"status", nameOf(status)},
+          {"metrics", values},
+          {"target", vessels.empty() ? nlohmann::json(nullptr) : nlohmann::json(vessels.front())},
+          {"events", list}};
 }
 
 nlohmann::json scoreReport(const AttemptScore& score) {
@@ -120,11 +131,15 @@ void printScore(const AttemptScore& score) {
   std::printf("%s\n", score.advice.c_str());
 }
 
-void printAttempt(AttemptStatus status, const MetricValues& metrics, const std::vector<AttemptEvent>& events) {
+void printAttempt(AttemptStatus status, const MetricValues& metrics, const std::vector<AttemptEvent>& events,
+                  const std::vector<std::string>& vessels) {
   std::printf("%s\n", nameOf(status));
-  for (const AttemptEvent& event : events)
+  for (const AttemptEvent& event : events) {
+    const std::string vessel = vesselOf(event, vessels);
+    const std::string wall = isOfWall(event) ? std::string(labelTable()[event.wall].name) : "";
     std::printf("%9.3f s  %s %s\n", static_cast<double>(event.time_us) * 1e-6, nameOf(event.kind),
-                isOfWall(event) ? std::string(labelTable()[event.wall].name).c_str() : "");
+                (vessel.empty() ? wall : vessel).c_str());
+  }
   for (const MetricDefinition& metric : metricTable())
     if (const auto value = metrics[metric.metric]) std::printf("%10.2f  %s\n", *value, std::string(metric.id).c_str());
 }

@@ -90,11 +90,12 @@ Result<void> runScript(const SessionArguments& a) {
   if (!done) return tl::unexpected(done.error());
   const AttemptScore score = scoreOf(done->run);
   if (!a.json) {
-    printAttempt(done->status, done->metrics, done->events);
+    printAttempt(done->status, done->metrics, done->events, done->run.vessels());
     printScore(score);
     return {};
   }
-  nlohmann::json object = attemptReport(done->status, done->metrics, done->events), findings = nlohmann::json::array();
+  nlohmann::json object = attemptReport(done->status, done->metrics, done->events, done->run.vessels()),
+                 findings = nlohmann::json::array();
   for (const ProcedureRun::Finding& finding : done->run.findings()) {
     const ProcedureRule& rule = done->run.procedure().rules[finding.rule];
     findings.push_back({{"t_s", static_cast<double>(finding.time_us) * 1e-6}, {"rule", rule.name}, {"say", rule.say}});
@@ -113,7 +114,7 @@ std::optional<AttemptScore> scoreUntil(const AttemptRecording& recording, std::i
     std::cerr << "note: no score is computed: " << procedure.error().message << '\n';
     return std::nullopt;
   }
-  ProcedureRun run(std::move(*procedure), recording.header().picture);
+  ProcedureRun run(std::move(*procedure), recording.header().picture, recording.header().vessels);
   const auto played = recording.play(
       until_us, [&](const Stretch::Entry& entry) { std::visit([&](const auto& what) { run.take(what); }, entry); });
   if (!played) return std::nullopt;
@@ -144,12 +145,12 @@ Result<void> replay(const ReplayArguments& a) {
   }
   const auto score = a.metrics ? scoreUntil(*recording, until_us) : std::nullopt;
   if (!a.json) {
-    printAttempt(recording->status(), *metrics, events);
+    printAttempt(recording->status(), *metrics, events, recording->header().vessels);
     if (score) printScore(*score);
     return {};
   }
   const AttemptHeader& header = recording->header();
-  nlohmann::json object = attemptReport(recording->status(), *metrics, events);
+  nlohmann::json object = attemptReport(recording->status(), *metrics, events, header.vessels);
   if (!a.metrics) object.erase("metrics");
   if (a.metrics) object["score"] = score ? scoreReport(*score) : nlohmann::json(nullptr);
   object.update({{"end_s", static_cast<double>(recording->end_us()) * 1e-6},

@@ -1,6 +1,7 @@
 #include <insonate/procedure/AttemptScore.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
@@ -24,18 +25,36 @@ std::string positionSentence(double tilt_deg) {
          (tilt_deg > 0 ? " degrees down." : " degrees up.");
 }
 
-std::string punctureSentence(const AttemptEvent& event, bool firstVein) {
+/// "the right internal jugular vein"; "the vein" of a case that names none, "another vein" where the case has no name.
+std::string veinName(const AttemptEvent& event, const ProcedureRun& run) {
+  if (run.vessels().empty()) return "the vein";
+  if (event.vessel == 0 || event.vessel > run.vessels().size()) return "another vein";
+  return "the " + run.vessels()[event.vessel - 1U];
+}
+
+bool isTargetVein(const AttemptEvent& event, const ProcedureRun& run) {
+  return event.wall == kVein && (run.vessels().empty() || event.vessel == 1);
+}
+
+std::string veinSentence(const AttemptEvent& event, bool firstVein, const ProcedureRun& run) {
+  std::string name = veinName(event, run);
+  if (event.kind == AttemptEventKind::Left) return "The posterior wall of " + name + " is punctured.";
+  name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+  if (!isTargetVein(event, run)) return name + " is punctured, which is not the target: the " + run.vessels()[0] + ".";
+  return name + (firstVein ? " is reached." : " is punctured again.");
+}
+
+std::string punctureSentence(const AttemptEvent& event, bool firstVein, const ProcedureRun& run) {
   if (event.wall == kSkin) return "The skin is punctured.";
-  if (event.wall == kVein && event.kind == AttemptEventKind::Left) return "The back wall of the vein is punctured.";
-  if (event.wall == kVein) return firstVein ? "The vein is reached." : "The vein is punctured again.";
+  if (event.wall == kVein) return veinSentence(event, firstVein, run);
   return "The needle goes through the wall of: " + std::string(labelTable()[event.wall].name) + ".";
 }
 
-std::string sentenceOf(const AttemptEvent& event, bool firstVein) {
+std::string sentenceOf(const AttemptEvent& event, bool firstVein, const ProcedureRun& run) {
   switch (event.kind) {
     case AttemptEventKind::Entered:
     case AttemptEventKind::Left:
-      return punctureSentence(event, firstVein);
+      return punctureSentence(event, firstVein, run);
     case AttemptEventKind::Withdrawn:
       return "The needle is out of the skin.";
     case AttemptEventKind::Struck:
@@ -63,8 +82,9 @@ std::vector<AttemptMoment> momentsOf(const ProcedureRun& run) {
   std::vector<AttemptMoment> moments;
   bool veinReached = false;
   for (const AttemptEvent& event : run.milestones()) {
-    const bool vein = event.kind == AttemptEventKind::Entered && event.wall == kVein;
-    if (!isToldByFinding(event, run)) moments.push_back({event.time_us, sentenceOf(event, !veinReached), std::nullopt});
+    const bool vein = event.kind == AttemptEventKind::Entered && isTargetVein(event, run);
+    if (!isToldByFinding(event, run))
+      moments.push_back({event.time_us, sentenceOf(event, !veinReached, run), std::nullopt});
     veinReached |= vein;
   }
   for (const ProcedureRun::Finding& finding : run.findings()) {

@@ -15,7 +15,8 @@ void follow(std::optional<std::int64_t>& since_us, bool holds, std::int64_t now_
 /// Whether one of them counted something between the two.
 bool countedMore(const MetricValues& before, const MetricValues& after) {
   using enum Metric;
-  constexpr std::array kCounts{VeinPunctures, ArteryPunctures, DoublePunctures, LungPunctures, BoneContacts, Passes};
+  constexpr std::array kCounts{VeinPunctures, OtherVeinPunctures, ArteryPunctures, DoublePunctures,
+                               LungPunctures, BoneContacts,       Passes};
   return std::ranges::any_of(kCounts, [&](Metric count) { return after[count] > before[count]; });
 }
 
@@ -30,9 +31,10 @@ bool isAsWanted(const Happening& wanted, const AttemptEvent& event) {
 
 }  // namespace
 
-ProcedureRun::ProcedureRun(Procedure procedure, const PictureField& picture)
+ProcedureRun::ProcedureRun(Procedure procedure, const PictureField& picture, std::vector<std::string> vessels)
     : procedure_(std::move(procedure)),
-      metrics_(picture),
+      vessels_(std::move(vessels)),
+      metrics_(picture, !vessels_.empty()),
       steps_(procedure_.steps.size()),
       told_(procedure_.rules.size()) {}
 
@@ -67,7 +69,8 @@ bool ProcedureRun::complete(std::int64_t time_us, const AttemptEvent* event) {
   for (std::size_t i = due_; i < steps_.size(); ++i) {
     const auto& until = procedure_.steps[i].until;
     const auto* happening = std::get_if<Happening>(&until);
-    if (happening ? event && isAsWanted(*happening, *event) : lasts(std::get<Holding>(until))) {
+    if (happening ? event && isAsWanted(*happening, *event) && (happening->wall != kVein || isTarget(*event))
+                  : lasts(std::get<Holding>(until))) {
       for (; due_ < i; ++due_) steps_[due_] = {StepState::Skipped, time_us};
       steps_[due_++] = {StepState::Done, time_us};
       return true;

@@ -103,7 +103,7 @@ Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file) {
   auto procedure = rulesOf(file, recording->header());
   if (!procedure) return tl::unexpected(procedure.error());
   const int version = procedure->version;
-  ProcedureRun run(std::move(*procedure), recording->header().picture);
+  ProcedureRun run(std::move(*procedure), recording->header().picture, recording->header().vessels);
   const auto played = recording->play(std::numeric_limits<std::int64_t>::max(), [&](const Stretch::Entry& entry) {
     std::visit([&](const auto& what) { run.take(what); }, entry);
   });

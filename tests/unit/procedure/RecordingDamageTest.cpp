@@ -203,12 +203,12 @@ TEST_F(DamagedRecording, OtherFilesAreRefusedWithASentence) {
   EXPECT_THAT(AttemptRecording::open(folder / "nothing").error().message, HasSubstr("There is no recording"));
   EXPECT_THAT(AttemptRecording::open(folder.path()).error().message, HasSubstr("is not a file"));
 
-  const std::string newer = R"({"format": 3, "software": "insonate 9"})";
+  const std::string newer = R"({"format": 4, "software": "insonate 9"})";
   const auto block = record::packed(record::BlockKind::Header, 0, 0,
                                     {reinterpret_cast<const std::uint8_t*>(newer.data()), newer.size()});
   const auto refused = with({reinterpret_cast<const char*>(block.data()), block.size()});
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().message, HasSubstr("format 3 and this program reads up to 2"));
+  EXPECT_THAT(refused.error().message, HasSubstr("format 4 and this program reads up to 3"));
   EXPECT_THAT(refused.error().message, HasSubstr("insonate 9"));
 }
 

@@ -11,8 +11,11 @@ namespace insonate::test {
 
 /// A wall that lies across the needle's way: depths along the needle, below the skin.
 struct CrossedWall {
+  CrossedWall(Label crossed, double from_mm, double to_mm, std::uint8_t number = 0)
+      : label(crossed), front_mm(from_mm), back_mm(to_mm), vessel(number) {}
   Label label;
   double front_mm, back_mm;
+  std::uint8_t vessel;  ///< AttemptEvent::vessel
 };
 
 /// An attempt as the servo would tell it, a sample a millisecond, made from a few words. The skin is the plane z = 0, z
@@ -23,6 +26,7 @@ class ScriptedAttempt {
   std::vector<CrossedWall> walls{{kVein, 20, 30}};
   bool aspirating = false;
   bool probeHeld = true;
+  bool hasTarget = false;  ///< AttemptMetrics
   double probe_y_mm = 0, force_N = 2;
   std::optional<double> toArtery_mm, toVeinCentre_mm;
   std::vector<std::variant<AttemptSample, AttemptEvent>> stream;
@@ -40,7 +44,7 @@ class ScriptedAttempt {
   }
 
   AttemptMetrics pass() const {
-    AttemptMetrics metrics(picture());
+    AttemptMetrics metrics(picture(), hasTarget);
     for (const auto& entry : stream) std::visit([&](const auto& what) { metrics.take(what); }, entry);
     return metrics;
   }
@@ -88,17 +92,19 @@ class ScriptedAttempt {
     };
     using enum AttemptEventKind;
     if (crossed(wall.front_mm, true))
-      event(wall.label == kBone ? Struck : Entered, wall.label, wall.label == kSkin ? kFat : wall.label, wall.front_mm);
-    if (crossed(wall.back_mm, true)) event(Left, wall.label, kFat, wall.back_mm);
-    if (crossed(wall.back_mm, false)) event(Withdrawn, wall.label, wall.label, wall.back_mm);
+      event(wall.label == kBone ? Struck : Entered, wall.label, wall.label == kSkin ? kFat : wall.label, wall.front_mm,
+            wall.vessel);
+    if (crossed(wall.back_mm, true)) event(Left, wall.label, kFat, wall.back_mm, wall.vessel);
+    if (crossed(wall.back_mm, false)) event(Withdrawn, wall.label, wall.label, wall.back_mm, wall.vessel);
     if (crossed(wall.front_mm, false) && wall.label != kBone)
-      event(Withdrawn, wall.label, wall.label == kSkin ? kBackground : kFat, wall.front_mm);
+      event(Withdrawn, wall.label, wall.label == kSkin ? kBackground : kFat, wall.front_mm, wall.vessel);
   }
-  void event(AttemptEventKind kind, Label wall, Label into, double depth_mm) {
+  void event(AttemptEventKind kind, Label wall, Label into, double depth_mm, std::uint8_t vessel) {
     stream.push_back(AttemptEvent{.time_us = time_us_,
                                   .kind = kind,
                                   .wall = wall,
                                   .into = into,
+                                  .vessel = vessel,
                                   .tip_mm = tip(),
                                   .axis = axis(),
                                   .depth_mm = depth_mm,

@@ -38,7 +38,7 @@ class ScriptedSession : public testing::Test {
     return names;
   }
 
-  const PatientCase patient = test::smallAttemptCase();
+  PatientCase patient = test::smallAttemptCase();
   const test::TemporaryFolder folder;
   std::filesystem::path file;
 
@@ -75,6 +75,33 @@ TEST_F(ScriptedSession, PosteriorWallAndOutAgain) {
   EXPECT_EQ(outcome.metrics[Metric::DoublePunctures], 1);
   EXPECT_EQ(outcome.metrics[Metric::TipInVein], 0);
   EXPECT_FALSE(outcome.run.succeeded());
+}
+
+/// A second vein, 17 mm beside the first, is the target now.
+TEST_F(ScriptedSession, AnotherVeinThanTheTargetIsNoSuccess) {
+  LabelMap& labels = patient.labels;
+  for (int k = 0; k < labels.geometry.size[2]; ++k)
+    for (int j = 15; j < 22; ++j)
+      for (int i = 38; i < 45; ++i) labels.at(i, j, k) = kVein;
+  patient.manifest.targets = {{"right internal jugular vein", kVein, {17, 12, 0}}};
+  const std::string inAndAspirate = R"(, {"aspirate": true}, {"advance_mm": 17}, {"wait_s": 1.5})";
+
+  const auto wrong = run(straight() + inAndAspirate);
+  EXPECT_THAT(told(wrong), testing::ElementsAre("entered skin", "entered vein"));
+  EXPECT_EQ(wrong.events[1].vessel, kUnnamedVessel);
+  EXPECT_EQ(wrong.metrics[Metric::VeinPunctures], 0);
+  EXPECT_EQ(wrong.metrics[Metric::OtherVeinPunctures], 1);
+  EXPECT_FALSE(wrong.run.succeeded());
+  const auto kept = AttemptRecording::open(file);
+  ASSERT_TRUE(kept) << kept.error().message;
+  EXPECT_THAT(kept->header().vessels, testing::ElementsAre("right internal jugular vein"));
+  EXPECT_EQ(*kept->metricsUntil(), wrong.metrics) << "a replay tells the same";
+
+  const auto right = run(straight(17) + inAndAspirate);
+  EXPECT_EQ(right.events[1].vessel, 1);
+  EXPECT_EQ(right.metrics[Metric::VeinPunctures], 1);
+  EXPECT_EQ(right.metrics[Metric::OtherVeinPunctures], 0);
+  EXPECT_TRUE(right.run.succeeded());
 }
 
 TEST_F(ScriptedSession, UsedNeedleAndANewOne) {

@@ -23,13 +23,13 @@ TEST(ServoRecord, SkinFacesAsItDoesWhereTheHoleIs) {
   const auto grid = *TissueGrid::fromLabels(ball);
   const Vec3 outward{std::sqrt(0.75), 0, -0.5}, axis{0, 0, 1};
   NeedleEvent event{.wall = kSkin, .into = kSoftTissue, .tip_mm = outward * 25 + axis * 8, .axis = axis};
-  const AttemptEvent told = eventOf(event, {}, grid.get());
+  const AttemptEvent told = eventOf(event, {}, grid.get(), {}, {});
   ASSERT_TRUE(told.outward);
   const double angle_deg = std::asin(-dot(*told.outward, axis)) * 180 / std::numbers::pi;
   EXPECT_NEAR(angle_deg, 30, 5) << "voxels of 1 mm; at the tip it would be 12";
   EXPECT_GT(dot(*told.outward, outward), std::cos(6 * std::numbers::pi / 180));
   event.wall = kVein;
-  EXPECT_FALSE(eventOf(event, {}, grid.get()).outward) << "of the skin alone";
+  EXPECT_FALSE(eventOf(event, {}, grid.get(), {}, {}).outward) << "of the skin alone";
 }
 
 }  // namespace

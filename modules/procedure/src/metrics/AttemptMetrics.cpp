@@ -5,6 +5,7 @@
 #include <insonate/procedure/AttemptMetrics.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -46,7 +47,7 @@ std::optional<double> secondsBetween(const std::optional<std::int64_t>& from_us,
 }  // namespace
 
 struct AttemptMetrics::State {
-  explicit State(const PictureField& field) : picture(field) {}
+  State(const PictureField& field, bool named) : picture(field), hasTarget(named) {}
 
   void followNeedle(const AttemptSample& sample);
   bool inPicture(const AttemptSample& sample, Vec3 tip_mm) const;
@@ -57,10 +58,12 @@ struct AttemptMetrics::State {
   void strike(const AttemptEvent& event);
   void followRest(const AttemptSample& sample);
   void drawBlood(const AttemptSample& sample);
-  metrics::Punctures* structure(Label wall);
+  metrics::Punctures* structure(const AttemptEvent& event);
+  std::array<metrics::Punctures*, 4> structures() { return {&vein, &otherVein, &artery, &lung}; }
 
   PictureField picture;
-  metrics::Punctures vein, artery, lung;
+  bool hasTarget = false;
+  metrics::Punctures vein, otherVein, artery, lung;
   metrics::NeedleWork needle;
   metrics::ProbeWork probe;
 
@@ -83,8 +86,10 @@ struct AttemptMetrics::State {
   std::optional<double> angle_deg, nearestArtery_mm, nearestLung_mm, veinCentre_mm;
 };
 
-metrics::Punctures* AttemptMetrics::State::structure(Label wall) {
-  return wall == kVein ? &vein : wall == kArtery ? &artery : wall == kAirway ? &lung : nullptr;
+metrics::Punctures* AttemptMetrics::State::structure(const AttemptEvent& event) {
+  const Label wall = event.wall;
+  if (wall == kVein) return !hasTarget || event.vessel == 1 ? &vein : &otherVein;
+  return wall == kArtery ? &artery : wall == kAirway ? &lung : nullptr;
 }
 
 bool AttemptMetrics::State::inPicture(const AttemptSample& sample, Vec3 tip_mm) const {
@@ -98,7 +103,7 @@ void AttemptMetrics::State::followNeedle(const AttemptSample& sample) {
   if (out_mm && norm(tip_mm - *out_mm) > kOut_mm) endPass();
   if (!inPass || !sample.needleDepth_mm) return;
   const double depth_mm = *sample.needleDepth_mm;
-  for (metrics::Punctures* each : {&vein, &artery, &lung}) each->follow(depth_mm);
+  for (metrics::Punctures* each : structures()) each->follow(depth_mm);
   needle.follow(tip_mm, depth_mm, inPicture(sample, tip_mm), sample.aspirating);
   keepLeast(nearestArtery_mm, sample.toArtery_mm);
   keepLeast(nearestLung_mm, sample.toLung_mm);
@@ -130,7 +135,7 @@ void AttemptMetrics::State::beginPass(const AttemptEvent& event) {
   if (used) ++usedInsertions;
   passSkin_us = event.time_us;
   if (!firstSkin_us) firstSkin_us = event.time_us;
-  for (metrics::Punctures* each : {&vein, &artery, &lung}) each->beginPass();
+  for (metrics::Punctures* each : structures()) each->beginPass();
   needle.beginPass(event.tip_mm);
   if (access_us) return;
   angle_deg.reset();
@@ -149,14 +154,14 @@ void AttemptMetrics::State::crossSkin(const AttemptEvent& event) {
   } else if (inPass) {
     out_mm = event.tip_mm;
     needle.endPass(event.tip_mm);
-    for (metrics::Punctures* each : {&vein, &artery, &lung}) each->withdraw(false);
+    for (metrics::Punctures* each : structures()) each->withdraw(false);
   }
 }
 
 void AttemptMetrics::State::cross(const AttemptEvent& event) {
   if (event.wall == kSkin) return crossSkin(event);
   if (event.kind != AttemptEventKind::Withdrawn) drawn = false;
-  metrics::Punctures* crossed = structure(event.wall);
+  metrics::Punctures* crossed = structure(event);
   if (!crossed || !inPass) return;
   if (event.kind == AttemptEventKind::Left) return crossed->leave(event.depth_mm);
   if (event.kind == AttemptEventKind::Withdrawn) return crossed->withdraw(event.into == event.wall);
@@ -172,7 +177,8 @@ void AttemptMetrics::State::strike(const AttemptEvent& event) {
   bone_mm = event.tip_mm;
 }
 
-AttemptMetrics::AttemptMetrics(const PictureField& picture) : state_(std::make_unique<State>(picture)) {}
+AttemptMetrics::AttemptMetrics(const PictureField& picture, bool hasTarget)
+    : state_(std::make_unique<State>(picture, hasTarget)) {}
 AttemptMetrics::~AttemptMetrics() = default;
 AttemptMetrics::AttemptMetrics(AttemptMetrics&&) noexcept = default;
 AttemptMetrics& AttemptMetrics::operator=(AttemptMetrics&&) noexcept = default;
@@ -208,7 +214,8 @@ void AttemptMetrics::take(const AttemptEvent& event) {
 NeedlePlace AttemptMetrics::needle() const {
   const State& s = *state_;
   if (!s.inPass || s.out_mm) return s.inPass || s.used ? NeedlePlace::Used : NeedlePlace::Clean;
-  if (s.artery.inside() || s.lung.inside() || s.vein.beyond() || s.bone_mm) return NeedlePlace::WrongPlace;
+  if (s.artery.inside() || s.otherVein.inside() || s.lung.inside() || s.vein.beyond() || s.bone_mm)
+    return NeedlePlace::WrongPlace;
   return s.vein.inside() ? NeedlePlace::Vein : NeedlePlace::Underway;
 }
 
@@ -246,6 +253,7 @@ MetricValues AttemptMetrics::values() const {
   values[Metric::ProbeRotations] = s.probe.rotations();
   values[Metric::ProbeForceMean] = s.probe.forceMean_N();
   values[Metric::ProbeForceMost] = s.probe.forceMost_N();
+  values[Metric::OtherVeinPunctures] = s.otherVein.count();
   return values;
 }
 

@@ -18,7 +18,8 @@ using enum Better;
 
 constexpr std::array<MetricDefinition, kMetricCount> kTable{{
     {VeinPunctures, "vein_punctures", 1, "", Neither,
-     "Punctures of the vein from outside, along the needle. A tip that has not come back 1 mm before the hole has not "
+     "Punctures of the target vein from outside, along the needle. A tip that has not come back 1 mm before the hole "
+     "has not "
      "made another.",
      kThesis},
     {ArteryPunctures, "artery_punctures", 1, "", Lower, "The same of arteries.",
@@ -80,6 +81,8 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
     {ProbeForceMean, "probe_force_mean_N", 1, "N", Lower, "Mean force of the probe on the skin while it touches.",
      kUnnamed},
     {ProbeForceMost, "probe_force_max_N", 1, "N", Lower, "Greatest force of the probe on the skin.", kUnnamed},
+    {OtherVeinPunctures, "other_vein_punctures", 1, "", Lower,
+     "Punctures of a vein that is not the target, as of the target. A case without a target has none.", kUnnamed},
 }};
 
 }  // namespace

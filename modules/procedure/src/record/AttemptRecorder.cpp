@@ -32,7 +32,7 @@ struct AttemptRecorder::State {
       : path(std::move(target)),
         follower(std::move(also)),
         file(std::move(begun)),
-        pass(header.picture),
+        pass(header.picture, !header.vessels.empty()),
         settings(header.settings) {}
 
   void run();

@@ -5,8 +5,9 @@
 namespace insonate::record {
 namespace {
 
-/// Grows when an older program could not read what is written now. Format 1 has neither settings nor tenting.
-constexpr int kFormat = 2;
+/// Grows when an older program could not read what is written now. Format 1 has neither settings nor tenting,
+/// format 2 does not say which vein was punctured.
+constexpr int kFormat = 3;
 
 }  // namespace
 
@@ -22,6 +23,7 @@ std::string textOf(const AttemptHeader& header) {
                         {"settingsHash", header.settingsHash},
                         {"engine", header.engine},
                         {"settings", header.settings},
+                        {"vessels", header.vessels},
                         {"picture",
                          {{"width_mm", picture.width_mm},
                           {"fanAngle_deg", picture.fanAngle_deg},
@@ -48,6 +50,7 @@ Result<AttemptHeader> headerFrom(std::string_view text) {
         json.at("settingsHash"),
         json.at("engine"),
         {picture.at("width_mm"), picture.at("fanAngle_deg"), picture.at("faceRadius_mm"), picture.at("sliceHalf_mm")},
+        json.value("vessels", std::vector<std::string>{}),
         json.value("settings", "")};
   } catch (const nlohmann::json::exception&) {
     return fail("its header is not one of a recording.");

@@ -7,8 +7,9 @@ namespace insonate::record {
 namespace {
 
 constexpr int kOrders = 3;
-constexpr std::size_t kEventBytes = 8 + 3 + 8 * 3 + 8 * 3 + 8 + 1 + 8 * 3 + 8;
-constexpr int kChannelsOfFormat1 = 21;  // no tenting
+constexpr std::size_t kEventBytesOfFormat2 = 8 + 3 + 8 * 3 + 8 * 3 + 8 + 1 + 8 * 3 + 8;
+constexpr std::size_t kEventBytes = kEventBytesOfFormat2 + 1;  // the vessel
+constexpr int kChannelsOfFormat1 = 21;                         // no tenting
 using Channel = std::vector<std::uint32_t>;
 
 /// Differences of 32-bit numbers wrap round, and so do sums: nothing is lost.
@@ -74,9 +75,10 @@ void putEvent(Bytes& bytes, const AttemptEvent& event) {
   bytes.push_back(event.outward.has_value());
   put(bytes, event.outward.value_or(Vec3{}));
   record::put(bytes, event.tilt_deg);
+  bytes.push_back(event.vessel);
 }
 
-std::optional<AttemptEvent> getEvent(ByteReader& reader) {
+std::optional<AttemptEvent> getEvent(ByteReader& reader, bool hasVessel) {
   AttemptEvent event;
   event.time_us = reader.getTime();
   const auto kind = reader.get<std::uint8_t>(), wall = reader.get<std::uint8_t>(), into = reader.get<std::uint8_t>();
@@ -89,6 +91,7 @@ std::optional<AttemptEvent> getEvent(ByteReader& reader) {
   const Vec3 outward = getVec3(reader);
   if (hasOutward) event.outward = outward;
   event.tilt_deg = reader.getDouble();
+  if (hasVessel) event.vessel = reader.get<std::uint8_t>();
   return event;
 }
 
@@ -127,12 +130,13 @@ std::optional<Stretch> decoded(std::span<const std::uint8_t> bytes) {
   Stretch stretch;
   stretch.samplesLost = reader.get<std::uint32_t>();
   const std::int64_t first_us = reader.getTime();
-  const auto channelsAre = [&](int channels) {
-    return reader.left() ==
-           (channels + std::uint64_t{1}) * (1 + 4 * std::uint64_t{count}) + events * std::uint64_t{kEventBytes + 4};
+  // The length tells the format.
+  const auto fits = [&](int channels, std::uint64_t eventBytes) {
+    return reader.left() == (channels + std::uint64_t{1}) * (1 + 4 * std::uint64_t{count}) + events * (eventBytes + 4);
   };
-  const int channels = channelsAre(kChannelsOfFormat1) ? kChannelsOfFormat1 : QuantisedSample::kChannels;
-  if (!channelsAre(channels)) return std::nullopt;
+  const bool hasVessel = fits(QuantisedSample::kChannels, kEventBytes);
+  const int channels = fits(kChannelsOfFormat1, kEventBytesOfFormat2) ? kChannelsOfFormat1 : QuantisedSample::kChannels;
+  if (!hasVessel && !fits(channels, kEventBytesOfFormat2)) return std::nullopt;
   stretch.samples.resize(count);
   for (int c = -1; c < channels; ++c) {
     const auto values = getChannel(reader, count);
@@ -146,7 +150,7 @@ std::optional<Stretch> decoded(std::span<const std::uint8_t> bytes) {
   }
   for (std::uint32_t i = 0; i < events; ++i) {
     const auto after = reader.get<std::uint32_t>();
-    const auto event = getEvent(reader);
+    const auto event = getEvent(reader, hasVessel);
     if (!event || after > count) return std::nullopt;
     stretch.events.push_back({after, *event});
   }

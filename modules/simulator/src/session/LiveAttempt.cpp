@@ -19,7 +19,8 @@ std::int64_t monotonic_ns() {
 /// What was recorded, seen by the procedure's rules.
 class Following final : public AttemptFollower {
  public:
-  Following(Procedure procedure, const PictureField& picture) : run_(std::move(procedure), picture) {}
+  Following(Procedure procedure, const AttemptHeader& header)
+      : run_(std::move(procedure), header.picture, header.vessels) {}
 
   void take(const AttemptSample& sample) override {
     const std::lock_guard lock(mutex_);
@@ -63,6 +64,7 @@ class Following final : public AttemptFollower {
 
 struct LiveAttempt::State {
   std::filesystem::path file;
+  TargetVein target;
   std::shared_ptr<Following> following;
   std::unique_ptr<AttemptRecorder> recorder;
   std::int64_t begun_ns = monotonic_ns();
@@ -84,16 +86,17 @@ void LiveAttempt::State::record(const ServoSnapshot& tick) noexcept {
                             .aspirating = aspirating,
                             .restFromPatient = now.restFromPatient};
   const std::span<const CentreLine> veins = now.veins ? std::span(*now.veins) : std::span<const CentreLine>{};
-  recorder->put(sampleOf(tick.output, context, now.grid.get(), veins));
+  recorder->put(sampleOf(tick.output, context, now.grid.get(), veins, target));
   for (int i = 0; i < tick.output.eventCount; ++i)
-    recorder->put(eventOf(tick.output.events[i], context, now.grid.get()));
+    recorder->put(eventOf(tick.output.events[i], context, now.grid.get(), veins, target));
 }
 
 Result<std::shared_ptr<LiveAttempt>> LiveAttempt::start(const std::filesystem::path& file, const AttemptHeader& header,
-                                                        Procedure procedure) {
+                                                        Procedure procedure, TargetVein target) {
   auto state = std::make_unique<State>();
   state->file = file;
-  state->following = std::make_shared<Following>(std::move(procedure), header.picture);
+  state->target = std::move(target);
+  state->following = std::make_shared<Following>(std::move(procedure), header);
   auto recorder = AttemptRecorder::start(file, header, state->following);
   if (!recorder) return tl::unexpected(recorder.error());
   state->recorder = std::move(*recorder);

@@ -71,7 +71,8 @@ Result<std::shared_ptr<const AttemptDigest>> digestOf(const std::string& file, c
   digest->troubles = recording->troubles();
   auto procedure = loadProcedure(recording->header().procedure);
   if (!procedure) digest->troubles.push_back("Steps and rules are not shown: " + procedure.error().message);
-  Pass pass(*digest, ProcedureRun(procedure.value_or(Procedure{}), recording->header().picture));
+  const AttemptHeader& header = recording->header();
+  Pass pass(*digest, ProcedureRun(procedure.value_or(Procedure{}), header.picture, header.vessels));
   // Blocks that cannot be found are no stretches.
   bool whole = true;
   for (std::size_t i = 0; i < recording->stretches(); ++i) {

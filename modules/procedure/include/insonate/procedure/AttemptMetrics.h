@@ -13,7 +13,8 @@
 
 namespace insonate {
 
-/// In the order of metricTable(). "Access" is the first puncture of the vein in an attempt; a "pass" lasts from a
+/// In the order of metricTable(). "The vein" is the target (AttemptHeader::vessels). "Access" is the first puncture of
+/// the vein in an attempt; a "pass" lasts from a
 /// puncture of the skin until the needle is out again.
 enum class Metric {
   VeinPunctures,
@@ -42,8 +43,9 @@ enum class Metric {
   ProbeRotations,
   ProbeForceMean,
   ProbeForceMost,
+  OtherVeinPunctures,
 };
-inline constexpr int kMetricCount = 26;
+inline constexpr int kMetricCount = 27;
 
 enum class Better { Lower, Higher, Neither };
 
@@ -76,7 +78,7 @@ enum class NeedlePlace {
   Clean,     ///< new, and not in the skin
   Underway,  ///< under the skin
   Vein,
-  WrongPlace,  ///< in an artery, lung or airway, behind the vein's back wall, on bone
+  WrongPlace,  ///< in an artery, another vein, lung or airway, behind the vein's back wall, on bone
   Used,        ///< out of the skin, until it is replaced
 };
 
@@ -84,7 +86,8 @@ enum class NeedlePlace {
 /// stream gives the same values, to the last bit.
 class AttemptMetrics {
  public:
-  explicit AttemptMetrics(const PictureField& picture);
+  /// `hasTarget`: only vessel 1 of the events is the vein; else each vein is.
+  explicit AttemptMetrics(const PictureField& picture, bool hasTarget = false);
   ~AttemptMetrics();
   AttemptMetrics(AttemptMetrics&&) noexcept;
   AttemptMetrics& operator=(AttemptMetrics&&) noexcept;

@@ -24,12 +24,14 @@ class ProcedureRun {
     double value = 0;  ///< of the metric
   };
 
-  ProcedureRun(Procedure procedure, const PictureField& picture);
+  /// `vessels` as in AttemptHeader.
+  ProcedureRun(Procedure procedure, const PictureField& picture, std::vector<std::string> vessels = {});
 
   void take(const AttemptSample& sample);
   void take(const AttemptEvent& event);
 
   const Procedure& procedure() const { return procedure_; }
+  const std::vector<std::string>& vessels() const { return vessels_; }
   const AttemptMetrics& metrics() const { return metrics_; }
   const std::vector<Step>& steps() const { return steps_; }
   /// The first step that is due; none when all are done.
@@ -43,9 +45,11 @@ class ProcedureRun {
 
  private:
   bool complete(std::int64_t time_us, const AttemptEvent* event);
+  bool isTarget(const AttemptEvent& event) const { return vessels_.empty() || event.vessel == 1; }
   void watchRules(std::int64_t time_us);
 
   Procedure procedure_;
+  std::vector<std::string> vessels_;
   AttemptMetrics metrics_;
   std::vector<Step> steps_;
   std::size_t due_ = 0;
