@@ -94,13 +94,17 @@ Result<Answer> addToLevel(const SignedIn& by, AttemptFacts facts, const AddArgum
   if (!path) return tl::unexpected(path.error());
   const LevelProgress& progress = *std::ranges::find(*path, level.name, &LevelProgress::level);
   const bool passed = judge(level.pass, facts).passed;
+  const std::vector<std::string> missedOnes = missedStandards(level.pass, facts);
+  std::string missed;
+  for (const std::string& one : missedOnes) missed += (missed.empty() ? ", and missed: " : "; ") + one;
   return Answer{{{"attempt", factsJson(facts)},
                  {"passed", passed},
+                 {"missed_standards", missedOnes},
                  {"level", level.name},
                  {"state", nameOf(progress.state)},
                  {"why", progress.why}},
-                (passed ? "Passed. " : "Not passed: " + reasonOfFailure(level.pass, facts) + ". ") + level.title +
-                    ": " + progress.why + "\nAttempt " + facts.id};
+                (passed ? "Passed" + missed : "Not passed: " + reasonOfFailure(level.pass, facts)) + ". " +
+                    level.title + ": " + progress.why + "\nAttempt " + facts.id};
 }
 
 Result<Answer> add(const SignedIn& by, const AddArguments& a) {

@@ -45,13 +45,21 @@ struct RoundNorm {
   std::string_view metric;
   double novice, expert;
 };
-constexpr std::array kRound{RoundNorm{"lung_punctures", 0.05, 0.005},  RoundNorm{"used_needle_insertions", 0.2, 0.02},
-                            RoundNorm{"bone_contacts", 0.2, 0.03},     RoundNorm{"redirections", 0.8, 0.2},
-                            RoundNorm{"time_to_vein_s", 60, 15},       RoundNorm{"attempt_time_s", 300, 120},
-                            RoundNorm{"path_deviation_mm", 4, 1.5},    RoundNorm{"vein_centre_distance_mm", 4, 1.5},
-                            RoundNorm{"nearest_artery_mm", 3, 8},      RoundNorm{"nearest_lung_mm", 20, 25},
-                            RoundNorm{"probe_translations", 0.9, 0.3}, RoundNorm{"probe_rotations", 0.8, 0.2},
-                            RoundNorm{"probe_force_mean_N", 3, 2},     RoundNorm{"probe_force_max_N", 7, 4}};
+constexpr std::array kRound{RoundNorm{"lung_punctures", 0.05, 0.005},
+                            RoundNorm{"used_needle_insertions", 0.2, 0.02},
+                            RoundNorm{"other_vein_punctures", 0.05, 0.005},
+                            RoundNorm{"bone_contacts", 0.2, 0.03},
+                            RoundNorm{"redirections", 0.8, 0.2},
+                            RoundNorm{"time_to_vein_s", 60, 15},
+                            RoundNorm{"attempt_time_s", 300, 120},
+                            RoundNorm{"path_deviation_mm", 4, 1.5},
+                            RoundNorm{"vein_centre_distance_mm", 4, 1.5},
+                            RoundNorm{"nearest_artery_mm", 3, 8},
+                            RoundNorm{"nearest_lung_mm", 20, 25},
+                            RoundNorm{"probe_translations", 0.9, 0.3},
+                            RoundNorm{"probe_rotations", 0.8, 0.2},
+                            RoundNorm{"probe_force_mean_N", 3, 2},
+                            RoundNorm{"probe_force_max_N", 7, 4}};
 
 struct Course {
   std::vector<MetricMeaning> metrics;  ///< each with novice and expert, where it is made up at all

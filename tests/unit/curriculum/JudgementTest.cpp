@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace insonate {
 namespace {
@@ -57,6 +59,29 @@ TEST(Judgement, MasteryPercentageLetsSomeStandardsBeMissed) {
   EXPECT_FALSE(judge(rule, attempt).passed);
 }
 
+/// Nine of ten standards are met: 90 % of the 88 % that are asked for. The one that is missed is a critical error.
+TEST(Judgement, ACriticalStandardFailsWhateverTheShare) {
+  PassRule rule;
+  rule.mastery_percent = 88;
+  AttemptFacts attempt = passedAttempt("a");
+  for (int i = 0; i < 9; ++i) {
+    rule.standards.push_back(atMost("m" + std::to_string(i), 0, "m"));
+    attempt = with(attempt, "m" + std::to_string(i), 0);
+  }
+  rule.standards.push_back(atMost("double_punctures", 0, "the posterior wall was punctured"));
+  attempt = with(attempt, "double_punctures", 1);
+  EXPECT_TRUE(judge(rule, attempt).passed);
+  EXPECT_EQ(missedStandards(rule, attempt), std::vector<std::string>{"the posterior wall was punctured (1, at most 0)"})
+      << "it passes, and what it missed is named";
+  rule.standards.back().critical = true;
+  EXPECT_FALSE(judge(rule, attempt).passed);
+  EXPECT_EQ(judge(rule, attempt).percentMet(), 90);
+  EXPECT_EQ(reasonOfFailure(rule, attempt), "the posterior wall was punctured (1, at most 0: a critical error)");
+  attempt.metrics.back().value = 0;
+  EXPECT_TRUE(judge(rule, attempt).passed);
+  EXPECT_TRUE(missedStandards(rule, attempt).empty());
+}
+
 TEST(Judgement, LeastPointsAreReachedByPointsThatAreThere) {
   const PassRule rule{60.0, {}, 100};
   AttemptFacts attempt = passedAttempt("a");
@@ -80,14 +105,15 @@ TEST(Judgement, TheReasonIsTheWorstOne) {
   attempt = with(attempt, "used_needle_insertions", 0);
   EXPECT_EQ(reasonOfFailure(rule, attempt), "the artery was punctured (1, at most 0)");
   attempt.criticalErrors = 1;
-  EXPECT_EQ(reasonOfFailure(rule, attempt), "there was a critical error and the artery was punctured (1, at most 0)");
+  EXPECT_EQ(reasonOfFailure(rule, attempt), "there was a critical error; the artery was punctured (1, at most 0)");
   attempt.metrics[1].value = 5;
   EXPECT_EQ(reasonOfFailure(rule, attempt),
-            "there was a critical error and the artery was punctured (1, at most 0) and one more standard was missed");
+            "there was a critical error; the artery was punctured (1, at most 0); many passes (5, at most 2)");
   attempt.criticalErrors = 2, attempt.metrics.clear();
-  EXPECT_EQ(reasonOfFailure(rule, attempt),
-            "there were 2 critical errors and the artery was punctured (not measured, at most 0) and 2 more standards "
-            "were missed");
+  EXPECT_EQ(
+      reasonOfFailure(rule, attempt),
+      "there were 2 critical errors; the artery was punctured (not measured, at most 0); many passes (not measured, "
+      "at most 2); a used needle was put in again (not measured, at most 0)");
   EXPECT_EQ(reasonOfFailure({}, failedAttempt("a")), "it did not succeed");
 }
 

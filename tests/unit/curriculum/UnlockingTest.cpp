@@ -61,8 +61,8 @@ TEST(Unlocking, AFailureIsExplained) {
   history[1].criticalErrors = 1;
   const auto progress = progressOf(course, history, kNoon_us);
   EXPECT_EQ(progress[0].why,
-            "Open: 0 of 3 passes in a row; the last attempt failed because there was a critical error and the artery "
-            "was punctured (1, at most 0).");
+            "Open: 0 of 3 passes in a row; the last attempt failed because there was a critical error; the artery was "
+            "punctured (1, at most 0).");
   EXPECT_EQ(progress[0].standardsMet, 0);
   EXPECT_FALSE(progress[0].lastPassed);
 }

@@ -42,13 +42,14 @@ class Reader {
 
 MetricStandard Reader::standard(const json& object, const std::string& where, std::string& trouble) const {
   constexpr double kAny = std::numeric_limits<float>::max();
-  JsonEntry entry(object, where, {"metric", "version", "least", "most", "otherwise", "source"});
+  JsonEntry entry(object, where, {"metric", "version", "least", "most", "otherwise", "source", "critical"});
   MetricStandard standard;
   standard.metric = entry.text("metric");
   standard.version = entry.wholeIfThere("version", 1, 1'000'000).value_or(1);
   standard.least = entry.numberIfThere("least", -kAny, kAny), standard.most = entry.numberIfThere("most", -kAny, kAny);
   if (standard.least.has_value() == standard.most.has_value()) entry.refuse("needs one of 'least' and 'most'.");
   standard.otherwise = entry.text("otherwise", isWhole_), standard.source = entry.text("source", false);
+  standard.critical = entry.flag("critical");
   trouble = entry.trouble();
   return standard;
 }
@@ -163,6 +164,7 @@ nlohmann::ordered_json written(const PassRule& rule) {
     nlohmann::ordered_json entry{{"metric", standard.metric}, {"version", standard.version}};
     put(entry, "least", standard.least), put(entry, "most", standard.most);
     put(entry, "otherwise", standard.otherwise), put(entry, "source", standard.source);
+    if (standard.critical) entry["critical"] = true;
     object["standards"].push_back(std::move(entry));
   }
   return object;

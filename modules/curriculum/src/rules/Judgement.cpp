@@ -28,7 +28,14 @@ std::string shown(double value) {
 
 std::string reasonOf(const MetricStandard& standard, std::optional<double> value) {
   const std::string limit = standard.least ? "at least " + shown(*standard.least) : "at most " + shown(*standard.most);
-  return standard.otherwise + " (" + (value ? shown(*value) : "not measured") + ", " + limit + ")";
+  return standard.otherwise + " (" + (value ? shown(*value) : "not measured") + ", " + limit +
+         (standard.critical ? ": a critical error)" : ")");
+}
+
+std::string listed(const std::vector<std::string>& reasons) {
+  std::string list;
+  for (const std::string& reason : reasons) list += (list.empty() ? "" : "; ") + reason;
+  return list;
 }
 
 /// "" where there is nothing worse than standards or points.
@@ -39,23 +46,24 @@ std::string graveReason(const AttemptFacts& attempt) {
   return attempt.succeeded ? "" : "it did not succeed";
 }
 
-/// Of the first standard that is missed, and how many others are.
-std::string standardsReason(const PassRule& rule, const AttemptFacts& attempt, const Judgement& judgement) {
-  const auto missed =
-      static_cast<std::size_t>(std::ranges::find(judgement.standardsMet, false) - judgement.standardsMet.begin());
-  if (missed == rule.standards.size()) return {};
-  const MetricStandard& standard = rule.standards[missed];
-  std::string reason = reasonOf(standard, valueOf(attempt, standard.metric, standard.version));
-  const int others = static_cast<int>(rule.standards.size()) - judgement.met - 1;
-  if (others == 1) reason += " and one more standard was missed";
-  if (others > 1) reason += " and " + std::to_string(others) + " more standards were missed";
-  return reason;
-}
-
 }  // namespace
+
+bool Judgement::reachesStandards(const PassRule& rule) const {
+  return criticalMet && percentMet() >= rule.mastery_percent;
+}
 
 double Judgement::percentMet() const {
   return standardsMet.empty() ? 100 : 100.0 * met / static_cast<double>(standardsMet.size());
+}
+
+std::vector<std::string> missedStandards(const PassRule& rule, const AttemptFacts& attempt) {
+  std::vector<std::string> missed;
+  for (const bool critical : {true, false})
+    for (const MetricStandard& standard : rule.standards) {
+      const auto value = valueOf(attempt, standard.metric, standard.version);
+      if (standard.critical == critical && !isMet(standard, value)) missed.push_back(reasonOf(standard, value));
+    }
+  return missed;
 }
 
 std::optional<double> valueOf(const AttemptFacts& attempt, std::string_view metric, int version) {
@@ -76,10 +84,11 @@ Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
   for (const MetricStandard& standard : rule.standards) {
     judgement.standardsMet.push_back(isMet(standard, valueOf(attempt, standard.metric, standard.version)));
     judgement.met += judgement.standardsMet.back();
+    if (standard.critical && !judgement.standardsMet.back()) judgement.criticalMet = false;
   }
   const auto points = finite(attempt.points);
   const bool pointsReached = !rule.leastPoints || (points && *points >= *rule.leastPoints);
-  judgement.passed = graveReason(attempt).empty() && pointsReached && judgement.percentMet() >= rule.mastery_percent;
+  judgement.passed = graveReason(attempt).empty() && pointsReached && judgement.reachesStandards(rule);
   return judgement;
 }
 
@@ -87,9 +96,9 @@ std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt) {
   const Judgement judgement = judge(rule, attempt);
   if (judgement.passed) return {};
   const std::string grave = graveReason(attempt);
-  std::string standards = standardsReason(rule, attempt, judgement);
-  if (!grave.empty()) return standards.empty() ? grave : grave + " and " + standards;
-  if (judgement.percentMet() < rule.mastery_percent) return standards;
+  const std::string standards = listed(missedStandards(rule, attempt));
+  if (!grave.empty()) return standards.empty() ? grave : grave + "; " + standards;
+  if (!judgement.reachesStandards(rule)) return standards;
   const auto points = finite(attempt.points);
   return "it had " + (points ? shown(*points) : "no") + " points and " + shown(*rule.leastPoints) + " are needed";
 }

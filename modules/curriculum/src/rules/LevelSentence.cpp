@@ -40,7 +40,12 @@ std::string cusumSoFar(const LevelRecord& record) {
 
 std::string lastAttempt(const LevelRecord& record) {
   if (!record.last()) return {};
-  if (record.lastPassed()) return "; the last attempt passed";
+  if (record.lastPassed()) {
+    std::string text = "; the last attempt passed";
+    for (const std::string& missed : missedStandards(record.level().pass, *record.last()))
+      text += (text.ends_with("passed") ? " and missed: " : "; ") + missed;
+    return text;
+  }
   return "; the last attempt failed because " + reasonOfFailure(record.level().pass, *record.last());
 }
 

@@ -104,6 +104,8 @@ QWidget* StandardsEditor::buildStandard() {
   otherwise_ = named(new QLineEdit, "standardOtherwise", tr("Said where it is missed"),
                      tr("It follows \"failed because\": \"the artery was punctured\""));
   otherwise_->setPlaceholderText(tr("the artery was punctured"));
+  critical_ = named(new QCheckBox(tr("Critical error")), "standardCritical", tr("Critical error"),
+                    tr("An attempt that misses this standard fails, whatever share of the others it meets"));
   add_ = pushButton("standardAdd", tr("Add"), tr("Another standard"));
   remove_ = pushButton("standardRemove", tr("Remove"), tr("Takes the chosen standard away"));
   connect(add_, &QPushButton::clicked, this, &StandardsEditor::add);
@@ -124,12 +126,15 @@ QWidget* StandardsEditor::buildStandard() {
   connect(otherwise_, &QLineEdit::textEdited, this, [this](const QString& text) {
     change(QStringLiteral("otherwise"), [&](MetricStandard& one) { one.otherwise = text.toStdString(); });
   });
+  connect(critical_, &QCheckBox::clicked, this,
+          [this](bool on) { change(QStringLiteral("critical"), [on](MetricStandard& one) { one.critical = on; }); });
   auto* line = new QWidget;
   auto* column = new QVBoxLayout(line);
   column->setContentsMargins(0, 0, 0, 0);
   auto *first = new QHBoxLayout, *second = new QHBoxLayout;
   for (QWidget* one : std::initializer_list<QWidget*>{metric_, bound_, limit_}) first->addWidget(one, one == metric_);
   second->addWidget(otherwise_, 1);
+  second->addWidget(critical_);
   second->addWidget(add_);
   second->addWidget(remove_);
   column->addLayout(first);
@@ -157,7 +162,8 @@ void StandardsEditor::show(const PassRule& rule) {
     for (int at = 0; at < table_->rowCount(); ++at) {
       const MetricStandard& one = rule.standards[std::size_t(at)];
       const QString limit = one.least ? tr("at least %1").arg(*one.least) : tr("at most %1").arg(one.most.value_or(0));
-      const QString texts[kColumns] = {titleOf(one), limit, qt(one.otherwise)};
+      const QString said = one.critical ? tr("%1 (critical error)").arg(qt(one.otherwise)) : qt(one.otherwise);
+      const QString texts[kColumns] = {titleOf(one), limit, said};
       for (int column = 0; column < kColumns; ++column)
         table_->setItem(at, column, new QTableWidgetItem(texts[column]));
     }
@@ -169,7 +175,7 @@ void StandardsEditor::show(const PassRule& rule) {
 void StandardsEditor::showStandard() {
   const int row = table_->currentRow();
   const bool is = row >= 0 && row < int(rule_.standards.size());
-  for (QWidget* one : std::initializer_list<QWidget*>{metric_, bound_, limit_, otherwise_, remove_})
+  for (QWidget* one : std::initializer_list<QWidget*>{metric_, bound_, limit_, otherwise_, critical_, remove_})
     one->setEnabled(is);
   if (!is) return;
   const MetricStandard& one = rule_.standards[std::size_t(row)];
@@ -177,6 +183,7 @@ void StandardsEditor::showStandard() {
   metric_->setCurrentIndex(metric_->findData(qt(one.metric)));
   bound_->setCurrentIndex(one.least ? 0 : 1);
   limit_->setValue(one.least ? *one.least : one.most.value_or(0));
+  critical_->setChecked(one.critical);
   showText(*otherwise_, qt(one.otherwise));
   otherwise_->setCursorPosition(std::min(otherwise_->cursorPosition(), otherwise_->text().size()));
 }

@@ -42,7 +42,7 @@ class StandardsEditor final : public QWidget {
 
   const std::vector<MetricMeaning>& metrics_;
   PassRule rule_;
-  QCheckBox* points_;
+  QCheckBox *points_, *critical_;
   QDoubleSpinBox *leastPoints_, *percent_, *limit_;
   QTableWidget* table_;
   QComboBox *metric_, *bound_;

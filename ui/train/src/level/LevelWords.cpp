@@ -40,7 +40,8 @@ QString boundOf(const MetricStandard& standard) {
   const QString bound = unit.isEmpty()                 ? number
                         : unit == QLatin1String("deg") ? number + QStringLiteral("°")
                                                        : number + QLatin1Char(' ') + unit;
-  return standard.least ? tr("at least %1").arg(bound) : tr("at most %1").arg(bound);
+  const QString limit = standard.least ? tr("at least %1").arg(bound) : tr("at most %1").arg(bound);
+  return standard.critical ? tr("%1 (critical error)").arg(limit) : limit;
 }
 
 const LevelProgress* find(std::span<const LevelProgress> all, const std::string& level) {
@@ -52,7 +53,7 @@ const LevelProgress* find(std::span<const LevelProgress> all, const std::string&
 QString headlineFor(const PassRule& rule, const AttemptFacts& attempt, bool passed) {
   if (!counts(attempt)) return tr("Does not count: it was left before the skin");
   const bool well = attempt.state == AttemptState::Completed && attempt.succeeded && attempt.criticalErrors == 0;
-  if (!passed && well && judge(rule, attempt).percentMet() < rule.mastery_percent) return tr("Not passed");
+  if (!passed && well && !judge(rule, attempt).reachesStandards(rule)) return tr("Not passed");
   return passed ? tr("Passed") : tr("Not passed: %1").arg(ui::qt(reasonOfFailure(rule, attempt)));
 }
 
@@ -113,7 +114,7 @@ QString passOf(const PassRule& rule) {
   QStringList parts{tr("completed with success, without a critical error")};
   if (rule.leastPoints) parts << tr("at least %1 points").arg(*rule.leastPoints);
   if (!rule.standards.empty() && rule.mastery_percent < 100)
-    parts << tr("at least %1 % of the standards met").arg(rule.mastery_percent);
+    parts << tr("at least %1 % of the standards met, and each critical one").arg(rule.mastery_percent);
   else if (!rule.standards.empty())
     parts << tr("all standards met");
   return parts.join(QStringLiteral(", "));

@@ -25,6 +25,7 @@ struct MetricStandard {
   std::optional<double> least{}, most{};  ///< one of the two
   std::string otherwise{};                ///< what is said where it is not met: "the artery was punctured"
   std::string source{};                   ///< why this limit
+  bool critical = false;                  ///< an attempt that does not meet it fails, whatever the share
 
   bool operator==(const MetricStandard&) const = default;
 };
@@ -33,7 +34,7 @@ struct MetricStandard {
 struct PassRule {
   std::optional<double> leastPoints{};  ///< of AttemptFacts::points
   std::vector<MetricStandard> standards{};
-  double mastery_percent = 100;  ///< of the standards that are met, at least
+  double mastery_percent = 100;  ///< minimum share of the standards that are met, and all critical ones
 
   bool operator==(const PassRule&) const = default;
 };

@@ -13,9 +13,11 @@ struct Judgement {
   bool passed = false;
   std::vector<bool> standardsMet{};  ///< in the order of PassRule::standards
   int met = 0;                       ///< how many of them
+  bool criticalMet = true;           ///< each critical one
 
   /// Of the standards; 100 where there are none.
   double percentMet() const;
+  bool reachesStandards(const PassRule& rule) const;
 };
 
 /// Whether an attempt is one to judge: completed, or abandoned with the needle in the skin (the metric "passes" above
@@ -28,8 +30,12 @@ Judgement judge(const PassRule& rule, const AttemptFacts& attempt);
 /// The attempt's value of a metric, by this version of its definition; none where it is not finite.
 std::optional<double> valueOf(const AttemptFacts& attempt, std::string_view metric, int version);
 
-/// Why an attempt does not pass, as it follows "failed because": "the artery was punctured (1, at most 0)". The worst
-/// reason alone: a critical error, no success, standards, points. "" where it passes.
+/// Each standard that the attempt does not meet, critical ones first: "the artery was punctured (1, at most 0: a
+/// critical error)". An attempt that passes may miss some.
+std::vector<std::string> missedStandards(const PassRule& rule, const AttemptFacts& attempt);
+
+/// Why an attempt does not pass, as it follows "failed because": a critical error or no success, and each standard that
+/// was missed; else the points. "" where it passes.
 std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt);
 
 }  // namespace insonate
