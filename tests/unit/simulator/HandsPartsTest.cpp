@@ -3,6 +3,7 @@
 #include "hands/RestNear.h"
 #include "support/Allocations.h"
 
+#include <insonate/cases/Phantom.h>
 #include <insonate/simulator/NeedleHand.h>
 
 #include <numbers>
@@ -109,6 +110,41 @@ TEST(NeedleHand, InPlaneItPointsUnderTheMiddleOfTheProbe) {
   EXPECT_NEAR(determinant(pose.linear), 1, 1e-9);
   EXPECT_NEAR(needle.heading_deg(), 90, 1) << "to the patient's left";
   EXPECT_FALSE(needle.isIn());
+}
+
+/// On a neck, at poses all round: slid, turned, tilted and rocked.
+TEST(NeedleHand, InPlaneTheWholeShaftLiesInTheSlice) {
+  const auto patient = makePhantom("textbook", 1);
+  ASSERT_TRUE(patient) << patient.error().message;
+  std::uint32_t state = 1;
+  const auto between = [&](double low, double high) {
+    state = state * 1664525U + 1013904223U;
+    return low + (high - low) * (state >> 8) / double(1U << 24);
+  };
+  int poses = 0, outside = 0;
+  for (const StartPose& start : patient->manifest.startPoses) {
+    const auto there =
+        ProbeHand::make(patient->labels, *patientFromProbe(start.position_mm, start.axial, start.lateral));
+    ASSERT_TRUE(there) << there.error().message;
+    for (int i = 0; i < 50; ++i) {
+      ProbeHand probe = *there;
+      if (i > 0) {
+        probe.slide(between(-25, 25), between(-25, 25));
+        probe.rotate(between(-90, 90)), probe.tilt(between(-20, 20)), probe.rock(between(-20, 20));
+      }
+      const NeedleHand needle = NeedleHand::beside(probe, 19, NeedlePlane::Along);
+      ++poses;
+      if (needle.offPlane_mm(probe.pose()) <= 0.1) {
+        const double angle_deg = needle.state().angle_deg;
+        EXPECT_GE(angle_deg, NeedleHand::kLeastAngle_deg - 1e-9);
+        const Transform probeFromNeedle = inverted(probe.pose()) * needle.patientFromNeedle();
+        EXPECT_LT(std::abs(probeFromNeedle.linear.column[2].y), 1e-9) << "its direction, too";
+      } else {
+        ++outside;
+      }
+    }
+  }
+  EXPECT_LE(outside, poses / 20) << "of " << poses;
 }
 
 TEST(NeedleHand, AcrossItComesFromTheSideOfThePlane) {

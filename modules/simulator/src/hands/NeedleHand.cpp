@@ -56,12 +56,44 @@ NeedleHand NeedleHand::beside(const ProbeHand& probe, double halfWidth_mm, Needl
   needle.state_.inward = probe.state().inward;
   // Where the scan ends there, the needle waits under the probe.
   needle.state_.entry_mm = probe.state().skin_mm;
+  if (isAlong && needle.putInPlane(pose, aside)) return needle;
   needle.put(pose.offset + aside);
   needle.state_.heading = along(-aside, needle.state_.inward, needle.state_.inward);
-  const Vec3 aim = normalized(pose * Vec3{0, 0, kAim_mm} - needle.state_.entry_mm);
-  const double steep_deg = std::asin(dot(aim, needle.state_.inward)) / kDegree;
-  needle.state_.angle_deg = isAlong ? std::clamp(steep_deg, kLeastAngle_deg, kMostAngle_deg) : kAcross_deg;
+  needle.state_.angle_deg = kAcross_deg;
   return needle;
+}
+
+/// The entry is sought along the probe's axis, and the needle then points within the image plane: the way square to the
+/// skin would leave the plane wherever the skin slopes across it. False where there is no skin, or where the skin is
+/// parallel to no line of the plane that a needle can take.
+bool NeedleHand::putInPlane(const Transform& pose, Vec3 aside) {
+  const auto& [lateral, elevation, axial] = pose.linear.column;
+  const auto entry = skin_->along(pose.offset + aside, -axial, kReach_mm);
+  if (!entry || !skin_->inVolume(*entry)) return false;
+  const Vec3 inward = -skin_->normal(*entry, -state_.inward);
+  const Vec3 steepest = inward - elevation * dot(inward, elevation);
+  const double flattest = std::sin(kLeastAngle_deg * kDegree), steep = norm(steepest);
+  if (steep <= flattest) return false;
+  Vec3 way = normalized(pose * Vec3{0, 0, kAim_mm} - *entry);
+  if (dot(way, inward) < flattest) {
+    // The direction next to it that is not flatter than a needle can be held.
+    const Vec3 up = steepest / steep;
+    const Vec3 aslant = normalized(way - up * dot(way, up));
+    const double cosine = flattest / steep;
+    way = up * cosine + aslant * std::sqrt(1 - cosine * cosine);
+  }
+  state_.entry_mm = *entry, state_.inward = inward;
+  state_.heading = along(way, inward, inward);
+  state_.angle_deg = std::asin(std::clamp(dot(way, inward), -1.0, 1.0)) / kDegree;
+  return true;
+}
+
+double NeedleHand::offPlane_mm(const Transform& patientFromProbe) const {
+  const Transform probeFromNeedle = inverted(patientFromProbe) * patientFromNeedle();
+  const double fromTip_mm = state_.advance_mm;
+  const Vec3 entry = probeFromNeedle * Vec3{0, 0, -fromTip_mm},
+             end = probeFromNeedle * Vec3{0, 0, kLength_mm - fromTip_mm};
+  return std::max(std::abs(entry.y), std::abs(end.y));
 }
 
 HandMove NeedleHand::put(Vec3 skin_mm) {

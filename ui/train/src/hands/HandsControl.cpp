@@ -219,6 +219,11 @@ void HandsControl::takeNeedle(NeedlePlane plane) {
   advance_mm_ = -kStart_mm;
   apply();
   follow(session_->snapshot());
+  constexpr double kInPlane_mm = 0.1;
+  if (plane == NeedlePlane::Along && wish_->offPlane_mm(probe_->pose()) > kInPlane_mm)
+    return Q_EMIT said(
+        tr("The needle is not in-plane: beside the probe there is no skin, or it faces away. Move the "
+           "probe, then press I twice."));
   Q_EMIT said(session_->tissueReady()
                   ? tr("The needle is beside the probe. Page Down advances it, Page Up withdraws; Alt with the probe's "
                        "keys aims it.")

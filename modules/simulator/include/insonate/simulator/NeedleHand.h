@@ -31,8 +31,9 @@ class NeedleHand {
   /// Deeper, tissue holds the needle on its track (the servo's line constraint begins there).
   static constexpr double kTurnsUntil_mm = 10;
 
-  /// Ready beside a probe: in its plane at the end of its face that is away from the marker, or across it in front;
-  /// aimed 17 mm under its middle, or at 45 degrees. `halfWidth_mm` of the face.
+  /// Ready beside a probe. Along: in the image plane, at the end of the face that is away from the marker, pointing to
+  /// 17 mm below the middle of the face; as under Across where the skin does not allow that (offPlane_mm()). Across: in
+  /// front of the face, at 45 degrees. `halfWidth_mm` of the face.
   static NeedleHand beside(const ProbeHand& probe, double halfWidth_mm, NeedlePlane plane);
 
   /// The entry over the skin, along the probe's own directions; not while the tip is in.
@@ -51,12 +52,16 @@ class NeedleHand {
   const NeedleHandState& state() const { return state_; }
   bool isIn() const { return state_.advance_mm > 0; }
 
+  /// Largest distance of the shaft, from the entry to the needle's full length, from the probe's image plane.
+  double offPlane_mm(const Transform& patientFromProbe) const;
+
   /// Along the skin: 0 toward the patient's head, 90 toward the patient's left.
   double heading_deg() const;
 
  private:
   NeedleHand(std::shared_ptr<const SkinSurface> skin) : skin_(std::move(skin)) {}
   HandMove put(Vec3 skin_mm);
+  bool putInPlane(const Transform& patientFromProbe, Vec3 aside);
 
   std::shared_ptr<const SkinSurface> skin_;
   NeedleHandState state_;
