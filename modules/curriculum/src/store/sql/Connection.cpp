@@ -64,8 +64,16 @@ Result<void> Connection::setUp(const Address& address) {
   if (!address.isServer && QFileInfo(address.file).isDir())
     return fail(place_ + " is a folder; name a file for the curriculum's store.");
   if (!database_.open()) return tl::unexpected(failed(database_.lastError()));
-  if (!address.isServer) sqlite3_busy_handler(handle(), waitForOthers, nullptr);
-  return script(std::string(dialect_.setUp));
+  const std::string settings(dialect_.setUp);
+  if (address.isServer) return script(settings);
+  sqlite3_busy_handler(handle(), waitForOthers, nullptr);
+  // A new file goes over to WAL under a lock that SQLite does not ask its busy handler for: of several programs that
+  // come at once, some are told SQLITE_BUSY immediately. All settings may be made again.
+  auto done = script(settings);
+  for (int tries = 0; !done && (sqlite3_errcode(handle()) & 0xff) == SQLITE_BUSY && waitForOthers(nullptr, tries);
+       ++tries)
+    done = script(settings);
+  return done;
 }
 
 sqlite3* Connection::handle() const {
