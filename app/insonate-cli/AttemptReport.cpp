@@ -62,13 +62,6 @@ nlohmann::json jsonOf(Vec3 v) {
   return {v.x, v.y, v.z};
 }
 
-/// Name of the vein whose wall the event is at; empty where that is no vein or the case names none.
-std::string vesselOf(const AttemptEvent& event, const std::vector<std::string>& vessels) {
-  if (!isOfWall(event) || event.wall != kVein || vessels.empty()) return {};
-  if (event.vessel == 0 || event.vessel > vessels.size()) return "another vein";
-  return vessels[event.vessel - 1U];
-}
-
 nlohmann::json jsonOf(const AttemptEvent& event, const std::vector<std::string>& vessels) {
   nlohmann::json object{{"t_s", static_cast<double>(event.time_us) * 1e-6}, {"kind", nameOf(event.kind)}};
   if (event.kind == AttemptEventKind::Positioned) object["tilt_deg"] = event.tilt_deg;
@@ -78,7 +71,7 @@ nlohmann::json jsonOf(const AttemptEvent& event, const std::vector<std::string>&
                    {"depth_mm", event.depth_mm},
                    {"tip_mm", jsonOf(event.tip_mm)},
                    {"axis", jsonOf(event.axis)}});
-  if (const std::string vessel = vesselOf(event, vessels); !vessel.empty()) object["vessel"] = vessel;
+  if (const std::string vessel = vesselName(event, vessels); !vessel.empty()) object["vessel"] = vessel;
   return object;
 }
 
@@ -135,7 +128,7 @@ void printAttempt(AttemptStatus status, const MetricValues& metrics, const std::
                   const std::vector<std::string>& vessels) {
   std::printf("%s\n", nameOf(status));
   for (const AttemptEvent& event : events) {
-    const std::string vessel = vesselOf(event, vessels);
+    const std::string vessel = vesselName(event, vessels);
     const std::string wall = isOfWall(event) ? std::string(labelTable()[event.wall].name) : "";
     std::printf("%9.3f s  %s %s\n", static_cast<double>(event.time_us) * 1e-6, nameOf(event.kind),
                 (vessel.empty() ? wall : vessel).c_str());

@@ -95,7 +95,7 @@ std::string text(const VolumeGeometry& g) {
          number(g.spacing_mm.x) + "x" + number(g.spacing_mm.y) + "x" + number(g.spacing_mm.z) + " mm";
 }
 
-/// Drops targets and landmarks that are not in the grid any more.
+/// Drops targets, vessels and landmarks that are not in the grid any more.
 void keepInside(CaseManifest& manifest, const VolumeGeometry& grid) {
   const auto drop = [&](const std::string& kind, const std::string& name, Vec3 place_mm) {
     const auto [i, j, k] = nearestVoxel(grid.indexFromPatient() * place_mm);
@@ -104,6 +104,12 @@ void keepInside(CaseManifest& manifest, const VolumeGeometry& grid) {
     return true;
   };
   std::erase_if(manifest.targets, [&](const Target& one) { return drop("target", one.name, one.position_mm); });
+  std::erase_if(manifest.vessels, [&](const NamedVessel& one) {
+    return std::ranges::none_of(one.course, [&](const NamedVessel::Point& point) {
+      const auto [i, j, k] = nearestVoxel(grid.indexFromPatient() * point.position_mm);
+      return grid.contains(i, j, k);
+    });
+  });
   std::erase_if(manifest.landmarks, [&](const Landmark& one) {
     return drop("landmark", one.name.empty() ? one.code : one.name, one.position_mm);
   });

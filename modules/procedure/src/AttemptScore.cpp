@@ -25,11 +25,16 @@ std::string positionSentence(double tilt_deg) {
          (tilt_deg > 0 ? " degrees down." : " degrees up.");
 }
 
-/// "the right internal jugular vein"; "the vein" of a case that names none, "another vein" where the case has no name.
-std::string veinName(const AttemptEvent& event, const ProcedureRun& run) {
-  if (run.vessels().empty()) return "the vein";
-  if (event.vessel == 0 || event.vessel > run.vessels().size()) return "another vein";
-  return "the " + run.vessels()[event.vessel - 1U];
+/// "the right internal jugular vein"; "the vein" of a case that names none.
+std::string withArticle(const AttemptEvent& event, const ProcedureRun& run) {
+  const std::string name = vesselName(event, run.vessels());
+  if (name.empty()) return "the " + std::string(labelTable()[event.wall].name);
+  return event.vessel == 0 || event.vessel == kUnnamedVessel ? name : "the " + name;
+}
+
+std::string capital(std::string text) {
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
 }
 
 bool isTargetVein(const AttemptEvent& event, const ProcedureRun& run) {
@@ -37,16 +42,17 @@ bool isTargetVein(const AttemptEvent& event, const ProcedureRun& run) {
 }
 
 std::string veinSentence(const AttemptEvent& event, bool firstVein, const ProcedureRun& run) {
-  std::string name = veinName(event, run);
+  const std::string name = withArticle(event, run);
   if (event.kind == AttemptEventKind::Left) return "The posterior wall of " + name + " is punctured.";
-  name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
-  if (!isTargetVein(event, run)) return name + " is punctured, which is not the target: the " + run.vessels()[0] + ".";
-  return name + (firstVein ? " is reached." : " is punctured again.");
+  if (isTargetVein(event, run)) return capital(name) + (firstVein ? " is reached." : " is punctured again.");
+  return capital(name) + " is punctured, which is not the target: the " + run.vessels()[0] + ".";
 }
 
 std::string punctureSentence(const AttemptEvent& event, bool firstVein, const ProcedureRun& run) {
   if (event.wall == kSkin) return "The skin is punctured.";
   if (event.wall == kVein) return veinSentence(event, firstVein, run);
+  if (event.wall == kArtery && event.kind == AttemptEventKind::Entered)
+    return capital(withArticle(event, run)) + " is punctured.";
   return "The needle goes through the wall of: " + std::string(labelTable()[event.wall].name) + ".";
 }
 
@@ -78,6 +84,14 @@ bool isToldByFinding(const AttemptEvent& event, const ProcedureRun& run) {
   return wrong && std::ranges::any_of(run.findings(), [&](const auto& f) { return f.time_us == event.time_us; });
 }
 
+/// Name of the vessel that was punctured as a rule was broken; empty where none was or it has no name.
+std::string vesselOf(const ProcedureRun& run, const ProcedureRun::Finding& finding) {
+  for (const AttemptEvent& event : run.milestones())
+    if (event.time_us == finding.time_us && event.vessel != 0 && event.vessel != kUnnamedVessel)
+      return vesselName(event, run.vessels());
+  return {};
+}
+
 std::vector<AttemptMoment> momentsOf(const ProcedureRun& run) {
   std::vector<AttemptMoment> moments;
   bool veinReached = false;
@@ -89,7 +103,8 @@ std::vector<AttemptMoment> momentsOf(const ProcedureRun& run) {
   }
   for (const ProcedureRun::Finding& finding : run.findings()) {
     const ProcedureRule& rule = ruleOf(run, finding);
-    moments.push_back({finding.time_us, rule.say, rule.severity});
+    const std::string vessel = vesselOf(run, finding);
+    moments.push_back({finding.time_us, vessel.empty() ? rule.say : capital(vessel) + ": " + rule.say, rule.severity});
   }
   std::ranges::stable_sort(moments, {}, &AttemptMoment::time_us);
   return moments;
@@ -156,9 +171,15 @@ std::string adviceOf(const ProcedureRun& run, const std::vector<MetricScore>& me
 
 }  // namespace
 
-AttemptScore scoreOf(const ProcedureRun& run) {
+std::string vesselName(const AttemptEvent& event, const std::vector<std::string>& vessels) {
+  if (event.kind > AttemptEventKind::Withdrawn || (event.wall != kVein && event.wall != kArtery)) return {};
+  if (event.vessel > 0 && event.vessel <= vessels.size()) return vessels[event.vessel - 1U];
+  return event.wall == kVein && !vessels.empty() ? "another vein" : "";
+}
+
+AttemptScore scoreOf(const ProcedureRun& run, AttemptStatus status) {
   AttemptScore score;
-  score.succeeded = run.succeeded();
+  score.succeeded = status == AttemptStatus::Completed && run.succeeded();
   score.metrics = metricScores(run);
   score.moments = momentsOf(run);
   std::ranges::copy_if(score.moments, std::back_inserter(score.criticalErrors),

@@ -111,6 +111,8 @@ const Defect kDefects[] = {
      [](PatientCase& p) {
        p.manifest.targets[0].position_mm = {0, 0, 500};
      }},
+    {"no_vessel_names", Severity::kInfo, [](PatientCase& p) { p.manifest.vessels.clear(); }},
+    {"vessel_elsewhere", Severity::kWarning, [](PatientCase& p) { p.manifest.vessels[0].label = kArtery; }},
     {"no_start_pose", Severity::kInfo, [](PatientCase& p) { p.manifest.startPoses.clear(); }},
     {"pose_off_skin", Severity::kWarning,
      [](PatientCase& p) {

@@ -43,6 +43,7 @@ TEST_P(CaseRoundTrip, KeepsVoxelsGridAndManifest) {
   patient.manifest.states = {{kVein, LabelState::Completed}, {101, LabelState::Flagged}};
   patient.manifest.importNotes = {"The slices were tilted.", "Padding was named."};
   patient.manifest.targets = {{"vein", kVein, {1.5, -2.25, 1e-3}}};
+  patient.manifest.vessels = {{"left \u00c4ste", kArtery, {{{1, 2, 3.5}, 2.25}, {{4, 5, 6}, 0}}}};
   patient.manifest.startPoses = {{"start", {0, 1, 2}, {0, 0.6, 0.8}, {1, 0, 0}}};
   const auto written = writeCase(patient, folder / "case");
   ASSERT_TRUE(written) << written.error().message;
@@ -70,6 +71,7 @@ TEST_P(CaseRoundTrip, KeepsVoxelsGridAndManifest) {
   ASSERT_EQ(m.targets.size(), 1U);
   EXPECT_EQ(m.targets[0].label, kVein);
   EXPECT_EQ(m.targets[0].position_mm, patient.manifest.targets[0].position_mm);
+  EXPECT_EQ(m.vessels, patient.manifest.vessels);
   ASSERT_EQ(m.startPoses.size(), 1U);
   EXPECT_LT(norm(m.startPoses[0].axial - Vec3{0, 0.6, 0.8}), 1e-12);
 }

@@ -71,6 +71,7 @@ inline PatientCase cylinderNeck() {
           }
   patient.manifest.targets = {{"right internal jugular vein", kVein, {-30, -22, 0}}};
   patient.manifest.startPoses = {{"front", {0, -50, 0}, {0, 1, 0}, {1, 0, 0}}};
+  patient.manifest.vessels = {{"right internal jugular vein", kVein, {{{-30, -22, -20}, 6}, {{-30, -22, 20}, 6}}}};
   patient.manifest.difficulty = "easy";
   patient.manifest.landmarks = {{"puncture_site", "puncture site", {-30, -40, 0}},
                                 {"cricoid", "cricoid", {0, -34, 0}},

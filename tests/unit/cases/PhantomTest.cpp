@@ -321,6 +321,33 @@ TEST(Phantom, LandmarksLieInWhatTheyName) {
   }
 }
 
+/// The middle of each named vessel carries its label, and the target lies in the vessel of its name.
+TEST_P(PhantomVariantTest, VesselsAreWhereTheirNamesAre) {
+  const PatientCase& p = phantom(std::string(GetParam()));
+  EXPECT_EQ(p.manifest.vessels.size(), 26U) << "five veins and eight arteries of each side";
+  for (const NamedVessel& vessel : p.manifest.vessels) {
+    int here = 0, labelled = 0;
+    for (const NamedVessel::Point& point : vessel.course) {
+      const Vec3 index = p.labels.geometry.indexFromPatient() * point.position_mm;
+      if (!p.labels.geometry.contains(int(std::lround(index.x)), int(std::lround(index.y)), int(std::lround(index.z))))
+        continue;
+      ++here;
+      labelled += labelAt(p, point.position_mm) == vessel.label;
+    }
+    EXPECT_GE(labelled, 0.8 * here) << vessel.name << " of " << here;
+  }
+  for (const Target& target : p.manifest.targets) {
+    const auto named = std::ranges::find(p.manifest.vessels, target.name, &NamedVessel::name);
+    ASSERT_NE(named, p.manifest.vessels.end()) << target.name;
+    EXPECT_LT(distanceToCourse_mm(*named, target.position_mm), 0.5);
+    EXPECT_LT(distanceToWall_mm(*named, target.position_mm), -2);
+    for (const NamedVessel& other : p.manifest.vessels)
+      if (&other != &*named && other.label == kVein) {
+        EXPECT_GT(distanceToWall_mm(other, target.position_mm), 0) << other.name;
+      }
+  }
+}
+
 TEST(Phantom, UnknownVariantIsRefusedWithTheList) {
   const auto none = makePhantom("no-such-neck", 1);
   ASSERT_FALSE(none);

@@ -65,6 +65,30 @@ Vec3 placeOf(const VolumeGeometry& g, std::size_t offset) {
                                      double(row / std::size_t(g.size[1]))};
 }
 
+void checkNames(const CaseView& patient, Findings& findings) {
+  const CaseManifest& m = patient.manifest;
+  if (m.vessels.empty() && !m.targets.empty())
+    findings.push_back(
+        {Severity::kInfo, "no_vessel_names",
+         "The vessels have no names: an attempt tells the vein with the target from the other veins, and "
+         "calls each of them another vein. Name them under 'vessels' in case.json."});
+  const VolumeGeometry& g = patient.labels.geometry;
+  for (const NamedVessel& vessel : m.vessels) {
+    int here = 0, labelled = 0;
+    for (const NamedVessel::Point& point : vessel.course) {
+      if (!inVolume(g, point.position_mm)) continue;
+      ++here;
+      labelled += sampleNearest(patient.labels, g.indexFromPatient() * point.position_mm) == vessel.label;
+    }
+    if (2 * labelled >= here) continue;
+    findings.push_back({Severity::kWarning, "vessel_elsewhere",
+                        "Only " + std::to_string(labelled) + " of the " + std::to_string(here) + " points of the " +
+                            vessel.name + " are labelled " + labelName(vessel.label) +
+                            ". Correct the label, or the vessel's course in case.json.",
+                        vessel.course.front().position_mm, vessel.label});
+  }
+}
+
 void checkPlaces(const CaseView& patient, Findings& findings) {
   const CaseManifest& m = patient.manifest;
   const bool labelled = std::ranges::any_of(patient.labels.voxels, [](std::uint8_t v) { return v != 0; });
@@ -72,6 +96,7 @@ void checkPlaces(const CaseView& patient, Findings& findings) {
     findings.push_back({Severity::kWarning, "no_target",
                         "No target is named, so a session cannot tell what is to be punctured. Mark one in the vein."});
   for (const Target& target : m.targets) checkTarget(patient, target, findings);
+  checkNames(patient, findings);
   for (const StartPose& pose : m.startPoses) checkPose(patient, pose, labelled, findings);
   if (!m.startPoses.empty()) return;
   if (const auto proposed = proposeStartPose(patient))

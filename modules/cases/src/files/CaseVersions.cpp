@@ -178,6 +178,13 @@ std::string contentHashOf(const PatientCase& patient) {
     fingerprint.add(target.name), fingerprint.add(std::uint64_t{target.label});
     add(fingerprint, target.position_mm);
   }
+  for (const NamedVessel& vessel : patient.manifest.vessels) {
+    fingerprint.add(vessel.name), fingerprint.add(std::uint64_t{vessel.label});
+    for (const NamedVessel::Point& point : vessel.course) {
+      add(fingerprint, point.position_mm);
+      add(fingerprint, Vec3{point.radius_mm, 0, 0});
+    }
+  }
   for (const StartPose& pose : patient.manifest.startPoses) {
     fingerprint.add(pose.name);
     add(fingerprint, pose.position_mm), add(fingerprint, pose.axial), add(fingerprint, pose.lateral);

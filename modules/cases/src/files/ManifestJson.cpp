@@ -28,6 +28,16 @@ json toJson(const Target& target) {
   return {{"name", target.name}, {"label", labelToJson(target.label)}, {"position_mm", toJson(target.position_mm)}};
 }
 
+json toJson(const NamedVessel& vessel) {
+  json course = json::array();
+  for (const NamedVessel::Point& point : vessel.course) {
+    json entry = toJson(point.position_mm);
+    entry.push_back(point.radius_mm);
+    course.push_back(std::move(entry));
+  }
+  return {{"name", vessel.name}, {"label", labelToJson(vessel.label)}, {"course_mm", course}};
+}
+
 /// All that is said of each label.
 json structuresOf(const CaseManifest& m) {
   std::map<std::uint8_t, json> structures;
@@ -102,6 +112,22 @@ std::uint8_t labelAt(const json& object, const std::string& where) {
 
 Target targetFrom(const json& object, const std::string& where) {
   return {textAt(object, "name", where), labelAt(object, where), vectorAt(object, "position_mm", where)};
+}
+
+NamedVessel vesselFrom(const json& object, const std::string& where) {
+  NamedVessel vessel{textAt(object, "name", where), labelAt(object, where), {}};
+  if (vessel.name.empty()) throw Wrong{where + "name", "the vessel's name"};
+  const Wrong wrong{where + "course_mm", "a list of [x, y, z, radius], one at least"};
+  if (!object.contains("course_mm") || !object["course_mm"].is_array() || object["course_mm"].empty()) throw wrong;
+  for (const json& entry : object["course_mm"]) {
+    const bool numbers = entry.is_array() && entry.size() == 4 &&
+                         std::ranges::all_of(entry, [](const json& value) { return value.is_number(); });
+    if (!numbers) throw wrong;
+    const NamedVessel::Point point{{entry[0], entry[1], entry[2]}, entry[3]};
+    if (!isFinite(point.position_mm) || !(point.radius_mm >= 0 && point.radius_mm <= 100)) throw wrong;
+    vessel.course.push_back(point);
+  }
+  return vessel;
 }
 
 StructureShown shownFrom(const json& object, const std::string& where) {
@@ -209,6 +235,7 @@ CaseManifest manifestFrom(const json& document, std::vector<std::string>& notes)
   if (std::ranges::find(kDifficulties, m.difficulty) == kDifficulties.end())
     throw Wrong{"difficulty", "\"easy\", \"moderate\" or \"hard\""};
   forEach(document, "targets", [&](const json& o, const std::string& w) { m.targets.push_back(targetFrom(o, w)); });
+  forEach(document, "vessels", [&](const json& o, const std::string& w) { m.vessels.push_back(vesselFrom(o, w)); });
   forEach(document, "start_poses",
           [&](const json& o, const std::string& w) { m.startPoses.push_back(poseFrom(o, w, notes)); });
   forEach(document, "landmarks", [&](const json& o, const std::string& w) {
@@ -216,9 +243,9 @@ CaseManifest manifestFrom(const json& document, std::vector<std::string>& notes)
   });
   m.version = versionFrom(document);
   forEach(document, "structures", [&](const json& o, const std::string& w) { readStructure(o, w, m); });
-  constexpr std::array<std::string_view, 11> kFields{"version",    "schema_version", "title",     "description",
-                                                     "difficulty", "source",         "landmarks", "import_notes",
-                                                     "targets",    "start_poses",    "structures"};
+  constexpr std::array<std::string_view, 12> kFields{"vessels",      "version",    "schema_version", "title",
+                                                     "description",  "difficulty", "source",         "landmarks",
+                                                     "import_notes", "targets",    "start_poses",    "structures"};
   for (const auto& [key, value] : document.items())
     if (std::ranges::find(kFields, key) == kFields.end())
       notes.push_back("case.json has a field \"" + key + "\" that is not known here; it was ignored.");
@@ -228,8 +255,9 @@ CaseManifest manifestFrom(const json& document, std::vector<std::string>& notes)
 }  // namespace
 
 std::string manifestToJson(const CaseManifest& m) {
-  json targets = json::array(), poses = json::array(), landmarks = json::array();
+  json vessels = json::array(), targets = json::array(), poses = json::array(), landmarks = json::array();
   for (const Target& t : m.targets) targets.push_back(toJson(t));
+  for (const NamedVessel& v : m.vessels) vessels.push_back(toJson(v));
   for (const StartPose& p : m.startPoses) poses.push_back(toJson(p));
   for (const Landmark& l : m.landmarks) landmarks.push_back(toJson(l));
   const json document{{"schema_version", CaseManifest::kSchemaVersion},
@@ -239,6 +267,7 @@ std::string manifestToJson(const CaseManifest& m) {
                       {"source", m.source},
                       {"import_notes", m.importNotes},
                       {"targets", targets},
+                      {"vessels", vessels},
                       {"start_poses", poses},
                       {"landmarks", landmarks},
                       {"version", toJson(m.version)},

@@ -2,6 +2,7 @@
 
 #include "Shapes.h"
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -39,6 +40,14 @@ std::vector<Structure> makeAnatomy(const NeckParameters& parameters, std::uint32
 
 /// Centre of the internal jugular vein at a level; lateral, posterior (mm), half width, half height, turn (degrees).
 std::array<double, 5> jugularVeinAt(const NeckParameters& parameters, Side side, double z_mm);
+
+/// A vessel that has a name of its own, e.g. "left vertebral artery". Model mm.
+struct VesselCourse {
+  std::string name;
+  Label label = kVein;
+  std::vector<Tube::Knot> line;
+};
+std::vector<VesselCourse> vesselCourses(const NeckParameters& parameters, const BodySurface& body);
 
 /// Front of the vertebral bodies, model y at level z.
 double vertebralFront_mm(double z_mm);

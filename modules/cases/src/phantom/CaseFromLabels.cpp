@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace insonate {
 namespace {
@@ -98,6 +99,41 @@ std::optional<Vec3> centreOf(const Numbers& numbers, const TargetPlan& target) {
   return patientFromIndex * (sum / count);
 }
 
+/// The centers of a number's sections along the axis of the grid in which it is longest, with the radius of a circle of
+/// the section's area; empty where it has no voxels.
+std::vector<NamedVessel::Point> courseOf(const Numbers& numbers, std::int32_t number) {
+  const VolumeGeometry& g = numbers.geometry;
+  std::array<int, 3> first = g.size, last{-1, -1, -1}, p{};
+  std::vector<std::array<int, 3>> voxels;
+  for (p[2] = 0; p[2] < g.size[2]; ++p[2])
+    for (p[1] = 0; p[1] < g.size[1]; ++p[1])
+      for (p[0] = 0; p[0] < g.size[0]; ++p[0]) {
+        if (numbers.at(p[0], p[1], p[2]) != number) continue;
+        voxels.push_back(p);
+        for (int a = 0; a < 3; ++a) first[a] = std::min(first[a], p[a]), last[a] = std::max(last[a], p[a]);
+      }
+  if (voxels.empty()) return {};
+  int along = 0;
+  for (int a = 1; a < 3; ++a)
+    if ((last[a] - first[a]) * g.spacing_mm[a] > (last[along] - first[along]) * g.spacing_mm[along]) along = a;
+  struct Section {
+    Vec3 sum;
+    double count = 0;
+  };
+  std::vector<Section> sections(static_cast<std::size_t>(last[along] - first[along] + 1));
+  for (const auto& voxel : voxels) {
+    Section& section = sections[static_cast<std::size_t>(voxel[along] - first[along])];
+    section.sum = section.sum + Vec3{double(voxel[0]), double(voxel[1]), double(voxel[2])}, ++section.count;
+  }
+  const double area_mm2 = g.spacing_mm[(along + 1) % 3] * g.spacing_mm[(along + 2) % 3];
+  std::vector<NamedVessel::Point> course;
+  for (const Section& section : sections)
+    if (section.count > 0)
+      course.push_back({g.patientFromIndex() * (section.sum / section.count),
+                        std::sqrt(section.count * area_mm2 / std::numbers::pi)});
+  return course;
+}
+
 /// A transverse pose over each target, and the same turned along the body with the feet to the marker's side.
 void addStartPoses(PatientCase& patient, std::vector<std::string>& notes) {
   for (const Target& target : patient.manifest.targets) {
@@ -145,6 +181,9 @@ Result<CaseFromLabelsResult> caseFromLabels(const std::filesystem::path& labelFi
       result.notes.push_back("The target '" + target.name + "' was left out: number " + std::to_string(target.number) +
                              " is not in the slice at " + std::to_string(target.z_mm) + " mm.");
   }
+  for (const auto& [number, name] : plan->vessels)
+    if (auto course = courseOf(*numbers, number); !course.empty())
+      patient.manifest.vessels.push_back({name, plan->labels.at(number), std::move(course)});
   if (!report(progress, "Completing the anatomy", 0)) return fail(std::string(kCancelled));
   if (plan->complete) fillMarrow(*labels);
   drawTubes(*labels, plan->tubes);

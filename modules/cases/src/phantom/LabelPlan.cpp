@@ -107,7 +107,7 @@ TargetPlan target(const Json& json) {
 }
 
 LabelPlan plan(const Json& json) {
-  allowOnly(json, "The file", {"labels", "others", "title", "crop_mm", "tubes", "complete", "targets"});
+  allowOnly(json, "The file", {"labels", "others", "title", "crop_mm", "tubes", "complete", "targets", "vessels"});
   LabelPlan p;
   const Json& labels = needed(json, "The file", "labels");
   if (!labels.is_object()) throw BadEntry("\"labels\" is not an object.");
@@ -127,6 +127,14 @@ LabelPlan plan(const Json& json) {
   for (const Json& t : json.value("tubes", Json::array())) p.tubes.push_back(tube(t));
   if (json.contains("complete")) p.complete = completion(json["complete"]);
   for (const Json& t : json.value("targets", Json::array())) p.targets.push_back(target(t));
+  const Json vessels = json.value("vessels", Json::object());
+  if (!vessels.is_object()) throw BadEntry("\"vessels\" is not an object.");
+  for (const auto& [key, name] : vessels.items()) {
+    if (!name.is_string()) throw BadEntry("The name of the vessel '" + key + "' must be text.");
+    const std::int32_t number = sourceNumber(key);
+    if (p.labels.count(number) == 0) throw BadEntry("The vessel '" + key + "' is not listed under \"labels\".");
+    p.vessels[number] = name.get<std::string>();
+  }
   return p;
 }
 

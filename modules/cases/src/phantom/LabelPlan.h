@@ -47,6 +47,7 @@ struct LabelPlan {
   std::vector<TubePlan> tubes;
   std::optional<CompletionPlan> complete;
   std::vector<TargetPlan> targets;
+  std::map<std::int32_t, std::string> vessels;  ///< names, by number
 };
 
 Result<LabelPlan> readLabelPlan(const std::filesystem::path& file);

@@ -72,6 +72,23 @@ Vec3 NeckModel::axillaryCentre_mm(Side side, double lateral_mm) const {
   return patientFromModel({patientX(side, at.x), at.y, at.z});
 }
 
+std::vector<NamedVessel> NeckModel::namedVessels() const {
+  constexpr double kApart_mm = 3;  // along a course
+  std::vector<NamedVessel> vessels;
+  for (const VesselCourse& course : vesselCourses(parameters_, surface_)) {
+    NamedVessel vessel{course.name, course.label, {}};
+    for (std::size_t i = 0; i < course.line.size(); ++i) {
+      const Tube::Knot& knot = course.line[i];
+      const Vec3 at_mm = patientFromModel(knot.p_mm);
+      const bool last = i + 1 == course.line.size();
+      if (!last && !vessel.course.empty() && norm(at_mm - vessel.course.back().position_mm) < kApart_mm) continue;
+      vessel.course.push_back({at_mm, knot.radius_mm});
+    }
+    vessels.push_back(std::move(vessel));
+  }
+  return vessels;
+}
+
 Result<LabelMap> NeckModel::rasterise(const VolumeGeometry& g, const Progress& progress) const {
   LabelMap labels(g);
   std::mutex reporting;

@@ -3,6 +3,7 @@
 #include "Anatomy.h"
 #include "BodySurface.h"
 
+#include <insonate/cases/PatientCase.h>
 #include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
 #include <insonate/image/Volume.h>
@@ -24,6 +25,8 @@ class NeckModel {
   /// Centre of an axillary vein as far from the midline, patient mm.
   Vec3 axillaryCentre_mm(Side side, double lateral_mm) const;
   Vec3 patientFromModel(Vec3 model_mm) const;
+  /// All vessels that have names, patient mm.
+  std::vector<NamedVessel> namedVessels() const;
 
  private:
   Vec3 modelFromPatient(Vec3 patient_mm) const;

@@ -62,6 +62,7 @@ Result<PatientCase> makePhantom(std::string_view variant, std::uint32_t seed, co
                             std::to_string(seed) + (contrast == CtContrast::kArterial ? ", contrast" : "");
   const bool chest = model->parameters.chest;
   patient.manifest.targets = chest ? axillaryTargets(neck) : jugularTargets(neck);
+  patient.manifest.vessels = neck.namedVessels();
   patient.manifest.startPoses = chest ? axillaryStartPoses(neck) : jugularStartPoses(neck);
   patient.manifest.landmarks = landmarks(neck, patient.manifest.startPoses);
   for (int label = kSkin; label < kLabelCount; ++label)

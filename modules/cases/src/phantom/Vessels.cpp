@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 namespace insonate::phantom {
 namespace {
+
+constexpr double kJugularEnd_mm = -54;  ///< where it meets the subclavian vein
 
 int index(Side side) {
   return side == Side::kRight ? 0 : 1;
@@ -16,8 +19,21 @@ double middleOfNeck(double z_mm) {
   return std::exp(-std::pow((z_mm + 2) / 30, 4));
 }
 
+/// Side by side in the model as in the body: what is drawn and what has the name are one.
+struct NamedTube {
+  std::string_view name;
+  std::vector<Tube::Knot> knots;
+  double irregular_mm = 0;
+};
+
+Shape joined(Side side, const std::vector<NamedTube>& tubes, std::uint32_t seed) {
+  std::vector<Shape> shapes;
+  for (const NamedTube& one : tubes) shapes.push_back(tube(side, {one.knots, 1, one.irregular_mm}, seed++));
+  return join(std::move(shapes));
+}
+
 /// Common carotid up to its bifurcation, then internal and external; one smooth trunk and two branches.
-void addCarotid(std::vector<Structure>& into, const NeckParameters& n, Side side, std::uint32_t seed) {
+std::vector<NamedTube> carotids(const NeckParameters& n) {
   const double s = n.carotidScale, b = n.bifurcation_z_mm;
   const Curve<2> course{{-66, {14, 27}},     {-52, {16.5, 25.5}}, {-40, {19.5, 24.5}}, {-28, {22, 24.5}},
                         {-14, {21.8, 24.6}}, {0, {20.4, 25.2}},   {12, {21.4, 24.7}},  {24, {25, 23.5}},
@@ -30,27 +46,21 @@ void addCarotid(std::vector<Structure>& into, const NeckParameters& n, Side side
   for (double z = -66; z < b - 8; z += 8) trunk.push_back(on(z, 0, 0, 3.25));
   trunk.push_back(on(b - 5, 0, 0, 3.6));
   trunk.push_back(on(b, 0, 0, 4.0));
-  const Shape common = tube(side, {trunk, 1, 0.12}, seed);
-  const Shape internal = tube(side,
-                              {{on(b - 3, 0.4, 0.6, 3.6), on(b + 4, 1.6, 2.2, 3.1), on(b + 11, 2.4, 3.6, 2.5),
-                                on(b + 22, 2, 4, 2.4), on(b + 50, 2, 5, 2.4)},
-                               1,
-                               0.1},
-                              seed + 1);
-  const Shape external = tube(side,
-                              {{on(b - 3, -0.4, -0.6, 2.8), on(b + 4, -1.6, -2.6, 2.3), on(b + 12, -1.6, -5, 2.1),
-                                on(b + 24, 0.5, -7, 2), on(b + 50, 2, -8, 1.9)},
-                               1,
-                               0.1},
-                              seed + 2);
-  const Shape superiorThyroid = tube(
-      side,
-      {{on(b + 5, -2, -4, 1.1), {{22, 15, b - 4}, 1.0}, {{20.5, 12.5, b - 17}, 1.0}, {{17, 9.5, b - 29}, 0.9}}, 1, 0},
-      seed + 3);
-  into.push_back({kArtery, Kind::kArtery, 1.1, join({common, internal, external, superiorThyroid})});
+  return {{"common carotid artery", std::move(trunk), 0.12},
+          {"internal carotid artery",
+           {on(b - 3, 0.4, 0.6, 3.6), on(b + 4, 1.6, 2.2, 3.1), on(b + 11, 2.4, 3.6, 2.5), on(b + 22, 2, 4, 2.4),
+            on(b + 50, 2, 5, 2.4)},
+           0.1},
+          {"external carotid artery",
+           {on(b - 3, -0.4, -0.6, 2.8), on(b + 4, -1.6, -2.6, 2.3), on(b + 12, -1.6, -5, 2.1), on(b + 24, 0.5, -7, 2),
+            on(b + 50, 2, -8, 1.9)},
+           0.1},
+          {"superior thyroid artery",
+           {on(b + 5, -2, -4, 1.1), {{22, 15, b - 4}, 1.0}, {{20.5, 12.5, b - 17}, 1.0}, {{17, 9.5, b - 29}, 0.9}},
+           0}};
 }
 
-void addSubclavianArtery(std::vector<Structure>& into, const NeckParameters& n, Side side, std::uint32_t seed) {
+std::vector<NamedTube> subclavianArteries(const NeckParameters& n, Side side) {
   const double medial = side == Side::kRight ? 12 : 18, low = side == Side::kRight ? 0 : 3;
   std::vector<Tube::Knot> subclavian{{{medial, 28 + low, -68}, 5}, {{medial + 3, 28 + low, -56}, 4.4},
                                      {{22, 29, -45}, 4.1},         {{32, 32, -37 - low}, 4},
@@ -60,77 +70,113 @@ void addSubclavianArtery(std::vector<Structure>& into, const NeckParameters& n, 
     subclavian.resize(4);
     std::ranges::copy(axillaryArtery(), std::back_inserter(subclavian));
   }
-  std::vector<Shape> arteries{
-      tube(side, {std::move(subclavian), 1, 0.15}, seed),
-      // Vertebral artery: free below C6, then through the transverse foramina.
-      tube(side,
-           {{{{23, 29, -43}, 1.7},
-             {{20, 34, -30}, 1.7},
-             {{17.5, 41, -18}, 1.7},
-             {{17, vertebralFront_mm(-6) + 11.5, -6}, 1.7},
-             {{17, vertebralFront_mm(12) + 11.5, 12}, 1.7},
-             {{17, vertebralFront_mm(30) + 11.5, 30}, 1.7},
-             {{17, vertebralFront_mm(56) + 11.5, 56}, 1.7}},
-            1,
-            0},
-           seed + 1),
-      // Thyrocervical trunk, inferior thyroid and transverse cervical arteries.
-      tube(side,
-           {{{{29, 31, -39}, 1.6},
-             {{29, 28.5, -28}, 1.4},
-             {{27.5, 31.5, -12}, 1.2},
-             {{24, 31.5, -5}, 1.1},
-             {{18.5, 26, -9}, 1}},
-            1,
-            0},
-           seed + 2),
-      tube(side, {{{{29, 28.5, -29}, 1.2}, {{38, 22.5, -27}, 1.1}, {{50, 27, -25}, 1.1}, {{62, 40, -22}, 1}}, 1, 0},
-           seed + 3)};
-  into.push_back({kArtery, Kind::kArtery, 0.9, join(std::move(arteries))});
+  return {{"subclavian artery", std::move(subclavian), 0.15},
+          // Free below C6, then through the transverse foramina.
+          {"vertebral artery",
+           {{{23, 29, -43}, 1.7},
+            {{20, 34, -30}, 1.7},
+            {{17.5, 41, -18}, 1.7},
+            {{17, vertebralFront_mm(-6) + 11.5, -6}, 1.7},
+            {{17, vertebralFront_mm(12) + 11.5, 12}, 1.7},
+            {{17, vertebralFront_mm(30) + 11.5, 30}, 1.7},
+            {{17, vertebralFront_mm(56) + 11.5, 56}, 1.7}},
+           0},
+          // With the thyrocervical trunk.
+          {"inferior thyroid artery",
+           {{{29, 31, -39}, 1.6},
+            {{29, 28.5, -28}, 1.4},
+            {{27.5, 31.5, -12}, 1.2},
+            {{24, 31.5, -5}, 1.1},
+            {{18.5, 26, -9}, 1}},
+           0},
+          {"transverse cervical artery",
+           {{{29, 28.5, -29}, 1.2}, {{38, 22.5, -27}, 1.1}, {{50, 27, -25}, 1.1}, {{62, 40, -22}, 1}},
+           0}};
 }
 
 Shape jugular(const NeckParameters& n, Side side, std::uint32_t seed) {
   std::vector<Curve<5>::Knot> knots;
-  for (double z = -54; z <= 56; z += 5) knots.push_back({z, jugularVeinAt(n, side, z)});
+  for (double z = kJugularEnd_mm; z <= 56; z += 5) knots.push_back({z, jugularVeinAt(n, side, z)});
   return column(side, {Curve<5>(std::move(knots)), 2, 0.45}, seed);
 }
 
-void addVeins(std::vector<Structure>& into, const NeckParameters& n, Side side, std::uint32_t seed) {
+std::vector<NamedTube> centralVeins(const NeckParameters& n, Side side) {
   const double toMidline = side == Side::kRight ? -14 : 4;  // the left brachiocephalic vein crosses
   const double scale = 0.5 * (n.veinWidth[index(side)] + 1);
   const std::vector<Tube::Knot> subclavian{
       {{25, 14, -53}, 5}, {{38, 16, -52}, 4.8}, {{52, 19, -51}, 4.8}, {{66, 23, -55}, 4.8}, {{84, 26, -60}, 4.8}};
-  std::vector<Shape> central{jugular(n, side, seed),
-                             tube(side,
-                                  {{{{28, 15, -48}, 4.6 * scale},
-                                    {{25, 14, -54}, 5.6 * scale},
-                                    {{-toMidline < 0 ? 12.0 : 14.0, 13, -63}, 6.2},
-                                    {{side == Side::kRight ? 13.0 : 2.0, 14, -72}, 6.6}},
-                                   1,
-                                   0.3},
-                                  seed + 1),
-                             tube(side, {n.chest ? axillaryVein() : subclavian, 1, 0.3}, seed + 2)};
-  into.push_back({kVein, Kind::kVein, 0.9, join(std::move(central))});
-  // Superficial veins run in the fat just outside the investing fascia.
-  into.push_back({kVein, Kind::kVein, 0.3,
-                  sheet(side,
-                        {{{-38, {62, 2, 2.0, 1.4}},
-                          {-28, {63, -1.3, 2.0, 1.3}},
-                          {-5, {66, -1.5, 2.1, 1.3}},
-                          {20, {70, -1.5, 1.9, 1.2}},
-                          {54, {80, -1.4, 1.6, 1.1}}},
-                         3,
-                         0.2},
-                        seed + 3)});
-  into.push_back({kVein, Kind::kVein, 0.3,
-                  sheet(side,
-                        {{{-50, {7, -1.3, 1.4, 1.0}},
-                          {0, {side == Side::kRight ? 9.0 : 11.0, -1.4, 1.3, 0.9}},
-                          {36, {14, -1.6, 1.1, 0.8}}},
-                         3,
-                         0.2},
-                        seed + 4)});
+  return {{"brachiocephalic vein",
+           {{{28, 15, -48}, 4.6 * scale},
+            {{25, 14, -54}, 5.6 * scale},
+            {{-toMidline < 0 ? 12.0 : 14.0, 13, -63}, 6.2},
+            {{side == Side::kRight ? 13.0 : 2.0, 14, -72}, 6.6}},
+           0.3},
+          {"subclavian vein", n.chest ? axillaryVein() : subclavian, 0.3}};
 }
+
+struct NamedSheet {
+  std::string_view name;
+  Sheet sheet;
+};
+
+/// They run in the fat just outside the investing fascia.
+std::vector<NamedSheet> superficialVeins(Side side) {
+  return {{"external jugular vein",
+           {{{-38, {62, 2, 2.0, 1.4}},
+             {-28, {63, -1.3, 2.0, 1.3}},
+             {-5, {66, -1.5, 2.1, 1.3}},
+             {20, {70, -1.5, 1.9, 1.2}},
+             {54, {80, -1.4, 1.6, 1.1}}},
+            3,
+            0.2}},
+          {"anterior jugular vein",
+           {{{-50, {7, -1.3, 1.4, 1.0}},
+             {0, {side == Side::kRight ? 9.0 : 11.0, -1.4, 1.3, 0.9}},
+             {36, {14, -1.6, 1.1, 0.8}}},
+            3,
+            0.2}}};
+}
+
+void addVeins(std::vector<Structure>& into, const NeckParameters& n, Side side, std::uint32_t seed) {
+  into.push_back(
+      {kVein, Kind::kVein, 0.9, join({jugular(n, side, seed), joined(side, centralVeins(n, side), seed + 1)})});
+  seed += 3;
+  for (NamedSheet& one : superficialVeins(side))
+    into.push_back({kVein, Kind::kVein, 0.3, sheet(side, std::move(one.sheet), seed++)});
+}
+
+/// Of one side, with the side before the name.
+class Courses {
+ public:
+  Courses(std::vector<VesselCourse>& into, Side side) : into_(into), side_(side) {}
+
+  void add(std::string_view name, Label label, const std::vector<Tube::Knot>& line) {
+    VesselCourse course{(side_ == Side::kRight ? "right " : "left ") + std::string(name), label, {}};
+    for (const Tube::Knot& knot : line)
+      course.line.push_back({{patientX(side_, knot.p_mm.x), knot.p_mm.y, knot.p_mm.z}, knot.radius_mm});
+    into_.push_back(std::move(course));
+  }
+  void add(const std::vector<NamedTube>& tubes, Label label) {
+    for (const NamedTube& one : tubes) add(one.name, label, centreLine(one.knots));
+  }
+  void add(const NamedSheet& vein, const BodySurface& body) {
+    constexpr double kStep_mm = 4, kDegree = std::numbers::pi / 180;
+    const Curve<4>& course = vein.sheet.course;
+    std::vector<Tube::Knot> line;
+    for (double z = course.first(); z <= course.last(); z += kStep_mm) {
+      const auto [angle_deg, depth, halfWidth, halfThickness] = course(z);
+      const double angle = angle_deg * kDegree;
+      const double radius = body.slice(z).fasciaRadius_mm(side_ == Side::kRight ? angle : -angle) - depth;
+      line.push_back({{radius * std::sin(angle), BodySurface::kAxisY_mm - radius * std::cos(angle), z},
+                      (halfWidth + halfThickness) / 2});
+    }
+    add(vein.name, kVein, line);
+  }
+
+ private:
+  std::vector<VesselCourse>& into_;
+  Side side_;
+};
 
 }  // namespace
 
@@ -153,10 +199,33 @@ std::array<double, 5> jugularVeinAt(const NeckParameters& n, Side side, double z
 
 void addVessels(std::vector<Structure>& into, const NeckParameters& n, std::uint32_t seed) {
   for (const Side side : {Side::kRight, Side::kLeft}) {
-    addCarotid(into, n, side, seed += 10);
-    addSubclavianArtery(into, n, side, seed += 10);
+    into.push_back({kArtery, Kind::kArtery, 1.1, joined(side, carotids(n), seed += 10)});
+    into.push_back({kArtery, Kind::kArtery, 0.9, joined(side, subclavianArteries(n, side), seed += 10)});
   }
   for (const Side side : {Side::kRight, Side::kLeft}) addVeins(into, n, side, seed += 10);
+}
+
+std::vector<VesselCourse> vesselCourses(const NeckParameters& n, const BodySurface& body) {
+  std::vector<VesselCourse> all;
+  for (const Side side : {Side::kRight, Side::kLeft}) {
+    Courses courses(all, side);
+    std::vector<Tube::Knot> jugular;
+    for (double z = kJugularEnd_mm; z <= 56; z += 5) {
+      const auto [lateral, posterior, halfWidth, halfHeight, turn] = jugularVeinAt(n, side, z);
+      jugular.push_back({{lateral, posterior, z}, (halfWidth + halfHeight) / 2});
+    }
+    courses.add("internal jugular vein", kVein, jugular);
+    for (const NamedTube& vein : centralVeins(n, side)) {
+      // What joins it is drawn from within the jugular vein; its name begins where that of the jugular ends.
+      std::vector<Tube::Knot> line = centreLine(vein.knots);
+      std::erase_if(line, [](const Tube::Knot& knot) { return knot.p_mm.z > kJugularEnd_mm && knot.p_mm.x < 30; });
+      courses.add(vein.name, kVein, line);
+    }
+    for (const NamedSheet& vein : superficialVeins(side)) courses.add(vein, body);
+    courses.add(carotids(n), kArtery);
+    courses.add(subclavianArteries(n, side), kArtery);
+  }
+  return all;
 }
 
 }  // namespace insonate::phantom

@@ -44,9 +44,13 @@ class Following final : public AttemptFollower {
             .needle = run_.metrics().needle(),
             .succeeded = run_.succeeded()};
   }
+  void end(AttemptStatus status) {
+    const std::lock_guard lock(mutex_);
+    status_ = status;
+  }
   AttemptScore score() const {
     const std::lock_guard lock(mutex_);
-    return scoreOf(run_);
+    return scoreOf(run_, status_);
   }
   std::optional<Transform> needle() const {
     const std::lock_guard lock(mutex_);
@@ -56,6 +60,7 @@ class Following final : public AttemptFollower {
  private:
   mutable std::mutex mutex_;
   ProcedureRun run_;
+  AttemptStatus status_ = AttemptStatus::Completed;
   std::vector<AttemptEvent> events_;
   std::optional<Transform> needle_;  ///< as recorded last
 };
@@ -64,7 +69,7 @@ class Following final : public AttemptFollower {
 
 struct LiveAttempt::State {
   std::filesystem::path file;
-  TargetVein target;
+  VesselNames vessels;
   std::shared_ptr<Following> following;
   std::unique_ptr<AttemptRecorder> recorder;
   std::int64_t begun_ns = monotonic_ns();
@@ -86,16 +91,16 @@ void LiveAttempt::State::record(const ServoSnapshot& tick) noexcept {
                             .aspirating = aspirating,
                             .restFromPatient = now.restFromPatient};
   const std::span<const CentreLine> veins = now.veins ? std::span(*now.veins) : std::span<const CentreLine>{};
-  recorder->put(sampleOf(tick.output, context, now.grid.get(), veins, target));
+  recorder->put(sampleOf(tick.output, context, now.grid.get(), veins, vessels));
   for (int i = 0; i < tick.output.eventCount; ++i)
-    recorder->put(eventOf(tick.output.events[i], context, now.grid.get(), veins, target));
+    recorder->put(eventOf(tick.output.events[i], context, now.grid.get(), veins, vessels));
 }
 
 Result<std::shared_ptr<LiveAttempt>> LiveAttempt::start(const std::filesystem::path& file, const AttemptHeader& header,
-                                                        Procedure procedure, TargetVein target) {
+                                                        Procedure procedure, VesselNames vessels) {
   auto state = std::make_unique<State>();
   state->file = file;
-  state->target = std::move(target);
+  state->vessels = std::move(vessels);
   state->following = std::make_shared<Following>(std::move(procedure), header);
   auto recorder = AttemptRecorder::start(file, header, state->following);
   if (!recorder) return tl::unexpected(recorder.error());
@@ -164,6 +169,7 @@ Result<MetricValues> LiveAttempt::finish(AttemptStatus status) {
   state_->closed = true;
   while (state_->inTick) std::this_thread::yield();
   state_->ended_ns = monotonic_ns();
+  state_->following->end(status);
   return state_->recorder->finish(status);
 }
 

@@ -7,7 +7,7 @@
 #include <insonate/simulator/ProcedureFit.h>
 #include <insonate/simulator/ScriptedSession.h>
 #include <insonate/simulator/ServoRecord.h>
-#include <insonate/simulator/TargetVein.h>
+#include <insonate/simulator/VesselNames.h>
 
 #include <chrono>
 #include <cmath>
@@ -34,12 +34,12 @@ Transform needleAt(Vec3 tip_mm, Vec3 axis) {
 /// Both hands and what they hold, a tick at a time.
 class Session {
  public:
-  Session(std::shared_ptr<const TissueGrid> grid, std::vector<CentreLine> veins, TargetVein target,
+  Session(std::shared_ptr<const TissueGrid> grid, std::vector<CentreLine> veins, VesselNames vessels,
           AttemptSettings settings, MomentImaging& imaging, const SessionPictures& pictures, AttemptRecorder& recorder,
           SessionOutcome& outcome)
       : grid_(std::move(grid)),
         veins_(std::move(veins)),
-        target_(std::move(target)),
+        vessels_(std::move(vessels)),
         settings_(std::move(settings)),
         imaging_(imaging),
         pictures_(pictures),
@@ -151,7 +151,7 @@ class Session {
     const bool live = probe_ && !frozen_;
     const TickContext context{time_us_, input.present, live ? settings_.setup.settings.depth_mm : 0, aspirating_,
                               restFromPatient_};
-    AttemptSample sample = sampleOf(output, context, grid_.get(), veins_, target_);
+    AttemptSample sample = sampleOf(output, context, grid_.get(), veins_, vessels_);
     sample.probeForce_N = force_N_;
     waitForRoom();
     recorder_.put(sample);
@@ -159,7 +159,7 @@ class Session {
     outcome_.run.take(kept);
     if (live) seen_ = kept;
     makePicture(kept);
-    for (int i = 0; i < output.eventCount; ++i) tell(eventOf(output.events[i], context, grid_.get(), veins_, target_));
+    for (int i = 0; i < output.eventCount; ++i) tell(eventOf(output.events[i], context, grid_.get(), veins_, vessels_));
   }
   void tell(const AttemptEvent& event) {
     waitForRoom();
@@ -174,7 +174,7 @@ class Session {
 
   std::shared_ptr<const TissueGrid> grid_;
   std::vector<CentreLine> veins_;
-  TargetVein target_;
+  VesselNames vessels_;
   AttemptSettings settings_;
   MomentImaging& imaging_;
   const SessionPictures& pictures_;
@@ -227,8 +227,8 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
   auto veins = centreLines(patient.labels, kVein, progress);
   if (!veins) return tl::unexpected(veins.error());
   AttemptHeader header = headerOf(*procedure, patient, settings->setup.probe, software);
-  TargetVein target(patient.manifest, *procedure, placeOf(script));
-  header.vessels = target.names();
+  VesselNames vessels(patient.manifest, *procedure, placeOf(script));
+  header.vessels = vessels.names();
   header.caseHash = voxelHashOf(patient);
   header.engine = settings->setup.engine;
   header.settings = textOf(*settings);
@@ -239,7 +239,7 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
   auto recorder = AttemptRecorder::start(recording, header);
   if (!recorder) return tl::unexpected(recorder.error());
   SessionOutcome outcome{{}, {}, {}, ProcedureRun(std::move(*procedure), header.picture, header.vessels)};
-  Session session(std::move(*grid), std::move(*veins), std::move(target), std::move(*settings), imaging, pictures,
+  Session session(std::move(*grid), std::move(*veins), std::move(vessels), std::move(*settings), imaging, pictures,
                   **recorder, outcome);
   if (auto ok = session.begin(); !ok) return tl::unexpected(ok.error());
   const auto withdrawn = [&](tl::unexpected<Error> why) {

@@ -58,7 +58,7 @@ Vec3 outwardOfSkin(Vec3 at_mm, const TissueGrid& grid) {
 }  // namespace
 
 AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, const TissueGrid* grid,
-                       std::span<const CentreLine> veins, const TargetVein& target) noexcept {
+                       std::span<const CentreLine> veins, const VesselNames& vessels) noexcept {
   AttemptSample sample;
   sample.time_us = context.time_us;
   if (context.present[kProbeHand]) sample.patientFromProbe = output.hands[kProbeHand].patientFromTool;
@@ -71,7 +71,7 @@ AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, co
   if (output.needle.tenting) sample.tenting_mm = output.needle.tent_mm;
   if (!output.needle.inBody) return sample;
   const Vec3 atRest_mm = context.restFromPatient * sample.patientFromNeedle->offset;
-  sample.toVeinCentre_mm = target.distanceToCentre_mm(atRest_mm, veins);
+  sample.toVeinCentre_mm = vessels.distanceToCentre_mm(atRest_mm, veins);
   if (!grid) return sample;
   const TissueSample tissue = grid->at(atRest_mm);
   sample.toArtery_mm = distance(tissue, kArtery);
@@ -80,12 +80,13 @@ AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, co
 }
 
 AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const TissueGrid* grid,
-                     std::span<const CentreLine> veins, const TargetVein& target) noexcept {
+                     std::span<const CentreLine> veins, const VesselNames& vessels) noexcept {
   AttemptEvent told;
   told.time_us = context.time_us, told.kind = kindOf(event.kind);
   told.wall = event.wall, told.into = event.into;
   told.tip_mm = event.tip_mm, told.axis = event.axis, told.depth_mm = event.depth_mm;
-  if (event.wall == kVein) told.vessel = target.vesselAt(context.restFromPatient * event.tip_mm, veins);
+  if (event.wall == kVein || event.wall == kArtery)
+    told.vessel = vessels.vesselAt(event.wall, context.restFromPatient * event.tip_mm, veins);
   if (!grid || event.wall != kSkin) return told;
   const Vec3 outward = outwardOfSkin(onSkin(event, context.restFromPatient, *grid), *grid);
   if (norm(outward) > 0.5) told.outward = normalized(outward);

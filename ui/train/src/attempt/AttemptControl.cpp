@@ -156,14 +156,14 @@ std::filesystem::path AttemptControl::newFile() const {
 void AttemptControl::begin() {
   const QString title = QCoreApplication::applicationName() + QLatin1Char(' ') + QCoreApplication::applicationVersion();
   header_ = headerOf(procedure(), *session_.patient(), session_.probe(), title.toStdString());
-  TargetVein target(session_.patient()->manifest, procedure(), session_.pose().offset);
-  header_.vessels = target.names();
+  VesselNames vessels(session_.patient()->manifest, procedure(), session_.pose().offset);
+  header_.vessels = vessels.names();
   header_.caseHash = hash_.get();
   const AttemptSettings settings = session_.attemptSettings();
   bloodTime_s_ = settings.bloodTime_s;
   header_.engine = settings.setup.engine;
   header_.settings = textOf(settings);
-  auto started = QDir().mkpath(folder_) ? LiveAttempt::start(newFile(), header_, procedure(), std::move(target))
+  auto started = QDir().mkpath(folder_) ? LiveAttempt::start(newFile(), header_, procedure(), std::move(vessels))
                                         : fail("The folder " + folder_.toStdString() +
                                                " for attempts cannot be made; check that you may " + "write there.");
   if (!started) {

@@ -30,6 +30,25 @@ struct Target {
   Vec3 position_mm;
 };
 
+/// A vessel, or the part of one that has a name of its own, by the middle of its lumen. Patient LPS.
+struct NamedVessel {
+  struct Point {
+    Vec3 position_mm;
+    double radius_mm = 0;
+    bool operator==(const Point&) const = default;
+  };
+  std::string name;  ///< e.g. "right internal jugular vein"
+  std::uint8_t label = 0;
+  std::vector<Point> course;  ///< at least one, from one end to the other
+
+  bool operator==(const NamedVessel&) const = default;
+};
+
+/// Distance to the wall of the vessel, as if it were round: negative in the lumen. Neither waits nor allocates.
+double distanceToWall_mm(const NamedVessel& vessel, Vec3 patient_mm) noexcept;
+/// Distance to the line along the middle. Neither waits nor allocates.
+double distanceToCourse_mm(const NamedVessel& vessel, Vec3 patient_mm) noexcept;
+
 /// A place that instructions refer to, e.g. the cricoid. Codes are those of cases/Landmarks.h, others are kept.
 struct Landmark {
   std::string code;  ///< for programs, e.g. "clavicle_right"; empty for a place of the author's own
@@ -73,6 +92,7 @@ struct CaseManifest {
   std::string description;
   std::string difficulty;  ///< the author's grade: "easy", "moderate", "hard" or empty (see cases/Difficulty.h)
   std::vector<Target> targets;
+  std::vector<NamedVessel> vessels;   ///< tell vessels that share a label apart
   std::vector<StartPose> startPoses;  ///< the first is where a case begins
   std::vector<Landmark> landmarks;
   CaseVersion version;

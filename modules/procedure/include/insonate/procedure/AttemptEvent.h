@@ -30,8 +30,7 @@ struct AttemptEvent {
   AttemptEventKind kind = AttemptEventKind::Entered;
   Label wall = kSkin;        ///< of the first four kinds
   Label into = kBackground;  ///< what the tip is in afterwards
-  /// The vessel whose wall this is: 1 is the first of AttemptHeader::vessels, the target; 0 where the wall is not a
-  /// vein's or the case has no target.
+  /// The vessel whose wall this is: 1 is the first of AttemptHeader::vessels, the target; 0 where it is not known.
   std::uint8_t vessel = 0;
   Vec3 tip_mm{}, axis{0, 0, 1};  ///< tip of the needle, and the unit direction in which it goes in
   double depth_mm = 0;  ///< of the hole below the skin's, along the needle: d1 of the thesis where it is the vein's

@@ -28,8 +28,8 @@ struct AttemptHeader {
   std::string settingsHash{};  ///< of `settings`; the recorder fills it in
   std::string engine{};        ///< that made the pictures
   PictureField picture{};
-  /// Names of the veins that the case names, the target of this attempt first; empty: the case has no target in a vein,
-  /// and each vein counts as the target.
+  /// Names of the vessels that the case names, the target of this attempt first; empty: the case has no target in a
+  /// vein, and each vein counts as the target.
   std::vector<std::string> vessels{};
   /// Of probe, picture, tissue and blood as the attempt began, JSON (simulator/AttemptSettings.h); "": not known.
   std::string settings{};

@@ -46,7 +46,11 @@ struct AttemptScore {
 
 inline constexpr double kMinorCost = 5, kMajorCost = 20, kMostWithoutSuccess = 50;
 
-/// Of an attempt that is over, or as things stand.
-AttemptScore scoreOf(const ProcedureRun& run);
+/// Name of the vessel whose wall an event is at: "right internal jugular vein"; "another vein" where that vein has no
+/// name; empty where it is no vessel's wall or not known. `vessels` as in AttemptHeader.
+std::string vesselName(const AttemptEvent& event, const std::vector<std::string>& vessels);
+
+/// Score of an attempt that ended with this status, or as things stand. Only a completed attempt can succeed.
+AttemptScore scoreOf(const ProcedureRun& run, AttemptStatus status = AttemptStatus::Completed);
 
 }  // namespace insonate

@@ -5,7 +5,7 @@
 #include <insonate/procedure/AttemptScore.h>
 #include <insonate/segmentation/CentreLine.h>
 #include <insonate/simulator/AttemptSettings.h>
-#include <insonate/simulator/TargetVein.h>
+#include <insonate/simulator/VesselNames.h>
 
 #include <filesystem>
 #include <memory>
@@ -40,9 +40,9 @@ class LiveAttempt final : public TickListener {
     double pictureDepth_mm = 0;
   };
 
-  /// `header` names the vessels of `target`. Fails as AttemptRecorder::start() does.
+  /// `header` has the names of `vessels`. Fails as AttemptRecorder::start() does.
   static Result<std::shared_ptr<LiveAttempt>> start(const std::filesystem::path& file, const AttemptHeader& header,
-                                                    Procedure procedure, TargetVein target = {});
+                                                    Procedure procedure, VesselNames vessels = {});
   /// An attempt that was not finished is abandoned once nobody holds it; a HandsSession may do so until it ends.
   ~LiveAttempt() override;
 

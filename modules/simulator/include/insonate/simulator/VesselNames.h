@@ -1,0 +1,41 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/procedure/Procedure.h>
+#include <insonate/segmentation/CentreLine.h>
+#include <insonate/tissue/Labels.h>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// Tells the vessels of a case apart, which share the labels vein and artery, and knows the target of an attempt. A
+/// point is in the vessel whose wall is nearest, by CaseManifest::vessels. A case that has none of those is known by
+/// its targets alone: the center line of a vein that passes nearest to a target bears that target's name.
+class VesselNames {
+ public:
+  /// A case without a target in a vein: each vein counts as the target.
+  VesselNames() = default;
+  /// The target is the one nearest to `near_mm` (patient space) among those the procedure is for, or among all where
+  /// the case has none of them.
+  VesselNames(const CaseManifest& manifest, const Procedure& procedure, Vec3 near_mm);
+
+  /// As in AttemptHeader::vessels.
+  std::vector<std::string> names() const;
+  /// Vessel of this label at a point of the tissue at rest, as in AttemptEvent::vessel; `veins` are the center lines of
+  /// all veins. Neither waits nor allocates.
+  std::uint8_t vesselAt(Label label, Vec3 rest_mm, std::span<const CentreLine> veins) const noexcept;
+  /// Distance from a point of the tissue at rest to the middle of the target; to the nearest of all lines where the
+  /// case has no target. None where there is no line. Neither waits nor allocates.
+  std::optional<double> distanceToCentre_mm(Vec3 rest_mm, std::span<const CentreLine> veins) const noexcept;
+
+ private:
+  std::vector<Target> targets_;       ///< in veins; the target of the attempt first
+  std::vector<NamedVessel> vessels_;  ///< the target first; empty: not named
+};
+
+}  // namespace insonate

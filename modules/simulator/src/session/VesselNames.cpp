@@ -1,0 +1,87 @@
+#include <insonate/procedure/AttemptEvent.h>
+#include <insonate/simulator/VesselNames.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <tuple>
+
+namespace insonate {
+namespace {
+
+/// Index of the line that passes nearest; the number of lines where there is none.
+std::size_t nearestLine(std::span<const CentreLine> lines, Vec3 point_mm) noexcept {
+  std::size_t nearest = lines.size();
+  std::optional<double> least_mm;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto distance_mm = insonate::distanceToCentre_mm(lines.subspan(i, 1), point_mm);
+    if (distance_mm && (!least_mm || *distance_mm < *least_mm)) least_mm = distance_mm, nearest = i;
+  }
+  return nearest;
+}
+
+constexpr std::size_t kMostNames = kUnnamedVessel - 1;
+
+/// Index of the vessel of this label whose wall is nearest; the number of vessels where there is none.
+std::size_t nearestVessel(std::span<const NamedVessel> vessels, std::uint8_t label, Vec3 point_mm) noexcept {
+  std::size_t nearest = vessels.size();
+  double least_mm = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < vessels.size(); ++i) {
+    if (vessels[i].label != label) continue;
+    const double distance_mm = distanceToWall_mm(vessels[i], point_mm);
+    if (distance_mm < least_mm) least_mm = distance_mm, nearest = i;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+VesselNames::VesselNames(const CaseManifest& manifest, const Procedure& procedure, Vec3 near_mm) {
+  std::ranges::copy_if(manifest.targets, std::back_inserter(targets_),
+                       [](const Target& target) { return target.label == kVein; });
+  const auto rank = [&](const Target& target) {
+    const bool fits = !procedure.target.empty() && target.name.find(procedure.target) != std::string::npos;
+    return std::tuple(!fits, norm(target.position_mm - near_mm));
+  };
+  std::ranges::stable_sort(targets_, {}, rank);
+  if (targets_.size() > kMostNames) targets_.resize(kMostNames);
+  if (targets_.empty()) return;
+  const std::size_t target = nearestVessel(manifest.vessels, kVein, targets_.front().position_mm);
+  if (target == manifest.vessels.size()) return;
+  vessels_ = manifest.vessels;
+  std::rotate(vessels_.begin(), vessels_.begin() + static_cast<std::ptrdiff_t>(target),
+              vessels_.begin() + static_cast<std::ptrdiff_t>(target) + 1);
+  if (vessels_.size() > kMostNames) vessels_.resize(kMostNames);
+}
+
+std::vector<std::string> VesselNames::names() const {
+  std::vector<std::string> names;
+  for (const NamedVessel& vessel : vessels_) names.push_back(vessel.name);
+  if (!vessels_.empty()) return names;
+  for (const Target& target : targets_) names.push_back(target.name.empty() ? "target vein" : target.name);
+  return names;
+}
+
+std::uint8_t VesselNames::vesselAt(Label label, Vec3 rest_mm, std::span<const CentreLine> veins) const noexcept {
+  if (targets_.empty()) return 0;
+  if (!vessels_.empty()) {
+    const std::size_t nearest = nearestVessel(vessels_, label, rest_mm);
+    return nearest < vessels_.size() ? static_cast<std::uint8_t>(nearest + 1) : kUnnamedVessel;
+  }
+  if (label != kVein) return 0;
+  const std::size_t line = nearestLine(veins, rest_mm);
+  if (line < veins.size())
+    for (std::size_t i = 0; i < targets_.size(); ++i)
+      if (nearestLine(veins, targets_[i].position_mm) == line) return static_cast<std::uint8_t>(i + 1);
+  return kUnnamedVessel;
+}
+
+std::optional<double> VesselNames::distanceToCentre_mm(Vec3 rest_mm, std::span<const CentreLine> veins) const noexcept {
+  if (targets_.empty()) return insonate::distanceToCentre_mm(veins, rest_mm);
+  if (!vessels_.empty()) return distanceToCourse_mm(vessels_.front(), rest_mm);
+  const std::size_t line = nearestLine(veins, targets_.front().position_mm);
+  if (line == veins.size()) return std::nullopt;
+  return insonate::distanceToCentre_mm(veins.subspan(line, 1), rest_mm);
+}
+
+}  // namespace insonate
