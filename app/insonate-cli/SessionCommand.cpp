@@ -88,7 +88,7 @@ Result<void> runScript(const SessionArguments& a) {
   nlohmann::json pictures;
   const auto done = runWithPictures(a, *script, *patient, pictures);
   if (!done) return tl::unexpected(done.error());
-  const AttemptScore score = scoreOf(done->run);
+  const AttemptScore score = scoreOf(done->run, done->status);
   if (!a.json) {
     printAttempt(done->status, done->metrics, done->events, done->run.vessels());
     printScore(score);
@@ -118,7 +118,7 @@ std::optional<AttemptScore> scoreUntil(const AttemptRecording& recording, std::i
   const auto played = recording.play(
       until_us, [&](const Stretch::Entry& entry) { std::visit([&](const auto& what) { run.take(what); }, entry); });
   if (!played) return std::nullopt;
-  return scoreOf(run);
+  return scoreOf(run, recording.status());
 }
 
 Result<void> replay(const ReplayArguments& a) {

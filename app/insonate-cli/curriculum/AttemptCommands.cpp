@@ -41,7 +41,7 @@ Json factsJson(const AttemptFacts& facts) {
           {"begun", timeText(facts.begun_us)},
           {"length_s", static_cast<double>(facts.length_us) * 1e-6},
           {"state", nameOf(facts.state)},
-          {"succeeded", facts.succeeded},
+          {"succeeded", isSuccess(facts)},
           {"critical_errors", facts.criticalErrors},
           {"points", orNull(facts.points)},
           {"recording", facts.recording},

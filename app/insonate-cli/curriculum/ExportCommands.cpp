@@ -66,7 +66,7 @@ Result<Answer> exportCsv(const SignedIn& by, const Arguments& a) {
                                        facts.level,
                                        facts.procedure,
                                        nameOf(facts.state),
-                                       facts.succeeded ? "yes" : "no",
+                                       isSuccess(facts) ? "yes" : "no",
                                        std::to_string(facts.criticalErrors),
                                        csvNumber(facts.points),
                                        csvNumber(static_cast<double>(facts.length_us) * 1e-6)};

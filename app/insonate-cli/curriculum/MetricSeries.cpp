@@ -30,8 +30,9 @@ std::vector<double> valuesOf(const Attempts& attempts, const MetricMeaning& metr
 }
 
 std::optional<Estimate> successOf(const Attempts& attempts) {
-  return proportion(static_cast<int>(std::ranges::count_if(attempts, &AttemptFacts::succeeded)),
-                    static_cast<int>(attempts.size()));
+  return proportion(
+      static_cast<int>(std::ranges::count_if(attempts, [](const AttemptFacts* one) { return isSuccess(*one); })),
+      static_cast<int>(attempts.size()));
 }
 
 nlohmann::json toJson(const std::optional<Estimate>& estimate) {

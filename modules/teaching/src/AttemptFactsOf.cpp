@@ -110,7 +110,7 @@ Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file) {
   if (!played) return tl::unexpected(played.error());
   AttemptFacts facts = beginningOf(recording->header());
   facts.procedureVersion = version;
-  addEnding(facts, recording->status(), recording->end_us(), scoreOf(run));
+  addEnding(facts, recording->status(), recording->end_us(), scoreOf(run, recording->status()));
   if (auto added = addRecording(facts, file); !added) return tl::unexpected(added.error());
   return facts;
 }

@@ -55,6 +55,20 @@ TEST(AttemptFactsOf, AnyTitleOfACaseIsKeptAsFarAsTheStoreTakesIt) {
   EXPECT_EQ(beginningOf(head).caseName, head.caseName);
 }
 
+/// The tip stood in the vein and drew blood; then the attempt was given up.
+TEST_F(AttemptFactsOfTest, AnAbandonedAttemptIsNoSuccess) {
+  test::ScriptedAttempt attempt;
+  attempt.aspirating = true;
+  attempt.needleTo(25), attempt.hold(2);
+  record(attempt, AttemptStatus::Abandoned);
+  const auto facts = factsOfRecording(file);
+  ASSERT_TRUE(facts) << facts.error().message;
+  EXPECT_EQ(facts->state, AttemptState::Abandoned);
+  EXPECT_EQ(valueOf(*facts, "tip_in_vein"), 1);
+  EXPECT_FALSE(facts->succeeded);
+  EXPECT_LE(facts->points.value_or(0), 50);
+}
+
 TEST_F(AttemptFactsOfTest, ARecordingBecomesFacts) {
   test::ScriptedAttempt attempt;
   attempt.aspirating = true;

@@ -126,7 +126,7 @@ class Writer {
   }
 
   Json resultOf(const AttemptFacts& attempt, const Level* level) const {
-    Json result{{"success", level ? judge(level->pass, attempt).passed : attempt.succeeded},
+    Json result{{"success", level ? judge(level->pass, attempt).passed : isSuccess(attempt)},
                 {"completion", attempt.state == AttemptState::Completed}};
     if (attempt.points && *attempt.points >= 0 && *attempt.points <= 100)
       result["score"] = {{"scaled", *attempt.points / 100}, {"raw", *attempt.points}, {"min", 0}, {"max", 100}};

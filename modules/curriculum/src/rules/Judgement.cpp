@@ -78,6 +78,10 @@ bool counts(const AttemptFacts& attempt) {
   return attempt.state == AttemptState::Abandoned && std::ranges::any_of(attempt.metrics, inSkin);
 }
 
+bool isSuccess(const AttemptFacts& attempt) {
+  return attempt.state == AttemptState::Completed && attempt.succeeded;
+}
+
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
   Judgement judgement;
   judgement.standardsMet.reserve(rule.standards.size());

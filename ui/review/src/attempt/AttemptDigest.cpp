@@ -19,7 +19,7 @@ class Pass {
   }
 
   void end(bool whole) {
-    AttemptScore score = scoreOf(run_);
+    AttemptScore score = scoreOf(run_, digest_.recording->status());
     digest_.moments = score.moments;
     if (whole) digest_.score = std::move(score);
   }

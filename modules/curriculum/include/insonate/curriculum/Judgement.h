@@ -25,6 +25,9 @@ struct Judgement {
 /// because the program died: neither says what its trainee can do.
 bool counts(const AttemptFacts& attempt);
 
+/// Whether an attempt reached its aim. One that was abandoned never did: older programs may have kept it as a success.
+bool isSuccess(const AttemptFacts& attempt);
+
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt);
 
 /// The attempt's value of a metric, by this version of its definition; none where it is not finite.
