@@ -36,6 +36,10 @@ const char* nameOf(AttemptEventKind kind) {
       return "frozen";
     case AttemptEventKind::Released:
       return "released";
+    case AttemptEventKind::Centered:
+      return "centered";
+    case AttemptEventKind::Compressed:
+      return "compressed";
     case AttemptEventKind::Positioned:
       break;
   }
@@ -55,7 +59,8 @@ const char* nameOf(Severity severity) {
 }
 
 bool isOfWall(const AttemptEvent& event) {
-  return event.kind <= AttemptEventKind::Struck;
+  using enum AttemptEventKind;
+  return event.kind <= Struck || event.kind == Centered || event.kind == Compressed;
 }
 
 nlohmann::json jsonOf(Vec3 v) {

@@ -71,6 +71,10 @@ std::string sentenceOf(const AttemptEvent& event, bool firstVein, const Procedur
       return "The needle is held to look at it.";
     case AttemptEventKind::Released:
       return "The needle is free again.";
+    case AttemptEventKind::Centered:
+      return capital(withArticle(event, run)) + " is in the middle of the image.";
+    case AttemptEventKind::Compressed:
+      return capital(withArticle(event, run)) + " is compressed.";
     case AttemptEventKind::Positioned:
       break;
   }
@@ -172,7 +176,9 @@ std::string adviceOf(const ProcedureRun& run, const std::vector<MetricScore>& me
 }  // namespace
 
 std::string vesselName(const AttemptEvent& event, const std::vector<std::string>& vessels) {
-  if (event.kind > AttemptEventKind::Withdrawn || (event.wall != kVein && event.wall != kArtery)) return {};
+  using enum AttemptEventKind;
+  const bool hasWall = event.kind <= Withdrawn || event.kind == Centered || event.kind == Compressed;
+  if (!hasWall || (event.wall != kVein && event.wall != kArtery)) return {};
   if (event.vessel > 0 && event.vessel <= vessels.size()) return vessels[event.vessel - 1U];
   return event.wall == kVein && !vessels.empty() ? "another vein" : "";
 }

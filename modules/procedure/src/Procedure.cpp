@@ -15,8 +15,8 @@ namespace {
 using nlohmann::json;
 
 /// In the order of AttemptEventKind.
-const std::vector<std::string_view> kHappenings{"entered",         "left",   "withdrawn", "struck",
-                                                "needle replaced", "frozen", "released",  "positioned"};
+const std::vector<std::string_view> kHappenings{"entered", "left",     "withdrawn",  "struck",   "needle replaced",
+                                                "frozen",  "released", "positioned", "centered", "compressed"};
 /// In the order of Holding::What and Severity.
 const std::vector<std::string_view> kHoldings{"probe on skin", "aspirating in vein"};
 const std::vector<std::string_view> kSeverities{"minor", "major", "critical"};

@@ -22,7 +22,8 @@ bool countedMore(const MetricValues& before, const MetricValues& after) {
 
 bool isMilestone(const AttemptEvent& event) {
   using enum AttemptEventKind;
-  return event.kind == NeedleReplaced || event.kind == Frozen || event.kind == Positioned;
+  return event.kind == NeedleReplaced || event.kind == Frozen || event.kind == Positioned || event.kind == Centered ||
+         event.kind == Compressed;
 }
 
 bool isAsWanted(const Happening& wanted, const AttemptEvent& event) {

@@ -43,9 +43,10 @@ TEST_F(ProcedureRunTest, FromPositionToWithdrawal) {
   EXPECT_EQ(due(), "position");
   attempt.tell(AttemptEventKind::Positioned);
   EXPECT_EQ(due(), "scan");
-  attempt.hold(1.9);
-  EXPECT_EQ(due(), "scan");
-  attempt.hold(0.2);
+  attempt.hold(2.1);
+  attempt.tell(AttemptEventKind::Centered, kVein);
+  EXPECT_EQ(due(), "scan") << "the vein is not found by resting on the skin";
+  attempt.tell(AttemptEventKind::Compressed, kVein);
   EXPECT_EQ(due(), "skin");
   attempt.needleTo(5);
   EXPECT_EQ(due(), "vein");

@@ -29,10 +29,20 @@ class ScriptedSession : public testing::Test {
     const std::string x = std::to_string(x_mm);
     return "{\"probe\": \"auto\"}, {\"needle\": {\"from_mm\": [" + x + ", -5, 0], \"to\": [" + x + ", 12, 0]}}";
   }
+  /// Without those of finding the vein.
+  static std::vector<AttemptEvent> needleEvents(const SessionOutcome& outcome) {
+    std::vector<AttemptEvent> events;
+    std::ranges::copy_if(outcome.events, std::back_inserter(events),
+                         [](const AttemptEvent& event) { return event.kind < AttemptEventKind::Centered; });
+    return events;
+  }
+  static std::ptrdiff_t countOf(const SessionOutcome& outcome, AttemptEventKind kind) {
+    return std::ranges::count(outcome.events, kind, &AttemptEvent::kind);
+  }
   static std::vector<std::string> told(const SessionOutcome& outcome) {
     static const char* const kNames[]{"entered", "left", "withdrawn", "struck", "new", "frozen", "released", "tilt"};
     std::vector<std::string> names;
-    for (const AttemptEvent& event : outcome.events)
+    for (const AttemptEvent& event : needleEvents(outcome))
       names.push_back(std::string(kNames[static_cast<int>(event.kind)]) +
                       (event.kind <= AttemptEventKind::Struck ? " " + std::string(labelTable()[event.wall].name) : ""));
     return names;
@@ -50,7 +60,7 @@ class ScriptedSession : public testing::Test {
 TEST_F(ScriptedSession, CleanSuccess) {
   const auto outcome = run(straight() + R"(, {"aspirate": true}, {"advance_mm": 17}, {"wait_s": 1.5})");
   EXPECT_THAT(told(outcome), testing::ElementsAre("entered skin", "entered vein"));
-  EXPECT_NEAR(outcome.events[1].depth_mm, 8, 0.3);
+  EXPECT_NEAR(needleEvents(outcome)[1].depth_mm, 8, 0.3);
   const MetricValues& metrics = outcome.metrics;
   EXPECT_EQ(metrics[Metric::VeinPunctures], 1);
   EXPECT_EQ(metrics[Metric::DoublePunctures], 0);
@@ -71,7 +81,7 @@ TEST_F(ScriptedSession, PosteriorWallAndOutAgain) {
   const auto outcome = run(straight() + R"(, {"advance_mm": 27}, {"withdraw_mm": 27})");
   EXPECT_THAT(told(outcome), testing::ElementsAre("entered skin", "entered vein", "left vein", "withdrawn vein",
                                                   "withdrawn vein", "withdrawn skin"));
-  EXPECT_NEAR(outcome.events[2].depth_mm, 17, 0.3);
+  EXPECT_NEAR(needleEvents(outcome)[2].depth_mm, 17, 0.3);
   EXPECT_EQ(outcome.metrics[Metric::DoublePunctures], 1);
   EXPECT_EQ(outcome.metrics[Metric::TipInVein], 0);
   EXPECT_FALSE(outcome.run.succeeded());
@@ -88,7 +98,7 @@ TEST_F(ScriptedSession, AnotherVeinThanTheTargetIsNoSuccess) {
 
   const auto wrong = run(straight() + inAndAspirate);
   EXPECT_THAT(told(wrong), testing::ElementsAre("entered skin", "entered vein"));
-  EXPECT_EQ(wrong.events[1].vessel, kUnnamedVessel);
+  EXPECT_EQ(needleEvents(wrong)[1].vessel, kUnnamedVessel);
   EXPECT_EQ(wrong.metrics[Metric::VeinPunctures], 0);
   EXPECT_EQ(wrong.metrics[Metric::OtherVeinPunctures], 1);
   EXPECT_FALSE(wrong.run.succeeded());
@@ -98,10 +108,34 @@ TEST_F(ScriptedSession, AnotherVeinThanTheTargetIsNoSuccess) {
   EXPECT_EQ(*kept->metricsUntil(), wrong.metrics) << "a replay tells the same";
 
   const auto right = run(straight(17) + inAndAspirate);
-  EXPECT_EQ(right.events[1].vessel, 1);
+  EXPECT_EQ(needleEvents(right)[1].vessel, 1);
   EXPECT_EQ(right.metrics[Metric::VeinPunctures], 1);
   EXPECT_EQ(right.metrics[Metric::OtherVeinPunctures], 0);
   EXPECT_TRUE(right.run.succeeded());
+}
+
+/// A probe that rests on the skin has found nothing, and one beside the vein neither.
+TEST_F(ScriptedSession, TheVeinIsFoundByCenteringAndCompressingIt) {
+  using enum AttemptEventKind;
+  const std::string press = R"(, {"wait_s": 1.2}, {"move_probe_mm": [0, 0, 7]}, {"wait_s": 0.3})";
+  const auto rests = run(R"({"probe": "auto"}, {"wait_s": 3})");
+  EXPECT_EQ(countOf(rests, Centered), 1);
+  EXPECT_EQ(countOf(rests, Compressed), 0);
+  EXPECT_EQ(rests.metrics[Metric::VeinChecks], 0);
+
+  const auto beside = run(R"({"probe": "auto"}, {"move_probe_mm": [9, 0, 0]})" + press);
+  EXPECT_EQ(countOf(beside, Centered) + countOf(beside, Compressed), 0);
+
+  const auto found = run(R"({"probe": "auto"})" + press);
+  EXPECT_EQ(countOf(found, Compressed), 1);
+  EXPECT_EQ(found.metrics[Metric::VeinChecks], 1);
+  const auto compressed = std::ranges::find(found.events, Compressed, &AttemptEvent::kind);
+  EXPECT_EQ(compressed->vessel, 1);
+  EXPECT_NEAR(compressed->tip_mm.y, 12, 2) << "the middle of the vein";
+  const auto scan = std::ranges::find(found.run.procedure().steps, "scan", &ProcedureStep::name);
+  const auto step = static_cast<std::size_t>(scan - found.run.procedure().steps.begin());
+  EXPECT_EQ(found.run.steps()[step].state, ProcedureRun::StepState::Done);
+  EXPECT_EQ(rests.run.steps()[step].state, ProcedureRun::StepState::Open);
 }
 
 TEST_F(ScriptedSession, UsedNeedleAndANewOne) {

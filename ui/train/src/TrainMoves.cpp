@@ -110,12 +110,31 @@ void TrainSession::placed(Vec3 patient_mm) {
 }
 
 void TrainSession::goTo(const StartPose& pose) {
+  if (levelStart_) return say(tr("In a level, find the vein from where the attempt began (Home goes back there)."));
   control_.begin();
   if (mayMove()) moved(control_.setPose(pose));
 }
 
 void TrainSession::home() {
-  if (patient_ && control_.ready()) goTo(start_);
+  if (!patient_ || !control_.ready()) return;
+  if (!levelStart_) return goTo(start_);
+  control_.begin();
+  if (mayMove()) moved(control_.setPose(*levelStart_));
+}
+
+void TrainSession::beginAt(const ProbeHandState& state) {
+  if (!control_.ready() || !hands_.probeFollowsMouse()) return;
+  levelStart_ = state;
+  control_.restore(state);
+  moved({});
+  history_.clear();
+}
+
+std::optional<ProbeHand> TrainSession::handAtStart() const {
+  if (!control_.hand()) return std::nullopt;
+  ProbeHand hand = *control_.hand();
+  if (const auto pose = patientFromProbe(start_.position_mm, start_.axial, start_.lateral)) hand.setPose(*pose);
+  return hand;
 }
 
 }  // namespace insonate::train

@@ -89,6 +89,7 @@ void TrainSession::setCase(std::shared_ptr<const PatientCase> patient, const ui:
   hands_.setCase(nullptr, nullptr);
   history_.clear();
   start_ = {};
+  levelStart_.reset();
   unplaced_.reset();
   structures_.reset();
   shown_ = nullptr;

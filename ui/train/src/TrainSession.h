@@ -104,6 +104,12 @@ class TrainSession : public QObject {
   History& history() { return history_; }
   /// Where home() goes; known before the first picture.
   const StartPose& start() const { return start_; }
+  /// Puts the probe where an attempt of a level begins; until releaseStart(), home() goes there, undo does not lead
+  /// behind it, and goTo() refuses. A device keeps its probe where it is.
+  void beginAt(const ProbeHandState& state);
+  void releaseStart() { levelStart_.reset(); }
+  /// The probe as home() would put it at the case's own start.
+  std::optional<ProbeHand> handAtStart() const;
 
   /// The case has no start pose and none was found: the probe waits for placeOnSkin().
   bool isUnplaced() const { return unplaced_.has_value(); }
@@ -193,6 +199,7 @@ class TrainSession : public QObject {
   Chosen chosen_;         ///< as last sent
   std::string editKind_;  ///< of the probe, for history_; empty outside useProbe()
   StartPose start_;
+  std::optional<ProbeHandState> levelStart_;
   bool frozen_ = false;
   std::shared_ptr<const LiveFrame> shown_;
   std::vector<std::shared_ptr<const LiveFrame>> cine_;

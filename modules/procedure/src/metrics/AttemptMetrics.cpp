@@ -70,7 +70,7 @@ struct AttemptMetrics::State {
   std::optional<std::int64_t> first_us, last_us;
   std::optional<std::int64_t> firstSkin_us, passSkin_us, access_us;
   std::optional<double> timeToVein_s;
-  int passes = 0, usedInsertions = 0, boneContacts = 0;
+  int passes = 0, usedInsertions = 0, boneContacts = 0, veinChecks = 0;
   bool inPass = false, used = false;
   struct Drawing {
     std::int64_t since_us = 0;
@@ -204,9 +204,13 @@ void AttemptMetrics::take(const AttemptEvent& event) {
       if (s.inPass && s.out_mm) s.endPass();
       if (!s.inPass) s.used = false;
       return;
+    case AttemptEventKind::Compressed:
+      if (s.hasTarget && event.vessel == 1 && !s.firstSkin_us) ++s.veinChecks;
+      return;
     case AttemptEventKind::Frozen:
     case AttemptEventKind::Released:
     case AttemptEventKind::Positioned:
+    case AttemptEventKind::Centered:
       return;
   }
 }
@@ -254,6 +258,7 @@ MetricValues AttemptMetrics::values() const {
   values[Metric::ProbeForceMean] = s.probe.forceMean_N();
   values[Metric::ProbeForceMost] = s.probe.forceMost_N();
   values[Metric::OtherVeinPunctures] = s.otherVein.count();
+  if (s.hasTarget) values[Metric::VeinChecks] = s.veinChecks;
   return values;
 }
 

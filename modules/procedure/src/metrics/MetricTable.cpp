@@ -83,6 +83,11 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
     {ProbeForceMost, "probe_force_max_N", 1, "N", Lower, "Greatest force of the probe on the skin.", kUnnamed},
     {OtherVeinPunctures, "other_vein_punctures", 1, "", Lower,
      "Punctures of a vein that is not the target, as of the target. A case without a target has none.", kUnnamed},
+    {VeinChecks, "vein_checks", 1, "", Higher,
+     "Before the first puncture of the skin: times the target vein lay in the middle of the live image and the probe "
+     "compressed it there to less than 40 % of its thickness.",
+     "compression tells a vein from an artery before the puncture (Troianos et al., J Am Soc Echocardiogr 2011, "
+     "24:1291)"},
 }};
 
 }  // namespace

@@ -264,7 +264,12 @@ void HandsSession::Impl::step() {
   drive(now);
   showNeedle(now);
   LocalModel model = modelFor(now);
-  if (attempt) attempt->show({model.grid, veins, model.restFromPatient, frame ? frame->setup->settings.depth_mm : 0});
+  if (attempt) {
+    const LiveAttempt::Surroundings around{model.grid, veins, model.restFromPatient,
+                                           frame ? frame->setup->settings.depth_mm : 0};
+    attempt->see(frame, around);
+    attempt->show(around);
+  }
   servo->show(std::move(model));
 }
 

@@ -11,17 +11,19 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kReach_mm = 30;
+/// Cosine between normals of planes that count as one.
+constexpr double kSamePlane = 0.9999;
+/// Sine to the steepest direction of a plane: just beside it, so that the needle still knows which way it leans.
+constexpr double kMostSine = 0.9999;
 /// From the housing to a needle beside it.
 constexpr double kBesideFace_mm = 5, kBesideHousing_mm = 12;
-constexpr double kAcross_deg = 45;
-/// Where a needle in the plane crosses the probe's axis: at about 35 degrees beside a linear probe.
-constexpr double kAim_mm = 17;
 
 constexpr HandMove kDone{};
 constexpr HandMove kNoNumber{"The move is not a finite number."};
 constexpr HandMove kIsIn{"The needle is in the skin; withdraw it before it goes in elsewhere."};
 constexpr HandMove kHeld{"Tissue holds the needle on its way; withdraw it to 10 mm to point it elsewhere."};
 constexpr HandMove kFlat{"The needle lies as flat on the skin as it goes, 5 degrees."};
+constexpr HandMove kSteepest{"In the image plane, the needle cannot be steeper to this skin."};
 constexpr HandMove kSquare{"The needle is square to the skin; turn it to lean it the other way."};
 constexpr HandMove kHub{"The needle is in up to its hub, 70 mm."};
 constexpr HandMove kOff{"The needle is 40 mm off the skin; further away it is laid down."};
@@ -54,37 +56,46 @@ NeedleHand NeedleHand::beside(const ProbeHand& probe, double halfWidth_mm, Needl
   const bool isAlong = plane == NeedlePlane::Along;
   const Vec3 aside = isAlong ? -lateral * (halfWidth_mm + kBesideFace_mm) : elevation * kBesideHousing_mm;
   needle.state_.inward = probe.state().inward;
+  needle.state_.angle_deg = kTaken_deg;
   // Where the scan ends there, the needle waits under the probe.
   needle.state_.entry_mm = probe.state().skin_mm;
-  if (isAlong && needle.putInPlane(pose, aside)) return needle;
+  if (isAlong && needle.putInPlane(pose, pose.offset + aside, -aside)) return needle;
+  needle.state_.planeNormal.reset();
   needle.put(pose.offset + aside);
   needle.state_.heading = along(-aside, needle.state_.inward, needle.state_.inward);
-  needle.state_.angle_deg = kAcross_deg;
   return needle;
 }
 
-/// The entry is sought along the probe's axis, and the needle then points within the image plane: the way square to the
-/// skin would leave the plane wherever the skin slopes across it. False where there is no skin, or where the skin is
-/// parallel to no line of the plane that a needle can take.
-bool NeedleHand::putInPlane(const Transform& pose, Vec3 aside) {
+/// The entry is sought along the probe's axis, since the way square to the skin would leave the image plane wherever
+/// the skin slopes across it. Changes nothing and returns false where there is no skin, or where no direction in the
+/// plane has the needle's angle to the skin.
+bool NeedleHand::putInPlane(const Transform& pose, Vec3 from_mm, Vec3 toward) {
   const auto& [lateral, elevation, axial] = pose.linear.column;
-  const auto entry = skin_->along(pose.offset + aside, -axial, kReach_mm);
+  const auto entry = skin_->along(from_mm, -axial, kReach_mm);
   if (!entry || !skin_->inVolume(*entry)) return false;
-  const Vec3 inward = -skin_->normal(*entry, -state_.inward);
-  const Vec3 steepest = inward - elevation * dot(inward, elevation);
-  const double flattest = std::sin(kLeastAngle_deg * kDegree), steep = norm(steepest);
-  if (steep <= flattest) return false;
-  Vec3 way = normalized(pose * Vec3{0, 0, kAim_mm} - *entry);
-  if (dot(way, inward) < flattest) {
-    // The direction next to it that is not flatter than a needle can be held.
-    const Vec3 up = steepest / steep;
-    const Vec3 aslant = normalized(way - up * dot(way, up));
-    const double cosine = flattest / steep;
-    way = up * cosine + aslant * std::sqrt(1 - cosine * cosine);
+  const NeedleHandState before = state_;
+  state_.entry_mm = *entry;
+  state_.inward = -skin_->normal(*entry, -state_.inward);
+  state_.planeNormal = elevation;
+  if (point(state_.angle_deg, toward)) return true;
+  state_ = before;
+  return false;
+}
+
+/// Sets heading and angle to the direction that has this angle to the skin, in the plane of planeNormal where there is
+/// one, on the side of `toward`. Where the plane has no direction as steep, takes its steepest and returns false.
+bool NeedleHand::point(double angle_deg, Vec3 toward) {
+  if (state_.planeNormal) {
+    const Vec3 normal = *state_.planeNormal;
+    const Vec3 steepest = state_.inward - normal * dot(state_.inward, normal);
+    const double wanted = std::sin(angle_deg * kDegree) / norm(steepest), sine = std::min(wanted, kMostSine);
+    const Vec3 up = normalized(steepest), aside = cross(normal, up) * (dot(cross(normal, up), toward) < 0 ? -1 : 1);
+    const Vec3 way = up * sine + aside * std::sqrt(1 - sine * sine);
+    state_.heading = along(way, state_.inward, state_.inward);
+    state_.angle_deg = std::asin(std::min(dot(way, state_.inward), 1.0)) / kDegree;
+    return wanted <= 1;
   }
-  state_.entry_mm = *entry, state_.inward = inward;
-  state_.heading = along(way, inward, inward);
-  state_.angle_deg = std::asin(std::clamp(dot(way, inward), -1.0, 1.0)) / kDegree;
+  state_.angle_deg = angle_deg;
   return true;
 }
 
@@ -111,18 +122,24 @@ HandMove NeedleHand::slide(const Transform& patientFromProbe, double lateral_mm,
   if (isIn()) return kIsIn;
   const auto& [lateral, elevation, axial] = patientFromProbe.linear.column;
   const Vec3 by = lateral * lateral_mm + elevation * elevation_mm;
+  const bool isInPlane = state_.planeNormal && std::abs(dot(*state_.planeNormal, elevation)) > kSamePlane;
+  if (isInPlane && elevation_mm == 0 && putInPlane(patientFromProbe, state_.entry_mm + by, state_.heading))
+    return kDone;
+  state_.planeNormal.reset();
   return put(state_.entry_mm + by - state_.inward * dot(by, state_.inward));
 }
 
 HandMove NeedleHand::moveTo(Vec3 patient_mm) {
   if (!isFinite(patient_mm)) return kNoNumber;
   if (isIn()) return kIsIn;
+  state_.planeNormal.reset();
   return put(skin_->nearest(patient_mm));
 }
 
 HandMove NeedleHand::turn(double degrees) {
   if (!std::isfinite(degrees)) return kNoNumber;
   if (state_.advance_mm > kTurnsUntil_mm) return kHeld;
+  state_.planeNormal.reset();
   state_.heading = along(turned(state_.heading, state_.inward, degrees), state_.inward, state_.inward);
   return kDone;
 }
@@ -131,7 +148,8 @@ HandMove NeedleHand::tilt(double degrees) {
   if (!std::isfinite(degrees)) return kNoNumber;
   if (state_.advance_mm > kTurnsUntil_mm) return kHeld;
   const double wanted = state_.angle_deg + degrees;
-  state_.angle_deg = std::clamp(wanted, kLeastAngle_deg, kMostAngle_deg);
+  const bool isReached = point(std::clamp(wanted, kLeastAngle_deg, kMostAngle_deg), state_.heading);
+  if (!isReached && wanted < kMostAngle_deg) return kSteepest;
   return wanted < kLeastAngle_deg ? kFlat : wanted > kMostAngle_deg ? kSquare : kDone;
 }
 

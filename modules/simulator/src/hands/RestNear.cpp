@@ -1,5 +1,7 @@
 #include "hands/RestNear.h"
 
+#include <insonate/simulator/LiveImaging.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,6 +28,15 @@ Transform restNear(const PlaneDisplacement& displacement, const Transform& patie
   if (!(stretch > kLeastStretch && stretch < kMostStretch)) restFromSeen.linear = {};
   restFromSeen.offset = at + shift(at.x, at.z) - restFromSeen.linear * at;
   return patientFromProbe * restFromSeen * probeFromPatient;
+}
+
+void restAlongMiddle(const PlaneDisplacement& displacement, const Transform& patientFromProbe, double depth_mm,
+                     std::vector<Vec3>& points_mm) {
+  points_mm.resize(static_cast<std::size_t>(std::max(0.0, depth_mm / kMiddleStep_mm)));
+  for (std::size_t i = 0; i < points_mm.size(); ++i) {
+    const double z_mm = (static_cast<double>(i) + 0.5) * kMiddleStep_mm;
+    points_mm[i] = patientFromProbe * (Vec3{0, 0, z_mm} + shiftAt(displacement, 0, z_mm));
+  }
 }
 
 }  // namespace insonate

@@ -3,6 +3,8 @@
 #include <insonate/core/Transform.h>
 #include <insonate/image/PlaneDisplacement.h>
 
+#include <vector>
+
 namespace insonate {
 
 /// How far beside the probe's plane tissue still moves with it: as far as the housing lies on it, and fading to twice
@@ -13,5 +15,9 @@ inline constexpr double kMovesBeside_mm = 8;
 /// displacement there, over about 3 mm. The identity where nothing moved, far beside the plane, and where the
 /// displacement turns so quickly that no straight map is near it.
 Transform restNear(const PlaneDisplacement& displacement, const Transform& patientFromProbe, Vec3 patient_mm);
+
+/// LivePress::middleAtRest_mm of an image of this depth. Allocates nothing once `points_mm` has its size.
+void restAlongMiddle(const PlaneDisplacement& displacement, const Transform& patientFromProbe, double depth_mm,
+                     std::vector<Vec3>& points_mm);
 
 }  // namespace insonate

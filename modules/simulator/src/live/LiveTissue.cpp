@@ -56,6 +56,7 @@ void LiveImaging::Impl::press() {
   press_.indentation_mm = active_.tissue.indentation_mm();
   press_.lumens = answer.lumens;
   press_.restFromPatient = needle_.needle ? restNear(answer.displacement, pose_, needle_.needle->tip_mm) : Transform{};
+  restAlongMiddle(answer.displacement, pose_, active_.setup->settings.depth_mm, press_.middleAtRest_mm);
   press_.settled = answer.converged;
   press_.solve_ms = 1000 * (now_s() - start_s);
 }

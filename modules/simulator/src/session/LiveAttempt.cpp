@@ -1,3 +1,5 @@
+#include "session/VeinWatch.h"
+
 #include <insonate/haptics/LatestValue.h>
 #include <insonate/simulator/LiveAttempt.h>
 #include <insonate/simulator/ServoRecord.h>
@@ -76,6 +78,11 @@ struct LiveAttempt::State {
   std::atomic<std::int64_t> ended_ns{0};  ///< 0: goes on
   LatestValue<Surroundings> around;
   std::atomic<bool> aspirating{false}, frozen{false};
+  // Of see().
+  VeinWatch watch;
+  std::optional<VeinWatch::Sight> sight;
+  std::weak_ptr<const LiveFrame> seen;
+  std::shared_ptr<const TissueGrid> seenIn;
   // Whoever of finish() and a tick comes first is seen by the other.
   std::atomic<bool> closed{false}, inTick{false};
 
@@ -120,6 +127,20 @@ void LiveAttempt::ticked(const ServoSnapshot& tick) noexcept {
 
 void LiveAttempt::show(Surroundings around) {
   state_->around.write(std::move(around));
+}
+
+void LiveAttempt::see(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around) {
+  State& s = *state_;
+  const bool isLive = frame && around.grid && !s.frozen && frame->press.force_N > 0;
+  if (isLive && (s.seen.lock() != frame || s.seenIn != around.grid)) {
+    const std::span<const CentreLine> veins = around.veins ? std::span(*around.veins) : std::span<const CentreLine>{};
+    s.sight = VeinWatch::sightOf(frame->press.middleAtRest_mm, *around.grid, s.vessels, veins);
+    s.seen = frame, s.seenIn = around.grid;
+  }
+  const std::int64_t time_us = (monotonic_ns() - s.begun_ns) / 1000;
+  const Vec3 axial = isLive ? frame->patientFromProbe.linear.column[2] : Vec3{};
+  const auto event = s.watch.look(time_us, isLive ? s.sight : std::nullopt, axial);
+  if (event && !s.closed) s.recorder->note(*event);
 }
 
 void LiveAttempt::tell(AttemptEventKind kind, double tilt_deg) {

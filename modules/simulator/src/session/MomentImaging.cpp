@@ -86,13 +86,14 @@ Result<void> MomentImaging::press(const Transform& patientFromProbe, double time
   const BloodPressure blood = settings_->blood(time_s);
   if (pose_ == patientFromProbe && blood.artery_kPa == blood_.artery_kPa && blood.vein_kPa == blood_.vein_kPa)
     return {};
-  pose_.reset(), tissue_.reset();
+  pose_.reset(), tissue_.reset(), middleAtRest_mm_.clear();
   if (!need_->misses(patientFromProbe)) {
     if (auto ok = takeScene(patientFromProbe); !ok) return ok;
     auto tissue = PressedTissue::make(setup_->probe, setup_->settings, setup_->mechanics);
     if (!tissue) return tl::unexpected(tissue.error());
     tissue_.emplace(std::move(*tissue));
     tissue_->hold(scene(), patientFromProbe, blood);
+    restAlongMiddle(deformation().displacement, patientFromProbe, setup_->settings.depth_mm, middleAtRest_mm_);
   }
   pose_ = patientFromProbe, blood_ = blood;
   return {};
@@ -113,6 +114,7 @@ void MomentImaging::tellPress(LiveFrame& frame) const {
   frame.press.indentation_mm = tissue_ ? tissue_->indentation_mm() : std::nan("");
   frame.press.lumens = answer.lumens;
   frame.press.pressure = blood_;
+  frame.press.middleAtRest_mm = middleAtRest_mm_;
   frame.press.settled = answer.converged;
   if (frame.needle) frame.press.restFromPatient = restNear(frame.needle->tip_mm);
 }

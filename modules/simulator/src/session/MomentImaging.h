@@ -30,6 +30,8 @@ class MomentImaging {
   const Deformation& deformation() const;
   /// restFromPatient of a point, as LivePress has it near the needle's tip.
   Transform restNear(Vec3 patient_mm) const;
+  /// Of press(), as LivePress has it; empty where nothing is pressed.
+  const std::vector<Vec3>& middleAtRest_mm() const { return middleAtRest_mm_; }
 
   /// What scenes of this pose are made of: worth computing ahead. After use().
   live::SceneNeed need() const { return *need_; }
@@ -56,6 +58,7 @@ class MomentImaging {
   int scenesMade_ = 0;
   std::optional<PressedTissue> tissue_;  ///< of pose_ and blood_; none: nothing is pressed
   std::optional<Transform> pose_;
+  std::vector<Vec3> middleAtRest_mm_;
   BloodPressure blood_;
   TentedTissue tented_;
 };

@@ -1,4 +1,5 @@
 #include "session/MomentImaging.h"
+#include "session/VeinWatch.h"
 
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/haptics/SimulatedHand.h>
@@ -116,7 +117,10 @@ class Session {
     if (trouble_ && !done) trouble_ = done;
   }
   void followTissue() {
-    if (!probe_) force_N_ = 0, restFromPatient_ = {};
+    if (!probe_) {
+      force_N_ = 0, restFromPatient_ = {};
+      watch_.look(time_us_, std::nullopt, {});
+    }
     if (!probe_ || !trouble_ || time_us_ < tissueAt_us_) return;
     tissueAt_us_ = time_us_ + kTissue_us;
     // As it is kept, so that pictures need no other solution.
@@ -125,6 +129,12 @@ class Session {
     keep(imaging_.press(*pose, static_cast<double>(time_us_) * 1e-6));
     force_N_ = imaging_.deformation().force_N;
     restFromPatient_ = holdsNeedle_ ? imaging_.restNear(tip_mm_) : Transform{};
+    watchVein();
+  }
+  void watchVein() {
+    std::optional<VeinWatch::Sight> sight;
+    if (force_N_ > 0 && !frozen_) sight = VeinWatch::sightOf(imaging_.middleAtRest_mm(), *grid_, vessels_, veins_);
+    if (const auto event = watch_.look(time_us_, sight, probe_->linear.column[2])) tell(*event);
   }
   void makePicture(const AttemptSample& sample) {
     if (!pictures_.take || !trouble_ || time_us_ < pictureAt_us_) return;
@@ -175,6 +185,7 @@ class Session {
   std::shared_ptr<const TissueGrid> grid_;
   std::vector<CentreLine> veins_;
   VesselNames vessels_;
+  VeinWatch watch_;
   AttemptSettings settings_;
   MomentImaging& imaging_;
   const SessionPictures& pictures_;
@@ -205,11 +216,15 @@ Result<AttemptSettings> settingsOf(const SessionScript& script) {
   return settings;
 }
 
-/// Where the needle is first put down.
+/// Where the needle is first put down, or the probe where there is no needle.
 Vec3 placeOf(const SessionScript& script) {
-  for (const SessionAct& act : script.acts)
+  std::optional<Vec3> probe_mm;
+  for (const SessionAct& act : script.acts) {
     if (const auto* put = std::get_if<SessionAct::PutNeedle>(&act.what)) return put->from_mm;
-  return {};
+    if (const auto* put = std::get_if<SessionAct::PutProbe>(&act.what); put && !probe_mm)
+      probe_mm = put->patientFromProbe.offset;
+  }
+  return probe_mm.value_or(Vec3{});
 }
 
 }  // namespace

@@ -97,6 +97,13 @@ HandMove ProbeControl::setPose(const StartPose& pose) {
   return done([&](ProbeHand& hand) { return hand.setPose(*transform); });
 }
 
+HandMove ProbeControl::setPose(const ProbeHandState& state) {
+  return done([&](ProbeHand& hand) {
+    hand.restore(state);
+    return HandMove{};
+  });
+}
+
 void ProbeControl::follow(const Transform& patientFromProbe) {
   if (hand_) hand_->setPose(patientFromProbe);
 }

@@ -40,6 +40,7 @@ class ProbeControl {
   HandMove set(HandAxis axis, double mmOrDegrees);
   HandMove moveTo(Vec3 patient_mm);
   HandMove setPose(const StartPose& pose);
+  HandMove setPose(const ProbeHandState& state);
   /// No gesture: a device holds the probe like this.
   void follow(const Transform& patientFromProbe);
   /// No gesture: puts the probe where it was.

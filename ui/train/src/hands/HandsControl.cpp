@@ -225,8 +225,8 @@ void HandsControl::takeNeedle(NeedlePlane plane) {
         tr("The needle is not in-plane: beside the probe there is no skin, or it faces away. Move the "
            "probe, then press I twice."));
   Q_EMIT said(session_->tissueReady()
-                  ? tr("The needle is beside the probe. Page Down advances it, Page Up withdraws; Alt with the probe's "
-                       "keys aims it.")
+                  ? tr("The needle is beside the probe, at 20 degrees to the skin. Alt+W makes it steeper, Page Down "
+                       "advances it, Page Up withdraws it.")
                   : tr("The needle is there; it feels the patient in a moment."));
 }
 

@@ -4,6 +4,7 @@
 #include "../attempt/AttemptControl.h"
 #include "Course.h"
 
+#include <insonate/simulator/AttemptStart.h>
 #include <insonate/ui/KnownCases.h>
 #include <insonate/ui/Text.h>
 
@@ -17,7 +18,12 @@ LevelControl::LevelControl(TrainSession& session, AttemptControl& attempt, Cours
   connect(&session_, &TrainSession::caseChanged, this, [this] { caseChanged(); });
   connect(&course_, &Course::changed, this, [this] { courseChanged(); });
   connect(&attempt_, &AttemptControl::stateChanged, this, [this] {
-    if (attempt_.state() == AttemptControl::State::Starting) arrange();
+    if (attempt_.state() == AttemptControl::State::Starting) {
+      arrange();
+      beginAway();
+    } else if (!attempt_.isBusy()) {
+      session_.releaseStart();
+    }
   });
 }
 
@@ -95,6 +101,17 @@ void LevelControl::arrange() {
   const auto position = std::ranges::find(positions, level_->position, &PatientPosition::name);
   if (position != positions.end() && !waitsForCase() && session_.tissue().body.tilt_deg != position->tilt_deg)
     attempt_.position(position->tilt_deg);
+}
+
+/// On the vein, a level would ask for no more than to push the needle in.
+void LevelControl::beginAway() {
+  const auto home = level_ ? session_.handAtStart() : std::nullopt;
+  if (!home) return;
+  const VesselNames vessels(session_.patient()->manifest, attempt_.procedure(), home->pose().offset);
+  std::uniform_int_distribution<int> any(0, kAttemptStarts - (place_ < 0 ? 1 : 2));
+  const int drawn = any(random_);
+  place_ = place_ >= 0 && drawn >= place_ ? drawn + 1 : drawn;
+  session_.beginAt(attemptStart(*home, vessels, {}, place_, random_()));
 }
 
 }  // namespace insonate::train

@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QString>
 #include <optional>
+#include <random>
 #include <string>
 
 namespace insonate {
@@ -49,11 +50,14 @@ class LevelControl final : public QObject {
   void caseChanged();
   void courseChanged();
   void arrange();
+  void beginAway();
 
   TrainSession& session_;
   AttemptControl& attempt_;
   Course& course_;
   std::optional<Level> level_;
+  std::mt19937 random_{std::random_device{}()};
+  int place_ = -1;  ///< of the last attempt's start; the next is another
 };
 
 }  // namespace insonate::train

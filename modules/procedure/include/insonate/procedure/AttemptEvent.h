@@ -18,8 +18,10 @@ enum class AttemptEventKind : std::uint8_t {
   Frozen = 5,          ///< the pedal holds the needle where it is
   Released = 6,        ///< and lets it go
   Positioned = 7,      ///< the patient lies otherwise: `tilt_deg`
+  Centered = 8,        ///< the target vein lies in the middle of the live image, and has for a second
+  Compressed = 9,      ///< and the probe has flattened it there
 };
-inline constexpr int kAttemptEventKinds = 8;
+inline constexpr int kAttemptEventKinds = 10;
 
 /// AttemptEvent::vessel of a vessel that the case does not name.
 inline constexpr std::uint8_t kUnnamedVessel = 255;
@@ -28,11 +30,13 @@ inline constexpr std::uint8_t kUnnamedVessel = 255;
 struct AttemptEvent {
   std::int64_t time_us = 0;  ///< since the recording began
   AttemptEventKind kind = AttemptEventKind::Entered;
-  Label wall = kSkin;        ///< of the first four kinds
+  Label wall = kSkin;        ///< of the first four kinds and the last two
   Label into = kBackground;  ///< what the tip is in afterwards
   /// The vessel whose wall this is: 1 is the first of AttemptHeader::vessels, the target; 0 where it is not known.
   std::uint8_t vessel = 0;
-  Vec3 tip_mm{}, axis{0, 0, 1};  ///< tip of the needle, and the unit direction in which it goes in
+  /// Tip of the needle, and the unit direction in which it goes in. Of the last two kinds: the middle of the vein, and
+  /// the probe's axis.
+  Vec3 tip_mm{}, axis{0, 0, 1};
   double depth_mm = 0;  ///< of the hole below the skin's, along the needle: d1 of the thesis where it is the vein's
   std::optional<Vec3> outward{};  ///< unit normal of the wall; none: not known
   double tilt_deg = 0;            ///< head down is positive (Trendelenburg)

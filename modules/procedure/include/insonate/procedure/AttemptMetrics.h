@@ -44,8 +44,9 @@ enum class Metric {
   ProbeForceMean,
   ProbeForceMost,
   OtherVeinPunctures,
+  VeinChecks,
 };
-inline constexpr int kMetricCount = 27;
+inline constexpr int kMetricCount = 28;
 
 enum class Better { Lower, Higher, Neither };
 

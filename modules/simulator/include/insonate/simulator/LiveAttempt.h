@@ -5,6 +5,7 @@
 #include <insonate/procedure/AttemptScore.h>
 #include <insonate/segmentation/CentreLine.h>
 #include <insonate/simulator/AttemptSettings.h>
+#include <insonate/simulator/LiveImaging.h>
 #include <insonate/simulator/VesselNames.h>
 
 #include <filesystem>
@@ -50,6 +51,9 @@ class LiveAttempt final : public TickListener {
   void ticked(const ServoSnapshot& tick) noexcept override;
   /// By one thread, as often as the servo is shown the tissue.
   void show(Surroundings around);
+  /// By the same thread as often: the latest live image, null where there is none. From it, the attempt tells when the
+  /// target vein is found.
+  void see(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around);
 
   /// Replaced, frozen, released or positioned. While frozen, pictures stand still and count as none.
   void tell(AttemptEventKind kind, double tilt_deg = 0);

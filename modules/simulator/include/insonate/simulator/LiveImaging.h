@@ -21,6 +21,9 @@ struct TissueMesh {
   std::vector<float> pressure_kPa;  ///< of its cells, (columns-1) x (rows-1); above 0 where squeezed
 };
 
+/// Step of LivePress::middleAtRest_mm.
+inline constexpr double kMiddleStep_mm = 0.5;
+
 /// What the tissue does under the probe. All of it at rest where the setup's model is kNoDeformation.
 struct LivePress {
   double force_N = 0;             ///< with which the tissue presses back
@@ -30,6 +33,9 @@ struct LivePress {
   /// Where tissue near the needle's tip lay at rest, before the tip dents it: affine, patient space. The identity
   /// without a needle.
   Transform restFromPatient;
+  /// Where the tissue along the middle line of the image lay at rest, from the face to the image's depth; patient
+  /// space. The points of the image are kMiddleStep_mm apart.
+  std::vector<Vec3> middleAtRest_mm;
   bool settled = true;  ///< false: the model is still on its way, and the next picture goes on
   double solve_ms = 0;  ///< part of frame_ms
   TissueMesh mesh;      ///< empty unless setKeepMesh()

@@ -4,17 +4,19 @@
 #include <insonate/simulator/ProbeHand.h>
 
 #include <memory>
+#include <optional>
 
 namespace insonate {
 
 /// Where and how a NeedleHand holds the needle. Patient LPS.
 struct NeedleHandState {
-  Vec3 entry_mm;           ///< on the skin, where the needle goes in
-  Vec3 inward{0, 1, 0};    ///< into the body, square to the skin, unit
-  Vec3 heading{1, 0, 0};   ///< along the skin, the way that the needle goes, unit
-  double angle_deg = 45;   ///< between needle and skin; 90: square to it
-  double advance_mm = -5;  ///< of the tip along the needle, from the entry; below 0: off the skin
-  double bevel_deg = 0;    ///< about the needle; 0: the bevel looks up, away from the skin
+  Vec3 entry_mm;                      ///< on the skin, where the needle goes in
+  Vec3 inward{0, 1, 0};               ///< into the body, square to the skin, unit
+  Vec3 heading{1, 0, 0};              ///< along the skin, the way that the needle goes, unit
+  double angle_deg = 45;              ///< between needle and skin; 90: square to it
+  double advance_mm = -5;             ///< of the tip along the needle, from the entry; below 0: off the skin
+  double bevel_deg = 0;               ///< about the needle; 0: the bevel looks up, away from the skin
+  std::optional<Vec3> planeNormal{};  ///< unit, of the image plane that the needle keeps to; none: it keeps to none
   bool operator==(const NeedleHandState&) const = default;
 };
 
@@ -31,17 +33,21 @@ class NeedleHand {
   /// Deeper, tissue holds the needle on its track (the servo's line constraint begins there).
   static constexpr double kTurnsUntil_mm = 10;
 
-  /// Ready beside a probe. Along: in the image plane, at the end of the face that is away from the marker, pointing to
-  /// 17 mm below the middle of the face; as under Across where the skin does not allow that (offPlane_mm()). Across: in
-  /// front of the face, at 45 degrees. `halfWidth_mm` of the face.
+  /// At which a needle is taken up: flatter than any target asks for, so that it is the trainee who aims.
+  static constexpr double kTaken_deg = 20;
+
+  /// Ready beside a probe, at kTaken_deg to the skin. Along: in the image plane, at the end of the face that is away
+  /// from the marker; as under Across where the skin does not allow that (offPlane_mm()). Across: in front of the face.
+  /// `halfWidth_mm` of the face.
   static NeedleHand beside(const ProbeHand& probe, double halfWidth_mm, NeedlePlane plane);
 
-  /// The entry over the skin, along the probe's own directions; not while the tip is in.
+  /// Moves the entry over the skin along the probe's own directions; not while the tip is in. A needle in-plane stays
+  /// so where elevation_mm is 0.
   HandMove slide(const Transform& patientFromProbe, double lateral_mm, double elevation_mm);
   HandMove moveTo(Vec3 patient_mm);
-  /// About the skin's normal; above 0 from heading toward inward x heading.
+  /// About the skin's normal; above 0 from heading toward inward x heading. The needle leaves the image plane.
   HandMove turn(double degrees);
-  /// Above 0: steeper to the skin.
+  /// Above 0: steeper to the skin. A needle in-plane stays so.
   HandMove tilt(double degrees);
   HandMove rotateBevel(double degrees);
   HandMove advance(double mm);
@@ -61,7 +67,8 @@ class NeedleHand {
  private:
   NeedleHand(std::shared_ptr<const SkinSurface> skin) : skin_(std::move(skin)) {}
   HandMove put(Vec3 skin_mm);
-  bool putInPlane(const Transform& patientFromProbe, Vec3 aside);
+  bool putInPlane(const Transform& patientFromProbe, Vec3 from_mm, Vec3 toward);
+  bool point(double angle_deg, Vec3 toward);
 
   std::shared_ptr<const SkinSurface> skin_;
   NeedleHandState state_;
