@@ -264,7 +264,8 @@ void HandsSession::Impl::step() {
   drive(now);
   showNeedle(now);
   LocalModel model = modelFor(now);
-  if (attempt) attempt->show({model.grid, veins, model.restFromPatient, frame ? frame->setup->settings.depth_mm : 0});
+  if (attempt)
+    attempt->show({model.grid, veins, skin, model.restFromPatient, frame ? frame->setup->settings.depth_mm : 0});
   servo->show(std::move(model));
 }
 
