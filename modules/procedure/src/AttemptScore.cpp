@@ -88,14 +88,6 @@ bool isToldByFinding(const AttemptEvent& event, const ProcedureRun& run) {
   return wrong && std::ranges::any_of(run.findings(), [&](const auto& f) { return f.time_us == event.time_us; });
 }
 
-/// Name of the vessel that was punctured as a rule was broken; empty where none was or it has no name.
-std::string vesselOf(const ProcedureRun& run, const ProcedureRun::Finding& finding) {
-  for (const AttemptEvent& event : run.milestones())
-    if (event.time_us == finding.time_us && event.vessel != 0 && event.vessel != kUnnamedVessel)
-      return vesselName(event, run.vessels());
-  return {};
-}
-
 std::vector<AttemptMoment> momentsOf(const ProcedureRun& run) {
   std::vector<AttemptMoment> moments;
   bool veinReached = false;
@@ -107,8 +99,7 @@ std::vector<AttemptMoment> momentsOf(const ProcedureRun& run) {
   }
   for (const ProcedureRun::Finding& finding : run.findings()) {
     const ProcedureRule& rule = ruleOf(run, finding);
-    const std::string vessel = vesselOf(run, finding);
-    moments.push_back({finding.time_us, vessel.empty() ? rule.say : capital(vessel) + ": " + rule.say, rule.severity});
+    moments.push_back({finding.time_us, sentenceOf(rule, finding), rule.severity});
   }
   std::ranges::stable_sort(moments, {}, &AttemptMoment::time_us);
   return moments;
@@ -181,6 +172,10 @@ std::string vesselName(const AttemptEvent& event, const std::vector<std::string>
   if (!hasWall || (event.wall != kVein && event.wall != kArtery)) return {};
   if (event.vessel > 0 && event.vessel <= vessels.size()) return vessels[event.vessel - 1U];
   return event.wall == kVein && !vessels.empty() ? "another vein" : "";
+}
+
+std::string sentenceOf(const ProcedureRule& rule, const ProcedureRun::Finding& finding) {
+  return finding.vessel.empty() ? rule.say : capital(finding.vessel) + ": " + rule.say;
 }
 
 AttemptScore scoreOf(const ProcedureRun& run, AttemptStatus status) {

@@ -1,3 +1,4 @@
+#include <insonate/procedure/AttemptScore.h>
 #include <insonate/procedure/ProcedureRun.h>
 
 #include <algorithm>
@@ -45,12 +46,13 @@ void ProcedureRun::take(const AttemptSample& sample) {
   const bool draws = sample.aspirating && metrics_.needle() == NeedlePlace::Vein;
   aspirating_us_ = draws ? metrics_.drawingBlood_us() : std::nullopt;
   complete(sample.time_us, nullptr);
-  watchRules(sample.time_us);
+  watchRules(sample.time_us, {});
 }
 
 void ProcedureRun::take(const AttemptEvent& event) {
   const MetricValues before = metrics_.values();
   metrics_.take(event);
+  followVessel(event);
   const bool ended = complete(event.time_us, &event);
   const bool pulledOut = event.kind == AttemptEventKind::Withdrawn && event.wall == kSkin;
   if (isMilestone(event) || pulledOut || countedMore(before, metrics_.values())) milestones_.push_back(event);
@@ -58,7 +60,21 @@ void ProcedureRun::take(const AttemptEvent& event) {
     due_ = procedure_.passBegins;
     std::fill(steps_.begin() + static_cast<std::ptrdiff_t>(due_), steps_.end(), Step{});
   }
-  watchRules(event.time_us);
+  const bool isNamed = event.vessel != 0 && event.vessel != kUnnamedVessel;
+  watchRules(event.time_us, isNamed ? vesselName(event, vessels_) : std::string());
+}
+
+void ProcedureRun::followVessel(const AttemptEvent& event) {
+  if (event.kind > AttemptEventKind::Withdrawn) return;
+  const bool isVessel = event.wall == kVein || event.wall == kArtery;
+  if (isVessel && event.into == event.wall)
+    vesselWall_ = event;
+  else if (isVessel || event.wall == kSkin)
+    vesselWall_.reset();
+}
+
+std::string ProcedureRun::vesselIn() const {
+  return vesselWall_ ? vesselName(*vesselWall_, vessels_) : std::string();
 }
 
 /// Ends the step that is due, or one after it with only optional ones between; true when one was.
@@ -81,7 +97,7 @@ bool ProcedureRun::complete(std::int64_t time_us, const AttemptEvent* event) {
   return false;
 }
 
-void ProcedureRun::watchRules(std::int64_t time_us) {
+void ProcedureRun::watchRules(std::int64_t time_us, const std::string& vessel) {
   const MetricValues values = metrics_.values();
   for (std::size_t i = 0; i < told_.size(); ++i) {
     const MetricLimit& limit = procedure_.rules[i].limit;
@@ -90,7 +106,7 @@ void ProcedureRun::watchRules(std::int64_t time_us) {
     const bool isCount = definitionOf(limit.metric).unit.empty();
     if (told_[i] && !(isCount && *value > *told_[i])) continue;
     told_[i] = value;
-    findings_.push_back({i, time_us, *value});
+    findings_.push_back({i, time_us, *value, vessel});
   }
 }
 

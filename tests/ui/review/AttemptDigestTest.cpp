@@ -55,17 +55,27 @@ TEST_F(Digest, TellsWhatTheHandsDidAndWhen) {
   EXPECT_FALSE(at(1.0).aspirating);
   EXPECT_TRUE(at(7.5).aspirating);
   EXPECT_FALSE(at(8.9).tip_probe) << "the probe is lifted";
-  EXPECT_EQ(attempt->placeAt(200'000), NeedlePlace::Clean);
-  EXPECT_EQ(attempt->placeAt(1'300'000), NeedlePlace::Underway);
-  EXPECT_EQ(attempt->placeAt(1'900'000), NeedlePlace::Vein);
-  EXPECT_EQ(attempt->placeAt(2'690'000), NeedlePlace::WrongPlace);
-  EXPECT_EQ(attempt->placeAt(5'300'000), NeedlePlace::Used);
+  EXPECT_EQ(attempt->placeAt(200'000).place, NeedlePlace::Clean);
+  EXPECT_EQ(attempt->placeAt(1'300'000).place, NeedlePlace::Underway);
+  EXPECT_EQ(attempt->placeAt(1'900'000).place, NeedlePlace::Vein);
+  EXPECT_EQ(attempt->placeAt(2'690'000).place, NeedlePlace::WrongPlace);
+  EXPECT_EQ(attempt->placeAt(5'300'000).place, NeedlePlace::Used);
   ASSERT_TRUE(attempt->score);
   EXPECT_EQ(attempt->score->metrics[int(Metric::VeinPunctures)].value, 2);
   EXPECT_EQ(attempt->score->metrics[int(Metric::UsedNeedleInsertions)].value, 1);
   EXPECT_TRUE(std::ranges::is_sorted(attempt->moments, {}, &AttemptMoment::time_us));
   EXPECT_TRUE(std::ranges::any_of(attempt->moments, [](const auto& m) { return m.severity == Severity::Major; }));
   EXPECT_TRUE(attempt->troubles.empty());
+}
+
+TEST_F(Digest, NamesTheVesselThatTheTipIsIn) {
+  const auto attempt = digest(recorded(file("named"), kTwoPasses, namedBlock()));
+  EXPECT_EQ(attempt->placeAt(1'300'000).vessel, "");
+  EXPECT_EQ(attempt->placeAt(1'900'000).vessel, "right internal jugular vein");
+  EXPECT_EQ(attempt->placeAt(2'690'000).vessel, "") << "behind it";
+  EXPECT_EQ(attempt->placeAt(5'300'000).vessel, "");
+  EXPECT_TRUE(std::ranges::any_of(
+      attempt->moments, [](const AttemptMoment& m) { return m.say == "The right internal jugular vein is reached."; }));
 }
 
 TEST_F(Digest, ItsNumbersAreThoseOfTheRecording) {

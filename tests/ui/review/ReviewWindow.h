@@ -28,15 +28,22 @@ inline std::shared_ptr<const PatientCase> block() {
   return made;
 }
 
+/// The block whose vein has a name.
+inline PatientCase namedBlock() {
+  PatientCase named = *block();
+  named.manifest.vessels = {{"right internal jugular vein", kVein, {{{0, 12, 0}, 4.5}}}};
+  return named;
+}
+
 /// Two passes over the vein of the small block: through its back wall; and, with the same needle, into it, aspirating.
 inline const char* kTwoPasses = R"({"acts": [{"tilt_deg": 15}, {"probe": "auto"},
   {"needle": {"from_mm": [0, -5, 0], "to": "vein"}}, {"advance_mm": 27}, {"withdraw_mm": 27},
   {"aspirate": true}, {"advance_mm": 17}, {"wait_s": 1.5}, {"aspirate": false}, {"probe": null}, {"wait_s": 0.5}]})";
 
-inline QString recorded(const QString& file, const char* text = kTwoPasses) {
-  const auto script = readSessionScript(text, *block());
+inline QString recorded(const QString& file, const char* text = kTwoPasses, const PatientCase& patient = *block()) {
+  const auto script = readSessionScript(text, patient);
   if (!script) throw std::runtime_error(script.error().message);
-  const auto outcome = runSession(*script, *block(), "insonate test", file.toStdString(), {});
+  const auto outcome = runSession(*script, patient, "insonate test", file.toStdString(), {});
   if (!outcome) throw std::runtime_error(outcome.error().message);
   return file;
 }

@@ -41,12 +41,26 @@ TEST_F(ReviewWindow, ShowsAnAttemptWithItsMomentsAndItsPicture) {
   EXPECT_EQ(frame->patientFromProbe, *session_->sample()->patientFromProbe);
   ASSERT_TRUE(frame->needle);
   EXPECT_NEAR(frame->needle->tip_mm.y, 15, 0.5);
-  EXPECT_EQ(session_->needle(), NeedlePlace::Vein);
+  EXPECT_EQ(session_->needle().place, NeedlePlace::Vein);
   EXPECT_TRUE(child<QLabel>("needlePlace")->text().contains("in the vein"));
-  EXPECT_TRUE(child<QLabel>("handsNow")->text().contains("15.")) << child<QLabel>("handsNow")->text().toStdString();
+  const QString hands = child<QLabel>("handsNow")->text();
+  EXPECT_TRUE(hands.contains("inserted 15.") && hands.contains("depth 15.")) << hands.toStdString();
   session_->setTime(8'900'000);
   settle();
   EXPECT_FALSE(session_->picture().shown()) << "the probe is lifted";
+}
+
+TEST_F(ReviewWindow, TheStatusNamesTheVesselThatTheTipIsIn) {
+  openAll(recorded(home_.filePath("named"), kTwoPasses, namedBlock()));
+  session_->setTime(2'000'000);
+  EXPECT_TRUE(child<QLabel>("needlePlace")->text().contains("in the right internal jugular vein"))
+      << child<QLabel>("needlePlace")->text().toStdString();
+  session_->setTime(2'690'000);
+  EXPECT_TRUE(child<QLabel>("needlePlace")->text().contains("wrong place"));
+  QStringList said;
+  for (int row = 0; row < child<QListWidget>("moments")->count(); ++row)
+    said << child<QListWidget>("moments")->item(row)->text();
+  EXPECT_EQ(said.filter("The right internal jugular vein is reached.").size(), 1) << said.join('\n').toStdString();
 }
 
 TEST_F(ReviewWindow, ATimelineIsClickedDraggedAndMagnified) {

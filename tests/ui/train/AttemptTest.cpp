@@ -152,7 +152,7 @@ TEST_F(TrainAttempt, ATestIsSilentAndWithoutTheCt) {
   ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Vein; }));
   QTest::qWait(150);
   EXPECT_EQ(heard("Vein"), 0);
-  EXPECT_TRUE(text("attemptNeedle").contains("in tissue"));
+  EXPECT_TRUE(text("attemptNeedle").contains("needle inserted"));
   EXPECT_FALSE(text("needleWords").contains("vein")) << text("needleWords").toStdString();
   finish();
   EXPECT_TRUE(shown("sceneTab"));

@@ -45,9 +45,9 @@ TEST_F(TrainNeedle, PushedInItSaysOnceWhatItEntersAndLeaves) {
   ASSERT_TRUE(waitFor([&] { return lying().in == kVein; })) << workspace_->statusText().toStdString();
   EXPECT_TRUE(waitFor([&] { return heard("Vein entered") == 1; }));
   EXPECT_EQ(heard("Through the skin"), 1);
-  EXPECT_TRUE(waitFor([&] { return child<QLabel>("needleWords")->text().startsWith("in vein"); }));
+  EXPECT_TRUE(waitFor([&] { return child<QLabel>("needleWords")->text().startsWith("in vein, inserted 1"); }));
   type("needle_depth", "22");
-  EXPECT_TRUE(waitFor([&] { return heard("back wall of the vein") == 1; }));
+  EXPECT_TRUE(waitFor([&] { return heard("posterior wall of the vein") == 1; }));
   type("needle_depth", "-5");
   EXPECT_TRUE(waitFor([&] { return heard("out of the skin") == 1; }));
   EXPECT_FALSE(lying().inBody);

@@ -48,17 +48,34 @@ TEST(Attempt, CleanSuccess) {
   EXPECT_EQ(values[Metric::ProbeForceMean], 2);
 }
 
-/// The face is 38 mm wide over x = 20, so the picture begins at x = 1, where the needle is 1.41 mm deep: of 20 mm
-/// forward the steps that end at 1.5 mm and beyond are seen.
-TEST(Attempt, TipInPictureCountsTheWayForward) {
+/// The face is 38 mm wide over x = 20, so the image begins at x = 1, where the needle is 1.414 mm in. From the skin to
+/// the vein at 20 mm it takes 2 s: 92.93 % of that time the image shows the tip.
+TEST(Attempt, TipInPictureIsAShareOfTheTimeUnderTheSkin) {
   ScriptedAttempt attempt;
   attempt.needleTo(25);
-  EXPECT_NEAR(*attempt.values()[Metric::TipInPicture], 95, 2.6);
+  EXPECT_NEAR(*attempt.values()[Metric::TipInPicture], 92.93, 0.1);
   ScriptedAttempt half;
   half.needleTo(10);
-  half.probe_y_mm = 3;
+  half.probe_y_mm = 3.1;
   half.needleTo(25);
-  EXPECT_NEAR(*half.values()[Metric::TipInPicture], 45, 2.6) << "twice as far aside as the slice is thick";
+  EXPECT_NEAR(*half.values()[Metric::TipInPicture], 42.93, 0.1)
+      << "further off the plane than the slice is thick, 3 mm";
+  ScriptedAttempt near;
+  near.probe_y_mm = 2.9;
+  near.needleTo(25);
+  EXPECT_NEAR(*near.values()[Metric::TipInPicture], 92.93, 0.1) << "off the plane, still as bright as speckle";
+}
+
+/// 1 s to 10 mm with the image, 1 s held still without it, 1 s on to the vein with it; held frozen it does not count.
+TEST(Attempt, TipInPictureCountsWaitingAndNotFreezing) {
+  ScriptedAttempt attempt;
+  attempt.needleTo(10);
+  attempt.probeHeld = false, attempt.hold(1), attempt.probeHeld = true;
+  attempt.tell(AttemptEventKind::Frozen), attempt.hold(5), attempt.tell(AttemptEventKind::Released);
+  attempt.needleTo(25);
+  EXPECT_NEAR(*attempt.values()[Metric::TipInPicture], 100 * (2 - 0.1414) / 3, 0.1);
+  attempt.hold(10);
+  EXPECT_NEAR(*attempt.values()[Metric::TipInPicture], 100 * (2 - 0.1414) / 3, 0.1) << "after access nothing counts";
 }
 
 TEST(Attempt, NeedleNeverInTheImage) {
@@ -218,11 +235,12 @@ TEST(Attempt, FanShowsWhatItReaches) {
   const auto seenAt = [](double x_mm) {
     AttemptMetrics metrics({.fanAngle_deg = 60, .faceRadius_mm = 60, .sliceHalf_mm = 1});
     metrics.take(AttemptEvent{.kind = AttemptEventKind::Entered, .tip_mm = {x_mm, 0, 0}});
-    metrics.take(AttemptSample{.time_us = 1,
-                               .patientFromProbe = Transform{},
-                               .patientFromNeedle = Transform{{}, {x_mm, 0, 0.62}},
-                               .needleDepth_mm = 0.62,
-                               .pictureDepth_mm = 40});
+    for (const std::int64_t time_us : {1, 2})
+      metrics.take(AttemptSample{.time_us = time_us,
+                                 .patientFromProbe = Transform{},
+                                 .patientFromNeedle = Transform{{}, {x_mm, 0, 0.62}},
+                                 .needleDepth_mm = 0.62,
+                                 .pictureDepth_mm = 40});
     return metrics.values()[Metric::TipInPicture];
   };
   // 0.62 mm below the face's plane: the fan's edge is at (60 + 0.62) tan 30 = 35.0 mm, where the face has curved away

@@ -8,26 +8,25 @@ namespace insonate::metrics {
 namespace {
 
 /// Down and up along z from a hole at the origin, a quarter of a millimetre at once.
-void go(NeedleWork& work, double from_mm, double to_mm, bool inPicture = false, bool aspirating = false) {
+void go(NeedleWork& work, double from_mm, double to_mm, bool aspirating = false) {
   const int steps = static_cast<int>(std::abs(to_mm - from_mm) * 4);
   for (int i = 1; i <= steps; ++i) {
     const double depth_mm = from_mm + (to_mm - from_mm) * i / steps;
-    work.follow({0, 0, depth_mm}, depth_mm, inPicture, aspirating);
+    work.follow({0, 0, depth_mm}, depth_mm, aspirating);
   }
 }
 
 TEST(NeedleWork, StraightToTheVein) {
   NeedleWork work;
   work.beginPass({});
-  go(work, 0, 10, true);
-  go(work, 10, 30, false, true);
+  go(work, 0, 10);
+  go(work, 10, 30, true);
   EXPECT_FALSE(work.inefficiency_percent()) << "not reached yet";
   work.reach({0, 0, 30});
   go(work, 30, 35);  // what comes after does not count
   EXPECT_DOUBLE_EQ(work.path_mm(), 30);
   EXPECT_DOUBLE_EQ(*work.inefficiency_percent(), 0);
   EXPECT_NEAR(*work.deviation_mm(), 0, 1e-9);
-  EXPECT_NEAR(*work.inPicture_percent(), 100.0 / 3, 1e-9);
   EXPECT_NEAR(*work.aspirating_percent(), 200.0 / 3, 1e-9);
   EXPECT_EQ(work.redirections(), 0);
 }
@@ -36,7 +35,7 @@ TEST(NeedleWork, StraightToTheVein) {
 TEST(NeedleWork, BackAndOnAgain) {
   NeedleWork work;
   work.beginPass({});
-  go(work, 0, 20, false, true), go(work, 20, 10), go(work, 10, 30);
+  go(work, 0, 20, true), go(work, 20, 10), go(work, 10, 30);
   work.reach({0, 0, 30});
   EXPECT_DOUBLE_EQ(work.path_mm(), 50);
   EXPECT_NEAR(*work.inefficiency_percent(), 200.0 / 3, 1e-9);
@@ -62,8 +61,8 @@ TEST(NeedleWork, RedirectionsAreThreeMillimetresBackAndOn) {
 TEST(NeedleWork, DeviationFromTheStraightLine) {
   NeedleWork work;
   work.beginPass({});
-  work.follow({3, 0, 10}, 10, false, false);
-  work.follow({0, 0, 20}, 20, false, false);
+  work.follow({3, 0, 10}, 10, false);
+  work.follow({0, 0, 20}, 20, false);
   work.reach({0, 0, 20});
   EXPECT_NEAR(*work.deviation_mm(), std::sqrt(4.5), 1e-9);
   EXPECT_NEAR(work.path_mm(), 2 * std::sqrt(109), 1e-9);
@@ -74,10 +73,10 @@ TEST(NeedleWork, TremblingIsNoWay) {
   work.beginPass({});
   for (int i = 0; i < 10'000; ++i) {
     const double at_mm = 0.24 * std::sin(0.06 * i);
-    work.follow({at_mm, 0, at_mm}, at_mm, true, true);
+    work.follow({at_mm, 0, at_mm}, at_mm, true);
   }
   EXPECT_EQ(work.path_mm(), 0);
-  EXPECT_FALSE(work.inPicture_percent()) << "it never went forward";
+  EXPECT_FALSE(work.aspirating_percent()) << "it never went forward";
 }
 
 TEST(NeedleWork, PassesAddUp) {
@@ -86,7 +85,7 @@ TEST(NeedleWork, PassesAddUp) {
   go(work, 0, 12), go(work, 12, 0);
   work.endPass({});
   work.beginPass({5, 0, 0});
-  work.follow({5, 0, 20}, 20, false, false);
+  work.follow({5, 0, 20}, 20, false);
   work.reach({5, 0, 20});
   EXPECT_DOUBLE_EQ(work.path_mm(), 44) << "the way outside does not count";
   EXPECT_NEAR(*work.inefficiency_percent(), 120, 1e-9);

@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 namespace insonate {
 namespace {
 
@@ -72,6 +74,33 @@ TEST_P(OtherVein, ACaseWithoutATargetKnowsNoOther) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Procedures, OtherVein, testing::ValuesIn(procedurePresetNames()));
+
+TEST(VesselIn, IsNamedWhileTheTipIsInIt) {
+  ScriptedAttempt attempt;
+  attempt.walls = {{kArtery, 5, 8, 3}, {kVein, 20, 30, 1}};
+  ProcedureRun run(*loadProcedure("internal_jugular"), ScriptedAttempt::picture(),
+                   {"right internal jugular vein", "left internal jugular vein", "right common carotid artery"});
+  std::size_t told = 0;
+  const auto inAt = [&](double depth_mm) {
+    attempt.needleTo(depth_mm);
+    for (; told < attempt.stream.size(); ++told)
+      std::visit([&](const auto& what) { run.take(what); }, attempt.stream[told]);
+    return run.vesselIn();
+  };
+  EXPECT_EQ(inAt(2), "");
+  EXPECT_EQ(inAt(6), "right common carotid artery");
+  EXPECT_EQ(inAt(12), "");
+  EXPECT_EQ(inAt(25), "right internal jugular vein");
+  EXPECT_EQ(inAt(33), "") << "behind its posterior wall";
+  EXPECT_EQ(inAt(28), "right internal jugular vein") << "drawn back into it";
+  EXPECT_EQ(inAt(-5), "");
+  const auto& findings = run.findings();
+  const auto artery =
+      std::ranges::find(findings, std::string("right common carotid artery"), &ProcedureRun::Finding::vessel);
+  ASSERT_NE(artery, findings.end());
+  EXPECT_THAT(sentenceOf(run.procedure().rules[artery->rule], *artery),
+              testing::StartsWith("Right common carotid artery: "));
+}
 
 /// On the way to the target a small vein is passed through.
 TEST(OtherVeinOnTheWay, IsAnErrorAndTheTargetStillCounts) {

@@ -174,7 +174,8 @@ TEST_F(MetricsByHand, ProbeLifted) {
                                    {0, 0.1},
                                    {0, kWay_mm},
                                    {90, 1},
-                                   /* 10 of 15.033 */ {100 * 10 / kVein_mm, 2 * share(kVein_mm)},
+                                   /* until 10 mm, from 7.755 to 15.033 */
+                                   {100 * (10 - kSkin_mm) / (kVein_mm - kSkin_mm), 0.2},
                                    {100},
                                    {0, kMiddle_mm},
                                    {1},

@@ -1,4 +1,5 @@
 #include "HandsBench.h"
+#include "hand/SkinSurface.h"
 
 #include <insonate/procedure/AttemptRecording.h>
 #include <insonate/simulator/AttemptOrigin.h>
@@ -146,7 +147,8 @@ TEST_F(LiveAttemptTest, ATickThatIsRecordedAllocatesNothing) {
   ASSERT_TRUE(attempt);
   const auto grid = *TissueGrid::fromLabels(bench.patient->labels, {}, 20);
   const auto veins = std::make_shared<const std::vector<CentreLine>>(*centreLines(bench.patient->labels, kVein));
-  (*attempt)->show({grid, veins, {}, 40});
+  const auto skin = std::make_shared<const SkinSurface>(*SkinSurface::make(bench.patient->labels));
+  (*attempt)->show({grid, veins, skin, {}, 40});
   HapticServo servo;
   ServoSetup setup;
   setup.needle = *loadNeedleTable(needlePresetNames().front());

@@ -69,27 +69,27 @@ struct Way {
     const Vec3 on = middle_mm(label, tip + run * 4, run), back = middle_mm(label, tip - run * 4, run);
     return norm(cross(tip - back, normalized(on - back)));
   }
-  /// Way of the tip within the picture of a linear probe 38 mm wide, 40 mm deep, whose slice is 5.4 wavelengths thick
-  /// at 7.5 MHz: 1.11 mm. The skin gives at once: the way to its puncture counts where it ended.
-  double inPicture_mm(const Transform& patientFromProbe, double last_mm) const {
-    constexpr double kStep_mm = 0.01, kHalf_mm = 5.4 * 1.54 / 7.5 / 2;
+  /// Way of the tip within the image of a linear probe 38 mm wide, 40 mm deep: at most one slice thickness off its
+  /// plane, which is 5.4 wavelengths at 7.5 MHz, 1.11 mm, at 20 mm, and grows by 0.085 mm per mm off that.
+  double inPicture_mm(const Transform& patientFromProbe, double first_mm, double last_mm) const {
+    constexpr double kStep_mm = 0.01, kFocus_mm = 5.4 * 1.54 / 7.5;
     const Transform probeFromPatient = inverted(patientFromProbe);
     const auto isShown = [&](double s_mm) {
       const Vec3 tip = probeFromPatient * (from_mm + axis * s_mm);
-      return std::abs(tip.x) <= 19 && std::abs(tip.y) <= kHalf_mm && tip.z >= 0 && tip.z <= 40;
+      return std::abs(tip.x) <= 19 && std::abs(tip.y) <= std::hypot(kFocus_mm, 0.085 * (tip.z - 20)) && tip.z >= 0 &&
+             tip.z <= 40;
     };
-    const double in_mm = skin_mm() + bend_mm(kSkin);
-    double way_mm = isShown(in_mm) ? bend_mm(kSkin) : 0;
-    for (double s_mm = in_mm; s_mm < last_mm; s_mm += kStep_mm) way_mm += isShown(s_mm) ? kStep_mm : 0;
+    double way_mm = 0;
+    for (double s_mm = first_mm; s_mm < last_mm; s_mm += kStep_mm) way_mm += isShown(s_mm) ? kStep_mm : 0;
     return way_mm;
   }
-  /// Between needle and the plane through the skin 3 mm about its entry.
+  /// Between needle and the plane through the skin 7 mm about its entry.
   double angle_deg() const {
     const Vec3 entry = from_mm + axis * skin_mm();
     Vec3 outward;
     for (int n = 0; n < 400; ++n) {  // those that end in air point outwards
       const Vec3 way = onSphere(n, 400);
-      if (labelAt(entry + way * 3) == kBackground) outward = outward + way;
+      if (labelAt(entry + way * 7) == kBackground) outward = outward + way;
     }
     return std::asin(-dot(normalized(outward), axis)) * 180 / std::numbers::pi;
   }

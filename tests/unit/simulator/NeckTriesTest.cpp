@@ -43,7 +43,8 @@ void NeckTries::expectTwoTries(const char* script, double usedNeedle) {
   const double access_mm = last.until(kVein) + bend_mm(kVein), there_mm = access_mm - lastIn_mm;
   const double path_mm = 25 - in_mm + 25 - first.skin_mm() + kBack_mm + there_mm;
   const double forward_mm = 25 - first.skin_mm() + access_mm - last.skin_mm();
-  const double seen = 100 * (access_mm - last.skin_mm()) / forward_mm;
+  const double drawn = 100 * (access_mm - last.skin_mm()) / forward_mm;
+  const double seen = 100 * there_mm / (25 - in_mm + 25 - first.skin_mm() + there_mm);
   const auto nearest_mm = [&](Label label) {
     return std::min(first.nearest_mm(label, in_mm, 25), last.nearest_mm(label, lastIn_mm, 32));
   };
@@ -64,7 +65,7 @@ void NeckTries::expectTwoTries(const char* script, double usedNeedle) {
                                    {0, 0.05},
                                    {last.angle_deg(), kSlant_deg},
                                    {seen, 4},
-                                   {seen, 4},
+                                   {drawn, 4},
                                    {0, kMiddle_mm},
                                    {1},
                                    {nearest_mm(kArtery), kVoxels_mm},
@@ -139,7 +140,7 @@ TEST_F(NeckTries, ProbeLifted) {
                                    {0, 0.1},
                                    {0, 0.05},
                                    {in.angle_deg(), kSlant_deg},
-                                   {100 * (16 - skin_mm) / (access_mm - skin_mm), 4},
+                                   {100 * (16 - in_mm) / there_mm, 8},
                                    {100},
                                    {0, kMiddle_mm},
                                    {1},
@@ -194,7 +195,11 @@ TEST_F(NeckTries, CarotidPuncture) {
   const double skin_mm = in.skin_mm(), in_mm = skin_mm + bend_mm(kSkin), front_mm = in.until(kArtery);
   ASSERT_LT(front_mm + bend_mm(kArtery), 55);
   ASSERT_GT(in.until(kVein), 55) << "never in the vein";
-  const double seen_mm = in.inPicture_mm(moved(*neck_, kAcross, {-3.2, 0, 0}), 55);
+  // In, a second at its end (10 mm of way), and out to the skin.
+  const Transform probe = moved(*neck_, kAcross, {-3.2, 0, 0});
+  const double seen_mm = in.inPicture_mm(probe, in_mm, 55) + 1000 * in.inPicture_mm(probe, 55, 55.01) +
+                         in.inPicture_mm(probe, skin_mm, 55);
+  const double under_mm = 55 - in_mm + 10 + 55 - skin_mm;
   expectMetrics(outcome.metrics, {{{0},
                                    {1},
                                    {0},
@@ -210,8 +215,8 @@ TEST_F(NeckTries, CarotidPuncture) {
                                    kMissing,
                                    kMissing,
                                    {in.angle_deg(), kSlant_deg},
-                                   /* as it comes through the picture; a step of 0.5 mm at either end */
-                                   {100 * seen_mm / (55 - skin_mm), 100 * 1.0 / (55 - skin_mm)},
+                                   /* as it comes through the image, in and out */
+                                   {100 * seen_mm / under_mm, 100 * 2 * kVoxels_mm / under_mm},
                                    {100},
                                    kMissing,
                                    {0},
@@ -230,7 +235,11 @@ TEST_F(NeckTries, Bone) {
   const Way in = way(*neck_, kAcross, {-27.2, 0, -5}, {-15.2, 0, 40});
   const double skin_mm = in.skin_mm(), in_mm = skin_mm + bend_mm(kSkin), bone_mm = in.until(kBone);
   ASSERT_LT(bone_mm, 55);
-  const double seen_mm = in.inPicture_mm(moved(*neck_, kAcross, {-3.2, 0, 0}), 55);
+  // In, a second at its end (10 mm of way), and out to the skin.
+  const Transform probe = moved(*neck_, kAcross, {-3.2, 0, 0});
+  const double seen_mm = in.inPicture_mm(probe, in_mm, 55) + 1000 * in.inPicture_mm(probe, 55, 55.01) +
+                         in.inPicture_mm(probe, skin_mm, 55);
+  const double under_mm = 55 - in_mm + 10 + 55 - skin_mm;
   expectMetrics(outcome.metrics, {{{0},
                                    {0},
                                    {0},
@@ -246,7 +255,7 @@ TEST_F(NeckTries, Bone) {
                                    kMissing,
                                    kMissing,
                                    {in.angle_deg(), kSlant_deg},
-                                   {100 * seen_mm / (55 - skin_mm), 100 * 1.0 / (55 - skin_mm)},
+                                   {100 * seen_mm / under_mm, 100 * 2 * kVoxels_mm / under_mm},
                                    {0},
                                    kMissing,
                                    {0},
@@ -267,12 +276,12 @@ TEST_F(NeckTries, SubclavianSuccess) {
   const Vec3 from = inProbe(chest, kAlong, {-48, 0, -3});
   const Way in{chest, from, normalized(chest.manifest.targets[0].position_mm - from)};
   const double skin_mm = in.skin_mm(), in_mm = skin_mm + bend_mm(kSkin), front_mm = in.until(kVein);
-  const double access_mm = front_mm + bend_mm(kVein), there_mm = access_mm - in_mm, forward_mm = access_mm - skin_mm;
+  const double access_mm = front_mm + bend_mm(kVein), there_mm = access_mm - in_mm;
   // The face stands 1 mm lower than at its start pose: what lies under it gives way by as much, the needle being at 30
   // degrees to it.
   const double pressed_mm = kVoxels_mm + 1 / std::sin(std::numbers::pi / 6);
   ASSERT_GT(in.until(kVein, false, front_mm), 55) << "the needle stops before the back wall";
-  const double seen_mm = in.inPicture_mm(moved(chest, kAlong, {-12, 0, 1}), access_mm);
+  const double seen_mm = in.inPicture_mm(moved(chest, kAlong, {-12, 0, 1}), in_mm, access_mm);
   expectMetrics(outcome.metrics, {{{1},
                                    {0},
                                    {0},
@@ -288,7 +297,7 @@ TEST_F(NeckTries, SubclavianSuccess) {
                                    {0, 0.1},
                                    {0, 0.05},
                                    {in.angle_deg(), kSlant_deg},
-                                   {100 * seen_mm / forward_mm, 4},
+                                   {100 * seen_mm / there_mm, 8},
                                    {100},
                                    {in.fromMiddle_mm(kVein, 55, alongVein), kMiddle_mm},
                                    {1},

@@ -164,8 +164,8 @@ void ReviewSession::show() {
   Q_EMIT timeChanged();
 }
 
-NeedlePlace ReviewSession::needle() const {
-  return attempt_ ? attempt_->placeAt(time_us_) : NeedlePlace::Clean;
+AttemptDigest::PlaceChange ReviewSession::needle() const {
+  return attempt_ ? attempt_->placeAt(time_us_) : AttemptDigest::PlaceChange{};
 }
 
 void ReviewSession::setPlaying(bool playing) {

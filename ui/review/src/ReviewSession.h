@@ -61,7 +61,8 @@ class ReviewSession : public QObject {
   void stepMoment(int by);
   /// What the hands did then; none in a damaged stretch.
   const std::optional<AttemptSample>& sample() const { return sample_; }
-  NeedlePlace needle() const;
+  /// Where the needle's tip was then.
+  AttemptDigest::PlaceChange needle() const;
 
   bool isPlaying() const { return timer_.isActive(); }
   void setPlaying(bool playing);

@@ -23,7 +23,7 @@ void TrainSession::connectHands() {
 void TrainSession::giveHands() {
   if (!shown_ || !control_.ready()) return;
   giveProbe();
-  hands_.setCase(tissueLabels_, control_.hand());
+  hands_.setCase(tissueLabels_, control_.hand(), VesselNames(patient_->manifest, {}, control_.hand()->pose().offset));
 }
 
 void TrainSession::giveProbe() {

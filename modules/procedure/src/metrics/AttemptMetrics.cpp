@@ -1,6 +1,7 @@
 #include "metrics/NeedleWork.h"
 #include "metrics/ProbeWork.h"
 #include "metrics/Punctures.h"
+#include "metrics/TipSight.h"
 
 #include <insonate/procedure/AttemptMetrics.h>
 
@@ -24,16 +25,6 @@ constexpr double kRest_mm = 0.5;
 constexpr std::int64_t kRest_us = 500'000;
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-bool shows(const PictureField& field, double depth_mm, Vec3 point_probe) {
-  if (std::abs(point_probe.y) > field.sliceHalf_mm) return false;
-  if (field.fanAngle_deg <= 0)
-    return std::abs(point_probe.x) <= field.width_mm / 2 && point_probe.z >= 0 && point_probe.z <= depth_mm;
-  const double fromApex_mm = std::hypot(point_probe.x, point_probe.z + field.faceRadius_mm);
-  const double angle_deg = std::atan2(point_probe.x, point_probe.z + field.faceRadius_mm) * kDegrees;
-  return fromApex_mm >= field.faceRadius_mm && fromApex_mm <= field.faceRadius_mm + depth_mm &&
-         std::abs(angle_deg) <= field.fanAngle_deg / 2;
-}
-
 void keepLeast(std::optional<double>& least, const std::optional<double>& value) {
   if (value) least = least ? std::min(*least, *value) : *value;
 }
@@ -50,7 +41,7 @@ struct AttemptMetrics::State {
   State(const PictureField& field, bool named) : picture(field), hasTarget(named) {}
 
   void followNeedle(const AttemptSample& sample);
-  bool inPicture(const AttemptSample& sample, Vec3 tip_mm) const;
+  void watchTip(const AttemptSample& sample);
   void cross(const AttemptEvent& event);
   void crossSkin(const AttemptEvent& event);
   void beginPass(const AttemptEvent& event);
@@ -66,12 +57,13 @@ struct AttemptMetrics::State {
   metrics::Punctures vein, otherVein, artery, lung;
   metrics::NeedleWork needle;
   metrics::ProbeWork probe;
+  metrics::TipSight sight;
 
   std::optional<std::int64_t> first_us, last_us;
   std::optional<std::int64_t> firstSkin_us, passSkin_us, access_us;
   std::optional<double> timeToVein_s;
   int passes = 0, usedInsertions = 0, boneContacts = 0, veinChecks = 0;
-  bool inPass = false, used = false;
+  bool inPass = false, used = false, frozen = false;
   struct Drawing {
     std::int64_t since_us = 0;
     Vec3 tip_mm;
@@ -92,9 +84,13 @@ metrics::Punctures* AttemptMetrics::State::structure(const AttemptEvent& event) 
   return wall == kArtery ? &artery : wall == kAirway ? &lung : nullptr;
 }
 
-bool AttemptMetrics::State::inPicture(const AttemptSample& sample, Vec3 tip_mm) const {
-  return sample.patientFromProbe && sample.pictureDepth_mm > 0 &&
-         shows(picture, sample.pictureDepth_mm, inverted(*sample.patientFromProbe) * tip_mm);
+void AttemptMetrics::State::watchTip(const AttemptSample& sample) {
+  const bool counts = inPass && !access_us && !frozen && sample.patientFromNeedle && sample.needleDepth_mm > 0.0;
+  const bool isLive = sample.patientFromProbe && sample.pictureDepth_mm > 0;
+  sight.follow(sample.time_us, counts,
+               counts && isLive &&
+                   shows(picture, sample.pictureDepth_mm,
+                         inverted(*sample.patientFromProbe) * sample.patientFromNeedle->offset));
 }
 
 void AttemptMetrics::State::followNeedle(const AttemptSample& sample) {
@@ -104,7 +100,7 @@ void AttemptMetrics::State::followNeedle(const AttemptSample& sample) {
   if (!inPass || !sample.needleDepth_mm) return;
   const double depth_mm = *sample.needleDepth_mm;
   for (metrics::Punctures* each : structures()) each->follow(depth_mm);
-  needle.follow(tip_mm, depth_mm, inPicture(sample, tip_mm), sample.aspirating);
+  needle.follow(tip_mm, depth_mm, sample.aspirating);
   keepLeast(nearestArtery_mm, sample.toArtery_mm);
   keepLeast(nearestLung_mm, sample.toLung_mm);
   followRest(sample);
@@ -189,6 +185,7 @@ void AttemptMetrics::take(const AttemptSample& sample) {
   s.last_us = sample.time_us;
   s.probe.follow(sample.time_us, sample.patientFromProbe, sample.probeForce_N, s.firstSkin_us && !s.access_us);
   if (sample.patientFromNeedle) s.followNeedle(sample);
+  s.watchTip(sample);
 }
 
 void AttemptMetrics::take(const AttemptEvent& event) {
@@ -209,6 +206,8 @@ void AttemptMetrics::take(const AttemptEvent& event) {
       return;
     case AttemptEventKind::Frozen:
     case AttemptEventKind::Released:
+      s.frozen = event.kind == AttemptEventKind::Frozen;
+      return;
     case AttemptEventKind::Positioned:
     case AttemptEventKind::Centered:
       return;
@@ -246,7 +245,7 @@ MetricValues AttemptMetrics::values() const {
   values[Metric::NeedleInefficiency] = s.needle.inefficiency_percent();
   values[Metric::PathDeviation] = s.needle.deviation_mm();
   values[Metric::InsertionAngle] = s.angle_deg;
-  if (s.picture.sliceHalf_mm > 0) values[Metric::TipInPicture] = s.needle.inPicture_percent();
+  if (s.picture.sliceHalf_mm > 0) values[Metric::TipInPicture] = s.sight.percent();
   values[Metric::AspirationWhileAdvancing] = s.needle.aspirating_percent();
   values[Metric::VeinCentreDistance] = s.veinCentre_mm;
   if (pierced) values[Metric::TipInVein] = s.vein.inside() || s.drawn ? 1 : 0;

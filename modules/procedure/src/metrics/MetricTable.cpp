@@ -50,11 +50,15 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
      "Root mean square distance of the tip from the straight line from skin to vein, in that pass, in steps of at "
      "least 0.5 mm.",
      kUnnamed},
-    {InsertionAngle, "insertion_angle_deg", 1, "deg", Neither,
-     "Between needle and skin where the skin was punctured, in the pass that reached the vein, else the last.",
+    {InsertionAngle, "insertion_angle_deg", 2, "deg", Neither,
+     "Between the needle and the skin where the skin was punctured: 90 is square to the skin. The skin is that of the "
+     "case, without the probe, averaged over about 15 mm. In the pass that reached the vein, else the last.",
      "30 to 45 degrees are taught (Pepley et al., J Surg Educ 2017, 74:1066); 45 in the thesis"},
-    {TipInPicture, "tip_in_picture_percent", 1, "%", Higher,
-     "Share of the tip's way forward, until access, that ended within the live picture's slice, in steps of 0.5 mm.",
+    {TipInPicture, "tip_in_picture_percent", 2, "%", Higher,
+     "Share of the time from the puncture of the skin to access, or to the end, with the tip under the skin, in which "
+     "the live image shows the tip: within its sector and at most one slice thickness (FWHM at the tip's depth) off "
+     "its "
+     "plane. Time with the needle frozen does not count.",
      "Ball et al., Br J Anaesth, doi 10.1093/bja/aer329: 36 % of the time free hand, 90 % with a needle guide"},
     {AspirationWhileAdvancing, "aspiration_while_advancing_percent", 1, "%", Higher,
      "Share of the tip's way forward, until access, with the syringe drawing, in steps of 0.5 mm.", kUnnamed},

@@ -23,10 +23,10 @@ void NeedleWork::reach(Vec3 tip_mm) {
   end_mm_ = tip_mm, reached_ = true;
 }
 
-void NeedleWork::follow(Vec3 tip_mm, double depth_mm, bool inPicture, bool aspirating) {
+void NeedleWork::follow(Vec3 tip_mm, double depth_mm, bool aspirating) {
   if (reached_) return;
   if (norm(tip_mm - last_mm_) >= kStep_mm) walk(tip_mm);
-  advance(depth_mm, inPicture, aspirating);
+  advance(depth_mm, aspirating);
   redirect(depth_mm);
 }
 
@@ -40,13 +40,12 @@ void NeedleWork::walk(Vec3 tip_mm) {
 }
 
 /// Forward by a step at once, whatever the way back was; backward the mark comes along.
-void NeedleWork::advance(double depth_mm, bool inPicture, bool aspirating) {
+void NeedleWork::advance(double depth_mm, bool aspirating) {
   const double by_mm = depth_mm - mark_mm_;
   if (std::abs(by_mm) < kStep_mm) return;
   mark_mm_ = depth_mm;
   if (by_mm < 0) return;
   advanced_mm_ += by_mm;
-  if (inPicture) inPicture_mm_ += by_mm;
   if (aspirating) aspirating_mm_ += by_mm;
 }
 
@@ -74,11 +73,6 @@ std::optional<double> NeedleWork::deviation_mm() const {
   if (!reached_ || points_ == 0 || norm(line) < kStep_mm) return std::nullopt;
   const Vec3 u = normalized(line);
   return std::sqrt(std::max(0.0, squares_mm2_ - dot(u, moments_ * u)) / points_);
-}
-
-std::optional<double> NeedleWork::inPicture_percent() const {
-  if (advanced_mm_ <= 0) return std::nullopt;
-  return 100 * inPicture_mm_ / advanced_mm_;
 }
 
 std::optional<double> NeedleWork::aspirating_percent() const {

@@ -15,7 +15,7 @@ class NeedleWork {
   void beginPass(Vec3 hole_mm);
   void endPass(Vec3 tip_mm);
   /// Under the skin. `depth_mm` below the hole, along the needle.
-  void follow(Vec3 tip_mm, double depth_mm, bool inPicture, bool aspirating);
+  void follow(Vec3 tip_mm, double depth_mm, bool aspirating);
   /// The vein is reached: nothing counts any more.
   void reach(Vec3 tip_mm);
 
@@ -23,12 +23,11 @@ class NeedleWork {
   double path_mm() const { return path_mm_; }
   std::optional<double> inefficiency_percent() const;
   std::optional<double> deviation_mm() const;
-  std::optional<double> inPicture_percent() const;
   std::optional<double> aspirating_percent() const;
 
  private:
   void walk(Vec3 tip_mm);
-  void advance(double depth_mm, bool inPicture, bool aspirating);
+  void advance(double depth_mm, bool aspirating);
   void redirect(double depth_mm);
 
   bool reached_ = false;
@@ -39,7 +38,7 @@ class NeedleWork {
   Mat3 moments_{{Vec3{}, Vec3{}, Vec3{}}};
   int points_ = 0;
 
-  double mark_mm_ = 0, advanced_mm_ = 0, inPicture_mm_ = 0, aspirating_mm_ = 0;
+  double mark_mm_ = 0, advanced_mm_ = 0, aspirating_mm_ = 0;
   double deepest_mm_ = 0, back_mm_ = 0;
   bool wentBack_ = false;
   int redirections_ = 0;

@@ -28,7 +28,9 @@ std::string textOf(const AttemptHeader& header) {
                          {{"width_mm", picture.width_mm},
                           {"fanAngle_deg", picture.fanAngle_deg},
                           {"faceRadius_mm", picture.faceRadius_mm},
-                          {"sliceHalf_mm", picture.sliceHalf_mm}}}}
+                          {"sliceHalf_mm", picture.sliceHalf_mm},
+                          {"elevationFocus_mm", picture.elevationFocus_mm},
+                          {"elevationDivergence", picture.elevationDivergence}}}}
       .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
@@ -49,7 +51,8 @@ Result<AttemptHeader> headerFrom(std::string_view text) {
         json.at("caseHash"),
         json.at("settingsHash"),
         json.at("engine"),
-        {picture.at("width_mm"), picture.at("fanAngle_deg"), picture.at("faceRadius_mm"), picture.at("sliceHalf_mm")},
+        {picture.at("width_mm"), picture.at("fanAngle_deg"), picture.at("faceRadius_mm"), picture.at("sliceHalf_mm"),
+         picture.value("elevationFocus_mm", 0.0), picture.value("elevationDivergence", 0.0)},
         json.value("vessels", std::vector<std::string>{}),
         json.value("settings", "")};
   } catch (const nlohmann::json::exception&) {

@@ -265,7 +265,7 @@ void HandsSession::Impl::step() {
   showNeedle(now);
   LocalModel model = modelFor(now);
   if (attempt) {
-    const LiveAttempt::Surroundings around{model.grid, veins, model.restFromPatient,
+    const LiveAttempt::Surroundings around{model.grid, veins, skin, model.restFromPatient,
                                            frame ? frame->setup->settings.depth_mm : 0};
     attempt->see(frame, around);
     attempt->show(around);

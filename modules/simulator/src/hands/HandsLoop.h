@@ -51,6 +51,7 @@ class HandsSession::Impl {
   std::shared_ptr<const LiveFrame> frame;  ///< the last that was learned from
   std::shared_ptr<const TissueGrid> grid;
   std::shared_ptr<const std::vector<CentreLine>> veins;
+  VesselNames vessels;
   std::shared_ptr<HapticDevice> pedal;
   std::uint32_t pedalDown = 0, presses = 0;
   std::unique_ptr<ServoThread> servo;

@@ -1,5 +1,7 @@
 #include "hands/HandsLoop.h"
 
+#include <insonate/procedure/AttemptScore.h>
+
 #include <utility>
 
 namespace insonate {
@@ -21,6 +23,11 @@ void HandsSession::setCase(std::shared_ptr<const LabelMap> labels, const ProbeHa
     if (impl_->labels && hand) impl_->wantTissue(hand->pose());
   }
   impl_->wake();
+}
+
+void HandsSession::setVessels(VesselNames vessels) {
+  const std::lock_guard lock(impl_->mutex);
+  impl_->vessels = std::move(vessels);
 }
 
 void HandsSession::setImaging(LiveImaging* imaging) {
@@ -104,6 +111,16 @@ ServoSnapshot HandsSession::snapshot() const {
 std::vector<NeedleEvent> HandsSession::takeEvents() {
   const std::lock_guard lock(impl_->mutex);
   return impl_->servo ? impl_->servo->takeEvents() : std::vector<NeedleEvent>{};
+}
+
+std::string HandsSession::vesselAt(Label label, Vec3 patient_mm) const {
+  const std::lock_guard lock(impl_->mutex);
+  const Transform restFromPatient = impl_->frame ? impl_->frame->press.restFromPatient : Transform{};
+  const std::span<const CentreLine> veins = impl_->veins ? std::span(*impl_->veins) : std::span<const CentreLine>{};
+  AttemptEvent there;
+  there.wall = label;
+  there.vessel = impl_->vessels.vesselAt(label, restFromPatient * patient_mm, veins);
+  return vesselName(there, impl_->vessels.names());
 }
 
 RealTimeRights HandsSession::rights() const {

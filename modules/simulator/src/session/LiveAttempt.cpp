@@ -44,6 +44,7 @@ class Following final : public AttemptFollower {
             .events = events_,
             .metrics = run_.metrics().values(),
             .needle = run_.metrics().needle(),
+            .vessel = run_.vesselIn(),
             .succeeded = run_.succeeded()};
   }
   void end(AttemptStatus status) {
@@ -100,7 +101,7 @@ void LiveAttempt::State::record(const ServoSnapshot& tick) noexcept {
   const std::span<const CentreLine> veins = now.veins ? std::span(*now.veins) : std::span<const CentreLine>{};
   recorder->put(sampleOf(tick.output, context, now.grid.get(), veins, vessels));
   for (int i = 0; i < tick.output.eventCount; ++i)
-    recorder->put(eventOf(tick.output.events[i], context, now.grid.get(), veins, vessels));
+    recorder->put(eventOf(tick.output.events[i], context, now.skin.get(), veins, vessels));
 }
 
 Result<std::shared_ptr<LiveAttempt>> LiveAttempt::start(const std::filesystem::path& file, const AttemptHeader& header,

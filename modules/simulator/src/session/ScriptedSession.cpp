@@ -1,3 +1,4 @@
+#include "hand/SkinSurface.h"
 #include "session/MomentImaging.h"
 #include "session/VeinWatch.h"
 
@@ -35,10 +36,11 @@ Transform needleAt(Vec3 tip_mm, Vec3 axis) {
 /// Both hands and what they hold, a tick at a time.
 class Session {
  public:
-  Session(std::shared_ptr<const TissueGrid> grid, std::vector<CentreLine> veins, VesselNames vessels,
+  Session(std::shared_ptr<const TissueGrid> grid, SkinSurface skin, std::vector<CentreLine> veins, VesselNames vessels,
           AttemptSettings settings, MomentImaging& imaging, const SessionPictures& pictures, AttemptRecorder& recorder,
           SessionOutcome& outcome)
       : grid_(std::move(grid)),
+        skin_(std::move(skin)),
         veins_(std::move(veins)),
         vessels_(std::move(vessels)),
         settings_(std::move(settings)),
@@ -169,7 +171,7 @@ class Session {
     outcome_.run.take(kept);
     if (live) seen_ = kept;
     makePicture(kept);
-    for (int i = 0; i < output.eventCount; ++i) tell(eventOf(output.events[i], context, grid_.get(), veins_, vessels_));
+    for (int i = 0; i < output.eventCount; ++i) tell(eventOf(output.events[i], context, &skin_, veins_, vessels_));
   }
   void tell(const AttemptEvent& event) {
     waitForRoom();
@@ -183,6 +185,7 @@ class Session {
   }
 
   std::shared_ptr<const TissueGrid> grid_;
+  SkinSurface skin_;
   std::vector<CentreLine> veins_;
   VesselNames vessels_;
   VeinWatch watch_;
@@ -239,6 +242,8 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
   if (!settings) return tl::unexpected(settings.error());
   auto grid = TissueGrid::fromLabels(patient.labels, placeOf(script), kReach_mm);
   if (!grid) return tl::unexpected(grid.error());
+  auto skin = SkinSurface::make(patient.labels);
+  if (!skin) return tl::unexpected(skin.error());
   auto veins = centreLines(patient.labels, kVein, progress);
   if (!veins) return tl::unexpected(veins.error());
   AttemptHeader header = headerOf(*procedure, patient, settings->setup.probe, software);
@@ -254,8 +259,8 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
   auto recorder = AttemptRecorder::start(recording, header);
   if (!recorder) return tl::unexpected(recorder.error());
   SessionOutcome outcome{{}, {}, {}, ProcedureRun(std::move(*procedure), header.picture, header.vessels)};
-  Session session(std::move(*grid), std::move(*veins), std::move(vessels), std::move(*settings), imaging, pictures,
-                  **recorder, outcome);
+  Session session(std::move(*grid), std::move(*skin), std::move(*veins), std::move(vessels), std::move(*settings),
+                  imaging, pictures, **recorder, outcome);
   if (auto ok = session.begin(); !ok) return tl::unexpected(ok.error());
   const auto withdrawn = [&](tl::unexpected<Error> why) {
     recorder->reset();

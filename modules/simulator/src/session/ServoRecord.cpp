@@ -1,3 +1,5 @@
+#include "hand/SkinSurface.h"
+
 #include <insonate/simulator/ServoRecord.h>
 
 #include <algorithm>
@@ -33,26 +35,10 @@ constexpr AttemptEventKind kindOf(NeedleEventKind kind) {
   return AttemptEventKind::Struck;
 }
 
-/// The skin bends far before it gives: the tip is that much deeper than the hole, where skin may face another way.
-Vec3 onSkin(const NeedleEvent& event, const Transform& restFromPatient, const TissueGrid& grid) {
-  constexpr double kStep_mm = 0.25, kMost_mm = 20;
-  const Vec3 tip_mm = restFromPatient * event.tip_mm, axis = normalized(restFromPatient.linear * event.axis);
-  double back_mm = 0;
-  while (back_mm < kMost_mm && grid.at(tip_mm - axis * back_mm).distance_mm[wallIndex(kSkin)] < 0) back_mm += kStep_mm;
-  return tip_mm - axis * back_mm;
-}
-
-/// Over some millimetres, as an eye sees how skin lies, and not its unevenness. Length 1 where it is flat.
-Vec3 outwardOfSkin(Vec3 at_mm, const TissueGrid& grid) {
-  constexpr double kStep_mm = 3;
-  Vec3 slope;
-  for (int axis = 0; axis < 3; ++axis) {
-    Vec3 step_mm;
-    step_mm[axis] = kStep_mm;
-    const auto skin_mm = [&](Vec3 point_mm) { return grid.at(point_mm).distance_mm[wallIndex(kSkin)]; };
-    slope[axis] = (skin_mm(at_mm + step_mm) - skin_mm(at_mm - step_mm)) / (2 * kStep_mm);
-  }
-  return slope;
+/// The hole in the skin. The skin bends far before it gives: the tip is then that much deeper.
+std::optional<Vec3> holeOf(const NeedleEvent& event, const SkinSurface& skin) {
+  constexpr double kMost_mm = 20;
+  return skin.along(event.tip_mm, -event.axis, kMost_mm);
 }
 
 }  // namespace
@@ -79,7 +65,7 @@ AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, co
   return sample;
 }
 
-AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const TissueGrid* grid,
+AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const SkinSurface* skin,
                      std::span<const CentreLine> veins, const VesselNames& vessels) noexcept {
   AttemptEvent told;
   told.time_us = context.time_us, told.kind = kindOf(event.kind);
@@ -87,9 +73,8 @@ AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const
   told.tip_mm = event.tip_mm, told.axis = event.axis, told.depth_mm = event.depth_mm;
   if (event.wall == kVein || event.wall == kArtery)
     told.vessel = vessels.vesselAt(event.wall, context.restFromPatient * event.tip_mm, veins);
-  if (!grid || event.wall != kSkin) return told;
-  const Vec3 outward = outwardOfSkin(onSkin(event, context.restFromPatient, *grid), *grid);
-  if (norm(outward) > 0.5) told.outward = normalized(outward);
+  if (!skin || event.wall != kSkin) return told;
+  if (const auto hole_mm = holeOf(event, *skin)) told.outward = skin->normal(*hole_mm, -event.axis);
   return told;
 }
 
@@ -97,6 +82,7 @@ PictureField pictureFieldOf(const Probe& probe) {
   constexpr double kSound_mmMHz = 1.54;  // 1540 m/s
   PictureField field;
   field.sliceHalf_mm = probe.elevationFwhm_wavelengths * kSound_mmMHz / probe.defaultFrequency_MHz / 2;
+  field.elevationFocus_mm = probe.elevationFocus_mm, field.elevationDivergence = probe.elevationDivergence;
   if (probe.shape == ProbeShape::Linear) {
     field.width_mm = probe.width_mm;
   } else {

@@ -47,7 +47,9 @@ class Pass {
   }
   void follow(std::int64_t time_us) {
     const NeedlePlace place = run_.metrics().needle();
-    if (digest_.places.empty() || digest_.places.back().place != place) digest_.places.push_back({time_us, place});
+    std::string vessel = run_.vesselIn();
+    if (digest_.places.empty() || digest_.places.back().place != place || digest_.places.back().vessel != vessel)
+      digest_.places.push_back({time_us, place, std::move(vessel)});
   }
 
   AttemptDigest& digest_;
@@ -56,9 +58,9 @@ class Pass {
 
 }  // namespace
 
-NeedlePlace AttemptDigest::placeAt(std::int64_t time_us) const {
+AttemptDigest::PlaceChange AttemptDigest::placeAt(std::int64_t time_us) const {
   const auto after = std::ranges::upper_bound(places, time_us, {}, &PlaceChange::time_us);
-  return after == places.begin() ? NeedlePlace::Clean : std::prev(after)->place;
+  return after == places.begin() ? PlaceChange{} : *std::prev(after);
 }
 
 Result<std::shared_ptr<const AttemptDigest>> digestOf(const std::string& file, const Progress& progress) {

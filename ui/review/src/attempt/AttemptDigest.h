@@ -34,6 +34,7 @@ struct AttemptDigest {
   struct PlaceChange {
     std::int64_t time_us = 0;
     NeedlePlace place = NeedlePlace::Clean;
+    std::string vessel{};  ///< ProcedureRun::vesselIn()
   };
   std::vector<PlaceChange> places;     ///< the needle's place from each time on
   std::vector<AttemptMoment> moments;  ///< in order
@@ -41,7 +42,7 @@ struct AttemptDigest {
   std::optional<AttemptScore> score;
   std::vector<std::string> troubles;
 
-  NeedlePlace placeAt(std::int64_t time_us) const;
+  PlaceChange placeAt(std::int64_t time_us) const;
 };
 inline constexpr int kTrack_Hz = 50;
 

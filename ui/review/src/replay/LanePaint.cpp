@@ -80,7 +80,7 @@ void LanePaint::all() {
   marks();
   name(layout_.marks, tr("moments"));
   name(layout_.probe, tr("probe on skin"));
-  name(layout_.depth, tr("needle, mm"));
+  name(layout_.depth, tr("inserted, mm"));
   name(layout_.aspirating, tr("aspirating"));
   name(layout_.force, tr("probe, N"));
 }

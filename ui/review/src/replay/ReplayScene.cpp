@@ -109,9 +109,10 @@ void ReplayScene::showHands() {
   view_->setImagePlaneVisible(probe);
   if (probe) showProbe(*sample);
   const bool needle = sample && sample->patientFromNeedle;
-  view_->setNeedle(needle ? std::optional(views::SceneView::Needle{.patientFromNeedle = *sample->patientFromNeedle,
-                                                                   .colour = ui::wordsOf(session_.needle()).colour})
-                          : std::nullopt);
+  view_->setNeedle(needle
+                       ? std::optional(views::SceneView::Needle{.patientFromNeedle = *sample->patientFromNeedle,
+                                                                .colour = ui::wordsOf(session_.needle().place).colour})
+                       : std::nullopt);
   if (session_.isPlaying()) view_->setMoving(true);
   rest_.start();
   placeCamera();

@@ -50,6 +50,8 @@ Transport::Transport(ReviewSession& session, QWidget* parent)
   place_->setObjectName(QStringLiteral("needlePlace"));
   row->addWidget(place_);
   hands_->setObjectName(QStringLiteral("handsNow"));
+  hands_->setToolTip(
+      tr("Insertion length along the shaft, depth of the tip on the image's scale, and what the probe does"));
   // A sentence that grows must not widen the window.
   hands_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(hands_, 1);
@@ -89,7 +91,8 @@ void Transport::showTime() {
   time_->setText(QStringLiteral("%1 / %2").arg(clockOf(session_.time_us()), clockOf(end_us)));
   const auto& sample = session_.sample();
   const bool needle = sample && sample->patientFromNeedle;
-  const ui::PlaceWords place = ui::wordsOf(session_.needle());
+  const AttemptDigest::PlaceChange now = session_.needle();
+  const ui::PlaceWords place = ui::wordsOf(now.place, QString::fromStdString(now.vessel));
   place_->setText(needle ? QStringLiteral("<span style='color:%1'>%2</span> %3")
                                .arg(ui::colour(place.colour).name(), place.sign, place.words)
                          : QString());
@@ -100,7 +103,11 @@ QString Transport::handsNow() const {
   const auto& sample = session_.sample();
   if (!sample) return session_.attempt() ? tr("This part of the recording is missing.") : QString();
   QStringList words;
-  if (sample->needleDepth_mm) words << tr("%1 mm deep").arg(*sample->needleDepth_mm, 0, 'f', 1);
+  if (sample->needleDepth_mm) words << tr("inserted %1\u00a0mm").arg(*sample->needleDepth_mm, 0, 'f', 1);
+  if (sample->needleDepth_mm && sample->patientFromNeedle && sample->patientFromProbe) {
+    const Vec3 tip_probe = inverted(*sample->patientFromProbe) * sample->patientFromNeedle->offset;
+    words << tr("depth %1\u00a0mm").arg(tip_probe.z, 0, 'f', 1);
+  }
   if (sample->aspirating) words << tr("aspirating");
   if (!sample->patientFromProbe) words << tr("no probe");
   if (sample->probeForce_N >= kFelt_N) words << tr("probe presses with %1 N").arg(sample->probeForce_N, 0, 'f', 1);

@@ -87,7 +87,7 @@ struct Piece {
 };
 
 std::vector<Piece> piecesOf(const AttemptDigest& attempt) {
-  const double slice_mm = attempt.recording->header().picture.sliceHalf_mm;
+  const PictureField& field = attempt.recording->header().picture;
   std::vector<Piece> pieces;
   bool broken = true;
   for (const TrackPoint& point : attempt.track) {
@@ -95,7 +95,7 @@ std::vector<Piece> piecesOf(const AttemptDigest& attempt) {
       broken = true;
       continue;
     }
-    const bool seen = std::abs(point.tip_probe->y) <= slice_mm;
+    const bool seen = std::abs(point.tip_probe->y) <= shownOffPlane_mm(field, point.tip_probe->z);
     if (broken || pieces.back().place != point.place || pieces.back().seen != seen) {
       // Pieces of one way meet.
       const auto join = broken ? std::vector<Vec3>{} : std::vector<Vec3>{pieces.back().tips_probe.back()};

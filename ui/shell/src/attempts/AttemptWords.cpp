@@ -18,16 +18,17 @@ QString tr(const char* text) {
 
 }  // namespace
 
-PlaceWords wordsOf(NeedlePlace place) {
+PlaceWords wordsOf(NeedlePlace place, const QString& vessel) {
   switch (place) {
     case NeedlePlace::Clean:
       return {QStringLiteral("○"), tr("needle new"), theme::kText};
     case NeedlePlace::Underway:
-      return {QStringLiteral("◐"), tr("in tissue"), theme::kText};
+      return {QStringLiteral("◐"), tr("needle inserted"), theme::kText};
     case NeedlePlace::Vein:
-      return {QStringLiteral("●"), tr("in the vein"), theme::kGood};
+      return {QStringLiteral("●"), vessel.isEmpty() ? tr("in the vein") : tr("in the %1").arg(vessel), theme::kGood};
     case NeedlePlace::WrongPlace:
-      return {QStringLiteral("▲"), tr("wrong place"), theme::kDanger};
+      return {QStringLiteral("▲"), vessel.isEmpty() ? tr("wrong place") : tr("wrong place: %1").arg(vessel),
+              theme::kDanger};
     case NeedlePlace::Used:
       break;
   }

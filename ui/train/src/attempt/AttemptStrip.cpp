@@ -13,8 +13,9 @@
 namespace insonate::train {
 namespace {
 
-/// From here on there is room for the time to the vein, which the panel tells, too, and for words about the syringe.
-constexpr int kWithTime_px = 640, kWithWords_px = 800;
+/// From here on there is room for the time to the vein, which the panel tells, too, and for words about the syringe,
+/// and for the name of the vessel.
+constexpr int kWithTime_px = 640, kWithWords_px = 800, kWithVessel_px = 1000;
 
 }  // namespace
 
@@ -85,11 +86,14 @@ void AttemptStrip::refresh() {
 
 void AttemptStrip::refreshNeedle() {
   const NeedlePlace place = attempt_.view().needle;
-  const ui::PlaceWords words = ui::wordsOf(attempt_.isSilent() ? plainly(place) : place);
+  const bool silent = attempt_.isSilent();
+  const QString vessel = silent ? QString() : QString::fromStdString(attempt_.view().vessel);
+  const ui::PlaceWords named = ui::wordsOf(silent ? plainly(place) : place, vessel);
+  const ui::PlaceWords words = width() >= kWithVessel_px ? named : ui::wordsOf(silent ? plainly(place) : place);
   // The sign has the colour: words of that colour would be hard to read.
   needle_->setText(QStringLiteral("<span style='color:%1'>%2</span> %3")
                        .arg(ui::colour(words.colour).name(), words.sign, words.words));
-  needle_->setAccessibleName(tr("Needle: %1").arg(words.words));
+  needle_->setAccessibleName(tr("Needle: %1").arg(named.words));
 }
 
 }  // namespace insonate::train

@@ -80,7 +80,7 @@ bool StepList::show(const Procedure& procedure, const AttemptView& view, bool wi
     findings << coloured(QStringLiteral("▲"), ui::colourOf(rule.severity)) +
                     QStringLiteral("&nbsp; <b>%1, %2.</b> %3")
                         .arg(capital(ui::wordOf(rule.severity)), clockOf(double(view.findings[i].time_us) * 1e-6),
-                             plain(rule.say));
+                             plain(sentenceOf(rule, view.findings[i])));
   }
   bool other = write(*findings_, findings.join(QStringLiteral("<br>")));
   if (!withSteps) {

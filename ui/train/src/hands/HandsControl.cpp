@@ -41,11 +41,12 @@ HandsControl::HandsControl(QObject* parent) : QObject(parent), session_(std::mak
 
 HandsControl::~HandsControl() = default;
 
-void HandsControl::setCase(std::shared_ptr<const LabelMap> labels, const ProbeHand* hand) {
+void HandsControl::setCase(std::shared_ptr<const LabelMap> labels, const ProbeHand* hand, VesselNames vessels) {
   layNeedleDown();
   if (labels) session_->devices();  // begins to look for them
   labels_ = std::move(labels);
   probe_ = hand ? std::optional(*hand) : std::nullopt;
+  session_->setVessels(std::move(vessels));
   session_->setCase(labels_, hand);
   apply();
 }
@@ -68,6 +69,10 @@ void HandsControl::setAttempt(std::shared_ptr<LiveAttempt> attempt) {
 
 void HandsControl::setSilent(bool silent) {
   if (std::exchange(silent_, silent) != silent) Q_EMIT needleChanged();
+}
+
+QString HandsControl::vesselAt(Label label, Vec3 patient_mm) const {
+  return label == kVein || label == kArtery ? ui::qt(session_->vesselAt(label, patient_mm)) : QString();
 }
 
 bool HandsControl::drivesProbe() const {
@@ -151,7 +156,7 @@ void HandsControl::look() {
   follow(now);
   if (now.present[kNeedleHand] && !session_->isMouse(kNeedleHand)) lookAtButtons(now.states[kNeedleHand]);
   for (const NeedleEvent& event : session_->takeEvents())
-    if (!silent_) Q_EMIT said(sentenceOf(event));
+    if (!silent_) Q_EMIT said(sentenceOf(event, vesselAt(event.wall, event.tip_mm)));
   for (std::uint32_t down = session_->takePresses(), button = 0; down; down >>= 1, ++button)
     if (down & 1) Q_EMIT pedalPressed(int(button));
 }

@@ -42,8 +42,9 @@ class HandsControl : public QObject {
 
   HandsSession& session() { return *session_; }
 
-  /// A patient's tissues, once there is a hand on the skin; null for none. Lays the needle down.
-  void setCase(std::shared_ptr<const LabelMap> labels, const ProbeHand* hand);
+  /// A patient's tissues and the names of the vessels, once there is a hand on the skin; null for none. Lays the needle
+  /// down.
+  void setCase(std::shared_ptr<const LabelMap> labels, const ProbeHand* hand, VesselNames vessels = {});
   /// Hears of each tick of the hands; meanwhile the probe is in one, also without a needle. Null for none.
   void setAttempt(std::shared_ptr<LiveAttempt> attempt);
   /// In a test nobody says what the needle meets.
@@ -69,6 +70,9 @@ class HandsControl : public QObject {
   /// How far mouse and keys want the tip in; the needle is on its way there.
   double wantedAdvance_mm() const { return advance_mm_; }
   const std::optional<NeedleShown>& needle() const { return needle_; }
+  /// Name of the vessel of this label, vein or artery, at a point of the patient; empty for other labels, and where the
+  /// case names none.
+  QString vesselAt(Label label, Vec3 patient_mm) const;
   /// Beside the probe, ready to go in.
   void takeNeedle(NeedlePlane plane);
   /// The last one.

@@ -17,19 +17,20 @@ namespace {
 
 struct Row {
   NeedleAxis axis;
+  const char* object;  ///< after "needle_"
   const char* name;
   const char* unit;
   double low, high, step;
   const char* says;
 };
 constexpr Row kRows[] = {
-    {NeedleAxis::Angle, "angle", "°", NeedleHand::kLeastAngle_deg, NeedleHand::kMostAngle_deg, 1,
+    {NeedleAxis::Angle, "angle", "angle", "°", NeedleHand::kLeastAngle_deg, NeedleHand::kMostAngle_deg, 1,
      "Between needle and skin, in degrees; 90: square to it (Alt+W, Alt+S)"},
-    {NeedleAxis::Heading, "heading", "°", -180, 180, 2,
+    {NeedleAxis::Heading, "heading", "heading", "°", -180, 180, 2,
      "The needle's way along the skin, in degrees; 0: to the patient's head, 90: to the left (Alt+Q, Alt+E)"},
-    {NeedleAxis::Advance, "depth", " mm", -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm, 1,
-     "How far the needle goes in along itself, in mm from the skin at rest; below 0: off it (Page Down, Page Up)"},
-    {NeedleAxis::Bevel, "bevel", "°", -180, 180, 10,
+    {NeedleAxis::Advance, "depth", "length", " mm", -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm, 1,
+     "Insertion length, along the shaft from the skin at rest, in mm; below 0: off it (Page Down, Page Up)"},
+    {NeedleAxis::Bevel, "bevel", "bevel", "°", -180, 180, 10,
      "Turn of the needle about itself, in degrees; 0: the bevel looks up (Alt+A, Alt+D)"},
 };
 
@@ -70,7 +71,9 @@ NeedleControls::NeedleControls(TrainSession& session, QWidget* parent) : QWidget
   words_ = new QLabel(this);
   words_->setObjectName("needleWords");
   words_->setWordWrap(true);
-  words_->setToolTip(tr("Where the tip is, how deep along the needle in mm, and what resists it in N"));
+  words_->setToolTip(
+      tr("Where the tip is; the insertion length, along the shaft from the skin, in mm; the tip's depth on the "
+         "image's scale in mm; and what resists the needle in N"));
   box->addWidget(words_);
   const auto taken = [this](QPushButton* button, NeedlePlane plane) {
     connect(button, &QPushButton::clicked, this, [this, plane](bool on) {
@@ -99,7 +102,7 @@ QWidget* NeedleControls::buildNumbers() {
     const Row& row = kRows[i];
     auto* field =
         new NumberField(QLatin1String(row.name), QString::fromUtf8(row.unit), {row.low, row.high, row.step}, all);
-    field->setObjectName(QStringLiteral("needle_") + QLatin1String(row.name));
+    field->setObjectName(QStringLiteral("needle_") + QLatin1String(row.object));
     field->setAccessibleName(tr("Needle, %1").arg(tr(row.name)));
     field->setToolTip(QString::fromUtf8(row.says) + tr("\nEnter applies, arrows and wheel step."));
     field->setTyped([this, axis = row.axis](double value) { session_.typedNeedle(axis, value); });
@@ -121,11 +124,18 @@ void NeedleControls::refresh() {
   across_->setChecked(held && hands.needlePlane() == NeedlePlane::Across);
   numbers_->setVisible(held);
   words_->setVisible(hands.hasNeedle());
-  if (hands.needle()) words_->setText(wordsOf(hands.needle()->state, hands.isSilent()));
+  if (hands.needle()) words_->setText(wordsNow(*hands.needle()));
   if (!held) return;
   const NeedleHandState& state = held->state();
   const double values[] = {state.angle_deg, held->heading_deg(), hands.wantedAdvance_mm(), state.bevel_deg};
   for (std::size_t i = 0; i < fields_.size(); ++i) fields_[i]->show(values[i]);
+}
+
+QString NeedleControls::wordsNow(const NeedleShown& needle) const {
+  const HandsControl& hands = session_.hands();
+  if (hands.isSilent()) return plainWordsOf(needle.state);
+  const Vec3 tip_mm = needle.patientFromNeedle.offset;
+  return wordsOf(needle.state, hands.vesselAt(needle.state.in, tip_mm), (inverted(session_.pose()) * tip_mm).z);
 }
 
 }  // namespace insonate::train

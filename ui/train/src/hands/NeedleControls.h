@@ -26,6 +26,7 @@ class NeedleControls final : public QWidget {
  private:
   QWidget* buildNumbers();
   void refresh();
+  QString wordsNow(const NeedleShown& needle) const;
 
   TrainSession& session_;
   QPushButton *along_ = nullptr, *across_ = nullptr;

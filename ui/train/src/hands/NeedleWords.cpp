@@ -3,6 +3,8 @@
 #include <insonate/ui/Text.h>
 
 #include <QCoreApplication>
+#include <QStringList>
+#include <algorithm>
 
 namespace insonate::train {
 namespace {
@@ -34,39 +36,71 @@ QString tissue(Label label) {
   return tr("soft tissue");
 }
 
+/// "the right internal jugular vein"; "another vein"; "the vein" where the vessel has no name.
+QString vesselWords(const NeedleEvent& event, const QString& vessel) {
+  if (vessel.isEmpty()) return tr("the %1").arg(wall(event.wall));
+  return vessel.startsWith(QLatin1String("another ")) ? vessel : tr("the %1").arg(vessel);
+}
+
+/// As the first word of a sentence, without an article.
+QString subject(const NeedleEvent& event, const QString& vessel) {
+  const QString name = vessel.isEmpty() ? wall(event.wall) : vessel;
+  return name.left(1).toUpper() + name.mid(1);
+}
+
+QString insertedBy(double length_mm) {
+  return tr("inserted %1\u00a0mm").arg(length_mm, 0, 'f', 1);
+}
+
+QString force(const NeedleState& state) {
+  return tr("%1\u00a0N").arg(std::max(0.0, state.axial_N), 0, 'f', 1);
+}
+
+QString placeOf(const NeedleState& state, const QString& vessel) {
+  if (state.onBone) return tr("on bone");
+  if (vessel.isEmpty()) return tr("in %1").arg(tissue(state.in));
+  return vessel.startsWith(QLatin1String("another ")) ? tr("in %1").arg(vessel) : tr("in the %1").arg(vessel);
+}
+
 }  // namespace
 
-QString sentenceOf(const NeedleEvent& event) {
-  const QString deep = QString::number(event.depth_mm, 'f', 1);
+QString sentenceOf(const NeedleEvent& event, const QString& vessel) {
+  const QString length = tr("%1\u00a0mm").arg(event.depth_mm, 0, 'f', 1);
   switch (event.kind) {
     case NeedleEventKind::Entered:
       if (event.wall == kSkin) return tr("Through the skin.");
-      if (event.wall == kVein) return tr("Vein entered, %1 mm from the skin.").arg(deep);
+      if (event.wall == kVein) return tr("%1 entered, insertion length %2.").arg(subject(event, vessel), length);
       if (event.wall == kArtery)
-        return tr("Artery punctured, %1 mm from the skin. Withdraw the needle and press.").arg(deep);
-      if (event.wall == kAirway) return tr("Airway or lung punctured, %1 mm from the skin. Withdraw.").arg(deep);
-      return tr("Into the %1, %2 mm from the skin.").arg(wall(event.wall), deep);
+        return tr("%1 punctured, insertion length %2. Withdraw the needle and press.")
+            .arg(subject(event, vessel), length);
+      if (event.wall == kAirway) return tr("Airway or lung punctured, insertion length %1. Withdraw.").arg(length);
+      return tr("Into the %1, insertion length %2.").arg(wall(event.wall), length);
     case NeedleEventKind::Left:
-      return tr("Out through the back wall of the %1, %2 mm from the skin.").arg(wall(event.wall), deep);
+      return tr("Out through the posterior wall of %1, insertion length %2.").arg(vesselWords(event, vessel), length);
     case NeedleEventKind::Withdrawn:
       if (event.wall == kSkin) return tr("The needle is out of the skin.");
-      return tr("Back through the wall of the %1.").arg(wall(event.wall));
+      return tr("Back through the wall of %1.").arg(vesselWords(event, vessel));
     case NeedleEventKind::Struck:
-      return tr("On bone, %1 mm from the skin: the needle goes no further here.").arg(deep);
+      return tr("On bone, insertion length %1: the needle goes no further here.").arg(length);
   }
   return {};
 }
 
-QString wordsOf(const NeedleState& state, bool silent) {
-  if (silent && state.inBody)
-    return tr("%1 mm deep, %2 N").arg(state.depth_mm, 0, 'f', 1).arg(std::max(0.0, state.axial_N), 0, 'f', 1);
-  if (silent) return tr("outside the skin");
-  if (state.onBone) return tr("on bone, %1 mm deep").arg(state.depth_mm, 0, 'f', 1);
-  const QString felt = tr("%1 N").arg(std::max(0.0, state.axial_N), 0, 'f', 1);
-  if (state.tenting && state.tent_mm > 0.2)
-    return tr("pushes the %1 %2 mm ahead, %3").arg(wall(state.tented)).arg(state.tent_mm, 0, 'f', 1).arg(felt);
+QString wordsOf(const NeedleState& state, const QString& vessel, double imageDepth_mm) {
+  if (!state.onBone && state.tenting && state.tent_mm > 0.2)
+    return tr("pushes the %1 %2\u00a0mm ahead, %3")
+        .arg(wall(state.tented))
+        .arg(state.tent_mm, 0, 'f', 1)
+        .arg(force(state));
   if (!state.inBody) return tr("outside the skin");
-  return tr("in %1, %2 mm deep, %3").arg(tissue(state.in)).arg(state.depth_mm, 0, 'f', 1).arg(felt);
+  const QString depth = tr("depth %1\u00a0mm").arg(imageDepth_mm, 0, 'f', 1);
+  QStringList words{placeOf(state, vessel), insertedBy(state.depth_mm), depth};
+  if (!state.onBone) words << force(state);
+  return words.join(QStringLiteral(", "));
+}
+
+QString plainWordsOf(const NeedleState& state) {
+  return state.inBody ? tr("%1, %2").arg(insertedBy(state.depth_mm), force(state)) : tr("outside the skin");
 }
 
 }  // namespace insonate::train

@@ -6,10 +6,16 @@
 
 namespace insonate::train {
 
-/// What happened to the needle, a sentence.
-QString sentenceOf(const NeedleEvent& event);
+/// What happened to the needle, a sentence. `vessel`: name of the vessel whose wall it is, as vesselName(); may be
+/// empty.
+QString sentenceOf(const NeedleEvent& event, const QString& vessel);
 
-/// Where the needle is and what it feels, a few words: "in the vein, 21.4 mm deep, 0.6 N"; in a test, without in what.
-QString wordsOf(const NeedleState& state, bool silent = false);
+/// Where the tip is and what it feels: "in the right internal jugular vein, inserted 22.3 mm, depth 15.8 mm, 0.6 N".
+/// `vessel`: name of the vessel that it is in; may be empty. `imageDepth_mm`: of the tip below the probe's face along
+/// the image's depth axis, as the scale beside the image reads.
+QString wordsOf(const NeedleState& state, const QString& vessel, double imageDepth_mm);
+
+/// In a test: what the marks on the shaft and the hand tell, "inserted 22.3 mm, 0.6 N".
+QString plainWordsOf(const NeedleState& state);
 
 }  // namespace insonate::train

@@ -38,7 +38,7 @@ struct AttemptEvent {
   /// the probe's axis.
   Vec3 tip_mm{}, axis{0, 0, 1};
   double depth_mm = 0;  ///< of the hole below the skin's, along the needle: d1 of the thesis where it is the vein's
-  std::optional<Vec3> outward{};  ///< unit normal of the wall; none: not known
+  std::optional<Vec3> outward{};  ///< unit normal of the skin at its hole, without the probe; none: not known
   double tilt_deg = 0;            ///< head down is positive (Trendelenburg)
 
   bool operator==(const AttemptEvent&) const = default;

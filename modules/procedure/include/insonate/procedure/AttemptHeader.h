@@ -1,22 +1,12 @@
 #pragma once
 
+#include <insonate/procedure/PictureField.h>
+
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace insonate {
-
-/// Where the live picture shows something, in the probe's frame: a slab of `sliceHalf_mm` to both sides of y = 0, as
-/// deep as AttemptSample::pictureDepth_mm. In its plane a rectangle, or a fan about an apex `faceRadius_mm` behind the
-/// face.
-struct PictureField {
-  double width_mm = 0;      ///< of the rectangle
-  double fanAngle_deg = 0;  ///< full angle; 0: a rectangle
-  double faceRadius_mm = 0;
-  double sliceHalf_mm = 0;  ///< 0: there is no picture in this attempt
-
-  bool operator==(const PictureField&) const = default;
-};
 
 /// What an attempt was made on and with, so that it can be replayed on the same or be told that it cannot.
 struct AttemptHeader {

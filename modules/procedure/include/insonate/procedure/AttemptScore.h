@@ -50,6 +50,9 @@ inline constexpr double kMinorCost = 5, kMajorCost = 20, kMostWithoutSuccess = 5
 /// name; empty where it is no vessel's wall or not known. `vessels` as in AttemptHeader.
 std::string vesselName(const AttemptEvent& event, const std::vector<std::string>& vessels);
 
+/// What went wrong and what to do, after the name of the vessel that was punctured, where there is one.
+std::string sentenceOf(const ProcedureRule& rule, const ProcedureRun::Finding& finding);
+
 /// Score of an attempt that ended with this status, or as things stand. Only a completed attempt can succeed.
 AttemptScore scoreOf(const ProcedureRun& run, AttemptStatus status = AttemptStatus::Completed);
 

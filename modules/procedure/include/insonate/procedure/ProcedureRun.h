@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace insonate {
@@ -21,7 +22,8 @@ class ProcedureRun {
   struct Finding {
     std::size_t rule = 0;  ///< of Procedure::rules
     std::int64_t time_us = 0;
-    double value = 0;  ///< of the metric
+    double value = 0;      ///< of the metric
+    std::string vessel{};  ///< name of the vessel that was punctured as the rule was broken; empty: none, or not named
   };
 
   /// `vessels` as in AttemptHeader.
@@ -40,13 +42,16 @@ class ProcedureRun {
   /// What an attempt is told by, in the order of its times: punctures that count, bone, the needle out of the skin or
   /// a new one, the pedal held, the patient's position. A tip that trembles in a hole adds none.
   const std::vector<AttemptEvent>& milestones() const { return milestones_; }
+  /// Name of the vessel that the tip is in, as vesselName(); empty: it is in none, or in one that is not known.
+  std::string vesselIn() const;
   /// As things stand.
   bool succeeded() const;
 
  private:
   bool complete(std::int64_t time_us, const AttemptEvent* event);
   bool isTarget(const AttemptEvent& event) const { return vessels_.empty() || event.vessel == 1; }
-  void watchRules(std::int64_t time_us);
+  void followVessel(const AttemptEvent& event);
+  void watchRules(std::int64_t time_us, const std::string& vessel);
 
   Procedure procedure_;
   std::vector<std::string> vessels_;
@@ -55,6 +60,7 @@ class ProcedureRun {
   std::size_t due_ = 0;
   std::vector<Finding> findings_;
   std::vector<AttemptEvent> milestones_;
+  std::optional<AttemptEvent> vesselWall_;                      ///< by which the tip came into the vessel that it is in
   std::vector<std::optional<double>> told_;                     ///< by rule: the value that was told last
   std::optional<std::int64_t> probeOnSkin_us_, aspirating_us_;  ///< since when they hold
 };

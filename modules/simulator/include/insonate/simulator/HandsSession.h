@@ -6,9 +6,11 @@
 #include <insonate/image/Volume.h>
 #include <insonate/simulator/LiveImaging.h>
 #include <insonate/simulator/ProbeHand.h>
+#include <insonate/simulator/VesselNames.h>
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace insonate {
@@ -35,6 +37,8 @@ class HandsSession {
   /// The patient's tissues, and a hand on that patient's skin; none for none. The needle's tissue is prepared in the
   /// background round the probe, and again where the hands have gone elsewhere with the needle outside.
   void setCase(std::shared_ptr<const LabelMap> labels, const ProbeHand* hand);
+  /// The vessels of this case, for vesselAt().
+  void setVessels(VesselNames vessels);
   /// Whose pictures tell how the tissue presses back, and which follows a device. Once it returns, the one before is
   /// used no more.
   void setImaging(LiveImaging* imaging);
@@ -71,6 +75,8 @@ class HandsSession {
   /// Of the servo; a time of 0 while both hands are empty.
   ServoSnapshot snapshot() const;
   std::vector<NeedleEvent> takeEvents();
+  /// Name of the vessel of this label at a point of the patient, as vesselName() names that of an event there.
+  std::string vesselAt(Label label, Vec3 patient_mm) const;
   RealTimeRights rights() const;
   TickTiming timing() const;
   /// The needle's tissue is there: before, the needle feels nothing.

@@ -16,6 +16,8 @@
 
 namespace insonate {
 
+class SkinSurface;
+
 /// Where an attempt stands; all of one moment, some milliseconds ago.
 struct AttemptView {
   double time_s = 0;                      ///< on the clock, since it began
@@ -25,6 +27,7 @@ struct AttemptView {
   std::vector<AttemptEvent> events;
   MetricValues metrics;
   NeedlePlace needle = NeedlePlace::Clean;
+  std::string vessel;  ///< ProcedureRun::vesselIn()
   bool succeeded = false;
 };
 
@@ -37,6 +40,7 @@ class LiveAttempt final : public TickListener {
   struct Surroundings {
     std::shared_ptr<const TissueGrid> grid;                ///< null: not there yet
     std::shared_ptr<const std::vector<CentreLine>> veins;  ///< null: not there yet
+    std::shared_ptr<const SkinSurface> skin;               ///< of the case; null: not there yet
     Transform restFromPatient;                             ///< of LocalModel
     double pictureDepth_mm = 0;
   };

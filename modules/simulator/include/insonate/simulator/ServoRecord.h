@@ -15,6 +15,8 @@
 
 namespace insonate {
 
+class SkinSurface;
+
 /// What the servo does not know of a tick.
 struct TickContext {
   std::int64_t time_us = 0;  ///< since the recording began
@@ -28,12 +30,13 @@ struct TickContext {
 /// within 200 mm; `veins` are the centre lines of the case's veins, in tissue at rest. Neither waits nor allocates.
 AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, const TissueGrid* grid,
                        std::span<const CentreLine> veins, const VesselNames& vessels) noexcept;
-/// The skin's normal comes from the grid, too. Time is the context's.
-AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const TissueGrid* grid,
+/// Time is the context's. `skin`: that of the case, as it lies without the probe; null: not there yet. The normal of
+/// the skin is taken where the line of the needle meets it, as by NeedleHand, so that the insertion angle is the angle
+/// that the hand had set.
+AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const SkinSurface* skin,
                      std::span<const CentreLine> veins, const VesselNames& vessels) noexcept;
 
-/// Where a probe's picture shows something; the slice's half thickness is that at the elevation focus, at the probe's
-/// default frequency: half the width at half maximum, as in Probe.
+/// Where a probe's image shows something, at its default frequency.
 PictureField pictureFieldOf(const Probe& probe);
 
 }  // namespace insonate

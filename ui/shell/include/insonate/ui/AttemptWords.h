@@ -15,7 +15,8 @@ struct PlaceWords {
   QString sign, words;
   views::Colour colour;
 };
-PlaceWords wordsOf(NeedlePlace place);
+/// `vessel`: the name of the vessel that the tip is in; empty where it is in none or the name is not known.
+PlaceWords wordsOf(NeedlePlace place, const QString& vessel = {});
 
 /// Of what went wrong; quiet where nothing did.
 views::Colour colourOf(const std::optional<Severity>& severity);
