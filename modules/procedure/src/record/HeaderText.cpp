@@ -8,28 +8,31 @@ namespace {
 /// Grows when an older program could not read what is written now. Format 1 has neither settings nor tenting,
 /// format 2 does not say which vein was punctured.
 constexpr int kFormat = 3;
+/// Value of "hands"; a header without "hands" was recorded from a person's.
+constexpr const char* kScript = "script";
 
 }  // namespace
 
 std::string textOf(const AttemptHeader& header) {
   const PictureField& picture = header.picture;
-  return nlohmann::json{{"format", kFormat},
-                        {"software", header.software},
-                        {"begun", header.begun},
-                        {"procedure", header.procedure},
-                        {"procedureVersion", header.procedureVersion},
-                        {"caseName", header.caseName},
-                        {"caseHash", header.caseHash},
-                        {"settingsHash", header.settingsHash},
-                        {"engine", header.engine},
-                        {"settings", header.settings},
-                        {"vessels", header.vessels},
-                        {"picture",
-                         {{"width_mm", picture.width_mm},
-                          {"fanAngle_deg", picture.fanAngle_deg},
-                          {"faceRadius_mm", picture.faceRadius_mm},
-                          {"sliceHalf_mm", picture.sliceHalf_mm}}}}
-      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  nlohmann::json json{{"format", kFormat},
+                      {"software", header.software},
+                      {"begun", header.begun},
+                      {"procedure", header.procedure},
+                      {"procedureVersion", header.procedureVersion},
+                      {"caseName", header.caseName},
+                      {"caseHash", header.caseHash},
+                      {"settingsHash", header.settingsHash},
+                      {"engine", header.engine},
+                      {"settings", header.settings},
+                      {"vessels", header.vessels},
+                      {"picture",
+                       {{"width_mm", picture.width_mm},
+                        {"fanAngle_deg", picture.fanAngle_deg},
+                        {"faceRadius_mm", picture.faceRadius_mm},
+                        {"sliceHalf_mm", picture.sliceHalf_mm}}}};
+  if (header.isScripted) json["hands"] = kScript;
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 Result<AttemptHeader> headerFrom(std::string_view text) {
@@ -51,7 +54,8 @@ Result<AttemptHeader> headerFrom(std::string_view text) {
         json.at("engine"),
         {picture.at("width_mm"), picture.at("fanAngle_deg"), picture.at("faceRadius_mm"), picture.at("sliceHalf_mm")},
         json.value("vessels", std::vector<std::string>{}),
-        json.value("settings", "")};
+        json.value("settings", ""),
+        json.value("hands", "") == kScript};
   } catch (const nlohmann::json::exception&) {
     return fail("its header is not one of a recording.");
   }
