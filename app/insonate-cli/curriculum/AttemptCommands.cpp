@@ -155,7 +155,7 @@ void addAttemptCommands(CLI::App& curriculum, Outcome& outcome) {
   auto added = std::make_shared<AddArguments>();
   CLI::App* adding = addSignedInCommand(attempts, outcome, "add", "An attempt of yours, from its recording",
                                         [added](const SignedIn& by) { return add(by, *added); });
-  adding->add_option("RECORDING", added->recording, "File of the window, or of session --record")
+  adding->add_option("RECORDING", added->recording, "File of an attempt that a person made in the window")
       ->required()
       ->check(notEmpty());
   adding->add_option("--level", added->level, "Level that it was made for (else free practice)");

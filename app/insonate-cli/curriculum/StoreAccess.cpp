@@ -56,13 +56,17 @@ Result<CurriculumStore> openOrMakeStore(const StoreOptions& options) {
   return CurriculumStore::open(address);
 }
 
-Result<CurriculumStore> openStore(const StoreOptions& options) {
+Result<void> checkThere(const StoreOptions& options) {
   const std::string address = addressOf(options);
   std::error_code error;
-  if (!isServer(address) && !fs::exists(address, error))
-    return fail("There is no store of people and attempts at " + address +
-                " yet; make one with 'insonate-cli curriculum setup', or name another with --database.");
-  return CurriculumStore::open(address);
+  if (isServer(address) || fs::exists(address, error)) return {};
+  return fail("There is no store of people and attempts at " + address +
+              " yet; make one with 'insonate-cli curriculum setup', or name another with --database.");
+}
+
+Result<CurriculumStore> openStore(const StoreOptions& options) {
+  if (auto there = checkThere(options); !there) return tl::unexpected(there.error());
+  return CurriculumStore::open(addressOf(options));
 }
 
 Result<std::string> readOwnPassword(const StoreOptions& options) {

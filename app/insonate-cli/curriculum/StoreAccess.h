@@ -27,6 +27,8 @@ std::string addressOf(const StoreOptions& options);
 bool isServer(const std::string& address);
 /// Made where there is none, with its folder.
 Result<CurriculumStore> openOrMakeStore(const StoreOptions& options);
+/// Fails where there is no store's file yet.
+Result<void> checkThere(const StoreOptions& options);
 /// Fails where there is none yet.
 Result<CurriculumStore> openStore(const StoreOptions& options);
 /// Of who signs in.

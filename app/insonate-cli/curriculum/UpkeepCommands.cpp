@@ -31,9 +31,17 @@ std::string countsOf(const StoreFacts& facts) {
          std::to_string(facts.auditEntries) + " entries in the audit log";
 }
 
-/// Opening a store brings it up to date, whatever is asked of it then.
-Result<Answer> migrate(const SignedIn& by) {
-  const auto facts = StoreUpkeep(by).facts();
+/// Asks before the store is opened, which alone would bring it up to date.
+Result<Answer> migrate(const StoreOptions& options) {
+  if (auto there = checkThere(options); !there) return tl::unexpected(there.error());
+  const auto password = readOwnPassword(options);
+  if (!password) return tl::unexpected(password.error());
+  if (auto done = migrateStore(addressOf(options), options.name, *password); !done) return tl::unexpected(done.error());
+  const auto store = openStore(options);
+  if (!store) return tl::unexpected(store.error());
+  const auto by = store->signIn(options.name, *password);
+  if (!by) return tl::unexpected(by.error());
+  const auto facts = StoreUpkeep(*by).facts();
   if (!facts) return tl::unexpected(facts.error());
   return Answer{toJson(*facts), facts->place + " is at schema " + std::to_string(facts->schema) +
                                     ", the newest: " + countsOf(*facts) + "."};
@@ -139,13 +147,17 @@ void addUpkeepCommands(CLI::App& curriculum, Outcome& outcome) {
       ->required()
       ->check(notEmpty());
   addStoreCommand(curriculum, outcome, "restore",
-                  "Puts a backup in the store's place, signed in by the backup's people", SigningIn::Yes,
-                  [backedUp](const StoreOptions& options) { return restore(options, *backedUp); })
+                  "Puts a backup in the store's place, for an administrator of that store (of the backup, where the "
+                  "store is missing or damaged)",
+                  SigningIn::Yes, [backedUp](const StoreOptions& options) { return restore(options, *backedUp); })
       ->add_option("BACKUP", *backedUp, "File of 'curriculum backup'")
       ->required()
       ->check(notEmpty());
-  addSignedInCommand(curriculum, outcome, "migrate",
-                     "Brings a store up to date, after a backup beside it, and tells what it holds", migrate);
+  addStoreCommand(
+      curriculum, outcome, "migrate",
+      "Brings a store up to date for one of its administrators, after a backup beside it, and tells what it "
+      "holds",
+      SigningIn::Yes, migrate);
   auto anchor = std::make_shared<std::string>();
   addSignedInCommand(curriculum, outcome, "verify",
                      "Whether all pages, keys and hashes of a store are as they should be",

@@ -99,7 +99,7 @@ Result<void> addRecordedAttempts(const CurriculumStore& store, const Curriculum&
   const Level& level = curriculum.levels.front();
   int trainee = 0;
   for (const std::filesystem::path& recording : recordings) {
-    auto facts = factsOfRecording(recording);
+    auto facts = factsOfRecording(recording, Hands::PersonOrScript);
     if (!facts) return tl::unexpected(facts.error());
     if (facts->procedure != level.procedure)
       return fail(recording.string() + " is an attempt at '" + facts->procedure + "', and level '" + level.name +

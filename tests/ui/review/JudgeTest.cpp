@@ -45,7 +45,7 @@ class JudgeTest : public Classroom {
   }
 
   std::string keep(const QString& file) const {
-    AttemptFacts facts = test::valueOf(factsOfRecording(file.toStdString()));
+    AttemptFacts facts = test::valueOf(factsOfRecording(file.toStdString(), Hands::PersonOrScript));
     const AttemptStore anna(school_->as(school_->anna));
     facts.id = test::valueOf(anna.begin(facts));
     test::succeed(anna.end(facts));
@@ -254,7 +254,7 @@ TEST_F(JudgeTest, ARecordingFromElsewhereIsCheckedAgainstTheAttemptItIsChosenAs)
   elsewhere.workstation = "ward 8";
   const auto store = test::valueOf(CurriculumStore::open(file().toStdString(), elsewhere));
   const AttemptStore anna(test::valueOf(store.signIn("anna", test::kPassword)));
-  AttemptFacts facts = test::valueOf(factsOfRecording(copy.toStdString()));
+  AttemptFacts facts = test::valueOf(factsOfRecording(copy.toStdString(), Hands::PersonOrScript));
   facts.recordingHash = std::string(64, 'a');
   facts.id = test::valueOf(anna.begin(facts));
   test::succeed(anna.end(facts));

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <set>
 #include <thread>
@@ -17,6 +18,7 @@ namespace insonate::test {
 namespace {
 namespace fs = std::filesystem;
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -105,6 +107,65 @@ TEST(StoreUpkeepOfFile, ABackupIsOfOneMomentAndRestoresWhileOthersHaveTheStoreOp
 
   succeed(restoreStore(rig.address, rig.address + ".before-restore", "admin", kPassword));
   EXPECT_EQ(valueOf(AttemptStore(anna).history(school.anna.id)).size(), 2U) << "and back";
+}
+
+fs::perms rightsOf(const fs::path& file) {
+  return fs::status(file).permissions();
+}
+
+TEST(StoreUpkeepOfFile, OnlyTheOwnerReadsAStoreAndWhatIsCopiedFromIt) {
+  const StoreRig rig;
+  const fs::perms owner = fs::perms::owner_read | fs::perms::owner_write;
+  {
+    const School school(rig.open());
+    succeed(StoreUpkeep(school.admin).backup(rig.folder / "backup.db"));
+    for (const char* part : {"", "-wal", "-shm"}) EXPECT_EQ(rightsOf(rig.address + part), owner) << part;
+    EXPECT_EQ(rightsOf(rig.folder / "backup.db"), owner);
+    succeed(restoreStore(rig.address, rig.folder / "backup.db", "admin", kPassword));
+    EXPECT_EQ(rightsOf(rig.address + ".before-restore"), owner);
+  }
+  fs::permissions(rig.address,
+                  fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read | fs::perms::others_read);
+  (void)rig.open();
+  EXPECT_EQ(rightsOf(rig.address), owner) << "of an earlier program's store";
+}
+
+/// A trainee's own store, of which they are the administrator, is no way into that of the class.
+TEST(StoreUpkeepOfFile, OnlyAnAdministratorOfTheStoreIsAllowedToReplaceIt) {
+  const StoreRig rig;
+  const School school(rig.open());
+  const std::string own = rig.folder / "own.db", ownBackup = rig.folder / "own-backup.db";
+  {
+    const CurriculumStore made = valueOf(CurriculumStore::open(own, rig.services));
+    const SignedIn anna = valueOf(made.createFirstAdministrator({"anna", "Anna", "", Role::Administrator}, kPassword));
+    succeed(StoreUpkeep(anna).backup(ownBackup));
+  }
+  EXPECT_THAT(refusalOf(restoreStore(rig.address, ownBackup, "anna", kPassword)),
+              AllOf(HasSubstr("was not restored"), HasSubstr("no administrator of " + rig.address)));
+  EXPECT_EQ(valueOf(StoreUpkeep(school.admin).facts()).people, 6);
+  EXPECT_THAT(filesIn(rig.folder.path()), ElementsAre("curriculum.db", "own-backup.db", "own.db"));
+  const auto tried = valueOf(AuditLog(school.admin).page(20));
+  EXPECT_TRUE(std::ranges::any_of(tried, [&](const AuditEntry& entry) {
+    return entry.act == "sign in" && entry.person == school.anna.id && entry.allowed;
+  })) << "the try is written down";
+
+  succeed(restoreStore(rig.address, ownBackup, "admin", kPassword));
+  const SignedIn anna = valueOf(rig.open().signIn("anna", kPassword));
+  const auto entries = valueOf(AuditLog(anna).page(10));
+  const auto restored = std::ranges::find(entries, "restore backup", &AuditEntry::act);
+  ASSERT_NE(restored, entries.end());
+  EXPECT_EQ(restored->actor, school.admin.person().id);
+  EXPECT_THAT(restored->detail, HasSubstr("over a store whose log ends at "));
+}
+
+TEST(StoreUpkeepOfFile, ADatabaseOfAnotherProgramIsNotReplaced) {
+  const StoreRig rig;
+  const School school(rig.open());
+  const fs::path backup = rig.folder / "backup.db";
+  succeed(StoreUpkeep(school.admin).backup(backup));
+  const std::string other = rig.folder / "photos.db";
+  runSql(other, "CREATE TABLE photos (id INTEGER)");
+  EXPECT_THAT(refusalOf(restoreStore(other, backup, "admin", kPassword)), HasSubstr("another program"));
 }
 
 TEST(StoreUpkeepOfFile, ABackupWhileOthersWriteIsWhole) {
@@ -234,6 +295,21 @@ TEST_P(StoreUpkeepOfEarlier, IsBroughtUpToDateWithAllThatItHeld) {
   runSql(rig.address, dumpOf(GetParam()));
   expectAllThatItHeld(rig.open());
   EXPECT_EQ(fs::exists(store::copyBeforeMigration(rig.address, GetParam())), GetParam() != store::newestSchema());
+}
+
+TEST_P(StoreUpkeepOfEarlier, IsMigratedForAnAdministratorOfItAlone) {
+  if (GetParam() == store::newestSchema()) GTEST_SKIP() << "it is the newest";
+  const StoreRig rig;
+  runSql(rig.address, dumpOf(GetParam()));
+  const auto schema = [&] {
+    const auto connection = store::Connection::open(valueOf(store::Address::parse(rig.address))).value();
+    return valueOf(connection->rows("SELECT MAX(number) FROM schema_migrations", {})).front().count(0);
+  };
+  EXPECT_THAT(refusalOf(migrateStore(rig.address, "anna", kPassword, rig.services)), HasSubstr("was not migrated"));
+  EXPECT_THAT(refusalOf(migrateStore(rig.address, "admin", "wrong", rig.services)), HasSubstr("was not migrated"));
+  EXPECT_EQ(schema(), GetParam());
+  succeed(migrateStore(rig.address, "admin", kPassword, rig.services));
+  EXPECT_EQ(schema(), store::newestSchema());
 }
 
 TEST_P(StoreUpkeepOfEarlier, IsBroughtUpToDateOnAServerToo) {

@@ -77,6 +77,13 @@ TEST_F(ScriptedSession, CleanSuccess) {
   EXPECT_TRUE(outcome.run.succeeded());
 }
 
+TEST_F(ScriptedSession, TheRecordingSaysThatAScriptMovedTheHands) {
+  run(straight() + R"(, {"advance_mm": 5})");
+  const auto recording = AttemptRecording::open(file);
+  ASSERT_TRUE(recording) << recording.error().message;
+  EXPECT_TRUE(recording->header().isScripted);
+}
+
 TEST_F(ScriptedSession, PosteriorWallAndOutAgain) {
   const auto outcome = run(straight() + R"(, {"advance_mm": 27}, {"withdraw_mm": 27})");
   EXPECT_THAT(told(outcome), testing::ElementsAre("entered skin", "entered vein", "left vein", "withdrawn vein",

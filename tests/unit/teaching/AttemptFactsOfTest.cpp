@@ -130,6 +130,19 @@ TEST_F(AttemptFactsOfTest, TheRulesThatScoredItAreNamed) {
   EXPECT_EQ(facts->procedureVersion, loadProcedure("internal_jugular")->version);
 }
 
+TEST_F(AttemptFactsOfTest, AScriptsHandsAreNobodysAttempt) {
+  test::ScriptedAttempt attempt;
+  attempt.aspirating = true;
+  attempt.needleTo(25), attempt.hold(2);
+  AttemptHeader scripted = header();
+  scripted.isScripted = true;
+  record(attempt, AttemptStatus::Completed, scripted);
+  EXPECT_THAT(factsOfRecording(file).error().message, HasSubstr("was recorded from a script"));
+  const auto demonstration = factsOfRecording(file, Hands::PersonOrScript);
+  ASSERT_TRUE(demonstration) << demonstration.error().message;
+  EXPECT_TRUE(demonstration->succeeded);
+}
+
 TEST_F(AttemptFactsOfTest, RulesThatAreNotHereScoreNothing) {
   test::ScriptedAttempt attempt;
   attempt.needleTo(5);

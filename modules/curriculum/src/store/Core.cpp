@@ -62,7 +62,7 @@ Core::~Core() {
   connectionsOfThread().erase(key_);
 }
 
-Result<std::shared_ptr<Core>> Core::open(const std::string& address, const StoreServices& services) {
+Result<std::shared_ptr<Core>> Core::reach(const std::string& address, const StoreServices& services) {
   if (::sodium_init() < 0) return fail("libsodium finds no source of random numbers; passwords cannot be kept.");
   auto parsed = Address::parse(address);
   if (!parsed) return tl::unexpected(parsed.error());
@@ -71,8 +71,21 @@ Result<std::shared_ptr<Core>> Core::open(const std::string& address, const Store
   const auto connection = core->connection();
   if (!connection) return tl::unexpected(connection.error());
   if (auto ok = checkPages(**connection); !ok) return tl::unexpected(ok.error());
-  if (auto ok = migrate(**connection, core->address_, core->now_us()); !ok) return tl::unexpected(ok.error());
-  if (auto ok = abandonCrashed(*core); !ok) return tl::unexpected(ok.error());
+  if (auto ok = refuseForeign(**connection); !ok) return tl::unexpected(ok.error());
+  return core;
+}
+
+Result<void> Core::bringUpToDate() {
+  const auto own = connection();
+  if (!own) return tl::unexpected(own.error());
+  if (auto ok = migrate(**own, address_, now_us()); !ok) return ok;
+  return abandonCrashed(*this);
+}
+
+Result<std::shared_ptr<Core>> Core::open(const std::string& address, const StoreServices& services) {
+  auto core = reach(address, services);
+  if (!core) return core;
+  if (auto ok = (*core)->bringUpToDate(); !ok) return tl::unexpected(ok.error());
   return core;
 }
 

@@ -38,16 +38,6 @@ Result<void> refuseNewer(int schema, const std::string& place) {
               ", this program knows " + std::to_string(newestSchema()) + "); install that version.");
 }
 
-/// A file with tables that this program did not make is left alone.
-Result<void> refuseForeign(Connection& connection) {
-  if (connection.dialect().name != "sqlite") return {};
-  const auto rows =
-      connection.rows("SELECT SUM(name = 'schema_migrations'), COUNT(*) FROM sqlite_master WHERE type = 'table'", {});
-  if (!rows) return tl::unexpected(rows.error());
-  if (rows->front().number(0) > 0 || rows->front().number(1) == 0) return {};
-  return fail(connection.place() + " is a database of another program; name another file for the curriculum's store.");
-}
-
 Result<void> keepCopy(Connection& connection, const Address& address, int schema) {
   if (address.isServer || schema == 0) return {};
   return copyToFile(connection, copyBeforeMigration(address.file.toStdString(), schema));
@@ -74,8 +64,16 @@ std::filesystem::path copyBeforeMigration(const std::filesystem::path& file, int
   return file.string() + ".schema-" + std::to_string(schema);
 }
 
+Result<void> refuseForeign(Connection& connection) {
+  if (connection.dialect().name != "sqlite") return {};
+  const auto rows =
+      connection.rows("SELECT SUM(name = 'schema_migrations'), COUNT(*) FROM sqlite_master WHERE type = 'table'", {});
+  if (!rows) return tl::unexpected(rows.error());
+  if (rows->front().number(0) > 0 || rows->front().number(1) == 0) return {};
+  return fail(connection.place() + " is a database of another program; name another file for the curriculum's store.");
+}
+
 Result<void> migrate(Connection& connection, const Address& address, std::int64_t now_us) {
-  if (auto ok = refuseForeign(connection); !ok) return ok;
   {
     // Under the writers' lock: two that create a table at once get in each other's way on a server.
     Transaction transaction(connection, Way::Write);

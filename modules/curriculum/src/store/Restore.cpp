@@ -1,12 +1,14 @@
-#include "store/Core.h"
+#include "store/AdministratorProof.h"
+#include "store/AuditChain.h"
 #include "store/Migrations.h"
-#include "store/PasswordProof.h"
 #include "store/StoreChecks.h"
 #include "store/sql/FileCopy.h"
 
 #include <insonate/curriculum/StoreUpkeep.h>
 
 #include <unistd.h>
+
+#include <optional>
 
 namespace insonate {
 namespace {
@@ -41,17 +43,39 @@ struct Candidate {
   const fs::path file;
 };
 
-/// Whether its pages are whole, its log holds together, and an administrator of it asks; leaves an entry in it.
-Result<void> checkCandidate(const fs::path& file, const std::string& administrator, const std::string& password) {
+/// Who restores, and what the log of the backup is told about it.
+struct Restorer {
+  std::string id{}, detail{};
+};
+
+/// An administrator of the store that is to be replaced; none where there is nobody to ask.
+Result<std::optional<Restorer>> askReplaced(const fs::path& file, const std::string& administrator,
+                                            const std::string& password) {
+  const auto core = Core::reach(file.string(), {});
+  if (!core) return tl::unexpected(core.error());
+  if (const auto some = store::hasPeople(**core); !some || !*some) return std::nullopt;
+  const auto known = store::proveAdministrator(**core, administrator, password);
+  if (!known) return tl::unexpected(known.error());
+  return inTransaction(**core, Way::Read, [&](Transaction& transaction) -> Result<std::optional<Restorer>> {
+    const AuditAnchor end = store::auditEnd(transaction);
+    return Restorer{known->id, "over a store whose log ends at " + std::to_string(end.number) + " " + end.hash};
+  });
+}
+
+/// Whether its pages are whole and its log holds together, and, where nobody of a replaced store restores it, whether
+/// an administrator of it asks; leaves an entry in it.
+Result<void> checkCandidate(const fs::path& file, std::optional<Restorer> restorer, const std::string& administrator,
+                            const std::string& password) {
   const auto core = Core::open(file.string(), {});
   if (!core) return tl::unexpected(core.error());
-  const auto known = store::provePassword(**core, administrator, password);
-  if (!known) return tl::unexpected(known.error());
-  if (known->person.role != Role::Administrator)
-    return fail(administrator + " is no administrator of the backup; one of them restores it.");
+  if (!restorer) {
+    const auto known = store::proveAdministrator(**core, administrator, password);
+    if (!known) return tl::unexpected(known.error());
+    restorer = Restorer{known->id, ""};
+  }
   return inTransaction(**core, Way::Write, [&](Transaction& transaction) -> Result<void> {
     if (auto ok = store::verifyAll(transaction); !ok) return ok;
-    (*core)->audit(transaction, known->person.id, "restore backup", "", "");
+    (*core)->audit(transaction, restorer->id, "restore backup", "", restorer->detail);
     return {};
   });
 }
@@ -90,11 +114,16 @@ Result<void> restoreStore(const fs::path& file, const fs::path& backup, const st
   if (!fs::exists(backup)) return fail(backup.string() + " does not exist; name the file of a backup.");
   std::error_code ignored;
   if (fs::equivalent(file, backup, ignored)) return fail(file.string() + " is the store itself; name a backup of it.");
+  const auto refused = [&](const Error& why) {
+    return fail("The backup " + backup.string() + " was not restored: " + why.message);
+  };
+  const bool replaces = isWhole(file);
+  const Result<std::optional<Restorer>> restorer = replaces ? askReplaced(file, administrator, password) : std::nullopt;
+  if (!restorer) return refused(restorer.error());
   const Candidate candidate(file);
   if (auto copied = store::copyFile(backup, candidate.file); !copied) return copied;
-  if (auto ok = checkCandidate(candidate.file, administrator, password); !ok)
-    return fail("The backup " + backup.string() + " was not restored: " + ok.error().message);
-  return isWhole(file) ? writeOver(file, candidate.file) : moveInto(file, candidate.file);
+  if (auto ok = checkCandidate(candidate.file, *restorer, administrator, password); !ok) return refused(ok.error());
+  return replaces ? writeOver(file, candidate.file) : moveInto(file, candidate.file);
 }
 
 }  // namespace insonate

@@ -8,30 +8,31 @@ namespace {
 /// Grows when an older program could not read what is written now. Format 1 has neither settings nor tenting,
 /// format 2 does not say which vein was punctured.
 constexpr int kFormat = 3;
+/// Value of "hands"; a header without "hands" was recorded from a person's.
+constexpr const char* kScript = "script";
 
 }  // namespace
 
 std::string textOf(const AttemptHeader& header) {
   const PictureField& picture = header.picture;
-  return nlohmann::json{{"format", kFormat},
-                        {"software", header.software},
-                        {"begun", header.begun},
-                        {"procedure", header.procedure},
-                        {"procedureVersion", header.procedureVersion},
-                        {"caseName", header.caseName},
-                        {"caseHash", header.caseHash},
-                        {"settingsHash", header.settingsHash},
-                        {"engine", header.engine},
-                        {"settings", header.settings},
-                        {"vessels", header.vessels},
-                        {"picture",
-                         {{"width_mm", picture.width_mm},
-                          {"fanAngle_deg", picture.fanAngle_deg},
-                          {"faceRadius_mm", picture.faceRadius_mm},
-                          {"sliceHalf_mm", picture.sliceHalf_mm},
-                          {"elevationFocus_mm", picture.elevationFocus_mm},
-                          {"elevationDivergence", picture.elevationDivergence}}}}
-      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  nlohmann::json json{{"format", kFormat},
+                      {"software", header.software},
+                      {"begun", header.begun},
+                      {"procedure", header.procedure},
+                      {"procedureVersion", header.procedureVersion},
+                      {"caseName", header.caseName},
+                      {"caseHash", header.caseHash},
+                      {"settingsHash", header.settingsHash},
+                      {"engine", header.engine},
+                      {"settings", header.settings},
+                      {"vessels", header.vessels},
+                      {"picture",
+                       {{"width_mm", picture.width_mm},
+                        {"fanAngle_deg", picture.fanAngle_deg},
+                        {"faceRadius_mm", picture.faceRadius_mm},
+                        {"sliceHalf_mm", picture.sliceHalf_mm}}}};
+  if (header.isScripted) json["hands"] = kScript;
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 Result<AttemptHeader> headerFrom(std::string_view text) {
@@ -54,7 +55,8 @@ Result<AttemptHeader> headerFrom(std::string_view text) {
         {picture.at("width_mm"), picture.at("fanAngle_deg"), picture.at("faceRadius_mm"), picture.at("sliceHalf_mm"),
          picture.value("elevationFocus_mm", 0.0), picture.value("elevationDivergence", 0.0)},
         json.value("vessels", std::vector<std::string>{}),
-        json.value("settings", "")};
+        json.value("settings", ""),
+        json.value("hands", "") == kScript};
   } catch (const nlohmann::json::exception&) {
     return fail("its header is not one of a recording.");
   }

@@ -252,6 +252,7 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
   header.caseHash = voxelHashOf(patient);
   header.engine = settings->setup.engine;
   header.settings = textOf(*settings);
+  header.isScripted = true;
   auto source = makeSceneSource(patient);
   if (!source) return tl::unexpected(source.error());
   MomentImaging imaging(patient.labels.geometry, std::move(*source));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <insonate/core/Result.h>
+#include <insonate/curriculum/CurriculumStore.h>
 #include <insonate/curriculum/SignedIn.h>
 
 #include <cstdint>
@@ -35,9 +36,15 @@ class StoreUpkeep {
 };
 
 /// Puts a backup in the place of a store's file, which may be open, damaged or missing. `administrator` and `password`
-/// are of the backup, which is checked first: its pages, its schema, its audit log. What was there is kept beside it as
-/// FILE.before-restore.
+/// are of the store that is replaced; where it is missing, damaged or has no people yet, of the backup. The backup is
+/// checked first: its pages, its schema, its audit log, which tells who restored it and where the log that it replaces
+/// ended. What was there is kept beside it as FILE.before-restore.
 Result<void> restoreStore(const std::filesystem::path& file, const std::filesystem::path& backup,
                           const std::string& administrator, const std::string& password);
+
+/// Brings a store up to date for an administrator of it, who is asked before anything but the log is changed. Opening a
+/// store does the same for anyone, which gives nobody a right that they did not have.
+Result<void> migrateStore(const std::string& address, const std::string& administrator, const std::string& password,
+                          const StoreServices& services = {});
 
 }  // namespace insonate

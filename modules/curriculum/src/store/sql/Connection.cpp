@@ -1,5 +1,7 @@
 #include "store/sql/Connection.h"
 
+#include "store/sql/PrivateFile.h"
+
 #include <sqlite3.h>
 
 #include <QtCore/QFileInfo>
@@ -63,6 +65,7 @@ Result<void> Connection::setUp(const Address& address) {
   database_.setConnectOptions(latin(dialect_.options));
   if (!address.isServer && QFileInfo(address.file).isDir())
     return fail(place_ + " is a folder; name a file for the curriculum's store.");
+  if (!address.isServer) makePrivate(address.file.toStdString());
   if (!database_.open()) return tl::unexpected(failed(database_.lastError()));
   const std::string settings(dialect_.setUp);
   if (address.isServer) return script(settings);

@@ -1,5 +1,7 @@
 #include "store/sql/FileCopy.h"
 
+#include "store/sql/PrivateFile.h"
+
 #include <insonate/core/AtomicFile.h>
 
 #include <sqlite3.h>
@@ -47,6 +49,7 @@ Result<Database> opened(const std::filesystem::path& file, int flags) {
 
 Result<void> writeCopy(sqlite3* from, const std::string& what, const std::filesystem::path& file) {
   return writeAtomically(file, [&](const std::filesystem::path& beside) -> Result<void> {
+    makePrivate(beside);
     const auto to = opened(beside, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
     if (!to) return tl::unexpected(to.error());
     if (auto copied = copy(from, to->get(), kPagesAStep, what + " to " + file.string()); !copied) return copied;

@@ -23,6 +23,7 @@ struct AttemptHeader {
   std::vector<std::string> vessels{};
   /// Of probe, picture, tissue and blood as the attempt began, JSON (simulator/AttemptSettings.h); "": not known.
   std::string settings{};
+  bool isScripted = false;  ///< a script moved the hands: the recording is a demonstration and nobody's attempt
 
   bool operator==(const AttemptHeader&) const = default;
 };

@@ -22,9 +22,12 @@ Result<std::string> recordingHash(const std::filesystem::path& file);
 /// Name and SHA-256 of a recording's file.
 Result<void> addRecording(AttemptFacts& facts, const std::filesystem::path& file);
 
+/// Whose hands a recording may show: a person's alone, or also a script's (`session --script`), as in demonstrations.
+enum class Hands { Person, PersonOrScript };
+
 /// All three, from the recording alone: it is replayed, and scored by the procedure as it is here, whose version the
 /// facts name. Fails where it cannot be read, where damage leaves no metrics, and where its procedure is not here or
-/// older than the recording's.
-Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file);
+/// older than the recording's, and where a script moved the hands that should be a person's.
+Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file, Hands hands = Hands::Person);
 
 }  // namespace insonate

@@ -1,0 +1,28 @@
+#include "integration/CurriculumCommands.h"
+
+namespace insonate::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// What a trainee may try, to pass without an attempt of their own.
+class CurriculumTrust : public CurriculumCommands {};
+
+TEST_F(CurriculumTrust, ASessionsScriptPassesNoLevel) {
+  makeClass();
+  const CommandResult made = runCommand("phantom " + path("neck") + " --variant textbook", folder / "errors.txt");
+  ASSERT_EQ(made.status, 0) << made.errors;
+  const CommandResult session =
+      runCommand("session " + path("neck") + " --script clean-success --record " + path("scripted.attempt"),
+                 folder / "errors.txt");
+  ASSERT_EQ(session.status, 0) << session.errors;
+  EXPECT_THAT(refused("attempts add " + path("scripted.attempt") + " --level first --as alice"),
+              HasSubstr("was recorded from a script"));
+  EXPECT_THAT(refused("attempts add " + path("scripted.attempt") + " --as alice"),
+              HasSubstr("counts as nobody's attempt"))
+      << "not as free practice either";
+  EXPECT_TRUE(told("attempts list --as alice")["attempts"].empty());
+}
+
+}  // namespace
+}  // namespace insonate::test
