@@ -89,6 +89,11 @@ TEST_F(CurriculumCourse, StatisticsSayWhatTheyCannotTell) {
   const auto artery =
       std::ranges::find_if(metrics, [](const json& row) { return row["metric"] == "artery_punctures"; });
   EXPECT_EQ((*artery)["mean"]["value"], 0.5);
+  EXPECT_EQ((*artery)["interval_by"], "Poisson");
+  EXPECT_GT((*artery)["low"], 0) << "a count is never below 0";
+  const auto time = std::ranges::find_if(metrics, [](const json& row) { return row["metric"] == "attempt_time_s"; });
+  EXPECT_TRUE((*time)["low"].is_null());
+  EXPECT_EQ((*time)["interval_by"], "fewer than 5 values") << "of two";
   EXPECT_TRUE((*artery)["curve"].is_null()) << "two attempts are no curve";
   const auto force =
       std::ranges::find_if(metrics, [](const json& row) { return row["metric"] == "nearest_artery_mm"; });
@@ -105,8 +110,9 @@ TEST_F(CurriculumCourse, StatisticsSayWhatTheyCannotTell) {
   const json compared = told("statistics compare 'Year 1' 'Year 1' --as miller");
   EXPECT_EQ(compared["people_in_both"], 2);
   const json same = compared["procedures"][0]["metrics"][0];
-  EXPECT_EQ(same["effect"], 0) << "of a class and itself";
+  EXPECT_TRUE(same["effect"].is_null()) << "two people are too few to compare";
   EXPECT_EQ(same["n_first"], 2);
+  EXPECT_THAT(compared["note"].get<std::string>(), HasSubstr("with 4 people or more of each class"));
 }
 
 TEST_F(CurriculumCourse, FormsAreFilledInOnce) {

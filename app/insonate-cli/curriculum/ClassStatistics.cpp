@@ -141,8 +141,8 @@ Result<Answer> comparison(const SignedIn& by, const Arguments& a) {
   if (!first) return tl::unexpected(first.error());
   if (!second) return tl::unexpected(second.error());
   std::string note =
-      "Mann and Whitney's test of one median a person. Of so many comparisons one in twenty has p below 0.05 by chance "
-      "alone.";
+      "Mann and Whitney's test of one median a person, with " + std::to_string(kFewestCompared) +
+      " people or more of each class. Of so many comparisons one in twenty has p below 0.05 by chance alone.";
   const std::size_t both = peopleInBoth(*first, *second);
   if (both > 0)
     note += " People in both classes, whom the test takes for different ones: " + std::to_string(both) + ".";

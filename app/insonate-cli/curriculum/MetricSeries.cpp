@@ -22,10 +22,16 @@ std::vector<MetricMeaning> meaningsFor(const std::string& procedure) {
   return known ? metricMeanings(*known) : metricMeanings();
 }
 
+std::vector<std::optional<double>> seriesOf(const Attempts& attempts, const MetricMeaning& metric) {
+  std::vector<std::optional<double>> series;
+  for (const AttemptFacts* attempt : attempts) series.push_back(valueOf(*attempt, metric.id, metric.version));
+  return series;
+}
+
 std::vector<double> valuesOf(const Attempts& attempts, const MetricMeaning& metric) {
   std::vector<double> values;
-  for (const AttemptFacts* attempt : attempts)
-    if (const auto value = valueOf(*attempt, metric.id, metric.version)) values.push_back(*value);
+  for (const auto& value : seriesOf(attempts, metric))
+    if (value) values.push_back(*value);
   return values;
 }
 
@@ -37,8 +43,9 @@ std::optional<Estimate> successOf(const Attempts& attempts) {
 
 nlohmann::json toJson(const std::optional<Estimate>& estimate) {
   if (!estimate) return nullptr;
-  nlohmann::json object{{"value", estimate->value}, {"low", nullptr}, {"high", nullptr}};
+  nlohmann::json object{{"value", estimate->value}, {"low", nullptr}, {"high", nullptr}, {"by", nullptr}};
   if (estimate->interval) object.update({{"low", estimate->interval->low}, {"high", estimate->interval->high}});
+  if (!estimate->basis.empty()) object["by"] = estimate->basis;
   return object;
 }
 

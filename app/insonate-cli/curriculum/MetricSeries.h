@@ -22,9 +22,11 @@ std::map<std::string, Attempts> countedByProcedure(std::span<const AttemptFacts>
 std::vector<MetricMeaning> meaningsFor(const std::string& procedure);
 /// Those that are there.
 std::vector<double> valuesOf(const Attempts& attempts, const MetricMeaning& metric);
+/// One for each attempt, so that attempts keep their numbers.
+std::vector<std::optional<double>> seriesOf(const Attempts& attempts, const MetricMeaning& metric);
 std::optional<Estimate> successOf(const Attempts& attempts);
 
-/// {"value", "low", "high"}, null where there is none.
+/// {"value", "low", "high", "by"}, null where there is none; "by" is Estimate::basis.
 nlohmann::json toJson(const std::optional<Estimate>& estimate);
 
 }  // namespace insonate::cli

@@ -27,11 +27,11 @@ Json curveJson(const std::optional<LearningCurve>& curve) {
 }
 
 /// The figures that a person reads stand in the row itself, the others below it.
-Json rowOf(const MetricMeaning& metric, const std::vector<double>& values) {
-  const auto mean = meanOf(values);
+Json rowOf(const MetricMeaning& metric, const Attempts& attempts) {
+  const std::vector<double> values = valuesOf(attempts, metric);
+  const auto mean = meanOf(values, metric.kind);
   const std::span<const double> all(values);
-  const auto last = meanOf(all.subspan(all.size() - std::min(kLast, all.size())));
-  const auto curve = fitLearningCurve(values);
+  const auto curve = fitLearningCurve(seriesOf(attempts, metric), metric.kind);
   const auto inBand = std::ranges::count_if(values, [&](double value) { return metric.inExpertBand(value); });
   return {{"metric", metric.id},
           {"unit", metric.unit},
@@ -40,8 +40,9 @@ Json rowOf(const MetricMeaning& metric, const std::vector<double>& values) {
           {"mean_value", mean ? Json(mean->value) : Json(nullptr)},
           {"low", mean && mean->interval ? Json(mean->interval->low) : Json(nullptr)},
           {"high", mean && mean->interval ? Json(mean->interval->high) : Json(nullptr)},
+          {"interval_by", mean ? Json(mean->basis) : Json(nullptr)},
           {"median", orNull(median(values))},
-          {"last_5", last ? Json(last->value) : Json(nullptr)},
+          {"last_5", orNull(meanValue(all.subspan(all.size() - std::min(kLast, all.size()))))},
           {"expert", orNull(metric.expert)},
           {"in_expert_band_percent", metric.expert && !values.empty() ? Json(100.0 * static_cast<double>(inBand) /
                                                                              static_cast<double>(values.size()))
@@ -53,7 +54,7 @@ Json rowOf(const MetricMeaning& metric, const std::vector<double>& values) {
 Json metricsOf(const std::string& procedure, const Attempts& attempts, const std::string& only) {
   Json rows = Json::array();
   for (const MetricMeaning& metric : meaningsFor(procedure))
-    if (only.empty() || metric.id == only) rows.push_back(rowOf(metric, valuesOf(attempts, metric)));
+    if (only.empty() || metric.id == only) rows.push_back(rowOf(metric, attempts));
   return rows;
 }
 
@@ -112,6 +113,7 @@ Result<Answer> statistics(const SignedIn& by, const Arguments& a) {
                                   {"mean_value", "mean"},
                                   {"low", "95 % from"},
                                   {"high", "to"},
+                                  {"interval_by", "by"},
                                   {"median", "median"},
                                   {"last_5", "last 5"},
                                   {"plateau", "plateau"},

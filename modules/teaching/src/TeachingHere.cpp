@@ -29,6 +29,22 @@ MetricMeaning::Better betterOf(const MetricDefinition& metric) {
   return MetricMeaning::Better::Neither;
 }
 
+ValueKind kindOf(const MetricDefinition& metric) {
+  switch (metric.metric) {
+    case Metric::TipInVein:
+      return ValueKind::YesNo;
+    case Metric::NearestArtery:  // negative inside
+    case Metric::NearestLung:
+      return ValueKind::Any;
+    case Metric::NeedleInefficiency:  // a path can be more than twice as long as it need be
+      return ValueKind::NotNegative;
+    default:
+      break;
+  }
+  if (metric.unit.empty()) return ValueKind::Count;
+  return metric.unit == "%" ? ValueKind::Percent : ValueKind::NotNegative;
+}
+
 }  // namespace
 
 std::vector<MetricMeaning> metricMeanings() {
@@ -37,7 +53,7 @@ std::vector<MetricMeaning> metricMeanings() {
     MetricMeaning meaning;
     meaning.id = metric.id, meaning.version = metric.version;
     meaning.title = titleOf(metric), meaning.unit = metric.unit;
-    meaning.better = betterOf(metric);
+    meaning.better = betterOf(metric), meaning.kind = kindOf(metric);
     meanings.push_back(std::move(meaning));
   }
   return meanings;

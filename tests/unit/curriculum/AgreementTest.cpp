@@ -79,7 +79,15 @@ TEST(Agreement, IntraclassCorrelationOfEqualAndShiftedRaters) {
   EXPECT_EQ(intraclassCorrelation({{1, 1}, {2, 2}, {3, 3}})->value, 1);
   // One rater 1 higher: subjects 2 * 1 = 2, raters 1.5, rest 0: 2 / (2 + 2 * 1.5 / 3) = 2/3.
   EXPECT_NEAR(intraclassCorrelation({{1, 2}, {2, 3}, {3, 4}})->value, 2 / 3.0, 1e-12);
-  EXPECT_FALSE(intraclassCorrelation({{1, 2}, {2, 3}, {3, 4}})->interval);
+  EXPECT_FALSE(intraclassCorrelation({{1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 6}})->interval);
+}
+
+TEST(Agreement, AnIntervalNeedsFiveAttempts) {
+  const auto four = intraclassCorrelation({{1, 2}, {4, 3}, {6, 6}, {8, 9}});
+  ASSERT_TRUE(four);
+  EXPECT_FALSE(four->interval);
+  EXPECT_EQ(four->basis, "fewer than 5 values");
+  EXPECT_TRUE(intraclassCorrelation({{1, 2}, {4, 3}, {6, 6}, {8, 9}, {3, 3}})->interval);
 }
 
 TEST(Agreement, RoundingIsNoDifferenceBetweenAttempts) {
@@ -89,8 +97,8 @@ TEST(Agreement, RoundingIsNoDifferenceBetweenAttempts) {
       const double percent = 100.0 * points / 44;
       EXPECT_FALSE(intraclassCorrelation(Ratings(attempts, {percent, percent}))) << attempts << ", " << points;
     }
-  const auto shifted = intraclassCorrelation({{0.1, 0.2}, {0.2, 0.3}, {0.3, 0.4}});
-  EXPECT_NEAR(shifted->value, 2 / 3.0, 1e-12);
+  const auto shifted = intraclassCorrelation({{0.1, 0.2}, {0.2, 0.3}, {0.3, 0.4}, {0.4, 0.5}, {0.5, 0.6}});
+  EXPECT_NEAR(shifted->value, 5 / 6.0, 1e-12);
   EXPECT_FALSE(shifted->interval) << "as of whole numbers";
 }
 
@@ -99,7 +107,7 @@ TEST(Agreement, AnyRatingsGiveFiniteIntervalsAboutTheirValue) {
   const auto below = [&](unsigned end) { return static_cast<std::size_t>(random() % end); };
   int without = 0;
   for (int run = 0; run < 5000; ++run) {
-    Ratings ratings(2 + below(4), std::vector<double>(2 + below(2)));
+    Ratings ratings(kFewestForInterval + below(4), std::vector<double>(2 + below(2)));
     for (auto& row : ratings)
       for (double& rating : row) rating = static_cast<double>(1 + below(5));
     const auto icc = intraclassCorrelation(ratings);

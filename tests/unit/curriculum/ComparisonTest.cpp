@@ -4,7 +4,6 @@
 
 #include <limits>
 #include <numeric>
-#include <random>
 #include <vector>
 
 namespace insonate {
@@ -36,46 +35,52 @@ TEST(Comparison, ExactChancesAreThoseOfCountingArrangements) {
   EXPECT_GT(chanceOf(128)->p, 0.05);
 }
 
-TEST(Comparison, TiesUseTheNormalApproximation) {
-  // U: two ties, half each = 1 of 12. Variance 12 / 12 (8 - (27 - 3) / 42) = 7.428571, z = (5 - 0.5) / 2.725541.
-  const auto comparison = compareRanks(Values{1, 2, 2}, Values{2, 3, 4, 5});
+// Python 3.11: itertools.combinations() over all values with their mean ranks, those counted whose rank sum lies as far
+// from n (n + m + 1) / 2 as the sum that was seen.
+TEST(Comparison, TiesAreCountedExactly) {
+  const auto comparison = compareRanks(Values{1, 2, 2, 3}, Values{2, 3, 4, 5});
   ASSERT_TRUE(comparison);
-  EXPECT_EQ(comparison->u, 1);
-  EXPECT_FALSE(comparison->exact);
-  EXPECT_NEAR(comparison->p, 0.098729, 1e-5);
-  EXPECT_NEAR(comparison->superiority, 1 / 12.0, 1e-12);
-  EXPECT_NEAR(comparison->effect, -10 / 12.0, 1e-12);
+  EXPECT_TRUE(comparison->exact);
+  EXPECT_EQ(comparison->u, 2.5);
+  EXPECT_NEAR(comparison->p, 14 / 70.0, 1e-12);
+  EXPECT_NEAR(comparison->superiority, 2.5 / 16, 1e-12);
+  EXPECT_NEAR(comparison->effect, -11 / 16.0, 1e-12);
+  EXPECT_NEAR(compareRanks(Values{0, 0, 0, 1, 1}, Values{0, 1, 2, 2, 3, 4})->p, 30 / 462.0, 1e-12);
+  EXPECT_NEAR(compareRanks(Values{1, 2, 2, 2}, Values{2, 2, 2, 2})->p, 1, 1e-12);
 }
 
-TEST(Comparison, ApproximationAndCountingAgree) {
-  std::mt19937 random(5);
-  for (int run = 0; run < 20; ++run) {
-    Values first{-2, -1}, second;
-    while (first.size() < 20) first.push_back(static_cast<double>(random()));
-    while (second.size() < 20) second.push_back(static_cast<double>(random()) + 5e8);
-    const auto counted = compareRanks(first, second);
-    first[1] = first[0];  // a tie that leaves U as it was
-    const auto approximated = compareRanks(first, second);
-    EXPECT_TRUE(counted->exact && !approximated->exact);
-    EXPECT_EQ(approximated->u, counted->u);
-    EXPECT_NEAR(approximated->p, counted->p, 0.01);
-  }
+TEST(Comparison, LargeGroupsUseTheNormalApproximationWithTies) {
+  // Ties of 23 and 18 values: variance 35 (42 - (23^3 - 23 + 18^3 - 18) / (41 * 40)) = 1086.75, z = 188.5 / 32.9659;
+  // p by mpmath.ncdf().
+  Values first(21, 2.0), second(20, 0.0);
+  second[0] = second[1] = 2;
+  const auto comparison = compareRanks(first, second);
+  ASSERT_TRUE(comparison);
+  EXPECT_FALSE(comparison->exact);
+  EXPECT_EQ(comparison->u, 399);
+  EXPECT_NEAR(comparison->p, 1.077652806646435e-8, 1e-14);
+}
+
+TEST(Comparison, FewSayNothing) {
+  EXPECT_FALSE(compareRanks(Values{1}, Values{2})) << "of one against one there is no effect size";
+  EXPECT_FALSE(compareRanks(Values{1, 2, 3}, Values{4, 5, 6, 7}));
+  EXPECT_TRUE(compareRanks(Values{1, 2, 3, 4}, Values{5, 6, 7, 8}));
 }
 
 TEST(Comparison, GroupsAreSymmetric) {
-  const auto forth = compareRanks(Values{3, 5, 8}, Values{1, 9}), back = compareRanks(Values{1, 9}, Values{3, 5, 8});
-  EXPECT_EQ(forth->u + back->u, 6);
+  const auto forth = compareRanks(Values{3, 5, 8, 2, 4}, Values{1, 9, 7, 6}),
+             back = compareRanks(Values{1, 9, 7, 6}, Values{3, 5, 8, 2, 4});
+  EXPECT_EQ(forth->u + back->u, 20);
   EXPECT_EQ(forth->p, back->p);
   EXPECT_EQ(forth->effect, -back->effect);
 }
 
 TEST(Comparison, WhatIsAlikeDoesNotDiffer) {
-  const auto comparison = compareRanks(Values{2, 2, 2}, Values{2, 2});
+  const auto comparison = compareRanks(Values{2, 2, 2, 2}, Values{2, 2, 2, 2, 2});
   EXPECT_EQ(comparison->p, 1);
   EXPECT_EQ(comparison->effect, 0);
   EXPECT_FALSE(compareRanks(Values{}, Values{1}));
-  EXPECT_FALSE(compareRanks(Values{1}, Values{std::numeric_limits<double>::quiet_NaN()}));
-  EXPECT_EQ(compareRanks(Values{1}, Values{2})->p, 1);
+  EXPECT_FALSE(compareRanks(Values{1, 2, 3, 4}, Values{1, 2, 3, std::numeric_limits<double>::quiet_NaN()}));
 }
 
 }  // namespace

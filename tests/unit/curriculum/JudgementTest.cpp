@@ -117,7 +117,7 @@ TEST(Judgement, TheReasonIsTheWorstOne) {
   EXPECT_EQ(reasonOfFailure({}, failedAttempt("a")), "it did not succeed");
 }
 
-TEST(Judgement, WhatTellsNothingOfTheTraineeDoesNotCount) {
+TEST(Judgement, WhatWasNotTriedDoesNotCount) {
   AttemptFacts attempt = passedAttempt("a");
   EXPECT_TRUE(counts(attempt));
   attempt.state = AttemptState::Open;
@@ -125,11 +125,22 @@ TEST(Judgement, WhatTellsNothingOfTheTraineeDoesNotCount) {
   attempt.state = AttemptState::Voided;
   EXPECT_FALSE(counts(attempt));
   attempt.state = AttemptState::Abandoned;
-  EXPECT_FALSE(counts(attempt));
   EXPECT_FALSE(counts(with(attempt, "passes", 0)));
-  EXPECT_FALSE(counts(with(attempt, "passes", std::nullopt)));
   EXPECT_TRUE(counts(with(attempt, "passes", 1)));
-  EXPECT_EQ(reasonOfFailure({}, with(attempt, "passes", 1)), "it was given up with the needle in the skin");
+  EXPECT_EQ(reasonOfFailure({}, with(attempt, "passes", 1)), "it was abandoned with the needle in the skin");
+}
+
+/// A crash, or a trainee who ends the program: nothing was measured.
+TEST(Judgement, ARecordingThatBreaksOffCountsAsAbandoned) {
+  AttemptFacts attempt = passedAttempt("a");
+  attempt.state = AttemptState::Abandoned;
+  const PassRule rule{std::nullopt, {atMost("artery_punctures", 0, "the artery was punctured")}, 100};
+  EXPECT_TRUE(counts(attempt));
+  EXPECT_FALSE(judge(rule, attempt).passed);
+  EXPECT_EQ(reasonOfFailure(rule, attempt), "it was abandoned: its recording broke off");
+  EXPECT_TRUE(counts(with(attempt, "passes", std::nullopt)));
+  attempt.state = AttemptState::Voided;
+  EXPECT_FALSE(counts(attempt)) << "where an instructor voids it";
 }
 
 }  // namespace

@@ -74,12 +74,25 @@ TEST(Unlocking, WhatDoesNotCountIsPassedOver) {
   history[4].procedure = "another";
   history[5].curriculum = "another";
   history.push_back(test::failedAttempt("a"));
-  history.back().state = AttemptState::Abandoned;  // before the skin
+  history.back().state = AttemptState::Abandoned;
+  history.back().metrics = {{"passes", 1, 0}};  // before the skin
   const auto progress = progressOf(twoLevels(), history, kNoon_us + kDay_us);
   EXPECT_EQ(progress[0].attempts, 2);
   EXPECT_EQ(progress[0].passesInARow, 2);
   history.back().metrics = {{"passes", 1, 1}};  // with the needle in the skin
   EXPECT_EQ(progressOf(twoLevels(), history, kNoon_us + kDay_us)[0].passesInARow, 0);
+}
+
+TEST(Unlocking, ARecordingThatBreaksOffBreaksTheRowUnlessItIsVoided) {
+  auto history = attemptsAt("a", "PPF");
+  history.back().state = AttemptState::Abandoned;
+  const auto broken = progressOf(twoLevels(), history, kNoon_us + kDay_us)[0];
+  EXPECT_EQ(broken.attempts, 3);
+  EXPECT_EQ(broken.passesInARow, 0);
+  EXPECT_EQ(broken.why,
+            "Open: 0 of 3 passes in a row; the last attempt failed because it was abandoned: its recording broke off.");
+  history.back().state = AttemptState::Voided;
+  EXPECT_EQ(progressOf(twoLevels(), history, kNoon_us + kDay_us)[0].passesInARow, 2);
 }
 
 TEST(Unlocking, AttemptsOfAnotherVersionCountByTheRulesOfThisOne) {

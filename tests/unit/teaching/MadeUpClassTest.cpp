@@ -38,7 +38,7 @@ std::vector<AttemptFacts> attemptsOf(int trainee, const MadeUpPlan& plan) {
 double pointsOf(const std::vector<AttemptFacts>& attempts, std::size_t from, std::size_t count) {
   std::vector<double> points;
   for (std::size_t i = from; i < from + count; ++i) points.push_back(attempts[i].points.value_or(0));
-  return meanOf(points)->value;
+  return *meanValue(points);
 }
 
 TEST(MadeUpClassTest, TheSameSeedMakesUpTheSame) {

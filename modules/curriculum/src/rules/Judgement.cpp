@@ -38,11 +38,19 @@ std::string listed(const std::vector<std::string>& reasons) {
   return list;
 }
 
+/// Whatever the version of the definition; none where nothing was measured.
+std::optional<double> skinPunctures(const AttemptFacts& attempt) {
+  const auto fact = std::ranges::find(attempt.metrics, kSkinPunctures, &MetricFact::id);
+  return fact == attempt.metrics.end() ? std::nullopt : finite(fact->value);
+}
+
 /// "" where there is nothing worse than standards or points.
 std::string graveReason(const AttemptFacts& attempt) {
   if (attempt.criticalErrors == 1) return "there was a critical error";
   if (attempt.criticalErrors > 1) return "there were " + std::to_string(attempt.criticalErrors) + " critical errors";
-  if (attempt.state != AttemptState::Completed) return "it was given up with the needle in the skin";
+  if (attempt.state != AttemptState::Completed)
+    return skinPunctures(attempt) ? "it was abandoned with the needle in the skin"
+                                  : "it was abandoned: its recording broke off";
   return attempt.succeeded ? "" : "it did not succeed";
 }
 
@@ -74,8 +82,7 @@ std::optional<double> valueOf(const AttemptFacts& attempt, std::string_view metr
 
 bool counts(const AttemptFacts& attempt) {
   if (attempt.state == AttemptState::Completed) return true;
-  const auto inSkin = [](const MetricFact& fact) { return fact.id == kSkinPunctures && fact.value.value_or(0) > 0; };
-  return attempt.state == AttemptState::Abandoned && std::ranges::any_of(attempt.metrics, inSkin);
+  return attempt.state == AttemptState::Abandoned && skinPunctures(attempt) != 0.0;
 }
 
 bool isSuccess(const AttemptFacts& attempt) {
@@ -101,6 +108,8 @@ std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt) {
   if (judgement.passed) return {};
   const std::string grave = graveReason(attempt);
   const std::string standards = listed(missedStandards(rule, attempt));
+  // Of what broke off no standard was measured; to list them all tells nothing.
+  if (attempt.state == AttemptState::Abandoned && attempt.metrics.empty()) return grave;
   if (!grave.empty()) return standards.empty() ? grave : grave + "; " + standards;
   if (!judgement.reachesStandards(rule)) return standards;
   const auto points = finite(attempt.points);

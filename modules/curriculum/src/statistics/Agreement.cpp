@@ -107,6 +107,7 @@ std::optional<Estimate> intraclassCorrelation(const std::vector<std::vector<doub
   const double all = squares.subjects + (k - 1) * squares.error + k * (squares.raters - squares.error) / n;
   if (!std::isfinite(all) || !(all > 0)) return std::nullopt;
   const double icc = (squares.subjects - squares.error) / all;
+  if (ratings.size() < kFewestForInterval) return Estimate{icc, std::nullopt, "fewer than 5 values"};
   return Estimate{icc, intervalOf(icc, squares, n, k, confidence)};
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -14,9 +15,11 @@ namespace {
 
 constexpr std::size_t kMostExact = 20;
 
-/// Sum of the first group's ranks, and the sum of t^3 - t over groups of t equal values.
 struct Ranks {
-  double first = 0, ties = 0;
+  double first = 0;  ///< sum of the first group's
+  double ties = 0;   ///< sum of t^3 - t over groups of t equal values
+  /// Of all values, doubled: the mean rank of an even number of equal values is no whole number.
+  std::vector<std::size_t> doubled{};
 };
 
 Ranks ranksOf(std::span<const double> first, std::span<const double> second) {
@@ -31,27 +34,28 @@ Ranks ranksOf(std::span<const double> first, std::span<const double> second) {
     const double rank = (static_cast<double>(begin + end) + 1) / 2;
     for (std::size_t i = begin; i < end; ++i) ranks.first += all[i].second ? rank : 0;
     ranks.ties += tied * tied * tied - tied;
+    ranks.doubled.insert(ranks.doubled.end(), end - begin, begin + end + 1);
   }
   return ranks;
 }
 
-/// Chance of a U of at most `u`, all arrangements of n values among n + m being alike. ways[k][s]: k of the values so
-/// far belong to the first group, and s values of the second lie below them, in sum.
-double exactTail(std::size_t n, std::size_t m, double u) {
-  std::vector<std::vector<double>> ways(n + 1, std::vector<double>(n * m + 1, 0));
+/// Share of all choices of n of these ranks whose sum lies as far from the mean sum as `sum` does, or farther.
+/// ways[k][s]: choices of k of the ranks so far that add up to s.
+double exactChance(const std::vector<std::size_t>& doubledRanks, std::size_t n, double sum) {
+  const std::size_t most = std::accumulate(doubledRanks.begin(), doubledRanks.end(), std::size_t{0});
+  std::vector<std::vector<double>> ways(n + 1, std::vector<double>(most + 1, 0));
   ways[0][0] = 1;
-  for (std::size_t place = 0; place < n + m; ++place)
-    for (std::size_t k = std::min(place + 1, n); k > 0; --k) {
-      if (place - (k - 1) > m) continue;
-      const std::size_t below = place - (k - 1);  // values of the second group, if this is the k-th of the first
-      for (std::size_t s = below; s <= n * m; ++s) ways[k][s] += ways[k - 1][s - below];
-    }
-  double all = 0, tail = 0;
-  for (std::size_t s = 0; s <= n * m; ++s) {
+  for (const std::size_t rank : doubledRanks)
+    for (std::size_t k = n; k > 0; --k)
+      for (std::size_t s = most; s >= rank; --s) ways[k][s] += ways[k - 1][s - rank];
+  const double middle = static_cast<double>(n * (doubledRanks.size() + 1));
+  const double distance = std::abs(2 * sum - middle);
+  double all = 0, far = 0;
+  for (std::size_t s = 0; s <= most; ++s) {
     all += ways[n][s];
-    if (static_cast<double>(s) <= u) tail += ways[n][s];
+    if (std::abs(static_cast<double>(s) - middle) >= distance) far += ways[n][s];
   }
-  return tail / all;
+  return far / all;
 }
 
 double normalTail(double n, double m, double u, double ties) {
@@ -65,19 +69,17 @@ double normalTail(double n, double m, double u, double ties) {
 }  // namespace
 
 std::optional<RankComparison> compareRanks(std::span<const double> first, std::span<const double> second) {
-  if (first.empty() || second.empty() || !allFinite(first) || !allFinite(second)) return std::nullopt;
+  if (std::min(first.size(), second.size()) < kFewestCompared || !allFinite(first) || !allFinite(second))
+    return std::nullopt;
   const auto n = static_cast<double>(first.size()), m = static_cast<double>(second.size());
   const Ranks ranks = ranksOf(first, second);
   RankComparison comparison;
   comparison.u = ranks.first - n * (n + 1) / 2;
   comparison.superiority = comparison.u / (n * m);
   comparison.effect = 2 * comparison.superiority - 1;
-  comparison.exact = ranks.ties == 0 && first.size() <= kMostExact && second.size() <= kMostExact;
-  if (comparison.exact)
-    comparison.p =
-        std::min(1.0, 2 * exactTail(first.size(), second.size(), std::min(comparison.u, n * m - comparison.u)));
-  else
-    comparison.p = normalTail(n, m, comparison.u, ranks.ties);
+  comparison.exact = first.size() <= kMostExact && second.size() <= kMostExact;
+  comparison.p = comparison.exact ? exactChance(ranks.doubled, first.size(), ranks.first)
+                                  : normalTail(n, m, comparison.u, ranks.ties);
   return comparison;
 }
 

@@ -7,14 +7,16 @@
 #include <boost/math/tools/minima.hpp>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace insonate {
 namespace {
 
 using Shape = LearningCurve::Shape;
 
-constexpr std::size_t kFewest = 6;
+constexpr Eigen::Index kFewest = 6;
 constexpr int kParameters = 3;
 
 /// How much of the gain is left at an attempt, 1 at the first.
@@ -34,32 +36,46 @@ struct Fit {
   double squares = 0;
 };
 
-Fit fitAt(Shape shape, double rate, const Eigen::VectorXd& values) {
-  Eigen::MatrixX2d curve(values.size(), 2);
-  for (Eigen::Index i = 0; i < values.size(); ++i) curve.row(i) << 1, left(shape, rate, static_cast<double>(i + 1));
-  Fit fit{rate, curve.colPivHouseholderQr().solve(values), 0};
-  fit.squares = (curve * fit.plateauAndGain - values).squaredNorm();
+/// Values with the numbers of their attempts.
+struct Series {
+  Eigen::VectorXd attempts, values;
+};
+
+Series seriesOf(std::span<const std::optional<double>> values) {
+  std::vector<double> attempts, told;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i]) attempts.push_back(static_cast<double>(i + 1)), told.push_back(*values[i]);
+  const auto size = static_cast<Eigen::Index>(told.size());
+  return {Eigen::Map<const Eigen::VectorXd>(attempts.data(), size),
+          Eigen::Map<const Eigen::VectorXd>(told.data(), size)};
+}
+
+Fit fitAt(Shape shape, double rate, const Series& series) {
+  Eigen::MatrixX2d curve(series.values.size(), 2);
+  for (Eigen::Index i = 0; i < curve.rows(); ++i) curve.row(i) << 1, left(shape, rate, series.attempts[i]);
+  Fit fit{rate, curve.colPivHouseholderQr().solve(series.values), 0};
+  fit.squares = (curve * fit.plateauAndGain - series.values).squaredNorm();
   return fit;
 }
 
 /// None where the best rate is the least or the greatest that is looked at: then the data are a straight line, or all
 /// is learnt after the first attempt.
-std::optional<Fit> bestFit(Shape shape, const Eigen::VectorXd& values) {
+std::optional<Fit> bestFit(Shape shape, const Series& series) {
   constexpr int kSteps = 120;
-  const auto attempts = static_cast<double>(values.size());
+  const double attempts = series.attempts[series.attempts.size() - 1];
   const double least = std::log(shape == Shape::Power ? 0.05 : 0.5 / attempts), most = std::log(5.0);
   const auto rateOf = [&](int step) { return least + (most - least) * step / kSteps; };
   int best = 0;
-  double fewest = fitAt(shape, std::exp(least), values).squares;
+  double fewest = fitAt(shape, std::exp(least), series).squares;
   for (int step = 1; step <= kSteps; ++step) {
-    const double squares = fitAt(shape, std::exp(rateOf(step)), values).squares;
+    const double squares = fitAt(shape, std::exp(rateOf(step)), series).squares;
     if (squares < fewest) fewest = squares, best = step;
   }
   if (best == 0 || best == kSteps) return std::nullopt;
-  const auto squaresAt = [&](double logRate) { return fitAt(shape, std::exp(logRate), values).squares; };
+  const auto squaresAt = [&](double logRate) { return fitAt(shape, std::exp(logRate), series).squares; };
   const auto [logRate, squares] =
       boost::math::tools::brent_find_minima(squaresAt, rateOf(best - 1), rateOf(best + 1), 40);
-  return fitAt(shape, std::exp(logRate), values);
+  return fitAt(shape, std::exp(logRate), series);
 }
 
 /// F test of the curve's two further parameters against a constant, at 5 %.
@@ -71,19 +87,23 @@ bool explainsMoreThanConstant(const Fit& fit, const Eigen::VectorXd& values) {
   return (all - fit.squares) / 2 > limit * fit.squares / freedom;
 }
 
-Estimate estimateOf(double value, double variance, double t) {
+Interval within(Interval range, Interval interval) {
+  return {std::clamp(interval.low, range.low, range.high), std::clamp(interval.high, range.low, range.high)};
+}
+
+Interval around(double value, double variance, double t) {
   const double half = t * std::sqrt(variance);
-  return {value, Interval{value - half, value + half}};
+  return {value - half, value + half};
 }
 
 double studentT(int attempts, double confidence) {
   return boost::math::quantile(boost::math::students_t(attempts - kParameters), (1 + confidence) / 2);
 }
 
-std::optional<LearningCurve> curveOf(Shape shape, const Fit& fit, const Eigen::VectorXd& values) {
-  Eigen::MatrixX3d jacobian(values.size(), kParameters);
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    const auto attempt = static_cast<double>(i + 1);
+std::optional<LearningCurve> curveOf(Shape shape, const Fit& fit, const Series& series, Interval range) {
+  Eigen::MatrixX3d jacobian(series.values.size(), kParameters);
+  for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
+    const double attempt = series.attempts[i];
     jacobian.row(i) << 1, left(shape, fit.rate, attempt), fit.plateauAndGain[1] * leftByRate(shape, fit.rate, attempt);
   }
   const Eigen::Matrix3d normal = jacobian.transpose() * jacobian;
@@ -91,42 +111,49 @@ std::optional<LearningCurve> curveOf(Shape shape, const Fit& fit, const Eigen::V
   if (!solver.isInvertible()) return std::nullopt;
   LearningCurve curve;
   curve.shape = shape;
-  curve.attempts = static_cast<int>(values.size());
+  curve.attempts = static_cast<int>(series.values.size());
+  curve.range = range;
   curve.rate = fit.rate;
   const double variance = fit.squares / (curve.attempts - kParameters);
   curve.residual = std::sqrt(variance);
   const Eigen::Matrix3d spread = variance * solver.inverse();
   Eigen::Map<Eigen::Matrix3d>(curve.spread.data()) = spread;
   const double t = studentT(curve.attempts, 0.95);
-  curve.plateau = estimateOf(fit.plateauAndGain[0], spread(0, 0), t);
-  curve.gain = estimateOf(fit.plateauAndGain[1], spread(1, 1), t);
+  const double plateau = fit.plateauAndGain[0], gain = fit.plateauAndGain[1];
+  // The true plateau lies in the range: what is cut off takes nothing from the confidence.
+  curve.plateau = {plateau, within(range, around(plateau, spread(0, 0), t))};
+  curve.gain = {gain, around(gain, spread(1, 1), t)};
   return allFinite(curve.spread) ? std::optional(curve) : std::nullopt;
 }
 
 }  // namespace
 
 double LearningCurve::at(double attempt) const {
-  return plateau.value + gain.value * left(shape, rate, attempt);
+  return std::clamp(plateau.value + gain.value * left(shape, rate, attempt), range.low, range.high);
 }
 
 Interval LearningCurve::bandAt(double attempt, double confidence) const {
   const Eigen::Vector3d slope(1, left(shape, rate, attempt), gain.value * leftByRate(shape, rate, attempt));
   const double variance = slope.dot(Eigen::Map<const Eigen::Matrix3d>(spread.data()) * slope);
-  const double half = studentT(attempts, confidence) * std::sqrt(std::max(0.0, variance));
-  return {at(attempt) - half, at(attempt) + half};
+  const double value = plateau.value + gain.value * left(shape, rate, attempt);
+  return within(range, around(value, std::max(0.0, variance), studentT(attempts, confidence)));
 }
 
-std::optional<LearningCurve> fitLearningCurve(Shape shape, std::span<const double> values) {
-  if (values.size() < kFewest || !allFinite(values)) return std::nullopt;
-  const Eigen::VectorXd vector =
-      Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-  const auto fit = bestFit(shape, vector);
-  if (!fit || !std::isfinite(fit->squares) || !explainsMoreThanConstant(*fit, vector)) return std::nullopt;
-  return curveOf(shape, *fit, vector);
+std::optional<LearningCurve> fitLearningCurve(Shape shape, std::span<const std::optional<double>> values,
+                                              ValueKind kind) {
+  const Series series = seriesOf(values);
+  const bool isFinite = series.values.allFinite();
+  if (series.values.size() < kFewest || !isFinite) return std::nullopt;
+  const auto fit = bestFit(shape, series);
+  if (!fit || !std::isfinite(fit->squares) || !explainsMoreThanConstant(*fit, series.values)) return std::nullopt;
+  const Interval range = rangeOf(kind);
+  const double plateau = fit->plateauAndGain[0];
+  return plateau >= range.low && plateau <= range.high ? curveOf(shape, *fit, series, range) : std::nullopt;
 }
 
-std::optional<LearningCurve> fitLearningCurve(std::span<const double> values) {
-  const auto power = fitLearningCurve(Shape::Power, values), exponential = fitLearningCurve(Shape::Exponential, values);
+std::optional<LearningCurve> fitLearningCurve(std::span<const std::optional<double>> values, ValueKind kind) {
+  const auto power = fitLearningCurve(Shape::Power, values, kind),
+             exponential = fitLearningCurve(Shape::Exponential, values, kind);
   if (power && exponential) return power->residual <= exponential->residual ? power : exponential;
   return power ? power : exponential;
 }

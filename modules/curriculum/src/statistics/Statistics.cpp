@@ -1,9 +1,9 @@
 #include "Finite.h"
+#include "Sorted.h"
 
 #include <insonate/curriculum/Statistics.h>
 
 #include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,48 +16,21 @@ bool isShare(double value) {
   return value > 0 && value < 1;
 }
 
-std::optional<double> plainMean(std::span<const double> values) {
+}  // namespace
+
+std::optional<double> meanValue(std::span<const double> values) {
   if (values.empty() || !allFinite(values)) return std::nullopt;
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
   return std::isfinite(mean) ? std::optional(mean) : std::nullopt;
 }
 
-/// Type 7 of values in rising order, at least one.
-double quantileOfSorted(std::span<const double> sorted, double share) {
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const double part = place - static_cast<double>(below);
-  return part == 0 ? sorted[below] : std::lerp(sorted[below], sorted[below + 1], part);
-}
-
-std::vector<double> sortedOf(std::span<const double> values) {
-  std::vector<double> sorted(values.begin(), values.end());
-  std::ranges::sort(sorted);
-  return sorted;
-}
-
-}  // namespace
-
 std::optional<double> standardDeviation(std::span<const double> values) {
-  const auto mean = plainMean(values);
+  const auto mean = meanValue(values);
   if (!mean || values.size() < 2) return std::nullopt;
   double squares = 0;
   for (const double value : values) squares += (value - *mean) * (value - *mean);
   const double deviation = std::sqrt(squares / static_cast<double>(values.size() - 1));
   return std::isfinite(deviation) ? std::optional(deviation) : std::nullopt;
-}
-
-std::optional<Estimate> meanOf(std::span<const double> values, double confidence) {
-  const auto mean = plainMean(values);
-  if (!mean || !isShare(confidence)) return std::nullopt;
-  Estimate estimate{*mean, std::nullopt};
-  if (const auto deviation = standardDeviation(values)) {
-    const auto n = static_cast<double>(values.size());
-    const double t = boost::math::quantile(boost::math::students_t(n - 1), (1 + confidence) / 2);
-    const double half = t * *deviation / std::sqrt(n);
-    estimate.interval = Interval{*mean - half, *mean + half};
-  }
-  return estimate;
 }
 
 std::optional<double> quantile(std::span<const double> values, double share) {
@@ -76,21 +49,18 @@ std::optional<Estimate> proportion(int successes, int trials, double confidence)
   const double z = boost::math::quantile(boost::math::normal(), (1 + confidence) / 2);
   const double middle = (p + z * z / (2 * n)) / (1 + z * z / n);
   const double half = z * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n)) / (1 + z * z / n);
-  return Estimate{p, Interval{std::max(0.0, middle - half), std::min(1.0, middle + half)}};
+  return Estimate{p, Interval{std::max(0.0, middle - half), std::min(1.0, middle + half)}, "Wilson"};
 }
 
 std::vector<std::optional<double>> movingMean(std::span<const std::optional<double>> values, int window) {
   std::vector<std::optional<double>> means(values.size());
   if (window < 1) return means;
-  std::vector<double> last;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!values[i]) {
-      last.clear();
-      continue;
-    }
-    last.push_back(*values[i]);
-    const auto count = static_cast<std::size_t>(window);
-    if (last.size() >= count) means[i] = plainMean(std::span(last).last(count));
+    if (!values[i]) continue;
+    std::vector<double> last;
+    for (const auto& value : values.first(i + 1).last(std::min(i + 1, static_cast<std::size_t>(window))))
+      if (value) last.push_back(*value);
+    means[i] = meanValue(last);
   }
   return means;
 }

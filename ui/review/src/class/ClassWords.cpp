@@ -62,11 +62,11 @@ QString outcomeOf(const AttemptFacts& attempt, const Curriculum* curriculum) {
     default:
       break;
   }
-  if (!counts(attempt)) return tr("Given up before the skin");
+  if (!counts(attempt)) return tr("Abandoned before the skin; does not count");
   const bool ofIt = curriculum && attempt.curriculum == curriculum->name;
   const Level* level = ofIt ? curriculum->level(attempt.level) : nullptr;
   if (!level)
-    return attempt.state == AttemptState::Abandoned ? tr("Given up")
+    return attempt.state == AttemptState::Abandoned ? tr("Abandoned")
            : attempt.succeeded                      ? tr("Aim reached")
                                                     : tr("Aim not reached");
   const std::string reason = reasonOfFailure(level->pass, attempt);

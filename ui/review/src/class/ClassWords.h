@@ -26,7 +26,7 @@ Concern concernOf(const Member& member);
 /// The level's title, or its name where the curriculum lacks it or is not known.
 QString levelTitle(const Curriculum* curriculum, const std::string& level);
 using ui::plainToolTip;
-/// "Passed", "Failed because ...", "Given up", "Voided: ...", with what the level asks, where it is known.
+/// "Passed", "Failed because ...", "Abandoned", "Voided: ...", with what the level asks, where it is known.
 QString outcomeOf(const AttemptFacts& attempt, const Curriculum* curriculum);
 
 }  // namespace insonate::review

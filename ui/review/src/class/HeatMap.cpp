@@ -15,11 +15,6 @@ namespace {
 constexpr std::array<std::array<int, 3>, 5> kCividis{
     {{0, 34, 78}, {63, 77, 107}, {124, 123, 120}, {188, 175, 111}, {254, 232, 56}}};
 
-std::optional<double> mean(std::span<const double> values) {
-  const auto estimate = meanOf(values);
-  return estimate ? std::optional(estimate->value) : std::nullopt;
-}
-
 }  // namespace
 
 HeatMap heatMapOf(std::span<const AttemptFacts> attempts) {
@@ -36,7 +31,7 @@ HeatMap heatMapOf(std::span<const AttemptFacts> attempts) {
         if (const auto value = valueIn(*attempt, book.all()[i])) values.push_back(*value);
         if (const auto share = shareIn(*attempt, book.all()[i])) shares.push_back(*share);
       }
-      row.push_back({mean(values), mean(shares), int(values.size())});
+      row.push_back({meanValue(values), meanValue(shares), int(values.size())});
     }
   }
   return map;

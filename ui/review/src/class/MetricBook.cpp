@@ -28,6 +28,7 @@ MetricBook::MetricBook() : all_(metricMeanings()) {
   const auto rest = std::ranges::stable_partition(all_, hasNorm);
   MetricMeaning points;
   points.id = kPoints, points.better = MetricMeaning::Better::Higher;
+  points.kind = ValueKind::Percent;
   points.title = QCoreApplication::translate("Review", "Points").toStdString();
   comparable_ = std::size_t(rest.begin() - all_.begin()) + 1;
   all_.insert(all_.begin(), std::move(points));

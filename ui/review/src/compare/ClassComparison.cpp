@@ -13,8 +13,6 @@
 namespace insonate::review {
 namespace {
 
-constexpr std::size_t kLeastPeople = 4;
-
 QString tr(const char* text) {
   return QCoreApplication::translate("Review", text);
 }
@@ -26,11 +24,18 @@ std::vector<double> valuesOf(const HeatMap& heat, std::size_t metric) {
   return values;
 }
 
-QString meanWords(const QString& name, std::span<const double> values) {
-  const auto mean = meanOf(values);
-  return tr("%1: n = %2, mean %3, 95 % interval %4 to %5")
-      .arg(name, QString::number(values.size()), numberOf(mean->value), numberOf(mean->interval->low),
-           numberOf(mean->interval->high));
+/// A person's mean of counts is no count.
+ValueKind kindOfMeans(const MetricMeaning& meaning) {
+  return meaning.kind == ValueKind::Count ? ValueKind::NotNegative : meaning.kind;
+}
+
+QString meanWords(const QString& name, std::span<const double> values, ValueKind kind) {
+  const auto mean = meanOf(values, kind);
+  const QString words = tr("%1: n = %2, mean %3").arg(name, QString::number(values.size()), numberOf(mean->value));
+  const QString basis = QString::fromUtf8(mean->basis.data(), int(mean->basis.size()));
+  if (!mean->interval) return tr("%1, no interval: %2").arg(words, basis);
+  return tr("%1, 95 % interval %2 to %3 (%4)")
+      .arg(words, numberOf(mean->interval->low), numberOf(mean->interval->high), basis);
 }
 
 /// A dot for each person, beside the box at x; strewn so that dots of one height lie apart.
@@ -54,13 +59,14 @@ ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& 
   ClassComparison result;
   result.picture.title = titleWithUnit(MetricBook::here().all()[metric]);
   const auto a = valuesOf(first.heat, metric), b = valuesOf(second.heat, metric);
-  const auto ranks = a.size() < kLeastPeople || b.size() < kLeastPeople ? std::nullopt : compareRanks(a, b);
+  const ValueKind kind = kindOfMeans(MetricBook::here().all()[metric]);
+  const auto ranks = compareRanks(a, b);
   if (!ranks) {
     result.picture.words =
         tr("n/a: of %1 there are %2 people with attempts that tell it, of %3 %4; at least %5 of each "
            "are needed.")
             .arg(first.name, QString::number(a.size()), second.name, QString::number(b.size()),
-                 QString::number(kLeastPeople));
+                 QString::number(kFewestCompared));
     result.words = result.picture.words;
     return result;
   }
@@ -70,7 +76,7 @@ ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& 
   result.picture.lines.push_back(peopleBeside(0, a, ui::ChartPicture::Tone::Accent));
   result.picture.lines.push_back(peopleBeside(1, b, ui::ChartPicture::Tone::Caution));
   result.words =
-      QStringList{meanWords(first.name, a), meanWords(second.name, b),
+      QStringList{meanWords(first.name, a, kind), meanWords(second.name, b, kind),
                   tr("Effect size (Cliff's delta) %1: someone of %2 is above someone of %3 in %4 % of pairs; p = %5 "
                      "(Mann-Whitney, %6).")
                       .arg(QString::number(ranks->effect, 'f', 2), first.name, second.name,

@@ -27,19 +27,16 @@ void addExpertBand(ChartPicture& picture, const MetricMeaning& meaning, double a
       {tr("expert"), {{0.5, low}, {attempts + 0.5, low}}, {{0.5, high}, {attempts + 0.5, high}}, Tone::Good});
 }
 
-/// Attempts that tell a value, numbered without gaps, are what a curve is fitted to.
-bool addCurve(ChartPicture& picture, const std::vector<QPointF>& dots) {
-  std::vector<double> told;
-  for (const QPointF& dot : dots) told.push_back(dot.y());
-  const auto curve = fitLearningCurve(told);
+bool addCurve(ChartPicture& picture, ValueKind kind, std::span<const std::optional<double>> values) {
+  const auto curve = fitLearningCurve(values, kind);
   if (!curve) return false;
   ChartPicture::Line line{tr("learning curve"), {}, Tone::Accent, Qt::SolidLine};
   ChartPicture::Band band{tr("95 % interval"), {}, {}, Tone::Accent};
-  for (std::size_t i = 0; i < dots.size(); ++i) {
-    const double attempt = double(i) + 1, x = dots[i].x();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double attempt = double(i) + 1;
     const Interval interval = curve->bandAt(attempt);
-    line.points.emplace_back(x, curve->at(attempt));
-    band.low.emplace_back(x, interval.low), band.high.emplace_back(x, interval.high);
+    line.points.emplace_back(attempt, curve->at(attempt));
+    band.low.emplace_back(attempt, interval.low), band.high.emplace_back(attempt, interval.high);
   }
   picture.bands.push_back(std::move(band));
   picture.lines.push_back(std::move(line));
@@ -62,7 +59,7 @@ ChartPicture learningPicture(const MetricMeaning& meaning, std::span<const std::
   }
   const auto [least, most] = std::ranges::minmax_element(dots, {}, &QPointF::y);
   addExpertBand(picture, meaning, double(values.size()), least->y(), most->y());
-  if (!addCurve(picture, dots)) {
+  if (!addCurve(picture, meaning.kind, values)) {
     ChartPicture::Line mean{tr("mean of the last %1").arg(kWindow), {}, Tone::Accent, Qt::DashLine};
     const auto means = movingMean(values, kWindow);
     for (std::size_t i = 0; i < means.size(); ++i)

@@ -47,6 +47,7 @@ std::vector<MetricMeaning> curveMetrics(const std::string& procedure) {
   MetricMeaning points;
   points.id = kPoints, points.title = tr("Points, of 100").toStdString();
   points.better = MetricMeaning::Better::Higher;
+  points.kind = ValueKind::Percent;
   std::vector<MetricMeaning> all{points};
   const auto known = loadProcedure(procedure);
   const auto metrics = known ? metricMeanings(*known) : metricMeanings();

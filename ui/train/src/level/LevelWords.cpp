@@ -51,7 +51,7 @@ const LevelProgress* find(std::span<const LevelProgress> all, const std::string&
 
 /// Standards that were missed are told by themselves.
 QString headlineFor(const PassRule& rule, const AttemptFacts& attempt, bool passed) {
-  if (!counts(attempt)) return tr("Does not count: it was left before the skin");
+  if (!counts(attempt)) return tr("Does not count: it was abandoned before the skin");
   const bool well = attempt.state == AttemptState::Completed && attempt.succeeded && attempt.criticalErrors == 0;
   if (!passed && well && !judge(rule, attempt).reachesStandards(rule)) return tr("Not passed");
   return passed ? tr("Passed") : tr("Not passed: %1").arg(ui::qt(reasonOfFailure(rule, attempt)));

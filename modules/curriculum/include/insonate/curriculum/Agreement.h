@@ -22,8 +22,9 @@ std::optional<double> cohenKappa(std::span<const int> first, std::span<const int
 
 /// ICC(2,1) of Shrout and Fleiss (Psychol Bull 1979, 86:420): each subject is rated by each rater, the raters stand for
 /// others, absolute agreement of a single rating. `ratings[subject][rater]`. None for fewer than two subjects or
-/// raters, rows of unequal length, values that are not finite or all alike. Without an interval where subjects do not
-/// differ, or raters differ by nothing but a constant, or by so much that the interval's degrees of freedom vanish.
+/// raters, rows of unequal length, values that are not finite or all alike. Without an interval
+/// for fewer than kFewestForInterval subjects, where subjects do not differ, or raters differ by nothing but a
+/// constant, or by so much that the interval's degrees of freedom vanish.
 std::optional<Estimate> intraclassCorrelation(const std::vector<std::vector<double>>& ratings,
                                               double confidence = 0.95);
 

@@ -20,9 +20,10 @@ struct Judgement {
   bool reachesStandards(const PassRule& rule) const;
 };
 
-/// Whether an attempt is one to judge: completed, or abandoned with the needle in the skin (the metric "passes" above
-/// 0). One that is open or voided is not; nor one that was abandoned before the skin, or of which nothing is known
-/// because the program died: neither says what its trainee can do.
+/// Whether an attempt is one to judge: one that was completed, and one that was abandoned, by the trainee or since its
+/// recording broke off. One that is open or voided is not, nor one that was abandoned before the skin (its metric
+/// "passes" is 0): nothing was tried. Where a recording broke off and nothing was measured, it counts: whoever ends the
+/// program would else choose which attempts count; an instructor voids it where the device was to blame.
 bool counts(const AttemptFacts& attempt);
 
 /// Whether an attempt reached its aim. One that was abandoned never did: older programs may have kept it as a success.

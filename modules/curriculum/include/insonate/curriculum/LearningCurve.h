@@ -16,12 +16,13 @@ struct LearningCurve {
   };
 
   Shape shape = Shape::Power;
-  Estimate plateau{};              ///< where practice leads
-  Estimate gain{};                 ///< how far the first attempt is from it; positive where values fall
-  double rate = 0;                 ///< per attempt, or the power; above 0
-  double residual = 0;             ///< standard deviation about the curve
-  int attempts = 0;                ///< it was fitted to
-  std::array<double, 9> spread{};  ///< covariance of plateau, gain and rate, row by row
+  Estimate plateau{};                        ///< where practice leads
+  Estimate gain{};                           ///< how far the first attempt is from it; positive where values fall
+  double rate = 0;                           ///< per attempt, or the power; above 0
+  double residual = 0;                       ///< standard deviation about the curve
+  int attempts = 0;                          ///< it was fitted to
+  Interval range = rangeOf(ValueKind::Any);  ///< of the metric; curve, plateau's interval and band stay within it
+  std::array<double, 9> spread{};            ///< covariance of plateau, gain and rate, row by row
 
   /// From the first attempt on.
   double at(double attempt) const;
@@ -29,11 +30,14 @@ struct LearningCurve {
   Interval bandAt(double attempt, double confidence = 0.95) const;
 };
 
-/// The curve with the least squares. None where it cannot be told apart from no learning or from learning without end:
-/// fewer than 6 values, one not finite, a rate at the edge of what so many attempts can show, or squares that an F test
-/// at 5 % does not tell from those about the mean.
-std::optional<LearningCurve> fitLearningCurve(LearningCurve::Shape shape, std::span<const double> values);
+/// The curve with the least squares through the values of attempts 1, 2, 3 and so on; an attempt without a value keeps
+/// its number. None where it cannot be told apart from no learning or from learning without end: fewer than 6 values,
+/// one not finite, a rate at the edge of what so many attempts can show, squares that an F test at 5 % does not tell
+/// from those about the mean, or a plateau outside of the kind's range, which nobody can reach.
+std::optional<LearningCurve> fitLearningCurve(LearningCurve::Shape shape, std::span<const std::optional<double>> values,
+                                              ValueKind kind = ValueKind::Any);
 /// Of the two shapes the one that fits better.
-std::optional<LearningCurve> fitLearningCurve(std::span<const double> values);
+std::optional<LearningCurve> fitLearningCurve(std::span<const std::optional<double>> values,
+                                              ValueKind kind = ValueKind::Any);
 
 }  // namespace insonate

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <insonate/curriculum/Statistics.h>
+
 #include <optional>
 #include <string>
 
@@ -15,6 +17,7 @@ struct MetricMeaning {
   std::string unit{};   ///< "", "s", "mm", "%"
   Better better = Better::Neither;
   std::optional<double> novice{}, expert{};  ///< what people reach, in `unit`; the expert's is the better one
+  ValueKind kind = ValueKind::Any;
 
   /// How far a value has come from the novice's to the expert's, 0 to 100 and no further; none where a norm is missing.
   std::optional<double> share(double value) const;

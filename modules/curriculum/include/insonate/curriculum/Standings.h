@@ -35,7 +35,7 @@ struct Standing {
 
 /// The rules that a Standing follows, as a number: raised with each change of what standingOf() tells of the same
 /// history, so that what was kept by an older program is worked out anew.
-inline constexpr int kStandingRules = 1;
+inline constexpr int kStandingRules = 2;
 
 /// Someone's progress as a class list shows it: the first level in the curriculum's order that is open or lapsed.
 /// `progress` is progressOf() of the history at `now_us`; `changes` is Member::changes, asked before the history.

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 /// Numbers of people and classes. Where there is nothing to tell there is no value ("n/a"): too few values, or one that
@@ -15,10 +16,36 @@ struct Interval {
 struct Estimate {
   double value = 0;
   std::optional<Interval> interval{};  ///< of confidence
+  /// Where there are several ways to an interval, which it was, or why there is none: "t", "Poisson", "Wilson",
+  /// "bootstrap", "fewer than 5 values", "all values alike".
+  std::string_view basis{};
 };
 
-/// Mean with the t interval mean +- t s / sqrt(n); without one for a single value.
-std::optional<Estimate> meanOf(std::span<const double> values, double confidence = 0.95);
+/// Which values a metric can have. Intervals and learning curves stay within them.
+enum class ValueKind {
+  Any,          ///< any number: a distance that is negative inside
+  NotNegative,  ///< a time, a distance, a force
+  Percent,      ///< 0 to 100
+  Count,        ///< a whole number from 0 on
+  YesNo,        ///< 0 or 1
+};
+/// With infinite ends where there is no limit.
+Interval rangeOf(ValueKind kind);
+
+inline constexpr std::size_t kFewestForInterval = 5;
+
+std::optional<double> meanValue(std::span<const double> values);
+
+/// Mean with an interval that lies within the kind's range:
+/// - counts: exact by Poisson's distribution of their sum (Garwood, Biometrika 1936, 28:437), from one value on
+/// - yes and no: Wilson's, as proportion()
+/// - others: mean +- t s / sqrt(n), from 10 values on without ties, where it stays in the range;
+///   else the bootstrap's percentiles, widened for few values (Hesterberg, Am Stat 2015, 69:371, "expanded
+///   percentile"), of 10 000 samples that are the same for the same values. None for fewer than kFewestForInterval:
+///   even from the least to the greatest of 4 values it holds the median in 87.5 % only. None where all are alike.
+/// Counts that are not whole, and shares between yes and no, are means of such values and belong to the others.
+std::optional<Estimate> meanOf(std::span<const double> values, ValueKind kind, double confidence = 0.95);
+
 /// With n - 1; none for fewer than two.
 std::optional<double> standardDeviation(std::span<const double> values);
 
@@ -30,7 +57,8 @@ std::optional<double> median(std::span<const double> values);
 /// A proportion with Wilson's score interval (J Am Stat Assoc 1927, 22:209).
 std::optional<Estimate> proportion(int successes, int trials, double confidence = 0.95);
 
-/// Of the last `window` values up to each; none where one of them is missing or there are not yet as many.
+/// After each value the mean of those that are there among the last `window`, fewer at the beginning; none where the
+/// value itself is missing. The last one is thus the mean of the last attempts, as a class list shows it.
 std::vector<std::optional<double>> movingMean(std::span<const std::optional<double>> values, int window);
 
 /// Box plot after Tukey: quartiles (type 7), whiskers to the last value within 1.5 interquartile ranges of the box, the
