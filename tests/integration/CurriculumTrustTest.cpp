@@ -24,5 +24,17 @@ TEST_F(CurriculumTrust, ASessionsScriptPassesNoLevel) {
   EXPECT_TRUE(told("attempts list --as alice")["attempts"].empty());
 }
 
+TEST_F(CurriculumTrust, ARecordingPassesForOnePersonOnce) {
+  makeClass();
+  EXPECT_EQ(told("attempts add " + record("mine", Ending::InVein, 2) + " --level first --as alice")["passed"], true);
+  std::filesystem::copy_file(folder / "mine", folder / "copied");
+  EXPECT_THAT(refused("attempts add " + path("copied") + " --level first --as bob"),
+              HasSubstr("was added already, on"));
+  const std::string dated = record("dated", Ending::InVein, 2, utc(-60));
+  for (const std::string who : {"alice", "bob"})
+    EXPECT_THAT(refused("attempts add " + dated + " --level first --as " + who), HasSubstr("was added already, on"));
+  EXPECT_TRUE(told("attempts list --as bob")["attempts"].empty());
+}
+
 }  // namespace
 }  // namespace insonate::test

@@ -57,12 +57,8 @@ Result<Classes> makeClasses(const CurriculumStore& store, const SignedIn& admini
 
 Result<void> practise(const SignedIn& trainee, const std::vector<AttemptFacts>& attempts) {
   const AttemptStore store(trainee);
-  for (AttemptFacts facts : attempts) {
-    const auto id = store.begin(facts);
-    if (!id) return tl::unexpected(id.error());
-    facts.id = *id;
-    if (auto ended = store.end(facts); !ended) return ended;
-  }
+  for (const AttemptFacts& facts : attempts)
+    if (const auto added = store.add(facts); !added) return tl::unexpected(added.error());
   return {};
 }
 

@@ -11,6 +11,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 class StoreAttempts : public OnBoth {};
 INSONATE_ON_BOTH(StoreAttempts);
@@ -181,6 +182,30 @@ TEST_P(StoreAttempts, MetricsAreReadAsTheyWereWrittenAndOtherTextsAsNone) {
   for (const char* text : {"", "{}", "7", "[", "[1]", "[[]]", "[[\"a\",1]]", "[[\"a\",1,2,3]]", "[[\"a\",\"b\",1]]",
                            "[[1,1,1]]", "[[\"a\",1,[2]]]", "[[\"a\",1,true]]", "[[\"a\",1,2]", "[[\"a\",1,2]] x"})
     EXPECT_THAT(store::metricsOf(text), IsEmpty()) << text;
+}
+
+TEST_P(StoreAttempts, ARecordingCountsOnce) {
+  const CurriculumStore store = rig->open();
+  const School school(store);
+  AttemptFacts first = endedFacts(begunFacts());
+  first.handsHash = std::string(64, 'd');
+  const AttemptStore anna(school.as(school.anna)), ben(school.as(school.ben));
+  valueOf(anna.add(first));
+  EXPECT_EQ(valueOf(anna.add(first)), first.id) << "the same once more is no error";
+  EXPECT_EQ(valueOf(anna.attempt(first.id)).facts.handsHash, first.handsHash);
+
+  AttemptFacts other = first;  // the header was rewritten: another file, of another day
+  other.id = freshUuid(), other.begun_us -= kSecond_us, other.recordingHash = std::string(64, 'e');
+  for (const AttemptStore& who : {anna, ben}) {
+    const std::string why = refusalOf(who.add(other));
+    EXPECT_THAT(why, HasSubstr("This recording was added already, on 2026-11-22"));
+    EXPECT_THAT(why, Not(HasSubstr("anna"))) << "when it was added, not whose it is";
+  }
+  EXPECT_TRUE(valueOf(ben.page(school.ben.id, 10)).empty()) << "nothing half-written";
+
+  const AttemptFacts old = keepAttempt(school.as(school.anna));  // by an earlier program: the hash of the file alone
+  other.handsHash = std::string(64, 'f'), other.recordingHash = old.recordingHash;
+  EXPECT_THAT(refusalOf(ben.add(other)), HasSubstr("was added already, as an attempt of 2026-11-22"));
 }
 
 }  // namespace
