@@ -36,5 +36,16 @@ TEST_F(CurriculumTrust, ARecordingPassesForOnePersonOnce) {
   EXPECT_TRUE(told("attempts list --as bob")["attempts"].empty());
 }
 
+TEST_F(CurriculumTrust, ADateThatCannotBeIsRefused) {
+  makeClass();
+  const std::string before = record("before", Ending::InVein, 1, "2026-01-02T03:04:05Z");
+  EXPECT_THAT(refused("attempts add " + before + " --level first --as alice"), HasSubstr("level was published later"));
+  const std::string future = record("future", Ending::InVein, 2, utc(86'400));
+  EXPECT_THAT(refused("attempts add " + future + " --level first --as alice"), HasSubstr("lies in the future"));
+  EXPECT_THAT(refused("attempts add " + future + " --as alice"), HasSubstr("lies in the future"));
+  EXPECT_TRUE(told("attempts list --as alice")["attempts"].empty());
+  told("attempts add " + before + " --as alice");
+}
+
 }  // namespace
 }  // namespace insonate::test

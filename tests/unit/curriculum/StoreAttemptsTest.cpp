@@ -2,6 +2,7 @@
 #include "store/MetricsText.h"
 
 #include <insonate/curriculum/AuditLog.h>
+#include <insonate/curriculum/PublishedCurricula.h>
 
 #include <cmath>
 #include <limits>
@@ -206,6 +207,31 @@ TEST_P(StoreAttempts, ARecordingCountsOnce) {
   const AttemptFacts old = keepAttempt(school.as(school.anna));  // by an earlier program: the hash of the file alone
   other.handsHash = std::string(64, 'f'), other.recordingHash = old.recordingHash;
   EXPECT_THAT(refusalOf(ben.add(other)), HasSubstr("was added already, as an attempt of 2026-11-22"));
+}
+
+TEST_P(StoreAttempts, DatesThatCannotBeAreRefused) {
+  const School school(rig->open());
+  valueOf(PublishedCurricula(school.admin).publish("central_line", 2, curriculumOf(2)));
+  const AttemptStore anna(school.as(school.anna));
+  const auto at = [](std::int64_t begun_us) {
+    AttemptFacts facts = endedFacts(begunFacts());
+    facts.begun_us = begun_us;
+    return facts;
+  };
+  const std::int64_t now_us = rig->now_us, minutes_us = 60 * kSecond_us;
+  EXPECT_THAT(refusalOf(anna.begin(at(now_us + 11 * minutes_us))), HasSubstr("lies in the future"));
+  EXPECT_THAT(refusalOf(anna.begin(at(now_us - 11 * minutes_us))),
+              HasSubstr("dated 2026-11-21, and its level was published later, on 2026-11-22"));
+  AttemptFacts practice = at(now_us - 11 * minutes_us);
+  practice.curriculum.clear(), practice.level.clear(), practice.curriculumVersion = 0;
+  valueOf(anna.add(practice));
+  valueOf(anna.begin(at(now_us - 9 * minutes_us)));
+  AttemptFacts tooLong = at(now_us);
+  valueOf(anna.begin(tooLong));
+  tooLong.length_us = 11 * minutes_us;
+  EXPECT_THAT(refusalOf(anna.end(tooLong)), HasSubstr("lies in the future"));
+  rig->pass(11 * minutes_us);
+  succeed(anna.end(tooLong));
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include "store/AttemptDates.h"
 #include "store/AttemptRows.h"
 #include "store/CrashedAttempts.h"
 #include "store/Hands.h"
@@ -29,6 +30,7 @@ Result<std::string> beginAttempt(Transaction& transaction, const Core& core, con
     if (!store::sameBeginning(kept->facts, facts)) return otherwiseBegun(facts.id);
     return facts.id;
   }
+  if (auto ok = store::refuseImpossibleDates(transaction, facts, core.now_us()); !ok) return tl::unexpected(ok.error());
   store::keepRun(transaction, core);
   store::insertAttempt(transaction, facts, core.run());
   store::putIntoOutbox(transaction, core, "attempt", facts.id);
@@ -46,6 +48,7 @@ Result<void> endKept(Transaction& transaction, const Core& core, const AttemptFa
     if (store::sameEnd(kept->facts, facts)) return {};
     return fail("The attempt " + facts.id + " has ended already, and otherwise; an attempt does not change.");
   }
+  if (auto ok = store::refuseImpossibleDates(transaction, facts, core.now_us()); !ok) return ok;
   if (auto ok = store::refuseKnownHands(transaction, facts); !ok) return ok;
   store::endAttempt(transaction, facts, false);
   store::keepHands(transaction, facts, core.now_us());

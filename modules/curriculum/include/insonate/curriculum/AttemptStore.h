@@ -29,7 +29,8 @@ class AttemptStore {
   explicit AttemptStore(SignedIn by) : by_(std::move(by)) {}
 
   /// Writes down that one has begun: of facts up to `begun_us`; person and workstation are those of the session, a
-  /// missing id is made. Gives the id. The same facts once more are no error.
+  /// missing id is made. Gives the id. The same facts once more are no error. Refused where it begins in the future, or
+  /// before its curriculum was published; clocks may differ by ten minutes.
   Result<std::string> begin(const AttemptFacts& facts) const;
   /// Completed or Abandoned, with what was measured; values must be finite. The same facts once more are no error, and
   /// an attempt that was told abandoned after a crash takes its real end later. By who began it. Refused where another
