@@ -1,5 +1,6 @@
 #include "store/AttemptDates.h"
 #include "store/AttemptRows.h"
+#include "store/AuditChain.h"
 #include "store/CrashedAttempts.h"
 #include "store/Hands.h"
 #include "store/Outbox.h"
@@ -34,6 +35,8 @@ Result<std::string> beginAttempt(Transaction& transaction, const Core& core, con
   store::keepRun(transaction, core);
   store::insertAttempt(transaction, facts, core.run());
   store::putIntoOutbox(transaction, core, "attempt", facts.id);
+  core.audit(transaction, facts.person, "begin attempt", facts.person,
+             facts.id + (facts.level.empty() ? ", free practice" : " at level " + store::forLog(facts.level)));
   return facts.id;
 }
 
@@ -54,6 +57,8 @@ Result<void> endKept(Transaction& transaction, const Core& core, const AttemptFa
   store::keepHands(transaction, facts, core.now_us());
   store::renewStandings(transaction, facts.person, core.now_us());
   store::putIntoOutbox(transaction, core, "attempt", facts.id);
+  core.audit(transaction, facts.person, "end attempt", facts.person,
+             facts.id + (facts.recordingHash.empty() ? ", without a recording" : ", recording " + facts.recordingHash));
   return {};
 }
 

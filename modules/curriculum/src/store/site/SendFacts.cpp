@@ -111,12 +111,15 @@ void mergePassword(Transaction& server, const Item& item) {
              item.password, item.mustChange, item.version, item.id, item.version);
 }
 
-Result<void> mergeItem(Transaction& server, const Item& item, std::int64_t now_us, UploadReport& report) {
+Result<void> mergeItem(Transaction& transaction, const Core& server, const Item& item, UploadReport& report) {
   if (item.attempt)
-    if (auto merged = mergeAttempt(server, *item.attempt, now_us); !merged) return merged;
+    if (auto merged = mergeAttempt(transaction, *item.attempt, server.now_us()); !merged) return merged;
+  if (item.kind == "attempt" && item.attempt)
+    server.audit(transaction, "", "receive attempt", item.attempt->ended.person,
+                 item.attempt->ended.id + " of " + forLog(item.attempt->ended.workstation));
   if (item.form)
-    if (auto kept = keepForm(server, *item.form); !kept) return tl::unexpected(kept.error());
-  if (item.kind == "password") mergePassword(server, item);
+    if (auto kept = keepForm(transaction, *item.form); !kept) return tl::unexpected(kept.error());
+  if (item.kind == "password") mergePassword(transaction, item);
   report.attempts += item.kind == "attempt";
   report.forms += item.kind == "form";
   return {};
@@ -130,7 +133,7 @@ Result<std::vector<std::int64_t>> giveBatch(Core& here, Core& server, const Batc
     std::set<std::string> people;
     for (const Item& item : batch.items) {
       if (item.kind == "attempt" && item.attempt) people.insert(item.attempt->ended.person);
-      if (auto merged = mergeItem(transaction, item, server.now_us(), counted); merged)
+      if (auto merged = mergeItem(transaction, server, item, counted); merged)
         numbers.push_back(item.number);
       else
         counted.troubles.push_back(merged.error().message);
