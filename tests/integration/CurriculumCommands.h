@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <ctime>
 #include <fstream>
 #include <string>
 #include <thread>
@@ -77,15 +78,24 @@ class CurriculumCommands : public testing::Test {
     add("bob", "--class 'Year 1'");
   }
 
+  /// Now, or so many seconds later, as a recording's header tells it.
+  static std::string utc(int later_s) {
+    const std::time_t time = std::time(nullptr) + later_s;
+    std::tm parts{};
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", ::gmtime_r(&time, &parts));
+    return text;
+  }
+
   enum class Ending { InVein, InArtery };
   /// A new recording, which differs from others by how long it lasts.
-  std::string record(const std::string& name, Ending ending, double seconds) const {
+  std::string record(const std::string& name, Ending ending, double seconds, const std::string& begun = utc(0)) const {
     ScriptedAttempt attempt;
     attempt.aspirating = true;
     if (ending == Ending::InArtery) attempt.walls = {{kArtery, 20, 30}};
     attempt.needleTo(25), attempt.hold(seconds);
     AttemptHeader header;
-    header.software = "insonate 0.1.0", header.begun = "2026-01-02T03:04:05Z";
+    header.software = "insonate 0.1.0", header.begun = begun;
     header.procedure = "internal_jugular", header.procedureVersion = 1;
     header.caseName = "Textbook neck", header.caseHash = "c0ffee", header.picture = ScriptedAttempt::picture();
     const auto recorder = AttemptRecorder::start(folder / name, header);

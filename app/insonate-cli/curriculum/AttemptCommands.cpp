@@ -75,12 +75,6 @@ std::string idOf(const AttemptFacts& facts, const Person& person) {
       .toStdString();
 }
 
-Result<void> keep(const SignedIn& by, const AttemptFacts& facts) {
-  const AttemptStore attempts(by);
-  if (auto begun = attempts.begin(facts); !begun) return tl::unexpected(begun.error());
-  return attempts.end(facts);
-}
-
 Result<Answer> addToLevel(const SignedIn& by, AttemptFacts facts, const AddArguments& a) {
   const auto curriculum = curriculumFor(by, a);
   if (!curriculum) return tl::unexpected(curriculum.error());
@@ -89,7 +83,7 @@ Result<Answer> addToLevel(const SignedIn& by, AttemptFacts facts, const AddArgum
     return fail(a.recording + " is an attempt at '" + facts.procedure + "', and level '" + level.name + "' asks for '" +
                 level.procedure + "'; choose another level or recording.");
   facts.curriculum = curriculum->name, facts.curriculumVersion = curriculum->version, facts.level = level.name;
-  if (auto kept = keep(by, facts); !kept) return tl::unexpected(kept.error());
+  if (auto kept = AttemptStore(by).add(facts); !kept) return tl::unexpected(kept.error());
   const auto path = levelPath(by, *curriculum, by.person().id);
   if (!path) return tl::unexpected(path.error());
   const LevelProgress& progress = *std::ranges::find(*path, level.name, &LevelProgress::level);
@@ -113,7 +107,7 @@ Result<Answer> add(const SignedIn& by, const AddArguments& a) {
   facts->id = idOf(*facts, by.person());
   facts->person = by.person().id;
   if (!a.level.empty()) return addToLevel(by, std::move(*facts), a);
-  if (auto kept = keep(by, *facts); !kept) return tl::unexpected(kept.error());
+  if (auto kept = AttemptStore(by).add(*facts); !kept) return tl::unexpected(kept.error());
   return Answer{{{"attempt", factsJson(*facts)}, {"passed", nullptr}, {"level", nullptr}},
                 "Kept as free practice, attempt " + facts->id};
 }

@@ -1,3 +1,5 @@
+#include "HandsHash.h"
+
 #include <insonate/procedure/AttemptRecording.h>
 #include <insonate/teaching/AttemptFactsOf.h>
 
@@ -94,6 +96,9 @@ Result<void> addRecording(AttemptFacts& facts, const std::filesystem::path& file
   if (!hash) return tl::unexpected(hash.error());
   facts.recording = file.filename().string();
   facts.recordingHash = std::move(*hash);
+  const auto recording = AttemptRecording::open(file);
+  const auto hands = recording ? handsHash(*recording) : Result<std::string>(tl::unexpected(recording.error()));
+  facts.handsHash = hands.value_or("");  // the file of a damaged recording is still kept
   return {};
 }
 

@@ -34,20 +34,14 @@ Result<SignedIn> enrol(const CurriculumStore& store, const SignedIn& administrat
   return by;
 }
 
-Result<Classes> makeClasses(const CurriculumStore& store, const SignedIn& administrator, const Curriculum& curriculum,
-                            const std::string& password) {
+Result<Classes> makeClasses(const CurriculumStore& store, const SignedIn& administrator, const std::string& password) {
   const auto teacher = enrol(store, administrator, {kMadeUpTeacher, "Made-up teacher", "", Role::Instructor}, password);
   if (!teacher) return tl::unexpected(teacher.error());
-  const auto published =
-      PublishedCurricula(administrator).publish(curriculum.name, curriculum.version, curriculumText(curriculum));
-  if (!published) return tl::unexpected(published.error());
   const CohortStore cohorts(administrator);
   std::vector<std::string> ids;
   for (const char* name : {kMadeUpClass, kMadeUpHalf}) {
     const auto cohort = cohorts.add(name);
     if (!cohort) return tl::unexpected(cohort.error());
-    if (auto set = cohorts.setCurriculum(cohort->id, curriculum.name, curriculum.version); !set)
-      return tl::unexpected(set.error());
     if (auto joined = cohorts.join(cohort->id, teacher->person().id, true); !joined)
       return tl::unexpected(joined.error());
     ids.push_back(cohort->id);
@@ -55,14 +49,20 @@ Result<Classes> makeClasses(const CurriculumStore& store, const SignedIn& admini
   return Classes{ids[0], ids[1]};
 }
 
+Result<void> teach(const SignedIn& administrator, const Curriculum& curriculum, const Classes& classes) {
+  const auto published =
+      PublishedCurricula(administrator).publish(curriculum.name, curriculum.version, curriculumText(curriculum));
+  if (!published) return tl::unexpected(published.error());
+  for (const std::string& cohort : {classes.all, classes.half})
+    if (auto set = CohortStore(administrator).setCurriculum(cohort, curriculum.name, curriculum.version); !set)
+      return set;
+  return {};
+}
+
 Result<void> practise(const SignedIn& trainee, const std::vector<AttemptFacts>& attempts) {
   const AttemptStore store(trainee);
-  for (AttemptFacts facts : attempts) {
-    const auto id = store.begin(facts);
-    if (!id) return tl::unexpected(id.error());
-    facts.id = *id;
-    if (auto ended = store.end(facts); !ended) return ended;
-  }
+  for (const AttemptFacts& facts : attempts)
+    if (const auto added = store.add(facts); !added) return tl::unexpected(added.error());
   return {};
 }
 
@@ -73,7 +73,7 @@ Result<void> makeUpClass(const CurriculumStore& store, const Curriculum& curricu
   const auto administrator = store.createFirstAdministrator(
       {kMadeUpAdministrator, "Made-up administrator", "", Role::Administrator}, password);
   if (!administrator) return tl::unexpected(administrator.error());
-  const auto classes = makeClasses(store, *administrator, curriculum, password);
+  const auto classes = makeClasses(store, *administrator, password);
   if (!classes) return tl::unexpected(classes.error());
   for (int i = 0; i < plan.trainees; ++i) {
     if (!report(progress, "Making up trainees", static_cast<double>(i) / plan.trainees))
@@ -90,6 +90,9 @@ Result<void> makeUpClass(const CurriculumStore& store, const Curriculum& curricu
       if (cohort == classes->all || 2 * i >= plan.trainees)
         if (auto joined = CohortStore(*administrator).join(cohort, trainee->person().id, false); !joined) return joined;
   }
+  // Last, since the store refuses attempts at a level from before it was published, and the made-up ones lie in the
+  // past.
+  if (auto taught = teach(*administrator, curriculum, *classes); !taught) return taught;
   report(progress, "Making up trainees", 1);
   return {};
 }

@@ -23,7 +23,7 @@ AttemptFacts facts(const std::string& id, std::int64_t begun_us) {
   made.state = AttemptState::Completed, made.succeeded = true, made.criticalErrors = 3;
   made.points = 0.1;
   made.metrics = {{"passes", 1, 2.0}, {"time_to_access_s", 4, std::nullopt}, {"path", 1, 1.0 / 3}};
-  made.recording = "2026-11-22 1.attempt", made.recordingHash = "abcd";
+  made.recording = "2026-11-22 1.attempt", made.recordingHash = "abcd", made.handsHash = "ef01";
   return made;
 }
 

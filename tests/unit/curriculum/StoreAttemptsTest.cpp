@@ -2,6 +2,7 @@
 #include "store/MetricsText.h"
 
 #include <insonate/curriculum/AuditLog.h>
+#include <insonate/curriculum/PublishedCurricula.h>
 
 #include <cmath>
 #include <limits>
@@ -11,6 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 class StoreAttempts : public OnBoth {};
 INSONATE_ON_BOTH(StoreAttempts);
@@ -181,6 +183,55 @@ TEST_P(StoreAttempts, MetricsAreReadAsTheyWereWrittenAndOtherTextsAsNone) {
   for (const char* text : {"", "{}", "7", "[", "[1]", "[[]]", "[[\"a\",1]]", "[[\"a\",1,2,3]]", "[[\"a\",\"b\",1]]",
                            "[[1,1,1]]", "[[\"a\",1,[2]]]", "[[\"a\",1,true]]", "[[\"a\",1,2]", "[[\"a\",1,2]] x"})
     EXPECT_THAT(store::metricsOf(text), IsEmpty()) << text;
+}
+
+TEST_P(StoreAttempts, ARecordingCountsOnce) {
+  const CurriculumStore store = rig->open();
+  const School school(store);
+  AttemptFacts first = endedFacts(begunFacts());
+  first.handsHash = std::string(64, 'd');
+  const AttemptStore anna(school.as(school.anna)), ben(school.as(school.ben));
+  valueOf(anna.add(first));
+  EXPECT_EQ(valueOf(anna.add(first)), first.id) << "the same once more is no error";
+  EXPECT_EQ(valueOf(anna.attempt(first.id)).facts.handsHash, first.handsHash);
+
+  AttemptFacts other = first;  // the header was rewritten: another file, of another day
+  other.id = freshUuid(), other.begun_us -= kSecond_us, other.recordingHash = std::string(64, 'e');
+  for (const AttemptStore& who : {anna, ben}) {
+    const std::string why = refusalOf(who.add(other));
+    EXPECT_THAT(why, HasSubstr("This recording was added already, on 2026-11-22"));
+    EXPECT_THAT(why, Not(HasSubstr("anna"))) << "when it was added, not whose it is";
+  }
+  EXPECT_TRUE(valueOf(ben.page(school.ben.id, 10)).empty()) << "nothing half-written";
+
+  const AttemptFacts old = keepAttempt(school.as(school.anna));  // by an earlier program: the hash of the file alone
+  other.handsHash = std::string(64, 'f'), other.recordingHash = old.recordingHash;
+  EXPECT_THAT(refusalOf(ben.add(other)), HasSubstr("was added already, as an attempt of 2026-11-22"));
+}
+
+TEST_P(StoreAttempts, DatesThatCannotBeAreRefused) {
+  const School school(rig->open());
+  valueOf(PublishedCurricula(school.admin).publish("central_line", 2, curriculumOf(2)));
+  const AttemptStore anna(school.as(school.anna));
+  const auto at = [](std::int64_t begun_us) {
+    AttemptFacts facts = endedFacts(begunFacts());
+    facts.begun_us = begun_us;
+    return facts;
+  };
+  const std::int64_t now_us = rig->now_us, minutes_us = 60 * kSecond_us;
+  EXPECT_THAT(refusalOf(anna.begin(at(now_us + 11 * minutes_us))), HasSubstr("lies in the future"));
+  EXPECT_THAT(refusalOf(anna.begin(at(now_us - 11 * minutes_us))),
+              HasSubstr("dated 2026-11-21, and its level was published later, on 2026-11-22"));
+  AttemptFacts practice = at(now_us - 11 * minutes_us);
+  practice.curriculum.clear(), practice.level.clear(), practice.curriculumVersion = 0;
+  valueOf(anna.add(practice));
+  valueOf(anna.begin(at(now_us - 9 * minutes_us)));
+  AttemptFacts tooLong = at(now_us);
+  valueOf(anna.begin(tooLong));
+  tooLong.length_us = 11 * minutes_us;
+  EXPECT_THAT(refusalOf(anna.end(tooLong)), HasSubstr("lies in the future"));
+  rig->pass(11 * minutes_us);
+  succeed(anna.end(tooLong));
 }
 
 }  // namespace

@@ -97,6 +97,23 @@ TEST_P(StoreAudit, FactsAreNeitherChangedNorDeletedByWhoeverAsks) {
   EXPECT_TRUE(StoreUpkeep(school.admin).verify());
 }
 
+TEST_P(StoreAudit, EachAttemptThatArrivesIsAnEntry) {
+  const School school(rig->open());
+  const AttemptFacts facts = endedFacts(begunFacts());
+  valueOf(AttemptStore(school.as(school.anna)).add(facts));
+  valueOf(AttemptStore(school.as(school.anna)).add(facts));
+  std::vector<std::string> acts;
+  for (const AuditEntry& entry : valueOf(AuditLog(school.admin).page(100, 0, school.anna.id)))
+    if (entry.detail.starts_with(facts.id)) {
+      EXPECT_EQ(entry.actor, school.anna.id);
+      acts.push_back(entry.act + entry.detail.substr(facts.id.size()));
+    }
+  EXPECT_THAT(acts,
+              ::testing::ElementsAre("end attempt, recording " + facts.recordingHash, "begin attempt at level first"))
+      << "the same once more is no arrival";
+  EXPECT_TRUE(AuditLog(school.admin).verify());
+}
+
 TEST_P(StoreAudit, VoidingChangesNothingElseAndHappensOnce) {
   const School school(rig->open());
   keepAttempt(school.as(school.anna));

@@ -119,6 +119,35 @@ TEST_F(AttemptFactsOfTest, TheHashIsThatOfTheFile) {
   EXPECT_THAT(addRecording(facts, folder / "none").error().message, HasSubstr("cannot be read"));
 }
 
+/// Another date and case in the header make another file of the same hands.
+TEST_F(AttemptFactsOfTest, TheHashOfTheHandsStaysWhateverTheHeaderSays) {
+  test::ScriptedAttempt attempt;
+  attempt.aspirating = true;
+  attempt.needleTo(25), attempt.hold(2);
+  record(attempt, AttemptStatus::Completed);
+  const AttemptFacts first = *factsOfRecording(file);
+  std::filesystem::remove(file);
+  AttemptHeader rewritten = header();
+  rewritten.begun = "2026-02-03T04:05:06Z", rewritten.caseName = "another neck", rewritten.caseHash = "beef";
+  record(attempt, AttemptStatus::Completed, rewritten);
+  const AttemptFacts second = *factsOfRecording(file);
+  EXPECT_EQ(first.handsHash.size(), 64u);
+  EXPECT_NE(first.recordingHash, second.recordingHash);
+  EXPECT_EQ(first.handsHash, second.handsHash);
+
+  std::filesystem::remove(file);
+  attempt.hold(0.5);
+  record(attempt, AttemptStatus::Completed);
+  EXPECT_NE(factsOfRecording(file)->handsHash, first.handsHash);
+}
+
+TEST_F(AttemptFactsOfTest, HandsThatDidNothingHaveNoHash) {
+  test::ScriptedAttempt attempt;
+  attempt.hold(1);
+  record(attempt, AttemptStatus::Abandoned);
+  EXPECT_EQ(factsOfRecording(file)->handsHash, "");
+}
+
 TEST_F(AttemptFactsOfTest, TheRulesThatScoredItAreNamed) {
   test::ScriptedAttempt attempt;
   attempt.needleTo(25);

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <thread>
 
@@ -123,12 +124,19 @@ class MadeUpRecordings : public testing::Test {
  protected:
   void SetUp() override { ASSERT_TRUE(makeUpClass(store, curriculum, {.trainees = 2, .attempts = 6}, kPassword)); }
 
+  static std::string now() {
+    const std::time_t time = std::time(nullptr);
+    std::tm parts{};
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", ::gmtime_r(&time, &parts));
+    return text;
+  }
   std::filesystem::path record(const std::string& procedure) const {
     test::ScriptedAttempt attempt;
     attempt.aspirating = true;
     attempt.needleTo(25), attempt.hold(2);
     AttemptHeader header;
-    header.software = "insonate 0.1.0", header.begun = "2026-01-02T03:04:05Z";
+    header.software = "insonate 0.1.0", header.begun = now();
     header.procedure = procedure, header.procedureVersion = 1;
     header.caseName = "neck", header.caseHash = "c0ffee", header.picture = test::ScriptedAttempt::picture();
     const std::filesystem::path file = folder / (procedure + ".attempt");

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostMetrics = 500;
 
-bool isSha256(const std::string& text) {
+bool isHash(const std::string& text) {
   return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
@@ -55,8 +55,10 @@ Result<void> checkEnded(const AttemptFacts& facts) {
   if (auto ok = checkText("The name of the attempt's recording", facts.recording); !ok) return ok;
   if (facts.recording.find_first_of("/\\") != std::string::npos || facts.recording == "..")
     return fail("The attempt's recording '" + facts.recording + "' is no file name; leave out its folder.");
-  if (!facts.recordingHash.empty() && !isSha256(facts.recordingHash))
+  if (!facts.recordingHash.empty() && !isHash(facts.recordingHash))
     return fail("The hash of the attempt's recording is no SHA-256 in lower-case hexadecimal digits.");
+  if (!facts.handsHash.empty() && !isHash(facts.handsHash))
+    return fail("The hash of the attempt's hands has not 64 lower-case hexadecimal digits.");
   return checkMetrics(facts.metrics);
 }
 
@@ -71,7 +73,7 @@ bool sameBeginning(const AttemptFacts& a, const AttemptFacts& b) {
 bool sameEnd(const AttemptFacts& a, const AttemptFacts& b) {
   const auto end = [](const AttemptFacts& of) {
     return std::tie(of.length_us, of.state, of.succeeded, of.criticalErrors, of.points, of.metrics, of.recording,
-                    of.recordingHash);
+                    of.recordingHash, of.handsHash);
   };
   return end(a) == end(b);
 }

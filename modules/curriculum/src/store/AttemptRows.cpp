@@ -34,6 +34,7 @@ KeptAttempt keptOf(const Row& row) {
   kept.facts.workstation = row.text(19);
   kept.facts.recording = row.text(20);
   kept.facts.recordingHash = row.text(21);
+  kept.facts.handsHash = row.text(23);
   return kept;
 }
 

@@ -15,7 +15,8 @@ namespace insonate::store {
 #define INSONATE_ATTEMPT_COLUMNS                                                                                    \
   "arrival, id, person, curriculum, curriculum_version, level, procedure, procedure_version, case_name, begun_us, " \
   "state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us, case_hash, workstation, "     \
-  "recording, recording_hash, void_reason"
+  "recording, recording_hash, void_reason, "                                                                        \
+  "COALESCE((SELECT MIN(hash) FROM hands WHERE attempt = attempts.id), '')"
 /// The first of them, which history needs.
 #define INSONATE_HISTORY_COLUMNS                                                                                    \
   "arrival, id, person, curriculum, curriculum_version, level, procedure, procedure_version, case_name, begun_us, " \

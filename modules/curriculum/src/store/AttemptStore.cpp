@@ -1,5 +1,8 @@
+#include "store/AttemptDates.h"
 #include "store/AttemptRows.h"
+#include "store/AuditChain.h"
 #include "store/CrashedAttempts.h"
+#include "store/Hands.h"
 #include "store/Outbox.h"
 #include "store/Paging.h"
 #include "store/Session.h"
@@ -28,9 +31,12 @@ Result<std::string> beginAttempt(Transaction& transaction, const Core& core, con
     if (!store::sameBeginning(kept->facts, facts)) return otherwiseBegun(facts.id);
     return facts.id;
   }
+  if (auto ok = store::refuseImpossibleDates(transaction, facts, core.now_us()); !ok) return tl::unexpected(ok.error());
   store::keepRun(transaction, core);
   store::insertAttempt(transaction, facts, core.run());
   store::putIntoOutbox(transaction, core, "attempt", facts.id);
+  core.audit(transaction, facts.person, "begin attempt", facts.person,
+             facts.id + (facts.level.empty() ? ", free practice" : " at level " + store::forLog(facts.level)));
   return facts.id;
 }
 
@@ -45,9 +51,14 @@ Result<void> endKept(Transaction& transaction, const Core& core, const AttemptFa
     if (store::sameEnd(kept->facts, facts)) return {};
     return fail("The attempt " + facts.id + " has ended already, and otherwise; an attempt does not change.");
   }
+  if (auto ok = store::refuseImpossibleDates(transaction, facts, core.now_us()); !ok) return ok;
+  if (auto ok = store::refuseKnownHands(transaction, facts); !ok) return ok;
   store::endAttempt(transaction, facts, false);
+  store::keepHands(transaction, facts, core.now_us());
   store::renewStandings(transaction, facts.person, core.now_us());
   store::putIntoOutbox(transaction, core, "attempt", facts.id);
+  core.audit(transaction, facts.person, "end attempt", facts.person,
+             facts.id + (facts.recordingHash.empty() ? ", without a recording" : ", recording " + facts.recordingHash));
   return {};
 }
 
@@ -78,14 +89,19 @@ constexpr std::string_view kLastOfCohort =
     "FROM since JOIN attempts ON attempts.person = since.person AND arrival >= since.first "
     "WHERE state <> 'open' AND voided_us IS NULL ORDER BY attempts.person, arrival";
 
+/// As its beginning is kept: of who is signed in, on this workstation, with an id.
+AttemptFacts ownFacts(const SignedIn& by, AttemptFacts facts) {
+  facts.person = by.person().id;
+  facts.workstation = by.session()->core().workstation();
+  if (facts.id.empty()) facts.id = store::freshUuid();
+  return facts;
+}
+
 }  // namespace
 
 Result<std::string> AttemptStore::begin(const AttemptFacts& facts) const {
   Core& core = by_.session()->core();
-  AttemptFacts begun = facts;
-  begun.person = by_.person().id;
-  begun.workstation = core.workstation();
-  if (begun.id.empty()) begun.id = store::freshUuid();
+  const AttemptFacts begun = ownFacts(by_, facts);
   if (auto ok = store::checkBegun(begun); !ok) return tl::unexpected(ok.error());
   return by_.session()->write(
       {.act = Act::MakeAttempt, .person = begun.person},
@@ -99,6 +115,21 @@ Result<void> AttemptStore::end(const AttemptFacts& facts) const {
   return by_.session()->write(
       {.act = Act::MakeAttempt, .attempt = facts.id},
       [&](Transaction& transaction, const Actor&) { return endKept(transaction, by_.session()->core(), ended); });
+}
+
+Result<std::string> AttemptStore::add(const AttemptFacts& facts) const {
+  Core& core = by_.session()->core();
+  const AttemptFacts own = ownFacts(by_, facts);
+  if (auto ok = store::checkBegun(own); !ok) return tl::unexpected(ok.error());
+  if (auto ok = store::checkEnded(own); !ok) return tl::unexpected(ok.error());
+  return by_.session()->write({.act = Act::MakeAttempt, .person = own.person},
+                              [&](Transaction& transaction, const Actor&) -> Result<std::string> {
+                                auto begun = beginAttempt(transaction, core, own);
+                                if (!begun) return begun;
+                                if (auto ended = endKept(transaction, core, own); !ended)
+                                  return tl::unexpected(ended.error());
+                                return begun;
+                              });
 }
 
 Result<void> AttemptStore::voidAttempt(const std::string& attempt, const std::string& reason) const {

@@ -56,6 +56,7 @@ const std::vector<Table>& tables() {
        "SELECT arrival, id, person, curriculum, curriculum_version, level, procedure, procedure_version, case_name, "
        "case_hash, workstation, begun_us, state, crashed, length_us, succeeded, critical_errors, points, metrics, "
        "recording, recording_hash, voided_us, voided_by, void_reason FROM attempts ORDER BY arrival"},
+      {"hands", {"hash", "attempt", "since_us"}, "SELECT hash, attempt, since_us FROM hands ORDER BY hash"},
       {"forms",
        {"arrival", "id", "form", "form_version", "person", "attempt", "filled_by", "filled_us", "answers"},
        "SELECT arrival, id, form, form_version, person, attempt, filled_by, filled_us, answers FROM forms ORDER BY "

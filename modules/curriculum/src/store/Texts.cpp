@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <sodium.h>
 
+#include <QtCore/QDateTime>
 #include <QtCore/QString>
 #include <QtCore/QUuid>
 #include <QtCore/QVector>
@@ -124,6 +125,10 @@ std::string freshUuid() {
 bool isUuid(std::string_view text) {
   const QUuid uuid = QUuid::fromString(words(text));
   return !uuid.isNull() && uuid.toString(QUuid::WithoutBraces).toStdString() == text;
+}
+
+std::string dayOf(std::int64_t time_us) {
+  return QDateTime::fromMSecsSinceEpoch(time_us / 1000, Qt::UTC).toString(QStringLiteral("yyyy-MM-dd")).toStdString();
 }
 
 std::string sha256(std::string_view bytes) {

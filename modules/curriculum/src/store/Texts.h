@@ -2,6 +2,7 @@
 
 #include <insonate/core/Result.h>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -25,6 +26,8 @@ std::string nameKey(std::string_view name);
 
 std::string freshUuid();
 bool isUuid(std::string_view text);
+/// Of a time since 1970, UTC: "2026-11-22".
+std::string dayOf(std::int64_t time_us);
 /// Hexadecimal.
 std::string sha256(std::string_view bytes);
 

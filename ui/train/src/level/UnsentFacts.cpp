@@ -57,7 +57,8 @@ QJsonObject objectOf(const AttemptFacts& facts) {
           {"points", json(facts.points)},
           {"metrics", metrics},
           {"recording", json(facts.recording)},
-          {"recordingHash", json(facts.recordingHash)}};
+          {"recordingHash", json(facts.recordingHash)},
+          {"handsHash", json(facts.handsHash)}};
 }
 
 std::optional<AttemptFacts> factsOf(const QJsonObject& object) {
@@ -80,6 +81,7 @@ std::optional<AttemptFacts> factsOf(const QJsonObject& object) {
     facts.metrics.push_back({text(metric, "id"), metric["version"].toInt(), number(metric["value"])});
   }
   facts.recording = text(object, "recording"), facts.recordingHash = text(object, "recordingHash");
+  facts.handsHash = text(object, "handsHash");
   return facts;
 }
 

@@ -43,6 +43,9 @@ struct AttemptFacts {
   std::vector<MetricFact> metrics{};  ///< those that were defined then
   std::string recording{};            ///< file name within the workstation's recordings; "": there is none
   std::string recordingHash{};        ///< SHA-256 of the file, hexadecimal
+  /// BLAKE2b (256 bits, hexadecimal) of what the hands did, whatever the recording's header says of it; "": they did
+  /// nothing, or there is no recording, or an earlier program kept the attempt.
+  std::string handsHash{};
 
   bool operator==(const AttemptFacts&) const = default;
 };

@@ -29,19 +29,23 @@ class AttemptStore {
   explicit AttemptStore(SignedIn by) : by_(std::move(by)) {}
 
   /// Writes down that one has begun: of facts up to `begun_us`; person and workstation are those of the session, a
-  /// missing id is made. Gives the id. The same facts once more are no error.
+  /// missing id is made. Gives the id. The same facts once more are no error. Refused where it begins in the future, or
+  /// before its curriculum was published; clocks may differ by ten minutes.
   Result<std::string> begin(const AttemptFacts& facts) const;
   /// Completed or Abandoned, with what was measured; values must be finite. The same facts once more are no error, and
-  /// an attempt that was told abandoned after a crash takes its real end later. By who began it.
+  /// an attempt that was told abandoned after a crash takes its real end later. By who began it. Refused where another
+  /// attempt of the store, of whomever, has the same handsHash: a recording counts once.
   Result<void> end(const AttemptFacts& facts) const;
+  /// begin() and end() of an attempt that is over, or neither. Gives the id.
+  Result<std::string> add(const AttemptFacts& facts) const;
   /// Takes an ended attempt out of the count; instructors and administrators, not for their own.
   Result<void> voidAttempt(const std::string& attempt, const std::string& reason) const;
 
   Result<KeptAttempt> attempt(const std::string& id) const;
   /// Newest first, at most `count` (1..1000) that came before `before`; 0: the newest.
   Result<std::vector<KeptAttempt>> page(const std::string& person, int count, std::int64_t before = 0) const;
-  /// All of a person in the order of arrival, for unlocking and statistics. Without caseHash, workstation, recording
-  /// and recordingHash, which those do not need.
+  /// All of a person in the order of arrival, for unlocking and statistics. Without caseHash, workstation, recording,
+  /// recordingHash and handsHash, which those do not need.
   Result<std::vector<AttemptFacts>> history(const std::string& person) const;
   /// The last `count` attempts (1..1000) that count, so ended and not voided, of each who learns in a cohort; grouped
   /// by person, each in the order of arrival, as history() gives them.

@@ -1,6 +1,7 @@
 #include "store/AttemptRows.h"
 #include "store/AuditChain.h"
 #include "store/FormRows.h"
+#include "store/Hands.h"
 #include "store/StandingRows.h"
 #include "store/site/Up.h"
 
@@ -39,7 +40,7 @@ struct Batch {
 std::optional<SentAttempt> readAttempt(Transaction& here, const std::string& id) {
   const auto row = here.row("SELECT " INSONATE_ATTEMPT_COLUMNS ", voided_by FROM attempts WHERE id = ?", id);
   if (!row) return std::nullopt;
-  SentAttempt sent{.kept = keptOf(*row), .voided_us = row->time(17), .voidedBy = row->text(23)};
+  SentAttempt sent{.kept = keptOf(*row), .voided_us = row->time(17), .voidedBy = row->text(24)};
   sent.ended = sent.kept.facts;
   sent.ended.state = stateOfEnd(*row);
   return sent;
@@ -75,25 +76,33 @@ Result<Batch> readBatch(Core& here, std::int64_t after) {
 }
 
 /// The server's attempt takes what it lacks: its beginning, its end, its voiding. In any order and any number of times
-/// the same comes out. False: it is another attempt there.
-bool mergeAttempt(Transaction& server, const SentAttempt& sent) {
+/// the same comes out. Fails where it is another attempt there, and where its recording counts for another there.
+Result<void> mergeAttempt(Transaction& server, const SentAttempt& sent, std::int64_t now_us) {
   const AttemptFacts& facts = sent.ended;
+  const auto another = [&] {
+    return fail("The attempt " + facts.id + " is another one on the server and stays here; look at both.");
+  };
+  // Before anything is written: the others of the batch are kept all the same.
+  if (auto ok = refuseKnownHands(server, facts); !ok)
+    return fail("The attempt " + facts.id + " stays here. " + ok.error().message);
   auto there = readAttempt(server, facts.id);
   if (!there) {
     insertAttempt(server, facts, "");
     there = SentAttempt{.kept = {.facts = facts}, .ended = facts};
     there->ended.state = AttemptState::Open;
   }
-  if (!sameBeginning(there->ended, facts)) return false;
+  if (!sameBeginning(there->ended, facts)) return another();
   const bool awaitsEnd = there->ended.state == AttemptState::Open || (there->kept.crashed && !sent.kept.crashed);
-  if (facts.state != AttemptState::Open && awaitsEnd)
+  if (facts.state != AttemptState::Open && awaitsEnd) {
     endAttempt(server, facts, sent.kept.crashed);
-  else if (facts.state != AttemptState::Open && !sent.kept.crashed && !sameEnd(there->ended, facts))
-    return false;
+    keepHands(server, facts, now_us);
+  } else if (facts.state != AttemptState::Open && !sent.kept.crashed && !sameEnd(there->ended, facts)) {
+    return another();
+  }
   if (sent.voided_us && !there->voided_us)
     server.run("UPDATE attempts SET voided_us = ?, voided_by = ?, void_reason = ? WHERE id = ?", *sent.voided_us,
                sent.voidedBy, sent.kept.voidReason, facts.id);
-  return true;
+  return {};
 }
 
 /// The server's password is the newer one where both were changed.
@@ -102,13 +111,15 @@ void mergePassword(Transaction& server, const Item& item) {
              item.password, item.mustChange, item.version, item.id, item.version);
 }
 
-Result<void> mergeItem(Transaction& server, const Item& item, UploadReport& report) {
-  if (item.attempt && !mergeAttempt(server, *item.attempt))
-    return fail("The attempt " + item.attempt->ended.id +
-                " is another one on the server and stays here; look at both.");
+Result<void> mergeItem(Transaction& transaction, const Core& server, const Item& item, UploadReport& report) {
+  if (item.attempt)
+    if (auto merged = mergeAttempt(transaction, *item.attempt, server.now_us()); !merged) return merged;
+  if (item.kind == "attempt" && item.attempt)
+    server.audit(transaction, "", "receive attempt", item.attempt->ended.person,
+                 item.attempt->ended.id + " of " + forLog(item.attempt->ended.workstation));
   if (item.form)
-    if (auto kept = keepForm(server, *item.form); !kept) return tl::unexpected(kept.error());
-  if (item.kind == "password") mergePassword(server, item);
+    if (auto kept = keepForm(transaction, *item.form); !kept) return tl::unexpected(kept.error());
+  if (item.kind == "password") mergePassword(transaction, item);
   report.attempts += item.kind == "attempt";
   report.forms += item.kind == "form";
   return {};
@@ -122,7 +133,7 @@ Result<std::vector<std::int64_t>> giveBatch(Core& here, Core& server, const Batc
     std::set<std::string> people;
     for (const Item& item : batch.items) {
       if (item.kind == "attempt" && item.attempt) people.insert(item.attempt->ended.person);
-      if (auto merged = mergeItem(transaction, item, counted); merged)
+      if (auto merged = mergeItem(transaction, server, item, counted); merged)
         numbers.push_back(item.number);
       else
         counted.troubles.push_back(merged.error().message);

@@ -80,7 +80,8 @@ struct SessionPictures {
 /// 1 kHz, into a recording. A face inside the skin presses; the tissue is solved 30 times a second of the script's
 /// time, from rest, and tells the probe's force and where what the needle meets lies. Faster than real time, but where
 /// pictures are made or the probe moves through tissue. The same script, case and program give the same attempt.
-/// `software` is name and version, for the header, which says that a script moved the hands. Cancelled, it leaves no file.
+/// `software` is name and version, for the header, which says that a script moved the hands. Cancelled, it leaves no
+/// file.
 Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase& patient, std::string_view software,
                                   const std::filesystem::path& recording, const Progress& progress = {},
                                   const SessionPictures& pictures = {});

@@ -19,7 +19,7 @@ void addEnding(AttemptFacts& facts, AttemptStatus status, std::int64_t length_us
 /// AttemptFacts::recordingHash of a file: what an attempt was recorded as can be told from what it was made into later.
 Result<std::string> recordingHash(const std::filesystem::path& file);
 
-/// Name and SHA-256 of a recording's file.
+/// Name and SHA-256 of a recording's file, and the hash of what the hands did in it, "" where that cannot be read.
 Result<void> addRecording(AttemptFacts& facts, const std::filesystem::path& file);
 
 /// Whose hands a recording may show: a person's alone, or also a script's (`session --script`), as in demonstrations.

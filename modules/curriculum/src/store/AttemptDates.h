@@ -1,0 +1,19 @@
+#pragma once
+
+#include "store/sql/Transaction.h"
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/AttemptFacts.h>
+
+#include <cstdint>
+
+namespace insonate::store {
+
+/// How far two computers' clocks may differ.
+inline constexpr std::int64_t kClocksDiffer_us = 600'000'000;
+
+/// Fails where an attempt begins, or ends, later than `now_us`, and where it begins before its curriculum was published
+/// in this store; a version that is not published here is not looked at.
+Result<void> refuseImpossibleDates(Transaction& transaction, const AttemptFacts& facts, std::int64_t now_us);
+
+}  // namespace insonate::store

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "store/sql/Transaction.h"
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/AttemptFacts.h>
+
+#include <cstdint>
+
+namespace insonate::store {
+
+/// Fails where another attempt was made by the same movements of the hands, or where a store of an earlier schema kept
+/// the same file for another attempt.
+Result<void> refuseKnownHands(Transaction& transaction, const AttemptFacts& facts);
+/// Keeps that an attempt of the store was made by these movements, as of `now_us`. Again is no error.
+void keepHands(Transaction& transaction, const AttemptFacts& facts, std::int64_t now_us);
+
+}  // namespace insonate::store
