@@ -130,6 +130,11 @@ void TrainSession::beginAt(const ProbeHandState& state) {
   history_.clear();
 }
 
+Vec3 TrainSession::targetNear_mm() const {
+  const auto home = levelStart_ ? handAtStart() : std::nullopt;
+  return home ? home->pose().offset : pose().offset;
+}
+
 std::optional<ProbeHand> TrainSession::handAtStart() const {
   if (!control_.hand()) return std::nullopt;
   ProbeHand hand = *control_.hand();

@@ -108,6 +108,9 @@ class TrainSession : public QObject {
   /// behind it, and goTo() refuses. A device keeps its probe where it is.
   void beginAt(const ProbeHandState& state);
   void releaseStart() { levelStart_.reset(); }
+  /// The target of an attempt is the vein nearest to here: the probe, or in a level the case's own start, since beside
+  /// the vein another may be nearer.
+  Vec3 targetNear_mm() const;
   /// The probe as home() would put it at the case's own start.
   std::optional<ProbeHand> handAtStart() const;
 

@@ -156,7 +156,7 @@ std::filesystem::path AttemptControl::newFile() const {
 void AttemptControl::begin() {
   const QString title = QCoreApplication::applicationName() + QLatin1Char(' ') + QCoreApplication::applicationVersion();
   header_ = headerOf(procedure(), *session_.patient(), session_.probe(), title.toStdString());
-  VesselNames vessels(session_.patient()->manifest, procedure(), session_.pose().offset);
+  VesselNames vessels(session_.patient()->manifest, procedure(), session_.targetNear_mm());
   header_.vessels = vessels.names();
   header_.caseHash = hash_.get();
   const AttemptSettings settings = session_.attemptSettings();
