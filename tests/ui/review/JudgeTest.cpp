@@ -271,7 +271,8 @@ TEST_F(JudgeTest, TheRatersOfAClassAreComparedAndSaved) {
   EXPECT_FALSE(isSeen("raterPairs"));
   EXPECT_FALSE(child<QPushButton>("saveRaters")->isEnabled());
 
-  const std::string second = keep(recorded(QDir(ui::attemptsFolder()).filePath("second" + ui::kAttemptSuffix)));
+  const std::string second = keep(recorded(QDir(ui::attemptsFolder()).filePath("second" + ui::kAttemptSuffix),
+                                           R"({"acts": [{"probe": "auto"}, {"wait_s": 3}]})"));
   for (const std::string& attempt : {attempt_, second}) judge(school_->ina, attempt, "done");
   judge(uta_, attempt_, "done"), judge(uta_, second, "not_done");
   child<QToolButton>("classTab")->click();

@@ -35,9 +35,9 @@ TEST_F(TrainAttempt, AWholeOneByKeysIsGuidedScoredAndKept) {
   Q_EMIT positions->activated(tilted);
   EXPECT_EQ(session_->tissue().body.tilt_deg, 15);
   EXPECT_TRUE(waitFor([&] { return text("attemptDue").contains("Find the vein"); }));
-  for (int i = 0; i < 8; ++i) key(Qt::Key_Plus);
-  EXPECT_TRUE(waitFor([&] { return text("attemptDue").contains("Puncture the skin"); })) << "pressed for two seconds";
-  for (int i = 0; i < 8; ++i) key(Qt::Key_Minus);
+  for (int i = 0; i < 20; ++i) key(Qt::Key_Plus);
+  EXPECT_TRUE(waitFor([&] { return text("attemptDue").contains("Puncture the skin"); })) << "the vein is compressed";
+  for (int i = 0; i < 20; ++i) key(Qt::Key_Minus);
 
   overTheVein();
   type("needle_depth", "12");
@@ -185,10 +185,11 @@ TEST_F(TrainAttempt, OnTheBuiltInNeckByKeysAlone) {
   ASSERT_TRUE(waitFor([&] { return workspace_->isReady() && session_->handReady(); }));
   ASSERT_TRUE(waitFor([&] { return hands().session().tissueReady(); }));
   start();
-  for (int i = 0; i < 6; ++i) key(Qt::Key_Plus);
+  for (int i = 0; i < 20; ++i) key(Qt::Key_Plus);
   EXPECT_TRUE(waitFor([&] { return attempt_->view().steps[1].state == ProcedureRun::StepState::Done; }));
-  for (int i = 0; i < 6; ++i) key(Qt::Key_Minus);
+  for (int i = 0; i < 20; ++i) key(Qt::Key_Minus);
   key(Qt::Key_I);
+  for (int i = 0; i < 3; ++i) key(Qt::Key_W, Qt::AltModifier | Qt::ShiftModifier);
   key(Qt::Key_B);
   for (int i = 0; i < 6; ++i) key(Qt::Key_PageDown, Qt::ShiftModifier);
   for (int i = 0; i < 2; ++i) key(Qt::Key_PageDown);

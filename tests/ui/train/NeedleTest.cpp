@@ -32,7 +32,7 @@ TEST_F(TrainNeedle, KeysTakeItUpAimItAndLayItDown) {
   EXPECT_NEAR(hands().needleHand()->heading_deg(), heading_deg + 10, 0.5);
   EXPECT_EQ(session_->numbers().rotation_deg, 0) << "the probe stays";
   child<QPushButton>("needleAcross")->click();
-  EXPECT_EQ(held().angle_deg, 45);
+  EXPECT_EQ(held().angle_deg, NeedleHand::kTaken_deg);
   key(Qt::Key_I);
   EXPECT_FALSE(hands().needleHand());
   EXPECT_FALSE(child<QLineEdit>("needle_depth")->isVisible());

@@ -22,7 +22,7 @@ constexpr double kFlat = 0.4;
 VeinWatch::Sight VeinWatch::sightOf(std::span<const Vec3> middleAtRest_mm, const TissueGrid& grid,
                                     const VesselNames& vessels, std::span<const CentreLine> veins) {
   const auto inTarget = [&](Vec3 rest_mm) {
-    return grid.at(rest_mm).label == kVein && vessels.vesselAt(kVein, rest_mm, veins) == 1;
+    return grid.at(rest_mm).label == kVein && vessels.isTarget(rest_mm, veins);
   };
   Sight sight;
   double chord_mm = 0, off_mm = std::numeric_limits<double>::infinity();
@@ -37,7 +37,9 @@ VeinWatch::Sight VeinWatch::sightOf(std::span<const Vec3> middleAtRest_mm, const
       if (!inTarget(at_mm)) continue;
       chord_mm += norm(step_mm) / parts;
       const auto distance_mm = vessels.distanceToCentre_mm(at_mm, veins);
-      if (distance_mm && *distance_mm < off_mm) off_mm = *distance_mm, sight.middle_mm = at_mm;
+      if (!distance_mm || *distance_mm >= off_mm) continue;
+      off_mm = *distance_mm;
+      sight.middle_mm = at_mm, sight.vessel = vessels.vesselAt(kVein, at_mm, veins);
     }
   }
   sight.isCentered = chord_mm >= kLeast_mm && off_mm <= kOffCenter * chord_mm;
@@ -52,8 +54,12 @@ std::optional<AttemptEvent> VeinWatch::look(std::int64_t time_us, const std::opt
   }
   if (!since_us_) since_us_ = time_us;
   most_mm_ = std::max(most_mm_, sight->thickness_mm);
-  AttemptEvent event{
-      .time_us = time_us, .wall = kVein, .into = kVein, .vessel = 1, .tip_mm = sight->middle_mm, .axis = axial};
+  AttemptEvent event{.time_us = time_us,
+                     .wall = kVein,
+                     .into = kVein,
+                     .vessel = sight->vessel,
+                     .tip_mm = sight->middle_mm,
+                     .axis = axial};
   if (!isCenteredTold_ && time_us - *since_us_ >= kStays_us) {
     isCenteredTold_ = true;
     event.kind = AttemptEventKind::Centered;

@@ -11,13 +11,14 @@
 namespace insonate {
 
 /// Sees whether the trainee has found the target vein: it lies in the middle of the live image for a second (told
-/// once), and the probe compresses it there (told once each time it comes to the middle). Nothing is told of a case
-/// that names no target. Neither waits nor allocates. Not for concurrent use of one object.
+/// once), and the probe compresses it there (told once each time it comes to the middle). In a case without a target
+/// each vein counts. Neither waits nor allocates. Not for concurrent use of one object.
 class VeinWatch {
  public:
   /// How the target lies to the middle line of an image.
   struct Sight {
     bool isCentered = false;
+    std::uint8_t vessel = 0;  ///< AttemptEvent::vessel
     double thickness_mm = 0;  ///< of its lumen along the line, now
     Vec3 middle_mm{};         ///< of its lumen, at rest; patient space
   };

@@ -29,6 +29,10 @@ class VesselNames {
   /// Vessel of this label at a point of the tissue at rest, as in AttemptEvent::vessel; `veins` are the center lines of
   /// all veins. Neither waits nor allocates.
   std::uint8_t vesselAt(Label label, Vec3 rest_mm, std::span<const CentreLine> veins) const noexcept;
+  /// Whether a point in a vein, tissue at rest, is in the target. Neither waits nor allocates.
+  bool isTarget(Vec3 rest_mm, std::span<const CentreLine> veins) const noexcept {
+    return targets_.empty() || vesselAt(kVein, rest_mm, veins) == 1;
+  }
   /// Distance from a point of the tissue at rest to the middle of the target; to the nearest of all lines where the
   /// case has no target. None where there is no line. Neither waits nor allocates.
   std::optional<double> distanceToCentre_mm(Vec3 rest_mm, std::span<const CentreLine> veins) const noexcept;
