@@ -145,7 +145,7 @@ TEST_F(AccountWindow, AnAdministratorMakesAClassAndATraineeWhoChoosesAPassword) 
   EXPECT_TRUE(curriculum->itemText(1).contains("comes with Insonate"));
   curriculum->setFocus();
   QTest::keyClick(curriculum, Qt::Key_Down);
-  ASSERT_TRUE(waitUntil([&] { return curriculum->currentText() == "central_line, version 2"; }))
+  ASSERT_TRUE(waitUntil([&] { return curriculum->currentText() == "central_line, version 3"; }))
       << "published and set: " << curriculum->currentText().toStdString();
 
   people->findChild<QPushButton*>("peopleAdd")->click();
