@@ -177,7 +177,7 @@ TEST_F(TrainAttempt, AgainBeginsAnotherAndLeavingTheCaseKeepsWhatWasMade) {
   EXPECT_TRUE(files().filter(".part").isEmpty());
 }
 
-/// The product's own neck, with no other help than the keys: in the plane of the picture, aimed under its middle.
+/// The product's own neck, with no other help than the keys: in the plane of the picture, aimed at the vein.
 TEST_F(TrainAttempt, OnTheBuiltInNeckByKeysAlone) {
   auto neck = makePhantom(phantomVariants().front().name, 1);
   ASSERT_TRUE(neck);
@@ -185,11 +185,16 @@ TEST_F(TrainAttempt, OnTheBuiltInNeckByKeysAlone) {
   ASSERT_TRUE(waitFor([&] { return workspace_->isReady() && session_->handReady(); }));
   ASSERT_TRUE(waitFor([&] { return hands().session().tissueReady(); }));
   start();
-  for (int i = 0; i < 20; ++i) key(Qt::Key_Plus);
-  EXPECT_TRUE(waitFor([&] { return attempt_->view().steps[1].state == ProcedureRun::StepState::Done; }));
-  for (int i = 0; i < 20; ++i) key(Qt::Key_Minus);
+  for (int i = 0; i < 3; ++i) key(Qt::Key_Left);
   key(Qt::Key_I);
-  for (int i = 0; i < 3; ++i) key(Qt::Key_W, Qt::AltModifier | Qt::ShiftModifier);
+  // Steeper until it points at the vein, as seen in the image.
+  const Vec3 vein_mm = session_->patient()->manifest.targets.front().position_mm;
+  const auto off_mm = [&] {
+    const Transform needle = hands().needleHand()->patientFromNeedle();
+    return norm(cross(needle.linear.column[2], vein_mm - needle.offset));
+  };
+  for (double before_mm = 1e9; off_mm() < before_mm;) before_mm = off_mm(), key(Qt::Key_W, Qt::AltModifier);
+  EXPECT_LT(off_mm(), 3);
   key(Qt::Key_B);
   for (int i = 0; i < 6; ++i) key(Qt::Key_PageDown, Qt::ShiftModifier);
   for (int i = 0; i < 2; ++i) key(Qt::Key_PageDown);
