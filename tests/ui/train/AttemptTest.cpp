@@ -186,6 +186,12 @@ TEST_F(TrainAttempt, OnTheBuiltInNeckByKeysAlone) {
   ASSERT_TRUE(waitFor([&] { return hands().session().tissueReady(); }));
   start();
   for (int i = 0; i < 3; ++i) key(Qt::Key_Left);
+  // The vein must be seen before it is compressed: keys of a test are faster than images.
+  const auto isCentered = [](const AttemptEvent& event) { return event.kind == AttemptEventKind::Centered; };
+  EXPECT_TRUE(waitFor([&] { return std::ranges::any_of(attempt_->view().events, isCentered); }));
+  for (int i = 0; i < 20; ++i) key(Qt::Key_Plus);
+  EXPECT_TRUE(waitFor([&] { return attempt_->view().steps[1].state == ProcedureRun::StepState::Done; }));
+  for (int i = 0; i < 20; ++i) key(Qt::Key_Minus);
   key(Qt::Key_I);
   // Steeper until it points at the vein, as seen in the image.
   const Vec3 vein_mm = session_->patient()->manifest.targets.front().position_mm;

@@ -145,7 +145,7 @@ void addVeins(std::vector<Structure>& into, const NeckParameters& n, Side side, 
     into.push_back({kVein, Kind::kVein, 0.3, sheet(side, std::move(one.sheet), seed++)});
 }
 
-/// Of one side, with the side before the name.
+/// Adds the courses of one side; the side comes before the name.
 class Courses {
  public:
   Courses(std::vector<VesselCourse>& into, Side side) : into_(into), side_(side) {}

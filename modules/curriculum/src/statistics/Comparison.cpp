@@ -18,7 +18,7 @@ constexpr std::size_t kMostExact = 20;
 struct Ranks {
   double first = 0;  ///< sum of the first group's
   double ties = 0;   ///< sum of t^3 - t over groups of t equal values
-  /// Of all values, doubled: the mean rank of an even number of equal values is no whole number.
+  /// Ranks of all values, doubled: the mean rank of an even number of equal values is not a whole number.
   std::vector<std::size_t> doubled{};
 };
 

@@ -29,8 +29,8 @@ double quantileOfT(std::size_t values, double confidence) {
   return boost::math::quantile(distribution, (1 + confidence) / 2);
 }
 
-/// Of a mean of counts, whose sum follows Poisson's distribution (Garwood 1936): sums of which the one that was seen
-/// would be exceeded, or not reached, with half of what the confidence leaves.
+/// Exact interval of a mean of counts. Their sum follows Poisson's distribution; the bounds are the means for which a
+/// sum as small, or as large, as the observed one has the probability (1 - confidence) / 2 (Garwood 1936).
 Interval poissonInterval(std::span<const double> counts, double confidence) {
   const double sum = std::accumulate(counts.begin(), counts.end(), 0.0), n = static_cast<double>(counts.size());
   const double tail = (1 - confidence) / 2;

@@ -8,7 +8,7 @@
 
 namespace insonate::store {
 
-/// Whether there is an account in the store, whatever its schema. Fails where it is no store.
+/// True where the store, of any schema, has an account. Fails on a file that is not a store.
 Result<bool> hasPeople(Core& core);
 
 /// As provePassword(), by an administrator who has chosen their password. Works on a store of any schema.

@@ -20,7 +20,7 @@ class Core {
   static Result<std::shared_ptr<Core>> open(const std::string& address, const StoreServices& services);
   /// Checked, at the schema that it has: for whoever is asked before it is changed.
   static Result<std::shared_ptr<Core>> reach(const std::string& address, const StoreServices& services);
-  /// To the newest schema, with the attempts of dead processes told abandoned.
+  /// Migrates to the newest schema and marks the attempts of dead processes as abandoned.
   Result<void> bringUpToDate();
   ~Core();
   Core(const Core&) = delete;

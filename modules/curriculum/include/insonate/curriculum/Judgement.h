@@ -20,13 +20,14 @@ struct Judgement {
   bool reachesStandards(const PassRule& rule) const;
 };
 
-/// Whether an attempt is one to judge: one that was completed, and one that was abandoned, by the trainee or since its
-/// recording broke off. One that is open or voided is not, nor one that was abandoned before the skin (its metric
-/// "passes" is 0): nothing was tried. Where a recording broke off and nothing was measured, it counts: whoever ends the
-/// program would else choose which attempts count; an instructor voids it where the device was to blame.
+/// True for a completed attempt, and for one that was abandoned by the trainee or whose recording broke off. False for
+/// an open or voided attempt, and for one abandoned before the skin (its metric "passes" is 0): nothing was tried. A
+/// recording that broke off without a measurement counts: a trainee who ends the program must not choose which attempts
+/// count. An instructor voids the attempt where the device was to blame.
 bool counts(const AttemptFacts& attempt);
 
-/// Whether an attempt reached its aim. One that was abandoned never did: older programs may have kept it as a success.
+/// True for a completed attempt that reached its aim. An abandoned attempt never did, although an older program may
+/// have stored it as a success.
 bool isSuccess(const AttemptFacts& attempt);
 
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt);

@@ -16,7 +16,7 @@ struct Interval {
 struct Estimate {
   double value = 0;
   std::optional<Interval> interval{};  ///< of confidence
-  /// Where there are several ways to an interval, which it was, or why there is none: "t", "Poisson", "Wilson",
+  /// Method of the interval where there are several, or the reason why there is no interval: "t", "Poisson", "Wilson",
   /// "bootstrap", "fewer than 5 values", "all values alike".
   std::string_view basis{};
 };
