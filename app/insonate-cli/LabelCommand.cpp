@@ -3,8 +3,10 @@
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/cases/LabelFile.h>
 #include <insonate/cases/PatientCase.h>
+#include <insonate/segmentation/Guide.h>
 #include <insonate/segmentation/Recipe.h>
 #include <insonate/segmentation/Score.h>
+#include <insonate/simulator/VesselNaming.h>
 #include <insonate/tissue/Labels.h>
 
 #include <nlohmann/json.hpp>
@@ -77,6 +79,18 @@ Result<json> score(const LabelMap& found, const LabelArguments& a) {
   return rows;
 }
 
+/// The guide's steps say which vessels they label.
+Result<void> nameVessels(const Recipe& recipe, PatientCase& patient) {
+  for (const Preset& preset : guidePresets()) {
+    const auto guide = readGuide(preset.text);
+    if (!guide) return tl::unexpected(guide.error());
+    auto vessels = vesselsOf(*guide, recipe, patient.labels, patient.manifest.ownLabels, terminalProgress());
+    if (!vessels) return tl::unexpected(vessels.error());
+    for (NamedVessel& vessel : *vessels) putVessel(std::move(vessel), patient.manifest.vessels);
+  }
+  return {};
+}
+
 Result<void> label(const LabelArguments& a) {
   const std::string target = a.outFolder.empty() ? a.folder : a.outFolder;
   if (!a.recipe.empty())
@@ -95,6 +109,7 @@ Result<void> label(const LabelArguments& a) {
     // What the case calls a label goes before what the recipe calls it.
     patient.manifest.ownLabels.insert(recipe->labels.begin(), recipe->labels.end());
     object["steps"] = toJson(*recipe, *changes);
+    if (auto named = nameVessels(*recipe, patient); !named) return named;
   }
   if (!a.truth.empty()) {
     auto rows = score(patient.labels, a);

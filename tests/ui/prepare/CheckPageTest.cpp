@@ -104,6 +104,38 @@ TEST_F(CheckPage, ATargetGoesIntoAVesselOnlyAndTheCheckFollows) {
   EXPECT_TRUE(checkedAgain([this] { return !finds("no_target"); })) << "without being asked";
 }
 
+TEST_F(CheckPage, AVesselIsNamedShownSplitRenamedAndRemoved) {
+  auto without = std::make_shared<PatientCase>(*patient());
+  without->manifest.vessels.clear();
+  openCase(without);
+  EXPECT_TRUE(finds("no_vessel_names"));
+  const auto& vessels = session_->places().vessels;
+  session_->setCrosshair({20, 20, 0});
+  mark("right internal jugular vein");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().contains("no vein or artery"); }, kPatience_ms));
+  EXPECT_TRUE(vessels.empty());
+  session_->setCrosshair({0, 12, 0});
+  mark("right internal jugular vein");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return vessels.size() == 1; }, kPatience_ms));
+  EXPECT_LT(distanceToCourse_mm(vessels[0], {0, 12, 0}), 1);
+  EXPECT_TRUE(checkedAgain([this] { return !finds("no_vessel_names"); }));
+
+  places()->setCurrentItem(item("right internal jugular vein"));
+  press("placeSplit");
+  ASSERT_EQ(vessels.size(), 2u);
+  EXPECT_EQ(vessels[1].name, "right internal jugular vein, part 2");
+  EXPECT_EQ(vessels[0].course.back(), vessels[1].course.front());
+  item("right internal jugular vein, part 2")->setText(0, "right brachiocephalic vein");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return vessels[1].name == "right brachiocephalic vein"; }, kPatience_ms));
+  places()->setCurrentItem(item("right brachiocephalic vein"));
+  press("placeRemove");
+  EXPECT_EQ(vessels.size(), 1u);
+  mark("target: what is punctured");
+  EXPECT_EQ(session_->places().targets.back().name, "right internal jugular vein");
+  for (int n = 0; n < 5; ++n) session_->undoStack().undo();
+  EXPECT_TRUE(vessels.empty()) << "each can be undone";
+}
+
 TEST_F(CheckPage, StartPosesAreSeveralAndOneIsTheFirst) {
   openCase();
   session_->setCrosshair({10, 1, 0});

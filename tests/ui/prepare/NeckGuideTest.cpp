@@ -16,7 +16,7 @@ class GuidingANeck : public Guiding {
   static std::shared_ptr<const PatientCase> neck() {
     static const auto made = [] {
       auto patient = std::make_shared<PatientCase>(*makePhantom("textbook", 1, {}, CtContrast::kArterial));
-      patient->manifest.startPoses.clear(), patient->manifest.targets.clear();
+      patient->manifest.startPoses.clear(), patient->manifest.targets.clear(), patient->manifest.vessels.clear();
       patient->labels = LabelMap(patient->ct.geometry);
       return patient;
     }();
@@ -99,6 +99,19 @@ TEST_F(GuidingANeck, DoneThroughTheWindowItReplaysByTheCommandToEveryVoxel) {
     run();
     EXPECT_GT(count(label), 200u) << step << ": " << child<QLabel>("guideTold")->text().toStdString();
   }
+  const auto named = [](const std::vector<NamedVessel>& vessels) {
+    std::vector<std::string> names;
+    for (const NamedVessel& vessel : vessels) names.push_back(vessel.name);
+    return names;
+  };
+  for (const auto* step : {"vein-right", "artery-right"}) {
+    choose(step);
+    const std::size_t before = session_->places().vessels.size();
+    child<QPushButton>("guideAccept")->click();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return session_->places().vessels.size() > before; }, kPatience_ms)) << step;
+  }
+  EXPECT_THAT(named(session_->places().vessels),
+              testing::ElementsAre("right internal jugular vein", "right common carotid artery"));
   choose("vein-right");
   child<QPushButton>("guideCorrect")->click();
   drag(middleAt(kVein, target_mm.z), middleAt(kVein, target_mm.z) + Vec3{-6, 0, 0});
@@ -117,6 +130,8 @@ TEST_F(GuidingANeck, DoneThroughTheWindowItReplaysByTheCommandToEveryVoxel) {
   ASSERT_TRUE(made && replayed);
   EXPECT_TRUE(made->patient.labels.voxels == replayed->patient.labels.voxels) << "every voxel";
   EXPECT_GT(std::ranges::count(made->patient.labels.voxels, std::uint8_t{kVein}), 200);
+  EXPECT_EQ(named(made->patient.manifest.vessels), named(replayed->patient.manifest.vessels));
+  EXPECT_EQ(made->patient.manifest.vessels.size(), 2u);
 }
 
 }  // namespace

@@ -112,6 +112,10 @@ const Defect kDefects[] = {
        p.manifest.targets[0].position_mm = {0, 0, 500};
      }},
     {"no_vessel_names", Severity::kInfo, [](PatientCase& p) { p.manifest.vessels.clear(); }},
+    {"target_without_vessel", Severity::kInfo,
+     [](PatientCase& p) {
+       for (auto& point : p.manifest.vessels[0].course) point.position_mm.x += 30;
+     }},
     {"vessel_elsewhere", Severity::kWarning, [](PatientCase& p) { p.manifest.vessels[0].label = kArtery; }},
     {"no_start_pose", Severity::kInfo, [](PatientCase& p) { p.manifest.startPoses.clear(); }},
     {"pose_off_skin", Severity::kWarning,

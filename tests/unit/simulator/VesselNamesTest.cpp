@@ -67,8 +67,29 @@ TEST(VesselNames, NamedVesselsAreToldApartByTheirWalls) {
   EXPECT_EQ(vessels.vesselAt(kVein, {6.5, 10, 0}, {}), 1)
       << "nearer to the middle of the small vein, yet in the wide one";
   EXPECT_EQ(vessels.vesselAt(kVein, {8.5, 10, 0}, {}), 3);
-  EXPECT_EQ(vessels.vesselAt(kArtery, {0, 10, 0}, {}), 2) << "the only artery";
+  EXPECT_EQ(vessels.vesselAt(kArtery, {-16.5, 10, 0}, {}), 2);
+  EXPECT_EQ(vessels.vesselAt(kArtery, {0, 10, 0}, {}), kUnnamedVessel) << "far from the only artery with a name";
   EXPECT_THAT(vessels.distanceToCentre_mm({3, 10, 0}, {}), Optional(testing::DoubleNear(3, 1e-9)));
+}
+
+/// Only some veins have names, as after a guide's first steps.
+TEST(VesselNames, AVeinWithoutANameIsNotTheNearestNamedOne) {
+  CaseManifest manifest = named();
+  manifest.vessels.erase(manifest.vessels.begin() + 1);
+  const VesselNames vessels(manifest, *loadProcedure("internal_jugular"), {0, 0, 0});
+  const std::vector<CentreLine> lines{{{0, 10, -50}, {0, 10, 0}, {0, 10, 50}}, {{9, 10, -50}, {9, 10, 0}, {9, 10, 50}}};
+  EXPECT_EQ(vessels.vesselAt(kVein, {9, 10, 0}, lines), kUnnamedVessel);
+  EXPECT_FALSE(vessels.isTarget({9, 10, 0}, lines));
+  EXPECT_EQ(vessels.vesselAt(kVein, {-11, 10, 0}, lines), 1) << "the lumen of a flat vein reaches beyond the round one";
+}
+
+TEST(VesselNames, AnotherVeinsNameIsNotTheTargets) {
+  CaseManifest manifest = named();
+  manifest.vessels = {{"left internal jugular vein", kVein, {{{40, 10, -50}, 5}, {{40, 10, 50}, 5}}}};
+  const VesselNames vessels(manifest, *loadProcedure("internal_jugular"), {0, 0, 0});
+  EXPECT_EQ(vessels.names().front(), "right internal jugular vein");
+  EXPECT_FALSE(vessels.isTarget({40, 10, 0}, kLines));
+  EXPECT_TRUE(vessels.isTarget({1, 10, 0}, kLines));
 }
 
 }  // namespace

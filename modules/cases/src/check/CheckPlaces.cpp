@@ -71,14 +71,27 @@ void checkNames(const CaseView& patient, Findings& findings) {
     findings.push_back(
         {Severity::kInfo, "no_vessel_names",
          "The vessels have no names: an attempt tells the vein with the target from the other veins, and "
-         "calls each of them another vein. Name them under 'vessels' in case.json."});
+         "calls each of them another vein. Mark each of them as a place of the case."});
+  for (const Target& target : m.targets) {
+    constexpr double kFlat_mm = 4;  // beyond the wall of a round vessel, in the lumen of a flat one
+    const auto holdsTarget = [&](const NamedVessel& vessel) {
+      return vessel.label == target.label && distanceToWall_mm(vessel, target.position_mm) <= kFlat_mm;
+    };
+    if (!m.vessels.empty() && std::ranges::none_of(m.vessels, holdsTarget))
+      findings.push_back({Severity::kInfo, "target_without_vessel",
+                          "The target '" + target.name +
+                              "' lies in a vessel without a name: an attempt calls each other vein another vein. Mark "
+                              "the target's vessel as a place of the case.",
+                          target.position_mm});
+  }
   const VolumeGeometry& g = patient.labels.geometry;
   for (const NamedVessel& vessel : m.vessels) {
     int here = 0, labelled = 0;
     for (const NamedVessel::Point& point : vessel.course) {
       if (!inVolume(g, point.position_mm)) continue;
       ++here;
-      labelled += sampleNearest(patient.labels, g.indexFromPatient() * point.position_mm) == vessel.label;
+      labelled += tissueOf(m.ownLabels, sampleNearest(patient.labels, g.indexFromPatient() * point.position_mm)) ==
+                  vessel.label;
     }
     if (2 * labelled >= here) continue;
     findings.push_back({Severity::kWarning, "vessel_elsewhere",

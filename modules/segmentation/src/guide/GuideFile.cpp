@@ -3,6 +3,7 @@
 #include <insonate/core/Words.h>
 #include <insonate/embedded/guides.h>
 #include <insonate/segmentation/Guide.h>
+#include <insonate/tissue/Labels.h>
 
 namespace insonate {
 namespace {
@@ -42,7 +43,7 @@ GuideWay readWay(const json& object, const std::string& where, std::string& trou
 GuideStep readGuideStep(const json& object, const std::string& where, std::string& trouble) {
   const std::vector<std::string_view> known{"name",  "title",        "label",     "say",      "look_for", "if_wrong",
                                             "side",  "least_clicks", "clicks",    "optional", "ways",     "makes",
-                                            "apart", "diameter_mm",  "volume_ml", "source",   "comment"};
+                                            "apart", "diameter_mm",  "volume_ml", "source",   "comment",  "vessel"};
   JsonEntry entry(object, where, known);
   GuideStep step;
   step.name = entry.text("name");
@@ -50,6 +51,7 @@ GuideStep readGuideStep(const json& object, const std::string& where, std::strin
   step.say = entry.text("say");
   step.lookFor = entry.text("look_for");
   step.ifWrong = entry.text("if_wrong");
+  step.vessel = entry.text("vessel", false);
   step.leastClicks = entry.wholeIfThere("least_clicks", 1, 20).value_or(0);
   step.clicks = entry.wholeIfThere("clicks", 1, 20).value_or(step.leastClicks);
   if (step.clicks < step.leastClicks) entry.refuse("needs more clicks in 'least_clicks' than in 'clicks'.");
@@ -66,6 +68,8 @@ GuideStep readGuideStep(const json& object, const std::string& where, std::strin
   reader("makes", step.makes);
   reader("apart", step.apart);
   if (step.clicks > 0 && step.label == 0) reader.refuse("has clicks but no 'label': name the one that they are for.");
+  if (!step.vessel.empty() && step.label != kVein && step.label != kArtery)
+    reader.refuse("names a 'vessel' but its 'label' is neither vein nor artery.");
   trouble = reader.trouble();
   return step;
 }

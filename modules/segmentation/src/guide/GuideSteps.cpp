@@ -61,4 +61,18 @@ Result<GuideWay> wayFor(const GuideStep& step, std::span<const Vec3> clicks_mm, 
   return way;
 }
 
+std::vector<Vec3> clicksOf(const GuideStep& step, const Recipe& recipe) {
+  for (const LabelStep& made : recipe.steps) {
+    if (made.of != step.name) continue;
+    const auto points_mm = std::visit(
+        [](const auto& parameters) {
+          if constexpr (requires { parameters.points_mm; }) return std::vector<Vec3>(parameters.points_mm);
+          return std::vector<Vec3>{};
+        },
+        made.tool);
+    if (!points_mm.empty()) return points_mm;
+  }
+  return {};
+}
+
 }  // namespace insonate

@@ -20,6 +20,31 @@ std::size_t nearestLine(std::span<const CentreLine> lines, Vec3 point_mm) noexce
   return nearest;
 }
 
+/// A point so near to a wall of a named vessel is in that vessel.
+constexpr double kAtWall_mm = 1;
+/// A lumen that is not round reaches so far beyond the wall of the round one.
+constexpr double kFlat_mm = 4;
+/// The center line of a named vessel lies so near to its course.
+constexpr double kOnCourse_mm = 3;
+
+/// The point of the lines that is nearest to a place.
+std::optional<Vec3> nearestOn(std::span<const CentreLine> lines, Vec3 point_mm) noexcept {
+  std::optional<Vec3> nearest;
+  for (const CentreLine& line : lines)
+    for (const Vec3& on_mm : line)
+      if (!nearest || norm(on_mm - point_mm) < norm(*nearest - point_mm)) nearest = on_mm;
+  return nearest;
+}
+
+/// Whether a point outside the round wall of the nearest named vessel is in that vessel, and not in one without a name
+/// beside it: a vein is told by its center line.
+bool isIn(const NamedVessel& vessel, Vec3 point_mm, std::span<const CentreLine> veins) noexcept {
+  const double outside_mm = distanceToWall_mm(vessel, point_mm);
+  if (outside_mm <= kAtWall_mm) return true;
+  const auto on_mm = vessel.label == kVein ? nearestOn(veins, point_mm) : std::nullopt;
+  return on_mm ? distanceToCourse_mm(vessel, *on_mm) <= kOnCourse_mm : outside_mm <= kFlat_mm;
+}
+
 constexpr std::size_t kMostNames = kUnnamedVessel - 1;
 
 /// Index of the vessel of this label whose wall is nearest; the number of vessels where there is none.
@@ -47,7 +72,9 @@ VesselNames::VesselNames(const CaseManifest& manifest, const Procedure& procedur
   if (targets_.size() > kMostNames) targets_.resize(kMostNames);
   if (targets_.empty()) return;
   const std::size_t target = nearestVessel(manifest.vessels, kVein, targets_.front().position_mm);
-  if (target == manifest.vessels.size()) return;
+  if (target == manifest.vessels.size() ||
+      distanceToWall_mm(manifest.vessels[target], targets_.front().position_mm) > kFlat_mm)
+    return;  // The target's vein has no name, only another one has.
   vessels_ = manifest.vessels;
   std::rotate(vessels_.begin(), vessels_.begin() + static_cast<std::ptrdiff_t>(target),
               vessels_.begin() + static_cast<std::ptrdiff_t>(target) + 1);
@@ -66,7 +93,8 @@ std::uint8_t VesselNames::vesselAt(Label label, Vec3 rest_mm, std::span<const Ce
   if (targets_.empty()) return 0;
   if (!vessels_.empty()) {
     const std::size_t nearest = nearestVessel(vessels_, label, rest_mm);
-    return nearest < vessels_.size() ? static_cast<std::uint8_t>(nearest + 1) : kUnnamedVessel;
+    if (nearest == vessels_.size() || !isIn(vessels_[nearest], rest_mm, veins)) return kUnnamedVessel;
+    return static_cast<std::uint8_t>(nearest + 1);
   }
   if (label != kVein) return 0;
   const std::size_t line = nearestLine(veins, rest_mm);

@@ -5,12 +5,13 @@
 namespace insonate::prepare {
 
 CasePlaces placesOf(const CaseManifest& manifest) {
-  return {manifest.targets, manifest.startPoses, manifest.landmarks, manifest.difficulty};
+  return {manifest.targets, manifest.vessels, manifest.startPoses, manifest.landmarks, manifest.difficulty};
 }
 
 void putPlaces(const CasePlaces& places, CaseManifest& manifest) {
-  manifest.targets = places.targets, manifest.startPoses = places.startPoses;
-  manifest.landmarks = places.landmarks, manifest.difficulty = places.difficulty;
+  manifest.targets = places.targets, manifest.vessels = places.vessels;
+  manifest.startPoses = places.startPoses, manifest.landmarks = places.landmarks;
+  manifest.difficulty = places.difficulty;
 }
 
 bool samePlaces(const CasePlaces& a, const CasePlaces& b) {
@@ -23,7 +24,8 @@ bool samePlaces(const CasePlaces& a, const CasePlaces& b) {
   const auto sameLandmark = [](const Landmark& x, const Landmark& y) {
     return x.code == y.code && x.name == y.name && x.position_mm == y.position_mm;
   };
-  return a.difficulty == b.difficulty && std::ranges::equal(a.targets, b.targets, sameTarget) &&
+  return a.difficulty == b.difficulty && a.vessels == b.vessels &&
+         std::ranges::equal(a.targets, b.targets, sameTarget) &&
          std::ranges::equal(a.startPoses, b.startPoses, samePose) &&
          std::ranges::equal(a.landmarks, b.landmarks, sameLandmark);
 }

@@ -7,10 +7,11 @@
 
 namespace insonate::prepare {
 
-/// What an author says about a case beside its voxels: what is punctured, what is found by name, where probes begin,
-/// and how hard it is. Edited and taken back as a whole.
+/// What an author says about a case beside its voxels: targets, names of vessels, landmarks, start poses and grade.
+/// Edited and undone as a whole.
 struct CasePlaces {
   std::vector<Target> targets;
+  std::vector<NamedVessel> vessels;
   std::vector<StartPose> startPoses;
   std::vector<Landmark> landmarks;
   std::string difficulty;

@@ -90,10 +90,13 @@ QPushButton* FindingsList::way(const Finding& finding) {
     connect(make, &QPushButton::clicked, this, [this, label] { Q_EMIT labelWanted(label); });
     return make;
   }
-  static const std::map<std::string, QString> kMissing{
-      {"no_target", kTargetKind}, {"no_start_pose", kStartPoseKind}, {"landmarks_missing", QString()}};
+  static const std::map<std::string, QString> kMissing{{"no_target", kTargetKind},
+                                                       {"no_start_pose", kStartPoseKind},
+                                                       {"landmarks_missing", QString()},
+                                                       {"no_vessel_names", kVesselKind},
+                                                       {"target_without_vessel", kVesselKind}};
   if (const auto missing = kMissing.find(finding.code); missing != kMissing.end()) {
-    auto* mark = button(tr("Mark it"), tr("Go to where targets, start poses and landmarks are marked"));
+    auto* mark = button(tr("Mark it"), tr("Go to where targets, vessels, start poses and landmarks are marked"));
     connect(mark, &QPushButton::clicked, this, [this, finding, kind = missing->second] {
       if (finding.place_mm) session_.setCrosshair(*finding.place_mm);
       Q_EMIT placeWanted(kind);

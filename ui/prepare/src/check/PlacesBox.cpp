@@ -1,9 +1,11 @@
 #include "PlacesBox.h"
 
 #include "../PrepareSession.h"
+#include "VesselNaming.h"
 
 #include <insonate/cases/Landmarks.h>
 #include <insonate/simulator/ProbePose.h>
+#include <insonate/simulator/VesselNaming.h>
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/PassLetters.h>
 #include <insonate/ui/QuietWheel.h>
@@ -41,6 +43,8 @@ PlacesBox::PlacesBox(PrepareSession& session, QWidget* parent)
       first_(ui::pushButton("placeFirst", tr("Make first"),
                             tr("The chosen start pose is where the case begins; the chosen "
                                "target is what it is about"))),
+      split_(ui::pushButton("placeSplit", tr("Split"),
+                            tr("Split the chosen vessel at the crosshair, to give its parts different names"))),
       remove_(ui::pushButton("placeRemove", tr("Remove"), tr("Remove the chosen place"))) {
   arrange();
   connect(kind_, qOverload<int>(&QComboBox::activated), this, &PlacesBox::markingBegun);
@@ -48,6 +52,7 @@ PlacesBox::PlacesBox(PrepareSession& session, QWidget* parent)
   connect(show_, &QPushButton::clicked, this, [this] { show(); });
   connect(put_, &QPushButton::clicked, this, [this] { putHere(); });
   connect(first_, &QPushButton::clicked, this, [this] { makeFirst(); });
+  connect(split_, &QPushButton::clicked, this, [this] { split(); });
   connect(remove_, &QPushButton::clicked, this, [this] { remove(); });
   connect(list_, &QTreeWidget::itemActivated, this, [this] { show(); });
   connect(list_, &QTreeWidget::currentItemChanged, this, [this] { refreshButtons(); });
@@ -68,8 +73,10 @@ void PlacesBox::arrange() {
   kind_->addItem(tr("another landmark"), QString());
   kind_->addItem(tr("target: what is punctured"), kTargetKind);
   kind_->addItem(tr("start pose of the probe"), kStartPoseKind);
+  for (const VesselKind& kind : vesselKinds()) kind_->addItem(ui::qt(kind.name), kVesselKind);
+  kind_->addItem(tr("another vessel"), kVesselKind);
   list_->setObjectName(QStringLiteral("places"));
-  list_->setAccessibleName(tr("Targets, landmarks and start poses"));
+  list_->setAccessibleName(tr("Targets, vessels, landmarks and start poses"));
   list_->setToolTip(tr("F2 names the chosen one, Enter shows it"));
   new ui::PassLetters(list_);
   list_->setHeaderHidden(true);
@@ -89,7 +96,8 @@ void PlacesBox::arrange() {
   acting->addWidget(show_, 0, 0);
   acting->addWidget(put_, 0, 1);
   acting->addWidget(first_, 1, 0);
-  acting->addWidget(remove_, 1, 1);
+  acting->addWidget(split_, 1, 1);
+  acting->addWidget(remove_, 2, 0, 1, 2);
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kSmallGap);
@@ -126,6 +134,9 @@ void PlacesBox::refresh() {
   auto* targets = heading(places.targets.empty() ? tr("Targets: none yet") : tr("Targets, the first is practised"));
   for (std::size_t n = 0; n < places.targets.size(); ++n)
     add(targets, Kind::Target, n, QString::fromStdString(places.targets[n].name));
+  auto* vessels = heading(places.vessels.empty() ? tr("Vessels: none named yet") : tr("Vessels"));
+  for (std::size_t n = 0; n < places.vessels.size(); ++n)
+    add(vessels, Kind::Vessel, n, QString::fromStdString(places.vessels[n].name));
   auto* poses = heading(places.startPoses.empty() ? tr("Start poses: none yet")
                                                   : tr("Start poses, the case begins at the first"));
   for (std::size_t n = 0; n < places.startPoses.size(); ++n)
@@ -149,7 +160,8 @@ void PlacesBox::refreshButtons() {
   Chosen one{};
   const bool any = chosen(one);
   for (QPushButton* each : {show_, put_, remove_}) each->setEnabled(any);
-  first_->setEnabled(any && one.kind != Kind::Landmark && one.index > 0);
+  first_->setEnabled(any && (one.kind == Kind::Target || one.kind == Kind::StartPose) && one.index > 0);
+  split_->setEnabled(any && one.kind == Kind::Vessel);
   add_->setEnabled(session_.patient() != nullptr);
 }
 
@@ -170,14 +182,24 @@ void PlacesBox::add() {
       places.startPoses.back().name = tr("start %1").arg(places.startPoses.size()).toStdString();
     });
   }
-  if (what != kTargetKind) return addLandmark(what.toStdString(), name);
+  if (what == kVesselKind) return nameVesselAt(session_, {here_mm}, name);
+  if (what == kTargetKind) return addTarget();
+  addLandmark(what.toStdString(), name);
+}
+
+/// A target in a vessel with a name bears that name.
+void PlacesBox::addTarget() {
+  const Vec3 here_mm = session_.crosshair_mm();
   const LabelMap& labels = session_.labelling().labels();
   const std::uint8_t label =
       tissueOf(session_.terms().own, sampleNearest(labels, labels.geometry.indexFromPatient() * here_mm));
   if (label != kVein && label != kArtery)
     return session_.say(tr("A target lies in a vein or an artery. Put the crosshair into the vessel first."));
   change(tr("target"), [&](CasePlaces& places) {
-    places.targets.push_back({structureName(label).toStdString(), label, here_mm});
+    std::string name = structureName(label).toStdString();
+    for (const NamedVessel& vessel : places.vessels)
+      if (vessel.label == label && distanceToWall_mm(vessel, here_mm) < 0) name = vessel.name;
+    places.targets.push_back({name, label, here_mm});
   });
 }
 
@@ -204,6 +226,11 @@ void PlacesBox::show() {
     case Kind::Target:
       session_.select(places.targets[one.index].label);
       return session_.setCrosshair(places.targets[one.index].position_mm);
+    case Kind::Vessel: {
+      const NamedVessel& vessel = places.vessels[one.index];
+      session_.select(vessel.label);
+      return session_.setCrosshair(vessel.course[vessel.course.size() / 2].position_mm);
+    }
     case Kind::Landmark:
       return session_.setCrosshair(places.landmarks[one.index].position_mm);
     case Kind::StartPose:
@@ -214,6 +241,8 @@ void PlacesBox::show() {
 void PlacesBox::putHere() {
   Chosen one{};
   if (!chosen(one)) return;
+  if (one.kind == Kind::Vessel)
+    return nameVesselAt(session_, {session_.crosshair_mm()}, ui::qt(session_.places().vessels[one.index].name));
   const auto pose = session_.live().standing();
   change(tr("place"), [&](CasePlaces& places) {
     const Vec3 here_mm = session_.crosshair_mm();
@@ -237,12 +266,26 @@ void PlacesBox::makeFirst() {
   });
 }
 
+void PlacesBox::split() {
+  Chosen one{};
+  if (!chosen(one) || one.kind != Kind::Vessel) return;
+  auto parts = splitVessel(session_.places().vessels[one.index], session_.crosshair_mm());
+  if (!parts) return session_.say(ui::qt(parts.error().message));
+  parts->second.name += ", part 2";
+  change(tr("vessel split"), [&](CasePlaces& places) {
+    const auto at = places.vessels.begin() + std::ptrdiff_t(one.index);
+    *at = std::move(parts->first);
+    places.vessels.insert(at + 1, std::move(parts->second));
+  });
+}
+
 void PlacesBox::remove() {
   Chosen one{};
   if (!chosen(one)) return;
   change(tr("place removed"), [&](CasePlaces& places) {
     const auto erase = [&](auto& list) { list.erase(list.begin() + std::ptrdiff_t(one.index)); };
     if (one.kind == Kind::Target) erase(places.targets);
+    if (one.kind == Kind::Vessel) erase(places.vessels);
     if (one.kind == Kind::Landmark) erase(places.landmarks);
     if (one.kind == Kind::StartPose) erase(places.startPoses);
   });
@@ -258,6 +301,7 @@ void PlacesBox::rename(QTreeWidgetItem* item) {
         change(tr("name"), [&](CasePlaces& places) {
           if (name.empty()) return;
           if (kind == Kind::Target) places.targets[index].name = name;
+          if (kind == Kind::Vessel) places.vessels[index].name = name;
           if (kind == Kind::Landmark) places.landmarks[index].name = name;
           if (kind == Kind::StartPose) places.startPoses[index].name = name;
         });

@@ -15,10 +15,11 @@ class PrepareSession;
 struct CasePlaces;
 
 /// What PlacesBox marks beside landmarks, whose kinds are their codes.
-inline const QString kTargetKind = QStringLiteral("target"), kStartPoseKind = QStringLiteral("start pose");
+inline const QString kTargetKind = QStringLiteral("target"), kStartPoseKind = QStringLiteral("start pose"),
+                     kVesselKind = QStringLiteral("vessel");
 
-/// Targets, landmarks and start poses of the case, to be placed where the crosshair or the probe is, shown, named,
-/// moved and removed. The first start pose is the one where a case begins.
+/// Targets, names of vessels, landmarks and start poses of the case, to be placed where the crosshair or the probe is,
+/// shown, renamed, moved and removed. A case begins at its first start pose.
 class PlacesBox : public QWidget {
   Q_OBJECT
 
@@ -32,7 +33,7 @@ class PlacesBox : public QWidget {
   void markingBegun();
 
  private:
-  enum class Kind { Target, Landmark, StartPose };
+  enum class Kind { Target, Vessel, Landmark, StartPose };
   struct Chosen {
     Kind kind;
     std::size_t index;
@@ -42,7 +43,9 @@ class PlacesBox : public QWidget {
   void refresh();
   void refreshButtons();
   void add();
+  void addTarget();
   void addLandmark(const std::string& code, const QString& name);
+  void split();
   void show();
   void putHere();
   void makeFirst();
@@ -54,7 +57,7 @@ class PlacesBox : public QWidget {
   PrepareSession& session_;
   QTreeWidget* list_;
   QComboBox* kind_;
-  QPushButton *add_, *show_, *put_, *first_, *remove_;
+  QPushButton *add_, *show_, *put_, *first_, *split_, *remove_;
   bool showing_ = false;
 };
 

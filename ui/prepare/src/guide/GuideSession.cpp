@@ -1,6 +1,7 @@
 #include "GuideSession.h"
 
 #include "../PrepareSession.h"
+#include "../check/VesselNaming.h"
 
 #include <insonate/core/AtomicFile.h>
 
@@ -17,16 +18,6 @@ constexpr const char* kRecipeFile = "recipe.json";
 Guide neckGuide() {
   // It is compiled in, and a test reads it.
   return *readGuide(guidePresets().front().text);
-}
-
-/// The points of a step that may be clicks.
-const std::vector<Vec3>* pointsOf(const LabelTool& tool) {
-  return std::visit(
-      [](const auto& parameters) -> const std::vector<Vec3>* {
-        if constexpr (requires { parameters.points_mm; }) return &parameters.points_mm;
-        return nullptr;
-      },
-      tool);
 }
 
 }  // namespace
@@ -66,12 +57,11 @@ void GuideSession::takeUpRecipe() {
   auto read = loadRecipe(file.string());
   if (!read) return Q_EMIT told(QString::fromStdString(read.error().message));
   before_ = std::move(*read);
-  for (const LabelStep& made : before_.steps) {
-    const auto step = std::ranges::find(guide_.steps, made.of, &GuideStep::name);
-    if (made.of.empty() || step == guide_.steps.end()) continue;
-    StepProgress& p = progress_[std::size_t(step - guide_.steps.begin())];
-    p.restored = true;
-    if (const auto* points_mm = pointsOf(made.tool); points_mm && p.clicks_mm.empty()) p.clicks_mm = *points_mm;
+  for (std::size_t n = 0; n < guide_.steps.size(); ++n) {
+    const GuideStep& step = guide_.steps[n];
+    if (std::ranges::find(before_.steps, step.name, &LabelStep::of) == before_.steps.end()) continue;
+    progress_[n].restored = true;
+    progress_[n].clicks_mm = clicksOf(step, before_);
   }
   goToNext();
 }
@@ -260,6 +250,8 @@ void GuideSession::goToNext() {
 void GuideSession::accept() {
   if (const State now = state(current_); now != State::Done && now != State::Doubtful) return;
   progress_[std::size_t(current_)].accepted = true;
+  if (!step().vessel.empty() && isMade(current_))
+    nameVesselAt(session_, clicks_mm(), QString::fromStdString(step().vessel));
   goToNext();
 }
 

@@ -2,6 +2,7 @@
 
 #include <insonate/core/Preset.h>
 #include <insonate/segmentation/LabelStep.h>
+#include <insonate/segmentation/Recipe.h>
 
 #include <optional>
 #include <span>
@@ -33,6 +34,7 @@ struct GuideStep {
   std::string title;                ///< "Jugular vein, right"
   std::optional<GuideSide> side;    ///< on which its clicks are
   std::uint8_t label = 0;           ///< what it makes; none for a step that makes several
+  std::string vessel;               ///< name of the vein or artery that it makes, e.g. "right internal jugular vein"
   std::string say;                  ///< what to do
   std::string lookFor, ifWrong;     ///< what a good result looks like, what else to do
   int leastClicks = 0, clicks = 0;  ///< that it needs, that usually do; none for a step that runs by itself
@@ -58,6 +60,9 @@ const std::vector<Preset>& guidePresets();
 /// The way of doing a step of the guide that fits these clicks (patient, mm), its steps with their points as a recipe
 /// would hold them. Refuses too few clicks, clicks beside the CT, and clicks that no way is for.
 Result<GuideWay> wayFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct);
+
+/// Clicks of a step of the guide, by the recipe's first step with points that was made for it; none without.
+std::vector<Vec3> clicksOf(const GuideStep& step, const Recipe& recipe);
 
 /// What is doubtful about what a step has made, a sentence each: is it where the clicks are, as wide and as large as is
 /// usual, apart from what it must not touch. A fraction of a second. Labels are those of any time after the step.

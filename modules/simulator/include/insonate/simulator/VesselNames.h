@@ -14,7 +14,8 @@
 namespace insonate {
 
 /// Tells the vessels of a case apart, which share the labels vein and artery, and knows the target of an attempt. A
-/// point is in the vessel whose wall is nearest, by CaseManifest::vessels. A case that has none of those is known by
+/// point is in the vessel whose wall is nearest, by CaseManifest::vessels, unless it lies beside that vessel, in one
+/// without a name. A case that has none of those is known by
 /// its targets alone: the center line of a vein that passes nearest to a target bears that target's name.
 class VesselNames {
  public:
