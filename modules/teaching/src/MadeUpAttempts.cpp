@@ -48,6 +48,7 @@ struct RoundNorm {
 constexpr std::array kRound{RoundNorm{"lung_punctures", 0.05, 0.005},
                             RoundNorm{"used_needle_insertions", 0.2, 0.02},
                             RoundNorm{"other_vein_punctures", 0.05, 0.005},
+                            RoundNorm{"vein_checks", 0.75, 0.99},
                             RoundNorm{"bone_contacts", 0.2, 0.03},
                             RoundNorm{"redirections", 0.8, 0.2},
                             RoundNorm{"time_to_vein_s", 60, 15},

@@ -29,14 +29,14 @@ class NeckTries : public NeckAttempt {
     moved.offset = moved * by_mm;
     return moved;
   }
-  void expectTwoTries(const char* script, double usedNeedle);
+  void expectTwoTries(const char* script, double usedNeedle, double compressing_s);
 
   static constexpr std::size_t kAcross = 0, kAlong = 1;
   static inline std::unique_ptr<PatientCase> neck_;
 };
 
 /// 12 mm beside the picture 25 mm on and out again, undrawn; then in its plane into the vein.
-void NeckTries::expectTwoTries(const char* script, double usedNeedle) {
+void NeckTries::expectTwoTries(const char* script, double usedNeedle, double compressing_s) {
   const auto outcome = play(script, *neck_);
   const Way first = way(*neck_, kAlong, {-22.7, 15.2, -4}, {0, 15.2, 18.7}), last = toVein();
   const double in_mm = first.skin_mm() + bend_mm(kSkin), lastIn_mm = last.skin_mm() + bend_mm(kSkin);
@@ -48,41 +48,44 @@ void NeckTries::expectTwoTries(const char* script, double usedNeedle) {
   const auto nearest_mm = [&](Label label) {
     return std::min(first.nearest_mm(label, in_mm, 25), last.nearest_mm(label, lastIn_mm, 32));
   };
-  expectMetrics(outcome.metrics, {{{1},
-                                   {0},
-                                   {0},
-                                   {there_mm / 10, kVoxels_s},
-                                   {usedNeedle},
-                                   /* 25 on but for the way to the hole, 25 back, 1 s */
-                                   {(25 - in_mm + 25 + access_mm) / 10 + 1, 2 * kVoxels_s},
-                                   /* waits of 1, 1, 1 and 1.5 s, 3.2 + 25 + 25 + 32 mm */ {13.02, 0.003},
-                                   {2},
-                                   {0},
-                                   {0},
-                                   {0},
-                                   {path_mm, 2 * kTurn_mm},
-                                   {100 * (path_mm / there_mm - 1), 100 * (2 * kTurn_mm + kVoxels_mm) / there_mm},
-                                   {0, 0.05},
-                                   {last.angle_deg(), kSlant_deg},
-                                   {seen, 4},
-                                   {drawn, 4},
-                                   {0, kMiddle_mm},
-                                   {1},
-                                   {nearest_mm(kArtery), kVoxels_mm},
-                                   {nearest_mm(kAirway), kVoxels_mm},
-                                   {0},
-                                   {0},
-                                   {0},
-                                   kSomeForce,
-                                   kSomeForce}});
+  expectMetrics(outcome.metrics,
+                {{{1},
+                  {0},
+                  {0},
+                  {there_mm / 10, kVoxels_s},
+                  {usedNeedle},
+                  /* 25 on but for the way to the hole, 25 back, 1 s */
+                  {(25 - in_mm + 25 + access_mm) / 10 + 1, 2 * kVoxels_s},
+                  /* waits of 1, 1, 1 and 1.5 s, 3.2 + 25 + 25 + 32 mm */
+                  {13.02 + compressing_s, 0.003},
+                  {2},
+                  {0},
+                  {0},
+                  {0},
+                  {path_mm, 2 * kTurn_mm},
+                  {100 * (path_mm / there_mm - 1), 100 * (2 * kTurn_mm + kVoxels_mm) / there_mm},
+                  {0, 0.05},
+                  {last.angle_deg(), kSlant_deg},
+                  {seen, 4},
+                  {drawn, 4},
+                  {0, kMiddle_mm},
+                  {1},
+                  {nearest_mm(kArtery), kVoxels_mm},
+                  {nearest_mm(kAirway), kVoxels_mm},
+                  {0},
+                  {0},
+                  {0},
+                  kSomeForce,
+                  kSomeForce}},
+                compressing_s > 0 ? 1 : 0);
 }
 
 TEST_F(NeckTries, UsedNeedle) {
-  expectTwoTries("used-needle", 1);
+  expectTwoTries("used-needle", 1, 0);
 }
 
 TEST_F(NeckTries, TwoPasses) {
-  expectTwoTries("two-passes", 0);
+  expectTwoTries("two-passes", 0, /* 9 + 9 mm, 0.2 and 0.5 s */ 2.5);
 }
 
 /// 18 mm on, which is before the vein, 2 s there, and out.
