@@ -82,5 +82,13 @@ TEST(FormAgreement, OfNothingThereIsNothing) {
   EXPECT_TRUE(agreement.pairs.empty());
 }
 
+/// As older programs let raters do.
+TEST(FormAgreement, OfARaterWhoHandedInTwiceTheFirstCounts) {
+  const std::vector<KeptForm> forms{judged("Ina", "1", true), judged("Otto", "1", false), judged("Otto", "1", true)};
+  const FormAgreement agreement = agreementOf(checklist(), forms);
+  ASSERT_EQ(agreement.pairs.size(), 1U);
+  EXPECT_DOUBLE_EQ(*agreement.pairs[0].comparison.agreement, 21.0 / 22);
+}
+
 }  // namespace
 }  // namespace insonate

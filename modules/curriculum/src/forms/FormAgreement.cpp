@@ -43,8 +43,9 @@ FormAgreement agreementOf(const Form& form, std::span<const KeptForm> forms) {
       continue;
     }
     // What cannot be read was kept by another program; it says nothing.
+    // Of a rater who handed in twice, as older programs let them, the first counts: the others' were not known then.
     if (auto answers = parseAnswers(one.filled.answers))
-      judgements[one.filled.attempt][{one.rater, one.filled.by}] = std::move(*answers);
+      judgements[one.filled.attempt].try_emplace({one.rater, one.filled.by}, std::move(*answers));
   }
   result.judged = static_cast<int>(judgements.size());
   result.judgedTwice =

@@ -3,7 +3,9 @@
 #include <insonate/curriculum/AttemptFacts.h>
 #include <insonate/curriculum/Curriculum.h>
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace insonate {
@@ -28,6 +30,14 @@ bool counts(const AttemptFacts& attempt);
 
 /// Whether an attempt reached its aim. One that was abandoned never did: older programs may have kept it as a success.
 bool isSuccess(const AttemptFacts& attempt);
+
+/// The level of a curriculum for which an attempt was made, in any version of it; null in free practice, for another
+/// curriculum's attempts, and where level or procedure are not the curriculum's.
+const Level* levelOf(const Curriculum& curriculum, const AttemptFacts& attempt);
+
+/// Whether an attempt passed its level, by a curriculum's rules; none where there is nothing to pass: levelOf() is
+/// null, or the attempt does not count.
+std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& attempt);
 
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt);
 
