@@ -89,6 +89,16 @@ bool isSuccess(const AttemptFacts& attempt) {
   return attempt.state == AttemptState::Completed && attempt.succeeded;
 }
 
+const Level* levelOf(const Curriculum& curriculum, const AttemptFacts& attempt) {
+  const Level* level = attempt.curriculum == curriculum.name ? curriculum.level(attempt.level) : nullptr;
+  return level && level->procedure == attempt.procedure ? level : nullptr;
+}
+
+std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& attempt) {
+  const Level* level = levelOf(curriculum, attempt);
+  return level && counts(attempt) ? std::optional(judge(level->pass, attempt).passed) : std::nullopt;
+}
+
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
   Judgement judgement;
   judgement.standardsMet.reserve(rule.standards.size());

@@ -37,7 +37,9 @@ QVariant ClassTable::headerData(int section, Qt::Orientation orientation, int ro
     const MetricMeaning& meaning = MetricBook::here().all()[std::size_t(section - kFirstMetric)];
     if (role == Qt::DisplayRole) return titleWithUnit(meaning);
     if (role == Qt::ToolTipRole)
-      return tr("%1: mean of the last %2 attempts. Click to sort").arg(titleWithUnit(meaning)).arg(kLastAttempts);
+      return tr("%1: mean of the last %2 attempts at levels that count, free practice left out. Click to sort")
+          .arg(titleWithUnit(meaning))
+          .arg(kLastAttempts);
     if (role == Qt::TextAlignmentRole) return int(Qt::AlignCenter) | Qt::TextWordWrap;
     return {};
   }
@@ -99,7 +101,7 @@ QVariant ClassTable::aboutMetric(const Member& member, std::size_t metric, int r
       return cell.share ? QVariant(heatColour(*cell.share)) : QVariant();
     case Qt::ToolTipRole:
     case Qt::AccessibleDescriptionRole:
-      if (!cell.value) return tr("No attempt tells it.");
+      if (!cell.value) return tr("No data: none of the last %1 attempts at levels tells it.").arg(kLastAttempts);
       return tr("%1: %2, mean of %3, %4")
           .arg(titleWithUnit(meaning), numberOf(*cell.value), countOf(cell.attempts, tr("attempt"), tr("attempts")),
                heatWords(cell.share));

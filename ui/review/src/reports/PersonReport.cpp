@@ -43,7 +43,7 @@ void charts(PaperColumn& page, const PersonFacts& facts, const HeatMap& heat) {
   const std::string level = facts.history.empty() ? std::string() : facts.history.back().level;
   const double width = kWidth - 2 * kMargin;
   page.heading(tr("How they learn"));
-  chart(page, kMargin, width * 0.45, learningOf(facts, {}, points));
+  chart(page, kMargin, width * 0.45, learningOf(facts, level, points));
   chart(page, kMargin + width * 0.45, width * 0.33, cusumOf(facts, level));
   chart(page, kMargin + width * 0.78, width * 0.22, placeInClass(facts, heat, points));
   page.skip(kChartHeight);
