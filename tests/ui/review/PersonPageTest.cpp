@@ -84,7 +84,7 @@ TEST_F(PersonPageTest, TheLastAttemptsBesideTheClassAreThoseAtLevels) {
   practise(school_->as(school_->add("dora", Role::Trainee, school_->spring.id)), true);
   practise(school_->as(school_->anna), false);
   showAnna();
-  EXPECT_EQ(chart("placeChart").title, "Beside the class, last 10 attempts");
+  EXPECT_EQ(chart("placeChart").xTitle, "last 10 attempts at levels");
   for (const char* metric : {"Needle path, mm", "Points"}) {
     choose("metricShown", metric);
     EXPECT_FALSE(chart("placeChart").isEmpty()) << metric << ": " << chart("placeChart").words.toStdString();

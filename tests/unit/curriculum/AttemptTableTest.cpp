@@ -38,6 +38,19 @@ TEST(AttemptTable, SaysWhatSucceededPassedAndWasVoided) {
   EXPECT_EQ(fieldOf(attempt, &course, "passed"), "") << "nothing is passed any more";
 }
 
+TEST(AttemptTable, ARecordingThatBrokeOffIsAbandonedAndFailed) {
+  const Curriculum course = test::courseOf({test::levelNamed("a", 1)});
+  AttemptFacts broken = test::passedAttempt("a");
+  EXPECT_EQ(fieldOf(broken, &course, "broke off"), "no");
+  broken.state = AttemptState::Abandoned, broken.metrics.clear();
+  EXPECT_EQ(fieldOf(broken, &course, "state"), "abandoned");
+  EXPECT_EQ(fieldOf(broken, &course, "broke off"), "yes");
+  EXPECT_EQ(fieldOf(broken, &course, "succeeded"), "no");
+  EXPECT_EQ(fieldOf(broken, &course, "passed"), "no");
+  broken.metrics = {{"passes", 1, 1.0}};
+  EXPECT_EQ(fieldOf(broken, &course, "broke off"), "no") << "the trainee gave it up";
+}
+
 TEST(AttemptTable, FreePracticePassesNothing) {
   const Curriculum course = test::courseOf({test::levelNamed("a", 1)});
   AttemptFacts practice = test::passedAttempt("");

@@ -34,8 +34,8 @@ std::string isoOf(std::int64_t time_us) {
 }  // namespace
 
 std::vector<std::string> attemptColumns() {
-  return {"id",    "begun (UTC)", "curriculum", "version", "level",           "procedure", "case",     "assistance",
-          "state", "voided",      "succeeded",  "passed",  "critical errors", "points",    "length, s"};
+  return {"id",    "begun (UTC)", "curriculum", "version",   "level",  "procedure",       "case",   "assistance",
+          "state", "broke off",   "voided",     "succeeded", "passed", "critical errors", "points", "length, s"};
 }
 
 std::vector<std::string> attemptRow(const AttemptFacts& attempt, const Curriculum* curriculum) {
@@ -49,6 +49,7 @@ std::vector<std::string> attemptRow(const AttemptFacts& attempt, const Curriculu
           attempt.caseName,
           level ? std::string(nameOf(level->assistance)) : "",
           wordOf(attempt.state),
+          yesNo(hasBrokenOff(attempt)),
           yesNo(attempt.state == AttemptState::Voided),
           yesNo(isSuccess(attempt)),
           yesNo(curriculum ? passedIn(*curriculum, attempt) : std::nullopt),

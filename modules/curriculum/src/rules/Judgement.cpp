@@ -49,8 +49,8 @@ std::string graveReason(const AttemptFacts& attempt) {
   if (attempt.criticalErrors == 1) return "there was a critical error";
   if (attempt.criticalErrors > 1) return "there were " + std::to_string(attempt.criticalErrors) + " critical errors";
   if (attempt.state != AttemptState::Completed)
-    return skinPunctures(attempt) ? "it was abandoned with the needle in the skin"
-                                  : "it was abandoned: its recording broke off";
+    return hasBrokenOff(attempt) ? "it was abandoned: its recording broke off"
+                                 : "it was abandoned with the needle in the skin";
   return attempt.succeeded ? "" : "it did not succeed";
 }
 
@@ -83,6 +83,10 @@ std::optional<double> valueOf(const AttemptFacts& attempt, std::string_view metr
 bool counts(const AttemptFacts& attempt) {
   if (attempt.state == AttemptState::Completed) return true;
   return attempt.state == AttemptState::Abandoned && skinPunctures(attempt) != 0.0;
+}
+
+bool hasBrokenOff(const AttemptFacts& attempt) {
+  return attempt.state == AttemptState::Abandoned && !skinPunctures(attempt);
 }
 
 bool isSuccess(const AttemptFacts& attempt) {

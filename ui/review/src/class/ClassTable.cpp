@@ -38,15 +38,15 @@ QVariant ClassTable::headerData(int section, Qt::Orientation orientation, int ro
     if (role == Qt::DisplayRole) return titleWithUnit(meaning);
     if (role == Qt::ToolTipRole)
       return tr("%1: mean of the last %2 attempts at levels that count, free practice left out. Click to sort")
-          .arg(titleWithUnit(meaning))
-          .arg(kLastAttempts);
+          .arg(titleWithUnit(meaning), QString::number(kLastAttempts));
     if (role == Qt::TextAlignmentRole) return int(Qt::AlignCenter) | Qt::TextWordWrap;
     return {};
   }
   static const QString titles[] = {tr("Person"), tr("Needs you"), tr("Level"), tr("Attempts"), tr("Last attempt")};
   if (role == Qt::DisplayRole) return titles[section];
-  if (role == Qt::ToolTipRole) return tr("Click to sort");
-  return {};
+  if (role != Qt::ToolTipRole) return {};
+  return section == kAttempts ? tr("Attempts that count, at levels and in free practice. Click to sort")
+                              : tr("Click to sort");
 }
 
 QVariant ClassTable::data(const QModelIndex& index, int role) const {

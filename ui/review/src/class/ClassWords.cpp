@@ -64,6 +64,7 @@ QString outcomeOf(const AttemptFacts& attempt, const Curriculum* curriculum) {
   }
   if (!counts(attempt)) return tr("Abandoned before the skin; does not count");
   const Level* level = curriculum ? levelOf(*curriculum, attempt) : nullptr;
+  if (!level && hasBrokenOff(attempt)) return tr("Abandoned: its recording broke off");
   if (!level)
     return attempt.state == AttemptState::Abandoned ? tr("Abandoned")
            : attempt.succeeded                      ? tr("Succeeded")

@@ -181,8 +181,9 @@ void MasteryEditor::show(const Level& level) {
   const QSignalBlocker a(passes_), b(acceptable_), c(unacceptable_), d(limit_), e(days_), f(failures_), g(within_);
   passes_->setValue(rule.passesInARow);
   const int fewest = fewestAttempts(rule);
-  fewest_->setText(fewest == 1 ? tr("mastered with at least 1 attempt")
-                               : tr("mastered with at least %1 attempts").arg(fewest));
+  fewest_->setText(fewest == LcCusum::kMostToSignal ? tr("cannot be mastered by these rates")
+                   : fewest == 1                    ? tr("mastered with at least 1 attempt")
+                                                    : tr("mastered with at least %1 attempts").arg(fewest));
   cusum_->setChecked(rule.cusum.has_value());
   for (QWidget* one :
        std::initializer_list<QWidget*>{acceptable_, unacceptable_, limit_, falseSignals_, trials_, calibrate_})

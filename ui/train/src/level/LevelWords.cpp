@@ -113,7 +113,7 @@ QString masteryOf(const Level& level) {
 }
 
 QString passOf(const PassRule& rule) {
-  QStringList parts{tr("completed with success, without a critical error")};
+  QStringList parts{tr("completed, succeeded, without a critical error")};
   if (rule.leastPoints) parts << tr("at least %1 points").arg(*rule.leastPoints);
   if (!rule.standards.empty() && rule.mastery_percent < 100)
     parts << tr("at least %1 % of the standards met, and each critical one").arg(rule.mastery_percent);

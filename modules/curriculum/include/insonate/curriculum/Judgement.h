@@ -28,6 +28,9 @@ struct Judgement {
 /// count. An instructor voids the attempt where the device was to blame.
 bool counts(const AttemptFacts& attempt);
 
+/// True for an abandoned attempt of which nothing was measured: its recording broke off (crash, power, full disk).
+bool hasBrokenOff(const AttemptFacts& attempt);
+
 /// True for a completed attempt that reached its aim. An abandoned attempt never did, although an older program may
 /// have stored it as a success.
 bool isSuccess(const AttemptFacts& attempt);
