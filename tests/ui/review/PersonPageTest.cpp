@@ -69,7 +69,7 @@ TEST_F(PersonPageTest, LcCusumIsDrawnOnlyWhereTheLevelAsksForIt) {
   const ui::ChartPicture& cusum = chart("cusumChart");
   ASSERT_EQ(cusum.lines.size(), 2U) << cusum.words.toStdString();
   EXPECT_EQ(cusum.title, "LC-CUSUM, at least 11 attempts") << "three in a row alone reach no limit of 4.07";
-  EXPECT_EQ(cusum.lines[1].name, "limit 4.07; failures: 10 % acceptable, 40 % unacceptable");
+  EXPECT_EQ(cusum.lines[1].name, "limit 4.07; failures: 10 % acceptable, 40 % not");
   ASSERT_EQ(cusum.lines[0].points.size(), 4U);
   EXPECT_EQ(cusum.lines[0].points[1].y(), 0) << "failures keep it at 0";
   EXPECT_NEAR(cusum.lines[0].points[3].y(), 2 * std::log(0.9 / 0.6), 1e-9) << "two passes";

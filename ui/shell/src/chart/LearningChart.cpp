@@ -72,7 +72,6 @@ ChartPicture learningPicture(const MetricMeaning& meaning, std::span<const std::
 
 ChartPicture cusumPicture(const std::vector<bool>& passes, const CusumRule& rule) {
   const std::vector<double> scores = LcCusum{rule.acceptable, rule.unacceptable}.series(passes);
-
   ChartPicture picture;
   picture.title = tr("LC-CUSUM");
   picture.xTitle = tr("attempt");
@@ -81,10 +80,11 @@ ChartPicture cusumPicture(const std::vector<bool>& passes, const CusumRule& rule
     picture.words = tr("n/a: no attempt of this level counts yet.");
     return picture;
   }
-  ChartPicture::Line line{tr("score"), {}, Tone::Accent, Qt::SolidLine, scores.size() <= 60};
+  // The axis names it; the legend has room for the limit's rates in one line.
+  ChartPicture::Line line{{}, {}, Tone::Accent, Qt::SolidLine, scores.size() <= 60};
   for (std::size_t i = 0; i < scores.size(); ++i) line.points.emplace_back(double(i) + 1, scores[i]);
   picture.lines.push_back(std::move(line));
-  picture.lines.push_back({tr("limit %1; failures: %2 % acceptable, %3 % unacceptable")
+  picture.lines.push_back({tr("limit %1; failures: %2 % acceptable, %3 % not")
                                .arg(rule.limit)
                                .arg(100 * rule.acceptable)
                                .arg(100 * rule.unacceptable),
