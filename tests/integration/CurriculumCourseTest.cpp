@@ -106,7 +106,14 @@ TEST_F(CurriculumCourse, StatisticsSayWhatTheyCannotTell) {
   EXPECT_EQ((*artery)["last_5"], 0.5);
   EXPECT_EQ(run("statistics person --metric none --as alice").status, 2);
 
+  told("attempts add " + record("practice", Ending::InVein, 4) + " --as alice");
+  const json practised = told("statistics person --metric artery_punctures --as alice")["procedures"][0];
+  EXPECT_EQ(practised["attempts"], 3) << "with free practice";
+  EXPECT_EQ(practised["metrics"][0]["mean_of_last"], 0.5) << "as the class counts";
+  EXPECT_NEAR(practised["metrics"][0]["mean_value"], 1 / 3.0, 1e-9);
+
   const json all = told("statistics class 'Year 1' --as miller")["procedures"][0];
+  EXPECT_EQ(all["people"][0]["n"], 2) << "without free practice";
   EXPECT_EQ(all["people"].size(), 2u);
   EXPECT_EQ(all["people"][0]["succeeded_share"], 0.5);
   EXPECT_EQ(all["people"][0]["success_share"], 0.5);

@@ -5,6 +5,7 @@
 #include "MetricSeries.h"
 
 #include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/LearningCurve.h>
 #include <insonate/teaching/TeachingHere.h>
 
@@ -27,16 +28,24 @@ Json curveJson(const std::optional<LearningCurve>& curve) {
 /// The number of values in the key "last_5" of earlier versions, which scripts read.
 constexpr std::size_t kLastOfEarlierVersions = 5;
 
-/// Of the last kLastAttempts attempts those that tell a value.
-std::optional<double> meanOfLast(std::span<const std::optional<double>> series) {
-  std::vector<double> values;
-  for (const auto& value : series.last(std::min(series.size(), std::size_t{kLastAttempts})))
-    if (value) values.push_back(*value);
-  return meanValue(values);
+/// The last kLastAttempts attempts at levels that count, as AttemptStore::lastOfCohort() gives them of a class; in
+/// their order.
+std::vector<AttemptFacts> lastAtLevels(const std::vector<AttemptFacts>& history) {
+  std::vector<AttemptFacts> last;
+  for (auto it = history.rbegin(); it != history.rend() && last.size() < std::size_t{kLastAttempts}; ++it)
+    if (!it->curriculum.empty() && counts(*it)) last.push_back(*it);
+  std::ranges::reverse(last);
+  return last;
 }
 
+/// Attempts of one procedure.
+struct PersonAttempts {
+  Attempts all, last;  ///< that count; of them those of lastAtLevels()
+};
+
 /// The figures that a person reads stand in the row itself, the others below it.
-Json rowOf(const MetricMeaning& metric, const Attempts& attempts) {
+Json rowOf(const MetricMeaning& metric, const PersonAttempts& of) {
+  const Attempts& attempts = of.all;
   const auto series = seriesOf(attempts, metric);
   const std::vector<double> values = valuesOf(attempts, metric);
   const std::span<const double> all(values);
@@ -52,7 +61,7 @@ Json rowOf(const MetricMeaning& metric, const Attempts& attempts) {
           {"high", mean && mean->interval ? Json(mean->interval->high) : Json(nullptr)},
           {"interval_by", mean ? Json(mean->basis) : Json(nullptr)},
           {"median", orNull(median(values))},
-          {"mean_of_last", orNull(meanOfLast(series))},
+          {"mean_of_last", orNull(meanValue(valuesOf(of.last, metric)))},
           {"last_5", orNull(meanValue(all.last(std::min(kLastOfEarlierVersions, all.size()))))},
           {"expert", orNull(metric.expert)},
           {"in_expert_band_percent", metric.expert && !values.empty() ? Json(100.0 * static_cast<double>(inBand) /
@@ -62,7 +71,7 @@ Json rowOf(const MetricMeaning& metric, const Attempts& attempts) {
           {"plateau", curve ? Json(curve->plateau.value) : Json(nullptr)}};
 }
 
-Json metricsOf(const std::string& procedure, const Attempts& attempts, const std::string& only) {
+Json metricsOf(const std::string& procedure, const PersonAttempts& attempts, const std::string& only) {
   Json rows = Json::array();
   for (const MetricMeaning& metric : meaningsFor(procedure))
     if (only.empty() || metric.id == only) rows.push_back(rowOf(metric, attempts));
@@ -117,9 +126,11 @@ Result<Answer> statistics(const SignedIn& by, const Arguments& a) {
   Answer answer{
       {{"person", toJson(*person)}, {"last", kLastAttempts}, {"procedures", Json::array()}, {"paths", levels->object}},
       ""};
-  const std::string lastTitle = "mean of last " + std::to_string(kLastAttempts);
+  const std::string lastTitle = "mean of last " + std::to_string(kLastAttempts) + " at levels";
+  const std::vector<AttemptFacts> last = lastAtLevels(*history);
+  auto lastByProcedure = countedByProcedure(last);
   for (const auto& [procedure, attempts] : countedByProcedure(*history)) {
-    const Json rows = metricsOf(procedure, attempts, a.metric);
+    const Json rows = metricsOf(procedure, {attempts, lastByProcedure[procedure]}, a.metric);
     const Json success = toJson(successOf(attempts));
     answer.text += procedure + ": " + std::to_string(attempts.size()) +
                    (attempts.size() == 1 ? " attempt" : " attempts") + " at levels and in free practice, " +
