@@ -122,7 +122,7 @@ nlohmann::json scoreReport(const AttemptScore& score) {
 
 void printScore(const AttemptScore& score) {
   if (score.points)
-    std::printf("score %.0f of 100%s\n", *score.points, score.succeeded ? "" : ", without success");
+    std::printf("score %.0f of 100%s\n", *score.points, score.succeeded ? "" : ", did not succeed");
   else
     std::printf("no score\n");
   for (const AttemptMoment& error : score.criticalErrors) std::printf("critical: %s\n", error.say.c_str());
@@ -131,7 +131,7 @@ void printScore(const AttemptScore& score) {
 
 void printAttempt(AttemptStatus status, const MetricValues& metrics, const std::vector<AttemptEvent>& events,
                   const std::vector<std::string>& vessels) {
-  std::printf("%s\n", nameOf(status));
+  std::printf("%s\n", status == AttemptStatus::CutShort ? "abandoned: its recording broke off" : nameOf(status));
   for (const AttemptEvent& event : events) {
     const std::string vessel = vesselName(event, vessels);
     const std::string wall = isOfWall(event) ? std::string(labelTable()[event.wall].name) : "";

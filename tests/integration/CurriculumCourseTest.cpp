@@ -82,9 +82,10 @@ TEST_F(CurriculumCourse, StatisticsSayWhatTheyCannotTell) {
   told("attempts add " + record("c", Ending::InVein, 3) + " --level first --as bob");
   const json alice = told("statistics person --as alice")["procedures"][0];
   EXPECT_EQ(alice["attempts"], 2);
-  EXPECT_EQ(alice["success"]["value"], 0.5);
+  EXPECT_EQ(alice["succeeded"]["value"], 0.5);
   // Wilson: (1/2 + z^2/4 -+ z sqrt(1/8 + z^2/16)) / (1 + z^2/2), z = 1.96, so (1.460 -+ 1.185) / 2.921.
-  EXPECT_NEAR(alice["success"]["low"], 0.0945, 0.0005);
+  EXPECT_NEAR(alice["succeeded"]["low"], 0.0945, 0.0005);
+  EXPECT_EQ(alice["success"], alice["succeeded"]) << "which scripts know by this name";
   const auto& metrics = alice["metrics"];
   const auto artery =
       std::ranges::find_if(metrics, [](const json& row) { return row["metric"] == "artery_punctures"; });
@@ -100,10 +101,22 @@ TEST_F(CurriculumCourse, StatisticsSayWhatTheyCannotTell) {
   EXPECT_TRUE((*force)["median"].is_null());
   EXPECT_THAT(run("statistics person --as alice").output, HasSubstr("n/a"));
   EXPECT_EQ(told("statistics person --metric passes --as alice")["procedures"][0]["metrics"].size(), 1u);
+  EXPECT_EQ(told("statistics person --as alice")["last"], 10);
+  EXPECT_EQ((*artery)["mean_of_last"], 0.5);
+  EXPECT_EQ((*artery)["last_5"], 0.5);
   EXPECT_EQ(run("statistics person --metric none --as alice").status, 2);
 
+  told("attempts add " + record("practice", Ending::InVein, 4) + " --as alice");
+  const json practised = told("statistics person --metric artery_punctures --as alice")["procedures"][0];
+  EXPECT_EQ(practised["attempts"], 3) << "with free practice";
+  EXPECT_EQ(practised["metrics"][0]["mean_of_last"], 0.5) << "as the class counts";
+  EXPECT_NEAR(practised["metrics"][0]["mean_value"], 1 / 3.0, 1e-9);
+
   const json all = told("statistics class 'Year 1' --as miller")["procedures"][0];
+  EXPECT_EQ(all["people"][0]["n"], 2) << "without free practice";
   EXPECT_EQ(all["people"].size(), 2u);
+  EXPECT_EQ(all["people"][0]["succeeded_share"], 0.5);
+  EXPECT_EQ(all["people"][0]["success_share"], 0.5);
   told("classes add Empty --as boss");
   EXPECT_THAT(run("statistics class Empty --as boss").output, HasSubstr("no attempts that count yet"));
   EXPECT_TRUE(told("statistics compare Empty 'Year 1' --as boss")["procedures"].empty());
@@ -138,18 +151,35 @@ TEST_F(CurriculumCourse, FormsAreFilledInOnce) {
 
 TEST_F(CurriculumCourse, ExportsAreForOtherPrograms) {
   makeClass();
-  told("attempts add " + record("a", Ending::InVein, 1) + " --level first --as alice");
+  const json attempt = told("attempts add " + record("a", Ending::InVein, 1) + " --level first --as alice");
   told("export csv 'Year 1' " + path("attempts.csv") + " --as miller");
   const auto rows = parseCsv(bytesOf(folder / "attempts.csv"));
   ASSERT_TRUE(rows);
   ASSERT_EQ(rows->size(), 2u);
-  EXPECT_EQ((*rows)[1].fields[0], "alice");
-  EXPECT_EQ((*rows)[0].fields[10], "vein_punctures");
-  EXPECT_EQ((*rows)[1].fields[10], "1");
-  told("export grades 'Year 1' " + path("grades.csv") + " --by name --as miller");
+  const auto field = [&](const std::string& column) {
+    const auto& columns = (*rows)[0].fields;
+    return (*rows)[1].fields.at(static_cast<std::size_t>(std::ranges::find(columns, column) - columns.begin()));
+  };
+  EXPECT_EQ(field("id"), attempt["attempt"]["id"]);
+  EXPECT_EQ(field("name"), "alice");
+  EXPECT_EQ(field("succeeded"), "yes");
+  EXPECT_EQ(field("passed"), "yes");
+  EXPECT_EQ(field("voided"), "no");
+  EXPECT_EQ(field("assistance"), "guided");
+  EXPECT_EQ(field("vein_punctures"), "1");
+  const json listed = told("attempts list --as alice")["attempts"][0];
+  EXPECT_EQ(listed["passed"], true);
+  EXPECT_EQ(listed["assistance"], "guided");
+  EXPECT_EQ(listed["voided"], false);
+  const json graded = told("export grades 'Year 1' " + path("grades.csv") + " --by name --as miller");
   EXPECT_THAT(bytesOf(folder / "grades.csv"), HasSubstr("50")) << "one of two levels";
   EXPECT_THAT(bytesOf(folder / "grades.csv"), Not(HasSubstr("bob"))) << "who has no attempt yet";
-  told("export xapi 'Year 1' " + path("x.json") + " --home https://training.example.org --as miller");
+  EXPECT_EQ(graded["left_out"].size(), 1u);
+  EXPECT_EQ(graded["left_out_because"], json({"no grade yet"}));
+  EXPECT_THAT(run("export grades 'Year 1' " + path("grades.csv") + " --by name --as miller").output,
+              HasSubstr("(no grade yet)"));
+  const std::string exporting = "export xapi 'Year 1' " + path("x.json") + " --home https://training.example.org";
+  EXPECT_TRUE(told(exporting + " --as miller")["left_out"].empty());
   EXPECT_EQ(json::parse(bytesOf(folder / "x.json")).size(), 1u);
   EXPECT_THAT(refused("export xapi 'Year 1' " + path("y.json") + " --home training --as miller"), HasSubstr("http"));
   told("export json " + path("all.json") + " --as boss");

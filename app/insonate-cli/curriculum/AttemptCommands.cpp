@@ -41,6 +41,8 @@ Json factsJson(const AttemptFacts& facts) {
           {"begun", timeText(facts.begun_us)},
           {"length_s", static_cast<double>(facts.length_us) * 1e-6},
           {"state", nameOf(facts.state)},
+          {"broke_off", hasBrokenOff(facts)},
+          {"voided", facts.state == AttemptState::Voided},
           {"succeeded", isSuccess(facts)},
           {"critical_errors", facts.criticalErrors},
           {"points", orNull(facts.points)},
@@ -112,14 +114,39 @@ Result<Answer> add(const SignedIn& by, const AddArguments& a) {
                 "Kept as free practice, attempt " + facts->id};
 }
 
+/// The curricula of a person's classes, by which their attempts pass.
+Result<std::vector<Curriculum>> curriculaOf(const SignedIn& by, const Person& person) {
+  const auto classes = classesOf(by, person);
+  if (!classes) return tl::unexpected(classes.error());
+  std::vector<Curriculum> curricula;
+  for (const Cohort& cohort : *classes) {
+    if (cohort.curriculum.empty()) continue;
+    auto curriculum = curriculumOf(by, cohort);
+    if (!curriculum) return tl::unexpected(curriculum.error());
+    curricula.push_back(std::move(*curriculum));
+  }
+  return curricula;
+}
+
+/// "passed" and "assistance", by the first class whose curriculum has the level; null where none has.
+Json judgedBy(const std::vector<Curriculum>& curricula, const AttemptFacts& facts) {
+  for (const Curriculum& curriculum : curricula)
+    if (const Level* level = levelOf(curriculum, facts))
+      return {{"passed", orNull(passedIn(curriculum, facts))}, {"assistance", nameOf(level->assistance)}};
+  return {{"passed", nullptr}, {"assistance", nullptr}};
+}
+
 Result<Answer> list(const SignedIn& by, const ListArguments& a) {
   const auto person = personNamed(by, a.person);
   if (!person) return tl::unexpected(person.error());
   const auto page = AttemptStore(by).page(person->id, a.count, a.before);
   if (!page) return tl::unexpected(page.error());
+  const auto curricula = curriculaOf(by, *person);
+  if (!curricula) return tl::unexpected(curricula.error());
   Json rows = Json::array();
   for (const KeptAttempt& attempt : *page) {
     rows.push_back(factsJson(attempt.facts));
+    rows.back().update(judgedBy(*curricula, attempt.facts));
     rows.back().update({{"arrival", attempt.arrival},
                         {"crashed", attempt.crashed},
                         {"void_reason", attempt.voidReason.empty() ? Json(nullptr) : Json(attempt.voidReason)}});
@@ -128,8 +155,11 @@ Result<Answer> list(const SignedIn& by, const ListArguments& a) {
                 rows.empty() ? "No attempts yet; 'curriculum attempts add' takes a recording."
                              : tableOf(rows, {{"begun", "begun"},
                                               {"level", "level"},
+                                              {"assistance", "assistance"},
                                               {"state", "state"},
-                                              {"succeeded", "success"},
+                                              {"broke_off", "broke off"},
+                                              {"succeeded", "succeeded"},
+                                              {"passed", "passed"},
                                               {"critical_errors", "critical"},
                                               {"points", "points"},
                                               {"id", "attempt"}})};

@@ -15,7 +15,7 @@ namespace {
 
 struct Arguments {
   std::string first, second;
-  int last = 20;
+  int last = kLastAttempts;
 };
 
 /// The attempts of a class by procedure and person.
@@ -62,11 +62,15 @@ Json personRow(const Member& member, const Attempts& attempts, const std::vector
   const auto success = successOf(attempts);
   Json medians = Json::object();
   for (const MetricMeaning& metric : metrics) medians[metric.id] = orNull(median(valuesOf(attempts, metric)));
+  const Json share = success ? Json(success->value) : Json(nullptr);
+  // "success" and "success_share" are the names of earlier versions, which scripts read.
   return {{"name", member.person.name},
           {"full_name", member.person.fullName},
           {"n", attempts.size()},
+          {"succeeded", toJson(success)},
           {"success", toJson(success)},
-          {"success_share", success ? Json(success->value) : Json(nullptr)},
+          {"succeeded_share", share},
+          {"success_share", share},
           {"low", success && success->interval ? Json(success->interval->low) : Json(nullptr)},
           {"high", success && success->interval ? Json(success->interval->high) : Json(nullptr)},
           {"medians", std::move(medians)}};
@@ -85,7 +89,8 @@ Result<Answer> classStatistics(const SignedIn& by, const Arguments& a) {
       if (const auto found = people.find(member.person.id); found != people.end())
         persons.push_back(personRow(member, found->second, metrics));
     for (const MetricMeaning& metric : metrics) boxes.push_back(boxRow(metric, mediansOf(people, metric)));
-    answer.text += procedure + ", the last " + std::to_string(a.last) + " attempts of each, one median a person\n" +
+    answer.text += procedure + ", the last " + std::to_string(a.last) +
+                   " attempts of each at levels, without free practice; one median a person\n" +
                    tableOf(boxes, {{"metric", "metric"},
                                    {"unit", "unit"},
                                    {"n", "people"},
@@ -99,7 +104,7 @@ Result<Answer> classStatistics(const SignedIn& by, const Arguments& a) {
                    tableOf(persons, {{"name", "name"},
                                      {"full_name", "full name"},
                                      {"n", "attempts"},
-                                     {"success_share", "success"},
+                                     {"succeeded_share", "succeeded"},
                                      {"low", "95 % from"},
                                      {"high", "to"}});
     answer.object["procedures"].push_back(
@@ -140,9 +145,10 @@ Result<Answer> comparison(const SignedIn& by, const Arguments& a) {
   const auto first = attemptsOf(by, a.first, a.last), second = attemptsOf(by, a.second, a.last);
   if (!first) return tl::unexpected(first.error());
   if (!second) return tl::unexpected(second.error());
-  std::string note =
-      "Mann and Whitney's test of one median a person, with " + std::to_string(kFewestCompared) +
-      " people or more of each class. Of so many comparisons one in twenty has p below 0.05 by chance alone.";
+  std::string note = "Mann and Whitney's test of one median a person, with " + std::to_string(kFewestCompared) +
+                     " people or more of each class; of the last " + std::to_string(a.last) +
+                     " attempts of each at levels, without free practice. Of so many comparisons one in twenty has p "
+                     "below 0.05 by chance alone.";
   const std::size_t both = peopleInBoth(*first, *second);
   if (both > 0)
     note += " People in both classes, whom the test takes for different ones: " + std::to_string(both) + ".";
@@ -176,7 +182,7 @@ Result<Answer> comparison(const SignedIn& by, const Arguments& a) {
 }
 
 void addLast(CLI::App& command, Arguments& a) {
-  command.add_option("--last", a.last, "How many attempts of each, the newest")
+  command.add_option("--last", a.last, "How many attempts of each at levels, the newest")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
 }
@@ -185,8 +191,9 @@ void addLast(CLI::App& command, Arguments& a) {
 
 void addClassStatistics(CLI::App& group, Outcome& outcome) {
   auto a = std::make_shared<Arguments>();
-  CLI::App* one = addSignedInCommand(group, outcome, "class", "A class: box plots of its metrics, success of each",
-                                     [a](const SignedIn& by) { return classStatistics(by, *a); });
+  CLI::App* one =
+      addSignedInCommand(group, outcome, "class", "A class: box plots of its metrics, how often each succeeded",
+                         [a](const SignedIn& by) { return classStatistics(by, *a); });
   one->add_option("CLASS", a->first, "Name of the class")->required();
   addLast(*one, *a);
   auto b = std::make_shared<Arguments>();

@@ -4,6 +4,7 @@
 
 #include <insonate/core/AtomicFile.h>
 #include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/AttemptTable.h>
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/Csv.h>
 #include <insonate/curriculum/GradeBook.h>
@@ -13,8 +14,9 @@
 #include <insonate/teaching/TeachingHere.h>
 
 #include <algorithm>
-#include <iostream>
+#include <iterator>
 #include <memory>
+#include <optional>
 
 namespace insonate::cli {
 namespace {
@@ -51,34 +53,44 @@ Result<Answer> exportAll(const SignedIn& by, const std::string& file) {
   return wrote(file, Json::object());
 }
 
+/// None for a class without a curriculum: nothing is passed there.
+Result<std::optional<Curriculum>> curriculumIfAny(const SignedIn& by, const Cohort& cohort) {
+  if (cohort.curriculum.empty()) return std::nullopt;
+  auto curriculum = curriculumOf(by, cohort);
+  if (!curriculum) return tl::unexpected(curriculum.error());
+  return std::move(*curriculum);
+}
+
 /// A line an attempt, a column a metric.
 Result<Answer> exportCsv(const SignedIn& by, const Arguments& a) {
-  const auto metrics = metricMeanings();
-  std::vector<std::vector<std::string>> rows{{"name", "full name", "begun", "level", "procedure", "state", "succeeded",
-                                              "critical errors", "points", "length s"}};
-  for (const MetricMeaning& metric : metrics) rows[0].push_back(metric.id);
-  const auto cohort =
-      eachTrainee(by, a.className, [&](const Person& person, const std::vector<AttemptFacts>& attempts) {
-        for (const AttemptFacts& facts : attempts) {
-          std::vector<std::string> row{person.name,
-                                       person.fullName,
-                                       timeText(facts.begun_us),
-                                       facts.level,
-                                       facts.procedure,
-                                       nameOf(facts.state),
-                                       isSuccess(facts) ? "yes" : "no",
-                                       std::to_string(facts.criticalErrors),
-                                       csvNumber(facts.points),
-                                       csvNumber(static_cast<double>(facts.length_us) * 1e-6)};
-          for (const MetricMeaning& metric : metrics)
-            row.push_back(csvNumber(valueOf(facts, metric.id, metric.version)));
-          rows.push_back(std::move(row));
-        }
-        return Result<void>();
-      });
+  const auto cohort = classNamed(by, a.className);
   if (!cohort) return tl::unexpected(cohort.error());
+  const auto curriculum = curriculumIfAny(by, *cohort);
+  if (!curriculum) return tl::unexpected(curriculum.error());
+  const auto metrics = metricMeanings();
+  std::vector<std::vector<std::string>> rows{attemptColumns()};
+  rows[0].insert(rows[0].begin() + 1, {"name", "full name"});
+  for (const MetricMeaning& metric : metrics) rows[0].push_back(metric.id);
+  const auto done = eachTrainee(by, a.className, [&](const Person& person, const std::vector<AttemptFacts>& attempts) {
+    for (const AttemptFacts& facts : attempts) {
+      std::vector<std::string> row = attemptRow(facts, *curriculum ? &**curriculum : nullptr);
+      row.insert(row.begin() + 1, {person.name, person.fullName});
+      for (const MetricMeaning& metric : metrics) row.push_back(csvNumber(valueOf(facts, metric.id, metric.version)));
+      rows.push_back(std::move(row));
+    }
+    return Result<void>();
+  });
+  if (!done) return tl::unexpected(done.error());
   if (auto written = writeAtomically(a.file, csvText(rows)); !written) return tl::unexpected(written.error());
   return wrote(a.file, {{"attempts", rows.size() - 1}});
+}
+
+/// "Left out: Bob B (no grade yet), ..."; "" for nobody.
+std::string ungradedSentence(const std::vector<UngradedPerson>& leftOut) {
+  std::string sentence;
+  for (const UngradedPerson& one : leftOut)
+    sentence += (sentence.empty() ? " Left out: " : ", ") + one.fullName + " (" + one.why + ")";
+  return sentence.empty() ? "" : sentence + ".";
 }
 
 /// The share of levels that each has mastered.
@@ -102,9 +114,14 @@ Result<Answer> exportGrades(const SignedIn& by, const Arguments& a) {
     grades.push_back(std::move(grade));
   }
   const GradeBook book = gradeBook(a.item, a.key, grades);
-  for (const std::string& name : book.leftOut) std::cerr << "left out, without an attempt or a key: " << name << '\n';
   if (auto written = writeAtomically(a.file, book.csv); !written) return tl::unexpected(written.error());
-  return wrote(a.file, {{"grades", grades.size() - book.leftOut.size()}, {"left_out", book.leftOut}});
+  Json names = Json::array(), reasons = Json::array();
+  for (const UngradedPerson& one : book.leftOut) names.push_back(one.fullName), reasons.push_back(one.why);
+  Answer answer = wrote(a.file, {{"grades", grades.size() - book.leftOut.size()},
+                                 {"left_out", std::move(names)},
+                                 {"left_out_because", std::move(reasons)}});
+  answer.text += ungradedSentence(book.leftOut);
+  return answer;
 }
 
 Result<Answer> exportXapi(const SignedIn& by, const Arguments& a) {
@@ -112,17 +129,22 @@ Result<Answer> exportXapi(const SignedIn& by, const Arguments& a) {
   if (!cohort) return tl::unexpected(cohort.error());
   const auto curriculum = curriculumOf(by, *cohort);
   if (!curriculum) return tl::unexpected(curriculum.error());
-  std::vector<std::string> statements;
+  XapiExport all;
   const auto done = eachTrainee(by, a.className,
                                 [&](const Person& person, const std::vector<AttemptFacts>& attempts) -> Result<void> {
                                   auto some = xapiStatements(a.site, *curriculum, person, attempts);
                                   if (!some) return tl::unexpected(some.error());
-                                  std::ranges::move(*some, std::back_inserter(statements));
+                                  std::ranges::move(some->statements, std::back_inserter(all.statements));
+                                  std::ranges::move(some->leftOut, std::back_inserter(all.leftOut));
                                   return {};
                                 });
   if (!done) return tl::unexpected(done.error());
-  if (auto written = writeXapi(a.file, statements); !written) return tl::unexpected(written.error());
-  return wrote(a.file, {{"statements", statements.size()}});
+  if (auto written = writeXapi(a.file, all.statements); !written) return tl::unexpected(written.error());
+  Json leftOut = Json::array();
+  for (const LeftOutAttempt& one : all.leftOut) leftOut.push_back({{"id", one.attempt}, {"why", one.why}});
+  Answer answer = wrote(a.file, {{"statements", all.statements.size()}, {"left_out", std::move(leftOut)}});
+  if (!all.leftOut.empty()) answer.text += " " + leftOutSentence(all.leftOut);
+  return answer;
 }
 
 using Export = Result<Answer> (*)(const SignedIn&, const Arguments&);

@@ -57,9 +57,19 @@ Json toJson(const Curriculum& curriculum, const std::vector<LevelProgress>& path
              {"passes", progress.passes},
              {"passes_in_a_row", progress.passesInARow},
              {"cusum", progress.cusum},
+             {"passes_needed", nullptr},
+             {"fewest_attempts", nullptr},
              {"cusum_limit", nullptr},
-             {"cusum_signalled", progress.cusumSignalled}};
-    if (level && level->mastery.cusum) row["cusum_limit"] = level->mastery.cusum->limit;
+             {"cusum_acceptable", nullptr},
+             {"cusum_unacceptable", nullptr},
+             {"cusum_signalled", nullptr}};
+    if (level)
+      row.update({{"passes_needed", level->mastery.passesInARow}, {"fewest_attempts", fewestAttempts(level->mastery)}});
+    if (level && level->mastery.cusum)
+      row.update({{"cusum_limit", level->mastery.cusum->limit},
+                  {"cusum_acceptable", level->mastery.cusum->acceptable},
+                  {"cusum_unacceptable", level->mastery.cusum->unacceptable},
+                  {"cusum_signalled", progress.cusumSignalled}});
     levels.push_back(std::move(row));
   }
   return levels;

@@ -22,7 +22,12 @@ Result<Answer> levels(const SignedIn& by, const std::string& name) {
     if (!path) return tl::unexpected(path.error());
     Json rows = toJson(*curriculum, *path);
     answer.text += cohort.name + ": " + curriculum->title + ", version " + std::to_string(curriculum->version) + "\n" +
-                   tableOf(rows, {{"level", "level"}, {"state", "state"}, {"why", "why"}});
+                   tableOf(rows, {{"level", "level"},
+                                  {"state", "state"},
+                                  {"passes_in_a_row", "in a row"},
+                                  {"passes_needed", "of"},
+                                  {"fewest_attempts", "attempts at least"},
+                                  {"why", "why"}});
     answer.object["paths"].push_back({{"class", cohort.name},
                                       {"curriculum", curriculum->name},
                                       {"curriculum_version", curriculum->version},

@@ -5,6 +5,7 @@
 #include "MetricSeries.h"
 
 #include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/LearningCurve.h>
 #include <insonate/teaching/TeachingHere.h>
 
@@ -13,8 +14,6 @@
 
 namespace insonate::cli {
 namespace {
-
-constexpr std::size_t kLast = 5;
 
 Json curveJson(const std::optional<LearningCurve>& curve) {
   if (!curve) return nullptr;
@@ -26,12 +25,32 @@ Json curveJson(const std::optional<LearningCurve>& curve) {
           {"attempts", curve->attempts}};
 }
 
+/// The number of values in the key "last_5" of earlier versions, which scripts read.
+constexpr std::size_t kLastOfEarlierVersions = 5;
+
+/// The last kLastAttempts attempts at levels that count, as AttemptStore::lastOfCohort() gives them of a class; in
+/// their order.
+std::vector<AttemptFacts> lastAtLevels(const std::vector<AttemptFacts>& history) {
+  std::vector<AttemptFacts> last;
+  for (auto it = history.rbegin(); it != history.rend() && last.size() < std::size_t{kLastAttempts}; ++it)
+    if (!it->curriculum.empty() && counts(*it)) last.push_back(*it);
+  std::ranges::reverse(last);
+  return last;
+}
+
+/// Attempts of one procedure.
+struct PersonAttempts {
+  Attempts all, last;  ///< that count; of them those of lastAtLevels()
+};
+
 /// The figures that a person reads stand in the row itself, the others below it.
-Json rowOf(const MetricMeaning& metric, const Attempts& attempts) {
+Json rowOf(const MetricMeaning& metric, const PersonAttempts& of) {
+  const Attempts& attempts = of.all;
+  const auto series = seriesOf(attempts, metric);
   const std::vector<double> values = valuesOf(attempts, metric);
-  const auto mean = meanOf(values, metric.kind);
   const std::span<const double> all(values);
-  const auto curve = fitLearningCurve(seriesOf(attempts, metric), metric.kind);
+  const auto mean = meanOf(values, metric.kind);
+  const auto curve = fitLearningCurve(series, metric.kind);
   const auto inBand = std::ranges::count_if(values, [&](double value) { return metric.inExpertBand(value); });
   return {{"metric", metric.id},
           {"unit", metric.unit},
@@ -42,7 +61,8 @@ Json rowOf(const MetricMeaning& metric, const Attempts& attempts) {
           {"high", mean && mean->interval ? Json(mean->interval->high) : Json(nullptr)},
           {"interval_by", mean ? Json(mean->basis) : Json(nullptr)},
           {"median", orNull(median(values))},
-          {"last_5", orNull(meanValue(all.subspan(all.size() - std::min(kLast, all.size()))))},
+          {"mean_of_last", orNull(meanValue(valuesOf(of.last, metric)))},
+          {"last_5", orNull(meanValue(all.last(std::min(kLastOfEarlierVersions, all.size()))))},
           {"expert", orNull(metric.expert)},
           {"in_expert_band_percent", metric.expert && !values.empty() ? Json(100.0 * static_cast<double>(inBand) /
                                                                              static_cast<double>(values.size()))
@@ -51,7 +71,7 @@ Json rowOf(const MetricMeaning& metric, const Attempts& attempts) {
           {"plateau", curve ? Json(curve->plateau.value) : Json(nullptr)}};
 }
 
-Json metricsOf(const std::string& procedure, const Attempts& attempts, const std::string& only) {
+Json metricsOf(const std::string& procedure, const PersonAttempts& attempts, const std::string& only) {
   Json rows = Json::array();
   for (const MetricMeaning& metric : meaningsFor(procedure))
     if (only.empty() || metric.id == only) rows.push_back(rowOf(metric, attempts));
@@ -60,7 +80,7 @@ Json metricsOf(const std::string& procedure, const Attempts& attempts, const std
 
 std::string percentText(const Json& estimate) {
   char text[80];
-  std::snprintf(text, sizeof text, "%.0f %% succeeded (95 %% interval %.0f to %.0f)",
+  std::snprintf(text, sizeof text, "%.0f %% succeeded (Wilson's 95 %% interval %.0f to %.0f)",
                 100 * estimate["value"].get<double>(), 100 * estimate["low"].get<double>(),
                 100 * estimate["high"].get<double>());
   return text;
@@ -82,7 +102,8 @@ Result<Answer> paths(const SignedIn& by, const Person& person) {
                    tableOf(rows, {{"level", "level"},
                                   {"state", "state"},
                                   {"attempts", "n"},
-                                  {"passes", "passes"},
+                                  {"passes", "passed"},
+                                  {"fewest_attempts", "attempts at least"},
                                   {"cusum_score", "LC-CUSUM"},
                                   {"cusum_limit", "limit"},
                                   {"cusum_signalled", "signalled"}});
@@ -102,11 +123,18 @@ Result<Answer> statistics(const SignedIn& by, const Arguments& a) {
   if (!history) return tl::unexpected(history.error());
   const auto levels = paths(by, *person);
   if (!levels) return levels;
-  Answer answer{{{"person", toJson(*person)}, {"procedures", Json::array()}, {"paths", levels->object}}, ""};
+  Answer answer{
+      {{"person", toJson(*person)}, {"last", kLastAttempts}, {"procedures", Json::array()}, {"paths", levels->object}},
+      ""};
+  const std::string lastTitle = "mean of last " + std::to_string(kLastAttempts) + " at levels";
+  const std::vector<AttemptFacts> last = lastAtLevels(*history);
+  auto lastByProcedure = countedByProcedure(last);
   for (const auto& [procedure, attempts] : countedByProcedure(*history)) {
-    const Json rows = metricsOf(procedure, attempts, a.metric);
+    const Json rows = metricsOf(procedure, {attempts, lastByProcedure[procedure]}, a.metric);
     const Json success = toJson(successOf(attempts));
-    answer.text += procedure + ": " + std::to_string(attempts.size()) + " attempts, " + percentText(success) + "\n" +
+    answer.text += procedure + ": " + std::to_string(attempts.size()) +
+                   (attempts.size() == 1 ? " attempt" : " attempts") + " at levels and in free practice, " +
+                   percentText(success) + "\n" +
                    tableOf(rows, {{"metric", "metric"},
                                   {"unit", "unit"},
                                   {"n", "n"},
@@ -115,12 +143,15 @@ Result<Answer> statistics(const SignedIn& by, const Arguments& a) {
                                   {"high", "to"},
                                   {"interval_by", "by"},
                                   {"median", "median"},
-                                  {"last_5", "last 5"},
+                                  {"mean_of_last", lastTitle.c_str()},
                                   {"plateau", "plateau"},
                                   {"expert", "expert"},
                                   {"in_expert_band_percent", "in expert band, %"}});
-    answer.object["procedures"].push_back(
-        {{"procedure", procedure}, {"attempts", attempts.size()}, {"success", success}, {"metrics", rows}});
+    answer.object["procedures"].push_back({{"procedure", procedure},
+                                           {"attempts", attempts.size()},
+                                           {"succeeded", success},
+                                           {"success", success},  // as earlier versions named it
+                                           {"metrics", rows}});
   }
   answer.text = (answer.text.empty() ? "No attempts that count yet.\n" : answer.text) + levels->text;
   return answer;

@@ -116,6 +116,14 @@ TEST_F(JudgeTest, TwoInstructorsJudgeAReplayBlindlyAndSeeWhereTheyDiffer) {
   EXPECT_TRUE(child<QRadioButton>("form_consent_done")->isChecked()) << "scrubbing takes nothing away";
   handIn();
   EXPECT_TRUE(workspace_->statusText().startsWith("Handed in")) << workspace_->statusText().toStdString();
+  child<QToolButton>("fillForm")->click();
+  EXPECT_FALSE(child<QPushButton>("handIn")->isEnabled()) << "a form is handed in once";
+  EXPECT_TRUE(child<QPushButton>("handIn")->toolTip().contains("once"));
+  auto& choice = *child<QComboBox>("judgeForm");
+  choice.setCurrentIndex(1 - choice.currentIndex());
+  EXPECT_TRUE(child<QPushButton>("handIn")->isEnabled()) << "another form is another word";
+  choice.setCurrentIndex(1 - choice.currentIndex());
+  child<QToolButton>("readForms")->click();
   EXPECT_EQ(table().columnCount(), 2);
   EXPECT_EQ(table().rowCount(), 22);
   EXPECT_EQ(table().item(0, 1)->text(), "Done: " + hostile);

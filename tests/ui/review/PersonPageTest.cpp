@@ -52,14 +52,43 @@ TEST_F(PersonPageTest, ShowsWhereSomeoneIsAndHowTheyLearn) {
   ASSERT_FALSE(chart("learningChart").isEmpty());
   EXPECT_EQ(chart("learningChart").bands.front().name, "expert");
   EXPECT_EQ(chart("learningChart").lines.back().points.size(), 5U);
-  choose("levelShown", "First jugular line");
-  const auto& cusum = chart("cusumChart").lines;
-  ASSERT_EQ(cusum.size(), 2U) << chart("cusumChart").words.toStdString();
-  ASSERT_EQ(cusum[0].points.size(), 5U);
-  EXPECT_EQ(cusum[0].points[3].y(), 0) << "failures keep it at 0";
-  EXPECT_NEAR(cusum[0].points[4].y(), std::log(0.9 / 0.75), 1e-9) << "one pass";
   EXPECT_TRUE(chart("placeChart").isEmpty());
   EXPECT_TRUE(chart("placeChart").words.startsWith("n/a: fewer than 4 people"));
+}
+
+TEST_F(PersonPageTest, LcCusumIsDrawnOnlyWhereTheLevelAsksForIt) {
+  practise(school_->as(school_->anna), true);
+  const Level& test = *curriculum_.level("jugular_test");
+  practiseAt(test, school_->as(school_->anna), false, 2);
+  practiseAt(test, school_->as(school_->anna), true, 2);
+  showAnna();
+  choose("levelShown", "First jugular line");
+  EXPECT_TRUE(chart("cusumChart").isEmpty());
+  EXPECT_EQ(chart("cusumChart").words, "n/a: this level asks for none; 2 passes in a row master it.");
+  choose("levelShown", QString::fromStdString(test.title));
+  const ui::ChartPicture& cusum = chart("cusumChart");
+  ASSERT_EQ(cusum.lines.size(), 2U) << cusum.words.toStdString();
+  EXPECT_EQ(cusum.title, "LC-CUSUM, at least 11 attempts") << "three in a row alone reach no limit of 4.07";
+  EXPECT_EQ(cusum.lines[1].name, "limit 4.07; failures: 10 % acceptable, 40 % not");
+  ASSERT_EQ(cusum.lines[0].points.size(), 4U);
+  EXPECT_EQ(cusum.lines[0].points[1].y(), 0) << "failures keep it at 0";
+  EXPECT_NEAR(cusum.lines[0].points[3].y(), 2 * std::log(0.9 / 0.6), 1e-9) << "two passes";
+  EXPECT_EQ(chart("learningChart").lines.back().points.back().x(), cusum.lines[0].points.back().x())
+      << "an attempt has one number";
+  EXPECT_EQ(cusum.xTitle, chart("learningChart").xTitle);
+}
+
+TEST_F(PersonPageTest, TheLastAttemptsBesideTheClassAreThoseAtLevels) {
+  for (const Person& one : {school_->ben, school_->anna}) practise(school_->as(one), true);
+  practise(school_->as(school_->add("cleo", Role::Trainee, school_->spring.id)), true);
+  practise(school_->as(school_->add("dora", Role::Trainee, school_->spring.id)), true);
+  practise(school_->as(school_->anna), false);
+  showAnna();
+  EXPECT_EQ(chart("placeChart").xTitle, "last 10 attempts at levels");
+  for (const char* metric : {"Needle path, mm", "Points"}) {
+    choose("metricShown", metric);
+    EXPECT_FALSE(chart("placeChart").isEmpty()) << metric << ": " << chart("placeChart").words.toStdString();
+  }
 }
 
 TEST_F(PersonPageTest, StandsBesideTheClass) {

@@ -14,6 +14,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
+#include <algorithm>
 
 namespace insonate::review {
 namespace {
@@ -29,6 +30,10 @@ class ReportsTest : public Classroom {
     QFile in(file);
     EXPECT_TRUE(in.open(QIODevice::ReadOnly)) << file.toStdString();
     return in.readAll();
+  }
+  static std::string fieldOf(const std::vector<CsvRow>& rows, std::size_t row, const std::string& column) {
+    const auto& columns = rows[0].fields;
+    return rows[row].fields.at(std::size_t(std::ranges::find(columns, column) - columns.begin()));
   }
   void openFirst() {
     auto& table = *child<QTableView>("classTable");
@@ -57,10 +62,13 @@ TEST_F(ReportsTest, AClassIsSavedAsPageAndTable) {
   const auto rows = test::valueOf(parseCsv(read(home_.filePath("class.csv")).toStdString()));
   ASSERT_EQ(rows.size(), 3U);
   for (const CsvRow& row : rows) EXPECT_EQ(row.fields.size(), rows[0].fields.size());
-  const auto rowOf = [&](const std::string& name) { return rows[rows[1].fields[0] == name ? 1 : 2].fields; };
-  EXPECT_EQ(rowOf("anna")[1], "'=HYPERLINK(\"http://x\")") << "no formula";
-  EXPECT_EQ(rowOf("ben")[5], "stuck");
-  EXPECT_EQ(rowOf("ben")[7], "5");
+  const auto field = [&](const std::string& name, const std::string& column) {
+    return fieldOf(rows, rows[1].fields[1] == name ? 1 : 2, column);
+  };
+  EXPECT_EQ(field("anna", "id"), school_->anna.id);
+  EXPECT_EQ(field("anna", "full name"), "'=HYPERLINK(\"http://x\")") << "no formula";
+  EXPECT_EQ(field("ben", "needs"), "stuck");
+  EXPECT_EQ(field("ben", "attempts"), "5");
 }
 
 TEST_F(ReportsTest, APersonIsSavedAsPageAndTable) {
@@ -72,9 +80,13 @@ TEST_F(ReportsTest, APersonIsSavedAsPageAndTable) {
   EXPECT_EQ(read(home_.filePath("anna.pdf")).count("/Type /Page\n"), 1) << "one page";
   const auto rows = test::valueOf(parseCsv(read(home_.filePath("anna.csv")).toStdString()));
   ASSERT_EQ(rows.size(), 7U);
-  EXPECT_EQ(rows[6].fields[0], last_.id) << "in their order";
-  EXPECT_EQ(rows[6].fields[7], "Passed");
-  EXPECT_EQ(rows[1].fields[9], "0") << "points";
+  EXPECT_EQ(fieldOf(rows, 6, "id"), last_.id) << "in their order";
+  EXPECT_EQ(fieldOf(rows, 6, "outcome"), "Passed");
+  EXPECT_EQ(fieldOf(rows, 6, "passed"), "yes");
+  EXPECT_EQ(fieldOf(rows, 6, "assistance"), "guided");
+  EXPECT_EQ(fieldOf(rows, 1, "points"), "0");
+  EXPECT_EQ(fieldOf(rows, 1, "passed"), "no");
+  EXPECT_EQ(fieldOf(rows, 1, "voided"), "no");
 }
 
 TEST_F(ReportsTest, StatementsAreWrittenForAllWhoLearn) {
@@ -87,6 +99,17 @@ TEST_F(ReportsTest, StatementsAreWrittenForAllWhoLearn) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return written.count() == 1; }, kPatience_ms));
   const auto all = nlohmann::json::parse(read(home_.filePath("class.json")).toStdString());
   EXPECT_EQ(all.size(), 5U);
+  EXPECT_EQ(written.first().first().toString(), "Saved as class.json.") << "nothing is left out";
+  Curriculum next = curriculum_;
+  next.version += 1;
+  test::valueOf(PublishedCurricula(school_->admin).publish(next.name, next.version, curriculumText(next)));
+  test::succeed(CohortStore(school_->admin).setCurriculum(school_->spring.id, next.name, next.version));
+  Q_EMIT account_->peopleChanged();
+  settle();
+  menu("saveClass").saveXapi(home_.filePath("next.json"), "https://training.example.org");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return written.count() == 2; }, kPatience_ms));
+  const QString said = written.last().first().toString();
+  EXPECT_TRUE(said.startsWith("Saved as next.json. Left out: 5 attempts (5 of version ")) << said.toStdString();
   menu("saveClass").saveXapi(home_.filePath("none.json"), "somewhere");
   ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() == 1; }, kPatience_ms));
   EXPECT_FALSE(QFile::exists(home_.filePath("none.json")));

@@ -215,6 +215,7 @@ TEST_F(CurriculumWindowTest, TwoWhoWriteAtOnceDoNotOverwriteEachOther) {
 TEST_F(CurriculumWindowTest, TheLimitOfLcCusumIsCalibrated) {
   beginDraft();
   EXPECT_FALSE(button("cusumCalibrate").isEnabled());
+  EXPECT_EQ(part<QLabel>("fewestAttempts").text(), "mastered with at least 2 attempts");
   part<QCheckBox>("cusumOn").click();
   part<QDoubleSpinBox>("cusumAcceptable").setValue(10);
   part<QDoubleSpinBox>("cusumUnacceptable").setValue(25);
@@ -231,8 +232,10 @@ TEST_F(CurriculumWindowTest, TheLimitOfLcCusumIsCalibrated) {
   ASSERT_TRUE(share.hasMatch()) << told.toStdString();
   EXPECT_LT(share.captured(2).toDouble(), 8.9);
   EXPECT_GT(share.captured(3).toDouble(), 8.9);
-  EXPECT_TRUE(story().contains("a learning score (LC-CUSUM) of 3.10")) << story().toStdString();
+  EXPECT_TRUE(story().contains("a learning score (LC-CUSUM) of 3.10: at least 18 attempts")) << story().toStdString();
+  EXPECT_EQ(part<QLabel>("fewestAttempts").text(), "mastered with at least 18 attempts");
   part<QDoubleSpinBox>("cusumUnacceptable").setValue(5);
+  EXPECT_EQ(part<QLabel>("fewestAttempts").text(), "cannot be mastered by these rates");
   EXPECT_TRUE(troubles().contains("below the 'unacceptable'")) << troubles().toStdString();
   button("cusumCalibrate").click();
   EXPECT_TRUE(waitUntil([&] { return part<QLabel>("cusumCalibrated").text().contains("needs rates of failure"); }));

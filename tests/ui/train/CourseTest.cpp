@@ -1,4 +1,5 @@
 #include "LevelWindow.h"
+#include "level/LevelWords.h"
 
 #include <insonate/curriculum/Form.h>
 #include <insonate/curriculum/FormStore.h>
@@ -84,6 +85,34 @@ TEST_F(TrainCourse, OwnAttemptsAreListedNewestFirstAndOpened) {
   EXPECT_EQ(history().rowCount(), 0) << "nobody sees another's attempts";
 }
 
+TEST_F(TrainCourse, AnAttemptWhoseRecordingBrokeOffFailedAndSaysWhy) {
+  addAttempts({80.0});
+  const SignedIn by = at(kTrainee);
+  const AttemptStore store(by);
+  AttemptFacts facts = store.page(by.person().id, 1)->front().facts;
+  facts.id.clear(), facts.succeeded = false, facts.points.reset(), facts.metrics.clear();
+  const auto id = store.begin(facts);
+  ASSERT_TRUE(id) << id.error().message;
+  facts.id = *id, facts.state = AttemptState::Abandoned;
+  const auto ended = store.end(facts);
+  ASSERT_TRUE(ended) << ended.error().message;
+  signIn();
+  open("courseAttempts");
+  ASSERT_TRUE(waitFor([&] { return history().rowCount() == 2; }));
+  EXPECT_EQ(cell(0, 2), "failed");
+  EXPECT_TRUE(history().item(0, 2)->toolTip().contains("Abandoned: its recording broke off"))
+      << history().item(0, 2)->toolTip().toStdString();
+  EXPECT_FALSE(history().item(1, 2)->toolTip().contains("Abandoned"));
+}
+
+TEST(LevelWords, ALevelSaysHowManyAttemptsItTakesAtLeast) {
+  Level level;
+  level.mastery.passesInARow = 3;
+  EXPECT_EQ(masteryOf(level), "3 passes in a row");
+  level.mastery.cusum = CusumRule{0.1, 0.4, 4.07};
+  EXPECT_EQ(masteryOf(level), "3 passes in a row; the learning score LC-CUSUM reaches 4.07; at least 11 attempts");
+}
+
 TEST_F(TrainCourse, MoreThanAPageOfAttemptsComesOnDemand) {
   addAttempts(std::vector<std::optional<double>>(230, 50.0));
   signIn();
@@ -108,6 +137,7 @@ TEST_F(TrainCourse, ACurveIsDrawnForALevelAndAMetricAndSaved) {
   };
   ASSERT_NE(named("attempts"), chart->picture().lines.end()) << chart->picture().words.toStdString();
   EXPECT_EQ(named("attempts")->points.size(), 11) << "one tells no points";
+  EXPECT_EQ(chart->picture().xTitle, "attempt at this procedure, of all levels and free practice");
   EXPECT_NE(named("learning curve"), chart->picture().lines.end());
 
   auto* of = child<QComboBox>("curveOf");

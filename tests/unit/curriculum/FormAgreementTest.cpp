@@ -52,7 +52,7 @@ TEST(FormAgreement, EachTwoRatersAreComparedOverWhatBothJudged) {
   EXPECT_EQ(both.comparison.items.back().agreement, 1);
 }
 
-TEST(FormAgreement, OfOneRatersTheLastCountsAndNobodyJudgesThemselves) {
+TEST(FormAgreement, OfOneRatersTheFirstCountsAndNobodyJudgesThemselves) {
   KeptForm own = judged("The trainee", "1", false);
   own.filled.by = own.filled.person;
   KeptForm withheld = judged("Max", "1", false);
@@ -62,10 +62,10 @@ TEST(FormAgreement, OfOneRatersTheLastCountsAndNobodyJudgesThemselves) {
   KeptForm broken = judged("Bob", "1", true);
   broken.filled.answers = "{";
   const FormAgreement agreement = agreementOf(
-      checklist(), std::vector<KeptForm>{judged("Ina", "1", false), judged("Otto", "1", true), judged("Ina", "1", true),
+      checklist(), std::vector<KeptForm>{judged("Ina", "1", true), judged("Otto", "1", true), judged("Ina", "1", false),
                                          own, withheld, old, other, none, broken});
   ASSERT_EQ(agreement.pairs.size(), 1U);
-  EXPECT_EQ(agreement.pairs[0].comparison.agreement, 1) << "Ina has thought again";
+  EXPECT_EQ(agreement.pairs[0].comparison.agreement, 1) << "Ina, who knows the others by then, is not heard again";
   EXPECT_EQ(agreement.otherVersions, 1);
   EXPECT_EQ(agreement.judged, 1);
 }

@@ -29,7 +29,12 @@ TEST(GradeBook, FeedbackNeverComesWithoutItsGrade) {
                                   {personNamed("eve", "e@x.org"), 0.0, ""}};
   const GradeBook book = gradeBook("T", GradeKey::Email, grades);
   EXPECT_EQ(book.csv, "\uFEFFEmail address,T,T (feedback)\r\na@x.org,80,'=Good\r\ne@x.org,0,\r\n");
-  EXPECT_THAT(book.leftOut, testing::ElementsAre("Full bob", "Full cyd", "Full dee"));
+  ASSERT_EQ(book.leftOut.size(), 3U);
+  EXPECT_EQ(book.leftOut[0].fullName, "Full bob");
+  EXPECT_EQ(book.leftOut[0].why, "no grade yet");
+  EXPECT_EQ(book.leftOut[1].fullName, "Full cyd");
+  EXPECT_EQ(book.leftOut[1].why, "no e-mail address");
+  EXPECT_EQ(book.leftOut[2].why, "no grade yet");
   // Where only those who are left out have feedback there is no such column.
   EXPECT_EQ(gradeBook("T", GradeKey::Email, std::span(grades).subspan(1)).csv,
             "\uFEFFEmail address,T\r\ne@x.org,0\r\n");

@@ -143,5 +143,26 @@ TEST(Judgement, ARecordingThatBreaksOffCountsAsAbandoned) {
   EXPECT_FALSE(counts(attempt)) << "where an instructor voids it";
 }
 
+TEST(Judgement, OnlyWhatCountsAtALevelPassesOrFails) {
+  const Curriculum course = test::courseOf({test::levelNamed("a", 1)});
+  AttemptFacts attempt = passedAttempt("a");
+  EXPECT_EQ(levelOf(course, attempt), &course.levels[0]);
+  EXPECT_EQ(passedIn(course, attempt), true);
+  attempt.curriculumVersion = 9;
+  EXPECT_EQ(passedIn(course, attempt), true) << "of any version";
+  attempt.succeeded = false;
+  EXPECT_EQ(passedIn(course, attempt), false);
+  attempt.state = AttemptState::Voided;
+  EXPECT_EQ(passedIn(course, attempt), std::nullopt);
+  attempt = passedAttempt("b");
+  EXPECT_EQ(levelOf(course, attempt), nullptr);
+  attempt = passedAttempt("a");
+  attempt.procedure = "another";
+  EXPECT_EQ(passedIn(course, attempt), std::nullopt);
+  attempt = passedAttempt("a");
+  attempt.curriculum = attempt.level = "";
+  EXPECT_EQ(passedIn(course, attempt), std::nullopt) << "free practice";
+}
+
 }  // namespace
 }  // namespace insonate

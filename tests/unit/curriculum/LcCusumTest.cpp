@@ -56,6 +56,19 @@ TEST(LcCusum, AGivenSeriesGivesTheSumsDoneByHand) {
   EXPECT_TRUE(LcCusum{}.series({}).empty());
 }
 
+TEST(LcCusum, TellsHowManySuccessesReachALimit) {
+  // ln(0.9 / 0.6) = 0.405465: ten make 4.05465, eleven 4.46012.
+  const LcCusum test{0.10, 0.40};
+  EXPECT_EQ(test.fewestToSignal(4.07), 11);
+  EXPECT_EQ(test.fewestToSignal(4.05), 10);
+  EXPECT_EQ(test.fewestToSignal(0), 0);
+  const std::vector<double> scores = test.series(std::vector<bool>(11, true));
+  EXPECT_LT(scores[9], 4.07);
+  EXPECT_GE(scores[10], 4.07);
+  EXPECT_EQ(test.fewestToSignal(scores[6]), 7) << "a limit that is a sum of weights";
+  EXPECT_EQ((LcCusum{0.1, 0.1 + 1e-15}.fewestToSignal(100)), LcCusum::kMostToSignal);
+}
+
 TEST(LcCusum, FalseSignalsAreThoseThatArePublished) {
   const LcCusum test{0.10, 0.25};
   EXPECT_NEAR(signalRate(test, 1.25, 0.25), 0.89, 0.01);

@@ -2,8 +2,10 @@
 #include "store/MetricsText.h"
 
 #include <insonate/curriculum/AuditLog.h>
+#include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -148,6 +150,38 @@ TEST_P(StoreAttempts, AClassIsSeenWithItsLastAttemptsThatCount) {
   EXPECT_EQ(annas, (std::vector<std::string>{ids[1], ids[2]})) << "neither the voided nor the open one";
   EXPECT_EQ(bens, std::vector<std::string>{ids[4]});
   EXPECT_TRUE(valueOf(ina.lastOfCohort(school.spring.id, 1000)).front().metrics == endedFacts({}).metrics);
+}
+
+TEST_P(StoreAttempts, AClassIsSeenWithoutFreePracticeAndWhatWasNotTried) {
+  const School school(rig->open());
+  const SignedIn anna = school.as(school.anna);
+  const auto keepEnded = [&](AttemptState state, const std::vector<MetricFact>& metrics, bool isPractice = false) {
+    AttemptFacts facts = begunFacts();
+    if (isPractice) facts.curriculum = facts.level = "", facts.curriculumVersion = 0;
+    valueOf(AttemptStore(anna).begin(facts));
+    facts = endedFacts(facts);
+    facts.state = state, facts.succeeded = state == AttemptState::Completed, facts.metrics = metrics;
+    succeed(AttemptStore(anna).end(facts));
+    return facts.id;
+  };
+  const std::string inSkin = keepEnded(AttemptState::Abandoned, {{"bone_contacts", 1, 0.0}, {"passes", 1, 2.0}});
+  const std::string brokenOff = keepEnded(AttemptState::Abandoned, {});
+  const std::string done = keepEnded(AttemptState::Completed, {{"passes", 1, 0.0}});
+  keepEnded(AttemptState::Abandoned, {{"bone_contacts", 1, 3.0}, {"passes", 1, 0.0}});
+  keepEnded(AttemptState::Completed, {{"passes", 1, 1.0}}, true);
+
+  const SignedIn ina = school.as(school.ina);
+  std::vector<std::string> seen;
+  for (const AttemptFacts& facts : valueOf(AttemptStore(ina).lastOfCohort(school.spring.id, 3))) {
+    seen.push_back(facts.id);
+    EXPECT_TRUE(counts(facts)) << "the store and Judgement.h say the same";
+  }
+  EXPECT_EQ(seen, (std::vector<std::string>{inSkin, brokenOff, done}));
+  const auto members = valueOf(CohortStore(ina).members(school.spring.id));
+  const auto row = std::ranges::find_if(members, [&](const Member& one) { return one.person.id == school.anna.id; });
+  const auto history = valueOf(AttemptStore(anna).history(school.anna.id));
+  EXPECT_EQ(row->attempts, 4) << "with free practice, without what was not tried";
+  EXPECT_EQ(row->attempts, std::ranges::count_if(history, counts));
 }
 
 TEST_P(StoreAttempts, HostileTextsAreKeptAsTexts) {

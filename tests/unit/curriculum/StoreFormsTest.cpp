@@ -66,6 +66,25 @@ TEST_P(StoreForms, ARaterReadsOthersJudgementsAfterTheirOwn) {
   EXPECT_THAT(forms[0].filled.answers, HasSubstr("indication"));
 }
 
+TEST_P(StoreForms, AFormAboutAnAttemptIsHandedInOnce) {
+  const School school(rig->open());
+  const Judging judging(school);
+  const std::string id = judging.judge(judging.ina, "done");
+  FilledForm again{"", judging.form.name, judging.form.version, school.anna.id, judging.attempt.id, "", 0, "{}"};
+  const auto second = FormStore(judging.ina).add(again);
+  ASSERT_FALSE(second);
+  EXPECT_THAT(second.error().message, HasSubstr("a form is handed in once"));
+  const auto kept = valueOf(FormStore(judging.ina).ofAttempt(judging.attempt.id));
+  ASSERT_EQ(kept.size(), 1U);
+  EXPECT_EQ(valueOf(FormStore(judging.ina).add(kept[0].filled)), id) << "the same sheet sent again is no error";
+  valueOf(FormStore(school.as(judging.uta)).add(again));
+  again.form = "global_rating";
+  valueOf(FormStore(judging.ina).add(again));
+  const AttemptFacts another = keepAttempt(school.as(school.anna));
+  again.form = judging.form.name, again.attempt = another.id;
+  valueOf(FormStore(judging.ina).add(again));
+}
+
 TEST_P(StoreForms, WhomTheyAreAboutReadsThemAndOwnWordsAreNeverWithheld) {
   const School school(rig->open());
   const Judging judging(school);

@@ -4,6 +4,7 @@
 
 #include <insonate/curriculum/AuditLog.h>
 #include <insonate/curriculum/FormStore.h>
+#include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/StoreUpkeep.h>
 
@@ -61,6 +62,44 @@ TEST_P(StoreUpkeepOnBoth, TheExportHoldsEverythingButPasswords) {
   EXPECT_EQ(json.at("forms").at(0).at("answers").at("realism"), 4);
   EXPECT_GT(json.at("audit").size(), 10U);
   EXPECT_THAT(bytesOf(file), Not(HasSubstr("argon2")));
+}
+
+TEST_P(StoreUpkeepOnBoth, TheExportSaysWhatPassedWasVoidedOrBrokeOff) {
+  const School school(rig->open());
+  valueOf(PublishedCurricula(school.admin).publish("central_line", 2, curriculumOf(2)));
+  const Curriculum curriculum = valueOf(loadCurriculum("central_line"));
+  const auto keep = [&](AttemptState state, int criticalErrors, const std::string& level) {
+    AttemptFacts facts = begunFacts();
+    facts.level = level;
+    if (level.empty()) facts.curriculum = "", facts.curriculumVersion = 0;
+    valueOf(AttemptStore(school.as(school.anna)).begin(facts));
+    facts = endedFacts(facts);
+    facts.state = state, facts.succeeded = state == AttemptState::Completed, facts.criticalErrors = criticalErrors;
+    facts.metrics.clear();
+    for (const MetricStandard& one : curriculum.level("jugular_first")->pass.standards)
+      if (state == AttemptState::Completed && !valueOf(facts, one.metric, one.version))
+        facts.metrics.push_back({one.metric, one.version, one.least.value_or(0)});
+    succeed(AttemptStore(school.as(school.anna)).end(facts));
+    return facts.id;
+  };
+  keep(AttemptState::Completed, 0, "jugular_first");
+  keep(AttemptState::Completed, 1, "jugular_first");
+  keep(AttemptState::Abandoned, 0, "jugular_first");
+  keep(AttemptState::Completed, 0, "");
+  succeed(AttemptStore(school.as(school.ina)).voidAttempt(keep(AttemptState::Completed, 0, "jugular_first"), "a test"));
+  const fs::path file = rig->folder / "all.json";
+  succeed(StoreUpkeep(school.admin).exportJson(file));
+  const auto attempts = nlohmann::json::parse(bytesOf(file)).at("attempts");
+  const auto column = [&](const char* name) {
+    nlohmann::json values = nlohmann::json::array();
+    for (const auto& attempt : attempts) values.push_back(attempt.at(name));
+    return values;
+  };
+  EXPECT_EQ(column("passed"), nlohmann::json({true, false, false, nullptr, nullptr}));
+  EXPECT_EQ(column("assistance"), nlohmann::json({"guided", "guided", "guided", nullptr, "guided"}));
+  EXPECT_EQ(column("broke_off"), nlohmann::json({false, false, true, false, false}));
+  EXPECT_EQ(column("voided"), nlohmann::json({false, false, false, false, true}));
+  EXPECT_EQ(column("state"), nlohmann::json({"completed", "completed", "abandoned", "completed", "completed"}));
 }
 
 TEST_P(StoreUpkeepOnBoth, FactsOfTheStoreTellNoPassword) {

@@ -243,5 +243,19 @@ TEST(Unlocking, ClocksThatJumpNeitherLapseNorSave) {
   EXPECT_EQ(progressOf(course, history, now_us)[0].state, LevelState::Mastered);
 }
 
+TEST(Unlocking, ALevelSaysHowManyAttemptsItTakesAtLeast) {
+  Curriculum course = courseOf({levelNamed("a", 3)});
+  EXPECT_EQ(fewestAttempts(course.levels[0].mastery), 3);
+  course.levels[0].mastery.cusum = CusumRule{0.1, 0.4, 4.07};
+  EXPECT_EQ(fewestAttempts(course.levels[0].mastery), 11);
+  EXPECT_EQ(progressOf(course, {}, kNoon_us)[0].why,
+            "Open: no attempt counts yet; 3 passes in a row master it, with a learning score (LC-CUSUM) of 4.07: at "
+            "least 11 attempts.");
+  EXPECT_EQ(progressOf(course, attemptsAt("a", "PPPPPPPPPP"), kNoon_us + kDay_us)[0].state, LevelState::Open);
+  EXPECT_EQ(progressOf(course, attemptsAt("a", "PPPPPPPPPPP"), kNoon_us + kDay_us)[0].state, LevelState::Mastered);
+  course.levels[0].mastery.cusum->limit = 0.4;
+  EXPECT_EQ(fewestAttempts(course.levels[0].mastery), 3) << "the row takes longer";
+}
+
 }  // namespace
 }  // namespace insonate

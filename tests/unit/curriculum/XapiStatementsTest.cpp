@@ -35,7 +35,7 @@ std::vector<json> statementsOf(const std::vector<AttemptFacts>& attempts, const 
   EXPECT_TRUE(texts) << (texts ? "" : texts.error().message);
   std::vector<json> statements;
   if (texts)
-    for (const std::string& text : *texts) statements.push_back(json::parse(text));
+    for (const std::string& text : texts->statements) statements.push_back(json::parse(text));
   return statements;
 }
 
@@ -100,15 +100,42 @@ TEST(XapiStatements, AVoidedAttemptVoidsItsStatement) {
   EXPECT_NE(s["id"], s["object"]["id"]);
 }
 
-TEST(XapiStatements, WhatIsNotTheirsOrNotEndedIsLeftOut) {
-  std::vector<AttemptFacts> attempts(6, attempt());
+TEST(XapiStatements, WhatIsLeftOutIsToldWithItsReason) {
+  std::vector<AttemptFacts> attempts(7, attempt());
+  for (std::size_t i = 0; i < attempts.size(); ++i) attempts[i].id = "attempt " + std::to_string(i);
   attempts[0].person = "q";
   attempts[1].state = AttemptState::Open;
   attempts[2].curriculum = "another";
   attempts[3].curriculumVersion = 2;
   attempts[4].level = "z";
-  attempts[5].state = AttemptState::Abandoned, attempts[5].metrics = {{"passes", 1, 0}};  // before the skin
-  EXPECT_TRUE(statementsOf(attempts).empty());
+  attempts[5].state = AttemptState::Abandoned, attempts[5].metrics = {{"passes", 1, 0}};
+  attempts[6].curriculumVersion = 2;
+  const auto made = xapiStatements(kSite, test::courseOf({test::levelNamed("a", 1)}), ada(), attempts);
+  ASSERT_TRUE(made);
+  EXPECT_TRUE(made->statements.empty());
+  ASSERT_EQ(made->leftOut.size(), 6U) << "another person's is not theirs to leave out";
+  EXPECT_EQ(made->leftOut[0].attempt, "attempt 1");
+  EXPECT_EQ(leftOutSentence(made->leftOut),
+            "Left out: 6 attempts (1 abandoned before the skin; 1 not ended; 1 of the curriculum 'another'; 1 of the "
+            "level 'z', which the curriculum lacks; 2 of version 2 of the curriculum).");
+  EXPECT_EQ(leftOutSentence({}), "");
+}
+
+TEST(XapiStatements, ARecordingThatBrokeOffIsAbandoned) {
+  AttemptFacts broken = attempt();
+  broken.state = AttemptState::Abandoned, broken.metrics.clear(), broken.points.reset();
+  const json s = statementsOf({broken}).at(0);
+  EXPECT_EQ(s["verb"]["id"], "https://w3id.org/xapi/adl/verbs/abandoned");
+  EXPECT_EQ(s["result"]["success"], false);
+}
+
+TEST(XapiStatements, ALevelsActivityTellsItsAssistance) {
+  Level level = test::levelNamed("a", 1);
+  level.assistance = Assistance::Hints;
+  const auto made = xapiStatements(kSite, test::courseOf({level}), ada(), std::vector<AttemptFacts>{attempt()});
+  ASSERT_TRUE(made);
+  EXPECT_EQ(json::parse(made->statements.at(0))["object"]["definition"]["extensions"],
+            (json{{"https://training.example.org/assistance", "hints"}}));
 }
 
 TEST(XapiStatements, ActorsByMailWhereTheyHaveOne) {
@@ -124,7 +151,7 @@ TEST(XapiStatements, MailAddressesAreWrittenAsAddresses) {
   const auto texts = xapiStatements({"https://training.example.org", true}, test::courseOf({test::levelNamed("a", 1)}),
                                     odd, std::vector<AttemptFacts>{attempt()});
   ASSERT_TRUE(texts);
-  EXPECT_EQ(json::parse(texts->at(0))["actor"]["mbox"], "mailto:a+b%25c%3Fd%26%C3%A9'@example.org");
+  EXPECT_EQ(json::parse(texts->statements.at(0))["actor"]["mbox"], "mailto:a+b%25c%3Fd%26%C3%A9'@example.org");
 }
 
 TEST(XapiStatements, OddFactsStayWithinTheStandard) {
@@ -153,11 +180,11 @@ TEST(XapiStatements, AreWrittenAsOneList) {
   const test::TemporaryFolder folder;
   const auto texts = xapiStatements(kSite, test::courseOf({test::levelNamed("a", 1)}), ada(),
                                     std::vector<AttemptFacts>{attempt(), attempt()});
-  ASSERT_TRUE(writeXapi(folder / "x.json", *texts));
+  ASSERT_TRUE(writeXapi(folder / "x.json", texts->statements));
   EXPECT_EQ(json::parse(test::bytesOf(folder / "x.json")).size(), 2U);
   ASSERT_TRUE(writeXapi(folder / "x.json", {}));
   EXPECT_EQ(json::parse(test::bytesOf(folder / "x.json")), json::array());
-  EXPECT_FALSE(writeXapi(folder / "missing" / "x.json", *texts));
+  EXPECT_FALSE(writeXapi(folder / "missing" / "x.json", texts->statements));
 }
 
 }  // namespace

@@ -267,7 +267,8 @@ TEST_F(RecorderTest, AKilledProgramLeavesAllButTheLastSecond) {
   EXPECT_EQ(recording->status(), AttemptStatus::CutShort);
   EXPECT_GT(recording->end_us(), 4'500'000);
   ASSERT_EQ(recording->troubles().size(), 1u);
-  EXPECT_THAT(recording->troubles()[0], HasSubstr("was cut short; it can be read up to"));
+  EXPECT_THAT(recording->troubles()[0],
+              HasSubstr("broke off, so the attempt counts as abandoned; it can be read up to"));
   EXPECT_TRUE(recording->metricsUntil());
 }
 

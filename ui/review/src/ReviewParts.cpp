@@ -15,6 +15,7 @@
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/ui/Attempts.h>
 #include <insonate/ui/KnownCases.h>
+#include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/ScenePanel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
@@ -259,9 +260,11 @@ void ReviewWorkspace::Parts::showAttempt() {
   }
   const AttemptRecording& recording = *session.attempt()->recording;
   title_->setText(titleOf(recording.header()));
-  facts_->setText(QStringList{QString::fromStdString(recording.header().caseName), dateOf(recording.header().begun),
-                              clockOf(recording.end_us()), wordsOf(recording.status())}
+  // The length is last: where there is no room for it, it also stands beside Play.
+  facts_->setText(QStringList{QString::fromStdString(recording.header().caseName), wordsOf(recording.status()),
+                              dateOf(recording.header().begun), clockOf(recording.end_us())}
                       .join(QStringLiteral("   ·   ")));
+  facts_->setToolTip(ui::plainToolTip(facts_->text()));
   timeline_->setFocus();
   keptWanted_ = false;
   // Once the session knows whether the window's case is the one.

@@ -11,21 +11,24 @@ std::string keyOf(const Person& person, GradeKey key) {
   return key == GradeKey::Email ? person.email : person.name;
 }
 
-bool isGraded(const Grade& grade, GradeKey key) {
-  return grade.percent && std::isfinite(*grade.percent) && !keyOf(grade.person, key).empty();
+/// "" where there is a grade to write.
+std::string whyLeftOut(const Grade& grade, GradeKey key) {
+  if (!grade.percent || !std::isfinite(*grade.percent)) return "no grade yet";
+  if (!keyOf(grade.person, key).empty()) return {};
+  return key == GradeKey::Email ? "no e-mail address" : "no name";
 }
 
 }  // namespace
 
 GradeBook gradeBook(const std::string& item, GradeKey key, std::span<const Grade> grades) {
-  const bool withFeedback =
-      std::ranges::any_of(grades, [&](const Grade& grade) { return isGraded(grade, key) && !grade.feedback.empty(); });
+  const bool withFeedback = std::ranges::any_of(
+      grades, [&](const Grade& grade) { return whyLeftOut(grade, key).empty() && !grade.feedback.empty(); });
   std::vector<std::vector<std::string>> rows{{key == GradeKey::Email ? "Email address" : "ID number", item}};
   if (withFeedback) rows.front().push_back(item + " (feedback)");
   GradeBook book;
   for (const Grade& grade : grades) {
-    if (!isGraded(grade, key)) {
-      book.leftOut.push_back(grade.person.fullName);
+    if (const std::string why = whyLeftOut(grade, key); !why.empty()) {
+      book.leftOut.push_back({grade.person.fullName, why});
       continue;
     }
     rows.push_back({keyOf(grade.person, key), csvNumber(std::round(*grade.percent * 100) / 100)});

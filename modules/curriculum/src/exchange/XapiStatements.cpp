@@ -10,6 +10,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 namespace insonate {
 namespace {
@@ -117,7 +118,9 @@ class Writer {
   }
 
   Json levelActivity(const Level& level) const {
-    return activity(curriculumId() + "/" + encoded(level.name), "simulation", level.title, level.about);
+    Json made = activity(curriculumId() + "/" + encoded(level.name), "simulation", level.title, level.about);
+    made["definition"]["extensions"] = {{home_ + "/assistance", nameOf(level.assistance)}};
+    return made;
   }
 
   Json practiceActivity(const AttemptFacts& attempt) const {
@@ -173,22 +176,46 @@ class Writer {
   const Person& person_;
 };
 
+/// "" where there is a statement.
+std::string whyLeftOut(const Curriculum& curriculum, const AttemptFacts& attempt) {
+  if (attempt.state == AttemptState::Open) return "not ended";
+  if (attempt.state != AttemptState::Voided && !counts(attempt)) return "abandoned before the skin";
+  if (attempt.curriculum.empty()) return {};
+  if (attempt.curriculum != curriculum.name) return "of the curriculum '" + attempt.curriculum + "'";
+  if (attempt.curriculumVersion != curriculum.version)
+    return "of version " + std::to_string(attempt.curriculumVersion) + " of the curriculum";
+  return curriculum.level(attempt.level) ? "" : "of the level '" + attempt.level + "', which the curriculum lacks";
+}
+
 }  // namespace
 
-Result<std::vector<std::string>> xapiStatements(const XapiSite& site, const Curriculum& curriculum,
-                                                const Person& person, std::span<const AttemptFacts> attempts) {
+Result<XapiExport> xapiStatements(const XapiSite& site, const Curriculum& curriculum, const Person& person,
+                                  std::span<const AttemptFacts> attempts) {
   auto home = homeOf(site);
   if (!home) return tl::unexpected(home.error());
   const Writer writer(std::move(*home), site.byMail, curriculum, person);
-  std::vector<std::string> statements;
+  XapiExport written;
   for (const AttemptFacts& attempt : attempts) {
-    if (attempt.person != person.id || !(attempt.state == AttemptState::Voided || counts(attempt))) continue;
-    const bool practice = attempt.curriculum.empty();
-    const bool ofCurriculum = attempt.curriculum == curriculum.name && attempt.curriculumVersion == curriculum.version;
-    const Level* level = ofCurriculum ? curriculum.level(attempt.level) : nullptr;
-    if (level || practice) statements.push_back(writer.of(attempt, level));
+    if (attempt.person != person.id) continue;
+    if (const std::string why = whyLeftOut(curriculum, attempt); !why.empty()) {
+      written.leftOut.push_back({attempt.id, why});
+      continue;
+    }
+    const Level* level = attempt.curriculum.empty() ? nullptr : curriculum.level(attempt.level);
+    written.statements.push_back(writer.of(attempt, level));
   }
-  return statements;
+  return written;
+}
+
+std::string leftOutSentence(std::span<const LeftOutAttempt> leftOut) {
+  if (leftOut.empty()) return {};
+  std::map<std::string, int> reasons;
+  for (const LeftOutAttempt& one : leftOut) ++reasons[one.why];
+  std::string sentence =
+      "Left out: " + std::to_string(leftOut.size()) + (leftOut.size() == 1 ? " attempt" : " attempts");
+  for (const auto& [why, count] : reasons)
+    sentence += (sentence.find('(') == std::string::npos ? " (" : "; ") + std::to_string(count) + " " + why;
+  return sentence + ").";
 }
 
 Result<void> writeXapi(const std::filesystem::path& file, std::span<const std::string> statements) {

@@ -44,7 +44,7 @@ FormAgreement agreementOf(const Form& form, std::span<const KeptForm> forms) {
     }
     // What cannot be read was kept by another program; it says nothing.
     if (auto answers = parseAnswers(one.filled.answers))
-      judgements[one.filled.attempt][{one.rater, one.filled.by}] = std::move(*answers);
+      judgements[one.filled.attempt].try_emplace({one.rater, one.filled.by}, std::move(*answers));
   }
   result.judged = static_cast<int>(judgements.size());
   result.judgedTwice =

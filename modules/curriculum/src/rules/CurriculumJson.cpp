@@ -187,7 +187,7 @@ nlohmann::ordered_json written(const Level& level) {
   put(object, "title", level.title), put(object, "about", level.about);
   put(object, "case", level.caseName), put(object, "procedure", level.procedure);
   put(object, "position", level.position);
-  object["assistance"] = kAssistances[static_cast<std::size_t>(level.assistance)];
+  object["assistance"] = nameOf(level.assistance);
   object["prerequisites"] = level.prerequisites;
   object["pass"] = written(level.pass), object["mastery"] = written(level.mastery);
   return object;
@@ -218,6 +218,10 @@ Result<Curriculum> loadCurriculum(std::string_view nameOrPath) {
   auto curriculum = parseCurriculum(file->text);
   if (!curriculum) return fail(file->where + curriculum.error().message);
   return curriculum;
+}
+
+std::string_view nameOf(Assistance assistance) {
+  return kAssistances[static_cast<std::size_t>(assistance)];
 }
 
 std::string curriculumText(const Curriculum& curriculum) {

@@ -49,8 +49,8 @@ std::string graveReason(const AttemptFacts& attempt) {
   if (attempt.criticalErrors == 1) return "there was a critical error";
   if (attempt.criticalErrors > 1) return "there were " + std::to_string(attempt.criticalErrors) + " critical errors";
   if (attempt.state != AttemptState::Completed)
-    return skinPunctures(attempt) ? "it was abandoned with the needle in the skin"
-                                  : "it was abandoned: its recording broke off";
+    return hasBrokenOff(attempt) ? "it was abandoned: its recording broke off"
+                                 : "it was abandoned with the needle in the skin";
   return attempt.succeeded ? "" : "it did not succeed";
 }
 
@@ -85,8 +85,22 @@ bool counts(const AttemptFacts& attempt) {
   return attempt.state == AttemptState::Abandoned && skinPunctures(attempt) != 0.0;
 }
 
+bool hasBrokenOff(const AttemptFacts& attempt) {
+  return attempt.state == AttemptState::Abandoned && !skinPunctures(attempt);
+}
+
 bool isSuccess(const AttemptFacts& attempt) {
   return attempt.state == AttemptState::Completed && attempt.succeeded;
+}
+
+const Level* levelOf(const Curriculum& curriculum, const AttemptFacts& attempt) {
+  const Level* level = attempt.curriculum == curriculum.name ? curriculum.level(attempt.level) : nullptr;
+  return level && level->procedure == attempt.procedure ? level : nullptr;
+}
+
+std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& attempt) {
+  const Level* level = levelOf(curriculum, attempt);
+  return level && counts(attempt) ? std::optional(judge(level->pass, attempt).passed) : std::nullopt;
 }
 
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {

@@ -51,6 +51,13 @@ std::vector<double> LcCusum::series(const std::vector<bool>& successes) const {
   return scores;
 }
 
+int LcCusum::fewestToSignal(double limit) const {
+  // Added up as series() does: a product may round to the other side of the limit.
+  int attempts = 0;
+  for (double score = 0; score < limit && attempts < kMostToSignal; ++attempts) score += successWeight();
+  return attempts;
+}
+
 double signalRate(const LcCusum& test, double limit, double failureRate, const CusumTrials& trials) {
   const std::vector<double> highest = highestScores(test, failureRate, trials);
   const auto signals = std::ranges::count_if(highest, [&](double score) { return score >= limit; });

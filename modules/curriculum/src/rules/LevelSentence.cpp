@@ -68,7 +68,10 @@ std::string openSentence(const LevelRecord& record) {
   if (record.attempts() > 0) return "Open: " + rowSoFar(record) + cusumSoFar(record) + lastAttempt(record) + ".";
   return "Open: no attempt counts yet; " + inARow(rule.passesInARow) +
          (rule.passesInARow == 1 ? " masters" : " master") + " it" +
-         (rule.cusum ? ", with a learning score (LC-CUSUM) of " + score(rule.cusum->limit) : "") + ".";
+         (rule.cusum ? ", with a learning score (LC-CUSUM) of " + score(rule.cusum->limit) + ": at least " +
+                           counted(fewestAttempts(rule), "attempt")
+                     : "") +
+         ".";
 }
 
 /// "2 failures within 3 attempts"

@@ -1,7 +1,6 @@
 #include "LevelRecord.h"
 
 #include <insonate/curriculum/Judgement.h>
-#include <insonate/curriculum/LcCusum.h>
 #include <insonate/curriculum/LevelStory.h>
 #include <insonate/curriculum/Unlocking.h>
 
@@ -54,12 +53,10 @@ AttemptFacts failing(const Curriculum& curriculum, const Level& level) {
   return facts;
 }
 
-/// How many passes in a row master a level.
+/// How many passes in a row master a level; a story of more is not told to its end.
 int passesFor(const MasteryRule& rule) {
-  if (!rule.cusum) return rule.passesInARow;
-  const double steps = rule.cusum->limit / LcCusum{rule.cusum->acceptable, rule.cusum->unacceptable}.successWeight();
-  constexpr double kMost = 600;
-  return std::max(rule.passesInARow, static_cast<int>(std::min(std::ceil(steps + 1e-9) + 1, kMost)));
+  constexpr int kMost = 600;
+  return std::min(fewestAttempts(rule), kMost);
 }
 
 class Story {

@@ -10,8 +10,9 @@ namespace {
 bool failsOn(const Level& level, const Curriculum& curriculum, std::span<const AttemptFacts> history) {
   int failed = 0;
   for (auto it = history.rbegin(); it != history.rend() && failed < kStuckAfter; ++it) {
-    if (it->level != level.name || it->curriculum != curriculum.name || !counts(*it)) continue;
-    if (judge(level.pass, *it).passed) return false;
+    const auto passed = levelOf(curriculum, *it) == &level ? passedIn(curriculum, *it) : std::nullopt;
+    if (!passed) continue;
+    if (*passed) return false;
     ++failed;
   }
   return failed == kStuckAfter;

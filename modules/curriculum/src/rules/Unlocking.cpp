@@ -2,6 +2,7 @@
 #include "LevelSentence.h"
 
 #include <insonate/curriculum/Judgement.h>
+#include <insonate/curriculum/LcCusum.h>
 #include <insonate/curriculum/Unlocking.h>
 
 #include <algorithm>
@@ -54,9 +55,8 @@ std::vector<LevelRecord> recordsOf(const Curriculum& curriculum, const Indices& 
   std::vector<LevelRecord> records(curriculum.levels.begin(), curriculum.levels.end());
   for (std::size_t i = 0; i < history.size(); ++i) {
     const AttemptFacts& attempt = history[i];
+    if (!levelOf(curriculum, attempt) || !counts(attempt)) continue;
     const auto level = indices.find(attempt.level);
-    if (attempt.curriculum != curriculum.name || level == indices.end() || !counts(attempt)) continue;
-    if (attempt.procedure != curriculum.levels[level->second].procedure) continue;
     for (const std::size_t practised : built[level->second]) records[practised].practised(times[i]);
     records[level->second].take(attempt, times[i]);
   }
@@ -125,6 +125,12 @@ LevelProgress progressFrom(const LevelRecord& record) {
 }
 
 }  // namespace
+
+int fewestAttempts(const MasteryRule& rule) {
+  if (!rule.cusum) return rule.passesInARow;
+  const LcCusum test{rule.cusum->acceptable, rule.cusum->unacceptable};
+  return std::max(rule.passesInARow, test.fewestToSignal(rule.cusum->limit));
+}
 
 std::vector<LevelProgress> progressOf(const Curriculum& curriculum, std::span<const AttemptFacts> history,
                                       std::int64_t now_us) {

@@ -81,13 +81,14 @@ Result<void> voidKept(Transaction& transaction, const Core& core, const std::str
 /// From the arrival of the attempt with which someone's last so many begin.
 constexpr std::string_view kLastOfCohort =
     "WITH since AS (SELECT m.person, COALESCE((SELECT arrival FROM attempts AS a WHERE a.person = m.person "
-    "AND state <> 'open' AND voided_us IS NULL ORDER BY arrival DESC LIMIT 1 OFFSET ?), 0) AS first "
+    "AND curriculum <> '' AND " INSONATE_COUNTS
+    " ORDER BY arrival DESC LIMIT 1 OFFSET ?), 0) AS first "
     "FROM memberships AS m WHERE m.cohort = ? AND m.teaches = 0) "
     "SELECT arrival, id, attempts.person, curriculum, curriculum_version, level, procedure, procedure_version, "
     "case_name, "
     "begun_us, state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us "
     "FROM since JOIN attempts ON attempts.person = since.person AND arrival >= since.first "
-    "WHERE state <> 'open' AND voided_us IS NULL ORDER BY attempts.person, arrival";
+    "WHERE curriculum <> '' AND " INSONATE_COUNTS " ORDER BY attempts.person, arrival";
 
 /// As its beginning is kept: of who is signed in, on this workstation, with an id.
 AttemptFacts ownFacts(const SignedIn& by, AttemptFacts facts) {

@@ -37,7 +37,7 @@ constexpr std::string_view kMembers =
     ", memberships.teaches, done.attempts, done.changes, last.begun_us, last.level, " INSONATE_STANDING_COLUMNS
     " FROM memberships JOIN people ON people.id = memberships.person JOIN cohorts ON cohorts.id = memberships.cohort "
     "LEFT JOIN (SELECT attempts.person, MAX(arrival) AS last, "
-    "SUM(CASE WHEN state <> 'open' AND voided_us IS NULL THEN 1 ELSE 0 END) AS attempts, " INSONATE_CHANGES
+    "SUM(CASE WHEN " INSONATE_COUNTS " THEN 1 ELSE 0 END) AS attempts, " INSONATE_CHANGES
     " AS changes "
     "FROM attempts WHERE attempts.person IN (SELECT person FROM memberships WHERE cohort = ? AND teaches = 0) "
     "GROUP BY attempts.person) AS done ON done.person = people.id AND memberships.teaches = 0 "

@@ -1,8 +1,15 @@
 #include "store/Export.h"
 
+#include "store/AttemptRows.h"
+
+#include <insonate/curriculum/Curriculum.h>
+#include <insonate/curriculum/Judgement.h>
+
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace insonate::store {
@@ -82,6 +89,35 @@ nlohmann::ordered_json jsonOf(const std::string_view column, const Row& row, std
   }
 }
 
+using Version = std::pair<std::string, int>;
+
+/// Those that can be read: a text of a later program may hold what this one does not know.
+std::map<Version, Curriculum> curriculaOf(Transaction& transaction) {
+  std::map<Version, Curriculum> curricula;
+  for (const Row& row : transaction.rows("SELECT name, version, text FROM curricula"))
+    if (auto curriculum = parseCurriculum(row.text(2)))
+      curricula.emplace(Version{row.text(0), row.count(1)}, std::move(*curriculum));
+  return curricula;
+}
+
+/// What an attempt's columns do not say: whether it passed, with which assistance, by the version of the curriculum for
+/// which it was made; null in free practice.
+void addJudgements(Transaction& transaction, nlohmann::ordered_json& attempts) {
+  const auto curricula = curriculaOf(transaction);
+  std::size_t at = 0;
+  for (const Row& row : transaction.rows("SELECT " INSONATE_HISTORY_COLUMNS " FROM attempts ORDER BY arrival")) {
+    const AttemptFacts facts = factsOf(row);
+    nlohmann::ordered_json& entry = attempts[at++];
+    entry["voided"] = facts.state == AttemptState::Voided;
+    entry["broke_off"] = hasBrokenOff(facts);
+    entry["assistance"] = nullptr, entry["passed"] = nullptr;
+    const auto curriculum = curricula.find({facts.curriculum, facts.curriculumVersion});
+    if (curriculum == curricula.end()) continue;
+    if (const Level* level = levelOf(curriculum->second, facts)) entry["assistance"] = nameOf(level->assistance);
+    if (const auto passed = passedIn(curriculum->second, facts)) entry["passed"] = *passed;
+  }
+}
+
 }  // namespace
 
 std::string exported(Transaction& transaction) {
@@ -95,6 +131,7 @@ std::string exported(Transaction& transaction) {
       list.push_back(std::move(entry));
     }
   }
+  addJudgements(transaction, json["attempts"]);
   return json.dump();
 }
 

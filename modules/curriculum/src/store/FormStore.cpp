@@ -24,6 +24,17 @@ Result<void> checkFilled(const FilledForm& filled) {
   return store::checkJsonObject("The answers", filled.answers);
 }
 
+/// A rater has one word on an attempt: a second sheet would be filled in with the others' answers known. The same sheet
+/// sent again has the same id.
+Result<void> checkOnce(Transaction& transaction, const FilledForm& filled) {
+  if (filled.attempt.empty()) return {};
+  if (transaction.number("SELECT COUNT(*) FROM forms WHERE attempt = ? AND form = ? AND filled_by = ? AND id <> ?",
+                         filled.attempt, filled.form, filled.by, filled.id) == 0)
+    return {};
+  return fail("You have handed in '" + filled.form +
+              "' about this attempt already; a form is handed in once. Read it among the forms of the attempt.");
+}
+
 Result<std::string> keep(Transaction& transaction, const Core& core, const FilledForm& filled) {
   if (!store::findPerson(transaction, filled.person)) return fail("There is no such person; look at the list again.");
   if (!filled.attempt.empty()) {
@@ -31,6 +42,7 @@ Result<std::string> keep(Transaction& transaction, const Core& core, const Fille
     if (!attempt || attempt->facts.person != filled.person)
       return fail("The attempt is not one of the person whom the form is about; choose one of theirs.");
   }
+  if (auto ok = checkOnce(transaction, filled); !ok) return tl::unexpected(ok.error());
   auto id = store::keepForm(transaction, filled);
   if (id) store::putIntoOutbox(transaction, core, "form", *id);
   return id;

@@ -80,7 +80,8 @@ Result<AttemptRecording> AttemptRecording::open(const std::filesystem::path& fil
   if (!recording.hasHeader_)
     return fail(file.string() + " is not a recording of an attempt, or nothing of it is left that can be read.");
   if (recording.status_ == AttemptStatus::CutShort)
-    recording.troubles_.push_back(file.string() + " was cut short; it can be read up to " +
+    recording.troubles_.push_back(file.string() +
+                                  " broke off, so the attempt counts as abandoned; it can be read up to " +
                                   seconds(recording.end_us()) + ".");
   if (recording.damaged_)
     recording.troubles_.push_back(file.string() +

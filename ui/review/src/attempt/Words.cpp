@@ -32,7 +32,7 @@ QString wordsOf(AttemptStatus status) {
     case AttemptStatus::CutShort:
       break;
   }
-  return tr("cut short");
+  return tr("abandoned: its recording broke off");
 }
 
 QString dateOf(const std::string& begun) {

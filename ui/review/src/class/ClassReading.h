@@ -13,9 +13,6 @@
 /// What is asked of the store for Review, on the account's thread.
 namespace insonate::review {
 
-/// How many of each person's last attempts a class is looked at by.
-inline constexpr int kLastAttempts = 10;
-
 struct ClassFacts {
   Cohort cohort{};
   std::optional<Curriculum> curriculum{};

@@ -37,14 +37,16 @@ QVariant ClassTable::headerData(int section, Qt::Orientation orientation, int ro
     const MetricMeaning& meaning = MetricBook::here().all()[std::size_t(section - kFirstMetric)];
     if (role == Qt::DisplayRole) return titleWithUnit(meaning);
     if (role == Qt::ToolTipRole)
-      return tr("%1: mean of the last %2 attempts. Click to sort").arg(titleWithUnit(meaning)).arg(kLastAttempts);
+      return tr("%1: mean of the last %2 attempts at levels that count, free practice left out. Click to sort")
+          .arg(titleWithUnit(meaning), QString::number(kLastAttempts));
     if (role == Qt::TextAlignmentRole) return int(Qt::AlignCenter) | Qt::TextWordWrap;
     return {};
   }
   static const QString titles[] = {tr("Person"), tr("Needs you"), tr("Level"), tr("Attempts"), tr("Last attempt")};
   if (role == Qt::DisplayRole) return titles[section];
-  if (role == Qt::ToolTipRole) return tr("Click to sort");
-  return {};
+  if (role != Qt::ToolTipRole) return {};
+  return section == kAttempts ? tr("Attempts that count, at levels and in free practice. Click to sort")
+                              : tr("Click to sort");
 }
 
 QVariant ClassTable::data(const QModelIndex& index, int role) const {
@@ -99,7 +101,7 @@ QVariant ClassTable::aboutMetric(const Member& member, std::size_t metric, int r
       return cell.share ? QVariant(heatColour(*cell.share)) : QVariant();
     case Qt::ToolTipRole:
     case Qt::AccessibleDescriptionRole:
-      if (!cell.value) return tr("No attempt tells it.");
+      if (!cell.value) return tr("No data: none of the last %1 attempts at levels tells it.").arg(kLastAttempts);
       return tr("%1: %2, mean of %3, %4")
           .arg(titleWithUnit(meaning), numberOf(*cell.value), countOf(cell.attempts, tr("attempt"), tr("attempts")),
                heatWords(cell.share));

@@ -63,12 +63,12 @@ QString outcomeOf(const AttemptFacts& attempt, const Curriculum* curriculum) {
       break;
   }
   if (!counts(attempt)) return tr("Abandoned before the skin; does not count");
-  const bool ofIt = curriculum && attempt.curriculum == curriculum->name;
-  const Level* level = ofIt ? curriculum->level(attempt.level) : nullptr;
+  const Level* level = curriculum ? levelOf(*curriculum, attempt) : nullptr;
+  if (!level && hasBrokenOff(attempt)) return tr("Abandoned: its recording broke off");
   if (!level)
     return attempt.state == AttemptState::Abandoned ? tr("Abandoned")
-           : attempt.succeeded                      ? tr("Aim reached")
-                                                    : tr("Aim not reached");
+           : attempt.succeeded                      ? tr("Succeeded")
+                                                    : tr("Did not succeed");
   const std::string reason = reasonOfFailure(level->pass, attempt);
   return reason.empty() ? tr("Passed") : tr("Failed because %1").arg(QString::fromStdString(reason));
 }

@@ -15,9 +15,9 @@ constexpr int kBar_px = 160;
 
 HeatLegend::HeatLegend(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("heatLegend"));
-  setToolTip(
-      tr("Colours go from the novice's value to the expert's, as studies found them; the number is the mean of "
-         "the last attempts"));
+  setToolTip(tr("Colours go from the novice's value to the expert's, as studies found them; the number is the mean of "
+                "the last %1 attempts at levels that count, without free practice")
+                 .arg(kLastAttempts));
   setFixedHeight(fontMetrics().height() + ui::kSmallGap);
 }
 
@@ -30,8 +30,11 @@ void HeatLegend::paintEvent(QPaintEvent*) {
   for (int x = 0; x < kBar_px; ++x)
     painter.fillRect(from + x, ui::kSmallGap, 1, height() - 2 * ui::kSmallGap, heatColour(100.0 * x / kBar_px));
   painter.setPen(ui::colour(views::theme::kQuiet));
-  painter.drawText(QRect(from + kBar_px + ui::kGap, 0, width(), height()), Qt::AlignVCenter,
-                   right + tr("      n/a: no attempt tells it      without a colour: nothing to compare with"));
+  painter.drawText(
+      QRect(from + kBar_px + ui::kGap, 0, width(), height()), Qt::AlignVCenter,
+      right + tr("      mean of the last %1 attempts, without free practice      n/a: no data      without a "
+                 "color: nothing to compare with")
+                  .arg(kLastAttempts));
 }
 
 }  // namespace insonate::review

@@ -25,7 +25,7 @@ HeatMap heatMapOf(std::span<const AttemptFacts> attempts) {
   HeatMap map;
   for (const auto& [person, theirs] : byPerson) {
     auto& row = map[person];
-    for (std::size_t i = 0; i < book.comparable(); ++i) {
+    for (std::size_t i = 0; i < book.all().size(); ++i) {
       std::vector<double> values, shares;
       for (const AttemptFacts* attempt : theirs) {
         if (const auto value = valueIn(*attempt, book.all()[i])) values.push_back(*value);

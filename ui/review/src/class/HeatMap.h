@@ -20,7 +20,7 @@ struct HeatCell {
   int attempts = 0;             ///< that tell it
 };
 
-/// By Person::id, a cell for each of MetricBook::all() that can be compared.
+/// By Person::id, a cell for each of MetricBook::all().
 using HeatMap = std::map<std::string, std::vector<HeatCell>>;
 
 /// Of attempts of many people. Those that do not count (Judgement.h) are left out.

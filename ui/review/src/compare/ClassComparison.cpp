@@ -57,7 +57,8 @@ std::size_t inBoth(const ComparedClass& first, const ComparedClass& second) {
 
 ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& second, std::size_t metric) {
   ClassComparison result;
-  result.picture.title = titleWithUnit(MetricBook::here().all()[metric]);
+  result.picture.title = tr("%1: each person's mean of the last %2 attempts at levels")
+                             .arg(titleWithUnit(MetricBook::here().all()[metric]), QString::number(kLastAttempts));
   const auto a = valuesOf(first.heat, metric), b = valuesOf(second.heat, metric);
   const ValueKind kind = kindOfMeans(MetricBook::here().all()[metric]);
   const auto ranks = compareRanks(a, b);

@@ -35,7 +35,8 @@ ComparePage::ComparePage(const ClassDesk& desk, QWidget* parent)
   other_->setToolTip(tr("The class to compare with"));
   metric_->setObjectName(QStringLiteral("metricCompared"));
   metric_->setAccessibleName(tr("Metric"));
-  metric_->setToolTip(tr("In what the classes are compared: the means of each person's last attempts"));
+  metric_->setToolTip(
+      tr("In what the classes are compared: the means of each person's last %1 attempts at levels").arg(kLastAttempts));
   for (QComboBox* box : {other_, metric_}) {
     box->setMinimumWidth(230);
     new ui::QuietWheel(box);

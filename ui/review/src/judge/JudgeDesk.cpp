@@ -6,6 +6,7 @@
 #include <insonate/ui/Account.h>
 #include <insonate/ui/AttemptWords.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace insonate::review {
@@ -77,6 +78,12 @@ QString JudgeDesk::words() const {
 bool JudgeDesk::mayJudge() const {
   return origin_ && origin_->attempt && origin_->same && account_->isSignedIn() &&
          account_->person().role != Role::Trainee && account_->person().id != origin_->person.id;
+}
+
+bool JudgeDesk::hasHandedIn(const std::string& form) const {
+  return origin_ && account_->isSignedIn() && std::ranges::any_of(origin_->forms, [&](const KeptForm& one) {
+           return one.filled.form == form && one.filled.by == account_->person().id;
+         });
 }
 
 ui::FormSubject JudgeDesk::subject() const {

@@ -112,8 +112,6 @@ QWidget* JudgePane::buildSheet() {
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setFocusPolicy(Qt::NoFocus);
   handIn_->setObjectName(QStringLiteral("handIn"));
-  handIn_->setToolTip(
-      tr("Store the answers under your name: the trainee reads them, and they do not change afterwards"));
   ui::setRole(handIn_, "primary");
   auto* row = new QHBoxLayout;
   row->setSpacing(ui::kGap);
@@ -137,7 +135,7 @@ void JudgePane::showSheet() {
   if (!subject_.by.empty()) sheet_->setAnswers(draft_->read(subject_, form()));
   connect(sheet_, &ui::FormSheet::changed, &keeping_, qOverload<>(&QTimer::start));
   connect(sheet_, &ui::FormSheet::changed, this, [this] { showProgress(); });
-  showProgress();
+  showHandIn();
 }
 
 void JudgePane::showDesk() {
@@ -146,7 +144,7 @@ void JudgePane::showDesk() {
   words_->setText(desk_.words());
   for (QWidget* one : std::initializer_list<QWidget*>{pages_, tabs_->button(kRead), choice_}) one->setVisible(readable);
   tabs_->button(kFill)->setVisible(desk_.mayJudge());
-  handIn_->setEnabled(desk_.mayJudge());
+  showHandIn();
   if (desk_.isReading()) return;
   const bool isAnother = subject_ != desk_.subject();
   if (isAnother) showSheet();
@@ -160,12 +158,23 @@ void JudgePane::showDesk() {
     showPage(kFill);
 }
 
+void JudgePane::showHandIn() {
+  const bool done = desk_.hasHandedIn(form().name);
+  handIn_->setEnabled(desk_.mayJudge() && !done);
+  handIn_->setToolTip(
+      done ? tr("You have handed in this form about this attempt; a form is handed in once")
+           : tr("Store the answers under your name: the trainee reads them, and they do not change afterwards"));
+  showProgress();
+}
+
 void JudgePane::showPage(int page) {
   tabs_->button(page)->setChecked(true);
   pages_->setCurrentIndex(page);
 }
 
 void JudgePane::showProgress() {
+  if (desk_.hasHandedIn(form().name))
+    return progress_->setText(tr("You have handed in this form about this attempt; it is read under Handed in."));
   const FormAnswers answers = sheet_->answers();
   const FormScore score = formScore(form(), answers);
   progress_->setText(answers.empty() ? QString::fromStdString(form().about)

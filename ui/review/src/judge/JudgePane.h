@@ -51,6 +51,7 @@ class JudgePane final : public QWidget {
   void showDesk();
   void showPage(int page);
   void showSheet();
+  void showHandIn();
   void showProgress();
   void keepDraft();
   void handIn();

@@ -18,8 +18,8 @@
 namespace insonate::review {
 namespace {
 
-constexpr int kWidest_px = 980, kRow_px = 30;
-constexpr int kDate_px = 170, kLength_px = 90, kStatus_px = 110;
+constexpr int kWidest_px = 1100, kRow_px = 30;
+constexpr int kDate_px = 170, kLength_px = 90, kStatus_px = 280;
 enum Column { kDate, kCase, kProcedure, kLength, kStatus, kColumns };
 
 }  // namespace

@@ -165,7 +165,6 @@ void HistoryTable::fill(int row, const KeptAttempt& attempt) {
   };
   QString outcome = outcomeOf(facts, curriculum);
   if (!attempt.voidReason.empty()) outcome += QStringLiteral(": ") + QString::fromStdString(attempt.voidReason);
-  if (attempt.crashed) outcome += tr(" (the program ended)");
   set(kDate, ui::dayAndTimeOf(facts.begun_us));
   set(kLevel, levelTitle(curriculum, facts.level));
   set(kOutcome, outcome);

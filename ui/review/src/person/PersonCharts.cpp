@@ -3,17 +3,16 @@
 #include "../class/ClassWords.h"
 #include "../class/HeatMap.h"
 
+#include <insonate/curriculum/Comparison.h>
 #include <insonate/curriculum/Judgement.h>
-#include <insonate/curriculum/LcCusum.h>
 #include <insonate/curriculum/Statistics.h>
+#include <insonate/curriculum/Unlocking.h>
 
 #include <QCoreApplication>
 #include <algorithm>
 
 namespace insonate::review {
 namespace {
-
-constexpr std::size_t kLeastPeople = 4;
 
 QString tr(const char* text) {
   return QCoreApplication::translate("Review", text);
@@ -41,12 +40,16 @@ QString placeWords(const std::vector<double>& all, double own, const MetricMeani
   return alike == 0 ? better : tr("%1, as good as %2 %").arg(better, percentOf(alike));
 }
 
+/// What the numbers below the charts of a person count.
+QString attemptAxis(const std::string& level) {
+  return level.empty() ? tr("attempt, of all levels and free practice") : tr("attempt at this level");
+}
+
 }  // namespace
 
 std::vector<const AttemptFacts*> attemptsAt(const PersonFacts& facts, const std::string& level) {
-  const Level* known = facts.curriculum ? facts.curriculum->level(level) : nullptr;
   const auto isOf = [&](const AttemptFacts& one) {
-    return known && one.level == level && one.curriculum == facts.curriculum->name && one.procedure == known->procedure;
+    return facts.curriculum && one.level == level && levelOf(*facts.curriculum, one);
   };
   std::vector<const AttemptFacts*> attempts;
   for (const AttemptFacts& one : facts.history)
@@ -58,7 +61,9 @@ ui::ChartPicture learningOf(const PersonFacts& facts, const std::string& level, 
   const auto attempts = attemptsAt(facts, level);
   std::vector<std::optional<double>> values;
   for (const AttemptFacts* one : attempts) values.push_back(valueIn(*one, meaning));
-  return ui::learningPicture(sharedMeaning(attempts, meaning), values);
+  auto picture = ui::learningPicture(sharedMeaning(attempts, meaning), values);
+  picture.xTitle = attemptAxis(level);
+  return picture;
 }
 
 ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level) {
@@ -70,32 +75,41 @@ ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level) {
                                      : tr("n/a: the class has no curriculum, which says what passes.");
     return picture;
   }
-  const CusumRule rule = known->mastery.cusum.value_or(CusumRule{});
+  if (!known->mastery.cusum) {
+    ui::ChartPicture picture;
+    picture.title = tr("LC-CUSUM");
+    const int passes = known->mastery.passesInARow;
+    picture.words = passes == 1 ? tr("n/a: this level asks for none; one pass masters it.")
+                                : tr("n/a: this level asks for none; %1 passes in a row master it.").arg(passes);
+    return picture;
+  }
   std::vector<bool> passes;
   for (const AttemptFacts* one : attemptsAt(facts, level)) passes.push_back(judge(known->pass, *one).passed);
-  auto picture = ui::cusumPicture(LcCusum{rule.acceptable, rule.unacceptable}.series(passes), rule.limit);
-  if (!known->mastery.cusum) picture.title = tr("LC-CUSUM, not asked for");
+  auto picture = ui::cusumPicture(passes, *known->mastery.cusum);
+  picture.title = tr("LC-CUSUM, at least %1 attempts").arg(fewestAttempts(known->mastery));
+  picture.xTitle = attemptAxis(level);
   return picture;
 }
 
 ui::ChartPicture placeInClass(const PersonFacts& facts, const HeatMap& heat, const MetricMeaning& meaning) {
   ui::ChartPicture picture;
   picture.title = tr("Beside the class");
+  picture.xTitle = tr("last %1 attempts at levels").arg(kLastAttempts);
   picture.yTitle = titleWithUnit(meaning);
   const auto& all = MetricBook::here().all();
   const auto column = std::size_t(std::ranges::find(all, meaning.id, &MetricMeaning::id) - all.begin());
   std::vector<double> means;
   std::optional<double> own;
-  if (column < MetricBook::here().comparable())
-    for (const auto& [person, row] : heat) {
-      if (!row[column].value) continue;
-      means.push_back(*row[column].value);
-      if (person == facts.person.id) own = row[column].value;
-    }
-  if (heat.empty() || !own || means.size() < kLeastPeople) {
+  for (const auto& [person, row] : heat) {
+    if (!row[column].value) continue;
+    means.push_back(*row[column].value);
+    if (person == facts.person.id) own = row[column].value;
+  }
+  if (heat.empty() || !own || means.size() < kFewestCompared) {
     picture.words = heat.empty() ? tr("n/a: the class is seen by its instructors.")
-                    : !own       ? tr("n/a: no attempt of this person tells it.")
-                           : tr("n/a: fewer than %1 people of the class have attempts that tell it.").arg(kLeastPeople);
+                    : !own
+                        ? tr("n/a: no data in the last %1 attempts of this person at levels.").arg(kLastAttempts)
+                        : tr("n/a: fewer than %1 people of the class have attempts that tell it.").arg(kFewestCompared);
     return picture;
   }
   picture.boxes.push_back({0, *boxPlotOf(means), ui::ChartPicture::Tone::Quiet});

@@ -17,8 +17,7 @@ std::vector<const AttemptFacts*> attemptsAt(const PersonFacts& facts, const std:
 
 /// A metric over those attempts. Norms are those of the procedure, where they all had the same.
 ui::ChartPicture learningOf(const PersonFacts& facts, const std::string& level, const MetricMeaning& meaning);
-/// LC-CUSUM at a level; where its rule has none, with the rates and the limit of
-/// CusumRule, which the title says.
+/// LC-CUSUM at a level whose rule asks for it, over the same attempts by the same numbers; else words.
 ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level);
 /// The person's mean of the last kLastAttempts among those of the class; an empty `heat` is that of who does not see
 /// the class.

@@ -88,9 +88,10 @@ QWidget* PersonPage::buildCharts() {
   auto* row = new QHBoxLayout(charts);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(ui::kGap);
-  row->addWidget(learning_, 5);
-  row->addWidget(cusum_, 3);
-  row->addWidget(place_, 2);
+  // Legends and titles of the smaller two fit at 1366 px.
+  row->addWidget(learning_, 9);
+  row->addWidget(cusum_, 8);
+  row->addWidget(place_, 5);
   for (ui::Chart* chart : {learning_, cusum_, place_}) {
     connect(chart, &ui::Chart::written, this, &PersonPage::written);
     connect(chart, &ui::Chart::failed, this, &PersonPage::failed);

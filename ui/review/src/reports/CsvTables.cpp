@@ -2,9 +2,11 @@
 
 #include "../class/ClassWords.h"
 
+#include <insonate/curriculum/AttemptTable.h>
 #include <insonate/curriculum/Csv.h>
 
 #include <QDateTime>
+#include <span>
 
 namespace insonate::review {
 namespace {
@@ -17,12 +19,13 @@ std::string isoOf(std::int64_t time_us) {
 
 std::string classCsv(const ClassDesk& desk) {
   const auto& book = MetricBook::here();
-  std::vector<std::vector<std::string>> rows{
-      {"name", "full name", "email", "level", "levels mastered", "needs", "why", "attempts", "last attempt (UTC)"}};
+  std::vector<std::vector<std::string>> rows{{"id", "name", "full name", "email", "level", "levels mastered", "needs",
+                                              "why", "attempts", "last attempt (UTC)"}};
   for (std::size_t i = 0; i < book.comparable(); ++i) rows[0].push_back(titleWithUnit(book.all()[i]).toStdString());
   for (const Member& member : desk.facts()->learners) {
     const Standing standing = member.standing.value_or(Standing{});
-    std::vector<std::string> row{member.person.name,
+    std::vector<std::string> row{member.person.id,
+                                 member.person.name,
                                  member.person.fullName,
                                  member.person.email,
                                  standing.level,
@@ -40,22 +43,15 @@ std::string classCsv(const ClassDesk& desk) {
 }
 
 std::string attemptsCsv(const PersonFacts& facts) {
-  const auto& book = MetricBook::here();
+  const std::span metrics = std::span(MetricBook::here().all()).subspan(1);  // the points have their column
   const Curriculum* curriculum = facts.curriculum ? &*facts.curriculum : nullptr;
-  std::vector<std::vector<std::string>> rows{
-      {"attempt", "begun (UTC)", "curriculum", "version", "level", "procedure", "case", "outcome", "length, s"}};
-  for (const MetricMeaning& meaning : book.all()) rows[0].push_back(titleWithUnit(meaning).toStdString());
+  std::vector<std::vector<std::string>> rows{attemptColumns()};
+  rows[0].emplace_back("outcome");
+  for (const MetricMeaning& meaning : metrics) rows[0].push_back(titleWithUnit(meaning).toStdString());
   for (const AttemptFacts& one : facts.history) {
-    std::vector<std::string> row{one.id,
-                                 isoOf(one.begun_us),
-                                 one.curriculum,
-                                 std::to_string(one.curriculumVersion),
-                                 one.level,
-                                 one.procedure,
-                                 one.caseName,
-                                 outcomeOf(one, curriculum).toStdString(),
-                                 csvNumber(double(one.length_us) * 1e-6)};
-    for (const MetricMeaning& meaning : book.all()) row.push_back(csvNumber(valueIn(one, meaning)));
+    std::vector<std::string> row = attemptRow(one, curriculum);
+    row.push_back(outcomeOf(one, curriculum).toStdString());
+    for (const MetricMeaning& meaning : metrics) row.push_back(csvNumber(valueIn(one, meaning)));
     rows.push_back(std::move(row));
   }
   return csvText(rows);

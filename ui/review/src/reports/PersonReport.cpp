@@ -42,10 +42,14 @@ void charts(PaperColumn& page, const PersonFacts& facts, const HeatMap& heat) {
   const MetricMeaning& points = MetricBook::here().all().front();
   const std::string level = facts.history.empty() ? std::string() : facts.history.back().level;
   const double width = kWidth - 2 * kMargin;
-  page.heading(tr("How they learn"));
-  chart(page, kMargin, width * 0.45, learningOf(facts, {}, points));
-  chart(page, kMargin + width * 0.45, width * 0.33, cusumOf(facts, level));
-  chart(page, kMargin + width * 0.78, width * 0.22, placeInClass(facts, heat, points));
+  const Curriculum* curriculum = facts.curriculum ? &*facts.curriculum : nullptr;
+  page.heading(tr("How they learn: %1").arg(level.empty() ? tr("all attempts") : levelTitle(curriculum, level)));
+  // As wide beside each other as on the page of the person.
+  constexpr double kLearning = 9 / 22.0, kCusum = 8 / 22.0;
+  chart(page, kMargin, width * kLearning, learningOf(facts, level, points));
+  chart(page, kMargin + width * kLearning, width * kCusum, cusumOf(facts, level));
+  const double left = width * (kLearning + kCusum);
+  chart(page, kMargin + left, width - left, placeInClass(facts, heat, points));
   page.skip(kChartHeight);
 }
 

@@ -14,25 +14,28 @@
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QSettings>
+#include <algorithm>
+#include <iterator>
 
 namespace insonate::review {
 namespace {
 
 const QString kHomePage = QStringLiteral("review/xapiHomePage");
 
-/// All statements about these people, written to a file; on the account's thread.
-Result<bool> writeStatements(const SignedIn& by, const std::vector<Person>& people, const Curriculum& curriculum,
-                             const XapiSite& site, const std::string& file) {
-  std::vector<std::string> all;
+/// All statements about these people, written to a file; on the account's thread. Gives leftOutSentence().
+Result<std::string> writeStatements(const SignedIn& by, const std::vector<Person>& people, const Curriculum& curriculum,
+                                    const XapiSite& site, const std::string& file) {
+  XapiExport all;
   for (const Person& person : people) {
     const auto history = AttemptStore(by).history(person.id);
     if (!history) return tl::unexpected(history.error());
     auto statements = xapiStatements(site, curriculum, person, *history);
     if (!statements) return tl::unexpected(statements.error());
-    all.insert(all.end(), std::make_move_iterator(statements->begin()), std::make_move_iterator(statements->end()));
+    std::ranges::move(statements->statements, std::back_inserter(all.statements));
+    std::ranges::move(statements->leftOut, std::back_inserter(all.leftOut));
   }
-  if (const auto written = writeXapi(file, all); !written) return tl::unexpected(written.error());
-  return true;
+  if (const auto written = writeXapi(file, all.statements); !written) return tl::unexpected(written.error());
+  return leftOutSentence(all.leftOut);
 }
 
 }  // namespace
@@ -113,17 +116,19 @@ void SaveMenu::saveXapi(const QString& file, const QString& homePage) {
   if (subject_ == Subject::Person && person_.facts()) people.push_back(person_.facts()->person);
   if (subject_ == Subject::Class && room_.facts())
     for (const Member& member : room_.facts()->learners) people.push_back(member.person);
-  room_.account()->ask<bool>(
+  room_.account()->ask<std::string>(
       this,
       [people, curriculum = *curriculum, site = XapiSite{homePage.toStdString(), false},
        name = file.toStdString()](const SignedIn& by) { return writeStatements(by, people, curriculum, site, name); },
-      [this, file](const Result<bool>& done) {
-        done ? tell(file) : Q_EMIT failed(QString::fromStdString(done.error().message), {});
+      [this, file](const Result<std::string>& done) {
+        done ? tell(file, QString::fromStdString(*done))
+             : Q_EMIT failed(QString::fromStdString(done.error().message), {});
       });
 }
 
-void SaveMenu::tell(const QString& file) {
-  Q_EMIT written(tr("Saved as %1.").arg(QFileInfo(file).fileName()), QFileInfo(file).absolutePath());
+void SaveMenu::tell(const QString& file, const QString& besides) {
+  const QString saved = tr("Saved as %1.").arg(QFileInfo(file).fileName());
+  Q_EMIT written(besides.isEmpty() ? saved : saved + QLatin1Char(' ') + besides, QFileInfo(file).absolutePath());
 }
 
 }  // namespace insonate::review

@@ -30,7 +30,7 @@ class SaveMenu final : public QMenu {
   void add(const char* name, const QString& text, const QString& tip, const QString& ending,
            void (SaveMenu::*save)(const QString&));
   void askXapi(const QString& file);
-  void tell(const QString& file);
+  void tell(const QString& file, const QString& besides = {});
   QString fileName() const;
 
   const Subject subject_;

@@ -1,3 +1,4 @@
+#include <insonate/curriculum/LcCusum.h>
 #include <insonate/curriculum/LearningCurve.h>
 #include <insonate/ui/LearningChart.h>
 
@@ -8,7 +9,6 @@
 namespace insonate::ui {
 namespace {
 
-constexpr int kWindow = 5;
 constexpr double kRoom = 1.05;
 
 QString tr(const char* text) {
@@ -60,17 +60,18 @@ ChartPicture learningPicture(const MetricMeaning& meaning, std::span<const std::
   const auto [least, most] = std::ranges::minmax_element(dots, {}, &QPointF::y);
   addExpertBand(picture, meaning, double(values.size()), least->y(), most->y());
   if (!addCurve(picture, meaning.kind, values)) {
-    ChartPicture::Line mean{tr("mean of the last %1").arg(kWindow), {}, Tone::Accent, Qt::DashLine};
-    const auto means = movingMean(values, kWindow);
+    ChartPicture::Line mean{tr("mean of the last %1").arg(kLastAttempts), {}, Tone::Accent, Qt::DashLine};
+    const auto means = movingMean(values, kLastAttempts);
     for (std::size_t i = 0; i < means.size(); ++i)
       if (means[i]) mean.points.emplace_back(double(i) + 1, *means[i]);
-    if (!mean.points.empty()) picture.lines.push_back(std::move(mean));
+    if (mean.points.size() > 1) picture.lines.push_back(std::move(mean));
   }
   picture.lines.push_back({tr("attempts"), std::move(dots), Tone::Text, Qt::NoPen, true});
   return picture;
 }
 
-ChartPicture cusumPicture(std::span<const double> scores, double limit) {
+ChartPicture cusumPicture(const std::vector<bool>& passes, const CusumRule& rule) {
+  const std::vector<double> scores = LcCusum{rule.acceptable, rule.unacceptable}.series(passes);
   ChartPicture picture;
   picture.title = tr("LC-CUSUM");
   picture.xTitle = tr("attempt");
@@ -79,14 +80,18 @@ ChartPicture cusumPicture(std::span<const double> scores, double limit) {
     picture.words = tr("n/a: no attempt of this level counts yet.");
     return picture;
   }
-  ChartPicture::Line line{tr("score"), {}, Tone::Accent, Qt::SolidLine, scores.size() <= 60};
+  // The axis names it; the legend has room for the limit's rates in one line.
+  ChartPicture::Line line{{}, {}, Tone::Accent, Qt::SolidLine, scores.size() <= 60};
   for (std::size_t i = 0; i < scores.size(); ++i) line.points.emplace_back(double(i) + 1, scores[i]);
   picture.lines.push_back(std::move(line));
-  picture.lines.push_back({tr("limit %1: able").arg(limit),
-                           {{1, limit}, {std::max(2.0, double(scores.size())), limit}},
+  picture.lines.push_back({tr("limit %1; failures: %2 % acceptable, %3 % not")
+                               .arg(rule.limit)
+                               .arg(100 * rule.acceptable)
+                               .arg(100 * rule.unacceptable),
+                           {{1, rule.limit}, {std::max(2.0, double(scores.size())), rule.limit}},
                            Tone::Good,
                            Qt::DashLine});
-  picture.y = Interval{0, limit * kRoom};
+  picture.y = Interval{0, rule.limit * kRoom};
   return picture;
 }
 

@@ -4,6 +4,7 @@
 
 #include <insonate/curriculum/LcCusum.h>
 #include <insonate/curriculum/Statistics.h>
+#include <insonate/curriculum/Unlocking.h>
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
@@ -104,7 +105,10 @@ QWidget* MasteryEditor::buildRow() {
   connect(passes_, QOverload<int>::of(&QSpinBox::valueChanged), this, [this](int passes) {
     Q_EMIT edited(QStringLiteral("passes"), [passes](Level& level) { level.mastery.passesInARow = passes; });
   });
-  return lineOf({new QLabel(tr("Passes")), passes_});
+  fewest_ = new QLabel;
+  fewest_->setObjectName(QStringLiteral("fewestAttempts"));
+  setRole(fewest_, "quiet");
+  return lineOf({new QLabel(tr("Passes")), passes_, fewest_});
 }
 
 QWidget* MasteryEditor::buildCusum() {
@@ -176,6 +180,10 @@ void MasteryEditor::show(const Level& level) {
   if (std::exchange(level_, level.name) != level.name) tasks_->cancel(), calibrated_->clear();
   const QSignalBlocker a(passes_), b(acceptable_), c(unacceptable_), d(limit_), e(days_), f(failures_), g(within_);
   passes_->setValue(rule.passesInARow);
+  const int fewest = fewestAttempts(rule);
+  fewest_->setText(fewest == LcCusum::kMostToSignal ? tr("cannot be mastered by these rates")
+                   : fewest == 1                    ? tr("mastered with at least 1 attempt")
+                                                    : tr("mastered with at least %1 attempts").arg(fewest));
   cusum_->setChecked(rule.cusum.has_value());
   for (QWidget* one :
        std::initializer_list<QWidget*>{acceptable_, unacceptable_, limit_, falseSignals_, trials_, calibrate_})

@@ -44,7 +44,7 @@ class MasteryEditor final : public QWidget {
   QCheckBox *cusum_, *byDays_, *byFailures_;
   QDoubleSpinBox *acceptable_, *unacceptable_, *limit_, *falseSignals_;
   QPushButton* calibrate_;
-  QLabel* calibrated_;
+  QLabel *fewest_, *calibrated_;
   TaskBar* tasks_;
   std::string level_;  ///< Level::name of the one that is shown
   CusumRule rule_;     ///< as last shown

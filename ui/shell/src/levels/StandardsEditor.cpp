@@ -43,7 +43,7 @@ QDoubleSpinBox* number(const QString& name, double low, double high, int decimal
 
 StandardsEditor::StandardsEditor(const std::vector<MetricMeaning>& metrics, QWidget* parent)
     : QWidget(parent), metrics_(metrics) {
-  auto* always = new QLabel(tr("It was completed, with success, without a critical error, and:"));
+  auto* always = new QLabel(tr("It was completed, succeeded, without a critical error, and:"));
   setRole(always, "quiet");
   table_ = named(new QTableWidget(0, kColumns), "standards", tr("Standards"),
                  tr("What metrics have to reach; the chosen one is changed below"));

@@ -16,7 +16,7 @@ class QTableWidget;
 
 namespace insonate::ui {
 
-/// When one attempt passes: points, standards, and how many of them. Completed, with success and without a critical
+/// When one attempt passes: points, standards, and how many of them. Completed, succeeded and without a critical
 /// error it must be in any case.
 class StandardsEditor final : public QWidget {
   Q_OBJECT

@@ -20,7 +20,7 @@ QString capital(const QString& words);
 /// "2:07".
 QString clockOf(double time_s);
 
-/// The line over a result: "71 of 100: the vein was reached", "Abandoned".
+/// The line over a result: "71 of 100: succeeded", "Abandoned".
 QString headlineOf(const AttemptScore& score, AttemptStatus status);
 
 }  // namespace insonate::train

@@ -5,6 +5,7 @@
 #include "CurveChoice.h"
 #include "LevelWords.h"
 
+#include <insonate/curriculum/Judgement.h>
 #include <insonate/ui/Account.h>
 #include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Attempts.h>
@@ -41,7 +42,7 @@ QString tipOf(const KeptAttempt& one) {
   QStringList parts{HistoryPage::tr("Case: %1").arg(ui::qt(one.facts.caseName))};
   if (!one.facts.workstation.empty()) parts << HistoryPage::tr("Workstation: %1").arg(ui::qt(one.facts.workstation));
   if (!one.voidReason.empty()) parts << HistoryPage::tr("Does not count: %1").arg(ui::qt(one.voidReason));
-  if (one.crashed) parts << HistoryPage::tr("The program ended in the middle of it");
+  if (hasBrokenOff(one.facts)) parts << HistoryPage::tr("Abandoned: its recording broke off");
   return ui::plainToolTip(parts.join(QLatin1Char('\n')));
 }
 
@@ -204,8 +205,12 @@ void HistoryPage::refreshCurve() {
   const CurveChoice which{{}, of[0].toStdString(), of[1].toStdString()};
   const std::string metric = metric_->currentData().toString().toStdString();
   for (const MetricMeaning& meaning : curveMetrics(which.procedure))
-    if (meaning.id == metric)
-      chart_->show(ui::learningPicture(meaning, curveValues(course_.curriculum(), course_.history(), which, meaning)));
+    if (meaning.id == metric) {
+      auto picture = ui::learningPicture(meaning, curveValues(course_.curriculum(), course_.history(), which, meaning));
+      picture.xTitle = which.level.empty() ? tr("attempt at this procedure, of all levels and free practice")
+                                           : tr("attempt at this level");
+      chart_->show(picture);
+    }
 }
 
 void HistoryPage::open() {

@@ -102,6 +102,8 @@ QString masteryOf(const Level& level) {
   const MasteryRule& rule = level.mastery;
   QStringList parts{rule.passesInARow == 1 ? tr("one pass") : tr("%1 passes in a row").arg(rule.passesInARow)};
   if (rule.cusum) parts << tr("the learning score LC-CUSUM reaches %1").arg(rule.cusum->limit, 0, 'f', 2);
+  const int fewest = fewestAttempts(rule);
+  if (fewest > rule.passesInARow) parts << tr("at least %1 attempts").arg(fewest);
   if (rule.lapsesAfter_days) parts << tr("lapses after %1 days without practice").arg(*rule.lapsesAfter_days);
   if (rule.lapsesAfter)
     parts << tr("lapses after %1 failures within %2 attempts")
@@ -111,7 +113,7 @@ QString masteryOf(const Level& level) {
 }
 
 QString passOf(const PassRule& rule) {
-  QStringList parts{tr("completed with success, without a critical error")};
+  QStringList parts{tr("completed, succeeded, without a critical error")};
   if (rule.leastPoints) parts << tr("at least %1 points").arg(*rule.leastPoints);
   if (!rule.standards.empty() && rule.mastery_percent < 100)
     parts << tr("at least %1 % of the standards met, and each critical one").arg(rule.mastery_percent);

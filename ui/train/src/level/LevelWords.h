@@ -26,9 +26,10 @@ QString dotsOf(const Level& level, const LevelProgress& progress);
 QString limitOf(const MetricStandard& standard);
 /// "artery punctures: 1, at most 0", of an attempt.
 QString comparedWith(const MetricStandard& standard, const AttemptFacts& attempt);
-/// "2 passes in a row; the learning score LC-CUSUM reaches 2.50; lapses after 90 days without practice".
+/// "3 passes in a row; the learning score LC-CUSUM reaches 4.07; at least 11 attempts; lapses after 90 days without
+/// practice".
 QString masteryOf(const Level& level);
-/// What one attempt needs, without its standards: "completed, with success, without a critical error, ...".
+/// What one attempt needs, without its standards: "completed, succeeded, without a critical error, ...".
 QString passOf(const PassRule& rule);
 
 /// An attempt at a level beside its rule, and what it changed.

@@ -47,8 +47,8 @@ class AttemptStore {
   /// All of a person in the order of arrival, for unlocking and statistics. Without caseHash, workstation, recording,
   /// recordingHash and handsHash, which those do not need.
   Result<std::vector<AttemptFacts>> history(const std::string& person) const;
-  /// The last `count` attempts (1..1000) that count, so ended and not voided, of each who learns in a cohort; grouped
-  /// by person, each in the order of arrival, as history() gives them.
+  /// The last `count` attempts (1..1000) at levels that count (Judgement.h) of each who learns in a cohort, without
+  /// free practice; grouped by person, each in the order of arrival, as history() gives them.
   Result<std::vector<AttemptFacts>> lastOfCohort(const std::string& cohort, int count) const;
 
   /// The id of the attempt of whose recording this is the hash; else of one made on this workstation whose recording

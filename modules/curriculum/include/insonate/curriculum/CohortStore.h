@@ -19,7 +19,7 @@ namespace insonate {
 struct Member {
   Person person{};
   bool teaches = false;  ///< an instructor of this cohort; the rows of teachers tell no attempts
-  int attempts = 0;      ///< that count: ended and not voided
+  int attempts = 0;      ///< that count (Judgement.h), free practice too
   /// Grows with each attempt that is ended or voided, so that a Standing can be told to be old.
   std::int64_t changes = 0;
   std::optional<std::int64_t> lastAttempt_us{};  ///< when their newest was begun

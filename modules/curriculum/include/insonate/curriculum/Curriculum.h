@@ -16,6 +16,8 @@ enum class Assistance {
   Hints,   ///< hints only when something goes wrong
   Test,    ///< neither
 };
+/// As in files: "guided", "hints", "test".
+std::string_view nameOf(Assistance assistance);
 
 /// What a metric has to reach in one attempt. A value that is missing, or was measured by another version of the
 /// metric's definition, does not reach it.

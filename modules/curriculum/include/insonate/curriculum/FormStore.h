@@ -17,7 +17,8 @@ class FormStore {
  public:
   explicit FormStore(SignedIn by) : by_(std::move(by)) {}
 
-  /// Gives the id. The same form once more is no error.
+  /// Gives the id. The same form once more is no error; another one of the same kind by the same rater about the same
+  /// attempt is refused.
   Result<std::string> add(const FilledForm& filled) const;
   /// In the order in which they came.
   Result<std::vector<KeptForm>> ofPerson(const std::string& person) const;

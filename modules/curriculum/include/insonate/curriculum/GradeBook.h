@@ -17,9 +17,15 @@ struct Grade {
 
 enum class GradeKey { Email, Name };  ///< how a learning management system knows people
 
+/// Somebody without a line.
+struct UngradedPerson {
+  std::string fullName{};
+  std::string why{};  ///< "no grade yet", "no e-mail address", "no name"
+};
+
 struct GradeBook {
   std::string csv{};
-  std::vector<std::string> leftOut{};  ///< full names of who has no grade or no key
+  std::vector<UngradedPerson> leftOut{};
 };
 
 /// For Moodle's import of grades: "Email address" or "ID number", then `item`, then its feedback where anyone has some.

@@ -3,7 +3,9 @@
 #include <insonate/curriculum/AttemptFacts.h>
 #include <insonate/curriculum/Curriculum.h>
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace insonate {
@@ -26,9 +28,20 @@ struct Judgement {
 /// count. An instructor voids the attempt where the device was to blame.
 bool counts(const AttemptFacts& attempt);
 
+/// True for an abandoned attempt of which nothing was measured: its recording broke off (crash, power, full disk).
+bool hasBrokenOff(const AttemptFacts& attempt);
+
 /// True for a completed attempt that reached its aim. An abandoned attempt never did, although an older program may
 /// have stored it as a success.
 bool isSuccess(const AttemptFacts& attempt);
+
+/// The level of a curriculum for which an attempt was made, in any version of it; null in free practice, for another
+/// curriculum's attempts, and where level or procedure are not the curriculum's.
+const Level* levelOf(const Curriculum& curriculum, const AttemptFacts& attempt);
+
+/// Whether an attempt passed its level, by a curriculum's rules; none where there is nothing to pass: levelOf() is
+/// null, or the attempt does not count.
+std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& attempt);
 
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt);
 

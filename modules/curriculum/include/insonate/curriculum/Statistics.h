@@ -9,6 +9,10 @@
 /// is not finite.
 namespace insonate {
 
+/// How many of someone's last attempts that count say how good they are now: in class lists and comparisons, on a
+/// person's page and in the command line alike.
+inline constexpr int kLastAttempts = 10;
+
 struct Interval {
   double low = 0, high = 0;
 };

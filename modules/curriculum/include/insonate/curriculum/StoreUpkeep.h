@@ -28,7 +28,9 @@ class StoreUpkeep {
   /// A copy of a file's store as of one moment, while others work; replaces `file` when it is whole. A server's store
   /// is backed up by pg_dump, and refused here.
   Result<void> backup(const std::filesystem::path& file) const;
-  /// Everything but passwords, as one JSON object with a list for each table.
+  /// Everything but passwords, as one JSON object with a list for each table. Of each attempt it also says whether it
+  /// was voided, whether its recording broke off, and, by the version of the curriculum that it was made for, the
+  /// level's assistance and whether it passed; null in free practice.
   Result<void> exportJson(const std::filesystem::path& file) const;
 
  private:

@@ -39,6 +39,9 @@ struct LevelProgress {
   std::int64_t until_us = kForever_us;
 };
 
+/// The smallest number of attempts that masters a level: all pass, and LC-CUSUM signals where it is asked for.
+int fewestAttempts(const MasteryRule& rule);
+
 /// Where a person stands in each level, in the curriculum's order. Pure: the same input gives the same output.
 ///
 /// An attempt counts (Judgement.h) for the level of its name, in any version of the curriculum, if its procedure is the

@@ -18,16 +18,30 @@ struct XapiSite {
   bool byMail = false;     ///< actors by e-mail address where they have one, else by account
 };
 
+/// An attempt of which there is no statement.
+struct LeftOutAttempt {
+  std::string attempt{};  ///< AttemptFacts::id
+  std::string why{};      ///< "has not ended", "was abandoned before the skin"
+};
+
+struct XapiExport {
+  std::vector<std::string> statements{};
+  std::vector<LeftOutAttempt> leftOut{};
+};
+
 /// Experience API 1.0.3, one JSON text a statement; to be sent or written as they are.
 ///
 /// An attempt that ended passed or failed by its level's rule; one in free practice was completed; one that was given
-/// up was abandoned; one that was voided voids its statement. Left out are attempts that do not count (Judgement.h),
-/// those of others, and those of other curricula or versions, since a statement must not change once it is sent. Ids
+/// up was abandoned; one that was voided voids its statement. Left out, with the reason, are attempts that do not count
+/// (Judgement.h) and those of other curricula or versions, since a statement must not change once it is sent; those of
+/// others are passed over. A level's assistance is told in its activity's definition, which stores do not compare. Ids
 /// are UUIDs of version 5 made from the attempt's, so that what is sent twice is known to be the same. Nothing is null,
 /// what is missing is left out, a time outside the years 1 to 9999 too. Fails on a home page that is no absolute http
 /// address.
-Result<std::vector<std::string>> xapiStatements(const XapiSite& site, const Curriculum& curriculum,
-                                                const Person& person, std::span<const AttemptFacts> attempts);
+Result<XapiExport> xapiStatements(const XapiSite& site, const Curriculum& curriculum, const Person& person,
+                                  std::span<const AttemptFacts> attempts);
+/// "Left out: 3 attempts (2 that have not ended, ...)."; "" where nothing is.
+std::string leftOutSentence(std::span<const LeftOutAttempt> leftOut);
 
 /// A JSON array of them.
 Result<void> writeXapi(const std::filesystem::path& file, std::span<const std::string> statements);

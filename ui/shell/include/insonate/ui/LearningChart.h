@@ -1,18 +1,20 @@
 #pragma once
 
-#include <insonate/curriculum/MetricMeaning.h>
+#include <insonate/curriculum/Curriculum.h>
 #include <insonate/ui/Chart.h>
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace insonate::ui {
 
 /// A metric over a person's attempts, in their order; none where an attempt does not tell. With the fitted curve and
-/// its 95 % interval where the values show one, else the mean of the last five; and the expert band, where it is known.
+/// its 95 % interval where the values show one, else the mean of the last kLastAttempts; and the expert band, where it
+/// is known.
 ChartPicture learningPicture(const MetricMeaning& meaning, std::span<const std::optional<double>> values);
 
-/// The LC-CUSUM score after each attempt, and the limit that it has to reach.
-ChartPicture cusumPicture(std::span<const double> scores, double limit);
+/// The LC-CUSUM score after each attempt, from `passes`, and the limit that it has to reach, with the rule's rates.
+ChartPicture cusumPicture(const std::vector<bool>& passes, const CusumRule& rule);
 
 }  // namespace insonate::ui

@@ -1,0 +1,61 @@
+#include <insonate/curriculum/AttemptTable.h>
+#include <insonate/curriculum/Csv.h>
+#include <insonate/curriculum/Judgement.h>
+
+#include <QDateTime>
+#include <optional>
+
+namespace insonate {
+namespace {
+
+std::string yesNo(std::optional<bool> value) {
+  if (!value) return {};
+  return *value ? "yes" : "no";
+}
+
+std::string wordOf(AttemptState state) {
+  switch (state) {
+    case AttemptState::Open:
+      return "open";
+    case AttemptState::Completed:
+      return "completed";
+    case AttemptState::Abandoned:
+      return "abandoned";
+    case AttemptState::Voided:
+      break;
+  }
+  return "voided";
+}
+
+std::string isoOf(std::int64_t time_us) {
+  return QDateTime::fromMSecsSinceEpoch(time_us / 1000, Qt::UTC).toString(Qt::ISODateWithMs).toStdString();
+}
+
+}  // namespace
+
+std::vector<std::string> attemptColumns() {
+  return {"id",    "begun (UTC)", "curriculum", "version",   "level",  "procedure",       "case",   "assistance",
+          "state", "broke off",   "voided",     "succeeded", "passed", "critical errors", "points", "length, s"};
+}
+
+std::vector<std::string> attemptRow(const AttemptFacts& attempt, const Curriculum* curriculum) {
+  const Level* level = curriculum ? levelOf(*curriculum, attempt) : nullptr;
+  return {attempt.id,
+          isoOf(attempt.begun_us),
+          attempt.curriculum,
+          attempt.curriculum.empty() ? "" : std::to_string(attempt.curriculumVersion),
+          attempt.level,
+          attempt.procedure,
+          attempt.caseName,
+          level ? std::string(nameOf(level->assistance)) : "",
+          wordOf(attempt.state),
+          yesNo(hasBrokenOff(attempt)),
+          yesNo(attempt.state == AttemptState::Voided),
+          yesNo(isSuccess(attempt)),
+          yesNo(curriculum ? passedIn(*curriculum, attempt) : std::nullopt),
+          std::to_string(attempt.criticalErrors),
+          csvNumber(attempt.points),
+          csvNumber(static_cast<double>(attempt.length_us) * 1e-6)};
+}
+
+}  // namespace insonate
