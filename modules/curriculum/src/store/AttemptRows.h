@@ -22,11 +22,11 @@ namespace insonate::store {
   "arrival, id, person, curriculum, curriculum_version, level, procedure, procedure_version, case_name, begun_us, " \
   "state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us"
 
-/// Attempts that count, as counts() of Judgement.h says; `attempts` must be the only table with such columns. What
-/// metricsText() writes of an attempt abandoned before the skin is looked for in its text.
-#define INSONATE_COUNTS                        \
-  "state <> 'open' AND voided_us IS NULL AND " \
-  "NOT (state = 'abandoned' AND metrics LIKE '%[\"passes\",_,0.0]%')"
+/// Attempts that were abandoned before the skin: what metricsText() writes of one is looked for in its text. `attempts`
+/// must be the only table with such columns, here and below.
+#define INSONATE_UNTRIED "state = 'abandoned' AND metrics LIKE '%[\"passes\",_,0.0]%'"
+/// Attempts that count, as counts() of Judgement.h says.
+#define INSONATE_COUNTS "state <> 'open' AND voided_us IS NULL AND NOT (" INSONATE_UNTRIED ")"
 
 /// Member::changes of the attempts that are added up.
 #define INSONATE_CHANGES                                         \
