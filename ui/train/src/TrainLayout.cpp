@@ -61,10 +61,7 @@ void TrainWorkspace::Parts::giveRoom(bool more) {
 }
 
 void TrainWorkspace::Parts::setCtBeside(bool on) {
-  if (on && attempt->isSilent()) {
-    besideAction_->setChecked(false);
-    return session.say(tr("A test is without the CT."));
-  }
+  if (on && !session.mayShowAnatomy()) return besideAction_->setChecked(false);
   besideAction_->setChecked(on);
   // Leaving full size would bring back what was there before.
   for (ui::ViewWidget* view : {imageWidget_, &beside_->widget(), &patient->sceneWidget(), &patient->mprWidget()})

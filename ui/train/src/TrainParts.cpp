@@ -330,9 +330,9 @@ void TrainWorkspace::Parts::act(const KeyRow& row, bool wide, bool repeated) {
     case Command::CtBeside:
       return setCtBeside(!isCtBeside());
     case Command::ShowTissue:
-      return tissue->toggle(row.place);
+      return session.mayShowAnatomy() ? tissue->toggle(row.place) : void();
     case Command::AllSlices:
-      return patient->setAllSlices(!patient->showsAllSlices());
+      return session.mayShowAnatomy() ? patient->setAllSlices(!patient->showsAllSlices()) : void();
     case Command::SliceWindow:
       return patient->setSliceWindow(row.place);
     case Command::TakeNeedle:
@@ -348,7 +348,7 @@ void TrainWorkspace::Parts::act(const KeyRow& row, bool wide, bool repeated) {
     case Command::ShowCourse:
       return repeated ? void() : showCourse(!isCourseShown());
     case Command::CutAtNeedle:
-      return repeated ? void() : patient->toggleCutAtNeedle();
+      return !repeated && session.mayShowAnatomy() ? patient->toggleCutAtNeedle() : void();
   }
 }
 

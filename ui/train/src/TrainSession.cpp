@@ -243,7 +243,26 @@ void TrainSession::setSettings(ImagingSettings settings) {
   sendSetup();
 }
 
+void TrainSession::setDisclosure(const Disclosure& disclosure) {
+  if (std::exchange(disclosure_, disclosure) == disclosure) return;
+  if (!disclosure_.anatomy) {
+    if (effect_ != kWholeModel) {
+      effect_ = kWholeModel;
+      sendSetup();
+    }
+    history_.clear();
+  }
+  hands_.setSilent(!disclosure_.anatomy);
+  Q_EMIT disclosureChanged();
+}
+
+bool TrainSession::mayShowAnatomy() {
+  if (!disclosure_.anatomy) say(tr("A test shows the ultrasound image alone."));
+  return disclosure_.anatomy;
+}
+
 void TrainSession::setEffect(const std::string& name) {
+  if (name != kWholeModel && !mayShowAnatomy()) return;
   effect_ = name;
   sendSetup();
 }

@@ -20,7 +20,7 @@ constexpr int kWithTime_px = 640, kWithWords_px = 800, kWithVessel_px = 1000;
 }  // namespace
 
 AttemptStrip::AttemptStrip(TrainSession& session, AttemptControl& attempt, QWidget* parent)
-    : QWidget(parent), attempt_(attempt), row_(new QHBoxLayout(this)) {
+    : QWidget(parent), session_(session), attempt_(attempt), row_(new QHBoxLayout(this)) {
   setObjectName("attemptStrip");
   row_->setContentsMargins(8, 4, 8, 0);
   row_->setSpacing(12);
@@ -31,9 +31,7 @@ AttemptStrip::AttemptStrip(TrainSession& session, AttemptControl& attempt, QWidg
   toVein_ = number("attemptToVein", tr("to vein 888.8 s"), tr("From the skin to the vein within a pass, in s"));
   used_ = number("attemptUsed", tr("used 8"), tr("Insertions with a needle that was in the skin before"));
   row_->addStretch(1);
-  needle_ =
-      number("attemptNeedle", QStringLiteral("▲ wrong place"),
-             tr("Where the needle is: green in the vein, red in a wrong place, yellow once used (U takes a new one)"));
+  needle_ = number("attemptNeedle", QStringLiteral("▲ wrong place"), {});
   needle_->setTextFormat(Qt::RichText);
   drawn_ = number("attemptDrawn", {}, tr("What the syringe draws (B)"));
   syringe_ = new SyringeView(session, attempt, this);
@@ -69,7 +67,7 @@ void AttemptStrip::refresh() {
   const bool made = attempt_.isRunning() || attempt_.state() == State::Writing;
   setVisible(made || attempt_.isAspirating());
   const MetricValues& metrics = attempt_.view().metrics;
-  const bool told = made && !attempt_.isSilent();
+  const bool told = made && session_.disclosure().anatomy;
   for (QLabel* label : {vein_, artery_, double_, used_}) label->setVisible(told);
   toVein_->setVisible(told && width() >= kWithTime_px);
   time_->setVisible(made);
@@ -86,10 +84,14 @@ void AttemptStrip::refresh() {
 
 void AttemptStrip::refreshNeedle() {
   const NeedlePlace place = attempt_.view().needle;
-  const bool silent = attempt_.isSilent();
-  const QString vessel = silent ? QString() : QString::fromStdString(attempt_.view().vessel);
-  const ui::PlaceWords named = ui::wordsOf(silent ? plainly(place) : place, vessel);
-  const ui::PlaceWords words = width() >= kWithVessel_px ? named : ui::wordsOf(silent ? plainly(place) : place);
+  const Disclosure& told = session_.disclosure();
+  const QString vessel = told.anatomy ? QString::fromStdString(attempt_.view().vessel) : QString();
+  const ui::PlaceWords named = ui::wordsOf(disclosed(place, told), vessel);
+  const ui::PlaceWords words = width() >= kWithVessel_px ? named : ui::wordsOf(disclosed(place, told));
+  needle_->setToolTip(
+      told.anatomy
+          ? tr("Where the needle is: green in the vein, red in a wrong place, yellow once used (U takes a new one)")
+          : tr("Whether the needle is new, inserted or used (U takes a new one)"));
   // The sign has the colour: words of that colour would be hard to read.
   needle_->setText(QStringLiteral("<span style='color:%1'>%2</span> %3")
                        .arg(ui::colour(words.colour).name(), words.sign, words.words));

@@ -71,9 +71,6 @@ NeedleControls::NeedleControls(TrainSession& session, QWidget* parent) : QWidget
   words_ = new QLabel(this);
   words_->setObjectName("needleWords");
   words_->setWordWrap(true);
-  words_->setToolTip(
-      tr("Where the tip is; the insertion length, along the shaft from the skin, in mm; the tip's depth on the "
-         "image's scale in mm; and what resists the needle in N"));
   box->addWidget(words_);
   const auto taken = [this](QPushButton* button, NeedlePlane plane) {
     connect(button, &QPushButton::clicked, this, [this, plane](bool on) {
@@ -124,6 +121,11 @@ void NeedleControls::refresh() {
   across_->setChecked(held && hands.needlePlane() == NeedlePlane::Across);
   numbers_->setVisible(held);
   words_->setVisible(hands.hasNeedle());
+  words_->setToolTip(session_.disclosure().anatomy
+                         ? tr("Where the tip is; the insertion length, along the shaft from the skin, in mm; the tip's "
+                              "depth on the image's scale in mm; and what resists the needle in N")
+                         : tr("Insertion length, along the shaft from the skin, in mm; and what resists the needle in "
+                              "N"));
   if (hands.needle()) words_->setText(wordsNow(*hands.needle()));
   if (!held) return;
   const NeedleHandState& state = held->state();
@@ -133,7 +135,7 @@ void NeedleControls::refresh() {
 
 QString NeedleControls::wordsNow(const NeedleShown& needle) const {
   const HandsControl& hands = session_.hands();
-  if (hands.isSilent()) return plainWordsOf(needle.state);
+  if (!session_.disclosure().anatomy) return plainWordsOf(needle.state);
   const Vec3 tip_mm = needle.patientFromNeedle.offset;
   return wordsOf(needle.state, hands.vesselAt(needle.state.in, tip_mm), (inverted(session_.pose()) * tip_mm).z);
 }

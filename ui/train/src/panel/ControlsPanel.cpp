@@ -83,7 +83,9 @@ ControlsPanel::ControlsPanel(TrainSession& session, ProbeLibrary& library, QWidg
   needle_ = new NeedleControls(session_);
   box->addWidget(needle_);
   box->addWidget(buildPicture());
-  box->addWidget(new TissueControls(session_));
+  auto* tissue = new TissueControls(session_);
+  box->addWidget(tissue);
+  anatomy_.push_back(tissue);
   box->addStretch();
   setParts(inner, buildFreeze());
   setMinimumWidth(inner->minimumSizeHint().width() + 16);
@@ -91,6 +93,9 @@ ControlsPanel::ControlsPanel(TrainSession& session, ProbeLibrary& library, QWidg
   connect(&session_, &TrainSession::setupChanged, this, [this] { refresh(); });
   connect(&session_, &TrainSession::handMoved, this, [this] { numbers_->show(session_.numbers()); });
   connect(&session_, &TrainSession::frozenChanged, this, [this] { refreshFreeze(); });
+  connect(&session_, &TrainSession::disclosureChanged, this, [this] {
+    for (QWidget* one : anatomy_) one->setVisible(session_.disclosure().anatomy);
+  });
   connect(&session_, &TrainSession::caseChanged, this, [this] { refreshFreeze(); });
   connect(&session_, &TrainSession::pictureShown, this, [this] {
     if (!freeze_->isEnabled()) refreshFreeze();
@@ -109,6 +114,7 @@ QWidget* ControlsPanel::buildPlace() {
   numbers_->setRefused([this](const QString& sentence) { session_.say(sentence); });
   box->addWidget(ui::heading(tr("Position")));
   box->addWidget(positions_);
+  anatomy_.push_back(positions_);
   box->addSpacing(4);
   box->addWidget(numbers_);
   return place;
@@ -167,7 +173,8 @@ QWidget* ControlsPanel::buildPicture() {
   effect_ = new QComboBox;
   effect_->setObjectName("effect");
   effect_->setToolTip(tr("The whole picture, or one effect of the model by itself (N, Shift+N; 0 for the whole)"));
-  box->addWidget(labelled(tr("show"), effect_));
+  anatomy_.push_back(labelled(tr("show"), effect_));
+  box->addWidget(anatomy_.back());
   for (QComboBox* combo : {look_, effect_}) {
     new ui::QuietWheel(combo);
     combo->setFocusPolicy(Qt::TabFocus);

@@ -87,6 +87,7 @@ PatientViews::PatientViews(TrainSession& session, QWidget* parent)
   connect(&session_, &TrainSession::pictureShown, this, [this] { want(); });
   connect(&session_, &TrainSession::handMoved, this, [this] { want(); });
   connect(&session_.hands(), &HandsControl::needleChanged, this, [this] { want(); });
+  connect(&session_, &TrainSession::disclosureChanged, this, [this] { showDisclosure(); });
 }
 
 PatientViews::~PatientViews() = default;

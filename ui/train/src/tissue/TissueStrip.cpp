@@ -70,6 +70,7 @@ TissueStrip::TissueStrip(TrainSession& session, QWidget* parent)
   connect(&soon_, &QTimer::timeout, this, [this] { refresh(); });
   connect(&session_, &TrainSession::pictureShown, this, [this] { follow(); });
   connect(&session_, &TrainSession::caseChanged, this, [this] { refresh(); });
+  connect(&session_, &TrainSession::disclosureChanged, this, [this] { refresh(); });
   reserve();
   refresh();
 }
@@ -142,6 +143,8 @@ void TissueStrip::follow() {
 
 void TissueStrip::refresh() {
   setVisible(session_.patient() != nullptr);
+  for (QWidget* one : {static_cast<QWidget*>(vein_), static_cast<QWidget*>(artery_), static_cast<QWidget*>(menu_)})
+    one->setVisible(session_.disclosure().anatomy);
   const LivePress* press = session_.shown() ? &session_.shown()->press : nullptr;
   if (press && !presses(*press)) press = nullptr;
   // A model that does not come to rest has no force to tell: what it gives then may be many times too much.
