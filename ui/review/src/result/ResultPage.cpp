@@ -27,8 +27,11 @@ QString pointsOf(const AttemptDigest& attempt) {
 
 QString pointsNoteOf(const AttemptDigest& attempt) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("Review", text); };
+  const AttemptStatus status = attempt.recording->status();
   if (!attempt.score) return tr("No points: parts of the recording are missing, and numbers would be wrong.");
   if (!attempt.score->points) return tr("No points: the skin was not punctured, or nothing can be compared.");
+  if (status == AttemptStatus::Abandoned) return tr("of 100 points. The attempt was abandoned.");
+  if (status == AttemptStatus::CutShort) return tr("of 100 points. The recording was cut short.");
   return attempt.score->succeeded ? tr("of 100 points. The tip was placed in the vein.")
                                   : tr("of 100 points. The aim was not reached.");
 }
