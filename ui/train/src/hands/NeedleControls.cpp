@@ -28,8 +28,8 @@ constexpr Row kRows[] = {
      "Between needle and skin, in degrees; 90: square to it (Alt+W, Alt+S)"},
     {NeedleAxis::Heading, "heading", "heading", "°", -180, 180, 2,
      "The needle's way along the skin, in degrees; 0: to the patient's head, 90: to the left (Alt+Q, Alt+E)"},
-    {NeedleAxis::Advance, "depth", "length", " mm", -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm, 1,
-     "Insertion length, along the shaft from the skin at rest, in mm; below 0: off it (Page Down, Page Up)"},
+    {NeedleAxis::Advance, "depth", "advance", " mm", -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm, 1,
+     "How far the hand has advanced the needle from the skin, in mm; below 0: off it (Page Down, Page Up)"},
     {NeedleAxis::Bevel, "bevel", "bevel", "°", -180, 180, 10,
      "Turn of the needle about itself, in degrees; 0: the bevel looks up (Alt+A, Alt+D)"},
 };
