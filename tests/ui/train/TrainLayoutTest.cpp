@@ -184,7 +184,7 @@ TEST_F(TrainLayout, MirrorsForTheLeftHandAndRemembers) {
 TEST_F(TrainLayout, EffectsAloneAreGoneThroughByKeysAndSaidToBeSo) {
   openCase();
   auto* effects = child<QComboBox>("effect");
-  EXPECT_EQ(effects->currentText(), "the whole picture");
+  EXPECT_EQ(effects->currentText(), "the whole image");
   key(Qt::Key_N);
   EXPECT_EQ(effects->currentIndex(), 1);
   EXPECT_TRUE(workspace_->statusText().contains("not the usual picture")) << workspace_->statusText().toStdString();

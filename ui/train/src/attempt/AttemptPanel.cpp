@@ -114,7 +114,7 @@ QWidget* AttemptPanel::buildHands() {
   grid->setSpacing(ui::kSmallGap);
   position_ = choice("attemptPosition", tr("The patient's position"),
                      tr("How the patient lies, in degrees of tilt; above 0 the head is down"));
-  draw_ = button("attemptDraw", tr("Draw"), tr("Draw on the syringe, or no longer (B)"));
+  draw_ = button("attemptDraw", tr("Aspirate"), tr("Aspirates with the syringe, or stops (B)"));
   draw_->setCheckable(true);
   auto* fresh =
       button("attemptNewNeedle", tr("New needle"), tr("A new needle from the tray, once the old one is out (U)"));

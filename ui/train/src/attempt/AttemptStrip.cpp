@@ -27,13 +27,14 @@ AttemptStrip::AttemptStrip(TrainSession& session, AttemptControl& attempt, QWidg
   time_ = number("attemptTime", QStringLiteral("88:88"), tr("Time of the attempt, minutes and seconds"));
   vein_ = number("attemptVein", tr("vein 8"), tr("Punctures of the vein"));
   artery_ = number("attemptArtery", tr("artery 8"), tr("Punctures of the artery"));
-  double_ = number("attemptDouble", tr("double 8"), tr("Double punctures: out through the vein's back wall"));
+  double_ =
+      number("attemptDouble", tr("posterior wall 8"), tr("Posterior wall punctures: out through the vein's far side"));
   toVein_ = number("attemptToVein", tr("to vein 888.8 s"), tr("From the skin to the vein within a pass, in s"));
   used_ = number("attemptUsed", tr("used 8"), tr("Insertions with a needle that was in the skin before"));
   row_->addStretch(1);
   needle_ = number("attemptNeedle", QStringLiteral("▲ wrong place"), {});
   needle_->setTextFormat(Qt::RichText);
-  drawn_ = number("attemptDrawn", {}, tr("What the syringe draws (B)"));
+  drawn_ = number("attemptDrawn", {}, tr("What the syringe aspirates (B)"));
   syringe_ = new SyringeView(session, attempt, this);
   row_->addWidget(syringe_);
   // The wide one must not keep its column wide.
@@ -75,7 +76,7 @@ void AttemptStrip::refresh() {
   time_->setAccessibleName(tr("Time %1").arg(time_->text()));
   vein_->setText(tr("vein %1").arg(ui::valueOf(Metric::VeinPunctures, metrics[Metric::VeinPunctures])));
   artery_->setText(tr("artery %1").arg(ui::valueOf(Metric::ArteryPunctures, metrics[Metric::ArteryPunctures])));
-  double_->setText(tr("double %1").arg(ui::valueOf(Metric::DoublePunctures, metrics[Metric::DoublePunctures])));
+  double_->setText(tr("posterior wall %1").arg(ui::valueOf(Metric::DoublePunctures, metrics[Metric::DoublePunctures])));
   toVein_->setText(tr("to vein %1").arg(ui::valueOf(Metric::TimeToVein, metrics[Metric::TimeToVein])));
   used_->setText(tr("used %1").arg(ui::valueOf(Metric::UsedNeedleInsertions, metrics[Metric::UsedNeedleInsertions])));
   needle_->setVisible(made);

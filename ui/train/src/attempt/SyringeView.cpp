@@ -88,10 +88,11 @@ void SyringeView::draw() {
 }
 
 void SyringeView::tell() {
-  setToolTip(session_.disclosure().anatomy
-                 ? tr("What the syringe draws (B): dark blood that rises evenly is a vein's, bright blood in beats an "
-                      "artery's, air is lung or airway")
-                 : tr("What the syringe draws (B)"));
+  setToolTip(
+      session_.disclosure().anatomy
+          ? tr("What the syringe aspirates (B): dark red, non-pulsatile blood is a vein's, bright red, pulsatile "
+               "blood an artery's, air is lung or airway")
+          : tr("What the syringe aspirates (B)"));
   setAccessibleName(tr("Syringe: %1").arg(words()));
   update();
   Q_EMIT changed();
@@ -100,15 +101,15 @@ void SyringeView::tell() {
 QString SyringeView::words() const {
   switch (content_) {
     case Content::DarkBlood:
-      return tr("dark blood, even");
+      return tr("dark red blood, non-pulsatile");
     case Content::BrightBlood:
-      return tr("bright blood, in beats");
+      return tr("bright red blood, pulsatile");
     case Content::Air:
       return tr("air");
     case Content::Nothing:
       break;
   }
-  return attempt_.isAspirating() ? tr("draws, nothing comes") : tr("empty");
+  return attempt_.isAspirating() ? tr("aspirating, nothing comes") : tr("empty");
 }
 
 /// Lying: the needle's end on the left, the plunger on the right.

@@ -27,7 +27,7 @@ constexpr Row kRows[] = {
     {NeedleAxis::Angle, "angle", "angle", "°", NeedleHand::kLeastAngle_deg, NeedleHand::kMostAngle_deg, 1,
      "Between needle and skin, in degrees; 90: square to it (Alt+W, Alt+S)"},
     {NeedleAxis::Heading, "heading", "heading", "°", -180, 180, 2,
-     "The needle's way along the skin, in degrees; 0: to the patient's head, 90: to the left (Alt+Q, Alt+E)"},
+     "Direction of the needle along the skin, in degrees; 0: to the patient's head, 90: to the left (Alt+Q, Alt+E)"},
     {NeedleAxis::Advance, "depth", "advance", " mm", -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm, 1,
      "How far the hand has advanced the needle from the skin, in mm; below 0: off it (Page Down, Page Up)"},
     {NeedleAxis::Bevel, "bevel", "bevel", "°", -180, 180, 10,
@@ -57,10 +57,10 @@ NeedleControls::NeedleControls(TrainSession& session, QWidget* parent) : QWidget
   head->addWidget(heading, 1);
   head->addWidget(devices);
   box->addLayout(head);
-  along_ = choice("needleAlong", tr("in plane"),
-                  tr("An 18 G needle of 70 mm in the picture's plane, beside the probe's end; again lays it down (I)"));
-  across_ = choice("needleAcross", tr("across"),
-                   tr("An 18 G needle of 70 mm across the picture's plane, before the probe; again lays it down (I)"));
+  along_ = choice("needleAlong", tr("in-plane"),
+                  tr("Takes an 18 G needle of 70 mm in-plane, beside the probe's end; again lays it down (I)"));
+  across_ = choice("needleAcross", tr("out-of-plane"),
+                   tr("Takes an 18 G needle of 70 mm out-of-plane, before the probe; again lays it down (I)"));
   auto* take = new QHBoxLayout;
   take->setSpacing(4);
   take->addWidget(along_, 1);

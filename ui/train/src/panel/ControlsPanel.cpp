@@ -40,12 +40,12 @@ struct SliderRow {
   int decimals;
 };
 constexpr SliderRow kSliders[] = {
-    {&Settings::depth_mm, "depth", "depth", "mm", "how far down the picture goes", 5, 0},
-    {&Settings::gain_dB, "gain", "gain", "dB", "brightness of the whole picture", 1, 0},
+    {&Settings::depth_mm, "depth", "depth", "mm", "how deep the image goes", 5, 0},
+    {&Settings::gain_dB, "gain", "gain", "dB", "brightness of the whole image", 1, 0},
     {&Settings::frequency_MHz, "frequency", "frequency", "MHz", "higher: finer, and less deep", 0.5, 1},
     {&Settings::focus_mm, "focus", "focus", "mm", "where the beam is narrowest", 1, 0},
-    {&Settings::dynamicRange_dB, "dynamicRange", "dynamic range", "dB", "more: softer greys", 5, 0},
-    {&Settings::persistence, "persistence", "persistence", "", "share of the picture before", 0.05, 2},
+    {&Settings::dynamicRange_dB, "dynamicRange", "dynamic range", "dB", "more: softer grays", 5, 0},
+    {&Settings::persistence, "persistence", "persistence", "", "share of the image before", 0.05, 2},
 };
 constexpr std::size_t kBeforeTgc = 5;
 
@@ -150,7 +150,7 @@ QWidget* ControlsPanel::labelled(const QString& name, QWidget* widget) {
 QWidget* ControlsPanel::buildPicture() {
   auto* picture = new QWidget;
   auto* box = column(picture);
-  box->addWidget(ui::heading(tr("Picture")));
+  box->addWidget(ui::heading(tr("Image")));
   probe_ = new ProbeChooser(session_, library_);
   box->addWidget(labelled(tr("probe"), probe_));
   addSliders(*box, 0, kBeforeTgc);
@@ -172,7 +172,7 @@ QWidget* ControlsPanel::buildPicture() {
   box->addWidget(labelled(tr("look"), look_));
   effect_ = new QComboBox;
   effect_->setObjectName("effect");
-  effect_->setToolTip(tr("The whole picture, or one effect of the model by itself (N, Shift+N; 0 for the whole)"));
+  effect_->setToolTip(tr("The whole image, or one effect of the model by itself (N, Shift+N; 0 for the whole)"));
   anatomy_.push_back(labelled(tr("show"), effect_));
   box->addWidget(anatomy_.back());
   for (QComboBox* combo : {look_, effect_}) {
@@ -199,7 +199,7 @@ QWidget* ControlsPanel::buildFreeze() {
   freeze_->setObjectName("freeze");
   freeze_->setCheckable(true);
   freeze_->setFocusPolicy(Qt::TabFocus);
-  freeze_->setToolTip(tr("Freeze the picture, or make it live again (Space)"));
+  freeze_->setToolTip(tr("Freezes the image, or makes it live again (Space)"));
   freeze_->setMinimumHeight(36);
   box->addWidget(freeze_);
   connect(freeze_, &QPushButton::clicked, &session_, &TrainSession::setFrozen);
@@ -223,7 +223,7 @@ void ControlsPanel::refresh() {
   tgc_->setValues(settings.tgc_dB);
   look_->setCurrentIndex(look_->findData(int(settings.look)));
   effect_->clear();
-  effect_->addItem(tr("the whole picture"), QString());
+  effect_->addItem(tr("the whole image"), QString());
   for (const EffectLayer& layer : effectLayers(settings))
     effect_->addItem(tr("only %1").arg(effectWords(layer.name)), QString::fromStdString(layer.name));
   effect_->setCurrentIndex(std::max(0, effect_->findData(QString::fromStdString(session_.effect()))));
