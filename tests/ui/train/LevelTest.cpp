@@ -287,7 +287,7 @@ TEST_F(TrainLevel, HintsSayOnlyWhatWentWrong) {
   EXPECT_TRUE(text("attemptHead").startsWith("Hints"));
   overTheVein();
   type("needle_depth", "22");
-  EXPECT_TRUE(waitFor([&] { return text("attemptFindings").contains("through the back wall"); }));
+  EXPECT_TRUE(waitFor([&] { return text("attemptFindings").contains("through the posterior wall"); }));
   EXPECT_FALSE(shown("attemptDue"));
   attempt_->abandon();
 }

@@ -257,7 +257,7 @@ void TrainSession::setDisclosure(const Disclosure& disclosure) {
 }
 
 bool TrainSession::mayShowAnatomy() {
-  if (!disclosure_.anatomy) say(tr("A test shows the ultrasound image alone."));
+  if (!disclosure_.anatomy) say(tr("A test shows neither CT nor anatomy."));
   return disclosure_.anatomy;
 }
 

@@ -83,7 +83,7 @@ QWidget* AttemptPanel::buildBegin() {
   }
   assistance_ = choice("attemptAssistance", tr("Assistance"),
                        tr("Guided: says what to do and what went wrong. Hints: says what went wrong alone. "
-                          "Test: shows the ultrasound image alone until its end"));
+                          "Test: shows neither CT nor anatomy until its end"));
   for (const Assistance one : {Assistance::Guided, Assistance::Hints, Assistance::Test})
     assistance_->addItem(wordOf(one), int(one));
   start_ = button("attemptStart", tr("Start"), tr("Begin an attempt, which is recorded and scored (Ctrl+Return)"));

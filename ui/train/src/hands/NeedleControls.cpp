@@ -23,15 +23,16 @@ struct Row {
   double low, high, step;
   const char* says;
 };
+/// The longer names in one column: the panel is narrow.
 constexpr Row kRows[] = {
     {NeedleAxis::Angle, "angle", "angle", "°", NeedleHand::kLeastAngle_deg, NeedleHand::kMostAngle_deg, 1,
      "Between needle and skin, in degrees; 90: square to it (Alt+W, Alt+S)"},
     {NeedleAxis::Heading, "heading", "heading", "°", -180, 180, 2,
      "Direction of the needle along the skin, in degrees; 0: to the patient's head, 90: to the left (Alt+Q, Alt+E)"},
-    {NeedleAxis::Advance, "depth", "advance", " mm", -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm, 1,
-     "How far the hand has advanced the needle from the skin, in mm; below 0: off it (Page Down, Page Up)"},
     {NeedleAxis::Bevel, "bevel", "bevel", "°", -180, 180, 10,
      "Turn of the needle about itself, in degrees; 0: the bevel looks up (Alt+A, Alt+D)"},
+    {NeedleAxis::Advance, "depth", "advance", " mm", -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm, 1,
+     "How far the hand has advanced the needle from the skin, in mm; below 0: off it (Page Down, Page Up)"},
 };
 
 QPushButton* choice(const char* object, const QString& text, const QString& says) {
@@ -129,7 +130,7 @@ void NeedleControls::refresh() {
   if (hands.needle()) words_->setText(wordsNow(*hands.needle()));
   if (!held) return;
   const NeedleHandState& state = held->state();
-  const double values[] = {state.angle_deg, held->heading_deg(), hands.wantedAdvance_mm(), state.bevel_deg};
+  const double values[] = {state.angle_deg, held->heading_deg(), state.bevel_deg, hands.wantedAdvance_mm()};
   for (std::size_t i = 0; i < fields_.size(); ++i) fields_[i]->show(values[i]);
 }
 

@@ -112,7 +112,7 @@ void PatientViews::toggleCutAtNeedle() {
 }
 
 QWidget* PatientViews::buildSilence() {
-  auto* words = new QLabel(tr("A test shows the ultrasound image alone."));
+  auto* words = new QLabel(tr("A test shows neither CT nor anatomy."));
   words->setObjectName(QStringLiteral("testWords"));
   words->setAlignment(Qt::AlignCenter);
   ui::setRole(words, "quiet");

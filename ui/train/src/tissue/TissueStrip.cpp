@@ -111,17 +111,18 @@ void TissueStrip::reserve() {
     return width(name + ' ' + ui::areaOf({0, 888, 100}, form));
   };
   const auto both = [&](ui::AreaForm form) { return widest(tr("vein"), form) + widest(tr("artery"), form); };
-  const int least_px = force_->minimumWidth() + both(ui::AreaForm::Share) + width(kShort) + 24 + 4 * kSmallSpace + 16;
-  // The wide one must not keep its column wide.
-  setMinimumWidth(least_px);
-  const int usual_px = least_px + indentation_->minimumWidth() + width(tr("Tissue"));
-  tight_ = QWidget::width() < usual_px;
-  const auto fits = [&](ui::AreaForm form) {
-    return QWidget::width() >= usual_px + both(form) - both(ui::AreaForm::Share) + 5 * (kSpace - kSmallSpace);
+  const int usual_px = indentation_->minimumWidth() + width(tr("Tissue")) - width(kShort);
+  const auto needs_px = [&](ui::AreaForm form, bool tight) {
+    const int space_px = form == ui::AreaForm::Share ? kSmallSpace : kSpace;
+    return force_->minimumWidth() + both(form) + width(kShort) + 24 + 4 * space_px + 16 +
+           (tight ? 0 : usual_px + space_px);
   };
-  form_ = fits(ui::AreaForm::Full)    ? ui::AreaForm::Full
-          : fits(ui::AreaForm::Short) ? ui::AreaForm::Short
-                                      : ui::AreaForm::Share;
+  // The wide one must not keep its column wide.
+  setMinimumWidth(needs_px(ui::AreaForm::Share, true));
+  form_ = ui::AreaForm::Share, tight_ = true;
+  for (const auto& [form, tight] :
+       {std::pair{ui::AreaForm::Short, true}, {ui::AreaForm::Short, false}, {ui::AreaForm::Full, false}})
+    if (QWidget::width() >= needs_px(form, tight)) form_ = form, tight_ = tight;
   // The panel says how far the probe is in, too.
   indentation_->setVisible(!tight_);
   menu_->setText(tight_ ? kShort : tr("Tissue"));
