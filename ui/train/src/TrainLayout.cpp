@@ -92,7 +92,7 @@ QWidget* TrainWorkspace::Parts::buildOffer() {
   box->addWidget(place, 0, Qt::AlignHCenter);
   box->addStretch();
   vesselNote_ = new QLabel(
-      tr("This case has no vein and no artery, so the picture shows none. Label them under Prepare, or in 3D Slicer or "
+      tr("This case has no vein and no artery, so the image shows none. Label them under Prepare, or in 3D Slicer or "
          "ITK-SNAP and reload the case there (F5)."));
   vesselNote_->setObjectName("vesselNote");
   vesselNote_->setWordWrap(true);

@@ -41,7 +41,7 @@ Transform TrainSession::pose() const {
 }
 
 bool TrainSession::isLive() {
-  if (frozen_) say(tr("The picture is frozen. Space makes it live again."));
+  if (frozen_) say(tr("The image is frozen. Space makes it live again."));
   return !frozen_;
 }
 

@@ -310,7 +310,7 @@ void TrainSession::rememberSetup() {
   const Chosen before = std::exchange(chosen_, Chosen{probe_, settings_, effect_});
   const bool sameProbe = same(before.probe, probe_);
   if (sameProbe && before.effect == effect_ && same(before.settings, settings_)) return;
-  const QString what = sameProbe ? tr("setting of the picture") : tr("change of the probe");
+  const QString what = sameProbe ? tr("setting of the image") : tr("change of the probe");
   const auto exchange = [this, other = before]() mutable {
     const Chosen now = chosen_;
     // Set here, too, so that nothing new is remembered.

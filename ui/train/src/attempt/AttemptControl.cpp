@@ -128,7 +128,7 @@ void AttemptControl::start() {
   if (isBusy()) return;
   if (!obstacle_.isEmpty()) return session_.say(obstacle_);
   if (!session_.shown() || !session_.handReady() || !session_.structures())
-    return session_.say(tr("Wait for the first picture; then the attempt can begin."));
+    return session_.say(tr("Wait for the first image; then the attempt can begin."));
   if (const QString why = unfit(); !why.isEmpty()) return session_.say(why);
   session_.setFrozen(false);
   // A new needle, ready to be taken up.

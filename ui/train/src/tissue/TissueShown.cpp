@@ -61,7 +61,7 @@ void TissueShown::choose() {
   session_.setMeshWanted(mesh);
   curve_->setVisible(session_.patient() && shows(TissueStrip::kPlot));
   if (mesh && session_.isFrozen() && session_.shown() && session_.shown()->press.mesh.nodes.empty())
-    session_.say(tr("The frozen picture came without its mesh; the live one shows it."));
+    session_.say(tr("The frozen image came without its mesh; the live one shows it."));
   showPicture();
 }
 

@@ -26,9 +26,9 @@ struct Row {
   const char* says;
 };
 constexpr Row kRows[] = {
-    {"tissueGrid", "Displaced grid\tT", "Lines of the tissue's mesh over the picture, as it lies now"},
+    {"tissueGrid", "Displaced grid\tT", "Lines of the tissue's mesh over the image, as it lies now"},
     {"tissuePressure", "Pressure in the tissue\tP",
-     "How hard the tissue is squeezed, in kPa, in colours over the picture"},
+     "How hard the tissue is squeezed, in kPa, in colours over the image"},
     {"tissuePlot", "Areas against force\tK", "Curve of the areas of vein and artery against the probe's force"},
 };
 
