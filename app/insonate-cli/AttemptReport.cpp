@@ -1,5 +1,7 @@
 #include "AttemptReport.h"
 
+#include <insonate/procedure/MetricTitle.h>
+
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -139,7 +141,9 @@ void printAttempt(AttemptStatus status, const MetricValues& metrics, const std::
                 (vessel.empty() ? wall : vessel).c_str());
   }
   for (const MetricDefinition& metric : metricTable())
-    if (const auto value = metrics[metric.metric]) std::printf("%10.2f  %s\n", *value, std::string(metric.id).c_str());
+    if (const auto value = metrics[metric.metric])
+      std::printf("%10.2f %-3s  %s (%s)\n", *value, std::string(metric.unit).c_str(),
+                  std::string(metricTitle(metric.metric)).c_str(), std::string(metric.id).c_str());
 }
 
 }  // namespace insonate::cli

@@ -64,7 +64,7 @@ TEST_F(SessionCommand, AnAttemptAndItsReplayTellTheSame) {
   const json early = json::parse(run("replay " + path("a") + " --metrics --until 1 --json").output);
   EXPECT_EQ(early["metrics"]["vein_punctures"], 0);
   EXPECT_FALSE(json::parse(run("replay " + path("a") + " --json").output).contains("metrics"));
-  EXPECT_THAT(run("replay " + path("a") + " --metrics").output, HasSubstr("vein_punctures"));
+  EXPECT_THAT(run("replay " + path("a") + " --metrics").output, HasSubstr("vein punctures (vein_punctures)"));
 }
 
 TEST_F(SessionCommand, AProcedureThatTheCaseIsNotForIsRefusedAndLeavesNothing) {

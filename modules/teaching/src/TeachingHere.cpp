@@ -1,5 +1,6 @@
 #include <insonate/cases/Phantom.h>
 #include <insonate/procedure/AttemptMetrics.h>
+#include <insonate/procedure/MetricTitle.h>
 #include <insonate/teaching/TeachingHere.h>
 
 #include <algorithm>
@@ -7,12 +8,9 @@
 namespace insonate {
 namespace {
 
-/// "artery_punctures" is read as "Artery punctures", without the unit that "time_to_vein_s" ends with.
+/// As a heading begins: "Artery punctures".
 std::string titleOf(const MetricDefinition& metric) {
-  std::string title(metric.id);
-  const std::string unit = "_" + std::string(metric.unit == "%" ? "percent" : metric.unit);
-  if (title.ends_with(unit)) title.resize(title.size() - unit.size());
-  std::ranges::replace(title, '_', ' ');
+  std::string title(metricTitle(metric.metric));
   title.front() = static_cast<char>(title.front() - 'a' + 'A');
   return title;
 }

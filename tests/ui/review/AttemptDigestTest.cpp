@@ -3,6 +3,7 @@
 #include "list/AttemptListing.h"
 #include "replay/ReplayScene.h"
 #include "result/PlanePlot.h"
+#include "result/ResultPage.h"
 
 #include <insonate/procedure/AttemptRecorder.h>
 #include <insonate/tissue/Labels.h>
@@ -160,6 +161,20 @@ TEST_F(Digest, AnAttemptInWhichNothingHappenedIsEmpty) {
   EXPECT_TRUE(attempt->track.empty() && attempt->moments.empty() && pathOf(*attempt).empty());
   EXPECT_THAT(attempt->troubles.front(), HasSubstr("Steps and rules are not shown"));
   EXPECT_TRUE(sectionOf(*attempt, block().get()).place_mm.isEmpty());
+}
+
+/// The tip rests in the vein and blood comes, which succeeds where the attempt is finished.
+TEST_F(Digest, AnAbandonedAttemptIsCalledSoAndNoSuccess) {
+  std::string script = R"({"acts": [{"tilt_deg": 15}, {"probe": "auto"},
+    {"needle": {"from_mm": [0, -5, 0], "to": "vein"}}, {"aspirate": true}, {"advance_mm": 17}, {"wait_s": 1.5}]})";
+  const auto finished = digest(recorded(file("finished"), script.c_str()));
+  ASSERT_TRUE(finished->score && finished->score->succeeded);
+  EXPECT_EQ(pointsNoteOf(*finished), "of 100 points. The tip was placed in the vein.");
+  script.insert(1, "\"abandoned\": true, ");
+  const auto abandoned = digest(recorded(file("abandoned"), script.c_str()));
+  ASSERT_TRUE(abandoned->score);
+  EXPECT_FALSE(abandoned->score->succeeded);
+  EXPECT_EQ(pointsNoteOf(*abandoned), "of 100 points. The attempt was abandoned.");
 }
 
 TEST_F(Digest, TheListHasTheLatestFirst) {

@@ -189,9 +189,9 @@ TEST_F(ReviewWindow, TheResultHasTheRecordingsNumbers) {
     return found.isEmpty() ? QString() : table->item(found.first()->row(), 1)->text();
   };
   EXPECT_EQ(value("vein punctures"), "2");
-  EXPECT_EQ(value("double punctures"), "1");
+  EXPECT_EQ(value("posterior wall punctures"), "1");
   EXPECT_EQ(value("attempt time"), "9.1 s");
-  EXPECT_EQ(value("nearest lung"), "n/a") << "the block has none";
+  EXPECT_EQ(value("minimum distance to lung"), "n/a") << "the block has none";
   EXPECT_TRUE(table->item(0, 0)->toolTip().contains("Counted"));
   EXPECT_TRUE(child<QWidget>("pathPane")->isVisible());
 }

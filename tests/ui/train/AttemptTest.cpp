@@ -125,7 +125,7 @@ TEST_F(TrainAttempt, WhatWentWrongIsSaidWithWhatToDo) {
   start();
   overTheVein();
   type("needle_depth", "22");
-  EXPECT_TRUE(waitFor([&] { return text("attemptFindings").contains("through the back wall"); }));
+  EXPECT_TRUE(waitFor([&] { return text("attemptFindings").contains("through the posterior wall"); }));
   EXPECT_TRUE(text("attemptFindings").contains("Major")) << text("attemptFindings").toStdString();
   EXPECT_TRUE(waitFor([&] { return text("attemptNeedle").contains("wrong place"); }));
   key(Qt::Key_U);
@@ -144,7 +144,7 @@ TEST_F(TrainAttempt, ATestIsSilentAndWithoutTheCt) {
   EXPECT_FALSE(shown("attemptVein"));
   EXPECT_FALSE(shown("sceneTab"));
   key(Qt::Key_C);
-  EXPECT_TRUE(workspace_->statusText().contains("without the CT"));
+  EXPECT_TRUE(workspace_->statusText().contains("neither CT nor anatomy"));
   overTheVein();
   said_.clear();
   type("needle_depth", "12");

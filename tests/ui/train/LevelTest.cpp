@@ -1,4 +1,5 @@
 #include "LevelWindow.h"
+#include "level/LevelWords.h"
 
 #include <insonate/cases/CaseVersions.h>
 
@@ -6,6 +7,7 @@
 
 #include <QRegularExpression>
 #include <QSignalSpy>
+#include <QTableWidget>
 #include <future>
 
 namespace insonate::train {
@@ -147,6 +149,36 @@ TEST_F(TrainLevel, AttemptsThatAreLeftAreStoredAsAbandoned) {
   EXPECT_TRUE(unsent().isEmpty());
 }
 
+/// With the tip in the vein, which would be a pass had it been finished.
+TEST_F(TrainLevel, AnAbandonedOneIsCalledSoInPanelAndHistory) {
+  signIn();
+  practise(0);
+  openWide();
+  key(Qt::Key_Return, Qt::ControlModifier);
+  ASSERT_TRUE(waitFor([&] { return attempt_->isRunning(); }));
+  overTheVein();
+  type("needle_depth", "12");
+  ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Vein; }));
+  child<QPushButton>("attemptAbandon")->click();
+  ASSERT_TRUE(waitFor([&] { return attempt_->state() == State::Over; }));
+  EXPECT_EQ(text("attemptHeadline"), "Abandoned");
+  EXPECT_FALSE(attempt_->score().succeeded);
+  EXPECT_TRUE(text("levelVerdict").contains("Not passed: it was abandoned")) << text("levelVerdict").toStdString();
+  ASSERT_TRUE(waitFor([&] { return stored().size() == 1 && stored().front().facts.state == AttemptState::Abandoned; }));
+  AttemptFacts facts = stored().front().facts;
+  EXPECT_FALSE(facts.succeeded);
+  EXPECT_EQ(outcomeOf(course_->curriculum(), facts), "abandoned");
+  facts.succeeded = true;  // as stored by an older version
+  EXPECT_EQ(outcomeOf(course_->curriculum(), facts), "abandoned");
+  key(Qt::Key_J);
+  key(Qt::Key_2, Qt::AltModifier);
+  auto* history = child<QTableWidget>("history");
+  ASSERT_TRUE(waitFor([&] { return history->rowCount() == 1; }));
+  QStringList row;
+  for (int column = 0; column < history->columnCount(); ++column) row << history->item(0, column)->text();
+  EXPECT_TRUE(row.contains("abandoned")) << row.join(" | ").toStdString();
+}
+
 TEST_F(TrainLevel, WhatTheStoreRefusesIsKeptAndSentLater) {
   signIn();
   openWide();
@@ -255,7 +287,7 @@ TEST_F(TrainLevel, HintsSayOnlyWhatWentWrong) {
   EXPECT_TRUE(text("attemptHead").startsWith("Hints"));
   overTheVein();
   type("needle_depth", "22");
-  EXPECT_TRUE(waitFor([&] { return text("attemptFindings").contains("through the back wall"); }));
+  EXPECT_TRUE(waitFor([&] { return text("attemptFindings").contains("through the posterior wall"); }));
   EXPECT_FALSE(shown("attemptDue"));
   attempt_->abandon();
 }

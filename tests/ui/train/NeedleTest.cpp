@@ -1,6 +1,7 @@
 #include "NeedleWindow.h"
 
 #include <QLabel>
+#include <QScrollArea>
 #include <QWheelEvent>
 
 namespace insonate::train {
@@ -52,6 +53,18 @@ TEST_F(TrainNeedle, PushedInItSaysOnceWhatItEntersAndLeaves) {
   EXPECT_TRUE(waitFor([&] { return heard("out of the skin") == 1; }));
   EXPECT_FALSE(lying().inBody);
   EXPECT_EQ(heard("Vein entered"), 1);
+}
+
+TEST_F(TrainNeedle, ItsNumbersFitTheNarrowPanel) {
+  openWide();
+  for (const int width : {1366, 1024}) {
+    workspace_->resize(width, 690);
+    if (!hands().needleHand()) key(Qt::Key_I);
+    QTest::qWait(50);
+    auto* area = child<QWidget>("trainControls")->findChild<QScrollArea*>();
+    ASSERT_TRUE(area && child<QLineEdit>("needle_depth")->isVisible());
+    EXPECT_LE(area->widget()->minimumSizeHint().width(), area->viewport()->width()) << width;
+  }
 }
 
 TEST_F(TrainNeedle, BoneStopsIt) {

@@ -15,31 +15,36 @@ class NeedleWindow : public TrainWindow {
   static constexpr const char* kWideTitle = "Wide block";
 
   /// As the small case, 100 mm wide and 50 mm long: skin at y = 0, a vein along z at 12 mm, bone from 26 mm on.
+  static PatientCase wideCase() {
+    VolumeGeometry grid;
+    grid.size = {101, 41, 51};
+    grid.origin_mm = {-50, -6, -25};
+    PatientCase made{{}, CtVolume(grid, -1000), LabelMap(grid)};
+    made.manifest.title = kWideTitle;
+    made.manifest.startPoses = {{"over the vein", {0, 0, 0}, {0, 1, 0}, {1, 0, 0}}};
+    for (int k = 0; k < grid.size[2]; ++k)
+      for (int j = 6; j < grid.size[1]; ++j)
+        for (int i = 0; i < grid.size[0]; ++i) {
+          const bool vein = std::hypot(i - 50, j - 18) < 5;
+          const bool artery = i >= 88 && i < 93 && j >= 16 && j < 21;
+          made.labels.at(i, j, k) = j < 8 ? kSkin : vein ? kVein : artery ? kArtery : j >= 32 ? kBone : kSoftTissue;
+          made.ct.at(i, j, k) = 40;
+        }
+    return made;
+  }
   void openWide() {
-    static const auto wide = [] {
-      VolumeGeometry grid;
-      grid.size = {101, 41, 51};
-      grid.origin_mm = {-50, -6, -25};
-      auto made = std::make_shared<PatientCase>(PatientCase{{}, CtVolume(grid, -1000), LabelMap(grid)});
-      made->manifest.title = kWideTitle;
-      made->manifest.startPoses = {{"over the vein", {0, 0, 0}, {0, 1, 0}, {1, 0, 0}}};
-      for (int k = 0; k < grid.size[2]; ++k)
-        for (int j = 6; j < grid.size[1]; ++j)
-          for (int i = 0; i < grid.size[0]; ++i) {
-            const bool vein = std::hypot(i - 50, j - 18) < 5;
-            const bool artery = i >= 88 && i < 93 && j >= 16 && j < 21;
-            made->labels.at(i, j, k) = j < 8 ? kSkin : vein ? kVein : artery ? kArtery : j >= 32 ? kBone : kSoftTissue;
-            made->ct.at(i, j, k) = 40;
-          }
-      return std::shared_ptr<const PatientCase>(made);
-    }();
+    static const auto wide = std::make_shared<const PatientCase>(wideCase());
+    open(wide);
+  }
+
+  void open(const std::shared_ptr<const PatientCase>& patient) {
     ImagingSettings quick = session_->settings();
     quick.scanlines = 48, quick.samples = 200, quick.elevationPlanes = 1, quick.looks = 1;
     quick.width = 128, quick.height = 96;
     session_->setSettings(quick);
     said_.clear();
     QObject::connect(&hands(), &HandsControl::said, workspace_.get(), [this](const QString& words) { said_ << words; });
-    workspace_->setCase(wide);
+    workspace_->setCase(patient);
     ASSERT_TRUE(waitFor([&] { return workspace_->isReady() && session_->handReady(); }));
     ASSERT_TRUE(waitFor([&] { return hands().session().tissueReady(); }));
   }

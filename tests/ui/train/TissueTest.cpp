@@ -3,6 +3,7 @@
 #include "tissue/AreaPlot.h"
 
 #include <insonate/tissue/Labels.h>
+#include <insonate/ui/AreaWords.h>
 #include <insonate/views/UltrasoundView.h>
 
 #include <QAction>
@@ -47,14 +48,30 @@ TEST_F(TrainTissue, PressingShowsForceAndAreasAndLettingGoNothing) {
   EXPECT_TRUE(waitFor([&] { return text("pressForce") == QString("%1 N").arg(now().force_N, 0, 'f', 1); }))
       << text("pressForce").toStdString();
   EXPECT_TRUE(text("pressIndentation").endsWith(" mm"));
+  workspace_->resize(1900, 700);
   EXPECT_TRUE(waitFor([&] {
-    return text("veinArea").startsWith(QString("vein %1 %").arg(100 * veinShare(), 0, 'f', 0));
+    return text("veinArea") == QString("vein %1\u00a0mm² · %2\u00a0% of the area in the CT")
+                                   .arg(now().lumens.front().area_mm2, 0, 'f', 0)
+                                   .arg(100 * veinShare(), 0, 'f', 0);
   })) << text("veinArea").toStdString();
+  EXPECT_TRUE(child<QLabel>("veinArea")->accessibleName().endsWith("percent of the area in the CT"));
+  workspace_->resize(1100, 700);
+  EXPECT_TRUE(waitFor([&] { return text("veinArea").endsWith("\u00a0% of CT"); })) << text("veinArea").toStdString();
   EXPECT_TRUE(text("arteryArea").isEmpty()) << "there is none";
   EXPECT_TRUE(child<QLabel>("pressForce")->accessibleName().endsWith("newtons"));
   press(0);
   EXPECT_TRUE(waitFor([&] { return text("pressForce").isEmpty() && text("veinArea").isEmpty(); }));
   EXPECT_TRUE(text("pressIndentation").isEmpty());
+}
+
+TEST(AreaWords, SayInPercentOfWhat) {
+  const LumenArea wider{kVein, 84.6, 60};
+  EXPECT_EQ(ui::areaOf(wider, ui::AreaForm::Full), "85\u00a0mm² · 141\u00a0% of the area in the CT");
+  EXPECT_EQ(ui::areaOf(wider, ui::AreaForm::Short), "85\u00a0mm² · 141\u00a0% of CT");
+  EXPECT_EQ(ui::areaOf(wider, ui::AreaForm::Share), "141\u00a0% of CT");
+  EXPECT_EQ(ui::spokenAreaOf(wider), "85 square millimeters, 141 percent of the area in the CT");
+  EXPECT_EQ(ui::areaOf({kVein, 0, 60}, ui::AreaForm::Short), "0\u00a0mm² · 0\u00a0% of CT") << "compressed";
+  EXPECT_EQ(ui::areaOf({kVein, 0, 0}, ui::AreaForm::Full), "n/a") << "the CT shows none";
 }
 
 TEST_F(TrainTissue, PostureAndVenousPressureWidenTheVein) {
@@ -149,7 +166,7 @@ TEST_F(TrainTissue, TheCurveKeepsWhereTheAreasHaveBeenUntilItIsCleared) {
   EXPECT_EQ(plot->points(), 0U);
   for (const double mm : {2.0, 4.0}) press(mm);
   EXPECT_TRUE(waitFor([&] { return plot->points() >= 2; }));
-  EXPECT_TRUE(waitFor([&] { return plot->accessibleName().contains("Vein"); }));
+  EXPECT_TRUE(waitFor([&] { return plot->accessibleName().contains("CT, against force. Vein"); }));
   child<QPushButton>("clearCurve")->click();
   EXPECT_EQ(plot->points(), 0U);
   key(Qt::Key_K);

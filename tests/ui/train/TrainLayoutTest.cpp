@@ -184,17 +184,17 @@ TEST_F(TrainLayout, MirrorsForTheLeftHandAndRemembers) {
 TEST_F(TrainLayout, EffectsAloneAreGoneThroughByKeysAndSaidToBeSo) {
   openCase();
   auto* effects = child<QComboBox>("effect");
-  EXPECT_EQ(effects->currentText(), "the whole picture");
+  EXPECT_EQ(effects->currentText(), "the whole image");
   key(Qt::Key_N);
   EXPECT_EQ(effects->currentIndex(), 1);
-  EXPECT_TRUE(workspace_->statusText().contains("not the usual picture")) << workspace_->statusText().toStdString();
+  EXPECT_TRUE(workspace_->statusText().contains("not the usual image")) << workspace_->statusText().toStdString();
   key(Qt::Key_N, Qt::ShiftModifier);
   key(Qt::Key_N, Qt::ShiftModifier);
   EXPECT_EQ(effects->currentIndex(), effects->count() - 1);
   for (int i = 1; i < effects->count(); ++i) EXPECT_FALSE(effects->itemText(i).contains('_')) << i;
   key(Qt::Key_0);
   EXPECT_EQ(effects->currentIndex(), 0);
-  EXPECT_EQ(workspace_->statusText(), "The whole picture again.");
+  EXPECT_EQ(workspace_->statusText(), "The whole image again.");
 }
 
 TEST_F(TrainLayout, AllSlicesAtOnceHaveOneCrosshair) {

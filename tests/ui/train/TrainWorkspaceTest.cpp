@@ -110,7 +110,7 @@ TEST_F(TrainWindow, UndoAndRedoGoThroughMovesAndSettingsInOrder) {
   key(Qt::Key_Z);
   EXPECT_EQ(session_->settings().depth_mm, depth_mm);
   EXPECT_EQ(child<ui::ValueSlider>("depth")->value(), depth_mm);
-  EXPECT_EQ(workspace_->statusText(), "Taken back: setting of the picture.");
+  EXPECT_EQ(workspace_->statusText(), "Taken back: setting of the image.");
   EXPECT_EQ(session_->handState(), moved);
   key(Qt::Key_Z);
   EXPECT_EQ(session_->handState(), start);
@@ -235,11 +235,11 @@ TEST_F(TrainWindow, PictureAndClipAreWritten) {
                    [&](const QString& what, const QString& where) { written = what, place = where; });
   QObject::connect(workspace_.get(), &ui::Workspace::failed, [&](const QString& what) { failed = what; });
   workspace_->savePicture(folder / "none.png");
-  EXPECT_EQ(workspace_->statusText(), "There is no picture yet.");
+  EXPECT_EQ(workspace_->statusText(), "There is no image yet.");
   openCase();
   workspace_->savePicture(folder / "picture.png");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !written.isEmpty(); }, kPatience_ms));
-  EXPECT_EQ(written, "Picture saved as picture.png.");
+  EXPECT_EQ(written, "Image saved as picture.png.");
   EXPECT_EQ(place, QString::fromStdString(folder.path().string()));
   const QImage picture(QString::fromStdString((folder / "picture.png").string()));
   const BModeImage& image = session_->shown()->image;

@@ -22,15 +22,9 @@ namespace {
 using testing::HasSubstr;
 
 AttemptHeader header() {
-  return {"insonate 0.1.0",
-          "2026-01-02T03:04:05Z",
-          "internal_jugular",
-          1,
-          "neck",
-          "c0ffee",
-          "5e77",
-          "cpu",
-          test::ScriptedAttempt::picture()};
+  PictureField picture = test::ScriptedAttempt::picture();
+  picture.elevationFocus_mm = 20, picture.elevationDivergence = 0.085;
+  return {"insonate 0.1.0", "2026-01-02T03:04:05Z", "internal_jugular", 1, "neck", "c0ffee", "5e77", "cpu", picture};
 }
 
 template <class What>

@@ -85,6 +85,7 @@ void TrainWorkspace::Parts::connectAttempt() {
           this, [this] { takeWaiting(); }, Qt::QueuedConnection);
   });
   connect(attempt, &AttemptControl::viewChanged, this, [this] { showAttempt(); });
+  connect(&session, &TrainSession::disclosureChanged, this, [this] { showDisclosure(); });
   // A new needle is taken by touching the tray, with the pointer or with the needle itself.
   patient->setTrayTaken([this] { attempt->replaceNeedle(); });
   connect(&session.hands(), &HandsControl::needleChanged, this, [this] {
@@ -103,16 +104,18 @@ void TrainWorkspace::Parts::connectAttempt() {
 }
 
 void TrainWorkspace::Parts::showAttempt() {
-  const bool silent = attempt->isSilent();
   const bool made =
       attempt->state() != AttemptControl::State::Idle && attempt->state() != AttemptControl::State::Starting;
   const NeedlePlace place = made ? attempt->view().needle : NeedlePlace::Clean;
-  patient->setNeedleColour(ui::wordsOf(silent ? plainly(place) : place).colour);
-  patient->setSilent(silent);
+  patient->setNeedleColour(ui::wordsOf(disclosed(place, session.disclosure())).colour);
   patient->setTrayVisible(attempt->isRunning());
-  if (silent && isCtBeside()) setCtBeside(false);
-  cine_->setCtBesideOffered(!silent);
-  besideAction_->setEnabled(!silent);
+}
+
+void TrainWorkspace::Parts::showDisclosure() {
+  const bool anatomy = session.disclosure().anatomy;
+  if (!anatomy && isCtBeside()) setCtBeside(false);
+  cine_->setCtBesideOffered(anatomy);
+  besideAction_->setEnabled(anatomy);
 }
 
 void TrainWorkspace::Parts::endAttempt() {

@@ -71,7 +71,7 @@ void TrainWorkspace::Parts::showCourse(bool on) {
   courseAction_->setChecked(on);
   session.setWatched(!on);
   on ? coursePage_->takeKeyboard() : workspace_.setFocus();
-  session.setHint(on ? tr("Enter practises the level that is marked. J goes back to the picture.") : QString());
+  session.setHint(on ? tr("Enter practises the level that is marked. J goes back to the image.") : QString());
 }
 
 }  // namespace insonate::train

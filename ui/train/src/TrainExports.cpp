@@ -25,27 +25,27 @@ void TrainWorkspace::Parts::startWriting(std::function<QImage()> make, const std
   const QFileInfo info(QString::fromStdString(file.string()));
   const auto ended = [this, info](const Result<void>& result) {
     if (result)
-      Q_EMIT workspace_.written(tr("Picture saved as %1.").arg(info.fileName()), info.absolutePath());
+      Q_EMIT workspace_.written(tr("Image saved as %1.").arg(info.fileName()), info.absolutePath());
     else
-      Q_EMIT workspace_.failed(QString::fromStdString(result.error().message), tr("The picture is still shown."), {});
+      Q_EMIT workspace_.failed(QString::fromStdString(result.error().message), tr("The image is still shown."), {});
   };
   writers_.push_back(std::make_unique<PictureWriter>(std::move(make), file, ended));
 }
 
 void TrainWorkspace::Parts::savePicture(const std::filesystem::path& file) {
-  if (!session.shown()) return session.say(tr("There is no picture yet."));
+  if (!session.shown()) return session.say(tr("There is no image yet."));
   startWriting([frame = session.shown(), callipers = measurements()] { return scaledPicture(frame->image, callipers); },
                file);
 }
 
 void TrainWorkspace::Parts::saveScreen(const std::filesystem::path& file) {
-  if (!session.shown()) return session.say(tr("There is no picture yet."));
+  if (!session.shown()) return session.say(tr("There is no image yet."));
   startWriting([screen = pictures_->grab().toImage()] { return screen; }, file);
 }
 
 void TrainWorkspace::Parts::saveClip(const std::filesystem::path& folder) {
   session.setFrozen(true);
-  if (session.cine().empty()) return session.say(tr("There is no picture yet."));
+  if (session.cine().empty()) return session.say(tr("There is no image yet."));
   ui::TaskBar& tasks = workspace_.tasks();
   if (tasks.isRunning()) return session.say(tr("Wait until the other job is done, or cancel it."));
   tasks.run<int>(
@@ -55,12 +55,12 @@ void TrainWorkspace::Parts::saveClip(const std::filesystem::path& folder) {
       },
       [this, folder](Result<int> result) {
         if (result)
-          Q_EMIT workspace_.written(tr("Clip saved as a folder of %1 PNG pictures.").arg(*result),
+          Q_EMIT workspace_.written(tr("Clip saved as a folder of %1 PNG images.").arg(*result),
                                     QString::fromStdString(folder.string()));
         else if (result.error().message == kCancelled)
           session.say(tr("The clip was not saved."));
         else
-          Q_EMIT workspace_.failed(QString::fromStdString(result.error().message), tr("The pictures are still here."),
+          Q_EMIT workspace_.failed(QString::fromStdString(result.error().message), tr("The images are still here."),
                                    {});
       },
       ui::TaskBar::WhenClosed::Ask);
@@ -77,27 +77,27 @@ QString TrainWorkspace::Parts::askFile(const QString& title, const QString& endi
 }
 
 void TrainWorkspace::Parts::askPicture() {
-  if (!session.shown()) return session.say(tr("There is no picture yet."));
+  if (!session.shown()) return session.say(tr("There is no image yet."));
   const bool wasFrozen = session.isFrozen();
   session.setFrozen(true);  // The picture that the user saw, whatever the dialog takes.
-  const QString file = askFile(tr("Save the picture"), ".png");
+  const QString file = askFile(tr("Save the image"), ".png");
   if (!file.isEmpty()) savePicture(file.toStdString());
   // What was measured goes with the picture it lies on.
   if (!wasFrozen && input_->callipers().done().empty()) session.setFrozen(false);
 }
 
 void TrainWorkspace::Parts::askScreen() {
-  if (!session.shown()) return session.say(tr("There is no picture yet."));
+  if (!session.shown()) return session.say(tr("There is no image yet."));
   // As it was when it was asked for, whatever the dialog takes.
   const QImage screen = pictures_->grab().toImage();
-  const QString file = askFile(tr("Save what the screen shows of the picture"), "-screen.png");
+  const QString file = askFile(tr("Save what the screen shows of the image"), "-screen.png");
   if (!file.isEmpty()) startWriting([screen] { return screen; }, file.toStdString());
 }
 
 void TrainWorkspace::Parts::askClip() {
   session.setFrozen(true);
   const QString folder = QFileDialog::getExistingDirectory(
-      &workspace_, tr("Save the clip: a new folder of numbered PNG pictures, made in"), exportFolder);
+      &workspace_, tr("Save the clip: a new folder of numbered PNG images, made in"), exportFolder);
   if (folder.isEmpty() || !session.patient()) return;
   exportFolder = folder;
   const QString name = exportName(QString::fromStdString(session.patient()->manifest.title));

@@ -61,10 +61,7 @@ void TrainWorkspace::Parts::giveRoom(bool more) {
 }
 
 void TrainWorkspace::Parts::setCtBeside(bool on) {
-  if (on && attempt->isSilent()) {
-    besideAction_->setChecked(false);
-    return session.say(tr("A test is without the CT."));
-  }
+  if (on && !session.mayShowAnatomy()) return besideAction_->setChecked(false);
   besideAction_->setChecked(on);
   // Leaving full size would bring back what was there before.
   for (ui::ViewWidget* view : {imageWidget_, &beside_->widget(), &patient->sceneWidget(), &patient->mprWidget()})
@@ -95,7 +92,7 @@ QWidget* TrainWorkspace::Parts::buildOffer() {
   box->addWidget(place, 0, Qt::AlignHCenter);
   box->addStretch();
   vesselNote_ = new QLabel(
-      tr("This case has no vein and no artery, so the picture shows none. Label them under Prepare, or in 3D Slicer or "
+      tr("This case has no vein and no artery, so the image shows none. Label them under Prepare, or in 3D Slicer or "
          "ITK-SNAP and reload the case there (F5)."));
   vesselNote_->setObjectName("vesselNote");
   vesselNote_->setWordWrap(true);

@@ -41,7 +41,7 @@ Transform TrainSession::pose() const {
 }
 
 bool TrainSession::isLive() {
-  if (frozen_) say(tr("The picture is frozen. Space makes it live again."));
+  if (frozen_) say(tr("The image is frozen. Space makes it live again."));
   return !frozen_;
 }
 
@@ -110,6 +110,7 @@ void TrainSession::placed(Vec3 patient_mm) {
 }
 
 void TrainSession::goTo(const StartPose& pose) {
+  if (!mayShowAnatomy()) return;
   if (levelStart_) return say(tr("In a level, find the vein from where the attempt began (Home goes back there)."));
   control_.begin();
   if (mayMove()) moved(control_.setPose(pose));
@@ -117,9 +118,8 @@ void TrainSession::goTo(const StartPose& pose) {
 
 void TrainSession::home() {
   if (!patient_ || !control_.ready()) return;
-  if (!levelStart_) return goTo(start_);
   control_.begin();
-  if (mayMove()) moved(control_.setPose(*levelStart_));
+  if (mayMove()) moved(levelStart_ ? control_.setPose(*levelStart_) : control_.setPose(start_));
 }
 
 void TrainSession::beginAt(const ProbeHandState& state) {

@@ -109,7 +109,7 @@ void TrainWorkspace::Parts::letGoOfCanvases() {
 QWidget* TrainWorkspace::Parts::buildCentre() {
   auto* centre = new QWidget;
   image_ = std::make_shared<views::UltrasoundView>();
-  imageWidget_ = new ui::ViewWidget(image_, tr("Ultrasound picture"), centre);
+  imageWidget_ = new ui::ViewWidget(image_, tr("Ultrasound image"), centre);
   imageWidget_->setObjectName("ultrasoundView");
   imageWidget_->setMaximiseOnDoubleClick(false);
   empty_ = new QLabel(centre);
@@ -146,7 +146,7 @@ void TrainWorkspace::Parts::buildActions() {
     return action;
   };
   // The key is in the table; it is only told here.
-  besideAction_ = make(tr("CT beside the picture\tC"), tr("The same plane of the CT at the same scale"));
+  besideAction_ = make(tr("CT beside the image\tC"), tr("The same plane of the CT at the same scale"));
   leftHanded_ = make(tr("Left-handed layout"), tr("Controls on the right, patient on the left"));
   QAction* panelAction = make(tr("Devices ..."), tr("Haptic devices and pedals: what is there, and what it holds"));
   panelAction->setCheckable(false);
@@ -257,7 +257,7 @@ void TrainWorkspace::Parts::showRate() {
     text += tr("   outside the patient");
   else if (session.shown() && session.imagesPerSecond() < kAtRest)
     // A probe at rest needs no pictures; that is no slow engine.
-    text += tr("   picture is up to date   %1 ms").arg(session.shown()->frame_ms, 4, 'f', 1);
+    text += tr("   image is up to date   %1 ms").arg(session.shown()->frame_ms, 4, 'f', 1);
   else if (session.shown())
     text += tr("   %1 images/s   %2 ms")
                 .arg(session.imagesPerSecond(), 3, 'f', 0)
@@ -271,11 +271,11 @@ void TrainWorkspace::Parts::showNotice() {
   const std::string& effect = session.effect();
   const bool alone = effect != TrainSession::kWholeModel;
   QString words = alone ? tr("ONLY %1").arg(effectWords(effect)) : QString();
-  if (!session.shown()) words = tr("Building the first picture ...");
+  if (!session.shown()) words = tr("Building the first image ...");
   image_->setNotice(words.toStdString());
   if (std::exchange(effectAlone_, alone) == alone && !alone) return;
-  session.say(alone ? tr("This is not the usual picture but one effect of it; 0 shows the whole again.")
-                    : tr("The whole picture again."));
+  session.say(alone ? tr("This is not the usual image but one effect of it; 0 shows the whole again.")
+                    : tr("The whole image again."));
 }
 
 bool TrainWorkspace::Parts::key(const QKeyEvent& event, bool doIt) {
@@ -330,9 +330,9 @@ void TrainWorkspace::Parts::act(const KeyRow& row, bool wide, bool repeated) {
     case Command::CtBeside:
       return setCtBeside(!isCtBeside());
     case Command::ShowTissue:
-      return tissue->toggle(row.place);
+      return session.mayShowAnatomy() ? tissue->toggle(row.place) : void();
     case Command::AllSlices:
-      return patient->setAllSlices(!patient->showsAllSlices());
+      return session.mayShowAnatomy() ? patient->setAllSlices(!patient->showsAllSlices()) : void();
     case Command::SliceWindow:
       return patient->setSliceWindow(row.place);
     case Command::TakeNeedle:
@@ -348,7 +348,7 @@ void TrainWorkspace::Parts::act(const KeyRow& row, bool wide, bool repeated) {
     case Command::ShowCourse:
       return repeated ? void() : showCourse(!isCourseShown());
     case Command::CutAtNeedle:
-      return repeated ? void() : patient->toggleCutAtNeedle();
+      return !repeated && session.mayShowAnatomy() ? patient->toggleCutAtNeedle() : void();
   }
 }
 

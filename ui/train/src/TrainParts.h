@@ -117,6 +117,7 @@ class TrainWorkspace::Parts : public QObject {
   void connectAttempt();
   void takeWaiting();
   void showAttempt();
+  void showDisclosure();
   QWidget* buildOffer();
   void showOffer();
   void showVesselNote();

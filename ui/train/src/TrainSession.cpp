@@ -243,7 +243,26 @@ void TrainSession::setSettings(ImagingSettings settings) {
   sendSetup();
 }
 
+void TrainSession::setDisclosure(const Disclosure& disclosure) {
+  if (std::exchange(disclosure_, disclosure) == disclosure) return;
+  if (!disclosure_.anatomy) {
+    if (effect_ != kWholeModel) {
+      effect_ = kWholeModel;
+      sendSetup();
+    }
+    history_.clear();
+  }
+  hands_.setSilent(!disclosure_.anatomy);
+  Q_EMIT disclosureChanged();
+}
+
+bool TrainSession::mayShowAnatomy() {
+  if (!disclosure_.anatomy) say(tr("A test shows neither CT nor anatomy."));
+  return disclosure_.anatomy;
+}
+
 void TrainSession::setEffect(const std::string& name) {
+  if (name != kWholeModel && !mayShowAnatomy()) return;
   effect_ = name;
   sendSetup();
 }
@@ -291,7 +310,7 @@ void TrainSession::rememberSetup() {
   const Chosen before = std::exchange(chosen_, Chosen{probe_, settings_, effect_});
   const bool sameProbe = same(before.probe, probe_);
   if (sameProbe && before.effect == effect_ && same(before.settings, settings_)) return;
-  const QString what = sameProbe ? tr("setting of the picture") : tr("change of the probe");
+  const QString what = sameProbe ? tr("setting of the image") : tr("change of the probe");
   const auto exchange = [this, other = before]() mutable {
     const Chosen now = chosen_;
     // Set here, too, so that nothing new is remembered.

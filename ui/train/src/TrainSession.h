@@ -1,5 +1,6 @@
 #pragma once
 
+#include "attempt/Disclosure.h"
 #include "hand/History.h"
 #include "hand/ProbeControl.h"
 #include "hands/HandsControl.h"
@@ -58,11 +59,18 @@ class TrainSession : public QObject {
   void setSettings(ImagingSettings settings);
   /// All that decides the pictures now, for an attempt that is recorded. There must be a picture.
   AttemptSettings attemptSettings() const;
-  /// Shows one effect of EffectLayers.h by itself.
+  /// Shows one effect of EffectLayers.h by itself; refused where anatomy is not disclosed.
   void setEffect(const std::string& name);
   const std::string& effect() const { return effect_; }
   /// The next in the order of effectLayers(), the whole model between the last and the first.
   void stepEffect(int by);
+
+  // What the screen tells
+  const Disclosure& disclosure() const { return disclosure_; }
+  /// Where anatomy is not disclosed any more, the whole image comes back, and undo does not lead behind it.
+  void setDisclosure(const Disclosure& disclosure);
+  /// Whether anatomy is disclosed; says so where it is not.
+  bool mayShowAnatomy();
 
   // Tissue and blood
   const TissueChoice& tissue() const { return tissue_; }
@@ -96,6 +104,7 @@ class TrainSession : public QObject {
   void moveTo(Vec3 patient_mm);
   /// To the skin nearest to a typed place; says how far that is.
   void placed(Vec3 patient_mm);
+  /// Refused in a level and where anatomy is not disclosed: a position tells where vessels lie.
   void goTo(const StartPose& pose);
   void home();
   /// Moves, settings, and whatever else was added to history().
@@ -153,7 +162,8 @@ class TrainSession : public QObject {
   void setupChanged();
   void tissueChanged();
   void frozenChanged();
-  void placingChanged();   ///< isUnplaced()
+  void placingChanged();  ///< isUnplaced()
+  void disclosureChanged();
   void structuresKnown();  ///< structures()
   void messageChanged();
   void surfaceMade(int label, std::shared_ptr<const insonate::Mesh> mesh);
@@ -191,6 +201,7 @@ class TrainSession : public QObject {
   AcousticTable tissues_;
   std::string effect_ = kWholeModel;
   TissueChoice tissue_;
+  Disclosure disclosure_;
   bool meshWanted_ = false, watched_ = true, awake_ = true;
   ProbeControl control_;
   History history_;

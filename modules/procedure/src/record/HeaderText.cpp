@@ -30,7 +30,9 @@ std::string textOf(const AttemptHeader& header) {
                        {{"width_mm", picture.width_mm},
                         {"fanAngle_deg", picture.fanAngle_deg},
                         {"faceRadius_mm", picture.faceRadius_mm},
-                        {"sliceHalf_mm", picture.sliceHalf_mm}}}};
+                        {"sliceHalf_mm", picture.sliceHalf_mm},
+                        {"elevationFocus_mm", picture.elevationFocus_mm},
+                        {"elevationDivergence", picture.elevationDivergence}}}};
   if (header.isScripted) json["hands"] = kScript;
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }

@@ -2,6 +2,7 @@
 
 #include "../PrepareSession.h"
 
+#include <insonate/ui/AreaWords.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 #include <insonate/ui/ViewWidget.h>
@@ -95,7 +96,7 @@ void UltrasoundPane::showPress() {
   if (session_.live().press_mm() > 0) words << tr("%1 N").arg(press.force_N, 0, 'f', 1);
   for (const LumenArea& lumen : press.lumens)
     if (lumen.rest_mm2 > 0 && session_.live().press_mm() > 0)
-      words << tr("%1 %2 % open").arg(structureName(lumen.label)).arg(100 * lumen.area_mm2 / lumen.rest_mm2, 0, 'f', 0);
+      words << tr("%1 %2").arg(structureName(lumen.label), ui::areaOf(lumen, ui::AreaForm::Short));
   pressed_->setText(words.isEmpty() ? tr("Press to see whether the vein gives way.")
                                     : words.join(QStringLiteral("   ")));
 }

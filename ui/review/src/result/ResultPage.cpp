@@ -104,9 +104,9 @@ void ResultPage::show() {
 
 PathPane::PathPane(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
   setObjectName(QStringLiteral("pathPane"));
-  setAccessibleName(tr("Way of the needle's tip in the plane of the picture"));
+  setAccessibleName(tr("Path of the needle's tip in the image's plane"));
   setToolTip(
-      tr("The tip's way in the plane of the picture, mm: lateral across, depth down; dotted where it was outside "
+      tr("The tip's path in the image's plane, mm: lateral across, depth down; dotted where it was outside "
          "the slice. Structures as in the CT"));
   setMinimumHeight(160);
   const auto renew = [this] {
@@ -126,7 +126,7 @@ void PathPane::paintEvent(QPaintEvent*) {
   painter.setPen(screenInk().quiet);
   if (!section_.place_mm.isEmpty())
     painter.drawText(QRect(ui::kGap, 0, width() - ui::kGap, line), Qt::AlignLeft | Qt::AlignVCenter,
-                     tr("the tip in the picture's plane, mm, at %1").arg(clockOf(section_.time_us)));
+                     tr("the tip in the image's plane, mm, at %1").arg(clockOf(section_.time_us)));
   paintPlane(painter, QRectF(rect()).adjusted(0, line, 0, 0), *session_.attempt(), section_, screenInk());
 }
 

@@ -1,10 +1,10 @@
+#include <insonate/procedure/MetricTitle.h>
 #include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Text.h>
 
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
-#include <QStringList>
 #include <cmath>
 
 namespace insonate::ui {
@@ -47,12 +47,7 @@ QString wordOf(Severity severity) {
 }
 
 QString titleOf(Metric metric) {
-  QStringList words = qt(definitionOf(metric).id).split(QLatin1Char('_'));
-  // The unit stands beside the value.
-  static const QStringList units{QStringLiteral("s"), QStringLiteral("mm"), QStringLiteral("percent"),
-                                 QStringLiteral("deg"), QStringLiteral("N")};
-  if (words.size() > 1 && units.contains(words.last())) words.removeLast();
-  return words.join(QLatin1Char(' '));
+  return qt(metricTitle(metric));
 }
 
 QString valueOf(Metric metric, const std::optional<double>& value) {

@@ -144,7 +144,7 @@ void CaseLoader::list(const QString& path) {
           const bool picture = !QImageReader::imageFormat(path).isEmpty();
           return refuse(listing.error(),
                         picture ? tr("This is a picture. For the probe of a machine's picture: Train, Edit beside the "
-                                     "probe, Fit to a picture.")
+                                     "probe, Fit to an image.")
                                 : tr("A case folder, a folder of DICOM files, NRRD, NIfTI and MetaImage open here."));
         }
         choose(path, *listing);

@@ -73,6 +73,7 @@ void MainWindow::makeActions() {
   auto* quit = make("close", tr("Quit"), tr("Close the window"), QKeySequence::Quit);
   auto* page = make("help", tr("Help"), tr("About what is shown"), QKeySequence(Qt::Key_F1));
   auto* keys = make("help", tr("Keys"), tr("All keys"), QKeySequence(Qt::Key_Question));
+  auto* glossary = make("help", tr("Glossary"), tr("What each number means and how it is measured"), {});
   keys->setShortcuts({QKeySequence(Qt::Key_Question), QKeySequence(QStringLiteral("Shift+?"))});
   auto* full = make("", tr("Full screen"), tr("Full screen and back"), QKeySequence(Qt::Key_F11));
   for (QAction* action : {library_, open_, import_, textbook_, attempt_}) menu_->addAction(action);
@@ -84,7 +85,7 @@ void MainWindow::makeActions() {
   exchange_->addTo(*menu_);
   menu_->addSeparator();
   auto* about = make("help", tr("About Insonate"), tr("Version, licences, and what it is not"), {});
-  for (QAction* action : {full, page, keys, about, quit}) menu_->addAction(action);
+  for (QAction* action : {full, page, glossary, keys, about, quit}) menu_->addAction(action);
   menu_->setToolTipsVisible(true);
   recent_->setToolTipsVisible(true);
 
@@ -101,6 +102,10 @@ void MainWindow::makeActions() {
   connect(page, &QAction::triggered, this, [this] { showHelp(false); });
   connect(about, &QAction::triggered, this, [this] { (new AboutDialog(this))->open(); });
   connect(keys, &QAction::triggered, this, [this] { showHelp(true); });
+  connect(glossary, &QAction::triggered, this, [this] {
+    showHelp(false);
+    help_->showPage(QStringLiteral("glossary"));
+  });
 }
 
 void MainWindow::showLibrary() {

@@ -1,6 +1,7 @@
 #include "AttemptControl.h"
 
 #include "../TrainSession.h"
+#include "Disclosure.h"
 
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/simulator/AttemptOrigin.h>
@@ -119,7 +120,7 @@ void AttemptControl::close() {
 void AttemptControl::show(State state) {
   state_ = state;
   isBusy() ? timer_.start() : timer_.stop();
-  session_.hands().setSilent(isSilent());
+  session_.setDisclosure(disclosureOf(assistance_, state == State::Starting || state == State::Running));
   Q_EMIT stateChanged();
 }
 
@@ -127,7 +128,7 @@ void AttemptControl::start() {
   if (isBusy()) return;
   if (!obstacle_.isEmpty()) return session_.say(obstacle_);
   if (!session_.shown() || !session_.handReady() || !session_.structures())
-    return session_.say(tr("Wait for the first picture; then the attempt can begin."));
+    return session_.say(tr("Wait for the first image; then the attempt can begin."));
   if (const QString why = unfit(); !why.isEmpty()) return session_.say(why);
   session_.setFrozen(false);
   // A new needle, ready to be taken up.
@@ -179,8 +180,8 @@ void AttemptControl::begin() {
   session_.hands().setAttempt(attempt_);
   show(State::Running);
   Q_EMIT begun();
-  session_.say(isSilent() ? tr("The test has begun. Ctrl+Return finishes it.")
-                          : tr("The attempt has begun. Ctrl+Return finishes it."));
+  session_.say(assistance_ == Assistance::Test ? tr("The test has begun. Ctrl+Return finishes it.")
+                                               : tr("The attempt has begun. Ctrl+Return finishes it."));
   Q_EMIT viewChanged();
 }
 

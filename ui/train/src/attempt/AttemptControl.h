@@ -51,8 +51,6 @@ class AttemptControl : public QObject {
   bool isRunning() const { return state_ == State::Running; }
   /// From its start until its end is written.
   bool isBusy() const { return state_ != State::Idle && state_ != State::Over; }
-  /// Neither hints nor what only a teacher would know.
-  bool isSilent() const { return assistance_ == Assistance::Test && (isRunning() || state_ == State::Starting); }
   void start();
   void finish() { end(AttemptStatus::Completed); }
   void abandon() { end(AttemptStatus::Abandoned); }

@@ -83,7 +83,7 @@ QWidget* AttemptPanel::buildBegin() {
   }
   assistance_ = choice("attemptAssistance", tr("Assistance"),
                        tr("Guided: says what to do and what went wrong. Hints: says what went wrong alone. "
-                          "Test: silent until its end, without CT"));
+                          "Test: shows neither CT nor anatomy until its end"));
   for (const Assistance one : {Assistance::Guided, Assistance::Hints, Assistance::Test})
     assistance_->addItem(wordOf(one), int(one));
   start_ = button("attemptStart", tr("Start"), tr("Begin an attempt, which is recorded and scored (Ctrl+Return)"));
@@ -113,8 +113,8 @@ QWidget* AttemptPanel::buildHands() {
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(ui::kSmallGap);
   position_ = choice("attemptPosition", tr("The patient's position"),
-                     tr("How the patient lies, in degrees of tilt: head down fills the neck's veins"));
-  draw_ = button("attemptDraw", tr("Draw"), tr("Draw on the syringe, or no longer (B)"));
+                     tr("How the patient lies, in degrees of tilt; above 0 the head is down"));
+  draw_ = button("attemptDraw", tr("Aspirate"), tr("Aspirates with the syringe, or stops (B)"));
   draw_->setCheckable(true);
   auto* fresh =
       button("attemptNewNeedle", tr("New needle"), tr("A new needle from the tray, once the old one is out (U)"));
@@ -223,21 +223,21 @@ void AttemptPanel::refreshRunning() {
   const AttemptView& view = attempt_.view();
   const State state = attempt_.state();
   const QString procedure = QString::fromStdString(attempt_.procedure().title);
-  const bool silent = attempt_.isSilent(), guided = attempt_.assistance() == Assistance::Guided;
+  const Disclosure& told = session_.disclosure();
   if (state == State::Idle || state == State::Starting) head_->setText(tr("Attempt"));
   if (state == State::Over || state == State::Writing) head_->setText(tr("Attempt, %1").arg(clockOf(view.time_s)));
   if (state != State::Running) return;
   const std::size_t step = view.due ? *view.due + 1 : view.steps.size();
-  head_->setText(guided ? tr("Step %1 of %2, %3").arg(step).arg(view.steps.size()).arg(clockOf(view.time_s))
-                        : tr("%1, %2").arg(capital(wordOf(attempt_.assistance())), clockOf(view.time_s)));
-  head_->setToolTip(procedure);
-  scroll_->setVisible(!silent);
+  head_->setText(told.steps ? tr("Step %1 of %2, %3").arg(step).arg(view.steps.size()).arg(clockOf(view.time_s))
+                            : tr("%1, %2").arg(capital(wordOf(attempt_.assistance())), clockOf(view.time_s)));
+  head_->setToolTip(told.anatomy ? procedure : QString());
+  scroll_->setVisible(told.findings);
   const double tilt_deg = session_.tissue().body.tilt_deg;
   position_->setCurrentIndex(position_->findData(tilt_deg));
-  if (silent) return fit();
-  const bool other = steps_->show(attempt_.procedure(), view, guided);
-  numbers_->setVisible(guided);
-  if (guided) refreshNumbers();
+  if (!told.findings) return fit();
+  const bool other = steps_->show(attempt_.procedure(), view, told.steps);
+  numbers_->setVisible(told.steps);
+  if (told.steps) refreshNumbers();
   if (other) fit();
 }
 

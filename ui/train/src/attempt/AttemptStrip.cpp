@@ -20,22 +20,21 @@ constexpr int kWithTime_px = 640, kWithWords_px = 800, kWithVessel_px = 1000;
 }  // namespace
 
 AttemptStrip::AttemptStrip(TrainSession& session, AttemptControl& attempt, QWidget* parent)
-    : QWidget(parent), attempt_(attempt), row_(new QHBoxLayout(this)) {
+    : QWidget(parent), session_(session), attempt_(attempt), row_(new QHBoxLayout(this)) {
   setObjectName("attemptStrip");
   row_->setContentsMargins(8, 4, 8, 0);
   row_->setSpacing(12);
   time_ = number("attemptTime", QStringLiteral("88:88"), tr("Time of the attempt, minutes and seconds"));
   vein_ = number("attemptVein", tr("vein 8"), tr("Punctures of the vein"));
   artery_ = number("attemptArtery", tr("artery 8"), tr("Punctures of the artery"));
-  double_ = number("attemptDouble", tr("double 8"), tr("Double punctures: out through the vein's back wall"));
+  double_ =
+      number("attemptDouble", tr("posterior wall 8"), tr("Posterior wall punctures: out through the vein's far side"));
   toVein_ = number("attemptToVein", tr("to vein 888.8 s"), tr("From the skin to the vein within a pass, in s"));
   used_ = number("attemptUsed", tr("used 8"), tr("Insertions with a needle that was in the skin before"));
   row_->addStretch(1);
-  needle_ =
-      number("attemptNeedle", QStringLiteral("▲ wrong place"),
-             tr("Where the needle is: green in the vein, red in a wrong place, yellow once used (U takes a new one)"));
+  needle_ = number("attemptNeedle", QStringLiteral("▲ wrong place"), {});
   needle_->setTextFormat(Qt::RichText);
-  drawn_ = number("attemptDrawn", {}, tr("What the syringe draws (B)"));
+  drawn_ = number("attemptDrawn", {}, tr("What the syringe aspirates (B)"));
   syringe_ = new SyringeView(session, attempt, this);
   row_->addWidget(syringe_);
   // The wide one must not keep its column wide.
@@ -69,7 +68,7 @@ void AttemptStrip::refresh() {
   const bool made = attempt_.isRunning() || attempt_.state() == State::Writing;
   setVisible(made || attempt_.isAspirating());
   const MetricValues& metrics = attempt_.view().metrics;
-  const bool told = made && !attempt_.isSilent();
+  const bool told = made && session_.disclosure().anatomy;
   for (QLabel* label : {vein_, artery_, double_, used_}) label->setVisible(told);
   toVein_->setVisible(told && width() >= kWithTime_px);
   time_->setVisible(made);
@@ -77,7 +76,7 @@ void AttemptStrip::refresh() {
   time_->setAccessibleName(tr("Time %1").arg(time_->text()));
   vein_->setText(tr("vein %1").arg(ui::valueOf(Metric::VeinPunctures, metrics[Metric::VeinPunctures])));
   artery_->setText(tr("artery %1").arg(ui::valueOf(Metric::ArteryPunctures, metrics[Metric::ArteryPunctures])));
-  double_->setText(tr("double %1").arg(ui::valueOf(Metric::DoublePunctures, metrics[Metric::DoublePunctures])));
+  double_->setText(tr("posterior wall %1").arg(ui::valueOf(Metric::DoublePunctures, metrics[Metric::DoublePunctures])));
   toVein_->setText(tr("to vein %1").arg(ui::valueOf(Metric::TimeToVein, metrics[Metric::TimeToVein])));
   used_->setText(tr("used %1").arg(ui::valueOf(Metric::UsedNeedleInsertions, metrics[Metric::UsedNeedleInsertions])));
   needle_->setVisible(made);
@@ -86,10 +85,14 @@ void AttemptStrip::refresh() {
 
 void AttemptStrip::refreshNeedle() {
   const NeedlePlace place = attempt_.view().needle;
-  const bool silent = attempt_.isSilent();
-  const QString vessel = silent ? QString() : QString::fromStdString(attempt_.view().vessel);
-  const ui::PlaceWords named = ui::wordsOf(silent ? plainly(place) : place, vessel);
-  const ui::PlaceWords words = width() >= kWithVessel_px ? named : ui::wordsOf(silent ? plainly(place) : place);
+  const Disclosure& told = session_.disclosure();
+  const QString vessel = told.anatomy ? QString::fromStdString(attempt_.view().vessel) : QString();
+  const ui::PlaceWords named = ui::wordsOf(disclosed(place, told), vessel);
+  const ui::PlaceWords words = width() >= kWithVessel_px ? named : ui::wordsOf(disclosed(place, told));
+  needle_->setToolTip(
+      told.anatomy
+          ? tr("Where the needle is: green in the vein, red in a wrong place, yellow once used (U takes a new one)")
+          : tr("Whether the needle is new, inserted or used (U takes a new one)"));
   // The sign has the colour: words of that colour would be hard to read.
   needle_->setText(QStringLiteral("<span style='color:%1'>%2</span> %3")
                        .arg(ui::colour(words.colour).name(), words.sign, words.words));

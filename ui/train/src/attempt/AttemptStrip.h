@@ -25,6 +25,7 @@ class AttemptStrip final : public QWidget {
   void refresh();
   void refreshNeedle();
 
+  TrainSession& session_;
   AttemptControl& attempt_;
   QHBoxLayout* row_;
   QLabel *time_, *vein_, *artery_, *double_, *toVein_, *used_, *needle_, *drawn_;

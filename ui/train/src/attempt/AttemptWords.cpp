@@ -12,8 +12,8 @@ QString tr(const char* text) {
 
 }  // namespace
 
-NeedlePlace plainly(NeedlePlace place) {
-  const bool inside = place == NeedlePlace::Vein || place == NeedlePlace::WrongPlace;
+NeedlePlace disclosed(NeedlePlace place, const Disclosure& disclosure) {
+  const bool inside = !disclosure.anatomy && (place == NeedlePlace::Vein || place == NeedlePlace::WrongPlace);
   return inside ? NeedlePlace::Underway : place;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Disclosure.h"
+
 #include <insonate/curriculum/Curriculum.h>
 #include <insonate/procedure/AttemptScore.h>
 #include <insonate/ui/AttemptWords.h>
@@ -8,8 +10,9 @@
 
 namespace insonate::train {
 
-/// What can be seen without a teacher: whether the needle is in the skin, and whether it was.
-NeedlePlace plainly(NeedlePlace place);
+/// The needle's place as far as it is disclosed: without anatomy, whether the needle is in the skin, and whether it
+/// was.
+NeedlePlace disclosed(NeedlePlace place, const Disclosure& disclosure);
 
 /// "guided", "hints", "test".
 QString wordOf(Assistance assistance);

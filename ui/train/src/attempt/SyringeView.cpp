@@ -49,9 +49,6 @@ SyringeView::Content drawnFrom(Label tissue) {
 SyringeView::SyringeView(TrainSession& session, AttemptControl& attempt, QWidget* parent)
     : QWidget(parent), session_(session), attempt_(attempt) {
   setObjectName("syringe");
-  setToolTip(
-      tr("What the syringe draws (B): dark blood that rises evenly is a vein's, bright blood in beats an artery's, air "
-         "is lung or airway"));
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   timer_.setInterval(kFrame_ms);
   connect(&timer_, &QTimer::timeout, this, [this] { draw(); });
@@ -61,6 +58,7 @@ SyringeView::SyringeView(TrainSession& session, AttemptControl& attempt, QWidget
   });
   connect(&attempt_, &AttemptControl::needleReplaced, this, [this] { empty(); });
   connect(&session_, &TrainSession::caseChanged, this, [this] { empty(); });
+  connect(&session_, &TrainSession::disclosureChanged, this, [this] { tell(); });
   tell();
 }
 
@@ -90,6 +88,11 @@ void SyringeView::draw() {
 }
 
 void SyringeView::tell() {
+  setToolTip(
+      session_.disclosure().anatomy
+          ? tr("What the syringe aspirates (B): dark red, non-pulsatile blood is a vein's, bright red, pulsatile "
+               "blood an artery's, air is lung or airway")
+          : tr("What the syringe aspirates (B)"));
   setAccessibleName(tr("Syringe: %1").arg(words()));
   update();
   Q_EMIT changed();
@@ -98,15 +101,15 @@ void SyringeView::tell() {
 QString SyringeView::words() const {
   switch (content_) {
     case Content::DarkBlood:
-      return tr("dark blood, even");
+      return tr("dark red blood, non-pulsatile");
     case Content::BrightBlood:
-      return tr("bright blood, in beats");
+      return tr("bright red blood, pulsatile");
     case Content::Air:
       return tr("air");
     case Content::Nothing:
       break;
   }
-  return attempt_.isAspirating() ? tr("draws, nothing comes") : tr("empty");
+  return attempt_.isAspirating() ? tr("aspirating, nothing comes") : tr("empty");
 }
 
 /// Lying: the needle's end on the left, the plunger on the right.

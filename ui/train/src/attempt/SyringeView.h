@@ -13,8 +13,8 @@ namespace insonate::train {
 class AttemptControl;
 class TrainSession;
 
-/// What comes into the syringe while it draws: dark blood that rises evenly from a vein, bright blood that comes in
-/// beats from an artery, air from lung and airway, nothing from elsewhere. It stays there until another needle is
+/// What comes into the syringe while it aspirates: dark red, non-pulsatile blood from a vein, bright red, pulsatile
+/// blood from an artery, air from lung and airway, nothing from elsewhere. It stays there until another needle is
 /// taken.
 class SyringeView final : public QWidget {
   Q_OBJECT
@@ -26,7 +26,7 @@ class SyringeView final : public QWidget {
 
   Content content() const { return content_; }
   double level() const { return level_; }  ///< 0..1
-  /// "dark blood, even"
+  /// "dark red blood, non-pulsatile"
   QString words() const;
   QSize sizeHint() const override;
 

@@ -91,7 +91,7 @@ QWidget* DeviceList::buildButtons() {
   pedal_ = new QComboBox;
   pedal_->setObjectName("pedal");
   pedal_->setAccessibleName(tr("Pedal"));
-  pedal_->setToolTip(tr("Its first button freezes the picture, and makes it live again"));
+  pedal_->setToolTip(tr("Its first button freezes the image, and makes it live again"));
   pedal_->setFocusPolicy(Qt::TabFocus);
   new ui::QuietWheel(pedal_);
   connect(pedal_, qOverload<int>(&QComboBox::activated), this,

@@ -69,7 +69,7 @@ Result<int> writeClip(const std::vector<std::shared_ptr<const LiveFrame>>& frame
     return fail("The folder " + folder.string() + " cannot be made: " + error.message() + ". Choose another place.");
   int written = 0;
   for (const auto& frame : frames) {
-    if (!report(progress, "writing pictures", double(written) / double(frames.size())))
+    if (!report(progress, "writing images", double(written) / double(frames.size())))
       return fail(std::string(kCancelled));
     const QString name = QStringLiteral("picture-%1.png").arg(written + 1, 4, 10, QChar('0'));
     if (auto ok = write(scaledPicture(frame->image, callipers), beside.path() / name.toStdString()); !ok)

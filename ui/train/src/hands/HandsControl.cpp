@@ -336,7 +336,7 @@ void HandsControl::beginHere(Hand hand) {
   mappings_[wanted_[hand]] = mapping;
   session_->put(hand, put_[hand], setupOf(mapping, startOf(hand)));
   Q_EMIT handsChanged();
-  Q_EMIT said(hand == kProbeHand ? tr("As you hold the device now, the probe is where it is in the picture.")
+  Q_EMIT said(hand == kProbeHand ? tr("As you hold the device now, the probe is where it is in the image.")
                                  : tr("As you hold the device now, the needle is beside the probe."));
 }
 

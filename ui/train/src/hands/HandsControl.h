@@ -49,7 +49,6 @@ class HandsControl : public QObject {
   void setAttempt(std::shared_ptr<LiveAttempt> attempt);
   /// In a test nobody says what the needle meets.
   void setSilent(bool silent);
-  bool isSilent() const { return silent_; }
   void setImaging(LiveImaging* imaging) { session_->setImaging(imaging); }
   /// Hands are empty while nobody looks.
   void setWatched(bool watched);

@@ -23,15 +23,16 @@ struct Row {
   double low, high, step;
   const char* says;
 };
+/// The longer names in one column: the panel is narrow.
 constexpr Row kRows[] = {
     {NeedleAxis::Angle, "angle", "angle", "°", NeedleHand::kLeastAngle_deg, NeedleHand::kMostAngle_deg, 1,
      "Between needle and skin, in degrees; 90: square to it (Alt+W, Alt+S)"},
     {NeedleAxis::Heading, "heading", "heading", "°", -180, 180, 2,
-     "The needle's way along the skin, in degrees; 0: to the patient's head, 90: to the left (Alt+Q, Alt+E)"},
-    {NeedleAxis::Advance, "depth", "length", " mm", -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm, 1,
-     "Insertion length, along the shaft from the skin at rest, in mm; below 0: off it (Page Down, Page Up)"},
+     "Direction of the needle along the skin, in degrees; 0: to the patient's head, 90: to the left (Alt+Q, Alt+E)"},
     {NeedleAxis::Bevel, "bevel", "bevel", "°", -180, 180, 10,
      "Turn of the needle about itself, in degrees; 0: the bevel looks up (Alt+A, Alt+D)"},
+    {NeedleAxis::Advance, "depth", "advance", " mm", -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm, 1,
+     "How far the hand has advanced the needle from the skin, in mm; below 0: off it (Page Down, Page Up)"},
 };
 
 QPushButton* choice(const char* object, const QString& text, const QString& says) {
@@ -57,10 +58,10 @@ NeedleControls::NeedleControls(TrainSession& session, QWidget* parent) : QWidget
   head->addWidget(heading, 1);
   head->addWidget(devices);
   box->addLayout(head);
-  along_ = choice("needleAlong", tr("in plane"),
-                  tr("An 18 G needle of 70 mm in the picture's plane, beside the probe's end; again lays it down (I)"));
-  across_ = choice("needleAcross", tr("across"),
-                   tr("An 18 G needle of 70 mm across the picture's plane, before the probe; again lays it down (I)"));
+  along_ = choice("needleAlong", tr("in-plane"),
+                  tr("Takes an 18 G needle of 70 mm in-plane, beside the probe's end; again lays it down (I)"));
+  across_ = choice("needleAcross", tr("out-of-plane"),
+                   tr("Takes an 18 G needle of 70 mm out-of-plane, before the probe; again lays it down (I)"));
   auto* take = new QHBoxLayout;
   take->setSpacing(4);
   take->addWidget(along_, 1);
@@ -71,9 +72,6 @@ NeedleControls::NeedleControls(TrainSession& session, QWidget* parent) : QWidget
   words_ = new QLabel(this);
   words_->setObjectName("needleWords");
   words_->setWordWrap(true);
-  words_->setToolTip(
-      tr("Where the tip is; the insertion length, along the shaft from the skin, in mm; the tip's depth on the "
-         "image's scale in mm; and what resists the needle in N"));
   box->addWidget(words_);
   const auto taken = [this](QPushButton* button, NeedlePlane plane) {
     connect(button, &QPushButton::clicked, this, [this, plane](bool on) {
@@ -124,16 +122,21 @@ void NeedleControls::refresh() {
   across_->setChecked(held && hands.needlePlane() == NeedlePlane::Across);
   numbers_->setVisible(held);
   words_->setVisible(hands.hasNeedle());
+  words_->setToolTip(session_.disclosure().anatomy
+                         ? tr("Where the tip is; the insertion length, along the shaft from the skin, in mm; the tip's "
+                              "depth on the image's scale in mm; and what resists the needle in N")
+                         : tr("Insertion length, along the shaft from the skin, in mm; and what resists the needle in "
+                              "N"));
   if (hands.needle()) words_->setText(wordsNow(*hands.needle()));
   if (!held) return;
   const NeedleHandState& state = held->state();
-  const double values[] = {state.angle_deg, held->heading_deg(), hands.wantedAdvance_mm(), state.bevel_deg};
+  const double values[] = {state.angle_deg, held->heading_deg(), state.bevel_deg, hands.wantedAdvance_mm()};
   for (std::size_t i = 0; i < fields_.size(); ++i) fields_[i]->show(values[i]);
 }
 
 QString NeedleControls::wordsNow(const NeedleShown& needle) const {
   const HandsControl& hands = session_.hands();
-  if (hands.isSilent()) return plainWordsOf(needle.state);
+  if (!session_.disclosure().anatomy) return plainWordsOf(needle.state);
   const Vec3 tip_mm = needle.patientFromNeedle.offset;
   return wordsOf(needle.state, hands.vesselAt(needle.state.in, tip_mm), (inverted(session_.pose()) * tip_mm).z);
 }

@@ -40,8 +40,8 @@ CineBar::CineBar(TrainSession& session, QWidget* parent)
   row->setContentsMargins(8, 4, 8, 4);
   row->setSpacing(8);
   slider_->setObjectName("cine");
-  slider_->setAccessibleName(tr("Picture of the last seconds"));
-  slider_->setToolTip(tr("The last seconds of a frozen picture (comma and period step)"));
+  slider_->setAccessibleName(tr("Image of the last seconds"));
+  slider_->setToolTip(tr("The last seconds of a frozen image (comma and period step)"));
   slider_->setFocusPolicy(Qt::TabFocus);
   slider_->setMinimumWidth(kSlider_px);
   time_->setMinimumWidth(time_->fontMetrics().horizontalAdvance("-00.00 s"));
@@ -49,18 +49,18 @@ CineBar::CineBar(TrainSession& session, QWidget* parent)
   row->addWidget(slider_, 1);
   row->addWidget(time_);
   measure_->setObjectName("measure");
-  measure_->setToolTip(tr("Measure on the picture or the CT, in mm and degrees"));
+  measure_->setToolTip(tr("Measure on the image or the CT, in mm and degrees"));
   measure_->setFocusPolicy(Qt::TabFocus);
   measure_->setMenu(buildMeasures());
   row->addWidget(measure_);
   beside_->setObjectName("ctBesideButton");
-  beside_->setAccessibleName(tr("CT beside the picture"));
-  beside_->setToolTip(tr("The CT of the same plane at the same scale, beside the picture (C)"));
+  beside_->setAccessibleName(tr("CT beside the image"));
+  beside_->setToolTip(tr("The CT of the same plane at the same scale, beside the image (C)"));
   beside_->setCheckable(true);
   beside_->setFocusPolicy(Qt::TabFocus);
   row->addWidget(beside_);
   connect(beside_, &QPushButton::clicked, this, &CineBar::ctBesideChosen);
-  save_->setToolTip(tr("Save the picture (Ctrl+P), or the last seconds"));
+  save_->setToolTip(tr("Save the image (Ctrl+P), or the last seconds"));
   save_->setObjectName("save");
   save_->setMenu(buildSaving());
   save_->setFocusPolicy(Qt::TabFocus);
@@ -91,16 +91,16 @@ QMenu* CineBar::buildMeasures() {
 QMenu* CineBar::buildSaving() {
   auto* menu = new QMenu(save_);
   menu->setToolTipsVisible(true);
-  menu->addAction(tr("Picture ...\tCtrl+P"), this, &CineBar::savePicture)
+  menu->addAction(tr("Image ...\tCtrl+P"), this, &CineBar::savePicture)
       ->setToolTip(tr("At its own resolution, with its depth scale in mm"));
   menu->addAction(tr("As on the screen ..."), this, &CineBar::saveScreen)
-      ->setToolTip(tr("With all that is shown over the picture, and the CT beside it"));
+      ->setToolTip(tr("With all that is shown over the image, and the CT beside it"));
   menu->addAction(tr("Clip of the last seconds ..."), this, &CineBar::saveClip)
-      ->setToolTip(tr("A folder of numbered pictures"));
+      ->setToolTip(tr("A folder of numbered images"));
   menu->addSeparator();
   withMeasurements_ = menu->addAction(tr("With measurements"));
   withMeasurements_->setObjectName("withMeasurements");
-  withMeasurements_->setToolTip(tr("Picture and clip show what is measured, as the screen does"));
+  withMeasurements_->setToolTip(tr("Image and clip show what is measured, as the screen does"));
   withMeasurements_->setCheckable(true);
   withMeasurements_->setChecked(true);
   return menu;

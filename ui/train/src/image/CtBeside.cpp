@@ -21,7 +21,7 @@ CtBeside::CtBeside(TrainSession& session, QWidget* parent)
     : QObject(parent),
       session_(session),
       view_(std::make_shared<views::MprView>(views::SliceKind::Oblique)),
-      widget_(new ui::ViewWidget(view_, tr("CT in the plane of the picture"), parent)) {
+      widget_(new ui::ViewWidget(view_, tr("CT in the plane of the image"), parent)) {
   widget_->setObjectName(QStringLiteral("ctBeside"));
   widget_->setMaximiseOnDoubleClick(false);
   widget_->hide();

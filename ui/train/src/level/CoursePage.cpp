@@ -58,9 +58,9 @@ QWidget* CoursePage::buildHead() {
   add(Levels, "courseLevels", tr("Levels"), tr("What is open, mastered or locked, and why"));
   add(Attempts, "courseAttempts", tr("Your attempts"), tr("All of them, and the curve of a metric"));
   add(Questionnaire, "courseQuestionnaire", tr("Questionnaire"), tr("What you think of the simulator"));
-  auto* back = new QPushButton(tr("Back to the picture"));
+  auto* back = new QPushButton(tr("Back to the image"));
   back->setObjectName(QStringLiteral("courseBack"));
-  back->setToolTip(tr("Probe, picture and patient (J, Esc)"));
+  back->setToolTip(tr("Probe, image and patient (J, Esc)"));
   row->addStretch(1);
   row->addWidget(back);
   connect(tabs_, &QButtonGroup::idClicked, this, [this](int tab) {

@@ -142,10 +142,10 @@ Verdict verdictOf(const Curriculum& curriculum, const Level& level, const Attemp
 QString outcomeOf(const Curriculum* curriculum, const AttemptFacts& attempt) {
   if (attempt.state == AttemptState::Voided) return tr("voided");
   if (attempt.state == AttemptState::Open) return tr("not ended");
+  if (attempt.state == AttemptState::Abandoned) return tr("abandoned");
   const bool ours = curriculum && attempt.curriculum == curriculum->name && counts(attempt);
   const Level* level = ours ? curriculum->level(attempt.level) : nullptr;
   if (level) return judge(level->pass, attempt).passed ? tr("passed") : tr("failed");
-  if (attempt.state == AttemptState::Abandoned) return tr("abandoned");
   return attempt.level.empty() ? tr("free practice") : tr("completed");
 }
 

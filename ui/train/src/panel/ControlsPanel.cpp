@@ -40,12 +40,12 @@ struct SliderRow {
   int decimals;
 };
 constexpr SliderRow kSliders[] = {
-    {&Settings::depth_mm, "depth", "depth", "mm", "how far down the picture goes", 5, 0},
-    {&Settings::gain_dB, "gain", "gain", "dB", "brightness of the whole picture", 1, 0},
+    {&Settings::depth_mm, "depth", "depth", "mm", "how deep the image goes", 5, 0},
+    {&Settings::gain_dB, "gain", "gain", "dB", "brightness of the whole image", 1, 0},
     {&Settings::frequency_MHz, "frequency", "frequency", "MHz", "higher: finer, and less deep", 0.5, 1},
     {&Settings::focus_mm, "focus", "focus", "mm", "where the beam is narrowest", 1, 0},
-    {&Settings::dynamicRange_dB, "dynamicRange", "dynamic range", "dB", "more: softer greys", 5, 0},
-    {&Settings::persistence, "persistence", "persistence", "", "share of the picture before", 0.05, 2},
+    {&Settings::dynamicRange_dB, "dynamicRange", "dynamic range", "dB", "more: softer grays", 5, 0},
+    {&Settings::persistence, "persistence", "persistence", "", "share of the image before", 0.05, 2},
 };
 constexpr std::size_t kBeforeTgc = 5;
 
@@ -83,7 +83,9 @@ ControlsPanel::ControlsPanel(TrainSession& session, ProbeLibrary& library, QWidg
   needle_ = new NeedleControls(session_);
   box->addWidget(needle_);
   box->addWidget(buildPicture());
-  box->addWidget(new TissueControls(session_));
+  auto* tissue = new TissueControls(session_);
+  box->addWidget(tissue);
+  anatomy_.push_back(tissue);
   box->addStretch();
   setParts(inner, buildFreeze());
   setMinimumWidth(inner->minimumSizeHint().width() + 16);
@@ -91,6 +93,9 @@ ControlsPanel::ControlsPanel(TrainSession& session, ProbeLibrary& library, QWidg
   connect(&session_, &TrainSession::setupChanged, this, [this] { refresh(); });
   connect(&session_, &TrainSession::handMoved, this, [this] { numbers_->show(session_.numbers()); });
   connect(&session_, &TrainSession::frozenChanged, this, [this] { refreshFreeze(); });
+  connect(&session_, &TrainSession::disclosureChanged, this, [this] {
+    for (QWidget* one : anatomy_) one->setVisible(session_.disclosure().anatomy);
+  });
   connect(&session_, &TrainSession::caseChanged, this, [this] { refreshFreeze(); });
   connect(&session_, &TrainSession::pictureShown, this, [this] {
     if (!freeze_->isEnabled()) refreshFreeze();
@@ -109,6 +114,7 @@ QWidget* ControlsPanel::buildPlace() {
   numbers_->setRefused([this](const QString& sentence) { session_.say(sentence); });
   box->addWidget(ui::heading(tr("Position")));
   box->addWidget(positions_);
+  anatomy_.push_back(positions_);
   box->addSpacing(4);
   box->addWidget(numbers_);
   return place;
@@ -144,7 +150,7 @@ QWidget* ControlsPanel::labelled(const QString& name, QWidget* widget) {
 QWidget* ControlsPanel::buildPicture() {
   auto* picture = new QWidget;
   auto* box = column(picture);
-  box->addWidget(ui::heading(tr("Picture")));
+  box->addWidget(ui::heading(tr("Image")));
   probe_ = new ProbeChooser(session_, library_);
   box->addWidget(labelled(tr("probe"), probe_));
   addSliders(*box, 0, kBeforeTgc);
@@ -166,8 +172,9 @@ QWidget* ControlsPanel::buildPicture() {
   box->addWidget(labelled(tr("look"), look_));
   effect_ = new QComboBox;
   effect_->setObjectName("effect");
-  effect_->setToolTip(tr("The whole picture, or one effect of the model by itself (N, Shift+N; 0 for the whole)"));
-  box->addWidget(labelled(tr("show"), effect_));
+  effect_->setToolTip(tr("The whole image, or one effect of the model by itself (N, Shift+N; 0 for the whole)"));
+  anatomy_.push_back(labelled(tr("show"), effect_));
+  box->addWidget(anatomy_.back());
   for (QComboBox* combo : {look_, effect_}) {
     new ui::QuietWheel(combo);
     combo->setFocusPolicy(Qt::TabFocus);
@@ -192,7 +199,7 @@ QWidget* ControlsPanel::buildFreeze() {
   freeze_->setObjectName("freeze");
   freeze_->setCheckable(true);
   freeze_->setFocusPolicy(Qt::TabFocus);
-  freeze_->setToolTip(tr("Freeze the picture, or make it live again (Space)"));
+  freeze_->setToolTip(tr("Freezes the image, or makes it live again (Space)"));
   freeze_->setMinimumHeight(36);
   box->addWidget(freeze_);
   connect(freeze_, &QPushButton::clicked, &session_, &TrainSession::setFrozen);
@@ -216,7 +223,7 @@ void ControlsPanel::refresh() {
   tgc_->setValues(settings.tgc_dB);
   look_->setCurrentIndex(look_->findData(int(settings.look)));
   effect_->clear();
-  effect_->addItem(tr("the whole picture"), QString());
+  effect_->addItem(tr("the whole image"), QString());
   for (const EffectLayer& layer : effectLayers(settings))
     effect_->addItem(tr("only %1").arg(effectWords(layer.name)), QString::fromStdString(layer.name));
   effect_->setCurrentIndex(std::max(0, effect_->findData(QString::fromStdString(session_.effect()))));

@@ -61,6 +61,7 @@ class ControlsPanel : public ScrollingColumn {
   TgcSliders* tgc_ = nullptr;
   QComboBox* look_ = nullptr;
   QComboBox* effect_ = nullptr;
+  std::vector<QWidget*> anatomy_;  ///< not shown where anatomy is not disclosed
   QPushButton* freeze_ = nullptr;
   bool refreshing_ = false;
 };

@@ -21,9 +21,9 @@ constexpr Row kRows[] = {
     {HandAxis::Rotation, "rotation", "°", -180, 180, 2,
      "About the probe's axis, in degrees; 0: across the body, the marker to the patient's left (Q, E)"},
     {HandAxis::Tilt, "tilt", "°", -ProbeHand::kMostAngle_deg, ProbeHand::kMostAngle_deg, 1,
-     "Fanning out of the picture's plane, in degrees; 0: square to the skin (W, S)"},
+     "Fanning out of the image's plane, in degrees; 0: square to the skin (W, S)"},
     {HandAxis::Rock, "rock", "°", -ProbeHand::kMostAngle_deg, ProbeHand::kMostAngle_deg, 1,
-     "Rocking within the picture's plane, in degrees; 0: square to the skin (A, D)"},
+     "Rocking within the image's plane, in degrees; 0: square to the skin (A, D)"},
     {HandAxis::Press, "press", " mm", -ProbeHand::kLift_mm, ProbeHand::kMostPress_mm, 0.5,
      "Into the skin, in mm; below 0 off it (+, -)"},
 };

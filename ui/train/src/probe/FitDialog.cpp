@@ -65,7 +65,7 @@ struct FitDialog::Loaded {
 FitDialog::FitDialog(const Probe& base, QWidget* parent)
     : QDialog(parent), base_(base), probe_(base), canvas_(new FitCanvas), tasks_(new ui::TaskBar) {
   setObjectName("fitDialog");
-  setWindowTitle(tr("Fit to a picture"));
+  setWindowTitle(tr("Fit to an image"));
   setAcceptDrops(true);
   canvas_->setInvitation(
       tr("Drop a photograph or screen capture of a machine's picture here, paste one (Ctrl+V), "

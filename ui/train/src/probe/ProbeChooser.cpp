@@ -33,7 +33,7 @@ ProbeChooser::ProbeChooser(TrainSession& session, ProbeLibrary& library, QWidget
   list_->setToolTip(tr("The transducer, built in or your own; depth, frequency and focus become its own"));
   edit_->setObjectName("editProbe");
   edit_->setFocusPolicy(Qt::TabFocus);
-  edit_->setToolTip(tr("Change the probe's shape and beam, or fit it to a picture of a machine"));
+  edit_->setToolTip(tr("Change the probe's shape and beam, or fit it to an image of a machine"));
   edit_->setAccessibleName(tr("Edit the probe"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);

@@ -97,7 +97,7 @@ void ProbeEditor::buildHead(QVBoxLayout& box) {
   shape_->setAccessibleName(tr("Shape of the probe"));
   shape_->setToolTip(tr("Shape of the field of view"));
   shape_->setFocusPolicy(Qt::TabFocus);
-  auto* fit = button(tr("Fit to a picture..."), "fitToPicture",
+  auto* fit = button(tr("Fit to an image..."), "fitToPicture",
                      tr("Take angle, radii and depth from a photograph or screen capture of a machine"));
   box.addWidget(title);
   auto* grid = new QGridLayout;
@@ -162,7 +162,7 @@ QWidget* ProbeEditor::buildFoot() {
   rename_ = button(tr("Rename"), "renameProbe", tr("Give the saved probe the name above"));
   remove_ = button(tr("Delete"), "deleteProbe", tr("Delete the saved probe of this name"));
   reset_ = button(tr("Reset"), "resetProbe", tr("Back to the saved probe, or to the built-in one of this shape"));
-  auto* done = button(tr("Done"), "probeDone", tr("Back to the picture's controls (Escape)"));
+  auto* done = button(tr("Done"), "probeDone", tr("Back to the image's controls (Escape)"));
   done->setMinimumHeight(36);
   grid->addWidget(save_, 0, 0);
   grid->addWidget(reset_, 0, 1);

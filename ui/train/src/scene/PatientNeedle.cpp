@@ -112,28 +112,32 @@ void PatientViews::toggleCutAtNeedle() {
 }
 
 QWidget* PatientViews::buildSilence() {
-  auto* words = new QLabel(tr("A test is without the CT."));
+  auto* words = new QLabel(tr("A test shows neither CT nor anatomy."));
   words->setObjectName(QStringLiteral("testWords"));
   words->setAlignment(Qt::AlignCenter);
   ui::setRole(words, "quiet");
   return words;
 }
 
-void PatientViews::setSilent(bool silent) {
-  if (silent == looksBefore_.has_value()) return;
-  below_->setCurrentIndex(silent ? 1 : 0);
-  if (silent) {
+void PatientViews::showDisclosure() {
+  const bool hidden = !session_.disclosure().anatomy;
+  if (hidden == looksBefore_.has_value()) return;
+  below_->setCurrentIndex(hidden ? 1 : 0);
+  if (hidden) {
     if (std::exchange(needleCut_, std::nullopt)) scene_->setClipping({});
-    looksBefore_ = Looks{scene_->opacity(kSkin), scene_->isCtVisible(), {}};
-    for (const std::uint8_t label : scene_->structures())
-      if (label != kSkin && scene_->isVisible(label)) looksBefore_->shown.push_back(label);
+    looksBefore_ = Looks{scene_->opacity(kSkin), scene_->isCtVisible(), {}, scene_->clipping()};
+    // Also those whose surface is still being made.
+    for (const LabelInfo& info : labelTable())
+      if (info.label != kSkin && scene_->isVisible(info.label)) looksBefore_->shown.push_back(info.label);
     for (const std::uint8_t label : looksBefore_->shown) scene_->setVisible(label, false);
     scene_->setSkinOpacity(1);
     scene_->setCtVisible(false);
+    scene_->setClipping({});
   } else {
     for (const std::uint8_t label : looksBefore_->shown) scene_->setVisible(label, true);
     scene_->setSkinOpacity(looksBefore_->skin);
     scene_->setCtVisible(looksBefore_->ct);
+    scene_->setClipping(looksBefore_->clipping);
     looksBefore_.reset();
   }
 }

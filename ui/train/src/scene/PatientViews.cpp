@@ -45,7 +45,7 @@ struct Kind {
   const char* says;
 };
 constexpr Kind kKinds[] = {
-    {views::SliceKind::Oblique, "Probe", "Probe", "CT in the probe's plane, as the picture shows it"},
+    {views::SliceKind::Oblique, "Probe", "Probe", "CT in the probe's plane, as the image shows it"},
     {views::SliceKind::Axial, "Axial", "Ax", "seen from the feet"},
     {views::SliceKind::Coronal, "Coronal", "Cor", "seen from the front"},
     {views::SliceKind::Sagittal, "Sagittal", "Sag", "the front on the left"},
@@ -87,6 +87,7 @@ PatientViews::PatientViews(TrainSession& session, QWidget* parent)
   connect(&session_, &TrainSession::pictureShown, this, [this] { want(); });
   connect(&session_, &TrainSession::handMoved, this, [this] { want(); });
   connect(&session_.hands(), &HandsControl::needleChanged, this, [this] { want(); });
+  connect(&session_, &TrainSession::disclosureChanged, this, [this] { showDisclosure(); });
 }
 
 PatientViews::~PatientViews() = default;

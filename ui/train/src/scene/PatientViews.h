@@ -74,8 +74,6 @@ class PatientViews : public QWidget {
   void setTrayTaken(std::function<void()> listener);
   /// Opens the patient along the needle, toward the viewer, or closes it again.
   void toggleCutAtNeedle();
-  /// In a test: no CT, and a skin that hides what is under it.
-  void setSilent(bool silent);
   /// Whether they follow the probe.
   void setFollowing(bool following);
 
@@ -94,6 +92,8 @@ class PatientViews : public QWidget {
   void want();
   void follow();
   void showNeedle();
+  /// Without anatomy: no CT, and a whole skin that hides what is under it.
+  void showDisclosure();
 
   TrainSession& session_;
   std::shared_ptr<views::SceneView> scene_;
@@ -102,7 +102,7 @@ class PatientViews : public QWidget {
   ui::ViewWidget* sceneWidget_ = nullptr;
   ui::ViewWidget* mprWidget_ = nullptr;
   QSplitter* splitter_ = nullptr;
-  QStackedWidget* below_ = nullptr;  ///< the CT, or in a test words
+  QStackedWidget* below_ = nullptr;  ///< the CT, or words where it is not shown
   QButtonGroup* kinds_ = nullptr;
   SliceMenu* sliceMenu_ = nullptr;
   QToolButton* howSliced_ = nullptr;
@@ -126,8 +126,9 @@ class PatientViews : public QWidget {
     double skin = 1;
     bool ct = false;
     std::vector<std::uint8_t> shown;  ///< structures under the skin
+    views::Clipping clipping;
   };
-  std::optional<Looks> looksBefore_;   ///< of the scene, while silent
+  std::optional<Looks> looksBefore_;   ///< of the scene, while anatomy is not disclosed
   std::optional<Transform> slicedAt_;  ///< where the probe was when the slice was put there
   QTimer timer_, rest_;
   QElapsedTimer sinceFollowed_;

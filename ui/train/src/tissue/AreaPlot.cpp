@@ -13,7 +13,7 @@
 namespace insonate::train {
 namespace {
 
-constexpr double kLeft = 46, kRight = 14, kTop = 12, kBottom = 34;
+constexpr double kLeft = 46, kRight = 14, kTop = 24, kBottom = 34;
 constexpr double kForces_N[] = {2, 5, 10, 20, 50, 100};
 constexpr double kAreaStep = 40;
 
@@ -22,8 +22,8 @@ constexpr double kAreaStep = 40;
 AreaPlot::AreaPlot(QWidget* parent) : QWidget(parent) {
   setObjectName("areaPlot");
   setToolTip(
-      tr("Areas of vein and artery in the picture's plane, in % of those in the CT, against the force of the probe in "
-         "N.\nDots: where they have been since Clear; rings: now."));
+      tr("Areas of vein and artery in the image's plane, in % of their area in the CT, against the force of the probe "
+         "in N.\nDots: where they have been since Clear; rings: now."));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   trace_.reserve(kMost);
   describe();
@@ -73,7 +73,7 @@ void AreaPlot::clear() {
 }
 
 void AreaPlot::describe() {
-  QString words = tr("Area against force.");
+  QString words = tr("Area in percent of the area in the CT, against force.");
   if (now_.vein >= 0) words += tr(" Vein %1 percent.").arg(now_.vein, 0, 'f', 0);
   if (now_.artery >= 0) words += tr(" Artery %1 percent.").arg(now_.artery, 0, 'f', 0);
   if (now_.vein >= 0 || now_.artery >= 0) words += tr(" Force %1 newtons.").arg(now_.force_N, 0, 'f', 1);
@@ -107,6 +107,7 @@ void AreaPlot::drawAxes(QPainter& painter, const QRectF& room) const {
   }
   painter.drawText(QRectF(room.left(), room.bottom() + 16, room.width(), 16), Qt::AlignHCenter | Qt::AlignTop,
                    tr("force in N"));
+  painter.drawText(QRectF(2, 2, width() - 4, 16), Qt::AlignLeft | Qt::AlignTop, tr("area in % of the area in the CT"));
 }
 
 void AreaPlot::drawVessel(QPainter& painter, const QRectF& room, float Point::*area, const QColor& colour) const {

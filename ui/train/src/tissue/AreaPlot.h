@@ -35,7 +35,7 @@ class AreaPlot final : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  /// Areas in % of that in the CT; below 0 where there is no such vessel.
+  /// Areas in % of the area in the CT; below 0 where there is no such vessel.
   struct Point {
     float force_N = 0, vein = -1, artery = -1;
   };

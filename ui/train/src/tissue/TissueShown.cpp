@@ -22,6 +22,7 @@ TissueShown::TissueShown(TrainSession& session, views::UltrasoundView& image, QW
   curve_ = buildCurve(column);
   connect(strip_, &TissueStrip::shownChanged, this, [this] { choose(); });
   connect(&session_, &TrainSession::pictureShown, this, [this] { showPicture(); });
+  connect(&session_, &TrainSession::disclosureChanged, this, [this] { choose(); });
   connect(&session_, &TrainSession::caseChanged, this, [this] {
     plot_->clear();
     choose();
@@ -51,12 +52,16 @@ void TissueShown::toggle(int what) {
   strip_->setShown(one, !strip_->shows(one));
 }
 
+bool TissueShown::shows(int what) const {
+  return session_.disclosure().anatomy && strip_->shows(TissueStrip::Show(what));
+}
+
 void TissueShown::choose() {
-  const bool mesh = strip_->shows(TissueStrip::kGrid) || strip_->shows(TissueStrip::kPressure);
+  const bool mesh = shows(TissueStrip::kGrid) || shows(TissueStrip::kPressure);
   session_.setMeshWanted(mesh);
-  curve_->setVisible(session_.patient() && strip_->shows(TissueStrip::kPlot));
+  curve_->setVisible(session_.patient() && shows(TissueStrip::kPlot));
   if (mesh && session_.isFrozen() && session_.shown() && session_.shown()->press.mesh.nodes.empty())
-    session_.say(tr("The frozen picture came without its mesh; the live one shows it."));
+    session_.say(tr("The frozen image came without its mesh; the live one shows it."));
   showPicture();
 }
 
@@ -67,7 +72,7 @@ void TissueShown::showPicture() {
     plot_->add(frame->press);
   else if (frame)
     plot_->show(frame->press);
-  const bool grid = strip_->shows(TissueStrip::kGrid), pressure = strip_->shows(TissueStrip::kPressure);
+  const bool grid = shows(TissueStrip::kGrid), pressure = shows(TissueStrip::kPressure);
   mesh_.columns = mesh_.rows = 0;
   mesh_.nodes.clear();
   mesh_.pressure_kPa.clear();

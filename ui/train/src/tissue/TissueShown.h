@@ -31,6 +31,8 @@ class TissueShown final : public QObject {
   QWidget* buildCurve(QWidget* column);
   void showPicture();
   void choose();
+  /// Chosen, and disclosed.
+  bool shows(int what) const;
 
   TrainSession& session_;
   views::UltrasoundView& image_;

@@ -26,9 +26,9 @@ struct Row {
   const char* says;
 };
 constexpr Row kRows[] = {
-    {"tissueGrid", "Displaced grid\tT", "Lines of the tissue's mesh over the picture, as it lies now"},
+    {"tissueGrid", "Displaced grid\tT", "Lines of the tissue's mesh over the image, as it lies now"},
     {"tissuePressure", "Pressure in the tissue\tP",
-     "How hard the tissue is squeezed, in kPa, in colours over the picture"},
+     "How hard the tissue is squeezed, in kPa, in colours over the image"},
     {"tissuePlot", "Areas against force\tK", "Curve of the areas of vein and artery against the probe's force"},
 };
 
@@ -46,9 +46,13 @@ TissueStrip::TissueStrip(TrainSession& session, QWidget* parent)
       session_(session),
       force_(number("pressForce", tr("Force with which the tissue presses back on the probe, in N"), this)),
       indentation_(number("pressIndentation", tr("How far the probe is in, from where it first touches, in mm"), this)),
-      vein_(
-          number("veinArea", tr("Area of the vein in the picture's plane: in % of that in the CT, and in cm²"), this)),
-      artery_(number("arteryArea", tr("Area of the artery in the picture's plane: in % of that in the CT, and in cm²"),
+      vein_(number("veinArea",
+                   tr("Area of the veins in the image's plane, as they lie now: in mm² and in % of their area in the "
+                      "CT, where nothing compresses them"),
+                   this)),
+      artery_(number("arteryArea",
+                     tr("Area of the arteries in the image's plane, as they lie now: in mm² and in % of their area in "
+                        "the CT"),
                      this)),
       menu_(new QPushButton(tr("Tissue"), this)) {
   setObjectName("tissueStrip");
@@ -66,6 +70,7 @@ TissueStrip::TissueStrip(TrainSession& session, QWidget* parent)
   connect(&soon_, &QTimer::timeout, this, [this] { refresh(); });
   connect(&session_, &TrainSession::pictureShown, this, [this] { follow(); });
   connect(&session_, &TrainSession::caseChanged, this, [this] { refresh(); });
+  connect(&session_, &TrainSession::disclosureChanged, this, [this] { refresh(); });
   reserve();
   refresh();
 }
@@ -100,29 +105,37 @@ void TissueStrip::setShown(Show what, bool on) {
 /// there is less.
 void TissueStrip::reserve() {
   const auto width = [&](const QString& words) { return fontMetrics().horizontalAdvance(words) + 2; };
-  const QString area = QStringLiteral(" 888 %"), cm2 = QStringLiteral(" · 8.88 cm²");
   force_->setMinimumWidth(width("88.8 N"));
   indentation_->setMinimumWidth(width("88.8 mm"));
-  const int vein_px = width(tr("vein") + area), artery_px = width(tr("artery") + area);
-  const int least_px = force_->minimumWidth() + vein_px + artery_px + width(kShort) + 24 + 4 * kSmallSpace + 16;
+  const auto widest = [&](const QString& name, ui::AreaForm form) {
+    return width(name + ' ' + ui::areaOf({0, 888, 100}, form));
+  };
+  const auto both = [&](ui::AreaForm form) { return widest(tr("vein"), form) + widest(tr("artery"), form); };
+  const int usual_px = indentation_->minimumWidth() + width(tr("Tissue")) - width(kShort);
+  const auto needs_px = [&](ui::AreaForm form, bool tight) {
+    const int space_px = form == ui::AreaForm::Share ? kSmallSpace : kSpace;
+    return force_->minimumWidth() + both(form) + width(kShort) + 24 + 4 * space_px + 16 +
+           (tight ? 0 : usual_px + space_px);
+  };
   // The wide one must not keep its column wide.
-  setMinimumWidth(least_px);
-  const int usual_px = least_px + indentation_->minimumWidth() + width(tr("Tissue"));
-  tight_ = QWidget::width() < usual_px;
-  compact_ = QWidget::width() < usual_px + 2 * width(cm2) + 5 * kSpace;
+  setMinimumWidth(needs_px(ui::AreaForm::Share, true));
+  form_ = ui::AreaForm::Share, tight_ = true;
+  for (const auto& [form, tight] :
+       {std::pair{ui::AreaForm::Short, true}, {ui::AreaForm::Short, false}, {ui::AreaForm::Full, false}})
+    if (QWidget::width() >= needs_px(form, tight)) form_ = form, tight_ = tight;
   // The panel says how far the probe is in, too.
   indentation_->setVisible(!tight_);
   menu_->setText(tight_ ? kShort : tr("Tissue"));
-  layout()->setSpacing(compact_ ? kSmallSpace : kSpace);
-  vein_->setMinimumWidth(vein_px + (compact_ ? 0 : width(cm2)));
-  artery_->setMinimumWidth(artery_px + (compact_ ? 0 : width(cm2)));
+  layout()->setSpacing(form_ == ui::AreaForm::Share ? kSmallSpace : kSpace);
+  vein_->setMinimumWidth(widest(tr("vein"), form_));
+  artery_->setMinimumWidth(widest(tr("artery"), form_));
 }
 
 void TissueStrip::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  const bool before = compact_;
+  const ui::AreaForm before = form_;
   reserve();
-  if (compact_ != before) refresh();
+  if (form_ != before) refresh();
 }
 
 void TissueStrip::follow() {
@@ -131,6 +144,8 @@ void TissueStrip::follow() {
 
 void TissueStrip::refresh() {
   setVisible(session_.patient() != nullptr);
+  for (QWidget* one : {static_cast<QWidget*>(vein_), static_cast<QWidget*>(artery_), static_cast<QWidget*>(menu_)})
+    one->setVisible(session_.disclosure().anatomy);
   const LivePress* press = session_.shown() ? &session_.shown()->press : nullptr;
   if (press && !presses(*press)) press = nullptr;
   // A model that does not come to rest has no force to tell: what it gives then may be many times too much.
@@ -153,10 +168,8 @@ void TissueStrip::showVessel(QLabel& label, const LivePress* press, int vessel, 
     label.setAccessibleName(tr("No area of the %1").arg(name));
     return;
   }
-  const QString share = QString::number(100 * area->area_mm2 / area->rest_mm2, 'f', 0);
-  const QString cm2 = QString::number(area->area_mm2 / 100, 'f', 2);
-  label.setText(compact_ ? tr("%1 %2 %").arg(name, share) : tr("%1 %2 % · %3 cm²").arg(name, share, cm2));
-  label.setAccessibleName(tr("Area of the %1: %2 percent, %3 square centimetres").arg(name, share, cm2));
+  label.setText(tr("%1 %2").arg(name, ui::areaOf(*area, form_)));
+  label.setAccessibleName(tr("Area of the %1: %2").arg(name, ui::spokenAreaOf(*area)));
 }
 
 }  // namespace insonate::train

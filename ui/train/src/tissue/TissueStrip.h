@@ -1,5 +1,7 @@
 #pragma once
 
+#include <insonate/ui/AreaWords.h>
+
 #include <QString>
 #include <QTimer>
 #include <QWidget>
@@ -47,8 +49,8 @@ class TissueStrip final : public QWidget {
   QLabel *force_, *indentation_, *vein_, *artery_;
   QPushButton* menu_;
   QAction* shows_[kShows] = {};
-  bool tight_ = false;    ///< without what the panel says, too
-  bool compact_ = false;  ///< without areas in cm², where there is no room
+  bool tight_ = false;  ///< without what the panel says, too
+  ui::AreaForm form_ = ui::AreaForm::Full;
 };
 
 }  // namespace insonate::train
