@@ -4,11 +4,13 @@
 #include "Lookup.h"
 
 #include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/Implausible.h>
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/teaching/AttemptFactsOf.h>
 
 #include <QtCore/QUuid>
 #include <algorithm>
+#include <map>
 #include <memory>
 
 namespace insonate::cli {
@@ -83,7 +85,7 @@ Result<Answer> addToLevel(const SignedIn& by, AttemptFacts facts, const AddArgum
     return fail(a.recording + " is an attempt at '" + facts.procedure + "', and level '" + level.name + "' asks for '" +
                 level.procedure + "'; choose another level or recording.");
   facts.curriculum = curriculum->name, facts.curriculumVersion = curriculum->version, facts.level = level.name;
-  if (auto kept = AttemptStore(by).add(facts); !kept) return tl::unexpected(kept.error());
+  if (auto kept = AttemptStore(by).add(facts, a.recording); !kept) return tl::unexpected(kept.error());
   const auto path = levelPath(by, *curriculum, by.person().id);
   if (!path) return tl::unexpected(path.error());
   const LevelProgress& progress = *std::ranges::find(*path, level.name, &LevelProgress::level);
@@ -107,9 +109,25 @@ Result<Answer> add(const SignedIn& by, const AddArguments& a) {
   facts->id = idOf(*facts, by.person());
   facts->person = by.person().id;
   if (!a.level.empty()) return addToLevel(by, std::move(*facts), a);
-  if (auto kept = AttemptStore(by).add(*facts); !kept) return tl::unexpected(kept.error());
+  if (auto kept = AttemptStore(by).add(*facts, a.recording); !kept) return tl::unexpected(kept.error());
   return Answer{{{"attempt", factsJson(*facts)}, {"passed", nullptr}, {"level", nullptr}},
                 "Kept as free practice, attempt " + facts->id};
+}
+
+/// {"flags", "flagged"} of each attempt by its id: why it needs attention, as ids and as words for a table.
+std::map<std::string, Json> flagsOf(const std::vector<AttemptFacts>& history) {
+  std::map<std::string, Json> all;
+  PlausibilityCheck check;
+  for (const AttemptFacts& facts : history) {
+    Json ids = Json::array();
+    std::string words;
+    for (const Implausible flag : check.take(facts)) {
+      ids.push_back(idOf(flag));
+      words += (words.empty() ? "" : "; ") + wordsOf(flag, facts);
+    }
+    all[facts.id] = {{"flags", ids}, {"flagged", words}};
+  }
+  return all;
 }
 
 Result<Answer> list(const SignedIn& by, const ListArguments& a) {
@@ -117,22 +135,32 @@ Result<Answer> list(const SignedIn& by, const ListArguments& a) {
   if (!person) return tl::unexpected(person.error());
   const auto page = AttemptStore(by).page(person->id, a.count, a.before);
   if (!page) return tl::unexpected(page.error());
+  // For who teaches: of one's own attempts nothing is said.
+  const bool isOwn = person->id == by.person().id;
+  const auto history = isOwn ? Result<std::vector<AttemptFacts>>() : AttemptStore(by).history(person->id);
+  if (!history) return tl::unexpected(history.error());
+  const auto flags = flagsOf(*history);
   Json rows = Json::array();
   for (const KeptAttempt& attempt : *page) {
     rows.push_back(factsJson(attempt.facts));
-    rows.back().update({{"arrival", attempt.arrival},
-                        {"crashed", attempt.crashed},
-                        {"void_reason", attempt.voidReason.empty() ? Json(nullptr) : Json(attempt.voidReason)}});
+    if (!isOwn) rows.back().update(flags.at(attempt.facts.id));
+    rows.back().update(
+        {{"arrival", attempt.arrival},
+         {"crashed", attempt.crashed},
+         {"recording_file", attempt.recordingFile.empty() ? Json(nullptr) : Json(attempt.recordingFile.string())},
+         {"void_reason", attempt.voidReason.empty() ? Json(nullptr) : Json(attempt.voidReason)}});
   }
-  return Answer{{{"person", toJson(*person)}, {"attempts", rows}},
-                rows.empty() ? "No attempts yet; 'curriculum attempts add' takes a recording."
-                             : tableOf(rows, {{"begun", "begun"},
-                                              {"level", "level"},
-                                              {"state", "state"},
-                                              {"succeeded", "success"},
-                                              {"critical_errors", "critical"},
-                                              {"points", "points"},
-                                              {"id", "attempt"}})};
+  std::vector<Column> columns{{"begun", "begun"},
+                              {"level", "level"},
+                              {"state", "state"},
+                              {"succeeded", "success"},
+                              {"critical_errors", "critical"},
+                              {"points", "points"},
+                              {"id", "attempt"}};
+  if (!isOwn) columns.push_back({"flagged", "needs attention"});
+  return Answer{
+      {{"person", toJson(*person)}, {"attempts", rows}},
+      rows.empty() ? "No attempts yet; 'curriculum attempts add' takes a recording." : tableOf(rows, columns)};
 }
 
 Result<Answer> voidOne(const SignedIn& by, const VoidArguments& a) {
@@ -147,7 +175,8 @@ void addAttemptCommands(CLI::App& curriculum, Outcome& outcome) {
   CLI::App& attempts = *curriculum.add_subcommand("attempts", "What people did");
   attempts.require_subcommand(1);
   auto added = std::make_shared<AddArguments>();
-  CLI::App* adding = addSignedInCommand(attempts, outcome, "add", "An attempt of yours, from its recording",
+  CLI::App* adding = addSignedInCommand(attempts, outcome, "add",
+                                        "An attempt of yours, from its recording, of which the store keeps a copy",
                                         [added](const SignedIn& by) { return add(by, *added); });
   adding->add_option("RECORDING", added->recording, "File of an attempt that a person made in the window")
       ->required()
