@@ -4,6 +4,7 @@
 
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/Curriculum.h>
+#include <insonate/curriculum/Implausible.h>
 #include <insonate/curriculum/SignedIn.h>
 
 #include <optional>
@@ -16,12 +17,19 @@ namespace insonate::review {
 /// How many of each person's last attempts a class is looked at by.
 inline constexpr int kLastAttempts = 10;
 
+/// An attempt to look at, and why.
+struct FlaggedAttempt {
+  AttemptFacts facts{};
+  std::vector<Implausible> flags{};
+};
+
 struct ClassFacts {
   Cohort cohort{};
   std::optional<Curriculum> curriculum{};
   std::string trouble{};  ///< why there is no curriculum, and what to do
   std::vector<Member> learners{};
-  HeatMap heat{};  ///< of kLastAttempts of each learner
+  HeatMap heat{};                             ///< of kLastAttempts of each learner
+  std::vector<FlaggedAttempt> implausible{};  ///< of these, the latest first
 };
 Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort);
 

@@ -17,6 +17,9 @@ Result<PersonFacts> readPerson(const SignedIn& by, const std::string& person,
   auto history = attempts.history(person);
   if (!history) return tl::unexpected(history.error());
   facts.history = std::move(*history);
+  PlausibilityCheck plausibility;
+  for (const AttemptFacts& one : facts.history)
+    if (auto flags = plausibility.take(one); !flags.empty()) facts.implausible[one.id] = std::move(flags);
   auto newest = attempts.page(person, kPage);
   if (!newest) return tl::unexpected(newest.error());
   facts.newest = std::move(*newest);
