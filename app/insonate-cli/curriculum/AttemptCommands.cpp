@@ -6,12 +6,13 @@
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/curriculum/Implausible.h>
 #include <insonate/curriculum/Judgement.h>
+#include <insonate/curriculum/RepeatedValues.h>
 #include <insonate/teaching/AttemptFactsOf.h>
 
 #include <QtCore/QUuid>
 #include <algorithm>
-#include <map>
 #include <memory>
+#include <set>
 
 namespace insonate::cli {
 namespace {
@@ -114,20 +115,17 @@ Result<Answer> add(const SignedIn& by, const AddArguments& a) {
                 "Kept as free practice, attempt " + facts->id};
 }
 
-/// {"flags", "flagged"} of each attempt by its id: why it needs attention, as ids and as words for a table.
-std::map<std::string, Json> flagsOf(const std::vector<AttemptFacts>& history) {
-  std::map<std::string, Json> all;
-  PlausibilityCheck check;
-  for (const AttemptFacts& facts : history) {
-    Json ids = Json::array();
-    std::string words;
-    for (const Implausible flag : check.take(facts)) {
-      ids.push_back(idOf(flag));
-      words += (words.empty() ? "" : "; ") + wordsOf(flag, facts);
-    }
-    all[facts.id] = {{"flags", ids}, {"flagged", words}};
+/// Why an attempt needs attention, as ids and as words for a table.
+Json flagsOf(const AttemptFacts& facts, const std::set<std::string>& repeated) {
+  std::vector<Implausible> flags = implausibilities(facts);
+  if (repeated.contains(facts.id)) flags.push_back(Implausible::SameValues);
+  Json ids = Json::array();
+  std::string words;
+  for (const Implausible flag : flags) {
+    ids.push_back(idOf(flag));
+    words += (words.empty() ? "" : "; ") + wordsOf(flag, facts);
   }
-  return all;
+  return {{"flags", ids}, {"flagged", words}};
 }
 
 Result<Answer> list(const SignedIn& by, const ListArguments& a) {
@@ -137,13 +135,12 @@ Result<Answer> list(const SignedIn& by, const ListArguments& a) {
   if (!page) return tl::unexpected(page.error());
   // For who teaches: of one's own attempts nothing is said.
   const bool isOwn = person->id == by.person().id;
-  const auto history = isOwn ? Result<std::vector<AttemptFacts>>() : AttemptStore(by).history(person->id);
-  if (!history) return tl::unexpected(history.error());
-  const auto flags = flagsOf(*history);
+  const auto repeated = isOwn ? Result<std::set<std::string>>() : repeatedValues(by, person->id);
+  if (!repeated) return tl::unexpected(repeated.error());
   Json rows = Json::array();
   for (const KeptAttempt& attempt : *page) {
     rows.push_back(factsJson(attempt.facts));
-    if (!isOwn) rows.back().update(flags.at(attempt.facts.id));
+    if (!isOwn) rows.back().update(flagsOf(attempt.facts, *repeated));
     rows.back().update(
         {{"arrival", attempt.arrival},
          {"crashed", attempt.crashed},

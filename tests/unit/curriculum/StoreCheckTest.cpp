@@ -2,6 +2,7 @@
 #include "store/sql/Connection.h"
 
 #include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/curriculum/RepeatedValues.h>
 #include <insonate/curriculum/StoreCheck.h>
 #include <insonate/curriculum/StoreUpkeep.h>
 
@@ -105,6 +106,25 @@ TEST_P(StoreCheckOnBoth, AnEndThatNobodyMadeIsNamed) {
   const std::string open = valueOf(AttemptStore(ben).begin(begunFacts()));
   writePast(*rig, "UPDATE attempts SET state = 'completed', succeeded = 1 WHERE id = '" + open + "'");
   EXPECT_THAT(valueOf(check->againstLog()), ElementsAre(differs(open, "state")));
+}
+
+TEST_P(StoreCheckOnBoth, ValuesOfAnEarlierAttemptOfAnyoneAreFound) {
+  const SignedIn ben = school->as(school->ben), ina = school->as(school->ina);
+  const auto keep = [&](double path_mm, double passes) {
+    AttemptFacts made = endedFacts(begunFacts());
+    made.metrics = {{"passes", 1, passes}, {"needle_path_mm", 1, path_mm}};
+    made.recordingHash.clear();
+    return valueOf(AttemptStore(ben).add(made));
+  };
+  AttemptFacts first = endedFacts(begunFacts());
+  first.metrics = {{"passes", 1, 1.0}, {"needle_path_mm", 1, 0.1 + 0.2}};
+  valueOf(AttemptStore(school->as(school->anna)).add(first));
+  keep(0.3, 1);
+  const std::string same = keep(0.1 + 0.2, 1);
+  keep(0.5, 0), keep(0.5, 0);
+  EXPECT_THAT(valueOf(repeatedValues(ina, school->ben.id)), ElementsAre(same));
+  EXPECT_THAT(valueOf(repeatedValues(ina, school->anna.id)), IsEmpty()) << "hers was the first";
+  EXPECT_THAT(refusalOf(repeatedValues(school->as(school->otto), school->ben.id)), HasSubstr("You may not do this"));
 }
 
 TEST_P(StoreCheckOnBoth, AStandingThatWasEditedIsNamed) {

@@ -6,14 +6,14 @@
 namespace insonate {
 namespace {
 
-std::optional<double> valueOf(const AttemptFacts& facts, std::string_view id) {
-  const auto found = std::ranges::find(facts.metrics, id, &MetricFact::id);
-  return found == facts.metrics.end() ? std::nullopt : found->value;
+std::optional<double> valueOf(const std::vector<MetricFact>& metrics, std::string_view id) {
+  const auto found = std::ranges::find(metrics, id, &MetricFact::id);
+  return found == metrics.end() ? std::nullopt : found->value;
 }
 
 /// Absent counts as 0: what the attempt does not tell did not happen.
 double amountOf(const AttemptFacts& facts, std::string_view id) {
-  return valueOf(facts, id).value_or(0);
+  return valueOf(facts.metrics, id).value_or(0);
 }
 
 double length_s(const AttemptFacts& facts) {
@@ -71,7 +71,7 @@ std::vector<Implausible> implausibilities(const AttemptFacts& facts) {
   std::vector<Implausible> flags;
   if (facts.state == AttemptState::Open) return flags;
   const bool isCompleted = facts.state == AttemptState::Completed;
-  const auto toVein_s = valueOf(facts, "time_to_vein_s");
+  const auto toVein_s = valueOf(facts.metrics, "time_to_vein_s");
   const bool isInserted = amountOf(facts, "passes") > 0 || amountOf(facts, "vein_punctures") > 0;
   if (isCompleted && isWithoutProbe(facts)) flags.push_back(Implausible::WithoutProbe);
   if (toVein_s && *toVein_s < kFastToVein_s) flags.push_back(Implausible::FastToVein);
@@ -80,10 +80,13 @@ std::vector<Implausible> implausibilities(const AttemptFacts& facts) {
   return flags;
 }
 
+bool tellsOfTheNeedle(const std::vector<MetricFact>& metrics) {
+  return valueOf(metrics, "passes").value_or(0) > 0;
+}
+
 std::vector<Implausible> PlausibilityCheck::take(const AttemptFacts& facts) {
   std::vector<Implausible> flags = implausibilities(facts);
-  // Attempts that end before the skin have few values, which may well be the same.
-  if (facts.state == AttemptState::Open || amountOf(facts, "passes") <= 0) return flags;
+  if (facts.state == AttemptState::Open || !tellsOfTheNeedle(facts.metrics)) return flags;
   std::vector<std::optional<double>> values;
   for (const MetricFact& metric : facts.metrics) values.push_back(metric.value);
   if (!values_.insert(std::move(values)).second) flags.push_back(Implausible::SameValues);
