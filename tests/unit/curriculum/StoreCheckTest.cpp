@@ -97,6 +97,8 @@ TEST_P(StoreCheckOnBoth, ARowThatIsMadeUpOrDeletedIsNamed) {
                 "case_hash, workstation, begun_us, state, crashed, length_us, succeeded, critical_errors, points, "
                 "metrics, recording, recording_hash, voided_us, voided_by, void_reason FROM attempts");
   EXPECT_THAT(valueOf(check->againstLog()), ElementsAre(differs(made, "attempt")));
+  writePast(*rig, "UPDATE attempts SET arrival = 0 WHERE id = '" + made + "'");
+  EXPECT_THAT(valueOf(check->againstLog()), ElementsAre(differs(made, "attempt"))) << "nor before the first";
   writePast(*rig, "DELETE FROM attempts WHERE id IN ('" + made + "', '" + facts.id + "')");
   EXPECT_THAT(valueOf(check->againstLog()), ElementsAre(differs(facts.id, "attempt")));
 }

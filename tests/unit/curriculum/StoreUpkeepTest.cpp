@@ -5,6 +5,7 @@
 #include <insonate/curriculum/AuditLog.h>
 #include <insonate/curriculum/FormStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/curriculum/StoreCheck.h>
 #include <insonate/curriculum/StoreUpkeep.h>
 
 #include <nlohmann/json.hpp>
@@ -284,6 +285,8 @@ void expectAllThatItHeld(const CurriculumStore& store) {
   EXPECT_EQ(facts.attempts, 2);
   EXPECT_EQ(facts.forms, 1);
   succeed(StoreUpkeep(admin).verify());
+  EXPECT_TRUE(valueOf(StoreCheck(admin).againstLog()).empty()) << "earlier programs wrote no entries";
+  EXPECT_TRUE(valueOf(StoreCheck(admin).standings()).empty());
   const SignedIn anna = valueOf(store.signIn("anna", kPassword));
   const auto history = valueOf(AttemptStore(anna).history(anna.person().id));
   EXPECT_EQ(history[0].metrics, endedFacts({}).metrics);

@@ -30,7 +30,8 @@ class StoreCheck {
   /// Everyone's, in the order of arrival: at most `count` (1..1000) that came after arrival `after`.
   Result<std::vector<KeptAttempt>> attempts(std::int64_t after, int count) const;
   /// Attempts whose person, level, end or recording is not the one of their entries in the audit log, those without an
-  /// entry though an earlier one has one, and entries whose attempt is gone. Programs before schema 3 made no entries.
+  /// entry, and entries whose attempt is gone. Programs before schema 3 made no entries: in a store of theirs attempts
+  /// before the first one with an entry are left out.
   Result<std::vector<StoreDifference>> againstLog() const;
   /// Standings that would be shown now and are not what the attempts give.
   Result<std::vector<StoreDifference>> standings() const;
