@@ -94,19 +94,19 @@ std::string section(const std::string& title, const Json& rows, const std::vecto
 /// What was compared, what was not and why, and which attempts to look at.
 std::string textOf(const Json& found) {
   const std::vector<Column> whose{{"person_name", "person"}, {"attempt", "attempt"}, {"why", "why"}};
-  const auto count = [&](const char* key) { return std::to_string(found[key].size()); };
-  return found["recomputed"].dump() + " attempts were recomputed from their recordings.\n" +
-         section("These " + count("not_recomputed") + " attempts cannot be recomputed:", found["not_recomputed"],
-                 whose) +
-         section("Not compared:", found["not_compared"], {{"what", "what"}, {"attempts", "attempts"}}) +
-         section("These " + count("implausible") + " attempts are implausible; look at them in Review:",
-                 found["implausible"], whose) +
-         section("These " + count("differences") + " values do not agree:", found["differences"],
-                 {{"person_name", "person"},
-                  {"attempt", "attempt"},
-                  {"field", "value"},
-                  {"stored", "stored"},
-                  {"expected", "expected"}});
+  const auto titled = [&](const char* key, const std::string& title, const std::vector<Column>& columns) {
+    return section(title + " (" + std::to_string(found[key].size()) + "):", found[key], columns);
+  };
+  return "Attempts recomputed from their recordings: " + found["recomputed"].dump() + "\n" +
+         titled("not_recomputed", "Attempts that cannot be recomputed", whose) +
+         titled("not_compared", "Values that are not compared", {{"what", "what"}, {"attempts", "attempts"}}) +
+         titled("implausible", "Implausible attempts, to look at in Review", whose) +
+         titled("differences", "Values that do not agree",
+                {{"person_name", "person"},
+                 {"attempt", "attempt"},
+                 {"field", "value"},
+                 {"stored", "stored"},
+                 {"expected", "expected"}});
 }
 
 Result<Answer> verify(const SignedIn& by, const std::string& anchorText) {
