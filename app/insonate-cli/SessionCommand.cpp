@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -121,9 +122,18 @@ std::optional<AttemptScore> scoreUntil(const AttemptRecording& recording, std::i
   return scoreOf(run, recording.status());
 }
 
+/// With --attempt the case may be named alone: no recording is a folder.
+ReplayArguments sorted(ReplayArguments a) {
+  std::error_code ignored;
+  if (!a.check.attempt.empty() && a.caseFolder.empty() && std::filesystem::is_directory(a.recording, ignored))
+    a.caseFolder = std::exchange(a.recording, {});
+  return a;
+}
+
 Result<void> replay(const ReplayArguments& a) {
-  if (auto checked = a.check.check(a.recording); !checked) return checked;
-  auto opened = AttemptRecording::open(a.recording);
+  const auto file = a.check.find(a.recording);
+  if (!file) return tl::unexpected(file.error());
+  auto opened = AttemptRecording::open(*file);
   if (!opened) return tl::unexpected(opened.error());
   const auto recording = std::make_shared<const AttemptRecording>(std::move(*opened));
   for (const std::string& trouble : recording->troubles()) std::cerr << "note: " << trouble << '\n';
@@ -186,7 +196,7 @@ void addSessionCommand(CLI::App& app, Outcome& outcome) {
 void addReplayCommand(CLI::App& app, Outcome& outcome) {
   auto* command = app.add_subcommand("replay", "Events, metrics and pictures of a recorded attempt");
   auto a = std::make_shared<ReplayArguments>();
-  command->add_option("RECORDING", a->recording, "File of session --record")->required()->check(notEmpty());
+  command->add_option("RECORDING", a->recording, "File of a recording (not needed with --attempt)")->check(notEmpty());
   command->add_option("CASE", a->caseFolder, "Folder of its case, for pictures")->check(notEmpty());
   a->pictures.addTo(*command);
   a->check.addTo(*command);
@@ -194,8 +204,9 @@ void addReplayCommand(CLI::App& app, Outcome& outcome) {
   command->add_option("--until", a->until_s, "As they stood at this time (s)")->check(CLI::NonNegativeNumber);
   command->add_flag("--json", a->json, "Print one JSON object");
   command->callback([a, &outcome] {
+    if (a->recording.empty() && a->check.attempt.empty()) throw CLI::RequiredError("RECORDING or --attempt");
     outcome.json = a->json;
-    if (auto done = replay(*a); !done) refuse(outcome, done.error());
+    if (auto done = replay(sorted(*a)); !done) refuse(outcome, done.error());
   });
 }
 

@@ -31,8 +31,10 @@ std::size_t widthOf(const std::string& text) {
 
 void print(Outcome& outcome, const Result<Answer>& answer) {
   if (!answer) return refuse(outcome, answer.error());
-  if (outcome.json) return printJson(answer->object);
-  std::cout << answer->text << (answer->text.ends_with('\n') || answer->text.empty() ? "" : "\n");
+  const bool hasFailed = !answer->failure.empty();
+  if (outcome.json && !hasFailed) return printJson(answer->object);
+  if (!outcome.json) std::cout << answer->text << (answer->text.ends_with('\n') || answer->text.empty() ? "" : "\n");
+  if (hasFailed) refuse(outcome, Error{answer->failure}, answer->object);
 }
 
 }  // namespace

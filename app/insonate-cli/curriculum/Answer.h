@@ -21,6 +21,9 @@ using Json = nlohmann::json;
 struct Answer {
   Json object = Json::object();
   std::string text;
+  /// What is wrong where the command looked for something wrong and found it: its sentence follows text and object,
+  /// with exit status 1.
+  std::string failure{};
 };
 
 /// A command that prints what `work` answers.

@@ -4,12 +4,15 @@
 #include "Lookup.h"
 
 #include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/Implausible.h>
 #include <insonate/curriculum/Judgement.h>
+#include <insonate/curriculum/RepeatedValues.h>
 #include <insonate/teaching/AttemptFactsOf.h>
 
 #include <QtCore/QUuid>
 #include <algorithm>
 #include <memory>
+#include <set>
 
 namespace insonate::cli {
 namespace {
@@ -85,7 +88,7 @@ Result<Answer> addToLevel(const SignedIn& by, AttemptFacts facts, const AddArgum
     return fail(a.recording + " is an attempt at '" + facts.procedure + "', and level '" + level.name + "' asks for '" +
                 level.procedure + "'; choose another level or recording.");
   facts.curriculum = curriculum->name, facts.curriculumVersion = curriculum->version, facts.level = level.name;
-  if (auto kept = AttemptStore(by).add(facts); !kept) return tl::unexpected(kept.error());
+  if (auto kept = AttemptStore(by).add(facts, a.recording); !kept) return tl::unexpected(kept.error());
   const auto path = levelPath(by, *curriculum, by.person().id);
   if (!path) return tl::unexpected(path.error());
   const LevelProgress& progress = *std::ranges::find(*path, level.name, &LevelProgress::level);
@@ -109,7 +112,7 @@ Result<Answer> add(const SignedIn& by, const AddArguments& a) {
   facts->id = idOf(*facts, by.person());
   facts->person = by.person().id;
   if (!a.level.empty()) return addToLevel(by, std::move(*facts), a);
-  if (auto kept = AttemptStore(by).add(*facts); !kept) return tl::unexpected(kept.error());
+  if (auto kept = AttemptStore(by).add(*facts, a.recording); !kept) return tl::unexpected(kept.error());
   return Answer{{{"attempt", factsJson(*facts)}, {"passed", nullptr}, {"level", nullptr}},
                 "Kept as free practice, attempt " + facts->id};
 }
@@ -136,6 +139,19 @@ Json judgedBy(const std::vector<Curriculum>& curricula, const AttemptFacts& fact
   return {{"passed", nullptr}, {"assistance", nullptr}};
 }
 
+/// Why an attempt needs attention, as ids and as words for a table.
+Json flagsOf(const AttemptFacts& facts, const std::set<std::string>& repeated) {
+  std::vector<Implausible> flags = implausibilities(facts);
+  if (repeated.contains(facts.id)) flags.push_back(Implausible::SameValues);
+  Json ids = Json::array();
+  std::string words;
+  for (const Implausible flag : flags) {
+    ids.push_back(idOf(flag));
+    words += (words.empty() ? "" : "; ") + wordsOf(flag, facts);
+  }
+  return {{"flags", ids}, {"flagged", words}};
+}
+
 Result<Answer> list(const SignedIn& by, const ListArguments& a) {
   const auto person = personNamed(by, a.person);
   if (!person) return tl::unexpected(person.error());
@@ -143,26 +159,35 @@ Result<Answer> list(const SignedIn& by, const ListArguments& a) {
   if (!page) return tl::unexpected(page.error());
   const auto curricula = curriculaOf(by, *person);
   if (!curricula) return tl::unexpected(curricula.error());
+  // For who teaches: of one's own attempts nothing is said.
+  const bool isOwn = person->id == by.person().id;
+  const auto repeated = isOwn ? Result<std::set<std::string>>() : repeatedValues(by, person->id);
+  if (!repeated) return tl::unexpected(repeated.error());
   Json rows = Json::array();
   for (const KeptAttempt& attempt : *page) {
     rows.push_back(factsJson(attempt.facts));
     rows.back().update(judgedBy(*curricula, attempt.facts));
-    rows.back().update({{"arrival", attempt.arrival},
-                        {"crashed", attempt.crashed},
-                        {"void_reason", attempt.voidReason.empty() ? Json(nullptr) : Json(attempt.voidReason)}});
+    if (!isOwn) rows.back().update(flagsOf(attempt.facts, *repeated));
+    rows.back().update(
+        {{"arrival", attempt.arrival},
+         {"crashed", attempt.crashed},
+         {"recording_file", attempt.recordingFile.empty() ? Json(nullptr) : Json(attempt.recordingFile.string())},
+         {"void_reason", attempt.voidReason.empty() ? Json(nullptr) : Json(attempt.voidReason)}});
   }
-  return Answer{{{"person", toJson(*person)}, {"attempts", rows}},
-                rows.empty() ? "No attempts yet; 'curriculum attempts add' takes a recording."
-                             : tableOf(rows, {{"begun", "begun"},
-                                              {"level", "level"},
-                                              {"assistance", "assistance"},
-                                              {"state", "state"},
-                                              {"broke_off", "broke off"},
-                                              {"succeeded", "succeeded"},
-                                              {"passed", "passed"},
-                                              {"critical_errors", "critical"},
-                                              {"points", "points"},
-                                              {"id", "attempt"}})};
+  std::vector<Column> columns{{"begun", "begun"},
+                              {"level", "level"},
+                              {"assistance", "assistance"},
+                              {"state", "state"},
+                              {"broke_off", "broke off"},
+                              {"succeeded", "succeeded"},
+                              {"passed", "passed"},
+                              {"critical_errors", "critical"},
+                              {"points", "points"},
+                              {"id", "attempt"}};
+  if (!isOwn) columns.push_back({"flagged", "needs attention"});
+  return Answer{
+      {{"person", toJson(*person)}, {"attempts", rows}},
+      rows.empty() ? "No attempts yet; 'curriculum attempts add' takes a recording." : tableOf(rows, columns)};
 }
 
 Result<Answer> voidOne(const SignedIn& by, const VoidArguments& a) {
@@ -177,7 +202,8 @@ void addAttemptCommands(CLI::App& curriculum, Outcome& outcome) {
   CLI::App& attempts = *curriculum.add_subcommand("attempts", "What people did");
   attempts.require_subcommand(1);
   auto added = std::make_shared<AddArguments>();
-  CLI::App* adding = addSignedInCommand(attempts, outcome, "add", "An attempt of yours, from its recording",
+  CLI::App* adding = addSignedInCommand(attempts, outcome, "add",
+                                        "An attempt of yours, from its recording, of which the store keeps a copy",
                                         [added](const SignedIn& by) { return add(by, *added); });
   adding->add_option("RECORDING", added->recording, "File of an attempt that a person made in the window")
       ->required()

@@ -17,6 +17,7 @@ void addFormCommands(CLI::App& curriculum, Outcome& outcome);
 void addJudgementCommands(CLI::App& forms, Outcome& outcome);
 void addExportCommands(CLI::App& curriculum, Outcome& outcome);
 void addUpkeepCommands(CLI::App& curriculum, Outcome& outcome);
+void addVerifyCommand(CLI::App& curriculum, Outcome& outcome);
 void addSendCommand(CLI::App& curriculum, Outcome& outcome);
 void addUploadCommand(CLI::App& curriculum, Outcome& outcome);
 void addDemoCommand(CLI::App& curriculum, Outcome& outcome);

@@ -10,7 +10,10 @@ namespace insonate::cli {
 
 void RecordingCheck::addTo(CLI::App& command) {
   CLI::Option* which =
-      command.add_option("--attempt", attempt, "Replay it only if it is the recording of this attempt of the store")
+      command
+          .add_option("--attempt", attempt,
+                      "An attempt of the store: replay the recording that the store keeps of it, or RECORDING only if "
+                      "it is that of this attempt")
           ->check(notEmpty());
   addSignInOptions(command, store);
   command.get_option("--as")->required(false)->needs(which);
@@ -18,18 +21,24 @@ void RecordingCheck::addTo(CLI::App& command) {
   addDatabaseOption(command, store);
 }
 
-Result<void> RecordingCheck::check(const std::string& recording) const {
-  if (attempt.empty()) return {};
+Result<std::string> RecordingCheck::find(const std::string& recording) const {
+  if (attempt.empty()) return recording;
   const auto by = signIn(store);
   if (!by) return tl::unexpected(by.error());
   const auto kept = AttemptStore(*by).attempt(attempt);
   if (!kept) return tl::unexpected(kept.error());
-  const auto hash = recordingHash(recording);
+  const std::string file = recording.empty() ? kept->recordingFile.string() : recording;
+  const std::string elsewhere = "Look for '" + kept->facts.recording + "' of " + kept->facts.workstation;
+  if (kept->facts.recording.empty()) return fail("The attempt " + attempt + " has no recording.");
+  if (file.empty())
+    return fail("The store keeps no recording of the attempt " + attempt + ". " + elsewhere +
+                ", and name the file before --attempt.");
+  const auto hash = recordingHash(file);
   if (!hash) return tl::unexpected(hash.error());
-  if (*hash == kept->facts.recordingHash) return {};
-  return fail(recording + " is not the recording of the attempt " + attempt + " of " + timeText(kept->facts.begun_us) +
-              ": it is another file, or was changed since. Look for '" + kept->facts.recording + "' of " +
-              kept->facts.workstation + ", or replay it without --attempt, as nobody's.");
+  if (*hash == kept->facts.recordingHash) return file;
+  return fail(file + " is not the recording of the attempt " + attempt + " of " + timeText(kept->facts.begun_us) +
+              ": it is another file, or was changed since. " + elsewhere +
+              ", or replay it without --attempt, as nobody's.");
 }
 
 }  // namespace insonate::cli

@@ -10,14 +10,15 @@
 
 namespace insonate::cli {
 
-/// Whether a recording is that of an attempt of the store, before it is replayed as such.
+/// The recording of an attempt of the store, before it is replayed as such.
 struct RecordingCheck {
   std::string attempt;  ///< its id; "": the recording is replayed as nobody's
   StoreOptions store;
 
   void addTo(CLI::App& command);
-  /// Fails where it is not, or who signs in may not see the attempt.
-  Result<void> check(const std::string& recording) const;
+  /// The file to replay: `recording`, or where that is "" the one that the store keeps of the attempt. Fails where it
+  /// is not that of the attempt, or who signs in may not see the attempt.
+  Result<std::string> find(const std::string& recording) const;
 };
 
 }  // namespace insonate::cli

@@ -49,11 +49,17 @@ bool isServer(const std::string& address) {
   return address.starts_with("postgresql://") || address.starts_with("postgres://");
 }
 
+StoreServices servicesFor(const std::string& address) {
+  StoreServices services;
+  if (isServer(address)) services.recordings = usualStoreFile().parent_path() / "server.recordings";
+  return services;
+}
+
 Result<CurriculumStore> openOrMakeStore(const StoreOptions& options) {
   const std::string address = addressOf(options);
   std::error_code error;  // CurriculumStore says what is wrong with the folder
   if (!isServer(address)) fs::create_directories(fs::absolute(address, error).parent_path(), error);
-  return CurriculumStore::open(address);
+  return CurriculumStore::open(address, servicesFor(address));
 }
 
 Result<void> checkThere(const StoreOptions& options) {
@@ -66,7 +72,7 @@ Result<void> checkThere(const StoreOptions& options) {
 
 Result<CurriculumStore> openStore(const StoreOptions& options) {
   if (auto there = checkThere(options); !there) return tl::unexpected(there.error());
-  return CurriculumStore::open(addressOf(options));
+  return CurriculumStore::open(addressOf(options), servicesFor(addressOf(options)));
 }
 
 Result<std::string> readOwnPassword(const StoreOptions& options) {

@@ -1,6 +1,7 @@
 #include "Answer.h"
 #include "Groups.h"
 #include "Lookup.h"
+#include "StoreCounts.h"
 
 #include <insonate/curriculum/AuditLog.h>
 #include <insonate/curriculum/PeopleStore.h>
@@ -14,23 +15,6 @@
 namespace insonate::cli {
 namespace {
 
-Json toJson(const StoreFacts& facts) {
-  return {{"database", facts.place},
-          {"schema", facts.schema},
-          {"people", facts.people},
-          {"classes", facts.cohorts},
-          {"attempts", facts.attempts},
-          {"forms", facts.forms},
-          {"audit_entries", facts.auditEntries},
-          {"pending_uploads", facts.pendingUploads}};
-}
-
-std::string countsOf(const StoreFacts& facts) {
-  return std::to_string(facts.people) + " people, " + std::to_string(facts.cohorts) + " classes, " +
-         std::to_string(facts.attempts) + " attempts, " + std::to_string(facts.forms) + " forms, " +
-         std::to_string(facts.auditEntries) + " entries in the audit log";
-}
-
 /// Asks before the store is opened, which alone would bring it up to date.
 Result<Answer> migrate(const StoreOptions& options) {
   if (auto there = checkThere(options); !there) return tl::unexpected(there.error());
@@ -43,43 +27,15 @@ Result<Answer> migrate(const StoreOptions& options) {
   if (!by) return tl::unexpected(by.error());
   const auto facts = StoreUpkeep(*by).facts();
   if (!facts) return tl::unexpected(facts.error());
-  return Answer{toJson(*facts), facts->place + " is at schema " + std::to_string(facts->schema) +
-                                    ", the newest: " + countsOf(*facts) + "."};
-}
-
-/// "NUMBER:HASH", as verify told it.
-Result<AuditAnchor> anchorOf(const std::string& text) {
-  AuditAnchor anchor;
-  const auto end = text.data() + text.size();
-  const auto [rest, trouble] = std::from_chars(text.data(), end, anchor.number);
-  if (trouble != std::errc() || rest == end || *rest != ':')
-    return fail("'" + text + "' is no anchor; it is NUMBER:HASH, as an earlier 'curriculum verify' told it.");
-  anchor.hash.assign(rest + 1, end);
-  return anchor;
-}
-
-Result<Answer> verify(const SignedIn& by, const std::string& anchorText) {
-  if (auto whole = StoreUpkeep(by).verify(); !whole) return tl::unexpected(whole.error());
-  if (!anchorText.empty()) {
-    const auto earlier = anchorOf(anchorText);
-    if (!earlier) return tl::unexpected(earlier.error());
-    if (auto same = AuditLog(by).verify(*earlier); !same) return tl::unexpected(same.error());
-  }
-  const auto facts = StoreUpkeep(by).facts();
-  if (!facts) return tl::unexpected(facts.error());
-  const auto anchor = AuditLog(by).anchor();
-  if (!anchor) return tl::unexpected(anchor.error());
-  const std::string now = std::to_string(anchor->number) + ":" + anchor->hash;
-  Json object = toJson(*facts);
-  object.update({{"whole", true}, {"anchor", now}});
-  return Answer{std::move(object),
-                facts->place + " is whole: " + countsOf(*facts) +
-                    ".\nKeep this elsewhere, to see later that the log was not written anew: --anchor " + now};
+  return Answer{countsJson(*facts), facts->place + " is at schema " + std::to_string(facts->schema) +
+                                        ", the newest: " + countsOf(*facts) + "."};
 }
 
 Result<Answer> backup(const SignedIn& by, const std::string& file) {
-  if (auto done = StoreUpkeep(by).backup(file); !done) return tl::unexpected(done.error());
-  return Answer{{{"file", file}}, "Wrote " + file + "; 'curriculum restore' checks it and puts it back."};
+  if (auto done = StoreUpkeep(by).backup(file, terminalProgress()); !done) return tl::unexpected(done.error());
+  return Answer{{{"file", file}},
+                "Wrote " + file + ", and the recordings of its attempts to " + file +
+                    ".recordings; 'curriculum restore' checks it and puts both back."};
 }
 
 Result<Answer> restore(const StoreOptions& options, const std::string& backup) {
@@ -141,7 +97,7 @@ Result<Answer> audit(const SignedIn& by, const AuditArguments& a) {
 
 void addUpkeepCommands(CLI::App& curriculum, Outcome& outcome) {
   auto copy = std::make_shared<std::string>(), backedUp = std::make_shared<std::string>();
-  addSignedInCommand(curriculum, outcome, "backup", "A copy of a file's store, while others work",
+  addSignedInCommand(curriculum, outcome, "backup", "A copy of a file's store and its recordings, while others work",
                      [copy](const SignedIn& by) { return backup(by, *copy); })
       ->add_option("FILE", *copy, "To be written")
       ->required()
@@ -158,12 +114,7 @@ void addUpkeepCommands(CLI::App& curriculum, Outcome& outcome) {
       "Brings a store up to date for one of its administrators, after a backup beside it, and tells what it "
       "holds",
       SigningIn::Yes, migrate);
-  auto anchor = std::make_shared<std::string>();
-  addSignedInCommand(curriculum, outcome, "verify",
-                     "Whether all pages, keys and hashes of a store are as they should be",
-                     [anchor](const SignedIn& by) { return verify(by, *anchor); })
-      ->add_option("--anchor", *anchor,
-                   "NUMBER:HASH that an earlier verify told: whether the log was written anew since");
+  addVerifyCommand(curriculum, outcome);
   auto a = std::make_shared<AuditArguments>();
   CLI::App* log = addSignedInCommand(curriculum, outcome, "audit", "Who did what to others' data, newest first",
                                      [a](const SignedIn& by) { return audit(by, *a); });

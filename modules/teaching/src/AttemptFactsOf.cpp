@@ -125,4 +125,17 @@ Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file, Hands h
   return facts;
 }
 
+Result<void> takeRecording(AttemptFacts& facts, const std::filesystem::path& file) {
+  auto recorded = factsOfRecording(file);
+  if (!recorded) return tl::unexpected(recorded.error());
+  const auto recording = AttemptRecording::open(file);
+  if (!recording) return tl::unexpected(recording.error());
+  recorded->procedureVersion = recording->header().procedureVersion;
+  recorded->id = facts.id, recorded->person = facts.person, recorded->workstation = facts.workstation;
+  recorded->curriculum = facts.curriculum, recorded->curriculumVersion = facts.curriculumVersion;
+  recorded->level = facts.level;
+  facts = std::move(*recorded);
+  return {};
+}
+
 }  // namespace insonate

@@ -169,12 +169,12 @@ TEST_F(Digest, AnAbandonedAttemptIsCalledSoAndNoSuccess) {
     {"needle": {"from_mm": [0, -5, 0], "to": "vein"}}, {"aspirate": true}, {"advance_mm": 17}, {"wait_s": 1.5}]})";
   const auto finished = digest(recorded(file("finished"), script.c_str()));
   ASSERT_TRUE(finished->score && finished->score->succeeded);
-  EXPECT_EQ(pointsNoteOf(*finished), "of 100 points. The tip was placed in the vein.");
+  EXPECT_EQ(pointsNoteOf(*finished), "of 100 points. The attempt succeeded: the tip was placed in the vein.");
   script.insert(1, "\"abandoned\": true, ");
   const auto abandoned = digest(recorded(file("abandoned"), script.c_str()));
   ASSERT_TRUE(abandoned->score);
   EXPECT_FALSE(abandoned->score->succeeded);
-  EXPECT_EQ(pointsNoteOf(*abandoned), "of 100 points. The attempt was abandoned.");
+  EXPECT_EQ(pointsNoteOf(*abandoned), "of 100 points. The attempt was abandoned, so it did not succeed.");
 }
 
 TEST_F(Digest, TheListHasTheLatestFirst) {

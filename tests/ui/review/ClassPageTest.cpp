@@ -55,6 +55,18 @@ TEST_F(ClassPageTest, ShowsWhoIsHowFarAndWhoNeedsHelp) {
   EXPECT_TRUE(concerns.item(0)->text().contains("artery")) << concerns.item(0)->text().toStdString();
 }
 
+TEST_F(ClassPageTest, AnImplausibleAttemptNeedsAttention) {
+  practise(school_->as(school_->anna), true);
+  practiseTooFast();
+  enter("ina");
+  auto& concerns = *child<QListWidget>("concerns");
+  ASSERT_EQ(concerns.count(), 1);
+  const QString words = concerns.item(0)->text();
+  EXPECT_TRUE(words.contains("Dr anna, attempt of ")) << words.toStdString();
+  EXPECT_TRUE(words.contains("skin to vein in 1.5\u00a0s")) << words.toStdString();
+  EXPECT_EQ(concerns.item(0)->data(Qt::UserRole).toString().toStdString(), school_->anna.id) << "Enter shows her";
+}
+
 TEST_F(ClassPageTest, SortsByAMetricAndByNeed) {
   practise(school_->as(school_->anna), true, 2);
   practise(school_->as(school_->ben), false, kStuckAfter);

@@ -15,6 +15,7 @@
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTableWidget>
+#include <fstream>
 
 namespace insonate::review {
 namespace {
@@ -136,6 +137,30 @@ TEST_F(PersonPageTest, AnAttemptIsVoidedWithAReason) {
   EXPECT_EQ(history().item(1, 2)->text(), "Passed");
   EXPECT_FALSE(child<QPushButton>("voidAttempt")->isEnabled()) << "once only";
   EXPECT_EQ(test::valueOf(AttemptStore(school_->admin).attempt(last_.id)).voidReason, "<b>wrong</b> patient");
+}
+
+TEST_F(PersonPageTest, AnImplausibleAttemptIsMarkedForTheInstructorAlone) {
+  practise(school_->as(school_->anna), true);
+  practiseTooFast();
+  showAnna();
+  EXPECT_EQ(history().item(0, 2)->text(), "Passed   ▲ skin to vein in 1.5\u00a0s") << "it passes all the same";
+  EXPECT_EQ(history().item(1, 2)->text(), "Passed");
+  workspace_.reset();
+  account_.reset();
+  enter("anna");
+  EXPECT_EQ(history().item(0, 2)->text(), "Passed");
+}
+
+TEST_F(PersonPageTest, AKeptRecordingIsReplayed) {
+  practise(school_->as(school_->anna), true);
+  const std::filesystem::path kept = store_->recordings() / (last_.id + ".attempt");
+  std::filesystem::create_directory(store_->recordings());
+  std::ofstream(kept) << "the recording";
+  showAnna();
+  EXPECT_EQ(history().item(0, 5)->text(), "kept with the store");
+  EXPECT_TRUE(child<QPushButton>("replayAttempt")->isEnabled());
+  EXPECT_EQ(ui::recordingHere(test::valueOf(AttemptStore(school_->admin).attempt(last_.id)), file()).toStdString(),
+            kept.string());
 }
 
 TEST_F(PersonPageTest, EscapeLeavesAnAttemptAlone) {

@@ -74,7 +74,7 @@ TEST_F(TrainCourse, OwnAttemptsAreListedNewestFirstAndOpened) {
   history().selectRow(0);
   QTest::keyClick(&history(), Qt::Key_Return);
   ASSERT_EQ(wanted.count(), 1);
-  EXPECT_EQ(wanted[0][0].toString(), attempt_->file());
+  EXPECT_EQ(wanted[0][0].toString().toStdString(), stored().front().recordingFile.string()) << "the store's copy";
   history().selectRow(1);
   child<QPushButton>("historyOpen")->click();
   EXPECT_EQ(wanted.count(), 1);

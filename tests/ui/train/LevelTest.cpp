@@ -2,9 +2,11 @@
 #include "level/LevelWords.h"
 
 #include <insonate/cases/CaseVersions.h>
+#include <insonate/teaching/RecomputedAttempts.h>
 
 #include <gmock/gmock.h>
 
+#include <QFile>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTableWidget>
@@ -81,6 +83,12 @@ TEST_F(TrainLevel, AWholeOneFromChoosingItToTheNextThatOpens) {
   EXPECT_EQ(facts.recordingHash.size(), 64U);
   EXPECT_EQ(facts.metrics.size(), std::size_t(kMetricCount));
   EXPECT_GT(facts.length_us, 0);
+  EXPECT_EQ(stored().front().recordingFile.string(),
+            storeFile().toStdString() + ".recordings/" + facts.id + ".attempt");
+  const auto checked = recomputeAttempts(at("admin"), {});
+  ASSERT_TRUE(checked) << checked.error().message;
+  EXPECT_EQ(checked->compared, 1) << "the store's copy of the recording tells the same";
+  for (const StoreDifference& one : checked->differences) ADD_FAILURE() << one.field << one.stored << one.expected;
 
   practise(1);
   EXPECT_TRUE(path().item(0)->text().contains("mastered")) << path().item(0)->text().toStdString();
@@ -92,6 +100,22 @@ TEST_F(TrainLevel, AWholeOneFromChoosingItToTheNextThatOpens) {
   makeAttempt();
   ASSERT_TRUE(waitFor([&] { return stored().size() == 2; }));
   EXPECT_EQ(stored().front().facts.level, "") << "free practice";
+}
+
+TEST_F(TrainLevel, ARecordingThatCannotBeCopiedCostsNoAttempt) {
+  QFile blocking(storeFile() + ".recordings");
+  ASSERT_TRUE(blocking.open(QIODevice::WriteOnly));
+  QStringList said;
+  QObject::connect(workspace_.get(), &ui::Workspace::statusChanged, [&] { said << workspace_->statusText(); });
+  signIn();
+  openWide();
+  makeAttempt();
+  ASSERT_TRUE(waitFor([&] { return !said.filter("The attempt counts; its recording stays").isEmpty(); }));
+  ASSERT_EQ(stored().size(), 1U);
+  EXPECT_TRUE(unsent().isEmpty());
+  EXPECT_EQ(stored().front().facts.state, AttemptState::Completed);
+  EXPECT_EQ(stored().front().recordingFile, "");
+  EXPECT_EQ(ui::recordingHere(stored().front(), storeFile()), attempt_->file()) << "still replayed from there";
 }
 
 TEST_F(TrainLevel, WhatWasMissedIsSaidWithItsValue) {

@@ -3,6 +3,7 @@
 #include "store/AuditChain.h"
 #include "store/CrashedAttempts.h"
 #include "store/Hands.h"
+#include "store/KeptRecordings.h"
 #include "store/Outbox.h"
 #include "store/Paging.h"
 #include "store/Session.h"
@@ -118,19 +119,44 @@ Result<void> AttemptStore::end(const AttemptFacts& facts) const {
       [&](Transaction& transaction, const Actor&) { return endKept(transaction, by_.session()->core(), ended); });
 }
 
-Result<std::string> AttemptStore::add(const AttemptFacts& facts) const {
+Result<std::string> AttemptStore::add(const AttemptFacts& facts, const std::filesystem::path& recording) const {
   Core& core = by_.session()->core();
   const AttemptFacts own = ownFacts(by_, facts);
   if (auto ok = store::checkBegun(own); !ok) return tl::unexpected(ok.error());
   if (auto ok = store::checkEnded(own); !ok) return tl::unexpected(ok.error());
-  return by_.session()->write({.act = Act::MakeAttempt, .person = own.person},
-                              [&](Transaction& transaction, const Actor&) -> Result<std::string> {
-                                auto begun = beginAttempt(transaction, core, own);
-                                if (!begun) return begun;
-                                if (auto ended = endKept(transaction, core, own); !ended)
-                                  return tl::unexpected(ended.error());
-                                return begun;
-                              });
+  bool isNewFile = false;
+  auto added = by_.session()->write({.act = Act::MakeAttempt, .person = own.person},
+                                    [&](Transaction& transaction, const Actor&) -> Result<std::string> {
+                                      auto begun = beginAttempt(transaction, core, own);
+                                      if (!begun) return begun;
+                                      if (auto ended = endKept(transaction, core, own); !ended)
+                                        return tl::unexpected(ended.error());
+                                      if (recording.empty() || core.recordings().empty()) return begun;
+                                      // Before the row is committed: a row whose recording was lost would count without
+                                      // proof.
+                                      const auto kept =
+                                          store::keepRecording(core.recordings(), own.id, recording, own.recordingHash);
+                                      if (!kept) return tl::unexpected(kept.error());
+                                      isNewFile = *kept;
+                                      return begun;
+                                    });
+  std::error_code ignored;
+  if (!added && isNewFile) std::filesystem::remove(store::keptRecording(core.recordings(), own.id), ignored);
+  return added;
+}
+
+Result<void> AttemptStore::keepRecording(const std::string& attempt, const std::filesystem::path& recording) const {
+  const std::filesystem::path& folder = by_.session()->core().recordings();
+  const auto kept = by_.session()->read({.act = Act::MakeAttempt, .attempt = attempt},
+                                        [&](Transaction& transaction, const Actor&) -> Result<std::string> {
+                                          const auto found = store::findAttempt(transaction, attempt);
+                                          return found ? found->facts.recordingHash : std::string();
+                                        });
+  if (!kept) return tl::unexpected(kept.error());
+  if (kept->empty()) return fail("The attempt " + attempt + " has no recording; end it with one first.");
+  if (folder.empty()) return {};
+  const auto copied = store::keepRecording(folder, attempt, recording, *kept);
+  return copied ? Result<void>() : tl::unexpected(copied.error());
 }
 
 Result<void> AttemptStore::voidAttempt(const std::string& attempt, const std::string& reason) const {
@@ -148,6 +174,7 @@ Result<KeptAttempt> AttemptStore::attempt(const std::string& id) const {
                              [&](Transaction& transaction, const Actor&) -> Result<KeptAttempt> {
                                auto kept = store::findAttempt(transaction, id);
                                if (!kept) return fail("There is no attempt " + id + "; look at the list again.");
+                               store::findRecording(*kept, by_.session()->core().recordings());
                                return *kept;
                              });
 }
@@ -160,8 +187,10 @@ Result<std::vector<KeptAttempt>> AttemptStore::page(const std::string& person, i
                                for (const Row& row : transaction.rows(
                                         "SELECT " INSONATE_ATTEMPT_COLUMNS
                                         " FROM attempts WHERE person = ? AND arrival < ? ORDER BY arrival DESC LIMIT ?",
-                                        person, store::endOfPage(before), count))
+                                        person, store::endOfPage(before), count)) {
                                  page.push_back(store::keptOf(row));
+                                 store::findRecording(page.back(), by_.session()->core().recordings());
+                               }
                                return page;
                              });
 }

@@ -2,6 +2,7 @@
 
 #include "store/AuditChain.h"
 #include "store/CrashedAttempts.h"
+#include "store/KeptRecordings.h"
 #include "store/Migrations.h"
 #include "store/StoreChecks.h"
 #include "store/Texts.h"
@@ -54,6 +55,7 @@ Core::Core(Address address, StoreServices services)
     : address_(std::move(address)),
       place_(address_.place()),
       services_(completed(std::move(services), Process::current())),
+      recordings_(recordingsFolder(address_, services_.recordings)),
       process_(Process::current()),
       run_(freshUuid()),
       key_(freshKey()) {}

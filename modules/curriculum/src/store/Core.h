@@ -8,6 +8,7 @@
 #include <insonate/curriculum/CurriculumStore.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -35,6 +36,8 @@ class Core {
   const Address& address() const { return address_; }
   const std::string& place() const { return place_; }
   const std::string& workstation() const { return services_.workstation; }
+  /// Folder for recordings of attempts; "": none are kept.
+  const std::filesystem::path& recordings() const { return recordings_; }
   PasswordCost passwordCost() const { return services_.passwordCost; }
   const Process& process() const { return process_; }
   const std::string& run() const { return run_; }
@@ -51,6 +54,7 @@ class Core {
   const Address address_;
   const std::string place_;
   const StoreServices services_;
+  const std::filesystem::path recordings_;
   const Process process_;
   const std::string run_;    ///< UUID of this use of the store
   const std::uint64_t key_;  ///< of this store among those that the program has open

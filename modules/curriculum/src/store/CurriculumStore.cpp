@@ -31,6 +31,10 @@ const std::string& CurriculumStore::workstation() const {
   return core_->workstation();
 }
 
+const std::filesystem::path& CurriculumStore::recordings() const {
+  return core_->recordings();
+}
+
 Result<bool> CurriculumStore::hasPeople() const {
   return inTransaction(*core_, Way::Read, [](Transaction& transaction) -> Result<bool> {
     return transaction.row("SELECT id FROM people LIMIT 1").has_value();

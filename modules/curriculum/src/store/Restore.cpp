@@ -1,5 +1,6 @@
 #include "store/AdministratorProof.h"
 #include "store/AuditChain.h"
+#include "store/KeptRecordings.h"
 #include "store/Migrations.h"
 #include "store/StoreChecks.h"
 #include "store/sql/FileCopy.h"
@@ -123,6 +124,9 @@ Result<void> restoreStore(const fs::path& file, const fs::path& backup, const st
   const Candidate candidate(file);
   if (auto copied = store::copyFile(backup, candidate.file); !copied) return copied;
   if (auto ok = checkCandidate(candidate.file, *restorer, administrator, password); !ok) return refused(ok.error());
+  // First the recordings: a file that no row names does no harm, a row without its recording cannot be checked.
+  if (auto copied = store::copyRecordings(store::recordingsBeside(backup), store::recordingsBeside(file)); !copied)
+    return refused(copied.error());
   return replaces ? writeOver(file, candidate.file) : moveInto(file, candidate.file);
 }
 

@@ -1,4 +1,5 @@
 #include "store/Export.h"
+#include "store/KeptRecordings.h"
 #include "store/Session.h"
 #include "store/StoreChecks.h"
 #include "store/sql/FileCopy.h"
@@ -35,7 +36,7 @@ Result<void> StoreUpkeep::verify() const {
                              [](Transaction& transaction, const Actor&) { return store::verifyAll(transaction); });
 }
 
-Result<void> StoreUpkeep::backup(const std::filesystem::path& file) const {
+Result<void> StoreUpkeep::backup(const std::filesystem::path& file, const Progress& progress) const {
   store::Core& core = by_.session()->core();
   // Decided and logged first: what is copied has the entry.
   auto allowed = by_.session()->read({.act = Act::LookAfterStore, .detail = "backup to " + file.string()},
@@ -44,7 +45,12 @@ Result<void> StoreUpkeep::backup(const std::filesystem::path& file) const {
   if (core.address().isServer) return fail(core.place() + " is a server; back it up with pg_dump, where it runs.");
   const auto connection = core.connection();
   if (!connection) return tl::unexpected(connection.error());
-  return store::copyToFile(**connection, file);
+  // The file comes into its place once its recordings are there. They are copied after the rows, each of which has its
+  // recording by then.
+  return writeAtomically(file, [&](const std::filesystem::path& beside) -> Result<void> {
+    if (auto copied = store::copyToFile(**connection, beside); !copied) return copied;
+    return store::copyRecordings(core.recordings(), store::recordingsBeside(file), progress);
+  });
 }
 
 Result<void> StoreUpkeep::exportJson(const std::filesystem::path& file) const {

@@ -19,6 +19,7 @@
 #include <QStackedWidget>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace insonate::review {
 namespace {
@@ -144,7 +145,7 @@ QWidget* ClassPage::buildTable() {
 QWidget* ClassPage::buildConcerns() {
   ui::setRole(concernsTitle_, "heading");
   concerns_->setObjectName(QStringLiteral("concerns"));
-  concerns_->setAccessibleName(tr("Who needs you, and why"));
+  concerns_->setAccessibleName(tr("Who and what needs attention, and why"));
   concerns_->setToolTip(tr("Enter or a double click shows the person"));
   concerns_->setWordWrap(true);
   concerns_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -217,20 +218,28 @@ void ClassPage::showFacts() {
   facts_->setToolTip(plainToolTip(facts_->text()));
 }
 
+void ClassPage::addConcern(const Person& person, const QString& what, const QString& why) {
+  auto* item =
+      new QListWidgetItem(QStringLiteral("▲ %1, %2:  %3").arg(QString::fromStdString(person.fullName), what, why));
+  item->setData(Qt::UserRole, QString::fromStdString(person.id));
+  concerns_->addItem(item);
+}
+
 void ClassPage::showConcerns() {
   concerns_->clear();
-  if (const ClassFacts* now = desk_.facts())
-    for (const Member& member : now->learners) {
-      if (concernOf(member) == Concern::None) continue;
-      auto* item =
-          new QListWidgetItem(QStringLiteral("▲ %1, %2:  %3")
-                                  .arg(QString::fromStdString(member.person.fullName), concernWord(concernOf(member)),
-                                       QString::fromStdString(member.standing->sentence)));
-      item->setData(Qt::UserRole, QString::fromStdString(member.person.id));
-      concerns_->addItem(item);
+  if (const ClassFacts* now = desk_.facts()) {
+    for (const Member& member : now->learners)
+      if (concernOf(member) != Concern::None)
+        addConcern(member.person, concernWord(concernOf(member)), QString::fromStdString(member.standing->sentence));
+    for (const FlaggedAttempt& one : now->implausible) {
+      const auto member =
+          std::ranges::find(now->learners, one.facts.person, [](const Member& m) { return m.person.id; });
+      if (member != now->learners.end())
+        addConcern(member->person, tr("attempt of %1").arg(dayOf(one.facts.begun_us)), wordsOf(one.facts, one.flags));
     }
-  concernsTitle_->setText(concerns_->count() > 0        ? tr("Who needs you")
-                          : desk_.standingsToCome() > 0 ? tr("Who needs you: not known yet")
+  }
+  concernsTitle_->setText(concerns_->count() > 0        ? tr("Needs attention")
+                          : desk_.standingsToCome() > 0 ? tr("Needs attention: not known yet")
                                                         : tr("Nobody is stuck, and nobody has slipped"));
   concerns_->setVisible(concerns_->count() > 0);
 }

@@ -11,6 +11,10 @@ class QSortFilterProxyModel;
 class QStackedWidget;
 class QTableView;
 
+namespace insonate {
+struct Person;
+}
+
 namespace insonate::review {
 
 class ClassDesk;
@@ -44,6 +48,7 @@ class ClassPage final : public QWidget {
   void showPlace();
   void showFacts();
   void showConcerns();
+  void addConcern(const Person& person, const QString& what, const QString& why);
   void chooseRow();
 
   ClassDesk& desk_;

@@ -6,6 +6,20 @@
 #include <algorithm>
 
 namespace insonate::review {
+namespace {
+
+std::vector<FlaggedAttempt> implausibleOf(std::vector<AttemptFacts> attempts) {
+  std::ranges::sort(attempts, {}, &AttemptFacts::begun_us);
+  PlausibilityCheck plausibility;
+  std::vector<FlaggedAttempt> flagged;
+  for (AttemptFacts& one : attempts)
+    if (auto flags = plausibility.take(one); !flags.empty()) flagged.push_back({std::move(one), std::move(flags)});
+  std::ranges::reverse(flagged);
+  return flagged;
+}
+
+}  // namespace
+
 Result<Curriculum> curriculumOf(const SignedIn& by, const Cohort& cohort) {
   if (cohort.curriculum.empty())
     return fail("The class '" + cohort.name + "' has no curriculum yet; choose one under People and classes (Alt+U).");
@@ -23,6 +37,7 @@ Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort) {
   const auto last = AttemptStore(by).lastOfCohort(cohort.id, kLastAttempts);
   if (!last) return tl::unexpected(last.error());
   facts.heat = heatMapOf(*last);
+  facts.implausible = implausibleOf(*last);
   auto curriculum = curriculumOf(by, cohort);
   curriculum ? void(facts.curriculum = std::move(*curriculum)) : void(facts.trouble = curriculum.error().message);
   return facts;

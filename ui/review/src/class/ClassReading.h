@@ -4,6 +4,7 @@
 
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/Curriculum.h>
+#include <insonate/curriculum/Implausible.h>
 #include <insonate/curriculum/SignedIn.h>
 
 #include <optional>
@@ -13,12 +14,19 @@
 /// What is asked of the store for Review, on the account's thread.
 namespace insonate::review {
 
+/// An attempt to look at, and why.
+struct FlaggedAttempt {
+  AttemptFacts facts{};
+  std::vector<Implausible> flags{};
+};
+
 struct ClassFacts {
   Cohort cohort{};
   std::optional<Curriculum> curriculum{};
   std::string trouble{};  ///< why there is no curriculum, and what to do
   std::vector<Member> learners{};
-  HeatMap heat{};  ///< of kLastAttempts of each learner
+  HeatMap heat{};                             ///< of kLastAttempts of each learner
+  std::vector<FlaggedAttempt> implausible{};  ///< of these, the latest first
 };
 Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort);
 

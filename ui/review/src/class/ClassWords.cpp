@@ -47,6 +47,12 @@ Concern concernOf(const Member& member) {
   return member.standingIsCurrent ? member.standing->concern : Concern::None;
 }
 
+QString wordsOf(const AttemptFacts& attempt, const std::vector<Implausible>& flags) {
+  QStringList words;
+  for (const Implausible flag : flags) words << QString::fromStdString(wordsOf(flag, attempt));
+  return words.join(QStringLiteral(", "));
+}
+
 QString levelTitle(const Curriculum* curriculum, const std::string& level) {
   if (level.empty()) return tr("Free practice");
   const Level* known = curriculum ? curriculum->level(level) : nullptr;

@@ -3,11 +3,13 @@
 #include "ClassReading.h"
 #include "MetricBook.h"
 
+#include <insonate/curriculum/Implausible.h>
 #include <insonate/ui/PlainToolTip.h>
 
 #include <QString>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace insonate::review {
 
@@ -23,6 +25,8 @@ QString dayOf(std::int64_t time_us);
 QString concernWord(Concern concern);
 /// None while it is not known.
 Concern concernOf(const Member& member);
+/// "skin to vein in 1.5 s, completed in 4.0 s"
+QString wordsOf(const AttemptFacts& attempt, const std::vector<Implausible>& flags);
 /// The level's title, or its name where the curriculum lacks it or is not known.
 QString levelTitle(const Curriculum* curriculum, const std::string& level);
 using ui::plainToolTip;

@@ -27,6 +27,7 @@ constexpr int kRow_px = 26, kDate_px = 172, kLevel_px = 200, kLength_px = 80, kP
 enum Column { kDate, kLevel, kOutcome, kPoints, kLength, kRecording, kColumns };
 
 QString placeOf(const KeptAttempt& attempt, const QString& recording) {
+  if (!attempt.recordingFile.empty()) return HistoryTable::tr("kept with the store");
   if (!recording.isEmpty()) return HistoryTable::tr("here");
   if (attempt.facts.recording.empty()) return HistoryTable::tr("none");
   return HistoryTable::tr("on %1").arg(QString::fromStdString(attempt.facts.workstation));
@@ -165,6 +166,7 @@ void HistoryTable::fill(int row, const KeptAttempt& attempt) {
   };
   QString outcome = outcomeOf(facts, curriculum);
   if (!attempt.voidReason.empty()) outcome += QStringLiteral(": ") + QString::fromStdString(attempt.voidReason);
+  if (const QString why = desk_.whyToLook(facts); !why.isEmpty()) outcome += tr("   ▲ %1").arg(why);
   set(kDate, ui::dayAndTimeOf(facts.begun_us));
   set(kLevel, levelTitle(curriculum, facts.level));
   set(kOutcome, outcome);
@@ -174,7 +176,7 @@ void HistoryTable::fill(int row, const KeptAttempt& attempt) {
 }
 
 QString HistoryTable::recordingOf(const KeptAttempt& attempt) const {
-  return ui::recordingHere(attempt.facts.recording, desk_.store());
+  return ui::recordingHere(attempt, desk_.store());
 }
 
 const KeptAttempt* HistoryTable::chosen() const {

@@ -1,5 +1,7 @@
 #include "PersonDesk.h"
 
+#include "../class/ClassWords.h"
+
 #include <insonate/ui/Account.h>
 #include <insonate/ui/DayWatch.h>
 
@@ -71,6 +73,12 @@ QString PersonDesk::store() const {
 bool PersonDesk::mayVoid() const {
   return account_ && account_->isSignedIn() && account_->person().role != Role::Trainee &&
          account_->person().id != person_;
+}
+
+QString PersonDesk::whyToLook(const AttemptFacts& attempt) const {
+  if (!mayVoid() || !facts_) return {};
+  const auto found = facts_->implausible.find(attempt.id);
+  return found == facts_->implausible.end() ? QString() : wordsOf(attempt, found->second);
 }
 
 void PersonDesk::voidAttempt(const std::string& attempt, const QString& reason) {

@@ -34,6 +34,8 @@ class PersonDesk : public QObject {
 
   /// Who is signed in may void this person's attempts.
   bool mayVoid() const;
+  /// Why an attempt is implausible, for an instructor; empty: it is not, or who is signed in does not teach the person.
+  QString whyToLook(const AttemptFacts& attempt) const;
   void voidAttempt(const std::string& attempt, const QString& reason);
 
   /// Account::address()

@@ -1,6 +1,7 @@
 #include "PersonReading.h"
 
 #include <insonate/curriculum/PeopleStore.h>
+#include <insonate/curriculum/RepeatedValues.h>
 
 namespace insonate::review {
 
@@ -17,6 +18,13 @@ Result<PersonFacts> readPerson(const SignedIn& by, const std::string& person,
   auto history = attempts.history(person);
   if (!history) return tl::unexpected(history.error());
   facts.history = std::move(*history);
+  const auto repeated = repeatedValues(by, person);
+  if (!repeated) return tl::unexpected(repeated.error());
+  for (const AttemptFacts& one : facts.history) {
+    auto flags = implausibilities(one);
+    if (repeated->contains(one.id)) flags.push_back(Implausible::SameValues);
+    if (!flags.empty()) facts.implausible[one.id] = std::move(flags);
+  }
   auto newest = attempts.page(person, kPage);
   if (!newest) return tl::unexpected(newest.error());
   facts.newest = std::move(*newest);

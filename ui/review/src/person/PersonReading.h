@@ -3,8 +3,10 @@
 #include "../class/ClassReading.h"
 
 #include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/Implausible.h>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,8 +22,9 @@ struct PersonFacts {
   std::optional<Curriculum> curriculum{};
   std::vector<AttemptFacts> history{};  ///< in the order of arrival
   std::vector<LevelProgress> progress{};
-  std::optional<Standing> standing{};  ///< with a curriculum
-  std::vector<KeptAttempt> newest{};   ///< the first kPage
+  std::optional<Standing> standing{};                             ///< with a curriculum
+  std::vector<KeptAttempt> newest{};                              ///< the first kPage
+  std::map<std::string, std::vector<Implausible>> implausible{};  ///< attempts to look at, by their ids
 };
 Result<PersonFacts> readPerson(const SignedIn& by, const std::string& person,
                                const std::optional<Curriculum>& curriculum, std::int64_t now_us);

@@ -1,5 +1,6 @@
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/ui/Account.h>
+#include <insonate/ui/Attempts.h>
 
 #include <QDir>
 #include <QFileInfo>
@@ -22,10 +23,16 @@ bool isServer(const QString& address) {
   return address.startsWith(QLatin1String("postgresql://"));
 }
 
+/// A server keeps no recordings: this workstation does.
+StoreServices withRecordings(StoreServices services, const QString& address) {
+  if (isServer(address) && services.recordings.empty()) services.recordings = serverRecordingsFolder().toStdString();
+  return services;
+}
+
 }  // namespace
 
 Account::Account(QString address, StoreServices services, QObject* parent)
-    : QObject(parent), address_(std::move(address)), services_(std::move(services)) {
+    : QObject(parent), address_(std::move(address)), services_(withRecordings(std::move(services), address_)) {
   again_.setInterval(kAgain_ms);
   again_.setSingleShot(true);
   connect(&again_, &QTimer::timeout, this, &Account::look);

@@ -1,3 +1,4 @@
+#include <insonate/curriculum/AttemptStore.h>
 #include <insonate/procedure/AttemptRecorder.h>
 #include <insonate/procedure/AttemptRecording.h>
 #include <insonate/ui/Attempts.h>
@@ -19,6 +20,15 @@ QString recordingHere(const std::string& recording, const QString& store) {
   for (const QString& folder : {attemptsFolder(), QFileInfo(store).absolutePath() + QStringLiteral("/attempts")})
     if (const QString file = QDir(folder).filePath(name); QFileInfo(file).isFile()) return file;
   return {};
+}
+
+QString recordingHere(const KeptAttempt& attempt, const QString& store) {
+  if (!attempt.recordingFile.empty()) return QString::fromStdString(attempt.recordingFile.string());
+  return recordingHere(attempt.facts.recording, store);
+}
+
+QString serverRecordingsFolder() {
+  return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/server.recordings");
 }
 
 bool isAttemptFile(const QString& path) {

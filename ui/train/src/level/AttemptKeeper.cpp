@@ -23,29 +23,43 @@ Result<void> store(const AttemptStore& attempts, const AttemptFacts& facts) {
 }
 
 /// On this computer, and at once: a question to a lost server may keep the account waiting. What cannot even be written
-/// here may still reach the store.
+/// here, and an end without a recording, of which a file would be no proof, may still reach the store.
 KeptFacts keepHere(const QString& folder, const AttemptFacts& facts, const QString& recording) {
   return QtConcurrent::run([folder, facts = AttemptFacts(facts), recording]() mutable -> std::optional<AttemptFacts> {
-    if (!recording.isEmpty())
-      if (const auto added = addRecording(facts, recording.toStdString()); !added) facts.recording.clear();
-    if (keepUnsent(folder, facts)) return std::nullopt;
+    const bool isProved = !recording.isEmpty() && takeRecording(facts, recording.toStdString());
+    // A damaged one is still the attempt's.
+    if (!isProved && !recording.isEmpty() && !addRecording(facts, recording.toStdString())) facts.recording.clear();
+    const bool isWritten = keepUnsent(folder, facts).has_value();
+    if (isWritten && (isProved || facts.state == AttemptState::Open)) return std::nullopt;
     return facts;
   });
 }
 
+/// Also its recording, beside the store. Gives why that could not be copied, "" where it was: the attempt counts all
+/// the same, and its recording stays where it was made.
+Result<std::string> send(const AttemptStore& attempts, const QString& folder, const AttemptFacts& facts) {
+  if (const auto stored = store(attempts, facts); !stored) return tl::unexpected(stored.error());
+  const QString recording = recordingOf(folder, facts);
+  const auto copied = recording.isEmpty() ? Result<void>() : attempts.keepRecording(facts.id, recording.toStdString());
+  forgetUnsent(folder, facts);
+  return copied ? std::string() : copied.error().message;
+}
+
 /// One that the store refuses keeps no other from it. A server that is away is not waited for once for each.
-Result<void> sendAll(const SignedIn& by, const QString& folder, const std::optional<KeptFacts>& fresh, bool isAway) {
+Result<std::string> sendAll(const SignedIn& by, const QString& folder, const std::optional<KeptFacts>& fresh,
+                            bool isAway) {
   const AttemptStore attempts(by);
   if (fresh)
-    if (const auto unwritten = fresh->result()) return store(attempts, *unwritten);
+    if (const auto unwritten = fresh->result()) return send(attempts, folder, *unwritten);
   if (isAway) return fail(AttemptKeeper::tr("The server is still away.").toStdString());
-  Result<void> first;
+  std::string unkept;
+  Result<std::string> first;
   for (const AttemptFacts& facts : unsentOf(folder, by.person().id)) {
-    const auto stored = store(attempts, facts);
-    if (stored) forgetUnsent(folder, facts);
-    if (!stored && first) first = stored;
+    const auto sent = send(attempts, folder, facts);
+    if (sent && !sent->empty()) unkept = *sent;
+    if (!sent && first) first = sent;
   }
-  return first;
+  return first ? Result<std::string>(unkept) : first;
 }
 
 }  // namespace
@@ -98,21 +112,24 @@ void AttemptKeeper::keep(const AttemptFacts& facts, const QString& recording) {
 
 void AttemptKeeper::send(const std::optional<KeptFacts>& fresh) {
   if (!account_ || !account_->isSignedIn() || account_->mustChangePassword()) return;
-  account_->ask<void>(
+  account_->ask<std::string>(
       this,
       [folder = folder_, fresh, isAway = account_->isAway()](const SignedIn& by) {
         return sendAll(by, folder, fresh, isAway);
       },
-      [this, isFresh = fresh.has_value(), person = account_->person().id](const Result<void>& sent) {
+      [this, isFresh = fresh.has_value(), person = account_->person().id](const Result<std::string>& sent) {
         if (person == account_->person().id) tell(sent, isFresh);
       });
 }
 
 /// The same trouble once for each beginning and end.
-void AttemptKeeper::tell(const Result<void>& sent, bool isFresh) {
+void AttemptKeeper::tell(const Result<std::string>& sent, bool isFresh) {
   const std::string trouble = std::exchange(trouble_, sent ? std::string() : sent.error().message);
   if (sent) {
     again_.stop();
+    if (!sent->empty())
+      Q_EMIT said(tr("%1 The attempt counts; its recording stays in the folder of your attempts.")
+                      .arg(QString::fromStdString(*sent)));
     return Q_EMIT allSent();
   }
   again_.start();

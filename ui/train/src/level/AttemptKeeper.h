@@ -33,10 +33,11 @@ struct AttemptAim {
 /// What could not be written down on this computer; none where it was.
 using KeptFacts = QFuture<std::optional<AttemptFacts>>;
 
-/// Writes each attempt of who is signed in into the store, as it begins and as it ends. It is first written down on
-/// this computer, so that nothing is lost where the store cannot be reached; what waits is sent again once a minute,
-/// when a server is back and when its person signs in. Who signs out leaves their attempt, which is kept as abandoned.
-/// Of guests nothing is kept. For the window's thread, which waits for nothing.
+/// Writes each attempt of who is signed in into the store, as it begins and as it ends, by what its recording tells, of
+/// which the store keeps a copy. It is first written down on this computer, so that nothing is lost where the store
+/// cannot be reached; what waits is sent again once a minute, when a server is back and when its person signs in. Who
+/// signs out leaves their attempt, which is kept as abandoned. Of guests nothing is kept. For the window's thread,
+/// which waits for nothing.
 class AttemptKeeper final : public QObject {
   Q_OBJECT
 
@@ -60,7 +61,7 @@ class AttemptKeeper final : public QObject {
   void end();
   void keep(const AttemptFacts& facts, const QString& recording);
   void send(const std::optional<KeptFacts>& fresh);
-  void tell(const Result<void>& sent, bool isFresh);
+  void tell(const Result<std::string>& sent, bool isFresh);
 
   AttemptControl& attempt_;
   ui::Account* account_ = nullptr;

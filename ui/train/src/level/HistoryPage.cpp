@@ -217,7 +217,7 @@ void HistoryPage::open() {
   const int row = table_->currentRow();
   if (row < 0 || row >= int(attempts_.size())) return;
   const AttemptFacts& facts = attempts_[std::size_t(row)].facts;
-  const QString file = ui::recordingHere(facts.recording, account_->address());
+  const QString file = ui::recordingHere(attempts_[std::size_t(row)], account_->address());
   if (!file.isEmpty()) return Q_EMIT attemptWanted(file);
   Q_EMIT said(facts.recording.empty()
                   ? tr("This attempt has no recording: its file could not be written, or the program ended.")

@@ -1,11 +1,12 @@
 #include "UnsentFacts.h"
 
 #include <insonate/core/AtomicFile.h>
+#include <insonate/teaching/AttemptFactsOf.h>
 #include <insonate/ui/Attempts.h>
 
 #include <QDir>
 #include <QFile>
-#include <QJsonArray>
+#include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QJsonValue>
@@ -23,23 +24,12 @@ QJsonValue json(const std::string& text) {
   return QString::fromStdString(text);
 }
 
-QJsonValue json(const std::optional<double>& value) {
-  return value ? QJsonValue(*value) : QJsonValue();
-}
-
 std::string text(const QJsonObject& object, const char* key) {
   return object[QLatin1String(key)].toString().toStdString();
 }
 
-std::optional<double> number(const QJsonValue& value) {
-  return value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
-}
-
 /// Times in microseconds since 1970 stay whole in a double until the year 2255.
 QJsonObject objectOf(const AttemptFacts& facts) {
-  QJsonArray metrics;
-  for (const MetricFact& one : facts.metrics)
-    metrics << QJsonObject{{"id", json(one.id)}, {"version", one.version}, {"value", json(one.value)}};
   return {{"id", json(facts.id)},
           {"person", json(facts.person)},
           {"curriculum", json(facts.curriculum)},
@@ -50,17 +40,11 @@ QJsonObject objectOf(const AttemptFacts& facts) {
           {"caseName", json(facts.caseName)},
           {"caseHash", json(facts.caseHash)},
           {"begun_us", double(facts.begun_us)},
-          {"length_us", double(facts.length_us)},
           {"state", int(facts.state)},
-          {"succeeded", facts.succeeded},
-          {"criticalErrors", facts.criticalErrors},
-          {"points", json(facts.points)},
-          {"metrics", metrics},
-          {"recording", json(facts.recording)},
-          {"recordingHash", json(facts.recordingHash)},
-          {"handsHash", json(facts.handsHash)}};
+          {"recording", json(facts.recording)}};
 }
 
+/// What the file says; earlier programs wrote the end into it, too.
 std::optional<AttemptFacts> factsOf(const QJsonObject& object) {
   AttemptFacts facts;
   facts.id = text(object, "id"), facts.person = text(object, "person");
@@ -69,20 +53,23 @@ std::optional<AttemptFacts> factsOf(const QJsonObject& object) {
   facts.procedure = text(object, "procedure"), facts.procedureVersion = object["procedureVersion"].toInt();
   facts.caseName = text(object, "caseName"), facts.caseHash = text(object, "caseHash");
   facts.begun_us = std::int64_t(object["begun_us"].toDouble());
-  facts.length_us = std::int64_t(object["length_us"].toDouble());
   const int state = object["state"].toInt(-1);
   if (state < int(AttemptState::Open) || state > int(AttemptState::Abandoned) || facts.id.empty()) return std::nullopt;
   facts.state = AttemptState(state);
-  facts.succeeded = object["succeeded"].toBool();
-  facts.criticalErrors = object["criticalErrors"].toInt();
-  facts.points = number(object["points"]);
-  for (const QJsonValue& one : object["metrics"].toArray()) {
-    const QJsonObject metric = one.toObject();
-    facts.metrics.push_back({text(metric, "id"), metric["version"].toInt(), number(metric["value"])});
-  }
-  facts.recording = text(object, "recording"), facts.recordingHash = text(object, "recordingHash");
-  facts.handsHash = text(object, "handsHash");
+  facts.recording = text(object, "recording");
   return facts;
+}
+
+/// With the end, if there is one; none where it cannot be told yet.
+std::optional<AttemptFacts> withEnd(AttemptFacts facts, const QString& folder) {
+  if (facts.state == AttemptState::Open) return facts;
+  const QString recording = recordingOf(folder, facts);
+  if (!QFileInfo(recording).isFile()) {
+    facts.state = AttemptState::Abandoned;
+    facts.recording.clear();
+    return facts;
+  }
+  return takeRecording(facts, recording.toStdString()) ? std::optional(std::move(facts)) : std::nullopt;
 }
 
 /// A begun attempt and its end have a file each, so that who forgets the one that the store took, or writes it late,
@@ -96,6 +83,14 @@ QString fileOf(const QString& folder, const AttemptFacts& facts, AttemptState st
 
 QString unsentFolder() {
   return ui::attemptsFolder() + QStringLiteral("/unsent");
+}
+
+QString recordingOf(const QString& folder, const AttemptFacts& facts) {
+  const QString name = QString::fromStdString(facts.recording);
+  // A name is never a way out of the folder.
+  if (name.isEmpty() || name == QLatin1String(".") || name == QLatin1String("..") || QFileInfo(name).fileName() != name)
+    return {};
+  return QDir(QFileInfo(folder).path()).filePath(name);
 }
 
 Result<void> keepUnsent(const QString& folder, const AttemptFacts& facts) {
@@ -115,7 +110,8 @@ std::vector<AttemptFacts> unsentOf(const QString& folder, const std::string& per
     QFile file(place.filePath(name));
     if (file.size() > kMost_bytes || !file.open(QIODevice::ReadOnly)) continue;
     auto facts = factsOf(QJsonDocument::fromJson(file.readAll()).object());
-    if (facts && facts->person == person) all.push_back(std::move(*facts));
+    if (!facts || facts->person != person) continue;
+    if (auto ended = withEnd(std::move(*facts), folder)) all.push_back(std::move(*ended));
   }
   std::ranges::sort(all, {}, [](const AttemptFacts& f) { return std::tuple(f.begun_us, f.id, f.state); });
   return all;

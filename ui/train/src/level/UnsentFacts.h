@@ -7,16 +7,21 @@
 #include <string>
 #include <vector>
 
-/// Facts of attempts that the store has not taken yet, in files of a folder of the user's: they outlive the program and
-/// a store that cannot be reached. Any thread, several at once.
+/// Attempts that the store has not taken yet, in files of a folder of the user's: they outlive the program and a store
+/// that cannot be reached. A file says whose an attempt is, for which level it was begun, and which recording shows it.
+/// How it ended is worked out from the recording, never read from the file, which anyone could edit. Any thread,
+/// several at once.
 namespace insonate::train {
 
-/// Beside the recordings.
+/// In the folder of the recordings.
 QString unsentFolder();
+/// Where the recording of such an attempt lies; empty: it has none, or its name leads out of the folder.
+QString recordingOf(const QString& folder, const AttemptFacts& facts);
 
-/// An attempt's end replaces its beginning.
+/// An attempt's end replaces its beginning. Of the end nothing is written but the name of the recording.
 Result<void> keepUnsent(const QString& folder, const AttemptFacts& facts);
-/// Of one person, in the order in which they began. What cannot be read stays where it is and is left out.
+/// Of one person, in the order in which they began. One that ended and whose recording is missing was abandoned without
+/// metrics, as one that broke off. What cannot be read or scored stays where it is and is left out.
 std::vector<AttemptFacts> unsentOf(const QString& folder, const std::string& person);
 /// The store has these: what was kept of the same attempt since stays.
 void forgetUnsent(const QString& folder, const AttemptFacts& facts);

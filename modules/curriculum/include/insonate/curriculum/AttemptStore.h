@@ -5,6 +5,7 @@
 #include <insonate/curriculum/SignedIn.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,9 @@ struct KeptAttempt {
   std::int64_t arrival = 0;  ///< the store's count of attempts begun; orders attempts where clocks cannot
   bool crashed = false;      ///< told abandoned since its process died; its real end may still come
   std::string voidReason{};
+  /// Its recording as the store keeps it; "": it keeps none. Whether it is the one of facts.recordingHash is not looked
+  /// at.
+  std::filesystem::path recordingFile{};
 
   bool operator==(const KeptAttempt&) const = default;
 };
@@ -36,8 +40,13 @@ class AttemptStore {
   /// an attempt that was told abandoned after a crash takes its real end later. By who began it. Refused where another
   /// attempt of the store, of whomever, has the same handsHash: a recording counts once.
   Result<void> end(const AttemptFacts& facts) const;
-  /// begin() and end() of an attempt that is over, or neither. Gives the id.
-  Result<std::string> add(const AttemptFacts& facts) const;
+  /// begin() and end() of an attempt that is over, or neither. Gives the id. With `recording`, the file of
+  /// facts.recordingHash is copied to the store's recordings; where that fails, nothing is added.
+  Result<std::string> add(const AttemptFacts& facts, const std::filesystem::path& recording = {}) const;
+  /// Copies the recording of an attempt that has ended to the store's recordings; by who made it. Again is no error,
+  /// and neither is a store that keeps none. Fails, with nothing changed, where the file is not the one of the
+  /// attempt's recordingHash, and where it cannot be copied.
+  Result<void> keepRecording(const std::string& attempt, const std::filesystem::path& recording) const;
   /// Takes an ended attempt out of the count; instructors and administrators, not for their own.
   Result<void> voidAttempt(const std::string& attempt, const std::string& reason) const;
 

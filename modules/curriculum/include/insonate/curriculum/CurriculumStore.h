@@ -4,6 +4,7 @@
 #include <insonate/curriculum/SignedIn.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -23,6 +24,9 @@ struct StoreServices {
   std::string boot{};                         ///< tells one start of the computer from another
   std::string workstation{};                  ///< the computer's name; unique among those that share a server
   PasswordCost passwordCost = PasswordCost::Usual;
+  /// Folder where recordings of attempts are kept, made when the first comes; "": FILE.recordings beside the store's
+  /// file. A server's store keeps none itself, so each workstation names a folder of its own.
+  std::filesystem::path recordings{};
 };
 
 struct NewPerson {
@@ -50,6 +54,8 @@ class CurriculumStore {
   /// For people: the file, or the server without the password.
   const std::string& place() const;
   const std::string& workstation() const;
+  /// Where recordings of its attempts are kept, as ID.attempt; "": nowhere.
+  const std::filesystem::path& recordings() const;
 
   /// False: this is a first run; ask for the administrator.
   Result<bool> hasPeople() const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
 #include <insonate/curriculum/CurriculumStore.h>
 #include <insonate/curriculum/SignedIn.h>
@@ -25,9 +26,10 @@ class StoreUpkeep {
   Result<StoreFacts> facts() const;
   /// Reads all pages and keys, and checks the hashes of published texts and the audit log. Takes seconds.
   Result<void> verify() const;
-  /// A copy of a file's store as of one moment, while others work; replaces `file` when it is whole. A server's store
-  /// is backed up by pg_dump, and refused here.
-  Result<void> backup(const std::filesystem::path& file) const;
+  /// A copy of a file's store as of one moment, while others work; replaces `file` when it is whole. Its recordings are
+  /// copied to FILE.recordings; those of an earlier backup stay there. A server's store is backed up by pg_dump, and
+  /// refused here.
+  Result<void> backup(const std::filesystem::path& file, const Progress& progress = {}) const;
   /// Everything but passwords, as one JSON object with a list for each table. Of each attempt it also says whether it
   /// was voided, whether its recording broke off, and, by the version of the curriculum that it was made for, the
   /// level's assistance and whether it passed; null in free practice.
@@ -40,7 +42,8 @@ class StoreUpkeep {
 /// Puts a backup in the place of a store's file, which may be open, damaged or missing. `administrator` and `password`
 /// are of the store that is replaced; where it is missing, damaged or has no people yet, of the backup. The backup is
 /// checked first: its pages, its schema, its audit log, which tells who restored it and where the log that it replaces
-/// ended. What was there is kept beside it as FILE.before-restore.
+/// ended. What was there is kept beside it as FILE.before-restore. The backup's recordings are copied to those of the
+/// store, of which none is deleted: recordings of later attempts stay.
 Result<void> restoreStore(const std::filesystem::path& file, const std::filesystem::path& backup,
                           const std::string& administrator, const std::string& password);
 

@@ -3,6 +3,10 @@
 #include <QString>
 #include <string>
 
+namespace insonate {
+struct KeptAttempt;
+}
+
 namespace insonate::ui {
 
 /// Where the user's attempts are recorded: `attempts` beside what else the program keeps of the user's. May not exist
@@ -20,6 +24,11 @@ inline const QString kAttemptSuffix = QStringLiteral(".attempt");
 /// Where the recording that a store names lies on this computer: in attemptsFolder(), else in `attempts` beside the
 /// store's file, whose address is `store`. Empty where it is in neither, and where the name leads out of them.
 QString recordingHere(const std::string& name, const QString& store);
+/// The recording that the store keeps of an attempt; else the same.
+QString recordingHere(const KeptAttempt& attempt, const QString& store);
+
+/// Where this workstation keeps the recordings of attempts whose store is a server.
+QString serverRecordingsFolder();
 
 /// Whether a path is that of a recorded attempt: by its name, also that of the part of one that was cut short, or by
 /// how the file begins.

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "Answer.h"
+
+#include <insonate/curriculum/StoreUpkeep.h>
+
+#include <string>
+
+namespace insonate::cli {
+
+/// {"database", "schema", "people", "classes", "attempts", "forms", "audit_entries", "pending_uploads"}
+Json countsJson(const StoreFacts& facts);
+/// "6 people, 2 classes, ..."
+std::string countsOf(const StoreFacts& facts);
+
+}  // namespace insonate::cli

@@ -1,0 +1,152 @@
+#include "Answer.h"
+#include "Groups.h"
+#include "Lookup.h"
+#include "StoreCounts.h"
+
+#include <insonate/curriculum/AuditLog.h>
+#include <insonate/teaching/RecomputedAttempts.h>
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+
+namespace insonate::cli {
+namespace {
+
+/// "NUMBER:HASH", as verify told it.
+Result<AuditAnchor> anchorOf(const std::string& text) {
+  AuditAnchor anchor;
+  const auto end = text.data() + text.size();
+  const auto [rest, trouble] = std::from_chars(text.data(), end, anchor.number);
+  if (trouble != std::errc() || rest == end || *rest != ':')
+    return fail("'" + text + "' is no anchor; it is NUMBER:HASH, as an earlier 'curriculum verify' told it.");
+  anchor.hash.assign(rest + 1, end);
+  return anchor;
+}
+
+/// Pages, keys, hashes and the log.
+Result<void> verifyWhole(const SignedIn& by, const std::string& anchorText) {
+  if (auto whole = StoreUpkeep(by).verify(); !whole || anchorText.empty()) return whole;
+  const auto earlier = anchorOf(anchorText);
+  return earlier ? AuditLog(by).verify(*earlier) : tl::unexpected(earlier.error());
+}
+
+/// What is stored against recordings, log and attempts.
+Result<RecomputedAttempts> recomputeAll(const SignedIn& by) {
+  auto found = recomputeAttempts(by, terminalProgress());
+  if (!found) return found;
+  for (const auto& more : {StoreCheck(by).againstLog(), StoreCheck(by).standings()}) {
+    if (!more) return tl::unexpected(more.error());
+    found->differences.insert(found->differences.end(), more->begin(), more->end());
+  }
+  return found;
+}
+
+class Names {
+ public:
+  explicit Names(std::vector<Person> people) : people_(std::move(people)) {}
+  /// The id of who is not there.
+  std::string of(const std::string& id) const {
+    const auto found = std::ranges::find(people_, id, &Person::id);
+    return found == people_.end() ? id : found->name;
+  }
+
+ private:
+  std::vector<Person> people_;
+};
+
+Json toJson(const RecomputedAttempts& found, const Names& names) {
+  Json differences = Json::array(), left = Json::array(), implausible = Json::array(), notCompared = Json::array();
+  for (const StoreDifference& one : found.differences)
+    differences.push_back({{"attempt", one.attempt.empty() ? Json(nullptr) : Json(one.attempt)},
+                           {"person", one.person},
+                           {"person_name", names.of(one.person)},
+                           {"field", one.field},
+                           {"stored", one.stored},
+                           {"expected", one.expected}});
+  for (const RecomputedAttempts::Left& one : found.left)
+    left.push_back(
+        {{"attempt", one.attempt}, {"person", one.person}, {"person_name", names.of(one.person)}, {"why", one.why}});
+  for (const RecomputedAttempts::Flagged& one : found.implausible) {
+    std::string why;
+    for (const std::string& word : one.words) why += (why.empty() ? "" : "; ") + word;
+    implausible.push_back(
+        {{"attempt", one.attempt}, {"person", one.person}, {"person_name", names.of(one.person)}, {"why", why}});
+  }
+  for (const auto& [what, attempts] : found.notCompared)
+    notCompared.push_back({{"what", what}, {"attempts", attempts}});
+  return {{"recomputed", found.compared},
+          {"differences", differences},
+          {"not_recomputed", left},
+          {"not_compared", notCompared},
+          {"implausible", implausible}};
+}
+
+std::string section(const std::string& title, const Json& rows, const std::vector<Column>& columns) {
+  constexpr std::size_t kShown = 50;
+  if (rows.empty()) return "";
+  if (rows.size() <= kShown) return title + "\n" + tableOf(rows, columns);
+  const Json first(std::vector<Json>(rows.begin(), rows.begin() + kShown));
+  return title + "\n" + tableOf(first, columns) + "and " + std::to_string(rows.size() - kShown) +
+         " more; --json names all.\n";
+}
+
+/// What was compared, what was not and why, and which attempts to look at.
+std::string textOf(const Json& found) {
+  const std::vector<Column> whose{{"person_name", "person"}, {"attempt", "attempt"}, {"why", "why"}};
+  const auto titled = [&](const char* key, const std::string& title, const std::vector<Column>& columns) {
+    return section(title + " (" + std::to_string(found[key].size()) + "):", found[key], columns);
+  };
+  return "Attempts recomputed from their recordings: " + found["recomputed"].dump() + "\n" +
+         titled("not_recomputed", "Attempts that cannot be recomputed", whose) +
+         titled("not_compared", "Values that are not compared", {{"what", "what"}, {"attempts", "attempts"}}) +
+         titled("implausible", "Implausible attempts, to look at in Review", whose) +
+         titled("differences", "Values that do not agree",
+                {{"person_name", "person"},
+                 {"attempt", "attempt"},
+                 {"field", "value"},
+                 {"stored", "stored"},
+                 {"expected", "expected"}});
+}
+
+Result<Answer> verify(const SignedIn& by, const std::string& anchorText) {
+  if (auto whole = verifyWhole(by, anchorText); !whole) return tl::unexpected(whole.error());
+  const auto found = recomputeAll(by);
+  if (!found) return tl::unexpected(found.error());
+  auto people = peopleSeen(by);
+  if (!people) return tl::unexpected(people.error());
+  const auto facts = StoreUpkeep(by).facts();
+  if (!facts) return tl::unexpected(facts.error());
+  Answer answer{toJson(*found, Names(std::move(*people))), ""};
+  answer.text = textOf(answer.object);
+  answer.object.update({{"whole", found->differences.empty()}, {"anchor", nullptr}});
+  answer.object.update(countsJson(*facts));
+  if (!found->differences.empty()) {
+    answer.failure = facts->place + " is not as its recordings, its log and its attempts have it: " +
+                     std::to_string(found->differences.size()) +
+                     " values differ, and no anchor is given. Someone has written to the database past this program; "
+                     "compare it with a backup.";
+    return answer;
+  }
+  const auto anchor = AuditLog(by).anchor();
+  if (!anchor) return tl::unexpected(anchor.error());
+  const std::string now = std::to_string(anchor->number) + ":" + anchor->hash;
+  answer.object["anchor"] = now;
+  answer.text += facts->place + " is whole: " + countsOf(*facts) +
+                 ".\nKeep this elsewhere, to see later that the log was not written anew: --anchor " + now;
+  return answer;
+}
+
+}  // namespace
+
+void addVerifyCommand(CLI::App& curriculum, Outcome& outcome) {
+  auto anchor = std::make_shared<std::string>();
+  addSignedInCommand(curriculum, outcome, "verify",
+                     "Whether all pages, keys and hashes of a store are as they should be, and its attempts and "
+                     "standings as recordings and log have them",
+                     [anchor](const SignedIn& by) { return verify(by, *anchor); })
+      ->add_option("--anchor", *anchor,
+                   "NUMBER:HASH that an earlier verify told: whether the log was written anew since");
+}
+
+}  // namespace insonate::cli

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <insonate/curriculum/AttemptFacts.h>
+
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace insonate {
+
+/// Why an instructor should look at an attempt: hands rarely do this. It fails nothing by itself.
+enum class Implausible {
+  WithoutProbe,       ///< completed, and the probe neither moved, nor compressed the vein, nor showed the tip
+  FastToVein,         ///< from skin to vein in less than kFastToVein_s
+  WithoutNeedlePath,  ///< the needle was in the skin or the vein, and its tip moved nowhere
+  Short,              ///< completed in less than kShort_s
+  SameValues,         ///< all metrics of an earlier attempt, to the last digit
+};
+
+/// A vein lies about 30 mm along the needle (15 to 20 mm below the skin at 30 to 45 degrees); 10 mm/s is faster than a
+/// needle is advanced under aspiration.
+inline constexpr double kFastToVein_s = 3;
+/// Experts need 50 s from the first puncture to access alone (Clinkard et al., Acad Emerg Med 2015, 22:212); a fifth of
+/// that for the whole attempt is a choice.
+inline constexpr double kShort_s = 10;
+
+/// As in JSON and tables: "fast_to_vein".
+std::string_view idOf(Implausible flag);
+/// For an instructor: "skin to vein in 1.5 s".
+std::string wordsOf(Implausible flag, const AttemptFacts& facts);
+
+/// By an attempt's facts alone, so without SameValues. None for one that is open.
+std::vector<Implausible> implausibilities(const AttemptFacts& facts);
+
+/// Whether metrics are of an attempt that got to the skin: before it, many an attempt has the same values.
+bool tellsOfTheNeedle(const std::vector<MetricFact>& metrics);
+
+/// The same for one attempt after the other, with SameValues among those that were taken.
+class PlausibilityCheck {
+ public:
+  std::vector<Implausible> take(const AttemptFacts& facts);
+
+ private:
+  std::set<std::vector<std::optional<double>>> values_;
+};
+
+}  // namespace insonate

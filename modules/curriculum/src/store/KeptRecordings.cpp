@@ -1,0 +1,143 @@
+#include "store/KeptRecordings.h"
+
+#include "store/sql/PrivateFile.h"
+
+#include <insonate/core/AtomicFile.h>
+
+#include <sodium/crypto_hash_sha256.h>
+#include <sodium/utils.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <fstream>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+namespace insonate::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kSuffix = ".attempt";
+
+using TakePart = std::function<void(const char* bytes, std::size_t count)>;
+
+/// Hands over a file's bytes part by part. False where it cannot be read.
+bool readParts(const fs::path& file, const TakePart& take) {
+  std::ifstream stream(file, std::ios::binary);
+  std::array<char, 65536> part;
+  do {
+    stream.read(part.data(), part.size());
+    take(part.data(), static_cast<std::size_t>(stream.gcount()));
+  } while (stream);
+  return stream.eof();
+}
+
+class Sha256 {
+ public:
+  Sha256() { crypto_hash_sha256_init(&state_); }
+  void take(const char* bytes, std::size_t count) {
+    crypto_hash_sha256_update(&state_, reinterpret_cast<const unsigned char*>(bytes), count);
+  }
+  std::string digits() {
+    std::array<unsigned char, crypto_hash_sha256_BYTES> hash;
+    crypto_hash_sha256_final(&state_, hash.data());
+    std::array<char, 2 * crypto_hash_sha256_BYTES + 1> digits;
+    return sodium_bin2hex(digits.data(), digits.size(), hash.data(), hash.size());
+  }
+
+ private:
+  crypto_hash_sha256_state state_;
+};
+
+/// "": it cannot be read.
+std::string hashOfFile(const fs::path& file) {
+  Sha256 hash;
+  return readParts(file, [&](const char* bytes, std::size_t count) { hash.take(bytes, count); }) ? hash.digits() : "";
+}
+
+/// Copies part by part and hashes what it copies, so that nothing can change in between.
+Result<void> copyHashed(const fs::path& from, const fs::path& to, const std::string& hash) {
+  makePrivate(to);
+  std::ofstream out(to, std::ios::binary | std::ios::trunc);
+  Sha256 copied;
+  const bool isRead = readParts(from, [&](const char* bytes, std::size_t count) {
+    copied.take(bytes, count);
+    out.write(bytes, static_cast<std::streamsize>(count));
+  });
+  out.close();
+  if (!isRead) return fail("The recording " + from.string() + " cannot be read; check its permissions.");
+  if (!out)
+    return fail("The recording " + from.string() + " could not be copied to " + to.string() +
+                ": the disk is full or the folder cannot be written. Free space and try again.");
+  if (!hash.empty() && copied.digits() != hash)
+    return fail("The recording " + from.string() + " was changed while it was read; try again.");
+  return {};
+}
+
+Result<void> makeFolder(const fs::path& folder) {
+  struct stat status {};
+  if (::mkdir(folder.c_str(), S_IRWXU) == 0) return {};
+  if (::stat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
+    return fail("The folder " + folder.string() +
+                " for recordings cannot be made; check that its parent folder exists and can be written.");
+  if ((status.st_mode & 0077) != 0 && status.st_uid == ::geteuid()) (void)::chmod(folder.c_str(), S_IRWXU);
+  return {};
+}
+
+}  // namespace
+
+fs::path recordingsBeside(const fs::path& database) {
+  return database.string() + ".recordings";
+}
+
+fs::path recordingsFolder(const Address& address, const fs::path& wanted) {
+  if (!wanted.empty() || address.isServer) return wanted;
+  return recordingsBeside(address.file.toStdString());
+}
+
+fs::path keptRecording(const fs::path& folder, const std::string& attempt) {
+  return folder / (attempt + std::string(kSuffix));
+}
+
+void findRecording(KeptAttempt& kept, const fs::path& folder) {
+  if (folder.empty()) return;
+  std::error_code ignored;
+  fs::path file = keptRecording(folder, kept.facts.id);
+  if (fs::is_regular_file(file, ignored)) kept.recordingFile = std::move(file);
+}
+
+Result<bool> keepRecording(const fs::path& folder, const std::string& attempt, const fs::path& file,
+                           const std::string& hash) {
+  if (auto made = makeFolder(folder); !made) return tl::unexpected(made.error());
+  const fs::path kept = keptRecording(folder, attempt);
+  std::error_code error;
+  const bool isNew = !fs::exists(kept, error);
+  if (!isNew && hashOfFile(kept) == hash) return false;
+  auto copied = writeAtomically(kept, [&](const fs::path& beside) { return copyHashed(file, beside, hash); });
+  if (!copied) return tl::unexpected(copied.error());
+  return isNew;
+}
+
+Result<void> copyRecordings(const fs::path& from, const fs::path& to, const Progress& progress) {
+  std::error_code error;
+  if (!fs::exists(from, error)) return {};
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(from, error))
+    if (entry.path().extension() == kSuffix && entry.is_regular_file(error)) files.push_back(entry.path());
+  if (error) return fail("The recordings in " + from.string() + " cannot be read: " + error.message() + ".");
+  if (auto made = makeFolder(to); !made) return made;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (!report(progress, "copying recordings", static_cast<double>(i) / static_cast<double>(files.size())))
+      return fail(std::string(kCancelled));
+    const fs::path target = to / files[i].filename();
+    if (fs::exists(target, error) && hashOfFile(target) == hashOfFile(files[i])) continue;
+    auto copied = writeAtomically(target, [&](const fs::path& beside) { return copyHashed(files[i], beside, ""); });
+    if (!copied) return copied;
+  }
+  return {};
+}
+
+}  // namespace insonate::store

@@ -1,0 +1,168 @@
+#include "store/AttemptRows.h"
+#include "store/AuditChain.h"
+#include "store/CurriculumRows.h"
+#include "store/KeptRecordings.h"
+#include "store/Paging.h"
+#include "store/Session.h"
+#include "store/StandingRows.h"
+
+#include <insonate/curriculum/StoreCheck.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace insonate {
+namespace {
+
+using store::Act;
+using store::Actor;
+using store::Row;
+using store::Transaction;
+using Differences = std::vector<StoreDifference>;
+
+/// What the audit log tells of an attempt; AttemptStore.cpp and site/SendFacts.cpp write the entries.
+struct Logged {
+  std::string person{};
+  std::optional<std::string> level{};      ///< as the log shortens it; none: it came from a workstation
+  std::optional<std::string> recording{};  ///< its hash; none: no end was logged
+  bool wasReceived = false;
+};
+
+constexpr std::size_t kUuid = 36;
+constexpr std::string_view kAtLevel = " at level ", kRecording = ", recording ";
+
+std::string after(const std::string& text, std::string_view begin) {
+  return text.starts_with(begin) ? text.substr(begin.size()) : std::string();
+}
+
+std::map<std::string, Logged> loggedAttempts(Transaction& transaction) {
+  std::map<std::string, Logged> logged;
+  for (const Row& row : transaction.rows("SELECT act, person, detail FROM audit WHERE act IN ('begin attempt', 'end "
+                                         "attempt', 'receive attempt') ORDER BY number")) {
+    const std::string detail = row.text(2), rest = detail.substr(std::min(kUuid, detail.size()));
+    Logged& one = logged[detail.substr(0, kUuid)];
+    one.person = row.text(1);
+    if (row.text(0) == "begin attempt") one.level = after(rest, kAtLevel);
+    if (row.text(0) == "end attempt") one.recording = after(rest, kRecording);
+    one.wasReceived |= row.text(0) == "receive attempt";
+  }
+  return logged;
+}
+
+/// Of a row that has entries.
+void compare(const Row& row, const Logged& logged, Differences& differences) {
+  const std::string id = row.text(1), person = row.text(2);
+  const bool hasEnded = row.text(5) != "open" && !row.truth(6);
+  const auto expect = [&](const char* field, const std::string& stored, const std::string& expected) {
+    if (stored != expected) differences.push_back({id, person, field, stored, expected});
+  };
+  expect("person", person, logged.person);
+  if (logged.level) expect("level", store::forLog(row.text(3)), *logged.level);
+  if (logged.recording) expect("recording hash", row.text(4), *logged.recording);
+  if (logged.recording && !hasEnded) expect("state", row.text(5), "ended, by the audit log");
+  if (!logged.recording && !logged.wasReceived && hasEnded) expect("state", row.text(5), "open, by the audit log");
+}
+
+Differences compareWithLog(Transaction& transaction) {
+  Differences differences;
+  std::map<std::string, Logged> logged = loggedAttempts(transaction);
+  // A store that was made by schema 3 or later, in one go, has an entry for each attempt.
+  bool hasBegun = transaction.number("SELECT COUNT(DISTINCT applied_us) FROM schema_migrations WHERE number <= 3") == 1;
+  for (const Row& row :
+       transaction.rows("SELECT arrival, id, person, level, recording_hash, state, crashed FROM attempts "
+                        "ORDER BY arrival")) {
+    const auto found = logged.find(row.text(1));
+    if (found != logged.end()) {
+      hasBegun = true;
+      compare(row, found->second, differences);
+      logged.erase(found);
+    } else if (hasBegun) {
+      differences.push_back(
+          {row.text(1), row.text(2), "attempt", "a row", "none: no entry of the audit log tells of it"});
+    }
+  }
+  for (const auto& [id, entry] : logged)
+    differences.push_back({id, entry.person, "attempt", "missing", "a row: the audit log tells of it"});
+  return differences;
+}
+
+/// Worked out as of the time when the stored one was, from the attempts that had ended.
+Standing workedOut(const Curriculum& curriculum, const std::vector<AttemptFacts>& history, const Standing& kept) {
+  return standingOf(curriculum, history, progressOf(curriculum, history, kept.from_us), kept.from_us, kept.changes);
+}
+
+std::string wordOf(Concern concern) {
+  return concern == Concern::Slipped ? "slipped" : concern == Concern::Stuck ? "stuck" : "none";
+}
+
+void compare(const Standing& kept, const Standing& expected, const std::string& person, Differences& differences) {
+  const std::string of = "standing in " + kept.curriculum + " " + std::to_string(kept.curriculumVersion) + ": ";
+  const auto expect = [&](const char* field, const std::string& stored, const std::string& follows) {
+    if (stored != follows) differences.push_back({"", person, of + field, stored, follows});
+  };
+  expect("level", kept.level, expected.level);
+  expect("levels mastered", std::to_string(kept.mastered), std::to_string(expected.mastered));
+  expect("concern", wordOf(kept.concern), wordOf(expected.concern));
+  expect("sentence", kept.sentence, expected.sentence);
+  expect("valid until", std::to_string(kept.until_us), std::to_string(expected.until_us));
+}
+
+/// One that is not current is worked out anew before it is shown.
+void checkStanding(Transaction& transaction, const Row& row, std::int64_t now_us, Differences& differences) {
+  const std::string person = row.text(10);
+  const std::int64_t changes = transaction.number("SELECT " INSONATE_CHANGES " FROM attempts WHERE person = ?", person);
+  if (!store::isCurrent(row, 0, changes, now_us)) return;
+  const Standing kept = store::standingFrom(row, 0);
+  const auto curriculum = store::publishedCurriculum(transaction, kept.curriculum, kept.curriculumVersion);
+  if (!curriculum) return;  // StoreUpkeep::verify() tells why; nobody is shown a standing in it
+  const std::vector<AttemptFacts> history = store::historyOf(transaction, person);
+  Standing expected = workedOut(*curriculum, history, kept);
+  // An attempt that was begun since then is open, and may have been begun by a clock that is ahead.
+  if (expected.until_us != kept.until_us) {
+    std::vector<AttemptFacts> ended = history;
+    std::erase_if(ended, [](const AttemptFacts& facts) { return facts.state == AttemptState::Open; });
+    expected = workedOut(*curriculum, ended, kept);
+  }
+  compare(kept, expected, person, differences);
+}
+
+}  // namespace
+
+Result<std::vector<KeptAttempt>> StoreCheck::attempts(std::int64_t after, int count) const {
+  if (auto ok = store::checkPage(count); !ok) return tl::unexpected(ok.error());
+  const store::Core& core = by_.session()->core();
+  return by_.session()->read(
+      {.act = Act::LookAfterStore, .detail = "read attempts after " + std::to_string(after)},
+      [&](Transaction& transaction, const Actor&) -> Result<std::vector<KeptAttempt>> {
+        std::vector<KeptAttempt> page;
+        for (const Row& row : transaction.rows("SELECT " INSONATE_ATTEMPT_COLUMNS
+                                               " FROM attempts WHERE arrival > ? ORDER BY arrival LIMIT ?",
+                                               after, count)) {
+          page.push_back(store::keptOf(row));
+          store::findRecording(page.back(), core.recordings());
+        }
+        return page;
+      });
+}
+
+Result<Differences> StoreCheck::againstLog() const {
+  return by_.session()->read(
+      {.act = Act::LookAfterStore, .detail = "compare attempts with the log"},
+      [](Transaction& transaction, const Actor&) -> Result<Differences> { return compareWithLog(transaction); });
+}
+
+Result<Differences> StoreCheck::standings() const {
+  const std::int64_t now_us = by_.session()->core().now_us();
+  return by_.session()->read(
+      {.act = Act::LookAfterStore, .detail = "work out standings"},
+      [&](Transaction& transaction, const Actor&) -> Result<Differences> {
+        Differences differences;
+        for (const Row& row :
+             transaction.rows("SELECT " INSONATE_STANDING_COLUMNS ", standings.person FROM standings ORDER BY person"))
+          checkStanding(transaction, row, now_us, differences);
+        return differences;
+      });
+}
+
+}  // namespace insonate
