@@ -186,6 +186,7 @@ Result<std::vector<std::string>> xapiStatements(const XapiSite& site, const Curr
     const bool practice = attempt.curriculum.empty();
     const bool ofCurriculum = attempt.curriculum == curriculum.name && attempt.curriculumVersion == curriculum.version;
     const Level* level = ofCurriculum ? curriculum.level(attempt.level) : nullptr;
+    if (level && attempt.state != AttemptState::Voided && !counts(attempt, level->pass)) continue;
     if (level || practice) statements.push_back(writer.of(attempt, level));
   }
   return statements;

@@ -103,6 +103,10 @@ Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
   return judgement;
 }
 
+bool counts(const AttemptFacts& attempt, const PassRule& rule) {
+  return counts(attempt) && (attempt.proof != AttemptProof::Unproven || !judge(rule, attempt).passed);
+}
+
 std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt) {
   const Judgement judgement = judge(rule, attempt);
   if (judgement.passed) return {};

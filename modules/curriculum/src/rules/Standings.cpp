@@ -10,7 +10,7 @@ namespace {
 bool failsOn(const Level& level, const Curriculum& curriculum, std::span<const AttemptFacts> history) {
   int failed = 0;
   for (auto it = history.rbegin(); it != history.rend() && failed < kStuckAfter; ++it) {
-    if (it->level != level.name || it->curriculum != curriculum.name || !counts(*it)) continue;
+    if (it->level != level.name || it->curriculum != curriculum.name || !counts(*it, level.pass)) continue;
     if (judge(level.pass, *it).passed) return false;
     ++failed;
   }

@@ -55,8 +55,9 @@ std::vector<LevelRecord> recordsOf(const Curriculum& curriculum, const Indices& 
   for (std::size_t i = 0; i < history.size(); ++i) {
     const AttemptFacts& attempt = history[i];
     const auto level = indices.find(attempt.level);
-    if (attempt.curriculum != curriculum.name || level == indices.end() || !counts(attempt)) continue;
-    if (attempt.procedure != curriculum.levels[level->second].procedure) continue;
+    if (attempt.curriculum != curriculum.name || level == indices.end()) continue;
+    const Level& at = curriculum.levels[level->second];
+    if (attempt.procedure != at.procedure || !counts(attempt, at.pass)) continue;
     for (const std::size_t practised : built[level->second]) records[practised].practised(times[i]);
     records[level->second].take(attempt, times[i]);
   }

@@ -3,6 +3,7 @@
 #include "store/AuditChain.h"
 #include "store/CrashedAttempts.h"
 #include "store/Migrations.h"
+#include "store/Seals.h"
 #include "store/StoreChecks.h"
 #include "store/Texts.h"
 
@@ -79,6 +80,7 @@ Result<void> Core::bringUpToDate() {
   const auto own = connection();
   if (!own) return tl::unexpected(own.error());
   if (auto ok = migrate(**own, address_, now_us()); !ok) return ok;
+  if (auto ok = keepSecret(*this); !ok) return ok;
   return abandonCrashed(*this);
 }
 
