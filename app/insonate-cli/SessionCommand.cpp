@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -121,8 +122,23 @@ std::optional<AttemptScore> scoreUntil(const AttemptRecording& recording, std::i
   return scoreOf(run, recording.status());
 }
 
+std::string nameOf(ProofState state) {
+  switch (state) {
+    case ProofState::Proven:
+      return "proven";
+    case ProofState::Demonstration:
+      return "demonstration";
+    case ProofState::Broken:
+      return "changed";
+    case ProofState::Unproven:
+      break;
+  }
+  return "not proven";
+}
+
 Result<void> replay(const ReplayArguments& a) {
-  if (auto checked = a.check.check(a.recording); !checked) return checked;
+  const auto proof = a.check.check(a.recording);
+  if (!proof) return tl::unexpected(proof.error());
   auto opened = AttemptRecording::open(a.recording);
   if (!opened) return tl::unexpected(opened.error());
   const auto recording = std::make_shared<const AttemptRecording>(std::move(*opened));
@@ -146,6 +162,7 @@ Result<void> replay(const ReplayArguments& a) {
   const auto score = a.metrics ? scoreUntil(*recording, until_us) : std::nullopt;
   if (!a.json) {
     printAttempt(recording->status(), *metrics, events, recording->header().vessels);
+    std::printf("%s\n", (nameOf(proof->state) + (proof->why.empty() ? "." : ": " + proof->why)).c_str());
     if (score) printScore(*score);
     return {};
   }
@@ -159,6 +176,7 @@ Result<void> replay(const ReplayArguments& a) {
                  {"recorded_by", header.software},
                  {"case", header.caseName},
                  {"case_hash", header.caseHash},
+                 {"proof", {{"state", nameOf(proof->state)}, {"why", proof->why}}},
                  {"troubles", recording->troubles()}});
   if (a.pictures.wanted()) object["pictures"] = std::move(pictures);
   printJson(std::move(object));

@@ -3,6 +3,7 @@
 #include "StoreAccess.h"
 
 #include <insonate/core/Result.h>
+#include <insonate/procedure/RecordingProof.h>
 
 #include <CLI/CLI.hpp>
 
@@ -16,8 +17,9 @@ struct RecordingCheck {
   StoreOptions store;
 
   void addTo(CLI::App& command);
-  /// Fails where it is not, or who signs in may not see the attempt.
-  Result<void> check(const std::string& recording) const;
+  /// What it proves, with the store's key where one is asked. Fails where it is not the attempt's, or who signs in may
+  /// not see the attempt.
+  Result<RecordingProof> check(const std::string& recording) const;
 };
 
 }  // namespace insonate::cli
