@@ -6,10 +6,13 @@
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/curriculum/Curriculum.h>
 #include <insonate/teaching/AttemptFactsOf.h>
+#include <insonate/teaching/AttemptProofOf.h>
 #include <insonate/ui/Account.h>
+#include <insonate/ui/Attempts.h>
 
 #include <QUuid>
 #include <QtConcurrent/QtConcurrentRun>
+#include <tuple>
 #include <utility>
 
 namespace insonate::train {
@@ -17,9 +20,15 @@ namespace {
 
 constexpr int kAgain_ms = 60'000;
 
-Result<void> store(const AttemptStore& attempts, const AttemptFacts& facts) {
+/// As its recording proves it; one that was changed meanwhile proves nothing, and the attempt is kept all the same.
+Result<void> store(const AttemptStore& attempts, AttemptFacts facts, const QString& address) {
   if (const auto begun = attempts.begin(facts); !begun) return tl::unexpected(begun.error());
-  return facts.state == AttemptState::Open ? Result<void>() : attempts.end(facts);
+  if (facts.state == AttemptState::Open) return {};
+  const QString recording = ui::recordingHere(facts.recording, address);
+  const auto proven =
+      recording.isEmpty() ? Result<AttemptProofOf>() : proofOfAttempt(attempts, facts, recording.toStdString());
+  facts.proof = proven ? proven->proof : AttemptProof::Unproven;
+  return attempts.end(facts);
 }
 
 /// On this computer, and at once: a question to a lost server may keep the account waiting. What cannot even be written
@@ -34,24 +43,33 @@ KeptFacts keepHere(const QString& folder, const AttemptFacts& facts, const QStri
 }
 
 /// One that the store refuses keeps no other from it. A server that is away is not waited for once for each.
-Result<void> sendAll(const SignedIn& by, const QString& folder, const std::optional<KeptFacts>& fresh, bool isAway) {
+Result<void> sendAll(const SignedIn& by, const QString& folder, const QString& address,
+                     const std::optional<KeptFacts>& fresh, bool isAway) {
   const AttemptStore attempts(by);
   if (fresh)
-    if (const auto unwritten = fresh->result()) return store(attempts, *unwritten);
+    if (const auto unwritten = fresh->result()) return store(attempts, *unwritten, address);
   if (isAway) return fail(AttemptKeeper::tr("The server is still away.").toStdString());
   Result<void> first;
   for (const AttemptFacts& facts : unsentOf(folder, by.person().id)) {
-    const auto stored = store(attempts, facts);
+    const auto stored = store(attempts, facts, address);
     if (stored) forgetUnsent(folder, facts);
     if (!stored && first) first = stored;
   }
   return first;
 }
 
+bool isSameAim(const AttemptFacts& a, const AttemptFacts& b) {
+  const auto aim = [](const AttemptFacts& facts) {
+    return std::tie(facts.person, facts.curriculum, facts.curriculumVersion, facts.level);
+  };
+  return aim(a) == aim(b);
+}
+
 }  // namespace
 
 AttemptKeeper::AttemptKeeper(AttemptControl& attempt, QString folder, QObject* parent)
     : QObject(parent), attempt_(attempt), folder_(std::move(folder)) {
+  connect(&attempt_, &AttemptControl::starting, this, [this] { start(); });
   connect(&attempt_, &AttemptControl::begun, this, [this] { begin(); });
   connect(&attempt_, &AttemptControl::ended, this, [this] { end(); });
   again_.setInterval(kAgain_ms);
@@ -62,25 +80,81 @@ AttemptKeeper::AttemptKeeper(AttemptControl& attempt, QString folder, QObject* p
 void AttemptKeeper::setAccount(ui::Account& account) {
   account_ = &account;
   const auto changed = [this] {
-    if (facts_ && facts_->person != account_->person().id) attempt_.close();
+    if (attempt_.isBusy() && !starter_.empty() && starter_ != account_->person().id) attempt_.close();
     send(std::nullopt);
+    prepare();
   };
   connect(account_, &ui::Account::changed, this, changed);
-  connect(account_, &ui::Account::cameBack, this, [this] { send(std::nullopt); });
+  connect(account_, &ui::Account::cameBack, this, [this] {
+    send(std::nullopt);
+    prepare();
+  });
   changed();
+}
+
+bool AttemptKeeper::isKept() const {
+  return account_ && account_->isSignedIn() && !account_->mustChangePassword();
+}
+
+/// Of who is signed in, for what they practise now.
+AttemptFacts AttemptKeeper::nextFacts() const {
+  AttemptFacts facts;
+  facts.id = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
+  facts.person = account_->person().id;
+  if (const AttemptAim aim = aim_ ? aim_() : AttemptAim(); aim.level) {
+    facts.curriculum = aim.curriculum->name, facts.curriculumVersion = aim.curriculum->version;
+    facts.level = aim.level->name;
+  }
+  return facts;
+}
+
+void AttemptKeeper::prepare() {
+  if (!isKept()) return next_.reset();
+  if (next_ && isSameAim(next_->facts, nextFacts())) return;
+  next_.reset();
+  account_->ask<Sealed>(
+      this,
+      [facts = nextFacts()](const SignedIn& by) -> Result<Sealed> {
+        auto seal = AttemptStore(by).seal(facts);
+        if (!seal) return tl::unexpected(seal.error());
+        return Sealed{facts, std::move(*seal)};
+      },
+      [this](Result<Sealed> sealed) { takeSeal(std::move(sealed)); });
+}
+
+void AttemptKeeper::start() {
+  starter_ = isKept() ? account_->person().id : std::string();
+  isAwaited_ = !starter_.empty();
+  if (!isAwaited_) return;
+  attempt_.awaitSeal();
+  next_ ? takeSeal(std::move(*next_)) : prepare();
+}
+
+/// One that was asked for another person or level is of no use.
+void AttemptKeeper::takeSeal(Result<Sealed> sealed) {
+  const AttemptFacts now = isKept() ? nextFacts() : AttemptFacts();
+  next_ = sealed && isSameAim(sealed->facts, now) ? std::optional(std::move(*sealed)) : std::nullopt;
+  if (!std::exchange(isAwaited_, false)) return;
+  if (!next_) return attempt_.setSeal({}, std::nullopt);
+  const AttemptFacts& facts = next_->facts;
+  attempt_.setSeal({facts.id, facts.person, facts.curriculum, facts.curriculumVersion, facts.level, next_->seal.nonce},
+                   next_->seal.key);
 }
 
 void AttemptKeeper::begin() {
   facts_.reset();
-  if (!account_ || !account_->isSignedIn() || account_->mustChangePassword()) return;
+  isAwaited_ = false;
+  if (!isKept()) return;
+  const AttemptFacts unsealed = nextFacts();
   facts_ = beginningOf(attempt_.header());
-  facts_->id = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
-  facts_->person = account_->person().id;
-  if (const AttemptAim aim = aim_ ? aim_() : AttemptAim(); aim.level) {
-    facts_->curriculum = aim.curriculum->name, facts_->curriculumVersion = aim.curriculum->version;
-    facts_->level = aim.level->name;
+  if (facts_->id.empty()) {
+    facts_->id = unsealed.id, facts_->person = unsealed.person;
+    facts_->curriculum = unsealed.curriculum, facts_->curriculumVersion = unsealed.curriculumVersion;
+    facts_->level = unsealed.level;
   }
   keep(*facts_, {});
+  next_.reset();
+  prepare();
 }
 
 void AttemptKeeper::end() {
@@ -88,6 +162,9 @@ void AttemptKeeper::end() {
   AttemptFacts facts = *std::exchange(facts_, std::nullopt);
   addEnding(facts, attempt_.status(), std::int64_t(attempt_.view().time_s * 1e6), attempt_.score());
   keep(facts, attempt_.file());
+  // As the store will find it.
+  const bool isSealed = !attempt_.header().recordedFor.nonce.empty() && !attempt_.file().isEmpty();
+  facts.proof = isSealed ? AttemptProof::Proven : AttemptProof::Unproven;
   if (account_->isSignedIn() && account_->person().id == facts.person) Q_EMIT ended(facts);
 }
 
@@ -97,11 +174,11 @@ void AttemptKeeper::keep(const AttemptFacts& facts, const QString& recording) {
 }
 
 void AttemptKeeper::send(const std::optional<KeptFacts>& fresh) {
-  if (!account_ || !account_->isSignedIn() || account_->mustChangePassword()) return;
+  if (!isKept()) return;
   account_->ask<void>(
       this,
-      [folder = folder_, fresh, isAway = account_->isAway()](const SignedIn& by) {
-        return sendAll(by, folder, fresh, isAway);
+      [folder = folder_, address = account_->address(), fresh, isAway = account_->isAway()](const SignedIn& by) {
+        return sendAll(by, folder, address, fresh, isAway);
       },
       [this, isFresh = fresh.has_value(), person = account_->person().id](const Result<void>& sent) {
         if (person == account_->person().id) tell(sent, isFresh);
