@@ -70,6 +70,7 @@ QString outcomeOf(const AttemptFacts& attempt, const Curriculum* curriculum) {
            : attempt.succeeded                      ? tr("Aim reached")
                                                     : tr("Aim not reached");
   const std::string reason = reasonOfFailure(level->pass, attempt);
+  if (!counts(attempt, level->pass)) return tr("Would pass, not proven; does not count");
   return reason.empty() ? tr("Passed") : tr("Failed because %1").arg(QString::fromStdString(reason));
 }
 

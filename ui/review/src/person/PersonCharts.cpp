@@ -72,7 +72,8 @@ ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level) {
   }
   const CusumRule rule = known->mastery.cusum.value_or(CusumRule{});
   std::vector<bool> passes;
-  for (const AttemptFacts* one : attemptsAt(facts, level)) passes.push_back(judge(known->pass, *one).passed);
+  for (const AttemptFacts* one : attemptsAt(facts, level))
+    if (counts(*one, known->pass)) passes.push_back(judge(known->pass, *one).passed);
   auto picture = ui::cusumPicture(LcCusum{rule.acceptable, rule.unacceptable}.series(passes), rule.limit);
   if (!known->mastery.cusum) picture.title = tr("LC-CUSUM, not asked for");
   return picture;
