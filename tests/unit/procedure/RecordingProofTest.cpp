@@ -11,6 +11,7 @@
 
 #include <chrono>
 #include <numeric>
+#include <random>
 #include <thread>
 
 namespace insonate {
@@ -231,6 +232,48 @@ TEST_F(RecordingProofTest, ASecondThatIsCutOutIsFound) {
   cut.erase(at, cut.find(std::string(end.begin(), end.end())) - at);
   EXPECT_EQ(proofWith(cut).state, ProofState::Broken);
   EXPECT_FALSE(AttemptRecording::open(folder / "changed")->metricsUntil());
+}
+
+/// Bytes taken out, put in twice, moved to the end or written over, at any place.
+TEST_F(RecordingProofTest, WhateverIsDoneToTheFileItIsNotProven) {
+  std::mt19937 random(11);
+  const auto below = [&](std::size_t limit) { return random() % limit; };
+  for (int i = 0; i < 200; ++i) {
+    const std::size_t at = below(bytes.size()), size = 1 + below(std::min<std::size_t>(bytes.size() - at, 3000));
+    const std::string piece = bytes.substr(at, size);
+    std::string changed = bytes;
+    switch (i % 4) {
+      case 0:
+        changed.erase(at, size);
+        break;
+      case 1:
+        changed.insert(below(bytes.size()), piece);
+        break;
+      case 2:
+        changed += piece;
+        break;
+      default:
+        for (std::size_t k = 0; k < size; ++k) changed[at + k] = static_cast<char>(random());
+    }
+    if (changed != bytes) {
+      EXPECT_NE(proofWith(changed).state, ProofState::Proven) << i << ": " << size << " bytes at " << at;
+    }
+  }
+}
+
+/// A block without its link, a link that comes twice, and whatever follows the end.
+TEST_F(RecordingProofTest, EachBlockHasOneLinkAndTheEndIsTheEnd) {
+  const std::string mark(record::kMark.begin(), record::kMark.end());
+  std::vector<std::size_t> heads;
+  for (std::size_t at = bytes.find(mark); at != std::string::npos; at = bytes.find(mark, at + 1)) heads.push_back(at);
+  const std::string link = bytes.substr(heads[3], heads[4] - heads[3]), last = bytes.substr(heads.back());
+  std::string without = bytes, twice = bytes;
+  without.erase(heads[3], link.size());
+  twice.insert(heads[4], link);
+  for (const std::string& changed : {without, twice, bytes + last, bytes + "x", bytes + mark}) {
+    EXPECT_EQ(proofWith(changed).state, ProofState::Broken);
+    EXPECT_FALSE(AttemptRecording::open(folder / "changed")->troubles().empty());
+  }
 }
 
 TEST_F(RecordingProofTest, ACutFileProvesNothingOfItsEnd) {

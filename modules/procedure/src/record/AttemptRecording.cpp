@@ -108,6 +108,8 @@ Result<void> AttemptRecording::readHeader(const std::vector<PlacedBlock>& blocks
 }
 
 Result<void> AttemptRecording::checkLinks(std::vector<PlacedBlock>& blocks) {
+  const std::size_t found = blocks.size();
+  const PlacedBlock last = blocks.back();
   const record::ChainReading chain = record::checkChain(bytes_, blocks);
   for (const record::Link& link : chain.links) links_.push_back({link.digest, link.code});
   const bool beginsWithHeader = !blocks.empty() && blocks.front().head.kind == BlockKind::Header;
@@ -122,6 +124,12 @@ Result<void> AttemptRecording::checkLinks(std::vector<PlacedBlock>& blocks) {
     // A block that does not agree may be right, and the one before it gone.
     missing_ |= fault.kind != record::ChainFault::Kind::Link;
   }
+  // Of a recording with its end nothing is left out, and nothing was put to it.
+  const bool hasOnlyItsOwn = chain.links.size() == blocks.size() && found == 2 * blocks.size() &&
+                             last.payload() + last.head.packedBytes == bytes_.size();
+  if (fault_.empty() && blocks.back().head.kind == BlockKind::End && !hasOnlyItsOwn)
+    fault_ = name_ + " was changed after it was recorded: it holds more or less than was recorded. " +
+             "Look for an untouched copy.";
   return {};
 }
 
