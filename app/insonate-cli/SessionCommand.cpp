@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -130,10 +131,25 @@ ReplayArguments sorted(ReplayArguments a) {
   return a;
 }
 
+std::string nameOf(ProofState state) {
+  switch (state) {
+    case ProofState::Proven:
+      return "proven";
+    case ProofState::Demonstration:
+      return "demonstration";
+    case ProofState::Broken:
+      return "changed";
+    case ProofState::Unproven:
+      break;
+  }
+  return "not proven";
+}
+
 Result<void> replay(const ReplayArguments& a) {
-  const auto file = a.check.find(a.recording);
-  if (!file) return tl::unexpected(file.error());
-  auto opened = AttemptRecording::open(*file);
+  const auto checked = a.check.check(a.recording);
+  if (!checked) return tl::unexpected(checked.error());
+  const RecordingProof& proof = checked->proof;
+  auto opened = AttemptRecording::open(checked->file);
   if (!opened) return tl::unexpected(opened.error());
   const auto recording = std::make_shared<const AttemptRecording>(std::move(*opened));
   for (const std::string& trouble : recording->troubles()) std::cerr << "note: " << trouble << '\n';
@@ -156,6 +172,7 @@ Result<void> replay(const ReplayArguments& a) {
   const auto score = a.metrics ? scoreUntil(*recording, until_us) : std::nullopt;
   if (!a.json) {
     printAttempt(recording->status(), *metrics, events, recording->header().vessels);
+    std::printf("%s\n", (nameOf(proof.state) + (proof.why.empty() ? "." : ": " + proof.why)).c_str());
     if (score) printScore(*score);
     return {};
   }
@@ -169,6 +186,7 @@ Result<void> replay(const ReplayArguments& a) {
                  {"recorded_by", header.software},
                  {"case", header.caseName},
                  {"case_hash", header.caseHash},
+                 {"proof", {{"state", nameOf(proof.state)}, {"why", proof.why}}},
                  {"troubles", recording->troubles()}});
   if (a.pictures.wanted()) object["pictures"] = std::move(pictures);
   printJson(std::move(object));

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <ctime>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -89,7 +90,8 @@ class CurriculumCommands : public testing::Test {
 
   enum class Ending { InVein, InArtery };
   /// A new recording, which differs from others by how long it lasts.
-  std::string record(const std::string& name, Ending ending, double seconds, const std::string& begun = utc(0)) const {
+  std::string record(const std::string& name, Ending ending, double seconds, const std::string& begun = utc(0),
+                     const RecordedFor& whose = {}, const std::optional<RecordKey>& key = std::nullopt) const {
     ScriptedAttempt attempt;
     attempt.aspirating = true;
     if (ending == Ending::InArtery) attempt.walls = {{kArtery, 20, 30}};
@@ -98,7 +100,8 @@ class CurriculumCommands : public testing::Test {
     header.software = "insonate 0.1.0", header.begun = begun;
     header.procedure = "internal_jugular", header.procedureVersion = 1;
     header.caseName = "Textbook neck", header.caseHash = "c0ffee", header.picture = ScriptedAttempt::picture();
-    const auto recorder = AttemptRecorder::start(folder / name, header);
+    header.recordedFor = whose;
+    const auto recorder = AttemptRecorder::start(folder / name, header, nullptr, key);
     EXPECT_TRUE(recorder) << recorder.error().message;
     for (const auto& entry : attempt.stream) {
       while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -106,6 +109,10 @@ class CurriculumCommands : public testing::Test {
     }
     EXPECT_TRUE((*recorder)->finish(AttemptStatus::Completed));
     return path(name);
+  }
+  /// An instructor counts an attempt that nothing proves.
+  void accept(const json& added) const {
+    told("attempts accept " + added["attempt"]["id"].get<std::string>() + " --reason seen --as miller");
   }
   std::string idOf(const std::string& name) const {
     const json people = told("people list --as boss")["people"];

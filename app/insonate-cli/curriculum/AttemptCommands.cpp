@@ -8,6 +8,7 @@
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/RepeatedValues.h>
 #include <insonate/teaching/AttemptFactsOf.h>
+#include <insonate/teaching/AttemptProofOf.h>
 
 #include <QtCore/QUuid>
 #include <algorithm>
@@ -27,9 +28,26 @@ struct ListArguments {
   std::int64_t before = 0;
 };
 
-struct VoidArguments {
+/// Of void and accept.
+struct ReasonArguments {
   std::string attempt, reason;
 };
+
+const char* wordOf(AttemptProof proof) {
+  switch (proof) {
+    case AttemptProof::Proven:
+      return "proven";
+    case AttemptProof::Accepted:
+      return "accepted";
+    case AttemptProof::Earlier:
+      return "earlier";
+    case AttemptProof::Demonstration:
+      return "demonstration";
+    case AttemptProof::Unproven:
+      break;
+  }
+  return "not proven";
+}
 
 Json factsJson(const AttemptFacts& facts) {
   Json metrics = Json::object();
@@ -50,6 +68,7 @@ Json factsJson(const AttemptFacts& facts) {
           {"critical_errors", facts.criticalErrors},
           {"points", orNull(facts.points)},
           {"recording", facts.recording},
+          {"proof", wordOf(facts.proof)},
           {"metrics", metrics}};
 }
 
@@ -80,8 +99,25 @@ std::string idOf(const AttemptFacts& facts, const Person& person) {
       .toStdString();
 }
 
-Result<Answer> addToLevel(const SignedIn& by, AttemptFacts facts, const AddArguments& a) {
-  const auto curriculum = curriculumFor(by, a);
+/// Why an attempt that nothing proves does not count yet; "" for others.
+std::string noteOf(const AttemptProofOf& proven, const std::string& attempt) {
+  if (proven.proof == AttemptProof::Proven) return "";
+  return "\nNot proven: " + proven.why +
+         " A pass counts once an instructor accepts the attempt ('curriculum attempts accept " + attempt +
+         " --reason ...').";
+}
+
+/// The level of facts that name one already, as those of a recording made for it.
+Result<Curriculum> curriculumOfFacts(const SignedIn& by, const AttemptFacts& facts, const AddArguments& a) {
+  auto curriculum = curriculumFor(by, a);
+  if (!curriculum || facts.curriculum.empty()) return curriculum;
+  if (curriculum->name == facts.curriculum && curriculum->version == facts.curriculumVersion) return curriculum;
+  return fail(a.recording + " was recorded for version " + std::to_string(facts.curriculumVersion) + " of '" +
+              facts.curriculum + "', which none of your classes is taught by; ask an instructor.");
+}
+
+Result<Answer> addToLevel(const SignedIn& by, AttemptFacts facts, const AddArguments& a, const AttemptProofOf& proven) {
+  const auto curriculum = curriculumOfFacts(by, facts, a);
   if (!curriculum) return tl::unexpected(curriculum.error());
   const Level& level = *curriculum->level(a.level);
   if (level.procedure != facts.procedure)
@@ -98,20 +134,33 @@ Result<Answer> addToLevel(const SignedIn& by, AttemptFacts facts, const AddArgum
   for (const std::string& one : missedOnes) missed += (missed.empty() ? ", and missed: " : "; ") + one;
   return Answer{{{"attempt", factsJson(facts)},
                  {"passed", passed},
+                 {"counts", counts(facts, level.pass)},
                  {"missed_standards", missedOnes},
                  {"level", level.name},
                  {"state", nameOf(progress.state)},
                  {"why", progress.why}},
                 (passed ? "Passed" + missed : "Not passed: " + reasonOfFailure(level.pass, facts)) + ". " +
-                    level.title + ": " + progress.why + "\nAttempt " + facts.id};
+                    level.title + ": " + progress.why + "\nAttempt " + facts.id + noteOf(proven, facts.id)};
 }
 
-Result<Answer> add(const SignedIn& by, const AddArguments& a) {
+Result<Answer> add(const SignedIn& by, AddArguments a) {
   auto facts = factsOfRecording(a.recording);
   if (!facts) return tl::unexpected(facts.error());
-  facts->id = idOf(*facts, by.person());
   facts->person = by.person().id;
-  if (!a.level.empty()) return addToLevel(by, std::move(*facts), a);
+  const auto proven = proofOfAttempt(AttemptStore(by), *facts, a.recording);
+  if (!proven) return tl::unexpected(proven.error());
+  facts->proof = proven->proof;
+  if (!proven->isOfStore) {
+    facts->id = idOf(*facts, by.person());
+    facts->curriculum.clear(), facts->curriculumVersion = 0, facts->level.clear();
+  } else if (!a.level.empty() && a.level != facts->level) {
+    return fail(a.recording + " was recorded " +
+                (facts->level.empty() ? "in free practice" : "for the level '" + facts->level + "'") +
+                " and counts for no other; leave out --level.");
+  } else {
+    a.level = facts->level;
+  }
+  if (!a.level.empty()) return addToLevel(by, std::move(*facts), a, *proven);
   if (auto kept = AttemptStore(by).add(*facts, a.recording); !kept) return tl::unexpected(kept.error());
   return Answer{{{"attempt", factsJson(*facts)}, {"passed", nullptr}, {"level", nullptr}},
                 "Kept as free practice, attempt " + facts->id};
@@ -183,6 +232,7 @@ Result<Answer> list(const SignedIn& by, const ListArguments& a) {
                               {"passed", "passed"},
                               {"critical_errors", "critical"},
                               {"points", "points"},
+                              {"proof", "proof"},
                               {"id", "attempt"}};
   if (!isOwn) columns.push_back({"flagged", "needs attention"});
   return Answer{
@@ -190,10 +240,16 @@ Result<Answer> list(const SignedIn& by, const ListArguments& a) {
       rows.empty() ? "No attempts yet; 'curriculum attempts add' takes a recording." : tableOf(rows, columns)};
 }
 
-Result<Answer> voidOne(const SignedIn& by, const VoidArguments& a) {
+Result<Answer> voidOne(const SignedIn& by, const ReasonArguments& a) {
   if (auto done = AttemptStore(by).voidAttempt(a.attempt, a.reason); !done) return tl::unexpected(done.error());
   return Answer{{{"id", a.attempt}, {"state", "voided"}, {"void_reason", a.reason}},
                 "The attempt no longer counts; it is kept, with the reason."};
+}
+
+Result<Answer> accept(const SignedIn& by, const ReasonArguments& a) {
+  if (auto done = AttemptStore(by).accept(a.attempt, a.reason); !done) return tl::unexpected(done.error());
+  return Answer{{{"id", a.attempt}, {"proof", wordOf(AttemptProof::Accepted)}},
+                "The attempt counts now, on your word; your name and the reason are in the audit log."};
 }
 
 }  // namespace
@@ -219,7 +275,13 @@ void addAttemptCommands(CLI::App& curriculum, Outcome& outcome) {
   listing->add_option("--before", listed->before, "Only those whose arrival (see --json) is below this")
       ->check(CLI::PositiveNumber);
 
-  auto voided = std::make_shared<VoidArguments>();
+  auto accepted = std::make_shared<ReasonArguments>();
+  CLI::App* accepting = addSignedInCommand(attempts, outcome, "accept", "Counts an attempt that nothing proves",
+                                           [accepted](const SignedIn& by) { return accept(by, *accepted); });
+  accepting->add_option("ATTEMPT", accepted->attempt, "Its id, as 'attempts list' tells it")->required();
+  accepting->add_option("--reason", accepted->reason, "How you know that it is theirs")->required();
+
+  auto voided = std::make_shared<ReasonArguments>();
   CLI::App* voiding = addSignedInCommand(attempts, outcome, "void", "Takes an attempt out of the count; it is kept",
                                          [voided](const SignedIn& by) { return voidOne(by, *voided); });
   voiding->add_option("ATTEMPT", voided->attempt, "Its id, as 'attempts list' tells it")->required();

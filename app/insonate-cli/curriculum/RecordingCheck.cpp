@@ -5,8 +5,19 @@
 
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/teaching/AttemptFactsOf.h>
+#include <insonate/teaching/AttemptProofOf.h>
 
 namespace insonate::cli {
+namespace {
+
+RecordingProof proofIn(const AttemptStore& attempts, const AttemptFacts& facts, const std::string& recording) {
+  const auto proven = proofOfAttempt(attempts, facts, recording);
+  if (!proven) return {ProofState::Broken, proven.error().message};
+  if (proven->proof == AttemptProof::Proven) return {ProofState::Proven, ""};
+  return {ProofState::Unproven, proven->why};
+}
+
+}  // namespace
 
 void RecordingCheck::addTo(CLI::App& command) {
   CLI::Option* which =
@@ -21,11 +32,16 @@ void RecordingCheck::addTo(CLI::App& command) {
   addDatabaseOption(command, store);
 }
 
-Result<std::string> RecordingCheck::find(const std::string& recording) const {
-  if (attempt.empty()) return recording;
+Result<CheckedRecording> RecordingCheck::check(const std::string& recording) const {
+  if (attempt.empty()) {
+    const auto proof = proofOf(recording, std::nullopt);
+    if (!proof) return tl::unexpected(proof.error());
+    return CheckedRecording{recording, *proof};
+  }
   const auto by = signIn(store);
   if (!by) return tl::unexpected(by.error());
-  const auto kept = AttemptStore(*by).attempt(attempt);
+  const AttemptStore attempts(*by);
+  const auto kept = attempts.attempt(attempt);
   if (!kept) return tl::unexpected(kept.error());
   const std::string file = recording.empty() ? kept->recordingFile.string() : recording;
   const std::string elsewhere = "Look for '" + kept->facts.recording + "' of " + kept->facts.workstation;
@@ -35,10 +51,13 @@ Result<std::string> RecordingCheck::find(const std::string& recording) const {
                 ", and name the file before --attempt.");
   const auto hash = recordingHash(file);
   if (!hash) return tl::unexpected(hash.error());
-  if (*hash == kept->facts.recordingHash) return file;
-  return fail(file + " is not the recording of the attempt " + attempt + " of " + timeText(kept->facts.begun_us) +
-              ": it is another file, or was changed since. " + elsewhere +
-              ", or replay it without --attempt, as nobody's.");
+  if (*hash != kept->facts.recordingHash)
+    return fail(file + " is not the recording of the attempt " + attempt + " of " + timeText(kept->facts.begun_us) +
+                ": it is another file, or was changed since. " + elsewhere +
+                ", or replay it without --attempt, as nobody's.");
+  const auto proof = proofIn(attempts, kept->facts, file);
+  if (!proof) return tl::unexpected(proof.error());
+  return CheckedRecording{file, *proof};
 }
 
 }  // namespace insonate::cli

@@ -75,6 +75,9 @@ AttemptFacts beginningOf(const AttemptHeader& header) {
   facts.procedure = header.procedure, facts.procedureVersion = header.procedureVersion;
   facts.caseName = keptName(header.caseName), facts.caseHash = header.caseHash;
   facts.begun_us = timeOf(header.begun);
+  const RecordedFor& whose = header.recordedFor;
+  facts.id = whose.attempt, facts.person = whose.person;
+  facts.curriculum = whose.curriculum, facts.curriculumVersion = whose.curriculumVersion, facts.level = whose.level;
   return facts;
 }
 

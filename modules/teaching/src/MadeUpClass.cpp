@@ -108,6 +108,7 @@ Result<void> addRecordedAttempts(const CurriculumStore& store, const Curriculum&
       return fail(recording.string() + " is an attempt at '" + facts->procedure + "', and level '" + level.name +
                   "' asks for '" + level.procedure + "'; record another one.");
     facts->curriculum = curriculum.name, facts->curriculumVersion = curriculum.version, facts->level = level.name;
+    facts->proof = AttemptProof::Demonstration;
     const auto by = store.signIn(kMadeUpName + numberOf(trainee++), password);
     if (!by) return tl::unexpected(by.error());
     if (auto kept = practise(*by, {std::move(*facts)}); !kept) return kept;

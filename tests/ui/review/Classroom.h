@@ -54,10 +54,11 @@ class Classroom : public testing::Test {
   }
 
   /// An attempt at the first level that passes, or fails by the artery.
-  void practise(const SignedIn& by, bool well, int times = 1) {
-    practiseAt(curriculum_.levels.front(), by, well, times);
+  void practise(const SignedIn& by, bool well, int times = 1, AttemptProof proof = AttemptProof::Proven) {
+    practiseAt(curriculum_.levels.front(), by, well, times, proof);
   }
-  void practiseAt(const Level& level, const SignedIn& by, bool well, int times = 1) {
+  void practiseAt(const Level& level, const SignedIn& by, bool well, int times = 1,
+                  AttemptProof proof = AttemptProof::Proven) {
     for (int i = 0; i < times; ++i) {
       AttemptFacts facts;
       facts.curriculum = curriculum_.name, facts.curriculumVersion = curriculum_.version, facts.level = level.name;
@@ -66,6 +67,7 @@ class Classroom : public testing::Test {
       facts.begun_us = services().now_us() - (++made_ % 500) * test::kSecond_us;
       facts.id = test::valueOf(AttemptStore(by).begin(facts));
       facts.length_us = 62'000'000, facts.state = AttemptState::Completed, facts.succeeded = well;
+      facts.proof = proof;
       facts.criticalErrors = well ? 0 : 1, facts.points = well ? 84.0 : 0.0;
       for (const MetricStandard& one : level.pass.standards)
         if (std::ranges::none_of(facts.metrics, [&](const MetricFact& m) { return m.id == one.metric; }))

@@ -163,6 +163,28 @@ TEST_F(PersonPageTest, AKeptRecordingIsReplayed) {
             kept.string());
 }
 
+TEST_F(PersonPageTest, AnAttemptThatNothingProvesIsAcceptedWithAReason) {
+  practise(school_->as(school_->anna), true);
+  practise(school_->as(school_->anna), true, 1, AttemptProof::Unproven);
+  showAnna();
+  ASSERT_EQ(history().rowCount(), 2);
+  EXPECT_EQ(history().item(0, 2)->text(), "Would pass, not proven; does not count");
+  history().selectRow(1);
+  auto& accept = *child<QPushButton>("acceptAttempt");
+  EXPECT_FALSE(accept.isVisible()) << "this one is proven";
+  history().selectRow(0);
+  ASSERT_TRUE(accept.isVisible());
+  accept.click();
+  auto& reason = *child<QLineEdit>("voidReason");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return reason.isVisible(); }, kPatience_ms));
+  QTest::keyClicks(&reason, "I watched it");
+  QTest::keyClick(&reason, Qt::Key_Return);
+  settle();
+  EXPECT_EQ(history().item(0, 2)->text(), "Passed, accepted");
+  EXPECT_FALSE(accept.isVisible());
+  EXPECT_EQ(test::valueOf(AttemptStore(school_->admin).attempt(last_.id)).facts.proof, AttemptProof::Accepted);
+}
+
 TEST_F(PersonPageTest, EscapeLeavesAnAttemptAlone) {
   practise(school_->as(school_->anna), true);
   showAnna();

@@ -45,6 +45,7 @@ class TrainCourse : public LevelWindow {
       const auto id = store.begin(facts);
       ASSERT_TRUE(id) << id.error().message;
       facts.id = *id, facts.state = AttemptState::Completed, facts.succeeded = true, facts.points = value;
+      facts.proof = AttemptProof::Proven;
       facts.metrics = {{"artery_punctures", 1, 0.0}, {"passes", 1, 1.0}};
       const auto ended = store.end(facts);
       ASSERT_TRUE(ended) << ended.error().message;

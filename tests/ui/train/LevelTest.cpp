@@ -51,6 +51,7 @@ TEST_F(TrainLevel, AGuestLooksAndPractisesFreelyAndNothingIsStored) {
   makeAttempt();
   EXPECT_TRUE(text("levelChanges").contains("counts for nobody")) << text("levelChanges").toStdString();
   EXPECT_TRUE(QFileInfo::exists(attempt_->file()));
+  EXPECT_EQ(attempt_->header().recordedFor, RecordedFor{});
   EXPECT_TRUE(unsent().isEmpty());
   EXPECT_TRUE(stored().empty());
 }
@@ -77,6 +78,7 @@ TEST_F(TrainLevel, AWholeOneFromChoosingItToTheNextThatOpens) {
   const AttemptFacts facts = stored().front().facts;
   EXPECT_EQ(facts.level, "first");
   EXPECT_EQ(facts.curriculum, "course");
+  EXPECT_EQ(facts.proof, AttemptProof::Proven) << "its recording has the store's nonce and codes";
   EXPECT_EQ(facts.state, AttemptState::Completed);
   EXPECT_TRUE(facts.succeeded);
   EXPECT_EQ(facts.recording, QFileInfo(attempt_->file()).fileName().toStdString());

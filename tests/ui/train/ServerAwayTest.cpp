@@ -59,6 +59,8 @@ TEST_F(ServerAwayCourse, AnAttemptIsKeptHereAndHandedInByItselfOnceItIsBack) {
   const auto kept = stored();
   ASSERT_EQ(kept.size(), 2U);
   for (const KeptAttempt& one : kept) EXPECT_EQ(one.facts.state, AttemptState::Completed);
+  EXPECT_EQ(kept[1].facts.proof, AttemptProof::Proven) << "its seal was asked for beforehand";
+  EXPECT_EQ(kept[0].facts.proof, AttemptProof::Unproven) << "of this one nobody was asked";
   EXPECT_TRUE(account_->isSignedIn()) << "nobody has to sign in again";
 }
 

@@ -27,6 +27,7 @@ inline AttemptFacts passedAttempt(const std::string& level, std::int64_t begun_u
   attempt.length_us = 60'000'000;
   attempt.state = AttemptState::Completed;
   attempt.succeeded = true;
+  attempt.proof = AttemptProof::Proven;
   return attempt;
 }
 

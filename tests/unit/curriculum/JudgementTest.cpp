@@ -130,6 +130,21 @@ TEST(Judgement, WhatWasNotTriedDoesNotCount) {
   EXPECT_EQ(reasonOfFailure({}, with(attempt, "passes", 1)), "it was abandoned with the needle in the skin");
 }
 
+TEST(Judgement, APassCountsAtALevelOnceSomethingVouchesForIt) {
+  const PassRule rule{std::nullopt, {atMost("passes", 1, "there were too many passes")}, 100};
+  AttemptFacts attempt = passedAttempt("a");
+  for (const AttemptProof proof : {AttemptProof::Proven, AttemptProof::Accepted, AttemptProof::Earlier}) {
+    attempt.proof = proof;
+    EXPECT_TRUE(counts(with(attempt, "passes", 1), rule));
+  }
+  attempt.proof = AttemptProof::Unproven;
+  EXPECT_TRUE(judge(rule, with(attempt, "passes", 1)).passed);
+  EXPECT_FALSE(counts(with(attempt, "passes", 1), rule));
+  EXPECT_TRUE(counts(with(attempt, "passes", 2), rule)) << "as a failure";
+  attempt.state = AttemptState::Abandoned;
+  EXPECT_FALSE(counts(with(attempt, "passes", 0), rule)) << "before the skin";
+}
+
 /// A crash, or a trainee who ends the program: nothing was measured.
 TEST(Judgement, ARecordingThatBreaksOffCountsAsAbandoned) {
   AttemptFacts attempt = passedAttempt("a");

@@ -101,6 +101,12 @@ std::vector<Call> attemptCalls(const Target& target) {
       {"begin attempt", "abiom", [=](const SignedIn& by) { return outcome(AttemptStore(by).begin(begunFacts())); }},
       {"end attempt", "a",
        [=, facts = target.attempt](const SignedIn& by) { return outcome(AttemptStore(by).end(facts)); }},
+      {"seal attempt", "abiom", [=](const SignedIn& by) { return outcome(AttemptStore(by).seal(begunFacts())); }},
+      {"find origin", "aim",
+       [=, facts = target.attempt](const SignedIn& by) mutable {
+         facts.person = anna;
+         return outcome(AttemptStore(by).originOf(facts, std::string(128, '0')));
+       }},
       {"see attempt", "aim", [=](const SignedIn& by) { return outcome(AttemptStore(by).attempt(attempt)); }},
       {"see page", "aim", [=](const SignedIn& by) { return outcome(AttemptStore(by).page(anna, 10)); }},
       {"see history", "aim", [=](const SignedIn& by) { return outcome(AttemptStore(by).history(anna)); }},
@@ -120,6 +126,12 @@ std::vector<Call> attemptCalls(const Target& target) {
       {"fill in form", "aim",
        [=](const SignedIn& by) {
          return outcome(FormStore(by).add({"", "rating", 1, anna, attempt, "", 0, "{}"}));
+       }},
+      {"accept attempt", "im",
+       [=](const SignedIn& by) {
+         // Of someone's own it is refused; of others it is said that it need not be.
+         const std::string said = outcome(AttemptStore(by).accept(attempt, "I was there"));
+         return said.find("need not be accepted") == std::string::npos ? said : "";
        }},
       {"void attempt", "im",
        [=](const SignedIn& by) { return outcome(AttemptStore(by).voidAttempt(attempt, "device failed")); }}};

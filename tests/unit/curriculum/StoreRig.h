@@ -119,6 +119,7 @@ inline AttemptFacts endedFacts(AttemptFacts facts) {
   facts.metrics = {{"vein_punctures", 1, 1.0}, {"time_to_vein_s", 2, 0.1 + 0.2}, {"near_miss_mm", 1, std::nullopt}};
   facts.recording = "2026-11-22.rec";
   facts.recordingHash = std::string(64, 'a');
+  facts.proof = AttemptProof::Proven;
   return facts;
 }
 

@@ -138,6 +138,17 @@ TEST(XapiStatements, ALevelsActivityTellsItsAssistance) {
             (json{{"https://training.example.org/assistance", "hints"}}));
 }
 
+/// A learning record store would take it for passed.
+TEST(XapiStatements, APassThatNothingProvesIsLeftOutUntilItIsAccepted) {
+  AttemptFacts passed = attempt();
+  passed.proof = AttemptProof::Unproven;
+  EXPECT_TRUE(statementsOf({passed}).empty());
+  passed.proof = AttemptProof::Accepted;
+  EXPECT_EQ(statementsOf({passed}).size(), 1u);
+  passed.proof = AttemptProof::Unproven, passed.succeeded = false;
+  EXPECT_EQ(statementsOf({passed}).at(0)["verb"]["id"], "http://adlnet.gov/expapi/verbs/failed");
+}
+
 TEST(XapiStatements, ActorsByMailWhereTheyHaveOne) {
   const json s = statementsOf({attempt()}, {"https://training.example.org", true}).at(0);
   EXPECT_EQ(s["actor"]["mbox"], "mailto:ada@example.org");

@@ -162,7 +162,7 @@ TEST_F(DamagedRecording, TheFirstFormatIsStillRead) {
 TEST_F(DamagedRecording, OneBadStretchLeavesTheOthers) {
   const auto whole = AttemptRecording::open(folder / "whole");
   std::string changed = bytes;
-  changed[bytes.size() / 2] ^= 1;  // within what a stretch holds
+  changed[bytes.size() * 2 / 5] ^= 1;  // within what a stretch holds
   const auto recording = with(changed);
   ASSERT_TRUE(recording);
   std::size_t bad = 0;
@@ -203,12 +203,12 @@ TEST_F(DamagedRecording, OtherFilesAreRefusedWithASentence) {
   EXPECT_THAT(AttemptRecording::open(folder / "nothing").error().message, HasSubstr("There is no recording"));
   EXPECT_THAT(AttemptRecording::open(folder.path()).error().message, HasSubstr("is not a file"));
 
-  const std::string newer = R"({"format": 4, "software": "insonate 9"})";
+  const std::string newer = R"({"format": 5, "software": "insonate 9"})";
   const auto block = record::packed(record::BlockKind::Header, 0, 0,
                                     {reinterpret_cast<const std::uint8_t*>(newer.data()), newer.size()});
   const auto refused = with({reinterpret_cast<const char*>(block.data()), block.size()});
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().message, HasSubstr("format 4 and this program reads up to 3"));
+  EXPECT_THAT(refused.error().message, HasSubstr("format 5 and this program reads up to 4"));
   EXPECT_THAT(refused.error().message, HasSubstr("insonate 9"));
 }
 

@@ -25,6 +25,7 @@ void TrainWorkspace::Parts::buildCourse() {
   keeper_->setAim([this] { return levels_->aim(); });
   connect(levels_, &LevelControl::caseWanted, &workspace_, &TrainWorkspace::caseWanted);
   connect(levels_, &LevelControl::changed, this, [this] { takeWaiting(); });
+  connect(levels_, &LevelControl::changed, keeper_, &AttemptKeeper::prepare);
   connect(keeper_, &AttemptKeeper::said, &session, &TrainSession::say);
   connect(keeper_, &AttemptKeeper::allSent, course_, &Course::refresh);
   connect(keeper_, &AttemptKeeper::ended, this, [this](const AttemptFacts& facts) { judgeAttempt(facts); });

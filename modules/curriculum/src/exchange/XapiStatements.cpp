@@ -184,7 +184,10 @@ std::string whyLeftOut(const Curriculum& curriculum, const AttemptFacts& attempt
   if (attempt.curriculum != curriculum.name) return "of the curriculum '" + attempt.curriculum + "'";
   if (attempt.curriculumVersion != curriculum.version)
     return "of version " + std::to_string(attempt.curriculumVersion) + " of the curriculum";
-  return curriculum.level(attempt.level) ? "" : "of the level '" + attempt.level + "', which the curriculum lacks";
+  const Level* level = curriculum.level(attempt.level);
+  if (!level) return "of the level '" + attempt.level + "', which the curriculum lacks";
+  const bool isCounted = attempt.state == AttemptState::Voided || counts(attempt, level->pass);
+  return isCounted ? "" : "not proven, so its pass does not count until an instructor accepts it";
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ const Level* levelOf(const Curriculum& curriculum, const AttemptFacts& attempt) 
 
 std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& attempt) {
   const Level* level = levelOf(curriculum, attempt);
-  return level && counts(attempt) ? std::optional(judge(level->pass, attempt).passed) : std::nullopt;
+  return level && counts(attempt, level->pass) ? std::optional(judge(level->pass, attempt).passed) : std::nullopt;
 }
 
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
@@ -115,6 +115,10 @@ Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
   const bool pointsReached = !rule.leastPoints || (points && *points >= *rule.leastPoints);
   judgement.passed = graveReason(attempt).empty() && pointsReached && judgement.reachesStandards(rule);
   return judgement;
+}
+
+bool counts(const AttemptFacts& attempt, const PassRule& rule) {
+  return counts(attempt) && (attempt.proof != AttemptProof::Unproven || !judge(rule, attempt).passed);
 }
 
 std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt) {

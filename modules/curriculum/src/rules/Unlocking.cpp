@@ -55,7 +55,8 @@ std::vector<LevelRecord> recordsOf(const Curriculum& curriculum, const Indices& 
   std::vector<LevelRecord> records(curriculum.levels.begin(), curriculum.levels.end());
   for (std::size_t i = 0; i < history.size(); ++i) {
     const AttemptFacts& attempt = history[i];
-    if (!levelOf(curriculum, attempt) || !counts(attempt)) continue;
+    const Level* at = levelOf(curriculum, attempt);
+    if (!at || !counts(attempt, at->pass)) continue;
     const auto level = indices.find(attempt.level);
     for (const std::size_t practised : built[level->second]) records[practised].practised(times[i]);
     records[level->second].take(attempt, times[i]);

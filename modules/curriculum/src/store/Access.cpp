@@ -32,6 +32,7 @@ constexpr std::array kRules{
     Rule{SeeCohortAttempts, "see cohort's attempts",  None, None,   Taught,    All, kWholeCohort},
     Rule{FindRecording,     "find recording",         None, All,    All,       All, kUnlogged},
     Rule{VoidAttempt,       "void attempt",           None, None,   Taught,    All, kNotOneself},
+    Rule{AcceptAttempt,     "accept attempt",         None, None,   Taught,    All, kNotOneself},
     Rule{ReadCurricula,     "read curricula",         All,  All,    All,       All, kUnlogged},
     Rule{SeeDrafts,         "see drafts",             None, None,   All,       All, kUnlogged},
     Rule{WriteDrafts,       "write drafts",           None, None,   All,       All, kOnServer},

@@ -32,6 +32,7 @@ enum class Act {
   SeeCohortAttempts,
   FindRecording,
   VoidAttempt,
+  AcceptAttempt,
   ReadCurricula,
   SeeDrafts,
   WriteDrafts,

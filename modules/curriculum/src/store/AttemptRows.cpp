@@ -24,17 +24,18 @@ AttemptFacts factsOf(const Row& row) {
           .succeeded = row.truth(13),
           .criticalErrors = row.count(14),
           .points = row.real(15),
-          .metrics = metricsOf(row.text(16))};
+          .metrics = metricsOf(row.text(16)),
+          .proof = proofNamed(row.text(18))};
 }
 
 KeptAttempt keptOf(const Row& row) {
   KeptAttempt kept{
-      .facts = factsOf(row), .arrival = row.number(0), .crashed = row.truth(11), .voidReason = row.text(22)};
-  kept.facts.caseHash = row.text(18);
-  kept.facts.workstation = row.text(19);
-  kept.facts.recording = row.text(20);
-  kept.facts.recordingHash = row.text(21);
-  kept.facts.handsHash = row.text(23);
+      .facts = factsOf(row), .arrival = row.number(0), .crashed = row.truth(11), .voidReason = row.text(23)};
+  kept.facts.caseHash = row.text(19);
+  kept.facts.workstation = row.text(20);
+  kept.facts.recording = row.text(21);
+  kept.facts.recordingHash = row.text(22);
+  kept.facts.handsHash = row.text(24);
   return kept;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "store/Proofs.h"
 #include "store/sql/Transaction.h"
 
 #include <insonate/curriculum/AttemptStore.h>
@@ -14,13 +15,14 @@ namespace insonate::store {
 /// Columns of attempts that keptOf() reads.
 #define INSONATE_ATTEMPT_COLUMNS                                                                                    \
   "arrival, id, person, curriculum, curriculum_version, level, procedure, procedure_version, case_name, begun_us, " \
-  "state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us, case_hash, workstation, "     \
+  "state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us, " INSONATE_PROOF_COLUMN       \
+  ", case_hash, workstation, "                                                                                      \
   "recording, recording_hash, void_reason, "                                                                        \
   "COALESCE((SELECT MIN(hash) FROM hands WHERE attempt = attempts.id), '')"
 /// The first of them, which history needs.
 #define INSONATE_HISTORY_COLUMNS                                                                                    \
   "arrival, id, person, curriculum, curriculum_version, level, procedure, procedure_version, case_name, begun_us, " \
-  "state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us"
+  "state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us, " INSONATE_PROOF_COLUMN
 
 /// Attempts that were abandoned before the skin: what metricsText() writes of one is looked for in its text. `attempts`
 /// must be the only table with such columns, here and below.

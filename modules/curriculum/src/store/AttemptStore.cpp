@@ -6,6 +6,7 @@
 #include "store/KeptRecordings.h"
 #include "store/Outbox.h"
 #include "store/Paging.h"
+#include "store/Seals.h"
 #include "store/Session.h"
 #include "store/StandingRows.h"
 #include "store/Texts.h"
@@ -56,6 +57,7 @@ Result<void> endKept(Transaction& transaction, const Core& core, const AttemptFa
   if (auto ok = store::refuseKnownHands(transaction, facts); !ok) return ok;
   store::endAttempt(transaction, facts, false);
   store::keepHands(transaction, facts, core.now_us());
+  store::keepProof(transaction, facts);
   store::renewStandings(transaction, facts.person, core.now_us());
   store::putIntoOutbox(transaction, core, "attempt", facts.id);
   core.audit(transaction, facts.person, "end attempt", facts.person,
@@ -79,6 +81,27 @@ Result<void> voidKept(Transaction& transaction, const Core& core, const std::str
   return {};
 }
 
+Result<void> acceptKept(Transaction& transaction, const Core& core, const std::string& id, const std::string& by) {
+  const auto kept = store::findAttempt(transaction, id);
+  const AttemptFacts& facts = kept->facts;
+  if (facts.proof == AttemptProof::Accepted) return {};
+  if (facts.state == AttemptState::Open || facts.state == AttemptState::Voided || kept->crashed)
+    return fail("The attempt is still open, or was voided or broken off; an attempt that has ended can be accepted.");
+  if (facts.proof != AttemptProof::Unproven) return fail("The attempt counts already; it need not be accepted.");
+  store::acceptAttempt(transaction, id, by);
+  // They were worked out without it.
+  transaction.run("DELETE FROM standings WHERE person = ?", facts.person);
+  store::renewStandings(transaction, facts.person, core.now_us());
+  store::putIntoOutbox(transaction, core, "attempt", id);
+  return {};
+}
+
+Result<void> checkReason(const std::string& reason, const char* what) {
+  if (auto ok = store::checkText("The reason", reason); !ok) return ok;
+  if (reason.find_first_not_of(" \t\r\n") != std::string::npos) return {};
+  return fail(std::string("An attempt is ") + what + " for a reason; type it.");
+}
+
 /// From the arrival of the attempt with which someone's last so many begin.
 constexpr std::string_view kLastOfCohort =
     "WITH since AS (SELECT m.person, COALESCE((SELECT arrival FROM attempts AS a WHERE a.person = m.person "
@@ -87,7 +110,9 @@ constexpr std::string_view kLastOfCohort =
     "FROM memberships AS m WHERE m.cohort = ? AND m.teaches = 0) "
     "SELECT arrival, id, attempts.person, curriculum, curriculum_version, level, procedure, procedure_version, "
     "case_name, "
-    "begun_us, state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us "
+    "begun_us, state, crashed, length_us, succeeded, critical_errors, points, metrics, "
+    "voided_us, " INSONATE_PROOF_COLUMN
+    " "
     "FROM since JOIN attempts ON attempts.person = since.person AND arrival >= since.first "
     "WHERE curriculum <> '' AND " INSONATE_COUNTS " ORDER BY attempts.person, arrival";
 
@@ -159,10 +184,30 @@ Result<void> AttemptStore::keepRecording(const std::string& attempt, const std::
   return copied ? Result<void>() : tl::unexpected(copied.error());
 }
 
+Result<AttemptSeal> AttemptStore::seal(const AttemptFacts& facts) const {
+  const AttemptFacts own = ownFacts(by_, facts);
+  if (auto ok = store::checkBegun(own); !ok) return tl::unexpected(ok.error());
+  return by_.session()->read(
+      {.act = Act::MakeAttempt, .person = own.person},
+      [&](Transaction& transaction, const Actor&) { return store::freshSeal(transaction, own); });
+}
+
+Result<NonceOrigin> AttemptStore::originOf(const AttemptFacts& facts, const std::string& nonce) const {
+  return by_.session()->read(
+      {.act = Act::SeeAttempts, .person = facts.person},
+      [&](Transaction& transaction, const Actor&) { return store::originOfNonce(transaction, facts, nonce); });
+}
+
+Result<void> AttemptStore::accept(const std::string& attempt, const std::string& reason) const {
+  if (auto ok = checkReason(reason, "accepted"); !ok) return ok;
+  return by_.session()->write({.act = Act::AcceptAttempt, .attempt = attempt, .detail = reason},
+                              [&](Transaction& transaction, const Actor& actor) {
+                                return acceptKept(transaction, by_.session()->core(), attempt, actor.id);
+                              });
+}
+
 Result<void> AttemptStore::voidAttempt(const std::string& attempt, const std::string& reason) const {
-  if (auto ok = store::checkText("The reason", reason); !ok) return ok;
-  if (reason.find_first_not_of(" \t\r\n") == std::string::npos)
-    return fail("An attempt is voided for a reason; type it.");
+  if (auto ok = checkReason(reason, "voided"); !ok) return ok;
   return by_.session()->write({.act = Act::VoidAttempt, .attempt = attempt, .detail = reason},
                               [&](Transaction& transaction, const Actor& actor) {
                                 return voidKept(transaction, by_.session()->core(), attempt, actor.id, reason);

@@ -4,6 +4,7 @@
 #include "store/CrashedAttempts.h"
 #include "store/KeptRecordings.h"
 #include "store/Migrations.h"
+#include "store/Seals.h"
 #include "store/StoreChecks.h"
 #include "store/Texts.h"
 
@@ -81,6 +82,7 @@ Result<void> Core::bringUpToDate() {
   const auto own = connection();
   if (!own) return tl::unexpected(own.error());
   if (auto ok = migrate(**own, address_, now_us()); !ok) return ok;
+  if (auto ok = keepSecret(*this); !ok) return ok;
   return abandonCrashed(*this);
 }
 

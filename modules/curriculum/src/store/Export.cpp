@@ -64,6 +64,9 @@ const std::vector<Table>& tables() {
        "case_hash, workstation, begun_us, state, crashed, length_us, succeeded, critical_errors, points, metrics, "
        "recording, recording_hash, voided_us, voided_by, void_reason FROM attempts ORDER BY arrival"},
       {"hands", {"hash", "attempt", "since_us"}, "SELECT hash, attempt, since_us FROM hands ORDER BY hash"},
+      {"proofs",
+       {"attempt", "state", "accepted_by"},
+       "SELECT attempt, state, accepted_by FROM proofs ORDER BY attempt"},
       {"forms",
        {"arrival", "id", "form", "form_version", "person", "attempt", "filled_by", "filled_us", "answers"},
        "SELECT arrival, id, form, form_version, person, attempt, filled_by, filled_us, answers FROM forms ORDER BY "

@@ -1,4 +1,5 @@
 #include "record/Block.h"
+#include "record/Chain.h"
 #include "record/HeaderText.h"
 #include "record/RecordFile.h"
 #include "record/SampleRing.h"
@@ -28,10 +29,12 @@ constexpr auto kWake = std::chrono::milliseconds(20);
 }  // namespace
 
 struct AttemptRecorder::State {
-  State(fs::path target, record::RecordFile begun, const AttemptHeader& header, std::shared_ptr<AttemptFollower> also)
+  State(fs::path target, record::RecordFile begun, record::ChainWriter links, const AttemptHeader& header,
+        std::shared_ptr<AttemptFollower> also)
       : path(std::move(target)),
         follower(std::move(also)),
         file(std::move(begun)),
+        chain(std::move(links)),
         pass(header.picture, !header.vessels.empty()),
         settings(header.settings) {}
 
@@ -41,7 +44,7 @@ struct AttemptRecorder::State {
   void take(const AttemptEvent& event);
   void take(const SettingsChange& change);
   void close();
-  void append(const record::Bytes& block);
+  void append(record::Bytes block);
   Result<MetricValues> finish(AttemptStatus status);
 
   const fs::path path;
@@ -50,6 +53,7 @@ struct AttemptRecorder::State {
 
   // The recorder's thread; after it has ended, finish().
   record::RecordFile file;
+  record::ChainWriter chain;
   AttemptMetrics pass;
   Stretch open;
   Clock::time_point opened;
@@ -132,9 +136,9 @@ void AttemptRecorder::State::close() {
   ++stretches;
 }
 
-void AttemptRecorder::State::append(const record::Bytes& block) {
+void AttemptRecorder::State::append(record::Bytes block) {
   if (refused) return;
-  const auto written = file.append(block);
+  const auto written = file.append(chain.linked(std::move(block)));
   if (written) return;
   refused = true;
   const std::lock_guard lock(mutex);
@@ -169,7 +173,8 @@ fs::path AttemptRecorder::partOf(const fs::path& file) {
 }
 
 Result<std::unique_ptr<AttemptRecorder>> AttemptRecorder::start(const fs::path& path, const AttemptHeader& header,
-                                                                std::shared_ptr<AttemptFollower> follower) {
+                                                                std::shared_ptr<AttemptFollower> follower,
+                                                                const std::optional<RecordKey>& key) {
   std::error_code error;
   if (fs::exists(path, error))
     return fail(path.string() + " exists; recordings are not written over. Choose another name.");
@@ -183,9 +188,10 @@ Result<std::unique_ptr<AttemptRecorder>> AttemptRecorder::start(const fs::path& 
   }
   const std::string text = record::textOf(hashed);
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
-  if (auto ok = file->append(record::packed(BlockKind::Header, 0, 0, {bytes, text.size()})); !ok)
+  record::ChainWriter chain(key);
+  if (auto ok = file->append(chain.linked(record::packed(BlockKind::Header, 0, 0, {bytes, text.size()}))); !ok)
     return tl::unexpected(ok.error());
-  auto state = std::make_unique<State>(path, std::move(*file), header, std::move(follower));
+  auto state = std::make_unique<State>(path, std::move(*file), std::move(chain), header, std::move(follower));
   state->thread = std::thread([s = state.get()] { s->run(); });
   return std::unique_ptr<AttemptRecorder>(new AttemptRecorder(std::move(state)));
 }

@@ -1,4 +1,5 @@
 #include "record/Block.h"
+#include "record/Chain.h"
 #include "record/HeaderText.h"
 #include "record/StretchCodec.h"
 
@@ -15,6 +16,7 @@ namespace insonate {
 using record::BlockHead;
 using record::BlockKind;
 using record::Bytes;
+using record::PlacedBlock;
 
 namespace {
 
@@ -63,61 +65,96 @@ Result<AttemptRecording> AttemptRecording::open(const std::filesystem::path& fil
   AttemptRecording recording;
   recording.name_ = file.string();
   recording.bytes_ = std::move(*bytes);
-  const std::span<const std::uint8_t> all(recording.bytes_);
+  std::vector<PlacedBlock> blocks = recording.findBlocks();
+  if (auto ok = recording.readHeader(blocks); !ok) return tl::unexpected(ok.error());
+  if (recording.isChained_)
+    if (auto ok = recording.checkLinks(blocks); !ok) return tl::unexpected(ok.error());
+  for (const PlacedBlock& block : blocks) recording.readBlock(block);
+  recording.tellTroubles();
+  return recording;
+}
+
+std::vector<PlacedBlock> AttemptRecording::findBlocks() {
+  const std::span<const std::uint8_t> all(bytes_);
+  std::vector<PlacedBlock> blocks;
   for (std::size_t at = 0; at < all.size();) {
     const auto head = record::headAt(all.subspan(at));
     if (!head) {  // go on with the next block that can be found
-      const auto next = std::search(all.begin() + at + 1, all.end(), record::kMark.begin(), record::kMark.end());
-      recording.damaged_ |= next != all.end();
+      const auto next = std::search(all.begin() + static_cast<std::ptrdiff_t>(at) + 1, all.end(), record::kMark.begin(),
+                                    record::kMark.end());
+      damaged_ |= next != all.end();
       at = static_cast<std::size_t>(next - all.begin());
       continue;
     }
     const std::size_t payload = at + BlockHead::kBytes;
     if (all.size() - payload < head->packedBytes) break;
-    if (auto ok = recording.readBlock(*head, payload); !ok) return tl::unexpected(ok.error());
+    blocks.push_back({*head, at});
     at = payload + head->packedBytes;
   }
-  if (!recording.hasHeader_)
-    return fail(file.string() + " is not a recording of an attempt, or nothing of it is left that can be read.");
-  if (recording.status_ == AttemptStatus::CutShort)
-    recording.troubles_.push_back(file.string() +
-                                  " broke off, so the attempt counts as abandoned; it can be read up to " +
-                                  seconds(recording.end_us()) + ".");
-  if (recording.damaged_)
-    recording.troubles_.push_back(file.string() +
-                                  " is damaged: parts of it cannot be found. Metrics are not computed.");
-  return recording;
+  return blocks;
 }
 
-Result<void> AttemptRecording::readBlock(const BlockHead& head, std::size_t payload) {
+Result<void> AttemptRecording::readHeader(const std::vector<PlacedBlock>& blocks) {
+  const auto found = std::ranges::find(blocks, BlockKind::Header, [](const PlacedBlock& b) { return b.head.kind; });
+  if (found == blocks.end())
+    return fail(name_ + " is not a recording of an attempt, or nothing of it is left that can be read.");
+  const BlockHead& head = found->head;
+  const auto text = record::unpacked({&bytes_[found->payload()], head.packedBytes}, head.rawBytes, head.checksum);
+  if (!text) return fail(name_ + " cannot be read: its header is damaged.");
+  auto read = record::headerFrom({reinterpret_cast<const char*>(text->data()), text->size()});
+  if (!read) return fail(name_ + " cannot be read: " + read.error().message);
+  header_ = std::move(read->header), isChained_ = read->isChained;
+  return {};
+}
+
+Result<void> AttemptRecording::checkLinks(std::vector<PlacedBlock>& blocks) {
+  const std::size_t found = blocks.size();
+  const PlacedBlock last = blocks.back();
+  const record::ChainReading chain = record::checkChain(bytes_, blocks);
+  for (const record::Link& link : chain.links) links_.push_back({link.digest, link.code});
+  const bool beginsWithHeader = !blocks.empty() && blocks.front().head.kind == BlockKind::Header;
+  if (!beginsWithHeader || !blocks.front().agrees)
+    return fail(name_ +
+                " was changed or damaged after it was recorded: its header does not agree with the rest of it. " +
+                "Look for an untouched copy.");
+  for (const record::ChainFault& fault : chain.faults) {
+    if (fault_.empty())
+      fault_ = name_ + " was changed or damaged after it was recorded, at " + seconds(fault.time_us) +
+               ". Look for an untouched copy.";
+    // A block that does not agree may be right, and the one before it gone.
+    missing_ |= fault.kind != record::ChainFault::Kind::Link;
+  }
+  // Of a recording with its end nothing is left out, and nothing was put to it.
+  const bool hasOnlyItsOwn = chain.links.size() == blocks.size() && found == 2 * blocks.size() &&
+                             last.payload() + last.head.packedBytes == bytes_.size();
+  if (fault_.empty() && blocks.back().head.kind == BlockKind::End && !hasOnlyItsOwn)
+    fault_ = name_ + " was changed after it was recorded: it holds more or less than was recorded. " +
+             "Look for an untouched copy.";
+  return {};
+}
+
+void AttemptRecording::readBlock(const PlacedBlock& block) {
+  const BlockHead& head = block.head;
   switch (head.kind) {
-    case BlockKind::Header:
-      return readHeader(head, payload);
     case BlockKind::Stretch:
-      blocks_.push_back({head.first_us, head.last_us, payload, head.packedBytes, head.rawBytes, head.checksum});
+      blocks_.push_back(
+          {head.first_us, head.last_us, block.payload(), head.packedBytes, head.rawBytes, head.checksum, block.agrees});
       break;
     case BlockKind::Settings:
-      readChange(head, payload);
+      readChange(head, block.payload(), block.agrees);
       break;
     case BlockKind::End:
-      checkEnd(head, payload);
+      if (block.agrees) checkEnd(head, block.payload());
+      break;
+    case BlockKind::Header:
+    case BlockKind::Link:
       break;
   }
-  return {};
 }
 
-Result<void> AttemptRecording::readHeader(const BlockHead& head, std::size_t payload) {
+void AttemptRecording::readChange(const BlockHead& head, std::size_t payload, bool agrees) {
   const auto text = record::unpacked({&bytes_[payload], head.packedBytes}, head.rawBytes, head.checksum);
-  if (!text) return fail(name_ + " cannot be read: its header is damaged.");
-  auto header = record::headerFrom({reinterpret_cast<const char*>(text->data()), text->size()});
-  if (!header) return fail(name_ + " cannot be read: " + header.error().message);
-  header_ = std::move(*header), hasHeader_ = true;
-  return {};
-}
-
-void AttemptRecording::readChange(const BlockHead& head, std::size_t payload) {
-  const auto text = record::unpacked({&bytes_[payload], head.packedBytes}, head.rawBytes, head.checksum);
-  if (text) {
+  if (text && agrees) {
     changes_.push_back({head.first_us, {text->begin(), text->end()}});
     return;
   }
@@ -136,6 +173,18 @@ void AttemptRecording::checkEnd(const BlockHead& head, std::size_t payload) {
   status_ = static_cast<AttemptStatus>(status);
   damaged_ |= stretches != blocks_.size();
   if (changes > changes_.size() && !unknownFrom_us_) unknownFrom_us_ = 0;
+}
+
+void AttemptRecording::tellTroubles() {
+  if (status_ == AttemptStatus::CutShort) {
+    troubles_.push_back(name_ + " was cut short; it can be read up to " + seconds(end_us()) + ".");
+    damaged_ |= missing_;  // no end tells how many stretches there were
+  }
+  const bool stretchIsBad = std::ranges::any_of(blocks_, [](const Block& block) { return !block.agrees; });
+  // Bad settings were told with their time.
+  if (!fault_.empty() && !damaged_ && (stretchIsBad || !unknownFrom_us_))
+    troubles_.push_back(fault_ + (stretchIsBad ? " Metrics are not computed." : ""));
+  if (damaged_) troubles_.push_back(name_ + " is damaged: parts of it cannot be found. Metrics are not computed.");
 }
 
 Result<std::string> AttemptRecording::settingsAt(std::int64_t time_us) const {
@@ -158,6 +207,9 @@ Result<Stretch> AttemptRecording::stretch(std::size_t index) const {
   const Block& block = blocks_[index];
   const auto raw = record::unpacked({&bytes_[block.payload], block.packedBytes}, block.rawBytes, block.checksum);
   auto stretch = raw ? record::decoded(*raw) : std::nullopt;
+  if (stretch && !block.agrees)
+    return fail(name_ + " was changed after it was recorded, between " + seconds(block.first_us) + " and " +
+                seconds(block.last_us) + "; what is before and after can be read.");
   if (!stretch)
     return fail(name_ + " is damaged between " + seconds(block.first_us) + " and " + seconds(block.last_us) +
                 "; what is before and after can be read.");

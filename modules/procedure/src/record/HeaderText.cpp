@@ -6,10 +6,18 @@ namespace insonate::record {
 namespace {
 
 /// Grows when an older program could not read what is written now. Format 1 has neither settings nor tenting,
-/// format 2 does not say which vein was punctured.
-constexpr int kFormat = 3;
+/// format 2 does not say which vein was punctured, format 3 has no chain.
+constexpr int kFormat = 4;
+constexpr int kChainedSince = 4;
 /// Value of "hands"; a header without "hands" was recorded from a person's.
 constexpr const char* kScript = "script";
+
+RecordedFor recordedForFrom(const nlohmann::json& json) {
+  if (!json.contains("recordedFor")) return {};
+  const auto& whose = json.at("recordedFor");
+  return {whose.at("attempt"),           whose.at("person"), whose.at("curriculum"),
+          whose.at("curriculumVersion"), whose.at("level"),  whose.at("nonce")};
+}
 
 }  // namespace
 
@@ -34,31 +42,38 @@ std::string textOf(const AttemptHeader& header) {
                         {"elevationFocus_mm", picture.elevationFocus_mm},
                         {"elevationDivergence", picture.elevationDivergence}}}};
   if (header.isScripted) json["hands"] = kScript;
+  if (const RecordedFor& whose = header.recordedFor; whose != RecordedFor{})
+    json["recordedFor"] = {{"attempt", whose.attempt},       {"person", whose.person},
+                           {"curriculum", whose.curriculum}, {"curriculumVersion", whose.curriculumVersion},
+                           {"level", whose.level},           {"nonce", whose.nonce}};
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-Result<AttemptHeader> headerFrom(std::string_view text) {
+Result<HeaderRead> headerFrom(std::string_view text) {
   try {
     const auto json = nlohmann::json::parse(text);
-    if (const int format = json.at("format"); format < 1 || format > kFormat)
+    const int format = json.at("format");
+    if (format < 1 || format > kFormat)
       return fail("it has format " + std::to_string(format) + " and this program reads up to " +
                   std::to_string(kFormat) + "; use the Insonate that wrote it, " +
                   json.value("software", "a newer one") + ".");
     const auto& picture = json.at("picture");
-    return AttemptHeader{
-        json.at("software"),
-        json.at("begun"),
-        json.at("procedure"),
-        json.at("procedureVersion"),
-        json.at("caseName"),
-        json.at("caseHash"),
-        json.at("settingsHash"),
-        json.at("engine"),
-        {picture.at("width_mm"), picture.at("fanAngle_deg"), picture.at("faceRadius_mm"), picture.at("sliceHalf_mm"),
-         picture.value("elevationFocus_mm", 0.0), picture.value("elevationDivergence", 0.0)},
-        json.value("vessels", std::vector<std::string>{}),
-        json.value("settings", ""),
-        json.value("hands", "") == kScript};
+    return HeaderRead{
+        {json.at("software"),
+         json.at("begun"),
+         json.at("procedure"),
+         json.at("procedureVersion"),
+         json.at("caseName"),
+         json.at("caseHash"),
+         json.at("settingsHash"),
+         json.at("engine"),
+         {picture.at("width_mm"), picture.at("fanAngle_deg"), picture.at("faceRadius_mm"), picture.at("sliceHalf_mm"),
+          picture.value("elevationFocus_mm", 0.0), picture.value("elevationDivergence", 0.0)},
+         json.value("vessels", std::vector<std::string>{}),
+         json.value("settings", ""),
+         json.value("hands", "") == kScript,
+         recordedForFrom(json)},
+        format >= kChainedSince};
   } catch (const nlohmann::json::exception&) {
     return fail("its header is not one of a recording.");
   }

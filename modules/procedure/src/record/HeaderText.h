@@ -8,9 +8,14 @@
 
 namespace insonate::record {
 
+struct HeaderRead {
+  AttemptHeader header{};
+  bool isChained = false;  ///< its blocks have links (record/Chain.h)
+};
+
 /// JSON.
 std::string textOf(const AttemptHeader& header);
 /// Fails with a sentence on other text, and on a format that is newer than this program's.
-Result<AttemptHeader> headerFrom(std::string_view text);
+Result<HeaderRead> headerFrom(std::string_view text);
 
 }  // namespace insonate::record

@@ -105,12 +105,13 @@ void LiveAttempt::State::record(const ServoSnapshot& tick) noexcept {
 }
 
 Result<std::shared_ptr<LiveAttempt>> LiveAttempt::start(const std::filesystem::path& file, const AttemptHeader& header,
-                                                        Procedure procedure, VesselNames vessels) {
+                                                        Procedure procedure, VesselNames vessels,
+                                                        const std::optional<RecordKey>& key) {
   auto state = std::make_unique<State>();
   state->file = file;
   state->vessels = std::move(vessels);
   state->following = std::make_shared<Following>(std::move(procedure), header);
-  auto recorder = AttemptRecorder::start(file, header, state->following);
+  auto recorder = AttemptRecorder::start(file, header, state->following, key);
   if (!recorder) return tl::unexpected(recorder.error());
   state->recorder = std::move(*recorder);
   return std::shared_ptr<LiveAttempt>(new LiveAttempt(std::move(state)));

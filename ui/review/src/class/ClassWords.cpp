@@ -76,6 +76,7 @@ QString outcomeOf(const AttemptFacts& attempt, const Curriculum* curriculum) {
            : attempt.succeeded                      ? tr("Succeeded")
                                                     : tr("Did not succeed");
   const std::string reason = reasonOfFailure(level->pass, attempt);
+  if (!counts(attempt, level->pass)) return tr("Would pass, not proven; does not count");
   return reason.empty() ? tr("Passed") : tr("Failed because %1").arg(QString::fromStdString(reason));
 }
 

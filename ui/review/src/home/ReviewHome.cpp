@@ -104,7 +104,7 @@ void ReviewHome::connectParts() {
     connect(menu, &SaveMenu::written, this, &ReviewHome::written);
     connect(menu, &SaveMenu::failed, this, &ReviewHome::failed);
   }
-  connect(person_, &PersonDesk::voided, room_, &ClassDesk::refresh);
+  connect(person_, &PersonDesk::countChanged, room_, &ClassDesk::refresh);
   connect(room_, &ClassDesk::readingChanged, this, &ReviewHome::settledChanged);
   connect(room_, &ClassDesk::standingChanged, this, &ReviewHome::settledChanged);
   connect(person_, &PersonDesk::readingChanged, this, &ReviewHome::settledChanged);

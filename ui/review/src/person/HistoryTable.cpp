@@ -41,6 +41,13 @@ QString whyNoReplay(const KeptAttempt& attempt) {
            QDir::toNativeSeparators(ui::attemptsFolder()));
 }
 
+/// It has ended, and nothing vouches for it.
+bool isUnproven(const KeptAttempt& attempt) {
+  const AttemptState state = attempt.facts.state;
+  return (state == AttemptState::Completed || state == AttemptState::Abandoned) && !attempt.crashed &&
+         attempt.facts.proof == AttemptProof::Unproven;
+}
+
 }  // namespace
 
 HistoryTable::HistoryTable(PersonDesk& desk, QWidget* parent)
@@ -49,17 +56,19 @@ HistoryTable::HistoryTable(PersonDesk& desk, QWidget* parent)
       table_(new QTableWidget),
       replay_(new QPushButton(ui::icon(QStringLiteral("play")), tr("Replay"))),
       void_(new QPushButton(tr("Void ..."))),
+      accept_(new QPushButton(tr("Accept ..."))),
       earlier_(new QPushButton(tr("Earlier attempts"))),
-      voidNow_(new QPushButton(tr("Void"))),
+      changeNow_(new QPushButton),
       words_(new QLabel),
-      voiding_(nullptr),
+      question_(new QLabel),
+      asking_(nullptr),
       reason_(new QLineEdit) {
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kSmallGap);
-  voiding_ = buildVoiding();
+  asking_ = buildReason();
   box->addWidget(buildTable(), 1);
-  box->addWidget(voiding_);
+  box->addWidget(asking_);
   box->addWidget(buildButtons());
   connect(&desk_, &PersonDesk::attemptsChanged, this, [this] { show(); });
   show();
@@ -102,44 +111,45 @@ QWidget* HistoryTable::buildButtons() {
   words_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   ui::setRole(words_, "quiet");
   connect(replay_, &QPushButton::clicked, this, [this] { replay(); });
-  connect(void_, &QPushButton::clicked, this, [this] { showVoiding(true); });
+  accept_->setObjectName(QStringLiteral("acceptAttempt"));
+  accept_->setToolTip(tr("Count this pass, which nothing proves, on your word, with a reason"));
+  connect(void_, &QPushButton::clicked, this, [this] { askReason(Change::Void); });
+  connect(accept_, &QPushButton::clicked, this, [this] { askReason(Change::Accept); });
   connect(earlier_, &QPushButton::clicked, this, [this] { desk_.readEarlier(); });
   row->addWidget(replay_);
   row->addWidget(void_);
+  row->addWidget(accept_);
   row->addWidget(words_, 1);
   row->addWidget(earlier_);
   return buttons;
 }
 
-QWidget* HistoryTable::buildVoiding() {
+QWidget* HistoryTable::buildReason() {
   auto* part = new QFrame;
   ui::setRole(part, "panel");
   auto* row = new QHBoxLayout(part);
   row->setSpacing(ui::kGap);
   reason_->setObjectName(QStringLiteral("voidReason"));
-  reason_->setAccessibleName(tr("Why the attempt does not count"));
-  reason_->setPlaceholderText(tr("Why it does not count, for example: the device lost its calibration"));
-  reason_->setToolTip(tr("The trainee reads it, too. Enter voids, Esc leaves it"));
-  voidNow_->setObjectName(QStringLiteral("voidNow"));
-  voidNow_->setToolTip(tr("It cannot be taken back (Enter)"));
+  changeNow_->setObjectName(QStringLiteral("voidNow"));
+  changeNow_->setToolTip(tr("It cannot be taken back (Enter)"));
   auto* leave = new QPushButton(tr("Leave it"));
-  leave->setToolTip(tr("The attempt goes on to count (Esc)"));
+  leave->setToolTip(tr("The attempt stays as it is (Esc)"));
   auto* escape = new QAction(part);
   escape->setShortcut(QKeySequence(Qt::Key_Escape));
   escape->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   part->addAction(escape);
-  connect(escape, &QAction::triggered, this, [this] { showVoiding(false); });
-  connect(leave, &QPushButton::clicked, this, [this] { showVoiding(false); });
-  connect(voidNow_, &QPushButton::clicked, this, [this] { voidChosen(); });
-  connect(reason_, &QLineEdit::returnPressed, this, [this] { voidChosen(); });
+  connect(escape, &QAction::triggered, this, [this] { askReason(Change::None); });
+  connect(leave, &QPushButton::clicked, this, [this] { askReason(Change::None); });
+  connect(changeNow_, &QPushButton::clicked, this, [this] { changeChosen(); });
+  connect(reason_, &QLineEdit::returnPressed, this, [this] { changeChosen(); });
   connect(reason_, &QLineEdit::textChanged, this,
-          [this](const QString& text) { voidNow_->setEnabled(!text.trimmed().isEmpty()); });
-  voidNow_->setEnabled(false);
-  auto* label = new QLabel(tr("Void this attempt:"));
-  label->setBuddy(reason_);
-  row->addWidget(label);
+          [this](const QString& text) { changeNow_->setEnabled(!text.trimmed().isEmpty()); });
+  changeNow_->setEnabled(false);
+  question_->setBuddy(reason_);
+  wordReason(true);
+  row->addWidget(question_);
   row->addWidget(reason_, 1);
-  row->addWidget(voidNow_);
+  row->addWidget(changeNow_);
   row->addWidget(leave);
   part->hide();
   return part;
@@ -166,6 +176,8 @@ void HistoryTable::fill(int row, const KeptAttempt& attempt) {
   };
   QString outcome = outcomeOf(facts, curriculum);
   if (!attempt.voidReason.empty()) outcome += QStringLiteral(": ") + QString::fromStdString(attempt.voidReason);
+  if (isUnproven(attempt) && !outcome.contains(tr("not proven"))) outcome += tr(", not proven");
+  if (facts.proof == AttemptProof::Accepted) outcome += tr(", accepted");
   if (const QString why = desk_.whyToLook(facts); !why.isEmpty()) outcome += tr("   ▲ %1").arg(why);
   set(kDate, ui::dayAndTimeOf(facts.begun_us));
   set(kLevel, levelTitle(curriculum, facts.level));
@@ -185,7 +197,7 @@ const KeptAttempt* HistoryTable::chosen() const {
 }
 
 void HistoryTable::showChosen() {
-  showVoiding(false);
+  askReason(Change::None);
   const KeptAttempt* attempt = chosen();
   const bool here = attempt && !recordingOf(*attempt).isEmpty();
   replay_->setEnabled(here);
@@ -194,6 +206,7 @@ void HistoryTable::showChosen() {
       attempt && (attempt->facts.state == AttemptState::Completed || attempt->facts.state == AttemptState::Abandoned);
   void_->setVisible(desk_.mayVoid());
   void_->setEnabled(ended);
+  accept_->setVisible(desk_.mayVoid() && ended && isUnproven(*attempt));
   words_->setText(!desk_.facts() ? QString()
                   : !attempt     ? tr("No attempt yet. Those made under Train (Ctrl+2) while signed in come here.")
                   : here         ? QString()
@@ -209,19 +222,34 @@ void HistoryTable::replay() {
   Q_EMIT replayWanted(file, QString::fromStdString(attempt->facts.id));
 }
 
-void HistoryTable::showVoiding(bool shown) {
-  voiding_->setVisible(shown);
-  if (!shown) return;
+void HistoryTable::askReason(Change change) {
+  change_ = change;
+  asking_->setVisible(change != Change::None);
+  if (change == Change::None) return;
+  wordReason(change == Change::Void);
   reason_->clear();
   reason_->setFocus();
 }
 
-void HistoryTable::voidChosen() {
+void HistoryTable::wordReason(bool voids) {
+  question_->setText(voids ? tr("Void this attempt:") : tr("Accept this attempt:"));
+  changeNow_->setText(voids ? tr("Void") : tr("Accept"));
+  reason_->setAccessibleName(voids ? tr("Why the attempt does not count") : tr("Why the attempt counts"));
+  reason_->setPlaceholderText(voids ? tr("Why it does not count, for example: the device lost its calibration")
+                                    : tr("How you know that it is theirs, for example: I watched it"));
+  reason_->setToolTip(voids ? tr("The trainee reads it, too. Enter voids, Esc leaves it")
+                            : tr("It is in the log, with your name. Enter accepts, Esc leaves it"));
+}
+
+void HistoryTable::changeChosen() {
   const KeptAttempt* attempt = chosen();
   const QString reason = reason_->text().trimmed();
   if (!attempt || reason.isEmpty()) return;
-  desk_.voidAttempt(attempt->facts.id, reason);
-  showVoiding(false);
+  if (change_ == Change::Void)
+    desk_.voidAttempt(attempt->facts.id, reason);
+  else
+    desk_.acceptAttempt(attempt->facts.id, reason);
+  askReason(Change::None);
 }
 
 }  // namespace insonate::review

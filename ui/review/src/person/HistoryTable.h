@@ -16,7 +16,7 @@ namespace insonate::review {
 class PersonDesk;
 
 /// A person's attempts, newest first: Enter replays one whose recording is here, and an instructor takes one out of the
-/// count with a reason.
+/// count, or counts one that nothing proves, with a reason.
 class HistoryTable final : public QWidget {
   Q_OBJECT
 
@@ -31,7 +31,7 @@ class HistoryTable final : public QWidget {
  private:
   QWidget* buildTable();
   QWidget* buildButtons();
-  QWidget* buildVoiding();
+  QWidget* buildReason();
   void show();
   void fill(int row, const KeptAttempt& attempt);
   void showChosen();
@@ -39,15 +39,19 @@ class HistoryTable final : public QWidget {
   QString recordingOf(const KeptAttempt& attempt) const;
   const KeptAttempt* chosen() const;
   void replay();
-  void showVoiding(bool shown);
-  void voidChosen();
+  /// What the reason is asked for.
+  enum class Change { None, Void, Accept };
+  void askReason(Change change);
+  void wordReason(bool voids);
+  void changeChosen();
 
   PersonDesk& desk_;
   QTableWidget* table_;
-  QPushButton *replay_, *void_, *earlier_, *voidNow_;
-  QLabel* words_;
-  QWidget* voiding_;
+  QPushButton *replay_, *void_, *accept_, *earlier_, *changeNow_;
+  QLabel *words_, *question_;
+  QWidget* asking_;
   QLineEdit* reason_;
+  Change change_ = Change::None;
 };
 
 }  // namespace insonate::review

@@ -84,7 +84,8 @@ ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level) {
     return picture;
   }
   std::vector<bool> passes;
-  for (const AttemptFacts* one : attemptsAt(facts, level)) passes.push_back(judge(known->pass, *one).passed);
+  for (const AttemptFacts* one : attemptsAt(facts, level))
+    if (counts(*one, known->pass)) passes.push_back(judge(known->pass, *one).passed);
   auto picture = ui::cusumPicture(passes, *known->mastery.cusum);
   picture.title = tr("LC-CUSUM, at least %1 attempts").arg(fewestAttempts(known->mastery));
   picture.xTitle = attemptAxis(level);

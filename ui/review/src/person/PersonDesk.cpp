@@ -6,6 +6,7 @@
 #include <insonate/ui/DayWatch.h>
 
 #include <QDateTime>
+#include <utility>
 
 namespace insonate::review {
 
@@ -82,14 +83,26 @@ QString PersonDesk::whyToLook(const AttemptFacts& attempt) const {
 }
 
 void PersonDesk::voidAttempt(const std::string& attempt, const QString& reason) {
+  changeCount([attempt, reason = reason.toStdString()](const SignedIn& by) {
+    return AttemptStore(by).voidAttempt(attempt, reason);
+  });
+}
+
+void PersonDesk::acceptAttempt(const std::string& attempt, const QString& reason) {
+  changeCount([attempt, reason = reason.toStdString()](const SignedIn& by) {
+    return AttemptStore(by).accept(attempt, reason);
+  });
+}
+
+void PersonDesk::changeCount(std::function<Result<void>(const SignedIn&)> change) {
   ask<bool>(
-      [attempt, reason = reason.toStdString()](const SignedIn& by) -> Result<bool> {
-        if (const auto done = AttemptStore(by).voidAttempt(attempt, reason); !done) return tl::unexpected(done.error());
+      [change = std::move(change)](const SignedIn& by) -> Result<bool> {
+        if (const auto done = change(by); !done) return tl::unexpected(done.error());
         return true;
       },
       [this](const Result<bool>& done) {
         if (!done) return Q_EMIT failed(QString::fromStdString(done.error().message));
-        Q_EMIT voided();
+        Q_EMIT countChanged();
         refresh();
       });
 }

@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,8 @@ class PersonDesk : public QObject {
   /// Why an attempt is implausible, for an instructor; empty: it is not, or who is signed in does not teach the person.
   QString whyToLook(const AttemptFacts& attempt) const;
   void voidAttempt(const std::string& attempt, const QString& reason);
+  /// Counts one that nothing proves; by whoever may void it.
+  void acceptAttempt(const std::string& attempt, const QString& reason);
 
   /// Account::address()
   QString store() const;
@@ -47,10 +50,11 @@ class PersonDesk : public QObject {
   void personChanged();
   void attemptsChanged();
   void readingChanged();
-  void voided();
+  void countChanged();  ///< an attempt was voided or accepted
   void failed(const QString& what);
 
  private:
+  void changeCount(std::function<Result<void>(const SignedIn&)> change);
   template <class T, class Question, class Take>
   void ask(Question question, Take take);
 

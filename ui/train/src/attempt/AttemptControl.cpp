@@ -21,6 +21,8 @@ namespace insonate::train {
 namespace {
 
 constexpr int kLook_ms = 100;
+/// For a store that does not answer.
+constexpr int kSealWait_ms = 3000;
 
 template <class T>
 bool isThere(const T& future) {
@@ -134,8 +136,16 @@ void AttemptControl::start() {
   // A new needle, ready to be taken up.
   session_.hands().layNeedleDown();
   Q_EMIT needleReplaced();
+  whose_ = {}, key_.reset(), sealIsDue_ = false;
+  sinceStart_.start();
   show(State::Starting);
+  Q_EMIT starting();
   look();
+}
+
+void AttemptControl::setSeal(const RecordedFor& whose, const std::optional<RecordKey>& key) {
+  if (state_ != State::Starting) return;
+  whose_ = whose, key_ = key, sealIsDue_ = false;
 }
 
 std::filesystem::path AttemptControl::newFile() const {
@@ -164,7 +174,8 @@ void AttemptControl::begin() {
   bloodTime_s_ = settings.bloodTime_s;
   header_.engine = settings.setup.engine;
   header_.settings = textOf(settings);
-  auto started = QDir().mkpath(folder_) ? LiveAttempt::start(newFile(), header_, procedure(), std::move(vessels))
+  header_.recordedFor = whose_;
+  auto started = QDir().mkpath(folder_) ? LiveAttempt::start(newFile(), header_, procedure(), std::move(vessels), key_)
                                         : fail("The folder " + folder_.toStdString() +
                                                " for attempts cannot be made; check that you may " + "write there.");
   if (!started) {
@@ -220,7 +231,8 @@ void AttemptControl::leave() {
 void AttemptControl::look() {
   if (state_ == State::Starting) {
     if (!hash_.valid()) hashCase();
-    return isThere(hash_) ? begin() : void();
+    const bool isSealed = !sealIsDue_ || sinceStart_.elapsed() > kSealWait_ms;
+    return isThere(hash_) && isSealed ? begin() : void();
   }
   if (!attempt_) return;
   if (settingsDue_) keepSettings();

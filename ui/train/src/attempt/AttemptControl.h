@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <future>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,7 @@ class AttemptControl : public QObject {
  public:
   enum class State {
     Idle,
-    Starting,  ///< until the case's hash is known
+    Starting,  ///< until the case's hash and the recording's seal are known
     Running,
     Writing,  ///< its end, off the window's thread
     Over,     ///< view() and score() are of the whole attempt
@@ -56,6 +57,11 @@ class AttemptControl : public QObject {
   void abandon() { end(AttemptStatus::Abandoned); }
   /// Abandons this attempt and starts another, with the needle laid down and the probe at its start.
   void startAgain();
+  /// While it starts: the attempt waits for setSeal(), some seconds at most. Without a seal it begins, and proves
+  /// nothing.
+  void awaitSeal() { sealIsDue_ = true; }
+  /// Which attempt of a store it is, and the key of its nonce.
+  void setSeal(const RecordedFor& whose, const std::optional<RecordKey>& key);
   /// The case or the program is left: what is being made is kept as abandoned, at once.
   void close();
   /// From Over to Idle.
@@ -83,6 +89,7 @@ class AttemptControl : public QObject {
 
  Q_SIGNALS:
   void stateChanged();  ///< also procedure and assistance
+  void starting();      ///< the time to seal its recording
   void begun();
   void ended();  ///< view(), score(), status() and file() are of the whole attempt, also where its case is gone
   void viewChanged();
@@ -108,6 +115,10 @@ class AttemptControl : public QObject {
   State state_ = State::Idle;
   AttemptStatus status_ = AttemptStatus::Completed;
   AttemptHeader header_;
+  RecordedFor whose_;
+  std::optional<RecordKey> key_;
+  bool sealIsDue_ = false;
+  QElapsedTimer sinceStart_;
   std::shared_ptr<LiveAttempt> attempt_;
   std::future<Result<MetricValues>> writing_;
   bool again_ = false;  ///< starts another once this one is written

@@ -6,10 +6,13 @@
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/curriculum/Curriculum.h>
 #include <insonate/teaching/AttemptFactsOf.h>
+#include <insonate/teaching/AttemptProofOf.h>
 #include <insonate/ui/Account.h>
+#include <insonate/ui/Attempts.h>
 
 #include <QUuid>
 #include <QtConcurrent/QtConcurrentRun>
+#include <tuple>
 #include <utility>
 
 namespace insonate::train {
@@ -17,9 +20,14 @@ namespace {
 
 constexpr int kAgain_ms = 60'000;
 
-Result<void> store(const AttemptStore& attempts, const AttemptFacts& facts) {
+/// As its recording proves it; one that was changed meanwhile proves nothing, and the attempt is kept all the same.
+Result<void> store(const AttemptStore& attempts, AttemptFacts facts, const QString& recording) {
   if (const auto begun = attempts.begin(facts); !begun) return tl::unexpected(begun.error());
-  return facts.state == AttemptState::Open ? Result<void>() : attempts.end(facts);
+  if (facts.state == AttemptState::Open) return {};
+  const auto proven =
+      recording.isEmpty() ? Result<AttemptProofOf>() : proofOfAttempt(attempts, facts, recording.toStdString());
+  facts.proof = proven ? proven->proof : AttemptProof::Unproven;
+  return attempts.end(facts);
 }
 
 /// On this computer, and at once: a question to a lost server may keep the account waiting. What cannot even be written
@@ -38,8 +46,8 @@ KeptFacts keepHere(const QString& folder, const AttemptFacts& facts, const QStri
 /// Also its recording, beside the store. Gives why that could not be copied, "" where it was: the attempt counts all
 /// the same, and its recording stays where it was made.
 Result<std::string> send(const AttemptStore& attempts, const QString& folder, const AttemptFacts& facts) {
-  if (const auto stored = store(attempts, facts); !stored) return tl::unexpected(stored.error());
   const QString recording = recordingOf(folder, facts);
+  if (const auto stored = store(attempts, facts, recording); !stored) return tl::unexpected(stored.error());
   const auto copied = recording.isEmpty() ? Result<void>() : attempts.keepRecording(facts.id, recording.toStdString());
   forgetUnsent(folder, facts);
   return copied ? std::string() : copied.error().message;
@@ -62,10 +70,18 @@ Result<std::string> sendAll(const SignedIn& by, const QString& folder, const std
   return first ? Result<std::string>(unkept) : first;
 }
 
+bool isSameAim(const AttemptFacts& a, const AttemptFacts& b) {
+  const auto aim = [](const AttemptFacts& facts) {
+    return std::tie(facts.person, facts.curriculum, facts.curriculumVersion, facts.level);
+  };
+  return aim(a) == aim(b);
+}
+
 }  // namespace
 
 AttemptKeeper::AttemptKeeper(AttemptControl& attempt, QString folder, QObject* parent)
     : QObject(parent), attempt_(attempt), folder_(std::move(folder)) {
+  connect(&attempt_, &AttemptControl::starting, this, [this] { start(); });
   connect(&attempt_, &AttemptControl::begun, this, [this] { begin(); });
   connect(&attempt_, &AttemptControl::ended, this, [this] { end(); });
   again_.setInterval(kAgain_ms);
@@ -76,25 +92,81 @@ AttemptKeeper::AttemptKeeper(AttemptControl& attempt, QString folder, QObject* p
 void AttemptKeeper::setAccount(ui::Account& account) {
   account_ = &account;
   const auto changed = [this] {
-    if (facts_ && facts_->person != account_->person().id) attempt_.close();
+    if (attempt_.isBusy() && !starter_.empty() && starter_ != account_->person().id) attempt_.close();
     send(std::nullopt);
+    prepare();
   };
   connect(account_, &ui::Account::changed, this, changed);
-  connect(account_, &ui::Account::cameBack, this, [this] { send(std::nullopt); });
+  connect(account_, &ui::Account::cameBack, this, [this] {
+    send(std::nullopt);
+    prepare();
+  });
   changed();
+}
+
+bool AttemptKeeper::isKept() const {
+  return account_ && account_->isSignedIn() && !account_->mustChangePassword();
+}
+
+/// Of who is signed in, for what they practise now.
+AttemptFacts AttemptKeeper::nextFacts() const {
+  AttemptFacts facts;
+  facts.id = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
+  facts.person = account_->person().id;
+  if (const AttemptAim aim = aim_ ? aim_() : AttemptAim(); aim.level) {
+    facts.curriculum = aim.curriculum->name, facts.curriculumVersion = aim.curriculum->version;
+    facts.level = aim.level->name;
+  }
+  return facts;
+}
+
+void AttemptKeeper::prepare() {
+  if (!isKept()) return next_.reset();
+  if (next_ && isSameAim(next_->facts, nextFacts())) return;
+  next_.reset();
+  account_->ask<Sealed>(
+      this,
+      [facts = nextFacts()](const SignedIn& by) -> Result<Sealed> {
+        auto seal = AttemptStore(by).seal(facts);
+        if (!seal) return tl::unexpected(seal.error());
+        return Sealed{facts, std::move(*seal)};
+      },
+      [this](Result<Sealed> sealed) { takeSeal(std::move(sealed)); });
+}
+
+void AttemptKeeper::start() {
+  starter_ = isKept() ? account_->person().id : std::string();
+  isAwaited_ = !starter_.empty();
+  if (!isAwaited_) return;
+  attempt_.awaitSeal();
+  next_ ? takeSeal(std::move(*next_)) : prepare();
+}
+
+/// One that was asked for another person or level is of no use.
+void AttemptKeeper::takeSeal(Result<Sealed> sealed) {
+  const AttemptFacts now = isKept() ? nextFacts() : AttemptFacts();
+  next_ = sealed && isSameAim(sealed->facts, now) ? std::optional(std::move(*sealed)) : std::nullopt;
+  if (!std::exchange(isAwaited_, false)) return;
+  if (!next_) return attempt_.setSeal({}, std::nullopt);
+  const AttemptFacts& facts = next_->facts;
+  attempt_.setSeal({facts.id, facts.person, facts.curriculum, facts.curriculumVersion, facts.level, next_->seal.nonce},
+                   next_->seal.key);
 }
 
 void AttemptKeeper::begin() {
   facts_.reset();
-  if (!account_ || !account_->isSignedIn() || account_->mustChangePassword()) return;
+  isAwaited_ = false;
+  if (!isKept()) return;
+  const AttemptFacts unsealed = nextFacts();
   facts_ = beginningOf(attempt_.header());
-  facts_->id = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
-  facts_->person = account_->person().id;
-  if (const AttemptAim aim = aim_ ? aim_() : AttemptAim(); aim.level) {
-    facts_->curriculum = aim.curriculum->name, facts_->curriculumVersion = aim.curriculum->version;
-    facts_->level = aim.level->name;
+  if (facts_->id.empty()) {
+    facts_->id = unsealed.id, facts_->person = unsealed.person;
+    facts_->curriculum = unsealed.curriculum, facts_->curriculumVersion = unsealed.curriculumVersion;
+    facts_->level = unsealed.level;
   }
   keep(*facts_, {});
+  next_.reset();
+  prepare();
 }
 
 void AttemptKeeper::end() {
@@ -102,6 +174,9 @@ void AttemptKeeper::end() {
   AttemptFacts facts = *std::exchange(facts_, std::nullopt);
   addEnding(facts, attempt_.status(), std::int64_t(attempt_.view().time_s * 1e6), attempt_.score());
   keep(facts, attempt_.file());
+  // As the store will find it.
+  const bool isSealed = !attempt_.header().recordedFor.nonce.empty() && !attempt_.file().isEmpty();
+  facts.proof = isSealed ? AttemptProof::Proven : AttemptProof::Unproven;
   if (account_->isSignedIn() && account_->person().id == facts.person) Q_EMIT ended(facts);
 }
 
@@ -111,7 +186,7 @@ void AttemptKeeper::keep(const AttemptFacts& facts, const QString& recording) {
 }
 
 void AttemptKeeper::send(const std::optional<KeptFacts>& fresh) {
-  if (!account_ || !account_->isSignedIn() || account_->mustChangePassword()) return;
+  if (!isKept()) return;
   account_->ask<std::string>(
       this,
       [folder = folder_, fresh, isAway = account_->isAway()](const SignedIn& by) {

@@ -54,6 +54,8 @@ QString headlineFor(const PassRule& rule, const AttemptFacts& attempt, bool pass
   if (!counts(attempt)) return tr("Does not count: it was abandoned before the skin");
   const bool well = attempt.state == AttemptState::Completed && attempt.succeeded && attempt.criticalErrors == 0;
   if (!passed && well && !judge(rule, attempt).reachesStandards(rule)) return tr("Not passed");
+  if (!passed && judge(rule, attempt).passed)
+    return tr("Does not count yet: the store of attempts did not answer as it began. An instructor can accept it");
   return passed ? tr("Passed") : tr("Not passed: %1").arg(ui::qt(reasonOfFailure(rule, attempt)));
 }
 
@@ -126,7 +128,7 @@ Verdict verdictOf(const Curriculum& curriculum, const Level& level, const Attemp
                   std::span<const LevelProgress> before, std::span<const LevelProgress> after) {
   const Judgement judgement = judge(level.pass, attempt);
   Verdict verdict;
-  verdict.passed = judgement.passed && counts(attempt);
+  verdict.passed = judgement.passed && counts(attempt, level.pass);
   verdict.headline = headlineFor(level.pass, attempt, verdict.passed);
   for (std::size_t i = 0; i < level.pass.standards.size(); ++i)
     (judgement.standardsMet[i] ? verdict.met : verdict.missed) << comparedWith(level.pass.standards[i], attempt);
@@ -145,6 +147,7 @@ QString outcomeOf(const Curriculum* curriculum, const AttemptFacts& attempt) {
   if (attempt.state == AttemptState::Abandoned) return tr("abandoned");
   const bool ours = curriculum && attempt.curriculum == curriculum->name && counts(attempt);
   const Level* level = ours ? curriculum->level(attempt.level) : nullptr;
+  if (level && !counts(attempt, level->pass)) return tr("not proven");
   if (level) return judge(level->pass, attempt).passed ? tr("passed") : tr("failed");
   return attempt.level.empty() ? tr("free practice") : tr("completed");
 }

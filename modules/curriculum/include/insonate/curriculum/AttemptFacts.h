@@ -14,6 +14,15 @@ enum class AttemptState {
   Voided,     ///< taken out of the count by an instructor, with a reason; kept
 };
 
+/// What vouches for an attempt, besides its facts.
+enum class AttemptProof {
+  Unproven,       ///< nothing: its recording was made for another store, by an earlier program or by nobody known
+  Proven,         ///< its recording: whole, and keyed as the store asked when the attempt began
+  Accepted,       ///< an instructor or administrator, by name, although nothing proves it
+  Earlier,        ///< nothing was asked: it was kept before there were proofs
+  Demonstration,  ///< it is made up, and says so (`curriculum demo`)
+};
+
 /// A metric's value as it was measured; a missing one stays missing.
 struct MetricFact {
   std::string id{};  ///< as in procedure/AttemptMetrics.h: "vein_punctures"
@@ -46,6 +55,7 @@ struct AttemptFacts {
   /// BLAKE2b (256 bits, hexadecimal) of what the hands did, whatever the recording's header says of it; "": they did
   /// nothing, or there is no recording, or an earlier program kept the attempt.
   std::string handsHash{};
+  AttemptProof proof = AttemptProof::Unproven;
 
   bool operator==(const AttemptFacts&) const = default;
 };

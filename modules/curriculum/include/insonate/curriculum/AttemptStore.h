@@ -2,6 +2,7 @@
 
 #include <insonate/core/Result.h>
 #include <insonate/curriculum/AttemptFacts.h>
+#include <insonate/curriculum/AttemptSeal.h>
 #include <insonate/curriculum/SignedIn.h>
 
 #include <cstdint>
@@ -38,7 +39,8 @@ class AttemptStore {
   Result<std::string> begin(const AttemptFacts& facts) const;
   /// Completed or Abandoned, with what was measured; values must be finite. The same facts once more are no error, and
   /// an attempt that was told abandoned after a crash takes its real end later. By who began it. Refused where another
-  /// attempt of the store, of whomever, has the same handsHash: a recording counts once.
+  /// attempt of the store, of whomever, has the same handsHash: a recording counts once. `facts.proof` is kept where it
+  /// is Proven or Demonstration, as the caller found it; otherwise nothing vouches for the attempt.
   Result<void> end(const AttemptFacts& facts) const;
   /// begin() and end() of an attempt that is over, or neither. Gives the id. With `recording`, the file of
   /// facts.recordingHash is copied to the store's recordings; where that fails, nothing is added.
@@ -47,6 +49,13 @@ class AttemptStore {
   /// and neither is a store that keeps none. Fails, with nothing changed, where the file is not the one of the
   /// attempt's recordingHash, and where it cannot be copied.
   Result<void> keepRecording(const std::string& attempt, const std::filesystem::path& recording) const;
+  /// For the recording of an attempt that begins: of its id, curriculum and level, and of who is signed in.
+  Result<AttemptSeal> seal(const AttemptFacts& facts) const;
+  /// Whether this store gave a nonce to an attempt of this id, person, curriculum and level.
+  Result<NonceOrigin> originOf(const AttemptFacts& facts, const std::string& nonce) const;
+  /// Counts an ended attempt that nothing proves, on the word of who is signed in, whose name and reason are in the
+  /// audit log; instructors and administrators, not for their own. Accepted once more is no error.
+  Result<void> accept(const std::string& attempt, const std::string& reason) const;
   /// Takes an ended attempt out of the count; instructors and administrators, not for their own.
   Result<void> voidAttempt(const std::string& attempt, const std::string& reason) const;
 

@@ -43,6 +43,10 @@ const Level* levelOf(const Curriculum& curriculum, const AttemptFacts& attempt);
 /// null, or the attempt does not count.
 std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& attempt);
 
+/// Whether an attempt at a level with this rule counts there: counts(), and, where it passes, something vouches for it.
+/// What nothing proves can fail a trainee, who would otherwise choose which attempts count, and passes nobody.
+bool counts(const AttemptFacts& attempt, const PassRule& rule);
+
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt);
 
 /// The attempt's value of a metric, by this version of its definition; none where it is not finite.

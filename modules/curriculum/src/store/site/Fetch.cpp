@@ -1,4 +1,6 @@
 #include "store/CurriculumRows.h"
+#include "store/Proofs.h"
+#include "store/StandingRows.h"
 #include "store/site/Down.h"
 
 #include <map>
@@ -23,7 +25,7 @@ constexpr std::string_view kMemberships = "SELECT cohort || ' ' || person, cohor
 struct Taught {
   Rows people{}, cohorts{}, memberships{};
   std::vector<KeptCurriculum> curricula{};
-  std::vector<Row> voided{};
+  std::vector<Row> voided{}, accepted{};
 };
 
 Rows rowsByKey(Transaction& transaction, std::string_view sql) {
@@ -45,6 +47,10 @@ Result<Taught> readServer(Core& server, const std::string& workstation) {
         taught.curricula.push_back(std::move(*kept));
     taught.voided = transaction.rows(
         "SELECT id, voided_us, voided_by, void_reason FROM attempts WHERE workstation = ? AND voided_us IS NOT NULL",
+        workstation);
+    taught.accepted = transaction.rows(
+        "SELECT attempt, accepted_by FROM proofs JOIN attempts ON attempts.id = attempt WHERE workstation = ? AND "
+        "proofs.state = 'accepted'",
         workstation);
     return taught;
   });
@@ -136,6 +142,20 @@ void takeVoided(Transaction& here, const std::vector<Row>& voided) {
         row.number(1), row.text(2), row.text(3), row.text(0));
 }
 
+/// What instructors accepted on the server, of attempts made here.
+void takeAccepted(Transaction& here, const std::vector<Row>& accepted, std::int64_t now_us) {
+  for (const Row& row : accepted) {
+    const auto person = here.row(
+        "SELECT person FROM attempts JOIN proofs ON attempt = attempts.id WHERE attempts.id = ? AND proofs.state = "
+        "'unproven'",
+        row.text(0));
+    if (!person) continue;
+    acceptAttempt(here, row.text(0), row.text(1));
+    here.run("DELETE FROM standings WHERE person = ?", person->text(0));
+    renewStandings(here, person->text(0), now_us);
+  }
+}
+
 }  // namespace
 
 Result<void> fetchFromServer(Core& here, Core& server, UploadReport& report) {
@@ -146,6 +166,7 @@ Result<void> fetchFromServer(Core& here, Core& server, UploadReport& report) {
     report.cohorts = takeCohorts(transaction, *taught);
     report.curricula = takeCurricula(transaction, taught->curricula, report.troubles);
     takeVoided(transaction, taught->voided);
+    takeAccepted(transaction, taught->accepted, here.now_us());
     return {};
   });
 }

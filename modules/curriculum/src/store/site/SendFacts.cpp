@@ -17,7 +17,7 @@ struct SentAttempt {
   KeptAttempt kept{};
   AttemptFacts ended{};  ///< the state below a voiding
   std::optional<std::int64_t> voided_us{};
-  std::string voidedBy{};
+  std::string voidedBy{}, acceptedBy{};
 };
 
 /// What waits, with the fact itself as it is now.
@@ -38,9 +38,13 @@ struct Batch {
 };
 
 std::optional<SentAttempt> readAttempt(Transaction& here, const std::string& id) {
-  const auto row = here.row("SELECT " INSONATE_ATTEMPT_COLUMNS ", voided_by FROM attempts WHERE id = ?", id);
+  const auto row = here.row("SELECT " INSONATE_ATTEMPT_COLUMNS
+                            ", voided_by, COALESCE((SELECT accepted_by FROM proofs WHERE attempt = attempts.id), '') "
+                            "FROM attempts WHERE id = ?",
+                            id);
   if (!row) return std::nullopt;
-  SentAttempt sent{.kept = keptOf(*row), .voided_us = row->time(17), .voidedBy = row->text(24)};
+  SentAttempt sent{
+      .kept = keptOf(*row), .voided_us = row->time(17), .voidedBy = row->text(25), .acceptedBy = row->text(26)};
   sent.ended = sent.kept.facts;
   sent.ended.state = stateOfEnd(*row);
   return sent;
@@ -99,6 +103,8 @@ Result<void> mergeAttempt(Transaction& server, const SentAttempt& sent, std::int
   } else if (facts.state != AttemptState::Open && !sent.kept.crashed && !sameEnd(there->ended, facts)) {
     return another();
   }
+  if (facts.state != AttemptState::Open && !sent.kept.crashed)
+    mergeProof(server, facts.id, facts.proof, sent.acceptedBy);
   if (sent.voided_us && !there->voided_us)
     server.run("UPDATE attempts SET voided_us = ?, voided_by = ?, void_reason = ? WHERE id = ?", *sent.voided_us,
                sent.voidedBy, sent.kept.voidReason, facts.id);

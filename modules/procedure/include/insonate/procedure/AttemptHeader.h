@@ -8,6 +8,18 @@
 
 namespace insonate {
 
+/// Which attempt of a store a recording is of; all empty where it belongs to none. The store gives the nonce as the
+/// attempt begins, to this person, level and id (curriculum/AttemptSeal.h).
+struct RecordedFor {
+  std::string attempt{}, person{};  ///< AttemptFacts::id, Person::id
+  std::string curriculum{};         ///< "": free practice
+  int curriculumVersion = 0;
+  std::string level{};
+  std::string nonce{};
+
+  bool operator==(const RecordedFor&) const = default;
+};
+
 /// What an attempt was made on and with, so that it can be replayed on the same or be told that it cannot.
 struct AttemptHeader {
   std::string software{};   ///< "insonate 0.1.0"
@@ -24,6 +36,7 @@ struct AttemptHeader {
   /// Of probe, picture, tissue and blood as the attempt began, JSON (simulator/AttemptSettings.h); "": not known.
   std::string settings{};
   bool isScripted = false;  ///< a script moved the hands: the recording is a demonstration and nobody's attempt
+  RecordedFor recordedFor{};
 
   bool operator==(const AttemptHeader&) const = default;
 };

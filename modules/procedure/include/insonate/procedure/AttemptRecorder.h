@@ -5,10 +5,12 @@
 #include <insonate/procedure/AttemptHeader.h>
 #include <insonate/procedure/AttemptMetrics.h>
 #include <insonate/procedure/AttemptSample.h>
+#include <insonate/procedure/RecordingProof.h>
 
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace insonate {
@@ -27,9 +29,11 @@ class AttemptFollower {
 class AttemptRecorder {
  public:
   /// Fails where the file exists, where a part of an earlier attempt lies beside it, or where it cannot be written.
-  /// `follower`, if there is one, is asked no more once finish() has returned.
+  /// `follower`, if there is one, is asked no more once finish() has returned. `key` belongs to the nonce of the
+  /// header; none where no store gave one: then the recording can be checked for damage, and proves nothing.
   static Result<std::unique_ptr<AttemptRecorder>> start(const std::filesystem::path& file, const AttemptHeader& header,
-                                                        std::shared_ptr<AttemptFollower> follower = nullptr);
+                                                        std::shared_ptr<AttemptFollower> follower = nullptr,
+                                                        const std::optional<RecordKey>& key = std::nullopt);
   /// An attempt that was not finished is finished as abandoned.
   ~AttemptRecorder();
   AttemptRecorder(const AttemptRecorder&) = delete;

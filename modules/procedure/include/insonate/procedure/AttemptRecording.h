@@ -5,7 +5,9 @@
 #include <insonate/procedure/AttemptHeader.h>
 #include <insonate/procedure/AttemptMetrics.h>
 #include <insonate/procedure/AttemptSample.h>
+#include <insonate/procedure/RecordingProof.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -18,7 +20,8 @@
 namespace insonate {
 namespace record {
 struct BlockHead;
-}
+struct PlacedBlock;
+}  // namespace record
 
 /// About a second of an attempt.
 struct Stretch {
@@ -38,11 +41,12 @@ struct Stretch {
 /// Whether a file begins as a recording does, whatever follows. False where it cannot be read.
 bool beginsAsRecording(const std::filesystem::path& file);
 
-/// A recorded attempt, whole or cut short. Constant once it is open: any number of threads may read.
+/// A recorded attempt, whole or cut short. What does not agree with the file's digests (format 4) is told and not read.
+/// Constant once it is open: any number of threads may read.
 class AttemptRecording {
  public:
   /// Looks through the blocks of a file, without unpacking them: milliseconds for an attempt of ten minutes. Fails
-  /// where it is none, where not even its header can be read, and where a newer program wrote it.
+  /// where it is none, where not even its header can be read or it was changed, and where a newer program wrote it.
   static Result<AttemptRecording> open(const std::filesystem::path& file);
 
   const AttemptHeader& header() const { return header_; }
@@ -51,6 +55,9 @@ class AttemptRecording {
   const std::vector<std::string>& troubles() const { return troubles_; }
   /// Whether all blocks were found. What is inside them is seen as they are unpacked.
   bool isWhole() const { return !damaged_; }
+
+  /// What the recording proves, with the key of its nonce; none: not known, or it has no nonce.
+  RecordingProof proof(const std::optional<RecordKey>& key) const;
 
   /// The settings that held at a time, as in AttemptHeader::settings; "" where the recording has none. Fails where a
   /// change before is damaged, or cannot be ruled out.
@@ -77,15 +84,27 @@ class AttemptRecording {
     std::int64_t first_us = 0, last_us = 0;
     std::size_t payload = 0, packedBytes = 0, rawBytes = 0;
     std::uint32_t checksum = 0;
+    bool agrees = true;  ///< with the file's digests
   };
-  Result<void> readBlock(const record::BlockHead& head, std::size_t payload);
-  void readChange(const record::BlockHead& head, std::size_t payload);
-  Result<void> readHeader(const record::BlockHead& head, std::size_t payload);
+  struct Link {
+    std::array<std::uint8_t, 32> digest{};
+    std::optional<std::array<std::uint8_t, 32>> code{};
+  };
+  std::vector<record::PlacedBlock> findBlocks();
+  Result<void> readHeader(const std::vector<record::PlacedBlock>& blocks);
+  /// What the links say; leaves out what was not written to its end.
+  Result<void> checkLinks(std::vector<record::PlacedBlock>& blocks);
+  void readBlock(const record::PlacedBlock& block);
+  void readChange(const record::BlockHead& head, std::size_t payload, bool agrees);
   void checkEnd(const record::BlockHead& head, std::size_t payload);
+  void tellTroubles();
 
   std::string name_;
   std::vector<std::uint8_t> bytes_;
-  bool hasHeader_ = false, damaged_ = false;
+  bool isChained_ = false, damaged_ = false;
+  bool missing_ = false;     ///< by the links a block may be gone
+  std::string fault_;        ///< where links and blocks disagree, a sentence; "": nowhere
+  std::vector<Link> links_;  ///< in the order of their blocks
   AttemptHeader header_;
   AttemptStatus status_ = AttemptStatus::CutShort;
   std::vector<std::string> troubles_;

@@ -45,9 +45,10 @@ class LiveAttempt final : public TickListener {
     double pictureDepth_mm = 0;
   };
 
-  /// `header` has the names of `vessels`. Fails as AttemptRecorder::start() does.
+  /// `header` has the names of `vessels`; `key` is as in AttemptRecorder. Fails as AttemptRecorder::start() does.
   static Result<std::shared_ptr<LiveAttempt>> start(const std::filesystem::path& file, const AttemptHeader& header,
-                                                    Procedure procedure, VesselNames vessels = {});
+                                                    Procedure procedure, VesselNames vessels = {},
+                                                    const std::optional<RecordKey>& key = std::nullopt);
   /// An attempt that was not finished is abandoned once nobody holds it; a HandsSession may do so until it ends.
   ~LiveAttempt() override;
 

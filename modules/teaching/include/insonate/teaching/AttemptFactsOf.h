@@ -10,7 +10,8 @@
 
 namespace insonate {
 
-/// What an attempt's header tells as it begins; id, person, level and recording are the caller's.
+/// What an attempt's header tells as it begins; of a recording that belongs to no store, id, person and level are the
+/// caller's. The recording is, always.
 AttemptFacts beginningOf(const AttemptHeader& header);
 
 /// Adds how it ended: Completed, else Abandoned, with the metrics and points of its score.
