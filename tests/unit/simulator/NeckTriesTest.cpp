@@ -85,7 +85,7 @@ TEST_F(NeckTries, UsedNeedle) {
 }
 
 TEST_F(NeckTries, TwoPasses) {
-  expectTwoTries("two-passes", 0, /* 9 + 9 mm, 0.2 and 0.5 s */ 2.5);
+  expectTwoTries("two-passes", 0, /* 3.2 + 9 + 9 mm, 1, 1.2, 0.2 and 0.3 s */ 4.82);
 }
 
 /// 18 mm on, which is before the vein, 2 s there, and out.

@@ -46,7 +46,7 @@ const std::vector<Outcome> kOnTheTextbookNeck{
      {"used needle"}},
     {"two-passes", {"tilt", "entered skin", "withdrawn skin", "new", "entered skin", "entered vein"}, Vein, true, {}},
     {"abandoned", {"tilt", "entered skin", "withdrawn skin"}, Used, false, {}, AttemptStatus::Abandoned},
-    {"never-in-picture", {"tilt", "entered skin", "entered vein"}, Vein, true, {"flat"}},
+    {"never-in-picture", {"tilt", "entered skin", "entered vein"}, Vein, true, {}},
     {"bone",
      {"tilt", "entered skin", "struck bone", "withdrawn skin"},
      Used,
