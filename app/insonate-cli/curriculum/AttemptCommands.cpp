@@ -4,6 +4,7 @@
 #include "Lookup.h"
 
 #include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/AttemptTable.h>
 #include <insonate/curriculum/Implausible.h>
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/RepeatedValues.h>
@@ -32,22 +33,6 @@ struct ListArguments {
 struct ReasonArguments {
   std::string attempt, reason;
 };
-
-const char* wordOf(AttemptProof proof) {
-  switch (proof) {
-    case AttemptProof::Proven:
-      return "proven";
-    case AttemptProof::Accepted:
-      return "accepted";
-    case AttemptProof::Earlier:
-      return "earlier";
-    case AttemptProof::Demonstration:
-      return "demonstration";
-    case AttemptProof::Unproven:
-      break;
-  }
-  return "not proven";
-}
 
 Json factsJson(const AttemptFacts& facts) {
   Json metrics = Json::object();

@@ -33,11 +33,7 @@ void RecordingCheck::addTo(CLI::App& command) {
 }
 
 Result<CheckedRecording> RecordingCheck::check(const std::string& recording) const {
-  if (attempt.empty()) {
-    const auto proof = proofOf(recording, std::nullopt);
-    if (!proof) return tl::unexpected(proof.error());
-    return CheckedRecording{recording, *proof};
-  }
+  if (attempt.empty()) return CheckedRecording{recording, proofOf(recording, std::nullopt)};
   const auto by = signIn(store);
   if (!by) return tl::unexpected(by.error());
   const AttemptStore attempts(*by);
@@ -55,9 +51,7 @@ Result<CheckedRecording> RecordingCheck::check(const std::string& recording) con
     return fail(file + " is not the recording of the attempt " + attempt + " of " + timeText(kept->facts.begun_us) +
                 ": it is another file, or was changed since. " + elsewhere +
                 ", or replay it without --attempt, as nobody's.");
-  const auto proof = proofIn(attempts, kept->facts, file);
-  if (!proof) return tl::unexpected(proof.error());
-  return CheckedRecording{file, *proof};
+  return CheckedRecording{file, proofIn(attempts, kept->facts, file)};
 }
 
 }  // namespace insonate::cli

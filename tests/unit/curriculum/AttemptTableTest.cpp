@@ -32,6 +32,11 @@ TEST(AttemptTable, SaysWhatSucceededPassedAndWasVoided) {
   EXPECT_EQ(fieldOf(attempt, &course, "length, s"), "60");
   attempt.points = 60;
   EXPECT_EQ(fieldOf(attempt, &course, "passed"), "yes");
+  EXPECT_EQ(fieldOf(attempt, &course, "proof"), "proven");
+  attempt.proof = AttemptProof::Unproven;
+  EXPECT_EQ(fieldOf(attempt, &course, "proof"), "not proven");
+  EXPECT_EQ(fieldOf(attempt, &course, "passed"), "") << "it does not count";
+  attempt.proof = AttemptProof::Proven;
   attempt.state = AttemptState::Voided;
   EXPECT_EQ(fieldOf(attempt, &course, "voided"), "yes");
   EXPECT_EQ(fieldOf(attempt, &course, "state"), "voided");

@@ -33,9 +33,26 @@ std::string isoOf(std::int64_t time_us) {
 
 }  // namespace
 
+const char* wordOf(AttemptProof proof) {
+  switch (proof) {
+    case AttemptProof::Proven:
+      return "proven";
+    case AttemptProof::Accepted:
+      return "accepted";
+    case AttemptProof::Earlier:
+      return "earlier";
+    case AttemptProof::Demonstration:
+      return "demonstration";
+    case AttemptProof::Unproven:
+      break;
+  }
+  return "not proven";
+}
+
 std::vector<std::string> attemptColumns() {
-  return {"id",    "begun (UTC)", "curriculum", "version",   "level",  "procedure",       "case",   "assistance",
-          "state", "broke off",   "voided",     "succeeded", "passed", "critical errors", "points", "length, s"};
+  return {"id",     "begun (UTC)",     "curriculum", "version",   "level",  "procedure",
+          "case",   "assistance",      "state",      "broke off", "voided", "succeeded",
+          "passed", "critical errors", "points",     "length, s", "proof"};
 }
 
 std::vector<std::string> attemptRow(const AttemptFacts& attempt, const Curriculum* curriculum) {
@@ -55,7 +72,8 @@ std::vector<std::string> attemptRow(const AttemptFacts& attempt, const Curriculu
           yesNo(curriculum ? passedIn(*curriculum, attempt) : std::nullopt),
           std::to_string(attempt.criticalErrors),
           csvNumber(attempt.points),
-          csvNumber(static_cast<double>(attempt.length_us) * 1e-6)};
+          csvNumber(static_cast<double>(attempt.length_us) * 1e-6),
+          wordOf(attempt.proof)};
 }
 
 }  // namespace insonate

@@ -4,7 +4,8 @@ CREATE TABLE schema_migrations (number INTEGER NOT NULL PRIMARY KEY, applied_us 
 INSERT INTO schema_migrations VALUES(1,1795364391703922);
 INSERT INTO schema_migrations VALUES(2,1795387273314752);
 INSERT INTO schema_migrations VALUES(3,1795610000000000);
-INSERT INTO schema_migrations VALUES(5,1795620000000000);
+INSERT INTO schema_migrations VALUES(4,1795620000000000);
+INSERT INTO schema_migrations VALUES(5,1795630000000000);
 CREATE TABLE people (
   id TEXT NOT NULL PRIMARY KEY CHECK (length(id) = 36),
   name TEXT NOT NULL,
@@ -213,6 +214,19 @@ CREATE TABLE hands (
   since_us INTEGER NOT NULL
 ) STRICT;
 INSERT INTO hands VALUES('dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd','f2e5b4ac-75ce-478d-bceb-d6b9f2086ed2',1795305662000001);
+CREATE TABLE store_secret (
+  one INTEGER NOT NULL PRIMARY KEY CHECK (one = 1),
+  secret TEXT NOT NULL CHECK (length(secret) = 64)
+) STRICT;
+INSERT INTO store_secret VALUES(1,'76cb08ce0307e2dfc28b3208d4c1694b17d32f8a30b44a8a130bdcf91f92ac0d');
+CREATE TABLE proofs (
+  attempt TEXT NOT NULL PRIMARY KEY REFERENCES attempts (id),
+  state TEXT NOT NULL CHECK (state IN ('unproven', 'proven', 'accepted', 'earlier', 'demonstration')),
+  accepted_by TEXT NOT NULL,
+  CHECK ((state = 'accepted') = (accepted_by <> ''))
+) STRICT;
+INSERT INTO proofs VALUES('f2e5b4ac-75ce-478d-bceb-d6b9f2086ed2','earlier','');
+INSERT INTO proofs VALUES('cb18361b-e409-4473-a598-a5ffab27c33b','earlier','');
 CREATE INDEX memberships_by_person ON memberships (person, teaches, cohort);
 CREATE INDEX attempts_by_person ON attempts (person, arrival, state, crashed, voided_us, begun_us, level);
 CREATE INDEX attempts_open ON attempts (run) WHERE state = 'open';
@@ -300,6 +314,33 @@ END;
 CREATE TRIGGER hands_fixed BEFORE UPDATE ON hands
 BEGIN
   SELECT RAISE(ABORT, 'A recording that was counted stays counted.');
+END;
+CREATE TRIGGER store_secret_stays BEFORE DELETE ON store_secret
+BEGIN
+  SELECT RAISE(ABORT, 'The secret of the store stays as it is.');
+END;
+CREATE TRIGGER store_secret_comes_once BEFORE INSERT ON store_secret
+WHEN EXISTS (SELECT 1 FROM store_secret)
+BEGIN
+  SELECT RAISE(ABORT, 'The secret of the store stays as it is.');
+END;
+CREATE TRIGGER store_secret_fixed BEFORE UPDATE ON store_secret
+BEGIN
+  SELECT RAISE(ABORT, 'The secret of the store stays as it is.');
+END;
+CREATE TRIGGER proofs_stay BEFORE DELETE ON proofs
+BEGIN
+  SELECT RAISE(ABORT, 'The proof of an attempt stays as it is.');
+END;
+CREATE TRIGGER proofs_come_once BEFORE INSERT ON proofs
+WHEN EXISTS (SELECT 1 FROM proofs WHERE attempt = NEW.attempt)
+BEGIN
+  SELECT RAISE(ABORT, 'It is there already: proofs.');
+END;
+CREATE TRIGGER proofs_fixed BEFORE UPDATE ON proofs
+WHEN NOT (OLD.state = 'unproven' AND NEW.state = 'accepted' AND NEW.attempt = OLD.attempt)
+BEGIN
+  SELECT RAISE(ABORT, 'The proof of an attempt stays as it is.');
 END;
 CREATE INDEX attempts_by_length ON attempts (length_us);
 COMMIT;

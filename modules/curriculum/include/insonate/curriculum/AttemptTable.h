@@ -9,7 +9,10 @@
 /// What each table of attempts says of one, whoever writes it (CSV; Csv.h).
 namespace insonate {
 
-/// "id", "begun (UTC)", ..., "assistance", "state", "broke off", "voided", "succeeded", "passed", ...
+/// "proven", "accepted", "earlier", "demonstration", "not proven".
+const char* wordOf(AttemptProof proof);
+
+/// "id", "begun (UTC)", ..., "assistance", "state", "broke off", "voided", "succeeded", "passed", ..., "proof".
 std::vector<std::string> attemptColumns();
 
 /// The fields of attemptColumns(): "broke off" is hasBrokenOff(), "succeeded" is the procedure's aim, "passed" the
