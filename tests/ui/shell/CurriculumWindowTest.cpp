@@ -22,8 +22,12 @@ using namespace insonate;
 using test::waitUntil;
 
 /// Versions of the built-in curriculum, and of a draft that is begun from it.
-const QString kBuiltIn = QString::number(loadCurriculum("central_line")->version),
-              kNext = QString::number(loadCurriculum("central_line")->version + 1);
+QString builtIn() {
+  return QString::number(loadCurriculum("central_line")->version);
+}
+QString next() {
+  return QString::number(loadCurriculum("central_line")->version + 1);
+}
 
 /// An administrator writes the next version of what comes along.
 class CurriculumWindowTest : public test::AccountWindow {
@@ -96,7 +100,7 @@ TEST_F(CurriculumWindowTest, ADraftIsWrittenToldPublishedAndTaught) {
   untilSaved();
   const Curriculum kept = draft();
   const Level& level = kept.levels.front();
-  EXPECT_EQ(kept.version, kNext.toInt());
+  EXPECT_EQ(kept.version, next().toInt());
   EXPECT_EQ(level.title, "First jugular line & <b>%1</b>");
   EXPECT_EQ(level.mastery.passesInARow, 4);
   EXPECT_EQ(level.assistance, Assistance::Test);
@@ -106,7 +110,7 @@ TEST_F(CurriculumWindowTest, ADraftIsWrittenToldPublishedAndTaught) {
   button("curriculumPublish").click();
   dialogWith("entryGo")->findChild<QPushButton*>("entryGo")->click();
   ASSERT_TRUE(waitUntil([&] {
-    return state() == "central_line, version " + kNext + " is fixed. To change it, begin a new version.";
+    return state() == "central_line, version " + next() + " is fixed. To change it, begin a new version.";
   })) << state().toStdString()
       << said();
   EXPECT_EQ(draftText(), "") << "it is no draft any more";
@@ -114,7 +118,7 @@ TEST_F(CurriculumWindowTest, ADraftIsWrittenToldPublishedAndTaught) {
   ASSERT_TRUE(waitUntil([&] { return part<QComboBox>("curriculumCohort").count() == 1; }));
   button("curriculumTeach").click();
   ASSERT_TRUE(waitUntil([&] {
-    return part<QComboBox>("curriculumCohort").currentText().endsWith("version " + kNext + ")");
+    return part<QComboBox>("curriculumCohort").currentText().endsWith("version " + next() + ")");
   })) << said();
 }
 
@@ -172,14 +176,14 @@ TEST_F(CurriculumWindowTest, ItSurvivesClosingAndStepsAreTakenBack) {
   ASSERT_TRUE(waitUntil([&] { return !window->findChild<QListWidget*>("curricula"); }));
   EXPECT_EQ(draft().levels[std::size_t(before - 1)].title, "New");
   openWindow();
-  EXPECT_TRUE(state().startsWith("Draft of central_line, version " + kNext))
+  EXPECT_TRUE(state().startsWith("Draft of central_line, version " + next()))
       << "drafts come first: " << state().toStdString();
   levels().setCurrentRow(before - 1);
   button("levelRemove").click();
   EXPECT_EQ(levels().count(), before);
   button("curriculumDiscard").click();
   dialogWith("entryGo")->findChild<QPushButton*>("entryGo")->click();
-  ASSERT_TRUE(waitUntil([&] { return state().contains("version " + kBuiltIn + " is fixed"); }))
+  ASSERT_TRUE(waitUntil([&] { return state().contains("version " + builtIn() + " is fixed"); }))
       << state().toStdString();
   EXPECT_EQ(draftText(), "");
 }

@@ -1,5 +1,6 @@
 #include "Waiting.h"
 
+#include <insonate/ui/EmptyWorkspace.h>
 #include <insonate/ui/MainWindow.h>
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <QtTest/QTest>
 
 namespace insonate {
@@ -19,8 +21,9 @@ class Busy final : public ui::Workspace {
  public:
   void setCase(std::shared_ptr<const PatientCase> patient) override { shown = std::move(patient); }
   QString endsWithTheCase() const override { return ending; }
+  QString keepsTheWindow() const override { return keeps; }
   std::shared_ptr<const PatientCase> shown;
-  QString ending;
+  QString ending, keeps;
 };
 
 class Ending : public testing::Test {
@@ -42,6 +45,22 @@ class Ending : public testing::Test {
   ui::MainWindow window;
   Busy* train = new Busy;
 };
+
+TEST_F(Ending, AWorkspaceKeepsTheWindowAndTheStatusBarSaysWhy) {
+  window.addWorkspace("review", "Review", "review", new ui::EmptyWorkspace({"review", "Nothing yet", {}, {}, {}}));
+  train->keeps = "A test is in progress.";
+  window.showWorkspace("review");
+  EXPECT_EQ(window.currentId(), "train");
+  EXPECT_EQ(window.statusText(), "A test is in progress.");
+  for (auto* tab : window.findChildren<QToolButton*>()) {
+    if (tab->accessibleName() == "Review") tab->click();
+    if (tab->accessibleName() == "Train") EXPECT_TRUE(tab->isChecked()) << "the header shows where one is";
+  }
+  EXPECT_EQ(window.currentId(), "train");
+  train->keeps.clear();
+  window.showWorkspace("review");
+  EXPECT_EQ(window.currentId(), "review");
+}
 
 TEST_F(Ending, IsAskedBeforeAnotherCaseOrTheWindowClosing) {
   const auto before = train->shown;

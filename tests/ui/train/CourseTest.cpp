@@ -86,7 +86,7 @@ TEST_F(TrainCourse, OwnAttemptsAreListedNewestFirstAndOpened) {
   EXPECT_EQ(history().rowCount(), 0) << "nobody sees another's attempts";
 }
 
-TEST_F(TrainCourse, AnAttemptWhoseRecordingBrokeOffFailedAndSaysWhy) {
+TEST_F(TrainCourse, AnAttemptWhoseRecordingBrokeOffIsAbandonedAndSaysWhy) {
   addAttempts({80.0});
   const SignedIn by = at(kTrainee);
   const AttemptStore store(by);
@@ -100,7 +100,7 @@ TEST_F(TrainCourse, AnAttemptWhoseRecordingBrokeOffFailedAndSaysWhy) {
   signIn();
   open("courseAttempts");
   ASSERT_TRUE(waitFor([&] { return history().rowCount() == 2; }));
-  EXPECT_EQ(cell(0, 2), "failed");
+  EXPECT_EQ(cell(0, 2), "abandoned");
   EXPECT_TRUE(history().item(0, 2)->toolTip().contains("Abandoned: its recording broke off"))
       << history().item(0, 2)->toolTip().toStdString();
   EXPECT_FALSE(history().item(1, 2)->toolTip().contains("Abandoned"));

@@ -99,6 +99,7 @@ TEST_P(StoreCheckOnBoth, ARowThatIsMadeUpOrDeletedIsNamed) {
   EXPECT_THAT(valueOf(check->againstLog()), ElementsAre(differs(made, "attempt")));
   writePast(*rig, "UPDATE attempts SET arrival = 0 WHERE id = '" + made + "'");
   EXPECT_THAT(valueOf(check->againstLog()), ElementsAre(differs(made, "attempt"))) << "nor before the first";
+  writePast(*rig, "DELETE FROM proofs WHERE attempt = '" + facts.id + "'");
   writePast(*rig, "DELETE FROM attempts WHERE id IN ('" + made + "', '" + facts.id + "')");
   EXPECT_THAT(valueOf(check->againstLog()), ElementsAre(differs(facts.id, "attempt")));
 }

@@ -280,7 +280,7 @@ TEST_F(RecordingProofTest, ACutFileProvesNothingOfItsEnd) {
   for (const std::size_t missing : {std::size_t{1}, std::size_t{100}, bytes.size() / 2}) {
     const RecordingProof proof = proofWith(std::string_view(bytes).substr(0, bytes.size() - missing));
     EXPECT_EQ(proof.state, ProofState::Unproven) << missing;
-    EXPECT_THAT(proof.why, HasSubstr("was cut short"));
+    EXPECT_THAT(proof.why, HasSubstr("broke off"));
   }
   EXPECT_EQ(AttemptRecording::open(folder / "changed")->status(), AttemptStatus::CutShort);
 }

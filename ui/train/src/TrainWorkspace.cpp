@@ -78,6 +78,11 @@ QString TrainWorkspace::endsWithTheCase() const {
   return tr("An attempt is being made in Train: going on ends it, and it is kept as abandoned.");
 }
 
+QString TrainWorkspace::keepsTheWindow() const {
+  if (parts_->session.disclosure().anatomy) return {};
+  return tr("A test is in progress: Prepare and Review would show where the vessels are. End the attempt first.");
+}
+
 bool TrainWorkspace::isReady() const {
   return parts_->ready;
 }

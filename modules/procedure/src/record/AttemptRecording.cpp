@@ -177,7 +177,8 @@ void AttemptRecording::checkEnd(const BlockHead& head, std::size_t payload) {
 
 void AttemptRecording::tellTroubles() {
   if (status_ == AttemptStatus::CutShort) {
-    troubles_.push_back(name_ + " was cut short; it can be read up to " + seconds(end_us()) + ".");
+    troubles_.push_back(name_ + " broke off, so the attempt counts as abandoned; it can be read up to " +
+                        seconds(end_us()) + ".");
     damaged_ |= missing_;  // no end tells how many stretches there were
   }
   const bool stretchIsBad = std::ranges::any_of(blocks_, [](const Block& block) { return !block.agrees; });

@@ -28,7 +28,7 @@ RecordingProof AttemptRecording::proof(const std::optional<RecordKey>& key) cons
     return {Broken, name_ + " was changed after it was recorded: its codes are not those of the store that it names. " +
                         "Look for an untouched copy."};
   if (status_ == AttemptStatus::CutShort)
-    return {Unproven, name_ + " was cut short: nothing proves how the attempt went on."};
+    return {Unproven, name_ + " broke off: nothing proves how the attempt went on."};
   return {Proven, ""};
 }
 

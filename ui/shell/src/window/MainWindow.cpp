@@ -160,6 +160,11 @@ void MainWindow::addWorkspace(const QString& id, const QString& title, const QSt
 }
 
 void MainWindow::switchTo(int index) {
+  const int now = stack_->currentIndex();
+  if (const QString why = index == now ? QString() : currentWorkspace()->keepsTheWindow(); !why.isEmpty()) {
+    header_->setTab(now);
+    return status_->say(why);
+  }
   header_->setTab(index);
   stack_->setCurrentIndex(index);
   currentWorkspace()->setFocus();

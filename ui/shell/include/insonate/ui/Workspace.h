@@ -65,6 +65,10 @@ class Workspace : public QWidget {
   /// for nothing. The window asks before.
   virtual QString endsWithTheCase() const { return {}; }
 
+  /// Why the window must not change to another workspace, a sentence, e.g. during a test, whose answers the others
+  /// show; empty for nothing.
+  virtual QString keepsTheWindow() const { return {}; }
+
   /// Whether recorded attempts are shown here; the window hands them to the first workspace of which this is true.
   virtual bool opensAttempts() const { return false; }
   /// Shows a recorded attempt. Returns at once; what goes wrong is told by failed().
