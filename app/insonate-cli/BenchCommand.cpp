@@ -4,6 +4,7 @@
 #include <insonate/cases/Phantom.h>
 #include <insonate/simulator/DeformationBench.h>
 #include <insonate/simulator/HapticsBench.h>
+#include <insonate/simulator/RealismBench.h>
 #include <insonate/simulator/SegmentationBench.h>
 #include <insonate/simulator/UltrasoundBench.h>
 
@@ -86,6 +87,40 @@ Result<void> benchCurriculum(const BenchOptions& options) {
   return {};
 }
 
+struct RealismOptions : BenchOptions {
+  std::string real;
+  std::vector<std::string> ratings;
+  int count = 20;
+  unsigned seed = 1;
+};
+
+Result<void> scoreRatings(const RealismOptions& options) {
+  const std::vector<std::filesystem::path> files(options.ratings.begin(), options.ratings.end());
+  const auto result = scoreBlindTest(std::filesystem::path(options.folder) / "key.csv", files);
+  if (!result) return tl::unexpected(result.error());
+  if (options.json) {
+    printJson(toJson(*result));
+    return {};
+  }
+  std::printf(
+      "%d images, %d readers: sensitivity %.2f, specificity %.2f, ROC area %.2f (95 %% interval %.2f to %.2f)\n",
+      result->images, result->readers, result->sensitivity, result->specificity, result->told.area, result->told.low,
+      result->told.high);
+  return {};
+}
+
+Result<void> benchRealism(const RealismOptions& options) {
+  if (!options.ratings.empty()) return scoreRatings(options);
+  if (auto ok = checkBenchFolder(options.folder); !ok) return ok;
+  auto real = readRealImages(options.real);
+  if (!real) return tl::unexpected(real.error());
+  const auto results = runRealismBench(std::move(*real), options.count, options.seed, terminalProgress());
+  if (!results) return tl::unexpected(results.error());
+  if (auto ok = writeRealismBench(*results, options.folder); !ok) return ok;
+  tell(options, *results, "index.md");
+  return {};
+}
+
 CLI::App* addCommand(CLI::App& bench, const char* name, const char* description, BenchOptions& options) {
   CLI::App* command = bench.add_subcommand(name, description);
   command->add_option("--out", options.folder, "Folder for tables and plots; created when missing")->required();
@@ -126,6 +161,37 @@ void addSegmentation(CLI::App& bench, Outcome& outcome) {
   });
 }
 
+void addRealism(CLI::App& bench, Outcome& outcome) {
+  auto options = std::make_shared<RealismOptions>();
+  CLI::App* command = bench.add_subcommand(
+      "realism", "What tells simulated images from real ones: features, a classifier, and a blind test for readers");
+  command->add_option("--out", options->folder, "Folder for tables and the blind test; created when missing")
+      ->required();
+  CLI::Option* real = command
+                          ->add_option("--real", options->real,
+                                       "List of real images: lines file,pixels per mm,source[,left,top,width,height]. "
+                                       "Each shows, or the box cuts out, the inside "
+                                       "of a linear probe's field of view, without text")
+                          ->check(CLI::ExistingFile);
+  CLI::Option* ratings =
+      command->add_option("--ratings", options->ratings, "Score these readers' ratings.csv against key.csv in --out")
+          ->check(CLI::ExistingFile)
+          ->excludes(real);
+  command->add_option("--count", options->count, "Simulated images")
+      ->capture_default_str()
+      ->check(CLI::Range(2, 2000))
+      ->excludes(ratings);
+  command->add_option("--seed", options->seed, "Other necks, settings and order")
+      ->capture_default_str()
+      ->excludes(ratings);
+  command->add_flag("--json", options->json, "Print the results as one JSON object");
+  command->callback([options, real, ratings, &outcome] {
+    outcome.json = options->json;
+    if (!*real && !*ratings) throw CLI::RequiredError("--real or --ratings");
+    if (auto ok = benchRealism(*options); !ok) refuse(outcome, ok.error());
+  });
+}
+
 }  // namespace
 
 void addBenchCommand(CLI::App& app, Outcome& outcome) {
@@ -135,6 +201,7 @@ void addBenchCommand(CLI::App& app, Outcome& outcome) {
   add(*bench, outcome, "deformation", "Frame times and errors of the models of pressed tissue", benchDeformation);
   add(*bench, outcome, "haptics", "The servo's tick times, stability and force curves", benchHaptics);
   addSegmentation(*bench, outcome);
+  addRealism(*bench, outcome);
   add(*bench, outcome, "curriculum", "How long screens wait for the store of people and attempts", benchCurriculum);
 }
 

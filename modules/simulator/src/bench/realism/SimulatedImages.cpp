@@ -1,0 +1,128 @@
+#include <insonate/cases/Phantom.h>
+#include <insonate/simulator/Imager.h>
+#include <insonate/simulator/LookFeatures.h>
+#include <insonate/simulator/ProbePose.h>
+#include <insonate/simulator/RealismBench.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <numbers>
+#include <random>
+
+namespace insonate {
+namespace {
+
+constexpr int kImagesOfANeck = 2;
+
+class Choices {
+ public:
+  explicit Choices(unsigned seed) : random_(seed) {}
+  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  std::size_t index(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
+
+ private:
+  std::mt19937 random_;
+};
+
+struct Drawn {
+  ImagingSetup setup;
+  Transform patientFromProbe;
+  std::string about;
+};
+
+/// The start pose moved along the skin and turned about its axis, with settings as people choose them for a neck.
+Result<Drawn> drawn(const PatientCase& patient, const Probe& probe, const AcousticTable& tissues, Choices& choices) {
+  const StartPose& view = patient.manifest.startPoses[choices.index(patient.manifest.startPoses.size())];
+  const double turn = choices.between(-20, 20) * std::numbers::pi / 180;
+  const Vec3 elevation = cross(view.axial, view.lateral);
+  const auto pose =
+      patientFromProbe(view.position_mm + view.lateral * choices.between(-4, 4) + elevation * choices.between(-8, 8),
+                       view.axial, view.lateral * std::cos(turn) + elevation * std::sin(turn));
+  if (!pose) return tl::unexpected(pose.error());
+  Drawn one{{probe, settingsFor(probe), tissues}, *pose, {}};
+  ImagingSettings& settings = one.setup.settings;
+  settings.depth_mm = std::round(choices.between(30, 45));
+  settings.frequency_MHz = std::round(2 * choices.between(7, std::min(12.0, probe.maxFrequency_MHz))) / 2;
+  settings.focus_mm = std::round(settings.depth_mm * choices.between(0.35, 0.65));
+  settings.gain_dB = std::round(choices.between(-6, 6));
+  settings.dynamicRange_dB = std::round(choices.between(50, 72));
+  char text[160];
+  std::snprintf(text, sizeof text, "%s, turned %.0f degrees, %.0f mm, %.1f MHz, gain %.0f dB, range %.0f dB",
+                view.name.c_str(), turn * 180 / std::numbers::pi, settings.depth_mm, settings.frequency_MHz,
+                settings.gain_dB, settings.dynamicRange_dB);
+  one.about = text;
+  return one;
+}
+
+/// The inside of a linear probe's field of view.
+GreyPicture insideOf(const BModeImage& image, const Drawn& of) {
+  const double half_mm = of.setup.probe.width_mm / 2;
+  const auto column = [&](double mm) { return int(std::lround((mm - image.left_mm) / image.pixel_mm)); };
+  const int first = std::max(0, column(-half_mm) + 1), last = std::min(image.width, column(half_mm) - 1);
+  const int top = std::max(0, int(std::lround(-image.top_mm / image.pixel_mm)) + 1);
+  const int bottom =
+      std::min(image.height, int(std::lround((of.setup.settings.depth_mm - image.top_mm) / image.pixel_mm)) - 1);
+  GreyPicture inside{last - first, bottom - top, {}};
+  for (int y = top; y < bottom; ++y) {
+    const auto row = image.grey.begin() + std::ptrdiff_t(y) * image.width;
+    inside.grey.insert(inside.grey.end(), row + first, row + last);
+  }
+  return inside;
+}
+
+/// The upper middle part, as large as another image where it can be.
+GreyPicture cutLike(const GreyPicture& image, const GreyPicture& other) {
+  GreyPicture cut{std::min(image.width, other.width), std::min(image.height, other.height), {}};
+  const int left = (image.width - cut.width) / 2;
+  for (int y = 0; y < cut.height; ++y) {
+    const auto row = image.grey.begin() + std::ptrdiff_t(y) * image.width + left;
+    cut.grey.insert(cut.grey.end(), row, row + cut.width);
+  }
+  return cut;
+}
+
+Result<SourceImage> imageOf(const PatientCase& patient, const std::string& neck, const Drawn& one) {
+  const auto scene = makeScene(patient, one.setup, regionOf(one.setup.probe, one.setup.settings, one.patientFromProbe));
+  if (!scene) return tl::unexpected(scene.error());
+  auto imager = Imager::make(one.setup);
+  if (!imager) return tl::unexpected(imager.error());
+  ImagingFrame frame;
+  imager->render(**scene, one.patientFromProbe, frame);
+  auto scaled = atLookScale(insideOf(frame.image, one), 1 / frame.image.pixel_mm);
+  if (!scaled) return tl::unexpected(scaled.error());
+  return SourceImage{neck, neck + ", " + one.about, std::move(*scaled)};
+}
+
+}  // namespace
+
+Result<std::vector<SourceImage>> simulatedImages(int count, unsigned seed, const std::vector<SourceImage>& real,
+                                                 const Progress& progress) {
+  const auto probe = loadProbe("linear");
+  if (!probe) return tl::unexpected(probe.error());
+  const auto tissues = loadAcousticTable("neck");
+  if (!tissues) return tl::unexpected(tissues.error());
+  std::vector<std::string> necks;
+  for (const PhantomVariant& variant : phantomVariants())
+    if (variant.name != "subclavian") necks.emplace_back(variant.name);
+  Choices choices(seed);
+  std::vector<SourceImage> images;
+  for (int neck = 0; int(images.size()) < count; ++neck) {
+    if (!report(progress, "simulating images", double(images.size()) / count)) return fail(std::string(kCancelled));
+    const std::string& variant = necks[std::size_t(neck) % necks.size()];
+    const auto patient = makePhantom(variant, seed * 1000 + unsigned(neck));
+    if (!patient) return tl::unexpected(patient.error());
+    for (int n = 0; n < kImagesOfANeck && int(images.size()) < count; ++n) {
+      const auto one = drawn(*patient, *probe, *tissues, choices);
+      if (!one) return tl::unexpected(one.error());
+      auto image = imageOf(*patient, variant, *one);
+      if (!image) return tl::unexpected(image.error());
+      if (!real.empty()) image->image = cutLike(image->image, real[images.size() % real.size()].image);
+      images.push_back(std::move(*image));
+    }
+  }
+  return images;
+}
+
+}  // namespace insonate
