@@ -42,7 +42,8 @@ QVariant ClassTable::headerData(int section, Qt::Orientation orientation, int ro
     if (role == Qt::TextAlignmentRole) return int(Qt::AlignCenter) | Qt::TextWordWrap;
     return {};
   }
-  static const QString titles[] = {tr("Person"), tr("Needs you"), tr("Level"), tr("Attempts"), tr("Last attempt")};
+  static const QString titles[] = {tr("Person"), tr("Needs attention"), tr("Level"), tr("Attempts"),
+                                   tr("Last attempt")};
   if (role == Qt::DisplayRole) return titles[section];
   if (role != Qt::ToolTipRole) return {};
   return section == kAttempts ? tr("Attempts that count, at levels and in free practice. Click to sort")
