@@ -46,11 +46,13 @@ Components componentsOf(std::span<const double> positive, std::span<const double
 RocArea rocArea(std::span<const double> positive, std::span<const double> negative) {
   const auto [area, variance] = componentsOf(positive, negative);
   if (variance < 0) return {area, 0, 1};
-  // At 0 and 1 the variance vanishes, though half a pair more or less is possible: that of a share, then.
-  const double least = 0.5 / double(positive.size() * negative.size());
-  const double inside = std::clamp(area, least, 1 - least);
-  const double error =
-      std::sqrt(variance > 0 ? variance : inside * (1 - inside) / double(std::min(positive.size(), negative.size())));
+  if (variance < 1e-12) {
+    // All pairs alike: the exact bound (Clopper and Pearson) of a share that was met in each value of the smaller
+    // group.
+    const double bound = std::pow(0.025, 1 / double(std::min(positive.size(), negative.size())));
+    return area > 0.5 ? RocArea{area, bound, 1} : area < 0.5 ? RocArea{area, 0, 1 - bound} : RocArea{area, 0, 1};
+  }
+  const double error = std::sqrt(variance), inside = area;
   const double logit = std::log(inside / (1 - inside)), reach = kNormal95 * error / (inside * (1 - inside));
   const auto back = [](double x) { return 1 / (1 + std::exp(-x)); };
   return {area, std::min(area, back(logit - reach)), std::max(area, back(logit + reach))};
