@@ -7,7 +7,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// What someone tries who may write the store's file: past the program, past the triggers.
+/// Attacks of someone who may write the store's file, past the program and its triggers.
 class CurriculumVerify : public CurriculumCommands {
  protected:
   /// Takes the trigger that fixes attempts away, writes, and puts it back, so that nothing looks as if it was gone.

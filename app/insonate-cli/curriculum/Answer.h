@@ -21,8 +21,7 @@ using Json = nlohmann::json;
 struct Answer {
   Json object = Json::object();
   std::string text;
-  /// What is wrong where the command looked for something wrong and found it: its sentence follows text and object,
-  /// with exit status 1.
+  /// A fault that the command looked for and found; the sentence is printed after text and object, with exit status 1.
   std::string failure{};
 };
 

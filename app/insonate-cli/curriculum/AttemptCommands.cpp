@@ -29,7 +29,7 @@ struct ListArguments {
   std::int64_t before = 0;
 };
 
-/// Of void and accept.
+/// Arguments of `void` and `accept`.
 struct ReasonArguments {
   std::string attempt, reason;
 };

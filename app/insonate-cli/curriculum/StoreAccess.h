@@ -25,7 +25,7 @@ std::filesystem::path usualStoreFile();
 /// What --database names, else INSONATE_DATABASE, else the user's own file, where the window keeps it too.
 std::string addressOf(const StoreOptions& options);
 bool isServer(const std::string& address);
-/// Of a server's attempts this workstation keeps the recordings in a folder of the user's, as the window does.
+/// Keeps recordings of a server's attempts in a folder of the user, as the window does.
 StoreServices servicesFor(const std::string& address);
 /// Made where there is none, with its folder.
 Result<CurriculumStore> openOrMakeStore(const StoreOptions& options);

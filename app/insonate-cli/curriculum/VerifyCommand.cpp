@@ -31,7 +31,7 @@ Result<void> verifyWhole(const SignedIn& by, const std::string& anchorText) {
   return earlier ? AuditLog(by).verify(*earlier) : tl::unexpected(earlier.error());
 }
 
-/// What is stored against recordings, log and attempts.
+/// Compares the stored attempts and standings with recordings and audit log.
 Result<RecomputedAttempts> recomputeAll(const SignedIn& by) {
   auto found = recomputeAttempts(by, terminalProgress());
   if (!found) return found;
@@ -91,7 +91,7 @@ std::string section(const std::string& title, const Json& rows, const std::vecto
          " more; --json names all.\n";
 }
 
-/// What was compared, what was not and why, and which attempts to look at.
+/// Sentences: which attempts were compared, which were not and why, and which need attention.
 std::string textOf(const Json& found) {
   const std::vector<Column> whose{{"person_name", "person"}, {"attempt", "attempt"}, {"why", "why"}};
   const auto titled = [&](const char* key, const std::string& title, const std::vector<Column>& columns) {

@@ -22,7 +22,7 @@ QStringList glossary() {
   return help.shownText().split('\n');
 }
 
-/// What a line of the list defines: "tip in image".
+/// Term that a line of the list defines: "tip in image".
 QString termOf(const QString& line) {
   return line.section(':', 0, 0).section(',', 0, 0);
 }

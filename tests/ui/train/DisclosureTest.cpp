@@ -33,7 +33,7 @@ class TrainDisclosure : public LevelWindow {
     return named;
   }
 
-  /// What tells more than the image, by what it is.
+  /// Patterns of words that tell more than the image, by their kind.
   std::map<QString, QRegularExpression> forbidden() const {
     std::map<QString, QRegularExpression> all;
     const auto add = [&](const QString& words) {
@@ -187,7 +187,7 @@ class TrainPractice : public TrainDisclosure {
   TrainPractice() { assistance_ = Assistance::Guided; }
 };
 
-/// So that the test above can fail.
+/// Shows that the test above can fail.
 TEST_F(TrainPractice, TellsWhatATestDoesNot) {
   makeWholeAttempt();
   EXPECT_EQ(workspace_->keepsTheWindow(), "") << "practice may look things up";

@@ -20,7 +20,7 @@ namespace {
 /// the digits that are shown; on a block whose skin is the plane y = 0, so that the answers are plain geometry.
 class TrainNumbers : public AttemptWindow {
  protected:
-  /// What the panel's table says now.
+  /// Text of the metric in the panel's table.
   QString panel(Metric metric) {
     const QRegularExpression row(
         QString("<td>%1</td><td[^>]*>(?:&nbsp;)*([^<]*)</td>").arg(QRegularExpression::escape(ui::titleOf(metric))));

@@ -15,7 +15,7 @@ using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// What someone can do who may write the database: past this program and past the triggers.
+/// Writes as someone who may write the database can, past this program and its triggers.
 void writePast(const StoreRig& rig, const std::string& sql) {
   const auto connection = store::Connection::open(valueOf(store::Address::parse(rig.address)));
   if (!connection) throw std::runtime_error(connection.error().message);

@@ -130,7 +130,7 @@ TEST_P(StoreProofs, WhatIsProvenCountsAndNeedsNobody) {
   EXPECT_THAT(refusalOf(AttemptStore(school.as(school.ina)).accept(open, "seen")), HasSubstr("still open"));
 }
 
-/// Who hands facts in cannot say of them what only the store knows.
+/// Facts that are handed in cannot bring a proof that only the store gives.
 TEST_P(StoreProofs, NobodyHandsInTheirOwnAcceptance) {
   const ProofSchool school(rig->open());
   const SignedIn anna = school.as(school.anna);

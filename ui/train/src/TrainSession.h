@@ -67,7 +67,7 @@ class TrainSession : public QObject {
 
   // What the screen tells
   const Disclosure& disclosure() const { return disclosure_; }
-  /// Where anatomy is not disclosed any more, the whole image comes back, and undo does not lead behind it.
+  /// Restores the whole image where anatomy is disclosed no longer; undo does not lead behind it.
   void setDisclosure(const Disclosure& disclosure);
   /// Whether anatomy is disclosed; says so where it is not.
   bool mayShowAnatomy();

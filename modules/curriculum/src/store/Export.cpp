@@ -103,8 +103,8 @@ std::map<Version, Curriculum> curriculaOf(Transaction& transaction) {
   return curricula;
 }
 
-/// What an attempt's columns do not say: whether it passed, with which assistance, by the version of the curriculum for
-/// which it was made; null in free practice.
+/// Adds whether each attempt passed and with which assistance, by the version of the curriculum for which it was made;
+/// null in free practice.
 void addJudgements(Transaction& transaction, nlohmann::ordered_json& attempts) {
   const auto curricula = curriculaOf(transaction);
   std::size_t at = 0;

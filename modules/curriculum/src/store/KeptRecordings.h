@@ -11,7 +11,7 @@
 
 namespace insonate::store {
 
-/// Where a store of this address keeps recordings: StoreServices::recordings, else beside its file; "": nowhere.
+/// Folder of the recordings of a store: StoreServices::recordings, else beside its file; "": none is kept.
 std::filesystem::path recordingsFolder(const Address& address, const std::filesystem::path& wanted);
 /// The folder of a store's file: FILE.recordings.
 std::filesystem::path recordingsBeside(const std::filesystem::path& database);

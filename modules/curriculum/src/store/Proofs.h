@@ -19,7 +19,7 @@ AttemptProof proofNamed(std::string_view name);
 /// With an attempt's end, as its program found it. That an instructor accepted it, or that it was there before there
 /// were proofs, no program finds: then nothing vouches for it.
 void keepProof(Transaction& transaction, const AttemptFacts& facts);
-/// What another store knows of it: its proof, or that it was accepted since. `acceptedBy` as in the table.
+/// Takes over the proof that another store has of an attempt, or its later acceptance. `acceptedBy` as in the table.
 void mergeProof(Transaction& transaction, const std::string& attempt, AttemptProof proof,
                 const std::string& acceptedBy);
 void acceptAttempt(Transaction& transaction, const std::string& attempt, const std::string& by);

@@ -12,7 +12,7 @@ namespace insonate::store {
 /// Makes the store's secret where it has none.
 Result<void> keepSecret(Core& core);
 
-/// Of an attempt's id, person, curriculum and level.
+/// Makes the seal for an attempt's id, person, curriculum and level.
 Result<AttemptSeal> freshSeal(Transaction& transaction, const AttemptFacts& facts);
 Result<NonceOrigin> originOfNonce(Transaction& transaction, const AttemptFacts& facts, const std::string& nonce);
 

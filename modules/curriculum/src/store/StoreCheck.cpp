@@ -21,7 +21,7 @@ using store::Row;
 using store::Transaction;
 using Differences = std::vector<StoreDifference>;
 
-/// What the audit log tells of an attempt; AttemptStore.cpp and site/SendFacts.cpp write the entries.
+/// Entries of the audit log about an attempt; AttemptStore.cpp and site/SendFacts.cpp write them.
 struct Logged {
   std::string person{};
   std::optional<std::string> level{};      ///< as the log shortens it; none: it came from a workstation
@@ -50,7 +50,7 @@ std::map<std::string, Logged> loggedAttempts(Transaction& transaction) {
   return logged;
 }
 
-/// Of a row that has entries.
+/// Compares a row with its entries.
 void compare(const Row& row, const Logged& logged, Differences& differences) {
   const std::string id = row.text(1), person = row.text(2);
   const bool hasEnded = row.text(5) != "open" && !row.truth(6);

@@ -44,7 +44,7 @@ struct PlacedBlock {
   std::size_t payload() const { return at + BlockHead::kBytes; }
 };
 
-/// Where the blocks and the links of a file disagree.
+/// A place at which blocks and links of a file disagree.
 struct ChainFault {
   enum class Kind {
     Block,    ///< the block at `block` is not the one that was recorded

@@ -7,7 +7,7 @@
 
 namespace insonate::prepare {
 
-/// What an author says about a case beside its voxels: targets, names of vessels, landmarks, start poses and grade.
+/// An author's statements about a case besides its voxels: targets, names of vessels, landmarks, start poses and grade.
 /// Edited and undone as a whole.
 struct CasePlaces {
   std::vector<Target> targets;

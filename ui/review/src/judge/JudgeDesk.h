@@ -39,7 +39,7 @@ class JudgeDesk : public QObject {
   QString words() const;
   /// Who is signed in may hand in judgements of this attempt: it is a trainee's of theirs, and the recording is.
   bool mayJudge() const;
-  /// Who is signed in has handed in this form about the attempt: a form is handed in once.
+  /// True once the user has handed in this form about the attempt: a form is handed in once.
   bool hasHandedIn(const std::string& form) const;
   /// What drafts of who is signed in are kept by.
   ui::FormSubject subject() const;

@@ -39,7 +39,7 @@ class HistoryTable final : public QWidget {
   QString recordingOf(const KeptAttempt& attempt) const;
   const KeptAttempt* chosen() const;
   void replay();
-  /// What the reason is asked for.
+  /// Change for which a reason is asked.
   enum class Change { None, Void, Accept };
   void askReason(Change change);
   void wordReason(bool voids);

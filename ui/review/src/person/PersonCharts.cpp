@@ -40,7 +40,7 @@ QString placeWords(const std::vector<double>& all, double own, const MetricMeani
   return alike == 0 ? better : tr("%1, as good as %2 %").arg(better, percentOf(alike));
 }
 
-/// What the numbers below the charts of a person count.
+/// Title of the axis that numbers a person's attempts.
 QString attemptAxis(const std::string& level) {
   return level.empty() ? tr("attempt, of all levels and free practice") : tr("attempt at this level");
 }

@@ -4,15 +4,15 @@
 
 namespace insonate::train {
 
-/// What the screen tells besides the ultrasound image and what a real procedure shows, too: skin and tools from
-/// outside, the marks on the shaft, forces in the hand, the blood in the syringe, the time. Whatever shows one of these
-/// asks here (TrainSession::disclosure()).
+/// Parts of the screen that tell more than the ultrasound image and a real procedure do. A real procedure shows skin
+/// and tools from outside, the marks on the shaft, forces in the hand, the blood in the syringe and the time. Each
+/// widget that shows more asks TrainSession::disclosure().
 struct Disclosure {
   bool steps = true;     ///< what to do now, and the attempt's metrics so far
   bool findings = true;  ///< what went wrong
-  /// Where anatomy lies and what the needle meets: CT, structures under the skin in 3D, areas of vessels and their
-  /// curve, grid and pressure over the image, single effects of the model, positions of the probe by name, the
-  /// patient's pressures, the place of the tip and the name of its vessel.
+  /// Places of the anatomy and the tissue at the needle's tip: CT, structures under the skin in 3D, areas of vessels
+  /// and their curve, grid and pressure over the image, single effects of the model, positions of the probe by name,
+  /// the patient's pressures, the place of the tip and the name of its vessel.
   bool anatomy = true;
 
   bool operator==(const Disclosure&) const = default;

@@ -13,7 +13,7 @@ namespace insonate::train {
 class AttemptControl;
 class TrainSession;
 
-/// What comes into the syringe while it aspirates: dark red, non-pulsatile blood from a vein, bright red, pulsatile
+/// Content of the syringe while it aspirates: dark red, non-pulsatile blood from a vein, bright red, pulsatile
 /// blood from an artery, air from lung and airway, nothing from elsewhere. It stays there until another needle is
 /// taken.
 class SyringeView final : public QWidget {

@@ -108,7 +108,7 @@ bool AttemptKeeper::isKept() const {
   return account_ && account_->isSignedIn() && !account_->mustChangePassword();
 }
 
-/// Of who is signed in, for what they practise now.
+/// Id, person and level of the next attempt of the user.
 AttemptFacts AttemptKeeper::nextFacts() const {
   AttemptFacts facts;
   facts.id = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();

@@ -29,7 +29,7 @@ QString comparedWith(const MetricStandard& standard, const AttemptFacts& attempt
 /// "3 passes in a row; the learning score LC-CUSUM reaches 4.07; at least 11 attempts; lapses after 90 days without
 /// practice".
 QString masteryOf(const Level& level);
-/// What one attempt needs, without its standards: "completed, succeeded, without a critical error, ...".
+/// Requirements of one attempt, without its standards: "completed, succeeded, without a critical error, ...".
 QString passOf(const PassRule& rule);
 
 /// An attempt at a level beside its rule, and what it changed.

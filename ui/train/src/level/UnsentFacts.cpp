@@ -44,7 +44,7 @@ QJsonObject objectOf(const AttemptFacts& facts) {
           {"recording", json(facts.recording)}};
 }
 
-/// What the file says; earlier programs wrote the end into it, too.
+/// Facts in the file; earlier programs wrote the end into it, too.
 std::optional<AttemptFacts> factsOf(const QJsonObject& object) {
   AttemptFacts facts;
   facts.id = text(object, "id"), facts.person = text(object, "person");

@@ -15,13 +15,14 @@ namespace insonate::train {
 
 /// In the folder of the recordings.
 QString unsentFolder();
-/// Where the recording of such an attempt lies; empty: it has none, or its name leads out of the folder.
+/// File of the recording of such an attempt; empty: it has none, or its name leads out of the folder.
 QString recordingOf(const QString& folder, const AttemptFacts& facts);
 
 /// An attempt's end replaces its beginning. Of the end nothing is written but the name of the recording.
 Result<void> keepUnsent(const QString& folder, const AttemptFacts& facts);
-/// Of one person, in the order in which they began. One that ended and whose recording is missing was abandoned without
-/// metrics, as one that broke off. What cannot be read or scored stays where it is and is left out.
+/// Unsent attempts of a person, in the order in which they began. One that ended and whose recording is missing was
+/// abandoned without metrics, as one that broke off. A file that cannot be read or scored stays in place and is left
+/// out.
 std::vector<AttemptFacts> unsentOf(const QString& folder, const std::string& person);
 /// The store has these: what was kept of the same attempt since stays.
 void forgetUnsent(const QString& folder, const AttemptFacts& facts);

@@ -14,7 +14,7 @@ enum class AttemptState {
   Voided,     ///< taken out of the count by an instructor, with a reason; kept
 };
 
-/// What vouches for an attempt, besides its facts.
+/// Evidence that an attempt was made as its facts say.
 enum class AttemptProof {
   Unproven,       ///< nothing: its recording was made for another store, by an earlier program or by nobody known
   Proven,         ///< its recording: whole, and keyed as the store asked when the attempt began

@@ -9,7 +9,8 @@ namespace insonate {
 /// The secret with which the links of a recording are keyed (procedure/RecordingProof.h); for the recorder alone.
 using AttemptKey = std::array<std::uint8_t, 32>;
 
-/// What a store gives an attempt as it begins, so that its recording can prove whose it is. With s the store's secret
+/// Nonce and key that a store gives to an attempt as it begins, so that its recording can prove whose it is. With s the
+/// store's secret
 /// and H(k, ...) BLAKE2b-256 keyed with k over texts that each have their length before them:
 ///   tag = the first 16 bytes of H(s, "store"), code = H(s, "nonce", r, id, person, curriculum, version, level),
 ///   nonce = r tag code with r 16 random bytes, key = H(s, "key", nonce).
@@ -19,7 +20,7 @@ struct AttemptSeal {
   AttemptKey key{};
 };
 
-/// What a store says of a nonce that a recording brings.
+/// A store's answer about the nonce of a recording.
 struct NonceOrigin {
   enum class Kind {
     Given,      ///< to this attempt, with `key`

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// What each table of attempts says of one, whoever writes it (CSV; Csv.h).
+/// Columns that every table of attempts shares (CSV; Csv.h).
 namespace insonate {
 
 /// "proven", "accepted", "earlier", "demonstration", "not proven".

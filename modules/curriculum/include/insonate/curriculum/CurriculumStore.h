@@ -54,7 +54,7 @@ class CurriculumStore {
   /// For people: the file, or the server without the password.
   const std::string& place() const;
   const std::string& workstation() const;
-  /// Where recordings of its attempts are kept, as ID.attempt; "": nowhere.
+  /// Folder that keeps the recordings of attempts, as ID.attempt; "": none is kept.
   const std::filesystem::path& recordings() const;
 
   /// False: this is a first run; ask for the administrator.

@@ -25,9 +25,9 @@ struct FormAgreement {
   std::vector<RaterPair> pairs{};  ///< by their names
 };
 
-/// Of forms in the order in which they came. Of one rater's about one attempt the first counts: a form is
-/// handed in once, and a second one, which older programs kept, was filled in with the others' answers known. Left out
-/// is a form about no attempt, by whom it is about, or withheld.
+/// Agreement of the raters; `forms` in the order in which they came. The first form of a rater about an attempt counts:
+/// a form is handed in once, and a second one, which older programs kept, was filled in with the others' answers known.
+/// Leaves out a form that is about no attempt, written by the person it is about, or withheld.
 FormAgreement agreementOf(const Form& form, std::span<const KeptForm> forms);
 
 /// A line for each two raters and item, and before them one for all items ("total"); what there is not is left empty.

@@ -44,7 +44,7 @@ const Level* levelOf(const Curriculum& curriculum, const AttemptFacts& attempt);
 std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& attempt);
 
 /// Whether an attempt at a level with this rule counts there: counts(), and, where it passes, something vouches for it.
-/// What nothing proves can fail a trainee, who would otherwise choose which attempts count, and passes nobody.
+/// An unproven attempt can fail a trainee, who would otherwise choose which attempts count, and passes nobody.
 bool counts(const AttemptFacts& attempt, const PassRule& rule);
 
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt);

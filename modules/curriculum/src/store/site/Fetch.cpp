@@ -142,7 +142,7 @@ void takeVoided(Transaction& here, const std::vector<Row>& voided) {
         row.number(1), row.text(2), row.text(3), row.text(0));
 }
 
-/// What instructors accepted on the server, of attempts made here.
+/// Takes over which attempts of this workstation instructors accepted on the server.
 void takeAccepted(Transaction& here, const std::vector<Row>& accepted, std::int64_t now_us) {
   for (const Row& row : accepted) {
     const auto person = here.row(

@@ -56,7 +56,7 @@ class AttemptRecording {
   /// Whether all blocks were found. What is inside them is seen as they are unpacked.
   bool isWhole() const { return !damaged_; }
 
-  /// What the recording proves, with the key of its nonce; none: not known, or it has no nonce.
+  /// Proof of the recording by the key of its nonce; without a key where that is not known or there is no nonce.
   RecordingProof proof(const std::optional<RecordKey>& key) const;
 
   /// The settings that held at a time, as in AttemptHeader::settings; "" where the recording has none. Fails where a
@@ -92,7 +92,7 @@ class AttemptRecording {
   };
   std::vector<record::PlacedBlock> findBlocks();
   Result<void> readHeader(const std::vector<record::PlacedBlock>& blocks);
-  /// What the links say; leaves out what was not written to its end.
+  /// Checks the blocks against the links; removes blocks that were not written to their end.
   Result<void> checkLinks(std::vector<record::PlacedBlock>& blocks);
   void readBlock(const record::PlacedBlock& block);
   void readChange(const record::BlockHead& head, std::size_t payload, bool agrees);

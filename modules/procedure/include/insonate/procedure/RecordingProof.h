@@ -18,7 +18,7 @@ enum class ProofState {
   Broken,         ///< changed or damaged after it was recorded
 };
 
-/// What a recording proves about itself.
+/// Proof that a recording gives by itself.
 struct RecordingProof {
   ProofState state = ProofState::Unproven;
   std::string why{};  ///< a sentence, with the file and the place; "" where it is proven

@@ -7,7 +7,7 @@
 
 namespace insonate {
 
-/// What describes how an ultrasound image looks, by numbers that need no labels.
+/// A number that describes how an ultrasound image looks, without labels.
 struct LookFeature {
   std::string name;
   double value = 0;  ///< NaN where the image has nothing to measure

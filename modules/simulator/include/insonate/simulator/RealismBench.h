@@ -58,7 +58,7 @@ Result<RealismBench> runRealismBench(std::vector<SourceImage> real, int count, u
 /// (ratings.csv); key.csv, outside of it, says which is which. All of it or nothing.
 Result<void> writeRealismBench(const RealismBench& bench, const std::filesystem::path& folder);
 
-/// What readers of the blind test found.
+/// Result of the readers of a blind test.
 struct BlindResult {
   int readers = 0, images = 0;
   double sensitivity = 0, specificity = 0;  ///< mean over readers; ratings of 4 and more count as simulated

@@ -10,8 +10,8 @@
 
 namespace insonate {
 
-/// What an attempt's header tells as it begins; of a recording that belongs to no store, id, person and level are the
-/// caller's. The recording is, always.
+/// Facts that an attempt's header gives as it begins. The caller adds the recording, and id, person and level where the
+/// recording belongs to no store.
 AttemptFacts beginningOf(const AttemptHeader& header);
 
 /// Adds how it ended: Completed, else Abandoned, with the metrics and points of its score.

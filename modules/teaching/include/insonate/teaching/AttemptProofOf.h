@@ -8,7 +8,7 @@
 
 namespace insonate {
 
-/// What a recording proves of an attempt.
+/// Proof of an attempt by its recording.
 struct AttemptProofOf {
   AttemptProof proof = AttemptProof::Unproven;  ///< or Proven
   std::string why{};                            ///< a sentence where nothing is proven

@@ -27,7 +27,7 @@ QString recordingHere(const std::string& name, const QString& store);
 /// The recording that the store keeps of an attempt; else the same.
 QString recordingHere(const KeptAttempt& attempt, const QString& store);
 
-/// Where this workstation keeps the recordings of attempts whose store is a server.
+/// Folder in which this workstation keeps the recordings of attempts whose store is a server.
 QString serverRecordingsFolder();
 
 /// Whether a path is that of a recorded attempt: by its name, also that of the part of one that was cut short, or by
