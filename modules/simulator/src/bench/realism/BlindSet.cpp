@@ -1,5 +1,7 @@
 #include "bench/realism/BlindSet.h"
 
+#include "bench/realism/PictureParts.h"
+
 #include <insonate/core/AtomicFile.h>
 #include <insonate/simulator/LookFeatures.h>
 #include <insonate/simulator/PictureFiles.h>
@@ -42,15 +44,9 @@ std::string numbered(std::size_t n) {
 }
 
 cv::Mat enlarged(const GreyPicture& picture) {
-  const cv::Mat bytes(picture.height, picture.width, CV_8U, const_cast<std::uint8_t*>(picture.grey.data()));
   cv::Mat large;
-  cv::resize(bytes, large, {}, kEnlarged, kEnlarged, cv::INTER_CUBIC);
+  cv::resize(bytesOf(picture), large, {}, kEnlarged, kEnlarged, cv::INTER_CUBIC);
   return large;
-}
-
-GreyPicture pictureOf(const cv::Mat& bytes) {
-  const cv::Mat whole = bytes.isContinuous() ? bytes : bytes.clone();
-  return {whole.cols, whole.rows, {whole.datastart, whole.dataend}};
 }
 
 std::string sheetHtml(std::size_t count) {
@@ -81,10 +77,9 @@ Result<void> writeSheet(const std::vector<GreyPicture>& pictures, std::size_t fi
   cv::Mat sheet(rows * kCell_px, kColumns * kCell_px, CV_8U, cv::Scalar(20));
   for (std::size_t n = 0; n < count; ++n) {
     const GreyPicture& picture = pictures[first + n];
-    const cv::Mat bytes(picture.height, picture.width, CV_8U, const_cast<std::uint8_t*>(picture.grey.data()));
     const double fit = std::min(double(kCell_px - 30) / picture.width, double(kCell_px - 40) / picture.height);
     cv::Mat small;
-    cv::resize(bytes, small, {}, fit, fit, cv::INTER_AREA);
+    cv::resize(bytesOf(picture), small, {}, fit, fit, cv::INTER_AREA);
     const int x = int(n) % kColumns * kCell_px + 10, y = int(n) / kColumns * kCell_px + 30;
     small.copyTo(sheet(cv::Rect(x, y, small.cols, small.rows)));
     cv::putText(sheet, std::to_string(first + n + 1), {x, y - 8}, cv::FONT_HERSHEY_SIMPLEX, 0.6, cv::Scalar(200));

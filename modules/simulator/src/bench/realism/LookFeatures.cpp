@@ -1,3 +1,5 @@
+#include "bench/realism/PictureParts.h"
+
 #include <insonate/simulator/LookFeatures.h>
 
 #include <opencv2/imgproc.hpp>
@@ -15,18 +17,8 @@ constexpr double kSmooth_px = 1.5;  ///< standard deviation of the blur that tak
 constexpr int kAround_px = 9;       ///< of local contrast
 constexpr int kBands = 3, kBand_mm = 10;
 
-/// Of values in any order; quantiles as numpy's default has them.
-double percentile(std::vector<float> values, double percent) {
-  if (values.empty()) return kNothing;
-  std::ranges::sort(values);
-  const double at = percent / 100 * double(values.size() - 1);
-  const auto low = std::size_t(at);
-  const std::size_t high = std::min(low + 1, values.size() - 1);
-  return values[low] + (values[high] - values[low]) * (at - double(low));
-}
-
-std::vector<float> valuesOf(const cv::Mat& image) {
-  std::vector<float> values;
+std::vector<double> valuesOf(const cv::Mat& image) {
+  std::vector<double> values;
   values.reserve(image.total());
   for (int y = 0; y < image.rows; ++y)
     values.insert(values.end(), image.ptr<float>(y), image.ptr<float>(y) + image.cols);
@@ -74,9 +66,7 @@ class Measuring {
   explicit Measuring(const GreyPicture& image)
       : image_([&] {
           cv::Mat floats;
-          // The bytes are only read.
-          cv::Mat(image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.grey.data()))
-              .convertTo(floats, CV_32F);
+          bench::bytesOf(image).convertTo(floats, CV_32F);
           return floats;
         }()),
         smooth_(blurred(image_)),
@@ -99,9 +89,9 @@ class Measuring {
   void add(std::string name, double value) { features_.push_back({std::move(name), value}); }
 
   void grays() {
-    const std::vector<float> values = valuesOf(image_);
+    const std::vector<double> values = valuesOf(image_);
     for (const int percent : {5, 25, 50, 75, 95, 99})
-      add("gray p" + std::to_string(percent), percentile(values, percent));
+      add("gray p" + std::to_string(percent), bench::quantile(values, percent / 100.0));
     add("share below gray 6", share(image_ < 6));
     add("share above gray 200", share(image_ > 200));
     const int quarter = image_.rows / 4;
@@ -115,15 +105,15 @@ class Measuring {
     cv::Mat mean, square;
     cv::blur(image_, mean, {kAround_px, kAround_px}, {-1, -1}, cv::BORDER_REFLECT);
     cv::blur(image_.mul(image_), square, {kAround_px, kAround_px}, {-1, -1}, cv::BORDER_REFLECT);
-    std::vector<float> variation;
+    std::vector<double> variation;
     for (int y = 0; y < image_.rows; ++y)
       for (int x = 0; x < image_.cols; ++x) {
         if (smooth_.at<float>(y, x) <= 15) continue;
         const float m = mean.at<float>(y, x);
         variation.push_back(std::sqrt(std::max(0.0f, square.at<float>(y, x) - m * m)) / (m + 5));
       }
-    add("local variation median", percentile(variation, 50));
-    add("local variation p90", percentile(variation, 90));
+    add("local variation median", bench::quantile(variation, 0.5));
+    add("local variation p90", bench::quantile(variation, 0.9));
   }
 
   /// Share of the power along rows above 1 and 2 cycles per mm.
@@ -173,7 +163,7 @@ class Measuring {
   /// Mean width of the connected pieces among the strongest twentieth of the ridges, each piece weighted by its area: a
   /// rail across the image counts for much.
   static double ridgeLength_mm(const cv::Mat& ridges) {
-    const cv::Mat strong = ridges > percentile(valuesOf(ridges), 95);
+    const cv::Mat strong = ridges > bench::quantile(valuesOf(ridges), 0.95);
     cv::Mat pieces, about, middles;
     const int count = cv::connectedComponentsWithStats(strong, pieces, about, middles);
     double sum = 0, area = 0;
@@ -225,7 +215,7 @@ class Measuring {
     const cv::Mat kernel = (cv::Mat_<float>(3, 3) << 1, -2, 1, -2, 4, -2, 1, -2, 1);
     cv::Mat differs;
     cv::filter2D(image, differs, CV_32F, kernel, {-1, -1}, 0, cv::BORDER_REFLECT);
-    return percentile(valuesOf(cv::abs(differs)), 50) / (0.6745 * 6);
+    return bench::quantile(valuesOf(cv::abs(differs)), 0.5) / (0.6745 * 6);
   }
 
   cv::Mat image_, smooth_;
@@ -241,12 +231,10 @@ Result<GreyPicture> atLookScale(const GreyPicture& image, double pixelsPer_mm, d
   if (image.width < 10 * pixelsPer_mm || image.height < 10 * pixelsPer_mm)
     return fail("The image is smaller than 10 x 10 mm.");
   const double factor = kLookPixelsPer_mm / pixelsPer_mm;
-  const cv::Mat bytes(image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.grey.data()));
   cv::Mat scaled;
   // Downward an average over each new pixel's area, so that fine detail is not folded into coarse.
-  cv::resize(bytes, scaled, {}, factor, factor, factor < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
-  scaled = scaled.rowRange(0, std::min(scaled.rows, int(std::lround(depth_mm * kLookPixelsPer_mm)))).clone();
-  return GreyPicture{scaled.cols, scaled.rows, {scaled.datastart, scaled.dataend}};
+  cv::resize(bench::bytesOf(image), scaled, {}, factor, factor, factor < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
+  return bench::pictureOf(scaled.rowRange(0, std::min(scaled.rows, int(std::lround(depth_mm * kLookPixelsPer_mm)))));
 }
 
 std::vector<LookFeature> lookFeatures(const GreyPicture& image) {

@@ -1,3 +1,5 @@
+#include "bench/realism/PictureParts.h"
+
 #include <insonate/simulator/LookFeatures.h>
 #include <insonate/simulator/PictureFiles.h>
 #include <insonate/simulator/RealismBench.h>
@@ -33,19 +35,14 @@ std::optional<double> numberIn(const std::string& cell) {
 }
 
 /// The part of an image that a box of whole pixels covers.
-Result<GreyPicture> cutOut(const GreyPicture& image, const std::vector<std::string>& box) {
+Result<GreyPicture> insideOf(const GreyPicture& image, const std::vector<std::string>& box) {
   std::array<int, 4> b{};  // left, top, width, height
   for (std::size_t n = 0; n < 4; ++n) b[n] = int(numberIn(box[n]).value_or(-1));
   const auto [left, top, width, height] = b;
   if (left < 0 || top < 0 || width < 1 || height < 1 || width > image.width - left || height > image.height - top)
     return fail("The box must lie in the image, which has " + std::to_string(image.width) + " x " +
                 std::to_string(image.height) + " pixels.");
-  GreyPicture cut{width, height, {}};
-  for (int y = top; y < top + height; ++y) {
-    const auto row = image.grey.begin() + std::ptrdiff_t(y) * image.width + left;
-    cut.grey.insert(cut.grey.end(), row, row + width);
-  }
-  return cut;
+  return bench::cutOut(image.grey, image.width, {left, top, width, height});
 }
 
 Result<SourceImage> imageOf(const std::vector<std::string>& cells, const std::filesystem::path& folder) {
@@ -55,7 +52,7 @@ Result<SourceImage> imageOf(const std::vector<std::string>& cells, const std::fi
         "It needs a file, its pixels per mm and its source, and may have left, top, width and height of the field of "
         "view in pixels, parted by commas.");
   auto image = readPicture(folder / cells[0]);
-  if (image && cells.size() == 7) image = cutOut(*image, {cells.begin() + 3, cells.end()});
+  if (image && cells.size() == 7) image = insideOf(*image, {cells.begin() + 3, cells.end()});
   if (!image) return tl::unexpected(image.error());
   auto scaled = atLookScale(*image, *pixelsPer_mm);
   if (!scaled) return tl::unexpected(scaled.error());

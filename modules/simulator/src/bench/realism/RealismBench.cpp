@@ -1,3 +1,4 @@
+#include "bench/realism/PictureParts.h"
 #include "bench/realism/SourceClassifier.h"
 
 #include <insonate/simulator/LookFeatures.h>
@@ -17,22 +18,13 @@ namespace {
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kLeastOfASource = 4;
 
-using bench::FeatureRow;
+using bench::FeatureRow, bench::quantile;
 
 std::vector<double> finite(const std::vector<FeatureRow>& rows, std::size_t feature, auto&& isWanted) {
   std::vector<double> values;
   for (const FeatureRow& row : rows)
     if (isWanted(row) && std::isfinite(row.values[feature])) values.push_back(row.values[feature]);
   return values;
-}
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return kNothing;
-  std::ranges::sort(values);
-  const double at = share * double(values.size() - 1);
-  const auto low = std::size_t(at);
-  const std::size_t high = std::min(low + 1, values.size() - 1);
-  return values[low] + (values[high] - values[low]) * (at - double(low));
 }
 
 /// How far real sources lie from each other.

@@ -1,3 +1,5 @@
+#include "bench/realism/PictureParts.h"
+
 #include <insonate/cases/Phantom.h>
 #include <insonate/simulator/Imager.h>
 #include <insonate/simulator/LookFeatures.h>
@@ -64,23 +66,13 @@ GreyPicture insideOf(const BModeImage& image, const Drawn& of) {
   const int top = std::max(0, int(std::lround(-image.top_mm / image.pixel_mm)) + 1);
   const int bottom =
       std::min(image.height, int(std::lround((of.setup.settings.depth_mm - image.top_mm) / image.pixel_mm)) - 1);
-  GreyPicture inside{last - first, bottom - top, {}};
-  for (int y = top; y < bottom; ++y) {
-    const auto row = image.grey.begin() + std::ptrdiff_t(y) * image.width;
-    inside.grey.insert(inside.grey.end(), row + first, row + last);
-  }
-  return inside;
+  return bench::cutOut(image.grey, image.width, {first, top, last - first, bottom - top});
 }
 
 /// The upper middle part, as large as another image where it can be.
 GreyPicture cutLike(const GreyPicture& image, const GreyPicture& other) {
-  GreyPicture cut{std::min(image.width, other.width), std::min(image.height, other.height), {}};
-  const int left = (image.width - cut.width) / 2;
-  for (int y = 0; y < cut.height; ++y) {
-    const auto row = image.grey.begin() + std::ptrdiff_t(y) * image.width + left;
-    cut.grey.insert(cut.grey.end(), row, row + cut.width);
-  }
-  return cut;
+  const int width = std::min(image.width, other.width), height = std::min(image.height, other.height);
+  return bench::cutOut(image.grey, image.width, {(image.width - width) / 2, 0, width, height});
 }
 
 Result<SourceImage> imageOf(const PatientCase& patient, const std::string& neck, const Drawn& one) {
