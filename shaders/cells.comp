@@ -65,12 +65,12 @@ void main() {
     }
   }
   Cell cell;
-  cell.a = a, cell.b = b, cell.ct_HU = 0.0, cell.comesAndGoes = 0.0, cell.inside = 1;
+  cell.a = a, cell.b = b, cell.ct_HU = 0.0, cell.inside = 1;
   for (int q = 0; q < 4; ++q) {
     int n = corner[q];
     cell.s_mm[q] = frame.channels == 1 ? kReach_mm : (nodes[n].distance_mm[b] - nodes[n].distance_mm[a]) / 2.0;
     cell.ct_HU += nodes[n].ct_HU / 4.0;
-    cell.comesAndGoes += nodes[n].comesAndGoes / 4.0;
+    cell.comesAndGoes[q] = nodes[n].comesAndGoes, cell.wander_mm[q] = nodes[n].wander_mm;
     if (nodes[n].beyond > 0.0) cell.inside = 0;
   }
 

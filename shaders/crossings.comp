@@ -13,7 +13,10 @@ layout(std430, binding = 7) writeonly buffer Crossings {
   Crossing crossings[];
 };
 
-const float kBreaks = 2.5;  // an outline breaks off more easily than it brightens
+// roughnessGain_dB() of model/Boundary.h.
+float roughnessGain(float roughness_dB, float comesAndGoes) {
+  return roughness_dB * (comesAndGoes * (comesAndGoes < 0.0 ? kRoughnessBreaks : 1.0) - kRoughnessLoss);
+}
 
 float specularLobe(int above, int below, float cosine) {
   float n = (frame.channel[above].specularExponent + frame.channel[below].specularExponent) / 2.0;
@@ -30,18 +33,19 @@ Crossing crossingAt(int plane, int gate, int line) {
 
   float reflection =
       (below.impedance_MRayl - above.impedance_MRayl) / (below.impedance_MRayl + above.impedance_MRayl);
+  float roughness_dB = frame.channel[below.channel].roughness_dB;
   Crossing crossing = none;
   if (with(kReflection)) {
-    float roughness_dB = with(kTexture) ? frame.channel[below.channel].roughness_dB * cell.comesAndGoes *
-                                              (cell.comesAndGoes < 0.0 ? kBreaks : 1.0)
-                                        : 0.0;
-    crossing.echo = abs(reflection) * fromDecibel(kReflectorGain_dB + roughness_dB) *
+    float rough_dB =
+        with(kTexture) ? roughnessGain(roughness_dB, withinCell(cell.comesAndGoes, gate, line)) : 0.0;
+    crossing.echo = abs(reflection) * fromDecibel(kReflectorGain_dB + rough_dB) *
                     specularLobe(above.channel, below.channel, cell.cosine) * frame.boundaryScale *
                     frame.plane[plane].z;
   }
   bool samePair = cellAbove.a == cell.a && cellAbove.b == cell.b;
   crossing.fraction = samePair ? above.s_mm / (above.s_mm - below.s_mm) : 0.5;
-  crossing.width = clamp(cell.spread_mm / frame.gate_mm, kNarrowest_gates, kWidest_gates);
+  float roughDepth_mm = with(kTexture) ? kRoughnessDepth_mmPdB * roughness_dB : 0.0;
+  crossing.width = clamp(length(vec2(cell.spread_mm, roughDepth_mm)) / frame.gate_mm, kNarrowest_gates, kWidest_gates);
   if (with(kTransmission)) crossing.loss_dB = -toDecibel(max(1.0 - reflection * reflection, 1e-12));
   return crossing;
 }

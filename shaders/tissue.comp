@@ -28,7 +28,7 @@ void addTexture(inout GateSample here, float ct_HU, vec3 rest, int line) {
     vec4 ray = planTable[line];
     float facing = dot(vec3(ray.z, 0, ray.w), channel.thinAxis[side].xyz);
     value *= 0.2 + 0.8 * facing * facing;
-    if ((channel.flags & kSheets) != 0) here.sheet = value;
+    if ((channel.flags & kSheets) != 0) here.sheet = kSheetCoherence * value;
   }
   here.echo_dB += channel.textureStrength_dB * value;
 }
@@ -38,17 +38,18 @@ float byteOf(int word, int which) {
 }
 
 // Connective layers at the boundary take over from the tissue.
-void addLayers(inout GateSample here, Cell cell) {
-  int entry = int(floor(here.s_mm / kProfileStep_mm)) + kProfileEntries / 2;
+void addLayers(inout GateSample here, Cell cell, int gate, int line) {
+  float wander_mm = withinCell(cell.wander_mm, gate, line);
+  int entry = int(floor((here.s_mm + wander_mm) / kProfileStep_mm)) + kProfileEntries / 2;
   if (entry < 0 || entry >= kProfileEntries) return;
   int word = sceneWord[frame.profileWords + (cell.a * frame.channels + cell.b) * kProfileEntries + entry];
-  float presence = clamp(0.5 + 0.9 * cell.comesAndGoes, 0.0, 1.0);
+  float presence = clamp(0.5 + 0.9 * withinCell(cell.comesAndGoes, gate, line), 0.0, 1.0);
   float occupancy = byteOf(word, 0) / 255.0 * (1.0 - byteOf(word, 3) / 255.0 * (1.0 - presence));
   float anisotropy = byteOf(word, 2) / 255.0;
   float facing_dB = toDecibel(0.12 + 0.88 * cell.cosine * cell.cosine);
   float layer_dB = byteOf(word, 1) / 4.0 - 32.0 + anisotropy * facing_dB;
   here.echo_dB += occupancy * (layer_dB - here.echo_dB);
-  here.sheet += occupancy * (anisotropy - here.sheet);
+  here.sheet += occupancy * (kSheetCoherence * anisotropy - here.sheet);
 }
 
 void main() {
@@ -56,11 +57,9 @@ void main() {
   if (at.x >= frame.lines || at.y >= frame.gates) return;
   int line = at.x, gate = at.y, plane = at.z;
   Cell cell = cells[cellIndex(plane, gate, line)];
-  float down = float(gate % frame.cellGates) / float(frame.cellGates);
-  float across = float(line % frame.cellLines) / float(frame.cellLines);
 
   GateSample here;
-  here.s_mm = mix(mix(cell.s_mm[0], cell.s_mm[1], across), mix(cell.s_mm[2], cell.s_mm[3], across), down);
+  here.s_mm = withinCell(cell.s_mm, gate, line);
   here.channel = here.s_mm >= 0.0 ? cell.a : cell.b;
   Channel channel = frame.channel[here.channel];
   bool outside = here.channel == frame.backgroundChannel && rangeOf(float(gate)) < kContactReach_mm;
@@ -77,7 +76,7 @@ void main() {
 
   here.echo_dB = channel.echo_dB, here.sheet = 0.0;
   if (with(kTexture)) addTexture(here, cell.ct_HU, restPoint(plane, gate, line), line);
-  if (with(kLayers)) addLayers(here, cell);
+  if (with(kLayers)) addLayers(here, cell, gate, line);
   if (outside || !with(kScattering)) here.echo_dB = kSilence_dB;
   samples[gateIndex(plane, gate, line)] = here;
 }

@@ -245,7 +245,12 @@ HWY_INLINE void computeCellRow(const TraceInput& in, int firstLine, int plane, i
     spread.store(cosine, cells.cosine, c);
     spread.store(spread_gates, cells.spread, c);
     spread.store(facing, cells.facing_dB, c);
-    spread.store(average(top.patch, bottom.patch), cells.patch, c);
+    spread.storeMixed(hn::LoadU(d, top.patch + c), hn::LoadU(d, top.patch + c + 1), cells.patchTop, c);
+    spread.storeMixed(hn::LoadU(d, bottom.patch + c), hn::LoadU(d, bottom.patch + c + 1), cells.patchBottom, c);
+    spread.storeMixed(hn::LoadU(d, top.wander_steps + c), hn::LoadU(d, top.wander_steps + c + 1), cells.wanderTop_steps,
+                      c);
+    spread.storeMixed(hn::LoadU(d, bottom.wander_steps + c), hn::LoadU(d, bottom.wander_steps + c + 1),
+                      cells.wanderBottom_steps, c);
     spread.store(k.echo[0], cells.echoA, c), spread.store(k.echo[1], cells.echoB, c);
     spread.store(k.loss[0], cells.lossA, c), spread.store(k.loss[1], cells.lossB, c);
     spread.store(k.impedance[0], cells.impedanceA, c), spread.store(k.impedance[1], cells.impedanceB, c);

@@ -84,9 +84,15 @@ struct ImpulseRow {
   }
 };
 
+/// The first gate behind a boundary, and the needle's shadow there.
+struct Crossing {
+  int channel;
+  float s, impedance, shadow_dB, patch;
+};
+
 /// Echo and loss of the boundary that one scanline crosses between the last gate and this one. Rare, so scalar.
-HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, int channel, float s, float impedance,
-                              float shadow_dB, TraceBuffers& b) {
+HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, const Crossing& at, TraceBuffers& b) {
+  const auto& [channel, s, impedance, shadow_dB, patch] = at;
   const FramePlan& plan = *in.plan;
   TraceBuffers::LineState& state = b.state[plane];
   const TraceBuffers::CellRow& cells = b.cells[plane];
@@ -96,14 +102,17 @@ HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, 
   const float reflection = (impedance - state.impedance[l]) / (impedance + state.impedance[l]);
   const AcousticTissue &first = *in.channels[above].tissue, &second = *in.channels[channel].tissue;
   if (plan.settings.effects.reflection && state.level_dB[l] > kSilent_dB && reflection != 0) {
-    const double roughness_dB = plan.settings.effects.texture ? roughnessGain_dB(second, cells.patch[l]) : 0;
+    const double roughness_dB = plan.settings.effects.texture ? roughnessGain_dB(second, patch) : 0;
     const float gain_dB =
         state.level_dB[l] - shadow_dB + static_cast<float>(acoustics::kReflectorGain_dB + roughness_dB);
     const float echo = std::exp2(gain_dB * kOctavesPerDecibel) * std::abs(reflection) *
                        specularLobe(first, second, cells.cosine[l]) *
                        static_cast<float>(plan.boundaryScale * plan.boundaryWeight[plane]);
     const bool samePair = state.pair[l] == cells.profile[l];
-    const ImpulseRow impulse(gate - 1, samePair ? state.s[l] / (state.s[l] - s) : 0.5F, cells.spread[l]);
+    const auto rough_gates =
+        static_cast<float>(plan.settings.effects.texture ? roughnessDepth_mm(second) / plan.gate_mm : 0);
+    const ImpulseRow impulse(gate - 1, samePair ? state.s[l] / (state.s[l] - s) : 0.5F,
+                             std::hypot(cells.spread[l], rough_gates));
     for (int o = 0; o < impulse.count; ++o)
       if (const int g = impulse.first + o; g >= 0 && g < plan.gates)
         for (int look = 0; look < plan.settings.looks; ++look)
@@ -194,12 +203,14 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
       const auto crossed = hn::AndNot(hn::Lt(before, hn::Zero(di)), hn::Ne(before, channel));
       if (!hn::AllFalse(di, crossed)) {
         alignas(64) std::int32_t ch[16];
-        alignas(64) float sLane[16], zLane[16], shadowLane[16];
+        alignas(64) float sLane[16], zLane[16], shadowLane[16], patchLane[16];
         hn::Store(channel, di, ch), hn::Store(s, d, sLane), hn::Store(impedance, d, zLane);
         hn::Store(shadow, d, shadowLane);
+        const auto patchTop = hn::Load(d, cells.patchTop + l);
+        hn::Store(hn::MulAdd(down, hn::Sub(hn::Load(d, cells.patchBottom + l), patchTop), patchTop), d, patchLane);
         for (int i = 0; i < static_cast<int>(hn::Lanes(d)); ++i)
           if (state.channel[l + i] >= 0 && state.channel[l + i] != ch[i])
-            crossBoundary(in, p, gate, l + i, ch[i], sLane[i], zLane[i], shadowLane[i], b);
+            crossBoundary(in, p, gate, l + i, {ch[i], sLane[i], zLane[i], shadowLane[i], patchLane[i]}, b);
       }
       hn::Store(channel, di, state.channel + l);
       hn::Store(hn::Load(di, cells.profile + l), di, state.pair + l);
@@ -229,7 +240,7 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
         const auto right = hn::Lt(x, hn::Set(d, static_cast<float>(in.scene->midline_mm) - in.elevationX * e));
         addTexture(in, cells.channelsPresent, channel, right, line, r, in.displacement ? &shift : nullptr, e, here);
       }
-      if (effects.layers && cells.nearBoundary) addLayers(in, cells, l, s, here);
+      if (effects.layers && cells.nearBoundary) addLayers(in, cells, l, s, down, here);
       const auto amplitude = amplitudeOf(hn::Add(level, here.echo_dB));
       const auto plane = hn::Set(d, static_cast<float>(plan.boundaryWeight[p]));
       const auto inPhase = hn::Mul(hn::Mul(amplitude, plane), effects.speckle ? here.sheet : hn::Set(d, 1.0F));

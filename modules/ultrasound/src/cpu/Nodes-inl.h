@@ -9,6 +9,7 @@
 #include "cpu/Lanes-inl.h"
 #include "cpu/Shifts-inl.h"
 #include "cpu/TraceInput.h"
+#include "model/Boundary.h"
 
 #include <hwy/highway.h>
 
@@ -68,13 +69,13 @@ HWY_INLINE VI storeCells(D d, const TissueField& field, VI i, VI j, VI k, V fx, 
 }
 
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V patchAt(D d, V x, V y, V z) {
+HWY_INLINE V patchAt(D d, V x, V y, V z, int step) {
   const hn::Rebind<std::int32_t, D> di;
   const TextureTile& tile = patchTile();
   const auto toVoxel = hn::Set(d, static_cast<float>(1 / tile.voxel_mm.x));
   const auto voxel = [&](V p, int size) {
     const auto at = hn::MulAdd(p, toVoxel, hn::Set(d, static_cast<float>(TextureTile::kRounding_voxels)));
-    return hn::And(hn::ConvertTo(di, hn::Floor(at)), hn::Set(di, size - 1));
+    return hn::And(hn::Add(hn::ConvertTo(di, hn::Floor(at)), hn::Set(di, step)), hn::Set(di, size - 1));
   };
   const auto vu = hn::Add(hn::Mul(voxel(y, tile.size[1]), hn::Set(di, tile.size[0])), voxel(x, tile.size[0]));
   const auto at = hn::Add(hn::Mul(vu, hn::Set(di, tile.size[2])), voxel(z, tile.size[2]));
@@ -145,7 +146,9 @@ HWY_INLINE void placeNodes(D d, const TraceInput& in, const CornerSteps& steps, 
   V weight[8];
   const auto corner = storeCells(d, field, i, j, k, fx, fy, fz, c, places, weight);
   hn::Store(inside, d, row.inside + c);
-  hn::Store(patchAt(d, x, y, z), d, row.patch + c);
+  hn::Store(patchAt(d, x, y, z, 0), d, row.patch + c);
+  const auto wander = hn::Set(d, static_cast<float>(kLayerWander_mm / BoundaryProfiles::kStep_mm));
+  hn::Store(hn::Mul(patchAt(d, x, y, z, kWanderStep_voxels), wander), d, row.wander_steps + c);
   hn::Store(in.anyCt ? ctAt(d, field, steps, corner, weight) : hn::Zero(d), d, row.ct + c);
 }
 

@@ -9,6 +9,7 @@
 #include "cpu/Lanes-inl.h"
 #include "cpu/Shifts-inl.h"
 #include "cpu/TraceInput.h"
+#include "model/Boundary.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace insonate::cpu::HWY_NAMESPACE {
@@ -59,17 +60,23 @@ HWY_INLINE void addTexture(const TraceInput& in, std::uint32_t present, GateInt 
       const auto value = hn::IfThenElseZero(
           lanes, textureOf(*structure.tile, in.textureRays[ch][side], line, range, shift, elevation_mm));
       here.echo_dB = hn::MulAdd(value, hn::Set(d, structure.textureStrength_dB / 127), here.echo_dB);
-      if (structure.sheets) here.sheet = hn::Max(here.sheet, hn::Mul(value, hn::Set(d, 1.0F / 127)));
+      if (structure.sheets)
+        here.sheet = hn::Max(here.sheet, hn::Mul(value, hn::Set(d, static_cast<float>(kSheetCoherence / 127))));
     }
   }
 }
 
 /// Connective layers at the boundary take over from the tissue.
-HWY_INLINE void addLayers(const TraceInput& in, const TraceBuffers::CellRow& cells, int l, GateVec s,
+HWY_INLINE void addLayers(const TraceInput& in, const TraceBuffers::CellRow& cells, int l, GateVec s, GateVec down,
                           Scattering& here) {
   const GateTag d;
+  const auto within = [&](const float* top, const float* bottom) {
+    const auto t = hn::Load(d, top + l);
+    return hn::MulAdd(down, hn::Sub(hn::Load(d, bottom + l), t), t);
+  };
   const GateIntTag di;
-  const auto scaled = hn::Floor(hn::Mul(s, hn::Set(d, static_cast<float>(1 / BoundaryProfiles::kStep_mm))));
+  const auto scaled = hn::Floor(hn::MulAdd(s, hn::Set(d, static_cast<float>(1 / BoundaryProfiles::kStep_mm)),
+                                           within(cells.wanderTop_steps, cells.wanderBottom_steps)));
   const auto entry = hn::Add(hn::ConvertTo(di, scaled), hn::Set(di, BoundaryProfiles::kEntries / 2));
   const auto inReach = hn::And(hn::Gt(entry, hn::Set(di, -1)), hn::Lt(entry, hn::Set(di, BoundaryProfiles::kEntries)));
   if (hn::AllFalse(di, inReach)) return;
@@ -84,13 +91,14 @@ HWY_INLINE void addLayers(const TraceInput& in, const TraceBuffers::CellRow& cel
   const auto anisotropy = hn::Mul(toFloat(hn::ShiftRight<16>(packed)), unit);
   const auto patchiness = hn::Mul(toFloat(hn::ShiftRight<24>(packed)), unit);
   const auto one = hn::Set(d, 1.0F);
-  const auto presence =
-      hn::Min(one, hn::Max(hn::Zero(d), hn::MulAdd(hn::Set(d, 0.9F), hn::Load(d, cells.patch + l), hn::Set(d, 0.5F))));
+  const auto patch = within(cells.patchTop, cells.patchBottom);
+  const auto presence = hn::Min(one, hn::Max(hn::Zero(d), hn::MulAdd(hn::Set(d, 0.9F), patch, hn::Set(d, 0.5F))));
   const auto covered = hn::Mul(occupancy, hn::NegMulAdd(patchiness, hn::Sub(one, presence), one));
   const auto layer = hn::MulAdd(anisotropy, hn::Load(d, cells.facing_dB + l), echo);
   const auto coverHere = hn::IfThenElseZero(hn::RebindMask(d, inReach), covered);
   here.echo_dB = hn::MulAdd(coverHere, hn::Sub(layer, here.echo_dB), here.echo_dB);
-  here.sheet = hn::MulAdd(coverHere, hn::Sub(anisotropy, here.sheet), here.sheet);
+  here.sheet = hn::MulAdd(
+      coverHere, hn::Sub(hn::Mul(anisotropy, hn::Set(d, static_cast<float>(kSheetCoherence))), here.sheet), here.sheet);
 }
 
 }  // namespace insonate::cpu::HWY_NAMESPACE

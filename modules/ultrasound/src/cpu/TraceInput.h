@@ -115,7 +115,7 @@ struct TraceBuffers {
   struct NodeRow {
     alignas(64) float distance[TissueField::kStride][kMaxColumns];
     alignas(64) float ct[kMaxColumns];
-    alignas(64) float patch[kMaxColumns];
+    alignas(64) float patch[kMaxColumns], wander_steps[kMaxColumns];
     alignas(64) float inside[kMaxColumns];                                      ///< 1 or 0
     alignas(64) float least[TissueField::kStride], most[TissueField::kStride];  ///< of each channel's distances
   };
@@ -127,7 +127,11 @@ struct TraceBuffers {
   /// One row of cells, spread to scanlines.
   struct CellRow {
     alignas(64) float sTop[kBlockLines], sBottom[kBlockLines];
-    alignas(64) float cosine[kBlockLines], facing_dB[kBlockLines], patch[kBlockLines];
+    alignas(64) float cosine[kBlockLines], facing_dB[kBlockLines];
+    /// Strength of boundaries and the shift of their layers, in steps of the profile, at the cell's upper and lower
+    /// edge.
+    alignas(64) float patchTop[kBlockLines], patchBottom[kBlockLines];
+    alignas(64) float wanderTop_steps[kBlockLines], wanderBottom_steps[kBlockLines];
     alignas(64) float spread[kBlockLines];  ///< of a boundary's echo, gates
     alignas(64) float echoA[kBlockLines], echoB[kBlockLines], lossA[kBlockLines], lossB[kBlockLines];
     alignas(64) float impedanceA[kBlockLines], impedanceB[kBlockLines];

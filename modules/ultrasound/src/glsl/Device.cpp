@@ -1,6 +1,7 @@
 #include "glsl/Device.h"
 
 #include "glsl/FrameBlock.h"
+#include "model/Boundary.h"
 #include "model/FramePlan.h"
 #include "model/Impulse.h"
 #include "model/NeedleEchoes.h"
@@ -80,6 +81,12 @@ std::string constantsText() {
   real("kPoorContact_mm", kPoorContact_mm);
   real("kEdgeCosine", kEdgeCosine);
   real("kEdgeReach_mm", kEdgeReach_mm);
+  real("kRoughnessBreaks", kRoughnessBreaks);
+  real("kRoughnessLoss", kRoughnessLoss);
+  real("kRoughnessDepth_mmPdB", kRoughnessDepth_mmPdB);
+  real("kSheetCoherence", kSheetCoherence);
+  real("kLayerWander_mm", kLayerWander_mm);
+  whole("kWanderStep_voxels", kWanderStep_voxels);
   real("kUnitsPerMm", TissueField::kUnitsPerMm);
   real("kReach_mm", TissueField::kReach_mm);
   real("kProfileStep_mm", BoundaryProfiles::kStep_mm);

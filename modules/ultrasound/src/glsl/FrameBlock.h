@@ -81,7 +81,7 @@ struct ThesisBlock {
 };
 
 /// Sizes of the records of shaders/records.glsl.
-inline constexpr std::size_t kNodeBytes = 76, kCellBytes = 44, kSampleBytes = 32, kCrossingBytes = 16;
+inline constexpr std::size_t kNodeBytes = 80, kCellBytes = 72, kSampleBytes = 32, kCrossingBytes = 16;
 
 /// Where C++ has each field, by the shaders' names; for Program::checkBlock().
 std::vector<gpu::Field> frameFields();

@@ -90,7 +90,9 @@ TissueLookup::Node TissueLookup::nodeAt(int plane, int row, int column) const {
     n.ctDeviation += at.weight[corner] * field.ctDeviation[at.offset[corner]];
   }
   const TextureTile& patches = patchTile();
-  n.patch = patches.at(patient / patches.voxel_mm.x) / 32.0;
+  const Vec3 voxel = patient / patches.voxel_mm.x;
+  n.patch = patches.at(voxel) / 32.0;
+  n.wander_mm = kLayerWander_mm * patches.at(voxel + kWanderStep_voxels * Vec3{1, 1, 1}) / 32.0;
   return n;
 }
 
@@ -114,7 +116,8 @@ TissueLookup::Cell TissueLookup::cellOf(int plane, int row, int column) const {
     cell.s[q] = cell.a == cell.b ? TissueField::kReach_mm
                                  : (corner[q]->distance_mm[cell.b] - corner[q]->distance_mm[cell.a]) / 2;
     cell.ctDeviation += corner[q]->ctDeviation / 4;
-    cell.patch += corner[q]->patch / 4;
+    cell.patch[q] = corner[q]->patch;
+    cell.wander_mm[q] = corner[q]->wander_mm;
     cell.inside = cell.inside && corner[q]->inside;
   }
   const double range_mm = plan_.range_mm((row + 0.5) * plan_.cellGates);
@@ -175,20 +178,25 @@ TissueSample TissueLookup::at(int plane, int gate, int line) const {
   TissueSample sample;
   sample.patient_mm = patientFromProbe_ * (seenPoint(plane, gate, line, contact(line).gap_mm) + gateShift(gate, line));
   sample.inside = cell.inside;
-  sample.s_mm = mix(mix(cell.s[0], cell.s[1], across), mix(cell.s[2], cell.s[3], across), down);
+  const auto within = [&](const double(&corner)[4]) {
+    return mix(mix(corner[0], corner[1], across), mix(corner[2], corner[3], across), down);
+  };
+  sample.s_mm = within(cell.s);
   const int channel = sample.s_mm >= 0 ? cell.a : cell.b;
   sample.label = scene_.field.label[channel];
   sample.outside = sample.label == kBackground && plan_.range_mm(gate) < acoustics::kContactReach_mm;
   sample.cell = row;
   sample.pair = cell.a * TissueField::kStride + cell.b;
   sample.cosine = cell.cosine;
-  sample.spread_mm = cell.spread_mm;
 
   const AcousticTissue& tissue = scene_.table.of(sample.label);
   sample.impedance_MRayl =
       tissue.impedance_MRayl *
       (1 + (plan_.settings.effects.texture ? tissue.ctImpedancePer100HU * cell.ctDeviation / 100 : 0));
-  sample.roughness_dB = plan_.settings.effects.texture ? roughnessGain_dB(tissue, cell.patch) : 0;
+  const double patch = within(cell.patch);
+  const bool rough = plan_.settings.effects.texture;
+  sample.roughness_dB = rough ? roughnessGain_dB(tissue, patch) : 0;
+  sample.spread_mm = std::hypot(cell.spread_mm, rough ? roughnessDepth_mm(tissue) : 0);
   const AcousticTissue &a = scene_.table.of(scene_.field.label[cell.a]),
                        &b = scene_.table.of(scene_.field.label[cell.b]);
   const bool vessel = (a.vessel || b.vessel) && !acousticallyEqual(a, b);
@@ -196,7 +204,7 @@ TissueSample TissueLookup::at(int plane, int gate, int line) const {
       vessel && std::abs(sample.s_mm) < acoustics::kEdgeReach_mm && cell.cosine < acoustics::kEdgeCosine;
   sample.echo_dB = tissue.echogenicity_dB;
   if (plan_.settings.effects.texture) addTexture(sample, cell, patientFromProbe_.linear * plan_.grid.direction(line));
-  if (plan_.settings.effects.layers) addLayers(sample, cell);
+  if (plan_.settings.effects.layers) addLayers(sample, cell, patch, within(cell.wander_mm));
   return sample;
 }
 
@@ -207,23 +215,23 @@ void TissueLookup::addTexture(TissueSample& sample, const Cell& cell, Vec3 beam)
   double value = tile.at(frame.tileFromPatient * sample.patient_mm) / 127.0;
   if (value > 0) {
     value *= sheetFacing(dot(beam, frame.thinAxis));
-    if (hasSheets(tissue.texture)) sample.sheet = value;
+    if (hasSheets(tissue.texture)) sample.sheet = kSheetCoherence * value;
   }
   sample.echo_dB += tissue.ctEchogenicity_dBper100HU * cell.ctDeviation / 100 + tissue.textureStrength_dB * value;
 }
 
-void TissueLookup::addLayers(TissueSample& sample, const Cell& cell) const {
-  const int entry =
-      static_cast<int>(std::floor(sample.s_mm / BoundaryProfiles::kStep_mm)) + BoundaryProfiles::kEntries / 2;
+void TissueLookup::addLayers(TissueSample& sample, const Cell& cell, double patch, double wander_mm) const {
+  const int entry = static_cast<int>(std::floor((sample.s_mm + wander_mm) / BoundaryProfiles::kStep_mm)) +
+                    BoundaryProfiles::kEntries / 2;
   if (entry < 0 || entry >= BoundaryProfiles::kEntries) return;
   const std::uint32_t e = scene_.profiles.entries()[scene_.profiles.first(cell.a, cell.b) + entry];
   const auto byte = [&](int n) { return (e >> (8 * n) & 255U) / 255.0; };
-  const double presence = std::clamp(0.5 + 0.9 * cell.patch, 0.0, 1.0);
+  const double presence = std::clamp(0.5 + 0.9 * patch, 0.0, 1.0);
   const double occupancy = byte(0) * (1 - byte(3) * (1 - presence));
   const double facing_dB = 20 * std::log10(0.12 + 0.88 * cell.cosine * cell.cosine);
   const double layer_dB = (e >> 8 & 255U) / 4.0 - 32 + byte(2) * facing_dB;
   sample.echo_dB += occupancy * (layer_dB - sample.echo_dB);
-  sample.sheet += occupancy * (byte(2) - sample.sheet);
+  sample.sheet += occupancy * (kSheetCoherence * byte(2) - sample.sheet);
 }
 
 int TissueLookup::firstGasGate(int line) const {

@@ -43,13 +43,14 @@ class TissueLookup {
   struct Node {
     std::array<double, TissueField::kStride> distance_mm{};
     double ctDeviation = 0;
-    double patch = 0;  ///< unit SD
+    double patch = 0, wander_mm = 0;  ///< strength of a boundary, of unit SD; shift of its layers
     bool inside = true;
   };
   struct Cell {
     int a = 0, b = 0;
     double s[4]{};  ///< mm at the corners: row, then column
-    double cosine = 1, spread_mm = 0, ctDeviation = 0, patch = 0;
+    double cosine = 1, spread_mm = 0, ctDeviation = 0;
+    double patch[4] = {}, wander_mm[4] = {};
     bool inside = true;
   };
 
@@ -62,7 +63,7 @@ class TissueLookup {
   double elevationSlope(int plane, int row, int column, const Cell& cell, double axial, double lateral) const;
   double inPlaneSlopeAtRest(int row, int column, double axial, double lateral) const;
   void addTexture(TissueSample& sample, const Cell& cell, Vec3 beam) const;
-  void addLayers(TissueSample& sample, const Cell& cell) const;
+  void addLayers(TissueSample& sample, const Cell& cell, double patch, double wander_mm) const;
 
   const FramePlan& plan_;
   const AcousticScene::Impl& scene_;

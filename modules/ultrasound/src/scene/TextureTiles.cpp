@@ -96,11 +96,12 @@ TextureTile emptyTile(std::array<int, 3> size, Vec3 voxel_mm) {
 
 /// Perimysium: bright sheets along the fibres, a few long ones among many short ones, none in line with another.
 /// Gaussian fields, long along the fibre and thin across, of which only the peaks are kept; a slow shear turns them
-/// unlike ways.
+/// unlike ways. Between them lie the fascicles: fine lines along the fibers, dots across them.
 TextureTile makeSepta() {
-  TextureTile tile = emptyTile({64, 64, 256}, {1.0, 0.4, 0.07});
-  const std::vector<float> longSheets = gaussianField(tile.size, tile.voxel_mm, {4.5, 1.6, 0.09}, 0x5e97a001U);
-  const std::vector<float> shortSheets = gaussianField(tile.size, tile.voxel_mm, {2.2, 0.6, 0.07}, 0x5e97a003U);
+  TextureTile tile = emptyTile({64, 64, 256}, {0.5, 0.4, 0.07});
+  const std::vector<float> longSheets = gaussianField(tile.size, tile.voxel_mm, {3.5, 1.5, 0.11}, 0x5e97a001U);
+  const std::vector<float> shortSheets = gaussianField(tile.size, tile.voxel_mm, {1.8, 0.5, 0.08}, 0x5e97a003U);
+  const std::vector<float> fascicles = gaussianField(tile.size, tile.voxel_mm, {2.5, 0.3, 0.12}, 0x5e97a004U);
   const std::vector<float> slow = gaussianField(tile.size, tile.voxel_mm, {6, 3, 1.4}, 0x5e97a002U);
   for (int w = 0; w < tile.size[2]; ++w)
     for (int v = 0; v < tile.size[1]; ++v)
@@ -111,7 +112,7 @@ TextureTile makeSepta() {
         const std::size_t m = (std::size_t(sheared) * tile.size[1] + v) * tile.size[0] + u;
         const float sheet = std::max(smoothstep(1.4F, 2.5F, longSheets[m] + 0.4F * slow[n]),
                                      0.8F * smoothstep(1.5F, 2.8F, shortSheets[m]));
-        tile.value[n] = toByte(sheet + 0.08F * slow[n]);
+        tile.value[n] = toByte(sheet + (1 - sheet) * 0.16F * fascicles[m] + 0.08F * slow[n]);
       }
   return transposed(std::move(tile));
 }
@@ -165,8 +166,8 @@ Nearest nearestCells(const Cells& cells, Vec3 p_mm) {
 /// Fat lobules: bent cells of unlike tone. Their thin walls are brightest where they lie across the beam (normal along
 /// w), and come and go.
 TextureTile makeLobules() {
-  TextureTile tile = emptyTile({64, 64, 128}, {0.75, 0.75, 0.13125});
-  const Cells cells{{9, 10, 6}, {48.0 / 9, 4.8, 16.8 / 6}, 0x10b01e00U};
+  TextureTile tile = emptyTile({64, 64, 128}, {0.5, 0.5, 0.13125});
+  const Cells cells{{6, 7, 6}, {32.0 / 6, 32.0 / 7, 16.8 / 6}, 0x10b01e00U};
   const std::vector<float> bendU = gaussianField(tile.size, tile.voxel_mm, {2.5, 2.5, 1.6}, 0x10b01e10U);
   const std::vector<float> bendW = gaussianField(tile.size, tile.voxel_mm, {2.5, 2.5, 2.0}, 0x10b01e11U);
   const std::vector<float> patch = gaussianField(tile.size, tile.voxel_mm, {1.8, 1.8, 0.8}, 0x10b01e12U);
@@ -190,7 +191,7 @@ TextureTile makeLobules() {
 
 /// Loose connective tissue: patchy, wavy sheets.
 TextureTile makeSheets() {
-  TextureTile tile = emptyTile({64, 64, 256}, {0.6, 0.6, 0.08});
+  TextureTile tile = emptyTile({64, 64, 256}, {0.4, 0.4, 0.08});
   const std::vector<float> wave = gaussianField(tile.size, tile.voxel_mm, {4, 4, 1.2}, 0x54ee7001U);
   const std::vector<float> patch = gaussianField(tile.size, tile.voxel_mm, {2.5, 2.5, 0.5}, 0x54ee7002U);
   const std::vector<float> thin = gaussianField(tile.size, tile.voxel_mm, {2.2, 2.2, 0.1}, 0x54ee7003U);
@@ -218,9 +219,10 @@ TextureTile makeFine() {
 TextureTile makePatches() {
   TextureTile tile = emptyTile({64, 64, 64}, {0.5, 0.5, 0.5});
   const std::vector<float> coarse = gaussianField(tile.size, tile.voxel_mm, {3.0, 3.0, 3.0}, 0x9a7c0001U);
-  const std::vector<float> fine = gaussianField(tile.size, tile.voxel_mm, {0.8, 0.8, 0.8}, 0x9a7c0002U);
+  const std::vector<float> medium = gaussianField(tile.size, tile.voxel_mm, {0.8, 0.8, 0.8}, 0x9a7c0002U);
+  const std::vector<float> fine = gaussianField(tile.size, tile.voxel_mm, {0.3, 0.3, 0.3}, 0x9a7c0003U);
   for (std::size_t n = 0; n < tile.value.size(); ++n)
-    tile.value[n] = toByte((0.86F * coarse[n] + 0.5F * fine[n]) * (32.0F / 127.0F));
+    tile.value[n] = toByte((0.62F * coarse[n] + 0.56F * medium[n] + 0.55F * fine[n]) * (32.0F / 127.0F));
   return transposed(std::move(tile));
 }
 

@@ -45,6 +45,7 @@ Result<Drawn> drawn(const PatientCase& patient, const Probe& probe, const Acoust
   if (!pose) return tl::unexpected(pose.error());
   Drawn one{{probe, settingsFor(probe), tissues}, *pose, {}};
   ImagingSettings& settings = one.setup.settings;
+  settings.smoothing = false;
   settings.depth_mm = std::round(choices.between(30, 45));
   settings.frequency_MHz = std::round(2 * choices.between(7, std::min(12.0, probe.maxFrequency_MHz))) / 2;
   settings.focus_mm = std::round(settings.depth_mm * choices.between(0.35, 0.65));
