@@ -1,4 +1,5 @@
 #include <insonate/simulator/Imager.h>
+#include <insonate/tissue/PatientVariation.h>
 #include <insonate/ultrasound/FrameWork.h>
 
 #include <algorithm>
@@ -132,7 +133,9 @@ Result<std::shared_ptr<const AcousticScene>> makeScene(const CaseView& patient, 
 
 Result<std::shared_ptr<const AcousticScene>> makeScene(const SceneSource& source, const ImagingSetup& setup,
                                                        const Region& region, const Progress& progress) {
-  return AcousticScene::make(source, setup.tissues, region, progress, {}, sceneDetail_mm(setup.probe, setup.settings));
+  const bool varies = setup.settings.look != Look::Thesis;
+  return AcousticScene::make(source, varies ? tableOfPatient(setup.tissues, source.patient()) : setup.tissues, region,
+                             progress, {}, sceneDetail_mm(setup.probe, setup.settings));
 }
 
 Result<void> checkReach(const PatientCase& patient, const ImagingSetup& setup, std::span<const Transform> path) {

@@ -248,8 +248,7 @@ void CpuEngine::setScanlines(const Transform& patientFromProbe, const ScattererL
 
 void CpuEngine::setTextureRays(const TextureFrame& frame, const Transform& patientFromProbe, const TextureTile& tile,
                                TextureRays& rays) const {
-  const Transform tileFromProbe{frame.tileFromPatient * patientFromProbe.linear,
-                                frame.tileFromPatient * patientFromProbe.offset};
+  const Transform tileFromProbe = frame.tileFromPatient * patientFromProbe;
   const Vec3 thinAxis = transposed(patientFromProbe.linear) * frame.thinAxis;
   const Vec3 elevation = tileFromProbe.linear.column[1];
   constexpr double kHalf = 0.5 - TextureTile::kRounding_voxels;
@@ -301,7 +300,7 @@ void CpuEngine::reverberate(int firstLine, Workspace& work) const {
   for (int l = 0; l < kBlockLines; ++l) {
     const int gas = work.trace.gasGate[l];
     if (gas <= 0) continue;
-    behindGas_->strengthsAt(surfaceOfGas(firstLine + l, gas), work.strength);
+    behindGas_->strengthsAt(surfaceOfGas(firstLine + l, gas) - input_.scene->textureOrigin_mm, work.strength);
     for (int c = 0; c < 2 * plan.settings.looks; ++c) {
       float* echo = work.trace.echo.get() + std::size_t(c) * plan.gates * kBlockLines + l;
       for (int g = 0; g <= gas; ++g) work.above[g] = echo[std::size_t(g) * kBlockLines];

@@ -69,16 +69,18 @@ HWY_INLINE VI storeCells(D d, const TissueField& field, VI i, VI j, VI k, V fx, 
 }
 
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V patchAt(D d, V x, V y, V z, int step) {
+HWY_INLINE V patchAt(D d, V x, V y, V z, Vec3 origin_mm, int step) {
   const hn::Rebind<std::int32_t, D> di;
   const TextureTile& tile = patchTile();
   const auto toVoxel = hn::Set(d, static_cast<float>(1 / tile.voxel_mm.x));
-  const auto voxel = [&](V p, int size) {
-    const auto at = hn::MulAdd(p, toVoxel, hn::Set(d, static_cast<float>(TextureTile::kRounding_voxels)));
+  const auto voxel = [&](V p, double from_mm, int size) {
+    const auto at = hn::MulAdd(hn::Sub(p, hn::Set(d, static_cast<float>(from_mm))), toVoxel,
+                               hn::Set(d, static_cast<float>(TextureTile::kRounding_voxels)));
     return hn::And(hn::Add(hn::ConvertTo(di, hn::Floor(at)), hn::Set(di, step)), hn::Set(di, size - 1));
   };
-  const auto vu = hn::Add(hn::Mul(voxel(y, tile.size[1]), hn::Set(di, tile.size[0])), voxel(x, tile.size[0]));
-  const auto at = hn::Add(hn::Mul(vu, hn::Set(di, tile.size[2])), voxel(z, tile.size[2]));
+  const auto vu = hn::Add(hn::Mul(voxel(y, origin_mm.y, tile.size[1]), hn::Set(di, tile.size[0])),
+                          voxel(x, origin_mm.x, tile.size[0]));
+  const auto at = hn::Add(hn::Mul(vu, hn::Set(di, tile.size[2])), voxel(z, origin_mm.z, tile.size[2]));
   return hn::Mul(hn::ConvertTo(d, tileBytes(tile, at)), hn::Set(d, 1.0F / 32));
 }
 
@@ -146,9 +148,10 @@ HWY_INLINE void placeNodes(D d, const TraceInput& in, const CornerSteps& steps, 
   V weight[8];
   const auto corner = storeCells(d, field, i, j, k, fx, fy, fz, c, places, weight);
   hn::Store(inside, d, row.inside + c);
-  hn::Store(patchAt(d, x, y, z, 0), d, row.patch + c);
+  const Vec3 origin_mm = in.scene->textureOrigin_mm;
+  hn::Store(patchAt(d, x, y, z, origin_mm, 0), d, row.patch + c);
   const auto wander = hn::Set(d, static_cast<float>(kLayerWander_mm / BoundaryProfiles::kStep_mm));
-  hn::Store(hn::Mul(patchAt(d, x, y, z, kWanderStep_voxels), wander), d, row.wander_steps + c);
+  hn::Store(hn::Mul(patchAt(d, x, y, z, origin_mm, kWanderStep_voxels), wander), d, row.wander_steps + c);
   hn::Store(in.anyCt ? ctAt(d, field, steps, corner, weight) : hn::Zero(d), d, row.ct + c);
 }
 

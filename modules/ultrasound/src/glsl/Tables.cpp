@@ -75,8 +75,8 @@ void setChannel(const FramePlan& plan, const AcousticScene::Impl& scene, const T
   }
   for (int side = 0; side < 2; ++side) {
     const TextureFrame& frame = scene.textureFrames[label][side];
-    setRows({frame.tileFromPatient * patientFromProbe.linear, frame.tileFromPatient * patientFromProbe.offset},
-            TextureTile::kRounding_voxels, out.tileFromProbe[side], out.tileBase[side]);
+    setRows(frame.tileFromPatient * patientFromProbe, TextureTile::kRounding_voxels, out.tileFromProbe[side],
+            out.tileBase[side]);
     const Vec3 thin = transposed(patientFromProbe.linear) * frame.thinAxis;
     out.thinAxis[side] = {f(thin.x), f(thin.y), f(thin.z), 0};
   }
@@ -170,8 +170,8 @@ void setPose(const FramePlan& plan, const AcousticScene::Impl& scene, const Tran
           0, block.latticeFromProbe, block.latticeBase);
   const double perMm = 1 / patchTile().voxel_mm.x;
   const Mat3 patches{{Vec3{perMm, 0, 0}, Vec3{0, perMm, 0}, Vec3{0, 0, perMm}}};
-  setRows({patches * patientFromProbe.linear, patches * patientFromProbe.offset}, TextureTile::kRounding_voxels,
-          block.patchFromProbe, block.patchBase);
+  setRows({patches * patientFromProbe.linear, patches * (patientFromProbe.offset - scene.textureOrigin_mm)},
+          TextureTile::kRounding_voxels, block.patchFromProbe, block.patchBase);
   const auto& c = patientFromProbe.linear.column;
   block.fromMidline = {f(c[0].x), f(c[1].x), f(c[2].x), f(patientFromProbe.offset.x - scene.midline_mm)};
   for (int channel = 0; channel < scene.field.channels; ++channel)

@@ -226,8 +226,9 @@ class ReferenceEngine final : public Engine {
     for (int line = 0; line < plan.lines; ++line) {
       for (int plane = 0; plane < plan.settings.elevationPlanes; ++plane) tracer.trace(plane, line);
       if (const int gas = lookup.firstGasGate(line); gas > 0 && plan.settings.effects.reverberation)
-        reverberate(behindGas, lookup.at(plan.settings.elevationPlanes / 2, gas, line).patient_mm, plan.settings.looks,
-                    line, gas, plan.gates, echo);
+        reverberate(behindGas,
+                    lookup.at(plan.settings.elevationPlanes / 2, gas, line).patient_mm - scene.textureOrigin_mm,
+                    plan.settings.looks, line, gas, plan.gates, echo);
       tracer.addNeedle(line);
     }
     for (const PointEcho& point : pointEchoes(plan, scene.points, patientFromProbe, displacement))

@@ -90,7 +90,7 @@ TissueLookup::Node TissueLookup::nodeAt(int plane, int row, int column) const {
     n.ctDeviation += at.weight[corner] * field.ctDeviation[at.offset[corner]];
   }
   const TextureTile& patches = patchTile();
-  const Vec3 voxel = patient / patches.voxel_mm.x;
+  const Vec3 voxel = (patient - scene_.textureOrigin_mm) / patches.voxel_mm.x;
   n.patch = patches.at(voxel) / 32.0;
   n.wander_mm = kLayerWander_mm * patches.at(voxel + kWanderStep_voxels * Vec3{1, 1, 1}) / 32.0;
   return n;

@@ -1,6 +1,7 @@
 #include "scene/SceneData.h"
 #include "scene/SceneSourceData.h"
 
+#include <insonate/core/Hash.h>
 #include <insonate/ultrasound/AcousticScene.h>
 
 #include <algorithm>
@@ -12,14 +13,21 @@ namespace insonate {
 namespace {
 
 /// Rows u, v, w scaled to tile voxels; w is the thin axis, as far as it can be across the fibre.
-TextureFrame frameOf(const TextureTile& tile, Vec3 fibre, Vec3 thinHint) {
+TextureFrame frameOf(const TextureTile& tile, Vec3 origin_mm, Vec3 fibre, Vec3 thinHint) {
   const Vec3 u = normalized(fibre);
   const Vec3 w = normalized(thinHint - u * dot(u, thinHint));
   const Vec3 v = cross(w, u);
   const Vec3 s{1 / tile.voxel_mm.x, 1 / tile.voxel_mm.y, 1 / tile.voxel_mm.z};
-  return {{{Vec3{u.x * s.x, v.x * s.y, w.x * s.z}, Vec3{u.y * s.x, v.y * s.y, w.y * s.z},
-            Vec3{u.z * s.x, v.z * s.y, w.z * s.z}}},
-          w};
+  const Mat3 linear{{Vec3{u.x * s.x, v.x * s.y, w.x * s.z}, Vec3{u.y * s.x, v.y * s.y, w.y * s.z},
+                     Vec3{u.z * s.x, v.z * s.y, w.z * s.z}}};
+  return {{linear, -1.0 * (linear * origin_mm)}, w};
+}
+
+/// Within the longest period of a tile.
+Vec3 textureOriginOf(std::uint32_t patient) {
+  constexpr double kPeriod_mm = 32;
+  const auto along = [&](int axis) { return kPeriod_mm * unitInterval(hashNode(axis, 0, 0, patient)); };
+  return {along(0), along(1), along(2)};
 }
 
 }  // namespace
@@ -56,6 +64,7 @@ Result<std::shared_ptr<const AcousticScene>> AcousticScene::make(const SceneSour
       BoundaryProfiles(table, std::span(impl->field.label.data(), static_cast<std::size_t>(impl->field.channels)));
   impl->warnings = facts.warnings;
   impl->midline_mm = facts.midline_mm;
+  impl->textureOrigin_mm = textureOriginOf(facts.patient);
   for (int side = 0; side < 2; ++side) {
     // Sheets of the neck lie along its outside: their normal points forward and outward (patient right is -x).
     const Vec3 outward = normalized({side == 0 ? -0.55 : 0.55, -0.83, 0.05});
@@ -63,7 +72,7 @@ Result<std::shared_ptr<const AcousticScene>> AcousticScene::make(const SceneSour
       const Vec3 fibre =
           l == kSternocleidomastoid ? facts.muscleFibre[side] : normalized({side == 0 ? 0.12 : -0.12, 0.08, 1.0});
       impl->textureFrames[l][side] =
-          frameOf(textureTile(table.of(static_cast<std::uint8_t>(l)).texture), fibre, outward);
+          frameOf(textureTile(table.of(static_cast<std::uint8_t>(l)).texture), impl->textureOrigin_mm, fibre, outward);
     }
   }
   return std::shared_ptr<const AcousticScene>(new AcousticScene(std::move(impl)));

@@ -2,7 +2,11 @@
 
 #include "scene/FibreAxis.h"
 
+#include <insonate/core/Hash.h>
+
 #include <tbb/parallel_for.h>
+
+#include <algorithm>
 
 namespace insonate {
 namespace {
@@ -50,9 +54,19 @@ void addRow(const CtVolume& ct, const LabelMap& labels, int j, int k, Sums& sums
   }
 }
 
+std::uint32_t hashOf(const CtVolume& ct) {
+  constexpr std::size_t kSamples = 4096;
+  const std::size_t step = std::max<std::size_t>(ct.voxels.size() / kSamples, 1);
+  std::uint32_t hash = 0;
+  for (std::size_t n = 0; n < ct.voxels.size(); n += step)
+    hash = hash32(hash ^ static_cast<std::uint16_t>(ct.voxels[n]));
+  return hash;
+}
+
 }  // namespace
 
 CaseFacts::CaseFacts(const CtVolume& ct, const LabelMap& labels) {
+  patient = hashOf(ct);
   const auto& size = labels.geometry.size;
   blocks_ = cubesOf({{}, size}, kBlock).size;
   labelsOfBlock_.resize(std::size_t(blocks_[0]) * blocks_[1] * blocks_[2]);

@@ -23,6 +23,7 @@ struct CaseFacts {
   /// A bit for each label in the blocks that a box of voxels touches; unknown labels count as soft tissue.
   std::uint32_t labelsNear(const NodeBox& voxels) const;
 
+  std::uint32_t patient = 0;          ///< hash of the CT: tells patients apart, however their labels are edited
   LabelMeans mean_HU{};               ///< of each label; 0 where there is none
   double midline_mm = 0;              ///< patient x; textures mirror across it
   std::array<Vec3, 2> muscleFibre;    ///< of the sternocleidomastoid, right and left; unit, patient LPS

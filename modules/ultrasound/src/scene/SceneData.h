@@ -10,10 +10,10 @@
 
 namespace insonate {
 
-/// Which way a texture lies in the patient: rows are the tile's u (fibre), v and w (thin) axes, in tile voxels per mm.
+/// How a texture lies in the patient: rows are the tile's u (fiber), v and w (thin) axes, in tile voxels per mm.
 struct TextureFrame {
-  Mat3 tileFromPatient;  ///< columns of the linear map
-  Vec3 thinAxis;         ///< unit, patient LPS
+  Transform tileFromPatient;
+  Vec3 thinAxis;  ///< unit, patient LPS
 };
 
 struct AcousticScene::Impl {
@@ -23,6 +23,7 @@ struct AcousticScene::Impl {
   BoundaryProfiles profiles;
   std::vector<PointTarget> points;
   std::vector<std::string> warnings;
+  Vec3 textureOrigin_mm;  ///< patient point where all tiles begin, a different one for each patient
   double midline_mm = 0;  ///< x of the patient's midline; textures mirror across it
   /// [label][0 right, 1 left]
   std::array<std::array<TextureFrame, 2>, kLabelCount> textureFrames;

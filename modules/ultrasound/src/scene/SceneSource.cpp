@@ -18,6 +18,10 @@ Result<std::shared_ptr<const SceneSource>> SceneSource::make(const CtVolume& ct,
   return std::shared_ptr<const SceneSource>(new SceneSource(std::make_unique<Impl>(ct, labels)));
 }
 
+std::uint32_t SceneSource::patient() const {
+  return impl_->facts.patient;
+}
+
 bool SceneSource::makeAhead(const Region& region, double detail_mm, const std::function<bool()>& stopped) const {
   TissueTiles& tiles = impl_->tilesOf(detail_mm);
   const NodeBox box = tiles.lattice().boxOf(region);

@@ -4,6 +4,7 @@
 #include <insonate/image/Volume.h>
 #include <insonate/ultrasound/Region.h>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 
@@ -17,6 +18,9 @@ class SceneSource {
   /// `ct` and `labels` must outlive the source and stay as they are. Fails where they lie on different grids.
   static Result<std::shared_ptr<const SceneSource>> make(const CtVolume& ct, const LabelMap& labels);
   ~SceneSource();
+
+  /// Hash of the CT: tells patients apart, however their labels are edited.
+  std::uint32_t patient() const;
 
   /// Computes one more part of a region, the one nearest to its centre, for scenes to come. Takes about a second of one
   /// processor; `stopped` is asked now and then, and ends it. False where nothing is missing, or no room is left.
