@@ -4,6 +4,7 @@
 #include <insonate/cases/Phantom.h>
 #include <insonate/simulator/DeformationBench.h>
 #include <insonate/simulator/HapticsBench.h>
+#include <insonate/simulator/PointSpreadBench.h>
 #include <insonate/simulator/RealismBench.h>
 #include <insonate/simulator/SegmentationBench.h>
 #include <insonate/simulator/UltrasoundBench.h>
@@ -89,9 +90,10 @@ Result<void> benchCurriculum(const BenchOptions& options) {
 
 struct RealismOptions : BenchOptions {
   std::string real;
-  std::vector<std::string> ratings;
-  int count = 20;
-  unsigned seed = 1;
+  bool pointSpread = false;
+  std::string probe = "linear", engine = "cpu";
+  std::vector<std::string> ratings, cases;
+  SimulatedSet set;
 };
 
 Result<void> scoreRatings(const RealismOptions& options) {
@@ -109,12 +111,26 @@ Result<void> scoreRatings(const RealismOptions& options) {
   return {};
 }
 
+Result<void> benchPointSpread(const RealismOptions& options) {
+  if (auto ok = checkBenchFolder(options.folder); !ok) return ok;
+  const auto probe = loadProbe(options.probe);
+  if (!probe) return tl::unexpected(probe.error());
+  const auto results = runPointSpreadBench(*probe, options.engine, terminalProgress());
+  if (!results) return tl::unexpected(results.error());
+  if (auto ok = writePointSpreadBench(*results, options.folder); !ok) return ok;
+  tell(options, *results, "index.md");
+  return {};
+}
+
 Result<void> benchRealism(const RealismOptions& options) {
+  if (options.pointSpread) return benchPointSpread(options);
   if (!options.ratings.empty()) return scoreRatings(options);
   if (auto ok = checkBenchFolder(options.folder); !ok) return ok;
+  SimulatedSet set = options.set;
+  set.cases.assign(options.cases.begin(), options.cases.end());
   auto real = readRealImages(options.real);
   if (!real) return tl::unexpected(real.error());
-  const auto results = runRealismBench(std::move(*real), options.count, options.seed, terminalProgress());
+  const auto results = runRealismBench(std::move(*real), set, terminalProgress());
   if (!results) return tl::unexpected(results.error());
   if (auto ok = writeRealismBench(*results, options.folder); !ok) return ok;
   tell(options, *results, "index.md");
@@ -177,17 +193,32 @@ void addRealism(CLI::App& bench, Outcome& outcome) {
       command->add_option("--ratings", options->ratings, "Score these readers' ratings.csv against key.csv in --out")
           ->check(CLI::ExistingFile)
           ->excludes(real);
-  command->add_option("--count", options->count, "Simulated images")
+  command->add_option("--count", options->set.count, "Simulated images")
       ->capture_default_str()
       ->check(CLI::Range(2, 2000))
       ->excludes(ratings);
-  command->add_option("--seed", options->seed, "Other necks, settings and order")
+  command->add_option("--seed", options->set.seed, "Other necks, settings and order")
       ->capture_default_str()
       ->excludes(ratings);
+  command
+      ->add_option("--case", options->cases,
+                   "Case folders to simulate images of beside the built-in necks: CTs of patients, atlases")
+      ->check(CLI::ExistingDirectory)
+      ->excludes(ratings);
+  CLI::Option* points = command
+                            ->add_flag("--point-spread", options->pointSpread,
+                                       "Images of points beside the field of the probe's array: widths, levels aside, "
+                                       "slice thickness and contrast by depth")
+                            ->excludes(real)
+                            ->excludes(ratings);
+  command->add_option("--probe", options->probe, "Linear probe, a preset or a file")
+      ->capture_default_str()
+      ->needs(points);
+  command->add_option("--engine", options->engine, "cpu, glsl or reference")->capture_default_str()->needs(points);
   command->add_flag("--json", options->json, "Print the results as one JSON object");
-  command->callback([options, real, ratings, &outcome] {
+  command->callback([options, real, ratings, points, &outcome] {
     outcome.json = options->json;
-    if (!*real && !*ratings) throw CLI::RequiredError("--real or --ratings");
+    if (!*real && !*ratings && !*points) throw CLI::RequiredError("--real, --ratings or --point-spread");
     if (auto ok = benchRealism(*options); !ok) refuse(outcome, ok.error());
   });
 }

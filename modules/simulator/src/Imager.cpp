@@ -52,7 +52,7 @@ std::string rounded(Vec3 v) {
 Result<Imager> Imager::make(const ImagingSetup& setup) {
   if (auto ok = validate(setup.probe); !ok) return tl::unexpected(ok.error());
   if (auto ok = validate(setup.settings, setup.probe); !ok) return tl::unexpected(ok.error());
-  auto engine = makeEngine(setup.engine);
+  auto engine = makeEngineFor(setup.engine, setup.probe, setup.settings);
   if (!engine) return tl::unexpected(engine.error());
   (*engine)->prepare(setup.probe, setup.settings);
   return Imager(std::move(*engine), Display(setup.probe, setup.settings));

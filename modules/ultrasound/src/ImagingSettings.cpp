@@ -34,12 +34,17 @@ constexpr NumberField kNumbers[] = {
     {"gain_dB", &Settings::gain_dB, -40, 40},
     {"dynamicRange_dB", &Settings::dynamicRange_dB, 20, 120},
     {"persistence", &Settings::persistence, 0, 0.95},
+    {"steering_deg", &Settings::steering_deg, -20, 20},
     {"time_s", &Settings::time_s, 0, 1e6},
 };
 constexpr CountField kCounts[] = {
-    {"looks", &Settings::looks, 1, 3},         {"scanlines", &Settings::scanlines, 16, 1024},
-    {"samples", &Settings::samples, 64, 4096}, {"elevationPlanes", &Settings::elevationPlanes, 1, 9},
-    {"width", &Settings::width, 64, 4096},     {"height", &Settings::height, 64, 4096},
+    {"looks", &Settings::looks, 1, 3},
+    {"scanlines", &Settings::scanlines, 16, 1024},
+    {"samples", &Settings::samples, 64, 4096},
+    {"elevationPlanes", &Settings::elevationPlanes, 1, 9},
+    {"width", &Settings::width, 64, 4096},
+    {"height", &Settings::height, 64, 4096},
+    {"compoundingAngles", &Settings::compoundingAngles, 1, 5},
 };
 constexpr SwitchField kSwitches[] = {
     {"smoothing", &Settings::smoothing},
@@ -122,6 +127,9 @@ Result<void> checkRanges(const Settings& settings) {
     const std::string name = "tgc_dB[" + std::to_string(i) + "]";
     if (auto ok = fields::checkRange(settings.tgc_dB[i], -kSlider_dB, kSlider_dB, name, kWhere); !ok) return ok;
   }
+  if (settings.compoundingAngles % 2 == 0)
+    return fail(kWhere + ": compoundingAngles is " + std::to_string(settings.compoundingAngles) +
+                "; it must be odd, so that one angle is straight.");
   if (settings.elevationPlanes % 2 == 0)
     return fail(kWhere + ": elevationPlanes is " + std::to_string(settings.elevationPlanes) +
                 "; it must be odd, so that one plane is the imaging plane.");

@@ -207,7 +207,7 @@ void CpuEngine::setGeometry(const AcousticScene::Impl& scene, const Transform& p
   }
   const auto f = [](double v) { return static_cast<float>(v); };
   const Vec3 elevation = patientFromProbe.linear.column[1];
-  const ScattererLattice lattice(elevation, plan.latticePitch_mm, plan.latticeElevationPitch_mm);
+  const ScattererLattice lattice(elevation, plan.latticePitch_mm, plan.latticeElevationPitch_mm, plan.specklePattern);
   const Vec3 latticeElevation = lattice.latticeFromPatient * elevation;
   input_.scene = &scene;
   input_.displacement = displacement.empty() ? nullptr : &displacement;

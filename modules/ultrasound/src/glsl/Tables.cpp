@@ -163,8 +163,8 @@ void setScene(const AcousticScene::Impl& scene, FrameBlock& block) {
 void setPose(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
              FrameBlock& block) {
   block.nodeFromProbe = rowsOf(scene.field.nodeFromPatient * patientFromProbe);
-  const ScattererLattice lattice(patientFromProbe.linear.column[1], plan.latticePitch_mm,
-                                 plan.latticeElevationPitch_mm);
+  const ScattererLattice lattice(patientFromProbe.linear.column[1], plan.latticePitch_mm, plan.latticeElevationPitch_mm,
+                                 plan.specklePattern);
   block.latticeSeed = static_cast<std::int32_t>(lattice.seed);
   setRows({lattice.latticeFromPatient * patientFromProbe.linear, lattice.latticeFromPatient * patientFromProbe.offset},
           0, block.latticeFromProbe, block.latticeBase);

@@ -3,6 +3,8 @@
 #include "PointSpread.h"
 #include "model/Scatterers.h"
 
+#include <insonate/core/Hash.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -52,6 +54,9 @@ FramePlan::FramePlan(const Probe& p, const ImagingSettings& s) : probe(p), setti
   cellLines = grid.scanlineSpacing_mm(s.depth_mm) * 2 <= kCellWidth_mm ? 2 : 1;
   nodeRows = (gates + cellGates - 1) / cellGates + 1;
   nodeColumns = (lines + cellLines - 1) / cellLines + 1;
+  const auto steering_deg =
+      static_cast<std::int32_t>(std::lround(probe.shape == ProbeShape::Linear ? s.steering_deg : 0));
+  if (steering_deg != 0) specklePattern = hash32(static_cast<std::uint32_t>(steering_deg));
   latticePitch_mm = 0.58 * pulse_mm;
   latticeElevationPitch_mm = 3 * latticePitch_mm;
   planeElevation();

@@ -2,6 +2,7 @@
 
 #include <insonate/ultrasound/BeamGrid.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace insonate {
@@ -53,6 +54,9 @@ struct FramePlan {
   /// Distance of neighbouring planes in units of the SD; a single plane has no thickness: 0.
   double planeSpacing_sd = 0;
 
+  /// Tells the speckle of steering angles apart: over the width of the beam, the carrier's phase turns by more than a
+  /// radian from 5 degrees on (4 pi sin(angle) / wavelength per mm), so that angles share little of it. 0: straight.
+  std::uint32_t specklePattern = 0;
   double latticePitch_mm = 0;           ///< of the scatterers, across the elevation direction
   double latticeElevationPitch_mm = 0;  ///< along it
   std::vector<double> scatterScale;     ///< [gate] so that the envelope of a 0 dB tissue has RMS 1 after the beam

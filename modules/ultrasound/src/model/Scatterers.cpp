@@ -85,7 +85,7 @@ struct CorrelationTable {
 
 }  // namespace
 
-ScattererLattice::ScattererLattice(Vec3 elevation, double pitch_mm, double elevationPitch_mm) {
+ScattererLattice::ScattererLattice(Vec3 elevation, double pitch_mm, double elevationPitch_mm, std::uint32_t pattern) {
   Vec3 axis{0, 0, 1};
   double best = -1;
   std::uint32_t index = 0;
@@ -94,6 +94,7 @@ ScattererLattice::ScattererLattice(Vec3 elevation, double pitch_mm, double eleva
     const double alignment = std::abs(dot(candidate, elevation));
     if (alignment > best + 1e-9) best = alignment, axis = candidate, seed = index * 0x9e3779b9U;
   }
+  seed ^= pattern;
   const Vec3 helper = std::abs(axis.x) < 0.8 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   const Vec3 first = normalized(cross(helper, axis));
   const Vec3 second = cross(axis, first);

@@ -16,7 +16,8 @@ struct ScattererLattice {
   Mat3 latticeFromPatient;  ///< lattice index (not rounded) of a patient point
 
   ScattererLattice() = default;
-  ScattererLattice(Vec3 elevation, double pitch_mm, double elevationPitch_mm);
+  /// `pattern` tells independent speckle apart.
+  ScattererLattice(Vec3 elevation, double pitch_mm, double elevationPitch_mm, std::uint32_t pattern);
 };
 
 /// Complex amplitudes of up to three independent looks from one hash: 5 bits each, uniform, total power 1; re and im of

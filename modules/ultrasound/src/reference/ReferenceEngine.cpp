@@ -219,7 +219,7 @@ class ReferenceEngine final : public Engine {
     const FramePlan& plan = *plan_;
     const TissueLookup lookup(plan, scene, patientFromProbe, displacement);
     const ScattererLattice lattice(patientFromProbe.linear.column[1], plan.latticePitch_mm,
-                                   plan.latticeElevationPitch_mm);
+                                   plan.latticeElevationPitch_mm, plan.specklePattern);
     EchoField echo(plan.settings.looks, plan.gates, plan.lines);
     const Reverberation behindGas(plan);
     LineTracer tracer(plan, scene, lookup, lattice, *needle_, echo);

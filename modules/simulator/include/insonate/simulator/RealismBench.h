@@ -25,10 +25,18 @@ struct SourceImage {
 /// Fails, naming the line, on a file that cannot be read or measured, and on a list without images.
 Result<std::vector<SourceImage>> readRealImages(const std::filesystem::path& list);
 
-/// So many images of built-in necks, each with another neck, view, place, depth, frequency, gain and dynamic range,
-/// drawn at random within what people choose; every other setting is the default. Each is cut to the size of one of
-/// `real`, in turn. The same seed gives the same images. A second or two each.
-Result<std::vector<SourceImage>> simulatedImages(int count, unsigned seed, const std::vector<SourceImage>& real,
+/// Which images to simulate.
+struct SimulatedSet {
+  int count = 20;
+  unsigned seed = 1;                         ///< other necks, views and settings
+  std::vector<std::filesystem::path> cases;  ///< case folders beside the built-in necks: CTs of patients, atlases
+};
+
+/// Images of built-in necks and the given cases, two of each in turn, each with another view, place, compression,
+/// depth, frequency, gain and dynamic range, drawn at random within what people choose; every other setting is the
+/// default. Each is cut to the size of one of `real`, in turn. The same set gives the same images. A few seconds each.
+/// Fails on a case that cannot be read or has no skin.
+Result<std::vector<SourceImage>> simulatedImages(const SimulatedSet& set, const std::vector<SourceImage>& real,
                                                  const Progress& progress = {});
 
 /// A feature of both sets.
@@ -50,7 +58,7 @@ struct RealismBench {
   unsigned seed = 1;
 };
 
-Result<RealismBench> runRealismBench(std::vector<SourceImage> real, int count, unsigned seed,
+Result<RealismBench> runRealismBench(std::vector<SourceImage> real, const SimulatedSet& set,
                                      const Progress& progress = {});
 
 /// features.csv, index.md, and the blind test: `blind/` holds all images, shuffled, numbered, of one size in mm and

@@ -89,12 +89,11 @@ bool RealismFeature::isBeyondFloor() const {
   return p < 0.05 && !(0.5 + std::abs(told.area - 0.5) <= floor);
 }
 
-Result<RealismBench> runRealismBench(std::vector<SourceImage> real, int count, unsigned seed,
-                                     const Progress& progress) {
-  auto simulated = simulatedImages(count, seed, real, progress);
+Result<RealismBench> runRealismBench(std::vector<SourceImage> real, const SimulatedSet& set, const Progress& progress) {
+  auto simulated = simulatedImages(set, real, progress);
   if (!simulated) return tl::unexpected(simulated.error());
   RealismBench bench{
-      .real = std::move(real), .simulated = std::move(*simulated), .features = {}, .classifier = {}, .seed = seed};
+      .real = std::move(real), .simulated = std::move(*simulated), .features = {}, .classifier = {}, .seed = set.seed};
   std::vector<FeatureRow> rows;
   std::vector<std::string> names;
   for (const auto* images : {&bench.real, &bench.simulated})

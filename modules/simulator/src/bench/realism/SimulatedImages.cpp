@@ -1,8 +1,10 @@
 #include "bench/realism/PictureParts.h"
 
 #include <insonate/cases/Phantom.h>
+#include <insonate/cases/StartPose.h>
 #include <insonate/simulator/Imager.h>
 #include <insonate/simulator/LookFeatures.h>
+#include <insonate/simulator/PressedTissue.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/simulator/RealismBench.h>
 
@@ -17,6 +19,7 @@ namespace insonate {
 namespace {
 
 constexpr int kImagesOfANeck = 2;
+constexpr double kLargestForce_N = 4;  ///< light to firm compression with the whole face
 
 class Choices {
  public:
@@ -31,30 +34,31 @@ class Choices {
 struct Drawn {
   ImagingSetup setup;
   Transform patientFromProbe;
+  double force_N = 0;  ///< that the probe compresses with
   std::string about;
 };
 
 /// The start pose moved along the skin and turned about its axis, with settings as people choose them for a neck.
-Result<Drawn> drawn(const PatientCase& patient, const Probe& probe, const AcousticTable& tissues, Choices& choices) {
-  const StartPose& view = patient.manifest.startPoses[choices.index(patient.manifest.startPoses.size())];
+Result<Drawn> drawn(const std::vector<StartPose>& views, const Probe& probe, const AcousticTable& tissues,
+                    Choices& choices) {
+  const StartPose& view = views[choices.index(views.size())];
   const double turn = choices.between(-20, 20) * std::numbers::pi / 180;
   const Vec3 elevation = cross(view.axial, view.lateral);
   const auto pose =
       patientFromProbe(view.position_mm + view.lateral * choices.between(-4, 4) + elevation * choices.between(-8, 8),
                        view.axial, view.lateral * std::cos(turn) + elevation * std::sin(turn));
   if (!pose) return tl::unexpected(pose.error());
-  Drawn one{{probe, settingsFor(probe), tissues}, *pose, {}};
+  Drawn one{{probe, settingsFor(probe), tissues}, *pose, choices.between(0, kLargestForce_N), {}};
   ImagingSettings& settings = one.setup.settings;
-  settings.smoothing = false;
   settings.depth_mm = std::round(choices.between(30, 45));
   settings.frequency_MHz = std::round(2 * choices.between(7, std::min(12.0, probe.maxFrequency_MHz))) / 2;
   settings.focus_mm = std::round(settings.depth_mm * choices.between(0.35, 0.65));
   settings.gain_dB = std::round(choices.between(-6, 6));
   settings.dynamicRange_dB = std::round(choices.between(50, 72));
-  char text[160];
-  std::snprintf(text, sizeof text, "%s, turned %.0f degrees, %.0f mm, %.1f MHz, gain %.0f dB, range %.0f dB",
-                view.name.c_str(), turn * 180 / std::numbers::pi, settings.depth_mm, settings.frequency_MHz,
-                settings.gain_dB, settings.dynamicRange_dB);
+  char text[200];
+  std::snprintf(text, sizeof text, "%s, turned %.0f degrees, %.1f N, %.0f mm, %.1f MHz, gain %.0f dB, range %.0f dB",
+                view.name.c_str(), turn * 180 / std::numbers::pi, one.force_N, settings.depth_mm,
+                settings.frequency_MHz, settings.gain_dB, settings.dynamicRange_dB);
   one.about = text;
   return one;
 }
@@ -77,39 +81,83 @@ GreyPicture cutLike(const GreyPicture& image, const GreyPicture& other) {
 }
 
 Result<SourceImage> imageOf(const PatientCase& patient, const std::string& neck, const Drawn& one) {
-  const auto scene = makeScene(patient, one.setup, regionOf(one.setup.probe, one.setup.settings, one.patientFromProbe));
+  constexpr double kGivesWay_mm = 15;
+  Region region = regionOf(one.setup.probe, one.setup.settings, one.patientFromProbe);
+  const Vec3 margin{kGivesWay_mm, kGivesWay_mm, kGivesWay_mm};
+  region.low_mm = region.low_mm - margin, region.high_mm = region.high_mm + margin;
+  const auto scene = makeScene(patient, one.setup, region);
   if (!scene) return tl::unexpected(scene.error());
+  auto tissue = PressedTissue::make(one.setup.probe, one.setup.settings, {});
+  if (!tissue) return tl::unexpected(tissue.error());
+  tissue->push(**scene, one.patientFromProbe, bloodPressure(Physiology{}, measuredMechanics()), one.force_N);
   auto imager = Imager::make(one.setup);
   if (!imager) return tl::unexpected(imager.error());
   ImagingFrame frame;
-  imager->render(**scene, one.patientFromProbe, frame);
+  imager->render(**scene, tissue->pose(), tissue->deformation().displacement, nullptr, frame);
   auto scaled = atLookScale(insideOf(frame.image, one), 1 / frame.image.pixel_mm);
   if (!scaled) return tl::unexpected(scaled.error());
   return SourceImage{neck, neck + ", " + one.about, std::move(*scaled)};
 }
 
+/// One patient after the other: built-in necks and the given cases, in turn.
+class Patients {
+ public:
+  Patients(unsigned seed, const std::vector<std::filesystem::path>& cases) : seed_(seed), cases_(cases) {
+    for (const PhantomVariant& variant : phantomVariants())
+      if (variant.name != "subclavian") necks_.emplace_back(variant.name);
+  }
+
+  struct Patient {
+    PatientCase data;
+    std::string name;
+    std::vector<StartPose> views;
+  };
+  Result<Patient> next() {
+    const std::size_t turn = count_++ % (necks_.size() + cases_.size());
+    if (turn < necks_.size()) {
+      auto neck = makePhantom(necks_[turn], seed_ * 1000 + unsigned(count_ - 1));
+      if (!neck) return tl::unexpected(neck.error());
+      std::vector<StartPose> views = neck->manifest.startPoses;
+      return Patient{std::move(*neck), necks_[turn], std::move(views)};
+    }
+    const std::filesystem::path& folder = cases_[turn - necks_.size()];
+    auto read = readCase(folder);
+    if (!read) return tl::unexpected(read.error());
+    std::vector<StartPose> views = read->patient.manifest.startPoses;
+    if (views.empty()) {
+      const auto found = autoStartPose(read->patient);
+      if (!found) return tl::unexpected(found.error());
+      views.push_back(*found);
+    }
+    return Patient{std::move(read->patient), folder.filename().string(), std::move(views)};
+  }
+
+ private:
+  unsigned seed_;
+  const std::vector<std::filesystem::path>& cases_;
+  std::vector<std::string> necks_;
+  std::size_t count_ = 0;
+};
+
 }  // namespace
 
-Result<std::vector<SourceImage>> simulatedImages(int count, unsigned seed, const std::vector<SourceImage>& real,
+Result<std::vector<SourceImage>> simulatedImages(const SimulatedSet& set, const std::vector<SourceImage>& real,
                                                  const Progress& progress) {
   const auto probe = loadProbe("linear");
   if (!probe) return tl::unexpected(probe.error());
   const auto tissues = loadAcousticTable("neck");
   if (!tissues) return tl::unexpected(tissues.error());
-  std::vector<std::string> necks;
-  for (const PhantomVariant& variant : phantomVariants())
-    if (variant.name != "subclavian") necks.emplace_back(variant.name);
-  Choices choices(seed);
+  Patients patients(set.seed, set.cases);
+  Choices choices(set.seed);
   std::vector<SourceImage> images;
-  for (int neck = 0; int(images.size()) < count; ++neck) {
-    if (!report(progress, "simulating images", double(images.size()) / count)) return fail(std::string(kCancelled));
-    const std::string& variant = necks[std::size_t(neck) % necks.size()];
-    const auto patient = makePhantom(variant, seed * 1000 + unsigned(neck));
+  while (int(images.size()) < set.count) {
+    if (!report(progress, "simulating images", double(images.size()) / set.count)) return fail(std::string(kCancelled));
+    const auto patient = patients.next();
     if (!patient) return tl::unexpected(patient.error());
-    for (int n = 0; n < kImagesOfANeck && int(images.size()) < count; ++n) {
-      const auto one = drawn(*patient, *probe, *tissues, choices);
+    for (int n = 0; n < kImagesOfANeck && int(images.size()) < set.count; ++n) {
+      const auto one = drawn(patient->views, *probe, *tissues, choices);
       if (!one) return tl::unexpected(one.error());
-      auto image = imageOf(*patient, variant, *one);
+      auto image = imageOf(patient->data, patient->name, *one);
       if (!image) return tl::unexpected(image.error());
       if (!real.empty()) image->image = cutLike(image->image, real[images.size() % real.size()].image);
       images.push_back(std::move(*image));

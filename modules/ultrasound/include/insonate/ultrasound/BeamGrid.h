@@ -3,6 +3,8 @@
 #include <insonate/core/Vec3.h>
 #include <insonate/ultrasound/ImagingSettings.h>
 
+#include <vector>
+
 namespace insonate {
 
 /// Where the samples of a frame lie, in the probe frame (mm). Sample k of scanline l is at
@@ -19,8 +21,10 @@ class BeamGrid {
 
   Vec3 origin(double scanline) const;
   Vec3 direction(double scanline) const;
-  /// Distance between neighbouring scanlines at a range.
+  /// Distance between neighbouring scanlines at a range, square to them.
   double scanlineSpacing_mm(double range_mm) const;
+  /// Distance of scanlines along the face of a linear probe.
+  double pitch_mm() const { return pitch_; }
 
   /// Scanline and sample (fractional) of a point of the imaging plane (y = 0) and whether it is inside the field of
   /// view: the rectangle or the fan between r1 and r2, edges half a scanline outside the first and last scanline.
@@ -37,8 +41,14 @@ class BeamGrid {
   ProbeShape shape_;
   int scanlines_, samples_;
   double step_mm_, depth_mm_;
-  double pitch_;      // linear: mm, else radians
-  double radius_mm_;  // r1; 0 for linear
+  double pitch_;              // linear: mm, else radians
+  double radius_mm_;          // r1; 0 for linear
+  double steering_rad_;       // 0 for fans
+  double depthAlong_mm_ = 0;  // range at which a scanline reaches the depth
 };
+
+/// Angles of a compounded frame, the straight one first: the settings' steering, and to either side of it 8 degrees, or
+/// 5 and 10 degrees, within what validate() allows. A fan has one.
+std::vector<double> steeringAngles_deg(const Probe& probe, const ImagingSettings& settings);
 
 }  // namespace insonate

@@ -62,6 +62,10 @@ std::vector<std::string> engineNames();
 /// OpenGL 4.3.
 Result<std::unique_ptr<Engine>> makeEngine(std::string_view name);
 
+/// The same for a probe and settings: where they ask for spatial compounding, an engine of each angle, else one.
+Result<std::unique_ptr<Engine>> makeEngineFor(std::string_view name, const Probe& probe,
+                                              const ImagingSettings& settings);
+
 /// Region that a frame at this pose needs of the scene, where tissue has moved by up to `largestShift_mm` (0 or above).
 Region regionOf(const Probe& probe, const ImagingSettings& settings, const Transform& patientFromProbe,
                 double largestShift_mm = 0);

@@ -50,6 +50,8 @@ struct ImagingSettings {
   GreyMap greyMap = GreyMap::Soft;
   bool smoothing = true;          ///< along interfaces, after the logarithm
   int looks = 3;                  ///< compounded, 1..3
+  double steering_deg = 0;        ///< of the scanlines toward +x, linear probes only; -20..20
+  int compoundingAngles = 1;      ///< spatial compounding, linear probes only: 1, 3 or 5, see steeringAngles_deg()
   int scanlines = 256;            ///< 16..1024
   int samples = 1000;             ///< per scanline, 64..4096
   int elevationPlanes = 3;        ///< odd, 1..9

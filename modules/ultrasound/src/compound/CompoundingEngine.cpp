@@ -1,0 +1,70 @@
+#include "compound/CompoundingEngine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace insonate {
+
+CompoundingEngine::CompoundingEngine(std::vector<std::unique_ptr<Engine>> engines) : engines_(std::move(engines)) {}
+
+void CompoundingEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
+  const std::vector<double> angles_deg = steeringAngles_deg(probe, settings);
+  const BeamGrid grid(probe, settings);
+  const double base = std::tan(settings.steering_deg * std::numbers::pi / 180);
+  linesPerSample_.clear();
+  for (std::size_t a = 0; a < engines_.size(); ++a) {
+    ImagingSettings steered = settings;
+    steered.compoundingAngles = 1;
+    steered.steering_deg = angles_deg[a];
+    engines_[a]->prepare(probe, steered);
+    // All grids reach the same depth with as many samples, so that sample k lies at the same depth in each.
+    const double aside = std::tan(steered.steering_deg * std::numbers::pi / 180) - base;
+    linesPerSample_.push_back(aside * settings.depth_mm / settings.samples / grid.pitch_mm());
+  }
+  angles_.assign(std::size_t(settings.samples) * settings.scanlines, 0);
+}
+
+/// Adds the power of one angle where its scanlines pass.
+void CompoundingEngine::add(const EnvelopeFrame& steered, double linesPerSample, EnvelopeFrame& power) {
+  const int lines = steered.scanlines;
+  for (int look = 0; look < steered.looks; ++look)
+    for (int k = 0; k < steered.samples; ++k) {
+      const double shift = -(k + 0.5) * linesPerSample;
+      const int whole = static_cast<int>(std::floor(shift));
+      const auto share = static_cast<float>(shift - whole);
+      const float* from = steered.look(look) + std::size_t(k) * lines + whole;
+      float* to = power.look(look) + std::size_t(k) * lines;
+      float* angles = angles_.data() + std::size_t(k) * lines;
+      const int first = std::max(0, -whole), end = std::min(lines, lines - whole - (share > 0 ? 1 : 0));
+      for (int l = first; l < end; ++l) {
+        const float right = share > 0 ? from[l + 1] : from[l];
+        const float amplitude = from[l] + share * (right - from[l]);
+        to[l] += amplitude * amplitude;
+      }
+      if (look == 0)
+        for (int l = first; l < end; ++l) angles[l] += 1;
+    }
+}
+
+void CompoundingEngine::render(const AcousticScene& scene, const Transform& patientFromProbe,
+                               const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) {
+  std::fill(angles_.begin(), angles_.end(), 0.0F);
+  for (std::size_t a = 0; a < engines_.size(); ++a) {
+    engines_[a]->render(scene, patientFromProbe, displacement, needle, steered_);
+    if (a == 0) {
+      envelope.resize(steered_.scanlines, steered_.samples, steered_.looks);
+      std::fill(envelope.amplitude.begin(), envelope.amplitude.end(), 0.0F);
+      stages_ = engines_[a]->stages();
+    } else {
+      for (std::size_t s = 0; s < stages_.size(); ++s) stages_[s].ms += engines_[a]->stages()[s].ms;
+    }
+    add(steered_, linesPerSample_[a], envelope);
+  }
+  for (int look = 0; look < envelope.looks; ++look) {
+    float* power = envelope.look(look);
+    for (std::size_t n = 0; n < angles_.size(); ++n) power[n] = std::sqrt(power[n] / std::max(angles_[n], 1.0F));
+  }
+}
+
+}  // namespace insonate

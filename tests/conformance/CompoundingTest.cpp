@@ -1,0 +1,108 @@
+#include "conformance/Measure.h"
+#include "conformance/Rig.h"
+
+#include <cmath>
+
+namespace insonate::test {
+namespace {
+
+class Compounding : public EngineTest {};
+INSONATE_FOR_ALL_ENGINES(Compounding);
+
+EnvelopeFrame compounded(const std::string& name, const Probe& probe, const ImagingSettings& settings,
+                         const AcousticScene& scene) {
+  auto engine = makeEngineFor(name, probe, settings);
+  if (!engine) throw std::runtime_error(engine.error().message);
+  EnvelopeFrame frame;
+  (*engine)->prepare(probe, settings);
+  (*engine)->render(scene, {}, {}, nullptr, frame);
+  return frame;
+}
+
+Region regionFor(const Probe& probe, ImagingSettings settings) {
+  settings.compoundingAngles = 5;
+  return regionAround(probe, settings, {}, 1);
+}
+
+/// A steered frame shows a point where it is, by its own grid.
+TEST_P(Compounding, SteeredScanlinesShowAPointWhereItIs) {
+  const Probe probe = probeNamed("linear");
+  for (const double steering_deg : {-12.0, 7.0, 20.0}) {
+    ImagingSettings settings = silentSettings(probe, 256, 1000, 1);
+    settings.steering_deg = steering_deg;
+    const Vec3 point{3, 0, 25};
+    const Region region = regionAround(probe, settings, {}, 1);
+    const ScenePtr scene = sceneOf(paint(alignedGridOver(region, 5), [](Vec3) { return kSoftTissue; }), plainTable(),
+                                   region, {{point, 1}});
+    const EnvelopeFrame frame = renderWith(GetParam(), probe, settings, *scene);
+    const std::vector<double> all = valuesIn(frame, wholeFrame(frame));
+    const auto top = std::size_t(std::max_element(all.begin(), all.end()) - all.begin());
+    const int sample = int(top) / frame.scanlines, line = int(top) % frame.scanlines;
+    const BeamGrid grid(probe, settings);
+    const Vec3 found = grid.origin(line) + grid.direction(line) * grid.range_mm(sample);
+    EXPECT_NEAR(found.x, point.x, 0.15) << steering_deg;
+    EXPECT_NEAR(found.z, point.z, 0.1) << steering_deg;
+  }
+}
+
+TEST_P(Compounding, LeavesAPointWhereItIs) {
+  const Probe probe = probeNamed("linear");
+  ImagingSettings settings = silentSettings(probe, 256, 1000, 1);
+  const Region region = regionFor(probe, settings);
+  const Vec3 point{2, 0, 20};
+  const ScenePtr scene =
+      sceneOf(paint(alignedGridOver(region, 5), [](Vec3) { return kSoftTissue; }), plainTable(), region, {{point, 1}});
+  const BeamGrid grid(probe, settings);
+  const auto at = grid.locate(point.x, point.z);
+  for (const int angles : {1, 3, 5}) {
+    settings.compoundingAngles = angles;
+    const EnvelopeFrame frame = compounded(GetParam(), probe, settings, *scene);
+    EXPECT_NEAR(peakOf(scanline(frame, int(std::lround(at.scanline)))).index, at.sample, 2) << angles;
+    EXPECT_NEAR(peakOf(acrossLines(frame, int(std::lround(at.sample)))).index, at.scanline, 1) << angles;
+  }
+}
+
+/// Speckle keeps its level, and angles that do not share it take some of it away.
+TEST_P(Compounding, KeepsTheLevelAndSoftensSpeckle) {
+  const Probe probe = probeNamed("linear");
+  ImagingSettings settings = speckleSettings(probe, 256, 1000, 3);
+  const Region region = regionFor(probe, settings);
+  const ScenePtr scene =
+      sceneOf(paint(alignedGridOver(region, 5), [](Vec3) { return kSoftTissue; }), plainTable(), region);
+  const Window middle{300, 700, 80, 176};
+  const std::vector<double> plain = valuesIn(compounded(GetParam(), probe, settings, *scene), middle);
+  settings.compoundingAngles = 5;
+  const std::vector<double> five = valuesIn(compounded(GetParam(), probe, settings, *scene), middle);
+  EXPECT_NEAR(decibel(rms(five) / rms(plain)), 0, 0.7);
+  EXPECT_LT(standardDeviation(five) / mean(five), 0.8 * standardDeviation(plain) / mean(plain));
+}
+
+/// Behind a strip that lets nothing pass, angles see under it: the shadow closes with depth.
+TEST_P(Compounding, MakesShadowsCones) {
+  const Probe probe = probeNamed("linear");
+  ImagingSettings settings = uniformSettings(probe, 256, 800, 1);
+  settings.effects.attenuation = true;
+  AcousticTable table = plainTable();
+  table.tissues[kBone].attenuation_dBpcmMHz = 60;
+  const Region region = regionFor(probe, settings);
+  const ScenePtr scene =
+      sceneOf(paint(alignedGridOver(region, 0.7),
+                    [](Vec3 p) { return std::abs(p.x) < 2.1 && p.z > 7 && p.z < 9.8 ? kBone : kSoftTissue; }),
+              table, region);
+  const BeamGrid grid(probe, settings);
+  const auto shadow_mm = [&](const EnvelopeFrame& frame, double depth_mm) {
+    const std::vector<double> row = acrossLines(frame, int(std::lround(grid.sampleAt(depth_mm))));
+    int dark = 0;
+    for (const double value : row) dark += value < 0.1;
+    return dark * grid.scanlineSpacing_mm(depth_mm);
+  };
+  const EnvelopeFrame plain = compounded(GetParam(), probe, settings, *scene);
+  EXPECT_NEAR(shadow_mm(plain, 36), shadow_mm(plain, 12), 0.6);
+  settings.compoundingAngles = 3;
+  const EnvelopeFrame three = compounded(GetParam(), probe, settings, *scene);
+  EXPECT_GT(shadow_mm(three, 12), 2);
+  EXPECT_EQ(shadow_mm(three, 36), 0) << "8 degrees see under a strip of 4.2 mm from 15 mm below it";
+}
+
+}  // namespace
+}  // namespace insonate::test
