@@ -5,6 +5,7 @@
 #include "RenderOutputs.h"
 
 #include <insonate/cases/TissueLabels.h>
+#include <insonate/core/Hash.h>
 #include <insonate/simulator/DisplacementFile.h>
 #include <insonate/simulator/EffectLayers.h>
 #include <insonate/simulator/Imager.h>
@@ -14,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -105,8 +107,19 @@ nlohmann::json stagesOf(const ImagingFrame& frame) {
   return stages;
 }
 
-bool isBlack(const BModeImage& image) {
-  return std::all_of(image.grey.begin(), image.grey.end(), [](std::uint8_t grey) { return grey == 0; });
+/// Poses of a path have noise of their own, and a pose has the same whatever path it is on.
+std::uint32_t noiseSeed(const Transform& patientFromProbe) {
+  std::uint32_t seed = 0;
+  for (const Vec3& v : {patientFromProbe.offset, patientFromProbe.linear.column[0], patientFromProbe.linear.column[2]})
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto bits = std::bit_cast<std::uint64_t>(v[axis]);
+      seed = hash32(seed ^ static_cast<std::uint32_t>(bits ^ bits >> 32));
+    }
+  return seed;
+}
+
+bool isSilent(const EnvelopeFrame& envelope) {
+  return std::ranges::all_of(envelope.amplitude, [](float amplitude) { return amplitude == 0; });
 }
 
 /// Renders a path and writes what was asked for; collects the JSON objects of the pictures.
@@ -185,11 +198,12 @@ class PathRenderer {
       if (!files) return tl::unexpected(files.error());
       image["layers"] = *files;
     }
+    frame_.noiseSeed = noiseSeed(pose);
     renderWithNeedle(imager, scene, presser, frame_);
     if (job_.needle.needle) image["needle"] = jsonOf(job_.needle.needleAt(pose));
-    if (isBlack(frame_.image))
-      warn("The picture" + (job_.path.isPath ? " of pose " + std::to_string(index) : std::string()) +
-           " is black: the probe touches no tissue; move it onto the skin.");
+    if (isSilent(frame_.envelope))
+      warn("The image" + (job_.path.isPath ? " of pose " + std::to_string(index) : std::string()) +
+           " shows no echoes: the probe touches no tissue; move it onto the skin.");
     image["frame_ms"] = frame_.frame_ms;
     image["stages_ms"] = stagesOf(frame_);
     if (!targets.envelope.empty()) {

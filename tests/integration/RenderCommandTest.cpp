@@ -153,11 +153,11 @@ TEST_F(RenderCommand, TissuesChangeThePicture) {
   EXPECT_NE(bytesOf(out("a.png")), bytesOf(out("b.png")));
 }
 
-TEST_F(RenderCommand, AProbeInTheAirGivesABlackPictureAndAWarning) {
+TEST_F(RenderCommand, AProbeInTheAirGivesAnImageWithoutEchoesAndAWarning) {
   const std::string pose = R"({"position_mm": [0, -3, 0], "axial": [0, -1, 0], "lateral": [1, 0, 0]})";
   const auto result = render("--json --pose " + shellWord(pose) + " --out " + shellWord(out("f.png")));
   ASSERT_EQ(result.status, 0) << result.errors;
-  EXPECT_THAT(json::parse(result.output)["warnings"].dump(), HasSubstr("black"));
+  EXPECT_THAT(json::parse(result.output)["warnings"].dump(), HasSubstr("The image shows no echoes"));
 }
 
 TEST_F(RenderCommand, BadInputIsRefusedWithASentenceAndLeavesNothing) {

@@ -62,7 +62,7 @@ void Imager::render(const AcousticScene& scene, const Transform& patientFromProb
                     const PlaneDisplacement& displacement, const Needle* needle, ImagingFrame& frame) {
   const auto start = Clock::now();
   engine_->render(scene, patientFromProbe, displacement, needle, frame.envelope);
-  display_.process(frame.envelope, frame.image);
+  display_.process(frame.envelope, frame.image, frame.noiseSeed);
   frame.frame_ms = millisecondsSince(start);
   frame.engine = engine_->name(), frame.engineNote = engine_->note();
 

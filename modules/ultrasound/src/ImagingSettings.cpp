@@ -1,5 +1,6 @@
 #include "JsonFields.h"
 
+#include <insonate/ultrasound/GrayMaps.h>
 #include <insonate/ultrasound/SetupText.h>
 
 namespace insonate {
@@ -22,6 +23,11 @@ struct SwitchField {
   std::string_view name;
   bool Settings::*member;
 };
+struct SlidersField {
+  std::string_view name;
+  std::array<double, 8> Settings::*member;
+  std::string_view order;
+};
 struct EffectField {
   std::string_view name;
   bool Effects::*member;
@@ -35,6 +41,12 @@ constexpr NumberField kNumbers[] = {
     {"dynamicRange_dB", &Settings::dynamicRange_dB, 20, 120},
     {"persistence", &Settings::persistence, 0, 0.95},
     {"steering_deg", &Settings::steering_deg, -20, 20},
+    {"speckleReduction", &Settings::speckleReduction, 0, 1},
+    {"edgeEnhancement", &Settings::edgeEnhancement, 0, 1},
+    {"noise_dB", &Settings::noise_dB, -120, 0},
+    {"ringing_dB", &Settings::ringing_dB, -20, 60},
+    {"poorContactLeft_mm", &Settings::poorContactLeft_mm, 0, 30},
+    {"poorContactRight_mm", &Settings::poorContactRight_mm, 0, 30},
     {"time_s", &Settings::time_s, 0, 1e6},
 };
 constexpr CountField kCounts[] = {
@@ -47,8 +59,11 @@ constexpr CountField kCounts[] = {
     {"compoundingAngles", &Settings::compoundingAngles, 1, 5},
 };
 constexpr SwitchField kSwitches[] = {
-    {"smoothing", &Settings::smoothing},
     {"conformingContact", &Settings::conformingContact},
+};
+constexpr SlidersField kSliders[] = {
+    {"tgc_dB", &Settings::tgc_dB, "from the face to the depth"},
+    {"lateralGain_dB", &Settings::lateralGain_dB, "from left to right"},
 };
 constexpr EffectField kEffects[] = {
     {"scattering", &Effects::scattering},
@@ -62,9 +77,15 @@ constexpr EffectField kEffects[] = {
     {"reverberation", &Effects::reverberation},
     {"edgeShadow", &Effects::edgeShadow},
     {"clutter", &Effects::clutter},
+    {"noise", &Effects::noise},
+    {"nearField", &Effects::nearField},
 };
 constexpr double kSlider_dB = 20;
-const std::vector<std::string_view> kGreyMaps{"linear", "soft"};
+const std::vector<std::string_view> kGrayMaps = [] {
+  std::vector<std::string_view> names;
+  for (const GrayMapCurve& curve : grayMaps()) names.push_back(curve.name);
+  return names;
+}();
 const std::vector<std::string_view> kLooks{"coherent", "thesis"};
 const std::string kWhere = "settings";
 
@@ -81,11 +102,13 @@ void appendNames(const Fields& table, std::vector<std::string_view>& names) {
   for (const auto& field : table) names.push_back(field.name);
 }
 
-Result<void> readSliders(const Json& value, std::array<double, 8>& tgc_dB) {
-  if (!value.is_array() || value.size() != tgc_dB.size())
-    return fail(kWhere + ": tgc_dB must be a list of 8 numbers, from the face to the depth.");
-  for (std::size_t i = 0; i < tgc_dB.size(); ++i)
-    if (auto ok = assign(tgc_dB[i], fields::readNumber(value[i], "tgc_dB[" + std::to_string(i) + "]", kWhere)); !ok)
+Result<void> readSliders(const Json& value, const SlidersField& field, Settings& settings) {
+  std::array<double, 8>& sliders = settings.*field.member;
+  const std::string name(field.name);
+  if (!value.is_array() || value.size() != sliders.size())
+    return fail(kWhere + ": " + name + " must be a list of 8 numbers, " + std::string(field.order) + ".");
+  for (std::size_t i = 0; i < sliders.size(); ++i)
+    if (auto ok = assign(sliders[i], fields::readNumber(value[i], name + "[" + std::to_string(i) + "]", kWhere)); !ok)
       return ok;
   return {};
 }
@@ -111,10 +134,31 @@ Result<void> readField(std::string_view key, const Json& value, Settings& settin
     if (field.name == key) return assign(settings.*field.member, fields::readInteger(value, key, kWhere));
   for (const auto& field : kSwitches)
     if (field.name == key) return assign(settings.*field.member, fields::readSwitch(value, key, kWhere));
-  if (key == "greyMap") return assign(settings.greyMap, fields::readChoice(value, kGreyMaps, key, kWhere));
+  for (const auto& field : kSliders)
+    if (field.name == key) return readSliders(value, field, settings);
+  if (key == "grayMap") return assign(settings.grayMap, fields::readChoice(value, kGrayMaps, key, kWhere));
   if (key == "look") return assign(settings.look, fields::readChoice(value, kLooks, key, kWhere));
-  if (key == "effects") return readEffects(value, settings.effects);
-  return readSliders(value, settings.tgc_dB);
+  return readEffects(value, settings.effects);
+}
+
+/// Files of former versions: `greyMap` is grayMap, and `smoothing`, on or off, is all or nothing of speckleReduction.
+Result<Json> withPresentNames(Json object) {
+  if (!object.is_object()) return object;
+  for (const auto& [former, present] : {std::pair{"smoothing", "speckleReduction"}, {"greyMap", "grayMap"}}) {
+    const auto found = object.find(former);
+    if (found == object.end()) continue;
+    if (object.contains(present))
+      return fail(kWhere + ": " + former + " is the former name of " + present + "; leave it out.");
+    Json value = *found;
+    if (present == std::string_view("speckleReduction")) {
+      const auto on = fields::readSwitch(value, former, kWhere);
+      if (!on) return tl::unexpected(on.error());
+      value = *on ? 1 : 0;
+    }
+    object.erase(found);
+    object[present] = std::move(value);
+  }
+  return object;
 }
 
 /// What can be said without knowing the probe.
@@ -123,10 +167,12 @@ Result<void> checkRanges(const Settings& settings) {
     if (auto ok = fields::checkRange(settings.*field.member, field.low, field.high, field.name, kWhere); !ok) return ok;
   for (const auto& field : kCounts)
     if (auto ok = fields::checkRange(settings.*field.member, field.low, field.high, field.name, kWhere); !ok) return ok;
-  for (std::size_t i = 0; i < settings.tgc_dB.size(); ++i) {
-    const std::string name = "tgc_dB[" + std::to_string(i) + "]";
-    if (auto ok = fields::checkRange(settings.tgc_dB[i], -kSlider_dB, kSlider_dB, name, kWhere); !ok) return ok;
-  }
+  for (const auto& field : kSliders)
+    for (std::size_t i = 0; i < (settings.*field.member).size(); ++i) {
+      const std::string name = std::string(field.name) + "[" + std::to_string(i) + "]";
+      if (auto ok = fields::checkRange((settings.*field.member)[i], -kSlider_dB, kSlider_dB, name, kWhere); !ok)
+        return ok;
+    }
   if (settings.compoundingAngles % 2 == 0)
     return fail(kWhere + ": compoundingAngles is " + std::to_string(settings.compoundingAngles) +
                 "; it must be odd, so that one angle is straight.");
@@ -147,25 +193,28 @@ ImagingSettings settingsFor(const Probe& probe) {
 }
 
 Result<ImagingSettings> settingsFromJson(const nlohmann::json& overrides, ImagingSettings base) {
-  std::vector<std::string_view> known{"tgc_dB", "greyMap", "look", "effects"};
+  const auto object = withPresentNames(overrides);
+  if (!object) return tl::unexpected(object.error());
+  std::vector<std::string_view> known{"grayMap", "look", "effects"};
   appendNames(kNumbers, known);
   appendNames(kCounts, known);
   appendNames(kSwitches, known);
-  if (auto ok = fields::checkKeys(overrides, known, kWhere); !ok) return tl::unexpected(ok.error());
-  for (const auto& [key, value] : overrides.items())
+  appendNames(kSliders, known);
+  if (auto ok = fields::checkKeys(*object, known, kWhere); !ok) return tl::unexpected(ok.error());
+  for (const auto& [key, value] : object->items())
     if (auto ok = readField(key, value, base); !ok) return tl::unexpected(ok.error());
   if (auto ok = checkRanges(base); !ok) return tl::unexpected(ok.error());
   return base;
 }
 
 Json jsonOf(const ImagingSettings& settings) {
-  Json object{{"tgc_dB", settings.tgc_dB},
-              {"greyMap", kGreyMaps[static_cast<std::size_t>(settings.greyMap)]},
+  Json object{{"grayMap", kGrayMaps[static_cast<std::size_t>(settings.grayMap)]},
               {"look", kLooks[static_cast<std::size_t>(settings.look)]},
               {"effects", Json::object()}};
   for (const auto& field : kNumbers) object[std::string(field.name)] = settings.*field.member;
   for (const auto& field : kCounts) object[std::string(field.name)] = settings.*field.member;
   for (const auto& field : kSwitches) object[std::string(field.name)] = settings.*field.member;
+  for (const auto& field : kSliders) object[std::string(field.name)] = settings.*field.member;
   for (const auto& field : kEffects) object["effects"][std::string(field.name)] = settings.effects.*field.member;
   return object;
 }

@@ -147,6 +147,7 @@ TEST_F(AttemptPicturesTest, ArePicturesOfTheCase) {
   auto imager = Imager::make(settings.setup);
   const auto scene = makeScene(*patient, settings.setup, sceneRegion(settings.setup, pose));
   ImagingFrame expected;
+  expected.noiseSeed = 1000;  // µs
   imager->render(**scene, pose, expected);
   const auto frame = open("still").at(1000);
   ASSERT_TRUE(frame) << frame.error().message;

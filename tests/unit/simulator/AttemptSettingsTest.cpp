@@ -36,6 +36,25 @@ TEST(AttemptSettings, AreReadAsTheyWereWritten) {
   EXPECT_EQ(read->blood(2).vein_kPa, bloodPressureAt(all.physiology, 14.5).vein_kPa);
 }
 
+/// Recordings of before there were electronic noise, ringing and gray maps by name.
+TEST(AttemptSettings, FormerRecordingsShowWhatTheyShowed) {
+  json text = json::parse(textOf(settings()));
+  json& picture = text["picture"];
+  for (const char* later : {"speckleReduction", "edgeEnhancement", "noise_dB", "ringing_dB", "poorContactLeft_mm",
+                            "poorContactRight_mm", "lateralGain_dB", "grayMap"})
+    ASSERT_EQ(picture.erase(later), 1) << later;
+  for (const char* later : {"noise", "nearField"}) ASSERT_EQ(picture["effects"].erase(later), 1) << later;
+  picture["smoothing"] = true, picture["greyMap"] = "soft";
+  const auto read = parseAttemptSettings(text.dump());
+  ASSERT_TRUE(read) << read.error().message;
+  const ImagingSettings& former = read->setup.settings;
+  EXPECT_EQ(former.speckleReduction, 1);
+  EXPECT_EQ(former.edgeEnhancement, 0);
+  EXPECT_EQ(former.grayMap, GrayMap::Soft);
+  EXPECT_FALSE(former.effects.noise || former.effects.nearField);
+  EXPECT_TRUE(former.effects.clutter);
+}
+
 TEST(AttemptSettings, BloodIsAtItsMeanWhereNothingPulses) {
   AttemptSettings all;
   EXPECT_EQ(all.blood(3).vein_kPa, all.setup.mechanics.tissues.of(kVein).pressure_kPa);

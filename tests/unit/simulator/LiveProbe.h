@@ -29,6 +29,7 @@ inline ImagingSetup smallSetup() {
   setup.settings.looks = 1;
   setup.settings.width = 128;
   setup.settings.height = 96;
+  setup.settings.effects.noise = false;  // pictures are compared with others of the same pose
   setup.mechanics.model = kNoDeformation;
   return setup;
 }

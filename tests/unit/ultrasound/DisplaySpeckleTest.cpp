@@ -13,7 +13,7 @@ class DisplaySpeckle : public testing::Test {
   Probe probe = *loadProbe("linear");
   ImagingSettings settings = [this] {
     ImagingSettings s = settingsFor(probe);
-    s.effects.attenuation = false;
+    s.effects.attenuation = s.effects.noise = s.effects.nearField = false;
     return s;
   }();
   BeamGrid grid{probe, settings};
@@ -69,7 +69,7 @@ double edgeWidth_mm(const BModeImage& image) {
 }
 
 TEST_F(DisplaySpeckle, SmoothingKeepsAnInterfaceSharp) {
-  settings.greyMap = GreyMap::Linear;
+  settings.grayMap = GrayMap::Linear;
   EnvelopeFrame frame = speckle(0.62, 5);
   for (int look = 0; look < frame.looks; ++look)
     for (int k = 0; k < frame.samples; ++k) {
@@ -78,7 +78,7 @@ TEST_F(DisplaySpeckle, SmoothingKeepsAnInterfaceSharp) {
         frame.look(look)[std::size_t(k) * frame.scanlines + l] *= static_cast<float>(std::pow(10, level_dB / 20));
     }
   const double smoothed_mm = edgeWidth_mm(test::display(probe, settings, frame));
-  settings.smoothing = false;
+  settings.speckleReduction = 0;
   const double bare_mm = edgeWidth_mm(test::display(probe, settings, frame));
   EXPECT_LT(smoothed_mm, bare_mm + 0.12) << "less than a third of the grain";
 }
@@ -96,7 +96,7 @@ double variationAlong(const BModeImage& image, double slope, double step_mm) {
 }
 
 TEST_F(DisplaySpeckle, GrainIsStretchedAlongAnInterface) {
-  settings.greyMap = GreyMap::Linear;
+  settings.grayMap = GrayMap::Linear;
   for (const double slope : {0.0, 0.3, -0.3}) {
     EnvelopeFrame frame = speckle(0.62, 6);
     for (int look = 0; look < frame.looks; ++look)
@@ -106,9 +106,9 @@ TEST_F(DisplaySpeckle, GrainIsStretchedAlongAnInterface) {
           const double level_dB = 20 * std::exp(-0.5 * off_mm * off_mm / (0.25 * 0.25));
           frame.look(look)[std::size_t(k) * frame.scanlines + l] *= static_cast<float>(std::pow(10, level_dB / 20));
         }
-    settings.smoothing = true;
+    settings.speckleReduction = 1;
     const double smoothed = variationAlong(test::display(probe, settings, frame), slope, 0.4);
-    settings.smoothing = false;
+    settings.speckleReduction = 0;
     const double bare = variationAlong(test::display(probe, settings, frame), slope, 0.4);
     EXPECT_LT(smoothed, 0.6 * bare) << "slope " << slope;
   }

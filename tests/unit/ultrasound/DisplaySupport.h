@@ -7,13 +7,15 @@
 
 namespace insonate::test {
 
-/// Settings under which grey follows directly from amplitude: no haze, no smoothing, no depth compensation.
+/// Settings under which gray follows directly from amplitude: no noise, ringing or haze, no speckle reduction, no depth
+/// compensation.
 inline ImagingSettings bareSettings(const Probe& probe) {
   ImagingSettings settings = settingsFor(probe);
   settings.looks = 1;
-  settings.smoothing = false;
-  settings.greyMap = GreyMap::Linear;
-  settings.effects.clutter = false;
+  settings.speckleReduction = 0;
+  settings.edgeEnhancement = 0;
+  settings.grayMap = GrayMap::Linear;
+  settings.effects.clutter = settings.effects.noise = settings.effects.nearField = false;
   settings.effects.attenuation = false;
   return settings;
 }

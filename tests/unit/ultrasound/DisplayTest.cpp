@@ -1,5 +1,7 @@
 #include "DisplaySupport.h"
 
+#include <insonate/ultrasound/GrayMaps.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -129,16 +131,47 @@ TEST_F(DisplayTest, PersistenceMixesWithThePreviousPicture) {
   EXPECT_NEAR(show(0), 20.5 * kGreyPerDb, 0.6);
 }
 
-TEST_F(DisplayTest, SoftGreyMapDarkensMidTonesAndRises) {
-  settings.greyMap = GreyMap::Soft;
-  int last = -1;
-  for (double level = -25; level <= 41; level += 3) {
-    const int grey = greyOfLevel(level);
-    EXPECT_GE(grey, last);
-    last = grey;
+/// The gray of a level half way between black and white.
+struct MapCase {
+  GrayMap map;
+  const char* name;
+  int middle;
+};
+const MapCase kMaps[]{{GrayMap::Linear, "linear", 128},     {GrayMap::Soft, "soft", 102},
+                      {GrayMap::Contrast, "contrast", 116}, {GrayMap::Bright, "bright", 166},
+                      {GrayMap::Dark, "dark", 77},          {GrayMap::Flat, "flat", 134}};
+
+TEST_F(DisplayTest, EachGrayMapRisesFromBlackToWhiteThroughItsMiddle) {
+  ASSERT_EQ(grayMaps().size(), std::size(kMaps));
+  for (const auto& [map, name, middle] : kMaps) {
+    EXPECT_EQ(curveOf(map).map, map);
+    EXPECT_EQ(curveOf(map).name, name);
+    settings.grayMap = map;
+    EXPECT_NEAR(greyOfLevel(39.5 - 30), middle, 1) << name;
+    EXPECT_EQ(greyOfLevel(-20.6), 0) << name;
+    EXPECT_EQ(greyOfLevel(39.6), 255) << name;
+    for (int last = -1, step = 0; step <= 60; step += 2) {
+      const int grey = greyOfLevel(step - 20.5);
+      EXPECT_GT(grey, last) << name << " at " << step << " dB over black";
+      last = grey;
+    }
   }
-  EXPECT_EQ(last, 255);
-  EXPECT_LT(greyOfLevel(0), 75);
+}
+
+TEST_F(DisplayTest, LateralGainActsOnItsScanlinesAtAllDepths) {
+  const EnvelopeFrame frame = uniformFrame(probe, settings, 0);
+  const BModeImage flat = display(probe, settings, frame);
+  settings.lateralGain_dB[6] = -8;
+  const BModeImage image = display(probe, settings, frame);
+  const auto change = [&](double lateral_mm, double depth_mm) {
+    return (greyAt(image, lateral_mm, depth_mm) - greyAt(flat, lateral_mm, depth_mm)) / kGreyPerDb;
+  };
+  const double middle_mm = (6.5 / 8 - 0.5) * probe.width_mm;
+  for (const double depth_mm : {1.0, 20.0, 39.0}) {
+    EXPECT_NEAR(change(middle_mm, depth_mm), -8, 0.3);
+    EXPECT_NEAR(change(middle_mm - probe.width_mm / 16, depth_mm), -4, 0.4) << "half way to the next";
+    EXPECT_NEAR(change(-middle_mm, depth_mm), 0, 0.1);
+  }
 }
 
 TEST_F(DisplayTest, HazeLiftsALumenNearItsWallMost) {
@@ -157,7 +190,8 @@ TEST_F(DisplayTest, HazeLiftsALumenNearItsWallMost) {
 
 TEST_F(DisplayTest, SilenceIsBlack) {
   for (const bool everything : {false, true}) {
-    const ImagingSettings chosen = everything ? settingsFor(probe) : settings;
+    ImagingSettings chosen = everything ? settingsFor(probe) : settings;
+    chosen.effects.noise = chosen.effects.nearField = false;
     EnvelopeFrame frame;
     frame.resize(chosen.scanlines, chosen.samples, chosen.looks);
     EXPECT_EQ(brightest(display(probe, chosen, frame)), 0);
@@ -172,8 +206,8 @@ TEST_F(DisplayTest, UnusableAmplitudesAreBlackOrWhite) {
     return greyAt(display(probe, settings, frame), 0, 20);
   };
   const float infinity = std::numeric_limits<float>::infinity();
-  for (const bool smoothing : {false, true}) {
-    settings.smoothing = smoothing;
+  for (const double strength : {0.0, 0.5, 1.0}) {
+    settings.speckleReduction = settings.edgeEnhancement = strength;
     EXPECT_EQ(greyFor(std::numeric_limits<float>::quiet_NaN()), 0);
     EXPECT_EQ(greyFor(-1), 0);
     EXPECT_EQ(greyFor(-infinity), 0);
@@ -185,7 +219,8 @@ TEST_F(DisplayTest, UnusableAmplitudesAreBlackOrWhite) {
 
 TEST_F(DisplayTest, OneBadSampleStaysLocal) {
   settings = settingsFor(probe);
-  settings.effects.attenuation = false;
+  settings.effects.attenuation = settings.effects.noise = settings.effects.nearField = false;
+  settings.speckleReduction = 1;
   settings.persistence = 0.5;
   EnvelopeFrame frame = uniformFrame(probe, settings, 0);
   const BModeImage clean = display(probe, settings, frame);
@@ -212,7 +247,7 @@ TEST_F(DisplayTest, ExtremeSizesWork) {
       const Probe any = *loadProbe(name);
       settings = settingsFor(any);
       settings.scanlines = lines, settings.samples = samples, settings.width = size, settings.height = size;
-      settings.effects.attenuation = false;
+      settings.effects.attenuation = settings.effects.nearField = false;
       settings.looks = 1;
       ASSERT_TRUE(validate(settings, any));
       const BModeImage image = display(any, settings, uniformFrame(any, settings, 0));

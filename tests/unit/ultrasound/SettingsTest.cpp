@@ -36,8 +36,8 @@ TEST(Settings, OverridesTouchOnlyWhatTheyName) {
   base.focus_mm = 33;
   const auto settings = settingsFromJson(json{{"depth_mm", 55},
                                               {"looks", 1},
-                                              {"smoothing", false},
-                                              {"greyMap", "linear"},
+                                              {"speckleReduction", 0.25},
+                                              {"grayMap", "linear"},
                                               {"look", "thesis"},
                                               {"tgc_dB", {1, 2, 3, 4, 5, 6, 7, 8}},
                                               {"effects", {{"layers", false}}}},
@@ -46,8 +46,8 @@ TEST(Settings, OverridesTouchOnlyWhatTheyName) {
   EXPECT_EQ(settings->depth_mm, 55);
   EXPECT_EQ(settings->focus_mm, 33);
   EXPECT_EQ(settings->looks, 1);
-  EXPECT_FALSE(settings->smoothing);
-  EXPECT_EQ(settings->greyMap, GreyMap::Linear);
+  EXPECT_EQ(settings->speckleReduction, 0.25);
+  EXPECT_EQ(settings->grayMap, GrayMap::Linear);
   EXPECT_EQ(settings->look, Look::Thesis);
   EXPECT_EQ(settings->tgc_dB[7], 8);
   EXPECT_FALSE(settings->effects.layers);
@@ -65,8 +65,13 @@ TEST(Settings, WrongTypesAreRefusedByName) {
   EXPECT_THAT(refusal({{"depth_mm", "deep"}}), HasSubstr("depth_mm must be a number, not \"deep\""));
   EXPECT_THAT(refusal({{"looks", 2.5}}), HasSubstr("looks must be a whole number, not 2.5"));
   EXPECT_THAT(refusal({{"smoothing", 1}}), HasSubstr("smoothing must be true or false"));
-  EXPECT_THAT(refusal({{"greyMap", "pink"}}), HasSubstr("greyMap must be one of linear, soft"));
-  EXPECT_THAT(refusal({{"tgc_dB", {1, 2}}}), HasSubstr("list of 8"));
+  EXPECT_THAT(refusal({{"speckleReduction", true}}), HasSubstr("speckleReduction must be a number"));
+  EXPECT_THAT(refusal({{"grayMap", "pink"}}),
+              HasSubstr("grayMap must be one of linear, soft, contrast, bright, dark, flat"));
+  EXPECT_THAT(refusal({{"tgc_dB", {1, 2}}}),
+              HasSubstr("tgc_dB must be a list of 8 numbers, from the face to the depth"));
+  EXPECT_THAT(refusal({{"lateralGain_dB", 3}}),
+              HasSubstr("lateralGain_dB must be a list of 8 numbers, from left to right"));
   EXPECT_THAT(refusal({{"effects", true}}), HasSubstr("object"));
   EXPECT_THAT(refusal(json::array()), HasSubstr("object"));
   EXPECT_THAT(refusal({{"depth_mm", nullptr}}), HasSubstr("depth_mm must be a number"));
@@ -79,8 +84,19 @@ TEST(Settings, ValuesOutOfRangeAreRefusedByName) {
   EXPECT_THAT(refusal({{"looks", 1e30}}), HasSubstr("looks must be a whole number"));
   EXPECT_THAT(refusal({{"elevationPlanes", 4}}), HasSubstr("must be odd"));
   EXPECT_THAT(refusal({{"tgc_dB", {0, 0, 0, 21, 0, 0, 0, 0}}}), HasSubstr("tgc_dB[3] is 21"));
+  EXPECT_THAT(refusal({{"lateralGain_dB", {0, 0, 0, 0, 0, 0, 0, -21}}}), HasSubstr("lateralGain_dB[7] is -21"));
+  EXPECT_THAT(refusal({{"speckleReduction", 1.5}}), HasSubstr("speckleReduction is 1.5; allowed is 0 to 1"));
+  EXPECT_THAT(refusal({{"noise_dB", 3}}), HasSubstr("noise_dB is 3; allowed is -120 to 0"));
   EXPECT_THAT(refusal({{"depth_mm", std::nan("")}}), HasSubstr("depth_mm is nan"));
   EXPECT_THAT(refusal({{"gain_dB", std::numeric_limits<double>::infinity()}}), HasSubstr("gain_dB is inf"));
+}
+
+TEST(Settings, FilesOfFormerVersionsAreRead) {
+  EXPECT_EQ(settingsFromJson({{"smoothing", true}}, {})->speckleReduction, 1);
+  EXPECT_EQ(settingsFromJson({{"smoothing", false}}, {})->speckleReduction, 0);
+  EXPECT_EQ(settingsFromJson({{"greyMap", "linear"}}, {})->grayMap, GrayMap::Linear);
+  EXPECT_THAT(refusal({{"smoothing", true}, {"speckleReduction", 0.5}}),
+              HasSubstr("smoothing is the former name of speckleReduction; leave it out"));
 }
 
 TEST(Settings, TheProbeLimitsDepthAndFrequency) {
@@ -111,7 +127,9 @@ TEST(Settings, FileErrorsNameTheFile) {
 TEST(Settings, AreReadAsTheyWereWritten) {
   ImagingSettings all;
   all.depth_mm = 55.1, all.frequency_MHz = 9, all.focus_mm = 100.0 / 3, all.gain_dB = -3, all.tgc_dB[7] = 2.5;
-  all.dynamicRange_dB = 70, all.persistence = 0.3, all.greyMap = GreyMap::Linear, all.smoothing = false, all.looks = 1;
+  all.dynamicRange_dB = 70, all.persistence = 0.3, all.grayMap = GrayMap::Flat, all.looks = 1;
+  all.speckleReduction = 0.7, all.edgeEnhancement = 0.3, all.noise_dB = -35.5, all.ringing_dB = 31;
+  all.poorContactLeft_mm = 1.5, all.poorContactRight_mm = 3, all.lateralGain_dB[0] = -4;
   all.scanlines = 100, all.samples = 500, all.elevationPlanes = 5, all.width = 300, all.height = 200;
   all.conformingContact = false, all.look = Look::Thesis, all.time_s = 2, all.effects.speckle = false;
   all.effects.clutter = false;

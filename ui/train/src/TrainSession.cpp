@@ -30,8 +30,9 @@ auto fields(const Probe& p) {
 /// What a user can change.
 auto fields(const ImagingSettings& s) {
   return std::tie(s.depth_mm, s.frequency_MHz, s.focus_mm, s.gain_dB, s.tgc_dB, s.dynamicRange_dB, s.persistence,
-                  s.greyMap, s.smoothing, s.looks, s.scanlines, s.samples, s.elevationPlanes, s.width, s.height,
-                  s.conformingContact, s.look);
+                  s.grayMap, s.speckleReduction, s.edgeEnhancement, s.noise_dB, s.ringing_dB, s.poorContactLeft_mm,
+                  s.poorContactRight_mm, s.lateralGain_dB, s.looks, s.scanlines, s.samples, s.elevationPlanes, s.width,
+                  s.height, s.conformingContact, s.look);
 }
 
 template <class T>
@@ -48,7 +49,16 @@ ImagingSettings fitted(ImagingSettings settings, const Probe& probe) {
   settings.gain_dB = std::clamp(settings.gain_dB, -40.0, 40.0);
   settings.dynamicRange_dB = std::clamp(settings.dynamicRange_dB, 20.0, 120.0);
   settings.persistence = std::clamp(settings.persistence, 0.0, 0.95);
-  for (double& value : settings.tgc_dB) value = std::clamp(value, -20.0, 20.0);
+  settings.speckleReduction = std::clamp(settings.speckleReduction, 0.0, 1.0);
+  settings.edgeEnhancement = std::clamp(settings.edgeEnhancement, 0.0, 1.0);
+  settings.noise_dB = std::clamp(settings.noise_dB, -120.0, 0.0);
+  settings.ringing_dB = std::clamp(settings.ringing_dB, -20.0, 60.0);
+  settings.poorContactLeft_mm = std::clamp(settings.poorContactLeft_mm, 0.0, 30.0);
+  settings.poorContactRight_mm = std::clamp(settings.poorContactRight_mm, 0.0, 30.0);
+  settings.looks = std::clamp(settings.looks, 1, 3);
+  settings.scanlines = std::clamp(settings.scanlines, 16, 1024);
+  for (auto* sliders : {&settings.tgc_dB, &settings.lateralGain_dB})
+    for (double& value : *sliders) value = std::clamp(value, -20.0, 20.0);
   return settings;
 }
 

@@ -73,10 +73,18 @@ Result<TissueMechanics> mechanicsFrom(const json& object) {
   return mechanics;
 }
 
+/// What recordings hold that were made before there was electronic noise and ringing.
+ImagingSettings formerSettings(const Probe& probe) {
+  ImagingSettings settings = settingsFor(probe);
+  settings.effects.noise = settings.effects.nearField = false;
+  settings.edgeEnhancement = 0;
+  return settings;
+}
+
 Result<ImagingSetup> setupFrom(const json& object) {
   auto probe = parseProbe(object.at("probe").dump());
   if (!probe) return tl::unexpected(probe.error());
-  auto settings = settingsFromJson(object.at("picture"), settingsFor(*probe));
+  auto settings = settingsFromJson(object.at("picture"), formerSettings(*probe));
   if (!settings) return tl::unexpected(settings.error());
   if (auto ok = validate(*settings, *probe); !ok) return tl::unexpected(ok.error());
   auto tissues = parseAcousticTable(object.at("tissues").dump());

@@ -138,6 +138,8 @@ Result<std::shared_ptr<const LiveFrame>> MomentImaging::picture(const AttemptSam
   if (frame->needle && sample.tenting_mm > kLeastTent_mm)
     seen = &tented_.with(*seen, pose, {frame->needle->tip_mm, frame->needle->direction, sample.tenting_mm});
   ImagingFrame made;
+  // The moment's own, whichever was shown before.
+  made.noiseSeed = static_cast<std::uint32_t>(sample.time_us);
   imager_->render(scene(), pose, *seen, frame->needle ? &*frame->needle : nullptr, made);
   frame->image = std::move(made.image), frame->envelope = std::move(made.envelope);
   frame->stages = std::move(made.stages), frame->frame_ms = made.frame_ms;

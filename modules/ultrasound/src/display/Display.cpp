@@ -1,10 +1,14 @@
 #include "DisplayPlan.h"
+#include "ElectronicNoise.h"
+#include "FaceEchoes.h"
 #include "InterfaceSmoothing.h"
 #include "Plane.h"
+#include "ReceiveKernels.h"
 #include "RowKernels.h"
 #include "ScanConverter.h"
 
 #include <insonate/ultrasound/Display.h>
+#include <insonate/ultrasound/GrayMaps.h>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -34,7 +38,7 @@ double powerOf(double level_dB) {
 struct Display::Impl {
   Impl(const Probe& probe, const ImagingSettings& imaging);
 
-  void process(const EnvelopeFrame& envelope);
+  void process(const EnvelopeFrame& envelope, std::uint32_t noiseSeed);
   void addHaze();
   void findShade();
   void compoundBlock(const EnvelopeFrame& envelope, int looks, int block);
@@ -49,10 +53,12 @@ struct Display::Impl {
   Plane power, levels;
   Plane blockPower, blockLevels, tail, grain, haze;
   Plane shade;  ///< one row: dB of each scanline
+  std::optional<ElectronicNoise> noise;
+  std::optional<FaceEchoes> face;
   std::optional<InterfaceSmoothing> smoothing;
   std::optional<Plane> previous;  ///< levels of the last picture, with persistence
   bool hasPrevious = false;
-  GreyCurve curve;
+  const GrayMapCurve& curve;
   ScanConverter scan;
   Stages_ms stages;
 };
@@ -68,9 +74,11 @@ Display::Impl::Impl(const Probe& probe, const ImagingSettings& imaging)
       grain(blockPower.rows(), plan.scanlines),
       haze(blockPower.rows(), plan.scanlines),
       shade(1, plan.scanlines),
-      curve(greyCurve(imaging.greyMap)),
+      curve(curveOf(imaging.grayMap)),
       scan(probe, imaging) {
-  if (imaging.smoothing) smoothing.emplace(plan);
+  if (imaging.effects.noise) noise.emplace(probe, imaging, plan);
+  if (imaging.effects.nearField) face.emplace(probe, imaging, plan);
+  if (imaging.speckleReduction > 0) smoothing.emplace(plan, imaging.speckleReduction);
   if (imaging.persistence > 0) previous.emplace(plan.samples, plan.scanlines);
 }
 
@@ -83,7 +91,7 @@ void Display::Impl::overBlocks(const Body& body) const {
 
 bool Display::Impl::fits(const EnvelopeFrame& envelope) const {
   return envelope.scanlines == plan.scanlines && envelope.samples == plan.samples && envelope.looks >= 1 &&
-         envelope.looks <= 3 &&
+         envelope.looks <= settings.looks &&
          envelope.amplitude.size() == std::size_t(plan.scanlines) * plan.samples * envelope.looks;
 }
 
@@ -93,12 +101,15 @@ void Display::Impl::compoundBlock(const EnvelopeFrame& envelope, int looks, int 
   for (int k = block.first; k < block.first + block.count; ++k) {
     CompoundRow task{.looks = looks,
                      .columns = plan.scanlines,
+                     .contact = face ? face->contact() : nullptr,
                      .gain = plan.rowGain[k],
                      .ceiling = static_cast<float>(powerOf(kHazeCeiling_dB)),
                      .power = power.row(k),
                      .sum = blockPower.row(b)};
     for (int l = 0; l < looks; ++l) task.look[l] = envelope.look(l) + std::size_t(k) * plan.scanlines;
+    if (noise && looks > 0) noise->addTo(task, k);
     compoundRow(task);
+    if (face && looks > 0) face->addTo(power.row(k), k, plan.rowGain[k]);
   }
   scaleRow(blockPower.row(b), 1 / static_cast<float>(block.count), plan.scanlines);
 }
@@ -158,6 +169,7 @@ void Display::Impl::compressBlock(int b) {
                  .high_dB = plan.high_dB,
                  .shade_dB = shade.row(0),
                  .shadeShare = plan.shadeShare[k],
+                 .line_dB = plan.line_dB.empty() ? nullptr : plan.line_dB.data(),
                  .columns = plan.scanlines,
                  .level_dB = levels.row(k),
                  .sum = blockLevels.row(b)});
@@ -168,11 +180,22 @@ void Display::Impl::compressBlock(int b) {
 }
 
 void Display::Impl::finishRow(int k) {
-  alignas(64) std::array<float, 1024> smoothed;
+  alignas(64) std::array<float, 1024> finished;
   const float* row = levels.row(k);
   if (smoothing) {
-    smoothing->smooth(plan, levels, k, smoothed.data());
-    row = smoothed.data();
+    smoothing->smooth(plan, levels, k, finished.data());
+    row = finished.data();
+  }
+  if (settings.edgeEnhancement > 0) {
+    if (!smoothing) std::copy_n(row, Plane::padded(plan.scanlines), finished.data());
+    enhanceRow({.above = levels.row(k - plan.edgeRows),
+                .here = levels.row(k),
+                .below = levels.row(k + plan.edgeRows),
+                .share = static_cast<float>(kEdgeShare * settings.edgeEnhancement),
+                .reach_dB = static_cast<float>(kEdgeReach_dB),
+                .columns = plan.scanlines,
+                .level_dB = finished.data()});
+    row = finished.data();
   }
   const bool mixes = previous && hasPrevious;
   if (previous && !hasPrevious) std::copy_n(row, Plane::padded(plan.scanlines), previous->row(k));
@@ -188,7 +211,7 @@ void Display::Impl::finishRow(int k) {
            .grey = scan.greyRow(k)});
 }
 
-void Display::Impl::process(const EnvelopeFrame& envelope) {
+void Display::Impl::process(const EnvelopeFrame& envelope, std::uint32_t noiseSeed) {
   using Clock = std::chrono::steady_clock;
   auto last = Clock::now();
   const auto lap_ms = [&last] {
@@ -196,6 +219,7 @@ void Display::Impl::process(const EnvelopeFrame& envelope) {
     return std::chrono::duration<double, std::milli>(now - std::exchange(last, now)).count();
   };
   const int looks = fits(envelope) ? envelope.looks : 0;
+  if (noise && looks > 0) noise->draw(noiseSeed, looks);
   overBlocks([&](int b) { compoundBlock(envelope, looks, b); });
   if (settings.effects.clutter) {
     blockPower.extendRow(0);
@@ -220,8 +244,8 @@ Display::~Display() = default;
 Display::Display(Display&&) noexcept = default;
 Display& Display::operator=(Display&&) noexcept = default;
 
-void Display::process(const EnvelopeFrame& envelope, BModeImage& image) {
-  impl_->process(envelope);
+void Display::process(const EnvelopeFrame& envelope, BModeImage& image, std::uint32_t noiseSeed) {
+  impl_->process(envelope, noiseSeed);
   const auto start = std::chrono::steady_clock::now();
   impl_->scan.convert(image);
   impl_->stages.scanConvert =

@@ -27,12 +27,12 @@ int strideFor(double length, double spacing, int most) {
   return static_cast<int>(std::clamp(std::round(length / spacing), 1.0, double(most)));
 }
 
-/// The 8 sliders sit in the middles of 8 equal depths; between them the gain runs smoothly, without overshoot.
-double slider_dB(const std::array<double, 8>& tgc_dB, double depthShare) {
-  const double place = std::clamp(depthShare * 8 - 0.5, 0.0, 7.0);
+/// The 8 sliders sit in the middles of 8 equal parts; between them the gain runs smoothly, without overshoot.
+double slider_dB(const std::array<double, 8>& sliders_dB, double share) {
+  const double place = std::clamp(share * 8 - 0.5, 0.0, 7.0);
   const int i = std::min(static_cast<int>(place), 6);
   const double mix = 0.5 - 0.5 * std::cos(std::numbers::pi * (place - i));
-  return tgc_dB[i] + mix * (tgc_dB[i + 1] - tgc_dB[i]);
+  return sliders_dB[i] + mix * (sliders_dB[i + 1] - sliders_dB[i]);
 }
 
 Block makeBlock(const Probe& probe, const ImagingSettings& settings, const BeamGrid& grid, int first, int count,
@@ -58,11 +58,6 @@ Block makeBlock(const Probe& probe, const ImagingSettings& settings, const BeamG
 
 }  // namespace
 
-GreyCurve greyCurve(GreyMap map) {
-  // Soft: a slight S through (0.34, 0.235), (0.5, 0.4) and (1, 1).
-  return map == GreyMap::Linear ? GreyCurve{1, 0, 0} : GreyCurve{0.387F, 1.039F, -0.426F};
-}
-
 DisplayPlan::DisplayPlan(const Probe& probe, const ImagingSettings& settings)
     : scanlines(settings.scanlines), samples(settings.samples) {
   const BeamGrid grid(probe, settings);
@@ -85,6 +80,13 @@ DisplayPlan::DisplayPlan(const Probe& probe, const ImagingSettings& settings)
   }
   axialStride = strideFor(kPlainAxialSd * axial_mm, grid.step_mm(), 64);
   gaussianTaps(kPlainAxialSd * axial_mm, axialStride * grid.step_mm(), axialWeight);
+
+  edgeRows = strideFor(0.5 * axial_mm, grid.step_mm(), 64);
+  if (settings.lateralGain_dB != std::array<double, 8>{}) {
+    line_dB.assign(Plane::padded(scanlines), 0);
+    for (int l = 0; l < scanlines; ++l)
+      line_dB[l] = static_cast<float>(slider_dB(settings.lateralGain_dB, (l + 0.5) / scanlines));
+  }
 
   planShade(probe, settings, grid);
   black_dB = static_cast<float>(kWhite_dB - settings.dynamicRange_dB);

@@ -39,11 +39,9 @@ inline constexpr float kMaxSlope = 3;
 /// Contrast of speckle against its surroundings: d + d (kContrast + kContrastBend d), d within +-kContrastReach_dB.
 inline constexpr float kContrast = 1.3F, kContrastBend = 0.12F, kContrastReach_dB = 6;
 
-/// Grey share of a level share t: t (a + t (b + t c)).
-struct GreyCurve {
-  float a, b, c;
-};
-GreyCurve greyCurve(GreyMap map);
+/// Edge enhancement at full strength: share of what a level stands out from those half a pulse above and below, and how
+/// much of that counts.
+inline constexpr double kEdgeShare = 0.8, kEdgeReach_dB = 10;
 
 /// What changes slowly with depth is kept per block of rows about as thick as the pulse.
 struct Block {
@@ -69,7 +67,9 @@ struct DisplayPlan {
   std::vector<float> rowOffset_dB;  ///< gain and sliders
   int axialStride;                  ///< rows between the 5 taps of plain smoothing
   float axialWeight[3];
+  int edgeRows;                      ///< half a pulse
   float hazeDecay, hazeGrainDecay;   ///< per block
+  std::vector<float> line_dB;        ///< lateral gain of each scanline; empty where it is 0 throughout
   std::vector<float> edgeShade_dB;   ///< [scanline]
   std::vector<float> shadeShare;     ///< [row] of the shade of scanlines
   int shadeFirst = 0, shadeEnd = 0;  ///< blocks that cast streaks

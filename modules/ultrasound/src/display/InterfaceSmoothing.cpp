@@ -22,9 +22,10 @@ void overBlocks(int blocks, const Body& body) {
 
 }  // namespace
 
-InterfaceSmoothing::InterfaceSmoothing(const DisplayPlan& plan)
+InterfaceSmoothing::InterfaceSmoothing(const DisplayPlan& plan, double strength)
     : blocks_(plan.blocks),
       columns_(plan.scanlines),
+      strength_(static_cast<float>(strength)),
       mean_(static_cast<int>(blocks_.size()), columns_),
       xx_(mean_.rows(), columns_),
       xz_(mean_.rows(), columns_),
@@ -95,6 +96,7 @@ void InterfaceSmoothing::smooth(const DisplayPlan& plan, const Plane& levels, in
                  .contrast = kContrast,
                  .contrastBend = kContrastBend,
                  .contrastReach = kContrastReach_dB,
+                 .strength = strength_,
                  .margin = Plane::kMargin,
                  .columns = Plane::padded(columns_),
                  .out = out};

@@ -12,7 +12,8 @@ namespace insonate::display {
 /// point-spread function, in which speckle has no direction of its own.
 class InterfaceSmoothing {
  public:
-  explicit InterfaceSmoothing(const DisplayPlan& plan);
+  /// `strength`: share of the smoothed levels in what smooth() writes, up to 1; the rest is what came in.
+  InterfaceSmoothing(const DisplayPlan& plan, double strength);
 
   /// Finds the interfaces of a picture from `levels` averaged over blocks; both with extended rows.
   void analyse(const Plane& blockLevels);
@@ -26,6 +27,7 @@ class InterfaceSmoothing {
 
   std::vector<Block> blocks_;
   int columns_;
+  float strength_;
   Plane mean_, xx_, xz_, zz_, structure_, edge_, slope_;
 };
 

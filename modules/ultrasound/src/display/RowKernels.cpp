@@ -25,60 +25,9 @@ HWY_INLINE void overPadded(int columns, const Body& body) {
   for (int i = 0; i < padded; i += lanes) body(i);
 }
 
-/// The same for a row without padding of at least 16 columns: the last vector overlaps the one before.
-template <class Body>
-HWY_INLINE void overExact(int columns, const Body& body) {
-  const int lanes = static_cast<int>(hn::Lanes(F()));
-  int i = 0;
-  for (; i + lanes <= columns; i += lanes) body(i);
-  if (i < columns) body(columns - lanes);
-}
-
 template <class V>
 HWY_INLINE V mix(V a, V b, V share) {
   return hn::Add(a, hn::Mul(share, hn::Sub(b, a)));
-}
-
-constexpr float kMaxAmplitude = 1e9F;  // louder, and infinite, echoes count as this
-
-void compoundRow(const CompoundRow& t) {
-  const F d;
-  const auto zero = hn::Zero(d), most = hn::Set(d, kMaxAmplitude);
-  const auto gain = hn::Set(d, t.looks > 0 ? t.gain / static_cast<float>(t.looks) : 0.0F);
-  overExact(t.columns, [&](int i) {
-    auto sum = zero;
-    for (int l = 0; l < t.looks; ++l) {
-      const auto a = hn::LoadU(d, t.look[l] + i);
-      sum = hn::Add(sum, hn::IfThenElseZero(hn::Gt(a, zero), hn::Min(a, most)));
-    }
-    const auto mean = hn::Mul(sum, gain);
-    hn::StoreU(hn::Mul(mean, mean), d, t.power + i);
-  });
-  const auto ceiling = hn::Set(d, t.ceiling);
-  overPadded(t.columns, [&](int i) {
-    hn::Store(hn::Add(hn::Load(d, t.sum + i), hn::Min(hn::Load(d, t.power + i), ceiling)), d, t.sum + i);
-  });
-}
-
-void hazeRow(const HazeRow& t) {
-  const F d;
-  const auto side = hn::Set(d, t.spread), middle = hn::Set(d, 1 - 2 * t.spread);
-  const auto tailDecay = hn::Set(d, t.tailDecay), grainDecay = hn::Set(d, t.grainDecay);
-  const auto smooth = hn::Set(d, t.share * t.smoothShare), rough = hn::Set(d, t.share * (1 - t.smoothShare));
-  const auto tiny = hn::Set(d, 1e-20F), most = hn::Set(d, 4.0F);
-  const auto carried = [&](const float* above, int i) {
-    const auto sides = hn::Add(hn::LoadU(d, above + i - 1), hn::LoadU(d, above + i + 1));
-    return hn::Add(hn::Mul(middle, hn::Load(d, above + i)), hn::Mul(side, sides));
-  };
-  overPadded(t.columns, [&](int i) {
-    const auto power = hn::Load(d, t.power + i);
-    const auto tail = mix(power, carried(t.tailAbove, i), tailDecay);
-    const auto grain = mix(power, carried(t.grainAbove, i), grainDecay);
-    hn::Store(tail, d, t.tail + i);
-    hn::Store(grain, d, t.grain + i);
-    const auto speckle = hn::Min(hn::Div(power, hn::Max(grain, tiny)), most);
-    hn::Store(hn::Mul(tail, hn::Add(smooth, hn::Mul(rough, speckle))), d, t.haze + i);
-  });
 }
 
 /// 10 log10, within 1e-5 dB, of normal positive numbers.
@@ -107,7 +56,8 @@ void compressRow(const CompressRow& t) {
   overPadded(t.columns, [&](int i) {
     const auto haze = mix(hn::Load(d, t.hazeBefore + i), hn::Load(d, t.hazeAfter + i), share);
     const auto power = hn::Max(hn::Add(hn::Load(d, t.power + i), haze), tiny);
-    const auto lineOffset = hn::Add(offset, hn::Mul(shaded, hn::Load(d, t.shade_dB + i)));
+    auto lineOffset = hn::Add(offset, hn::Mul(shaded, hn::Load(d, t.shade_dB + i)));
+    if (t.line_dB) lineOffset = hn::Add(lineOffset, hn::Load(d, t.line_dB + i));
     const auto level = hn::Min(hn::Max(hn::Add(decibels(d, power), lineOffset), low), high);
     hn::Store(level, d, t.level_dB + i);
     hn::Store(hn::Add(hn::Load(d, t.sum + i), level), d, t.sum + i);
@@ -249,6 +199,7 @@ void smoothRow(const SmoothRow& t) {
   const auto b3 = hn::Set(d, t.alongWeight[3]), share = hn::Set(d, t.mix), one = hn::Set(d, 1.0F), zero = hn::Zero(d);
   const auto contrast = hn::Set(d, t.contrast), bend = hn::Set(d, t.contrastBend);
   const auto reach = hn::Set(d, t.contrastReach);
+  const auto strength = hn::Set(d, t.strength), rest = hn::Set(d, 1 - t.strength);
   const auto along = [&](int i) {
     const float* r[7];
     alongRows(t, i / kCell * kCell, r);
@@ -275,8 +226,19 @@ void smoothRow(const SmoothRow& t) {
     if (!hn::AllTrue(d, hn::Eq(edge, zero))) level = mix(level, along(i), edge);
     const auto apart = hn::Min(hn::Max(hn::Sub(level, mean), hn::Neg(reach)), reach);
     const auto more = hn::Mul(apart, hn::Add(contrast, hn::Mul(bend, apart)));
-    hn::StoreU(hn::Add(level, hn::Mul(hn::Sub(one, structure), more)), d, t.out + i);
+    const auto smooth = hn::Add(level, hn::Mul(hn::Sub(one, structure), more));
+    hn::StoreU(hn::Add(hn::Mul(rest, hn::LoadU(d, t.axial[2] + i)), hn::Mul(strength, smooth)), d, t.out + i);
   }
+}
+
+void enhanceRow(const EnhanceRow& t) {
+  const F d;
+  const auto half = hn::Set(d, 0.5F), share = hn::Set(d, t.share), reach = hn::Set(d, t.reach_dB);
+  overPadded(t.columns, [&](int i) {
+    const auto around = hn::Mul(half, hn::Add(hn::LoadU(d, t.above + i), hn::LoadU(d, t.below + i)));
+    const auto apart = hn::Min(hn::Max(hn::Sub(hn::LoadU(d, t.here + i), around), hn::Neg(reach)), reach);
+    hn::StoreU(hn::Add(hn::LoadU(d, t.level_dB + i), hn::Mul(share, apart)), d, t.level_dB + i);
+  });
 }
 
 void greyRow(const GreyRow& t) {
@@ -346,24 +308,17 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace insonate::display {
 
-HWY_EXPORT(compoundRow);
-HWY_EXPORT(hazeRow);
 HWY_EXPORT(compressRow);
 HWY_EXPORT(scaleRow);
 HWY_EXPORT(meanRow);
 HWY_EXPORT(tensorRow);
 HWY_EXPORT(orientRow);
 HWY_EXPORT(smoothRow);
+HWY_EXPORT(enhanceRow);
 HWY_EXPORT(greyRow);
 HWY_EXPORT(packRow);
 HWY_EXPORT(scanRow);
 
-void compoundRow(const CompoundRow& task) {
-  HWY_DYNAMIC_DISPATCH(compoundRow)(task);
-}
-void hazeRow(const HazeRow& task) {
-  HWY_DYNAMIC_DISPATCH(hazeRow)(task);
-}
 void compressRow(const CompressRow& task) {
   HWY_DYNAMIC_DISPATCH(compressRow)(task);
 }
@@ -381,6 +336,9 @@ void orientRow(const OrientRow& task) {
 }
 void smoothRow(const SmoothRow& task) {
   HWY_DYNAMIC_DISPATCH(smoothRow)(task);
+}
+void enhanceRow(const EnhanceRow& task) {
+  HWY_DYNAMIC_DISPATCH(enhanceRow)(task);
 }
 void greyRow(const GreyRow& task) {
   HWY_DYNAMIC_DISPATCH(greyRow)(task);

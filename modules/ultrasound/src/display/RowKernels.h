@@ -2,34 +2,9 @@
 
 #include <cstdint>
 
-/// The display's inner loops: one row of scanlines each, with the widest instructions that the processor has. They use
-/// no fused multiply-add, so that every processor gives the same picture.
+/// The display's inner loops from the logarithm on: one row of scanlines each, with the widest instructions that the
+/// processor has. They use no fused multiply-add, so that every processor gives the same image.
 namespace insonate::display {
-
-/// Mean of the looks with unusable amplitudes as 0, times gain, squared.
-struct CompoundRow {
-  const float* look[3] = {};
-  int looks;
-  int columns;
-  float gain;
-  float ceiling;  ///< of what goes into the sum
-  float* power;
-  float* sum;  ///< += min(power, ceiling) over a padded row
-};
-void compoundRow(const CompoundRow& task);
-
-/// One block of the haze: both tails carried down from the block above, and what they leave here.
-struct HazeRow {
-  const float* power;       ///< mean of the block
-  const float* tailAbove;   ///< with margins
-  const float* grainAbove;  ///< with margins
-  float spread;             ///< to each neighbour
-  float tailDecay, grainDecay;
-  float share, smoothShare;
-  int columns;
-  float *tail, *grain, *haze;
-};
-void hazeRow(const HazeRow& task);
 
 /// Level in dB of power plus haze, offset and shade.
 struct CompressRow {
@@ -38,6 +13,7 @@ struct CompressRow {
   float offset_dB, low_dB, high_dB;
   const float* shade_dB;  ///< of each scanline
   float shadeShare;       ///< of it that this row has
+  const float* line_dB;   ///< of each scanline, in all rows; may be null
   int columns;
   float* level_dB;
   float* sum;  ///< += level
@@ -87,10 +63,20 @@ struct SmoothRow {
   const float *structureBefore, *structureAfter, *edgeBefore, *edgeAfter, *meanBefore, *meanAfter;
   float mix;
   float contrast, contrastBend, contrastReach;
+  float strength;  ///< share of the smoothed levels in what is written
   int margin, columns;
   float* out;
 };
 void smoothRow(const SmoothRow& task);
+
+/// Lifts a level by a share of what it stands out from those above and below, at most by that of `reach_dB`.
+struct EnhanceRow {
+  const float *above, *here, *below;
+  float share, reach_dB;
+  int columns;
+  float* level_dB;
+};
+void enhanceRow(const EnhanceRow& task);
 
 /// Levels to grey, after mixing with the previous picture where `previous` is given (it receives the mixture).
 struct GreyRow {

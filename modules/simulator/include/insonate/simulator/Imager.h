@@ -8,6 +8,7 @@
 #include <insonate/ultrasound/Display.h>
 #include <insonate/ultrasound/Engine.h>
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -30,6 +31,7 @@ struct ImagingFrame {
     std::string name;
     double ms = 0;  ///< the engine's are summed over threads
   };
+  std::uint32_t noiseSeed = 0;  ///< set before render(): frames of other seeds have other electronic noise
   EnvelopeFrame envelope;
   BModeImage image;
   std::vector<Stage> stages;

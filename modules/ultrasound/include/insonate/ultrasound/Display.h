@@ -3,14 +3,15 @@
 #include <insonate/ultrasound/BeamGrid.h>
 #include <insonate/ultrasound/Frames.h>
 
+#include <cstdint>
 #include <memory>
 
 namespace insonate {
 
-/// From a linear envelope to the displayed picture: looks averaged > clutter > TGC and gain > logarithm > smoothing
-/// along interfaces > persistence > grey map > scan conversion. Everything is allocated by the constructor; process()
-/// allocates nothing once the image has its size. The settings must be valid for the probe (see validate()). Not for
-/// concurrent use of one object. Uses the calling thread's TBB arena.
+/// From a linear envelope to the displayed image: electronic noise > looks averaged > ringing > clutter > TGC and gains
+/// > logarithm > speckle reduction > edge enhancement > persistence > gray map > scan conversion. Everything is
+/// allocated by the constructor; process() allocates nothing once the image has its size. The settings must be valid
+/// for the probe (see validate()). Not for concurrent use of one object. Uses the calling thread's TBB arena.
 class Display {
  public:
   Display(const Probe& probe, const ImagingSettings& settings);
@@ -18,10 +19,11 @@ class Display {
   Display(Display&&) noexcept;
   Display& operator=(Display&&) noexcept;
 
-  /// The frame must have the settings' scanlines and samples and 1 to 3 looks; any other gives a black picture.
+  /// The frame must have the settings' scanlines and samples and no more looks; any other gives a black image.
   /// Amplitudes that are NaN or negative count as 0, infinite ones as white. Persistence mixes with the previous call's
-  /// picture.
-  void process(const EnvelopeFrame& envelope, BModeImage& image);
+  /// image. Electronic noise follows from `noiseSeed` and the settings' time_s alone: the same seed gives the same
+  /// image.
+  void process(const EnvelopeFrame& envelope, BModeImage& image, std::uint32_t noiseSeed = 0);
   /// Forgets the previous picture.
   void reset();
 

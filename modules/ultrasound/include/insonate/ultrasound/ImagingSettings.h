@@ -16,7 +16,8 @@ enum class Look {
   Thesis,    ///< the thesis's four layers: reflection, absorption, radial blur, Perlin speckle
 };
 
-enum class GreyMap { Linear, Soft };
+/// How levels become grays; GrayMaps.h has their names and curves.
+enum class GrayMap { Linear, Soft, Contrast, Bright, Dark, Flat };
 
 /// Each physical effect can be left out, to see what it does.
 struct Effects {
@@ -31,12 +32,14 @@ struct Effects {
   bool reverberation = true;  ///< behind air
   bool edgeShadow = true;     ///< refraction at the sides of vessels
   bool clutter = true;        ///< haze in lumens (display path)
+  bool noise = true;          ///< of the receiver's electronics (display path)
+  bool nearField = true;      ///< ringing below the face, poor contact at the array's ends (display path)
 
   static constexpr Effects none() {
-    return {false, false, false, false, false, false, false, false, false, false, false};
+    return {false, false, false, false, false, false, false, false, false, false, false, false, false};
   }
 };
-static_assert(sizeof(Effects) == 11, "Effects::none() switches off every one");
+static_assert(sizeof(Effects) == 13, "Effects::none() switches off every one");
 
 /// What the operator and the renderer may set. Defaults suit the linear probe on a neck; see settingsFor().
 struct ImagingSettings {
@@ -47,10 +50,15 @@ struct ImagingSettings {
   std::array<double, 8> tgc_dB{};  ///< sliders from face to depth, -20..20, on top of the built-in compensation
   double dynamicRange_dB = 60;     ///< 20..120
   double persistence = 0;          ///< share of the previous picture, 0..0.95
-  GreyMap greyMap = GreyMap::Soft;
-  bool smoothing = true;          ///< along interfaces, after the logarithm
-  int looks = 3;                  ///< compounded, 1..3
-  double steering_deg = 0;        ///< of the scanlines toward +x, linear probes only; -20..20
+  GrayMap grayMap = GrayMap::Soft;
+  double speckleReduction = 0.4;  ///< share of the image that is smoothed along interfaces, 0..1
+  double edgeEnhancement = 0;     ///< of changes along the beam, 0..1
+  double noise_dB = -44;          ///< RMS of the receiver's noise in one look over unit speckle, before TGC; -120..0
+  double ringing_dB = 20;         ///< the transmitted pulse at the face over unit speckle; -20..60
+  double poorContactLeft_mm = 0, poorContactRight_mm = 0;  ///< strips of the face that the skin does not touch; 0..30
+  std::array<double, 8> lateralGain_dB{};                  ///< sliders from the left to the right scanline, -20..20
+  int looks = 3;                                           ///< compounded, 1..3
+  double steering_deg = 0;                                 ///< of the scanlines toward +x, linear probes only; -20..20
   int compoundingAngles = 1;      ///< spatial compounding, linear probes only: 1, 3 or 5, see steeringAngles_deg()
   int scanlines = 256;            ///< 16..1024
   int samples = 1000;             ///< per scanline, 64..4096
@@ -58,7 +66,7 @@ struct ImagingSettings {
   int width = 820, height = 616;  ///< of the picture, 64..4096
   bool conformingContact = true;  ///< skin follows the face, as under gel and light pressure
   Look look = Look::Coherent;
-  double time_s = 0;  ///< seeds the speckle of the thesis look, to the millisecond, and nothing else; 0..1e6
+  double time_s = 0;  ///< seeds electronic noise and the thesis look's speckle, to the millisecond; 0..1e6
   Effects effects;
 };
 

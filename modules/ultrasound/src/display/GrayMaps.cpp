@@ -1,0 +1,31 @@
+#include <insonate/ultrasound/GrayMaps.h>
+
+#include <array>
+
+namespace insonate {
+namespace {
+
+// Scanners number or letter their maps and publish no curves; these span what such lists offer: a straight line, S
+// curves of two strengths, lifted and lowered middle grays, and a reversed S.
+constexpr std::array kCurves{
+    GrayMapCurve{GrayMap::Linear, "linear", "gray in proportion to the level in dB", 1, 0, 0},
+    // Through (0.34, 0.235), (0.5, 0.4) and (1, 1).
+    GrayMapCurve{GrayMap::Soft, "soft", "a slight S: darks a little darker, brights kept apart", 0.387F, 1.039F,
+                 -0.426F},
+    GrayMapCurve{GrayMap::Contrast, "contrast", "a steep S: dark lumens, bright walls", 0.15F, 2.2F, -1.35F},
+    GrayMapCurve{GrayMap::Bright, "bright", "middle grays lifted", 1.8F, -1.2F, 0.4F},
+    GrayMapCurve{GrayMap::Dark, "dark", "middle grays lowered", 0.2F, 0.8F, 0},
+    GrayMapCurve{GrayMap::Flat, "flat", "a reversed S: detail in darks and brights, little between", 1.6F, -1.6F, 1},
+};
+
+}  // namespace
+
+std::span<const GrayMapCurve> grayMaps() {
+  return kCurves;
+}
+
+const GrayMapCurve& curveOf(GrayMap map) {
+  return kCurves[static_cast<std::size_t>(map)];
+}
+
+}  // namespace insonate

@@ -1,0 +1,176 @@
+#include "display/ReceiveKernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "display/ReceiveKernels.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h, which includes this file once per instruction set.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace insonate::display {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F = hn::CappedTag<float, 16>;
+using I = hn::RebindToSigned<F>;
+using U = hn::RebindToUnsigned<F>;
+
+/// Calls body(i) for each vector of a row that may be read and written up to a multiple of 16 columns. All of them are
+/// computed, whatever the width of the vectors.
+template <class Body>
+HWY_INLINE void overPadded(int columns, const Body& body) {
+  const int lanes = static_cast<int>(hn::Lanes(F())), padded = (columns + 15) / 16 * 16;
+  for (int i = 0; i < padded; i += lanes) body(i);
+}
+
+/// The same for a row without padding of at least 16 columns: the last vector overlaps the one before.
+template <class Body>
+HWY_INLINE void overExact(int columns, const Body& body) {
+  const int lanes = static_cast<int>(hn::Lanes(F()));
+  int i = 0;
+  for (; i + lanes <= columns; i += lanes) body(i);
+  if (i < columns) body(columns - lanes);
+}
+
+template <class V>
+HWY_INLINE V mix(V a, V b, V share) {
+  return hn::Add(a, hn::Mul(share, hn::Sub(b, a)));
+}
+
+/// hash32() of core/Hash.h.
+template <class V>
+HWY_INLINE V hashed(U d, V x) {
+  x = hn::Xor(x, hn::ShiftRight<16>(x));
+  x = hn::Mul(x, hn::Set(d, 0x21f0aaadU));
+  x = hn::Xor(x, hn::ShiftRight<15>(x));
+  x = hn::Mul(x, hn::Set(d, 0x735a2d97U));
+  return hn::Xor(x, hn::ShiftRight<15>(x));
+}
+
+/// The number of ones among a hash's 32 bits, brought to zero mean and unit variance: a binomial distribution, nearly
+/// Gaussian (excess kurtosis -1/16), and more so once rows are mixed.
+template <class V>
+HWY_INLINE auto onesOf(V hash) {
+  const F f;
+  const I di;
+  const auto centered = hn::Sub(hn::BitCast(di, hn::PopulationCount(hash)), hn::Set(di, 16));
+  return hn::Mul(hn::ConvertTo(f, centered), hn::Set(f, 0.353553391F));  // sqrt(1/8)
+}
+
+void whiteRow(const WhiteRow& t) {
+  const F f;
+  const U d;
+  const auto seed = hn::Set(d, t.seed), step = hn::Set(d, 0x8da6b343U), other = hn::Set(d, 0x9e3779b9U);
+  overPadded(t.columns, [&](int i) {
+    const auto column = hn::Iota(d, static_cast<std::uint32_t>(i));
+    const auto first = hashed(d, hn::Xor(hn::Mul(column, step), seed));
+    hn::Store(onesOf(first), f, t.real + i);
+    hn::Store(onesOf(hashed(d, hn::Add(first, other))), f, t.imaginary + i);
+  });
+}
+
+constexpr float kMaxAmplitude = 1e9F;  // louder, and infinite, echoes count as this
+
+template <class V>
+HWY_INLINE V tapped(F d, const NoiseTaps& noise, const float* from, V first, int i) {
+  auto sum = hn::Mul(first, hn::LoadU(d, from + i));
+  for (int tap = 1; tap < 4; ++tap)
+    sum = hn::Add(sum, hn::Mul(hn::Set(d, noise.weight[tap]), hn::LoadU(d, from + tap * noise.stride + i)));
+  return sum;
+}
+
+template <bool kNoise>
+HWY_INLINE void compoundLooks(const CompoundRow& t) {
+  const F d;
+  const auto zero = hn::Zero(d), most = hn::Set(d, kMaxAmplitude);
+  const auto gain = hn::Set(d, t.looks > 0 ? t.gain / static_cast<float>(t.looks) : 0.0F);
+  overExact(t.columns, [&](int i) {
+    auto sum = zero;
+    for (int l = 0; l < t.looks; ++l) {
+      const auto a = hn::LoadU(d, t.look[l] + i);
+      auto usable = hn::IfThenElseZero(hn::Gt(a, zero), hn::Min(a, most));
+      if (t.contact) usable = hn::Mul(usable, hn::LoadU(d, t.contact + i));
+      if constexpr (kNoise) {
+        // The noise's phase does not depend on the echo's, which may therefore be taken as 0.
+        const NoiseTaps& noise = t.noise[l];
+        const auto first = hn::Set(d, noise.weight[0]);
+        const auto real = hn::Add(usable, tapped(d, noise, noise.real, first, i));
+        const auto imaginary = tapped(d, noise, noise.imaginary, first, i);
+        usable = hn::Sqrt(hn::Add(hn::Mul(real, real), hn::Mul(imaginary, imaginary)));
+      }
+      sum = hn::Add(sum, usable);
+    }
+    const auto mean = hn::Mul(sum, gain);
+    hn::StoreU(hn::Mul(mean, mean), d, t.power + i);
+  });
+}
+
+void compoundRow(const CompoundRow& t) {
+  if (t.noise[0].real)
+    compoundLooks<true>(t);
+  else
+    compoundLooks<false>(t);
+  const F d;
+  const auto ceiling = hn::Set(d, t.ceiling);
+  overPadded(t.columns, [&](int i) {
+    hn::Store(hn::Add(hn::Load(d, t.sum + i), hn::Min(hn::Load(d, t.power + i), ceiling)), d, t.sum + i);
+  });
+}
+
+void ringingRow(const RingingRow& t) {
+  const F d;
+  const auto touching = hn::Set(d, t.touching), lifted = hn::Set(d, t.lifted);
+  overPadded(t.columns, [&](int i) {
+    const auto ring = hn::Mul(hn::Load(d, t.line + i), mix(touching, lifted, hn::Load(d, t.lack + i)));
+    hn::Store(hn::Add(hn::Load(d, t.power + i), ring), d, t.power + i);
+  });
+}
+
+void hazeRow(const HazeRow& t) {
+  const F d;
+  const auto side = hn::Set(d, t.spread), middle = hn::Set(d, 1 - 2 * t.spread);
+  const auto tailDecay = hn::Set(d, t.tailDecay), grainDecay = hn::Set(d, t.grainDecay);
+  const auto smooth = hn::Set(d, t.share * t.smoothShare), rough = hn::Set(d, t.share * (1 - t.smoothShare));
+  const auto tiny = hn::Set(d, 1e-20F), most = hn::Set(d, 4.0F);
+  const auto carried = [&](const float* above, int i) {
+    const auto sides = hn::Add(hn::LoadU(d, above + i - 1), hn::LoadU(d, above + i + 1));
+    return hn::Add(hn::Mul(middle, hn::Load(d, above + i)), hn::Mul(side, sides));
+  };
+  overPadded(t.columns, [&](int i) {
+    const auto power = hn::Load(d, t.power + i);
+    const auto tail = mix(power, carried(t.tailAbove, i), tailDecay);
+    const auto grain = mix(power, carried(t.grainAbove, i), grainDecay);
+    hn::Store(tail, d, t.tail + i);
+    hn::Store(grain, d, t.grain + i);
+    const auto speckle = hn::Min(hn::Div(power, hn::Max(grain, tiny)), most);
+    hn::Store(hn::Mul(tail, hn::Add(smooth, hn::Mul(rough, speckle))), d, t.haze + i);
+  });
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace insonate::display
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace insonate::display {
+
+HWY_EXPORT(whiteRow);
+HWY_EXPORT(compoundRow);
+HWY_EXPORT(ringingRow);
+HWY_EXPORT(hazeRow);
+
+void whiteRow(const WhiteRow& task) {
+  HWY_DYNAMIC_DISPATCH(whiteRow)(task);
+}
+void compoundRow(const CompoundRow& task) {
+  HWY_DYNAMIC_DISPATCH(compoundRow)(task);
+}
+void ringingRow(const RingingRow& task) {
+  HWY_DYNAMIC_DISPATCH(ringingRow)(task);
+}
+void hazeRow(const HazeRow& task) {
+  HWY_DYNAMIC_DISPATCH(hazeRow)(task);
+}
+
+}  // namespace insonate::display
+#endif

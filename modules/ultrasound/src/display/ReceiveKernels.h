@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+
+/// The display's inner loops before the logarithm: one row of scanlines each, with the widest instructions that the
+/// processor has. They use no fused multiply-add, so that every processor gives the same image.
+namespace insonate::display {
+
+/// One row of white noise: complex, each part with unit variance. Rows of different seeds are independent.
+struct WhiteRow {
+  std::uint32_t seed;
+  int columns;
+  float *real, *imaginary;
+};
+void whiteRow(const WhiteRow& task);
+
+/// Noise of one look in one row: four rows of white noise, `stride` floats apart, weighted.
+struct NoiseTaps {
+  const float *real = nullptr, *imaginary = nullptr;
+  int stride = 0;
+  float weight[4] = {};
+};
+
+/// Mean of the looks with unusable amplitudes as 0, with noise where there is some, times gain, squared.
+struct CompoundRow {
+  const float* look[3] = {};
+  int looks;
+  int columns;
+  const float* contact = nullptr;  ///< share of the amplitude that a scanline keeps; null for all of it
+  NoiseTaps noise[3] = {};         ///< of each look; none where the first is null
+  float gain;
+  float ceiling;  ///< of what goes into the sum
+  float* power;
+  float* sum;  ///< += min(power, ceiling) over a padded row
+};
+void compoundRow(const CompoundRow& task);
+
+/// Adds the face's own echoes to the power of a row: line[i] (touching + lack[i] (lifted - touching)).
+struct RingingRow {
+  const float *line, *lack;
+  float touching, lifted;
+  int columns;
+  float* power;
+};
+void ringingRow(const RingingRow& task);
+
+/// One block of the haze: both tails carried down from the block above, and what they leave here.
+struct HazeRow {
+  const float* power;       ///< mean of the block
+  const float* tailAbove;   ///< with margins
+  const float* grainAbove;  ///< with margins
+  float spread;             ///< to each neighbour
+  float tailDecay, grainDecay;
+  float share, smoothShare;
+  int columns;
+  float *tail, *grain, *haze;
+};
+void hazeRow(const HazeRow& task);
+
+}  // namespace insonate::display
