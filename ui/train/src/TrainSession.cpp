@@ -31,8 +31,8 @@ auto fields(const Probe& p) {
 auto fields(const ImagingSettings& s) {
   return std::tie(s.depth_mm, s.frequency_MHz, s.focus_mm, s.gain_dB, s.tgc_dB, s.dynamicRange_dB, s.persistence,
                   s.grayMap, s.speckleReduction, s.edgeEnhancement, s.noise_dB, s.ringing_dB, s.poorContactLeft_mm,
-                  s.poorContactRight_mm, s.lateralGain_dB, s.looks, s.scanlines, s.samples, s.elevationPlanes, s.width,
-                  s.height, s.conformingContact, s.look);
+                  s.poorContactRight_mm, s.lateralGain_dB, s.looks, s.steering_deg, s.compoundingAngles, s.scanlines,
+                  s.samples, s.elevationPlanes, s.width, s.height, s.conformingContact, s.look);
 }
 
 template <class T>
@@ -56,6 +56,7 @@ ImagingSettings fitted(ImagingSettings settings, const Probe& probe) {
   settings.poorContactLeft_mm = std::clamp(settings.poorContactLeft_mm, 0.0, 30.0);
   settings.poorContactRight_mm = std::clamp(settings.poorContactRight_mm, 0.0, 30.0);
   settings.looks = std::clamp(settings.looks, 1, 3);
+  settings.steering_deg = std::clamp(settings.steering_deg, -20.0, 20.0);
   settings.scanlines = std::clamp(settings.scanlines, 16, 1024);
   for (auto* sliders : {&settings.tgc_dB, &settings.lateralGain_dB})
     for (double& value : *sliders) value = std::clamp(value, -20.0, 20.0);

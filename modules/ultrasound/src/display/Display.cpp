@@ -119,6 +119,7 @@ void Display::Impl::addHaze() {
     hazeRow({.power = blockPower.row(b),
              .tailAbove = b == 0 ? blockPower.row(0) : tail.row(b - 1),
              .grainAbove = b == 0 ? blockPower.row(0) : grain.row(b - 1),
+             .stride = plan.blocks[b].hazeStride,
              .spread = plan.blocks[b].hazeSpread,
              .tailDecay = plan.hazeDecay,
              .grainDecay = plan.hazeGrainDecay,

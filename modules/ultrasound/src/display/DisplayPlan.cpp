@@ -52,7 +52,10 @@ Block makeBlock(const Probe& probe, const ImagingSettings& settings, const BeamG
   gaussianTaps(kAlongSd * lateral_mm, block.alongStride * spacing_mm, block.alongWeight);
   block.rowsPerSlope = static_cast<float>(axial_mm / lateral_mm * block.alongStride * spacing_mm / grid.step_mm());
   const double variance_mm2 = kHazeSpread_mm * kHazeSpread_mm * block_mm / kHazeTail_mm;
-  block.hazeSpread = static_cast<float>(std::min(variance_mm2 / (2 * spacing_mm * spacing_mm), 0.3));
+  constexpr double kMostShare = 0.25;
+  const double halfVariance = variance_mm2 / (2 * spacing_mm * spacing_mm);
+  block.hazeStride = std::clamp(static_cast<int>(std::ceil(std::sqrt(halfVariance / kMostShare))), 1, Plane::kMargin);
+  block.hazeSpread = static_cast<float>(std::min(halfVariance / (block.hazeStride * block.hazeStride), kMostShare));
   return block;
 }
 

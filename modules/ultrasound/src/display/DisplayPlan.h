@@ -13,9 +13,9 @@ inline constexpr double kMaxTgc_dB = 120;   ///< of the built-in compensation; m
 inline constexpr double kHeadroom_dB = 15;  ///< levels kept below black and above white until smoothing is done
 
 /// Haze: side lobes and reverberation leak a share of the echoes above into quiet regions.
-inline constexpr double kHazeShare_dB = -8.6;
+inline constexpr double kHazeShare_dB = -10.5;
 inline constexpr double kHazeTail_mm = 2.2;
-inline constexpr double kHazeSpread_mm = 1.0;    ///< lateral SD gained over one tail
+inline constexpr double kHazeSpread_mm = 2.0;    ///< lateral SD gained over one tail
 inline constexpr double kHazeSmoothShare = 0.6;  ///< the rest is modulated by the local speckle
 inline constexpr double kHazeGrain_mm = 0.7;     ///< tail of the local mean that speckle is compared with
 inline constexpr double kHazeCeiling_dB = 8;     ///< echoes above this leak no more than this
@@ -53,7 +53,8 @@ struct Block {
   int alongStride = 1;                   ///< scanlines between the 7 taps
   float alongWeight[4] = {};
   float rowsPerSlope = 0;  ///< rows per along-tap for an interface of slope 1 (FWHM per FWHM)
-  float hazeSpread = 0;    ///< share of each neighbouring scanline, per block
+  int hazeStride = 1;      ///< scanlines to the neighbors that haze spreads from
+  float hazeSpread = 0;    ///< share of each of them, per block
 };
 
 /// Everything that follows from probe and settings alone.

@@ -133,7 +133,7 @@ void hazeRow(const HazeRow& t) {
   const auto smooth = hn::Set(d, t.share * t.smoothShare), rough = hn::Set(d, t.share * (1 - t.smoothShare));
   const auto tiny = hn::Set(d, 1e-20F), most = hn::Set(d, 4.0F);
   const auto carried = [&](const float* above, int i) {
-    const auto sides = hn::Add(hn::LoadU(d, above + i - 1), hn::LoadU(d, above + i + 1));
+    const auto sides = hn::Add(hn::LoadU(d, above + i - t.stride), hn::LoadU(d, above + i + t.stride));
     return hn::Add(hn::Mul(middle, hn::Load(d, above + i)), hn::Mul(side, sides));
   };
   overPadded(t.columns, [&](int i) {

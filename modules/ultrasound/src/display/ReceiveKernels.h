@@ -49,7 +49,8 @@ struct HazeRow {
   const float* power;       ///< mean of the block
   const float* tailAbove;   ///< with margins
   const float* grainAbove;  ///< with margins
-  float spread;             ///< to each neighbour
+  int stride;               ///< scanlines to the neighbors
+  float spread;             ///< to each neighbor
   float tailDecay, grainDecay;
   float share, smoothShare;
   int columns;
