@@ -132,9 +132,13 @@ void hazeRow(const HazeRow& t) {
   const auto tailDecay = hn::Set(d, t.tailDecay), grainDecay = hn::Set(d, t.grainDecay);
   const auto smooth = hn::Set(d, t.share * t.smoothShare), rough = hn::Set(d, t.share * (1 - t.smoothShare));
   const auto tiny = hn::Set(d, 1e-20F), most = hn::Set(d, 4.0F);
+  const auto half = hn::Set(d, 0.5F);
   const auto carried = [&](const float* above, int i) {
     const auto sides = hn::Add(hn::LoadU(d, above + i - t.stride), hn::LoadU(d, above + i + t.stride));
-    return hn::Add(hn::Mul(middle, hn::Load(d, above + i)), hn::Mul(side, sides));
+    // The nearest ones too: a comb would keep what lies between its teeth.
+    const auto near = hn::Add(hn::LoadU(d, above + i - 1), hn::LoadU(d, above + i + 1));
+    const auto here = hn::MulAdd(hn::Sub(hn::Mul(near, half), hn::Load(d, above + i)), half, hn::Load(d, above + i));
+    return hn::Add(hn::Mul(middle, here), hn::Mul(side, sides));
   };
   overPadded(t.columns, [&](int i) {
     const auto power = hn::Load(d, t.power + i);
