@@ -25,9 +25,10 @@ struct SourceImage {
 /// Fails, naming the line, on a file that cannot be read or measured, and on a list without images.
 Result<std::vector<SourceImage>> readRealImages(const std::filesystem::path& list);
 
-/// So many images of built-in necks, each with another neck, view, place, depth, frequency, gain and dynamic range,
-/// drawn at random within what people choose; every other setting is the default. Each is cut to the size of one of
-/// `real`, in turn. The same seed gives the same images. A second or two each.
+/// So many images of built-in necks, each with another neck, view and place, on one of machines(), with depth,
+/// frequency, gain, dynamic range, gray map and contact of the probe's ends drawn at random, about as far apart as those
+/// of real sources. Each is cut to the size of one of `real`, in turn. The same seed gives the same images. A second or
+/// two each.
 Result<std::vector<SourceImage>> simulatedImages(int count, unsigned seed, const std::vector<SourceImage>& real,
                                                  const Progress& progress = {});
 
