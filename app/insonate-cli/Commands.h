@@ -31,6 +31,7 @@ void addBenchCommand(CLI::App& app, Outcome& outcome);
 void addSurfacesCommand(CLI::App& app, Outcome& outcome);
 void addFitCommand(CLI::App& app, Outcome& outcome);
 void addDevicesCommand(CLI::App& app, Outcome& outcome);
+void addMachinesCommand(CLI::App& app, Outcome& outcome);
 void addSessionCommand(CLI::App& app, Outcome& outcome);
 void addReplayCommand(CLI::App& app, Outcome& outcome);
 void addLabelCommand(CLI::App& app, Outcome& outcome);

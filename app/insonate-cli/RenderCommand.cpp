@@ -11,6 +11,7 @@
 #include <insonate/simulator/Imager.h>
 #include <insonate/simulator/PoseChecks.h>
 #include <insonate/simulator/ProbePose.h>
+#include <insonate/ultrasound/Machine.h>
 
 #include <nlohmann/json.hpp>
 
@@ -25,7 +26,7 @@ namespace insonate::cli {
 namespace {
 
 struct RenderOptions {
-  std::string caseFolder, probe = "linear", pose = "auto", engine = "auto", tissues, settings, look;
+  std::string caseFolder, probe = "linear", pose = "auto", engine = "auto", machine, tissues, settings, look;
   OutputTargets targets;
   PressOptions press;
   NeedleOptions needle;
@@ -49,6 +50,11 @@ Result<ImagingSetup> readSetup(const RenderOptions& options) {
   if (!probe) return tl::unexpected(probe.error());
   setup.probe = *probe;
   setup.settings = settingsFor(setup.probe);
+  if (!options.machine.empty()) {
+    auto settings = settingsOf(options.machine, setup.probe, setup.settings);
+    if (!settings) return tl::unexpected(settings.error());
+    setup.settings = *settings;
+  }
   if (!options.settings.empty()) {
     auto settings = loadSettings(options.settings, setup.settings);
     if (!settings) return tl::unexpected(settings.error());
@@ -285,7 +291,9 @@ void addRenderCommand(CLI::App& app, Outcome& outcome) {
       ->check(notEmpty());
   command->add_option("--engine", options->engine, "auto, cpu, glsl or reference")->capture_default_str();
   command->add_option("--tissues", options->tissues, "Tissue preset or file; by default neck, for look thesis thesis");
-  command->add_option("--settings", options->settings, "JSON file of imaging settings to override");
+  command->add_option("--machine", options->machine, "Class of machines whose settings to take; see machines")
+      ->check(notEmpty());
+  command->add_option("--settings", options->settings, "JSON file of imaging settings to override, also the machine's");
   command->add_option("--look", options->look, "coherent or thesis")->check(CLI::IsMember({"coherent", "thesis"}));
   command->add_option("--layers", options->targets.layers, "Folder for one picture per effect alone");
   command->add_option("--envelope", options->targets.envelope, "NRRD to write: linear echo amplitude of one look");

@@ -160,6 +160,22 @@ TEST_F(RenderCommand, AProbeInTheAirGivesAnImageWithoutEchoesAndAWarning) {
   EXPECT_THAT(json::parse(result.output)["warnings"].dump(), HasSubstr("The image shows no echoes"));
 }
 
+TEST_F(RenderCommand, MachinesAreListedAndMakeTheirOwnImages) {
+  const auto list = test::runCommand("machines", shared_->errors());
+  ASSERT_EQ(list.status, 0);
+  const json report = json::parse(test::runCommand("machines --json", shared_->errors()).output);
+  ASSERT_EQ(render("--out " + shellWord(out("own.png"))).status, 0);
+  std::set<std::string> images{bytesOf(out("own.png"))};
+  for (const json& machine : report["machines"]) {
+    const auto name = machine["name"].get<std::string>();
+    EXPECT_THAT(list.output, HasSubstr(name + "\t" + machine["about"].get<std::string>()));
+    const auto result = render("--machine " + name + " --out " + shellWord(out(name + ".png")));
+    ASSERT_EQ(result.status, 0) << result.errors;
+    EXPECT_TRUE(images.insert(bytesOf(out(name + ".png"))).second) << name << " looks like another";
+  }
+  EXPECT_EQ(images.size(), 6U);
+}
+
 TEST_F(RenderCommand, BadInputIsRefusedWithASentenceAndLeavesNothing) {
   const std::string picture = " --out " + shellWord(out("f.png"));
   expectRefusal(
@@ -171,6 +187,7 @@ TEST_F(RenderCommand, BadInputIsRefusedWithASentenceAndLeavesNothing) {
   expectRefusal("--pose nowhere" + picture, "nowhere");
   expectRefusal("--probe trapezoid" + picture, "trapezoid");
   expectRefusal("--tissues nek" + picture, "neck");
+  expectRefusal("--machine cart-1950" + picture, "there is no machine named 'cart-1950'; machines are cart-2024");
   expectRefusal("--out " + shellWord(out("f.jpg")), ".png");
   expectRefusal("--out " + shellWord(out("none/f.png")), "does not exist");
   expectRefusal("--envelope " + shellWord(out("none/e.nrrd")) + picture, "does not exist");

@@ -24,24 +24,6 @@ TEST_F(TrainWindow, FirstPictureArrives) {
       kPatience_ms));
 }
 
-TEST_F(TrainWindow, EachSliderChangesItsSetting) {
-  const auto set = [&](const char* name, double value) { child<ui::ValueSlider>(name)->setValue(value); };
-  set("depth", 60), set("gain", 7), set("frequency", 9), set("focus", 31), set("dynamicRange", 75);
-  set("persistence", 0.4);
-  const ImagingSettings& settings = session_->settings();
-  EXPECT_EQ(settings.depth_mm, 60);
-  EXPECT_EQ(settings.gain_dB, 7);
-  EXPECT_EQ(settings.frequency_MHz, 9);
-  EXPECT_EQ(settings.focus_mm, 31);
-  EXPECT_EQ(settings.dynamicRange_dB, 75);
-  EXPECT_EQ(settings.persistence, 0.4);
-
-  auto* tgc = child<QWidget>("tgc");
-  QTest::mouseClick(tgc, Qt::LeftButton, {}, {tgc->width() - 1, tgc->height() - 1});
-  EXPECT_EQ(settings.tgc_dB[7], 20);
-  EXPECT_EQ(settings.tgc_dB[0], 0);
-}
-
 TEST_F(TrainWindow, SettingsReachThePicture) {
   openCase();
   child<ui::ValueSlider>("depth")->setValue(30);

@@ -5,15 +5,17 @@
 #include "../probe/ProbeChooser.h"
 #include "../tissue/TissueControls.h"
 #include "EffectWords.h"
+#include "GainSliders.h"
+#include "MachineChooser.h"
 #include "Positions.h"
 #include "ProbeNumbers.h"
-#include "TgcSliders.h"
 
 #include <insonate/simulator/EffectLayers.h>
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 #include <insonate/ui/Widgets.h>
+#include <insonate/ultrasound/GrayMaps.h>
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -38,30 +40,54 @@ struct SliderRow {
   const char* hint;
   double step;
   int decimals;
+  double least = 0, most = 0;  ///< alike where the probe or the depth decides
 };
 constexpr SliderRow kSliders[] = {
     {&Settings::depth_mm, "depth", "depth", "mm", "how deep the image goes", 5, 0},
-    {&Settings::gain_dB, "gain", "gain", "dB", "brightness of the whole image", 1, 0},
+    {&Settings::gain_dB, "gain", "gain", "dB", "brightness of the whole image", 1, 0, -40, 40},
     {&Settings::frequency_MHz, "frequency", "frequency", "MHz", "higher: finer, and less deep", 0.5, 1},
     {&Settings::focus_mm, "focus", "focus", "mm", "where the beam is narrowest", 1, 0},
-    {&Settings::dynamicRange_dB, "dynamicRange", "dynamic range", "dB", "more: softer grays", 5, 0},
-    {&Settings::persistence, "persistence", "persistence", "", "share of the image before", 0.05, 2},
+    {&Settings::dynamicRange_dB, "dynamicRange", "dynamic range", "dB", "more: softer grays", 5, 0, 20, 120},
+    {&Settings::persistence, "persistence", "persistence", "", "share of the image before", 0.05, 2, 0, 0.95},
+    {&Settings::speckleReduction, "speckleReduction", "speckle reduction", "", "smooths speckle and follows boundaries",
+     0.05, 2, 0, 1},
+    {&Settings::edgeEnhancement, "edgeEnhancement", "edge enhancement", "", "sharpens boundaries across the beam", 0.05,
+     2, 0, 1},
+    {&Settings::noise_dB, "noise", "noise", "dB", "electronic noise, before TGC; higher: less penetration", 1, 0, -120,
+     0},
+    {&Settings::ringing_dB, "ringing", "ringing", "dB", "bright bands of the probe itself below its face", 1, 0, -20,
+     60},
+    {&Settings::poorContactLeft_mm, "poorContactLeft", "no contact, left", "mm",
+     "strip of the face that the skin does not touch", 0.5, 1, 0, 30},
+    {&Settings::poorContactRight_mm, "poorContactRight", "no contact, right", "mm",
+     "strip of the face that the skin does not touch", 0.5, 1, 0, 30},
 };
 constexpr std::size_t kBeforeTgc = 5;
 
 ui::ValueRange rangeOf(double Settings::*field, const Probe& probe, const Settings& settings) {
   const Settings usual = settingsFor(probe);
+  const SliderRow* row = std::ranges::find(kSliders, field, &SliderRow::field);
   const auto range = [&](double least, double most) {
-    const SliderRow* row = std::ranges::find(kSliders, field, &SliderRow::field);
     return ui::ValueRange{least, most, std::clamp(usual.*field, least, most), row->step, row->decimals};
   };
   if (field == &Settings::depth_mm) return range(probe.minDepth_mm, probe.maxDepth_mm);
   if (field == &Settings::frequency_MHz) return range(probe.minFrequency_MHz, probe.maxFrequency_MHz);
   if (field == &Settings::focus_mm) return range(1, settings.depth_mm);
-  if (field == &Settings::gain_dB) return range(-40, 40);
-  if (field == &Settings::dynamicRange_dB) return range(20, 120);
-  return range(0, 0.95);
+  return range(row->least, row->most);
 }
+
+struct GainsKey {
+  const char* key;  ///< of the stored values
+  std::array<double, 8> Settings::*field;
+};
+constexpr GainsKey kGains[] = {{"tgc", &Settings::tgc_dB}, {"lateralGain", &Settings::lateralGain_dB}};
+
+/// Decided by the machine alone.
+struct CountKey {
+  const char* key;
+  int Settings::*field;
+};
+constexpr CountKey kCounts[] = {{"looks", &Settings::looks}, {"scanlines", &Settings::scanlines}};
 
 QVBoxLayout* column(QWidget* widget) {
   auto* box = new QVBoxLayout(widget);
@@ -140,7 +166,7 @@ QWidget* ControlsPanel::labelled(const QString& name, QWidget* widget) {
   box->setSpacing(8);
   auto* label = new QLabel(name, row);
   ui::setRole(label, "quiet");
-  label->setMinimumWidth(label->fontMetrics().horizontalAdvance(tr("persist")));
+  label->setMinimumWidth(label->fontMetrics().horizontalAdvance(tr("gray map")));
   widget->setAccessibleName(name);
   box->addWidget(label);
   box->addWidget(widget, 1);
@@ -153,16 +179,8 @@ QWidget* ControlsPanel::buildPicture() {
   box->addWidget(ui::heading(tr("Image")));
   probe_ = new ProbeChooser(session_, library_);
   box->addWidget(labelled(tr("probe"), probe_));
-  addSliders(*box, 0, kBeforeTgc);
-  tgc_ = new TgcSliders;
-  tgc_->setObjectName("tgc");
-  tgc_->setChanged([this] {
-    Settings settings = session_.settings();
-    settings.tgc_dB = tgc_->values();
-    session_.setSettings(settings);
-  });
-  box->addWidget(labelled(tr("TGC"), tgc_));
-  addSliders(*box, kBeforeTgc, std::size(kSliders));
+  box->addWidget(labelled(tr("machine"), new MachineChooser(session_)));
+  buildProcessing(*box);
   look_ = new QComboBox;
   look_->setObjectName("look");
   look_->addItem(tr("natural"), int(Look::Coherent));
@@ -175,7 +193,7 @@ QWidget* ControlsPanel::buildPicture() {
   effect_->setToolTip(tr("The whole image, or one effect of the model by itself (N, Shift+N; 0 for the whole)"));
   anatomy_.push_back(labelled(tr("show"), effect_));
   box->addWidget(anatomy_.back());
-  for (QComboBox* combo : {look_, effect_}) {
+  for (QComboBox* combo : {grayMap_, look_, effect_}) {
     new ui::QuietWheel(combo);
     combo->setFocusPolicy(Qt::TabFocus);
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -189,6 +207,44 @@ QWidget* ControlsPanel::buildPicture() {
   connect(effect_, qOverload<int>(&QComboBox::activated), this,
           [this] { session_.setEffect(effect_->currentData().toString().toStdString()); });
   return picture;
+}
+
+void ControlsPanel::buildProcessing(QVBoxLayout& box) {
+  addSliders(box, 0, kBeforeTgc);
+  tgc_ = gains(&Settings::tgc_dB,
+               new GainSliders(Qt::Vertical, tr("Time-gain compensation"),
+                               tr("Gain by depth, from the face down. Double click resets one, with Shift all.")));
+  tgc_->setObjectName("tgc");
+  box.addWidget(labelled(tr("TGC"), tgc_));
+  lateral_ = gains(&Settings::lateralGain_dB,
+                   new GainSliders(Qt::Horizontal, tr("Lateral gain"),
+                                   tr("Gain from left to right. Double click resets one, with Shift all.")));
+  lateral_->setObjectName("lateralGain");
+  box.addWidget(labelled(tr("lateral"), lateral_));
+  addSliders(box, kBeforeTgc, std::size(kSliders));
+  grayMap_ = new QComboBox;
+  grayMap_->setObjectName("grayMap");
+  grayMap_->setToolTip(tr("How levels of echo become grays"));
+  for (const GrayMapCurve& curve : grayMaps()) {
+    grayMap_->addItem(QString::fromUtf8(curve.name.data(), int(curve.name.size())), int(curve.map));
+    grayMap_->setItemData(grayMap_->count() - 1, QString::fromUtf8(curve.about.data(), int(curve.about.size())),
+                          Qt::ToolTipRole);
+  }
+  connect(grayMap_, qOverload<int>(&QComboBox::activated), this, [this] {
+    Settings settings = session_.settings();
+    settings.grayMap = GrayMap(grayMap_->currentData().toInt());
+    session_.setSettings(settings);
+  });
+  box.addWidget(labelled(tr("gray map"), grayMap_));
+}
+
+GainSliders* ControlsPanel::gains(std::array<double, 8> Settings::*field, GainSliders* sliders) {
+  sliders->setChanged([this, field, sliders] {
+    Settings settings = session_.settings();
+    settings.*field = sliders->values();
+    session_.setSettings(settings);
+  });
+  return sliders;
 }
 
 QWidget* ControlsPanel::buildFreeze() {
@@ -221,6 +277,8 @@ void ControlsPanel::refresh() {
     slider.widget->setValue(settings.*slider.field);
   }
   tgc_->setValues(settings.tgc_dB);
+  lateral_->setValues(settings.lateralGain_dB);
+  grayMap_->setCurrentIndex(grayMap_->findData(int(settings.grayMap)));
   look_->setCurrentIndex(look_->findData(int(settings.look)));
   effect_->clear();
   effect_->addItem(tr("the whole image"), QString());
@@ -239,9 +297,13 @@ void ControlsPanel::refreshFreeze() {
 void ControlsPanel::save(QSettings& settings) const {
   settings.setValue("probe", probe_->key().isEmpty() ? QString::fromStdString(session_.probe().name) : probe_->key());
   for (const SliderRow& row : kSliders) settings.setValue(row.object, session_.settings().*row.field);
-  QVariantList tgc;
-  for (double value : session_.settings().tgc_dB) tgc << value;
-  settings.setValue("tgc", tgc);
+  for (const auto& [key, field] : kGains) {
+    QVariantList list;
+    for (double value : session_.settings().*field) list << value;
+    settings.setValue(key, list);
+  }
+  settings.setValue("grayMap", int(session_.settings().grayMap));
+  for (const auto& [key, field] : kCounts) settings.setValue(key, session_.settings().*field);
   settings.setValue("look", int(session_.settings().look));
   settings.beginGroup("tissue");
   saveTissue(session_.tissue(), settings);
@@ -260,9 +322,14 @@ void ControlsPanel::restore(QSettings& settings) {
     const double value = settings.value(row.object).toDouble(&ok);
     if (ok && std::isfinite(value)) all.*row.field = value;
   }
-  const QVariantList tgc = settings.value("tgc").toList();
-  for (int i = 0; i < int(all.tgc_dB.size()) && i < tgc.size(); ++i)
-    if (std::isfinite(tgc[i].toDouble())) all.tgc_dB[i] = tgc[i].toDouble();
+  for (const auto& [key, field] : kGains) {
+    const QVariantList list = settings.value(key).toList();
+    for (int i = 0; i < int((all.*field).size()) && i < list.size(); ++i)
+      if (std::isfinite(list[i].toDouble())) (all.*field)[i] = list[i].toDouble();
+  }
+  const int map = settings.value("grayMap", int(all.grayMap)).toInt();
+  if (grayMap_->findData(map) >= 0) all.grayMap = GrayMap(map);
+  for (const auto& [key, field] : kCounts) all.*field = settings.value(key, all.*field).toInt();
   all.look = settings.value("look").toInt() == int(Look::Thesis) ? Look::Thesis : Look::Coherent;
   session_.setSettings(all);
   settings.beginGroup("tissue");

@@ -2,6 +2,7 @@
 
 #include "ScrollingColumn.h"
 
+#include <array>
 #include <vector>
 
 class QComboBox;
@@ -18,12 +19,12 @@ class ValueSlider;
 
 namespace insonate::train {
 
+class GainSliders;
 class NeedleControls;
 class Positions;
 class ProbeChooser;
 class ProbeLibrary;
 class ProbeNumbers;
-class TgcSliders;
 class TrainSession;
 
 /// The narrow panel: where the probe is, and how the picture is made, the most used first; freeze at its foot.
@@ -44,6 +45,8 @@ class ControlsPanel : public ScrollingColumn {
   };
   QWidget* buildPlace();
   QWidget* buildPicture();
+  void buildProcessing(QVBoxLayout& box);
+  GainSliders* gains(std::array<double, 8> ImagingSettings::*field, GainSliders* sliders);
   QWidget* buildFreeze();
   void addSliders(QVBoxLayout& box, std::size_t first, std::size_t last);
   QWidget* labelled(const QString& name, QWidget* widget);
@@ -58,7 +61,9 @@ class ControlsPanel : public ScrollingColumn {
   NeedleControls* needle_ = nullptr;
   ProbeChooser* probe_ = nullptr;
   std::vector<Slider> sliders_;
-  TgcSliders* tgc_ = nullptr;
+  GainSliders* tgc_ = nullptr;
+  GainSliders* lateral_ = nullptr;
+  QComboBox* grayMap_ = nullptr;
   QComboBox* look_ = nullptr;
   QComboBox* effect_ = nullptr;
   std::vector<QWidget*> anatomy_;  ///< not shown where anatomy is not disclosed

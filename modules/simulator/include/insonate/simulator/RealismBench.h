@@ -32,10 +32,10 @@ struct SimulatedSet {
   std::vector<std::filesystem::path> cases;  ///< case folders beside the built-in necks: CTs of patients, atlases
 };
 
-/// Images of built-in necks and the given cases, two of each in turn, each with another view, place, compression,
-/// depth, frequency, gain and dynamic range, drawn at random within what people choose; every other setting is the
-/// default. Each is cut to the size of one of `real`, in turn. The same set gives the same images. A few seconds each.
-/// Fails on a case that cannot be read or has no skin.
+/// Images of built-in necks and the given cases, two of each in turn, each with another view, place and
+/// compression, on one of machines(), with depth, frequency, gain, dynamic range, gray map and contact of the probe's
+/// ends drawn at random, about as far apart as those of real sources. Each is cut to the size of one of `real`, in
+/// turn. The same set gives the same images. A few seconds each. Fails on a case that cannot be read or has no skin.
 Result<std::vector<SourceImage>> simulatedImages(const SimulatedSet& set, const std::vector<SourceImage>& real,
                                                  const Progress& progress = {});
 

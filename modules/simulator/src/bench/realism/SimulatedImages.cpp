@@ -7,6 +7,8 @@
 #include <insonate/simulator/PressedTissue.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/simulator/RealismBench.h>
+#include <insonate/ultrasound/GrayMaps.h>
+#include <insonate/ultrasound/Machine.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +22,8 @@ namespace {
 
 constexpr int kImagesOfANeck = 2;
 constexpr double kLargestForce_N = 4;  ///< light to firm compression with the whole face
+constexpr double kOtherMap = 0.5;      ///< share of the images with another gray map than their machine's
+constexpr double kPoorContact = 0.3;   ///< share of those where an end of the probe does not touch the skin
 
 class Choices {
  public:
@@ -38,7 +42,23 @@ struct Drawn {
   std::string about;
 };
 
-/// The start pose moved along the skin and turned about its axis, with settings as people choose them for a neck.
+/// Settings as people choose them for a neck at a machine: its own, moved as far as real images differ in brightness,
+/// contrast and depth.
+ImagingSettings chosenSettings(ImagingSettings settings, const Probe& probe, Choices& choices) {
+  settings.depth_mm = std::round(choices.between(30, 45));
+  const double frequency_MHz = settings.frequency_MHz + choices.between(-1.5, 1.5);
+  settings.frequency_MHz =
+      std::clamp(std::round(2 * frequency_MHz) / 2, probe.minFrequency_MHz, probe.maxFrequency_MHz);
+  settings.focus_mm = std::round(settings.depth_mm * choices.between(0.35, 0.65));
+  settings.gain_dB = std::round(settings.gain_dB + choices.between(-8, 14));
+  settings.dynamicRange_dB = std::round(std::clamp(settings.dynamicRange_dB + choices.between(-12, 18), 40.0, 80.0));
+  if (choices.between(0, 1) < kOtherMap) settings.grayMap = grayMaps()[choices.index(grayMaps().size())].map;
+  double* const end = choices.between(0, 1) < 0.5 ? &settings.poorContactLeft_mm : &settings.poorContactRight_mm;
+  if (choices.between(0, 1) < kPoorContact) *end = std::round(choices.between(1, 7));
+  return settings;
+}
+
+/// The start pose moved along the skin and turned about its axis, on one of the machines.
 Result<Drawn> drawn(const std::vector<StartPose>& views, const Probe& probe, const AcousticTable& tissues,
                     Choices& choices) {
   const StartPose& view = views[choices.index(views.size())];
@@ -48,17 +68,17 @@ Result<Drawn> drawn(const std::vector<StartPose>& views, const Probe& probe, con
       patientFromProbe(view.position_mm + view.lateral * choices.between(-4, 4) + elevation * choices.between(-8, 8),
                        view.axial, view.lateral * std::cos(turn) + elevation * std::sin(turn));
   if (!pose) return tl::unexpected(pose.error());
-  Drawn one{{probe, settingsFor(probe), tissues}, *pose, choices.between(0, kLargestForce_N), {}};
-  ImagingSettings& settings = one.setup.settings;
-  settings.depth_mm = std::round(choices.between(30, 45));
-  settings.frequency_MHz = std::round(2 * choices.between(7, std::min(12.0, probe.maxFrequency_MHz))) / 2;
-  settings.focus_mm = std::round(settings.depth_mm * choices.between(0.35, 0.65));
-  settings.gain_dB = std::round(choices.between(-6, 6));
-  settings.dynamicRange_dB = std::round(choices.between(50, 72));
+  const Machine& machine = machines()[choices.index(machines().size())];
+  const auto own = settingsOf(machine.name, probe, settingsFor(probe));
+  if (!own) return tl::unexpected(own.error());
+  const ImagingSettings settings = chosenSettings(*own, probe, choices);
+  Drawn one{{probe, settings, tissues}, *pose, choices.between(0, kLargestForce_N), {}};
   char text[200];
-  std::snprintf(text, sizeof text, "%s, turned %.0f degrees, %.1f N, %.0f mm, %.1f MHz, gain %.0f dB, range %.0f dB",
-                view.name.c_str(), turn * 180 / std::numbers::pi, one.force_N, settings.depth_mm,
-                settings.frequency_MHz, settings.gain_dB, settings.dynamicRange_dB);
+  std::snprintf(text, sizeof text,
+                "%s, %s, turned %.0f degrees, %.1f N, %.0f mm, %.1f MHz, gain %.0f dB, range %.0f dB, map %s",
+                machine.name.c_str(), view.name.c_str(), turn * 180 / std::numbers::pi, one.force_N, settings.depth_mm,
+                settings.frequency_MHz, settings.gain_dB, settings.dynamicRange_dB,
+                std::string(curveOf(settings.grayMap).name).c_str());
   one.about = text;
   return one;
 }
@@ -80,7 +100,8 @@ GreyPicture cutLike(const GreyPicture& image, const GreyPicture& other) {
   return bench::cutOut(image.grey, image.width, {(image.width - width) / 2, 0, width, height});
 }
 
-Result<SourceImage> imageOf(const PatientCase& patient, const std::string& neck, const Drawn& one) {
+Result<SourceImage> imageOf(const PatientCase& patient, const std::string& neck, const Drawn& one,
+                            std::uint32_t noiseSeed) {
   constexpr double kGivesWay_mm = 15;
   Region region = regionOf(one.setup.probe, one.setup.settings, one.patientFromProbe);
   const Vec3 margin{kGivesWay_mm, kGivesWay_mm, kGivesWay_mm};
@@ -93,6 +114,7 @@ Result<SourceImage> imageOf(const PatientCase& patient, const std::string& neck,
   auto imager = Imager::make(one.setup);
   if (!imager) return tl::unexpected(imager.error());
   ImagingFrame frame;
+  frame.noiseSeed = noiseSeed;
   imager->render(**scene, tissue->pose(), tissue->deformation().displacement, nullptr, frame);
   auto scaled = atLookScale(insideOf(frame.image, one), 1 / frame.image.pixel_mm);
   if (!scaled) return tl::unexpected(scaled.error());
@@ -157,7 +179,7 @@ Result<std::vector<SourceImage>> simulatedImages(const SimulatedSet& set, const 
     for (int n = 0; n < kImagesOfANeck && int(images.size()) < set.count; ++n) {
       const auto one = drawn(patient->views, *probe, *tissues, choices);
       if (!one) return tl::unexpected(one.error());
-      auto image = imageOf(patient->data, patient->name, *one);
+      auto image = imageOf(patient->data, patient->name, *one, std::uint32_t(images.size()));
       if (!image) return tl::unexpected(image.error());
       if (!real.empty()) image->image = cutLike(image->image, real[images.size() % real.size()].image);
       images.push_back(std::move(*image));
