@@ -17,7 +17,7 @@ FLOORS = {
 GENERATED = "embedded"
 
 TOP_LEVEL = {
-    "CMakeLists.txt", "CMakePresets.json", "README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "LICENSE",
+    "CMakeLists.txt", "CMakePresets.json", "README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "LICENSE",
     "app", "modules", "ui", "resources", "shaders", "tests", "packaging",
     ".ci", ".clang-format", ".clang-tidy", ".gitignore", ".git", "build",
 }
