@@ -81,6 +81,19 @@ TEST(LiveImaging, PersistenceSettlesAndThenRests) {
   EXPECT_LE(greatestDifference(settled->image, freshPicture(*wideCase(), setup, poseAt(8))), 1);
 }
 
+TEST(LiveImaging, EachFrameHasElectronicNoiseOfItsOwn) {
+  ImagingSetup setup = smallSetup();
+  setup.settings.effects.noise = true, setup.settings.noise_dB = -10;
+  Live live(poseAt(0), setup);
+  const Frame first = live.frameAt(poseAt(0));
+  ASSERT_TRUE(first && live.frameAt(poseAt(8)));
+  const Frame again = live.frameAt(poseAt(0));
+  ASSERT_TRUE(again);
+  EXPECT_GT(greatestDifference(first->image, again->image), 20);
+  for (const Frame& frame : {first, again})
+    EXPECT_LE(greatestDifference(frame->image, freshPicture(*wideCase(), setup, poseAt(0), frame->number)), 1);
+}
+
 TEST(LiveImaging, PicturesDoNotDependOnTheSceneTheyAreMadeFrom) {
   LiveOptions options;
   options.sceneMargin_mm = 10, options.sceneReserve_mm = 6;

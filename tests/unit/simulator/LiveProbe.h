@@ -55,11 +55,13 @@ inline std::shared_ptr<const PatientCase> wideCase() {
   return patient;
 }
 
-inline BModeImage freshPicture(const PatientCase& patient, const ImagingSetup& setup, const Transform& pose) {
+inline BModeImage freshPicture(const PatientCase& patient, const ImagingSetup& setup, const Transform& pose,
+                               std::uint64_t noiseSeed = 0) {
   auto imager = Imager::make(setup);
   auto scene = makeScene(patient, setup, regionOf(setup.probe, setup.settings, pose));
   EXPECT_TRUE(imager && scene);
   ImagingFrame frame;
+  frame.noiseSeed = static_cast<std::uint32_t>(noiseSeed);
   imager->render(**scene, pose, frame);
   return frame.image;
 }

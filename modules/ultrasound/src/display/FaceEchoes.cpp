@@ -12,17 +12,19 @@ namespace {
 
 constexpr double kRinging_mm = 0.18;  ///< in which the ringing of the elements falls to 1/e
 constexpr double kLens_mm = 0.75;  ///< between echoes of the lens, as the image shows them at the sound speed of tissue
-constexpr double kSkinEcho = 0.22, kAirEcho = 0.62;     ///< what each echo of the lens keeps of the one before
-constexpr double kInaudible = 1e-3;                     ///< of an amplitude at the face
+constexpr double kSkinEcho = 0.22, kAirEcho = 0.5;  ///< what each echo of the lens keeps of the one before
+constexpr double kSpread = 0.35;     ///< by which each echo is longer than the one before, in pulses: the lens absorbs
+constexpr double kInaudible = 1e-3;  ///< of an amplitude at the face
 constexpr double kElements_dB = 2, kElements_mm = 0.9;  ///< range of the difference between elements, and its width
-constexpr double kLifted_dB = -28, kTaper_mm = 1.5;     ///< what passes through air, and how contact returns
+constexpr double kLifted_dB = -28, kTaper_mm = 3;       ///< what passes through air, and how contact returns
 
 /// Amplitude at a depth, 1 at the face.
 double ringing(double depth_mm, double pulse_mm, double lensEcho) {
   double sum = std::exp(-depth_mm / kRinging_mm), echo = 1;
   for (int n = 1; echo > kInaudible; ++n) {
     echo *= lensEcho;
-    sum += echo * std::exp(-4 * std::log(2.0) * std::pow((depth_mm - n * kLens_mm) / pulse_mm, 2));
+    const double length_mm = pulse_mm * (1 + kSpread * n);
+    sum += echo * std::exp(-4 * std::log(2.0) * std::pow((depth_mm - n * kLens_mm) / length_mm, 2));
   }
   return sum;
 }
@@ -46,9 +48,9 @@ void FaceEchoes::findContact(const Probe& probe, const ImagingSettings& settings
   // All scanlines of a phased array use all of it.
   if (probe.shape == ProbeShape::Phased) return;
   for (int l = 0; l < columns_; ++l) {
-    const double left = (settings.poorContactLeft_mm - l * spacing_mm) / kTaper_mm;
-    const double right = (settings.poorContactRight_mm - (columns_ - 1 - l) * spacing_mm) / kTaper_mm;
-    const double lifted = std::clamp(std::max(left, right), 0.0, 1.0);
+    const double left = settings.poorContactLeft_mm - l * spacing_mm;
+    const double right = settings.poorContactRight_mm - (columns_ - 1 - l) * spacing_mm;
+    const double t = std::clamp(std::max(left, right) / kTaper_mm, 0.0, 1.0), lifted = t * t * (3 - 2 * t);
     lack_.row(0)[l] = static_cast<float>(lifted);
     contact_[l] = static_cast<float>(std::pow(10, kLifted_dB * lifted / 20));
     lifts_ = lifts_ || lifted > 0;
@@ -64,7 +66,7 @@ void FaceEchoes::findRinging(const Probe& probe, const ImagingSettings& settings
     line_.row(0)[l] = powerOf(1, kElements_dB * (before + (place - node) * (after - before) - 0.5));
   }
   const double pulse_mm = axialFwhm_mm(probe, settings);
-  const double end_mm = (std::log(kInaudible) / std::log(kAirEcho) + 1) * kLens_mm + 2 * pulse_mm;
+  const double end_mm = (std::log(kInaudible) / std::log(kAirEcho) + 3) * kLens_mm;
   for (int k = 0; k < grid.samples() && grid.range_mm(k) < end_mm; ++k) {
     const double depth_mm = grid.range_mm(k);
     touching_.push_back(powerOf(ringing(depth_mm, pulse_mm, kSkinEcho), settings.ringing_dB));
