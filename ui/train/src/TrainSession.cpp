@@ -57,6 +57,7 @@ ImagingSettings fitted(ImagingSettings settings, const Probe& probe) {
   settings.poorContactRight_mm = std::clamp(settings.poorContactRight_mm, 0.0, 30.0);
   settings.looks = std::clamp(settings.looks, 1, 3);
   settings.steering_deg = std::clamp(settings.steering_deg, -20.0, 20.0);
+  settings.compoundingAngles = std::clamp(settings.compoundingAngles, 1, 5) | 1;  // odd
   settings.scanlines = std::clamp(settings.scanlines, 16, 1024);
   for (auto* sliders : {&settings.tgc_dB, &settings.lateralGain_dB})
     for (double& value : *sliders) value = std::clamp(value, -20.0, 20.0);

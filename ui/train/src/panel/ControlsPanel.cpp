@@ -48,6 +48,7 @@ constexpr SliderRow kSliders[] = {
     {&Settings::frequency_MHz, "frequency", "frequency", "MHz", "higher: finer, and less deep", 0.5, 1},
     {&Settings::focus_mm, "focus", "focus", "mm", "where the beam is narrowest", 1, 0},
     {&Settings::dynamicRange_dB, "dynamicRange", "dynamic range", "dB", "more: softer grays", 5, 0, 20, 120},
+    {&Settings::steering_deg, "steering", "steering", "\u00b0", "tilts the scanlines of a linear probe", 1, 0, -20, 20},
     {&Settings::persistence, "persistence", "persistence", "", "share of the image before", 0.05, 2, 0, 0.95},
     {&Settings::speckleReduction, "speckleReduction", "speckle reduction", "", "smooths speckle and follows boundaries",
      0.05, 2, 0, 1},
@@ -87,7 +88,9 @@ struct CountKey {
   const char* key;
   int Settings::*field;
 };
-constexpr CountKey kCounts[] = {{"looks", &Settings::looks}, {"scanlines", &Settings::scanlines}};
+constexpr CountKey kCounts[] = {{"looks", &Settings::looks},
+                                {"scanlines", &Settings::scanlines},
+                                {"compoundingAngles", &Settings::compoundingAngles}};
 
 QVBoxLayout* column(QWidget* widget) {
   auto* box = new QVBoxLayout(widget);
@@ -193,7 +196,7 @@ QWidget* ControlsPanel::buildPicture() {
   effect_->setToolTip(tr("The whole image, or one effect of the model by itself (N, Shift+N; 0 for the whole)"));
   anatomy_.push_back(labelled(tr("show"), effect_));
   box->addWidget(anatomy_.back());
-  for (QComboBox* combo : {grayMap_, look_, effect_}) {
+  for (QComboBox* combo : {grayMap_, compounding_, look_, effect_}) {
     new ui::QuietWheel(combo);
     combo->setFocusPolicy(Qt::TabFocus);
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -236,6 +239,18 @@ void ControlsPanel::buildProcessing(QVBoxLayout& box) {
     session_.setSettings(settings);
   });
   box.addWidget(labelled(tr("gray map"), grayMap_));
+  compounding_ = new QComboBox;
+  compounding_->setObjectName("compounding");
+  compounding_->setToolTip(
+      tr("Averages images from several directions, linear probes only; more directions take longer"));
+  compounding_->addItem(tr("off"), 1);
+  for (const int angles : {3, 5}) compounding_->addItem(tr("%1 angles").arg(angles), angles);
+  connect(compounding_, qOverload<int>(&QComboBox::activated), this, [this] {
+    Settings settings = session_.settings();
+    settings.compoundingAngles = compounding_->currentData().toInt();
+    session_.setSettings(settings);
+  });
+  box.addWidget(labelled(tr("compounding"), compounding_));
 }
 
 GainSliders* ControlsPanel::gains(std::array<double, 8> Settings::*field, GainSliders* sliders) {
@@ -279,6 +294,7 @@ void ControlsPanel::refresh() {
   tgc_->setValues(settings.tgc_dB);
   lateral_->setValues(settings.lateralGain_dB);
   grayMap_->setCurrentIndex(grayMap_->findData(int(settings.grayMap)));
+  compounding_->setCurrentIndex(compounding_->findData(settings.compoundingAngles));
   look_->setCurrentIndex(look_->findData(int(settings.look)));
   effect_->clear();
   effect_->addItem(tr("the whole image"), QString());

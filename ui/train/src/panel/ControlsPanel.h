@@ -64,6 +64,7 @@ class ControlsPanel : public ScrollingColumn {
   GainSliders* tgc_ = nullptr;
   GainSliders* lateral_ = nullptr;
   QComboBox* grayMap_ = nullptr;
+  QComboBox* compounding_ = nullptr;
   QComboBox* look_ = nullptr;
   QComboBox* effect_ = nullptr;
   std::vector<QWidget*> anatomy_;  ///< not shown where anatomy is not disclosed
