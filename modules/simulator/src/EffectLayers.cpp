@@ -28,6 +28,8 @@ constexpr Named kCoherent[]{
     {"reverberation", with({&E::scattering, &E::reflection, &E::transmission, &E::reverberation})},
     {"edge_shadow", with({&E::scattering, &E::attenuation, &E::edgeShadow})},
     {"clutter", with({&E::scattering, &E::clutter})},
+    {"noise", with({&E::scattering, &E::attenuation, &E::noise})},
+    {"near_field", with({&E::scattering, &E::nearField})},
 };
 
 constexpr Named kThesis[]{

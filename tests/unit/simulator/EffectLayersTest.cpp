@@ -8,10 +8,10 @@
 namespace insonate {
 namespace {
 
-constexpr bool Effects::*kAll[]{&Effects::scattering,   &Effects::reflection, &Effects::attenuation,
-                                &Effects::transmission, &Effects::speckle,    &Effects::layers,
-                                &Effects::texture,      &Effects::beam,       &Effects::reverberation,
-                                &Effects::edgeShadow,   &Effects::clutter};
+constexpr bool Effects::*kAll[]{
+    &Effects::scattering, &Effects::reflection, &Effects::attenuation, &Effects::transmission,  &Effects::speckle,
+    &Effects::layers,     &Effects::texture,    &Effects::beam,        &Effects::reverberation, &Effects::edgeShadow,
+    &Effects::clutter,    &Effects::noise,      &Effects::nearField};
 
 ImagingSettings withLook(Look look) {
   ImagingSettings settings;

@@ -261,6 +261,22 @@ void greyRow(const GreyRow& t) {
   });
 }
 
+void refineRow(const std::uint8_t* grey, int columns, std::uint16_t* fine) {
+  const hn::CappedTag<std::int16_t, 16> d;
+  const hn::Rebind<std::uint8_t, decltype(d)> d8;
+  const hn::RebindToUnsigned<decltype(d)> d16;
+  const auto nine = hn::Set(d, 9), half = hn::Set(d, 8), black = hn::Zero(d), white = hn::Set(d, 255);
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  for (int i = 0; i < columns; i += lanes) {
+    const auto at = [&](int o) { return hn::PromoteTo(d, hn::LoadU(d8, grey + i + o)); };
+    const auto here = at(0);
+    const auto inner = hn::Mul(nine, hn::Add(here, at(1)));
+    const auto between = hn::ShiftRight<4>(hn::Add(hn::Sub(inner, hn::Add(at(-1), at(2))), half));
+    const auto held = hn::BitCast(d16, hn::Min(hn::Max(between, black), white));
+    hn::StoreU(hn::Or(hn::BitCast(d16, here), hn::ShiftLeft<8>(held)), d16, fine + i);
+  }
+}
+
 void packRow(const std::uint8_t* here, const std::uint8_t* below, int columns, std::uint32_t* packed) {
   const U d;
   const hn::Rebind<std::uint8_t, U> d8;
@@ -316,6 +332,7 @@ HWY_EXPORT(orientRow);
 HWY_EXPORT(smoothRow);
 HWY_EXPORT(enhanceRow);
 HWY_EXPORT(greyRow);
+HWY_EXPORT(refineRow);
 HWY_EXPORT(packRow);
 HWY_EXPORT(scanRow);
 
@@ -342,6 +359,9 @@ void enhanceRow(const EnhanceRow& task) {
 }
 void greyRow(const GreyRow& task) {
   HWY_DYNAMIC_DISPATCH(greyRow)(task);
+}
+void refineRow(const std::uint8_t* grey, int columns, std::uint16_t* fine) {
+  HWY_DYNAMIC_DISPATCH(refineRow)(grey, columns, fine);
 }
 void packRow(const std::uint8_t* here, const std::uint8_t* below, int columns, std::uint32_t* packed) {
   HWY_DYNAMIC_DISPATCH(packRow)(here, below, columns, packed);

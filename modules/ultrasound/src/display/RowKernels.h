@@ -90,6 +90,10 @@ struct GreyRow {
 };
 void greyRow(const GreyRow& task);
 
+/// Each column, as the low byte, with the place halfway to the next, as the high byte: the cubic through four columns,
+/// (-1 9 9 -1) / 16. Reads one column before the first and two past the last; reads and writes whole vectors.
+void refineRow(const std::uint8_t* grey, int columns, std::uint16_t* fine);
+
 /// Packs each sample with its right, lower and lower right neighbour, lowest byte first.
 void packRow(const std::uint8_t* here, const std::uint8_t* below, int columns, std::uint32_t* packed);
 

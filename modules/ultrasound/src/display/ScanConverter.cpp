@@ -28,10 +28,12 @@ std::pair<int, int> neighbour(double place, int count) {
 
 ScanConverter::ScanConverter(const Probe& probe, const ImagingSettings& settings)
     : samples_(settings.samples),
-      columns_(Plane::padded(settings.scanlines)),
-      rowStride_(columns_ + Plane::kVector),
       scanlines_(settings.scanlines),
-      grey_(std::size_t(samples_) * rowStride_),
+      greyStride_(Plane::padded(scanlines_) + 2 * kMargin),
+      columns_(2 * Plane::padded(scanlines_)),
+      fineStride_(Plane::padded(scanlines_) + Plane::kVector),
+      grey_(std::size_t(samples_) * greyStride_),
+      fine_(std::size_t(samples_) * fineStride_),
       packed_(std::size_t(samples_ - 1) * columns_) {
   const BeamGrid grid(probe, settings);
   layout_ = pictureLayout(grid, settings);
@@ -61,7 +63,7 @@ void ScanConverter::addRow(const BeamGrid& grid, int row) {
 }
 
 void ScanConverter::addPixel(const BeamGrid::Location& at) {
-  const auto [line, x] = neighbour(at.scanline, scanlines_);
+  const auto [line, x] = neighbour(2 * at.scanline, 2 * scanlines_ - 1);
   const auto [sample, z] = neighbour(at.sample, samples_);
   index_.push_back(sample * columns_ + line);
   weight_.push_back(static_cast<std::uint16_t>(z << 8 | x));
@@ -75,14 +77,24 @@ void ScanConverter::convertRow(int row, std::uint8_t* out) const {
   }
 }
 
+void ScanConverter::refine(int sample) {
+  std::uint8_t* const row = greyRow(sample);
+  row[-1] = row[0];
+  row[scanlines_] = row[scanlines_ + 1] = row[scanlines_ - 1];
+  refineRow(row, scanlines_, fineRow(sample));
+}
+
 void ScanConverter::convert(BModeImage& image) {
   image.width = layout_.width, image.height = layout_.height;
   image.pixel_mm = layout_.pixel_mm, image.left_mm = layout_.left_mm, image.top_mm = layout_.top_mm;
   image.grey.resize(std::size_t(image.width) * image.height);
   using Rows = tbb::blocked_range<int>;
+  tbb::parallel_for(Rows(0, samples_, kRowsPerTask), [this](const Rows& rows) {
+    for (int k = rows.begin(); k < rows.end(); ++k) refine(k);
+  });
   tbb::parallel_for(Rows(0, samples_ - 1, kRowsPerTask), [this](const Rows& rows) {
     for (int k = rows.begin(); k < rows.end(); ++k)
-      packRow(greyRow(k), greyRow(k + 1), columns_, packed_.data() + std::size_t(k) * columns_);
+      packRow(fineBytes(k), fineBytes(k + 1), columns_, packed_.data() + std::size_t(k) * columns_);
   });
   tbb::parallel_for(Rows(0, image.height, kRowsPerTask), [&](const Rows& rows) {
     for (int row = rows.begin(); row < rows.end(); ++row)

@@ -8,13 +8,15 @@
 
 namespace insonate::display {
 
-/// Grey values on the beam grid to the picture: bilinear from tables made once, black outside the field of view.
+/// Gray values on the beam grid to the image: first a column halfway between each two scanlines, cubic, since
+/// scanlines are far apart and bilinear interpolation between them would take lateral detail away; then bilinear from
+/// tables made once. Black outside the field of view.
 class ScanConverter {
  public:
   ScanConverter(const Probe& probe, const ImagingSettings& settings);
 
-  /// Where the grey values of one sample go, one per scanline; room for whole vectors.
-  std::uint8_t* greyRow(int sample) { return grey_.data() + std::size_t(sample) * rowStride_; }
+  /// Where the gray values of one sample go, one per scanline; room for whole vectors.
+  std::uint8_t* greyRow(int sample) { return grey_.data() + std::size_t(sample) * greyStride_ + kMargin; }
   /// Uses the calling thread's TBB arena. Gives `image` its size and scale.
   void convert(BModeImage& image);
 
@@ -24,13 +26,20 @@ class ScanConverter {
     int column, count;
     std::size_t table;  ///< of its first pixel
   };
+  void refine(int sample);
+  std::uint16_t* fineRow(int sample) { return fine_.data() + std::size_t(sample) * fineStride_; }
+  const std::uint8_t* fineBytes(int sample) { return reinterpret_cast<const std::uint8_t*>(fineRow(sample)); }
   void addRow(const BeamGrid& grid, int row);
   void addPixel(const BeamGrid::Location& at);
   void convertRow(int row, std::uint8_t* out) const;
 
-  int samples_, columns_, rowStride_, scanlines_;
+  static constexpr int kMargin = 16;  ///< columns each side of a gray row
+
+  int samples_, scanlines_, greyStride_;
+  int columns_, fineStride_;  ///< of the refined rows: single columns, pairs
   BModeImage layout_;
   std::vector<std::uint8_t> grey_;
+  std::vector<std::uint16_t> fine_;  ///< two columns each
   std::vector<std::uint32_t> packed_;
   std::vector<Run> runs_;
   std::vector<std::size_t> firstRun_;  ///< of each row, and the end

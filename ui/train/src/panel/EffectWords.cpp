@@ -21,6 +21,8 @@ constexpr Words kWords[] = {
     {"reverberation", "echoes behind air"},
     {"edge_shadow", "shadows of edges"},
     {"clutter", "haze in vessels"},
+    {"noise", "electronic noise"},
+    {"near_field", "ringing of the probe"},
     {"absorption", "loss and shadows"},
     {"blur", "blur along the beam"},
 };

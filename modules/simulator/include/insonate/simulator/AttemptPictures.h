@@ -10,9 +10,10 @@
 namespace insonate {
 
 /// The ultrasound pictures of a recorded attempt, made again from its case. A picture is a function of what the
-/// recording says of its time: the tissue is solved from rest and persistence is left out, so that it is the same bit
-/// for bit whatever was looked at before, on the same engine and kind of processor; the live one, whose tissue goes on
-/// from the picture before, was near it. Not for concurrent use; uses the calling thread's TBB arena.
+/// recording says of its time: the tissue is solved from rest, persistence is left out and electronic noise is that of
+/// its time, so that it is the same bit for bit whatever was looked at before, on the same engine and kind of
+/// processor; the live one, whose tissue goes on from the picture before, was near it. Not for concurrent use; uses the
+/// calling thread's TBB arena.
 class AttemptPictures {
  public:
   /// Fails with a sentence on another case than the recording's, and on a recording without settings. `workAhead`: a
