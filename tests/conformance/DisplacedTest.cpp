@@ -85,7 +85,7 @@ TEST_P(Displaced, CompressionBringsBoundariesWhereTheyBelong) {
   table.tissues[kFat].impedance_MRayl = 1.4;
   for (const Look look : {Look::Coherent, Look::Thesis})
     for (const int planes : {1, 3}) {
-      ImagingSettings settings = silentSettings(probe_, 64, 800, planes);
+      ImagingSettings settings = silentSettings(probe_, 64, 1600, planes);  // a sample falls on each peak
       settings.look = look;
       settings.effects.reflection = true;
       settings.effects.beam = look == Look::Coherent;  // the other's blur trails behind

@@ -1,6 +1,8 @@
 #include "conformance/Measure.h"
 #include "conformance/Rig.h"
 
+#include <insonate/ultrasound/PointSpread.h>
+
 #include <cmath>
 
 namespace insonate::test {
@@ -9,25 +11,12 @@ namespace {
 class PointTargets : public EngineTest {};
 INSONATE_FOR_ALL_ENGINES(PointTargets);
 
-constexpr double kSoundSpeed_mmPerUs = 1.54;
-
 struct Bench {
   Probe probe;
   ImagingSettings settings;
 
   explicit Bench(const std::string& name) : probe(probeNamed(name)), settings(silentSettings(probe, 256, 1000, 1)) {}
 
-  double wavelength_mm() const { return kSoundSpeed_mmPerUs / settings.frequency_MHz; }
-  double axialFwhm_mm() const { return probe.axialFwhm_wavelengths * wavelength_mm(); }
-  double lateralFwhm_mm(double range_mm) const {
-    const double off_mm = range_mm - settings.focus_mm;
-    return std::hypot(wavelength_mm() * std::max(probe.lateralFNumber, settings.focus_mm / probe.maxAperture_mm),
-                      off_mm * (off_mm < 0 ? probe.lateralDivergenceNear : probe.lateralDivergenceFar));
-  }
-  double elevationFwhm_mm(double range_mm) const {
-    return std::hypot(wavelength_mm() * probe.elevationFwhm_wavelengths,
-                      probe.elevationDivergence * (range_mm - probe.elevationFocus_mm));
-  }
   ScenePtr sceneWith(std::vector<PointTarget> points) const {
     const Region region = regionAround(probe, settings);
     return sceneOf(paint(gridOver(region.low_mm, region.high_mm, 30), [](Vec3) { return kSoftTissue; }), plainTable(),
@@ -100,8 +89,8 @@ TEST_P(PointTargets, AreAsWideAsTheProbeSaysAndNarrowestAtTheFocus) {
     double narrowest_mm = 1e9, narrowestAt_mm = 0;
     for (const double range_mm : ranges_mm) {
       const Spot spot = spotNear(frame, bench, place(range_mm).x, place(range_mm).z);
-      const double axial = spot.axialFwhm_mm / bench.axialFwhm_mm();
-      const double lateral = spot.lateralFwhm_mm / bench.lateralFwhm_mm(range_mm);
+      const double axial = spot.axialFwhm_mm / axialFwhm_mm(bench.probe, bench.settings);
+      const double lateral = spot.lateralFwhm_mm / lateralFwhm_mm(bench.probe, bench.settings, range_mm);
       EXPECT_NEAR(axial, 1, 0.1) << name << " at " << range_mm << " mm";
       EXPECT_NEAR(lateral, 1, 0.1) << name << " at " << range_mm << " mm";
       EXPECT_NEAR(spot.amplitude, 100, 5) << name << " at " << range_mm << " mm";
@@ -111,7 +100,10 @@ TEST_P(PointTargets, AreAsWideAsTheProbeSaysAndNarrowestAtTheFocus) {
       record("lateral_over_theory_" + which, lateral);
       record("amplitude_of_100_" + which, spot.amplitude);
     }
-    EXPECT_EQ(narrowestAt_mm, focus_mm) << name;
+    // Where receive has its whole aperture before the focus, the beam widens with depth from there on.
+    if (receiveAperture_mm(bench.probe, focus_mm) < bench.probe.maxAperture_mm) {
+      EXPECT_EQ(narrowestAt_mm, focus_mm) << name;
+    }
   }
 }
 
@@ -129,25 +121,6 @@ TEST_P(PointTargets, FollowTheFocusThatIsSet) {
       if (spot.lateralFwhm_mm < narrowest_mm) narrowest_mm = spot.lateralFwhm_mm, narrowestAt_mm = range_mm;
     }
     EXPECT_EQ(narrowestAt_mm, focus_mm);
-  }
-}
-
-TEST_P(PointTargets, FadeAcrossTheSliceAsAGaussian) {
-  for (const char* name : kProbes) {
-    const Bench bench(name);
-    const double atFocus_mm = bench.probe.elevationFocus_mm;
-    const auto scene = bench.sceneWith({{{0, 0, 0.5 * atFocus_mm}, 100}, {{0, 0, atFocus_mm}, 100}});
-    const EnvelopeFrame centre = render(bench.probe, bench.settings, scene);
-    for (const double y_mm : {-0.4, 0.8, 1.5}) {
-      const EnvelopeFrame frame = render(bench.probe, bench.settings, scene, moved({0, y_mm, 0}));
-      for (const double range_mm : {0.5 * atFocus_mm, atFocus_mm}) {
-        const double sd_mm = bench.elevationFwhm_mm(range_mm) / (2 * std::sqrt(2 * std::log(2)));
-        const double faded =
-            spotNear(frame, bench, 0, range_mm).amplitude / spotNear(centre, bench, 0, range_mm).amplitude;
-        EXPECT_NEAR(faded / std::exp(-0.5 * y_mm * y_mm / (sd_mm * sd_mm)), 1, 0.1)
-            << name << " at " << range_mm << " mm, " << y_mm << " mm across the slice";
-      }
-    }
   }
 }
 

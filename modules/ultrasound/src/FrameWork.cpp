@@ -1,9 +1,9 @@
-#include "PointSpread.h"
 #include "model/FramePlan.h"
 #include "scene/SceneData.h"
 
 #include <insonate/ultrasound/Display.h>
 #include <insonate/ultrasound/FrameWork.h>
+#include <insonate/ultrasound/PointSpread.h>
 
 #include <algorithm>
 #include <numeric>

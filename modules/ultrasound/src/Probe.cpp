@@ -1,3 +1,4 @@
+#include "FormerProbe.h"
 #include "JsonFields.h"
 
 #include <insonate/core/AtomicFile.h>
@@ -26,29 +27,32 @@ constexpr std::array kFields{
     Field{"maxDepth_mm", &Probe::maxDepth_mm, 5, 400},
     Field{"defaultDepth_mm", &Probe::defaultDepth_mm, 5, 400},
     Field{"defaultFocus_mm", &Probe::defaultFocus_mm, 1, 400},
-    Field{"axialFwhm_wavelengths", &Probe::axialFwhm_wavelengths, 0.5, 10},
-    Field{"lateralFNumber", &Probe::lateralFNumber, 0.5, 20},
+    Field{"pitch_mm", &Probe::pitch_mm, 0.05, 2},
+    Field{"bandwidth", &Probe::bandwidth, 0.1, 1.5},
+    Field{"transmitFNumber", &Probe::transmitFNumber, 0.5, 20},
+    Field{"receiveFNumber", &Probe::receiveFNumber, 0.5, 20},
     Field{"maxAperture_mm", &Probe::maxAperture_mm, 1, 200},
-    Field{"lateralDivergenceNear", &Probe::lateralDivergenceNear, 0, 1},
-    Field{"lateralDivergenceFar", &Probe::lateralDivergenceFar, 0, 1},
+    Field{"elementHeight_mm", &Probe::elementHeight_mm, 1, 40},
     Field{"elevationFocus_mm", &Probe::elevationFocus_mm, 1, 400},
-    Field{"elevationFwhm_wavelengths", &Probe::elevationFwhm_wavelengths, 0.5, 50},
-    Field{"elevationDivergence", &Probe::elevationDivergence, 0, 1},
 };
 
 const std::vector<std::string_view> kShapes{"linear", "curvilinear", "phased"};
+const std::vector<std::string_view> kApodizations{"uniform", "tukey", "hann"};
 
 Result<void> checkOrder(double low, double middle, double high, std::string_view quantity, const std::string& where) {
   if (low <= middle && middle <= high) return {};
   return fail(where + ": the default " + std::string(quantity) + " must lie between its minimum and maximum.");
 }
 
-Result<Probe> probeFromJson(const nlohmann::json& json, const std::string& source) {
+Result<Probe> probeFromJson(const nlohmann::json& file, const std::string& source) {
   const std::string where = "probe " + source;
-  std::vector<std::string_view> known{"name", "shape"};
+  const auto converted = withFormerNames(file, where);
+  if (!converted) return tl::unexpected(converted.error());
+  const nlohmann::json& json = *converted;
+  std::vector<std::string_view> known{"name", "shape", "apodization"};
   for (const Field& field : kFields) known.push_back(field.name);
   if (auto ok = fields::checkKeys(json, known, where); !ok) return tl::unexpected(ok.error());
-  for (const std::string_view name : {"name", "shape"})
+  for (const std::string_view name : {"name", "shape", "apodization"})
     if (!json.contains(name)) return fail(where + ": '" + std::string(name) + "' is missing.");
 
   Probe probe;
@@ -57,6 +61,9 @@ Result<Probe> probeFromJson(const nlohmann::json& json, const std::string& sourc
   const auto shape = fields::readChoice(json["shape"], kShapes, "shape", where);
   if (!shape) return tl::unexpected(shape.error());
   probe.shape = static_cast<ProbeShape>(*shape);
+  const auto apodization = fields::readChoice(json["apodization"], kApodizations, "apodization", where);
+  if (!apodization) return tl::unexpected(apodization.error());
+  probe.apodization = static_cast<Apodization>(*apodization);
   for (const Field& field : kFields) {
     const std::string name(field.name);
     if (!applies(field, probe.shape)) {
@@ -116,7 +123,9 @@ Result<Probe> parseProbe(std::string_view text) {
 }
 
 std::string textOf(const Probe& probe) {
-  nlohmann::ordered_json json{{"name", probe.name}, {"shape", kShapes[std::size_t(probe.shape)]}};
+  nlohmann::ordered_json json{{"name", probe.name},
+                              {"shape", kShapes[std::size_t(probe.shape)]},
+                              {"apodization", kApodizations[std::size_t(probe.apodization)]}};
   for (const Field& field : kFields)
     if (applies(field, probe.shape)) json[std::string(field.name)] = probe.*field.member;
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

@@ -75,8 +75,9 @@ double sharePlainly(const AttemptRecording& recording) {
     const auto& sample = std::get<AttemptSample>(entry);
     if (!inSkin || frozen || !sample.needleDepth_mm) return last_us.reset();
     const Vec3 tip = inverted(*sample.patientFromProbe) * sample.patientFromNeedle->offset;
-    const double thickness_mm =
-        std::hypot(2 * field.sliceHalf_mm, field.elevationDivergence * (tip.z - field.elevationFocus_mm));
+    const double off_mm = tip.z - field.elevationFocus_mm;
+    const double thickness_mm = std::hypot(
+        2 * field.sliceHalf_mm, off_mm * (off_mm < 0 ? field.elevationDivergence : field.elevationDivergenceBehind));
     const bool shown = std::abs(tip.x) <= field.width_mm / 2 && tip.z >= 0 && tip.z <= sample.pictureDepth_mm &&
                        std::abs(tip.y) <= thickness_mm;
     if (last_us) all_us += double(sample.time_us - *last_us);

@@ -141,6 +141,20 @@ TEST_F(ProbeEditing, EverySliderOfTheShapeReachesThePicture) {
   }
 }
 
+TEST_F(ProbeEditing, ApodizationReachesThePicture) {
+  edit();
+  auto* weights = child<QComboBox>("apodization");
+  EXPECT_EQ(weights->currentIndex(), int(session_->probe().apodization));
+  for (const Apodization apodization : {Apodization::Hann, Apodization::Uniform, Apodization::Tukey}) {
+    weights->setCurrentIndex(int(apodization));
+    Q_EMIT weights->activated(int(apodization));
+    EXPECT_EQ(session_->probe().apodization, apodization);
+  }
+  session_->undo();
+  EXPECT_EQ(session_->probe().apodization, Apodization::Uniform);
+  EXPECT_EQ(weights->currentIndex(), int(Apodization::Uniform));
+}
+
 TEST_F(ProbeEditing, WhatIsOutOfOrderIsSaidBesideTheControl) {
   edit();
   const double used = session_->probe().minDepth_mm;
@@ -241,25 +255,6 @@ TEST_F(ProbeEditing, PresetsAreSavedRenamedDeletedAndRemembered) {
   EXPECT_EQ(list->currentText(), "Ward 4, edited");
   session_->setProbe("linear");
   EXPECT_EQ(list->count(), 3);
-}
-
-TEST_F(ProbeEditing, FoldersAndFilesOfNoUse) {
-  const test::TemporaryFolder folder;
-  std::ofstream(folder / "broken.json") << "{ no probe";
-  ProbeLibrary library(QString::fromStdString(folder.path().string()));
-  EXPECT_TRUE(library.entries().empty());
-  Probe probe = loadProbe("phased").value();
-  EXPECT_FALSE(library.save(probe)) << "a built-in name";
-  probe.name = "Ä/b:c";
-  ASSERT_TRUE(library.save(probe));
-  ASSERT_EQ(library.entries().size(), 1u);
-  EXPECT_FALSE(library.rename("Ä/b:c", "linear"));
-  EXPECT_FALSE(library.remove("no such"));
-  std::ofstream(folder / "file") << "in the way";
-  ProbeLibrary nowhere(QString::fromStdString((folder / "file/probes").string()));
-  const auto refused = nowhere.save(probe);
-  ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().message.find("could not be made"), std::string::npos);
 }
 
 /// A capture of a machine.

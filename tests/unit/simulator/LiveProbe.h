@@ -19,8 +19,8 @@ using Frame = std::shared_ptr<const LiveFrame>;
 inline ImagingSetup smallSetup() {
   ImagingSetup setup{*loadProbe("linear"), {}, *loadAcousticTable("neck"), "cpu"};
   setup.probe.name = "coarse linear";
-  setup.probe.lateralFNumber =
-      8;  // a beam so wide that 1 mm voxels need not be divided: scenes in an eighth of the time
+  // A beam so wide that 1 mm voxels need not be divided: scenes in an eighth of the time.
+  setup.probe.transmitFNumber = setup.probe.receiveFNumber = 8;
   setup.settings = settingsFor(setup.probe);
   setup.settings.depth_mm = 25;
   setup.settings.scanlines = 48;

@@ -8,11 +8,17 @@
 namespace insonate {
 namespace {
 
+/// The display's filters follow the beam. That of the speckle below: a pulse of 0.26 mm, 0.62 mm wide at the focus.
 class DisplaySpeckle : public testing::Test {
  protected:
-  Probe probe = *loadProbe("linear");
+  Probe probe = [] {
+    Probe p = *loadProbe("linear");
+    p.bandwidth = 0.347, p.receiveFNumber = 1.73, p.transmitFNumber = 3.46, p.apodization = Apodization::Hann;
+    return p;
+  }();
   ImagingSettings settings = [this] {
     ImagingSettings s = settingsFor(probe);
+    s.frequency_MHz = 7.5;
     s.effects.attenuation = s.effects.noise = s.effects.nearField = false;
     return s;
   }();

@@ -1,5 +1,6 @@
 #include "support/TestData.h"
 
+#include <insonate/ultrasound/PointSpread.h>
 #include <insonate/ultrasound/SetupText.h>
 
 #include <gmock/gmock.h>
@@ -81,6 +82,7 @@ TEST(Probe, BadFieldsAreRefusedByName) {
   EXPECT_THAT(with("width_mm", "wide"), HasSubstr("width_mm must be a number, not \"wide\""));
   EXPECT_THAT(with("width_mm", nullptr), HasSubstr("width_mm must be a number"));
   EXPECT_THAT(with("shape", "round"), HasSubstr("one of linear, curvilinear, phased"));
+  EXPECT_THAT(with("apodization", "hamming"), HasSubstr("one of uniform, tukey, hann"));
   EXPECT_THAT(with("widht_mm", 38), HasSubstr("did you mean 'width_mm'"));
   EXPECT_THAT(with("fovAngle_deg", 60), HasSubstr("no meaning for a linear probe"));
   EXPECT_THAT(with("defaultFrequency_MHz", 20), HasSubstr("default frequency"));
@@ -88,6 +90,60 @@ TEST(Probe, BadFieldsAreRefusedByName) {
   auto json = linearPreset();
   json.erase("maxAperture_mm");
   EXPECT_THAT(refusal(json.dump()), HasSubstr("'maxAperture_mm' is missing"));
+}
+
+/// The built-in linear probe as files had it until November 2026.
+constexpr const char* kFormerLinear = R"({"name": "old", "shape": "linear", "width_mm": 38, "minFrequency_MHz": 5,
+  "maxFrequency_MHz": 13, "defaultFrequency_MHz": 7.5, "minDepth_mm": 20, "maxDepth_mm": 120, "defaultDepth_mm": 40,
+  "defaultFocus_mm": 20, "axialFwhm_wavelengths": 1.27, "lateralFNumber": 3.0, "maxAperture_mm": 30,
+  "lateralDivergenceNear": 0.020, "lateralDivergenceFar": 0.028, "elevationFocus_mm": 20,
+  "elevationFwhm_wavelengths": 5.4, "elevationDivergence": 0.085})";
+
+TEST(Probe, FilesThatStateWidthsBecomeTheArrayThatHasThem) {
+  const auto probe = parseProbe(kFormerLinear);
+  ASSERT_TRUE(probe) << probe.error().message;
+  const ImagingSettings settings = settingsFor(*probe);
+  constexpr double kWavelength_mm = 1.54 / 7.5;
+  EXPECT_NEAR(axialFwhm_mm(*probe, settings), 1.27 * kWavelength_mm, 1e-3);
+  EXPECT_NEAR(lateralFwhm_mm(*probe, settings, 20), 3 * kWavelength_mm, 1e-3);
+  EXPECT_NEAR(probe->elementHeight_mm, 0.98 * 20 / 5.4, 1e-9);
+  EXPECT_EQ(probe->apodization, Apodization::Hann);
+  EXPECT_EQ(probe->maxAperture_mm, 30);
+  EXPECT_EQ(probe->elevationFocus_mm, 20);
+  EXPECT_EQ(probe->pitch_mm, 0.2);
+  EXPECT_EQ(textOf(*parseProbe(textOf(*probe))), textOf(*probe)) << "written by the new names";
+}
+
+TEST(Probe, FormerFilesThatAreBadAreRefusedByName) {
+  const auto with = [](const char* field, const nlohmann::json& value) {
+    auto json = nlohmann::json::parse(kFormerLinear);
+    if (value.is_null())
+      json.erase(field);
+    else
+      json[field] = value;
+    return refusal(json.dump());
+  };
+  EXPECT_THAT(with("elevationFwhm_wavelengths", nullptr), HasSubstr("'elevationFwhm_wavelengths' is missing"));
+  EXPECT_THAT(with("lateralFNumber", "wide"), HasSubstr("lateralFNumber must be a number"));
+  EXPECT_THAT(with("axialFwhm_wavelengths", 0), HasSubstr("axialFwhm_wavelengths is 0"));
+  EXPECT_THAT(with("receiveFNumber", 1.5), HasSubstr("receiveFNumber describes the array"));
+  EXPECT_THAT(with("shape", nullptr), HasSubstr("'shape' is missing"));
+}
+
+/// Figures of an independent program: tests/conformance/FieldTest.cpp has the array.
+TEST(PointSpread, FollowsTheLawsOfTheArray) {
+  Probe probe = *loadProbe("linear");
+  probe.bandwidth = 0.5, probe.transmitFNumber = 3, probe.receiveFNumber = 1.5, probe.apodization = Apodization::Hann;
+  probe.elementHeight_mm = 5, probe.elevationFocus_mm = 20;
+  ImagingSettings settings = settingsFor(probe);
+  settings.frequency_MHz = 7.5;
+  EXPECT_NEAR(axialFwhm_mm(probe, settings), 0.181, 0.001) << "0.441 * 0.2053 / 0.5";
+  EXPECT_NEAR(lateralFwhm_mm(probe, settings, 20), 0.55, 0.055);
+  EXPECT_NEAR(lateralFwhm_mm(probe, settings, 45), 0.67, 0.067);
+  const SliceLaw slice = sliceLaw(probe, 7.5);
+  EXPECT_NEAR(slice.thickness_mm(5), 2.92, 0.29);
+  EXPECT_NEAR(slice.thickness_mm(45), 2.58, 0.26);
+  EXPECT_NEAR(slice.at_mm, 16, 1);
 }
 
 TEST(Probe, NumbersThatAreNoneAreRefused) {
@@ -103,7 +159,7 @@ TEST(SaveProbe, ReadsBackAsItWas) {
   const test::TemporaryFolder folder;
   for (const std::string& name : probePresetNames()) {
     Probe probe = loadProbe(name).value();
-    probe.name = "Ward 3, \"old\"", probe.maxAperture_mm = 17.25;
+    probe.name = "Ward 3, \"old\"", probe.maxAperture_mm = 17.25, probe.apodization = Apodization::Uniform;
     const auto file = folder / (name + ".json");
     ASSERT_TRUE(saveProbe(probe, file));
     const auto read = loadProbe(file.string());
@@ -112,6 +168,7 @@ TEST(SaveProbe, ReadsBackAsItWas) {
     EXPECT_EQ(textOf(parseProbe(textOf(probe)).value()), textOf(probe));
     EXPECT_EQ(read->name, probe.name);
     EXPECT_EQ(read->shape, probe.shape);
+    EXPECT_EQ(read->apodization, probe.apodization);
     for (const ProbeField& field : probeFields()) {
       if (!applies(field, probe.shape)) continue;
       EXPECT_EQ((*read).*field.member, probe.*field.member) << field.name;

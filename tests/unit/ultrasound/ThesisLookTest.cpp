@@ -110,7 +110,8 @@ TEST_P(ThesisLook, LayersAloneAreWhatTheySay) {
 
 TEST_P(ThesisLook, DisplaysWithTissueGreyAndVesselsDark) {
   const auto scene = thesisScene(slab(), *loadAcousticTable("thesis"));
-  const ImagingSettings settings = fullSettings(probe, 256, 800);
+  ImagingSettings settings = fullSettings(probe, 256, 800);
+  settings.frequency_MHz = 7.5;  // for which the thesis's tissues are
   const EnvelopeFrame frame = thesisFrame(GetParam(), probe, settings, *scene);
   BModeImage image;
   Display(probe, settings).process(frame, image);

@@ -23,8 +23,8 @@ const std::vector<ui::SurfaceWish> kSurfaces = {{kVein, {4, 1}}, {kArtery, {4, 1
 auto fields(const Probe& p) {
   return std::tie(p.name, p.shape, p.width_mm, p.fovAngle_deg, p.faceRadius_mm, p.minFrequency_MHz, p.maxFrequency_MHz,
                   p.minDepth_mm, p.maxDepth_mm, p.defaultFrequency_MHz, p.defaultDepth_mm, p.defaultFocus_mm,
-                  p.axialFwhm_wavelengths, p.lateralFNumber, p.maxAperture_mm, p.lateralDivergenceNear,
-                  p.lateralDivergenceFar, p.elevationFocus_mm, p.elevationFwhm_wavelengths, p.elevationDivergence);
+                  p.pitch_mm, p.bandwidth, p.transmitFNumber, p.receiveFNumber, p.maxAperture_mm, p.apodization,
+                  p.elementHeight_mm, p.elevationFocus_mm);
 }
 
 /// What a user can change.

@@ -6,7 +6,9 @@
 namespace insonate {
 
 double shownOffPlane_mm(const PictureField& field, double range_mm) {
-  return std::hypot(2 * field.sliceHalf_mm, field.elevationDivergence * (range_mm - field.elevationFocus_mm));
+  const double off_mm = range_mm - field.elevationFocus_mm;
+  const double growth = off_mm < 0 ? field.elevationDivergence : field.elevationDivergenceBehind;
+  return std::hypot(2 * field.sliceHalf_mm, growth * off_mm);
 }
 
 bool shows(const PictureField& field, double depth_mm, Vec3 tip_probe) {

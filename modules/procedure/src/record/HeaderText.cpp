@@ -40,7 +40,8 @@ std::string textOf(const AttemptHeader& header) {
                         {"faceRadius_mm", picture.faceRadius_mm},
                         {"sliceHalf_mm", picture.sliceHalf_mm},
                         {"elevationFocus_mm", picture.elevationFocus_mm},
-                        {"elevationDivergence", picture.elevationDivergence}}}};
+                        {"elevationDivergence", picture.elevationDivergence},
+                        {"elevationDivergenceBehind", picture.elevationDivergenceBehind}}}};
   if (header.isScripted) json["hands"] = kScript;
   if (const RecordedFor& whose = header.recordedFor; whose != RecordedFor{})
     json["recordedFor"] = {{"attempt", whose.attempt},       {"person", whose.person},
@@ -58,6 +59,8 @@ Result<HeaderRead> headerFrom(std::string_view text) {
                   std::to_string(kFormat) + "; use the Insonate that wrote it, " +
                   json.value("software", "a newer one") + ".");
     const auto& picture = json.at("picture");
+    // Before November 2026 the slice grew alike on both sides of its focus.
+    const double divergence = picture.value("elevationDivergence", 0.0);
     return HeaderRead{
         {json.at("software"),
          json.at("begun"),
@@ -68,7 +71,7 @@ Result<HeaderRead> headerFrom(std::string_view text) {
          json.at("settingsHash"),
          json.at("engine"),
          {picture.at("width_mm"), picture.at("fanAngle_deg"), picture.at("faceRadius_mm"), picture.at("sliceHalf_mm"),
-          picture.value("elevationFocus_mm", 0.0), picture.value("elevationDivergence", 0.0)},
+          picture.value("elevationFocus_mm", 0.0), divergence, picture.value("elevationDivergenceBehind", divergence)},
          json.value("vessels", std::vector<std::string>{}),
          json.value("settings", ""),
          json.value("hands", "") == kScript,

@@ -1,6 +1,7 @@
 #include "bench/PlainLoop.h"
 
 #include <insonate/core/Hash.h>
+#include <insonate/ultrasound/PointSpread.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,7 @@
 namespace insonate::bench {
 namespace {
 
-constexpr double kSoundSpeed_mmPerUs = 1.54, kFwhmPerSd = 2.3548;
+constexpr double kFwhmPerSd = 2.3548;
 constexpr double kWhite_dB = 39.5;
 
 /// `corner` counts voxels from the outer corner of the first.
@@ -35,19 +36,17 @@ PlainLoop::PlainLoop(const PatientCase& patient, const ImagingSetup& setup)
     : patient_(patient), setup_(setup), grid_(setup.probe, setup.settings) {
   const ImagingSettings& s = setup.settings;
   const Probe& p = setup.probe;
-  const double wavelength_mm = kSoundSpeed_mmPerUs / s.frequency_MHz;
   for (int label = 0; label < kLabelCount; ++label) {
     const AcousticTissue& tissue = setup.tissues.tissues[label];
     echo_[label] = static_cast<float>(std::pow(10, tissue.echogenicity_dB / 20));
     const double loss_dB = 2 * tissue.attenuation_dBpcmMHz * s.frequency_MHz * grid_.step_mm() / 10;
     loss_[label] = label == kBackground ? 1 : static_cast<float>(std::pow(10, -loss_dB / 20));
   }
-  axialKernel_ = gaussian(p.axialFwhm_wavelengths * wavelength_mm / kFwhmPerSd / grid_.step_mm());
+  axialKernel_ = gaussian(axialFwhm_mm(p, s) / kFwhmPerSd / grid_.step_mm());
   for (int k = 0; k < s.samples; ++k) {
-    const double range_mm = grid_.range_mm(k), off_mm = range_mm - s.focus_mm;
-    const double spread = off_mm < 0 ? p.lateralDivergenceNear : p.lateralDivergenceFar;
-    const double fwhm_mm = std::hypot(p.lateralFNumber * wavelength_mm, off_mm * spread);
-    lateralKernel_.push_back(gaussian(fwhm_mm / kFwhmPerSd / grid_.scanlineSpacing_mm(range_mm)));
+    const double range_mm = grid_.range_mm(k);
+    lateralKernel_.push_back(
+        gaussian(lateralFwhm_mm(p, s, range_mm) / kFwhmPerSd / grid_.scanlineSpacing_mm(range_mm)));
   }
   for (auto* plane : {&re_, &im_, &blurredRe_, &blurredIm_, &level_})
     plane->resize(std::size_t(s.scanlines) * s.samples);
@@ -77,11 +76,10 @@ void PlainLoop::scatter(const Transform& patientFromProbe) {
   const Transform indexFromProbe = patient_.labels.geometry.indexFromPatient() * patientFromProbe;
   std::fill(re_.begin(), re_.end(), 0.0F);
   std::fill(im_.begin(), im_.end(), 0.0F);
-  const double planeStep_mm =
-      1.2 * setup_.probe.elevationFwhm_wavelengths * kSoundSpeed_mmPerUs / s.frequency_MHz / kFwhmPerSd;
+  const double planeStep_mm = 0.87 * sliceLaw(setup_.probe, s.frequency_MHz).narrowest_mm / kFwhmPerSd;
   for (int plane = 0; plane < s.elevationPlanes; ++plane) {
     const double offset = plane - (s.elevationPlanes - 1) / 2.0;
-    const auto weight = static_cast<float>(std::exp(-0.72 * offset * offset));
+    const auto weight = static_cast<float>(std::exp(-0.375 * offset * offset));
     for (int line = 0; line < s.scanlines; ++line) {
       const Vec3 origin =
           indexFromProbe * (grid_.origin(line) + Vec3{0, offset * planeStep_mm, 0}) + Vec3{0.5, 0.5, 0.5};

@@ -138,7 +138,7 @@ constexpr const char* kAboutErrors =
     "envelope_error_percent and ssim compare with the reference engine at the same settings and poses. "
     "discretisation_error_percent and discretisation_ssim compare with a dense frame of the reference engine, speckle "
     "left out: more elevation planes hold other scatterers, so that speckle itself cannot converge. gate_mm is the "
-    "distance at which echoes are summed; more samples bring it down only to a third of the pulse. Rows of displaced "
+    "distance at which echoes are summed; more samples bring it down only to 0.42 of the pulse. Rows of displaced "
     "tissue show what a displacement of the probe's plane adds to a frame, its computation left out; rows of a needle "
     "what one adds that crosses half of the picture at 45 degrees.";
 constexpr const char* kAboutPlainLoop =

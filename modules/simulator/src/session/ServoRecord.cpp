@@ -1,6 +1,7 @@
 #include "hand/SkinSurface.h"
 
 #include <insonate/simulator/ServoRecord.h>
+#include <insonate/ultrasound/PointSpread.h>
 
 #include <algorithm>
 #include <optional>
@@ -79,10 +80,10 @@ AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const
 }
 
 PictureField pictureFieldOf(const Probe& probe) {
-  constexpr double kSound_mmMHz = 1.54;  // 1540 m/s
+  const SliceLaw slice = sliceLaw(probe, probe.defaultFrequency_MHz);
   PictureField field;
-  field.sliceHalf_mm = probe.elevationFwhm_wavelengths * kSound_mmMHz / probe.defaultFrequency_MHz / 2;
-  field.elevationFocus_mm = probe.elevationFocus_mm, field.elevationDivergence = probe.elevationDivergence;
+  field.sliceHalf_mm = slice.narrowest_mm / 2, field.elevationFocus_mm = slice.at_mm;
+  field.elevationDivergence = slice.growthBefore, field.elevationDivergenceBehind = slice.growthBehind;
   if (probe.shape == ProbeShape::Linear) {
     field.width_mm = probe.width_mm;
   } else {

@@ -1,9 +1,9 @@
 #include "DisplayPlan.h"
 
 #include "Plane.h"
-#include "PointSpread.h"
 
 #include <insonate/ultrasound/Display.h>
+#include <insonate/ultrasound/PointSpread.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,29 +1,37 @@
 #include "model/FramePlan.h"
 
-#include "PointSpread.h"
 #include "model/Scatterers.h"
 
 #include <insonate/core/Hash.h>
+#include <insonate/ultrasound/PointSpread.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace insonate {
 namespace {
 
-constexpr double kPlaneSpacing_sd = 1.2;
+/// Spacing of 3, 5, 7 and 9 planes, in units of the slice's SD: with it the planes, each with its share of a Gaussian's
+/// power, have the RMS width of the slice.
+constexpr double kPlaneSpacing_sd[] = {1.041, 0.684, 0.517, 0.419};
+constexpr double kGatesPerPulse = 2.4;
+/// Of the lattice of scatterers, in pulses. Scanlines farther apart than its nodes would each have their own speckle,
+/// which would jump from one to the next: it is as coarse as they are, up to what the pulse allows.
+constexpr double kFinestLattice = 0.58, kCoarsestLattice = 0.68;
+
+constexpr double kFaintest = 3e-3;  // of a beam's axis, where its kernel ends
 constexpr double kCellDepth_mm = 0.4, kCellWidth_mm = 0.4;
 constexpr int kMaxKernelRadius = 32;
 
-/// Half of a sampled Gaussian of unit sum, cut at 3 SD.
-std::vector<double> halfKernel(double sd_samples) {
-  const int radius = std::min(static_cast<int>(std::ceil(3 * sd_samples)), kMaxKernelRadius);
-  std::vector<double> half(radius + 1);
-  double sum = 0;
-  for (int o = 0; o <= radius; ++o) {
-    half[o] = o == 0 ? 1 : std::exp(-0.5 * o * o / (sd_samples * sd_samples));
-    sum += o == 0 ? half[o] : 2 * half[o];
-  }
+/// Half of a sampled kernel of unit sum, of a profile by samples from its centre, cut where it becomes faint.
+template <class Profile>
+std::vector<double> halfKernel(const Profile& profile) {
+  std::vector<double> half;
+  for (int o = 0; o <= kMaxKernelRadius; ++o) half.push_back(profile(o));
+  while (half.size() > 1 && half.back() < kFaintest) half.pop_back();
+  double sum = -half[0];
+  for (const double w : half) sum += 2 * w;
   for (double& w : half) w /= sum;
   return half;
 }
@@ -44,10 +52,10 @@ CubicWeights cubicAt(double t) {
            t * t * (-0.5 + 0.5 * t)}};
 }
 
-FramePlan::FramePlan(const Probe& p, const ImagingSettings& s) : probe(p), settings(s), grid(p, s) {
+FramePlan::FramePlan(const Probe& p, const ImagingSettings& s) : probe(p), settings(s), grid(p, s), field(p, s) {
   const double pulse_mm = axialFwhm_mm(p, s);
   lines = grid.scanlines();
-  stride = std::max(1, static_cast<int>(pulse_mm / 3 / grid.step_mm()));
+  stride = std::max(1, static_cast<int>(pulse_mm / kGatesPerPulse / grid.step_mm()));
   gates = (grid.samples() + stride - 1) / stride;
   gate_mm = stride * grid.step_mm();
   cellGates = std::clamp(static_cast<int>(kCellDepth_mm / gate_mm), 1, 4);
@@ -57,7 +65,8 @@ FramePlan::FramePlan(const Probe& p, const ImagingSettings& s) : probe(p), setti
   const auto steering_deg =
       static_cast<std::int32_t>(std::lround(probe.shape == ProbeShape::Linear ? s.steering_deg : 0));
   if (steering_deg != 0) specklePattern = hash32(static_cast<std::uint32_t>(steering_deg));
-  latticePitch_mm = 0.58 * pulse_mm;
+  latticePitch_mm = std::clamp(grid.scanlineSpacing_mm(std::min(s.focus_mm, s.depth_mm)), kFinestLattice * pulse_mm,
+                               kCoarsestLattice * pulse_mm);
   latticeElevationPitch_mm = 3 * latticePitch_mm;
   planeElevation();
   planeBeam();
@@ -65,16 +74,25 @@ FramePlan::FramePlan(const Probe& p, const ImagingSettings& s) : probe(p), setti
 
 void FramePlan::planeElevation() {
   const int planes = settings.elevationPlanes;
-  double sum = 0;
-  for (int p = 0; p < planes; ++p) {
-    planeOffset_sd.push_back((p - (planes - 1) / 2) * kPlaneSpacing_sd * (planes > 3 ? 3.0 / planes * 1.4 : 1.0));
-    scatterWeight.push_back(std::exp(-0.5 * planeOffset_sd[p] * planeOffset_sd[p]));
-    sum += scatterWeight[p];
+  for (int g = 0; g < gates; ++g) elevationSd_mm.push_back(field.sliceSd_mm(range_mm(g)));
+  if (planes > 1) planeSpacing_sd = kPlaneSpacing_sd[planes / 2 - 1];
+  std::vector<double> power(planes), amplitude(planes);
+  // Shares of the slice at its lens's focus, where it is thin; elsewhere they are much the same.
+  const double focus_mm = std::min(probe.elevationFocus_mm, settings.depth_mm), sd_mm = field.sliceSd_mm(focus_mm);
+  constexpr int kSteps = 400;
+  for (int n = -kSteps; n <= kSteps; ++n) {
+    const double off_mm = field.sliceReach_mm() * n / kSteps, here = field.elevation(off_mm, focus_mm);
+    const double plane = planes > 1 ? std::round(off_mm / sd_mm / planeSpacing_sd) : 0;
+    const int p = std::clamp(static_cast<int>(plane) + planes / 2, 0, planes - 1);
+    power[p] += here * here, amplitude[p] += here;
   }
-  for (const double w : scatterWeight) boundaryWeight.push_back(w / sum);
-  if (planes > 1) planeSpacing_sd = planeOffset_sd[1] - planeOffset_sd[0];
-  for (int g = 0; g < gates; ++g)
-    elevationSd_mm.push_back(elevationFwhm_mm(probe, settings, range_mm(g)) / acoustics::kFwhmPerSd);
+  const double allPower = std::accumulate(power.begin(), power.end(), 0.0);
+  const double allAmplitude = std::accumulate(amplitude.begin(), amplitude.end(), 0.0);
+  for (int p = 0; p < planes; ++p) {
+    planeOffset_sd.push_back((p - planes / 2) * planeSpacing_sd);
+    scatterWeight.push_back(std::sqrt(power[p] / allPower));
+    boundaryWeight.push_back(amplitude[p] / allAmplitude);
+  }
 }
 
 double FramePlan::speckleVariance(int gate, const std::vector<double>& axialLags,
@@ -97,22 +115,56 @@ double FramePlan::speckleVariance(int gate, const std::vector<double>& axialLags
   return variance;
 }
 
+/// A boundary's B-spline after the axial kernel, by samples, at its highest: the mean over where between gates it lies.
+double FramePlan::impulsePeak() const {
+  constexpr int kPlaces = 16;
+  const int radius = static_cast<int>(axialKernel.size()) - 1;
+  const auto spline = [](double off) {
+    const double x = std::abs(off);
+    return x < 0.5 ? 0.75 - x * x : x < 1.5 ? 0.5 * (1.5 - x) * (1.5 - x) : 0;
+  };
+  double sum = 0;
+  for (int place = 0; place < kPlaces; ++place) {
+    const auto atGate = [&](int gate) {
+      double value = 0;
+      for (int o = -radius; o <= radius; ++o)
+        value += axialKernel[std::abs(o)] * spline(gate + o - (place + 0.5) / kPlaces);
+      return value;
+    };
+    double peak = 0;
+    for (int m = -stride; m < 2 * stride; ++m) {
+      const double gate = (m + 0.5) / stride - 0.5;
+      const int before = static_cast<int>(std::floor(gate));
+      const CubicWeights w = cubicAt(gate - before);
+      double value = 0;
+      for (int o = 0; o < 4; ++o) value += w.weight[o] * atGate(before - 1 + o);
+      peak = std::max(peak, value);
+    }
+    sum += peak;
+  }
+  return sum / kPlaces;
+}
+
 void FramePlan::planeBeam() {
   using acoustics::kFwhmPerSd;
   const double axialSd_mm = axialFwhm_mm(probe, settings) / kFwhmPerSd;
-  // The lattice's own grain counts toward the point-spread function.
+  // The lattice's own grain counts toward the point-spread function: kernels are narrower by as much.
   const double latticeVariance_mm2 = latticePitch_mm * latticePitch_mm / 6;
-  const auto kernelSd = [&](double total_mm) {
-    return std::sqrt(std::max(total_mm * total_mm - latticeVariance_mm2, 0.04 * total_mm * total_mm));
+  const auto narrowing = [&](double sd_mm) {
+    return std::sqrt(std::max(1 - latticeVariance_mm2 / (sd_mm * sd_mm), 0.04));
   };
-  axialKernel = settings.effects.beam ? halfKernel(kernelSd(axialSd_mm) / gate_mm) : std::vector<double>{1};
+  const double axialSd_gates = axialSd_mm * narrowing(axialSd_mm) / gate_mm;
+  const auto pulse = [&](int off) { return std::exp(-0.5 * off * off / (axialSd_gates * axialSd_gates)); };
+  axialKernel = settings.effects.beam ? halfKernel(pulse) : std::vector<double>{1};
   const std::vector<double> axialLags = autocorrelation(axialKernel);
 
   std::vector<std::vector<double>> lateral(gates);
   for (int g = 0; g < gates; ++g) {
-    const double sd_lines =
-        kernelSd(lateralFwhm_mm(probe, settings, range_mm(g)) / kFwhmPerSd) / grid.scanlineSpacing_mm(range_mm(g));
-    lateral[g] = settings.effects.beam ? halfKernel(std::max(sd_lines, 1e-3)) : std::vector<double>{1};
+    const double range = range_mm(g);
+    const double step_mm =
+        grid.scanlineSpacing_mm(range) / narrowing(lateralFwhm_mm(probe, settings, range) / kFwhmPerSd);
+    const auto beam = [&](int off) { return field.lateral(off * step_mm, range); };
+    lateral[g] = settings.effects.beam ? halfKernel(beam) : std::vector<double>{1};
     lateralRadius.push_back(static_cast<int>(lateral[g].size()) - 1);
     maxLateralRadius = std::max(maxLateralRadius, lateralRadius[g]);
   }
@@ -121,9 +173,7 @@ void FramePlan::planeBeam() {
     std::copy(lateral[g].begin(), lateral[g].end(), lateralKernel.begin() + std::ptrdiff_t(g) * (maxLateralRadius + 1));
     scatterScale.push_back(1 / std::sqrt(speckleVariance(g, axialLags, autocorrelation(lateral[g]))));
   }
-  // Peak of the B-spline impulse after the axial kernel.
-  const double next = axialKernel.size() > 1 ? axialKernel[1] : 0;
-  boundaryScale = 1 / (0.75 * axialKernel[0] + 0.25 * next);
+  boundaryScale = 1 / impulsePeak();
 }
 
 }  // namespace insonate

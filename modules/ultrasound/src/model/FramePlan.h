@@ -1,5 +1,7 @@
 #pragma once
 
+#include "model/BeamField.h"
+
 #include <insonate/ultrasound/BeamGrid.h>
 
 #include <cstdint>
@@ -31,15 +33,16 @@ inline constexpr int kMaxLooks = 3;
 
 /// Everything about a frame that follows from probe and settings alone, computed once.
 ///
-/// Echoes are summed on "gates": every `stride`-th sample of a scanline, close enough for the pulse (at most a third of
-/// its FWHM). Structures are looked up on a coarser lattice of nodes and interpolated within cells of cellGates x
-/// cellLines gates.
+/// Echoes are summed on "gates": every `stride`-th sample of a scanline, close enough for the pulse (2.4 of them or
+/// more within its FWHM). Structures are looked up on a coarser lattice of nodes and interpolated within cells of
+/// cellGates x cellLines gates.
 struct FramePlan {
   FramePlan(const Probe& probe, const ImagingSettings& settings);
 
   Probe probe;
   ImagingSettings settings;
   BeamGrid grid;
+  BeamField field;
   int lines = 0;
   int stride = 1;      ///< samples per gate
   int gates = 0;       ///< per scanline
@@ -47,7 +50,8 @@ struct FramePlan {
   int cellGates = 1, cellLines = 1;
   int nodeRows = 0, nodeColumns = 0;
 
-  /// Elevation planes in units of the beam's elevation SD; weights of scattering (of unit power) and of boundaries (of
+  /// Elevation planes in units of the slice's SD (BeamField::sliceSd_mm). Each stands for the part of the slice that is
+  /// nearest to it: weights of scattering are the root of its power (of unit power), of boundaries its amplitude (of
   /// unit sum).
   std::vector<double> planeOffset_sd, scatterWeight, boundaryWeight;
   std::vector<double> elevationSd_mm;  ///< [gate]
@@ -73,6 +77,7 @@ struct FramePlan {
  private:
   void planeElevation();
   void planeBeam();
+  double impulsePeak() const;
   /// Of unit scattering after the beam, at a gate; from the autocorrelations of its kernels.
   double speckleVariance(int gate, const std::vector<double>& axialLags, const std::vector<double>& lateralLags) const;
 };

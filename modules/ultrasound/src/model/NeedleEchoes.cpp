@@ -1,7 +1,8 @@
 #include "model/NeedleEchoes.h"
 
-#include "PointSpread.h"
 #include "model/Contact.h"
+
+#include <insonate/ultrasound/PointSpread.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,7 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kLeastSine2 = 1e-3;  // beams along the shaft cross it nowhere in particular
-constexpr double kReach_sd = 4.5;     // of the slice
+constexpr double kFaintest = 1e-3;    // of what the slice has in its middle
 constexpr double kStep_gates = 0.75;  // B-splines a gate wide add up evenly
 constexpr double kLeastSpacing_mm = 1e-3, kLeastRing = 0.2, kLeastLoss_dB = 0.01;
 constexpr double kBeside_mm = 2;  // of the field of view, for what reaches into it
@@ -153,11 +154,11 @@ void NeedleEchoes::echoShaft(const Pose& needle) {
   const double echo = fromDecibel(acoustics::kReflectorGain_dB) * reflection() * plan.boundaryScale;
   const double inner_mm = 2 * needle.radius_mm * (1 - 2 * steel::kWallShare);
   const double walls_mm = 4 * needle.radius_mm * steel::kWallShare * kSoundSpeed_mmPerUs / steel::kSpeed_mmPerUs;
-  const double widest_sd = *std::max_element(plan.elevationSd_mm.begin(), plan.elevationSd_mm.end());
+  const double reach_mm = plan.field.sliceReach_mm();
   Interval s{0, needle.length_mm};
   clip(needle.tip_mm.x, -needle.direction.x, grid.minLateral_mm() - kBeside_mm, grid.maxLateral_mm() + kBeside_mm, s);
   clip(needle.tip_mm.z, -needle.direction.z, grid.minAxial_mm() - kBeside_mm, grid.maxAxial_mm() + kBeside_mm, s);
-  clip(needle.tip_mm.y, -needle.direction.y, -kReach_sd * widest_sd, kReach_sd * widest_sd, s);
+  clip(needle.tip_mm.y, -needle.direction.y, -reach_mm, reach_mm, s);
 
   const double step_mm = kStep_gates * plan.gate_mm;
   for (double n = std::ceil(s.low / step_mm); (n + 0.5) * step_mm < s.high; ++n) {
@@ -176,11 +177,9 @@ void NeedleEchoes::echoShaft(const Pose& needle) {
     const double gate = (at.sample + 0.5) / plan.stride - 0.5;
     if (gate < -1 || gate > plan.gates || at.scanline < -1 || at.scanline > plan.lines) continue;
     const double range_mm = plan.range_mm(gate);
-    const double slice_mm = plan.elevationSd_mm[std::clamp(static_cast<int>(gate), 0, plan.gates - 1)];
-    const double off_sd = surface.y / slice_mm;
-    if (std::abs(off_sd) > kReach_sd) continue;
-    const double slice =
-        std::min(1.0, strip_mm / (std::sqrt(2 * std::numbers::pi) * slice_mm)) * std::exp(-0.5 * off_sd * off_sd);
+    const double seen = plan.field.elevation(surface.y, range_mm);
+    if (seen < kFaintest) continue;
+    const double slice = std::min(1.0, strip_mm / plan.field.sliceIntegral_mm(range_mm)) * seen;
 
     const double shaft_deg = std::asin(std::min(std::abs(along), 1.0)) * kDegrees;
     const double face_deg = std::acos(std::clamp(-dot(beam, needle.face), 0.0, 1.0)) * kDegrees;

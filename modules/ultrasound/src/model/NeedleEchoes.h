@@ -20,11 +20,11 @@ inline constexpr double kImpedance_MRayl = 45, kTissueImpedance_MRayl = 1.63;
 inline constexpr double kSpeed_mmPerUs = 5.79;
 inline constexpr double kWallShare = 0.17;  ///< of the outer diameter; 0.22 mm of 18 G
 /// Per degree of the beam's tilt from square; what the beam loses by spreading over a slope comes on top.
-inline constexpr double kTiltLoss_dBpdeg = 0.33;
+inline constexpr double kTiltLoss_dBpdeg = 0.375;
 inline constexpr double kBevel_deg = 20;
 /// The edges of the bevel scatter: its echo at the tip, the most that a tilt takes from it there, and how far it
 /// reaches.
-inline constexpr double kTipGain_dB = 6, kTipTiltLoss_dB = 12, kTip_mm = 0.8;
+inline constexpr double kTipGain_dB = 8.5, kTipTiltLoss_dB = 12, kTip_mm = 0.8;
 /// Echoes between the near and the far wall: the first over the shaft's, each over the one before.
 inline constexpr int kRings = 5;
 inline constexpr double kFirstRing = 0.2, kNextRing = 0.4;

@@ -63,11 +63,11 @@ std::vector<PointEcho> pointEchoes(const FramePlan& plan, const std::vector<Poin
     const double gate = (at.sample + 0.5) / plan.stride - 0.5;
     if (!at.inside || gate <= -1 || gate >= plan.gates) continue;
     const int g0 = std::max(0, static_cast<int>(std::floor(gate)));
-    const double elevation_sd = p.y / plan.elevationSd_mm[g0];
     const double lateralGrain = grain_mm / plan.grid.scanlineSpacing_mm(plan.range_mm(gate));
     const double lateralPeak = peakOf(plan.lateralKernel.data() + std::size_t(g0) * (plan.maxLateralRadius + 1),
                                       plan.lateralRadius[g0], lateralGrain);
-    const double amplitude = point.amplitude * std::exp(-0.5 * elevation_sd * elevation_sd) / (axialPeak * lateralPeak);
+    const double seen = plan.field.elevation(p.y, plan.range_mm(gate));
+    const double amplitude = point.amplitude * seen / (axialPeak * lateralPeak);
     const Shares axial = sharesAround(gate, axialGrain), lateral = sharesAround(at.scanline, lateralGrain);
     for (int o = 0; o < axial.count; ++o)
       for (int q = 0; q < lateral.count; ++q) {

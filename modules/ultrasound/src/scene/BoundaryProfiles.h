@@ -13,7 +13,8 @@ namespace insonate {
 class BoundaryProfiles {
  public:
   static constexpr int kEntries = 256;
-  static constexpr double kStep_mm = 0.025;
+  /// No round number: distances of a round grid would lie on the edges of entries, where rounding decides.
+  static constexpr double kStep_mm = 0.0251;
   static constexpr double kReach_mm = kEntries / 2 * kStep_mm;
 
   /// One entry, packed for a single gather: occupancy (0..255: 0..1), echo (0..255: -32..+31.75 dB), anisotropy and

@@ -1,7 +1,8 @@
 #include "thesis/ThesisModel.h"
 
-#include "PointSpread.h"
 #include "scene/FieldSampling.h"
+
+#include <insonate/ultrasound/PointSpread.h>
 
 #include <algorithm>
 #include <cmath>

@@ -41,15 +41,13 @@ constexpr Presentation kNumbers[] = {
     {"defaultFrequency_MHz", "Frequency", "frequency", "MHz", "with which the probe begins", 0.5, 1},
     {"minFrequency_MHz", "", "least", "MHz", "that can be chosen", 0.5, 1},
     {"maxFrequency_MHz", "", "most", "MHz", "that can be chosen", 0.5, 1},
-    {"axialFwhm_wavelengths", "Beam", "pulse", "\u03bb", "length in wavelengths (half maximum): axial resolution", 0.05,
-     2},
-    {"lateralFNumber", "", "F-number", "", "width of the focus in wavelengths: lateral resolution", 0.1, 1},
+    {"pitch_mm", "Array", "pitch", "mm", "distance of the elements, center to center", 0.01, 3},
+    {"bandwidth", "", "bandwidth", "", "of the received pulse at -6 dB, over its frequency: axial resolution", 0.05, 2},
+    {"transmitFNumber", "", "transmit F-number", "", "focus over aperture: lateral resolution at the focus", 0.1, 1},
+    {"receiveFNumber", "", "receive F-number", "", "depth over aperture: lateral resolution at all depths", 0.1, 1},
     {"maxAperture_mm", "", "aperture", "mm", "largest active part of the array", 1, 0},
-    {"lateralDivergenceNear", "", "opening near", "", "the beam's growth before the focus, mm per mm", 0.005, 3},
-    {"lateralDivergenceFar", "", "opening far", "", "the beam's growth behind the focus, mm per mm", 0.005, 3},
-    {"elevationFocus_mm", "Slice", "slice focus", "mm", "where the slice is thinnest", 1, 0},
-    {"elevationFwhm_wavelengths", "", "thickness", "\u03bb", "of the slice at its focus, in wavelengths", 0.1, 1},
-    {"elevationDivergence", "", "opening", "", "the slice's growth off its focus, mm per mm", 0.005, 3},
+    {"elementHeight_mm", "Slice", "element height", "mm", "across the imaging plane: slice thickness", 0.5, 1},
+    {"elevationFocus_mm", "", "elevation focus", "mm", "focus of the lens, across the imaging plane", 1, 0},
 };
 
 const ProbeField& fieldNamed(std::string_view name) {
@@ -97,6 +95,12 @@ void ProbeEditor::buildHead(QVBoxLayout& box) {
   shape_->setAccessibleName(tr("Shape of the probe"));
   shape_->setToolTip(tr("Shape of the field of view"));
   shape_->setFocusPolicy(Qt::TabFocus);
+  apodization_ = new QComboBox;
+  apodization_->setObjectName("apodization");
+  apodization_->addItems({tr("uniform"), tr("Tukey"), tr("Hann")});
+  apodization_->setAccessibleName(tr("Receive apodization"));
+  apodization_->setToolTip(tr("Weights of the elements on receive: from the narrowest beam to the lowest side lobes"));
+  apodization_->setFocusPolicy(Qt::TabFocus);
   auto* fit = button(tr("Fit to an image..."), "fitToPicture",
                      tr("Take angle, radii and depth from a photograph or screen capture of a machine"));
   box.addWidget(title);
@@ -110,6 +114,7 @@ void ProbeEditor::buildHead(QVBoxLayout& box) {
   };
   row(0, tr("name"), name_);
   row(1, tr("shape"), shape_);
+  row(2, tr("apodization"), apodization_);
   box.addLayout(grid);
   hint_ = new QLabel(tr("This one is built in: type another name to save yours."));
   hint_->setWordWrap(true);
@@ -118,6 +123,10 @@ void ProbeEditor::buildHead(QVBoxLayout& box) {
   box.addWidget(fit);
   connect(name_, &QLineEdit::editingFinished, this, &ProbeEditor::changeName);
   connect(shape_, qOverload<int>(&QComboBox::activated), this, &ProbeEditor::changeShape);
+  connect(apodization_, qOverload<int>(&QComboBox::activated), this, [this](int weights) {
+    draft_.apodization = Apodization(weights);
+    use("apodization", nullptr);
+  });
   // A click leaves the keyboard in the name: what was typed there counts.
   connect(fit, &QPushButton::clicked, this, [this] {
     changeName();
@@ -230,6 +239,7 @@ void ProbeEditor::show(const Probe& probe) {
   draft_ = probe;
   name_->setText(QString::fromStdString(probe.name));
   shape_->setCurrentIndex(int(probe.shape));
+  apodization_->setCurrentIndex(int(probe.apodization));
   for (const Row& row : rows_) {
     ui::ValueRange range = row.slider->range();
     range.usual =

@@ -72,7 +72,7 @@ class ProbeEditor : public ScrollingColumn {
   Probe draft_;
   std::string savedName_;  ///< of the user's probe that is being edited; empty for none
   QLineEdit* name_ = nullptr;
-  QComboBox* shape_ = nullptr;
+  QComboBox *shape_ = nullptr, *apodization_ = nullptr;
   std::vector<Row> rows_;
   QVBoxLayout* numbers_ = nullptr;
   QLabel *problem_ = nullptr, *hint_ = nullptr;

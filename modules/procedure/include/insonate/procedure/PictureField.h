@@ -5,23 +5,24 @@
 namespace insonate {
 
 /// Where the live image shows something, in the probe's frame. In its plane, y = 0, it is a rectangle, or a fan about
-/// an apex `faceRadius_mm` behind the face. Across the plane it is as thick as the beam
-/// (Probe::elevationFwhm_wavelengths).
+/// an apex `faceRadius_mm` behind the face. Across the plane it is as thick as the beam, by the slice's law
+/// (SliceLaw, insonate/ultrasound/PointSpread.h).
 struct PictureField {
   double width_mm = 0;      ///< of the rectangle
   double fanAngle_deg = 0;  ///< full angle; 0: a rectangle
   double faceRadius_mm = 0;
-  double sliceHalf_mm = 0;  ///< half the slice thickness (FWHM) at the elevation focus; 0: this attempt has no image
-  double elevationFocus_mm = 0;    ///< below the face
-  double elevationDivergence = 0;  ///< growth of the slice thickness per mm off that focus; 0: not known, none
+  double sliceHalf_mm = 0;  ///< half the slice thickness (FWHM) where it is narrowest; 0: this attempt has no image
+  double elevationFocus_mm = 0;          ///< depth of the narrowest place, below the face
+  double elevationDivergence = 0;        ///< growth of the thickness per mm before that depth; 0: not known, none
+  double elevationDivergenceBehind = 0;  ///< growth of the thickness per mm behind that depth
 
   bool operator==(const PictureField&) const = default;
 };
 
 /// How far off the plane the image still shows a needle at this distance from the face: one slice thickness,
-/// hypot(thickness at the focus, divergence * distance from the focus). The beam is a Gaussian, so that an echo there
-/// has lost 20 log10(16) = 24 dB: as much as a needle at 45 degrees stands out from speckle (ultrasound/README.md,
-/// "Needle").
+/// hypot(narrowest thickness, divergence * distance from the narrowest place). An echo there has lost some
+/// 20 log10(16) = 24 dB, as a Gaussian beam's would: as much as a needle at 45 degrees stands out from speckle
+/// (ultrasound/README.md, "Needle").
 double shownOffPlane_mm(const PictureField& field, double range_mm);
 
 /// Whether a live image of this depth shows a needle's tip at a point of the probe's frame.

@@ -12,8 +12,11 @@ namespace insonate {
 
 enum class ProbeShape { Linear, Curvilinear, Phased };
 
+/// Weights of the elements over the receive aperture: all alike, half of them tapered by a cosine, or a whole cosine.
+enum class Apodization { Uniform, Tukey, Hann };
+
 /// A transducer. Its frame: origin at the centre of the face, +x lateral (toward the marker), +z axial (into the body),
-/// +y elevation. Widths are full widths at half maximum (FWHM) of the amplitude point-spread function.
+/// +y elevation. The point-spread function is that of the array: see src/model/BeamField.h.
 struct Probe {
   std::string name;
   ProbeShape shape = ProbeShape::Linear;
@@ -23,13 +26,14 @@ struct Probe {
   double minFrequency_MHz = 5, maxFrequency_MHz = 13, defaultFrequency_MHz = 7.5;
   double minDepth_mm = 20, maxDepth_mm = 120, defaultDepth_mm = 40;
   double defaultFocus_mm = 20;
-  double axialFwhm_wavelengths = 1.27;  ///< pulse length; wavelength at 1540 m/s
-  double lateralFNumber = 3.0;          ///< FWHM at the focus in wavelengths, where the aperture allows
-  double maxAperture_mm = 30;           ///< limits the F-number: FWHM >= wavelength * focus / maxAperture
-  double lateralDivergenceNear = 0.020, lateralDivergenceFar = 0.028;  ///< FWHM growth per mm off the focus
-  double elevationFocus_mm = 20;
-  double elevationFwhm_wavelengths = 5.4;  ///< slice thickness at the elevation focus
-  double elevationDivergence = 0.085;      ///< slice thickness growth per mm off the elevation focus
+  double pitch_mm = 0.2;         ///< of the elements, centre to centre
+  double bandwidth = 0.5;        ///< of the pulse that comes back, at -6 dB, over its frequency
+  double transmitFNumber = 2.5;  ///< focus over aperture; the focus is the operator's
+  double receiveFNumber = 1.5;   ///< depth over aperture, which follows the depth
+  double maxAperture_mm = 30;    ///< largest active part of the array
+  Apodization apodization = Apodization::Tukey;
+  double elementHeight_mm = 5;    ///< across the imaging plane
+  double elevationFocus_mm = 20;  ///< of the lens
 };
 
 /// One number of a probe: its name, with its unit, as in probe files, and the least and most that validate() accepts.

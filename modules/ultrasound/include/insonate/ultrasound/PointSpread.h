@@ -1,0 +1,31 @@
+#pragma once
+
+#include <insonate/ultrasound/ImagingSettings.h>
+
+namespace insonate {
+
+/// Assumed by the machine, whatever the tissue.
+inline constexpr double kSoundSpeed_mmPerUs = 1.54;
+
+double wavelength_mm(const ImagingSettings& settings);
+
+/// Active parts of the array.
+double transmitAperture_mm(const Probe& probe, const ImagingSettings& settings);
+double receiveAperture_mm(const Probe& probe, double range_mm);
+
+/// Full widths at half maximum of the amplitude point-spread function that a probe has with these settings. The pulse
+/// is a Gaussian of the probe's bandwidth. The other two are laws fitted to the field of an array and of a strip:
+/// within 10 % of what engines show of linear arrays, 20 % of others; for those who need no more than a width.
+double axialFwhm_mm(const Probe& probe, const ImagingSettings& settings);
+double lateralFwhm_mm(const Probe& probe, const ImagingSettings& settings, double range_mm);
+
+/// Slice thickness by depth: hypot(narrowest, growth * distance from the narrowest place), before and behind it.
+struct SliceLaw {
+  double narrowest_mm, at_mm;  ///< thickness, and depth of the narrowest place: it lies before the lens's focus
+  double growthBefore, growthBehind;
+
+  double thickness_mm(double range_mm) const;
+};
+SliceLaw sliceLaw(const Probe& probe, double frequency_MHz);
+
+}  // namespace insonate
