@@ -1,8 +1,7 @@
 #include "ElectronicNoise.h"
 
-#include "PointSpread.h"
-
 #include <insonate/core/Hash.h>
+#include <insonate/ultrasound/PointSpread.h>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -1,8 +1,7 @@
 #include "FaceEchoes.h"
 
-#include "PointSpread.h"
-
 #include <insonate/core/Hash.h>
+#include <insonate/ultrasound/PointSpread.h>
 
 #include <algorithm>
 #include <cmath>

@@ -107,8 +107,8 @@ class Camera {
       ct_.geometry.origin_mm[a] = region.low_mm[a] - 2 * kSpacing_mm;
     }
     labels_.geometry = ct_.geometry;
-    ct_.voxels.assign(ct_.geometry.count(), 0);
-    labels_.voxels.assign(labels_.geometry.count(), kSoftTissue);
+    ct_.voxels.assign(ct_.geometry.voxelCount(), 0);
+    labels_.voxels.assign(labels_.geometry.voxelCount(), kSoftTissue);
   }
 
   Result<void> shoot(double x_mm, double y_mm, double depth_mm) {
