@@ -139,9 +139,14 @@ TEST_F(ElectronicNoise, SpeckleDrownsAtThePenetrationDepth) {
 }
 
 TEST_F(ElectronicNoise, OffIsWithoutAnyOfIt) {
-  settings.effects.noise = false;
-  const Rows none = amplitudes(-200, 1);
-  EXPECT_LT(meanOf(none, 1), 2e-4) << "black";
+  const Rows some = amplitudes(0, 1);
+  settings.noise_dB = -120;
+  const Rows lowest = amplitudes(0, 1);
+  settings.effects.noise = false, settings.noise_dB = 0;
+  const Rows none = amplitudes(0, 1);
+  EXPECT_EQ(lowest, none) << "the lowest level is none";
+  EXPECT_NE(some, none);
+  EXPECT_LT(meanOf(amplitudes(-200, 1), 1), 2e-4) << "black";
 }
 
 }  // namespace

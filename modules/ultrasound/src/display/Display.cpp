@@ -76,7 +76,7 @@ Display::Impl::Impl(const Probe& probe, const ImagingSettings& imaging)
       shade(1, plan.scanlines),
       curve(curveOf(imaging.grayMap)),
       scan(probe, imaging) {
-  if (imaging.effects.noise) noise.emplace(probe, imaging, plan);
+  if (imaging.effects.noise && imaging.noise_dB > kNoNoise_dB) noise.emplace(probe, imaging, plan);
   if (imaging.effects.nearField) face.emplace(probe, imaging, plan);
   if (imaging.speckleReduction > 0) smoothing.emplace(plan, imaging.speckleReduction);
   if (imaging.persistence > 0) previous.emplace(plan.samples, plan.scanlines);

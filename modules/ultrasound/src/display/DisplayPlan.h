@@ -12,6 +12,8 @@ inline constexpr double kWhite_dB = 39.5;   ///< over unit speckle, at gain 0
 inline constexpr double kMaxTgc_dB = 120;   ///< of the built-in compensation; more would only amplify nothing
 inline constexpr double kHeadroom_dB = 15;  ///< levels kept below black and above white until smoothing is done
 
+inline constexpr double kNoNoise_dB = -120;  ///< the lowest that can be set is none, and costs nothing
+
 /// Haze: side lobes and reverberation leak a share of the echoes above into quiet regions.
 inline constexpr double kHazeShare_dB = -10.5;
 inline constexpr double kHazeTail_mm = 2.2;
