@@ -73,7 +73,7 @@ void addPoses(Cases& cases, const ScenePtr& scene) {
   cases.add("coarse samples", "linear", scene, onSkin(1), [](auto& s) { s.samples = 64; });
   cases.add("fine samples", "linear", scene, onSkin(1), [](auto& s) { s.samples = 600, s.scanlines = 20; });
   cases.add("fan", "curvilinear", scene, onSkin(1), [](auto& s) { s.samples = 400; });
-  cases.add("phased", "phased", scene, onSkin(1), [](auto& s) { s.samples = 400, s.elevationPlanes = 1; });
+  cases.add("phased", "phased", scene, onSkin(1), [](auto& s) { s.samples = 500, s.elevationPlanes = 1; });
   cases.add("lifted", "linear", scene, onSkin(-5), kAsItIs);
   cases.add("hardly in contact", "linear", scene, onSkin(-7.3), kAsItIs);
   cases.add("rigid skin", "linear", scene, onSkin(-4), [](auto& s) { s.conformingContact = false; });
