@@ -26,9 +26,9 @@ struct SourceImage {
 Result<std::vector<SourceImage>> readRealImages(const std::filesystem::path& list);
 
 /// So many images of built-in necks, each with another neck, view and place, on one of machines(), with depth,
-/// frequency, gain, dynamic range, gray map and contact of the probe's ends drawn at random, about as far apart as those
-/// of real sources. Each is cut to the size of one of `real`, in turn. The same seed gives the same images. A second or
-/// two each.
+/// frequency, gain, dynamic range, gray map and contact of the probe's ends drawn at random, about as far apart as
+/// those of real sources. Each is cut to the size of one of `real`, in turn. The same seed gives the same images. A
+/// second or two each.
 Result<std::vector<SourceImage>> simulatedImages(int count, unsigned seed, const std::vector<SourceImage>& real,
                                                  const Progress& progress = {});
 
