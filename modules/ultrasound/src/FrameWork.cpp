@@ -76,7 +76,8 @@ std::vector<StageWork> frameWork(const Probe& probe, const ImagingSettings& sett
   std::vector<StageWork> work{structures(plan, scene.impl().field), echoes(plan), axialBeam(plan), lateralBeam(plan)};
   work.push_back({"compound", samples * (2 * looks + 6), samples * (looks + 1) * kFloat});
   work.push_back({"compress", samples * kLogarithm, samples * 2 * kFloat});
-  work.push_back({"smooth", samples * ((settings.speckleReduction > 0 ? kSmoothing : 0) + kGrey), samples * (kFloat + 1)});
+  work.push_back(
+      {"smooth", samples * ((settings.speckleReduction > 0 ? kSmoothing : 0) + kGrey), samples * (kFloat + 1)});
   work.push_back({"scan_convert", pixels * kBilinear, samples * (1 + 4) + pixels * (4 + 4 + 2 + 1)});
   return work;
 }

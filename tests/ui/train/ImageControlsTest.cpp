@@ -92,7 +92,7 @@ TEST_F(TrainWindow, CompoundingIsChosenByTheNumberOfAngles) {
   auto* compounding = child<QComboBox>("compounding");
   EXPECT_EQ(compounding->currentText(), "off");
   compounding->setCurrentIndex(compounding->findData(3));
-  emit compounding->activated(compounding->currentIndex());
+  Q_EMIT compounding->activated(compounding->currentIndex());
   EXPECT_EQ(session_->settings().compoundingAngles, 3);
 }
 
