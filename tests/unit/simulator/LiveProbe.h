@@ -20,7 +20,8 @@ inline ImagingSetup smallSetup() {
   ImagingSetup setup{*loadProbe("linear"), {}, *loadAcousticTable("neck"), "cpu"};
   setup.probe.name = "coarse linear";
   // A beam so wide that 1 mm voxels need not be divided: scenes in an eighth of the time.
-  setup.probe.transmitFNumber = setup.probe.receiveFNumber = 8;
+  setup.probe.transmitFNumber = setup.probe.receiveFNumber = 7;
+  setup.probe.elevationFocus_mm = 10;  // in the middle of the image, where needles are
   setup.settings = settingsFor(setup.probe);
   setup.settings.depth_mm = 25;
   setup.settings.scanlines = 48;
