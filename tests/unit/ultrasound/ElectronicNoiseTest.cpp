@@ -85,7 +85,7 @@ TEST_F(ElectronicNoise, ItAddsToAnEchoAsAComplexNumber) {
 
 TEST_F(ElectronicNoise, ItIsAsWideAsThePulseAlongAScanlineAndIndependentAcross) {
   const Rows noise = amplitudes(-200, 3);
-  const double pulse_mm = probe.axialFwhm_wavelengths * 1.54 / settings.frequency_MHz;
+  const double pulse_mm = axialFwhm_mm(probe, settings);
   // Of the complex noise exp(-2 ln 2 (z / pulse)^2); the correlation of its magnitude is close to the square of that.
   for (const int rows : {1, 2, 3}) {
     const double z = 0.1 * rows / pulse_mm;

@@ -25,7 +25,6 @@ struct SourceImage {
 /// Fails, naming the line, on a file that cannot be read or measured, and on a list without images.
 Result<std::vector<SourceImage>> readRealImages(const std::filesystem::path& list);
 
-<<<<<<< HEAD
 /// Which images to simulate.
 struct SimulatedSet {
   int count = 20;
@@ -38,13 +37,6 @@ struct SimulatedSet {
 /// ends drawn at random, about as far apart as those of real sources. Each is cut to the size of one of `real`, in
 /// turn. The same set gives the same images. A few seconds each. Fails on a case that cannot be read or has no skin.
 Result<std::vector<SourceImage>> simulatedImages(const SimulatedSet& set, const std::vector<SourceImage>& real,
-=======
-/// So many images of built-in necks, each with another neck, view and place, on one of machines(), with depth,
-/// frequency, gain, dynamic range, gray map and contact of the probe's ends drawn at random, about as far apart as
-/// those of real sources. Each is cut to the size of one of `real`, in turn. The same seed gives the same images. A
-/// second or two each.
-Result<std::vector<SourceImage>> simulatedImages(int count, unsigned seed, const std::vector<SourceImage>& real,
->>>>>>> r3-display
                                                  const Progress& progress = {});
 
 /// A feature of both sets.

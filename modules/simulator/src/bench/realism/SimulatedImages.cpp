@@ -50,11 +50,7 @@ ImagingSettings chosenSettings(ImagingSettings settings, const Probe& probe, Cho
   settings.frequency_MHz =
       std::clamp(std::round(2 * frequency_MHz) / 2, probe.minFrequency_MHz, probe.maxFrequency_MHz);
   settings.focus_mm = std::round(settings.depth_mm * choices.between(0.35, 0.65));
-<<<<<<< HEAD
   settings.gain_dB = std::round(settings.gain_dB + choices.between(-14, 6));
-=======
-  settings.gain_dB = std::round(settings.gain_dB + choices.between(-10, 11));
->>>>>>> r3-display
   settings.dynamicRange_dB = std::round(std::clamp(settings.dynamicRange_dB + choices.between(-12, 18), 40.0, 80.0));
   if (choices.between(0, 1) < kOtherMap) settings.grayMap = grayMaps()[choices.index(grayMaps().size())].map;
   double* const end = choices.between(0, 1) < 0.5 ? &settings.poorContactLeft_mm : &settings.poorContactRight_mm;
