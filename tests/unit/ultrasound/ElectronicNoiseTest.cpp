@@ -1,6 +1,8 @@
 #include "DisplaySupport.h"
 #include "SpeckleFrame.h"
 
+#include <insonate/ultrasound/PointSpread.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
