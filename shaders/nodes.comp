@@ -29,8 +29,8 @@ void main() {
   // Tissue from beyond the scene reads as its outermost.
   float beyond = min(cell.beyond, fieldCellAt(carriedBy(frame.nodeFromProbe, seen)).beyond);
   const float kZero[16] = float[16](0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-  Node node = Node(kZero, 0.0, comesAndGoesAt(rest, ivec3(0)),
-                   kLayerWander_mm * comesAndGoesAt(rest, ivec3(kWanderStep_voxels)), beyond);
+  Node node = Node(kZero, 0.0, comesAndGoesBetween(rest, ivec3(0)),
+                   kLayerWander_mm * comesAndGoesBetween(rest, ivec3(kWanderStep_voxels)), beyond);
   for (int corner = 0; corner < 8; ++corner) {
     int offset = cornerOffset(cell, corner);
     float weight = cornerWeight(cell, corner);

@@ -68,20 +68,36 @@ HWY_INLINE VI storeCells(D d, const TissueField& field, VI i, VI j, VI k, V fx, 
   return corner;
 }
 
+/// TextureTile::between() of the patch tile, over its unit.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V patchAt(D d, V x, V y, V z, Vec3 origin_mm, int step) {
   const hn::Rebind<std::int32_t, D> di;
   const TextureTile& tile = patchTile();
   const auto toVoxel = hn::Set(d, static_cast<float>(1 / tile.voxel_mm.x));
-  const auto voxel = [&](V p, double from_mm, int size) {
-    const auto at = hn::MulAdd(hn::Sub(p, hn::Set(d, static_cast<float>(from_mm))), toVoxel,
-                               hn::Set(d, static_cast<float>(TextureTile::kRounding_voxels)));
-    return hn::And(hn::Add(hn::ConvertTo(di, hn::Floor(at)), hn::Set(di, step)), hn::Set(di, size - 1));
+  const auto one = hn::Set(d, 1.0F);
+  struct Axis {
+    hn::Vec<decltype(di)> low, high;
+    V share;
   };
-  const auto vu = hn::Add(hn::Mul(voxel(y, origin_mm.y, tile.size[1]), hn::Set(di, tile.size[0])),
-                          voxel(x, origin_mm.x, tile.size[0]));
-  const auto at = hn::Add(hn::Mul(vu, hn::Set(di, tile.size[2])), voxel(z, origin_mm.z, tile.size[2]));
-  return hn::Mul(hn::ConvertTo(d, tileBytes(tile, at)), hn::Set(d, 1.0F / 32));
+  const auto along = [&](V p, double from_mm, int size) {
+    const auto at = hn::Mul(hn::Sub(p, hn::Set(d, static_cast<float>(from_mm))), toVoxel);
+    const auto floor = hn::Floor(at);
+    const auto low = hn::Add(hn::ConvertTo(di, floor), hn::Set(di, step)), mask = hn::Set(di, size - 1);
+    return Axis{hn::And(low, mask), hn::And(hn::Add(low, hn::Set(di, 1)), mask), hn::Sub(at, floor)};
+  };
+  const Axis u = along(x, origin_mm.x, tile.size[0]), v = along(y, origin_mm.y, tile.size[1]),
+             w = along(z, origin_mm.z, tile.size[2]);
+  auto sum = hn::Zero(d);
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto vu =
+        hn::Add(hn::Mul(corner & 2 ? v.high : v.low, hn::Set(di, tile.size[0])), corner & 1 ? u.high : u.low);
+    const auto at = hn::Add(hn::Mul(vu, hn::Set(di, tile.size[2])), corner & 4 ? w.high : w.low);
+    const auto weight =
+        hn::Mul(hn::Mul(corner & 1 ? u.share : hn::Sub(one, u.share), corner & 2 ? v.share : hn::Sub(one, v.share)),
+                corner & 4 ? w.share : hn::Sub(one, w.share));
+    sum = hn::MulAdd(weight, hn::ConvertTo(d, tileBytes(tile, at)), sum);
+  }
+  return hn::Mul(sum, hn::Set(d, 1.0F / 32));
 }
 
 /// HU above the structures' means.

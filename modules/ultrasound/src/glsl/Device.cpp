@@ -87,6 +87,7 @@ std::string constantsText() {
   real("kSheetCoherence", kSheetCoherence);
   real("kLayerWander_mm", kLayerWander_mm);
   whole("kWanderStep_voxels", kWanderStep_voxels);
+  real("kTileRounding_voxels", TextureTile::kRounding_voxels);
   real("kUnitsPerMm", TissueField::kUnitsPerMm);
   real("kReach_mm", TissueField::kReach_mm);
   real("kProfileStep_mm", BoundaryProfiles::kStep_mm);

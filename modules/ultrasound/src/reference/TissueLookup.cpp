@@ -91,8 +91,8 @@ TissueLookup::Node TissueLookup::nodeAt(int plane, int row, int column) const {
   }
   const TextureTile& patches = patchTile();
   const Vec3 voxel = (patient - scene_.textureOrigin_mm) / patches.voxel_mm.x;
-  n.patch = patches.at(voxel) / 32.0;
-  n.wander_mm = kLayerWander_mm * patches.at(voxel + kWanderStep_voxels * Vec3{1, 1, 1}) / 32.0;
+  n.patch = patches.between(voxel) / 32;
+  n.wander_mm = kLayerWander_mm * patches.between(voxel + kWanderStep_voxels * Vec3{1, 1, 1}) / 32;
   return n;
 }
 

@@ -30,6 +30,20 @@ struct TextureTile {
     return at(index(voxels.x), index(voxels.y), index(voxels.z));
   }
   static constexpr double kRounding_voxels = 1e-3;
+
+  /// Between the eight voxels around a point in voxels: without steps, at which engines that round otherwise would
+  /// part.
+  double between(Vec3 voxels) const {
+    const auto whole = [](double x) { return static_cast<int>(std::floor(x)); };
+    const int u = whole(voxels.x), v = whole(voxels.y), w = whole(voxels.z);
+    double sum = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto share = [&](double x, int low, int bit) { return corner >> bit & 1 ? x - low : 1 - (x - low); };
+      sum += share(voxels.x, u, 0) * share(voxels.y, v, 1) * share(voxels.z, w, 2) *
+             at(u + (corner & 1), v + (corner >> 1 & 1), w + (corner >> 2));
+    }
+    return sum;
+  }
 };
 
 inline constexpr int kTextureKinds = 5;
