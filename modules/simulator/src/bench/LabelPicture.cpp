@@ -43,7 +43,7 @@ LabelPicture::LabelPicture(const AcousticScene& scene, const ImagingSetup& setup
   ImagingFrame frame;
   imager->render(scene, patientFromProbe, frame);
   pixel_mm_ = frame.image.pixel_mm;
-  const AcousticTable& table = setup.tissues;
+  const AcousticTable& table = scene.tissues();
   std::vector<std::uint8_t> byBeam;
   for (const float amplitude : frame.envelope.amplitude) byBeam.push_back(labelOf(table, amplitude));
 

@@ -20,7 +20,9 @@ TextureFrame frameOf(const TextureTile& tile, Vec3 origin_mm, Vec3 fibre, Vec3 t
   const Vec3 s{1 / tile.voxel_mm.x, 1 / tile.voxel_mm.y, 1 / tile.voxel_mm.z};
   const Mat3 linear{{Vec3{u.x * s.x, v.x * s.y, w.x * s.z}, Vec3{u.y * s.x, v.y * s.y, w.y * s.z},
                      Vec3{u.z * s.x, v.z * s.y, w.z * s.z}}};
-  return {{linear, -1.0 * (linear * origin_mm)}, w};
+  // Whole voxels, so that what lies between voxels in the patient lies so in the tile; see TextureTile::at().
+  const Vec3 origin = linear * origin_mm;
+  return {{linear, {-std::round(origin.x), -std::round(origin.y), -std::round(origin.z)}}, w};
 }
 
 /// Within the longest period of a tile.
@@ -36,6 +38,10 @@ AcousticScene::AcousticScene(std::unique_ptr<Impl> impl) : impl_(std::move(impl)
 AcousticScene::~AcousticScene() = default;
 const std::vector<std::string>& AcousticScene::warnings() const {
   return impl_->warnings;
+}
+
+const AcousticTable& AcousticScene::tissues() const {
+  return impl_->table;
 }
 
 Result<std::shared_ptr<const AcousticScene>> AcousticScene::make(const CtVolume& ct, const LabelMap& labels,

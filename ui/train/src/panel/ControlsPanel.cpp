@@ -58,9 +58,9 @@ constexpr SliderRow kSliders[] = {
      0, -120, 0},
     {&Settings::ringing_dB, "ringing", "ringing", "dB", "bright bands of the probe itself below its face", 1, 0, -20,
      60},
-    {&Settings::poorContactLeft_mm, "poorContactLeft", "no contact, left", "mm",
+    {&Settings::poorContactLeft_mm, "poorContactLeft", "no contact left", "mm",
      "strip of the face that the skin does not touch", 0.5, 1, 0, 30},
-    {&Settings::poorContactRight_mm, "poorContactRight", "no contact, right", "mm",
+    {&Settings::poorContactRight_mm, "poorContactRight", "no contact right", "mm",
      "strip of the face that the skin does not touch", 0.5, 1, 0, 30},
 };
 constexpr std::size_t kBeforeTgc = 5;
@@ -223,7 +223,7 @@ void ControlsPanel::buildProcessing(QVBoxLayout& box) {
                    new GainSliders(Qt::Horizontal, tr("Lateral gain"),
                                    tr("Gain from left to right. Double click resets one, with Shift all.")));
   lateral_->setObjectName("lateralGain");
-  box.addWidget(labelled(tr("lateral"), lateral_));
+  box.addWidget(labelled(tr("lateral gain"), lateral_));
   addSliders(box, kBeforeTgc, std::size(kSliders));
   grayMap_ = new QComboBox;
   grayMap_->setObjectName("grayMap");

@@ -43,6 +43,8 @@ class AcousticScene {
   ~AcousticScene();
 
   const std::vector<std::string>& warnings() const;
+  /// Acoustic properties that engines see, those of the patient where a simulator has varied them.
+  const AcousticTable& tissues() const;
 
   struct Impl;  ///< for the engines
   const Impl& impl() const { return *impl_; }
