@@ -6,6 +6,7 @@
 #include "reference/ReferenceEngine.h"
 
 #include <insonate/ultrasound/Engine.h>
+#include <insonate/ultrasound/PointSpread.h>
 
 #include <algorithm>
 
@@ -38,11 +39,15 @@ Result<std::unique_ptr<Engine>> makeEngineFor(std::string_view name, const Probe
 
 Region regionOf(const Probe& probe, const ImagingSettings& settings, const Transform& patientFromProbe,
                 double largestShift_mm) {
-  const FramePlan plan(probe, settings);
+  // The law is within 20 % of the slice that engines sum, and planes lie within 2.5 SD of it.
+  constexpr double kSlice_sd = 3.5;
+  const SliceLaw slice = sliceLaw(probe, settings.frequency_MHz);
+  const double thickest_mm = std::max(slice.thickness_mm(0), slice.thickness_mm(settings.depth_mm));
+  const BeamGrid straight(probe, settings);
   Region region{{1e30, 1e30, 1e30}, {-1e30, -1e30, -1e30}};
-  const double thickness_mm = 3 * *std::max_element(plan.elevationSd_mm.begin(), plan.elevationSd_mm.end());
+  const double thickness_mm = kSlice_sd * thickest_mm / acoustics::kFwhmPerSd;
   const double beyond_mm = acoustics::kContactReach_mm + largestShift_mm;
-  double left_mm = plan.grid.minLateral_mm(), right_mm = plan.grid.maxLateral_mm();
+  double left_mm = straight.minLateral_mm(), right_mm = straight.maxLateral_mm();
   for (const double angle_deg : steeringAngles_deg(probe, settings)) {
     ImagingSettings steered = settings;
     steered.steering_deg = angle_deg;
@@ -50,7 +55,7 @@ Region regionOf(const Probe& probe, const ImagingSettings& settings, const Trans
     left_mm = std::min(left_mm, grid.minLateral_mm()), right_mm = std::max(right_mm, grid.maxLateral_mm());
   }
   const double lateral[] = {left_mm - largestShift_mm, right_mm + largestShift_mm};
-  const double axial[] = {plan.grid.minAxial_mm() - beyond_mm, plan.grid.maxAxial_mm() + beyond_mm};
+  const double axial[] = {straight.minAxial_mm() - beyond_mm, straight.maxAxial_mm() + beyond_mm};
   for (const double x : lateral)
     for (const double y : {-thickness_mm, thickness_mm})
       for (const double z : axial) {
