@@ -4,24 +4,12 @@
 #define HWY_TARGET_INCLUDE "display/ReceiveKernels.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which includes this file once per instruction set.
-#include <hwy/highway.h>
+#include "display/Rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace insonate::display {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-using F = hn::CappedTag<float, 16>;
-using I = hn::RebindToSigned<F>;
-using U = hn::RebindToUnsigned<F>;
-
-/// Calls body(i) for each vector of a row that may be read and written up to a multiple of 16 columns. All of them are
-/// computed, whatever the width of the vectors.
-template <class Body>
-HWY_INLINE void overPadded(int columns, const Body& body) {
-  const int lanes = static_cast<int>(hn::Lanes(F())), padded = (columns + 15) / 16 * 16;
-  for (int i = 0; i < padded; i += lanes) body(i);
-}
 
 /// The same for a row without padding of at least 16 columns: the last vector overlaps the one before.
 template <class Body>
@@ -30,11 +18,6 @@ HWY_INLINE void overExact(int columns, const Body& body) {
   int i = 0;
   for (; i + lanes <= columns; i += lanes) body(i);
   if (i < columns) body(columns - lanes);
-}
-
-template <class V>
-HWY_INLINE V mix(V a, V b, V share) {
-  return hn::Add(a, hn::Mul(share, hn::Sub(b, a)));
 }
 
 /// hash32() of core/Hash.h.
