@@ -95,7 +95,7 @@ TEST_P(Field, IsCutInTheSliceByElementAndLens) {
   }
 }
 
-/// What in-plane control is learned from: 1.5 mm off at 5 mm a needle loses 7 dB, 0.8 mm off at 15 mm 21 dB.
+/// Trainees learn in-plane control from these: 1.5 mm off at 5 mm a needle loses 7 dB, 0.8 mm off at 15 mm 21 dB.
 TEST_P(Field, TakesFromANeedleOffThePlaneWhatTheSliceTakes) {
   Bench bench;
   bench.settings.effects.reflection = true;

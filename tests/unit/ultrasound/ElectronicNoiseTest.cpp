@@ -58,7 +58,7 @@ double meanOf(const Rows& rows, double power) {
   return sum / count;
 }
 
-/// Of amplitudes apart by so many rows and columns.
+/// Correlation of amplitudes apart by so many rows and columns.
 double correlation(const Rows& a, const Rows& b, int rows, int columns) {
   const double meanA = meanOf(a, 1), meanB = meanOf(b, 1);
   double ab = 0, aa = 0, bb = 0;

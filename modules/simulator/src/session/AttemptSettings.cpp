@@ -73,7 +73,7 @@ Result<TissueMechanics> mechanicsFrom(const json& object) {
   return mechanics;
 }
 
-/// What recordings hold that were made before there was electronic noise and ringing.
+/// Settings of recordings that were made before electronic noise and ringing existed.
 ImagingSettings formerSettings(const Probe& probe) {
   ImagingSettings settings = settingsFor(probe);
   settings.effects.noise = settings.effects.nearField = false;

@@ -15,7 +15,7 @@ class ScanConverter {
  public:
   ScanConverter(const Probe& probe, const ImagingSettings& settings);
 
-  /// Where the gray values of one sample go, one per scanline; room for whole vectors.
+  /// Row that takes the gray values of one sample, one per scanline; room for whole vectors.
   std::uint8_t* greyRow(int sample) { return grey_.data() + std::size_t(sample) * greyStride_ + kMargin; }
   /// Uses the calling thread's TBB arena. Gives `image` its size and scale.
   void convert(BModeImage& image);

@@ -42,7 +42,7 @@ struct Band {
   }
 };
 
-/// Where a wave starts, in the plane across which the field is wanted.
+/// A wave's start, in the plane across which the field is wanted.
 struct Source {
   double at_mm, delay_mm, weight;
 };

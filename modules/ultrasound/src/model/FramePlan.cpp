@@ -16,7 +16,7 @@ namespace {
 /// power, have the RMS width of the slice.
 constexpr double kPlaneSpacing_sd[] = {1.041, 0.684, 0.517, 0.419};
 constexpr double kGatesPerPulse = 2.4;
-/// Of the lattice of scatterers, in pulses. Scanlines farther apart than its nodes would each have their own speckle,
+/// Limits of the scatterers' lattice, in pulses. Scanlines farther apart than its nodes would each have their own speckle,
 /// which would jump from one to the next: it is as coarse as they are, up to what the pulse allows.
 constexpr double kFinestLattice = 0.58, kCoarsestLattice = 0.68;
 

@@ -12,7 +12,7 @@
 
 namespace insonate {
 
-/// What the image of a point tells of a beam at one depth, by amplitude. Contrasts and correlation lengths are those
+/// Figures of a beam from the image of a point at one depth, by amplitude. Contrasts and correlation lengths are those
 /// that fully developed speckle has with this point spread.
 struct PointSpreadFigures {
   double lateral_mm = 0, lateral20dB_mm = 0;  ///< full widths at half maximum and at -20 dB
