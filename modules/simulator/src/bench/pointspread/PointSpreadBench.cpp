@@ -152,7 +152,7 @@ Result<PointSpreadBench> runPointSpreadBench(const Probe& probe, std::string_vie
                 "\" is not linear: the field is that of a straight array. Choose one that is.");
   PointSpreadBench bench{probe, settingsFor(probe), std::string(engine), {}};
   ImagingSettings& settings = bench.settings;
-  settings.depth_mm = 48, settings.scanlines = 768, settings.samples = 2400, settings.looks = 1;
+  settings.depth_mm = 48, settings.samples = 2400, settings.looks = 1;
   settings.elevationPlanes = 1, settings.conformingContact = false;
   settings.effects = Effects::none();
   settings.effects.beam = true;
