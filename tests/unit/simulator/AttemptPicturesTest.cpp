@@ -186,7 +186,8 @@ TEST_F(AttemptPicturesTest, LiveOnesAreNear) {
     sum += std::pow(seen->envelope.amplitude[i], 2);
   }
   RecordProperty("envelope_difference_percent", std::to_string(100 * std::sqrt(difference / sum)));
-  // Tissue that is solved from rest lies some micrometers elsewhere, which a beam of 0.35 mm shows more than a wide one.
+  // Tissue that is solved from rest lies some micrometers elsewhere, which a beam of 0.35 mm shows more than a wide
+  // one.
   EXPECT_LT(std::sqrt(difference / sum), 0.06);
 }
 

@@ -6,10 +6,10 @@
 
 namespace insonate::display {
 
-/// Echoes that a probe's own face adds to an image. The transmitted pulse rings in the elements while they receive already
-/// (main bang), and goes to and fro in the lens: bright bands in the first 2 mm, the same in all frames, a little
-/// different from element to element. Where the skin does not touch the face, air reflects nearly everything: the lens
-/// rings on, and little comes back from the tissue, a dark strip below bright bands.
+/// Echoes that a probe's own face adds to an image. The transmitted pulse rings in the elements while they receive
+/// already (main bang), and goes to and fro in the lens: bright bands in the first 2 mm, the same in all frames, a
+/// little different from element to element. Where the skin does not touch the face, air reflects nearly everything:
+/// the lens rings on, and little comes back from the tissue, a dark strip below bright bands.
 ///
 /// No measurement of either was found. The time constants are chosen as real images show them; levels and strips are
 /// settings.

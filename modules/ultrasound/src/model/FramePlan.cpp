@@ -16,8 +16,8 @@ namespace {
 /// power, have the RMS width of the slice.
 constexpr double kPlaneSpacing_sd[] = {1.041, 0.684, 0.517, 0.419};
 constexpr double kGatesPerPulse = 2.4;
-/// Limits of the scatterers' lattice, in pulses. Scanlines farther apart than its nodes would each have their own speckle,
-/// which would jump from one to the next: it is as coarse as they are, up to what the pulse allows.
+/// Limits of the scatterers' lattice, in pulses. Scanlines farther apart than its nodes would each have their own
+/// speckle, which would jump from one to the next: it is as coarse as they are, up to what the pulse allows.
 constexpr double kFinestLattice = 0.58, kCoarsestLattice = 0.68;
 
 constexpr double kFaintest = 3e-3;  // of a beam's axis, where its kernel ends
