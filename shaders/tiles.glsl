@@ -4,7 +4,7 @@ layout(std430, binding = 1) readonly buffer Tiles {
   int tileWord[];
 };
 
-const int kPatchTile = 5;
+const int kPatchTile = 6;
 
 float tileAt(int tile, ivec3 voxel) {
   ivec4 t = frame.tile[tile];

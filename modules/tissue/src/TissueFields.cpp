@@ -31,7 +31,7 @@ constexpr std::array kLayerFields{
     Field<BoundaryLayer>{"patchiness", &BoundaryLayer::patchiness, 0, 1},
 };
 
-constexpr std::array<std::string_view, 5> kTextures{"none", "septa", "lobules", "sheets", "fine"};
+constexpr std::array<std::string_view, 6> kTextures{"none", "septa", "lobules", "sheets", "fine", "bundles"};
 
 Result<void> readSwitch(const json& entry, const char* name, const std::string& where, bool& target) {
   const auto found = entry.find(name);

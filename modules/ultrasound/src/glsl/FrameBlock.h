@@ -19,7 +19,7 @@ struct alignas(16) Int4 {
 /// An affine map into some frame, rows by rows: (x, y, z, offset).
 using Rows = std::array<Float4, 3>;
 
-inline constexpr int kTiles = 6;       ///< of textures, by Texture; then of what comes and goes along boundaries
+inline constexpr int kTiles = 7;       ///< of textures, by Texture; then of what comes and goes along boundaries
 inline constexpr int kMostPlanes = 9;  ///< see ImagingSettings
 
 /// Of each physical effect that a shader asks for, by the name that it has there.

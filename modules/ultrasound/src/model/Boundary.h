@@ -45,7 +45,8 @@ inline double sheetFacing(double cosine) {
 
 /// Textures whose bright parts are sheets, which echo as one, rather than denser scatterers.
 inline bool hasSheets(Texture texture) {
-  return texture == Texture::Septa || texture == Texture::Lobules || texture == Texture::Sheets;
+  return texture == Texture::Septa || texture == Texture::Lobules || texture == Texture::Sheets ||
+         texture == Texture::Bundles;
 }
 
 }  // namespace insonate

@@ -25,6 +25,22 @@ TextureFrame frameOf(const TextureTile& tile, Vec3 origin_mm, Vec3 fibre, Vec3 t
   return {{linear, {-std::round(origin.x), -std::round(origin.y), -std::round(origin.z)}}, w};
 }
 
+/// Directions of a structure's texture: along its fibers, and out of its sheets.
+struct Directions {
+  Vec3 fibre, outward;
+};
+
+/// Septa of a muscle lie askew in its cross-section, and fascicles meet its surface at an angle (pennation), each
+/// muscle of each patient in its own way. The amounts are chosen, by images of necks.
+Directions askew(const Directions& muscle, int label, int side, std::uint32_t patient) {
+  constexpr double kSlant_rad = 0.38, kPennation_rad = 0.16;
+  const auto within = [&](int which) { return 2 * unitInterval(hashNode(label, side, which, patient)) - 1; };
+  const double slant = kSlant_rad * within(0), pennation = kPennation_rad * within(1);
+  const Vec3 across = normalized(cross(muscle.outward, muscle.fibre));
+  return {normalized(muscle.fibre + std::tan(pennation) * muscle.outward),
+          normalized(muscle.outward + std::tan(slant) * across)};
+}
+
 /// Within the longest period of a tile.
 Vec3 textureOriginOf(std::uint32_t patient) {
   constexpr double kPeriod_mm = 32;
@@ -75,10 +91,13 @@ Result<std::shared_ptr<const AcousticScene>> AcousticScene::make(const SceneSour
     // Sheets of the neck lie along its outside: their normal points forward and outward (patient right is -x).
     const Vec3 outward = normalized({side == 0 ? -0.55 : 0.55, -0.83, 0.05});
     for (int l = 0; l < kLabelCount; ++l) {
-      const Vec3 fibre =
-          l == kSternocleidomastoid ? facts.muscleFibre[side] : normalized({side == 0 ? 0.12 : -0.12, 0.08, 1.0});
+      const Texture texture = table.of(static_cast<std::uint8_t>(l)).texture;
+      Directions directions{
+          l == kSternocleidomastoid ? facts.muscleFibre[side] : normalized({side == 0 ? 0.12 : -0.12, 0.08, 1.0}),
+          outward};
+      if (texture == Texture::Septa) directions = askew(directions, l, side, facts.patient);
       impl->textureFrames[l][side] =
-          frameOf(textureTile(table.of(static_cast<std::uint8_t>(l)).texture), impl->textureOrigin_mm, fibre, outward);
+          frameOf(textureTile(texture), impl->textureOrigin_mm, directions.fibre, directions.outward);
     }
   }
   return std::shared_ptr<const AcousticScene>(new AcousticScene(std::move(impl)));

@@ -94,125 +94,108 @@ TextureTile emptyTile(std::array<int, 3> size, Vec3 voxel_mm) {
   return {size, voxel_mm, std::vector<std::int8_t>(count(size))};
 }
 
-/// Perimysium: bright sheets along the fibres, a few long ones among many short ones, none in line with another.
-/// Gaussian fields, long along the fibre and thin across, of which only the peaks are kept; a slow shear turns them
-/// unlike ways. Between them lie the fascicles: fine lines along the fibers, dots across them.
-TextureTile makeSepta() {
-  TextureTile tile = emptyTile({64, 64, 256}, {0.5, 0.4, 0.07});
-  const std::vector<float> longSheets = gaussianField(tile.size, tile.voxel_mm, {3.5, 1.5, 0.11}, 0x5e97a001U);
-  const std::vector<float> shortSheets = gaussianField(tile.size, tile.voxel_mm, {1.8, 0.5, 0.08}, 0x5e97a003U);
-  const std::vector<float> fascicles = gaussianField(tile.size, tile.voxel_mm, {2.5, 0.3, 0.12}, 0x5e97a004U);
-  const std::vector<float> slow = gaussianField(tile.size, tile.voxel_mm, {6, 3, 1.4}, 0x5e97a002U);
-  for (int w = 0; w < tile.size[2]; ++w)
-    for (int v = 0; v < tile.size[1]; ++v)
-      for (int u = 0; u < tile.size[0]; ++u) {
-        const std::size_t n = (std::size_t(w) * tile.size[1] + v) * tile.size[0] + u;
-        const int shift = static_cast<int>(std::lround(slow[n] * 1.1 / tile.voxel_mm.z));
-        const int sheared = (w + shift + 4 * tile.size[2]) % tile.size[2];
-        const std::size_t m = (std::size_t(sheared) * tile.size[1] + v) * tile.size[0] + u;
-        const float sheet = std::max(smoothstep(1.4F, 2.5F, longSheets[m] + 0.4F * slow[n]),
-                                     0.8F * smoothstep(1.5F, 2.8F, shortSheets[m]));
-        tile.value[n] = toByte(sheet + (1 - sheet) * 0.16F * fascicles[m] + 0.08F * slow[n]);
-      }
-  return transposed(std::move(tile));
-}
-
-struct Cells {
-  std::array<int, 3> counts;
-  Vec3 cell_mm;
-  std::uint32_t seed;
-
-  Vec3 point(int i, int j, int k) const {
-    const auto wrap = [](int a, int n) { return (a % n + n) % n; };
-    const int x = wrap(i, counts[0]), y = wrap(j, counts[1]), z = wrap(k, counts[2]);
-    const auto jitter = [&](std::uint32_t which) { return 0.15 + 0.7 * unitInterval(hashNode(x, y, z, seed + which)); };
-    return {(i + jitter(0)) * cell_mm.x, (j + jitter(1)) * cell_mm.y, (k + jitter(2)) * cell_mm.z};
-  }
-  double tone(int i, int j, int k) const {
-    const auto wrap = [](int a, int n) { return (a % n + n) % n; };
-    return unitInterval(hashNode(wrap(i, counts[0]), wrap(j, counts[1]), wrap(k, counts[2]), seed + 3)) - 0.5;
-  }
+/// How many of the sheets of a field are seen, how far each is seen without a gap, and how thick they are.
+struct SheetLook {
+  Vec3 bend_mm;     ///< SDs of the smoothing of the field whose zeros are the sheets
+  Vec3 stretch_mm;  ///< SDs of that of the field by which they come and go
+  float share;      ///< of their area that is seen
+  double thick_mm;  ///< at which a sheet falls to 1/e
 };
 
-struct Nearest {
-  double first = 1e30, second = 1e30;
-  Vec3 firstPoint, secondPoint;
-  double tone = 0;
-};
-
-/// The two nearest cell centres, in units of cells.
-Nearest nearestCells(const Cells& cells, Vec3 p_mm) {
-  Nearest best;
-  const int ci = static_cast<int>(std::floor(p_mm.x / cells.cell_mm.x));
-  const int cj = static_cast<int>(std::floor(p_mm.y / cells.cell_mm.y));
-  const int ck = static_cast<int>(std::floor(p_mm.z / cells.cell_mm.z));
-  for (int k = ck - 1; k <= ck + 1; ++k)
-    for (int j = cj - 1; j <= cj + 1; ++j)
-      for (int i = ci - 1; i <= ci + 1; ++i) {
-        const Vec3 c = cells.point(i, j, k);
-        const Vec3 d{(c.x - p_mm.x) / cells.cell_mm.x, (c.y - p_mm.y) / cells.cell_mm.y,
-                     (c.z - p_mm.z) / cells.cell_mm.z};
-        const double r = norm(d);
-        if (r < best.first) {
-          best.second = best.first, best.secondPoint = best.firstPoint;
-          best.first = r, best.firstPoint = c, best.tone = cells.tone(i, j, k);
-        } else if (r < best.second) {
-          best.second = r, best.secondPoint = c;
-        }
-      }
-  return best;
-}
-
-/// Fat lobules: bent cells of unlike tone. Their thin walls are brightest where they lie across the beam (normal along
-/// w), and come and go.
-TextureTile makeLobules() {
-  TextureTile tile = emptyTile({64, 64, 128}, {0.5, 0.5, 0.13125});
-  const Cells cells{{6, 7, 6}, {32.0 / 6, 32.0 / 7, 16.8 / 6}, 0x10b01e00U};
-  const std::vector<float> bendU = gaussianField(tile.size, tile.voxel_mm, {2.5, 2.5, 1.6}, 0x10b01e10U);
-  const std::vector<float> bendW = gaussianField(tile.size, tile.voxel_mm, {2.5, 2.5, 2.0}, 0x10b01e11U);
-  const std::vector<float> patch = gaussianField(tile.size, tile.voxel_mm, {1.8, 1.8, 0.8}, 0x10b01e12U);
-  tbb::parallel_for(0, tile.size[2], [&](int w) {
-    for (int v = 0; v < tile.size[1]; ++v)
-      for (int u = 0; u < tile.size[0]; ++u) {
-        const std::size_t n = (std::size_t(w) * tile.size[1] + v) * tile.size[0] + u;
-        const Vec3 p{u * tile.voxel_mm.x + 0.9 * bendU[n], v * tile.voxel_mm.y - 0.9 * bendU[n],
-                     w * tile.voxel_mm.z + bendW[n]};
-        const Nearest near = nearestCells(cells, p);
-        const Vec3 across = near.secondPoint - near.firstPoint;
-        const double facing = std::abs(across.z) / std::max(norm(across), 1e-6);
-        const float wall = 1 - smoothstep(0.02F, 0.17F, static_cast<float>(near.second - near.first));
-        const auto square = static_cast<float>(0.35 + 0.65 * facing * facing);
-        const float seen = 0.4F + 0.6F * smoothstep(-1.0F, 1.0F, patch[n]);
-        tile.value[n] = toByte(wall * square * seen + 0.25F * static_cast<float>(near.tone));
+/// Thin bent sheets that come and go: where a smooth field is zero. Unlike its peaks, its zeros are as thick
+/// everywhere, go on for long, and meet and part at shallow angles, as connective tissue does. Where they bend back
+/// they are steep and return little. 0 to 1.
+std::vector<float> sheetsOf(const TextureTile& tile, const SheetLook& look, std::uint32_t seed) {
+  const auto& size = tile.size;
+  const std::vector<float> field = gaussianField(size, tile.voxel_mm, look.bend_mm, seed);
+  const std::vector<float> presence = gaussianField(size, tile.voxel_mm, look.stretch_mm, seed + 1);
+  // The share of a normal variable above the threshold, by its quantile.
+  std::vector<float> sorted = presence;
+  const auto cut = sorted.begin() + std::ptrdiff_t(float(sorted.size() - 1) * (1 - look.share));
+  std::nth_element(sorted.begin(), cut, sorted.end());
+  const float threshold = *cut;
+  std::vector<float> sheets(field.size());
+  const auto at = [&](int u, int v, int w) {
+    return field[(std::size_t(w & (size[2] - 1)) * size[1] + (v & (size[1] - 1))) * size[0] + (u & (size[0] - 1))];
+  };
+  tbb::parallel_for(0, size[2], [&](int w) {
+    for (int v = 0; v < size[1]; ++v)
+      for (int u = 0; u < size[0]; ++u) {
+        const std::size_t n = (std::size_t(w) * size[1] + v) * size[0] + u;
+        const Vec3 slope{(at(u + 1, v, w) - at(u - 1, v, w)) / (2 * tile.voxel_mm.x),
+                         (at(u, v + 1, w) - at(u, v - 1, w)) / (2 * tile.voxel_mm.y),
+                         (at(u, v, w + 1) - at(u, v, w - 1)) / (2 * tile.voxel_mm.z)};
+        const double steepness = std::max(norm(slope), 1e-6), away = field[n] / steepness / look.thick_mm;
+        const double flat = slope.z / steepness;
+        sheets[n] = static_cast<float>(std::exp(-away * away) * flat * flat * flat * flat) *
+                    smoothstep(threshold - 0.6F, threshold + 0.6F, presence[n]);
       }
   });
+  return sheets;
+}
+
+/// Perimysium: bright sheets along the fibers, a few long ones among many short ones, none in line with another.
+/// Between them lie the fascicles: fine lines along the fibers, dots across them.
+TextureTile makeSepta() {
+  TextureTile tile = emptyTile({64, 64, 256}, {0.5, 0.4, 0.07});
+  const std::vector<float> longSheets = sheetsOf(tile, {{6, 2.4, 0.65}, {3.5, 1.1, 0.5}, 0.3F, 0.13}, 0x5e97a001U);
+  const std::vector<float> shortSheets = sheetsOf(tile, {{4, 1.1, 0.35}, {2.5, 0.6, 0.4}, 0.16F, 0.1}, 0x5e97a011U);
+  const std::vector<float> fascicles = gaussianField(tile.size, tile.voxel_mm, {2.5, 0.3, 0.12}, 0x5e97a004U);
+  const std::vector<float> slow = gaussianField(tile.size, tile.voxel_mm, {6, 3, 1.4}, 0x5e97a002U);
+  for (std::size_t n = 0; n < tile.value.size(); ++n) {
+    const float sheet = std::max(longSheets[n], 0.7F * shortSheets[n]);
+    tile.value[n] = toByte(sheet + (1 - sheet) * (0.14F * fascicles[n] + 0.08F * slow[n]));
+  }
   return transposed(std::move(tile));
 }
 
-/// Loose connective tissue: patchy, wavy sheets.
+/// Fat: lobules of unlike tone between thin septa, most of which run along the skin.
+TextureTile makeLobules() {
+  TextureTile tile = emptyTile({64, 64, 128}, {0.5, 0.5, 0.13125});
+  const std::vector<float> longSepta = sheetsOf(tile, {{4.5, 3.5, 0.9}, {2.5, 2, 0.7}, 0.45F, 0.17}, 0x10b01e01U);
+  const std::vector<float> shortSepta = sheetsOf(tile, {{2.5, 2, 0.75}, {1.5, 1.2, 0.6}, 0.25F, 0.15}, 0x10b01e11U);
+  const std::vector<float> tone = gaussianField(tile.size, tile.voxel_mm, {2, 2, 0.9}, 0x10b01e22U);
+  const std::vector<float> grain = gaussianField(tile.size, tile.voxel_mm, {0.6, 0.6, 0.25}, 0x10b01e23U);
+  for (std::size_t n = 0; n < tile.value.size(); ++n) {
+    const float sheet = std::max(longSepta[n], 0.75F * shortSepta[n]);
+    tile.value[n] = toByte(sheet + (1 - sheet) * (0.1F * tone[n] + 0.08F * grain[n]));
+  }
+  return transposed(std::move(tile));
+}
+
+/// Loose connective tissue: wavy sheets that part and meet, more in one place than in the next.
 TextureTile makeSheets() {
   TextureTile tile = emptyTile({64, 64, 256}, {0.4, 0.4, 0.08});
-  const std::vector<float> wave = gaussianField(tile.size, tile.voxel_mm, {4, 4, 1.2}, 0x54ee7001U);
-  const std::vector<float> patch = gaussianField(tile.size, tile.voxel_mm, {2.5, 2.5, 0.5}, 0x54ee7002U);
-  const std::vector<float> thin = gaussianField(tile.size, tile.voxel_mm, {2.2, 2.2, 0.1}, 0x54ee7003U);
-  for (int w = 0; w < tile.size[2]; ++w)
-    for (int v = 0; v < tile.size[1]; ++v)
-      for (int u = 0; u < tile.size[0]; ++u) {
-        const std::size_t n = (std::size_t(w) * tile.size[1] + v) * tile.size[0] + u;
-        const int shift = static_cast<int>(std::lround(wave[n] * 0.7 / tile.voxel_mm.z));
-        const int warped = (w + shift + 4 * tile.size[2]) % tile.size[2];
-        const float sheet = smoothstep(0.7F, 2.2F, thin[(std::size_t(warped) * tile.size[1] + v) * tile.size[0] + u]);
-        tile.value[n] = toByte(0.9F * sheet * smoothstep(-1.0F, 1.0F, patch[n]) + 0.36F * patch[n] + 0.12F * wave[n]);
-      }
+  const std::vector<float> longSheets = sheetsOf(tile, {{5, 4, 0.5}, {2.5, 2.2, 0.5}, 0.55F, 0.13}, 0x54ee7001U);
+  const std::vector<float> shortSheets = sheetsOf(tile, {{2.5, 2, 0.35}, {1.2, 1.2, 0.4}, 0.35F, 0.11}, 0x54ee7011U);
+  const std::vector<float> patch = gaussianField(tile.size, tile.voxel_mm, {2.5, 2.5, 0.6}, 0x54ee7002U);
+  const std::vector<float> grain = gaussianField(tile.size, tile.voxel_mm, {0.6, 0.6, 0.2}, 0x54ee7003U);
+  for (std::size_t n = 0; n < tile.value.size(); ++n) {
+    const float sheet = std::max(longSheets[n], 0.8F * shortSheets[n]);
+    tile.value[n] = toByte(sheet + (1 - sheet) * (0.25F * patch[n] + 0.1F * grain[n] - 0.2F));
+  }
   return transposed(std::move(tile));
 }
 
-/// Even parenchyma with slow, faint variation.
+/// Parenchyma: a grain that varies slowly within the organ, faint strands, and small vessels as dark lines and dots.
 TextureTile makeFine() {
-  TextureTile tile = emptyTile({64, 64, 64}, {0.4, 0.4, 0.4});
-  const std::vector<float> coarse = gaussianField(tile.size, tile.voxel_mm, {1.5, 1.5, 1.5}, 0xf14e0001U);
-  const std::vector<float> fine = gaussianField(tile.size, tile.voxel_mm, {0.5, 0.5, 0.4}, 0xf14e0002U);
-  for (std::size_t n = 0; n < tile.value.size(); ++n) tile.value[n] = toByte(0.25F * coarse[n] + 0.3F * fine[n]);
+  TextureTile tile = emptyTile({64, 64, 128}, {0.4, 0.4, 0.16});
+  const std::vector<float> coarse = gaussianField(tile.size, tile.voxel_mm, {2.2, 2.2, 1.8}, 0xf14e0001U);
+  const std::vector<float> fine = gaussianField(tile.size, tile.voxel_mm, {0.45, 0.45, 0.3}, 0xf14e0002U);
+  const std::vector<float> strands = sheetsOf(tile, {{1.8, 1.8, 0.7}, {1, 1, 0.4}, 0.18F, 0.16}, 0xf14e0011U);
+  const std::vector<float> vessels = gaussianField(tile.size, tile.voxel_mm, {2.5, 0.5, 0.35}, 0xf14e0021U);
+  for (std::size_t n = 0; n < tile.value.size(); ++n)
+    tile.value[n] =
+        toByte(0.16F * coarse[n] + 0.14F * fine[n] + 0.6F * strands[n] - 0.8F * smoothstep(2.0F, 2.8F, vessels[n]));
+  return transposed(std::move(tile));
+}
+
+/// Nerve: dark fascicles, long along it and round across it, in bright connective tissue.
+TextureTile makeBundles() {
+  TextureTile tile = emptyTile({32, 64, 64}, {0.5, 0.1, 0.1});
+  const std::vector<float> fascicles = gaussianField(tile.size, tile.voxel_mm, {4, 0.22, 0.22}, 0xb0d1e001U);
+  for (std::size_t n = 0; n < tile.value.size(); ++n)
+    tile.value[n] = toByte(0.6F - 1.4F * smoothstep(-0.3F, 0.6F, fascicles[n]));
   return transposed(std::move(tile));
 }
 
@@ -229,8 +212,8 @@ TextureTile makePatches() {
 }  // namespace
 
 const TextureTile& textureTile(Texture kind) {
-  static const std::array<TextureTile, kTextureKinds> tiles{emptyTile({1, 1, 1}, {1, 1, 1}), makeSepta(), makeLobules(),
-                                                            makeSheets(), makeFine()};
+  static const std::array<TextureTile, kTextureKinds> tiles{
+      emptyTile({1, 1, 1}, {1, 1, 1}), makeSepta(), makeLobules(), makeSheets(), makeFine(), makeBundles()};
   return tiles[static_cast<std::size_t>(kind)];
 }
 

@@ -46,7 +46,7 @@ struct TextureTile {
   }
 };
 
-inline constexpr int kTextureKinds = 5;
+inline constexpr int kTextureKinds = 6;
 
 /// Made once a process, always the same. Texture::None has one zero voxel.
 const TextureTile& textureTile(Texture kind);

@@ -24,7 +24,7 @@ struct BoundaryLayer {
 inline constexpr int kMaxBoundaryLayers = 8;
 
 /// Structure inside a tissue that a CT does not resolve.
-enum class Texture { None, Septa, Lobules, Sheets, Fine };
+enum class Texture { None, Septa, Lobules, Sheets, Fine, Bundles };
 
 struct AcousticTissue {
   double impedance_MRayl = 1.6;          ///< above 0
