@@ -1,5 +1,6 @@
 #pragma once
 
+#include "glsl/FrameBlock.h"
 #include "glsl/SceneStore.h"
 
 #include <insonate/gpu/Context.h>
@@ -75,6 +76,6 @@ class Device {
 };
 
 /// First byte of each tile in the device's buffer, by Texture, and last that of patchTile().
-std::array<int, 6> tileOffsets();
+std::array<int, kTiles> tileOffsets();
 
 }  // namespace insonate::glsl
