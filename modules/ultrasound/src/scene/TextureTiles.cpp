@@ -127,8 +127,8 @@ std::vector<float> sheetsOf(const TextureTile& tile, const SheetLook& look, std:
                          (at(u, v, w + 1) - at(u, v, w - 1)) / (2 * tile.voxel_mm.z)};
         const double steepness = std::max(norm(slope), 1e-6), away = field[n] / steepness / look.thick_mm;
         const double flat = slope.z / steepness;
-        sheets[n] = static_cast<float>(std::exp(-away * away) * flat * flat * flat * flat) *
-                    smoothstep(threshold - 0.6F, threshold + 0.6F, presence[n]);
+        sheets[n] = static_cast<float>(std::exp(-away * away) * flat * flat) *
+                    smoothstep(threshold - 0.4F, threshold + 0.4F, presence[n]);
       }
   });
   return sheets;
@@ -138,13 +138,13 @@ std::vector<float> sheetsOf(const TextureTile& tile, const SheetLook& look, std:
 /// Between them lie the fascicles: fine lines along the fibers, dots across them.
 TextureTile makeSepta() {
   TextureTile tile = emptyTile({64, 64, 256}, {0.5, 0.4, 0.07});
-  const std::vector<float> longSheets = sheetsOf(tile, {{6, 2.4, 0.65}, {3.5, 1.1, 0.5}, 0.3F, 0.13}, 0x5e97a001U);
-  const std::vector<float> shortSheets = sheetsOf(tile, {{4, 1.1, 0.35}, {2.5, 0.6, 0.4}, 0.16F, 0.1}, 0x5e97a011U);
+  const std::vector<float> longSheets = sheetsOf(tile, {{6, 2.4, 0.75}, {3, 1, 0.35}, 0.5F, 0.16}, 0x5e97a001U);
+  const std::vector<float> shortSheets = sheetsOf(tile, {{4, 1.2, 0.5}, {2.5, 0.6, 0.3}, 0.3F, 0.13}, 0x5e97a011U);
   const std::vector<float> fascicles = gaussianField(tile.size, tile.voxel_mm, {2.5, 0.3, 0.12}, 0x5e97a004U);
   const std::vector<float> slow = gaussianField(tile.size, tile.voxel_mm, {6, 3, 1.4}, 0x5e97a002U);
   for (std::size_t n = 0; n < tile.value.size(); ++n) {
     const float sheet = std::max(longSheets[n], 0.7F * shortSheets[n]);
-    tile.value[n] = toByte(sheet + (1 - sheet) * (0.14F * fascicles[n] + 0.08F * slow[n]));
+    tile.value[n] = toByte(sheet + (1 - sheet) * (0.1F * fascicles[n] + 0.05F * slow[n]));
   }
   return transposed(std::move(tile));
 }
@@ -152,13 +152,13 @@ TextureTile makeSepta() {
 /// Fat: lobules of unlike tone between thin septa, most of which run along the skin.
 TextureTile makeLobules() {
   TextureTile tile = emptyTile({64, 64, 128}, {0.5, 0.5, 0.13125});
-  const std::vector<float> longSepta = sheetsOf(tile, {{4.5, 3.5, 0.9}, {2.5, 2, 0.7}, 0.45F, 0.17}, 0x10b01e01U);
+  const std::vector<float> longSepta = sheetsOf(tile, {{4.5, 3.5, 0.9}, {2.5, 2, 0.7}, 0.5F, 0.17}, 0x10b01e01U);
   const std::vector<float> shortSepta = sheetsOf(tile, {{2.5, 2, 0.75}, {1.5, 1.2, 0.6}, 0.25F, 0.15}, 0x10b01e11U);
   const std::vector<float> tone = gaussianField(tile.size, tile.voxel_mm, {2, 2, 0.9}, 0x10b01e22U);
   const std::vector<float> grain = gaussianField(tile.size, tile.voxel_mm, {0.6, 0.6, 0.25}, 0x10b01e23U);
   for (std::size_t n = 0; n < tile.value.size(); ++n) {
     const float sheet = std::max(longSepta[n], 0.75F * shortSepta[n]);
-    tile.value[n] = toByte(sheet + (1 - sheet) * (0.1F * tone[n] + 0.08F * grain[n]));
+    tile.value[n] = toByte(sheet + (1 - sheet) * (0.09F * tone[n] + 0.06F * grain[n]));
   }
   return transposed(std::move(tile));
 }
@@ -172,7 +172,7 @@ TextureTile makeSheets() {
   const std::vector<float> grain = gaussianField(tile.size, tile.voxel_mm, {0.6, 0.6, 0.2}, 0x54ee7003U);
   for (std::size_t n = 0; n < tile.value.size(); ++n) {
     const float sheet = std::max(longSheets[n], 0.8F * shortSheets[n]);
-    tile.value[n] = toByte(sheet + (1 - sheet) * (0.25F * patch[n] + 0.1F * grain[n] - 0.2F));
+    tile.value[n] = toByte(sheet + (1 - sheet) * (0.14F * patch[n] + 0.06F * grain[n] - 0.1F));
   }
   return transposed(std::move(tile));
 }
