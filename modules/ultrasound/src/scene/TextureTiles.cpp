@@ -128,7 +128,7 @@ std::vector<float> sheetsOf(const TextureTile& tile, const SheetLook& look, std:
         const double steepness = std::max(norm(slope), 1e-6), away = field[n] / steepness / look.thick_mm;
         const double flat = slope.z / steepness;
         sheets[n] = static_cast<float>(std::exp(-away * away) * flat * flat) *
-                    smoothstep(threshold - 0.4F, threshold + 0.4F, presence[n]);
+                    smoothstep(threshold - 0.8F, threshold + 1.0F, presence[n]);
       }
   });
   return sheets;
