@@ -18,7 +18,7 @@ layout(std140, binding = 0) uniform FrameBlock {
   int lines, gates, samples, looks;
   int planes, stride, cellGates, cellLines;
   int nodeRows, nodeColumns, gateTable, lateralKernel;  // gateTable, lateralKernel: first entries
-  int lateralEntries, axialRadius, upsampleTable, parts;  // parts: 2 of a complex echo, 1 of a real one
+  int lateralEntries, axialEntries, upsampleTable, parts;  // parts: 2 of a complex echo, 1 of a real one
   float gate_mm, spacingAtFace_mm, spacingPerMm, planeSpacing_sd;
   float boundaryScale, edgeLoss_dB, displacementLeft_mm, displacementTop_mm;
   float displacementStep_mm;

@@ -41,8 +41,10 @@ double kernelOperations(double radius) {
 }
 
 StageWork axialBeam(const FramePlan& plan) {
-  const double values = 2.0 * plan.settings.looks * plan.gates * plan.lines;
-  return {"axial beam", values * kernelOperations(double(plan.axialKernel.size()) - 1), values * 2 * kFloat};
+  const double rows = 2.0 * plan.settings.looks * plan.lines;
+  double perRow = 0;
+  for (const int radius : plan.axialRadius) perRow += kernelOperations(radius);
+  return {"axial beam", rows * perRow, rows * plan.gates * 2 * kFloat};
 }
 
 StageWork lateralBeam(const FramePlan& plan) {

@@ -43,6 +43,7 @@ constexpr NumberField kNumbers[] = {
     {"steering_deg", &Settings::steering_deg, -20, 20},
     {"speckleReduction", &Settings::speckleReduction, 0, 1},
     {"edgeEnhancement", &Settings::edgeEnhancement, 0, 1},
+    {"dynamicFilter", &Settings::dynamicFilter, 0, 2},
     {"noise_dB", &Settings::noise_dB, -120, 0},
     {"ringing_dB", &Settings::ringing_dB, -20, 60},
     {"poorContactLeft_mm", &Settings::poorContactLeft_mm, 0, 30},

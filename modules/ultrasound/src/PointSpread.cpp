@@ -39,6 +39,11 @@ double axialFwhm_mm(const Probe& probe, const ImagingSettings& settings) {
          2;
 }
 
+double axialFwhm_mm(const Probe& probe, const ImagingSettings& settings, double range_mm) {
+  constexpr double kPer_mm = 30;
+  return axialFwhm_mm(probe, settings) * (1 + settings.dynamicFilter * range_mm / kPer_mm);
+}
+
 double lateralFwhm_mm(const Probe& probe, const ImagingSettings& settings, double range_mm) {
   const double wavelength = wavelength_mm(settings);
   const double sent_mm = transmitAperture_mm(probe, settings), focus_mm = settings.focus_mm;

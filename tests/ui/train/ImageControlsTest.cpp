@@ -7,6 +7,7 @@ TEST_F(TrainWindow, EachSliderChangesItsSetting) {
   const auto set = [&](const char* name, double value) { child<ui::ValueSlider>(name)->setValue(value); };
   set("depth", 60), set("gain", 7), set("frequency", 9), set("focus", 31), set("dynamicRange", 75);
   set("persistence", 0.4), set("speckleReduction", 0.75), set("edgeEnhancement", 0.3), set("noise", -37);
+  set("dynamicFilter", 0.7);
   set("steering", -7), set("ringing", 33), set("poorContactLeft", 2.5), set("poorContactRight", 4);
   const ImagingSettings& settings = session_->settings();
   EXPECT_EQ(settings.depth_mm, 60);
@@ -18,6 +19,7 @@ TEST_F(TrainWindow, EachSliderChangesItsSetting) {
   EXPECT_EQ(settings.speckleReduction, 0.75);
   EXPECT_EQ(settings.edgeEnhancement, 0.3);
   EXPECT_EQ(settings.noise_dB, -37);
+  EXPECT_EQ(settings.dynamicFilter, 0.7);
   EXPECT_EQ(settings.steering_deg, -7);
   EXPECT_EQ(settings.ringing_dB, 33);
   EXPECT_EQ(settings.poorContactLeft_mm, 2.5);

@@ -40,8 +40,8 @@ TEST(AttemptSettings, AreReadAsTheyWereWritten) {
 TEST(AttemptSettings, FormerRecordingsShowWhatTheyShowed) {
   json text = json::parse(textOf(settings()));
   json& picture = text["picture"];
-  for (const char* later : {"speckleReduction", "edgeEnhancement", "noise_dB", "ringing_dB", "poorContactLeft_mm",
-                            "poorContactRight_mm", "lateralGain_dB", "grayMap"})
+  for (const char* later : {"speckleReduction", "edgeEnhancement", "dynamicFilter", "noise_dB", "ringing_dB",
+                            "poorContactLeft_mm", "poorContactRight_mm", "lateralGain_dB", "grayMap"})
     ASSERT_EQ(picture.erase(later), 1) << later;
   for (const char* later : {"noise", "nearField"}) ASSERT_EQ(picture["effects"].erase(later), 1) << later;
   picture["smoothing"] = true, picture["greyMap"] = "soft";
@@ -50,6 +50,7 @@ TEST(AttemptSettings, FormerRecordingsShowWhatTheyShowed) {
   const ImagingSettings& former = read->setup.settings;
   EXPECT_EQ(former.speckleReduction, 1);
   EXPECT_EQ(former.edgeEnhancement, 0);
+  EXPECT_EQ(former.dynamicFilter, 0);
   EXPECT_EQ(former.grayMap, GrayMap::Soft);
   EXPECT_FALSE(former.effects.noise || former.effects.nearField);
   EXPECT_TRUE(former.effects.clutter);

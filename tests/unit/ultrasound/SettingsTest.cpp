@@ -128,7 +128,8 @@ TEST(Settings, AreReadAsTheyWereWritten) {
   ImagingSettings all;
   all.depth_mm = 55.1, all.frequency_MHz = 9, all.focus_mm = 100.0 / 3, all.gain_dB = -3, all.tgc_dB[7] = 2.5;
   all.dynamicRange_dB = 70, all.persistence = 0.3, all.grayMap = GrayMap::Flat, all.looks = 1;
-  all.speckleReduction = 0.7, all.edgeEnhancement = 0.3, all.noise_dB = -35.5, all.ringing_dB = 31;
+  all.speckleReduction = 0.7, all.edgeEnhancement = 0.3, all.dynamicFilter = 0.8, all.noise_dB = -35.5,
+  all.ringing_dB = 31;
   all.poorContactLeft_mm = 1.5, all.poorContactRight_mm = 3, all.lateralGain_dB[0] = -4;
   all.steering_deg = -5, all.compoundingAngles = 3;
   all.scanlines = 100, all.samples = 500, all.elevationPlanes = 5, all.width = 300, all.height = 200;

@@ -30,9 +30,10 @@ auto fields(const Probe& p) {
 /// What a user can change.
 auto fields(const ImagingSettings& s) {
   return std::tie(s.depth_mm, s.frequency_MHz, s.focus_mm, s.gain_dB, s.tgc_dB, s.dynamicRange_dB, s.persistence,
-                  s.grayMap, s.speckleReduction, s.edgeEnhancement, s.noise_dB, s.ringing_dB, s.poorContactLeft_mm,
-                  s.poorContactRight_mm, s.lateralGain_dB, s.looks, s.steering_deg, s.compoundingAngles, s.scanlines,
-                  s.samples, s.elevationPlanes, s.width, s.height, s.conformingContact, s.look);
+                  s.grayMap, s.speckleReduction, s.edgeEnhancement, s.dynamicFilter, s.noise_dB, s.ringing_dB,
+                  s.poorContactLeft_mm, s.poorContactRight_mm, s.lateralGain_dB, s.looks, s.steering_deg,
+                  s.compoundingAngles, s.scanlines, s.samples, s.elevationPlanes, s.width, s.height,
+                  s.conformingContact, s.look);
 }
 
 template <class T>
@@ -51,6 +52,7 @@ ImagingSettings fitted(ImagingSettings settings, const Probe& probe) {
   settings.persistence = std::clamp(settings.persistence, 0.0, 0.95);
   settings.speckleReduction = std::clamp(settings.speckleReduction, 0.0, 1.0);
   settings.edgeEnhancement = std::clamp(settings.edgeEnhancement, 0.0, 1.0);
+  settings.dynamicFilter = std::clamp(settings.dynamicFilter, 0.0, 2.0);
   settings.noise_dB = std::clamp(settings.noise_dB, -120.0, 0.0);
   settings.ringing_dB = std::clamp(settings.ringing_dB, -20.0, 60.0);
   settings.poorContactLeft_mm = std::clamp(settings.poorContactLeft_mm, 0.0, 30.0);

@@ -77,7 +77,7 @@ Result<TissueMechanics> mechanicsFrom(const json& object) {
 ImagingSettings formerSettings(const Probe& probe) {
   ImagingSettings settings = settingsFor(probe);
   settings.effects.noise = settings.effects.nearField = false;
-  settings.edgeEnhancement = 0;
+  settings.edgeEnhancement = settings.dynamicFilter = 0;
   return settings;
 }
 

@@ -17,19 +17,20 @@ using Tag = hn::CappedTag<float, 16>;
 void convolveAxiallyTarget(const FramePlan& plan, const BeamTables& tables, const float* blockEcho, int firstLine,
                            EchoPlane& out) {
   const Tag d;
-  const int radius = static_cast<int>(tables.axialKernel.size()) - 1;
   const int components = 2 * plan.settings.looks;
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int c = 0; c < components; ++c) {
     const float* in = blockEcho + std::size_t(c) * plan.gates * kBlockLines;
     for (int gate = 0; gate < plan.gates; ++gate) {
+      const float* kernel = tables.axialKernel.data() + std::size_t(gate) * (plan.maxAxialRadius + 1);
+      const int radius = plan.axialRadius[gate];
       float* row = out.row(plan, c, gate) + out.margin + firstLine;
       for (int l = 0; l < kBlockLines; l += lanes) {
-        auto sum = hn::Mul(hn::Set(d, tables.axialKernel[0]), hn::Load(d, in + gate * kBlockLines + l));
+        auto sum = hn::Mul(hn::Set(d, kernel[0]), hn::Load(d, in + gate * kBlockLines + l));
         for (int o = 1; o <= radius; ++o) {
           const auto above = gate - o >= 0 ? hn::Load(d, in + (gate - o) * kBlockLines + l) : hn::Zero(d);
           const auto below = gate + o < plan.gates ? hn::Load(d, in + (gate + o) * kBlockLines + l) : hn::Zero(d);
-          sum = hn::MulAdd(hn::Set(d, tables.axialKernel[o]), hn::Add(above, below), sum);
+          sum = hn::MulAdd(hn::Set(d, kernel[o]), hn::Add(above, below), sum);
         }
         hn::StoreU(sum, d, row + l);
       }

@@ -9,7 +9,7 @@ namespace insonate::cpu {
 
 /// The plan's kernels as floats, and the interpolation from gates to samples.
 struct BeamTables {
-  std::vector<float> axialKernel;    ///< centre first
+  std::vector<float> axialKernel;    ///< [gate][maxAxialRadius + 1], center first
   std::vector<float> lateralKernel;  ///< [gate][maxLateralRadius + 1]
   struct Upsample {
     int gateBefore;  ///< relative to sample / stride

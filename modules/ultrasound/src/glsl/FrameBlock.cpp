@@ -31,7 +31,7 @@ std::vector<gpu::Field> frameFields() {
           FRAME(gateTable),
           FRAME(lateralKernel),
           FRAME(lateralEntries),
-          FRAME(axialRadius),
+          FRAME(axialEntries),
           FRAME(upsampleTable),
           FRAME(parts),
           FRAME(gate_mm),

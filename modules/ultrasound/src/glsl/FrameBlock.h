@@ -53,7 +53,7 @@ struct FrameBlock {
   std::int32_t lines, gates, samples, looks;
   std::int32_t planes, stride, cellGates, cellLines;
   std::int32_t nodeRows, nodeColumns, gateTable, lateralKernel;
-  std::int32_t lateralEntries, axialRadius, upsampleTable, parts;
+  std::int32_t lateralEntries, axialEntries, upsampleTable, parts;
   float gate_mm, spacingAtFace_mm, spacingPerMm, planeSpacing_sd;
   float boundaryScale, edgeLoss_dB, displacementLeft_mm, displacementTop_mm;
   float displacementStep_mm;

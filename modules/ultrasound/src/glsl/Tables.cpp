@@ -112,10 +112,11 @@ PlanTables::PlanTables(const FramePlan& p, bool thesis) {
   }
   block.gateTable = static_cast<std::int32_t>(plan.size());
   for (int gate = 0; gate < p.gates; ++gate)
-    plan.push_back({f(p.elevationSd_mm[gate]), f(p.scatterScale[gate]), f(p.lateralRadius[gate]), 0});
+    plan.push_back(
+        {f(p.elevationSd_mm[gate]), f(p.scatterScale[gate]), f(p.lateralRadius[gate]), f(p.axialRadius[gate])});
 
   kernels.assign(p.axialKernel.begin(), p.axialKernel.end());
-  block.axialRadius = static_cast<std::int32_t>(kernels.size()) - 1;
+  block.axialEntries = p.maxAxialRadius + 1;
   block.lateralKernel = static_cast<std::int32_t>(kernels.size()), block.lateralEntries = p.maxLateralRadius + 1;
   kernels.insert(kernels.end(), p.lateralKernel.begin(), p.lateralKernel.end());
   block.upsampleTable = static_cast<std::int32_t>(kernels.size());

@@ -45,6 +45,24 @@ std::vector<double> autocorrelation(const std::vector<double>& half) {
   return sums;
 }
 
+/// The lattice's own grain counts toward the point-spread function: kernels are narrower by as much.
+double narrowing(double sd_mm, double latticePitch_mm) {
+  const double latticeVariance_mm2 = latticePitch_mm * latticePitch_mm / 6;
+  return std::sqrt(std::max(1 - latticeVariance_mm2 / (sd_mm * sd_mm), 0.04));
+}
+
+/// Half kernels of all gates in rows of equal length.
+void tabulate(const std::vector<std::vector<double>>& halves, std::vector<int>& radius, int& maxRadius,
+              std::vector<double>& table) {
+  for (const std::vector<double>& half : halves) {
+    radius.push_back(static_cast<int>(half.size()) - 1);
+    maxRadius = std::max(maxRadius, radius.back());
+  }
+  table.assign(halves.size() * (maxRadius + 1), 0);
+  for (std::size_t g = 0; g < halves.size(); ++g)
+    std::copy(halves[g].begin(), halves[g].end(), table.begin() + std::ptrdiff_t(g) * (maxRadius + 1));
+}
+
 }  // namespace
 
 CubicWeights cubicAt(double t) {
@@ -116,9 +134,9 @@ double FramePlan::speckleVariance(int gate, const std::vector<double>& axialLags
 }
 
 /// A boundary's B-spline after the axial kernel, by samples, at its highest: the mean over where between gates it lies.
-double FramePlan::impulsePeak() const {
+double FramePlan::impulsePeak(const std::vector<double>& half) const {
   constexpr int kPlaces = 16;
-  const int radius = static_cast<int>(axialKernel.size()) - 1;
+  const int radius = static_cast<int>(half.size()) - 1;
   const auto spline = [](double off) {
     const double x = std::abs(off);
     return x < 0.5 ? 0.75 - x * x : x < 1.5 ? 0.5 * (1.5 - x) * (1.5 - x) : 0;
@@ -127,8 +145,7 @@ double FramePlan::impulsePeak() const {
   for (int place = 0; place < kPlaces; ++place) {
     const auto atGate = [&](int gate) {
       double value = 0;
-      for (int o = -radius; o <= radius; ++o)
-        value += axialKernel[std::abs(o)] * spline(gate + o - (place + 0.5) / kPlaces);
+      for (int o = -radius; o <= radius; ++o) value += half[std::abs(o)] * spline(gate + o - (place + 0.5) / kPlaces);
       return value;
     };
     double peak = 0;
@@ -145,35 +162,41 @@ double FramePlan::impulsePeak() const {
   return sum / kPlaces;
 }
 
-void FramePlan::planeBeam() {
-  using acoustics::kFwhmPerSd;
-  const double axialSd_mm = axialFwhm_mm(probe, settings) / kFwhmPerSd;
-  // The lattice's own grain counts toward the point-spread function: kernels are narrower by as much.
-  const double latticeVariance_mm2 = latticePitch_mm * latticePitch_mm / 6;
-  const auto narrowing = [&](double sd_mm) {
-    return std::sqrt(std::max(1 - latticeVariance_mm2 / (sd_mm * sd_mm), 0.04));
+/// Half of the axial kernel by gate.
+std::vector<std::vector<double>> FramePlan::axialHalves() const {
+  if (!settings.effects.beam) return std::vector<std::vector<double>>(gates, {1});
+  const auto halfAt = [&](double depth_mm) {
+    const double sd_mm = axialFwhm_mm(probe, settings, depth_mm) / acoustics::kFwhmPerSd;
+    const double sd_gates = sd_mm * narrowing(sd_mm, latticePitch_mm) / gate_mm;
+    return halfKernel([&](int off) { return std::exp(-0.5 * off * off / (sd_gates * sd_gates)); });
   };
-  const double axialSd_gates = axialSd_mm * narrowing(axialSd_mm) / gate_mm;
-  const auto pulse = [&](int off) { return std::exp(-0.5 * off * off / (axialSd_gates * axialSd_gates)); };
-  axialKernel = settings.effects.beam ? halfKernel(pulse) : std::vector<double>{1};
-  const std::vector<double> axialLags = autocorrelation(axialKernel);
+  const std::vector<double> atFace = halfAt(0);
+  std::vector<std::vector<double>> halves(gates, atFace);
+  if (settings.dynamicFilter <= 0) return halves;
+  const double peak = impulsePeak(atFace);
+  for (int g = 0; g < gates; ++g) {
+    halves[g] = halfAt(range_mm(g));
+    const double gain = peak / impulsePeak(halves[g]);
+    for (double& weight : halves[g]) weight *= gain;
+  }
+  return halves;
+}
 
+void FramePlan::planeBeam() {
+  const std::vector<std::vector<double>> axial = axialHalves();
   std::vector<std::vector<double>> lateral(gates);
   for (int g = 0; g < gates; ++g) {
     const double range = range_mm(g);
-    const double step_mm =
-        grid.scanlineSpacing_mm(range) / narrowing(lateralFwhm_mm(probe, settings, range) / kFwhmPerSd);
+    const double lateralSd_mm = lateralFwhm_mm(probe, settings, range) / acoustics::kFwhmPerSd;
+    const double step_mm = grid.scanlineSpacing_mm(range) / narrowing(lateralSd_mm, latticePitch_mm);
     const auto beam = [&](int off) { return field.lateral(off * step_mm, range); };
     lateral[g] = settings.effects.beam ? halfKernel(beam) : std::vector<double>{1};
-    lateralRadius.push_back(static_cast<int>(lateral[g].size()) - 1);
-    maxLateralRadius = std::max(maxLateralRadius, lateralRadius[g]);
   }
-  lateralKernel.assign(std::size_t(gates) * (maxLateralRadius + 1), 0);
-  for (int g = 0; g < gates; ++g) {
-    std::copy(lateral[g].begin(), lateral[g].end(), lateralKernel.begin() + std::ptrdiff_t(g) * (maxLateralRadius + 1));
-    scatterScale.push_back(1 / std::sqrt(speckleVariance(g, axialLags, autocorrelation(lateral[g]))));
-  }
-  boundaryScale = 1 / impulsePeak();
+  tabulate(axial, axialRadius, maxAxialRadius, axialKernel);
+  tabulate(lateral, lateralRadius, maxLateralRadius, lateralKernel);
+  for (int g = 0; g < gates; ++g)
+    scatterScale.push_back(1 / std::sqrt(speckleVariance(g, autocorrelation(axial[g]), autocorrelation(lateral[g]))));
+  boundaryScale = 1 / impulsePeak(axial[0]);
 }
 
 }  // namespace insonate

@@ -66,9 +66,12 @@ struct FramePlan {
   std::vector<double> scatterScale;     ///< [gate] so that the envelope of a 0 dB tissue has RMS 1 after the beam
   double boundaryScale = 1;             ///< so that a plane reflector peaks at its reflection
 
-  /// Point-spread function: kernels of unit sum, half of them (centre first).
-  std::vector<double> axialKernel;
-  std::vector<int> lateralRadius;  ///< [gate]
+  /// Point-spread function: half of each kernel (center first). Lateral kernels and the axial one at the face have unit
+  /// sum; a reflector peaks alike after the axial kernels of all gates.
+  std::vector<int> axialRadius;  ///< [gate]
+  int maxAxialRadius = 0;
+  std::vector<double> axialKernel;  ///< [gate][maxAxialRadius + 1]
+  std::vector<int> lateralRadius;   ///< [gate]
   int maxLateralRadius = 0;
   std::vector<double> lateralKernel;  ///< [gate][maxLateralRadius + 1]
 
@@ -77,7 +80,8 @@ struct FramePlan {
  private:
   void planeElevation();
   void planeBeam();
-  double impulsePeak() const;
+  std::vector<std::vector<double>> axialHalves() const;
+  double impulsePeak(const std::vector<double>& half) const;
   /// Of unit scattering after the beam, at a gate; from the autocorrelations of its kernels.
   double speckleVariance(int gate, const std::vector<double>& axialLags, const std::vector<double>& lateralLags) const;
 };

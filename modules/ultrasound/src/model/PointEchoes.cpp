@@ -56,13 +56,14 @@ std::vector<PointEcho> pointEchoes(const FramePlan& plan, const std::vector<Poin
   const Transform probeFromPatient = inverted(patientFromProbe);
   const double grain_mm = plan.latticePitch_mm / std::sqrt(6);
   const double axialGrain = grain_mm / plan.gate_mm;
-  const double axialPeak = peakOf(plan.axialKernel.data(), static_cast<int>(plan.axialKernel.size()) - 1, axialGrain);
   for (const PointTarget& point : points) {
     const Vec3 p = seenFromRest(displacement, probeFromPatient * point.position_mm);
     const auto at = plan.grid.locate(p.x, p.z);
     const double gate = (at.sample + 0.5) / plan.stride - 0.5;
     if (!at.inside || gate <= -1 || gate >= plan.gates) continue;
     const int g0 = std::max(0, static_cast<int>(std::floor(gate)));
+    const double axialPeak =
+        peakOf(plan.axialKernel.data() + std::size_t(g0) * (plan.maxAxialRadius + 1), plan.axialRadius[g0], axialGrain);
     const double lateralGrain = grain_mm / plan.grid.scanlineSpacing_mm(plan.range_mm(gate));
     const double lateralPeak = peakOf(plan.lateralKernel.data() + std::size_t(g0) * (plan.maxLateralRadius + 1),
                                       plan.lateralRadius[g0], lateralGrain);

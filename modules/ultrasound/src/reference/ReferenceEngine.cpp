@@ -153,12 +153,13 @@ void reverberate(const Reverberation& behindGas, Vec3 surface_mm, int looks, int
 
 EchoField convolveAxially(const FramePlan& plan, const EchoField& in) {
   EchoField out(plan.settings.looks, plan.gates, plan.lines);
-  const int radius = static_cast<int>(plan.axialKernel.size()) - 1;
   for (int look = 0; look < plan.settings.looks; ++look)
-    for (int g = 0; g < plan.gates; ++g)
+    for (int g = 0; g < plan.gates; ++g) {
+      const int radius = plan.axialRadius[g];
+      const double* kernel = plan.axialKernel.data() + std::size_t(g) * (plan.maxAxialRadius + 1);
       for (int o = std::max(-radius, -g); o <= std::min(radius, plan.gates - 1 - g); ++o)
-        for (int l = 0; l < plan.lines; ++l)
-          out.at(look, g, l) += plan.axialKernel[std::abs(o)] * in.at(look, g + o, l);
+        for (int l = 0; l < plan.lines; ++l) out.at(look, g, l) += kernel[std::abs(o)] * in.at(look, g + o, l);
+    }
   return out;
 }
 

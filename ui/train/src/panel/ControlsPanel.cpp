@@ -54,6 +54,8 @@ constexpr SliderRow kSliders[] = {
      0.05, 2, 0, 1},
     {&Settings::edgeEnhancement, "edgeEnhancement", "edge enhancement", "", "sharpens boundaries across the beam", 0.05,
      2, 0, 1},
+    {&Settings::dynamicFilter, "dynamicFilter", "dynamic filter", "",
+     "lengthens the pulse with depth, as receive filters do; 0: off", 0.1, 1, 0, 2},
     {&Settings::noise_dB, "noise", "noise", "dB", "electronic noise before TGC; more: less penetration; -120: none", 1,
      0, -120, 0},
     {&Settings::ringing_dB, "ringing", "ringing", "dB", "bright bands of the probe itself below its face", 1, 0, -20,

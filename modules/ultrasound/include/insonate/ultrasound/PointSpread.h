@@ -17,6 +17,8 @@ double receiveAperture_mm(const Probe& probe, double range_mm);
 /// is a Gaussian of the probe's bandwidth. The other two are laws fitted to the field of an array and of a strip:
 /// within 10 % of what engines show of linear arrays, 20 % of others; for those who need no more than a width.
 double axialFwhm_mm(const Probe& probe, const ImagingSettings& settings);
+/// The same at a depth: receive filters of machines narrow with depth, as attenuation takes the high frequencies.
+double axialFwhm_mm(const Probe& probe, const ImagingSettings& settings, double range_mm);
 double lateralFwhm_mm(const Probe& probe, const ImagingSettings& settings, double range_mm);
 
 /// Slice thickness by depth: hypot(narrowest, growth * distance from the narrowest place), before and behind it.
