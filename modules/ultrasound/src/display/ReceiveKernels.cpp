@@ -130,7 +130,8 @@ void hazeRow(const HazeRow& t) {
     hn::Store(tail, d, t.tail + i);
     hn::Store(grain, d, t.grain + i);
     const auto speckle = hn::Min(hn::Div(power, hn::Max(grain, tiny)), most);
-    hn::Store(hn::Mul(tail, hn::Add(smooth, hn::Mul(rough, speckle))), d, t.haze + i);
+    const auto below = hn::Mul(tail, hn::Add(smooth, hn::Mul(rough, speckle)));
+    hn::Store(hn::Mul(hn::Add(below, hn::Load(d, t.smeared + i)), hn::Load(d, t.drift + i)), d, t.haze + i);
   });
 }
 

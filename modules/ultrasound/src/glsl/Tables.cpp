@@ -112,7 +112,8 @@ PlanTables::PlanTables(const FramePlan& p, bool thesis) {
   }
   block.gateTable = static_cast<std::int32_t>(plan.size());
   for (int gate = 0; gate < p.gates; ++gate)
-    plan.push_back({f(p.elevationSd_mm[gate]), f(p.scatterScale[gate]), f(p.lateralRadius[gate]), 0});
+    plan.push_back(
+        {f(p.elevationSd_mm[gate]), f(p.scatterScale[gate]), f(p.lateralRadius[gate]), f(p.aperture.cone_lines[gate])});
 
   kernels.assign(p.axialKernel.begin(), p.axialKernel.end());
   block.axialRadius = static_cast<std::int32_t>(kernels.size()) - 1;
