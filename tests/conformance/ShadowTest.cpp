@@ -106,7 +106,7 @@ TEST_P(Shadow, AttenuatingBlockCastsAShadowOfItsOwnEdges) {
   settings.effects.attenuation = true;
   AcousticTable table = plainTable();
   table.tissues[kCartilage].attenuation_dBpcmMHz = 3;
-  // Sides along the beam, on voxel faces. It is no thicker than the aperture's cone lets the middle have all of it.
+  // Sides along the beam, on voxel faces. It is thin, so that all rays of the middle scanline cross it.
   const auto scene = sceneAround(probe, settings, 0.5, table, [](Vec3 p) {
     return p.z > 16 && p.z < 20 && p.x > -6.5 && p.x < 4.5 ? kCartilage : kSoftTissue;
   });

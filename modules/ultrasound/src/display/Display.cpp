@@ -201,7 +201,7 @@ void Display::Impl::process(const EnvelopeFrame& envelope, std::uint32_t noiseSe
   const int looks = fits(envelope) ? envelope.looks : 0;
   if (noise && looks > 0) noise->draw(noiseSeed, looks);
   overBlocks([&](int b) { compoundBlock(envelope, looks, b); });
-  if (settings.effects.clutter) haze.follow(blockPower);
+  if (settings.effects.clutter) haze.follow(blockPower, face ? &*face : nullptr);
   if (settings.effects.attenuation) findShade();
   stages.compound = lap_ms();
   overBlocks([&](int b) { compressBlock(b); });

@@ -21,8 +21,8 @@ inline constexpr double kHazeSpread_mm = 1.0;    ///< lateral SD gained over one
 inline constexpr double kHazeSmoothShare = 0.6;  ///< the rest is modulated by the local speckle
 inline constexpr double kHazeGrain_mm = 0.7;     ///< tail of the local mean that speckle is compared with
 inline constexpr double kHazeCeiling_dB = 8;     ///< echoes above this leak no more than this
-inline constexpr double kSideLobes_dB = -21;     ///< of the echoes beside
-inline constexpr double kTwice_dB = -25;         ///< of the echoes of half the depth, on their second way
+inline constexpr double kSideLobes_dB = -25;     ///< of the echoes beside
+inline constexpr double kTwice_dB = -27;         ///< of the echoes of half the depth, on their second way
 inline constexpr double kSmear_mm = 1.8;         ///< in which either falls to 1/e along the face
 inline constexpr double kDriftReach_dB = 3.5, kDriftLateral_mm = 2.4, kDriftAxial_mm = 1.5;
 

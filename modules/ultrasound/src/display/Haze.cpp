@@ -45,10 +45,10 @@ Haze::Haze(const Probe& probe, const ImagingSettings& settings, const DisplayPla
   }
 }
 
-void Haze::follow(Plane& blockPower) {
+void Haze::follow(Plane& blockPower, const FaceEchoes* face) {
   blockPower.extendRow(0);
   for (int b = 0; b < haze_.rows(); ++b) {
-    smear(blockPower, b);
+    smear(blockPower, face ? face->contact(b) : nullptr, b);
     hazeRow({.power = blockPower.row(b),
              .tailAbove = b == 0 ? blockPower.row(0) : tail_.row(b - 1),
              .grainAbove = b == 0 ? blockPower.row(0) : grain_.row(b - 1),
@@ -70,7 +70,7 @@ void Haze::follow(Plane& blockPower) {
 }
 
 /// An exponential to either side, of what comes from beside and from half the depth.
-void Haze::smear(const Plane& blockPower, int b) {
+void Haze::smear(const Plane& blockPower, const float* contact, int b) {
   const float lobes = powerOf(kSideLobes_dB), twice = powerOf(kTwice_dB), on = smearing_[b];
   const float *here = blockPower.row(b), *half = blockPower.row(b / 2);
   float* const out = smeared_.row(0);
@@ -81,7 +81,8 @@ void Haze::smear(const Plane& blockPower, int b) {
   sum = source(lines - 1) / (1 - on);
   for (int l = lines - 1; l >= 0; --l) {
     sum = on * sum + source(l);
-    out[l] = 0.5F * (out[l] + sum);
+    const float heard = contact ? contact[l] * contact[l] : 1;
+    out[l] = 0.5F * heard * (out[l] + sum);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "DisplayPlan.h"
+#include "FaceEchoes.h"
 #include "Plane.h"
 
 namespace insonate::display {
@@ -16,13 +17,13 @@ class Haze {
  public:
   Haze(const Probe& probe, const ImagingSettings& settings, const DisplayPlan& plan);
 
-  /// Computes it from the mean power of each block.
-  void follow(Plane& blockPower);
+  /// Computes it from the mean power of each block. `face` tells where scanlines hear less; null for nowhere.
+  void follow(Plane& blockPower, const FaceEchoes* face);
   /// Power in a block; 0 before follow().
   const float* row(int block) const { return haze_.row(block); }
 
  private:
-  void smear(const Plane& blockPower, int block);
+  void smear(const Plane& blockPower, const float* contact, int block);
 
   const DisplayPlan* plan_;
   Plane tail_, grain_, haze_, drift_;
