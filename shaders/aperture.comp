@@ -1,5 +1,5 @@
-// What reaches each gate along each ray of the aperture: ApertureRays. A group follows one ray down the image, its threads
-// take the scanlines.
+// What reaches each gate along each ray of the aperture: ApertureRays. A group follows one ray down the image, its
+// threads take the scanlines.
 #include "frame.glsl"
 #include "records.glsl"
 #include "rest.glsl"

@@ -86,7 +86,7 @@ void FaceEchoes::findContact(const Probe& probe, const ImagingSettings& settings
     const double t = std::clamp(std::max(left, right) / kWedge_mm, 0.0, 1.0), open = t * t * (3 - 2 * t);
     const double ragged = open * (1 + kBubbles * (1 - open) * bubblesAt(l * spacing_mm));
     const double lifted = std::clamp(ragged, 0.0, 1.0);
-    lack_.row(0)[l] = static_cast<float>(lifted);
+    lack_.row(0)[l] = static_cast<float>(lifted * lifted);
     touching[l] = std::pow(10, kLifted_dB * lifted / 20);
   }
   const ShareOfAperture share(touching);

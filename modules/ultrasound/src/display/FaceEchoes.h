@@ -32,7 +32,7 @@ class FaceEchoes {
   void findRinging(const Probe& probe, const ImagingSettings& settings, const BeamGrid& grid);
 
   int columns_;
-  Plane line_, lack_;                     ///< one row each: power of the ringing, share of the face that is lifted
+  Plane line_, lack_;                     ///< one row each: power of the ringing, share of it that is as in air
   std::optional<Plane> contact_;          ///< [block][scanline]
   std::vector<float> touching_, lifted_;  ///< [row] power; shorter than the image where nothing rings any more
 };
