@@ -2,7 +2,7 @@
 
 layout(std430, binding = 2) readonly buffer Plan {
   vec4 planTable[];  // scanlines: origin x, z, direction x, z; then gates: SD of the slice, scale of scattering,
-                     // radius of the lateral kernel
+                     // radius of the lateral kernel, cone of the aperture
 };
 
 vec4 gateTableAt(int gate) {

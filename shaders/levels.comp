@@ -15,7 +15,7 @@ layout(std430, binding = 7) writeonly buffer GasGates {
   int gasGate[];
 };
 
-const float kNothing_dB = -1e5;
+const float kNoContact = 1e-9, kUnseen_dB = -150.0, kFaintest_dB = -300.0, kUnknown_dB = -5e3;
 
 shared float total_dB[16][16];  // [part][scanline]
 
@@ -36,13 +36,14 @@ void main() {
   if (int(gl_GlobalInvocationID.x) >= frame.lines) return;
 
   gasGate[line] = frame.gates;  // none yet, for gas.comp
-  float strength = contactOf(line).y, level_dB = strength > 0.0 ? toDecibel(strength) : kNothing_dB;
+  float level_dB = toDecibel(max(contactOf(line).y, kNoContact));
   for (int before = 0; before < part; ++before) level_dB -= total_dB[before][column];
   for (int gate = first; gate < end; ++gate) {
     int n = gateIndex(plane, gate, line);
-    crossings[n].echo *= fromDecibel(level_dB);
+    crossings[n].echo *= level_dB > kUnseen_dB ? fromDecibel(level_dB) : 0.0;
     level_dB -= crossings[n].loss_dB;
-    samples[n].level_dB = level_dB - samples[n].loss_dB / 2.0;
+    float left_dB = level_dB > kUnknown_dB ? max(level_dB, kFaintest_dB) : level_dB;
+    samples[n].level_dB = left_dB - samples[n].loss_dB / 2.0;
     level_dB -= samples[n].loss_dB;
   }
 }

@@ -1,6 +1,7 @@
 #include "Commands.h"
 #include "Interrupt.h"
 #include "NeedleOptions.h"
+#include "PointOptions.h"
 #include "Presser.h"
 #include "RenderOutputs.h"
 
@@ -9,6 +10,7 @@
 #include <insonate/simulator/DisplacementFile.h>
 #include <insonate/simulator/EffectLayers.h>
 #include <insonate/simulator/Imager.h>
+#include <insonate/simulator/PointScene.h>
 #include <insonate/simulator/PoseChecks.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/ultrasound/Machine.h>
@@ -26,7 +28,7 @@ namespace insonate::cli {
 namespace {
 
 struct RenderOptions {
-  std::string caseFolder, probe = "linear", pose = "auto", engine = "auto", machine, tissues, settings, look;
+  std::string caseFolder, probe = "linear", pose = "auto", engine = "auto", machine, tissues, settings, look, points;
   OutputTargets targets;
   PressOptions press;
   NeedleOptions needle;
@@ -41,6 +43,7 @@ struct RenderJob {
   PressPlan press;
   NeedlePlan needle;
   std::vector<std::string> warnings;
+  std::vector<PointTarget> points = {};  ///< patient LPS
 };
 
 Result<ImagingSetup> readSetup(const RenderOptions& options) {
@@ -88,6 +91,12 @@ Result<RenderJob> readJob(const RenderOptions& options) {
   auto onSkin = Presser::onSkin(job.press, job.patient.labels, job.setup, job.path.patientFromProbe);
   if (!onSkin) return tl::unexpected(onSkin.error());
   job.path.patientFromProbe = std::move(*onSkin);
+  if (!options.points.empty()) {
+    auto points = readPoints(options.points);
+    if (!points) return tl::unexpected(points.error());
+    for (PointTarget& point : *points) point.position_mm = job.path.patientFromProbe.front() * point.position_mm;
+    job.points = std::move(*points);
+  }
   job.warnings.insert(job.warnings.end(), job.path.warnings.begin(), job.path.warnings.end());
   for (std::string& warning : poseWarnings(job.patient, job.setup, job.path.patientFromProbe))
     job.warnings.push_back(std::move(warning));
@@ -141,7 +150,7 @@ class PathRenderer {
     auto presser = Presser::make(job_.setup, job_.press);
     if (!presser) return tl::unexpected(presser.error());
     for (const SceneRun& run : sceneRuns(job_.setup, job_.path.patientFromProbe, Presser::reach_mm(job_.press))) {
-      const auto scene = makeScene(job_.patient, job_.setup, run.region, terminalProgress());
+      const auto scene = makePointScene(job_.patient, job_.setup, run.region, job_.points, terminalProgress());
       if (!scene) return tl::unexpected(scene.error().message == kCancelled ? cancelled() : scene.error());
       for (const std::string& warning : (*scene)->warnings()) warn(warning);
       for (std::size_t i = run.first; i < run.first + run.count; ++i)
@@ -299,6 +308,11 @@ void addRenderCommand(CLI::App& app, Outcome& outcome) {
   command->add_option("--envelope", options->targets.envelope, "NRRD to write: linear echo amplitude of one look");
   command->add_option("--displacement", options->targets.displacement,
                       "NRRD to write: vectors from where tissue is seen to where it lay at rest, mm, patient LPS");
+  command->add_option(
+      "--points", options->points,
+      "Point targets to measure the point spread by: depths in mm below the middle of the face, such as "
+      "5,10,20, or a file with lateral,elevation,depth a line; along a path they stay where they lie at "
+      "its first pose");
   options->press.addTo(*command);
   options->needle.addTo(*command);
   command->add_flag("--json", options->json, "Print a JSON object with times and warnings");

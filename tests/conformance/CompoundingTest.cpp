@@ -77,7 +77,8 @@ TEST_P(Compounding, KeepsTheLevelAndSoftensSpeckle) {
   EXPECT_LT(standardDeviation(five) / mean(five), 0.8 * standardDeviation(plain) / mean(plain));
 }
 
-/// Behind a strip that lets nothing pass, angles see under it: the shadow closes with depth.
+/// Behind a strip that lets nothing pass, angles see under it: the shadow closes with depth, sooner than it does for
+/// the cone of one scanline's aperture.
 TEST_P(Compounding, MakesShadowsCones) {
   const Probe probe = probeNamed("linear");
   ImagingSettings settings = uniformSettings(probe, 256, 800, 1);
@@ -97,11 +98,12 @@ TEST_P(Compounding, MakesShadowsCones) {
     return dark * grid.scanlineSpacing_mm(depth_mm);
   };
   const EnvelopeFrame plain = compounded(GetParam(), probe, settings, *scene);
-  EXPECT_NEAR(shadow_mm(plain, 36), shadow_mm(plain, 12), 0.6);
+  EXPECT_NEAR(shadow_mm(plain, 12), 3, 0.6) << "less a penumbra of 0.6 mm either way";
+  EXPECT_GT(shadow_mm(plain, 17), 1);
   settings.compoundingAngles = 3;
   const EnvelopeFrame three = compounded(GetParam(), probe, settings, *scene);
   EXPECT_GT(shadow_mm(three, 12), 2);
-  EXPECT_EQ(shadow_mm(three, 36), 0) << "8 degrees see under a strip of 4.2 mm from 15 mm below it";
+  EXPECT_LT(shadow_mm(three, 17), 0.5 * shadow_mm(plain, 17));
 }
 
 }  // namespace

@@ -238,7 +238,8 @@ TEST_P(Displaced, SkinThatHasGoneLosesContact) {
     const PlaneDisplacement gone =
         displacementOver(probe_, settings, 1, [](double x, double) { return shiftBy(0, x < 0 ? 0 : -13); });
     const EnvelopeFrame frame = render(probe_, settings, scene, {}, gone);
-    EXPECT_LT(rms(valuesIn(frame, {0, kSamples, 80, kLines})), 1e-6);
+    // The rays of the aperture come from where there is skin; their sweep blurs them a little beyond their cone.
+    EXPECT_LT(rms(valuesIn(frame, {0, kSamples, 80, kLines})), look == Look::Coherent ? 1e-4 : 1e-6);
     EXPECT_GT(rms(valuesIn(frame, {20, kSamples / 2, 4, 48})), 0.05);
   }
 }

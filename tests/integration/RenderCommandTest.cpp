@@ -55,6 +55,32 @@ std::string poseAt(double x_mm) {
   return R"({"position_mm": [)" + std::to_string(x_mm) + R"(, 0, 0], "axial": [0, 1, 0], "lateral": [1, 0, 0]})";
 }
 
+TEST_F(RenderCommand, PointTargetsAreSeenWhereTheyAre) {
+  const auto brightness = [&](const std::string& points) {
+    const std::string file = out("f.png");
+    EXPECT_EQ(render(points + " --out " + shellWord(file)).status, 0) << points;
+    return bytesOf(file);
+  };
+  const std::string without = brightness("");
+  const std::string onAxis = brightness("--points 6,9");
+  EXPECT_NE(onAxis, without);
+  std::ofstream(out("points.csv")) << "0,0,6\n\n0, 0, 9\n";
+  EXPECT_EQ(brightness("--points " + shellWord(out("points.csv"))), onAxis);
+}
+
+TEST_F(RenderCommand, RefusesPointsThatAreNone) {
+  for (const char* list : {"deep", "10,,20", "-5", "nan", "0"})
+    expectRefusal("--points=" + std::string(list) + " --out " + shellWord(out("f.png")),
+                  "is neither a file nor a list of depths above 0");
+  const test::TemporaryFolder other;
+  const std::string file = (other / "points.csv").string();
+  const std::string arguments = "--points " + shellWord(file) + " --out " + shellWord(out("f.png"));
+  std::ofstream(file) << "0,0,6\n0,6\n";
+  expectRefusal(arguments, "line 2 of");
+  std::ofstream(file) << "\n";
+  expectRefusal(arguments, "has no points");
+}
+
 TEST_F(RenderCommand, WritesAPictureAndTellsAboutIt) {
   const auto result = render("--probe linear --pose auto --json --out " + shellWord(out("f.png")));
   ASSERT_EQ(result.status, 0) << result.errors;

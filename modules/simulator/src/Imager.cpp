@@ -1,4 +1,5 @@
 #include <insonate/simulator/Imager.h>
+#include <insonate/simulator/PointScene.h>
 #include <insonate/tissue/PatientVariation.h>
 #include <insonate/ultrasound/FrameWork.h>
 
@@ -45,6 +46,14 @@ Region boundsOf(const VolumeGeometry& geometry) {
 std::string rounded(Vec3 v) {
   const auto one = [](double x) { return std::abs(x) < 1e9 ? std::to_string(std::lround(x)) : std::string("huge"); };
   return std::string("(") + one(v.x) + ", " + one(v.y) + ", " + one(v.z) + ")";
+}
+
+Result<std::shared_ptr<const AcousticScene>> sceneOf(const SceneSource& source, const ImagingSetup& setup,
+                                                     const Region& region, std::vector<PointTarget> points,
+                                                     const Progress& progress) {
+  const bool varies = setup.settings.look != Look::Thesis;
+  return AcousticScene::make(source, varies ? tableOfPatient(setup.tissues, source.patient()) : setup.tissues, region,
+                             progress, std::move(points), sceneDetail_mm(setup.probe, setup.settings));
 }
 
 }  // namespace
@@ -126,16 +135,20 @@ Result<std::shared_ptr<const SceneSource>> makeSceneSource(const CaseView& patie
 
 Result<std::shared_ptr<const AcousticScene>> makeScene(const CaseView& patient, const ImagingSetup& setup,
                                                        const Region& region, const Progress& progress) {
-  const auto source = makeSceneSource(patient);
-  if (!source) return tl::unexpected(source.error());
-  return makeScene(**source, setup, region, progress);
+  return makePointScene(patient, setup, region, {}, progress);
 }
 
 Result<std::shared_ptr<const AcousticScene>> makeScene(const SceneSource& source, const ImagingSetup& setup,
                                                        const Region& region, const Progress& progress) {
-  const bool varies = setup.settings.look != Look::Thesis;
-  return AcousticScene::make(source, varies ? tableOfPatient(setup.tissues, source.patient()) : setup.tissues, region,
-                             progress, {}, sceneDetail_mm(setup.probe, setup.settings));
+  return sceneOf(source, setup, region, {}, progress);
+}
+
+Result<std::shared_ptr<const AcousticScene>> makePointScene(const CaseView& patient, const ImagingSetup& setup,
+                                                            const Region& region, std::vector<PointTarget> points,
+                                                            const Progress& progress) {
+  const auto source = makeSceneSource(patient);
+  if (!source) return tl::unexpected(source.error());
+  return sceneOf(**source, setup, region, std::move(points), progress);
 }
 
 Result<void> checkReach(const PatientCase& patient, const ImagingSetup& setup, std::span<const Transform> path) {

@@ -264,5 +264,17 @@ TEST(RealImages, ListsAreReadAndTheirFaultsNamed) {
   EXPECT_THAT(readRealImages(folder / "list.csv").error().message, HasSubstr("lists no images"));
 }
 
+/// A person turns the gain until an image is neither black nor milky, whatever machine and gray map it has.
+TEST(SimulatedImages, AreExposedAsPeopleDo) {
+  const auto images = simulatedImages({.count = 2, .seed = 4, .cases = {}}, {});
+  ASSERT_TRUE(images) << images.error().message;
+  for (const SourceImage& image : *images) {
+    std::vector<std::uint8_t> grey = image.image.grey;
+    std::ranges::nth_element(grey, grey.begin() + std::ptrdiff_t(grey.size() / 2));
+    EXPECT_GT(grey[grey.size() / 2], 18) << image.about;
+    EXPECT_LT(grey[grey.size() / 2], 130) << image.about;
+  }
+}
+
 }  // namespace
 }  // namespace insonate

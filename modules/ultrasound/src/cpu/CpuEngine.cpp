@@ -1,5 +1,6 @@
 #include "cpu/CpuEngine.h"
 
+#include "cpu/ApertureTransmission.h"
 #include "cpu/BeamKernel.h"
 #include "cpu/TraceInput.h"
 #include "model/Boundary.h"
@@ -64,17 +65,18 @@ class CpuEngine final : public Engine {
 
  private:
   void provideWorkspaces(int threads);
-  void setChannels(const AcousticScene::Impl& scene);
   void setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
                    const PlaneDisplacement& displacement);
   void setScanlines(const Transform& patientFromProbe, const ScattererLattice& lattice);
   void setTextureRays(const TextureFrame& frame, const Transform& patientFromProbe, const TextureTile& tile,
                       TextureRays& rays) const;
-  void traceLines(int firstLine, const std::vector<PointEcho>& points);
+  void traceLines(int block);
+  void finishLines(int block, const std::vector<PointEcho>& points);
+  void lightTissue(int firstLine, BlockEchoes& echoes) const;
   Vec3 surfaceOfGas(int line, int gate) const;
   Vec3 shiftOf(int line, int gate) const;
-  void reverberate(int firstLine, Workspace& work) const;
-  void addNeedle(int firstLine, Workspace& work) const;
+  void reverberate(int firstLine, BlockEchoes& echoes, Workspace& work) const;
+  void addNeedle(int firstLine, BlockEchoes& echoes) const;
 
   std::unique_ptr<thesis::ThesisCpu> thesis_;  ///< where the settings ask for its look; the rest is then idle
   std::optional<FramePlan> plan_;
@@ -84,6 +86,8 @@ class CpuEngine final : public Engine {
   BeamTables tables_;
   TraceInput input_;
   EchoPlane echo_;
+  std::vector<BlockEchoes> blocks_;
+  ApertureTransmission transmission_;
   std::vector<std::unique_ptr<Workspace>> workspaces_;  ///< by thread of the arena
   std::vector<Contact> contacts_;
   std::vector<Stage> stages_;
@@ -110,6 +114,14 @@ void CpuEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
   echo_.values = hwy::AllocateAligned<float>(echoSize);
   std::fill_n(echo_.values.get(), echoSize, 0.0F);
 
+  transmission_ = ApertureTransmission(plan);
+  blocks_.clear();
+  blocks_.resize(paddedLines / kBlockLines);
+  for (BlockEchoes& block : blocks_) {
+    block.echo = hwy::AllocateAligned<float>(std::size_t(components) * plan.gates * kBlockLines);
+    block.boundaries = hwy::AllocateAligned<float>(std::size_t(plan.gates) * kBlockLines);
+    block.level_dB = hwy::AllocateAligned<float>(std::size_t(plan.gates) * kBlockLines);
+  }
   workspaces_.clear();
   provideWorkspaces(tbb::info::default_concurrency() + 1);
 
@@ -142,52 +154,18 @@ void CpuEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
       input_.scatterScale.push_back(
           settings.effects.speckle ? static_cast<float>(plan.scatterScale[g] * plan.scatterWeight[p]) : 0.0F);
     }
-  stages_ = {{"contact"}, {"structures"}, {"echoes"}, {"axial beam"}, {"lateral beam"}};
+  stages_ = {{"contact"}, {"structures"}, {"echoes"}, {"aperture"}, {"axial beam"}, {"lateral beam"}};
 }
 
 /// One for each thread of the arena; an arena larger than any before adds its own, once.
 void CpuEngine::provideWorkspaces(int threads) {
-  const std::size_t components = 2 * std::size_t(plan_->settings.looks);
   while (static_cast<int>(workspaces_.size()) < threads) {
     auto work = std::make_unique<Workspace>();
-    work->trace.echo = hwy::AllocateAligned<float>(components * plan_->gates * kBlockLines);
-    work->trace.level_dB = hwy::AllocateAligned<float>(std::size_t(plan_->gates) * kBlockLines);
-    work->lateral.ring = hwy::AllocateAligned<float>(components * 4 * echo_.width);
+    work->lateral.ring = hwy::AllocateAligned<float>(std::size_t(2) * plan_->settings.looks * 4 * echo_.width);
     work->above.resize(plan_->gates);
     work->strength.resize(behindGas_->rings());
     workspaces_.push_back(std::move(work));
   }
-}
-
-void CpuEngine::setChannels(const AcousticScene::Impl& scene) {
-  const FramePlan& plan = *plan_;
-  const double f_MHz = plan.settings.frequency_MHz, perGate_cm = plan.gate_mm / 10;
-  input_.gasChannels = input_.texturedChannels = 0;
-  input_.anyCt = false;
-  for (int c = 0; c < scene.field.channels; ++c) {
-    const AcousticTissue& tissue = scene.table.of(scene.field.label[c]);
-    ChannelConstants& k = input_.channels[c];
-    k.tissue = &tissue;
-    k.tile = &textureTile(tissue.texture);
-    k.sheets = hasSheets(tissue.texture);
-    k.loss_dB =
-        static_cast<float>(2 * tissue.attenuation_dBpcmMHz * std::pow(f_MHz, tissue.attenuationExponent) * perGate_cm);
-    k.echo_dB = static_cast<float>(tissue.echogenicity_dB);
-    k.ctEcho_dBperHU = static_cast<float>(tissue.ctEchogenicity_dBper100HU / 100);
-    k.impedance = static_cast<float>(tissue.impedance_MRayl);
-    k.ctImpedancePerHU = static_cast<float>(tissue.ctImpedancePer100HU / 100);
-    k.textureStrength_dB = static_cast<float>(tissue.textureStrength_dB);
-    if (tissue.texture != Texture::None && plan.settings.effects.texture) input_.texturedChannels |= 1U << c;
-    if (tissue.gas) input_.gasChannels |= 1U << c;
-    input_.anyCt |= tissue.ctEchogenicity_dBper100HU != 0 || tissue.ctImpedancePer100HU != 0;
-  }
-  const double edgeLoss_dB = 2 * acoustics::kEdgeLoss_dBpcmMHz * f_MHz * perGate_cm;
-  for (int a = 0; a < scene.field.channels; ++a)
-    for (int b = 0; b < scene.field.channels; ++b) {
-      const AcousticTissue &first = *input_.channels[a].tissue, &second = *input_.channels[b].tissue;
-      const bool grazes = (first.vessel || second.vessel) && !acousticallyEqual(first, second);
-      input_.edgeLoss_dB[a * TissueField::kStride + b] = grazes ? static_cast<float>(edgeLoss_dB) : 0.0F;
-    }
 }
 
 void CpuEngine::setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
@@ -295,14 +273,28 @@ Vec3 CpuEngine::shiftOf(int line, int gate) const {
           lateral.z * shift.x + axial.z * shift.z};
 }
 
-void CpuEngine::reverberate(int firstLine, Workspace& work) const {
+/// Scattering becomes as strong as what reaches it through the aperture, and boundaries come to it.
+void CpuEngine::lightTissue(int firstLine, BlockEchoes& echoes) const {
+  const FramePlan& plan = *plan_;
+  float lit[kBlockLines];
+  for (int gate = 0; gate < plan.gates; ++gate) {
+    transmission_.means(gate, firstLine, lit);
+    const float* boundaries = echoes.boundaries.get() + std::size_t(gate) * kBlockLines;
+    for (int c = 0; c < 2 * plan.settings.looks; ++c) {
+      float* echo = echoes.echo.get() + (std::size_t(c) * plan.gates + gate) * kBlockLines;
+      for (int l = 0; l < kBlockLines; ++l) echo[l] = echo[l] * lit[l] + (c % 2 == 0 ? boundaries[l] : 0);
+    }
+  }
+}
+
+void CpuEngine::reverberate(int firstLine, BlockEchoes& echoes, Workspace& work) const {
   const FramePlan& plan = *plan_;
   for (int l = 0; l < kBlockLines; ++l) {
-    const int gas = work.trace.gasGate[l];
+    const int gas = echoes.gasGate[l];
     if (gas <= 0) continue;
     behindGas_->strengthsAt(surfaceOfGas(firstLine + l, gas) - input_.scene->textureOrigin_mm, work.strength);
     for (int c = 0; c < 2 * plan.settings.looks; ++c) {
-      float* echo = work.trace.echo.get() + std::size_t(c) * plan.gates * kBlockLines + l;
+      float* echo = echoes.echo.get() + std::size_t(c) * plan.gates * kBlockLines + l;
       for (int g = 0; g <= gas; ++g) work.above[g] = echo[std::size_t(g) * kBlockLines];
       for (int g = gas + Reverberation::kFirstGate; g < plan.gates; ++g)
         for (const Reverberation::Repeat& r : behindGas_->at(g - gas))
@@ -312,33 +304,40 @@ void CpuEngine::reverberate(int firstLine, Workspace& work) const {
   }
 }
 
-void CpuEngine::addNeedle(int firstLine, Workspace& work) const {
+void CpuEngine::addNeedle(int firstLine, BlockEchoes& echoes) const {
   const FramePlan& plan = *plan_;
   for (int l = 0; l < std::min(kBlockLines, plan.lines - firstLine); ++l)
     needle_->addTo(
-        firstLine + l, [&](int gate) { return work.trace.level_dB[std::size_t(gate) * kBlockLines + l]; },
+        firstLine + l, [&](int gate) { return echoes.level_dB[std::size_t(gate) * kBlockLines + l]; },
         [&](int gate, float amplitude) {
           for (int look = 0; look < plan.settings.looks; ++look)
-            work.trace.echo[(std::size_t(2) * look * plan.gates + gate) * kBlockLines + l] += amplitude;
+            echoes.echo[(std::size_t(2) * look * plan.gates + gate) * kBlockLines + l] += amplitude;
         });
 }
 
-void CpuEngine::traceLines(int firstLine, const std::vector<PointEcho>& points) {
+void CpuEngine::traceLines(int block) {
+  Workspace& work = *workspaces_[tbb::this_task_arena::current_thread_index()];
+  traceBlock(input_, block * kBlockLines, work.trace, blocks_[block], transmission_, work.times);
+}
+
+void CpuEngine::finishLines(int block, const std::vector<PointEcho>& points) {
   const FramePlan& plan = *plan_;
   Workspace& work = *workspaces_[tbb::this_task_arena::current_thread_index()];
-  traceBlock(input_, firstLine, work.trace, work.times);
   const StopWatch watch;
-  reverberate(firstLine, work);
-  if (input_.needle) addNeedle(firstLine, work);
+  const int firstLine = block * kBlockLines;
+  BlockEchoes& echoes = blocks_[block];
+  lightTissue(firstLine, echoes);
+  reverberate(firstLine, echoes, work);
+  if (input_.needle) addNeedle(firstLine, echoes);
   for (const PointEcho& point : points)
     if (point.line >= firstLine && point.line < firstLine + kBlockLines)
       for (int look = 0; look < plan.settings.looks; ++look)
-        work.trace.echo[(std::size_t(2) * look * plan.gates + point.gate) * kBlockLines + point.line - firstLine] +=
+        echoes.echo[(std::size_t(2) * look * plan.gates + point.gate) * kBlockLines + point.line - firstLine] +=
             point.amplitude;
   // Beyond the last scanline the block holds copies of it; the lateral kernel must find zeros there.
   for (std::size_t row = 0; row < std::size_t(2) * plan.settings.looks * plan.gates; ++row)
-    for (int l = std::max(0, plan.lines - firstLine); l < kBlockLines; ++l) work.trace.echo[row * kBlockLines + l] = 0;
-  convolveAxially(plan, tables_, work.trace.echo.get(), firstLine, echo_);
+    for (int l = std::max(0, plan.lines - firstLine); l < kBlockLines; ++l) echoes.echo[row * kBlockLines + l] = 0;
+  convolveAxially(plan, tables_, echoes.echo.get(), firstLine, echo_);
   work.axial_ms += watch.ms();
 }
 
@@ -352,7 +351,7 @@ void CpuEngine::render(const AcousticScene& sceneHandle, const Transform& patien
   for (auto& work : workspaces_) work->times = {}, work->axial_ms = work->lateral_ms = 0;
 
   const StopWatch watch;
-  setChannels(scene);
+  setChannels(scene, input_);
   setGeometry(scene, patientFromProbe, displacement);
   needle_->place(needle, scene.field, patientFromProbe, displacement);
   input_.needle = needle_->present() ? &*needle_ : nullptr;
@@ -360,8 +359,12 @@ void CpuEngine::render(const AcousticScene& sceneHandle, const Transform& patien
       scene.points.empty() ? std::vector<PointEcho>{} : pointEchoes(plan, scene.points, patientFromProbe, displacement);
   stages_[0].ms = watch.ms();
 
-  const int blocks = (plan.lines + kBlockLines - 1) / kBlockLines;
-  tbb::parallel_for(0, blocks, [&](int block) { traceLines(block * kBlockLines, points); });
+  const int blocks = static_cast<int>(blocks_.size());
+  tbb::parallel_for(0, blocks, [&](int block) { traceLines(block); });
+  const StopWatch raysWatch;
+  transmission_.followRays();
+  stages_[3].ms = raysWatch.ms();
+  tbb::parallel_for(0, blocks, [&](int block) { finishLines(block, points); });
   const int chunks = (plan.grid.samples() + kSampleChunk - 1) / kSampleChunk;
   tbb::parallel_for(0, chunks, [&](int chunk) {
     const StopWatch chunkWatch;
@@ -372,12 +375,12 @@ void CpuEngine::render(const AcousticScene& sceneHandle, const Transform& patien
     work.lateral_ms += chunkWatch.ms();
   });
 
-  for (int s = 1; s < 5; ++s) stages_[s].ms = 0;
+  for (const int s : {1, 2, 4, 5}) stages_[s].ms = 0;
   for (const auto& work : workspaces_) {
     stages_[1].ms += work->times.nodes;
     stages_[2].ms += work->times.gates;
-    stages_[3].ms += work->axial_ms;
-    stages_[4].ms += work->lateral_ms;
+    stages_[4].ms += work->axial_ms;
+    stages_[5].ms += work->lateral_ms;
   }
 }
 

@@ -6,6 +6,7 @@
 #define INSONATE_CPU_GATES_INL_H_
 #endif
 
+#include "cpu/ApertureTransmission.h"
 #include "cpu/Lanes-inl.h"
 #include "cpu/Scatterers-inl.h"
 #include "cpu/Shifts-inl.h"
@@ -22,9 +23,11 @@ namespace insonate::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 inline constexpr float kSilent_dB = -150;  ///< nothing below this can be seen
-inline constexpr float kLostLevel_dB = -1e9F;
+inline constexpr float kLostLevel_dB = -1e9F, kKnownLevel_dB = -1e6F;
+inline constexpr float kFaintest_dB = -300;  ///< ApertureRays::kFaintest
 
-HWY_INLINE void startLines(const TraceInput& in, int firstLine, TraceBuffers& b) {
+HWY_INLINE void startLines(const TraceInput& in, int firstLine, TraceBuffers& b, BlockEchoes& e,
+                           ApertureTransmission& transmission) {
   const FramePlan& plan = *in.plan;
   for (int p = 0; p < plan.settings.elevationPlanes; ++p)
     for (int l = 0; l < kBlockLines; ++l) {
@@ -32,9 +35,12 @@ HWY_INLINE void startLines(const TraceInput& in, int firstLine, TraceBuffers& b)
       b.state[p].channel[l] = -1;
       b.state[p].pair[l] = -1;
     }
-  std::fill_n(b.gasGate, kBlockLines, kNoGasYet);
+  for (int l = 0; l < kBlockLines; ++l) b.reaching[l] = std::exp2(in.lineLevel_dB[firstLine + l] * kOctavesPerDecibel);
+  std::copy_n(b.reaching, kBlockLines, transmission.contact(firstLine));
+  std::fill_n(e.gasGate, kBlockLines, kNoGasYet);
   std::fill_n(b.tissueSeen, kBlockLines, 0);
-  std::fill_n(b.echo.get(), std::size_t(2) * plan.settings.looks * plan.gates * kBlockLines, 0.0F);
+  std::fill_n(e.echo.get(), std::size_t(2) * plan.settings.looks * plan.gates * kBlockLines, 0.0F);
+  std::fill_n(e.boundaries.get(), std::size_t(plan.gates) * kBlockLines, 0.0F);
 }
 
 /// Points on the scanlines from a block's l-th on, at these ranges, in the frame of the arrays.
@@ -91,7 +97,8 @@ struct Crossing {
 };
 
 /// Echo and loss of the boundary that one scanline crosses between the last gate and this one. Rare, so scalar.
-HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, const Crossing& at, TraceBuffers& b) {
+HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, const Crossing& at, TraceBuffers& b,
+                              BlockEchoes& e) {
   const auto& [channel, s, impedance, shadow_dB, patch] = at;
   const FramePlan& plan = *in.plan;
   TraceBuffers::LineState& state = b.state[plane];
@@ -115,8 +122,7 @@ HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, 
                              std::hypot(cells.spread[l], rough_gates));
     for (int o = 0; o < impulse.count; ++o)
       if (const int g = impulse.first + o; g >= 0 && g < plan.gates)
-        for (int look = 0; look < plan.settings.looks; ++look)
-          b.echo[(std::size_t(2) * look * plan.gates + g) * kBlockLines + l] += impulse.weight[o] * echo;
+        e.boundaries[std::size_t(g) * kBlockLines + l] += impulse.weight[o] * echo;
   }
   if (plan.settings.effects.transmission)
     state.level_dB[l] += std::log2(std::max(1 - reflection * reflection, 1e-12F)) / kOctavesPerDecibel;
@@ -132,7 +138,7 @@ HWY_INLINE GateVec shadowAt(const NeedleEchoes& needle, int plane, int line, int
 }
 
 /// Gas behind tissue, in the central plane, starts the reverberation.
-HWY_INLINE void findGas(const TraceInput& in, int gate, bool gelPossible, TraceBuffers& b) {
+HWY_INLINE void findGas(const TraceInput& in, int gate, bool gelPossible, TraceBuffers& b, BlockEchoes& e) {
   const GateTag d;
   const GateIntTag di;
   const GateUintTag du;
@@ -140,7 +146,7 @@ HWY_INLINE void findGas(const TraceInput& in, int gate, bool gelPossible, TraceB
   const auto gas = hn::Set(du, in.gasChannels), one = hn::Set(du, 1U);
   const auto background = hn::Set(di, gelPossible ? in.scene->field.backgroundChannel : -1);
   for (int l = 0; l < kBlockLines; l += static_cast<int>(hn::Lanes(d))) {
-    const auto gasGate = hn::Load(di, b.gasGate + l);
+    const auto gasGate = hn::Load(di, e.gasGate + l);
     const auto open = hn::Eq(gasGate, hn::Set(di, kNoGasYet));
     if (hn::AllFalse(di, open)) continue;
     const auto inside = hn::RebindMask(di, hn::Ge(hn::Load(d, b.cells[central].inside + l), hn::Set(d, 0.99F)));
@@ -150,13 +156,14 @@ HWY_INLINE void findGas(const TraceInput& in, int gate, bool gelPossible, TraceB
     const auto seen = hn::Load(di, b.tissueSeen + l);
     const auto starts = hn::And(here, hn::Ne(seen, hn::Zero(di)));
     const auto found = hn::IfThenElse(starts, hn::Set(di, gate), gasGate);
-    hn::Store(hn::IfThenElse(open, hn::IfThenElse(inside, found, hn::Set(di, kNoGasEver)), gasGate), di, b.gasGate + l);
+    hn::Store(hn::IfThenElse(open, hn::IfThenElse(inside, found, hn::Set(di, kNoGasEver)), gasGate), di, e.gasGate + l);
     hn::Store(hn::IfThenElse(here, seen, hn::Set(di, 1)), di, b.tissueSeen + l);
   }
 }
 
 template <int kLooks>
-HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate, TraceBuffers& b) {
+HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate, TraceBuffers& b, BlockEchoes& e,
+                          float* passed) {
   const GateTag d;
   const GateIntTag di;
   const FramePlan& plan = *in.plan;
@@ -171,7 +178,8 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
   for (int l = 0; l < kBlockLines; l += static_cast<int>(hn::Lanes(d))) {
     GateVec sum[2 * kLooks];
     for (GateVec& v : sum) v = hn::Zero(d);
-    auto offset = hn::Zero(d);
+    auto offset = hn::Zero(d), left = hn::Zero(d);
+    const auto reaching = hn::Load(d, b.reaching + l);
     const int line = firstLine + l;
     const auto r = hn::MulAdd(hn::LoadU(d, in.lineGap_mm.data() + line), decay, range);
     auto x = hn::MulAdd(hn::LoadU(d, in.lines.dx.data() + line), r, hn::LoadU(d, in.lines.x.data() + line));
@@ -210,7 +218,7 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
         hn::Store(hn::MulAdd(down, hn::Sub(hn::Load(d, cells.patchBottom + l), patchTop), patchTop), d, patchLane);
         for (int i = 0; i < static_cast<int>(hn::Lanes(d)); ++i)
           if (state.channel[l + i] >= 0 && state.channel[l + i] != ch[i])
-            crossBoundary(in, p, gate, l + i, {ch[i], sLane[i], zLane[i], shadowLane[i], patchLane[i]}, b);
+            crossBoundary(in, p, gate, l + i, {ch[i], sLane[i], zLane[i], shadowLane[i], patchLane[i]}, b, e);
       }
       hn::Store(channel, di, state.channel + l);
       hn::Store(hn::Load(di, cells.profile + l), di, state.pair + l);
@@ -224,39 +232,50 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
                        hn::IfThenElseZero(hn::Lt(hn::Abs(s), hn::Set(d, static_cast<float>(acoustics::kEdgeReach_mm))),
                                           hn::Load(d, cells.edgeLoss + l)));
       if (!effects.attenuation) loss = hn::Zero(d);
-      auto level = hn::Load(d, state.level_dB + l);
+      const auto before_dB = hn::Load(d, state.level_dB + l);
+      const auto unknown = hn::Lt(before_dB, hn::Set(d, kKnownLevel_dB));
+      const auto faintest = hn::Set(d, kFaintest_dB);
+      auto level = hn::IfThenElse(unknown, before_dB, hn::Max(before_dB, faintest));
       const auto gel = hn::RebindMask(d, hn::Eq(channel, background));
       if (gelPossible) loss = hn::IfThenZeroElse(gel, loss);
-      hn::Store(hn::Sub(level, loss), d, state.level_dB + l);
+      const auto after_dB = hn::IfThenElse(unknown, level, hn::Max(hn::Sub(level, loss), faintest));
+      hn::Store(after_dB, d, state.level_dB + l);
+      left = hn::MulAdd(amplitudeOf(after_dB), hn::Set(d, static_cast<float>(plan.boundaryWeight[p])), left);
       level = hn::NegMulAdd(loss, hn::Set(d, 0.5F), level);
-      if (in.needle && p == planes / 2) hn::Store(level, d, b.level_dB.get() + std::size_t(gate) * kBlockLines + l);
+      if (in.needle && p == planes / 2) hn::Store(level, d, e.level_dB.get() + std::size_t(gate) * kBlockLines + l);
       level = hn::Sub(level, shadow);
       if (gelPossible) level = hn::IfThenElse(gel, hn::Set(d, kLostLevel_dB), level);
-      if (!effects.scattering || hn::AllTrue(d, hn::Lt(level, hn::Set(d, kSilent_dB)))) continue;
+      if (!effects.scattering || hn::AllTrue(d, hn::Lt(level, hn::Set(d, kKnownLevel_dB)))) continue;
 
-      const float e = in.elevation_mm[std::size_t(p) * plan.gates + gate];
+      const float off_mm = in.elevation_mm[std::size_t(p) * plan.gates + gate];
       Scattering here{echo, hn::Zero(d)};
       if (effects.texture) {
-        const auto right = hn::Lt(x, hn::Set(d, static_cast<float>(in.scene->midline_mm) - in.elevationX * e));
-        addTexture(in, cells.channelsPresent, channel, right, line, r, in.displacement ? &shift : nullptr, e, here);
+        const auto right = hn::Lt(x, hn::Set(d, static_cast<float>(in.scene->midline_mm) - in.elevationX * off_mm));
+        addTexture(in, cells.channelsPresent, channel, right, line, r, in.displacement ? &shift : nullptr, off_mm,
+                   here);
       }
       if (effects.layers && cells.nearBoundary) addLayers(in, cells, l, s, down, here);
-      const auto amplitude = amplitudeOf(hn::Add(level, here.echo_dB));
+      // Over what reaches the gate, which the aperture will tell.
+      const auto amplitude = hn::Div(amplitudeOf(hn::Add(level, here.echo_dB)), reaching);
       const auto plane = hn::Set(d, static_cast<float>(plan.boundaryWeight[p]));
       const auto inPhase = hn::Mul(hn::Mul(amplitude, plane), effects.speckle ? here.sheet : hn::Set(d, 1.0F));
       for (int look = 0; look < kLooks; ++look) sum[2 * look] = hn::Add(sum[2 * look], inPhase);
       const auto scale = hn::Set(d, in.scatterScale[std::size_t(p) * plan.gates + gate]);
       if (effects.speckle)
-        addScatterers<kLooks>(in.latticeSeed,
-                              shifted(onLattice, in.latticeElevationX, in.latticeElevationY, in.latticeElevationZ, e),
-                              hn::Mul(amplitude, scale), sum, offset);
+        addScatterers<kLooks>(
+            in.latticeSeed,
+            shifted(onLattice, in.latticeElevationX, in.latticeElevationY, in.latticeElevationZ, off_mm),
+            hn::Mul(amplitude, scale), sum, offset);
     }
+    left = hn::Max(left, hn::Set(d, static_cast<float>(ApertureRays::kFaintest)));
+    hn::StoreU(hn::Div(left, reaching), d, passed + l);
+    hn::Store(left, d, b.reaching + l);
     for (int c = 0; c < 2 * kLooks; ++c) {
-      float* out = b.echo.get() + (std::size_t(c) * plan.gates + gate) * kBlockLines + l;
+      float* out = e.echo.get() + (std::size_t(c) * plan.gates + gate) * kBlockLines + l;
       hn::Store(hn::Add(hn::Sub(sum[c], offset), hn::Load(d, out)), d, out);
     }
   }
-  if (effects.reverberation) findGas(in, gate, gelPossible, b);
+  if (effects.reverberation) findGas(in, gate, gelPossible, b, e);
 }
 
 }  // namespace insonate::cpu::HWY_NAMESPACE

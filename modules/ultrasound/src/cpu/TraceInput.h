@@ -109,7 +109,18 @@ struct TraceInput {
 
 inline constexpr std::int32_t kNoGasYet = -1, kNoGasEver = -2;
 
-/// Per-thread scratch of the trace, and its result for one block.
+/// What the trace of one block leaves, before the beam.
+struct BlockEchoes {
+  alignas(64) std::int32_t gasGate[kBlockLines];  ///< first gate in gas behind tissue
+  /// Scattering over what reaches a gate, [component][gate][kBlockLines], component = 2 * look + (0 re, 1 im).
+  AlignedArray<float> echo;
+  AlignedArray<float> boundaries;  ///< of all looks, as their own scanline reaches them, [gate][kBlockLines]
+  /// What is left in the middle of each gate in the central plane, without the needle's shadow, [gate][kBlockLines];
+  /// unused where there is no needle.
+  AlignedArray<float> level_dB;
+};
+
+/// Per-thread scratch of the trace.
 struct TraceBuffers {
   /// Distances at one row of nodes, [channel][column], by plane and parity of the row.
   struct NodeRow {
@@ -153,19 +164,22 @@ struct TraceBuffers {
   NodeRow nodes[kMaxPlanes][2];
   CellRow cells[kMaxPlanes];
   LineState state[kMaxPlanes];
-  alignas(64) std::int32_t gasGate[kBlockLines];  ///< first gate in gas behind tissue
+  alignas(64) float reaching[kBlockLines];  ///< mean amplitude of the planes before the next gate
   alignas(64) std::int32_t tissueSeen[kBlockLines];
-  AlignedArray<float> echo;  ///< [component][gate][kBlockLines], component = 2 * look + (0 re, 1 im)
-  /// What is left in the middle of each gate in the central plane, without the needle's shadow, [gate][kBlockLines];
-  /// unused where there is no needle.
-  AlignedArray<float> level_dB;
 };
 
 struct TraceTimes_ms {
   double nodes = 0, gates = 0;
 };
 
-/// Echoes of the scanlines firstLine .. firstLine + kBlockLines - 1 on all gates, before the beam.
-void traceBlock(const TraceInput& input, int firstLine, TraceBuffers& buffers, TraceTimes_ms& times);
+class ApertureTransmission;
+
+/// Fills the constants of the scene's channels.
+void setChannels(const AcousticScene::Impl& scene, TraceInput& input);
+
+/// Echoes of the scanlines firstLine .. firstLine + kBlockLines - 1 on all gates, before the beam, and the share of it
+/// that each gate lets pass.
+void traceBlock(const TraceInput& input, int firstLine, TraceBuffers& buffers, BlockEchoes& echoes,
+                ApertureTransmission& transmission, TraceTimes_ms& times);
 
 }  // namespace insonate::cpu

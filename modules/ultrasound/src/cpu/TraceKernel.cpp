@@ -17,11 +17,12 @@ HWY_BEFORE_NAMESPACE();
 namespace insonate::cpu::HWY_NAMESPACE {
 
 template <int kLooks>
-void traceLooks(const TraceInput& in, int firstLine, TraceBuffers& b, TraceTimes_ms& times) {
+void traceLooks(const TraceInput& in, int firstLine, TraceBuffers& b, BlockEchoes& e,
+                ApertureTransmission& transmission, TraceTimes_ms& times) {
   const FramePlan& plan = *in.plan;
   const int planes = plan.settings.elevationPlanes;
   using Clock = std::chrono::steady_clock;
-  startLines(in, firstLine, b);
+  startLines(in, firstLine, b, e, transmission);
   const auto makeNodes = [&](int row) {
     TraceBuffers::ShiftRow& shifts = b.shift[row & 1];
     if (in.displacement) computeShiftRow(in, firstLine, row, shifts);
@@ -34,20 +35,22 @@ void traceLooks(const TraceInput& in, int firstLine, TraceBuffers& b, TraceTimes
     for (int p = 0; p < planes; ++p) computeCellRow(in, firstLine, p, row, b);
     const auto middle = Clock::now();
     const int end = std::min(plan.gates, (row + 1) * plan.cellGates);
-    for (int gate = row * plan.cellGates; gate < end; ++gate) traceGate<kLooks>(in, firstLine, row, gate, b);
+    for (int gate = row * plan.cellGates; gate < end; ++gate)
+      traceGate<kLooks>(in, firstLine, row, gate, b, e, transmission.passed(gate, firstLine));
     times.nodes += std::chrono::duration<double, std::milli>(middle - start).count();
     times.gates += std::chrono::duration<double, std::milli>(Clock::now() - middle).count();
   }
 }
 
-void traceBlockTarget(const TraceInput& in, int firstLine, TraceBuffers& b, TraceTimes_ms& times) {
+void traceBlockTarget(const TraceInput& in, int firstLine, TraceBuffers& b, BlockEchoes& e,
+                      ApertureTransmission& transmission, TraceTimes_ms& times) {
   switch (in.plan->settings.looks) {
     case 1:
-      return traceLooks<1>(in, firstLine, b, times);
+      return traceLooks<1>(in, firstLine, b, e, transmission, times);
     case 2:
-      return traceLooks<2>(in, firstLine, b, times);
+      return traceLooks<2>(in, firstLine, b, e, transmission, times);
     default:
-      return traceLooks<3>(in, firstLine, b, times);
+      return traceLooks<3>(in, firstLine, b, e, transmission, times);
   }
 }
 
@@ -57,8 +60,9 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace insonate::cpu {
 HWY_EXPORT(traceBlockTarget);
-void traceBlock(const TraceInput& input, int firstLine, TraceBuffers& buffers, TraceTimes_ms& times) {
-  HWY_DYNAMIC_DISPATCH(traceBlockTarget)(input, firstLine, buffers, times);
+void traceBlock(const TraceInput& input, int firstLine, TraceBuffers& buffers, BlockEchoes& echoes,
+                ApertureTransmission& transmission, TraceTimes_ms& times) {
+  HWY_DYNAMIC_DISPATCH(traceBlockTarget)(input, firstLine, buffers, echoes, transmission, times);
 }
 }  // namespace insonate::cpu
 #endif

@@ -1,6 +1,7 @@
 #include "DisplayPlan.h"
 #include "ElectronicNoise.h"
 #include "FaceEchoes.h"
+#include "Haze.h"
 #include "InterfaceSmoothing.h"
 #include "Plane.h"
 #include "ReceiveKernels.h"
@@ -39,7 +40,6 @@ struct Display::Impl {
   Impl(const Probe& probe, const ImagingSettings& imaging);
 
   void process(const EnvelopeFrame& envelope, std::uint32_t noiseSeed);
-  void addHaze();
   void findShade();
   void compoundBlock(const EnvelopeFrame& envelope, int looks, int block);
   bool fits(const EnvelopeFrame& envelope) const;
@@ -51,7 +51,8 @@ struct Display::Impl {
   ImagingSettings settings;
   DisplayPlan plan;
   Plane power, levels;
-  Plane blockPower, blockLevels, tail, grain, haze;
+  Plane blockPower, blockLevels;
+  Haze haze;
   Plane shade;  ///< one row: dB of each scanline
   std::optional<ElectronicNoise> noise;
   std::optional<FaceEchoes> face;
@@ -70,9 +71,7 @@ Display::Impl::Impl(const Probe& probe, const ImagingSettings& imaging)
       levels(plan.samples, plan.scanlines),
       blockPower(static_cast<int>(plan.blocks.size()), plan.scanlines),
       blockLevels(blockPower.rows(), plan.scanlines),
-      tail(blockPower.rows(), plan.scanlines),
-      grain(blockPower.rows(), plan.scanlines),
-      haze(blockPower.rows(), plan.scanlines),
+      haze(probe, imaging, plan),
       shade(1, plan.scanlines),
       curve(curveOf(imaging.grayMap)),
       scan(probe, imaging) {
@@ -101,7 +100,7 @@ void Display::Impl::compoundBlock(const EnvelopeFrame& envelope, int looks, int 
   for (int k = block.first; k < block.first + block.count; ++k) {
     CompoundRow task{.looks = looks,
                      .columns = plan.scanlines,
-                     .contact = face ? face->contact() : nullptr,
+                     .contact = face ? face->contact(b) : nullptr,
                      .gain = plan.rowGain[k],
                      .ceiling = static_cast<float>(powerOf(kHazeCeiling_dB)),
                      .power = power.row(k),
@@ -112,26 +111,6 @@ void Display::Impl::compoundBlock(const EnvelopeFrame& envelope, int looks, int 
     if (face && looks > 0) face->addTo(power.row(k), k, plan.rowGain[k]);
   }
   scaleRow(blockPower.row(b), 1 / static_cast<float>(block.count), plan.scanlines);
-}
-
-void Display::Impl::addHaze() {
-  for (int b = 0; b < haze.rows(); ++b) {
-    hazeRow({.power = blockPower.row(b),
-             .tailAbove = b == 0 ? blockPower.row(0) : tail.row(b - 1),
-             .grainAbove = b == 0 ? blockPower.row(0) : grain.row(b - 1),
-             .stride = plan.blocks[b].hazeStride,
-             .spread = plan.blocks[b].hazeSpread,
-             .tailDecay = plan.hazeDecay,
-             .grainDecay = plan.hazeGrainDecay,
-             .share = static_cast<float>(powerOf(kHazeShare_dB)),
-             .smoothShare = static_cast<float>(kHazeSmoothShare),
-             .columns = plan.scanlines,
-             .tail = tail.row(b),
-             .grain = grain.row(b),
-             .haze = haze.row(b)});
-    tail.extendRow(b);
-    grain.extendRow(b);
-  }
 }
 
 /// Streaks below bright places near the skin: how far the top of each scanline stands out from its neighbourhood.
@@ -222,10 +201,7 @@ void Display::Impl::process(const EnvelopeFrame& envelope, std::uint32_t noiseSe
   const int looks = fits(envelope) ? envelope.looks : 0;
   if (noise && looks > 0) noise->draw(noiseSeed, looks);
   overBlocks([&](int b) { compoundBlock(envelope, looks, b); });
-  if (settings.effects.clutter) {
-    blockPower.extendRow(0);
-    addHaze();
-  }
+  if (settings.effects.clutter) haze.follow(blockPower, face ? &*face : nullptr);
   if (settings.effects.attenuation) findShade();
   stages.compound = lap_ms();
   overBlocks([&](int b) { compressBlock(b); });

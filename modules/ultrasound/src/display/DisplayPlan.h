@@ -16,11 +16,15 @@ inline constexpr double kNoNoise_dB = -120;  ///< the lowest that can be set is 
 
 /// Haze: side lobes and reverberation leak a share of the echoes above into quiet regions.
 inline constexpr double kHazeShare_dB = -10.5;
-inline constexpr double kHazeTail_mm = 2.2;
-inline constexpr double kHazeSpread_mm = 2.0;    ///< lateral SD gained over one tail
+inline constexpr double kHazeTail_mm = 1.1;
+inline constexpr double kHazeSpread_mm = 1.0;    ///< lateral SD gained over one tail
 inline constexpr double kHazeSmoothShare = 0.6;  ///< the rest is modulated by the local speckle
 inline constexpr double kHazeGrain_mm = 0.7;     ///< tail of the local mean that speckle is compared with
-inline constexpr double kHazeCeiling_dB = 8;     ///< echoes above this leak no more than this
+inline constexpr double kHazeCeiling_dB = 6;     ///< echoes above this leak no more than this
+inline constexpr double kSideLobes_dB = -25;     ///< of the echoes beside
+inline constexpr double kTwice_dB = -27;         ///< of the echoes of half the depth, on their second way
+inline constexpr double kSmear_mm = 1.8;         ///< in which either falls to 1/e along the face
+inline constexpr double kDriftReach_dB = 3, kDriftLateral_mm = 2.4, kDriftAxial_mm = 1.5;
 
 /// What the top of a scanline sends back does not reach the tissue below: bright places near the skin leave streaks.
 /// And the outermost scanlines have half an aperture, the other half lying beyond the array's end.

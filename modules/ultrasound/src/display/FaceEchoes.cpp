@@ -11,11 +11,14 @@ namespace {
 
 constexpr double kRinging_mm = 0.18;  ///< in which the ringing of the elements falls to 1/e
 constexpr double kLens_mm = 0.75;  ///< between echoes of the lens, as the image shows them at the sound speed of tissue
-constexpr double kSkinEcho = 0.22, kAirEcho = 0.5;  ///< what each echo of the lens keeps of the one before
+constexpr double kSkinEcho = 0.22, kAirEcho = 0.32;  ///< what each echo of the lens keeps of the one before
 constexpr double kSpread = 0.35;     ///< by which each echo is longer than the one before, in pulses: the lens absorbs
 constexpr double kInaudible = 1e-3;  ///< of an amplitude at the face
 constexpr double kElements_dB = 2, kElements_mm = 0.9;  ///< range of the difference between elements, and its width
-constexpr double kLifted_dB = -28, kTaper_mm = 3;       ///< what passes through air, and how contact returns
+constexpr double kLifted_dB = -22;                      ///< one way through the last film of gel
+constexpr double kWedge_mm = 4;                         ///< over which that film opens into air
+constexpr double kBubbles = 1.4, kBubble_mm = 0.6;      ///< contact comes and goes in the wedge, and over what length
+constexpr double kNarrowest_elements = 4;               ///< of an aperture
 
 /// Amplitude at a depth, 1 at the face.
 double ringing(double depth_mm, double pulse_mm, double lensEcho) {
@@ -32,27 +35,73 @@ float powerOf(double amplitude, double level_dB) {
   return static_cast<float>(amplitude * amplitude * std::pow(10, level_dB / 10));
 }
 
+/// Value noise along the face, -1 to 1, the same for a probe with the same settings.
+double bubblesAt(double place_mm) {
+  const double place = place_mm / kBubble_mm;
+  const int node = static_cast<int>(place);
+  const auto at = [](int n) { return 2 * unitInterval(hashNode(n, 1, 0, 0)) - 1; };
+  return at(node) + (place - node) * (at(node + 1) - at(node));
+}
+
+/// Running sums, for the mean over an aperture of either width. Elements beyond the ends do not exist.
+class ShareOfAperture {
+ public:
+  explicit ShareOfAperture(const std::vector<double>& touching) : before_(1, 0.0) {
+    for (const double amplitude : touching) before_.push_back(before_.back() + amplitude);
+  }
+  double at(int line, double lines) const {
+    const double last = double(before_.size()) - 1;
+    const double from = std::max(line + 0.5 - lines / 2, 0.0), to = std::min(line + 0.5 + lines / 2, last);
+    return (sumTo(to) - sumTo(from)) / (to - from);
+  }
+
+ private:
+  double sumTo(double place) const {
+    const int n = std::min(static_cast<int>(place), static_cast<int>(before_.size()) - 2);
+    return before_[n] + (place - n) * (before_[n + 1] - before_[n]);
+  }
+
+  std::vector<double> before_;
+};
+
 }  // namespace
 
 FaceEchoes::FaceEchoes(const Probe& probe, const ImagingSettings& settings, const DisplayPlan& plan)
     : columns_(plan.scanlines), line_(1, columns_), lack_(1, columns_) {
   const BeamGrid grid(probe, settings);
-  findContact(probe, settings, grid);
+  findContact(probe, settings, plan, grid);
   findRinging(probe, settings, grid);
 }
 
-void FaceEchoes::findContact(const Probe& probe, const ImagingSettings& settings, const BeamGrid& grid) {
-  const double spacing_mm = grid.scanlineSpacing_mm(0);
-  contact_.assign(columns_, 1);
+void FaceEchoes::findContact(const Probe& probe, const ImagingSettings& settings, const DisplayPlan& plan,
+                             const BeamGrid& grid) {
   // All scanlines of a phased array use all of it.
-  if (probe.shape == ProbeShape::Phased) return;
+  if (probe.shape == ProbeShape::Phased || (settings.poorContactLeft_mm <= 0 && settings.poorContactRight_mm <= 0))
+    return;
+  const double spacing_mm = grid.scanlineSpacing_mm(0);
+  std::vector<double> touching(columns_);
   for (int l = 0; l < columns_; ++l) {
     const double left = settings.poorContactLeft_mm - l * spacing_mm;
     const double right = settings.poorContactRight_mm - (columns_ - 1 - l) * spacing_mm;
-    const double t = std::clamp(std::max(left, right) / kTaper_mm, 0.0, 1.0), lifted = t * t * (3 - 2 * t);
-    lack_.row(0)[l] = static_cast<float>(lifted);
-    contact_[l] = static_cast<float>(std::pow(10, kLifted_dB * lifted / 20));
-    lifts_ = lifts_ || lifted > 0;
+    const double t = std::clamp(std::max(left, right) / kWedge_mm, 0.0, 1.0), open = t * t * (3 - 2 * t);
+    const double ragged = open * (1 + kBubbles * (1 - open) * bubblesAt(l * spacing_mm));
+    const double lifted = std::clamp(ragged, 0.0, 1.0);
+    lack_.row(0)[l] = static_cast<float>(lifted * lifted);
+    touching[l] = std::pow(10, kLifted_dB * lifted / 20);
+  }
+  const ShareOfAperture share(touching);
+  const double narrowest_mm = kNarrowest_elements * probe.pitch_mm;
+  contact_.emplace(static_cast<int>(plan.blocks.size()), columns_);
+  for (int b = 0; b < contact_->rows(); ++b) {
+    const double depth_mm = grid.range_mm(plan.blocks[b].first + 0.5 * (plan.blocks[b].count - 1));
+    // What is before the transmit focus is reached by those elements alone whose cone includes it.
+    const double sending_mm = std::clamp(std::min(depth_mm, settings.focus_mm) / probe.transmitFNumber, narrowest_mm,
+                                         std::max(probe.maxAperture_mm, narrowest_mm));
+    const double receiving_mm =
+        std::clamp(depth_mm / probe.receiveFNumber, narrowest_mm, std::max(probe.maxAperture_mm, narrowest_mm));
+    for (int l = 0; l < columns_; ++l)
+      contact_->row(b)[l] =
+          static_cast<float>(share.at(l, sending_mm / spacing_mm) * share.at(l, receiving_mm / spacing_mm));
   }
 }
 

@@ -113,7 +113,7 @@ void hazeRow(const HazeRow& t) {
   const F d;
   const auto side = hn::Set(d, t.spread), middle = hn::Set(d, 1 - 2 * t.spread);
   const auto tailDecay = hn::Set(d, t.tailDecay), grainDecay = hn::Set(d, t.grainDecay);
-  const auto smooth = hn::Set(d, t.share * t.smoothShare), rough = hn::Set(d, t.share * (1 - t.smoothShare));
+  const auto share = hn::Set(d, t.share), smooth = hn::Set(d, t.smoothShare), rough = hn::Set(d, 1 - t.smoothShare);
   const auto tiny = hn::Set(d, 1e-20F), most = hn::Set(d, 4.0F);
   const auto half = hn::Set(d, 0.5F);
   const auto carried = [&](const float* above, int i) {
@@ -130,7 +130,8 @@ void hazeRow(const HazeRow& t) {
     hn::Store(tail, d, t.tail + i);
     hn::Store(grain, d, t.grain + i);
     const auto speckle = hn::Min(hn::Div(power, hn::Max(grain, tiny)), most);
-    hn::Store(hn::Mul(tail, hn::Add(smooth, hn::Mul(rough, speckle))), d, t.haze + i);
+    const auto even = hn::Mul(hn::Add(hn::Mul(share, tail), hn::Load(d, t.smeared + i)), hn::Load(d, t.drift + i));
+    hn::Store(hn::Mul(even, hn::Add(smooth, hn::Mul(rough, speckle))), d, t.haze + i);
   });
 }
 

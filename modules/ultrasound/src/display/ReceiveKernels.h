@@ -53,6 +53,8 @@ struct HazeRow {
   float spread;             ///< to each neighbor
   float tailDecay, grainDecay;
   float share, smoothShare;
+  const float* smeared;  ///< added to the tail
+  const float* drift;    ///< strength of both
   int columns;
   float *tail, *grain, *haze;
 };

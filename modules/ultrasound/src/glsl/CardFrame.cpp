@@ -82,6 +82,7 @@ Result<void> CardFrame::allocate(const gpu::Current& current) {
     fill(tables_.repeats, repeats_);
     room(nodes * kCellBytes, cells_), room(planes * gates * kSampleBytes, samples_);
     room(planes * gates * kCrossingBytes, crossings_), room(plan_.lines * sizeof(int), gasGates_);
+    room(ApertureRays::kCount * gates * sizeof(float), aperture_);
   }
   if (!ok) return ok;
   auto readBack = gpu::ReadBack::make(current, look);
@@ -154,6 +155,8 @@ void CardFrame::traceCoherent(const gpu::Current& current) const {
   run(current, Stage::Tissue, {{5, &cells_}, {6, &samples_}}, lines, gates, planes);
   run(current, Stage::Crossings, {{5, &cells_}, {6, &samples_}, {7, &crossings_}}, lines, gates, planes);
   run(current, Stage::Levels, {{5, &samples_}, {6, &crossings_}, {7, &gasGates_}}, (plan_.lines + 15) / 16, 1, planes);
+  run(current, Stage::Aperture, {{5, &samples_}, {7, &aperture_}}, ApertureRays::kCount);
+  run(current, Stage::Penumbra, {{5, &samples_}, {6, &aperture_}}, lines, gates);
   if (needle_.present())
     run(current, Stage::NeedleShadow, {{5, &samples_}, {6, &needleBuffer_}, {7, &crossings_}}, lines, gates, planes);
   run(current, Stage::Echoes, {{5, &samples_}, {6, &crossings_}, {7, &echo_}}, lines, gates);

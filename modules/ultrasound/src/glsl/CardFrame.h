@@ -54,7 +54,7 @@ class CardFrame {
 
   // Kept for as long as the settings.
   gpu::Buffer planTable_, kernels_, repeats_, block_, thesisBlock_;
-  gpu::Buffer contacts_, shifts_, nodes_, cells_, samples_, crossings_, gasGates_, points_, map_;
+  gpu::Buffer contacts_, shifts_, nodes_, cells_, samples_, crossings_, gasGates_, aperture_, points_, map_;
   gpu::Buffer echo_, blurred_, envelope_, needleBuffer_;
   gpu::PairTexture displacement_;
   gpu::ReadBack readBack_;

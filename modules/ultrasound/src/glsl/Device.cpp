@@ -21,9 +21,9 @@ namespace insonate::glsl {
 namespace {
 
 constexpr std::array<std::string_view, std::size_t(Stage::kCount)> kStageFiles{
-    "contact", "nodes",   "cells",       "tissue",     "crossings",     "levels",
-    "echoes",  "gas",     "reverberate", "points",     "needle_shadow", "needle_echoes",
-    "axial",   "lateral", "envelope",    "thesis_map", "thesis_echoes", "thesis_tail"};
+    "contact",  "nodes",   "cells",    "tissue",      "crossings",     "levels",        "aperture",
+    "penumbra", "echoes",  "gas",      "reverberate", "points",        "needle_shadow", "needle_echoes",
+    "axial",    "lateral", "envelope", "thesis_map",  "thesis_echoes", "thesis_tail"};
 
 const TextureTile& tileOf(int index) {
   return index < kTextureKinds ? textureTile(static_cast<Texture>(index)) : patchTile();
@@ -74,7 +74,16 @@ std::string constantsText() {
   text << std::showpoint;
   const auto real = [&](const char* name, double value) { text << "const float " << name << " = " << value << ";\n"; };
   const auto whole = [&](const char* name, int value) { text << "const int " << name << " = " << value << ";\n"; };
+  const auto rays = [&](const char* name, const std::array<double, ApertureRays::kCount>& values) {
+    text << "const float " << name << "[kRays] = float[kRays](" << values[0];
+    for (std::size_t n = 1; n < values.size(); ++n) text << ", " << values[n];
+    text << ");\n";
+  };
   using namespace acoustics;
+  whole("kRays", ApertureRays::kCount);
+  rays("kRayTangent", ApertureRays::kTangent), rays("kRayWeight", ApertureRays::kWeight);
+  real("kFaintest", ApertureRays::kFaintest);
+  real("kUnseen", ApertureRays::kUnseen);
   real("kReflectorGain_dB", kReflectorGain_dB);
   real("kContactDepth_mm", kContactDepth_mm);
   real("kContactReach_mm", kContactReach_mm);

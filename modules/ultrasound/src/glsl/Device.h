@@ -21,6 +21,8 @@ enum class Stage {
   Tissue,
   Crossings,
   Levels,
+  Aperture,
+  Penumbra,
   Echoes,
   Gas,
   Reverberate,

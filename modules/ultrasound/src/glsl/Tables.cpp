@@ -113,7 +113,7 @@ PlanTables::PlanTables(const FramePlan& p, bool thesis) {
   block.gateTable = static_cast<std::int32_t>(plan.size());
   for (int gate = 0; gate < p.gates; ++gate)
     plan.push_back(
-        {f(p.elevationSd_mm[gate]), f(p.scatterScale[gate]), f(p.lateralRadius[gate]), f(p.axialRadius[gate])});
+        {f(p.elevationSd_mm[gate]), f(p.scatterScale[gate]), f(p.lateralRadius[gate]), f(p.aperture.cone_lines[gate])});
 
   kernels.assign(p.axialKernel.begin(), p.axialKernel.end());
   block.axialEntries = p.maxAxialRadius + 1;

@@ -76,6 +76,7 @@ FramePlan::FramePlan(const Probe& p, const ImagingSettings& s) : probe(p), setti
   stride = std::max(1, static_cast<int>(pulse_mm / kGatesPerPulse / grid.step_mm()));
   gates = (grid.samples() + stride - 1) / stride;
   gate_mm = stride * grid.step_mm();
+  aperture = ApertureRays(p, s, grid, gates, gate_mm);
   cellGates = std::clamp(static_cast<int>(kCellDepth_mm / gate_mm), 1, 4);
   cellLines = grid.scanlineSpacing_mm(s.depth_mm) * 2 <= kCellWidth_mm ? 2 : 1;
   nodeRows = (gates + cellGates - 1) / cellGates + 1;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/ApertureRays.h"
 #include "model/BeamField.h"
 
 #include <insonate/ultrasound/BeamGrid.h>
@@ -47,6 +48,7 @@ struct FramePlan {
   int stride = 1;      ///< samples per gate
   int gates = 0;       ///< per scanline
   double gate_mm = 0;  ///< distance of gates
+  ApertureRays aperture;
   int cellGates = 1, cellLines = 1;
   int nodeRows = 0, nodeColumns = 0;
 

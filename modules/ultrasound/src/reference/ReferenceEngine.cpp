@@ -17,6 +17,7 @@
 #include <cmath>
 #include <complex>
 #include <optional>
+#include <utility>
 
 namespace insonate {
 namespace {
@@ -24,7 +25,6 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double kNothing = 1e-9;
-constexpr float kNothing_dB = -180;
 
 double fromDecibel(double dB) {
   return std::pow(10.0, dB / 20);
@@ -45,25 +45,71 @@ class EchoField {
   std::vector<Complex> values_;
 };
 
-/// What one scanline of one elevation plane sends back, before the beam's point-spread function.
+/// What is left of the beam along every scanline of every elevation plane, and as the aperture sees it.
+class BeamLevels {
+ public:
+  explicit BeamLevels(const FramePlan& plan)
+      : plan_(plan),
+        inside_(std::size_t(plan.settings.elevationPlanes) * plan.gates * plan.lines),
+        behind_(std::size_t(plan.gates + 1) * plan.lines),
+        seen_(std::size_t(plan.gates) * plan.lines) {}
+
+  /// Amplitude, there and back, in the middle of a gate of a scanline by itself; 0 where nothing is known.
+  double& inside(int plane, int gate, int line) {
+    return inside_[(std::size_t(plane) * plan_.gates + gate) * plan_.lines + line];
+  }
+  double inside(int plane, int gate, int line) const {
+    return const_cast<BeamLevels*>(this)->inside(plane, gate, line);
+  }
+  /// The planes' mean before a gate.
+  double& reaching(int gate, int line) { return behind_[std::size_t(gate) * plan_.lines + line]; }
+  double reaching(int gate, int line) const {
+    return std::max(behind_[std::size_t(gate) * plan_.lines + line], ApertureRays::kFaintest);
+  }
+  /// The same through the aperture.
+  double seen(int gate, int line) const { return seen_[std::size_t(gate) * plan_.lines + line]; }
+
+  void followRays() {
+    for (int ray = 0; ray < ApertureRays::kCount; ++ray) followRay(ray);
+    for (double& seen : seen_)
+      if (seen < ApertureRays::kUnseen) seen = 0;
+  }
+
+ private:
+  void followRay(int ray) {
+    const int last = plan_.lines - 1;
+    std::vector<double> here(plan_.lines), left(plan_.lines);
+    for (int l = 0; l <= last; ++l) here[l] = reaching(0, l);
+    for (int gate = 0; gate < plan_.gates; ++gate) {
+      for (int l = 0; l <= last; ++l) {
+        seen_[std::size_t(gate) * plan_.lines + l] += ApertureRays::kWeight[ray] * here[l];
+        left[l] = here[l] * std::as_const(*this).reaching(gate + 1, l) / std::as_const(*this).reaching(gate, l);
+      }
+      if (gate + 1 == plan_.gates) break;
+      const double shift = plan_.aperture.shift_lines(ray, gate + 1);
+      for (int l = 0; l <= last; ++l)
+        here[l] = left[l] + std::abs(shift) * (left[std::clamp(l + (shift > 0 ? 1 : -1), 0, last)] - left[l]);
+    }
+  }
+
+  const FramePlan& plan_;
+  std::vector<double> inside_, behind_, seen_;
+};
+
+/// What one scanline sends back, before the beam's point-spread function.
 class LineTracer {
  public:
   LineTracer(const FramePlan& plan, const AcousticScene::Impl& scene, const TissueLookup& lookup,
-             const ScattererLattice& lattice, const NeedleEchoes& needle, EchoField& echo)
-      : plan_(plan),
-        scene_(scene),
-        lookup_(lookup),
-        lattice_(lattice),
-        needle_(needle),
-        echo_(echo),
-        level_dB_(plan.gates) {}
+             const ScattererLattice& lattice, const NeedleEchoes& needle, BeamLevels& levels, EchoField& echo)
+      : plan_(plan), scene_(scene), lookup_(lookup), lattice_(lattice), needle_(needle), levels_(levels), echo_(echo) {}
 
-  void trace(int plane, int line) {
+  /// Boundaries of one elevation plane, and what is left of the beam.
+  void descend(int plane, int line) {
     const Effects& effects = plan_.settings.effects;
-    const double f_MHz = plan_.settings.frequency_MHz;
-    double amplitude = lookup_.contact(line).strength;  // there and back, before this gate
+    const double f_MHz = plan_.settings.frequency_MHz, weight = plan_.boundaryWeight[plane];
+    double amplitude = std::max(lookup_.contact(line).strength, kNothing);  // there and back, before this gate
+    levels_.reaching(0, line) += weight * amplitude;
     std::optional<TissueSample> previous;
-    if (plane == plan_.settings.elevationPlanes / 2) std::fill(level_dB_.begin(), level_dB_.end(), kNothing_dB);
     for (int gate = 0; gate < plan_.gates; ++gate) {
       const TissueSample here = lookup_.at(plane, gate, line);
       if (!here.inside) return;  // nothing is known beyond the volume
@@ -76,22 +122,34 @@ class LineTracer {
       if (here.grazesVessel && effects.edgeShadow) loss_dB += 2 * acoustics::kEdgeLoss_dBpcmMHz * f_MHz;
       if (!effects.attenuation || here.outside) loss_dB = 0;
       loss_dB *= plan_.gate_mm / 10;
-      const double here_dB = 20 * std::log10(std::max(amplitude, kNothing)) - loss_dB / 2;
-      if (plane == plan_.settings.elevationPlanes / 2) level_dB_[gate] = static_cast<float>(here_dB);
-      if (effects.scattering && !here.outside)
-        scatter(plane, gate, line, here, lit * amplitude * fromDecibel(-loss_dB / 2));
+      const double left = std::max(amplitude, ApertureRays::kFaintest);
+      levels_.inside(plane, gate, line) = left * fromDecibel(-loss_dB / 2);
       amplitude *= fromDecibel(-loss_dB);
+      levels_.reaching(gate + 1, line) += weight * std::max(left * fromDecibel(-loss_dB), ApertureRays::kFaintest);
       previous = here;
     }
   }
 
-  /// Of the scanline traced last.
+  /// Scattering of one elevation plane, as strong as what reaches it through the aperture.
+  void scatter(int plane, int line) {
+    for (int gate = 0; gate < plan_.gates; ++gate) {
+      const double left = levels_.inside(plane, gate, line);
+      if (left == 0) return;
+      const TissueSample here = lookup_.at(plane, gate, line);
+      const double lit = fromDecibel(-needle_.shadow_dB(plane, line, gate));
+      const double share = left / std::as_const(levels_).reaching(gate, line);
+      if (!here.outside) scatter(plane, gate, line, here, lit * share * levels_.seen(gate, line));
+    }
+  }
+
   void addNeedle(int line) {
-    needle_.addTo(
-        line, [&](int gate) { return level_dB_[gate]; },
-        [&](int gate, float amplitude) {
-          for (int look = 0; look < plan_.settings.looks; ++look) echo_.at(look, gate, line) += amplitude;
-        });
+    const int central = plan_.settings.elevationPlanes / 2;
+    const auto level_dB = [&](int gate) {
+      return static_cast<float>(20 * std::log10(std::max(levels_.inside(central, gate, line), kNothing)));
+    };
+    needle_.addTo(line, level_dB, [&](int gate, float amplitude) {
+      for (int look = 0; look < plan_.settings.looks; ++look) echo_.at(look, gate, line) += amplitude;
+    });
   }
 
  private:
@@ -101,7 +159,7 @@ class LineTracer {
     if (above.outside) return 1;  // gel
     const double z1 = above.impedance_MRayl, z2 = below.impedance_MRayl;
     const double reflection = (z2 - z1) / (z2 + z1);
-    if (plan_.settings.effects.reflection) {
+    if (plan_.settings.effects.reflection && amplitude > ApertureRays::kUnseen) {
       const double echo = amplitude * std::abs(reflection) *
                           fromDecibel(acoustics::kReflectorGain_dB + below.roughness_dB) *
                           specularLobe(scene_.table.of(above.label), scene_.table.of(below.label), below.cosine);
@@ -133,8 +191,8 @@ class LineTracer {
   const TissueLookup& lookup_;
   const ScattererLattice& lattice_;
   const NeedleEchoes& needle_;
+  BeamLevels& levels_;
   EchoField& echo_;
-  std::vector<float> level_dB_;  ///< [gate] of the central plane, without the needle's shadow
 };
 
 void reverberate(const Reverberation& behindGas, Vec3 surface_mm, int looks, int line, int gasGate, int gates,
@@ -223,12 +281,16 @@ class ReferenceEngine final : public Engine {
                                    plan.latticeElevationPitch_mm, plan.specklePattern);
     EchoField echo(plan.settings.looks, plan.gates, plan.lines);
     const Reverberation behindGas(plan);
-    LineTracer tracer(plan, scene, lookup, lattice, *needle_, echo);
+    BeamLevels levels(plan);
+    LineTracer tracer(plan, scene, lookup, lattice, *needle_, levels, echo);
+    const int planes = plan.settings.elevationPlanes;
+    for (int line = 0; line < plan.lines; ++line)
+      for (int plane = 0; plane < planes; ++plane) tracer.descend(plane, line);
+    levels.followRays();
     for (int line = 0; line < plan.lines; ++line) {
-      for (int plane = 0; plane < plan.settings.elevationPlanes; ++plane) tracer.trace(plane, line);
+      for (int plane = 0; plane < planes && plan.settings.effects.scattering; ++plane) tracer.scatter(plane, line);
       if (const int gas = lookup.firstGasGate(line); gas > 0 && plan.settings.effects.reverberation)
-        reverberate(behindGas,
-                    lookup.at(plan.settings.elevationPlanes / 2, gas, line).patient_mm - scene.textureOrigin_mm,
+        reverberate(behindGas, lookup.at(planes / 2, gas, line).patient_mm - scene.textureOrigin_mm,
                     plan.settings.looks, line, gas, plan.gates, echo);
       tracer.addNeedle(line);
     }

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "cpu/TraceInput.h"
+#include "model/ApertureRays.h"
+
+namespace insonate::cpu {
+
+/// What is left of the beam at each gate, there and back, as the aperture sees it: the mean over its rays.
+class ApertureTransmission {
+ public:
+  ApertureTransmission() = default;
+  explicit ApertureTransmission(const FramePlan& plan);
+
+  /// Of the scanlines from this one on, what reaches the face.
+  float* contact(int line) { return contact_.get() + kMargin + line; }
+  /// Of the scanlines from this one on, the share that a gate lets pass.
+  float* passed(int gate, int line) { return passed_.get() + at(gate) + line; }
+
+  /// Follows the rays; everything above must be known.
+  void followRays();
+  /// A block's scanlines at a gate, 0 where the aperture sees nothing.
+  void means(int gate, int firstLine, float* mean) const;
+
+ private:
+  static constexpr int kMargin = 16;
+  std::size_t at(int gate) const { return std::size_t(gate) * width_ + kMargin; }
+  void followRay(int ray);
+
+  const FramePlan* plan_ = nullptr;
+  int width_ = 0, lines_ = 0;
+  AlignedArray<float> contact_, passed_;                       ///< [width], [gate][width]
+  std::array<AlignedArray<float>, ApertureRays::kCount> ray_;  ///< [gate][width], before the gate's own loss
+};
+
+}  // namespace insonate::cpu
