@@ -36,7 +36,7 @@ Vec3 towardProbe(const NeckModel& neck, Vec3 vein_mm, Side side) {
 }
 
 Vec3 inwardNormal(const NeckModel& neck, Vec3 at_mm) {
-  constexpr double kStep_mm = 2;  // wide enough to average the skin's own irregularity under the probe
+  constexpr double kStep_mm = 8;  // the face lies on what is high of the uneven skin under it
   Vec3 gradient;
   for (int axis = 0; axis < 3; ++axis) {
     Vec3 step;

@@ -14,7 +14,7 @@ VariantModel variant(PhantomVariant about, void (*change)(NeckParameters&)) {
 std::span<const VariantModel> variantModels() {
   static const VariantModel kVariants[] = {
       variant({"textbook", "Textbook neck", "easy",
-               "A wide right internal jugular vein lateral to the carotid, 13 mm below the skin."},
+               "A wide right internal jugular vein lateral to the carotid, about 13 mm below the skin."},
               [](NeckParameters&) {}),
       variant({"large-sternomastoid", "Muscular neck", "easy",
                "A thick sternocleidomastoid and a wide vein; the vein lies deeper than usual."},
@@ -66,7 +66,7 @@ std::span<const VariantModel> variantModels() {
                "Both jugular veins lie in front of the carotid: a needle that passes through meets the artery."},
               [](NeckParameters& n) {
                 for (int s : {0, 1}) {
-                  n.veinMedial_mm[s] = 4.5;
+                  n.veinMedial_mm[s] = 4.4;
                   n.veinForward_mm[s] = 2.2;
                   n.veinHeight[s] = 0.86;
                 }
