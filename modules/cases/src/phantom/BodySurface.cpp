@@ -60,8 +60,9 @@ double BodySurface::fat_mm(double angle, double z_mm) const {
                         0.08 * overOutline(at, 7, options_.seed ^ 0x51a9U);
   const double back = 0.5 * (1 - std::cos(angle));                            // thicker over the nape
   const double chin = std::max(0.0, (z_mm - 15) / 35) * std::cos(angle / 2);  // and under the chin
-  // Thick fat is not more uneven than thin fat.
-  return (options_.fat_mm + std::min(options_.fat_mm, kUnevenFat_mm) * uneven) * (1 + 0.25 * back + 0.5 * chin);
+  // Thick fat is not more uneven than thin fat, and that of the nape is tense.
+  const double rise_mm = std::min(options_.fat_mm, kUnevenFat_mm) * uneven * (1 - 0.7 * back * back);
+  return (options_.fat_mm + rise_mm) * (1 + 0.25 * back + 0.5 * chin);
 }
 
 double BodySurface::skin_mm(double angle, double z_mm) const {

@@ -132,8 +132,9 @@ Facets facetsAt(double z_mm, double facing, double a, double b, std::uint32_t se
           0.1 + 0.08 * vary(33) + 0.09 * vary.along(34, z_mm, kCell_mm), x / length, y / length};
 }
 
-double lobedness(Form form) {
-  return form == Form::kBelly ? 0.09 : 0.04;
+/// Relative size of lobes; those of a large organ are as high as those of one of 2 cm.
+double lobedness(Form form, double a, double b) {
+  return form == Form::kBelly ? 0.09 : std::min(0.04, 0.4 / std::max(a, b));
 }
 
 /// Distance by the position along both half axes; `facing` is relative to the first.
@@ -141,7 +142,7 @@ std::function<double(double u, double v)> sectionOf(Form form, double z_mm, doub
                                                     std::uint32_t seed) {
   if (form == Form::kLens)
     return [lens = lensAt(z_mm, a, b, seed)](double u, double v) { return lens.distance_mm(u, v); };
-  const Lobes lobes = lobesAt(z_mm, lobedness(form), seed);
+  const Lobes lobes = lobesAt(z_mm, lobedness(form, a, b), seed);
   if (form != Form::kFaceted) return [=](double u, double v) { return ovalDistance(u, v, a, b, lobes); };
   const Facets facets = facetsAt(z_mm, facing, a, b, seed);
   return [=](double u, double v) {

@@ -14,14 +14,14 @@ constexpr double kSheath_mm = 0.35;  ///< about a muscle, beside fat
 constexpr double kYields = 0.3;
 
 /// Noise whose structures are longer along the neck, as sheets, fibers and vessels run.
-double stretched(Vec3 p_mm, double cell_mm, std::uint32_t seed) {
-  return smoothNoise({p_mm.x / cell_mm, p_mm.y / cell_mm, p_mm.z / (3 * cell_mm)}, seed);
+double stretched(Vec3 p_mm, double cell_mm, std::uint32_t seed, double longer = 2.2) {
+  return smoothNoise({p_mm.x / cell_mm, p_mm.y / cell_mm, p_mm.z / (longer * cell_mm)}, seed);
 }
 
 /// Factor on a thickness, of mean 1 and the given SD, not below 0: connective tissue is thick in one place and hardly
 /// there in the next, so that its two faces are never parallel.
 double uneven(Vec3 p_mm, double cell_mm, double amount, std::uint32_t seed) {
-  return std::max(0.0, 1 + amount / kSmoothNoiseSd * stretched(p_mm, cell_mm, seed));
+  return std::max(0.0, 1 + amount / kSmoothNoiseSd * stretched(p_mm, cell_mm, seed, 1.4));
 }
 
 /// Distance to the nearest of sheets that follow each other at a spacing.
@@ -167,7 +167,7 @@ std::uint8_t SliceLabels::filling(const Voxel& v) const {
   const auto half_mm = [&](double cell_mm, std::uint32_t key) {
     return (0.24 + medial_mm) * uneven(p, cell_mm, 1.1, grid_.seed ^ key);
   };
-  const double along_mm = toSheet_mm(below_mm + 2.6 * stretched(p, 18, grid_.seed ^ 0xfa7U), 4.4);
+  const double along_mm = toSheet_mm(below_mm + 2.6 * stretched(p, 18, grid_.seed ^ 0xfa7U), 5);
   const double aslant_mm = toSheet_mm(below_mm + 5.5 * stretched(p, 27, grid_.seed ^ 0xfa8U) + 0.12 * p.x, 8.5);
   const double around_mm = std::abs(std::min(v.muscle_mm, v.organ_mm) - 1.9 - stretched(p, 10, grid_.seed ^ 0xfa9U));
   return merged_mm(merged_mm(along_mm - half_mm(14, 0xfaaU), aslant_mm - half_mm(18, 0xfabU)),

@@ -19,6 +19,17 @@ double middleOfNeck(double z_mm) {
   return std::exp(-std::pow((z_mm + 2) / 30, 4));
 }
 
+enum Vessel : std::uint32_t { kSheath, kCarotid, kJugular };
+
+/// How far a vessel runs off its usual course, {lateral, posterior} mm: carotid and jugular vein mostly together, since
+/// they share a sheath.
+std::array<double, 2> besideCourse_mm(const NeckParameters& n, Side side, Vessel vessel, double z_mm) {
+  const std::uint32_t seed = n.seed + 80 + 10 * index(side);
+  const auto [sharedX, sharedY] = tortuosity_mm(seed + kSheath, z_mm, 0.8);
+  const auto [ownX, ownY] = tortuosity_mm(seed + vessel, z_mm, 0.35);
+  return {sharedX + ownX, sharedY + ownY};
+}
+
 /// Side by side in the model as in the body: what is drawn and what has the name are one.
 struct NamedTube {
   std::string_view name;
@@ -41,7 +52,7 @@ std::vector<NamedTube> carotids(const NeckParameters& n, Side side) {
                         {36, {27, 22.5}},    {54, {28, 25}}};
   const auto on = [&](double z, double dx, double dy, double r) {
     const auto [x, y] = course(z);
-    const auto [awayX, awayY] = tortuosity_mm(n.seed + 50 + index(side), z, 0.9);
+    const auto [awayX, awayY] = besideCourse_mm(n, side, kCarotid, z);
     return Tube::Knot{{x + dx + awayX + n.carotidLateral_mm * middleOfNeck(z), y + dy + awayY, z}, r * s};
   };
   std::vector<Tube::Knot> trunk;
@@ -72,7 +83,7 @@ std::vector<NamedTube> subclavianArteries(const NeckParameters& n, Side side) {
     subclavian.resize(4);
     std::ranges::copy(axillaryArtery(), std::back_inserter(subclavian));
   }
-  return {{"subclavian artery", std::move(subclavian), 0.15},
+  return {{"subclavian artery", std::move(subclavian), 0.15, 0.02},
           // Free below C6, then through the transverse foramina.
           {"vertebral artery",
            {{{23, 29, -43}, 1.7},
@@ -114,7 +125,7 @@ std::vector<NamedTube> centralVeins(const NeckParameters& n, Side side) {
             {{-toMidline < 0 ? 12.0 : 14.0, 13, -63}, 6.2},
             {{side == Side::kRight ? 13.0 : 2.0, 14, -72}, 6.6}},
            0.3},
-          {"subclavian vein", n.chest ? axillaryVein() : subclavian, 0.3}};
+          {"subclavian vein", n.chest ? axillaryVein() : subclavian, 0.3, 0.015}};
 }
 
 struct NamedSheet {
@@ -203,7 +214,7 @@ std::array<double, 5> jugularVeinAt(const NeckParameters& n, Side side, double z
   auto v = kCourse(z_mm);
   const int s = index(side);
   const double weight = middleOfNeck(z_mm);
-  const auto [awayX, awayY] = tortuosity_mm(n.seed + 60 + s, z_mm, 0.9);
+  const auto [awayX, awayY] = besideCourse_mm(n, side, kJugular, z_mm);
   v[0] += awayX - n.veinMedial_mm[s] * weight;
   v[1] += awayY - n.veinForward_mm[s] * weight;
   v[2] *= n.veinWidth[s];
