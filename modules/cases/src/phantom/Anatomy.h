@@ -10,6 +10,10 @@ namespace insonate::phantom {
 
 /// What distinguishes one neck from another. Lengths mm; arrays are {right, left}.
 struct NeckParameters {
+  std::uint32_t seed = 1;  ///< tortuosity of vessels
+  double skin_mm = 1.6;
+  double girth_mm = 0;  ///< added to the radius of the investing fascia
+  Platysma platysma;
   double fat_mm = 4.2;
   double veinWidth[2] = {1.0, 0.82};  ///< scale of the jugular vein's width
   double veinHeight[2] = {1.0, 0.9};  ///< and of its height

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kTableSize = 720;
 constexpr double kStep_mm = 0.5;  ///< for the slope from level to level
+constexpr double kUnevenFat_mm = 5;
 constexpr double kFullTurn = 2 * std::numbers::pi;
 
 /// Radius of the investing fascia (mm) every 22.5 degrees from front to back, by level. The front at +48 mm leaves
@@ -38,13 +39,36 @@ double radiusAt(const std::array<double, 9>& radii, double angle) {
 
 }  // namespace
 
-double BodySurface::layers_mm(double angle, double z_mm) const {
-  const Vec3 onSurface{50 * std::sin(angle) / 24, 50 * std::cos(angle) / 24, z_mm / 30};
-  const double uneven = 1 + 0.28 * smoothNoise(onSurface, options_.seed ^ 0x51a7U);
+namespace {
+
+/// A place on the outline for noise over it, so that the noise is continuous all around.
+Vec3 onOutline(double angle, double z_mm) {
+  return {50 * std::sin(angle), 50 * std::cos(angle), z_mm};
+}
+
+/// Smooth noise over the outline, structures longer along the neck by half.
+double overOutline(Vec3 at_mm, double cell_mm, std::uint32_t seed) {
+  return smoothNoise({at_mm.x / cell_mm, at_mm.y / cell_mm, at_mm.z / (1.5 * cell_mm)}, seed);
+}
+
+}  // namespace
+
+double BodySurface::fat_mm(double angle, double z_mm) const {
+  const Vec3 at = onOutline(angle, z_mm);
+  const double uneven = 0.3 * overOutline(at, 34, options_.seed ^ 0x51a7U) +
+                        0.18 * overOutline(at, 15, options_.seed ^ 0x51a8U) +
+                        0.08 * overOutline(at, 7, options_.seed ^ 0x51a9U);
   const double back = 0.5 * (1 - std::cos(angle));                            // thicker over the nape
   const double chin = std::max(0.0, (z_mm - 15) / 35) * std::cos(angle / 2);  // and under the chin
-  const double fat = options_.fat_mm * uneven * (1 + 0.25 * back + 0.5 * chin);
-  return fat + kSkin_mm * (1 + 0.12 * smoothNoise(onSurface * 1.7, options_.seed ^ 0x77U));
+  // Thick fat is not more uneven than thin fat, and that of the nape is tense.
+  const double rise_mm = std::min(options_.fat_mm, kUnevenFat_mm) * uneven * (1 - 0.7 * back * back);
+  return (options_.fat_mm + rise_mm) * (1 + 0.25 * back + 0.5 * chin);
+}
+
+double BodySurface::skin_mm(double angle, double z_mm) const {
+  const Vec3 at = onOutline(angle, z_mm);
+  return options_.skin_mm *
+         (1 + 0.14 * overOutline(at, 26, options_.seed ^ 0x77U) + 0.1 * overOutline(at, 8, options_.seed ^ 0x78U));
 }
 
 BodySurface::Level BodySurface::level(double z_mm) const {
@@ -53,10 +77,11 @@ BodySurface::Level BodySurface::level(double z_mm) const {
 
 BodySurface::Ray BodySurface::ray(const Level& level, double angle) const {
   constexpr double kTurn = 0.01;
-  const double r = radiusAt(level.here, angle);
+  const double r = radiusAt(level.here, angle) + options_.girth_mm;
   const double byAngle = (radiusAt(level.here, angle + kTurn) - radiusAt(level.here, angle - kTurn)) / (2 * kTurn * r);
   const double byLevel = (radiusAt(level.above, angle) - radiusAt(level.below, angle)) / (2 * kStep_mm);
-  return {r, 1 / std::sqrt(1 + byAngle * byAngle + byLevel * byLevel), layers_mm(angle, level.z_mm)};
+  const double skin = skin_mm(angle, level.z_mm);
+  return {r, 1 / std::sqrt(1 + byAngle * byAngle + byLevel * byLevel), fat_mm(angle, level.z_mm) + skin, skin};
 }
 
 double BodySurface::belowSkin_mm(Vec3 p_mm) const {
@@ -79,7 +104,7 @@ BodySurface::Ray BodySurface::Slice::at(double angle) const {
   const Ray& low = rays_[((n % kTableSize) + kTableSize) % kTableSize];
   const Ray& high = rays_[(((n + 1) % kTableSize) + kTableSize) % kTableSize];
   return {low.radius_mm + (high.radius_mm - low.radius_mm) * t, low.slant + (high.slant - low.slant) * t,
-          low.layers_mm + (high.layers_mm - low.layers_mm) * t};
+          low.layers_mm + (high.layers_mm - low.layers_mm) * t, low.skin_mm + (high.skin_mm - low.skin_mm) * t};
 }
 
 Site BodySurface::Slice::site(Vec3 p_mm) const {
@@ -91,6 +116,7 @@ Site BodySurface::Slice::site(Vec3 p_mm) const {
   // First-order distance to the implicit surface radius(angle, z) = r.
   s.belowFascia_mm = (r.radius_mm - std::sqrt(p_mm.x * p_mm.x + front * front)) * r.slant;
   s.belowSkin_mm = s.belowFascia_mm + r.layers_mm;
+  s.skin_mm = r.skin_mm;
   return s;
 }
 

@@ -14,11 +14,22 @@ struct Site {
   double angle = 0;           ///< about the neck's axis, 0 at the front, positive to the patient's right, radians
   double belowFascia_mm = 0;  ///< distance inside the investing fascia (negative: in the layers above it)
   double belowSkin_mm = 0;    ///< distance inside the skin surface (negative: outside the body)
+  double skin_mm = 0;         ///< thickness of the skin over it
 };
 
 struct LayerOptions {
-  double fat_mm = 4.5;  ///< mean thickness of the subcutaneous fat over the front and sides
+  double fat_mm = 4.5;   ///< mean thickness of the subcutaneous fat over the front and sides
+  double skin_mm = 1.6;  ///< mean
+  double girth_mm = 0;   ///< added to the usual radius of the fascia
   std::uint32_t seed = 1;
+};
+
+/// The sheet of muscle in the subcutaneous fat.
+struct Platysma {
+  double height = 0.3;  ///< above the fascia, of the thickness of the fat
+  double halfThickness_mm = 0.55;
+  double first = 0.14, last = 1.7;  ///< where it begins and ends, radians from the front
+  double top_z_mm = 46;
 };
 
 /// The neck's outline: radius of the investing fascia by angle and level, with fat and skin laid on it. Immutable.
@@ -26,9 +37,10 @@ class BodySurface {
  public:
   explicit BodySurface(const LayerOptions& options) : options_(options) {}
 
-  /// The surface in one direction: radius of the fascia, cosine of the surface's slant, layers above the fascia.
+  /// The surface in one direction: radius of the fascia, cosine of the surface's slant, layers above the fascia and
+  /// the skin among them.
   struct Ray {
-    double radius_mm, slant, layers_mm;
+    double radius_mm, slant, layers_mm, skin_mm;
   };
 
   /// The outline of one level as a table over the angle: makes many sites of one slice cheap.
@@ -47,11 +59,7 @@ class BodySurface {
   /// Distance of one point inside the skin surface (negative outside), mm.
   double belowSkin_mm(Vec3 p_mm) const;
 
-  /// Fat and skin above the fascia, mm; varies smoothly over the surface.
-  double layers_mm(double angle, double z_mm) const;
-
   static constexpr double kAxisY_mm = 40;  ///< the neck's axis stands on (0, kAxisY_mm)
-  static constexpr double kSkin_mm = 1.8;
 
  private:
   struct Level {
@@ -60,6 +68,8 @@ class BodySurface {
   };
   Level level(double z_mm) const;
   Ray ray(const Level& level, double angle) const;
+  double fat_mm(double angle, double z_mm) const;
+  double skin_mm(double angle, double z_mm) const;
 
   LayerOptions options_;
 };

@@ -2,6 +2,7 @@
 
 #include "Noise.h"
 #include "SliceLabels.h"
+#include "Variation.h"
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -15,14 +16,19 @@
 namespace insonate::phantom {
 namespace {
 
-constexpr double kWarp_mm = 1.1;  ///< amplitude of the large-scale irregularity
+constexpr double kWarp_mm = 1.0;  ///< amplitude of the irregularity of neighborhoods
 constexpr double kWarpCell_mm = 23;
+constexpr double kShift_mm = 1.6;  ///< and of whole regions: hardly an airway runs in the midline
+constexpr double kShiftCell_mm = 48;
+/// Chosen so that seed 1, the default, is a neck near the mean.
+constexpr std::uint32_t kIndividual = 3964;
 constexpr double kSpineY_mm = 45;  ///< the head turns about a vertical axis through the spine
 
 /// Horizontal displacement that keeps left and right from being mirror images.
 Vec3 warp_mm(Vec3 p, std::uint32_t seed) {
-  const Vec3 cell = p / kWarpCell_mm;
-  return {kWarp_mm * smoothNoise(cell, seed ^ 0x1234567U), kWarp_mm * smoothNoise(cell, seed ^ 0x89abcdeU), 0};
+  const Vec3 cell = p / kWarpCell_mm, region = p / kShiftCell_mm;
+  return {kWarp_mm * smoothNoise(cell, seed ^ 0x1234567U) + kShift_mm * smoothNoise(region, seed ^ 0x2345678U),
+          kWarp_mm * smoothNoise(cell, seed ^ 0x89abcdeU) + kShift_mm * smoothNoise(region, seed ^ 0x9abcdefU), 0};
 }
 
 Vec3 rotated(Vec3 p, double angle) {
@@ -33,10 +39,10 @@ Vec3 rotated(Vec3 p, double angle) {
 }  // namespace
 
 NeckModel::NeckModel(const NeckParameters& parameters, std::uint32_t seed)
-    : parameters_(parameters),
+    : parameters_(individualNeck(parameters, hash32(seed + kIndividual))),
       seed_(hash32(seed + 0x6e65636bU)),
-      surface_({parameters.fat_mm, hash32(seed + 11)}),
-      structures_(makeAnatomy(parameters, hash32(seed + 12))) {}
+      surface_({parameters_.fat_mm, parameters_.skin_mm, parameters_.girth_mm, hash32(seed + 11)}),
+      structures_(makeAnatomy(parameters_, hash32(seed + 12))) {}
 
 double NeckModel::twist(double z_mm) const {
   // The cervical spine shares the turn; the shoulders stay.
@@ -97,7 +103,8 @@ Result<LabelMap> NeckModel::rasterise(const VolumeGeometry& g, const Progress& p
   tbb::parallel_for(0, g.size[2], [&](int k) {
     if (cancelled) return;
     const double z = g.origin_mm.z + k * g.spacing_mm.z;
-    SliceLabels slice(structures_, surface_.slice(z), {z, seed_, g.origin_mm, g.spacing_mm, g.size[0], g.size[1]});
+    SliceLabels slice(structures_, surface_.slice(z), parameters_.platysma,
+                      {z, seed_, g.origin_mm, g.spacing_mm, g.size[0], g.size[1]});
     slice.place([&](Vec3 p) { return modelFromPatient(p); });
     slice.paint(&labels.at(0, 0, k));
     const std::lock_guard lock(reporting);

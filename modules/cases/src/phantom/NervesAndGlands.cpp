@@ -1,4 +1,5 @@
-#include "Anatomy.h"
+#include "Individual.h"
+#include "Variation.h"
 
 #include <insonate/core/Hash.h>
 
@@ -6,6 +7,28 @@
 
 namespace insonate::phantom {
 namespace {
+
+constexpr double kFlat = 0.1;  ///< no nerve is round
+
+/// Branches of the cervical plexus, in the fat behind the sternocleidomastoid and around it; as many and where they
+/// are in one person.
+void addBranches(std::vector<Shape>& nerves, Side side, std::uint32_t seed) {
+  const Individual count(seed + 40);
+  const int branches = 4 + static_cast<int>(2.5 * (1 + count(0)));
+  for (int n = 0; n < branches; ++n) {
+    const Individual vary(seed + 41 + n);
+    const double z = 14 + 16 * vary(1), drop = 24 + 10 * vary(2), radius = 0.75 + 0.2 * vary(3);
+    const double x = 42 + 5 * vary(4), y = 31 + 7 * vary(5), out = 8 + 6 * vary(6), back = 4 * vary(7);
+    nerves.push_back(tube(side,
+                          {{{{x, y, z}, radius},
+                            {{x + 0.4 * out + vary(8), y + 0.3 * back + vary(9), z - 0.4 * drop}, radius},
+                            {{x + out, y + back, z - drop}, 0.8 * radius}},
+                           1,
+                           0.1,
+                           kFlat},
+                          seed + 41 + n));
+  }
+}
 
 void addNerves(std::vector<Structure>& into, Side side, std::uint32_t seed) {
   // Vagus, in the groove behind carotid and jugular; sympathetic trunk; phrenic nerve on the scalenus anterior.
@@ -19,10 +42,14 @@ void addNerves(std::vector<Structure>& into, Side side, std::uint32_t seed) {
              {{30.5, 27.5, 32}, 1.3},
              {{31, 29.5, 56}, 1.4}},
             1,
-            0.1},
+            0.1,
+            kFlat},
            seed++),
       tube(side,
-           {{{{22, 38, -50}, 0.9}, {{20.5, 32.8, -20}, 0.9}, {{19.5, 29.5, 10}, 1.0}, {{21, 25.5, 40}, 1.2}}, 1, 0},
+           {{{{22, 38, -50}, 0.9}, {{20.5, 32.8, -20}, 0.9}, {{19.5, 29.5, 10}, 1.0}, {{21, 25.5, 40}, 1.2}},
+            1,
+            0,
+            kFlat},
            seed++)};
   // Brachial plexus: roots from the grooves of the transverse processes, between scalenus anterior and medius.
   struct Root {
@@ -38,9 +65,11 @@ void addNerves(std::vector<Structure>& into, Side side, std::uint32_t seed) {
                             {{r.lateralEnd, r.yEnd, r.zEnd}, 1.6},
                             {{r.lateralEnd + 24, r.yEnd - 3, r.zEnd - 14}, 1.7}},
                            1,
-                           0.15},
+                           0.15,
+                           kFlat},
                           seed++));
   }
+  addBranches(nerves, side, seed);
   into.push_back({kNerve, Kind::kOrgan, 0.5, join(std::move(nerves))});
 }
 
@@ -53,12 +82,16 @@ void addNodes(std::vector<Structure>& into, Side side, std::uint32_t seed) {
       {42.5, 25.5, 28, 2.6, 1.9, 5, 30}, {44, 31, 8, 2.8, 1.8, 4.5, 50}, {41.5, 28.5, -10, 2.4, 1.7, 4, 20},
       {43, 20.5, -27, 2.6, 1.9, 4, 60},  {50, 41, -4, 3, 2, 4, 70},      {52, 46, 14, 2.5, 1.8, 3.5, 70},
       {47, 29, -16, 2.2, 1.6, 3, 40},    {30, 13, 33, 3.2, 2.2, 5, 30},  {12, 12, -38, 2.0, 1.6, 3, 0}};
+  constexpr double kSeen = 0.75;  ///< share of the nodes that a person has
   std::vector<Shape> nodes;
   for (const Node& d : kNodes) {
-    const double s = (0.8 + 0.4 * unitInterval(hash32(seed))), h = d.halfZ * s;
-    const double dx = 2 * unitInterval(hash32(seed + 77)) - 1;
-    const std::array<double, 5> v{d.lateral + dx, d.y, d.halfX * s, d.halfY * s, d.turn};
-    nodes.push_back(column(side, {{{d.z - h, v}, {d.z + h, v}}, h, 0.35}, seed++));
+    const Individual vary(++seed);
+    // The first two are there in everybody.
+    if (nodes.size() > 1 && vary(0) > 2 * kSeen - 1) continue;
+    const double s = 1 + 0.25 * vary(1), h = d.halfZ * s * (1.1 + 0.25 * vary(2)), z = d.z + 2.5 * vary(3);
+    const std::array<double, 5> v{d.lateral + 1.5 * vary(4), d.y + vary(5), d.halfX * s * (1.1 + 0.2 * vary(6)),
+                                  d.halfY * s, d.turn + 20 * vary(7)};
+    nodes.push_back(column(side, {{{z - h, v}, {z + h, v}}, h, 0.35}, seed));
   }
   into.push_back({kLymphNode, Kind::kOrgan, 0.5, join(std::move(nodes))});
 }
@@ -72,16 +105,22 @@ void addNervesAndGlands(std::vector<Structure>& into, const NeckParameters& n, s
     addNerves(into, side, seed += 20);
     addNodes(into, side, seed += 20);
     const double k = s * (side == Side::kRight ? 1.05 : 0.96);
-    thyroid.push_back(column(side,
-                             {{{-39, {14, 23, 4 * k, 5 * k, 0}},
-                               {-30, {15.5, 22, 6.6 * k, 8 * k, 10}},
-                               {-19, {16, 19.5, 8 * k, 9.5 * k, 12}},
-                               {-8, {16, 17, 7 * k, 9 * k, 14}},
-                               {2, {18, 15.5, 4.2 * k, 7 * k, 14}},
-                               {11, {17.5, 14.5, 2.6 * k, 4.5 * k, 14}}},
-                              4,
-                              0.5},
-                             seed++));
+    // Both poles are pointed; no two people have lobes of the same length and height.
+    const Individual vary(seed);
+    const double l = 1 + 0.14 * vary(1);
+    const auto at = [&](double z, double lateral, double y, double halfX, double halfY, double turn) {
+      return Curve<5>::Knot{-16 + (z + 16) * l + 3 * vary(2), {lateral, y, halfX * k, halfY * k, turn}};
+    };
+    thyroid.push_back(
+        column(side,
+               varied({{at(-42, 14.5, 23.5, 1.2, 1.6, 0), at(-37, 14.5, 23, 3.8, 4.6, 0),
+                        at(-30, 15.5, 22, 6.4, 7.8, 10), at(-19, 16, 19.5, 8, 9.5, 12), at(-8, 16, 17, 7, 9, 14),
+                        at(2, 18, 15.5, 4.2, 7, 14), at(11, 17.5, 14.5, 2.2, 4, 14), at(17, 17, 13.5, 1, 1.6, 14)},
+                       3,
+                       0.5},
+                      seed),
+               seed));
+    ++seed;
     into.push_back(
         {kGland, Kind::kOrgan, 0.6,
          column(side, {{{28, {32, 2, 9, 7, 30}}, {40, {32, -1, 13, 9, 35}}, {58, {32, -4, 13, 9, 35}}}, 9, 0.8},

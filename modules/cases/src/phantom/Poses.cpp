@@ -9,7 +9,11 @@ namespace insonate::phantom {
 namespace {
 
 constexpr double kTargetLevel_mm = 0;  ///< lower border of the cricoid
-constexpr double kAxillary_mm = 75;    ///< from the midline: below the middle of the clavicle
+/// Steps for the skin's direction: wide over the jugular vein, where fat is uneven, narrow in the hollow below the
+/// clavicle.
+constexpr double kOverVein_mm = 5, kBelowClavicle_mm = 3;
+constexpr double kTilt = 0.25;       ///< of the way from the skin's direction to the vein's
+constexpr double kAxillary_mm = 75;  ///< from the midline: below the middle of the clavicle
 
 /// Where a ray from inside the body leaves the skin: distance along it, by bisection.
 double toSkin_mm(const NeckModel& neck, Vec3 from_mm, Vec3 direction) {
@@ -35,12 +39,12 @@ Vec3 towardProbe(const NeckModel& neck, Vec3 vein_mm, Side side) {
   return best;
 }
 
-Vec3 inwardNormal(const NeckModel& neck, Vec3 at_mm) {
-  constexpr double kStep_mm = 2;  // wide enough to average the skin's own irregularity under the probe
+/// Direction square to the skin as a face lies on it: over a step of some mm to either side.
+Vec3 inwardNormal(const NeckModel& neck, Vec3 at_mm, double step_mm) {
   Vec3 gradient;
   for (int axis = 0; axis < 3; ++axis) {
     Vec3 step;
-    step[axis] = kStep_mm;
+    step[axis] = step_mm;
     gradient[axis] = neck.belowSkin_mm(at_mm + step) - neck.belowSkin_mm(at_mm - step);
   }
   return normalized(gradient);
@@ -62,7 +66,7 @@ std::vector<StartPose> axillaryStartPoses(const NeckModel& neck) {
   Vec3 axial{0, 1, 0}, skin;
   for (int n = 0; n < 8; ++n) {
     skin = vein - axial * toSkin_mm(neck, vein, -axial);
-    if (n < 7) axial = inwardNormal(neck, skin);
+    if (n < 7) axial = inwardNormal(neck, skin, kBelowClavicle_mm);
   }
   const Vec3 towardHeart =
       neck.axillaryCentre_mm(Side::kRight, kAxillary_mm - 12) - neck.axillaryCentre_mm(Side::kRight, kAxillary_mm + 12);
@@ -83,7 +87,8 @@ std::vector<StartPose> jugularStartPoses(const NeckModel& neck) {
     const Vec3 vein = neck.jugularCentre_mm(side, kTargetLevel_mm);
     const Vec3 outward = towardProbe(neck, vein, side);
     const Vec3 skin = vein + outward * toSkin_mm(neck, vein, outward);
-    const Vec3 axial = inwardNormal(neck, skin);
+    // The probe lies on the skin and tilts a little toward the vein.
+    const Vec3 axial = normalized(inwardNormal(neck, skin, kOverVein_mm) * (1 - kTilt) - outward * kTilt);
     const Vec3 towardFeet =
         neck.jugularCentre_mm(side, kTargetLevel_mm - 10) - neck.jugularCentre_mm(side, kTargetLevel_mm + 10);
     const std::string neckSide = side == Side::kRight ? "right neck" : "left neck";

@@ -35,22 +35,34 @@ constexpr double patientX(Side side, double lateral_mm) {
   return side == Side::kRight ? -lateral_mm : lateral_mm;
 }
 
-/// An upright organ or muscle: an ellipse with smoothly changing centre, half axes and turn.
+/// A cross-section's form.
+enum class Form {
+  kOval,    ///< ends of the column are half ellipsoids
+  kBelly,   ///< of muscle: lobed, thins out into a tendon at both ends of the column
+  kLens,    ///< of flat muscle: sharp edges as well
+  kFaceted  ///< of a soft vein: flat toward its neighbors, dented by the one that its `facing_deg` points to
+};
+
+/// An upright organ or muscle: an oval with smoothly changing centre, half axes and turn.
 struct Column {
   /// lateral and posterior position of the centre, half axes along lateral and posterior (mm), turn (degrees, from
   /// lateral toward posterior).
   Curve<5> course;
   double taper_mm = 3;        ///< length over which each end rounds off
   double irregular_mm = 0.5;  ///< amplitude of the boundary's noise
+  Form form = Form::kOval;
+  double facing_deg = 0;  ///< of a faceted form, from lateral toward posterior
 };
 Shape column(Side side, Column column, std::uint32_t seed);
 
-/// A flat muscle that hugs the investing fascia: an ellipse in arc length along the fascia and depth below it.
+/// A flat muscle that hugs the investing fascia: a lens in arc length along the fascia and depth below it, whose
+/// edges lie nearer to the fascia than its middle.
 struct Sheet {
   /// angle from the front (degrees), depth of the centre below the fascia, half width along it, half thickness (mm).
   Curve<4> course;
   double taper_mm = 4;
   double irregular_mm = 0.5;
+  Form form = Form::kLens;  ///< or kOval
 };
 Shape sheet(Side side, Sheet sheet, std::uint32_t seed);
 
@@ -63,6 +75,7 @@ struct Tube {
   std::vector<Knot> knots;
   double flatness = 1;  ///< above 1: thinner from head to foot by this factor
   double irregular_mm = 0.15;
+  double oval = 0;  ///< relative departure of the cross-section from a circle
 };
 Shape tube(Side side, Tube tube, std::uint32_t seed);
 

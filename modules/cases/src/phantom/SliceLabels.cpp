@@ -8,18 +8,44 @@
 namespace insonate::phantom {
 namespace {
 
-constexpr double kFascia_mm = 1.2;  ///< between two muscles, both sheaths and what lies between
-constexpr double kSheath_mm = 0.5;  ///< about a muscle, beside fat
+constexpr double kFascia_mm = 0.9;   ///< between two muscles, both sheaths and what lies between, on average
+constexpr double kSheath_mm = 0.35;  ///< about a muscle, beside fat
+/// Share by which a soft vein gives way to a muscle that claims the same place.
+constexpr double kYields = 0.3;
 
-/// Connective tissue is thick in one place and hardly there in the next, so that its two faces are never parallel.
+/// Noise whose structures are longer along the neck, as sheets, fibers and vessels run.
+double stretched(Vec3 p_mm, double cell_mm, std::uint32_t seed, double longer = 2.2) {
+  return smoothNoise({p_mm.x / cell_mm, p_mm.y / cell_mm, p_mm.z / (longer * cell_mm)}, seed);
+}
+
+/// Factor on a thickness, of mean 1 and the given SD, not below 0: connective tissue is thick in one place and hardly
+/// there in the next, so that its two faces are never parallel.
 double uneven(Vec3 p_mm, double cell_mm, double amount, std::uint32_t seed) {
-  return 1 + amount / kSmoothNoiseSd * smoothNoise(p_mm / cell_mm, seed);
+  return std::max(0.0, 1 + amount / kSmoothNoiseSd * stretched(p_mm, cell_mm, seed, 1.4));
+}
+
+/// Distance to the nearest of sheets that follow each other at a spacing.
+double toSheet_mm(double across_mm, double spacing_mm) {
+  const double turn = across_mm / spacing_mm;
+  return std::abs(turn - std::round(turn)) * spacing_mm;
+}
+
+/// Union of two sheets by the distances to their faces: where they meet, the corner between them is filled.
+double merged_mm(double a_mm, double b_mm) {
+  constexpr double kCorner_mm = 0.8;
+  const double near = std::max(0.0, 1 - std::abs(a_mm - b_mm) / kCorner_mm);
+  return std::min(a_mm, b_mm) - kCorner_mm / 4 * near * near;
 }
 
 }  // namespace
 
-SliceLabels::SliceLabels(std::span<const Structure> structures, BodySurface::Slice body, SliceGrid grid)
-    : structures_(structures), body_(std::move(body)), grid_(grid), voxels_(std::size_t(grid.width) * grid.height) {}
+SliceLabels::SliceLabels(std::span<const Structure> structures, BodySurface::Slice body, const Platysma& platysma,
+                         SliceGrid grid)
+    : structures_(structures),
+      body_(std::move(body)),
+      platysma_(platysma),
+      grid_(grid),
+      voxels_(std::size_t(grid.width) * grid.height) {}
 
 void SliceLabels::place(const std::function<Vec3(Vec3)>& modelFromPatient) {
   // The warp varies over centimetres: sampled every 8 voxels and interpolated.
@@ -81,10 +107,12 @@ void SliceLabels::addOrgan(const Structure& s, const Section& section) {
     if (voxel.organ) return;
     const bool mayEnter = s.kind == Kind::kArtery ||
                           (s.kind == Kind::kVein ? !voxel.arterial : !voxel.arterial && !voxel.venous && !voxel.walled);
-    const double d = section.distance_mm(voxel.site);
+    double d = section.distance_mm(voxel.site);
+    if (s.kind == Kind::kVein) d += kYields * std::max(0.0, -voxel.muscle_mm);
+    if (s.label != kNerve && s.label != kLymphNode) voxel.organ_mm = std::min(voxel.organ_mm, d);
     if (d < 0 && mayEnter) {
       voxel.organ = s.label;
-    } else if (d < s.sheath_mm) {
+    } else if (d < 1.7 * s.sheath_mm && d < s.sheath_mm * uneven(voxel.site.p_mm, 6, 0.35, grid_.seed ^ 0x5ea8U)) {
       (s.kind == Kind::kArtery ? voxel.arterial : s.kind == Kind::kVein ? voxel.venous : voxel.walled) = true;
     }
   });
@@ -103,55 +131,70 @@ void SliceLabels::addMuscle(const Structure& s, const Section& section) {
   });
 }
 
-std::uint8_t SliceLabels::superficial(const Voxel& v, double layers_mm) const {
+bool SliceLabels::isPlatysma(const Site& s, double fat_mm) const {
+  const double side = std::abs(s.angle), first = platysma_.first + 0.006 * std::max(0.0, s.p_mm.z);
+  if (side < first || side > platysma_.last || s.p_mm.z > platysma_.top_z_mm) return false;
+  const double lift = 0.3 * stretched(s.p_mm, 15, grid_.seed ^ 0x97U) + 0.12 * stretched(s.p_mm, 6, grid_.seed ^ 0x96U);
+  const double height_mm = -s.belowFascia_mm - fat_mm * std::max(0.0, platysma_.height + lift);
+  const double edge = std::min({1.0, (side - first) / 0.15, (platysma_.last - side) / 0.3});
+  // Its bundles part here and there.
+  const double gaps = std::clamp(1.6 + 3 * stretched(s.p_mm, 10, grid_.seed ^ 0x99U), 0.0, 1.0);
+  return std::abs(height_mm) < platysma_.halfThickness_mm * edge * gaps * uneven(s.p_mm, 7, 0.3, grid_.seed ^ 0x98U);
+}
+
+std::uint8_t SliceLabels::superficial(const Voxel& v) const {
   const Site& s = v.site;
-  const double skin = BodySurface::kSkin_mm * (1 + 0.12 * smoothNoise(s.p_mm / 9, grid_.seed ^ 0x5b1U));
-  if (s.belowSkin_mm < skin) return kSkin;
+  if (s.belowSkin_mm < s.skin_mm) return kSkin;
   if (v.organ) return v.organ;
-  // Platysma: a thin sheet low in the fat, from beside the midline to the lateral neck, over the clavicle.
-  const double side = std::abs(s.angle), fat = layers_mm - skin;
-  const double fromMidline = 0.12 + 0.006 * std::max(0.0, s.p_mm.z);
-  if (side > fromMidline && side < 1.75 && s.p_mm.z < 46) {
-    const double height = -s.belowFascia_mm - 0.24 * fat - 0.6 * smoothNoise(s.p_mm / 11, grid_.seed ^ 0x97U);
-    const double thin = std::min({1.0, (side - fromMidline) / 0.1, (1.75 - side) / 0.25});
-    if (std::abs(height) < 0.55 * thin * uneven(s.p_mm, 7, 0.35, grid_.seed ^ 0x98U)) return kMuscle;
-  }
-  if (s.belowFascia_mm > -0.4 * uneven(s.p_mm, 8, 0.5, grid_.seed ^ 0x5f1U)) return kSoftTissue;
-  return kFat;
+  const double fat_mm = s.belowSkin_mm - s.belowFascia_mm - s.skin_mm;
+  if (isPlatysma(s, fat_mm)) return kMuscle;
+  if (-s.belowFascia_mm < 0.45 * uneven(s.p_mm, 9, 0.8, grid_.seed ^ 0x5f1U)) return kSoftTissue;
+  // The superficial fascia: an interrupted sheet that rises from the deep fascia to the skin and returns.
+  const double height = 0.55 + 0.6 * stretched(s.p_mm, 19, grid_.seed ^ 0x91U);
+  const double half_mm = 0.3 * uneven(s.p_mm, 10, 1.1, grid_.seed ^ 0x92U);
+  return std::abs(-s.belowFascia_mm - height * fat_mm) < half_mm ? kSoftTissue : kFat;
 }
 
 std::uint8_t SliceLabels::filling(const Voxel& v) const {
-  const Site& s = v.site;
-  const double sheath = kSheath_mm * uneven(s.p_mm, 6, 0.5, grid_.seed ^ 0x5ea7U);
-  if (v.muscle_mm < sheath || s.belowFascia_mm < 0.6 * uneven(s.p_mm, 9, 0.5, grid_.seed ^ 0x5f2U)) return kSoftTissue;
-  // Fat pads in connective tissue; more fat to the side and back than about the airway.
-  const double lateral = std::clamp((std::abs(s.p_mm.x) - 18) / 20, 0.0, 1.0);
-  const double pads =
-      smoothNoise(s.p_mm / 6.5, grid_.seed ^ 0xfa7U) + 0.5 * smoothNoise(s.p_mm / 2.7, grid_.seed ^ 0xfa8U);
-  return pads > 0.12 - 0.5 * lateral ? kFat : kSoftTissue;
+  const Vec3& p = v.site.p_mm;
+  const double below_mm = v.site.belowFascia_mm;
+  if (v.muscle_mm < kSheath_mm * uneven(p, 7, 0.9, grid_.seed ^ 0x5ea7U) ||
+      below_mm < 0.45 * uneven(p, 9, 0.9, grid_.seed ^ 0x5f2U))
+    return kSoftTissue;
+  // Long, flat fat pads between sheets along the skin, others that cross these at a flat angle, and such as wrap
+  // muscles, vessels and glands. Each fades in and out by itself. There are more about the airway than to the side.
+  const double medial_mm = 0.16 * std::clamp((34 - std::abs(p.x)) / 20, 0.0, 1.0);
+  const auto half_mm = [&](double cell_mm, std::uint32_t key) {
+    return (0.24 + medial_mm) * uneven(p, cell_mm, 1.1, grid_.seed ^ key);
+  };
+  const double along_mm = toSheet_mm(below_mm + 2.6 * stretched(p, 18, grid_.seed ^ 0xfa7U), 5);
+  const double aslant_mm = toSheet_mm(below_mm + 5.5 * stretched(p, 27, grid_.seed ^ 0xfa8U) + 0.12 * p.x, 8.5);
+  const double around_mm = std::abs(std::min(v.muscle_mm, v.organ_mm) - 1.9 - stretched(p, 10, grid_.seed ^ 0xfa9U));
+  return merged_mm(merged_mm(along_mm - half_mm(14, 0xfaaU), aslant_mm - half_mm(18, 0xfabU)),
+                   around_mm - 0.8 * half_mm(11, 0xfacU)) < 0
+             ? kSoftTissue
+             : kFat;
 }
 
 std::uint8_t SliceLabels::label(const Voxel& v) const {
   const Site& s = v.site;
   if (s.belowSkin_mm <= 0) return kBackground;
-  if (s.belowFascia_mm < 0) return superficial(v, s.belowSkin_mm - s.belowFascia_mm);
+  if (s.belowFascia_mm < 0) return superficial(v);
   if (v.organ) return v.organ;
   if (v.arterial || v.venous || v.walled) return kSoftTissue;
   if (v.muscle_mm < 0) {
-    const double gap = kFascia_mm * uneven(s.p_mm, 5, 0.3, grid_.seed ^ 0xfa5U);
+    const double gap = kFascia_mm * uneven(s.p_mm, 7, 0.6, grid_.seed ^ 0xfa5U);
     return v.nextMuscle_mm - v.muscle_mm < gap ? std::uint8_t(kSoftTissue) : v.muscle;
   }
   return filling(v);
 }
 
 void SliceLabels::paint(std::uint8_t* labels) {
-  for (const Structure& s : structures_)
-    if (auto section = s.shape(body_, grid_.z_mm)) {
-      if (s.kind == Kind::kMuscle)
-        addMuscle(s, *section);
-      else
-        addOrgan(s, *section);
-    }
+  // Muscles first: veins give way to them.
+  for (const bool muscles : {true, false})
+    for (const Structure& s : structures_)
+      if ((s.kind == Kind::kMuscle) == muscles)
+        if (auto section = s.shape(body_, grid_.z_mm)) muscles ? addMuscle(s, *section) : addOrgan(s, *section);
   for (std::size_t n = 0; n < voxels_.size(); ++n) labels[n] = label(voxels_[n]);
 }
 

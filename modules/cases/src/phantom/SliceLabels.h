@@ -21,7 +21,7 @@ struct SliceGrid {
 /// by fascia, fat and connective tissue in what is left. Used by one thread.
 class SliceLabels {
  public:
-  SliceLabels(std::span<const Structure> structures, BodySurface::Slice body, SliceGrid grid);
+  SliceLabels(std::span<const Structure> structures, BodySurface::Slice body, const Platysma& platysma, SliceGrid grid);
 
   /// Where each voxel is in the model.
   void place(const std::function<Vec3(Vec3)>& modelFromPatient);
@@ -35,6 +35,7 @@ class SliceLabels {
     bool arterial = false, venous = false, walled = false;  ///< within the sheath of an artery, vein, other organ
     std::uint8_t muscle = 0;
     double muscle_mm = 1e9, nextMuscle_mm = 1e9;  ///< distances to the two nearest muscles
+    double organ_mm = 1e9;                        ///< and to the nearest organ that fascia wraps
   };
 
   /// Voxels of a square block, and the box of their model positions: most shapes are far from most blocks.
@@ -49,11 +50,13 @@ class SliceLabels {
   template <class Visit>
   void within(const Section& section, Visit visit);
   std::uint8_t label(const Voxel& voxel) const;
-  std::uint8_t superficial(const Voxel& voxel, double layers_mm) const;
+  std::uint8_t superficial(const Voxel& voxel) const;
+  bool isPlatysma(const Site& site, double fat_mm) const;
   std::uint8_t filling(const Voxel& voxel) const;
 
   std::span<const Structure> structures_;
   BodySurface::Slice body_;
+  Platysma platysma_;
   SliceGrid grid_;
   std::vector<Voxel> voxels_;
   std::vector<Tile> tiles_;

@@ -14,7 +14,7 @@ VariantModel variant(PhantomVariant about, void (*change)(NeckParameters&)) {
 std::span<const VariantModel> variantModels() {
   static const VariantModel kVariants[] = {
       variant({"textbook", "Textbook neck", "easy",
-               "A wide right internal jugular vein lateral to the carotid, 13 mm below the skin."},
+               "A wide right internal jugular vein lateral to the carotid, about 13 mm below the skin."},
               [](NeckParameters&) {}),
       variant({"large-sternomastoid", "Muscular neck", "easy",
                "A thick sternocleidomastoid and a wide vein; the vein lies deeper than usual."},
@@ -27,7 +27,7 @@ std::span<const VariantModel> variantModels() {
                "The common carotid divides above the hyoid; one round artery all the way up."},
               [](NeckParameters& n) {
                 n.bifurcation_z_mm = 43;
-                n.veinMedial_mm[0] = 1.5;
+                n.veinMedial_mm[0] = 2.6;
               }),
       variant({"low-bifurcation", "Low carotid bifurcation", "moderate",
                "The carotid divides below the cricoid, so that two arteries lie beside the vein."},
@@ -66,8 +66,8 @@ std::span<const VariantModel> variantModels() {
                "Both jugular veins lie in front of the carotid: a needle that passes through meets the artery."},
               [](NeckParameters& n) {
                 for (int s : {0, 1}) {
-                  n.veinMedial_mm[s] = 4.5;
-                  n.veinForward_mm[s] = 2.2;
+                  n.veinMedial_mm[s] = 4.2;
+                  n.veinForward_mm[s] = 0.9;
                   n.veinHeight[s] = 0.86;
                 }
                 n.carotidLateral_mm = 3.2;
@@ -75,7 +75,10 @@ std::span<const VariantModel> variantModels() {
       variant({"subclavian", "Below the right clavicle", "moderate",
                "The right axillary and subclavian vein, 12 mm wide and 20 mm below the skin, in front of the artery; "
                "behind them first and second rib, pleura and lung."},
-              [](NeckParameters& n) { n.chest = true; })};
+              [](NeckParameters& n) {
+                n.chest = true;
+                n.fat_mm = 3.2;
+              })};
   return kVariants;
 }
 

@@ -1,4 +1,4 @@
-#include "Anatomy.h"
+#include "Variation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,28 +19,41 @@ double middleOfNeck(double z_mm) {
   return std::exp(-std::pow((z_mm + 2) / 30, 4));
 }
 
+enum Vessel : std::uint32_t { kSheath, kCarotid, kJugular };
+
+/// How far a vessel runs off its usual course, {lateral, posterior} mm: carotid and jugular vein mostly together, since
+/// they share a sheath.
+std::array<double, 2> besideCourse_mm(const NeckParameters& n, Side side, Vessel vessel, double z_mm) {
+  const std::uint32_t seed = n.seed + 80 + 10 * index(side);
+  const auto [sharedX, sharedY] = tortuosity_mm(seed + kSheath, z_mm, 0.8);
+  const auto [ownX, ownY] = tortuosity_mm(seed + vessel, z_mm, 0.35);
+  return {sharedX + ownX, sharedY + ownY};
+}
+
 /// Side by side in the model as in the body: what is drawn and what has the name are one.
 struct NamedTube {
   std::string_view name;
   std::vector<Tube::Knot> knots;
   double irregular_mm = 0;
+  double oval = 0.035;
 };
 
 Shape joined(Side side, const std::vector<NamedTube>& tubes, std::uint32_t seed) {
   std::vector<Shape> shapes;
-  for (const NamedTube& one : tubes) shapes.push_back(tube(side, {one.knots, 1, one.irregular_mm}, seed++));
+  for (const NamedTube& one : tubes) shapes.push_back(tube(side, {one.knots, 1, one.irregular_mm, one.oval}, seed++));
   return join(std::move(shapes));
 }
 
 /// Common carotid up to its bifurcation, then internal and external; one smooth trunk and two branches.
-std::vector<NamedTube> carotids(const NeckParameters& n) {
+std::vector<NamedTube> carotids(const NeckParameters& n, Side side) {
   const double s = n.carotidScale, b = n.bifurcation_z_mm;
   const Curve<2> course{{-66, {14, 27}},     {-52, {16.5, 25.5}}, {-40, {19.5, 24.5}}, {-28, {22, 24.5}},
                         {-14, {21.8, 24.6}}, {0, {20.4, 25.2}},   {12, {21.4, 24.7}},  {24, {25, 23.5}},
                         {36, {27, 22.5}},    {54, {28, 25}}};
   const auto on = [&](double z, double dx, double dy, double r) {
     const auto [x, y] = course(z);
-    return Tube::Knot{{x + dx + n.carotidLateral_mm * middleOfNeck(z), y + dy, z}, r * s};
+    const auto [awayX, awayY] = besideCourse_mm(n, side, kCarotid, z);
+    return Tube::Knot{{x + dx + awayX + n.carotidLateral_mm * middleOfNeck(z), y + dy + awayY, z}, r * s};
   };
   std::vector<Tube::Knot> trunk;
   for (double z = -66; z < b - 8; z += 8) trunk.push_back(on(z, 0, 0, 3.25));
@@ -56,7 +69,7 @@ std::vector<NamedTube> carotids(const NeckParameters& n) {
             on(b + 50, 2, -8, 1.9)},
            0.1},
           {"superior thyroid artery",
-           {on(b + 5, -2, -4, 1.1), {{22, 15, b - 4}, 1.0}, {{20.5, 12.5, b - 17}, 1.0}, {{17, 9.5, b - 29}, 0.9}},
+           {on(b + 5, -2, -4, 1.1), {{22, 15, b - 4}, 1.0}, {{20.5, 9.5, b - 17}, 1.0}, {{17.5, 6.5, b - 29}, 0.9}},
            0}};
 }
 
@@ -70,7 +83,7 @@ std::vector<NamedTube> subclavianArteries(const NeckParameters& n, Side side) {
     subclavian.resize(4);
     std::ranges::copy(axillaryArtery(), std::back_inserter(subclavian));
   }
-  return {{"subclavian artery", std::move(subclavian), 0.15},
+  return {{"subclavian artery", std::move(subclavian), 0.15, 0.02},
           // Free below C6, then through the transverse foramina.
           {"vertebral artery",
            {{{23, 29, -43}, 1.7},
@@ -87,7 +100,7 @@ std::vector<NamedTube> subclavianArteries(const NeckParameters& n, Side side) {
             {{29, 28.5, -28}, 1.4},
             {{27.5, 31.5, -12}, 1.2},
             {{24, 31.5, -5}, 1.1},
-            {{18.5, 26, -9}, 1}},
+            {{18, 29.5, -9}, 1}},
            0},
           {"transverse cervical artery",
            {{{29, 28.5, -29}, 1.2}, {{38, 22.5, -27}, 1.1}, {{50, 27, -25}, 1.1}, {{62, 40, -22}, 1}},
@@ -97,7 +110,8 @@ std::vector<NamedTube> subclavianArteries(const NeckParameters& n, Side side) {
 Shape jugular(const NeckParameters& n, Side side, std::uint32_t seed) {
   std::vector<Curve<5>::Knot> knots;
   for (double z = kJugularEnd_mm; z <= 56; z += 5) knots.push_back({z, jugularVeinAt(n, side, z)});
-  return column(side, {Curve<5>(std::move(knots)), 2, 0.45}, seed);
+  // The carotid lies medial to it and behind.
+  return column(side, {Curve<5>(std::move(knots)), 2, 0.35, Form::kFaceted, 150}, seed);
 }
 
 std::vector<NamedTube> centralVeins(const NeckParameters& n, Side side) {
@@ -111,7 +125,7 @@ std::vector<NamedTube> centralVeins(const NeckParameters& n, Side side) {
             {{-toMidline < 0 ? 12.0 : 14.0, 13, -63}, 6.2},
             {{side == Side::kRight ? 13.0 : 2.0, 14, -72}, 6.6}},
            0.3},
-          {"subclavian vein", n.chest ? axillaryVein() : subclavian, 0.3}};
+          {"subclavian vein", n.chest ? axillaryVein() : subclavian, 0.3, 0.015}};
 }
 
 struct NamedSheet {
@@ -128,13 +142,15 @@ std::vector<NamedSheet> superficialVeins(Side side) {
              {20, {70, -1.5, 1.9, 1.2}},
              {54, {80, -1.4, 1.6, 1.1}}},
             3,
-            0.2}},
+            0.2,
+            Form::kOval}},
           {"anterior jugular vein",
            {{{-50, {7, -1.3, 1.4, 1.0}},
              {0, {side == Side::kRight ? 9.0 : 11.0, -1.4, 1.3, 0.9}},
              {36, {14, -1.6, 1.1, 0.8}}},
             3,
-            0.2}}};
+            0.2,
+            Form::kOval}}};
 }
 
 void addVeins(std::vector<Structure>& into, const NeckParameters& n, Side side, std::uint32_t seed) {
@@ -143,6 +159,14 @@ void addVeins(std::vector<Structure>& into, const NeckParameters& n, Side side, 
   seed += 3;
   for (NamedSheet& one : superficialVeins(side))
     into.push_back({kVein, Kind::kVein, 0.3, sheet(side, std::move(one.sheet), seed++)});
+}
+
+void addArteries(std::vector<Structure>& into, Side side, const std::vector<NamedTube>& tubes, std::uint32_t seed) {
+  constexpr double kBranch_mm = 2;  ///< smaller ones have a thinner wall and sheath
+  std::vector<NamedTube> trunks, branches;
+  for (const NamedTube& one : tubes) (one.knots.front().radius_mm < kBranch_mm ? branches : trunks).push_back(one);
+  into.push_back({kArtery, Kind::kArtery, 1.0, joined(side, trunks, seed)});
+  into.push_back({kArtery, Kind::kArtery, 0.45, joined(side, branches, seed + 5)});
 }
 
 /// Adds the courses of one side; the side comes before the name.
@@ -190,8 +214,9 @@ std::array<double, 5> jugularVeinAt(const NeckParameters& n, Side side, double z
   auto v = kCourse(z_mm);
   const int s = index(side);
   const double weight = middleOfNeck(z_mm);
-  v[0] -= n.veinMedial_mm[s] * weight;
-  v[1] -= n.veinForward_mm[s] * weight;
+  const auto [awayX, awayY] = besideCourse_mm(n, side, kJugular, z_mm);
+  v[0] += awayX - n.veinMedial_mm[s] * weight;
+  v[1] += awayY - n.veinForward_mm[s] * weight;
   v[2] *= n.veinWidth[s];
   v[3] *= n.veinHeight[s];
   return v;
@@ -199,8 +224,8 @@ std::array<double, 5> jugularVeinAt(const NeckParameters& n, Side side, double z
 
 void addVessels(std::vector<Structure>& into, const NeckParameters& n, std::uint32_t seed) {
   for (const Side side : {Side::kRight, Side::kLeft}) {
-    into.push_back({kArtery, Kind::kArtery, 1.1, joined(side, carotids(n), seed += 10)});
-    into.push_back({kArtery, Kind::kArtery, 0.9, joined(side, subclavianArteries(n, side), seed += 10)});
+    addArteries(into, side, carotids(n, side), seed += 10);
+    addArteries(into, side, subclavianArteries(n, side), seed += 10);
   }
   for (const Side side : {Side::kRight, Side::kLeft}) addVeins(into, n, side, seed += 10);
 }
@@ -222,7 +247,7 @@ std::vector<VesselCourse> vesselCourses(const NeckParameters& n, const BodySurfa
       courses.add(vein.name, kVein, line);
     }
     for (const NamedSheet& vein : superficialVeins(side)) courses.add(vein, body);
-    courses.add(carotids(n), kArtery);
+    courses.add(carotids(n, side), kArtery);
     courses.add(subclavianArteries(n, side), kArtery);
   }
   return all;

@@ -1,0 +1,71 @@
+#include "Variation.h"
+
+#include "Individual.h"
+
+#include <algorithm>
+
+namespace insonate::phantom {
+namespace {
+
+constexpr double kMeanSkin_mm = 1.6;
+
+}  // namespace
+
+NeckParameters individualNeck(NeckParameters n, std::uint32_t seed) {
+  const Individual vary(seed);
+  n.seed = hash32(seed ^ 0x6f6eU);
+  // Skin of the neck: 1.0 to 2.2 mm.
+  n.skin_mm = kMeanSkin_mm + 0.6 * vary(1);
+  const double fatter_mm = std::min(0.35 * n.fat_mm, 1.4) * vary(2);
+  n.fat_mm += fatter_mm;
+  // Variants promise how deep the vessels lie, so that what the layers gain, the neck below them mostly loses.
+  n.girth_mm = 0.6 * vary(3) - 0.6 * (n.skin_mm - kMeanSkin_mm + fatter_mm);
+  n.sternomastoidScale *= 1 + 0.13 * vary(4);
+  n.thyroidScale *= 1 + 0.16 * vary(5);
+  n.carotidScale *= 1 + 0.06 * vary(6);
+  n.bifurcation_z_mm += 2.5 * vary(7);
+  for (std::uint32_t s : {0U, 1U}) {
+    n.veinWidth[s] *= 1 + 0.06 * vary(10 + s);
+    n.veinHeight[s] *= 1 + 0.06 * vary(12 + s);
+  }
+  n.platysma = {.height = 0.32 + 0.24 * vary(20),
+                .halfThickness_mm = 0.52 + 0.2 * vary(21),
+                .first = 0.14 + 0.1 * vary(22),
+                .last = 1.6 + 0.3 * vary(23),
+                .top_z_mm = 46 + 8 * vary(24)};
+  return n;
+}
+
+Column varied(Column c, std::uint32_t seed) {
+  constexpr double kCell_mm = 30;
+  const Individual vary(seed);
+  for (auto& [z, v] : c.course.knots()) {
+    v[0] += 0.7 * vary(1) + 0.5 * vary.along(2, z, kCell_mm);
+    v[1] += 0.6 * vary(3) + 0.5 * vary.along(4, z, kCell_mm);
+    v[2] *= 1 + 0.1 * vary(5) + 0.08 * vary.along(6, z, kCell_mm);
+    v[3] *= 1 + 0.1 * vary(7) + 0.08 * vary.along(8, z, kCell_mm);
+    v[4] += 7 * vary(9) + 5 * vary.along(10, z, kCell_mm);
+  }
+  return c;
+}
+
+Sheet varied(Sheet s, std::uint32_t seed) {
+  constexpr double kCell_mm = 30;
+  const Individual vary(seed);
+  for (auto& [z, v] : s.course.knots()) {
+    v[0] += 2 * vary(1) + 1.5 * vary.along(2, z, kCell_mm);
+    const double thicker = v[3] * (0.14 * vary(3) + 0.1 * vary.along(4, z, kCell_mm));
+    v[1] += thicker + 0.3 * vary.along(5, z, kCell_mm);
+    v[2] *= 1 + 0.1 * vary(6) + 0.1 * vary.along(7, z, kCell_mm);
+    v[3] += thicker;
+  }
+  return s;
+}
+
+std::array<double, 2> tortuosity_mm(std::uint32_t seed, double z_mm, double amplitude_mm) {
+  constexpr double kCell_mm = 22;
+  const Individual vary(seed);
+  return {amplitude_mm * vary.along(1, z_mm, kCell_mm), amplitude_mm * vary.along(2, z_mm, kCell_mm)};
+}
+
+}  // namespace insonate::phantom
