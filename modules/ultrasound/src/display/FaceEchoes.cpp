@@ -94,7 +94,7 @@ void FaceEchoes::findContact(const Probe& probe, const ImagingSettings& settings
   contact_.emplace(static_cast<int>(plan.blocks.size()), columns_);
   for (int b = 0; b < contact_->rows(); ++b) {
     const double depth_mm = grid.range_mm(plan.blocks[b].first + 0.5 * (plan.blocks[b].count - 1));
-    // What is before the transmit focus is reached by those elements alone whose cone includes it.
+    // Only elements whose cone includes a point before the transmit focus reach it.
     const double sending_mm = std::clamp(std::min(depth_mm, settings.focus_mm) / probe.transmitFNumber, narrowest_mm,
                                          std::max(probe.maxAperture_mm, narrowest_mm));
     const double receiving_mm =
