@@ -73,7 +73,7 @@ TEST_P(Shadow, EdgesLieOnStraightRaysForEveryProbe) {
     }
 }
 
-/// Width over which the level rises from a fifth of what it is beside an edge to four fifths.
+/// Width over which the level rises from a fifth to four fifths of the level beside an edge.
 double penumbra_mm(const EnvelopeFrame& frame, const BeamGrid& grid, double depth_mm, int dark, int bright) {
   const int sample = int(std::lround(grid.sampleAt(depth_mm)));
   const auto profile = lineMeans(frame, {sample - 5, sample + 5, 0, frame.scanlines});
@@ -92,7 +92,7 @@ TEST_P(Shadow, HasAPenumbraThatWidensBehindTheEdge) {
                                  [](Vec3 p) { return p.z > 8 && p.z < 11 && p.x < 0 ? kBone : kSoftTissue; });
   const BeamGrid grid(probe, settings);
   const EnvelopeFrame frame = render(probe, settings, scene);
-  // Of a triangle of unit half base, a fifth lies beyond 1 - sqrt(0.4).
+  // A fifth of a triangle of unit half base lies beyond 1 - sqrt(0.4).
   const double cone = 2 * (1 - std::sqrt(0.4)) * 0.25 * (1 / probe.transmitFNumber + 1 / probe.receiveFNumber);
   for (const double depth_mm : {20.0, 36.0}) {
     const double expected_mm = cone * (depth_mm - 9.5);

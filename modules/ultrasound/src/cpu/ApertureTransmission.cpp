@@ -16,7 +16,8 @@ namespace insonate::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<float, 16>;
 
-/// To the next gate: what passes this one, moved by up to a scanline. Beyond the sides it is as at the sides.
+/// Carries the amplitude that passes a gate to the next one, moved by up to a scanline. Beyond the sides it is as at
+/// the sides.
 void moveRayTarget(const float* above, const float* passed, float shift_lines, int lines, float* below) {
   const Tag d;
   constexpr int kWidest = 1024 + 2 * 16;

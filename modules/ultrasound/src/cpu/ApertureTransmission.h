@@ -5,20 +5,20 @@
 
 namespace insonate::cpu {
 
-/// What is left of the beam at each gate, there and back, as the aperture sees it: the mean over its rays.
+/// Amplitude that is left of the beam at each gate, there and back, as the aperture sees it: the mean over its rays.
 class ApertureTransmission {
  public:
   ApertureTransmission() = default;
   explicit ApertureTransmission(const FramePlan& plan);
 
-  /// Of the scanlines from this one on, what reaches the face.
+  /// Amplitude at the face, for the scanlines from this one on.
   float* contact(int line) { return contact_.get() + kMargin + line; }
-  /// Of the scanlines from this one on, the share that a gate lets pass.
+  /// Share that a gate lets pass, for the scanlines from this one on.
   float* passed(int gate, int line) { return passed_.get() + at(gate) + line; }
 
   /// Follows the rays; everything above must be known.
   void followRays();
-  /// A block's scanlines at a gate, 0 where the aperture sees nothing.
+  /// Writes the mean of a block's scanlines at a gate, 0 where the aperture sees nothing.
   void means(int gate, int firstLine, float* mean) const;
 
  private:

@@ -109,7 +109,7 @@ struct TraceInput {
 
 inline constexpr std::int32_t kNoGasYet = -1, kNoGasEver = -2;
 
-/// What the trace of one block leaves, before the beam.
+/// Result of the trace of one block, before the beam.
 struct BlockEchoes {
   alignas(64) std::int32_t gasGate[kBlockLines];  ///< first gate in gas behind tissue
   /// Scattering over what reaches a gate, [component][gate][kBlockLines], component = 2 * look + (0 re, 1 im).

@@ -16,9 +16,10 @@ constexpr double kSpread = 0.35;     ///< by which each echo is longer than the 
 constexpr double kInaudible = 1e-3;  ///< of an amplitude at the face
 constexpr double kElements_dB = 2, kElements_mm = 0.9;  ///< range of the difference between elements, and its width
 constexpr double kLifted_dB = -22;                      ///< one way through the last film of gel
-constexpr double kWedge_mm = 4;                         ///< over which that film opens into air
-constexpr double kBubbles = 1.4, kBubble_mm = 0.6;      ///< contact comes and goes in the wedge, and over what length
-constexpr double kNarrowest_elements = 4;               ///< of an aperture
+constexpr double kWedge_mm = 9;                         ///< over which that film opens into air
+constexpr double kWedgeInside_mm = 3;  ///< of it beyond the strip that is set, where the skin still nearly touches
+constexpr double kBubbles = 1.4, kBubble_mm = 0.6;  ///< contact comes and goes in the wedge, and over what length
+constexpr double kNarrowest_elements = 4;           ///< of an aperture
 
 /// Amplitude at a depth, 1 at the face.
 double ringing(double depth_mm, double pulse_mm, double lensEcho) {
@@ -41,6 +42,11 @@ double bubblesAt(double place_mm) {
   const int node = static_cast<int>(place);
   const auto at = [](int n) { return 2 * unitInterval(hashNode(n, 1, 0, 0)) - 1; };
   return at(node) + (place - node) * (at(node + 1) - at(node));
+}
+
+/// How far a place lies in the wedge of a strip at one end of the face; 0 without a strip.
+double within(double strip_mm, double fromEnd_mm) {
+  return strip_mm > 0 ? strip_mm + kWedgeInside_mm - fromEnd_mm : 0;
 }
 
 /// Running sums, for the mean over an aperture of either width. Elements beyond the ends do not exist.
@@ -81,8 +87,8 @@ void FaceEchoes::findContact(const Probe& probe, const ImagingSettings& settings
   const double spacing_mm = grid.scanlineSpacing_mm(0);
   std::vector<double> touching(columns_);
   for (int l = 0; l < columns_; ++l) {
-    const double left = settings.poorContactLeft_mm - l * spacing_mm;
-    const double right = settings.poorContactRight_mm - (columns_ - 1 - l) * spacing_mm;
+    const double left = within(settings.poorContactLeft_mm, l * spacing_mm);
+    const double right = within(settings.poorContactRight_mm, (columns_ - 1 - l) * spacing_mm);
     const double t = std::clamp(std::max(left, right) / kWedge_mm, 0.0, 1.0), open = t * t * (3 - 2 * t);
     const double ragged = open * (1 + kBubbles * (1 - open) * bubblesAt(l * spacing_mm));
     const double lifted = std::clamp(ragged, 0.0, 1.0);
@@ -94,7 +100,7 @@ void FaceEchoes::findContact(const Probe& probe, const ImagingSettings& settings
   contact_.emplace(static_cast<int>(plan.blocks.size()), columns_);
   for (int b = 0; b < contact_->rows(); ++b) {
     const double depth_mm = grid.range_mm(plan.blocks[b].first + 0.5 * (plan.blocks[b].count - 1));
-    // What is before the transmit focus is reached by those elements alone whose cone includes it.
+    // Only elements whose cone includes a point before the transmit focus reach it.
     const double sending_mm = std::clamp(std::min(depth_mm, settings.focus_mm) / probe.transmitFNumber, narrowest_mm,
                                          std::max(probe.maxAperture_mm, narrowest_mm));
     const double receiving_mm =

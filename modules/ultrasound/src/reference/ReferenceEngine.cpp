@@ -45,7 +45,7 @@ class EchoField {
   std::vector<Complex> values_;
 };
 
-/// What is left of the beam along every scanline of every elevation plane, and as the aperture sees it.
+/// Amplitude left of the beam along every scanline of every elevation plane, and as the aperture sees it.
 class BeamLevels {
  public:
   explicit BeamLevels(const FramePlan& plan)
