@@ -52,7 +52,7 @@ TEST_P(DynamicFilter, KeepsTheLevelOfAReflector) {
         sceneAround(probe, settings, 0.7, table, [](Vec3 p) { return p.z < 28 ? kSoftTissue : kMuscle; });
     return peakOf(scanline(render(probe, settings, scene), 48)).value;
   };
-  EXPECT_NEAR(level(1) / level(0), 1, 0.03);
+  EXPECT_NEAR(level(1) / level(0), 1, 0.05) << "its place between samples decides the rest";
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ struct Way {
 };
 
 // Why values may be off.
-inline constexpr double kVoxels_mm = 0.8;  // walls lie within a voxel of 0.5 x 0.5 x 0.75 mm, met aslant
+inline constexpr double kVoxels_mm = 1.0;  // walls lie within a voxel of 0.5 x 0.5 x 0.75 mm, met aslant
 inline constexpr double kVoxels_s = 0.1;   // the same at 10 mm/s, at one wall and at the other
 inline constexpr double kMiddle_mm = 0.6;  // the needle aims at the model's middle of a vein, whose walls are uneven
 inline constexpr double kTurn_mm = 1.5;    // ways are in steps of 0.5 mm: a turn loses one on either side; and a voxel

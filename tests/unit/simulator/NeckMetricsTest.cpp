@@ -90,7 +90,7 @@ TEST_F(NeckMetrics, PosteriorWall) {
 TEST_F(NeckMetrics, Pneumothorax) {
   const PatientCase patient = *makePhantom("subclavian", 1);
   const auto outcome = play("pneumothorax", patient);
-  const Vec3 from = inProbe(patient, 1, {-24, 0, -5}), to = inProbe(patient, 1, {-9, 0, 45});
+  const Vec3 from = inProbe(patient, 1, {-24, 0, -5}), to = inProbe(patient, 1, {-14, 0, 45});
   const Way way{patient, from, normalized(to - from)};
   const double skin = way.skin_mm(), front = way.until(kVein), back = way.until(kVein, false, front);
   const double lung = way.until(kAirway), in = skin + bend_mm(kSkin), toAccess_mm = front + bend_mm(kVein) - in;
