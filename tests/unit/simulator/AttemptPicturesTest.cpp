@@ -155,7 +155,8 @@ TEST_F(AttemptPicturesTest, ArePicturesOfTheCase) {
   int most = 0;
   for (std::size_t i = 0; i < expected.image.grey.size(); ++i)
     most = std::max(most, std::abs(int{(*frame)->image.grey[i]} - int{expected.image.grey[i]}));
-  EXPECT_LE(most, 3) << "of 255: scenes of another extent round otherwise";
+  EXPECT_LE(most, 5)
+      << "of 255: scenes of another extent round otherwise, and strands 30 dB over their surroundings show it";
 }
 
 /// A live picture that has come to rest, after the tissue was pressed and let go on its way there.
@@ -186,9 +187,9 @@ TEST_F(AttemptPicturesTest, LiveOnesAreNear) {
     sum += std::pow(seen->envelope.amplitude[i], 2);
   }
   RecordProperty("envelope_difference_percent", std::to_string(100 * std::sqrt(difference / sum)));
-  // Tissue that is solved from rest lies some micrometers elsewhere, which a beam of 0.35 mm shows more than a wide
-  // one.
-  EXPECT_LT(std::sqrt(difference / sum), 0.06);
+  // Tissue that is solved from rest lies some micrometers elsewhere. Strands of connective tissue are thin and bright:
+  // a gate beside one then lies on it or not.
+  EXPECT_LT(std::sqrt(difference / sum), 0.1);
 }
 
 /// While the picture stands still, the hands go on.

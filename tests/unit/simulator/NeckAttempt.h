@@ -83,6 +83,15 @@ struct Way {
     for (double s_mm = first_mm; s_mm < last_mm; s_mm += kStep_mm) way_mm += isShown(s_mm) ? kStep_mm : 0;
     return way_mm;
   }
+  /// How much earlier the needle meets what lies at a place of its way at rest, below a probe at this pose: where the
+  /// face does not reach the skin, gel and light pressure draw tissue to it, by gap * exp(-depth / 15 mm).
+  double drawn_mm(const Transform& patientFromProbe, double s_mm) const {
+    const Transform probeFromPatient = inverted(patientFromProbe);
+    const Vec3 at = probeFromPatient * (from_mm + axis * s_mm);
+    double gap_mm = 0;
+    while (gap_mm < 6 && labelAt(patientFromProbe * Vec3{at.x, at.y, gap_mm}) == kBackground) gap_mm += 0.02;
+    return gap_mm * std::exp(-at.z / 15) / dot(axis, patientFromProbe.linear * Vec3{0, 0, 1});
+  }
   /// Between needle and the plane through the skin 7 mm about its entry.
   double angle_deg() const {
     const Vec3 entry = from_mm + axis * skin_mm();
@@ -117,12 +126,12 @@ struct Way {
 };
 
 // Why values may be off.
-inline constexpr double kVoxels_mm = 1.0;  // walls lie within a voxel of 0.5 x 0.5 x 0.75 mm, met aslant
+inline constexpr double kVoxels_mm = 0.8;  // walls lie within a voxel of 0.5 x 0.5 x 0.75 mm, met aslant
 inline constexpr double kVoxels_s = 0.1;   // the same at 10 mm/s, at one wall and at the other
 inline constexpr double kMiddle_mm = 0.6;  // the needle aims at the model's middle of a vein, whose walls are uneven
 inline constexpr double kTurn_mm = 1.5;    // ways are in steps of 0.5 mm: a turn loses one on either side; and a voxel
 inline constexpr double kBack_mm = 0.3;    // pulled back as far behind its hole, the tip is out of it
-inline constexpr double kSlant_deg = 6;    // of uneven skin
+inline constexpr double kSlant_deg = 8;    // of uneven skin
 inline constexpr double kForce_N = 10;     // the probe's force is the tissue's, which is not worked out here
 
 /// The probe lies against the skin: it presses with some force, whichever.

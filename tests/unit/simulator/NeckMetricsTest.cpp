@@ -12,9 +12,11 @@ TEST_F(NeckMetrics, CleanSuccess) {
   const auto outcome = play("clean-success", patient);
   const Vec3 from = inProbe(patient, 1, {-22.7, 3.2, -4}), vein = patient.manifest.targets[0].position_mm;
   const Way way{patient, from, normalized(vein - from)};
-  const double skin = way.skin_mm(), front = way.until(kVein), in = skin + bend_mm(kSkin);
+  const Transform probe = startPose(patient, 1);
+  const double skin = way.skin_mm(), front = way.until(kVein);
+  const double in = skin - way.drawn_mm(probe, skin) + bend_mm(kSkin);
   ASSERT_GT(way.until(kVein, false, front), 32) << "the needle stops before the back wall";
-  const double toAccess_mm = front + bend_mm(kVein) - in;
+  const double toAccess_mm = front - way.drawn_mm(probe, front) + bend_mm(kVein) - in;
   expectMetrics(
       outcome.metrics,
       {{/* vein, artery, double */ {1},
@@ -53,7 +55,9 @@ TEST_F(NeckMetrics, PosteriorWall) {
   const Vec3 from = inProbe(patient, 1, {-22.7, 3.2, -4}), vein = patient.manifest.targets[0].position_mm;
   const Way way{patient, from, normalized(vein - from)};
   const double skin = way.skin_mm(), front = way.until(kVein), back = way.until(kVein, false, front);
-  const double in = skin + bend_mm(kSkin), toAccess_mm = front + bend_mm(kVein) - in;
+  const Transform probe = startPose(patient, 1);
+  const double in = skin - way.drawn_mm(probe, skin) + bend_mm(kSkin);
+  const double toAccess_mm = front - way.drawn_mm(probe, front) + bend_mm(kVein) - in;
   ASSERT_LT(back + bend_mm(kVein), 46);
   ASSERT_GT(back - 0.3, 36) << "pulled back into the vein";
   // The vein runs along the picture and rises by some degrees: as deep as it rests below the middle, less the slope.
