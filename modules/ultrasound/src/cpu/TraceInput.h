@@ -115,7 +115,7 @@ struct BlockEchoes {
   /// Scattering over what reaches a gate, [component][gate][kBlockLines], component = 2 * look + (0 re, 1 im).
   AlignedArray<float> echo;
   AlignedArray<float> boundaries;  ///< of all looks, as their own scanline reaches them, [gate][kBlockLines]
-  /// What is left in the middle of each gate in the central plane, without the needle's shadow, [gate][kBlockLines];
+  /// Level in the middle of each gate in the central plane, without the needle's shadow, [gate][kBlockLines];
   /// unused where there is no needle.
   AlignedArray<float> level_dB;
 };

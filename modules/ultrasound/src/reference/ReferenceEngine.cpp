@@ -96,7 +96,7 @@ class BeamLevels {
   std::vector<double> inside_, behind_, seen_;
 };
 
-/// What one scanline sends back, before the beam's point-spread function.
+/// Echoes of one scanline, before the beam's point-spread function.
 class LineTracer {
  public:
   LineTracer(const FramePlan& plan, const AcousticScene::Impl& scene, const TissueLookup& lookup,

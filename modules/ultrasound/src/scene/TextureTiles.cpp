@@ -94,7 +94,7 @@ TextureTile emptyTile(std::array<int, 3> size, Vec3 voxel_mm) {
   return {size, voxel_mm, std::vector<std::int8_t>(count(size))};
 }
 
-/// How many of the sheets of a field are seen, how far each is seen without a gap, and how thick they are.
+/// Shape of sheets: how they bend, how much of them is seen without a gap, and how thick they are.
 struct SheetLook {
   Vec3 bend_mm;     ///< SDs of the smoothing of the field whose zeros are the sheets
   Vec3 stretch_mm;  ///< SDs of that of the field by which they come and go
@@ -109,7 +109,7 @@ std::vector<float> sheetsOf(const TextureTile& tile, const SheetLook& look, std:
   const auto& size = tile.size;
   const std::vector<float> field = gaussianField(size, tile.voxel_mm, look.bend_mm, seed);
   const std::vector<float> presence = gaussianField(size, tile.voxel_mm, look.stretch_mm, seed + 1);
-  // The share of a normal variable above the threshold, by its quantile.
+  // The threshold above which the stated share of the field lies.
   std::vector<float> sorted = presence;
   const auto cut = sorted.begin() + std::ptrdiff_t(float(sorted.size() - 1) * (1 - look.share));
   std::nth_element(sorted.begin(), cut, sorted.end());
