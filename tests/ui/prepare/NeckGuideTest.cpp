@@ -80,22 +80,16 @@ TEST_F(GuidingANeck, DoneThroughTheWindowItReplaysByTheCommandToEveryVoxel) {
   openCase(begun);
   // Where the textbook neck has them.
   const auto whole = makePhantom("textbook", 1, {}, CtContrast::kArterial);
-  const auto middleAt = [&](std::uint8_t label, double z_mm) {
-    const Transform patientFromIndex = whole->labels.geometry.patientFromIndex();
-    Vec3 sum;
-    double n = 0;
-    const int k = int(std::lround((whole->labels.geometry.indexFromPatient() * Vec3{0, 0, z_mm}).z));
-    for (int j = 0; j < whole->labels.geometry.size[1]; ++j)
-      for (int i = 0; i < whole->labels.geometry.size[0]; ++i) {
-        const Vec3 p = patientFromIndex * Vec3{double(i), double(j), double(k)};
-        if (whole->labels.at(i, j, k) == label && p.x < 0) sum = sum + p, ++n;
-      }
-    return sum / n;
+  const auto middleAt = [&](std::string_view vessel, double z_mm) {
+    const auto& course = std::ranges::find(whole->manifest.vessels, vessel, &NamedVessel::name)->course;
+    return std::ranges::min(course, {}, [&](const auto& at) { return std::abs(at.position_mm.z - z_mm); }).position_mm;
   };
+  constexpr std::string_view kJugular = "right internal jugular vein", kCarotid = "right common carotid artery";
   const Vec3 target_mm = whole->manifest.targets.front().position_mm;
-  for (const auto& [step, label] : {std::pair{"vein-right", kVein}, {"artery-right", kArtery}}) {
+  for (const auto& [step, label, vessel] :
+       {std::tuple{"vein-right", kVein, kJugular}, {"artery-right", kArtery, kCarotid}}) {
     choose(step);
-    for (const double z : {-12.0, 0.0, 12.0}) click(middleAt(label, target_mm.z + z));
+    for (const double z : {-12.0, 0.0, 12.0}) click(middleAt(vessel, target_mm.z + z));
     run();
     EXPECT_GT(count(label), 200u) << step << ": " << child<QLabel>("guideTold")->text().toStdString();
   }
@@ -114,7 +108,7 @@ TEST_F(GuidingANeck, DoneThroughTheWindowItReplaysByTheCommandToEveryVoxel) {
               testing::ElementsAre("right internal jugular vein", "right common carotid artery"));
   choose("vein-right");
   child<QPushButton>("guideCorrect")->click();
-  drag(middleAt(kVein, target_mm.z), middleAt(kVein, target_mm.z) + Vec3{-6, 0, 0});
+  drag(middleAt(kJugular, target_mm.z), middleAt(kJugular, target_mm.z) + Vec3{-6, 0, 0});
   choose("automatic");
   run();  // all that was made after it is made again
   EXPECT_EQ(session_->labelling().recipe().steps.size(), 3u) << "the CT tells what is there already";
