@@ -99,7 +99,7 @@ Result<void> check(const CheckArguments& a) {
   if (!read) return tl::unexpected(read.error());
   auto findings = checkCase(read->patient, terminalProgress());
   if (!findings) return tl::unexpected(findings.error());
-  for (const std::string& note : read->notes) findings->push_back({Severity::kInfo, "read_note", note});
+  for (const std::string& note : read->notes) findings->push_back({FindingSeverity::kInfo, "read_note", note});
   print(read->patient, *findings, a.asJson);
   return {};
 }
@@ -115,7 +115,7 @@ void addCheckCommand(CLI::App& app, Outcome& outcome) {
   command->callback([a, &outcome] {
     outcome.json = a->asJson;
     if (auto done = check(*a); !done)
-      refuse(outcome, done.error(), toJson({{Severity::kError, "unreadable", done.error().message}}));
+      refuse(outcome, done.error(), toJson({{FindingSeverity::kError, "unreadable", done.error().message}}));
   });
 }
 

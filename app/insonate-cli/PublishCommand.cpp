@@ -23,7 +23,7 @@ Result<void> checkIsFit(const PatientCase& patient, const std::string& folder) {
   if (isFit(*findings)) return {};
   std::string reasons;
   for (const Finding& finding : *findings)
-    if (finding.severity == Severity::kError) reasons += "\n  " + finding.text;
+    if (finding.severity == FindingSeverity::kError) reasons += "\n  " + finding.text;
   return fail("The case " + folder + " is not fit for training, and is not published:" + reasons);
 }
 

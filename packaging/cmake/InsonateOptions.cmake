@@ -11,7 +11,8 @@ set(INSONATE_SANITIZE "" CACHE STRING "Sanitizers, as in -fsanitize=; empty for 
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+  # Without this ccache passes files with a precompiled header on to the compiler.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE_PROGRAM})
 endif()
 
 # Engines must agree to the last bits, and GCC would contract a*b+c on its own.

@@ -15,7 +15,7 @@
 namespace insonate::prepare {
 namespace {
 
-using State = CaseMeasuring::State;
+using MeasuringState = CaseMeasuring::State;
 using test::kPatience_ms;
 
 std::shared_ptr<const PatientCase> patient() {
@@ -36,7 +36,7 @@ void occupy(ui::TaskBar& tasks) {
 struct Bench {
   ui::TaskBar tasks;
   CaseMeasuring measuring{tasks, nullptr};
-  bool reaches(State state) {
+  bool reaches(MeasuringState state) {
     return QTest::qWaitFor([&] { return measuring.state() == state; }, kPatience_ms);
   }
 };
@@ -44,15 +44,15 @@ struct Bench {
 TEST(Measuring, CountsAndChecks) {
   Bench b;
   b.measuring.setAllowed(true);
-  EXPECT_EQ(b.measuring.state(), State::Idle);
+  EXPECT_EQ(b.measuring.state(), MeasuringState::Idle);
   const auto block = patient();
   b.measuring.setCase(block);
-  ASSERT_TRUE(b.reaches(State::Done));
+  ASSERT_TRUE(b.reaches(MeasuringState::Done));
   EXPECT_EQ(b.measuring.measures()->statistics.voxels[kVein],
             std::size_t(std::ranges::count(block->labels.voxels, kVein)));
   EXPECT_EQ(b.measuring.measures()->findings.size(), checkCase(*block)->size());
   b.measuring.setCase(nullptr);
-  EXPECT_EQ(b.measuring.state(), State::Idle);
+  EXPECT_EQ(b.measuring.state(), MeasuringState::Idle);
   EXPECT_FALSE(b.measuring.measures());
 }
 
@@ -60,9 +60,9 @@ TEST(Measuring, WaitsUntilItIsAllowed) {
   Bench b;
   b.measuring.setCase(patient());
   QTest::qWait(50);
-  EXPECT_EQ(b.measuring.state(), State::Waiting);
+  EXPECT_EQ(b.measuring.state(), MeasuringState::Waiting);
   b.measuring.setAllowed(true);
-  EXPECT_TRUE(b.reaches(State::Done));
+  EXPECT_TRUE(b.reaches(MeasuringState::Done));
 }
 
 TEST(Measuring, TakesItsTurnAfterOtherWork) {
@@ -71,35 +71,35 @@ TEST(Measuring, TakesItsTurnAfterOtherWork) {
   occupy(b.tasks);
   b.measuring.setCase(patient());
   QTest::qWait(50);
-  EXPECT_EQ(b.measuring.state(), State::Waiting) << "what runs is not interrupted";
+  EXPECT_EQ(b.measuring.state(), MeasuringState::Waiting) << "what runs is not interrupted";
   b.tasks.cancel();
-  EXPECT_TRUE(b.reaches(State::Done));
+  EXPECT_TRUE(b.reaches(MeasuringState::Done));
 }
 
 TEST(Measuring, BeginsAgainAfterWorkThatTookItsPlace) {
   Bench b;
   b.measuring.setAllowed(true);
   b.measuring.setCase(patient());
-  ASSERT_TRUE(b.reaches(State::Running));
+  ASSERT_TRUE(b.reaches(MeasuringState::Running));
   occupy(b.tasks);
   QTest::qWait(50);
-  EXPECT_EQ(b.measuring.state(), State::Waiting);
+  EXPECT_EQ(b.measuring.state(), MeasuringState::Waiting);
   b.tasks.cancel();
-  EXPECT_TRUE(b.reaches(State::Done));
+  EXPECT_TRUE(b.reaches(MeasuringState::Done));
 }
 
 TEST(Measuring, TheUsersCancelEndsItUntilAsked) {
   Bench b;
   b.measuring.setAllowed(true);
   b.measuring.setCase(patient());
-  ASSERT_TRUE(b.reaches(State::Running));
+  ASSERT_TRUE(b.reaches(MeasuringState::Running));
   b.tasks.cancel();
-  ASSERT_TRUE(b.reaches(State::Stopped));
+  ASSERT_TRUE(b.reaches(MeasuringState::Stopped));
   EXPECT_FALSE(b.measuring.trouble().isEmpty());
   QTest::qWait(50);
-  EXPECT_EQ(b.measuring.state(), State::Stopped);
+  EXPECT_EQ(b.measuring.state(), MeasuringState::Stopped);
   b.measuring.start();
-  EXPECT_TRUE(b.reaches(State::Done));
+  EXPECT_TRUE(b.reaches(MeasuringState::Done));
 }
 
 TEST(Measuring, LetsGoOfLabelsThatAreEdited) {
@@ -109,14 +109,14 @@ TEST(Measuring, LetsGoOfLabelsThatAreEdited) {
   b.measuring.setCase(block);
   auto labels = std::make_shared<const LabelMap>(block->labels);
   b.measuring.setLabels(labels);
-  ASSERT_TRUE(b.reaches(State::Running));
+  ASSERT_TRUE(b.reaches(MeasuringState::Running));
   const std::weak_ptr<const LabelMap> held = std::exchange(labels, nullptr);
   b.measuring.awaitLabels();
   EXPECT_TRUE(QTest::qWaitFor([&] { return held.expired(); }, kPatience_ms));
   QTest::qWait(50);
-  EXPECT_EQ(b.measuring.state(), State::Waiting);
+  EXPECT_EQ(b.measuring.state(), MeasuringState::Waiting);
   b.measuring.setLabels(std::make_shared<const LabelMap>(block->labels));
-  EXPECT_TRUE(b.reaches(State::Done));
+  EXPECT_TRUE(b.reaches(MeasuringState::Done));
 }
 
 TEST(Measuring, GoesWhileItRuns) {
@@ -124,7 +124,7 @@ TEST(Measuring, GoesWhileItRuns) {
   auto measuring = std::make_unique<CaseMeasuring>(tasks, nullptr);
   measuring->setAllowed(true);
   measuring->setCase(patient());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return measuring->state() == State::Running; }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return measuring->state() == MeasuringState::Running; }, kPatience_ms));
   measuring.reset();
   EXPECT_TRUE(QTest::qWaitFor([&] { return !tasks.isRunning(); }, kPatience_ms));
 }

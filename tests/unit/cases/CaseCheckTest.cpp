@@ -15,7 +15,7 @@ std::vector<Finding> findingsOf(const PatientCase& patient) {
   return *findings;
 }
 
-bool has(const std::vector<Finding>& findings, const std::string& code, Severity severity) {
+bool has(const std::vector<Finding>& findings, const std::string& code, FindingSeverity severity) {
   return std::ranges::any_of(findings, [&](const Finding& f) { return f.code == code && f.severity == severity; });
 }
 
@@ -39,7 +39,7 @@ TEST(CaseCheck, LabelsOfTheAuthorsOwnAreWhatTheyAreMadeOf) {
   PatientCase patient = test::cylinderNeck();
   for (std::uint8_t& label : patient.labels.voxels)
     if (label == kVein) label = 100;
-  EXPECT_TRUE(has(findingsOf(patient), "no_vein", Severity::kError));
+  EXPECT_TRUE(has(findingsOf(patient), "no_vein", FindingSeverity::kError));
   patient.manifest.ownLabels = {{100, {"right jugular", kVein}}};
   EXPECT_EQ(codes(findingsOf(patient)), "") << "the same case to a trainee";
 }
@@ -47,7 +47,7 @@ TEST(CaseCheck, LabelsOfTheAuthorsOwnAreWhatTheyAreMadeOf) {
 /// One thing wrong with a good case, and what must be found.
 struct Defect {
   const char* code;
-  Severity severity;
+  FindingSeverity severity;
   std::function<void(PatientCase&)> apply;
 };
 
@@ -58,7 +58,7 @@ TEST_P(CaseDefect, IsFound) {
   GetParam().apply(patient);
   const auto findings = findingsOf(patient);
   EXPECT_TRUE(has(findings, GetParam().code, GetParam().severity)) << codes(findings);
-  EXPECT_EQ(isFit(findings), GetParam().severity != Severity::kError) << codes(findings);
+  EXPECT_EQ(isFit(findings), GetParam().severity != FindingSeverity::kError) << codes(findings);
 }
 
 void fillVein(PatientCase& p, int fromK, int toK, std::uint8_t with) {
@@ -69,98 +69,98 @@ void fillVein(PatientCase& p, int fromK, int toK, std::uint8_t with) {
 }
 
 const Defect kDefects[] = {
-    {"labels_empty", Severity::kError, [](PatientCase& p) { p.labels = LabelMap(p.ct.geometry); }},
-    {"no_vein", Severity::kError, [](PatientCase& p) { relabel(p, kVein, kMuscle); }},
-    {"no_artery", Severity::kError, [](PatientCase& p) { relabel(p, kArtery, kMuscle); }},
-    {"no_skin", Severity::kError, [](PatientCase& p) { relabel(p, kSkin, kMuscle); }},
-    {"no_bone", Severity::kWarning, [](PatientCase& p) { relabel(p, kBone, kSoftTissue); }},
-    {"unknown_label", Severity::kError, [](PatientCase& p) { p.labels.at(60, 60, 30) = 77; }},
-    {"hu_implausible", Severity::kError,
+    {"labels_empty", FindingSeverity::kError, [](PatientCase& p) { p.labels = LabelMap(p.ct.geometry); }},
+    {"no_vein", FindingSeverity::kError, [](PatientCase& p) { relabel(p, kVein, kMuscle); }},
+    {"no_artery", FindingSeverity::kError, [](PatientCase& p) { relabel(p, kArtery, kMuscle); }},
+    {"no_skin", FindingSeverity::kError, [](PatientCase& p) { relabel(p, kSkin, kMuscle); }},
+    {"no_bone", FindingSeverity::kWarning, [](PatientCase& p) { relabel(p, kBone, kSoftTissue); }},
+    {"unknown_label", FindingSeverity::kError, [](PatientCase& p) { p.labels.at(60, 60, 30) = 77; }},
+    {"hu_implausible", FindingSeverity::kError,
      [](PatientCase& p) {
        for (std::size_t v = 0; v < p.ct.voxels.size(); ++v)
          if (p.labels.voxels[v] == kBone) p.ct.voxels[v] = -1000;
      }},
-    {"labels_in_air", Severity::kWarning,
+    {"labels_in_air", FindingSeverity::kWarning,
      [](PatientCase& p) {
        for (int k = 0; k < 61; ++k)
          for (int j = 0; j < 5; ++j)
            for (int i = 0; i < 20; ++i) p.labels.at(i, j, k) = kMuscle;
      }},
-    {"ct_flat", Severity::kError, [](PatientCase& p) { std::ranges::fill(p.ct.voxels, std::int16_t{40}); }},
-    {"skin_open", Severity::kWarning,
+    {"ct_flat", FindingSeverity::kError, [](PatientCase& p) { std::ranges::fill(p.ct.voxels, std::int16_t{40}); }},
+    {"skin_open", FindingSeverity::kWarning,
      [](PatientCase& p) {
        for (int k = 20; k < 40; ++k)
          for (int i = 40; i < 80; ++i)
            for (int j = 0; j < 30; ++j)
              if (p.labels.at(i, j, k) == kSkin) p.labels.at(i, j, k) = kMuscle;
      }},
-    {"background_inside", Severity::kWarning, [](PatientCase& p) { relabel(p, kAirway, kBackground); }},
-    {"vein_broken", Severity::kWarning, [](PatientCase& p) { fillVein(p, 10, 14, kMuscle); }},
-    {"vein_fragments", Severity::kWarning, [](PatientCase& p) { p.labels.at(80, 80, 30) = kVein; }},
-    {"vein_thin", Severity::kWarning,
+    {"background_inside", FindingSeverity::kWarning, [](PatientCase& p) { relabel(p, kAirway, kBackground); }},
+    {"vein_broken", FindingSeverity::kWarning, [](PatientCase& p) { fillVein(p, 10, 14, kMuscle); }},
+    {"vein_fragments", FindingSeverity::kWarning, [](PatientCase& p) { p.labels.at(80, 80, 30) = kVein; }},
+    {"vein_thin", FindingSeverity::kWarning,
      [](PatientCase& p) {
        fillVein(p, 0, 61, kMuscle);
        for (int k = 0; k < 61; ++k) p.labels.at(30, 38, k) = kVein;
      }},
-    {"no_target", Severity::kWarning, [](PatientCase& p) { p.manifest.targets.clear(); }},
-    {"target_label", Severity::kError,
+    {"no_target", FindingSeverity::kWarning, [](PatientCase& p) { p.manifest.targets.clear(); }},
+    {"target_label", FindingSeverity::kError,
      [](PatientCase& p) {
        p.manifest.targets[0].position_mm = {0, 0, 0};
      }},
-    {"target_outside", Severity::kError,
+    {"target_outside", FindingSeverity::kError,
      [](PatientCase& p) {
        p.manifest.targets[0].position_mm = {0, 0, 500};
      }},
-    {"no_vessel_names", Severity::kInfo, [](PatientCase& p) { p.manifest.vessels.clear(); }},
-    {"target_without_vessel", Severity::kInfo,
+    {"no_vessel_names", FindingSeverity::kInfo, [](PatientCase& p) { p.manifest.vessels.clear(); }},
+    {"target_without_vessel", FindingSeverity::kInfo,
      [](PatientCase& p) {
        for (auto& point : p.manifest.vessels[0].course) point.position_mm.x += 30;
      }},
-    {"vessel_elsewhere", Severity::kWarning, [](PatientCase& p) { p.manifest.vessels[0].label = kArtery; }},
-    {"no_start_pose", Severity::kInfo, [](PatientCase& p) { p.manifest.startPoses.clear(); }},
-    {"pose_off_skin", Severity::kWarning,
+    {"vessel_elsewhere", FindingSeverity::kWarning, [](PatientCase& p) { p.manifest.vessels[0].label = kArtery; }},
+    {"no_start_pose", FindingSeverity::kInfo, [](PatientCase& p) { p.manifest.startPoses.clear(); }},
+    {"pose_off_skin", FindingSeverity::kWarning,
      [](PatientCase& p) {
        p.manifest.startPoses[0].position_mm = {0, -10, 0};
      }},
-    {"pose_outside", Severity::kError,
+    {"pose_outside", FindingSeverity::kError,
      [](PatientCase& p) {
        p.manifest.startPoses[0].position_mm = {0, -90, 0};
      }},
-    {"vein_short", Severity::kWarning,
+    {"vein_short", FindingSeverity::kWarning,
      [](PatientCase& p) {
        fillVein(p, 0, 27, kMuscle);
        fillVein(p, 34, 61, kMuscle);
      }},
-    {"no_wall", Severity::kWarning,
+    {"no_wall", FindingSeverity::kWarning,
      [](PatientCase& p) {
        for (int k = 20; k < 40; ++k)
          for (int j = 38; j < 42; ++j)
            for (int i = 36; i < 42; ++i)
              if (p.labels.at(i, j, k) == kMuscle) p.labels.at(i, j, k) = kArtery;
      }},
-    {"label_outside", Severity::kWarning,
+    {"label_outside", FindingSeverity::kWarning,
      [](PatientCase& p) {
        for (int i = 0; i < 30; ++i) p.labels.at(i, 2, 30) = kMuscle;
      }},
-    {"islands", Severity::kInfo,
+    {"islands", FindingSeverity::kInfo,
      [](PatientCase& p) {
        for (int i = 40; i < 80; i += 2)
          for (int k = 2; k < 60; k += 4) p.labels.at(i, 90, k) = kThyroid;
      }},
-    {"landmarks_missing", Severity::kInfo, [](PatientCase& p) { p.manifest.landmarks.pop_back(); }},
-    {"landmark_outside", Severity::kWarning,
+    {"landmarks_missing", FindingSeverity::kInfo, [](PatientCase& p) { p.manifest.landmarks.pop_back(); }},
+    {"landmark_outside", FindingSeverity::kWarning,
      [](PatientCase& p) {
        p.manifest.landmarks[1].position_mm = {0, 0, 300};
      }},
-    {"landmark_off_skin", Severity::kWarning,
+    {"landmark_off_skin", FindingSeverity::kWarning,
      [](PatientCase& p) {
        p.manifest.landmarks[0].position_mm = {0, 0, 0};
      }},
-    {"difficulty_ungraded", Severity::kInfo, [](PatientCase& p) { p.manifest.difficulty.clear(); }},
-    {"difficulty_differs", Severity::kInfo, [](PatientCase& p) { p.manifest.difficulty = "hard"; }},
-    {"spacing_coarse", Severity::kWarning,
+    {"difficulty_ungraded", FindingSeverity::kInfo, [](PatientCase& p) { p.manifest.difficulty.clear(); }},
+    {"difficulty_differs", FindingSeverity::kInfo, [](PatientCase& p) { p.manifest.difficulty = "hard"; }},
+    {"spacing_coarse", FindingSeverity::kWarning,
      [](PatientCase& p) { p.ct.geometry.spacing_mm.z = p.labels.geometry.spacing_mm.z = 4.25; }},
-    {"spacing_coarse", Severity::kError,
+    {"spacing_coarse", FindingSeverity::kError,
      [](PatientCase& p) { p.ct.geometry.spacing_mm.z = p.labels.geometry.spacing_mm.z = 15; }},
 };
 
@@ -207,7 +207,7 @@ TEST(CaseCheck, OneSliceIsTooThin) {
   patient.ct = CtVolume(test::grid({64, 64, 1}), 40);
   patient.labels = LabelMap(patient.ct.geometry, kMuscle);
   const auto findings = findingsOf(patient);
-  EXPECT_TRUE(has(findings, "volume_thin", Severity::kError)) << codes(findings);
+  EXPECT_TRUE(has(findings, "volume_thin", FindingSeverity::kError)) << codes(findings);
 }
 
 TEST(CaseCheck, SmallVolumeIsTooSmall) {
@@ -215,8 +215,8 @@ TEST(CaseCheck, SmallVolumeIsTooSmall) {
   patient.ct = CtVolume(test::grid({64, 64, 10}), 40);
   patient.labels = LabelMap(patient.ct.geometry, kMuscle);
   const auto findings = findingsOf(patient);
-  EXPECT_TRUE(has(findings, "volume_small", Severity::kError)) << codes(findings);
-  EXPECT_TRUE(has(findings, "cut_at_side", Severity::kInfo)) << codes(findings);
+  EXPECT_TRUE(has(findings, "volume_small", FindingSeverity::kError)) << codes(findings);
+  EXPECT_TRUE(has(findings, "cut_at_side", FindingSeverity::kInfo)) << codes(findings);
 }
 
 TEST(CaseCheck, TwoVesselsSideBySideAreNotBroken) {
@@ -224,7 +224,7 @@ TEST(CaseCheck, TwoVesselsSideBySideAreNotBroken) {
   for (int k = 0; k < 61; ++k)
     for (int j = 60; j < 70; ++j)
       for (int i = 90; i < 100; ++i) patient.labels.at(i, j, k) = kVein;
-  EXPECT_FALSE(has(findingsOf(patient), "vein_broken", Severity::kWarning));
+  EXPECT_FALSE(has(findingsOf(patient), "vein_broken", FindingSeverity::kWarning));
 }
 
 TEST(CaseCheck, CancelsWhenAsked) {

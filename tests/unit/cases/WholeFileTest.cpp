@@ -17,7 +17,7 @@ using testing::Not;
 using testing::internal::CaptureStderr;
 using testing::internal::GetCapturedStderr;
 
-const VolumeGeometry kGrid = test::grid({20, 15, 12}, {0.5, 0.75, 2}, {-10, 20, 30});
+const VolumeGeometry kLargeGrid = test::grid({20, 15, 12}, {0.5, 0.75, 2}, {-10, 20, 30});
 
 std::string gzipped(const std::string& bytes, int windowBits) {
   z_stream stream{};
@@ -58,8 +58,8 @@ class WholeFile : public testing::Test {
     }
   }
   test::TemporaryFolder folder;
-  const CtVolume ct = test::noiseCt(kGrid);
-  const std::string meta = test::metaHeader(kGrid, "1 0 0 0 1 0 0 0 1");
+  const CtVolume ct = test::noiseCt(kLargeGrid);
+  const std::string meta = test::metaHeader(kLargeGrid, "1 0 0 0 1 0 0 0 1");
   const std::string voxels = test::bytesOf(ct.voxels);
 };
 
@@ -114,7 +114,7 @@ TEST_F(WholeFile, MetaImageInTwoFiles) {
 TEST_F(WholeFile, CompressedMetaImage) {
   const std::string compressed = zlibbed(voxels);
   const std::string size = "CompressedData = True\nCompressedDataSize = " + std::to_string(compressed.size()) + "\n";
-  const std::string header = test::metaHeader(kGrid, "1 0 0 0 1 0 0 0 1", "MET_SHORT", size);
+  const std::string header = test::metaHeader(kLargeGrid, "1 0 0 0 1 0 0 0 1", "MET_SHORT", size);
   expectCutIsNoticed("a.mha", header + "ElementDataFile = LOCAL\n" + compressed);
   test::writeText(folder / "b.mhd", header + "ElementDataFile = b.zraw\n");
   expectCutIsNoticed("b.mhd", compressed, "b.zraw");
@@ -149,14 +149,14 @@ TEST_F(WholeFile, NiftiWithoutAFrameIsNoted) {
 
 TEST_F(WholeFile, VoxelsThatNoScannerMakesAreRefusedBeforeTheyAreRead) {
   // The voxels are missing: were they read first, that would be the reason.
-  VolumeGeometry metres = kGrid;
+  VolumeGeometry metres = kLargeGrid;
   metres.spacing_mm = {0.5, 0.0015, 2};
   test::writeText(folder / "a.mha", test::metaHeader(metres, "1 0 0 0 1 0 0 0 1") + "ElementDataFile = LOCAL\n");
   EXPECT_THAT(importSeries(folder / "a.mha").error().message, AllOf(HasSubstr("0.0015 mm"), HasSubstr("metres?")));
 }
 
 TEST_F(WholeFile, ALabelMapIsNoCt) {
-  CtVolume labels(kGrid);
+  CtVolume labels(kLargeGrid);
   for (std::size_t v = 0; v < labels.voxels.size(); ++v) labels.voxels[v] = static_cast<std::int16_t>(v % 120);
   test::writeText(folder / "a.nii", test::niftiOf(labels, test::kRas, 1, 0));
   EXPECT_THAT(importSeries(folder / "a.nii").error().message, AllOf(HasSubstr("120"), HasSubstr("label map")));

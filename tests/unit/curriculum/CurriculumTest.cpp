@@ -14,7 +14,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// A curriculum of two levels, with a piece of its text replaced.
-std::string with(const std::string& piece, const std::string& other) {
+std::string courseWith(const std::string& piece, const std::string& other) {
   std::string text = R"({"name": "course", "title": "A course", "version": 2, "levels": [
     {"name": "first", "title": "First", "about": "Begin.", "case": "textbook", "procedure": "internal_jugular",
      "position": "supine", "assistance": "guided", "prerequisites": [],
@@ -37,7 +37,7 @@ std::string refusalOf(const std::string& text) {
 }
 
 TEST(Curriculum, IsReadAsItIsWritten) {
-  const auto curriculum = parseCurriculum(with("first", "first"));
+  const auto curriculum = parseCurriculum(courseWith("first", "first"));
   ASSERT_TRUE(curriculum) << curriculum.error().message;
   EXPECT_EQ(curriculum->version, 2);
   const Level& level = curriculum->levels.at(0);
@@ -58,7 +58,8 @@ TEST(Curriculum, IsReadAsItIsWritten) {
 }
 
 TEST(Curriculum, ItsTextIsReadAsTheSame) {
-  for (const std::string& text : {with("first", "first"), with("\"A course\"", R"("A \u00e4 \"course\"")")}) {
+  for (const std::string& text :
+       {courseWith("first", "first"), courseWith("\"A course\"", R"("A \u00e4 \"course\"")")}) {
     const auto curriculum = parseCurriculum(text);
     ASSERT_TRUE(curriculum) << curriculum.error().message;
     const auto again = parseCurriculum(curriculumText(*curriculum));
@@ -101,7 +102,7 @@ TEST(Curriculum, BadInputIsToldWhereAndWhatElse) {
            {"\"name\": \"second\"", "\"name\": \"first\"", "level 'first' is there twice"},
            {"\"pass\": {}", "\"pass\": []", "level 'second', pass, must be an object"},
            {"\"case\"", "\"caes\"", "level 'first' has an unknown 'caes'; did you mean 'case'?"}})
-    EXPECT_THAT(refusalOf(with(c.piece, c.other)), HasSubstr(c.sentence)) << c.other;
+    EXPECT_THAT(refusalOf(courseWith(c.piece, c.other)), HasSubstr(c.sentence)) << c.other;
   EXPECT_THAT(refusalOf(R"({"name": "c", "title": "C", "version": 1})"), HasSubstr("has no levels"));
   EXPECT_THAT(refusalOf("[]"), HasSubstr("must be an object"));
   EXPECT_THAT(refusalOf("{\"name\": " + std::string(100'000, '[')), HasSubstr("is not JSON"));
@@ -137,7 +138,7 @@ TEST(Curriculum, FilesAndNames) {
   EXPECT_EQ(curriculumPresetNames(), std::vector<std::string>{"central_line"});
   EXPECT_THAT(loadCurriculum("centralline").error().message, HasSubstr("did you mean 'central_line'?"));
   const test::TemporaryFolder folder;
-  std::ofstream(folder / "c.json") << with("first", "first");
+  std::ofstream(folder / "c.json") << courseWith("first", "first");
   EXPECT_TRUE(loadCurriculum((folder / "c.json").string()));
   std::ofstream(folder / "d.json") << "{}";
   EXPECT_THAT(loadCurriculum((folder / "d.json").string()).error().message,

@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// A form of four items, with a piece of its text replaced.
-std::string with(const std::string& piece, const std::string& other) {
+std::string formWith(const std::string& piece, const std::string& other) {
   std::string text = R"({"name": "f", "title": "A form", "version": 3, "purpose": "checklist",
     "scales": [{"name": "done", "options": [{"name": "yes", "title": "Done", "points": 1},
       {"name": "no", "title": "Not done", "points": 0}, {"name": "not_seen", "title": "Not seen"}]}],
@@ -29,7 +29,7 @@ std::string with(const std::string& piece, const std::string& other) {
 }
 
 Form form() {
-  const auto parsed = parseForm(with("checklist", "checklist"));
+  const auto parsed = parseForm(formWith("checklist", "checklist"));
   EXPECT_TRUE(parsed) << (parsed ? "" : parsed.error().message);
   return parsed ? *parsed : Form{};
 }
@@ -63,7 +63,7 @@ TEST(Form, BadInputIsToldWhereAndWhatElse) {
            {"\"years\"", "\"asepsis\"", "item 'asepsis' is there twice"},
            {"{\"name\": \"no\"", "{\"name\": \"yes\"", "option 'yes' is there twice"},
            {"\"points\": 5", "\"points\": \"five\"", "needs a number from -1000 to 1000 as 'points'"}}) {
-    const auto parsed = parseForm(with(c.piece, c.other));
+    const auto parsed = parseForm(formWith(c.piece, c.other));
     ASSERT_FALSE(parsed) << c.other;
     EXPECT_THAT(parsed.error().message, HasSubstr(c.sentence));
   }

@@ -23,7 +23,7 @@ AttemptFacts plausible() {
   return facts;
 }
 
-AttemptFacts with(AttemptFacts facts, std::string_view metric, std::optional<double> value) {
+AttemptFacts withValue(AttemptFacts facts, std::string_view metric, std::optional<double> value) {
   std::ranges::find(facts.metrics, metric, &MetricFact::id)->value = value;
   return facts;
 }
@@ -39,42 +39,43 @@ TEST(Implausible, WhatHandsDoIsNotFlagged) {
 }
 
 TEST(Implausible, AProbeThatDidNothing) {
-  const AttemptFacts blind = with(plausible(), "tip_in_picture_percent", std::nullopt);
+  const AttemptFacts blind = withValue(plausible(), "tip_in_picture_percent", std::nullopt);
   EXPECT_THAT(implausibilities(blind), ElementsAre(WithoutProbe));
-  EXPECT_THAT(implausibilities(with(blind, "probe_path_mm", std::nullopt)), ElementsAre(WithoutProbe));
-  EXPECT_THAT(implausibilities(with(blind, "probe_path_mm", 0.5)), IsEmpty());
-  EXPECT_THAT(implausibilities(with(blind, "vein_checks", 1.0)), IsEmpty()) << "it found the vein before";
+  EXPECT_THAT(implausibilities(withValue(blind, "probe_path_mm", std::nullopt)), ElementsAre(WithoutProbe));
+  EXPECT_THAT(implausibilities(withValue(blind, "probe_path_mm", 0.5)), IsEmpty());
+  EXPECT_THAT(implausibilities(withValue(blind, "vein_checks", 1.0)), IsEmpty()) << "it found the vein before";
   AttemptFacts abandoned = blind;
   abandoned.state = AttemptState::Abandoned;
   EXPECT_THAT(implausibilities(abandoned), IsEmpty());
 }
 
 TEST(Implausible, LimitsOfTime) {
-  EXPECT_THAT(implausibilities(with(plausible(), "time_to_vein_s", 1.5)), ElementsAre(FastToVein));
-  EXPECT_THAT(implausibilities(with(plausible(), "time_to_vein_s", kFastToVein_s)), IsEmpty());
-  EXPECT_THAT(implausibilities(with(plausible(), "time_to_vein_s", std::nullopt)), IsEmpty()) << "it never got there";
+  EXPECT_THAT(implausibilities(withValue(plausible(), "time_to_vein_s", 1.5)), ElementsAre(FastToVein));
+  EXPECT_THAT(implausibilities(withValue(plausible(), "time_to_vein_s", kFastToVein_s)), IsEmpty());
+  EXPECT_THAT(implausibilities(withValue(plausible(), "time_to_vein_s", std::nullopt)), IsEmpty())
+      << "it never got there";
   AttemptFacts brief = plausible();
   brief.length_us = 9'999'999;
   EXPECT_THAT(implausibilities(brief), ElementsAre(Short));
   brief.length_us = 10'000'000;
   EXPECT_THAT(implausibilities(brief), IsEmpty());
-  EXPECT_EQ(wordsOf(FastToVein, with(plausible(), "time_to_vein_s", 1.5)), "skin to vein in 1.5\u00a0s");
+  EXPECT_EQ(wordsOf(FastToVein, withValue(plausible(), "time_to_vein_s", 1.5)), "skin to vein in 1.5\u00a0s");
   EXPECT_EQ(idOf(FastToVein), "fast_to_vein");
 }
 
 TEST(Implausible, ANeedleThatGotThereWithoutMoving) {
-  EXPECT_THAT(implausibilities(with(plausible(), "needle_path_mm", 0.0)), ElementsAre(WithoutNeedlePath));
-  EXPECT_THAT(implausibilities(with(plausible(), "needle_path_mm", std::nullopt)), ElementsAre(WithoutNeedlePath));
+  EXPECT_THAT(implausibilities(withValue(plausible(), "needle_path_mm", 0.0)), ElementsAre(WithoutNeedlePath));
+  EXPECT_THAT(implausibilities(withValue(plausible(), "needle_path_mm", std::nullopt)), ElementsAre(WithoutNeedlePath));
 }
 
 TEST(Implausible, ValuesOfAnEarlierAttemptToTheLastDigit) {
   PlausibilityCheck check;
   EXPECT_THAT(check.take(plausible()), IsEmpty());
-  EXPECT_THAT(check.take(with(plausible(), "needle_path_mm", 31.0000001)), IsEmpty());
+  EXPECT_THAT(check.take(withValue(plausible(), "needle_path_mm", 31.0000001)), IsEmpty());
   AttemptFacts other = plausible();
   other.person = "another", other.id = "another";
   EXPECT_THAT(check.take(other), ElementsAre(SameValues));
-  AttemptFacts nothing = with(plausible(), "passes", 0.0);
+  AttemptFacts nothing = withValue(plausible(), "passes", 0.0);
   nothing.state = AttemptState::Abandoned;
   EXPECT_THAT(check.take(nothing), IsEmpty());
   EXPECT_THAT(check.take(nothing), IsEmpty()) << "before the skin much is the same";

@@ -18,7 +18,7 @@ MetricStandard atMost(const std::string& metric, double most, const std::string&
   return {metric, 1, std::nullopt, most, otherwise, ""};
 }
 
-AttemptFacts with(AttemptFacts attempt, const std::string& metric, std::optional<double> value, int version = 1) {
+AttemptFacts withMetric(AttemptFacts attempt, const std::string& metric, std::optional<double> value, int version = 1) {
   attempt.metrics.push_back({metric, version, value});
   return attempt;
 }
@@ -37,13 +37,13 @@ TEST(Judgement, AnAttemptWithoutRulesPassesBySucceeding) {
 
 TEST(Judgement, AMissingOrOtherValueDoesNotMeetAStandard) {
   const PassRule rule{std::nullopt, {atMost("passes", 2, "too many")}, 100};
-  EXPECT_TRUE(judge(rule, with(passedAttempt("a"), "passes", 2)).passed);
-  EXPECT_FALSE(judge(rule, with(passedAttempt("a"), "passes", 3)).passed);
+  EXPECT_TRUE(judge(rule, withMetric(passedAttempt("a"), "passes", 2)).passed);
+  EXPECT_FALSE(judge(rule, withMetric(passedAttempt("a"), "passes", 3)).passed);
   EXPECT_FALSE(judge(rule, passedAttempt("a")).passed);
-  EXPECT_FALSE(judge(rule, with(passedAttempt("a"), "passes", std::nullopt)).passed);
-  EXPECT_FALSE(judge(rule, with(passedAttempt("a"), "passes", std::numeric_limits<double>::quiet_NaN())).passed);
-  EXPECT_FALSE(judge(rule, with(passedAttempt("a"), "passes", 1, 2)).passed);
-  EXPECT_EQ(reasonOfFailure(rule, with(passedAttempt("a"), "passes", std::numeric_limits<double>::quiet_NaN())),
+  EXPECT_FALSE(judge(rule, withMetric(passedAttempt("a"), "passes", std::nullopt)).passed);
+  EXPECT_FALSE(judge(rule, withMetric(passedAttempt("a"), "passes", std::numeric_limits<double>::quiet_NaN())).passed);
+  EXPECT_FALSE(judge(rule, withMetric(passedAttempt("a"), "passes", 1, 2)).passed);
+  EXPECT_EQ(reasonOfFailure(rule, withMetric(passedAttempt("a"), "passes", std::numeric_limits<double>::quiet_NaN())),
             "too many (not measured, at most 2)");
 }
 
@@ -51,7 +51,7 @@ TEST(Judgement, MasteryPercentageLetsSomeStandardsBeMissed) {
   PassRule rule;
   for (int i = 0; i < 9; ++i) rule.standards.push_back(atMost("m" + std::to_string(i), 0, "m"));
   AttemptFacts attempt = passedAttempt("a");
-  for (int i = 0; i < 8; ++i) attempt = with(attempt, "m" + std::to_string(i), 0);
+  for (int i = 0; i < 8; ++i) attempt = withMetric(attempt, "m" + std::to_string(i), 0);
   rule.mastery_percent = 88;  // 8 of 9 are 88.9 %
   EXPECT_TRUE(judge(rule, attempt).passed);
   EXPECT_EQ(judge(rule, attempt).met, 8);
@@ -66,10 +66,10 @@ TEST(Judgement, ACriticalStandardFailsWhateverTheShare) {
   AttemptFacts attempt = passedAttempt("a");
   for (int i = 0; i < 9; ++i) {
     rule.standards.push_back(atMost("m" + std::to_string(i), 0, "m"));
-    attempt = with(attempt, "m" + std::to_string(i), 0);
+    attempt = withMetric(attempt, "m" + std::to_string(i), 0);
   }
   rule.standards.push_back(atMost("double_punctures", 0, "the posterior wall was punctured"));
-  attempt = with(attempt, "double_punctures", 1);
+  attempt = withMetric(attempt, "double_punctures", 1);
   EXPECT_TRUE(judge(rule, attempt).passed);
   EXPECT_EQ(missedStandards(rule, attempt), std::vector<std::string>{"the posterior wall was punctured (1, at most 0)"})
       << "it passes, and what it missed is named";
@@ -101,8 +101,8 @@ TEST(Judgement, TheReasonIsTheWorstOne) {
                       {atMost("artery_punctures", 0, "the artery was punctured"), atMost("passes", 2, "many passes"),
                        atMost("used_needle_insertions", 0, "a used needle was put in again")},
                       100};
-  AttemptFacts attempt = with(with(passedAttempt("a"), "artery_punctures", 1), "passes", 2);
-  attempt = with(attempt, "used_needle_insertions", 0);
+  AttemptFacts attempt = withMetric(withMetric(passedAttempt("a"), "artery_punctures", 1), "passes", 2);
+  attempt = withMetric(attempt, "used_needle_insertions", 0);
   EXPECT_EQ(reasonOfFailure(rule, attempt), "the artery was punctured (1, at most 0)");
   attempt.criticalErrors = 1;
   EXPECT_EQ(reasonOfFailure(rule, attempt), "there was a critical error; the artery was punctured (1, at most 0)");
@@ -125,9 +125,9 @@ TEST(Judgement, WhatWasNotTriedDoesNotCount) {
   attempt.state = AttemptState::Voided;
   EXPECT_FALSE(counts(attempt));
   attempt.state = AttemptState::Abandoned;
-  EXPECT_FALSE(counts(with(attempt, "passes", 0)));
-  EXPECT_TRUE(counts(with(attempt, "passes", 1)));
-  EXPECT_EQ(reasonOfFailure({}, with(attempt, "passes", 1)), "it was abandoned with the needle in the skin");
+  EXPECT_FALSE(counts(withMetric(attempt, "passes", 0)));
+  EXPECT_TRUE(counts(withMetric(attempt, "passes", 1)));
+  EXPECT_EQ(reasonOfFailure({}, withMetric(attempt, "passes", 1)), "it was abandoned with the needle in the skin");
 }
 
 TEST(Judgement, APassCountsAtALevelOnceSomethingVouchesForIt) {
@@ -135,14 +135,14 @@ TEST(Judgement, APassCountsAtALevelOnceSomethingVouchesForIt) {
   AttemptFacts attempt = passedAttempt("a");
   for (const AttemptProof proof : {AttemptProof::Proven, AttemptProof::Accepted, AttemptProof::Earlier}) {
     attempt.proof = proof;
-    EXPECT_TRUE(counts(with(attempt, "passes", 1), rule));
+    EXPECT_TRUE(counts(withMetric(attempt, "passes", 1), rule));
   }
   attempt.proof = AttemptProof::Unproven;
-  EXPECT_TRUE(judge(rule, with(attempt, "passes", 1)).passed);
-  EXPECT_FALSE(counts(with(attempt, "passes", 1), rule));
-  EXPECT_TRUE(counts(with(attempt, "passes", 2), rule)) << "as a failure";
+  EXPECT_TRUE(judge(rule, withMetric(attempt, "passes", 1)).passed);
+  EXPECT_FALSE(counts(withMetric(attempt, "passes", 1), rule));
+  EXPECT_TRUE(counts(withMetric(attempt, "passes", 2), rule)) << "as a failure";
   attempt.state = AttemptState::Abandoned;
-  EXPECT_FALSE(counts(with(attempt, "passes", 0), rule)) << "before the skin";
+  EXPECT_FALSE(counts(withMetric(attempt, "passes", 0), rule)) << "before the skin";
 }
 
 /// A crash, or a trainee who ends the program: nothing was measured.
@@ -153,7 +153,7 @@ TEST(Judgement, ARecordingThatBreaksOffCountsAsAbandoned) {
   EXPECT_TRUE(counts(attempt));
   EXPECT_FALSE(judge(rule, attempt).passed);
   EXPECT_EQ(reasonOfFailure(rule, attempt), "it was abandoned: its recording broke off");
-  EXPECT_TRUE(counts(with(attempt, "passes", std::nullopt)));
+  EXPECT_TRUE(counts(withMetric(attempt, "passes", std::nullopt)));
   attempt.state = AttemptState::Voided;
   EXPECT_FALSE(counts(attempt)) << "where an instructor voids it";
 }

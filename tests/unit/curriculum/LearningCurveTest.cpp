@@ -13,13 +13,13 @@ namespace {
 
 using Shape = LearningCurve::Shape;
 
-using Values = std::vector<std::optional<double>>;
+using CurveValues = std::vector<std::optional<double>>;
 
-Values curve(Shape shape, double plateau, double gain, double rate, int attempts, double noise = 0,
-             std::uint32_t seed = 1) {
+CurveValues curve(Shape shape, double plateau, double gain, double rate, int attempts, double noise = 0,
+                  std::uint32_t seed = 1) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  Values values;
+  CurveValues values;
   for (int n = 1; n <= attempts; ++n)
     values.push_back(plateau + gain * (shape == Shape::Power ? std::pow(n, -rate) : std::exp(-rate * (n - 1))) +
                      noise * normal(random));
@@ -80,7 +80,7 @@ TEST(LearningCurve, IntervalsHoldTheTruthAsOftenAsTheySay) {
 // Figures by Python 3.11 with mpmath 1.3 at 25 digits: least squares over the rate by golden section, spread from the
 // inverse of J'J, t by bisection of mpmath.betainc().
 TEST(LearningCurve, IsTheOneThatAnotherProgramFinds) {
-  const Values times_s{148, 121, 98, 95, 83, 72, 79, 66, 70, 64, 61, 67};
+  const CurveValues times_s{148, 121, 98, 95, 83, 72, 79, 66, 70, 64, 61, 67};
   const auto fit = fitLearningCurve(Shape::Exponential, times_s, ValueKind::NotNegative);
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->plateau.value, 63.0304636, 1e-4);
@@ -94,7 +94,7 @@ TEST(LearningCurve, IsTheOneThatAnotherProgramFinds) {
 }
 
 TEST(LearningCurve, AnAttemptWithoutAValueKeepsItsNumber) {
-  const Values times_s{148, 121, std::nullopt, 95, 83, 72, 79, std::nullopt, 70, 64, 61, 67};
+  const CurveValues times_s{148, 121, std::nullopt, 95, 83, 72, 79, std::nullopt, 70, 64, 61, 67};
   const auto fit = fitLearningCurve(Shape::Exponential, times_s);
   ASSERT_TRUE(fit);
   EXPECT_EQ(fit->attempts, 10);
@@ -105,7 +105,7 @@ TEST(LearningCurve, AnAttemptWithoutAValueKeepsItsNumber) {
 
 TEST(LearningCurve, HasNoPlateauThatNobodyCanReach) {
   // By the same program: -1.98 s and 105.7 %.
-  const Values times_s{60, 46, 41, 30, 27, 19, 18, 12, 11, 8, 6},
+  const CurveValues times_s{60, 46, 41, 30, 27, 19, 18, 12, 11, 8, 6},
       shares{20, 38, 50, 62, 70, 77, 82, 88, 91, 94, 96, 98};
   EXPECT_NEAR(fitLearningCurve(Shape::Exponential, times_s)->plateau.value, -1.984571, 1e-4);
   EXPECT_NEAR(fitLearningCurve(Shape::Exponential, shares)->plateau.value, 105.6907064, 1e-4);
@@ -115,7 +115,7 @@ TEST(LearningCurve, HasNoPlateauThatNobodyCanReach) {
 
 TEST(LearningCurve, PlateauAndBandStayInTheRange) {
   // A plateau of 2 that is uncertain by more than that.
-  const Values punctures = curve(Shape::Exponential, 2, 12, 0.35, 14, 1.6, 4);
+  const CurveValues punctures = curve(Shape::Exponential, 2, 12, 0.35, 14, 1.6, 4);
   const auto fit = fitLearningCurve(Shape::Exponential, punctures, ValueKind::NotNegative);
   ASSERT_TRUE(fit);
   EXPECT_EQ(fit->plateau.interval->low, 0);
@@ -137,7 +137,7 @@ TEST(LearningCurve, NoiseIsSeldomTakenForLearning) {
 }
 
 TEST(LearningCurve, WhatCannotBeToldIsNotTold) {
-  Values line, same(20, 7.0);
+  CurveValues line, same(20, 7.0);
   for (int n = 1; n <= 20; ++n) line.push_back(100.0 - n);
   EXPECT_FALSE(fitLearningCurve(line));  // no plateau in sight
   EXPECT_FALSE(fitLearningCurve(same));

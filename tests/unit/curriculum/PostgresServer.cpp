@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kPrograms = "/usr/lib/postgresql/15/bin";
-constexpr const char* kPassword = "a b/c@d:e";
+constexpr const char* kServerPassword = "a b/c@d:e";
 
 /// Of loopback; 0: a free one.
 int boundTo(int port) {
@@ -50,7 +50,7 @@ PostgresServer* PostgresServer::shared() {
 }
 
 PostgresServer::PostgresServer() : port_(freePort()) {
-  std::ofstream(folder_ / "password") << kPassword;
+  std::ofstream(folder_ / "password") << kServerPassword;
   asUser_ = "setpriv --pdeathsig QUIT ";
   // PostgreSQL refuses to run as root.
   if (const passwd* nobody = ::getpwnam("nobody"); ::geteuid() == 0 && nobody) {
@@ -61,7 +61,7 @@ PostgresServer::PostgresServer() : port_(freePort()) {
   if (run("initdb --no-sync -A scram-sha-256 -U insonate --locale=C.UTF-8 -E UTF8 --pwfile=" +
           (folder_ / "password").string() + " -D " + (folder_ / "data").string()) == 0)
     start();
-  ::setenv("PGPASSWORD", kPassword, 1);
+  ::setenv("PGPASSWORD", kServerPassword, 1);
 }
 
 PostgresServer::~PostgresServer() {

@@ -26,7 +26,7 @@ AttemptFacts recordedFacts() {
   return facts;
 }
 
-std::size_t filesIn(const fs::path& folder) {
+std::size_t fileCount(const fs::path& folder) {
   std::error_code none;
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder, none), fs::directory_iterator()));
 }
@@ -54,14 +54,14 @@ TEST_F(StoreRecordings, AnAddedAttemptsRecordingIsKeptForItsOwnerAlone) {
   EXPECT_EQ(valueOf(anna().page(school.anna.id, 1))[0].recordingFile, kept(facts));
   write(made, kBytes);
   valueOf(anna().add(facts, made));
-  EXPECT_EQ(filesIn(folder), 1U) << "added twice is kept once";
+  EXPECT_EQ(fileCount(folder), 1U) << "added twice is kept once";
 }
 
 TEST_F(StoreRecordings, WhatCannotBeCopiedAddsNothing) {
   EXPECT_THAT(refusalOf(anna().add(facts, rig.folder / "none")), HasSubstr("cannot be read; check its permissions"));
   write(made, "abd");
   EXPECT_THAT(refusalOf(anna().add(facts, made)), HasSubstr("was changed while it was read"));
-  EXPECT_EQ(filesIn(folder), 0U) << "nothing half-written either";
+  EXPECT_EQ(fileCount(folder), 0U) << "nothing half-written either";
   fs::remove(folder);
   write(folder, "a file in the folder's place");
   EXPECT_THAT(refusalOf(anna().add(facts, made)), HasSubstr("for recordings cannot be made"));
@@ -75,7 +75,7 @@ TEST_F(StoreRecordings, ARefusedAttemptLeavesNoRecording) {
   AttemptFacts again = recordedFacts();
   again.handsHash = first.handsHash;
   EXPECT_THAT(refusalOf(anna().add(again, made)), HasSubstr("A recording counts once"));
-  EXPECT_EQ(filesIn(folder), 1U);
+  EXPECT_EQ(fileCount(folder), 1U);
 }
 
 TEST_F(StoreRecordings, ARecordingIsKeptAfterItsAttemptEnded) {

@@ -9,6 +9,7 @@ namespace insonate {
 namespace {
 
 using test::ScriptedAttempt;
+using test::sentences;
 using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -26,12 +27,6 @@ AttemptScore scoreOf(const ScriptedAttempt& attempt) {
 
 const MetricScore& of(const AttemptScore& score, Metric metric) {
   return score.metrics.at(static_cast<std::size_t>(metric));
-}
-
-std::vector<std::string> sentences(const AttemptScore& score) {
-  std::vector<std::string> all;
-  for (const AttemptMoment& moment : score.moments) all.push_back(moment.say);
-  return all;
 }
 
 /// A vein reached within 2 s, blood drawn all the way.

@@ -10,6 +10,7 @@ namespace insonate {
 namespace {
 
 using test::ScriptedAttempt;
+using test::sentences;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
@@ -28,12 +29,6 @@ ProcedureRun inVein(std::uint8_t vessel, const std::vector<std::string>& names, 
   ProcedureRun run(*loadProcedure(procedure), ScriptedAttempt::picture(), names);
   for (const auto& entry : attempt.stream) std::visit([&](const auto& what) { run.take(what); }, entry);
   return run;
-}
-
-std::vector<std::string> sentences(const AttemptScore& score) {
-  std::vector<std::string> all;
-  for (const AttemptMoment& moment : score.moments) all.push_back(moment.say);
-  return all;
 }
 
 class OtherVein : public testing::TestWithParam<std::string> {};

@@ -1,13 +1,22 @@
 #pragma once
 
 #include <insonate/procedure/AttemptMetrics.h>
+#include <insonate/procedure/AttemptScore.h>
 
 #include <cmath>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
 namespace insonate::test {
+
+/// What a score says of each moment.
+inline std::vector<std::string> sentences(const AttemptScore& score) {
+  std::vector<std::string> all;
+  for (const AttemptMoment& moment : score.moments) all.push_back(moment.say);
+  return all;
+}
 
 /// A wall that lies across the needle's way: depths along the needle, below the skin.
 struct CrossedWall {

@@ -222,49 +222,51 @@ TEST(Recipe, PresetsCanBeRead) {
   }
 }
 
-std::string refusal(const std::string& text) {
+std::string recipeRefusal(const std::string& text) {
   const auto recipe = readRecipe(text);
   return recipe ? "accepted" : recipe.error().message;
 }
 
-std::string stepRefusal(const std::string& step) {
-  return refusal("{\"steps\": [{\"tool\": \"median\", \"label\": \"vein\"}, " + step + "]}");
+std::string recipeStepRefusal(const std::string& step) {
+  return recipeRefusal("{\"steps\": [{\"tool\": \"median\", \"label\": \"vein\"}, " + step + "]}");
 }
 
 TEST(Recipe, BadRecipesAreRefusedWithThePlaceAndWhatIsPossible) {
-  EXPECT_THAT(refusal("{"), HasSubstr("The recipe is not JSON: line 1"));
-  EXPECT_THAT(refusal("[]"), HasSubstr("must be an object"));
-  EXPECT_THAT(refusal("{}"), HasSubstr("has no steps"));
-  EXPECT_THAT(refusal(R"({"step": []})"), HasSubstr("did you mean 'steps'"));
-  EXPECT_THAT(stepRefusal("7"), HasSubstr("step 2 must be an object"));
-  EXPECT_THAT(stepRefusal(R"({"label": "vein"})"), HasSubstr("step 2 has no 'tool'"));
-  EXPECT_THAT(stepRefusal(R"({"tool": "tresholt"})"), HasSubstr("did you mean 'threshold'"));
-  EXPECT_THAT(stepRefusal(R"({"tool": "wxyz"})"), HasSubstr("it is one of auto, threshold, paint"));
-  EXPECT_THAT(stepRefusal(R"({"tool": "median", "label": "vein", "radius": 2})"),
+  EXPECT_THAT(recipeRefusal("{"), HasSubstr("The recipe is not JSON: line 1"));
+  EXPECT_THAT(recipeRefusal("[]"), HasSubstr("must be an object"));
+  EXPECT_THAT(recipeRefusal("{}"), HasSubstr("has no steps"));
+  EXPECT_THAT(recipeRefusal(R"({"step": []})"), HasSubstr("did you mean 'steps'"));
+  EXPECT_THAT(recipeStepRefusal("7"), HasSubstr("step 2 must be an object"));
+  EXPECT_THAT(recipeStepRefusal(R"({"label": "vein"})"), HasSubstr("step 2 has no 'tool'"));
+  EXPECT_THAT(recipeStepRefusal(R"({"tool": "tresholt"})"), HasSubstr("did you mean 'threshold'"));
+  EXPECT_THAT(recipeStepRefusal(R"({"tool": "wxyz"})"), HasSubstr("it is one of auto, threshold, paint"));
+  EXPECT_THAT(recipeStepRefusal(R"({"tool": "median", "label": "vein", "radius": 2})"),
               HasSubstr("step 2 (median) has an unknown 'radius'; did you mean 'radius_mm'?"));
-  EXPECT_THAT(stepRefusal(R"({"tool": "median", "label": "vein", "radius_mm": 5000})"),
+  EXPECT_THAT(recipeStepRefusal(R"({"tool": "median", "label": "vein", "radius_mm": 5000})"),
               HasSubstr("needs a number from 0.1 to 100 as 'radius_mm', not 5000"));
-  EXPECT_THAT(stepRefusal(R"({"tool": "median"})"), HasSubstr("has no 'label'"));
-  EXPECT_THAT(stepRefusal(R"({"tool": "median", "label": "veine"})"), HasSubstr("did you mean 'vein'?"));
-  EXPECT_THAT(stepRefusal(R"({"tool": "median", "label": 255})"), HasSubstr("numbers from 0 to 254"));
-  EXPECT_THAT(stepRefusal(R"({"tool": "threshold", "label": "bone"})"), HasSubstr("has no 'range_HU'"));
-  EXPECT_THAT(stepRefusal(R"({"tool": "threshold", "label": "bone", "range_HU": [300, 100]})"),
+  EXPECT_THAT(recipeStepRefusal(R"({"tool": "median"})"), HasSubstr("has no 'label'"));
+  EXPECT_THAT(recipeStepRefusal(R"({"tool": "median", "label": "veine"})"), HasSubstr("did you mean 'vein'?"));
+  EXPECT_THAT(recipeStepRefusal(R"({"tool": "median", "label": 255})"), HasSubstr("numbers from 0 to 254"));
+  EXPECT_THAT(recipeStepRefusal(R"({"tool": "threshold", "label": "bone"})"), HasSubstr("has no 'range_HU'"));
+  EXPECT_THAT(recipeStepRefusal(R"({"tool": "threshold", "label": "bone", "range_HU": [300, 100]})"),
               HasSubstr("[from, to]"));
-  EXPECT_THAT(stepRefusal(R"({"tool": "threshold", "label": "bone", "range_HU": [1e300, 1e301]})"),
+  EXPECT_THAT(recipeStepRefusal(R"({"tool": "threshold", "label": "bone", "range_HU": [1e300, 1e301]})"),
               HasSubstr("[from, to]"));
-  EXPECT_THAT(stepRefusal(R"({"tool": "vessel", "label": "vein", "points_mm": [[0, 0, 0]]})"),
+  EXPECT_THAT(recipeStepRefusal(R"({"tool": "vessel", "label": "vein", "points_mm": [[0, 0, 0]]})"),
               HasSubstr("a list of 2 or more points [x, y, z]"));
-  EXPECT_THAT(stepRefusal(R"({"tool": "vessel", "label": "vein", "points_mm": [[0, 0], [1, 2]]})"),
+  EXPECT_THAT(recipeStepRefusal(R"({"tool": "vessel", "label": "vein", "points_mm": [[0, 0], [1, 2]]})"),
               HasSubstr("points [x, y, z]"));
-  EXPECT_THAT(stepRefusal(R"({"tool": "vessel", "label": "vein", "points_mm": {"a": [0, 0, 0], "b": [1, 1, 1]}})"),
-              HasSubstr("points [x, y, z]"));
-  EXPECT_THAT(stepRefusal(R"({"tool": "hollow", "label": "vein", "wall": "outer"})"), HasSubstr("wall 'outer'"));
-  EXPECT_THAT(stepRefusal(R"({"tool": "paint", "label": "vein", "points_mm": [[0, 0, 0]], "slice_axis": 3})"),
-              HasSubstr("from 0 to 2"));
   EXPECT_THAT(
-      stepRefusal(R"({"tool": "scissors", "label": "vein", "points_mm": [[0,0,0],[1,0,0],[0,1,0]], "along": [0,0,0]})"),
-      HasSubstr("needs a direction"));
-  EXPECT_THAT(stepRefusal(R"({"tool": "median", "label": "vein", "box_mm": [[0, 0, 0]]})"), HasSubstr("two corners"));
+      recipeStepRefusal(R"({"tool": "vessel", "label": "vein", "points_mm": {"a": [0, 0, 0], "b": [1, 1, 1]}})"),
+      HasSubstr("points [x, y, z]"));
+  EXPECT_THAT(recipeStepRefusal(R"({"tool": "hollow", "label": "vein", "wall": "outer"})"), HasSubstr("wall 'outer'"));
+  EXPECT_THAT(recipeStepRefusal(R"({"tool": "paint", "label": "vein", "points_mm": [[0, 0, 0]], "slice_axis": 3})"),
+              HasSubstr("from 0 to 2"));
+  EXPECT_THAT(recipeStepRefusal(
+                  R"({"tool": "scissors", "label": "vein", "points_mm": [[0,0,0],[1,0,0],[0,1,0]], "along": [0,0,0]})"),
+              HasSubstr("needs a direction"));
+  EXPECT_THAT(recipeStepRefusal(R"({"tool": "median", "label": "vein", "box_mm": [[0, 0, 0]]})"),
+              HasSubstr("two corners"));
 }
 
 TEST(Recipe, AStepThatFailsIsNamedAndThoseBeforeItStay) {

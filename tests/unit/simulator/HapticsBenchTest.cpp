@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-HapticsBench small() {
+HapticsBench smallHapticsBench() {
   HapticsBench bench;
   bench.rows = {{.scenario = "idle", .ticks = 2000, .lateTicks = 3, .p50_us = 2.5, .p99_us = 9, .p999_us = 20}};
   bench.stiffness = {{"Touch", 0.4, 5.2, 13, 19}};
@@ -24,7 +24,7 @@ HapticsBench small() {
 }
 
 TEST(HapticsBench, RowsHaveTheNamesThatScriptsRelyOn) {
-  const nlohmann::json json = toJson(small());
+  const nlohmann::json json = toJson(smallHapticsBench());
   for (const char* field :
        {"scenario", "ticks", "p50_us", "p99_us", "p999_us", "max_us", "late_ticks", "passivity_min_J"})
     EXPECT_TRUE(json["rows"][0].contains(field)) << field;
@@ -35,7 +35,7 @@ TEST(HapticsBench, RowsHaveTheNamesThatScriptsRelyOn) {
 
 TEST(HapticsBench, WritesTablesAndPlots) {
   const TemporaryFolder folder;
-  ASSERT_TRUE(writeHapticsBench(small(), folder.path() / "bench"));
+  ASSERT_TRUE(writeHapticsBench(smallHapticsBench(), folder.path() / "bench"));
   for (const char* name :
        {"haptics.json", "haptics.csv", "stiffness.csv", "force-depth.csv", "force-depth.svg", "haptics.md"})
     EXPECT_GT(std::filesystem::file_size(folder.path() / "bench" / name), 50U) << name;

@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-SegmentationBench small() {
+SegmentationBench smallSegmentationBench() {
   SegmentationBench bench;
   bench.rows = {{"textbook", "native", 10.0, "bone", 0, 0.9876, 0.21, 0.5, 0.95, {}},
                 {"textbook", "arterial", 10.0, "vein 1", 4, 0.95, {}, {}, 0.9, {}},
@@ -23,7 +23,7 @@ SegmentationBench small() {
 }
 
 TEST(SegmentationBench, RowsHaveTheNamesThatScriptsRelyOn) {
-  const nlohmann::json json = toJson(small());
+  const nlohmann::json json = toJson(smallSegmentationBench());
   for (const char* field : {"variant", "contrast", "noise_HU", "structure", "clicks", "dice", "mean_surface_mm",
                             "p95_surface_mm", "aimed_at", "exact_lumen"})
     EXPECT_TRUE(json["rows"][0].contains(field)) << field;
@@ -39,7 +39,7 @@ TEST(SegmentationBench, RowsHaveTheNamesThatScriptsRelyOn) {
 
 TEST(SegmentationBench, WritesTables) {
   const TemporaryFolder folder;
-  ASSERT_TRUE(writeSegmentationBench(small(), folder.path() / "bench"));
+  ASSERT_TRUE(writeSegmentationBench(smallSegmentationBench(), folder.path() / "bench"));
   for (const char* name : {"segmentation.json", "segmentation.csv", "segmentation-times.csv", "segmentation.md"})
     EXPECT_GT(std::filesystem::file_size(folder.path() / "bench" / name), 50U) << name;
   const std::string page = bytesOf(folder.path() / "bench" / "segmentation.md");
@@ -54,7 +54,7 @@ TEST(SegmentationBench, WritesTables) {
 
 TEST(SegmentationBench, SaysHowManyOfEachKindComeUpToTheBar) {
   const TemporaryFolder folder;
-  ASSERT_TRUE(writeSegmentationBench(small(), folder.path() / "bench"));
+  ASSERT_TRUE(writeSegmentationBench(smallSegmentationBench(), folder.path() / "bench"));
   const std::string page = bytesOf(folder.path() / "bench" / "segmentation.md");
   EXPECT_THAT(page, HasSubstr("| vein | 4 | arterial | 10 | 2 | 0.850 | 0.950 | 0.90 | 1 |")) << "both veins";
 }

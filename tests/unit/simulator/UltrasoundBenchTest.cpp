@@ -114,7 +114,7 @@ TEST(UltrasoundBench, MachineAndStagesAreFinite) {
   const UltrasoundBench& bench = smallBench();
   ASSERT_FALSE(bench.machine.limits.empty());
   EXPECT_EQ(bench.machine.limits.front().threads, 1);
-  for (const Machine::Limits& l : bench.machine.limits) {
+  for (const BenchComputer::Limits& l : bench.machine.limits) {
     EXPECT_GT(l.multiplyAdd_GFLOPs, 0);
     EXPECT_TRUE(std::isfinite(l.multiplyAdd_GFLOPs));
     EXPECT_GT(l.cache_GBps, 0);

@@ -14,7 +14,7 @@ using nlohmann::json;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-MechanicalTable preset(const std::string& name) {
+MechanicalTable mechanicsPreset(const std::string& name) {
   auto table = loadMechanicalTable(name);
   EXPECT_TRUE(table) << table.error().message;
   return table.value_or(MechanicalTable{});
@@ -42,7 +42,7 @@ TEST_P(EveryMechanicalPreset, ListsEachLabelOnceByItsName) {
 }
 
 TEST(MechanicalTablePresets, ThesisIsTableOne) {
-  const MechanicalTable thesis = preset("thesis");
+  const MechanicalTable thesis = mechanicsPreset("thesis");
   const double young_kPa[kLabelCount] = {kInfinity, 80, 200, 80, 1000, 80, 23, 80, 800, 80, 100, 80, 14000, 80, 80, 80};
   for (int label = 0; label < kLabelCount; ++label) {
     const MechanicalTissue& tissue = thesis.tissues[label];
@@ -54,7 +54,7 @@ TEST(MechanicalTablePresets, ThesisIsTableOne) {
 }
 
 TEST(MechanicalTablePresets, MeasuredHasBoneRigidVesselsHollowAndAirEmpty) {
-  const MechanicalTable measured = preset("measured");
+  const MechanicalTable measured = mechanicsPreset("measured");
   for (const LabelInfo& info : labelTable()) {
     const Mechanics expected = info.label == kBone                                  ? Mechanics::Rigid
                                : info.label == kArtery || info.label == kVein       ? Mechanics::Lumen
@@ -65,7 +65,7 @@ TEST(MechanicalTablePresets, MeasuredHasBoneRigidVesselsHollowAndAirEmpty) {
 }
 
 TEST(MechanicalTablePresets, MeasuredKeepsThePhysicalOrder) {
-  const MechanicalTable measured = preset("measured");
+  const MechanicalTable measured = mechanicsPreset("measured");
   const auto young = [&](Label label) { return measured.of(label).young_kPa; };
   EXPECT_LT(young(kFat), young(kSoftTissue));
   EXPECT_NEAR(young(kThyroid), 11, 3);
@@ -82,7 +82,7 @@ TEST(MechanicalTablePresets, MeasuredKeepsThePhysicalOrder) {
 }
 
 TEST(MechanicalTablePresets, UnknownLabelsReadAsSoftTissue) {
-  const MechanicalTable table = preset("measured");
+  const MechanicalTable table = mechanicsPreset("measured");
   EXPECT_EQ(&table.of(200), &table.of(kSoftTissue));
 }
 

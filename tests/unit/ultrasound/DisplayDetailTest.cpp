@@ -11,8 +11,7 @@ namespace {
 
 using test::bareSettings;
 using test::display;
-
-constexpr double kGreyPerDb = 255.0 / 60;
+using test::kGreyPerDb;
 
 class EdgeEnhancement : public testing::TestWithParam<double> {
  protected:

@@ -7,6 +7,8 @@
 
 namespace insonate::test {
 
+inline constexpr double kGreyPerDb = 255.0 / 60;  ///< of a dynamic range of 60 dB
+
 /// Settings under which gray follows directly from amplitude: no noise, ringing or haze, no speckle reduction, no depth
 /// compensation.
 inline ImagingSettings bareSettings(const Probe& probe) {

@@ -14,9 +14,8 @@ using test::bareSettings;
 using test::display;
 using test::frameOf;
 using test::greyAt;
+using test::kGreyPerDb;
 using test::uniformFrame;
-
-constexpr double kGreyPerDb = 255.0 / 60;
 
 int brightest(const BModeImage& image) {
   return *std::max_element(image.grey.begin(), image.grey.end());

@@ -9,9 +9,8 @@ namespace {
 
 using test::bareSettings;
 using test::display;
+using test::kGreyPerDb;
 using test::uniformFrame;
-
-constexpr double kGreyPerDb = 255.0 / 60;
 
 class FaceEchoes : public testing::Test {
  protected:

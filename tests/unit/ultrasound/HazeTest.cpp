@@ -10,8 +10,9 @@ namespace {
 using test::bareSettings;
 using test::display;
 using test::frameOf;
+using test::kGreyPerDb;
 
-constexpr double kGreyPerDb = 255.0 / 60, kBlack_dB = -20.5;
+constexpr double kBlack_dB = -20.5;
 
 class HazeTest : public testing::Test {
  protected:

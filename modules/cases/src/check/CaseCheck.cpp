@@ -7,20 +7,20 @@
 
 namespace insonate {
 
-std::string_view nameOf(Severity severity) {
+std::string_view nameOf(FindingSeverity severity) {
   switch (severity) {
-    case Severity::kError:
+    case FindingSeverity::kError:
       return "error";
-    case Severity::kWarning:
+    case FindingSeverity::kWarning:
       return "warning";
-    case Severity::kInfo:
+    case FindingSeverity::kInfo:
       break;
   }
   return "info";
 }
 
 bool isFit(const std::vector<Finding>& findings) {
-  return std::ranges::none_of(findings, [](const Finding& f) { return f.severity == Severity::kError; });
+  return std::ranges::none_of(findings, [](const Finding& f) { return f.severity == FindingSeverity::kError; });
 }
 
 Result<std::vector<Finding>> checkCase(const CaseView& authors, const Progress& progress) {

@@ -70,7 +70,7 @@ void checkBody(const CaseView& patient, Findings& findings) {
   const Surface surface = surfaceOf(labels, outside);
   const double open = surface.faces ? static_cast<double>(surface.open) / static_cast<double>(surface.faces) : 0;
   if (open > 0.01)
-    findings.push_back({Severity::kWarning, "skin_open",
+    findings.push_back({FindingSeverity::kWarning, "skin_open",
                         percent(open) +
                             " of the body's surface is not skin: a probe or needle there meets bare tissue. Close the "
                             "skin."});
@@ -82,7 +82,7 @@ void checkBody(const CaseView& patient, Findings& findings) {
   }
   const double enclosed_ml = static_cast<double>(enclosed) * voxelVolume_mm3(labels.geometry) / 1000;
   if (enclosed > 0)
-    findings.push_back({enclosed_ml > 1 ? Severity::kWarning : Severity::kInfo, "background_inside",
+    findings.push_back({enclosed_ml > 1 ? FindingSeverity::kWarning : FindingSeverity::kInfo, "background_inside",
                         std::to_string(enclosed) + " background voxels (" + std::to_string(std::lround(enclosed_ml)) +
                             " ml) are enclosed by the body; they will look like air. Label them, e.g. soft tissue.",
                         placeOf(labels.geometry, last)});
@@ -91,7 +91,7 @@ void checkBody(const CaseView& patient, Findings& findings) {
   for (int label : labelsOnSides(labels, endAxis)) cut += (cut.empty() ? "" : ", ") + labelName(label);
   if (!cut.empty())
     findings.push_back(
-        {Severity::kInfo, "cut_at_side",
+        {FindingSeverity::kInfo, "cut_at_side",
          "The body is cut off by the sides of the volume (" + cut + "); pictures end there, and there is no skin."});
 }
 

@@ -8,7 +8,7 @@ void checkDifficulty(const CaseView& patient, Findings& findings) {
   const std::string& given = patient.manifest.difficulty;
   if (patient.manifest.targets.empty()) {
     if (given.empty())
-      findings.push_back({Severity::kInfo, "difficulty_ungraded",
+      findings.push_back({FindingSeverity::kInfo, "difficulty_ungraded",
                           "The case has no difficulty: none is given, and without a target none can be estimated."});
     return;
   }
@@ -17,16 +17,16 @@ void checkDifficulty(const CaseView& patient, Findings& findings) {
   const std::uint8_t label = patient.manifest.targets.front().label;
   if (!estimate) {
     if (given.empty())
-      findings.push_back({Severity::kInfo, "difficulty_ungraded", estimate.error().message, place_mm, label});
+      findings.push_back({FindingSeverity::kInfo, "difficulty_ungraded", estimate.error().message, place_mm, label});
     return;
   }
   if (given.empty())
-    findings.push_back({Severity::kInfo, "difficulty_ungraded",
+    findings.push_back({FindingSeverity::kInfo, "difficulty_ungraded",
                         "The case has no grade of its author; the estimate counts. " + estimate->sentence, place_mm,
                         label});
   else if (given != estimate->grade)
     findings.push_back(
-        {Severity::kInfo, "difficulty_differs",
+        {FindingSeverity::kInfo, "difficulty_differs",
          "The author's grade is " + given + "; estimated from the labels it is another one. " + estimate->sentence,
          place_mm, label});
 }

@@ -30,24 +30,24 @@ void checkGrid(const CaseView& patient, const LabelStatistics& s, Findings& find
   for (int a = 0; a < 3; ++a) shortest_mm = std::min(shortest_mm, g.size[a] * g.spacing_mm[a]);
   const double coarsest_mm = std::max({g.spacing_mm.x, g.spacing_mm.y, g.spacing_mm.z});
   if (fewest < 3)
-    findings.push_back({Severity::kError, "volume_thin",
+    findings.push_back({FindingSeverity::kError, "volume_thin",
                         "The volume has only " + std::to_string(fewest) + (fewest == 1 ? " slice" : " slices") +
                             "; a probe cannot be turned or moved in it. Import a whole series."});
   else if (shortest_mm < kProbeDepth_mm)
-    findings.push_back({Severity::kError, "volume_small",
+    findings.push_back({FindingSeverity::kError, "volume_small",
                         "The volume is only " + millimetres(shortest_mm) +
                             " wide along one axis; a probe's picture of " + millimetres(kProbeDepth_mm) +
                             " does not fit into it."});
   if (coarsest_mm > kUseless_mm)
-    findings.push_back({Severity::kError, "spacing_coarse",
+    findings.push_back({FindingSeverity::kError, "spacing_coarse",
                         "Voxels are " + millimetres(coarsest_mm) +
                             " apart along one axis; vessels are smaller. Use a finer reconstruction of the scan."});
   else if (coarsest_mm > kCoarse_mm)
     findings.push_back(
-        {Severity::kWarning, "spacing_coarse",
+        {FindingSeverity::kWarning, "spacing_coarse",
          "Voxels are " + millimetres(coarsest_mm) + " apart along one axis; structures will look stepped along it."});
   if (s.maxHu - s.minHu < 50)
-    findings.push_back({Severity::kError, "ct_flat",
+    findings.push_back({FindingSeverity::kError, "ct_flat",
                         "The CT has values from " + std::to_string(s.minHu) + " to " + std::to_string(s.maxHu) +
                             " HU only: there is no patient in it."});
 }

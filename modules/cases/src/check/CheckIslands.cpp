@@ -25,7 +25,7 @@ void checkApart(const CaseView& patient, Findings& findings) {
   const double apart_mm3 = double(apart) * voxelVolume_mm3(patient.labels.geometry);
   if (apart_mm3 < kApart_mm3) return;
   const Island& first = bodies[1];
-  findings.push_back({Severity::kWarning, "label_outside",
+  findings.push_back({FindingSeverity::kWarning, "label_outside",
                       inMillilitres(apart_mm3) + " of labels lie outside the body, most of it " +
                           labelName(first.label) + " at " + placeText(placeOf(patient.labels.geometry, first.first)) +
                           ". Erase what is no part of the patient.",
@@ -59,7 +59,7 @@ void checkCrumbs(const CaseView& patient, Findings& findings) {
   for (const Crumbs& one : crumbs) all += one.count;
   if (all < kMany) return;
   const auto label = static_cast<std::uint8_t>(most - crumbs.begin());
-  findings.push_back({Severity::kInfo, "islands",
+  findings.push_back({FindingSeverity::kInfo, "islands",
                       "The labels have " + std::to_string(all) + " islands of less than " +
                           std::to_string(int(kCrumb_mm3)) + " mm3, most of them (" + std::to_string(most->count) +
                           ") in " + labelName(label) + "; they look like grains in the picture. Remove small islands.",

@@ -63,12 +63,12 @@ std::string percent(double share) {
 
 void checkPresence(const LabelStatistics& s, Findings& findings) {
   if (s.labelled() == 0) {
-    findings.push_back({Severity::kError, "labels_empty",
+    findings.push_back({FindingSeverity::kError, "labels_empty",
                         "Nothing is labelled yet. Run the first step of the guide in Prepare, import with "
                         "--auto-label, or label the CT in another program, e.g. 3D Slicer."});
     return;
   }
-  const auto require = [&](int label, Severity severity, const char* code, const std::string& why) {
+  const auto require = [&](int label, FindingSeverity severity, const char* code, const std::string& why) {
     if (!s.has(label))
       findings.push_back({severity,
                           code,
@@ -76,11 +76,13 @@ void checkPresence(const LabelStatistics& s, Findings& findings) {
                           {},
                           static_cast<std::uint8_t>(label)});
   };
-  require(kVein, Severity::kError, "no_vein", "there is no vessel to puncture. Label the internal jugular vein.");
-  require(kArtery, Severity::kError, "no_artery",
+  require(kVein, FindingSeverity::kError, "no_vein",
+          "there is no vessel to puncture. Label the internal jugular vein.");
+  require(kArtery, FindingSeverity::kError, "no_artery",
           "an artery cannot be told from the vein, nor its puncture be noticed. Label the carotid artery.");
-  require(kSkin, Severity::kError, "no_skin", "the probe and the needle meet nothing at the surface. Label the skin.");
-  require(kBone, Severity::kWarning, "no_bone", "nothing will cast a bone's shadow.");
+  require(kSkin, FindingSeverity::kError, "no_skin",
+          "the probe and the needle meet nothing at the surface. Label the skin.");
+  require(kBone, FindingSeverity::kWarning, "no_bone", "nothing will cast a bone's shadow.");
 }
 
 void checkHu(const LabelStatistics& s, int label, Findings& findings) {
@@ -89,7 +91,7 @@ void checkHu(const LabelStatistics& s, int label, Findings& findings) {
   const double total = static_cast<double>(s.voxels[label]);
   const double outside = 1 - static_cast<double>(countIn(s.histogram[label], *range)) / total;
   if (outside <= 0.25) return;
-  findings.push_back({outside > 0.75 ? Severity::kError : Severity::kWarning,
+  findings.push_back({outside > 0.75 ? FindingSeverity::kError : FindingSeverity::kWarning,
                       "hu_implausible",
                       percent(outside) + " of the voxels labelled " + labelName(label) +
                           " have Hounsfield units that " + labelName(label) + " cannot have (median " +
@@ -141,7 +143,7 @@ void checkLabels(const CaseView& patient, const LabelStatistics& s, Findings& fi
   std::size_t inAir = 0;
   for (int label = 1; label < 256; ++label) {
     if (label >= kLabelCount && s.has(label))
-      findings.push_back({Severity::kError, "unknown_label",
+      findings.push_back({FindingSeverity::kError, "unknown_label",
                           std::to_string(s.voxels[label]) + " voxels have the label " + std::to_string(label) +
                               ", which means nothing here (0 to " + std::to_string(kLabelCount - 1) +
                               " do). Say in the table of structures what it is made of, renumber or erase them.",
@@ -151,7 +153,7 @@ void checkLabels(const CaseView& patient, const LabelStatistics& s, Findings& fi
   }
   const double inAir_ml = static_cast<double>(inAir) * voxelVolume_mm3(patient.ct.geometry) / 1000;
   if (inAir_ml > 1 && static_cast<double>(inAir) > 0.001 * static_cast<double>(s.labelled()))
-    findings.push_back({Severity::kWarning, "labels_in_air",
+    findings.push_back({FindingSeverity::kWarning, "labels_in_air",
                         std::to_string(static_cast<long>(inAir_ml)) +
                             " ml of tissue labels lie in air (below -900 HU), outside the body or in its airways."});
 }

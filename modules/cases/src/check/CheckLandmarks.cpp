@@ -39,7 +39,7 @@ void checkMissing(const std::vector<Landmark>& landmarks, Findings& findings) {
        {std::pair{"puncture_site", "puncture site"}, {"cricoid", "cricoid cartilage"}, {"clavicle", "clavicle"}})
     if (!has(code)) missing += (missing.empty() ? "" : ", ") + std::string(name);
   if (!missing.empty())
-    findings.push_back({Severity::kInfo, "landmarks_missing",
+    findings.push_back({FindingSeverity::kInfo, "landmarks_missing",
                         "These landmarks are not marked: " + missing +
                             ". Mark those that the scan shows, so that instructions can refer to them."});
 }
@@ -53,10 +53,10 @@ void checkLandmarks(const CaseView& patient, Findings& findings) {
     const std::string what = "The landmark \"" + nameOf(landmark) + "\" at " + placeText(landmark.position_mm);
     const LandmarkKind* kind = landmarkKind(landmark.code);
     if (!inVolume(patient.labels.geometry, landmark.position_mm))
-      findings.push_back({Severity::kWarning, "landmark_outside", what + " lies outside the volume. Mark it again.",
-                          landmark.position_mm});
+      findings.push_back({FindingSeverity::kWarning, "landmark_outside",
+                          what + " lies outside the volume. Mark it again.", landmark.position_mm});
     else if (kind && kind->onSkin && !isOnSkin(patient.labels, landmark.position_mm))
-      findings.push_back({Severity::kWarning, "landmark_off_skin", what + " is not on the skin. Mark it again.",
+      findings.push_back({FindingSeverity::kWarning, "landmark_off_skin", what + " is not on the skin. Mark it again.",
                           landmark.position_mm, kSkin});
   }
 }

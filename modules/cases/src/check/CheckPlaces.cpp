@@ -13,13 +13,13 @@ void checkTarget(const CaseView& patient, const Target& target, Findings& findin
   const VolumeGeometry& g = patient.labels.geometry;
   const std::string what = "The target \"" + target.name + "\" at " + placeText(target.position_mm);
   if (!inVolume(g, target.position_mm)) {
-    findings.push_back({Severity::kError, "target_outside", what + " lies outside the volume. Correct case.json.",
-                        target.position_mm});
+    findings.push_back({FindingSeverity::kError, "target_outside",
+                        what + " lies outside the volume. Correct case.json.", target.position_mm});
     return;
   }
   const int label = sampleNearest(patient.labels, g.indexFromPatient() * target.position_mm);
   if (label != target.label)
-    findings.push_back({Severity::kError, "target_label",
+    findings.push_back({FindingSeverity::kError, "target_label",
                         what + " should be in " + labelName(target.label) + ", but the label there is " +
                             labelName(label) + ". Correct its position or the label map.",
                         target.position_mm, target.label});
@@ -29,8 +29,8 @@ void checkPose(const CaseView& patient, const StartPose& pose, bool labelled, Fi
   const VolumeGeometry& g = patient.labels.geometry;
   const std::string what = "The start pose \"" + pose.name + "\" at " + placeText(pose.position_mm);
   if (!inVolume(g, pose.position_mm)) {
-    findings.push_back(
-        {Severity::kError, "pose_outside", what + " lies outside the volume. Correct case.json.", pose.position_mm});
+    findings.push_back({FindingSeverity::kError, "pose_outside", what + " lies outside the volume. Correct case.json.",
+                        pose.position_mm});
     return;
   }
   if (!labelled) return;
@@ -39,7 +39,7 @@ void checkPose(const CaseView& patient, const StartPose& pose, bool labelled, Fi
     return sampleNearest(patient.labels, g.indexFromPatient() * (pose.position_mm + depth_mm * pose.axial));
   };
   if (labelAt(kIn_mm) == kBackground || labelAt(-kOut_mm) != kBackground)
-    findings.push_back({Severity::kWarning, "pose_off_skin",
+    findings.push_back({FindingSeverity::kWarning, "pose_off_skin",
                         what + " is not on the skin looking into the body; the picture may start empty.",
                         pose.position_mm});
 }
@@ -69,7 +69,7 @@ void checkNames(const CaseView& patient, Findings& findings) {
   const CaseManifest& m = patient.manifest;
   if (m.vessels.empty() && !m.targets.empty())
     findings.push_back(
-        {Severity::kInfo, "no_vessel_names",
+        {FindingSeverity::kInfo, "no_vessel_names",
          "The vessels have no names: an attempt tells the vein with the target from the other veins, and "
          "calls each of them another vein. Mark each of them as a place of the case."});
   for (const Target& target : m.targets) {
@@ -78,7 +78,7 @@ void checkNames(const CaseView& patient, Findings& findings) {
       return vessel.label == target.label && distanceToWall_mm(vessel, target.position_mm) <= kFlat_mm;
     };
     if (!m.vessels.empty() && std::ranges::none_of(m.vessels, holdsTarget))
-      findings.push_back({Severity::kInfo, "target_without_vessel",
+      findings.push_back({FindingSeverity::kInfo, "target_without_vessel",
                           "The target '" + target.name +
                               "' lies in a vessel without a name: an attempt calls each other vein another vein. Mark "
                               "the target's vessel as a place of the case.",
@@ -94,7 +94,7 @@ void checkNames(const CaseView& patient, Findings& findings) {
                   vessel.label;
     }
     if (2 * labelled >= here) continue;
-    findings.push_back({Severity::kWarning, "vessel_elsewhere",
+    findings.push_back({FindingSeverity::kWarning, "vessel_elsewhere",
                         "Only " + std::to_string(labelled) + " of the " + std::to_string(here) + " points of the " +
                             vessel.name + " are labelled " + labelName(vessel.label) +
                             ". Correct the label, or the vessel's course in case.json.",
@@ -106,19 +106,19 @@ void checkPlaces(const CaseView& patient, Findings& findings) {
   const CaseManifest& m = patient.manifest;
   const bool labelled = std::ranges::any_of(patient.labels.voxels, [](std::uint8_t v) { return v != 0; });
   if (m.targets.empty())
-    findings.push_back({Severity::kWarning, "no_target",
+    findings.push_back({FindingSeverity::kWarning, "no_target",
                         "No target is named, so a session cannot tell what is to be punctured. Mark one in the vein."});
   for (const Target& target : m.targets) checkTarget(patient, target, findings);
   checkNames(patient, findings);
   for (const StartPose& pose : m.startPoses) checkPose(patient, pose, labelled, findings);
   if (!m.startPoses.empty()) return;
   if (const auto proposed = proposeStartPose(patient))
-    findings.push_back({Severity::kInfo, "no_start_pose",
+    findings.push_back({FindingSeverity::kInfo, "no_start_pose",
                         "The case has no start pose; the probe begins here: " + proposed->name + ".",
                         proposed->position_mm});
   else
     findings.push_back(
-        {Severity::kWarning, "no_start_pose", "The case has no start pose. " + proposed.error().message});
+        {FindingSeverity::kWarning, "no_start_pose", "The case has no start pose. " + proposed.error().message});
 }
 
 }  // namespace insonate::check

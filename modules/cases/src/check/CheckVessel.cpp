@@ -53,12 +53,12 @@ void checkGaps(const std::vector<Part>& parts, std::uint8_t label, Findings& fin
   for (const Part& lower : parts)
     for (const Part& upper : parts)
       if (isGap(lower, upper))
-        gaps.push_back({Severity::kWarning, name + "_broken",
+        gaps.push_back({FindingSeverity::kWarning, name + "_broken",
                         "The " + name + " ends at " + placeText(lower.highEnd_mm) + " and goes on at " +
                             placeText(upper.lowEnd_mm) + ". Join the pieces, or it will end in the picture.",
                         lower.highEnd_mm, label});
   if (gaps.size() > kMost)
-    gaps = {{Severity::kWarning, name + "_broken",
+    gaps = {{FindingSeverity::kWarning, name + "_broken",
              "The " + name + " is in " + std::to_string(parts.size()) + " pieces that end near each other, first at " +
                  placeText(*gaps.front().place_mm) +
                  ". Keep those that are vessels (Islands in Prepare), and join them, or they will end in the picture.",
@@ -73,7 +73,7 @@ void checkPieceOf(const CaseView& patient, const Target& target, Findings& findi
   if (sampleNearest(patient.labels, g.indexFromPatient() * target.position_mm) != target.label) return;
   const double long_mm = pieceLength_mm(patient.labels, g.indexFromPatient() * target.position_mm);
   if (long_mm >= kLeast_mm) return;
-  findings.push_back({Severity::kWarning, labelName(target.label) + "_short",
+  findings.push_back({FindingSeverity::kWarning, labelName(target.label) + "_short",
                       "The piece of " + labelName(target.label) + " that holds the target \"" + target.name +
                           "\" is only " + std::to_string(std::lround(long_mm)) +
                           " mm long; it cannot be followed with the probe. Join it to the rest of the vessel.",
@@ -100,7 +100,7 @@ void checkWall(const CaseView& patient, Findings& findings) {
           if (more[a] && labels.voxels[v + step[a]] == other && faces++ == 0) first = v;
       }
   if (faces < kFew) return;
-  findings.push_back({Severity::kWarning, "no_wall",
+  findings.push_back({FindingSeverity::kWarning, "no_wall",
                       "Vein and artery touch over " + std::to_string(faces) + " faces of voxels, first at " +
                           placeText(placeOf(g, first)) +
                           ": there is no wall between them to see or to feel. Leave a voxel of soft tissue between.",
@@ -122,13 +122,13 @@ void checkVessel(const CaseView& patient, std::uint8_t label, Findings& findings
   parts.erase(crumb, parts.end());
   checkGaps(parts, label, findings);
   if (crumbs > 0)
-    findings.push_back({Severity::kWarning, name + "_fragments",
+    findings.push_back({FindingSeverity::kWarning, name + "_fragments",
                         "The " + name + " has " + std::to_string(crumbs) +
                             " crumbs apart from the vessels. Erase them, or they will be punctured by mistake.",
                         firstCrumb_mm, label});
   const double solid = solidShare(patient.labels, label);
   if (solid < 0.5)
-    findings.push_back({Severity::kWarning,
+    findings.push_back({FindingSeverity::kWarning,
                         name + "_thin",
                         "Most of the " + name +
                             " is only one voxel thin; it has no lumen to show or to hit. Label it on a finer grid.",

@@ -32,10 +32,10 @@ std::string header(const std::vector<std::string>& cells) {
 }
 
 std::string machineText(const UltrasoundBench& bench) {
-  const Machine& m = bench.machine;
+  const BenchComputer& m = bench.machine;
   std::string text = m.processor + ", " + std::to_string(m.cores) + " cores, " + m.vectors + " vectors.\n\n" +
                      header({"threads", "multiply-add, GFLOP/s", "cache triad, GB/s", "memory triad, GB/s"});
-  for (const Machine::Limits& l : m.limits)
+  for (const BenchComputer::Limits& l : m.limits)
     text += line(
         {std::to_string(l.threads), fixed(l.multiplyAdd_GFLOPs, 1), fixed(l.cache_GBps, 1), fixed(l.memory_GBps, 1)});
   return text;

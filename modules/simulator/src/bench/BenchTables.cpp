@@ -68,9 +68,9 @@ json jsonOf(const RealismRow& r) {
           {"real_high", r.high},  {"in_range", r.inRange}};
 }
 
-json jsonOf(const Machine& machine) {
+json jsonOf(const BenchComputer& machine) {
   json limits = json::array();
-  for (const Machine::Limits& l : machine.limits)
+  for (const BenchComputer::Limits& l : machine.limits)
     limits.push_back({{"threads", l.threads},
                       {"multiply_add_gflops", rounded(l.multiplyAdd_GFLOPs)},
                       {"cache_triad_gb_per_s", rounded(l.cache_GBps)},

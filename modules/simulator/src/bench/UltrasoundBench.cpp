@@ -45,8 +45,8 @@ std::string processorName() {
   return "unknown";
 }
 
-Machine describeMachine(double seconds) {
-  Machine machine;
+BenchComputer describeMachine(double seconds) {
+  BenchComputer machine;
   machine.processor = processorName();
   machine.vectors = hwy::TargetName(hwy::SupportedTargets() & -hwy::SupportedTargets());
   machine.cores = tbb::info::default_concurrency();
@@ -67,7 +67,7 @@ std::vector<StageLimits> stageLimits(const UltrasoundBench& bench, const std::ve
                       row.samples == w1.samples && row.elevationPlanes == w1.elevationPlanes;
     if (!same) continue;
     const auto limits = std::find_if(bench.machine.limits.begin(), bench.machine.limits.end(),
-                                     [&](const Machine::Limits& l) { return l.threads == row.threads; });
+                                     [&](const BenchComputer::Limits& l) { return l.threads == row.threads; });
     for (const StageTime& stage : row.stages) {
       StageLimits s{.stage = stage.name, .threads = row.threads, .time = stage};
       const auto known =

@@ -19,6 +19,7 @@ inline constexpr double kHazeShare_dB = -10.5;
 inline constexpr double kHazeTail_mm = 1.1;
 inline constexpr double kHazeSpread_mm = 1.0;    ///< lateral SD gained over one tail
 inline constexpr double kHazeSmoothShare = 0.6;  ///< the rest is modulated by the local speckle
+inline constexpr double kHazeGrain = 0.3;        ///< share modulated by the speckle of each sample
 inline constexpr double kHazeGrain_mm = 0.7;     ///< tail of the local mean that speckle is compared with
 inline constexpr double kHazeCeiling_dB = 6;     ///< echoes above this leak no more than this
 inline constexpr double kSideLobes_dB = -25;     ///< of the echoes beside

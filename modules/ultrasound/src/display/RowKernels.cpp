@@ -36,9 +36,14 @@ void compressRow(const CompressRow& t) {
   const auto share = hn::Set(d, t.mix), offset = hn::Set(d, t.offset_dB);
   const auto low = hn::Set(d, t.low_dB), high = hn::Set(d, t.high_dB), tiny = hn::Set(d, 1e-20F);
   const auto shaded = hn::Set(d, t.shadeShare);
+  const auto grainy = hn::Set(d, t.hazeGrain), smooth = hn::Set(d, 1 - t.hazeGrain), grainiest = hn::Set(d, 4.0F);
   overPadded(t.columns, [&](int i) {
+    const auto own = hn::Load(d, t.power + i);
     const auto haze = mix(hn::Load(d, t.hazeBefore + i), hn::Load(d, t.hazeAfter + i), share);
-    const auto power = hn::Max(hn::Add(hn::Load(d, t.power + i), haze), tiny);
+    const auto mean = mix(hn::Load(d, t.meanBefore + i), hn::Load(d, t.meanAfter + i), share);
+    // As grainy as what the place itself returns, since both come through the same beam.
+    const auto grain = hn::Min(hn::Div(own, hn::Max(mean, tiny)), grainiest);
+    const auto power = hn::Max(hn::Add(own, hn::Mul(haze, hn::Add(smooth, hn::Mul(grainy, grain)))), tiny);
     auto lineOffset = hn::Add(offset, hn::Mul(shaded, hn::Load(d, t.shade_dB + i)));
     if (t.line_dB) lineOffset = hn::Add(lineOffset, hn::Load(d, t.line_dB + i));
     const auto level = hn::Min(hn::Max(hn::Add(decibels(d, power), lineOffset), low), high);

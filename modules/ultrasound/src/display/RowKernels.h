@@ -9,6 +9,8 @@ namespace insonate::display {
 /// Level in dB of power plus haze, offset and shade.
 struct CompressRow {
   const float *power, *hazeBefore, *hazeAfter;
+  const float *meanBefore, *meanAfter;  ///< mean power of the blocks that the haze was found for
+  float hazeGrain;                      ///< share of the haze that has the grain of `power`
   float mix;
   float offset_dB, low_dB, high_dB;
   const float* shade_dB;  ///< of each scanline

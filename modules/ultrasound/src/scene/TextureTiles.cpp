@@ -26,30 +26,78 @@ std::vector<float> whiteNoise(const std::array<int, 3>& size, std::uint32_t seed
   return noise;
 }
 
-/// Periodic Gaussian smoothing along one axis; whole rows along x at a time, so that it vectorises.
-void smoothAxis(std::vector<float>& values, const std::array<int, 3>& size, int axis, double sd) {
-  const int radius = std::min(static_cast<int>(std::ceil(3 * sd)), size[axis] / 2);
-  std::vector<float> weight(2 * radius + 1);
-  for (int o = -radius; o <= radius; ++o) weight[o + radius] = static_cast<float>(std::exp(-0.5 * o * o / (sd * sd)));
-  std::vector<float> out(values.size(), 0);
-  const auto row = [&](int y, int z) { return (std::size_t(z) * size[1] + y) * size[0]; };
+/// Rows along x of a tile's values, by whole numbers that wrap around.
+class Rows {
+ public:
+  Rows(std::vector<float>& values, const std::array<int, 3>& size) : values_(values), size_(size) {}
+
+  /// The row at `along` of `axis` (1 or 2) and `other` of the other of the two.
+  float* at(int axis, int along, int other) const {
+    const int wrapped = (along % size_[axis] + size_[axis]) % size_[axis];
+    const int y = axis == 1 ? wrapped : other, z = axis == 1 ? other : wrapped;
+    return values_.data() + (std::size_t(z) * size_[1] + y) * size_[0];
+  }
+
+ private:
+  std::vector<float>& values_;
+  std::array<int, 3> size_;
+};
+
+/// Periodic weighted mean of values at -radius to radius along x.
+void convolveX(std::vector<float>& values, const std::array<int, 3>& size, const std::vector<float>& weight) {
+  const int radius = static_cast<int>(weight.size() / 2);
+  const Rows rows(values, size);
   tbb::parallel_for(0, size[2], [&](int z) {
     std::vector<float> wrapped(size[0] + 2 * radius);
     for (int y = 0; y < size[1]; ++y) {
-      if (axis == 0)
-        for (int x = 0; x < size[0] + 2 * radius; ++x)
-          wrapped[x] = values[row(y, z) + (x - radius + size[0]) % size[0]];
-      float* sum = out.data() + row(y, z);
-      for (int o = -radius; o <= radius; ++o) {
-        const auto there = [&](int at) { return (at + o + size[axis]) % size[axis]; };
-        const float* in = axis == 0   ? wrapped.data() + o + radius
-                          : axis == 1 ? values.data() + row(there(y), z)
-                                      : values.data() + row(y, there(z));
-        for (int x = 0; x < size[0]; ++x) sum[x] += weight[o + radius] * in[x];
-      }
+      float* const row = rows.at(1, y, z);
+      for (int x = 0; x < size[0] + 2 * radius; ++x) wrapped[x] = row[(x - radius + size[0]) % size[0]];
+      std::fill_n(row, size[0], 0.0F);
+      for (int o = 0; o <= 2 * radius; ++o)
+        for (int x = 0; x < size[0]; ++x) row[x] += weight[o] * wrapped[x + o];
+    }
+  });
+}
+
+/// Periodic sum of values at -radius to radius along y or z: what enters is added, what leaves is taken off, so that
+/// the cost does not depend on the radius.
+void sumAlong(std::vector<float>& values, const std::array<int, 3>& size, int axis, int radius) {
+  std::vector<float> out(values.size());
+  const Rows from(values, size), to(out, size);
+  const int columns = size[0];
+  tbb::parallel_for(0, size[3 - axis], [&](int other) {
+    std::vector<float> sum(columns, 0.0F);
+    for (int o = -radius; o <= radius; ++o)
+      for (int x = 0; x < columns; ++x) sum[x] += from.at(axis, o, other)[x];
+    for (int along = 0; along < size[axis]; ++along) {
+      std::copy_n(sum.data(), columns, to.at(axis, along, other));
+      const float *enters = from.at(axis, along + radius + 1, other), *leaves = from.at(axis, along - radius, other);
+      for (int x = 0; x < columns; ++x) sum[x] += enters[x] - leaves[x];
     }
   });
   values.swap(out);
+}
+
+/// Periodic smoothing along one axis, as a Gaussian does but for a factor. Along y and z three running sums come close
+/// to it (Wells, IEEE Trans Pattern Anal 1986;8:234): n boxes of width w have the variance n (w^2 - 1) / 12.
+void smoothAxis(std::vector<float>& values, const std::array<int, 3>& size, int axis, double sd) {
+  constexpr int kBoxes = 3;
+  if (axis == 0) {
+    const int radius = std::min(static_cast<int>(std::ceil(3 * sd)), size[0] / 2);
+    std::vector<float> weight(2 * radius + 1);
+    for (int o = -radius; o <= radius; ++o) weight[o + radius] = static_cast<float>(std::exp(-0.5 * o * o / (sd * sd)));
+    return convolveX(values, size, weight);
+  }
+  // Widths are odd numbers, so the narrower of two comes in as many of the boxes as bring the variance closest.
+  const int narrow = (static_cast<int>(std::sqrt(12 * sd * sd / kBoxes + 1)) - 1) / 2;
+  const auto variance = [](int radius) { return ((2 * radius + 1) * (2 * radius + 1) - 1) / 12.0; };
+  double left = sd * sd - kBoxes * variance(narrow);
+  for (int n = 0; n < kBoxes; ++n) {
+    const double wider = variance(narrow + 1) - variance(narrow);
+    const bool isWide = left > wider / 2;
+    if (isWide) left -= wider;
+    if (narrow + isWide > 0) sumAlong(values, size, axis, narrow + isWide);
+  }
 }
 
 void normalise(std::vector<float>& values) {
@@ -99,36 +147,71 @@ struct SheetLook {
   Vec3 bend_mm;     ///< SDs of the smoothing of the field whose zeros are the sheets
   Vec3 stretch_mm;  ///< SDs of that of the field by which they come and go
   float share;      ///< of their area that is seen
-  double thick_mm;  ///< at which a sheet falls to 1/e
+  double thick_mm;  ///< at which a sheet falls to 1/e, where it is thickest
 };
 
-/// Thin bent sheets that come and go: where a smooth field is zero. Unlike its peaks, its zeros are as thick
-/// everywhere, go on for long, and meet and part at shallow angles, as connective tissue does. Where they bend back
-/// they are steep and return little. 0 to 1.
+/// Zeros of a smooth periodic field as sheets: 1 where the field is zero, falling off within a given thickness. Where
+/// they bend back they are steep and return little.
+class ZeroSheets {
+ public:
+  ZeroSheets(const TextureTile& tile, const std::vector<float>& field) : tile_(tile), field_(field) {}
+
+  double at(int u, int v, int w, double thick_mm) const {
+    const Vec3 slope{(value(u + 1, v, w) - value(u - 1, v, w)) / (2 * tile_.voxel_mm.x),
+                     (value(u, v + 1, w) - value(u, v - 1, w)) / (2 * tile_.voxel_mm.y),
+                     (value(u, v, w + 1) - value(u, v, w - 1)) / (2 * tile_.voxel_mm.z)};
+    const double steepness = std::max(norm(slope), 1e-6), away = value(u, v, w) / steepness / thick_mm;
+    const double flat = slope.z / steepness;
+    return std::exp(-away * away) * flat * flat;
+  }
+
+ private:
+  float value(int u, int v, int w) const {
+    const auto& size = tile_.size;
+    return field_[(std::size_t(w & (size[2] - 1)) * size[1] + (v & (size[1] - 1))) * size[0] + (u & (size[0] - 1))];
+  }
+
+  const TextureTile& tile_;
+  const std::vector<float>& field_;
+};
+
+/// The value above which the stated share of a field lies.
+float thresholdOf(std::vector<float> field, float share) {
+  const auto cut = field.begin() + std::ptrdiff_t(float(field.size() - 1) * (1 - share));
+  std::nth_element(field.begin(), cut, field.end());
+  return *cut;
+}
+
+/// Thin bent sheets that come and go: where a smooth field is zero. Unlike its peaks, its zeros go on for long, and
+/// meet and part at shallow angles, as connective tissue does. A second sheet runs with the first and leaves it here
+/// and there: they branch. Toward their ends sheets grow thin, and their brightness is uneven along them. 0 to 1.
 std::vector<float> sheetsOf(const TextureTile& tile, const SheetLook& look, std::uint32_t seed) {
+  constexpr float kBranch = 0.9F, kUneven = 0.08F, kRagged = 0.35F;
   const auto& size = tile.size;
   const std::vector<float> field = gaussianField(size, tile.voxel_mm, look.bend_mm, seed);
-  const std::vector<float> presence = gaussianField(size, tile.voxel_mm, look.stretch_mm, seed + 1);
-  // The threshold above which the stated share of the field lies.
-  std::vector<float> sorted = presence;
-  const auto cut = sorted.begin() + std::ptrdiff_t(float(sorted.size() - 1) * (1 - look.share));
-  std::nth_element(sorted.begin(), cut, sorted.end());
-  const float threshold = *cut;
+  std::vector<float> presence = gaussianField(size, tile.voxel_mm, look.stretch_mm, seed + 1);
+  const std::vector<float> ragged = gaussianField(size, tile.voxel_mm, look.stretch_mm * 0.4, seed + 2);
+  const std::vector<float> detour = gaussianField(size, tile.voxel_mm, look.stretch_mm * 0.8, seed + 3);
+  // As bright through its thickness, or a place between two voxels would flicker.
+  const Vec3 grain_mm{0.25 * look.stretch_mm.x, 0.25 * look.stretch_mm.y, look.stretch_mm.z};
+  const std::vector<float> uneven = gaussianField(size, tile.voxel_mm, grain_mm, seed + 4);
+  std::vector<float> branching(field.size());
+  for (std::size_t n = 0; n < field.size(); ++n) {
+    presence[n] += kRagged * ragged[n];
+    branching[n] = field[n] + kBranch * std::max(detour[n] - 0.3F, 0.0F);
+  }
+  const float threshold = thresholdOf(presence, look.share);
+  const ZeroSheets first(tile, field), second(tile, branching);
   std::vector<float> sheets(field.size());
-  const auto at = [&](int u, int v, int w) {
-    return field[(std::size_t(w & (size[2] - 1)) * size[1] + (v & (size[1] - 1))) * size[0] + (u & (size[0] - 1))];
-  };
   tbb::parallel_for(0, size[2], [&](int w) {
     for (int v = 0; v < size[1]; ++v)
       for (int u = 0; u < size[0]; ++u) {
         const std::size_t n = (std::size_t(w) * size[1] + v) * size[0] + u;
-        const Vec3 slope{(at(u + 1, v, w) - at(u - 1, v, w)) / (2 * tile.voxel_mm.x),
-                         (at(u, v + 1, w) - at(u, v - 1, w)) / (2 * tile.voxel_mm.y),
-                         (at(u, v, w + 1) - at(u, v, w - 1)) / (2 * tile.voxel_mm.z)};
-        const double steepness = std::max(norm(slope), 1e-6), away = field[n] / steepness / look.thick_mm;
-        const double flat = slope.z / steepness;
-        sheets[n] = static_cast<float>(std::exp(-away * away) * flat * flat) *
-                    smoothstep(threshold - 0.8F, threshold + 1.0F, presence[n]);
+        const float there = smoothstep(threshold - 0.8F, threshold + 1.4F, presence[n]);
+        if (there <= 0) continue;
+        const double thick_mm = look.thick_mm * (0.7 + 0.3 * there);
+        const double sheet = std::max(first.at(u, v, w, thick_mm), 0.85 * second.at(u, v, w, thick_mm));
+        sheets[n] = static_cast<float>(sheet) * there * std::clamp(1 - kUneven * (uneven[n] + 1), 0.0F, 1.0F);
       }
   });
   return sheets;
@@ -138,8 +221,8 @@ std::vector<float> sheetsOf(const TextureTile& tile, const SheetLook& look, std:
 /// Between them lie the fascicles: fine lines along the fibers, dots across them.
 TextureTile makeSepta() {
   TextureTile tile = emptyTile({64, 64, 256}, {0.5, 0.4, 0.07});
-  const std::vector<float> longSheets = sheetsOf(tile, {{6, 2.4, 0.75}, {3, 1, 0.35}, 0.5F, 0.16}, 0x5e97a001U);
-  const std::vector<float> shortSheets = sheetsOf(tile, {{4, 1.2, 0.5}, {2.5, 0.6, 0.3}, 0.3F, 0.13}, 0x5e97a011U);
+  const std::vector<float> longSheets = sheetsOf(tile, {{9, 2.4, 0.7}, {6, 1.3, 0.4}, 0.45F, 0.16}, 0x5e97a001U);
+  const std::vector<float> shortSheets = sheetsOf(tile, {{6, 1.2, 0.4}, {4, 0.8, 0.3}, 0.3F, 0.13}, 0x5e97a031U);
   const std::vector<float> fascicles = gaussianField(tile.size, tile.voxel_mm, {2.5, 0.3, 0.12}, 0x5e97a004U);
   const std::vector<float> slow = gaussianField(tile.size, tile.voxel_mm, {6, 3, 1.4}, 0x5e97a002U);
   for (std::size_t n = 0; n < tile.value.size(); ++n) {
@@ -151,7 +234,7 @@ TextureTile makeSepta() {
 
 /// Fat: lobules of unlike tone between thin septa, most of which run along the skin.
 TextureTile makeLobules() {
-  TextureTile tile = emptyTile({64, 64, 128}, {0.5, 0.5, 0.13125});
+  TextureTile tile = emptyTile({64, 64, 256}, {0.5, 0.5, 0.065625});
   const std::vector<float> longSepta = sheetsOf(tile, {{4.5, 3.5, 0.9}, {2.5, 2, 0.7}, 0.5F, 0.17}, 0x10b01e01U);
   const std::vector<float> shortSepta = sheetsOf(tile, {{2.5, 2, 0.75}, {1.5, 1.2, 0.6}, 0.25F, 0.15}, 0x10b01e11U);
   const std::vector<float> tone = gaussianField(tile.size, tile.voxel_mm, {2, 2, 0.9}, 0x10b01e22U);
@@ -165,7 +248,7 @@ TextureTile makeLobules() {
 
 /// Loose connective tissue: wavy sheets that part and meet, more in one place than in the next.
 TextureTile makeSheets() {
-  TextureTile tile = emptyTile({64, 64, 256}, {0.4, 0.4, 0.08});
+  TextureTile tile = emptyTile({64, 64, 512}, {0.4, 0.4, 0.04});
   const std::vector<float> longSheets = sheetsOf(tile, {{5, 4, 0.5}, {2.5, 2.2, 0.5}, 0.55F, 0.13}, 0x54ee7001U);
   const std::vector<float> shortSheets = sheetsOf(tile, {{2.5, 2, 0.35}, {1.2, 1.2, 0.4}, 0.35F, 0.11}, 0x54ee7011U);
   const std::vector<float> patch = gaussianField(tile.size, tile.voxel_mm, {2.5, 2.5, 0.6}, 0x54ee7002U);

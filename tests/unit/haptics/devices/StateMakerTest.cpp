@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int64_t kMillisecond = 1'000'000;
 
-const DeviceTable& tableOf(const std::string& name) {
+const DeviceTable& tableNamed(const std::string& name) {
   for (const DeviceTable& table : builtInDeviceTables())
     if (table.name.starts_with(name)) return table;
   throw std::runtime_error("no table " + name);
@@ -47,7 +47,7 @@ TEST(Rotation, ATurnIsFoundAgainUpToHalfACircle) {
 }
 
 TEST(StateMaker, ACapMovesTheStylusWhileItIsPressed) {
-  StateMaker maker(tableOf("SpaceMouse"));
+  StateMaker maker(tableNamed("SpaceMouse"));
   DeviceReading reading;
   reading.deflection = {1, 0, 0, 0, 0, 0};
   std::int64_t now = 1000 * kMillisecond;
@@ -61,7 +61,7 @@ TEST(StateMaker, ACapMovesTheStylusWhileItIsPressed) {
 }
 
 TEST(StateMaker, ACapThatFallsSilentWhilePressedStops) {
-  StateMaker maker(tableOf("SpaceMouse"));
+  StateMaker maker(tableNamed("SpaceMouse"));
   DeviceReading reading;
   reading.deflection = {0, 0, 0, 0, 0, 1};
   const std::int64_t last = 1000 * kMillisecond;
@@ -72,7 +72,7 @@ TEST(StateMaker, ACapThatFallsSilentWhilePressedStops) {
 }
 
 TEST(StateMaker, CalibratingPutsTheArmInItsHomePosture) {
-  StateMaker maker(tableOf("WoodenHaptics"));
+  StateMaker maker(tableNamed("WoodenHaptics"));
   DeviceReading reading;
   const Vec3 home = maker.make(reading, 1, 1).deviceFromStylus.offset;
   reading.encoder = {500, -700, 2000, 0, 0, 0};

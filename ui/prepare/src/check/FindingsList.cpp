@@ -25,13 +25,13 @@ struct Sign {
   QString word, group;
 };
 
-Sign signOf(Severity severity) {
+Sign signOf(FindingSeverity severity) {
   switch (severity) {
-    case Severity::kError:
+    case FindingSeverity::kError:
       return {"close", theme::kDanger, FindingsList::tr("Error"), FindingsList::tr("Missing or wrong")};
-    case Severity::kWarning:
+    case FindingSeverity::kWarning:
       return {"warning", theme::kCaution, FindingsList::tr("Doubt"), FindingsList::tr("Doubtful")};
-    case Severity::kInfo:
+    case FindingSeverity::kInfo:
       break;
   }
   return {"help", theme::kQuiet, FindingsList::tr("Note"), FindingsList::tr("Noted")};
@@ -40,7 +40,7 @@ Sign signOf(Severity severity) {
 QString verdict(const std::vector<Finding>& findings) {
   if (!isFit(findings)) return FindingsList::tr("Not fit for training: what is missing or wrong comes first.");
   if (findings.empty()) return FindingsList::tr("Fit for training. Nothing stands against it.");
-  const bool doubts = findings.front().severity == Severity::kWarning;
+  const bool doubts = findings.front().severity == FindingSeverity::kWarning;
   return doubts ? FindingsList::tr("Fit for training, with doubts that may mislead a trainee.")
                 : FindingsList::tr("Fit for training.");
 }
@@ -48,8 +48,8 @@ QString verdict(const std::vector<Finding>& findings) {
 }  // namespace
 
 QString findingCount(const std::vector<Finding>& findings) {
-  const auto count = [&](Severity s) { return int(std::ranges::count(findings, s, &Finding::severity)); };
-  const int errors = count(Severity::kError), doubts = count(Severity::kWarning);
+  const auto count = [&](FindingSeverity s) { return int(std::ranges::count(findings, s, &Finding::severity)); };
+  const int errors = count(FindingSeverity::kError), doubts = count(FindingSeverity::kWarning);
   QStringList words;
   if (errors > 0) words << (errors == 1 ? FindingsList::tr("1 error") : FindingsList::tr("%1 errors").arg(errors));
   if (doubts > 0) words << (doubts == 1 ? FindingsList::tr("1 doubt") : FindingsList::tr("%1 doubts").arg(doubts));
@@ -161,7 +161,7 @@ void FindingsList::refresh() {
   auto* rows = new QVBoxLayout(list_);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(ui::kGap);
-  std::optional<Severity> group;
+  std::optional<FindingSeverity> group;
   for (const Finding& finding : measures->findings) {
     if (std::exchange(group, finding.severity) != finding.severity) {
       auto* heading = new QLabel(signOf(finding.severity).group);

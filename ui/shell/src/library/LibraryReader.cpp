@@ -63,8 +63,8 @@ void findOut(const PatientCase& patient, LibraryEntry& entry, const Progress& pr
   const auto statistics = caseStatistics(patient, progress);
   if (!findings || !statistics) return;
   for (const Finding& finding : *findings) {
-    if (finding.severity == Severity::kError) entry.errors << QString::fromStdString(finding.text);
-    entry.doubts += finding.severity == Severity::kWarning;
+    if (finding.severity == FindingSeverity::kError) entry.errors << QString::fromStdString(finding.text);
+    entry.doubts += finding.severity == FindingSeverity::kWarning;
   }
   entry.fit = isFit(*findings);
   for (int label = 1; label < 256; ++label)

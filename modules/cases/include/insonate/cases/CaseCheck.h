@@ -10,14 +10,14 @@
 
 namespace insonate {
 
-enum class Severity { kError, kWarning, kInfo };
+enum class FindingSeverity { kError, kWarning, kInfo };
 
 /// "error", "warning" or "info".
-std::string_view nameOf(Severity severity);
+std::string_view nameOf(FindingSeverity severity);
 
 /// One reason why a case is fit or unfit for training.
 struct Finding {
-  Severity severity;
+  FindingSeverity severity;
   std::string code;                ///< stable, for scripts, e.g. "no_vein"
   std::string text;                ///< a sentence: what, where, what to do
   std::optional<Vec3> place_mm{};  ///< patient LPS, where it has one place; may lie outside the volume

@@ -74,7 +74,7 @@ struct StageLimits {
   double percentOfArithmetic = 0, percentOfCache = 0, percentOfMemory = 0;
 };
 
-struct Machine {
+struct BenchComputer {
   std::string processor, vectors;  ///< widest instruction set used
   int cores = 1;
   struct Limits {
@@ -100,7 +100,7 @@ struct BenchPicture {
 };
 
 struct UltrasoundBench {
-  Machine machine;
+  BenchComputer machine;
   std::vector<UltrasoundBenchRow> rows;  ///< workload W1 first
   FrameTimes plainLoop;                  ///< a plain scalar loop of W1 without layers, one thread
   std::vector<StageLimits> stages;

@@ -21,7 +21,6 @@
 namespace insonate {
 namespace {
 
-constexpr int kImagesOfANeck = 2;
 constexpr double kLargestForce_N = 4;  ///< light to firm compression with the whole face
 constexpr double kOtherMap = 0.5;      ///< share of the images with another gray map than their machine's
 constexpr double kPoorContact = 0.3;   ///< share of those where an end of the probe does not touch the skin
@@ -199,14 +198,12 @@ Result<std::vector<SourceImage>> simulatedImages(const SimulatedSet& set, const 
     if (!report(progress, "simulating images", double(images.size()) / set.count)) return fail(std::string(kCancelled));
     const auto patient = patients.next();
     if (!patient) return tl::unexpected(patient.error());
-    for (int n = 0; n < kImagesOfANeck && int(images.size()) < set.count; ++n) {
-      const auto one = drawn(patient->views, *probe, *tissues, choices);
-      if (!one) return tl::unexpected(one.error());
-      auto image = imageOf(patient->data, patient->name, *one, std::uint32_t(images.size()));
-      if (!image) return tl::unexpected(image.error());
-      if (!real.empty()) image->image = cutLike(image->image, real[images.size() % real.size()].image);
-      images.push_back(std::move(*image));
-    }
+    const auto one = drawn(patient->views, *probe, *tissues, choices);
+    if (!one) return tl::unexpected(one.error());
+    auto image = imageOf(patient->data, patient->name, *one, std::uint32_t(images.size()));
+    if (!image) return tl::unexpected(image.error());
+    if (!real.empty()) image->image = cutLike(image->image, real[images.size() % real.size()].image);
+    images.push_back(std::move(*image));
   }
   return images;
 }
