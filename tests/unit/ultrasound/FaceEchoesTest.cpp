@@ -21,6 +21,13 @@ class FaceEchoes : public testing::Test {
     return sum / 11 / kGreyPerDb - 20.5;
   }
 
+  /// Of tissue at 10 dB where the whole face touches.
+  double touched_dB(double depth_mm) const {
+    ImagingSettings touching = settings;
+    touching.poorContactLeft_mm = touching.poorContactRight_mm = 0;
+    return level_dB(display(probe, touching, uniformFrame(probe, touching, 10)), 0, depth_mm);
+  }
+
   Probe probe = *loadProbe("linear");
   ImagingSettings settings = [this] {
     ImagingSettings s = bareSettings(probe);
@@ -40,6 +47,17 @@ TEST_F(FaceEchoes, RingingStartsAtItsLevelAndIsOverAfterTwoMillimeters) {
   settings.ringing_dB = 10;
   const BModeImage soft = display(probe, settings, uniformFrame(probe, settings, -200));
   EXPECT_NEAR(level_dB(image, 0, 0.75) - level_dB(soft, 0, 0.75), 20, 1);
+}
+
+/// At 1 mm four elements of 0.3 mm receive, at 6 mm half of what is full, and 0.6 of what they lack is seen.
+TEST_F(FaceEchoes, NearTheFaceFewElementsReceive) {
+  settings.ringing_dB = -20;
+  probe.pitch_mm = 0.3, probe.receiveFNumber = 1.5;
+  EXPECT_NEAR(touched_dB(20), 10, 0.5);
+  EXPECT_NEAR(touched_dB(6), 10 - 0.6 * 6.02, 0.7);
+  EXPECT_NEAR(touched_dB(1.2), 10 - 0.6 * 20 * std::log10(8 / 1.2), 1);
+  settings.effects.nearField = false;
+  EXPECT_NEAR(touched_dB(1.2), 10, 0.5);
 }
 
 TEST_F(FaceEchoes, RingingIsTheSameInAllFramesAndDiffersBetweenElements) {
@@ -63,10 +81,11 @@ TEST_F(FaceEchoes, WhereTheSkinDoesNotTouchLittleComesBack) {
   settings.poorContactLeft_mm = 8;
   settings.poorContactRight_mm = 3;
   const BModeImage image = display(probe, settings, uniformFrame(probe, settings, 10));
-  EXPECT_LT(level_dB(image, -18, 6), -18) << "the left of the image";
+  EXPECT_LT(level_dB(image, -18, 6), touched_dB(6) - 26) << "the left of the image";
   for (const double depth_mm : {6.0, 15.0, 35.0}) {
-    EXPECT_NEAR(level_dB(image, 0, depth_mm), 10, 0.5) << "the deepest aperture reaches the strip";
-    EXPECT_LT(level_dB(image, -18, depth_mm), 0) << depth_mm;
+    const double where_dB = touched_dB(depth_mm);
+    EXPECT_NEAR(level_dB(image, 0, depth_mm), where_dB, 0.5) << "the deepest aperture reaches the strip";
+    EXPECT_LT(level_dB(image, -18, depth_mm), where_dB - 10) << depth_mm;
     EXPECT_LT(level_dB(image, 18, depth_mm), level_dB(image, 12, depth_mm)) << "a thin film of gel";
   }
 }
@@ -77,7 +96,7 @@ TEST_F(FaceEchoes, AStripOfPoorContactBlursAndNarrowsWithDepth) {
   const BModeImage image = display(probe, settings, uniformFrame(probe, settings, 10));
   const auto from_mm = [&](double level, double depth_mm) {
     double x = -18.5;
-    while (x < 0 && level_dB(image, x, depth_mm) < level) x += 0.1;
+    while (x < 0 && level_dB(image, x, depth_mm) < touched_dB(depth_mm) - 10 + level) x += 0.1;
     return x;
   };
   const auto border_mm = [&](double depth_mm) { return from_mm(7, depth_mm) - from_mm(-5, depth_mm); };

@@ -61,6 +61,13 @@ Block makeBlock(const Probe& probe, const ImagingSettings& settings, const BeamG
 
 }  // namespace
 
+double nearLevel_dB(const Probe& probe, double depth_mm) {
+  if (probe.shape == ProbeShape::Phased) return 0;  // all elements, at every depth
+  const double full_mm = std::min(kFullAperture_mm, probe.maxAperture_mm);
+  const double aperture_mm = std::clamp(depth_mm / probe.receiveFNumber, kFewElements * probe.pitch_mm, full_mm);
+  return kNearShare * 20 * std::log10(aperture_mm / full_mm);
+}
+
 DisplayPlan::DisplayPlan(const Probe& probe, const ImagingSettings& settings)
     : scanlines(settings.scanlines), samples(settings.samples) {
   const BeamGrid grid(probe, settings);
@@ -78,8 +85,9 @@ DisplayPlan::DisplayPlan(const Probe& probe, const ImagingSettings& settings)
     const double builtIn_dB =
         settings.effects.attenuation ? std::min(kTgc_dBpcmMHz * settings.frequency_MHz * depth_cm, kMaxTgc_dB) : 0;
     rowGain.push_back(static_cast<float>(std::pow(10, builtIn_dB / 20)));
-    rowOffset_dB.push_back(
-        static_cast<float>(settings.gain_dB + slider_dB(settings.tgc_dB, grid.range_mm(k) / settings.depth_mm)));
+    const double near_dB = settings.effects.nearField ? nearLevel_dB(probe, grid.range_mm(k)) : 0;
+    rowOffset_dB.push_back(static_cast<float>(settings.gain_dB + near_dB +
+                                              slider_dB(settings.tgc_dB, grid.range_mm(k) / settings.depth_mm)));
   }
   axialStride = strideFor(kPlainAxialSd * axial_mm, grid.step_mm(), 64);
   gaussianTaps(kPlainAxialSd * axial_mm, axialStride * grid.step_mm(), axialWeight);

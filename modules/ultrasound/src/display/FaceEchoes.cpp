@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kRinging_mm = 0.18;  ///< in which the ringing of the elements falls to 1/e
 constexpr double kLens_mm = 0.75;  ///< between echoes of the lens, as the image shows them at the sound speed of tissue
-constexpr double kSkinEcho = 0.22, kAirEcho = 0.32;  ///< what each echo of the lens keeps of the one before
+constexpr double kSkinEcho = 0.16, kAirEcho = 0.2;  ///< what each echo of the lens keeps of the one before
 constexpr double kSpread = 0.35;     ///< by which each echo is longer than the one before, in pulses: the lens absorbs
 constexpr double kInaudible = 1e-3;  ///< of an amplitude at the face
 constexpr double kElements_dB = 2, kElements_mm = 0.9;  ///< range of the difference between elements, and its width
@@ -123,8 +123,10 @@ void FaceEchoes::findRinging(const Probe& probe, const ImagingSettings& settings
   const double end_mm = (std::log(kInaudible) / std::log(kAirEcho) + 3) * kLens_mm;
   for (int k = 0; k < grid.samples() && grid.range_mm(k) < end_mm; ++k) {
     const double depth_mm = grid.range_mm(k);
-    touching_.push_back(powerOf(ringing(depth_mm, pulse_mm, kSkinEcho), settings.ringing_dB));
-    lifted_.push_back(powerOf(ringing(depth_mm, pulse_mm, kAirEcho), settings.ringing_dB));
+    // The setting is what the image shows.
+    const double level_dB = settings.ringing_dB - nearLevel_dB(probe, depth_mm);
+    touching_.push_back(powerOf(ringing(depth_mm, pulse_mm, kSkinEcho), level_dB));
+    lifted_.push_back(powerOf(ringing(depth_mm, pulse_mm, kAirEcho), level_dB));
   }
 }
 
