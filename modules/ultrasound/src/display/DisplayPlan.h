@@ -30,8 +30,8 @@ inline constexpr double kDriftReach_dB = 3, kDriftLateral_mm = 2.4, kDriftAxial_
 /// Share of the level, in dB, that an aperture smaller than the full one lacks and that the machine does not make up
 /// for: chosen by the uppermost 4 mm of seven real neck images.
 inline constexpr double kNearShare = 0.6, kFullAperture_mm = 8, kFewElements = 4;
-/// Level of echoes in dB: those near the face reach few elements, whose aperture grows with the depth, and machines make
-/// up for a part of it. 0 where the aperture is full.
+/// Level of echoes in dB: those near the face reach few elements, whose aperture grows with the depth, and machines
+/// make up for a part of it. 0 where the aperture is full.
 double nearLevel_dB(const Probe& probe, double depth_mm);
 
 /// What the top of a scanline sends back does not reach the tissue below: bright places near the skin leave streaks.

@@ -3,9 +3,6 @@
 #include <insonate/core/Hash.h>
 #include <insonate/ultrasound/PointSpread.h>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +11,8 @@ namespace {
 
 /// Full width at half maximum of a cubic B-spline, in distances between its nodes.
 constexpr double kSplineFwhm = 1.4448;
-constexpr int kNodesPerTask = 32;
+/// Places where a frame's noise may begin in the field.
+constexpr int kRowShifts = 256, kColumnShifts = 64;
 
 double cubicSpline(double x) {
   const double a = std::abs(x);
@@ -32,44 +30,45 @@ double nodeDistance(const Probe& probe, const ImagingSettings& settings) {
 
 ElectronicNoise::ElectronicNoise(const Probe& probe, const ImagingSettings& settings, const DisplayPlan& plan)
     : time_(static_cast<std::uint32_t>(std::llround(settings.time_s * 1000))),
-      nodes_(static_cast<int>(plan.samples / nodeDistance(probe, settings)) + 4),
-      columns_(plan.scanlines),
-      white_(2 * settings.looks * nodes_, plan.scanlines) {
+      rows_(plan.samples + kRowShifts),
+      field_(2 * rows_, plan.scanlines + kColumnShifts) {
   const double part = std::pow(10, settings.noise_dB / 20) / std::sqrt(2.0), distance = nodeDistance(probe, settings);
-  for (int k = 0; k < plan.samples; ++k) {
+  const int nodes = static_cast<int>(rows_ / distance) + 4, columns = plan.scanlines + kColumnShifts;
+  Plane white(2 * nodes, columns);
+  for (int n = 0; n < nodes; ++n)
+    whiteRow(
+        {.seed = hashNode(n, 0, 0, 0), .columns = columns, .real = white.row(n), .imaginary = white.row(nodes + n)});
+  for (int k = 0; k < rows_; ++k) {
     const double place = k / distance;
-    Taps taps{static_cast<int>(place), {}};
+    const int node = static_cast<int>(place);
     double weight[4], power = 0;
     for (int tap = 0; tap < 4; ++tap) {
-      weight[tap] = cubicSpline(place - taps.node + 1 - tap);
+      weight[tap] = cubicSpline(place - node + 1 - tap);
       power += weight[tap] * weight[tap];
     }
-    for (int tap = 0; tap < 4; ++tap) taps.weight[tap] = static_cast<float>(weight[tap] * part / std::sqrt(power));
-    rows_.push_back(taps);
+    for (int tap = 0; tap < 4; ++tap) {
+      const auto scale = static_cast<float>(weight[tap] * part / std::sqrt(power));
+      for (const int plane : {0, 1}) {
+        const float* const from = white.row(plane * nodes + node + tap);
+        float* const to = field_.row(plane * rows_ + k);
+        for (int i = 0; i < columns; ++i) to[i] += scale * from[i];
+      }
+    }
   }
 }
 
 void ElectronicNoise::draw(std::uint32_t seed, int looks) {
   const std::uint32_t frame = hash32(hash32(seed) + time_);
-  tbb::parallel_for(tbb::blocked_range<int>(0, looks * nodes_, kNodesPerTask), [&](const auto& range) {
-    for (int n = range.begin(); n < range.end(); ++n) {
-      const int look = n / nodes_, node = n % nodes_;
-      whiteRow({.seed = hashNode(node, look, 0, frame),
-                .columns = columns_,
-                .real = white_.row(2 * look * nodes_ + node),
-                .imaginary = white_.row((2 * look + 1) * nodes_ + node)});
-    }
-  });
+  for (int look = 0; look < looks; ++look) {
+    const std::uint32_t place = hashNode(look, 0, 0, frame);
+    from_[look] = {static_cast<int>(place % kRowShifts), static_cast<int>(place / kRowShifts % kColumnShifts)};
+  }
 }
 
 void ElectronicNoise::addTo(CompoundRow& task, int row) const {
-  const Taps& taps = rows_[row];
   for (int look = 0; look < task.looks; ++look) {
-    NoiseTaps& noise = task.noise[look];
-    noise.real = white_.row(2 * look * nodes_ + taps.node);
-    noise.imaginary = white_.row((2 * look + 1) * nodes_ + taps.node);
-    noise.stride = white_.stride();
-    std::copy_n(taps.weight, 4, noise.weight);
+    const auto [firstRow, firstColumn] = from_[look];
+    task.noise[look] = {field_.row(firstRow + row) + firstColumn, field_.row(rows_ + firstRow + row) + firstColumn};
   }
 }
 

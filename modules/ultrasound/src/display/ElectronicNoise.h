@@ -4,6 +4,7 @@
 #include "Plane.h"
 #include "ReceiveKernels.h"
 
+#include <array>
 #include <cstdint>
 
 namespace insonate::display {
@@ -19,21 +20,19 @@ class ElectronicNoise {
  public:
   ElectronicNoise(const Probe& probe, const ImagingSettings& settings, const DisplayPlan& plan);
 
-  /// Draws the noise of one frame, for so many looks; the same seed gives the same noise. Uses the calling thread's TBB
-  /// arena.
+  /// Draws where in the field the noise of one frame begins, for so many looks; the same seed gives the same noise.
   void draw(std::uint32_t seed, int looks);
   /// Hands a row's noise to `task`, for each of its looks.
   void addTo(CompoundRow& task, int row) const;
 
  private:
-  struct Taps {
-    int node;
-    float weight[4];
+  struct Place {
+    int row = 0, column = 0;
   };
   std::uint32_t time_;
-  int nodes_, columns_;
-  std::vector<Taps> rows_;
-  Plane white_;  ///< [look][real, imaginary][node]
+  int rows_;
+  Plane field_;  ///< [real, imaginary][row], larger than an image; drawn once, since that takes longer than a frame may
+  std::array<Place, 3> from_{};  ///< [look]
 };
 
 }  // namespace insonate::display

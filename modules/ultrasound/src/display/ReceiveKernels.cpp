@@ -54,14 +54,6 @@ void whiteRow(const WhiteRow& t) {
 
 constexpr float kMaxAmplitude = 1e9F;  // louder, and infinite, echoes count as this
 
-template <class V>
-HWY_INLINE V tapped(F d, const NoiseTaps& noise, const float* from, V first, int i) {
-  auto sum = hn::Mul(first, hn::LoadU(d, from + i));
-  for (int tap = 1; tap < 4; ++tap)
-    sum = hn::Add(sum, hn::Mul(hn::Set(d, noise.weight[tap]), hn::LoadU(d, from + tap * noise.stride + i)));
-  return sum;
-}
-
 template <bool kNoise>
 HWY_INLINE void compoundLooks(const CompoundRow& t) {
   const F d;
@@ -75,10 +67,8 @@ HWY_INLINE void compoundLooks(const CompoundRow& t) {
       if (t.contact) usable = hn::Mul(usable, hn::LoadU(d, t.contact + i));
       if constexpr (kNoise) {
         // The noise's phase does not depend on the echo's, which may therefore be taken as 0.
-        const NoiseTaps& noise = t.noise[l];
-        const auto first = hn::Set(d, noise.weight[0]);
-        const auto real = hn::Add(usable, tapped(d, noise, noise.real, first, i));
-        const auto imaginary = tapped(d, noise, noise.imaginary, first, i);
+        const auto real = hn::Add(usable, hn::LoadU(d, t.noise[l].real + i));
+        const auto imaginary = hn::LoadU(d, t.noise[l].imaginary + i);
         usable = hn::Sqrt(hn::Add(hn::Mul(real, real), hn::Mul(imaginary, imaginary)));
       }
       sum = hn::Add(sum, usable);

@@ -14,11 +14,9 @@ struct WhiteRow {
 };
 void whiteRow(const WhiteRow& task);
 
-/// Noise of one look in one row: four rows of white noise, `stride` floats apart, weighted.
-struct NoiseTaps {
+/// Noise of one look in one row.
+struct NoiseRow {
   const float *real = nullptr, *imaginary = nullptr;
-  int stride = 0;
-  float weight[4] = {};
 };
 
 /// Mean of the looks with unusable amplitudes as 0, with noise where there is some, times gain, squared.
@@ -27,7 +25,7 @@ struct CompoundRow {
   int looks;
   int columns;
   const float* contact = nullptr;  ///< share of the amplitude that a scanline keeps; null for all of it
-  NoiseTaps noise[3] = {};         ///< of each look; none where the first is null
+  NoiseRow noise[3] = {};          ///< of each look; none where the first is null
   float gain;
   float ceiling;  ///< of what goes into the sum
   float* power;

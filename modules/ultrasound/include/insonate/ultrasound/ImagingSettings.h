@@ -55,7 +55,7 @@ struct ImagingSettings {
   double edgeEnhancement = 0;     ///< of changes along the beam, 0..1
   double dynamicFilter = 0;       ///< growth of the pulse's length per 30 mm of depth, in lengths at the face; 0..2
   double noise_dB = -44;          ///< RMS of the receiver's noise in one look over unit speckle, before TGC; -120..0
-  double ringing_dB = 20;         ///< the transmitted pulse at the face over unit speckle; -20..60
+  double ringing_dB = 10;         ///< the transmitted pulse at the face over unit speckle; -20..60
   double poorContactLeft_mm = 0, poorContactRight_mm = 0;  ///< strips of the face that the skin does not touch; 0..30
   std::array<double, 8> lateralGain_dB{};                  ///< sliders from the left to the right scanline, -20..20
   int looks = 3;                                           ///< compounded, 1..3
