@@ -11,7 +11,7 @@
 
 namespace insonate::test {
 
-/// What a score says of each moment.
+/// The sentence of each moment of a score.
 inline std::vector<std::string> sentences(const AttemptScore& score) {
   std::vector<std::string> all;
   for (const AttemptMoment& moment : score.moments) all.push_back(moment.say);

@@ -21,7 +21,7 @@ class FaceEchoes : public testing::Test {
     return sum / 11 / kGreyPerDb - 20.5;
   }
 
-  /// Of tissue at 10 dB where the whole face touches.
+  /// Level of tissue at 10 dB where the whole face touches.
   double touched_dB(double depth_mm) const {
     ImagingSettings touching = settings;
     touching.poorContactLeft_mm = touching.poorContactRight_mm = 0;
@@ -95,8 +95,9 @@ TEST_F(FaceEchoes, AStripOfPoorContactBlursAndNarrowsWithDepth) {
   settings.poorContactLeft_mm = 8;
   const BModeImage image = display(probe, settings, uniformFrame(probe, settings, 10));
   const auto from_mm = [&](double level, double depth_mm) {
+    const double lack_dB = touched_dB(depth_mm) - 10;
     double x = -18.5;
-    while (x < 0 && level_dB(image, x, depth_mm) < touched_dB(depth_mm) - 10 + level) x += 0.1;
+    while (x < 0 && level_dB(image, x, depth_mm) < level + lack_dB) x += 0.1;
     return x;
   };
   const auto border_mm = [&](double depth_mm) { return from_mm(7, depth_mm) - from_mm(-5, depth_mm); };

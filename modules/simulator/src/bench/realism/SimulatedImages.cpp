@@ -84,7 +84,7 @@ Result<Turned> turned(const StartPose& view, Choices& choices) {
   return Turned{&view, *pose, turn};
 }
 
-/// Whether tissue lies below both ends of the face. Beyond the volume there is none.
+/// True where tissue lies below both ends of the face. Outside the volume there is none.
 bool isOnTheBody(const PatientCase& patient, const Probe& probe, const Transform& patientFromProbe) {
   constexpr double kBelow_mm = 4;
   const Transform index = patient.labels.geometry.indexFromPatient();
