@@ -106,5 +106,35 @@ TEST_P(Compounding, MakesShadowsCones) {
   EXPECT_LT(shadow_mm(three, 17), 0.5 * shadow_mm(plain, 17));
 }
 
+/// A machine sends one angle after the other. Once each has been sent from a new place, its image is that of all.
+TEST_P(Compounding, AnglesInTurnCostOneFrameAndSettle) {
+  const Probe probe = probeNamed("linear");
+  ImagingSettings settings = speckleSettings(probe, 128, 400, 1);
+  Transform beside;
+  beside.offset = {1.5, 0, 0};
+  const Region region = regionFor(probe, settings);
+  const ScenePtr scene =
+      sceneOf(paint(alignedGridOver(region, 5), [](Vec3) { return kSoftTissue; }), plainTable(), region);
+  settings.compoundingAngles = 3;
+  const auto make = [&](CompoundedAngles angles) {
+    auto engine = *makeEngineFor(GetParam(), probe, settings, angles);
+    engine->prepare(probe, settings);
+    return engine;
+  };
+  const auto all = make(CompoundedAngles::InEachFrame), inTurn = make(CompoundedAngles::InTurn);
+  EnvelopeFrame there, moved, frame;
+  all->render(*scene, {}, there);
+  all->render(*scene, beside, moved);
+  inTurn->render(*scene, {}, frame);
+  EXPECT_EQ(frame.amplitude, there.amplitude) << "the first frame has all angles";
+  for (int n = 0; n < 2; ++n) {
+    inTurn->render(*scene, beside, frame);
+    EXPECT_NE(frame.amplitude, there.amplitude) << n;
+    EXPECT_NE(frame.amplitude, moved.amplitude) << n;
+  }
+  inTurn->render(*scene, beside, frame);
+  EXPECT_EQ(frame.amplitude, moved.amplitude);
+}
+
 }  // namespace
 }  // namespace insonate::test

@@ -58,10 +58,10 @@ Result<std::shared_ptr<const AcousticScene>> sceneOf(const SceneSource& source, 
 
 }  // namespace
 
-Result<Imager> Imager::make(const ImagingSetup& setup) {
+Result<Imager> Imager::make(const ImagingSetup& setup, CompoundedAngles angles) {
   if (auto ok = validate(setup.probe); !ok) return tl::unexpected(ok.error());
   if (auto ok = validate(setup.settings, setup.probe); !ok) return tl::unexpected(ok.error());
-  auto engine = makeEngineFor(setup.engine, setup.probe, setup.settings);
+  auto engine = makeEngineFor(setup.engine, setup.probe, setup.settings, angles);
   if (!engine) return tl::unexpected(engine.error());
   (*engine)->prepare(setup.probe, setup.settings);
   return Imager(std::move(*engine), Display(setup.probe, setup.settings));

@@ -25,16 +25,16 @@ Result<std::unique_ptr<Engine>> makeEngine(std::string_view name) {
 }
 
 Result<std::unique_ptr<Engine>> makeEngineFor(std::string_view name, const Probe& probe,
-                                              const ImagingSettings& settings) {
-  const std::size_t angles = steeringAngles_deg(probe, settings).size();
-  if (angles == 1) return makeEngine(name);
+                                              const ImagingSettings& settings, CompoundedAngles angles) {
+  const std::size_t count = steeringAngles_deg(probe, settings).size();
+  if (count == 1) return makeEngine(name);
   std::vector<std::unique_ptr<Engine>> engines;
-  for (std::size_t a = 0; a < angles; ++a) {
+  for (std::size_t a = 0; a < count; ++a) {
     auto engine = makeEngine(name);
     if (!engine) return engine;
     engines.push_back(std::move(*engine));
   }
-  return std::make_unique<CompoundingEngine>(std::move(engines));
+  return std::make_unique<CompoundingEngine>(std::move(engines), angles);
 }
 
 Region regionOf(const Probe& probe, const ImagingSettings& settings, const Transform& patientFromProbe,

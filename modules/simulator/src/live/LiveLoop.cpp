@@ -14,9 +14,11 @@
 namespace insonate {
 namespace {
 
-/// Until what is left of any earlier picture is below half a grey level.
-int framesToSettle(double persistence) {
-  return persistence > 0 ? static_cast<int>(std::ceil(std::log(0.5 / 255) / std::log(persistence))) : 0;
+/// Until each angle has been sent again, and what is left of any earlier image is below half a gray level.
+int framesToSettle(const ImagingSetup& setup) {
+  const double persistence = setup.settings.persistence;
+  const auto angles = static_cast<int>(steeringAngles_deg(setup.probe, setup.settings).size());
+  return angles - 1 + (persistence > 0 ? static_cast<int>(std::ceil(std::log(0.5 / 255) / std::log(persistence))) : 0);
 }
 
 constexpr double kSmallScene_mm = 4;
@@ -39,7 +41,7 @@ LiveImaging::Impl::Source::Source(std::shared_ptr<const ImagingSetup> of, Imager
       imager(std::move(its)),
       tissue(std::move(pressed)),
       need(*setup, volume),
-      framesToSettle(insonate::framesToSettle(setup->settings.persistence)) {}
+      framesToSettle(insonate::framesToSettle(*setup)) {}
 
 LiveImaging::Impl::Impl(CaseVolumes patient, std::shared_ptr<const ImagingSetup> setup, Imager imager,
                         PressedTissue tissue, const Transform& patientFromProbe, const LiveOptions& options)
@@ -122,7 +124,7 @@ void LiveImaging::Impl::takeInputs() {
   if (const auto needle = needles_.take()) needle_ = *needle;
   if (auto setup = setups_.take()) {
     jobFailed_ = false;
-    auto imager = Imager::make(**setup);
+    auto imager = Imager::make(**setup, CompoundedAngles::InTurn);
     auto tissue = PressedTissue::make((*setup)->probe, (*setup)->settings, (*setup)->mechanics, kIterations);
     if (imager && tissue)
       next_.emplace(std::move(*setup), std::move(*imager), std::move(*tissue), patient_.labels->geometry);

@@ -48,7 +48,7 @@ class LiveImaging::Impl {
     Imager imager;
     PressedTissue tissue;
     live::SceneNeed need;
-    int framesToSettle;  ///< pictures of a still probe until persistence no longer shows
+    int framesToSettle;  ///< images of a still probe until earlier ones no longer show
     BModeImage black;    ///< made when first needed
   };
 

@@ -6,7 +6,8 @@
 
 namespace insonate {
 
-CompoundingEngine::CompoundingEngine(std::vector<std::unique_ptr<Engine>> engines) : engines_(std::move(engines)) {}
+CompoundingEngine::CompoundingEngine(std::vector<std::unique_ptr<Engine>> engines, CompoundedAngles angles)
+    : engines_(std::move(engines)), inTurn_(angles == CompoundedAngles::InTurn) {}
 
 void CompoundingEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
   const std::vector<double> angles_deg = steeringAngles_deg(probe, settings);
@@ -23,6 +24,8 @@ void CompoundingEngine::prepare(const Probe& probe, const ImagingSettings& setti
     linesPerSample_.push_back(aside * settings.depth_mm / settings.samples / grid.pitch_mm());
   }
   angles_.assign(std::size_t(settings.samples) * settings.scanlines, 0);
+  steered_.clear();
+  next_ = 0;
 }
 
 /// Adds the power of one angle where its scanlines pass.
@@ -49,18 +52,22 @@ void CompoundingEngine::add(const EnvelopeFrame& steered, double linesPerSample,
 
 void CompoundingEngine::render(const AcousticScene& scene, const Transform& patientFromProbe,
                                const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) {
-  std::fill(angles_.begin(), angles_.end(), 0.0F);
-  for (std::size_t a = 0; a < engines_.size(); ++a) {
-    engines_[a]->render(scene, patientFromProbe, displacement, needle, steered_);
-    if (a == 0) {
-      envelope.resize(steered_.scanlines, steered_.samples, steered_.looks);
-      std::fill(envelope.amplitude.begin(), envelope.amplitude.end(), 0.0F);
+  const std::size_t count = engines_.size();
+  const bool all = !inTurn_ || steered_.empty();
+  steered_.resize(count);
+  const std::size_t first = all ? 0 : next_, end = all ? count : next_ + 1;
+  next_ = all ? 0 : (next_ + 1) % count;
+  for (std::size_t a = first; a < end; ++a) {
+    engines_[a]->render(scene, patientFromProbe, displacement, needle, steered_[a]);
+    if (a == first)
       stages_ = engines_[a]->stages();
-    } else {
+    else
       for (std::size_t s = 0; s < stages_.size(); ++s) stages_[s].ms += engines_[a]->stages()[s].ms;
-    }
-    add(steered_, linesPerSample_[a], envelope);
   }
+  std::fill(angles_.begin(), angles_.end(), 0.0F);
+  envelope.resize(steered_[0].scanlines, steered_[0].samples, steered_[0].looks);
+  std::fill(envelope.amplitude.begin(), envelope.amplitude.end(), 0.0F);
+  for (std::size_t a = 0; a < count; ++a) add(steered_[a], linesPerSample_[a], envelope);
   for (int look = 0; look < envelope.looks; ++look) {
     float* power = envelope.look(look);
     for (std::size_t n = 0; n < angles_.size(); ++n) power[n] = std::sqrt(power[n] / std::max(angles_[n], 1.0F));

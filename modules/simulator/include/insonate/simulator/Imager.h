@@ -44,7 +44,7 @@ struct ImagingFrame {
 class Imager {
  public:
   /// Fails on an unknown engine and on a probe or settings out of range.
-  static Result<Imager> make(const ImagingSetup& setup);
+  static Result<Imager> make(const ImagingSetup& setup, CompoundedAngles angles = CompoundedAngles::InEachFrame);
 
   /// Allocates nothing once `frame` has been used before. `patientFromProbe` is rigid (see ProbePose.h).
   void render(const AcousticScene& scene, const Transform& patientFromProbe, ImagingFrame& frame) {

@@ -62,9 +62,15 @@ std::vector<std::string> engineNames();
 /// OpenGL 4.3.
 Result<std::unique_ptr<Engine>> makeEngine(std::string_view name);
 
+/// How spatial compounding comes by its angles. A machine sends one angle after the other and averages the last ones:
+/// a frame costs what it costs without compounding, and what moves is seen where it was, too. The first frame renders
+/// them all. Stills render them all in each frame.
+enum class CompoundedAngles { InEachFrame, InTurn };
+
 /// The same for a probe and settings: where they ask for spatial compounding, an engine of each angle, else one.
 Result<std::unique_ptr<Engine>> makeEngineFor(std::string_view name, const Probe& probe,
-                                              const ImagingSettings& settings);
+                                              const ImagingSettings& settings,
+                                              CompoundedAngles angles = CompoundedAngles::InEachFrame);
 
 /// Region that a frame at this pose needs of the scene, where tissue has moved by up to `largestShift_mm` (0 or above).
 Region regionOf(const Probe& probe, const ImagingSettings& settings, const Transform& patientFromProbe,
