@@ -51,7 +51,7 @@ inline constexpr float kEdgeFrom = 2.5F, kEdgeTo = 12;
 /// Slope from which interfaces are not followed, in units of FWHM axial per FWHM lateral.
 inline constexpr float kMaxSlope = 3;
 /// Contrast of speckle against its surroundings: d + d (kContrast + kContrastBend d), d within +-kContrastReach_dB.
-inline constexpr float kContrast = 1.3F, kContrastBend = 0.12F, kContrastReach_dB = 6;
+inline constexpr float kContrast = 0.5F, kContrastBend = 0.2F, kContrastReach_dB = 6;
 
 /// Edge enhancement at full strength: share of what a level stands out from those half a pulse above and below, and how
 /// much of that counts.

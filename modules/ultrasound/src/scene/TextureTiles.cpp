@@ -126,15 +126,16 @@ std::int8_t toByte(float value) {
   return static_cast<std::int8_t>(std::lround(std::clamp(value, -1.0F, 1.0F) * 127));
 }
 
-/// The fields above have u fastest; a tile has w fastest.
-TextureTile transposed(TextureTile tile) {
+/// Brings voxels into the order of a tile, with its gaps. The fields above have u fastest.
+TextureTile packed(TextureTile tile) {
   const std::vector<std::int8_t> planes = std::move(tile.value);
-  tile.value.resize(planes.size() + TextureTile::kPadding);
-  std::size_t n = 0;
-  for (int v = 0; v < tile.size[1]; ++v)
-    for (int u = 0; u < tile.size[0]; ++u)
-      for (int w = 0; w < tile.size[2]; ++w)
-        tile.value[n++] = planes[(std::size_t(w) * tile.size[1] + v) * tile.size[0] + u];
+  const auto [us, vs, ws] = tile.size;
+  tile.value.assign(std::size_t(vs) * tile.stepV(), 0);
+  for (int v = 0; v < vs; ++v)
+    for (int u = 0; u < us; ++u) {
+      std::int8_t* const row = tile.value.data() + std::size_t(v) * tile.stepV() + std::size_t(u) * tile.stepU();
+      for (int w = 0; w < tile.stepU(); ++w) row[w] = planes[(std::size_t(w % ws) * vs + v) * us + u];
+    }
   return tile;
 }
 
@@ -221,43 +222,43 @@ std::vector<float> sheetsOf(const TextureTile& tile, const SheetLook& look, std:
 /// Between them lie the fascicles: fine lines along the fibers, dots across them.
 TextureTile makeSepta() {
   TextureTile tile = emptyTile({64, 64, 256}, {0.5, 0.4, 0.07});
-  const std::vector<float> longSheets = sheetsOf(tile, {{9, 2.4, 0.7}, {6, 1.3, 0.4}, 0.45F, 0.16}, 0x5e97a001U);
-  const std::vector<float> shortSheets = sheetsOf(tile, {{6, 1.2, 0.4}, {4, 0.8, 0.3}, 0.3F, 0.13}, 0x5e97a031U);
+  const std::vector<float> longSheets = sheetsOf(tile, {{9, 2.4, 0.7}, {6, 1.3, 0.4}, 0.3F, 0.16}, 0x5e97a001U);
+  const std::vector<float> shortSheets = sheetsOf(tile, {{6, 1.2, 0.4}, {4, 0.8, 0.3}, 0.14F, 0.13}, 0x5e97a031U);
   const std::vector<float> fascicles = gaussianField(tile.size, tile.voxel_mm, {2.5, 0.3, 0.12}, 0x5e97a004U);
   const std::vector<float> slow = gaussianField(tile.size, tile.voxel_mm, {6, 3, 1.4}, 0x5e97a002U);
   for (std::size_t n = 0; n < tile.value.size(); ++n) {
     const float sheet = std::max(longSheets[n], 0.7F * shortSheets[n]);
     tile.value[n] = toByte(sheet + (1 - sheet) * (0.1F * fascicles[n] + 0.05F * slow[n]));
   }
-  return transposed(std::move(tile));
+  return packed(std::move(tile));
 }
 
 /// Fat: lobules of unlike tone between thin septa, most of which run along the skin.
 TextureTile makeLobules() {
   TextureTile tile = emptyTile({64, 64, 256}, {0.5, 0.5, 0.065625});
-  const std::vector<float> longSepta = sheetsOf(tile, {{4.5, 3.5, 0.9}, {2.5, 2, 0.7}, 0.5F, 0.17}, 0x10b01e01U);
-  const std::vector<float> shortSepta = sheetsOf(tile, {{2.5, 2, 0.75}, {1.5, 1.2, 0.6}, 0.25F, 0.15}, 0x10b01e11U);
+  const std::vector<float> longSepta = sheetsOf(tile, {{4.5, 3.5, 0.9}, {2.5, 2, 0.7}, 0.32F, 0.17}, 0x10b01e01U);
+  const std::vector<float> shortSepta = sheetsOf(tile, {{2.5, 2, 0.75}, {1.5, 1.2, 0.6}, 0.1F, 0.15}, 0x10b01e11U);
   const std::vector<float> tone = gaussianField(tile.size, tile.voxel_mm, {2, 2, 0.9}, 0x10b01e22U);
   const std::vector<float> grain = gaussianField(tile.size, tile.voxel_mm, {0.6, 0.6, 0.25}, 0x10b01e23U);
   for (std::size_t n = 0; n < tile.value.size(); ++n) {
     const float sheet = std::max(longSepta[n], 0.75F * shortSepta[n]);
     tile.value[n] = toByte(sheet + (1 - sheet) * (0.09F * tone[n] + 0.06F * grain[n]));
   }
-  return transposed(std::move(tile));
+  return packed(std::move(tile));
 }
 
 /// Loose connective tissue: wavy sheets that part and meet, more in one place than in the next.
 TextureTile makeSheets() {
   TextureTile tile = emptyTile({64, 64, 512}, {0.4, 0.4, 0.04});
-  const std::vector<float> longSheets = sheetsOf(tile, {{5, 4, 0.5}, {2.5, 2.2, 0.5}, 0.55F, 0.13}, 0x54ee7001U);
-  const std::vector<float> shortSheets = sheetsOf(tile, {{2.5, 2, 0.35}, {1.2, 1.2, 0.4}, 0.35F, 0.11}, 0x54ee7011U);
+  const std::vector<float> longSheets = sheetsOf(tile, {{5, 4, 0.5}, {2.5, 2.2, 0.5}, 0.38F, 0.13}, 0x54ee7001U);
+  const std::vector<float> shortSheets = sheetsOf(tile, {{2.5, 2, 0.35}, {1.2, 1.2, 0.4}, 0.16F, 0.11}, 0x54ee7011U);
   const std::vector<float> patch = gaussianField(tile.size, tile.voxel_mm, {2.5, 2.5, 0.6}, 0x54ee7002U);
   const std::vector<float> grain = gaussianField(tile.size, tile.voxel_mm, {0.6, 0.6, 0.2}, 0x54ee7003U);
   for (std::size_t n = 0; n < tile.value.size(); ++n) {
     const float sheet = std::max(longSheets[n], 0.8F * shortSheets[n]);
     tile.value[n] = toByte(sheet + (1 - sheet) * (0.14F * patch[n] + 0.06F * grain[n] - 0.1F));
   }
-  return transposed(std::move(tile));
+  return packed(std::move(tile));
 }
 
 /// Parenchyma: a grain that varies slowly within the organ, faint strands, and small vessels as dark lines and dots.
@@ -265,12 +266,12 @@ TextureTile makeFine() {
   TextureTile tile = emptyTile({64, 64, 128}, {0.4, 0.4, 0.16});
   const std::vector<float> coarse = gaussianField(tile.size, tile.voxel_mm, {2.2, 2.2, 1.8}, 0xf14e0001U);
   const std::vector<float> fine = gaussianField(tile.size, tile.voxel_mm, {0.45, 0.45, 0.3}, 0xf14e0002U);
-  const std::vector<float> strands = sheetsOf(tile, {{1.8, 1.8, 0.7}, {1, 1, 0.4}, 0.18F, 0.16}, 0xf14e0011U);
+  const std::vector<float> strands = sheetsOf(tile, {{1.8, 1.8, 0.7}, {1, 1, 0.4}, 0.1F, 0.16}, 0xf14e0011U);
   const std::vector<float> vessels = gaussianField(tile.size, tile.voxel_mm, {2.5, 0.5, 0.35}, 0xf14e0021U);
   for (std::size_t n = 0; n < tile.value.size(); ++n)
     tile.value[n] =
         toByte(0.16F * coarse[n] + 0.14F * fine[n] + 0.6F * strands[n] - 0.8F * smoothstep(2.0F, 2.8F, vessels[n]));
-  return transposed(std::move(tile));
+  return packed(std::move(tile));
 }
 
 /// Nerve: dark fascicles, long along it and round across it, in bright connective tissue.
@@ -279,7 +280,7 @@ TextureTile makeBundles() {
   const std::vector<float> fascicles = gaussianField(tile.size, tile.voxel_mm, {4, 0.22, 0.22}, 0xb0d1e001U);
   for (std::size_t n = 0; n < tile.value.size(); ++n)
     tile.value[n] = toByte(0.6F - 1.4F * smoothstep(-0.3F, 0.6F, fascicles[n]));
-  return transposed(std::move(tile));
+  return packed(std::move(tile));
 }
 
 TextureTile makePatches() {
@@ -289,14 +290,14 @@ TextureTile makePatches() {
   const std::vector<float> fine = gaussianField(tile.size, tile.voxel_mm, {0.3, 0.3, 0.3}, 0x9a7c0003U);
   for (std::size_t n = 0; n < tile.value.size(); ++n)
     tile.value[n] = toByte((0.62F * coarse[n] + 0.56F * medium[n] + 0.55F * fine[n]) * (32.0F / 127.0F));
-  return transposed(std::move(tile));
+  return packed(std::move(tile));
 }
 
 }  // namespace
 
 const TextureTile& textureTile(Texture kind) {
   static const std::array<TextureTile, kTextureKinds> tiles{
-      emptyTile({1, 1, 1}, {1, 1, 1}), makeSepta(), makeLobules(), makeSheets(), makeFine(), makeBundles()};
+      packed(emptyTile({1, 1, 1}, {1, 1, 1})), makeSepta(), makeLobules(), makeSheets(), makeFine(), makeBundles()};
   return tiles[static_cast<std::size_t>(kind)];
 }
 

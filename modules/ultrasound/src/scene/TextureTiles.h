@@ -14,14 +14,21 @@ namespace insonate {
 /// Values are -127..127 for -1..1, to be multiplied with a tissue's texture strength in dB. Sizes are powers of two, so
 /// that a position wraps by a mask.
 struct TextureTile {
-  static constexpr int kPadding = 3;  ///< voxels beyond the last, so that any can be fetched as a word
+  /// Voxels after each row along w and each plane of them: the row's beginning once more, so that a voxel is fetched
+  /// together with the next ones as a word. They also keep neighboring rows, which are a power of two long, from
+  /// falling into the same places of a processor's cache.
+  static constexpr int kGap = 64;
 
   std::array<int, 3> size{};
   Vec3 voxel_mm;
-  std::vector<std::int8_t> value;  ///< [v][u][w] and padding: beams run along w more often than not
+  std::vector<std::int8_t> value;  ///< [v][u][w] with gaps: beams run along w more often than not
 
+  /// From a voxel to the next one along u and along v, in `value`.
+  int stepU() const { return size[2] + kGap; }
+  int stepV() const { return size[0] * stepU() + kGap; }
   std::int8_t at(int u, int v, int w) const {
-    return value[(std::size_t(v & (size[1] - 1)) * size[0] + (u & (size[0] - 1))) * size[2] + (w & (size[2] - 1))];
+    return value[std::size_t(v & (size[1] - 1)) * stepV() + std::size_t(u & (size[0] - 1)) * stepU() +
+                 (w & (size[2] - 1))];
   }
   /// Of a point in voxels. A plane between voxels, such as one through the patient's origin, belongs to those beyond it
   /// for every engine, however it rounds.

@@ -60,7 +60,7 @@ ImagingSettings chosenSettings(ImagingSettings settings, const Probe& probe, Cho
       std::clamp(std::round(2 * frequency_MHz) / 2, probe.minFrequency_MHz, probe.maxFrequency_MHz);
   settings.focus_mm = std::round(settings.depth_mm * choices.between(0.35, 0.65));
   for (double& slider_dB : settings.tgc_dB) slider_dB += choices.between(-kTgcStep_dB, kTgcStep_dB);
-  settings.dynamicRange_dB = std::round(std::clamp(settings.dynamicRange_dB + choices.between(-6, 18), 45.0, 80.0));
+  settings.dynamicRange_dB = std::round(std::clamp(settings.dynamicRange_dB + choices.between(-10, 12), 45.0, 80.0));
   if (choices.between(0, 1) < kOtherMap) settings.grayMap = grayMaps()[choices.index(grayMaps().size())].map;
   double* const end = choices.between(0, 1) < 0.5 ? &settings.poorContactLeft_mm : &settings.poorContactRight_mm;
   if (choices.between(0, 1) < kPoorContact) *end = std::round(choices.between(1, 7));
@@ -102,6 +102,9 @@ Result<Drawn> drawn(const PatientCase& patient, const std::vector<StartPose>& vi
   for (int n = 0; n < kTries && place && !isOnTheBody(patient, probe, place->patientFromProbe); ++n)
     place = turned(views[choices.index(views.size())], choices);
   if (!place) return tl::unexpected(place.error());
+  if (!isOnTheBody(patient, probe, place->patientFromProbe))
+    return fail("The whole face of the probe finds no skin near the start poses of " + patient.manifest.title +
+                ". Leave this case out, or give it start poses farther from the ends of its volume.");
   const Machine& machine = machines()[choices.index(machines().size())];
   const auto own = settingsOf(machine.name, probe, settingsFor(probe));
   if (!own) return tl::unexpected(own.error());
