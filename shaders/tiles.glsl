@@ -5,11 +5,13 @@ layout(std430, binding = 1) readonly buffer Tiles {
 };
 
 const int kPatchTile = 6;
+const int kTileGap = 64;  // bytes after each row and each plane, see TextureTile
 
 float tileAt(int tile, ivec3 voxel) {
   ivec4 t = frame.tile[tile];
   ivec3 n = voxel & (t.yzw - 1);
-  int at = t.x + (n.y * t.y + n.x) * t.w + n.z;
+  int stepU = t.w + kTileGap, stepV = t.y * stepU + kTileGap;
+  int at = t.x + n.y * stepV + n.x * stepU + n.z;
   return float(bitfieldExtract(tileWord[at >> 2], 8 * (at & 3), 8));
 }
 

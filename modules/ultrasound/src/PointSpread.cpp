@@ -7,6 +7,9 @@
 namespace insonate {
 namespace {
 
+/// Depth to which ImagingSettings::dynamicFilter refers.
+constexpr double kFilterDepth_mm = 30;
+
 double widthPerFNumber(Apodization apodization) {
   switch (apodization) {
     case Apodization::Uniform:
@@ -40,8 +43,12 @@ double axialFwhm_mm(const Probe& probe, const ImagingSettings& settings) {
 }
 
 double axialFwhm_mm(const Probe& probe, const ImagingSettings& settings, double range_mm) {
-  constexpr double kPer_mm = 30;
-  return axialFwhm_mm(probe, settings) * (1 + settings.dynamicFilter * range_mm / kPer_mm);
+  return axialFwhm_mm(probe, settings) * (1 + settings.dynamicFilter * range_mm / kFilterDepth_mm);
+}
+
+double beamGrowth(const ImagingSettings& settings, double range_mm) {
+  constexpr double kShare = 0.3;
+  return 1 + kShare * settings.dynamicFilter * range_mm / kFilterDepth_mm;
 }
 
 double lateralFwhm_mm(const Probe& probe, const ImagingSettings& settings, double range_mm) {
@@ -51,7 +58,7 @@ double lateralFwhm_mm(const Probe& probe, const ImagingSettings& settings, doubl
       widthPerFNumber(probe.apodization) * wavelength * range_mm / receiveAperture_mm(probe, range_mm);
   const double transmit_mm =
       std::hypot(1.44 * wavelength * focus_mm / sent_mm, 0.47 * sent_mm * (range_mm - focus_mm) / focus_mm);
-  return 1 / std::hypot(1 / transmit_mm, 1 / receive_mm);
+  return beamGrowth(settings, range_mm) / std::hypot(1 / transmit_mm, 1 / receive_mm);
 }
 
 double SliceLaw::thickness_mm(double range_mm) const {

@@ -35,14 +35,20 @@ void moveRayTarget(const float* above, const float* passed, float shift_lines, i
   }
 }
 
-void meanOfRaysTarget(const float* const* ray, int count, float* mean) {
+/// The scattering and the boundaries of a block at one gate, all components; `nextComponent` floats lie between two.
+void lightGateTarget(const float* const* ray, int components, std::size_t nextComponent, const float* boundaries,
+                     float* echo) {
   const Tag d;
-  for (int l = 0; l < count; l += static_cast<int>(hn::Lanes(d))) {
-    auto sum = hn::Zero(d);
+  for (int l = 0; l < kBlockLines; l += static_cast<int>(hn::Lanes(d))) {
+    auto mean = hn::Zero(d);
     for (int r = 0; r < ApertureRays::kCount; ++r)
-      sum = hn::MulAdd(hn::Set(d, static_cast<float>(ApertureRays::kWeight[r])), hn::LoadU(d, ray[r] + l), sum);
-    const auto seen = hn::Ge(sum, hn::Set(d, static_cast<float>(ApertureRays::kUnseen)));
-    hn::StoreU(hn::IfThenElseZero(seen, sum), d, mean + l);
+      mean = hn::MulAdd(hn::Set(d, static_cast<float>(ApertureRays::kWeight[r])), hn::LoadU(d, ray[r] + l), mean);
+    const auto seen = hn::Ge(mean, hn::Set(d, static_cast<float>(ApertureRays::kUnseen)));
+    const auto lit = hn::IfThenElseZero(seen, mean), inPhase = hn::Load(d, boundaries + l);
+    for (int c = 0; c < components; ++c) {
+      float* const at = echo + std::size_t(c) * nextComponent + l;
+      hn::Store(hn::MulAdd(hn::Load(d, at), lit, c % 2 == 0 ? inPhase : hn::Zero(d)), d, at);
+    }
   }
 }
 
@@ -52,7 +58,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace insonate::cpu {
 HWY_EXPORT(moveRayTarget);
-HWY_EXPORT(meanOfRaysTarget);
+HWY_EXPORT(lightGateTarget);
 
 ApertureTransmission::ApertureTransmission(const FramePlan& plan)
     : plan_(&plan),
@@ -80,10 +86,15 @@ void ApertureTransmission::followRay(int ray) {
    values + at(gate + 1));
 }
 
-void ApertureTransmission::means(int gate, int firstLine, float* mean) const {
-  const float* rays[ApertureRays::kCount];
-  for (int r = 0; r < ApertureRays::kCount; ++r) rays[r] = ray_[r].get() + at(gate) + firstLine;
-  HWY_DYNAMIC_DISPATCH(meanOfRaysTarget)(rays, kBlockLines, mean);
+void ApertureTransmission::light(int firstLine, BlockEchoes& echoes) const {
+  const std::size_t nextComponent = std::size_t(plan_->gates) * kBlockLines;
+  for (int gate = 0; gate < plan_->gates; ++gate) {
+    const float* rays[ApertureRays::kCount];
+    for (int r = 0; r < ApertureRays::kCount; ++r) rays[r] = ray_[r].get() + at(gate) + firstLine;
+    const std::size_t row = std::size_t(gate) * kBlockLines;
+    HWY_DYNAMIC_DISPATCH(lightGateTarget)
+    (rays, 2 * plan_->settings.looks, nextComponent, echoes.boundaries.get() + row, echoes.echo.get() + row);
+  }
 }
 }  // namespace insonate::cpu
 #endif

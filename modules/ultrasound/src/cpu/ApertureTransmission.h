@@ -18,8 +18,9 @@ class ApertureTransmission {
 
   /// Follows the rays; everything above must be known.
   void followRays();
-  /// Writes the mean of a block's scanlines at a gate, 0 where the aperture sees nothing.
-  void means(int gate, int firstLine, float* mean) const;
+  /// Makes a block's scattering as strong as what reaches it through the aperture, nothing where the aperture sees
+  /// nothing, and adds the boundaries.
+  void light(int firstLine, BlockEchoes& echoes) const;
 
  private:
   static constexpr int kMargin = 16;

@@ -142,25 +142,25 @@ HWY_INLINE CellDistances distancesOf(std::uint32_t active, const NearestPair& pa
 
 /// Acoustic constants of each lane's two structures.
 struct PairConstants {
-  FloatVec echo[2], loss[2], impedance[2];
+  FloatVec echo[2], halfway[2], impedance[2];
 };
 
 HWY_INLINE PairConstants constantsOf(const TraceInput& in, std::uint32_t active, const NearestPair& pair, FloatVec ct) {
   const CellTag d;
   const CellIntTag di;
   PairConstants k;
-  for (int side = 0; side < 2; ++side) k.echo[side] = k.loss[side] = k.impedance[side] = hn::Zero(d);
+  for (int side = 0; side < 2; ++side) k.echo[side] = k.halfway[side] = k.impedance[side] = hn::Zero(d);
   for (std::uint32_t left = active; left; left &= left - 1) {
     const int ch = __builtin_ctz(left);
     const ChannelConstants& channel = in.channels[ch];
     const auto echo = hn::MulAdd(hn::Set(d, channel.ctEcho_dBperHU), ct, hn::Set(d, channel.echo_dB));
-    const auto loss = hn::Set(d, channel.loss_dB);
+    const auto halfway = hn::Set(d, channel.halfway);
     const auto impedance =
         hn::MulAdd(hn::Set(d, channel.impedance * channel.ctImpedancePerHU), ct, hn::Set(d, channel.impedance));
     for (int side = 0; side < 2; ++side) {
       const auto mine = hn::RebindMask(d, hn::Eq(side == 0 ? pair.a : pair.b, hn::Set(di, ch)));
       k.echo[side] = hn::IfThenElse(mine, echo, k.echo[side]);
-      k.loss[side] = hn::IfThenElse(mine, loss, k.loss[side]);
+      k.halfway[side] = hn::IfThenElse(mine, halfway, k.halfway[side]);
       k.impedance[side] = hn::IfThenElse(mine, impedance, k.impedance[side]);
     }
   }
@@ -237,7 +237,7 @@ HWY_INLINE void computeCellRow(const TraceInput& in, int firstLine, int plane, i
     const PairConstants k = constantsOf(in, active, pair, ct);
     const auto pairIndex = hn::Add(hn::ShiftLeft<4>(pair.a), pair.b);
     static_assert(TissueField::kStride == 16);
-    const auto edge = hn::IfThenElseZero(hn::Lt(cosine, edgeCosine), hn::GatherIndex(d, in.edgeLoss_dB, pairIndex));
+    const auto edge = hn::IfThenElse(hn::Lt(cosine, edgeCosine), hn::GatherIndex(d, in.halfwayEdge, pairIndex), one);
     const auto profile =
         hn::Mul(hn::Add(hn::Mul(pair.a, hn::Set(di, channels)), pair.b), hn::Set(di, BoundaryProfiles::kEntries));
     spread.storeMixed(s.corner[0], s.corner[1], cells.sTop, c);
@@ -252,9 +252,9 @@ HWY_INLINE void computeCellRow(const TraceInput& in, int firstLine, int plane, i
     spread.storeMixed(hn::LoadU(d, bottom.wander_steps + c), hn::LoadU(d, bottom.wander_steps + c + 1),
                       cells.wanderBottom_steps, c);
     spread.store(k.echo[0], cells.echoA, c), spread.store(k.echo[1], cells.echoB, c);
-    spread.store(k.loss[0], cells.lossA, c), spread.store(k.loss[1], cells.lossB, c);
+    spread.store(k.halfway[0], cells.halfwayA, c), spread.store(k.halfway[1], cells.halfwayB, c);
     spread.store(k.impedance[0], cells.impedanceA, c), spread.store(k.impedance[1], cells.impedanceB, c);
-    spread.store(edge, cells.edgeLoss, c);
+    spread.store(edge, cells.halfwayEdge, c);
     spread.store(average(top.inside, bottom.inside), cells.inside, c);
     spread.store(pair.a, cells.channelA, c), spread.store(pair.b, cells.channelB, c);
     spread.store(profile, cells.profile, c);

@@ -14,7 +14,6 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <bit>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -68,11 +67,9 @@ class CpuEngine final : public Engine {
   void setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
                    const PlaneDisplacement& displacement);
   void setScanlines(const Transform& patientFromProbe, const ScattererLattice& lattice);
-  void setTextureRays(const TextureFrame& frame, const Transform& patientFromProbe, const TextureTile& tile,
-                      TextureRays& rays) const;
+  void setTextureRays(const TextureFrame& frame, const Transform& patientFromProbe, TextureRays& rays) const;
   void traceLines(int block);
   void finishLines(int block, const std::vector<PointEcho>& points);
-  void lightTissue(int firstLine, BlockEchoes& echoes) const;
   Vec3 surfaceOfGas(int line, int gate) const;
   Vec3 shiftOf(int line, int gate) const;
   void reverberate(int firstLine, BlockEchoes& echoes, Workspace& work) const;
@@ -120,7 +117,7 @@ void CpuEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
   for (BlockEchoes& block : blocks_) {
     block.echo = hwy::AllocateAligned<float>(std::size_t(components) * plan.gates * kBlockLines);
     block.boundaries = hwy::AllocateAligned<float>(std::size_t(plan.gates) * kBlockLines);
-    block.level_dB = hwy::AllocateAligned<float>(std::size_t(plan.gates) * kBlockLines);
+    block.level = hwy::AllocateAligned<float>(std::size_t(plan.gates) * kBlockLines);
   }
   workspaces_.clear();
   provideWorkspaces(tbb::info::default_concurrency() + 1);
@@ -140,7 +137,7 @@ void CpuEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
     setRay(input_.probeColumns, c, plan.grid.origin(line), plan.grid.direction(line));
   }
   input_.lineGap_mm.resize(paddedLines);
-  input_.lineLevel_dB.resize(paddedLines);
+  input_.lineStrength.resize(paddedLines);
   input_.columnGap_mm.resize(paddedColumns);
   contacts_.resize(plan.nodeColumns);
   const auto decayAt = [&](double gate) {
@@ -202,8 +199,7 @@ void CpuEngine::setGeometry(const AcousticScene::Impl& scene, const Transform& p
   for (int c = 0; c < scene.field.channels; ++c)
     if (input_.texturedChannels >> c & 1U)
       for (int side = 0; side < 2; ++side)
-        setTextureRays(scene.textureFrames[scene.field.label[c]][side], patientFromProbe, *input_.channels[c].tile,
-                       input_.textureRays[c][side]);
+        setTextureRays(scene.textureFrames[scene.field.label[c]][side], patientFromProbe, input_.textureRays[c][side]);
 }
 
 void CpuEngine::setScanlines(const Transform& patientFromProbe, const ScattererLattice& lattice) {
@@ -220,12 +216,11 @@ void CpuEngine::setScanlines(const Transform& patientFromProbe, const ScattererL
     const double gap_mm = left.gap_mm + t * (right.gap_mm - left.gap_mm);
     const double strength = left.strength + t * (right.strength - left.strength);
     input_.lineGap_mm[l] = plan.settings.conformingContact ? static_cast<float>(gap_mm) : 0.0F;
-    input_.lineLevel_dB[l] = static_cast<float>(20 * std::log10(std::max(strength, 1e-9)));
+    input_.lineStrength[l] = static_cast<float>(std::max(strength, 1e-9));
   }
 }
 
-void CpuEngine::setTextureRays(const TextureFrame& frame, const Transform& patientFromProbe, const TextureTile& tile,
-                               TextureRays& rays) const {
+void CpuEngine::setTextureRays(const TextureFrame& frame, const Transform& patientFromProbe, TextureRays& rays) const {
   const Transform tileFromProbe = frame.tileFromPatient * patientFromProbe;
   const Vec3 thinAxis = transposed(patientFromProbe.linear) * frame.thinAxis;
   const Vec3 elevation = tileFromProbe.linear.column[1];
@@ -233,8 +228,6 @@ void CpuEngine::setTextureRays(const TextureFrame& frame, const Transform& patie
   rays.axes = PlaneAxes(tileFromProbe.linear);
   rays.elevationX = static_cast<float>(elevation.x), rays.elevationY = static_cast<float>(elevation.y),
   rays.elevationZ = static_cast<float>(elevation.z);
-  rays.bitsOfU = std::countr_zero(static_cast<unsigned>(tile.size[0]));
-  rays.bitsOfW = std::countr_zero(static_cast<unsigned>(tile.size[2]));
   for (std::size_t l = 0; l < rays.facing.size(); ++l) {
     const int line = std::min(static_cast<int>(l), plan_->lines - 1);
     const Vec3 direction = directions_[line];
@@ -273,20 +266,6 @@ Vec3 CpuEngine::shiftOf(int line, int gate) const {
           lateral.z * shift.x + axial.z * shift.z};
 }
 
-/// Scattering becomes as strong as what reaches it through the aperture, and boundaries come to it.
-void CpuEngine::lightTissue(int firstLine, BlockEchoes& echoes) const {
-  const FramePlan& plan = *plan_;
-  float lit[kBlockLines];
-  for (int gate = 0; gate < plan.gates; ++gate) {
-    transmission_.means(gate, firstLine, lit);
-    const float* boundaries = echoes.boundaries.get() + std::size_t(gate) * kBlockLines;
-    for (int c = 0; c < 2 * plan.settings.looks; ++c) {
-      float* echo = echoes.echo.get() + (std::size_t(c) * plan.gates + gate) * kBlockLines;
-      for (int l = 0; l < kBlockLines; ++l) echo[l] = echo[l] * lit[l] + (c % 2 == 0 ? boundaries[l] : 0);
-    }
-  }
-}
-
 void CpuEngine::reverberate(int firstLine, BlockEchoes& echoes, Workspace& work) const {
   const FramePlan& plan = *plan_;
   for (int l = 0; l < kBlockLines; ++l) {
@@ -308,7 +287,8 @@ void CpuEngine::addNeedle(int firstLine, BlockEchoes& echoes) const {
   const FramePlan& plan = *plan_;
   for (int l = 0; l < std::min(kBlockLines, plan.lines - firstLine); ++l)
     needle_->addTo(
-        firstLine + l, [&](int gate) { return echoes.level_dB[std::size_t(gate) * kBlockLines + l]; },
+        firstLine + l,
+        [&](int gate) { return 20 * std::log10(std::max(echoes.level[std::size_t(gate) * kBlockLines + l], 1e-30F)); },
         [&](int gate, float amplitude) {
           for (int look = 0; look < plan.settings.looks; ++look)
             echoes.echo[(std::size_t(2) * look * plan.gates + gate) * kBlockLines + l] += amplitude;
@@ -326,7 +306,7 @@ void CpuEngine::finishLines(int block, const std::vector<PointEcho>& points) {
   const StopWatch watch;
   const int firstLine = block * kBlockLines;
   BlockEchoes& echoes = blocks_[block];
-  lightTissue(firstLine, echoes);
+  transmission_.light(firstLine, echoes);
   reverberate(firstLine, echoes, work);
   if (input_.needle) addNeedle(firstLine, echoes);
   for (const PointEcho& point : points)

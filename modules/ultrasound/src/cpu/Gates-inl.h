@@ -22,24 +22,18 @@ HWY_BEFORE_NAMESPACE();
 namespace insonate::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-inline constexpr float kSilent_dB = -150;  ///< nothing below this can be seen
-inline constexpr float kLostLevel_dB = -1e9F, kKnownLevel_dB = -1e6F;
-inline constexpr float kFaintest_dB = -300;  ///< ApertureRays::kFaintest
-
 HWY_INLINE void startLines(const TraceInput& in, int firstLine, TraceBuffers& b, BlockEchoes& e,
                            ApertureTransmission& transmission) {
   const FramePlan& plan = *in.plan;
-  for (int p = 0; p < plan.settings.elevationPlanes; ++p)
-    for (int l = 0; l < kBlockLines; ++l) {
-      b.state[p].level_dB[l] = in.lineLevel_dB[firstLine + l];
-      b.state[p].channel[l] = -1;
-      b.state[p].pair[l] = -1;
-    }
-  for (int l = 0; l < kBlockLines; ++l) b.reaching[l] = std::exp2(in.lineLevel_dB[firstLine + l] * kOctavesPerDecibel);
+  std::copy_n(in.lineStrength.data() + firstLine, kBlockLines, b.reaching);
   std::copy_n(b.reaching, kBlockLines, transmission.contact(firstLine));
+  for (int p = 0; p < plan.settings.elevationPlanes; ++p) {
+    std::copy_n(b.reaching, kBlockLines, b.state[p].amplitude);
+    std::fill_n(b.state[p].channel, kBlockLines, -1);
+    std::fill_n(b.state[p].pair, kBlockLines, -1);
+  }
   std::fill_n(e.gasGate, kBlockLines, kNoGasYet);
   std::fill_n(b.tissueSeen, kBlockLines, 0);
-  std::fill_n(e.echo.get(), std::size_t(2) * plan.settings.looks * plan.gates * kBlockLines, 0.0F);
   std::fill_n(e.boundaries.get(), std::size_t(plan.gates) * kBlockLines, 0.0F);
 }
 
@@ -108,11 +102,11 @@ HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, 
     return;  // gel
   const float reflection = (impedance - state.impedance[l]) / (impedance + state.impedance[l]);
   const AcousticTissue &first = *in.channels[above].tissue, &second = *in.channels[channel].tissue;
-  if (plan.settings.effects.reflection && state.level_dB[l] > kSilent_dB && reflection != 0) {
+  if (plan.settings.effects.reflection && state.amplitude[l] > static_cast<float>(ApertureRays::kUnseen) &&
+      reflection != 0) {
     const double roughness_dB = plan.settings.effects.texture ? roughnessGain_dB(second, patch) : 0;
-    const float gain_dB =
-        state.level_dB[l] - shadow_dB + static_cast<float>(acoustics::kReflectorGain_dB + roughness_dB);
-    const float echo = std::exp2(gain_dB * kOctavesPerDecibel) * std::abs(reflection) *
+    const float gain_dB = static_cast<float>(acoustics::kReflectorGain_dB + roughness_dB) - shadow_dB;
+    const float echo = state.amplitude[l] * std::exp2(gain_dB * kOctavesPerDecibel) * std::abs(reflection) *
                        specularLobe(first, second, cells.cosine[l]) *
                        static_cast<float>(plan.boundaryScale * plan.boundaryWeight[plane]);
     const bool samePair = state.pair[l] == cells.profile[l];
@@ -124,8 +118,7 @@ HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, 
       if (const int g = impulse.first + o; g >= 0 && g < plan.gates)
         e.boundaries[std::size_t(g) * kBlockLines + l] += impulse.weight[o] * echo;
   }
-  if (plan.settings.effects.transmission)
-    state.level_dB[l] += std::log2(std::max(1 - reflection * reflection, 1e-12F)) / kOctavesPerDecibel;
+  if (plan.settings.effects.transmission) state.amplitude[l] *= std::max(1 - reflection * reflection, 1e-12F);
 }
 
 /// NeedleEchoes::shadow_dB(), by vectors.
@@ -178,8 +171,9 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
   for (int l = 0; l < kBlockLines; l += static_cast<int>(hn::Lanes(d))) {
     GateVec sum[2 * kLooks];
     for (GateVec& v : sum) v = hn::Zero(d);
-    auto offset = hn::Zero(d), left = hn::Zero(d);
-    const auto reaching = hn::Load(d, b.reaching + l);
+    auto offset = hn::Zero(d), left = hn::Zero(d), inPhase = hn::Zero(d);
+    // Scattering is told over what reaches the gate, which the aperture knows.
+    const auto overReaching = hn::Div(hn::Set(d, 1.0F), hn::Load(d, b.reaching + l));
     const int line = firstLine + l;
     const auto r = hn::MulAdd(hn::LoadU(d, in.lineGap_mm.data() + line), decay, range);
     auto x = hn::MulAdd(hn::LoadU(d, in.lines.dx.data() + line), r, hn::LoadU(d, in.lines.x.data() + line));
@@ -196,9 +190,8 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
     for (int p = 0; p < planes; ++p) {
       const TraceBuffers::CellRow& cells = b.cells[p];
       TraceBuffers::LineState& state = b.state[p];
-      const auto lost = hn::Lt(hn::Load(d, cells.inside + l), hn::Set(d, 0.99F));
-      hn::Store(hn::IfThenElse(lost, hn::Set(d, kLostLevel_dB), hn::Load(d, state.level_dB + l)), d,
-                state.level_dB + l);
+      const auto known = hn::Ge(hn::Load(d, cells.inside + l), hn::Set(d, 0.99F));
+      hn::Store(hn::IfThenElseZero(known, hn::Load(d, state.amplitude + l)), d, state.amplitude + l);
 
       const auto sTop = hn::Load(d, cells.sTop + l);
       const auto s = hn::MulAdd(down, hn::Sub(hn::Load(d, cells.sBottom + l), sTop), sTop);
@@ -225,27 +218,28 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
       hn::Store(s, d, state.s + l);
       hn::Store(impedance, d, state.impedance + l);
 
-      auto loss = hn::IfThenElse(isA, hn::Load(d, cells.lossA + l), hn::Load(d, cells.lossB + l));
-      auto echo = hn::IfThenElse(isA, hn::Load(d, cells.echoA + l), hn::Load(d, cells.echoB + l));
-      if (effects.edgeShadow && cells.nearBoundary)
-        loss = hn::Add(loss,
-                       hn::IfThenElseZero(hn::Lt(hn::Abs(s), hn::Set(d, static_cast<float>(acoustics::kEdgeReach_mm))),
-                                          hn::Load(d, cells.edgeLoss + l)));
-      if (!effects.attenuation) loss = hn::Zero(d);
-      const auto before_dB = hn::Load(d, state.level_dB + l);
-      const auto unknown = hn::Lt(before_dB, hn::Set(d, kKnownLevel_dB));
-      const auto faintest = hn::Set(d, kFaintest_dB);
-      auto level = hn::IfThenElse(unknown, before_dB, hn::Max(before_dB, faintest));
+      const auto echo = hn::IfThenElse(isA, hn::Load(d, cells.echoA + l), hn::Load(d, cells.echoB + l));
+      const auto one = hn::Set(d, 1.0F);
+      auto halfway = one;
+      if (effects.attenuation) {
+        halfway = hn::IfThenElse(isA, hn::Load(d, cells.halfwayA + l), hn::Load(d, cells.halfwayB + l));
+        if (effects.edgeShadow && cells.nearBoundary) {
+          const auto atEdge = hn::Lt(hn::Abs(s), hn::Set(d, static_cast<float>(acoustics::kEdgeReach_mm)));
+          halfway = hn::Mul(halfway, hn::IfThenElse(atEdge, hn::Load(d, cells.halfwayEdge + l), one));
+        }
+      }
       const auto gel = hn::RebindMask(d, hn::Eq(channel, background));
-      if (gelPossible) loss = hn::IfThenZeroElse(gel, loss);
-      const auto after_dB = hn::IfThenElse(unknown, level, hn::Max(hn::Sub(level, loss), faintest));
-      hn::Store(after_dB, d, state.level_dB + l);
-      left = hn::MulAdd(amplitudeOf(after_dB), hn::Set(d, static_cast<float>(plan.boundaryWeight[p])), left);
-      level = hn::NegMulAdd(loss, hn::Set(d, 0.5F), level);
-      if (in.needle && p == planes / 2) hn::Store(level, d, e.level_dB.get() + std::size_t(gate) * kBlockLines + l);
-      level = hn::Sub(level, shadow);
-      if (gelPossible) level = hn::IfThenElse(gel, hn::Set(d, kLostLevel_dB), level);
-      if (!effects.scattering || hn::AllTrue(d, hn::Lt(level, hn::Set(d, kKnownLevel_dB)))) continue;
+      if (gelPossible) halfway = hn::IfThenElse(gel, one, halfway);
+      const auto above = hn::Load(d, state.amplitude + l);
+      auto level = hn::Mul(above, halfway);
+      const auto faintest = hn::Min(above, hn::Set(d, static_cast<float>(ApertureRays::kFaintest)));
+      const auto below = hn::Max(hn::Mul(level, halfway), faintest);
+      hn::Store(below, d, state.amplitude + l);
+      left = hn::MulAdd(below, hn::Set(d, static_cast<float>(plan.boundaryWeight[p])), left);
+      if (in.needle && p == planes / 2) hn::Store(level, d, e.level.get() + std::size_t(gate) * kBlockLines + l);
+      if (in.needle) level = hn::Mul(level, amplitudeOf(hn::Neg(shadow)));
+      if (gelPossible) level = hn::IfThenZeroElse(gel, level);
+      if (!effects.scattering || hn::AllTrue(d, hn::Le(level, hn::Zero(d)))) continue;
 
       const float off_mm = in.elevation_mm[std::size_t(p) * plan.gates + gate];
       Scattering here{echo, hn::Zero(d)};
@@ -255,11 +249,9 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
                    here);
       }
       if (effects.layers && cells.nearBoundary) addLayers(in, cells, l, s, down, here);
-      // Over what reaches the gate, which the aperture will tell.
-      const auto amplitude = hn::Div(amplitudeOf(hn::Add(level, here.echo_dB)), reaching);
+      const auto amplitude = hn::Mul(hn::Mul(level, overReaching), amplitudeOf(here.echo_dB));
       const auto plane = hn::Set(d, static_cast<float>(plan.boundaryWeight[p]));
-      const auto inPhase = hn::Mul(hn::Mul(amplitude, plane), effects.speckle ? here.sheet : hn::Set(d, 1.0F));
-      for (int look = 0; look < kLooks; ++look) sum[2 * look] = hn::Add(sum[2 * look], inPhase);
+      inPhase = hn::MulAdd(hn::Mul(amplitude, plane), effects.speckle ? here.sheet : one, inPhase);
       const auto scale = hn::Set(d, in.scatterScale[std::size_t(p) * plan.gates + gate]);
       if (effects.speckle)
         addScatterers<kLooks>(
@@ -268,12 +260,12 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
             hn::Mul(amplitude, scale), sum, offset);
     }
     left = hn::Max(left, hn::Set(d, static_cast<float>(ApertureRays::kFaintest)));
-    hn::StoreU(hn::Div(left, reaching), d, passed + l);
+    hn::StoreU(hn::Mul(left, overReaching), d, passed + l);
     hn::Store(left, d, b.reaching + l);
-    for (int c = 0; c < 2 * kLooks; ++c) {
-      float* out = e.echo.get() + (std::size_t(c) * plan.gates + gate) * kBlockLines + l;
-      hn::Store(hn::Add(hn::Sub(sum[c], offset), hn::Load(d, out)), d, out);
-    }
+    const auto inPhaseOffset = hn::Sub(inPhase, offset);
+    for (int c = 0; c < 2 * kLooks; ++c)
+      hn::Store(c % 2 == 0 ? hn::Add(sum[c], inPhaseOffset) : hn::Sub(sum[c], offset), d,
+                e.echo.get() + (std::size_t(c) * plan.gates + gate) * kBlockLines + l);
   }
   if (effects.reverberation) findGas(in, gate, gelPossible, b, e);
 }

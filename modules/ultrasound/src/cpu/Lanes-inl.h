@@ -56,12 +56,17 @@ HWY_INLINE GateVec amplitudeOf(GateVec level_dB) {
   return hn::BitCast(d, hn::Add(hn::BitCast(di, y), hn::ShiftLeft<23>(hn::BitCast(di, whole))));
 }
 
-/// Voxels of a tile, -127..127. Fetches the four bytes from the voxel on and keeps the first, with its sign.
+/// The four voxels along w from each place of a tile on, one a byte.
 template <class V>
-HWY_INLINE V tileBytes(const TextureTile& tile, V voxel) {
+HWY_INLINE V tileWords(const TextureTile& tile, V place) {
   const hn::DFromV<V> di;
-  const auto word = hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(tile.value.data()), voxel);
-  return hn::ShiftRight<24>(hn::ShiftLeft<24>(word));
+  return hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(tile.value.data()), place);
+}
+
+/// One of the bytes of a word, with its sign: -127..127.
+template <int kByte, class V>
+HWY_INLINE V byteOf(V word) {
+  return hn::ShiftRight<24>(hn::ShiftLeft<24 - 8 * kByte>(word));
 }
 
 }  // namespace insonate::cpu::HWY_NAMESPACE

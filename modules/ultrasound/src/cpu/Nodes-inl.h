@@ -87,15 +87,15 @@ HWY_INLINE V patchAt(D d, V x, V y, V z, Vec3 origin_mm, int step) {
   };
   const Axis u = along(x, origin_mm.x, tile.size[0]), v = along(y, origin_mm.y, tile.size[1]),
              w = along(z, origin_mm.z, tile.size[2]);
+  const auto stepU = hn::Set(di, tile.stepU()), stepV = hn::Set(di, tile.stepV());
   auto sum = hn::Zero(d);
-  for (int corner = 0; corner < 8; ++corner) {
-    const auto vu =
-        hn::Add(hn::Mul(corner & 2 ? v.high : v.low, hn::Set(di, tile.size[0])), corner & 1 ? u.high : u.low);
-    const auto at = hn::Add(hn::Mul(vu, hn::Set(di, tile.size[2])), corner & 4 ? w.high : w.low);
+  for (int corner = 0; corner < 4; ++corner) {
+    const auto row = hn::Add(hn::Mul(corner & 2 ? v.high : v.low, stepV), hn::Mul(corner & 1 ? u.high : u.low, stepU));
+    const auto words = tileWords(tile, hn::Add(row, w.low));
+    const auto low = hn::ConvertTo(d, byteOf<0>(words)), high = hn::ConvertTo(d, byteOf<1>(words));
     const auto weight =
-        hn::Mul(hn::Mul(corner & 1 ? u.share : hn::Sub(one, u.share), corner & 2 ? v.share : hn::Sub(one, v.share)),
-                corner & 4 ? w.share : hn::Sub(one, w.share));
-    sum = hn::MulAdd(weight, hn::ConvertTo(d, tileBytes(tile, at)), sum);
+        hn::Mul(corner & 1 ? u.share : hn::Sub(one, u.share), corner & 2 ? v.share : hn::Sub(one, v.share));
+    sum = hn::MulAdd(weight, hn::MulAdd(w.share, hn::Sub(high, low), low), sum);
   }
   return hn::Mul(sum, hn::Set(d, 1.0F / 32));
 }

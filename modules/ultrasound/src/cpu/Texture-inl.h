@@ -36,8 +36,8 @@ HWY_INLINE GateVec textureOf(const TextureTile& tile, const TextureRays& rays, i
   const auto u = index(rays.line.x, rays.line.dx, lateral.x, axial.x, rays.elevationX, tile.size[0]),
              v = index(rays.line.y, rays.line.dy, lateral.y, axial.y, rays.elevationY, tile.size[1]),
              w = index(rays.line.z, rays.line.dz, lateral.z, axial.z, rays.elevationZ, tile.size[2]);
-  const auto vu = hn::Or(hn::ShiftLeftSame(v, rays.bitsOfU), u);
-  const auto value = hn::ConvertTo(d, tileBytes(tile, hn::Or(hn::ShiftLeftSame(vu, rays.bitsOfW), w)));
+  const auto place = hn::Add(hn::Add(hn::Mul(v, hn::Set(di, tile.stepV())), hn::Mul(u, hn::Set(di, tile.stepU()))), w);
+  const auto value = hn::ConvertTo(d, byteOf<0>(tileWords(tile, place)));
   const auto facing = hn::LoadU(d, rays.facing.data() + line);
   return hn::IfThenElse(hn::Gt(value, hn::Zero(d)), hn::Mul(value, facing), value);
 }

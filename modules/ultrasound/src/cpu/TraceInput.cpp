@@ -5,6 +5,14 @@
 #include <cmath>
 
 namespace insonate::cpu {
+namespace {
+
+/// Share of the amplitude that is left after half of a loss.
+float halfwayOf(double loss_dB) {
+  return static_cast<float>(std::pow(10, -loss_dB / 40));
+}
+
+}  // namespace
 
 void setChannels(const AcousticScene::Impl& scene, TraceInput& input) {
   const FramePlan& plan = *input.plan;
@@ -17,8 +25,7 @@ void setChannels(const AcousticScene::Impl& scene, TraceInput& input) {
     k.tissue = &tissue;
     k.tile = &textureTile(tissue.texture);
     k.sheets = hasSheets(tissue.texture);
-    k.loss_dB =
-        static_cast<float>(2 * tissue.attenuation_dBpcmMHz * std::pow(f_MHz, tissue.attenuationExponent) * perGate_cm);
+    k.halfway = halfwayOf(2 * tissue.attenuation_dBpcmMHz * std::pow(f_MHz, tissue.attenuationExponent) * perGate_cm);
     k.echo_dB = static_cast<float>(tissue.echogenicity_dB);
     k.ctEcho_dBperHU = static_cast<float>(tissue.ctEchogenicity_dBper100HU / 100);
     k.impedance = static_cast<float>(tissue.impedance_MRayl);
@@ -33,7 +40,7 @@ void setChannels(const AcousticScene::Impl& scene, TraceInput& input) {
     for (int b = 0; b < scene.field.channels; ++b) {
       const AcousticTissue &first = *input.channels[a].tissue, &second = *input.channels[b].tissue;
       const bool grazes = (first.vessel || second.vessel) && !acousticallyEqual(first, second);
-      input.edgeLoss_dB[a * TissueField::kStride + b] = grazes ? static_cast<float>(edgeLoss_dB) : 0.0F;
+      input.halfwayEdge[a * TissueField::kStride + b] = grazes ? halfwayOf(edgeLoss_dB) : 1.0F;
     }
 }
 

@@ -53,7 +53,7 @@ struct PlaneAxes {
 
 /// Acoustic constants of one channel of the tissue field, floats for the kernels.
 struct ChannelConstants {
-  float loss_dB = 0;  ///< per gate, there and back
+  float halfway = 1;  ///< share of the amplitude, there and back, that half a gate lets pass
   float echo_dB = 0, ctEcho_dBperHU = 0;
   float impedance = 0, ctImpedancePerHU = 0;
   float textureStrength_dB = 0;
@@ -77,7 +77,6 @@ struct TextureRays {
   PlaneAxes axes;                                        ///< voxels per mm in the plane
   float elevationX = 0, elevationY = 0, elevationZ = 0;  ///< voxels per mm across the slice
   std::vector<float> facing;                             ///< share of a sheet's echo that comes back, see sheetFacing()
-  int bitsOfU = 0, bitsOfW = 0;                          ///< the tile's size along u and w is 1 << bits
 };
 
 /// All that the trace of one frame reads; filled by the engine, shared by its tasks.
@@ -85,7 +84,7 @@ struct TraceInput {
   const FramePlan* plan = nullptr;
   const AcousticScene::Impl* scene = nullptr;
   ChannelConstants channels[TissueField::kStride];
-  float edgeLoss_dB[TissueField::kStride * TissueField::kStride]{};  ///< per gate, by pair of channels
+  float halfwayEdge[TissueField::kStride * TissueField::kStride]{};  ///< what a vessel's edge lets pass of it, by pair
   std::uint32_t gasChannels = 0, texturedChannels = 0;               ///< a bit each
   bool anyCt = false;
   const PlaneDisplacement* displacement = nullptr;  ///< null where nothing has moved
@@ -93,7 +92,7 @@ struct TraceInput {
   RayArrays lines, columns;                         ///< lines padded to whole blocks
   RayArrays probeColumns;                           ///< in the probe frame
   PlaneAxes patientAxes, latticeAxes;
-  std::vector<float> lineGap_mm, lineLevel_dB;  ///< contact; level is 20 log10 of its strength
+  std::vector<float> lineGap_mm, lineStrength;  ///< contact
   std::vector<float> columnGap_mm;
   std::vector<float> contactDecay;                       ///< [gate or node row's gate]
   std::vector<float> elevation_mm;                       ///< [plane][gate]
@@ -115,9 +114,9 @@ struct BlockEchoes {
   /// Scattering over what reaches a gate, [component][gate][kBlockLines], component = 2 * look + (0 re, 1 im).
   AlignedArray<float> echo;
   AlignedArray<float> boundaries;  ///< of all looks, as their own scanline reaches them, [gate][kBlockLines]
-  /// Level in the middle of each gate in the central plane, without the needle's shadow, [gate][kBlockLines];
-  /// unused where there is no needle.
-  AlignedArray<float> level_dB;
+  /// Amplitude in the middle of each gate in the central plane, there and back, without the needle's shadow,
+  /// [gate][kBlockLines]; unused where there is no needle.
+  AlignedArray<float> level;
 };
 
 /// Per-thread scratch of the trace.
@@ -144,16 +143,16 @@ struct TraceBuffers {
     alignas(64) float patchTop[kBlockLines], patchBottom[kBlockLines];
     alignas(64) float wanderTop_steps[kBlockLines], wanderBottom_steps[kBlockLines];
     alignas(64) float spread[kBlockLines];  ///< of a boundary's echo, gates
-    alignas(64) float echoA[kBlockLines], echoB[kBlockLines], lossA[kBlockLines], lossB[kBlockLines];
+    alignas(64) float echoA[kBlockLines], echoB[kBlockLines], halfwayA[kBlockLines], halfwayB[kBlockLines];
     alignas(64) float impedanceA[kBlockLines], impedanceB[kBlockLines];
-    alignas(64) float edgeLoss[kBlockLines], inside[kBlockLines];
+    alignas(64) float halfwayEdge[kBlockLines], inside[kBlockLines];
     alignas(64) std::int32_t channelA[kBlockLines], channelB[kBlockLines], profile[kBlockLines];
     std::uint32_t channelsPresent = 0;  ///< bit per channel that any cell of the row names
     bool nearBoundary = false;          ///< some cell is within reach of a boundary's layers or edge
   };
   /// Where each scanline stands on its way down.
   struct LineState {
-    alignas(64) float level_dB[kBlockLines];
+    alignas(64) float amplitude[kBlockLines];  ///< that is left of the beam, there and back; 0 beyond what is known
     alignas(64) float s[kBlockLines];
     alignas(64) float impedance[kBlockLines];
     alignas(64) std::int32_t channel[kBlockLines];  ///< -1 before the first gate

@@ -106,7 +106,7 @@ void Display::Impl::compoundBlock(const EnvelopeFrame& envelope, int looks, int 
                      .power = power.row(k),
                      .sum = blockPower.row(b)};
     for (int l = 0; l < looks; ++l) task.look[l] = envelope.look(l) + std::size_t(k) * plan.scanlines;
-    if (noise && looks > 0) noise->addTo(task, k);
+    if (noise && looks > 0) task.noise = noise->row(k);
     compoundRow(task);
     if (face && looks > 0) face->addTo(power.row(k), k, plan.rowGain[k]);
   }
@@ -202,7 +202,7 @@ void Display::Impl::process(const EnvelopeFrame& envelope, std::uint32_t noiseSe
     return std::chrono::duration<double, std::milli>(now - std::exchange(last, now)).count();
   };
   const int looks = fits(envelope) ? envelope.looks : 0;
-  if (noise && looks > 0) noise->draw(noiseSeed, looks);
+  if (noise && looks > 0) noise->draw(noiseSeed);
   overBlocks([&](int b) { compoundBlock(envelope, looks, b); });
   if (settings.effects.clutter) haze.follow(blockPower, face ? &*face : nullptr);
   if (settings.effects.attenuation) findShade();

@@ -4,10 +4,20 @@
 #include "Plane.h"
 #include "ReceiveKernels.h"
 
-#include <array>
 #include <cstdint>
+#include <memory>
 
 namespace insonate::display {
+
+/// Noise of unit power, larger than an image. It is drawn once, since that takes longer than a frame may.
+struct NoiseField {
+  struct Shape {
+    int rows, columns, looks;
+    double nodeDistance, growth;  ///< between the nodes of its splines at the face, in samples, and per sample of depth
+    bool operator==(const Shape&) const = default;
+  } shape;
+  Plane values;  ///< [power, twice in phase][row]
+};
 
 /// Thermal noise of the receiver: complex, Gaussian, of the same power at all depths, so that TGC lifts it with depth
 /// and frequency. It has passed the receive filter and is as wide along a scanline as the pulse; scanlines and looks,
@@ -20,19 +30,16 @@ class ElectronicNoise {
  public:
   ElectronicNoise(const Probe& probe, const ImagingSettings& settings, const DisplayPlan& plan);
 
-  /// Draws where in the field the noise of one frame begins, for so many looks; the same seed gives the same noise.
-  void draw(std::uint32_t seed, int looks);
-  /// Hands a row's noise to `task`, for each of its looks.
-  void addTo(CompoundRow& task, int row) const;
+  /// Draws where in the field the noise of one frame begins; the same seed gives the same noise.
+  void draw(std::uint32_t seed);
+  /// Noise of the looks' mean in one row of samples.
+  NoiseRow row(int sample) const;
 
  private:
-  struct Place {
-    int row = 0, column = 0;
-  };
   std::uint32_t time_;
-  int rows_;
-  Plane field_;  ///< [real, imaginary][row], larger than an image; drawn once, since that takes longer than a frame may
-  std::array<Place, 3> from_{};  ///< [look]
+  float amplitude_;
+  std::shared_ptr<const NoiseField> field_;
+  int firstRow_ = 0, firstColumn_ = 0;
 };
 
 }  // namespace insonate::display

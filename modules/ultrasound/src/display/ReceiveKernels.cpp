@@ -58,28 +58,29 @@ template <bool kNoise>
 HWY_INLINE void compoundLooks(const CompoundRow& t) {
   const F d;
   const auto zero = hn::Zero(d), most = hn::Set(d, kMaxAmplitude);
-  const auto gain = hn::Set(d, t.looks > 0 ? t.gain / static_cast<float>(t.looks) : 0.0F);
+  const auto share = hn::Set(d, t.looks > 0 ? 1 / static_cast<float>(t.looks) : 0.0F),
+             gain = hn::Set(d, t.gain * t.gain);
+  const auto noise = hn::Set(d, t.noise.amplitude);
   overExact(t.columns, [&](int i) {
     auto sum = zero;
     for (int l = 0; l < t.looks; ++l) {
       const auto a = hn::LoadU(d, t.look[l] + i);
-      auto usable = hn::IfThenElseZero(hn::Gt(a, zero), hn::Min(a, most));
-      if (t.contact) usable = hn::Mul(usable, hn::LoadU(d, t.contact + i));
-      if constexpr (kNoise) {
-        // The noise's phase does not depend on the echo's, which may therefore be taken as 0.
-        const auto real = hn::Add(usable, hn::LoadU(d, t.noise[l].real + i));
-        const auto imaginary = hn::LoadU(d, t.noise[l].imaginary + i);
-        usable = hn::Sqrt(hn::Add(hn::Mul(real, real), hn::Mul(imaginary, imaginary)));
-      }
-      sum = hn::Add(sum, usable);
+      sum = hn::Add(sum, hn::IfThenElseZero(hn::Gt(a, zero), hn::Min(a, most)));
     }
-    const auto mean = hn::Mul(sum, gain);
-    hn::StoreU(hn::Mul(mean, mean), d, t.power + i);
+    if (t.contact) sum = hn::Mul(sum, hn::LoadU(d, t.contact + i));
+    const auto mean = hn::Mul(sum, share);
+    auto power = hn::Mul(mean, mean);
+    if constexpr (kNoise) {
+      const auto inPhase = hn::Mul(hn::Mul(mean, noise), hn::LoadU(d, t.noise.twiceInPhase + i));
+      const auto alone = hn::Mul(hn::Mul(noise, noise), hn::LoadU(d, t.noise.power + i));
+      power = hn::Max(hn::Add(power, hn::Add(inPhase, alone)), zero);
+    }
+    hn::StoreU(hn::Mul(power, gain), d, t.power + i);
   });
 }
 
 void compoundRow(const CompoundRow& t) {
-  if (t.noise[0].real)
+  if (t.noise.power)
     compoundLooks<true>(t);
   else
     compoundLooks<false>(t);

@@ -14,18 +14,22 @@ struct WhiteRow {
 };
 void whiteRow(const WhiteRow& task);
 
-/// Noise of one look in one row.
+/// Noise of the looks' mean in one row, of unit power: its power where there is no echo, and twice its part in phase
+/// with an echo; and the amplitude to which both are brought.
 struct NoiseRow {
-  const float *real = nullptr, *imaginary = nullptr;
+  const float *power = nullptr, *twiceInPhase = nullptr;
+  float amplitude = 0;
 };
 
-/// Mean of the looks with unusable amplitudes as 0, with noise where there is some, times gain, squared.
+/// Power of the looks' mean, unusable amplitudes as 0, with noise where there is some: (a^2 + twiceInPhase a + noise)
+/// gain^2. For one look this is |a + n|^2 with complex noise n; for more it is so where there is no echo and where the
+/// echo is strong.
 struct CompoundRow {
   const float* look[3] = {};
   int looks;
   int columns;
   const float* contact = nullptr;  ///< share of the amplitude that a scanline keeps; null for all of it
-  NoiseRow noise[3] = {};          ///< of each look; none where the first is null
+  NoiseRow noise = {};             ///< none where null
   float gain;
   float ceiling;  ///< of what goes into the sum
   float* power;

@@ -173,15 +173,16 @@ void smoothRow(const SmoothRow& t) {
   constexpr int kWidest = 1024 + 2 * 32;
   HWY_ALIGN float thinned[kWidest];
   float* const axial = thinned + t.margin;
-  const auto a0 = hn::Set(d, t.axialWeight[0]), a1 = hn::Set(d, t.axialWeight[1]), a2 = hn::Set(d, t.axialWeight[2]);
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  for (int i = -t.margin; i < t.columns + t.margin; i += lanes) {
-    auto sum = hn::Mul(a0, hn::LoadU(d, t.axial[2] + i));
-    sum = hn::Add(sum, hn::Mul(a1, hn::Add(hn::LoadU(d, t.axial[1] + i), hn::LoadU(d, t.axial[3] + i))));
-    sum = hn::Add(sum, hn::Mul(a2, hn::Add(hn::LoadU(d, t.axial[0] + i), hn::LoadU(d, t.axial[4] + i))));
-    hn::StoreU(sum, d, axial + i);
+  const F f;
+  const auto a0 = hn::Set(f, t.axialWeight[0]), a1 = hn::Set(f, t.axialWeight[1]), a2 = hn::Set(f, t.axialWeight[2]);
+  for (int i = -t.margin; i < t.columns + t.margin; i += static_cast<int>(hn::Lanes(f))) {
+    auto sum = hn::Mul(a0, hn::LoadU(f, t.axial[2] + i));
+    sum = hn::Add(sum, hn::Mul(a1, hn::Add(hn::LoadU(f, t.axial[1] + i), hn::LoadU(f, t.axial[3] + i))));
+    sum = hn::Add(sum, hn::Mul(a2, hn::Add(hn::LoadU(f, t.axial[0] + i), hn::LoadU(f, t.axial[4] + i))));
+    hn::StoreU(sum, f, axial + i);
   }
 
+  const int lanes = static_cast<int>(hn::Lanes(d));
   const auto p0 = hn::Set(d, t.plainWeight[0]), p1 = hn::Set(d, t.plainWeight[1]), p2 = hn::Set(d, t.plainWeight[2]);
   const auto b0 = hn::Set(d, t.alongWeight[0]), b1 = hn::Set(d, t.alongWeight[1]), b2 = hn::Set(d, t.alongWeight[2]);
   const auto b3 = hn::Set(d, t.alongWeight[3]), share = hn::Set(d, t.mix), one = hn::Set(d, 1.0F), zero = hn::Zero(d);

@@ -77,7 +77,7 @@ FramePlan::FramePlan(const Probe& p, const ImagingSettings& s) : probe(p), setti
   gates = (grid.samples() + stride - 1) / stride;
   gate_mm = stride * grid.step_mm();
   aperture = ApertureRays(p, s, grid, gates, gate_mm);
-  cellGates = std::clamp(static_cast<int>(kCellDepth_mm / gate_mm), 1, 4);
+  cellGates = std::clamp(static_cast<int>(kCellDepth_mm / gate_mm + 1e-6), 1, 5);
   cellLines = grid.scanlineSpacing_mm(s.depth_mm) * 2 <= kCellWidth_mm ? 2 : 1;
   nodeRows = (gates + cellGates - 1) / cellGates + 1;
   nodeColumns = (lines + cellLines - 1) / cellLines + 1;
@@ -190,7 +190,7 @@ void FramePlan::planeBeam() {
     const double range = range_mm(g);
     const double lateralSd_mm = lateralFwhm_mm(probe, settings, range) / acoustics::kFwhmPerSd;
     const double step_mm = grid.scanlineSpacing_mm(range) / narrowing(lateralSd_mm, latticePitch_mm);
-    const auto beam = [&](int off) { return field.lateral(off * step_mm, range); };
+    const auto beam = [&](int off) { return field.lateral(off * step_mm / beamGrowth(settings, range), range); };
     lateral[g] = settings.effects.beam ? halfKernel(beam) : std::vector<double>{1};
   }
   tabulate(axial, axialRadius, maxAxialRadius, axialKernel);
