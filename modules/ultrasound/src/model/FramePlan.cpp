@@ -77,7 +77,8 @@ FramePlan::FramePlan(const Probe& p, const ImagingSettings& s) : probe(p), setti
   gates = (grid.samples() + stride - 1) / stride;
   gate_mm = stride * grid.step_mm();
   aperture = ApertureRays(p, s, grid, gates, gate_mm);
-  cellGates = std::clamp(static_cast<int>(kCellDepth_mm / gate_mm + 1e-6), 1, 5);
+  // The look of the thesis takes its reflection from the slope between nodes and needs them nearer to each other.
+  cellGates = std::clamp(static_cast<int>(kCellDepth_mm / gate_mm + 1e-6), 1, s.look == Look::Thesis ? 4 : 5);
   cellLines = grid.scanlineSpacing_mm(s.depth_mm) * 2 <= kCellWidth_mm ? 2 : 1;
   nodeRows = (gates + cellGates - 1) / cellGates + 1;
   nodeColumns = (lines + cellLines - 1) / cellLines + 1;

@@ -236,8 +236,8 @@ TextureTile makeSepta() {
 /// Fat: lobules of unlike tone between thin septa, most of which run along the skin.
 TextureTile makeLobules() {
   TextureTile tile = emptyTile({64, 64, 256}, {0.5, 0.5, 0.065625});
-  const std::vector<float> longSepta = sheetsOf(tile, {{4.5, 3.5, 0.9}, {2.5, 2, 0.7}, 0.32F, 0.17}, 0x10b01e01U);
-  const std::vector<float> shortSepta = sheetsOf(tile, {{2.5, 2, 0.75}, {1.5, 1.2, 0.6}, 0.1F, 0.15}, 0x10b01e11U);
+  const std::vector<float> longSepta = sheetsOf(tile, {{4.5, 3.5, 0.9}, {2.5, 2, 0.7}, 0.41F, 0.17}, 0x10b01e01U);
+  const std::vector<float> shortSepta = sheetsOf(tile, {{2.5, 2, 0.75}, {1.5, 1.2, 0.6}, 0.14F, 0.15}, 0x10b01e11U);
   const std::vector<float> tone = gaussianField(tile.size, tile.voxel_mm, {2, 2, 0.9}, 0x10b01e22U);
   const std::vector<float> grain = gaussianField(tile.size, tile.voxel_mm, {0.6, 0.6, 0.25}, 0x10b01e23U);
   for (std::size_t n = 0; n < tile.value.size(); ++n) {
