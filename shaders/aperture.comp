@@ -1,4 +1,4 @@
-// What reaches each gate along each ray of the aperture: ApertureRays. A group follows one ray down the image, its
+// Transmission to each gate along each ray of the aperture: ApertureRays. A group follows one ray down the image, its
 // threads take the scanlines.
 #include "frame.glsl"
 #include "records.glsl"

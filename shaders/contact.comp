@@ -1,4 +1,4 @@
-// How each column of the lattice meets the skin: TissueLookup's contactOf().
+// Contact of each column of the lattice with the skin: TissueLookup's contactOf().
 #include "frame.glsl"
 #include "field.glsl"
 #include "geometry.glsl"

@@ -1,4 +1,4 @@
-// What each gate sends back before the beam: scatterers and boundaries of all elevation planes.
+// Echo of each gate before the beam is applied: scatterers and boundaries of all elevation planes.
 #include "frame.glsl"
 #include "records.glsl"
 #include "hash.glsl"
@@ -24,7 +24,7 @@ float splineBefore(float x) {
   return 0.5 + x * (0.75 - x * x / 3.0);
 }
 
-// Of the boundaries crossed near a gate: Impulse, seen from where it goes.
+// Sum of the boundaries crossed near a gate: Impulse, gathered at its target.
 float boundariesAt(int plane, int gate, int line) {
   const int kReach_gates = 8;  // half of the widest box and of the spline
   int first = max(gate - kReach_gates + 1, 0), last = min(gate + kReach_gates, frame.gates - 1);

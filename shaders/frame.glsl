@@ -1,4 +1,4 @@
-// What a frame is made of: mirrors FrameBlock of modules/ultrasound/src/glsl/FrameBlock.h, compared with it at link
+// Parameters of a frame: mirrors FrameBlock of modules/ultrasound/src/glsl/FrameBlock.h, compared with it at link
 // time. Places are in the probe's frame (mm); rows are (x, y, z, offset).
 
 struct Channel {

@@ -1,4 +1,4 @@
-// Where scanlines and gates lie.
+// Positions of scanlines and gates.
 
 layout(std430, binding = 2) readonly buffer Plan {
   vec4 planTable[];  // scanlines: origin x, z, direction x, z; then gates: SD of the slice, scale of scattering,

@@ -1,5 +1,6 @@
-// What is left of the beam at each gate, there and back: losses summed down the scanline. A group takes 16 scanlines,
-// 16 threads a scanline: each sums its part of the gates, then goes over it again from where the parts before have led.
+// Remaining level of the beam at each gate, there and back: losses summed down the scanline. A group takes 16
+// scanlines, 16 threads a scanline: each sums its part of the gates, then goes over it again from where the parts
+// before have led.
 #include "frame.glsl"
 #include "records.glsl"
 #include "rest.glsl"

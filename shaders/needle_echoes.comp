@@ -21,7 +21,7 @@ float echoAt(float gate, int line) {
   return mix(amplitudeAt(below, line), amplitudeAt(below + 1, line), gate - float(below));
 }
 
-// Of a beam that the needle has not met.
+// Level of a beam that the needle has not met.
 float levelAt(int gate, int line) {
   int plane = frame.planes / 2;
   return samples[gateIndex(plane, gate, line)].level_dB + shadowAt(plane, gate, line);

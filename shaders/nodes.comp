@@ -1,4 +1,4 @@
-// What lies at each node of the lattice in beam coordinates.
+// Tissue at each node of the lattice in beam coordinates.
 #include "frame.glsl"
 #include "records.glsl"
 #include "field.glsl"

@@ -1,4 +1,4 @@
-// What stages hand to each other.
+// Records that stages hand to each other.
 
 struct Node {
   float distance_mm[16];

@@ -1,4 +1,4 @@
-// Where what is seen at a gate lay at rest.
+// Rest position of the tissue seen at a gate.
 #include "geometry.glsl"
 
 layout(std430, binding = 3) readonly buffer Contacts {

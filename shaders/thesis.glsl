@@ -1,4 +1,4 @@
-// Of the look of the thesis: mirrors ThesisBlock of modules/ultrasound/src/glsl/FrameBlock.h.
+// The look of the thesis: mirrors ThesisBlock of modules/ultrasound/src/glsl/FrameBlock.h.
 
 layout(std140, binding = 1) uniform ThesisBlock {
   int mapRows, noiseSeed;

@@ -28,7 +28,7 @@ float comesAndGoesBetween(vec3 rest_mm, ivec3 step) {
   return sum / 32.0;
 }
 
-// What comes and goes along boundaries, of unit SD; `step` tells fields apart.
+// Random variation along boundaries, of unit SD; `step` distinguishes fields.
 float comesAndGoesAt(vec3 rest_mm, ivec3 step) {
   ivec3 voxel = frame.patchBase.xyz + ivec3(floor(carriedBy(frame.patchFromProbe, rest_mm)));
   return tileAt(kPatchTile, voxel + step) / 32.0;

@@ -1,4 +1,4 @@
-// What lies at each gate: TissueLookup::at().
+// Tissue at each gate: TissueLookup::at().
 #include "frame.glsl"
 #include "records.glsl"
 #include "field.glsl"

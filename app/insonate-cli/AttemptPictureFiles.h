@@ -12,7 +12,7 @@
 
 namespace insonate::cli {
 
-/// What the command line says about an attempt's pictures.
+/// Options of the command line about an attempt's images.
 struct AttemptPictureOptions {
   std::string folder;
   double every_s = 1;

@@ -65,10 +65,6 @@ bool isOfWall(const AttemptEvent& event) {
   return event.kind <= Struck || event.kind == Centered || event.kind == Compressed;
 }
 
-nlohmann::json jsonOf(Vec3 v) {
-  return {v.x, v.y, v.z};
-}
-
 nlohmann::json jsonOf(const AttemptEvent& event, const std::vector<std::string>& vessels) {
   nlohmann::json object{{"t_s", static_cast<double>(event.time_us) * 1e-6}, {"kind", nameOf(event.kind)}};
   if (event.kind == AttemptEventKind::Positioned) object["tilt_deg"] = event.tilt_deg;
@@ -76,8 +72,8 @@ nlohmann::json jsonOf(const AttemptEvent& event, const std::vector<std::string>&
     object.update({{"wall", labelTable()[event.wall].name},
                    {"into", labelTable()[event.into].name},
                    {"depth_mm", event.depth_mm},
-                   {"tip_mm", jsonOf(event.tip_mm)},
-                   {"axis", jsonOf(event.axis)}});
+                   {"tip_mm", jsonArray(event.tip_mm)},
+                   {"axis", jsonArray(event.axis)}});
   if (const std::string vessel = vesselName(event, vessels); !vessel.empty()) object["vessel"] = vessel;
   return object;
 }

@@ -1,13 +1,13 @@
 #include "Commands.h"
 #include "curriculum/CurriculumBench.h"
 
+#include <insonate/bench/DeformationBench.h>
+#include <insonate/bench/HapticsBench.h>
+#include <insonate/bench/PointSpreadBench.h>
+#include <insonate/bench/RealismBench.h>
+#include <insonate/bench/SegmentationBench.h>
+#include <insonate/bench/UltrasoundBench.h>
 #include <insonate/cases/Phantom.h>
-#include <insonate/simulator/DeformationBench.h>
-#include <insonate/simulator/HapticsBench.h>
-#include <insonate/simulator/PointSpreadBench.h>
-#include <insonate/simulator/RealismBench.h>
-#include <insonate/simulator/SegmentationBench.h>
-#include <insonate/simulator/UltrasoundBench.h>
 
 #include <nlohmann/json.hpp>
 

@@ -32,6 +32,10 @@ void printJson(nlohmann::json object) {
   std::cout << object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
+nlohmann::json jsonArray(Vec3 v) {
+  return {v.x, v.y, v.z};
+}
+
 Result<void> writeOrReplace(const PatientCase& patient, const std::string& caseFolder) {
   if (checkCaseTarget(caseFolder, false)) return writeCase(patient, caseFolder, terminalProgress());
   const auto version = saveCaseVersion(patient, caseFolder, today(), {}, terminalProgress());

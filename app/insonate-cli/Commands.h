@@ -3,6 +3,7 @@
 #include <insonate/cases/PatientCase.h>
 #include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
+#include <insonate/core/Vec3.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json_fwd.hpp>
@@ -43,9 +44,11 @@ void refuse(Outcome& outcome, const Error& error, const nlohmann::json& fields);
 void refuse(Outcome& outcome, const Error& error);
 /// Prints one JSON object, with the program's version added, to standard output. Names need not be UTF-8.
 void printJson(nlohmann::json object);
+/// Array of x, y and z.
+nlohmann::json jsonArray(Vec3 v);
 /// Writes a case; where one is there already, that stays as an earlier version, for attempts that were made on it.
 Result<void> writeOrReplace(const PatientCase& patient, const std::string& caseFolder);
-/// What can be done with a case that was just written, to standard error.
+/// Prints the possible next steps with a case that was just written, to standard error.
 void tellNext(const std::string& caseFolder);
 /// Refuses an empty name as wrong usage.
 CLI::Validator notEmpty();

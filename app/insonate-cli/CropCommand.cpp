@@ -19,10 +19,6 @@ struct CropArguments {
   bool replace = false, json = false;
 };
 
-json toJson(Vec3 v) {
-  return {v.x, v.y, v.z};
-}
-
 CropOptions optionsOf(const CropArguments& a, const VolumeGeometry& geometry) {
   CropOptions options{boxOf(geometry), {}};
   if (!a.from_mm.empty())
@@ -49,8 +45,8 @@ Result<void> crop(const CropArguments& a) {
   if (a.json)
     printJson({{"case", a.folder},
                {"size", g.size},
-               {"spacing_mm", toJson(g.spacing_mm)},
-               {"origin_mm", toJson(g.origin_mm)}});
+               {"spacing_mm", jsonArray(g.spacing_mm)},
+               {"origin_mm", jsonArray(g.origin_mm)}});
   return {};
 }
 

@@ -78,7 +78,7 @@ Result<void> listDevices(const DevicesArguments& a) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     for (const DeviceEvent& e : hub.takeEvents()) {
       events.push_back({{"device", e.device}, {"phase", nameOf(e.phase)}, {"trouble", e.trouble}, {"text", e.text}});
-      // Whoever waits for longer wants to see things happen.
+      // During a longer wait, events are shown as they happen.
       if (!a.asJson && a.seconds > 1) std::fprintf(stderr, "%s\n", e.text.c_str());
     }
   }

@@ -24,30 +24,26 @@ struct ImportArguments {
   bool list = false, autoLabel = false, replace = false, asJson = false;
 };
 
-json toJson(Vec3 v) {
-  return {v.x, v.y, v.z};
-}
-
 /// `direction` lists the patient directions of i, j and k.
-json toJson(const SeriesInfo& s) {
+json jsonOf(const SeriesInfo& s) {
   const VolumeGeometry& g = s.geometry;
   json directions = s.geometryKnown ? json::array() : json(nullptr);
   if (s.geometryKnown)
-    for (Vec3 axis : g.direction.column) directions.push_back(toJson(axis));
+    for (Vec3 axis : g.direction.column) directions.push_back(jsonArray(axis));
   return {{"uid", s.uid},
           {"modality", s.modality.empty() ? json(nullptr) : json(s.modality)},
           {"kernel", s.kernel.empty() ? json(nullptr) : json(s.kernel)},
           {"size", g.size},
-          {"spacing_mm", s.geometryKnown ? toJson(g.spacing_mm) : json(nullptr)},
-          {"origin_mm", s.geometryKnown ? toJson(g.origin_mm) : json(nullptr)},
+          {"spacing_mm", s.geometryKnown ? jsonArray(g.spacing_mm) : json(nullptr)},
+          {"origin_mm", s.geometryKnown ? jsonArray(g.origin_mm) : json(nullptr)},
           {"direction", directions},
           {"warnings", s.warnings},
           {"refusal", s.refusal.empty() ? json(nullptr) : json(s.refusal)}};
 }
 
-json toJson(const SeriesListing& listing) {
+json jsonOf(const SeriesListing& listing) {
   json series = json::array(), aside = json::array();
-  for (const SeriesInfo& s : listing.series) series.push_back(toJson(s));
+  for (const SeriesInfo& s : listing.series) series.push_back(jsonOf(s));
   for (const SetAside& s : listing.setAside) aside.push_back({{"file", s.file.string()}, {"reason", s.reason}});
   return {{"series", series}, {"set_aside", aside}, {"case", nullptr}};
 }
@@ -56,7 +52,7 @@ Result<void> list(const ImportArguments& a) {
   const auto listing = listSeries(a.input, terminalProgress());
   if (!listing) return tl::unexpected(listing.error());
   if (a.asJson)
-    printJson(toJson(*listing));
+    printJson(jsonOf(*listing));
   else
     std::printf("%s\n", describe(*listing).c_str());
   return {};
@@ -66,7 +62,7 @@ Result<void> list(const ImportArguments& a) {
 json fieldsOfRefusal(const ImportArguments& a, const Error& error) {
   if (a.list || !a.asJson || error.message == kCancelled) return json::object();
   const auto listing = listSeries(a.input);
-  return listing ? toJson(*listing) : json::object();
+  return listing ? jsonOf(*listing) : json::object();
 }
 
 /// The pose is not stored: what an author puts into case.json is better, and until then `auto` finds the same one.
@@ -106,7 +102,7 @@ Result<void> importCase(const ImportArguments& a) {
   if (auto written = writeOrReplace(patient, a.folder); !written) return written;
   tellPose(patient);
   tellNext(a.folder);
-  if (a.asJson) printJson({{"series", json::array({toJson(imported->series)})}, {"case", a.folder}});
+  if (a.asJson) printJson({{"series", json::array({jsonOf(imported->series)})}, {"case", a.folder}});
   return {};
 }
 

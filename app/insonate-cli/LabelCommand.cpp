@@ -106,7 +106,7 @@ Result<void> label(const LabelArguments& a) {
     LabelEdit edit(patient.ct, patient.labels);
     const auto changes = perform(*recipe, edit, terminalProgress());
     if (!changes) return tl::unexpected(changes.error());
-    // What the case calls a label goes before what the recipe calls it.
+    // The case's name of a label takes precedence over the recipe's.
     patient.manifest.ownLabels.insert(recipe->labels.begin(), recipe->labels.end());
     object["steps"] = toJson(*recipe, *changes);
     if (auto named = nameVessels(*recipe, patient); !named) return named;

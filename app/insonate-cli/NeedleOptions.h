@@ -11,7 +11,7 @@
 
 namespace insonate::cli {
 
-/// What the command line says about a needle, in the probe's frame: the same needle is seen at every pose of a path.
+/// Options of the command line about a needle, in the probe's frame: the same needle is seen at every pose of a path.
 struct NeedleOptions {
   std::vector<double> tip_mm, direction{1, 0, 1}, bevel;
   double diameter_mm = 1.27, length_mm = 70, tenting_mm = 0, tentingRadius_mm = 3;
@@ -25,7 +25,7 @@ struct NeedlePlan {
   std::optional<Tenting> tenting;
 
   Needle needleAt(const Transform& patientFromProbe) const;  ///< patient LPS; there must be one
-  /// What the probe has pressed, dented where the needle tents. Valid until the next call.
+  /// The displacement by the probe, dented where the needle tents. Valid until the next call.
   const PlaneDisplacement& dented(const PlaneDisplacement& pressed, TentedTissue& tissue,
                                   const Transform& patientFromProbe) const;
 };

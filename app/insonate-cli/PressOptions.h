@@ -10,7 +10,7 @@
 
 namespace insonate::cli {
 
-/// What the command line says about pressing the probe, and about the patient's blood.
+/// Options of the command line about the probe's pressure and the patient's blood.
 struct PressOptions {
   std::optional<double> force_N, indent_mm, cvp_mmHg, trendelenburg_deg, map_mmHg, time_s, footprint_mm;
   std::string deformation, mechanics, pressure;

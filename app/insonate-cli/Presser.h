@@ -20,7 +20,7 @@ class Presser {
   /// A pose that is to be moved starts where the face touches. Fails where there is no skin.
   static Result<std::vector<Transform>> onSkin(const PressPlan& plan, const LabelMap& labels, const ImagingSetup& setup,
                                                const std::vector<Transform>& path);
-  /// How much deeper than its pose the probe may go.
+  /// Distance by which the probe may go deeper than its pose.
   static double reach_mm(const PressPlan& plan);
 
   /// Fails where there is no skin, and where the face would go through bone.

@@ -16,7 +16,8 @@ struct PublishArguments {
   bool json = false;
 };
 
-/// What keeps trainees from working with the case; as the window's button, the command does not go past it.
+/// Fails if a finding keeps trainees from working with the case; like the window's button, the command does not
+/// override it.
 Result<void> checkIsFit(const PatientCase& patient, const std::string& folder) {
   const auto findings = checkCase(patient, terminalProgress());
   if (!findings) return tl::unexpected(findings.error());

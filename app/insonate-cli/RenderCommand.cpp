@@ -35,7 +35,7 @@ struct RenderOptions {
   bool json = false;
 };
 
-/// What the options name, read and checked.
+/// The options' files and values, read and checked.
 struct RenderJob {
   PatientCase patient;
   ImagingSetup setup;
@@ -103,17 +103,15 @@ Result<RenderJob> readJob(const RenderOptions& options) {
   return job;
 }
 
-nlohmann::json jsonOf(Vec3 v) {
-  return {v.x, v.y, v.z};
-}
-
 nlohmann::json jsonOf(const Transform& patientFromProbe) {
   const StartPose pose = poseOf(patientFromProbe);
-  return {{"position_mm", jsonOf(pose.position_mm)}, {"axial", jsonOf(pose.axial)}, {"lateral", jsonOf(pose.lateral)}};
+  return {{"position_mm", jsonArray(pose.position_mm)},
+          {"axial", jsonArray(pose.axial)},
+          {"lateral", jsonArray(pose.lateral)}};
 }
 
 nlohmann::json jsonOf(const Needle& needle) {
-  return {{"tip_mm", jsonOf(needle.tip_mm)}, {"direction", jsonOf(needle.direction)}};
+  return {{"tip_mm", jsonArray(needle.tip_mm)}, {"direction", jsonArray(needle.direction)}};
 }
 
 nlohmann::json stagesOf(const ImagingFrame& frame) {

@@ -7,7 +7,7 @@
 
 namespace insonate::cli {
 
-/// Where a picture and what belongs to it go; empty: not wanted.
+/// Files for an image and its companions; empty: not wanted.
 struct OutputTargets {
   std::string picture, envelope, displacement, layers;
   std::string suffix;  ///< of the layers' file names

@@ -162,7 +162,7 @@ void Benchmark::measureVolume() {
   });
 }
 
-/// Of Train, and of Prepare with its own ultrasound while Train is hidden.
+/// Measures Train, and Prepare with its own ultrasound while Train is hidden.
 void Benchmark::measureMemory() {
   add(QStringLiteral("memory_train"), memory_MB("VmRSS"), QStringLiteral("MB"));
   window_.showWorkspace(QStringLiteral("prepare"));

@@ -14,7 +14,7 @@
 namespace insonate::app {
 
 double sinceStart_ms() {
-  // Of proc(5): the 22nd word is the start in ticks since boot; the second, the name, may hold blanks.
+  // Format by proc(5): the 22nd word is the start in ticks since boot; the second, the name, may contain blanks.
   std::ifstream in("/proc/self/stat");
   std::string text;
   std::getline(in, text);

@@ -8,9 +8,9 @@
 namespace insonate::app {
 namespace {
 
-constexpr int kPatience_ms = 180'000;
+constexpr int kTimeLimit_ms = 180'000;
 /// Views are told what to show a moment after their data has come.
-constexpr int kSettle_ms = 1000;
+constexpr int kRedraw_ms = 1000;
 /// Then they are drawn; after this they are asked again whether they are.
 constexpr int kDraw_ms = 50;
 
@@ -23,7 +23,7 @@ Screenshot::Screenshot(ui::MainWindow& window, const QString& file, std::functio
   connect(&patience_, &QTimer::timeout, this, [this] { done_(tr("The window did not show the case in time.")); });
   connect(&settling_, &QTimer::timeout, this, &Screenshot::take);
   connect(&window_, &ui::MainWindow::readyChanged, this, &Screenshot::look);
-  patience_.start(kPatience_ms);
+  patience_.start(kTimeLimit_ms);
   look();
 }
 
@@ -31,7 +31,7 @@ void Screenshot::look() {
   if (!window_.isComplete())
     settling_.stop();
   else if (!settling_.isActive())
-    settling_.start(kSettle_ms);
+    settling_.start(kRedraw_ms);
 }
 
 void Screenshot::take() {

@@ -87,7 +87,7 @@ int run(QApplication& application, const app::Arguments& arguments) {
     }
     window.closeAtOnce();
   };
-  // Who looks at the window reads there what went wrong, and can open something else; a script reads it here.
+  // A person reads the error in the window and can open another case; a script reads it here.
   const bool forScript = !arguments.screenshot.empty() || measures;
   const auto first =
       QObject::connect(&window, &ui::MainWindow::caseFailed, &window, [leave, forScript](const QString& what) {

@@ -68,7 +68,7 @@ TEST_P(Attenuation, SlopeIsRightInSpeckleForEveryProbe) {
   }
 }
 
-/// What lies behind a structure of other attenuation, against the same depth beside it.
+/// Ratio of the echo behind a structure of other attenuation to that at the same depth beside it.
 double behindOverBeside(const EnvelopeFrame& frame, const Probe& probe, const ImagingSettings& settings,
                         double behind_mm, double beside_mm, double from_mm, double to_mm) {
   const BeamGrid grid(probe, settings);

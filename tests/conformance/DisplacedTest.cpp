@@ -105,7 +105,7 @@ TEST_P(Displaced, CompressionBringsBoundariesWhereTheyBelong) {
     }
 }
 
-/// What an undisturbed frame shows at the rest point of each sample of a linear probe's frame, bilinear.
+/// An undisturbed frame sampled at the rest point of each sample of a linear probe's frame, bilinear.
 std::vector<double> warped(const EnvelopeFrame& frame, const BeamGrid& grid, const Window& w, const auto& shiftAt) {
   std::vector<double> values;
   for (int m = w.firstSample; m < w.endSample; ++m)

@@ -100,7 +100,7 @@ TEST_P(PointTargets, AreAsWideAsTheProbeSaysAndNarrowestAtTheFocus) {
       record("lateral_over_theory_" + which, lateral);
       record("amplitude_of_100_" + which, spot.amplitude);
     }
-    // Where receive has its whole aperture before the focus, the beam widens with depth from there on.
+    // If receive has its whole aperture before the focus, the beam widens with depth from there on.
     if (receiveAperture_mm(bench.probe, focus_mm) < bench.probe.maxAperture_mm) {
       EXPECT_EQ(narrowestAt_mm, focus_mm) << name;
     }

@@ -8,7 +8,7 @@
 
 namespace insonate::test {
 
-/// What a run of insonate-cli left behind.
+/// Outcome of a run of insonate-cli.
 struct CommandResult {
   int status = -1;
   std::string output;  ///< standard output

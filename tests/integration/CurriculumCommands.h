@@ -36,7 +36,7 @@ class CurriculumCommands : public testing::Test {
                       "env INSONATE_DATABASE=" + shellWord(database) + " INSONATE_PASSWORD=" + shellWord(password) +
                           " INSONATE_NEW_PASSWORD=" + shellWord(newPassword) + " ");
   }
-  /// What a command that must succeed prints.
+  /// Output of a command that must succeed.
   json told(const std::string& arguments) const {
     const CommandResult result = run(arguments + " --json");
     EXPECT_EQ(result.status, 0) << arguments << ": " << result.errors;

@@ -8,7 +8,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// What a trainee may try, to pass without an attempt of their own.
+/// Attempts of a trainee to pass without an attempt of their own.
 class CurriculumTrust : public CurriculumCommands {
  protected:
   /// As the workstation begins an attempt of alice at the first level.

@@ -171,7 +171,7 @@ TEST_F(CurriculumUpkeep, WrongUsageAndWhatIsMissing) {
   EXPECT_THAT(refused("people list --as boss --password-file " + path("none")), HasSubstr("No password can be read"));
 }
 
-/// What someone sees who types a password at the terminal, and how the command ends.
+/// Terminal output while a user types a password, and the exit status.
 CommandResult typing(const std::string& database, const std::string& password) {
   int terminal = -1;
   const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);

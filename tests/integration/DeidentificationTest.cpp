@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::shellWord;
 
-/// What the command line writes of a patient whose name stands everywhere it can.
+/// Output of the command line for a patient whose name is in every possible place.
 class Deidentification : public testing::Test {
  protected:
   test::CommandResult run(const std::string& arguments, const std::string& before = "") const {

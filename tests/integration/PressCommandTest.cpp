@@ -66,7 +66,7 @@ TEST_F(PressCommand, IndentationIsFromWhereTheFaceFirstTouches) {
   EXPECT_NEAR(a["pose"]["position_mm"][1], double(b["pose"]["position_mm"][1]), 0.05);
   EXPECT_NEAR(a["force_N"], double(b["force_N"]), 0.02 * double(a["force_N"]));
   EXPECT_GT(a["force_N"], 0.1);
-  // What force gives is what indentation asks for.
+  // The indentation that a force causes, when requested, needs the same force.
   std::ostringstream force;
   force << "--force " << double(a["force_N"]);
   EXPECT_NEAR(report(force.str())["indent_mm"], 3, 0.1);

@@ -2,7 +2,7 @@
 
 namespace insonate::test {
 
-/// How often this program has asked for memory with new, so far and in all threads.
+/// Number of allocations with new by all threads of this program so far.
 long allocations();
 
 }  // namespace insonate::test

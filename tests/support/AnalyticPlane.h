@@ -29,7 +29,7 @@ class AnalyticPlane : public TissuePlane {
     std::uint8_t label = kBone;
   };
 
-  /// Where the probe is: its face lies `press_mm` below the skin's top and `slide_mm` to the side.
+  /// Position of the probe: its face lies `press_mm` below the skin's top and `slide_mm` to the side.
   double press_mm = 0, slide_mm = 0;
 
   double skinRadius_mm = 0;                                      ///< of a round neck about (0, radius); 0 is flat
@@ -40,7 +40,7 @@ class AnalyticPlane : public TissuePlane {
   std::vector<Circle> circles;
   std::vector<Block> blocks;
 
-  /// Of the tissue's frame taken as the patient's, with y across the plane.
+  /// Pose in the tissue's frame taken as the patient's, with y across the plane.
   Transform patientFromProbe() const { return {Mat3{}, {slide_mm, 0, press_mm}}; }
 
   void sample(std::span<const PlanePoint> at, std::span<PlaneTissue> tissue) const override {

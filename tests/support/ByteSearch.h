@@ -10,7 +10,7 @@
 
 namespace insonate::test {
 
-/// What a zlib or gzip stream at the start of `packed` yields; empty when there is none.
+/// Decompresses the zlib or gzip stream at the start of `packed`; empty if there is none.
 inline std::string unpacked(std::string_view packed) {
   z_stream stream{};
   constexpr int kZlibOrGzip = 47;
@@ -36,7 +36,7 @@ inline std::string wide(const std::string& text, bool bigEndian) {
   return result;
 }
 
-/// What base64 (RFC 4648) makes of a text wherever it begins among others: without the letters that hold neighbours.
+/// Base64 (RFC 4648) of a text at any place among other text: without the letters that depend on neighbors.
 inline std::string inBase64(const std::string& text, std::size_t place) {
   const std::string bytes = std::string(place, '\0') + text;
   const std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

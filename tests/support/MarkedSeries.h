@@ -14,7 +14,7 @@
 
 namespace insonate::test {
 
-/// What is planted wherever a patient could be named; no part of it occurs by itself.
+/// Marks planted in every place that could name a patient; no part of them occurs by itself.
 inline const std::vector<std::string> kMarks{"ZQXMARK", "19470311", "031417.25", "1.2.999.31337", "-77.123456"};
 
 /// False for what the geometry and the pixels of a slice are read from, and for what makes it no DICOM.

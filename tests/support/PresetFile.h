@@ -22,8 +22,8 @@ inline double numberOf(const nlohmann::json& value) {
   return value == "infinity" ? std::numeric_limits<double>::infinity() : value.get<double>();
 }
 
-/// That every number of a preset lies in its range and cites one of the file's sources, and that none is listed in
-/// vain.
+/// Checks that every number of a preset lies in its range and cites one of the file's sources, and that none is listed
+/// in vain.
 class SourceCheck {
  public:
   explicit SourceCheck(const nlohmann::json& file) : sources_(file.at("sources")) {}

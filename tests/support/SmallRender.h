@@ -20,7 +20,7 @@ class SmallRender {
   }
   std::filesystem::path caseFolder() const { return folder_ / "case"; }
   std::string settings() const { return folder_ / "small.json"; }
-  /// Where runs leave what they say.
+  /// File with the standard error of runs.
   std::string errors() const { return folder_ / "stderr.txt"; }
   std::filesystem::path operator/(const std::string& name) const { return folder_ / name; }
 

@@ -17,7 +17,7 @@ namespace insonate::cli {
 
 using Json = nlohmann::json;
 
-/// What a command has to say: to programs, and to people.
+/// Output of a command: for programs, and for people.
 struct Answer {
   Json object = Json::object();
   std::string text;

@@ -186,7 +186,7 @@ Json flagsOf(const AttemptFacts& facts, const std::set<std::string>& repeated) {
   return {{"flags", ids}, {"flagged", words}};
 }
 
-Result<Answer> list(const SignedIn& by, const ListArguments& a) {
+Result<Answer> listAttempts(const SignedIn& by, const ListArguments& a) {
   const auto person = personNamed(by, a.person);
   if (!person) return tl::unexpected(person.error());
   const auto page = AttemptStore(by).page(person->id, a.count, a.before);
@@ -254,7 +254,7 @@ void addAttemptCommands(CLI::App& curriculum, Outcome& outcome) {
 
   auto listed = std::make_shared<ListArguments>();
   CLI::App* listing = addSignedInCommand(attempts, outcome, "list", "Someone's attempts, newest first",
-                                         [listed](const SignedIn& by) { return list(by, *listed); });
+                                         [listed](const SignedIn& by) { return listAttempts(by, *listed); });
   listing->add_option("NAME", listed->person, "Whose (else your own)");
   listing->add_option("--count", listed->count, "How many")->check(CLI::Range(1, 1000))->capture_default_str();
   listing->add_option("--before", listed->before, "Only those whose arrival (see --json) is below this")

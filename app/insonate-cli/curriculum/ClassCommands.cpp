@@ -27,7 +27,7 @@ Json classJson(const Cohort& cohort) {
           {"curriculum_version", taught ? Json(cohort.curriculumVersion) : Json(nullptr)}};
 }
 
-Result<Answer> list(const SignedIn& by) {
+Result<Answer> listClasses(const SignedIn& by) {
   const auto cohorts = CohortStore(by).cohorts();
   if (!cohorts) return tl::unexpected(cohorts.error());
   Json rows = Json::array();
@@ -137,7 +137,7 @@ void addMemberships(CLI::App& classes, Outcome& outcome) {
 void addClassCommands(CLI::App& curriculum, Outcome& outcome) {
   CLI::App& classes = *curriculum.add_subcommand("classes", "Who is taught together, and by what");
   classes.require_subcommand(1);
-  addSignedInCommand(classes, outcome, "list", "The classes that you see", list);
+  addSignedInCommand(classes, outcome, "list", "The classes that you see", listClasses);
   auto name = std::make_shared<std::string>();
   addSignedInCommand(classes, outcome, "add", "A new class", [name](const SignedIn& by) { return add(by, *name); })
       ->add_option("CLASS", *name, "Its name")

@@ -13,7 +13,7 @@
 namespace insonate::cli {
 namespace {
 
-struct Arguments {
+struct StatisticsArguments {
   std::string first, second;
   int last = kLastAttempts;
 };
@@ -76,7 +76,7 @@ Json personRow(const Member& member, const Attempts& attempts, const std::vector
           {"medians", std::move(medians)}};
 }
 
-Result<Answer> classStatistics(const SignedIn& by, const Arguments& a) {
+Result<Answer> classStatistics(const SignedIn& by, const StatisticsArguments& a) {
   const auto all = attemptsOf(by, a.first, a.last);
   if (!all) return tl::unexpected(all.error());
   const auto members = CohortStore(by).members(all->cohort.id);
@@ -132,7 +132,7 @@ Json comparisonRow(const MetricMeaning& metric, const std::vector<double>& first
   return row;
 }
 
-/// Who would be compared with themselves.
+/// Number of people who are in both groups and would be compared with themselves.
 std::size_t peopleInBoth(const ClassAttempts& first, const ClassAttempts& second) {
   std::set<std::string> people, both;
   for (const AttemptFacts& facts : first.facts) people.insert(facts.person);
@@ -141,7 +141,7 @@ std::size_t peopleInBoth(const ClassAttempts& first, const ClassAttempts& second
   return both.size();
 }
 
-Result<Answer> comparison(const SignedIn& by, const Arguments& a) {
+Result<Answer> comparison(const SignedIn& by, const StatisticsArguments& a) {
   const auto first = attemptsOf(by, a.first, a.last), second = attemptsOf(by, a.second, a.last);
   if (!first) return tl::unexpected(first.error());
   if (!second) return tl::unexpected(second.error());
@@ -181,7 +181,7 @@ Result<Answer> comparison(const SignedIn& by, const Arguments& a) {
   return answer;
 }
 
-void addLast(CLI::App& command, Arguments& a) {
+void addLast(CLI::App& command, StatisticsArguments& a) {
   command.add_option("--last", a.last, "How many attempts of each at levels, the newest")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
@@ -190,13 +190,13 @@ void addLast(CLI::App& command, Arguments& a) {
 }  // namespace
 
 void addClassStatistics(CLI::App& group, Outcome& outcome) {
-  auto a = std::make_shared<Arguments>();
+  auto a = std::make_shared<StatisticsArguments>();
   CLI::App* one =
       addSignedInCommand(group, outcome, "class", "A class: box plots of its metrics, how often each succeeded",
                          [a](const SignedIn& by) { return classStatistics(by, *a); });
   one->add_option("CLASS", a->first, "Name of the class")->required();
   addLast(*one, *a);
-  auto b = std::make_shared<Arguments>();
+  auto b = std::make_shared<StatisticsArguments>();
   CLI::App* two = addSignedInCommand(group, outcome, "compare", "Two classes, metric by metric",
                                      [b](const SignedIn& by) { return comparison(by, *b); });
   two->add_option("FIRST", b->first, "Name of a class")->required();

@@ -69,7 +69,7 @@ Result<Answer> publish(const SignedIn& by, const std::string& nameOrPath) {
   return answer;
 }
 
-Result<Answer> list(const SignedIn& by) {
+Result<Answer> listCurricula(const SignedIn& by) {
   const auto published = PublishedCurricula(by).list();
   if (!published) return tl::unexpected(published.error());
   Json rows = Json::array();
@@ -109,7 +109,7 @@ void addCurriculaCommands(CLI::App& curriculum, Outcome& outcome) {
                       [named] { return check(*named); })
       ->add_option("CURRICULUM", *named, "JSON file, or one that comes along")
       ->required();
-  addSignedInCommand(curriculum, outcome, "list", "What has been published", list);
+  addSignedInCommand(curriculum, outcome, "list", "What has been published", listCurricula);
   addSignedInCommand(curriculum, outcome, "publish", "A version of a curriculum, fixed from then on",
                      [published](const SignedIn& by) { return publish(by, *published); })
       ->add_option("CURRICULUM", *published, "JSON file, or one that comes along")

@@ -67,7 +67,7 @@ class Stopwatch {
   Result<void> ask(const char* screen, const char* query, const Query& asked) {
     return ask(screen, query, asked, rounds_);
   }
-  /// What is slow but once.
+  /// Queries that are slow but made once.
   Result<void> ask(const char* screen, const char* query, const Query& asked, int rounds) {
     CurriculumBenchRow row{.screen = screen, .query = query, .rows = 0, .asked = rounds};
     std::vector<double> times_ms;

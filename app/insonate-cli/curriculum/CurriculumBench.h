@@ -11,7 +11,7 @@
 
 namespace insonate::cli {
 
-/// What a screen asks of a store, asked many times.
+/// A query of a screen to a store, repeated many times.
 struct CurriculumBenchRow {
   std::string screen, query;
   std::size_t rows = 0;  ///< that came back, at most

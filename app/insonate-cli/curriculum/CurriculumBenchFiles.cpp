@@ -1,8 +1,8 @@
 #include "CurriculumBench.h"
 
+#include <insonate/bench/UltrasoundBench.h>
 #include <insonate/core/AtomicFile.h>
 #include <insonate/curriculum/Csv.h>
-#include <insonate/simulator/UltrasoundBench.h>
 
 #include <nlohmann/json.hpp>
 

@@ -12,20 +12,20 @@
 namespace insonate::cli {
 namespace {
 
-struct Arguments {
+struct DemoArguments {
   std::string database;
   MadeUpPlan plan;
   int recorded = kDemonstrations;
   NewPasswordOption password;
 };
 
-/// Where the window looks for recordings of what is in this store.
+/// Folder in which the window looks for recordings of this store's attempts.
 std::filesystem::path recordingsOf(const std::string& database) {
   return (isServer(database) ? usualStoreFile() : std::filesystem::path(database)).parent_path() / "attempts";
 }
 
 Result<std::vector<std::filesystem::path>> makeUp(const CurriculumStore& store, const Curriculum& curriculum,
-                                                  const Arguments& a, const std::string& password) {
+                                                  const DemoArguments& a, const std::string& password) {
   const Progress progress = terminalProgress();
   MadeUpPlan plan = a.plan;
   const auto now = std::chrono::system_clock::now().time_since_epoch();
@@ -40,7 +40,7 @@ Result<std::vector<std::filesystem::path>> makeUp(const CurriculumStore& store, 
   return recordings;
 }
 
-Result<Answer> demonstrate(const Arguments& a) {
+Result<Answer> demonstrate(const DemoArguments& a) {
   std::error_code error;
   if (!isServer(a.database) && std::filesystem::exists(a.database, error))
     return fail(a.database + " is there already; people who are made up do not go among others. Name a new file.");
@@ -76,7 +76,7 @@ Result<Answer> demonstrate(const Arguments& a) {
 }  // namespace
 
 void addDemoCommand(CLI::App& curriculum, Outcome& outcome) {
-  auto a = std::make_shared<Arguments>();
+  auto a = std::make_shared<DemoArguments>();
   CLI::App* command = addAnsweringCommand(curriculum, outcome, "demo",
                                           "A new store of made-up people and attempts, to look at and to measure with",
                                           [a] { return demonstrate(*a); });

@@ -21,7 +21,7 @@
 namespace insonate::cli {
 namespace {
 
-struct Arguments {
+struct ExportArguments {
   std::string file, className, item = "Insonate";
   XapiSite site;
   GradeKey key = GradeKey::Email;
@@ -62,7 +62,7 @@ Result<std::optional<Curriculum>> curriculumIfAny(const SignedIn& by, const Coho
 }
 
 /// A line an attempt, a column a metric.
-Result<Answer> exportCsv(const SignedIn& by, const Arguments& a) {
+Result<Answer> exportCsv(const SignedIn& by, const ExportArguments& a) {
   const auto cohort = classNamed(by, a.className);
   if (!cohort) return tl::unexpected(cohort.error());
   const auto curriculum = curriculumIfAny(by, *cohort);
@@ -94,7 +94,7 @@ std::string ungradedSentence(const std::vector<UngradedPerson>& leftOut) {
 }
 
 /// The share of levels that each has mastered.
-Result<Answer> exportGrades(const SignedIn& by, const Arguments& a) {
+Result<Answer> exportGrades(const SignedIn& by, const ExportArguments& a) {
   const auto cohort = classNamed(by, a.className);
   if (!cohort) return tl::unexpected(cohort.error());
   const auto curriculum = curriculumOf(by, *cohort);
@@ -124,7 +124,7 @@ Result<Answer> exportGrades(const SignedIn& by, const Arguments& a) {
   return answer;
 }
 
-Result<Answer> exportXapi(const SignedIn& by, const Arguments& a) {
+Result<Answer> exportXapi(const SignedIn& by, const ExportArguments& a) {
   const auto cohort = classNamed(by, a.className);
   if (!cohort) return tl::unexpected(cohort.error());
   const auto curriculum = curriculumOf(by, *cohort);
@@ -147,11 +147,11 @@ Result<Answer> exportXapi(const SignedIn& by, const Arguments& a) {
   return answer;
 }
 
-using Export = Result<Answer> (*)(const SignedIn&, const Arguments&);
+using Export = Result<Answer> (*)(const SignedIn&, const ExportArguments&);
 
-std::pair<CLI::App*, std::shared_ptr<Arguments>> addClassExport(CLI::App& exports, Outcome& outcome, const char* name,
-                                                                const char* about, Export run) {
-  auto a = std::make_shared<Arguments>();
+std::pair<CLI::App*, std::shared_ptr<ExportArguments>> addClassExport(CLI::App& exports, Outcome& outcome,
+                                                                      const char* name, const char* about, Export run) {
+  auto a = std::make_shared<ExportArguments>();
   CLI::App* command =
       addSignedInCommand(exports, outcome, name, about, [a, run](const SignedIn& by) { return run(by, *a); });
   command->add_option("CLASS", a->className, "Name of the class")->required();

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kHead = "The first line must name the columns: item,answer or item,answer,note.";
 
-/// What is no number stays a text, and is told by checkAnswers().
+/// Text that is no number stays text; checkAnswers() reports it.
 FormAnswers::mapped_type answerOf(const FormItem* item, const std::string& text) {
   double value = 0;
   const char* end = text.data() + text.size();

@@ -29,7 +29,7 @@ const char* wordOf(Form::Purpose purpose) {
   return "rating";
 }
 
-Result<Answer> list() {
+Result<Answer> listForms() {
   Json rows = Json::array();
   for (const std::string& name : formPresetNames()) {
     const auto form = loadForm(name);
@@ -42,7 +42,7 @@ Result<Answer> list() {
   return Answer{{{"forms", rows}}, tableOf(rows, {{"form", "form"}, {"purpose", "purpose"}, {"title", "title"}})};
 }
 
-/// What an item may be answered with.
+/// Permitted answers of an item.
 std::string answersOf(const FormItem& item) {
   if (item.kind == FormItem::Kind::Text) return "text";
   if (item.kind == FormItem::Kind::Number) return Json(item.least).dump() + " to " + Json(item.most).dump();
@@ -139,7 +139,7 @@ Result<Answer> filled(const SignedIn& by, const std::string& name) {
 void addFormCommands(CLI::App& curriculum, Outcome& outcome) {
   CLI::App& forms = *curriculum.add_subcommand("forms", "Questionnaires, checklists and ratings");
   forms.require_subcommand(1);
-  addAnsweringCommand(forms, outcome, "list", "Forms that can be filled in", list);
+  addAnsweringCommand(forms, outcome, "list", "Forms that can be filled in", listForms);
   auto name = std::make_shared<std::string>(), person = std::make_shared<std::string>();
   addAnsweringCommand(forms, outcome, "show", "A form's items, and what they may be answered with",
                       [name] { return show(*name); })

@@ -4,7 +4,7 @@
 
 namespace insonate::cli {
 
-// What `insonate-cli curriculum` consists of.
+// Groups of commands in `insonate-cli curriculum`.
 void addPeopleCommands(CLI::App& curriculum, Outcome& outcome);
 void addClassCommands(CLI::App& curriculum, Outcome& outcome);
 void addClassImport(CLI::App& classes, Outcome& outcome);

@@ -12,7 +12,7 @@
 
 namespace insonate::cli {
 
-/// Where someone stands now in each level, worked out from all their attempts.
+/// A person's present state in each level, computed from all attempts.
 Result<std::vector<LevelProgress>> levelPath(const SignedIn& by, const Curriculum& curriculum,
                                              const std::string& person);
 /// The level they are at: the first to be renewed or learnt; null: all are mastered.

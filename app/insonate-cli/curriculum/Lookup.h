@@ -21,7 +21,7 @@ Result<Person> personNamed(const SignedIn& by, const std::string& nameOrId);
 Result<std::vector<Person>> peopleSeen(const SignedIn& by);
 /// A class by its name, whatever its case, or by id.
 Result<Cohort> classNamed(const SignedIn& by, const std::string& nameOrId);
-/// Those in which someone learns, as far as who is signed in sees them.
+/// Classes in which a person learns, as far as the signed-in user may see them.
 Result<std::vector<Cohort>> classesOf(const SignedIn& by, const Person& person);
 
 /// As it was published; version 0: the newest.
@@ -29,7 +29,7 @@ Result<Curriculum> publishedCurriculum(const SignedIn& by, const std::string& na
 /// By which a class is taught; fails where it has none yet.
 Result<Curriculum> curriculumOf(const SignedIn& by, const Cohort& cohort);
 
-/// How far all are who learn in a class: one look, kept in the store.
+/// Standings of all trainees of a class; one access, stored in the store.
 Result<std::map<std::string, Standing>> standingsOf(const SignedIn& by, const Cohort& cohort,
                                                     const std::vector<Member>& members);
 

@@ -20,7 +20,7 @@ using Attempts = std::vector<const AttemptFacts*>;
 std::map<std::string, Attempts> countedByProcedure(std::span<const AttemptFacts> attempts);
 /// With the procedure's norms, where it is one of ours.
 std::vector<MetricMeaning> meaningsFor(const std::string& procedure);
-/// Those that are there.
+/// The values that are not missing.
 std::vector<double> valuesOf(const Attempts& attempts, const MetricMeaning& metric);
 /// One for each attempt, so that attempts keep their numbers.
 std::vector<std::optional<double>> seriesOf(const Attempts& attempts, const MetricMeaning& metric);

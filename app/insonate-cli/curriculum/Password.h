@@ -6,7 +6,7 @@
 
 namespace insonate::cli {
 
-/// Where a password comes from: never from the command line, which others can read.
+/// Source of a password: never the command line, which others can read.
 struct PasswordSource {
   std::string file;      ///< its first line; "/dev/fd/3" for a descriptor; "": none named
   const char* variable;  ///< of the environment, where no file is named

@@ -43,7 +43,7 @@ Result<Answer> setUp(const StoreOptions& options, const NewPersonArguments& a) {
   return answer;
 }
 
-Result<Answer> list(const SignedIn& by) {
+Result<Answer> listPeople(const SignedIn& by) {
   const auto people = PeopleStore(by).all();
   if (!people) return tl::unexpected(people.error());
   Json rows = Json::array();
@@ -170,7 +170,7 @@ void addPeopleCommands(CLI::App& curriculum, Outcome& outcome) {
   addSetUp(curriculum, outcome);
   CLI::App& people = *curriculum.add_subcommand("people", "Who trains, teaches and administers");
   people.require_subcommand(1);
-  addSignedInCommand(people, outcome, "list", "Everyone (administrators)", list);
+  addSignedInCommand(people, outcome, "list", "Everyone (administrators)", listPeople);
   addAdd(people, outcome);
   addChanges(people, outcome);
   addPasswords(people, outcome);

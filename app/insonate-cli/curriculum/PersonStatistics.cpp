@@ -112,11 +112,11 @@ Result<Answer> paths(const SignedIn& by, const Person& person) {
   return answer;
 }
 
-struct Arguments {
+struct PersonArguments {
   std::string person, metric;
 };
 
-Result<Answer> statistics(const SignedIn& by, const Arguments& a) {
+Result<Answer> statistics(const SignedIn& by, const PersonArguments& a) {
   const auto person = personNamed(by, a.person);
   if (!person) return tl::unexpected(person.error());
   const auto history = AttemptStore(by).history(person->id);
@@ -160,7 +160,7 @@ Result<Answer> statistics(const SignedIn& by, const Arguments& a) {
 }  // namespace
 
 void addPersonStatistics(CLI::App& group, Outcome& outcome) {
-  auto a = std::make_shared<Arguments>();
+  auto a = std::make_shared<PersonArguments>();
   CLI::App* command =
       addSignedInCommand(group, outcome, "person", "Someone's metrics with intervals, learning curves and LC-CUSUM",
                          [a](const SignedIn& by) { return statistics(by, *a); });

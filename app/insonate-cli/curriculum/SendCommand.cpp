@@ -13,7 +13,7 @@
 namespace insonate::cli {
 namespace {
 
-struct Arguments {
+struct SendArguments {
   std::string file, passwordFile;
   LearningRecords records;
 };
@@ -33,7 +33,7 @@ Result<std::vector<std::string>> statementsIn(const std::string& file) {
   return statements;
 }
 
-Result<Answer> send(const Arguments& a) {
+Result<Answer> send(const SendArguments& a) {
   const auto statements = statementsIn(a.file);
   if (!statements) return tl::unexpected(statements.error());
   const auto password = readPassword({.file = a.passwordFile,
@@ -55,7 +55,7 @@ Result<Answer> send(const Arguments& a) {
 }  // namespace
 
 void addSendCommand(CLI::App& curriculum, Outcome& outcome) {
-  auto a = std::make_shared<Arguments>();
+  auto a = std::make_shared<SendArguments>();
   CLI::App* command = addAnsweringCommand(curriculum, outcome, "send",
                                           "Sends xAPI statements to a learning record store", [a] { return send(*a); });
   command->add_option("FILE", a->file, "Statements, as 'curriculum export xapi' writes them")

@@ -10,7 +10,7 @@
 
 namespace insonate::cli {
 
-/// Which store, and who signs in.
+/// Options: the store and the user who signs in.
 struct StoreOptions {
   std::string database, name, passwordFile;
 };
@@ -22,7 +22,7 @@ void addSignInOptions(CLI::App& command, StoreOptions& options);
 
 /// The user's own, as Qt's AppDataLocation has it for the window.
 std::filesystem::path usualStoreFile();
-/// What --database names, else INSONATE_DATABASE, else the user's own file, where the window keeps it too.
+/// Address of the store: --database, else INSONATE_DATABASE, else the user's own file, which the window uses too.
 std::string addressOf(const StoreOptions& options);
 bool isServer(const std::string& address);
 /// Keeps recordings of a server's attempts in a folder of the user, as the window does.
@@ -33,7 +33,7 @@ Result<CurriculumStore> openOrMakeStore(const StoreOptions& options);
 Result<void> checkThere(const StoreOptions& options);
 /// Fails where there is none yet.
 Result<CurriculumStore> openStore(const StoreOptions& options);
-/// Of who signs in.
+/// Reads the password of the user who signs in.
 Result<std::string> readOwnPassword(const StoreOptions& options);
 /// Fails, too, where they have to choose a password first.
 Result<SignedIn> signIn(const StoreOptions& options);

@@ -30,7 +30,7 @@ std::vector<Taps> tapsAlong(int axis, const VolumeGeometry& from, const VolumeGe
     for (int p = 0; p < points; ++p) {
       const double within = (p + 0.5) / points - 0.5;
       const double at = std::clamp(first[axis] + (n + within) * step, 0.0, from.size[axis] - 1.0);
-      // What falls on a voxel takes that one alone, whatever rounding says.
+      // A limit that falls on a voxel takes that voxel alone, whatever the rounding error.
       const double whole = std::round(at);
       const double index = std::abs(at - whole) < 1e-6 ? whole : at;
       const int low = static_cast<int>(index);

@@ -6,14 +6,14 @@
 namespace insonate {
 namespace {
 
-constexpr double kCell_mm = 3, kLevel_mm = 3, kAside_mm = 25;
+constexpr double kPixel_mm = 3, kLevel_mm = 3, kAside_mm = 25;
 constexpr double kNowhere_mm = 1e6;
 
 struct Box {
   Vec3 low_mm, high_mm;
 };
 
-Box boxOf(const VolumeGeometry& g) {
+Box patientBoxOf(const VolumeGeometry& g) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   Box box{{kInfinite, kInfinite, kInfinite}, {-kInfinite, -kInfinite, -kInfinite}};
   const Transform patientFromIndex = g.patientFromIndex();
@@ -34,11 +34,12 @@ class Slice {
  public:
   Slice(const PatientBody& body, const Box& box, double z_mm)
       : box_(box),
-        columns_(static_cast<int>((box.high_mm.x - box.low_mm.x) / kCell_mm) + 1),
-        rows_(static_cast<int>((box.high_mm.y - box.low_mm.y) / kCell_mm) + 1),
+        columns_(static_cast<int>((box.high_mm.x - box.low_mm.x) / kPixel_mm) + 1),
+        rows_(static_cast<int>((box.high_mm.y - box.low_mm.y) / kPixel_mm) + 1),
         inside_(static_cast<std::size_t>(columns_) * rows_) {
     for (int j = 0; j < rows_; ++j)
-      for (int i = 0; i < columns_; ++i) inside_[cell(i, j)] = body.contains({x(i), box.low_mm.y + j * kCell_mm, z_mm});
+      for (int i = 0; i < columns_; ++i)
+        inside_[cell(i, j)] = body.contains({x(i), box.low_mm.y + j * kPixel_mm, z_mm});
   }
 
   BodyLevel largest(double z_mm) {
@@ -54,7 +55,7 @@ class Slice {
 
  private:
   std::size_t cell(int i, int j) const { return static_cast<std::size_t>(j) * columns_ + i; }
-  double x(int i) const { return box_.low_mm.x + i * kCell_mm; }
+  double x(int i) const { return box_.low_mm.x + i * kPixel_mm; }
 
   /// The piece around a cell, which is removed.
   BodyLevel take(int i0, int j0, double z_mm) {
@@ -72,7 +73,7 @@ class Slice {
         open.push_back({u, v});
       }
     }
-    return {z_mm, cells * kCell_mm * kCell_mm, sum_mm / cells, kNowhere_mm};
+    return {z_mm, cells * kPixel_mm * kPixel_mm, sum_mm / cells, kNowhere_mm};
   }
 
   const Box& box_;
@@ -94,14 +95,14 @@ double midlineOf(const std::vector<BodyLevel>& levels) {
 double frontOf(const PatientBody& body, const Box& box, double x_mm, double z_mm) {
   constexpr int kThick = 4;
   int thick = 0;
-  for (double y_mm = box.low_mm.y; y_mm <= box.high_mm.y; y_mm += kCell_mm) {
+  for (double y_mm = box.low_mm.y; y_mm <= box.high_mm.y; y_mm += kPixel_mm) {
     thick = body.contains({x_mm, y_mm, z_mm}) ? thick + 1 : 0;
-    if (thick == kThick) return y_mm - (kThick - 1) * kCell_mm;
+    if (thick == kThick) return y_mm - (kThick - 1) * kPixel_mm;
   }
   return kNowhere_mm;
 }
 
-/// How far the front lies behind the foremost one below and the foremost one above.
+/// Distance by which the front at level n lies behind the foremost level below and the foremost level above.
 double hollow_mm(const std::vector<BodyLevel>& levels, int n) {
   const auto before = [](const BodyLevel& a, const BodyLevel& b) { return a.front_mm < b.front_mm; };
   const auto here = levels.begin() + n;
@@ -122,7 +123,7 @@ bool hasHeadAbove(const std::vector<BodyLevel>& levels, int n) {
 }  // namespace
 
 std::vector<BodyLevel> bodyLevels(const PatientBody& body, const VolumeGeometry& grid) {
-  const Box box = boxOf(grid);
+  const Box box = patientBoxOf(grid);
   const double height_mm = box.high_mm.z - box.low_mm.z;
   const int count = static_cast<int>(height_mm / kLevel_mm) + 1;
   std::vector<BodyLevel> levels;

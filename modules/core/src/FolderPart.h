@@ -28,7 +28,7 @@ class FolderPart {
   int lock_ = -1;
 };
 
-/// What the one step is in two steps: the old folder's name between them. Nothing beside it is abandoned.
+/// Hidden name of the old folder while a new one replaces it in two steps, where the system has no single step for it.
 std::filesystem::path oldBeside(const std::filesystem::path& target);
 
 }  // namespace insonate

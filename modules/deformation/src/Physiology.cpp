@@ -16,7 +16,7 @@ constexpr double kBlood_kgPerm3 = 1060, kGravity_mPers2 = 9.81;
 /// Share of a breath that goes in: one part to one and a half.
 constexpr double kBreathingIn = 0.4;
 
-/// Of what blood stands over a place `length_mm` along the body, head end lowered by the tilt.
+/// Hydrostatic pressure of blood over `length_mm` along the body, head end lowered by the tilt.
 double hydrostatic_mmHg(double length_mm, double tilt_deg) {
   return kBlood_kgPerm3 * kGravity_mPers2 * length_mm / 1000 * std::sin(tilt_deg * pi / 180) / kPascalPermmHg;
 }
@@ -55,7 +55,7 @@ double vein_mmHg(const Physiology& p, double breathNow) {
   return std::max(flowing_mmHg, 0.0);
 }
 
-Result<void> checkRange(double value, double low, double high, const char* field) {
+Result<void> checkPhysiologicalRange(double value, double low, double high, const char* field) {
   if (value >= low && value <= high) return {};
   std::ostringstream text;
   text << "Physiology: " << field << " is " << value << "; allowed is " << low << " to " << high << ".";
@@ -64,7 +64,7 @@ Result<void> checkRange(double value, double low, double high, const char* field
 
 Result<void> checkRate(double value, double low, double high, const char* field) {
   if (value == 0) return {};
-  auto ok = checkRange(value, low, high, field);
+  auto ok = checkPhysiologicalRange(value, low, high, field);
   if (!ok) ok.error().message.insert(ok.error().message.size() - 1, ", or 0 for none");
   return ok;
 }
@@ -72,9 +72,9 @@ Result<void> checkRate(double value, double low, double high, const char* field)
 }  // namespace
 
 Result<void> checkPhysiology(const Physiology& p) {
-  return checkRange(p.centralVenous_mmHg, -5, 30, "centralVenous_mmHg")
-      .and_then([&] { return checkRange(p.systolic_mmHg, 40, 260, "systolic_mmHg"); })
-      .and_then([&] { return checkRange(p.diastolic_mmHg, 20, 180, "diastolic_mmHg"); })
+  return checkPhysiologicalRange(p.centralVenous_mmHg, -5, 30, "centralVenous_mmHg")
+      .and_then([&] { return checkPhysiologicalRange(p.systolic_mmHg, 40, 260, "systolic_mmHg"); })
+      .and_then([&] { return checkPhysiologicalRange(p.diastolic_mmHg, 20, 180, "diastolic_mmHg"); })
       .and_then([&]() -> Result<void> {
         if (p.systolic_mmHg > p.diastolic_mmHg) return {};
         std::ostringstream text;
@@ -84,10 +84,11 @@ Result<void> checkPhysiology(const Physiology& p) {
       })
       .and_then([&] { return checkRate(p.heartRate_perMin, 20, 250, "heartRate_perMin"); })
       .and_then([&] { return checkRate(p.breathing_perMin, 2, 60, "breathing_perMin"); })
-      .and_then([&] { return checkRange(p.breathingSwing_mmHg, -20, 20, "breathingSwing_mmHg"); })
-      .and_then([&] { return checkRange(p.tilt_deg, -45, 45, "tilt_deg"); })
-      .and_then([&] { return checkRange(p.neckAboveHeart_mm, 50, 300, "neckAboveHeart_mm"); })
-      .and_then([&] { return checkRange(p.indifferenceFromHeart_mm, 0, 200, "indifferenceFromHeart_mm"); });
+      .and_then([&] { return checkPhysiologicalRange(p.breathingSwing_mmHg, -20, 20, "breathingSwing_mmHg"); })
+      .and_then([&] { return checkPhysiologicalRange(p.tilt_deg, -45, 45, "tilt_deg"); })
+      .and_then([&] { return checkPhysiologicalRange(p.neckAboveHeart_mm, 50, 300, "neckAboveHeart_mm"); })
+      .and_then(
+          [&] { return checkPhysiologicalRange(p.indifferenceFromHeart_mm, 0, 200, "indifferenceFromHeart_mm"); });
 }
 
 BloodPressure bloodPressureAt(const Physiology& p, double time_s) {
@@ -97,7 +98,7 @@ BloodPressure bloodPressureAt(const Physiology& p, double time_s) {
 }
 
 BloodPressure meanBloodPressure(const Physiology& p) {
-  // Where the vein collapses during a part of the breath, its mean is no longer that of the flowing vein.
+  // If the vein collapses during a part of the breath, its mean is no longer that of the flowing vein.
   constexpr int kSteps = 1000;
   double vein = 0;
   for (int i = 0; i < kSteps; ++i)

@@ -44,7 +44,7 @@ std::vector<EGLDisplay> displays(bool hardware) {
         if (hardware && has(about, "EGL_MESA_device_software")) continue;
         found.push_back(platformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[d], nullptr));
       }
-    // What EGL lists is all there is.
+    // EGL lists all devices that exist.
     if (hardware) return found;
   }
   if (platformDisplay && has(client, "EGL_MESA_platform_surfaceless"))

@@ -81,7 +81,7 @@ std::string sentenceOf(const AttemptEvent& event, bool firstVein, const Procedur
   return positionSentence(event.tilt_deg);
 }
 
-/// What a finding of the same moment tells, with what to do, is not told twice.
+/// An event is not reported if a finding of the same moment reports it together with advice.
 bool isToldByFinding(const AttemptEvent& event, const ProcedureRun& run) {
   const bool wrong = event.kind == AttemptEventKind::Struck || event.kind == AttemptEventKind::Left ||
                      (event.kind == AttemptEventKind::Entered && event.wall != kSkin && event.wall != kVein);
@@ -133,7 +133,7 @@ std::optional<double> pointsOf(const ProcedureRun& run, const AttemptScore& scor
   return std::clamp(sum / shares - cost, 0.0, score.succeeded ? 100 : kMostWithoutSuccess);
 }
 
-/// Of the earliest finding that is as severe.
+/// Advice of the earliest finding of this severity.
 std::string adviceOn(const ProcedureRun& run, Severity severity) {
   for (const ProcedureRun::Finding& finding : run.findings())
     if (const ProcedureRule& rule = ruleOf(run, finding); rule.severity == severity)

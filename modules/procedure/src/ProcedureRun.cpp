@@ -13,7 +13,7 @@ void follow(std::optional<std::int64_t>& since_us, bool holds, std::int64_t now_
   if (holds && !since_us) since_us = now_us;
 }
 
-/// Whether one of them counted something between the two.
+/// Tells whether any counter increased between the two.
 bool countedMore(const MetricValues& before, const MetricValues& after) {
   using enum Metric;
   constexpr std::array kCounts{VeinPunctures, OtherVeinPunctures, ArteryPunctures, DoublePunctures,

@@ -54,7 +54,7 @@ void labelFatAndMuscle(LabelMap& labels, const CtVolume& ct, Work& work) {
   });
 }
 
-/// How near to the air fat is not told from skin.
+/// Depth near air within which fat cannot be told from skin.
 double skinThatLooksLikeFat_mm(double noise_HU, const VolumeGeometry& geometry) {
   if (noise_HU < kSkinHidden_HU) return kBlurredSkin_mm;
   return noise_HU > kLoud_HU && canBeCalmed(geometry) ? kCalmedSkin_mm : kSkin_mm;

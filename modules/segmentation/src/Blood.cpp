@@ -26,7 +26,7 @@ struct Step {
   double length_mm;
 };
 
-/// Whether the CT falls to soft tissue within kWall_mm of a voxel in a direction, without rising before.
+/// Tells whether the CT falls to soft tissue within kWall_mm of a voxel in a direction, without rising before.
 bool fallsToSoft(const CtVolume& ct, int i, int j, int k, const Step& step) {
   const int from_HU = ct.at(i, j, k);
   const int reach = std::max(1, static_cast<int>(kWall_mm / step.length_mm));

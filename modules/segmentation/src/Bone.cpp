@@ -18,7 +18,7 @@ constexpr double kGrow_mm = 4;     // and only this far, so that a vessel that t
 // With contrast, a piece without cortex is a vessel too thin for findBrightBlood.
 constexpr int kCortex_HU = 600;
 constexpr double kCortexShare = 0.01;
-constexpr double kSmallest_mm3 = 60;
+constexpr double kSmallestPiece_mm3 = 60;
 constexpr double kClose_mm = 1.5;
 // The scanner's blur makes bone wider: its edge is where the CT falls to half of the bone that is near.
 constexpr double kBlur_mm = 1.2, kTissue_HU = 50;
@@ -36,8 +36,8 @@ void removeVesselsAndSpecks(Mask& dense, const CtVolume& ct, bool contrast, Work
   std::vector<bool> removed(pieces.count());
   for (std::size_t p = 0; p < removed.size(); ++p) {
     const auto size = static_cast<double>(sizes[p]);
-    removed[p] =
-        size * s.x * s.y * s.z < kSmallest_mm3 || (contrast && static_cast<double>(cortex[p]) < kCortexShare * size);
+    removed[p] = size * s.x * s.y * s.z < kSmallestPiece_mm3 ||
+                 (contrast && static_cast<double>(cortex[p]) < kCortexShare * size);
   }
   pieces.paint(removed, 0, dense);
 }

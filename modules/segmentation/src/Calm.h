@@ -6,11 +6,12 @@
 
 namespace insonate::segmentation {
 
-/// How much the CT varies in the body (kSoftTissue) between voxels that are just too far apart for their noise to be
-/// alike, as a standard deviation: its noise, and some ten HU of anatomy.
+/// Standard deviation of the CT in the body (kSoftTissue) between voxels just far enough apart for their noise to be
+/// independent: noise, and some ten HU of anatomy.
 double noiseInBody_HU(const CtVolume& ct, const LabelMap& body, Work& work);
 
-/// Whether calmed() takes most of the noise: along two axes or more, voxels are not wider than the scanner's blur.
+/// Tells whether calmed() removes most of the noise: along two axes or more, voxels are not wider than the scanner's
+/// blur.
 bool canBeCalmed(const VolumeGeometry& geometry);
 
 /// Smoothed a little along each axis whose voxels are not wider than the scanner's blur, so that little is lost.

@@ -28,7 +28,7 @@ class Components {
   /// Number of voxels of each.
   std::vector<std::size_t> sizes() const;
 
-  /// Of a voxel that the mask has set.
+  /// Component of a voxel that is set in the mask.
   std::uint32_t componentAt(int i, int j, int k) const;
 
   /// Sets the voxels of the chosen components to `value`.

@@ -16,7 +16,7 @@ constexpr double kRadiusSquare = 16000;
 constexpr Square kWithin = 16001;  // each of three distances is rounded, and those of the radius itself count
 constexpr Square kFar = kWithin + 1;
 
-/// Of the distances of 0, 1, ... voxels, as many as lie within the radius.
+/// Squares of the distances of 0, 1, ... voxels up to the radius.
 std::vector<Square> squares(double spacing_mm, double radius_mm) {
   std::vector<Square> squares{0};
   while (true) {

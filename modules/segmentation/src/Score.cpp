@@ -42,7 +42,7 @@ class Surface {
   }
   const std::vector<std::array<double, 3>>& points() const { return points_; }
 
-  // What nanoflann asks of a set of points.
+  // The interface that nanoflann expects of a set of points.
   std::size_t kdtree_get_point_count() const { return points_.size(); }
   double kdtree_get_pt(std::size_t n, std::size_t axis) const { return points_[n][axis]; }
   template <class Box>

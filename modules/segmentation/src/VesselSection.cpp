@@ -52,7 +52,7 @@ std::optional<VesselSection> SectionFinder::find(Vec3 at_mm, Vec3 axis) {
     if (place == Place::Inside) open_.push_back(n);
     section.cut |= place == Place::BeyondVolume;
   };
-  // Where the point itself has just left a curved vessel, the vessel is a step aside.
+  // If the point itself has just left a curved vessel, the vessel is a step aside.
   for (int ring = 0; ring <= 2 && open_.empty(); ++ring)
     for (int y = -ring; y <= ring && open_.empty(); ++y)
       for (int x = -ring; x <= ring && open_.empty(); ++x) visit(kHalf + x, kHalf + y);

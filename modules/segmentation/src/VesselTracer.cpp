@@ -11,7 +11,7 @@ constexpr double kStep_mm = 1;
 /// A section that lies farther from where it was expected, or has grown more, is that of a confluence; one that has
 /// shrunk as much, of an end.
 constexpr double kLeastJump_mm = 1.5, kJump = 0.3, kGrowth = 2, kLeastGrowth_mm2 = 10, kShrinking = 0.25;
-/// Of the area that it is compared with: a vein may widen, but not within a few millimetres.
+/// Weight of a new section in the area to compare with: a vein may widen, but not within a few millimeters.
 constexpr double kForget = 0.1;
 /// The direction is that of the last points: of one alone it would follow the voxels' stairs.
 constexpr std::size_t kBaseline = 4;
@@ -119,7 +119,7 @@ CentreLine VesselTracer::follow(const VesselSection& start, Vec3 axis) {
     const Vec3 expected_mm = last.centre_mm + axis * kStep_mm;
     const auto section = finder_.find(expected_mm, axis);
     if (!section) break;
-    // What the volume's edge cuts has lost area: a section that has grown reaches the edge through another vessel.
+    // A section cut by the volume's edge has lost area; one that has grown reaches the edge through another vessel.
     const bool atEdge = section->cut && !start.cut;
     if (section->area_mm2 > (atEdge ? 1 : kGrowth) * usual_mm2 + kLeastGrowth_mm2) break;
     if (atEdge) {

@@ -16,7 +16,7 @@ class VesselTracer {
   /// The line through the vessel at an open voxel, which is open no more, with all voxels beside the line; empty where
   /// there is too little, and where the volume's edge cuts the vessel and `evenCut` is not set.
   CentreLine trace(int i, int j, int k, bool evenCut);
-  /// What was only put off, since it was cut, is open again.
+  /// Opens again the sections that were deferred because they were cut.
   void reopen();
 
  private:

@@ -37,7 +37,7 @@ Result<void> checkInput(const LabelMap& labels, const SurfaceOptions& options) {
   return {};
 }
 
-/// What is not smoothed yet, and the grid it came from.
+/// An unsmoothed surface and its grid.
 struct Extracted {
   Mesh mesh;
   VolumeGeometry grid;

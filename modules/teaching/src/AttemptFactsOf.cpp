@@ -15,7 +15,7 @@
 namespace insonate {
 namespace {
 
-/// Of AttemptHeader::begun; 0 where it is none.
+/// Parses AttemptHeader::begun; 0 if it is not a time.
 std::int64_t timeOf(const std::string& iso8601) {
   std::tm utc{};
   const char* end = ::strptime(iso8601.c_str(), "%Y-%m-%dT%H:%M:%SZ", &utc);

@@ -40,7 +40,7 @@ struct Trainee {
   double skill(int attempt) const { return becomes - (becomes - begins) * std::pow(attempt, -rate); }
 };
 
-/// Of metrics without a norm; round numbers, of no study.
+/// Range of a metric without a norm; round numbers, from no study.
 struct RoundNorm {
   std::string_view metric;
   double novice, expert;

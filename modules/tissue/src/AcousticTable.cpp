@@ -8,7 +8,7 @@
 namespace insonate {
 namespace {
 
-const tissuefile::TableForm<AcousticTable>& form() {
+const tissuefile::TableForm<AcousticTable>& acousticForm() {
   static const tissuefile::TableForm<AcousticTable> all{"tissue", presetsOf(embedded::tissues::files()),
                                                         tissuefile::readTissue};
   return all;
@@ -17,16 +17,16 @@ const tissuefile::TableForm<AcousticTable>& form() {
 }  // namespace
 
 std::vector<std::string> acousticPresetNames() {
-  const auto names = form().names();
+  const auto names = acousticForm().names();
   return {names.begin(), names.end()};
 }
 
 Result<AcousticTable> parseAcousticTable(std::string_view text) {
-  return tissuefile::parseTable(text, form());
+  return tissuefile::parseTable(text, acousticForm());
 }
 
 Result<AcousticTable> loadAcousticTable(std::string_view nameOrPath) {
-  return tissuefile::loadTable(nameOrPath, form());
+  return tissuefile::loadTable(nameOrPath, acousticForm());
 }
 
 std::string textOf(const AcousticTable& table) {

@@ -15,7 +15,7 @@
 /// "tissue 'fat'".
 namespace insonate::tissuefile {
 
-/// What a file may say; the narrower "range" beside a value tells how well that value is known.
+/// Permitted values in a file; the narrower "range" beside a value states how well that value is known.
 struct Limits {
   double low = 0, high = 0;
   bool infinite = false;  ///< "infinity" is allowed, too
@@ -54,7 +54,7 @@ Result<void> readNumbers(const nlohmann::json& object, const std::array<Field<T>
   return {};
 }
 
-/// What readNumbers() reads.
+/// Inverse of readNumbers().
 template <class T, std::size_t N>
 void writeNumbers(const T& from, const std::array<Field<T>, N>& all, nlohmann::json& object) {
   for (const Field<T>& field : all) {

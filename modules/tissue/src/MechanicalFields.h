@@ -12,7 +12,7 @@ namespace insonate::tissuefile {
 Result<void> readMechanics(const nlohmann::json& entry, bool complete, const std::string& where,
                            MechanicalTissue& tissue);
 
-/// What readMechanics() reads, complete.
+/// Inverse of readMechanics(), complete.
 nlohmann::json written(const MechanicalTissue& tissue);
 
 }  // namespace insonate::tissuefile

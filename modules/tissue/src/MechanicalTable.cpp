@@ -8,7 +8,7 @@
 namespace insonate {
 namespace {
 
-const tissuefile::TableForm<MechanicalTable>& form() {
+const tissuefile::TableForm<MechanicalTable>& mechanicalForm() {
   static const tissuefile::TableForm<MechanicalTable> all{"mechanics", presetsOf(embedded::mechanics::files()),
                                                           tissuefile::readMechanics};
   return all;
@@ -17,16 +17,16 @@ const tissuefile::TableForm<MechanicalTable>& form() {
 }  // namespace
 
 std::vector<std::string> mechanicalPresetNames() {
-  const auto names = form().names();
+  const auto names = mechanicalForm().names();
   return {names.begin(), names.end()};
 }
 
 Result<MechanicalTable> parseMechanicalTable(std::string_view text) {
-  return tissuefile::parseTable(text, form());
+  return tissuefile::parseTable(text, mechanicalForm());
 }
 
 Result<MechanicalTable> loadMechanicalTable(std::string_view nameOrPath) {
-  return tissuefile::loadTable(nameOrPath, form());
+  return tissuefile::loadTable(nameOrPath, mechanicalForm());
 }
 
 std::string textOf(const MechanicalTable& table) {

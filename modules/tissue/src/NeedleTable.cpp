@@ -71,7 +71,7 @@ Result<void> readNeedle(const json& entry, bool complete, const std::string& whe
   return checkTogether(tissue, where);
 }
 
-const tissuefile::TableForm<NeedleTable>& form() {
+const tissuefile::TableForm<NeedleTable>& needleForm() {
   static const tissuefile::TableForm<NeedleTable> all{"needle", presetsOf(embedded::needles::files()), readNeedle};
   return all;
 }
@@ -79,16 +79,16 @@ const tissuefile::TableForm<NeedleTable>& form() {
 }  // namespace
 
 std::vector<std::string> needlePresetNames() {
-  const auto names = form().names();
+  const auto names = needleForm().names();
   return {names.begin(), names.end()};
 }
 
 Result<NeedleTable> parseNeedleTable(std::string_view text) {
-  return tissuefile::parseTable(text, form());
+  return tissuefile::parseTable(text, needleForm());
 }
 
 Result<NeedleTable> loadNeedleTable(std::string_view nameOrPath) {
-  return tissuefile::loadTable(nameOrPath, form());
+  return tissuefile::loadTable(nameOrPath, needleForm());
 }
 
 }  // namespace insonate

@@ -13,7 +13,7 @@
 /// A table of properties by label, as a preset or a file: what resources/tissues and resources/mechanics share.
 namespace insonate::tissuefile {
 
-/// What sets one kind of table apart. `Table` has a name and `tissues` by label.
+/// Properties that distinguish one kind of table. `Table` has a name and `tissues` by label.
 template <class Table>
 struct TableForm {
   using Tissue = typename decltype(Table::tissues)::value_type;

@@ -11,7 +11,7 @@ namespace insonate::tissuefile {
 /// stay as they are.
 Result<void> readTissue(const nlohmann::json& entry, bool complete, const std::string& where, AcousticTissue& tissue);
 
-/// What readTissue() reads, complete.
+/// Inverse of readTissue(), complete.
 nlohmann::json written(const AcousticTissue& tissue);
 
 }  // namespace insonate::tissuefile

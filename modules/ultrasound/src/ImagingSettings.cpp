@@ -162,7 +162,7 @@ Result<Json> withPresentNames(Json object) {
   return object;
 }
 
-/// What can be said without knowing the probe.
+/// Checks that do not depend on the probe.
 Result<void> checkRanges(const Settings& settings) {
   for (const auto& field : kNumbers)
     if (auto ok = fields::checkRange(settings.*field.member, field.low, field.high, field.name, kWhere); !ok) return ok;

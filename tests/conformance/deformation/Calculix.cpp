@@ -72,7 +72,7 @@ class Mesh {
     return {c.x_mm + scale * (p[0] - c.x_mm), c.z_mm + scale * (p[1] - c.z_mm)};
   }
 
-  /// Of an edge that crosses a circle, one end is so near that it is moved.
+  /// Moves the nearer end of an edge that crosses a circle onto it.
   Place snapped(const Place& p) const {
     for (std::size_t c = 0; c < block_.circles.size(); ++c)
       if (std::abs(distance(p, c)) < 0.501) return projected(p, c);

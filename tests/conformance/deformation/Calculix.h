@@ -26,7 +26,7 @@ struct CalculixBlock {
     Material material;        ///< of a full one
   };
   std::vector<Circle> circles;
-  /// How the top is moved at x, mm along x and z; nothing where it is free.
+  /// Displacement of the top at x, mm along x and z; empty where it is free.
   std::function<std::optional<std::array<double, 2>>(double x_mm)> press;
 };
 

@@ -53,7 +53,7 @@ class Calculix : public testing::Test {
     return beyond < 2.6 ? std::sqrt(9 - beyond * beyond) - 3 : std::numeric_limits<double>::quiet_NaN();
   }
 
-  /// How the model's skin from x has moved to lie on the face.
+  /// Displacement that puts the model's skin at x onto the face.
   std::optional<std::array<double, 2>> pressAt(double x_mm) const {
     for (int i = 0; i + 1 < ours.meshColumns; ++i) {
       const MeshNode &a = ours.mesh[i], &b = ours.mesh[i + 1];
@@ -67,7 +67,7 @@ class Calculix : public testing::Test {
     return std::nullopt;
   }
 
-  /// Where the model has moved a point of the tissue to, in its own mesh.
+  /// Displacement of a point of the tissue by the model, in its own mesh.
   PlanePoint moveAt(double x_mm, double z_mm) const {
     for (int j = 0; j + 1 < ours.meshRows; ++j)
       for (int i = 0; i + 1 < ours.meshColumns; ++i) {

@@ -16,7 +16,7 @@ MechanicalTable measured() {
   return loadMechanicalTable("measured").value();
 }
 
-/// What every elastic model must show, through the public interface.
+/// Properties of every elastic model, tested through the public interface.
 class Physics : public testing::TestWithParam<const char*> {
  protected:
   Deformation solved(double press_mm, double force_N = 0) {

@@ -5,7 +5,7 @@
 
 namespace insonate::test {
 
-/// What the shaders reach: far below what engines are allowed, so that hardly a term can be left out of them.
+/// Accuracy of the shaders: far below the permitted error of engines, so that hardly a term can be missing from them.
 inline constexpr double kCloseError = 0.001;
 
 /// Share of the truth's RMS, or 1 where only one of the two is silent or a number is missing.

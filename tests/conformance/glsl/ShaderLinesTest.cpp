@@ -25,7 +25,7 @@ std::string without(const std::vector<std::string>& lines, std::size_t gone) {
   return text;
 }
 
-/// Whether a line says anything to the compiler.
+/// Tells whether a line has a meaning for the compiler.
 bool counts(const std::string& line) {
   const auto first = line.find_first_not_of(" \t");
   return first != std::string::npos && line.compare(first, 2, "//") != 0;
@@ -41,12 +41,12 @@ class ShaderLines : public testing::Test {
       truths_.push_back(renderWith("reference", c.probe, c.settings, *c.scene, c.pose, c.displacement, c.needle));
   }
 
-  /// Whether any test would fail with these shaders.
+  /// Tells whether any test would fail with these shaders.
   bool isTold(const glsl::EditedFile& edited) {
     const auto device = device_->with(edited);
     if (!device) return true;  // the engine cannot be made
     const auto engine = glsl::makeEngineOn(*device);
-    // What told the last line first: neighbours mostly fail alike.
+    // The test that found the last line goes first: neighboring lines mostly fail alike.
     for (std::size_t n = 0; n < cases_.size(); ++n) {
       const std::size_t i = (last_ + n) % cases_.size();
       const CompactCase& c = cases_[i];

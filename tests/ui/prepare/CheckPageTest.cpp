@@ -224,7 +224,7 @@ TEST_F(CheckPage, WhatIsMissingLeadsToWhereItIsMade) {
 
 class Publish : public CheckPage {
  protected:
-  /// Of a size that is fit for training.
+  /// A case of a size that is fit for training.
   static std::shared_ptr<const PatientCase> fit() {
     static const auto made = std::make_shared<const PatientCase>(*makePhantom("textbook", 1));
     return made;

@@ -9,7 +9,7 @@
 namespace insonate::prepare {
 namespace {
 
-/// What an author says of labels: names, tissues and states, in the table and below it.
+/// The author's terms of labels: names, tissues and states, in the table and below it.
 class LabelTable : public PrepareWindow {
  protected:
   static constexpr std::uint8_t kOwn = kLabelCount;

@@ -78,7 +78,7 @@ TEST_F(GuidingANeck, DoneThroughTheWindowItReplaysByTheCommandToEveryVoxel) {
   const auto begun = imported();
   ASSERT_TRUE(writeCase(*begun, folder.path() / "imported"));
   openCase(begun);
-  // Where the textbook neck has them.
+  // The vessels of the textbook neck.
   const auto whole = makePhantom("textbook", 1, {}, CtContrast::kArterial);
   const auto middleAt = [&](std::string_view vessel, double z_mm) {
     const auto& course = std::ranges::find(whole->manifest.vessels, vessel, &NamedVessel::name)->course;

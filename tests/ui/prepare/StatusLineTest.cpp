@@ -3,7 +3,7 @@
 namespace insonate::prepare {
 namespace {
 
-/// What the window's last line says of a place, heard as the window hears it.
+/// Text of the window's last line about a place, received as the window receives it.
 class StatusLine : public Tools {
  protected:
   void SetUp() override {

@@ -9,7 +9,7 @@
 namespace insonate::prepare {
 namespace {
 
-/// What tools must leave alone, the range on the histogram, and labels chosen by name.
+/// Rules for tools, the range on the histogram, and labels chosen by name.
 class ToolRules : public Tools {
  protected:
   void choose(const char* box, const QString& word) {

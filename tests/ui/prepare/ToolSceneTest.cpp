@@ -6,7 +6,7 @@
 namespace insonate::prepare {
 namespace {
 
-/// What is drawn over 3D and on the slices beside the labels themselves.
+/// Drawings over 3D and on the slices beside the labels themselves.
 class ToolScene : public Tools {
  protected:
   void SetUp() override {

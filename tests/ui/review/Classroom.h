@@ -23,7 +23,7 @@ namespace insonate::review {
 
 using test::kPatience_ms;
 
-/// What trainees are called who mean no good.
+/// Names of malicious trainees.
 inline const std::string kHostileName =
     "<img src='x'> &amp; \"Robert'); DROP TABLE people;--\" %1 %2 \u0645\u0631\u062d\u0628\u0627";
 

@@ -95,7 +95,7 @@ TEST_F(PersonPageTest, TheLastAttemptsBesideTheClassAreThoseAtLevels) {
 TEST_F(PersonPageTest, StandsBesideTheClass) {
   const auto& all = MetricBook::here().all();
   const auto path = *std::ranges::find(all, "needle_path_mm", &MetricMeaning::id);
-  /// Of the third of these people.
+  /// Position of the third of these people.
   const auto placeAmong = [&](const std::vector<double>& paths_mm) {
     PersonFacts facts;
     facts.person.id = "p2";

@@ -29,7 +29,7 @@ std::shared_ptr<const AttemptRecording> tenMinutes(const std::filesystem::path& 
   return std::make_shared<const AttemptRecording>(std::move(*AttemptRecording::open(file)));
 }
 
-/// What it costs to be anywhere: one stretch, unpacked; not what lies before.
+/// Moving to any time unpacks one stretch, not the stretches before it.
 TEST(ReplayReader, AnyTimeOfTenMinutesCostsOneStretch) {
   const test::TemporaryFolder folder;
   const auto recording = tenMinutes(folder / "ten");

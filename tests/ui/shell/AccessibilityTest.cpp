@@ -53,7 +53,7 @@ TEST_F(Accessibility, EverythingInTheWindowHasANameAndATooltip) {
 TEST_F(Accessibility, EverythingInTheWindowIsReachedByKeyboard) {
   for (QWidget* widget : window.findChildren<QWidget*>()) {
     if (!isInteractive(widget)) continue;
-    // Who takes the keyboard only by its proxy is reached through that.
+    // A widget that takes the keyboard by its proxy is reached through that.
     EXPECT_TRUE(widget->focusPolicy() & Qt::TabFocus) << what(widget) << " cannot be reached by Tab";
   }
 }

@@ -130,7 +130,7 @@ TEST_F(CaseExchange, OnlyTheAxisWhoseSpacingIsChangedIsResampled) {
   EXPECT_EQ(dialog.options().spacing_mm, (Vec3{0.9765625, 0.9765625, 1})) << "0.977 would blur what was not asked for";
 }
 
-/// What was labelled outside of the part, or never saved, is not in it.
+/// Labels outside of the part, or never saved, are not in it.
 TEST_F(CaseExchange, APartTakesThePlaceOfWhatIsNotSavedOnlyWhenAllowed) {
   auto* exchange = window.findChild<ui::CaseExchange*>();
   const auto cropTo = [&](int size) {

@@ -19,7 +19,7 @@ namespace {
 using namespace insonate;
 using std::chrono::milliseconds;
 
-/// Whose skin takes a while to find.
+/// A case whose skin takes a while to find.
 std::shared_ptr<const PatientCase> largeCase() {
   VolumeGeometry grid;
   grid.size = {256, 256, 128};

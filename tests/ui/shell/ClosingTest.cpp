@@ -29,8 +29,8 @@ namespace {
 
 using namespace insonate;
 
-/// How long the window has lived when it is closed: while the case is read, while the first scene and the surfaces are
-/// made, while pictures come.
+/// Lifetime of the window when it is closed: while the case is read, while the first scene and the surfaces are made,
+/// while images arrive.
 class Closing : public testing::TestWithParam<int> {};
 
 TEST_P(Closing, NeitherHangsNorCrashes) {

@@ -38,7 +38,7 @@ struct Rule {
   QColor text, ground;  ///< invalid where the rule does not say
 };
 
-/// What the application's style sheet says about text and what it stands on.
+/// Rules of the application's style sheet about text and its ground.
 std::vector<Rule> rules() {
   std::vector<Rule> found;
   static const QRegularExpression rule(QStringLiteral("([^{}]+)\\{([^}]*)\\}"));
@@ -81,7 +81,7 @@ TEST(Contrast, TextIsSevenToOneWhereverTheStyleSheetPutsIt) {
 TEST(Contrast, EveryGroundCarriesText) {
   const QColor text = insonate::ui::colour(theme::kText);
   for (const Rule& rule : rules()) {
-    // Where the accent is behind text, the rule says so itself.
+    // A rule with the accent behind text states the text's color itself.
     if (!rule.ground.isValid() || rule.text.isValid() || luminance(rule.ground) > 0.2) continue;
     EXPECT_GE(contrast(text, rule.ground), kLeast) << rule.selector.toStdString();
   }

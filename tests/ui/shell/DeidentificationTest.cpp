@@ -25,7 +25,7 @@ namespace {
 using namespace insonate;
 using test::waitUntil;
 
-/// What the program keeps for its user: settings, cache, data.
+/// Searches the files that the program keeps for its user: settings, cache, data.
 void expectNoMarksInWhatIsKept() {
   QSettings().sync();
   int files = 0;

@@ -209,7 +209,7 @@ TEST_F(Library, WhatIsKeptHoldsNoNameAndIsUsedAgain) {
   EXPECT_EQ(changed.version, 2);
 }
 
-/// Where the disk is full, say: what was found out about one neck was taken for every other.
+/// Regression: with a full disk, facts about one neck were taken for every other.
 TEST_F(Library, NecksThatCannotBeKeptAreToldApart) {
   QFile none(home_.filePath("no folder"));
   ASSERT_TRUE(none.open(QIODevice::WriteOnly));

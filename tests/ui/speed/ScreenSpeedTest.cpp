@@ -82,7 +82,7 @@ class ScreenSpeed : public testing::Test {
     for (QWidget* one : QApplication::topLevelWidgets())
       if (one->isVisible()) one->repaint();
     const qint64 took_ms = clock.elapsed();
-    // Of all threads: what it would take at most if nothing else ran.
+    // Processor time of all threads: an upper limit if nothing else ran.
     const double busy_ms = 1e3 * double(std::clock() - begin) / CLOCKS_PER_SEC;
     std::printf("%-42s %5lld ms, %5.0f of the processor  %s\n", screen, took_ms, busy_ms,
                 took_ms <= kAim_ms ? "" : "late");

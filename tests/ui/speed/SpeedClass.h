@@ -13,7 +13,7 @@ inline constexpr const char* kSpeedPassword = "a long sentence";
 /// judged the newest. Throws where that fails.
 void fillSpeedClass(const QString& file, const StoreServices& services);
 
-/// So many recordings in a folder, which is made.
+/// Writes this many recordings into a folder, which is made.
 void fillRecordings(const QString& folder, int count);
 
 }  // namespace insonate::test

@@ -16,7 +16,7 @@
 
 namespace insonate::test {
 
-/// What a user can act on with mouse or keyboard, without the inner parts of Qt's own widgets.
+/// Tells whether a user can act on a widget with mouse or keyboard; false for inner parts of Qt's own widgets.
 inline bool isInteractive(const QWidget* widget) {
   if (qobject_cast<const QScrollBar*>(widget)) return false;
   const QByteArray name = widget->objectName().toLatin1();
@@ -35,7 +35,7 @@ inline QString nameOf(QWidget* widget) {
   return said ? said->text(QAccessible::Name) : QString();
 }
 
-/// Of the widget, or of the control that it is a part of.
+/// Tells whether the widget, or the control that it is a part of, has a tooltip.
 inline bool hasToolTip(const QWidget* widget) {
   for (const QWidget* at = widget; at && !at->isWindow(); at = at->parentWidget())
     if (!at->toolTip().isEmpty()) return true;
@@ -47,7 +47,7 @@ inline std::string what(const QWidget* widget) {
          (widget->parentWidget() ? widget->parentWidget()->metaObject()->className() : "nothing");
 }
 
-/// How many there are.
+/// Returns their number.
 inline int expectNames(QWidget* root, bool toolTips) {
   int seen = 0;
   for (QWidget* widget : root->findChildren<QWidget*>()) {

@@ -7,7 +7,7 @@
 
 namespace insonate::test {
 
-/// How long the window's thread was away from its events at most.
+/// Longest time during which the window's thread did not process events.
 class Beat {
  public:
   Beat() {

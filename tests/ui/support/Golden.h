@@ -16,7 +16,8 @@ struct Picture {
   const std::uint8_t* at(int x, int y) const { return rgb.data() + 3 * (std::size_t(y) * width + x); }
 };
 
-/// How much pictures of two machines may differ: a share of pixels by more than so many grey steps in any channel.
+/// Permitted difference between images of two machines: share of pixels that differ by more than this many gray levels
+/// in any channel.
 struct Tolerance {
   int steps = 24;
   double share = 0.01;

@@ -2,7 +2,7 @@
 
 namespace insonate::test {
 
-/// How long a test waits for what must come; under sanitizers all takes several times as long.
+/// Time limit of a test's wait; under sanitizers everything takes several times as long.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr int kPatience_ms = 300'000;
 #else

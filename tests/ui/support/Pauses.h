@@ -9,7 +9,7 @@
 
 namespace insonate::test {
 
-/// How long the window's thread worked at most without answering, in processor time.
+/// Longest time that the window's thread worked without processing events, in processor time.
 class Pauses : public QObject {
  public:
   Pauses() {

@@ -8,7 +8,7 @@
 
 namespace insonate::test {
 
-/// What would be fetched and drawn, or turn around what stands beside it, if it were taken for more than a text.
+/// Text that would be fetched and drawn, or would turn its surroundings, if it were taken for more than text.
 inline const QString kHostileMark = QStringLiteral("<img src='http://192.0.2.1/x.png'>");
 inline const QString kHostileText = QStringLiteral("=HYPERLINK(\"http://x\") <b>bold</b> &amp; &File %1 %n ") +
                                     kHostileMark + QStringLiteral(" \u0645\u0631\u062d\u0628\u0627");

@@ -11,7 +11,7 @@
 
 namespace insonate::test {
 
-/// What a choice has room for; what it shows is longer where its words are cut.
+/// Width that a choice has for words; a longer text is cut.
 inline int roomForWords(const QComboBox& box) {
   QStyleOptionComboBox option;
   option.initFrom(&box);

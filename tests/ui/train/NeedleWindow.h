@@ -69,7 +69,7 @@ class NeedleWindow : public TrainWindow {
   HandsControl& hands() { return session_->hands(); }
   const NeedleHandState& held() { return hands().needleHand()->state(); }
   NeedleState lying() { return hands().needle() ? hands().needle()->state : NeedleState{}; }
-  /// How often a sentence with these words was said.
+  /// Number of times that a sentence with these words was said.
   int heard(const char* words) { return int(said_.filter(words).size()); }
 
   QStringList said_;

@@ -6,7 +6,7 @@
 namespace insonate::train {
 namespace {
 
-/// What is measured goes into the saved picture.
+/// Measurements are part of the saved image.
 class SavedPicture : public TrainWindow {
  protected:
   /// 400 x 300 pixels of 0.1 mm, all grey; the probe's axis in the middle.
@@ -42,7 +42,7 @@ TEST_F(SavedPicture, HasCallipersWhereTheyWereAndWhatTheyMeasureBelow) {
   EXPECT_GT(written, 100);
 }
 
-/// Of a frozen picture of a case.
+/// Saving a frozen image of a case.
 class SavedFromTheWindow : public SavedPicture {
  protected:
   void SetUp() override {

@@ -26,7 +26,7 @@ class TrainTissue : public TrainWindow {
   }
   bool waitFor(const std::function<bool()>& done) { return QTest::qWaitFor(done, kPatience_ms); }
   QString text(const char* label) { return child<QLabel>(label)->text(); }
-  /// Of the picture's pixels, those with a colour.
+  /// Number of the image's pixels that have a color.
   int coloured() {
     const QImage image = child<ui::ViewWidget>("ultrasoundView")->grab().toImage();
     int count = 0;

@@ -15,7 +15,7 @@
 namespace insonate::train {
 namespace {
 
-/// What stands beside the picture, and where.
+/// Panels beside the image, and their places.
 class TrainLayout : public TrainWindow {
  protected:
   ui::ViewWidget* beside() { return child<ui::ViewWidget>("ctBeside"); }

@@ -13,7 +13,7 @@
 namespace insonate::train {
 namespace {
 
-/// What 3D shows, and the panel that says so.
+/// Contents of 3D, and the panel that describes them.
 class TrainScene : public TrainWindow {
  protected:
   ui::ViewWidget* sceneWidget() { return child<ui::ViewWidget>("sceneView"); }

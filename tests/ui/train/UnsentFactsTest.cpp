@@ -31,7 +31,7 @@ AttemptFacts begunFacts(const std::string& id, std::int64_t begun_us) {
   return made;
 }
 
-/// How an end comes back whose recording is missing.
+/// End of an attempt whose recording is missing.
 AttemptFacts brokenOff(AttemptFacts facts) {
   facts.state = AttemptState::Abandoned;
   return facts;

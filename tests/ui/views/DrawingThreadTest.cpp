@@ -127,7 +127,7 @@ void addNeck(SceneView& view) {
   view.setImage(test::neck().image);
 }
 
-/// How many pixels differ by more than a little.
+/// Number of pixels that differ by more than a little.
 int differing(const Picture& a, const Pixels& b) {
   if (a.width != b.width || a.height != b.height) return -1;
   int count = 0;

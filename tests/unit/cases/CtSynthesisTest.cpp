@@ -20,7 +20,7 @@ struct Statistics {
   double mean, sd;
 };
 
-/// Of the voxels at least `margin` from the grid's edge that carry a label.
+/// Statistics of the voxels at least `margin` from the grid's edge that carry a label.
 Statistics inside(const CtVolume& ct, const LabelMap& labels, std::uint8_t label, int margin) {
   double sum = 0, squares = 0, n = 0;
   const auto& size = ct.geometry.size;

@@ -22,7 +22,7 @@ LabelMap noise(unsigned share) {
   return labels;
 }
 
-/// What hangs together with the seeds, one voxel after the other.
+/// Voxels connected with the seeds, one voxel after the other.
 std::vector<Index> grown(const LabelMap& labels, std::vector<Index> open, bool corners, std::vector<bool>& seen) {
   const VolumeGeometry& g = labels.geometry;
   std::vector<Index> all;

@@ -20,14 +20,14 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// To a millionth, without negative zeros.
+/// Rounds to a millionth, without negative zeros.
 json rounded(Vec3 v) {
   json list = json::array();
   for (int a = 0; a < 3; ++a) list.push_back(std::round(v[a] * 1e6) / 1e6 + 0.0);
   return list;
 }
 
-/// What an import would make of a folder, without what identifies: the numbers of DICOM series.
+/// The planned import of a folder without identifiers: the numbers of DICOM series.
 json dumpOf(const SeriesListing& listing) {
   json dump{{"series", json::array()}, {"set_aside", json::array()}};
   for (const SeriesInfo& s : listing.series) {

@@ -28,7 +28,7 @@ const std::string kVeinSegment = "Segment0_ID:=a\nSegment0_Name:=vein\nSegment0_
 
 TEST(LabelImport, APartOfTheGridKeepsItsPlace) {
   test::TemporaryFolder folder;
-  // What 3D Slicer writes when it crops to the segments: two voxels at (3, 2, 1) and (4, 2, 1).
+  // Output of 3D Slicer when it crops to the segments: two voxels at (3, 2, 1) and (4, 2, 1).
   test::writeRawNrrd(folder / "l.seg.nrrd",
                      header("2 1 1", "(103,202,-48)") + kVeinSegment +
                          "Segment0_Extent:=0 1 0 0 0 0\nSegmentation_ReferenceImageExtentOffset:=3 2 1\n",

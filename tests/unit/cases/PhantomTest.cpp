@@ -227,7 +227,7 @@ TEST(Phantom, VariantsDifferInWhatTheyPromise) {
   EXPECT_LT(besideArtery_mm("head-turned"), besideArtery_mm("textbook"));
 }
 
-/// How much of the right common carotid's width the vein covers, seen straight from the front at the target's level.
+/// Share of the right common carotid's width that the vein covers, seen straight from the front at the target's level.
 double overlap_percent(const PatientCase& p) {
   const Vec3 target_mm = p.manifest.targets[0].position_mm;
   const Blob vein = sliceRegion(p.labels, target_mm);

@@ -36,7 +36,7 @@ TEST(VolumeImport, NiftiSlopeAndIntercept) {
   EXPECT_EQ(imported->ct.at(1, 1, 1), -800);
 }
 
-/// Of a body in air as a scanner of 12 bits stores it: HU + 1024, nothing below 0.
+/// A body in air as a scanner of 12 bits stores it: HU + 1024, nothing below 0.
 CtVolume storedWithOffset() {
   CtVolume ct(test::grid({20, 20, 10}, {2, 2, 2}, {0, 0, 0}), 0);
   for (int k = 0; k < 10; ++k)

@@ -30,7 +30,7 @@ TEST(Agreement, KappaOfATableOfTwoByTwo) {
   };
   add(20, 1, 1), add(5, 1, 0), add(10, 0, 1), add(15, 0, 0);
   EXPECT_NEAR(*cohenKappa(first, second, 2), 0.4, 1e-12);
-  // Of two grades, all weights are the same.
+  // With two grades, all weights are the same.
   EXPECT_NEAR(*cohenKappa(first, second, 2, KappaWeights::Quadratic), 0.4, 1e-12);
 }
 

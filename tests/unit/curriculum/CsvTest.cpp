@@ -71,7 +71,7 @@ TEST(Csv, FormulasAreDefused) {
 }
 
 TEST(Csv, FormulasAreDefusedForOtherSeparatorsToo) {
-  // Where fields are separated by semicolons or tabs, a quote within a field is text and a line's end ends a row.
+  // In files separated by semicolons or tabs, a quote within a field is text and a line's end ends a row.
   EXPECT_EQ(plainText({{"a", "x;=1+1;y"}}), "a,\"x;'=1+1;y\"\r\n");
   EXPECT_EQ(plainText({{"a", "x\t@y"}}), "a,\"x\t'@y\"\r\n");
   EXPECT_EQ(plainText({{"a", "x\r\n=1+1\n-z"}}), "a,\"x\r\n'=1+1\n'-z\"\r\n");

@@ -35,7 +35,7 @@ TEST(GradeBook, FeedbackNeverComesWithoutItsGrade) {
   EXPECT_EQ(book.leftOut[1].fullName, "Full cyd");
   EXPECT_EQ(book.leftOut[1].why, "no e-mail address");
   EXPECT_EQ(book.leftOut[2].why, "no grade yet");
-  // Where only those who are left out have feedback there is no such column.
+  // If only people who are left out have feedback, there is no such column.
   EXPECT_EQ(gradeBook("T", GradeKey::Email, std::span(grades).subspan(1)).csv,
             "\uFEFFEmail address,T\r\ne@x.org,0\r\n");
 }

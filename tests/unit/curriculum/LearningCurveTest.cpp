@@ -45,7 +45,7 @@ TEST(LearningCurve, ChoosesTheShapeThatFitsBetter) {
 }
 
 TEST(LearningCurve, RestsAreAtRightAnglesToTheCurvesSlopes) {
-  // What makes squares least, whatever way they were found.
+  // The minimum of the squares, however it was found.
   const auto values = curve(Shape::Exponential, 50, 100, 0.3, 30, 8);
   const auto fit = fitLearningCurve(Shape::Exponential, values);
   ASSERT_TRUE(fit);

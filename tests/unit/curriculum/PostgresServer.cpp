@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 const fs::path kPrograms = "/usr/lib/postgresql/15/bin";
 constexpr const char* kServerPassword = "a b/c@d:e";
 
-/// Of loopback; 0: a free one.
+/// Socket bound to a port of loopback; 0: a free one.
 int boundTo(int port) {
   const int socket = ::socket(AF_INET, SOCK_STREAM, 0), on = 1;
   ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);

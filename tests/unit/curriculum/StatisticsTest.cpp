@@ -67,7 +67,7 @@ TEST(Statistics, FewOrTiedValuesHaveABootstrapIntervalInTheirRange) {
   EXPECT_EQ(shares->interval->high, 100) << "not above";
   const auto again = meanOf(std::vector<double>{5, 2, 9, 20, 3}, ValueKind::NotNegative);
   EXPECT_EQ(again->interval->low, few->interval->low) << "the same values, whatever their order";
-  // Of counts' means, which are no counts.
+  // Means of counts are no counts.
   EXPECT_EQ(meanOf(std::vector<double>{0.5, 1, 0.25, 0, 0}, ValueKind::Count)->basis, "bootstrap");
 }
 

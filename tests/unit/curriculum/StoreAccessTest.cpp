@@ -32,7 +32,7 @@ struct Call {
   std::function<std::string(const SignedIn&)> make;
 };
 
-/// What the calls are about.
+/// Objects of the calls.
 struct Target {
   explicit Target(const School& of) : school(of) {
     const SignedIn anna = school.as(school.anna);
@@ -129,7 +129,7 @@ std::vector<Call> attemptCalls(const Target& target) {
        }},
       {"accept attempt", "im",
        [=](const SignedIn& by) {
-         // Of someone's own it is refused; of others it is said that it need not be.
+         // A person's own attempt is refused; for those of others the answer is that acceptance is not needed.
          const std::string said = outcome(AttemptStore(by).accept(attempt, "I was there"));
          return said.find("need not be accepted") == std::string::npos ? said : "";
        }},

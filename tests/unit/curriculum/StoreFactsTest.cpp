@@ -218,7 +218,7 @@ TEST_P(StoreFacts, AZeroByteIsRefusedOrKeptOutWhereverATextIsTaken) {
   expectRefused(curricula.saveDraft("next", zero, ""), "draft");
   const std::vector<ClassImportRow> plan{{2, {"zoe", zero}, ClassImportRow::Step::Add}};
   expectRefused(ClassImport(school.admin).apply(school.spring.id, plan, ClassImport::passwordsFor(plan)), "class list");
-  // What is looked for reaches a server without one.
+  // A search text reaches a server without a zero.
   EXPECT_FALSE(people.person(zero));
   EXPECT_EQ(valueOf(AuditLog(school.admin).page(10, 0, zero)).size(), 1U) << "that somebody looked";
   succeed(AuditLog(school.admin).verify());

@@ -40,7 +40,7 @@ void fill(const StoreRig& rig, const std::vector<Person>& people) {
   }));
 }
 
-/// What a server does by itself within minutes.
+/// Maintenance that a server does by itself within minutes.
 void lookAfter(const StoreRig& rig) {
   const auto connection = store::Connection::open(valueOf(store::Address::parse(rig.address)));
   if (connection && (*connection)->dialect().name == "postgresql") succeed((*connection)->script("VACUUM ANALYZE"));

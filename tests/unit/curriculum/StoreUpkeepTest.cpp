@@ -290,7 +290,7 @@ std::string dumpOf(int schema) {
   return bytesOf(fs::path(INSONATE_SOURCE_DIR) / "tests/unit/curriculum/schemas" / (std::to_string(schema) + ".sql"));
 }
 
-/// What such a store is on a server: the steps up to then, and the rows of the file. Writes past triggers and keys.
+/// Makes the same store on a server: the steps up to then, and the rows of the file. Writes past triggers and keys.
 void copyToServer(const std::string& file, const std::string& server, int schema) {
   const auto from = store::Connection::open(valueOf(store::Address::parse(file))).value();
   const auto to = store::Connection::open(valueOf(store::Address::parse(server))).value();

@@ -37,7 +37,7 @@ class StoreUpload : public OnBoth {
 };
 INSONATE_ON_BOTH(StoreUpload);
 
-/// What a workstation would send once more after the line broke before it heard that all had arrived.
+/// Facts that a workstation would send once more if the line broke before the server's confirmation arrived.
 void sendAllAgain(const StoreRig& rig) {
   const auto connection = store::Connection::open(valueOf(store::Address::parse(rig.address)));
   succeed((*connection)

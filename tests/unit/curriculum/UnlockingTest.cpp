@@ -191,7 +191,7 @@ TEST(Unlocking, WhatWasMasteredStaysSoWhileAPrerequisiteLapses) {
   EXPECT_EQ(progress[2].state, LevelState::Open);
 }
 
-/// What a level with 2 passes in a row and a lapse by 2 failures of 3 comes to, read anew from the beginning.
+/// State of a level with 2 consecutive passes and a lapse by 2 failures of 3, computed from the beginning.
 LevelState plainReading(const std::string& outcomes) {
   LevelState state = LevelState::Open;
   std::size_t from = 0;  // where what counts for the next change begins

@@ -46,7 +46,7 @@ class ColumnRig : public testing::Test {
 
   static int middle(const Deformation& answer) { return answer.displacement.columns / 2; }
 
-  /// Where the tissue that is seen at (x of the column, z) lay at rest.
+  /// Rest position of the tissue that is seen at (x of the column, z).
   static double restOf(const Deformation& answer, int column, int row) {
     const PlaneDisplacement& d = answer.displacement;
     return d.top_mm + row * d.step_mm + d.restFromSeen[std::size_t(row) * d.columns + column].z_mm;

@@ -177,7 +177,7 @@ TEST_F(Elastic, AForceIsFoundInFewSteps) {
   }
 }
 
-/// Where soft tissue bulges over what does not move, the air between them is squeezed to nothing.
+/// Under soft tissue that bulges over rigid tissue, the air between them is squeezed to nothing.
 TEST_F(Elastic, AirThatIsSqueezedShutStopsNothing) {
   plane_ = {};
   plane_.leftEnd_mm = -30;

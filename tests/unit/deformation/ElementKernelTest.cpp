@@ -52,7 +52,7 @@ class ElementKernel : public testing::Test {
     }
   }
 
-  /// Of the fast kernel's matrix.
+  /// Entry of the fast kernel's matrix.
   double entry(int row, int column) const {
     const int a = row / 2, b = column / 2;
     if (a > b) return entry(column, row);

@@ -76,7 +76,7 @@ TEST_F(Tube, AnArteryAlongThePlanePulsatesAsMuchAsOneAcrossIt) {
 TEST_F(Tube, AVeinAlongThePlaneStillCollapsesAndAnArteryDoesNot) {
   LongVessel vein(kVein), artery(kArtery);
   vein.press_mm = artery.press_mm = 6;
-  // What is lost lies under the face.
+  // The lost area lies under the face.
   const auto lost = [&](const TissuePlane& plane) {
     const Deformation answer = ask(plane, rest());
     EXPECT_TRUE(answer.converged);

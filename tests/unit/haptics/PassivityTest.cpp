@@ -18,7 +18,7 @@ TEST_P(Passivity, TwoHandsThatMeetGetNoMoreThanTheyGave) {
 INSTANTIATE_TEST_SUITE_P(Devices, Passivity, testing::ValuesIn(deviceProfiles().begin(), deviceProfiles().end()),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-/// What keeps the account must not be felt: pressed and released as hands do, nearly all of the force arrives.
+/// The energy account must not be felt: pressed and released as hands do, nearly all of the force arrives.
 TEST(Passivity, TheAccountIsHardlyFelt) {
   for (const DeviceProfile& profile : deviceProfiles()) {
     LoopRig rig(profile.limits, layerOf(kMuscle));

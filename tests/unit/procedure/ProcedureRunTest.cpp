@@ -67,7 +67,7 @@ TEST_F(ProcedureRunTest, FromPositionToWithdrawal) {
   EXPECT_EQ(run.steps()[2].time_us, 2'600'000) << "2.1 s, and 5 mm at 10 mm/s";
 }
 
-/// What the step says is done must be what tip_in_vein counts.
+/// The step's condition must be the one that tip_in_vein counts.
 TEST_F(ProcedureRunTest, BloodIsDrawnOnceTheTipStands) {
   attempt.walls = {{kVein, 20, 45}};
   attempt.aspirating = true;

@@ -20,13 +20,13 @@ TEST(Quantise, KeepsToItsSteps) {
     const Transform &was = *sample.patientFromNeedle, &is = *kept.patientFromNeedle;
     for (int axis = 0; axis < 3; ++axis)
       ASSERT_NEAR(is.offset[axis], was.offset[axis], kPositionQuantum_mm / 2 * 1.001);
-    // What is 70 mm up the needle, and aside.
+    // Points 70 mm up the needle, and aside.
     for (const Vec3 point : {Vec3{0, 0, -70}, Vec3{70, 0, 0}})
       ASSERT_LT(norm(is.linear * point - was.linear * point), 0.001);
   }
 }
 
-/// Of every rotation, near those where another component of the quaternion becomes the largest, too.
+/// Every rotation, including those near which another component of the quaternion becomes the largest.
 TEST(Quantise, RotationsOfAllKinds) {
   for (const Vec3 turned : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, normalized({1, 1, 1})}) {
     for (int step = 0; step <= 720; ++step) {

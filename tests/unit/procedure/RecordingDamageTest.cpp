@@ -40,7 +40,7 @@ class DamagedRecording : public testing::Test {
     return AttemptRecording::open(folder / "damaged");
   }
 
-  /// Where its block lies, and how long it is.
+  /// Position and length of the block.
   std::pair<std::size_t, std::size_t> changeOfSettings() const {
     const std::string change = "changed";
     const auto* text = reinterpret_cast<const std::uint8_t*>(change.data());

@@ -52,7 +52,7 @@ std::vector<std::vector<Piece>> piecesOf(const LabelMap& labels, std::uint8_t la
   return slices;
 }
 
-/// So many points along a line, each 1 mm beside it.
+/// Points along a line, each 1 mm beside it.
 std::vector<Vec3> clicksOn(const std::vector<Vec3>& line, std::size_t count) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> angle(0, 6.28);
@@ -85,7 +85,7 @@ class GuideScores : public testing::TestWithParam<CtContrast> {
     ASSERT_TRUE(done) << done.error().message;
     EXPECT_THAT(doubtsAbout(step(name), clicks_mm, patient_.labels), testing::IsEmpty()) << name;
   }
-  /// Where `counts` says so.
+  /// Counts the voxels that `counts` accepts.
   template <class Counts>
   double dice(std::uint8_t label, const Counts& counts) const {
     const VolumeGeometry& g = truth_.geometry;

@@ -220,7 +220,7 @@ TEST_P(PolygonOnGrids, ScissorsGoAsDeepAsTheyShould) {
   EXPECT_GT(expected.count(), 100u);
   EXPECT_LT(expected.count(), all->count());
   EXPECT_EQ(difference(*some, expected), 0u);
-  // Of parallel looks to either side of the first corner.
+  // Parallel projection to both sides of the first corner.
   const auto slab = scissored(grid(), boxOf(grid()), corners, {.along = along, .depth_mm = 4.2});
   ASSERT_TRUE(slab);
   const auto whole = scissored(grid(), boxOf(grid()), corners, {.along = along});

@@ -97,7 +97,7 @@ TEST_P(RecipesOnGrids, EveryToolReplaysToTheSameVoxelsOnAnyNumberOfThreads) {
   ASSERT_TRUE(changes) << changes.error().message;
   ASSERT_EQ(changes->size(), recipe->steps.size());
 
-  // What was read is what is written is what is read.
+  // Writing and reading again gives the same recipe.
   const auto again = readRecipe(textOf(*recipe));
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_EQ(textOf(*again), textOf(*recipe));

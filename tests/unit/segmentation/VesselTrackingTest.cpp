@@ -72,7 +72,7 @@ TEST_P(VesselsOnGrids, ClicksNeedNotBeInTheMiddle) {
   EXPECT_GT(dice(tracked->lumen, vessel()), std::max({s.x, s.y, s.z}) > 1.5 ? 0.83 : 0.88);
 }
 
-/// What a few voxels of noise do to the level of blood there.
+/// A few voxels of noise must not set the level of blood.
 TEST_P(VesselsOnGrids, AClickOnDarkNoiseDoesNotSetTheBloodsLevel) {
   const std::array clicks{middle(-14), middle(0), middle(14)};
   CtVolume noisy = ct(200, 40);

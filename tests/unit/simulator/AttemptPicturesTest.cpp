@@ -135,7 +135,7 @@ TEST_F(AttemptPicturesTest, AFrozenPictureStandsInTheSessionAndInItsReplay) {
   expectSame(**pictures.at(600'000), *taken[600'000]);
 }
 
-/// What any picture of the command line is made of, for a probe that does not press.
+/// The command line's image of the same moment, for a probe that does not press.
 TEST_F(AttemptPicturesTest, ArePicturesOfTheCase) {
   AttemptSettings settings;
   settings.setup = {*loadProbe("linear"), settingsFor(*loadProbe("linear")), *loadAcousticTable("neck"), "cpu"};

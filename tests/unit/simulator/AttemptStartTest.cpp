@@ -77,7 +77,7 @@ TEST(AttemptStart, IsBesideTheVeinAndOnTheSkinAndVaries) {
   }
 }
 
-// What keys do to both hands, without looking.
+// Effect of keys on both hands, without looking.
 
 enum class Key { Lateral, Elevation, Rotate, Tilt, Rock, Press, Take, Angle, Heading, Advance };
 struct Stroke {
@@ -134,8 +134,8 @@ Keys plannedKeys(std::mt19937& random) {
           {Key::Angle, number(0, 40)},     {Key::Advance, number(20, 60)}};
 }
 
-/// Whether these keys could pass: the vein was in the middle and pressed, and the tip ends in its lumen. Generous,
-/// since tissue is taken at rest: more lists pass here than in an attempt.
+/// Tells whether these keys could pass: the vein was in the middle and compressed, and the tip ends in its lumen.
+/// Generous, since tissue is taken at rest: more lists pass here than in an attempt.
 bool couldPass(const Neck& neck, ProbeHand probe, const Keys& keys) {
   constexpr double kSpare_mm = 1, kLeastPress_mm = 2;
   bool isFound = false;
@@ -161,7 +161,7 @@ bool couldPass(const Neck& neck, ProbeHand probe, const Keys& keys) {
          distanceToWall_mm(neck.target, needle->patientFromNeedle().offset) < kSpare_mm;
 }
 
-/// What mastered the first level before: take the needle, push it in.
+/// Keys that used to master the first level: take the needle, push it in.
 TEST(AttemptStart, TheNeedleIsNotAimedAtTheVein) {
   const Neck neck("textbook");
   Keys keys{{Key::Press, 4}, {Key::Press, -4}, {Key::Take}};

@@ -144,7 +144,7 @@ TEST(NeedleHand, InPlaneTheWholeShaftLiesInTheSlice) {
         steeper.tilt(25);
         EXPECT_LE(steeper.offPlane_mm(probe.pose()), 0.1) << "and as it is aimed";
         steeper.slide(probe.pose(), -4, 0);
-        // Where the skin ends it is put on the nearest skin, and keeps to no plane.
+        // If the skin ends, the needle is put on the nearest skin, and keeps to no plane.
         if (steeper.state().planeNormal) {
           EXPECT_LE(steeper.offPlane_mm(probe.pose()), 0.1) << "and slid";
         }

@@ -28,7 +28,7 @@ TEST(HandsSession, TheProbeFeelsWithWhatForceTheTissueOfThePicturePressesBack) {
         << " mm: felt " << felt_N << " N, solved " << solved_N << " N, " << apart_mm << " mm apart";
   }
   EXPECT_GT(bench.live->latest()->patientFromProbe.offset.y, 1) << "the device's hand leads the picture's probe";
-  // What the hand wants and where the tissue lets it go differ by the force over the grip.
+  // The hand's target and the place that the tissue permits differ by the force over the grip's stiffness.
   const double wanted_mm = pressedBy(4).offset.y, is_mm = bench.live->latest()->patientFromProbe.offset.y;
   EXPECT_LT(is_mm, wanted_mm - 0.3);
   EXPECT_GE(device->leastEnergy_J(), 0);

@@ -8,7 +8,7 @@ namespace {
 using namespace test;
 using MetricsByHand = BlockAttempt;
 
-/// To a depth of 30 mm, and back to 20.
+/// Advances to a depth of 30 mm, and withdraws to 20.
 TEST_F(MetricsByHand, PosteriorWall) {
   const auto outcome =
       play(R"({"probe": "across"}, )" + needle(0) + R"(, {"advance_mm": 35}, {"withdraw_mm": 10}, {"wait_s": 1})");
@@ -74,7 +74,7 @@ TEST_F(MetricsByHand, CarotidPuncture) {
   EXPECT_FALSE(outcome.run.succeeded());
 }
 
-/// To 12 mm, back by 4, on by 4, and out: one redirection.
+/// Advances to 12 mm, withdraws 4, advances 4, and withdraws: one redirection.
 TEST_F(MetricsByHand, Abandoned) {
   const auto outcome = play(R"({"probe": "across"}, )" + needle(0) +
                                 R"(, {"aspirate": true}, {"advance_mm": 17}, {"withdraw_mm": 4}, {"advance_mm": 4},

@@ -159,7 +159,7 @@ TEST(LiveImaging, CineIsBoundedAndItsFramesOutliveEverything) {
       EXPECT_EQ(cine[i]->number, cine[i - 1]->number + 1);
       EXPECT_GT(cine[i]->time_s, cine[i - 1]->time_s);
     }
-    // What somebody holds is not painted over.
+    // A frame that somebody holds is not painted over.
     const std::vector<std::uint8_t> before = cine.front()->image.grey;
     for (int i = 1; i <= 30; ++i) ASSERT_TRUE(live.frameAt(poseAt(-0.1 * i)));
     EXPECT_EQ(cine.front()->image.grey, before);

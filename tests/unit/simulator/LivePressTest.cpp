@@ -26,7 +26,7 @@ ImagingSetup pressSetup(const std::string& model = "elastic") {
   return setup;
 }
 
-/// Of all veins in the plane, to their area at rest; 1 where nothing was solved.
+/// Ratio of the area of all veins in the plane to their area at rest; 1 if nothing was solved.
 double veinShare(const LiveFrame& frame) {
   for (const LumenArea& lumen : frame.press.lumens)
     if (lumen.label == kVein) return lumen.area_mm2 / lumen.rest_mm2;

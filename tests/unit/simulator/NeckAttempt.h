@@ -20,8 +20,8 @@ inline Vec3 onSphere(int n, int count) {
   return {std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn), z};
 }
 
-/// Where a straight needle meets walls: mm from where its tip begins, along it, looked up voxel by voxel in the label
-/// map, which is all that is asked here about the case.
+/// Walls that a straight needle meets: mm from the place where its tip begins, along it, looked up voxel by voxel in
+/// the label map, which is all that this needs of the case.
 struct Way {
   const PatientCase& patient;
   Vec3 from_mm, axis;
@@ -83,8 +83,8 @@ struct Way {
     for (double s_mm = first_mm; s_mm < last_mm; s_mm += kStep_mm) way_mm += isShown(s_mm) ? kStep_mm : 0;
     return way_mm;
   }
-  /// How much earlier the needle meets what lies at a place of its way at rest, below a probe at this pose: where the
-  /// face does not reach the skin, gel and light pressure draw tissue to it, by gap * exp(-depth / 15 mm).
+  /// Distance by which the needle meets tissue earlier than at rest, below a probe at this pose: where the face does
+  /// not reach the skin, gel and light pressure draw tissue to it, by gap * exp(-depth / 15 mm).
   double drawn_mm(const Transform& patientFromProbe, double s_mm) const {
     const Transform probeFromPatient = inverted(patientFromProbe);
     const Vec3 at = probeFromPatient * (from_mm + axis * s_mm);
@@ -109,7 +109,7 @@ struct Way {
       if (labelAt(from_mm + axis * s_mm + onSphere(n, 200) * radius_mm) != label) return false;
     return true;
   }
-  /// Of what lies within 12 mm of a point in the plane across `run`.
+  /// Middle of the label within 12 mm of a point, in the plane perpendicular to `run`.
   Vec3 middle_mm(Label label, Vec3 near_mm, Vec3 run) const {
     const Vec3 u = normalized(cross(run, std::abs(run.y) < 0.9 ? Vec3{0, 1, 0} : Vec3{1, 0, 0})), v = cross(run, u);
     Vec3 sum;

@@ -74,8 +74,7 @@ class PressedNecks : public testing::Test {
     // A hand that is held has no force that would stop it: bone stands still, and no answer is right behind its skin.
     const auto travel = tissue->travel(**scene, touching);
     ASSERT_TRUE(travel) << where();
-    // Where skin is hollow, under a jaw or above a collar bone, the ends of the face lie deep in it before it is
-    // pressed.
+    // On hollow skin, under a jaw or above a collar bone, the ends of the face lie deep in it before it is pressed.
     const bool sits = travel->touch_mm > -4;
     for (const double by_mm : {2.0, 2.0, 3.0, -4.0}) {
       hand.press(by_mm);

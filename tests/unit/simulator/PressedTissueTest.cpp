@@ -42,7 +42,7 @@ class PressedBlock : public testing::Test {
   PatientCase patient_;
 };
 
-/// Where tissue seen at a point of a pose's plane lay at rest, in the patient.
+/// Rest position in the patient of tissue that is seen at a point of a pose's plane.
 Vec3 restOf(const PlaneDisplacement& d, const Transform& pose, double x_mm, double z_mm) {
   const double c = std::clamp((x_mm - d.left_mm) / d.step_mm, 0.0, d.columns - 1.001);
   const double r = std::clamp((z_mm - d.top_mm) / d.step_mm, 0.0, d.rows - 1.001);

@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// What comes of them is for script_library_test, which takes minutes.
+/// Their results are tested by script_library_test, which takes minutes.
 TEST(ScriptFiles, EachFitsTheTextbookNeckOrWhatLiesBelowTheClavicle) {
   const auto neck = makePhantom("textbook", 1), chest = makePhantom("subclavian", 1);
   ASSERT_TRUE(neck && chest);

@@ -11,7 +11,7 @@
 namespace insonate {
 namespace {
 
-/// What comes of the scripts that come along, on the case that each is for.
+/// Outcome of a built-in script, on the case that it is for.
 struct Outcome {
   const char* script;
   std::vector<std::string> events;
@@ -99,7 +99,7 @@ class ScriptLibrary : public testing::Test {
     for (const Outcome& expected : all) {
       SCOPED_TRACE(expected.script);
       SessionOutcome outcome = play(expected.script, patient);
-      // How the vein was found is told by figures 16 and 17.
+      // Figures 16 and 17 describe how the vein was found.
       const auto isOfFinding = [](const AttemptEvent& event) { return event.kind >= AttemptEventKind::Centered; };
       for (const AttemptEvent& event : outcome.events)
         if (isOfFinding(event)) found.emplace(expected.script, event.kind);

@@ -188,7 +188,7 @@ TEST_F(ScriptedSession, ReplayAndRepetitionGiveTheSame) {
   EXPECT_EQ(second.metrics, first.metrics);
   EXPECT_EQ(second.events, first.events);
   const auto again = AttemptRecording::open(file);
-  // Where stretches end depends on the clock, too: what is open is on the disk within a second.
+  // The ends of stretches depend on the clock, too: an open stretch is on the disk within a second.
   const auto samplesOf = [](const AttemptRecording& from) {
     std::vector<QuantisedSample> samples;
     for (std::size_t i = 0; i < from.stretches(); ++i) {

@@ -15,7 +15,8 @@ Vec3 shiftOf(const PlaneDisplacement& field, Vec3 seen_mm) {
   return shiftAt(field, seen_mm.x, seen_mm.z);
 }
 
-/// Of where tissue lay against where it is seen, by the corners of each cell: below 0 it folds.
+/// Smallest volume ratio of the rest position over the displayed position, by the corners of each cell: below 0 it
+/// folds.
 double leastVolume(const PlaneDisplacement& d) {
   double least = 1e9;
   const auto at = [&](int i, int k) { return d.restFromSeen[std::size_t(k) * d.columns + i]; };

@@ -44,7 +44,7 @@ std::optional<WayOut> wayOut(const LabelMap& labels, Vec3 from_mm, double slant 
   return best;
 }
 
-/// Where a vessel is nearest to the skin, among every third point of its course.
+/// Point of a vessel nearest to the skin, among every third point of its course.
 std::optional<std::pair<Vec3, WayOut>> nearestToSkin(const LabelMap& labels, const NamedVessel& vessel, double slant) {
   std::optional<std::pair<Vec3, WayOut>> best;
   for (std::size_t i = 0; i < vessel.course.size(); i += 3) {

@@ -88,7 +88,7 @@ TEST_F(ElectronicNoise, ItAddsToAnEchoAsAComplexNumber) {
 TEST_F(ElectronicNoise, ItIsAsWideAsThePulseAlongAScanlineAndIndependentAcross) {
   const Rows noise = amplitudes(-200, 3);
   const double pulse_mm = axialFwhm_mm(probe, settings);
-  // Of the complex noise exp(-2 ln 2 (z / pulse)^2); the correlation of its magnitude is close to the square of that.
+  // Correlation of the complex noise: exp(-2 ln 2 (z / pulse)^2); that of its magnitude is close to the square.
   for (const int rows : {1, 2, 3}) {
     const double z = 0.1 * rows / pulse_mm;
     EXPECT_NEAR(correlation(noise, noise, rows, 0), std::exp(-4 * std::log(2.0) * z * z), 0.05) << rows;

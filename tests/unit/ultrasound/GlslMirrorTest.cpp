@@ -13,7 +13,7 @@
 namespace insonate::glsl {
 namespace {
 
-/// What shaders and C++ must have alike.
+/// Constants and functions that shaders and C++ must have alike.
 class GlslMirror : public testing::Test {
  protected:
   void SetUp() override {
@@ -22,7 +22,7 @@ class GlslMirror : public testing::Test {
     context_ = *context;
   }
 
-  /// What a program of these parts writes to so many whole numbers.
+  /// Results of a program of these parts, as whole numbers.
   std::vector<std::uint32_t> results(const std::string& parts, std::string_view main, int count) {
     const auto current = context_->use();
     const std::string text = constantsText() + parts +

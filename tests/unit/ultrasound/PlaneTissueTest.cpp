@@ -38,7 +38,7 @@ int labelAt(Vec3 p) {
   if (toArtery(p) < 0) return kArtery;
   return toBone(p) < 0 ? kBone : kMuscle;
 }
-/// What is out of reach reads as up to half a voxel less.
+/// A distance out of reach reads as up to half a voxel less.
 double cut(double mm) {
   const double reach_mm = kPlaneReach_mm - kVoxel_mm / 2;
   return std::clamp(mm, -reach_mm, reach_mm);

@@ -8,7 +8,7 @@ namespace insonate::test {
 /// function whose amplitude has these widths at half maximum, in samples and scanlines.
 EnvelopeFrame speckleFrame(int scanlines, int samples, int looks, double axialFwhm, double lateralFwhm, unsigned seed);
 
-/// Of a square patch of a picture, slow shading (a quadratic surface) removed as it is for real pictures.
+/// Grain of a square patch of an image, slow shading (a quadratic surface) removed as it is for real images.
 struct Grain {
   double mean, sd, skewness;
   double axialFwhm_mm, lateralFwhm_mm;  ///< of the autocorrelation

@@ -122,7 +122,7 @@ void PrepareWorkspace::Parts::connectParts() {
   auto* pointer = new GuidePointer(guide, session, this);
   for (int n = 0; n < CaseViews::kSlices; ++n) pointer->watch(*views->widgets()[std::size_t(n)], views->slice(n));
   connect(&guide, &GuideSession::clicksChanged, views, [this] { views->setClicks(guide.shownClicks_mm()); });
-  // Of filters, the last comes first: a tool in hand has the mouse before the guide.
+  // The filter installed last sees events first: a tool in hand gets the mouse before the guide.
   new SliceTools(*views, *tools_, session, views);
   new SceneTools(*views, *tools_, views);
   connect(&session, &PrepareSession::caseChanged, this, [this] {

@@ -23,7 +23,7 @@ class RightColumn;
 class ToolSession;
 struct KeyRow;
 
-/// What the workspace is made of, and how the parts act on each other.
+/// The parts of the workspace, and their connections.
 class PrepareWorkspace::Parts : public QObject {
  public:
   Parts(PrepareWorkspace& workspace, ui::TaskBar& tasks);

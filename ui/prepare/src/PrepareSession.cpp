@@ -37,13 +37,13 @@ SurfaceOptions surfaceOptions(std::uint8_t label) {
 /// After the last of several edits.
 constexpr int kRecheck_ms = 700;
 
-/// Of the middle voxel: between two, slices blend both, and the labels are of one side.
+/// Center of the middle voxel: between two voxels, slices blend both, and the labels are of one side.
 Vec3 middleOf(const VolumeGeometry& grid) {
   const auto [i, j, k] = nearestVoxel(grid.indexFromPatient() * grid.centre_mm());
   return grid.patientFromIndex() * Vec3{double(i), double(j), double(k)};
 }
 
-/// What one looks for first comes first.
+/// Structures in the order in which authors look for them.
 constexpr std::uint8_t kOrder[] = {kVein, kArtery, kSkin, kBone, kAirway, kThyroid, kCartilage, kSternocleidomastoid};
 
 }  // namespace
@@ -72,7 +72,7 @@ PrepareSession::PrepareSession(ui::TaskBar& tasks, QObject* parent)
   connect(&live_, &LivePatient::started, this, [this] {
     const auto& start = *live_.start();
     found_ = start;
-    // Where the case begins is where one wants to look first; who looks elsewhere already stays there.
+    // The view begins where the case begins, unless the author already looks elsewhere.
     if (crosshair_mm_ == middleOf(patient_->ct.geometry)) {
       crosshair_mm_ = start.position_mm;
       Q_EMIT crosshairMoved();

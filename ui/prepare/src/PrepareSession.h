@@ -22,8 +22,8 @@
 
 namespace insonate::prepare {
 
-/// What happens between the controls and the views: a case, how its structures are drawn, what was changed, and where
-/// one looks. Knows no widget but the bar of long jobs.
+/// Mediates between the controls and the views: a case, the look of its structures, its changes, and the crosshair.
+/// Knows no widget but the bar of long jobs.
 class PrepareSession : public QObject {
   Q_OBJECT
 
@@ -47,7 +47,7 @@ class PrepareSession : public QObject {
   const LabelSession& labelling() const { return labelling_; }
   const LabelFollowers& followers() const { return followers_; }
 
-  /// Those that occur or were added, in the table's order; none before they are counted.
+  /// Structures that occur or were added, in the table's order; empty before they are counted.
   const std::vector<std::uint8_t>& structures() const { return structures_; }
   const StructureLook& look(std::uint8_t label) const { return looks_[label]; }
   std::uint8_t selected() const { return selected_; }
@@ -71,7 +71,7 @@ class PrepareSession : public QObject {
   // Edits; each can be undone.
   QUndoStack& undoStack() { return undo_; }
   void setColour(std::uint8_t label, views::Colour colour);
-  /// Of one drag, the last counts.
+  /// Sets an opacity; of one drag, the last value counts.
   void setOpacity(std::uint8_t label, double opacity);
   void setShareOnSlices(std::uint8_t label, double share);
   void setVisible(std::uint8_t label, bool visible);
@@ -82,15 +82,15 @@ class PrepareSession : public QObject {
   /// Targets, landmarks, start poses and grade as they are now.
   const CasePlaces& places() const { return places_; }
   void setPlaces(CasePlaces places, const QString& what);
-  /// What labels of the author's own mean, and how far each label is.
+  /// Meaning of the author's own labels, and the author's progress on each label.
   const LabelTerms& terms() const { return terms_; }
   void setTerms(LabelTerms terms, const QString& what);
-  /// Of one of the author's own. A name that another structure has is refused, with a sentence.
+  /// Names one of the author's own labels. A name that another structure has is refused, with a sentence.
   void setName(std::uint8_t label, const QString& name);
   void setTissue(std::uint8_t label, std::uint8_t tissue);
   void setState(std::uint8_t label, LabelState state);
   void toNextState(std::uint8_t label);
-  /// How structures look, what is said of them, the title and the places: what is edited beside voxels.
+  /// Edits beside voxels: looks and terms of structures, the title and the places.
   struct Said {
     StructureLooks looks;
     QString title;
@@ -100,21 +100,21 @@ class PrepareSession : public QObject {
   Said said() const { return {looks_, title_, places_, terms_}; }
   /// Edits what differs from it, as one step.
   void sayAgain(const Said& said);
-  /// Where the probe is becomes the case's start pose, if it has none; saved with the case.
+  /// Makes the probe's place the case's start pose, if it has none; saved with the case.
   void keepStart();
   /// The case has no start pose, none is kept, and the probe stands somewhere.
   bool lacksStart() const;
-  /// What of these belongs to the case and is not in it; null without.
+  /// Changes that belong to the case and are not saved in it; null without any.
   ui::CaseEdit unsavedEdit();
   bool isUnsaved() const;
-  /// What was made visible, hidden or translucent here and is not in the case; null without.
+  /// Changes of visibility and opacity that are not saved in the case; null without any.
   ui::CaseEdit quietEdit() const;
 
-  // Where and how one looks
+  // Point and direction of view
   Vec3 crosshair_mm() const { return crosshair_mm_; }
   /// Kept within the volume.
   void setCrosshair(Vec3 patient_mm);
-  /// To where the case begins.
+  /// Moves to the place where the case begins.
   void goToStart();
   /// Crosshair and probe to a pose.
   void goTo(const StartPose& pose);
@@ -130,7 +130,7 @@ class PrepareSession : public QObject {
   bool placesShown() const { return placesShown_; }
   void setPlacesShown(bool shown);
 
-  /// What the user chose for structures in other cases; taken over by the next case.
+  /// The user's choices for structures in other cases; applied to the next case.
   struct Habit {
     double opacity = 1;
     bool visible = true;
@@ -139,12 +139,12 @@ class PrepareSession : public QObject {
   const std::map<std::uint8_t, Habit>& habits() const { return habits_; }
   void setHabits(std::map<std::uint8_t, Habit> habits) { habits_ = std::move(habits); }
 
-  /// Where a tool points, which message() tells of instead of the crosshair; none while it points nowhere.
+  /// Sets the point under a tool, which message() describes instead of the crosshair; none while there is none.
   void pointAt(std::optional<Vec3> patient_mm);
 
   /// A sentence; what is under the tool or the crosshair, where nothing has happened.
   QString message() const;
-  /// What just happened, for some seconds.
+  /// Shows a sentence about an event for some seconds.
   void say(const QString& sentence);
   static constexpr int kSaid_ms = 7000;
   /// As many edits can be undone as LabelEdit remembers steps.

@@ -6,7 +6,7 @@ class QKeyEvent;
 
 namespace insonate::review {
 
-/// What a key does in this workspace.
+/// Commands of this workspace that have a key.
 enum class Command {
   Play,
   Step,

@@ -272,7 +272,7 @@ void ReviewWorkspace::Parts::showAttempt() {
       this, [this] { findCase(); }, Qt::QueuedConnection);
 }
 
-/// Where the version of its case is kept that an attempt was made on; none: it is not.
+/// Place of the case's version on which an attempt was made; none if it was not kept.
 std::optional<QString> ReviewWorkspace::Parts::keptVersion(const AttemptHeader& header) {
   const auto place = ui::placeOfCase(QString::fromStdString(header.caseName));
   const auto kept = place ? findVersion(place->toStdString(), header.caseHash) : std::nullopt;

@@ -29,7 +29,7 @@ class ReviewHome;
 class ReplayScene;
 class Timeline;
 
-/// What the workspace is made of, and how the parts act on each other.
+/// The parts of the workspace, and their connections.
 class ReviewWorkspace::Parts : public QObject {
  public:
   Parts(ReviewWorkspace& workspace, ui::TaskBar& tasks);
@@ -41,7 +41,7 @@ class ReviewWorkspace::Parts : public QObject {
   AttemptList* list = nullptr;
   ReviewHome* home = nullptr;
   bool ready = false;
-  /// What was just done, until the attempt or the time is another; empty for nothing.
+  /// Sentence about the last action, until attempt or time change; empty for none.
   const QString& said() const { return said_; }
 
   bool key(const QKeyEvent& event, bool act);

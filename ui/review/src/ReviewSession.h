@@ -20,7 +20,7 @@ class TaskBar;
 
 namespace insonate::review {
 
-/// How the case in the window fits the attempt.
+/// Agreement of the case in the window with the attempt's.
 enum class CaseFit {
   Missing,  ///< none is open
   Other,    ///< of another title: hands are not shown on it
@@ -53,15 +53,15 @@ class ReviewSession : public QObject {
   /// While the room is hidden nothing is computed.
   void setAwake(bool awake);
 
-  /// Where one is, 0 to the attempt's end. Setting it never waits: of many times in a row, pictures show the latest.
+  /// Present time, 0 to the attempt's end. Setting it never waits: of many times in a row, images show the latest.
   std::int64_t time_us() const { return time_us_; }
   void setTime(std::int64_t time_us);
   void step(double seconds) { setTime(time_us_ + std::int64_t(seconds * 1e6)); }
   /// The next or previous moment; stays where there is none.
   void stepMoment(int by);
-  /// What the hands did then; none in a damaged stretch.
+  /// State of the hands at that time; none in a damaged stretch.
   const std::optional<AttemptSample>& sample() const { return sample_; }
-  /// Where the needle's tip was then.
+  /// Place of the needle's tip at that time.
   AttemptDigest::PlaceChange needle() const;
 
   bool isPlaying() const { return timer_.isActive(); }

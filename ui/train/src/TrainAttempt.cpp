@@ -19,7 +19,7 @@
 namespace insonate::train {
 namespace {
 
-/// Of the column's height, for the attempt; the controls keep the rest.
+/// Share of the column's height for the attempt; the controls keep the rest.
 constexpr double kShare = 0.62;
 
 /// The column of attempt and controls, which shares its height between them.

@@ -38,7 +38,7 @@ void TrainWorkspace::Parts::buildCourse() {
 
 void TrainWorkspace::Parts::setAccount(ui::Account& account) {
   account_ = &account;
-  // What was not sent goes first, so that the course knows of it.
+  // Unsent facts are stored first, so that the course knows them.
   keeper_->setAccount(account);
   course_->setAccount(account);
 }

@@ -19,7 +19,7 @@ std::vector<views::Calliper> TrainWorkspace::Parts::measurements() const {
 }
 
 void TrainWorkspace::Parts::startWriting(std::function<QImage()> make, const std::filesystem::path& file) {
-  // Those before have long ended, or are waited for.
+  // Earlier exports have long ended, or are waited for.
   constexpr std::size_t kAtOnce = 4;
   if (writers_.size() >= kAtOnce) writers_.erase(writers_.begin());
   const QFileInfo info(QString::fromStdString(file.string()));
@@ -82,7 +82,7 @@ void TrainWorkspace::Parts::askPicture() {
   session.setFrozen(true);  // The picture that the user saw, whatever the dialog takes.
   const QString file = askFile(tr("Save the image"), ".png");
   if (!file.isEmpty()) savePicture(file.toStdString());
-  // What was measured goes with the picture it lies on.
+  // With measurements the image stays frozen, since they belong to it.
   if (!wasFrozen && input_->callipers().done().empty()) session.setFrozen(false);
 }
 

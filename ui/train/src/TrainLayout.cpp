@@ -70,7 +70,7 @@ void TrainWorkspace::Parts::setCtBeside(bool on) {
   cine_->setCtBeside(on);
 }
 
-/// Where the picture will be, and the line under it about what it cannot show.
+/// The image's place, and the line under it about structures that the case lacks.
 QWidget* TrainWorkspace::Parts::buildOffer() {
   auto* offer = new QWidget;
   offer->setObjectName("placeOffer");

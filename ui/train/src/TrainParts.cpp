@@ -181,7 +181,7 @@ void TrainWorkspace::Parts::connectParts() {
   connect(&session, &TrainSession::frozenChanged, this, [this] {
     image_->setFrozen(session.isFrozen());
     if (!session.isFrozen()) {
-      // What was measured lay on another picture.
+      // Measurements lay on another image.
       input_->callipers().clear();
       showCallipers();
     }
@@ -353,7 +353,7 @@ void TrainWorkspace::Parts::act(const KeyRow& row, bool wide, bool repeated) {
 }
 
 void TrainWorkspace::Parts::takeKeyboard(QObject* canvas) {
-  // Who types a number keeps the keyboard.
+  // A field in which the user types keeps the keyboard focus.
   QWidget* holder = QApplication::focusWidget();
   const bool typing = qobject_cast<QLineEdit*>(holder) || qobject_cast<QAbstractSpinBox*>(holder);
   if (canvas == imageWidget_->focusProxy() && workspace_.isActiveWindow() && !typing)

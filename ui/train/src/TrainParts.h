@@ -53,7 +53,7 @@ class ProbeLibrary;
 class SliceMeasure;
 class TissueShown;
 
-/// What the workspace is made of, and how the parts act on each other.
+/// The parts of the workspace, and their connections.
 class TrainWorkspace::Parts : public QObject {
  public:
   explicit Parts(TrainWorkspace& workspace);
@@ -81,7 +81,7 @@ class TrainWorkspace::Parts : public QObject {
   void setCompact(bool compact);
   bool isCtBeside() const { return besideAction_->isChecked(); }
   void setCtBeside(bool on);
-  /// To the patient's column, of the picture's; or back.
+  /// Widens the patient's column at the image's expense, or restores it.
   void giveRoom(bool more);
 
   ui::CaseOrigin origin;  ///< of the case that comes next

@@ -27,7 +27,7 @@ auto fields(const Probe& p) {
                   p.elementHeight_mm, p.elevationFocus_mm);
 }
 
-/// What a user can change.
+/// The settings that a user can change.
 auto fields(const ImagingSettings& s) {
   return std::tie(s.depth_mm, s.frequency_MHz, s.focus_mm, s.gain_dB, s.tgc_dB, s.dynamicRange_dB, s.persistence,
                   s.grayMap, s.speckleReduction, s.edgeEnhancement, s.dynamicFilter, s.noise_dB, s.ringing_dB,

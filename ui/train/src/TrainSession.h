@@ -24,7 +24,7 @@
 
 namespace insonate::train {
 
-/// What happens between the controls and the views: a patient, the probe in the hand, its live pictures, and the last
+/// Mediates between the controls and the views: a patient, the probe in the hand, its live images, and the last
 /// seconds of them. Knows no widget.
 class TrainSession : public QObject {
   Q_OBJECT
@@ -41,7 +41,7 @@ class TrainSession : public QObject {
   void setCase(std::shared_ptr<const PatientCase> patient, const ui::CaseOrigin& origin);
   const ui::CaseOrigin& origin() const { return origin_; }
   const std::shared_ptr<const PatientCase>& patient() const { return patient_; }
-  /// What is trained on: the patient's labels as tissues (cases/TissueLabels.h). Null until tissuesKnown().
+  /// The patient's labels as tissues (cases/TissueLabels.h), on which the user trains. Null until tissuesKnown().
   const std::shared_ptr<const LabelMap>& tissueLabels() const { return tissueLabels_; }
   /// Ends the threads; within a second.
   void stop();
@@ -55,7 +55,7 @@ class TrainSession : public QObject {
   /// begins with another depth, frequency or focus than before, the picture has them, too. Refuses a probe out of
   /// range.
   Result<void> useProbe(const Probe& probe, const std::string& what);
-  /// What the probe cannot do is brought to the nearest that it can.
+  /// Applies settings; values outside the probe's range are set to the nearest permitted ones.
   void setSettings(ImagingSettings settings);
   /// All that decides the pictures now, for an attempt that is recorded. There must be a picture.
   AttemptSettings attemptSettings() const;
@@ -65,16 +65,16 @@ class TrainSession : public QObject {
   /// The next in the order of effectLayers(), the whole model between the last and the first.
   void stepEffect(int by);
 
-  // What the screen tells
+  // Disclosure of anatomy on the screen
   const Disclosure& disclosure() const { return disclosure_; }
   /// Restores the whole image where anatomy is disclosed no longer; undo does not lead behind it.
   void setDisclosure(const Disclosure& disclosure);
-  /// Whether anatomy is disclosed; says so where it is not.
+  /// Tells whether anatomy is disclosed; if not, says so to the user.
   bool mayShowAnatomy();
 
   // Tissue and blood
   const TissueChoice& tissue() const { return tissue_; }
-  /// What is out of range is refused with a sentence.
+  /// Applies a choice; values out of range are refused with a sentence.
   void setTissue(const TissueChoice& choice);
   /// Live pictures come with the mesh of the tissue.
   void setMeshWanted(bool wanted);
@@ -102,7 +102,7 @@ class TrainSession : public QObject {
   void slide(double lateral_mm, double elevation_mm);
   void typed(HandAxis axis, double value);
   void moveTo(Vec3 patient_mm);
-  /// To the skin nearest to a typed place; says how far that is.
+  /// Moves to the skin nearest to a typed place; says how far that is.
   void placed(Vec3 patient_mm);
   /// Refused in a level and where anatomy is not disclosed: a position tells where vessels lie.
   void goTo(const StartPose& pose);
@@ -111,7 +111,7 @@ class TrainSession : public QObject {
   void undo();
   void redo();
   History& history() { return history_; }
-  /// Where home() goes; known before the first picture.
+  /// Destination of home(); known before the first image.
   const StartPose& start() const { return start_; }
   /// Puts the probe where an attempt of a level begins; until releaseStart(), home() goes there, undo does not lead
   /// behind it, and goTo() refuses. A device keeps its probe where it is.
@@ -125,7 +125,7 @@ class TrainSession : public QObject {
 
   /// The case has no start pose and none was found: the probe waits for placeOnSkin().
   bool isUnplaced() const { return unplaced_.has_value(); }
-  /// To the skin nearest to the front; moves go on from there.
+  /// Moves to the skin nearest to the front; further moves start there.
   void placeOnSkin();
   /// The labels of the case; none until they have been looked through.
   const std::optional<std::vector<std::uint8_t>>& structures() const { return structures_; }
@@ -146,9 +146,9 @@ class TrainSession : public QObject {
   bool surfacesThere() const { return surfacesThere_; }
   LiveStatus status() const;
   double imagesPerSecond() const;
-  /// What just happened, a sentence; or the next thing to do.
+  /// Sentence about the last event, or the next thing to do.
   QString message() const { return message_; }
-  /// What just happened, for some seconds.
+  /// Shows a sentence about an event for some seconds.
   void say(const QString& sentence);
   /// The next thing to do while nothing has happened; empty for the usual.
   void setHint(const QString& hint);

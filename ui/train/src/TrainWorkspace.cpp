@@ -137,7 +137,7 @@ void TrainWorkspace::restoreLayout(QSettings& settings) {
   settings.beginGroup("attempt");
   parts_->attempt->restore(settings);
   settings.endGroup();
-  // How it was left is not to be taken back.
+  // Restoring the last session's state must not be undoable.
   parts_->session.history().clear();
 }
 

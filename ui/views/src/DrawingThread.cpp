@@ -99,7 +99,7 @@ void DrawingThread::run() {
     lock.lock();
   }
   lock.unlock();
-  // What is kept by the graphics is given back by the thread that made it.
+  // Graphics resources must be released by the thread that made them.
   const auto alone = pause();
   view_.detach();
   window_ = nullptr;

@@ -14,7 +14,7 @@ std::string inMillilitres(double mm3) {
   return mm3 < 1000 ? std::to_string(std::lround(mm3)) + " mm3" : std::to_string(std::lround(mm3 / 1000)) + " ml";
 }
 
-/// What is labelled apart from the body: a table, a tube, or a tool's leak into the air.
+/// Finds labels apart from the body: a table, a tube, or a tool's leak into the air.
 void checkApart(const CaseView& patient, Findings& findings) {
   constexpr double kApart_mm3 = 20;
   std::vector<Island> bodies = islandsOf(patient.labels, Joining::kAnyLabel);

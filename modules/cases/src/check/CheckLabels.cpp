@@ -55,7 +55,7 @@ int medianHu(const std::vector<std::uint32_t>& histogram, std::size_t total) {
   return LabelStatistics::kHighestHu;
 }
 
-std::string percent(double share) {
+std::string wholePercent(double share) {
   std::array<char, 32> text;
   std::snprintf(text.data(), text.size(), "%.0f %%", share * 100);
   return text.data();
@@ -93,7 +93,7 @@ void checkHu(const LabelStatistics& s, int label, Findings& findings) {
   if (outside <= 0.25) return;
   findings.push_back({outside > 0.75 ? FindingSeverity::kError : FindingSeverity::kWarning,
                       "hu_implausible",
-                      percent(outside) + " of the voxels labelled " + labelName(label) +
+                      wholePercent(outside) + " of the voxels labelled " + labelName(label) +
                           " have Hounsfield units that " + labelName(label) + " cannot have (median " +
                           std::to_string(medianHu(s.histogram[label], s.voxels[label])) + ", expected " +
                           std::to_string(range->low) + " to " + std::to_string(range->high) +

@@ -66,7 +66,7 @@ void checkGaps(const std::vector<Part>& parts, std::uint8_t label, Findings& fin
   findings.insert(findings.end(), gaps.begin(), gaps.end());
 }
 
-/// What is to be punctured is followed up and down with the probe.
+/// A vessel to be punctured is followed up and down with the probe.
 void checkPieceOf(const CaseView& patient, const Target& target, Findings& findings) {
   constexpr double kLeast_mm = 20;
   const VolumeGeometry& g = patient.labels.geometry;

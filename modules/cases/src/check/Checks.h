@@ -11,7 +11,7 @@ namespace insonate::check {
 
 using Findings = std::vector<Finding>;
 
-/// What each label holds, gathered in one pass over the volume.
+/// Statistics of each label, gathered in one pass over the volume.
 struct LabelStatistics {
   static constexpr int kLowestHu = -1024, kHighestHu = 3071;
   std::array<std::size_t, 256> voxels{};
@@ -43,7 +43,7 @@ void checkBody(const CaseView& patient, Findings& findings);
 void checkVessel(const CaseView& patient, std::uint8_t label, Findings& findings);
 /// Vein and artery that touch each other.
 void checkWall(const CaseView& patient, Findings& findings);
-/// What is labelled outside the body, and crumbs.
+/// Finds labels outside the body and very small parts.
 void checkIslands(const CaseView& patient, Findings& findings);
 /// Targets and start poses.
 void checkPlaces(const CaseView& patient, Findings& findings);

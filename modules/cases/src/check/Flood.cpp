@@ -66,9 +66,9 @@ class Flood {
   VoxelSet visited_;
 };
 
-/// What becomes a part, run by run.
+/// A part that grows run by run.
 struct Growing {
-  /// Of the voxels at one index of the axis.
+  /// End of the run at one index of the axis.
   struct End {
     int at;
     Vec3 sum;

@@ -13,7 +13,7 @@ struct Island {
   std::size_t first = 0;  ///< offset of its first voxel
 };
 
-/// What hangs together: voxels of one label, or whatever is labelled.
+/// Rule by which voxels are connected: only voxels of one label, or labelled voxels of any label.
 enum class Joining { kOneLabel, kAnyLabel };
 
 /// All islands of what is labelled, in the order of their first voxels. Needs memory for rows of equal voxels only.

@@ -31,7 +31,7 @@ std::vector<Plane> planesOf(const DicomSegments& segments, Vec3 normal) {
     if (planes.empty() || z(frame) - planes.back().z_mm > samePlace_mm) planes.push_back({z(frame), {}});
     planes.back().frames.push_back(frame);
   }
-  // What lies within the tolerance was sorted by place, not by segment.
+  // Within the tolerance, planes are sorted by position, not by segment.
   for (Plane& plane : planes)
     std::ranges::sort(plane.frames, {}, [&](const Frame* f) { return f - segments.frames.data(); });
   return planes;

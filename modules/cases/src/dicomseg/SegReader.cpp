@@ -52,7 +52,7 @@ std::optional<Label> labelOf(const DataSet& item) {
   return std::nullopt;
 }
 
-/// What a label map may describe of the pixels that are in no segment.
+/// Tells whether a segment of a label map describes the pixels that are in no segment.
 bool isBackground(const DataSet& item) {
   return firstCode(item, kType, Tag(0x0008, 0x0102)) == "DCM" &&
          firstCode(item, kType, Tag(0x0008, 0x0100)) == "125040";
@@ -63,8 +63,8 @@ struct Given {
   std::optional<OwnLabel> own;
 };
 
-/// What this program wrote of a label that the label table does not know: the author's name, the code of what it is
-/// made of, and, where there is no name, the number. None for what the table knows, and of other programs.
+/// Label that this program wrote for a structure outside the label table: the author's name, the code of its tissue
+/// and, without a name, the number. Empty for known structures, and for other programs.
 std::optional<Given> givenHere(const DataSet& item, OwnNumbers& numbers) {
   if (textOf(item, Tag(0x0062, 0x0009)) != kAlgorithm) return std::nullopt;
   const std::string name = tidyLabelName(textOf(item, kLabel));
@@ -190,7 +190,7 @@ Result<void> readPixels(const fs::path& file, const gdcm::File& dicom, const Seg
   return {};
 }
 
-/// Which segment each frame names.
+/// Segment number of each frame.
 std::vector<std::optional<unsigned>> segmentNumbers(const DataSet& data, std::size_t frames) {
   const auto numberIn = [](const DataSet& groups) -> std::optional<unsigned> {
     for (const DataSet& item : itemsOf(groups, Tag(0x0062, 0x000a))) return shortOf(item, Tag(0x0062, 0x000b));
@@ -280,7 +280,7 @@ Result<void> readFrames(const fs::path& file, const gdcm::File& dicom, DicomSegm
   return readPixels(file, dicom, segments, result);
 }
 
-/// Of segmentations and of those that are label maps (PS3.6 A).
+/// Accepts segmentations, label maps included (PS3.6 A).
 bool isSegmentation(const gdcm::Reader& reader) {
   const std::string sopClass = textOf(reader.GetFile().GetDataSet(), Tag(0x0008, 0x0016));
   return sopClass == "1.2.840.10008.5.1.4.1.1.66.4" || sopClass == "1.2.840.10008.5.1.4.1.1.66.7";

@@ -13,7 +13,7 @@
 
 namespace insonate {
 
-/// How segments of this program name their algorithm.
+/// Name of the algorithm in segments of this program.
 inline constexpr const char* kAlgorithm = "Insonate";
 
 /// A DICOM segmentation as it is stored: frames of one size in any order, each a slice of one segment, or of all where
@@ -39,7 +39,7 @@ struct DicomSegments {
   OwnLabels own;
   std::set<std::uint8_t> foreign;  ///< of these, whose names another program's user wrote
 
-  /// Of a pixel that is counted from the frame's first; 0 where no segment is.
+  /// Label of a pixel, counted from the frame's first; 0 if no segment is there.
   std::uint8_t labelAt(const Frame& frame, std::size_t pixel) const {
     const std::size_t at = frame.first + pixel;
     if (isLabelMap) return pixels[at];

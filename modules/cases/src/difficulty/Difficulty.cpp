@@ -46,7 +46,7 @@ std::vector<DifficultyShare> sharesOf(const VeinMeasures& m) {
        text("the vein is only %.1f mm high", m.height_mm)},
       {"depth of the vein", text("%.1f mm", m.depth_mm), pointsOf(m.depth_mm, 12, 20),
        text("the vein begins %.0f mm below the skin", m.depth_mm)},
-      // What is flat gives way under little pressure.
+      // A flat vein gives way under little pressure.
       {"flatness of the vein", text("%.0f %% as high as wide", 100 * m.height_mm / m.width_mm),
        0.5 * pointsOf(m.height_mm / m.width_mm, 0.5, 0.2), "the vein is flat and gives way under the probe"}};
   addArtery(m, shares);

@@ -129,7 +129,7 @@ Result<CaseVersion> saveInTurn(const PatientCase& patient, const fs::path& named
     CaseVersion& old = there->patient.manifest.version;
     const auto kept = keptIn(named);
     const int latest = kept.empty() ? 0 : kept.front().first.number;
-    // What another program has changed in the folder is another version than the one it names.
+    // A folder that another program changed is another version than the one it names.
     const std::string content = contentHashOf(there->patient);
     if (old.number == 0 || old.content != content) old.number = latest + 1;
     old.content = content, old.voxels = voxelHashOf(there->patient);
@@ -219,7 +219,7 @@ std::optional<fs::path> findVersion(const fs::path& folder, const std::string& v
 std::vector<CaseVersion> versionsOf(const fs::path& folder) {
   std::vector<CaseVersion> versions;
   for (auto& [version, place] : keptIn(folder))
-    // What is published and not changed since is there twice.
+    // A published version that has not changed since is listed twice.
     if (versions.empty() || versions.back().number != version.number) versions.push_back(version);
   return versions;
 }

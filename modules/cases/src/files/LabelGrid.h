@@ -21,7 +21,7 @@ bool fallsOnVoxels(const VolumeGeometry& grid, Vec3 place_mm, std::span<const Ve
 /// True where every voxel of `part` is one of `grid`'s, and their axes point alike.
 bool isPartOf(const VolumeGeometry& part, const VolumeGeometry& grid);
 
-/// What is said of labels that came from another grid.
+/// Adds the note about labels that came from another grid.
 void noteOtherGrid(bool onVoxels, std::size_t lost, std::vector<std::string>& notes);
 
 /// Labels of one grid on another: each voxel takes the nearest one's label, which is exact where voxels fall on voxels.

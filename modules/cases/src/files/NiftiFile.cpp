@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int32_t kSize1 = 348, kSize2 = 540;
 
-/// Where the fields of NIfTI-1 and of NIfTI-2 lie (nifti.nimh.nih.gov, nifti1.h and nifti2.h), and in which widths.
+/// Positions and widths of the header fields of NIfTI-1 and NIfTI-2 (nifti.nimh.nih.gov, nifti1.h and nifti2.h).
 class HeaderBytes {
  public:
   explicit HeaderBytes(std::string bytes) : bytes_(std::move(bytes)) {

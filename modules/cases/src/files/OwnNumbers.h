@@ -24,7 +24,7 @@ class OwnNumbers {
   std::bitset<256> taken_;
 };
 
-/// What an author is told of it.
+/// Note to the author about an unknown structure.
 inline std::string unknownStructure(const std::string& what, std::uint8_t label) {
   return what + " is no structure this program knows and is read as " +
          (isOwnLabel(label) ? labelName(label) + ", of soft tissue; say in the table of structures what it is."

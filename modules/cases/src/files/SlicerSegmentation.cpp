@@ -99,7 +99,7 @@ std::string typeCodeOf(const std::string& tags) {
   return end == std::string::npos ? std::string{} : tags.substr(code + 1, end - code - 1);
 }
 
-/// What stands behind this in the tags, up to their separator.
+/// Value of a tag: the text behind it, up to the separator.
 std::string_view tagIn(std::string_view tags, std::string_view tag) {
   const std::size_t at = tags.find(tag);
   if (at == std::string_view::npos) return {};

@@ -52,7 +52,7 @@ std::string innermost(std::string text) {
   std::ranges::replace(text, '\n', ' ');
   while (!text.empty() && text.back() == ' ') text.pop_back();
   const std::size_t teem = text.rfind("[nrrd] ");
-  // Of whatever MetaIO does not understand.
+  // MetaIO says this about everything that it does not understand.
   if (text.find("No such file") != std::string::npos) return "its header is not understood";
   const std::size_t from = text.find(": ", teem == std::string::npos ? text.rfind("0x") : teem);
   if (from != std::string::npos) text.erase(0, from + 2);

@@ -9,7 +9,7 @@
 
 namespace insonate {
 
-/// What was found, decompressed.
+/// Bytes found in a file, decompressed.
 struct HeldBytes {
   double count = 0;
   bool streamBreaks = false;  ///< a compressed stream ended early or did not match its check sum
@@ -35,10 +35,10 @@ class GzipReader {
 /// Reads to the end, where the check sum stands.
 HeldBytes decompressedBytes(const std::filesystem::path& file);
 
-/// What the zlib or gzip stream at `offset` of a file yields.
+/// Decompresses the zlib or gzip stream at `offset` of a file.
 HeldBytes inflatedBytes(const std::filesystem::path& file, std::uint64_t offset);
 
-/// How much of a file lies behind `offset`.
+/// Number of bytes of a file behind `offset`.
 double bytesFrom(const std::filesystem::path& file, std::uint64_t offset);
 
 /// Fails with a sentence where less was found than promised.

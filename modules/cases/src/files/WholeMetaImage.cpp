@@ -24,7 +24,7 @@ struct MetaHeader {
   bool isTrue(const std::string& key) const { return of(key).starts_with('T') || of(key).starts_with('t'); }
 };
 
-std::string trimmed(const std::string& text) {
+std::string trimmedText(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
@@ -38,13 +38,13 @@ MetaHeader readHeader(const fs::path& file) {
   for (int n = 0; n < kMostLines && std::getline(in, line); ++n) {
     const std::size_t equals = line.find('=');
     if (equals == std::string::npos) continue;
-    const std::string key = trimmed(line.substr(0, equals));
-    header.fields[key] = trimmed(line.substr(equals + 1));
+    const std::string key = trimmedText(line.substr(0, equals));
+    header.fields[key] = trimmedText(line.substr(equals + 1));
     if (key != "ElementDataFile") continue;
     header.end = static_cast<std::uint64_t>(in.tellg());
     if (!header.of(key).starts_with("LIST")) break;
     while (std::getline(in, line))
-      if (!trimmed(line).empty()) header.list.push_back(trimmed(line));
+      if (!trimmedText(line).empty()) header.list.push_back(trimmedText(line));
   }
   return header;
 }
@@ -77,7 +77,7 @@ double voxelsOf(const MetaHeader& header) {
   return count;
 }
 
-/// Of one file's voxels.
+/// Voxels in one file.
 HeldBytes heldBytes(const MetaHeader& header, const fs::path& file, std::uint64_t offset, double promised) {
   if (header.isTrue("CompressedData")) return inflatedBytes(file, offset);
   const bool text = !header.of("BinaryData").empty() && !header.isTrue("BinaryData");

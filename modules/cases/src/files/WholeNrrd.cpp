@@ -7,7 +7,7 @@ namespace insonate {
 namespace fs = std::filesystem;
 namespace {
 
-/// Where the voxels begin: behind the first empty line.
+/// Offset of the voxels: behind the first empty line.
 std::uint64_t headerSizeOf(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   for (std::string line; std::getline(in, line);)

@@ -194,7 +194,7 @@ class Walker {
     return position_ == end;
   }
 
-  /// Of a sequence, to its end or its delimiter.
+  /// Reads the items of a sequence, to its end or its delimiter.
   bool items(Encoding encoding, std::uint64_t end, int depth) {
     while (position_ < end) {
       Element item;

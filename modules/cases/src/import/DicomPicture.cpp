@@ -50,7 +50,7 @@ bool holdsRunLengths(const gdcm::SequenceOfFragments& fragments, const std::arra
   return true;
 }
 
-/// Of one frame, or of all fragments where there is one frame.
+/// Compressed stream of one frame, or of all fragments if there is only one frame.
 std::string streamOf(const gdcm::SequenceOfFragments& fragments, unsigned frame, bool only) {
   std::string stream;
   for (unsigned f = only ? 0 : frame; f < (only ? fragments.GetNumberOfFragments() : frame + 1U); ++f)
@@ -77,7 +77,7 @@ bool areHuffmanTables(std::string_view tables) {
   return true;
 }
 
-/// Whether what stands before the scan of a JPEG or JPEG-LS stream (ITU-T T.81 B.2, T.87 C.2) is of one such picture.
+/// Tells whether the header of a JPEG or JPEG-LS stream (ITU-T T.81 B.2, T.87 C.2) describes one image of this size.
 bool isOfSize(std::string_view stream, const std::array<unsigned, 3>& size, unsigned mostBits) {
   const auto byte = [&](std::size_t at) { return at < stream.size() ? static_cast<unsigned char>(stream[at]) : 0U; };
   const auto pair = [&](std::size_t at) { return byte(at) << 8 | byte(at + 1); };

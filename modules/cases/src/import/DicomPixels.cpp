@@ -43,7 +43,7 @@ tl::unexpected<Error> refuseFile(const std::filesystem::path& file, const std::s
   return fail("The slice " + file.string() + " " + why);
 }
 
-/// How the pixels are stored; fails on what no CT has.
+/// Storage format of the pixels; fails for formats that no CT has.
 Result<gdcm::PixelFormat> formatOf(const std::filesystem::path& file, const gdcm::DataSet& data) {
   const std::string shown = textOf(data, gdcm::Tag(0x0028, 0x0004));
   const auto number = [&](std::uint16_t element) { return shortOf(data, gdcm::Tag(0x0028, element)).value_or(0); };

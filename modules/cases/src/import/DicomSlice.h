@@ -10,7 +10,7 @@
 
 namespace insonate {
 
-/// What an import needs to know of one slice: a CT file, or one frame of an enhanced CT file.
+/// Properties of one slice that an import needs: a CT file, or one frame of an enhanced CT file.
 struct DicomSlice {
   std::filesystem::path file;
   int frame = 0;

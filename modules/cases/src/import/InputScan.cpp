@@ -153,7 +153,7 @@ fs::path folderOf(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// Who chooses a slice means its series: what lies beside it of that. Copies of the slice itself stay out.
+/// A chosen slice stands for its series: files of the series beside it are added. Copies of the slice itself are not.
 Result<void> addSeriesOf(const DicomSlice& chosen, InputScan& scan, std::vector<DicomSlice>& slices,
                          const Progress& progress) {
   std::error_code error;

@@ -190,7 +190,7 @@ bool isScaled(const DicomSlice& s) {
   return s.slope && s.intercept;
 }
 
-/// What stands against slices together; empty for nothing.
+/// Reason why these slices cannot form one stack; empty if there is none.
 std::string whyNotTogether(const Slices& slices) {
   const auto scaled = static_cast<std::size_t>(std::ranges::count_if(slices, isScaled));
   if (scaled == 0 || scaled == slices.size()) return {};
@@ -199,7 +199,7 @@ std::string whyNotTogether(const Slices& slices) {
          "original series.";
 }
 
-/// How far the far corner of a slice may lie from where its own header puts it, all being taken as parallel.
+/// Distance of a slice's far corner from the position in its own header, if all slices are taken as parallel.
 double unparallel_mm(const DicomSeries& series) {
   const SliceStack& stack = series.stack;
   double worst_mm = 0;

@@ -17,7 +17,7 @@ struct SliceStack {
   double thickness_mm = 0;             ///< 0 when unknown; used as the spacing of a single slice
 };
 
-/// How a stack becomes a volume.
+/// Plan by which a stack becomes a volume.
 struct StackPlan {
   VolumeGeometry grid;          ///< orthogonal, right-handed
   std::vector<int> order;       ///< slice of the stack at each step along k, ascending

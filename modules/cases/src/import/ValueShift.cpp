@@ -40,7 +40,7 @@ bool hasNothingBelowZero(const CtVolume& ct) {
 }
 
 std::optional<int> likelyShift(const CtVolume& ct) {
-  // Where padding meets the picture, resampling makes a few values between.
+  // Resampling makes a few intermediate values where padding meets the image.
   constexpr double kFew = 0.01, kMuch = 0.05;
   const Shares shares = sharesOf(ct);
   // Cut off at 0, a CT in Hounsfield units has bone there, which is spread evenly; fat, muscle and organs are a peak.

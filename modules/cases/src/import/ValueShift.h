@@ -6,7 +6,7 @@
 
 namespace insonate {
 
-/// Where nothing is below 0 but padding.
+/// Tells whether nothing but padding is below 0.
 bool hasNothingBelowZero(const CtVolume& ct);
 
 /// ImportedCt::likelyShift_HU, from the histogram.

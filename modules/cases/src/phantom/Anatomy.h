@@ -8,7 +8,7 @@
 
 namespace insonate::phantom {
 
-/// What distinguishes one neck from another. Lengths mm; arrays are {right, left}.
+/// Parameters that distinguish one neck from another. Lengths mm; arrays are {right, left}.
 struct NeckParameters {
   std::uint32_t seed = 1;  ///< tortuosity of vessels
   double skin_mm = 1.6;
@@ -28,8 +28,8 @@ struct NeckParameters {
   bool chest = false;  ///< what lies below the clavicles, down to 100 mm below the cricoid
 };
 
-/// How a structure meets its neighbours. Organs claim space in the order of the list; muscles share what is left and
-/// are parted by fascia.
+/// Rule by which a structure meets its neighbors. Organs claim space in the order of the list; muscles share the rest
+/// and are separated by fascia.
 enum class Kind { kOrgan, kArtery, kVein, kMuscle };
 
 struct Structure {
@@ -72,7 +72,7 @@ void addVessels(std::vector<Structure>& into, const NeckParameters& parameters, 
 void addNervesAndGlands(std::vector<Structure>& into, const NeckParameters& parameters, std::uint32_t seed);
 void addMuscles(std::vector<Structure>& into, const NeckParameters& parameters, std::uint32_t seed);
 void addChestMuscles(std::vector<Structure>& into, std::uint32_t seed);
-/// What the first and second rib go on as, and the third.
+/// Continuation of the first and second rib, and the third rib.
 std::vector<Shape> chestRibs(Side side, std::uint32_t seed);
 Column chestLung();
 

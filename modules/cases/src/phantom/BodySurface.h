@@ -8,7 +8,7 @@
 
 namespace insonate::phantom {
 
-/// Where a point is, as the shapes see it. Model frame: patient LPS mm, midline x = 0, lower cricoid z = 0.
+/// A point in the coordinates that shapes use. Model frame: patient LPS mm, midline x = 0, lower cricoid z = 0.
 struct Site {
   Vec3 p_mm;                  ///< model position, after the warp that keeps boundaries irregular
   double angle = 0;           ///< about the neck's axis, 0 at the front, positive to the patient's right, radians

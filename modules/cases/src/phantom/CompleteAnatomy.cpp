@@ -42,8 +42,8 @@ Volume<float> structureShare(const LabelMap& labels) {
   return share;
 }
 
-/// What lies between the structures of the deep neck: bundles of muscle, wider upright than across, with connective
-/// tissue and some fat between them.
+/// Tissue between the structures of the deep neck: bundles of muscle, taller than wide, with connective tissue and
+/// some fat between them.
 std::uint8_t betweenStructures(Vec3 p_mm, std::uint32_t seed) {
   // Warped and turned out of the noise's own lattice, whose straight edges would show.
   const Vec3 cell = p_mm / 16;

@@ -73,7 +73,7 @@ Volume<float> boneShare(const LabelMap& labels) {
   return share;
 }
 
-/// Where lung is: above kNearWide_permille. On a coarse grid over the same voxels, since it changes slowly.
+/// Nearness of lung, above kNearWide_permille. On a coarse grid over the same voxels, since it changes slowly.
 CtVolume lungNearness(const LabelMap& labels) {
   VolumeGeometry g = labels.geometry;
   std::array<int, 3> stride{};

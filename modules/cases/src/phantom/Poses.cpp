@@ -15,7 +15,7 @@ constexpr double kOverVein_mm = 5, kBelowClavicle_mm = 3;
 constexpr double kTilt = 0.25;       ///< of the way from the skin's direction to the vein's
 constexpr double kAxillary_mm = 75;  ///< from the midline: below the middle of the clavicle
 
-/// Where a ray from inside the body leaves the skin: distance along it, by bisection.
+/// Distance along a ray from inside the body to the skin, by bisection.
 double toSkin_mm(const NeckModel& neck, Vec3 from_mm, Vec3 direction) {
   double inside = 0, outside = 80;
   for (int n = 0; n < 40; ++n) {

@@ -26,7 +26,7 @@ struct Section {
 /// A shape as a function of level; empty where the level does not meet it.
 using Shape = std::function<std::optional<Section>(const BodySurface::Slice&, double z_mm)>;
 
-/// Which side of the body a shape stands on. Shapes are written with x as the distance from the midline toward their
+/// Side of the body on which a shape stands. Shapes are written with x as the distance from the midline toward their
 /// own side, so that left and right share one description.
 enum class Side { kRight, kLeft };
 
@@ -84,7 +84,7 @@ std::vector<Tube::Knot> centreLine(const std::vector<Tube::Knot>& knots);
 
 /// Union.
 Shape join(std::vector<Shape> shapes);
-/// What lies between two distances from a shape's boundary (positive outside, up to 3 mm).
+/// The space between two distances from a shape's boundary (positive outside, up to 3 mm).
 Shape shell(Shape inner, double from_mm, double to_mm);
 /// The part of a shape where a function of the model position is negative.
 Shape clip(Shape shape, std::function<double(Vec3)> limit_mm);

@@ -23,7 +23,7 @@ class SliceLabels {
  public:
   SliceLabels(std::span<const Structure> structures, BodySurface::Slice body, const Platysma& platysma, SliceGrid grid);
 
-  /// Where each voxel is in the model.
+  /// Sets the position of each voxel in the model.
   void place(const std::function<Vec3(Vec3)>& modelFromPatient);
   /// Writes width * height labels.
   void paint(std::uint8_t* labels);

@@ -12,7 +12,7 @@ NeckParameters individualNeck(NeckParameters usual, std::uint32_t seed);
 Column varied(Column usual, std::uint32_t seed);
 Sheet varied(Sheet usual, std::uint32_t seed);
 
-/// How far a vessel runs off its usual course at a level, {lateral, posterior} mm: no vessel is straight.
+/// Deviation of a vessel from its usual course at a level, {lateral, posterior} mm: no vessel is straight.
 std::array<double, 2> tortuosity_mm(std::uint32_t seed, double z_mm, double amplitude_mm);
 
 }  // namespace insonate::phantom

@@ -21,8 +21,8 @@ double middleOfNeck(double z_mm) {
 
 enum Vessel : std::uint32_t { kSheath, kCarotid, kJugular };
 
-/// How far a vessel runs off its usual course, {lateral, posterior} mm: carotid and jugular vein mostly together, since
-/// they share a sheath.
+/// Deviation of a vessel from its usual course, {lateral, posterior} mm: carotid and jugular vein deviate mostly
+/// together, since they share a sheath.
 std::array<double, 2> besideCourse_mm(const NeckParameters& n, Side side, Vessel vessel, double z_mm) {
   const std::uint32_t seed = n.seed + 80 + 10 * index(side);
   const auto [sharedX, sharedY] = tortuosity_mm(seed + kSheath, z_mm, 0.8);
@@ -184,12 +184,12 @@ class Courses {
     for (const NamedTube& one : tubes) add(one.name, label, centreLine(one.knots));
   }
   void add(const NamedSheet& vein, const BodySurface& body) {
-    constexpr double kStep_mm = 4, kDegree = std::numbers::pi / 180;
+    constexpr double kStep_mm = 4, kRadians = std::numbers::pi / 180;
     const Curve<4>& course = vein.sheet.course;
     std::vector<Tube::Knot> line;
     for (double z = course.first(); z <= course.last(); z += kStep_mm) {
       const auto [angle_deg, depth, halfWidth, halfThickness] = course(z);
-      const double angle = angle_deg * kDegree;
+      const double angle = angle_deg * kRadians;
       const double radius = body.slice(z).fasciaRadius_mm(side_ == Side::kRight ? angle : -angle) - depth;
       line.push_back({{radius * std::sin(angle), BodySurface::kAxisY_mm - radius * std::cos(angle), z},
                       (halfWidth + halfThickness) / 2});
@@ -241,7 +241,7 @@ std::vector<VesselCourse> vesselCourses(const NeckParameters& n, const BodySurfa
     }
     courses.add("internal jugular vein", kVein, jugular);
     for (const NamedTube& vein : centralVeins(n, side)) {
-      // What joins it is drawn from within the jugular vein; its name begins where that of the jugular ends.
+      // A tributary is drawn from within the jugular vein; its name begins where that of the jugular ends.
       std::vector<Tube::Knot> line = centreLine(vein.knots);
       std::erase_if(line, [](const Tube::Knot& knot) { return knot.p_mm.z > kJugularEnd_mm && knot.p_mm.x < 30; });
       courses.add(vein.name, kVein, line);

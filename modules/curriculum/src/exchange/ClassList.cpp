@@ -22,7 +22,7 @@ std::string sentenceOf(int line, const std::string& what) {
   return "Line " + std::to_string(line) + ": " + what;
 }
 
-/// Where in a row each thing is; none: there is no such column.
+/// Column of each field; empty if there is no such column.
 struct Columns {
   std::optional<std::size_t> first, last, full, email, userName, idNumber;
 };
@@ -70,7 +70,7 @@ std::string troubleOf(const CsvRow& row, std::size_t columns, const NewPerson& p
   return {};
 }
 
-/// Who is at an e-mail address or a name, whatever the case.
+/// People by e-mail address and by name, ignoring case.
 class Directory {
  public:
   explicit Directory(std::span<const Person> people) {

@@ -100,7 +100,8 @@ bool isNumber(const std::string& field) {
   return error == std::errc() && stop == end && std::isfinite(value);
 }
 
-/// Whether a spreadsheet would compute what begins here. Some take the full-width forms of the signs for the signs.
+/// Tells whether a spreadsheet would evaluate this text as a formula. Some programs accept the full-width forms of the
+/// signs.
 bool beginsFormula(std::string_view text) {
   return std::ranges::any_of(std::array{"=", "+", "-", "@", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"},
                              [&](const char* sign) { return text.starts_with(sign); });

@@ -162,7 +162,7 @@ class Writer {
     return duration;
   }
 
-  /// When it ended; "" outside the years that ISO 8601 writes with four digits.
+  /// Time at which an attempt ended; empty outside the years that ISO 8601 writes with four digits.
   static std::string timeOf(const AttemptFacts& attempt) {
     const std::int64_t end_ms = attempt.begun_us / 1000 + std::max<std::int64_t>(attempt.length_us, 0) / 1000;
     const QDateTime time = QDateTime::fromMSecsSinceEpoch(end_ms, Qt::UTC);

@@ -10,7 +10,7 @@ namespace {
 
 /// A rater's name, and their id where two have one name.
 using Rater = std::pair<std::string, std::string>;
-/// What each rater answered about each attempt, by the attempt's id.
+/// Each rater's answers about each attempt, by the attempt's id.
 using Judgements = std::map<std::string, std::map<Rater, FormAnswers>>;
 
 bool isJudgement(const Form& form, const KeptForm& one) {
@@ -42,7 +42,7 @@ FormAgreement agreementOf(const Form& form, std::span<const KeptForm> forms) {
       ++result.otherVersions;
       continue;
     }
-    // What cannot be read was kept by another program; it says nothing.
+    // Answers that cannot be parsed were stored by another program and are ignored.
     if (auto answers = parseAnswers(one.filled.answers))
       judgements[one.filled.attempt].try_emplace({one.rater, one.filled.by}, std::move(*answers));
   }

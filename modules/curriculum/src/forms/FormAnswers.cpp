@@ -42,7 +42,7 @@ std::string troubleOfChoice(const FormItem& item, const FormAnswers::mapped_type
   return "needs one of " + joinedWords(names) + ".";
 }
 
-/// What is wrong, after the item's title; "" where nothing is.
+/// Describes the error in an item's answer, after the item's title; empty if there is none.
 std::string troubleOf(const FormItem& item, const FormAnswers& answers) {
   const auto answer = answers.find(item.name);
   if (answer == answers.end()) return item.needed ? "needs an answer." : "";
@@ -50,7 +50,7 @@ std::string troubleOf(const FormItem& item, const FormAnswers& answers) {
   return item.kind == FormItem::Kind::Text ? troubleOfText(answer->second) : troubleOfChoice(item, answer->second);
 }
 
-/// Whether a key that is no item's is that of a note that may be written.
+/// Tells whether a key that belongs to no item is the key of a permitted note.
 bool isNote(const Form& form, std::string_view key) {
   if (!key.ends_with(kNote)) return false;
   const FormItem* item = form.item(key.substr(0, key.size() - kNote.size()));

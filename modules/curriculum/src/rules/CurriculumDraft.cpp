@@ -42,7 +42,7 @@ std::vector<DraftTrouble> troublesOf(const Curriculum& draft, const TeachingName
   if (draft.levels.empty()) troubles.push_back({"", "The curriculum has no levels; add the first one."});
   if (const auto ordered = inOrderOfLearning(draft.levels); !ordered)
     troubles.push_back({"", "The curriculum cannot be used: " + ordered.error().message});
-  // What is wrong between levels, such as two of one name.
+  // Errors between levels, such as two levels of one name.
   if (const auto all = parseCurriculum(curriculumText(draft)); !all && troubles.empty())
     troubles.push_back({"", all.error().message});
   return troubles;

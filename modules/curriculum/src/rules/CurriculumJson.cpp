@@ -22,7 +22,7 @@ constexpr std::size_t kMostLevels = 200;
 /// In the order of Assistance.
 const std::vector<std::string_view> kAssistances{"guided", "hints", "test"};
 
-/// Of a whole curriculum all has to be there; of a draft what is not yet there is left empty.
+/// Reads a whole curriculum, which must be complete, or a draft, in which missing entries stay empty.
 class Reader {
  public:
   explicit Reader(bool isWhole) : isWhole_(isWhole) {}

@@ -10,7 +10,7 @@ namespace {
 /// procedure/AttemptMetrics.h: punctures of the skin.
 constexpr std::string_view kSkinPunctures = "passes";
 
-/// What is not finite was not measured.
+/// Values that are not finite were not measured.
 std::optional<double> finite(std::optional<double> value) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
@@ -126,7 +126,7 @@ std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt) {
   if (judgement.passed) return {};
   const std::string grave = graveReason(attempt);
   const std::string standards = listed(missedStandards(rule, attempt));
-  // Of what broke off no standard was measured; to list them all tells nothing.
+  // An attempt that broke off has no measured standards; listing all of them would inform nobody.
   if (attempt.state == AttemptState::Abandoned && attempt.metrics.empty()) return grave;
   if (!grave.empty()) return standards.empty() ? grave : grave + "; " + standards;
   if (!judgement.reachesStandards(rule)) return standards;

@@ -12,8 +12,8 @@ namespace insonate {
 
 inline constexpr std::int64_t kDay_us = 86'400'000'000;
 
-/// What the attempts at one level say by themselves, whatever its prerequisites. Fed in the order of arrival with times
-/// that do not fall.
+/// Result of the attempts at one level, without regard to prerequisites. Add attempts in the order of arrival, with
+/// times that do not decrease.
 class LevelRecord {
  public:
   enum class Skill { Never, Mastered, Lapsed };

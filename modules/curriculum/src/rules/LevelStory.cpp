@@ -54,7 +54,7 @@ AttemptFacts failing(const Curriculum& curriculum, const Level& level) {
   return facts;
 }
 
-/// How many passes in a row master a level; a story of more is not told to its end.
+/// Number of consecutive passes that master a level; a longer story is cut.
 int passesFor(const MasteryRule& rule) {
   constexpr int kMost = 600;
   return std::min(fewestAttempts(rule), kMost);
@@ -79,7 +79,7 @@ class Story {
       if (pass == 1 && passes > 1) tell(AfterPass, LevelState::Open);
     }
     tell(Mastered, LevelState::Mastered);
-    // What it builds on may lapse as well: then it is locked.
+    // A prerequisite may lapse as well; then the level is locked.
     if (const auto& days = level_.mastery.lapsesAfter_days) {
       now_us_ += (*days + 1) * kDay_us;
       if (turns_.back().when == Mastered) tell(Lapsed, std::nullopt);
@@ -100,7 +100,8 @@ class Story {
       for (int pass = 0; pass < passesFor(needed.mastery); ++pass) practise(passing(curriculum_, needed));
     }
   }
-  /// Where the rules lead elsewhere than the turn's name says, as with limits that nobody can meet, it is left out.
+  /// Leaves a turn out if the rules lead to another state than its name says, for example with limits that nobody can
+  /// meet.
   void tell(StoryTurn::When when, std::optional<LevelState> state) {
     const auto progress = progressOf(curriculum_, history_, now_us_);
     const auto here = std::ranges::find(progress, level_.name, &LevelProgress::level);

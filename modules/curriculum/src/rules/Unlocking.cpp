@@ -33,7 +33,7 @@ std::vector<std::vector<std::size_t>> foundations(const Curriculum& curriculum, 
   return all;
 }
 
-/// When each attempt is taken to have been made (Unlocking.h).
+/// Assumed time of each attempt (Unlocking.h).
 std::vector<std::int64_t> believedTimes(std::span<const AttemptFacts> history, std::int64_t now_us) {
   std::vector<std::int64_t> times;
   const auto believable = [&](const AttemptFacts& attempt) {
@@ -65,7 +65,7 @@ std::vector<LevelRecord> recordsOf(const Curriculum& curriculum, const Indices& 
   return records;
 }
 
-/// What a level passes on to those that build on it.
+/// State of a level that affects the levels built on it.
 struct Gate {
   bool reached = false;  ///< mastered once, and so were its prerequisites
   std::int64_t reachedSince_us = 0;
@@ -106,7 +106,7 @@ std::optional<std::int64_t> sinceOf(const LevelRecord& record, LevelState state,
   return std::nullopt;
 }
 
-/// When days alone change the state, or the days without practice that a lapsed level's sentence tells.
+/// Time at which passing days alone change the state, or change the number of days in a lapsed level's sentence.
 std::int64_t untilOf(const LevelRecord& record, std::int64_t now_us) {
   const auto& days = record.level().mastery.lapsesAfter_days;
   const std::int64_t last_us = record.lastPractice_us();

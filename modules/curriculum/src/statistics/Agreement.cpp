@@ -13,7 +13,7 @@ namespace {
 constexpr int kMostGrades = 1000;
 constexpr double kLeastFreedom = 0.1;
 
-/// How much two grades differ; 0 for the same.
+/// Weighted difference of two grades; 0 for equal grades.
 double difference(int a, int b, KappaWeights weights) {
   const double steps = std::abs(a - b);
   if (weights == KappaWeights::Linear) return steps;
@@ -43,7 +43,7 @@ MeanSquares meanSquaresOf(const std::vector<std::vector<double>>& ratings) {
       const double rest = ratings[i][j] - subjectMeans[i] - raterMeans[j] + mean;
       squares.error += rest * rest / ((n - 1) * (k - 1));
     }
-  // What rounding leaves of squares that are 0 is no difference between subjects or raters.
+  // Rounding errors of sums of squares that are 0 are no difference between subjects or raters.
   double all = 0;
   for (const std::vector<double>& row : ratings)
     for (const double rating : row) all += rating * rating;

@@ -19,7 +19,7 @@ using Shape = LearningCurve::Shape;
 constexpr Eigen::Index kFewest = 6;
 constexpr int kParameters = 3;
 
-/// How much of the gain is left at an attempt, 1 at the first.
+/// Share of the gain that remains at an attempt; 1 at the first.
 double left(Shape shape, double rate, double attempt) {
   return shape == Shape::Power ? std::pow(attempt, -rate) : std::exp(-rate * (attempt - 1));
 }

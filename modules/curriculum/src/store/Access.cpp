@@ -65,7 +65,7 @@ Reach reachOf(const Rule& rule, const std::optional<Role>& role) {
   return None;
 }
 
-/// Who the actor is by now. A role that was taken away does not live on in a session.
+/// Reads the actor's current role, so that a role that was withdrawn does not survive in an open session.
 std::optional<Error> lookUp(Transaction& transaction, Actor& actor, Act act) {
   if (actor.id.empty()) return std::nullopt;
   const auto row = transaction.row(

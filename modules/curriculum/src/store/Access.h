@@ -45,7 +45,7 @@ enum class Act {
   LookAfterStore
 };
 
-/// How far an act reaches.
+/// People whom an act may concern.
 enum class Reach {
   None,
   Self,    ///< one's own data
@@ -53,7 +53,7 @@ enum class Reach {
   All,
 };
 
-/// What else holds for an act.
+/// Further conditions of an act.
 enum Condition : unsigned {
   kUnlogged = 1,      ///< tells nothing about others
   kNotOneself = 2,    ///< nobody does this to their own data
@@ -62,7 +62,7 @@ enum Condition : unsigned {
   kWholeCohort = 16,  ///< tells of all who learn in a cohort: their number is logged
 };
 
-/// Who may do what: the one place where it is written down.
+/// Permission for one act. The table of rules is the only place that states who may do what.
 struct Rule {
   Act act;
   std::string_view words;  ///< as in the audit log: "see attempts"
@@ -75,7 +75,7 @@ struct Rule {
 std::span<const Rule> rules();
 const Rule& ruleOf(Act act);
 
-/// What someone asks for. An attempt stands for the person whose it is.
+/// A request for an act. An attempt stands for the person who made it.
 struct Request {
   Act act;
   std::string person{}, cohort{}, attempt{};

@@ -9,7 +9,7 @@
 
 namespace insonate::store {
 
-/// How far two computers' clocks may differ.
+/// Accepted difference between the clocks of two computers.
 inline constexpr std::int64_t kClocksDiffer_us = 600'000'000;
 
 /// Fails where an attempt begins, or ends, later than `now_us`, and where it begins before its curriculum was published

@@ -35,18 +35,18 @@ namespace insonate::store {
   "SUM(CASE WHEN state <> 'open' THEN 2 - crashed ELSE 0 END + " \
   "CASE WHEN voided_us IS NULL THEN 0 ELSE 1 END)"
 
-/// Of INSONATE_HISTORY_COLUMNS.
+/// Converts a row of INSONATE_HISTORY_COLUMNS.
 AttemptFacts factsOf(const Row& row);
-/// Of INSONATE_ATTEMPT_COLUMNS.
+/// Converts a row of INSONATE_ATTEMPT_COLUMNS.
 KeptAttempt keptOf(const Row& row);
 std::vector<AttemptFacts> allFacts(const std::vector<Row>& rows);
 /// AttemptStore::history().
 std::vector<AttemptFacts> historyOf(Transaction& transaction, const std::string& person);
-/// Of either: how it ended, whether it was voided or not.
+/// Reads from a row of either kind how the attempt ended, whether it was voided or not.
 AttemptState stateOfEnd(const Row& row);
 std::optional<KeptAttempt> findAttempt(Transaction& transaction, const std::string& id);
 
-/// What is wrong with facts that a caller hands in, before they are kept.
+/// Checks the facts of a caller before they are stored; fails with a sentence.
 Result<void> checkBegun(const AttemptFacts& facts);
 Result<void> checkEnded(const AttemptFacts& facts);
 /// The same beginning, whatever came after.

@@ -119,7 +119,7 @@ Result<void> ClassImport::apply(const std::string& cohort, std::span<const Class
   const auto hashes = hashesOf(passwords, session.core().passwordCost(), progress);
   if (!hashes) return tl::unexpected(hashes.error());
   const std::string detail = "class list, " + std::to_string(adds) + " new, " + std::to_string(joins) + " known";
-  // Of what it takes the act that fewer may do, so that a refusal stays in the log.
+  // The request names the most restricted of the acts involved, so that a refusal is logged.
   return session.write(
       {.act = joins > 0 ? Act::ChangeCohorts : Act::AddTrainee, .cohort = cohort, .detail = detail},
       [&](Transaction& transaction, const Actor&) -> Result<void> {

@@ -24,7 +24,7 @@ std::uint64_t freshKey() {
   return counter++;
 }
 
-/// Of this thread, by the key of their store. Those of other threads end with their thread.
+/// Connections of this thread, by the key of their store. Connections of other threads end with their thread.
 std::map<std::uint64_t, std::unique_ptr<Connection>>& connectionsOfThread() {
   thread_local std::map<std::uint64_t, std::unique_ptr<Connection>> connections;
   return connections;

@@ -27,7 +27,7 @@ class Core {
   Core(const Core&) = delete;
   Core& operator=(const Core&) = delete;
 
-  /// Of the calling thread; opened anew after the server was lost.
+  /// Returns the connection of the calling thread; opens a new one after the server was lost.
   Result<Connection*> connection();
 
   /// Begun on the calling thread's connection. A server that was away in between is found again.
@@ -66,7 +66,7 @@ auto inTransaction(Core& core, Way way, const Work& work) -> decltype(work(std::
   const auto transaction = core.begin(way);
   if (!transaction) return tl::unexpected(transaction.error());
   auto result = work(**transaction);
-  // What a failed statement did not give must not be taken for an answer.
+  // A failed statement returns no rows; its empty result must not be read as an answer.
   if ((*transaction)->error()) return tl::unexpected(*(*transaction)->error());
   if (!result) return result;
   if (auto done = (*transaction)->commit(); !done) return tl::unexpected(done.error());

@@ -94,7 +94,8 @@ nlohmann::ordered_json jsonOf(const std::string_view column, const Row& row, std
 
 using Version = std::pair<std::string, int>;
 
-/// Those that can be read: a text of a later program may hold what this one does not know.
+/// Returns the curricula that can be parsed; a later version of the program may have stored texts that this one does
+/// not know.
 std::map<Version, Curriculum> curriculaOf(Transaction& transaction) {
   std::map<Version, Curriculum> curricula;
   for (const Row& row : transaction.rows("SELECT name, version, text FROM curricula"))

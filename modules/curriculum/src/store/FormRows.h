@@ -18,7 +18,7 @@ namespace insonate::store {
 #define INSONATE_KEPT_FORM_COLUMNS INSONATE_FORM_COLUMNS ", raters.full_name, raters.name"
 
 FilledForm filledOf(const Row& row);
-/// Of INSONATE_KEPT_FORM_COLUMNS; nothing is withheld.
+/// Converts a row of INSONATE_KEPT_FORM_COLUMNS; nothing is withheld.
 KeptForm keptFormOf(const Row& row);
 /// As `reader` may read them: all forms about an attempt of one kind are among the rows, or none.
 std::vector<KeptForm> allKept(const std::vector<Row>& rows, const std::string& reader);

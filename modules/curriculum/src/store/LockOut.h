@@ -13,8 +13,8 @@ struct Moment {
   std::string boot{};
 };
 
-/// How long a name is locked after so many failures in a row: 30 s after the fifth, doubled by each further one up to
-/// an hour.
+/// Time for which a name is locked after this many consecutive failures: 30 s after the fifth, doubled by each further
+/// one up to an hour.
 std::int64_t lockAfter_us(std::int64_t failures);
 
 /// Seconds until a name may be tried again; 0: now, and the try is counted as a failure until forgive(), so that who

@@ -9,7 +9,7 @@ namespace insonate::store {
 
 /// Metrics as JSON: [[id, version, value or null], ...].
 std::string metricsText(const std::vector<MetricFact>& metrics);
-/// Of what metricsText() wrote; of any other text none.
+/// Inverse of metricsText(); empty for any other text.
 std::vector<MetricFact> metricsOf(const std::string& text);
 
 }  // namespace insonate::store

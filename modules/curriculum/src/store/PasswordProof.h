@@ -10,7 +10,7 @@
 
 namespace insonate::store {
 
-/// Who knows their password.
+/// A person whose password was verified.
 struct Known {
   Person person{};
   std::string hashed{};

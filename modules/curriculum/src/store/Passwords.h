@@ -12,7 +12,7 @@ Result<std::string> hashedPassword(const std::string& password, PasswordCost cos
 /// The same for a password that someone typed or handed in. Outside of any transaction, since it takes its time.
 Result<std::string> checkedAndHashed(const std::string& password, PasswordCost cost);
 bool fitsPassword(const std::string& password, const std::string& hashed);
-/// What no password fits, at the same cost: asked where there is no such person.
+/// A hash that no password fits, at the usual cost: it is verified when there is no such person.
 const std::string& hashOfNobody(PasswordCost cost);
 
 }  // namespace insonate::store

@@ -24,7 +24,7 @@ Result<void> checkNameIsFree(Transaction& transaction, const Person& person);
 Result<Person> insertPerson(Transaction& transaction, const NewPerson& person, const std::string& hashed,
                             bool mustChange);
 
-/// To learn or to teach; who is in it already changes between the two. Trainees do not teach.
+/// Adds a person to a cohort as a learner or teacher; a member changes to the given kind. Trainees do not teach.
 Result<void> putIntoCohort(Transaction& transaction, const std::string& cohort, const Person& person, bool teaches);
 
 /// A new password, which ends sessions of the old one.

@@ -19,7 +19,7 @@ tl::unexpected<Error> unknown() {
   return fail("There is no such person; look at the list again.");
 }
 
-/// Whether someone else could still sign in as an administrator.
+/// Tells whether this person is the only one who can still sign in as an administrator.
 bool isLastAdministrator(Transaction& transaction, const std::string& person) {
   return transaction.number("SELECT COUNT(*) FROM people WHERE role = 'administrator' AND disabled = 0 AND id <> ?",
                             person) == 0;
@@ -110,7 +110,7 @@ Result<void> PeopleStore::changeOwnPassword(const std::string& old, const std::s
   if (password == old) return fail("The new password is the old one; choose another.");
   const auto hashed = store::checkedAndHashed(password, session.core().passwordCost());
   if (!hashed) return tl::unexpected(hashed.error());
-  // Who guesses at an open window is locked out as at the door.
+  // A wrong old password counts toward the lock-out, as at sign-in.
   if (const auto known = store::provePassword(session.core(), by_.person().name, old); !known)
     return tl::unexpected(known.error());
   const auto version =

@@ -48,7 +48,7 @@ Result<void> checkDraft(const std::string& name, const std::string& text) {
   return store::checkText("The draft", text, kMostText);
 }
 
-/// Whether the draft is still as someone knew it.
+/// Checks that the draft has not changed since the caller read it.
 Result<void> checkUntouched(Transaction& transaction, const std::string& name, const std::string& before) {
   const auto row = transaction.row("SELECT text FROM drafts WHERE name = ?", name);
   if ((row ? row->text(0) : "") == before) return {};

@@ -44,7 +44,7 @@ struct Candidate {
   const fs::path file;
 };
 
-/// Who restores, and what the log of the backup is told about it.
+/// The person who restores, for the log of the backup.
 struct Restorer {
   std::string id{}, detail{};
 };
@@ -63,8 +63,8 @@ Result<std::optional<Restorer>> askReplaced(const fs::path& file, const std::str
   });
 }
 
-/// Whether its pages are whole and its log holds together, and, where nobody of a replaced store restores it, whether
-/// an administrator of it asks; leaves an entry in it.
+/// Checks that the backup's pages are readable and its log is consistent. If no person of the replaced store restores
+/// it, an administrator of the backup has to ask. Leaves an entry in the backup's log.
 Result<void> checkCandidate(const fs::path& file, std::optional<Restorer> restorer, const std::string& administrator,
                             const std::string& password) {
   const auto core = Core::open(file.string(), {});
@@ -87,7 +87,7 @@ bool isWhole(const fs::path& file) {
   return connection && store::checkPages(**connection);
 }
 
-/// Where the file is a database that others may have open, it is written over as one of their changes.
+/// Overwrites a database that others may have open, as one transaction of theirs.
 Result<void> writeOver(const fs::path& file, const fs::path& candidate) {
   const auto to = Connection::open(*Address::parse(file.string()));
   if (!to) return tl::unexpected(to.error());
@@ -97,7 +97,7 @@ Result<void> writeOver(const fs::path& file, const fs::path& candidate) {
   return store::copyInto(**from, **to);
 }
 
-/// Where it is missing or damaged.
+/// Replaces a file that is missing or damaged.
 Result<void> moveInto(const fs::path& file, const fs::path& candidate) {
   std::error_code error;
   for (const char* part : kParts)

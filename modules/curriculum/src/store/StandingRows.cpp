@@ -19,7 +19,7 @@ Concern concernNamed(const std::string& name) {
   return Concern::None;
 }
 
-std::string_view nameOf(Concern concern) {
+std::string_view concernName(Concern concern) {
   for (const auto& [known, word] : kConcerns)
     if (known == concern) return word;
   return {};
@@ -38,8 +38,9 @@ void keep(Transaction& transaction, const std::string& person, const Standing& s
   transaction.run("DELETE FROM standings WHERE person = ? AND curriculum = ? AND curriculum_version = ?", person,
                   standing.curriculum, standing.curriculumVersion);
   transaction.run("INSERT INTO standings VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", person, standing.curriculum,
-                  standing.curriculumVersion, standing.level, standing.mastered, std::string(nameOf(standing.concern)),
-                  standing.sentence, standing.changes, standing.from_us, standing.until_us, kStandingRules);
+                  standing.curriculumVersion, standing.level, standing.mastered,
+                  std::string(concernName(standing.concern)), standing.sentence, standing.changes, standing.from_us,
+                  standing.until_us, kStandingRules);
 }
 
 }  // namespace

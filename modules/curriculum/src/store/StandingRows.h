@@ -14,9 +14,9 @@ namespace insonate::store {
   "standings.curriculum, standings.curriculum_version, standings.level, standings.mastered, " \
   "standings.concern, standings.sentence, standings.changes, standings.from_us, standings.until_us, standings.rules"
 
-/// Of INSONATE_STANDING_COLUMNS, which begin at `column`.
+/// Converts INSONATE_STANDING_COLUMNS, which begin at `column`.
 Standing standingFrom(const Row& row, std::size_t column);
-/// Whether it would be worked out the same now; `changes` are the person's by now.
+/// Tells whether computing the standing now would give the same; `changes` is the person's present number of changes.
 bool isCurrent(const Row& row, std::size_t column, std::int64_t changes, std::int64_t now_us);
 
 /// As it was kept where that is current; otherwise worked out from all attempts, and kept.

@@ -10,7 +10,7 @@ Error damaged(const std::string& place, const std::string& what) {
   return {place + " is damaged (" + what + "). Put a backup in its place."};
 }
 
-/// Of a file; a server checks its pages and keys itself.
+/// Verifies the pages of an SQLite file; a PostgreSQL server verifies its own pages and keys.
 Result<void> verifyPages(Transaction& transaction) {
   if (transaction.dialect().name != "sqlite") return {};
   const auto pages = transaction.row("PRAGMA integrity_check(1)");

@@ -6,7 +6,7 @@
 
 namespace insonate::store {
 
-/// Whether all pages of a file can be read, in half a second for 100 MB. A server looks after its own.
+/// Checks that all pages of an SQLite file can be read: half a second for 100 MB. A PostgreSQL server checks its own.
 Result<void> checkPages(Connection& connection);
 
 /// All pages, keys and hashes, as StoreUpkeep::verify().

@@ -21,12 +21,12 @@ Result<void> checkPassword(std::string_view password);
 /// A JSON object of at most 1 MB, without zero bytes in its texts either.
 Result<void> checkJsonObject(std::string_view what, std::string_view text);
 
-/// What two names have in common that differ by case or by Unicode's ways to write one letter (NFKC, case folding).
+/// The common form of names that differ only in case or in Unicode's ways of writing one letter (NFKC, case folding).
 std::string nameKey(std::string_view name);
 
 std::string freshUuid();
 bool isUuid(std::string_view text);
-/// Of a time since 1970, UTC: "2026-11-22".
+/// Formats the day of a time since 1970, UTC: "2026-11-22".
 std::string dayOf(std::int64_t time_us);
 /// Hexadecimal.
 std::string sha256(std::string_view bytes);

@@ -8,7 +8,7 @@
 
 namespace insonate::column {
 
-/// What a column is made of, from the skin down.
+/// Tissue of a column, from the skin down.
 struct TissueColumn {
   bool met = false;       ///< there is skin in it
   bool skinFound = true;  ///< false: tissue up to the upper end of the grid
@@ -21,7 +21,7 @@ struct TissueColumn {
 /// Keeps its memory from question to question.
 class ColumnGrid {
  public:
-  /// How far above the face skin is looked for.
+  /// Distance above the face within which skin is looked for.
   static constexpr double kReach_mm = 30;
   /// The profile's standard deviations to either side that the columns cover.
   static constexpr double kCovered = 3.5;
@@ -48,7 +48,7 @@ class ColumnGrid {
 
   const TissueColumn& column(int column) const { return measured[column]; }
   std::uint8_t label(int column, int row) const { return tissue[at(column, row)].label; }
-  /// Of a spring; the first of a column is cut by the skin.
+  /// Length of a spring; the skin cuts the first of a column.
   double length_mm(int column, int row) const {
     return row == measured[column].first ? z_mm(row + 1) - measured[column].skin_mm : step;
   }

@@ -141,7 +141,7 @@ class ColumnModel : public DeformationModel {
           seen_mm[r + 1] - grid.length_mm(c, r) * (1 - springs.strain(grid.label(c, r), loads[c].pressure_kPa));
   }
 
-  /// Where the upper end of a row has gone.
+  /// Deformed position of the upper end of a row.
   double seenOf(int c, int r) const {
     const TissueColumn& column = grid.column(c);
     if (!column.met || r < column.first || grid.z_mm(r) < column.skin_mm) return grid.z_mm(r) + loads[c].shortening_mm;

@@ -14,7 +14,7 @@ inline constexpr double kMaxShortening = 0.9;
 /// emptied or filled as a vessel is.
 inline constexpr double kArteryLumen_kPa = 200, kVeinLumen_kPa = 23;
 
-/// How much of a column, mm, each label takes.
+/// Length of each label in a column, mm.
 using LengthByLabel = std::array<double, kLabelCount>;
 
 struct ColumnLoad {

@@ -19,7 +19,7 @@ class Contact {
   /// touched at the end of the last solution count as touching in the first round, else the skin would spring back
   /// between two pictures whenever the face retreats.
   void meet(const FaceProfile& face, const Nodes& at);
-  /// Which columns touch, for the next meet().
+  /// Stores which columns touch, for the next meet().
   void remember(float shift_mm, const Nodes& at);
   void forget() {
     touched_.clear();
@@ -40,10 +40,10 @@ class Contact {
 
   /// Derivative of add()'s push by the shift, as a right-hand side.
   void pushByShift(float shift_mm, const Nodes& at, std::vector<float>& force) const;
-  /// Of the top row's z entries.
+  /// Sum of the top row's z entries.
   float sum(const std::vector<float>& force) const;
   float product(const std::vector<float>& a, const std::vector<float>& b) const;
-  /// How far the face is from touching.
+  /// Distance of the face from touching.
   float gap(float shift_mm, const Nodes& at) const;
 
  private:

@@ -13,7 +13,7 @@ using namespace elastic;
 
 constexpr float kTolerance_mm = 0.01f;
 
-/// How far the probe may go before the vessels' prestress is worked out anew; a turn counts at this arm's end.
+/// Motion of the probe after which the vessels' prestress is computed again; a turn counts at this arm's end.
 constexpr double kStressLasts_mm = 2;
 constexpr double kArm_mm = 20;
 

@@ -31,7 +31,7 @@ HWY_INLINE Corners cornersOf(const Nodes& nodes, std::size_t n, int columns) {
   return c;
 }
 
-/// Of a vector of corners given as x z x z ...
+/// Converts a vector of corners given as x z x z ...
 HWY_INLINE Corners cornersOf(const float* pairs, std::size_t n, int columns) {
   const Tag d;
   Corners c;
@@ -102,7 +102,7 @@ constexpr int kM[4][4] = {{0, 1, 2, 3}, {1, 4, 5, 6}, {2, 5, 7, 8}, {3, 6, 8, 9}
 /// 2 d2A / dx_a dz_b; that by dz_a dx_b is its negative.
 constexpr float kTwist[4][4] = {{0, 1, 0, -1}, {-1, 0, 1, 0}, {0, -1, 0, 1}, {1, 0, -1, 0}};
 
-/// Where the coupling of two corners is kept: row node, block.
+/// Storage place of the coupling of two corners: row node, block.
 struct Place {
   int a, b, block;
 };

@@ -34,7 +34,7 @@ class GridOrder {
     bool transposed = false;
   };
 
-  /// Of a grid of this size. Keeps its memory: a size not larger than one before allocates nothing.
+  /// Prepares a grid of this size. Keeps its memory: a size not larger than an earlier one allocates nothing.
   void arrange(int columns, int rows);
 
   int columns() const { return columns_; }

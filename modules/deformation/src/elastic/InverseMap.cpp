@@ -21,18 +21,19 @@ void fillTriangle(const Corner& a, const Corner& b, const Corner& c, PlaneDispla
   if (det < 1e-9f) return;
   const float step = static_cast<float>(out.step_mm);
   const float left = static_cast<float>(out.left_mm), top = static_cast<float>(out.top_mm);
-  constexpr float kSlack = 1e-4f;
-  const int firstRow = std::max(0, static_cast<int>(std::ceil((std::min({a.z, b.z, c.z}) - top) / step - kSlack)));
+  constexpr float kTolerance = 1e-4f;
+  const int firstRow = std::max(0, static_cast<int>(std::ceil((std::min({a.z, b.z, c.z}) - top) / step - kTolerance)));
   const int lastRow =
-      std::min(out.rows - 1, static_cast<int>(std::floor((std::max({a.z, b.z, c.z}) - top) / step + kSlack)));
-  const int firstColumn = std::max(0, static_cast<int>(std::ceil((std::min({a.x, b.x, c.x}) - left) / step - kSlack)));
+      std::min(out.rows - 1, static_cast<int>(std::floor((std::max({a.z, b.z, c.z}) - top) / step + kTolerance)));
+  const int firstColumn =
+      std::max(0, static_cast<int>(std::ceil((std::min({a.x, b.x, c.x}) - left) / step - kTolerance)));
   const int lastColumn =
-      std::min(out.columns - 1, static_cast<int>(std::floor((std::max({a.x, b.x, c.x}) - left) / step + kSlack)));
+      std::min(out.columns - 1, static_cast<int>(std::floor((std::max({a.x, b.x, c.x}) - left) / step + kTolerance)));
   for (int r = firstRow; r <= lastRow; ++r)
     for (int k = firstColumn; k <= lastColumn; ++k) {
       const float x = left + k * step - a.x, z = top + r * step - a.z;
       const float u = (x * (c.z - a.z) - z * (c.x - a.x)) / det, v = (z * (b.x - a.x) - x * (b.z - a.z)) / det;
-      if (u < -kSlack || v < -kSlack || u + v > 1 + kSlack) continue;
+      if (u < -kTolerance || v < -kTolerance || u + v > 1 + kTolerance) continue;
       out.restFromSeen[std::size_t(r) * out.columns + k] = {
           a.shiftX + u * (b.shiftX - a.shiftX) + v * (c.shiftX - a.shiftX),
           a.shiftZ + u * (b.shiftZ - a.shiftZ) + v * (c.shiftZ - a.shiftZ)};
@@ -56,8 +57,8 @@ void fillRest(PlaneDisplacement& out) {
   }
 }
 
-/// Where tissue is folded sharply, single points of the lattice may lie on the wrong side of others: they take the mean
-/// of their neighbours, until none does.
+/// In sharply folded tissue single points of the lattice may lie on the wrong side of others: they take the mean of
+/// their neighbors until none does.
 bool unfold(PlaneDisplacement& out, std::vector<int>& folded) {
   constexpr int kMostRounds = 200;
   const int nx = out.columns;

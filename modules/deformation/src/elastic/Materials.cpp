@@ -66,9 +66,9 @@ struct Vessel {
         sheath(moduliOf(t.sheathYoung_kPa, 0.49)) {}
 };
 
-/// What a cell is made of. Walls, blood and gas count by their shares: a membrane carries as much as it is thick.
-/// Solids that meet in a cell count by the geometric mean (Lichtenecker): an arithmetic one makes stiff bodies half a
-/// cell thicker, and a mesh of 0.5 mm 5 % stiffer than one of 0.25 mm; a harmonic one thinner.
+/// Mixture of a cell's materials. Walls, blood and gas count by their shares: a membrane carries in proportion to its
+/// thickness. Solids in one cell count by the geometric mean (Lichtenecker): an arithmetic mean makes stiff bodies
+/// half a cell thicker, and a mesh of 0.5 mm 5 % stiffer than one of 0.25 mm; a harmonic one thinner.
 struct Mixture {
   float mu = 0, bulk = 0;
   float left = 1;  ///< share that is not spoken for
@@ -96,7 +96,7 @@ struct Mixture {
   }
 };
 
-/// What is left is what the cell's middle is made of, the first of `labels`, and its corners as much together.
+/// The rest takes the material of the cell's middle, the first of `labels`, and of its corners in equal parts.
 void addRest(const std::array<std::uint8_t, 5>& labels, const std::array<Moduli, kLabelCount>& solid,
              Mixture& mixture) {
   const bool inGas = labels[0] == kBackground;  // the skin's nodes may lie on either side of it
@@ -118,7 +118,7 @@ void addRest(const std::array<std::uint8_t, 5>& labels, const std::array<Moduli,
 
 }  // namespace
 
-/// What holds the walls of vessels that run along the plane.
+/// Adds the stiffness of the walls of vessels that run along the plane.
 void Materials::addTubes(const Mesh& mesh, const TissuePlane& plane, const MechanicalTable& tissues) {
   const auto add = [&](float PlaneTissue::*outline, Label label, const std::vector<float>& blood) {
     tubes_.find(mesh, plane, outline, tissues.of(label), blood, tube_);

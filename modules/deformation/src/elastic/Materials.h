@@ -5,7 +5,7 @@
 
 namespace insonate::elastic {
 
-/// What each cell of a mesh is made of: shares of lumen, wall, loose tissue and of what its corners are.
+/// Materials of each cell of a mesh: shares of lumen, wall, loose tissue and of the tissue at its corners.
 struct Materials {
   static constexpr float kGasMu_kPa = 0.02f;  ///< next to nothing: keeps cells in order
   static constexpr bool isGas(float mu_kPa) { return mu_kPa < 2 * kGasMu_kPa; }

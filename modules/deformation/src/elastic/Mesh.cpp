@@ -12,7 +12,7 @@ constexpr std::size_t kSpareBlocks = 10;  // more than needed that are kept, so 
 constexpr float kSteepest = 2;            // of the skin against the face
 constexpr float kReach = 0.45f;           // of a cell: nodes nearer to an outline are moved onto it
 
-/// How cells grow beyond what is fine.
+/// Growth of cells beyond the fine part.
 struct Growth {
   float factor, largest_mm;
 };

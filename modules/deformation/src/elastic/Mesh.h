@@ -8,13 +8,13 @@
 
 namespace insonate::elastic {
 
-/// Which millimetres or so of a line have fine cells.
+/// Blocks of about a millimeter of a line that have fine cells.
 struct FineBlocks {
   std::vector<char> fine;
   float first_mm = 0, size_mm = 1;
 
   void mark(float from_mm, float to_mm);
-  /// Whether these do for what is needed, which may end earlier, without being far too many.
+  /// Tells whether these blocks suffice for the needed ones, which may end earlier, without being far too many.
   bool serves(const FineBlocks& needed) const;
   float end_mm() const { return first_mm + size_mm * float(fine.size()); }
 };

@@ -200,7 +200,7 @@ float Solver::followForce(float wanted_kPa_mm, float shift_mm) {
   return change;
 }
 
-/// Of tissue: the nodes amid blood go anywhere.
+/// Longest step of tissue: nodes inside blood may go anywhere.
 float Solver::longestStep() const {
   float longest = 0;
   for (std::size_t n = 0; n < solid_.size(); ++n)
@@ -222,7 +222,7 @@ void Solver::pressed(const Load& load, float shift_mm) {
   hold();
 }
 
-/// Of the energy, along the last step; above 0 downhill.
+/// Slope of the energy along the last step; above 0 downhill.
 float Solver::slope(const Load& load, float shift_mm, float shiftChange) const {
   double sum = 0;
   for (std::size_t k = 0; k < force_.size(); ++k) sum += double(force_[k]) * step_[k];

@@ -6,9 +6,8 @@
 
 namespace insonate::elastic {
 
-/// What keeps the walls of a lumen from passing through each other: the mesh's edges inside it are one-sided springs
-/// that push once little of their length along z (or x) is left. Linear in the positions, so that closing needs no
-/// small steps.
+/// Contact of a lumen's walls: the mesh's edges inside the lumen are one-sided springs that push once little of their
+/// length along z (or x) is left. Linear in the positions, so that closing needs no small steps.
 class Struts {
  public:
   static constexpr float kLeft = 0.08f;  ///< of the length at rest, at which they begin to push

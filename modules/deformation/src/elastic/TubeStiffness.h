@@ -17,7 +17,7 @@ struct TubeStiffness {
   float wider_kPa = 0, narrower_kPa = 0;
 };
 
-/// Of one vessel under the pressure that the CT was taken at; `bend` is a mean over its outline.
+/// Stiffness of one vessel under the pressure at which the CT was taken; `bend` is a mean over its outline.
 TubeStiffness tubeStiffness(const MechanicalTissue& vessel, const OutlineBend& bend);
 
 /// One a cell, numbered as in Mesh::middle(), of what of a vessel's connected part lies in this plane. `shares` of the

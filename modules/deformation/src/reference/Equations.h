@@ -4,18 +4,19 @@
 
 namespace insonate::reference {
 
-/// What acts on a body besides its own stresses.
+/// Loads on a body besides its own stresses.
 struct Load {
   BloodPressure blood;
   const FaceProfile* face = nullptr;  ///< none: nothing presses
   double shift_mm = 0;                ///< of the face along z
-  /// Where nodes meet the face's profile: at their x here, while they move on. Nodes that followed it within one solve
-  /// would touch the face's edge and come off it by turns. Empty: where they are when a solve begins.
+  /// Positions at which nodes meet the face's profile: at their x here, even while they move on. Nodes that followed
+  /// the profile within one solve would touch the face's edge and come off it by turns. Empty: the positions at the
+  /// beginning of a solve.
   Vector meeting = Vector();
   bool sticking = false;
 };
 
-/// Of the corners of a cell by the diagonals.
+/// Area between the corners of a cell, from its diagonals.
 double areaOf(const Cell& cell, const Vector& at);
 /// Derivative of the area by x and z of each corner, [2 * corner + axis].
 Eigen::Matrix<double, 8, 1> areaGradient(const Cell& cell, const Vector& at);
@@ -26,8 +27,8 @@ struct Tension {
 };
 Tension tensionOf(const Cell& cell, const BloodPressure& blood, double area_mm2);
 
-/// Of cells, struts and the face's springs, less the work of dead loads; kPa mm2, or microjoule a millimetre of
-/// thickness.
+/// Energy of cells, struts and the face's springs, less the work of dead loads; kPa mm2, or microjoule per millimeter
+/// of thickness.
 double energyOf(const Body& body, const Vector& at, const Load& load);
 
 /// Its derivative by the positions: what holds fixed nodes, and zero elsewhere in equilibrium.
@@ -36,7 +37,7 @@ Vector gradientOf(const Body& body, const Vector& at, const Load& load);
 /// With which the face presses, kPa mm.
 double faceForceOf(const Body& body, const Vector& at, const Load& load);
 
-/// Where a node of the top row touches: the stiffness of its spring, and how far it has been pushed in, mm.
+/// Contact of a node of the top row: the stiffness of its spring, and its indentation, mm.
 struct Touch {
   double stiffness_kPa = 0, depth_mm = 0;
 };

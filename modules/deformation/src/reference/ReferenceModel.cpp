@@ -50,7 +50,7 @@ class ReferenceModel final : public DeformationModel {
   }
 
  private:
-  /// How far the face lies in the tissue at rest.
+  /// Greatest depth of the face in the tissue at rest.
   static double deepest(const Body& body, const FaceProfile& face) {
     double depth = 0;
     for (int i = 0; i < body.columns; ++i)

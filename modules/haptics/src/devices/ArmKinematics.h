@@ -7,14 +7,14 @@
 
 namespace insonate::haptics {
 
-/// Where the end of a three-body arm is, and which motor currents press with a force there. Angles: a of the turret
+/// Kinematics of a three-body arm: position of its end, and motor currents for a force there. Angles: a of the turret
 /// about the vertical, b of the upper bar from upright, c of the lower bar from hanging. With r = Lb sin b + Lc sin c
-/// the end lies r cos a to the user, r sin a to the right, La + Lb cos b - Lc cos c up.
+/// the end lies r cos a toward the user, r sin a to the right, La + Lb cos b - Lc cos c up.
 class ArmKinematics {
  public:
   explicit ArmKinematics(const ArmTable& arm) : arm_(arm) {}
 
-  /// Of the bodies, in radians; counts since the home posture.
+  /// Angles of the bodies in radians; counts since the home posture.
   std::array<double, 3> anglesOf(const std::array<double, 3>& counts) const noexcept;
   /// In the device's frame: x to the right, y up, z to the user, from the middle of the workspace.
   Vec3 position_mm(const std::array<double, 3>& angles) const noexcept;

@@ -27,7 +27,7 @@ constexpr std::array<std::pair<std::string_view, Quantity>, 12> kQuantities{{{"e
                                                                              {"torque", Quantity::kTorque},
                                                                              {"current", Quantity::kCurrent}}};
 
-/// How many of a quantity there are.
+/// Number of indices of a quantity.
 int indicesOf(Quantity quantity) {
   switch (quantity) {
     case Quantity::kEncoder:

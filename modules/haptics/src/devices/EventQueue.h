@@ -16,7 +16,8 @@ inline std::int64_t monotonic_ns() noexcept {
       .count();
 }
 
-/// What devices have to say, for a panel. Any thread but the servo's; the oldest are dropped where nobody listens.
+/// Messages of devices for a panel. For any thread but the servo's; the oldest messages are dropped if nobody reads
+/// them.
 class EventQueue {
  public:
   void put(DeviceEvent event) {

@@ -30,7 +30,7 @@ class HidHandle {
   virtual bool write(std::span<const std::uint8_t> report) noexcept = 0;
 };
 
-/// What is plugged in. One thread lists and opens.
+/// Devices that are plugged in. One thread lists and opens them.
 class HidBus {
  public:
   virtual ~HidBus() = default;

@@ -12,7 +12,8 @@ constexpr std::int64_t kSilence_ns = 250'000'000;
 /// After the last push, zeros go out for so long; then the device's own watchdog has it.
 constexpr std::int64_t kFarewell_ns = 1'000'000'000;
 
-/// How long a read may wait: a force device is asked in time for its next force, a pedal when a foot could notice.
+/// Maximum wait of a read: a force device must be asked in time for its next force, a pedal before a foot notices a
+/// delay.
 int wait_msOf(DeviceKind kind) {
   return kind == DeviceKind::kForce ? 1 : kind == DeviceKind::kMotion ? 4 : 20;
 }
@@ -82,7 +83,7 @@ void HidDevice::attach(std::unique_ptr<HidHandle> handle) {
   handle_ = std::move(handle);
   decoder_.reset();
   maker_.reset();
-  // What was meant for the hand before it was unplugged is not for the hand that holds it now.
+  // Forces meant for the hand before unplugging must not reach the hand that holds the device now.
   pushed_.take();
   states_.take();
   latest_.reset();
@@ -119,7 +120,7 @@ bool HidDevice::readAll(std::int64_t& now_ns) {
   int bytes = handle_->read(report, wait_msOf(info_.kind));
   now_ns = monotonic_ns();
   bool news = false;
-  // What waits in the queue is old: only where the device is now counts. Bounded, for a device that floods.
+  // Queued reports are old: only the latest position counts. The number is bounded, for a device that floods.
   for (int i = 0; bytes > 0 && i < 64; ++i) {
     receive(std::span(report).first(static_cast<std::size_t>(bytes)), now_ns);
     news = true;

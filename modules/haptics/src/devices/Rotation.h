@@ -6,7 +6,7 @@
 
 namespace insonate::haptics {
 
-/// Of a quaternion w, x, y, z of any length; none where it says nothing.
+/// Rotation of a quaternion w, x, y, z of any length; empty if it is not a rotation.
 Mat3 rotationOf(const std::array<double, 4>& quaternion) noexcept;
 
 /// w, x, y, z of unit length, w not below 0.

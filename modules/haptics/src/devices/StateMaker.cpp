@@ -26,7 +26,7 @@ void StateMaker::reset() noexcept {
   const Transform pose = state_.deviceFromStylus;
   state_ = {};
   home_ = {};
-  // What a cap moved stays where it was; other devices tell where they are.
+  // A pose made by a cap stays where the cap left it; other devices report their pose.
   if (byCap_) state_.deviceFromStylus = pose;
 }
 

@@ -14,7 +14,7 @@ namespace insonate::haptics {
 /// Turns what a device's reports tell into a pose, and forces into what its motors are told. Nothing allocates.
 class StateMaker {
  public:
-  /// Of a cap that is fully pressed; the first 5 % do nothing, so that a hand resting on it does not drift.
+  /// Speed of a fully pressed cap; the first 5 % have no effect, so that a hand resting on it does not drift.
   static constexpr double kCapSpeed_mmps = 80, kCapTurn_radps = 1, kCapRest = 0.05;
   /// A cap that has told nothing for so long has been let go.
   static constexpr std::int64_t kCapSilence_ns = 250'000'000;

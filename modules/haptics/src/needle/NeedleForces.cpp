@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-/// What resists a needle, from its state: along it walls, cutting and friction; across it the entry and the track.
+/// Resistance of a needle from its state: along the needle walls, cutting and friction; across it the entry and the
+/// track.
 namespace insonate::haptics {
 namespace {
 

@@ -10,8 +10,7 @@ constexpr int kSkinWall = 0;
 constexpr double kSubstep_mm = 0.25;
 constexpr int kMostSubsteps = 64;
 constexpr double kJump_mm = 15;
-/// How far the tip must be back behind a hole before it counts as out of it, so that a trembling hand goes through
-/// once.
+/// Distance that the tip must be behind a hole to count as withdrawn, so that a trembling hand goes through once.
 constexpr double kWithdrawn_mm = 0.3;
 constexpr double kLetGo_mm = 0.05;
 /// Flatter to a wall than this (78 degrees off its normal) the tip slides; steeper than that (73) it pricks again.
@@ -207,7 +206,7 @@ Label NeedleMechanics::tissueOf(const TissueSample& sample) const {
   if (!inside_[kSkinWall]) return kBackground;
   for (int wall = 1; wall < kNeedleWallCount; ++wall)
     if (inside_[wall]) return kNeedleWalls[wall];
-  // What the tip has not broken into is pushed ahead of it; round the tip is still what was there before.
+  // Tissue that the tip has not broken into is pushed ahead of it; around the tip is still the tissue before it.
   const Label label = knownLabel(sample.label);
   const NeedleWall wall = table_.of(label).wall;
   return label == kBackground || (wall != NeedleWall::None && label != kSkin) ? around_ : label;

@@ -45,7 +45,7 @@ class NeedleMechanics {
                    std::int64_t time_ns, NeedleEvents& events) noexcept;
 
   const NeedleState& state() const { return state_; }
-  /// How far, against the needle's direction, a picture should draw the tip back: nothing goes into bone.
+  /// Distance by which an image should draw the tip back against the needle's direction: nothing goes into bone.
   double drawnBack_mm() const { return onBone_.active ? onBone_.depth_mm : 0; }
 
  private:

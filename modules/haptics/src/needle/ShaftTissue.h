@@ -6,8 +6,8 @@
 
 namespace insonate::haptics {
 
-/// What lies along the shaft, from the entry to the tip, in pieces of half a millimetre, and what it adds up to.
-/// Written as the tip goes in; pulled back and pushed in again, the tip writes anew.
+/// Tissue along the shaft, from the entry to the tip, in pieces of half a millimeter, and the sums over it. Written as
+/// the tip advances; after a withdrawal the tip overwrites it.
 class ShaftTissue {
  public:
   struct Sum {

@@ -21,7 +21,7 @@ struct Stiffening {
   }
 };
 
-/// Of a wall that is dragged sideways by the tip.
+/// Stiffness of a wall that the tip drags sideways.
 inline constexpr double kAside_Npmm = 0.2;
 
 /// One-sided: tissue before the tip gives way like a spring until it is cut, and then stays cut.

@@ -10,7 +10,7 @@ namespace {
 constexpr double kAcross = 0.25;
 /// In one tick.
 constexpr double kRise = 0.05;
-/// Of a cube, in units of its side.
+/// Half the diagonal of a cube, in units of its side.
 constexpr double kHalfDiagonal = 0.87;
 
 }  // namespace
@@ -51,7 +51,7 @@ Force EnergyTank::pass(const Force& wanted, Vec3 free_N, const StylusPlace& plac
   position_mm_ = place.position_mm;
   free_N_ = free_N;
   last_ = wanted;
-  // Where nothing pushes no spring holds anything: what is left was used up, and pays for nothing that comes later.
+  // Without a push no spring holds energy: the rest was dissipated, and must not pay for anything later.
   if (wanted.force_N == free_N && wanted.torque_Nmm == Vec3{}) {
     energy_mJ_ = 0;
     share_ = 1;
@@ -60,7 +60,7 @@ Force EnergyTank::pass(const Force& wanted, Vec3 free_N, const StylusPlace& plac
   }
   const Vec3 own_N = wanted.force_N - free_N;
   const double way_mm = norm(moved_mm);
-  // How far the stylus may be from where it is expected after a tick: unseen by the encoders, or pushed there.
+  // Uncertainty of the stylus's place after a tick: motion unseen by the encoders, or caused by the force.
   const double unsure_mm = limits_.resolution_mm + norm(own_N) * step_s * step_s * 1e3 / limits_.mass_kg;
   const Vec3 direction = way_mm > 0 ? moved_mm / way_mm : Vec3{};
   const double along_N = dot(own_N, direction);

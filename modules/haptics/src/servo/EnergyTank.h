@@ -6,7 +6,7 @@
 
 namespace insonate::haptics {
 
-/// Where a stylus is, as far as energy is concerned.
+/// State of a stylus in terms of energy.
 struct StylusPlace {
   Vec3 position_mm;
   Vec3 turned_rad;  ///< since the last tick, for devices that give torque
@@ -14,7 +14,7 @@ struct StylusPlace {
   std::optional<double> given_mJ;
 };
 
-/// What is known of the device: what its own mechanics use up may be counted on, and no more.
+/// Known properties of the device: only the energy that its own mechanics dissipate may be counted on.
 struct TankLimits {
   double most_J = 0.05;      ///< that is remembered
   double friction_N = 0;     ///< of the device

@@ -6,7 +6,7 @@
 
 namespace insonate::haptics {
 
-/// What no force may exceed, whatever the model says.
+/// Limits of every force, whatever the model demands.
 struct GuardLimits {
   double force_N = 0;      ///< length of the force
   double torque_Nmm = 0;   ///< length of the torque

@@ -16,7 +16,7 @@ namespace {
 
 using namespace haptics;
 
-/// Of devices whose maker gives no stiffness, and of hands without a device.
+/// Stiffness of devices whose maker states none, and of hands without a device.
 constexpr double kUnknownStiffness_Npmm = 1;
 /// No spring here can hold more than force times this way; what the account has beyond it was lost in friction.
 constexpr double kMostSpring_mm = 15;
@@ -25,13 +25,14 @@ double steepest_Npmm(const HandSetup& hand) {
   return hand.limits.maxStiffness_Npmm > 0 ? hand.limits.maxStiffness_Npmm : kUnknownStiffness_Npmm;
 }
 
-/// Of what a device can show, for the spring that holds the hand of a held needle.
+/// Share of a device's stiffness for the spring that holds the hand of a held needle.
 constexpr double kHoldShare = 0.5;
 
 /// Lighter than any device at its stylus.
 constexpr double kLeastMass_kg = 0.03;
 
-/// Of what a device uses up, the part that its own account may count on; the rest is for that of the tools' contact.
+/// Share of a device's dissipation that its own account may count on; the rest is for the account of the tools'
+/// contact.
 constexpr double kOwnShare = 0.75;
 
 /// Small turns between two attitudes, as a vector.

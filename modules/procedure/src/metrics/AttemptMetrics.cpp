@@ -107,7 +107,7 @@ void AttemptMetrics::State::followNeedle(const AttemptSample& sample) {
   drawBlood(sample);
 }
 
-/// Where the tip stands is what counts: on its way out it passes the wall once more.
+/// Only the place of the resting tip counts: on its way out the tip passes the wall once more.
 void AttemptMetrics::State::followRest(const AttemptSample& sample) {
   if (!vein.inside()) return rest_mm.reset();
   const Vec3 tip_mm = sample.patientFromNeedle->offset;

@@ -8,7 +8,7 @@ namespace insonate::metrics {
 /// The share of a time in which the image shows the tip.
 class TipSight {
  public:
-  /// Of each sample; the time since the one before counts where both do.
+  /// Adds a sample; the time since the previous sample counts if both samples count.
   void follow(std::int64_t time_us, bool counts, bool isShown) {
     if (counts && last_us_) {
       all_us_ += time_us - *last_us_;

@@ -124,7 +124,7 @@ Result<void> AttemptRecording::checkLinks(std::vector<PlacedBlock>& blocks) {
     // A block that does not agree may be right, and the one before it gone.
     missing_ |= fault.kind != record::ChainFault::Kind::Link;
   }
-  // Of a recording with its end nothing is left out, and nothing was put to it.
+  // In a complete recording no block is missing, and none was added.
   const bool hasOnlyItsOwn = chain.links.size() == blocks.size() && found == 2 * blocks.size() &&
                              last.payload() + last.head.packedBytes == bytes_.size();
   if (fault_.empty() && blocks.back().head.kind == BlockKind::End && !hasOnlyItsOwn)

@@ -8,8 +8,8 @@
 namespace insonate {
 namespace {
 
-/// Where each value lies in QuantisedSample::channel; a tool takes seven: which component of its quaternion is left out
-/// (0: nobody holds it), the other three, the position.
+/// Index of each value in QuantisedSample::channel. A tool takes seven: the omitted component of its quaternion (0:
+/// nobody holds the tool), the other three, the position.
 enum Channel {
   kProbe = 0,
   kNeedle = 7,

@@ -12,7 +12,7 @@
 namespace insonate {
 namespace {
 
-/// What one slice of a box has changed.
+/// Change of one slice of a box.
 struct SliceChange {
   std::array<int, 2> first{1 << 30, 1 << 30}, end{0, 0};
   LabelSet labels;

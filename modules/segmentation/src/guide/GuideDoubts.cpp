@@ -68,7 +68,7 @@ double shareTouching(const Selection& shape, const LabelMap& labels, std::uint8_
   return faces > 0 ? double(touching) / double(faces) : 0;
 }
 
-/// Where the middle of the patient is beside the clicks, to the left in mm: the airway's, else the body's.
+/// Position of the patient's middle beside the clicks, to the left in mm: the airway's, else the body's.
 std::optional<double> middle_mm(const LabelMap& labels, std::span<const Vec3> clicks_mm) {
   const VoxelBox near = boxAround(labels.geometry, clicks_mm, kAround_mm);
   const Transform patientFromIndex = labels.geometry.patientFromIndex();

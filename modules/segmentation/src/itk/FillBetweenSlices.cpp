@@ -35,7 +35,7 @@ class SlicePlane {
   std::array<int, 2> across_;
 };
 
-/// How far each point of a slice lies from the outline, mm, positive inside; and where its middle is.
+/// Signed distance of each point of a slice from the outline, mm, positive inside; and the outline's middle.
 struct Drawing {
   int slice = 0, width = 0, height = 0;
   double x = 0, y = 0;  ///< centroid, in voxels
@@ -55,7 +55,7 @@ struct Drawing {
 
 using Picture = itk::Image<std::uint8_t, 2>;
 
-/// Of each point to the nearest pixel of 1; 0 on those.
+/// Distance of each point to the nearest pixel of value 1; 0 on those.
 std::vector<float> distances_mm(Picture* picture) {
   auto maurer = itk::SignedMaurerDistanceMapImageFilter<Picture, itk::Image<float, 2>>::New();
   maurer->SetInput(picture);

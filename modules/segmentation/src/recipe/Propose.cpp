@@ -19,7 +19,7 @@ LabelSet setOf(const std::vector<std::uint8_t>& labels) {
   return set;
 }
 
-/// Where a step may write: all of the grid, unless it says otherwise.
+/// Region in which a step may write: the whole grid, unless it says otherwise.
 VoxelBox regionOf(const LabelStep& step, const VolumeGeometry& grid) {
   if (!step.box_mm) return boxOf(grid);
   const Transform indexFromPatient = grid.indexFromPatient();

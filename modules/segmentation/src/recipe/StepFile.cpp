@@ -7,7 +7,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What every step may have, beside its tool's fields.
+/// Fields that every step may have, beside its tool's fields.
 template <class Io>
 void commonFields(Io& io, LabelStep& s) {
   io("label", s.label);
@@ -46,7 +46,7 @@ bool needsLabel(const LabelTool& tool) {
 LabelStep readStep(const json& object, const std::string& where, std::string& trouble, Points points) {
   LabelStep step;
   {
-    // Which fields are known depends on the tool, which is asked for first.
+    // The known fields depend on the tool, which is read first.
     std::vector<std::string_view> any;
     if (object.is_object())
       for (const auto& [key, value] : object.items()) any.push_back(key);

@@ -8,7 +8,7 @@ namespace insonate::segmentation {
 LabelStep readStep(const nlohmann::json& object, const std::string& where, std::string& trouble,
                    Points points = Points::kGiven);
 
-/// What readStep() reads back.
+/// Inverse of readStep().
 nlohmann::json jsonOf(LabelStep step);
 
 }  // namespace insonate::segmentation

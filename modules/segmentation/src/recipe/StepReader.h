@@ -8,7 +8,7 @@
 
 namespace insonate::segmentation {
 
-/// Whether a step must have its points, or gets them later: the clicks of a guide.
+/// Tells whether a step must have its points, or gets them later from the clicks of a guide.
 enum class Points { kGiven, kLater };
 
 /// Takes a step's fields out of its JSON object; the first thing that is wrong is kept as a sentence.

@@ -9,7 +9,7 @@ namespace insonate::segmentation {
 /// The CT in a box, blurred with a Gaussian. What lies beyond the box does not count.
 Volume<float> blurred(const CtVolume& ct, const VoxelBox& box, double sigma_mm);
 
-/// How steeply the blurred CT rises, HU a millimetre, by central differences.
+/// Gradient magnitude of the blurred CT, HU per millimeter, by central differences.
 Volume<float> gradientMagnitude(const CtVolume& ct, const VoxelBox& box, double sigma_mm, Work& work);
 
 }  // namespace insonate::segmentation

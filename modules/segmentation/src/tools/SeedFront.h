@@ -30,7 +30,7 @@ class SeedFront {
     const std::size_t total = std::max<std::size_t>(waiting_, 1) + count(contested_);
     for (std::uint32_t now = 0; waiting_ > 0; ++now) {
       std::vector<std::uint32_t>& bucket = buckets_[now % kBuckets];
-      // What is reached at no further cost joins the end of this list.
+      // Voxels reached at no further cost are appended to this list.
       for (std::size_t n = 0; n < bucket.size(); ++n) {
         const std::uint32_t v = bucket[n];
         --waiting_;
@@ -42,7 +42,7 @@ class SeedFront {
     }
   }
 
-  /// Of a voxel, after the run; the greatest number where none has reached it.
+  /// Cost of a voxel after the run; the greatest number if no seed has reached it.
   std::uint32_t cost(std::size_t v) const { return cost_[v]; }
 
  private:

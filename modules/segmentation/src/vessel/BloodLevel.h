@@ -9,7 +9,7 @@
 
 namespace insonate::segmentation {
 
-/// How bright blood is, and from where on it is something else.
+/// Brightness of blood, and the limits beyond which it is other tissue.
 struct BloodLevel {
   double low_HU = 0, blood_HU = 0, high_HU = 0;
   double half_HU = 0;  ///< half-way to the darker tissue around

@@ -7,8 +7,7 @@
 namespace insonate::segmentation {
 namespace {
 
-constexpr int kRays = VesselOutline::kRays;
-/// What a step away from the expected radius costs, at most what a clear wall is worth.
+/// Cost per step away from the expected radius, and its maximum: that of a clear wall.
 constexpr double kUnexpected = 0.06, kMostUnexpected = 6;
 
 }  // namespace
@@ -16,7 +15,7 @@ constexpr double kUnexpected = 0.06, kMostUnexpected = 6;
 Radii closedWay(RadialCost wall, const std::function<Bend(int)>& bendAt, const Radii* expected) {
   const int steps = wall.steps;
   if (expected)
-    for (int n = 0; n < kRays; ++n)
+    for (int n = 0; n < VesselOutline::kRays; ++n)
       for (int r = 0; r < steps; ++r) {
         const double off = (r + 1) - (*expected)[n] / wall.step_mm;
         wall.at(n, r) += std::min(kUnexpected * off * off, kMostUnexpected);
@@ -26,8 +25,8 @@ Radii closedWay(RadialCost wall, const std::function<Bend(int)>& bendAt, const R
   for (int r = 0; r < steps; ++r) bends.push_back(bendAt(r));
   constexpr int kTurns = 2;
   std::vector<double> cost(wall.cost.begin(), wall.cost.begin() + steps), next(steps);
-  std::vector<std::int16_t> cameFrom(std::size_t(kTurns) * kRays * steps);
-  for (int n = 1; n < kTurns * kRays; ++n) {
+  std::vector<std::int16_t> cameFrom(std::size_t(kTurns) * VesselOutline::kRays * steps);
+  for (int n = 1; n < kTurns * VesselOutline::kRays; ++n) {
     for (int r = 0; r < steps; ++r) {
       int best = r;
       double least = std::numeric_limits<double>::max();
@@ -36,15 +35,15 @@ Radii closedWay(RadialCost wall, const std::function<Bend(int)>& bendAt, const R
         const double way = cost[from] + stiffness * (r - from) * (r - from);
         if (way < least) least = way, best = from;
       }
-      next[r] = least + wall.at(n % kRays, r);
+      next[r] = least + wall.at(n % VesselOutline::kRays, r);
       cameFrom[std::size_t(n) * steps + r] = static_cast<std::int16_t>(best);
     }
     cost.swap(next);
   }
   Radii radii{};
   int r = static_cast<int>(std::ranges::min_element(cost) - cost.begin());
-  for (int n = kTurns * kRays - 1; n >= kRays / 2; --n) {
-    if (n < kRays + kRays / 2) radii[n % kRays] = wall.step_mm * (r + 1);
+  for (int n = kTurns * VesselOutline::kRays - 1; n >= VesselOutline::kRays / 2; --n) {
+    if (n < VesselOutline::kRays + VesselOutline::kRays / 2) radii[n % VesselOutline::kRays] = wall.step_mm * (r + 1);
     r = cameFrom[std::size_t(n) * steps + r];
   }
   return radii;
@@ -55,7 +54,7 @@ std::vector<Radii> likeNeighbours(const std::vector<VesselOutline>& sections, in
   const int count = static_cast<int>(sections.size());
   std::vector<double> radii;
   for (int n = 0; n < count; ++n)
-    for (int ray = 0; ray < kRays; ++ray) {
+    for (int ray = 0; ray < VesselOutline::kRays; ++ray) {
       radii.clear();
       for (int m = std::max(0, n - reach); m <= std::min(count - 1, n + reach); ++m)
         radii.push_back(sections[m].radius_mm[ray]);

@@ -11,7 +11,7 @@ namespace insonate::segmentation {
 /// A radius for each ray of a section.
 using Radii = std::array<double, VesselOutline::kRays>;
 
-/// What a wall at each radius of each ray costs: wall r lies at step_mm (r + 1).
+/// Cost of a wall at each radius of each ray: wall r lies at step_mm (r + 1).
 struct RadialCost {
   RadialCost(int count, double apart_mm)
       : steps(count), step_mm(apart_mm), cost(std::size_t(VesselOutline::kRays) * std::size_t(count)) {}
@@ -22,7 +22,7 @@ struct RadialCost {
   std::vector<double> cost;
 };
 
-/// How a wall may move from a ray to the next: by so many steps at most, of which n cost stiffness n^2.
+/// Motion of a wall from one ray to the next: at most this many steps; n steps cost stiffness n^2.
 struct Bend {
   int most = 3;
   double stiffness = 0;
@@ -33,7 +33,7 @@ struct Bend {
 /// began).
 Radii closedWay(RadialCost cost, const std::function<Bend(int)>& bendAt, const Radii* expected);
 
-/// Of each ray, the median of its radii in so many sections to both sides.
+/// For each ray, the median of its radii in `reach` sections to both sides.
 std::vector<Radii> likeNeighbours(const std::vector<VesselOutline>& sections, int reach);
 
 }  // namespace insonate::segmentation

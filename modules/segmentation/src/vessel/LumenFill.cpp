@@ -7,18 +7,16 @@
 namespace insonate::segmentation {
 namespace {
 
-constexpr int kRays = VesselOutline::kRays;
-
 double largest_mm(const VesselOutline& outline) {
   return *std::ranges::max_element(outline.radius_mm);
 }
 
 double radiusAt(const VesselOutline& outline, double angle) {
-  double ray = angle / (2 * std::numbers::pi) * kRays;
-  ray -= kRays * std::floor(ray / kRays);
-  const int n = static_cast<int>(ray) % kRays;
+  double ray = angle / (2 * std::numbers::pi) * VesselOutline::kRays;
+  ray -= VesselOutline::kRays * std::floor(ray / VesselOutline::kRays);
+  const int n = static_cast<int>(ray) % VesselOutline::kRays;
   const double share = ray - std::floor(ray);
-  return outline.radius_mm[n] * (1 - share) + outline.radius_mm[(n + 1) % kRays] * share;
+  return outline.radius_mm[n] * (1 - share) + outline.radius_mm[(n + 1) % VesselOutline::kRays] * share;
 }
 
 /// Between two sections, which need not be parallel: a point lies as far along as its distances from both planes say.

@@ -9,7 +9,6 @@
 namespace insonate::segmentation {
 namespace {
 
-constexpr int kRays = VesselOutline::kRays;
 /// From a ray to the next, the wall moves by no more than this share of its radius, or so many steps; what a step
 /// costs, less where the vessel is wider, so that the outline of a flat vein is as cheap on any scale.
 constexpr double kMostBend = 0.25, kBend = 0.4;
@@ -54,7 +53,7 @@ std::vector<double> OutlineFit::profile(const std::vector<VesselOutline>& sectio
 
 double OutlineFit::bloodIn(const VesselOutline& section, const SectionShape& shape) const {
   std::vector<double> hu;
-  for (int ray = 0; ray < kRays; ++ray) {
+  for (int ray = 0; ray < VesselOutline::kRays; ++ray) {
     const auto [x, y] = shape.along(ray);
     const Vec3 wall_mm = (section.right * x + section.down * y) * section.radius_mm[ray];
     for (const double share : {0.2, 0.35, 0.5})
@@ -65,8 +64,8 @@ double OutlineFit::bloodIn(const VesselOutline& section, const SectionShape& sha
   return *middle;
 }
 
-/// How much nearer blur shows either side of a layer (a stent, a plaque, what parts two vessels) that is seen this wide
-/// at half its height: widths add up as squares.
+/// Distance by which blur shows both sides of a layer (a stent, a plaque, the layer between two vessels) nearer than
+/// they are, if the layer is seen this wide at half its height: widths add up as squares.
 double OutlineFit::widening_mm(double seen_mm) const {
   const double blur_mm = kFullWidth * std::sqrt(blur_mm2_);
   return (seen_mm - std::sqrt(std::max(0.0, seen_mm * seen_mm - blur_mm * blur_mm))) / 2;
@@ -80,7 +79,7 @@ Radii OutlineFit::refined(const std::vector<VesselOutline>& sections, int n, con
   const double contrast_HU = 2 * (level.blood_HU - level.half_HU);
   const double least_HU = kLeastChange * contrast_HU, noise_HU = kNoise * contrast_HU;
   Radii radii = sections[n].radius_mm;
-  for (int ray = 0; ray < kRays; ++ray) {
+  for (int ray = 0; ray < VesselOutline::kRays; ++ray) {
     const auto [x, y] = shape.along(ray);
     const double stretch = std::hypot(x, y);
     double radius_mm = radii[ray] * stretch;
@@ -113,7 +112,7 @@ Radii OutlineFit::refined(const std::vector<VesselOutline>& sections, int n, con
 Radii OutlineFit::fitted(const std::vector<VesselOutline>& sections, int n, const SectionShape& shape,
                          const BloodLevel& level, const Radii* expected) const {
   RadialCost wall(steps_, kStep_mm);
-  for (int ray = 0; ray < kRays; ++ray) {
+  for (int ray = 0; ray < VesselOutline::kRays; ++ray) {
     const auto [x, y] = shape.along(ray);
     const double stretch = std::hypot(x, y);
     // Wall r lies behind sample r.

@@ -7,11 +7,10 @@
 namespace insonate::segmentation {
 namespace {
 
-constexpr int kRays = VesselOutline::kRays;
 constexpr double kFlattest = 4;
 
 std::pair<double, double> direction(int ray) {
-  const double angle = 2 * std::numbers::pi * ray / kRays;
+  const double angle = 2 * std::numbers::pi * ray / VesselOutline::kRays;
   return {std::cos(angle), std::sin(angle)};
 }
 
@@ -45,9 +44,9 @@ std::pair<double, double> SectionShape::along(int ray) const {
   return {xx_ * u + xy_ * v, xy_ * u + yy_ * v};
 }
 
-std::array<std::pair<double, double>, kRays> SectionShape::corners(const Radii& radii) const {
-  std::array<std::pair<double, double>, kRays> all;
-  for (int n = 0; n < kRays; ++n) {
+std::array<std::pair<double, double>, VesselOutline::kRays> SectionShape::corners(const Radii& radii) const {
+  std::array<std::pair<double, double>, VesselOutline::kRays> all;
+  for (int n = 0; n < VesselOutline::kRays; ++n) {
     const auto [x, y] = along(n);
     all[n] = {x * radii[n], y * radii[n]};
   }
@@ -59,9 +58,9 @@ SectionMoments SectionShape::momentsOf(const Radii& radii) const {
   const auto at = corners(radii);
   SectionMoments m;
   double twiceArea = 0;
-  for (int n = 0; n < kRays; ++n) {
+  for (int n = 0; n < VesselOutline::kRays; ++n) {
     const auto [ax, ay] = at[n];
-    const auto [bx, by] = at[(n + 1) % kRays];
+    const auto [bx, by] = at[(n + 1) % VesselOutline::kRays];
     const double w = ax * by - ay * bx;
     twiceArea += w;
     m.x += w * (ax + bx) / 3, m.y += w * (ay + by) / 3;
@@ -76,12 +75,12 @@ SectionMoments SectionShape::momentsOf(const Radii& radii) const {
 Radii SectionShape::unstretched(const Radii& radii) const {
   const auto at = corners(radii);
   Radii round{};
-  for (int ray = 0; ray < kRays; ++ray) {
+  for (int ray = 0; ray < VesselOutline::kRays; ++ray) {
     const auto [u, v] = direction(ray);
-    for (int n = 0; n < kRays; ++n) {
-      // Where the ray meets the side from a to b: share of the side, and distance.
+    for (int n = 0; n < VesselOutline::kRays; ++n) {
+      // Intersection of the ray with the side from a to b: share of the side, and distance.
       const auto [ax, ay] = at[n];
-      const auto [bx, by] = at[(n + 1) % kRays];
+      const auto [bx, by] = at[(n + 1) % VesselOutline::kRays];
       const double across = u * (by - ay) - v * (bx - ax);
       if (std::abs(across) < 1e-12) continue;
       const double away = (ax * by - ay * bx) / across, share = (ax * v - ay * u) / across;

@@ -7,24 +7,24 @@
 
 namespace insonate::segmentation {
 
-/// Of what an outline encloses: its middle, mm, and its second moments about it, mm^2.
+/// Moments of the area inside an outline: its middle, mm, and its second moments about it, mm^2.
 struct SectionMoments {
   double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
 };
 
-/// Of the sections up to `reach` to both sides.
+/// Mean moments of the sections up to `reach` to both sides.
 SectionMoments meanMoments(const std::vector<SectionMoments>& sections, int n, int reach);
 
-/// How a section is stretched so that a flat outline becomes round: a symmetric matrix whose determinant is 1.
+/// Stretch of a section that makes a flat outline round: a symmetric matrix whose determinant is 1.
 class SectionShape {
  public:
   SectionShape() = default;
-  /// Of an ellipse with these second moments, no flatter than 1 to 4.
+  /// Stretch of an ellipse with these second moments, no flatter than 1 to 4.
   explicit SectionShape(const SectionMoments& moments);
 
   /// In the section, mm: where a millimetre along this ray leads.
   std::pair<double, double> along(int ray) const;
-  /// Of the outline with these radii along the stretched rays.
+  /// Moments of the outline with these radii along the stretched rays.
   SectionMoments momentsOf(const Radii& radii) const;
   /// The same outline by its radii along rays that are not stretched.
   Radii unstretched(const Radii& radii) const;

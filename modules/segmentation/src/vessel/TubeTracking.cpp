@@ -17,15 +17,14 @@ using segmentation::RadialCost;
 using segmentation::SectionShape;
 using segmentation::Work;
 
-constexpr int kRays = VesselOutline::kRays;
 constexpr double kStep_mm = 0.25;
 constexpr int kRounds = 6;
-constexpr int kAveraged = 4, kSmoothLine = 3, kSmoothShape = 5;  // stations to both sides
-constexpr int kLikeNeighbours = 4;                               // of which the expected outline is the median
+constexpr int kAveraged = 4, kLineStations = 3, kShapeStations = 5;  // stations to both sides
+constexpr int kMedianStations = 4;                                   // of which the expected outline is the median
 constexpr double kMostUnlike = 4;
 constexpr double kClick_mm = 1.5;  // the ball that says what is followed
 
-/// What is followed, by the CT around the clicks.
+/// CT levels of the vessel to follow, from the CT around the clicks.
 struct TubeLevel {
   double middle_HU = 0, darker_HU = 0, brighter_HU = 0, blur_mm = 0;
 
@@ -113,7 +112,7 @@ class TubeFit {
     const int count = static_cast<int>(sections_.size());
     const int first = std::max(0, n - kAveraged), last = std::min(count - 1, n + kAveraged);
     RadialCost wall(static_cast<int>(how_.largest_mm / kStep_mm), kStep_mm);
-    for (int ray = 0; ray < kRays; ++ray) {
+    for (int ray = 0; ray < VesselOutline::kRays; ++ray) {
       const auto [x, y] = shapes_[n].along(ray);
       const double length = std::hypot(x, y);
       double sum = 0;
@@ -139,7 +138,7 @@ class TubeFit {
       sections_[n].radius_mm = segmentation::closedWay(walls[n], bendAt, nullptr);
     });
     for (int again = 0; again < 2; ++again) {
-      const auto expected = segmentation::likeNeighbours(sections_, kLikeNeighbours);
+      const auto expected = segmentation::likeNeighbours(sections_, kMedianStations);
       for (std::size_t n = 0; n < sections_.size(); ++n)
         sections_[n].radius_mm = segmentation::closedWay(walls[n], bendAt, &expected[n]);
     }
@@ -154,8 +153,8 @@ class TubeFit {
       moments.push_back(shapes_[n].momentsOf(sections_[n].radius_mm));
       line.push_back(sections_[n].centre_mm + sections_[n].right * moments[n].x + sections_[n].down * moments[n].y);
     }
-    sections_ = segmentation::sectionsAlong(segmentation::smoothed(line, kSmoothLine));
-    for (int n = 0; n < count; ++n) shapes_[n] = SectionShape(segmentation::meanMoments(moments, n, kSmoothShape));
+    sections_ = segmentation::sectionsAlong(segmentation::smoothed(line, kLineStations));
+    for (int n = 0; n < count; ++n) shapes_[n] = SectionShape(segmentation::meanMoments(moments, n, kShapeStations));
   }
 
   const CtVolume& ct_;

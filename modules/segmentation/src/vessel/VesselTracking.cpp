@@ -20,7 +20,6 @@ using segmentation::Radii;
 using segmentation::SectionShape;
 using segmentation::Work;
 
-constexpr int kRays = VesselOutline::kRays;
 constexpr int kCentred = 4;  // times: so many lead to the middle of a flat vessel from its edge
 constexpr int kSmoothPath = 4, kSmoothLine = 3, kSmoothShape = 5;  // stations to both sides
 constexpr int kLikeNeighbours = 4;                                 // of which the expected outline is the median
@@ -30,7 +29,7 @@ constexpr double kOpens = 2;  // times the area that it has here: it opens into 
 constexpr double kLeastContrast_HU = 40;
 constexpr double kAround_mm = 30;
 
-/// Where a vessel is cut, and how bright its blood is there.
+/// Stations at which a vessel is cut, and the brightness of its blood there.
 struct Stations {
   std::vector<Vec3> line;
   std::vector<BloodLevel> levels;
@@ -57,8 +56,8 @@ Stations pathThrough(const CtVolume& ct, std::span<const Vec3> clicks_mm, double
   return stations;
 }
 
-/// Where a vessel opens into another, its section runs out into that one: it takes the outline of the nearest that
-/// does not.
+/// A vessel's section that opens into another vessel runs out into it: it takes the outline of the nearest section
+/// that does not.
 void closeOrigins(std::vector<VesselOutline>& sections) {
   const int count = static_cast<int>(sections.size());
   std::vector<double> areas, around;
@@ -126,8 +125,8 @@ TrackedVessel track(const CtVolume& ct, Stations stations, const VesselTracking&
 
 double VesselOutline::area_mm2() const {
   double twice = 0;
-  for (int n = 0; n < kRays; ++n) twice += radius_mm[n] * radius_mm[(n + 1) % kRays];
-  return twice * std::sin(2 * std::numbers::pi / kRays) / 2;
+  for (int n = 0; n < VesselOutline::kRays; ++n) twice += radius_mm[n] * radius_mm[(n + 1) % VesselOutline::kRays];
+  return twice * std::sin(2 * std::numbers::pi / VesselOutline::kRays) / 2;
 }
 
 Result<TrackedVessel> trackVessel(const CtVolume& ct, std::span<const Vec3> clicks_mm, const VesselTracking& how,

@@ -16,7 +16,7 @@ namespace insonate {
 /// Makes the needle's tissue on a thread of its own, which ends within a tenth of a second.
 class GridMaker {
  public:
-  /// Of the part that is made, from its middle along each axis of the map.
+  /// Extent of a part, from its middle along each axis of the map.
   static constexpr double kReach_mm = 50;
 
   GridMaker();
@@ -30,7 +30,7 @@ class GridMaker {
   /// Round this point; what was wanted before is given up.
   void want(std::shared_ptr<const LabelMap> labels, Vec3 centre_mm);
   void forget();
-  /// What was wanted last, once.
+  /// Returns the part that was requested last, once.
   std::optional<Made> take();
 
  private:
@@ -47,7 +47,7 @@ class GridMaker {
   Wish wish_;
   int begun_ = 0;
   std::optional<Made> made_;
-  // Of the thread alone: once a case.
+  // Used by the thread alone; set once for each case.
   std::weak_ptr<const LabelMap> veinsOf_;
   std::shared_ptr<const std::vector<CentreLine>> veins_;
   std::jthread thread_;  // last: it uses the others

@@ -17,7 +17,8 @@
 
 namespace insonate {
 
-/// What HandsSession is. The loop's thread holds the mutex for a step, which takes some tenths of a millisecond.
+/// Implementation of HandsSession. The loop's thread holds the mutex for a step, which takes some tenths of a
+/// millisecond.
 class HandsSession::Impl {
  public:
   explicit Impl(std::shared_ptr<haptics::HidBus> bus);

@@ -10,7 +10,7 @@ namespace insonate {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kReach_mm = 30;
+constexpr double kSkinReach_mm = 30;
 /// Cosine between normals of planes that count as one.
 constexpr double kSamePlane = 0.9999;
 /// Sine to the steepest direction of a plane: just beside it, so that the needle still knows which way it leans.
@@ -57,7 +57,7 @@ NeedleHand NeedleHand::beside(const ProbeHand& probe, double halfWidth_mm, Needl
   const Vec3 aside = isAlong ? -lateral * (halfWidth_mm + kBesideFace_mm) : elevation * kBesideHousing_mm;
   needle.state_.inward = probe.state().inward;
   needle.state_.angle_deg = kTaken_deg;
-  // Where the scan ends there, the needle waits under the probe.
+  // If the scan ends there, the needle starts under the probe.
   needle.state_.entry_mm = probe.state().skin_mm;
   if (isAlong && needle.putInPlane(pose, pose.offset + aside, -aside)) return needle;
   needle.state_.planeNormal.reset();
@@ -71,7 +71,7 @@ NeedleHand NeedleHand::beside(const ProbeHand& probe, double halfWidth_mm, Needl
 /// plane has the needle's angle to the skin.
 bool NeedleHand::putInPlane(const Transform& pose, Vec3 from_mm, Vec3 toward) {
   const auto& [lateral, elevation, axial] = pose.linear.column;
-  const auto entry = skin_->along(from_mm, -axial, kReach_mm);
+  const auto entry = skin_->along(from_mm, -axial, kSkinReach_mm);
   if (!entry || !skin_->inVolume(*entry)) return false;
   const NeedleHandState before = state_;
   state_.entry_mm = *entry;
@@ -108,7 +108,7 @@ double NeedleHand::offPlane_mm(const Transform& patientFromProbe) const {
 }
 
 HandMove NeedleHand::put(Vec3 skin_mm) {
-  const auto there = skin_->along(skin_mm, -state_.inward, kReach_mm);
+  const auto there = skin_->along(skin_mm, -state_.inward, kSkinReach_mm);
   const Vec3 entry = there ? *there : skin_->nearest(skin_mm);
   if (!skin_->inVolume(entry)) return kVolumeEnds;
   state_.entry_mm = entry;

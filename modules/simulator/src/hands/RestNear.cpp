@@ -9,7 +9,7 @@ namespace insonate {
 namespace {
 
 constexpr double kHalf_mm = 1.5;
-/// Of the map's determinant: tissue keeps its volume but for what leaves the plane.
+/// Limits of the map's determinant: tissue keeps its volume except for the part that leaves the plane.
 constexpr double kLeastStretch = 0.2, kMostStretch = 5;
 
 }  // namespace

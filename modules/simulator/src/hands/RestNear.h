@@ -7,8 +7,8 @@
 
 namespace insonate {
 
-/// How far beside the probe's plane tissue still moves with it: as far as the housing lies on it, and fading to twice
-/// that.
+/// Distance beside the probe's plane up to which tissue moves with it: the housing lies on it there; the motion fades
+/// to zero at twice that.
 inline constexpr double kMovesBeside_mm = 8;
 
 /// restFromPatient near a point: where its tissue lay at rest, as the straight map that is nearest to the plane's

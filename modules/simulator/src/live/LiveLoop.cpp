@@ -22,7 +22,7 @@ int framesToSettle(const ImagingSetup& setup) {
 }
 
 constexpr double kSmallScene_mm = 4;
-/// How far round the probe distances are computed ahead of need.
+/// Extent around the probe for which distances are computed ahead of need.
 constexpr double kAhead_mm = 45;
 
 LiveOptions completed(LiveOptions options) {
@@ -181,8 +181,8 @@ void LiveImaging::Impl::followProbe() {
     return;
   // A scene in work that the probe has left already would come too late.
   if (job_ && suits(*job_, source) && live::covers(job_->region_mm, source.need.at(pose_))) return;
-  // Where nothing is to be seen before the scene is there, a small one comes first. Not for a probe that has just moved
-  // on: it would leave a small one, too.
+  // If no scene is there yet, a small one is built first. Not for a probe that has just moved on: it would leave the
+  // small one, too.
   const bool wasLeft = job_ && suits(*job_, source);
   const bool farAway = !drawn_ || norm(pose_.offset - drawnPose_.offset) > options_.sceneMargin_mm;
   const bool small = !wasLeft && (!suits(scene_.job, source) || farAway) && !isCovered(source);

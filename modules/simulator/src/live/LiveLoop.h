@@ -14,7 +14,7 @@
 
 namespace insonate {
 
-/// What LiveImaging is: what crosses between threads first, then what only the simulation thread touches.
+/// Implementation of LiveImaging: first the members shared between threads, then those of the simulation thread alone.
 class LiveImaging::Impl {
  public:
   static constexpr int kIterations = 4;  ///< of the tissue's model, for one picture
@@ -105,7 +105,7 @@ class LiveImaging::Impl {
   bool frozen_ = false;
   live::Cine cine_;
   LiveStatus status_;
-  /// Of the last pictures, in a ring.
+  /// Times of the last frames, in a ring.
   std::vector<double> times_s_ = std::vector<double>(512, -HUGE_VAL);
 
   std::mutex listenerMutex_;

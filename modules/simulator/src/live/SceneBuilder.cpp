@@ -96,7 +96,7 @@ void SceneBuilder::work() {
   }
 }
 
-/// What scenes share is found with the first of them, so that nobody else waits for it.
+/// The parts that scenes share are found with the first scene, so that no other caller waits for them.
 void SceneBuilder::findSource() {
   if (source_) return;
   auto source = SceneSource::make(*patient_.ct, *patient_.labels);

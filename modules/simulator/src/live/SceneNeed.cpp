@@ -8,11 +8,11 @@
 namespace insonate::live {
 namespace {
 
-constexpr Region kNothing{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+constexpr Region kEmptyRegion{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
 
 /// The box of a box's corners after a transform.
 Region boxOf(const Transform& targetFromSource, const Region& source) {
-  Region box = kNothing;
+  Region box = kEmptyRegion;
   for (int corner = 0; corner < 8; ++corner) {
     Vec3 point;
     for (int a = 0; a < 3; ++a) point[a] = corner >> a & 1 ? source.high_mm[a] : source.low_mm[a];

@@ -4,13 +4,13 @@
 
 namespace insonate::live {
 
-/// What a setup's frames need of a scene, worked out once, so that asking costs nothing at each pose.
+/// Region that a setup's frames need of a scene. The size is computed once, so that asking at each pose costs nothing.
 class SceneNeed {
  public:
   SceneNeed(const ImagingSetup& setup, const VolumeGeometry& volume);
 
-  /// What a frame at this pose needs, with room each way, cut to the patient's volume and a millimetre: a scene reaches
-  /// no further.
+  /// Region of a frame at this pose, with room on all sides, cut to the patient's volume and a millimeter: a scene
+  /// reaches no further.
   Region at(const Transform& patientFromProbe, double room_mm = 0) const;
   /// True where a frame at this pose would see nothing of the volume.
   bool misses(const Transform& patientFromProbe) const;

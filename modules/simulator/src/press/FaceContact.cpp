@@ -18,7 +18,7 @@ float rowAt(int row) {
   return -kAbove_mm + row * kStep_mm;
 }
 
-/// Where a quantity crosses 0 between a row and the next.
+/// Position at which a quantity crosses 0 between a row and the next.
 float crossing(int row, float here, float next) {
   return rowAt(row) + kStep_mm * std::clamp(here / (here - next), 0.0F, 1.0F);
 }

@@ -7,8 +7,8 @@
 
 namespace insonate::press {
 
-/// How far a face may be moved along its axis: until it first touches the skin, and until nothing is left to give way
-/// between it and bone. z in the frame of the plane.
+/// Range over which a face may be moved along its axis: from first contact with the skin to the point where no tissue
+/// between face and bone can give way. z in the frame of the plane.
 struct FaceTravel {
   double touch_mm = 0;    ///< below 0: it has been pressed in by that much
   double deepest_mm = 0;  ///< infinite where no bone lies below

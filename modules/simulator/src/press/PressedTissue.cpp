@@ -149,7 +149,7 @@ class PressedTissue::Impl {
     seeFrom(answer_.faceShift_mm);
   }
 
-  /// Where a model does not find the way itself: further in until the force is reached, then between.
+  /// For a model that does not find the travel itself: moves further in until the force is reached, then bisects.
   void search(const AcousticScene& scene, const Transform& touching, const BloodPressure& pressure, double force_N,
               double deepest_mm) {
     const double most_mm = std::min(deepest_mm, kDeepest_mm);

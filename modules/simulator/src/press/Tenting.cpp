@@ -11,7 +11,7 @@ constexpr double kScalePerDepth = 1.2;  // so that nothing folds
 constexpr double kReach_scales = 6;
 constexpr double kFinestStep_mm = 0.5, kSteps = 6;  // of a lattice of its own: points a scale
 
-/// What a needle does around its tip, in the probe frame: the way tissue has gone to where it is seen.
+/// Displacement by a needle around its tip, in the probe frame: from the tissue's rest position to where it is seen.
 class Dent {
  public:
   Dent(const Tenting& tenting, const Transform& patientFromProbe) {
@@ -46,7 +46,7 @@ class Dent {
   double depth_mm_ = 0;
 };
 
-/// Where nothing else has moved, points around the tip are enough: the dent ends within them.
+/// If nothing else has moved, points around the tip suffice: the dent ends within them.
 void layAround(const Dent& dent, PlaneDisplacement& field) {
   field.step_mm = std::max(kFinestStep_mm, dent.scale_mm / kSteps);
   const int half = static_cast<int>(std::ceil(dent.reach_mm / field.step_mm));

@@ -69,7 +69,7 @@ Result<void> AttemptPictures::State::useSettingsOf(std::int64_t time_us) {
   return {};
 }
 
-/// What is damaged is left out, and told when it is asked for.
+/// Damaged moments are left out, and reported when they are requested.
 void AttemptPictures::State::workAhead() {
   if (!useSettingsOf(0)) return;
   const live::SceneNeed need = imaging.need();

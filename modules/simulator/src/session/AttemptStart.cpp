@@ -61,7 +61,7 @@ ProbeHandState attemptStart(const ProbeHand& home, const VesselNames& vessels, s
     return hand;
   };
   ProbeHand start = startAt(place);
-  // Where the skin ends too soon, the other side.
+  // If the skin ends too soon, the other side is taken.
   if (offTarget_mm(start, vessels, veins) < kLeast_mm) start = startAt(place ^ 1);
   return start.state();
 }

@@ -18,7 +18,7 @@ std::int64_t monotonic_ns() {
   return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// What was recorded, seen by the procedure's rules.
+/// Passes the recorded samples on to the procedure's rules.
 class Following final : public AttemptFollower {
  public:
   Following(Procedure procedure, const AttemptHeader& header)
@@ -79,12 +79,12 @@ struct LiveAttempt::State {
   std::atomic<std::int64_t> ended_ns{0};  ///< 0: goes on
   LatestValue<Surroundings> around;
   std::atomic<bool> aspirating{false}, frozen{false};
-  // Of see().
+  // Used by see().
   VeinWatch watch;
   std::optional<VeinWatch::Sight> sight;
   std::weak_ptr<const LiveFrame> seen;
   std::shared_ptr<const TissueGrid> seenIn;
-  // Whoever of finish() and a tick comes first is seen by the other.
+  // The first of finish() and a tick is seen by the other.
   std::atomic<bool> closed{false}, inTick{false};
 
   void record(const ServoSnapshot& tick) noexcept;

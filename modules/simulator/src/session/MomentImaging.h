@@ -21,22 +21,22 @@ class MomentImaging {
   MomentImaging(const VolumeGeometry& grid, std::shared_ptr<const SceneSource> source);
   ~MomentImaging();
 
-  /// What holds from now on. Fails where no picture can be made of it.
+  /// Sets the settings that hold from now on. Fails if no image can be made with them.
   Result<void> use(const AttemptSettings& settings);
 
   /// Solves the tissue under the probe at this pose; nothing where it was solved last.
   Result<void> press(const Transform& patientFromProbe, double time_s);
-  /// Of press(). No force and nothing displaced where nothing is pressed.
+  /// Result of press(). No force and no displacement without pressing.
   const Deformation& deformation() const;
   /// restFromPatient of a point, as LivePress has it near the needle's tip.
   Transform restNear(Vec3 patient_mm) const;
-  /// Of press(), as LivePress has it; empty where nothing is pressed.
+  /// Result of press(), as in LivePress; empty without pressing.
   const std::vector<Vec3>& middleAtRest_mm() const { return middleAtRest_mm_; }
 
-  /// What scenes of this pose are made of: worth computing ahead. After use().
+  /// Region of the scenes of this pose, for computing ahead. Call after use().
   live::SceneNeed need() const { return *need_; }
 
-  /// Of a probe that is held; `number` is left 0, and `time_s` is the recording's.
+  /// Renders the image of a held probe; `number` is left 0, and `time_s` is the recording's.
   Result<std::shared_ptr<const LiveFrame>> picture(const AttemptSample& sample);
 
  private:

@@ -60,7 +60,7 @@ class Session {
     return {};
   }
 
-  /// What went wrong with tissue or pictures.
+  /// The error of tissue or imaging, if any.
   const Result<void>& trouble() const { return trouble_; }
 
   void operator()(const SessionAct::PutProbe& act) { probe_ = act.patientFromProbe, tissueAt_us_ = 0; }
@@ -219,7 +219,7 @@ Result<AttemptSettings> settingsOf(const SessionScript& script) {
   return settings;
 }
 
-/// Where the needle is first put down, or the probe where there is no needle.
+/// Place at which the needle is first put down, or the probe's if there is no needle.
 Vec3 placeOf(const SessionScript& script) {
   std::optional<Vec3> probe_mm;
   for (const SessionAct& act : script.acts) {

@@ -15,7 +15,7 @@ namespace insonate {
 /// each vein counts. Neither waits nor allocates. Not for concurrent use of one object.
 class VeinWatch {
  public:
-  /// How the target lies to the middle line of an image.
+  /// Position of the target relative to the middle line of an image.
   struct Sight {
     bool isCentered = false;
     std::uint8_t vessel = 0;  ///< AttemptEvent::vessel

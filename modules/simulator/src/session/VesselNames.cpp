@@ -36,8 +36,8 @@ std::optional<Vec3> nearestOn(std::span<const CentreLine> lines, Vec3 point_mm) 
   return nearest;
 }
 
-/// Whether a point outside the round wall of the nearest named vessel is in that vessel, and not in one without a name
-/// beside it: a vein is told by its center line.
+/// Tells whether a point outside the round wall of the nearest named vessel is in that vessel, and not in an unnamed
+/// one beside it: a vein is identified by its center line.
 bool isIn(const NamedVessel& vessel, Vec3 point_mm, std::span<const CentreLine> veins) noexcept {
   const double outside_mm = distanceToWall_mm(vessel, point_mm);
   if (outside_mm <= kAtWall_mm) return true;

@@ -71,7 +71,7 @@ EngineChoice choose() {
 class AutoEngine final : public Engine {
  public:
   std::string_view name() const override { return engine_ ? engine_->name() : "auto"; }
-  /// Of the engine itself where it has come to compute by another one than was chosen.
+  /// The engine's own note if it has switched to another engine than the chosen one.
   std::string_view note() const override { return engine_ && engine_->name() != chosen_ ? engine_->note() : why_; }
 
   void prepare(const Probe& probe, const ImagingSettings& settings) override {

@@ -29,7 +29,7 @@ int roundedUp(int n, int multiple) {
   return (n + multiple - 1) / multiple * multiple;
 }
 
-/// What one thread writes to.
+/// Memory that one thread writes to.
 struct Workspace {
   TraceBuffers trace;
   LateralBuffers lateral;

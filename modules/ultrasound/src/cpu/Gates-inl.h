@@ -1,4 +1,4 @@
-// What all planes of a block of scanlines send back from one gate.
+// Echo of one gate from all planes of a block of scanlines.
 #if defined(INSONATE_CPU_GATES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef INSONATE_CPU_GATES_INL_H_
 #undef INSONATE_CPU_GATES_INL_H_

@@ -20,7 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace insonate::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Where the nodes of a row lie in the field: the low corner of their cell, and the weights of its eight corners.
+/// Position of a row's nodes in the field: the low corner of their cell, and the weights of its eight corners.
 struct NodePlaces {
   alignas(64) std::int32_t corner[kMaxColumns];
   alignas(64) float weight[8][kMaxColumns];

@@ -19,7 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 inline constexpr int kBatch = 32;  ///< points at a time, whole vectors
 
-/// Where a batch of points lies in the field; past the last point the last is repeated.
+/// Position of a batch of points in the field; past the last point the last is repeated.
 void placePoints(const TissueField& field, const FloatMatrix& m, Vec3 offset, std::span<const PlanePoint> points,
                  NodePlaces& places) {
   const GateTag d;

@@ -38,7 +38,8 @@ struct FloatMatrix {
   }
 };
 
-/// Where the probe's lateral and axial axes point in another frame, per mm: what a shift in its plane becomes there.
+/// Directions of the probe's lateral and axial axes in another frame, per mm: they convert a shift in the plane to
+/// that frame.
 struct PlaneAxes {
   struct {
     float x = 0, y = 0, z = 0;
@@ -150,7 +151,7 @@ struct TraceBuffers {
     std::uint32_t channelsPresent = 0;  ///< bit per channel that any cell of the row names
     bool nearBoundary = false;          ///< some cell is within reach of a boundary's layers or edge
   };
-  /// Where each scanline stands on its way down.
+  /// State of each scanline on its way down.
   struct LineState {
     alignas(64) float amplitude[kBlockLines];  ///< that is left of the beam, there and back; 0 beyond what is known
     alignas(64) float s[kBlockLines];

@@ -34,8 +34,8 @@ inline constexpr double kNearShare = 0.6, kFullAperture_mm = 8, kFewElements = 4
 /// make up for a part of it. 0 where the aperture is full.
 double nearLevel_dB(const Probe& probe, double depth_mm);
 
-/// What the top of a scanline sends back does not reach the tissue below: bright places near the skin leave streaks.
-/// And the outermost scanlines have half an aperture, the other half lying beyond the array's end.
+/// Energy reflected at the top of a scanline does not reach the tissue below: bright places near the skin leave
+/// streaks. And the outermost scanlines have half an aperture, the other half lying beyond the array's end.
 inline constexpr double kShadeFrom_mm = 1.5, kShadeTo_mm = 7;  ///< where the bright places are looked for
 inline constexpr double kShadeFull_mm = 12;                    ///< from where on the streaks have their full strength
 inline constexpr double kStreakNarrow_mm = 0.8, kStreakWide_mm = 5;  ///< half widths compared: what stands out counts
@@ -57,7 +57,7 @@ inline constexpr float kContrast = 0.5F, kContrastBend = 0.2F, kContrastReach_dB
 /// much of that counts.
 inline constexpr double kEdgeShare = 0.8, kEdgeReach_dB = 10;
 
-/// What changes slowly with depth is kept per block of rows about as thick as the pulse.
+/// Values that change slowly with depth are kept per block of rows about as thick as the pulse.
 struct Block {
   int first = 0, count = 0;              ///< rows
   int edgeStride = 1;                    ///< scanlines, half a point-spread function

@@ -44,7 +44,7 @@ double bubblesAt(double place_mm) {
   return at(node) + (place - node) * (at(node + 1) - at(node));
 }
 
-/// How far a place lies in the wedge of a strip at one end of the face; 0 without a strip.
+/// Position of a place within the wedge of a strip at one end of the face; 0 without a strip.
 double within(double strip_mm, double fromEnd_mm) {
   return strip_mm > 0 ? strip_mm + kWedgeInside_mm - fromEnd_mm : 0;
 }

@@ -90,7 +90,7 @@ void tensorRow(const TensorRow& t) {
 using Cell = hn::CappedTag<float, 8>;
 constexpr int kCell = 8;
 
-/// Of 8 values, in an order that does not depend on the instruction set.
+/// Sum of 8 values, in an order that does not depend on the instruction set.
 HWY_INLINE float cellSum(const float* v) {
   return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]));
 }

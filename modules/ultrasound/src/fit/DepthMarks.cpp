@@ -68,7 +68,8 @@ struct Comb {
   int marks = 0, column = 0;
 };
 
-/// Of all equal spacings through two runs, the one that most runs agree with and that predicts few that are missing.
+/// Finds, of all equal spacings through two runs, the one that most runs agree with and that predicts few missing
+/// runs.
 Comb combThrough(const std::vector<Run>& runs, double depth_px) {
   Comb best;
   if (int(runs.size()) < kFewestMarks || runs.size() > 150) return best;
@@ -95,7 +96,7 @@ Comb combThrough(const std::vector<Run>& runs, double depth_px) {
   return best;
 }
 
-/// How far a mark reaches to both sides of the column.
+/// Length of a mark to both sides of the column.
 int lengthOf(const cv::Mat_<float>& contrast, int row, int column) {
   const auto light = [&](int c) {
     for (int r = std::max(0, row - 1); r <= std::min(contrast.rows - 1, row + 1); ++r)
@@ -135,7 +136,7 @@ std::optional<DepthRuler> depthMarks(const cv::Mat_<uchar>& grey, const FovModel
   const double depth = model.outer - model.inner;
   const int highest = std::max(5, int(kHighestMark * depth));
   cv::Mat_<float> ground, contrast;
-  // What is light over a mark's height, on its ground.
+  // Light marks of the height of a mark, on their ground.
   cv::morphologyEx(upright.grey, ground, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {1, highest + 3}));
   contrast = upright.grey - ground;
   cv::Mat_<uchar> outside(contrast.size(), uchar{0});

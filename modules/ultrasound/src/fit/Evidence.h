@@ -5,7 +5,7 @@
 
 namespace insonate::fit {
 
-/// What the picture says along one edge of a model, as shares of its length within the picture.
+/// Evidence of the image along one edge of a model, as shares of the edge's length within the image.
 struct EdgeEvidence {
   double visible = 0;  ///< of the edge's whole length
   double seen = 0;     ///< light inside, ground outside
@@ -22,7 +22,7 @@ struct Evidence {
   double score() const { return 0.5 * outline + 0.5 * cover; }
 };
 
-/// Of the outline alone: how much more of it is seen than speaks against it, -1..1. Quick.
+/// Balance of evidence for and against the outline alone, -1..1. Quick.
 double outlineFor(const FovModel& model, const Plate& plate, double tolerance_px);
 /// `tolerance_px` to either side of the outline are not looked at.
 Evidence evidenceFor(const FovModel& model, const Plate& plate, double tolerance_px);

@@ -22,10 +22,10 @@ constexpr double kCompanion = 0.12;     // parts of the body, over its largest
 constexpr double kPlainSd = 1.0;        // greys: areas of less variation are drawn, not imaged
 constexpr double kLeastTextured = 0.3;  // of a part of the body
 constexpr double kPlainShare = 0.5;
-constexpr double kLeastHalf = 0.3;   // of the body, to either side of what parts it
-constexpr int kLeastParting_px = 3;  // wide
-constexpr double kCrossing = 0.02;   // of the picture's height: what may cross it
-constexpr int kPlainWidth_px = 31;   // plain where so large a share of so wide a square is
+constexpr double kMinimumShare = 0.3;  // of the body, to either side of what parts it
+constexpr int kLeastParting_px = 3;    // wide
+constexpr double kCrossing = 0.02;     // of the picture's height: what may cross it
+constexpr int kPlainWidth_px = 31;     // plain where so large a share of so wide a square is
 
 std::array<double, 256> histogramOf(const cv::Mat_<float>& picture) {
   std::array<double, 256> counts{};
@@ -81,7 +81,7 @@ cv::Mat_<float> groundOf(const cv::Mat_<float>& smooth, float level) {
         const auto t = terms(row, column);
         double value = 0;
         for (int i = 0; i < 6; ++i) value += solution[i] * t[i];
-        // Where no ground was seen, the surface is a guess: it stays near the level.
+        // Without visible ground the surface is a guess: it stays near the level.
         ground(row, column) = float(std::clamp(value, level - 15.0, level + 15.0));
       }
   }
@@ -103,7 +103,7 @@ cv::Mat ellipse(int size) {
   return cv::getStructuringElement(cv::MORPH_ELLIPSE, {size, size});
 }
 
-/// What varies so little, letters on it apart, that it is drawn and not imaged: panels, frames, paper.
+/// Finds areas that vary so little, letters on them apart, that they are drawn and not imaged: panels, frames, paper.
 cv::Mat_<uchar> plainAreas(const cv::Mat_<float>& grey) {
   cv::Mat_<float> mean, square;
   cv::blur(grey, mean, {5, 5});
@@ -188,8 +188,8 @@ std::optional<std::array<Plate, 2>> halvesOf(const Plate& plate) {
   double left = 0;
   for (int column = 0; column < columns; ++column) {
     left += counts[std::size_t(column)];
-    const bool parts = counts[std::size_t(column)] <= kCrossing * plate.body.rows && left >= kLeastHalf * all &&
-                       left <= (1 - kLeastHalf) * all;
+    const bool parts = counts[std::size_t(column)] <= kCrossing * plate.body.rows && left >= kMinimumShare * all &&
+                       left <= (1 - kMinimumShare) * all;
     if (!parts)
       from = column + 1;
     else if (column + 1 - from > widest)

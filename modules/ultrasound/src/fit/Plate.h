@@ -22,8 +22,8 @@ struct Plate {
 /// The ways to read a picture that make sense, the likeliest first; none where it is all one grey.
 std::vector<Plate> platesOf(const cv::Mat_<uchar>& grey);
 
-/// Where ground from top to bottom parts the body in two of a size: the plate with its left part alone, and with its
-/// right one.
+/// If ground from top to bottom divides the body in two parts of a size: the plate with its left part alone, and with
+/// its right one.
 std::optional<std::array<Plate, 2>> halvesOf(const Plate& plate);
 
 }  // namespace insonate::fit

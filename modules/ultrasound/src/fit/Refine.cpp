@@ -10,7 +10,7 @@
 namespace insonate::fit {
 namespace {
 
-constexpr double kStep_px = 3;
+constexpr double kSampleStep_px = 3;
 constexpr double kProbe_px = 0.5;
 constexpr double kPlateau_px = 5;  // how far inside of a step its height is read
 constexpr int kRounds = 4, kIterations = 6;
@@ -57,7 +57,7 @@ struct Step {
 
 std::vector<Step> stepsNear(const FovModel& model, const Plate& plate, double reach) {
   std::vector<Step> steps;
-  for (const EdgeSample& sample : edgeSamples(model, kStep_px))
+  for (const EdgeSample& sample : edgeSamples(model, kSampleStep_px))
     if (const auto by = stepNear(sample, plate, reach))
       steps.push_back({{sample.at.x + *by * sample.outward.x, sample.at.y + *by * sample.outward.y}, sample.edge});
   return steps;

@@ -50,7 +50,7 @@ std::string shaderText(std::string_view name, const EditedFile& edited = {});
 /// Constants of the model as the shaders know them, from those of C++.
 std::string constantsText();
 
-/// What engines of one process share: a context, the shaders, the textures' tiles, scenes.
+/// Resources shared by the engines of one process: a context, the shaders, the textures' tiles, scenes.
 class Device {
  public:
   /// Made at the first call, which takes as long as the driver's compiler does; anew after a loss. Fails with a

@@ -22,7 +22,7 @@ using Rows = std::array<Float4, 3>;
 inline constexpr int kTiles = 7;       ///< of textures, by Texture; then of what comes and goes along boundaries
 inline constexpr int kMostPlanes = 9;  ///< see ImagingSettings
 
-/// Of each physical effect that a shader asks for, by the name that it has there.
+/// Bit of each physical effect that a shader tests, by its name there.
 enum EffectBit : std::int32_t {
   kScattering = 1,
   kReflection = 2,
@@ -83,7 +83,7 @@ struct ThesisBlock {
 /// Sizes of the records of shaders/records.glsl.
 inline constexpr std::size_t kNodeBytes = 80, kCellBytes = 72, kSampleBytes = 32, kCrossingBytes = 16;
 
-/// Where C++ has each field, by the shaders' names; for Program::checkBlock().
+/// Offsets of the fields in C++, by the shaders' names; for Program::checkBlock().
 std::vector<gpu::Field> frameFields();
 std::vector<gpu::Field> thesisFields();
 

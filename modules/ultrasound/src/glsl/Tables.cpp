@@ -36,7 +36,7 @@ void setRows(Transform cellFromProbe, double rounding, Rows& rows, Int4& base) {
           0};
 }
 
-/// Where the words of a scene begin. Channels without a structure stay behind.
+/// Offsets of a scene's words. Channels without a structure are at the end.
 struct WordsOfScene {
   explicit WordsOfScene(const TissueField& field)
       : node((field.channels + 1) / 2),

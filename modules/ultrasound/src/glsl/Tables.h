@@ -12,7 +12,7 @@
 /// From the model's plan and a scene to what the shaders read.
 namespace insonate::glsl {
 
-/// What follows from probe and settings, uploaded once.
+/// Tables that depend on probe and settings alone, uploaded once.
 struct PlanTables {
   PlanTables(const FramePlan& plan, bool thesis);
 
@@ -26,10 +26,10 @@ struct PlanTables {
 std::vector<std::int32_t> sceneWords(const AcousticScene::Impl& scene);
 void setScene(const AcousticScene::Impl& scene, FrameBlock& block);
 
-/// What the pose and the scene decide.
+/// Sets the fields that depend on pose and scene.
 void setPose(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
              FrameBlock& block);
-/// Of at least one point.
+/// Sets a displacement of at least one point.
 void setDisplacement(const PlaneDisplacement& displacement, FrameBlock& block);
 
 /// Point targets as shaders/points.comp has them.

@@ -7,7 +7,7 @@
 
 namespace insonate {
 
-/// How a scanline meets the skin.
+/// Contact of a scanline with the skin.
 struct Contact {
   double gap_mm = 0;    ///< skin beyond the face (above 0) or the face inside the skin (below 0)
   double strength = 1;  ///< 0: no contact, nothing is heard; 1: full

@@ -84,7 +84,7 @@ struct FramePlan {
   void planeBeam();
   std::vector<std::vector<double>> axialHalves() const;
   double impulsePeak(const std::vector<double>& half) const;
-  /// Of unit scattering after the beam, at a gate; from the autocorrelations of its kernels.
+  /// Variance of unit scattering after the beam, at a gate; from the autocorrelations of its kernels.
   double speckleVariance(int gate, const std::vector<double>& axialLags, const std::vector<double>& lateralLags) const;
 };
 

@@ -12,9 +12,9 @@ namespace insonate {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr double kLeastSine2 = 1e-3;  // beams along the shaft cross it nowhere in particular
-constexpr double kFaintest = 1e-3;    // of what the slice has in its middle
-constexpr double kStep_gates = 0.75;  // B-splines a gate wide add up evenly
+constexpr double kLeastSine2 = 1e-3;     // beams along the shaft cross it nowhere in particular
+constexpr double kMinimumWeight = 1e-3;  // of what the slice has in its middle
+constexpr double kStep_gates = 0.75;     // B-splines a gate wide add up evenly
 constexpr double kLeastSpacing_mm = 1e-3, kLeastRing = 0.2, kLeastLoss_dB = 0.01;
 constexpr double kBeside_mm = 2;  // of the field of view, for what reaches into it
 
@@ -27,7 +27,7 @@ double reflection() {
   return (kImpedance_MRayl - kTissueImpedance_MRayl) / (kImpedance_MRayl + kTissueImpedance_MRayl);
 }
 
-/// Of a unit Gaussian from the left.
+/// Integral of a unit Gaussian from the left.
 double gaussianBefore(double x_sd) {
   return 0.5 * std::erfc(-x_sd / std::numbers::sqrt2);
 }
@@ -36,7 +36,7 @@ struct Interval {
   double low, high;
 };
 
-/// What of the interval of s has low <= start + s * slope <= high.
+/// Cuts the interval of s to low <= start + s * slope <= high.
 void clip(double start, double slope, double low, double high, Interval& s) {
   if (std::abs(slope) < 1e-12) {
     if (start < low || start > high) s = {0, 0};
@@ -178,7 +178,7 @@ void NeedleEchoes::echoShaft(const Pose& needle) {
     if (gate < -1 || gate > plan.gates || at.scanline < -1 || at.scanline > plan.lines) continue;
     const double range_mm = plan.range_mm(gate);
     const double seen = plan.field.elevation(surface.y, range_mm);
-    if (seen < kFaintest) continue;
+    if (seen < kMinimumWeight) continue;
     const double slice = std::min(1.0, strip_mm / plan.field.sliceIntegral_mm(range_mm)) * seen;
 
     const double shaft_deg = std::asin(std::min(std::abs(along), 1.0)) * kDegrees;

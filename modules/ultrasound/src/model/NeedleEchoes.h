@@ -30,11 +30,11 @@ inline constexpr int kRings = 5;
 inline constexpr double kFirstRing = 0.2, kNextRing = 0.4;
 }  // namespace steel
 
-/// What a needle does to a frame, for all engines: the echo of its near side on each scanline, and its shadow. Echoes
+/// Effect of a needle on a frame, for all engines: the echo of its near side on each scanline, and its shadow. Echoes
 /// are those of a beam that tissue has not weakened.
 ///
-/// Where the face draws the skin to it (see Contact.h), the needle goes along as one piece, as far as the tissue at its
-/// tip does: it stays straight, and its tip in what it is in.
+/// If the face draws the skin to it (see Contact.h), the needle moves along as one piece, as far as the tissue at its
+/// tip does: it stays straight, and its tip stays in the same tissue.
 class NeedleEchoes {
  public:
   /// Allocates all that frames need. `plan` must outlive this.
@@ -43,7 +43,7 @@ class NeedleEchoes {
   /// Valid (see validate()), or null: none. Allocates nothing.
   void place(const Needle* needle, const TissueField& field, const Transform& patientFromProbe,
              const PlaneDisplacement& displacement);
-  /// Whether it echoes or casts a shadow in this frame.
+  /// Tells whether the needle echoes or casts a shadow in this frame.
   bool present() const { return present_; }
 
   /// Echoes of one scanline.
@@ -89,7 +89,7 @@ class NeedleEchoes {
   float echoAt(int line, int gate) const {
     return gate >= lines_[line].first && gate < lines_[line].end ? amplitudes(line)[gate] : 0.0F;
   }
-  /// Of values by gate; the last one goes on.
+  /// Interpolates values by gate; constant beyond the last one.
   template <class Values>
   float between(float gate, const Values& values) const {
     const float below = std::floor(gate);

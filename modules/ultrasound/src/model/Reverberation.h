@@ -22,11 +22,11 @@ class Reverberation {
 
   explicit Reverberation(const FramePlan& plan);
 
-  /// How strongly each ring comes back from a point of the surface, by ring: 1 on average.
+  /// Strength of each ring from a point of the surface, by ring: 1 on average.
   void strengthsAt(Vec3 surface_mm, std::span<float> strength) const;
   int rings() const { return rings_; }
 
-  /// What is heard at a gate so many behind the surface.
+  /// Repeats that arrive at a gate this far behind the surface.
   std::span<const Repeat> at(int gatesBehind) const {
     return {repeats_.data() + first_[gatesBehind], repeats_.data() + first_[gatesBehind + 1]};
   }

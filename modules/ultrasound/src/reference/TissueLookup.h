@@ -8,7 +8,7 @@
 
 namespace insonate {
 
-/// What lies at one gate of one scanline in one elevation plane.
+/// Tissue at one gate of one scanline in one elevation plane.
 struct TissueSample {
   Vec3 patient_mm;       ///< where the gate is in undeformed tissue
   bool inside = true;    ///< within the volume

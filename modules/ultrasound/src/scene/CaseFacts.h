@@ -14,7 +14,7 @@ namespace insonate {
 
 using LabelMeans = std::array<double, kLabelCount>;
 
-/// What scenes need to know of the whole case, found once.
+/// Facts about the whole case that scenes need, found once.
 struct CaseFacts {
   static constexpr int kBlock = 8;  ///< edge of a block, voxels
 

@@ -122,7 +122,7 @@ void DistanceTransform::alongZ(const NodeBox& bounds, Scratch& scratch, Structur
     }
 }
 
-/// Where the structure is out of reach, `near` stays empty.
+/// If the structure is out of reach, `near` stays empty.
 void DistanceTransform::measure(Structure& structure, Scratch& scratch) const {
   const NodeBox bounds = boundsOf(structure.label);
   if (bounds.count() == 0 || stopped()) return;
@@ -201,7 +201,7 @@ void DistanceTransform::round(Structure& structure, Scratch& scratch) const {
   });
 }
 
-/// To the nearest structure, in units of TissueField, [smoothed_].
+/// Distances to the nearest structure, in units of TissueField, [smoothed_].
 std::vector<std::int16_t> DistanceTransform::leastDistances() const {
   std::vector<std::int16_t> least(smoothed_.count(), lattice_.farUnits());
   for (const Structure& structure : structures_)
@@ -219,8 +219,8 @@ void DistanceTransform::keepThinStructures() {
   std::array<const Structure*, 256> of{};
   for (const Structure& structure : structures_) of[structure.label] = &structure;
   const auto labelAt = [&](int i, int j, int k) { return nodes_.label[nodes_.box.offset(i, j, k)]; };
-  // Of a thin sheet that smoothing left outside of itself and of its neighbours alike, the nearest is seen. A node that
-  // bears a label lies near it.
+  // Smoothing may leave a thin sheet outside of itself and of its neighbors alike: then the nearest structure is
+  // taken. A node that bears a label lies near it.
   const std::vector<std::int16_t> least = leastDistances();
   const auto nearest = [&](std::uint8_t label, int i, int j, int k) {
     return of[label]->distance[of[label]->near.offset(i, j, k)] <= least[smoothed_.offset(i, j, k)];

@@ -27,7 +27,7 @@ class DistanceTransform {
   /// computed depends on nothing else.
   DistanceTransform(const NodeLattice& lattice, const NodeLabels& nodes, const NodeBox& block, Stopped stopped);
 
-  /// Of those candidates (a bit a label) that are within reach. Of no use when stopped.
+  /// Distances to those candidates (a bit a label) that are within reach. Not usable when stopped.
   Result distances(std::uint32_t candidates);
 
  private:

@@ -29,13 +29,13 @@ struct NodeBox {
 /// This much larger each way, but not beyond `limit`.
 NodeBox grown(const NodeBox& box, const std::array<int, 3>& margin, const NodeBox& limit);
 NodeBox overlap(const NodeBox& a, const NodeBox& b);
-/// Of whole cubes with edges of `edge` from node 0 on, those that a box touches, counted in cubes.
+/// Cubes with edges of `edge` nodes, counted from node 0, that a box touches; in cubes.
 NodeBox cubesOf(const NodeBox& box, int edge);
 
-/// Where the nodes of a patient's distances lie: each voxel cut into equal parts, or several merged. It does not depend
-/// on a region.
+/// Positions of the nodes of a patient's distances: each voxel cut into equal parts, or several merged. Does not
+/// depend on a region.
 struct NodeLattice {
-  /// How one axis of the label map is cut. One of the two is 1.
+  /// Division of one axis of the label map. One of the two is 1.
   struct AxisCut {
     int parts = 1, merged = 1;
     double nodesPerVoxel() const { return double(parts) / merged; }
@@ -55,7 +55,7 @@ struct NodeLattice {
   /// Voxels that decide on a box of nodes.
   NodeBox voxelsOf(const NodeBox& nodes) const;
   AxisNode at(int axis, int node) const;
-  /// What is stored as the distance to a structure out of reach.
+  /// The stored distance to a structure out of reach.
   std::int16_t farUnits() const;
 
   std::array<AxisCut, 3> cuts;

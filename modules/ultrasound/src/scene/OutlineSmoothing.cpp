@@ -57,7 +57,7 @@ void OutlineSmoothing::alongX(const Kernel& kernel, const std::vector<float>& in
 void OutlineSmoothing::alongY(const Kernel& kernel, const std::vector<float>& in, std::vector<float>& out) {
   const int radius = static_cast<int>(kernel.size()) - 1, nx = size_[0], ny = size_[1];
   const Range y = inner(1, kernel);
-  // Those in the middle need no care for edges and are filtered together.
+  // Rows in the middle need no care for edges and are filtered together.
   const int first = std::clamp(radius, y.first, y.last), last = std::clamp(ny - radius, first, y.last);
   const auto filter = [&](std::size_t slice, int from, int to) {
     rows_.clear();

@@ -10,7 +10,7 @@
 
 namespace insonate {
 
-/// How a texture lies in the patient: rows are the tile's u (fiber), v and w (thin) axes, in tile voxels per mm.
+/// Orientation of a texture in the patient: rows are the tile's u (fiber), v and w (thin) axes, in tile voxels per mm.
 struct TextureFrame {
   Transform tileFromPatient;
   Vec3 thinAxis;  ///< unit, patient LPS

@@ -30,8 +30,8 @@ struct TextureTile {
     return value[std::size_t(v & (size[1] - 1)) * stepV() + std::size_t(u & (size[0] - 1)) * stepU() +
                  (w & (size[2] - 1))];
   }
-  /// Of a point in voxels. A plane between voxels, such as one through the patient's origin, belongs to those beyond it
-  /// for every engine, however it rounds.
+  /// Value at a point in voxels. A plane between voxels, such as one through the patient's origin, belongs to the
+  /// voxels beyond it for every engine, whatever the rounding.
   std::int8_t at(Vec3 voxels) const {
     const auto index = [](double x) { return static_cast<int>(std::floor(x + kRounding_voxels)); };
     return at(index(voxels.x), index(voxels.y), index(voxels.z));

@@ -29,7 +29,8 @@ struct TissueField {
   int channels = 0;                           ///< structures present
   std::array<std::uint8_t, kStride> label{};  ///< of each channel
   int backgroundChannel = -1;                 ///< channel of label 0, or -1
-  /// To each channel's structure, negative inside, 1/256 mm. Aligned, so that no node straddles two cache lines.
+  /// Distances to each channel's structure, negative inside, 1/256 mm. Aligned, so that no node straddles two cache
+  /// lines.
   struct alignas(2 * kStride) Distances {
     std::int16_t to[kStride];
   };

@@ -11,7 +11,7 @@
 namespace insonate {
 namespace {
 
-/// Of boxes that are made for a scene alone: work and memory of a greater one would be in the way of cancelling.
+/// Maximum size of boxes that are made for one scene: work and memory of a greater one would delay cancelling.
 constexpr int kMostNodes = 160;
 
 /// Equal parts of a box, none longer than kMostNodes.
@@ -127,7 +127,7 @@ std::vector<TissueTiles::TilePtr> TissueTiles::kept(const NodeBox& box) {
   return tiles;
 }
 
-/// Those that were not asked for in the longest time make room.
+/// Tiles that were not requested for the longest time are removed first.
 void TissueTiles::keep(std::uint64_t key, const TissueTile& tile) {
   constexpr int kCube = 16;
   Kept kept{{}, 0, 0};

@@ -77,7 +77,7 @@ HWY_INLINE void sampleNode(const TissueField& field, Vec3 patient_mm, int column
   row.beyond[column] = static_cast<float>(beyondLattice(field, node));
 }
 
-/// Where tissue seen at a row of nodes lay, minus where it is seen, patient mm: the same for all planes.
+/// Rest position minus displayed position of the tissue at a row of nodes, patient mm: the same for all planes.
 HWY_INLINE void shiftRow(const KernelInput& in, int firstLine, int nodeRow, Vec3* shifts) {
   const FramePlan& plan = *in.plan;
   const double range_mm = plan.range_mm(nodeRow * plan.cellGates);

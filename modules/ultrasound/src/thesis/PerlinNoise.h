@@ -37,7 +37,7 @@ constexpr std::uint32_t octaveSeed(std::uint32_t seed, int octave) {
   return hash32(seed + 0x9e3779b9U * static_cast<std::uint32_t>(octave + 1));
 }
 
-/// How many lattice cells the first octave lays over the picture.
+/// Number of lattice cells of the first octave over the image.
 struct NoiseCells {
   double across = 1, down = 1;
 };
@@ -55,7 +55,7 @@ constexpr double octaveVariance() {
   return 8.0 / 3 * even * arm;
 }
 
-/// Of all octaves, squared amplitudes 1, 1/4, ...
+/// Variance of all octaves, squared amplitudes 1, 1/4, ...
 constexpr double noiseVariance() {
   double sum = 0, power = octaveVariance();
   for (int o = 0; o < kNoiseOctaves; ++o, power /= 4) sum += power;

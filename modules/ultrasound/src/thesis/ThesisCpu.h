@@ -22,7 +22,7 @@ class ThesisCpu {
   const std::vector<Engine::Stage>& stages() const { return stages_; }
 
  private:
-  /// What one thread writes to.
+  /// Memory that one thread writes to.
   struct Workspace {
     KernelBuffers buffers;
     AlignedFloats ring;

@@ -34,7 +34,7 @@ void noiseRow(const KernelInput& in, int firstLine, int octave, int latticeRow, 
   }
 }
 
-/// Where a gate lies between the rows of each octave's lattice.
+/// Position of a gate between the rows of each octave's lattice.
 struct NoiseAt {
   float dy[kNoiseOctaves], fade[kNoiseOctaves];
 };

@@ -40,7 +40,7 @@ struct KernelInput {
 
 /// Per-thread scratch.
 struct KernelBuffers {
-  /// What the scene holds at one row of nodes.
+  /// The scene at one row of nodes.
   struct NodeRow {
     alignas(64) float distance_mm[TissueField::kStride][kMaxColumns];
     alignas(64) float ct_HU[kMaxColumns];

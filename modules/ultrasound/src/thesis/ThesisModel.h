@@ -27,7 +27,7 @@ inline constexpr double kNoiseCellAxial = 2.2, kNoiseCellLateral = 2.4;
 /// Exponential tail of the radial blur, in units of the pulse's FWHM.
 inline constexpr double kTail = 0.8;
 
-/// What follows from probe and settings alone.
+/// Parameters that depend on probe and settings alone.
 struct ThesisPlan {
   explicit ThesisPlan(const FramePlan& plan);
 
@@ -51,7 +51,7 @@ struct ChannelAcoustics {
 std::array<ChannelAcoustics, TissueField::kStride> channelAcoustics(const ImagingSettings& settings,
                                                                     const AcousticScene::Impl& scene);
 
-/// What the scene holds at a node.
+/// The scene at a node.
 struct SceneSample {
   std::array<double, TissueField::kStride> distance_mm{};
   double ctDeviation_HU = 0;

@@ -27,8 +27,8 @@ struct DescribedField {
   bool isSigned = false;
 };
 
-/// What a HID report descriptor says of its reports (Device Class Definition 1.11, section 6.2.2): only the items that
-/// lay out bits. By report id; input and output apart.
+/// Contents of a HID report descriptor (Device Class Definition 1.11, section 6.2.2): only the items that lay out
+/// bits. By report id; input and output apart.
 struct DescribedReports {
   std::map<int, std::vector<DescribedField>> input, output;
   std::uint32_t usagePage = 0, usage = 0;  ///< of the application collection

@@ -17,7 +17,7 @@
 
 namespace insonate::test {
 
-/// What a plugged-in device says and hears. Shared by the test and by whoever has opened it.
+/// Input and output of a plugged-in device. Shared by the test and the code that has opened it.
 class FakeCable {
  public:
   void say(Bytes report) {

@@ -61,7 +61,7 @@ TEST_F(HidApiTest, APluggedDeviceIsFoundByItsUsageAndItsReportsArrive) {
   DeviceState state;
   ASSERT_TRUE(eventually([&] { return device->take(state); }));
   EXPECT_EQ(state.buttons, 2U);
-  // To the right, without let-up.
+  // The device moves to the right without a pause.
   ASSERT_TRUE(eventually([&] {
     cap.say({1, 0x5E, 0x01, 0, 0, 0, 0});
     std::this_thread::sleep_for(10ms);

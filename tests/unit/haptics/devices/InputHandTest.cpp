@@ -15,7 +15,7 @@ class InputHandTest : public testing::Test {
     hand.hold(true);
     after(1);
   }
-  /// What the servo has taken after so many ticks of a millisecond.
+  /// State that the servo has taken after this many ticks of a millisecond.
   DeviceState after(int ticks) {
     for (; ticks > 0; --ticks) hand.takeAt(now_ns += 1'000'000, state);
     return state;

@@ -11,7 +11,7 @@ namespace insonate::test {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Of the arm in resources/haptics/devices, its first encoder at a count.
+/// Report of the arm in resources/haptics/devices, its first encoder at a count.
 inline Bytes armReport(int encoder) {
   Bytes report(14, 0);
   report[0] = static_cast<std::uint8_t>(encoder);

@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// What the vendor's device does.
+/// Behavior of the vendor's device.
 struct Desk {
   std::mutex mutex;
   bool plugged = true, refuses = false;

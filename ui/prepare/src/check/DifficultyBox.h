@@ -9,7 +9,7 @@ namespace insonate::prepare {
 
 class PrepareSession;
 
-/// How hard the case is: as its labels say, with the measures that say so, and as its author says.
+/// Difficulty of the case: as computed from its labels, with the measures behind it, and as its author states it.
 class DifficultyBox : public QWidget {
  public:
   explicit DifficultyBox(PrepareSession& session, QWidget* parent = nullptr);

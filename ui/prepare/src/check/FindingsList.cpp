@@ -76,7 +76,7 @@ FindingsList::FindingsList(PrepareSession& session, QWidget* parent)
   refresh();
 }
 
-/// To where the finding is, or is mended; none where it is about the whole case.
+/// Button that leads to the place of the finding or of its repair; none if it concerns the whole case.
 QPushButton* FindingsList::way(const Finding& finding) {
   const auto button = [](const QString& words, const QString& tip) {
     auto* made = new QPushButton(words);

@@ -14,7 +14,7 @@ namespace insonate::prepare {
 class PrepareSession;
 struct CasePlaces;
 
-/// What PlacesBox marks beside landmarks, whose kinds are their codes.
+/// Kinds that PlacesBox marks beside landmarks, whose kinds are their codes.
 inline const QString kTargetKind = QStringLiteral("target"), kStartPoseKind = QStringLiteral("start pose"),
                      kVesselKind = QStringLiteral("vessel");
 

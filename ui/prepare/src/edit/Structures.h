@@ -11,7 +11,7 @@
 
 namespace insonate::prepare {
 
-/// How a structure is drawn.
+/// Look of a structure.
 struct StructureLook {
   views::Colour colour;
   double opacity = 1;   ///< of its surface in 3D, 0..1
@@ -26,7 +26,8 @@ using StructureLooks = std::array<StructureLook, 256>;
 /// The case's colours; opacity so that one looks through the skin and whatever fills the patient.
 StructureLooks usualLooks(const LabelColours& colours);
 double usualOpacity(std::uint8_t label);
-/// What fills the patient lies fainter on the slices: an artery has nearly the colour of the muscle around it.
+/// Default share on slices. Labels that fill the patient are fainter: an artery has nearly the color of the muscle
+/// around it.
 double usualShareOnSlices(std::uint8_t label);
 
 /// True where a structure's colour is not the case's.

@@ -39,7 +39,7 @@ QString stateWord(GuideSession::State state, bool optional) {
   return {};
 }
 
-/// Whether it is enough, and how one gets there.
+/// Describes whether the clicks suffice, and how to complete them.
 QString clicksWords(const GuideStep& step, int count) {
   QStringList words;
   if (count == 0)
@@ -84,7 +84,7 @@ GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), gu
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->setTextElideMode(Qt::ElideMiddle);  // the side comes last
-  // How far a step is, is read whole.
+  // A step's state must be readable in full.
   list_->header()->setStretchLastSection(false);
   list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);

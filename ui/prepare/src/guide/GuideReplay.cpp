@@ -54,7 +54,7 @@ void GuideReplay::next() {
   again ? labels_.runAgain(std::move(step), name_, done) : labels_.run(std::move(step), name_, done);
 }
 
-/// Where nothing new was recorded, what was taken back still waits to be done again.
+/// If nothing new was recorded, the undone steps can still be redone.
 bool GuideReplay::doneAgainByRedo() {
   if (labels_.recipe().steps.size() != first_) return false;
   while (undo_.index() < here_ && undo_.canRedo()) undo_.redo();
@@ -67,7 +67,7 @@ void GuideReplay::fail() {
   restoreSoon();
 }
 
-/// Who has cancelled may be about to begin something else, which comes first.
+/// A user who has cancelled may be about to begin something else, which comes first.
 void GuideReplay::restoreSoon() {
   QTimer::singleShot(kUntilFree_ms, this, [this, number = number_] {
     if (number == number_) labels_.isFree() ? restore() : restoreSoon();

@@ -18,7 +18,7 @@ class LabelSession;
 /// were made before: those after them are taken back first and made again, with the rules that they had.
 class GuideReplay : public QObject {
  public:
-  /// Whether all went well: else the labels are as they were before.
+  /// Called with true if all went well; otherwise the labels are as they were before.
   using Done = std::function<void(bool well)>;
 
   GuideReplay(LabelSession& labels, QUndoStack& undo, QObject* parent)
@@ -28,7 +28,7 @@ class GuideReplay : public QObject {
   /// then.
   bool run(std::vector<LabelStep> steps, std::size_t first, std::size_t end, const QString& name, Done done);
   bool isRunning() const { return running_; }
-  /// Of another case.
+  /// Forgets the steps of another case.
   void forget() { ++number_, running_ = false; }
 
  private:

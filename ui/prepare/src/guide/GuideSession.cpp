@@ -48,7 +48,7 @@ void GuideSession::beginCase() {
   goToNext();
 }
 
-/// What was recorded when the case was saved says how far the author was, and where the clicks were.
+/// The recipe recorded at the last save tells how far the author was, and where the clicks were.
 void GuideSession::takeUpRecipe() {
   const QString folder = session_.origin().folder;
   if (folder.isEmpty() || !recipe_.steps.empty() || !before_.steps.empty()) return;
@@ -66,7 +66,7 @@ void GuideSession::takeUpRecipe() {
   goToNext();
 }
 
-/// What the import has labelled is known only once the case is measured.
+/// The labels of the import are known only once the case is measured.
 void GuideSession::beginAtFirstToDo() {
   if (!session_.measuring().measures() || std::exchange(begun_, true)) return Q_EMIT changed();
   if (recipe_.steps.empty() && clicks_mm().empty()) goToNext();
@@ -184,7 +184,7 @@ void GuideSession::run() {
   const int index = current_;
   const Span before = isMade(index) ? spanOf(index) : Span{recipe_.steps.size(), 0};
   working_ = index;
-  // What is taken back to get at an earlier step takes along what was said meanwhile.
+  // Undoing back to an earlier step also undoes the terms set meanwhile.
   const bool begun = replay_.run(
       std::move(way->steps), before.first, before.first + before.count, QString::fromStdString(step().title),
       [this, index, said = session_.said(), caution = QString::fromStdString(way->caution)](bool well) {
@@ -207,7 +207,7 @@ void GuideSession::finished(int index, bool well) {
   working_ = -1;
   recipe_ = session_.labelling().recipe();
   if (well) {
-    // Who hid the labels to find the structure in the CT is to see the result.
+    // An author who hid the labels to find the structure in the CT must see the result.
     session_.setLabelsShown(true);
     StepProgress& p = progress_[std::size_t(index)];
     p.made = spanOf(index).count;

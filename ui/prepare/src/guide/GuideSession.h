@@ -14,8 +14,8 @@ namespace insonate::prepare {
 
 class PrepareSession;
 
-/// What an author is led through: the steps of a guide, how far each of them is, and what was clicked for it. Runs
-/// tools through the labels' session, so that everything is recorded and can be undone. Knows no widget.
+/// The guide of an author: its steps, the state of each, and the clicks for it. Runs tools through the labels'
+/// session, so that everything is recorded and can be undone. Knows no widget.
 class GuideSession : public QObject {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class GuideSession : public QObject {
   int current() const { return current_; }
   const GuideStep& step() const { return guide_.steps[std::size_t(current_)]; }
   void go(int index);
-  /// To the first step that makes a label; false where none does.
+  /// Moves to the first step that makes a label; false if none does.
   bool goToStepFor(std::uint8_t label);
   State state(int index) const;
   /// Its author was led by it when the case was saved, and what training needs is not all there.
@@ -58,7 +58,7 @@ class GuideSession : public QObject {
   void accept();
   /// On without the current step.
   void skip();
-  /// What Enter does: run, then accept.
+  /// Action of the Enter key: run, then accept.
   void proceed();
 
   /// The current step's label is painted and erased in the slices; other structures are spared.
@@ -77,7 +77,7 @@ class GuideSession : public QObject {
   void told(const QString& sentence);
 
  private:
-  /// Of the recorded steps, those that a step of the guide has made.
+  /// Recorded steps that belong to one step of the guide.
   struct Span {
     std::size_t first = 0, count = 0;
   };

@@ -10,8 +10,8 @@
 
 namespace insonate::prepare {
 
-/// What is computed of the labels goes along with every edit, once the author pauses: the surfaces of the labels that
-/// have changed and the live picture soon, volumes and the check later.
+/// Updates the results that depend on the labels after every edit, once the author pauses: the surfaces of changed
+/// labels and the live image soon, volumes and the check later.
 class LabelFollowers : public QObject {
   Q_OBJECT
 

@@ -13,8 +13,8 @@
 
 namespace insonate::prepare {
 
-/// What a step would write, computed on another thread. The latest step wins: one that is superseded is told to stop,
-/// and is shown only if it was done already, so that a slider that is dragged is followed.
+/// Preview of a step, computed on another thread. The latest step wins: a superseded one is stopped, and is shown only
+/// if it was done already, so that the preview follows a dragged slider.
 class LabelPreview : public QObject {
   Q_OBJECT
 
@@ -29,7 +29,7 @@ class LabelPreview : public QObject {
 
   /// Null for none.
   const std::shared_ptr<const Proposal>& proposal() const { return proposal_; }
-  /// What its step is for: the proposal may have others, too.
+  /// Label of the step; the proposal may contain others, too.
   std::uint8_t label() const { return label_; }
   /// The latest step is at work.
   bool isComputing() const { return computing_; }

@@ -7,9 +7,10 @@
 
 namespace insonate::prepare {
 
-/// What the author has said that tools must leave alone; of the whole window, where a step has rules of its own.
+/// The author's rules about voxels that tools must leave unchanged; for the whole window, where a step has rules of
+/// its own.
 struct LabelRules {
-  /// Which labels may be overwritten, of those that are neither locked nor hidden.
+  /// Labels that may be overwritten, among those that are neither locked nor hidden.
   enum class Over {
     Every,
     Filling,     ///< what lies between structures that have a name
@@ -25,7 +26,7 @@ struct LabelRules {
   bool mayEdit(std::uint8_t label) const { return !locked.test(label) && !hidden.test(label); }
 };
 
-/// What fills the body between structures that have a name: overwriting nothing else spares what was labelled before.
+/// Labels that fill the body between named structures: overwriting nothing else spares earlier work.
 inline constexpr std::uint8_t kFilling[] = {kBackground, kFat, kMuscle, kSoftTissue};
 
 /// Soft tissue is everything else, as is what is not in the patient.

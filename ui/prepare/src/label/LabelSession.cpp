@@ -42,7 +42,7 @@ void LabelSession::replaceCase(std::shared_ptr<const PatientCase> patient) {
   patient_ = std::move(patient);
   if (!working_) return;
   edit_->setCt(patient_->ct);
-  // What was painted while it was written is not in it.
+  // Edits made during the writing are not in it.
   if (labels().voxels == patient_->labels.voxels) saved_ = state();
 }
 

@@ -43,7 +43,7 @@ class LabelSession : public QObject {
   using Done = std::function<void(const Result<LabelChange>&)>;
 
   LabelSession(ui::TaskBar& tasks, QUndoStack& undo, QObject* parent);
-  /// How labels are called in sentences; without, as the label table has them.
+  /// Sets the names of labels in sentences; the default are those of the label table.
   void setNames(std::function<QString(std::uint8_t)> names) { names_ = std::move(names); }
   ~LabelSession() override;
 
@@ -52,7 +52,7 @@ class LabelSession : public QObject {
   /// The same case, written to disk with labels() as they were then.
   void replaceCase(std::shared_ptr<const PatientCase> patient);
 
-  /// What is seen now. A case is open.
+  /// The labels as displayed. A case is open.
   const LabelMap& labels() const { return *seen(); }
   /// The same, shared with views of this thread; announced by seenChanged() when it is another map.
   std::shared_ptr<const LabelMap> seen() const;
@@ -79,7 +79,7 @@ class LabelSession : public QObject {
   bool isFree() const;
   /// Stops the tool that run() began; nothing is changed.
   void cancel() { settle(); }
-  /// What run() would write, in preview().
+  /// Computes in preview() the result that run() would have.
   void wantPreview(LabelStep step);
   LabelPreview& preview() { return preview_; }
   const LabelPreview& preview() const { return preview_; }
@@ -112,7 +112,7 @@ class LabelSession : public QObject {
     Done done;
   };
 
-  /// Of the case's labels, for the working map and its snapshots.
+  /// Copies of the case's labels, for the working map and its snapshots.
   struct Copies {
     std::shared_ptr<LabelMap> working;
     LabelSnapshots::Copies snapshots;

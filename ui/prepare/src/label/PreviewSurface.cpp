@@ -15,9 +15,9 @@
 namespace insonate::prepare {
 namespace {
 
-/// So that it follows a slider: a preview is looked at, not kept.
+/// Coarse enough to follow a slider: a preview is looked at, not kept.
 constexpr SurfaceOptions kCoarse{.smoothing_mm = 0, .detail_mm = 3};
-/// Of the voxels that are looked at.
+/// Size of the voxels for a preview.
 constexpr double kVoxel_mm = 1;
 
 /// One voxel of each block that is not larger than kVoxel_mm, near its middle.

@@ -12,7 +12,7 @@ class ProposalStore {
  public:
   ProposalStore();
 
-  /// To be filled; comes back from whatever thread lets go of it last. Holds what it held then.
+  /// Returns a proposal to fill, with its former contents; it returns here from whichever thread releases it last.
   std::shared_ptr<Proposal> take();
   /// Gives all memory back; what is looked at still, once it is let go.
   void forget();

@@ -12,7 +12,7 @@
 namespace insonate::prepare {
 namespace {
 
-/// Of the small picture: as many scanlines as it has columns to show them.
+/// Size of the small image: as many scanlines as it has columns to show them.
 constexpr int kScanlines = 160, kSamples = 500, kWidth = 410, kHeight = 308;
 /// The slices are painted by then: on two processors they would wait for the picture, and for the probe in 3D.
 constexpr int kAfterSlices_ms = 40;
@@ -238,7 +238,7 @@ void LivePatient::news() {
 void LivePatient::follow(Vec3 patient_mm) {
   wanted_mm_ = patient_mm;
   if (!hand_) return;
-  // Where it stops, it stands as near as it can.
+  // If the way is blocked, the probe stands as near as it can.
   hand_->moveTo(patient_mm);
   rememberPlace();
   // While the crosshair is dragged, each move does not put it off again.

@@ -14,9 +14,9 @@
 
 namespace insonate::prepare {
 
-/// What is computed of a patient beside the window: surfaces for 3D, and the ultrasound that the labels give, of a
-/// probe that stands on the skin nearest to where the author looks. Pictures are made only while it is awake, and only
-/// when the probe has moved.
+/// Results computed for a patient beside the window: surfaces for 3D, and the ultrasound of the labels, seen by a
+/// probe on the skin nearest to the crosshair. Images are made only while it is awake, and only when the probe has
+/// moved.
 class LivePatient : public QObject {
   Q_OBJECT
 
@@ -29,7 +29,7 @@ class LivePatient : public QObject {
   /// The same voxels in other memory: nothing is made anew but the live probe.
   void replacePatient(std::shared_ptr<const PatientCase> patient);
   void wantSurface(const ui::SurfaceWish& wish);
-  /// What labels of the author's own are made of.
+  /// Sets the tissues of the author's own labels.
   void setOwnLabels(const OwnLabels& own);
   /// Edited labels in place of the patient's: the picture is made of them from now on, and these surfaces.
   /// `outsideMoved`: the probe stands on another skin, or on the first that there is.
@@ -44,10 +44,10 @@ class LivePatient : public QObject {
   /// The probe is put at a pose.
   void goTo(const StartPose& pose);
   void setStart(std::optional<StartPose> start);
-  /// How far the probe is pushed into the skin, from where it stands on it.
+  /// Sets how far the probe is pressed into the skin.
   void setPress(double mm);
   double press_mm() const { return press_mm_; }
-  /// Where the case begins, once known.
+  /// The case's first pose, once known.
   const std::optional<StartPose>& start() const { return start_; }
   /// patientFromProbe; none before it is known.
   std::optional<Transform> pose() const;

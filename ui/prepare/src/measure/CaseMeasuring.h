@@ -18,7 +18,7 @@ class TaskBar;
 
 namespace insonate::prepare {
 
-/// What was found out about a case.
+/// Measures of a case.
 struct CaseMeasures {
   CaseStatistics statistics;
   std::vector<Finding> findings;

@@ -151,7 +151,7 @@ bool LabellingMeasure::scenePainted() const {
   return sceneKnows_ && scene.renderings() > renderings_.back() && !scene.isDrawing();
 }
 
-/// What was rendered before a tick of the timer has been painted by then.
+/// Frames rendered before a tick of the timer have been painted by then.
 void LabellingMeasure::look() {
   const double since_ms = ms(tick_), before_ms = std::exchange(tickWork_ms_, threadTime_ms());
   tick_.start();

@@ -24,7 +24,7 @@ class LabellingMeasure : public QObject {
                    std::function<void(std::vector<LabellingTime>)> done);
 
  private:
-  /// What is to be seen of a task, and since when it has been each time.
+  /// Visible results of a task, and the time of each.
   struct Sight {
     QString name;
     std::function<bool()> there;
@@ -62,7 +62,7 @@ class LabellingMeasure : public QObject {
   std::size_t task_ = 0;
   int repeat_ = 0;
   bool acting_ = false;
-  /// What the author waits for has come, in the slices and in 3D: now the views have to show it.
+  /// The result has arrived in the slices and in 3D: now the views have to show it.
   bool slicesKnow_ = false, sceneKnows_ = false;
   std::array<int, 4> renderings_{};  ///< of each view, when it came
   double tickWork_ms_ = 0;

@@ -19,7 +19,7 @@ QString number(double value, int decimals) {
   return text;
 }
 
-/// Where the three axes of the grid point in the patient.
+/// Directions of the grid's three axes in the patient.
 QString axesOf(const VolumeGeometry& grid) {
   QStringList letters;
   for (const Vec3& axis : grid.direction.column) letters << QString::fromStdString(views::orientationLetters(axis));

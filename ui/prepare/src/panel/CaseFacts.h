@@ -10,7 +10,7 @@ namespace insonate::prepare {
 
 class PrepareSession;
 
-/// What is known about the case; its title can be changed.
+/// Facts about the case; its title can be changed.
 class CaseFacts : public QWidget {
  public:
   explicit CaseFacts(PrepareSession& session, QWidget* parent = nullptr);

@@ -17,7 +17,7 @@ class PrepareSession;
 /// one is published.
 class PublishStep : public QWidget {
  public:
-  /// What is published shows in `mark`.
+  /// Shows the published version in `mark`.
   PublishStep(PrepareSession& session, ui::TaskBar& tasks, QLabel& mark, QWidget* parent = nullptr);
 
  private:

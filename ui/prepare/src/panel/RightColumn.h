@@ -22,9 +22,8 @@ class Section;
 class ToolSession;
 class UltrasoundPane;
 
-/// What is beside the slices: the tool in hand, two pages of which one is shown, and the ultrasound of the labels. The
-/// first page is about what one looks at, the second is the check: what is missing or doubtful, how hard the case is,
-/// and its places.
+/// The column beside the slices: the tool in hand, two pages of which one is shown, and the ultrasound of the labels.
+/// The first page is about the structures, the second is the check: findings, difficulty and places.
 class RightColumn : public QSplitter {
   Q_OBJECT
 

@@ -13,7 +13,7 @@ namespace insonate::prepare {
 
 class PrepareSession;
 
-/// How the slices are shown: window and level of the CT, and the labels over it.
+/// Display of the slices: window and level of the CT, and the labels over it.
 class SliceControls : public QWidget {
  public:
   explicit SliceControls(PrepareSession& session, QWidget* parent = nullptr);

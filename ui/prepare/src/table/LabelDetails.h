@@ -9,7 +9,7 @@ namespace insonate::prepare {
 
 class PrepareSession;
 
-/// What the selected structure is and how far it is: state, tissue, term and voxels, in words.
+/// Details of the selected structure: state, tissue, term and voxels, in words.
 class LabelDetails : public QWidget {
  public:
   explicit LabelDetails(PrepareSession& session, QWidget* parent = nullptr);

@@ -7,8 +7,7 @@
 
 namespace insonate::prepare {
 
-/// What an author says of labels beside how they are drawn: what his own mean, and how far he is with each. Edited and
-/// taken back as a whole.
+/// The author's terms of labels: meaning of own labels, and progress on each. Edited and undone as a whole.
 struct LabelTerms {
   OwnLabels own;
   LabelStates states;

@@ -22,7 +22,7 @@ namespace insonate::prepare {
 namespace {
 
 constexpr int kRow_px = 26, kIconColumn_px = 25, kVolumeColumn_px = 58;
-/// What the columns beside those of a narrow table take, and from which width on there is room for them.
+/// Widths of the columns that a wide table adds, which also decide when there is room for them.
 constexpr int kStateColumn_px = 128, kTissueColumn_px = 130, kVoxelsColumn_px = 108;
 constexpr int kRoomForState_px = 380, kRoomForTissue_px = 500, kRoomForAll_px = 880;
 constexpr double kPercent = 100;

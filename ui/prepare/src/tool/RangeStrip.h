@@ -18,7 +18,7 @@ class RangeStrip : public QWidget {
   void setHistogram(const views::HuHistogram& histogram);
   void setRange(HuRange range);
   void setColour(views::Colour colour);
-  /// Where a Hounsfield unit is drawn, and what a place means.
+  /// Converts between Hounsfield units and places on the strip.
   double placeOf(double hu) const;
   double huAt(double x) const;
 

@@ -15,7 +15,7 @@ class LabelBox;
 class PrepareSession;
 class RangeField;
 
-/// What every tool must leave alone: which labels it may overwrite, and where the CT must be in a range.
+/// Rules for every tool: the labels that it may overwrite, and the range in which the CT must be.
 class RulesBox : public QWidget {
  public:
   explicit RulesBox(PrepareSession& session, QWidget* parent = nullptr);

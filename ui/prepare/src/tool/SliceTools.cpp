@@ -116,7 +116,7 @@ bool SliceTools::released(const QMouseEvent& event) {
   return true;
 }
 
-/// Those that the guide has, too: while a tool is in hand they are the tool's.
+/// Keys that the guide has, too: while a tool is in hand they are the tool's.
 bool SliceTools::key(int key, bool act) {
   switch (key) {
     case Qt::Key_Return:

@@ -44,7 +44,7 @@ struct ToolChoice {
   std::function<void(LabelTool&, int)> set;
 };
 
-/// What the mouse does on a slice while a tool is in hand.
+/// Action of the mouse on a slice while a tool is in hand.
 enum class ToolInput {
   Nothing,
   Brush,    ///< a left drag writes at once
@@ -72,7 +72,7 @@ struct Tool {
 /// All tools, in the palette's order.
 const std::vector<Tool>& toolTable();
 
-/// Where the tool keeps points that are clicked; null where it has none.
+/// Clicked points of a tool; null if it takes none.
 std::vector<Vec3>* pointsOf(LabelTool& tool);
 
 }  // namespace insonate::prepare

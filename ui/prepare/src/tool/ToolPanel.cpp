@@ -70,7 +70,7 @@ ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* paren
 
 ToolPanel::~ToolPanel() = default;
 
-/// Of a preview that takes a while: nothing flickers while a slider is followed.
+/// Shows that a preview takes a while; nothing flickers while it follows a slider.
 void ToolPanel::tellComputing() {
   if (session_.labelling().preview().isComputing()) return slow_.start();
   slow_.stop();
@@ -178,7 +178,7 @@ void ToolPanel::refresh() {
   name_->setText(tool->name);
   label_->show(session_.selected());
   const int missing = tool->leastPoints - int(tools_.points().size());
-  // Those on other slices are not seen.
+  // Points on other slices are not seen.
   const bool clicked = tool->input == ToolInput::Points && !tools_.points().empty();
   advice_->setText(session_.selected() == kBackground
                        ? tr("Choose a label in the table on the left first, or add one there.")

@@ -30,7 +30,7 @@ class ToolPanel : public QWidget {
   ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* parent = nullptr);
   ~ToolPanel() override;
 
-  /// Of the case's CT.
+  /// Sets the histogram of the case's CT.
   void setHistogram(const views::HuHistogram& histogram);
 
  private:

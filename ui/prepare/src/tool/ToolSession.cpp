@@ -12,7 +12,7 @@
 namespace insonate::prepare {
 namespace {
 
-/// Of voxels, and of the CT's longest side.
+/// Limits of lengths: share of a voxel, and of the CT's longest side.
 constexpr double kLeastOfVoxel = 0.5, kMostOfSide = 0.2;
 /// Around the voxel that was clicked.
 constexpr int kAround_HU = 60;
@@ -28,7 +28,7 @@ ToolSession::ToolSession(PrepareSession& session, QObject* parent) : QObject(par
   connect(&session_, &PrepareSession::selectedChanged, this, [this] { changed(); });
   connect(&session_.labelling(), &LabelSession::busyChanged, this, &ToolSession::pointsChanged);
   connect(&session_.labelling(), &LabelSession::failed, this, &ToolSession::told);
-  // What is shown must be what Enter would write.
+  // The preview must equal the result of Enter.
   connect(&session_.labelling(), &LabelSession::rulesChanged, this, [this] { changed(); });
 }
 
@@ -66,7 +66,7 @@ void ToolSession::chooseLast() {
 void ToolSession::changed() {
   if (!tool_) return;
   Q_EMIT told({});
-  // What is shown must be what Enter would write. A click asks to see what comes of it.
+  // The preview must equal the result of Enter. A click asks for a preview.
   const bool clicked = tool_->input == ToolInput::Range || tool_->input == ToolInput::Points;
   if (isComplete() && (clicked || isPreviewWanted()))
     preview();
@@ -118,7 +118,7 @@ ui::ValueRange ToolSession::rangeOf(const ToolNumber& number) const {
   if (!number.ofVoxels) return range;
   double longest_mm = 0;
   for (int axis = 0; axis < 3; ++axis) longest_mm = std::max(longest_mm, grid.size[axis] * voxel_mm[axis]);
-  // To what is shown, one digit.
+  // Rounds to one digit, as displayed.
   const auto tenths = [](double mm) { return std::max(0.1, std::round(10 * mm) / 10); };
   range.least = tenths(kLeastOfVoxel * finest_mm);
   range.most = std::max(tenths(kMostOfSide * longest_mm), range.least + 1);

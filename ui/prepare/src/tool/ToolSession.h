@@ -31,7 +31,7 @@ class ToolSession : public QObject {
   void setChoice(const ToolChoice& choice, int index);
   void setRange(HuRange range);
   void setOther(std::uint8_t label);
-  /// Of this case.
+  /// Range of a number in this case.
   ui::ValueRange rangeOf(const ToolNumber& number) const;
 
   const std::vector<Vec3>& points() const;

@@ -1,15 +1,12 @@
 #include "Tool.h"
 
-#include <QCoreApplication>
+#include <insonate/ui/Text.h>
+
 #include <array>
 #include <utility>
 
 namespace insonate::prepare {
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("insonate::prepare::Tool", text);
-}
 
 /// `field` gives the number's place in the tool's own parameters.
 template <class Step, class Field>

@@ -263,7 +263,7 @@ void CaseViews::followProbe() {
 void CaseViews::pickAt(QPoint at) {
   const double ratio = widgets_[kSlices]->devicePixelRatioF();
   const views::DisplayPoint point{(at.x() + 0.5) * ratio, (at.y() + 0.5) * ratio};
-  // Who clicks on a vein that shines through the skin means the vein.
+  // A click on a vein that shines through the skin means the vein.
   constexpr double kSeenThrough = 0.5;
   auto picked = scene_->pick(point, kSeenThrough);
   if (!picked) picked = scene_->pick(point);

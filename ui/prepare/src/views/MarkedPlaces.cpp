@@ -3,7 +3,7 @@
 namespace insonate::prepare {
 namespace {
 
-/// Of a cross in 3D, from its middle; and of a start pose, half the face of a linear probe and the way it looks.
+/// Sizes of marks: arm of a cross in 3D, half the face of a linear probe, and length of its direction.
 constexpr double kArm_mm = 5, kHalfFace_mm = 19, kLook_mm = 25;
 
 void mark(MarkedPlaces& all, Vec3 at_mm, const std::string& name, views::Colour colour) {

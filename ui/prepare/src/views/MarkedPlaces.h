@@ -7,7 +7,7 @@
 
 namespace insonate::prepare {
 
-/// What an author says about places, as it is drawn.
+/// The author's places, as they are drawn.
 struct MarkedPlaces {
   std::vector<views::NamedPlace> places;  ///< on slices, with their names
   std::vector<views::ScenePath> paths;    ///< in 3D: crosses, and of a start pose the probe's face and the way it looks

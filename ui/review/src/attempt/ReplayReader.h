@@ -8,8 +8,8 @@
 
 namespace insonate::review {
 
-/// What both hands did at any time of a recording. One stretch, about a second, is unpacked for a time that lies in
-/// another one than the time before, wherever it lies. Not for concurrent use of one object.
+/// State of both hands at any time of a recording. One stretch, about a second, is unpacked when the time moves to
+/// another stretch, wherever it lies. Not for concurrent use of one object.
 class ReplayReader {
  public:
   explicit ReplayReader(std::shared_ptr<const AttemptRecording> recording) : recording_(std::move(recording)) {}

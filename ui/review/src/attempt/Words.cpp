@@ -1,20 +1,12 @@
 #include "Words.h"
 
 #include <insonate/procedure/Procedure.h>
+#include <insonate/ui/Text.h>
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
 
 namespace insonate::review {
-namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Review", text);
-}
-
-}  // namespace
-
 QString clockOf(std::int64_t time_us) {
   const qint64 hundredths = (time_us + 5000) / 10000;
   return QStringLiteral("%1:%2.%3")

@@ -27,10 +27,10 @@ class ClassPage final : public QWidget {
  public:
   explicit ClassPage(ClassDesk& desk, QWidget* parent = nullptr);
 
-  /// Of the row that is chosen: Person::id; empty: none.
+  /// Person::id of the selected row; empty: none.
   QString chosenPerson() const;
 
-  /// What saves the class; it goes behind a button.
+  /// Sets the menu that saves the class, behind a button.
   void setSaving(QMenu* menu) { save_->setMenu(menu); }
   void openSaving() {
     if (save_->isEnabled()) save_->showMenu();

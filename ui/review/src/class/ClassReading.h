@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-/// What is asked of the store for Review, on the account's thread.
+/// Queries of Review to the store, on the account's thread.
 namespace insonate::review {
 
 /// An attempt to look at, and why.

@@ -1,18 +1,14 @@
 #include "ClassWords.h"
 
 #include <insonate/curriculum/Judgement.h>
+#include <insonate/ui/Text.h>
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
 #include <cmath>
 
 namespace insonate::review {
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Review", text);
-}
 
 QDateTime timeOf(std::int64_t time_us) {
   return QDateTime::fromMSecsSinceEpoch(time_us / 1000);

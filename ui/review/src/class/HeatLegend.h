@@ -4,7 +4,7 @@
 
 namespace insonate::review {
 
-/// What the heat map's colours mean.
+/// Legend of the heat map's colors.
 class HeatLegend final : public QWidget {
  public:
   explicit HeatLegend(QWidget* parent = nullptr);

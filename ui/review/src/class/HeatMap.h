@@ -23,7 +23,7 @@ struct HeatCell {
 /// By Person::id, a cell for each of MetricBook::all().
 using HeatMap = std::map<std::string, std::vector<HeatCell>>;
 
-/// Of attempts of many people. Those that do not count (Judgement.h) are left out.
+/// Heat map of many people's attempts. Those that do not count (Judgement.h) are left out.
 HeatMap heatMapOf(std::span<const AttemptFacts> attempts);
 
 /// From dark blue (novice) over grey to yellow (expert), the colours of cividis (Nunez, Anderton, Renslow, PLoS ONE

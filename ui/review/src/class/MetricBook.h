@@ -10,15 +10,15 @@
 
 namespace insonate::review {
 
-/// What metrics mean, and what novices and experts reach, in each procedure that comes along. Points are told among
-/// them, as "points", which is no metric and has no norm.
+/// Meanings of metrics, and the norms of novices and experts, in each built-in procedure. Points are listed as
+/// "points", which is no metric and has no norm.
 class MetricBook {
  public:
   static const MetricBook& here();
 
   /// Points first, then those of which any procedure has a norm, then the others.
   const std::vector<MetricMeaning>& all() const { return all_; }
-  /// How many of all() have points or a norm.
+  /// Number of entries of all() that are points or have a norm.
   std::size_t comparable() const { return comparable_; }
   /// With the norms of that procedure; without any where it is not known.
   const MetricMeaning& in(const std::string& procedure, const MetricMeaning& meaning) const;

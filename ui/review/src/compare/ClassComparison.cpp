@@ -4,18 +4,14 @@
 
 #include <insonate/curriculum/Comparison.h>
 #include <insonate/curriculum/Statistics.h>
+#include <insonate/ui/Text.h>
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace insonate::review {
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Review", text);
-}
 
 std::vector<double> valuesOf(const HeatMap& heat, std::size_t metric) {
   std::vector<double> values;
@@ -47,7 +43,7 @@ ui::ChartPicture::Line peopleBeside(double x, std::span<const double> values, ui
   return dots;
 }
 
-/// Who is in both is on both sides, which the p-value does not know of.
+/// Number of people in both classes; the p-value treats them as different people.
 std::size_t inBoth(const ComparedClass& first, const ComparedClass& second) {
   return std::size_t(
       std::ranges::count_if(first.heat, [&](const auto& one) { return second.heat.contains(one.first); }));

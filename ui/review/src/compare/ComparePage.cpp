@@ -75,7 +75,7 @@ void ComparePage::fillClasses() {
   other_->addItem(tr("with ..."), QString());
   for (const Cohort& cohort : desk_.cohorts())
     if (cohort.id != ownId_) other_->addItem(QString::fromStdString(cohort.name), QString::fromStdString(cohort.id));
-  // Where there is but one other class, it is that.
+  // If there is only one other class, it is selected.
   other_->setCurrentIndex(other_->count() == 2 ? 1 : std::max(0, other_->findData(before)));
   isVisible() ? readOther() : show();
 }

@@ -22,8 +22,8 @@ class PersonPage;
 class RatersPage;
 class SaveMenu;
 
-/// Where one is while no attempt is open: class, person and recordings for who is signed in, as far as they may see
-/// them; the recordings of this computer alone for a guest.
+/// The pages while no attempt is open: class, person and recordings for a signed-in user, as far as the user may see
+/// them; the recordings of this computer for a guest.
 class ReviewHome final : public QWidget {
   Q_OBJECT
 

@@ -19,7 +19,8 @@ namespace insonate::review {
 
 class ReviewSession;
 
-/// Whose attempt is replayed, and what raters say of it, without a widget. The store is asked on the account's thread.
+/// The trainee of a replayed attempt, and the raters' judgements of it, without a widget. The store is queried on the
+/// account's thread.
 class JudgeDesk : public QObject {
   Q_OBJECT
 
@@ -35,13 +36,14 @@ class JudgeDesk : public QObject {
   bool isReading() const { return reading_; }
   /// The file is not what the attempt was recorded as: what is replayed is not theirs.
   bool isOther() const { return origin_ && origin_->attempt && !origin_->same; }
-  /// Whose attempt it is, or why nobody's is told.
+  /// Trainee of the attempt, or the reason why none is named.
   QString words() const;
-  /// Who is signed in may hand in judgements of this attempt: it is a trainee's of theirs, and the recording is.
+  /// Tells whether the user may submit judgements of this attempt: it belongs to one of the user's trainees, and so
+  /// does the recording.
   bool mayJudge() const;
   /// True once the user has handed in this form about the attempt: a form is handed in once.
   bool hasHandedIn(const std::string& form) const;
-  /// What drafts of who is signed in are kept by.
+  /// Key of the user's drafts.
   ui::FormSubject subject() const;
 
   /// Once and for all; tells handedIn() or failed().

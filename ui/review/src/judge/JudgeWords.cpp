@@ -2,18 +2,11 @@
 
 #include "../class/ClassWords.h"
 
-#include <QCoreApplication>
+#include <insonate/ui/Text.h>
+
 #include <cmath>
 
 namespace insonate::review {
-namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Review", text);
-}
-
-}  // namespace
-
 QString coefficientOf(const std::optional<double>& value) {
   if (!value) return tr("n/a");
   const double rounded = std::round(*value * 100) / 100;

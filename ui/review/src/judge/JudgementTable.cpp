@@ -102,7 +102,7 @@ void JudgementTable::fill() {
     }
 }
 
-/// Where raters differ a sign says so, not colour alone.
+/// A sign marks items on which raters differ, not color alone.
 void JudgementTable::fillRow(int row, const FormItem& item, bool differs) {
   const auto set = [&](int column, const QString& text) {
     auto* cell = new QTableWidgetItem(text);
@@ -115,7 +115,7 @@ void JudgementTable::fillRow(int row, const FormItem& item, bool differs) {
   for (std::size_t i = 0; i < columns_.size(); ++i) set(int(i) + 1, cellOf(item, columns_[i].answers));
 }
 
-/// Who handed in what.
+/// Rater of each column.
 QString JudgementTable::wordsAbove() const {
   if (forms_.empty())
     return tr("Nobody has handed in '%1' about this attempt yet.").arg(QString::fromStdString(form_.title));

@@ -12,8 +12,7 @@ class QTableWidget;
 
 namespace insonate::review {
 
-/// What was handed in about an attempt by one form: item by item, a column for each, where raters differ, their notes,
-/// and how far they agree.
+/// Judgements of an attempt by one form: item by item, a column for each rater, differences, notes, and agreement.
 class JudgementTable final : public QWidget {
   Q_OBJECT
 

@@ -27,7 +27,7 @@
 namespace insonate::review {
 namespace {
 
-constexpr int kRow_px = 26, kCount_px = 90, kFigure_px = 170;
+constexpr int kRaterRow_px = 26, kCount_px = 90, kFigure_px = 170;
 
 QTableWidget* tableOf(const char* object, const QString& name, const QStringList& titles) {
   auto* table = new QTableWidget;
@@ -35,7 +35,7 @@ QTableWidget* tableOf(const char* object, const QString& name, const QStringList
   table->setAccessibleName(name);
   table->setColumnCount(titles.size());
   table->setHorizontalHeaderLabels(titles);
-  ui::makeRowTable(*table, kRow_px);
+  ui::makeRowTable(*table, kRaterRow_px);
   table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   for (int column = 1; column < titles.size(); ++column)
     table->horizontalHeader()->resizeSection(column, column + 1 < titles.size() ? kCount_px : kFigure_px);

@@ -14,8 +14,7 @@ namespace insonate::review {
 
 class ClassDesk;
 
-/// How far those agree who judged the attempts of a class by one form: each two raters, and item by item. Asked for
-/// when it is looked at.
+/// Agreement of the raters of a class's attempts by one form: in pairs, and item by item. Queried when it is shown.
 class RatersPage final : public QWidget {
   Q_OBJECT
 

@@ -10,7 +10,7 @@
 
 namespace insonate::review {
 
-/// Whose attempt a recording is, by the store.
+/// Attempt and trainee of a recording, by the store.
 struct RecordingOrigin {
   std::optional<AttemptFacts> attempt{};  ///< none: of none that is kept
   Person person{};                        ///< whose it is

@@ -23,8 +23,17 @@
 namespace insonate::review {
 namespace {
 
-constexpr int kRow_px = 26, kDate_px = 172, kLevel_px = 200, kLength_px = 80, kPoints_px = 64, kRecording_px = 150;
-enum Column { kDate, kLevel, kOutcome, kPoints, kLength, kRecording, kColumns };
+constexpr int kHistoryRow_px = 26, kHistoryDate_px = 172, kHistoryLevel_px = 200, kHistoryLength_px = 80,
+              kHistoryPoints_px = 64, kHistoryRecording_px = 150;
+enum HistoryColumn {
+  kHistoryDate,
+  kHistoryLevel,
+  kHistoryOutcome,
+  kHistoryPoints,
+  kHistoryLength,
+  kHistoryRecording,
+  kHistoryColumns
+};
 
 QString placeOf(const KeptAttempt& attempt, const QString& recording) {
   if (!attempt.recordingFile.empty()) return HistoryTable::tr("kept with the store");
@@ -77,18 +86,18 @@ HistoryTable::HistoryTable(PersonDesk& desk, QWidget* parent)
 QWidget* HistoryTable::buildTable() {
   table_->setObjectName(QStringLiteral("history"));
   table_->setAccessibleName(tr("Attempts of this person, the latest first"));
-  table_->setColumnCount(kColumns);
+  table_->setColumnCount(kHistoryColumns);
   table_->setHorizontalHeaderLabels(
       {tr("Attempt"), tr("Level"), tr("Outcome"), tr("Points"), tr("Length"), tr("Recording")});
-  ui::makeRowTable(*table_, kRow_px);
-  table_->setMinimumHeight(4 * kRow_px);
+  ui::makeRowTable(*table_, kHistoryRow_px);
+  table_->setMinimumHeight(4 * kHistoryRow_px);
   QHeaderView* header = table_->horizontalHeader();
-  header->setSectionResizeMode(kOutcome, QHeaderView::Stretch);
-  header->resizeSection(kDate, kDate_px);
-  header->resizeSection(kLevel, kLevel_px);
-  header->resizeSection(kPoints, kPoints_px);
-  header->resizeSection(kLength, kLength_px);
-  header->resizeSection(kRecording, kRecording_px);
+  header->setSectionResizeMode(kHistoryOutcome, QHeaderView::Stretch);
+  header->resizeSection(kHistoryDate, kHistoryDate_px);
+  header->resizeSection(kHistoryLevel, kHistoryLevel_px);
+  header->resizeSection(kHistoryPoints, kHistoryPoints_px);
+  header->resizeSection(kHistoryLength, kHistoryLength_px);
+  header->resizeSection(kHistoryRecording, kHistoryRecording_px);
   connect(table_, &QTableWidget::itemActivated, this, [this] { replay(); });
   connect(table_, &QTableWidget::itemSelectionChanged, this, [this] { showChosen(); });
   return table_;
@@ -179,12 +188,12 @@ void HistoryTable::fill(int row, const KeptAttempt& attempt) {
   if (isUnproven(attempt) && !outcome.contains(tr("not proven"))) outcome += tr(", not proven");
   if (facts.proof == AttemptProof::Accepted) outcome += tr(", accepted");
   if (const QString why = desk_.whyToLook(facts); !why.isEmpty()) outcome += tr("   ▲ %1").arg(why);
-  set(kDate, ui::dayAndTimeOf(facts.begun_us));
-  set(kLevel, levelTitle(curriculum, facts.level));
-  set(kOutcome, outcome);
-  set(kPoints, facts.points ? QString::number(std::lround(*facts.points)) : tr("n/a"));
-  set(kLength, clockOf(facts.length_us));
-  set(kRecording, placeOf(attempt, recordingOf(attempt)));
+  set(kHistoryDate, ui::dayAndTimeOf(facts.begun_us));
+  set(kHistoryLevel, levelTitle(curriculum, facts.level));
+  set(kHistoryOutcome, outcome);
+  set(kHistoryPoints, facts.points ? QString::number(std::lround(*facts.points)) : tr("n/a"));
+  set(kHistoryLength, clockOf(facts.length_us));
+  set(kHistoryRecording, placeOf(attempt, recordingOf(attempt)));
 }
 
 QString HistoryTable::recordingOf(const KeptAttempt& attempt) const {

@@ -7,18 +7,14 @@
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/Statistics.h>
 #include <insonate/curriculum/Unlocking.h>
+#include <insonate/ui/Text.h>
 
-#include <QCoreApplication>
 #include <algorithm>
 
 namespace insonate::review {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("Review", text);
-}
-
-/// Of the procedure that all attempts share; without norms where there are several.
+/// Norms of the procedure that all attempts share; none if there are several procedures.
 MetricMeaning sharedMeaning(const std::vector<const AttemptFacts*>& attempts, const MetricMeaning& meaning) {
   if (attempts.empty()) return meaning;
   const std::string& procedure = attempts.front()->procedure;

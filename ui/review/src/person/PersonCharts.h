@@ -12,7 +12,7 @@
 
 namespace insonate::review {
 
-/// Of a person's attempts at a level those that count, in their order; "" is all of them.
+/// A person's attempts at a level that count, in their order; "" for all levels.
 std::vector<const AttemptFacts*> attemptsAt(const PersonFacts& facts, const std::string& level);
 
 /// A metric over those attempts. Norms are those of the procedure, where they all had the same.

@@ -33,7 +33,7 @@ class PersonDesk : public QObject {
   bool hasEarlier() const { return earlier_; }
   void readEarlier();
 
-  /// Who is signed in may void this person's attempts.
+  /// Tells whether the user may void this person's attempts.
   bool mayVoid() const;
   /// Why an attempt is implausible, for an instructor; empty: it is not, or who is signed in does not teach the person.
   QString whyToLook(const AttemptFacts& attempt) const;

@@ -105,7 +105,7 @@ void PersonPage::showPerson() {
   showCharts();
 }
 
-/// Who it is, and the level with its sentence.
+/// Shows the person's name, and the level with its sentence.
 void PersonPage::showWhere() {
   const PersonFacts* facts = desk_.facts();
   name_->setText(facts ? QString::fromStdString(facts->person.fullName) : QString());

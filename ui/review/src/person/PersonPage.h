@@ -24,7 +24,7 @@ class PersonPage final : public QWidget {
  public:
   PersonPage(PersonDesk& desk, const ClassDesk& room, QWidget* parent = nullptr);
 
-  /// What saves the person; it goes behind a button.
+  /// Sets the menu that saves the person's data, behind a button.
   void setSaving(QMenu* menu) { save_->setMenu(menu); }
   void openSaving() {
     if (save_->isEnabled()) save_->showMenu();

@@ -13,7 +13,7 @@
 
 namespace insonate::review {
 
-/// How many attempts are listed at once.
+/// Number of attempts on one page.
 inline constexpr int kPage = 200;
 
 /// All that Review tells of one person, asked on the account's thread.

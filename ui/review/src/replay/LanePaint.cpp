@@ -3,9 +3,9 @@
 #include "../attempt/Words.h"
 
 #include <insonate/ui/AttemptWords.h>
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
@@ -14,10 +14,6 @@ namespace {
 
 namespace theme = views::theme;
 using ui::colour;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Review", text);
-}
 
 /// 1, 2 or 5 times a power of ten, not below `least`.
 double roundStep(double least) {
@@ -163,7 +159,7 @@ void LanePaint::marks() {
         paintMark(painter_, at, moment.severity);
       }
   };
-  // What went wrong lies over what merely happened.
+  // Errors are painted over other events.
   paint(false);
   paint(true);
 }

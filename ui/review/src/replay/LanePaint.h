@@ -9,7 +9,7 @@
 
 namespace insonate::review {
 
-/// Where the lanes of a timeline lie; logical pixels from its left top corner.
+/// Positions of a timeline's lanes; logical pixels from its top left corner.
 struct LaneLayout {
   static constexpr int kNames_px = 96, kMarks_px = 24, kBar_px = 12, kDepth_px = 54, kForce_px = 30, kAxis_px = 20;
   static constexpr int kGap_px = 6, kRight_px = 12;

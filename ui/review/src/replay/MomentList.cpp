@@ -15,7 +15,7 @@ namespace insonate::review {
 namespace {
 
 constexpr int kMark_px = 20;
-/// Of a row, beside and above its words: the mark, and the style sheet's padding.
+/// Space of a row beside and above its words: the mark, and the style sheet's padding.
 constexpr int kBeside_px = kMark_px + 24, kAround_px = 14;
 
 QIcon markOf(const std::optional<Severity>& severity, double ratio) {

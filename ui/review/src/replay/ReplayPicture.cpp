@@ -9,8 +9,7 @@
 
 namespace insonate::review {
 
-/// What pictures are made by, on whatever thread does the next one: begun with the first, since it looks at the whole
-/// case.
+/// Renders images, on whichever thread makes the next one: created with the first, since it reads the whole case.
 class ReplayPicture::Maker {
  public:
   Maker(std::shared_ptr<const AttemptRecording> recording, std::shared_ptr<const PatientCase> patient)
@@ -63,7 +62,7 @@ void ReplayPicture::start() {
 void ReplayPicture::take(const std::shared_ptr<Maker>& maker, std::int64_t time_us,
                          const Result<std::shared_ptr<const LiveFrame>>& frame) {
   making_ = false;
-  // Of another attempt or case, it is not looked at.
+  // Images of another attempt or case are discarded.
   if (maker == maker_) {
     madeFor_us_ = time_us;
     shown_ = frame ? *frame : nullptr;

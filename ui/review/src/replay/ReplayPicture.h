@@ -22,7 +22,7 @@ class ReplayPicture : public QObject {
   explicit ReplayPicture(QObject* parent = nullptr);
   ~ReplayPicture() override;
 
-  /// Whose pictures, and on which patient; null for none. What is in work ends unseen.
+  /// Sets recording and patient; null for none. Work in progress is discarded.
   void set(std::shared_ptr<const AttemptRecording> recording, std::shared_ptr<const PatientCase> patient);
   void want(std::int64_t time_us);
 

@@ -56,7 +56,7 @@ class ReplayScene : public QObject {
   std::function<void()> rested_;
 };
 
-/// Of a whole attempt: pieces of one colour, in patient LPS; while it is under the skin.
+/// The tip's path under the skin over a whole attempt: pieces of one color, in patient LPS.
 std::vector<views::ScenePath> pathOf(const AttemptDigest& attempt);
 
 }  // namespace insonate::review

@@ -18,7 +18,7 @@
 namespace insonate::review {
 namespace {
 
-constexpr int kMark_px = 8;
+constexpr int kMomentMark_px = 8;
 constexpr double kZoom = 0.8, kNotch = 120, kLeast_us = 1e6;
 
 }  // namespace
@@ -54,7 +54,7 @@ void Timeline::setRange(double first_us, double last_us) {
   update();
 }
 
-/// Where only a part is shown, it goes along.
+/// Scrolls a partial view with the time.
 void Timeline::follow() {
   const std::int64_t now_us = session_.time_us();
   if (dragging_ || (now_us >= first_us_ && now_us <= last_us_)) return;
@@ -75,11 +75,11 @@ std::int64_t Timeline::timeAt(int x) const {
 
 int Timeline::momentAt(QPoint at) const {
   if (!session_.attempt() || at.y() > LaneLayout::kMarks_px) return -1;
-  int nearest = -1, least = kMark_px + 1;
+  int nearest = -1, least = kMomentMark_px + 1;
   const auto& moments = session_.attempt()->moments;
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const int off = std::abs(xOf(moments[i].time_us) - at.x());
-    // Of those in one place, what went wrong.
+    // Errors come first among moments in one place.
     if (off < least || (off == least && nearest >= 0 && moments[i].severity)) least = off, nearest = int(i);
   }
   return nearest;

@@ -19,7 +19,7 @@ class Timeline : public QWidget {
   std::int64_t timeAt(int x) const;
   /// The number of the moment whose mark is there, or -1.
   int momentAt(QPoint at) const;
-  /// What is shown, of the attempt.
+  /// Visible part of the attempt.
   std::int64_t first_us() const { return first_us_; }
   std::int64_t last_us() const { return last_us_; }
 

@@ -2,7 +2,8 @@
 #include "ReportPages.h"
 #include "ReportParts.h"
 
-#include <QCoreApplication>
+#include <insonate/ui/Text.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -12,10 +13,6 @@ namespace {
 using namespace paper;
 
 constexpr double kName = 400, kLevel = 370, kNeeds = 120, kHeadHeight = 410;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Review", text);
-}
 
 QString levelOf(const ClassDesk& desk, const Member& member) {
   if (!member.standing) return tr("not begun");

@@ -4,8 +4,8 @@
 #include "ReportParts.h"
 
 #include <insonate/ui/AttemptWords.h>
+#include <insonate/ui/Text.h>
 
-#include <QCoreApplication>
 #include <cmath>
 
 namespace insonate::review {
@@ -14,14 +14,10 @@ namespace {
 using namespace paper;
 
 constexpr double kChartHeight = 560;
-/// So that three charts stand beside each other, smaller than on the screen.
+/// Three charts stand beside each other, smaller than on the screen.
 constexpr double kChartUnit = kScreen * 0.7;
 constexpr int kMostAttempts = 16;
 constexpr double kOutcomeLeft = 830, kOutcomeWidth = kWidth - 2 * kMargin - kOutcomeLeft;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Review", text);
-}
 
 QString stateOf(LevelState state) {
   return state == LevelState::Mastered ? tr("mastered")

@@ -24,7 +24,7 @@ class PaperColumn {
   void cell(double left, double width, const QString& words, const QColor& colour, int align = Qt::AlignLeft);
   /// From the present line on, in as many as the words need; y() stays.
   void lines(double left, double width, const QString& words, const QColor& colour);
-  /// Of what lines() writes, one row at least.
+  /// Height of the text that lines() writes, one row at least.
   double heightOf(double width, const QString& words) const;
   void foot();
 

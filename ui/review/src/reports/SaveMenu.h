@@ -19,7 +19,7 @@ class SaveMenu final : public QMenu {
 
   void savePage(const QString& file);
   void saveTable(const QString& file);
-  /// Of all attempts, for a site with this home page; asked and written on the account's thread.
+  /// Saves all attempts, for a site with this home page; queried and written on the account's thread.
   void saveXapi(const QString& file, const QString& homePage);
 
  Q_SIGNALS:

@@ -13,7 +13,7 @@ class MetricTableView : public QTableWidget {
   enum Column { kName, kValue, kNovice, kBar, kExpert, kColumns };
 
   explicit MetricTableView(QWidget* parent = nullptr);
-  /// Those with novice and expert values first. Empty for none.
+  /// Shows scores, those with novice and expert values first. Empty for none.
   void show(const std::vector<MetricScore>& scores);
 
  private:

@@ -3,18 +3,9 @@
 #include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/Text.h>
 
-#include <QCoreApplication>
 #include <QStringList>
 
 namespace insonate::review {
-namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Review", text);
-}
-
-}  // namespace
-
 QString normOf(Metric metric, double value) {
   const QString number = QString::number(value, 'g', 4);
   const std::string_view unit = definitionOf(metric).unit;

@@ -6,9 +6,9 @@
 
 namespace insonate::review {
 
-/// Of people, with the digits that their study gives.
+/// Formats a norm with the digits that its study gives.
 QString normOf(Metric metric, double value);
-/// What is counted, who measured novices and experts, and the evidence; for a tooltip.
+/// Explains what is counted, who measured novices and experts, and the evidence; for a tooltip.
 QString explanationOf(const MetricScore& score);
 
 }  // namespace insonate::review

@@ -12,7 +12,7 @@ namespace insonate::review {
 namespace paper {
 inline constexpr double kWidth = 2100, kHeight = 2970, kMargin = 150;
 inline constexpr double kRow = 47, kTitle = 64, kText = 36, kSmall = 30;
-/// Of these to a pixel, for what has sizes of a screen.
+/// Paper units per pixel, for elements with sizes of a screen.
 inline constexpr double kScreen = 2.6;
 }  // namespace paper
 

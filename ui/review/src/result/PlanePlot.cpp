@@ -3,9 +3,9 @@
 #include "../attempt/ReplayReader.h"
 
 #include <insonate/tissue/Labels.h>
+#include <insonate/ui/Text.h>
 #include <insonate/views/LabelColours.h>
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -16,11 +16,7 @@ namespace {
 constexpr double kPixel_mm = 0.2, kAside_mm = 3, kAbove_mm = 5, kTick_mm = 10;
 constexpr int kVessel = 150, kOther = 90;  // of 255
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("Review", text);
-}
-
-/// When the vein was reached, or the needle deepest; of points with both hands.
+/// Point at which the vein was reached, or the needle was deepest; among points with both hands.
 const TrackPoint* cutAt(const AttemptDigest& attempt) {
   const TrackPoint* deepest = nullptr;
   for (const TrackPoint& point : attempt.track) {
@@ -79,7 +75,7 @@ void paintScale(QPainter& painter, const QRectF& inner, const QRectF& place_mm, 
   }
 }
 
-/// Of the tip's way, as long as it is drawn in one manner.
+/// Piece of the tip's path that is drawn in one style.
 struct Piece {
   NeedlePlace place;
   bool seen;  ///< within the picture's slice

@@ -11,7 +11,7 @@
 
 namespace insonate::review {
 
-/// What the tip's way in the plane of the picture is drawn on.
+/// The section on which the tip's path in the plane of the image is drawn.
 struct PlaneSection {
   std::int64_t time_us = 0;  ///< of the probe that it was cut with
   QRectF place_mm;           ///< lateral from left to right, depth downwards

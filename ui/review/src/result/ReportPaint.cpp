@@ -7,8 +7,8 @@
 #include "ResultPage.h"
 
 #include <insonate/ui/AttemptWords.h>
+#include <insonate/ui/Text.h>
 
-#include <QCoreApplication>
 #include <QPainter>
 #include <algorithm>
 
@@ -18,10 +18,6 @@ namespace {
 using namespace paper;
 
 constexpr std::size_t kMostMoments = 9;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Review", text);
-}
 
 class Page {
  public:
@@ -143,7 +139,7 @@ void Page::moments() {
   heading(QRectF(kMargin, y_, 900, kRow), tr("Moments that mattered"));
   y_ += kRow + 6;
   painter_.setFont(paperFont(kSmall));
-  // Where there is no room for all, what went wrong comes first.
+  // Without room for all moments, errors come first.
   std::vector<AttemptMoment> told = attempt_.moments;
   std::ranges::stable_partition(told, [](const AttemptMoment& one) { return one.severity.has_value(); });
   const std::size_t count = std::min(told.size(), kMostMoments);

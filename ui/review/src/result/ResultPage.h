@@ -12,7 +12,7 @@ namespace insonate::review {
 class MetricTableView;
 class ReviewSession;
 
-/// What the attempt was worth: points, what to do better, critical errors, and every metric beside people's values.
+/// Result of an attempt: points, advice, critical errors, and every metric beside published values.
 class ResultPage : public QWidget {
  public:
   explicit ResultPage(ReviewSession& session, QWidget* parent = nullptr);

@@ -16,7 +16,7 @@ class AccountMenu : public QMenu {
  public:
   AccountMenu(Account& account, SiteExchange& site, QWidget* window);
 
-  /// Who sits there, for the header: "Sign in", "A. User".
+  /// Name of the user for the header: "Sign in", "A. User".
   QString shortText() const;
 
   void showPeople();

@@ -39,7 +39,7 @@ QString countOf(const std::vector<ClassImportRow>& plan, Step step, const char* 
       .arg(ClassListDialog::tr(words));
 }
 
-/// What becomes of a line, with a sign besides its colour.
+/// Planned outcome of a line, with a sign besides its color.
 QString outcomeOf(const ClassImportRow& row) {
   switch (row.step) {
     case Step::Add:
@@ -290,7 +290,7 @@ void ClassListDialog::printPasswords() {
   say(*printed, false);
 }
 
-/// What is at work is stopped and waited for; passwords that nobody has seen are asked about.
+/// Stops a running import and waits for it; asks about passwords that nobody has seen.
 void ClassListDialog::reject() {
   if (isWorking()) {
     work_->stopped = true;

@@ -66,7 +66,7 @@ EntryDialog::EntryDialog(const QString& title, const QString& explanation, const
   column->addLayout(form);
   column->addWidget(trouble_);
   column->addLayout(buttons);
-  // Where there is something to be filled in.
+  // Gives the focus to the first empty field.
   for (QWidget* field : fields_)
     if (auto* line = qobject_cast<QLineEdit*>(field); line && line->text().isEmpty()) {
       line->setFocus();

@@ -2,7 +2,6 @@
 
 #include <insonate/ui/Text.h>
 
-#include <QCoreApplication>
 #include <QFile>
 #include <QPrintDialog>
 #include <QPrinter>
@@ -12,10 +11,6 @@
 
 namespace insonate::ui {
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("PasswordPaper", text);
-}
 
 /// There before anything is written into it, for its owner's eyes alone.
 bool beginsPrivate(const QString& name) {

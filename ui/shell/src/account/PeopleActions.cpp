@@ -1,4 +1,4 @@
-// What the buttons of the window of people do.
+// Actions of the buttons in the window of people.
 #include "ClassListDialog.h"
 #include "CurriculumWindow.h"
 #include "EntryDialog.h"

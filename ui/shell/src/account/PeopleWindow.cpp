@@ -24,10 +24,10 @@
 namespace insonate::ui {
 namespace {
 
-constexpr int kRow_px = 28;
-enum Column { kFullName, kName, kEmail, kRole, kState, kColumns };
+constexpr int kPersonRow_px = 28;
+enum PersonColumn { kPersonFullName, kPersonName, kPersonEmail, kPersonRole, kPersonState, kPersonColumns };
 
-/// What an administrator and an instructor see of one class, or of everybody.
+/// Members of one class, or of all, as far as the user may see them.
 Result<std::vector<Member>> membersOf(const SignedIn& by, const std::string& cohort) {
   if (!cohort.empty()) return CohortStore(by).members(cohort);
   const auto all = PeopleStore(by).all();
@@ -43,7 +43,7 @@ PeopleWindow::PeopleWindow(Account& account, QWidget* parent)
     : QDialog(parent),
       account_(account),
       classes_(new QListWidget),
-      table_(new QTableWidget(0, kColumns)),
+      table_(new QTableWidget(0, kPersonColumns)),
       curriculum_(new QComboBox),
       target_(new QComboBox),
       as_(new QComboBox),
@@ -66,7 +66,7 @@ PeopleWindow::PeopleWindow(Account& account, QWidget* parent)
   connect(classes_, &QListWidget::currentRowChanged, this, &PeopleWindow::readPeople);
   connect(table_, &QTableWidget::itemSelectionChanged, this, &PeopleWindow::refresh);
   connect(table_, &QTableWidget::itemActivated, this, &PeopleWindow::editPerson);
-  // Whoever comes next sees nothing of what was read for the one before.
+  // The next user must not see anything that was read for the former one.
   connect(&account_, &Account::changed, this, [this, whose = account_.person().id] {
     if (account_.person().id != whose) close();
   });
@@ -121,10 +121,10 @@ QWidget* PeopleWindow::peopleColumn() {
   table_->setAccessibleName(tr("People"));
   table_->setToolTip(tr("Enter changes the selected person"));
   table_->setHorizontalHeaderLabels({tr("Full name"), tr("Signs in as"), tr("E-mail"), tr("Role"), tr("State")});
-  makeRowTable(*table_, kRow_px);
+  makeRowTable(*table_, kPersonRow_px);
   QHeaderView* header = table_->horizontalHeader();
-  for (const int column : {kFullName, kEmail}) header->setSectionResizeMode(column, QHeaderView::Stretch);
-  for (const auto& [column, px] : {std::pair{kName, 150}, {kRole, 150}, {kState, 110}})
+  for (const int column : {kPersonFullName, kPersonEmail}) header->setSectionResizeMode(column, QHeaderView::Stretch);
+  for (const auto& [column, px] : {std::pair{kPersonName, 150}, {kPersonRole, 150}, {kPersonState, 110}})
     header->resizeSection(column, px);
   add_ = button("peopleAdd", tr("Add ..."), tr("Someone new, with a password to hand over"), &PeopleWindow::addPerson);
   import_ = button("peopleImport", tr("Import a list ..."),
@@ -256,8 +256,8 @@ void PeopleWindow::showPeople(const std::vector<Shown>& people) {
     const auto& [person, teaches] = people_[std::size_t(row)];
     const QString role = teaches ? tr("%1, teaches").arg(wordOf(person.role)) : wordOf(person.role);
     const QString state = person.disabled ? tr("disabled") : QString();
-    const QString texts[kColumns] = {qt(person.fullName), qt(person.name), qt(person.email), role, state};
-    for (int column = 0; column < kColumns; ++column) {
+    const QString texts[kPersonColumns] = {qt(person.fullName), qt(person.name), qt(person.email), role, state};
+    for (int column = 0; column < kPersonColumns; ++column) {
       auto* item = new QTableWidgetItem(texts[column]);
       item->setToolTip(plainToolTip(texts[column]));
       table_->setItem(row, column, item);

@@ -19,8 +19,8 @@ namespace insonate::ui {
 
 class Account;
 
-/// Who is here, in which classes, and as what: for administrators all people, for instructors those of their classes.
-/// What changes is written at once, and shown as the store then has it.
+/// People with their classes and roles: for administrators all people, for instructors those of their classes. Changes
+/// are written at once, and shown as the store then has them.
 class PeopleWindow : public QDialog {
   Q_OBJECT
 

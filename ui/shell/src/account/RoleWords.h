@@ -11,7 +11,7 @@ namespace insonate::ui {
 QString wordOf(Role role);
 /// In the order of Role.
 QStringList roleWords();
-/// Of its word; a trainee's for any other.
+/// Role of a word; a trainee's for any other.
 Role roleOf(const QString& word);
 
 }  // namespace insonate::ui

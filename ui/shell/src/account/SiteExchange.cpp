@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 const QString kServer = QStringLiteral("account/server");
 constexpr std::chrono::milliseconds kSoon = 3s, kOften = 5min;
 
-Result<UploadReport> report(const QString& here, const QString& server, const StoreServices& services) {
+Result<UploadReport> sendReport(const QString& here, const QString& server, const StoreServices& services) {
   const auto mine = CurriculumStore::open(here.toStdString(), services);
   if (!mine) return tl::unexpected(mine.error());
   const auto theirs = CurriculumStore::open(server.toStdString(), services);
@@ -22,9 +22,9 @@ Result<UploadReport> report(const QString& here, const QString& server, const St
   return SiteUpload(*mine, *theirs).exchange();
 }
 
-/// How it went, a sentence.
+/// Exchanges facts with the server; returns the outcome as a sentence.
 QString exchange(const QString& here, const QString& server, const StoreServices& services) {
-  const auto done = report(here, server, services);
+  const auto done = sendReport(here, server, services);
   if (!done)
     return SiteExchange::tr("The server was not reached; attempts wait here. %1")
         .arg(QString::fromStdString(done.error().message));

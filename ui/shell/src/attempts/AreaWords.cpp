@@ -1,13 +1,8 @@
 #include <insonate/ui/AreaWords.h>
-
-#include <QCoreApplication>
+#include <insonate/ui/Text.h>
 
 namespace insonate::ui {
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("AreaWords", text);
-}
 
 QString whole(double value) {
   return QString::number(value, 'f', 0);

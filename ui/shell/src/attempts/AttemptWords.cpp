@@ -2,7 +2,6 @@
 #include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Text.h>
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
 #include <cmath>
@@ -11,10 +10,6 @@ namespace insonate::ui {
 namespace {
 
 namespace theme = views::theme;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("AttemptWords", text);
-}
 
 }  // namespace
 

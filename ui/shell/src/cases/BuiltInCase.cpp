@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint32_t kSeed = 1;
 
-/// Of this program: other programs make other necks. Asked once: its file may be replaced while it runs.
+/// Identity of this program: other versions make other necks. Read once: its file may be replaced while it runs.
 const QString& version() {
   static const QString once = [] {
     const QFileInfo program(QCoreApplication::applicationFilePath());

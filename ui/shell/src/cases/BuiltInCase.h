@@ -9,7 +9,7 @@
 
 namespace insonate::ui {
 
-/// Where this program keeps a built-in neck: in the user's cache, under a name that changes with the program.
+/// Folder of a built-in neck: in the user's cache, under a name that changes with the program.
 QString builtInFolder(const QString& variant);
 
 /// A built-in neck (cases/Phantom.h), read from `folder` when it is there, else made, and kept there for the next time

@@ -68,7 +68,7 @@ Result<LoadedCase> importCase(const fs::path& input, const ImportChoice& choice,
   return result;
 }
 
-/// Whether somebody has saved another content there. A case that was no version yet becomes one where it is published.
+/// Tells whether another content was saved there meanwhile. A case without a version becomes one when it is published.
 bool holdsAnother(const fs::path& folder, const std::string& known, const PatientCase& patient) {
   const auto there = readManifestOf(folder);
   if (!there || there->version.content.empty() || there->version.content == known) return false;

@@ -13,7 +13,7 @@ class QPushButton;
 
 namespace insonate::ui {
 
-/// Which part of a case to keep, in patient millimetres, and on which spacing; says what that makes.
+/// Chooses the part of a case to keep, in patient millimeters, and its spacing; shows the resulting size.
 class CropDialog : public QDialog {
   Q_OBJECT
 

@@ -50,7 +50,7 @@ QString stateOf(const SeriesInfo& series) {
   return count == 1 ? SeriesDialog::tr("1 note") : SeriesDialog::tr("%1 notes").arg(count);
 }
 
-/// Where the volume lies that an import makes.
+/// Position of the volume that an import makes.
 QString placeOf(const SeriesInfo& series) {
   const VolumeGeometry& g = series.geometry;
   QStringList axes;
@@ -212,7 +212,7 @@ int SeriesDialog::likeliestRow() const {
 
 void SeriesDialog::noPicture(const Error& error) {
   if (error.message == kCancelled) return picture_->setText(tr("no preview"));
-  // What cannot be read for the picture cannot be imported either.
+  // A slice that cannot be read for the preview cannot be imported either.
   picture_->setText(tr("no picture"));
   notes_->setText(QString::fromStdString(error.message));
   import_->setEnabled(false);

@@ -16,7 +16,7 @@ namespace insonate::ui {
 
 class TaskBar;
 
-/// What is imported, and how.
+/// Choices for an import.
 struct ImportChoice {
   std::string uid;
   bool label = true;                   ///< automatically
@@ -24,8 +24,8 @@ struct ImportChoice {
   std::shared_ptr<ImportedCt> read{};  ///< the series, where it was read for the preview
 };
 
-/// Which of the series in a folder to import: modality, size, spacing, warnings, and the middle slice of the chosen
-/// one.
+/// Chooses one of the series in a folder to import: modality, size, spacing, warnings, and the middle slice of the
+/// selected one.
 class SeriesDialog : public QDialog {
   Q_OBJECT
 

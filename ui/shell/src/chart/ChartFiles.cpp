@@ -18,7 +18,7 @@
 namespace insonate::ui {
 namespace {
 
-/// Of a saved plot, in pixels of a screen; a picture has twice as many.
+/// Size of a saved plot, in pixels of a screen; a PNG file has twice as many.
 constexpr int kWidth_px = 800, kHeight_px = 500, kPngScale = 2;
 constexpr int kDots_perInch = 96, kPdf_dpi = 300;
 constexpr double kPoint_px = 72.0 / kDots_perInch;

@@ -20,7 +20,7 @@ namespace insonate::ui {
 namespace {
 
 constexpr double kDot_px = 3, kBandOpacity = 0.22;
-/// Of a box: half its share of the axis, between these.
+/// Width of a box: half its share of the axis, between these limits.
 constexpr double kHalfBox = 0.08, kLeastHalf_px = 17, kMostHalf_px = 48;
 
 QPolygonF onCanvas(const std::vector<QPointF>& points, const QwtScaleMap& x, const QwtScaleMap& y) {

@@ -1,8 +1,8 @@
 #include <insonate/curriculum/LcCusum.h>
 #include <insonate/curriculum/LearningCurve.h>
 #include <insonate/ui/LearningChart.h>
+#include <insonate/ui/Text.h>
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <vector>
 
@@ -10,10 +10,6 @@ namespace insonate::ui {
 namespace {
 
 constexpr double kRoom = 1.05;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("LearningChart", text);
-}
 
 using Tone = ChartPicture::Tone;
 

@@ -34,7 +34,7 @@ class NumberBox : public SpinBox {
     return value < this->minimum() || value > this->maximum() ? QValidator::Intermediate : QValidator::Acceptable;
   }
 
-  /// Of what was typed to its end.
+  /// Completes an input that was typed to its end.
   void fixup(QString& input) const override {
     bool isNumber = false;
     const double value = bare(input).toDouble(&isNumber);

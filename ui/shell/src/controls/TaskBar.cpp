@@ -16,7 +16,7 @@ namespace insonate::ui {
 namespace {
 
 constexpr int kLook_ms = 30;
-/// What is done sooner is not announced.
+/// Jobs that end sooner are not announced.
 constexpr int kUnseen_ms = 600;
 constexpr int kFine = 1000;  // of the progress bar
 constexpr int kDoing_px = 180, kProgress_px = 140;
@@ -98,7 +98,7 @@ void TaskBar::look() {
     const std::lock_guard lock(job_->mutex);
     const QString doing = QString::fromStdString(job_->doing);
     doing_->setText(doing);
-    // What is done in one go is said once; the sentence beside the bar has the room.
+    // A job of a single step is named once; the sentence beside the bar takes the room.
     doing_->setVisible(doing != title_->text());
     progress_->setValue(int(job_->fraction * kFine));
     deliver = std::move(job_->deliver);

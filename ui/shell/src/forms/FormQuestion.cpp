@@ -138,7 +138,7 @@ std::optional<FormQuestion::Answer> FormQuestion::answer() const {
   if (written.isEmpty()) return std::nullopt;
   bool isNumber = false;
   const double value = number_ ? locale().toDouble(written, &isNumber) : 0;
-  // What is no number is told by checkAnswers().
+  // checkAnswers() reports text that is no number.
   return isNumber ? Answer(value) : Answer(written.toStdString());
 }
 

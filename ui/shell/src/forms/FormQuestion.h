@@ -31,7 +31,7 @@ class FormQuestion final : public QWidget {
   /// None: not answered.
   std::optional<Answer> answer() const;
   void setAnswer(const std::optional<Answer>& answer);
-  /// Where it is kept among the answers, and what it says; "" where there is none.
+  /// Key of the note among the answers, and its text; empty without a note.
   const std::string& noteKey() const { return noteKey_; }
   QString note() const;
   void setNote(const QString& note);

@@ -40,9 +40,9 @@ class CurriculumDesk : public QObject {
   /// Null while none is read.
   const Curriculum* curriculum() const { return curriculum_ ? &*curriculum_ : nullptr; }
   bool isDraft() const { return curriculum_ && chosen_->kind == OfferedCurriculum::Kind::Draft; }
-  /// Of a draft.
+  /// Reasons why the draft cannot be published.
   const std::vector<DraftTrouble>& troubles() const { return troubles_; }
-  /// What a curriculum can name on this computer.
+  /// Names that a curriculum can refer to on this computer.
   const TeachingNames& known() const { return known_; }
 
   /// One step of undo; changes of one field after the other are one, unless `field` is empty.
@@ -52,7 +52,7 @@ class CurriculumDesk : public QObject {
   bool canUndo() const { return !past_.empty(); }
   bool canRedo() const { return !future_.empty(); }
 
-  /// Whether the draft is in the store as it is here.
+  /// Tells whether the store has the draft as it is here.
   bool isSaved() const { return saved_; }
   /// Somebody else has saved another: nothing is saved until one of these is called.
   bool isContested() const { return contested_; }

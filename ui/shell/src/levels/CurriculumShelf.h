@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// What is asked of the store about curricula, on the account's thread.
+/// Queries about curricula to the store, on the account's thread.
 namespace insonate::ui {
 
 /// A curriculum that can be looked at.
@@ -25,7 +25,7 @@ struct OfferedCurriculum {
   bool operator==(const OfferedCurriculum&) const = default;
 };
 
-/// What is published, newest version first, and presets that are not.
+/// Published curricula, newest version first, and presets that are not published.
 Result<std::vector<OfferedCurriculum>> taughtCurricula(const SignedIn& by);
 /// Drafts, then taughtCurricula().
 Result<std::vector<OfferedCurriculum>> allCurricula(const SignedIn& by);

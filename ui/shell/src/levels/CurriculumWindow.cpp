@@ -74,7 +74,7 @@ CurriculumWindow::CurriculumWindow(Account& account, QWidget* parent)
   columns->addLayout(right, 1);
   resize(1240, 760);
   connectParts();
-  // Whoever comes next sees nothing of what was read for the one before.
+  // The next user must not see anything that was read for the former one.
   connect(&account, &Account::changed, this, [this, &account, whose = account.person().id] {
     if (account.person().id != whose) QDialog::reject();
   });

@@ -16,7 +16,7 @@ namespace insonate::ui {
 class MasteryEditor;
 class StandardsEditor;
 
-/// What a level is: its names, where and how it is practised, what is to be mastered before, and its rules.
+/// Editor of a level: names, case and procedure, prerequisites and rules.
 class LevelForm final : public QWidget {
   Q_OBJECT
 

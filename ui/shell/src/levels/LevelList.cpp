@@ -18,7 +18,7 @@
 namespace insonate::ui {
 namespace {
 
-constexpr int kAbout_px = 58;
+constexpr int kSummary_px = 58;
 
 /// "level_3": attempts count by it, trainees never see it.
 std::string freshName(const Curriculum& curriculum) {
@@ -39,7 +39,7 @@ LevelList::LevelList(QWidget* parent)
   named(about_, "curriculumAbout", tr("About the curriculum"), tr("What the whole of it teaches; may be empty"));
   about_->setPlaceholderText(tr("About it; may be empty"));
   about_->setTabChangesFocus(true);
-  about_->setFixedHeight(kAbout_px);
+  about_->setFixedHeight(kSummary_px);
   named(list_, "curriculumLevels", tr("Levels in their order"), tr("Ctrl+Up and Ctrl+Down move the chosen level"));
   list_->setWordWrap(true);
   add_ = button("levelAdd", tr("Add"), tr("A new level at the end"), &LevelList::add);

@@ -10,7 +10,8 @@ class QLabel;
 
 namespace insonate::ui {
 
-/// What keeps a curriculum from being taught, and what a trainee would read of one of its levels at each turn.
+/// Shows why a curriculum cannot be published, and the sentences that a trainee would read of one of its levels at
+/// each turn.
 class LevelStoryView final : public QFrame {
   Q_OBJECT
 

@@ -176,7 +176,7 @@ QWidget* MasteryEditor::buildLapses() {
 
 void MasteryEditor::show(const Level& level) {
   const MasteryRule& rule = level.mastery;
-  // What is calibrated for one level is not another's.
+  // A limit calibrated for one level does not apply to another.
   if (std::exchange(level_, level.name) != level.name) tasks_->cancel(), calibrated_->clear();
   const QSignalBlocker a(passes_), b(acceptable_), c(unacceptable_), d(limit_), e(days_), f(failures_), g(within_);
   passes_->setValue(rule.passesInARow);

@@ -17,8 +17,8 @@ namespace insonate::ui {
 
 class TaskBar;
 
-/// When a level is mastered and when that lapses: passes in a row, LC-CUSUM with a limit that is calibrated by
-/// simulation, days without practice, failures.
+/// Editor of mastery and lapse: consecutive passes, LC-CUSUM with a limit calibrated by simulation, days without
+/// practice, failures.
 class MasteryEditor final : public QWidget {
   Q_OBJECT
 

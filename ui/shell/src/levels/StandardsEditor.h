@@ -16,8 +16,8 @@ class QTableWidget;
 
 namespace insonate::ui {
 
-/// When one attempt passes: points, standards, and how many of them. Completed, succeeded and without a critical
-/// error it must be in any case.
+/// Editor of the passing standard of one attempt: points, standards, and their number. In any case it must be
+/// completed, succeeded and without a critical error.
 class StandardsEditor final : public QWidget {
   Q_OBJECT
 
@@ -36,7 +36,7 @@ class StandardsEditor final : public QWidget {
   void add();
   void remove();
   void showStandard();
-  /// Of the standard whose row is chosen.
+  /// Changes the selected standard.
   void change(const QString& field, const std::function<void(MetricStandard&)>& what);
   QString titleOf(const MetricStandard& standard) const;
 

@@ -11,7 +11,7 @@ int rankOf(const QString& grade) {
   return rank < 0 ? kGrades.size() : rank;
 }
 
-/// What a screen reader says, and the tooltip.
+/// Text for screen readers, and the tooltip.
 QString spoken(const LibraryEntry& entry) {
   if (entry.state == LibraryEntry::State::Broken)
     return LibraryModel::tr("%1. This case cannot be opened: %2").arg(entry.title, entry.trouble);

@@ -14,7 +14,7 @@ class LibraryModel final : public QAbstractListModel {
   using QAbstractListModel::QAbstractListModel;
 
   void setEntries(std::vector<LibraryEntry> entries);
-  /// What has become known of the one at its place; nothing where it is gone.
+  /// Replaces the entry of the same place; no effect if it is gone.
   void update(const LibraryEntry& entry);
   const LibraryEntry& entry(int row) const { return entries_[std::size_t(row)]; }
 
@@ -25,7 +25,7 @@ class LibraryModel final : public QAbstractListModel {
   std::vector<LibraryEntry> entries_;
 };
 
-/// Those of them that are looked for, in the order that is wanted.
+/// The entries that match the search, in the chosen order.
 class LibraryFilter final : public QSortFilterProxyModel {
  public:
   enum class Order { Difficulty, Title, Newest };

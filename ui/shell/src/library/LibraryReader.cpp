@@ -30,8 +30,8 @@
 namespace insonate::ui {
 namespace {
 
-constexpr int kPicture_px = 160;
-/// Of what is kept; raised when something else is to be found out.
+constexpr int kThumbnail_px = 160;
+/// Version of the cache's format; increase it when other facts are stored.
 constexpr int kFormat = 2;
 
 QImage ultrasoundOf(const CaseView& patient) {
@@ -55,7 +55,7 @@ QImage ultrasoundOf(const CaseView& patient) {
   imager->render(**scene, *pose, frame);
   const BModeImage& image = frame.image;
   const QImage whole(image.grey.data(), image.width, image.height, image.width, QImage::Format_Grayscale8);
-  return whole.scaled(kPicture_px, kPicture_px, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  return whole.scaled(kThumbnail_px, kThumbnail_px, Qt::KeepAspectRatio, Qt::SmoothTransformation);
 }
 
 void findOut(const PatientCase& patient, LibraryEntry& entry, const Progress& progress) {
@@ -74,7 +74,7 @@ void findOut(const PatientCase& patient, LibraryEntry& entry, const Progress& pr
   entry.graded = !patient.manifest.difficulty.empty();
   entry.grade = QString::fromStdString(gradeOf(patient));
   entry.reason = QString::fromStdString(estimate ? estimate->sentence : estimate.error().message);
-  entry.slice = slicePreview(patient.ct, kPicture_px);
+  entry.slice = slicePreview(patient.ct, kThumbnail_px);
   const auto tissues = inTissues(patient.manifest.ownLabels, patient.labels);
   entry.ultrasound = ultrasoundOf(tissues ? CaseView(patient, *tissues) : CaseView(patient));
   entry.state = LibraryEntry::State::Known;

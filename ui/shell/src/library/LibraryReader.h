@@ -9,13 +9,13 @@
 
 namespace insonate::ui {
 
-/// Where what was found out about cases is kept between starts: in the user's cache.
+/// Folder in which facts about cases are kept between starts: in the user's cache.
 QString libraryCache();
 
 /// Folders of cases in these folders and in theirs, sorted; a folder that is a case itself counts.
 QStringList casesIn(const QStringList& folders);
 
-/// What is known without reading volumes: place, title, version; of a broken one, why.
+/// Facts that are known without reading volumes: place, title, version; for a broken case, the reason.
 LibraryEntry listedCase(const QString& place, bool builtIn);
 
 /// Reads the case, or what is kept of it in `cache`, and fills in the rest: pictures, grade, fitness. Kept under what

@@ -38,7 +38,7 @@ QComboBox* choice(const char* name, const QString& spoken, const QString& tip,
   return box;
 }
 
-/// What was opened or saved here belongs to one's cases, wherever it is.
+/// Cases that were opened or saved here are listed, wherever they are.
 QStringList recentFolders() {
   QStringList folders;
   for (const RecentCase& one : recentCases()) folders << QDir(one.folder).absolutePath();

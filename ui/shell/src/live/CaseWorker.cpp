@@ -16,10 +16,10 @@
 
 namespace insonate::ui {
 
-/// What the thread does, which may outlive the worker: it reaches it only while it is not left.
+/// The thread's work, which may outlive the worker: it uses the worker only while that exists.
 class CaseWorker::Job {
  public:
-  /// What is computed; known here so that nothing else of the worker is needed.
+  /// A requested result; defined here so that it needs nothing else of the worker.
   struct Wanted {
     bool tissues, start, hand, unplaced, structures, surface, surfacesDone, failed;
   };

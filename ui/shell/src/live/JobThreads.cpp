@@ -31,7 +31,7 @@ void runUnseen(std::function<void()> work) {
   }
   std::thread([work = std::move(work)]() mutable {
     work();
-    // What it holds goes before the end of the program may go on.
+    // The work's data must be released before the program ends.
     work = nullptr;
     const std::lock_guard lock(threads().mutex);
     --threads().running;

@@ -13,7 +13,7 @@ namespace insonate::ui {
 
 class ValueSlider;
 
-/// Where a scene is cut open.
+/// Controls of a scene's clipping plane.
 class ClippingControls : public QWidget {
   Q_OBJECT
 

@@ -29,7 +29,7 @@ class HistogramPlot : public QWidget {
   void addBeside();
   void removeSelected();
 
-  /// Where a node is drawn, and what a place means.
+  /// Converts between nodes and places on the plot.
   QPointF placeOf(double hu, double opacity) const;
   double huAt(double x) const;
   double opacityAt(double y) const;

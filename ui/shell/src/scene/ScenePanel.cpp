@@ -157,7 +157,7 @@ views::Colour ScenePanel::caseColour(std::uint8_t label) const {
   return {colour[0], colour[1], colour[2]};
 }
 
-/// What the case before had chosen goes, and what this one has comes.
+/// Replaces the choices of the former case by those of this one.
 void ScenePanel::takeLooks() {
   for (const auto& [label, own] : own_) setLook(label, own);
   own_.clear();
@@ -175,7 +175,7 @@ void ScenePanel::takeLooks() {
   Q_EMIT coloursChanged();
 }
 
-/// What was hidden to look into one patient is not missing in the next.
+/// Structures hidden to look into one patient must not be missing in the next.
 void ScenePanel::showAnother() {
   scene_->setCtVisible(false);
   if (structuresHere_) scene_->setVisible(kSkin, true);
@@ -218,7 +218,7 @@ void ScenePanel::live() {
 void ScenePanel::setColourScheme(views::ColourScheme scheme) {
   scheme_ = scheme;
   for (const LabelInfo& info : labelTable()) scene_->setColour(info.label, caseColour(info.label));
-  // What the user has chosen now is the user's after this case, too.
+  // The user's new colors also hold after this case.
   for (auto& [label, own] : own_) own.colour = views::labelColour(label, scheme);
   safeColours_->setChecked(scheme == views::ColourScheme::ColourBlindSafe);
   Q_EMIT coloursChanged();

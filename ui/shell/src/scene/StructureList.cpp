@@ -18,7 +18,7 @@
 namespace insonate::ui {
 namespace {
 
-constexpr int kSwatch_px = 14;
+constexpr int kColorMark_px = 14;
 
 QString nameOf(std::uint8_t label) {
   const std::string_view name = labelTable()[knownLabel(label)].name;
@@ -52,7 +52,7 @@ void StructureList::refresh() {
                           seen ? views::theme::kText : views::theme::kQuiet));
     row.eye->setToolTip(visible && !seen ? tr("Nothing of %1 is seen: its opacity is 0 %").arg(nameOf(row.label))
                                          : tr("Show or hide %1").arg(nameOf(row.label)));
-    QPixmap swatch(kSwatch_px, kSwatch_px);
+    QPixmap swatch(kColorMark_px, kColorMark_px);
     swatch.fill(colour(scene_->colour(row.label)));
     row.colour->setIcon(swatch);
     row.opacity->setValue(int(std::lround(scene_->opacity(row.label) * 100)));

@@ -5,7 +5,7 @@
 namespace insonate::ui {
 namespace {
 
-/// Of a label that wraps: no narrower for a short word, and no wider for one without an end.
+/// Minimum width of a wrapping label: the same for a short word and for a long one.
 constexpr int kLeastWrapped_px = 40;
 
 }  // namespace

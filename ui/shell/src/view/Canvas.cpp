@@ -68,7 +68,7 @@ ViewWidget::Canvas::Canvas(views::View& view, QWidget* parent) : QWidget(parent)
   setMouseTracking(true);
   setMinimumSize(64, 64);
   if (view_.mayDrawElsewhere()) {
-    // What was posted and not read is dropped with the canvas, which ends the thread first.
+    // Unread results are dropped with the canvas, which ends the thread first.
     thread_ = std::make_unique<views::DrawingThread>(
         view_, [this] { QCoreApplication::postEvent(this, new QEvent(QEvent::User)); });
     return;
@@ -145,7 +145,7 @@ void ViewWidget::Canvas::forget() {
 
 void ViewWidget::Canvas::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  // What a picture of another size leaves free would show whatever was there before.
+  // An image of another size would leave old contents visible around it.
   if (picture_.size() != deviceSize()) painter.fillRect(rect(), Qt::black);
   if (!picture_.isNull()) painter.drawImage(rect().topLeft(), picture_);
   askIfStale();

@@ -16,7 +16,7 @@ namespace {
 
 constexpr char kRoom[] = "insonateViewRoom";
 constexpr double kFrame_ms = 16;
-/// Of the time that a slow rendering took, left to everything else before the next.
+/// Share of a slow rendering's duration that is left to other work before the next.
 constexpr double kShareForOthers = 0.3;
 
 QWidget* roomOf(QWidget* view) {

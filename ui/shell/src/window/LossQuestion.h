@@ -5,7 +5,7 @@
 
 namespace insonate::ui {
 
-/// What would be lost; all may be empty.
+/// Contents of the question about changes that would be lost; all may be empty.
 struct Loss {
   QString job;           ///< what is being done: "Importing neck-ct"
   QString ending;        ///< a sentence on what ends before its time, as an attempt that is being made

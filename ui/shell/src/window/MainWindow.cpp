@@ -118,7 +118,7 @@ void MainWindow::connectAll() {
               takeMade(patient);
               status_->say(sentence);
             };
-            // Where all edits are in it, only what ends with the case is asked about; what is on disk stays.
+            // If the case holds all edits, only things that end with the case need a question; the files stay.
             whole&& loss().ending.isEmpty() ? go() : whenNothingIsLost(LostBy::Opening, go);
           });
   connect(exchange_, &CaseExchange::written, this,

@@ -243,7 +243,7 @@ void MainWindow::showHelp(bool keys) {
   const ShortcutGroup views{tr("In every view"), {{tr("M, double click"), tr("show this view alone, and back")}}};
   std::vector<ShortcutGroup> groups{std::move(everywhere), views};
   for (const Room& room : rooms_) {
-    // What can be done here is read first.
+    // Commands of the present workspace come first.
     const auto place = room.workspace == currentWorkspace() ? groups.begin() : groups.end();
     if (auto shortcuts = room.workspace->shortcuts(); !shortcuts.empty())
       groups.insert(place, {room.title, std::move(shortcuts)});

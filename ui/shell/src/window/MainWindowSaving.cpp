@@ -104,7 +104,7 @@ void MainWindow::whenNothingIsLost(LostBy by, std::function<void()> go) {
     afterSaving_ = go;
     saveCase();
   });
-  // What it asks about has changed: asked again where something else would be lost now, e.g. what was imported.
+  // The situation has changed: asks again if something else would be lost now, for example an import.
   connect(tasks_, &TaskBar::runningChanged, question, [this, question, by, go] {
     if (!question->isVisible()) return;
     question->reject();

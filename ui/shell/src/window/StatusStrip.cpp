@@ -83,7 +83,7 @@ void StatusStrip::write(const QString& text, const QString& folder) {
   text_->setToolTip(link ? QStringLiteral("%1\n%2").arg(text, folder) : text);
 }
 
-/// What has no room ends in an ellipsis; the tooltip says all of it.
+/// Cuts a long text with an ellipsis; the tooltip has all of it.
 void StatusStrip::elide() {
   text_->setText(text_->fontMetrics().elidedText(written_, Qt::ElideRight, text_->width()));
 }

@@ -15,9 +15,9 @@ class StatusStrip : public QFrame {
  public:
   explicit StatusStrip(QWidget* parent = nullptr);
 
-  /// What to do next, while nothing has just happened.
+  /// Sets the text about the next thing to do, shown while there is no event.
   void setStanding(const QString& text);
-  /// What just happened; the standing text comes back after a while. With a folder, a link opens it.
+  /// Shows an event; the standing text returns after a while. With a folder, a link opens it.
   void say(const QString& text, const QString& folder = {});
   /// `note`: why this engine, or empty.
   void setEngine(const QString& text, const QString& note);

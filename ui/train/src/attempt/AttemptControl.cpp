@@ -63,7 +63,7 @@ AttemptControl::~AttemptControl() {
   if (state_ == State::Writing) conclude(writing_.get());
 }
 
-/// What is dragged changes with each picture: kept ten times a second.
+/// Dragging changes settings with each frame: they are recorded ten times a second.
 void AttemptControl::settingsChanged() {
   if (!isRunning() || !session_.shown()) return;
   settingsDue_ = sinceSettings_.isValid() && sinceSettings_.elapsed() < kLook_ms;

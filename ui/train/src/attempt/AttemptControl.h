@@ -37,13 +37,13 @@ class AttemptControl : public QObject {
   explicit AttemptControl(TrainSession& session, QString folder = {}, QObject* parent = nullptr);
   ~AttemptControl() override;
 
-  // What is begun
+  // Choice of the next attempt
   const std::vector<Procedure>& procedures() const { return procedures_; }
   const Procedure& procedure() const { return procedures_[chosen_]; }
   void choose(const std::string& procedure);
   /// Why none can begin on this case; empty: one can, as far as is known.
   QString unfit() const;
-  /// What else is in the way, a sentence; empty: nothing.
+  /// Sets another reason why no attempt can begin, a sentence; empty for none.
   void setObstacle(const QString& why);
   Assistance assistance() const { return assistance_; }
   void setAssistance(Assistance assistance);
@@ -60,23 +60,23 @@ class AttemptControl : public QObject {
   /// While it starts: the attempt waits for setSeal(), some seconds at most. Without a seal it begins, and proves
   /// nothing.
   void awaitSeal() { sealIsDue_ = true; }
-  /// Which attempt of a store it is, and the key of its nonce.
+  /// Sets the attempt's identity in a store, and the key of its nonce.
   void setSeal(const RecordedFor& whose, const std::optional<RecordKey>& key);
   /// The case or the program is left: what is being made is kept as abandoned, at once.
   void close();
   /// From Over to Idle.
   void leave();
 
-  /// Of the attempt that was begun last.
+  /// Header of the attempt that began last.
   const AttemptHeader& header() const { return header_; }
   /// As of a tenth of a second ago.
   const AttemptView& view() const { return view_; }
   const AttemptScore& score() const { return score_; }
   AttemptStatus status() const { return status_; }
-  /// Of the attempt that is over; empty where it could not be kept.
+  /// File of the attempt that is over; empty if it could not be saved.
   QString file() const { return file_; }
 
-  // What hands do besides holding
+  // Actions of the hands besides holding
   bool isAspirating() const { return aspirating_; }
   void setAspirating(bool on);
   /// A new needle from the tray. Refused while the old one is in the skin.

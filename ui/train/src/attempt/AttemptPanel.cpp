@@ -274,7 +274,7 @@ void AttemptPanel::resizeEvent(QResizeEvent* event) {
   fit();
 }
 
-/// What is told has the height that it needs at this width, as far as there is room beside head and buttons.
+/// Gives the messages the height that they need at this width, as far as head and buttons leave room.
 void AttemptPanel::fit() {
   QWidget* inner = scroll_->widget();
   const int width_px = width() - 24, needs_px = std::max(inner->layout()->heightForWidth(width_px), 40);

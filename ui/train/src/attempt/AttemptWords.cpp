@@ -1,17 +1,10 @@
 #include "AttemptWords.h"
 
-#include <QCoreApplication>
+#include <insonate/ui/Text.h>
+
 #include <cmath>
 
 namespace insonate::train {
-namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("AttemptWords", text);
-}
-
-}  // namespace
-
 NeedlePlace disclosed(NeedlePlace place, const Disclosure& disclosure) {
   const bool inside = !disclosure.anatomy && (place == NeedlePlace::Vein || place == NeedlePlace::WrongPlace);
   return inside ? NeedlePlace::Underway : place;

@@ -49,7 +49,7 @@ class SyringeView final : public QWidget {
   QElapsedTimer clock_;
 };
 
-/// What a syringe draws with the needle's tip in this tissue.
+/// Content of a syringe that aspirates with the needle's tip in this tissue.
 SyringeView::Content drawnFrom(Label tissue);
 
 }  // namespace insonate::train

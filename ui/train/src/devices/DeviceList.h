@@ -14,7 +14,7 @@ class QTableWidget;
 
 namespace insonate::train {
 
-/// What is plugged in or made up, what each is doing, the pedal, and what has happened.
+/// Lists real and simulated devices with their state, the pedal, and recent events.
 class DeviceList final : public QWidget {
   Q_OBJECT
 
@@ -22,7 +22,8 @@ class DeviceList final : public QWidget {
   explicit DeviceList(HandsControl& hands, QWidget* parent = nullptr);
 
   void refresh(const QHash<QString, double>& rates_Hz);
-  /// Of devices on the bus, until it is called with an empty path. False where the file cannot be written.
+  /// Records the reports of devices on the bus, until it is called with an empty path. False if the file cannot be
+  /// written.
   bool record(const std::filesystem::path& file);
   /// A recording as a device; says what is wrong with it.
   void replay(const std::filesystem::path& file);

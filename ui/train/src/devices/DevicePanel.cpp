@@ -64,7 +64,7 @@ void DevicePanel::hideEvent(QHideEvent* event) {
   QDialog::hideEvent(event);
 }
 
-/// How often devices have told where they are, over the last half second.
+/// Computes the rate of device states over the last half second.
 void DevicePanel::count() {
   const double gone_s = double(sinceCount_.restart()) / 1000;
   for (const auto& device : hands_.session().devices().devices()) {

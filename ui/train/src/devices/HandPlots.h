@@ -9,7 +9,7 @@ class QwtPlot;
 
 namespace insonate::train {
 
-/// What both hands were pushed with, and how often their devices told where they are, over the last seconds.
+/// Plots of the forces on both hands, and of the state rates of their devices, over the last seconds.
 class HandPlots final : public QWidget {
  public:
   static constexpr double kLast_s = 10;

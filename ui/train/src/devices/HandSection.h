@@ -26,7 +26,7 @@ class HandSection final : public QFrame {
 
   /// Devices as they are now.
   void refresh();
-  /// Where the hand is and what it feels, a few times a second; `rate_Hz` of its device.
+  /// Shows position and force of the hand, a few times a second; `rate_Hz` of its device.
   void show(const ServoSnapshot& now, double rate_Hz);
 
  Q_SIGNALS:
@@ -49,7 +49,7 @@ class HandSection final : public QFrame {
   bool refreshing_ = false;
 };
 
-/// What a device is doing, a few words.
+/// Describes a device's phase in a few words.
 QString wordsOf(DevicePhase phase);
 
 }  // namespace insonate::train

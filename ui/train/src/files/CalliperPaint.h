@@ -14,7 +14,7 @@ namespace insonate::train {
 void paintCallipers(QPainter& painter, const BModeImage& image, QPoint origin,
                     std::span<const views::Calliper> callipers, int letter);
 
-/// What they measure, a line each, "1  12.3 mm", from `top` down.
+/// Paints the measured values, a line each, "1  12.3 mm", from `top` down.
 void paintMeasures(QPainter& painter, QPoint top, std::span<const views::Calliper> callipers, int letter);
 int measuresHeight(std::size_t callipers, int letter);
 

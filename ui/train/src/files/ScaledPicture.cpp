@@ -13,7 +13,7 @@
 namespace insonate::train {
 namespace {
 
-/// Of letters, in pixels; all else is measured in it.
+/// Height of letters in pixels, the unit of all other lengths.
 int letter_px(const BModeImage& image) {
   constexpr int kLeast_px = 11, kLinesOfText = 45;
   return std::max(kLeast_px, image.height / kLinesOfText);

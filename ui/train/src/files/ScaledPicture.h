@@ -13,7 +13,7 @@ namespace insonate::train {
 /// for any thread.
 QImage scaledPicture(const BModeImage& image, std::span<const views::Calliper> callipers = {});
 
-/// Where the picture itself begins in it, in pixels.
+/// Position of the image itself in it, in pixels.
 QPoint pictureOrigin(const BModeImage& image);
 
 }  // namespace insonate::train

@@ -7,8 +7,8 @@
 
 namespace insonate::train {
 
-/// What a user did and can take back, of whatever kind, in one order. A step exchanges what is there with what was
-/// there before, so that the same step takes back and does again. For one thread.
+/// The user's undoable steps of every kind, in one order. A step exchanges the present state with the former one, so
+/// that the same step serves undo and redo. For one thread.
 class History {
  public:
   static constexpr std::size_t kMost = 200;
@@ -27,7 +27,7 @@ class History {
   enum class Outcome { Done, Nothing, Refused };
   Outcome undo() { return go(past_, future_); }
   Outcome redo() { return go(future_, past_); }
-  /// Of the step that undo() or redo() did last.
+  /// Name of the step that undo() or redo() applied last.
   const std::string& lastWords() const { return lastWords_; }
 
  private:

@@ -10,7 +10,7 @@ class QKeyEvent;
 
 namespace insonate::train {
 
-/// What a key does in this workspace.
+/// Commands of this workspace that have a key.
 enum class Command {
   Move,
   Freeze,
@@ -60,7 +60,7 @@ std::span<const KeyRow> keyTable();
 /// Null for a key that means nothing here.
 const KeyRow* rowFor(const QKeyEvent& event);
 
-/// What the mouse does, for the same list.
+/// Actions of the mouse, for the same list.
 struct MouseRow {
   const char* gesture;
   const char* meaning;

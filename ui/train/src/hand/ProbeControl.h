@@ -8,10 +8,10 @@
 
 namespace insonate::train {
 
-/// What a hand can do to the probe in one direction.
+/// Directions in which a hand can move the probe.
 enum class HandAxis { Lateral, Elevation, Rotation, Tilt, Rock, Press };
 
-/// Where the probe is, in the numbers that a user reads and types.
+/// Position of the probe, in the numbers that a user reads and types.
 struct HandNumbers {
   Vec3 skin_mm;             ///< patient LPS
   double rotation_deg = 0;  ///< 0: across the body, marker toward the patient's left; -180..180
@@ -36,7 +36,7 @@ class ProbeControl {
   }
   HandMove move(HandAxis axis, double mmOrDegrees);
   HandMove slide(double lateral_mm, double elevation_mm);
-  /// To a typed number; slides have none.
+  /// Moves to a typed number; slides have none.
   HandMove set(HandAxis axis, double mmOrDegrees);
   HandMove moveTo(Vec3 patient_mm);
   HandMove setPose(const StartPose& pose);

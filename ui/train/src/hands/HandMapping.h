@@ -11,8 +11,8 @@ namespace insonate::train {
 /// From which side of the patient, who lies on the back, a device is used.
 enum class Stand { Head, Right, Left, Feet };
 
-/// How a user wants a device to become a tool; kept for each device. Motion and force are one to one: only then do
-/// they tell the truth about how hard tissue is.
+/// The user's mapping of a device to a tool; kept for each device. Motion and force are one to one: only then do they
+/// convey truly how hard tissue is.
 struct HandMapping {
   Stand stand = Stand::Head;
   Transform begin;  ///< deviceFromStylus where the tool is to be at its start

@@ -14,8 +14,8 @@
 namespace insonate::train {
 namespace {
 
-constexpr int kTick_ms = 16, kSlow_ms = 500;
-/// Of what pushes a needle that is outside: the other tool.
+constexpr int kPoll_ms = 16, kSlow_ms = 500;
+/// Force above which the other tool counts as pushing a needle that is outside.
 constexpr double kTouch_N = 0.3;
 constexpr double kStart_mm = 5;  // off the skin
 /// Bits of DeviceState::buttons.
@@ -32,7 +32,7 @@ bool sameNeedle(const NeedleShown& a, const NeedleShown& b) {
 }  // namespace
 
 HandsControl::HandsControl(QObject* parent) : QObject(parent), session_(std::make_unique<HandsSession>(allDevices())) {
-  timer_.setInterval(kTick_ms);
+  timer_.setInterval(kPoll_ms);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, [this] { look(); });
   slow_.setInterval(kSlow_ms);
@@ -95,7 +95,7 @@ Transform HandsControl::startOf(Hand hand) const {
   return NeedleHand::beside(*probe_, halfWidth_mm_, plane_).patientFromNeedle();
 }
 
-/// What belongs into a hand now, where something else is there.
+/// Puts the chosen device into a hand if it holds another one.
 void HandsControl::put(Hand hand) {
   const bool ready = labels_ && probe_;
   std::shared_ptr<HapticDevice> device = inMouse(hand) ? nullptr : deviceOf(wanted_[hand]);

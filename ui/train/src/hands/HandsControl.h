@@ -19,7 +19,7 @@ class QSettings;
 
 namespace insonate::train {
 
-/// What a hand can do to the needle in one direction. Lateral and Elevation slide its entry over the skin, along the
+/// Directions in which a hand can move the needle. Lateral and Elevation slide its entry over the skin, along the
 /// probe's directions.
 enum class NeedleAxis { Lateral, Elevation, Heading, Angle, Bevel, Advance };
 
@@ -52,7 +52,7 @@ class HandsControl : public QObject {
   void setImaging(LiveImaging* imaging) { session_->setImaging(imaging); }
   /// Hands are empty while nobody looks.
   void setWatched(bool watched);
-  /// Where mouse and keys hold the probe, and how wide its face is.
+  /// Reports the pose at which mouse and keys hold the probe, and the half width of its face.
   void probeMoved(const ProbeHand& hand, double halfWidth_mm);
 
   // The probe
@@ -66,7 +66,7 @@ class HandsControl : public QObject {
   bool hasNeedle() const { return needle_.has_value(); }
   /// As mouse and keys hold it; null for none, and in a real device.
   const NeedleHand* needleHand() const { return wish_ ? &*wish_ : nullptr; }
-  /// How far mouse and keys want the tip in; the needle is on its way there.
+  /// Insertion that mouse and keys aim at; the needle is moving there.
   double wantedAdvance_mm() const { return advance_mm_; }
   const std::optional<NeedleShown>& needle() const { return needle_; }
   /// Name of the vessel of this label, vein or artery, at a point of the patient; empty for other labels, and where the
@@ -78,7 +78,7 @@ class HandsControl : public QObject {
   NeedlePlane needlePlane() const { return plane_; }
   void layNeedleDown();
   void moveNeedle(NeedleAxis axis, double mmOrDegrees);
-  /// To a typed number: Heading, Angle, Bevel, Advance.
+  /// Moves to a typed number: Heading, Angle, Bevel, Advance.
   void setNeedle(NeedleAxis axis, double mmOrDegrees);
   /// The entry to the skin nearest to a point; while the needle is out.
   void needleTo(Vec3 patient_mm);

@@ -2,16 +2,11 @@
 
 #include <insonate/ui/Text.h>
 
-#include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
 
 namespace insonate::train {
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("NeedleWords", text);
-}
 
 QString wall(Label label) {
   switch (label) {

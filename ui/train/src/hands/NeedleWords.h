@@ -6,13 +6,13 @@
 
 namespace insonate::train {
 
-/// What happened to the needle, a sentence. `vessel`: name of the vessel whose wall it is, as vesselName(); may be
-/// empty.
+/// Describes an event of the needle in a sentence. `vessel`: name of the vessel whose wall it is, as vesselName(); may
+/// be empty.
 QString sentenceOf(const NeedleEvent& event, const QString& vessel);
 
-/// Where the tip is and what it feels: "in the right internal jugular vein, inserted 22.3 mm, depth 15.8 mm, 0.6 N".
-/// `vessel`: name of the vessel that it is in; may be empty. `imageDepth_mm`: of the tip below the probe's face along
-/// the image's depth axis, as the scale beside the image reads.
+/// Describes the tip's place and the force on it: "in the right internal jugular vein, inserted 22.3 mm, depth 15.8
+/// mm, 0.6 N". `vessel`: name of the vessel that it is in; may be empty. `imageDepth_mm`: depth of the tip below the
+/// probe's face along the image's depth axis, as the scale beside the image reads.
 QString wordsOf(const NeedleState& state, const QString& vessel, double imageDepth_mm);
 
 /// In a test: what the marks on the shaft and the hand tell, "inserted 22.3 mm, 0.6 N".

@@ -20,13 +20,13 @@ class CineBar : public QWidget {
  public:
   explicit CineBar(TrainSession& session, QWidget* parent = nullptr);
 
-  /// Which calliper is chosen (views::CalliperKind), -1 for none.
+  /// Selects a caliper (views::CalliperKind), or none with -1.
   void setCalliper(int kind);
   void setCtBeside(bool shown);
   void setCtBesideOffered(bool offered);
   /// Takes as little width as it can.
   void setCompact(bool compact);
-  /// Whether what is measured goes into what is saved.
+  /// Tells whether saved images include measurements.
   bool savesMeasurements() const;
 
  Q_SIGNALS:

@@ -11,7 +11,7 @@
 namespace insonate::train {
 namespace {
 
-/// Of the window's time; the rest is the picture's.
+/// Share of the window's time; the rest is the image's.
 constexpr double kShare = 0.25;
 constexpr int kSoonest_ms = 33, kLatest_ms = 400;
 
@@ -27,7 +27,7 @@ CtBeside::CtBeside(TrainSession& session, QWidget* parent)
   widget_->hide();
   view_->setCrosshairVisible(false);
   view_->setLabelOutlines(true);
-  // What fills the space between structures has no outline worth looking at.
+  // Tissue that fills the space between structures has no useful outline.
   for (const std::uint8_t label : {kSkin, kFat, kSoftTissue}) view_->setLabelVisible(label, false);
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, [this] { follow(); });
@@ -45,7 +45,7 @@ void CtBeside::showCase() {
   timer_.stop();
   shape_ = nullptr;
   const bool there = shown_ && session_.patient();
-  // What it draws is known before the first picture.
+  // The labels are known before the first image.
   std::shared_ptr<views::VtkCase> tissues;
   if (there && session_.tissueLabels()) {
     tissues = std::make_shared<views::VtkCase>(session_.patient());

@@ -13,7 +13,7 @@
 
 namespace insonate::train {
 
-/// Who points into the picture or into a slice of the CT sees the same place marked in the others.
+/// Marks the place under the pointer in the image or in a slice of the CT in the other views.
 class LinkedPointer : public QObject {
  public:
   LinkedPointer(TrainSession& session, views::UltrasoundView& picture, QWidget& canvas, QObject* parent);

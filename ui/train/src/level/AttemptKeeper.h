@@ -25,13 +25,13 @@ namespace insonate::train {
 
 class AttemptControl;
 
-/// Which level an attempt is made for; null for free practice.
+/// Level of an attempt; null for free practice.
 struct AttemptAim {
   const Curriculum* curriculum = nullptr;
   const Level* level = nullptr;
 };
 
-/// What could not be written down on this computer; none where it was.
+/// Facts that could not be stored on this computer; empty if they were.
 using KeptFacts = QFuture<std::optional<AttemptFacts>>;
 
 /// Writes each attempt of who is signed in into the store, as it begins and as it ends, by what its recording tells, of
@@ -57,7 +57,7 @@ class AttemptKeeper final : public QObject {
   void ended(const insonate::AttemptFacts& facts);
   /// The store has all that there is of who is signed in.
   void allSent();
-  /// What is to be known of what could not be sent.
+  /// Sentence about facts that could not be sent.
   void said(const QString& sentence);
 
  private:

@@ -86,7 +86,7 @@ void Course::refresh() {
       });
 }
 
-/// Of one's classes that have a curriculum; where none has, the one that comes along.
+/// Curricula of the user's classes; if none has one, the built-in curriculum.
 Result<std::vector<Course::Choice>> Course::choicesOf(const SignedIn& by) {
   const auto cohorts = CohortStore(by).cohorts();
   if (!cohorts) return tl::unexpected(cohorts.error());
@@ -121,7 +121,7 @@ Result<Course::Known> Course::ask(const SignedIn& by, const QString& unsent, con
   return known;
 }
 
-/// What was known stays where the store does not answer.
+/// If the store does not answer, the former state stays.
 void Course::take(Result<Known> known) {
   trouble_ = known ? QString() : QString::fromStdString(known.error().message);
   if (known) known_ = std::move(*known);

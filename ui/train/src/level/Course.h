@@ -18,9 +18,8 @@ class Account;
 
 namespace insonate::train {
 
-/// What whoever sits at the window is to learn, how far they are, and what they did. The curriculum is that of a class
-/// they are in, else the one that comes with the program; of a guest nothing is known. For the window's thread, which
-/// waits for nothing.
+/// The user's curriculum, standing and attempts. The curriculum is that of one of the user's classes, else the
+/// built-in one; guests have no standing. For the window's thread; waits for nothing.
 class Course final : public QObject {
   Q_OBJECT
 
@@ -35,7 +34,7 @@ class Course final : public QObject {
   const Curriculum* curriculum() const { return known_ ? &known_->curriculum : nullptr; }
   /// As words for people: the class, or that it comes with the program.
   QString origin() const;
-  /// Where one stands in each level, in the curriculum's order.
+  /// The user's state in each level, in the curriculum's order.
   const std::vector<LevelProgress>& progress() const { return progress_; }
   /// Null for one that the curriculum lacks.
   const LevelProgress* progressIn(std::string_view level) const;

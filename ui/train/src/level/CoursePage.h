@@ -24,7 +24,7 @@ class CoursePage final : public QWidget {
   CoursePage(Course& course, LevelControl& levels, ui::Account* account, QWidget* parent = nullptr);
 
   void showTab(Tab tab);
-  /// To what is chosen from on the tab.
+  /// Gives the keyboard focus to the list on the tab.
   void takeKeyboard();
 
  Q_SIGNALS:

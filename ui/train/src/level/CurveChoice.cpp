@@ -3,18 +3,14 @@
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/procedure/Procedure.h>
 #include <insonate/teaching/TeachingHere.h>
+#include <insonate/ui/Text.h>
 
-#include <QCoreApplication>
 #include <algorithm>
 
 namespace insonate::train {
 namespace {
 
-const std::string kPoints = "points";
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("CurveChoice", text);
-}
+const std::string kPointsCurve = "points";
 
 bool isOf(const AttemptFacts& attempt, const Curriculum* curriculum, const CurveChoice& which) {
   if (attempt.procedure != which.procedure || !counts(attempt)) return false;
@@ -45,7 +41,7 @@ std::vector<CurveChoice> curveChoices(const Curriculum* curriculum, std::span<co
 
 std::vector<MetricMeaning> curveMetrics(const std::string& procedure) {
   MetricMeaning points;
-  points.id = kPoints, points.title = tr("Points, of 100").toStdString();
+  points.id = kPointsCurve, points.title = tr("Points, of 100").toStdString();
   points.better = MetricMeaning::Better::Higher;
   points.kind = ValueKind::Percent;
   std::vector<MetricMeaning> all{points};
@@ -60,7 +56,7 @@ std::vector<std::optional<double>> curveValues(const Curriculum* curriculum, std
   std::vector<std::optional<double>> values;
   for (const AttemptFacts& attempt : history)
     if (isOf(attempt, curriculum, which))
-      values.push_back(meaning.id == kPoints ? attempt.points : valueOf(attempt, meaning.id, meaning.version));
+      values.push_back(meaning.id == kPointsCurve ? attempt.points : valueOf(attempt, meaning.id, meaning.version));
   return values;
 }
 

@@ -12,7 +12,7 @@
 
 namespace insonate::train {
 
-/// Whose learning curve is drawn: the attempts of a level, or all of a procedure.
+/// Attempts of a learning curve: those of a level, or all of a procedure.
 struct CurveChoice {
   QString title{};
   std::string procedure{};

@@ -32,7 +32,7 @@ bool LevelControl::fits() const {
   if (!patient) return false;
   const QString title = ui::qt(patient->manifest.title);
   if (title != ui::titleOfCase(ui::qt(level_->caseName))) return false;
-  // Of the same title there may be an author's draft: a level is practised on what was published.
+  // An author's draft may have the same title: a level is practised on the published version.
   const auto place = ui::placeOfCase(ui::qt(level_->caseName));
   if (!place) return true;
   const ui::CaseOrigin& origin = session_.origin();

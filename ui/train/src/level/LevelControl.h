@@ -32,7 +32,7 @@ class LevelControl final : public QObject {
   const Level* level() const { return level_ ? &*level_ : nullptr; }
   /// The level's case is not the one in the window.
   bool waitsForCase() const { return level_ && !fits(); }
-  /// What the next attempt is made for.
+  /// Level of the next attempt.
   AttemptAim aim() const;
 
   /// One that is locked, or an attempt that runs, refuses with a sentence in the status line.

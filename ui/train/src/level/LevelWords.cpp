@@ -5,15 +5,10 @@
 #include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Text.h>
 
-#include <QCoreApplication>
 #include <algorithm>
 
 namespace insonate::train {
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("LevelWords", text);
-}
 
 const MetricDefinition* definitionOf(const std::string& id) {
   const auto found = std::ranges::find(metricTable(), id, &MetricDefinition::id);
@@ -59,7 +54,7 @@ QString headlineFor(const PassRule& rule, const AttemptFacts& attempt, bool pass
   return passed ? tr("Passed") : tr("Not passed: %1").arg(ui::qt(reasonOfFailure(rule, attempt)));
 }
 
-/// Of other levels than the one that was practised.
+/// Sentence about a change of another level than the practised one.
 QString changeOf(const Level& level, LevelState before, LevelState after) {
   if (before == after) return {};
   if (after == LevelState::Locked) return tr("'%1' is locked now.").arg(ui::qt(level.title));

@@ -12,7 +12,7 @@
 
 namespace insonate::train {
 
-/// How a level's state is told: by a sign and a word as well as by a colour.
+/// Presentation of a level's state: a sign and a word as well as a color.
 struct StateWords {
   QString sign, word;
   views::Colour colour;

@@ -19,8 +19,7 @@ class FormSheet;
 
 namespace insonate::train {
 
-/// What people think of the simulator: the questionnaire that comes along, filled in by who is signed in. What was not
-/// sent yet is kept as a draft.
+/// The built-in questionnaire about the simulator, answered by the signed-in user. Unsent answers are kept as a draft.
 class QuestionnairePage final : public QWidget {
   Q_OBJECT
 

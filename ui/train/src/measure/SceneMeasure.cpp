@@ -14,15 +14,15 @@
 namespace insonate::train {
 namespace {
 
-constexpr int kBeat_ms = 4;
+constexpr int kSceneBeat_ms = 4;
 /// Longer than this no picture of rest is waited for.
-constexpr double kPatience_s = 30;
+constexpr double kRestTimeout_s = 30;
 /// A probe counts as moving until now after it came to rest.
 constexpr double kLeastRest_s = 0.6;
-constexpr double kTurn_degps = 60, kPeriod_s = 2, kNearer = 0.3, kReach_mm = 10;
+constexpr double kTurn_degps = 60, kWavePeriod_s = 2, kNearer = 0.3, kWaveReach_mm = 10;
 
 double wave(double t_s) {
-  return std::sin(2 * std::numbers::pi * t_s / kPeriod_s);
+  return std::sin(2 * std::numbers::pi * t_s / kWavePeriod_s);
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ SceneMeasure::SceneMeasure(TrainSession& session, ui::ViewWidget& scene, double 
   scene_.setCtVisible(true);
   connect(&beat_, &QTimer::timeout, this, [this] { tick(); });
   beat_.setTimerType(Qt::PreciseTimer);
-  beat_.start(kBeat_ms);
+  beat_.start(kSceneBeat_ms);
   begin(Part::Warm);
 }
 
@@ -61,11 +61,11 @@ void SceneMeasure::move(double part_s) {
   const double before_s = std::exchange(moved_s_, part_s);
   if (part_ == Part::Orbit) scene_.orbit(kTurn_degps * (part_s - before_s), 0);
   if (part_ == Part::Zoom) scene_.zoom(std::exp(kNearer * (wave(part_s) - wave(before_s))));
-  if (part_ == Part::Follow) session_.slide(kReach_mm * (wave(part_s) - wave(before_s)), 0);
+  if (part_ == Part::Follow) session_.slide(kWaveReach_mm * (wave(part_s) - wave(before_s)), 0);
 }
 
 void SceneMeasure::tick() {
-  const double hold_ms = double(sinceBeat_.nsecsElapsed()) / 1e6 - kBeat_ms;
+  const double hold_ms = double(sinceBeat_.nsecsElapsed()) / 1e6 - kSceneBeat_ms;
   sinceBeat_.start();
   const double before_ms = std::exchange(beatProcessor_ms_, threadTime_ms());
   if (part_ != Part::Warm) {
@@ -77,7 +77,7 @@ void SceneMeasure::tick() {
   beatRenderings_ = widget_.renderings();
   const double part_s = double(sincePart_.nsecsElapsed()) / 1e9;
   const bool there = part_s > kLeastRest_s && scene_.isExact();
-  if (rests() ? there || part_s > kPatience_s : part_s >= seconds_)
+  if (rests() ? there || part_s > kRestTimeout_s : part_s >= seconds_)
     end(part_s);
   else
     move(part_s);

@@ -5,7 +5,7 @@
 
 namespace insonate::train {
 
-/// What an effect of EffectLayers.h is called in the window: "shadows behind boundaries".
+/// Name of an effect of EffectLayers.h in the window: "shadows behind boundaries".
 QString effectWords(const std::string& name);
 
 }  // namespace insonate::train

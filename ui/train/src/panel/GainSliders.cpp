@@ -13,7 +13,7 @@ namespace insonate::train {
 namespace {
 
 constexpr int kSliders = 8;
-constexpr int kRow_px = 14, kMargin_px = 6, kLength_px = 120, kSideBySide_px = 64;
+constexpr int kSliderRow_px = 14, kSliderMargin_px = 6, kLength_px = 120, kSideBySide_px = 64;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ GainSliders::GainSliders(Qt::Orientation along, const QString& name, const QStri
 }
 
 QSize GainSliders::sizeHint() const {
-  return isStacked() ? QSize{kLength_px, kSliders * kRow_px} : QSize{kLength_px, kSideBySide_px};
+  return isStacked() ? QSize{kLength_px, kSliders * kSliderRow_px} : QSize{kLength_px, kSideBySide_px};
 }
 
 void GainSliders::setValues(const std::array<double, 8>& gain_dB) {
@@ -40,15 +40,16 @@ int GainSliders::sliderAt(QPoint place) const {
 }
 
 double GainSliders::gainAt(QPoint place) const {
-  const double share = isStacked() ? double(place.x() - kMargin_px) / std::max(1, width() - 2 * kMargin_px)
-                                   : double(height() - kMargin_px - place.y()) / std::max(1, height() - 2 * kMargin_px);
+  const double share =
+      isStacked() ? double(place.x() - kSliderMargin_px) / std::max(1, width() - 2 * kSliderMargin_px)
+                  : double(height() - kSliderMargin_px - place.y()) / std::max(1, height() - 2 * kSliderMargin_px);
   return (share * 2 - 1) * kMost_dB;
 }
 
 QPointF GainSliders::placeOf(double slider, double gain_dB) const {
   const double share = (gain_dB + kMost_dB) / (2 * kMost_dB), along = (slider + 0.5) / kSliders;
-  if (isStacked()) return {kMargin_px + (width() - 2 * kMargin_px) * share, along * height()};
-  return {along * width(), height() - kMargin_px - (height() - 2 * kMargin_px) * share};
+  if (isStacked()) return {kSliderMargin_px + (width() - 2 * kSliderMargin_px) * share, along * height()};
+  return {along * width(), height() - kSliderMargin_px - (height() - 2 * kSliderMargin_px) * share};
 }
 
 void GainSliders::change(int slider, double gain_dB) {

@@ -26,9 +26,9 @@ class Positions : public QWidget {
   int count() const;
   /// From 0; nothing happens beyond the list.
   void recall(int place);
-  /// Where the probe is now, as one of the user's own.
+  /// Saves the probe's present position as one of the user's own.
   void saveCurrent();
-  /// Of the user's own only; those of the case stay as they are.
+  /// Removes one of the user's own positions; those of the case stay.
   void remove(int place);
   void rename(int place, const QString& name);
   void shift(int place, int by);

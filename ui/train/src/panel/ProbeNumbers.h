@@ -11,7 +11,7 @@ namespace insonate::train {
 
 class NumberField;
 
-/// Where the probe is, in numbers that can be typed over: rotation, tilt, rock, pressure; and the place on the skin.
+/// The probe's position in editable numbers: rotation, tilt, rock, pressure; and the place on the skin.
 class ProbeNumbers : public QWidget {
  public:
   explicit ProbeNumbers(QWidget* parent = nullptr);

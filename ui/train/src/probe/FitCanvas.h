@@ -30,7 +30,7 @@ class FitCanvas : public QWidget {
   const std::optional<Line>& line() const { return line_; }
   /// In the widget's pixels.
   QPointF placeOf(PixelPoint p) const { return widgetFrom(p); }
-  /// What to do next, shown while there is no picture.
+  /// Sets the next thing to do, shown while there is no image.
   void setInvitation(const QString& text);
 
   enum class Handle { None = -1, Left, Right, Face, End, LeftCorner, RightCorner, Whole };

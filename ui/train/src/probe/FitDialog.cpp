@@ -220,7 +220,7 @@ void FitDialog::fitted(Result<std::shared_ptr<Loaded>> result) {
     QString sentence = stopped ? tr("Stopped.") : QString::fromStdString(result.error().message);
     if (!picture_.isNull()) sentence += QLatin1Char('\n') + tr("What is shown is still the picture before.");
     say(sentence, !stopped);
-    // So are its doubts.
+    // The fit's warnings are part of the state, too.
     if (picture_.isNull()) return;
     notes_->setText(stopped ? sentence + QLatin1Char('\n') + doubts_ : doubts_);
     return notes_->show();

@@ -29,7 +29,7 @@ class FovHandles : public QObject {
   views::PictureBounds roomFor(const views::PictureBounds& fieldOfView) const;
 
   enum class Handle { None = -1, RightSide, LeftSide, Face, Depth };
-  /// Where a handle is, in display pixels of the view.
+  /// Position of a handle, in display pixels of the view.
   views::DisplayPoint displayOf(Handle handle) const;
 
  Q_SIGNALS:

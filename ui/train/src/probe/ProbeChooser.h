@@ -18,7 +18,7 @@ class ProbeChooser : public QWidget {
   ProbeChooser(TrainSession& session, ProbeLibrary& library, QWidget* parent = nullptr);
 
   QComboBox& list() { return *list_; }
-  /// What loadProbe() takes, to be remembered.
+  /// Argument for loadProbe(), to be remembered.
   QString key() const;
 
  Q_SIGNALS:

@@ -20,7 +20,7 @@
 namespace insonate::train {
 namespace {
 
-/// How a number of the probe is shown. `heading` opens a group.
+/// Presentation of a number of the probe. `heading` opens a group.
 struct Presentation {
   const char* field;
   const char* heading;
@@ -215,7 +215,7 @@ void ProbeEditor::changed(const ProbeField& field, double value) {
 
 void ProbeEditor::changeShape(int shape) {
   if (ProbeShape(shape) == draft_.shape) return;
-  // What the other shape does not have comes from its built-in probe.
+  // Numbers that the other shape lacks come from its built-in probe.
   const bool wasLinear = draft_.shape == ProbeShape::Linear;
   const Probe other = *loadProbe(presetOf(ProbeShape(shape)));
   draft_.shape = ProbeShape(shape);

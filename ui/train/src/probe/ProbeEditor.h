@@ -34,7 +34,7 @@ class ProbeEditor : public ScrollingColumn {
   const Probe& draft() const { return draft_; }
   /// Takes a whole probe over, e.g. from a picture; the picture's depth becomes the probe's own.
   void take(const Probe& probe);
-  /// What is wrong with the draft, a sentence; empty where it is in use.
+  /// Error in the draft, a sentence; empty while the draft is in use.
   QString problem() const;
 
   bool save();

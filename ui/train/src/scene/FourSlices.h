@@ -32,7 +32,7 @@ class FourSlices : public QWidget {
   void setWindowChanged(const std::function<void(views::WindowLevel)>& listener);
   void setLabelOpacity(double opacity);
   void setLabelColour(std::uint8_t label, views::Colour colour);
-  /// Of the last renderings together.
+  /// Duration of the last renderings together.
   double renderTime_s() const;
 
   static constexpr std::size_t kCount = 4;

@@ -38,13 +38,13 @@ constexpr int kSceneShare = 35;  // of the height, beside four slices, in percen
 constexpr int kScenePanel = 100, kAllSlices = 101;
 constexpr double kAcross_deg = 10, kUp_deg = 42, kRoomForProbe = 0.8;
 
-struct Kind {
+struct SliceEntry {
   views::SliceKind kind;
   const char* name;
   const char* briefly;
   const char* says;
 };
-constexpr Kind kKinds[] = {
+constexpr SliceEntry kSliceEntries[] = {
     {views::SliceKind::Oblique, "Probe", "Probe", "CT in the probe's plane, as the image shows it"},
     {views::SliceKind::Axial, "Axial", "Ax", "seen from the feet"},
     {views::SliceKind::Coronal, "Coronal", "Cor", "seen from the front"},
@@ -113,7 +113,7 @@ QWidget* PatientViews::buildMpr() {
     row->addWidget(button);
     return button;
   };
-  for (const Kind& kind : kKinds)
+  for (const SliceEntry& kind : kSliceEntries)
     addTab(int(kind.kind), tr(kind.name), tr("%1 slice").arg(tr(kind.name)), tr(kind.says));
   kinds_->button(int(views::SliceKind::Oblique))->setChecked(true);
   addTab(kAllSlices, tr("All"), tr("All slices"), tr("The four of them at once, with one crosshair (X)"))
@@ -170,7 +170,8 @@ QWidget* PatientViews::buildScenePanel(QWidget* parent) {
 }
 
 void PatientViews::setCompact(bool compact) {
-  for (const Kind& kind : kKinds) kinds_->button(int(kind.kind))->setText(tr(compact ? kind.briefly : kind.name));
+  for (const SliceEntry& kind : kSliceEntries)
+    kinds_->button(int(kind.kind))->setText(tr(compact ? kind.briefly : kind.name));
   for (QAbstractButton* tab : kinds_->buttons()) {
     ui::setRole(tab, compact ? "shortTab" : "narrowTab");
     tab->style()->unpolish(tab);
@@ -189,7 +190,7 @@ void PatientViews::showBelow(QWidget* shown) {
   scenePanel_->histogram().setWindowLevel(mpr_->windowLevel());
 }
 
-/// To four slices the larger part of the column's height, and as much width as the picture has.
+/// Gives four slices the larger part of the column's height, and as much width as the image has.
 void PatientViews::giveRoom(bool more) {
   if (more) {
     splitBefore_ = splitter_->saveState();

@@ -61,20 +61,20 @@ class PatientViews : public QWidget {
   void setSliceWindow(int preset);
   /// Called when the user changed window or level of the slice.
   void setWindowChanged(const std::function<void(views::WindowLevel)>& listener);
-  /// Of the needle's shaft in 3D.
+  /// Sets the color of the needle's shaft in 3D.
   void setNeedleColour(views::Colour colour);
   /// The view in 3D: to the right and up, in degrees.
   void turn(double across_deg, double up_deg);
   /// A tray with a new needle, beside the patient's chest; while there is an attempt.
   void setTrayVisible(bool visible);
   const std::optional<Transform>& tray() const { return tray_; }
-  /// Whether a point lies on the tray or just over it, as a tip that touches it.
+  /// Tells whether a point lies on the tray or just over it, like a tip that touches it.
   bool isOnTray(Vec3 patient_mm) const;
   /// Called when the tray is clicked.
   void setTrayTaken(std::function<void()> listener);
   /// Opens the patient along the needle, toward the viewer, or closes it again.
   void toggleCutAtNeedle();
-  /// Whether they follow the probe.
+  /// Sets whether the views follow the probe.
   void setFollowing(bool following);
 
  private:

@@ -22,7 +22,7 @@ class SceneInput : public QObject {
  public:
   SceneInput(TrainSession& session, views::SceneView& view, QWidget& canvas, QObject* parent);
 
-  /// Where the tray stands; none for none.
+  /// Sets the tray's place; none: there is no tray.
   void setTray(const std::optional<Transform>& patientFromTray) { tray_ = patientFromTray; }
   /// Called when it is clicked.
   void setTrayTaken(std::function<void()> listener) { trayTaken_ = std::move(listener); }

@@ -14,7 +14,7 @@ class ValueSlider;
 
 namespace insonate::train {
 
-/// How a slice of the CT is shown: window and level, structures over it, fit.
+/// Display of a slice of the CT: window and level, structures over it, fit.
 class SliceMenu : public QMenu {
  public:
   SliceMenu(views::MprView& slice, QWidget* parent);

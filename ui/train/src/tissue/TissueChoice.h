@@ -8,7 +8,7 @@ class QSettings;
 
 namespace insonate::train {
 
-/// How the tissue under the probe gives way, and what the patient's blood is under, as chosen in the panel.
+/// Mechanical model and blood pressure of the patient, as chosen in the panel.
 struct TissueChoice {
   std::string model = "elastic";  ///< see TissueMechanics::model
   Physiology body;                ///< with a heart and a breath, whether or not they are on
@@ -20,7 +20,7 @@ bool operator==(const TissueChoice& a, const TissueChoice& b);
 Physiology physiologyOf(const TissueChoice& choice);
 
 void saveTissue(const TissueChoice& choice, QSettings& settings);
-/// What is missing or cannot be is as usual.
+/// Restores the choice; missing or invalid values take their defaults.
 TissueChoice restoredTissue(QSettings& settings);
 
 }  // namespace insonate::train

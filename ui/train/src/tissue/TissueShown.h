@@ -13,8 +13,8 @@ class AreaPlot;
 class TissueStrip;
 class TrainSession;
 
-/// What is seen of the tissue's mechanics in the picture's column: the strip of numbers, the curve, and grid and
-/// pressure over the picture, which are asked for only while they are shown.
+/// Display of the tissue's mechanics in the image's column: the strip of numbers, the curve, and grid and pressure
+/// over the image, which are requested only while they are shown.
 class TissueShown final : public QObject {
  public:
   /// The widgets are made in `column`, for a layout to take.

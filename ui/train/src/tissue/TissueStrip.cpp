@@ -20,12 +20,12 @@ constexpr int kReadable_ms = 150;
 constexpr int kSpace = 12, kSmallSpace = 4;
 const QString kShort = QStringLiteral("...");
 
-struct Row {
+struct OverlayRow {
   const char* object;
   const char* text;
   const char* says;
 };
-constexpr Row kRows[] = {
+constexpr OverlayRow kOverlayRows[] = {
     {"tissueGrid", "Displaced grid\tT", "Lines of the tissue's mesh over the image, as it lies now"},
     {"tissuePressure", "Pressure in the tissue\tP",
      "How hard the tissue is squeezed, in kPa, in colours over the image"},
@@ -83,9 +83,9 @@ void TissueStrip::buildMenu() {
   auto* menu = new QMenu(menu_);
   menu->setToolTipsVisible(true);
   for (int k = 0; k < kShows; ++k) {
-    auto* action = menu->addAction(tr(kRows[k].text));
-    action->setObjectName(QLatin1String(kRows[k].object));
-    action->setToolTip(tr(kRows[k].says));
+    auto* action = menu->addAction(tr(kOverlayRows[k].text));
+    action->setObjectName(QLatin1String(kOverlayRows[k].object));
+    action->setToolTip(tr(kOverlayRows[k].says));
     action->setCheckable(true);
     connect(action, &QAction::toggled, this, &TissueStrip::shownChanged);
     shows_[k] = action;

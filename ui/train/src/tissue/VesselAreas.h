@@ -10,7 +10,7 @@ namespace insonate::train {
 /// Null where no such vessel is known in the plane.
 const LumenArea* lumenOf(const LivePress& press, Label label);
 
-/// Whether the probe presses as hard as is worth a number.
+/// Tells whether the probe's pressure is high enough for a number.
 bool presses(const LivePress& press);
 
 /// As the vessel is told in words and curves over the picture.

@@ -16,11 +16,11 @@
 namespace insonate::views {
 namespace {
 
-/// What rays of one moving picture may take.
+/// Time limit for the rays of one moving frame.
 constexpr double kQuick_ms = 20;
 /// Pixels from one ray to the next, along a side.
 constexpr double kWidest = 8, kStepOfSpacing = 0.5;
-/// How far the last measurement counts for the next picture.
+/// Weight of the last measurement for the next frame.
 constexpr double kTrust = 0.3;
 /// Nearest to the eye: what lies before the CT has ended its rays.
 constexpr float kFront = 1e-6F;
@@ -63,7 +63,7 @@ double* CastProp::GetBounds() {
   return case_ ? box_ : nullptr;
 }
 
-/// Whether there is something to cast.
+/// Tells whether there is anything to cast.
 bool CastProp::ready() {
   if (!case_) return false;
   if (!refiner_)

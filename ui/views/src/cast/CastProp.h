@@ -33,7 +33,7 @@ class CastProp : public vtkProp {
   void setClipping(const std::optional<ClippingPlane>& plane) { clipping_ = plane; }
   /// While the scene moves, nothing is refined.
   void setMoving(bool moving);
-  /// What was drawn last has all its rays.
+  /// Tells whether the last frame has all its rays.
   bool exact() const { return exact_; }
 
   /// Since then something has become ready.

@@ -31,7 +31,7 @@ struct CastGrid {
 
 /// A patient's CT for casting rays: itself, and a copy of few voxels for pictures that must be quick.
 struct CastVolume {
-  /// Of the copy, along a side.
+  /// Maximum size of the copy along a side.
   static constexpr int kMostCoarse = 128;
 
   std::shared_ptr<const PatientCase> patient;

@@ -10,9 +10,9 @@
 namespace insonate::views {
 namespace {
 
-/// What lets through less than this ends a ray.
+/// Transmission below which a ray ends.
 constexpr float kOpaque = 0.01F;
-/// Of a step, below which shading is not worth its samples.
+/// Opacity of a step below which shading is not worth its samples.
 constexpr float kShadedFrom = 0.004F;
 /// Change in HU of a voxel below which there is no surface to shine on.
 constexpr double kFlat_HU = 4;

@@ -12,27 +12,27 @@
 
 namespace insonate::views {
 
-/// Where rays come from, and where they end.
+/// Origins and ends of rays.
 struct CastView {
   /// Row by row; from what OpenGL calls normalised device coordinates, -1..1.
   std::array<double, 16> patientFromSeen{};
   std::array<Vec3, 3> patientFromCamera{};  ///< right, up and toward the viewer
   std::optional<ClippingPlane> clipping;
   int width = 0, height = 0;  ///< of `depth`
-  /// What is drawn already: 0 at the near plane, 1 at the far one; from below, as OpenGL counts.
+  /// Depth of what is drawn already: 0 at the near plane, 1 at the far one; from below, as OpenGL counts.
   std::vector<float> depth;
 
   bool operator==(const CastView& other) const;
 };
 
-/// What is to be seen; nothing of it changes any more.
+/// Constant description of a frame.
 struct CastTask {
   std::shared_ptr<const CastLook> look;
   CastView view;
   int across = 0, up = 0;  ///< rays
   bool coarse = false;     ///< through the copy of few voxels
 
-  /// Whether it shows the same, with whatever rays.
+  /// Tells whether it shows the same, with any number of rays.
   bool showsAs(const CastTask& other) const { return look == other.look && view == other.view; }
 };
 

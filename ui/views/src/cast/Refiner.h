@@ -38,7 +38,7 @@ class Refiner {
   void rest();
   /// The last one made for this eye; null before.
   std::shared_ptr<const CastPicture> picture(int eye) const;
-  /// Whether that is the one wanted last, or it is on its way.
+  /// Tells whether this task is the latest request, or is in work.
   bool makes(int eye, const CastTask& task) const;
 
  private:

@@ -35,7 +35,7 @@ class AlignedColumns {
   void mix(const CtVolume& ct, const Row& row, std::vector<float>& line) const;
   int hu(const std::vector<float>& line, int column) const;
 
-  /// Those within the grid.
+  /// Columns within the grid.
   int first() const { return first_; }
   int end() const { return first_ + int(columns_.size()); }
   const Column& column(int column) const { return columns_[std::size_t(column - first_)]; }

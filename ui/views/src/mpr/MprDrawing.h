@@ -11,7 +11,7 @@
 
 namespace insonate::views {
 
-/// What lies over a slice.
+/// Drawings over a slice.
 struct MprOverlay {
   SliceKind kind = SliceKind::Axial;
   std::optional<Vec3> crosshair_mm;

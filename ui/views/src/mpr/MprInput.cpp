@@ -54,7 +54,7 @@ bool MprView::wheel(const Pointer& pointer, double notches) {
   if (!patient_) return false;
   if (asPicture()) return true;
   if (pointer.control || kind_ == SliceKind::Oblique) {
-    // What is under the pointer stays there.
+    // The point under the pointer stays there.
     const Vec3 before_mm = patientFromDisplay(pointer.at);
     zoom(std::pow(1.15, notches));
     middle_mm_ = middle_mm_ + (before_mm - patientFromDisplay(pointer.at));

@@ -43,7 +43,7 @@ bool samePlane(const SlicePlane& a, const SlicePlane& b) {
          a.mm_per_px == b.mm_per_px && a.width_px == b.width_px && a.height_px == b.height_px;
 }
 
-/// Whether the slice shows voxels of a block.
+/// Tells whether the slice shows voxels of a block.
 bool meets(const SlicePlane& plane, const VolumeGeometry& grid, const VoxelBox& box) {
   if (box.empty()) return false;
   const VolumeGeometry block = gridOf(grid, box);
@@ -316,7 +316,7 @@ void MprView::layout() {
   MprOverlay overlay;
   overlay.kind = kind_, overlay.windowLevel = windowLevel_;
   overlay.slice = asPicture() ? "CT" : sliceWords(kind_, patient_->patient().ct.geometry, now);
-  // Where the slice does not pass through the crosshair, it would point at another place.
+  // On a slice that does not pass through the crosshair, it would point at another place.
   if (crosshairVisible_ && passesThrough(crosshair_mm_, now)) overlay.crosshair_mm = crosshair_mm_;
   if (pointer_mm_ && passesThrough(*pointer_mm_, now)) overlay.pointer_mm = pointer_mm_;
   for (std::size_t k = 0; k < callipers_.size(); ++k)

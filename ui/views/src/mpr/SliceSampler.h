@@ -14,7 +14,7 @@
 
 namespace insonate::views {
 
-/// How each label is laid over the CT. Opacity 0 leaves it out.
+/// Look of each label over the CT. Opacity 0 leaves it out.
 struct LabelPaint {
   Colour colour;
   double fill = 0, outline = 0;  ///< opacities, 0..1
@@ -37,7 +37,7 @@ class SliceSampler {
   struct Rows {
     int first = 0, end = 0;
   };
-  /// Those that edited voxels may have changed, outlines included.
+  /// Rows that edited voxels may have changed, outlines included.
   Rows rowsOf(const VolumeGeometry& grid, const VoxelBox& edited, const SlicePlane& plane) const;
 
   /// Fills these rows of width * height * 3 bytes, top row first; the others are as the last call left them, which must

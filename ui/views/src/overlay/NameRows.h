@@ -9,9 +9,9 @@
 
 namespace insonate::views {
 
-/// Where names beside marks stand, so that none covers another: in rows above each other, or not at all where too many
-/// marks lie together. Whoever comes first has the row of the mark. A long name is cut, so that it crosses neither the
-/// picture nor its edge. Logical and device pixels alike.
+/// Places names beside marks so that none covers another: in rows above each other, or not at all where too many marks
+/// lie together. The first name gets the row of the mark. A long name is cut, so that it crosses neither the image nor
+/// its edge. Logical and device pixels alike.
 class NameRows {
  public:
   NameRows(double width_px, double size_px) : width_px_(width_px), size_px_(size_px) {}

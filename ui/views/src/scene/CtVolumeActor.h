@@ -26,7 +26,7 @@ class CtVolumeActor {
   void setTransferFunction(const TransferFunction& function);
   /// Fewer rays and samples: while the scene moves.
   void setCoarse(bool coarse);
-  /// Whether there is no graphics card.
+  /// Sets whether there is no graphics card.
   void setSoftware(bool software);
   /// Called on other threads when a better picture can be drawn.
   void setNews(std::function<void()> news) { cast_->setNews(std::move(news)); }

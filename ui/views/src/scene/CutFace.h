@@ -12,7 +12,7 @@
 
 namespace insonate::views {
 
-/// What one sees of a structure where it is cut open: its inside in its colour, and its wall as a line around it.
+/// The cut face of a structure: its inside in its color, and its wall as a line around it.
 class CutFace {
  public:
   CutFace();
@@ -20,7 +20,7 @@ class CutFace {
   void add(vtkRenderer& renderer);
   void remove(vtkRenderer& renderer);
   void setColour(Colour colour);
-  /// Whether the inside is filled; the wall is always drawn.
+  /// Sets whether the inside is filled; the wall is always drawn.
   void setFilled(bool filled);
   void setVisible(bool visible);
   /// `lift_mm` toward what is cut away, so that of two that lie in each other the inner one is seen.

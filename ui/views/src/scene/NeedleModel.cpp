@@ -19,7 +19,7 @@ namespace {
 constexpr int kSides = 24;
 /// Between the bevel and the shaft, of an introducer needle.
 constexpr double kBevel_deg = 20;
-/// Of an 18 G needle (ISO 6009).
+/// Color of an 18 G needle's hub (ISO 6009).
 constexpr Colour kHub{0xd6, 0x86, 0xa8};
 constexpr Colour kLumen{0x2a, 0x30, 0x37};
 
@@ -54,7 +54,7 @@ vtkSmartPointer<vtkPolyData> turned(std::initializer_list<Ring> rings, double be
   return normals->GetOutput();
 }
 
-/// What the bevel opens: an ellipse.
+/// The opening of the bevel: an ellipse.
 vtkSmartPointer<vtkPolyData> opening(double radius_mm, double bevel_mm) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;

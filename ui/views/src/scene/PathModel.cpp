@@ -14,7 +14,7 @@ namespace {
 
 /// A little more than a needle of 18 G, which goes along it.
 constexpr double kRadius_mm = 0.8;
-constexpr int kSides = 8;
+constexpr int kTubeSides = 8;
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void PathModel::set(const std::vector<ScenePath>& paths) {
   vtkNew<vtkTubeFilter> tubes;
   tubes->SetInputData(data);
   tubes->SetRadius(kRadius_mm);
-  tubes->SetNumberOfSides(kSides);
+  tubes->SetNumberOfSides(kTubeSides);
   tubes->CappingOn();
   tubes->Update();
   vtkNew<vtkPolyDataMapper> mapper;

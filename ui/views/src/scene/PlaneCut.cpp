@@ -90,7 +90,7 @@ void PlaneCut::fill() {
 
 /// Inside is between the first and the second edge, the third and the fourth, ...
 void PlaneCut::fillStrip(double low, double high) {
-  // Of a surface with a hole nobody knows what is inside here.
+  // For a surface with a hole, inside and outside cannot be told apart here.
   if (active_.size() % 2 != 0) return;
   const double middle = (low + high) / 2;
   std::ranges::sort(active_, {}, [&](const Edge* edge) { return edge->acrossAt(middle); });

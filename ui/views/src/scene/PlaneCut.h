@@ -7,7 +7,7 @@
 
 namespace insonate::views {
 
-/// Where a plane goes through a closed surface: what is inside, as triangles, and its outline. Patient LPS mm.
+/// Section of a closed surface by a plane: the inside as triangles, and its outline. Patient LPS mm.
 class PlaneCut {
  public:
   /// Takes a few milliseconds for 100 000 triangles; allocates nothing after the first of a size.

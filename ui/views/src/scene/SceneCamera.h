@@ -9,7 +9,7 @@ namespace insonate::views {
 /// Places the camera so that a box (VTK order: x low, x high, ...) fills a view of this shape, seen from one side.
 void lookAt(vtkCamera& camera, Viewpoint from, const double box[6], double widthOverHeight);
 
-/// Where a camera stands, and to put one there.
+/// Reads and sets the position of a camera.
 CameraPlace placeOf(vtkCamera& camera);
 void stand(vtkCamera& camera, const CameraPlace& place);
 

@@ -6,7 +6,7 @@
 namespace insonate::views {
 namespace {
 
-/// Of planes that do not go with the probe.
+/// Clipping planes fixed in the patient.
 Vec3 normalOf(const Clipping& clipping) {
   switch (clipping.kind) {
     case ClippingKind::Coronal:
@@ -26,7 +26,7 @@ struct Box {
   Vec3 middle, half;
 };
 
-/// What is cut: the CT, because surfaces come one after the other. Without a case, the surfaces.
+/// Extent that is clipped: the CT, because surfaces arrive one after the other; without a case, the surfaces.
 Box boxOf(const VtkCase* patient, const SceneState& state) {
   double box[6] = {};
   if (patient)

@@ -18,7 +18,7 @@ struct SceneView::Drawing {
           wake();
         }) {}
 
-  // Of the window's thread: what is said, and what of it is not for who draws.
+  // State of the window's thread, and its parts that the drawing thread does not need.
   SceneState state;
   std::shared_ptr<const VtkCase> patient;
   Clipping clipping;
@@ -33,11 +33,11 @@ struct SceneView::Drawing {
   SceneState handed;
   bool isHanded = false;
 
-  // Of who draws.
+  // State of the drawing thread.
   SceneState taken;
   bool isTaken = false;
 
-  // Of both.
+  // State of both.
   std::atomic<bool> exact{false}, news{false};
   std::atomic<double> render_s{0};
   mutable std::mutex telling;

@@ -2,7 +2,7 @@
 
 namespace insonate::views {
 
-/// Where a lamp stands, from what the camera looks at: right, up, toward the viewer.
+/// Position of a lamp relative to the camera's focal point: right, up, toward the viewer.
 struct SceneLight {
   double x, y, z, intensity;
 };

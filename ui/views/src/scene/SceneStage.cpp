@@ -15,7 +15,7 @@
 namespace insonate::views {
 namespace {
 
-/// What lies in the body is seen before the body where both are cut.
+/// Structures inside the body are drawn before the body where both are cut.
 constexpr double kInnerLift_mm = 0.1;
 constexpr double kWall_px = 2, kCube_px = 84;
 

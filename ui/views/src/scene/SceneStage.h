@@ -19,8 +19,8 @@
 
 namespace insonate::views {
 
-/// What VTK draws of a scene. Belongs to whoever renders its window: that may be another thread than the one which says
-/// what is to be seen.
+/// VTK's objects of a scene. Belongs to the thread that renders its window, which may be another than the one that
+/// describes the scene.
 class SceneStage {
  public:
   /// `news` is called on other threads when a better picture can be drawn.
@@ -31,13 +31,13 @@ class SceneStage {
 
   /// The next pictures show this. What is given gets the memory of a state that is shown no more.
   void show(SceneState& next);
-  /// Whether the renderer's picture that begins needs layout().
+  /// Tells whether the renderer's next frame needs layout().
   bool due() const { return due_ || (now_.coupling && now_.stereo != Stereo::Off); }
   void layout();
 
-  /// What was drawn last lacks nothing.
+  /// Tells whether the last frame is complete.
   bool exact() const { return !now_.moving && ct_.exact(); }
-  /// What draws, in OpenGL's words; empty before the first picture.
+  /// OpenGL's name of the renderer; empty before the first frame.
   const std::string& graphics() const { return graphics_; }
 
  private:

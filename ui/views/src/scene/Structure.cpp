@@ -25,7 +25,7 @@ namespace {
 
 /// Above this a coarser surface is worth its memory.
 constexpr vtkIdType kLargeTriangles = 12000;
-/// What the coarser one should have at most.
+/// Maximum number of triangles of the coarser surface.
 constexpr double kCoarseTriangles = 10000;
 
 vtkSmartPointer<vtkFloatArray> triples(std::span<const float> values) {
@@ -193,8 +193,8 @@ void Structure::setColour(Colour colour) {
 void Structure::setOpacity(double opacity) {
   opacity_ = std::clamp(opacity, 0.0, 1.0);
   actor_->GetProperty()->SetOpacity(opacity_);
-  // Of a translucent surface the near side alone is drawn: that needs no sorting, and its far side would only cloud
-  // what is inside.
+  // Only the near side of a translucent surface is drawn: that needs no sorting, and its far side would only cloud the
+  // inside.
   actor_->GetProperty()->SetBackfaceCulling(opacity_ < 1);
   showAsGlass(*actor_, opacity_ < 1);
   // One looks into what is translucent: there the wall alone is drawn.

@@ -9,7 +9,7 @@
 
 namespace insonate::views {
 
-/// Of a view that shows the calliper's plane.
+/// Mapping of a view that shows the caliper's plane.
 using ToDisplay = std::function<DisplayPoint(PicturePoint)>;
 
 /// One calliper with its number.

@@ -9,7 +9,7 @@
 
 namespace insonate::views {
 
-/// What stands around the ultrasound picture.
+/// Elements around the ultrasound image.
 struct PictureFrame {
   double left_px = 0, top_px = 0, right_px = 0, bottom_px = 0;  ///< of the picture
   double px_per_mm = 10;

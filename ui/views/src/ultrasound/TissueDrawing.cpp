@@ -102,7 +102,7 @@ void TissueDrawing::drawGrid(const PictureTissue& tissue, const PicturePlane& pl
       const auto edge = [&](double DisplayPoint::*axis, double low, double high) {
         return last.*axis == at.*axis && (at.*axis == low || at.*axis == high);
       };
-      // What was brought to the edge of the picture lies outside it.
+      // Points clamped to the image's edge lie outside it.
       const bool outside = edge(&DisplayPoint::x, plane.left_px, plane.right_px) ||
                            edge(&DisplayPoint::y, plane.top_px, plane.bottom_px);
       if (k > 0 && !outside) lines_.segment(last, at, stroke);

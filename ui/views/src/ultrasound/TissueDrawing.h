@@ -18,7 +18,7 @@ class vtkUnsignedCharArray;
 
 namespace insonate::views {
 
-/// Where the picture lies on the display, and its mm there.
+/// Position of the image on the display, and its scale in mm.
 struct PicturePlane {
   double left_px = 0, top_px = 0, right_px = 0, bottom_px = 0;
   DisplayPoint origin;                  ///< of lateral 0, axial 0

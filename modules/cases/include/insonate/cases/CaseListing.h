@@ -8,7 +8,7 @@
 
 namespace insonate {
 
-/// What case.json of a folder says, without its volumes; that of an empty one where there is none. Fails like
+/// Reads a folder's case.json without its volumes; returns an empty manifest if the folder has none. Fails like
 /// readCase().
 Result<CaseManifest> readManifestOf(const std::filesystem::path& folder);
 

@@ -10,7 +10,7 @@
 
 namespace insonate {
 
-/// What a case holds, in numbers.
+/// Numbers that describe a case.
 struct CaseStatistics {
   static constexpr int kLowest_HU = -1024, kHighest_HU = 3071;
   int least_HU = 0, most_HU = 0;  ///< of the CT, whatever they are

@@ -7,7 +7,7 @@
 
 namespace insonate {
 
-/// What an imported CT is called until somebody names it: nothing of the patient may become a title by itself.
+/// Title of an imported CT until the author names it: patient data must never become a title by themselves.
 inline constexpr std::string_view kImportedTitle = "Imported CT";
 
 /// A case that nobody has named takes the name its author chose for its folder ("neck" of `/cases/neck.case`): lists,

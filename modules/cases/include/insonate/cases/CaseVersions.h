@@ -11,13 +11,12 @@
 
 namespace insonate {
 
-/// Of what an attempt on this case is computed from, a Fingerprint of sizes, tissues (see cases/TissueLabels.h) and CT;
-/// recorded attempts name it.
-/// Some tenths of a second for a large CT.
+/// Fingerprint of everything from which an attempt on this case is computed: sizes, tissues (see cases/TissueLabels.h)
+/// and CT. Recorded attempts name it. Takes some tenths of a second for a large CT.
 std::string voxelHashOf(const PatientCase& patient);
 
-/// Of all that makes another case for a trainee: voxels, targets and start poses. Titles, colours and what is shown may
-/// change without.
+/// Fingerprint of everything that makes a different case for a trainee: voxels, targets and start poses. Titles,
+/// colors and what is shown may change without affecting it.
 std::string contentHashOf(const PatientCase& patient);
 
 /// The day of today here, for a version: "2026-11-22".
@@ -47,7 +46,7 @@ Result<CaseVersion> publishCase(const PatientCase& seen, const std::filesystem::
 /// The number of the version that trainees get; 0 where none is published.
 int publishedVersion(const std::filesystem::path& folder);
 
-/// Where the published version of a case is; the folder itself where none is.
+/// Folder of the published version of a case; the case's own folder if none is published.
 std::filesystem::path caseForTraining(const std::filesystem::path& folder);
 
 /// The case of which this folder is a kept version; none for any other folder.

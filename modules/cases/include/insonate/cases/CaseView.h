@@ -7,8 +7,8 @@
 
 namespace insonate {
 
-/// What is read of a case: its own parts, or other labels in place of its own, e.g. while those are edited. Refers to
-/// what it is made of, which must outlive it.
+/// A case as other code reads it: its own volumes, or other labels in place of its own, for example while those are
+/// edited. Refers to its parts, which must outlive it.
 struct CaseView {
   const CaseManifest& manifest;
   const CtVolume& ct;

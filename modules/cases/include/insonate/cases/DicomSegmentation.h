@@ -9,8 +9,8 @@
 
 namespace insonate {
 
-/// How a case is called in DICOM: by its CT's voxels and grid alone, so that series and segmentation belong together
-/// whenever each of them was written.
+/// Identity of a case in DICOM. It depends on the CT's voxels and grid alone, so that series and segmentation belong
+/// together whenever each of them was written.
 DicomSeriesIdentity dicomIdentityOf(const PatientCase& patient);
 
 /// Writes the labels as a DICOM segmentation (PS3.3 A.51; binary, one segment a label, frames without a voxel left out)

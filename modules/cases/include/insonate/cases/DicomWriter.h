@@ -9,7 +9,7 @@
 
 namespace insonate {
 
-/// What the header of a written series says. The UIDs are derived from `seed` alone: same seed, same bytes.
+/// Header entries of a written series. The UIDs are derived from `seed` alone: same seed, same bytes.
 struct DicomSeriesIdentity {
   std::string seed;  ///< e.g. the phantom's variant and random seed
   std::string patientName = "PHANTOM^NECK";

@@ -9,7 +9,8 @@
 
 namespace insonate {
 
-/// What makes a vein easy or hard to puncture, measured in its cross-section at a target, as a probe over it shows it.
+/// Properties that make a vein easy or hard to puncture, measured in its cross-section at a target, as a probe over it
+/// shows it.
 struct VeinMeasures {
   std::string target;
   double depth_mm = 0;                    ///< from the skin to the front wall
@@ -22,7 +23,7 @@ struct VeinMeasures {
   std::optional<double> lung_mm;          ///< from the back wall to air behind it, along the beam
 };
 
-/// How much one thing adds to the difficulty.
+/// Contribution of one property to the difficulty.
 struct DifficultyShare {
   std::string what;    ///< e.g. "height of the vein"
   std::string value;   ///< with its unit
@@ -40,8 +41,8 @@ struct DifficultyEstimate {
   std::string sentence;                 ///< the grade and why
 };
 
-/// Of the first target, which the procedure is about. Fails, with the reason, where there is none, where it is not in
-/// its vessel, or where no skin lies in front of it.
+/// Estimates the difficulty of the first target, the one of the procedure. Fails, with the reason, if there is none,
+/// if it is not in its vessel, or if no skin lies in front of it.
 Result<DifficultyEstimate> estimateDifficulty(const CaseView& patient);
 
 /// The cross-section of the vessel at a target. Fails as above.

@@ -35,14 +35,13 @@ struct SeriesListing {
   std::vector<SetAside> setAside;
 };
 
-/// What an import yields. `ct` is int16 HU with padding and everything below -1024 set to -1024.
+/// Result of an import. `ct` is int16 HU; padding and everything below -1024 are set to -1024.
 struct ImportedCt {
   CtVolume ct;
   SeriesInfo series;   ///< its warnings say everything that was changed on the way: for CaseManifest::importNotes
   std::string source;  ///< for CaseManifest::source; holds a one-way hash of the UID, no names, dates or file names
-  /// What seems to be missing from every value to make Hounsfield units of them, for shiftValues(); -1024 where air
-  /// lies at 0 and soft tissue above 1000. Never added without being asked for. Empty where the values look right, or
-  /// like nothing known.
+  /// Offset that seems to be missing for conversion to HU, for shiftValues(); -1024 if air lies at 0 and soft tissue
+  /// above 1000. Never applied without a request. Empty if the values look right, or match no known pattern.
   std::optional<int> likelyShift_HU{};
 };
 

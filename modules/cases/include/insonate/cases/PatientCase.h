@@ -56,7 +56,7 @@ struct Landmark {
   Vec3 position_mm;
 };
 
-/// What a case was when it was saved (see cases/CaseVersions.h).
+/// Identity of a case at the time it was saved (see cases/CaseVersions.h).
 struct CaseVersion {
   int number = 0;       ///< 1 for the first; 0 for a case that has never been saved as a version
   std::string content;  ///< contentHashOf() the case then
@@ -65,14 +65,14 @@ struct CaseVersion {
   std::string author;   ///< may be empty
 };
 
-/// How a structure's surface is shown in three dimensions.
+/// Display of a structure's surface in three dimensions.
 struct StructureShown {
   double opacity = 1;  ///< 0..1
   bool visible = true;
   bool operator==(const StructureShown&) const = default;
 };
 
-/// How far the author is with a structure, as 3D Slicer has it.
+/// The author's progress on a structure, as in 3D Slicer.
 enum class LabelState : std::uint8_t { NotStarted, InProgress, Completed, Flagged };
 
 /// "not started", "in progress", "completed", "flagged".

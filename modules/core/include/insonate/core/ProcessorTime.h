@@ -12,12 +12,12 @@ inline double processorTime_ms(clockid_t clock) {
 }
 }  // namespace detail
 
-/// What this thread has worked so far, whatever else the machine does.
+/// Processor time of this thread.
 inline double threadTime_ms() {
   return detail::processorTime_ms(CLOCK_THREAD_CPUTIME_ID);
 }
 
-/// What all threads of this process have worked together.
+/// Processor time of all threads of this process together.
 inline double processTime_ms() {
   return detail::processorTime_ms(CLOCK_PROCESS_CPUTIME_ID);
 }

@@ -16,7 +16,7 @@ std::string joinedWords(const std::vector<std::string_view>& words);
 /// "'a', 'b', 'c'", for names that may hold commas or spaces.
 std::string quotedWords(const std::vector<std::string_view>& words);
 
-/// What a JSON reader's exception says, for a reader of sentences: "line 1, column 2: ..." without the library's names.
+/// Rewrites the text of a JSON parser's exception for users: "line 1, column 2: ..." without the library's names.
 std::string jsonTrouble(std::string_view what);
 
 }  // namespace insonate

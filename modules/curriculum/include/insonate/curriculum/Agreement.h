@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-/// How well raters agree who judged the same attempts.
+/// Agreement of raters who judged the same attempts.
 namespace insonate {
 
 /// Share of pairs that are alike, 0 to 1. None for nothing, or lists of unequal length.

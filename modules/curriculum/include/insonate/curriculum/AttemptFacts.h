@@ -32,7 +32,8 @@ struct MetricFact {
   bool operator==(const MetricFact&) const = default;
 };
 
-/// What is known of an attempt; the attempt itself is in its recording. Once ended it is not changed, only voided.
+/// Facts about one attempt; its samples are in its recording. After its end an attempt does not change; it can only be
+/// voided.
 struct AttemptFacts {
   std::string id{};          ///< UUID, made where the attempt was begun
   std::string person{};      ///< Person::id

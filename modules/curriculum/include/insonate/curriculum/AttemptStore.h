@@ -51,7 +51,7 @@ class AttemptStore {
   Result<void> keepRecording(const std::string& attempt, const std::filesystem::path& recording) const;
   /// For the recording of an attempt that begins: of its id, curriculum and level, and of who is signed in.
   Result<AttemptSeal> seal(const AttemptFacts& facts) const;
-  /// Whether this store gave a nonce to an attempt of this id, person, curriculum and level.
+  /// Tells whether this store issued the nonce to an attempt with this id, person, curriculum and level.
   Result<NonceOrigin> originOf(const AttemptFacts& facts, const std::string& nonce) const;
   /// Counts an ended attempt that nothing proves, on the word of who is signed in, whose name and reason are in the
   /// audit log; instructors and administrators, not for their own. Accepted once more is no error.

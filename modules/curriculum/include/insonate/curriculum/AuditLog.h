@@ -25,7 +25,7 @@ struct AuditEntry {
   bool operator==(const AuditEntry&) const = default;
 };
 
-/// Where a log ended once; kept elsewhere, it shows later whether the log was cut or written anew.
+/// The end of a log at one time. Kept elsewhere, it shows later whether the log was shortened or rewritten.
 struct AuditAnchor {
   std::int64_t number = 0;
   std::string hash{};

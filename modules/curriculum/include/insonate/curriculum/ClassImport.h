@@ -13,7 +13,7 @@
 
 namespace insonate {
 
-/// What becomes of a line of a class list.
+/// The planned outcome of one line of a class list.
 struct ClassImportRow {
   enum class Step {
     Add,           ///< someone new, who joins the class

@@ -34,7 +34,7 @@ class CohortStore {
  public:
   explicit CohortStore(SignedIn by) : by_(std::move(by)) {}
 
-  /// Those that are seen, by name.
+  /// Returns the cohorts that the user may see, by name.
   Result<std::vector<Cohort>> cohorts() const;
   /// Teachers first, then by full name, or name where there is none.
   Result<std::vector<Member>> members(const std::string& cohort) const;
@@ -51,10 +51,11 @@ class CohortStore {
   /// The published version by which it is taught; its instructors and administrators.
   Result<void> setCurriculum(const std::string& cohort, const std::string& curriculum, int version) const;
 
-  /// How far these are who learn in a cohort by its curriculum, by Person::id: as kept where that is current, else
-  /// worked out now from all their attempts and kept. The end of an attempt and its voiding do so by themselves; what
-  /// is left are days that pass, another curriculum, and who has joined since. Who is not in it any more is left out.
-  /// One look, and one entry of the log, which names them all.
+  /// Returns the standings of a cohort's learners under its curriculum, by Person::id. A stored standing is used where
+  /// it is current; otherwise it is computed from all attempts of the person and stored. Ending or voiding an attempt
+  /// updates the standing at once; this function also covers passing days, a changed curriculum and new members.
+  /// People who left the cohort are not included. The call counts as one access and makes one entry in the log, which
+  /// names all people.
   Result<std::map<std::string, Standing>> standings(const std::string& cohort,
                                                     std::span<const std::string> people) const;
 

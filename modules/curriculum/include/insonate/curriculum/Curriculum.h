@@ -10,7 +10,7 @@
 
 namespace insonate {
 
-/// How much a level tells while the needle is in the hand.
+/// Amount of help that a level gives during an attempt.
 enum class Assistance {
   Guided,  ///< each step is said, hints and CT are shown
   Hints,   ///< hints only when something goes wrong
@@ -19,7 +19,7 @@ enum class Assistance {
 /// As in files: "guided", "hints", "test".
 std::string_view nameOf(Assistance assistance);
 
-/// What a metric has to reach in one attempt. A value that is missing, or was measured by another version of the
+/// The value that a metric has to reach in one attempt. A missing value, or one measured by another version of the
 /// metric's definition, does not reach it.
 struct MetricStandard {
   std::string metric{};  ///< MetricFact::id
@@ -32,7 +32,7 @@ struct MetricStandard {
   bool operator==(const MetricStandard&) const = default;
 };
 
-/// When one attempt passes: completed, succeeded, without a critical error, and:
+/// Conditions for passing one attempt: completed, succeeded, without a critical error, and:
 struct PassRule {
   std::optional<double> leastPoints{};  ///< of AttemptFacts::points
   std::vector<MetricStandard> standards{};
@@ -80,8 +80,8 @@ struct Level {
   bool operator==(const Level&) const = default;
 };
 
-/// What is to be learnt, in which order, and when it counts as learnt; as data. Levels need no later ones: the order of
-/// `levels` is one in which they can be learnt.
+/// Levels, their order and their passing standards, as data. A level depends on earlier levels only: `levels` is a
+/// valid learning order.
 struct Curriculum {
   std::string name{}, title{}, about{};
   int version = 1;
@@ -99,10 +99,10 @@ Result<Curriculum> loadCurriculum(std::string_view nameOrPath);
 /// Levels may be written in any order; they come back in one in which they can be learnt. Refuses circles and
 /// more than 200 levels.
 Result<Curriculum> parseCurriculum(std::string_view json);
-/// What parseCurriculum() reads.
+/// Inverse of parseCurriculum().
 std::string curriculumText(const Curriculum& curriculum);
 
-/// What a curriculum can name here.
+/// Names that a curriculum may refer to in this installation.
 struct TeachingNames {
   struct Procedure {
     std::string name{};
@@ -113,8 +113,8 @@ struct TeachingNames {
   std::vector<MetricMeaning> metrics{};
 };
 
-/// Whether all that a curriculum names is there, and its standards ask for more of what is better. Fails with the first
-/// that is not.
+/// Checks that every name in the curriculum exists and that its standards ask for more of what is better. Fails with
+/// the first violation.
 Result<void> checkNames(const Curriculum& curriculum, const TeachingNames& known);
 
 }  // namespace insonate

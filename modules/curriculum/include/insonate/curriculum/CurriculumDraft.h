@@ -13,7 +13,7 @@ namespace insonate {
 /// levels may need each other in a circle, and come back in the order in which they are written.
 Result<Curriculum> parseDraft(std::string_view json);
 
-/// What keeps a draft from being taught.
+/// A reason why a draft cannot be published.
 struct DraftTrouble {
   std::string level{};  ///< Level::name; "": the curriculum as a whole
   std::string sentence{};

@@ -14,10 +14,10 @@ namespace store {
 class Core;
 }
 
-/// What a password costs whoever guesses: argon2id by libsodium. `Least` is for tests.
+/// Cost of one guess at a password: argon2id by libsodium. `Least` is for tests.
 enum class PasswordCost { Usual, Least };
 
-/// What a store asks of the world around it. Where a function or text is empty, the system's own is taken.
+/// Services that a store takes from its surroundings. An empty function or text selects the system's own.
 struct StoreServices {
   std::function<std::int64_t()> now_us{};     ///< since 1970, UTC; may jump
   std::function<std::int64_t()> upTime_us{};  ///< since the computer's start; does not jump

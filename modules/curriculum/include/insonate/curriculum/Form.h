@@ -73,7 +73,7 @@ Result<Form> parseForm(std::string_view json);
 /// there.
 using FormAnswers = std::map<std::string, std::variant<std::string, double>>;
 
-/// Where a rater's note to an item is kept; no item has such a name.
+/// Key under which a rater's note on an item is stored; no item has such a name.
 std::string noteKey(const FormItem& item);
 /// As it is read: an option's title, a number, a text; "" where there is none.
 std::string answerText(const FormItem& item, const FormAnswers& answers);

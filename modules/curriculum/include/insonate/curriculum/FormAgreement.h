@@ -17,7 +17,8 @@ struct RaterPair {
   RaterComparison comparison{};
 };
 
-/// How far those agree who judged attempts by one form. Cohen's kappa is of two raters: of more, each two are compared.
+/// Agreement of raters who judged attempts by one form. Cohen's kappa compares two raters; three or more are compared
+/// in pairs.
 struct FormAgreement {
   int judged = 0;                  ///< attempts that somebody judged
   int judgedTwice = 0;             ///< by two at least

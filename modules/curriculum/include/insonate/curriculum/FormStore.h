@@ -25,7 +25,7 @@ class FormStore {
   Result<std::vector<KeptForm>> ofAttempt(const std::string& attempt) const;
   /// About all who learn in a cohort, of one kind of form; in the order in which they came.
   Result<std::vector<KeptForm>> ofCohort(const std::string& cohort, const std::string& form) const;
-  /// How far the raters of a cohort's attempts agree: figures over all of them, which tell no one's answers.
+  /// Agreement of the raters over all attempts of a cohort: figures that disclose nobody's answers.
   Result<FormAgreement> agreement(const std::string& cohort, const Form& form) const;
 
  private:

@@ -34,7 +34,8 @@ std::string wordsOf(Implausible flag, const AttemptFacts& facts);
 /// By an attempt's facts alone, so without SameValues. None for one that is open.
 std::vector<Implausible> implausibilities(const AttemptFacts& facts);
 
-/// Whether metrics are of an attempt that got to the skin: before it, many an attempt has the same values.
+/// Tells whether the metrics come from an attempt in which the needle reached the skin. Before that, many attempts
+/// have the same values.
 bool tellsOfTheNeedle(const std::vector<MetricFact>& metrics);
 
 /// The same for one attempt after the other, with SameValues among those that were taken.

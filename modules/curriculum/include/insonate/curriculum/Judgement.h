@@ -17,7 +17,7 @@ struct Judgement {
   int met = 0;                       ///< how many of them
   bool criticalMet = true;           ///< each critical one
 
-  /// Of the standards; 100 where there are none.
+  /// Percentage of standards met; 100 if there are none.
   double percentMet() const;
   bool reachesStandards(const PassRule& rule) const;
 };
@@ -39,12 +39,12 @@ bool isSuccess(const AttemptFacts& attempt);
 /// curriculum's attempts, and where level or procedure are not the curriculum's.
 const Level* levelOf(const Curriculum& curriculum, const AttemptFacts& attempt);
 
-/// Whether an attempt passed its level, by a curriculum's rules; none where there is nothing to pass: levelOf() is
-/// null, or the attempt does not count.
+/// Tells whether an attempt passed its level under a curriculum's rules. Empty if there is nothing to pass: levelOf()
+/// is null, or the attempt does not count.
 std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& attempt);
 
-/// Whether an attempt at a level with this rule counts there: counts(), and, where it passes, something vouches for it.
-/// An unproven attempt can fail a trainee, who would otherwise choose which attempts count, and passes nobody.
+/// Tells whether an attempt counts at a level with this rule: counts() holds and, if the attempt passes, there is
+/// proof of it. An unproven attempt can fail but cannot pass; otherwise trainees could choose which attempts count.
 bool counts(const AttemptFacts& attempt, const PassRule& rule);
 
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt);

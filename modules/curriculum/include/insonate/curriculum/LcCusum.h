@@ -18,12 +18,13 @@ struct LcCusum {
   double failureWeight() const;  ///< ln(p0 / p1), negative
   /// S after each attempt: max(0, S + weight), from 0.
   std::vector<double> series(const std::vector<bool>& successes) const;
-  /// How many attempts the score takes to reach a limit if all succeed; at most kMostToSignal.
+  /// Number of attempts after which the score reaches a limit if all succeed; at most kMostToSignal.
   int fewestToSignal(double limit) const;
   static constexpr int kMostToSignal = 1'000'000;
 };
 
-/// How often trainees who fail with a known rate signal within so many trials, in so many simulated careers.
+/// Share of trainees with a known failure rate for whom the score signals within a number of trials, from simulated
+/// careers.
 struct CusumTrials {
   int trials = 50;
   int careers = 20'000;

@@ -36,7 +36,7 @@ struct LearningCurve {
 /// from those about the mean, or a plateau outside of the kind's range, which nobody can reach.
 std::optional<LearningCurve> fitLearningCurve(LearningCurve::Shape shape, std::span<const std::optional<double>> values,
                                               ValueKind kind = ValueKind::Any);
-/// Of the two shapes the one that fits better.
+/// Fits both shapes and returns the better fit.
 std::optional<LearningCurve> fitLearningCurve(std::span<const std::optional<double>> values,
                                               ValueKind kind = ValueKind::Any);
 

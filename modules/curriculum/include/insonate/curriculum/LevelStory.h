@@ -8,7 +8,7 @@
 
 namespace insonate {
 
-/// What a trainee reads of a level at a turn of its story.
+/// The sentence that a trainee reads at one turn of a level's story.
 struct StoryTurn {
   enum class When {
     Beginning,     ///< no attempt anywhere
@@ -22,8 +22,8 @@ struct StoryTurn {
   std::string sentence{};  ///< LevelProgress::why
 };
 
-/// Of someone who first fails and then passes each time; turns that the level's rule does not know are left out.
-/// `curriculum` is one that parseCurriculum() gave, and has the level.
+/// Returns the story of a trainee who first fails and then always passes. Turns that the level's rule does not have
+/// are left out. `curriculum` comes from parseCurriculum() and contains the level.
 std::vector<StoryTurn> levelStory(const Curriculum& curriculum, std::string_view level);
 
 }  // namespace insonate

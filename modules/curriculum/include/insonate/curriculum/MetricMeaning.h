@@ -7,7 +7,8 @@
 
 namespace insonate {
 
-/// What whoever runs a curriculum knows of a metric; handed in, since metrics are defined elsewhere.
+/// Properties of a metric that a curriculum needs. The caller provides them, since metrics are defined in another
+/// module.
 struct MetricMeaning {
   enum class Better { Lower, Higher, Neither };
 
@@ -19,9 +20,9 @@ struct MetricMeaning {
   std::optional<double> novice{}, expert{};  ///< what people reach, in `unit`; the expert's is the better one
   ValueKind kind = ValueKind::Any;
 
-  /// How far a value has come from the novice's to the expert's, 0 to 100 and no further; none where a norm is missing.
+  /// Position of a value between the novice's (0) and the expert's norm (100), clamped; empty if a norm is missing.
   std::optional<double> share(double value) const;
-  /// Whether a value is as good as the expert's: it lies in the expert band.
+  /// Tells whether a value lies in the expert band.
   bool inExpertBand(double value) const;
 };
 

@@ -23,8 +23,8 @@ class PeopleStore {
   /// By name; administrators only.
   Result<std::vector<Person>> all() const;
 
-  /// Who must change `password` when they first sign in. An administrator adds anyone; an instructor adds trainees, who
-  /// join `cohort`, which is theirs. "": no cohort, administrators only.
+  /// Adds a person, who must change `password` at the first sign-in. An administrator adds anyone; an instructor adds
+  /// trainees to `cohort`, one of the instructor's own. An empty cohort means none, and is for administrators only.
   Result<Person> add(const NewPerson& person, const std::string& password, const std::string& cohort = "") const;
   /// Name, full name, e-mail, role and whether they are disabled; administrators only. The last administrator who can
   /// sign in stays one.

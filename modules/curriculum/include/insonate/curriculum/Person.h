@@ -6,7 +6,7 @@ namespace insonate {
 
 enum class Role { Trainee, Instructor, Administrator };
 
-/// Who signs in. What an instructor may see ends at the cohorts that are theirs.
+/// A user with an account. An instructor sees the instructor's own cohorts only.
 struct Person {
   std::string id{};        ///< UUID
   std::string name{};      ///< to sign in; unique, whatever its case

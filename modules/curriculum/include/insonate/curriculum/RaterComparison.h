@@ -15,7 +15,7 @@ struct RatedTwice {
   FormAnswers first{}, second{};
 };
 
-/// How far two raters agree on one item, by its own grades.
+/// Agreement of two raters on one item, by the item's own grades.
 struct ItemAgreement {
   std::string item{};  ///< FormItem::name
   int pairs = 0;
@@ -24,7 +24,7 @@ struct ItemAgreement {
   std::optional<Estimate> points{};  ///< ICC(2,1)
 };
 
-/// How far two raters agree on a form. Missing values as in Agreement.h.
+/// Agreement of two raters on a form. Missing values are treated as in Agreement.h.
 struct RaterComparison {
   int pairs = 0;                      ///< answers to one item, both with points
   std::optional<double> agreement{};  ///< share of pairs that are alike

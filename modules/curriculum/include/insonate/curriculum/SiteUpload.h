@@ -21,8 +21,8 @@ struct PendingUpload {
 struct UploadReport {
   int attempts = 0, forms = 0;                 ///< that the server took
   int people = 0, cohorts = 0, curricula = 0;  ///< that came from the server and are new or other here
-  /// What could not be done and what to do, for people: a name that means someone else on the server, a curriculum that
-  /// is another one there. The rest was done.
+  /// Sentences about what could not be sent and what to do: a name that belongs to another person on the server, a
+  /// curriculum that differs there. Everything else was sent.
   std::vector<std::string> troubles{};
 };
 
@@ -38,7 +38,7 @@ class SiteUpload {
   /// In batches, each a transaction; what was done before a failure or a cancellation stays done. Fails where the
   /// server cannot be reached (all stays pending) or has no people yet.
   Result<UploadReport> exchange(const Progress& progress = {}) const;
-  /// How many facts wait for the server. Any workstation has them; without a server they just stay.
+  /// Number of facts that wait for the server. Every workstation has them; without a server they stay.
   Result<std::int64_t> pending() const;
 
  private:

@@ -10,7 +10,7 @@
 
 namespace insonate {
 
-/// Who needs their instructor.
+/// Reason why a trainee needs the instructor's attention.
 enum class Concern {
   None,
   Slipped,  ///< a level that was mastered has lapsed
@@ -18,7 +18,7 @@ enum class Concern {
 };
 inline constexpr int kStuckAfter = 5;
 
-/// How far someone is, from all their attempts.
+/// Progress of one trainee, from all attempts.
 struct Standing {
   std::string curriculum{};
   int curriculumVersion = 0;

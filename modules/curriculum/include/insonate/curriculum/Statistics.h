@@ -9,8 +9,8 @@
 /// is not finite.
 namespace insonate {
 
-/// How many of someone's last attempts that count say how good they are now: in class lists and comparisons, on a
-/// person's page and in the command line alike.
+/// Number of latest counting attempts that describe a trainee's present performance: in class lists, comparisons,
+/// personal pages and the command line.
 inline constexpr int kLastAttempts = 10;
 
 struct Interval {
@@ -25,7 +25,7 @@ struct Estimate {
   std::string_view basis{};
 };
 
-/// Which values a metric can have. Intervals and learning curves stay within them.
+/// Range of values that a metric can have. Intervals and learning curves stay within it.
 enum class ValueKind {
   Any,          ///< any number: a distance that is negative inside
   NotNegative,  ///< a time, a distance, a force

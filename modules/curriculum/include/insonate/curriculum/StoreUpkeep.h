@@ -18,7 +18,7 @@ struct StoreFacts {
   std::int64_t people = 0, cohorts = 0, attempts = 0, forms = 0, auditEntries = 0, pendingUploads = 0;
 };
 
-/// What keeps a store whole. Administrators only.
+/// Backup, restore and verification of a store. For administrators only.
 class StoreUpkeep {
  public:
   explicit StoreUpkeep(SignedIn by) : by_(std::move(by)) {}

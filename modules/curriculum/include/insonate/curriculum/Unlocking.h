@@ -21,12 +21,12 @@ enum class LevelState {
 
 inline constexpr std::int64_t kForever_us = std::numeric_limits<std::int64_t>::max();
 
-/// Where a person stands in one level, and why.
+/// State of one level for one person, and the reason.
 struct LevelProgress {
   std::string level{};
   LevelState state = LevelState::Locked;
   std::string why{};  ///< one sentence for the trainee
-  /// When this state began; none: from the start, or locked.
+  /// Time at which this state began; empty if it has held from the start or the level is locked.
   std::optional<std::int64_t> since_us{};
   int attempts = 0;      ///< that count (Judgement.h)
   int passes = 0;        ///< of those
@@ -42,20 +42,20 @@ struct LevelProgress {
 /// The smallest number of attempts that masters a level: all pass, and LC-CUSUM signals where it is asked for.
 int fewestAttempts(const MasteryRule& rule);
 
-/// Where a person stands in each level, in the curriculum's order. Pure: the same input gives the same output.
+/// Returns a person's state in each level, in the curriculum's order. Pure: the same input gives the same output.
 ///
-/// An attempt counts (Judgement.h) for the level of its name, in any version of the curriculum, if its procedure is the
-/// level's. It is judged by this curriculum's rules. `history` is in the order in which attempts arrived; their times
-/// only tell days without practice. Clocks jump: a time later than `now_us` or before 1970 is not believed, and none is
-/// taken to be earlier than those before it. An open attempt tells nothing, not even a time.
+/// An attempt counts (Judgement.h) for the level of its name, in any version of the curriculum, if its procedure is
+/// the level's. It is judged by this curriculum's rules. `history` is in the order of arrival; the times of attempts
+/// only count days without practice. Clocks jump: a time later than `now_us` or before 1970 is ignored, and no time is
+/// taken to be earlier than those before it. An attempt that has not ended is ignored, and so is its time.
 ///
-/// Mastered: the passes in a row are reached, and LC-CUSUM has signalled at some time, where it is asked for. A lapse
-/// asks for the passes in a row anew, not for another signal; failures that lead to it are counted from mastery on.
-/// What was mastered stays so while a prerequisite has lapsed; what was not is locked until the prerequisite is
-/// renewed. Practice of a level is practice of those it builds on. Passes made while a level was locked count once it
-/// opens.
+/// A level is mastered once the consecutive passes are reached and, where required, LC-CUSUM has signalled at some
+/// time. After a lapse the consecutive passes are required again, but no new signal; failures that lead to a lapse are
+/// counted from mastery on. A mastered level stays mastered while a prerequisite has lapsed; other levels are locked
+/// until the prerequisite is renewed. Practice of a level counts as practice of its prerequisites. Passes made while a
+/// level was locked count once it opens.
 ///
-/// `curriculum` is one that parseCurriculum() gave.
+/// `curriculum` comes from parseCurriculum().
 std::vector<LevelProgress> progressOf(const Curriculum& curriculum, std::span<const AttemptFacts> history,
                                       std::int64_t now_us);
 

@@ -12,7 +12,7 @@
 
 namespace insonate {
 
-/// How a site names itself in statements.
+/// A site's name in statements.
 struct XapiSite {
   std::string homePage{};  ///< IRI of the site: of accounts and activities, "https://training.example.org"
   bool byMail = false;     ///< actors by e-mail address where they have one, else by account

@@ -56,7 +56,7 @@ Result<Taught> readServer(Core& server, const std::string& workstation) {
   });
 }
 
-/// Those of the server that are new or other here.
+/// Returns the server's rows that are new or different here.
 std::vector<std::vector<std::string>> changed(const Rows& server, const Rows& here) {
   std::vector<std::vector<std::string>> rows;
   for (const auto& [key, row] : server)
@@ -133,7 +133,7 @@ int takeCurricula(Transaction& here, const std::vector<KeptCurriculum>& server, 
   return taken;
 }
 
-/// What instructors voided on the server, of attempts made here.
+/// Voids here what instructors voided on the server, for attempts made here.
 void takeVoided(Transaction& here, const std::vector<Row>& voided) {
   for (const Row& row : voided)
     here.run(

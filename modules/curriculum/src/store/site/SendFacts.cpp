@@ -20,7 +20,7 @@ struct SentAttempt {
   std::string voidedBy{}, acceptedBy{};
 };
 
-/// What waits, with the fact itself as it is now.
+/// A fact that waits for the server, in its present state.
 struct Item {
   std::int64_t number = 0;
   std::string kind{}, id{};

@@ -8,7 +8,7 @@
 
 namespace insonate::store {
 
-/// Whoever the server does not know yet goes there as a disabled trainee, under another name where theirs is taken.
+/// Sends people whom the server does not know yet, as disabled trainees; under another name if theirs is taken.
 Result<void> sendPeople(Core& here, Core& server, UploadReport& report);
 
 /// All that waits, in batches. What the server has now waits no more.

@@ -7,7 +7,7 @@
 
 namespace insonate::store {
 
-/// Where a store is: a file, or a database on a PostgreSQL server.
+/// Address of a store: a file, or a database on a PostgreSQL server.
 struct Address {
   bool isServer = false;
   QString file{};                                  ///< of SQLite

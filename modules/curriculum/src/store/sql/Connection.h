@@ -31,7 +31,7 @@ class Connection {
   const Dialect& dialect() const { return dialect_; }
   const std::string& place() const { return place_; }
   bool isLost() const { return lost_; }
-  /// Of SQLite.
+  /// The handle of SQLite; null for PostgreSQL.
   sqlite3* handle() const;
 
   /// A prepared statement, kept for the next time.

@@ -29,7 +29,7 @@ struct Dialect {
   std::string spelled(std::string_view migration) const;
 };
 
-/// What a driver's error says, and what to do. `place` is where.
+/// Converts a driver's error to a sentence with what to do. `place` names the store.
 Error sentenceOf(const QSqlError& error, const std::string& place);
 /// The connection is of no more use.
 bool isLost(const QSqlError& error);

@@ -34,9 +34,8 @@ struct DeformationInput {
   const TissuePlane* plane = nullptr;
   ProbeFace face;
   BloodPressure pressure;
-  /// Where the tissue in the plane lies in the patient: what carries the last
-  /// solution over to this one, where the probe has moved. Without it every
-  /// question stands for itself.
+  /// Pose of the tissue plane in the patient; it carries the last solution over to this one after the probe has moved.
+  /// Without it every question is solved from rest.
   std::optional<Transform> patientFromProbe;
   /// Above 0: the face is moved along z until it presses with this force; else
   /// it stays at z = 0.
@@ -69,7 +68,7 @@ struct Deformation {
                                     ///< (rows-1); above 0 where squeezed
 };
 
-/// How fine, and over what part of the plane, a model works.
+/// Resolution of a model, and the part of the plane that it covers.
 struct DeformationSettings {
   double mesh_mm = 0.5;     ///< cells near vessels and face; 0.1..4
   double depth_mm = 50;     ///< below the face; the tissue there does not move. 10..200

@@ -18,7 +18,7 @@ class FaceProfile {
   };
   Point at(float x_mm) const;
 
-  /// How far it reaches from the middle, its ends included.
+  /// Extent from the middle, ends included.
   float reach_mm() const;
 
  private:

@@ -7,9 +7,9 @@ namespace insonate {
 
 inline constexpr double kPascalPermmHg = 133.322;
 
-/// What the blood of the neck is under: heart, breath and gravity. Pressures in mmHg above the air's, as clinicians
-/// give them. The defaults are a healthy adult at rest, lying flat, and their means the pressures under which the
-/// preset `measured` of MechanicalTable takes a CT to be. Sources: modules/deformation/README.md.
+/// Pressures that act on the blood of the neck: heart, breath and gravity, in mmHg above atmospheric, as clinicians
+/// state them. The defaults are a healthy adult at rest, lying flat; their means are the pressures at which the preset
+/// `measured` of MechanicalTable assumes a CT was taken. Sources: modules/deformation/README.md.
 struct Physiology {
   double centralVenous_mmHg = 4;  ///< at the heart, mean over a breath; -5..30
   double systolic_mmHg = 120;     ///< at the heart; 40..260, above diastolic

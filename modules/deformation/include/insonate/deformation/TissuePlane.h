@@ -18,8 +18,9 @@ struct PlaneTissue {
   float skin_mm = -kFar_mm;  ///< to the skin, negative inside the body
 };
 
-/// How strongly a vessel's outline bends at a point near it, 1/mm, as a second derivative of the distance to it: in the
-/// plane, and across it. A round vessel that runs square to the plane has (1/radius, 0), one along it (0, 1/radius).
+/// Curvature of a vessel's outline at a point near it, 1/mm, as a second derivative of the distance to it: in the
+/// plane, and perpendicular to it. A round vessel perpendicular to the plane has (1/radius, 0), one along the plane
+/// (0, 1/radius).
 struct OutlineBend {
   float within_permm = 0, across_permm = 0;
 };
@@ -33,8 +34,8 @@ class TissuePlane {
   /// For any points, as many as there are; `tissue` is as long as `at`. Called
   /// on one thread at a time.
   virtual void sample(std::span<const PlanePoint> at, std::span<PlaneTissue> tissue) const = 0;
-  /// Of the artery's or the vein's outline. A plane that knows nothing of what lies across it is taken as square to all
-  /// vessels.
+  /// Curvature of the artery's or the vein's outline. A plane without knowledge beyond itself takes all vessels as
+  /// perpendicular to it.
   virtual void bend(std::span<const PlanePoint> at, float PlaneTissue::*outline, std::span<OutlineBend> bends) const {
     static_cast<void>(outline);
     std::ranges::fill(bends.first(at.size()), OutlineBend{});

@@ -10,7 +10,7 @@
 /// Computing on a graphics card through OpenGL, without a window. No type of OpenGL or EGL leaves this module.
 namespace insonate::gpu {
 
-/// What a driver must offer; defaults are what the shaders of this project need.
+/// Capabilities that a driver must offer; the defaults are what the shaders of this project need.
 struct Requirements {
   int major = 4, minor = 3;  ///< of OpenGL, core profile
   int storageBuffers = 8;    ///< that one compute shader may see

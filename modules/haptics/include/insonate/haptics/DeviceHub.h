@@ -49,7 +49,7 @@ class DeviceHub {
   void add(std::shared_ptr<HapticDevice> device);
   /// All that were seen since the start, those that are gone included, in the order in which they came.
   std::vector<std::shared_ptr<HapticDevice>> devices() const;
-  /// What has happened since the last call; the oldest first, 1000 at most.
+  /// Returns the events since the last call; the oldest first, 1000 at most.
   std::vector<DeviceEvent> takeEvents();
   /// Raw reports of all devices on the bus.
   ReportRecorder& recorder() { return *recorder_; }

@@ -6,9 +6,9 @@
 
 namespace insonate {
 
-/// What a device says of itself at one moment, in its own frame: origin in the middle of its workspace, x to the user's
-/// right, y up, z towards the user; mm. The stylus's frame has its origin where the device pushes, and -z along the
-/// stylus, away from the hand.
+/// State that a device reports at one moment, in its own frame: origin in the middle of its workspace, x to the user's
+/// right, y up, z toward the user; mm. The stylus's frame has its origin at the point where the device pushes, and -z
+/// along the stylus, away from the hand.
 struct DeviceState {
   Transform deviceFromStylus;  ///< rigid
   Vec3 velocity_mmps;          ///< of the stylus's origin; 0 where the device does not tell

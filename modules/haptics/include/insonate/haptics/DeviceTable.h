@@ -13,7 +13,7 @@
 
 namespace insonate {
 
-/// What a device is good for.
+/// Purpose of a device.
 enum class DeviceKind : std::uint8_t {
   kForce,   ///< a hand that is pressed back
   kMotion,  ///< a hand without forces
@@ -22,7 +22,7 @@ enum class DeviceKind : std::uint8_t {
 
 std::string_view nameOf(DeviceKind kind);
 
-/// What a field of a report means. Units are those of the value times the field's scale.
+/// Meaning of a field of a report. Units are those of the value times the field's scale.
 enum class Quantity : std::uint8_t {
   kEncoder,     ///< counts; index 0..5
   kPosition,    ///< mm in the device's frame; index 0..2
@@ -56,7 +56,7 @@ struct ReportLayout {
   std::vector<ReportField> fields;
 };
 
-/// Which USB or Bluetooth device a table speaks of. Fields that are not set match all.
+/// USB or Bluetooth devices that a table describes. Fields that are not set match all.
 struct DeviceMatch {
   std::uint16_t vendor = 0, product = 0;
   std::optional<std::uint16_t> usagePage, usage;

@@ -11,7 +11,7 @@
 
 namespace insonate {
 
-/// Where a device is in its life. It may go through all of them again and again without a restart.
+/// Phase of a device's life. A device may pass all phases repeatedly without a restart.
 enum class DevicePhase : std::uint8_t {
   kAbsent,     ///< known, but not there (or not asked for yet)
   kOpening,    ///< found, being opened
@@ -23,7 +23,7 @@ enum class DevicePhase : std::uint8_t {
 
 std::string_view nameOf(DevicePhase phase);
 
-/// What a device is; never changes.
+/// Identity and limits of a device; constant.
 struct DeviceInfo {
   std::string id;    ///< the same each time this device is plugged in, where it can be told: for assignments
   std::string name;  ///< for people
@@ -31,7 +31,7 @@ struct DeviceInfo {
   DeviceLimits limits;
 };
 
-/// What came and went since the start.
+/// Counts of reports and forces since the start.
 struct DeviceCounters {
   std::uint64_t reports = 0, forces = 0;  ///< taken, sent
   std::uint64_t refused = 0;              ///< reports that were too short, too long or unknown

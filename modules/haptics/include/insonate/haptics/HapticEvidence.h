@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-/// What is measured of the servo, for tests and benchmarks.
+/// Measurements of the servo, for tests and benchmarks.
 namespace insonate {
 
 /// Layers square to z, which grows into the body from the skin at 0: skin, fat from 2 mm, muscle from 10, a vein from

@@ -16,9 +16,9 @@ namespace insonate {
 /// The two hands, as indices.
 enum Hand : int { kProbeHand = 0, kNeedleHand = 1 };
 
-/// How one device becomes a tool: patientFromTool = patientFromDevice * shift by apart_mm * deviceFromStylus *
+/// Mapping of one device to a tool: patientFromTool = patientFromDevice * shift by apart_mm * deviceFromStylus *
 /// stylusFromTool. The probe's tool frame is the probe's; the needle's has its origin at the tip and z along the
-/// needle, the way it goes in.
+/// needle, in the direction of insertion.
 struct HandSetup {
   Transform patientFromDevice;  ///< rigid
   Vec3 apart_mm;  ///< device frame: from where the device is to where its tool is, so that two do not collide
@@ -69,11 +69,11 @@ struct ServoOutput {
   int eventCount = 0;
 };
 
-/// What both hands feel, worked out anew each millisecond. tick() is for one thread; setup() and show() may be called
-/// from one other thread each, at any time, and are taken up by the next tick.
+/// Computes the forces of both hands every millisecond. tick() is for one thread; setup() and show() may be called
+/// from one other thread each, at any time, and take effect at the next tick.
 ///
-/// Forces are brought to nothing within 100 ms when a device's states or the local model stop coming, and at once when
-/// a device is not present. A hand never gets more energy back than it gave (see modules/haptics/README.md).
+/// Forces fall to zero within 100 ms when a device's states or the local model stop arriving, and at once when a
+/// device is not present. A hand never gets more energy back than it gave (see modules/haptics/README.md).
 class HapticServo {
  public:
   HapticServo();

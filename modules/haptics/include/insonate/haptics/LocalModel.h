@@ -20,7 +20,7 @@ struct SkinPatch {
   bool operator==(const SkinPatch&) const = default;
 };
 
-/// What hands can feel near where they are, as slower threads last saw it; tens of times a second.
+/// Surroundings that hands can feel, as slower threads last determined them; updated tens of times a second.
 struct LocalModel {
   std::int64_t time_ns = 0;                ///< when it was made, CLOCK_MONOTONIC; forces fade when it grows old
   std::shared_ptr<const TissueGrid> grid;  ///< tissue at rest; none: the needle feels nothing

@@ -23,7 +23,7 @@ struct DeviceReading {
   double time_s = 0;  ///< on the device's clock
 };
 
-/// What became of a report.
+/// Outcome of decoding one report.
 enum class ReportFate : std::uint8_t {
   kTaken,
   kShort,    ///< fewer bytes than any layout of its id
@@ -66,7 +66,7 @@ std::uint32_t bitsAt(std::span<const std::uint8_t> bytes, int bit, int bits) noe
 /// The lower `bits` bits as a two's complement number.
 std::int32_t signedValue(std::uint32_t raw, int bits) noexcept;
 
-/// What goes to a device.
+/// Output to a device.
 struct DeviceOutput {
   Vec3 force_N, torque_Nmm;            ///< device's frame
   std::array<double, 3> current_mA{};  ///< of the motors

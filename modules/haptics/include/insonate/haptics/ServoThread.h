@@ -10,14 +10,14 @@
 
 namespace insonate {
 
-/// What the system grants to the servo's thread.
+/// Rights that the system grants to the servo's thread.
 struct RealTimeRights {
   bool priority = false;  ///< SCHED_FIFO
   bool locked = false;    ///< its memory stays in place
   std::string sentence;   ///< for people: what it is, and what to do where something is missing
 };
 
-/// How the ticks went since the start, or the last clearTiming().
+/// Timing of the ticks since the start, or since the last clearTiming().
 struct TickTiming {
   std::uint64_t ticks = 0;
   std::uint64_t late = 0;  ///< ticks that began more than a period after their time; those in between were left out
@@ -25,7 +25,7 @@ struct TickTiming {
   double wakeP99_us = 0, wakeMax_us = 0;                   ///< from when it should have begun to when it did
 };
 
-/// What the servo saw and said at its last tick.
+/// Inputs and outputs of the servo's last tick.
 struct ServoSnapshot {
   std::int64_t time_ns = 0;  ///< 0: none yet
   std::array<DeviceState, 2> states;
@@ -56,7 +56,7 @@ class ServoThread {
   /// The device in a hand, or none. The one that was there is pushed no more, and so lets go within 100 ms.
   void assign(Hand hand, std::shared_ptr<HapticDevice> device);
 
-  /// Who hears of the ticks, or nobody. The one before may hear of one more.
+  /// Sets the listener of the ticks, or none. The previous listener may receive one more tick.
   void listen(std::shared_ptr<TickListener> listener);
 
   RealTimeRights rights() const;

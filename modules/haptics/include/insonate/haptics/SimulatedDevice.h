@@ -15,7 +15,7 @@ class SimulatedDevice : public HapticDevice {
  public:
   SimulatedDevice(std::string id, const DeviceProfile& profile, const Grip& grip, const HandPath::Point& start);
 
-  /// Where the hand wants to be from now on; from one thread. A mouse's or keyboard's hand.
+  /// Sets the place that the hand aims at from now on; from one thread. Used by the hands of mouse and keyboard.
   void want(const HandPath::Point& point);
   /// A path instead, over and over, its times counted from the call.
   void follow(HandPath path);

@@ -25,16 +25,16 @@ std::span<const DeviceProfile> deviceProfiles();
 /// `fastest_mmps` (Diolaiti, Niemeyer, Barbagli and Salisbury, IEEE Trans Robot 2006;22:256).
 double passiveStiffness_Npmm(const DeviceLimits& limits, double virtualDamping_Nspm, double fastest_mmps);
 
-/// How a hand holds a stylus: mass of hand and fingers, and the spring and damper between where the hand wants to be
-/// and where the stylus is. Magnitudes of Fu and Cavusoglu, IEEE Trans Syst Man Cybern B 2012;42:1633.
+/// Mechanics of a hand that holds a stylus: mass of hand and fingers, and the spring and damper between the place that
+/// the hand aims at and the stylus. Magnitudes of Fu and Cavusoglu, IEEE Trans Syst Man Cybern B 2012;42:1633.
 struct Grip {
   double mass_kg = 0.15;
   double stiffness_Npmm = 0.5;
   double damping_Nspm = 5;
 };
 
-/// Where a hand wants to be: a path recorded or made up, straight between its points, held before the first and after
-/// the last.
+/// Places that a hand aims at, by time: a recorded or synthetic path, linear between its points, constant before the
+/// first and after the last.
 struct HandPath {
   struct Point {
     double time_s = 0;  ///< growing
@@ -60,7 +60,7 @@ class SimulatedHand {
   /// One tick: the hand wants to be at `want`, the device pushes with `force` (device frame).
   void move(const HandPath::Point& want, const Force& force, double tick_s);
 
-  /// What the encoders say, at `time_ns`.
+  /// Readings of the encoders at `time_ns`.
   DeviceState state(std::int64_t time_ns) const;
   Vec3 position_mm() const { return position_mm_; }
   Vec3 velocity_mmps() const { return velocity_mmps_; }

@@ -16,7 +16,7 @@ namespace insonate {
 inline constexpr std::array<Label, 6> kNeedleWalls{kSkin, kVein, kArtery, kAirway, kBone, kCartilage};
 inline constexpr int kNeedleWallCount = static_cast<int>(kNeedleWalls.size());
 
-/// What lies at a point.
+/// Tissue at a point.
 struct TissueSample {
   std::array<float, kNeedleWallCount> distance_mm{};  ///< to each of kNeedleWalls, negative inside
   std::uint8_t label = kBackground;

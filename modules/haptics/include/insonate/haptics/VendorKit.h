@@ -27,25 +27,27 @@ struct VendorFound {
 class VendorHandle {
  public:
   virtual ~VendorHandle() = default;
-  /// Where it is now, in the frame of DeviceState.h; time_ns is not used. Within a millisecond; false when it is gone.
+  /// Reads the present state, in the frame of DeviceState.h; time_ns is not used. Returns within a millisecond; false
+  /// if the device is gone.
   virtual bool read(DeviceState& state) noexcept = 0;
   /// Pushes so until the next call: already within the limits. False when it is gone.
   virtual bool write(const Force& force) noexcept = 0;
 };
 
-/// What a site writes against its vendor's kit (OpenHaptics, Force Dimension), whose licence does not let it come with
-/// Insonate. It defines makeVendorKit_openhaptics() or makeVendorKit_forcedimension() and is built in with
+/// Interface that a site implements with its vendor's kit (OpenHaptics, Force Dimension), whose license does not allow
+/// distribution with Insonate. The site defines makeVendorKit_openhaptics() or makeVendorKit_forcedimension() and
+/// builds with
 ///
-///     cmake -D INSONATE_WITH_OPENHAPTICS=ON -D INSONATE_OPENHAPTICS_SOURCES=/site/OpenHapticsKit.cpp
-///           -D INSONATE_OPENHAPTICS_LIBRARIES="HD;HDU"
+/// cmake -D INSONATE_WITH_OPENHAPTICS=ON -D INSONATE_OPENHAPTICS_SOURCES=/site/OpenHapticsKit.cpp -D
+/// INSONATE_OPENHAPTICS_LIBRARIES="HD;HDU"
 ///
-/// Life cycle, limits, the 100 ms rule, recording and the panel then are those of every device. All calls come from
-/// the thread that looks for devices.
+/// Life cycle, limits, the 100 ms rule, recording and the panel are then the same as for every device. All calls come
+/// from the thread that looks for devices.
 class VendorKit {
  public:
   virtual ~VendorKit() = default;
   virtual std::string_view name() const = 0;
-  /// What is plugged in now; asked each second, also while devices are open.
+  /// Lists the devices that are plugged in; called each second, also while devices are open.
   virtual std::vector<VendorFound> list() = 0;
   virtual Result<std::unique_ptr<VendorHandle>> open(const VendorFound& found) = 0;
 };

@@ -6,11 +6,11 @@
 
 namespace insonate {
 
-/// How the tissue in the probe's plane has moved, seen backwards: for a point of the picture, the way to where its
-/// tissue lay in the undeformed patient. On a regular lattice in the probe frame (x lateral, z axial), mm. Bilinear
-/// between its points, that of the nearest one beyond; one-to-one, so that no tissue shows twice. Where there is no
-/// tissue, that of the nearest tissue. It holds across the slice, too: neighbouring elevation planes move with the
-/// central one.
+/// Displacement of the tissue in the probe's plane, as an inverse map: for a point of the image, the vector to the
+/// place of its tissue in the undeformed patient. On a regular lattice in the probe frame (x lateral, z axial), mm.
+/// Bilinear between its points, constant beyond them; one-to-one, so that no tissue shows twice. Where there is no
+/// tissue, it holds the displacement of the nearest tissue. It also holds across the slice: neighboring elevation
+/// planes move with the central one.
 struct PlaneDisplacement {
   double left_mm = 0, top_mm = 0;  ///< x and z of the first point
   double step_mm = 1;              ///< between points, both ways; above 0

@@ -8,7 +8,7 @@
 
 namespace insonate {
 
-/// Where a grid of voxels lies in patient space (LPS, millimetres, as in DICOM).
+/// Position of a voxel grid in patient space (LPS, millimeters, as in DICOM).
 struct VolumeGeometry {
   std::array<int, 3> size{1, 1, 1};  ///< voxels along i, j, k; each at least 1
   Vec3 spacing_mm{1, 1, 1};          ///< distance of voxel centres; each above 0

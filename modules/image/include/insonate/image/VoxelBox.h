@@ -26,7 +26,7 @@ std::array<int, 3> nearestVoxel(Vec3 index);
 
 /// All of a grid.
 VoxelBox boxOf(const VolumeGeometry& geometry);
-/// What both hold.
+/// Intersection of two boxes.
 VoxelBox intersected(const VoxelBox& a, const VoxelBox& b);
 /// The smallest box around both; an empty one does not count.
 VoxelBox united(const VoxelBox& a, const VoxelBox& b);

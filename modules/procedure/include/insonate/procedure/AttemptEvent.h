@@ -26,7 +26,7 @@ inline constexpr int kAttemptEventKinds = 10;
 /// AttemptEvent::vessel of a vessel that the case does not name.
 inline constexpr std::uint8_t kUnnamedVessel = 255;
 
-/// What happened, when and where. Patient space.
+/// One event of an attempt: kind, time and place. Patient space.
 struct AttemptEvent {
   std::int64_t time_us = 0;  ///< since the recording began
   AttemptEventKind kind = AttemptEventKind::Entered;

@@ -8,8 +8,8 @@
 
 namespace insonate {
 
-/// Which attempt of a store a recording is of; all empty where it belongs to none. The store gives the nonce as the
-/// attempt begins, to this person, level and id (curriculum/AttemptSeal.h).
+/// The attempt of a store to which a recording belongs; all empty if it belongs to none. The store issues the nonce
+/// when the attempt begins, for this person, level and id (curriculum/AttemptSeal.h).
 struct RecordedFor {
   std::string attempt{}, person{};  ///< AttemptFacts::id, Person::id
   std::string curriculum{};         ///< "": free practice
@@ -20,7 +20,7 @@ struct RecordedFor {
   bool operator==(const RecordedFor&) const = default;
 };
 
-/// What an attempt was made on and with, so that it can be replayed on the same or be told that it cannot.
+/// Case, devices and settings of an attempt, so that it can be replayed under the same conditions or refused.
 struct AttemptHeader {
   std::string software{};   ///< "insonate 0.1.0"
   std::string begun{};      ///< ISO 8601, UTC
@@ -33,7 +33,8 @@ struct AttemptHeader {
   /// Names of the vessels that the case names, the target of this attempt first; empty: the case has no target in a
   /// vein, and each vein counts as the target.
   std::vector<std::string> vessels{};
-  /// Of probe, picture, tissue and blood as the attempt began, JSON (simulator/AttemptSettings.h); "": not known.
+  /// Settings of probe, image, tissue and blood at the beginning of the attempt, JSON (simulator/AttemptSettings.h);
+  /// empty: unknown.
   std::string settings{};
   bool isScripted = false;  ///< a script moved the hands: the recording is a demonstration and nobody's attempt
   RecordedFor recordedFor{};
@@ -41,7 +42,7 @@ struct AttemptHeader {
   bool operator==(const AttemptHeader&) const = default;
 };
 
-/// What replaced the settings of the header, or of the change before.
+/// Settings that replace those of the header, or of the change before.
 struct SettingsChange {
   std::int64_t time_us = 0;  ///< since the recording began
   std::string settings;      ///< all of them anew, as in AttemptHeader

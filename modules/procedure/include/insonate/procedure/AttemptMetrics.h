@@ -74,7 +74,7 @@ struct MetricValues {
   bool operator==(const MetricValues&) const = default;
 };
 
-/// Where the needle is, and which colour the thesis gives it: none, none, green, red, yellow.
+/// Place of the needle, with the color that the thesis gives it: none, none, green, red, yellow.
 enum class NeedlePlace {
   Clean,     ///< new, and not in the skin
   Underway,  ///< under the skin

@@ -43,7 +43,8 @@ class AttemptRecorder {
   /// had no processor for 4 s, is counted and left out. A sample older than the last one is left out, too.
   void put(const AttemptSample& sample) noexcept;
   void put(const AttemptEvent& event) noexcept;
-  /// How many more put() will take now; for what runs ahead of time, and can wait. By the thread that puts.
+  /// Number of further entries that put() accepts now, for callers that run ahead of time and can wait. Call from the
+  /// thread that calls put().
   std::size_t room() const noexcept;
   /// By any other thread; kept after what the servo had put by then.
   void note(const AttemptEvent& event);

@@ -38,7 +38,7 @@ struct Stretch {
   void play(std::int64_t until_us, const std::function<void(const Entry&)>& take) const;
 };
 
-/// Whether a file begins as a recording does, whatever follows. False where it cannot be read.
+/// Tells whether a file begins like a recording, whatever follows. False if the file cannot be read.
 bool beginsAsRecording(const std::filesystem::path& file);
 
 /// A recorded attempt, whole or cut short. What does not agree with the file's digests (format 4) is told and not read.
@@ -51,9 +51,9 @@ class AttemptRecording {
 
   const AttemptHeader& header() const { return header_; }
   AttemptStatus status() const { return status_; }
-  /// What is missing, for people: a file cut short, damaged blocks.
+  /// Sentences about missing parts: a truncated file, damaged blocks.
   const std::vector<std::string>& troubles() const { return troubles_; }
-  /// Whether all blocks were found. What is inside them is seen as they are unpacked.
+  /// Tells whether all blocks were found. Their contents are checked when they are unpacked.
   bool isWhole() const { return !damaged_; }
 
   /// Proof of the recording by the key of its nonce; without a key where that is not known or there is no nonce.

@@ -8,7 +8,7 @@
 
 namespace insonate {
 
-/// What one tick of the servo saw of both hands. Patient space; transforms are rigid and right-handed.
+/// State of both hands in one tick of the servo. Patient space; transforms are rigid and right-handed.
 struct AttemptSample {
   std::int64_t time_us = 0;                      ///< since the recording began; never falls
   std::optional<Transform> patientFromProbe{};   ///< none: nobody holds it

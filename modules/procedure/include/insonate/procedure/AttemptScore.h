@@ -26,13 +26,12 @@ struct AttemptMoment {
   std::optional<Severity> severity;  ///< none: nothing went wrong
 };
 
-/// What is told after an attempt.
+/// Result of an attempt.
 ///
-/// points = 0 with a critical finding; otherwise, held within 0..100,
-///     mean of all shares - 5 for each minor finding - 20 for each major one,
-/// and at most 50 where the attempt did not succeed. Findings are those of ProcedureRun, each counted as often as it
-/// was made. The mean treats metrics alike, and 5, 20 and 50 are a choice, not a result of a study: the parts are all
-/// here, so that whoever weighs them otherwise can.
+/// points = 0 with a critical finding; otherwise the mean of all shares, minus 5 for each minor finding and 20 for
+/// each major one, clamped to 0..100, and at most 50 if the attempt did not succeed. Findings are those of
+/// ProcedureRun, each counted as often as it occurred. The mean weighs all metrics alike, and 5, 20 and 50 are a
+/// choice, not the result of a study: all parts are stored here, so that another weighting can be computed.
 struct AttemptScore {
   std::optional<double> points;  ///< 0..100; none: the skin was not punctured, or no share is known
   bool succeeded = false;
@@ -50,7 +49,7 @@ inline constexpr double kMinorCost = 5, kMajorCost = 20, kMostWithoutSuccess = 5
 /// name; empty where it is no vessel's wall or not known. `vessels` as in AttemptHeader.
 std::string vesselName(const AttemptEvent& event, const std::vector<std::string>& vessels);
 
-/// What went wrong and what to do, after the name of the vessel that was punctured, where there is one.
+/// Describes a finding and what to do, after the name of the punctured vessel, if any.
 std::string sentenceOf(const ProcedureRule& rule, const ProcedureRun::Finding& finding);
 
 /// Score of an attempt that ended with this status, or as things stand. Only a completed attempt can succeed.

@@ -4,8 +4,8 @@
 
 namespace insonate {
 
-/// Where the live image shows something, in the probe's frame. In its plane, y = 0, it is a rectangle, or a fan about
-/// an apex `faceRadius_mm` behind the face. Across the plane it is as thick as the beam, by the slice's law
+/// Region that the live image shows, in the probe's frame. In the plane, y = 0, it is a rectangle, or a fan about an
+/// apex `faceRadius_mm` behind the face. Perpendicular to the plane it is as thick as the beam, by the slice's law
 /// (SliceLaw, insonate/ultrasound/PointSpread.h).
 struct PictureField {
   double width_mm = 0;      ///< of the rectangle
@@ -19,13 +19,12 @@ struct PictureField {
   bool operator==(const PictureField&) const = default;
 };
 
-/// How far off the plane the image still shows a needle at this distance from the face: one slice thickness,
-/// hypot(narrowest thickness, divergence * distance from the narrowest place). An echo there has lost some
-/// 20 log10(16) = 24 dB, as a Gaussian beam's would: as much as a needle at 45 degrees stands out from speckle
-/// (ultrasound/README.md, "Needle").
+/// Distance from the plane at which the image still shows a needle at this range from the face: one slice thickness,
+/// hypot(minimum thickness, divergence * distance from the narrowest place). An echo there has lost about 20 log10(16)
+/// = 24 dB, by a Gaussian beam: as much as a needle at 45 degrees exceeds speckle (ultrasound/README.md, "Needle").
 double shownOffPlane_mm(const PictureField& field, double range_mm);
 
-/// Whether a live image of this depth shows a needle's tip at a point of the probe's frame.
+/// Tells whether a live image of this depth shows a needle's tip at a point of the probe's frame.
 bool shows(const PictureField& field, double depth_mm, Vec3 tip_probe);
 
 }  // namespace insonate

@@ -12,7 +12,7 @@
 
 namespace insonate {
 
-/// How the table can be tilted. A head that is turned moves muscle and vessels: that is another case.
+/// Permitted tilt of the table. Turning the head moves muscle and vessels and needs another case.
 struct PatientPosition {
   std::string name;
   double tilt_deg = 0;  ///< head down is positive; -45 to 45
@@ -37,7 +37,7 @@ struct ProcedureStep {
   std::variant<Happening, Holding> until;
 };
 
-/// Whether a metric's value lies beyond a limit. A missing value lies beyond none.
+/// Tells whether a metric's value exceeds a limit. A missing value exceeds none.
 struct MetricLimit {
   Metric metric = Metric::VeinPunctures;
   std::optional<double> over, under;  ///< one of the two
@@ -49,7 +49,7 @@ struct MetricLimit {
 
 enum class Severity { Minor, Major, Critical };
 
-/// What must not happen.
+/// An error that an attempt must not contain.
 struct ProcedureRule {
   std::string name;
   MetricLimit limit;  ///< of a count, each one more counts anew; of other metrics, once
@@ -58,7 +58,7 @@ struct ProcedureRule {
   std::string advice;  ///< for the next time, one sentence; may be empty
 };
 
-/// What of a metric is known of people: between the two lies what can be learnt.
+/// Published values of a metric: the range between novice and expert is what can be learnt.
 struct MetricNorm {
   Metric metric = Metric::VeinPunctures;
   double novice = 0, expert = 0;  ///< in the metric's unit; they differ, and the expert's is the better one
@@ -72,7 +72,7 @@ struct NeededStructure {
   std::string why;  ///< what would be lost without it, the end of a sentence
 };
 
-/// How a procedure goes, as data.
+/// Steps, rules, norms and target of a procedure, as data.
 struct Procedure {
   std::string name, title;
   int version = 1;

@@ -10,8 +10,8 @@
 
 namespace insonate {
 
-/// Where an attempt stands in its procedure: the step that is due, and what went wrong so far. A pass over samples and
-/// events like AttemptMetrics, which it holds; live and replayed, the same stream gives the same.
+/// State of an attempt within its procedure: the current step and the findings so far. Processes samples and events
+/// like AttemptMetrics, which it contains; the same stream gives the same result, live and replayed.
 class ProcedureRun {
  public:
   enum class StepState { Open, Done, Skipped };
@@ -39,8 +39,8 @@ class ProcedureRun {
   /// The first step that is due; none when all are done.
   std::optional<std::size_t> due() const;
   const std::vector<Finding>& findings() const { return findings_; }  ///< in the order of their times
-  /// What an attempt is told by, in the order of its times: punctures that count, bone, the needle out of the skin or
-  /// a new one, the pedal held, the patient's position. A tip that trembles in a hole adds none.
+  /// The events by which an attempt is described, in order of time: counted punctures, bone, needle out of the skin or
+  /// replaced, pedal held, patient's position. A tip that trembles in a hole adds none.
   const std::vector<AttemptEvent>& milestones() const { return milestones_; }
   /// Name of the vessel that the tip is in, as vesselName(); empty: it is in none, or in one that is not known.
   std::string vesselIn() const;

@@ -17,8 +17,8 @@ struct MarchingFront {
   double smoothing_mm = 0.8;  ///< standard deviation of the blur before the gradient; 0 or more
 };
 
-/// What the front has reached in the box. Seeds are points of the patient, mm. Refuses where no seed lies in the box;
-/// fails when cancelled.
+/// Returns the voxels that the front reached in the box. Seeds are points in patient space, mm. Refuses if no seed
+/// lies in the box; fails when cancelled.
 Result<Selection> marched(const CtVolume& ct, const VoxelBox& box, std::span<const Vec3> seeds_mm,
                           const MarchingFront& front, const Progress& progress = {});
 

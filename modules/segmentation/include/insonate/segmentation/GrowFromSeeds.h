@@ -6,7 +6,7 @@
 
 namespace insonate {
 
-/// What labels have been painted as seeds: the voxels of these labels in a box, all others are contested.
+/// Labels that were painted as seeds: their voxels in a box are fixed, all others are contested.
 struct Seeds {
   Proposal painted;     ///< kKeep where no seed is
   Selection contested;  ///< of the same box: voxels that seeds may take

@@ -17,7 +17,7 @@ struct GuideRange {
   double low = 0, high = 0;
 };
 
-/// Of the patient.
+/// Side of the patient.
 enum class GuideSide { Right, Left };
 
 /// One way of doing a step of a guide.
@@ -28,7 +28,7 @@ struct GuideWay {
   std::string caution{};               ///< what to be aware of in what it makes
 };
 
-/// What an author does and looks at, and what is to be expected of it.
+/// One step of the guide: the author's task, the view, and the expected result.
 struct GuideStep {
   std::string name;                 ///< "vein-right"
   std::string title;                ///< "Jugular vein, right"
@@ -64,8 +64,9 @@ Result<GuideWay> wayFor(const GuideStep& step, std::span<const Vec3> clicks_mm, 
 /// Clicks of a step of the guide, by the recipe's first step with points that was made for it; none without.
 std::vector<Vec3> clicksOf(const GuideStep& step, const Recipe& recipe);
 
-/// What is doubtful about what a step has made, a sentence each: is it where the clicks are, as wide and as large as is
-/// usual, apart from what it must not touch. A fraction of a second. Labels are those of any time after the step.
+/// Returns findings about the result of a step, one sentence each: whether it contains the clicks, has a usual width
+/// and size, and keeps apart from structures that it must not touch. Takes a fraction of a second. The labels may be
+/// of any time after the step.
 std::vector<std::string> doubtsAbout(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels);
 
 }  // namespace insonate

@@ -13,7 +13,7 @@ namespace insonate {
 /// The largest ones; all where there are no more than `count`.
 Result<Selection> largestIslands(const Selection& of, int count, const Progress& progress = {});
 
-/// Those of a volume, or above.
+/// Selects islands of at least this volume.
 Result<Selection> islandsFrom(const Selection& of, double least_mm3, const Progress& progress = {});
 
 /// The one that holds a point of the patient. Refuses a point outside all of them.

@@ -16,14 +16,14 @@ namespace insonate {
 /// One bit for each label that there may be.
 using LabelSet = std::bitset<256>;
 
-/// What a tool must leave alone.
+/// Voxels that a tool must leave unchanged.
 struct EditRules {
   LabelSet locked;                    ///< labels that neither lose nor gain a voxel
   LabelSet hidden;                    ///< the same: what cannot be seen is not edited
   std::optional<HuRange> editable{};  ///< voxels of the CT outside it stay as they are
   LabelSet over = ~LabelSet();        ///< only voxels of these labels are overwritten
 
-  /// Whether a voxel of this brightness may become another label.
+  /// Tells whether a voxel of this brightness may change from one label to the other.
   bool allow(std::uint8_t before, std::uint8_t after, int hu) const {
     const auto isFixed = [this](std::uint8_t label) { return locked.test(label) || hidden.test(label); };
     return !isFixed(before) && !isFixed(after) && over.test(before) && (!editable || editable->contains(hu));
@@ -33,7 +33,7 @@ struct EditRules {
 /// Leaves of a proposal what the rules allow, and what is so already: it then shows what apply() would write.
 void restrictTo(const EditRules& rules, const CtVolume& ct, const LabelMap& labels, Proposal& proposal);
 
-/// What an edit, an undo or a redo has changed, so that slices and surfaces can follow it.
+/// Extent of the change by an edit, an undo or a redo, so that slices and surfaces can be updated.
 struct LabelChange {
   VoxelBox box;     ///< the smallest around all changed voxels; empty where nothing changed
   LabelSet labels;  ///< those that have lost or gained voxels
@@ -81,7 +81,7 @@ class LabelEdit {
 
  private:
   using Bytes = std::vector<std::uint8_t>;
-  /// Of one application: the runs of each slice of the box, packed.
+  /// Difference made by one edit: the runs of each slice of the box, packed.
   struct Difference {
     LabelChange change;
     std::vector<Bytes> slices;

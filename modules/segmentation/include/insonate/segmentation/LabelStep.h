@@ -145,18 +145,18 @@ struct LabelStep {
 /// "threshold", "paint", ...: the name of a step's tool in a recipe.
 std::string_view nameOf(const LabelTool& tool);
 
-/// What the step would write, its rules aside. Runs on the caller's thread. Fails with the tool's sentence and when
-/// cancelled.
+/// Computes the labels that the step would write, without regard to its rules. Runs on the caller's thread. Fails with
+/// the tool's sentence and when cancelled.
 Result<Proposal> propose(const LabelStep& step, const CtVolume& ct, const LabelMap& labels,
                          const Progress& progress = {});
 
-/// What perform() would write: a window's preview. It shows the label's whole shape; of what is erased, only what is
-/// taken. A threshold uses the proposal's memory again, so that it can follow a slider. Where it fails, as propose()
-/// does, the proposal holds nothing of use.
+/// Computes a preview of perform() for a window. It shows the label's whole shape; for erasing, only the part that is
+/// removed. A threshold reuses the proposal's memory, so that it can follow a slider. If it fails, as propose() does,
+/// the proposal's contents are undefined.
 Result<void> preview(const LabelStep& step, const CtVolume& ct, const LabelMap& labels, Proposal& into,
                      const Progress& progress = {});
 
-/// What the step must leave alone, for who writes its proposal.
+/// Rules of the step, for code that writes its proposal.
 EditRules rulesOf(const LabelStep& step);
 
 /// The same, written and remembered as one step. The step's own rules hold instead of the edit's.

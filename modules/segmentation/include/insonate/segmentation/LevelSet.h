@@ -17,8 +17,8 @@ struct GeodesicLevelSet {
   int rounds = 120;           ///< at most; it stops earlier where it rests
 };
 
-/// What the surface encloses that begins as that of `start`, in the selection's box: give the box room to grow into.
-/// Refuses a start that is empty; fails when cancelled.
+/// Returns the region inside a surface that starts as that of `start`, in the selection's box: give the box room to
+/// grow into. Refuses an empty start; fails when cancelled.
 Result<Selection> levelSet(const CtVolume& ct, const Selection& start, const GeodesicLevelSet& parameters,
                            const Progress& progress = {});
 

@@ -14,7 +14,7 @@ Result<Selection> grownBy(const Selection& shape, double margin_mm, const Progre
 /// Smaller by so much on all sides; the box's own edge erodes nothing.
 Result<Selection> shrunkBy(const Selection& shape, double margin_mm, const Progress& progress = {});
 
-/// Where the wall of a hollow shape lies.
+/// Position of a hollow shape's wall.
 enum class Wall { kInside, kMiddle, kOutside };
 /// The wall of a shape alone: inside its surface, outside it, or half and half.
 Result<Selection> hollowed(const Selection& shape, double thickness_mm, Wall wall, const Progress& progress = {});

@@ -13,7 +13,7 @@ namespace insonate {
 /// holds. Refuses fewer than three corners and a first corner beside the grid.
 Result<Selection> drawn(const VolumeGeometry& geometry, int sliceAxis, std::span<const Vec3> corners_mm);
 
-/// How a polygon on the screen goes into depth.
+/// Projection that extends a polygon on the screen into depth.
 struct ScissorsView {
   Vec3 along{0, 0, 1};               ///< the way one looks, patient, unit
   std::optional<Vec3> eye_mm{};      ///< of a perspective view; without, all looks are parallel

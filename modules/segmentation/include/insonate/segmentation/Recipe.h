@@ -22,7 +22,7 @@ struct Recipe {
 /// wrong in it, and what is possible.
 Result<Recipe> readRecipe(std::string_view text);
 
-/// What readRecipe() reads back.
+/// Inverse of readRecipe().
 std::string textOf(const Recipe& recipe);
 
 /// Recipes that are compiled in.

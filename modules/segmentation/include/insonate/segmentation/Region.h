@@ -36,7 +36,7 @@ struct HuRange {
   bool contains(int hu) const { return hu >= low && hu <= high; }
 };
 
-/// What a tool would write: a label for each voxel of a block, or kKeep.
+/// Labels that a tool would write: one for each voxel of a block, or kKeep.
 struct Proposal {
   static constexpr std::uint8_t kKeep = 255;  ///< the voxel stays as it is
   VoxelBox box;

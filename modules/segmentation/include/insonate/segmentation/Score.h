@@ -10,7 +10,7 @@
 
 namespace insonate {
 
-/// How well a label agrees with the truth.
+/// Agreement of a label with the truth.
 struct LabelScore {
   std::uint8_t label = 0;
   std::size_t voxels = 0, trueVoxels = 0;
@@ -20,7 +20,8 @@ struct LabelScore {
   std::optional<double> meanSurface_mm, p95Surface_mm;
 };
 
-/// Of these labels, or of all that either has but background. Refuses maps on different grids; fails when cancelled.
+/// Scores these labels, or all labels but background that occur in either map. Refuses maps on different grids; fails
+/// when cancelled.
 Result<std::vector<LabelScore>> scoreLabels(const LabelMap& found, const LabelMap& truth,
                                             const std::vector<std::uint8_t>& labels = {},
                                             const Progress& progress = {});

@@ -4,7 +4,7 @@
 
 namespace insonate {
 
-/// What is followed: the defaults are those of a neck's large vessels without contrast agent.
+/// Properties of the vessel to follow; the defaults are those of a neck's large vessels without contrast agent.
 struct TubeTracking {
   double largest_mm = 12;  ///< no wall is looked for farther from the middle; 2 to 30
   double darker_HU = 15;   ///< what is so much darker than the middle is something else; 1 to 500

@@ -17,9 +17,9 @@ namespace insonate {
 
 class LiveAttempt;
 
-/// What two hands hold on a patient: devices, the servo that they feel, and the tissue that it knows of. While
-/// something is in a hand, a thread shows the servo 60 times a second what lies before the probe's face and round the
-/// needle's tip, and moves the live picture with what is held. An empty hand costs nothing.
+/// Two hands on a patient: devices, the servo that computes their forces, and the tissue that the servo knows. While a
+/// hand holds something, a thread shows the servo 60 times a second the tissue before the probe's face and around the
+/// needle's tip, and moves the live image with the held probe. An empty hand costs nothing.
 ///
 /// Every member may be called from any thread; none waits longer than a fraction of a millisecond but put() and the
 /// destructor, which may wait for a tick and for a step of the tissue's preparation, a tenth of a second.
@@ -39,8 +39,8 @@ class HandsSession {
   void setCase(std::shared_ptr<const LabelMap> labels, const ProbeHand* hand);
   /// The vessels of this case, for vesselAt().
   void setVessels(VesselNames vessels);
-  /// Whose pictures tell how the tissue presses back, and which follows a device. Once it returns, the one before is
-  /// used no more.
+  /// Sets the imaging whose frames tell how the tissue presses back, and which follows a device. After the call the
+  /// previous one is not used any more.
   void setImaging(LiveImaging* imaging);
 
   /// Hears of every tick while something is in a hand; null for none. The one before hears of one more tick at most.
@@ -50,10 +50,10 @@ class HandsSession {
   void put(Hand hand, std::shared_ptr<HapticDevice> device, HandSetup setup);
   /// The hand of mouse and keys into this hand, at a pose of the tool (patientFromTool); it moves with moveByMouse().
   void putMouse(Hand hand, const Transform& patientFromTool);
-  /// Where mouse and keys want the tool: the hand of mouse and keys goes there smoothly, a long way at once; that of a
-  /// simulated device as far as what it feels lets it. Nothing where the hand holds a real device.
+  /// Sets the pose of the tool that mouse and keys aim at: their hand moves there smoothly, over a long distance at
+  /// once; a simulated device's hand as far as the forces on it allow. No effect if the hand holds a real device.
   void moveByMouse(Hand hand, const Transform& patientFromTool);
-  /// What the hand holds; null for nothing.
+  /// Device in the hand; null if the hand is empty.
   std::shared_ptr<HapticDevice> held(Hand hand) const;
   bool isMouse(Hand hand) const;
   /// Mouse and keys, or a simulated device, which they move.
@@ -72,7 +72,7 @@ class HandsSession {
   /// hand's own limit. The tool does not move meanwhile. Nothing for an empty hand.
   void testForce(Hand hand, Vec3 force_N);
 
-  /// Of the servo; a time of 0 while both hands are empty.
+  /// Last tick of the servo; its time is 0 while both hands are empty.
   ServoSnapshot snapshot() const;
   std::vector<NeedleEvent> takeEvents();
   /// Name of the vessel of this label at a point of the patient, as vesselName() names that of an event there.

@@ -50,7 +50,7 @@ class Imager {
   void render(const AcousticScene& scene, const Transform& patientFromProbe, ImagingFrame& frame) {
     render(scene, patientFromProbe, {}, nullptr, frame);
   }
-  /// Of displaced tissue, with a needle or, where it is null, without; see Engine.h.
+  /// Renders displaced tissue, with a needle unless it is null; see Engine.h.
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
               const Needle* needle, ImagingFrame& frame);
 
@@ -66,14 +66,15 @@ struct SceneRun {
   std::size_t first = 0, count = 0;
 };
 
-/// What a scene must cover for a frame at this pose, displaced tissue and what decides its displacement included.
-/// `further_mm`: and for poses that lie deeper along the axis by up to as much.
+/// Region that a scene must cover for a frame at this pose, including displaced tissue and the tissue that decides its
+/// displacement. `further_mm` adds poses that lie deeper along the axis by up to as much.
 Region sceneRegion(const ImagingSetup& setup, const Transform& patientFromProbe, double further_mm = 0);
 
 /// Splits a path so that no scene has to cover much more than its frames need.
 std::vector<SceneRun> sceneRuns(const ImagingSetup& setup, std::span<const Transform> path, double further_mm = 0);
 
-/// Of a case that has more than one scene: what they share is computed once. It must not outlive the case.
+/// Makes the source of scenes for a case with more than one scene: shared parts are computed once. It must not outlive
+/// the case.
 Result<std::shared_ptr<const SceneSource>> makeSceneSource(const CaseView& patient);
 
 /// The part of the patient that a region needs. Fails on a region that misses the patient's volume.

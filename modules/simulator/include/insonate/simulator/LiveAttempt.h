@@ -18,7 +18,7 @@ namespace insonate {
 
 class SkinSurface;
 
-/// Where an attempt stands; all of one moment, some milliseconds ago.
+/// State of an attempt; all of one moment, some milliseconds ago.
 struct AttemptView {
   double time_s = 0;                      ///< on the clock, since it began
   std::vector<ProcedureRun::Step> steps;  ///< of Procedure::steps
@@ -36,7 +36,7 @@ struct AttemptView {
 /// ticked() and show() may be called from any thread.
 class LiveAttempt final : public TickListener {
  public:
-  /// What the servo's output does not tell.
+  /// Facts about a tick that the servo's output does not contain.
   struct Surroundings {
     std::shared_ptr<const TissueGrid> grid;                ///< null: not there yet
     std::shared_ptr<const std::vector<CentreLine>> veins;  ///< null: not there yet

@@ -24,16 +24,16 @@ struct TissueMesh {
 /// Step of LivePress::middleAtRest_mm.
 inline constexpr double kMiddleStep_mm = 0.5;
 
-/// What the tissue does under the probe. All of it at rest where the setup's model is kNoDeformation.
+/// State of the tissue under the probe. All of it is at rest if the setup's model is kNoDeformation.
 struct LivePress {
   double force_N = 0;             ///< with which the tissue presses back
   double indentation_mm = 0;      ///< of the face from where it first touches; below 0: off the skin. NaN: no skin near
   std::vector<LumenArea> lumens;  ///< in the plane; empty where nothing presses and blood is as in the CT
   BloodPressure pressure;
-  /// Where tissue near the needle's tip lay at rest, before the tip dents it: affine, patient space. The identity
-  /// without a needle.
+  /// Map from patient space to the place of the tissue at rest, near the needle's tip and before the tip dents it:
+  /// affine. The identity without a needle.
   Transform restFromPatient;
-  /// Where the tissue along the middle line of the image lay at rest, from the face to the image's depth; patient
+  /// Rest positions of the tissue along the middle line of the image, from the face to the image's depth; patient
   /// space. The points of the image are kMiddleStep_mm apart.
   std::vector<Vec3> middleAtRest_mm;
   bool settled = true;  ///< false: the model is still on its way, and the next picture goes on
@@ -117,14 +117,15 @@ class LiveImaging {
   /// on, too, until a scene for the new one is there. Of several setups in a row, only the last may be seen.
   Result<void> setSetup(const ImagingSetup& setup);
 
-  /// What the patient's blood is under, from the next picture on. Refused, with a sentence, where out of range.
+  /// Sets the pressures that act on the patient's blood, from the next frame on. Fails, with a sentence, if out of
+  /// range.
   Result<void> setPhysiology(const Physiology& physiology);
 
-  /// Whether heart and breath move the vessels: pictures are then made 30 times a second where a vessel is in the
-  /// plane. Otherwise blood is at its mean pressure.
+  /// Switches pulsation by heart and breath: frames are then made 30 times a second if a vessel is in the plane.
+  /// Without it blood is at its mean pressure.
   void setPulsating(bool pulsating);
 
-  /// Whether the frames to come carry the model's mesh (LivePress::mesh), some hundred kilobytes each.
+  /// Sets whether the following frames carry the model's mesh (LivePress::mesh), some hundred kilobytes each.
   void setKeepMesh(bool keep);
 
   /// Once this returns, latest() and cine() stay as they are. Poses and setups are kept for later.

@@ -8,7 +8,7 @@
 
 namespace insonate {
 
-/// Where and how a NeedleHand holds the needle. Patient LPS.
+/// Position and angles of the needle in a NeedleHand. Patient LPS.
 struct NeedleHandState {
   Vec3 entry_mm;                      ///< on the skin, where the needle goes in
   Vec3 inward{0, 1, 0};               ///< into the body, square to the skin, unit
@@ -20,7 +20,7 @@ struct NeedleHandState {
   bool operator==(const NeedleHandState&) const = default;
 };
 
-/// How a needle lies to the probe's plane.
+/// Alignment of a needle with the probe's plane.
 enum class NeedlePlane { Along, Across };
 
 /// A needle held without a device: an entry on the skin, angles and a depth. While the tip is in the body its entry

@@ -32,8 +32,8 @@ class PressedTissue {
   PressedTissue& operator=(PressedTissue&&) noexcept;
   ~PressedTissue();
 
-  /// How far the face at this pose can be moved along its axis. Empty where it meets no skin within 20 mm behind or
-  /// 40 mm before it.
+  /// Range over which the face at this pose can be moved along its axis. Empty if it meets no skin within 20 mm behind
+  /// or 40 mm before it.
   struct Travel {
     double touch_mm = 0;    ///< until it first touches; below 0: the indentation of this pose
     double deepest_mm = 0;  ///< until the tissue over bone is squeezed to a tenth; infinite without bone
@@ -57,8 +57,7 @@ class PressedTissue {
   /// The last answer, in the frame of pose().
   const Deformation& deformation() const;
   const Transform& pose() const;
-  /// How far the face is in from where it first touches; below 0: how far off the skin. Not a number where no skin is
-  /// near.
+  /// Indentation of the face from first contact; below 0: distance from the skin. NaN if no skin is near.
   double indentation_mm() const;
   /// push(): the face was stopped before the force was reached, by bone, by 20 mm of indentation, or where the model
   /// finds no equilibrium any more.

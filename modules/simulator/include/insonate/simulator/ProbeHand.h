@@ -9,7 +9,7 @@
 
 namespace insonate {
 
-/// Where and how a ProbeHand holds the probe: all there is to save, compare and restore. Patient LPS.
+/// Position and angles of the probe in a ProbeHand: the complete state to save, compare and restore. Patient LPS.
 struct ProbeHandState {
   Vec3 skin_mm;         ///< where the middle of the face touches the skin, or would
   Vec3 inward;          ///< into the body, square to the skin, unit
@@ -20,7 +20,7 @@ struct ProbeHandState {
   bool operator==(const ProbeHandState&) const = default;
 };
 
-/// How a move went. Nothing is allocated for it.
+/// Outcome of a move. Allocates nothing.
 struct HandMove {
   std::string_view stopped;  ///< why it was not done to its end, a sentence; empty where it was
   bool done() const { return stopped.empty(); }
@@ -54,7 +54,7 @@ class ProbeHand {
   HandMove press(double mm);
   /// Off the skin, along the axis. The other moves then work above the skin; press() and moveTo() put it back.
   void lift();
-  /// To the skin point nearest to a point in or around the patient; angles stay.
+  /// Moves to the skin point nearest to a point in or around the patient; angles stay.
   HandMove moveTo(Vec3 patient_mm);
   /// Takes over any pose: pose() gives it back exactly, where it is within the limits and the probe's axis meets the
   /// skin within 60 mm. Else it is the nearest that is, and the move says so. Poses that are not rigid are refused and
@@ -65,7 +65,8 @@ class ProbeHand {
   Transform pose() const;
 
   const ProbeHandState& state() const { return state_; }
-  /// Of this patient; a state from elsewhere is a probe in the air. A state that is not finite changes nothing.
+  /// Restores a state of this patient; a state from elsewhere becomes a probe in the air. A state that is not finite
+  /// changes nothing.
   void restore(const ProbeHandState& state);
 
  private:

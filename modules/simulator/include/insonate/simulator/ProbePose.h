@@ -17,16 +17,16 @@ Result<Transform> patientFromProbe(Vec3 position_mm, Vec3 axial, Vec3 lateral);
 /// The inverse of patientFromProbe, for showing and storing a pose.
 StartPose poseOf(const Transform& patientFromProbe);
 
-/// Where a probe is to be put, once or along a path.
+/// Poses of a probe, one or a path.
 struct PosePath {
   std::vector<Transform> patientFromProbe;  ///< at least one
   bool isPath = false;                      ///< given as a list, even one of a single pose
   std::vector<std::string> warnings;        ///< what was straightened or found automatically, one sentence each
 };
 
-/// What a user types: "auto" (see autoStartPose), the name of one of the case's start poses, inline JSON, or a JSON
-/// file. JSON is {"position_mm": [x, y, z], "axial": [x, y, z], "lateral": [x, y, z]} in patient LPS, a list of such
-/// objects, or {"poses": [...]}. Fails with a sentence that names the pose and the field.
+/// Reads poses from a user's text: "auto" (see autoStartPose), the name of one of the case's start poses, inline JSON,
+/// or a JSON file. JSON is {"position_mm": [x, y, z], "axial": [x, y, z], "lateral": [x, y, z]} in patient LPS, a list
+/// of such objects, or {"poses": [...]}. Fails with a sentence that names the pose and the field.
 Result<PosePath> readPoses(std::string_view text, const PatientCase& patient);
 
 }  // namespace insonate

@@ -17,7 +17,7 @@ namespace insonate {
 
 class SkinSurface;
 
-/// What the servo does not know of a tick.
+/// Facts about a tick that the servo does not know.
 struct TickContext {
   std::int64_t time_us = 0;  ///< since the recording began
   std::array<bool, 2> present{};
@@ -36,7 +36,7 @@ AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, co
 AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const SkinSurface* skin,
                      std::span<const CentreLine> veins, const VesselNames& vessels) noexcept;
 
-/// Where a probe's image shows something, at its default frequency.
+/// Region that a probe's image shows, at its default frequency.
 PictureField pictureFieldOf(const Probe& probe);
 
 }  // namespace insonate

@@ -14,8 +14,8 @@ inline constexpr std::string_view kNoDeformation = "none";
 /// The preset `measured`.
 const MechanicalTable& measuredMechanics();
 
-/// How the tissue under the probe gives way. What the blood is under is not part of it: that is the patient's state of
-/// the moment (Physiology.h).
+/// Mechanical model of the tissue under the probe. Blood pressure is not part of it: it is the patient's present state
+/// (Physiology.h).
 struct TissueMechanics {
   std::string model = "elastic";  ///< kNoDeformation, or one of deformationModelNames()
   MechanicalTable tissues = measuredMechanics();
@@ -28,9 +28,9 @@ bool operator==(const TissueMechanics& a, const TissueMechanics& b);
 /// Fails with a sentence on an unknown model and on values out of range.
 Result<void> validate(const TissueMechanics& mechanics);
 
-/// What of a probe touches the skin, in its plane. Linear: the array's width, flat. Curvilinear: the arc of the array,
-/// of radius r1 and as long as the fan is wide at the face. Phased: flat and as wide as its aperture: its fan begins in
-/// a point, the housing does not.
+/// Part of a probe that touches the skin, in its plane. Linear: the array's width, flat. Curvilinear: the arc of the
+/// array, of radius r1 and as long as the fan is wide at the face. Phased: flat and as wide as its aperture: its fan
+/// begins in a point, the housing does not.
 ProbeFace faceOf(const Probe& probe, const TissueMechanics& mechanics);
 
 /// The part of the plane, in the probe frame, whose tissue decides how it gives way: beyond, the outermost goes on.

@@ -30,7 +30,7 @@ class VesselNames {
   /// Vessel of this label at a point of the tissue at rest, as in AttemptEvent::vessel; `veins` are the center lines of
   /// all veins. Neither waits nor allocates.
   std::uint8_t vesselAt(Label label, Vec3 rest_mm, std::span<const CentreLine> veins) const noexcept;
-  /// Whether a point in a vein, tissue at rest, is in the target. Neither waits nor allocates.
+  /// Tells whether a point in a vein, tissue at rest, is in the target. Neither waits nor allocates.
   bool isTarget(Vec3 rest_mm, std::span<const CentreLine> veins) const noexcept {
     return targets_.empty() || vesselAt(kVein, rest_mm, veins) == 1;
   }

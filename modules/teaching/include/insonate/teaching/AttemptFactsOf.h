@@ -23,7 +23,7 @@ Result<std::string> recordingHash(const std::filesystem::path& file);
 /// Name and SHA-256 of a recording's file, and the hash of what the hands did in it, "" where that cannot be read.
 Result<void> addRecording(AttemptFacts& facts, const std::filesystem::path& file);
 
-/// Whose hands a recording may show: a person's alone, or also a script's (`session --script`), as in demonstrations.
+/// Hands that a recording may show: a person's only, or also a script's (`session --script`), as in demonstrations.
 enum class Hands { Person, PersonOrScript };
 
 /// All three, from the recording alone: it is replayed, and scored by the procedure as it is here, whose version the

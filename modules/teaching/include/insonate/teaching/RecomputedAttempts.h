@@ -14,7 +14,7 @@
 
 namespace insonate {
 
-/// How far what a store tells of its attempts follows from the recordings that it keeps.
+/// Agreement of the facts in a store with the recordings that it keeps.
 struct RecomputedAttempts {
   struct Left {
     std::string attempt{}, person{};  ///< ids

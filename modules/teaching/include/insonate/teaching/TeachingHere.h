@@ -9,7 +9,7 @@
 
 namespace insonate {
 
-/// What a curriculum can name: the built-in necks, the procedures that come along, and all metrics.
+/// Returns the names that a curriculum can refer to: built-in necks, built-in procedures and all metrics.
 Result<TeachingNames> teachingNames();
 
 /// All metrics in the order of metricTable(), without what novices and experts reach.

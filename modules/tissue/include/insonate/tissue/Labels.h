@@ -36,7 +36,7 @@ constexpr Label knownLabel(std::uint8_t value) {
   return value < kLabelCount ? static_cast<Label>(value) : kSoftTissue;
 }
 
-/// What other programs need to know about a label: 3D Slicer's colour and SNOMED CT code.
+/// Identity of a label for other programs: 3D Slicer's color and SNOMED CT code.
 struct LabelInfo {
   Label label;
   std::string_view name;

@@ -10,7 +10,7 @@
 
 namespace insonate {
 
-/// What a structure does when it is pressed.
+/// Behavior of a structure under compression.
 enum class Mechanics {
   Solid,  ///< elastic
   Rigid,  ///< does not move (bone)

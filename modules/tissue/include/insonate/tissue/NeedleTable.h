@@ -10,14 +10,14 @@
 
 namespace insonate {
 
-/// What the surface of a structure does to a needle's tip: the needle's row of the thesis's Table II.
+/// Behavior of a structure's surface under a needle's tip: the needle's row of the thesis's Table II.
 enum class NeedleWall {
   None,      ///< nothing: tissue goes over into tissue
   Membrane,  ///< gives way like a spring, then is punctured
   Hard,      ///< stops the needle
 };
 
-/// What a needle feels of a structure, for an 18 G needle (1.27 mm).
+/// Resistance of a structure to an 18 G needle (1.27 mm).
 struct NeedleTissue {
   NeedleWall wall = NeedleWall::None;
   double stiffness_Npmm = 0;         ///< k1 of a wall's force k1 d + k2 d^2, d the way that it is pushed before it

@@ -20,9 +20,9 @@ struct PointTarget {
   double amplitude = 1;
 };
 
-/// What the engines see of a patient: smooth signed distances to every structure around a region, CT deviations from
-/// each structure's mean, and the acoustic table. Immutable once made, so any number of threads may read it.
-/// The values at a point do not depend on the region, so neighbouring regions give the same picture.
+/// The engines' view of a patient: smooth signed distances to every structure around a region, CT deviations from each
+/// structure's mean, and the acoustic table. Immutable once made, so any number of threads may read it. The values at
+/// a point do not depend on the region, so neighboring regions give the same image.
 class AcousticScene {
  public:
   static constexpr double kFinestDetail_mm = 0.7;

@@ -7,8 +7,8 @@
 
 namespace insonate {
 
-/// Where the samples of a frame lie, in the probe frame (mm). Sample k of scanline l is at
-/// origin(l) + direction(l) * range_mm(k); k and l may be fractional.
+/// Positions of a frame's samples, in the probe frame (mm). Sample k of scanline l is at origin(l) + direction(l) *
+/// range_mm(k); k and l may be fractional.
 class BeamGrid {
  public:
   BeamGrid(const Probe& probe, const ImagingSettings& settings);

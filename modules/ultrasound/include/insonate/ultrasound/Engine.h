@@ -20,8 +20,8 @@ class Engine {
   virtual ~Engine() = default;
 
   virtual std::string_view name() const = 0;
-  /// What a user should know of it beside the name: the device that it runs on, why another engine computes in its
-  /// place. Empty where there is nothing to say.
+  /// Note for the user beside the engine's name: the device that it runs on, or the reason why another engine computes
+  /// in its place. Empty if there is none.
   virtual std::string_view note() const { return {}; }
 
   /// Allocates for these settings, which must be valid (see validate()).
@@ -42,7 +42,7 @@ class Engine {
               EnvelopeFrame& envelope) {
     render(scene, patientFromProbe, displacement, nullptr, envelope);
   }
-  /// Of undisturbed tissue.
+  /// Renders undisturbed tissue.
   void render(const AcousticScene& scene, const Transform& patientFromProbe, EnvelopeFrame& envelope) {
     render(scene, patientFromProbe, {}, nullptr, envelope);
   }
@@ -51,20 +51,20 @@ class Engine {
     std::string_view name;
     double ms = 0;  ///< summed over threads
   };
-  /// Of the last frame.
+  /// Stages of the last frame.
   virtual const std::vector<Stage>& stages() const = 0;
 };
 
-/// Those that compute: `reference` (scalar, double, to be read), `cpu` (SIMD, threads), `glsl` (a graphics card).
+/// Names of the engines: `reference` (scalar, double, to be read), `cpu` (SIMD, threads), `glsl` (a graphics card).
 std::vector<std::string> engineNames();
 /// One of these, or `auto`: when it is first prepared, it becomes the faster of cpu and glsl, measured once a process,
 /// and says which and why; a software renderer is never taken. `glsl` fails with a sentence where there is no
 /// OpenGL 4.3.
 Result<std::unique_ptr<Engine>> makeEngine(std::string_view name);
 
-/// How spatial compounding comes by its angles. A machine sends one angle after the other and averages the last ones:
-/// a frame costs what it costs without compounding, and what moves is seen where it was, too. The first frame renders
-/// them all. Stills render them all in each frame.
+/// Schedule of the angles of spatial compounding. A machine sends one angle after the other and averages the last
+/// ones: a frame costs as much as without compounding, and moving structures also show where they were. The first
+/// frame renders all angles. Stills render all angles in each frame.
 enum class CompoundedAngles { InEachFrame, InTurn };
 
 /// The same for a probe and settings: where they ask for spatial compounding, an engine of each angle, else one.

@@ -20,7 +20,7 @@ struct PixelPoint {
   double x = 0, y = 0;
 };
 
-/// Where a field of view lies in a picture, in its pixels.
+/// Position of a field of view in an image, in its pixels.
 struct FovShape {
   ProbeShape shape = ProbeShape::Linear;
   PixelPoint origin;                      ///< fan: the virtual apex; linear: the middle of the face
@@ -61,8 +61,8 @@ PixelPoint pointIn(const FovShape& shape, double across, double down);
 /// Once round, ready to be drawn as a closed line.
 std::vector<PixelPoint> outlineOf(const FovShape& shape);
 
-/// What a picture says about a probe: shape, angle, radii, width and the depth on display; all else is the base's.
-/// `mm_per_px` is above 0. Fails where the outcome is no valid probe, and says which value is out of range.
+/// Makes a probe from an image: shape, angle, radii, width and the depth on display; all else is the base's.
+/// `mm_per_px` is above 0. Fails if the result is no valid probe, and says which value is out of range.
 Result<Probe> probeFromFit(const FovShape& shape, double mm_per_px, const Probe& base, std::string name);
 
 }  // namespace insonate

@@ -16,7 +16,7 @@ enum class Look {
   Thesis,    ///< the thesis's four layers: reflection, absorption, radial blur, Perlin speckle
 };
 
-/// How levels become grays; GrayMaps.h has their names and curves.
+/// Mapping of levels to grays; GrayMaps.h has the names and curves.
 enum class GrayMap { Linear, Soft, Contrast, Bright, Dark, Flat };
 
 /// Each physical effect can be left out, to see what it does.
@@ -41,7 +41,7 @@ struct Effects {
 };
 static_assert(sizeof(Effects) == 13, "Effects::none() switches off every one");
 
-/// What the operator and the renderer may set. Defaults suit the linear probe on a neck; see settingsFor().
+/// Settings of the operator and the renderer. Defaults suit the linear probe on a neck; see settingsFor().
 struct ImagingSettings {
   double depth_mm = 40;
   double frequency_MHz = 7.5;

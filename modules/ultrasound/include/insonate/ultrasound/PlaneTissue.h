@@ -13,8 +13,8 @@ namespace insonate {
 /// Signed distances are cut off here, either way; what is out of reach may read as up to half a voxel less.
 inline constexpr float kPlaneReach_mm = 6;
 
-/// What undisturbed tissue lies at points of a plane, one entry a point. Signed distances are those that pictures are
-/// made of, negative inside the structure; to one that the scene has not, kPlaneReach_mm.
+/// Undisturbed tissue at points of a plane, one entry a point. Signed distances are those that images are made of,
+/// negative inside the structure; kPlaneReach_mm to a structure that the scene lacks.
 struct PlaneSamples {
   std::vector<std::uint8_t> label;  ///< of the structure that the point lies in: the nearest by signed distance
   std::vector<float> toArtery_mm, toVein_mm, toBone_mm;

@@ -20,8 +20,8 @@ double axialFwhm_mm(const Probe& probe, const ImagingSettings& settings);
 /// The same at a depth: receive filters of machines narrow with depth, as attenuation takes the high frequencies.
 double axialFwhm_mm(const Probe& probe, const ImagingSettings& settings, double range_mm);
 double lateralFwhm_mm(const Probe& probe, const ImagingSettings& settings, double range_mm);
-/// How much wider the beam is at a depth than at the frequency that is set: attenuation takes the high frequencies, and
-/// a dynamic filter follows the rest. A Gaussian band of SD s loses s^2 times the loss in Np/MHz of its center: with 60
+/// Ratio of the beam's width at a depth to that at the set frequency: attenuation takes the high frequencies, and a
+/// dynamic filter follows the rest. A Gaussian band of SD s loses s^2 times the loss in Np/MHz of its center: with 60
 /// % of 9 MHz and 0.6 dB/cm/MHz a quarter in 30 mm, there and back.
 double beamGrowth(const ImagingSettings& settings, double range_mm);
 

@@ -46,7 +46,7 @@ struct ProbeField {
 };
 /// All numbers, in the order of probe files.
 std::span<const ProbeField> probeFields();
-/// Whether a probe of this shape has the number.
+/// Tells whether a probe of this shape has the field.
 bool applies(const ProbeField& field, ProbeShape shape);
 
 /// The presets of resources/probes, in a fixed order (linear, curvilinear, phased).

@@ -10,9 +10,9 @@
 
 namespace insonate {
 
-/// What all scenes of one patient have in common: facts about the whole case, found once, and the distances that scenes
-/// are likely to need, computed ahead and kept while there is room (384 MB for each fineness). A scene is then put
-/// together rather than computed, and is the same. Any number of threads may use one.
+/// Shared parts of all scenes of one patient: facts about the whole case, found once, and the distances that scenes
+/// are likely to need, computed ahead and kept up to 384 MB for each resolution. A scene is then put together rather
+/// than computed, with the same result. Any number of threads may use one.
 class SceneSource {
  public:
   /// `ct` and `labels` must outlive the source and stay as they are. Fails where they lie on different grids.

@@ -9,7 +9,7 @@
 
 namespace insonate {
 
-/// What saveProbe() writes, and what loadProbe() reads, as text: back to the last bit.
+/// Text form of a probe, as saveProbe() writes and loadProbe() reads it; exact to the last bit.
 std::string textOf(const Probe& probe);
 Result<Probe> parseProbe(std::string_view json);
 

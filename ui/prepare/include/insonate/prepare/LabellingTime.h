@@ -4,7 +4,7 @@
 
 namespace insonate::prepare {
 
-/// How long something that an author does takes until it is seen, on the clock.
+/// Time from an author's action until its result is seen, on the clock.
 struct LabellingTime {
   QString name;  ///< of what is done, and where a part of the views has a time of its own, of that
   double median_ms = 0, longest_ms = 0;

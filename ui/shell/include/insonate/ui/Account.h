@@ -15,11 +15,11 @@
 
 namespace insonate::ui {
 
-/// Where the people of this computer are kept, unless INSONATE_DATABASE names a file or a server.
+/// Address of this computer's store of people, unless INSONATE_DATABASE names a file or a server.
 QString usualStore();
 
-/// Who sits at the window, and the store of people, levels and attempts. Questions are asked one after the other on a
-/// thread of its own, which has the store's connection, and answered on the window's. For the window's thread.
+/// The user who is signed in, and the store of people, levels and attempts. Queries run one after the other on a
+/// thread of their own, which has the store's connection, and are answered on the window's. For the window's thread.
 class Account : public QObject {
   Q_OBJECT
 
@@ -53,7 +53,7 @@ class Account : public QObject {
   void setUp(const NewPerson& administrator, const QString& password, Done done);
   void signIn(const QString& name, const QString& password, Done done);
   void signOut();
-  /// Of who is signed in.
+  /// Changes the password of the signed-in user.
   void changePassword(const QString& old, const QString& password, Done done);
   void changeDetails(const QString& fullName, const QString& email, Done done);
   /// After it could not be reached.

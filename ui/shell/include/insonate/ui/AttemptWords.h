@@ -10,7 +10,7 @@
 
 namespace insonate::ui {
 
-/// How the needle's place is told: by a sign and words as well as by the thesis's colour.
+/// Presentation of the needle's place: a sign and words as well as the thesis's color.
 struct PlaceWords {
   QString sign, words;
   views::Colour colour;
@@ -18,7 +18,7 @@ struct PlaceWords {
 /// `vessel`: the name of the vessel that the tip is in; empty where it is in none or the name is not known.
 PlaceWords wordsOf(NeedlePlace place, const QString& vessel = {});
 
-/// Of what went wrong; quiet where nothing did.
+/// Color of a finding; quiet if there is none.
 views::Colour colourOf(const std::optional<Severity>& severity);
 QString wordOf(Severity severity);
 

@@ -9,20 +9,19 @@ struct KeptAttempt;
 
 namespace insonate::ui {
 
-/// Where the user's attempts are recorded: `attempts` beside what else the program keeps of the user's. May not exist
-/// yet.
+/// Folder of the user's recorded attempts: `attempts` in the user's data folder. May not exist yet.
 QString attemptsFolder();
 
-/// Where forms about them lie that were not handed in yet.
+/// Folder of unsent forms about attempts.
 inline QString formDraftsFolder() {
   return attemptsFolder() + QStringLiteral("/drafts");
 }
 
-/// What recordings are called by: "2026-11-20 Textbook neck.attempt".
+/// Ending of a recording's name: "2026-11-20 Textbook neck.attempt".
 inline const QString kAttemptSuffix = QStringLiteral(".attempt");
 
-/// Where the recording that a store names lies on this computer: in attemptsFolder(), else in `attempts` beside the
-/// store's file, whose address is `store`. Empty where it is in neither, and where the name leads out of them.
+/// Path of the recording that a store names, on this computer: in attemptsFolder(), else in `attempts` beside the
+/// store's file, whose address is `store`. Empty if it is in neither, or if the name leads out of them.
 QString recordingHere(const std::string& name, const QString& store);
 /// The recording that the store keeps of an attempt; else the same.
 QString recordingHere(const KeptAttempt& attempt, const QString& store);
@@ -30,8 +29,8 @@ QString recordingHere(const KeptAttempt& attempt, const QString& store);
 /// Folder in which this workstation keeps the recordings of attempts whose store is a server.
 QString serverRecordingsFolder();
 
-/// Whether a path is that of a recorded attempt: by its name, also that of the part of one that was cut short, or by
-/// how the file begins.
+/// Tells whether a path is that of a recorded attempt: by its name, which may be that of an unfinished part, or by the
+/// file's first bytes.
 bool isAttemptFile(const QString& path);
 
 }  // namespace insonate::ui

@@ -14,8 +14,8 @@
 
 namespace insonate::ui {
 
-/// What a case needs before a hand can move over it and 3D can show it, in the order in which it comes. All are called
-/// on the window's thread; what is left empty is not computed.
+/// Results that a case needs before a hand can move over it and 3D can show it, in the order in which they arrive. All
+/// callbacks run on the window's thread; results whose callback is empty are not computed.
 struct CaseWork {
   /// The labels as tissues (cases/TissueLabels.h), of which all that follows is made then; where this is left empty,
   /// all is made of the author's own.
@@ -35,8 +35,8 @@ struct CaseWork {
 struct SurfaceWish {
   std::uint8_t label = 0;
   SurfaceOptions options;
-  /// Of these labels in place of the patient's, e.g. while they are edited: a structure that is gone comes as an empty
-  /// mesh, and of wishes for a label that wait, the last counts.
+  /// Labels in place of the patient's, for example while they are edited: a structure that is gone arrives as an empty
+  /// mesh, and of waiting requests for a label the last counts.
   std::shared_ptr<const LabelMap> labels{};
 };
 

@@ -17,8 +17,7 @@ class QwtPlot;
 
 namespace insonate::ui {
 
-/// What a chart shows over things that are counted (x), as data: drawn alike on the screen and, dark on white, on
-/// paper.
+/// Contents of a chart over counted things (x), as data: drawn alike on the screen and, dark on white, on paper.
 struct ChartPicture {
   enum class Tone { Text, Quiet, Accent, Good, Caution, Danger };
 

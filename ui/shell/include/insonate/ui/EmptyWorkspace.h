@@ -26,7 +26,7 @@ class EmptyWorkspace : public Workspace {
   /// A button below the words, the first one being the usual choice. The action belongs to the caller.
   void offer(QAction* action);
 
-  /// What is being opened, in place of the title; empty for the title again.
+  /// Shows the name of the case that is being opened in place of the title; empty restores the title.
   void showOpening(const QString& what);
 
   void setCase(std::shared_ptr<const PatientCase>) override {}

@@ -8,7 +8,7 @@
 
 namespace insonate::ui {
 
-/// Whose answers they are, and about what; both ids are UUIDs.
+/// Author and subject of the answers; both ids are UUIDs.
 struct FormSubject {
   std::string by{};
   std::string attempt{};  ///< "": about none in particular
@@ -24,7 +24,7 @@ class FormDraft {
   /// Waits until what was kept is written.
   ~FormDraft();
 
-  /// What was kept; empty without.
+  /// Returns the stored answers; empty without any.
   FormAnswers read(const FormSubject& subject, const Form& form) const;
   /// Empty answers forget.
   void keep(const FormSubject& subject, const Form& form, const FormAnswers& answers);

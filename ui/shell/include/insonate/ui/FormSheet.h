@@ -20,7 +20,7 @@ class FormSheet final : public QWidget {
 
   const Form& form() const { return form_; }
   FormAnswers answers() const;
-  /// What the form does not ask, or cannot show, is passed over. Does not tell changed().
+  /// Shows answers; those to items that the form lacks or cannot show are ignored. Does not emit changed().
   void setAnswers(const FormAnswers& answers);
   /// Says beside each question what keeps the answers from being stored, and gives the first of them the keyboard;
   /// true where nothing does.

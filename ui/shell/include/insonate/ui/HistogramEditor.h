@@ -23,9 +23,9 @@ namespace insonate::ui {
 
 class HistogramPlot;
 
-/// How a CT is looked through, edited on its histogram: nodes of Hounsfield unit, opacity and colour. They are dragged,
-/// added by double click, removed by Delete or right click; Tab goes from node to node, arrows move one, and the
-/// numbers of the chosen one take typing. Presets, undo, redo and reset. For the window's thread.
+/// Editor of a CT's transfer function on its histogram: nodes of Hounsfield unit, opacity and color. Nodes are
+/// dragged, added by double click, removed by Delete or right click; Tab goes from node to node, arrows move one, and
+/// the numbers of the selected one can be typed. Presets, undo, redo and reset. For the window's thread.
 class HistogramEditor : public QWidget {
   Q_OBJECT
 
@@ -35,13 +35,13 @@ class HistogramEditor : public QWidget {
 
   /// Its histogram is counted on another thread and appears when it is there. Null for none.
   void setCase(std::shared_ptr<const PatientCase> patient);
-  /// Of the case; empty before it is counted.
+  /// Histogram of the case; empty before it is counted.
   const views::HuHistogram& histogram() const;
   /// The 8-bit display window, drawn as a band; none for no band.
   void setWindowLevel(std::optional<views::WindowLevel> window);
 
   const views::TransferFunction& function() const;
-  /// What is not tidied() is tidied. Forgets what could be undone. Tells functionChanged() when it differs.
+  /// Sets the function, tidied(). Clears undo and redo. Emits functionChanged() if it differs.
   void setFunction(const views::TransferFunction& function);
   /// By its name in views::transferPresets(), as one step that can be undone; unknown names are ignored.
   void choosePreset(const QString& name);

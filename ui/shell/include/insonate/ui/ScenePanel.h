@@ -20,17 +20,17 @@ class HistogramEditor;
 class StructureList;
 class ValueSlider;
 
-/// What a three-dimensional view shows and how: skin transparency, structures, the CT with its transfer function, a
-/// clipping plane, stereo and the head-coupled view. Whatever is changed is drawn coarser until the hand rests. It is
-/// narrow and long: put it into a QScrollArea. For the window's thread.
+/// Controls of a three-dimensional view: skin transparency, structures, the CT with its transfer function, a clipping
+/// plane, stereo and the head-coupled view. During changes the view is drawn coarser until the hand rests. The panel
+/// is narrow and long: put it into a QScrollArea. For the window's thread.
 ///
-/// The scene tells the panel of surfaces and looks (SceneView::setStructuresChanged is the panel's from now on), so a
-/// scene has one panel, and what others change shows in it.
+/// The scene informs the panel of surfaces and looks (SceneView::setStructuresChanged is the panel's from now on), so
+/// a scene has one panel, which also shows the changes of others.
 class ScenePanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// Where structures are shown and hidden, coloured and made transparent, the skin included.
+  /// Controls by which structures are shown and hidden, colored and made transparent, the skin included.
   enum class Structures {
     Here,
     Elsewhere,  ///< by whoever owns the scene; the panel leaves their looks alone
@@ -39,10 +39,9 @@ class ScenePanel : public QWidget {
                       Structures structures = Structures::Here);
   ~ScenePanel() override;
 
-  /// Whose histogram is shown; the scene itself gets its case from whoever owns it. Null for none. Structures that are
-  /// changed here look as the case's author chose, until the next case; what the user chose for others stays, but
-  /// another patient is begun with skin and without the CT volume. Safe
-  /// colours are not given up for an author's.
+  /// Sets the case whose histogram is shown; the owner of the scene sets the scene's own case. Null for none.
+  /// Structures changed here look as the case's author chose, until the next case; the user's choices for others stay,
+  /// but another patient starts with skin and without the CT volume. An author's colors do not replace safe ones.
   void setCase(std::shared_ptr<const PatientCase> patient);
 
   HistogramEditor& histogram() { return *histogram_; }

@@ -26,7 +26,7 @@ class SiteExchange : public QObject {
 
   void now();
   bool isRunning() const { return running_.isRunning(); }
-  /// How the last exchange went, a sentence; empty before the first.
+  /// Outcome of the last exchange, a sentence; empty before the first.
   QString outcome() const { return outcome_; }
 
  Q_SIGNALS:

@@ -33,7 +33,7 @@ class TaskBar : public QFrame {
   /// Cancels without calling `done`, and does not wait.
   ~TaskBar() override;
 
-  /// What closing the window in the middle of a job means for the user.
+  /// Effect on the user of closing the window during a job.
   enum class WhenClosed {
     Stop,  ///< nothing is lost
     Ask,   ///< something that was wanted does not come about
@@ -56,9 +56,9 @@ class TaskBar : public QFrame {
   }
 
   bool isRunning() const { return job_ != nullptr; }
-  /// Whether closing the window now would stop something that the user waits for.
+  /// Tells whether closing the window now would stop something that the user waits for.
   bool asksWhenClosed() const { return job_ && whenClosed_ == WhenClosed::Ask; }
-  /// Of the job that is running: "Importing neck-ct".
+  /// Title of the running job: "Importing neck-ct".
   QString title() const;
   void cancel();
 

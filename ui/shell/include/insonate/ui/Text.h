@@ -1,11 +1,21 @@
 #pragma once
 
+#include <QCoreApplication>
 #include <QString>
 #include <string_view>
 
+namespace insonate {
+
+/// Translates a text of a function that belongs to no QObject.
+inline QString tr(const char* text) {
+  return QCoreApplication::translate("insonate", text);
+}
+
+}  // namespace insonate
+
 namespace insonate::ui {
 
-/// UTF-8 as everything below the window has it.
+/// Converts UTF-8, the encoding of all modules below the window.
 inline QString qt(std::string_view text) {
   return QString::fromUtf8(text.data(), int(text.size()));
 }

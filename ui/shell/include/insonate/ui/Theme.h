@@ -17,7 +17,7 @@ inline constexpr int kSmallGap = 4, kGap = 8, kLargeGap = 16;
 /// One calm dark look: palette, font and style sheet. Call it once, after QApplication.
 void applyTheme(QApplication& application);
 
-/// What a widget is to the eye, set before it is shown. QLabel: "title", "heading", "quiet"; QPushButton: "primary";
+/// Sets a widget's visual role before it is shown. QLabel: "title", "heading", "quiet"; QPushButton: "primary";
 /// QFrame: "panel", "rule" (a line).
 void setRole(QWidget* widget, const char* role);
 

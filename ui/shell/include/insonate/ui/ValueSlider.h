@@ -7,7 +7,7 @@ class QLineEdit;
 
 namespace insonate::ui {
 
-/// What a ValueSlider can be set to.
+/// Values that a ValueSlider can take.
 struct ValueRange {
   double least = 0, most = 1;  ///< least < most
   double usual = 0;            ///< what a double click gives back

@@ -33,7 +33,8 @@ class ViewWidget : public QFrame {
 
   views::View& view() { return *view_; }
 
-  /// What it shows is no longer true, e.g. of another patient: black until it is drawn again, which it is soon.
+  /// Discards an image that is no longer true, for example of another patient: black until the view is drawn again,
+  /// which is soon.
   void forget();
 
   void setMaximised(bool maximised);

@@ -22,7 +22,7 @@ struct Shortcut {
   QString does;  ///< e.g. "tilt and rock the probe"
 };
 
-/// Where a case came from.
+/// Origin of a case.
 struct CaseOrigin {
   QString folder;     ///< where it is kept; empty for one that is not on disk
   QStringList notes;  ///< what was missing or changed on the way, one sentence each
@@ -51,30 +51,30 @@ class Workspace : public QWidget {
   /// Told before setCase(), and when the case was saved elsewhere.
   virtual void setOrigin(const CaseOrigin&) {}
 
-  /// Who sits at the window, from now on; told once, before the workspace is shown.
+  /// Sets the account of the user; called once, before the workspace is shown.
   virtual void setAccount(Account&) {}
 
-  /// What was changed here and is not on disk yet; null without changes. The window asks before it would be lost.
+  /// Changes that are not on disk yet; null without changes. The window asks before they would be lost.
   virtual CaseEdit unsavedEdit() const { return {}; }
-  /// What is written along with the case, but is not worth a question, as what is shown and hidden; null without.
+  /// Changes that are written along with the case but need no question, such as visibility; null without any.
   virtual CaseEdit quietEdit() const { return {}; }
   /// The case was written, with every workspace's edit: it is `patient` from now on.
   virtual void caseSaved(std::shared_ptr<const PatientCase> patient) { setCase(std::move(patient)); }
 
-  /// What would end here with another case or with the window, a sentence, e.g. of an attempt that is being made; empty
-  /// for nothing. The window asks before.
+  /// Sentence about what another case or closing the window would end, for example an attempt in progress; empty for
+  /// nothing. The window asks before.
   virtual QString endsWithTheCase() const { return {}; }
 
   /// Why the window must not change to another workspace, a sentence, e.g. during a test, whose answers the others
   /// show; empty for nothing.
   virtual QString keepsTheWindow() const { return {}; }
 
-  /// Whether recorded attempts are shown here; the window hands them to the first workspace of which this is true.
+  /// Tells whether the workspace shows recorded attempts; the window hands them to the first workspace that does.
   virtual bool opensAttempts() const { return false; }
   /// Shows a recorded attempt. Returns at once; what goes wrong is told by failed().
   virtual void openAttempt(const QString& /*file*/) {}
 
-  /// What just happened, or the next thing to do: left in the status bar.
+  /// Sentence about the last event, or the next thing to do: shown in the status bar.
   virtual QString statusText() const { return {}; }
   /// Engine and rate, e.g. "processor   62 images/s": right in the status bar. Empty where nothing is computed.
   virtual QString engineText() const { return {}; }
@@ -95,8 +95,8 @@ class Workspace : public QWidget {
   virtual void saveLayout(QSettings&) const {}
   virtual void restoreLayout(QSettings&) {}
 
-  /// Where long work is done, with its progress and a Cancel: the window's, or one of its own without a window. One job
-  /// at a time, also between workspaces: look at isRunning() before.
+  /// The bar of long jobs, with progress and Cancel: the window's, or one of its own without a window. One job at a
+  /// time, also between workspaces: check isRunning() before.
   TaskBar& tasks();
   void setTasks(TaskBar& tasks) { tasks_ = &tasks; }
 

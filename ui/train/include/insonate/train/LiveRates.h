@@ -4,7 +4,7 @@
 
 namespace insonate::train {
 
-/// How fast live pictures came onto the screen under a moving probe.
+/// Rate of live images on the screen under a moving probe.
 struct LiveRates {
   int images = 0;
   double seconds = 0;
@@ -21,13 +21,13 @@ struct HandRates {
   double p50_us = 0, p99_us = 0, p999_us = 0, max_us = 0;  ///< of the work of a tick
 };
 
-/// How fast the patient in 3D turns.
+/// Rate at which the patient in 3D turns.
 struct OrbitRates {
   double framesPerSecond = 0, median_ms = 0, p95_ms = 0;
   QString graphics;  ///< what draws it, in OpenGL's words
 };
 
-/// How fast 3D moves with the CT cast in it, and what that costs the window's own thread.
+/// Rate of 3D with the cast CT in it, and its cost to the window's own thread.
 struct VolumeRates {
   double orbitPerSecond = 0, zoomPerSecond = 0, followPerSecond = 0;  ///< pictures; the last while the probe moves
   double exact_ms = 0;  ///< from the last of a movement to the picture that lacks nothing; 600 ms at least

@@ -22,7 +22,7 @@ struct Calliper {
   std::array<PicturePoint, 3> points;  ///< a distance uses two
 };
 
-/// What a calliper measures; fields that its kind does not have are 0.
+/// Values that a caliper measures; fields that its kind lacks are 0.
 struct CalliperValues {
   double length_mm = 0;         ///< distance; ellipse: its first axis
   double width_mm = 0;          ///< ellipse: its second axis

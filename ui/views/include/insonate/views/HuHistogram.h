@@ -8,7 +8,7 @@
 
 namespace insonate::views {
 
-/// How many voxels have which Hounsfield units, in bins of equal width.
+/// Number of voxels by Hounsfield unit, in bins of equal width.
 struct HuHistogram {
   double least_HU = -1024, most_HU = 3071;  ///< lower edge of the first bin, upper edge of the last; least < most
   std::vector<std::uint64_t> counts;        ///< empty where there is no CT

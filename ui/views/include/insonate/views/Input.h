@@ -9,7 +9,7 @@ struct DisplayPoint {
 
 enum class Button { None, Left, Middle, Right };
 
-/// What a mouse or pen does. A toolkit translates its own events into these, so that views need no toolkit.
+/// Action of a mouse or pen. A toolkit translates its own events into these, so that views need no toolkit.
 struct Pointer {
   DisplayPoint at;
   Button button = Button::None;  ///< the one pressed, released or held

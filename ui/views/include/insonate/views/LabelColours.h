@@ -14,7 +14,7 @@ enum class ColourScheme {
 /// A label that is not known has soft tissue's colour.
 Colour labelColour(std::uint8_t label, ColourScheme scheme);
 
-/// How opaque a structure's surface is at first, 0..1: one looks through the skin.
+/// Default opacity of a structure's surface, 0..1: the skin is translucent.
 double usualOpacity(std::uint8_t label);
 
 }  // namespace insonate::views

@@ -2,7 +2,7 @@
 
 namespace insonate::views {
 
-/// How labels lie over a slice.
+/// Look of labels over a slice.
 struct LabelStyle {
   bool fill = true, outline = true;
   int thickness_px = 1;  ///< of outlines, device-independent, 1..8

@@ -50,7 +50,7 @@ class MprView final : public View {
   /// Drawn with their values where the slice passes through them, numbered in this order.
   void setCallipers(std::vector<SliceCalliper> callipers);
 
-  /// Where the crosshair is, patient LPS mm; the slice shown is the one through it (oblique: the probe's plane).
+  /// Sets the crosshair, patient LPS mm; the slice shown is the one through it (oblique: the probe's plane).
   void setCrosshair(Vec3 position_mm);
   Vec3 crosshair_mm() const { return crosshair_mm_; }
   void setCrosshairVisible(bool visible);
@@ -67,14 +67,14 @@ class MprView final : public View {
   /// Only their outlines, whatever the opacity.
   void setLabelOutlines(bool only) { setLabelStyle({.fill = !only, .outline = true}); }
   void setLabelStyle(const LabelStyle& style);
-  /// Of the fill, 0..1; outlines are stronger.
+  /// Sets the opacity of the fill, 0..1; outlines are stronger.
   void setLabelOpacity(double opacity);
-  /// Of one label, as a share of what all have, 0..1.
+  /// Sets the opacity of one label, as a share of that of all, 0..1.
   void setLabelShare(std::uint8_t label, double share);
   double labelOpacity() const { return labelOpacity_; }
 
-  /// What a tool would write into a block of the patient's grid, over the labels; kNoProposal where it writes nothing.
-  /// Null for none.
+  /// Sets a tool's proposal for a block of the patient's grid, shown over the labels; kNoProposal where it changes
+  /// nothing. Null for none.
   static constexpr std::uint8_t kNoProposal = 255;
   void setProposal(const VoxelBox& box, std::shared_ptr<const LabelMap> labels);
   void setToolMarks(SliceMarks marks);

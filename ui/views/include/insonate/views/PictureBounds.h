@@ -7,7 +7,7 @@ struct PictureBounds {
   double minLateral_mm = -20, maxLateral_mm = 20, minAxial_mm = 0, maxAxial_mm = 40;
 };
 
-/// Where that part lies on a display of square pixels.
+/// Position of that part on a display of square pixels.
 struct PicturePlacement {
   double px_per_mm = 10, left_px = 0, top_px = 0, right_px = 0, bottom_px = 0;
 };

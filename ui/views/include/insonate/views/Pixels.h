@@ -10,7 +10,7 @@ class vtkRenderWindow;
 
 namespace insonate::views {
 
-/// What a window shows: 0xffRRGGBB, the top row first.
+/// Contents of a window: 0xffRRGGBB, the top row first.
 struct Pixels {
   int width = 0, height = 0;
   std::vector<std::uint32_t> argb;

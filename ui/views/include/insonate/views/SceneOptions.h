@@ -23,7 +23,7 @@ struct ScenePath {
   Colour colour = theme::kText;
 };
 
-/// Which side of the patient the camera sees.
+/// Side of the patient that the camera sees.
 enum class Viewpoint { Anterior, Posterior, Left, Right, Superior, Inferior };
 
 /// LeftEye and RightEye show the picture of one eye alone. QuadBuffer needs a window that was made for shutter glasses.
@@ -36,9 +36,9 @@ struct ClippingPlane {
 
 enum class ClippingKind { Off, Axial, Coronal, Sagittal, ImagePlane, Free };
 
-/// Where a scene is cut open. The plane's normal is toward the patient's head (axial), back (coronal) or left
-/// (sagittal), along the probe's elevation (image plane: the plane goes with the probe), or `direction` (free); the
-/// side that it points to is kept.
+/// Clipping plane of a scene. Its normal is toward the patient's head (axial), back (coronal) or left (sagittal),
+/// along the probe's elevation (image plane: the plane moves with the probe), or `direction` (free); the side that it
+/// points to is kept.
 struct Clipping {
   ClippingKind kind = ClippingKind::Off;
   double offset_mm = 0;  ///< along the normal; from the middle of the CT, or from the image plane

@@ -6,7 +6,7 @@ namespace insonate::views {
 
 class SceneView;
 
-/// How long pictures of a scene took, in milliseconds.
+/// Durations of a scene's frames, in milliseconds.
 struct FrameTimes {
   std::vector<double> moving_ms;  ///< each picture while the camera turned, in order
   double still_ms = 0;            ///< the exact picture after it

@@ -48,15 +48,15 @@ class SceneView final : public View {
   /// The CT itself, ray cast; nothing without a case. At first not visible, and bone.
   void setCtVisible(bool visible);
   bool isCtVisible() const;
-  /// What is not tidied() is tidied.
+  /// Sets the transfer function, tidied().
   void setTransferFunction(const TransferFunction& function);
   const TransferFunction& transferFunction() const;
 
   void setClipping(const Clipping& clipping);
   const Clipping& clipping() const;
-  /// Where that lies now; none for nothing clipped, as along an image plane while there is no probe.
+  /// Present clipping plane; none if nothing is clipped, for example along an image plane without a probe.
   std::optional<ClippingPlane> clippingPlane() const;
-  /// How far from the middle a plane of this kind still meets the CT (or without one the surfaces), in mm.
+  /// Distance from the middle at which a plane of this kind still meets the CT (or without one the surfaces), in mm.
   double clippingReach_mm(const Clipping& clipping) const;
 
   /// Shape of transducer and image plane. None hides both.
@@ -95,8 +95,8 @@ class SceneView final : public View {
   /// itself.
   void setMoving(bool moving);
   bool isMoving() const;
-  /// What was rendered last lacks nothing. Without a graphics card, a CT at rest is drawn with few rays first; all of
-  /// them are cast in the background, and setWake()'s listener is told when they are there to be rendered.
+  /// Tells whether the last rendering is complete. Without a graphics card, a CT at rest is drawn with few rays first;
+  /// all of them are cast in the background, and setWake()'s listener is called when they can be rendered.
   bool isExact() const;
   /// Renders at rest until the picture is exact, or so long; for pictures that are kept, not for the live window. False
   /// where it is not exact then.
@@ -104,7 +104,7 @@ class SceneView final : public View {
 
   void setStereo(Stereo stereo);
   Stereo stereo() const;
-  /// Whether the window can show it; without a window, all but QuadBuffer.
+  /// Tells whether the window can show it; without a window, all but QuadBuffer.
   bool supports(Stereo stereo);
   /// None, or an eye nearer than 1 mm to the screen, for the usual camera, which is kept meanwhile. Cheap enough to be
   /// called for every message of a head tracker.
@@ -119,12 +119,12 @@ class SceneView final : public View {
   DisplayPoint displayFromPatient(Vec3 point_mm);
   /// Just before everything that is drawn, under a display point: for lines that are drawn over the scene.
   Vec3 frontOf(DisplayPoint at);
-  /// Where the eye is.
+  /// Position of the eye.
   Vec3 eye_mm();
 
-  /// How long VTK took over the last picture, in seconds.
+  /// Duration of VTK's last rendering, in seconds.
   double renderTime_s() const;
-  /// What draws, in OpenGL's words; empty before the first picture.
+  /// OpenGL's name of the renderer; empty before the first frame.
   std::string graphics() const;
 
   /// True: everything said is plain data, which is handed over for each picture.

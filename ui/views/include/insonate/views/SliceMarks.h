@@ -7,8 +7,8 @@
 
 namespace insonate::views {
 
-/// What a tool draws over a slice. Places are in the patient, LPS mm; what is farther than a millimetre from the slice
-/// is left out, but for the brush, of which the section is drawn.
+/// Marks of a tool over a slice. Places are in the patient, LPS mm; marks farther than a millimeter from the slice are
+/// left out, but for the brush, of which the section is drawn.
 struct SliceMarks {
   struct Brush {
     Vec3 centre_mm;

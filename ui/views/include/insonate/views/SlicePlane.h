@@ -8,9 +8,9 @@
 
 namespace insonate::views {
 
-/// Which way a slice lies. Axial slices are seen from the feet and coronal ones from the front, so that the patient's
+/// Orientation of a slice. Axial slices are seen from the feet and coronal ones from the front, so that the patient's
 /// right is on the left; sagittal ones have the front on the left. Oblique is the probe's imaging plane, the skin on
-/// top and the marker's side on the right, as in the ultrasound picture.
+/// top and the marker's side on the right, as in the ultrasound image.
 enum class SliceKind { Axial, Coronal, Sagittal, Oblique };
 
 /// Patient directions (unit, LPS) of a slice on the display.
@@ -31,7 +31,7 @@ struct SlicePlane {
   int width_px = 1, height_px = 1;
 
   Vec3 patientFromDisplay(DisplayPoint at) const;
-  /// Of a point's projection onto the slice.
+  /// Projects a point onto the slice.
   DisplayPoint displayFromPatient(Vec3 point_mm) const;
   /// Signed distance of a point from the slice, along the normal.
   double distance_mm(Vec3 point_mm) const { return dot(point_mm - centre_mm, axes.normal); }

@@ -18,8 +18,8 @@ struct TransferNode {
   bool operator==(const TransferNode&) const = default;
 };
 
-/// How a CT is looked through: what opacity and colour its Hounsfield units have, linear between nodes and constant
-/// beyond the first and the last. Plain data, the same for the view that draws with it and the editor that changes it.
+/// Opacity and color of a CT's Hounsfield units, linear between nodes and constant beyond the first and the last.
+/// Plain data, the same for the view that draws with it and the editor that changes it.
 struct TransferFunction {
   static constexpr double kLeast_HU = -1024, kMost_HU = 3071;
   static constexpr int kMostNodes = 32;

@@ -66,7 +66,7 @@ class UltrasoundView final : public View {
   /// Display pixels to the picture's mm and back, also outside the picture.
   PicturePoint pictureFromDisplay(DisplayPoint at) const;
   DisplayPoint displayFromPicture(PicturePoint point) const;
-  /// Whether a display point is within what is shown of the picture.
+  /// Tells whether a display point is within the visible part of the image.
   bool onPicture(DisplayPoint at) const;
   double px_per_mm() const;
 

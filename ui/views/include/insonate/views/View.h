@@ -16,9 +16,9 @@ namespace insonate::views {
 
 class DrawingThread;
 
-/// What all views share: a renderer in a window that the caller provides. One view to a window. For the window's thread
-/// only, apart from its pictures where a DrawingThread makes them. Setters are cheap: what follows from them is
-/// computed when the view is rendered next.
+/// Base of all views: a renderer in a window that the caller provides. One view to a window. For the window's thread
+/// only, except for its frames if a DrawingThread makes them. Setters are cheap: their effects are computed when the
+/// view is rendered next.
 class View {
  public:
   View();
@@ -40,7 +40,7 @@ class View {
   void render();
   /// Waits until what was rendered is there: graphics go on behind the caller's back.
   void finish();
-  /// Whether a DrawingThread can draw it.
+  /// Tells whether a DrawingThread can draw it.
   virtual bool mayDrawElsewhere() const { return false; }
   /// Has a DrawingThread come behind the window's: where other views are what one looks at. Before it is first drawn.
   void comeBehindOthers() { behind_ = true; }

@@ -29,8 +29,8 @@ class VtkCase {
   /// Hounsfield units; origin, spacing and direction of the patient's grid (LPS mm), oblique and left-handed ones too.
   vtkImageData* ct() const;
 
-  /// What is drawn as labels: the patient's own, or another map instead of them, e.g. one that is being edited (same
-  /// grid; null for the patient's own again). Not to be written to while a view renders.
+  /// The displayed labels: the patient's own, or another map instead, for example one that is being edited (same grid;
+  /// null for the patient's own again). Do not write to them while a view renders.
   const LabelMap& labels() const { return instead_ ? *instead_ : patient_->labels; }
   void setLabels(std::shared_ptr<const LabelMap> labels);
   /// Say so after each change of voxels, and where they lie; then render the views.

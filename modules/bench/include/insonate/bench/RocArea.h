@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace insonate {
+
+/// Separation of two groups by a value: 0.5 for none, 1 or 0 for complete separation.
+struct RocArea {
+  double area = 0.5;
+  double low = 0, high = 1;  ///< 95 % interval
+};
+
+/// Share of pairs of which the positive one is larger, ties by half. The interval is DeLong's (Biometrics 1988, 44:837)
+/// on the logit, which keeps it within 0 and 1; where each pair tells the same, the exact one of a share; 0 to 1 with
+/// fewer than two values in a group. Values must be finite.
+RocArea rocArea(std::span<const double> positive, std::span<const double> negative);
+
+/// Two-sided p of the hypothesis that both groups are alike, by the same variance; 1 where there is none.
+double rocP(std::span<const double> positive, std::span<const double> negative);
+
+/// Ratings of the same images by one reader.
+struct ReaderRatings {
+  std::vector<double> positive, negative;  ///< in the same order for each reader
+};
+
+/// Mean area of several readers of the same images. The interval holds for other readers and other images: both are
+/// drawn again, with replacement, 4000 times (Gallas et al., Acad Radiol 2009, 16:1387 on the variance of readers and
+/// cases). One reader: for other images alone. The same seed gives the same interval.
+RocArea readersRocArea(std::span<const ReaderRatings> readers, unsigned seed = 1);
+
+}  // namespace insonate

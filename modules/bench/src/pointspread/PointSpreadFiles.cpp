@@ -1,0 +1,125 @@
+#include "report/CellTable.h"
+
+#include <insonate/bench/PointSpreadBench.h>
+#include <insonate/bench/SvgPlot.h>
+#include <insonate/bench/UltrasoundBench.h>
+#include <insonate/core/AtomicFile.h>
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace insonate {
+namespace {
+
+struct FigureColumn {
+  const char* name;
+  const char* key;
+  double PointSpreadFigures::*member;
+  const char* unit;
+};
+constexpr std::array kFigureColumns{
+    FigureColumn{"lateral width", "lateral_mm", &PointSpreadFigures::lateral_mm, "mm"},
+    FigureColumn{"lateral width at -20 dB", "lateral20dB_mm", &PointSpreadFigures::lateral20dB_mm, "mm"},
+    FigureColumn{"axial width", "axial_mm", &PointSpreadFigures::axial_mm, "mm"},
+    FigureColumn{"slice thickness", "slice_mm", &PointSpreadFigures::slice_mm, "mm"},
+    FigureColumn{"lateral width 1.2 mm from the array's end", "endLateral_mm", &PointSpreadFigures::endLateral_mm,
+                 "mm"},
+    FigureColumn{"highest level 2 mm and more aside", "aside_dB", &PointSpreadFigures::aside_dB, "dB"},
+    FigureColumn{"contrast of a lumen of 4 mm", "lumen4_dB", &PointSpreadFigures::lumen4_dB, "dB"},
+    FigureColumn{"contrast of a lumen of 8 mm", "lumen8_dB", &PointSpreadFigures::lumen8_dB, "dB"},
+    FigureColumn{"speckle across", "speckleLateral_mm", &PointSpreadFigures::speckleLateral_mm, "mm"},
+    FigureColumn{"speckle along the beam", "speckleAxial_mm", &PointSpreadFigures::speckleAxial_mm, "mm"}};
+
+/// Largest difference over the depths: a share of the field's width, or dB.
+std::string worstOf(const PointSpreadBench& bench, const FigureColumn& column) {
+  const bool isLevel = std::string_view(column.unit) == "dB";
+  double worst = 0;
+  for (const PointSpreadRow& row : bench.rows) {
+    const double off = row.ours.*column.member - row.field.*column.member;
+    worst = std::max(worst, std::abs(isLevel ? off : 100 * off / (row.field.*column.member)));
+  }
+  return bench::fixed(worst, 2) + (isLevel ? " dB" : " %");
+}
+
+std::string pointSpreadPage(const PointSpreadBench& bench) {
+  std::string text = "# The image of a point\n\nProbe " + bench.probe.name + ", " +
+                     bench::fixed(bench.settings.frequency_MHz, 2) + " MHz, transmit focus " +
+                     bench::fixed(bench.settings.focus_mm, 2) + " mm, engine " + bench.engine +
+                     ", homogeneous tissue without loss. Each cell: the engine / the array's field, summed over "
+                     "elements, their height and frequencies (Garcia 2022). Widths are full widths at half maximum of "
+                     "the amplitude.\n\n| |";
+  for (const PointSpreadRow& row : bench.rows) text += " " + std::to_string(int(row.depth_mm)) + " mm |";
+  text += " largest difference |\n|---|";
+  for (std::size_t n = 0; n <= bench.rows.size(); ++n) text += "---|";
+  text += "\n";
+  for (const FigureColumn& column : kFigureColumns) {
+    text += "| " + std::string(column.name) + ", " + column.unit + " |";
+    for (const PointSpreadRow& row : bench.rows)
+      text += " " + bench::fixed(row.ours.*column.member, 2) + " / " + bench::fixed(row.field.*column.member, 2) + " |";
+    text += " " + worstOf(bench, column) + " |\n";
+  }
+  return text + "\nPlots: `widths.svg`, `levels.svg`.\n";
+}
+
+std::string figureTable(const PointSpreadBench& bench) {
+  std::string text = "depth_mm,of";
+  for (const FigureColumn& column : kFigureColumns) text += "," + std::string(column.key);
+  text += "\n";
+  for (const PointSpreadRow& row : bench.rows)
+    for (const auto* figures : {&row.ours, &row.field}) {
+      text += bench::fixed(row.depth_mm, 2) + (figures == &row.ours ? "," + bench.engine : ",field");
+      for (const FigureColumn& column : kFigureColumns) text += "," + bench::fixed(figures->*column.member, 2);
+      text += "\n";
+    }
+  return text;
+}
+
+std::string plot(const PointSpreadBench& bench, const char* unit) {
+  LineChart chart;
+  chart.title = std::string_view(unit) == "mm" ? "Widths of a point's image" : "Levels beside a point's image";
+  chart.subtitle = "lines: engine " + bench.engine + "; dashed: the array's field";
+  chart.x.title = "depth, mm", chart.y.title = unit;
+  chart.y.fromZero = true;
+  for (const FigureColumn& column : kFigureColumns) {
+    if (std::string_view(column.unit) != unit) continue;
+    PlotSeries ours{.name = column.name, .points = {}},
+        field{.name = std::string(column.name) + ", field", .points = {}, .dashed = true};
+    for (const PointSpreadRow& row : bench.rows) {
+      ours.points.push_back({row.depth_mm, row.ours.*column.member, {}});
+      field.points.push_back({row.depth_mm, row.field.*column.member, {}});
+    }
+    chart.series.push_back(std::move(ours));
+    chart.series.push_back(std::move(field));
+  }
+  return svgOf(chart);
+}
+
+}  // namespace
+
+Result<void> writePointSpreadBench(const PointSpreadBench& bench, const std::filesystem::path& folder) {
+  if (auto ok = checkBenchFolder(folder); !ok) return ok;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return fail("Could not make the folder " + folder.string() + ": " + error.message() + ".");
+  if (auto ok = writeAtomically(folder / "widths.svg", plot(bench, "mm")); !ok) return ok;
+  if (auto ok = writeAtomically(folder / "levels.svg", plot(bench, "dB")); !ok) return ok;
+  if (auto ok = writeAtomically(folder / "pointspread.csv", figureTable(bench)); !ok) return ok;
+  return writeAtomically(folder / "index.md", pointSpreadPage(bench));
+}
+
+nlohmann::json toJson(const PointSpreadBench& bench) {
+  nlohmann::json json{{"probe", bench.probe.name}, {"engine", bench.engine}, {"rows", nlohmann::json::array()}};
+  for (const PointSpreadRow& row : bench.rows) {
+    nlohmann::json one{{"depth_mm", row.depth_mm}};
+    for (const FigureColumn& column : kFigureColumns) {
+      one["ours"][column.key] = row.ours.*column.member;
+      one["field"][column.key] = row.field.*column.member;
+    }
+    json["rows"].push_back(std::move(one));
+  }
+  return json;
+}
+
+}  // namespace insonate

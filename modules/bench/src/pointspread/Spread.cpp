@@ -1,0 +1,84 @@
+#include "pointspread/Spread.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace insonate::bench {
+namespace {
+
+constexpr double kAside_mm = 2;
+
+/// Width at a share of the highest value, in indices, between linear crossings; 0 where a side does not fall to it.
+double widthAt(const std::vector<double>& profile, double share) {
+  const auto top = std::max_element(profile.begin(), profile.end());
+  const double level = share * *top;
+  const int middle = int(top - profile.begin()), size = int(profile.size());
+  int left = middle, right = middle;
+  while (left >= 0 && profile[left] > level) --left;
+  while (right < size && profile[right] > level) ++right;
+  if (left < 0 || right == size) return 0;
+  const double from = left + (level - profile[left]) / (profile[left + 1] - profile[left]);
+  const double to = right - (level - profile[right]) / (profile[right - 1] - profile[right]);
+  return to - from;
+}
+
+/// Energy from beyond a lumen over all energy, by which speckle leaks into the middle of it, dB.
+double leak_dB(const Spread& spread, double diameter_mm) {
+  double outside = 0, all = 0;
+  for (int x = 0; x < spread.across; ++x)
+    for (int z = 0; z < spread.along; ++z) {
+      const double power = std::norm(spread.echo[std::size_t(x) * spread.along + z]);
+      const double off_mm = std::hypot((x - spread.across / 2) * spread.x_mm, (z - spread.along / 2) * spread.z_mm);
+      all += power;
+      if (off_mm > diameter_mm / 2) outside += power;
+    }
+  return 10 * std::log10(std::max(outside / all, 1e-12));
+}
+
+/// Correlation of intensity by shift, of fully developed speckle: the squared magnitude of the echo's autocorrelation.
+std::vector<double> speckleCorrelation(const Spread& spread, bool across) {
+  const int steps = (across ? spread.across : spread.along) / 2;
+  std::vector<double> correlation(2 * steps + 1);
+  for (int shift = 0; shift <= steps; ++shift) {
+    const int dx = across ? shift : 0, dz = across ? 0 : shift;
+    std::complex<double> sum;
+    for (int x = 0; x + dx < spread.across; ++x)
+      for (int z = 0; z + dz < spread.along; ++z)
+        sum += spread.echo[std::size_t(x) * spread.along + z] *
+               std::conj(spread.echo[std::size_t(x + dx) * spread.along + z + dz]);
+    correlation[steps + shift] = correlation[steps - shift] = std::norm(sum);
+  }
+  return correlation;
+}
+
+}  // namespace
+
+std::vector<double> Spread::peaksAcross() const {
+  std::vector<double> peaks(across);
+  for (int x = 0; x < across; ++x)
+    for (int z = 0; z < along; ++z) peaks[x] = std::max(peaks[x], std::abs(echo[std::size_t(x) * along + z]));
+  return peaks;
+}
+
+PointSpreadFigures figuresOf(const Spread& spread) {
+  const std::vector<double> peaks = spread.peaksAcross();
+  const double top = *std::max_element(peaks.begin(), peaks.end());
+  std::vector<double> beam(spread.along);
+  for (int z = 0; z < spread.along; ++z)
+    beam[z] = std::abs(spread.echo[std::size_t(spread.across / 2) * spread.along + z]);
+  double aside = 0;
+  for (int x = 0; x < spread.across; ++x)
+    if (std::abs(x - spread.across / 2) * spread.x_mm >= kAside_mm) aside = std::max(aside, peaks[x]);
+  return {.lateral_mm = widthAt(peaks, 0.5) * spread.x_mm,
+          .lateral20dB_mm = widthAt(peaks, 0.1) * spread.x_mm,
+          .axial_mm = widthAt(beam, 0.5) * spread.z_mm,
+          .slice_mm = widthAt(spread.slice, 0.5) * spread.y_mm,
+          .endLateral_mm = widthAt(spread.endAcross, 0.5) * spread.x_mm,
+          .aside_dB = 20 * std::log10(std::max(aside / top, 1e-6)),
+          .lumen4_dB = leak_dB(spread, 4),
+          .lumen8_dB = leak_dB(spread, 8),
+          .speckleLateral_mm = widthAt(speckleCorrelation(spread, true), 0.5) * spread.x_mm,
+          .speckleAxial_mm = widthAt(speckleCorrelation(spread, false), 0.5) * spread.z_mm};
+}
+
+}  // namespace insonate::bench

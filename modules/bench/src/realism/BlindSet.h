@@ -1,0 +1,22 @@
+#pragma once
+
+#include <insonate/bench/RealismBench.h>
+
+namespace insonate::bench {
+
+/// One image of a blind test.
+struct BlindImage {
+  const SourceImage* image = nullptr;
+  bool simulated = false;
+};
+
+/// All images of both sets in an order that the seed decides.
+std::vector<BlindImage> shuffled(const RealismBench& bench);
+
+/// Images, sheets and instructions; nothing that tells which is which.
+Result<void> writeBlindSet(const std::vector<BlindImage>& images, const std::filesystem::path& folder);
+
+/// JPEG of a gray picture. `quality` 1 to 100.
+std::string jpegOf(const GreyPicture& picture, int quality);
+
+}  // namespace insonate::bench

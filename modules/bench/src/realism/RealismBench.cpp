@@ -1,0 +1,149 @@
+#include "realism/PictureParts.h"
+#include "realism/SourceClassifier.h"
+
+#include <insonate/bench/LookFeatures.h>
+#include <insonate/bench/RealismBench.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace insonate {
+namespace {
+
+constexpr std::size_t kLeastOfASource = 4;
+
+using bench::FeatureRow, bench::quantile;
+
+std::vector<double> finite(const std::vector<FeatureRow>& rows, std::size_t feature, auto&& isWanted) {
+  std::vector<double> values;
+  for (const FeatureRow& row : rows)
+    if (isWanted(row) && std::isfinite(row.values[feature])) values.push_back(row.values[feature]);
+  return values;
+}
+
+/// Separation of real sources from each other by one feature.
+double floorOf(const std::vector<FeatureRow>& rows, std::size_t feature) {
+  std::map<std::string, std::size_t> sources;
+  for (const FeatureRow& row : rows)
+    if (!row.simulated) ++sources[row.source];
+  std::vector<double> areas;
+  for (const auto& [source, count] : sources) {
+    if (count < kLeastOfASource || sources.size() < 2) continue;
+    const auto own = finite(rows, feature, [&](const FeatureRow& r) { return !r.simulated && r.source == source; });
+    const auto others = finite(rows, feature, [&](const FeatureRow& r) { return !r.simulated && r.source != source; });
+    if (!own.empty() && !others.empty()) areas.push_back(0.5 + std::abs(rocArea(own, others).area - 0.5));
+  }
+  return areas.size() < 2 ? std::numeric_limits<double>::quiet_NaN() : quantile(areas, 0.5);
+}
+
+/// Holm: the least p times the number of tests, the next times one fewer, none below the one before.
+void correctForMany(std::vector<RealismFeature>& features) {
+  std::vector<RealismFeature*> byP;
+  for (RealismFeature& feature : features) byP.push_back(&feature);
+  std::ranges::sort(byP, {}, &RealismFeature::p);
+  double before = 0;
+  for (std::size_t n = 0; n < byP.size(); ++n)
+    byP[n]->p = before = std::max(before, std::min(1.0, byP[n]->p * double(byP.size() - n)));
+}
+
+std::vector<RealismFeature> featuresOf(const std::vector<FeatureRow>& rows, const std::vector<std::string>& names) {
+  std::vector<RealismFeature> features;
+  for (std::size_t n = 0; n < names.size(); ++n) {
+    const auto real = finite(rows, n, [](const FeatureRow& row) { return !row.simulated; });
+    const auto made = finite(rows, n, [](const FeatureRow& row) { return row.simulated; });
+    if (real.empty() || made.empty()) continue;
+    features.push_back({.name = names[n],
+                        .real = quantile(real, 0.5),
+                        .realLow = quantile(real, 0.1),
+                        .realHigh = quantile(real, 0.9),
+                        .simulated = quantile(made, 0.5),
+                        .simulatedLow = quantile(made, 0.1),
+                        .simulatedHigh = quantile(made, 0.9),
+                        .told = rocArea(made, real),
+                        .floor = floorOf(rows, n),
+                        .p = rocP(made, real)});
+  }
+  correctForMany(features);
+  std::ranges::stable_sort(features, std::greater{},
+                           [](const RealismFeature& feature) { return std::abs(feature.told.area - 0.5); });
+  return features;
+}
+
+RocArea classifierArea(const std::vector<FeatureRow>& rows) {
+  const std::vector<double> scores = bench::leaveOneSourceOut(rows);
+  std::vector<double> real, made;
+  for (std::size_t n = 0; n < rows.size(); ++n)
+    if (std::isfinite(scores[n])) (rows[n].simulated ? made : real).push_back(scores[n]);
+  return rocArea(made, real);
+}
+
+}  // namespace
+
+bool RealismFeature::isBeyondFloor() const {
+  return p < 0.05 && !(0.5 + std::abs(told.area - 0.5) <= floor);
+}
+
+Result<RealismBench> runRealismBench(std::vector<SourceImage> real, const SimulatedSet& set, const Progress& progress) {
+  auto simulated = simulatedImages(set, real, progress);
+  if (!simulated) return tl::unexpected(simulated.error());
+  RealismBench bench{
+      .real = std::move(real), .simulated = std::move(*simulated), .features = {}, .classifier = {}, .seed = set.seed};
+  std::vector<FeatureRow> rows;
+  std::vector<std::string> names;
+  for (const auto* images : {&bench.real, &bench.simulated})
+    for (const SourceImage& image : *images) {
+      FeatureRow row{image.source, images == &bench.simulated, {}};
+      names.clear();
+      for (LookFeature& feature : lookFeatures(image.image))
+        row.values.push_back(feature.value), names.push_back(std::move(feature.name));
+      rows.push_back(std::move(row));
+    }
+  bench.features = featuresOf(rows, names);
+  bench.classifier = classifierArea(rows);
+  report(progress, "measuring images", 1);
+  return bench;
+}
+
+namespace {
+
+nlohmann::json number(double value) {
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
+}
+
+nlohmann::json toJson(const RocArea& told) {
+  return {{"area", number(told.area)}, {"low", number(told.low)}, {"high", number(told.high)}};
+}
+
+}  // namespace
+
+nlohmann::json toJson(const RealismBench& bench) {
+  nlohmann::json features = nlohmann::json::array();
+  for (const RealismFeature& f : bench.features)
+    features.push_back({{"name", f.name},
+                        {"real", {number(f.real), number(f.realLow), number(f.realHigh)}},
+                        {"simulated", {number(f.simulated), number(f.simulatedLow), number(f.simulatedHigh)}},
+                        {"roc", toJson(f.told)},
+                        {"floor", number(f.floor)},
+                        {"p", number(f.p)},
+                        {"beyond_floor", f.isBeyondFloor()}});
+  return {{"real_images", bench.real.size()},
+          {"simulated_images", bench.simulated.size()},
+          {"seed", bench.seed},
+          {"classifier", toJson(bench.classifier)},
+          {"features", std::move(features)}};
+}
+
+nlohmann::json toJson(const BlindResult& result) {
+  return {{"readers", result.readers},
+          {"images", result.images},
+          {"sensitivity", number(result.sensitivity)},
+          {"specificity", number(result.specificity)},
+          {"roc", toJson(result.told)}};
+}
+
+}  // namespace insonate

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <insonate/bench/UltrasoundBench.h>
+
+#include <map>
+
+namespace insonate::bench {
+
+/// SVG files by name.
+std::map<std::string, std::string> plotsOf(const UltrasoundBench& bench);
+
+}  // namespace insonate::bench

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "ultrasound/FrameTimer.h"
+
+#include <insonate/bench/UltrasoundBench.h>
+
+#include <span>
+
+namespace insonate::bench {
+
+/// Times and errors of every engine over the plan's settings.
+class EngineRows {
+ public:
+  /// The scene must cover the path. Refuses a setup that is out of range.
+  static Result<EngineRows> make(const UltrasoundBenchPlan& plan, const AcousticScene& scene,
+                                 std::span<const Transform> path);
+
+  /// Settings to be measured, the plan's own first.
+  const std::vector<ImagingSettings>& settings() const { return settings_; }
+  /// Appends the rows of one of them: every engine, on one thread and, where it uses them, on all.
+  Result<void> measure(const ImagingSettings& settings, std::vector<UltrasoundBenchRow>& rows) const {
+    return measure(settings, {}, rows);
+  }
+  /// The same for the plan's own settings and tissue under pressure; and with a needle in the plane.
+  Result<void> measureDisplaced(std::vector<UltrasoundBenchRow>& rows) const;
+  Result<void> measureNeedle(std::vector<UltrasoundBenchRow>& rows) const;
+
+ private:
+  EngineRows(const UltrasoundBenchPlan& plan, const AcousticScene& scene, std::span<const Transform> path);
+  Result<void> measure(const ImagingSettings& settings, const PlaneContents& contents,
+                       std::vector<UltrasoundBenchRow>& rows) const;
+  Result<void> measureOwn(const PlaneContents& contents, const char* what, std::vector<UltrasoundBenchRow>& rows) const;
+  Result<void> renderDense();
+  Result<void> addDiscretisation(const ImagingSettings& settings, const PlaneContents& contents,
+                                 UltrasoundBenchRow& row) const;
+
+  const UltrasoundBenchPlan* plan_;
+  const AcousticScene* scene_;
+  std::vector<Transform> path_;
+  std::vector<ImagingSettings> settings_;
+  ImagingSettings denseSettings_;
+  ImagingFrame dense_;
+};
+
+}  // namespace insonate::bench

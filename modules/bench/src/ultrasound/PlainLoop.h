@@ -1,0 +1,41 @@
+#pragma once
+
+#include <insonate/simulator/Imager.h>
+
+#include <array>
+#include <vector>
+
+namespace insonate::bench {
+
+/// A straightforward program to compare the engines with: one scalar loop over planes, scanlines and samples with
+/// nearest-label look-up, attenuation and hashed complex noise per sample; a separable Gaussian point-spread function,
+/// wider with distance from the focus; magnitude, logarithm, bilinear scan conversion. No boundaries, layers,
+/// textures, shadows, looks, haze or smoothing. One thread.
+class PlainLoop {
+ public:
+  PlainLoop(const PatientCase& patient, const ImagingSetup& setup);
+  void render(const Transform& patientFromProbe, BModeImage& image);
+
+ private:
+  /// A pixel inside the field of view, the level before it, and its share of the next along each axis.
+  struct Pixel {
+    std::size_t at, level;
+    float x, z;
+  };
+  void layOut();
+  void scatter(const Transform& patientFromProbe);
+  void blurAxially();
+  void blurLaterally();
+  void convert(BModeImage& image) const;
+
+  const PatientCase& patient_;
+  const ImagingSetup& setup_;
+  BeamGrid grid_;
+  std::array<float, kLabelCount> echo_{}, loss_{};  // amplitude; share kept per sample
+  std::vector<float> axialKernel_;
+  std::vector<std::vector<float>> lateralKernel_;  // by sample
+  std::vector<Pixel> pixels_;
+  std::vector<float> re_, im_, blurredRe_, blurredIm_, level_;  // [sample][scanline]
+};
+
+}  // namespace insonate::bench
