@@ -46,7 +46,7 @@ Result<void> checkFolder(const fs::path& folder) {
 
 void AttemptPictureOptions::addTo(CLI::App& command) {
   auto* pictures = command.add_option("--pictures", folder, "New folder for the ultrasound pictures (PNG)");
-  command.add_option("--every", every_s, "Of the attempt's time, from one picture to the next, s")
+  command.add_option("--every", every_s, "Time of the attempt from one image to the next, s")
       ->check(CLI::Range(0.001, 3600.0))
       ->capture_default_str()
       ->needs(pictures);

@@ -135,7 +135,7 @@ void fit(const FitOptions& options, Outcome& outcome) {
 void addFitCommand(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<FitOptions>();
   CLI::App* command =
-      app.add_subcommand("fit", "The probe that made a photograph or screen capture of a machine's picture");
+      app.add_subcommand("fit", "Fit a probe to a photograph or screen capture of a scanner's image");
   command->add_option("PICTURE", options->picture, "PNG or JPEG file")->required()->check(notEmpty());
   command->add_option("--out", options->out, "Probe file (JSON) to write, for render --probe")->check(notEmpty());
   command->add_option("--overlay", options->overlay, "PNG to write: the picture with the fit over it")
@@ -148,7 +148,7 @@ void addFitCommand(CLI::App& app, Outcome& outcome) {
       ->check(CLI::NonNegativeNumber);
   command->add_option("--mm-per-mark", options->mmPerMark, "Distance of the depth scale's marks; by default likely")
       ->check(CLI::Range(0.1, 100.0));
-  command->add_option("--base", options->base, "Probe that gives what a picture does not show; by default the shape's");
+  command->add_option("--base", options->base, "Probe for the numbers that an image does not show; by default the shape's");
   command->add_option("--name", options->name, "Name of the probe; by default the file's");
   command->add_flag("--json", options->json, "Print one JSON object");
   command->callback([options, &outcome] { fit(*options, outcome); });

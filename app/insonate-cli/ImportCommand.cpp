@@ -97,7 +97,7 @@ Result<void> importCase(const ImportArguments& a) {
     patient.manifest.source += " Labelled automatically from Hounsfield units.";
   } else {
     patient.labels = LabelMap(patient.ct.geometry);
-    std::cerr << "note: Nothing is labelled yet; --auto-label would label what Hounsfield units tell.\n";
+    std::cerr << "note: Nothing is labeled yet; --auto-label would label tissues by their Hounsfield units.\n";
   }
   if (auto written = writeOrReplace(patient, a.folder); !written) return written;
   tellPose(patient);

@@ -134,7 +134,7 @@ void addLabelCommand(CLI::App& app, Outcome& outcome) {
   auto* folder = command->add_option("CASE", a->folder, "Folder of the case")->check(notEmpty());
   auto* recipe =
       command->add_option("RECIPE", a->recipe, "Name of a recipe, see --list, or a JSON file")->check(notEmpty());
-  command->add_option("--out", a->outFolder, "Write the labelled case here and leave CASE as it is")
+  command->add_option("--out", a->outFolder, "Write the labeled case here and leave CASE unchanged")
       ->check(notEmpty())
       ->needs(recipe);
   auto* truth =

@@ -60,7 +60,7 @@ void addSurfacesCommand(CLI::App& app, Outcome& outcome) {
       ->capture_default_str();
   command->add_option("--smoothing", a->options.smoothing_mm, "Smooth away waves shorter than this (mm); 0 for none")
       ->capture_default_str();
-  command->add_option("--detail", a->options.detail_mm, "Size of what is kept (mm); 0 for every voxel")
+  command->add_option("--detail", a->options.detail_mm, "Minimum detail (mm); 0 for every voxel")
       ->capture_default_str();
   command->add_flag("--json", a->json, "Print one JSON object");
   command->callback([a, &outcome] {

@@ -53,7 +53,7 @@ std::variant<Arguments, int> parseArguments(int argc, char** argv) {
                         "Measure the window's speed, write window.json and window.csv to this folder, and leave");
   parser.add_flag("--quick", a.quick, "With --benchmark: only to see that it works")->needs(bench);
   auto* image = parser.add_flag("--until-image", a.untilImage,
-                                "Print the milliseconds from the start to the first live picture, and leave");
+                                "Print the milliseconds from the start to the first live image, and quit");
   bench->excludes(shot)->excludes(image);
   image->excludes(shot);
   try {

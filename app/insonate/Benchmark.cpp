@@ -100,7 +100,7 @@ double Benchmark::startOnce(const QString& cache, bool withCase) {
   }
   bool understood = false;
   const double ms = program.readAllStandardOutput().trimmed().toDouble(&understood);
-  if (!understood) trouble_ = tr("The window did not show a picture in time when it was started by itself.");
+  if (!understood) trouble_ = tr("The window did not show an image in time after its start.");
   return ms;
 }
 

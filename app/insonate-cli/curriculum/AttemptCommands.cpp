@@ -263,13 +263,13 @@ void addAttemptCommands(CLI::App& curriculum, Outcome& outcome) {
   auto accepted = std::make_shared<ReasonArguments>();
   CLI::App* accepting = addSignedInCommand(attempts, outcome, "accept", "Counts an attempt that nothing proves",
                                            [accepted](const SignedIn& by) { return accept(by, *accepted); });
-  accepting->add_option("ATTEMPT", accepted->attempt, "Its id, as 'attempts list' tells it")->required();
+  accepting->add_option("ATTEMPT", accepted->attempt, "The attempt's id, from 'attempts list'")->required();
   accepting->add_option("--reason", accepted->reason, "How you know that it is theirs")->required();
 
   auto voided = std::make_shared<ReasonArguments>();
   CLI::App* voiding = addSignedInCommand(attempts, outcome, "void", "Takes an attempt out of the count; it is kept",
                                          [voided](const SignedIn& by) { return voidOne(by, *voided); });
-  voiding->add_option("ATTEMPT", voided->attempt, "Its id, as 'attempts list' tells it")->required();
+  voiding->add_option("ATTEMPT", voided->attempt, "The attempt's id, from 'attempts list'")->required();
   voiding->add_option("--reason", voided->reason, "Why, for the trainee")->required();
 }
 

@@ -135,15 +135,15 @@ void addMemberships(CLI::App& classes, Outcome& outcome) {
 }  // namespace
 
 void addClassCommands(CLI::App& curriculum, Outcome& outcome) {
-  CLI::App& classes = *curriculum.add_subcommand("classes", "Who is taught together, and by what");
+  CLI::App& classes = *curriculum.add_subcommand("classes", "Classes and their curricula");
   classes.require_subcommand(1);
-  addSignedInCommand(classes, outcome, "list", "The classes that you see", listClasses);
+  addSignedInCommand(classes, outcome, "list", "Classes that you may see", listClasses);
   auto name = std::make_shared<std::string>();
   addSignedInCommand(classes, outcome, "add", "A new class", [name](const SignedIn& by) { return add(by, *name); })
       ->add_option("CLASS", *name, "Its name")
       ->required();
   auto which = std::make_shared<std::string>();
-  addSignedInCommand(classes, outcome, "members", "Who is in a class, how far they are, and why",
+  addSignedInCommand(classes, outcome, "members", "People of a class with their standing",
                      [which](const SignedIn& by) { return members(by, *which); })
       ->add_option("CLASS", *which, "Name of the class")
       ->required();

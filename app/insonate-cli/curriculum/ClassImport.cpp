@@ -38,7 +38,7 @@ Answer toldOf(const std::vector<ClassImportRow>& plan, const ImportArguments& a)
   }
   const auto already = std::ranges::count(plan, AlreadyThere, &ClassImportRow::step);
   std::string text = std::to_string(added.size()) + " added, " + std::to_string(joined.size()) + " joined, " +
-                     std::to_string(already) + " there already, " + std::to_string(troubles.size()) + " in trouble.";
+                     std::to_string(already) + " there already, " + std::to_string(troubles.size()) + " with errors.";
   if (!added.empty()) text += " First passwords, to be handed out and deleted: " + a.passwords;
   return {{{"added", added}, {"joined", joined}, {"already_there", already}, {"troubles", troubles}}, text};
 }
@@ -78,7 +78,7 @@ void addClassImport(CLI::App& classes, Outcome& outcome) {
                                          [a](const SignedIn& by) { return importList(by, *a); });
   command->add_option("CLASS", a->className, "Class that they learn in")->required();
   command->add_option("LIST", a->list, "CSV with names, e-mail addresses, user names")->required()->check(notEmpty());
-  command->add_option("--passwords", a->passwords, "New file for the first passwords of who is added");
+  command->add_option("--passwords", a->passwords, "New file for the first passwords of added people");
 }
 
 }  // namespace insonate::cli

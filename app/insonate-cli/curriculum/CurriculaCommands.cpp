@@ -109,7 +109,7 @@ void addCurriculaCommands(CLI::App& curriculum, Outcome& outcome) {
                       [named] { return check(*named); })
       ->add_option("CURRICULUM", *named, "JSON file, or one that comes along")
       ->required();
-  addSignedInCommand(curriculum, outcome, "list", "What has been published", listCurricula);
+  addSignedInCommand(curriculum, outcome, "list", "Published curricula", listCurricula);
   addSignedInCommand(curriculum, outcome, "publish", "A version of a curriculum, fixed from then on",
                      [published](const SignedIn& by) { return publish(by, *published); })
       ->add_option("CURRICULUM", *published, "JSON file, or one that comes along")

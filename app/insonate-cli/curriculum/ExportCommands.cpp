@@ -162,7 +162,7 @@ std::pair<CLI::App*, std::shared_ptr<ExportArguments>> addClassExport(CLI::App& 
 }  // namespace
 
 void addExportCommands(CLI::App& curriculum, Outcome& outcome) {
-  CLI::App& exports = *curriculum.add_subcommand("export", "What is kept here, for other programs");
+  CLI::App& exports = *curriculum.add_subcommand("export", "Stored data, for other programs");
   exports.require_subcommand(1);
   auto file = std::make_shared<std::string>();
   addSignedInCommand(exports, outcome, "json", "Everything but passwords (administrators)",
@@ -173,7 +173,7 @@ void addExportCommands(CLI::App& curriculum, Outcome& outcome) {
   addClassExport(exports, outcome, "csv", "A class's attempts with their metrics, a line each", exportCsv);
   const auto [grades, g] = addClassExport(exports, outcome, "grades",
                                           "The share of levels that each has mastered, for Moodle", exportGrades);
-  grades->add_option("--item", g->item, "Name of what is graded")->capture_default_str();
+  grades->add_option("--item", g->item, "Name of the graded activity")->capture_default_str();
   grades->add_option("--by", g->key, "email or name: how Moodle knows people")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, GradeKey>{{"email", GradeKey::Email}, {"name", GradeKey::Name}}));

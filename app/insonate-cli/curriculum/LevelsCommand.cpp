@@ -44,7 +44,7 @@ Result<Answer> levels(const SignedIn& by, const std::string& name) {
 
 void addLevelsCommand(CLI::App& curriculum, Outcome& outcome) {
   auto name = std::make_shared<std::string>();
-  addSignedInCommand(curriculum, outcome, "levels", "What is open to someone, what is mastered, and why",
+  addSignedInCommand(curriculum, outcome, "levels", "A person's levels: open, mastered or locked, with the reason",
                      [name](const SignedIn& by) { return levels(by, *name); })
       ->add_option("NAME", *name, "Whose (else your own)");
 }

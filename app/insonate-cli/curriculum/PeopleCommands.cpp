@@ -170,7 +170,7 @@ void addPeopleCommands(CLI::App& curriculum, Outcome& outcome) {
   addSetUp(curriculum, outcome);
   CLI::App& people = *curriculum.add_subcommand("people", "Who trains, teaches and administers");
   people.require_subcommand(1);
-  addSignedInCommand(people, outcome, "list", "Everyone (administrators)", listPeople);
+  addSignedInCommand(people, outcome, "list", "All people (administrators)", listPeople);
   addAdd(people, outcome);
   addChanges(people, outcome);
   addPasswords(people, outcome);

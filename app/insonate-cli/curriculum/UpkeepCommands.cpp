@@ -46,7 +46,7 @@ Result<Answer> restore(const StoreOptions& options, const std::string& backup) {
   if (!password) return tl::unexpected(password.error());
   if (auto done = restoreStore(address, backup, options.name, *password); !done) return tl::unexpected(done.error());
   return Answer{{{"database", address}, {"backup", backup}},
-                address + " is now as in " + backup + "; what was there is beside it."};
+                address + " is now as in " + backup + "; the former store is beside it."};
 }
 
 struct AuditArguments {

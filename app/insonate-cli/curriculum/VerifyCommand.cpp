@@ -19,7 +19,7 @@ Result<AuditAnchor> anchorOf(const std::string& text) {
   const auto end = text.data() + text.size();
   const auto [rest, trouble] = std::from_chars(text.data(), end, anchor.number);
   if (trouble != std::errc() || rest == end || *rest != ':')
-    return fail("'" + text + "' is no anchor; it is NUMBER:HASH, as an earlier 'curriculum verify' told it.");
+    return fail("'" + text + "' is no anchor; it is NUMBER:HASH, from an earlier 'curriculum verify'.");
   anchor.hash.assign(rest + 1, end);
   return anchor;
 }
@@ -146,7 +146,7 @@ void addVerifyCommand(CLI::App& curriculum, Outcome& outcome) {
                      "standings as recordings and log have them",
                      [anchor](const SignedIn& by) { return verify(by, *anchor); })
       ->add_option("--anchor", *anchor,
-                   "NUMBER:HASH that an earlier verify told: whether the log was written anew since");
+                   "NUMBER:HASH from an earlier verify: checks that the log was not rewritten since");
 }
 
 }  // namespace insonate::cli

@@ -100,7 +100,7 @@ void keepInside(CaseManifest& manifest, const VolumeGeometry& grid) {
   const auto drop = [&](const std::string& kind, const std::string& name, Vec3 place_mm) {
     const auto [i, j, k] = nearestVoxel(grid.indexFromPatient() * place_mm);
     if (grid.contains(i, j, k)) return false;
-    manifest.importNotes.push_back("The " + kind + " \"" + name + "\" lay outside what was kept and was dropped.");
+    manifest.importNotes.push_back("The " + kind + " \"" + name + "\" lay outside the kept part and was dropped.");
     return true;
   };
   std::erase_if(manifest.targets, [&](const Target& one) { return drop("target", one.name, one.position_mm); });

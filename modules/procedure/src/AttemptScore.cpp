@@ -146,7 +146,7 @@ std::string adviceOnStep(const ProcedureRun& run) {
   const auto& steps = run.procedure().steps;
   for (std::size_t i = run.due().value_or(steps.size()); i < steps.size(); ++i)
     if (!steps[i].optional)
-      return "The attempt ended before '" + steps[i].title + "' was done: practise that step next.";
+      return "The attempt ended before '" + steps[i].title + "' was done: practice that step next.";
   return {};
 }
 

@@ -44,7 +44,7 @@ TEST_F(CheckPage, VerdictAndGroupsSayWhatIsMissing) {
   QStringList headings;
   for (const QLabel* label : child<QWidget>("findings")->findChildren<QLabel*>())
     if (label->property("role") == "heading" || label->text().startsWith("Missing")) headings << label->text();
-  EXPECT_TRUE(headings.contains("Missing or wrong")) << headings.join(", ").toStdString();
+  EXPECT_TRUE(headings.contains("Errors")) << headings.join(", ").toStdString();
 }
 
 TEST_F(CheckPage, ALandmarkIsMarkedShownMovedNamedAndRemoved) {
@@ -94,11 +94,11 @@ TEST_F(CheckPage, ATargetGoesIntoAVesselOnlyAndTheCheckFollows) {
   openCase(without);
   EXPECT_TRUE(finds("no_target"));
   session_->setCrosshair({20, 20, 0});
-  mark("target: what is punctured");
+  mark("target of the puncture");
   EXPECT_TRUE(session_->places().targets.empty());
   EXPECT_TRUE(workspace_->statusText().contains("vein or an artery"));
   session_->setCrosshair({0, 12, 0});
-  mark("target: what is punctured");
+  mark("target of the puncture");
   ASSERT_EQ(session_->places().targets.size(), 1u);
   EXPECT_EQ(session_->places().targets[0].label, kVein);
   EXPECT_TRUE(checkedAgain([this] { return !finds("no_target"); })) << "without being asked";
@@ -130,7 +130,7 @@ TEST_F(CheckPage, AVesselIsNamedShownSplitRenamedAndRemoved) {
   places()->setCurrentItem(item("right brachiocephalic vein"));
   press("placeRemove");
   EXPECT_EQ(vessels.size(), 1u);
-  mark("target: what is punctured");
+  mark("target of the puncture");
   EXPECT_EQ(session_->places().targets.back().name, "right internal jugular vein");
   for (int n = 0; n < 5; ++n) session_->undoStack().undo();
   EXPECT_TRUE(vessels.empty()) << "each can be undone";
@@ -219,7 +219,7 @@ TEST_F(CheckPage, WhatIsMissingLeadsToWhereItIsMade) {
   EXPECT_EQ(workspace_->findChild<GuideSession*>()->step().name, "artery-right");
   press("place-no_target");
   EXPECT_EQ(child<QTabBar>("labelling")->currentIndex(), 1) << "the guide would take the clicks that say where";
-  EXPECT_EQ(child<QComboBox>("placeKind")->currentText(), "target: what is punctured");
+  EXPECT_EQ(child<QComboBox>("placeKind")->currentText(), "target of the puncture");
 }
 
 class Publish : public CheckPage {

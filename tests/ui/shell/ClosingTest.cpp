@@ -111,7 +111,7 @@ TEST_F(ClosingAtWork, AsksBeforeWorkIsLost) {
   EXPECT_TRUE(window->isVisible());
   EXPECT_FALSE(window->close()) << "asked once";
   EXPECT_EQ(window->findChildren<QDialog*>().size(), 1);
-  press("Keep working");
+  press("Cancel");
   EXPECT_TRUE(window->tasks().isRunning());
   EXPECT_TRUE(test::waitUntil([&] { return !question(); }));
   EXPECT_FALSE(window->close());
@@ -124,7 +124,7 @@ TEST_F(ClosingAtWork, AsksBeforeAnUnsavedCaseIsLost) {
   Q_EMIT train->caseMade(made);
   EXPECT_FALSE(window->close());
   ASSERT_TRUE(question());
-  press("Keep working");
+  press("Cancel");
   EXPECT_TRUE(test::waitUntil([&] { return !question(); }));
   EXPECT_TRUE(window->isVisible());
   EXPECT_FALSE(window->close());
@@ -141,12 +141,12 @@ TEST_F(ClosingAtWork, AnotherCaseTakesAnUnsavedOnesPlaceOnlyWhenToldTo) {
     another();
     ASSERT_TRUE(question());
     EXPECT_FALSE(window->tasks().isRunning());
-    press("Keep working");
+    press("Cancel");
     EXPECT_TRUE(test::waitUntil([&] { return !question(); }));
   }
   EXPECT_EQ(window->current().patient, made);
   window->open(other);
-  press("Go on without saving");
+  press("Continue without saving");
   EXPECT_TRUE(test::waitUntil([&] { return window->current().folder == other; }, test::kPatience_ms));
   window->open(other);
   EXPECT_FALSE(question()) << "this one is on disk";
@@ -173,7 +173,7 @@ TEST_F(ClosingAtWork, AnotherCaseStopsAnImportOnlyWhenToldTo) {
   window->open(other);
   ASSERT_TRUE(question());
   EXPECT_EQ(window->tasks().title(), "Importing a CT");
-  press("Stop and go on");
+  press("Stop and continue");
   EXPECT_TRUE(test::waitUntil([&] { return window->current().folder == other; }, test::kPatience_ms));
 }
 

@@ -194,7 +194,7 @@ TEST_F(TrainLayout, EffectsAloneAreGoneThroughByKeysAndSaidToBeSo) {
   for (int i = 1; i < effects->count(); ++i) EXPECT_FALSE(effects->itemText(i).contains('_')) << i;
   key(Qt::Key_0);
   EXPECT_EQ(effects->currentIndex(), 0);
-  EXPECT_EQ(workspace_->statusText(), "The whole image again.");
+  EXPECT_EQ(workspace_->statusText(), "The whole image is shown.");
 }
 
 TEST_F(TrainLayout, AllSlicesAtOnceHaveOneCrosshair) {

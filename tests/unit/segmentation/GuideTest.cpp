@@ -162,7 +162,7 @@ TEST_P(GuideDoubts, ClicksWithoutTheVeinAreDoubted) {
   EXPECT_THAT(doubtsAbout(vein, clicks_mm, LabelMap(grid(), kMuscle)),
               ElementsAre("Nothing is labelled where you clicked."));
   const std::array aside{Vec3{0, 0, -14}, Vec3{12, 0, 0}, Vec3{0, 0, 14}};
-  EXPECT_THAT(doubtsAbout(vein, aside, veinOf(6)), testing::Contains("A click lies outside of what was found."));
+  EXPECT_THAT(doubtsAbout(vein, aside, veinOf(6)), testing::Contains("A click lies outside the result."));
 }
 
 TEST(GuideDoubtsOfAll, WhatTheAutomaticStepShouldHaveFoundIsNamed) {

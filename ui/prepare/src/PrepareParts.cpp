@@ -71,9 +71,8 @@ void PrepareWorkspace::Parts::buildEmpty() {
       {QStringLiteral("prepare"),
        tr("Prepare a case"),
        {tr("Drop a case folder, a folder of DICOM files, or an NRRD, NIfTI or MetaImage file here."),
-        tr("A guide leads from an imported CT to a labelled neck. The check says what stands against training on it; "
-           "when "
-           "nothing does, publish the case for trainees.")},
+        tr("A guide leads from an imported CT to a labeled neck. The check lists findings; once there are no errors, "
+           "publish the case for trainees.")},
        {},
        {}});
   empty->setObjectName(QStringLiteral("prepareEmpty"));
@@ -100,17 +99,17 @@ void PrepareWorkspace::Parts::makeActions() {
     return action;
   };
   QUndoStack& stack = session.undoStack();
-  QAction* undo = add(stack.createUndoAction(&workspace_, tr("Take back")), "undo",
-                      {QKeySequence(QStringLiteral("Ctrl+Z"))}, "undo");
-  QAction* redo = add(stack.createRedoAction(&workspace_, tr("Do again")), "redo",
+  QAction* undo =
+      add(stack.createUndoAction(&workspace_, tr("Undo")), "undo", {QKeySequence(QStringLiteral("Ctrl+Z"))}, "undo");
+  QAction* redo = add(stack.createRedoAction(&workspace_, tr("Redo")), "redo",
                       {QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))}, "redo");
   save_ = add(new QAction(tr("Save case"), &workspace_), "save", {}, "saveCase");  // Ctrl+S is the window's
   connect(save_, &QAction::triggered, this, [this] { Q_EMIT workspace_.saveWanted(); });
   connect(&stack, &QUndoStack::undoTextChanged, undo, [undo](const QString& what) {
-    undo->setToolTip(what.isEmpty() ? tr("Nothing to take back (Ctrl+Z)") : tr("Take back: %1 (Ctrl+Z)").arg(what));
+    undo->setToolTip(what.isEmpty() ? tr("Nothing to undo (Ctrl+Z)") : tr("Undo: %1 (Ctrl+Z)").arg(what));
   });
   connect(&stack, &QUndoStack::redoTextChanged, redo, [redo](const QString& what) {
-    redo->setToolTip(what.isEmpty() ? tr("Nothing to do again (Ctrl+Y)") : tr("Do again: %1 (Ctrl+Y)").arg(what));
+    redo->setToolTip(what.isEmpty() ? tr("Nothing to redo (Ctrl+Y)") : tr("Redo: %1 (Ctrl+Y)").arg(what));
   });
   path->setEditActions(undo, redo, save_);
   refreshSave();
@@ -163,8 +162,8 @@ void PrepareWorkspace::Parts::refreshSave() {
   const bool changed = session.isUnsaved() || session.quietEdit(), nowhere = session.origin().folder.isEmpty();
   save_->setEnabled(session.patient() && (changed || nowhere));
   save_->setToolTip(!session.patient() ? QString()
-                    : nowhere          ? tr("Choose a folder and write the case to it (Ctrl+S)")
-                    : changed          ? tr("Write title and looks of structures to the case's folder (Ctrl+S)")
+                    : nowhere          ? tr("Writes the case to a folder that you choose (Ctrl+S)")
+                    : changed          ? tr("Writes title and looks of structures to the case's folder (Ctrl+S)")
                                        : tr("Everything is saved"));
 }
 
@@ -193,7 +192,7 @@ void PrepareWorkspace::Parts::makeStructure(std::uint8_t label) {
 }
 
 void PrepareWorkspace::Parts::showWhoHasMouse() {
-  right_->setToolRemark(guide.isShown() ? tr("has the mouse, the guide waits") : QString());
+  right_->setToolRemark(guide.isShown() ? tr("is active; the guide waits") : QString());
 }
 
 QString PrepareWorkspace::Parts::engineText() const {

@@ -190,7 +190,7 @@ void PrepareSession::push(std::uint8_t label, const StructureLook& look, const Q
 void PrepareSession::setColour(std::uint8_t label, views::Colour colour) {
   StructureLook look = looks_[label];
   look.colour = colour;
-  push(label, look, tr("colour of %1").arg(nameOf(label)));
+  push(label, look, tr("color of %1").arg(nameOf(label)));
 }
 
 void PrepareSession::setOpacity(std::uint8_t label, double opacity) {

@@ -58,8 +58,8 @@ void PrepareWorkspace::caseSaved(std::shared_ptr<const PatientCase> patient) {
   const QString folder = parts_->session.origin().folder;
   if (folder.isEmpty()) return;
   if (auto ok = parts_->guide.saveRecipe(folder.toStdString()); !ok)
-    parts_->session.say(
-        tr("The case is saved, but not what made its labels: %1").arg(QString::fromStdString(ok.error().message)));
+    parts_->session.say(tr("The case is saved, but the recipe of its labels is not: %1")
+                            .arg(QString::fromStdString(ok.error().message)));
 }
 
 QString PrepareWorkspace::statusText() const {

@@ -84,7 +84,7 @@ QWidget* ReviewWorkspace::Parts::buildBar() {
   row->setSpacing(ui::kGap);
   auto* back = new QPushButton(ui::icon(QStringLiteral("left")), tr("Attempts"));
   back->setObjectName(QStringLiteral("backToList"));
-  back->setToolTip(tr("Back to where the attempt was chosen (Backspace)"));
+  back->setToolTip(tr("Returns to the list of attempts (Backspace)"));
   back->setFocusPolicy(Qt::TabFocus);
   connect(back, &QPushButton::clicked, this, [this] { session.close(); });
   row->addWidget(back);
@@ -112,11 +112,11 @@ QWidget* ReviewWorkspace::Parts::buildTabs() {
     row->addWidget(button);
     return button;
   };
-  tabs_->addButton(addTab("replayTab", tr("Replay"), tr("The ultrasound picture of each moment (1)")), kReplayTab);
-  tabs_->addButton(addTab("resultTab", tr("Result"), tr("Points, metrics, and the needle's way (2)")), kResultTab);
+  tabs_->addButton(addTab("replayTab", tr("Replay"), tr("The ultrasound image at each moment (1)")), kReplayTab);
+  tabs_->addButton(addTab("resultTab", tr("Result"), tr("Points, metrics, and the needle's path (2)")), kResultTab);
   row->addSpacing(ui::kGap);
-  look_ = addTab("sceneTab", tr("3D"), tr("What the 3D view shows: structures, skin, clipping plane (3)"));
-  judge_ = addTab("judgeTab", tr("Judge"), tr("Checklists and ratings of this attempt, in the place of 3D (4)"));
+  look_ = addTab("sceneTab", tr("3D"), tr("Contents of the 3D view: structures, skin, clipping plane (3)"));
+  judge_ = addTab("judgeTab", tr("Judge"), tr("Checklists and ratings of this attempt, in place of 3D (4)"));
   connect(look_, &QToolButton::toggled, this, [this] { showBelow(); });
   connect(judge_, &QToolButton::toggled, this, [this](bool judges) {
     // It is the replay that is judged.
@@ -130,7 +130,7 @@ QWidget* ReviewWorkspace::Parts::buildTabs() {
   workspace_.addAction(save);
   connect(save, &QAction::triggered, this, [this] { exportResult(); });
   auto* button = new QPushButton(save->icon(), save->text());
-  button->setToolTip(tr("Write the result as a page, PDF or PNG (Ctrl+E)"));
+  button->setToolTip(tr("Saves the result as a page, PDF or PNG (Ctrl+E)"));
   button->setFocusPolicy(Qt::TabFocus);
   connect(button, &QPushButton::clicked, save, &QAction::trigger);
   row->addSpacing(ui::kGap);
@@ -156,7 +156,7 @@ void ReviewWorkspace::Parts::exportResult() {
   const QString name = QFileInfo(QString::fromStdString(session.attempt()->file)).completeBaseName();
   const QString file = QFileDialog::getSaveFileName(&workspace_, tr("Save the result"),
                                                     QDir::home().filePath(name + QStringLiteral(".pdf")),
-                                                    tr("PDF (*.pdf);;Picture (*.png)"));
+                                                    tr("PDF (*.pdf);;Image (*.png)"));
   if (!file.isEmpty()) saveResult(file);
 }
 
@@ -174,7 +174,7 @@ QWidget* ReviewWorkspace::Parts::buildCentre() {
   auto* moments = new MomentList(session);
   moments->setMinimumWidth(kMoments_px * 3 / 4);
   picture_ = std::make_shared<views::UltrasoundView>();
-  pictureWidget_ = new ui::ViewWidget(picture_, tr("Ultrasound picture of that moment"));
+  pictureWidget_ = new ui::ViewWidget(picture_, tr("Ultrasound image at that moment"));
   pictureWidget_->setObjectName(QStringLiteral("replayPicture"));
   scene_ = new ReplayScene(session, this);
   connect(moments, &MomentList::entered, this, [this] { showTab(kReplayTab); });
@@ -292,8 +292,7 @@ void ReviewWorkspace::Parts::findCase() {
   const auto kept = keptVersion(session.attempt()->recording->header());
   if (const auto place = kept ? kept : ui::placeOfCase(title)) return Q_EMIT workspace_.caseWanted(*place);
   Q_EMIT workspace_.failed(tr("The case '%1' of this attempt is not among the recent ones.").arg(title),
-                           tr("Open it (Ctrl+O) to see hands and pictures; timeline and result are there without it."),
-                           {});
+                           tr("Open it (Ctrl+O) to see hands and images; timeline and result do not need it."), {});
 }
 
 void ReviewWorkspace::Parts::showNotice() {
@@ -304,7 +303,7 @@ void ReviewWorkspace::Parts::showNotice() {
     lines.prepend(session.message());
   if (session.attempt() && session.fit() == CaseFit::Changed)
     if (const auto kept = keptVersion(session.attempt()->recording->header()))
-      lines << tr("The version that it was made on is kept: open %1 (Ctrl+O) for its pictures.").arg(*kept);
+      lines << tr("The attempt's version of the case is kept: open %1 (Ctrl+O) for its images.").arg(*kept);
   if (session.attempt() && judging->isOther()) lines.prepend(judging->words());
   notice_->setText(lines.join(QLatin1Char('\n')));
   notice_->setVisible(!lines.isEmpty());
@@ -315,7 +314,7 @@ QString ReviewWorkspace::Parts::pictureWords() const {
   if (!session.picture().trouble().isEmpty()) return session.picture().trouble();
   if (!session.sample()) return tr("This part of the recording is missing.");
   if (!session.sample()->patientFromProbe) return tr("The probe is not in the hand.");
-  return session.picture().shown() ? QString() : tr("Making the picture.");
+  return session.picture().shown() ? QString() : tr("Rendering the image.");
 }
 
 void ReviewWorkspace::Parts::showPicture() {

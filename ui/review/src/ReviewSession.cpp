@@ -55,7 +55,7 @@ void ReviewSession::open(const QString& file, ui::TaskBar& tasks) {
         Q_EMIT self->openingChanged();
         if (!digest && digest.error().message != kCancelled)
           Q_EMIT self->failed(QString::fromStdString(digest.error().message),
-                              tr("Choose another attempt; what was open stays open."));
+                              tr("Choose another attempt; the present one stays open."));
       });
 }
 
@@ -199,13 +199,13 @@ QString ReviewSession::message() const {
   const QString name = QString::fromStdString(attempt_->recording->header().caseName);
   switch (fit_) {
     case CaseFit::Missing:
-      return tr("This attempt was made on '%1'. Open that case (Ctrl+O) to see hands and pictures.").arg(name);
+      return tr("This attempt was made on '%1'. Open that case (Ctrl+O) to see hands and images.").arg(name);
     case CaseFit::Other:
-      return tr("This attempt was made on '%1', not on the case that is open. Open that case (Ctrl+O) to see hands and "
-                "pictures.")
+      return tr("This attempt was made on '%1', not on the open case. Open that case (Ctrl+O) to see hands and images.")
           .arg(name);
     case CaseFit::Changed:
-      return tr("'%1' has changed since this attempt: hands are shown on it as it is now, without pictures.").arg(name);
+      return tr("'%1' has changed since this attempt: hands are shown on the present version, without images.")
+          .arg(name);
     case CaseFit::Looking:
     case CaseFit::Same:
       break;

@@ -68,7 +68,7 @@ void TrainWorkspace::Parts::setCase(std::shared_ptr<const PatientCase> opened) {
 void TrainWorkspace::Parts::takeSaved(std::shared_ptr<const PatientCase> edited) {
   saved_ = std::move(edited);
   takeWaiting();
-  if (saved_) session.say(tr("The case was saved in Prepare; this goes on with the case as it was."));
+  if (saved_) session.say(tr("The case was saved in Prepare. This attempt continues with the former version."));
 }
 
 void TrainWorkspace::Parts::takeWaiting() {

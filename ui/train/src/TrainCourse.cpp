@@ -31,8 +31,8 @@ void TrainWorkspace::Parts::buildCourse() {
   connect(keeper_, &AttemptKeeper::ended, this, [this](const AttemptFacts& facts) { judgeAttempt(facts); });
   connect(attempt, &AttemptControl::begun, this, [this] {
     attemptPanel_->verdict().show(course_->isSomebodys()
-                                      ? tr("Free practice: it is among your attempts, and counts for no level.")
-                                      : tr("You are a guest: the attempt is recorded, and counts for nobody."));
+                                      ? tr("Free practice: the attempt is listed, but counts for no level.")
+                                      : tr("You are a guest: the attempt is recorded, but counts for nobody."));
   });
 }
 
@@ -72,7 +72,7 @@ void TrainWorkspace::Parts::showCourse(bool on) {
   courseAction_->setChecked(on);
   session.setWatched(!on);
   on ? coursePage_->takeKeyboard() : workspace_.setFocus();
-  session.setHint(on ? tr("Enter practises the level that is marked. J goes back to the image.") : QString());
+  session.setHint(on ? tr("Enter starts the marked level. J returns to the image.") : QString());
 }
 
 }  // namespace insonate::train

@@ -69,7 +69,7 @@ void TrainWorkspace::Parts::saveClip(const std::filesystem::path& folder) {
 QString TrainWorkspace::Parts::askFile(const QString& title, const QString& ending) {
   const QString name = exportName(QString::fromStdString(session.patient()->manifest.title)) + ending;
   QString file =
-      QFileDialog::getSaveFileName(&workspace_, title, QDir(exportFolder).filePath(name), tr("PNG picture (*.png)"));
+      QFileDialog::getSaveFileName(&workspace_, title, QDir(exportFolder).filePath(name), tr("PNG image (*.png)"));
   if (file.isEmpty()) return {};
   if (QFileInfo(file).suffix().isEmpty()) file += ".png";
   exportFolder = QFileInfo(file).path();

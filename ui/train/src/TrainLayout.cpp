@@ -75,13 +75,13 @@ QWidget* TrainWorkspace::Parts::buildOffer() {
   auto* offer = new QWidget;
   offer->setObjectName("placeOffer");
   auto* words =
-      new QLabel(tr("This case does not say where the probe begins, and no place was found by itself.\n\n"
-                    "Place the probe, or click on the skin in 3D. Prepare can keep the place with the case."));
+      new QLabel(tr("This case has no start pose, and none was found automatically.\n\nPlace the probe, or click on "
+                    "the skin in 3D. Prepare can save a start pose with the case."));
   words->setWordWrap(true);
   words->setAlignment(Qt::AlignCenter);
-  auto* place = new QPushButton(tr("Place the probe on the skin"));
+  auto* place = new QPushButton(tr("Place probe on skin"));
   place->setObjectName("placeOnSkin");
-  place->setToolTip(tr("To the skin in front, as near to the middle of the scan as there is some"));
+  place->setToolTip(tr("Moves the probe to the skin in front, as near to the middle of the scan as possible"));
   ui::setRole(place, "primary");
   connect(place, &QPushButton::clicked, this, [this] { session.placeOnSkin(); });
   auto* box = new QVBoxLayout(offer);

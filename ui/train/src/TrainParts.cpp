@@ -150,7 +150,7 @@ void TrainWorkspace::Parts::buildActions() {
   leftHanded_ = make(tr("Left-handed layout"), tr("Controls on the right, patient on the left"));
   QAction* panelAction = make(tr("Devices ..."), tr("Haptic devices and pedals: what is there, and what it holds"));
   panelAction->setCheckable(false);
-  courseAction_ = make(tr("Levels and attempts\tJ"), tr("What is to be learnt, how far you are, and what you did"));
+  courseAction_ = make(tr("Levels and attempts\tJ"), tr("Levels, your progress and your attempts"));
   connect(courseAction_, &QAction::triggered, this, [this](bool on) { showCourse(on); });
   connect(panelAction, &QAction::triggered, this, [this] { showDevices(); });
   connect(besideAction_, &QAction::toggled, this, [this](bool on) { setCtBeside(on); });
@@ -259,9 +259,7 @@ void TrainWorkspace::Parts::showRate() {
     // A probe at rest needs no pictures; that is no slow engine.
     text += tr("   image is up to date   %1 ms").arg(session.shown()->frame_ms, 4, 'f', 1);
   else if (session.shown())
-    text += tr("   %1 images/s   %2 ms")
-                .arg(session.imagesPerSecond(), 3, 'f', 0)
-                .arg(session.shown()->frame_ms, 4, 'f', 1);
+    text += tr("   %1 fps   %2 ms").arg(session.imagesPerSecond(), 3, 'f', 0).arg(session.shown()->frame_ms, 4, 'f', 1);
   if (text == engineText) return;
   engineText = text;
   Q_EMIT workspace_.statusChanged();
@@ -274,8 +272,8 @@ void TrainWorkspace::Parts::showNotice() {
   if (!session.shown()) words = tr("Building the first image ...");
   image_->setNotice(words.toStdString());
   if (std::exchange(effectAlone_, alone) == alone && !alone) return;
-  session.say(alone ? tr("This is not the usual image but one effect of it; 0 shows the whole again.")
-                    : tr("The whole image again."));
+  session.say(alone ? tr("The image shows one effect only; 0 shows the whole image.")
+                    : tr("The whole image is shown."));
 }
 
 bool TrainWorkspace::Parts::key(const QKeyEvent& event, bool doIt) {

@@ -298,11 +298,11 @@ void TrainSession::sendSetup() {
 }
 
 void TrainSession::undo() {
-  tookBack(history_.undo(), tr("Taken back: %1."), tr("There is nothing to take back."));
+  tookBack(history_.undo(), tr("Undone: %1."), tr("There is nothing to undo."));
 }
 
 void TrainSession::redo() {
-  tookBack(history_.redo(), tr("Done again: %1."), tr("There is nothing to do again."));
+  tookBack(history_.redo(), tr("Redone: %1."), tr("There is nothing to redo."));
 }
 
 void TrainSession::tookBack(History::Outcome outcome, const QString& done, const QString& nothing) {

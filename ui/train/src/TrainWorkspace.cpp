@@ -75,7 +75,7 @@ bool TrainWorkspace::isComplete() const {
 
 QString TrainWorkspace::endsWithTheCase() const {
   if (!parts_->attempt->isRunning()) return {};
-  return tr("An attempt is being made in Train: going on ends it, and it is kept as abandoned.");
+  return tr("An attempt is in progress in Train. Continuing ends it and saves it as abandoned.");
 }
 
 QString TrainWorkspace::keepsTheWindow() const {

@@ -79,7 +79,7 @@ void checkPresence(const LabelStatistics& s, Findings& findings) {
   require(kVein, FindingSeverity::kError, "no_vein",
           "there is no vessel to puncture. Label the internal jugular vein.");
   require(kArtery, FindingSeverity::kError, "no_artery",
-          "an artery cannot be told from the vein, nor its puncture be noticed. Label the carotid artery.");
+          "an artery cannot be distinguished from the vein, and its puncture is not detected. Label the carotid artery.");
   require(kSkin, FindingSeverity::kError, "no_skin",
           "the probe and the needle meet nothing at the surface. Label the skin.");
   require(kBone, FindingSeverity::kWarning, "no_bone", "nothing will cast a bone's shadow.");

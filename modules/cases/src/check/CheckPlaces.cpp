@@ -107,7 +107,7 @@ void checkPlaces(const CaseView& patient, Findings& findings) {
   const bool labelled = std::ranges::any_of(patient.labels.voxels, [](std::uint8_t v) { return v != 0; });
   if (m.targets.empty())
     findings.push_back({FindingSeverity::kWarning, "no_target",
-                        "No target is named, so a session cannot tell what is to be punctured. Mark one in the vein."});
+                        "No target is named, so a session has nothing to puncture. Mark one in the vein."});
   for (const Target& target : m.targets) checkTarget(patient, target, findings);
   checkNames(patient, findings);
   for (const StartPose& pose : m.startPoses) checkPose(patient, pose, labelled, findings);

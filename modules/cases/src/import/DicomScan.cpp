@@ -54,7 +54,7 @@ std::string notDicom(const fs::path& file) {
   const std::string_view bytes(start.data(), start.size());
   if (bytes == "PK\3\4") return "a ZIP archive; unpack it and import the folder";
   if (bytes.starts_with("\x1f\x8b")) return "compressed by gzip; unpack it and import the folder";
-  return namedLikeDicom(file) ? "named like DICOM, but it is none" : "neither DICOM nor a volume";
+  return namedLikeDicom(file) ? "named like DICOM, but not a DICOM file" : "neither DICOM nor a volume";
 }
 
 /// Why a header that is whole could not be read.

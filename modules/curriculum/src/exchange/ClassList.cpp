@@ -61,7 +61,7 @@ NewPerson personOf(const CsvRow& row, const Columns& columns) {
 std::string troubleOf(const CsvRow& row, std::size_t columns, const NewPerson& person) {
   if (row.fields.size() > columns)
     return "There are more fields than in the head line; put what holds commas into quotes.";
-  if (person.fullName.empty()) return "Nobody is named; fill in the name.";
+  if (person.fullName.empty()) return "The name is missing; fill it in.";
   if (person.name.empty())
     return "There is neither user name nor ID number nor e-mail address; one is needed to sign in.";
   for (const auto& fine : {store::checkTitle("The full name", person.fullName), store::checkEmail(person.email),
@@ -117,7 +117,7 @@ Result<ClassList> parseClassList(std::string_view csv) {
   const Columns columns = columnsOf(rows->front());
   if (!columns.full && !(columns.first && columns.last))
     return fail(
-        "The class list names nobody: its first line needs \"First name\" and \"Last name\", or \"Full name\".");
+        "The class list has no names: its first line needs \"First name\" and \"Last name\", or \"Full name\".");
   if (!columns.email && !columns.userName && !columns.idNumber)
     return fail(
         "The class list has no way to tell people apart: its first line needs \"Email address\", \"Username\" "

@@ -128,7 +128,7 @@ Result<void> ClassImport::apply(const std::string& cohort, std::span<const Class
           if (row.step != Step::Add && row.step != Step::Join) continue;
           const std::string* own = row.step == Step::Add ? &*hashed++ : nullptr;
           if (const auto done = take(session, transaction, cohort, row, own); !done)
-            return fail(atLine(row.line, done.error().message) + " Nobody was added; look at the list again.");
+            return fail(atLine(row.line, done.error().message) + " Nobody was added; check the list.");
         }
         return {};
       });

@@ -52,9 +52,9 @@ Result<void> checkDraft(const std::string& name, const std::string& text) {
 Result<void> checkUntouched(Transaction& transaction, const std::string& name, const std::string& before) {
   const auto row = transaction.row("SELECT text FROM drafts WHERE name = ?", name);
   if ((row ? row->text(0) : "") == before) return {};
-  if (!row) return fail("Somebody else has discarded or published the draft '" + name + "' since you read it.");
-  return fail("Somebody else has saved the draft '" + name +
-              "' since you read it; read theirs, or save under another name.");
+  if (!row) return fail("Another user has discarded or published the draft '" + name + "' since you read it.");
+  return fail("Another user has saved the draft '" + name +
+              "' since you read it; reload it, or save under another name.");
 }
 
 tl::unexpected<Error> noDraft(const std::string& name) {

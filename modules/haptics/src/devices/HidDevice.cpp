@@ -97,7 +97,7 @@ void HidDevice::attach(std::unique_ptr<HidHandle> handle) {
 void HidDevice::close() {
   stop_ = true;
   if (thread_.joinable()) thread_.join();
-  if (phase() != DevicePhase::kAbsent) enter(DevicePhase::kAbsent, info_.name + " was let go.", false);
+  if (phase() != DevicePhase::kAbsent) enter(DevicePhase::kAbsent, info_.name + " was released.", false);
 }
 
 void HidDevice::serve() {
@@ -111,7 +111,7 @@ void HidDevice::serve() {
   }
   if (there && latest_) write({});
   handle_.reset();
-  if (!there) enter(DevicePhase::kLost, info_.name + " was unplugged. It is taken back when it is plugged in.", true);
+  if (!there) enter(DevicePhase::kLost, info_.name + " was unplugged. It resumes when it is plugged in.", true);
   attached_.store(false, std::memory_order_release);
 }
 

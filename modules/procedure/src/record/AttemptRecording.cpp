@@ -160,7 +160,7 @@ void AttemptRecording::readChange(const BlockHead& head, std::size_t payload, bo
   }
   unknownFrom_us_ = std::min(unknownFrom_us_.value_or(head.first_us), head.first_us);
   troubles_.push_back(name_ + " is damaged: how it was set from " + seconds(head.first_us) +
-                      " on is not known. Pictures from there on cannot be made again.");
+                      " on is unknown. Images from there on cannot be rendered again.");
 }
 
 void AttemptRecording::checkEnd(const BlockHead& head, std::size_t payload) {
@@ -210,10 +210,10 @@ Result<Stretch> AttemptRecording::stretch(std::size_t index) const {
   auto stretch = raw ? record::decoded(*raw) : std::nullopt;
   if (stretch && !block.agrees)
     return fail(name_ + " was changed after it was recorded, between " + seconds(block.first_us) + " and " +
-                seconds(block.last_us) + "; what is before and after can be read.");
+                seconds(block.last_us) + "; the parts before and after it can be read.");
   if (!stretch)
     return fail(name_ + " is damaged between " + seconds(block.first_us) + " and " + seconds(block.last_us) +
-                "; what is before and after can be read.");
+                "; the parts before and after it can be read.");
   return std::move(*stretch);
 }
 

@@ -14,7 +14,7 @@ Result<RecordFile> RecordFile::make(const std::filesystem::path& path) {
   if (file >= 0) return RecordFile(path, file);
   if (errno == EEXIST)
     return fail("The recording " + path.string() +
-                " is under way, or was cut short earlier; keep what is in it under another name first.");
+                " is in progress, or broke off earlier; rename that file first.");
   return fail("The recording " + path.string() + " cannot be begun: " + std::strerror(errno) + ".");
 }
 
@@ -34,7 +34,7 @@ Result<void> RecordFile::append(std::span<const std::uint8_t> bytes) {
     done += static_cast<std::size_t>(written);
   }
   if (done == bytes.size() && ::fdatasync(file_) == 0) return {};
-  return fail(path_.string() + " takes no more: " + std::strerror(errno) + ". What was recorded before is kept there.");
+  return fail(path_.string() + " takes no more: " + std::strerror(errno) + ". The recording up to then is kept there.");
 }
 
 }  // namespace insonate::record

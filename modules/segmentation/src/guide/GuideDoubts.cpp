@@ -137,8 +137,8 @@ std::vector<std::string> doubtsAbout(const GuideStep& step, std::span<const Vec3
   }
   if (found.clicksBeside > 0)
     doubts.push_back(found.clicksBeside == 1
-                         ? "A click lies outside of what was found."
-                         : std::to_string(found.clicksBeside) + " clicks lie outside of what was found.");
+                         ? "A click lies outside the result."
+                         : std::to_string(found.clicksBeside) + " clicks lie outside the result.");
   const Vec3& spacing_mm = labels.geometry.spacing_mm;
   const double volume_mm3 = double(voxels) * spacing_mm.x * spacing_mm.y * spacing_mm.z;
   const double along_mm = length_mm(clicks_mm);

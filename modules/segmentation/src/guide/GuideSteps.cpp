@@ -51,7 +51,7 @@ Result<GuideWay> wayFor(const GuideStep& step, std::span<const Vec3> clicks_mm, 
   const auto fits = std::ranges::find_if(
       step.ways, [&](const GuideWay& w) { return !w.clicks_HU || w.clicks_HU->contains(brightness_HU); });
   if (fits == step.ways.end())
-    return fail("The clicks lie on " + std::to_string(brightness_HU) + " HU, which is not what is looked for. " +
+    return fail("The clicks lie on " + std::to_string(brightness_HU) + " HU, which is outside the expected range. " +
                 step.say);
   GuideWay way = *fits;
   for (LabelStep& made : way.steps) {

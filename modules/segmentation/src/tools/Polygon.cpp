@@ -85,7 +85,7 @@ Result<Selection> scissored(const VolumeGeometry& geometry, const VoxelBox& box,
                             const ScissorsView& view) {
   if (corners_mm.size() < 3) return fail("An outline needs at least three corners; draw a larger one.");
   const Outline outline(corners_mm, view);
-  if (!outline.allInFront()) return fail("A corner of the outline lies behind the eye; draw it on what is seen.");
+  if (!outline.allInFront()) return fail("A corner of the outline lies behind the viewer; draw it on visible parts.");
   Selection chosen(geometry, box);
   if (box.empty()) return chosen;
   const Vec3 surface_mm = view.surface_mm.value_or(corners_mm.front());

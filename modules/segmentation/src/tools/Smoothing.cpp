@@ -15,7 +15,7 @@ using segmentation::guarded;
 using segmentation::Work;
 
 Error vanished(const std::string& what) {
-  return {what + " would vanish: it is thinner than what is smoothed away. Use a smaller radius."};
+  return {what + " would vanish: it is thinner than the smoothing. Use a smaller radius."};
 }
 
 /// `change(mask, work)`, in place.

@@ -100,7 +100,7 @@ void LiveImaging::Impl::run() {
       }
     } catch (const std::exception& error) {
       next_.reset();
-      setState(LiveState::Failed, "The picture could not be made (" + std::string(error.what()) + ").");
+      setState(LiveState::Failed, "The image could not be rendered (" + std::string(error.what()) + ").");
     }
     waitFor(due_s);
   }

@@ -64,7 +64,7 @@ Result<void> AttemptPictures::State::useSettingsOf(std::int64_t time_us) {
   if (*text == used) return {};
   auto settings = parseAttemptSettings(*text);
   if (!settings) return tl::unexpected(settings.error());
-  if (auto ok = imaging.use(*settings); !ok) return fail("The pictures cannot be made again: " + ok.error().message);
+  if (auto ok = imaging.use(*settings); !ok) return fail("The images cannot be rendered again: " + ok.error().message);
   used = std::move(*text);
   return {};
 }
@@ -95,7 +95,7 @@ Result<AttemptPictures> AttemptPictures::make(std::shared_ptr<const AttemptRecor
                                               std::shared_ptr<const PatientCase> patient, bool workAhead) {
   const AttemptHeader& header = recording->header();
   if (header.settings.empty())
-    return fail("The recording does not say how the picture was set; its pictures cannot be made again.");
+    return fail("The recording has no image settings; its images cannot be rendered again.");
   if (header.caseHash != voxelHashOf(*patient))
     return fail("The recording was made on another case, '" + header.caseName + "', than '" + patient->manifest.title +
                 "', or that one was changed since; open the case as it was.");

@@ -31,7 +31,7 @@ DifficultyBox::DifficultyBox(PrepareSession& session, QWidget* parent)
   new ui::QuietWheel(grade_);
   grade_->setObjectName(QStringLiteral("grade"));
   grade_->setAccessibleName(tr("Difficulty of the case"));
-  grade_->setToolTip(tr("Your own grade goes before the estimate; saved with the case"));
+  grade_->setToolTip(tr("Your own grade overrides the estimate; saved with the case"));
   grade_->addItem(tr("as estimated"), QString());
   for (const QString& grade : {QStringLiteral("easy"), QStringLiteral("moderate"), QStringLiteral("hard")})
     grade_->addItem(grade, grade);

@@ -28,20 +28,20 @@ struct Sign {
 Sign signOf(FindingSeverity severity) {
   switch (severity) {
     case FindingSeverity::kError:
-      return {"close", theme::kDanger, FindingsList::tr("Error"), FindingsList::tr("Missing or wrong")};
+      return {"close", theme::kDanger, FindingsList::tr("Error"), FindingsList::tr("Errors")};
     case FindingSeverity::kWarning:
-      return {"warning", theme::kCaution, FindingsList::tr("Doubt"), FindingsList::tr("Doubtful")};
+      return {"warning", theme::kCaution, FindingsList::tr("Warning"), FindingsList::tr("Warnings")};
     case FindingSeverity::kInfo:
       break;
   }
-  return {"help", theme::kQuiet, FindingsList::tr("Note"), FindingsList::tr("Noted")};
+  return {"help", theme::kQuiet, FindingsList::tr("Note"), FindingsList::tr("Notes")};
 }
 
 QString verdict(const std::vector<Finding>& findings) {
-  if (!isFit(findings)) return FindingsList::tr("Not fit for training: what is missing or wrong comes first.");
-  if (findings.empty()) return FindingsList::tr("Fit for training. Nothing stands against it.");
+  if (!isFit(findings)) return FindingsList::tr("Not fit for training: correct the errors first.");
+  if (findings.empty()) return FindingsList::tr("Fit for training. There are no findings.");
   const bool doubts = findings.front().severity == FindingSeverity::kWarning;
-  return doubts ? FindingsList::tr("Fit for training, with doubts that may mislead a trainee.")
+  return doubts ? FindingsList::tr("Fit for training, with warnings about points that may mislead a trainee.")
                 : FindingsList::tr("Fit for training.");
 }
 
@@ -52,7 +52,7 @@ QString findingCount(const std::vector<Finding>& findings) {
   const int errors = count(FindingSeverity::kError), doubts = count(FindingSeverity::kWarning);
   QStringList words;
   if (errors > 0) words << (errors == 1 ? FindingsList::tr("1 error") : FindingsList::tr("%1 errors").arg(errors));
-  if (doubts > 0) words << (doubts == 1 ? FindingsList::tr("1 doubt") : FindingsList::tr("%1 doubts").arg(doubts));
+  if (doubts > 0) words << (doubts == 1 ? FindingsList::tr("1 warning") : FindingsList::tr("%1 warnings").arg(doubts));
   return words.isEmpty() ? FindingsList::tr("fit for training") : words.join(QStringLiteral(", "));
 }
 
@@ -86,7 +86,7 @@ QPushButton* FindingsList::way(const Finding& finding) {
   const std::uint8_t label = finding.label;
   const auto& there = session_.structures();
   if (label && !finding.place_mm && std::ranges::find(there, label) == there.end()) {
-    auto* make = button(tr("Label %1").arg(session_.nameOf(label)), tr("Go to where it is labelled"));
+    auto* make = button(tr("Label %1").arg(session_.nameOf(label)), tr("Goes to the step that labels it"));
     connect(make, &QPushButton::clicked, this, [this, label] { Q_EMIT labelWanted(label); });
     return make;
   }
@@ -96,7 +96,7 @@ QPushButton* FindingsList::way(const Finding& finding) {
                                                        {"no_vessel_names", kVesselKind},
                                                        {"target_without_vessel", kVesselKind}};
   if (const auto missing = kMissing.find(finding.code); missing != kMissing.end()) {
-    auto* mark = button(tr("Mark it"), tr("Go to where targets, vessels, start poses and landmarks are marked"));
+    auto* mark = button(tr("Mark it"), tr("Goes to the marks of targets, vessels, start poses and landmarks"));
     connect(mark, &QPushButton::clicked, this, [this, finding, kind = missing->second] {
       if (finding.place_mm) session_.setCrosshair(*finding.place_mm);
       Q_EMIT placeWanted(kind);
@@ -105,7 +105,7 @@ QPushButton* FindingsList::way(const Finding& finding) {
   }
   if (!finding.place_mm && !label) return nullptr;
   auto* go = button(finding.place_mm ? tr("Show the place") : tr("Select %1").arg(session_.nameOf(label)),
-                    finding.place_mm ? tr("Bring the crosshair there and select the structure")
+                    finding.place_mm ? tr("Moves the crosshair there and selects the structure")
                                      : tr("Select the structure in the table"));
   connect(go, &QPushButton::clicked, this, [this, place_mm = finding.place_mm, label] {
     if (label) session_.select(label);

@@ -36,16 +36,16 @@ PlacesBox::PlacesBox(PrepareSession& session, QWidget* parent)
       session_(session),
       list_(new QTreeWidget),
       kind_(new QComboBox),
-      add_(ui::pushButton("placeAdd", tr("Mark"), tr("Mark it at the crosshair; a start pose where the probe is"))),
-      show_(ui::pushButton("placeShow", tr("Show"), tr("Crosshair or probe to the chosen place (Enter)"))),
-      put_(ui::pushButton("placePut", tr("Put here"),
-                          tr("Move the chosen place to the crosshair, a start pose to the probe"))),
+      add_(ui::pushButton("placeAdd", tr("Mark"), tr("Marks the place at the crosshair; a start pose at the probe"))),
+      show_(ui::pushButton("placeShow", tr("Show"),
+                           tr("Moves the crosshair or the probe to the selected place (Enter)"))),
+      put_(ui::pushButton("placePut", tr("Move here"),
+                          tr("Moves the selected place to the crosshair, a start pose to the probe"))),
       first_(ui::pushButton("placeFirst", tr("Make first"),
-                            tr("The chosen start pose is where the case begins; the chosen "
-                               "target is what it is about"))),
+                            tr("Makes the selected start pose the first one, or the selected target the main target"))),
       split_(ui::pushButton("placeSplit", tr("Split"),
-                            tr("Split the chosen vessel at the crosshair, to give its parts different names"))),
-      remove_(ui::pushButton("placeRemove", tr("Remove"), tr("Remove the chosen place"))) {
+                            tr("Splits the selected vessel at the crosshair, to give its parts different names"))),
+      remove_(ui::pushButton("placeRemove", tr("Remove"), tr("Removes the selected place"))) {
   arrange();
   connect(kind_, qOverload<int>(&QComboBox::activated), this, &PlacesBox::markingBegun);
   connect(add_, &QPushButton::clicked, this, [this] { add(); });
@@ -67,11 +67,11 @@ PlacesBox::PlacesBox(PrepareSession& session, QWidget* parent)
 void PlacesBox::arrange() {
   new ui::QuietWheel(kind_);
   kind_->setObjectName(QStringLiteral("placeKind"));
-  kind_->setAccessibleName(tr("What to mark"));
-  kind_->setToolTip(tr("What to mark: click on it in a slice or in 3D first"));
+  kind_->setAccessibleName(tr("Kind of mark"));
+  kind_->setToolTip(tr("Kind of mark; click on the place in a slice or in 3D first"));
   for (const LandmarkKind& kind : landmarkKinds()) kind_->addItem(ui::qt(kind.name), ui::qt(kind.code));
   kind_->addItem(tr("another landmark"), QString());
-  kind_->addItem(tr("target: what is punctured"), kTargetKind);
+  kind_->addItem(tr("target of the puncture"), kTargetKind);
   kind_->addItem(tr("start pose of the probe"), kStartPoseKind);
   for (const VesselKind& kind : vesselKinds()) kind_->addItem(ui::qt(kind.name), kVesselKind);
   kind_->addItem(tr("another vessel"), kVesselKind);
@@ -86,7 +86,7 @@ void PlacesBox::arrange() {
   list_->setFixedHeight(kListHeight_px);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   QLabel* how =
-      ui::paragraph("placeHow", "quiet", tr("Click on the place in a slice or in 3D, choose what it is, and mark it."));
+      ui::paragraph("placeHow", "quiet", tr("Click on the place in a slice or in 3D, choose its kind, and mark it."));
   auto* marking = new QHBoxLayout;
   marking->setSpacing(ui::kSmallGap);
   marking->addWidget(kind_, 1);
@@ -176,7 +176,7 @@ void PlacesBox::add() {
   const Vec3 here_mm = session_.crosshair_mm();
   if (what == kStartPoseKind) {
     const auto pose = session_.live().standing();
-    if (!pose) return session_.say(tr("The probe stands nowhere yet. Click on the skin first."));
+    if (!pose) return session_.say(tr("The probe has no position yet. Click on the skin first."));
     return change(tr("start pose"), [&](CasePlaces& places) {
       places.startPoses.push_back(poseOf(*pose));
       places.startPoses.back().name = tr("start %1").arg(places.startPoses.size()).toStdString();
@@ -215,7 +215,7 @@ void PlacesBox::addLandmark(const std::string& code, const QString& name) {
   const auto index = same - before.begin();
   const QString told = ui::qt(same->name);
   change(tr("landmark"), [&](CasePlaces& places) { places.landmarks[std::size_t(index)].position_mm = here_mm; });
-  session_.say(tr("\"%1\" was marked before and has moved to the crosshair; Ctrl+Z takes it back.").arg(told));
+  session_.say(tr("\"%1\" was marked before and has moved to the crosshair; Ctrl+Z undoes it.").arg(told));
 }
 
 void PlacesBox::show() {
@@ -258,7 +258,7 @@ void PlacesBox::putHere() {
 void PlacesBox::makeFirst() {
   Chosen one{};
   if (!chosen(one)) return;
-  change(tr("what comes first"), [&](CasePlaces& places) {
+  change(tr("order of places"), [&](CasePlaces& places) {
     const auto toFront = [&](auto& list) {
       std::rotate(list.begin(), list.begin() + std::ptrdiff_t(one.index), list.begin() + std::ptrdiff_t(one.index) + 1);
     };

@@ -25,7 +25,7 @@ void PrepareSession::setPlaces(CasePlaces places, const QString& what) {
 }
 
 void PrepareSession::sayAgain(const Said& said) {
-  auto all = std::make_unique<QUndoCommand>(tr("colours, title and places, as before"));
+  auto all = std::make_unique<QUndoCommand>(tr("colors, title and places as before"));
   for (int label = 1; label < 256; ++label)
     if (said.looks[std::size_t(label)] != looks_[std::size_t(label)])
       new LookEdit(*this, std::uint8_t(label), said.looks[std::size_t(label)], {}, all.get());

@@ -26,13 +26,13 @@ constexpr int kListRows = 3, kWordsLines = 4;  // at least
 QString stateWord(GuideSession::State state, bool optional) {
   switch (state) {
     case GuideSession::State::ToDo:
-      return optional ? GuidePage::tr("if wanted") : GuidePage::tr("to do");
+      return optional ? GuidePage::tr("optional") : GuidePage::tr("to do");
     case GuideSession::State::Working:
       return GuidePage::tr("working");
     case GuideSession::State::Done:
       return GuidePage::tr("done");
     case GuideSession::State::Doubtful:
-      return GuidePage::tr("doubtful");
+      return GuidePage::tr("warning");
     case GuideSession::State::Skipped:
       return GuidePage::tr("skipped");
   }
@@ -76,7 +76,7 @@ GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), gu
   setObjectName(QStringLiteral("guide"));
   list_->setObjectName(QStringLiteral("guideSteps"));
   list_->setAccessibleName(tr("Steps of labelling"));
-  list_->setToolTip(tr("What there is to do, in this order; go back to a step to do it again"));
+  list_->setToolTip(tr("The steps in order; select a step to repeat it"));
   new ui::PassLetters(list_);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setColumnCount(2);
@@ -123,8 +123,8 @@ QWidget* GuidePage::buildWords() {
   box->addStretch(1);
   words_ = new WordsArea(panel);
   words_->setObjectName(QStringLiteral("guideWords"));
-  words_->setAccessibleName(tr("What to do in this step"));
-  words_->setToolTip(tr("What to do in this step, and what came out"));
+  words_->setAccessibleName(tr("Instructions for this step"));
+  words_->setToolTip(tr("Instructions for this step, and its result"));
   words_->setMinimumHeight(kWordsLines * fontMetrics().lineSpacing());
   return words_;
 }
@@ -137,11 +137,11 @@ QWidget* GuidePage::buildButtons() {
     return made;
   };
   run_ = button("guideRun", tr("Run"), {});
-  accept_ = button("guideAccept", tr("Looks right"), tr("Go on to the next step (Enter)"));
+  accept_ = button("guideAccept", tr("Accept"), tr("Continues with the next step (Enter)"));
   correct_ =
-      button("guideCorrect", tr("Correct it"), tr("Paint and erase this structure in the slices; others are spared"));
+      button("guideCorrect", tr("Correct"), tr("Paints and erases this structure in the slices; others are spared"));
   correct_->setCheckable(true);
-  skip_ = button("guideSkip", tr("Skip"), tr("Go on without this structure"));
+  skip_ = button("guideSkip", tr("Skip"), tr("Continues without this structure"));
   auto* radius = new ui::ValueSlider(tr("Brush"), tr("mm"), {0.5, 15, guide_.brush_mm(), 0.5, 1},
                                      tr("Radius of the ball that paints and erases"));
   radius->setObjectName(QStringLiteral("guideBrush"));
@@ -206,9 +206,9 @@ void GuidePage::refreshButtons() {
   const bool busy = guide_.isBusy();
   const bool working = state == GuideSession::State::Working;
   run_->setText(working ? tr("Cancel") : made ? tr("Again") : tr("Run"));
-  run_->setToolTip(working                    ? tr("Stop; the labels are as they were before")
-                   : guide_.step().clicks > 0 ? tr("Make this structure out of the clicks (Enter)")
-                                              : tr("Make these structures (Enter)"));
+  run_->setToolTip(working                    ? tr("Cancels; the labels are restored")
+                   : guide_.step().clicks > 0 ? tr("Makes this structure from the clicks (Enter)")
+                                              : tr("Makes these structures (Enter)"));
   run_->setEnabled(working || guide_.canRun());
   // One thing to do next.
   ui::setRole(run_, state == GuideSession::State::Done ? "" : "primary");

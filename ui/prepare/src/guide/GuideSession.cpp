@@ -127,11 +127,12 @@ bool GuideSession::goesOn() const {
 QStringList GuideSession::remarks(int index) const {
   const StepProgress& p = progress_[std::size_t(index)];
   if (isMade(index)) return p.caution.isEmpty() ? p.doubts : p.doubts + QStringList{p.caution};
-  if (p.restored) return {tr("Made when the case was saved.")};
+  if (p.restored) return {tr("This step was done when the case was saved.")};
   if (isThere(index)) return {tr("The case has these labels already.")};
   const std::uint8_t label = guide_.steps[std::size_t(index)].label;
   if (label != kBackground && session_.hasVoxels(label) && before_.steps.empty() && recipe_.steps.empty())
-    return {tr("The case has %1 already: look whether this is labelled before you run.").arg(session_.nameOf(label))};
+    return {tr("The case already has %1: check whether this structure is labeled before you run the step.")
+                .arg(session_.nameOf(label))};
   return {};
 }
 
@@ -194,7 +195,7 @@ void GuideSession::run() {
       });
   if (!begun) {
     working_ = -1;
-    Q_EMIT told(tr("This step lies too far back to be done again; correct its result with the brush."));
+    Q_EMIT told(tr("This step is too far back to be repeated; correct its result with the brush."));
   }
   Q_EMIT changed();
 }
@@ -214,8 +215,8 @@ void GuideSession::finished(int index, bool well) {
     p.accepted = p.skipped = false;
     p.doubts.clear();
     if (p.made == 0)
-      Q_EMIT told(p.clicks_mm.empty() ? tr("Nothing has changed: all of it was labelled so.")
-                                      : tr("Nothing has changed: look whether the clicks lie in the structure."));
+      Q_EMIT told(p.clicks_mm.empty() ? tr("Nothing changed: all voxels had this label already.")
+                                      : tr("Nothing changed: check whether the clicks lie in the structure."));
     lookForDoubts(index);
   }
   Q_EMIT changed();

@@ -194,7 +194,7 @@ bool LabelSession::undo() {
   settle();
   endStroke();
   if (edit_->undoSteps() == 0) {
-    Q_EMIT failed(tr("Changes this far back were let go, to keep memory small; they cannot be taken back."));
+    Q_EMIT failed(tr("Changes this far back were discarded to save memory; they cannot be undone."));
     return false;
   }
   undone_.push_back(std::move(steps_.back()));
@@ -213,7 +213,7 @@ void LabelSession::redo() {
 
 QString LabelSession::refusal(std::uint8_t label) const {
   if (!patient_) return tr("There is no case to label; open one first.");
-  if (busy_) return tr("A tool is at work; wait for it or cancel it first.");
+  if (busy_) return tr("A tool is running; wait for it or cancel it first.");
   if (rules_.locked.test(label)) return tr("The label %1 is locked; unlock it to edit it.").arg(names_(label));
   if (rules_.hidden.test(label)) return tr("The label %1 is hidden; show it to edit it.").arg(names_(label));
   return {};

@@ -25,8 +25,8 @@ UltrasoundPane::UltrasoundPane(PrepareSession& session, QWidget* parent)
       session_(session),
       view_(std::make_shared<views::UltrasoundView>()),
       widget_(new ui::ViewWidget(view_, tr("Ultrasound of this label map"), this)),
-      press_(new ui::ValueSlider(tr("press"), tr("mm"), {0, 15, 0, 0.5, 1},
-                                 tr("how far the probe is pushed in; the tissue gives way as in Train"))),
+      press_(new ui::ValueSlider(tr("indentation"), tr("mm"), {0, 15, 0, 0.5, 1},
+                                 tr("indentation of the probe; the tissue gives way as in Train"))),
       state_(new QLabel),
       pressed_(new QLabel),
       start_(new QPushButton(tr("Start"))),
@@ -38,9 +38,9 @@ UltrasoundPane::UltrasoundPane(PrepareSession& session, QWidget* parent)
   view_->setGreyBarVisible(false);
   auto* title = new QLabel(tr("Ultrasound"));
   ui::setRole(title, "heading");
-  title->setToolTip(tr("Of these labels: the probe stands on the skin nearest to the crosshair"));
+  title->setToolTip(tr("Ultrasound of these labels: the probe stands on the skin nearest to the crosshair"));
   start_->setObjectName(QStringLiteral("toStart"));
-  start_->setToolTip(tr("Crosshair and probe to where the case begins (Home)"));
+  start_->setToolTip(tr("Moves crosshair and probe to the case's start pose (Home)"));
   ui::setRole(state_, "quiet");
   state_->setObjectName(QStringLiteral("ultrasoundState"));
   state_->setWordWrap(true);
@@ -48,7 +48,7 @@ UltrasoundPane::UltrasoundPane(PrepareSession& session, QWidget* parent)
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(title, 1);
   keep_->setObjectName(QStringLiteral("keepStart"));
-  keep_->setToolTip(tr("The case has no start pose: where the probe is now becomes it; saved with the case"));
+  keep_->setToolTip(tr("Makes the probe's present pose the case's start pose; saved with the case"));
   row->addWidget(keep_);
   row->addWidget(start_);
   auto* box = new QVBoxLayout(this);
@@ -97,7 +97,7 @@ void UltrasoundPane::showPress() {
   for (const LumenArea& lumen : press.lumens)
     if (lumen.rest_mm2 > 0 && session_.live().press_mm() > 0)
       words << tr("%1 %2").arg(structureName(lumen.label), ui::areaOf(lumen, ui::AreaForm::Short));
-  pressed_->setText(words.isEmpty() ? tr("Press to see whether the vein gives way.")
+  pressed_->setText(words.isEmpty() ? tr("Compress to see whether the vein gives way.")
                                     : words.join(QStringLiteral("   ")));
 }
 

@@ -58,8 +58,8 @@ CaseFacts::CaseFacts(PrepareSession& session, QWidget* parent)
   size_ = addFact(*form, tr("voxels"));
   size_->setObjectName(QStringLiteral("caseSize"));
   spacing_ = addFact(*form, tr("spacing"));
-  orientation_ = addFact(*form, tr("axes to"));
-  orientation_->setToolTip(tr("Where the grid's axes point: L left, R right, P back, A front, S head, I feet"));
+  orientation_ = addFact(*form, tr("axis directions"));
+  orientation_->setToolTip(tr("Directions of the grid's axes: L left, R right, P back, A front, S head, I feet"));
   range_ = addFact(*form, tr("range"));
   range_->setObjectName(QStringLiteral("caseRange"));
   place_ = addFact(*form, tr("folder"));
@@ -99,18 +99,17 @@ void CaseFacts::showCase() {
                         .arg(number(grid.spacing_mm.x, 3), number(grid.spacing_mm.y, 3), number(grid.spacing_mm.z, 3)));
   orientation_->setText(axesOf(grid));
   const QString source = QString::fromStdString(patient->manifest.source);
-  source_->setText(source.isEmpty() ? tr("not said") : breakable(source));
+  source_->setText(source.isEmpty() ? tr("unknown") : breakable(source));
   showOrigin();
   showMeasures();
 }
 
 void CaseFacts::showOrigin() {
   const ui::CaseOrigin& origin = session_.origin();
-  place_->setText(origin.builtIn ? tr("comes with Insonate")
-                  : !origin.versionOf.isEmpty()
-                      ? tr("a version of %1, kept as it was").arg(QDir(origin.versionOf).dirName())
-                  : origin.folder.isEmpty() ? tr("not saved yet")
-                                            : QDir(origin.folder).dirName());
+  place_->setText(origin.builtIn                ? tr("comes with Insonate")
+                  : !origin.versionOf.isEmpty() ? tr("an earlier version of %1").arg(QDir(origin.versionOf).dirName())
+                  : origin.folder.isEmpty()     ? tr("not saved yet")
+                                                : QDir(origin.folder).dirName());
   place_->setToolTip(origin.versionOf.isEmpty() ? origin.folder : origin.versionOf);
   QStringList notes = origin.notes;
   if (session_.patient())

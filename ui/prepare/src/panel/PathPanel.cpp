@@ -37,7 +37,7 @@ PathPanel::PathPanel(PrepareSession& session, GuideSession& guide, ui::TaskBar& 
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(ui::kSmallGap);
   }
-  check_->setToolTip(tr("What is missing or doubtful, difficulty and places (C)"));
+  check_->setToolTip(tr("Errors, warnings, difficulty and places (C)"));
   check_->setObjectName(QStringLiteral("toFindings"));
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(12, ui::kGap, 12, ui::kGap);
@@ -74,7 +74,7 @@ QWidget* PathPanel::buildLabelling() {
   tabs_->setAccessibleName(tr("Labelling"));
   tabs_->setDrawBase(false);
   tabs_->setTabToolTip(tabs_->addTab(tr("Guide")), tr("Step by step through the structures of a neck"));
-  tabs_->setTabToolTip(tabs_->addTab(tr("Structures")), tr("All structures of the case, with colour and visibility"));
+  tabs_->setTabToolTip(tabs_->addTab(tr("Structures")), tr("All structures of the case, with color and visibility"));
   connect(tabs_, &QTabBar::currentChanged, labelling_, &QStackedWidget::setCurrentIndex);
   connect(tabs_, &QTabBar::tabBarClicked, this, [this] { chosen_ = true; });
   tabs_->setCurrentIndex(1);
@@ -138,7 +138,7 @@ void PathPanel::setEditActions(QAction* undo, QAction* redo, QAction* save) {
 void PathPanel::refresh() {
   const ui::CaseOrigin& origin = session_.origin();
   importMark_->setText(origin.builtIn                ? tr("built in")
-                       : !origin.versionOf.isEmpty() ? tr("a kept version")
+                       : !origin.versionOf.isEmpty() ? tr("earlier version")
                        : origin.folder.isEmpty()     ? tr("not saved")
                                                      : tr("done"));
   const auto& measures = session_.measuring().measures();

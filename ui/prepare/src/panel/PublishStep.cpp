@@ -36,7 +36,7 @@ QString PublishStep::obstacle() const {
   if (!session_.patient()) return tr("There is no case.");
   const ui::CaseOrigin& origin = session_.origin();
   if (origin.builtIn) return tr("This neck comes with Insonate: trainees have it already.");
-  if (!origin.versionOf.isEmpty()) return tr("This is a version that was kept: open its case to publish another one.");
+  if (!origin.versionOf.isEmpty()) return tr("This is an earlier version: open its case to publish another one.");
   if (origin.folder.isEmpty() || session_.isUnsaved()) return tr("Save the case first (Ctrl+S).");
   const auto& measures = session_.measuring().measures();
   if (!measures || session_.measuring().state() != CaseMeasuring::State::Done)

@@ -48,8 +48,8 @@ RightColumn::RightColumn(PrepareSession& session, ToolSession& tools, std::share
   tabs_->setObjectName(QStringLiteral("rightPages"));
   tabs_->setAccessibleName(tr("Beside the slices"));
   tabs_->setDrawBase(false);
-  tabs_->setTabToolTip(tabs_->addTab(tr("Case")), tr("What one looks at: facts, slices, 3D (C)"));
-  tabs_->setTabToolTip(tabs_->addTab(tr("Check")), tr("What is missing or doubtful, difficulty and places (C)"));
+  tabs_->setTabToolTip(tabs_->addTab(tr("Case")), tr("Facts, slices and 3D (C)"));
+  tabs_->setTabToolTip(tabs_->addTab(tr("Check")), tr("Errors, warnings, difficulty and places (C)"));
   look_ = buildPage({new Section(QStringLiteral("case"), tr("Case"), new CaseFacts(session)),
                      new Section(QStringLiteral("slices"), tr("Slices"), new SliceControls(session)),
                      new Section(QStringLiteral("recipe"), tr("Steps"), new RecipeBox(session)),

@@ -45,17 +45,17 @@ SliceControls::SliceControls(PrepareSession& session, QWidget* parent)
       window_(new ui::ValueSlider(tr("window"), tr("HU"), {1, 3000, 350, 10, 0},
                                   tr("range of Hounsfield units from black to white; right drag across a slice"))),
       level_(new ui::ValueSlider(tr("level"), tr("HU"), {-1000, 1500, 50, 10, 0},
-                                 tr("Hounsfield units that are mid grey; right drag along a slice"))),
+                                 tr("Hounsfield units that are mid gray; right drag along a slice"))),
       opacity_(new ui::ValueSlider(tr("label opacity"), QStringLiteral("%"), {0, kPercent, 25, 5, 0},
-                                   tr("how strongly labels colour the slices (A, D)"))),
+                                   tr("opacity of labels on the slices (A, D)"))),
       style_(new QComboBox),
-      width_(new ui::ValueSlider(tr("outline"), tr("px"), {1, 6, 1, 1, 0}, tr("how thick outlines of labels are"))),
+      width_(new ui::ValueSlider(tr("outline"), tr("px"), {1, 6, 1, 1, 0}, tr("thickness of label outlines"))),
       labels_(new QCheckBox(tr("labels on slices"))),
       places_(new QCheckBox(tr("targets, landmarks, start poses"))) {
   new ui::QuietWheel(preset_);
   preset_->setObjectName(QStringLiteral("windowPreset"));
   preset_->setAccessibleName(tr("Window and level of the CT"));
-  preset_->setToolTip(tr("Window and level that radiologists know, in Hounsfield units"));
+  preset_->setToolTip(tr("Radiological presets of window and level, in Hounsfield units"));
   for (const auto& preset : views::windowLevelPresets()) preset_->addItem(presetText(preset));
   preset_->addItem(tr("own"));
   window_->setObjectName(QStringLiteral("window"));
@@ -63,12 +63,12 @@ SliceControls::SliceControls(PrepareSession& session, QWidget* parent)
   opacity_->setObjectName(QStringLiteral("labelOpacity"));
   new ui::QuietWheel(style_);
   style_->setObjectName(QStringLiteral("labelStyle"));
-  style_->setAccessibleName(tr("How labels lie on slices"));
-  style_->setToolTip(tr("How labels lie on slices"));
+  style_->setAccessibleName(tr("Display of labels on slices"));
+  style_->setToolTip(tr("Display of labels on slices"));
   for (const Style& style : styles()) style_->addItem(style.name);
   width_->setObjectName(QStringLiteral("outlineWidth"));
   places_->setObjectName(QStringLiteral("placesShown"));
-  places_->setToolTip(tr("Mark targets, landmarks and start poses on the slices and in 3D"));
+  places_->setToolTip(tr("Marks targets, landmarks and start poses on the slices and in 3D"));
   labels_->setObjectName(QStringLiteral("labelsShown"));
   labels_->setToolTip(tr("Show or hide the labels over the slices (G)"));
   auto* box = new QVBoxLayout(this);

@@ -53,12 +53,12 @@ RecipeBox::RecipeBox(PrepareSession& session, QWidget* parent)
           "recipeNone", "quiet",
           tr("Each step of a tool is listed here; saved as a recipe, it can be replayed on another case."))),
       steps_(new QListWidget),
-      save_(ui::pushButton("recipeSave", tr("Save ..."), tr("Write the steps so far to a file"))),
+      save_(ui::pushButton("recipeSave", tr("Save ..."), tr("Writes the steps so far to a file"))),
       load_(ui::pushButton("recipeReplay", tr("Replay ..."),
-                           tr("Do the steps of a file on this case; locked and hidden labels stay as they are"))) {
+                           tr("Applies the steps of a file to this case; locked and hidden labels stay unchanged"))) {
   steps_->setObjectName(QStringLiteral("recipeSteps"));
   steps_->setAccessibleName(tr("Steps of labelling so far"));
-  steps_->setToolTip(tr("What was done to the labels since the case was opened, and is not taken back"));
+  steps_->setToolTip(tr("Label edits since the case was opened, without undone ones"));
   steps_->setFixedHeight(kRows * steps_->fontMetrics().lineSpacing() * 3 / 2);
   new ui::PassLetters(steps_);
   auto* row = new QHBoxLayout;
@@ -121,7 +121,7 @@ void RecipeBox::replay(const QString& file) {
     LabelTerms terms = session_.terms();
     terms.own.insert(names.begin(), names.end());
     if (well && terms != session_.terms()) session_.setTerms(std::move(terms), tr("names of the recipe's labels"));
-    session_.say(well ? tr("The recipe is replayed; Ctrl+Z takes back its steps.")
+    session_.say(well ? tr("The recipe is replayed; Ctrl+Z undoes its steps.")
                       : tr("The recipe was not replayed; the labels are as they were."));
     refresh();
   });

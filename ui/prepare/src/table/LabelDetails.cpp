@@ -35,7 +35,7 @@ LabelDetails::LabelDetails(PrepareSession& session, QWidget* parent)
       session_(session),
       // "in progress" is read whole; the tissue gets what is left.
       state_(choice("labelState", tr("State of the selected structure"), 11,
-                    tr("How far the selected structure is (S goes to the next); kept with the case"))),
+                    tr("Progress on the selected structure (S sets the next state); saved with the case"))),
       tissue_(choice("labelTissue", tr("Tissue of the selected structure"), 3, {})),
       term_(ui::paragraph("labelTerm", "quiet")) {
   for (const LabelState state : kLabelStates) state_->addItem(stateIcon(state), stateWord(state));
@@ -66,9 +66,10 @@ void LabelDetails::refresh() {
   const bool any = std::ranges::find(there, label) != there.end();
   state_->setEnabled(any);
   tissue_->setEnabled(any && isOwnLabel(label));
-  tissue_->setToolTip(tissue_->isEnabled()
-                          ? tr("What it is made of: so it looks in ultrasound, gives way and feels under the needle")
-                          : tr("Structures of the label table are their own tissue; Add makes one of your own"));
+  tissue_->setToolTip(
+      tissue_->isEnabled()
+          ? tr("Tissue of the structure: sets its look in ultrasound, its stiffness and its resistance to the needle")
+          : tr("Structures of the label table are their own tissue; Add makes one of your own"));
   if (!any) return term_->setText(tr("Choose a structure, or add one."));
   const std::uint8_t tissue = tissueOf(session_.terms().own, label);
   state_->setCurrentIndex(int(session_.stateOf(label)));

@@ -87,20 +87,20 @@ QVariant StructureModel::tip(Column column, std::uint8_t label) const {
   switch (column) {
     case kEye:
       if (session_.look(label).visible && session_.look(label).opacity <= 0)
-        return tr("Nothing of %1 is seen in 3D: its opacity is 0 %. Space hides it on the slices, too").arg(name);
+        return tr("%1 is invisible in 3D: its opacity is 0 %. Space hides it on the slices, too").arg(name);
       return session_.look(label).visible ? tr("Hide %1 in 3D and on the slices (Space)").arg(name)
                                           : tr("Show %1 in 3D and on the slices (Space)").arg(name);
     case kColour:
-      return tr("Colour of %1 (Enter); saved with the case").arg(name);
+      return tr("Color of %1 (Enter); saved with the case").arg(name);
     case kLock:
-      return session_.labelling().rules().locked.test(label) ? tr("Let tools change %1 again (L)").arg(name)
-                                                             : tr("Lock %1: tools leave it as it is (L)").arg(name);
+      return session_.labelling().rules().locked.test(label) ? tr("Unlock %1 for tools (L)").arg(name)
+                                                             : tr("Lock %1 against tools (L)").arg(name);
     case kState:
       return tr("%1: %2. A click or S goes to the next state").arg(name, stateWord(session_.stateOf(label)));
     case kVolume:
-      return tr("Volume of %1 in millilitres").arg(name);
+      return tr("Volume of %1 in milliliters").arg(name);
     case kTissue:
-      return tr("What %1 is made of, in ultrasound, under the probe and for the needle").arg(name);
+      return tr("Tissue of %1 for ultrasound, probe and needle").arg(name);
     case kVoxels:
       return tr("Voxels of %1").arg(name);
     default:
@@ -154,7 +154,7 @@ QVariant StructureModel::spoken(Column column, std::uint8_t label) const {
       return session_.labelling().rules().locked.test(label) ? tr("%1 is locked").arg(name)
                                                              : tr("%1 is not locked").arg(name);
     case kColour:
-      return tr("colour %1").arg(ui::colour(session_.look(label).colour).name());
+      return tr("color %1").arg(ui::colour(session_.look(label).colour).name());
     case kState:
       return tr("%1: %2").arg(name, stateWord(session_.stateOf(label)));
     default:

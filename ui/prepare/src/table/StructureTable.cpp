@@ -35,10 +35,10 @@ StructureTable::StructureTable(PrepareSession& session, QWidget* parent)
       model_(new StructureModel(session, this)),
       table_(new QTableView),
       opacity_(new ui::ValueSlider(tr("in 3D"), QStringLiteral("%"), {0, kPercent, kPercent, 5, 0},
-                                   tr("how much the selected structure hides what is behind it"))),
-      onSlices_(new ui::ValueSlider(tr("on slices"), QStringLiteral("%"), {0, kPercent, kPercent, 5, 0},
-                                    tr("how strongly the selected structure colours the slices, of what all labels "
-                                       "have"))) {
+                                   tr("opacity of the selected structure in 3D"))),
+      onSlices_(
+          new ui::ValueSlider(tr("on slices"), QStringLiteral("%"), {0, kPercent, kPercent, 5, 0},
+                              tr("opacity of the selected structure on slices, as a share of that of all labels"))) {
   buildTable();
   opacity_->setObjectName(QStringLiteral("structureOpacity"));
   onSlices_->setObjectName(QStringLiteral("structureOnSlices"));
@@ -124,13 +124,13 @@ QWidget* StructureTable::buildButtons() {
   box->setSpacing(ui::kSmallGap);
   only_ = new QPushButton(tr("Only"));
   only_->setObjectName(QStringLiteral("showOnly"));
-  only_->setToolTip(tr("Hide every structure but the selected one"));
+  only_->setToolTip(tr("Hides every structure but the selected one"));
   all_ = new QPushButton(tr("All"));
   all_->setObjectName(QStringLiteral("showAll"));
-  all_->setToolTip(tr("Show every structure"));
+  all_->setToolTip(tr("Shows every structure"));
   auto* add = new QPushButton(tr("Add"));
   add->setObjectName(QStringLiteral("addLabel"));
-  add->setToolTip(tr("List another structure, to be labelled"));
+  add->setToolTip(tr("Adds another structure to label"));
   auto* menu = new QMenu(add);
   menu->setToolTipsVisible(true);
   connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillAdd(*menu); });
@@ -138,8 +138,8 @@ QWidget* StructureTable::buildButtons() {
   remove_ = new QPushButton(tr("Clear"));
   remove_->setObjectName(QStringLiteral("clearLabel"));
   remove_->setToolTip(
-      tr("All voxels of the selected structure become soft tissue; one of your own that has none "
-         "leaves the list. Ctrl+Z takes it back"));
+      tr("Changes all voxels of the selected structure to soft tissue; removes an own structure without voxels from "
+         "the list. Ctrl+Z undoes it"));
   connect(remove_, &QPushButton::clicked, this, [this] { session_.removeVoxels(session_.selected()); });
   connect(only_, &QPushButton::clicked, this, [this] { session_.showOnly(session_.selected()); });
   connect(all_, &QPushButton::clicked, this, [this] { session_.showAll(); });
@@ -177,7 +177,7 @@ void StructureTable::fillAdd(QMenu& menu) {
     session_.addStructure(std::uint8_t(next));
     rename();
   });
-  another->setToolTip(tr("One of your own, with a name, a colour and a tissue: label %1").arg(next));
+  another->setToolTip(tr("Adds a structure of your own, with name, color and tissue: label %1").arg(next));
 }
 
 void StructureTable::rename() {
@@ -192,7 +192,7 @@ void StructureTable::chooseColour() {
   if (model_->rowOf(label) < 0) return;
   auto* dialog = new QColorDialog(ui::colour(session_.look(label).colour), this);
   dialog->setObjectName(QStringLiteral("structureColour"));
-  dialog->setWindowTitle(tr("Colour of %1").arg(session_.nameOf(label)));
+  dialog->setWindowTitle(tr("Color of %1").arg(session_.nameOf(label)));
   dialog->setOption(QColorDialog::DontUseNativeDialog);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QColorDialog::colorSelected, this, [this, label](const QColor& c) {

@@ -39,8 +39,8 @@ QSpinBox* number(const QString& objectName, const QString& name, const QString& 
 RangeField::RangeField(const QString& name, QWidget* parent)
     : QWidget(parent),
       strip_(new RangeStrip),
-      from_(number(name + QStringLiteral("-from"), tr("from"), tr("The darkest that is taken"))),
-      to_(number(name + QStringLiteral("-to"), tr("to"), tr("The brightest that is taken"))) {
+      from_(number(name + QStringLiteral("-from"), tr("from"), tr("Lower limit of the range"))),
+      to_(number(name + QStringLiteral("-to"), tr("to"), tr("Upper limit of the range"))) {
   strip_->setObjectName(name + QStringLiteral("-strip"));
   auto* numbers = new QHBoxLayout;
   numbers->addWidget(from_);
@@ -51,11 +51,10 @@ RangeField::RangeField(const QString& name, QWidget* parent)
     return ui::pushButton((name + QLatin1String(what)).toUtf8(), words, tip);
   };
   auto* darker = button("-darker", tr("Darker"),
-                        tr("The darker of the two parts that the histogram in the range has, by Otsu's method"));
-  auto* brighter =
-      button("-brighter", tr("Brighter"),
-             tr("The brighter of the two parts that the histogram in the range has, by Otsu's method; again "
-                "parts what is left"));
+                        tr("Selects the darker of the two parts of the histogram in the range, by Otsu's method"));
+  auto* brighter = button("-brighter", tr("Brighter"),
+                          tr("Selects the brighter of the two parts of the histogram in the range, by Otsu's method; "
+                             "repeat to divide it further"));
   auto* whole = button("-all", tr("All"), tr("Everything in the CT"));
   for (QPushButton* one : {darker, brighter, whole}) parts->addWidget(one, 1);
   auto* box = new QVBoxLayout(this);

@@ -19,7 +19,7 @@ RangeStrip::RangeStrip(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Range of Hounsfield units on the histogram"));
-  setToolTip(tr("How often each Hounsfield unit occurs; drag either end of the range, or the band between them"));
+  setToolTip(tr("Histogram of the CT; drag either end of the range, or the band between them"));
 }
 
 QRectF RangeStrip::field() const {

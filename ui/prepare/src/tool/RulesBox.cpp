@@ -24,18 +24,17 @@ constexpr HuRange kUsual_HU{-20, 300};
 RulesBox::RulesBox(PrepareSession& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
-      over_(
-          ui::choiceBox("ruleOver", tr("What may be overwritten"),
-                        tr("Which labels tools may overwrite; locked and hidden ones they always leave as they are"))),
-      inside_(new LabelBox(session, tr("Label that is overwritten"), tr("Nothing but this label is overwritten"))),
+      over_(ui::choiceBox("ruleOver", tr("Labels that may be overwritten"),
+                          tr("Labels that tools may overwrite; locked and hidden labels always stay unchanged"))),
+      inside_(new LabelBox(session, tr("Label to overwrite"), tr("Only this label is overwritten"))),
       limited_(new QCheckBox(tr("only where the CT is"))),
       range_(new RangeField(QStringLiteral("editable"))) {
   // In the order of LabelRules::Over.
-  over_->addItems({tr("all but locked and hidden"), tr("fat, muscle, soft tissue"), tr("what has no label"),
-                   tr("only inside ...")});
+  over_->addItems(
+      {tr("all but locked and hidden"), tr("fat, muscle, soft tissue"), tr("unlabeled voxels"), tr("only inside ...")});
   inside_->setObjectName(QStringLiteral("ruleInside"));
   limited_->setObjectName(QStringLiteral("ruleLimited"));
-  limited_->setToolTip(tr("Voxels of another brightness stay as they are, whatever the tool"));
+  limited_->setToolTip(tr("No tool changes voxels outside this range"));
   auto* row = new QHBoxLayout;
   auto* name = new QLabel(tr("overwrites"));
   name->setBuddy(over_);

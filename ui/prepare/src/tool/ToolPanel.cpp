@@ -35,8 +35,9 @@ ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* paren
       label_(new LabelBox(session, tr("Label the tool is for"), tr("The label that the tool writes (Q, W)"))),
       rules_(new RulesBox(session)),
       histogram_(std::make_unique<views::HuHistogram>()),
-      preview_(ui::pushButton("toolPreview", tr("Preview"), tr("Show on the slices and in 3D what would be written"))),
-      apply_(ui::pushButton("toolApply", tr("Apply"), tr("Write it to the labels (Enter); Ctrl+Z takes it back"))),
+      preview_(ui::pushButton("toolPreview", tr("Preview"),
+                              tr("Shows the result on the slices and in 3D without writing it"))),
+      apply_(ui::pushButton("toolApply", tr("Apply"), tr("Writes the result to the labels (Enter); Ctrl+Z undoes it"))),
       leave_(ui::pushButton("toolLeave", tr("Cancel"), {})),
       box_(new QVBoxLayout(this)) {
   name_->setObjectName(QStringLiteral("toolLabel"));
@@ -186,14 +187,14 @@ void ToolPanel::refresh() {
                              : tool->advice);
   const bool brush = tool->input == ToolInput::Brush;
   leave_->setText(brush ? tr("Done") : tr("Cancel"));
-  leave_->setToolTip(brush ? tr("Lay the tool away (Esc)")
-                           : tr("Stop, forget what was clicked, or lay the tool away (Esc)"));
+  leave_->setToolTip(brush ? tr("Deselects the tool (Esc)")
+                           : tr("Stops, clears the clicks, or deselects the tool (Esc)"));
   preview_->setVisible(!brush);
   apply_->setVisible(!brush);
   preview_->setEnabled(tools_.isComplete());
   apply_->setEnabled(tools_.isComplete());
   apply_->setToolTip(missing > 0 ? tr("Click %1 more on the slices first").arg(missing)
-                                 : tr("Write it to the labels (Enter); Ctrl+Z takes it back"));
+                                 : tr("Writes the result to the labels (Enter); Ctrl+Z undoes it"));
 }
 
 }  // namespace insonate::prepare

@@ -280,9 +280,10 @@ void ToolSession::apply() {
     if (!change) return;
     if (auto* points = pointsOf(parameters_)) points->clear();
     Q_EMIT pointsChanged();
-    if (change->voxels == 0) return Q_EMIT told(tr("Nothing had to be changed, or it may not be overwritten."));
+    if (change->voxels == 0)
+      return Q_EMIT told(tr("Nothing changed: all voxels had the label already, or may not be overwritten."));
     const QString volume = volumeText(ml(change->voxels, session_.patient()->ct.geometry.spacing_mm));
-    session_.say(tr("%1: %2 ml changed; Ctrl+Z takes it back.").arg(what, volume));
+    session_.say(tr("%1: %2 ml changed; Ctrl+Z undoes it.").arg(what, volume));
   });
 }
 

@@ -118,121 +118,121 @@ std::vector<Tool> growing() {
   const auto edge = [](auto& s) -> auto& {
     return s.front.edge_HUpmm;
   };
-  return {{.id = "connected",
-           .name = tr("Connected"),
-           .group = group,
-           .key = Qt::Key_6,
-           .input = ToolInput::Points,
-           .advice = tr("Click in the structure; what hangs together with it in the range is taken."),
-           .usual = step::Connected{{}, kUsualRange},
-           .range = range<step::Connected>(),
-           .leastPoints = 1},
-          {.id = "confidence",
-           .name = tr("Confidence"),
-           .group = group,
-           .key = Qt::Key_6,
-           .input = ToolInput::Points,
-           .advice = tr("Click in the structure; the range is learned from around the clicks."),
-           .usual = C{},
-           .numbers = {number<C>(
-                           "spread", "", {0.5, 10, 0, 0.1, 1}, "standard deviations on either side of the mean",
-                           [](auto& s) -> auto& { return s.confidence.deviations; }),
-                       number<C>(
-                           "seed", "mm", {0.5, 20, 0, 0.5, 1}, "radius around each click that is learned from",
-                           [](auto& s) -> auto& { return s.confidence.seed_mm; })},
-           .leastPoints = 1},
-          {.id = "seeds",
-           .name = tr("From seeds"),
-           .group = group,
-           .key = Qt::Key_6,
-           .input = ToolInput::Nothing,
-           .advice =
-               tr("Paint a little of each structure first; all visible, unlocked labels then share what lies between."),
-           .usual = step::GrowSeeds{},
-           .numbers = {number<step::GrowSeeds>(
-               "blur", "mm", kBlur, "of the CT before", [](auto& s) -> auto& { return s.competition.smoothing_mm; })}},
-          {.id = "watershed",
-           .name = tr("Watershed"),
-           .group = group,
-           .key = Qt::Key_6,
-           .input = ToolInput::Nothing,
-           .advice = tr("Paint a little of each structure first; borders settle where the CT is steepest."),
-           .usual = step::Watershed{},
-           .numbers = {number<step::Watershed>(
-               "blur", "mm", kBlur, "of the CT before", [](auto& s) -> auto& { return s.smoothing_mm; })}},
-          {.id = "march",
-           .name = tr("Fast marching"),
-           .group = group,
-           .key = Qt::Key_6,
-           .input = ToolInput::Points,
-           .advice = tr("Click in the structure; a front runs until it meets edges."),
-           .usual = F{},
-           .numbers = {number<F>(
-                           "reach", "mm", {1, 60, 0, 1, 0}, "how far it runs",
-                           [](auto& s) -> auto& { return s.front.reach_mm; }),
-                       number<F>("edge", "HU/mm", kEdge, "the steepness that halves its speed", edge)},
-           .leastPoints = 1},
-          {.id = "levelset",
-           .name = tr("Level set"),
-           .group = group,
-           .key = Qt::Key_6,
-           .input = ToolInput::Nothing,
-           .advice = tr("Begins with what the label has, and moves its surface to the edges of the CT."),
-           .usual = L{},
-           .numbers = {number<L>(
-                           "edge", "HU/mm", kEdge, "the steepness that halves its speed",
-                           [](auto& s) -> auto& { return s.levelSet.edge_HUpmm; }),
-                       number<L>(
-                           "outward", "", {-3, 3, 0, 0.1, 1}, "how strongly it grows; below 0 it shrinks",
-                           [](auto& s) -> auto& { return s.levelSet.propagation; }),
-                       number<L>(
-                           "smoothness", "", {0, 3, 0, 0.1, 1}, "how much it is kept smooth",
-                           [](auto& s) -> auto& { return s.levelSet.curvature; }),
-                       number<L>(
-                           "rounds", "", {1, 1000, 0, 10, 0}, "at most; it stops earlier where it rests",
-                           [](auto& s) -> auto& { return s.levelSet.rounds; })}}};
+  return {
+      {.id = "connected",
+       .name = tr("Connected"),
+       .group = group,
+       .key = Qt::Key_6,
+       .input = ToolInput::Points,
+       .advice = tr("Click in the structure; connected voxels in the range get the label."),
+       .usual = step::Connected{{}, kUsualRange},
+       .range = range<step::Connected>(),
+       .leastPoints = 1},
+      {.id = "confidence",
+       .name = tr("Confidence"),
+       .group = group,
+       .key = Qt::Key_6,
+       .input = ToolInput::Points,
+       .advice = tr("Click in the structure; the range is learned from around the clicks."),
+       .usual = C{},
+       .numbers = {number<C>(
+                       "spread", "", {0.5, 10, 0, 0.1, 1}, "standard deviations on either side of the mean",
+                       [](auto& s) -> auto& { return s.confidence.deviations; }),
+                   number<C>(
+                       "seed", "mm", {0.5, 20, 0, 0.5, 1}, "radius around each click that is learned from",
+                       [](auto& s) -> auto& { return s.confidence.seed_mm; })},
+       .leastPoints = 1},
+      {.id = "seeds",
+       .name = tr("From seeds"),
+       .group = group,
+       .key = Qt::Key_6,
+       .input = ToolInput::Nothing,
+       .advice =
+           tr("Paint a little of each structure first; all visible, unlocked labels then grow into the space between."),
+       .usual = step::GrowSeeds{},
+       .numbers = {number<step::GrowSeeds>(
+           "blur", "mm", kBlur, "of the CT before", [](auto& s) -> auto& { return s.competition.smoothing_mm; })}},
+      {.id = "watershed",
+       .name = tr("Watershed"),
+       .group = group,
+       .key = Qt::Key_6,
+       .input = ToolInput::Nothing,
+       .advice = tr("Paint a little of each structure first; borders settle where the CT is steepest."),
+       .usual = step::Watershed{},
+       .numbers = {number<step::Watershed>(
+           "blur", "mm", kBlur, "of the CT before", [](auto& s) -> auto& { return s.smoothing_mm; })}},
+      {.id = "march",
+       .name = tr("Fast marching"),
+       .group = group,
+       .key = Qt::Key_6,
+       .input = ToolInput::Points,
+       .advice = tr("Click in the structure; a front runs until it meets edges."),
+       .usual = F{},
+       .numbers = {number<F>(
+                       "reach", "mm", {1, 60, 0, 1, 0}, "how far it runs",
+                       [](auto& s) -> auto& { return s.front.reach_mm; }),
+                   number<F>("edge", "HU/mm", kEdge, "the steepness that halves its speed", edge)},
+       .leastPoints = 1},
+      {.id = "levelset",
+       .name = tr("Level set"),
+       .group = group,
+       .key = Qt::Key_6,
+       .input = ToolInput::Nothing,
+       .advice = tr("Moves the label's surface to the edges of the CT."),
+       .usual = L{},
+       .numbers = {number<L>(
+                       "edge", "HU/mm", kEdge, "the steepness that halves its speed",
+                       [](auto& s) -> auto& { return s.levelSet.edge_HUpmm; }),
+                   number<L>(
+                       "outward", "", {-3, 3, 0, 0.1, 1}, "how strongly it grows; below 0 it shrinks",
+                       [](auto& s) -> auto& { return s.levelSet.propagation; }),
+                   number<L>(
+                       "smoothness", "", {0, 3, 0, 0.1, 1}, "how much it is kept smooth",
+                       [](auto& s) -> auto& { return s.levelSet.curvature; }),
+                   number<L>(
+                       "rounds", "", {1, 1000, 0, 10, 0}, "at most; it stops earlier where it rests",
+                       [](auto& s) -> auto& { return s.levelSet.rounds; })}}};
 }
 
 std::vector<Tool> vessels() {
   using V = step::Vessel;
   using T = step::Tube;
   const QString group = tr("Vessel");
-  return {
-      {.id = "vessel",
-       .name = tr("With contrast"),
-       .group = group,
-       .key = Qt::Key_7,
-       .input = ToolInput::Points,
-       .advice = tr("Click along a vessel with contrast agent, from one end to the other, on any slices."),
-       .usual = V{},
-       .numbers = {number<V>(
-                       "largest", "mm", {2, 30, 0, 0.5, 1}, "no wall is looked for farther from the middle",
-                       [](auto& s) -> auto& { return s.tracking.largest_mm; }),
-                   number<V>(
-                       "blur", "mm", kBlur, "of the CT before",
-                       [](auto& s) -> auto& { return s.tracking.smoothing_mm; })},
-       .leastPoints = 2},
-      {.id = "tube",
-       .name = tr("Without contrast"),
-       .group = group,
-       .key = Qt::Key_7,
-       .input = ToolInput::Points,
-       .advice = tr("Click in the middle of a vessel or muscle that differs little from what is around it, from one "
-                    "end to the other."),
-       .usual = T{},
-       .numbers = {number<T>(
-                       "largest", "mm", {2, 30, 0, 0.5, 1}, "no wall is looked for farther from the middle",
-                       [](auto& s) -> auto& { return s.tracking.largest_mm; }),
-                   number<T>(
-                       "darker", "HU", kEdge, "how much darker than its middle it may be",
-                       [](auto& s) -> auto& { return s.tracking.darker_HU; }),
-                   number<T>(
-                       "brighter", "HU", kEdge, "how much brighter than its middle it may be",
-                       [](auto& s) -> auto& { return s.tracking.brighter_HU; }),
-                   number<T>(
-                       "stiffness", "", {0, 10, 0, 0.1, 1}, "how much its outline resists dents and bumps",
-                       [](auto& s) -> auto& { return s.tracking.stiffness; })},
-       .leastPoints = 2}};
+  return {{.id = "vessel",
+           .name = tr("With contrast"),
+           .group = group,
+           .key = Qt::Key_7,
+           .input = ToolInput::Points,
+           .advice = tr("Click along a vessel with contrast agent, from one end to the other, on any slices."),
+           .usual = V{},
+           .numbers = {number<V>(
+                           "largest", "mm", {2, 30, 0, 0.5, 1}, "no wall is looked for farther from the middle",
+                           [](auto& s) -> auto& { return s.tracking.largest_mm; }),
+                       number<V>(
+                           "blur", "mm", kBlur, "of the CT before",
+                           [](auto& s) -> auto& { return s.tracking.smoothing_mm; })},
+           .leastPoints = 2},
+          {.id = "tube",
+           .name = tr("Without contrast"),
+           .group = group,
+           .key = Qt::Key_7,
+           .input = ToolInput::Points,
+           .advice = tr("Click in the middle of a vessel or muscle that differs little from its surroundings, from one "
+                        "end to the other."),
+           .usual = T{},
+           .numbers = {number<T>(
+                           "largest", "mm", {2, 30, 0, 0.5, 1}, "no wall is looked for farther from the middle",
+                           [](auto& s) -> auto& { return s.tracking.largest_mm; }),
+                       number<T>(
+                           "darker", "HU", kEdge, "how much darker than its middle it may be",
+                           [](auto& s) -> auto& { return s.tracking.darker_HU; }),
+                       number<T>(
+                           "brighter", "HU", kEdge, "how much brighter than its middle it may be",
+                           [](auto& s) -> auto& { return s.tracking.brighter_HU; }),
+                       number<T>(
+                           "stiffness", "", {0, 10, 0, 0.1, 1}, "how much its outline resists dents and bumps",
+                           [](auto& s) -> auto& { return s.tracking.stiffness; })},
+           .leastPoints = 2}};
 }
 
 template <class Step>
@@ -269,94 +269,92 @@ std::vector<Tool> shaping() {
   using M = step::Margin;
   using H = step::Hollow;
   const QString islands = tr("Islands"), shape = tr("Shape");
-  return {
-      smoothingInReach<step::Median>("median", "Median", "Takes bumps and fills dents of the label.",
-                                     "of the block around each voxel that decides; half of Slicer's kernel size"),
-      smoothingInReach<step::Opening>("opening", "Opening", "Removes thin bridges and spikes.",
-                                      "what is narrower than twice this goes; half of Slicer's kernel size"),
-      smoothingInReach<step::Closing>("closing", "Closing", "Fills gaps and pits.",
-                                      "what is narrower than twice this is filled; half of Slicer's kernel size"),
-      blurring<step::Gaussian>("gaussian", "Gaussian", "Rounds the label."),
-      blurring<step::SmoothTogether>("joint", "Together",
-                                     "Smooths all visible, unlocked labels without gaps between them."),
-      {.id = "largest",
-       .name = tr("Keep largest"),
-       .group = islands,
-       .key = Qt::Key_9,
-       .advice = tr("Keeps the largest parts of the label; the rest becomes soft tissue."),
-       .usual = I{},
-       .numbers = {number<I>(
-           "parts", "", {1, 50, 0, 1, 0}, "that are kept", [](auto& s) -> auto& { return s.islands; })}},
-      {.id = "small",
-       .name = tr("Remove small"),
-       .group = islands,
-       .key = Qt::Key_9,
-       .advice = tr("Parts of the label that are smaller become soft tissue."),
-       .usual = R{},
-       .numbers = {number<R>(
-           "least", "mm\u00b3", {1, 10000, 0, 10, 0}, "volume of parts that are kept",
-           [](auto& s) -> auto& { return s.least_mm3; })}},
-      {.id = "island",
-       .name = tr("Keep this one"),
-       .group = islands,
-       .key = Qt::Key_9,
-       .input = ToolInput::Points,
-       .advice = tr("Click the part of the label that is kept."),
-       .usual = step::KeepIsland{},
-       .leastPoints = 1},
-      {.id = "margin",
-       .name = tr("Margin"),
-       .group = shape,
-       .key = Qt::Key_0,
-       .advice = tr("Makes the label larger on all sides, or smaller below 0."),
-       .usual = M{},
-       .numbers = {number<M>(
-           "margin", "mm", {-20, 20, 0, 0.5, 1}, "above 0 larger", [](auto& s) -> auto& { return s.margin_mm; })}},
-      {.id = "hollow",
-       .name = tr("Hollow"),
-       .group = shape,
-       .key = Qt::Key_0,
-       .advice = tr("Leaves the wall of the label."),
-       .usual = H{},
-       .numbers = {number<H>(
-           "wall", "mm", kRadius, "its thickness", [](auto& s) -> auto& { return s.thickness_mm; })},
-       .choices = {choice<H>(
-           "lies", {tr("inside"), tr("half and half"), tr("outside")}, "of the surface",
-           [](auto& s) -> auto& { return s.wall; })}},
-      {.id = "logical",
-       .name = tr("Combine"),
-       .group = shape,
-       .key = Qt::Key_0,
-       .advice = tr("Adds another label to this one, takes away what lies near it, or leaves only that."),
-       .usual = step::Logical{LogicalOperation::kAdd, 0},
-       .numbers = {number<step::Logical>(
-           "reach", "mm", {0, 20, 0, 0.5, 1}, "around the other label, counted as part of it",
-           [](auto& s) -> auto& { return s.reach_mm; })},
-       .choices = {choice<step::Logical>(
-           "do", {tr("add"), tr("subtract"), tr("intersect")}, "with the other label",
-           [](auto& s) -> auto& { return s.operation; })},
-       .other = ToolLabel{tr("with"), tr("the other label"),
-                          [](const LabelTool& t) { return std::get<step::Logical>(t).with; },
-                          [](LabelTool& t, std::uint8_t label) { std::get<step::Logical>(t).with = label; }}},
-      {.id = "fill",
-       .name = tr("Fill between"),
-       .group = shape,
-       .key = Qt::Key_0,
-       .advice = tr("Draws the label in the slices between those where it was drawn; made along the slices used last."),
-       .usual = step::FillBetween{}}};
+  return {smoothingInReach<step::Median>("median", "Median", "Takes bumps and fills dents of the label.",
+                                         "of the block around each voxel that decides; half of Slicer's kernel size"),
+          smoothingInReach<step::Opening>("opening", "Opening", "Removes thin bridges and spikes.",
+                                          "what is narrower than twice this goes; half of Slicer's kernel size"),
+          smoothingInReach<step::Closing>("closing", "Closing", "Fills gaps and pits.",
+                                          "what is narrower than twice this is filled; half of Slicer's kernel size"),
+          blurring<step::Gaussian>("gaussian", "Gaussian", "Rounds the label."),
+          blurring<step::SmoothTogether>("joint", "Together",
+                                         "Smooths all visible, unlocked labels without gaps between them."),
+          {.id = "largest",
+           .name = tr("Keep largest"),
+           .group = islands,
+           .key = Qt::Key_9,
+           .advice = tr("Keeps the largest parts of the label; the rest becomes soft tissue."),
+           .usual = I{},
+           .numbers = {number<I>(
+               "parts", "", {1, 50, 0, 1, 0}, "that are kept", [](auto& s) -> auto& { return s.islands; })}},
+          {.id = "small",
+           .name = tr("Remove small"),
+           .group = islands,
+           .key = Qt::Key_9,
+           .advice = tr("Parts of the label that are smaller become soft tissue."),
+           .usual = R{},
+           .numbers = {number<R>(
+               "least", "mm\u00b3", {1, 10000, 0, 10, 0}, "volume of parts that are kept",
+               [](auto& s) -> auto& { return s.least_mm3; })}},
+          {.id = "island",
+           .name = tr("Keep part"),
+           .group = islands,
+           .key = Qt::Key_9,
+           .input = ToolInput::Points,
+           .advice = tr("Click the part of the label to keep."),
+           .usual = step::KeepIsland{},
+           .leastPoints = 1},
+          {.id = "margin",
+           .name = tr("Margin"),
+           .group = shape,
+           .key = Qt::Key_0,
+           .advice = tr("Makes the label larger on all sides, or smaller below 0."),
+           .usual = M{},
+           .numbers = {number<M>(
+               "margin", "mm", {-20, 20, 0, 0.5, 1}, "above 0 larger", [](auto& s) -> auto& { return s.margin_mm; })}},
+          {.id = "hollow",
+           .name = tr("Hollow"),
+           .group = shape,
+           .key = Qt::Key_0,
+           .advice = tr("Keeps the wall of the label."),
+           .usual = H{},
+           .numbers = {number<H>(
+               "wall", "mm", kRadius, "its thickness", [](auto& s) -> auto& { return s.thickness_mm; })},
+           .choices = {choice<H>(
+               "lies", {tr("inside"), tr("half and half"), tr("outside")}, "of the surface",
+               [](auto& s) -> auto& { return s.wall; })}},
+          {.id = "logical",
+           .name = tr("Combine"),
+           .group = shape,
+           .key = Qt::Key_0,
+           .advice = tr("Adds another label to this one, takes away what lies near it, or leaves only that."),
+           .usual = step::Logical{LogicalOperation::kAdd, 0},
+           .numbers = {number<step::Logical>(
+               "reach", "mm", {0, 20, 0, 0.5, 1}, "around the other label, counted as part of it",
+               [](auto& s) -> auto& { return s.reach_mm; })},
+           .choices = {choice<step::Logical>(
+               "do", {tr("add"), tr("subtract"), tr("intersect")}, "with the other label",
+               [](auto& s) -> auto& { return s.operation; })},
+           .other = ToolLabel{tr("with"), tr("the other label"),
+                              [](const LabelTool& t) { return std::get<step::Logical>(t).with; },
+                              [](LabelTool& t, std::uint8_t label) { std::get<step::Logical>(t).with = label; }}},
+          {.id = "fill",
+           .name = tr("Fill between"),
+           .group = shape,
+           .key = Qt::Key_0,
+           .advice = tr("Interpolates the label between the slices on which it was drawn, along the slices used last."),
+           .usual = step::FillBetween{}}};
 }
 
 std::vector<Tool> all() {
   std::vector<Tool> tools = drawing();
-  tools.push_back(
-      {.id = "threshold",
-       .name = tr("Threshold"),
-       .group = {},
-       .key = Qt::Key_5,
-       .input = ToolInput::Range,
-       .advice = tr("Everything in the range gets the label. A click on a slice takes the brightness there."),
-       .usual = step::Threshold{kUsualRange},
-       .range = range<step::Threshold>()});
+  tools.push_back({.id = "threshold",
+                   .name = tr("Threshold"),
+                   .group = {},
+                   .key = Qt::Key_5,
+                   .input = ToolInput::Range,
+                   .advice = tr("Labels every voxel in the range. Click a slice to sample its value."),
+                   .usual = step::Threshold{kUsualRange},
+                   .range = range<step::Threshold>()});
   for (auto part : {growing(), vessels(), shaping()}) tools.insert(tools.end(), part.begin(), part.end());
   // Resetting gives back what the tool begins with.
   for (Tool& tool : tools)

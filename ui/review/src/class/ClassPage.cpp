@@ -79,7 +79,7 @@ QWidget* ClassPage::buildHead() {
   row->setSpacing(ui::kGap);
   cohorts_->setObjectName(QStringLiteral("cohorts"));
   cohorts_->setAccessibleName(tr("Class"));
-  cohorts_->setToolTip(tr("The class that is looked at"));
+  cohorts_->setToolTip(tr("Class shown"));
   cohorts_->setMinimumWidth(220);
   cohorts_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   new ui::QuietWheel(cohorts_);
@@ -88,7 +88,7 @@ QWidget* ClassPage::buildHead() {
   facts_->setTextFormat(Qt::PlainText);
   facts_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   ui::setRole(facts_, "quiet");
-  again_->setToolTip(tr("Ask for new attempts and people (F5)"));
+  again_->setToolTip(tr("Reads new attempts and people (F5)"));
   again_->setShortcut(QKeySequence(Qt::Key_F5));
   connect(again_, &QPushButton::clicked, this, [this] { desk_.refresh(); });
   save_->setObjectName(QStringLiteral("saveClass"));
@@ -106,7 +106,7 @@ QWidget* ClassPage::buildTable() {
   sorted_->setSortCaseSensitivity(Qt::CaseInsensitive);
   sorted_->setDynamicSortFilter(true);
   table_->setObjectName(QStringLiteral("classTable"));
-  table_->setAccessibleName(tr("People of the class and how good they are in each metric"));
+  table_->setAccessibleName(tr("People of the class and their performance in each metric"));
   table_->setToolTip(tr("Enter or a double click shows the person"));
   table_->setModel(sorted_);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -145,7 +145,7 @@ QWidget* ClassPage::buildTable() {
 QWidget* ClassPage::buildConcerns() {
   ui::setRole(concernsTitle_, "heading");
   concerns_->setObjectName(QStringLiteral("concerns"));
-  concerns_->setAccessibleName(tr("Who and what needs attention, and why"));
+  concerns_->setAccessibleName(tr("People who need attention, with the reason"));
   concerns_->setToolTip(tr("Enter or a double click shows the person"));
   concerns_->setWordWrap(true);
   concerns_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -192,10 +192,10 @@ void ClassPage::showPlace() {
         desk_.administers()
             ? tr("There is no class yet. Make one, and add its instructors and trainees, under your name at the top "
                  "right (Alt+U): People and classes.")
-            : tr("No class is yours yet. An administrator makes classes and says who teaches them; then they are "
-                 "here.");
+            : tr("You have no class yet. An administrator creates classes and assigns instructors; your classes then "
+                 "appear here.");
   else if (desk_.facts() && desk_.facts()->learners.empty())
-    words = tr("Nobody learns in this class yet. Add people, or a class list (CSV), under People and classes (Alt+U).");
+    words = tr("This class has no trainees yet. Add people, or a class list (CSV), under People and classes (Alt+U).");
   words_->setText(words);
   save_->setEnabled(words.isEmpty() && desk_.facts());
   centre_->setCurrentIndex(words.isEmpty() ? 1 : 0);
@@ -213,7 +213,7 @@ void ClassPage::showFacts() {
   }
   if (desk_.isReading()) facts << tr("reading ...");
   if (desk_.standingsToCome() > 0)
-    facts << tr("levels of %1 more being worked out").arg(countOf(desk_.standingsToCome(), tr("person"), tr("people")));
+    facts << tr("computing the levels of %1 more").arg(countOf(desk_.standingsToCome(), tr("person"), tr("people")));
   facts_->setText(facts.join(QStringLiteral("   ·   ")));
   facts_->setToolTip(plainToolTip(facts_->text()));
 }

@@ -102,7 +102,7 @@ QVariant ClassTable::aboutMetric(const Member& member, std::size_t metric, int r
       return cell.share ? QVariant(heatColour(*cell.share)) : QVariant();
     case Qt::ToolTipRole:
     case Qt::AccessibleDescriptionRole:
-      if (!cell.value) return tr("No data: none of the last %1 attempts at levels tells it.").arg(kLastAttempts);
+      if (!cell.value) return tr("No data in the last %1 attempts at levels.").arg(kLastAttempts);
       return tr("%1: %2, mean of %3, %4")
           .arg(titleWithUnit(meaning), numberOf(*cell.value), countOf(cell.attempts, tr("attempt"), tr("attempts")),
                heatWords(cell.share));

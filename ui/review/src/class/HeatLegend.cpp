@@ -15,8 +15,8 @@ constexpr int kBar_px = 160;
 
 HeatLegend::HeatLegend(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("heatLegend"));
-  setToolTip(tr("Colours go from the novice's value to the expert's, as studies found them; the number is the mean of "
-                "the last %1 attempts at levels that count, without free practice")
+  setToolTip(tr("Colors range from the novice's published value to the expert's; the number is the mean of the last %1 "
+                "attempts at levels that count, without free practice")
                  .arg(kLastAttempts));
   setFixedHeight(fontMetrics().height() + ui::kSmallGap);
 }

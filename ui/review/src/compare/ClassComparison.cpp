@@ -59,11 +59,9 @@ ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& 
   const ValueKind kind = kindOfMeans(MetricBook::here().all()[metric]);
   const auto ranks = compareRanks(a, b);
   if (!ranks) {
-    result.picture.words =
-        tr("n/a: of %1 there are %2 people with attempts that tell it, of %3 %4; at least %5 of each "
-           "are needed.")
-            .arg(first.name, QString::number(a.size()), second.name, QString::number(b.size()),
-                 QString::number(kFewestCompared));
+    result.picture.words = tr("n/a: %2 people of %1 and %4 of %3 have data; at least %5 of each are needed.")
+                               .arg(first.name, QString::number(a.size()), second.name, QString::number(b.size()),
+                                    QString::number(kFewestCompared));
     result.words = result.picture.words;
     return result;
   }
@@ -74,14 +72,14 @@ ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& 
   result.picture.lines.push_back(peopleBeside(1, b, ui::ChartPicture::Tone::Caution));
   result.words =
       QStringList{meanWords(first.name, a, kind), meanWords(second.name, b, kind),
-                  tr("Effect size (Cliff's delta) %1: someone of %2 is above someone of %3 in %4 % of pairs; p = %5 "
+                  tr("Effect size (Cliff's delta) %1: a person of %2 is above a person of %3 in %4 % of pairs; p = %5 "
                      "(Mann-Whitney, %6).")
                       .arg(QString::number(ranks->effect, 'f', 2), first.name, second.name,
                            QString::number(100 * ranks->superiority, 'f', 0), QString::number(ranks->p, 'g', 2),
                            ranks->exact ? tr("exact") : tr("approximate"))}
           .join(QLatin1Char('\n'));
   if (const std::size_t both = inBoth(first, second); both > 0)
-    result.words += QLatin1Char(' ') + tr("%1 are in both classes: interval and p take them for different people.")
+    result.words += QLatin1Char(' ') + tr("%1 are in both classes: interval and p count them as different people.")
                                            .arg(countOf(both, tr("person"), tr("people")));
   return result;
 }

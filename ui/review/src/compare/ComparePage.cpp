@@ -36,7 +36,7 @@ ComparePage::ComparePage(const ClassDesk& desk, QWidget* parent)
   metric_->setObjectName(QStringLiteral("metricCompared"));
   metric_->setAccessibleName(tr("Metric"));
   metric_->setToolTip(
-      tr("In what the classes are compared: the means of each person's last %1 attempts at levels").arg(kLastAttempts));
+      tr("Metric of the comparison: the means of each person's last %1 attempts at levels").arg(kLastAttempts));
   for (QComboBox* box : {other_, metric_}) {
     box->setMinimumWidth(230);
     new ui::QuietWheel(box);
@@ -122,7 +122,7 @@ void ComparePage::show() {
     return words_->setText(comparison.words);
   }
   ui::ChartPicture nothing;
-  nothing.words = desk_.cohorts().size() < 2 ? tr("There is only one class that you see; two are needed to compare.")
+  nothing.words = desk_.cohorts().size() < 2 ? tr("You can see only one class; a comparison needs two.")
                                              : tr("Choose the class to compare with above.");
   chart_->show(nothing);
 }

@@ -39,12 +39,12 @@ ReviewHome::ReviewHome(AttemptList& list, QWidget* parent)
       savePerson_(new SaveMenu(SaveMenu::Subject::Person, *room_, *person_, this)) {
   classPage_->setSaving(saveClass_);
   personPage_->setSaving(savePerson_);
-  addTab(kClass, "classTab", tr("Class"), tr("Everyone of a class at one look (Alt+1)"), QStringLiteral("Alt+1"));
-  addTab(kPerson, "personTab", tr("Person"), tr("How one person learns (Alt+2)"), QStringLiteral("Alt+2"));
-  addTab(kCompare, "compareTab", tr("Compare"), tr("The class beside another one (Alt+3)"), QStringLiteral("Alt+3"));
+  addTab(kClass, "classTab", tr("Class"), tr("Overview of a class (Alt+1)"), QStringLiteral("Alt+1"));
+  addTab(kPerson, "personTab", tr("Person"), tr("Learning curves of one person (Alt+2)"), QStringLiteral("Alt+2"));
+  addTab(kCompare, "compareTab", tr("Compare"), tr("Compares two classes (Alt+3)"), QStringLiteral("Alt+3"));
   addTab(kRecordings, "recordingsTab", tr("Recordings"), tr("All recordings of this computer (Alt+4)"),
          QStringLiteral("Alt+4"));
-  addTab(kRaters, "ratersTab", tr("Raters"), tr("How far those agree who judge the attempts of the class (Alt+5)"),
+  addTab(kRaters, "ratersTab", tr("Raters"), tr("Agreement of the raters of the class (Alt+5)"),
          QStringLiteral("Alt+5"));
   row_->addStretch(1);
   notice_->setObjectName(QStringLiteral("accountNotice"));
@@ -131,7 +131,7 @@ void ReviewHome::showWho() {
   notice_->setVisible(!somebody);
   notice_->setText(account_ && account_->state() == ui::Account::State::Unreachable
                        ? tr("People and classes cannot be reached: %1").arg(account_->trouble())
-                       : tr("Classes, people and learning curves are there for who has signed in (Ctrl+L)."));
+                       : tr("Sign in (Ctrl+L) to see classes, people and learning curves."));
   showTab(!somebody ? kRecordings : room_->teaches() ? kClass : kPerson);
   if (somebody && !room_->teaches()) person_->show(account_->person().id, std::nullopt);
 }
@@ -167,7 +167,7 @@ bool ReviewHome::isSettled() const {
 QString ReviewHome::statusText() const {
   switch (pages_->currentIndex()) {
     case kClass:
-      return tr("Choose a person; Enter shows them.");
+      return tr("Choose a person; Enter shows the person's page.");
     case kPerson:
       return tr("Choose an attempt; Enter replays it.");
     case kCompare:

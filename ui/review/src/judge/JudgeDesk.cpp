@@ -59,20 +59,20 @@ QString JudgeDesk::nameOfPerson() const {
 
 QString JudgeDesk::words() const {
   if (!trouble_.isEmpty()) return trouble_;
-  if (reading_) return tr("Looking for whose attempt this is ...");
-  if (!origin_) return tr("Checklists and ratings of attempts are there for who has signed in (Ctrl+L).");
+  if (reading_) return tr("Identifying the attempt ...");
+  if (!origin_) return tr("Sign in (Ctrl+L) to see checklists and ratings of attempts.");
   if (!origin_->attempt)
     return tr(
-        "This recording is of no attempt that is kept here: it was practice without a level or a name. It can be "
-        "replayed, and not judged.");
+        "This recording belongs to no stored attempt: it was practice without a level or an account. It can be "
+        "replayed but not judged.");
   const AttemptFacts& attempt = *origin_->attempt;
   const QString when = ui::dayAndTimeOf(attempt.begun_us);
   if (!origin_->same)
-    return tr("This is not the recording of the attempt of %1, %2: the file is another one, or was changed since. What "
-              "it shows is not theirs, and is not judged. Look for the recording that was made on %3.")
+    return tr("This is not the recording of the attempt of %1, %2: the file is another one, or has changed since. It "
+              "cannot be judged. Use the recording that was made on %3.")
         .arg(nameOfPerson(), when, QString::fromStdString(attempt.workstation));
   if (mayJudge()) return tr("%1, attempt of %2").arg(nameOfPerson(), when);
-  return tr("Your attempt of %1. What your instructors hand in about it is read here.").arg(when);
+  return tr("Your attempt of %1. Judgements by your instructors appear here.").arg(when);
 }
 
 bool JudgeDesk::mayJudge() const {

@@ -83,8 +83,7 @@ QWidget* JudgePane::buildHead() {
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
   addTab(*row, kFill, "fillForm", tr("Fill in"), tr("Judge this attempt"));
-  addTab(*row, kRead, "readForms", tr("Handed in"),
-         tr("What was handed in about this attempt, and where raters differ"));
+  addTab(*row, kRead, "readForms", tr("Handed in"), tr("Judgements of this attempt, and differences between raters"));
   row->addStretch(1);
   choice_->setObjectName(QStringLiteral("judgeForm"));
   choice_->setAccessibleName(tr("Form"));
@@ -163,7 +162,7 @@ void JudgePane::showHandIn() {
   handIn_->setEnabled(desk_.mayJudge() && !done);
   handIn_->setToolTip(
       done ? tr("You have handed in this form about this attempt; a form is handed in once")
-           : tr("Store the answers under your name: the trainee reads them, and they do not change afterwards"));
+           : tr("Stores the answers under your name: the trainee can read them, and they cannot be changed"));
   showProgress();
 }
 
@@ -174,7 +173,7 @@ void JudgePane::showPage(int page) {
 
 void JudgePane::showProgress() {
   if (desk_.hasHandedIn(form().name))
-    return progress_->setText(tr("You have handed in this form about this attempt; it is read under Handed in."));
+    return progress_->setText(tr("You have handed in this form about this attempt; see Handed in."));
   const FormAnswers answers = sheet_->answers();
   const FormScore score = formScore(form(), answers);
   progress_->setText(answers.empty() ? QString::fromStdString(form().about)
@@ -187,7 +186,7 @@ void JudgePane::keepDraft() {
 }
 
 void JudgePane::handIn() {
-  if (!sheet_->check()) return Q_EMIT said(tr("Some answers cannot be stored; what is wrong is said beside them."));
+  if (!sheet_->check()) return Q_EMIT said(tr("Some answers cannot be stored; the errors are stated beside them."));
   keepDraft();
   handIn_->setEnabled(false);
   handing_ = {subject_, form()};
@@ -199,7 +198,7 @@ void JudgePane::handIn() {
 /// Meanwhile another form or attempt may have been chosen.
 void JudgePane::handedIn() {
   const auto& [subject, form] = handing_;
-  Q_EMIT said(tr("Handed in. It can be read beside the attempt from now on."));
+  Q_EMIT said(tr("Handed in. The trainee can now read it beside the attempt."));
   if (subject != subject_ || form.name != sheet_->form().name) return;
   sheet_->setAnswers({});
   keepDraft();

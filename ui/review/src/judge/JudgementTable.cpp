@@ -44,8 +44,7 @@ JudgementTable::JudgementTable(QWidget* parent)
       onlyDiffering_(new QCheckBox(tr("Only where raters differ"))),
       table_(new QTableWidget) {
   onlyDiffering_->setObjectName(QStringLiteral("onlyDiffering"));
-  onlyDiffering_->setToolTip(
-      tr("Leave out what all raters answered alike and without a note: what is left is worth talking about"));
+  onlyDiffering_->setToolTip(tr("Hides items that all raters answered alike and without a note"));
   connect(onlyDiffering_, &QCheckBox::toggled, this, [this] { fill(); });
   table_->setObjectName(QStringLiteral("judgements"));
   table_->setAccessibleName(tr("Answers item by item, a column for each form that was handed in"));
@@ -125,7 +124,7 @@ QString JudgementTable::wordsAbove() const {
         QStringLiteral("%1, %2").arg(QString::fromStdString(one.rater), ui::dayAndTimeOf(one.filled.filled_us));
     const auto answers = parseAnswers(one.filled.answers);
     if (one.withheld)
-      lines << tr("%1: read once you have handed in yours").arg(who);
+      lines << tr("%1: visible once you have handed in yours").arg(who);
     else if (answers && one.filled.formVersion == form_.version)
       lines << QStringLiteral("%1: %2").arg(who, scoreWords(formScore(form_, *answers)));
     else

@@ -58,9 +58,9 @@ RatersPage::RatersPage(const ClassDesk& desk, QWidget* parent)
       choice_(new QComboBox),
       save_(new QPushButton(ui::icon(QStringLiteral("save")), tr("Save table ..."))),
       words_(new QLabel),
-      pairs_(tableOf("raterPairs", tr("Each two raters and how far they agree"),
+      pairs_(tableOf("raterPairs", tr("Pairs of raters and their agreement"),
                      {tr("Raters"), tr("Attempts"), tr("Answers"), tr("Alike"), tr("Kappa"), tr("ICC of the scores")})),
-      items_(tableOf("raterItems", tr("How far the chosen two agree on each item"),
+      items_(tableOf("raterItems", tr("Agreement of the selected pair on each item"),
                      {tr("Item"), tr("Answers"), tr("Alike"), tr("Kappa"), tr("ICC of the points")})) {
   for (const std::string& name : formPresetNames())
     if (auto form = loadForm(name); form && form->purpose != Form::Purpose::Questionnaire)
@@ -96,7 +96,7 @@ QWidget* RatersPage::buildHead() {
   for (const Form& form : forms_) choice_->addItem(QString::fromStdString(form.title));
   connect(choice_, QOverload<int>::of(&QComboBox::activated), this, [this] { read(); });
   save_->setObjectName(QStringLiteral("saveRaters"));
-  save_->setToolTip(tr("Write the figures of all raters and items as CSV"));
+  save_->setToolTip(tr("Saves the figures of all raters and items as CSV"));
   connect(save_, &QPushButton::clicked, this, [this] {
     const QString file = QFileDialog::getSaveFileName(
         this, tr("Save the agreement"), QDir::home().filePath(QStringLiteral("raters.csv")), tr("Table (*.csv)"));
@@ -142,7 +142,8 @@ QString RatersPage::words() const {
                QString::fromStdString(desk_.facts()->cohort.name), QString::number(agreement_.judgedTwice));
   if (agreement_.pairs.empty())
     return twice + QLatin1Char(' ') +
-           tr("There is nothing to compare: replay an attempt that somebody has judged, press 4, and judge it, too.");
+           tr("There is nothing to compare: replay an attempt that another rater has judged, press 4, and judge it, "
+              "too.");
   const QString left = agreement_.otherVersions > 0
                            ? tr(" Forms of another version that are left out: %1.").arg(agreement_.otherVersions)
                            : QString();

@@ -44,7 +44,7 @@ QString placeOf(const KeptAttempt& attempt, const QString& recording) {
 
 /// The recording of this attempt is not to be had, and what to do.
 QString whyNoReplay(const KeptAttempt& attempt) {
-  if (attempt.facts.recording.empty()) return HistoryTable::tr("Of this attempt nothing was recorded.");
+  if (attempt.facts.recording.empty()) return HistoryTable::tr("This attempt has no recording.");
   return HistoryTable::tr("The recording '%1' is not on this computer but on %2. Copy it from there into %3.")
       .arg(QString::fromStdString(attempt.facts.recording), QString::fromStdString(attempt.facts.workstation),
            QDir::toNativeSeparators(ui::attemptsFolder()));
@@ -111,17 +111,17 @@ QWidget* HistoryTable::buildButtons() {
   replay_->setObjectName(QStringLiteral("replayAttempt"));
   ui::setRole(replay_, "primary");
   void_->setObjectName(QStringLiteral("voidAttempt"));
-  void_->setToolTip(tr("Take the attempt out of the count, with a reason; it is kept (Delete)"));
+  void_->setToolTip(tr("Excludes the attempt from the count, with a reason; it stays in the list (Delete)"));
   void_->setShortcut(QKeySequence(Qt::Key_Delete));
   earlier_->setObjectName(QStringLiteral("earlierAttempts"));
-  earlier_->setToolTip(tr("List the %1 attempts before these").arg(kPage));
+  earlier_->setToolTip(tr("Lists the %1 attempts before these").arg(kPage));
   words_->setObjectName(QStringLiteral("historyWords"));
   words_->setTextFormat(Qt::PlainText);
   words_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   ui::setRole(words_, "quiet");
   connect(replay_, &QPushButton::clicked, this, [this] { replay(); });
   accept_->setObjectName(QStringLiteral("acceptAttempt"));
-  accept_->setToolTip(tr("Count this pass, which nothing proves, on your word, with a reason"));
+  accept_->setToolTip(tr("Counts this unproven pass on your word, with a reason"));
   connect(void_, &QPushButton::clicked, this, [this] { askReason(Change::Void); });
   connect(accept_, &QPushButton::clicked, this, [this] { askReason(Change::Accept); });
   connect(earlier_, &QPushButton::clicked, this, [this] { desk_.readEarlier(); });
@@ -140,9 +140,9 @@ QWidget* HistoryTable::buildReason() {
   row->setSpacing(ui::kGap);
   reason_->setObjectName(QStringLiteral("voidReason"));
   changeNow_->setObjectName(QStringLiteral("voidNow"));
-  changeNow_->setToolTip(tr("It cannot be taken back (Enter)"));
-  auto* leave = new QPushButton(tr("Leave it"));
-  leave->setToolTip(tr("The attempt stays as it is (Esc)"));
+  changeNow_->setToolTip(tr("This cannot be undone (Enter)"));
+  auto* leave = new QPushButton(tr("Cancel"));
+  leave->setToolTip(tr("Leaves the attempt unchanged (Esc)"));
   auto* escape = new QAction(part);
   escape->setShortcut(QKeySequence(Qt::Key_Escape));
   escape->setShortcutContext(Qt::WidgetWithChildrenShortcut);
@@ -210,16 +210,17 @@ void HistoryTable::showChosen() {
   const KeptAttempt* attempt = chosen();
   const bool here = attempt && !recordingOf(*attempt).isEmpty();
   replay_->setEnabled(here);
-  replay_->setToolTip(here ? tr("See the attempt again (Enter)") : tr("The recording is not on this computer"));
+  replay_->setToolTip(here ? tr("Replays the attempt (Enter)") : tr("The recording is not on this computer"));
   const bool ended =
       attempt && (attempt->facts.state == AttemptState::Completed || attempt->facts.state == AttemptState::Abandoned);
   void_->setVisible(desk_.mayVoid());
   void_->setEnabled(ended);
   accept_->setVisible(desk_.mayVoid() && ended && isUnproven(*attempt));
   words_->setText(!desk_.facts() ? QString()
-                  : !attempt     ? tr("No attempt yet. Those made under Train (Ctrl+2) while signed in come here.")
-                  : here         ? QString()
-                                 : whyNoReplay(*attempt));
+                  : !attempt
+                      ? tr("No attempts yet. Attempts made under Train (Ctrl+2) while signed in are listed here.")
+                  : here ? QString()
+                         : whyNoReplay(*attempt));
   words_->setToolTip(plainToolTip(words_->text()));
 }
 
@@ -245,9 +246,9 @@ void HistoryTable::wordReason(bool voids) {
   changeNow_->setText(voids ? tr("Void") : tr("Accept"));
   reason_->setAccessibleName(voids ? tr("Why the attempt does not count") : tr("Why the attempt counts"));
   reason_->setPlaceholderText(voids ? tr("Why it does not count, for example: the device lost its calibration")
-                                    : tr("How you know that it is theirs, for example: I watched it"));
-  reason_->setToolTip(voids ? tr("The trainee reads it, too. Enter voids, Esc leaves it")
-                            : tr("It is in the log, with your name. Enter accepts, Esc leaves it"));
+                                    : tr("Reason to trust it, for example: I watched the attempt"));
+  reason_->setToolTip(voids ? tr("The trainee can read it. Enter voids, Esc cancels")
+                            : tr("The log records it with your name. Enter accepts, Esc cancels"));
 }
 
 void HistoryTable::changeChosen() {

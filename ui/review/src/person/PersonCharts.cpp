@@ -67,16 +67,16 @@ ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level) {
   if (!known) {
     ui::ChartPicture picture;
     picture.title = tr("LC-CUSUM");
-    picture.words = facts.curriculum ? tr("n/a: it is told for one level; choose one above.")
-                                     : tr("n/a: the class has no curriculum, which says what passes.");
+    picture.words = facts.curriculum ? tr("n/a: shown for one level; choose one above.")
+                                     : tr("n/a: the class has no curriculum, which defines a pass.");
     return picture;
   }
   if (!known->mastery.cusum) {
     ui::ChartPicture picture;
     picture.title = tr("LC-CUSUM");
     const int passes = known->mastery.passesInARow;
-    picture.words = passes == 1 ? tr("n/a: this level asks for none; one pass masters it.")
-                                : tr("n/a: this level asks for none; %1 passes in a row master it.").arg(passes);
+    picture.words = passes == 1 ? tr("n/a: this level does not use it; one pass masters it.")
+                                : tr("n/a: this level does not use it; %1 consecutive passes master it.").arg(passes);
     return picture;
   }
   std::vector<bool> passes;
@@ -103,10 +103,9 @@ ui::ChartPicture placeInClass(const PersonFacts& facts, const HeatMap& heat, con
     if (person == facts.person.id) own = row[column].value;
   }
   if (heat.empty() || !own || means.size() < kFewestCompared) {
-    picture.words = heat.empty() ? tr("n/a: the class is seen by its instructors.")
-                    : !own
-                        ? tr("n/a: no data in the last %1 attempts of this person at levels.").arg(kLastAttempts)
-                        : tr("n/a: fewer than %1 people of the class have attempts that tell it.").arg(kFewestCompared);
+    picture.words = heat.empty() ? tr("n/a: only instructors see the class.")
+                    : !own ? tr("n/a: no data in the last %1 attempts of this person at levels.").arg(kLastAttempts)
+                           : tr("n/a: fewer than %1 people of the class have data.").arg(kFewestCompared);
     return picture;
   }
   picture.boxes.push_back({0, *boxPlotOf(means), ui::ChartPicture::Tone::Quiet});

@@ -26,8 +26,8 @@ PersonPage::PersonPage(PersonDesk& desk, const ClassDesk& room, QWidget* parent)
       name_(new QLabel),
       sentence_(new QLabel),
       save_(new QPushButton(ui::icon(QStringLiteral("save")), tr("Save"))),
-      metric_(choice("metricShown", tr("Metric"), tr("What the learning curve and the box plot show"))),
-      level_(choice("levelShown", tr("Level"), tr("Whose attempts are shown"))),
+      metric_(choice("metricShown", tr("Metric"), tr("Metric of the learning curve and the box plot"))),
+      level_(choice("levelShown", tr("Level"), tr("Person whose attempts are shown"))),
       learning_(new ui::Chart),
       cusum_(new ui::Chart),
       place_(new ui::Chart),
@@ -114,7 +114,7 @@ void PersonPage::showWhere() {
   if (!desk_.trouble().isEmpty())
     words = desk_.trouble();
   else if (!facts)
-    words = desk_.isReading() ? tr("Reading ...") : tr("Choose a person under Class; Enter shows them.");
+    words = desk_.isReading() ? tr("Reading ...") : tr("Choose a person under Class; Enter shows the person's page.");
   else if (facts->standing)
     words = QStringLiteral("%1   ·   %2")
                 .arg(facts->standing->level.empty() ? tr("all levels")

@@ -35,8 +35,8 @@ QIcon markOf(const std::optional<Severity>& severity, double ratio) {
 
 MomentList::MomentList(ReviewSession& session, QWidget* parent) : QListWidget(parent), session_(session) {
   setObjectName(QStringLiteral("moments"));
-  setAccessibleName(tr("Moments that mattered"));
-  setToolTip(tr("What happened, and what went wrong; a click goes there"));
+  setAccessibleName(tr("Key moments"));
+  setToolTip(tr("Events and errors; a click goes to the moment"));
   setWordWrap(true);
   setIconSize({kMark_px, kMark_px});
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

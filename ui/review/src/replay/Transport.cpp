@@ -32,18 +32,19 @@ Transport::Transport(ReviewSession& session, QWidget* parent)
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(ui::kGap, ui::kSmallGap, ui::kGap, ui::kSmallGap);
   row->setSpacing(ui::kGap);
-  auto* previous = add("previousMoment", "previous", tr("Previous moment"), tr("To the moment before (Page Up)"));
+  auto* previous =
+      add("previousMoment", "previous", tr("Previous moment"), tr("Goes to the previous moment (Page Up)"));
   play_ = add("play", "play", tr("Play"), tr("Play, and stop (Space)"));
-  auto* next = add("nextMoment", "next", tr("Next moment"), tr("To the next moment (Page Down)"));
+  auto* next = add("nextMoment", "next", tr("Next moment"), tr("Goes to the next moment (Page Down)"));
   for (QPushButton* button : {previous, play_, next}) row->addWidget(button);
   speed_->setObjectName(QStringLiteral("speed"));
   speed_->setAccessibleName(tr("Speed"));
-  speed_->setToolTip(tr("How many times as fast as it happened (- and +)"));
+  speed_->setToolTip(tr("Playback speed (- and +)"));
   for (const double speed : ReviewSession::kSpeeds) speed_->addItem(tr("%1 x").arg(speed));
   new ui::QuietWheel(speed_);
   row->addWidget(speed_);
   time_->setObjectName(QStringLiteral("timeNow"));
-  time_->setToolTip(tr("Where the replay is, of the attempt's length: minutes, seconds"));
+  time_->setToolTip(tr("Present time and length of the attempt: minutes, seconds"));
   time_->setMinimumWidth(time_->fontMetrics().horizontalAdvance(QStringLiteral("00:00.00 / 00:00.00")) + ui::kGap);
   row->addWidget(time_);
   ui::setRole(place_, "heading");
@@ -51,7 +52,7 @@ Transport::Transport(ReviewSession& session, QWidget* parent)
   row->addWidget(place_);
   hands_->setObjectName(QStringLiteral("handsNow"));
   hands_->setToolTip(
-      tr("Insertion length along the shaft, depth of the tip on the image's scale, and what the probe does"));
+      tr("Insertion length along the shaft, depth of the tip on the image's scale, and the probe's force"));
   // A sentence that grows must not widen the window.
   hands_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(hands_, 1);

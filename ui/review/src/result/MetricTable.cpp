@@ -82,9 +82,9 @@ void MetricTableView::show(const std::vector<MetricScore>& scores) {
     set(kNovice, score.norm ? norm(score.norm->novice) : tr("n/a"), true);
     set(kBar, {}, true);
     set(kExpert, score.norm ? norm(score.norm->expert) : tr("n/a"), true);
-    item(row, kBar)->setData(Qt::AccessibleTextRole,
-                             score.share ? tr("%1 % of the way from novice to expert").arg(*score.share, 0, 'f', 0)
-                                         : tr("not to be compared"));
+    item(row, kBar)->setData(
+        Qt::AccessibleTextRole,
+        score.share ? tr("%1 % of the way from novice to expert").arg(*score.share, 0, 'f', 0) : tr("not comparable"));
   }
 }
 

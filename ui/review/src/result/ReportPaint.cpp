@@ -136,7 +136,7 @@ void Page::metrics(const QRectF& place) {
 
 void Page::moments() {
   y_ += 30;
-  heading(QRectF(kMargin, y_, 900, kRow), tr("Moments that mattered"));
+  heading(QRectF(kMargin, y_, 900, kRow), tr("Key moments"));
   y_ += kRow + 6;
   painter_.setFont(paperFont(kSmall));
   // Without room for all moments, errors come first.

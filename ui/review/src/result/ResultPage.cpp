@@ -57,8 +57,8 @@ ResultPage::ResultPage(ReviewSession& session, QWidget* parent)
   points_->setStyleSheet(QStringLiteral("font-size: %1pt; font-weight: 600;").arg(kPoints_pt));
   points_->setObjectName(QStringLiteral("points"));
   points_->setToolTip(
-      tr("Mean of the metrics' ways from novice (0) to expert (100), less 5 for each minor finding and 20 "
-         "for each major one; 0 with a critical one, 50 at most without success"));
+      tr("Mean of the metrics' positions from novice (0) to expert (100), less 5 for each minor finding and 20 for "
+         "each major one; 0 with a critical one, maximum 50 without success"));
   success_->setWordWrap(true);
   success_->setObjectName(QStringLiteral("pointsNote"));
   ui::setRole(success_, "quiet");

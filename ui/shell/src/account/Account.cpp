@@ -60,7 +60,7 @@ std::string Account::notOpen() {
 }
 
 std::string Account::notYours() {
-  return tr("Somebody else has signed in since.").toStdString();
+  return tr("Another user has signed in meanwhile.").toStdString();
 }
 
 void Account::post(std::function<void()> work) {

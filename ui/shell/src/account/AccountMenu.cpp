@@ -41,21 +41,22 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, QWidget* window)
   addSeparator();
   setUp_ = add("accountSetUp", tr("Set up people and levels ..."),
                tr("Make yourself the administrator of the people who train here"), [this] { askSetUp(); });
-  signIn_ =
-      add("accountSignIn", tr("Sign in ..."), tr("So that attempts count and levels open"), [this] { askSignIn(); });
+  signIn_ = add("accountSignIn", tr("Sign in ..."), tr("Attempts then count, and levels can be unlocked"),
+                [this] { askSignIn(); });
   signIn_->setShortcut(QKeySequence(QStringLiteral("Ctrl+L")));
   details_ = add("accountDetails", tr("My details ..."), tr("Your name and e-mail address"), [this] { askDetails(); });
-  password_ = add("accountPassword", tr("Change password ..."), tr("Your own"), [this] { askPassword(); });
-  people_ = add("accountPeople", tr("People and classes ..."), tr("Who is here, in which classes, and as what"),
-                [this] { showPeople(); });
-  levels_ = add("accountLevels", tr("Curricula and levels ..."), tr("What is taught: levels, their rules, versions"),
+  password_ =
+      add("accountPassword", tr("Change password ..."), tr("Changes your own password"), [this] { askPassword(); });
+  people_ =
+      add("accountPeople", tr("People and classes ..."), tr("People, classes and roles"), [this] { showPeople(); });
+  levels_ = add("accountLevels", tr("Curricula and levels ..."), tr("Levels, their rules and versions"),
                 [this] { showCurricula(); });
-  server_ = add("accountServer", tr("Server of the site ..."), tr("Where this computer sends attempts to"),
+  server_ = add("accountServer", tr("Server of the site ..."), tr("Server to which this computer sends attempts"),
                 [this] { askServer(); });
-  again_ = add("accountAgain", tr("Try again"), tr("Open the store of people and attempts once more"),
+  again_ = add("accountAgain", tr("Try again"), tr("Tries again to open the store of people and attempts"),
                [this] { account_.reopen(); });
-  signOut_ =
-      add("accountSignOut", tr("Sign out"), tr("Leave the window to the next one"), [this] { account_.signOut(); });
+  signOut_ = add("accountSignOut", tr("Sign out"), tr("Signs out, so that the next user can sign in"),
+                 [this] { account_.signOut(); });
   signOut_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+L")));
   // Keys work while the menu is closed.
   window_->addActions({signIn_, signOut_});
@@ -88,7 +89,7 @@ void AccountMenu::refresh() {
   people_->setVisible(state == State::SignedIn && account_.person().role != Role::Trainee);
   levels_->setVisible(people_->isVisible());
   for (QAction* own : {details_, password_, signOut_}) own->setVisible(state == State::SignedIn);
-  QString words = tr("Guest: attempts are recorded, and count for nobody");
+  QString words = tr("Guest: attempts are recorded, but count for nobody");
   if (state == State::SignedIn)
     words = tr("%1, %2").arg(QString::fromStdString(account_.person().fullName), wordOf(account_.person().role));
   if (state == State::Opening) words = tr("Opening the store of people and attempts ...");
@@ -130,14 +131,14 @@ void AccountMenu::askSetUp() {
     });
   };
   (new EntryDialog(tr("Set up people and levels"),
-                   tr("You become the administrator: you add instructors, classes and trainees. Everything is kept in "
-                      "%1. Nobody can read your password; keep it well, since nobody can set it anew.")
+                   tr("You become the administrator: you add instructors, classes and trainees. Everything is stored "
+                      "in %1. Nobody can read or reset your password; keep it safe.")
                        .arg(account_.place()),
                    {{"setUpName", tr("Name to sign in"), tr("Letters, digits and . _ - + @")},
                     {"setUpFullName", tr("Full name"), tr("As others see it")},
                     {"setUpEmail", tr("E-mail"), tr("May be empty")},
                     {"setUpPassword", tr("Password"), tr("At least 8 characters"), {}, true},
-                    {"setUpAgain", tr("Password again"), tr("The same once more"), {}, true}},
+                    {"setUpAgain", tr("Password again"), tr("Repeat the password"), {}, true}},
                    tr("Set up"), act, window_))
       ->open();
 }
@@ -149,10 +150,11 @@ void AccountMenu::askSignIn() {
       if (result) welcome();
     });
   };
-  (new EntryDialog(tr("Sign in"), tr("Your attempts then count, and levels open as you master them."),
-                   {{"signInName", tr("Name"), tr("The name you were given"), QSettings().value(kLastName).toString()},
-                    {"signInPassword", tr("Password"), tr("Forgotten: your instructor sets a new one"), {}, true}},
-                   tr("Sign in"), act, window_))
+  (new EntryDialog(
+       tr("Sign in"), tr("Your attempts then count, and levels open as you master them."),
+       {{"signInName", tr("Name"), tr("The name you were given"), QSettings().value(kLastName).toString()},
+        {"signInPassword", tr("Password"), tr("If you forgot it, your instructor sets a new one"), {}, true}},
+       tr("Sign in"), act, window_))
       ->open();
 }
 
@@ -167,10 +169,10 @@ void AccountMenu::askPassword() {
   (new EntryDialog(tr("Change password"),
                    account_.mustChangePassword()
                        ? tr("Someone else set your password. Choose your own before you go on.")
-                       : tr("At least 8 characters; a sentence is easier to keep than a riddle."),
+                       : tr("At least 8 characters; a sentence is easy to remember."),
                    {{"passwordOld", tr("Present password"), tr("The one you signed in with"), {}, true},
                     {"passwordNew", tr("New password"), tr("At least 8 characters"), {}, true},
-                    {"passwordAgain", tr("New password again"), tr("The same once more"), {}, true}},
+                    {"passwordAgain", tr("New password again"), tr("Repeat the password"), {}, true}},
                    tr("Change"), act, window_))
       ->open();
 }
@@ -193,8 +195,7 @@ void AccountMenu::askServer() {
       site_.setServer(texts[0]);
       return done({});
     }
-    done(fail(
-        tr("Leave the password out: what stands here can be read by others. Write it to ~/.pgpass.").toStdString()));
+    done(fail(tr("Do not enter the password: others can read this field. Write it to ~/.pgpass.").toStdString()));
   };
   const QString last = site_.outcome().isEmpty() ? tr("Nothing was sent yet.") : site_.outcome();
   (new EntryDialog(
@@ -203,7 +204,7 @@ void AccountMenu::askServer() {
           "stays on this computer. %1")
            .arg(last),
        {{"serverAddress", tr("Address"), tr("postgresql://USER@HOST/DATABASE; empty: no server"), site_.server()}},
-       tr("Use it"), act, window_))
+       tr("Connect"), act, window_))
       ->open();
 }
 

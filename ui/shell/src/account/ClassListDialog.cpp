@@ -45,9 +45,9 @@ QString outcomeOf(const ClassImportRow& row) {
     case Step::Add:
       return ClassListDialog::tr("+  new");
     case Step::Join:
-      return ClassListDialog::tr("+  is here, joins the class");
+      return ClassListDialog::tr("+  known, joins the class");
     case Step::AlreadyThere:
-      return ClassListDialog::tr("✓  there already");
+      return ClassListDialog::tr("✓  already in the class");
     case Step::Refuse:
       break;
   }
@@ -87,9 +87,9 @@ ClassListDialog::ClassListDialog(Account& account, Cohort cohort, QWidget* paren
   setAcceptDrops(true);
   auto* title = new QLabel(tr("A class list for %1").arg(qt(cohort_.name)));
   setRole(title, "title");
-  auto* about = new QLabel(tr(
-      "A table as Moodle or a spreadsheet saves it (CSV, UTF-8). Its first line names the columns: Full name, or First "
-      "name and Last name; Username, ID number or Email address. Nothing changes before you say so."));
+  auto* about = new QLabel(
+      tr("A table as Moodle or a spreadsheet saves it (CSV, UTF-8). Its first line names the columns: Full name, or "
+         "First name and Last name; Username, ID number or Email address. Nothing changes until you confirm."));
   setRole(about, "quiet");
   for (QLabel* label : {title, about, file_, words_}) {
     label->setTextFormat(Qt::PlainText);
@@ -97,8 +97,8 @@ ClassListDialog::ClassListDialog(Account& account, Cohort cohort, QWidget* paren
   }
   words_->setObjectName(QStringLiteral("listWords"));
   choose_ = button("listChoose", tr("Choose a file ..."), tr("The class list, a CSV file"), &ClassListDialog::choose);
-  go_ = button("listGo", tr("Add them"), tr("All of it at once, or nothing"), &ClassListDialog::apply);
-  save_ = button("listSave", tr("Save passwords ..."), tr("A table (CSV) that you alone can read"),
+  go_ = button("listGo", tr("Add"), tr("Adds all people at once, or none"), &ClassListDialog::apply);
+  save_ = button("listSave", tr("Save passwords ..."), tr("Saves a table (CSV) that only you can read"),
                  &ClassListDialog::savePasswords);
   print_ = button("listPrint", tr("Print passwords ..."), tr("A page to cut and hand out"),
                   &ClassListDialog::printPasswords);
@@ -106,14 +106,13 @@ ClassListDialog::ClassListDialog(Account& account, Cohort cohort, QWidget* paren
   setRole(go_, "primary");
   setRole(save_, "primary");
   table_->setObjectName(QStringLiteral("listTable"));
-  table_->setAccessibleName(tr("What becomes of each line"));
-  table_->setToolTip(tr("Each line of the file, and what becomes of it"));
-  table_->setHorizontalHeaderLabels(
-      {tr("Line"), tr("Full name"), tr("Signs in as"), tr("E-mail"), tr("What becomes of it")});
+  table_->setAccessibleName(tr("Outcome of each line"));
+  table_->setToolTip(tr("Lines of the file with their outcome"));
+  table_->setHorizontalHeaderLabels({tr("Line"), tr("Full name"), tr("Signs in as"), tr("E-mail"), tr("Outcome")});
   makeRowTable(*table_, kRow_px);
   for (int column = 0; column < kOutcome; ++column) table_->setColumnWidth(column, kWidths_px[column]);
   table_->horizontalHeader()->setSectionResizeMode(kOutcome, QHeaderView::Stretch);
-  bar_->setAccessibleName(tr("How far it is"));
+  bar_->setAccessibleName(tr("Progress"));
   bar_->hide();
   auto* top = new QHBoxLayout;
   top->setSpacing(kGap);
@@ -188,12 +187,12 @@ void ClassListDialog::takePlan(Result<std::vector<ClassImportRow>> plan) {
   plan_ = plan ? std::move(*plan) : std::vector<ClassImportRow>();
   showRows();
   if (!plan) return say(qt(plan.error().message), true);
-  if (plan_.empty()) return say(tr("The list has a head line and nobody in it."), true);
+  if (plan_.empty()) return say(tr("The list has a header line but no people."), true);
   const bool someStayOut = std::ranges::count(plan_, Step::Refuse, &ClassImportRow::step) > 0;
   QStringList parts{countOf(plan_, Step::Add, "new"), countOf(plan_, Step::Join, "join"),
                     countOf(plan_, Step::AlreadyThere, "there already"), countOf(plan_, Step::Refuse, "refused")};
   say(parts.join(QStringLiteral("   ·   ")) +
-          (someStayOut ? tr(". Who is refused stays out: correct the file and choose it again, now or later.")
+          (someStayOut ? tr(". Refused people are left out: correct the file and choose it again, now or later.")
                        : QString()),
       false);
 }
@@ -222,7 +221,7 @@ void ClassListDialog::showRows() {
   choose_->setEnabled(!isWorking() && !done);
   go_->setVisible(!done);
   go_->setEnabled(count > 0 && !isWorking());
-  go_->setText(count == 1 ? tr("Add one person") : count > 1 ? tr("Add %1 people").arg(count) : tr("Add them"));
+  go_->setText(count == 1 ? tr("Add one person") : count > 1 ? tr("Add %1 people").arg(count) : tr("Add"));
   save_->setVisible(done);
   print_->setVisible(done);
   close_->setText(isWorking() ? tr("Cancel") : tr("Close"));
@@ -261,7 +260,7 @@ void ClassListDialog::takeOutcome(const Result<void>& outcome) {
   Q_EMIT imported();
   if (passwords_.empty()) {
     go_->setEnabled(false);
-    return say(tr("Done: who is known has joined the class."), false);
+    return say(tr("Done: known people have joined the class."), false);
   }
   say(tr("Done. The first passwords are shown now and never again: save or print them, hand them out, and delete them. "
          "Everyone chooses their own at the first sign-in."),
@@ -301,7 +300,7 @@ void ClassListDialog::reject() {
        tr("Close without the passwords?"),
        tr("They were neither saved nor printed, and are not shown again. Without them nobody of this list can "
           "sign in; each would need a new password."),
-       {}, tr("Close without them"),
+       {}, tr("Close without passwords"),
        [this](const QStringList&, const std::function<void(Result<void>)>& done) {
          handedOut_ = true;
          done({});

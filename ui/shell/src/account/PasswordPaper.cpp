@@ -51,7 +51,7 @@ Result<QString> printPasswordPaper(const QString& cohort, const std::vector<Firs
   fillPasswordPaper(paper, cohort, passwords);
   paper.print(&printer);
   if (printer.printerState() == QPrinter::Error)
-    return fail(tr("The printer took nothing; try another one, or save the passwords.").toStdString());
+    return fail(tr("The printer did not accept the page; try another one, or save the passwords.").toStdString());
   return file.isEmpty() ? tr("Sent to the printer. Cut the page and hand it out.")
                         : tr("Saved as %1, which you alone can read. Delete it once it is printed.").arg(file);
 }

@@ -93,7 +93,7 @@ QWidget* PeopleWindow::classColumn() {
   classes_->setObjectName(QStringLiteral("peopleClasses"));
   classes_->setAccessibleName(tr("Classes"));
   classes_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  classes_->setToolTip(tr("Whose people are shown"));
+  classes_->setToolTip(tr("Class whose people are shown"));
   addClass_ =
       button("peopleAddClass", tr("New class ..."), tr("People who are taught together"), &PeopleWindow::addClass);
   renameClass_ =
@@ -130,19 +130,20 @@ QWidget* PeopleWindow::peopleColumn() {
   import_ = button("peopleImport", tr("Import a list ..."),
                    tr("Everyone of a class list (CSV) into the class that is shown"), &PeopleWindow::importList);
   edit_ = button("peopleEdit", tr("Change ..."), tr("Name, e-mail and role"), &PeopleWindow::editPerson);
-  password_ = button("peoplePassword", tr("New password ..."),
-                     tr("For who has forgotten theirs, or is locked out; they choose their own at the next sign-in"),
-                     &PeopleWindow::setPassword);
-  disable_ = button("peopleDisable", tr("Disable"), tr("Cannot sign in any more; what they did stays"),
+  password_ = button(
+      "peoplePassword", tr("New password ..."),
+      tr("For a person who forgot the password or is locked out; the person chooses a new one at the next sign-in"),
+      &PeopleWindow::setPassword);
+  disable_ = button("peopleDisable", tr("Disable"), tr("Disables sign-in; attempts and results stay"),
                     &PeopleWindow::toggleDisabled);
   target_->setObjectName(QStringLiteral("peopleTarget"));
   target_->setAccessibleName(tr("Class to join"));
   target_->setToolTip(tr("The class that the selected person joins"));
   as_->setObjectName(QStringLiteral("peopleAs"));
   as_->setAccessibleName(tr("Joins as"));
-  as_->setToolTip(tr("Who teaches sees the attempts of all who learn in the class"));
-  as_->addItem(tr("to learn"), false);
-  as_->addItem(tr("to teach"), true);
+  as_->setToolTip(tr("Teachers of the class see the attempts of all its learners"));
+  as_->addItem(tr("learner"), false);
+  as_->addItem(tr("teacher"), true);
   join_ = button("peopleJoin", tr("Join"), tr("Puts the selected person into that class"), &PeopleWindow::join);
   leave_ = button("peopleLeave", tr("Leave this class"), tr("Takes the selected person out of the class that is shown"),
                   &PeopleWindow::leave);
@@ -204,7 +205,7 @@ void PeopleWindow::read() {
     const QSignalBlocker quiet(classes_);
     classes_->clear();
     target_->clear();
-    if (isAdministrator()) classes_->addItem(tr("Everybody"));
+    if (isAdministrator()) classes_->addItem(tr("All people"));
     for (const Cohort& one : cohorts_) {
       classes_->addItem(qt(one.name));
       target_->addItem(qt(one.name), qt(one.id));
@@ -254,7 +255,7 @@ void PeopleWindow::showPeople(const std::vector<Shown>& people) {
   table_->setRowCount(int(people_.size()));
   for (int row = 0; row < int(people_.size()); ++row) {
     const auto& [person, teaches] = people_[std::size_t(row)];
-    const QString role = teaches ? tr("%1, teaches").arg(wordOf(person.role)) : wordOf(person.role);
+    const QString role = teaches ? tr("%1, teacher").arg(wordOf(person.role)) : wordOf(person.role);
     const QString state = person.disabled ? tr("disabled") : QString();
     const QString texts[kPersonColumns] = {qt(person.fullName), qt(person.name), qt(person.email), role, state};
     for (int column = 0; column < kPersonColumns; ++column) {

@@ -41,13 +41,13 @@ std::function<Result<void>(const PatientCase&, const std::string&, const Progres
 
 CaseExchange::CaseExchange(TaskBar& tasks, std::function<OpenCase()> open, QWidget* window)
     : QObject(window), tasks_(tasks), open_(std::move(open)), window_(window) {
-  ways_ = {add(tr("Import labels ..."), tr("Labels of another program in the place of this case's"), "importLabels",
+  ways_ = {add(tr("Import labels ..."), tr("Replaces this case's labels by those of another program"), "importLabels",
                [this] { chooseLabels(); }),
            add(tr("Crop and resample ..."), tr("A part of this case, also on another spacing"), "cropCase",
                [this] { chooseCrop(); })};
   exports_ = {
       addExport(tr("CT as DICOM series ..."), tr("To a new folder, one file a slice"), "exportDicom", {}, writeSeries),
-      addExport(tr("Labels as DICOM segmentation ..."), tr("Of the slices that the DICOM series holds"), "exportSeg",
+      addExport(tr("Labels as DICOM segmentation ..."), tr("Labels on the slices of the DICOM series"), "exportSeg",
                 QStringLiteral(".dcm"),
                 [](const PatientCase& patient, const std::string& file, const Progress& progress) {
                   return writeDicomSegmentation(patient, file, progress);
@@ -139,7 +139,7 @@ void CaseExchange::crop(const CropOptions& options) {
         return std::make_shared<const PatientCase>(std::move(*part));
       },
       [this](Result<Made> part) {
-        if (!part) return refuse(part.error(), tr("The case is as it was."));
+        if (!part) return refuse(part.error(), tr("The case is unchanged."));
         Q_EMIT made(*part, QString::fromStdString((*part)->manifest.importNotes.back()), false);
       },
       TaskBar::WhenClosed::Ask);

@@ -125,7 +125,7 @@ void CaseLoader::readFolder(const QString& folder) {
         return result;
       },
       [this](Result<LoadedCase> read) {
-        if (!read) return refuse(read.error(), tr("The case was not opened; what was open stays open."));
+        if (!read) return refuse(read.error(), tr("The case was not opened; the present case stays open."));
         Q_EMIT loaded(*read);
       });
 }
@@ -133,7 +133,7 @@ void CaseLoader::readFolder(const QString& folder) {
 void CaseLoader::list(const QString& path) {
   using Listing = std::shared_ptr<const SeriesListing>;
   tasks_.run<Listing>(
-      tr("Looking into %1").arg(QFileInfo(path).fileName()),
+      tr("Reading %1").arg(QFileInfo(path).fileName()),
       [path](const Progress& progress) -> Result<Listing> {
         auto listing = listSeries(path.toStdString(), progress);
         if (!listing) return tl::unexpected(listing.error());
@@ -143,7 +143,7 @@ void CaseLoader::list(const QString& path) {
         if (!listing) {
           const bool picture = !QImageReader::imageFormat(path).isEmpty();
           return refuse(listing.error(),
-                        picture ? tr("This is a picture. For the probe of a machine's picture: Train, Edit beside the "
+                        picture ? tr("This is an image. To fit a probe to a scanner's image: Train, Edit beside the "
                                      "probe, Fit to an image.")
                                 : tr("A case folder, a folder of DICOM files, NRRD, NIfTI and MetaImage open here."));
         }
@@ -164,7 +164,7 @@ void CaseLoader::import(const QString& path, const ImportChoice& choice) {
       tr("Importing %1").arg(QFileInfo(path).fileName()),
       [path, choice](const Progress& progress) { return importCase(path.toStdString(), choice, progress); },
       [this](Result<LoadedCase> imported) {
-        if (!imported) return refuse(imported.error(), tr("Nothing was imported; what was open stays open."));
+        if (!imported) return refuse(imported.error(), tr("Nothing was imported; the present case stays open."));
         Q_EMIT loaded(*imported);
       },
       TaskBar::WhenClosed::Ask);

@@ -66,9 +66,9 @@ CropDialog::CropDialog(const VolumeGeometry& geometry, QWidget* parent)
   setWindowTitle(tr("Crop and resample"));
   auto* title = new QLabel(tr("Keep a part of the case"));
   setRole(title, "title");
-  auto* about = new QLabel(
-      tr("CT and labels together; targets and start poses keep their places. What is open stays on disk as it is; the "
-         "part is a case of its own."));
+  auto* about =
+      new QLabel(tr("Crops CT and labels together; targets and start poses keep their places. The open case stays "
+                    "unchanged on disk; the part becomes a new case."));
   about->setWordWrap(true);
   setRole(about, "quiet");
   auto* grid = new QGridLayout;

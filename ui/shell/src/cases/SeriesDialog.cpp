@@ -30,7 +30,7 @@ QString sizeOf(const VolumeGeometry& grid) {
 }
 
 QString spacingOf(const SeriesInfo& series) {
-  if (!series.geometryKnown) return SeriesDialog::tr("not told");
+  if (!series.geometryKnown) return SeriesDialog::tr("unknown");
   const Vec3 s = series.geometry.spacing_mm;
   return QStringLiteral("%1 x %2 x %3").arg(s.x, 0, 'f', 2).arg(s.y, 0, 'f', 2).arg(s.z, 0, 'f', 2);
 }
@@ -67,7 +67,7 @@ QString notesOf(const SeriesInfo& series) {
   if (!series.refusal.empty()) lines << QString::fromStdString(series.refusal);
   for (const std::string& warning : series.warnings) lines << QString::fromStdString(warning);
   if (series.refusal.empty() && series.warnings.empty())
-    lines << SeriesDialog::tr("Nothing has to be changed to import this series.");
+    lines << SeriesDialog::tr("This series is imported without changes.");
   return lines.join(QLatin1Char('\n'));
 }
 
@@ -102,7 +102,7 @@ void SeriesDialog::fill() {
       {tr("Modality"), tr("Voxels"), tr("Spacing, mm"), tr("Kernel"), tr("Series"), tr("Notes")});
   for (int row = 0; row < table_->rowCount(); ++row) {
     const SeriesInfo& series = listing_->series[std::size_t(row)];
-    const QString modality = series.modality.empty() ? tr("not told") : QString::fromStdString(series.modality);
+    const QString modality = series.modality.empty() ? tr("unknown") : QString::fromStdString(series.modality);
     const QStringList cells{modality,          sizeOf(series.geometry),
                             spacingOf(series), QString::fromStdString(series.kernel),
                             nameOf(series),    stateOf(series)};
@@ -152,7 +152,7 @@ void SeriesDialog::arrange() {
   leftOut->setToolTip(leftOut->accessibleName());
   notes_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   notes_->setObjectName(QStringLiteral("importNotes"));
-  notes_->setAccessibleName(tr("What is made of the series, and what is changed"));
+  notes_->setAccessibleName(tr("The resulting case, and changes to the series"));
   notes_->setWordWrap(true);
   notes_->setAlignment(Qt::AlignTop);
   notes_->setTextFormat(Qt::PlainText);
@@ -167,11 +167,11 @@ void SeriesDialog::arrange() {
   label_->setChecked(true);
   label_->setToolTip(tr("From Hounsfield units; vessels, glands and nerves need an author"));
   shift_->setObjectName(QStringLiteral("shiftValues"));
-  shift_->setToolTip(tr("Picture, automatic labels and ultrasound need Hounsfield units: air at -1000, water at 0"));
+  shift_->setToolTip(tr("Preview, automatic labels and ultrasound need Hounsfield units: air at -1000, water at 0"));
   // Its text says how much, which the file has to be read for.
-  shift_->setAccessibleName(tr("Make Hounsfield units of the values"));
+  shift_->setAccessibleName(tr("Convert to HU"));
   shift_->hide();
-  import_->setToolTip(tr("Makes a case of the chosen series; nothing that names the patient is kept"));
+  import_->setToolTip(tr("Makes a case from the selected series; data that identify the patient are removed"));
   setRole(import_, "primary");
   import_->setDefault(true);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
@@ -213,7 +213,7 @@ int SeriesDialog::likeliestRow() const {
 void SeriesDialog::noPicture(const Error& error) {
   if (error.message == kCancelled) return picture_->setText(tr("no preview"));
   // A slice that cannot be read for the preview cannot be imported either.
-  picture_->setText(tr("no picture"));
+  picture_->setText(tr("no image"));
   notes_->setText(QString::fromStdString(error.message));
   import_->setEnabled(false);
 }

@@ -54,7 +54,7 @@ void Chart::choose() {
   for (const QChar letter : picture_.title) name += letter.isLetterOrNumber() ? letter.toLower() : QChar('-');
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Save the plot"), QDir::home().filePath((name.isEmpty() ? tr("plot") : name) + QStringLiteral(".png")),
-      tr("Picture (*.png);;Drawing (*.svg);;Page (*.pdf)"));
+      tr("Image (*.png);;Drawing (*.svg);;Page (*.pdf)"));
   if (!file.isEmpty()) save(file);
 }
 

@@ -50,7 +50,7 @@ ChartPicture learningPicture(const MetricMeaning& meaning, std::span<const std::
   for (std::size_t i = 0; i < values.size(); ++i)
     if (values[i]) dots.emplace_back(double(i) + 1, *values[i]);
   if (dots.empty()) {
-    picture.words = values.empty() ? tr("n/a: no attempt counts yet.") : tr("n/a: no attempt tells this value.");
+    picture.words = values.empty() ? tr("n/a: no attempt counts yet.") : tr("n/a: no data");
     return picture;
   }
   const auto [least, most] = std::ranges::minmax_element(dots, {}, &QPointF::y);

@@ -32,7 +32,7 @@ ErrorPanel::ErrorPanel(QWidget* parent)
   more_->setText(tr("Details"));
   more_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   more_->setCheckable(true);
-  more_->setToolTip(tr("More about what went wrong"));
+  more_->setToolTip(tr("Details of the error"));
   close_->setIcon(icon(QStringLiteral("close")));
   close_->setAccessibleName(tr("Close this message"));
   close_->setToolTip(tr("Close (Esc)"));

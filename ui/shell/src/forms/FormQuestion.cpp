@@ -60,7 +60,7 @@ QWidget* FormQuestion::buildChoice(const FormItem& item) {
     auto* button = new QRadioButton(title.replace(QLatin1Char('&'), QStringLiteral("&&")));
     button->setObjectName(QStringLiteral("form_%1_%2").arg(qt(name_), qt(option.name)));
     button->setAccessibleName(tr("%1: %2").arg(qt(item.title), qt(option.title)));
-    button->setToolTip(tr("Arrows choose, Delete takes it back"));
+    button->setToolTip(tr("Arrows choose, Delete clears the answer"));
     button->installEventFilter(this);
     choice_->addButton(button, int(options_.size()));
     options_.push_back(option.name);
@@ -102,7 +102,7 @@ void FormQuestion::buildNote(const FormItem& item) {
   noteButton_->setObjectName(QStringLiteral("noteButton_") + qt(name_));
   noteButton_->setText(tr("Note"));
   noteButton_->setAccessibleName(tr("Note to: %1").arg(qt(item.title)));
-  noteButton_->setToolTip(tr("Write what the answer alone does not say"));
+  noteButton_->setToolTip(tr("Comment on the answer"));
   noteButton_->setCheckable(true);
   noteButton_->setFocusPolicy(Qt::TabFocus);
   note_ = new QLineEdit;

@@ -240,7 +240,7 @@ void CurriculumDesk::discard() {
         chosen_.reset(), curriculum_.reset(), saved_ = true;
         Q_EMIT curriculumChanged();
         Q_EMIT savingChanged();
-        Q_EMIT said(tr("The draft is gone; what is published stays."), false);
+        Q_EMIT said(tr("The draft was discarded; published versions stay."), false);
         refresh();
       });
 }

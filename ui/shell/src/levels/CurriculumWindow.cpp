@@ -91,13 +91,14 @@ QPushButton* CurriculumWindow::button(const char* name, const QString& words, co
 }
 
 QWidget* CurriculumWindow::buildShelf() {
-  named(shelf_, "curricula", tr("Curricula"), tr("Drafts, what is published, and what comes with Insonate"));
+  named(shelf_, "curricula", tr("Curricula"), tr("Drafts, published and built-in curricula"));
   shelf_->setFixedHeight(kShelf_px);
-  new_ = button("curriculumNew", tr("New ..."), tr("A draft with nothing in it"), &CurriculumWindow::begin);
+  new_ = button("curriculumNew", tr("New ..."), tr("Begins an empty draft"), &CurriculumWindow::begin);
   version_ =
-      button("curriculumVersion", tr("New version"),
-             tr("A draft made from the one that is shown, which stays as it is"), &CurriculumWindow::beginVersion);
-  discard_ = button("curriculumDiscard", tr("Discard ..."), tr("What is published stays"), &CurriculumWindow::discard);
+      button("curriculumVersion", tr("New version"), tr("Begins a draft from the version shown, which stays unchanged"),
+             &CurriculumWindow::beginVersion);
+  discard_ = button("curriculumDiscard", tr("Discard ..."), tr("Discards the draft; published versions stay"),
+                    &CurriculumWindow::discard);
   auto* row = new QHBoxLayout;
   row->setSpacing(kSmallGap);
   for (QPushButton* one : {new_, version_, discard_}) row->addWidget(one);
@@ -114,15 +115,16 @@ QWidget* CurriculumWindow::buildShelf() {
 }
 
 QWidget* CurriculumWindow::buildBar() {
-  undo_ = named(new QPushButton(tr("Undo")), "curriculumUndo", tr("Undo"), tr("Takes the last change back (Ctrl+Z)"));
-  redo_ = named(new QPushButton(tr("Redo")), "curriculumRedo", tr("Redo"), tr("Does it again (Ctrl+Y)"));
+  undo_ = named(new QPushButton(tr("Undo")), "curriculumUndo", tr("Undo"), tr("Undoes the last change (Ctrl+Z)"));
+  redo_ =
+      named(new QPushButton(tr("Redo")), "curriculumRedo", tr("Redo"), tr("Redoes the last undone change (Ctrl+Y)"));
   undo_->setShortcut(QKeySequence::Undo);
   redo_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Y")));
   for (QPushButton* one : {undo_, redo_}) one->setAutoDefault(false);
   connect(undo_, &QPushButton::clicked, desk_, &CurriculumDesk::undo);
   connect(redo_, &QPushButton::clicked, desk_, &CurriculumDesk::redo);
-  publish_ = button("curriculumPublish", tr("Publish ..."), tr("Makes the draft a version that is fixed from then on"),
-                    &CurriculumWindow::publish);
+  publish_ = button("curriculumPublish", tr("Publish ..."),
+                    tr("Publishes the draft as a version that can no longer change"), &CurriculumWindow::publish);
   setRole(publish_, "primary");
   setRole(state_, "quiet");
   auto* bar = new QWidget;
@@ -135,15 +137,15 @@ QWidget* CurriculumWindow::buildBar() {
 }
 
 QWidget* CurriculumWindow::buildContest() {
-  auto* theirs = named(new QPushButton(tr("Read theirs")), "curriculumTheirs", tr("Read theirs"),
-                       tr("Shows the draft as it was saved; what you changed since is lost"));
-  auto* mine = named(new QPushButton(tr("Keep mine")), "curriculumMine", tr("Keep mine"),
-                     tr("Saves yours in its place; what they changed is lost"));
+  auto* theirs = named(new QPushButton(tr("Reload")), "curriculumTheirs", tr("Reload"),
+                       tr("Shows the saved draft; your changes since are lost"));
+  auto* mine = named(new QPushButton(tr("Overwrite")), "curriculumMine", tr("Overwrite"),
+                     tr("Saves your draft over theirs; their changes are lost"));
   for (QPushButton* one : {theirs, mine}) one->setAutoDefault(false);
   connect(theirs, &QPushButton::clicked, desk_, &CurriculumDesk::readTheirs);
   connect(mine, &QPushButton::clicked, desk_, &CurriculumDesk::keepMine);
   auto* label = paragraph("curriculumContest");
-  label->setText(tr("Somebody else has saved this draft while you wrote. Yours is not saved until you choose."));
+  label->setText(tr("Another user has saved this draft meanwhile. Your changes are not saved until you choose."));
   setRole(label, "problem");
   auto* part = new QWidget;
   auto* row = new QHBoxLayout(part);
@@ -163,8 +165,8 @@ QWidget* CurriculumWindow::buildTeaching() {
   cohort_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   row->addWidget(new QLabel(tr("Class")));
   row->addWidget(cohort_, 1);
-  row->addWidget(button("curriculumTeach", tr("Teach by this version"),
-                        tr("The levels of the class are these from now on; attempts stay"), &CurriculumWindow::teach));
+  row->addWidget(button("curriculumTeach", tr("Teach this version"),
+                        tr("Gives the class these levels from now on; attempts stay"), &CurriculumWindow::teach));
   return part;
 }
 
@@ -273,8 +275,7 @@ void CurriculumWindow::beginVersion() {
 
 void CurriculumWindow::discard() {
   (new EntryDialog(
-       tr("Discard the draft?"), tr("All that was written since the last version is lost, also to others."), {},
-       tr("Discard it"),
+       tr("Discard the draft?"), tr("All changes since the last version are lost for everyone."), {}, tr("Discard"),
        [this](const QStringList&, const std::function<void(Result<void>)>& done) {
          desk_->discard();
          done({});
@@ -288,8 +289,8 @@ void CurriculumWindow::publish() {
   const Curriculum& draft = *desk_->curriculum();
   (new EntryDialog(
        tr("Publish %1, version %2?").arg(qt(draft.name), QString::number(draft.version)),
-       tr("It is fixed from then on, so that attempts can be judged by it for ever; changes are another "
-          "version. Classes keep theirs until they are given this one."),
+       tr("A published version cannot change, so that attempts stay comparable; changes need a new version. Classes "
+          "keep their version until you assign this one."),
        {}, tr("Publish"),
        [this](const QStringList&, const std::function<void(Result<void>)>& done) { desk_->publish(done); }, this))
       ->open();
@@ -303,7 +304,7 @@ void CurriculumWindow::askToClose() {
   (new EntryDialog(
        tr("Close without the last changes?"),
        tr("The draft cannot be saved now. While this window stays open it is saved as soon as it can be."), {},
-       tr("Close without them"),
+       tr("Close without passwords"),
        [this](const QStringList&, const std::function<void(Result<void>)>& done) {
          done({});
          QDialog::reject();

@@ -90,14 +90,14 @@ void LevelForm::buildNames(QFormLayout& form) {
   connect(title_, &QLineEdit::textEdited, this, [this](const QString& text) {
     Q_EMIT edited(QStringLiteral("title"), [text](Level& level) { level.title = text.toStdString(); });
   });
-  named(about_, "levelEditAbout", tr("About"), tr("What is learnt, in one or two sentences"));
+  named(about_, "levelEditAbout", tr("About"), tr("Learning goal, in one or two sentences"));
   about_->setTabChangesFocus(true);
   about_->setFixedHeight(kAbout_px);
   connect(about_, &QPlainTextEdit::textChanged, this, [this] {
     Q_EMIT edited(QStringLiteral("about"),
                   [text = about_->toPlainText()](Level& level) { level.about = text.toStdString(); });
   });
-  named(prerequisites_, "levelEditNeeds", tr("To be mastered before"),
+  named(prerequisites_, "levelEditNeeds", tr("Prerequisites"),
         tr("The level is locked until those that are ticked are mastered (Space ticks)"));
   prerequisites_->setFixedHeight(kPrerequisites_px);
   connect(prerequisites_, &QListWidget::itemChanged, this, [this] {
@@ -122,10 +122,10 @@ void LevelForm::addChoice(QComboBox* box, std::string Level::*member) {
 void LevelForm::buildPlace(QFormLayout& form) {
   named(case_, "levelEditCase", tr("Case"), tr("The built-in necks, and the cases that were opened on this computer"));
   named(procedure_, "levelEditProcedure", tr("Procedure"), tr("Its steps, rules and metrics"));
-  named(position_, "levelEditPosition", tr("Position"), tr("How the patient lies as an attempt begins"));
-  named(assistance_, "levelEditAssistance", tr("Assistance"), tr("How much is told while the needle is in the hand"));
-  assistance_->addItems({tr("guided: each step is said, hints and CT are shown"),
-                         tr("hints: only when something goes wrong"), tr("test: neither")});
+  named(position_, "levelEditPosition", tr("Position"), tr("Position of the patient as an attempt begins"));
+  named(assistance_, "levelEditAssistance", tr("Assistance"), tr("Amount of help during an attempt"));
+  assistance_->addItems(
+      {tr("guided: states each step, shows hints and CT"), tr("hints: states errors only"), tr("test: no help")});
   addChoice(case_, &Level::caseName);
   addChoice(position_, &Level::position);
   connect(procedure_, QOverload<int>::of(&QComboBox::activated), this, [this] {

@@ -36,7 +36,7 @@ LevelList::LevelList(QWidget* parent)
     : QWidget(parent), title_(new QLineEdit), about_(new QPlainTextEdit), list_(new QListWidget) {
   named(title_, "curriculumTitle", tr("Title of the curriculum"), tr("Title of the curriculum, as trainees see it"));
   title_->setPlaceholderText(tr("Title of the curriculum"));
-  named(about_, "curriculumAbout", tr("About the curriculum"), tr("What the whole of it teaches; may be empty"));
+  named(about_, "curriculumAbout", tr("About the curriculum"), tr("Learning goal of the curriculum; may be empty"));
   about_->setPlaceholderText(tr("About it; may be empty"));
   about_->setTabChangesFocus(true);
   about_->setFixedHeight(kSummary_px);
@@ -44,10 +44,10 @@ LevelList::LevelList(QWidget* parent)
   list_->setWordWrap(true);
   add_ = button("levelAdd", tr("Add"), tr("A new level at the end"), &LevelList::add);
   copy_ = button("levelCopy", tr("Copy"), tr("Another level with the same rules, after this one"), &LevelList::copy);
-  remove_ = button("levelRemove", tr("Remove"), tr("Takes the level out, also of what other levels need"),
+  remove_ = button("levelRemove", tr("Remove"), tr("Removes the level, also from the prerequisites of others"),
                    &LevelList::remove);
-  up_ = button("levelUp", QStringLiteral("↑"), tr("One place earlier (Ctrl+Up)"), &LevelList::moveUp);
-  down_ = button("levelDown", QStringLiteral("↓"), tr("One place later (Ctrl+Down)"), &LevelList::moveDown);
+  up_ = button("levelUp", QStringLiteral("↑"), tr("Moves the level up (Ctrl+Up)"), &LevelList::moveUp);
+  down_ = button("levelDown", QStringLiteral("↓"), tr("Moves the level down (Ctrl+Down)"), &LevelList::moveDown);
   up_->setAccessibleName(tr("Earlier"));
   down_->setAccessibleName(tr("Later"));
   up_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Up")));

@@ -37,7 +37,7 @@ LevelStoryView::LevelStoryView(QWidget* parent)
       heading_(paragraph("levelStoryHeading", "heading")),
       story_(paragraph("levelStory", "quiet")) {
   setRole(this, "panel");
-  heading_->setText(tr("What a trainee reads"));
+  heading_->setText(tr("Sentences that a trainee reads"));
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(kGap, kGap, kGap, kGap);
   box->setSpacing(kSmallGap);
@@ -58,7 +58,7 @@ void LevelStoryView::show(const Curriculum& curriculum, const std::string& level
   if (whole && whole->level(level))
     for (const StoryTurn& turn : levelStory(*whole, level))
       turns << QStringLiteral("%1:  %2").arg(wordsOf(turn.when), QString::fromStdString(turn.sentence));
-  story_->setText(turns.isEmpty() ? tr("It is told once nothing is wrong any more.") : turns.join(QLatin1Char('\n')));
+  story_->setText(turns.isEmpty() ? tr("Shown once there are no errors.") : turns.join(QLatin1Char('\n')));
 }
 
 }  // namespace insonate::ui

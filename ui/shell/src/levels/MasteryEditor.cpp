@@ -100,8 +100,8 @@ MasteryEditor::MasteryEditor(QWidget* parent) : QWidget(parent), tasks_(new Task
 }
 
 QWidget* MasteryEditor::buildRow() {
-  passes_ = number<QSpinBox>("passesInARow", tr("Passes in a row"), tr("So many attempts pass one after the other"), 1,
-                             100, tr(" in a row"));
+  passes_ = number<QSpinBox>("passesInARow", tr("Consecutive passes"),
+                             tr("Number of attempts that must pass one after the other"), 1, 100, tr(" consecutive"));
   connect(passes_, QOverload<int>::of(&QSpinBox::valueChanged), this, [this](int passes) {
     Q_EMIT edited(QStringLiteral("passes"), [passes](Level& level) { level.mastery.passesInARow = passes; });
   });
@@ -113,27 +113,30 @@ QWidget* MasteryEditor::buildRow() {
 
 QWidget* MasteryEditor::buildCusum() {
   cusum_ = named(new QCheckBox(tr("LC-CUSUM")), "cusumOn", tr("Learning curve test LC-CUSUM"),
-                 tr("Mastery also waits until the learning curve test signals that someone is able"));
-  acceptable_ = share("cusumAcceptable", tr("Acceptable failures"), tr("Who is able fails no more often than this"));
-  unacceptable_ = share("cusumUnacceptable", tr("Unacceptable failures"), tr("Who is not able fails as often as this"));
-  limit_ = number<QDoubleSpinBox>("cusumLimit", tr("Limit h"), tr("The score that has to be reached"), 0.01, 100.0,
-                                  QString());
+                 tr("Mastery also requires the signal of the learning curve test"));
+  acceptable_ = share("cusumAcceptable", tr("Acceptable failures"), tr("Failure rate of a competent operator"));
+  unacceptable_ =
+      share("cusumUnacceptable", tr("Unacceptable failures"), tr("Failure rate of an operator who is not competent"));
+  limit_ =
+      number<QDoubleSpinBox>("cusumLimit", tr("Limit h"), tr("Score that must be reached"), 0.01, 100.0, QString());
   connect(cusum_, &QCheckBox::clicked, this, [this](bool on) {
     Q_EMIT edited({}, [on](Level& level) { level.mastery.cusum = on ? std::optional(CusumRule()) : std::nullopt; });
   });
   for (QDoubleSpinBox* one : {acceptable_, unacceptable_, limit_})
     connect(one, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &MasteryEditor::tellCusum);
-  return lineOf({cusum_, new QLabel(tr("able")), acceptable_, new QLabel(tr("not able")), unacceptable_,
+  return lineOf({cusum_, new QLabel(tr("acceptable")), acceptable_, new QLabel(tr("unacceptable")), unacceptable_,
                  new QLabel(tr("limit h")), limit_});
 }
 
 QWidget* MasteryEditor::buildCalibration() {
-  falseSignals_ = share("cusumFalse", tr("False signals"), tr("So many of those who are not able may pass for able"));
+  falseSignals_ =
+      share("cusumFalse", tr("False signals"), tr("Share of operators without competence who may signal by chance"));
   falseSignals_->setValue(10);
-  trials_ = number<QSpinBox>("cusumTrials", tr("Attempts"), tr("Within so many attempts"), 1, 1000, tr(" attempts"));
+  trials_ =
+      number<QSpinBox>("cusumTrials", tr("Attempts"), tr("Number of attempts for this rate"), 1, 1000, tr(" attempts"));
   trials_->setValue(CusumTrials().trials);
   calibrate_ = named(new QPushButton(tr("Calibrate")), "cusumCalibrate", tr("Calibrate the limit"),
-                     tr("Simulates careers, the same each time, and sets the limit"));
+                     tr("Simulates careers, reproducibly, and sets the limit"));
   calibrate_->setAutoDefault(false);
   connect(calibrate_, &QPushButton::clicked, this, &MasteryEditor::calibrate);
   calibrated_ = new QLabel;
@@ -154,13 +157,13 @@ QWidget* MasteryEditor::buildCalibration() {
 
 QWidget* MasteryEditor::buildLapses() {
   byDays_ = named(new QCheckBox(tr("lapses after")), "lapseDaysOn", tr("Lapses without practice"),
-                  tr("What is not practised for so long is to be renewed"));
-  days_ = number<QSpinBox>("lapseDays", tr("Days"), tr("Days without an attempt here or at what builds on it"), 1,
-                           36500, tr(" days without practice"));
+                  tr("The level lapses after this long without practice"));
+  days_ = number<QSpinBox>("lapseDays", tr("Days"), tr("Days without an attempt at this level or at one built on it"),
+                           1, 36500, tr(" days without practice"));
   byFailures_ = named(new QCheckBox(tr("lapses after")), "lapseFailuresOn", tr("Lapses by failures"),
-                      tr("Who fails again and again is to renew it"));
-  failures_ = number<QSpinBox>("lapseFailures", tr("Failures"), tr("So many failures"), 1, 1000, tr(" failures"));
-  within_ = number<QSpinBox>("lapseWithin", tr("Within"), tr("Among so many last attempts"), 1, 1000, tr(" attempts"));
+                      tr("The level lapses after repeated failures"));
+  failures_ = number<QSpinBox>("lapseFailures", tr("Failures"), tr("Number of failures"), 1, 1000, tr(" failures"));
+  within_ = number<QSpinBox>("lapseWithin", tr("Within"), tr("Number of latest attempts"), 1, 1000, tr(" attempts"));
   for (QCheckBox* one : {byDays_, byFailures_}) connect(one, &QCheckBox::clicked, this, &MasteryEditor::tellLapses);
   for (QSpinBox* one : {days_, failures_, within_})
     connect(one, QOverload<int>::of(&QSpinBox::valueChanged), this, &MasteryEditor::tellLapses);

@@ -46,8 +46,8 @@ StandardsEditor::StandardsEditor(const std::vector<MetricMeaning>& metrics, QWid
   auto* always = new QLabel(tr("It was completed, succeeded, without a critical error, and:"));
   setRole(always, "quiet");
   table_ = named(new QTableWidget(0, kColumns), "standards", tr("Standards"),
-                 tr("What metrics have to reach; the chosen one is changed below"));
-  table_->setHorizontalHeaderLabels({tr("Metric"), tr("Limit"), tr("Said where it is missed")});
+                 tr("Standards of metrics; the selected one is edited below"));
+  table_->setHorizontalHeaderLabels({tr("Metric"), tr("Limit"), tr("Message when missed")});
   makeRowTable(*table_, kRow_px);
   table_->setColumnWidth(kMetric, kMetric_px);
   table_->setColumnWidth(kLimit, kLimit_px);
@@ -64,12 +64,12 @@ StandardsEditor::StandardsEditor(const std::vector<MetricMeaning>& metrics, QWid
 }
 
 QWidget* StandardsEditor::buildRule() {
-  points_ = named(new QCheckBox(tr("At least")), "leastPointsOn", tr("At least so many points"),
-                  tr("Ask for a number of points, of 100"));
+  points_ = named(new QCheckBox(tr("At least")), "leastPointsOn", tr("Minimum points"),
+                  tr("Requires a minimum of points, of 100"));
   leastPoints_ = named(number(tr("Points"), 0, 100, 0, tr(" points")), "leastPoints", tr("Points"),
                        tr("Points of 100 that an attempt has to reach"));
   percent_ = named(number(tr("Mastery"), 1, 100, 0, tr(" %")), "masteryPercent", tr("Mastery percentage"),
-                   tr("Of the standards below, so many have to be met; 100 %: all of them"));
+                   tr("Share of the standards below that must be met; 100 %: all of them"));
   const auto tell = [this] {
     const auto least = points_->isChecked() ? std::optional(leastPoints_->value()) : std::nullopt;
     Q_EMIT edited(QStringLiteral("points"), [least](Level& level) { level.pass.leastPoints = least; });
@@ -93,21 +93,21 @@ QWidget* StandardsEditor::buildRule() {
 }
 
 QWidget* StandardsEditor::buildStandard() {
-  metric_ = named(new QComboBox, "standardMetric", tr("Metric"), tr("What is measured"));
+  metric_ = named(new QComboBox, "standardMetric", tr("Metric"), tr("Metric of the standard"));
   new QuietWheel(metric_);
   for (const MetricMeaning& one : metrics_) metric_->addItem(titleOf({.metric = one.id}), qt(one.id));
-  bound_ = named(new QComboBox, "standardBound", tr("At least or at most"), tr("Which side of the limit is good"));
+  bound_ = named(new QComboBox, "standardBound", tr("At least or at most"), tr("Direction of the limit"));
   new QuietWheel(bound_);
   bound_->addItems({tr("at least"), tr("at most")});
   limit_ = named(number(tr("The limit"), -kAnyLimit, kAnyLimit, 2, QString()), "standardLimit", tr("Limit"),
                  tr("In the metric's unit"));
-  otherwise_ = named(new QLineEdit, "standardOtherwise", tr("Said where it is missed"),
+  otherwise_ = named(new QLineEdit, "standardOtherwise", tr("Message when missed"),
                      tr("It follows \"failed because\": \"the artery was punctured\""));
   otherwise_->setPlaceholderText(tr("the artery was punctured"));
   critical_ = named(new QCheckBox(tr("Critical error")), "standardCritical", tr("Critical error"),
                     tr("An attempt that misses this standard fails, whatever share of the others it meets"));
   add_ = pushButton("standardAdd", tr("Add"), tr("Another standard"));
-  remove_ = pushButton("standardRemove", tr("Remove"), tr("Takes the chosen standard away"));
+  remove_ = pushButton("standardRemove", tr("Remove"), tr("Removes the selected standard"));
   connect(add_, &QPushButton::clicked, this, &StandardsEditor::add);
   connect(remove_, &QPushButton::clicked, this, &StandardsEditor::remove);
   connect(metric_, QOverload<int>::of(&QComboBox::activated), this, [this](int at) {

@@ -30,11 +30,12 @@ struct Sign {
 
 Sign signOf(const LibraryEntry& entry) {
   if (entry.state == LibraryEntry::State::Broken) return {"close", theme::kDanger, LibraryCard::tr("cannot be opened")};
-  if (entry.state == LibraryEntry::State::Waiting) return {"", theme::kQuiet, LibraryCard::tr("looking at it ...")};
+  if (entry.state == LibraryEntry::State::Waiting) return {"", theme::kQuiet, LibraryCard::tr("reading ...")};
   if (!entry.fit) return {"close", theme::kDanger, LibraryCard::tr("not fit for training")};
   if (entry.doubts > 0)
-    return {"warning", theme::kCaution,
-            entry.doubts == 1 ? LibraryCard::tr("fit, 1 doubt") : LibraryCard::tr("fit, %1 doubts").arg(entry.doubts)};
+    return {
+        "warning", theme::kCaution,
+        entry.doubts == 1 ? LibraryCard::tr("fit, 1 warning") : LibraryCard::tr("fit, %1 warnings").arg(entry.doubts)};
   return {"done", theme::kGood, LibraryCard::tr("fit for training")};
 }
 

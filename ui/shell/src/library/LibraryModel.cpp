@@ -23,7 +23,7 @@ QString spoken(const LibraryEntry& entry) {
                 : entry.reason);
   lines << (entry.fit ? LibraryModel::tr("Fit for training.")
                       : LibraryModel::tr("Not fit for training: %1").arg(entry.errors.join(QLatin1Char(' '))));
-  lines << LibraryModel::tr("Labelled: %1.").arg(entry.structures.join(QStringLiteral(", ")));
+  lines << LibraryModel::tr("Labeled: %1.").arg(entry.structures.join(QStringLiteral(", ")));
   if (!entry.builtIn) lines << entry.place;
   return lines.join(QLatin1Char('\n'));
 }

@@ -57,12 +57,12 @@ LibraryWindow::LibraryWindow(QWidget* parent)
       filter_(new LibraryFilter(*model_, this)),
       search_(new QLineEdit),
       grade_(choice("libraryGrade", tr("Difficulty"), tr("Show cases of this difficulty"),
-                    {{tr("every difficulty"), QString()},
+                    {{tr("all difficulties"), QString()},
                      {tr("easy"), QStringLiteral("easy")},
                      {tr("moderate"), QStringLiteral("moderate")},
                      {tr("hard"), QStringLiteral("hard")}})),
       fitness_(choice("libraryFitness", tr("Fitness"), tr("Show cases that are fit for training, or that are not"),
-                      {{tr("fit or not"), int(LibraryFilter::Fitness::All)},
+                      {{tr("fit and unfit"), int(LibraryFilter::Fitness::All)},
                        {tr("fit for training"), int(LibraryFilter::Fitness::Fit)},
                        {tr("not fit"), int(LibraryFilter::Fitness::Unfit)}})),
       order_(choice("libraryOrder", tr("Order"), tr("In which order cases are listed"),
@@ -72,11 +72,13 @@ LibraryWindow::LibraryWindow(QWidget* parent)
       list_(new QListView),
       state_(new QLabel),
       empty_(new QLabel),
-      train_(pushButton("libraryTrain", tr("Open in Train"), tr("Practise on the chosen case (Enter, double click)"))),
-      prepare_(pushButton("libraryPrepare", tr("Open in Prepare"), tr("Look at or edit the chosen case (Ctrl+Enter)"))),
-      add_(pushButton("libraryAdd", tr("Add folder ..."), tr("A folder with cases in it, or in its folders"))),
+      train_(pushButton("libraryTrain", tr("Open in Train"),
+                        tr("Opens the selected case for practice (Enter, double click)"))),
+      prepare_(
+          pushButton("libraryPrepare", tr("Open in Prepare"), tr("Opens the selected case for editing (Ctrl+Enter)"))),
+      add_(pushButton("libraryAdd", tr("Add folder ..."), tr("Adds a folder that contains cases, also in subfolders"))),
       remove_(pushButton("libraryRemove", tr("Remove folder"),
-                         tr("Take the folder of the chosen case off this list; nothing on the disk is changed"))) {
+                         tr("Removes the selected case's folder from this list; the disk is not changed"))) {
   setWindowTitle(tr("Case library"));
   setAttribute(Qt::WA_DeleteOnClose);
   arrange();
@@ -92,7 +94,7 @@ void LibraryWindow::arrange() {
   search_->setObjectName(QStringLiteral("librarySearch"));
   search_->setPlaceholderText(tr("Search title, structures, difficulty"));
   search_->setAccessibleName(tr("Search"));
-  search_->setToolTip(tr("Words that title, description, structures or difficulty must hold"));
+  search_->setToolTip(tr("Words to find in title, description, structures or difficulty"));
   search_->setClearButtonEnabled(true);
   search_->installEventFilter(this);
   list_->setObjectName(QStringLiteral("libraryList"));
@@ -232,11 +234,11 @@ void LibraryWindow::showState() {
   remove_->setEnabled(one && std::ranges::any_of(all, [&](const QString& folder) { return lies(one->place, folder); }));
   const int shown = filter_->rowCount(), count = model_->rowCount();
   QString words = shown == count ? tr("%1 cases").arg(count) : tr("%1 of %2 cases").arg(shown).arg(count);
-  if (left_ > 0) words += tr(", looking at %1 more").arg(left_);
+  if (left_ > 0) words += tr(", reading %1 more").arg(left_);
   state_->setText(words);
   const bool none = shown == 0 && count > 0, onlyBuiltIn = all.isEmpty();
   empty_->setVisible(none || onlyBuiltIn);
-  empty_->setText(none ? tr("No case is like that. Search for less, or show every difficulty, fit or not.")
+  empty_->setText(none ? tr("No case matches. Shorten the search, or show all difficulties, fit and unfit.")
                        : tr("These necks are built in. Add the folder in which your own cases are kept."));
 }
 

@@ -47,7 +47,7 @@ ClippingControls::ClippingControls(std::shared_ptr<views::SceneView> scene, QWid
                               tr("Along the plane's normal, from the patient's middle or the image plane"))),
       turn_(new ValueSlider(tr("turn"), tr("°"), {-180, 180, 0, 5, 0}, tr("0 keeps the front, 90 the patient's left"))),
       tilt_(new ValueSlider(tr("tilt"), tr("°"), {-90, 90, 0, 5, 0}, tr("90 keeps the head's side"))),
-      flipped_(new QCheckBox(tr("the other side"))),
+      flipped_(new QCheckBox(tr("Flip"))),
       asSeen_(new QToolButton) {
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
@@ -56,8 +56,8 @@ ClippingControls::ClippingControls(std::shared_ptr<views::SceneView> scene, QWid
   auto* name = new QLabel(tr("cut away"));
   setRole(name, "quiet");
   kind_->setObjectName(QStringLiteral("clippingKind"));
-  kind_->setAccessibleName(tr("What is cut away"));
-  kind_->setToolTip(tr("Opens the patient along a plane: surfaces and the CT; probe and picture stay whole"));
+  kind_->setAccessibleName(tr("Clipped objects"));
+  kind_->setToolTip(tr("Clips surfaces and CT along a plane; probe and image stay whole"));
   for (const Kind& kind : kKinds) kind_->addItem(tr(kind.name), int(kind.kind));
   kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   kind_->setMinimumContentsLength(8);
@@ -69,10 +69,10 @@ ClippingControls::ClippingControls(std::shared_ptr<views::SceneView> scene, QWid
   turn_->setObjectName(QStringLiteral("clippingTurn"));
   tilt_->setObjectName(QStringLiteral("clippingTilt"));
   flipped_->setObjectName(QStringLiteral("clippingFlipped"));
-  flipped_->setToolTip(tr("Cut away the side that is kept now"));
-  asSeen_->setText(tr("Square to my view"));
+  flipped_->setToolTip(tr("Cuts away the other side"));
+  asSeen_->setText(tr("Face viewer"));
   asSeen_->setObjectName(QStringLiteral("clippingAsSeen"));
-  asSeen_->setToolTip(tr("Turns the plane toward you and cuts away what is before it"));
+  asSeen_->setToolTip(tr("Turns the plane toward you and clips everything before it"));
   for (QWidget* part : {static_cast<QWidget*>(offset_), static_cast<QWidget*>(turn_), static_cast<QWidget*>(tilt_)})
     box->addWidget(part);
   auto* last = new QHBoxLayout;

@@ -39,7 +39,7 @@ EyeControls::EyeControls(std::shared_ptr<views::SceneView> scene, QWidget* paren
       coupled_(new QCheckBox(tr("head-coupled view"))),
       numbers_(new QWidget),
       right_(new ValueSlider(tr("eye to the right"), tr("mm"), {-600, 600, 0, 10, 0},
-                             tr("Of the middle of this view, negative to the left"))),
+                             tr("Distance to the right of the view's middle; negative to the left"))),
       up_(new ValueSlider(tr("eye up"), tr("mm"), {-600, 600, 0, 10, 0}, tr("Above the middle of this view"))),
       distance_(new ValueSlider(tr("eye before the screen"), tr("mm"), {100, 3000, 600, 10, 0},
                                 tr("From the screen to between your eyes"))),
@@ -54,7 +54,7 @@ EyeControls::EyeControls(std::shared_ptr<views::SceneView> scene, QWidget* paren
   setRole(name, "quiet");
   stereo_->setObjectName(QStringLiteral("stereo"));
   stereo_->setAccessibleName(tr("Stereo"));
-  stereo_->setToolTip(tr("Gives each eye a picture of its own"));
+  stereo_->setToolTip(tr("Shows each eye its own image"));
   stereo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   stereo_->setMinimumContentsLength(8);
   new QuietWheel(stereo_);
@@ -62,7 +62,7 @@ EyeControls::EyeControls(std::shared_ptr<views::SceneView> scene, QWidget* paren
   row->addWidget(stereo_, 1);
   box->addLayout(row);
   coupled_->setObjectName(QStringLiteral("headCoupled"));
-  coupled_->setToolTip(tr("The view becomes a window that you look through from where your eyes are"));
+  coupled_->setToolTip(tr("Renders the view for the position of your eyes"));
   box->addWidget(coupled_);
   box->addWidget(numbers_);
   auto* list = new QVBoxLayout(numbers_);

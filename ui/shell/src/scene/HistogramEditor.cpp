@@ -102,7 +102,7 @@ QWidget* HistogramEditor::buildTop() {
   preset_ = new QComboBox;
   preset_->setObjectName(QStringLiteral("transferPreset"));
   preset_->setAccessibleName(tr("Preset of the CT's look"));
-  preset_->setToolTip(tr("Looks to begin with; drag the points to make it your own"));
+  preset_->setToolTip(tr("Presets; drag the points to adjust them"));
   for (const auto& preset : views::transferPresets()) preset_->addItem(nameOf(preset));
   preset_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   preset_->setMinimumContentsLength(6);
@@ -138,7 +138,7 @@ QWidget* HistogramEditor::buildNumbers() {
   box->setSpacing(2);
   which_ = new QLabel;
   setRole(which_, "quiet");
-  hu_ = new NumberBox<QSpinBox>(tr("The point's place"));
+  hu_ = new NumberBox<QSpinBox>(tr("Position of the point"));
   hu_->setObjectName(QStringLiteral("nodeHu"));
   hu_->setRange(int(Function::kLeast_HU), int(Function::kMost_HU));
   hu_->setSuffix(tr(" HU"));
@@ -151,14 +151,14 @@ QWidget* HistogramEditor::buildNumbers() {
   opacity_->setDecimals(1);
   opacity_->setSuffix(tr(" %"));
   opacity_->setAccessibleName(tr("Point's opacity in %"));
-  opacity_->setToolTip(tr("How much one millimetre of such tissue hides of what is behind it, in %"));
+  opacity_->setToolTip(tr("Opacity of one millimeter of such tissue, in %"));
   for (QAbstractSpinBox* number : {static_cast<QAbstractSpinBox*>(hu_), static_cast<QAbstractSpinBox*>(opacity_)}) {
     number->setButtonSymbols(QAbstractSpinBox::NoButtons);
     number->setFixedWidth(kNumber_px);
     new QuietWheel(number);
     number->setKeyboardTracking(false);
   }
-  colour_ = button(QStringLiteral("eye"), tr("Point's colour"), tr("The colour of such tissue"));
+  colour_ = button(QStringLiteral("eye"), tr("Point's color"), tr("Color of such tissue"));
   colour_->setObjectName(QStringLiteral("nodeColour"));
   add_ = button({}, QStringLiteral("+"), tr("A new point beside this one (Insert, or double click)"));
   add_->setAccessibleName(tr("Add a point"));
@@ -264,13 +264,13 @@ void HistogramEditor::chooseColour() {
   if (node < 0) return;
   auto* dialog = new QColorDialog(colour(function().nodes[std::size_t(node)].colour), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(tr("Colour at %1 HU").arg(function().nodes[std::size_t(node)].hu));
+  dialog->setWindowTitle(tr("Color at %1 HU").arg(function().nodes[std::size_t(node)].hu));
   connect(dialog, &QColorDialog::colorSelected, this, [this, node](const QColor& chosen) {
     if (node >= int(function().nodes.size())) return;
     Function wanted = function();
     wanted.nodes[std::size_t(node)].colour = {std::uint8_t(chosen.red()), std::uint8_t(chosen.green()),
                                               std::uint8_t(chosen.blue())};
-    push(wanted, 0, tr("colour"));
+    push(wanted, 0, tr("color"));
   });
   dialog->open();
 }

@@ -22,10 +22,10 @@ HistogramPlot::HistogramPlot(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Opacity over the CT's histogram"));
   setAccessibleDescription(
-      tr("Tab: next node. Arrows: move it. Insert: add one. Delete: remove it. Enter: its colour."));
-  setToolTip(tr("How opaque each Hounsfield unit is drawn, in %% of a millimetre of tissue, over how often it occurs.\n"
-                "Drag a node, double click for a new one, right click or Delete removes it.\n"
-                "Tab goes from node to node; arrows move it, with Shift finely; Enter chooses its colour.")
+      tr("Tab: next node. Arrows: move it. Insert: add one. Delete: remove it. Enter: its color."));
+  setToolTip(tr("Opacity of each Hounsfield unit, in %% per millimeter of tissue, over the CT's histogram.\nDrag a "
+                "node, double click for a new one, right click or Delete removes it.\nTab goes from node to node; "
+                "arrows move it, with Shift finely; Enter chooses its color.")
                  .replace(QLatin1String("%%"), QLatin1String("%")));
 }
 
@@ -225,7 +225,7 @@ bool HistogramPlot::event(QEvent* event) {
   const int node = nodeAt(help->pos());
   if (node < 0) return QWidget::event(event);
   const auto& at = function_.nodes[std::size_t(node)];
-  QToolTip::showText(help->globalPos(), tr("%1 HU, %2 % a millimetre").arg(at.hu).arg(at.opacity * 100, 0, 'f', 1),
+  QToolTip::showText(help->globalPos(), tr("%1 HU, %2 % per millimeter").arg(at.hu).arg(at.opacity * 100, 0, 'f', 1),
                      this);
   return true;
 }

@@ -42,7 +42,7 @@ ScenePanel::ScenePanel(std::shared_ptr<views::SceneView> scene, QWidget* parent,
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(12, kGap, 12, kGap);
   box->setSpacing(12);
-  skin_ = new ValueSlider(tr("skin transparency"), tr("%"), {0, 100, 65, 5, 0}, tr("How far one looks into the body"));
+  skin_ = new ValueSlider(tr("skin transparency"), tr("%"), {0, 100, 65, 5, 0}, tr("Transparency of the skin"));
   skin_->setObjectName(QStringLiteral("skinTransparency"));
   box->addWidget(skin_);
   QWidget* list = buildStructures();
@@ -103,13 +103,14 @@ QWidget* ScenePanel::buildStructures() {
   add("structuresAll", tr("all"), tr("Show all structures"), [showAll] { showAll(true); });
   add("structuresNone", tr("none"), tr("Hide all structures"), [showAll] { showAll(false); });
   add("structuresUsual", tr("usual"),
-      tr("As the case's author chose; else all shown, with usual colours and opacities"), [this] { showUsual(); });
+      tr("As chosen by the case's author; otherwise all structures with default colors and opacities"),
+      [this] { showUsual(); });
   box->addLayout(row);
   structures_ = new StructureList(scene_);
   box->addWidget(structures_);
-  safeColours_ = new QCheckBox(tr("colour-blind safe colours"));
+  safeColours_ = new QCheckBox(tr("color-blind safe colors"));
   safeColours_->setObjectName(QStringLiteral("safeColours"));
-  safeColours_->setToolTip(tr("Colours that stay apart for eyes without red or green cones"));
+  safeColours_->setToolTip(tr("Colors that people with red-green color blindness can distinguish"));
   connect(safeColours_, &QCheckBox::clicked, this, [this](bool safe) {
     setColourScheme(safe ? views::ColourScheme::ColourBlindSafe : views::ColourScheme::Usual);
   });
@@ -122,7 +123,7 @@ QWidget* ScenePanel::buildCt() {
   auto* box = column(part);
   ct_ = new QCheckBox(tr("CT volume"));
   ct_->setObjectName(QStringLiteral("ctVolume"));
-  ct_->setToolTip(tr("Draws the CT itself, as its transfer function says"));
+  ct_->setToolTip(tr("Draws the CT with its transfer function"));
   histogram_ = new HistogramEditor;
   histogram_->setFunction(scene_->transferFunction());
   box->addWidget(ct_);

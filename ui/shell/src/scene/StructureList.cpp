@@ -50,7 +50,7 @@ void StructureList::refresh() {
     const bool seen = visible && scene_->opacity(row.label) > 0;
     row.eye->setIcon(icon(visible ? QStringLiteral("eye") : QStringLiteral("eye-off"),
                           seen ? views::theme::kText : views::theme::kQuiet));
-    row.eye->setToolTip(visible && !seen ? tr("Nothing of %1 is seen: its opacity is 0 %").arg(nameOf(row.label))
+    row.eye->setToolTip(visible && !seen ? tr("%1 is invisible: its opacity is 0 %").arg(nameOf(row.label))
                                          : tr("Show or hide %1").arg(nameOf(row.label)));
     QPixmap swatch(kColorMark_px, kColorMark_px);
     swatch.fill(colour(scene_->colour(row.label)));
@@ -86,8 +86,8 @@ StructureList::Row StructureList::makeRow(std::uint8_t label) {
   row.eye->setObjectName(QStringLiteral("eye%1").arg(label));
   row.eye->setAccessibleName(tr("Show %1").arg(name));
   row.colour->setObjectName(QStringLiteral("colour%1").arg(label));
-  row.colour->setAccessibleName(tr("Colour of %1").arg(name));
-  row.colour->setToolTip(tr("Colour of %1").arg(name));
+  row.colour->setAccessibleName(tr("Color of %1").arg(name));
+  row.colour->setToolTip(tr("Color of %1").arg(name));
   row.opacity->setObjectName(QStringLiteral("opacity%1").arg(label));
   row.opacity->setRange(0, 100);
   row.opacity->setSingleStep(5);
@@ -120,7 +120,7 @@ StructureList::Row StructureList::makeRow(std::uint8_t label) {
 void StructureList::chooseColour(std::uint8_t label) {
   auto* dialog = new QColorDialog(colour(scene_->colour(label)), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(tr("Colour of %1").arg(nameOf(label)));
+  dialog->setWindowTitle(tr("Color of %1").arg(nameOf(label)));
   connect(dialog, &QColorDialog::colorSelected, this, [this, label](const QColor& chosen) {
     scene_->setColour(label, {std::uint8_t(chosen.red()), std::uint8_t(chosen.green()), std::uint8_t(chosen.blue())});
     Q_EMIT changed();

@@ -52,12 +52,12 @@ HeaderBar::HeaderBar(QMenu* viewMenu, QMenu* caseMenu, AccountMenu* accountMenu,
   case_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   case_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row->addWidget(case_, 1);
-  row->addWidget(menuButton(viewMenu, "view", tr("View"), tr("View menu"), tr("What is shown, and where"),
+  row->addWidget(menuButton(viewMenu, "view", tr("View"), tr("View menu"), tr("Panels and views"),
                             QKeySequence(QStringLiteral("Alt+V"))));
   row->addWidget(menuButton(caseMenu, "folder", tr("Case"), tr("Case menu"), tr("Open, import and save cases"),
                             QKeySequence(QStringLiteral("Alt+C"))));
   auto* who = menuButton(accountMenu, "person", accountMenu->shortText(), tr("Account menu"),
-                         tr("Who sits here: sign in, sign out, password"), QKeySequence(QStringLiteral("Alt+U")));
+                         tr("Account: sign in, sign out, password"), QKeySequence(QStringLiteral("Alt+U")));
   row->addWidget(who);
   connect(accountMenu, &AccountMenu::textChanged, who, [who, accountMenu] {
     const QKeySequence keys = who->shortcut();

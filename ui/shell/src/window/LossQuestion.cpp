@@ -13,14 +13,14 @@ namespace {
 constexpr int kText_px = 420;
 
 QString headingOf(const Loss& loss) {
-  if (loss.isWork()) return LossQuestion::tr("Something is still being done");
+  if (loss.isWork()) return LossQuestion::tr("A job is still running");
   return loss.nowhere ? LossQuestion::tr("The case is not saved") : LossQuestion::tr("Changes are not saved");
 }
 
 QString sentencesOf(const Loss& loss) {
   QStringList sentences;
   if (!loss.job.isEmpty())
-    sentences << LossQuestion::tr("%1: going on stops it, and leaves nothing half done behind.").arg(loss.job);
+    sentences << LossQuestion::tr("%1: continuing cancels it; no partial result is left.").arg(loss.job);
   if (!loss.ending.isEmpty()) sentences << loss.ending;
   if (!loss.title.isEmpty() && loss.nowhere)
     sentences << LossQuestion::tr("\"%1\" is not on disk yet. Without saving, it is lost.").arg(loss.title);
@@ -54,12 +54,12 @@ LossQuestion::LossQuestion(const Loss& loss, LostBy by, QWidget* parent) : QDial
     return button;
   };
   auto* go = closing ? add("goOn", working ? tr("Stop and close") : tr("Close without saving"), tr("Close the window"))
-                     : add("goOn", working ? tr("Stop and go on") : tr("Go on without saving"), tr("Lose it"));
+                     : add("goOn", working ? tr("Stop and continue") : tr("Continue without saving"), tr("Discard"));
   connect(go, &QPushButton::clicked, this, &LossQuestion::goOnChosen);
-  auto* usual = add("keep", tr("Keep working"), tr("Back to the window (Esc)"));
+  auto* usual = add("keep", tr("Cancel"), tr("Back to the window (Esc)"));
   if (!working) {
-    usual = loss.nowhere ? add("save", tr("Save case as ..."), tr("Write the case to a folder, then go on"))
-                         : add("save", tr("Save case"), tr("Write the changes to the case's folder, then go on"));
+    usual = loss.nowhere ? add("save", tr("Save case as ..."), tr("Writes the case to a folder, then continues"))
+                         : add("save", tr("Save case"), tr("Writes the changes to the case's folder, then continues"));
     connect(usual, &QPushButton::clicked, this, &LossQuestion::saveChosen);
   }
   setRole(usual, "primary");

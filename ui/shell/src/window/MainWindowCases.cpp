@@ -60,22 +60,21 @@ void MainWindow::makeActions() {
   open_ = make("folder", tr("Open case ..."), tr("A case folder, or a folder of DICOM files"), QKeySequence::Open);
   import_ =
       make("import", tr("Import file ..."),
-           tr("Any file of a DICOM series, which comes whole; or an NRRD, NIfTI or MetaImage file"), tr("Ctrl+I"));
+           tr("Imports the whole DICOM series of any of its files, or an NRRD, NIfTI or MetaImage file"), tr("Ctrl+I"));
   textbook_ = make("neck", tr("Built-in neck"), tr("The textbook neck that comes with Insonate"), tr("Ctrl+T"));
-  library_ = make("folder", tr("Case library ..."),
-                  tr("All your cases and the built-in ones: what they show, how hard"), tr("Ctrl+B"));
+  library_ = make("folder", tr("Case library ..."), tr("Lists all cases with contents and difficulty"), tr("Ctrl+B"));
   attempt_ = make("review", tr("Open attempt ..."), tr("A recorded attempt, to be replayed"), tr("Ctrl+Shift+O"));
   attempt_->setVisible(false);
-  reload_ = make("reload", tr("Reload"), tr("Read the case from its folder again"), QKeySequence(Qt::Key_F5));
+  reload_ = make("reload", tr("Reload"), tr("Reads the case from its folder again"), QKeySequence(Qt::Key_F5));
   save_ = make("save", tr("Save case"), tr("Write the changes to the case's folder"), QKeySequence::Save);
   saveAs_ = make("save", tr("Save case as ..."), tr("Write the case to a folder"), tr("Ctrl+Shift+S"));
   for (QAction* action : {reload_, save_, saveAs_}) action->setEnabled(false);
   auto* quit = make("close", tr("Quit"), tr("Close the window"), QKeySequence::Quit);
-  auto* page = make("help", tr("Help"), tr("About what is shown"), QKeySequence(Qt::Key_F1));
+  auto* page = make("help", tr("Help"), tr("Help for this view"), QKeySequence(Qt::Key_F1));
   auto* keys = make("help", tr("Keys"), tr("All keys"), QKeySequence(Qt::Key_Question));
   auto* glossary = make("help", tr("Glossary"), tr("What each number means and how it is measured"), {});
   keys->setShortcuts({QKeySequence(Qt::Key_Question), QKeySequence(QStringLiteral("Shift+?"))});
-  auto* full = make("", tr("Full screen"), tr("Full screen and back"), QKeySequence(Qt::Key_F11));
+  auto* full = make("", tr("Full screen"), tr("Switches full screen on and off"), QKeySequence(Qt::Key_F11));
   for (QAction* action : {library_, open_, import_, textbook_, attempt_}) menu_->addAction(action);
   menu_->addMenu(recent_);
   menu_->addAction(reload_);
@@ -84,7 +83,7 @@ void MainWindow::makeActions() {
   menu_->addAction(saveAs_);
   exchange_->addTo(*menu_);
   menu_->addSeparator();
-  auto* about = make("help", tr("About Insonate"), tr("Version, licences, and what it is not"), {});
+  auto* about = make("help", tr("About Insonate"), tr("Version, licenses and intended use"), {});
   for (QAction* action : {full, page, glossary, keys, about, quit}) menu_->addAction(action);
   menu_->setToolTipsVisible(true);
   recent_->setToolTipsVisible(true);
@@ -128,11 +127,11 @@ void MainWindow::fillRecent() {
     connect(action, &QAction::triggered, this, [this, folder = one.folder] { open(folder); });
   }
   if (cases.empty()) {
-    recent_->addAction(tr("Cases that you open are listed here"))->setEnabled(false);
+    recent_->addAction(tr("No recent cases"))->setEnabled(false);
     return;
   }
   recent_->addSeparator();
-  connect(recent_->addAction(tr("Forget these")), &QAction::triggered, this, [] { forgetRecentCases(); });
+  connect(recent_->addAction(tr("Clear list")), &QAction::triggered, this, [] { forgetRecentCases(); });
 }
 
 void MainWindow::chooseCase() {
@@ -238,9 +237,9 @@ void MainWindow::showHelp(bool keys) {
   for (const QAction* action : actions())
     if (!action->shortcut().isEmpty())
       everywhere.shortcuts.push_back({action->shortcut().toString(QKeySequence::NativeText), action->text()});
-  everywhere.shortcuts.push_back({tr("Alt+C, Alt+V"), tr("the menus of cases and of what is shown")});
-  everywhere.shortcuts.push_back({tr("Esc"), tr("cancel what is being done, close a message")});
-  const ShortcutGroup views{tr("In every view"), {{tr("M, double click"), tr("show this view alone, and back")}}};
+  everywhere.shortcuts.push_back({tr("Alt+C, Alt+V"), tr("Case and View menus")});
+  everywhere.shortcuts.push_back({tr("Esc"), tr("cancel a job, close a message")});
+  const ShortcutGroup views{tr("In every view"), {{tr("M, double click"), tr("maximize this view, and restore it")}}};
   std::vector<ShortcutGroup> groups{std::move(everywhere), views};
   for (const Room& room : rooms_) {
     // Commands of the present workspace come first.

@@ -78,7 +78,7 @@ void MainWindow::showSaved(const SavedCase& saved) {
     if (edited) room.workspace->caseSaved(saved.patient);
   }
   showTitle();
-  const QString also = tr(" Somebody else had saved it meanwhile; theirs is kept as an earlier version.");
+  const QString also = tr(" Another user had saved it meanwhile; that version is kept as an earlier one.");
   status_->say(tr("Saved to %1.").arg(saved.folder) + (saved.overAnother ? also : QString()));
   if (const auto go = std::exchange(afterSaving_, {})) QTimer::singleShot(0, this, go);
 }

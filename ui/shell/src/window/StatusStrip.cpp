@@ -32,7 +32,7 @@ StatusStrip::StatusStrip(QWidget* parent)
   help->setAccessibleName(tr("Help"));
   help->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   help->setFocusPolicy(Qt::StrongFocus);
-  help->setToolTip(tr("Help for what is shown (F1), all keys (?)"));
+  help->setToolTip(tr("Help for this view (F1), all keys (?)"));
 
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(kLargeGap, 2, kGap, 2);
@@ -60,8 +60,7 @@ void StatusStrip::say(const QString& text, const QString& folder) {
 
 void StatusStrip::setEngine(const QString& text, const QString& note) {
   engine_->setText(text);
-  const QString about =
-      tr("What computes the ultrasound, how many pictures it made in the last second, and how long one took");
+  const QString about = tr("Processor of the ultrasound, frames in the last second, and time per frame");
   engine_->setToolTip(note.isEmpty() ? about : about + ".\n" + note);
 }
 

@@ -76,17 +76,17 @@ QPushButton* AttemptPanel::button(const char* object, const QString& text, const
 QWidget* AttemptPanel::buildBegin() {
   auto* page = new QWidget;
   auto* box = column(page);
-  procedure_ = choice("attemptProcedure", tr("Procedure"), tr("What is to be done, step by step"));
+  procedure_ = choice("attemptProcedure", tr("Procedure"), tr("The steps of the procedure"));
   for (const Procedure& one : attempt_.procedures()) {
     procedure_->addItem(QString::fromStdString(one.title), QString::fromStdString(one.name));
     procedure_->setItemData(procedure_->count() - 1, QString::fromStdString(one.title), Qt::ToolTipRole);
   }
   assistance_ = choice("attemptAssistance", tr("Assistance"),
-                       tr("Guided: says what to do and what went wrong. Hints: says what went wrong alone. "
-                          "Test: shows neither CT nor anatomy until its end"));
+                       tr("Guided: states each step and each error. Hints: states errors only. Test: shows neither CT "
+                          "nor anatomy until the end"));
   for (const Assistance one : {Assistance::Guided, Assistance::Hints, Assistance::Test})
     assistance_->addItem(wordOf(one), int(one));
-  start_ = button("attemptStart", tr("Start"), tr("Begin an attempt, which is recorded and scored (Ctrl+Return)"));
+  start_ = button("attemptStart", tr("Start"), tr("Begins an attempt, which is recorded and scored (Ctrl+Return)"));
   ui::setRole(start_, "primary");
   auto* row = new QHBoxLayout;
   row->setSpacing(ui::kSmallGap);
@@ -113,11 +113,11 @@ QWidget* AttemptPanel::buildHands() {
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(ui::kSmallGap);
   position_ = choice("attemptPosition", tr("The patient's position"),
-                     tr("How the patient lies, in degrees of tilt; above 0 the head is down"));
+                     tr("Tilt of the table in degrees; above 0 the head is down"));
   draw_ = button("attemptDraw", tr("Aspirate"), tr("Aspirates with the syringe, or stops (B)"));
   draw_->setCheckable(true);
   auto* fresh =
-      button("attemptNewNeedle", tr("New needle"), tr("A new needle from the tray, once the old one is out (U)"));
+      button("attemptNewNeedle", tr("New needle"), tr("Takes a new needle from the tray once the old one is out (U)"));
   grid->addWidget(position_, 0, 0, 1, 2);
   grid->addWidget(draw_, 1, 0);
   grid->addWidget(fresh, 1, 1);
@@ -149,10 +149,10 @@ QWidget* AttemptPanel::buildRunning() {
   box->addWidget(buildHands());
   auto* row = new QHBoxLayout;
   row->setSpacing(ui::kSmallGap);
-  auto* finish = button("attemptFinish", tr("Finish"), tr("End the attempt and see its result (Ctrl+Return)"));
+  auto* finish = button("attemptFinish", tr("Finish"), tr("Ends the attempt and shows its result (Ctrl+Return)"));
   ui::setRole(finish, "primary");
-  auto* again = button("attemptAgain", tr("Again"), tr("Abandon this attempt and start another from the beginning"));
-  auto* abandon = button("attemptAbandon", tr("Abandon"), tr("End the attempt; it is kept as abandoned"));
+  auto* again = button("attemptAgain", tr("Again"), tr("Abandons this attempt and starts another"));
+  auto* abandon = button("attemptAbandon", tr("Abandon"), tr("Ends the attempt and saves it as abandoned"));
   for (QPushButton* one : {finish, again, abandon}) row->addWidget(one, 1);
   box->addLayout(row);
   connect(finish, &QPushButton::clicked, &attempt_, &AttemptControl::finish);
@@ -172,13 +172,13 @@ QWidget* AttemptPanel::buildResult() {
   for (QWidget* one : {static_cast<QWidget*>(headline_), static_cast<QWidget*>(errors_),
                        static_cast<QWidget*>(verdict_), static_cast<QWidget*>(advice_)})
     box->addWidget(one);
-  review_ = button("attemptReview", tr("Open in Review"), tr("Replay this attempt, with its events and metrics"));
+  review_ = button("attemptReview", tr("Open in Review"), tr("Replays this attempt, with its events and metrics"));
   ui::setRole(review_, "primary");
   box->addWidget(review_);
   auto* row = new QHBoxLayout;
   row->setSpacing(ui::kSmallGap);
-  auto* again = button("attemptNext", tr("Once more"), tr("Another attempt from the beginning"));
-  auto* leave = button("attemptLeave", tr("Close"), tr("Back to free scanning; the attempt is kept"));
+  auto* again = button("attemptNext", tr("Once more"), tr("Starts another attempt"));
+  auto* leave = button("attemptLeave", tr("Close"), tr("Returns to free scanning; the attempt is saved"));
   auto* course = button("attemptLevels", tr("Levels"), tr("Levels, your attempts and their curve (J)"));
   row->addWidget(again, 1);
   row->addWidget(course, 1);

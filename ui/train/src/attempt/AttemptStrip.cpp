@@ -34,7 +34,7 @@ AttemptStrip::AttemptStrip(TrainSession& session, AttemptControl& attempt, QWidg
   row_->addStretch(1);
   needle_ = number("attemptNeedle", QStringLiteral("▲ wrong place"), {});
   needle_->setTextFormat(Qt::RichText);
-  drawn_ = number("attemptDrawn", {}, tr("What the syringe aspirates (B)"));
+  drawn_ = number("attemptDrawn", {}, tr("Content of the syringe (B)"));
   syringe_ = new SyringeView(session, attempt, this);
   row_->addWidget(syringe_);
   // The wide one must not keep its column wide.
@@ -91,7 +91,7 @@ void AttemptStrip::refreshNeedle() {
   const ui::PlaceWords words = width() >= kWithVessel_px ? named : ui::wordsOf(disclosed(place, told));
   needle_->setToolTip(
       told.anatomy
-          ? tr("Where the needle is: green in the vein, red in a wrong place, yellow once used (U takes a new one)")
+          ? tr("Place of the needle: green in the vein, red in a wrong place, yellow once used (U takes a new one)")
           : tr("Whether the needle is new, inserted or used (U takes a new one)"));
   // The sign has the colour: words of that colour would be hard to read.
   needle_->setText(QStringLiteral("<span style='color:%1'>%2</span> %3")

@@ -84,7 +84,7 @@ bool StepList::show(const Procedure& procedure, const AttemptView& view, bool wi
   }
   bool other = write(*findings_, findings.join(QStringLiteral("<br>")));
   if (!withSteps) {
-    due = findings.isEmpty() ? QObject::tr("Nothing went wrong so far.") : QString();
+    due = findings.isEmpty() ? QObject::tr("No errors so far.") : QString();
     before.clear(), after.clear();
   }
   other |= write(*steps_, before.join(QStringLiteral("<br>")));

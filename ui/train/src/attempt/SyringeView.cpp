@@ -88,11 +88,9 @@ void SyringeView::draw() {
 }
 
 void SyringeView::tell() {
-  setToolTip(
-      session_.disclosure().anatomy
-          ? tr("What the syringe aspirates (B): dark red, non-pulsatile blood is a vein's, bright red, pulsatile "
-               "blood an artery's, air is lung or airway")
-          : tr("What the syringe aspirates (B)"));
+  setToolTip(session_.disclosure().anatomy ? tr("Content of the syringe (B): dark red, non-pulsatile blood is venous, "
+                                                "bright red, pulsatile blood arterial, air comes from lung or airway")
+                                           : tr("Content of the syringe (B)"));
   setAccessibleName(tr("Syringe: %1").arg(words()));
   update();
   Q_EMIT changed();
@@ -109,7 +107,7 @@ QString SyringeView::words() const {
     case Content::Nothing:
       break;
   }
-  return attempt_.isAspirating() ? tr("aspirating, nothing comes") : tr("empty");
+  return attempt_.isAspirating() ? tr("aspirating, no content") : tr("empty");
 }
 
 /// Lying: the needle's end on the left, the plunger on the right.

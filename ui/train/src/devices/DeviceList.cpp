@@ -53,7 +53,7 @@ DeviceList::DeviceList(HandsControl& hands, QWidget* parent) : QWidget(parent), 
   table_->setObjectName("deviceTable");
   table_->setAccessibleName(tr("Devices"));
   table_->setHorizontalHeaderLabels({tr("device"), tr("state"), tr("can"), tr("states/s")});
-  table_->setToolTip(tr("What is plugged in is found within a second; its limits as its maker gives them"));
+  table_->setToolTip(tr("Connected devices are found within a second; limits are the maker's"));
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setStretchLastSection(true);
@@ -61,9 +61,8 @@ DeviceList::DeviceList(HandsControl& hands, QWidget* parent) : QWidget(parent), 
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setTabKeyNavigation(false);
   table_->setMinimumHeight(110);
-  none_ =
-      new QLabel(tr("Nothing is plugged in. Mouse and keys hold probe and needle; plug a device in, or add a simulated "
-                    "one to feel how it behaves."));
+  none_ = new QLabel(
+      tr("No device is connected. Mouse and keys hold probe and needle; connect a device, or add a simulated one."));
   none_->setObjectName("noDevices");
   none_->setWordWrap(true);
   none_->setAlignment(Qt::AlignCenter);
@@ -73,7 +72,7 @@ DeviceList::DeviceList(HandsControl& hands, QWidget* parent) : QWidget(parent), 
   box->addWidget(buildButtons());
   events_ = new QListWidget(this);
   events_->setObjectName("deviceEvents");
-  events_->setAccessibleName(tr("What has happened to devices"));
+  events_->setAccessibleName(tr("Device events"));
   events_->setWordWrap(true);
   events_->setMinimumHeight(60);
   box->addWidget(events_, 1);
@@ -91,7 +90,7 @@ QWidget* DeviceList::buildButtons() {
   pedal_ = new QComboBox;
   pedal_->setObjectName("pedal");
   pedal_->setAccessibleName(tr("Pedal"));
-  pedal_->setToolTip(tr("Its first button freezes the image, and makes it live again"));
+  pedal_->setToolTip(tr("The first button freezes and unfreezes the image"));
   pedal_->setFocusPolicy(Qt::TabFocus);
   new ui::QuietWheel(pedal_);
   connect(pedal_, qOverload<int>(&QComboBox::activated), this,
@@ -99,7 +98,7 @@ QWidget* DeviceList::buildButtons() {
   auto* simulated = new QPushButton(tr("Add simulated"));
   simulated->setObjectName("addSimulated");
   simulated->setToolTip(
-      tr("A device that is not there, in a hand that mouse and keys lead: it feels forces, and gives way to them"));
+      tr("Adds a simulated device in a hand led by mouse and keys: forces act on it, and it gives way to them"));
   auto* menu = new QMenu(simulated);
   for (std::size_t n = 0; n < deviceProfiles().size(); ++n) {
     const std::string_view name = deviceProfiles()[n].name;
@@ -108,7 +107,7 @@ QWidget* DeviceList::buildButtons() {
   simulated->setMenu(menu);
   auto* replayed = new QPushButton(tr("Replay ..."));
   replayed->setObjectName("replayReports");
-  replayed->setToolTip(tr("Recorded reports as a device, over and over"));
+  replayed->setToolTip(tr("Replays recorded reports as a device, in a loop"));
   connect(replayed, &QPushButton::clicked, this, [this] {
     const QString file = QFileDialog::getOpenFileName(this, tr("Recorded reports"));
     if (!file.isEmpty()) replay(file.toStdString());
@@ -117,8 +116,7 @@ QWidget* DeviceList::buildButtons() {
   record_->setObjectName("recordReports");
   record_->setCheckable(true);
   record_->setToolTip(
-      tr("Raw reports of all devices that are plugged in, to a file: for a replay, or for whoever is to "
-         "find out what is wrong"));
+      tr("Records the raw reports of all connected devices to a file, for a replay or for fault finding"));
   connect(record_, &QPushButton::clicked, this, [this](bool on) {
     const QString file = on ? QFileDialog::getSaveFileName(this, tr("Record reports"), "reports.txt") : QString();
     record_->setChecked(record(file.toStdString()) && !file.isEmpty());
@@ -185,7 +183,7 @@ void DeviceList::refreshPedals() {
       const auto device = hands_.deviceOf(id);
       pedal_->addItem(id.isEmpty() ? tr("none")
                       : device     ? text(device->info().name)
-                                   : tr("%1 (not there)").arg(id),
+                                   : tr("%1 (not connected)").arg(id),
                       id);
     }
   }

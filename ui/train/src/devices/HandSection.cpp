@@ -33,9 +33,9 @@ QComboBox* combo(const char* object, const QString& says) {
 QString wordsOf(DevicePhase phase) {
   switch (phase) {
     case DevicePhase::kAbsent:
-      return HandSection::tr("not there");
+      return HandSection::tr("not connected");
     case DevicePhase::kOpening:
-      return HandSection::tr("being opened");
+      return HandSection::tr("opening");
     case DevicePhase::kReady:
       return HandSection::tr("ready");
     case DevicePhase::kStreaming:
@@ -43,7 +43,7 @@ QString wordsOf(DevicePhase phase) {
     case DevicePhase::kLost:
       return HandSection::tr("lost");
     case DevicePhase::kFailed:
-      return HandSection::tr("cannot be used");
+      return HandSection::tr("unusable");
   }
   return {};
 }
@@ -58,7 +58,7 @@ HandSection::HandSection(HandsControl& hands, Hand hand, QWidget* parent) : QFra
   auto* heading = new QLabel(probe ? tr("Hand with the probe") : tr("Hand with the needle"));
   ui::setRole(heading, "heading");
   box->addWidget(heading);
-  device_ = combo("device", tr("What this hand holds"));
+  device_ = combo("device", tr("Tool or device in this hand"));
   box->addWidget(labelled(tr("device"), device_));
   state_ = new QLabel;
   state_->setObjectName("state");
@@ -68,14 +68,15 @@ HandSection::HandSection(HandsControl& hands, Hand hand, QWidget* parent) : QFra
   auto* inner = new QVBoxLayout(mapping_);
   inner->setContentsMargins(0, 0, 0, 0);
   inner->setSpacing(4);
-  stand_ = combo("stand", tr("Where you sit with the device, the patient lying on the back"));
+  stand_ = combo("stand", tr("Your seat relative to the patient, who lies supine"));
   for (const char* one : kStands) stand_->addItem(tr(one));
   inner->addWidget(labelled(tr("seen from"), stand_));
   inner->addWidget(labelled(tr("offset"), buildOffsets()));
-  gain_ = new ui::ValueSlider(tr("forces"), tr("%"), {0, 100, 100, 5, 0}, tr("share of the force that the hand gets"));
+  gain_ = new ui::ValueSlider(tr("forces"), tr("%"), {0, 100, 100, 5, 0},
+                              tr("Share of the computed force that is sent to the hand"));
   gain_->setObjectName("gain");
   most_ = new ui::ValueSlider(tr("at most"), tr("N"), {0, 12, HandMapping{}.mostForce_N, 0.5, 1},
-                              tr("no force beyond this, whatever the tissue says; the device's own limit holds, too"));
+                              tr("Maximum force sent to the hand; the device's own limit also holds"));
   most_->setObjectName("mostForce");
   inner->addWidget(gain_);
   inner->addWidget(most_);
@@ -127,8 +128,8 @@ QWidget* HandSection::buildOffsets() {
     auto* field = new NumberField(names[axis], tr(" mm"), {-300, 300, 5, 0}, all);
     field->setObjectName(QStringLiteral("apart") + QString::number(axis));
     field->setAccessibleName(tr("Offset of the tool %1, in mm").arg(says[axis]));
-    field->setToolTip(
-        tr("From the device to its tool, %1, in mm: so that two devices on a desk do not collide").arg(says[axis]));
+    field->setToolTip(tr("Offset from the device to its tool, %1, in mm, so that two devices on a desk do not collide")
+                          .arg(says[axis]));
     field->setTyped([this, axis](double value) { change([&](HandMapping& to) { to.apart_mm[axis] = value; }); });
     field->setRefused([this](const QString& sentence) { Q_EMIT refused(sentence); });
     apart_[axis] = field;
@@ -142,11 +143,11 @@ QWidget* HandSection::buildButtons() {
   auto* box = new QHBoxLayout(row);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(4);
-  begin_ =
-      button("beginHere", tr("Begin here"),
-             tr("As the stylus is held now, the tool is at its start: the probe where it is, the needle beside it"));
+  begin_ = button(
+      "beginHere", tr("Begin here"),
+      tr("Sets the stylus's present pose as the tool's start: the probe stays in place, the needle lies beside it"));
   calibrate_ =
-      button("calibrate", tr("Home"), tr("The device is in its home posture now: its encoders count from here"));
+      button("calibrate", tr("Home"), tr("Sets the device's present posture as home: its encoders count from here"));
   test_ = button("testForce", tr("Test force"), tr("Pushes the stylus up with 0.8 N for a second. Hold it loosely"));
   for (QPushButton* one : {begin_, calibrate_, test_}) box->addWidget(one, 1);
   connect(begin_, &QPushButton::clicked, this, [this] { hands_.beginHere(hand_); });
@@ -175,7 +176,7 @@ void HandSection::refresh() {
     for (const auto& device : hands_.session().devices().devices())
       if (device->info().kind != DeviceKind::kPedal)
         device_->addItem(QString::fromStdString(device->info().name), QString::fromStdString(device->info().id));
-    if (device_->findData(assigned) < 0) device_->addItem(tr("%1 (not there)").arg(assigned), assigned);
+    if (device_->findData(assigned) < 0) device_->addItem(tr("%1 (not connected)").arg(assigned), assigned);
     device_->setCurrentIndex(device_->findData(assigned));
   }
   const auto device = hands_.deviceOf(assigned);
@@ -200,9 +201,9 @@ void HandSection::show(const ServoSnapshot& now, double rate_Hz) {
     state_->setText(rate_Hz > 0 ? tr("%1, %2 states a second").arg(wordsOf(device->phase())).arg(rate_Hz, 0, 'f', 0)
                                 : wordsOf(device->phase()));
   else if (!hands_.assigned(hand_).isEmpty())
-    state_->setText(known ? wordsOf(known->phase()) : tr("waits until it is plugged in"));
+    state_->setText(known ? wordsOf(known->phase()) : tr("waits for its connection"));
   else
-    state_->setText(hand_ == kProbeHand ? tr("the probe follows the mouse") : tr("no needle is taken up"));
+    state_->setText(hand_ == kProbeHand ? tr("the probe follows the mouse") : tr("no needle in hand"));
   const bool there = device && now.present[hand_];
   pose_->setVisible(there);
   force_->setVisible(there);
@@ -211,8 +212,8 @@ void HandSection::show(const ServoSnapshot& now, double rate_Hz) {
   pose_->setText(tr("%1   %2   %3 mm").arg(p.x, 7, 'f', 1).arg(p.y, 7, 'f', 1).arg(p.z, 7, 'f', 1));
   const HandOutput& out = now.output.hands[hand_];
   const bool pushes = device->info().limits.forceAxes > 0;
-  force_->setText(pushes ? (out.limited ? tr("%1 N, held back") : tr("%1 N")).arg(norm(out.force.force_N), 0, 'f', 2)
-                         : tr("%1 N, which this device cannot show").arg(norm(out.wanted_N), 0, 'f', 2));
+  force_->setText(pushes ? (out.limited ? tr("%1 N, limited") : tr("%1 N")).arg(norm(out.force.force_N), 0, 'f', 2)
+                         : tr("%1 N, beyond this device").arg(norm(out.wanted_N), 0, 'f', 2));
 }
 
 }  // namespace insonate::train

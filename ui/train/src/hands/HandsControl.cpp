@@ -232,7 +232,7 @@ void HandsControl::takeNeedle(NeedlePlane plane) {
   Q_EMIT said(session_->tissueReady()
                   ? tr("The needle is beside the probe, at 20 degrees to the skin. Alt+W makes it steeper, Page Down "
                        "advances it, Page Up withdraws it.")
-                  : tr("The needle is there; it feels the patient in a moment."));
+                  : tr("The needle is in hand; contact with the patient is ready in a moment."));
 }
 
 void HandsControl::setHeld(bool held) {
@@ -330,14 +330,14 @@ void HandsControl::setMapping(const QString& device, const HandMapping& mapping)
 void HandsControl::beginHere(Hand hand) {
   const ServoSnapshot now = session_->snapshot();
   if (!labels_ || !probe_ || inMouse(hand) || !now.present[hand])
-    return Q_EMIT said(tr("Put a device that tells its place into this hand first."));
+    return Q_EMIT said(tr("Choose a device that reports its position for this hand first."));
   HandMapping mapping = mappings_.value(wanted_[hand]);
   mapping.begin = now.states[hand].deviceFromStylus;
   mappings_[wanted_[hand]] = mapping;
   session_->put(hand, put_[hand], setupOf(mapping, startOf(hand)));
   Q_EMIT handsChanged();
-  Q_EMIT said(hand == kProbeHand ? tr("As you hold the device now, the probe is where it is in the image.")
-                                 : tr("As you hold the device now, the needle is beside the probe."));
+  Q_EMIT said(hand == kProbeHand ? tr("The device's present pose now matches the probe in the image.")
+                                 : tr("The device's present pose now matches a needle beside the probe."));
 }
 
 void HandsControl::save(QSettings& settings) const {

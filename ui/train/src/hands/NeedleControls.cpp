@@ -59,9 +59,9 @@ NeedleControls::NeedleControls(TrainSession& session, QWidget* parent) : QWidget
   head->addWidget(devices);
   box->addLayout(head);
   along_ = choice("needleAlong", tr("in-plane"),
-                  tr("Takes an 18 G needle of 70 mm in-plane, beside the probe's end; again lays it down (I)"));
+                  tr("Takes an 18 G needle of 70 mm in-plane, beside the probe's end, or puts it away (I)"));
   across_ = choice("needleAcross", tr("out-of-plane"),
-                   tr("Takes an 18 G needle of 70 mm out-of-plane, before the probe; again lays it down (I)"));
+                   tr("Takes an 18 G needle of 70 mm out-of-plane, before the probe, or puts it away (I)"));
   auto* take = new QHBoxLayout;
   take->setSpacing(4);
   take->addWidget(along_, 1);
@@ -123,10 +123,9 @@ void NeedleControls::refresh() {
   numbers_->setVisible(held);
   words_->setVisible(hands.hasNeedle());
   words_->setToolTip(session_.disclosure().anatomy
-                         ? tr("Where the tip is; the insertion length, along the shaft from the skin, in mm; the tip's "
-                              "depth on the image's scale in mm; and what resists the needle in N")
-                         : tr("Insertion length, along the shaft from the skin, in mm; and what resists the needle in "
-                              "N"));
+                         ? tr("Tissue at the tip; insertion length along the shaft from the skin, in mm; depth of the "
+                              "tip on the image's scale, in mm; resistance in N")
+                         : tr("Insertion length along the shaft from the skin, in mm; resistance in N"));
   if (hands.needle()) words_->setText(wordsNow(*hands.needle()));
   if (!held) return;
   const NeedleHandState& state = held->state();

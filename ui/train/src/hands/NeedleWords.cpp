@@ -66,7 +66,7 @@ QString sentenceOf(const NeedleEvent& event, const QString& vessel) {
       if (event.wall == kSkin) return tr("Through the skin.");
       if (event.wall == kVein) return tr("%1 entered, insertion length %2.").arg(subject(event, vessel), length);
       if (event.wall == kArtery)
-        return tr("%1 punctured, insertion length %2. Withdraw the needle and press.")
+        return tr("%1 punctured, insertion length %2. Withdraw the needle and apply pressure.")
             .arg(subject(event, vessel), length);
       if (event.wall == kAirway) return tr("Airway or lung punctured, insertion length %1. Withdraw.").arg(length);
       return tr("Into the %1, insertion length %2.").arg(wall(event.wall), length);

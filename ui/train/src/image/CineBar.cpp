@@ -92,15 +92,15 @@ QMenu* CineBar::buildSaving() {
   auto* menu = new QMenu(save_);
   menu->setToolTipsVisible(true);
   menu->addAction(tr("Image ...\tCtrl+P"), this, &CineBar::savePicture)
-      ->setToolTip(tr("At its own resolution, with its depth scale in mm"));
+      ->setToolTip(tr("Saves the image at its own resolution, with its depth scale in mm"));
   menu->addAction(tr("As on the screen ..."), this, &CineBar::saveScreen)
-      ->setToolTip(tr("With all that is shown over the image, and the CT beside it"));
-  menu->addAction(tr("Clip of the last seconds ..."), this, &CineBar::saveClip)
-      ->setToolTip(tr("A folder of numbered images"));
+      ->setToolTip(tr("Saves the image with its overlays, and the CT beside it"));
+  menu->addAction(tr("Clip ..."), this, &CineBar::saveClip)
+      ->setToolTip(tr("Saves the last seconds as a folder of numbered images"));
   menu->addSeparator();
   withMeasurements_ = menu->addAction(tr("With measurements"));
   withMeasurements_->setObjectName("withMeasurements");
-  withMeasurements_->setToolTip(tr("Image and clip show what is measured, as the screen does"));
+  withMeasurements_->setToolTip(tr("Includes measurements in saved images and clips"));
   withMeasurements_->setCheckable(true);
   withMeasurements_->setChecked(true);
   return menu;

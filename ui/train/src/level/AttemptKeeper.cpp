@@ -59,7 +59,7 @@ Result<std::string> sendAll(const SignedIn& by, const QString& folder, const std
   const AttemptStore attempts(by);
   if (fresh)
     if (const auto unwritten = fresh->result()) return send(attempts, folder, *unwritten);
-  if (isAway) return fail(AttemptKeeper::tr("The server is still away.").toStdString());
+  if (isAway) return fail(AttemptKeeper::tr("The server is still unreachable.").toStdString());
   std::string unkept;
   Result<std::string> first;
   for (const AttemptFacts& facts : unsentOf(folder, by.person().id)) {

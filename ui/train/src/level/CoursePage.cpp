@@ -55,9 +55,9 @@ QWidget* CoursePage::buildHead() {
     tabs_->addButton(button, tab);
     row->addWidget(button);
   };
-  add(Levels, "courseLevels", tr("Levels"), tr("What is open, mastered or locked, and why"));
-  add(Attempts, "courseAttempts", tr("Your attempts"), tr("All of them, and the curve of a metric"));
-  add(Questionnaire, "courseQuestionnaire", tr("Questionnaire"), tr("What you think of the simulator"));
+  add(Levels, "courseLevels", tr("Levels"), tr("Levels that are open, mastered or locked, with the reason"));
+  add(Attempts, "courseAttempts", tr("Your attempts"), tr("All your attempts, and the learning curve of a metric"));
+  add(Questionnaire, "courseQuestionnaire", tr("Questionnaire"), tr("Your opinion of the simulator"));
   auto* back = new QPushButton(tr("Back to the image"));
   back->setObjectName(QStringLiteral("courseBack"));
   back->setToolTip(tr("Probe, image and patient (J, Esc)"));

@@ -86,7 +86,7 @@ QWidget* HistoryPage::buildList() {
   for (const auto& [column, px] : {std::pair{kDate, 158}, {kOutcome, 96}, {kPoints, 58}, {kLength, 62}})
     header->resizeSection(column, px);
   open_ = ui::pushButton("historyOpen", tr("Open in Review"), tr("Replay the selected attempt (Enter)"));
-  older_ = ui::pushButton("historyOlder", tr("Older attempts"), tr("Those before the last one of the list"));
+  older_ = ui::pushButton("historyOlder", tr("Older attempts"), tr("Lists the attempts before the last one shown"));
   auto* row = new QHBoxLayout;
   row->addWidget(open_);
   row->addWidget(older_);
@@ -106,8 +106,8 @@ QWidget* HistoryPage::buildList() {
 }
 
 QWidget* HistoryPage::buildCurve() {
-  of_ = choice("curveOf", tr("Attempts"), tr("Whose curve: the attempts of a level, or all of a procedure"));
-  metric_ = choice("curveMetric", tr("Metric"), tr("What is drawn over the attempts"));
+  of_ = choice("curveOf", tr("Attempts"), tr("Attempts of the curve: those of one level, or all of a procedure"));
+  metric_ = choice("curveMetric", tr("Metric"), tr("Metric of the curve"));
   chart_ = new ui::Chart;
   chart_->setObjectName(QStringLiteral("curve"));
   auto* row = new QHBoxLayout;
@@ -186,7 +186,7 @@ void HistoryPage::refreshWords() {
   if (words.isEmpty() && !course_.isSomebodys())
     words = tr("Sign in (Ctrl+L) to see your attempts. Recordings of guests are listed under Review (Ctrl+3).");
   else if (words.isEmpty() && !any)
-    words = tr("You have no attempts yet. Choose a level and practise it; each attempt is listed here.");
+    words = tr("You have no attempts yet. Choose a level and practice it; each attempt is listed here.");
   words_->setText(words);
   words_->setVisible(!words.isEmpty());
 }

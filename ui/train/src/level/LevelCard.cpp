@@ -27,8 +27,8 @@ LevelCard::LevelCard(LevelControl& levels, QWidget* parent)
       title_(ui::paragraph("levelTitle", "heading")),
       rule_(ui::paragraph("levelRule", "quiet")) {
   auto* course = button("levelsOpen", tr("Levels"), tr("Levels, your attempts and their curve, the questionnaire (J)"));
-  open_ = button("levelOpenCase", tr("Open its case"), tr("The level's case in place of the one in the window"));
-  free_ = button("levelLeave", tr("Practise freely"), tr("Leave the level: any case, procedure and assistance"));
+  open_ = button("levelOpenCase", tr("Open its case"), tr("Opens the level's case in place of the present one"));
+  free_ = button("levelLeave", tr("Free practice"), tr("Leaves the level: any case, procedure and assistance"));
   auto* row = new QHBoxLayout;
   row->setSpacing(ui::kSmallGap);
   for (QPushButton* one : {course, open_, free_}) row->addWidget(one, 1);

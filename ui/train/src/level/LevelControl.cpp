@@ -75,7 +75,7 @@ void LevelControl::leave() {
 void LevelControl::caseChanged() {
   if (!level_ || !session_.patient()) return;
   if (!fits()) {
-    session_.say(tr("'%1' is practised on another case: you practise freely now.").arg(ui::qt(level_->title)));
+    session_.say(tr("'%1' needs another case: this is free practice now.").arg(ui::qt(level_->title)));
     return leave();
   }
   arrange();

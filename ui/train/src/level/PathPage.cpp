@@ -91,12 +91,12 @@ QWidget* PathPage::buildList() {
   choice_ = new QComboBox;
   choice_->setObjectName(QStringLiteral("courseChoice"));
   choice_->setAccessibleName(tr("Class"));
-  choice_->setToolTip(tr("By the curriculum of which class"));
+  choice_->setToolTip(tr("Class whose curriculum applies"));
   connect(choice_, qOverload<int>(&QComboBox::activated), &course_, &Course::choose);
   list_ = new QListWidget;
   list_->setObjectName(QStringLiteral("levels"));
   list_->setAccessibleName(tr("Levels"));
-  list_->setToolTip(tr("Enter practises the level that is marked"));
+  list_->setToolTip(tr("Enter starts the marked level"));
   list_->setWordWrap(true);
   connect(list_, &QListWidget::currentRowChanged, this, [this] { refreshLevel(); });
   connect(list_, &QListWidget::itemActivated, this, [this] { practise(); });
@@ -117,13 +117,13 @@ QWidget* PathPage::buildLevel() {
   pass_ = ui::paragraph("levelPass");
   standards_ = ui::paragraph("levelLimits", "quiet");
   mastery_ = ui::paragraph("levelMastery");
-  practise_ = new QPushButton(tr("Practise this level"));
+  practise_ = new QPushButton(tr("Practice this level"));
   practise_->setObjectName(QStringLiteral("levelPractise"));
   practise_->setToolTip(tr("Opens its case and sets procedure, position and assistance (Enter)"));
   ui::setRole(practise_, "primary");
-  free_ = new QPushButton(tr("Practise freely"));
+  free_ = new QPushButton(tr("Free practice"));
   free_->setObjectName(QStringLiteral("courseFree"));
-  free_->setToolTip(tr("Leave the level: any case, procedure and assistance"));
+  free_->setToolTip(tr("Leaves the level: any case, procedure and assistance"));
   auto* row = new QHBoxLayout;
   row->addWidget(practise_);
   row->addWidget(free_);
@@ -165,7 +165,7 @@ void PathPage::refreshHead() {
   QString note = course_.trouble();
   if (note.isEmpty() && !curriculum) note = tr("Looking up your levels ...");
   if (note.isEmpty() && !course_.isSomebodys())
-    note = tr("You are a guest: attempts are recorded, and count for nobody. Sign in (Ctrl+L), so that levels open.");
+    note = tr("You are a guest: attempts are recorded, but count for nobody. Sign in (Ctrl+L) to unlock levels.");
   note_->setText(note);
   note_->setVisible(!note.isEmpty());
   const auto choices = course_.choices();
@@ -226,7 +226,7 @@ void PathPage::refreshLevel() {
   standards_->setVisible(!level->pass.standards.empty());
   mastery_->setText(tr("Mastery: %1.").arg(masteryOf(*level)));
   practise_->setEnabled(!locked);
-  practise_->setText(locked ? tr("Locked") : tr("Practise this level"));
+  practise_->setText(locked ? tr("Locked") : tr("Practice this level"));
   free_->setVisible(levels_.level());
 }
 

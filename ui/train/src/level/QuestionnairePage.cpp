@@ -34,8 +34,8 @@ QuestionnairePage::QuestionnairePage(ui::Account* account, QString draftFolder, 
       words_(new QLabel),
       sheet_(new ui::FormSheet(questionnaire())),
       scroll_(new QScrollArea),
-      send_(ui::pushButton("formSend", tr("Send"), tr("Store the answers; they cannot be changed afterwards"))),
-      clear_(ui::pushButton("formClear", tr("Clear"), tr("Take all answers back"))) {
+      send_(ui::pushButton("formSend", tr("Send"), tr("Stores the answers; they cannot be changed afterwards"))),
+      clear_(ui::pushButton("formClear", tr("Clear"), tr("Clears all answers"))) {
   ui::setRole(send_, "primary");
   words_->setObjectName(QStringLiteral("formWords"));
   words_->setTextFormat(Qt::PlainText);
@@ -93,7 +93,7 @@ void QuestionnairePage::clear() {
 }
 
 void QuestionnairePage::send() {
-  if (!sheet_->check()) return Q_EMIT said(tr("Some answers cannot be stored; what is wrong is said beside them."));
+  if (!sheet_->check()) return Q_EMIT said(tr("Some answers cannot be stored; the errors are stated beside them."));
   const FormAnswers answers = sheet_->answers();
   if (answers.empty()) return Q_EMIT said(tr("Nothing is answered yet."));
   keepDraft();

@@ -229,7 +229,7 @@ void ControlsPanel::buildProcessing(QVBoxLayout& box) {
   addSliders(box, kBeforeTgc, std::size(kSliders));
   grayMap_ = new QComboBox;
   grayMap_->setObjectName("grayMap");
-  grayMap_->setToolTip(tr("How levels of echo become grays"));
+  grayMap_->setToolTip(tr("Mapping of echo levels to grays"));
   for (const GrayMapCurve& curve : grayMaps()) {
     grayMap_->addItem(QString::fromUtf8(curve.name.data(), int(curve.name.size())), int(curve.map));
     grayMap_->setItemData(grayMap_->count() - 1, QString::fromUtf8(curve.about.data(), int(curve.about.size())),

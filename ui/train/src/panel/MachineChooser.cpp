@@ -13,7 +13,7 @@ MachineChooser::MachineChooser(TrainSession& session, QWidget* parent) : QComboB
   new ui::QuietWheel(this);
   setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   setPlaceholderText(tr("own settings"));
-  setToolTip(tr("Takes the image settings of a class of ultrasound machines"));
+  setToolTip(tr("Applies the image settings of a class of ultrasound machines"));
   for (const Machine& machine : machines()) {
     addItem(QString::fromStdString(machine.title), QString::fromStdString(machine.name));
     setItemData(count() - 1, QString::fromStdString(machine.about), Qt::ToolTipRole);

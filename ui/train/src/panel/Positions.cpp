@@ -61,10 +61,10 @@ Positions::Positions(TrainSession& session, QWidget* parent)
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(4);
   box->addWidget(list_);
-  saveButton_->setToolTip(tr("Remember where the probe is, as one more position of the list"));
+  saveButton_->setToolTip(tr("Saves the probe's present position in the list"));
   menuButton_->setObjectName("positionMenu");
-  menuButton_->setAccessibleName(tr("Change the chosen position"));
-  menuButton_->setToolTip(tr("Rename, move or remove the chosen position"));
+  menuButton_->setAccessibleName(tr("Changes the selected position"));
+  menuButton_->setToolTip(tr("Renames, moves or removes the selected position"));
   menuButton_->setFocusPolicy(Qt::TabFocus);
   menuButton_->setFixedWidth(kMenu_px);
   menuButton_->setMenu(buildMenu());
@@ -195,7 +195,7 @@ void Positions::remove(int place) {
   Own own = own_.value(caseKey());
   own.erase(own.begin() + long(*index));
   change(std::move(own), tr("removal of a position"), std::max(0, std::min(place, list_->count() - 2)));
-  session_.say(tr("Position removed; Ctrl+Z brings it back."));
+  session_.say(tr("Position removed; Ctrl+Z restores it."));
 }
 
 void Positions::rename(int place, const QString& name) {

@@ -120,7 +120,7 @@ FitCanvas::FitCanvas(QWidget* parent) : QWidget(parent) {
   setMinimumSize(360, 280);
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
-  setAccessibleName(tr("Picture with the field of view"));
+  setAccessibleName(tr("Image with the field of view"));
   setToolTip(
       tr("Drag sides, corners, face and end; inside, all of it moves.\nKeys: G for the next handle, arrows move it."));
 }

@@ -68,8 +68,8 @@ FitDialog::FitDialog(const Probe& base, QWidget* parent)
   setWindowTitle(tr("Fit to an image"));
   setAcceptDrops(true);
   canvas_->setInvitation(
-      tr("Drop a photograph or screen capture of a machine's picture here, paste one (Ctrl+V), "
-         "or open a file.\n\nIt is looked at here and not kept."));
+      tr("Drop a photograph or screen capture of a scanner's image here, paste one (Ctrl+V), or open a file.\n\nThe "
+         "image is not stored."));
   auto* row = new QHBoxLayout;
   row->setSpacing(16);
   row->addWidget(canvas_, 1);
@@ -99,7 +99,7 @@ QWidget* FitDialog::buildSide() {
     return made;
   };
   auto* open = button(tr("Open..."), "fitOpen", tr("A PNG or JPEG file"));
-  auto* pasteButton = button(tr("Paste"), "fitPaste", tr("The picture in the clipboard (Ctrl+V)"));
+  auto* pasteButton = button(tr("Paste"), "fitPaste", tr("Pastes the image in the clipboard (Ctrl+V)"));
   auto* sources = new QHBoxLayout;
   sources->addWidget(open);
   sources->addWidget(pasteButton);
@@ -109,18 +109,18 @@ QWidget* FitDialog::buildSide() {
   shape_->setAccessibleName(tr("Shape of the field of view"));
   shape_->setToolTip(tr("Shape of the field of view"));
   rotation_ = new ui::ValueSlider(tr("turned"), QStringLiteral("\u00b0"), {-10, 10, 0, 0.1, 1},
-                                  tr("of the picture; the probe itself is straight"));
+                                  tr("rotation of the image; the probe itself is straight"));
   rotation_->setObjectName("fitRotation");
   depth_ = new ui::ValueSlider(tr("depth on display"), QStringLiteral("mm"), {10, 400, base_.defaultDepth_mm, 1, 1},
-                               tr("from the middle of the face to the end; the machine says it"));
+                               tr("from the middle of the face to the end, as the scanner states it"));
   depth_->setObjectName("fitDepth");
-  marks_ = new ui::ValueSlider(tr("marks are apart"), QStringLiteral("mm"), {0.5, 50, 10, 0.5, 1},
-                               tr("distance of two marks of the picture's depth scale"));
+  marks_ = new ui::ValueSlider(tr("mark spacing"), QStringLiteral("mm"), {0.5, 50, 10, 0.5, 1},
+                               tr("distance between two marks of the image's depth scale"));
   marks_->setObjectName("fitMarks");
   draw_ = button(tr("Scale by two marks..."), "fitDraw",
-                 tr("Click two marks of the picture's ruler, then type how many mm they are apart"));
-  line_ = new ui::ValueSlider(tr("the two are apart"), QStringLiteral("mm"), {0.5, 400, 10, 0.5, 1},
-                              tr("distance of the two points that were clicked"));
+                 tr("Click two marks of the image's ruler, then type their distance in mm"));
+  line_ = new ui::ValueSlider(tr("distance"), QStringLiteral("mm"), {0.5, 400, 10, 0.5, 1},
+                              tr("distance between the two clicked points"));
   line_->setObjectName("fitLine");
   values_ = new QLabel;
   values_->setObjectName("fitValues");
@@ -134,9 +134,9 @@ QWidget* FitDialog::buildSide() {
     label->setTextFormat(Qt::PlainText);
   }
   trouble_->hide();
-  take_ = button(tr("Take over"), "fitTake", tr("Use this geometry for the probe that is being edited"));
+  take_ = button(tr("Apply"), "fitTake", tr("Use this geometry for the probe that is being edited"));
   ui::setRole(take_, "primary");
-  auto* cancel = button(tr("Cancel"), "fitCancel", tr("Leave the probe as it is (Escape)"));
+  auto* cancel = button(tr("Cancel"), "fitCancel", tr("Leaves the probe unchanged (Escape)"));
   auto* foot = new QHBoxLayout;
   foot->addWidget(cancel);
   foot->addWidget(take_);
@@ -147,8 +147,8 @@ QWidget* FitDialog::buildSide() {
   box->addStretch();
   box->addLayout(foot);
   connect(open, &QPushButton::clicked, this, [this] {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Picture of a machine"), {},
-                                                      tr("Pictures (*.png *.jpg *.jpeg *.bmp);;All files (*)"));
+    const QString file = QFileDialog::getOpenFileName(this, tr("Image of a scanner"), {},
+                                                      tr("Images (*.png *.jpg *.jpeg *.bmp);;All files (*)"));
     if (!file.isEmpty()) openPicture(file);
   });
   connect(pasteButton, &QPushButton::clicked, this, &FitDialog::paste);
@@ -195,7 +195,7 @@ void FitDialog::paste() {
     if (!image.isNull()) return load(tr("Fitting"), [image]() -> Result<QImage> { return image; });
   }
   if (const QString file = held ? imageFileIn(*held) : QString(); !file.isEmpty()) return openPicture(file);
-  say(tr("The clipboard holds no picture. Copy one, then paste again."), true);
+  say(tr("The clipboard holds no image. Copy one, then paste again."), true);
 }
 
 void FitDialog::load(const QString& title, std::function<Result<QImage>()> read) {
@@ -218,7 +218,7 @@ void FitDialog::fitted(Result<std::shared_ptr<Loaded>> result) {
   if (!result) {
     const bool stopped = result.error().message == kCancelled;
     QString sentence = stopped ? tr("Stopped.") : QString::fromStdString(result.error().message);
-    if (!picture_.isNull()) sentence += QLatin1Char('\n') + tr("What is shown is still the picture before.");
+    if (!picture_.isNull()) sentence += QLatin1Char('\n') + tr("The former image is still shown.");
     say(sentence, !stopped);
     // The fit's warnings are part of the state, too.
     if (picture_.isNull()) return;
@@ -247,9 +247,9 @@ void FitDialog::fitted(Result<std::shared_ptr<Loaded>> result) {
     ruler_ = fit.ruler;
     typedDepth_mm_ = 0;
     mmPerPx_ = fit.ruler->mmPerMark / fit.ruler->spacing_px;
-    doubts << tr("%1 marks of a depth scale were found; check how far they are apart.").arg(fit.ruler->marks);
+    doubts << tr("%1 marks of a depth scale were found; check their spacing.").arg(fit.ruler->marks);
   }
-  if (!fit.ruler) doubts << tr("The depth is taken as %1 mm until you type it.").arg(typedDepth_mm_, 0, 'f', 0);
+  if (!fit.ruler) doubts << tr("The depth is assumed to be %1 mm until you type it.").arg(typedDepth_mm_, 0, 'f', 0);
   if (fit.confidence < 0.5) doubts.prepend(tr("The fit is uncertain: correct it by its handles."));
   doubts_ = doubts.join(QLatin1Char('\n'));
   say(doubts_, fit.confidence < 0.5);
@@ -339,7 +339,7 @@ void FitDialog::drawLine() {
   canvas_->setDrawing(true);
   canvas_->setFocus();
   showShape();
-  say(tr("Click two marks of the picture's ruler."), false);
+  say(tr("Click two marks of the image's ruler."), false);
 }
 
 void FitDialog::lineDrawn() {
@@ -348,7 +348,7 @@ void FitDialog::lineDrawn() {
     canvas_->setLine(std::nullopt);
     return say(tr("The two points are the same; click two marks that are apart."), true);
   }
-  say(tr("Type how many millimetres the two marks are apart."), false);
+  say(tr("Type the distance between the two marks in millimeters."), false);
   line_->setFocus();
 }
 
@@ -367,7 +367,7 @@ void FitDialog::takeOver() {
   // The beam of another shape would not suit.
   const Probe base = canvas_->shape()->shape == probe_.shape ? probe_ : loadProbe(preset).value_or(probe_);
   // Under a built-in name it could not be saved.
-  const std::string name = isBuiltIn(probe_.name) ? tr("from a picture").toStdString() : probe_.name;
+  const std::string name = isBuiltIn(probe_.name) ? tr("from an image").toStdString() : probe_.name;
   auto made = probeFromFit(*canvas_->shape(), mmPerPx_, base, name);
   if (!made) return say(QString::fromStdString(made.error().message), true);
   probe_ = std::move(*made);

@@ -30,7 +30,7 @@ ProbeChooser::ProbeChooser(TrainSession& session, ProbeLibrary& library, QWidget
   new ui::QuietWheel(list_);
   list_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   list_->setAccessibleName(tr("probe"));
-  list_->setToolTip(tr("The transducer, built in or your own; depth, frequency and focus become its own"));
+  list_->setToolTip(tr("Transducer, built in or your own; sets its depth, frequency and focus"));
   edit_->setObjectName("editProbe");
   edit_->setFocusPolicy(Qt::TabFocus);
   edit_->setToolTip(tr("Change the probe's shape and beam, or fit it to an image of a machine"));

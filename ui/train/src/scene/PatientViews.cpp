@@ -116,18 +116,18 @@ QWidget* PatientViews::buildMpr() {
   for (const SliceEntry& kind : kSliceEntries)
     addTab(int(kind.kind), tr(kind.name), tr("%1 slice").arg(tr(kind.name)), tr(kind.says));
   kinds_->button(int(views::SliceKind::Oblique))->setChecked(true);
-  addTab(kAllSlices, tr("All"), tr("All slices"), tr("The four of them at once, with one crosshair (X)"))
+  addTab(kAllSlices, tr("All"), tr("All slices"), tr("Shows all four views with one crosshair (X)"))
       ->setObjectName(QStringLiteral("allSlicesTab"));
   row->addStretch();
-  addTab(kScenePanel, tr("3D"), tr("What the 3D view shows"),
-         tr("What the 3D view above shows: skin, structures, CT volume, clipping plane, stereo"))
+  addTab(kScenePanel, tr("3D"), tr("Contents of the 3D view"),
+         tr("Contents of the 3D view above: skin, structures, CT volume, clipping plane, stereo"))
       ->setObjectName(QStringLiteral("sceneTab"));
   sliceMenu_ = new SliceMenu(*mpr_, pane);
   auto* how = howSliced_ = new QToolButton(pane);
   how->setObjectName(QStringLiteral("sliceMenu"));
   how->setIcon(ui::icon(QStringLiteral("view")));
-  how->setAccessibleName(tr("How the CT slice is shown"));
-  how->setToolTip(tr("How the CT slice is shown: window and level in HU, structures in %"));
+  how->setAccessibleName(tr("Display of the CT slice"));
+  how->setToolTip(tr("Display of the CT slice: window and level in HU, structures in %"));
   how->setPopupMode(QToolButton::InstantPopup);
   how->setMenu(sliceMenu_);
   how->setFocusPolicy(Qt::TabFocus);

@@ -42,7 +42,7 @@ SliceMenu::SliceMenu(views::MprView& slice, QWidget* parent)
 
 void SliceMenu::addStructures() {
   opacity_ = new ui::ValueSlider(tr("structures"), QStringLiteral("%"), {0, 100, 0, 5, 0},
-                                 tr("how strongly the structures lie over the CT (G, A, D)"));
+                                 tr("opacity of the structures over the CT (G, A, D)"));
   opacity_->setObjectName(QStringLiteral("labelOpacity"));
   opacity_->setMinimumWidth(kSlider_px);
   connect(opacity_, &ui::ValueSlider::valueChanged, this, [this](double percent) {

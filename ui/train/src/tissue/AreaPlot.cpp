@@ -23,7 +23,7 @@ AreaPlot::AreaPlot(QWidget* parent) : QWidget(parent) {
   setObjectName("areaPlot");
   setToolTip(
       tr("Areas of vein and artery in the image's plane, in % of their area in the CT, against the force of the probe "
-         "in N.\nDots: where they have been since Clear; rings: now."));
+         "in N.\nDots: values since Clear; rings: present values."));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   trace_.reserve(kMost);
   describe();
@@ -134,7 +134,7 @@ void AreaPlot::paintEvent(QPaintEvent*) {
   drawVessel(painter, room, &Point::artery, artery);
   if (now_.vein >= 0 || now_.artery >= 0 || !trace_.empty()) return;
   painter.setPen(ui::colour(views::theme::kQuiet));
-  painter.drawText(room, Qt::AlignCenter | Qt::TextWordWrap, tr("Press on a vessel: + and -"));
+  painter.drawText(room, Qt::AlignCenter | Qt::TextWordWrap, tr("Compress a vessel with + and -"));
 }
 
 }  // namespace insonate::train

@@ -48,9 +48,8 @@ TissueControls::TissueControls(TrainSession& session, QWidget* parent) : QWidget
   auto* heading = new QLabel(tr("Tissue"), this);
   ui::setRole(heading, "heading");
   box->addWidget(heading);
-  model_ = choice("tissueModel",
-                  tr("How tissue gives way. Elastic: it moves aside, veins empty. Columns: springs in depth, as in the "
-                     "thesis. None: nothing moves"));
+  model_ = choice("tissueModel", tr("Mechanical model. Elastic: tissue moves aside, veins empty. Columns: springs in "
+                                    "depth, as in the thesis. None: nothing moves"));
   for (const Model& one : kModels) model_->addItem(tr(one.name), QLatin1String(one.key));
   box->addWidget(labelled(tr("model"), model_));
   posture_ = choice("posture", tr("Tilt of the table, in degrees. Head down (Trendelenburg) fills the neck's veins"));
@@ -132,7 +131,7 @@ QWidget* TissueControls::buildSwitches() {
   pulse_->setToolTip(tr("The heart moves the arteries, 70 beats a minute"));
   breathing_ = new QCheckBox(tr("breathing"), row);
   breathing_->setObjectName("breathing");
-  breathing_->setToolTip(tr("Breath narrows and widens the veins, 14 times a minute"));
+  breathing_->setToolTip(tr("Breathing narrows and widens the veins, 14 times a minute"));
   for (QCheckBox* one : {pulse_, breathing_}) {
     one->setFocusPolicy(Qt::TabFocus);
     box->addWidget(one);

@@ -36,7 +36,7 @@ QWidget* TissueShown::buildCurve(QWidget* column) {
   auto* clear = new QPushButton(tr("Clear"), curve);
   clear->setObjectName("clearCurve");
   clear->setAccessibleName(tr("Clear the curve"));
-  clear->setToolTip(tr("Forget where the areas have been"));
+  clear->setToolTip(tr("Clears the curve"));
   clear->setFocusPolicy(Qt::TabFocus);
   connect(clear, &QPushButton::clicked, plot_, &AreaPlot::clear);
   auto* row = new QHBoxLayout(curve);

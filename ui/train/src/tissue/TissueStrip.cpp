@@ -45,14 +45,13 @@ TissueStrip::TissueStrip(TrainSession& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
       force_(number("pressForce", tr("Force with which the tissue presses back on the probe, in N"), this)),
-      indentation_(number("pressIndentation", tr("How far the probe is in, from where it first touches, in mm"), this)),
-      vein_(number("veinArea",
-                   tr("Area of the veins in the image's plane, as they lie now: in mm² and in % of their area in the "
-                      "CT, where nothing compresses them"),
-                   this)),
+      indentation_(number("pressIndentation", tr("Indentation of the probe from first contact, in mm"), this)),
+      vein_(number(
+          "veinArea",
+          tr("Present area of the veins in the image's plane, in mm² and in % of their uncompressed area in the CT"),
+          this)),
       artery_(number("arteryArea",
-                     tr("Area of the arteries in the image's plane, as they lie now: in mm² and in % of their area in "
-                        "the CT"),
+                     tr("Present area of the arteries in the image's plane, in mm² and in % of their area in the CT"),
                      this)),
       menu_(new QPushButton(tr("Tissue"), this)) {
   setObjectName("tissueStrip");
@@ -77,7 +76,7 @@ TissueStrip::TissueStrip(TrainSession& session, QWidget* parent)
 
 void TissueStrip::buildMenu() {
   menu_->setObjectName("tissueMenu");
-  menu_->setAccessibleName(tr("What is shown of the tissue"));
+  menu_->setAccessibleName(tr("Tissue overlays"));
   menu_->setToolTip(tr("Show the displaced grid (T), the pressure in the tissue (P), areas against force (K)"));
   menu_->setFocusPolicy(Qt::TabFocus);
   auto* menu = new QMenu(menu_);
