@@ -38,14 +38,14 @@ nlohmann::json entryOf(const LiveFrame& frame) {
 Result<void> checkFolder(const fs::path& folder) {
   std::error_code error;
   if (fs::is_directory(folder, error) && !fs::is_empty(folder, error))
-    return fail(folder.string() + " holds files already; name a new folder or an empty one for the pictures.");
+    return fail(folder.string() + " holds files already; name a new folder or an empty one for the images.");
   return checkFolderTarget(folder);
 }
 
 }  // namespace
 
 void AttemptPictureOptions::addTo(CLI::App& command) {
-  auto* pictures = command.add_option("--pictures", folder, "New folder for the ultrasound pictures (PNG)");
+  auto* pictures = command.add_option("--pictures", folder, "New folder for the ultrasound images (PNG)");
   command.add_option("--every", every_s, "Time of the attempt from one image to the next, s")
       ->check(CLI::Range(0.001, 3600.0))
       ->capture_default_str()

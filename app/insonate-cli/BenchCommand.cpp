@@ -140,7 +140,7 @@ Result<void> benchRealism(const RealismOptions& options) {
 CLI::App* addCommand(CLI::App& bench, const char* name, const char* description, BenchOptions& options) {
   CLI::App* command = bench.add_subcommand(name, description);
   command->add_option("--out", options.folder, "Folder for tables and plots; created when missing")->required();
-  command->add_flag("--quick", options.quick, "Fewer settings and pictures");
+  command->add_flag("--quick", options.quick, "Fewer settings and images");
   command->add_flag("--json", options.json, "Print the tables as one JSON object");
   return command;
 }
@@ -157,7 +157,7 @@ void add(CLI::App& bench, Outcome& outcome, const char* name, const char* descri
 void addSegmentation(CLI::App& bench, Outcome& outcome) {
   auto options = std::make_shared<SegmentationOptions>();
   CLI::App* command =
-      addCommand(bench, "segmentation", "Scores of labelling against known truth, times of its tools", *options);
+      addCommand(bench, "segmentation", "Scores of labeling against known truth, times of its tools", *options);
   command->add_option("--chest-cta", options->plan.chestCta, "Folder of an angiogram of the chest with vessel masks")
       ->check(CLI::ExistingDirectory);
   CLI::Option* atlas =

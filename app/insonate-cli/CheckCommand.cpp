@@ -107,8 +107,8 @@ Result<void> check(const CheckArguments& a) {
 }  // namespace
 
 void addCheckCommand(CLI::App& app, Outcome& outcome) {
-  auto* command = app.add_subcommand(
-      "check", "Check whether a case is fit for training (exit status 1 only if it cannot be read)");
+  auto* command =
+      app.add_subcommand("check", "Check whether a case is fit for training (exit status 1 only if it cannot be read)");
   auto a = std::make_shared<CheckArguments>();
   command->add_option("CASE", a->folder, "Folder of the case")->required()->check(notEmpty());
   command->add_flag("--json", a->asJson, "Print one JSON object");

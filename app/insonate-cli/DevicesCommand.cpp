@@ -96,8 +96,8 @@ Result<void> listDevices(const DevicesArguments& a) {
 }  // namespace
 
 void addDevicesCommand(CLI::App& app, Outcome& outcome) {
-  auto* command = app.add_subcommand(
-      "devices", "Connected haptic devices, 3D mice and pedals: state, limits and errors");
+  auto* command =
+      app.add_subcommand("devices", "Connected haptic devices, 3D mice and pedals: state, limits and errors");
   auto a = std::make_shared<DevicesArguments>();
   command->add_option("--seconds", a->seconds, "How long to listen to them, s")
       ->check(CLI::Range(0.1, 86400.0))

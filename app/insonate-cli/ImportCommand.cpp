@@ -94,7 +94,7 @@ Result<void> importCase(const ImportArguments& a) {
     if (!labels)
       return fail(labels.error().message + (advice.empty() ? " Without --auto-label it can be imported." : advice));
     patient.labels = std::move(*labels);
-    patient.manifest.source += " Labelled automatically from Hounsfield units.";
+    patient.manifest.source += " Labeled automatically from Hounsfield units.";
   } else {
     patient.labels = LabelMap(patient.ct.geometry);
     std::cerr << "note: Nothing is labeled yet; --auto-label would label tissues by their Hounsfield units.\n";

@@ -42,7 +42,7 @@ Result<void> importLabelsInto(const ImportLabelsArguments& a) {
   PatientCase& patient = read->patient;
   const bool labelled = std::ranges::any_of(patient.labels.voxels, [](std::uint8_t label) { return label != 0; });
   if (labelled && !a.replace)
-    return fail("The case " + a.caseFolder + " is labelled already. Add --replace to put these labels in its place.");
+    return fail("The case " + a.caseFolder + " is labeled already. Add --replace to put these labels in its place.");
   auto imported = importLabels(patient, a.file, a.names, terminalProgress());
   if (!imported) return tl::unexpected(imported.error());
   for (const std::string& note : imported->notes) std::cerr << "note: " << note << '\n';

@@ -25,8 +25,8 @@ void NeedleOptions::addTo(CLI::App& command) {
     return command.add_option(name, value, what)->delimiter(',')->expected(3)->type_name("X,Y,Z");
   };
   auto* tip = vector("--needle-tip", tip_mm,
-                     "A needle's tip in the probe's frame, mm: from the middle of the face along the picture (to its "
-                     "right above 0), across the slice, deep; 0,0,20 is in the middle of the picture, 20 mm deep");
+                     "A needle's tip in the probe's frame, mm: from the middle of the face along the image (to its "
+                     "right above 0), across the slice, deep; 0,0,20 is in the middle of the image, 20 mm deep");
   vector("--needle-direction", direction,
          "In the same frame, from hub to tip, of any length; 1,0,1 comes from the left at 45 degrees, 0,1,1 across the "
          "slice; by default 1,0,1")

@@ -107,7 +107,7 @@ std::vector<std::string> Presser::warnings() const {
                        ": bone is in the way, or tissue that cannot be squeezed any further.");
   else if (!answer.converged && plan_.force_N)
     warnings.push_back("the tissue did not come to rest under " + number(*plan_.force_N, "N") +
-                       "; the picture is that of " + force + ".");
+                       "; the image is that of " + force + ".");
   else if (!answer.converged)
     warnings.push_back("the tissue did not come to rest at this indentation; take places and force as estimates.");
   return warnings;

@@ -46,7 +46,8 @@ Result<void> publish(const PublishArguments& a) {
 }  // namespace
 
 void addPublishCommand(CLI::App& app, Outcome& outcome) {
-  auto* command = app.add_subcommand("publish", "Publish the present state of a case for trainees; later changes do not affect it");
+  auto* command =
+      app.add_subcommand("publish", "Publish the present state of a case for trainees; later changes do not affect it");
   auto a = std::make_shared<PublishArguments>();
   command->add_option("CASE", a->folder, "Folder of the case")->required()->check(notEmpty());
   command->add_flag("--json", a->json, "Print one JSON object");

@@ -194,7 +194,7 @@ class PathRenderer {
   Error cancelled() const {
     if (images_.empty()) return {std::string(kCancelled)};
     return {"Cancelled: the first " + std::to_string(images_.size()) + " of " +
-            std::to_string(job_.path.patientFromProbe.size()) + " pictures were written."};
+            std::to_string(job_.path.patientFromProbe.size()) + " images were written."};
   }
 
   Result<void> renderOne(Imager& imager, Presser& presser, const AcousticScene& scene, std::size_t index) {
@@ -285,7 +285,7 @@ void render(const RenderOptions& options, Outcome& outcome) {
 
 void addRenderCommand(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<RenderOptions>();
-  CLI::App* command = app.add_subcommand("render", "One ultrasound picture of a case, or many along a path of poses");
+  CLI::App* command = app.add_subcommand("render", "One ultrasound image of a case, or many along a path of poses");
   command->add_option("CASE", options->caseFolder, "Case folder")->required()->check(notEmpty());
   command->add_option("--probe", options->probe, "linear, curvilinear, phased, or a probe file")->capture_default_str();
   command
@@ -302,7 +302,7 @@ void addRenderCommand(CLI::App& app, Outcome& outcome) {
       ->check(notEmpty());
   command->add_option("--settings", options->settings, "JSON file of imaging settings to override, also the machine's");
   command->add_option("--look", options->look, "coherent or thesis")->check(CLI::IsMember({"coherent", "thesis"}));
-  command->add_option("--layers", options->targets.layers, "Folder for one picture per effect alone");
+  command->add_option("--layers", options->targets.layers, "Folder for one image per effect alone");
   command->add_option("--envelope", options->targets.envelope, "NRRD to write: linear echo amplitude of one look");
   command->add_option("--displacement", options->targets.displacement,
                       "NRRD to write: vectors from where tissue is seen to where it lay at rest, mm, patient LPS");

@@ -212,10 +212,10 @@ void addSessionCommand(CLI::App& app, Outcome& outcome) {
 }
 
 void addReplayCommand(CLI::App& app, Outcome& outcome) {
-  auto* command = app.add_subcommand("replay", "Events, metrics and pictures of a recorded attempt");
+  auto* command = app.add_subcommand("replay", "Events, metrics and images of a recorded attempt");
   auto a = std::make_shared<ReplayArguments>();
   command->add_option("RECORDING", a->recording, "File of a recording (not needed with --attempt)")->check(notEmpty());
-  command->add_option("CASE", a->caseFolder, "Folder of its case, for pictures")->check(notEmpty());
+  command->add_option("CASE", a->caseFolder, "Folder of its case, for images")->check(notEmpty());
   a->pictures.addTo(*command);
   a->check.addTo(*command);
   command->add_flag("--metrics", a->metrics, "Metrics and score, too, computed anew");

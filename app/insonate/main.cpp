@@ -22,6 +22,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 
 namespace {
@@ -64,6 +65,22 @@ void giveMemoryBack() {
   mallopt(M_MMAP_THRESHOLD, kLarge_bytes);
 }
 
+using Leave = std::function<void(const QString& trouble)>;
+
+/// Signs the person in, if one is given, and opens the case.
+void beginWith(ui::MainWindow& window, const app::Arguments& arguments, const Leave& leave) {
+  // From within the event loop, which a failure may end.
+  const auto begin = [&window, folder = QString::fromStdString(arguments.caseFolder)] {
+    folder.isEmpty() ? window.openTextbook() : window.open(folder);
+  };
+  if (arguments.person.empty())
+    QTimer::singleShot(0, &window, begin);
+  else
+    window.account().signIn(
+        QString::fromStdString(arguments.person), qEnvironmentVariable("INSONATE_PASSWORD"),
+        [begin, leave](const Result<void>& in) { in ? begin() : leave(QString::fromStdString(in.error().message)); });
+}
+
 int run(QApplication& application, const app::Arguments& arguments) {
   // Screenshots and measurements neither depend on the user's layout nor change it.
   std::unique_ptr<QTemporaryDir> ownSettings;
@@ -80,7 +97,7 @@ int run(QApplication& application, const app::Arguments& arguments) {
   window.restoreLayout();
   if (!arguments.workspace.empty()) window.showWorkspace(QString::fromStdString(arguments.workspace));
 
-  const auto leave = [&status, &window](const QString& trouble) {
+  const Leave leave = [&status, &window](const QString& trouble) {
     if (!trouble.isEmpty()) {
       std::fprintf(stderr, "insonate: %s\n", qPrintable(trouble));
       status = 1;
@@ -119,16 +136,7 @@ int run(QApplication& application, const app::Arguments& arguments) {
     benchmark = std::make_unique<app::Benchmark>(
         window, *window.findChild<train::TrainWorkspace*>(), *window.findChild<prepare::PrepareWorkspace*>(),
         app::BenchmarkPlan{arguments.benchmark, arguments.caseFolder, arguments.quick}, leave);
-  // From within the event loop, which a failure may end.
-  const auto begin = [&window, folder = QString::fromStdString(arguments.caseFolder)] {
-    folder.isEmpty() ? window.openTextbook() : window.open(folder);
-  };
-  if (arguments.person.empty())
-    QTimer::singleShot(0, &window, begin);
-  else
-    window.account().signIn(
-        QString::fromStdString(arguments.person), qEnvironmentVariable("INSONATE_PASSWORD"),
-        [begin, leave](const Result<void>& in) { in ? begin() : leave(QString::fromStdString(in.error().message)); });
+  beginWith(window, arguments, leave);
   application.exec();
   return status;
 }

@@ -103,7 +103,7 @@ TEST_F(CaseCommands, WhatIsNotFitIsNotPublished) {
   makeSeries();
   ASSERT_EQ(run("import " + at("series") + " " + at("case")).status, 0);
   expectRefusal("publish " + at("case"), "is not fit for training, and is not published");
-  EXPECT_THAT(run("publish " + at("case")).errors, HasSubstr("Nothing is labelled yet"));
+  EXPECT_THAT(run("publish " + at("case")).errors, HasSubstr("Nothing is labeled yet"));
   EXPECT_FALSE(fs::exists(folder_ / "case/versions"));
   expectRefusal("publish " + at("nowhere"), "There is no case folder");
   expectRefusal("publish ''", "the name is empty", 2);

@@ -93,8 +93,8 @@ TEST_F(FitCommand, TwoPointsAreTheScale) {
 }
 
 TEST_F(FitCommand, RefusesWithASentence) {
-  EXPECT_THAT(fit(shellWord(path("none.png"))).errors, HasSubstr("There is no picture file"));
-  std::ofstream(path("text.png")) << "no picture";
+  EXPECT_THAT(fit(shellWord(path("none.png"))).errors, HasSubstr("There is no image file"));
+  std::ofstream(path("text.png")) << "no image";
   EXPECT_THAT(fit(shellWord(path("text.png"))).errors, HasSubstr("neither PNG nor JPEG"));
   std::ofstream(path("broken.png"), std::ios::binary) << "\x89PNG\r\n\x1a\nrest";
   EXPECT_THAT(fit(shellWord(path("broken.png"))).errors, HasSubstr("damaged"));

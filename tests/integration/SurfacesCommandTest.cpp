@@ -76,7 +76,7 @@ TEST_F(SurfacesCommand, RefusalsSayWhyAndLeaveNothing) {
   EXPECT_THAT(toFolder("meshes", "--detail nan").errors, HasSubstr("detail_mm"));
   const auto nothing = surfaces(shellWord(path("unlabelled")) + " " + shellWord(path("meshes")) + " --json");
   EXPECT_EQ(nothing.status, 1);
-  EXPECT_THAT(json::parse(nothing.output)["error"].get<std::string>(), HasSubstr("Nothing is labelled"));
+  EXPECT_THAT(json::parse(nothing.output)["error"].get<std::string>(), HasSubstr("Nothing is labeled"));
   const auto missing = surfaces(shellWord(path("nocase")) + " " + shellWord(path("meshes")));
   EXPECT_EQ(missing.status, 1);
   EXPECT_THAT(missing.errors, HasSubstr("nocase"));

@@ -65,7 +65,7 @@ Result<void> checkVoxelSize(Vec3 spacing_mm) {
     std::array<char, 32> text;
     std::snprintf(text.data(), text.size(), "%.4g mm", size_mm);
     return fail("Voxels are " + std::string(text.data()) + " apart along axis " + std::to_string(a + 1) +
-                (size_mm < kSmallest_mm ? "; no CT is that fine. Values in metres?"
+                (size_mm < kSmallest_mm ? "; no CT is that fine. Values in meters?"
                                         : "; no CT is that coarse. Values in micrometres?") +
                 " Correct the spacing in the file.");
   }

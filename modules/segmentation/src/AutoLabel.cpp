@@ -97,7 +97,7 @@ Result<void> checkIsMixed(const LabelMap& labels) {
   for (const std::uint8_t label : labels.voxels) ++count[label];
   const auto most = std::ranges::max_element(count);
   if (static_cast<double>(*most) < kNearlyAll * static_cast<double>(labels.voxels.size())) return {};
-  return fail("Nearly everything in this CT would be labelled " +
+  return fail("Nearly everything in this CT would be labeled " +
               std::string(labelTable()[static_cast<std::size_t>(most - count.begin())].name) +
               ": it is probably a label map or not in Hounsfield units.");
 }

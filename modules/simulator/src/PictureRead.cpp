@@ -15,7 +15,7 @@ constexpr unsigned kMostSide = 16384;
 constexpr std::size_t kMostBytes = 256 << 20;
 
 Error broken(const std::string& name) {
-  return {name + " is damaged, or of a kind of picture that cannot be read. Save it again as PNG."};
+  return {name + " is damaged, or of a kind of image that cannot be read. Save it again as PNG."};
 }
 
 Error tooLarge(const std::string& name) {
@@ -80,14 +80,14 @@ JpegEnd decodeJpeg(const std::string& bytes, GreyPicture& picture) {
 Result<GreyPicture> readPicture(const std::filesystem::path& file) {
   const std::string name = file.string();
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return fail("There is no picture file named " + name + ".");
+  if (!std::filesystem::is_regular_file(file, error)) return fail("There is no image file named " + name + ".");
   const auto size = std::filesystem::file_size(file, error);
-  if (error || size > kMostBytes) return fail(name + " is larger than 256 MB; that is no picture of a machine.");
+  if (error || size > kMostBytes) return fail(name + " is larger than 256 MB; that is no image of a machine.");
   std::ifstream stream(file, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
   if (!stream.good() && !stream.eof()) return fail("Could not read " + name + ": check that you may read it.");
   if (bytes.starts_with("\x89PNG")) return readPng(bytes, name);
-  if (!bytes.starts_with("\xff\xd8")) return fail(name + " is neither PNG nor JPEG; save the picture as one of them.");
+  if (!bytes.starts_with("\xff\xd8")) return fail(name + " is neither PNG nor JPEG; save the image as one of them.");
   GreyPicture picture;
   switch (decodeJpeg(bytes, picture)) {
     case JpegEnd::Done:

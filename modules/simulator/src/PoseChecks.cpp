@@ -69,7 +69,7 @@ std::vector<std::string> poseWarnings(const PatientCase& patient, const ImagingS
                                       std::span<const Transform> path) {
   std::vector<std::string> warnings;
   if (setup.settings.focus_mm > setup.settings.depth_mm)
-    warnings.push_back("The focus at " + millimetres(setup.settings.focus_mm) + " is deeper than the picture of " +
+    warnings.push_back("The focus at " + millimetres(setup.settings.focus_mm) + " is deeper than the image of " +
                        millimetres(setup.settings.depth_mm) + "; set focus_mm within depth_mm.");
   const Places places(patient.labels);
   const BeamGrid grid(setup.probe, setup.settings);

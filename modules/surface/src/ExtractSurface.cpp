@@ -80,7 +80,7 @@ Result<Mesh> surfaceOf(const LabelMap& labels, const LabelSet& structure, const 
   if (!report(progress, doing, 0)) return fail(std::string(kCancelled));
   const auto box = boxOf(labels, structure);
   if (!report(progress, doing, 0.05)) return fail(std::string(kCancelled));
-  if (!box) return fail("No voxel is labelled " + name + ", so it has no surface.");
+  if (!box) return fail("No voxel is labeled " + name + ", so it has no surface.");
   auto extracted = extract(labels, structure, *box, options.detail_mm, progress, doing);
   if (!extracted) return tl::unexpected(extracted.error());
   if (options.smoothing_mm > 0)

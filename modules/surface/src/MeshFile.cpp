@@ -75,7 +75,7 @@ void writeStl(const Mesh& mesh, Output& out) {
 }
 
 void writePly(const Mesh& mesh, Output& out) {
-  std::string header = "ply\nformat binary_little_endian 1.0\ncomment Insonate, millimetres\ncomment ";
+  std::string header = "ply\nformat binary_little_endian 1.0\ncomment Insonate, millimeters\ncomment ";
   header.append(kSaysSpace).append("\nelement vertex ").append(std::to_string(mesh.pointCount()));
   for (const char* property : {"x", "y", "z", "nx", "ny", "nz"}) header.append("\nproperty float ").append(property);
   header.append("\nelement face ").append(std::to_string(mesh.triangleCount()));
@@ -91,7 +91,7 @@ void writePly(const Mesh& mesh, Output& out) {
 }
 
 void writeObj(const Mesh& mesh, Output& out) {
-  out.text(std::string("# Insonate, millimetres\n# ").append(kSaysSpace).append("\n"));
+  out.text(std::string("# Insonate, millimeters\n# ").append(kSaysSpace).append("\n"));
   for (const auto& [word, values] : {std::pair{"v", &mesh.points_mm}, {"vn", &mesh.normals}})
     for (std::size_t p = 0; p < values->size(); p += 3) {
       out.text(word);

@@ -36,7 +36,7 @@ Result<std::vector<SurfaceFile>> writeSurfaces(const LabelMap& labels, const fs:
   if (auto ok = checkSurfaceTarget(folder); !ok) return tl::unexpected(ok.error());
   const auto structures = structuresIn(labels);
   if (structures.empty())
-    return fail("Nothing is labelled, so there is no surface to write to " + folder.string() + ".");
+    return fail("Nothing is labeled, so there is no surface to write to " + folder.string() + ".");
   std::vector<SurfaceFile> surfaces;
   const auto written = writeFolderAtomically(folder, [&](const fs::path& beside) -> Result<void> {
     for (const std::uint8_t label : structures) {

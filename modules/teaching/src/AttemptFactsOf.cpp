@@ -109,10 +109,9 @@ Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file, Hands h
   const auto recording = AttemptRecording::open(file);
   if (!recording) return tl::unexpected(recording.error());
   if (recording->header().isScripted && hands == Hands::Person)
-    return fail(
-        file.string() +
-        " was recorded from a script ('session --script'): it is a demonstration and counts as nobody's attempt. "
-        "Replay it with 'replay', or choose the recording of an attempt that a person made.");
+    return fail(file.string() +
+                " was recorded from a script ('session --script'): it is a demonstration and counts for nobody. "
+                "Replay it with 'replay', or choose the recording of an attempt that a person made.");
   auto procedure = rulesOf(file, recording->header());
   if (!procedure) return tl::unexpected(procedure.error());
   const int version = procedure->version;

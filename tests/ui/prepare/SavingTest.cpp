@@ -113,7 +113,7 @@ TEST_F(Saving, WhatSomebodyElseSavedMeanwhileIsKeptAndSaid) {
     EXPECT_TRUE(until([this] { return !edited(); }));
     return window_.statusText();
   };
-  EXPECT_TRUE(save(kChosen).contains("Somebody else had saved it meanwhile"));
+  EXPECT_TRUE(save(kChosen).contains("Another user had saved it meanwhile"));
   const auto kept = findVersion(case_, voxelHashOf(theirs));
   ASSERT_TRUE(kept);
   EXPECT_EQ(readCase(*kept)->patient.labels.voxels[0], kVein);

@@ -160,7 +160,7 @@ TEST_F(ToolRules, SmoothingBeginsAtAVoxelAndSaysHowMuchItChanged) {
   for (std::size_t v = 0; v < labels().voxels.size(); ++v) changed += labels().voxels[v] != coarse->labels.voxels[v];
   ASSERT_GT(changed, 0u);
   const QString volume = QString::number(double(changed) * 3.21 * 3.21 * 5 / 1000, 'f', 2);
-  EXPECT_EQ(session_->message(), "Median vein: " + volume + " ml changed; Ctrl+Z takes it back.");
+  EXPECT_EQ(session_->message(), "Median vein: " + volume + " ml changed; Ctrl+Z undoes it.");
 }
 
 TEST_F(ToolRules, WhatIsStoppedChangesNothingAndSaysSo) {

@@ -144,7 +144,7 @@ TEST_F(ClassPageTest, NothingOfOneIsSeenByTheNext) {
 TEST_F(ClassPageTest, EmptyPlacesSayWhatToDo) {
   school_->add("nina", Role::Instructor, "");
   enter("nina");
-  EXPECT_TRUE(child<QLabel>("classWords")->text().contains("No class is yours yet"));
+  EXPECT_TRUE(child<QLabel>("classWords")->text().contains("You have no class yet"));
   EXPECT_FALSE(isSeen("cohorts")) << "nothing to choose from";
   workspace_.reset();
   enter("otto");

@@ -219,7 +219,7 @@ TEST_F(PersonPageTest, ATraineeSeesThemselvesAndVoidsNothing) {
   EXPECT_EQ(child<QLabel>("personName")->text(), "Dr anna");
   EXPECT_EQ(history().rowCount(), 2);
   EXPECT_FALSE(child<QPushButton>("voidAttempt")->isVisible());
-  EXPECT_TRUE(chart("placeChart").words.contains("seen by its instructors"));
+  EXPECT_TRUE(chart("placeChart").words.contains("only instructors see the class"));
   QTest::keyClick(workspace_.get(), Qt::Key_4, Qt::AltModifier);
   EXPECT_TRUE(QTest::qWaitFor([&] { return isSeen("attemptsWords"); }, kPatience_ms));
   QTest::keyClick(workspace_.get(), Qt::Key_2, Qt::AltModifier);
@@ -241,7 +241,7 @@ TEST_F(PersonPageTest, WithoutAttemptsEachPlaceSaysWhatToDo) {
   showAnna();
   for (const char* name : {"learningChart", "cusumChart", "placeChart"})
     EXPECT_TRUE(chart(name).words.startsWith("n/a")) << name << ": " << chart(name).words.toStdString();
-  EXPECT_TRUE(child<QLabel>("historyWords")->text().contains("No attempt yet"));
+  EXPECT_TRUE(child<QLabel>("historyWords")->text().contains("No attempts yet"));
 }
 
 }  // namespace

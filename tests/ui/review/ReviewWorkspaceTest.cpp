@@ -251,7 +251,7 @@ TEST_F(ReviewWindow, ACaseThatHasChangedIsSaid) {
   workspace_->setCase(other);
   EXPECT_EQ(session_->fit(), CaseFit::Other);
   EXPECT_FALSE(session_->picture().shown());
-  EXPECT_TRUE(child<QLabel>("attemptNotice")->text().contains("not on the case that is open"));
+  EXPECT_TRUE(child<QLabel>("attemptNotice")->text().contains("not on the open case"));
 }
 
 TEST_F(ReviewWindow, TheVersionThatAnAttemptWasMadeOnIsAskedForByItself) {

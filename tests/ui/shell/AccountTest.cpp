@@ -94,7 +94,7 @@ TEST_F(AccountWindow, AnswersReachNobodyElse) {
   account().signOut();
   ASSERT_TRUE(waitUntil([&] { return there && account().state() == State::Guest; }));
   ASSERT_FALSE(told) << "a guest saw " << told->fullName;
-  EXPECT_THAT(told.error().message, testing::HasSubstr("signed in since"));
+  EXPECT_THAT(told.error().message, testing::HasSubstr("signed in meanwhile"));
 }
 
 TEST_F(AccountWindow, WhatWasAskedIsDoneBeforeTheWindowGoes) {

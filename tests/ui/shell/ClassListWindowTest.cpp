@@ -98,8 +98,8 @@ TEST_F(ClassListWindow, ShowsWhatBecomesOfEachLineThenDoesItAndHandsPasswordsOut
 
 TEST_F(ClassListWindow, WhatIsNoListIsSaidAndChangesNothing) {
   const std::pair<QByteArray, const char*> lists[]{{"", "is empty"},
-                                                   {"Full name,Username\n", "nobody in it"},
-                                                   {"Colour,Size\nred,4\n", "names nobody"},
+                                                   {"Full name,Username\n", "no people"},
+                                                   {"Colour,Size\nred,4\n", "has no names"},
                                                    {"Full name,Username\nJ\xF6rg,joerg\n", "not UTF-8"},
                                                    {QByteArray("\xFF\xFE"
                                                                "F\0u\0",

@@ -180,7 +180,7 @@ TEST_F(TrainCourse, TheQuestionnaireIsFilledInKeptAsADraftAndStored) {
   years->setText("100");
   child<QPushButton>("formSend")->click();
   EXPECT_TRUE(text("trouble_years_since_residency").contains("from 0 to 60"));
-  EXPECT_TRUE(workspace_->statusText().contains("said beside them"));
+  EXPECT_TRUE(workspace_->statusText().contains("stated beside them"));
 
   account_->signOut();
   ASSERT_TRUE(waitFor([&] { return !shown("formSend"); }));
@@ -224,7 +224,7 @@ TEST_F(TrainCourse, KeysGoToThePageWhileItIsShown) {
   ASSERT_TRUE(shown("course"));
   auto* levels = child<QListWidget>("levels");
   EXPECT_TRUE(levels->hasFocus()) << QApplication::focusWidget()->objectName().toStdString();
-  EXPECT_TRUE(workspace_->statusText().startsWith("Enter practises")) << workspace_->statusText().toStdString();
+  EXPECT_TRUE(workspace_->statusText().startsWith("Enter starts")) << workspace_->statusText().toStdString();
   QTest::keyClick(levels, Qt::Key_Down);
   EXPECT_EQ(levels->currentRow(), 1);
   QTest::keyClick(workspace_.get(), Qt::Key_Left);

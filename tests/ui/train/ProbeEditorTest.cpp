@@ -361,14 +361,14 @@ TEST_F(ProbeEditing, PastedDroppedBadAndCancelled) {
   const Probe before = session_->probe();
   FitDialog dialog(before);
   dialog.show();
-  QApplication::clipboard()->setText("no picture");
+  QApplication::clipboard()->setText("no image");
   dialog.paste();
   EXPECT_TRUE(dialog.message().contains("clipboard"));
   const test::TemporaryFolder folder;
-  std::ofstream(folder / "notes.txt") << "no picture";
+  std::ofstream(folder / "notes.txt") << "no image";
   dialog.openPicture(QString::fromStdString((folder / "notes.txt").string()));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.isWorking(); }, kPatience_ms));
-  EXPECT_TRUE(dialog.message().contains("no picture that can be read")) << dialog.message().toStdString();
+  EXPECT_TRUE(dialog.message().contains("no image that can be read")) << dialog.message().toStdString();
 
   QImage black(640, 480, QImage::Format_RGB32);
   black.fill(Qt::black);
@@ -379,7 +379,7 @@ TEST_F(ProbeEditing, PastedDroppedBadAndCancelled) {
   EXPECT_TRUE(dialog.findChild<FitCanvas*>()->shape()) << "to be placed by hand";
   dialog.openPicture(QString::fromStdString((folder / "notes.txt").string()));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.isWorking(); }, kPatience_ms));
-  EXPECT_TRUE(dialog.message().contains("no picture that can be read"));
+  EXPECT_TRUE(dialog.message().contains("no image that can be read"));
   EXPECT_TRUE(std::ranges::any_of(dialog.findChildren<QLabel*>(), [](const QLabel* label) {
     return label->isVisible() && label->text().startsWith("No field of view was found");
   })) << "what is said of the picture before, which is still shown";

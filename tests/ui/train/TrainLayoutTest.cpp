@@ -187,7 +187,7 @@ TEST_F(TrainLayout, EffectsAloneAreGoneThroughByKeysAndSaidToBeSo) {
   EXPECT_EQ(effects->currentText(), "the whole image");
   key(Qt::Key_N);
   EXPECT_EQ(effects->currentIndex(), 1);
-  EXPECT_TRUE(workspace_->statusText().contains("not the usual image")) << workspace_->statusText().toStdString();
+  EXPECT_TRUE(workspace_->statusText().contains("one effect only")) << workspace_->statusText().toStdString();
   key(Qt::Key_N, Qt::ShiftModifier);
   key(Qt::Key_N, Qt::ShiftModifier);
   EXPECT_EQ(effects->currentIndex(), effects->count() - 1);

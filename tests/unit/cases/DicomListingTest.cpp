@@ -55,7 +55,7 @@ TEST_F(DicomListing, ADirectoryStandsForItsFolder) {
   fs::copy_file(directory, folder / "alone/DICOMDIR");
   const auto alone = listSeries(folder / "alone/DICOMDIR");
   ASSERT_FALSE(alone);
-  EXPECT_THAT(alone.error().message, testing::AllOf(HasSubstr("holds no picture series"), HasSubstr("an index")));
+  EXPECT_THAT(alone.error().message, testing::AllOf(HasSubstr("holds no image series"), HasSubstr("an index")));
 }
 
 TEST_F(DicomListing, TheKernelTellsStacksOfOneUidApart) {

@@ -258,7 +258,7 @@ TEST_F(DicomSegmentation, WhatItLacksIsNamed) {
 TEST_F(DicomSegmentation, NothingLabelledIsNotWritten) {
   PatientCase empty = twoVessels();
   std::ranges::fill(empty.labels.voxels, std::uint8_t{0});
-  EXPECT_THAT(writeDicomSegmentation(empty, file).error().message, HasSubstr("Nothing is labelled"));
+  EXPECT_THAT(writeDicomSegmentation(empty, file).error().message, HasSubstr("Nothing is labeled"));
   EXPECT_FALSE(fs::exists(file));
   const auto stop = [](std::string_view, double) { return false; };
   EXPECT_EQ(writeDicomSegmentation(twoVessels(), file, stop).error().message, kCancelled);

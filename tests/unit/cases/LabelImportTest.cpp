@@ -222,7 +222,7 @@ TEST(LabelImport, WhatIsWrittenComesBack) {
   EXPECT_EQ(back->states.at(kArtery), LabelState::InProgress) << "what nobody said is what can be seen";
   EXPECT_EQ(back->colours, patient.colours);
   EXPECT_THAT(writeLabelFile(patient, folder / "a.nrrd").error().message, HasSubstr(".seg.nrrd"));
-  EXPECT_THAT(writeLabelFile(blankCase(), folder / "b.seg.nrrd").error().message, HasSubstr("Nothing is labelled"));
+  EXPECT_THAT(writeLabelFile(blankCase(), folder / "b.seg.nrrd").error().message, HasSubstr("Nothing is labeled"));
 }
 
 TEST(LabelImport, OtherFilesGetASentence) {

@@ -99,7 +99,7 @@ TEST(RealImport, EveryTransferSyntaxGivesTheSamePicture) {
   }
   EXPECT_GE(compared, 5);
   EXPECT_THAT(importSeries(test::testData("transfer-syntaxes/no-pixel-data.dcm")).error().message,
-              HasSubstr("report without pictures"));
+              HasSubstr("report without images"));
   EXPECT_FALSE(importSeries(test::testData("transfer-syntaxes/no-pixel-spacing.dcm")));
 }
 

@@ -31,8 +31,8 @@ TEST(Progress, TheListenerHearsAndDecides) {
     return f < 0.5;
   };
   EXPECT_TRUE(report(listener, "reading", 0.25));
-  EXPECT_FALSE(report(listener, "labelling", 0.75));
-  EXPECT_EQ(heard, "labelling");
+  EXPECT_FALSE(report(listener, "labeling", 0.75));
+  EXPECT_EQ(heard, "labeling");
   EXPECT_EQ(fraction, 0.75);
 }
 

@@ -94,10 +94,10 @@ TEST_P(StoreFacts, TwoWhoEditADraftDoNotOverwriteEachOther) {
   const School school(rig->open());
   const PublishedCurricula ina(school.as(school.ina)), otto(school.as(school.otto));
   succeed(ina.saveDraft("shared", "one", ""));
-  EXPECT_THAT(refusalOf(otto.saveDraft("shared", "two", "")), HasSubstr("Somebody else has saved"));
+  EXPECT_THAT(refusalOf(otto.saveDraft("shared", "two", "")), HasSubstr("Another user has saved"));
   succeed(otto.saveDraft("shared", "two", "one"));
-  EXPECT_THAT(refusalOf(ina.saveDraft("shared", "three", "one")), HasSubstr("read theirs"));
-  EXPECT_THAT(refusalOf(ina.discardDraft("shared", "one")), HasSubstr("Somebody else has saved"));
+  EXPECT_THAT(refusalOf(ina.saveDraft("shared", "three", "one")), HasSubstr("reload it"));
+  EXPECT_THAT(refusalOf(ina.discardDraft("shared", "one")), HasSubstr("Another user has saved"));
   EXPECT_EQ(valueOf(ina.draft("shared")), "two");
   succeed(otto.discardDraft("shared", "two"));
   EXPECT_THAT(refusalOf(ina.saveDraft("shared", "four", "two")), HasSubstr("discarded or published"));

@@ -181,7 +181,7 @@ TEST_F(RecorderTest, NothingIsWrittenOver) {
   std::filesystem::rename(file, part);
   const auto earlier = AttemptRecorder::start(file, header());
   ASSERT_FALSE(earlier);
-  EXPECT_THAT(earlier.error().message, HasSubstr("cut short earlier"));
+  EXPECT_THAT(earlier.error().message, HasSubstr("broke off earlier"));
   EXPECT_EQ(test::bytesOf(part), "a letter");
   const auto nowhere = AttemptRecorder::start(folder / "no/such/folder/a.insonate", header());
   ASSERT_FALSE(nowhere);

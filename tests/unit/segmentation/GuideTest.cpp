@@ -160,7 +160,7 @@ TEST_P(GuideDoubts, ClicksOnTheOtherSideOfTheAirwayAreDoubted) {
 
 TEST_P(GuideDoubts, ClicksWithoutTheVeinAreDoubted) {
   EXPECT_THAT(doubtsAbout(vein, clicks_mm, LabelMap(grid(), kMuscle)),
-              ElementsAre("Nothing is labelled where you clicked."));
+              ElementsAre("Nothing is labeled where you clicked."));
   const std::array aside{Vec3{0, 0, -14}, Vec3{12, 0, 0}, Vec3{0, 0, 14}};
   EXPECT_THAT(doubtsAbout(vein, aside, veinOf(6)), testing::Contains("A click lies outside the result."));
 }

@@ -254,7 +254,7 @@ TEST(Polygon, RefusesWhatIsNoOutline) {
   const auto behind =
       scissored(g, boxOf(g), std::array{Vec3{0, 0, -5}, Vec3{5, 5, 5}, Vec3{5, 0, 5}}, {.eye_mm = Vec3{0, 0, 0}});
   ASSERT_FALSE(behind);
-  EXPECT_THAT(behind.error().message, HasSubstr("behind the eye"));
+  EXPECT_THAT(behind.error().message, HasSubstr("behind the viewer"));
 }
 
 TEST(Logical, WorksOnBoxesThatOverlapOnlyInPart) {

@@ -219,7 +219,7 @@ TEST_F(AttemptPicturesTest, AreRefusedWithASentence) {
   auto recorder = AttemptRecorder::start(folder / "unset", {.caseHash = voxelHashOf(*patient)});
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
   const auto unset = std::make_shared<const AttemptRecording>(*AttemptRecording::open(folder / "unset"));
-  EXPECT_THAT(AttemptPictures::make(unset, patient).error().message, HasSubstr("does not say how the picture was set"));
+  EXPECT_THAT(AttemptPictures::make(unset, patient).error().message, HasSubstr("has no image settings"));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ constexpr KeyRow kKeys[] = {
     {Qt::Key_Q, Command::PreviousStructure, "Q, W", "previous and next structure of the table"},
     {Qt::Key_W, Command::NextStructure},
     {Qt::Key_H, Command::ToggleStructure, "H", "hide or show the selected structure (Space in the table)"},
-    {0, {}, "Enter in the table", "colour of the selected structure, without a tool in hand"},
+    {0, {}, "Enter in the table", "color of the selected structure, without a tool in hand"},
     {Qt::Key_A, Command::LabelsFainter, "A, D", "labels on the slices fainter, stronger"},
     {Qt::Key_D, Command::LabelsStronger},
     {Qt::Key_G, Command::ToggleLabels, "G", "hide or show all labels on the slices"},

@@ -245,7 +245,7 @@ void PrepareSession::applyLook(std::uint8_t label, const StructureLook& look) {
 
 void PrepareSession::setTitle(const QString& title) {
   const QString tidy = title.simplified();
-  if (!patient_ || tidy == title_ || tidy.isEmpty()) return Q_EMIT titleChanged();  // What was typed goes back.
+  if (!patient_ || tidy == title_ || tidy.isEmpty()) return Q_EMIT titleChanged();  // Restores the field.
   undo_.push(new TitleEdit(*this, tidy));
 }
 
@@ -354,7 +354,7 @@ QString PrepareSession::placeText() const {
       .arg(at_mm.y, 0, 'f', 1)
       .arg(at_mm.z, 0, 'f', 1)
       .arg(std::lround(sampleLinear(patient_->ct, index)))
-      .arg(label == kBackground ? tr("not labelled") : nameOf(label));
+      .arg(label == kBackground ? tr("not labeled") : nameOf(label));
 }
 
 QString PrepareSession::message() const {

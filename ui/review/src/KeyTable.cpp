@@ -9,7 +9,7 @@ constexpr double kPicture_s = 1.0 / 30;
 
 constexpr KeyRow kKeys[] = {
     {Qt::Key_Space, Command::Play, 0, 0, "Space", "play, and stop"},
-    {Qt::Key_Comma, Command::Step, -kPicture_s, -kPicture_s, "Comma, Period", "one picture, 1/30 s, back or on"},
+    {Qt::Key_Comma, Command::Step, -kPicture_s, -kPicture_s, "Comma, Period", "one image, 1/30 s, back or on"},
     {Qt::Key_Period, Command::Step, kPicture_s, kPicture_s, "", ""},
     {Qt::Key_Left, Command::Step, -1, -10, "Left, Right", "one second back or on (Shift 10 s)"},
     {Qt::Key_Right, Command::Step, 1, 10, "", ""},

@@ -271,7 +271,7 @@ Result<DeformationBench> runDeformationBench(bool quick, const Progress& progres
     result.curves.push_back(std::move(*curve));
   }
   result.notes = {
-      "No model uses more than one thread, so that the others make the picture: rows of all cores differ from those of "
+      "No model uses more than one thread, so that the others make the image: rows of all cores differ from those of "
       "one by what the machine's clock does. A frame includes looking up the tissue in the scene and the inverse map.",
       "Errors are against `reference` (cells of half the size, double precision, converged) at the same poses, of a "
       "solution that went on from frame to frame with at most " +

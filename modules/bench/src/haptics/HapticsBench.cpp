@@ -162,7 +162,7 @@ Result<HapticsBench> runHapticsBench(bool quick, const Progress& progress) {
       "Two simulated hands (Desktop): one presses and slides on skin, one pushes a needle through skin and a vein and "
       "back. "
       "A tick takes both states, works out both forces and hands them over.",
-      "`rendering`: the cpu engine makes pictures of the built-in neck on all processors meanwhile, without a pause.",
+      "`rendering`: the cpu engine makes images of the built-in neck on all processors meanwhile, without a pause.",
       "Late ticks began more than a millisecond after their time; waking up is the system's part, the work of a tick "
       "ours.",
       "Stiffness of a wall, N/mm, by search in steps of 7 %. The bound is that up to which the device makes up for "

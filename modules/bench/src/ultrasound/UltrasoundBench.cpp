@@ -140,7 +140,7 @@ constexpr const char* kAboutErrors =
     "left out: more elevation planes hold other scatterers, so that speckle itself cannot converge. gate_mm is the "
     "distance at which echoes are summed; more samples bring it down only to 0.42 of the pulse. Rows of displaced "
     "tissue show what a displacement of the probe's plane adds to a frame, its computation left out; rows of a needle "
-    "what one adds that crosses half of the picture at 45 degrees.";
+    "what one adds that crosses half of the image at 45 degrees.";
 constexpr const char* kAboutPlainLoop =
     "The plain loop is a scalar loop of the same workload without boundaries, layers, textures, looks and display "
     "filters, compiled with the same options.";
@@ -221,12 +221,12 @@ Result<UltrasoundBench> runUltrasoundBench(const UltrasoundBenchPlan& plan, cons
   bench.plainLoop = timePlainLoop(marked, path);
   bench.stages = stageLimits(bench, frameWork(setup.probe, setup.settings, **scene));
 
-  if (!report(progress, "measuring pictures", done++ / steps)) return fail(std::string(kCancelled));
+  if (!report(progress, "measuring images", done++ / steps)) return fail(std::string(kCancelled));
   const std::vector<StartPose> views = viewsOf(plan.patient, false);
   measureRealism(**scene, setup, plan.start, plan.variant, views.empty() ? "start" : views.front().name, bench);
   if (auto ok = addRealism(plan, setup, plan.patient, plan.variant, 1, bench); !ok) return tl::unexpected(ok.error());
   for (const std::string& variant : plan.realismVariants) {
-    if (!report(progress, "measuring pictures", done++ / steps)) return fail(std::string(kCancelled));
+    if (!report(progress, "measuring images", done++ / steps)) return fail(std::string(kCancelled));
     const auto patient = makePhantom(variant, kPhantomSeed);
     if (!patient) return tl::unexpected(patient.error());
     if (auto ok = addRealism(plan, setup, *patient, variant, 0, bench); !ok) return tl::unexpected(ok.error());
@@ -234,7 +234,7 @@ Result<UltrasoundBench> runUltrasoundBench(const UltrasoundBenchPlan& plan, cons
   bench.notes = engineNotes();
   for (const char* about : {kAboutTimes, kAboutErrors, kAboutPlainLoop, kAboutStages, kAboutOthers})
     bench.notes.emplace_back(about);
-  report(progress, "measuring pictures", 1);
+  report(progress, "measuring images", 1);
   return bench;
 }
 

@@ -92,7 +92,7 @@ void checkBody(const CaseView& patient, Findings& findings) {
   if (!cut.empty())
     findings.push_back(
         {FindingSeverity::kInfo, "cut_at_side",
-         "The body is cut off by the sides of the volume (" + cut + "); pictures end there, and there is no skin."});
+         "The body is cut off by the sides of the volume (" + cut + "); images end there, and there is no skin."});
 }
 
 }  // namespace insonate::check

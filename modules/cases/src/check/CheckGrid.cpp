@@ -35,9 +35,8 @@ void checkGrid(const CaseView& patient, const LabelStatistics& s, Findings& find
                             "; a probe cannot be turned or moved in it. Import a whole series."});
   else if (shortest_mm < kProbeDepth_mm)
     findings.push_back({FindingSeverity::kError, "volume_small",
-                        "The volume is only " + millimetres(shortest_mm) +
-                            " wide along one axis; a probe's picture of " + millimetres(kProbeDepth_mm) +
-                            " does not fit into it."});
+                        "The volume is only " + millimetres(shortest_mm) + " wide along one axis; a probe's image of " +
+                            millimetres(kProbeDepth_mm) + " does not fit into it."});
   if (coarsest_mm > kUseless_mm)
     findings.push_back({FindingSeverity::kError, "spacing_coarse",
                         "Voxels are " + millimetres(coarsest_mm) +

@@ -62,7 +62,7 @@ void checkCrumbs(const CaseView& patient, Findings& findings) {
   findings.push_back({FindingSeverity::kInfo, "islands",
                       "The labels have " + std::to_string(all) + " islands of less than " +
                           std::to_string(int(kCrumb_mm3)) + " mm3, most of them (" + std::to_string(most->count) +
-                          ") in " + labelName(label) + "; they look like grains in the picture. Remove small islands.",
+                          ") in " + labelName(label) + "; they look like grains in the image. Remove small islands.",
                       placeOf(patient.labels.geometry, most->first), label});
 }
 

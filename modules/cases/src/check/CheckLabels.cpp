@@ -64,7 +64,7 @@ std::string wholePercent(double share) {
 void checkPresence(const LabelStatistics& s, Findings& findings) {
   if (s.labelled() == 0) {
     findings.push_back({FindingSeverity::kError, "labels_empty",
-                        "Nothing is labelled yet. Run the first step of the guide in Prepare, import with "
+                        "Nothing is labeled yet. Run the first step of the guide in Prepare, import with "
                         "--auto-label, or label the CT in another program, e.g. 3D Slicer."});
     return;
   }
@@ -72,14 +72,15 @@ void checkPresence(const LabelStatistics& s, Findings& findings) {
     if (!s.has(label))
       findings.push_back({severity,
                           code,
-                          "No voxel is labelled " + labelName(label) + " (" + std::to_string(label) + "): " + why,
+                          "No voxel is labeled " + labelName(label) + " (" + std::to_string(label) + "): " + why,
                           {},
                           static_cast<std::uint8_t>(label)});
   };
   require(kVein, FindingSeverity::kError, "no_vein",
           "there is no vessel to puncture. Label the internal jugular vein.");
-  require(kArtery, FindingSeverity::kError, "no_artery",
-          "an artery cannot be distinguished from the vein, and its puncture is not detected. Label the carotid artery.");
+  require(
+      kArtery, FindingSeverity::kError, "no_artery",
+      "an artery cannot be distinguished from the vein, and its puncture is not detected. Label the carotid artery.");
   require(kSkin, FindingSeverity::kError, "no_skin",
           "the probe and the needle meet nothing at the surface. Label the skin.");
   require(kBone, FindingSeverity::kWarning, "no_bone", "nothing will cast a bone's shadow.");
@@ -93,7 +94,7 @@ void checkHu(const LabelStatistics& s, int label, Findings& findings) {
   if (outside <= 0.25) return;
   findings.push_back({outside > 0.75 ? FindingSeverity::kError : FindingSeverity::kWarning,
                       "hu_implausible",
-                      wholePercent(outside) + " of the voxels labelled " + labelName(label) +
+                      wholePercent(outside) + " of the voxels labeled " + labelName(label) +
                           " have Hounsfield units that " + labelName(label) + " cannot have (median " +
                           std::to_string(medianHu(s.histogram[label], s.voxels[label])) + ", expected " +
                           std::to_string(range->low) + " to " + std::to_string(range->high) +

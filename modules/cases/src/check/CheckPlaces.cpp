@@ -40,7 +40,7 @@ void checkPose(const CaseView& patient, const StartPose& pose, bool labelled, Fi
   };
   if (labelAt(kIn_mm) == kBackground || labelAt(-kOut_mm) != kBackground)
     findings.push_back({FindingSeverity::kWarning, "pose_off_skin",
-                        what + " is not on the skin looking into the body; the picture may start empty.",
+                        what + " is not on the skin looking into the body; the image may start empty.",
                         pose.position_mm});
 }
 
@@ -96,7 +96,7 @@ void checkNames(const CaseView& patient, Findings& findings) {
     if (2 * labelled >= here) continue;
     findings.push_back({FindingSeverity::kWarning, "vessel_elsewhere",
                         "Only " + std::to_string(labelled) + " of the " + std::to_string(here) + " points of the " +
-                            vessel.name + " are labelled " + labelName(vessel.label) +
+                            vessel.name + " are labeled " + labelName(vessel.label) +
                             ". Correct the label, or the vessel's course in case.json.",
                         vessel.course.front().position_mm, vessel.label});
   }

@@ -55,13 +55,13 @@ void checkGaps(const std::vector<Part>& parts, std::uint8_t label, Findings& fin
       if (isGap(lower, upper))
         gaps.push_back({FindingSeverity::kWarning, name + "_broken",
                         "The " + name + " ends at " + placeText(lower.highEnd_mm) + " and goes on at " +
-                            placeText(upper.lowEnd_mm) + ". Join the pieces, or it will end in the picture.",
+                            placeText(upper.lowEnd_mm) + ". Join the pieces, or it will end in the image.",
                         lower.highEnd_mm, label});
   if (gaps.size() > kMost)
     gaps = {{FindingSeverity::kWarning, name + "_broken",
              "The " + name + " is in " + std::to_string(parts.size()) + " pieces that end near each other, first at " +
                  placeText(*gaps.front().place_mm) +
-                 ". Keep those that are vessels (Islands in Prepare), and join them, or they will end in the picture.",
+                 ". Keep those that are vessels (Islands in Prepare), and join them, or they will end in the image.",
              gaps.front().place_mm, label}};
   findings.insert(findings.end(), gaps.begin(), gaps.end());
 }

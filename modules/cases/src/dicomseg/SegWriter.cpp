@@ -237,7 +237,7 @@ Result<void> writeDicomSegmentation(const PatientCase& patient, const fs::path& 
   auto packed = framesOfLabels(patient.labels, progress);
   if (!packed) return tl::unexpected(packed.error());
   if (packed->labels.empty())
-    return fail("Nothing is labelled, so there is no segmentation to write to " + file.string() + ".");
+    return fail("Nothing is labeled, so there is no segmentation to write to " + file.string() + ".");
   if (packed->bits.size() > std::numeric_limits<std::uint32_t>::max() - 2)
     return fail("The labels need more than 4 GB as one DICOM segmentation. Crop the case first.");
   const auto bytes = encode(patient, std::move(*packed));

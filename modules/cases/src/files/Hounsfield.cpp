@@ -9,7 +9,7 @@ namespace insonate {
 Result<CtVolume> toHounsfield(const RawVolume& raw, const VolumeGeometry& geometry, std::vector<std::string>& notes) {
   if (raw.components != 1)
     return fail("The CT has " + std::to_string(raw.components) +
-                " values per voxel, e.g. colour; a CT has one. Export the original series instead.");
+                " values per voxel, e.g. color; a CT has one. Export the original series instead.");
   constexpr float kMaxHu = std::numeric_limits<std::int16_t>::max();
   CtVolume ct(geometry);
   std::size_t notNumbers = 0, padding = 0, tooDense = 0;

@@ -26,7 +26,7 @@ Result<void> writeLabelFile(const PatientCase& patient, const fs::path& file, co
   if (auto ok = checkLabelTarget(file); !ok) return ok;
   const LabelMap& labels = patient.labels;
   if (std::ranges::none_of(labels.voxels, [](std::uint8_t label) { return label != 0; }))
-    return fail("Nothing is labelled, so there are no labels to write to " + file.string() + ".");
+    return fail("Nothing is labeled, so there are no labels to write to " + file.string() + ".");
   const auto write = [&](const fs::path& beside) {
     return writeNrrd(beside, labels.geometry, "unsigned char", std::as_bytes(std::span(labels.voxels)),
                      slicerFields(patient), progress);

@@ -20,7 +20,7 @@ Result<Volume<std::int32_t>> wholeNumbers(const RawVolume& raw, const fs::path& 
   if (!geometry) return tl::unexpected(geometry.error());
   if (raw.components != 1)
     return fail(file.string() + " has " + std::to_string(raw.components) +
-                " values per voxel, e.g. colour; a label map has one whole number.");
+                " values per voxel, e.g. color; a label map has one whole number.");
   Volume<std::int32_t> labels(*geometry);
   constexpr float kExact = 1 << 24;  // whole numbers that float holds exactly
   for (std::size_t v = 0; v < labels.voxels.size(); ++v) {

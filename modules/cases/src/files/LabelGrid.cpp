@@ -69,7 +69,7 @@ void noteOtherGrid(bool onVoxels, std::size_t lost, std::vector<std::string>& no
   notes.push_back(onVoxels ? "The labels cover another part of the CT's grid; every voxel kept its place."
                            : "The labels lie on another grid; each voxel of the CT took the nearest label, so that "
                              "borders may have moved by half a voxel.");
-  if (lost > 0) notes.push_back(std::to_string(lost) + " labelled voxels lie outside the CT and were left out.");
+  if (lost > 0) notes.push_back(std::to_string(lost) + " labeled voxels lie outside the CT and were left out.");
 }
 
 Result<LabelMap> placeLabels(const LabelMap& labels, const VolumeGeometry& grid, std::vector<std::string>& notes,

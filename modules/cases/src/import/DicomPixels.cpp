@@ -52,7 +52,7 @@ Result<gdcm::PixelFormat> formatOf(const std::filesystem::path& file, const gdcm
                       "shows high values dark (MONOCHROME1), as scanners do not; they may have been inverted and be no "
                       "Hounsfield units. Export the original series.");
   if (number(0x0002) > 1 || (!shown.empty() && shown != "MONOCHROME2"))
-    return refuseFile(file, "is not a plain grey picture (MONOCHROME2), as a CT slice is. Export the original series.");
+    return refuseFile(file, "is not a plain gray image (MONOCHROME2), as a CT slice is. Export the original series.");
   const unsigned allocated = number(0x0100), stored = number(0x0101), high = number(0x0102);
   if ((allocated != 8 && allocated != 16 && allocated != 32) || stored < 1 || high + 1 < stored || high >= allocated)
     return refuseFile(file, "has pixels of " + std::to_string(allocated) + " bits, " + std::to_string(stored) +
@@ -62,7 +62,7 @@ Result<gdcm::PixelFormat> formatOf(const std::filesystem::path& file, const gdcm
 }
 
 Result<StoredPixels> decode(const std::filesystem::path& file) {
-  const std::string cutOff = "holds no complete picture: it is cut off or damaged. Copy or export it again.";
+  const std::string cutOff = "holds no complete image: it is cut off or damaged. Copy or export it again.";
   gdcm::Reader reader;
   reader.SetFileName(file.c_str());
   if (!reader.Read()) return refuseFile(file, cutOff);
@@ -133,7 +133,7 @@ Result<std::vector<std::int16_t>> readSlices(const DicomSeries& series, std::vec
     for (const std::size_t n : slices) {
       if (pixels->columns != series.stack.columns || pixels->rows != series.stack.rows ||
           series.slices[n].frame >= pixels->frames)
-        return refuseFile(file, "has a picture of another size than its header says.");
+        return refuseFile(file, "has an image of another size than its header says.");
       hu.resize(size);
       toHu(*pixels, series.slices[n], &hu[n * sliceSize], changes);
     }

@@ -27,18 +27,17 @@ std::string notASlice(const std::string& sopClass, const std::string& modality, 
     return sopClass == full || sopClass.starts_with(full + ".");
   };
   if (storage("66") || modality == "SEG") return "a DICOM segmentation; only the CT is imported";
-  if (storage("88") || modality == "SR") return "a structured report without pictures";
-  if (storage("11") || modality == "PR") return "a presentation state without pictures";
+  if (storage("88") || modality == "SR") return "a structured report without images";
+  if (storage("11") || modality == "PR") return "a presentation state without images";
   if (storage("481") || modality.starts_with("RT")) return "a radiotherapy object";
   if (storage("7")) return "a secondary capture (screenshot), not a slice";
   // GDCM ends the program on some recognition codes.
-  if (data.FindDataElement(Tag(0x0008, 0x0010))) return "a picture of ACR-NEMA, which is older than DICOM";
+  if (data.FindDataElement(Tag(0x0008, 0x0010))) return "an image of ACR-NEMA, which is older than DICOM";
   if (!hasPixels) return modality == "CT" ? "DICOM that is a CT slice without pixel data" : "DICOM without pixel data";
   const std::string type = upper(textOf(data, Tag(0x0008, 0x0008)));
   for (const char* scout : {"LOCALIZER", "SCOUT", "TOPOGRAM"})
     if (type.find(scout) != std::string::npos) return "a scout (localizer), not a slice";
-  if (modality == "CT" && shortOf(data, Tag(0x0028, 0x0002)).value_or(1) != 1)
-    return "a colour picture, not a CT slice";
+  if (modality == "CT" && shortOf(data, Tag(0x0028, 0x0002)).value_or(1) != 1) return "a color image, not a CT slice";
   return {};
 }
 
@@ -81,7 +80,7 @@ DicomScan scan(const fs::path& file) {
   std::string sopClass = textOf(data, Tag(0x0008, 0x0016));
   if (sopClass.empty()) sopClass = textOf(reader.GetFile().GetHeader(), Tag(0x0002, 0x0002));
   if (sopClass == "1.2.840.10008.1.3.10")
-    return {{}, "a DICOM directory: an index without pictures, which lie in the folders beside it", true};
+    return {{}, "a DICOM directory: an index without images, which lie in the folders beside it", true};
   if (auto reason = notASlice(sopClass, modality, data, cut || data.FindDataElement(kPixelData)); !reason.empty())
     return {{}, reason};
   DicomScan result{framesOf(file, data), {}, false};

@@ -24,7 +24,7 @@ struct DicomSlice {
   std::optional<double> slope, intercept;
   bool lookupTable = false;                   ///< its values go through a table instead
   std::string kernel;                         ///< of the reconstruction
-  std::optional<std::array<int, 2>> padding;  ///< stored values from..to that mean "no picture here"
+  std::optional<std::array<int, 2>> padding;  ///< stored values from..to that mean "no image here"
   bool burnedInText = false;
   bool lossy = false;      ///< was compressed with loss at some time
   bool otherUnit = false;  ///< says that its values are something else than Hounsfield units, or does not say what

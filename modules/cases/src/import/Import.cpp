@@ -97,7 +97,7 @@ Result<void> checkIsNoLabelMap(const CtVolume& ct) {
   }
   return fail(
       "it holds only " + std::to_string(different) +
-      " different values, none below 0: it is a label map or a picture, not a CT in Hounsfield units. Import the "
+      " different values, none below 0: it is a label map or an image, not a CT in Hounsfield units. Import the "
       "CT it was drawn on.");
 }
 
@@ -148,7 +148,7 @@ Result<SeriesListing> listSeries(const fs::path& input, const Progress& progress
   const auto scan = scanInput(input, progress);
   if (!scan) return tl::unexpected(scan.error());
   const SeriesListing listing = listingOf(*scan);
-  if (listing.series.empty()) return fail(input.string() + " holds no picture series.\n" + describe(listing));
+  if (listing.series.empty()) return fail(input.string() + " holds no image series.\n" + describe(listing));
   report(progress, "Looking at files", 1);
   return listing;
 }

@@ -68,8 +68,8 @@ SliceStack stackOf(const RawVolume& raw) {
 
 std::string whyNoCt(const RawVolume& raw) {
   if (isSlicerSegmentation(raw.metadata)) return "It is a segmentation, not a CT.";
-  if (raw.components != 1) return "It has " + std::to_string(raw.components) + " values per voxel, e.g. colour.";
-  if (raw.eightBit) return "Its values have 8 bits, too few for Hounsfield units; it is a mask or a picture.";
+  if (raw.components != 1) return "It has " + std::to_string(raw.components) + " values per voxel, e.g. color.";
+  if (raw.eightBit) return "Its values have 8 bits, too few for Hounsfield units; it is a mask or an image.";
   return {};
 }
 

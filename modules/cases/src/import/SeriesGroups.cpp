@@ -174,7 +174,7 @@ std::string whyNot(const DicomSlice& s) {
   if (!s.position_mm || !s.orientation)
     return "Its slices do not say where they lie (Image Position and Orientation). Export the original series.";
   if (s.cutOff)
-    return "The slice " + s.file.filename().string() + " is cut off: it ends before its picture does. Copy it again.";
+    return "The slice " + s.file.filename().string() + " is cut off: it ends before its image does. Copy it again.";
   if (s.slope == 0.0) return "Its Rescale Slope is 0: every voxel would have one value. Export the original series.";
   if (s.lookupTable)
     return "Its values are Hounsfield units only after a lookup table (Modality LUT), which is not read here. Export "
@@ -235,10 +235,10 @@ void addWarnings(DicomSeries& series) {
         "-1000 and water near 0.");
   if (std::ranges::any_of(series.slices, &DicomSlice::lossy))
     series.warnings.push_back(
-        "The pictures were compressed with loss: values are not exact. Export the original series if "
+        "The images were compressed with loss: values are not exact. Export the original series if "
         "there is one.");
   if (std::ranges::any_of(series.slices, &DicomSlice::burnedInText))
-    series.warnings.push_back("The pictures may have text burned in; check that it names nobody.");
+    series.warnings.push_back("The images may have text burned in; check that it names nobody.");
 }
 
 DicomSeries finish(Part part, std::string uid) {

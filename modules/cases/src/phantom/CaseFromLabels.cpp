@@ -79,7 +79,7 @@ Result<void> checkMapFits(const Numbers& numbers, const LabelPlan& plan) {
         "Is it the map of another file?");
   if (2 * listed < labelled)
     return fail("\"labels\" lists the numbers of only " + std::to_string(100 * listed / labelled) +
-                " % of the labelled voxels; is it the map of another file? List at least half.");
+                " % of the labeled voxels; is it the map of another file? List at least half.");
   return {};
 }
 

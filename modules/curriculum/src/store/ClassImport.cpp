@@ -120,18 +120,17 @@ Result<void> ClassImport::apply(const std::string& cohort, std::span<const Class
   if (!hashes) return tl::unexpected(hashes.error());
   const std::string detail = "class list, " + std::to_string(adds) + " new, " + std::to_string(joins) + " known";
   // The request names the most restricted of the acts involved, so that a refusal is logged.
-  return session.write(
-      {.act = joins > 0 ? Act::ChangeCohorts : Act::AddTrainee, .cohort = cohort, .detail = detail},
-      [&](Transaction& transaction, const Actor&) -> Result<void> {
-        auto hashed = hashes->begin();
-        for (const ClassImportRow& row : plan) {
-          if (row.step != Step::Add && row.step != Step::Join) continue;
-          const std::string* own = row.step == Step::Add ? &*hashed++ : nullptr;
-          if (const auto done = take(session, transaction, cohort, row, own); !done)
-            return fail(atLine(row.line, done.error().message) + " Nobody was added; check the list.");
-        }
-        return {};
-      });
+  return session.write({.act = joins > 0 ? Act::ChangeCohorts : Act::AddTrainee, .cohort = cohort, .detail = detail},
+                       [&](Transaction& transaction, const Actor&) -> Result<void> {
+                         auto hashed = hashes->begin();
+                         for (const ClassImportRow& row : plan) {
+                           if (row.step != Step::Add && row.step != Step::Join) continue;
+                           const std::string* own = row.step == Step::Add ? &*hashed++ : nullptr;
+                           if (const auto done = take(session, transaction, cohort, row, own); !done)
+                             return fail(atLine(row.line, done.error().message) + " Nobody was added; check the list.");
+                         }
+                         return {};
+                       });
 }
 
 }  // namespace insonate

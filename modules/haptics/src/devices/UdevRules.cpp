@@ -7,7 +7,7 @@ namespace insonate {
 
 std::string udevRules() {
   std::string rules =
-      "# Lets whoever sits at the computer use the devices that Insonate knows. As root:\n"
+      "# Lets the user at the computer use the devices that Insonate knows. As root:\n"
       "#   insonate-cli devices --udev-rules > /etc/udev/rules.d/70-insonate.rules && udevadm control --reload\n"
       "# then unplug the device and plug it in again.\n";
   for (const DeviceTable& table : builtInDeviceTables()) {

@@ -13,8 +13,7 @@ Result<RecordFile> RecordFile::make(const std::filesystem::path& path) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
   if (file >= 0) return RecordFile(path, file);
   if (errno == EEXIST)
-    return fail("The recording " + path.string() +
-                " is in progress, or broke off earlier; rename that file first.");
+    return fail("The recording " + path.string() + " is in progress, or broke off earlier; rename that file first.");
   return fail("The recording " + path.string() + " cannot be begun: " + std::strerror(errno) + ".");
 }
 

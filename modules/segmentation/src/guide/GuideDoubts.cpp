@@ -132,13 +132,12 @@ std::vector<std::string> doubtsAbout(const GuideStep& step, std::span<const Vec3
   const Found found = foundAt(labels, step.label, clicks_mm);
   const std::size_t voxels = found.pieces.count();
   if (voxels == 0) {
-    doubts.push_back("Nothing is labelled where you clicked.");
+    doubts.push_back("Nothing is labeled where you clicked.");
     return doubts;
   }
   if (found.clicksBeside > 0)
-    doubts.push_back(found.clicksBeside == 1
-                         ? "A click lies outside the result."
-                         : std::to_string(found.clicksBeside) + " clicks lie outside the result.");
+    doubts.push_back(found.clicksBeside == 1 ? "A click lies outside the result."
+                                             : std::to_string(found.clicksBeside) + " clicks lie outside the result.");
   const Vec3& spacing_mm = labels.geometry.spacing_mm;
   const double volume_mm3 = double(voxels) * spacing_mm.x * spacing_mm.y * spacing_mm.z;
   const double along_mm = length_mm(clicks_mm);

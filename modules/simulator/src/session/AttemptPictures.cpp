@@ -94,8 +94,7 @@ void AttemptPictures::State::workAhead() {
 Result<AttemptPictures> AttemptPictures::make(std::shared_ptr<const AttemptRecording> recording,
                                               std::shared_ptr<const PatientCase> patient, bool workAhead) {
   const AttemptHeader& header = recording->header();
-  if (header.settings.empty())
-    return fail("The recording has no image settings; its images cannot be rendered again.");
+  if (header.settings.empty()) return fail("The recording has no image settings; its images cannot be rendered again.");
   if (header.caseHash != voxelHashOf(*patient))
     return fail("The recording was made on another case, '" + header.caseName + "', than '" + patient->manifest.title +
                 "', or that one was changed since; open the case as it was.");

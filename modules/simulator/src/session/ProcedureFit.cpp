@@ -27,7 +27,7 @@ Result<void> checkFits(const Procedure& procedure, const CaseManifest& manifest,
   const std::string what = "'" + procedure.title + "' cannot be done on '" + manifest.title + "': ";
   for (const NeededStructure& need : procedure.needs)
     if (std::ranges::find(labels, need.label) == labels.end())
-      return fail(what + "nothing is labelled " + std::string(labelTable()[need.label].name) + ", so " + need.why +
+      return fail(what + "nothing is labeled " + std::string(labelTable()[need.label].name) + ", so " + need.why +
                   ". Label it, or open another case.");
   if (procedure.target.empty() ||
       std::ranges::any_of(manifest.targets, [&](const Target& one) { return isTargetOf(procedure, one); }))

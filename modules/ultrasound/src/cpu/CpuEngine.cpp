@@ -63,6 +63,7 @@ class CpuEngine final : public Engine {
   const std::vector<Stage>& stages() const override { return thesis_ ? thesis_->stages() : stages_; }
 
  private:
+  void prepareInput(const FramePlan& plan, int paddedLines);
   void provideWorkspaces(int threads);
   void setGeometry(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
                    const PlaneDisplacement& displacement);
@@ -121,7 +122,13 @@ void CpuEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
   }
   workspaces_.clear();
   provideWorkspaces(tbb::info::default_concurrency() + 1);
+  contacts_.resize(plan.nodeColumns);
+  prepareInput(plan, paddedLines);
+  stages_ = {{"contact"}, {"structures"}, {"echoes"}, {"aperture"}, {"axial beam"}, {"lateral beam"}};
+}
 
+void CpuEngine::prepareInput(const FramePlan& plan, int paddedLines) {
+  const ImagingSettings& settings = plan.settings;
   input_ = {};
   input_.plan = &plan;
   input_.lines.resize(paddedLines);
@@ -139,7 +146,6 @@ void CpuEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
   input_.lineGap_mm.resize(paddedLines);
   input_.lineStrength.resize(paddedLines);
   input_.columnGap_mm.resize(paddedColumns);
-  contacts_.resize(plan.nodeColumns);
   const auto decayAt = [&](double gate) {
     return static_cast<float>(std::exp(-plan.range_mm(gate) / acoustics::kContactDepth_mm));
   };
@@ -151,7 +157,6 @@ void CpuEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
       input_.scatterScale.push_back(
           settings.effects.speckle ? static_cast<float>(plan.scatterScale[g] * plan.scatterWeight[p]) : 0.0F);
     }
-  stages_ = {{"contact"}, {"structures"}, {"echoes"}, {"aperture"}, {"axial beam"}, {"lateral beam"}};
 }
 
 /// One for each thread of the arena; an arena larger than any before adds its own, once.

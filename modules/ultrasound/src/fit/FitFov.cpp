@@ -150,17 +150,17 @@ std::vector<std::string> doubtsOf(const Candidate& candidate) {
     if (candidate.model.fan && edge == kFace && candidate.model.inner < 0.08 * candidate.model.outer) continue;
     const std::string name = std::string("The ") + kNames[std::size_t(edge)];
     if (seen.visible < kEdgeVisible)
-      doubts.push_back(name + " lies outside the picture.");
+      doubts.push_back(name + " lies outside the image.");
     else if (!isSeen(seen))
       doubts.push_back(name + " is hardly seen; check it.");
     else if (seen.visible < 0.75)
-      doubts.push_back(name + " is cut off by the picture's rim.");
+      doubts.push_back(name + " is cut off by the image's rim.");
   }
   if (candidate.beside != Beside::Nothing)
-    doubts.push_back(std::string("Two pictures lie side by side; this is the ") +
+    doubts.push_back(std::string("Two images lie side by side; this is the ") +
                      (candidate.beside == Beside::Right ? "left" : "right") + " one.");
-  if (candidate.plate->darkOnLight) doubts.emplace_back("The picture is dark on light; its greys were turned round.");
-  if (candidate.upsideDown) doubts.emplace_back("The picture is upside down.");
+  if (candidate.plate->darkOnLight) doubts.emplace_back("The image is dark on light; its grays were turned round.");
+  if (candidate.upsideDown) doubts.emplace_back("The image is upside down.");
   return doubts;
 }
 
@@ -184,9 +184,9 @@ void giveMeaning(DepthRuler& ruler, double depth_px, bool linear) {
 Result<FovFit> fitFov(const GreyPicture& picture) {
   const int wide = picture.width, high = picture.height;
   if (std::min(wide, high) < kLeastSide || std::max(wide, high) > kMostSide)
-    return fail("The picture has " + std::to_string(wide) + " x " + std::to_string(high) +
+    return fail("The image has " + std::to_string(wide) + " x " + std::to_string(high) +
                 " pixels; a fit needs 64 to 16384 each way.");
-  if (picture.grey.size() != std::size_t(wide) * high) return fail("The picture is not complete.");
+  if (picture.grey.size() != std::size_t(wide) * high) return fail("The image is not complete.");
   cv::Mat_<uchar> grey(high, wide);
   std::copy(picture.grey.begin(), picture.grey.end(), grey.begin());
   const double scale = std::min(kMostEnlarged, kWork_px / std::max(wide, high));
@@ -213,7 +213,7 @@ Result<FovFit> fitFov(const GreyPicture& picture) {
   if (!best)
     return fail(
         "No field of view was found: no fan or rectangle of echoes stands out from an even ground. Use a "
-        "picture that shows all of it, or place it by hand.");
+        "image that shows all of it, or place it by hand.");
   FovFit fit;
   fit.shape = shapeOf(*best, scale, high);
   fit.confidence = confidenceOf(best->evidence);

@@ -131,7 +131,7 @@ void PlacesBox::refresh() {
     item->setData(0, kIndexRole, int(index));
     if (had && before.kind == kind && before.index == index) list_->setCurrentItem(item);
   };
-  auto* targets = heading(places.targets.empty() ? tr("Targets: none yet") : tr("Targets, the first is practised"));
+  auto* targets = heading(places.targets.empty() ? tr("Targets: none yet") : tr("Targets, the first is practiced"));
   for (std::size_t n = 0; n < places.targets.size(); ++n)
     add(targets, Kind::Target, n, QString::fromStdString(places.targets[n].name));
   auto* vessels = heading(places.vessels.empty() ? tr("Vessels: none named yet") : tr("Vessels"));

@@ -20,7 +20,7 @@ void PrepareSession::keepStart() {
 }
 
 void PrepareSession::setPlaces(CasePlaces places, const QString& what) {
-  if (!patient_ || samePlaces(places, places_)) return Q_EMIT placesChanged();  // What was typed goes back.
+  if (!patient_ || samePlaces(places, places_)) return Q_EMIT placesChanged();  // Restores the field.
   undo_.push(new PlacesEdit(*this, std::move(places), what));
 }
 

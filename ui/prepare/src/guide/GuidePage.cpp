@@ -75,7 +75,7 @@ QColor stateColour(GuideSession::State state) {
 GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), guide_(guide), list_(new QTreeWidget) {
   setObjectName(QStringLiteral("guide"));
   list_->setObjectName(QStringLiteral("guideSteps"));
-  list_->setAccessibleName(tr("Steps of labelling"));
+  list_->setAccessibleName(tr("Steps of labeling"));
   list_->setToolTip(tr("The steps in order; select a step to repeat it"));
   new ui::PassLetters(list_);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -57,7 +57,7 @@ RecipeBox::RecipeBox(PrepareSession& session, QWidget* parent)
       load_(ui::pushButton("recipeReplay", tr("Replay ..."),
                            tr("Applies the steps of a file to this case; locked and hidden labels stay unchanged"))) {
   steps_->setObjectName(QStringLiteral("recipeSteps"));
-  steps_->setAccessibleName(tr("Steps of labelling so far"));
+  steps_->setAccessibleName(tr("Steps of labeling so far"));
   steps_->setToolTip(tr("Label edits since the case was opened, without undone ones"));
   steps_->setFixedHeight(kRows * steps_->fontMetrics().lineSpacing() * 3 / 2);
   new ui::PassLetters(steps_);
@@ -106,7 +106,7 @@ void RecipeBox::askReplay() {
 
 void RecipeBox::save(const QString& file) {
   Recipe made = session_.labelling().recipe();
-  made.description = "Steps of labelling, in this order.";
+  made.description = "Steps of labeling, in this order.";
   made.labels = session_.terms().own;
   const auto ok = writeAtomically(file.toStdString(), textOf(made));
   session_.say(ok ? tr("The steps are saved; the same file can be replayed on another case.")

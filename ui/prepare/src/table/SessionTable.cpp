@@ -22,7 +22,7 @@ bool PrepareSession::hasVoxels(std::uint8_t label) const {
 }
 
 void PrepareSession::setTerms(LabelTerms terms, const QString& what) {
-  if (!patient_ || terms == terms_) return Q_EMIT termsChanged();  // What was typed goes back.
+  if (!patient_ || terms == terms_) return Q_EMIT termsChanged();  // Restores the field.
   undo_.push(new TermsEdit(*this, std::move(terms), what));
 }
 

@@ -58,9 +58,9 @@ Result<LoadedCase> importCase(const fs::path& input, const ImportChoice& choice,
     if (!labels && labels.error().message == kCancelled) return tl::unexpected(labels.error());
     if (labels) {
       patient->labels = std::move(*labels);
-      patient->manifest.source += " Labelled automatically from Hounsfield units.";
+      patient->manifest.source += " Labeled automatically from Hounsfield units.";
     } else {
-      patient->manifest.importNotes.push_back("Nothing could be labelled: " + labels.error().message);
+      patient->manifest.importNotes.push_back("Nothing could be labeled: " + labels.error().message);
     }
   }
   result.notes = qt(patient->manifest.importNotes);

@@ -130,26 +130,7 @@ void SeriesDialog::fill() {
   table_->setToolTip(tr("Arrows choose a series, Enter imports it"));
 }
 
-void SeriesDialog::arrange() {
-  auto* title = new QLabel(tr("Series in %1").arg(QFileInfo(path_).fileName()));
-  setRole(title, "title");
-  title->setWordWrap(true);  // a folder's name may be long
-  auto* aside = new QLabel(listing_->setAside.size() == 1
-                               ? tr("1 file belongs to no series and is left out.")
-                               : tr("%1 files belong to no series and are left out.").arg(listing_->setAside.size()));
-  setRole(aside, "quiet");
-  aside->setVisible(!listing_->setAside.empty());
-  QStringList reasons;
-  for (const SetAside& file : listing_->setAside)
-    reasons << QString::fromStdString(file.file.filename().string() + ": " + file.reason);
-  auto* leftOut = new QPlainTextEdit(reasons.join(QLatin1Char('\n')));
-  leftOut->setReadOnly(true);
-  leftOut->setTabChangesFocus(true);
-  leftOut->setMaximumHeight(kLeftOut_px);
-  leftOut->setVisible(!reasons.isEmpty());
-  leftOut->setObjectName(QStringLiteral("leftOut"));
-  leftOut->setAccessibleName(tr("Files that are left out, and why"));
-  leftOut->setToolTip(leftOut->accessibleName());
+void SeriesDialog::setUpWidgets() {
   notes_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   notes_->setObjectName(QStringLiteral("importNotes"));
   notes_->setAccessibleName(tr("The resulting case, and changes to the series"));
@@ -174,6 +155,29 @@ void SeriesDialog::arrange() {
   import_->setToolTip(tr("Makes a case from the selected series; data that identify the patient are removed"));
   setRole(import_, "primary");
   import_->setDefault(true);
+}
+
+void SeriesDialog::arrange() {
+  setUpWidgets();
+  auto* title = new QLabel(tr("Series in %1").arg(QFileInfo(path_).fileName()));
+  setRole(title, "title");
+  title->setWordWrap(true);  // a folder's name may be long
+  auto* aside = new QLabel(listing_->setAside.size() == 1
+                               ? tr("1 file belongs to no series and is left out.")
+                               : tr("%1 files belong to no series and are left out.").arg(listing_->setAside.size()));
+  setRole(aside, "quiet");
+  aside->setVisible(!listing_->setAside.empty());
+  QStringList reasons;
+  for (const SetAside& file : listing_->setAside)
+    reasons << QString::fromStdString(file.file.filename().string() + ": " + file.reason);
+  auto* leftOut = new QPlainTextEdit(reasons.join(QLatin1Char('\n')));
+  leftOut->setReadOnly(true);
+  leftOut->setTabChangesFocus(true);
+  leftOut->setMaximumHeight(kLeftOut_px);
+  leftOut->setVisible(!reasons.isEmpty());
+  leftOut->setObjectName(QStringLiteral("leftOut"));
+  leftOut->setAccessibleName(tr("Files that are left out, and why"));
+  leftOut->setToolTip(leftOut->accessibleName());
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   buttons->addButton(import_, QDialogButtonBox::ActionRole);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -36,6 +36,7 @@ class SeriesDialog : public QDialog {
 
  private:
   void fill();
+  void setUpWidgets();
   void arrange();
   void showChosen();
   void preview();

@@ -20,13 +20,13 @@ struct Mode {
   const char* says;
 };
 constexpr Mode kModes[] = {
-    {views::Stereo::Off, "off", "One picture for both eyes"},
+    {views::Stereo::Off, "off", "One image for both eyes"},
     {views::Stereo::Anaglyph, "red-cyan glasses", "Red left, cyan right"},
     {views::Stereo::SideBySide, "side by side", "For 3D televisions and headsets, and for crossing one's eyes"},
     {views::Stereo::Interlaced, "interlaced", "For screens with polarised rows"},
     {views::Stereo::Checkerboard, "checkerboard", "For projectors that show a checkerboard"},
-    {views::Stereo::LeftEye, "left eye", "The left eye's picture alone"},
-    {views::Stereo::RightEye, "right eye", "The right eye's picture alone"},
+    {views::Stereo::LeftEye, "left eye", "The left eye's image alone"},
+    {views::Stereo::RightEye, "right eye", "The right eye's image alone"},
     {views::Stereo::QuadBuffer, "shutter glasses", "For graphics cards with quad-buffered stereo"},
 };
 

@@ -9,7 +9,7 @@ void History::add(std::string what, Exchange exchange, std::string key) {
   const bool joins = open_ && !key.empty() && !past_.empty() && past_.back().key == key && now - lastAdded_ < kOneStep;
   lastAdded_ = now;
   future_.clear();
-  if (joins) return;  // What was there before the first of them is remembered already.
+  if (joins) return;  // The state before the first of them is stored already.
   if (past_.size() == kMost) past_.erase(past_.begin());
   past_.push_back({std::move(what), std::move(key), std::move(exchange)});
   open_ = true;

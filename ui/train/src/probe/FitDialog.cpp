@@ -44,7 +44,7 @@ Result<QImage> readImage(const QString& file) {
     return fail(file.toStdString() + " has more than 16384 pixels each way; make it smaller.");
   QImage image = reader.read();
   if (image.isNull())
-    return fail(file.toStdString() + " is no picture that can be read (" + reader.errorString().toStdString() +
+    return fail(file.toStdString() + " is no image that can be read (" + reader.errorString().toStdString() +
                 "). Use PNG or JPEG.");
   return image;
 }
@@ -53,6 +53,14 @@ QString imageFileIn(const QMimeData& data) {
   for (const QUrl& url : data.urls())
     if (url.isLocalFile()) return url.toLocalFile();
   return {};
+}
+
+QPushButton* sideButton(const QString& text, const char* object, const QString& tip) {
+  auto* made = new QPushButton(text);
+  made->setObjectName(object);
+  made->setToolTip(tip);
+  made->setAutoDefault(false);
+  return made;
 }
 
 }  // namespace
@@ -91,15 +99,8 @@ QWidget* FitDialog::buildSide() {
   auto* box = new QVBoxLayout(side);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(8);
-  const auto button = [&](const QString& text, const char* object, const QString& tip) {
-    auto* made = new QPushButton(text);
-    made->setObjectName(object);
-    made->setToolTip(tip);
-    made->setAutoDefault(false);
-    return made;
-  };
-  auto* open = button(tr("Open..."), "fitOpen", tr("A PNG or JPEG file"));
-  auto* pasteButton = button(tr("Paste"), "fitPaste", tr("Pastes the image in the clipboard (Ctrl+V)"));
+  auto* open = sideButton(tr("Open..."), "fitOpen", tr("A PNG or JPEG file"));
+  auto* pasteButton = sideButton(tr("Paste"), "fitPaste", tr("Pastes the image in the clipboard (Ctrl+V)"));
   auto* sources = new QHBoxLayout;
   sources->addWidget(open);
   sources->addWidget(pasteButton);
@@ -117,8 +118,8 @@ QWidget* FitDialog::buildSide() {
   marks_ = new ui::ValueSlider(tr("mark spacing"), QStringLiteral("mm"), {0.5, 50, 10, 0.5, 1},
                                tr("distance between two marks of the image's depth scale"));
   marks_->setObjectName("fitMarks");
-  draw_ = button(tr("Scale by two marks..."), "fitDraw",
-                 tr("Click two marks of the image's ruler, then type their distance in mm"));
+  draw_ = sideButton(tr("Scale by two marks..."), "fitDraw",
+                     tr("Click two marks of the image's ruler, then type their distance in mm"));
   line_ = new ui::ValueSlider(tr("distance"), QStringLiteral("mm"), {0.5, 400, 10, 0.5, 1},
                               tr("distance between the two clicked points"));
   line_->setObjectName("fitLine");
@@ -134,9 +135,9 @@ QWidget* FitDialog::buildSide() {
     label->setTextFormat(Qt::PlainText);
   }
   trouble_->hide();
-  take_ = button(tr("Apply"), "fitTake", tr("Use this geometry for the probe that is being edited"));
+  take_ = sideButton(tr("Apply"), "fitTake", tr("Use this geometry for the probe that is being edited"));
   ui::setRole(take_, "primary");
-  auto* cancel = button(tr("Cancel"), "fitCancel", tr("Leaves the probe unchanged (Escape)"));
+  auto* cancel = sideButton(tr("Cancel"), "fitCancel", tr("Leaves the probe unchanged (Escape)"));
   auto* foot = new QHBoxLayout;
   foot->addWidget(cancel);
   foot->addWidget(take_);
@@ -146,6 +147,11 @@ QWidget* FitDialog::buildSide() {
     box->addWidget(widget);
   box->addStretch();
   box->addLayout(foot);
+  connectSide(open, pasteButton, cancel);
+  return side;
+}
+
+void FitDialog::connectSide(QPushButton* open, QPushButton* pasteButton, QPushButton* cancel) {
   connect(open, &QPushButton::clicked, this, [this] {
     const QString file = QFileDialog::getOpenFileName(this, tr("Image of a scanner"), {},
                                                       tr("Images (*.png *.jpg *.jpeg *.bmp);;All files (*)"));
@@ -167,7 +173,6 @@ QWidget* FitDialog::buildSide() {
     canvas_->setShape(shape);
     showShape();
   });
-  return side;
 }
 
 bool FitDialog::isWorking() const {

@@ -48,6 +48,7 @@ class FitDialog : public QDialog {
  private:
   struct Loaded;
   QWidget* buildSide();
+  void connectSide(QPushButton* open, QPushButton* pasteButton, QPushButton* cancel);
   void load(const QString& title, std::function<Result<QImage>()> read);
   void fitted(Result<std::shared_ptr<Loaded>> result);
   void placeByHand();

@@ -28,7 +28,7 @@ struct OverlayRow {
 constexpr OverlayRow kOverlayRows[] = {
     {"tissueGrid", "Displaced grid\tT", "Lines of the tissue's mesh over the image, as it lies now"},
     {"tissuePressure", "Pressure in the tissue\tP",
-     "How hard the tissue is squeezed, in kPa, in colours over the image"},
+     "How hard the tissue is squeezed, in kPa, in colors over the image"},
     {"tissuePlot", "Areas against force\tK", "Curve of the areas of vein and artery against the probe's force"},
 };
 
@@ -154,7 +154,7 @@ void TissueStrip::refresh() {
   force_->setAccessibleName(press ? tr("Force %1 newtons").arg(newtons) : tr("No force"));
   const bool inside = press && press->indentation_mm > 0;
   indentation_->setText(inside ? tr("%1 mm").arg(press->indentation_mm, 0, 'f', 1) : QString());
-  indentation_->setAccessibleName(inside ? tr("Indentation %1 millimetres").arg(press->indentation_mm, 0, 'f', 1)
+  indentation_->setAccessibleName(inside ? tr("Indentation %1 millimeters").arg(press->indentation_mm, 0, 'f', 1)
                                          : tr("No indentation"));
   showVessel(*vein_, press, kVein, tr("vein"));
   showVessel(*artery_, press, kArtery, tr("artery"));
