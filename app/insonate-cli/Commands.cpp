@@ -43,7 +43,7 @@ Result<void> writeOrReplace(const PatientCase& patient, const std::string& caseF
   return {};
 }
 
-void tellNext(const std::string& caseFolder) {
+void printNextSteps(const std::string& caseFolder) {
   const bool plain = caseFolder.find_first_of(" \t\n'\"\\$`&|;<>()*?!#~") == std::string::npos;
   const std::string word = plain ? caseFolder : "\"" + caseFolder + "\"";
   std::cerr << "Wrote " << caseFolder << "; next: insonate-cli check " << word << '\n';

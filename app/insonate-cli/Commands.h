@@ -49,7 +49,7 @@ nlohmann::json jsonArray(Vec3 v);
 /// Writes a case; where one is there already, that stays as an earlier version, for attempts that were made on it.
 Result<void> writeOrReplace(const PatientCase& patient, const std::string& caseFolder);
 /// Prints the possible next steps with a case that was just written, to standard error.
-void tellNext(const std::string& caseFolder);
+void printNextSteps(const std::string& caseFolder);
 /// Refuses an empty name as wrong usage.
 CLI::Validator notEmpty();
 /// Asks for cancellation after Ctrl-C; a progress line on standard error when that is a terminal.

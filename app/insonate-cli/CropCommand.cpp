@@ -40,7 +40,7 @@ Result<void> crop(const CropArguments& a) {
   for (std::size_t n = read->patient.manifest.importNotes.size(); n < notes.size(); ++n)
     std::cerr << "note: " << notes[n] << '\n';
   if (auto ok = writeOrReplace(*part, a.folder); !ok) return ok;
-  tellNext(a.folder);
+  printNextSteps(a.folder);
   const VolumeGeometry& g = part->ct.geometry;
   if (a.json)
     printJson({{"case", a.folder},

@@ -101,7 +101,7 @@ Result<void> importCase(const ImportArguments& a) {
   }
   if (auto written = writeOrReplace(patient, a.folder); !written) return written;
   tellPose(patient);
-  tellNext(a.folder);
+  printNextSteps(a.folder);
   if (a.asJson) printJson({{"series", json::array({jsonOf(imported->series)})}, {"case", a.folder}});
   return {};
 }

@@ -50,7 +50,7 @@ Result<void> importLabelsInto(const ImportLabelsArguments& a) {
   if (auto version = saveCaseVersion(patient, a.caseFolder, today(), {}, terminalProgress()); !version)
     return tl::unexpected(version.error());
   const json rows = structuresOf(patient.labels, !a.json);
-  tellNext(a.caseFolder);
+  printNextSteps(a.caseFolder);
   if (a.json) printJson({{"case", a.caseFolder}, {"structures", rows}, {"notes", imported->notes}});
   return {};
 }

@@ -120,7 +120,7 @@ Result<void> label(const LabelArguments& a) {
     const auto version = saveCaseVersion(patient, target, today(), {}, terminalProgress());
     if (!version) return tl::unexpected(version.error());
     object["case_version"] = version->number;
-    tellNext(target);
+    printNextSteps(target);
   }
   if (a.asJson) printJson(std::move(object));
   return {};

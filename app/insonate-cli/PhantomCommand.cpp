@@ -75,7 +75,7 @@ Result<void> makeCase(const PhantomArguments& a) {
   if (!patient) return tl::unexpected(patient.error());
   for (const std::string& note : notes) std::cerr << "insonate-cli: " << note << '\n';
   if (auto written = write(*patient, a); !written) return written;
-  tellNext(a.folder);
+  printNextSteps(a.folder);
   if (!a.json) return {};
   nlohmann::json object{
       {"case", a.folder}, {"title", patient->manifest.title}, {"source", patient->manifest.source}, {"notes", notes}};

@@ -127,7 +127,7 @@ int run(QApplication& application, const app::Arguments& arguments) {
   if (arguments.untilImage)
     firstImage = std::make_unique<app::FirstImage>(window, [leave] {
       std::printf("%.0f\n", app::sinceStart_ms());
-      ui::waitUntilBuiltInIsKept();
+      ui::waitForBuiltInCache();
       leave({});
     });
   window.show();

@@ -22,7 +22,7 @@ bool sameName(const std::string& one, const std::string& other) {
   return keyOf(one) == keyOf(other);
 }
 
-Result<std::vector<Person>> peopleSeen(const SignedIn& by) {
+Result<std::vector<Person>> visiblePeople(const SignedIn& by) {
   if (by.person().role == Role::Administrator) return PeopleStore(by).all();
   std::vector<Person> people;
   const auto cohorts = CohortStore(by).cohorts();
@@ -40,7 +40,7 @@ Result<Person> personNamed(const SignedIn& by, const std::string& nameOrId) {
   // A trainee has no list to look names up in: the store refuses, and writes down that they asked.
   const bool isId = !QUuid::fromString(QString::fromStdString(nameOrId)).isNull();
   if (isId || by.person().role == Role::Trainee) return PeopleStore(by).person(nameOrId);
-  const auto people = peopleSeen(by);
+  const auto people = visiblePeople(by);
   if (!people) return tl::unexpected(people.error());
   const auto found = std::ranges::find_if(*people, [&](const Person& p) { return sameName(p.name, nameOrId); });
   if (found == people->end())

@@ -18,7 +18,7 @@ namespace insonate::cli {
 /// among those who may be seen.
 Result<Person> personNamed(const SignedIn& by, const std::string& nameOrId);
 /// Everyone whom an instructor or administrator sees.
-Result<std::vector<Person>> peopleSeen(const SignedIn& by);
+Result<std::vector<Person>> visiblePeople(const SignedIn& by);
 /// A class by its name, whatever its case, or by id.
 Result<Cohort> classNamed(const SignedIn& by, const std::string& nameOrId);
 /// Classes in which a person learns, as far as the signed-in user may see them.

@@ -113,7 +113,7 @@ Result<Answer> verify(const SignedIn& by, const std::string& anchorText) {
   if (auto whole = verifyWhole(by, anchorText); !whole) return tl::unexpected(whole.error());
   const auto found = recomputeAll(by);
   if (!found) return tl::unexpected(found.error());
-  auto people = peopleSeen(by);
+  auto people = visiblePeople(by);
   if (!people) return tl::unexpected(people.error());
   const auto facts = StoreUpkeep(by).facts();
   if (!facts) return tl::unexpected(facts.error());

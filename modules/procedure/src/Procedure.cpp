@@ -159,7 +159,7 @@ Result<Procedure> parseProcedure(std::string_view text) {
   try {
     file = json::parse(text);
   } catch (const json::exception& e) {
-    return fail("The procedure is not JSON: " + jsonTrouble(e.what()));
+    return fail("The procedure is not JSON: " + jsonProblem(e.what()));
   }
   std::string trouble;
   Procedure procedure = readProcedure(file, trouble);

@@ -78,7 +78,7 @@ Result<PosePath> parsePoses(std::string_view text, const std::string& where) {
   try {
     parsed = json::parse(text);
   } catch (const json::exception& error) {
-    return fail(where + " is not valid JSON: " + jsonTrouble(error.what()) + ".");
+    return fail(where + " is not valid JSON: " + jsonProblem(error.what()) + ".");
   }
   if (parsed.is_array()) return readPath(parsed, where);
   if (parsed.is_object() && parsed.contains("poses")) {

@@ -18,7 +18,7 @@ Result<json> parsedJson(std::string_view text) {
   try {
     return json::parse(text);
   } catch (const json::exception& error) {
-    return fail("This is not valid JSON: " + jsonTrouble(error.what()) + ".");
+    return fail("This is not valid JSON: " + jsonProblem(error.what()) + ".");
   }
 }
 

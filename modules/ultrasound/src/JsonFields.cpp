@@ -39,7 +39,7 @@ Result<nlohmann::json> parseText(std::string_view text, const std::string& where
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::exception& exception) {
-    return fail(where + " is not valid JSON: " + jsonTrouble(exception.what()) + ".");
+    return fail(where + " is not valid JSON: " + jsonProblem(exception.what()) + ".");
   }
 }
 

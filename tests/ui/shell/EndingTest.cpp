@@ -21,7 +21,7 @@ class Busy final : public ui::Workspace {
  public:
   void setCase(std::shared_ptr<const PatientCase> patient) override { shown = std::move(patient); }
   QString endsWithTheCase() const override { return ending; }
-  QString keepsTheWindow() const override { return keeps; }
+  QString blocksWorkspaceChange() const override { return keeps; }
   std::shared_ptr<const PatientCase> shown;
   QString ending, keeps;
 };

@@ -180,7 +180,7 @@ TEST_F(ViewWidget, TheViewOutlivesItsWidget) {
 /// Drawn by a thread: in the colour it was told, once it is let go.
 class SlowView final : public views::View {
  public:
-  bool mayDrawElsewhere() const override { return true; }
+  bool canDrawOnThread() const override { return true; }
   void show(double colour) {
     told_ = colour;
     changed();

@@ -159,11 +159,11 @@ TEST_F(TrainTest, TellsNothingThatTheImageDoesNotTell) {
   EXPECT_FALSE(views->mprWidget().isVisible());
   EXPECT_FALSE(child<ui::ViewWidget>("ctBeside")->isVisible());
   EXPECT_TRUE(text("attemptDrawn").contains("blood")) << "the syringe is seen by the patient, too";
-  EXPECT_TRUE(workspace_->keepsTheWindow().contains("A test is in progress")) << "Prepare shows the labels";
+  EXPECT_TRUE(workspace_->blocksWorkspaceChange().contains("A test is in progress")) << "Prepare shows the labels";
 
   found_.clear();
   finish();
-  EXPECT_EQ(workspace_->keepsTheWindow(), "");
+  EXPECT_EQ(workspace_->blocksWorkspaceChange(), "");
   look("over");
   EXPECT_FALSE(found_.empty()) << "its end tells everything";
   EXPECT_TRUE(views->scene().isVisible(kVein));
@@ -190,7 +190,7 @@ class TrainPractice : public TrainDisclosure {
 /// Shows that the test above can fail.
 TEST_F(TrainPractice, TellsWhatATestDoesNot) {
   makeWholeAttempt();
-  EXPECT_EQ(workspace_->keepsTheWindow(), "") << "practice may look things up";
+  EXPECT_EQ(workspace_->blocksWorkspaceChange(), "") << "practice may look things up";
   for (const char* words : {"vein", "artery", "bone", "right internal jugular vein", "right common carotid artery",
                             "over the vein", "wrong place", "in the vein", "posterior wall", "a percentage", "an area"})
     EXPECT_TRUE(found_.count(words)) << words << "\n" << foundWords();

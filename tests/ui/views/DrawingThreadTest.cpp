@@ -28,7 +28,7 @@ using test::Screen;
 /// Counts its pictures, each of which waits until it is let go.
 class Slow final : public View {
  public:
-  bool mayDrawElsewhere() const override { return true; }
+  bool canDrawOnThread() const override { return true; }
   int told = 0;
   std::vector<int> drawn;  ///< what was told with each
   std::atomic<int> begun{0};
@@ -90,7 +90,7 @@ std::set<int> threads() {
 TEST(DrawingThread, ItsThreadsComeBehindTheWindowsWhereAsked) {
   const std::set<int> before = threads();
   Slow view;
-  view.comeBehindOthers();
+  view.lowerThreadPriority();
   DrawingThread thread(view, [] {});
   view.go.release();
   view.render();

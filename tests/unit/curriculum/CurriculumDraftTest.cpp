@@ -17,7 +17,7 @@ Curriculum preset() {
 }
 
 std::vector<DraftTrouble> troubles(const Curriculum& draft) {
-  return troublesOf(draft, *teachingNames());
+  return problemsOf(draft, *teachingNames());
 }
 
 std::vector<std::string> levelsOf(const std::vector<DraftTrouble>& found) {

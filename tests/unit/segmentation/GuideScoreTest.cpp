@@ -83,7 +83,7 @@ class GuideScores : public testing::TestWithParam<CtContrast> {
     ASSERT_TRUE(way) << way.error().message;
     const auto done = insonate::perform(Recipe{name, way->steps}, *edit_);
     ASSERT_TRUE(done) << done.error().message;
-    EXPECT_THAT(doubtsAbout(step(name), clicks_mm, patient_.labels), testing::IsEmpty()) << name;
+    EXPECT_THAT(findingsAbout(step(name), clicks_mm, patient_.labels), testing::IsEmpty()) << name;
   }
   /// Counts the voxels that `counts` accepts.
   template <class Counts>

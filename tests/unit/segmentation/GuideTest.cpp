@@ -130,11 +130,11 @@ class GuideDoubts : public test::OnGrids {
 INSONATE_ON_GRIDS(GuideDoubts);
 
 TEST_P(GuideDoubts, AVeinOfUsualWidthIsNotDoubted) {
-  EXPECT_THAT(doubtsAbout(vein, clicks_mm, veinOf(5)), IsEmpty());
+  EXPECT_THAT(findingsAbout(vein, clicks_mm, veinOf(5)), IsEmpty());
 }
 
 TEST_P(GuideDoubts, AThinOneIsDoubtedWithItsDiameter) {
-  EXPECT_THAT(doubtsAbout(vein, clicks_mm, veinOf(1.6)), ElementsAre(HasSubstr("usual are 5 to 25 mm.")));
+  EXPECT_THAT(findingsAbout(vein, clicks_mm, veinOf(1.6)), ElementsAre(HasSubstr("usual are 5 to 25 mm.")));
 }
 
 TEST_P(GuideDoubts, OneThatLiesAgainstTheAirwayIsDoubted) {
@@ -142,7 +142,7 @@ TEST_P(GuideDoubts, OneThatLiesAgainstTheAirwayIsDoubted) {
   const Selection airway = shape([](Vec3 p) { return p.x > 5 || (p.x > 2 && std::hypot(p.x, p.y) > 5); });
   for (std::size_t v = 0; v < labels.voxels.size(); ++v)
     if (airway.mask.voxels[v] && labels.voxels[v] != kVein) labels.voxels[v] = kAirway;
-  EXPECT_THAT(doubtsAbout(vein, clicks_mm, labels), ElementsAre(HasSubstr("of its surface touch the airway")));
+  EXPECT_THAT(findingsAbout(vein, clicks_mm, labels), ElementsAre(HasSubstr("of its surface touch the airway")));
 }
 
 TEST_P(GuideDoubts, ClicksOnTheOtherSideOfTheAirwayAreDoubted) {
@@ -153,23 +153,23 @@ TEST_P(GuideDoubts, ClicksOnTheOtherSideOfTheAirwayAreDoubted) {
       if (there.mask.voxels[v]) labels.voxels[v] = kAirway;
     return labels;
   };
-  EXPECT_THAT(doubtsAbout(vein, clicks_mm, withAirway(1)), IsEmpty()) << "the airway is to the left of a right vein";
-  EXPECT_THAT(doubtsAbout(vein, clicks_mm, withAirway(-1)),
+  EXPECT_THAT(findingsAbout(vein, clicks_mm, withAirway(1)), IsEmpty()) << "the airway is to the left of a right vein";
+  EXPECT_THAT(findingsAbout(vein, clicks_mm, withAirway(-1)),
               ElementsAre(HasSubstr("on the patient's left; this step is for the right")));
 }
 
 TEST_P(GuideDoubts, ClicksWithoutTheVeinAreDoubted) {
-  EXPECT_THAT(doubtsAbout(vein, clicks_mm, LabelMap(grid(), kMuscle)),
+  EXPECT_THAT(findingsAbout(vein, clicks_mm, LabelMap(grid(), kMuscle)),
               ElementsAre("Nothing is labeled where you clicked."));
   const std::array aside{Vec3{0, 0, -14}, Vec3{12, 0, 0}, Vec3{0, 0, 14}};
-  EXPECT_THAT(doubtsAbout(vein, aside, veinOf(6)), testing::Contains("A click lies outside the result."));
+  EXPECT_THAT(findingsAbout(vein, aside, veinOf(6)), testing::Contains("A click lies outside the result."));
 }
 
 TEST(GuideDoubtsOfAll, WhatTheAutomaticStepShouldHaveFoundIsNamed) {
   const Guide guide = neck();
   LabelMap labels(test::toolGrids()[0].geometry, kMuscle);
   labels.voxels[0] = kSkin, labels.voxels[1] = kFat, labels.voxels[2] = kBone;
-  EXPECT_THAT(doubtsAbout(guide.steps.front(), {}, labels), ElementsAre(HasSubstr("There is no airway")));
+  EXPECT_THAT(findingsAbout(guide.steps.front(), {}, labels), ElementsAre(HasSubstr("There is no airway")));
 }
 
 }  // namespace

@@ -151,7 +151,7 @@ void PrepareWorkspace::Parts::connectParts() {
   connect(&session.labelling(), &LabelSession::busyChanged, this, [this] { refreshReady(); });
   views->setRested([this] { refreshReady(); });
   connect(tools_, &ToolSession::toolChanged, this, [this] { showTool(); });
-  connect(&guide, &GuideSession::changed, this, [this] { showWhoHasMouse(); });
+  connect(&guide, &GuideSession::changed, this, [this] { showMouseOwner(); });
   connect(path, &PathPanel::checkChosen, this, [this] { right_->setCheckShown(true); });
   connect(right_, &RightColumn::labelWanted, this, [this](int label) { makeStructure(std::uint8_t(label)); });
   // The guide would take the clicks that say where a place is.
@@ -178,7 +178,7 @@ void PrepareWorkspace::Parts::refreshReady() {
 }
 
 void PrepareWorkspace::Parts::showTool() {
-  showWhoHasMouse();
+  showMouseOwner();
   const bool inHand = tools_->tool() != nullptr;
   right_->setToolShown(inHand);
   path->table().setToolInHand(inHand);
@@ -191,7 +191,7 @@ void PrepareWorkspace::Parts::makeStructure(std::uint8_t label) {
   path->showGuide(false);
 }
 
-void PrepareWorkspace::Parts::showWhoHasMouse() {
+void PrepareWorkspace::Parts::showMouseOwner() {
   right_->setToolRemark(guide.isShown() ? tr("is active; the guide waits") : QString());
 }
 
@@ -310,7 +310,7 @@ void PrepareWorkspace::Parts::restoreLayout(QSettings& settings) {
     if (label < 1 || label > 255) continue;
     habits[std::uint8_t(label)] = {std::clamp(number("opacity", 1), 0.0, 1.0),
                                    settings.value(QStringLiteral("visible"), true).toBool(),
-                                   std::clamp(number("onSlices", usualShareOnSlices(std::uint8_t(label))), 0.0, 1.0)};
+                                   std::clamp(number("onSlices", defaultShareOnSlices(std::uint8_t(label))), 0.0, 1.0)};
   }
   settings.endArray();
   session.setHabits(std::move(habits));

@@ -52,7 +52,7 @@ class PrepareWorkspace::Parts : public QObject {
   void act(const KeyRow& row);
   QWidget* buildMiddle();
   void showTool();
-  void showWhoHasMouse();
+  void showMouseOwner();
   void refreshSave();
   void refreshReady();
   void makeStructure(std::uint8_t label);

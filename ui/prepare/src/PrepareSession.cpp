@@ -50,7 +50,7 @@ constexpr std::uint8_t kOrder[] = {kVein, kArtery, kSkin, kBone, kAirway, kThyro
 
 PrepareSession::PrepareSession(ui::TaskBar& tasks, QObject* parent)
     : QObject(parent),
-      looks_(usualLooks({})),
+      looks_(defaultLooks({})),
       measuring_(tasks, this),
       live_(this),
       labelling_(tasks, undo_, this),
@@ -86,7 +86,7 @@ PrepareSession::PrepareSession(ui::TaskBar& tasks, QObject* parent)
     added_ |= change.labels;
     added_.reset(kBackground);
     if (added_ != before) listStructures();
-    tellEdits();
+    notifyEdits();
     Q_EMIT messageChanged();
   });
 }
@@ -105,7 +105,7 @@ void PrepareSession::setCase(std::shared_ptr<const PatientCase> patient) {
   surfaceWanted_ = {};
   selected_ = 0;
   message_.clear();
-  looks_ = usualLooks(patient_ ? patient_->colours : LabelColours{});
+  looks_ = defaultLooks(patient_ ? patient_->colours : LabelColours{});
   for (const auto& [label, habit] : habits_)
     // Without skin, another patient would look broken.
     looks_[label].opacity = habit.opacity, looks_[label].visible = habit.visible || label == kSkin,
@@ -122,11 +122,11 @@ void PrepareSession::setCase(std::shared_ptr<const PatientCase> patient) {
   labelling_.setCase(patient_);
   // Before anybody asks what the case has.
   measuring_.setCase(patient_);
-  tellHidden();
+  notifyHidden();
   Q_EMIT caseChanged();
   live_.setPatient(patient_, missingSurfaces());
   live_.setOwnLabels(terms_.own);
-  tellEdits();
+  notifyEdits();
   Q_EMIT messageChanged();
 }
 
@@ -141,7 +141,7 @@ void PrepareSession::replaceCase(std::shared_ptr<const PatientCase> patient) {
   live_.replacePatient(patient_);
   takeShown(patient_->manifest.shown, kept_);
   Q_EMIT placesChanged();
-  tellEdits();
+  notifyEdits();
 }
 
 void PrepareSession::setAwake(bool awake) {
@@ -176,7 +176,7 @@ std::vector<ui::SurfaceWish> PrepareSession::changedSurfaces(const LabelSet& lab
   return wishes;
 }
 
-void PrepareSession::tellHidden() {
+void PrepareSession::notifyHidden() {
   LabelRules rules = labelling_.rules();
   for (int label = 0; label < 256; ++label) rules.hidden.set(std::size_t(label), !looks_[std::size_t(label)].visible);
   if (rules.hidden != labelling_.rules().hidden) labelling_.setRules(rules);
@@ -234,13 +234,13 @@ void PrepareSession::showAll() {
 void PrepareSession::applyLook(std::uint8_t label, const StructureLook& look) {
   looks_[label] = look;
   habits_[label] = {look.opacity, look.visible, look.onSlices};
-  tellHidden();
+  notifyHidden();
   for (ui::SurfaceWish& wish : missingSurfaces()) {
     wish.labels = labelling_.snapshot();
     live_.wantSurface(wish);
   }
   Q_EMIT lookChanged(label);
-  tellEdits();
+  notifyEdits();
 }
 
 void PrepareSession::setTitle(const QString& title) {
@@ -252,7 +252,7 @@ void PrepareSession::setTitle(const QString& title) {
 void PrepareSession::applyTitle(const QString& title) {
   title_ = title;
   Q_EMIT titleChanged();
-  tellEdits();
+  notifyEdits();
 }
 
 bool PrepareSession::isUnsaved() const {
@@ -281,7 +281,7 @@ ui::CaseEdit PrepareSession::quietEdit() const {
   };
 }
 
-void PrepareSession::tellEdits() {
+void PrepareSession::notifyEdits() {
   const std::array<bool, 2> has{isUnsaved(), quietEdit() != nullptr};
   if (has != std::exchange(hadEdits_, has)) Q_EMIT editsChanged();
 }

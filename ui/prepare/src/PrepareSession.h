@@ -99,7 +99,7 @@ class PrepareSession : public QObject {
   };
   Said said() const { return {looks_, title_, places_, terms_}; }
   /// Edits what differs from it, as one step.
-  void sayAgain(const Said& said);
+  void restoreSaid(const Said& said);
   /// Makes the probe's place the case's start pose, if it has none; saved with the case.
   void keepStart();
   /// The case has no start pose, none is kept, and the probe stands somewhere.
@@ -177,8 +177,8 @@ class PrepareSession : public QObject {
   void listStructures();
   std::vector<ui::SurfaceWish> missingSurfaces();
   std::vector<ui::SurfaceWish> changedSurfaces(const LabelSet& labels) const;
-  void tellHidden();
-  void tellEdits();
+  void notifyHidden();
+  void notifyEdits();
   QString placeText() const;
 
   ui::CaseOrigin origin_;

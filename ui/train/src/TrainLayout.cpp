@@ -48,7 +48,7 @@ void TrainWorkspace::Parts::setCompact(bool compact) {
   patient->setCompact(compact);
 }
 
-void TrainWorkspace::Parts::giveRoom(bool more) {
+void TrainWorkspace::Parts::expandPatientColumn(bool more) {
   QList<int> widths = columns->sizes();
   if (more) {
     widthsBefore_ = widths;

@@ -99,7 +99,7 @@ TrainWorkspace::Parts::~Parts() {
   session.stop();
 }
 
-void TrainWorkspace::Parts::letGoOfCanvases() {
+void TrainWorkspace::Parts::releaseCanvases() {
   delete std::exchange(pointer_, nullptr);
   for (SliceMeasure* slice : std::exchange(measureSlices_, {})) delete slice;
   delete std::exchange(input_, nullptr);
@@ -157,7 +157,7 @@ void TrainWorkspace::Parts::buildActions() {
   connect(leftHanded_, &QAction::toggled, this, [this](bool on) { setLeftHanded(on); });
 }
 
-void TrainWorkspace::Parts::tellTrouble() {
+void TrainWorkspace::Parts::reportProblem() {
   if (trouble_.isEmpty() || !workspace_.isVisible()) return;
   Q_EMIT workspace_.failed(std::exchange(trouble_, {}), tr("Check the case in Prepare, or open another one."), {});
 }
@@ -176,7 +176,7 @@ void TrainWorkspace::Parts::connectParts() {
   connect(&session, &TrainSession::messageChanged, this, [this] { Q_EMIT workspace_.statusChanged(); });
   connect(&session, &TrainSession::failed, this, [this](const QString& what) {
     trouble_ = what;
-    tellTrouble();
+    reportProblem();
   });
   connect(&session, &TrainSession::frozenChanged, this, [this] {
     image_->setFrozen(session.isFrozen());
@@ -188,7 +188,7 @@ void TrainWorkspace::Parts::connectParts() {
   });
   input_->setMeasured([this] { showCallipers(); });
   patient->setWindowChanged([this](views::WindowLevel window) { beside_->view().setWindowLevel(window); });
-  patient->setRoomWanted([this](bool more) { giveRoom(more); });
+  patient->setRoomWanted([this](bool more) { expandPatientColumn(more); });
   connect(&panel->needle(), &NeedleControls::devicesWanted, this, [this] { showDevices(); });
   connect(cine_, &CineBar::calliperChosen, this, [this](int kind) { chooseCalliper(kind); });
   connect(cine_, &CineBar::clearCallipers, this, [this] { clearCallipers(); });

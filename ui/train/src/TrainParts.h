@@ -59,7 +59,7 @@ class TrainWorkspace::Parts : public QObject {
   explicit Parts(TrainWorkspace& workspace);
   ~Parts() override;
   /// Nothing listens to canvases any more: a canvas that goes is left by the mouse, when other views may be gone.
-  void letGoOfCanvases();
+  void releaseCanvases();
 
   TrainSession& session;  ///< a child of the workspace, gone after its widgets
   QSplitter* columns = nullptr;
@@ -82,7 +82,7 @@ class TrainWorkspace::Parts : public QObject {
   bool isCtBeside() const { return besideAction_->isChecked(); }
   void setCtBeside(bool on);
   /// Widens the patient's column at the image's expense, or restores it.
-  void giveRoom(bool more);
+  void expandPatientColumn(bool more);
 
   ui::CaseOrigin origin;  ///< of the case that comes next
   void setCase(std::shared_ptr<const PatientCase> opened);
@@ -95,7 +95,7 @@ class TrainWorkspace::Parts : public QObject {
   /// One that is being made is kept as abandoned.
   void endAttempt();
   /// Why there is no picture, once the trainee sees the workspace: while a case is labelled, it is none of Train's.
-  void tellTrouble();
+  void reportProblem();
   /// While no case is open; empty for nothing that is being opened.
   void showOpening(const QString& what);
   bool key(const QKeyEvent& event, bool act);

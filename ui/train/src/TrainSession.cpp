@@ -193,7 +193,7 @@ void TrainSession::startLive() {
   }
   feed_.set(std::move(*live));
   hands_.setImaging(feed_.live());
-  tellTissue();
+  updateTissueRequest();
 }
 
 void TrainSession::placeOnSkin() {
@@ -298,14 +298,14 @@ void TrainSession::sendSetup() {
 }
 
 void TrainSession::undo() {
-  tookBack(history_.undo(), tr("Undone: %1."), tr("There is nothing to undo."));
+  showHistoryOutcome(history_.undo(), tr("Undone: %1."), tr("There is nothing to undo."));
 }
 
 void TrainSession::redo() {
-  tookBack(history_.redo(), tr("Redone: %1."), tr("There is nothing to redo."));
+  showHistoryOutcome(history_.redo(), tr("Redone: %1."), tr("There is nothing to redo."));
 }
 
-void TrainSession::tookBack(History::Outcome outcome, const QString& done, const QString& nothing) {
+void TrainSession::showHistoryOutcome(History::Outcome outcome, const QString& done, const QString& nothing) {
   if (outcome == History::Outcome::Done) say(done.arg(QString::fromStdString(history_.lastWords())));
   if (outcome == History::Outcome::Nothing) say(nothing);
 }

@@ -181,7 +181,7 @@ class TrainSession : public QObject {
   bool pulsates() const;
   LiveOptions liveOptions() const;
   void useTissue(const TissueChoice& choice);
-  void tellTissue();
+  void updateTissueRequest();
   void moved(HandMove result);
   bool mayMove();
   bool isLive();
@@ -191,7 +191,7 @@ class TrainSession : public QObject {
   ImagingSetup setup() const;
   void rememberMove(const ProbeHandState& before);
   void rememberSetup();
-  void tookBack(History::Outcome outcome, const QString& done, const QString& nothing);
+  void showHistoryOutcome(History::Outcome outcome, const QString& done, const QString& nothing);
 
   std::shared_ptr<const PatientCase> patient_;
   std::shared_ptr<const LabelMap> tissueLabels_;

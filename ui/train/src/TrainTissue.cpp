@@ -38,7 +38,7 @@ void TrainSession::setTissue(const TissueChoice& choice) {
 void TrainSession::useTissue(const TissueChoice& choice) {
   const bool otherModel = choice.model != tissue_.model;
   tissue_ = choice;
-  tellTissue();
+  updateTissueRequest();
   if (otherModel) sendSetup();
   Q_EMIT tissueChanged();
 }
@@ -55,12 +55,12 @@ AttemptSettings TrainSession::attemptSettings() const {
 }
 
 void TrainSession::setMeshWanted(bool wanted) {
-  if (std::exchange(meshWanted_, wanted) != wanted) tellTissue();
+  if (std::exchange(meshWanted_, wanted) != wanted) updateTissueRequest();
 }
 
 void TrainSession::setWatched(bool watched) {
   hands_.setWatched(watched);
-  if (std::exchange(watched_, watched) != watched) tellTissue();
+  if (std::exchange(watched_, watched) != watched) updateTissueRequest();
 }
 
 void TrainSession::setAwake(bool awake) {
@@ -68,7 +68,7 @@ void TrainSession::setAwake(bool awake) {
   if (feed_.live()) feed_.live()->setResting(!awake);
 }
 
-void TrainSession::tellTissue() {
+void TrainSession::updateTissueRequest() {
   LiveImaging* live = feed_.live();
   if (!live) return;
   live->setKeepMesh(meshWanted_ && watched_);

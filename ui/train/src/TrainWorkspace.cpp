@@ -30,7 +30,7 @@ TrainWorkspace::TrainWorkspace(QWidget* parent) : ui::Workspace(parent), parts_(
 TrainWorkspace::~TrainWorkspace() {
   parts_->endAttempt();
   parts_->session.stop();
-  parts_->letGoOfCanvases();
+  parts_->releaseCanvases();
   // The widgets refer to the session: they go first.
   delete parts_->devices;
   delete parts_->columns;
@@ -78,7 +78,7 @@ QString TrainWorkspace::endsWithTheCase() const {
   return tr("An attempt is in progress in Train. Continuing ends it and saves it as abandoned.");
 }
 
-QString TrainWorkspace::keepsTheWindow() const {
+QString TrainWorkspace::blocksWorkspaceChange() const {
   if (parts_->session.disclosure().anatomy) return {};
   return tr("A test is in progress: Prepare and Review would show where the vessels are. End the attempt first.");
 }
@@ -187,7 +187,7 @@ void TrainWorkspace::showEvent(QShowEvent* event) {
   parts_->session.setAwake(true);
   parts_->session.setWatched(!parts_->isCourseShown());
   ui::Workspace::showEvent(event);
-  parts_->tellTrouble();
+  parts_->reportProblem();
 }
 
 void TrainWorkspace::hideEvent(QHideEvent* event) {

@@ -44,7 +44,7 @@ void DrawingThread::start() {
   window_->SetSize(view_.width_px(), view_.height_px());
   if (auto* graphics = vtkOpenGLRenderWindow::SafeDownCast(window_))
     std::thread([this, graphics] {
-      if (view_.comesBehindOthers()) comeBehindOthers();
+      if (view_.hasLowerPriority()) lowerThreadPriority();
       graphics->Initialize();
       graphics->ReleaseCurrent();
     }).join();
@@ -78,7 +78,7 @@ bool DrawingThread::take(Drawn& drawn) {
 }
 
 void DrawingThread::run() {
-  if (view_.comesBehindOthers()) comeBehindOthers();
+  if (view_.hasLowerPriority()) lowerThreadPriority();
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [this] { return ends_ || done_ < wanted_; });

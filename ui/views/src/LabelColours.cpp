@@ -36,7 +36,7 @@ Colour labelColour(std::uint8_t label, ColourScheme scheme) {
   return {usual[0], usual[1], usual[2]};
 }
 
-double usualOpacity(std::uint8_t label) {
+double defaultOpacity(std::uint8_t label) {
   return label == kSkin ? 0.35 : 1;
 }
 

@@ -290,7 +290,7 @@ Result<CaseManifest> manifestFromJson(const std::string& text, std::vector<std::
     return fail("case.json has no \"schema_version\"; add \"schema_version\": " +
                 std::to_string(CaseManifest::kSchemaVersion) + " to it.");
   } catch (const json::exception& e) {
-    return fail("case.json is not valid JSON: " + jsonTrouble(e.what()) + ".");
+    return fail("case.json is not valid JSON: " + jsonProblem(e.what()) + ".");
   }
 }
 

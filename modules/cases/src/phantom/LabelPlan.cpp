@@ -149,7 +149,7 @@ Result<LabelPlan> readLabelPlan(const std::filesystem::path& file) {
   try {
     return plan(Json::parse(stream));
   } catch (const Json::exception& e) {
-    return fail("The label map description '" + file.string() + "' is not valid JSON: " + jsonTrouble(e.what()) + ".");
+    return fail("The label map description '" + file.string() + "' is not valid JSON: " + jsonProblem(e.what()) + ".");
   } catch (const BadEntry& e) {
     return fail("The label map description '" + file.string() + "': " + e.what());
   }

@@ -58,7 +58,7 @@ NewPerson personOf(const CsvRow& row, const Columns& columns) {
 }
 
 /// "" where the line is fine by itself.
-std::string troubleOf(const CsvRow& row, std::size_t columns, const NewPerson& person) {
+std::string problemOf(const CsvRow& row, std::size_t columns, const NewPerson& person) {
   if (row.fields.size() > columns)
     return "There are more fields than in the head line; put what holds commas into quotes.";
   if (person.fullName.empty()) return "The name is missing; fill it in.";
@@ -126,7 +126,7 @@ Result<ClassList> parseClassList(std::string_view csv) {
   std::map<std::string, int> lines;
   for (const CsvRow& row : std::span(*rows).subspan(1)) {
     const NewPerson person = personOf(row, columns);
-    std::string trouble = troubleOf(row, rows->front().fields.size(), person);
+    std::string trouble = problemOf(row, rows->front().fields.size(), person);
     for (const std::string& key : {"name " + nameKey(person.name), "mail " + nameKey(person.email)}) {
       if (!trouble.empty() || key == "mail ") continue;
       if (const auto [twin, isNew] = lines.emplace(key, row.line); !isNew && twin->second != row.line)

@@ -43,7 +43,7 @@ std::string troubleOfChoice(const FormItem& item, const FormAnswers::mapped_type
 }
 
 /// Describes the error in an item's answer, after the item's title; empty if there is none.
-std::string troubleOf(const FormItem& item, const FormAnswers& answers) {
+std::string problemOf(const FormItem& item, const FormAnswers& answers) {
   const auto answer = answers.find(item.name);
   if (answer == answers.end()) return item.needed ? "needs an answer." : "";
   if (item.kind == FormItem::Kind::Number) return troubleOfNumber(item, answer->second);
@@ -97,7 +97,7 @@ Result<FormAnswers> parseAnswers(std::string_view text) {
   try {
     object = json::parse(text);
   } catch (const json::exception& e) {
-    return fail("The answers are not JSON: " + jsonTrouble(e.what()));
+    return fail("The answers are not JSON: " + jsonProblem(e.what()));
   }
   if (!object.is_object()) return fail("The answers must be an object { ... } of texts and numbers.");
   FormAnswers answers;
@@ -123,7 +123,7 @@ std::vector<AnswerTrouble> checkAnswers(const Form& form, const FormAnswers& ans
   std::vector<AnswerTrouble> troubles;
   for (const FormSection& section : form.sections)
     for (const FormItem& item : section.items)
-      if (const std::string trouble = troubleOf(item, answers); !trouble.empty())
+      if (const std::string trouble = problemOf(item, answers); !trouble.empty())
         troubles.push_back({item.name, "'" + item.title + "' " + trouble});
   for (const auto& [name, answer] : answers) {
     if (form.item(name)) continue;

@@ -97,7 +97,7 @@ Result<Form> parseForm(std::string_view text) {
   try {
     object = json::parse(text);
   } catch (const json::exception& e) {
-    return fail("The form is not JSON: " + jsonTrouble(e.what()));
+    return fail("The form is not JSON: " + jsonProblem(e.what()));
   }
   JsonEntry file(object, "The form", {"name", "title", "about", "source", "version", "purpose", "scales", "sections"});
   Form form;

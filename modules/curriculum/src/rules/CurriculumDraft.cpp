@@ -17,7 +17,7 @@ Level anyLevel() {
   return {.name = "any", .title = "any", .about = "any", .caseName = "any", .procedure = "any"};
 }
 
-std::optional<std::string> troubleOf(Level level, const TeachingNames& known) {
+std::optional<std::string> problemOf(Level level, const TeachingNames& known) {
   level.prerequisites.clear();
   const auto alone = parseCurriculum(curriculumText(around({std::move(level)})));
   if (!alone) return alone.error().message;
@@ -34,10 +34,10 @@ std::optional<std::string> troubleOfHead(const Curriculum& draft) {
 
 }  // namespace
 
-std::vector<DraftTrouble> troublesOf(const Curriculum& draft, const TeachingNames& known) {
+std::vector<DraftTrouble> problemsOf(const Curriculum& draft, const TeachingNames& known) {
   std::vector<DraftTrouble> troubles;
   for (const Level& level : draft.levels)
-    if (const auto trouble = troubleOf(level, known)) troubles.push_back({level.name, *trouble});
+    if (const auto trouble = problemOf(level, known)) troubles.push_back({level.name, *trouble});
   if (const auto head = troubleOfHead(draft)) troubles.push_back({"", *head});
   if (draft.levels.empty()) troubles.push_back({"", "The curriculum has no levels; add the first one."});
   if (const auto ordered = inOrderOfLearning(draft.levels); !ordered)

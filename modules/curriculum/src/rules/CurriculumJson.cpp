@@ -138,7 +138,7 @@ Result<Curriculum> read(std::string_view text, bool isWhole) {
   try {
     object = json::parse(text);
   } catch (const json::exception& e) {
-    return fail("The curriculum is not JSON: " + jsonTrouble(e.what()));
+    return fail("The curriculum is not JSON: " + jsonProblem(e.what()));
   }
   JsonEntry file(object, "The curriculum", {"name", "title", "about", "version", "levels"});
   Curriculum curriculum = Reader(isWhole).curriculum(file);

@@ -80,13 +80,13 @@ std::vector<Implausible> implausibilities(const AttemptFacts& facts) {
   return flags;
 }
 
-bool tellsOfTheNeedle(const std::vector<MetricFact>& metrics) {
+bool describesNeedle(const std::vector<MetricFact>& metrics) {
   return valueOf(metrics, "passes").value_or(0) > 0;
 }
 
 std::vector<Implausible> PlausibilityCheck::take(const AttemptFacts& facts) {
   std::vector<Implausible> flags = implausibilities(facts);
-  if (facts.state == AttemptState::Open || !tellsOfTheNeedle(facts.metrics)) return flags;
+  if (facts.state == AttemptState::Open || !describesNeedle(facts.metrics)) return flags;
   std::vector<std::optional<double>> values;
   for (const MetricFact& metric : facts.metrics) values.push_back(metric.value);
   if (!values_.insert(std::move(values)).second) flags.push_back(Implausible::SameValues);

@@ -25,7 +25,7 @@ ClassImportRow refused(const ClassListEntry& entry, const std::string& sentence)
 }
 
 /// All for an administrator, the people of their own cohorts for an instructor.
-std::vector<Person> peopleSeen(Transaction& transaction, const Actor& actor) {
+std::vector<Person> visiblePeople(Transaction& transaction, const Actor& actor) {
   std::vector<Person> people;
   for (const Row& row :
        transaction.rows("SELECT " INSONATE_PERSON_COLUMNS
@@ -97,7 +97,7 @@ Result<std::vector<ClassImportRow>> ClassImport::plan(const std::string& cohort,
   return by_.session()->read({.act = Act::SeeMembers, .cohort = cohort},
                              [&](Transaction& transaction, const Actor& actor) -> Result<std::vector<ClassImportRow>> {
                                return planned(transaction, actor, cohort,
-                                              matchClassList(list, peopleSeen(transaction, actor)));
+                                              matchClassList(list, visiblePeople(transaction, actor)));
                              });
 }
 

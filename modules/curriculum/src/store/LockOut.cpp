@@ -43,7 +43,7 @@ std::int64_t countTry(Transaction& transaction, const std::string& name, const M
   return wait_us <= 0 ? 0 : (wait_us + kSecond_us - 1) / kSecond_us;
 }
 
-void forgive(Transaction& transaction, const std::string& name) {
+void resetFailures(Transaction& transaction, const std::string& name) {
   transaction.run("DELETE FROM sign_in_failures WHERE name_hash = ?", keyOf(name));
 }
 

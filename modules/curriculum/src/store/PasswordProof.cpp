@@ -36,7 +36,7 @@ Result<std::optional<Known>> beginSigningIn(Core& core, const std::string& name)
 
 Result<void> endSigningIn(Core& core, const std::string& name, const std::optional<Known>& known, bool fits) {
   return inTransaction(core, Way::Write, [&](Transaction& transaction) -> Result<void> {
-    if (fits) forgive(transaction, name);
+    if (fits) resetFailures(transaction, name);
     // Only ids of existing people are logged: text typed in place of a name may be a password.
     core.audit(transaction, fits ? known->person.id : "", "sign in", known ? known->person.id : "", "", fits);
     return {};

@@ -134,7 +134,7 @@ Result<void> PeopleStore::resetPassword(const std::string& person, const std::st
                          const auto found = store::findPerson(transaction, person);
                          if (!found) return unknown();
                          store::setPassword(transaction, person, *hashed, true);
-                         store::forgive(transaction, found->name);
+                         store::resetFailures(transaction, found->name);
                          return {};
                        });
 }

@@ -22,7 +22,7 @@ Result<std::set<std::string>> repeatedValues(const SignedIn& by, const std::stri
                               "(SELECT 1 FROM attempts AS earlier WHERE earlier.length_us = own.length_us AND "
                               "earlier.metrics = own.metrics AND earlier.arrival < own.arrival)",
                               person))
-          if (tellsOfTheNeedle(store::metricsOf(row.text(1)))) repeated.insert(row.text(0));
+          if (describesNeedle(store::metricsOf(row.text(1)))) repeated.insert(row.text(0));
         return repeated;
       });
 }

@@ -52,8 +52,8 @@ void CarryOver::giveStress(const Mesh& mesh, const Materials& materials, const T
   }
 }
 
-void CarryOver::giveSolution(const Mesh& mesh, const Materials& materials, const Transform& keptFromNow,
-                             Solver& solver) const {
+void CarryOver::shareSolution(const Mesh& mesh, const Materials& materials, const Transform& keptFromNow,
+                              Solver& solver) const {
   const Nodes &rest = mesh.rest(), &restBefore = mesh_.rest();
   const int was = mesh_.columns();
   const Mat3& turn = keptFromNow.linear;

@@ -19,7 +19,7 @@ class CarryOver {
   /// For a mesh of the same size.
   void giveStress(const Mesh& mesh, const Materials& materials, const Transform& keptFromNow,
                   Prestress& prestress) const;
-  void giveSolution(const Mesh& mesh, const Materials& materials, const Transform& keptFromNow, Solver& solver) const;
+  void shareSolution(const Mesh& mesh, const Materials& materials, const Transform& keptFromNow, Solver& solver) const;
 
  private:
   Mesh::Place placeOf(const Mesh& mesh, std::size_t node, const Transform& keptFromNow) const;

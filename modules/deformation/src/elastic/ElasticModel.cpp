@@ -84,7 +84,7 @@ class ElasticModel final : public DeformationModel {
       stressed_.keep(mesh_, solver_);
       stressFound_ = *input.patientFromProbe;
     }
-    if (carry) before_.giveSolution(mesh_, materials_, inverted(*last_) * *input.patientFromProbe, solver_);
+    if (carry) before_.shareSolution(mesh_, materials_, inverted(*last_) * *input.patientFromProbe, solver_);
     last_ = input.patientFromProbe;
     known_ = true;
     return carry;

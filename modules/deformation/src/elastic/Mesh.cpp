@@ -150,10 +150,10 @@ void Mesh::build(const TissuePlane& plane, const ProbeFace& face, const Deformat
     }
   plane.sample(points_, tissue_);
   snap();
-  lookIntoCells(plane);
+  classifyCells(plane);
 }
 
-void Mesh::lookIntoCells(const TissuePlane& plane) {
+void Mesh::classifyCells(const TissuePlane& plane) {
   const std::size_t nx = columns(), cells = nx * (rows() - 1) - 1;
   middle_.resize(cells);
   for (std::size_t n = 0; n < cells; ++n)

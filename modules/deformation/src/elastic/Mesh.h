@@ -59,7 +59,7 @@ class Mesh {
   void chooseLines(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings);
   void findSkin(const TissuePlane& plane, const std::vector<float>& x_mm, std::vector<float>& skin_mm);
   void snap();
-  void lookIntoCells(const TissuePlane& plane);
+  void classifyCells(const TissuePlane& plane);
 
   MeshLines lines_;
   Nodes rest_;

@@ -287,7 +287,7 @@ Result<DeviceTable> parseDeviceTable(std::string_view text) {
   try {
     json = Json::parse(text);
   } catch (const Json::exception& e) {
-    return fail("The device table is not JSON: " + jsonTrouble(e.what()));
+    return fail("The device table is not JSON: " + jsonProblem(e.what()));
   }
   std::string trouble;
   DeviceTable table = readTable(json, trouble);

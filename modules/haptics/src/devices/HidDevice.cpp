@@ -107,7 +107,7 @@ void HidDevice::serve() {
     there = readAll(now_ns);
     if (there) there = sendForce(now_ns);
     checkSilence(now_ns);
-    tellRefused(now_ns);
+    reportRefused(now_ns);
   }
   if (there && latest_) write({});
   handle_.reset();
@@ -189,7 +189,7 @@ void HidDevice::checkSilence(std::int64_t now_ns) {
     enter(DevicePhase::kLost, info_.name + " has stopped telling where it is. Check its power and its cable.", true);
 }
 
-void HidDevice::tellRefused(std::int64_t now_ns) {
+void HidDevice::reportRefused(std::int64_t now_ns) {
   const std::uint64_t refused = refused_.load(std::memory_order_relaxed);
   if (refused == toldRefused_ || now_ns - told_ns_ < 1'000'000'000) return;
   const std::uint64_t more = refused - toldRefused_;

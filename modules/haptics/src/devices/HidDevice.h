@@ -60,7 +60,7 @@ class HidDevice final : public HapticDevice {
   bool sendForce(std::int64_t now_ns);
   bool write(const Force& force);
   void checkSilence(std::int64_t now_ns);
-  void tellRefused(std::int64_t now_ns);
+  void reportRefused(std::int64_t now_ns);
   void enter(DevicePhase phase, std::string text, bool trouble);
 
   const DeviceInfo info_;

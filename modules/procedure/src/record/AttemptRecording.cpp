@@ -70,7 +70,7 @@ Result<AttemptRecording> AttemptRecording::open(const std::filesystem::path& fil
   if (recording.isChained_)
     if (auto ok = recording.checkLinks(blocks); !ok) return tl::unexpected(ok.error());
   for (const PlacedBlock& block : blocks) recording.readBlock(block);
-  recording.tellTroubles();
+  recording.reportProblems();
   return recording;
 }
 
@@ -175,7 +175,7 @@ void AttemptRecording::checkEnd(const BlockHead& head, std::size_t payload) {
   if (changes > changes_.size() && !unknownFrom_us_) unknownFrom_us_ = 0;
 }
 
-void AttemptRecording::tellTroubles() {
+void AttemptRecording::reportProblems() {
   if (status_ == AttemptStatus::CutShort) {
     troubles_.push_back(name_ + " broke off, so the attempt counts as abandoned; it can be read up to " +
                         seconds(end_us()) + ".");

@@ -122,7 +122,7 @@ std::optional<std::string> offRange(const std::optional<GuideRange>& usual, doub
 
 }  // namespace
 
-std::vector<std::string> doubtsAbout(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels) {
+std::vector<std::string> findingsAbout(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels) {
   std::vector<std::string> doubts;
   for (const std::uint8_t label : step.makes)
     if (extentOf(labels, label).empty())

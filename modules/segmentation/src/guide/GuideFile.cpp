@@ -81,7 +81,7 @@ Result<Guide> readGuide(std::string_view text) {
   try {
     file = json::parse(text);
   } catch (const json::exception& e) {
-    return fail("The guide is not JSON: " + jsonTrouble(e.what()));
+    return fail("The guide is not JSON: " + jsonProblem(e.what()));
   }
   JsonEntry entry(file, "The guide", {"description", "steps"});
   Guide guide;

@@ -39,7 +39,7 @@ Result<Recipe> readRecipe(std::string_view text) {
   try {
     file = json::parse(text);
   } catch (const json::exception& e) {
-    return fail("The recipe is not JSON: " + jsonTrouble(e.what()));
+    return fail("The recipe is not JSON: " + jsonProblem(e.what()));
   }
   JsonEntry entry(file, "The recipe", {"description", "labels", "steps"});
   Recipe recipe;

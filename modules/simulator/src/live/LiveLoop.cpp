@@ -55,7 +55,7 @@ LiveImaging::Impl::Impl(CaseVolumes patient, std::shared_ptr<const ImagingSetup>
       physiology_(options.physiology),
       builder_(patient_, options_, [this] { wake(); }),
       thread_([this] {
-        if (options_.background) comeBehindOthers();
+        if (options_.background) lowerThreadPriority();
         tbb::task_arena arena(options_.threads);
         arena.execute([this] { run(); });
       }) {}
@@ -261,7 +261,7 @@ bool LiveImaging::Impl::publish() {
   if (options_.keepEnvelopes) std::swap(frame->envelope, scratch_.envelope);
   frame->patientFromProbe = pose_;
   frame->needle = needle_.needle;
-  tellPress(frame->press);
+  describePress(frame->press);
   frame->setup = active_.setup;
   frame->warnings = scene_.warnings ? scene_.warnings : kNoWarnings;
   frame->frame_ms = scratch_.frame_ms;

@@ -79,7 +79,7 @@ class LiveImaging::Impl {
   void press();
   bool goesOn() const { return !press_.settled && tissueLeft_ > 0; }
   double untilPulse_s() const;
-  void tellPress(LivePress& press) const;
+  void describePress(LivePress& press) const;
   bool publish();
   void setState(LiveState state, std::string message = {});
   void notify();

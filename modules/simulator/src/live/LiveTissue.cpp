@@ -66,7 +66,7 @@ double LiveImaging::Impl::untilPulse_s() const {
   return std::max(0.0, begun_s_ + kPulse_s - now_s());
 }
 
-void LiveImaging::Impl::tellPress(LivePress& press) const {
+void LiveImaging::Impl::describePress(LivePress& press) const {
   press = press_;
   if (!keepMesh_) return;
   const Deformation& answer = active_.tissue.deformation();

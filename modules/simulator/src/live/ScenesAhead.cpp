@@ -30,7 +30,7 @@ void ScenesAhead::want(const Region& region_mm, double detail_mm) {
 }
 
 void ScenesAhead::work() {
-  comeBehindOthers();
+  lowerThreadPriority();
   tbb::task_arena arena(1);  // this thread alone: workers would have the priority of pictures
   for (;;) {
     Wanted wanted;

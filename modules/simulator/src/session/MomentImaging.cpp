@@ -108,7 +108,7 @@ Transform MomentImaging::restNear(Vec3 patient_mm) const {
   return pose_ ? insonate::restNear(deformation().displacement, *pose_, patient_mm) : Transform{};
 }
 
-void MomentImaging::tellPress(LiveFrame& frame) const {
+void MomentImaging::describePress(LiveFrame& frame) const {
   const Deformation& answer = deformation();
   frame.press.force_N = answer.force_N;
   frame.press.indentation_mm = tissue_ ? tissue_->indentation_mm() : std::nan("");
@@ -129,7 +129,7 @@ Result<std::shared_ptr<const LiveFrame>> MomentImaging::picture(const AttemptSam
   frame->needle = needleOf(sample, *settings_);
   frame->warnings =
       std::make_shared<const std::vector<std::string>>(tissue_ ? scene().warnings() : std::vector<std::string>{});
-  tellPress(*frame);
+  describePress(*frame);
   if (!tissue_) {  // past the patient: black
     Display(setup_->probe, setup_->settings).process({}, frame->image);
     return frame;

@@ -46,7 +46,7 @@ class MomentImaging {
   };
   Result<void> takeScene(const Transform& patientFromProbe);
   const AcousticScene& scene() const { return *scenes_.front().scene; }
-  void tellPress(LiveFrame& frame) const;
+  void describePress(LiveFrame& frame) const;
 
   const VolumeGeometry grid_;
   const std::shared_ptr<const SceneSource> source_;

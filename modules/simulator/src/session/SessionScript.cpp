@@ -147,7 +147,7 @@ Result<SessionScript> readSessionScript(std::string_view text, const PatientCase
   try {
     file = json::parse(text);
   } catch (const json::exception& e) {
-    return fail("The script is not JSON: " + jsonTrouble(e.what()));
+    return fail("The script is not JSON: " + jsonProblem(e.what()));
   }
   if (!file.is_object() || !file.contains("acts") || !file["acts"].is_array())
     return fail("The script must be an object with a list of 'acts'.");

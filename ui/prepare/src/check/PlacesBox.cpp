@@ -50,7 +50,7 @@ PlacesBox::PlacesBox(PrepareSession& session, QWidget* parent)
   connect(kind_, qOverload<int>(&QComboBox::activated), this, &PlacesBox::markingBegun);
   connect(add_, &QPushButton::clicked, this, [this] { add(); });
   connect(show_, &QPushButton::clicked, this, [this] { show(); });
-  connect(put_, &QPushButton::clicked, this, [this] { putHere(); });
+  connect(put_, &QPushButton::clicked, this, [this] { moveHere(); });
   connect(first_, &QPushButton::clicked, this, [this] { makeFirst(); });
   connect(split_, &QPushButton::clicked, this, [this] { split(); });
   connect(remove_, &QPushButton::clicked, this, [this] { remove(); });
@@ -238,7 +238,7 @@ void PlacesBox::show() {
   }
 }
 
-void PlacesBox::putHere() {
+void PlacesBox::moveHere() {
   Chosen one{};
   if (!chosen(one)) return;
   if (one.kind == Kind::Vessel)

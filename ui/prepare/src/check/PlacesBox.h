@@ -47,7 +47,7 @@ class PlacesBox : public QWidget {
   void addLandmark(const std::string& code, const QString& name);
   void split();
   void show();
-  void putHere();
+  void moveHere();
   void makeFirst();
   void remove();
   void rename(QTreeWidgetItem* item);

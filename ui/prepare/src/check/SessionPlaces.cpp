@@ -24,7 +24,7 @@ void PrepareSession::setPlaces(CasePlaces places, const QString& what) {
   undo_.push(new PlacesEdit(*this, std::move(places), what));
 }
 
-void PrepareSession::sayAgain(const Said& said) {
+void PrepareSession::restoreSaid(const Said& said) {
   auto all = std::make_unique<QUndoCommand>(tr("colors, title and places as before"));
   for (int label = 1; label < 256; ++label)
     if (said.looks[std::size_t(label)] != looks_[std::size_t(label)])
@@ -40,7 +40,7 @@ void PrepareSession::applyPlaces(const CasePlaces& places) {
   live_.setStart(places_.startPoses.empty() ? found_ : places_.startPoses.front());
   recheck_.start();
   Q_EMIT placesChanged();
-  tellEdits();
+  notifyEdits();
 }
 
 }  // namespace insonate::prepare

@@ -7,7 +7,7 @@
 
 namespace insonate::prepare {
 
-double usualOpacity(std::uint8_t label) {
+double defaultOpacity(std::uint8_t label) {
   constexpr double kSkinOpacity = 0.25;
   switch (label) {
     case kSkin:
@@ -21,16 +21,16 @@ double usualOpacity(std::uint8_t label) {
   }
 }
 
-double usualShareOnSlices(std::uint8_t label) {
+double defaultShareOnSlices(std::uint8_t label) {
   constexpr double kFillingShare = 0.4;
   return label == kFat || label == kMuscle || label == kSoftTissue ? kFillingShare : 1;
 }
 
-StructureLooks usualLooks(const LabelColours& colours) {
+StructureLooks defaultLooks(const LabelColours& colours) {
   StructureLooks looks;
   for (int label = 0; label < 256; ++label) {
     const auto value = std::uint8_t(label);
-    looks[value] = {viewColour(colourOf(colours, value)), usualOpacity(value), true, usualShareOnSlices(value)};
+    looks[value] = {viewColour(colourOf(colours, value)), defaultOpacity(value), true, defaultShareOnSlices(value)};
   }
   return looks;
 }

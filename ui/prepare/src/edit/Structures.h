@@ -24,11 +24,11 @@ struct StructureLook {
 using StructureLooks = std::array<StructureLook, 256>;
 
 /// The case's colours; opacity so that one looks through the skin and whatever fills the patient.
-StructureLooks usualLooks(const LabelColours& colours);
-double usualOpacity(std::uint8_t label);
+StructureLooks defaultLooks(const LabelColours& colours);
+double defaultOpacity(std::uint8_t label);
 /// Default share on slices. Labels that fill the patient are fainter: an artery has nearly the color of the muscle
 /// around it.
-double usualShareOnSlices(std::uint8_t label);
+double defaultShareOnSlices(std::uint8_t label);
 
 /// True where a structure's colour is not the case's.
 bool coloursDiffer(const StructureLooks& looks, const std::vector<std::uint8_t>& structures,

@@ -17,7 +17,7 @@ bool GuideReplay::run(std::vector<LabelStep> steps, std::size_t first, std::size
                       Done done) {
   const std::vector<LabelStep> all = labels_.recipe().steps;
   here_ = undo_.index();
-  if (!takeBackTo(first)) return false;
+  if (!undoTo(first)) return false;
   const auto at = [&](std::size_t index) { return all.begin() + std::ptrdiff_t(index); };
   before_.assign(at(first), all.end());
   todo_.assign(steps.begin(), steps.end());
@@ -31,7 +31,7 @@ bool GuideReplay::run(std::vector<LabelStep> steps, std::size_t first, std::size
 }
 
 /// Either all the way or not at all.
-bool GuideReplay::takeBackTo(std::size_t count) {
+bool GuideReplay::undoTo(std::size_t count) {
   const int here = undo_.index();
   for (std::size_t steps = labels_.recipe().steps.size(); steps > count; steps = labels_.recipe().steps.size()) {
     if (undo_.canUndo()) undo_.undo();
@@ -55,14 +55,14 @@ void GuideReplay::next() {
 }
 
 /// If nothing new was recorded, the undone steps can still be redone.
-bool GuideReplay::doneAgainByRedo() {
+bool GuideReplay::wasRedone() {
   if (labels_.recipe().steps.size() != first_) return false;
   while (undo_.index() < here_ && undo_.canRedo()) undo_.redo();
   return labels_.recipe().steps.size() == first_ + before_.size();
 }
 
 void GuideReplay::fail() {
-  if (restoring_ || doneAgainByRedo()) return end(false);
+  if (restoring_ || wasRedone()) return end(false);
   restoring_ = true;
   restoreSoon();
 }
@@ -76,7 +76,7 @@ void GuideReplay::restoreSoon() {
 
 void GuideReplay::restore() {
   // If that fails, too, as much is there as could be made.
-  if (!takeBackTo(first_)) return end(false);
+  if (!undoTo(first_)) return end(false);
   todo_.assign(before_.begin(), before_.end());
   again_ = todo_.size();
   next();

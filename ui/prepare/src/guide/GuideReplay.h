@@ -32,8 +32,8 @@ class GuideReplay : public QObject {
   void forget() { ++number_, running_ = false; }
 
  private:
-  bool takeBackTo(std::size_t count);
-  bool doneAgainByRedo();
+  bool undoTo(std::size_t count);
+  bool wasRedone();
   void next();
   void fail();
   void restoreSoon();

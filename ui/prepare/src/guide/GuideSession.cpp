@@ -189,7 +189,7 @@ void GuideSession::run() {
   const bool begun = replay_.run(
       std::move(way->steps), before.first, before.first + before.count, QString::fromStdString(step().title),
       [this, index, said = session_.said(), caution = QString::fromStdString(way->caution)](bool well) {
-        session_.sayAgain(said);
+        session_.restoreSaid(said);
         if (well) progress_[std::size_t(index)].caution = caution;
         finished(index, well);
       });
@@ -217,19 +217,19 @@ void GuideSession::finished(int index, bool well) {
     if (p.made == 0)
       Q_EMIT told(p.clicks_mm.empty() ? tr("Nothing changed: all voxels had this label already.")
                                       : tr("Nothing changed: check whether the clicks lie in the structure."));
-    lookForDoubts(index);
+    findWarnings(index);
   }
   Q_EMIT changed();
 }
 
-void GuideSession::lookForDoubts(int index) {
+void GuideSession::findWarnings(int index) {
   const GuideStep& about = guide_.steps[std::size_t(index)];
   StepProgress& p = progress_[std::size_t(index)];
   p.look = ++looks_;
   QtConcurrent::run([self = QPointer(this), about, clicks_mm = p.clicks_mm, labels = session_.labelling().snapshot(),
                      index, look = p.look] {
     QStringList doubts;
-    for (const std::string& doubt : doubtsAbout(about, clicks_mm, *labels)) doubts << QString::fromStdString(doubt);
+    for (const std::string& doubt : findingsAbout(about, clicks_mm, *labels)) doubts << QString::fromStdString(doubt);
     QMetaObject::invokeMethod(qApp, [self, doubts, index, look] {
       if (!self || look != self->progress_[std::size_t(index)].look) return;
       self->progress_[std::size_t(index)].doubts = doubts;

@@ -99,7 +99,7 @@ class GuideSession : public QObject {
   bool isThere(int index) const;
   void finished(int index, bool well);
   void goToNext();
-  void lookForDoubts(int index);
+  void findWarnings(int index);
 
   PrepareSession& session_;
   Guide guide_;

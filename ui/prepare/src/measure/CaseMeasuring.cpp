@@ -91,7 +91,7 @@ void CaseMeasuring::tryToRun() {
   tasks_.run<Measured>(
       tr("Checking the case"),
       [patient = patient_, labels = labels_, manifest = manifest_](const Progress& progress) {
-        comeBehindOthers();
+        lowerThreadPriority();
         return measure(CaseView(*manifest, patient->ct, *labels), progress);
       },
       [self = QPointer(this), number = ++number_](Result<Measured> result) {

@@ -36,7 +36,7 @@ void PrepareSession::applyTerms(const LabelTerms& terms) {
   }
   Q_EMIT termsChanged();
   Q_EMIT messageChanged();
-  tellEdits();
+  notifyEdits();
 }
 
 void PrepareSession::setName(std::uint8_t label, const QString& name) {

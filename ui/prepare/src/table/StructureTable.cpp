@@ -212,9 +212,9 @@ void StructureTable::showSelected() {
                        static_cast<QWidget*>(all_), static_cast<QWidget*>(remove_)})
     one->setEnabled(row >= 0);
   if (row >= 0) {
-    opacity_->setRange({0, kPercent, kPercent * usualOpacity(label), 5, 0});
+    opacity_->setRange({0, kPercent, kPercent * defaultOpacity(label), 5, 0});
     opacity_->setValue(kPercent * session_.look(label).opacity);
-    onSlices_->setRange({0, kPercent, kPercent * usualShareOnSlices(label), 5, 0});
+    onSlices_->setRange({0, kPercent, kPercent * defaultShareOnSlices(label), 5, 0});
     onSlices_->setValue(kPercent * session_.look(label).onSlices);
   }
   showing_ = false;

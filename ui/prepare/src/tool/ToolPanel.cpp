@@ -52,7 +52,7 @@ ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* paren
   slow_.setSingleShot(true);
   slow_.setInterval(kSlow_ms);
   connect(&slow_, &QTimer::timeout, this, [this] { preview_->setText(tr("Computing ...")); });
-  connect(&session_.labelling().preview(), &LabelPreview::computingChanged, this, [this] { tellComputing(); });
+  connect(&session_.labelling().preview(), &LabelPreview::computingChanged, this, [this] { showComputing(); });
   connect(preview_, &QPushButton::clicked, this, [this] { tools_.preview(); });
   connect(apply_, &QPushButton::clicked, this, [this] { tools_.apply(); });
   connect(leave_, &QPushButton::clicked, this, [this] { tools_.leave(); });
@@ -72,7 +72,7 @@ ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* paren
 ToolPanel::~ToolPanel() = default;
 
 /// Shows that a preview takes a while; nothing flickers while it follows a slider.
-void ToolPanel::tellComputing() {
+void ToolPanel::showComputing() {
   if (session_.labelling().preview().isComputing()) return slow_.start();
   slow_.stop();
   preview_->setText(tr("Preview"));

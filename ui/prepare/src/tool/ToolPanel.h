@@ -41,7 +41,7 @@ class ToolPanel : public QWidget {
   void addRange(QVBoxLayout& box);
   void addOther(QVBoxLayout& box);
   void refresh();
-  void tellComputing();
+  void showComputing();
 
   PrepareSession& session_;
   ToolSession& tools_;

@@ -38,7 +38,7 @@ CaseViews::CaseViews(PrepareSession& session, QWidget* parent)
       session_(session),
       previewSurface_(session.labelling().preview(), this),
       scene_(std::make_shared<views::SceneView>()) {
-  scene_->comeBehindOthers();
+  scene_->lowerThreadPriority();
   setObjectName(QStringLiteral("caseViews"));
   arrange();
   buildEmpty();

@@ -45,7 +45,7 @@ class ClassDesk : public QObject {
   const HeatMap& heat() const;
   /// Something that was asked is not answered yet; standings do not count.
   bool isReading() const { return asking_ > 0; }
-  int standingsToCome() const { return int(queue_.size()); }
+  int pendingStandings() const { return int(queue_.size()); }
   /// Why nothing is there, and what to do; empty where all is well.
   QString trouble() const { return trouble_; }
 

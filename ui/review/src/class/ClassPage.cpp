@@ -212,8 +212,8 @@ void ClassPage::showFacts() {
                   : QString::fromStdString(now->trouble));
   }
   if (desk_.isReading()) facts << tr("reading ...");
-  if (desk_.standingsToCome() > 0)
-    facts << tr("computing the levels of %1 more").arg(countOf(desk_.standingsToCome(), tr("person"), tr("people")));
+  if (desk_.pendingStandings() > 0)
+    facts << tr("computing the levels of %1 more").arg(countOf(desk_.pendingStandings(), tr("person"), tr("people")));
   facts_->setText(facts.join(QStringLiteral("   ·   ")));
   facts_->setToolTip(plainToolTip(facts_->text()));
 }
@@ -238,9 +238,9 @@ void ClassPage::showConcerns() {
         addConcern(member->person, tr("attempt of %1").arg(dayOf(one.facts.begun_us)), wordsOf(one.facts, one.flags));
     }
   }
-  concernsTitle_->setText(concerns_->count() > 0        ? tr("Needs attention")
-                          : desk_.standingsToCome() > 0 ? tr("Needs attention: not known yet")
-                                                        : tr("Nobody is stuck, and nobody has slipped"));
+  concernsTitle_->setText(concerns_->count() > 0         ? tr("Needs attention")
+                          : desk_.pendingStandings() > 0 ? tr("Needs attention: not known yet")
+                                                         : tr("Nobody is stuck, and nobody has slipped"));
   concerns_->setVisible(concerns_->count() > 0);
 }
 

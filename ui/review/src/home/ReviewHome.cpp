@@ -61,7 +61,7 @@ ReviewHome::ReviewHome(AttemptList& list, QWidget* parent)
   box->addWidget(notice_);
   box->addWidget(pages_, 1);
   connectParts();
-  showWho();
+  showSignedInPages();
 }
 
 QWidget* ReviewHome::buildTabs() {
@@ -114,13 +114,13 @@ void ReviewHome::connectParts() {
 void ReviewHome::setAccount(ui::Account& account) {
   account_ = &account;
   person_->setAccount(account);
-  connect(&account, &ui::Account::changed, this, [this] { showWho(); });
+  connect(&account, &ui::Account::changed, this, [this] { showSignedInPages(); });
   room_->setAccount(account);
-  showWho();
+  showSignedInPages();
 }
 
 /// Tabs and pages of who sits here now; nothing of who sat here before.
-void ReviewHome::showWho() {
+void ReviewHome::showSignedInPages() {
   const bool somebody = room_->isSomebody();
   bar_->setVisible(somebody);
   for (const Tab tab : {kClass, kCompare, kRaters}) tabs_->button(tab)->setVisible(room_->teaches());
@@ -161,7 +161,7 @@ void ReviewHome::showSaving() {
 }
 
 bool ReviewHome::isSettled() const {
-  return !room_->isReading() && room_->standingsToCome() == 0 && !person_->isReading();
+  return !room_->isReading() && room_->pendingStandings() == 0 && !person_->isReading();
 }
 
 QString ReviewHome::statusText() const {

@@ -52,7 +52,7 @@ class ReviewHome final : public QWidget {
   QWidget* buildTabs();
   void addTab(Tab tab, const char* object, const QString& text, const QString& tip, const QString& keys);
   void connectParts();
-  void showWho();
+  void showSignedInPages();
   void showSelf();
   void showTab(int tab);
   void choosePerson(const QString& person);

@@ -76,7 +76,7 @@ bool PersonDesk::mayVoid() const {
          account_->person().id != person_;
 }
 
-QString PersonDesk::whyToLook(const AttemptFacts& attempt) const {
+QString PersonDesk::attentionReason(const AttemptFacts& attempt) const {
   if (!mayVoid() || !facts_) return {};
   const auto found = facts_->implausible.find(attempt.id);
   return found == facts_->implausible.end() ? QString() : wordsOf(attempt, found->second);

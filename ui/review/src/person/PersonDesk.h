@@ -36,7 +36,7 @@ class PersonDesk : public QObject {
   /// Tells whether the user may void this person's attempts.
   bool mayVoid() const;
   /// Why an attempt is implausible, for an instructor; empty: it is not, or who is signed in does not teach the person.
-  QString whyToLook(const AttemptFacts& attempt) const;
+  QString attentionReason(const AttemptFacts& attempt) const;
   void voidAttempt(const std::string& attempt, const QString& reason);
   /// Counts one that nothing proves; by whoever may void it.
   void acceptAttempt(const std::string& attempt, const QString& reason);

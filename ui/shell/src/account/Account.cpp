@@ -133,7 +133,7 @@ Result<void> Account::reachStore() {
 }
 
 /// A question failed: it was refused, or nobody answered.
-void Account::lookWhetherAway() {
+void Account::checkConnection() {
   if (isServer(address_) && session_ && !away_) look();
 }
 

@@ -70,7 +70,7 @@ TaskBar::~TaskBar() {
 void TaskBar::start(const QString& title, std::function<Deliver(const Progress&)> work, Deliver cancelled) {
   cancel();
   auto job = std::make_shared<Job>();
-  runUnseen([job, work = std::move(work)] {
+  runInBackground([job, work = std::move(work)] {
     const Progress progress = [job](std::string_view doing, double fraction) {
       const std::lock_guard lock(job->mutex);
       job->doing = doing;

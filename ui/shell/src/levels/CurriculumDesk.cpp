@@ -103,7 +103,7 @@ void CurriculumDesk::takeDraft(const Result<KeptDraft>& draft) {
 
 void CurriculumDesk::show(Curriculum curriculum) {
   curriculum_ = std::move(curriculum);
-  troubles_ = isDraft() ? troublesOf(*curriculum_, known_) : std::vector<DraftTrouble>();
+  troubles_ = isDraft() ? problemsOf(*curriculum_, known_) : std::vector<DraftTrouble>();
   Q_EMIT curriculumChanged();
 }
 
@@ -191,14 +191,14 @@ void CurriculumDesk::contest(const std::string& refusal) {
       });
 }
 
-void CurriculumDesk::readTheirs() {
+void CurriculumDesk::reloadDraft() {
   const OfferedCurriculum offer = *chosen_;
   saved_ = true;
   chosen_.reset();
   choose(offer);
 }
 
-void CurriculumDesk::keepMine() {
+void CurriculumDesk::overwriteTheirs() {
   account_->ask<std::string>(
       this, [name = curriculum_->name](const SignedIn& by) { return PublishedCurricula(by).draft(name); },
       [this, round = round_](const Result<std::string>& theirs) {

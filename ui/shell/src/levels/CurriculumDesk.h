@@ -56,8 +56,8 @@ class CurriculumDesk : public QObject {
   bool isSaved() const { return saved_; }
   /// Somebody else has saved another: nothing is saved until one of these is called.
   bool isContested() const { return contested_; }
-  void readTheirs();
-  void keepMine();
+  void reloadDraft();
+  void overwriteTheirs();
 
   void begin(const QString& name, std::function<void(Result<void>)> done);
   /// A draft of the next version of the one that is looked at.

@@ -142,8 +142,8 @@ QWidget* CurriculumWindow::buildContest() {
   auto* mine = named(new QPushButton(tr("Overwrite")), "curriculumMine", tr("Overwrite"),
                      tr("Saves your draft over theirs; their changes are lost"));
   for (QPushButton* one : {theirs, mine}) one->setAutoDefault(false);
-  connect(theirs, &QPushButton::clicked, desk_, &CurriculumDesk::readTheirs);
-  connect(mine, &QPushButton::clicked, desk_, &CurriculumDesk::keepMine);
+  connect(theirs, &QPushButton::clicked, desk_, &CurriculumDesk::reloadDraft);
+  connect(mine, &QPushButton::clicked, desk_, &CurriculumDesk::overwriteTheirs);
   auto* label = paragraph("curriculumContest");
   label->setText(tr("Another user has saved this draft meanwhile. Your changes are not saved until you choose."));
   setRole(label, "problem");

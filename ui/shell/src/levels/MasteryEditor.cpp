@@ -123,7 +123,7 @@ QWidget* MasteryEditor::buildCusum() {
     Q_EMIT edited({}, [on](Level& level) { level.mastery.cusum = on ? std::optional(CusumRule()) : std::nullopt; });
   });
   for (QDoubleSpinBox* one : {acceptable_, unacceptable_, limit_})
-    connect(one, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &MasteryEditor::tellCusum);
+    connect(one, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &MasteryEditor::applyCusum);
   return lineOf({cusum_, new QLabel(tr("acceptable")), acceptable_, new QLabel(tr("unacceptable")), unacceptable_,
                  new QLabel(tr("limit h")), limit_});
 }
@@ -164,9 +164,9 @@ QWidget* MasteryEditor::buildLapses() {
                       tr("The level lapses after repeated failures"));
   failures_ = number<QSpinBox>("lapseFailures", tr("Failures"), tr("Number of failures"), 1, 1000, tr(" failures"));
   within_ = number<QSpinBox>("lapseWithin", tr("Within"), tr("Number of latest attempts"), 1, 1000, tr(" attempts"));
-  for (QCheckBox* one : {byDays_, byFailures_}) connect(one, &QCheckBox::clicked, this, &MasteryEditor::tellLapses);
+  for (QCheckBox* one : {byDays_, byFailures_}) connect(one, &QCheckBox::clicked, this, &MasteryEditor::applyLapses);
   for (QSpinBox* one : {days_, failures_, within_})
-    connect(one, QOverload<int>::of(&QSpinBox::valueChanged), this, &MasteryEditor::tellLapses);
+    connect(one, QOverload<int>::of(&QSpinBox::valueChanged), this, &MasteryEditor::applyLapses);
   days_->setValue(180), failures_->setValue(FailureRule().failures), within_->setValue(FailureRule().within);
   auto* part = new QWidget;
   auto* column = new QVBoxLayout(part);
@@ -207,14 +207,14 @@ void MasteryEditor::show(const Level& level) {
   if (rule.lapsesAfter) failures_->setValue(rule.lapsesAfter->failures), within_->setValue(rule.lapsesAfter->within);
 }
 
-void MasteryEditor::tellCusum() {
+void MasteryEditor::applyCusum() {
   const CusumRule rule{acceptable_->value() / kPercent, unacceptable_->value() / kPercent, limit_->value()};
   Q_EMIT edited(QStringLiteral("cusum"), [rule](Level& level) {
     if (level.mastery.cusum) level.mastery.cusum = rule;
   });
 }
 
-void MasteryEditor::tellLapses() {
+void MasteryEditor::applyLapses() {
   const auto days = byDays_->isChecked() ? std::optional(days_->value()) : std::nullopt;
   const auto failures =
       byFailures_->isChecked() ? std::optional(FailureRule{failures_->value(), within_->value()}) : std::nullopt;

@@ -37,8 +37,8 @@ class MasteryEditor final : public QWidget {
   QWidget* buildCalibration();
   QWidget* buildLapses();
   void calibrate();
-  void tellCusum();
-  void tellLapses();
+  void applyCusum();
+  void applyLapses();
 
   QSpinBox *passes_, *trials_, *days_, *failures_, *within_;
   QCheckBox *cusum_, *byDays_, *byFailures_;

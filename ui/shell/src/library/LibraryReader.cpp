@@ -186,7 +186,7 @@ LibraryEntry knownCase(LibraryEntry entry, const QString& cache, const Progress&
     if (!made) return broken(std::move(entry), made.error().message);
     findOut(**made, entry, progress);
     // The next start reads the neck instead of making it: only then is its state on disk known.
-    waitUntilBuiltInIsKept();
+    waitForBuiltInCache();
   } else {
     const auto read = readCase(folder.toStdString());
     if (!read) return broken(std::move(entry), read.error().message);

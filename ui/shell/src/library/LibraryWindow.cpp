@@ -189,8 +189,8 @@ void LibraryWindow::look() {
       if (self && !*stopped) what(*self);
     });
   };
-  runUnseen([tell, stopped = stopped_, folders = folders() + recentFolders(), builtIn = builtInNames(),
-             cache = libraryCache()] {
+  runInBackground([tell, stopped = stopped_, folders = folders() + recentFolders(), builtIn = builtInNames(),
+                   cache = libraryCache()] {
     std::vector<LibraryEntry> listed;
     // One's own first: a built-in neck may have to be made, which takes seconds.
     for (const QString& folder : casesIn(folders)) listed.push_back(listedCase(folder, false));

@@ -98,7 +98,7 @@ CaseWorker::CaseWorker(std::shared_ptr<const PatientCase> patient, CaseWork work
 
 CaseWorker::~CaseWorker() {
   job_->leave();
-  runUnseen([thread = std::make_shared<std::thread>(std::move(thread_))] { thread->join(); });
+  runInBackground([thread = std::make_shared<std::thread>(std::move(thread_))] { thread->join(); });
 }
 
 void CaseWorker::place(std::shared_ptr<const LabelMap> labels) {

@@ -24,7 +24,7 @@ Threads& threads() {
 
 }  // namespace
 
-void runUnseen(std::function<void()> work) {
+void runInBackground(std::function<void()> work) {
   {
     const std::lock_guard lock(threads().mutex);
     ++threads().running;

@@ -18,7 +18,7 @@ void LiveFeed::set(std::unique_ptr<LiveImaging> live) {
   if (live_) {
     live_->onFrame({});
     // Its threads end within a fraction of a second, which is too long for the window.
-    runUnseen([old = std::shared_ptr<LiveImaging>(std::move(live_))] {});
+    runInBackground([old = std::shared_ptr<LiveImaging>(std::move(live_))] {});
   }
   QCoreApplication::removePostedEvents(this, QEvent::User);
   posted_ = false;

@@ -228,7 +228,7 @@ void ScenePanel::setColourScheme(views::ColourScheme scheme) {
 void ScenePanel::showUsual() {
   for (const LabelInfo& info : labelTable()) {
     scene_->setVisible(info.label, true);
-    scene_->setOpacity(info.label, views::usualOpacity(info.label));
+    scene_->setOpacity(info.label, views::defaultOpacity(info.label));
   }
   if (patient_ && structuresHere_) {
     for (const auto& [label, shown] : patient_->manifest.shown) {

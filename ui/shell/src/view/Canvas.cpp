@@ -67,7 +67,7 @@ ViewWidget::Canvas::Canvas(views::View& view, QWidget* parent) : QWidget(parent)
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setMinimumSize(64, 64);
-  if (view_.mayDrawElsewhere()) {
+  if (view_.canDrawOnThread()) {
     // Unread results are dropped with the canvas, which ends the thread first.
     thread_ = std::make_unique<views::DrawingThread>(
         view_, [this] { QCoreApplication::postEvent(this, new QEvent(QEvent::User)); });

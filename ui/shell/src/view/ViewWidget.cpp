@@ -83,7 +83,7 @@ void ViewWidget::want() {
   if (timer_->isActive() || canvas_->isDrawing()) return;
   const double since_ms = sinceRender_.isValid() ? double(sinceRender_.nsecsElapsed()) / 1e6 : kFrame_ms;
   const double wait_ms =
-      std::max(kFrame_ms - lastRender_ms_, view_->mayDrawElsewhere() ? 0 : lastRender_ms_ * kShareForOthers);
+      std::max(kFrame_ms - lastRender_ms_, view_->canDrawOnThread() ? 0 : lastRender_ms_ * kShareForOthers);
   timer_->start(int(std::max(0.0, wait_ms - since_ms)));
 }
 
@@ -111,7 +111,7 @@ void ViewWidget::drawn(double took_ms) {
 }
 
 bool ViewWidget::isDrawing() const {
-  return canvas_->isDrawing() || (view_->mayDrawElsewhere() && timer_->isActive());
+  return canvas_->isDrawing() || (view_->canDrawOnThread() && timer_->isActive());
 }
 
 void ViewWidget::forget() {

@@ -55,7 +55,7 @@ LossQuestion::LossQuestion(const Loss& loss, LostBy by, QWidget* parent) : QDial
   };
   auto* go = closing ? add("goOn", working ? tr("Stop and close") : tr("Close without saving"), tr("Close the window"))
                      : add("goOn", working ? tr("Stop and continue") : tr("Continue without saving"), tr("Discard"));
-  connect(go, &QPushButton::clicked, this, &LossQuestion::goOnChosen);
+  connect(go, &QPushButton::clicked, this, &LossQuestion::continueChosen);
   auto* usual = add("keep", tr("Cancel"), tr("Back to the window (Esc)"));
   if (!working) {
     usual = loss.nowhere ? add("save", tr("Save case as ..."), tr("Writes the case to a folder, then continues"))

@@ -27,7 +27,7 @@ class LossQuestion : public QDialog {
   LossQuestion(const Loss& loss, LostBy by, QWidget* parent);
 
  Q_SIGNALS:
-  void goOnChosen();
+  void continueChosen();
   void saveChosen();
 };
 

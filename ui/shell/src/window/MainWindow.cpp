@@ -119,7 +119,7 @@ void MainWindow::connectAll() {
               status_->say(sentence);
             };
             // If the case holds all edits, only things that end with the case need a question; the files stay.
-            whole&& loss().ending.isEmpty() ? go() : whenNothingIsLost(LostBy::Opening, go);
+            whole&& loss().ending.isEmpty() ? go() : confirmDiscard(LostBy::Opening, go);
           });
   connect(exchange_, &CaseExchange::written, this,
           [this](const QString& sentence, const QString& folder) { status_->say(sentence, folder); });
@@ -161,7 +161,7 @@ void MainWindow::addWorkspace(const QString& id, const QString& title, const QSt
 
 void MainWindow::switchTo(int index) {
   const int now = stack_->currentIndex();
-  if (const QString why = index == now ? QString() : currentWorkspace()->keepsTheWindow(); !why.isEmpty()) {
+  if (const QString why = index == now ? QString() : currentWorkspace()->blocksWorkspaceChange(); !why.isEmpty()) {
     header_->setTab(now);
     return status_->say(why);
   }
@@ -230,7 +230,7 @@ void MainWindow::restoreLayout() {
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!sure_ && loss()) {
     event->ignore();
-    return whenNothingIsLost(LostBy::Closing, [this] { closeAtOnce(); });
+    return confirmDiscard(LostBy::Closing, [this] { closeAtOnce(); });
   }
   QSettings settings;
   settings.setValue(kGeometry, saveGeometry());

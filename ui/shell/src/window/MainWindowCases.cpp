@@ -168,7 +168,7 @@ void MainWindow::openAttempt(const QString& file) {
     room->workspace->openAttempt(file);
   };
   // A case that is not saved is in danger only where the attempt is of another one; that is asked then.
-  tasks_->asksWhenClosed() ? whenNothingIsLost(LostBy::Opening, go) : go();
+  tasks_->asksWhenClosed() ? confirmDiscard(LostBy::Opening, go) : go();
 }
 
 void MainWindow::chooseTarget() {

@@ -18,7 +18,7 @@ namespace insonate::ui {
 
 void MainWindow::open(const QString& path) {
   if (attemptRoom() && isAttemptFile(path)) return openAttempt(path);
-  whenNothingIsLost(LostBy::Opening, [this, path] { loader_->open(path); });
+  confirmDiscard(LostBy::Opening, [this, path] { loader_->open(path); });
 }
 
 void MainWindow::openTextbook() {
@@ -26,14 +26,14 @@ void MainWindow::openTextbook() {
 }
 
 void MainWindow::openBuiltIn(const QString& variant) {
-  whenNothingIsLost(LostBy::Opening, [this, variant] { loader_->openBuiltIn(variant); });
+  confirmDiscard(LostBy::Opening, [this, variant] { loader_->openBuiltIn(variant); });
 }
 
 void MainWindow::reload() {
   if (!case_.folder.isEmpty()) open(case_.folder);
 }
 
-bool MainWindow::isNowhere() const {
+bool MainWindow::isWithoutFolder() const {
   return case_.patient && case_.folder.isEmpty() && !case_.builtIn && case_.versionOf.isEmpty();
 }
 
@@ -88,18 +88,18 @@ Loss MainWindow::loss() const {
   if (tasks_->asksWhenClosed()) loss.job = tasks_->title();
   for (const Room& room : rooms_)
     if (loss.ending.isEmpty()) loss.ending = room.workspace->endsWithTheCase();
-  loss.nowhere = isNowhere();
+  loss.nowhere = isWithoutFolder();
   if (loss.nowhere || !unsavedEdits().empty()) loss.title = QString::fromStdString(case_.patient->manifest.title);
   return loss;
 }
 
-void MainWindow::whenNothingIsLost(LostBy by, std::function<void()> go) {
+void MainWindow::confirmDiscard(LostBy by, std::function<void()> go) {
   const Loss lost = loss();
   if (!lost) return go();
   if (auto* asked = findChild<LossQuestion*>()) return asked->raise();
   auto* question = new LossQuestion(lost, by, this);
   // Once the question is gone: it must not go with the window in the middle of its own end.
-  connect(question, &LossQuestion::goOnChosen, this, [this, go] { QTimer::singleShot(0, this, go); });
+  connect(question, &LossQuestion::continueChosen, this, [this, go] { QTimer::singleShot(0, this, go); });
   connect(question, &LossQuestion::saveChosen, this, [this, go] {
     afterSaving_ = go;
     saveCase();
@@ -109,7 +109,7 @@ void MainWindow::whenNothingIsLost(LostBy by, std::function<void()> go) {
     if (!question->isVisible()) return;
     question->reject();
     QTimer::singleShot(0, this, [this, by, go] {
-      if (loss()) whenNothingIsLost(by, go);
+      if (loss()) confirmDiscard(by, go);
     });
   });
   question->open();
@@ -125,7 +125,7 @@ void MainWindow::showTitle() {
   if (!case_.patient) return;
   const CaseManifest& manifest = case_.patient->manifest;
   QString title = QString::fromStdString(manifest.title), hint = QString::fromStdString(manifest.description);
-  if (isNowhere())
+  if (isWithoutFolder())
     title += tr(" (not saved)");
   else if (changed)
     title += tr(" (changed)");

@@ -137,7 +137,7 @@ void DeviceList::addSimulated(int profile) {
   const std::string id = "simulated:" + std::string(deviceProfiles()[profile].name) + "#" + std::to_string(++made_);
   hands_.session().devices().add(
       std::make_shared<SimulatedDevice>(id, deviceProfiles()[profile], Grip{}, HandPath::Point{}));
-  hands_.lookAtDevices();
+  hands_.checkDevices();
   Q_EMIT hands_.handsChanged();
 }
 
@@ -147,7 +147,7 @@ void DeviceList::replay(const std::filesystem::path& file) {
                         : Result<std::shared_ptr<HapticDevice>>(tl::unexpected(reports.error()));
   if (!device) return tell(text(device.error().message), true);
   hands_.session().devices().add(std::move(*device));
-  hands_.lookAtDevices();
+  hands_.checkDevices();
   Q_EMIT hands_.handsChanged();
 }
 

@@ -75,7 +75,7 @@ void DevicePanel::count() {
 }
 
 void DevicePanel::look() {
-  hands_.lookAtDevices();
+  hands_.checkDevices();
   if (sinceCount_.elapsed() >= kCount_ms) count();
   const int known = int(hands_.session().devices().devices().size());
   const bool more = std::exchange(known_, known) != known;

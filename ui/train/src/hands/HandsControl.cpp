@@ -36,7 +36,7 @@ HandsControl::HandsControl(QObject* parent) : QObject(parent), session_(std::mak
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, [this] { look(); });
   slow_.setInterval(kSlow_ms);
-  connect(&slow_, &QTimer::timeout, this, [this] { lookAtDevices(); });
+  connect(&slow_, &QTimer::timeout, this, [this] { checkDevices(); });
 }
 
 HandsControl::~HandsControl() = default;
@@ -139,7 +139,7 @@ void HandsControl::apply() {
   if (!session_->held(kNeedleHand) && std::exchange(needle_, std::nullopt)) Q_EMIT needleChanged();
 }
 
-void HandsControl::lookAtDevices() {
+void HandsControl::checkDevices() {
   apply();
   for (const DeviceEvent& event : session_->devices().takeEvents()) {
     const QString id = QString::fromStdString(event.device);
@@ -152,16 +152,16 @@ void HandsControl::lookAtDevices() {
 void HandsControl::look() {
   const double step_s = std::min(0.1, double(clock_.restart()) / 1000);
   const ServoSnapshot now = session_->snapshot();
-  if (wish_) goIn(now, step_s);
+  if (wish_) advanceTowardTarget(now, step_s);
   follow(now);
-  if (now.present[kNeedleHand] && !session_->isMouse(kNeedleHand)) lookAtButtons(now.states[kNeedleHand]);
+  if (now.present[kNeedleHand] && !session_->isMouse(kNeedleHand)) checkButtons(now.states[kNeedleHand]);
   for (const NeedleEvent& event : session_->takeEvents())
     if (!silent_) Q_EMIT said(sentenceOf(event, vesselAt(event.wall, event.tip_mm)));
   for (std::uint32_t down = session_->takePresses(), button = 0; down; down >>= 1, ++button)
     if (down & 1) Q_EMIT pedalPressed(int(button));
 }
 
-void HandsControl::lookAtButtons(const DeviceState& now) {
+void HandsControl::checkButtons(const DeviceState& now) {
   const DeviceState before = std::exchange(stylus_, now);
   if ((now.buttons ^ before.buttons) & kDrawButton) Q_EMIT drawButton(now.buttons & kDrawButton);
   if (!(now.buttons & before.buttons & kTurnButton)) return;
@@ -193,7 +193,7 @@ void HandsControl::follow(const ServoSnapshot& now) {
 }
 
 /// Mouse and keys push on until something stops the needle: bone, or the probe.
-void HandsControl::goIn(const ServoSnapshot& now, double step_s) {
+void HandsControl::advanceTowardTarget(const ServoSnapshot& now, double step_s) {
   const double left_mm = advance_mm_ - wish_->state().advance_mm;
   if (left_mm == 0) return;
   const HandOutput& out = now.output.hands[kNeedleHand];
@@ -207,10 +207,10 @@ void HandsControl::goIn(const ServoSnapshot& now, double step_s) {
   const double most_mm = kAdvance_mmPerS * step_s;
   wish_->advance(std::clamp(left_mm, -most_mm, most_mm));
   if (std::abs(left_mm) <= most_mm) advance_mm_ = wish_->state().advance_mm;
-  wishMoved();
+  targetChanged();
 }
 
-void HandsControl::wishMoved() {
+void HandsControl::targetChanged() {
   session_->moveByMouse(kNeedleHand, wish_->patientFromNeedle());
 }
 
@@ -248,7 +248,7 @@ void HandsControl::layNeedleDown() {
 
 void HandsControl::tell(HandMove move) {
   if (!move.done()) Q_EMIT said(ui::qt(move.stopped));
-  wishMoved();
+  targetChanged();
   Q_EMIT needleChanged();
 }
 

@@ -99,7 +99,7 @@ class HandsControl : public QObject {
   std::shared_ptr<HapticDevice> deviceOf(const QString& id);
 
   /// News of devices, which come by themselves while one is in a hand.
-  void lookAtDevices();
+  void checkDevices();
 
   void save(QSettings& settings) const;
   void restore(QSettings& settings);
@@ -121,10 +121,10 @@ class HandsControl : public QObject {
   void apply();
   void put(Hand hand);
   void follow(const ServoSnapshot& now);
-  void lookAtButtons(const DeviceState& now);
-  void goIn(const ServoSnapshot& now, double step_s);
+  void checkButtons(const DeviceState& now);
+  void advanceTowardTarget(const ServoSnapshot& now, double step_s);
   void tell(HandMove move);
-  void wishMoved();
+  void targetChanged();
   Transform startOf(Hand hand) const;
   bool inMouse(Hand hand) const { return wanted_[hand].isEmpty(); }
 

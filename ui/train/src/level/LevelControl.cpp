@@ -20,7 +20,7 @@ LevelControl::LevelControl(TrainSession& session, AttemptControl& attempt, Cours
   connect(&attempt_, &AttemptControl::stateChanged, this, [this] {
     if (attempt_.state() == AttemptControl::State::Starting) {
       arrange();
-      beginAway();
+      beginWithoutStore();
     } else if (!attempt_.isBusy()) {
       session_.releaseStart();
     }
@@ -104,7 +104,7 @@ void LevelControl::arrange() {
 }
 
 /// On the vein, a level would ask for no more than to push the needle in.
-void LevelControl::beginAway() {
+void LevelControl::beginWithoutStore() {
   const auto home = level_ ? session_.handAtStart() : std::nullopt;
   if (!home) return;
   const VesselNames vessels(session_.patient()->manifest, attempt_.procedure(), home->pose().offset);

@@ -50,7 +50,7 @@ class LevelControl final : public QObject {
   void caseChanged();
   void courseChanged();
   void arrange();
-  void beginAway();
+  void beginWithoutStore();
 
   TrainSession& session_;
   AttemptControl& attempt_;

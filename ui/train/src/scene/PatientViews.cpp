@@ -182,7 +182,7 @@ void PatientViews::setCompact(bool compact) {
 }
 
 void PatientViews::showBelow(QWidget* shown) {
-  if ((shown == four_) != showsAllSlices()) giveRoom(shown == four_);
+  if ((shown == four_) != showsAllSlices()) expandPatientColumn(shown == four_);
   for (QWidget* one :
        {static_cast<QWidget*>(mprWidget_), static_cast<QWidget*>(four_), static_cast<QWidget*>(sceneScroll_)})
     one->setVisible(one == shown);
@@ -191,7 +191,7 @@ void PatientViews::showBelow(QWidget* shown) {
 }
 
 /// Gives four slices the larger part of the column's height, and as much width as the image has.
-void PatientViews::giveRoom(bool more) {
+void PatientViews::expandPatientColumn(bool more) {
   if (more) {
     splitBefore_ = splitter_->saveState();
     splitter_->setSizes({kSceneShare, 100 - kSceneShare});

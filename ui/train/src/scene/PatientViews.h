@@ -83,7 +83,7 @@ class PatientViews : public QWidget {
   QWidget* buildScenePanel(QWidget* parent);
   /// Slice, all slices, or what 3D shows.
   void showBelow(QWidget* shown);
-  void giveRoom(bool more);
+  void expandPatientColumn(bool more);
   void showCase();
   void showSurface(int label, const Mesh& mesh);
   void placeCamera();

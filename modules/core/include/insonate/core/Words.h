@@ -17,6 +17,6 @@ std::string joinedWords(const std::vector<std::string_view>& words);
 std::string quotedWords(const std::vector<std::string_view>& words);
 
 /// Rewrites the text of a JSON parser's exception for users: "line 1, column 2: ..." without the library's names.
-std::string jsonTrouble(std::string_view what);
+std::string jsonProblem(std::string_view what);
 
 }  // namespace insonate

@@ -21,6 +21,6 @@ struct DraftTrouble {
   bool operator==(const DraftTrouble&) const = default;
 };
 /// One for each level at most, then those of the whole; none: parseCurriculum() and checkNames() take it.
-std::vector<DraftTrouble> troublesOf(const Curriculum& draft, const TeachingNames& known);
+std::vector<DraftTrouble> problemsOf(const Curriculum& draft, const TeachingNames& known);
 
 }  // namespace insonate

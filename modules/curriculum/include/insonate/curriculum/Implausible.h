@@ -36,7 +36,7 @@ std::vector<Implausible> implausibilities(const AttemptFacts& facts);
 
 /// Tells whether the metrics come from an attempt in which the needle reached the skin. Before that, many attempts
 /// have the same values.
-bool tellsOfTheNeedle(const std::vector<MetricFact>& metrics);
+bool describesNeedle(const std::vector<MetricFact>& metrics);
 
 /// The same for one attempt after the other, with SameValues among those that were taken.
 class PlausibilityCheck {

@@ -97,7 +97,7 @@ class AttemptRecording {
   void readBlock(const record::PlacedBlock& block);
   void readChange(const record::BlockHead& head, std::size_t payload, bool agrees);
   void checkEnd(const record::BlockHead& head, std::size_t payload);
-  void tellTroubles();
+  void reportProblems();
 
   std::string name_;
   std::vector<std::uint8_t> bytes_;

@@ -67,6 +67,6 @@ std::vector<Vec3> clicksOf(const GuideStep& step, const Recipe& recipe);
 /// Returns findings about the result of a step, one sentence each: whether it contains the clicks, has a usual width
 /// and size, and keeps apart from structures that it must not touch. Takes a fraction of a second. The labels may be
 /// of any time after the step.
-std::vector<std::string> doubtsAbout(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels);
+std::vector<std::string> findingsAbout(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels);
 
 }  // namespace insonate

@@ -80,7 +80,7 @@ struct LiveOptions {
   double sceneMargin_mm = 15;         ///< room to move in a scene, each way; 2..100
   double sceneReserve_mm = 9;         ///< the next scene is begun where less room than this is left
   std::size_t cineBytes = 256 << 20;  ///< memory for frames of the past; the latest frame is kept in any case
-  bool background = false;            ///< pictures come behind the rest of the program: see comeBehindOthers()
+  bool background = false;            ///< pictures come behind the rest of the program: see lowerThreadPriority()
   bool workAhead = true;              ///< compute what scenes to come are made of, as far as processors are idle
   bool keepEnvelopes = false;         ///< LiveFrame::envelope too, about six times the memory
   Physiology physiology = {};         ///< see setPhysiology()

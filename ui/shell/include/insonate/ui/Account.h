@@ -68,7 +68,7 @@ class Account : public QObject {
           question = std::move(question), done = std::move(done)]() mutable {
       auto answer = std::make_shared<Result<T>>(session ? guarded<T>(question, *session) : fail(notOpen()));
       deliver([this, number, asker, answer, done = std::move(done)] {
-        if (!*answer) lookWhetherAway();
+        if (!*answer) checkConnection();
         if (!asker || !done) return;
         done(number == number_ ? std::move(*answer) : fail(notYours()));
       });
@@ -93,7 +93,7 @@ class Account : public QObject {
   static std::string notOpen();
   static std::string notYours();
   Result<void> reachStore();
-  void lookWhetherAway();
+  void checkConnection();
   void look();
   void post(std::function<void()> work);
   void deliver(std::function<void()> news);

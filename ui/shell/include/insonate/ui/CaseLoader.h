@@ -76,7 +76,7 @@ class CaseLoader : public QObject {
 };
 
 /// Blocks while a built-in neck that was made is being written for the next start.
-void waitUntilBuiltInIsKept();
+void waitForBuiltInCache();
 
 /// The folder of the case that a path means: the folder itself or, for one of its files, the folder it lies in. Empty
 /// when there is no case.

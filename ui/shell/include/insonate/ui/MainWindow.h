@@ -116,9 +116,9 @@ class MainWindow : public QMainWindow {
   void showSaved(const SavedCase& saved);
   std::vector<CaseEdit> unsavedEdits() const;
   std::vector<CaseEdit> quietEdits() const;
-  bool isNowhere() const;
+  bool isWithoutFolder() const;
   Loss loss() const;
-  void whenNothingIsLost(LostBy by, std::function<void()> go);
+  void confirmDiscard(LostBy by, std::function<void()> go);
   void saveTo(const QString& folder);
   void fail(const QString& what, const QString& advice, const QString& details);
   void updateStatus();

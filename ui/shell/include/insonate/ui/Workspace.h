@@ -67,7 +67,7 @@ class Workspace : public QWidget {
 
   /// Why the window must not change to another workspace, a sentence, e.g. during a test, whose answers the others
   /// show; empty for nothing.
-  virtual QString keepsTheWindow() const { return {}; }
+  virtual QString blocksWorkspaceChange() const { return {}; }
 
   /// Tells whether the workspace shows recorded attempts; the window hands them to the first workspace that does.
   virtual bool opensAttempts() const { return false; }

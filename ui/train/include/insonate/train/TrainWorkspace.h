@@ -30,7 +30,7 @@ class TrainWorkspace : public ui::Workspace {
   QString engineNote() const override;
   /// From the first live picture on.
   QString endsWithTheCase() const override;
-  QString keepsTheWindow() const override;
+  QString blocksWorkspaceChange() const override;
   bool isReady() const override;
   /// Once all surfaces are there.
   bool isComplete() const override;

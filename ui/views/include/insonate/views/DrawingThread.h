@@ -20,7 +20,7 @@ class View;
 /// be seen, and finished pixels come back. For the window's thread, like the view.
 class DrawingThread {
  public:
-  /// The view must say mayDrawElsewhere() and outlive this; it is attached to a window of its own, which no other
+  /// The view must say canDrawOnThread() and outlive this; it is attached to a window of its own, which no other
   /// thread uses after the first picture is wanted. `drawn` is called on the drawing thread after each picture.
   DrawingThread(View& view, std::function<void()> drawn);
   /// Waits for the picture in work, if any.

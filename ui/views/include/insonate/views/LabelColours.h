@@ -15,6 +15,6 @@ enum class ColourScheme {
 Colour labelColour(std::uint8_t label, ColourScheme scheme);
 
 /// Default opacity of a structure's surface, 0..1: the skin is translucent.
-double usualOpacity(std::uint8_t label);
+double defaultOpacity(std::uint8_t label);
 
 }  // namespace insonate::views

@@ -128,7 +128,7 @@ class SceneView final : public View {
   std::string graphics() const;
 
   /// True: everything said is plain data, which is handed over for each picture.
-  bool mayDrawElsewhere() const override { return true; }
+  bool canDrawOnThread() const override { return true; }
 
   bool pressed(const Pointer& pointer) override;
   bool moved(const Pointer& pointer) override;

@@ -41,10 +41,10 @@ class View {
   /// Waits until what was rendered is there: graphics go on behind the caller's back.
   void finish();
   /// Tells whether a DrawingThread can draw it.
-  virtual bool mayDrawElsewhere() const { return false; }
+  virtual bool canDrawOnThread() const { return false; }
   /// Has a DrawingThread come behind the window's: where other views are what one looks at. Before it is first drawn.
-  void comeBehindOthers() { behind_ = true; }
-  bool comesBehindOthers() const { return behind_; }
+  void lowerThreadPriority() { behind_ = true; }
+  bool hasLowerPriority() const { return behind_; }
 
   /// Called when the view wants to be rendered again; called often, so collect before rendering.
   void setRenderWanted(std::function<void()> listener) { renderWanted_ = std::move(listener); }
